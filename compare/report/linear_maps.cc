@@ -9,8 +9,8 @@
 
 #include "compare/base/format.h"
 #include "compare/base/units.h"
-#include "compare/modes/control_text.h"
 #include "compare/modes/rub_analysis.h"
+#include "compare/modes/rub_map_text.h"
 #include "compare/report/assets.h"
 #include "compare/report/page_frame.h"
 #include "compare/report/plot_points.h"

@@ -6,7 +6,6 @@
 #include <string>
 #include <vector>
 
-#include "native_model/rub/feedback_map.h"
 #include "native_model/rub/rub_map.h"
 #include "native_model/scene/scene.h"
 

@@ -66,7 +66,7 @@ RubMap rub_map(const RubSystem& system, const std::vector<double>& speeds,
                const std::vector<double>& frictions,
                const std::function<void(double share)>& progress = {});
 
-// What cross-coupled feedback (control/cross_coupled.h) does to the rub that lasts: a rule for
+// What cross-coupled feedback (control/ring_feedback.h) does to the rub that lasts: a rule for
 // k(Omega). At each spin speed and k the forced rub of the scene's friction is found with the
 // ring's closed loop in it, and its least stable pair. The k under which that pair decays fastest
 // is the rule; where no rub lasts there is no rule.

@@ -9,8 +9,8 @@
 
 #include "native_model/dynamics/dynamics.h"
 #include "native_model/run/status_reason.h"
-#include "native_model/stepping/fixed_step.h"
 #include "native_model/stepping/step_limit.h"
+#include "native_model/stepping/stepper.h"
 #include "native_model/stepping/zero_order_hold.h"
 #include "native_model/system/actuation.h"
 #include "native_model/trajectory/range_check.h"

@@ -3,11 +3,9 @@
 #include <algorithm>
 #include <cassert>
 #include <cmath>
-#include <optional>
 #include <span>
 #include <stdexcept>
 #include <string>
-#include <type_traits>
 
 #include "native_model/stepping/lane_steps.h"
 #include "native_model/stepping/step_limit.h"
@@ -16,163 +14,148 @@
 namespace rotorub {
 namespace {
 
-// Controllers see their own run only: a command for each lane.
-template <class Kernel>
-class LaneCommands {
+// The runs of one group of lanes, by a step of the model's size.
+template <class Step, class M, int W>
+class LaneGroup {
  public:
-  using T = typename Kernel::T;
-
-  LaneCommands(const std::vector<const Model*>& group, double step)
-      : step_(step), v_(static_cast<std::size_t>(group.front()->nq()), T{}) {
-    for (const Model* m : group) holds_.emplace_back(*m);
-  }
-
-  void tell(Kernel& kernel, std::int64_t k) {
-    const double t = static_cast<double>(k) * step_, end = t + 0.5 * step_;
-    constexpr bool kLate = requires { velocities_now(kernel, k, v_.data()); };
-    const bool listens = std::any_of(holds_.begin(), holds_.end(),
-                                     [&](const ZeroOrderHold& h) { return h.listens(end); });
-    for (int lane = 0; lane < Kernel::kLanes; ++lane) {
-      const Eigen::Vector2d& held = holds_[static_cast<std::size_t>(lane)].held();
-      lanes::set(kernel.command_x, lane, held.x());
-      lanes::set(kernel.command_y, lane, held.y());
-    }
-    if (!listens) return;
-    if constexpr (kLate) velocities_now(kernel, k, v_.data());
-    const int nq = static_cast<int>(v_.size());
-    double q[kMaxCoordinates], v[kMaxCoordinates], a[kMaxCoordinates];
-    for (int lane = 0; lane < Kernel::kLanes; ++lane) {
-      ZeroOrderHold& hold = holds_[static_cast<std::size_t>(lane)];
-      for (int i = 0; i < nq; ++i) {
-        q[i] = lanes::get(kernel.q()[i], lane);
-        v[i] = lanes::get(kLate ? v_[static_cast<std::size_t>(i)] : kernel.v()[i], lane);
-        a[i] = k == 0 ? 0.0 : 2.0 / step_ * (v[i] - lanes::get(kernel.v()[i], lane));
-      }
-      Eigen::Vector2d u = hold.held();
-      if constexpr (!kLate) {
-        u = hold.at(t, q, v);
-      } else if (hold.listens(end)) {
-        u = hold.mean(k == 0 ? t : t - 0.5 * step_, t, end, q, v, a);
-        kernel.jump(lane, hold.jump());
-      }
-      lanes::set(kernel.command_x, lane, u.x());
-      lanes::set(kernel.command_y, lane, u.y());
-      if (!hold.failure().empty()) kernel.fail(lane, Status::kControllerFailed);
-    }
-  }
-
- private:
-  double step_;
-  std::vector<ZeroOrderHold> holds_;
-  lanes::Array<T> v_;
-};
-
-// The runs of one group of lanes, by a kernel of the model's size.
-template <class Kernel, class M, int W>
-struct LaneGroup {
-  static constexpr bool kVerlet = std::is_same_v<Kernel, VerletKernel<M>>;
-  using T = typename Kernel::T;
+  using T = typename Step::T;
 
   LaneGroup(std::vector<const Model*> runs, double h)
-      : models(std::move(runs)),
-        model(Lanes<W>(models)),
-        work{Kernel(model, models, h), {}},
-        step(h),
-        v(static_cast<std::size_t>(model.layout.nq()), T{}) {
-    work.kernel.load_initial_states();
-    if constexpr (kVerlet) work.kernel.restart();
-    if (models.front()->first().controller) commands.emplace(models, step);
+      : models_(std::move(runs)),
+        model_(Lanes<W>(models_)),
+        work_{Step(model_, models_, h), {}},
+        h_(h),
+        v_(static_cast<std::size_t>(model_.layout.nq()), T{}) {
+    work_.step.x.load_initial_states();
+    work_.step.restart();
+    if (!models_.front()->first().controller) return;
+    for (const Model* m : models_) holds_.emplace_back(*m);
   }
 
   void advance_to(std::int64_t from, std::int64_t to, const EnsembleWatch& watch) {
     constexpr std::int64_t kPatience = 4096;  // steps between looks at the interrupt
     while (from < to && !watch.stopped()) {
-      const std::int64_t count = commands ? 1 : std::min(kPatience, to - from);
-      if (commands) commands->tell(work.kernel, from);
-      advance(work, step, from, count);
+      const std::int64_t count = holds_.empty() ? std::min(kPatience, to - from) : 1;
+      command(from);
+      advance(work_, from, count);
       from += count;
     }
-  }
-
-  void find_velocities(std::int64_t k) {
-    std::copy_n(work.kernel.v(), v.size(), v.begin());
-    if constexpr (kVerlet) velocities_now(work.kernel, k, v.data());
-  }
-
-  bool impact(int lane) const {
-    return work.kernel.any_impact() && work.kernel.impacts[lane].count > 0;
   }
 
   // Of the first `wanted` runs, which are `first`, ... of all.
   void look(std::int64_t k, const EnsembleWatch& watch, std::size_t first, std::size_t wanted) {
     find_velocities(k);
-    double q_of[kMaxCoordinates], v_of[kMaxCoordinates];
+    double q[kMaxCoordinates], v[kMaxCoordinates];
     for (std::size_t lane = 0; lane < wanted; ++lane) {
       const int l = static_cast<int>(lane);
-      for (std::size_t i = 0; i < v.size(); ++i) {
-        q_of[i] = work.kernel.q()[i][l];
-        v_of[i] = v[i][l];
+      for (std::size_t i = 0; i < v_.size(); ++i) {
+        q[i] = work_.step.x.q[i][l];
+        v[i] = v_[i][l];
       }
-      double force = k > 0 && !impact(l) ? work.kernel.normal_impulse[l] / step : 0.0;
-      if constexpr (kVerlet) force += work.kernel.impact_force(l, k).x();
-      watch.look({first + lane, k, q_of, v_of, force, work.totals.impacts[l]});
+      double force = k > 0 && !hit(lane) ? work_.step.contact.normal_impulse[l] / h_ : 0.0;
+      if constexpr (kLeaps) force += work_.step.impact_force(l, k).x();
+      watch.look({first + lane, k, q, v, force, work_.totals.impacts[l]});
     }
   }
 
   void report(std::int64_t steps, const EnsembleWatch& watch, std::span<EnsembleRun> out) {
-    const Kernel& kernel = work.kernel;
     find_velocities(steps);
     for (std::size_t lane = 0; lane < out.size(); ++lane) {
       const int l = static_cast<int>(lane);
+      const Model& m = *models_[lane];
+      const LaneTotals<W>& totals = work_.totals;
       EnsembleRun& r = out[lane];
-      r.status =
-          step_refusal(*models[lane], step).empty() ? kernel.status[l] : Status::kStepTooLarge;
+      r.status = step_refusal(m, h_).empty() ? work_.step.x.status[l] : Status::kStepTooLarge;
       if (watch.stopped()) r.status = Status::kInterrupted;
-      r.first_touch = work.totals.first_touch[l];
-      r.contact_steps = work.totals.contact_steps[l];
-      r.impacts = work.totals.impacts[l];
-      r.impulse_total = work.totals.impulse_total[l];
-      r.peak_impulse = work.totals.peak_impulse[l];
-      r.peak_impact = work.totals.peak_impact[l];
-      r.friction_work = work.totals.friction_work[l];
-      if (models[lane]->first().contact) {
-        const double depth =
-            std::sqrt(work.totals.farthest[l]) - models[lane]->first().contact->clearance;
+      r.first_touch = totals.first_touch[l];
+      r.contact_steps = totals.contact_steps[l];
+      r.impacts = totals.impacts[l];
+      r.impulse_total = totals.impulse_total[l];
+      r.peak_impulse = totals.peak_impulse[l];
+      r.peak_impact = totals.peak_impact[l];
+      r.friction_work = totals.friction_work[l];
+      if (m.first().contact) {
+        const double depth = std::sqrt(totals.farthest[l]) - m.first().contact->clearance;
         r.max_penetration = std::max(0.0, depth);
       }
-      for (std::size_t i = 0; i < v.size(); ++i) {
-        r.q.push_back(kernel.q()[i][l]);
-        r.v.push_back(v[i][l]);
+      for (std::size_t i = 0; i < v_.size(); ++i) {
+        r.q.push_back(work_.step.x.q[i][l]);
+        r.v.push_back(v_[i][l]);
       }
     }
-    if (kVerlet && !watch.stopped()) count_half_step(steps, out);
+    if (kLeaps && !watch.stopped()) count_half_step(steps, out);
+  }
+
+ private:
+  static constexpr bool kLeaps = requires(const Step& s) { s.was_first; };
+
+  bool hit(std::size_t lane) const {
+    return work_.step.contact.impacted && work_.step.contact.impacts[lane].count > 0;
+  }
+
+  void find_velocities(std::int64_t k) {
+    std::copy_n(work_.step.x.v.begin(), v_.size(), v_.begin());
+    if constexpr (kLeaps) velocities_now(work_.step, k, v_.data());
+  }
+
+  // The commands of step k, by the controller of each run, which sees its own run only.
+  void command(std::int64_t k) {
+    if (holds_.empty()) return;
+    const double t = static_cast<double>(k) * h_, end = t + 0.5 * h_;
+    StepState<M>& x = work_.step.x;
+    auto& asked = work_.step.loads.command[0];
+    const auto listens = [end](const ZeroOrderHold& hold) { return hold.listens(end); };
+    const auto tell = [&](std::size_t lane, const Eigen::Vector2d& u) {
+      lanes::set(asked.x, static_cast<int>(lane), u.x());
+      lanes::set(asked.y, static_cast<int>(lane), u.y());
+    };
+    for (std::size_t lane = 0; lane < W; ++lane) tell(lane, holds_[lane].held());
+    if (std::none_of(holds_.begin(), holds_.end(), listens)) return;
+    find_velocities(k);
+    double q[kMaxCoordinates], v[kMaxCoordinates], a[kMaxCoordinates];
+    for (std::size_t lane = 0; lane < W; ++lane) {
+      const int l = static_cast<int>(lane);
+      ZeroOrderHold& hold = holds_[lane];
+      for (std::size_t i = 0; i < v_.size(); ++i) {
+        q[i] = x.q[i][l];
+        v[i] = v_[i][l];
+        a[i] = k == 0 ? 0.0 : 2.0 / h_ * (v[i] - x.v[i][l]);
+      }
+      if constexpr (!kLeaps) {
+        tell(lane, hold.at(t, q, v));
+      } else if (hold.listens(end)) {
+        tell(lane, hold.mean(k == 0 ? t : t - 0.5 * h_, t, end, q, v, a));
+        work_.step.jump(lane, hold.jump());
+      }
+      if (!hold.failure().empty()) x.fail(l, Status::kControllerFailed);
+    }
   }
 
   // The steps of `verlet` lie about the t_k: of the one about the end half counts, as in
   // run/fixed_run.cc.
   void count_half_step(std::int64_t steps, std::span<EnsembleRun> out) {
-    work.totals = {};
-    if (commands) commands->tell(work.kernel, steps);
-    advance(work, step, steps, 1);
+    work_.totals = {};
+    command(steps);
+    advance(work_, steps, 1);
     for (std::size_t lane = 0; lane < out.size(); ++lane) {
       const int l = static_cast<int>(lane);
-      if (impact(l) || !(work.totals.contact_steps[l] > 0.0)) continue;
+      if (hit(lane) || !(work_.totals.contact_steps[l] > 0.0)) continue;
       out[lane].ends_in_contact = true;
-      out[lane].impulse_total += 0.5 * work.totals.impulse_total[l];
-      out[lane].friction_work += 0.5 * work.totals.friction_work[l];
-      out[lane].peak_impulse = std::max(out[lane].peak_impulse, work.totals.peak_impulse[l]);
+      out[lane].impulse_total += 0.5 * work_.totals.impulse_total[l];
+      out[lane].friction_work += 0.5 * work_.totals.friction_work[l];
+      out[lane].peak_impulse = std::max(out[lane].peak_impulse, work_.totals.peak_impulse[l]);
     }
   }
 
-  std::vector<const Model*> models;
-  M model;
-  LaneWork<Kernel, W> work;
-  double step;
-  lanes::Array<T> v;
-  std::optional<LaneCommands<Kernel>> commands;
+  std::vector<const Model*> models_;
+  M model_;
+  LaneWork<Step, W> work_;
+  double h_;
+  lanes::Array<T> v_;
+  std::vector<ZeroOrderHold> holds_;  // of each lane, where there are controllers
 };
 
-template <class Kernel, class M, int W>
+template <class Step, class M, int W>
 void run_groups(const std::vector<Model>& models, double step, std::int64_t steps,
                 const EnsembleWatch& watch, std::vector<EnsembleRun>& out) {
   constexpr std::size_t kWidth = W;
@@ -183,7 +166,7 @@ void run_groups(const std::vector<Model>& models, double step, std::int64_t step
       runs[lane] = &models[begin + lane < models.size() ? begin + lane : begin];
     }
     const std::size_t wanted = std::min(kWidth, models.size() - begin);
-    LaneGroup<Kernel, M, W> group(std::move(runs), step);
+    LaneGroup<Step, M, W> group(std::move(runs), step);
     std::int64_t k = 0;
     for (const std::int64_t at : watch.steps) {
       group.advance_to(k, at, watch);
@@ -200,9 +183,9 @@ template <class M, int W>
 void run_sized(const std::vector<Model>& models, double step, scene::Integrator integrator,
                std::int64_t steps, const EnsembleWatch& watch, std::vector<EnsembleRun>& out) {
   if (integrator == scene::Integrator::kVerlet) {
-    run_groups<VerletKernel<M>, M, W>(models, step, steps, watch, out);
+    run_groups<VerletStep<M>, M, W>(models, step, steps, watch, out);
   } else {
-    run_groups<MidpointKernel<M>, M, W>(models, step, steps, watch, out);
+    run_groups<MidpointStep<M>, M, W>(models, step, steps, watch, out);
   }
 }
 

@@ -60,31 +60,16 @@ FixedStep EulerStepper::step(std::int64_t k, std::span<const Eigen::Vector2d> u,
     State end = state_;
     end.q += h_ * end.v;
     out.external_work = 0.5 * h_ * (power(start, t) + power(end, t + h_));
-    for (const Impact& hit : hits_) {
-      const double radius = m.auxiliary[static_cast<std::size_t>(hit.contact)].contact->radius;
-      const double held = m.layout.spin ? 0.0 : radius * m.speed;
-      out.impact_work += hit.energy_change - hit.friction_impulse * held;
+    out.impact_work = impact_work(m, hits_);
+    out.contact_work = out.impact_work;
+    for (std::size_t i = 0; i < done_.size(); ++i) {
+      out.contact_work += lasting_work(m, i, separation(m, q(), i).normalized(), done_[i].lasting,
+                                       rates(m, start.v, i), rates(m, state_.v, i));
     }
-    out.contact_work = out.impact_work + lasting_work(start);
   }
   state_.q += h_ * state_.v;
   state_.t = t + h_;
   return out;
-}
-
-double EulerStepper::lasting_work(const State& start) const {
-  const Model& m = *model_;
-  double work = 0.0;
-  for (std::size_t i = 0; i < done_.size(); ++i) {
-    const Eigen::Vector2d& did = done_[i].lasting;
-    if (!(did.x() > 0.0)) continue;
-    const Eigen::Vector2d e_r = separation(m, q(), i).normalized();
-    const Eigen::Vector3d mean = 0.5 * (rates(m, start.v, i) + rates(m, state_.v, i));
-    Eigen::Vector3d of_coordinates = mean;
-    if (!m.layout.spin) of_coordinates.z() -= m.speed;
-    work += contact_load(e_r, m.auxiliary[i].contact->radius, did.x(), did.y()).dot(of_coordinates);
-  }
-  return work;
 }
 
 Status EulerStepper::solve_one(double t, Closing& c) const {
@@ -182,9 +167,7 @@ Status EulerStepper::touch(double t) {
     const double radius = m.auxiliary[c.index].contact->radius;
     const Eigen::Vector2d before = rates_along(c.e_r, radius, rates(m, free_, c.index));
     const Eigen::Vector2d after = rates_along(c.e_r, radius, rates(m, state_.v, c.index));
-    const ImpulseWork work = impulse_work(c.normal, c.friction, before, after);
-    hits_.push_back({t + h_, c.normal, c.friction, before.x(), after.x(), before.y(), after.y(),
-                     work.total(), static_cast<int>(c.index)});
+    hits_.push_back(impact_of(t + h_, {c.normal, c.friction}, before, after, c.index));
   }
   return Status::kOk;
 }

@@ -10,7 +10,7 @@
 #include <vector>
 
 #include "native_model/contact/coupled_law.h"
-#include "native_model/stepping/fixed_step.h"
+#include "native_model/stepping/stepper.h"
 #include "native_model/system/model.h"
 
 namespace rotorub {
@@ -38,7 +38,6 @@ class EulerStepper : public FixedStepper {
   Status touch(double t);
   Status solve_one(double t, Closing& c) const;
   Status solve_all(double t, std::span<Closing> closing) const;
-  double lasting_work(const State& start) const;
 
   const Model* model_;
   double h_;

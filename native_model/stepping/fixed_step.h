@@ -1,11 +1,10 @@
-// What a fixed step of one run did, and what every scheme of fixed steps offers to a run.
+// What a fixed step of one run did.
 #pragma once
 
 #include <Eigen/Core>
 #include <array>
 #include <cstddef>
 #include <cstdint>
-#include <memory>
 #include <span>
 
 #include "native_model/contact/step_contact.h"
@@ -56,32 +55,19 @@ struct FixedStep : ContactStep {  // its own is that of the first contact
   }
 };
 
-class FixedStepper {
- public:
-  virtual ~FixedStepper() = default;
+// An impact with the energy that it takes, from its impulses (N s, normal and friction) and the
+// rates (gdot_N, gdot_T) before and after it.
+Impact impact_of(double t, const Eigen::Vector2d& impulses, const Eigen::Vector2d& before,
+                 const Eigen::Vector2d& after, std::size_t contact = 0);
 
-  // From t_k = t_0 + k step to t_{k+1}, under the commands u of the actuators, one for each
-  // auxiliary bearing. k counts from 0, one by one. `works`: those of the result are wanted. No
-  // allocation. With a status the state stays where it was.
-  virtual FixedStep step(std::int64_t k, std::span<const Eigen::Vector2d> u, bool works) = 0;
-  virtual const double* q() const = 0;  // of t_{k+1}, nq values
-  virtual const double* v() const = 0;  // of t_{k+1}; of a leapfrog of t_{k+1/2}
+// J, on the coordinates: of impacts; and of the lasting impulses of a step between the rates (ddot,
+// spin) at its two ends. A machine that holds the speed works too.
+double impact_work(const Model& m, std::span<const Impact> impacts);
+double lasting_work(const Model& m, std::size_t contact, const Eigen::Vector2d& e_r,
+                    const Eigen::Vector2d& impulses, const Eigen::Vector3d& start,
+                    const Eigen::Vector3d& end);
 
-  // A leapfrog: impacts of a step are those between t_k and t_{k+1}, all else is what acts about
-  // t_k. The rest is for leapfrogs alone.
-  virtual bool leaps() const { return false; }
-  // The command of the step that comes jumps within it.
-  virtual void jump(std::size_t, const CommandJump&) {}
-  // Before step k: the velocities of t_k under the commands that hold and the contact forces of the
-  // step before.
-  virtual void velocity_now(std::int64_t, std::span<const Eigen::Vector2d>, double*) {}
-  // After step k: the state of t_k, velocities before an impact of the step.
-  virtual const double* last_q() const { return q(); }
-  virtual void last_velocity(double*) const {}
-};
-
-// From the model's initial state. step: s, > 0. The model must outlive it.
-std::unique_ptr<FixedStepper> make_stepper(scene::Integrator integrator, const Model& model,
-                                           double step);
+// A state in which the contact stands on its circle and does not move off it: lasting contact.
+bool rests_on_circle(const Model& m, const double* q, const double* v, std::size_t contact);
 
 }  // namespace rotorub

@@ -11,12 +11,11 @@ constexpr int W = ROTORUB_LANES;
 static_assert(alignof(Eigen::Vector2d) == 16, "laid out as elsewhere");
 
 // Of the lanes with impacts in this step; their friction works by its own slips.
-template <class Kernel>
-ROTORUB_INLINE void count_impacts(const Kernel& kernel, LaneTotals<W>& totals,
-                                  typename Kernel::T& work) {
+template <class Step>
+ROTORUB_INLINE void count_impacts(const Step& step, LaneTotals<W>& totals, typename Step::T& work) {
   for (int lane = 0; lane < W; ++lane) {
     const auto l = static_cast<std::size_t>(lane);
-    const ImpactList& list = kernel.impacts[l];
+    const ImpactList& list = step.contact.impacts[l];
     double of_impacts = 0.0;
     for (int i = 0; i < list.count; ++i) {
       const Impact& hit = list.impact[static_cast<unsigned>(i)];
@@ -29,69 +28,63 @@ ROTORUB_INLINE void count_impacts(const Kernel& kernel, LaneTotals<W>& totals,
 }
 
 // Impacts that take time are in contact that long, with the force of their mean.
-template <class Kernel>
-ROTORUB_INLINE void spread(const Kernel& kernel, double step, typename Kernel::T& steps,
-                           typename Kernel::T& impulse) {
+template <class Step>
+ROTORUB_INLINE void spread(const Step& step, typename Step::T& steps, typename Step::T& impulse) {
   for (int lane = 0; lane < W; ++lane) {
-    if (!(kernel.impact_time[lane] > 0.0)) continue;
-    const double taken = kernel.impact_time[lane] / step;
+    if (!(step.impact_time[lane] > 0.0)) continue;
+    const double taken = step.impact_time[lane] / step.x.h;
     lanes::set(steps, lane, taken);
     lanes::set(impulse, lane, lanes::get(impulse, lane) / taken);
   }
 }
 
-template <class Kernel>
-ROTORUB_INLINE void advance_one(LaneWork<Kernel, W>& work, double step, std::int64_t k) {
+template <class Step>
+ROTORUB_INLINE void advance_one(LaneWork<Step, W>& work, std::int64_t k) {
   using T = lanes::Lane<W>;
   const T zero{}, one = lanes::all<T>(1.0);
-  Kernel& kernel = work.kernel;
+  Step& step = work.step;
   LaneTotals<W>& totals = work.totals;
-  kernel.step(k);
-  const T impulse = kernel.normal_impulse;
+  step.step(k);
+  const T impulse = step.contact.normal_impulse;
   const lanes::LaneMask<W> touched = impulse > zero;
   if (!lanes::any(touched)) return;
-  const T now = lanes::all<T>(static_cast<double>(k) * step);
+  const T now = lanes::all<T>(static_cast<double>(k) * step.x.h);
   totals.first_touch =
       lanes::select(touched & (totals.first_touch < zero), now, totals.first_touch);
   T steps = lanes::select(touched, one, zero);
   totals.impulse_total += impulse;
   T peak = impulse;
-  if constexpr (requires { kernel.impact_time; }) {
-    if (kernel.any_impact()) spread(kernel, step, steps, peak);
+  if constexpr (requires { step.impact_time; }) {
+    if (step.contact.impacted) spread(step, steps, peak);
   }
   totals.contact_steps += steps;
   totals.peak_impulse = lanes::larger(totals.peak_impulse, peak);
-  totals.farthest = lanes::larger(totals.farthest, kernel.square_of_relative());
-  T friction_work = kernel.friction_impulse * kernel.slip_of_last();
-  if (kernel.any_impact()) count_impacts(kernel, totals, friction_work);
+  totals.farthest = lanes::larger(totals.farthest, step.contact.square_of_relative(step.x));
+  T friction_work = step.contact.friction_impulse * step.slip_of_last();
+  if (step.contact.impacted) count_impacts(step, totals, friction_work);
   totals.friction_work += friction_work;
 }
 
-template <class Kernel>
-ROTORUB_INLINE void advance_all(LaneWork<Kernel, W>& group, double step, std::int64_t from,
-                                std::int64_t count) {
-  for (std::int64_t k = from; k < from + count; ++k) advance_one(group, step, k);
+template <class Step>
+ROTORUB_INLINE void advance_all(LaneWork<Step, W>& group, std::int64_t from, std::int64_t count) {
+  for (std::int64_t k = from; k < from + count; ++k) advance_one(group, k);
 }
 
 }  // namespace
 
-#define ROTORUB_DEFINE(M)                                                             \
-  void advance(LaneWork<MidpointKernel<M>, W>& group, double step, std::int64_t from, \
-               std::int64_t count) {                                                  \
-    advance_all(group, step, from, count);                                            \
-  }                                                                                   \
-  void advance(LaneWork<VerletKernel<M>, W>& group, double step, std::int64_t from,   \
-               std::int64_t count) {                                                  \
-    advance_all(group, step, from, count);                                            \
-  }                                                                                   \
-  void velocities_now(VerletKernel<M>& kernel, std::int64_t k, lanes::Lane<W>* now) { \
-    kernel.velocity_now(k, now);                                                      \
+#define ROTORUB_DEFINE(...)                                                                 \
+  void advance(LaneWork<MidpointStep<__VA_ARGS__>, W>& group, std::int64_t from,            \
+               std::int64_t count) {                                                        \
+    advance_all(group, from, count);                                                        \
+  }                                                                                         \
+  void advance(LaneWork<VerletStep<__VA_ARGS__>, W>& group, std::int64_t from,              \
+               std::int64_t count) {                                                        \
+    advance_all(group, from, count);                                                        \
+  }                                                                                         \
+  void velocities_now(VerletStep<__VA_ARGS__>& step, std::int64_t k, lanes::Lane<W>* now) { \
+    step.velocity_now(k, now);                                                              \
   }
-template <class L>
-using SizedLanes = Sized<Lanes<W>, L>;
-#define ROTORUB_DEFINE_SMALL(L, unused) ROTORUB_DEFINE(SizedLanes<L>)
-
-ROTORUB_DEFINE(Lanes<W>)
-ROTORUB_SMALL_LAYOUTS(ROTORUB_DEFINE_SMALL, )
+ROTORUB_LANE_MODELS(ROTORUB_DEFINE, W)
+#undef ROTORUB_DEFINE
 
 }  // namespace rotorub

@@ -1,6 +1,6 @@
-// The inner loop of an ensemble: steps of a kernel of W lanes, and what is kept of them. Compiled
-// once for each instruction set (lane_steps.cc): W = 8 for AVX-512, 4 for AVX2, 2 without either.
-// Everything else that a kernel has is compiled for the least processor (lane_kernels.cc).
+// The inner loop of an ensemble: steps of W lanes, and what is kept of them. Compiled once for each
+// instruction set (lane_steps.cc): W = 8 for AVX-512, 4 for AVX2, 2 without either. What is done
+// run by run is declared in the headers of the step and compiled for the least processor.
 #pragma once
 
 #include <cstdint>
@@ -9,9 +9,6 @@
 #include "native_model/stepping/verlet_step.h"
 
 namespace rotorub {
-
-template <int W>
-using Lanes = LaneModel<lanes::Lane<W>>;
 
 template <int W>
 struct LaneTotals {
@@ -25,42 +22,23 @@ struct LaneTotals {
 };
 
 // One group of lanes.
-template <class Kernel, int W>
+template <class Step, int W>
 struct LaneWork {
-  Kernel kernel;
+  Step step;
   LaneTotals<W> totals;
 };
 
-// `advance`: steps [from, from + count) of the group. `velocities_now`: VerletKernel::velocity_now.
-// What is done run by run is compiled elsewhere.
-#define ROTORUB_LANE_STEPS(W, ...)                                                              \
-  void advance(LaneWork<MidpointKernel<__VA_ARGS__>, W>& group, double step, std::int64_t from, \
-               std::int64_t count);                                                             \
-  void advance(LaneWork<VerletKernel<__VA_ARGS__>, W>& group, double step, std::int64_t from,   \
-               std::int64_t count);                                                             \
-  void velocities_now(VerletKernel<__VA_ARGS__>& kernel, std::int64_t k, lanes::Lane<W>* now);  \
-  ROTORUB_RUN_BY_RUN(extern template, __VA_ARGS__)
-
-#define ROTORUB_RUN_BY_RUN(template_, ...)                                                  \
-  template_ void LoadKernel<__VA_ARGS__>::fail(int, Status);                                \
-  template_ void LoadKernel<__VA_ARGS__>::magnet_force(const T*, const T*, T*) const;       \
-  template_ void ContactKernel<__VA_ARGS__>::press_lane(int, const Centre&, const Centre&); \
-  template_ void ContactKernel<__VA_ARGS__>::forget_impacts();                              \
-  template_ void MidpointKernel<__VA_ARGS__>::collide(int, std::int64_t);                   \
-  template_ void VerletImpacts<__VA_ARGS__>::find_lasting();                                \
-  template_ void VerletImpacts<__VA_ARGS__>::show_lasting(int, std::int64_t, T*) const;     \
-  template_ void VerletImpacts<__VA_ARGS__>::go_on_lasting(std::int64_t);                   \
-  template_ void VerletImpacts<__VA_ARGS__>::collide(int, std::int64_t);                    \
-  template_ void VerletJumps<__VA_ARGS__>::split(const Before&, double, double, T&, T&);
-
-// Of W lanes, of any size and of each known one.
-#define ROTORUB_SMALL_LANE_STEPS(L, W) ROTORUB_LANE_STEPS(W, Sized<Lanes<W>, L>)
-#define ROTORUB_ALL_LANE_STEPS(W) \
-  ROTORUB_LANE_STEPS(W, Lanes<W>) \
-  ROTORUB_SMALL_LAYOUTS(ROTORUB_SMALL_LANE_STEPS, W)
-
-ROTORUB_ALL_LANE_STEPS(2)
-ROTORUB_ALL_LANE_STEPS(4)
-ROTORUB_ALL_LANE_STEPS(8)
+// `advance`: steps [from, from + count) of the group. `velocities_now`: VerletStep::velocity_now.
+#define ROTORUB_LANE_STEPS(...)                                                               \
+  void advance(LaneWork<MidpointStep<__VA_ARGS__>, MidpointStep<__VA_ARGS__>::kLanes>& group, \
+               std::int64_t from, std::int64_t count);                                        \
+  void advance(LaneWork<VerletStep<__VA_ARGS__>, VerletStep<__VA_ARGS__>::kLanes>& group,     \
+               std::int64_t from, std::int64_t count);                                        \
+  void velocities_now(VerletStep<__VA_ARGS__>& step, std::int64_t k,                          \
+                      VerletStep<__VA_ARGS__>::T* now);
+ROTORUB_LANE_MODELS(ROTORUB_LANE_STEPS, 2)
+ROTORUB_LANE_MODELS(ROTORUB_LANE_STEPS, 4)
+ROTORUB_LANE_MODELS(ROTORUB_LANE_STEPS, 8)
+#undef ROTORUB_LANE_STEPS
 
 }  // namespace rotorub

@@ -1,184 +1,140 @@
 #include "native_model/stepping/stepper.h"
 
 #include <cassert>
+#include <type_traits>
 
-#include "native_model/stepping/coupled_midpoint.h"
-#include "native_model/stepping/coupled_verlet.h"
 #include "native_model/stepping/euler.h"
 #include "native_model/stepping/midpoint_step.h"
 #include "native_model/stepping/verlet_step.h"
 
 namespace rotorub {
+namespace {
 
-// What a kernel of any size offers beside.
-struct Stepper::Kernel : FixedStepper {
-  virtual void begin(double t, const double* q, const double* v) = 0;
-  virtual std::size_t memory_size() = 0;
-  virtual void save(double* to) = 0;
-  virtual void restore(const double* from) = 0;
-  virtual void adopt(const double* q, const double* v) = 0;
-  virtual void apply(const double* loads) = 0;
-  virtual double last_kick() const = 0;
-
-  template <template <class> class Scheme, class M>
-  class Of;
-  // The kernel of the model's size.
-  template <template <class> class Scheme>
-  static std::unique_ptr<Kernel> make(const Model& model, double h, const State& start);
-};
-
-template <template <class> class Scheme, class M>
-class Stepper::Kernel::Of final : public Stepper::Kernel {
+// A scheme's step, of a model of any size, of one contact or several.
+template <class Step, class M>
+class StepperWith final : public KeptStepper {
  public:
-  Of(const Model& model, double h) : model_(model), kernel_(model_, {&model}, h) {}
+  StepperWith(const Model& model, double h) : model_(model), step_(model_, {&model}, h) {}
 
   FixedStep step(std::int64_t k, std::span<const Eigen::Vector2d> u, bool works) override {
     command(u);
-    kernel_.commanded = kernel_.commanded || !u[0].isZero(0.0);
-    const double sign = kernel_.slip_sign;
-    kernel_.step(k);
+    if (!u[0].isZero(0.0)) step_.loads.drive_first_ring();
+    const auto was = step_.contact.now;
+    step_.step(k);
     FixedStep out;
-    out.status = kernel_.status[0];
-    out.normal_impulse = kernel_.normal_impulse;
-    out.friction_impulse = kernel_.friction_impulse;
-    if (kernel_.any_impact()) {
-      out.impacts = kernel_.impacts[0].view();
-    } else {
-      out.lasting = {out.normal_impulse, out.friction_impulse};
-      if (kernel_.in_contact > 0.0) {
-        out.mode = kernel_.slip_sign == 0.0 ? Mode::kStick : Mode::kSlide;
-        out.reversed = sign * kernel_.slip_sign < 0.0;
-      }
-    }
-    if constexpr (kLate) {
-      out.impact_time = kernel_.impact_time[0];
-      out.impact_force = kernel_.impact_force(0, k);
+    step_.contact.tell(out, was);
+    out.status = step_.x.status[0];
+    if constexpr (kLeaps) {
+      out.impact_time = step_.impact_time[0];
+      out.impact_force = step_.impact_force(0, k);
     }
     if (works && out.status == Status::kOk) {
-      out.contact_work = kernel_.contact_work_of_last();
-      if (kernel_.any_impact()) out.impact_work = out.contact_work;
-      out.external_work = kernel_.external_work_of_last();
+      out.impact_work = impact_work(model_, out.impacts);
+      out.contact_work = out.impact_work + step_.contact.lasting_work(step_.x);
+      out.external_work = step_.external_work();
     }
     return out;
   }
-  void begin(double t, const double* q, const double* v) override { kernel_.begin(t, q, v); }
-  const double* q() const override { return kernel_.q(); }
-  const double* v() const override { return kernel_.v(); }
+  const double* q() const override { return step_.x.q.data(); }
+  const double* v() const override { return step_.x.v.data(); }
+
+  void begin(double t, const double* q, const double* v) override {
+    for_each_kept([](double& value) { value = 0.0; });
+    step_.x.adopt(q, v);
+    step_.x.origin = t;
+    step_.x.revive();
+    step_.restart();
+  }
   std::size_t memory_size() override {
     std::size_t size = 0;
-    kernel_.for_each_kept([&size](double&) { ++size; });
+    for_each_kept([&size](double&) { ++size; });
     return size;
   }
   void save(double* to) override {
-    kernel_.for_each_kept([&to](double& value) { *to++ = value; });
+    for_each_kept([&to](double& value) { *to++ = value; });
   }
   void restore(const double* from) override {
-    kernel_.for_each_kept([&from](double& value) { value = *from++; });
-    kernel_.revive();
+    for_each_kept([&from](double& value) { value = *from++; });
+    step_.x.revive();
+    step_.loads.forget();
   }
-  void adopt(const double* q, const double* v) override { kernel_.adopt(q, v); }
-  void apply(const double* loads) override { kernel_.applied = loads; }
+  void adopt(const double* q, const double* v) override { step_.x.adopt(q, v); }
+  void apply(const double* loads) override { step_.loads.applied = loads; }
 
-  bool leaps() const override { return kLate; }
-  void jump(std::size_t, const CommandJump& command) override {
-    if constexpr (kLate) kernel_.jump(0, command);
+  bool leaps() const override { return kLeaps; }
+  void jump(std::size_t contact, const CommandJump& command) override {
+    if constexpr (kLeaps) step_.jump(contact, command);
   }
   void velocity_now(std::int64_t k, std::span<const Eigen::Vector2d> held, double* v) override {
     command(held);
-    if constexpr (kLate) kernel_.velocity_now(k, v);
+    if constexpr (kLeaps) step_.velocity_now(k, v);
   }
-  const double* last_q() const override {
-    if constexpr (kLate) return kernel_.last_q();
-    return q();
-  }
+  const double* last_q() const override { return kLeaps ? step_.x.seen.data() : q(); }
   void last_velocity(double* v) const override {
-    if constexpr (kLate) kernel_.velocity_of_last(v);
+    if constexpr (kLeaps) step_.last_velocity(v);
   }
   double last_kick() const override {
-    if constexpr (kLate) return kernel_.was_first() ? 0.5 : 1.0;
+    if constexpr (kLeaps) return step_.was_first ? 0.5 : 1.0;
     return 1.0;
   }
 
  private:
+  static constexpr bool kLeaps = requires(const Step& s) { s.was_first; };
+
   void command(std::span<const Eigen::Vector2d> u) {
-    kernel_.command_x = u[0].x();
-    kernel_.command_y = u[0].y();
+    for (std::size_t i = 0; i < u.size(); ++i) step_.loads.command[i] = {u[i].x(), u[i].y()};
+  }
+  // All that outlives a step, as plain numbers: two of the contact and the origin of time, the
+  // state, and what loads and scheme keep.
+  template <class Action>
+  void for_each_kept(Action action) {
+    step_.contact.for_each_kept(action);
+    action(step_.x.origin);
+    for (double& value : step_.x.q) action(value);
+    for (double& value : step_.x.v) action(value);
+    step_.loads.for_each_kept(action);
+    step_.for_each_kept(action);
   }
 
-  static constexpr bool kLate = requires(const Scheme<M>& k) { k.last_q(); };
   // A copy where the layout is another than the model's own.
   std::conditional_t<std::is_same_v<M, Model>, const Model&, const M> model_;
-  Scheme<M> kernel_;
+  Step step_;
 };
 
-template <template <class> class Scheme>
-std::unique_ptr<Stepper::Kernel> Stepper::Kernel::make(const Model& model, double h,
-                                                       const State& start) {
-  assert(h > 0.0 && model.auxiliary.size() == 1);
-  std::unique_ptr<Kernel> kernel;
-#define ROTORUB_SIZE(L, unused)                                       \
-  if (L::fits(model.layout)) {                                        \
-    kernel = std::make_unique<Of<Scheme, Sized<Model, L>>>(model, h); \
+template <template <class, class> class Scheme>
+std::unique_ptr<KeptStepper> of_size(const Model& model, double h) {
+#define ROTORUB_SIZE(L, unused)                                                  \
+  if (L::fits(model.layout)) {                                                   \
+    using M = Sized<Model, L>;                                                   \
+    return std::make_unique<StepperWith<Scheme<M, OneContact<M>>, M>>(model, h); \
   }
   ROTORUB_SMALL_LAYOUTS(ROTORUB_SIZE, )
 #undef ROTORUB_SIZE
-  if (!kernel) kernel = std::make_unique<Of<Scheme, Model>>(model, h);
-  kernel->begin(start.t, start.q.data(), start.v.data());
-  return kernel;
+  return std::make_unique<StepperWith<Scheme<Model, OneContact<Model>>, Model>>(model, h);
 }
 
-Stepper::Stepper(std::unique_ptr<Kernel> kernel) : kernel_(std::move(kernel)) {}
-Stepper::~Stepper() = default;
-FixedStep Stepper::step(std::int64_t k, const Eigen::Vector2d& u, bool works) {
-  return kernel_->step(k, std::span(&u, 1), works);
-}
-void Stepper::begin(double t, const double* q, const double* v) { kernel_->begin(t, q, v); }
-const double* Stepper::q() const { return kernel_->q(); }
-void Stepper::save(double* to) const { kernel_->save(to); }
-void Stepper::restore(const double* from) { kernel_->restore(from); }
-const double* Stepper::saved_q(const double* memory) {
-  constexpr std::size_t kBeforeState = 3;  // numbers before q, see for_each_kept
-  return memory + kBeforeState;
+template <template <class, class> class Scheme>
+std::unique_ptr<KeptStepper> with_contacts(const Model& model, double h) {
+  if (model.auxiliary.size() == 1) return of_size<Scheme>(model, h);
+  return std::make_unique<StepperWith<Scheme<Model, SeveralContacts>, Model>>(model, h);
 }
 
-MidpointStepper::MidpointStepper(const Model& model, double step)
-    : MidpointStepper(model, step, initial_state(model)) {}
-MidpointStepper::MidpointStepper(const Model& model, double step, const State& start)
-    : Stepper(Kernel::make<MidpointKernel>(model, step, start)) {}
-std::size_t MidpointStepper::memory_size(const Model& model) {
-  return Kernel::Of<MidpointKernel, Model>(model, 1.0).memory_size();
-}
-const double* MidpointStepper::v() const { return kernel_->v(); }
+}  // namespace
 
-VerletStepper::VerletStepper(const Model& model, double step)
-    : VerletStepper(model, step, initial_state(model)) {}
-VerletStepper::VerletStepper(const Model& model, double step, const State& start)
-    : Stepper(Kernel::make<VerletKernel>(model, step, start)) {}
-std::size_t VerletStepper::memory_size(const Model& model) {
-  return Kernel::Of<VerletKernel, Model>(model, 1.0).memory_size();
+std::unique_ptr<KeptStepper> make_kept_stepper(scene::Integrator integrator, const Model& model,
+                                               double step, const State& start) {
+  assert(step > 0.0 && integrator != scene::Integrator::kEuler);
+  auto stepper = integrator == scene::Integrator::kVerlet
+                     ? with_contacts<VerletStep>(model, step)
+                     : with_contacts<MidpointStep>(model, step);
+  stepper->begin(start.t, start.q.data(), start.v.data());
+  return stepper;
 }
-void VerletStepper::adopt(const double* q, const double* v) { kernel_->adopt(q, v); }
-void VerletStepper::apply(const double* loads) { kernel_->apply(loads); }
-void VerletStepper::jump(const CommandJump& command) { kernel_->jump(0, command); }
-const double* VerletStepper::v_half() const { return kernel_->v(); }
-void VerletStepper::velocity_now(std::int64_t k, const Eigen::Vector2d& held, double* v) {
-  kernel_->velocity_now(k, std::span(&held, 1), v);
-}
-const double* VerletStepper::last_q() const { return kernel_->last_q(); }
-void VerletStepper::last_velocity(double* v) const { kernel_->last_velocity(v); }
-double VerletStepper::last_kick() const { return kernel_->last_kick(); }
 
 std::unique_ptr<FixedStepper> make_stepper(scene::Integrator integrator, const Model& model,
                                            double step) {
-  const bool leaps = integrator == scene::Integrator::kVerlet;
   if (integrator == scene::Integrator::kEuler) return std::make_unique<EulerStepper>(model, step);
-  if (model.auxiliary.size() > 1) {
-    if (leaps) return std::make_unique<CoupledVerlet>(model, step);
-    return std::make_unique<CoupledMidpoint>(model, step);
-  }
-  const State start = initial_state(model);
-  if (leaps) return Stepper::Kernel::make<VerletKernel>(model, step, start);
-  return Stepper::Kernel::make<MidpointKernel>(model, step, start);
+  return make_kept_stepper(integrator, model, step, initial_state(model));
 }
 
 }  // namespace rotorub

@@ -2,199 +2,246 @@
 // The velocity that goes with q_k is that of half a step before, v_{k-1/2}.
 //
 //   1. v' = v_{k-1/2} + what the last step's impacts left over; free velocity v_f = v_{k+1/2} from
-//   all
-//      loads at (t_k, q_k), velocity-dependent ones at the mean of v' and v_f. The first step is
-//      half a kick.
+//      all loads at (t_k, q_k), velocity-dependent ones at the mean of v' and v_f. The first step
+//      is half a kick.
 //   2. The straight path q_k + h v_f stays in the ring: done.
-//   3. It leaves the circle, out of flight: Poisson's law where it does (verlet_impacts.h).
-//   4. Lasting contact: the step ends on the circle (contact/step_contact.h); where a load or
-//   the
-//      command jumps within it, verlet_jumps.h.
+//   3. Lasting contact: the step ends on the circle (one_contact.h, several_contacts.h).
+//   4. Where a load or the command jumps within a step of lasting contact: split().
+//   5. The path leaves the circle, out of flight: Poisson's law where it does (verlet_impacts.h).
+//
+// Of the jump w of the velocities by an impact at the share theta of the step, this step takes (1 -
+// theta) w, the next one the rest, and what the loads that depend on velocities miss of it,
+// -(theta - 1/2) h M^-1 (F(v + w) - F(v)); without that term order 2 is lost. An impact that takes
+// time (system/finite_impact.h) goes on over steps; flight is taken up again where it ends, at any
+// share of a step.
 #pragma once
 
-#include "native_model/stepping/verlet_jumps.h"
+#include <cmath>
+#include <limits>
+#include <vector>
+
+#include "native_model/stepping/one_contact.h"
+#include "native_model/stepping/several_contacts.h"
+#include "native_model/system/finite_impact.h"
 
 namespace rotorub {
 
-template <class M>
-class VerletKernel : public VerletJumps<M> {
-  using Base = VerletJumps<M>;
+template <class M, class Contacts = OneContact<M>>
+struct VerletStep {
+  using T = typename M::Scalar;
+  using Mask = lanes::Mask<T>;
+  using Lasting = typename Contacts::Lasting;
+  using Coordinates = typename StepState<M>::Coordinates;
+  static constexpr int kLanes = lanes::kWidth<T>;
 
- public:
-  using typename Base::Centre;
-  using typename Base::Mask;
-  using typename Base::T;
-  static constexpr int kLanes = Base::kLanes;
-
-  using Base::Base;
-
-  // A state (q, v at one instant) has been written: the next step is half a kick. On the circle and
-  // not closing it is in lasting contact.
-  void restart() {
-    this->first_ = 1.0;
-    this->owes_ = 0.0;
-    for (T& x : this->late_) x = T{};
-    this->in_contact = this->slip_sign = T{};
-    this->loads_.forget();
-    for (FiniteImpact& impact : this->lasting_) impact.cancel();
-    if (!this->contact_) return;
-    for (int lane = 0; lane < kLanes; ++lane) {
-      const Model& m = lane_model(*this->m_, lane);
-      double q[kMaxCoordinates], v[kMaxCoordinates];
-      this->read_lane(this->q_.data(), lane, q);
-      this->read_lane(this->v_.data(), lane, v);
-      const ContactPoint p = contact_point(m, q, v);
-      const double clearance = m.first().contact->clearance;
-      if (p.gap > 1e-12 * clearance || p.gap_rate < -1e-9) continue;
-      lanes::set(this->in_contact, lane, p.gap_rate > 1e-9 ? 0.0 : 1.0);
+  // `models`: those of the lanes, all of the same structure; they and `m` must outlive this.
+  VerletStep(const M& m, const std::vector<const Model*>& models, double h)
+      : x(m, h),
+        loads(m, models, h),
+        contact(x, loads, models, true),
+        late(x.q),
+        mean_after(x.q),
+        part_sum(x.q) {
+    for (const Model* model : models) {
+      const double instant = next_switch(*model, 0.0, std::numeric_limits<double>::infinity());
+      switches = switches || std::isfinite(instant);
     }
+    const auto takes_time = [](const Model* model) {
+      return model->first().contact && model->first().contact->impact_time() > 0.0;
+    };
+    if (!std::any_of(models.begin(), models.end(), takes_time)) return;
+    for (const Model* model : models) slow_impacts.emplace_back(*model);
   }
+
+  StepState<M> x;
+  LoadKick<M> loads;
+  Contacts contact;
+
+  Coordinates late;                // m/s, rad/s: what the last step left over
+  double first = 1.0, owes = 0.0;  // 1: the next step is half a kick; `late` holds something
+  bool was_first = true;
+  // J, of the impacts of the step: what the mean of the step's velocities misses of the loads'
+  // work.
+  double late_work = 0.0;
+
+  bool switches = false;       // a load is switched some time
+  bool command_jumps = false;  // in the step that comes
+  static constexpr int kJumps = kLanes > 1 ? kLanes : kMaxContacts;
+  CommandJump jumps[kJumps];         // of each lane; of one run of each contact
+  Coordinates mean_after, part_sum;  // of a step in parts: x.after of the mean loads, of the parts
+
+  std::vector<FiniteImpact> slow_impacts;  // of each lane, where impacts take time
+  double impact_time[kLanes] = {};         // s, of one that began in the step; 0: none did
+  double last_time = 0.0;                  // s, of the last step, from the origin
 
   // From t_k = origin + k h to t_{k+1}. A lane with a status stays where it was.
   ROTORUB_INLINE void step(std::int64_t k) {
-    const int nq = this->layout().nq();
-    const T* q = this->q_.data();
-    T* after = this->after_.data();
-    if (this->impacted_ || this->takes_time_) this->late_work = 0.0;
-    if (this->takes_time_) std::fill_n(this->impact_time, kLanes, 0.0);
-    this->forget_last();
+    late_work = 0.0;
+    if (!slow_impacts.empty()) std::fill_n(impact_time, kLanes, 0.0);
+    contact.forget_last();
     kick(k);
-    for (int i = 0; i < nq; ++i) {
-      const auto c = static_cast<std::size_t>(i);
-      after[i] = this->free_[c];
-      before_[c] = q[i];
+    for (int i = 0; i < x.nq(); ++i) x.after[at(i)] = x.free[at(i)];
+    if (owes > 0.0) {
+      for (T& value : late) value = T{};
+      owes = 0.0;
     }
-    if (this->owes_ > 0.0) {
-      for (T& x : this->late_) x = T{};
-      this->owes_ = 0.0;
+    was_first = first > 0.0;
+    if (!slow_impacts.empty()) find_slow_impacts();
+    if (contact.exists()) {
+      const double end = x.time_of(k) + 0.5 * x.h, begin = was_first ? x.time_of(k) : end - x.h;
+      const Lasting was = contact.now;
+      const bool parts = jumps_between(begin, end);
+      x.kick = was_first ? 0.5 : 1.0;
+      const Mask hits = contact.go_on(x, loads);
+      if (parts) split(was, begin, end);
+      if (lanes::any(hits)) collide(hits, k);
+      if (contact.held_open) go_on_with_slow_impacts(k);
+      x.kick = 1.0;
     }
-    this->was_first_ = this->first_ > 0.0;
-    if (this->takes_time_) this->find_lasting();
-    if (this->contact_) {
-      const double end = time_of(k) + 0.5 * this->h_,
-                   begin = this->was_first_ ? time_of(k) : end - this->h_;
-      const typename Base::Before was{this->in_contact, this->slip_sign};
-      const bool jumps = this->jumps(begin, end);
-      this->kick_ = this->was_first_ ? 0.5 : 1.0;
-      pressed_normal_ = pressed_friction_ = T{};
-      this->touch(
-          q, [&](int lane) { this->collide(lane, k); },
-          [&] {
-            pressed_normal_ = this->normal_impulse;
-            pressed_friction_ = this->friction_impulse;
-          });
-      if (jumps) this->split(was, begin, end, pressed_normal_, pressed_friction_);
-      if (this->impact_lasts_) this->go_on_lasting(k);
-      this->kick_ = 1.0;
-    }
-    this->forget_jumps();
-    this->first_ = 0.0;
-    this->move(before_.data(), lanes::all<T>(this->h_));
+    if (command_jumps) forget_jumps();
+    first = 0.0;
+    x.move(lanes::all<T>(x.h));
   }
 
   // The velocities of t_k before step k: v_{k-1/2} + h/2 a(t_k-), with the command as it stands and
   // the contact force of the step before. For controllers, which see them before there is a
   // command.
   ROTORUB_INLINE void velocity_now(std::int64_t k, T* now) {
-    const int nq = this->layout().nq();
-    if (this->first_ > 0.0) {
-      for (int i = 0; i < nq; ++i) now[i] = this->v_[static_cast<std::size_t>(i)];
+    if (first > 0.0) {
+      for (int i = 0; i < x.nq(); ++i) now[i] = x.v[at(i)];
       return;
     }
     kick(k);
-    if (this->takes_time_) this->find_lasting();
-    if (this->contact_ && lanes::any(this->in_contact > T{})) {
-      const Centre d = equations::separation(*this->m_, this->q_.data());
-      const T one = lanes::all<T>(1.0), square = d.x * d.x + d.y * d.y;
-      const T delta = lanes::square_root(lanes::select(square > T{}, square, one));
-      if (this->coupled_) this->respond();
-      this->push(this->free_.data(), this->free_.data(), d.x / delta, d.y / delta, pressed_normal_,
-                 pressed_friction_, this->in_contact > T{});
-    }
+    if (!slow_impacts.empty()) find_slow_impacts();
+    if (contact.exists()) contact.hold_on(x, loads);
     const T half = lanes::all<T>(0.5);
-    for (int i = 0; i < nq; ++i) {
-      const auto c = static_cast<std::size_t>(i);
-      now[i] = half * (this->start_[c] + this->free_[c]);
-    }
-    if (!this->impact_lasts_) return;
-    for (int lane = 0; lane < kLanes; ++lane) {
-      if (lanes::get(this->flying_, lane) == 0.0) this->show_lasting(lane, k, now);
-    }
-  }
-  // After step k: coordinates and velocities of t_k. Velocities are the mean of the two middles,
-  // just before an impact of the step.
-  const T* last_q() const { return before_.data(); }
-  void velocity_of_last(T* now) const {
-    const T half = lanes::all<T>(0.5);
-    for (std::size_t i = 0; i < this->late_.size(); ++i) {
-      now[i] = this->was_first_ ? this->start_[i] : half * (this->start_[i] + end_of_last()[i]);
-    }
-    if (this->impact_lasts_) this->lasting_[0].velocities(this->origin + this->last_time_, now);
-  }
-  // m/s, of t_k, of lanes whose contact lasted over step k; of the others any number.
-  ROTORUB_INLINE T slip_of_last() const {
-    const M& m = *this->m_;
-    Centre w = equations::relative(m, this->start_.data());
-    T spin = equations::contact_spin(m, this->start_.data());
-    if (!this->was_first_) {
-      const T half = lanes::all<T>(0.5);
-      const Centre end = equations::relative(m, this->after_.data());
-      w.x = half * (w.x + end.x);
-      w.y = half * (w.y + end.y);
-      spin = half * (spin + equations::contact_spin(m, this->after_.data()));
-    }
-    return this->slip_of(w, spin);
-  }
-  bool was_first() const { return this->was_first_; }
-  // The step's works on the coordinates, J; alone (one lane).
-  double external_work_of_last() requires(Base::kLanes == 1) {
-    if (this->impact_lasts_) return this->late_work;  // the impact has it
-    const double kick = this->was_first_ ? 0.5 : 1.0;
-    return kick * this->external_work(before_.data(), this->start_.data(), end_of_last()) +
-           this->late_work;
-  }
-  double contact_work_of_last() const requires(Base::kLanes == 1) {
-    if (this->impacted_) return this->impact_work(this->impacts[0]);
-    return this->contact_work(this->start_.data(), this->after_.data());
+    for (int i = 0; i < x.nq(); ++i) now[i] = half * (x.start[at(i)] + x.free[at(i)]);
+    if (contact.held_open) show_slow_impacts(k, now);
   }
 
-  // As the base's.
+  // A state (q, v at one instant) has been written: the next step is half a kick.
+  void restart() {
+    first = 1.0;
+    owes = 0.0;
+    for (T& value : late) value = T{};
+    loads.forget();
+    for (FiniteImpact& impact : slow_impacts) impact.cancel();
+    contact.begin(x);
+  }
+  // Of the step that comes: the command of the lane, or of the contact of one run.
+  void jump(std::size_t of, const CommandJump& command) {
+    jumps[of] = command;
+    command_jumps = command_jumps || command.share > 0.0;
+  }
+
+  // m/s, of t_k, of lanes whose contact lasted over step k; of the others any number.
+  ROTORUB_INLINE T slip_of_last() const {
+    equations::Pair<T> w = equations::relative(x.m, x.start.data());
+    T spin = equations::contact_spin(x.m, x.start.data());
+    if (!was_first) {
+      const T half = lanes::all<T>(0.5);
+      const equations::Pair<T> end = equations::relative(x.m, x.after.data());
+      w.x = half * (w.x + end.x);
+      w.y = half * (w.y + end.y);
+      spin = half * (spin + equations::contact_spin(x.m, x.after.data()));
+    }
+    return contact.slip_of(w, spin);
+  }
+  // N, normal and friction force at t_k of a lane's impact that takes time.
+  Eigen::Vector2d impact_force(int lane, std::int64_t k) const {
+    if (slow_impacts.empty()) return {0.0, 0.0};
+    return slow_impacts[static_cast<std::size_t>(lane)].force(x.time_of(k));
+  }
+
+  // ------------------------------------------------------------------ one run
+  // After step k: velocities of t_k, the mean of the two middles, just before an impact of the
+  // step.
+  void last_velocity(double* now) const {
+    const double* end = contact.end_without_impacts(x);
+    for (int i = 0; i < x.nq(); ++i) {
+      now[i] = was_first ? x.start[at(i)] : 0.5 * (x.start[at(i)] + end[i]);
+    }
+    if (contact.held_open) slow_impacts[0].velocities(x.origin + last_time, now);
+  }
+  // J, of the step's loads on the coordinates.
+  double external_work() {
+    if (contact.held_open) return late_work;  // the impact has it
+    const double kick = was_first ? 0.5 : 1.0;
+    return kick * loads.external_work(x, contact.end_without_impacts(x)) + late_work;
+  }
+  // All of the scheme that outlives a step beside state and contact.
   template <class Action>
   void for_each_kept(Action action) {
-    Base::for_each_kept(action);
-    action(this->first_);
-    action(pressed_normal_);
-    action(pressed_friction_);
-    action(this->owes_);
-    for (T& x : this->late_) action(x);
-    for (FiniteImpact& impact : this->lasting_) impact.for_each_kept(action);
-  }
-  void begin(double t, const double* q, const double* v) requires(Base::kLanes == 1) {
-    Base::begin(t, q, v);
-    restart();
+    action(first);
+    contact.for_each_force_kept(action);
+    action(owes);
+    for (T& value : late) action(value);
+    for (FiniteImpact& impact : slow_impacts) impact.for_each_kept(action);
   }
 
  private:
-  const T* end_of_last() const {
-    return this->impacted_ ? this->free_.data() : this->after_.data();
-  }
+  static std::size_t at(int i) { return static_cast<std::size_t>(i); }
 
-  // start_ and free_ of step k.
+  // x.start and x.free of step k.
   ROTORUB_INLINE void kick(std::int64_t k) {
-    const int nq = this->layout().nq();
-    T* start = this->start_.data();
-    for (int i = 0; i < nq; ++i) start[i] = this->v_[static_cast<std::size_t>(i)];
-    if (this->owes_ > 0.0) {
-      for (int i = 0; i < nq; ++i) start[i] += this->late_[static_cast<std::size_t>(i)];
+    for (int i = 0; i < x.nq(); ++i) {
+      x.start[at(i)] = x.v[at(i)];
+      x.seen[at(i)] = x.q[at(i)];
     }
-    const double t = time_of(k);
-    this->free_velocity(k, this->first_ > 0.0 ? t : t - 0.5 * this->h_, t, this->q_.data());
-    this->halve_first_kick();
+    if (owes > 0.0) {
+      for (int i = 0; i < x.nq(); ++i) x.start[at(i)] += late[at(i)];
+    }
+    const double t = x.time_of(k);
+    loads.free_velocity(x, k, first > 0.0 ? t : t - 0.5 * x.h, t);
+    if (first > 0.0) halve_kick();
   }
-  double time_of(std::int64_t k) const { return this->origin + static_cast<double>(k) * this->h_; }
+  // x.free of the step's loads, which are those of its kick: the first is half of one.
+  ROTORUB_INLINE void halve_kick() {
+    const T half = lanes::all<T>(0.5);
+    for (int i = 0; i < x.nq(); ++i) x.free[at(i)] = half * (x.start[at(i)] + x.free[at(i)]);
+  }
 
-  typename Base::Coordinates before_ = Base::make(*this->m_);  // q_k
-  T pressed_normal_{}, pressed_friction_{};                    // N s, of lasting contact alone
+  // ------------------------------------------------------------------ jumps (verlet_jumps.cc)
+  // Below, of a step, round-off alone keeps the jump apart from the step's ends.
+  static constexpr double kLeastPart = 1e-9;
+
+  // Whether lanes in lasting contact have a jump between begin and end, s.
+  ROTORUB_INLINE bool jumps_between(double begin, double end) const {
+    if (!switches && !command_jumps) return false;
+    if (!contact.lasts()) return false;
+    for (int lane = 0; lane < kLanes; ++lane) {
+      const double share = share_before_jump(lane, begin, end);
+      if (share > kLeastPart && share < 1.0 - kLeastPart) return true;
+    }
+    return false;
+  }
+  double share_before_jump(int lane, double begin, double end) const;
+  void forget_jumps() {
+    for (CommandJump& command : jumps) command = {};
+    command_jumps = false;
+  }
+  ROTORUB_SLOW void split(const Lasting& was, double begin, double end);
+  void take_part(const Lasting& was, const T& begin, const T& end);
+  void command_part(bool before, const T& share);
+
+  // ------------------------------------------------------------------ impacts (verlet_impacts.h)
+  ROTORUB_SLOW void collide(const Mask& hits, std::int64_t k);
+  void collide_lane(int lane, std::int64_t k);
+  ROTORUB_SLOW void find_slow_impacts();
+  ROTORUB_SLOW void show_slow_impacts(std::int64_t k, T* now) const;
+  ROTORUB_SLOW void go_on_with_slow_impacts(std::int64_t k);
+  void begin_slow_impact(int lane, std::int64_t k, const double* v, const double* a, double theta);
+  void follow_slow_impact(int lane, std::int64_t k);
 };
+
+// Several contacts: verlet_shared_impacts.cc. None of their impacts takes time.
+template <>
+void VerletStep<Model, SeveralContacts>::collide(const bool& hits, std::int64_t k);
+template <>
+inline void VerletStep<Model, SeveralContacts>::find_slow_impacts() {}
+template <>
+inline void VerletStep<Model, SeveralContacts>::show_slow_impacts(std::int64_t, double*) const {}
+template <>
+inline void VerletStep<Model, SeveralContacts>::go_on_with_slow_impacts(std::int64_t) {}
 
 }  // namespace rotorub

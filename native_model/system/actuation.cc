@@ -102,6 +102,11 @@ ActuatorState actuator_state(const Model& m, const double* q, const double* v,
 void smooth_force(const Model& m, double t, const double* q, const double* v,
                   std::span<const Eigen::Vector2d> commands, double* f) {
   unactuated_force(m, t, q, v, f);
+  add_actuators(m, q, v, commands, f);
+}
+
+void add_actuators(const Model& m, const double* q, const double* v,
+                   std::span<const Eigen::Vector2d> commands, double* f) {
   for (std::size_t k = 0; k < m.auxiliary.size(); ++k) {
     const AuxiliaryBearing& at = m.auxiliary[k];
     if (!at.moves()) continue;

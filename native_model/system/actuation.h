@@ -50,6 +50,10 @@ inline void smooth_force(const Model& model, double t, const double* q, const do
   smooth_force(model, t, q, v, std::span(&first_command, 1), f);
 }
 
+// f += the actuators' part of it.
+void add_actuators(const Model& model, const double* q, const double* v,
+                   std::span<const Eigen::Vector2d> commands, double* f);
+
 // The load on a coil's coordinate beyond -i: the current asked for, brought so near to the present
 // one that its rate, load - i over the lag, keeps within the limit and needs no more than the
 // voltage. A.

@@ -3,7 +3,9 @@
 
 #include <algorithm>
 #include <cmath>
+#include <complex>
 #include <cstdio>
+#include <limits>
 #include <string>
 #include <vector>
 
@@ -18,6 +20,19 @@ inline double rotor_error(const Trajectory& a, const Trajectory& b) {
   double most = 0.0;
   for (std::size_t k = 0; k < std::min(a.rows(), b.rows()); ++k) {
     most = std::max(most, std::hypot(ax[k] - bx[k], ay[k] - by[k]));
+  }
+  return most;
+}
+
+// The same from where the rotor should be, exact(t), as a complex number; infinity of a run that
+// failed.
+template <class Exact>
+double orbit_error(const Trajectory& a, const Exact& exact) {
+  if (a.status != Status::kOk) return std::numeric_limits<double>::infinity();
+  const auto &x = a.column("rotor_x"), &y = a.column("rotor_y"), &time = a.column("t");
+  double most = 0.0;
+  for (std::size_t k = 0; k < a.rows(); ++k) {
+    most = std::max(most, std::abs(std::complex<double>(x[k], y[k]) - exact(time[k])));
   }
   return most;
 }

@@ -7,7 +7,6 @@
 
 #include "compare/modes/rub_analysis.h"
 #include "compare/modes/rub_map_text.h"
-#include "compare/report/feedback_map_page.h"
 #include "compare/report/linear_maps.h"
 #include "native_model/scene/reader.h"
 #include "tests/support/native_run.h"

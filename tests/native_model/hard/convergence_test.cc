@@ -22,8 +22,7 @@ double distance(const Trajectory& a, const Trajectory& b) {
 // scatter around 10; over both decades a first-order scheme gains a factor of 100.
 void expect_first_order(const scene::Scene& scene) {
   SCOPED_TRACE(scene.name);
-  const Trajectory exact = test::run_event(scene);
-  test::expect_sound_event(scene, exact);
+  const Trajectory exact = test::sound_event(scene);
   EXPECT_GT(exact.statistics.first_touch, 0.0);
   const double coarse = distance(test::run_paper(scene, 2e-5), exact);
   const double middle = distance(test::run_paper(scene, 2e-6), exact);

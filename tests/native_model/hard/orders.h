@@ -89,13 +89,6 @@ inline const char* refused(Integrator integrator, const std::vector<Part>& parts
 }
 
 // ---------------------------------------------------------------- runs
-inline Trajectory run_fixed(const scene::Scene& scene, Integrator integrator, double step) {
-  NativeOptions options;
-  options.integrator = integrator;
-  options.step = step;
-  return run_native(scene, options);
-}
-
 inline Trajectory reference(const scene::Scene& scene) {
   Trajectory t = run_event(scene);
   EXPECT_EQ(t.status, Status::kOk) << scene.name << ": " << t.message;
@@ -109,7 +102,7 @@ inline Convergence converge(const scene::Scene& scene, Integrator integrator,
                             const Trajectory& exact) {
   Convergence c;
   for (const double step : steps()) {
-    const Trajectory t = run_fixed(scene, integrator, step);
+    const Trajectory t = run_with(scene, integrator, step);
     EXPECT_EQ(t.status, Status::kOk) << scene.name << " at " << step << ": " << t.message;
     if (t.status != Status::kOk || t.rows() != exact.rows()) continue;
     c.steps.push_back(step);
@@ -140,7 +133,7 @@ inline void expect_order(const std::vector<Pair>& pairs, Integrator integrator, 
     const scene::Scene scene = pair.scene();
     if (const char* message = refused(integrator, pair.parts)) {
       try {
-        run_fixed(scene, integrator, steps().back());
+        run_with(scene, integrator, steps().back());
         ADD_FAILURE() << scene.name << " is listed as refused";
       } catch (const scene::SceneError& error) {
         EXPECT_NE(std::string(error.what()).find(message), std::string::npos) << error.what();

@@ -40,7 +40,7 @@ TEST_P(LongPairs, EnsembleIsRunByRun) {
       for (const int n : {30, 450}) {
         const auto count = static_cast<std::int64_t>(std::llround(scene.run.end * 1e3 * n));
         const EnsembleRun run = Ensemble({model}, 1e-3 / n, integrator).run(count).front();
-        const Trajectory alone = run_fixed(scene, integrator, 1e-3 / n);
+        const Trajectory alone = run_with(scene, integrator, 1e-3 / n);
         ASSERT_EQ(run.status, alone.status) << scene.name;
         const Eigen::Vector2d end{alone.column("rotor_x").back(), alone.column("rotor_y").back()};
         EXPECT_LT((rotor_point(model, run.q.data()) - end).norm(), kRounding) << scene.name;

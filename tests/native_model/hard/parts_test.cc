@@ -24,11 +24,10 @@ TEST(HardParts, HeldSpinWithFriction) {
   scene::Scene scene = test::shipped("bench_ring");
   scene.drive.reset();
   scene.run.end = 0.1;
-  const Trajectory t = test::run_event(scene);
-  test::expect_sound_event(scene, t);
+  const Trajectory t = test::sound_event(scene);
   for (const double speed : t.column("spin_speed")) EXPECT_EQ(speed, scene.rotor.speed);
   EXPECT_LT(t.statistics.friction_work, 0.0);
-  test::expect_sound_paper(scene, test::run_paper(scene, 1e-5), 1e-5, 2.0);
+  test::sound_paper(scene);
 }
 
 // The shaft winds up between the motor and a contact that sticks, slips and sticks.
@@ -52,12 +51,10 @@ TEST(HardParts, TorsionInSticking) {
     test::add_ring(scene, 1.0, 200.0, 1e5);
     test::add_constant_force(scene, {0.0, -150.0});
     scene.run.end = 0.3;
-    const Trajectory t = test::run_event(scene);
-    test::expect_sound_event(scene, t);
+    const Trajectory t = test::sound_event(scene);
     EXPECT_TRUE(has_mode(t, Mode::kStick));
     EXPECT_GT(test::largest(t.column("torsion_1")), 1e-4);
-    const Trajectory p = test::run_paper(scene, 1e-5);
-    test::expect_sound_paper(scene, p, 1e-5, 2.0);
+    const Trajectory p = test::sound_paper(scene);
     EXPECT_TRUE(has_mode(p, Mode::kStick));
   }
 }
@@ -68,11 +65,9 @@ TEST(HardParts, GravityAtRestInTheRing) {
   scene.gravity = scene::Gravity{{0.0, -9.81}, {}};
   scene.run.end = 0.3;
   const double force = 2.0 * 9.81 - 1e3 * 0.5e-3;  // weight less the shaft's spring
-  const Trajectory t = test::run_event(scene);
-  test::expect_sound_event(scene, t);
+  const Trajectory t = test::sound_event(scene);
   EXPECT_NEAR(t.column("normal_force").back(), force, 1e-10 * force);
-  const Trajectory p = test::run_paper(scene, 1e-5);
-  test::expect_sound_paper(scene, p, 1e-5, 1.0);
+  const Trajectory p = test::sound_paper(scene, 1e-5, 1.0);
   EXPECT_NEAR(p.column("normal_force").back(), force, 1e-6 * force);
 }
 
@@ -85,16 +80,14 @@ TEST(HardParts, MagneticBearingPastTheStiffness) {
     scene.magnetic_bearing = scene::MagneticBearing{0.0, {}, part * 2e5};
     scene.initial.x = {1e-5};
     scene.run.end = 0.1;
-    const Trajectory t = test::run_event(scene);
-    test::expect_sound_event(scene, t);
+    const Trajectory t = test::sound_event(scene);
     if (part < 1.0) {
       const double omega = std::sqrt(2e5 * (1.0 - part) / 2.0);
       EXPECT_NEAR(t.column("rotor_x").back(), 1e-5 * std::cos(omega * 0.1), 1e-14);
     } else {
       EXPECT_GT(t.statistics.first_touch, 0.0);
     }
-    const Trajectory p = test::run_paper(scene, 1e-5);
-    test::expect_sound_paper(scene, p, 1e-5, 2.0);
+    const Trajectory p = test::sound_paper(scene);
   }
 }
 
@@ -131,11 +124,9 @@ TEST(HardParts, InternalDampingCaughtByTheRing) {
   test::add_ring(scene, 1.0, 200.0, 1e5);
   scene.initial.x = {1e-5};
   scene.run.end = 1.0;
-  const Trajectory t = test::run_event(scene);
-  test::expect_sound_event(scene, t);
+  const Trajectory t = test::sound_event(scene);
   EXPECT_GT(t.statistics.first_touch, 0.0);
-  const Trajectory p = test::run_paper(scene, 1e-5);
-  test::expect_sound_paper(scene, p, 1e-5, 2.0);
+  const Trajectory p = test::sound_paper(scene);
   EXPECT_GT(p.statistics.first_touch, 0.0);
 }
 

@@ -29,7 +29,7 @@ double fastest(const Trajectory& t) {
 }
 
 void expect_both_sound(const scene::Scene& scene, double step) {
-  test::expect_sound_event(scene, test::run_event(scene));
+  test::sound_event(scene);
   const Trajectory p = test::run_paper(scene, step);
   test::expect_sound_paper(scene, p, step, fastest(p));
 }
@@ -94,8 +94,7 @@ TEST(HardStiffModes, RefusedOrSolved) {
   }
   const Trajectory p = test::run_paper(scene, 1e-6);
   test::expect_sound_paper(scene, p, 1e-6, fastest(p));
-  const Trajectory t = test::run_event(scene);
-  test::expect_sound_event(scene, t);
+  const Trajectory t = test::sound_event(scene);
   EXPECT_LT(std::hypot(p.column("rotor_x").back() - t.column("rotor_x").back(),
                        p.column("rotor_y").back() - t.column("rotor_y").back()),
             1e-5);
@@ -117,8 +116,7 @@ TEST(HardStickSlip, NoChangeOfSignEveryStep) {
   shaking.on = 0.05;
   scene.forces.push_back(shaking);
   scene.run.end = 0.5;
-  const Trajectory t = test::run_event(scene);
-  test::expect_sound_event(scene, t);
+  const Trajectory t = test::sound_event(scene);
   const auto count = [](const Trajectory& run, EventKind kind, double from) {
     return std::count_if(run.events.begin(), run.events.end(),
                          [&](const Event& e) { return e.kind == kind && e.t > from; });
@@ -127,8 +125,7 @@ TEST(HardStickSlip, NoChangeOfSignEveryStep) {
   const auto sticks = count(t, EventKind::kStick, 0.05);
   EXPECT_GT(sticks, 8);
   EXPECT_LT(sticks, 100);
-  const Trajectory p = test::run_paper(scene, 1e-5);
-  test::expect_sound_paper(scene, p, 1e-5, 2.0);
+  const Trajectory p = test::sound_paper(scene);
   EXPECT_NEAR(static_cast<double>(count(p, EventKind::kStick, 0.05)), static_cast<double>(sticks),
               0.3 * static_cast<double>(sticks) + 4.0);
   // While it slips the sign does not alternate row by row.
@@ -162,8 +159,7 @@ TEST(HardWhip, BackwardUntilItRolls) {
              t.column("rotor_y")[k] * t.column("rotor_vx")[k]) /
            (j.clearance * j.clearance);
   };
-  const Trajectory t = test::run_event(scene);
-  test::expect_sound_event(scene, t);
+  const Trajectory t = test::sound_event(scene);
   EXPECT_NEAR(nu(t), rolling, 1e-9 * rolling);
   EXPECT_EQ(static_cast<Mode>(t.column("mode").back()), Mode::kStick);
   const double step = 1e-6;
@@ -214,8 +210,7 @@ TEST(HardAttractors, TheSameFromTheSameStart) {
       from.initial.x = {j.clearance};
       from.initial.vy = {start * j.clearance};
     }
-    const Trajectory reference = test::run_event(from);
-    test::expect_sound_event(from, reference);
+    const Trajectory reference = test::sound_event(from);
     const double speed = whirl(reference);
     EXPECT_EQ(reference.contact_fraction(), start == 0.0 ? 0.0 : 1.0);
     for (const double step : {1e-5, 3e-6, 1e-6}) {

@@ -121,6 +121,18 @@ inline void expect_sound_paper(const scene::Scene& scene, const Trajectory& t, d
   EXPECT_LE(t.statistics.max_penetration, fastest * step);
 }
 
+// Runs that keep every rule.
+inline Trajectory sound_event(const scene::Scene& scene) {
+  Trajectory t = run_event(scene);
+  expect_sound_event(scene, t);
+  return t;
+}
+inline Trajectory sound_paper(const scene::Scene& scene, double step = 1e-5, double fastest = 2.0) {
+  Trajectory t = run_paper(scene, step);
+  expect_sound_paper(scene, t, step, fastest);
+  return t;
+}
+
 // No status without a word of the reason, and what there is is whole.
 inline void expect_refused_or_finite(const Trajectory& t) {
   if (t.status != Status::kOk) {

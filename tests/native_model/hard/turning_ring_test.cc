@@ -62,8 +62,7 @@ double angular_momentum(const Trajectory& t, std::size_t k, double rotor, double
 
 TEST(TurningRing, AngularMomentumIsKeptThroughImpactsAndRubs) {
   scene::Scene s = thrown();
-  const Trajectory event = test::run_event(s);
-  test::expect_sound_event(s, event);
+  const Trajectory event = test::sound_event(s);
   ASSERT_GT(event.impacts.size(), 5u);
   ASSERT_GT(event.statistics.contact_time, 1e-3) << "and rubs";
   const double start = angular_momentum(event, 0, 2.0, 1.1);
@@ -216,8 +215,7 @@ TEST(TurningRing, OfNoInertiaIsARingWithoutFriction) {
 TEST(TurningRing, TheWhipDiesOnAFreeRing) {
   scene::Scene s = test::shipped("bench_whip");
   s.first().stator->spin = scene::RingSpin{7e-4, 1e-3, 0.0};
-  const Trajectory t = test::run_event(s);
-  test::expect_sound_event(s, t);
+  const Trajectory t = test::sound_event(s);
   EXPECT_EQ(t.column("normal_force").back(), 0.0);
   const std::size_t end = t.rows() - 1;
   EXPECT_LT(std::hypot(t.column("rotor_x")[end], t.column("rotor_y")[end]), 1e-5);

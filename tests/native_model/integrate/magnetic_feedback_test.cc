@@ -39,30 +39,19 @@ scene::Scene levitated() {
   return s;
 }
 
-template <class Exact>
-double error(const Trajectory& t, const Exact& exact) {
-  EXPECT_EQ(t.status, Status::kOk) << t.message;
-  const auto &x = t.column("rotor_x"), &y = t.column("rotor_y"), &time = t.column("t");
-  double most = 0.0;
-  for (std::size_t k = 0; k < t.rows(); ++k) {
-    most = std::max(most, std::abs(Complex(x[k], y[k]) - exact(time[k])));
-  }
-  return most;
-}
-
 // `event` to `share` of `size`; fixed steps of order 2. (Where the force has a kink, what a step
 // makes of it depends on where in the step it falls: neighbours scatter.)
 template <class Exact>
 void expect_motion(const scene::Scene& s, double size, double share, double order,
                    const Exact& exact) {
   const Trajectory reference = run_event(s);
-  EXPECT_LT(error(reference, exact), share * size);
+  EXPECT_LT(test::orbit_error(reference, exact), share * size);
   EXPECT_LT(reference.statistics.energy_residual(), 1e-9);
   for (const auto integrator : {scene::Integrator::kMidpoint, scene::Integrator::kVerlet}) {
     test::Convergence c;
     for (const double step : {2e-4, 1e-4, 5e-5, 2e-5, 1e-5, 5e-6, 2e-6}) {
       c.steps.push_back(step);
-      c.errors.push_back(error(run_with(s, integrator, step), exact));
+      c.errors.push_back(test::orbit_error(run_with(s, integrator, step), exact));
     }
     EXPECT_GT(c.order(), order) << static_cast<int>(integrator) << " " << c.text();
     EXPECT_LT(c.errors.back(), 1e-3 * size) << c.text();
@@ -135,7 +124,7 @@ TEST(MagneticFeedback, AtTheLimitTheForceIsConstant) {
   ASSERT_LT(s.run.end, reached);
   for (const auto integrator :
        {scene::Integrator::kEvent, scene::Integrator::kMidpoint, scene::Integrator::kVerlet}) {
-    EXPECT_LT(error(run_with(s, integrator), exact), 1e-12 * kStart)
+    EXPECT_LT(test::orbit_error(run_with(s, integrator), exact), 1e-12 * kStart)
         << static_cast<int>(integrator);
   }
   // Into the linear range: the current has a kink there, no jump.
@@ -182,7 +171,7 @@ TEST(MagneticFeedback, FailsAndTheRotorFalls) {
     const double since = std::max(0.0, t - kFails);
     return Complex(0.0, -sag - 0.5 * kGravity * since * since);
   };
-  EXPECT_LT(error(run_event(s), exact), 1e-9 * s.first().contact->clearance);
+  EXPECT_LT(test::orbit_error(run_event(s), exact), 1e-9 * s.first().contact->clearance);
   s.run.end = touch + 1e-3;
   const Trajectory t = run_event(s);
   ASSERT_FALSE(t.impacts.empty());

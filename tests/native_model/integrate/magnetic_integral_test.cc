@@ -62,17 +62,6 @@ class LinearMotion {
   Eigen::Vector3cd share_;
 };
 
-template <class Exact>
-double orbit_error(const Trajectory& t, const Exact& exact) {
-  EXPECT_EQ(t.status, Status::kOk) << t.message;
-  double most = 0.0;
-  for (std::size_t k = 0; k < t.rows(); ++k) {
-    const Complex z(t.column("rotor_x")[k], t.column("rotor_y")[k]);
-    most = std::max(most, std::abs(z - exact(t.column("t")[k])));
-  }
-  return most;
-}
-
 TEST(MagneticIntegral, LinearLawHasAThirdPole) {
   scene::Scene s = integrating();
   s.initial.x = {1e-4};
@@ -80,13 +69,13 @@ TEST(MagneticIntegral, LinearLawHasAThirdPole) {
   const LinearMotion x(1e-4, 0.0), y(0.0, 0.03);
   const auto exact = [&](double t) { return Complex(x.at(t), y.at(t)); };
   const Trajectory t = run_event(s);
-  EXPECT_LT(orbit_error(t, exact), 1e-13);
+  EXPECT_LT(test::orbit_error(t, exact), 1e-13);
   EXPECT_LT(t.statistics.energy_residual(), 1e-9);  // the integrator has no energy
   for (const auto integrator : {scene::Integrator::kMidpoint, scene::Integrator::kVerlet}) {
     test::Convergence c;
     for (const double step : {2e-4, 1e-4, 5e-5, 2e-5, 1e-5}) {
       c.steps.push_back(step);
-      c.errors.push_back(orbit_error(run_with(s, integrator, step), exact));
+      c.errors.push_back(test::orbit_error(run_with(s, integrator, step), exact));
     }
     EXPECT_GT(c.order(), 1.95) << static_cast<int>(integrator) << " " << c.text();
   }
@@ -120,7 +109,7 @@ TEST(MagneticIntegral, StartsOnItsSteadyOrbit) {
                             kPerAmpere * kI / Complex(0.0, kTurns);
   const auto exact = [&](double t) { return kSize / stiffness * std::polar(1.0, kTurns * t); };
   const Trajectory t = run_event(s);
-  EXPECT_LT(orbit_error(t, exact), 1e-12);
+  EXPECT_LT(test::orbit_error(t, exact), 1e-12);
   const Complex current =
       -(kP + Complex(0.0, kTurns * kD) + kI / Complex(0.0, kTurns)) * kSize / stiffness;
   EXPECT_NEAR(t.column("bearing_current_x").front(), current.real(), 1e-12);

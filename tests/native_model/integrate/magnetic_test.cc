@@ -8,10 +8,9 @@
 
 #include "native_model/bearing/actuator.h"
 #include "native_model/numerics/matrix_functions.h"
-#include "native_model/run/run_native.h"
 #include "native_model/scene/diagnostic.h"
-#include "native_model/scene/reader.h"
 #include "tests/support/jeffcott.h"
+#include "tests/support/native_run.h"
 
 namespace rotorub {
 namespace {
@@ -100,10 +99,7 @@ TEST(MagneticRing, TheVoltageLimitIsTheCoilsOwnExponential) {
   ASSERT_GT(at, 0.1 * kMagnetEnd);
   ASSERT_LT(at, 0.9 * kMagnetEnd);
   const auto error = [&](scene::Integrator integrator, double step) {
-    NativeOptions options;
-    options.integrator = integrator;
-    options.step = step;
-    const Trajectory t = run_native(s, options);
+    const Trajectory t = test::run_with(s, integrator, step);
     EXPECT_EQ(t.status, Status::kOk) << t.message;
     double most = 0.0;
     for (std::size_t k = 0; k < t.column("t").size(); ++k) {
@@ -126,10 +122,8 @@ TEST(MagneticRing, TheVoltageLimitIsTheCoilsOwnExponential) {
 TEST(MagneticRing, MidpointConvergesToIt) {
   const double lag = 1e-3;
   const auto error = [&](double step) {
-    NativeOptions options;
-    options.integrator = scene::Integrator::kMidpoint;
-    options.step = step;
-    return std::abs((last(run_native(ring_alone(lag, true), options)) - exact(lag)).x());
+    const Trajectory t = test::run_with(ring_alone(lag, true), scene::Integrator::kMidpoint, step);
+    return std::abs((last(t) - exact(lag)).x());
   };
   const double coarse = error(2e-5), fine = error(2e-6);
   EXPECT_LT(fine, 1e-3 * kMagnetStart);
@@ -152,7 +146,7 @@ TEST(MagneticRing, TheBiasCurrentIsANegativeSpring) {
 
 // Currents within their limit: the rub is that of an ideal actuator.
 TEST(MagneticRub, IsThatOfAnIdealActuator) {
-  scene::Scene ideal = scene::read_scene(std::string(ROTORUB_MJCF_DIR) + "/bench_ring.toml");
+  scene::Scene ideal = test::shipped("bench_ring");
   ideal.run.end = 0.1;
   ideal.first().controller = scene::Controller{};
   ideal.first().controller->stiffness = 5e4;
@@ -174,7 +168,7 @@ TEST(MagneticRub, IsThatOfAnIdealActuator) {
 
 // The law given as a table instead: its spline is within 1e-4 of the law.
 TEST(MagneticRub, OfATableIsThatOfItsLaw) {
-  scene::Scene law = scene::read_scene(std::string(ROTORUB_MJCF_DIR) + "/paper_magnetic.toml");
+  scene::Scene law = test::shipped("paper_magnetic");
   law.rotor.geometry->modes = 2;
   law.run.end = 0.12;
   scene::Scene table = law;
@@ -223,7 +217,7 @@ TEST(MagneticRing, DoesNotStartInACore) {
 
 // Saturated currents and limited rates keep every rule; so does a ring that runs into the cores.
 TEST(MagneticRub, SaturationIsSolved) {
-  scene::Scene s = scene::read_scene(std::string(ROTORUB_MJCF_DIR) + "/paper_magnetic.toml");
+  scene::Scene s = test::shipped("paper_magnetic");
   s.rotor.geometry->modes = 2;
   s.run.end = 0.15;
   s.first().actuator->current_limit = 0.3;
@@ -232,9 +226,7 @@ TEST(MagneticRub, SaturationIsSolved) {
     if (lag > 0.0) s.first().actuator->current_rate_limit = 1000.0;
     for (const scene::Integrator integrator :
          {scene::Integrator::kEvent, scene::Integrator::kMidpoint}) {
-      NativeOptions options;
-      options.integrator = integrator;
-      const Trajectory t = run_native(s, options);
+      const Trajectory t = test::run_with(s, integrator, s.run.step);
       ASSERT_EQ(t.status, Status::kOk) << t.message;
       const std::vector<double>&current = t.column("current_1"), &time = t.column("t");
       double most = 0.0, steepest = 0.0;

@@ -7,8 +7,8 @@
 #include <cmath>
 #include <complex>
 
-#include "native_model/run/run_native.h"
 #include "tests/support/jeffcott.h"
+#include "tests/support/native_run.h"
 
 namespace rotorub {
 namespace {
@@ -60,10 +60,7 @@ double hanging(double gain) {
 }
 
 Trajectory run_up(const scene::Scene& s, scene::Integrator integrator) {
-  NativeOptions options;
-  options.integrator = integrator;
-  options.step = 2e-4;
-  Trajectory t = run_native(s, options);
+  Trajectory t = test::run_with(s, integrator, 2e-4);
   EXPECT_EQ(t.status, Status::kOk) << t.message;
   return t;
 }

@@ -28,10 +28,7 @@ Eigen::Vector2d rotor(const Trajectory& t, std::size_t row) {
 }
 
 Trajectory run(const scene::Scene& scene, double step) {
-  NativeOptions options;
-  options.integrator = scene::Integrator::kMidpoint;
-  options.step = step;
-  return run_native(scene, options);
+  return test::run_with(scene, scene::Integrator::kMidpoint, step);
 }
 
 TEST(MidpointBilliard, KeepsSpeedAndAngularMomentumToRoundOff) {

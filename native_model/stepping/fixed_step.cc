@@ -1,0 +1,49 @@
+#include "native_model/stepping/fixed_step.h"
+
+#include "native_model/contact/kinematics.h"
+#include "native_model/dynamics/dynamics.h"
+
+namespace rotorub {
+namespace {
+
+// rad/s, of a machine that holds the speed and so works too.
+double held_speed(const Model& m) { return m.layout.spin ? 0.0 : m.speed; }
+
+}  // namespace
+
+Impact impact_of(double t, const Eigen::Vector2d& impulses, const Eigen::Vector2d& before,
+                 const Eigen::Vector2d& after, std::size_t contact) {
+  const double energy = impulse_work(impulses.x(), impulses.y(), before, after).total();
+  return {t,          impulses.x(), impulses.y(),
+          before.x(), after.x(),    before.y(),
+          after.y(),  energy,       static_cast<int>(contact)};
+}
+
+double impact_work(const Model& m, std::span<const Impact> impacts) {
+  double work = 0.0;
+  for (const Impact& hit : impacts) {
+    const double radius = m.auxiliary[static_cast<std::size_t>(hit.contact)].contact->radius;
+    work += hit.energy_change - hit.friction_impulse * (radius * held_speed(m));
+  }
+  return work;
+}
+
+double lasting_work(const Model& m, std::size_t contact, const Eigen::Vector2d& e_r,
+                    const Eigen::Vector2d& impulses, const Eigen::Vector3d& start,
+                    const Eigen::Vector3d& end) {
+  if (!(impulses.x() > 0.0)) return 0.0;
+  const Eigen::Vector3d load =
+      contact_load(e_r, m.auxiliary[contact].contact->radius, impulses.x(), impulses.y());
+  const Eigen::Vector3d rates = 0.5 * (start + end);
+  return load.dot(rates - Eigen::Vector3d(0.0, 0.0, held_speed(m)));
+}
+
+bool rests_on_circle(const Model& m, const double* q, const double* v, std::size_t contact) {
+  constexpr double kOnCircle = 1e-12;  // of the clearance
+  constexpr double kNoGapRate = 1e-9;  // m/s
+  const ContactPoint p = contact_point(m, q, v, contact);
+  return p.gap <= kOnCircle * m.auxiliary[contact].contact->clearance &&
+         std::abs(p.gap_rate) <= kNoGapRate;
+}
+
+}  // namespace rotorub

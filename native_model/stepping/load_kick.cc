@@ -1,0 +1,21 @@
+#include "native_model/stepping/load_kick.h"
+
+#include "native_model/system/actuation.h"
+
+namespace rotorub {
+
+void add_actuators_of_run(const Model& m, const double* q, const double* v, const double* commands,
+                          double* f) {
+  std::array<Eigen::Vector2d, kMaxContacts> asked;
+  for (std::size_t i = 0; i < asked.size(); ++i) asked[i] = {commands[2 * i], commands[2 * i + 1]};
+  add_actuators(m, q, v, asked, f);
+}
+
+bool feedback_switches(const Model& m) {
+  if (!m.feedback) return false;
+  const MagneticFeedback<double>& law = m.feedback->law;
+  if (law.damping() == 0.0 || law.fails_at <= 0.0) return false;
+  return std::isfinite(law.current_limit) || law.fails_at < scene::kNever;
+}
+
+}  // namespace rotorub

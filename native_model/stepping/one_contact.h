@@ -1,0 +1,308 @@
+// The contact in a fixed step, of one run or of many that have one contact or none: where the
+// straight path of a step leaves the circle, lasting contact goes on or an impact begins. Lasting
+// contact ends the step on the circle (contact/lasting_contact.h): sliding on as in the step before
+// in all lanes at once, anything else lane by lane. Impacts are the schemes' own
+// (midpoint_step.h, verlet_step.h). Several contacts: several_contacts.h.
+#pragma once
+
+#include <vector>
+
+#include "native_model/stepping/fixed_step.h"
+#include "native_model/stepping/load_kick.h"
+
+namespace rotorub {
+
+template <class M>
+class OneContact {
+ public:
+  using T = typename M::Scalar;
+  using Mask = lanes::Mask<T>;
+  using Centre = equations::Pair<T>;
+  using State = StepState<M>;
+  static constexpr int kLanes = State::kLanes;
+
+  // Lasting contact: as the step before left it, and from go_on() on of this step.
+  struct Lasting {
+    T lasts{};               // 1 or 0
+    T slip_sign{};           // sliding: +1, -1; 0: free or sticking
+    T normal{}, friction{};  // N s, of the step
+    T normal_at_end{},
+        friction_at_end{};  // N s, were the forces of its end those of the whole step
+  };
+
+  // `located`: impacts are located in their step.
+  OneContact(State& x, LoadKick<M>& loads, const std::vector<const Model*>& models, bool located)
+      : located_(located), response_{State::make(x.m), State::make(x.m), State::make(x.m)} {
+    exists_ = models.front()->first().contact.has_value();
+    if (!exists_) return;
+    for (int lane = 0; lane < kLanes; ++lane) {
+      const ContactParameters& c = *models[static_cast<std::size_t>(lane)]->first().contact;
+      lanes::set(clearance_, lane, c.clearance);
+      lanes::set(radius_, lane, c.radius);
+      friction_law_.set(lane, c.friction);
+    }
+    if (!loads.coupled()) respond(x, loads);
+  }
+
+  Lasting now;
+  // What the step did, impacts and lasting contact alike, N s.
+  T normal_impulse{}, friction_impulse{};
+  // Of each lane. Large, and rarely touched: apart from what every step reads.
+  std::vector<ImpactList> impacts = std::vector<ImpactList>(kLanes);
+  bool impacted = false;   // in a lane at least
+  bool held_open = false;  // in a lane at least an impact that takes time is under way
+  T flying{};              // 0 in those lanes, else 1
+
+  bool exists() const { return exists_; }
+  bool lasts() const { return lanes::any(now.lasts > T{}); }
+
+  // The step's beginning.
+  ROTORUB_INLINE void forget_last() {
+    if (!impacted) return;
+    for (ImpactList& list : impacts) list.count = 0;
+    impacted = false;
+  }
+  // A state has been written: what stands on the circle and does not close is lasting contact. (A
+  // step that does not locate its impacts finds that itself.)
+  void begin(const State& x);
+
+  // Lasting contact over the step, where the straight path from x.seen with x.free would leave the
+  // circle: x.after from x.free. Gives the lanes in which the path leaves the circle out of flight.
+  ROTORUB_INLINE Mask go_on(State& x, LoadKick<M>& loads) {
+    const T zero{}, one = lanes::all<T>(1.0), h = lanes::all<T>(x.h), c = clearance_;
+    const Centre d = equations::separation(x.m, x.seen.data());
+    const Centre w = equations::relative(x.m, x.free.data());
+    const T px = d.x + h * w.x, py = d.y + h * w.y;
+    T outside = lanes::select(px * px + py * py > c * c, one, zero);
+    if (held_open) outside = outside * flying;
+    const T lasted = now.lasts;
+    now.lasts = outside * lasted;
+    now.slip_sign = now.lasts * now.slip_sign;
+    now.normal = now.friction = T{};
+    const Mask rests = (outside > zero) & (lasted > zero);
+    if (lanes::any(rests)) press_on(rests, x, loads, d, w);
+    normal_impulse = now.normal_at_end = now.normal;
+    friction_impulse = now.friction_at_end = now.friction;
+    return (outside > zero) & (lasted == zero);
+  }
+
+  // x.free with the forces of the last step's end, by the normal of now.
+  ROTORUB_INLINE void hold_on(State& x, LoadKick<M>& loads) {
+    if (!lasts()) return;
+    const Centre d = equations::separation(x.m, x.seen.data());
+    const T one = lanes::all<T>(1.0), square = d.x * d.x + d.y * d.y;
+    const T delta = lanes::square_root(lanes::select(square > T{}, square, one));
+    if (loads.coupled()) respond(x, loads);
+    push(x, x.free.data(), x.free.data(), {d.x / delta, d.y / delta}, now.normal_at_end,
+         now.friction_at_end, now.lasts > T{});
+  }
+
+  // x.seen well outside the ring (a flight of more than the clearance within half a step) goes back
+  // to the circle, by the least change in the norm of A. Left to lasting contact, the depth would
+  // come back as speed.
+  ROTORUB_INLINE void back_to_circle(State& x, LoadKick<M>& loads) {
+    const Centre d = equations::separation(x.m, x.seen.data());
+    const T square = d.x * d.x + d.y * d.y, c = clearance_;
+    const Mask outside = square > c * c * lanes::all<T>(1.02);
+    if (!lanes::any(outside)) return;
+    if (loads.coupled()) respond(x, loads);
+    const T one = lanes::all<T>(1.0);
+    const T delta = lanes::select(outside, lanes::square_root(square), one);
+    const T ex = d.x / delta, ey = d.y / delta;
+    const auto& a = admittance_;
+    const T nn = ex * (a[0][0] * ex + a[0][1] * ey) + ey * (a[1][0] * ex + a[1][1] * ey);
+    push(x, x.seen.data(), x.seen.data(), {ex, ey}, (delta - c) / nn, T{}, outside);
+  }
+
+  // Of two parts of a step, `first` for `share` of it and this one for `rest`, the lasting contact
+  // of the whole in the lanes of `other`; in those that only go on as they `were`, that of the mean
+  // loads.
+  Mask alike(const Lasting& part, const Lasting& was) const {
+    return (part.lasts > T{}) & (part.slip_sign == was.slip_sign);
+  }
+  void join_parts(const Mask& other, const T& share, const T& rest, const Lasting& first,
+                  const Lasting& mean) {
+    const Lasting last = now;
+    const auto choose = [&](const T& a, const T& b, const T& whole) {
+      return lanes::select(other, share * a + rest * b, whole);
+    };
+    now.lasts = lanes::select(other, last.lasts, mean.lasts);
+    now.slip_sign = lanes::select(other, last.slip_sign, mean.slip_sign);
+    now.normal = normal_impulse = choose(first.normal, last.normal, mean.normal);
+    now.friction = friction_impulse = choose(first.friction, last.friction, mean.friction);
+    now.normal_at_end = lanes::select(other, last.normal, mean.normal_at_end);
+    now.friction_at_end = lanes::select(other, last.friction, mean.friction_at_end);
+  }
+  static Lasting second_part(const Lasting& was, const Lasting& first) {
+    Lasting second;
+    second.lasts = was.lasts;
+    second.slip_sign = first.slip_sign;
+    return second;
+  }
+  // 1 in the lanes in which contact `lasted`, 0 in the others.
+  static T lasted(const Lasting& was) { return was.lasts; }
+
+  // Of one lane: an impact has come; contact lasts from here on, or does not.
+  void note_impact(int lane, const Impact& impact) {
+    add_to_lane(normal_impulse, lane, impact.normal_impulse);
+    add_to_lane(friction_impulse, lane, impact.friction_impulse);
+    impacts[static_cast<std::size_t>(lane)].add(impact);
+    impacted = true;
+  }
+  void set_lasting(int lane, bool lasts) {
+    lanes::set(now.lasts, lane, lasts ? 1.0 : 0.0);
+    lanes::set(now.slip_sign, lane, 0.0);
+  }
+
+  // m^2, |d|^2 as the step ended.
+  ROTORUB_INLINE T square_of_relative(const State& x) const {
+    const Centre d = equations::separation(x.m, x.q.data());
+    return d.x * d.x + d.y * d.y;
+  }
+  // m/s, of the relative velocity w and the spin, by the normal of the last lasting contact.
+  ROTORUB_INLINE T slip_of(const Centre& w, const T& spin) const {
+    return normal_.x * w.y - normal_.y * w.x + radius_ * spin;
+  }
+  // m/s, as the step ended; 0 at the centre, where there is no direction.
+  ROTORUB_INLINE T slip_at_end(const State& x) const {
+    const T *q = x.q.data(), *v = x.v.data();
+    const Centre d = equations::separation(x.m, q), w = equations::relative(x.m, v);
+    const T zero{}, one = lanes::all<T>(1.0), square = d.x * d.x + d.y * d.y;
+    const T delta = lanes::square_root(lanes::select(square > zero, square, one));
+    return (d.x * w.y - d.y * w.x) / delta + radius_ * equations::contact_spin(x.m, v);
+  }
+
+  // ------------------------------------------------------------------ one run
+  // What outlives a step, of midpoint and verlet; and the forces, of verlet.
+  template <class Action>
+  void for_each_kept(Action action) {
+    action(now.lasts);
+    action(now.slip_sign);
+  }
+  template <class Action>
+  void for_each_force_kept(Action action) {
+    action(now.normal_at_end);
+    action(now.friction_at_end);
+  }
+  // Velocities at the step's end as they would be without its impacts.
+  const T* end_without_impacts(const State& x) const {
+    return impacted ? x.free.data() : x.after.data();
+  }
+  // What the step did; `was`: before it.
+  void tell(FixedStep& out, const Lasting& was) const;
+  // J, on the coordinates: of lasting contact, from velocities x.start to x.after.
+  double lasting_work(const State& x) const;
+
+ private:
+  // The columns A^-1 J^T of the contact space and A's admittance J A^-1 J^T.
+  ROTORUB_INLINE void respond(const State& x, LoadKick<M>& loads) {
+    const M& m = x.m;
+    const T zero{}, one = lanes::all<T>(1.0);
+    for (int j = 0; j < 3; ++j) {
+      T* column = response_[j].data();
+      for (int i = 0; i < x.nq(); ++i) column[i] = zero;
+      equations::add_contact_load(m, j == 0 ? one : zero, j == 1 ? one : zero, j == 2 ? one : zero,
+                                  column);
+      loads.solve(x, column);
+      const Centre d = equations::relative(m, column);
+      admittance_[0][j] = d.x;
+      admittance_[1][j] = d.y;
+      // A prescribed spin speed does not change.
+      admittance_[2][j] = equations::turns_at_contact(m)
+                              ? equations::turning_at_contact(m, m.first(), column)
+                              : zero;
+      if (m.layout.spin) admittance_[2][j] += column[m.layout.phi()];
+    }
+  }
+
+  // to = from + A^-1 J^T of the load (N, F) with the normal e, in the lanes of `on`.
+  ROTORUB_INLINE void push(const State& x, const T* from, T* to, const Centre& e, const T& normal,
+                           const T& friction, const Mask& on) {
+    const T zero{};
+    const T N = lanes::select(on, normal, zero), F = lanes::select(on, friction, zero);
+    const T px = -e.x * N - e.y * F, py = -e.y * N + e.x * F, pz = radius_ * F;
+    const T *cx = response_[0].data(), *cy = response_[1].data(), *cz = response_[2].data();
+    for (int i = 0; i < x.nq(); ++i) to[i] = from[i] + (cx[i] * px + cy[i] * py + cz[i] * pz);
+  }
+
+  // Lasting contact in the lanes of `on`, from d at the step's begin: x.after from x.free, whatever
+  // the iteration needs. Slides on as in the step before where it can, in all lanes at once.
+  ROTORUB_INLINE void press_on(const Mask& on, State& x, LoadKick<M>& loads, const Centre& d,
+                               Centre w) {
+    if (loads.coupled()) respond(x, loads);
+    last_sign_ = now.slip_sign;
+    const T zero{}, one = lanes::all<T>(1.0);
+    const T square = d.x * d.x + d.y * d.y;
+    const T inverse = one / lanes::square_root(lanes::select(square > zero, square, one));
+    normal_ = {d.x * inverse, d.y * inverse};
+    if (loads.iterates()) loads.begin_iteration(lanes::select(on, one, zero));
+    for (bool settled = false;;) {
+      press(on, x, d, w);
+      push(x, x.free.data(), x.after.data(), normal_, now.normal, now.friction, on);
+      // Once more after the last round: a lane's end must not depend on how long the others went
+      // on.
+      if (!loads.iterates() || settled) break;
+      settled = !loads.improve(x, x.after.data());
+      w = equations::relative(x.m, x.free.data());
+    }
+    now.lasts = lanes::select(on, lanes::select(now.normal > zero, one, zero), now.lasts);
+  }
+
+  // The impulses for the present x.free; see contact/lasting_contact.h.
+  ROTORUB_INLINE void press(const Mask& on, State& x, const Centre& d, const Centre& w) {
+    const M& m = x.m;
+    const T zero{}, one = lanes::all<T>(1.0), h = lanes::all<T>(x.h);
+    const T ex = normal_.x, ey = normal_.y;
+    const T spin = equations::contact_spin(m, x.free.data());
+    const T r = radius_;
+    // mu of the slip before the step, as in press_lane.
+    const Centre before = equations::relative(m, x.start.data());
+    const T slip_before =
+        ex * before.y - ey * before.x + r * equations::contact_spin(m, x.start.data());
+    const T ratio = -friction_law_.at(slip_before) * last_sign_;
+    // Response to N with T = ratio N.
+    const T lx = -ex - ey * ratio, ly = -ey + ex * ratio, lz = r * ratio;
+    const auto& a = admittance_;
+    const T gx = a[0][0] * lx + a[0][1] * ly + a[0][2] * lz;
+    const T gy = a[1][0] * lx + a[1][1] * ly + a[1][2] * lz;
+    const T gz = a[2][0] * lx + a[2][1] * ly + a[2][2] * lz;
+    const T px = d.x + h * w.x, py = d.y + h * w.y, hx = h * gx, hy = h * gy;
+    const T square = hx * hx + hy * hy, along = px * hx + py * hy;
+    const T circle = clearance_ * clearance_;
+    const T depth = px * px + py * py - circle;
+    const T root = along * along - square * depth;
+    const T normal = depth / (lanes::square_root(lanes::select(root > zero, root, one)) - along);
+    const T slip = ex * (w.y + normal * gy) - ey * (w.x + normal * gx) + r * (spin + normal * gz);
+    const T turned = d.x * px + d.y * py;
+    const Mask slides = (root > zero) & (along < zero) & (slip * last_sign_ > zero) &
+                        (turned >= lanes::all<T>(0.5) * circle);
+    now.normal = lanes::select(on, normal, now.normal);
+    now.friction = lanes::select(on, ratio * normal, now.friction);
+    now.slip_sign = lanes::select(on, last_sign_, now.slip_sign);
+    const T other = lanes::select(on, lanes::select(slides, zero, one), zero);
+    if (!lanes::any(other > zero)) return;
+    for (int lane = 0; lane < kLanes; ++lane) {
+      if (lanes::get(other, lane) > 0.0) press_lane(lane, x, d, w);
+    }
+  }
+  ROTORUB_SLOW void press_lane(int lane, State& x, const Centre& d, const Centre& w);
+
+  bool exists_ = false, located_;
+  T clearance_{}, radius_{};
+  FrictionOf<T> friction_law_;
+  T admittance_[3][3] = {};
+  typename State::Coordinates response_[3];
+  T last_sign_{};
+  Centre normal_{};
+};
+
+// (ddot, spin) of one lane.
+template <class M>
+Eigen::Vector3d rates_of_lane(const StepState<M>& x, const typename StepState<M>::Coordinates& v,
+                              int lane) {
+  const auto w = equations::relative(x.m, v.data());
+  return {lanes::get(w.x, lane), lanes::get(w.y, lane),
+          lanes::get(equations::contact_spin(x.m, v.data()), lane)};
+}
+
+}  // namespace rotorub

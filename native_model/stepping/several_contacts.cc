@@ -1,0 +1,328 @@
+#include "native_model/stepping/several_contacts.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "native_model/contact/kinematics.h"
+#include "native_model/dynamics/dynamics.h"
+
+namespace rotorub {
+namespace {
+
+constexpr double kNoSlip = 1e-10;  // of the surface's speed
+
+}  // namespace
+
+SeveralContacts::SeveralContacts(State& x, Loads& loads, const std::vector<const Model*>& models,
+                                 bool located)
+    : done(models.front()->auxiliary.size()),
+      m_(x.m),
+      h_(x.h),
+      located_(located),
+      response_(3 * done.size(), Columns(static_cast<std::size_t>(x.nq()))),
+      without_impacts_(response_.front()) {
+  impacts.reserve(count() * count() * StepImpacts::kMost);
+  if (!loads.coupled()) respond(x, loads);
+}
+
+void SeveralContacts::begin(const State& x) {
+  now = {};
+  for (std::size_t i = 0; i < count(); ++i) {
+    now.of[i].lasts = rests_on_circle(m_, x.q.data(), x.v.data(), i);
+  }
+}
+
+void SeveralContacts::forget_last() {
+  impacts.clear();
+  for (std::size_t i = 0; i < count(); ++i) last_sign_[i] = now.of[i].slip_sign;
+}
+
+Eigen::Vector3d SeveralContacts::rates(std::size_t i, const double* v) const {
+  const auto w = equations::relative(m_, m_.auxiliary[i], v);
+  return {w.x, w.y, equations::contact_spin(m_, m_.auxiliary[i], v)};
+}
+
+bool SeveralContacts::leaves(std::size_t i, const Eigen::Vector3d& velocity) const {
+  return (places[i].d + h_ * velocity.head<2>()).norm() > law(i).clearance;
+}
+
+// The columns A^-1 J^T of every contact.
+void SeveralContacts::respond(const State& x, Loads& loads) {
+  for (std::size_t i = 0; i < count(); ++i) {
+    for (int axis = 0; axis < 3; ++axis) {
+      Columns& column = response_[3 * i + static_cast<std::size_t>(axis)];
+      std::fill(column.begin(), column.end(), 0.0);
+      add_contact_load(m_, Eigen::Vector3d::Unit(axis), column.data(), i);
+      loads.solve(x, column.data());
+    }
+  }
+}
+
+Eigen::Matrix3d SeveralContacts::admittance(std::size_t i, std::size_t j) const {
+  Eigen::Matrix3d a;
+  for (int axis = 0; axis < 3; ++axis) {
+    const Columns& column = response_[3 * j + static_cast<std::size_t>(axis)];
+    a.col(axis) = contact_acceleration(m_, column.data(), i);
+  }
+  return a;
+}
+
+void SeveralContacts::push(std::size_t i, double normal, double friction,
+                           std::span<double> to) const {
+  const Eigen::Vector3d p = contact_load(places[i].e_r, law(i).radius, normal, friction);
+  for (std::size_t axis = 0; axis < 3; ++axis) {
+    const Columns& column = response_[3 * i + axis];
+    for (std::size_t k = 0; k < column.size(); ++k)
+      to[k] += column[k] * p[static_cast<Eigen::Index>(axis)];
+  }
+}
+
+// The step impulses for which each ends on its circle: Newton's method, whose linear problem is the
+// law's.
+CoupledSolution SeveralContacts::solve_on_circles(std::span<const std::size_t> lasting,
+                                                  std::span<const Friction> friction) const {
+  const auto n = static_cast<Eigen::Index>(lasting.size());
+  const auto contact = [&](Eigen::Index i) { return lasting[static_cast<std::size_t>(i)]; };
+  std::array<ContactSet, kMaxContacts> sets{};
+  // What unit impulses do to the rates of each.
+  Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, 0, 3 * kMaxContacts, 2 * kMaxContacts>
+      effect(3 * n, 2 * n);
+  for (Eigen::Index i = 0; i < n; ++i) {
+    const auto at = static_cast<std::size_t>(i);
+    sets[at].friction = friction[at].given ? std::abs(friction[at].ratio) : friction[at].bound;
+    if (friction[at].given) sets[at].slides = friction[at].ratio > 0.0 ? -1.0 : 1.0;
+    for (Eigen::Index j = 0; j < n; ++j) {
+      const Eigen::Matrix3d a = admittance(contact(i), contact(j));
+      const Eigen::Vector2d& e_r = places[contact(j)].e_r;
+      const double radius = law(contact(j)).radius;
+      effect.block<3, 1>(3 * i, 2 * j) = a * contact_load(e_r, radius, 1.0, 0.0);
+      effect.block<3, 1>(3 * i, 2 * j + 1) = a * contact_load(e_r, radius, 0.0, 1.0);
+    }
+  }
+  CoupledSolution s;
+  ContactVector p = ContactVector::Zero(2 * n);
+  constexpr int kRounds = 6;
+  for (int round = 0; round < kRounds; ++round) {
+    ContactMatrix a(2 * n, 2 * n);
+    ContactVector b(2 * n);
+    for (Eigen::Index i = 0; i < n; ++i) {
+      const Place& c = places[contact(i)];
+      const Eigen::Vector3d change = effect.middleRows<3>(3 * i) * p;
+      const Eigen::Vector2d end = c.d + h_ * (c.free + change).head<2>();
+      const double distance = end.norm();
+      const Eigen::Vector2d out = end / distance;
+      for (Eigen::Index j = 0; j < 2 * n; ++j) {
+        const Eigen::Vector3d by = effect.block<3, 1>(3 * i, j);
+        a(2 * i, j) = -out.dot(by.head<2>());
+        a(2 * i + 1, j) = slip(contact(i), by);
+      }
+      b[2 * i] = (law(contact(i)).clearance - distance) / h_ - a.row(2 * i).dot(p);
+      b[2 * i + 1] = slip(contact(i), c.free);
+    }
+    s = solve_coupled(a, b, std::span(sets).first(lasting.size()));
+    if (s.solutions != 1) return s;
+    const double moved = (s.p - p).cwiseAbs().maxCoeff();
+    p = s.p;
+    if (moved <= 1e-14 * p.cwiseAbs().maxCoeff()) break;
+  }
+  return s;
+}
+
+// Impulses of the contacts that last; false: the laws have none. Friction follows the slip of the
+// middle; where that changes its sign within the step, it is the mean of its two values by the time
+// that each holds.
+bool SeveralContacts::press(State& x, std::span<const std::size_t> lasting) {
+  std::array<Friction, kMaxContacts> friction{};
+  std::array<double, kMaxContacts> before{}, until{};
+  const std::size_t n = lasting.size();
+  for (std::size_t i = 0; i < n; ++i) {
+    const Eigen::Vector3d& start = places[lasting[i]].start;
+    const ContactParameters& c = law(lasting[i]);
+    before[i] = slip(lasting[i], start);
+    if (std::abs(before[i]) <= kNoSlip * c.radius * std::abs(start.z())) before[i] = 0.0;
+    friction[i].bound = c.friction.at(before[i]);
+    if (before[i] != 0.0) {
+      friction[i].given = true;
+      friction[i].ratio = before[i] > 0.0 ? -friction[i].bound : friction[i].bound;
+    }
+  }
+  CoupledSolution s;
+  std::array<bool, kMaxContacts> turns{}, turned{};
+  for (bool settled = false; !settled;) {
+    s = solve_on_circles(lasting, std::span(friction).first(n));
+    if (s.solutions != 1) {
+      x.fail(0, status_of(s.solutions));
+      return false;
+    }
+    settled = true;
+    for (std::size_t i = 0; i < n; ++i) {
+      const auto at = static_cast<Eigen::Index>(2 * i);
+      const double mu = friction[i].bound, sign = before[i] > 0.0 ? 1.0 : -1.0;
+      if (!turns[i] && friction[i].given && s.y[at + 1] * sign <= 0.0 && s.p[at] > 0.0) {
+        // It would come to rest: does friction hold it?
+        turns[i] = true;
+        until[i] = before[i] / (before[i] - s.y[at + 1]);  // share of the step
+        friction[i].given = false;
+        settled = false;
+      } else if (turns[i] && !turned[i] && !s.sticks[i] && s.p[at] > 0.0) {
+        turned[i] = true;
+        friction[i].given = true;
+        friction[i].ratio = mu * sign * (1.0 - 2.0 * until[i]);
+        settled = false;
+      }
+    }
+  }
+  for (std::size_t i = 0; i < n; ++i) {
+    Lasting::Of& c = now.of[lasting[i]];
+    const auto at = static_cast<Eigen::Index>(2 * i);
+    c.normal = s.p[at];
+    c.friction = s.p[at + 1];
+    const double slip = s.y[at + 1];
+    const bool sticks = !friction[i].given && s.sticks[i];
+    c.slip_sign = sticks        ? 0.0
+                  : turned[i]   ? (before[i] > 0.0 ? -1.0 : 1.0)
+                  : slip >= 0.0 ? 1.0
+                                : -1.0;
+  }
+  return true;
+}
+
+bool SeveralContacts::go_on(State& x, Loads& loads) {
+  std::array<std::size_t, kMaxContacts> lasting{};
+  std::size_t n = 0;
+  for (std::size_t i = 0; i < count(); ++i) {
+    Place& at = places[i];
+    at.d = separation(m_, x.seen.data(), i);
+    at.start = rates(i, x.start.data());
+    at.free = rates(i, x.free.data());
+    Lasting::Of& c = now.of[i];
+    c.normal = c.friction = 0.0;
+    c.lasts = c.lasts && leaves(i, at.free);
+    if (!c.lasts) continue;
+    at.e_r = normal_of_path(at.d, h_ * at.free.head<2>(), law(i).clearance);
+    lasting[n++] = i;
+  }
+  if (n > 0) {
+    if (loads.coupled()) respond(x, loads);
+    if (loads.iterates()) loads.begin_iteration(1.0);
+    for (bool settled = false;;) {
+      if (!press(x, std::span(lasting).first(n))) return false;
+      x.after = x.free;
+      for (std::size_t i = 0; i < count(); ++i) {
+        if (now.of[i].normal != 0.0) push(i, now.of[i].normal, now.of[i].friction, x.after);
+      }
+      if (!loads.iterates() || settled) break;
+      settled = !loads.improve(x, x.after.data());
+      for (std::size_t i = 0; i < count(); ++i) places[i].free = rates(i, x.free.data());
+    }
+  }
+  for (Lasting::Of& c : now.of) {
+    c.lasts = c.lasts && c.normal > 0.0;
+    if (!c.lasts) c.slip_sign = 0.0;
+    c.normal_at_end = c.normal;
+    c.friction_at_end = c.friction;
+  }
+  note_lasting();
+  return true;
+}
+
+void SeveralContacts::note_lasting() {
+  for (std::size_t i = 0; i < count(); ++i) {
+    const Lasting::Of& c = now.of[i];
+    const Mode mode = !c.lasts ? Mode::kFree : c.slip_sign == 0.0 ? Mode::kStick : Mode::kSlide;
+    done[i] = {
+        mode,      last_sign_[i] * c.slip_sign < 0.0, c.normal, c.friction, {c.normal, c.friction},
+        {0.0, 0.0}};
+  }
+}
+
+void SeveralContacts::hold_on(State& x, Loads& loads) {
+  if (!lasts()) return;
+  if (loads.coupled()) respond(x, loads);
+  for (std::size_t i = 0; i < count(); ++i) {
+    const Lasting::Of& c = now.of[i];
+    if (!c.lasts) continue;
+    places[i].e_r = separation(m_, x.seen.data(), i).normalized();
+    push(i, c.normal_at_end, c.friction_at_end, x.free);
+  }
+}
+
+// By the least change that closes all of them.
+void SeveralContacts::back_to_circle(State& x, Loads& loads) {
+  std::array<std::size_t, kMaxContacts> outside{};
+  Eigen::Index n = 0;
+  for (std::size_t i = 0; i < count(); ++i) {
+    const Eigen::Vector2d d = separation(m_, x.seen.data(), i);
+    if (!(d.squaredNorm() > 1.02 * law(i).clearance * law(i).clearance)) continue;
+    places[i].d = d;
+    places[i].e_r = d.normalized();
+    outside[static_cast<std::size_t>(n++)] = i;
+  }
+  if (n == 0) return;
+  if (loads.coupled()) respond(x, loads);
+  const auto contact = [&](Eigen::Index i) { return outside[static_cast<std::size_t>(i)]; };
+  ContactMatrix g(n, n);
+  ContactVector depth(n);
+  for (Eigen::Index i = 0; i < n; ++i) {
+    const Place& c = places[contact(i)];
+    depth[i] = c.d.norm() - law(contact(i)).clearance;
+    for (Eigen::Index j = 0; j < n; ++j) {
+      const Eigen::Matrix3d a = admittance(contact(i), contact(j));
+      g(i, j) = c.e_r.dot(a.topLeftCorner<2, 2>() * places[contact(j)].e_r);
+    }
+  }
+  const ContactVector normals = shared_solution(g, depth);
+  for (Eigen::Index i = 0; i < n; ++i) push(contact(i), normals[i], 0.0, x.seen);
+}
+
+bool SeveralContacts::alike(const Lasting& part, const Lasting& was) const {
+  for (std::size_t i = 0; i < count(); ++i) {
+    if (!was.of[i].lasts) continue;
+    if (!part.of[i].lasts || part.of[i].slip_sign != was.of[i].slip_sign) return false;
+  }
+  return true;
+}
+
+void SeveralContacts::join_parts(bool other, double share, double rest, const Lasting& first,
+                                 const Lasting& mean) {
+  if (!other) {
+    now = mean;
+  } else {
+    for (std::size_t i = 0; i < count(); ++i) {
+      Lasting::Of& c = now.of[i];
+      c.normal = share * first.of[i].normal + rest * c.normal;
+      c.friction = share * first.of[i].friction + rest * c.friction;
+    }
+  }
+  note_lasting();
+}
+
+SeveralContacts::Lasting SeveralContacts::second_part(const Lasting& was,
+                                                      const Lasting& first) const {
+  Lasting second = first;
+  for (std::size_t i = 0; i < count(); ++i) second.of[i].lasts = was.of[i].lasts;
+  return second;
+}
+
+double SeveralContacts::lasted(const Lasting& was) const {
+  return std::any_of(was.of.begin(), was.of.end(), [](const Lasting::Of& c) { return c.lasts; })
+             ? 1.0
+             : 0.0;
+}
+
+void SeveralContacts::tell(FixedStep& out, const Lasting& /*was*/) const {
+  static_cast<ContactStep&>(out) = done[0];
+  out.others = std::span(done).subspan(1);
+  out.impacts = impacts;
+}
+
+double SeveralContacts::lasting_work(const State& x) const {
+  double work = 0.0;
+  for (std::size_t i = 0; i < count(); ++i) {
+    work += rotorub::lasting_work(m_, i, places[i].e_r, done[i].lasting, places[i].start,
+                                  rates(i, end_without_impacts(x)));
+  }
+  return work;
+}
+
+}  // namespace rotorub

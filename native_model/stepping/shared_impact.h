@@ -1,0 +1,49 @@
+// One impact in a fixed step of several contacts, with all that is closed there.
+#pragma once
+
+#include <array>
+
+#include "native_model/dynamics/constraint.h"
+#include "native_model/stepping/several_contacts.h"
+
+namespace rotorub {
+
+class SharedImpact {
+ public:
+  // `contacts` must outlive this.
+  explicit SharedImpact(SeveralContacts& contacts) : contacts_(&contacts) {}
+
+  // A contact takes part, with the normal e_r and the velocities and accelerations (nq values) of
+  // the instant; `closed`: it lasted until then.
+  void join(std::size_t contact, bool closed, const Eigen::Vector2d& e_r, const double* velocity,
+            const double* acceleration);
+  // Its impulses, noted as impacts of the time t; load: on the coordinates. (at, q): where M is
+  // taken. `ends`: no contact rebounds. A status where the laws have no solution.
+  Status strike(const StepState<Model>& x, double t, double at, const double* q, bool ends,
+                double* load);
+
+  std::size_t count() const { return count_; }
+  std::size_t contact(std::size_t i) const { return of_[i].index; }
+  // Of those that joined: closed before, and after.
+  bool was_closed(std::size_t i) const { return closed_[i]; }
+  bool rests(std::size_t i) const { return rests_[i]; }
+  double approach() const { return approach_; }  // m/s, the largest
+  // Delassus's matrix, of (normal, friction) of each in turn.
+  const ContactMatrix& matrix() const { return g_; }
+
+ private:
+  // Whether the impact at the speed `approach` (m/s) is followed by a flight, contact/rebound.h.
+  bool rebounds(std::size_t i, double h, double approach) const;
+
+  SeveralContacts* contacts_;
+  std::size_t count_ = 0;
+  double approach_ = 0.0;
+  std::array<ClosedContact, kMaxContacts> of_{};
+  std::array<bool, kMaxContacts> closed_{}, rests_{};
+  std::array<ImpactLaw, kMaxContacts> laws_{};
+  std::array<double, kMaxContacts> pressed_{};  // m/s^2, contact/rebound.h
+  ContactVector before_ = ContactVector(2 * kMaxContacts);
+  ContactMatrix g_;
+};
+
+}  // namespace rotorub
