@@ -12,6 +12,7 @@
 #include "mjcf/soft_contact.h"
 #include "native_model/oracles/annular_rub.h"
 #include "tests/support/mujoco_fixture.h"
+#include "tests/support/mujoco_run.h"
 #include "tests/support/whip.h"
 
 namespace rotorub::test {
@@ -28,11 +29,8 @@ struct Rubbing {
 
 Rubbing rubbing(scene::Scene scene, scene::ContactModel contact, double step) {
   scene.run.output_step = step;
-  MujocoOptions options;
-  options.contact = contact;
-  options.step = step;
   Rubbing out;
-  out.run = run_mujoco(scene, options);
+  out.run = mujoco_run(scene, contact, step);
   const Trajectory& t = out.run;
   EXPECT_EQ(t.status, Status::kOk) << t.message;
   const std::vector<double>& normal = t.column("normal_force");

@@ -19,10 +19,7 @@ scene::Scene two_catchers(const std::vector<std::string>& overrides = {}) {
 }
 
 Trajectory in_mujoco(scene::ContactModel contact, double step) {
-  MujocoOptions options;
-  options.contact = contact;
-  options.step = step;
-  return run_mujoco(two_catchers(), options);
+  return mujoco_run(two_catchers(), contact, step);
 }
 
 class SeveralInMujoco : public testing::TestWithParam<scene::ContactModel> {};

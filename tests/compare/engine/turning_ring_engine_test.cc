@@ -10,6 +10,7 @@
 #include "native_model/oracles/annular_rub.h"
 #include "native_model/run/run_native.h"
 #include "tests/support/mujoco_fixture.h"
+#include "tests/support/mujoco_run.h"
 #include "tests/support/oracles/turning_ring.h"
 #include "tests/support/order.h"
 
@@ -55,11 +56,7 @@ double largest_miss(const Rub& r, const Trajectory& t) {
 }
 
 Trajectory run(const scene::Scene& scene, scene::ContactModel contact, double step) {
-  MujocoOptions options;
-  options.contact = contact;
-  options.step = step;
-  Trajectory t = run_mujoco(scene, options);
-  EXPECT_EQ(t.status, Status::kOk) << t.message;
+  Trajectory t = mujoco_run(scene, contact, step);
   return t;
 }
 

@@ -4,6 +4,7 @@
 
 #include "compare/engine/mujoco_engine.h"
 #include "tests/support/mujoco_fixture.h"
+#include "tests/support/mujoco_run.h"
 #include "tests/support/whip.h"
 
 namespace rotorub::test {
@@ -12,10 +13,7 @@ namespace {
 Trajectory whip(scene::ContactModel contact, double end) {
   scene::Scene scene = shipped("bench_whip");
   scene.run.end = end;
-  MujocoOptions options;
-  options.contact = contact;
-  options.step = 1e-5;
-  return run_mujoco(scene, options);
+  return mujoco_run(scene, contact, 1e-5);
 }
 
 // After 1 s, at 10 us: -501.845 rad/s and 244.738 N instead of -501.9257 and 244.8444.

@@ -30,7 +30,9 @@ Trajectory record(
   Recorder recorder(model, std::move(times));
   recorder.begin(snapshot(0.0, q(0.0), v(0.0)));
   for (int k = 1; k <= steps; ++k) {
-    recorder.step(snapshot(k * step, q(k * step), v(k * step)), 0.0, 0.0, impact(k));
+    const Impact none;
+    recorder.step(snapshot(k * step, q(k * step), v(k * step)), 0.0, 0.0,
+                  impact(k) ? &none : nullptr, {});
   }
   return recorder.finish(steps * step);
 }
@@ -100,7 +102,7 @@ TEST(RecorderRows, HoldTheContactsKinematicsAndForces) {
   now.normal_force = 70.0;
   now.friction_force = -14.0;
   now.mode = Mode::kSlide;
-  recorder.step(now, 70.0, -14.0, false);
+  recorder.step(now, 70.0, -14.0, nullptr, {});
   const Trajectory t = recorder.finish(1.0);
   const ContactPoint p = contact_point(m, b.q.data(), b.v.data());
   const Layout& l = m.layout;
