@@ -8,6 +8,7 @@
 #include "mjcf/writer.h"
 #include "native_model/scene/contact_models.h"
 #include "native_model/scene/reader.h"
+#include "tests/support/mujoco_run.h"
 #include "tests/support/native_run.h"
 
 namespace rotorub {
@@ -19,7 +20,7 @@ scene::Scene two_catchers(const std::vector<std::string>& overrides = {}) {
 }
 
 Trajectory in_mujoco(scene::ContactModel contact, double step) {
-  return mujoco_run(two_catchers(), contact, step);
+  return test::mujoco_run(two_catchers(), contact, step);
 }
 
 class SeveralInMujoco : public testing::TestWithParam<scene::ContactModel> {};
