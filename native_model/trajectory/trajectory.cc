@@ -9,17 +9,17 @@ namespace rotorub {
 namespace {
 
 // In the order of their values.
-constexpr std::array kModes{"free", "slide", "stick"};
-constexpr std::array kEvents{"impact", "slide", "stick", "lift_off", "reverse"};
-constexpr std::array kStatuses{"ok",          "diverged",         "no_solution",
-                               "ambiguous",   "step_too_large",   "out_of_range",
-                               "interrupted", "controller_failed"};
+constexpr std::array kModeNames{"free", "slide", "stick"};
+constexpr std::array kEventNames{"impact", "slide", "stick", "lift_off", "reverse"};
+constexpr std::array kStatusNames{"ok",          "diverged",         "no_solution",
+                                  "ambiguous",   "step_too_large",   "out_of_range",
+                                  "interrupted", "controller_failed"};
 
 }  // namespace
 
-const char* to_string(Mode mode) { return kModes.at(static_cast<std::size_t>(mode)); }
-const char* to_string(EventKind kind) { return kEvents.at(static_cast<std::size_t>(kind)); }
-const char* to_string(Status status) { return kStatuses.at(static_cast<std::size_t>(status)); }
+const char* to_string(Mode mode) { return kModeNames.at(static_cast<std::size_t>(mode)); }
+const char* to_string(EventKind kind) { return kEventNames.at(static_cast<std::size_t>(kind)); }
+const char* to_string(Status status) { return kStatusNames.at(static_cast<std::size_t>(status)); }
 
 double Statistics::energy_residual() const {
   if (energy_scale <= 0.0) return 0.0;
