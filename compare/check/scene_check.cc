@@ -13,7 +13,6 @@
 #include "native_model/scene/record.h"
 
 namespace rotorub::check {
-
 namespace {
 
 using scene::RuleEngine;
@@ -30,36 +29,6 @@ CheckEngine mujoco(scene::ContactModel contact, RuleEngine word) {
       contact == scene::ContactModel::kConeCoulomb ? "cone-c" : scene::to_string(contact);
   return {engine->name(), column, word, false, false, engine};
 }
-
-}  // namespace
-
-const std::vector<CheckEngine>& check_engines() {
-  static const std::vector<CheckEngine> all{
-      native(scene::Integrator::kEvent, RuleEngine::kNativeEvent),
-      native(scene::Integrator::kMidpoint, RuleEngine::kNativeMidpoint),
-      native(scene::Integrator::kVerlet, RuleEngine::kNativeVerlet),
-      mujoco(scene::ContactModel::kRigid, RuleEngine::kMujocoRigid),
-      mujoco(scene::ContactModel::kCoulomb, RuleEngine::kMujocoCoulomb),
-      mujoco(scene::ContactModel::kCone, RuleEngine::kMujocoCone),
-      mujoco(scene::ContactModel::kConeCoulomb, RuleEngine::kMujocoConeCoulomb)};
-  return all;
-}
-
-std::vector<scene::Rule> rules_for(const CheckEngine& engine,
-                                   const std::vector<scene::Rule>& rules) {
-  const auto of = [&](RuleEngine family) {
-    std::vector<scene::Rule> own;
-    for (const scene::Rule& rule : rules) {
-      if (rule.engine == engine.word || rule.engine == family) own.push_back(rule);
-    }
-    return own;
-  };
-  const std::vector<scene::Rule> own =
-      of(engine.native ? RuleEngine::kNative : RuleEngine::kMujoco);
-  return engine.native || !own.empty() ? own : of(RuleEngine::kNative);
-}
-
-namespace {
 
 constexpr const char* kToItsEnd = "runs to its end";
 constexpr const char* kRefusal = "refused";
@@ -124,7 +93,59 @@ Verdict deciding(const std::vector<Verdict>& verdicts, std::size_t laws) {
   return laws < verdicts.size() ? verdicts[laws] : verdicts.front();
 }
 
+[[noreturn]] void refuse_rule(const scene::Scene& scene, std::size_t index,
+                              const std::string& reason) {
+  const scene::Diagnostic wrong{"", 0, "check[" + std::to_string(index) + "].metric", reason};
+  throw scene::SceneError(scene::placed(scene, {wrong}));
+}
+
+Attempt attempt(const Engine& engine, const scene::Scene& scene, const RunRequest& request) {
+  try {
+    return {engine.run(scene, request), ""};
+  } catch (const std::exception& error) {
+    return {std::nullopt, error.what()};
+  }
+}
+
+// `event` at the tightest tolerance that round-off leaves a use for. None where it fails.
+std::optional<Trajectory> reference_of(const scene::Scene& scene, const RunRequest& request) {
+  const auto engine = bench::event_engine(bench::event_parameters(bench::kReferenceTolerance));
+  try {
+    Trajectory run = engine->run(scene, request);
+    if (run.status == Status::kOk) return run;
+  } catch (const std::exception&) {
+    // What keeps it from running keeps `event` too, whose case says why.
+  }
+  return std::nullopt;
+}
+
 }  // namespace
+
+const std::vector<CheckEngine>& check_engines() {
+  static const std::vector<CheckEngine> all{
+      native(scene::Integrator::kEvent, RuleEngine::kNativeEvent),
+      native(scene::Integrator::kMidpoint, RuleEngine::kNativeMidpoint),
+      native(scene::Integrator::kVerlet, RuleEngine::kNativeVerlet),
+      mujoco(scene::ContactModel::kRigid, RuleEngine::kMujocoRigid),
+      mujoco(scene::ContactModel::kCoulomb, RuleEngine::kMujocoCoulomb),
+      mujoco(scene::ContactModel::kCone, RuleEngine::kMujocoCone),
+      mujoco(scene::ContactModel::kConeCoulomb, RuleEngine::kMujocoConeCoulomb)};
+  return all;
+}
+
+std::vector<scene::Rule> rules_for(const CheckEngine& engine,
+                                   const std::vector<scene::Rule>& rules) {
+  const auto of = [&](RuleEngine family) {
+    std::vector<scene::Rule> own;
+    for (const scene::Rule& rule : rules) {
+      if (rule.engine == engine.word || rule.engine == family) own.push_back(rule);
+    }
+    return own;
+  };
+  const std::vector<scene::Rule> own =
+      of(engine.native ? RuleEngine::kNative : RuleEngine::kMujoco);
+  return engine.native || !own.empty() ? own : of(RuleEngine::kNative);
+}
 
 Case judge(const scene::Scene& scene, const CheckEngine& engine,
            const std::vector<scene::Rule>& rules, const Attempt& attempt,
@@ -154,36 +175,6 @@ Case judge(const scene::Scene& scene, const CheckEngine& engine,
   result.deciding = deciding(verdicts, laws);
   return result;
 }
-
-namespace {
-
-[[noreturn]] void refuse_rule(const scene::Scene& scene, std::size_t index,
-                              const std::string& reason) {
-  const scene::Diagnostic wrong{"", 0, "check[" + std::to_string(index) + "].metric", reason};
-  throw scene::SceneError(scene::placed(scene, {wrong}));
-}
-
-Attempt attempt(const Engine& engine, const scene::Scene& scene, const RunRequest& request) {
-  try {
-    return {engine.run(scene, request), ""};
-  } catch (const std::exception& error) {
-    return {std::nullopt, error.what()};
-  }
-}
-
-// `event` at the tightest tolerance that round-off leaves a use for. None where it fails.
-std::optional<Trajectory> reference_of(const scene::Scene& scene, const RunRequest& request) {
-  const auto engine = bench::event_engine(bench::event_parameters(bench::kReferenceTolerance));
-  try {
-    Trajectory run = engine->run(scene, request);
-    if (run.status == Status::kOk) return run;
-  } catch (const std::exception&) {
-    // What keeps it from running keeps `event` too, whose case says why.
-  }
-  return std::nullopt;
-}
-
-}  // namespace
 
 std::vector<scene::Rule> rules_of(const scene::Scene& scene) {
   std::vector<scene::Rule> rules = scene::read_rules(scene);

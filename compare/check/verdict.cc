@@ -3,12 +3,20 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <limits>
 
 namespace rotorub::check {
-
 namespace {
+
+// Of the rules of every run: scaled residual of complementarity, cone and sliding.
+constexpr double kResidual = 1e-10;
+// Energy that an impact gives, over the impulses times the speeds that they worked at: round-off.
+constexpr double kImpactGain = 1e-12;
+// Share of the clearance. Between its rows a fixed step leaves the circle by a step's curvature, at
+// first touch by a step's flight; beyond the clearance it would be out of range.
+constexpr double kPenetration = 1.0;
 
 std::string rule_text(const std::string& metric, std::optional<double> min,
                       std::optional<double> max) {
@@ -26,46 +34,6 @@ std::string violation_text(const std::string& metric, double value, double limit
   }
   return text;
 }
-
-}  // namespace
-
-const char* to_string(Outcome outcome) {
-  switch (outcome) {
-    case Outcome::kPass:
-      return "pass";
-    case Outcome::kRefused:
-      return "refused";
-    case Outcome::kViolates:
-      return "violates";
-  }
-  return "";
-}
-
-Verdict limited(const std::string& metric, double value, std::optional<double> min,
-                std::optional<double> max) {
-  Verdict verdict;
-  verdict.rule = rule_text(metric, min, max);
-  verdict.value = value;
-  const bool under = min && !(value >= *min), over = max && !(value <= *max);
-  // Within: the nearer one.
-  const bool near_max = max && (!min || std::abs(*max - value) <= std::abs(value - *min));
-  verdict.limit = over ? max : under ? min : near_max ? max : min;
-  if (!under && !over) return verdict;
-  verdict.outcome = Outcome::kViolates;
-  verdict.reason = std::isnan(value) ? metric + " is not a number"
-                                     : violation_text(metric, value, *verdict.limit, over);
-  return verdict;
-}
-
-double excess(const Verdict& verdict) {
-  if (verdict.outcome != Outcome::kViolates) return 0.0;
-  if (!verdict.value || !verdict.limit || !std::isfinite(*verdict.value)) {
-    return std::numeric_limits<double>::infinity();
-  }
-  return std::abs(*verdict.value - *verdict.limit) / std::max(std::abs(*verdict.limit), 1e-300);
-}
-
-namespace {
 
 // Largest share of its own work that an impact gives to the system instead of taking it; 0: none.
 double largest_gain(const std::vector<Impact>& impacts) {
@@ -94,6 +62,34 @@ double largest_impulse_residual(const std::vector<Impact>& impacts, const Fricti
 
 }  // namespace
 
+const char* to_string(Outcome outcome) {
+  return std::array{"pass", "refused", "violates"}.at(static_cast<std::size_t>(outcome));
+}
+
+Verdict limited(const std::string& metric, double value, std::optional<double> min,
+                std::optional<double> max) {
+  Verdict verdict;
+  verdict.rule = rule_text(metric, min, max);
+  verdict.value = value;
+  const bool under = min && !(value >= *min), over = max && !(value <= *max);
+  // Within: the nearer one.
+  const bool near_max = max && (!min || std::abs(*max - value) <= std::abs(value - *min));
+  verdict.limit = over ? max : under ? min : near_max ? max : min;
+  if (!under && !over) return verdict;
+  verdict.outcome = Outcome::kViolates;
+  verdict.reason = std::isnan(value) ? metric + " is not a number"
+                                     : violation_text(metric, value, *verdict.limit, over);
+  return verdict;
+}
+
+double excess(const Verdict& verdict) {
+  if (verdict.outcome != Outcome::kViolates) return 0.0;
+  if (!verdict.value || !verdict.limit || !std::isfinite(*verdict.value)) {
+    return std::numeric_limits<double>::infinity();
+  }
+  return std::abs(*verdict.value - *verdict.limit) / std::max(std::abs(*verdict.limit), 1e-300);
+}
+
 Verdict finite_verdict(const Trajectory& trajectory) {
   Verdict verdict;
   verdict.rule = "every value finite";
@@ -116,24 +112,21 @@ Verdict finite_verdict(const Trajectory& trajectory) {
 }
 
 std::vector<Verdict> law_verdicts(const Trajectory& trajectory,
-                                  const std::optional<ContactFacts>& facts, bool exact_rows,
-                                  const LawLimits& limits) {
+                                  const std::optional<ContactFacts>& facts, bool exact_rows) {
   std::vector<Verdict> verdicts{finite_verdict(trajectory)};
   if (!facts || verdicts.front().outcome != Outcome::kPass) return verdicts;
   const auto add = [&](const char* metric, double value, double limit) {
     verdicts.push_back(limited(metric, value, std::nullopt, limit));
   };
   const Residuals r = contact_residuals(trajectory, *facts);
-  add("impact energy gain", largest_gain(trajectory.impacts), limits.impact_gain);
-  add("impact cone", largest_impulse_residual(trajectory.impacts, facts->friction),
-      limits.impact_gain);
-  add("residual.adhesion", r.adhesion, limits.residual);
-  add("residual.cone", r.cone, limits.residual);
-  add("max_penetration", trajectory.statistics.max_penetration,
-      limits.penetration * facts->clearance);
+  add("impact energy gain", largest_gain(trajectory.impacts), kImpactGain);
+  add("impact cone", largest_impulse_residual(trajectory.impacts, facts->friction), kImpactGain);
+  add("residual.adhesion", r.adhesion, kResidual);
+  add("residual.cone", r.cone, kResidual);
+  add("max_penetration", trajectory.statistics.max_penetration, kPenetration * facts->clearance);
   if (exact_rows) {
-    add("residual.complementarity", r.complementarity, limits.residual);
-    add("residual.sliding", r.sliding, limits.residual);
+    add("residual.complementarity", r.complementarity, kResidual);
+    add("residual.sliding", r.sliding, kResidual);
   }
   return verdicts;
 }

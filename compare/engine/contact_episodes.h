@@ -1,6 +1,6 @@
 // Impacts and changes of mode of a soft contact: an impact is an episode of contact, from the
 // instant the gap closes to the first step without a force, the impulses integrated over it. One
-// that is shorter than the window of impulses (native_model/trajectory/impulse_window.h) is no
+// that is shorter than the window of impulses (native_model/trajectory/recorder.h) is no
 // lasting contact.
 #pragma once
 

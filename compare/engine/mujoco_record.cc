@@ -118,7 +118,7 @@ void MujocoRecord::step(std::int64_t k, const double* q, const double* v, const 
   const StepBalance balance = balance_of_step(k, q, v, r);
   const plugin::ContactForces& f = r.forces.front();
   recorder_.step({lasting(f, r.actuator), time(k + 1), q, v, others_}, step_ * f.normal,
-                 step_ * f.friction, f.impact, f.impact ? &impact : nullptr, &balance);
+                 step_ * f.friction, f.impact ? &impact : nullptr, balance);
 }
 
 // A contact over step k; its impact, if it has one.

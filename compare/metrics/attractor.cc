@@ -1,12 +1,29 @@
 #include "compare/metrics/attractor.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <numbers>
 #include <type_traits>
 
 namespace rotorub {
 namespace {
+
+struct AttractorName {
+  const char *name, *explanation;
+};
+// In the order of Attractor.
+constexpr std::array kNames{
+    AttractorName{"no contact", "nothing touches in the last fifth of the run"},
+    AttractorName{"chattering", "contact comes and goes in the last fifth of the run"},
+    AttractorName{"resting", "permanent contact at one place of the ring"},
+    AttractorName{"synchronous rub",
+                  "permanent contact that whirls forward with the spin (full annular rub)"},
+    AttractorName{"forward rub", "permanent contact that whirls forward, but not with the spin"},
+    AttractorName{"backward whip",
+                  "permanent contact that whirls backward and slips (dry-friction whip)"},
+    AttractorName{"rolling", "permanent contact that rolls in the ring without slip"},
+    AttractorName{"unknown", "too few rows to tell"}};
 
 constexpr std::size_t kFewestRows = 20;
 
@@ -45,47 +62,11 @@ Attractor permanent(const Settled& s, double slip, double span) {
 }  // namespace
 
 const char* to_string(Attractor attractor) {
-  switch (attractor) {
-    case Attractor::kNoContact:
-      return "no contact";
-    case Attractor::kChattering:
-      return "chattering";
-    case Attractor::kResting:
-      return "resting";
-    case Attractor::kSynchronousRub:
-      return "synchronous rub";
-    case Attractor::kForwardRub:
-      return "forward rub";
-    case Attractor::kBackwardWhip:
-      return "backward whip";
-    case Attractor::kRolling:
-      return "rolling";
-    case Attractor::kUnknown:
-      return "unknown";
-  }
-  return "unknown";
+  return kNames.at(static_cast<std::size_t>(attractor)).name;
 }
 
 const char* explanation(Attractor attractor) {
-  switch (attractor) {
-    case Attractor::kNoContact:
-      return "nothing touches in the last fifth of the run";
-    case Attractor::kChattering:
-      return "contact comes and goes in the last fifth of the run";
-    case Attractor::kResting:
-      return "permanent contact at one place of the ring";
-    case Attractor::kSynchronousRub:
-      return "permanent contact that whirls forward with the spin (full annular rub)";
-    case Attractor::kForwardRub:
-      return "permanent contact that whirls forward, but not with the spin";
-    case Attractor::kBackwardWhip:
-      return "permanent contact that whirls backward and slips (dry-friction whip)";
-    case Attractor::kRolling:
-      return "permanent contact that rolls in the ring without slip";
-    case Attractor::kUnknown:
-      return "too few rows to tell";
-  }
-  return "";
+  return kNames.at(static_cast<std::size_t>(attractor)).explanation;
 }
 
 Settled settled(const LastPart& part) {

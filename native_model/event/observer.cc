@@ -144,15 +144,11 @@ void Observer::record_impact(const Impact& impact) {
   const double held =
       model_->layout.spin ? 0.0 : model_->auxiliary[contact].contact->radius * model_->speed;
   impact_work_ += impact.energy_change - impact.friction_impulse * held;
-  Statistics& s = recorder_->statistics();
-  s.impulse_total += impact.normal_impulse;
-  s.friction_impulse += impact.friction_impulse;
-  ContactStatistics& own = of_contacts_[contact];
-  own.impulse_total += impact.normal_impulse;
-  own.friction_impulse += impact.friction_impulse;
-  own.friction_work += impulse_work(0.0, impact.friction_impulse, {0.0, impact.slip_before},
-                                    {0.0, impact.slip_after})
-                           .friction;
+  const double rubbed = impulse_work(0.0, impact.friction_impulse, {0.0, impact.slip_before},
+                                     {0.0, impact.slip_after})
+                            .friction;
+  recorder_->statistics().add(impact.normal_impulse, impact.friction_impulse, 0.0);
+  of_contacts_[contact].add(impact.normal_impulse, impact.friction_impulse, rubbed);
   recorder_->add(impact);
   record(impact.t, EventKind::kImpact, contact);
 }
@@ -168,12 +164,8 @@ void Observer::finish(const Motion& end) {
     const double normal = end.integral(kNormalImpulse, k),
                  friction = end.integral(kFrictionImpulse, k);
     const double work = end.integral(kFrictionWork, k);
-    own.impulse_total += normal;
-    own.friction_impulse += friction;
-    own.friction_work += work;
-    s.impulse_total += normal;
-    s.friction_impulse += friction;
-    s.friction_work += work;
+    own.add(normal, friction, work);
+    s.add(normal, friction, work);
   }
   s.contact_time = contact_time_;
   s.gap_rate_square = end.integral(kGapRateSquare);

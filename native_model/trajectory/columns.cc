@@ -9,7 +9,6 @@
 #include "native_model/dynamics/dynamics.h"
 
 namespace rotorub {
-
 namespace {
 
 constexpr std::string_view kContactColumn = "contact", kPrefix = "contact";
@@ -101,6 +100,104 @@ bool is_numbered(std::string_view name, std::string_view pattern) {
   return name.find_first_not_of("0123456789", stem.size()) == std::string_view::npos;
 }
 
+// An instant, and the time that it is asked for.
+struct Row {
+  const Model& m;
+  double time;
+  const Snapshot& now;
+};
+
+struct Title {
+  const char* name;
+  int number = 0;                           // from 1: "<name>_<number>"
+  const Controller::Output* own = nullptr;  // of a law's own output; it has no other name
+};
+
+// The modal coordinates.
+template <class Visit>
+void for_each_coordinate(const Model& m, const Visit& visit) {
+  const Layout& l = m.layout;
+  const auto block = [&](const char* name, int at, int count, const double* Snapshot::*from) {
+    for (int i = 0; i < count; ++i) {
+      visit(0, Title{name, i + 1}, [=](const Row& r) { return (r.now.*from)[at + i]; });
+    }
+  };
+  block("x", l.x(), l.modes, &Snapshot::q);
+  block("y", l.y(), l.modes, &Snapshot::q);
+  block("vx", l.x(), l.modes, &Snapshot::v);
+  block("vy", l.y(), l.modes, &Snapshot::v);
+  block("torsion", l.theta(), l.torsion, &Snapshot::q);
+  block("torsion_speed", l.theta(), l.torsion, &Snapshot::v);
+}
+
+// visit(k, title, value) for each column of the k-th contact and its ring, value(row) its number.
+template <class Visit>
+void for_each_column_of(const Model& m, std::size_t k, const Visit& visit) {
+  const auto both = [&](const char* x, const char* y, const auto& value) {
+    visit(k, Title{x}, [&](const Row& r) { return value(r).x(); });
+    visit(k, Title{y}, [&](const Row& r) { return value(r).y(); });
+  };
+  both("rotor_x", "rotor_y", [k](const Row& r) { return rotor_point(r.m, r.now.q, k); });
+  both("rotor_vx", "rotor_vy", [k](const Row& r) { return rotor_point(r.m, r.now.v, k); });
+  both("stator_x", "stator_y", [k](const Row& r) { return ring_centre(r.m, r.now.q, k); });
+  both("stator_vx", "stator_vy", [k](const Row& r) { return stator_point(r.m, r.now.v, k); });
+  if (k == 0) {
+    visit(k, Title{"spin_angle"}, [](const Row& r) { return spin_angle(r.m, r.now.t, r.now.q); });
+    visit(k, Title{"spin_speed"}, [](const Row& r) { return spin_speed(r.m, r.now.v); });
+  }
+  const auto point = [k](const Row& r) { return contact_point(r.m, r.now.q, r.now.v, k); };
+  visit(k, Title{"gap"}, [&](const Row& r) { return point(r).gap; });
+  visit(k, Title{"gap_rate"}, [&](const Row& r) { return point(r).gap_rate; });
+  visit(k, Title{"slip"}, [&](const Row& r) { return point(r).slip; });
+  visit(k, Title{"normal_force"}, [k](const Row& r) { return r.now.at(k).normal_force; });
+  visit(k, Title{"friction_force"}, [k](const Row& r) { return r.now.at(k).friction_force; });
+  visit(k, Title{"mode"}, [k](const Row& r) { return static_cast<double>(r.now.at(k).mode); });
+  if (k == 0) for_each_coordinate(m, visit);
+
+  const AuxiliaryBearing& bearing = m.auxiliary[k];
+  if (bearing.moves() && (bearing.commanded() || bearing.magnets)) {
+    both("control_x", "control_y", [k](const Row& r) { return r.now.at(k).actuator.force; });
+  }
+  for (int axis = 0; bearing.magnets && axis < 2; ++axis) {
+    visit(k, Title{"current", axis + 1},
+          [&](const Row& r) { return r.now.at(k).actuator.current[axis]; });
+  }
+  if (bearing.controller) {
+    std::size_t i = 0;
+    for (const Controller::Output& output : bearing.controller->outputs()) {
+      visit(k, Title{"", 0, &output}, [&](const Row& r) {
+        std::array<double, kMostOutputs> values = r.now.at(k).actuator.outputs;
+        if (!bearing.loop) control_outputs(r.m, r.now.t, r.now.q, r.now.v, values.data(), k);
+        return values[i];
+      });
+      ++i;
+    }
+  }
+  if (bearing.turns()) {
+    visit(k, Title{"ring_angle"}, [&](const Row& r) { return r.now.q[bearing.ring_angle]; });
+    visit(k, Title{"ring_speed"}, [&](const Row& r) { return r.now.v[bearing.ring_angle]; });
+  }
+}
+
+// The columns of a run in the order of the file.
+template <class Visit>
+void for_each_column(const Model& m, const Visit& visit) {
+  visit(0, Title{"t"}, [](const Row& r) { return r.time; });
+  for_each_column_of(m, 0, visit);
+  if (m.drive) {
+    visit(0, Title{"motor_torque"},
+          [](const Row& r) { return motor_torque(r.m, r.time, r.now.q, r.now.v); });
+  }
+  if (m.feedback) {
+    const auto current = [](const Row& r) {
+      return bearing_current(r.m, r.time, r.now.q, r.now.v);
+    };
+    visit(0, Title{"bearing_current_x"}, [&](const Row& r) { return current(r).x(); });
+    visit(0, Title{"bearing_current_y"}, [&](const Row& r) { return current(r).y(); });
+  }
+  for (std::size_t k = 1; k < m.auxiliary.size(); ++k) for_each_column_of(m, k, visit);
+}
+
 }  // namespace
 
 std::span<const ColumnMeaning> series_columns() { return kSeries; }
@@ -139,130 +236,29 @@ const ColumnMeaning& series_column(std::string_view full_name) {
   return *own;
 }
 
-namespace {
-
-using Place = std::vector<Column>::iterator;
-
-bool has_actuator_columns(const AuxiliaryBearing& at) {
-  return at.moves() && (at.commanded() || at.magnets);
-}
-
-// What moves the ring of the k-th bearing, and its spin.
-void put_ring(const Model& m, std::size_t k, const Snapshot& now, Place& column) {
-  const ContactSnapshot& at = now.at(k);
-  const AuxiliaryBearing& bearing = m.auxiliary[k];
-  const auto put = [&column](double value) { (column++)->values.push_back(value); };
-  if (has_actuator_columns(bearing)) {
-    put(at.actuator.force.x());
-    put(at.actuator.force.y());
-  }
-  if (bearing.magnets) {
-    put(at.actuator.current.x());
-    put(at.actuator.current.y());
-  }
-  if (bearing.controller && !bearing.controller->outputs().empty()) {
-    std::array<double, kMostOutputs> values = at.actuator.outputs;
-    if (!bearing.loop) control_outputs(m, now.t, now.q, now.v, values.data(), k);
-    for (std::size_t i = 0; i < bearing.controller->outputs().size(); ++i) put(values[i]);
-  }
-  if (!bearing.turns()) return;
-  put(now.q[bearing.ring_angle]);
-  put(now.v[bearing.ring_angle]);
-}
-
-// The columns of another contact than the first.
-void put_further(const Model& m, std::size_t k, const Snapshot& now, Place& column) {
-  const ContactSnapshot& at = now.at(k);
-  const ContactPoint p = contact_point(m, now.q, now.v, k);
-  const Eigen::Vector2d r = rotor_point(m, now.q, k), rv = rotor_point(m, now.v, k);
-  const Eigen::Vector2d f = ring_centre(m, now.q, k), fv = stator_point(m, now.v, k);
-  for (double value :
-       {r.x(), r.y(), rv.x(), rv.y(), f.x(), f.y(), fv.x(), fv.y(), p.gap, p.gap_rate, p.slip,
-        at.normal_force, at.friction_force, static_cast<double>(at.mode)}) {
-    (column++)->values.push_back(value);
-  }
-  put_ring(m, k, now, column);
-}
-
-}  // namespace
-
 std::vector<Column> series_of(const Model& model) {
-  const Layout& l = model.layout;
-  std::vector<Column> c;
-  const auto add = [&c](const std::string& name) {
-    c.push_back({name, std::string(series_column(name).unit), {}});
-  };
-  const auto numbered = [&](const std::string& name, int count) {
-    for (int k = 1; k <= count; ++k) add(name + "_" + std::to_string(k));
-  };
-  // What moves the ring of the k-th bearing, and its spin.
-  const auto add_ring = [&](std::size_t k) {
-    const AuxiliaryBearing& at = model.auxiliary[k];
-    const auto of = [k](const char* name) { return column_of_contact(k, name); };
-    if (has_actuator_columns(at)) {
-      add(of("control_x"));
-      add(of("control_y"));
+  std::vector<Column> all;
+  for_each_column(model, [&](std::size_t contact, const Title& title, const auto&) {
+    if (title.own) {
+      all.push_back({column_of_contact(contact, "control_" + std::string(title.own->name)),
+                     std::string(title.own->unit),
+                     {}});
+      return;
     }
-    numbered(of("current"), at.magnets ? 2 : 0);
-    if (at.controller) {
-      for (const Controller::Output& out : at.controller->outputs()) {
-        c.push_back({of("control_") + std::string(out.name), std::string(out.unit), {}});
-      }
-    }
-    if (!at.turns()) return;
-    add(of("ring_angle"));
-    add(of("ring_speed"));
-  };
-  for (const char* name : {"t", "rotor_x", "rotor_y", "rotor_vx", "rotor_vy", "stator_x",
-                           "stator_y", "stator_vx", "stator_vy", "spin_angle", "spin_speed", "gap",
-                           "gap_rate", "slip", "normal_force", "friction_force", "mode"}) {
-    add(name);
-  }
-  for (const char* name : {"x", "y", "vx", "vy"}) numbered(name, l.modes);
-  numbered("torsion", l.torsion);
-  numbered("torsion_speed", l.torsion);
-  add_ring(0);
-  if (model.drive) add("motor_torque");
-  if (model.feedback) {
-    add("bearing_current_x");
-    add("bearing_current_y");
-  }
-  for (std::size_t k = 1; k < model.auxiliary.size(); ++k) {
-    for (const char* name :
-         {"rotor_x", "rotor_y", "rotor_vx", "rotor_vy", "stator_x", "stator_y", "stator_vx",
-          "stator_vy", "gap", "gap_rate", "slip", "normal_force", "friction_force", "mode"}) {
-      add(column_of_contact(k, name));
-    }
-    add_ring(k);
-  }
-  return c;
+    std::string name = column_of_contact(contact, title.name);
+    if (title.number > 0) name += "_" + std::to_string(title.number);
+    const std::string_view unit = series_column(name).unit;
+    all.push_back({std::move(name), std::string(unit), {}});
+  });
+  return all;
 }
 
 void put_row(const Model& m, double time, const Snapshot& now, std::vector<Column>& columns) {
-  const Layout& l = m.layout;
-  const ContactPoint p = contact_point(m, now.q, now.v);
-  const Eigen::Vector2d r = rotor_point(m, now.q), rv = rotor_point(m, now.v);
-  const Eigen::Vector2d f = ring_centre(m, now.q), fv = stator_point(m, now.v);
-  Place column = columns.begin();
-  const auto put = [&column](double value) { (column++)->values.push_back(value); };
-  for (double value : {time, r.x(), r.y(), rv.x(), rv.y(), f.x(), f.y(), fv.x(), fv.y(),
-                       spin_angle(m, now.t, now.q), spin_speed(m, now.v), p.gap, p.gap_rate, p.slip,
-                       now.normal_force, now.friction_force, static_cast<double>(now.mode)}) {
-    put(value);
-  }
-  const auto block = [&](const double* from, int at, int count) {
-    for (int k = 0; k < count; ++k) put(from[at + k]);
-  };
-  block(now.q, l.x(), 2 * l.modes);
-  block(now.v, l.x(), 2 * l.modes);
-  block(now.q, l.theta(), l.torsion);
-  block(now.v, l.theta(), l.torsion);
-  put_ring(m, 0, now, column);
-  if (m.drive) put(motor_torque(m, time, now.q, now.v));
-  if (m.feedback) {
-    for (const double current : bearing_current(m, time, now.q, now.v)) put(current);
-  }
-  for (std::size_t k = 1; k < m.auxiliary.size(); ++k) put_further(m, k, now, column);
+  const Row row{m, time, now};
+  auto column = columns.begin();
+  for_each_column(m, [&](std::size_t, const Title&, const auto& value) {
+    (column++)->values.push_back(value(row));
+  });
   assert(column == columns.end());
 }
 

@@ -10,17 +10,6 @@
 
 namespace rotorub {
 
-namespace {
-
-// The contact's rate of work on the coordinates is N gdot_N + T gdot_T, without what the machine
-// that holds a prescribed speed does.
-double dof_slip(const Model& model, const ContactPoint& p) {
-  if (model.layout.spin || !model.first().contact) return p.slip;
-  return p.slip - model.first().contact->radius * model.speed;
-}
-
-}  // namespace
-
 std::vector<double> output_times(const scene::Run& run) {
   std::vector<double> times = run.output_times;
   times.push_back(run.end);
@@ -79,10 +68,7 @@ void Recorder::begin(const Snapshot& start) {
   const ContactPoint point = contact_point(*model_, start.q, start.v);
   keep(start);
   if (model_->first().contact) statistics_.least_gap = point.gap;
-  last_gap_rate_ = point.gap_rate;
-  last_slip_ = dof_slip(*model_, point);
-  last_whole_slip_ = point.slip;
-  last_power_ = external_power(*model_, start.t, start.q, start.v, start.actuator.force);
+  last_slip_ = point.slip;
   look_at_energy();
   statistics_.energy_start = statistics_.energy_end;
   while (next_time() <= start.t) row(start);
@@ -91,13 +77,12 @@ void Recorder::begin(const Snapshot& start) {
 void Recorder::count_contact(double normal_impulse, double friction_impulse, double h, double begin,
                              bool impact) {
   Statistics& s = statistics_;
-  if (s.first_touch < 0.0) s.first_touch = begin;
+  s.touch(begin);
   const double force = normal_impulse / h;
   s.contact_time += h;
   if (impact) s.impact_time += h;
   window_.add(begin, normal_impulse);
-  s.impulse_total += normal_impulse;
-  s.friction_impulse += friction_impulse;
+  s.add(normal_impulse, friction_impulse, 0.0);
   s.force_square += force * force * h;
   s.peak_force = std::max(s.peak_force, force);
 }
@@ -105,40 +90,29 @@ void Recorder::count_contact(double normal_impulse, double friction_impulse, dou
 void Recorder::count_at(std::size_t contact, double begin, double h, double normal_impulse,
                         double friction_impulse, double friction_work) {
   ContactStatistics& own = statistics_.contacts[contact];
-  if (own.first_touch < 0.0) own.first_touch = begin;
+  own.touch(begin);
   own.contact_time += h;
-  own.impulse_total += normal_impulse;
-  own.friction_impulse += friction_impulse;
-  own.friction_work += friction_work;
+  own.add(normal_impulse, friction_impulse, friction_work);
 }
 
 void Recorder::count_beside(double begin, double h, double normal_impulse, double friction_impulse,
                             double friction_work, bool both) {
-  Statistics& s = statistics_;
-  if (s.first_touch < 0.0) s.first_touch = begin;
-  if (!both) s.contact_time += h;
+  statistics_.touch(begin);
+  if (!both) statistics_.contact_time += h;
   window_.add(begin, normal_impulse);
-  s.impulse_total += normal_impulse;
-  s.friction_impulse += friction_impulse;
-  s.friction_work += friction_work;
+  statistics_.add(normal_impulse, friction_impulse, friction_work);
 }
 
 void Recorder::watch_gap(std::size_t contact, double gap) {
-  ContactStatistics& own = statistics_.contacts[contact];
-  own.least_gap = std::min(own.least_gap, gap);
-  own.max_penetration = std::max(own.max_penetration, -gap);
-  statistics_.least_gap = std::min(statistics_.least_gap, gap);
-  statistics_.max_penetration = std::max(statistics_.max_penetration, -gap);
+  statistics_.contacts[contact].meet_gap(gap);
+  statistics_.meet_gap(gap);
 }
 
 void Recorder::count_gap(const ContactPoint& point, double h) {
   Statistics& s = statistics_;
-  s.least_gap = std::min(s.least_gap, point.gap);
+  s.meet_gap(point.gap);
   penetration_ = std::max(0.0, -point.gap);
-  if (penetration_ > 0.0) {
-    s.max_penetration = std::max(s.max_penetration, penetration_);
-    s.penetration_square += penetration_ * penetration_ * h;
-  }
+  s.penetration_square += penetration_ * penetration_ * h;
   if (s.first_touch >= 0.0) s.gap_rate_square += point.gap_rate * point.gap_rate * h;
 }
 
@@ -162,50 +136,25 @@ void Recorder::advance(const Snapshot& now, const ContactPoint& point, bool impa
 }
 
 void Recorder::step(const Snapshot& now, double normal_impulse, double friction_impulse,
-                    bool impact, const Impact* detail, const StepBalance* balance) {
+                    const Impact* impact, const StepBalance& balance) {
   const double h = now.t - last_.t;
   const ContactPoint point = contact_point(*model_, now.q, now.v);
-  rows_until(now, impact);
+  rows_until(now, impact != nullptr);
 
   Statistics& s = statistics_;
   if (normal_impulse > 0.0) {
-    count_contact(normal_impulse, friction_impulse, h, last_.t, impact);
+    count_contact(normal_impulse, friction_impulse, h, last_.t, impact != nullptr);
     const double slips =
-        detail ? detail->slip_before + detail->slip_after : last_whole_slip_ + point.slip;
+        impact ? impact->slip_before + impact->slip_after : last_slip_ + point.slip;
     s.friction_work += 0.5 * friction_impulse * slips;
   }
   if (model_->first().contact) count_gap(point, h);
+  s.contact_work += balance.contact_work;
   s.external_work += switching_work(*model_, last_.t, now.t, now.q, now.v);
-  if (balance) {
-    s.contact_work += balance->contact_work;
-    s.external_work += balance->external_work;
-    keep(now);
-    meet_energy(balance->energy);
-  } else {
-    book_ends(now, point, normal_impulse, friction_impulse, detail);
-    keep(now);
-    look_at_energy();
-  }
-  last_whole_slip_ = point.slip;
-}
-
-// Works by the means of rates and powers at the step's ends.
-void Recorder::book_ends(const Snapshot& now, const ContactPoint& point, double normal_impulse,
-                         double friction_impulse, const Impact* detail) {
-  Statistics& s = statistics_;
-  double gap_rates = last_gap_rate_ + point.gap_rate;
-  double slips = last_slip_ + dof_slip(*model_, point);
-  if (detail) {
-    const double held = point.slip - dof_slip(*model_, point);
-    gap_rates = detail->gap_rate_before + detail->gap_rate_after;
-    slips = detail->slip_before + detail->slip_after - 2.0 * held;
-  }
-  s.contact_work += 0.5 * (normal_impulse * gap_rates + friction_impulse * slips);
-  const double power = external_power(*model_, now.t, now.q, now.v, now.actuator.force);
-  s.external_work += 0.5 * (now.t - last_.t) * (last_power_ + power);
-  last_gap_rate_ = point.gap_rate;
-  last_slip_ = dof_slip(*model_, point);
-  last_power_ = power;
+  s.external_work += balance.external_work;
+  keep(now);
+  meet_energy(balance.energy);
+  last_slip_ = point.slip;
 }
 
 // Rows in (last, now]: at the step's own time its state to the bit, else interpolated.

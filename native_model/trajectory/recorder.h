@@ -79,8 +79,7 @@ struct StepFigures {
   bool impact = false;         // the impulses are those of an impact
 };
 
-// The balance of the energy of an engine that knows it better than from the states at the ends of
-// its steps.
+// The balance of the energy, as the engine knows it.
 struct StepBalance {
   double energy = 0.0;         // J
   double contact_work = 0.0;   // J, on the coordinates, and
@@ -89,21 +88,19 @@ struct StepBalance {
 
 class Recorder {
  public:
-  // `times`: the rows wanted, ascending. `window`: s, see impulse_window.h.
+  // `times`: the rows wanted, ascending. `window`: s, see ImpulseWindow.
   Recorder(const Model& model, std::vector<double> times, double window = 0.0);
 
   void begin(const Snapshot& start);
   // One fixed step from the last snapshot to `now`; impulses over the step, N s, all of them,
-  // with an impact's. `impact`: velocities are not continuous within this step. `detail`: the
-  // impact, for engines whose states are not those just before and after it: its work is taken
-  // from its own rates. `balance`: what is booked in place of powers and rates at both ends.
-  void step(const Snapshot& now, double normal_impulse, double friction_impulse, bool impact,
-            const Impact* detail = nullptr, const StepBalance* balance = nullptr);
+  // with an impact's. `impact`: where velocities are not continuous within this step; friction
+  // works at its own rates.
+  void step(const Snapshot& now, double normal_impulse, double friction_impulse,
+            const Impact* impact, const StepBalance& balance);
   // For engines that know their works: what was done, beginning at `begin` (s), and the next
-  // snapshot. The energy is looked at now and then, as it costs a model evaluation. `impact`: as
-  // above.
+  // snapshot. The energy is looked at now and then, as it costs a model evaluation.
   void count(const StepFigures& figures, double begin);
-  // `point`: the contact of `now`, read where there is one.
+  // `point`: the contact of `now`, read where there is one. `impact`: as above, yes or no.
   void advance(const Snapshot& now, const ContactPoint& point, bool impact);
   // The actuator's part of a snapshot is only read where a row is due up to its time.
   bool row_due(double t) const { return next_time() <= t * (1.0 + 1e-9); }
@@ -137,8 +134,6 @@ class Recorder {
   void meet_energy(double now);
   void count_contact(double normal_impulse, double friction_impulse, double h, double begin,
                      bool impact);
-  void book_ends(const Snapshot& now, const ContactPoint& point, double normal_impulse,
-                 double friction_impulse, const Impact* detail);
   void count_gap(const ContactPoint& point, double h);
   void rows_until(const Snapshot& now, bool impact);
 
@@ -152,7 +147,7 @@ class Recorder {
   // no energy that round-off could be compared with.
   double resting_ = 0.0;
   std::int64_t steps_ = 0;
-  double last_gap_rate_ = 0.0, last_slip_ = 0.0, last_whole_slip_ = 0.0, last_power_ = 0.0;
+  double last_slip_ = 0.0;  // m/s
   std::vector<Column> columns_;
   std::vector<double> least_gaps_;  // m, of the rows, of each contact
   std::vector<Impact> impacts_;

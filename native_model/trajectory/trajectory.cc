@@ -1,60 +1,25 @@
 #include "native_model/trajectory/trajectory.h"
 
 #include <algorithm>
+#include <array>
 #include <cassert>
 #include <cmath>
 
 namespace rotorub {
+namespace {
 
-const char* to_string(Mode mode) {
-  switch (mode) {
-    case Mode::kFree:
-      return "free";
-    case Mode::kSlide:
-      return "slide";
-    case Mode::kStick:
-      return "stick";
-  }
-  return "";
-}
+// In the order of their values.
+constexpr std::array kModeNames{"free", "slide", "stick"};
+constexpr std::array kEventNames{"impact", "slide", "stick", "lift_off", "reverse"};
+constexpr std::array kStatusNames{"ok",          "diverged",         "no_solution",
+                                  "ambiguous",   "step_too_large",   "out_of_range",
+                                  "interrupted", "controller_failed"};
 
-const char* to_string(EventKind kind) {
-  switch (kind) {
-    case EventKind::kImpact:
-      return "impact";
-    case EventKind::kSlide:
-      return "slide";
-    case EventKind::kStick:
-      return "stick";
-    case EventKind::kLiftOff:
-      return "lift_off";
-    case EventKind::kReverse:
-      return "reverse";
-  }
-  return "";
-}
+}  // namespace
 
-const char* to_string(Status status) {
-  switch (status) {
-    case Status::kOk:
-      return "ok";
-    case Status::kDiverged:
-      return "diverged";
-    case Status::kNoSolution:
-      return "no_solution";
-    case Status::kAmbiguous:
-      return "ambiguous";
-    case Status::kStepTooLarge:
-      return "step_too_large";
-    case Status::kOutOfRange:
-      return "out_of_range";
-    case Status::kControllerFailed:
-      return "controller_failed";
-    case Status::kInterrupted:
-      return "interrupted";
-  }
-  return "";
-}
+const char* to_string(Mode mode) { return kModeNames.at(static_cast<std::size_t>(mode)); }
+const char* to_string(EventKind kind) { return kEventNames.at(static_cast<std::size_t>(kind)); }
+const char* to_string(Status status) { return kStatusNames.at(static_cast<std::size_t>(status)); }
 
 double Statistics::energy_residual() const {
   if (energy_scale <= 0.0) return 0.0;

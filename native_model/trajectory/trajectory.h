@@ -1,6 +1,7 @@
 // The one result type: what every engine gives and everything downstream reads.
 #pragma once
 
+#include <algorithm>
 #include <cstdint>
 #include <limits>
 #include <stdexcept>
@@ -36,38 +37,45 @@ const char* to_string(Status status);
 
 // Of one of several contacts.
 struct ContactStatistics {
-  double first_touch = -1.0;                                   // s; -1: never touched
-  double contact_time = 0.0;                                   // s with normal force > 0
-  double impulse_total = 0.0;                                  // N s, normal
-  double friction_impulse = 0.0;                               // N s, signed
-  double friction_work = 0.0;                                  // J, <= 0
-  double least_gap = std::numeric_limits<double>::infinity();  // m
-  double max_penetration = 0.0;                                // m
+  double first_touch = -1.0;      // s; -1: never touched
+  double contact_time = 0.0;      // s with normal force > 0; an impact of a fixed step: one step
+  double impulse_total = 0.0;     // N s, normal
+  double friction_impulse = 0.0;  // N s, signed
+  double friction_work = 0.0;     // J, <= 0
+  // m, of rows and ends of steps; infinity: no contact
+  double least_gap = std::numeric_limits<double>::infinity();
+  double max_penetration = 0.0;  // m
+
+  // Impulses (N s) and the work of friction (J).
+  void add(double normal, double friction, double work) {
+    impulse_total += normal;
+    friction_impulse += friction;
+    friction_work += work;
+  }
+  void touch(double t) {
+    if (first_touch < 0.0) first_touch = t;
+  }
+  void meet_gap(double gap) {
+    least_gap = std::min(least_gap, gap);
+    max_penetration = std::max(max_penetration, -gap);
+  }
 };
 
-// Figures gathered over every step, whatever the spacing of the series.
-struct Statistics {
-  double first_touch = -1.0;  // s; -1: never touched
-  // s in which some contact has a normal force > 0; an impact of a fixed step: one step
-  double contact_time = 0.0;
-  double impact_time =
-      0.0;  // s of it that are impacts: their steps, or soft contacts shorter than the window
-  double impulse_total = 0.0;                                  // N s, normal
-  double friction_impulse = 0.0;                               // N s, signed
-  double friction_work = 0.0;                                  // J, <= 0
-  double max_penetration = 0.0;                                // m
-  double least_gap = std::numeric_limits<double>::infinity();  // m, of rows and ends of steps;
-                                                               // infinity: no contact
-  double penetration_square = 0.0;                             // m^2 s, integral of penetration^2
-  double force_square = 0.0;     // N^2 s, integral of (impulse of the step / step)^2 in contact
-  double peak_force = 0.0;       // N, largest impulse of a step / step
-  double window_impulse = 0.0;   // N s, largest normal impulse within the window (recorder.h)
-  double gap_rate_square = 0.0;  // m^2/s, integral of gap_rate^2 from first touch
-  double energy_start = 0.0;     // J
-  double energy_end = 0.0;       // J
-  double external_work = 0.0;    // J, of all forces that are not springs or contact
-  double contact_work = 0.0;     // J
-  double energy_scale = 0.0;     // J, largest energy met; of a contact at the end: N delta_0
+// Figures gathered over every step, whatever the spacing of the series; its own contact's are those
+// of all, the time that in which some contact has a normal force.
+struct Statistics : ContactStatistics {
+  // s of contact_time that are impacts: their steps, or soft contacts shorter than the window
+  double impact_time = 0.0;
+  double penetration_square = 0.0;  // m^2 s, integral of penetration^2
+  double force_square = 0.0;        // N^2 s, integral of (impulse of the step / step)^2 in contact
+  double peak_force = 0.0;          // N, largest impulse of a step / step
+  double window_impulse = 0.0;      // N s, largest normal impulse within the window (recorder.h)
+  double gap_rate_square = 0.0;     // m^2/s, integral of gap_rate^2 from first touch
+  double energy_start = 0.0;        // J
+  double energy_end = 0.0;          // J
+  double external_work = 0.0;       // J, of all forces that are not springs or contact
+  double contact_work = 0.0;        // J
+  double energy_scale = 0.0;        // J, largest energy met; of a contact at the end: N delta_0
   std::vector<ContactStatistics> contacts;  // of each where there are several, else empty
   double energy_residual() const;           // |E_end - E_start - works| / scale, 0 for a scale of 0
 };

@@ -3,16 +3,26 @@
 
 #include <gtest/gtest.h>
 
+#include <optional>
+
 #include "compare/engine/mujoco_engine.h"
 
 namespace rotorub::test {
 
-// step: s. Fails the test where the run does not end well.
-inline Trajectory mujoco_run(const scene::Scene& scene, scene::ContactModel contact, double step) {
+// contact, step (s): absent, the scene's.
+inline MujocoOptions mujoco_options(std::optional<scene::ContactModel> contact,
+                                    std::optional<double> step = {}) {
   MujocoOptions options;
   options.contact = contact;
   options.step = step;
-  Trajectory t = run_mujoco(scene, options);
+  return options;
+}
+
+// Fails the test where the run does not end well.
+inline Trajectory mujoco_run(const scene::Scene& scene,
+                             std::optional<scene::ContactModel> contact = {},
+                             std::optional<double> step = {}) {
+  Trajectory t = run_mujoco(scene, mujoco_options(contact, step));
   EXPECT_EQ(t.status, Status::kOk) << t.message;
   return t;
 }

@@ -11,6 +11,7 @@
 #include "native_model/trajectory/range_check.h"
 #include "native_model/trajectory/recorder.h"
 #include "tests/bench/peers/planar_scene.h"
+#include "tests/support/trapezoid_balance.h"
 
 namespace rotorub::peers {
 namespace {
@@ -34,11 +35,14 @@ class PeerRecord {
         soft_(contact == PeerContact::kSoft),
         step_(step),
         recorder_(model, std::move(times)),
+        balance_(model),
         episodes_(recorder_) {
     const auto n = static_cast<std::size_t>(model.nq());
     q_.assign(model.q0.data(), model.q0.data() + n);
     v_.assign(model.v0.data(), model.v0.data() + n);
-    recorder_.begin({{}, 0.0, q_.data(), v_.data()});
+    const Snapshot start{{}, 0.0, q_.data(), v_.data()};
+    recorder_.begin(start);
+    balance_.begin(start);
     point_ = contact_point(model_, q_.data(), v_.data());
   }
 
@@ -68,8 +72,9 @@ class PeerRecord {
       note(t, mode);
     }
     const double scale = hits ? 0.0 : 1.0 / step_;
-    recorder_.step({{scale * r.normal, scale * r.friction, mode, {}}, t, q_.data(), v_.data()},
-                   r.normal, r.friction, hits, hits ? &impact : nullptr);
+    const Snapshot end{{scale * r.normal, scale * r.friction, mode, {}}, t, q_.data(), v_.data()};
+    const Impact* hit = hits ? &impact : nullptr;
+    recorder_.step(end, r.normal, r.friction, hit, balance_.step(end, r.normal, r.friction, hit));
     touched_ = touches;
     point_ = now;
   }
@@ -110,6 +115,7 @@ class PeerRecord {
   bool soft_;
   double step_;
   Recorder recorder_;
+  test::TrapezoidBalance balance_;
   ContactEpisodes episodes_;  // of a soft contact
   std::vector<double> q_, v_;
   ContactPoint point_;

@@ -6,6 +6,7 @@
 #include "compare/engine/mujoco_engine.h"
 #include "native_model/run/run_native.h"
 #include "tests/support/mujoco_fixture.h"
+#include "tests/support/mujoco_run.h"
 
 namespace rotorub::test {
 namespace {
@@ -20,10 +21,7 @@ TEST(MagnetsEngine, ConvergesToTheNativeRun) {
   const Trajectory reference = run_native(scene);
   ASSERT_EQ(reference.status, Status::kOk) << reference.message;
   const auto error = [&](double step) {
-    MujocoOptions options;
-    options.step = step;
-    const Trajectory t = run_mujoco(scene, options);
-    EXPECT_EQ(t.status, Status::kOk) << t.message;
+    const Trajectory t = mujoco_run(scene, {}, step);
     return std::hypot(t.column("rotor_x").back() - reference.column("rotor_x").back(),
                       t.column("rotor_y").back() - reference.column("rotor_y").back());
   };
@@ -44,10 +42,7 @@ TEST(MagnetsEngine, TheVoltageLimitIsTheSameOnBothSides) {
                                  "actuator.resistance=2 Ohm"});
   const Trajectory native = run_native(scene);
   ASSERT_EQ(native.status, Status::kOk) << native.message;
-  MujocoOptions options;
-  options.step = 2e-6;
-  const Trajectory t = run_mujoco(scene, options);
-  ASSERT_EQ(t.status, Status::kOk) << t.message;
+  const Trajectory t = mujoco_run(scene, {}, 2e-6);
   double most = 0.0;
   for (const double i : native.column("current_1")) most = std::max(most, std::abs(i));
   EXPECT_NEAR(t.column("current_1").back(), native.column("current_1").back(), 1e-3 * most);

@@ -8,6 +8,7 @@
 #include "native_model/run/run_native.h"
 #include "native_model/scene/diagnostic.h"
 #include "tests/support/mujoco_fixture.h"
+#include "tests/support/mujoco_run.h"
 
 namespace rotorub::test {
 namespace {
@@ -19,15 +20,10 @@ namespace {
 constexpr double kRingX = 5.15768981628e-4, kRingY = -2.036936721118e-3;  // m, at 0.5 s
 constexpr double kRingForce = 121.7020407;                                // N
 
-MujocoOptions coulomb() {
-  MujocoOptions options;
-  options.contact = scene::ContactModel::kCoulomb;
-  return options;
-}
+constexpr scene::ContactModel kCoulomb = scene::ContactModel::kCoulomb;
 
 TEST(MujocoEngine, CoulombFollowsTheRingBench) {
-  const Trajectory t = run_mujoco(shipped("bench_ring"), coulomb());
-  ASSERT_EQ(t.status, Status::kOk) << t.message;
+  const Trajectory t = mujoco_run(shipped("bench_ring"), kCoulomb);
   EXPECT_EQ(t.engine, "mujoco");
   EXPECT_EQ(t.contact_model, "coulomb");
   EXPECT_EQ(t.steps, 50000);
@@ -44,9 +40,7 @@ TEST(MujocoEngine, CoulombFollowsTheRingBench) {
 
 TEST(MujocoEngine, CoulombIsOfFirstOrder) {
   const auto error = [](double step) {
-    MujocoOptions options = coulomb();
-    options.step = step;
-    const Trajectory t = run_mujoco(shipped("bench_ring"), options);
+    const Trajectory t = mujoco_run(shipped("bench_ring"), kCoulomb, step);
     return std::hypot(t.column("rotor_x").back() - kRingX, t.column("rotor_y").back() - kRingY);
   };
   const double coarse = error(4e-5), fine = error(1e-5);
@@ -55,18 +49,14 @@ TEST(MujocoEngine, CoulombIsOfFirstOrder) {
 
 TEST(MujocoEngine, SlidingControlAgreesWithNative) {
   const scene::Scene scene = shipped("paper_sliding", {"rotor.modes=2"});
-  const Trajectory mujoco = run_mujoco(scene), native = run_native(scene);
-  ASSERT_EQ(mujoco.status, Status::kOk) << mujoco.message;
+  const Trajectory mujoco = mujoco_run(scene), native = run_native(scene);
   EXPECT_NEAR(mujoco.mean_force(), native.mean_force(), 0.02 * native.mean_force());
   EXPECT_NEAR(mujoco.contact_fraction(), native.contact_fraction(), 0.02);
 }
 
 // MuJoCo's own contact: shown, whatever it gives. It must run, touch, and not gain energy wildly.
 TEST(MujocoEngine, ConeRunsAndIsWorse) {
-  MujocoOptions options;
-  options.contact = scene::ContactModel::kCone;
-  const Trajectory cone = run_mujoco(shipped("bench_ring"), options);
-  ASSERT_EQ(cone.status, Status::kOk) << cone.message;
+  const Trajectory cone = mujoco_run(shipped("bench_ring"), scene::ContactModel::kCone);
   EXPECT_EQ(cone.contact_model, "cone");
   EXPECT_GT(cone.statistics.impulse_total, 0.0);
   EXPECT_LT(cone.contact_fraction(), 0.9) << "a permanent rub chatters";
@@ -92,7 +82,7 @@ TEST(MujocoEngine, AskedTimesArePrintedExactly) {
 }
 
 TEST(MujocoEngine, EpisodesHaveTheImpulseOfTheRun) {
-  const Trajectory t = run_mujoco(shipped("bench_drop"), coulomb());
+  const Trajectory t = mujoco_run(shipped("bench_drop"), kCoulomb);
   double sum = 0.0;
   for (const Impact& impact : t.impacts) {
     sum += impact.normal_impulse;
@@ -143,9 +133,8 @@ x = [1e-3]
 }
 
 TEST(MujocoEngine, StepBeyondStabilityIsRefused) {
-  MujocoOptions options;
-  options.step = 0.01;  // 2 / omega is 6.3e-3
-  const Trajectory t = run_mujoco(shipped("bench_ring"), options);
+  // 2 / omega is 6.3e-3
+  const Trajectory t = run_mujoco(shipped("bench_ring"), mujoco_options({}, 0.01));
   EXPECT_EQ(t.status, Status::kStepTooLarge);
   EXPECT_EQ(t.steps, 0);
   EXPECT_FALSE(t.message.empty());
@@ -172,11 +161,7 @@ TEST(MujocoEngine, TheBalanceOfAFreeRunFallsWithTheSquareOfTheStepAndDoesNotGrow
       for (const char* end : {"run.end=0.05", "run.end=0.2", "run.end=1.0"}) {
         std::vector<std::string> overrides = free;
         overrides.push_back(end);
-        MujocoOptions options;
-        options.contact = contact;
-        options.step = step;
-        const Trajectory t = run_mujoco(shipped("bench_ring", overrides), options);
-        ASSERT_EQ(t.status, Status::kOk) << t.message;
+        const Trajectory t = mujoco_run(shipped("bench_ring", overrides), contact, step);
         ASSERT_EQ(t.statistics.contact_time, 0.0);
         EXPECT_LT(t.statistics.energy_residual(), kRate * step * step) << step << " " << end;
       }
@@ -195,8 +180,7 @@ TEST(MujocoEngine, TheBalanceOfRigidIsThatOfVerlet) {
     NativeOptions verlet;
     verlet.integrator = scene::Integrator::kVerlet;
     const double native = run_native(scene, verlet).statistics.energy_residual();
-    const Trajectory t = run_mujoco(scene);
-    ASSERT_EQ(t.status, Status::kOk) << t.message;
+    const Trajectory t = mujoco_run(scene);
     EXPECT_LT(native, 1e-6);
     EXPECT_NEAR(t.statistics.energy_residual(), native, 1e-9);
   }

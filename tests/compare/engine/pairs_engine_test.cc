@@ -9,6 +9,7 @@
 #include "compare/engine/mujoco_engine.h"
 #include "native_model/run/run_native.h"
 #include "tests/support/mujoco_fixture.h"
+#include "tests/support/mujoco_run.h"
 #include "tests/support/native_run.h"
 #include "tests/support/order.h"
 #include "tests/support/pairs.h"
@@ -24,10 +25,7 @@ constexpr double kFloor = 1e-12;     // m: MuJoCo's links weigh 1e-12 kg; judged
 Convergence converge(const scene::Scene& scene, const Trajectory& exact) {
   Convergence c;
   for (const int n : kStepsInAMillisecond) {
-    MujocoOptions options;
-    options.contact = scene::ContactModel::kRigid;
-    options.step = 1e-3 / n;
-    const Trajectory t = run_mujoco(scene, options);
+    const Trajectory t = mujoco_run(scene, scene::ContactModel::kRigid, 1e-3 / n);
     EXPECT_EQ(t.status, Status::kOk) << scene.name << " at 1/" << n << " ms: " << t.message;
     if (t.status != Status::kOk || t.rows() != exact.rows()) continue;
     c.steps.push_back(1e-3 / n);

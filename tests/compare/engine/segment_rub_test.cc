@@ -8,6 +8,7 @@
 #include "compare/engine/mujoco_engine.h"
 #include "native_model/run/run_native.h"
 #include "tests/support/mujoco_fixture.h"
+#include "tests/support/mujoco_run.h"
 
 namespace rotorub::test {
 namespace {
@@ -33,10 +34,7 @@ TEST(SegmentRubLong, LastingRubAgreesWithNative) {
     return Eigen::Vector2d(t.column("rotor_x").back(), t.column("rotor_y").back());
   };
   for (const auto contact : {scene::ContactModel::kRigid, scene::ContactModel::kCoulomb}) {
-    MujocoOptions options;
-    options.contact = contact;
-    const Trajectory t = run_mujoco(scene, options);
-    ASSERT_EQ(t.status, Status::kOk) << t.message;
+    const Trajectory t = mujoco_run(scene, contact);
     // 20 segments are 1.2e-3 off in frequency, 7 % in frequency below a resonance.
     EXPECT_NEAR(t.mean_force(), native.mean_force(), 0.02 * native.mean_force());
     EXPECT_LT((at_end(t) - at_end(native)).norm(), 0.02 * at_end(native).norm());
@@ -45,10 +43,7 @@ TEST(SegmentRubLong, LastingRubAgreesWithNative) {
 }
 
 TEST(SegmentRub, RefusesAStepBeyondItsStiffness) {
-  MujocoOptions options;
-  options.step = 1e-5;
-  options.contact = scene::ContactModel::kCoulomb;
-  const Trajectory t = run_mujoco(rub(40), options);
+  const Trajectory t = run_mujoco(rub(40), mujoco_options(scene::ContactModel::kCoulomb, 1e-5));
   EXPECT_EQ(t.status, Status::kStepTooLarge);
   EXPECT_NE(t.message.find("run.step"), std::string::npos) << t.message;
 }
@@ -56,10 +51,7 @@ TEST(SegmentRub, RefusesAStepBeyondItsStiffness) {
 TEST(SegmentRub, SurvivesItsFirstImpacts) {
   scene::Scene scene = rub(20);
   scene.run.end = 0.12;
-  MujocoOptions options;
-  options.contact = scene::ContactModel::kRigid;
-  const Trajectory t = run_mujoco(scene, options), native = run_native(scene);
-  ASSERT_EQ(t.status, Status::kOk) << t.message;
+  const Trajectory t = mujoco_run(scene, scene::ContactModel::kRigid), native = run_native(scene);
   ASSERT_GE(t.impacts.size(), 2u);
   // The free orbit grows for 7.2 ms, at a frequency that is 1.2e-3 off.
   EXPECT_NEAR(t.impacts[0].t, native.impacts[0].t, 5e-5);
@@ -76,9 +68,8 @@ TEST(SegmentRub, MeetsARingOffTheLineWhereItIs) {
     const scene::Scene scene = rub(20, {"run.end=0.11", offset});
     const double native = run_native(scene).impacts.at(0).t;
     EXPECT_GT(std::abs(native - centred), 3e-4) << offset;
-    MujocoOptions options;
-    options.contact = scene::ContactModel::kRigid;
-    EXPECT_NEAR(run_mujoco(scene, options).impacts.at(0).t, native, 5e-5) << offset;
+    EXPECT_NEAR(mujoco_run(scene, scene::ContactModel::kRigid).impacts.at(0).t, native, 5e-5)
+        << offset;
   }
 }
 

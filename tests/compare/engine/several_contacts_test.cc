@@ -8,6 +8,7 @@
 #include "mjcf/writer.h"
 #include "native_model/scene/reader.h"
 #include "native_model/scene/scene.h"
+#include "tests/support/mujoco_run.h"
 #include "tests/support/native_run.h"
 
 namespace rotorub {
@@ -19,10 +20,7 @@ scene::Scene two_catchers(const std::vector<std::string>& overrides = {}) {
 }
 
 Trajectory in_mujoco(scene::ContactModel contact, double step) {
-  MujocoOptions options;
-  options.contact = contact;
-  options.step = step;
-  return run_mujoco(two_catchers(), options);
+  return test::mujoco_run(two_catchers(), contact, step);
 }
 
 class SeveralInMujoco : public testing::TestWithParam<scene::ContactModel> {};

@@ -10,6 +10,7 @@
 #include "native_model/oracles/annular_rub.h"
 #include "native_model/run/run_native.h"
 #include "tests/support/mujoco_fixture.h"
+#include "tests/support/mujoco_run.h"
 #include "tests/support/oracles/turning_ring.h"
 #include "tests/support/order.h"
 
@@ -54,19 +55,11 @@ double largest_miss(const Rub& r, const Trajectory& t) {
   return most;
 }
 
-Trajectory run(const scene::Scene& scene, scene::ContactModel contact, double step) {
-  MujocoOptions options;
-  options.contact = contact;
-  options.step = step;
-  Trajectory t = run_mujoco(scene, options);
-  EXPECT_EQ(t.status, Status::kOk) << t.message;
-  return t;
-}
-
 TEST(TurningRingEngine, TheRubSpinsItUpAsTheClosedFormSays) {
   const Rub r = rub();
   const auto expect = [&](scene::ContactModel contact, double gain) {
-    const Trajectory coarse = run(r.scene, contact, 1e-4), fine = run(r.scene, contact, 1e-5);
+    const Trajectory coarse = mujoco_run(r.scene, contact, 1e-4),
+                     fine = mujoco_run(r.scene, contact, 1e-5);
     EXPECT_GT(fine.column("ring_speed").back(), 20.0);
     EXPECT_GT(largest_miss(r, coarse) / largest_miss(r, fine), gain) << fine.contact_model;
     EXPECT_LT(largest_miss(r, fine), 1e-3 * 60.0) << fine.contact_model;
@@ -78,7 +71,7 @@ TEST(TurningRingEngine, TheRubSpinsItUpAsTheClosedFormSays) {
 // The cone's contact has the ring's bore as its lever too: its mean friction spins the ring up.
 TEST(TurningRingEngine, TheConeSpinsItUpToo) {
   const Rub r = rub();
-  const Trajectory t = run(r.scene, scene::ContactModel::kCone, 1e-5);
+  const Trajectory t = mujoco_run(r.scene, scene::ContactModel::kCone, 1e-5);
   EXPECT_LT(largest_miss(r, t), 0.2 * 60.0);
 }
 
@@ -93,7 +86,7 @@ TEST(TurningRingEngine, TheSegmentRotorTurnsItAsTheNativeBeamDoes) {
   const double exact = native.column("ring_speed").back();
   ASSERT_GT(exact, 5.0);
   for (const auto contact : {scene::ContactModel::kRigid, scene::ContactModel::kCoulomb}) {
-    EXPECT_NEAR(run(scene, contact, 1e-5).column("ring_speed").back(), exact, 0.05 * exact);
+    EXPECT_NEAR(mujoco_run(scene, contact, 1e-5).column("ring_speed").back(), exact, 0.05 * exact);
   }
 }
 

@@ -16,6 +16,7 @@
 #include "compare/engine/mujoco_engine.h"
 #include "compare/peers/peers.h"
 #include "tests/support/mujoco_fixture.h"
+#include "tests/support/mujoco_run.h"
 #include "tests/support/native_run.h"
 #include "tests/support/oracles/elastic_whip.h"
 #include "tests/support/whip.h"
@@ -42,10 +43,7 @@ void PrintTo(const Pair& pair, std::ostream* out) { *out << pair.name; }
 constexpr double kStep = 1e-5;
 
 Trajectory mujoco(const scene::Scene& scene, scene::ContactModel contact) {
-  MujocoOptions options;
-  options.contact = contact;
-  const Trajectory t = run_mujoco(scene, options);
-  EXPECT_EQ(t.status, Status::kOk) << t.message;
+  const Trajectory t = mujoco_run(scene, contact);
   return t;
 }
 

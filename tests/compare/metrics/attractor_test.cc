@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <tuple>
 
 #include "tests/compare/hand_made.h"
 
@@ -18,54 +19,25 @@ Settled of(const Whirl& w) {
   return settled(hand_made(1000, 1e-3, [&](double t) { return sliding(w, t); }));
 }
 
-TEST(Attractor, SynchronousRub) {
-  const Settled s = of({});
-  EXPECT_EQ(s.attractor, Attractor::kSynchronousRub);
-  EXPECT_EQ(s.contact_share, 1.0);
-  EXPECT_NEAR(s.whirl_frequency, 300.0, 1e-6);
-  EXPECT_NEAR(s.spin_speed, 300.0, 1e-9);
-}
-
-TEST(Attractor, ForwardButNotSynchronous) {
-  Whirl w;
-  w.frequency = 200.0;
-  EXPECT_EQ(of(w).attractor, Attractor::kForwardRub);
-}
-
-// Forward is with the spin, whichever way that turns.
-TEST(Attractor, OfTheMirrorImageIsTheSame) {
-  for (const double frequency : {300.0, 200.0, -1000.0}) {
-    Whirl w;
-    w.frequency = frequency;
-    const Attractor here = of(w).attractor;
-    w.frequency = -frequency;
-    w.spin_speed = -w.spin_speed;
-    EXPECT_EQ(of(w).attractor, here) << frequency;
-  }
-}
-
-TEST(Attractor, BackwardWhip) {
-  Whirl w;
-  w.frequency = -1000.0;
-  const Settled s = of(w);
-  EXPECT_EQ(s.attractor, Attractor::kBackwardWhip);
-  EXPECT_NEAR(s.whirl_frequency, -1000.0, 1e-6);
-}
-
-// Rolling: psi' delta_0 = -Omega r, so that the slip is 0.
-TEST(Attractor, Rolling) {
-  Whirl w;
-  w.frequency = -w.spin_speed * w.radius / w.clearance;
-  EXPECT_EQ(of(w).attractor, Attractor::kRolling);
-}
-
-// A rotor that lies on the ring, spinning or not, is no rub that whirls.
-TEST(Attractor, Resting) {
-  for (const double spin : {0.0, 300.0}) {
-    Whirl w;
-    w.frequency = 0.0;
-    w.spin_speed = spin;
-    EXPECT_EQ(of(w).attractor, Attractor::kResting);
+// Rolling: psi' delta_0 = -Omega r, so that the slip is 0. A rotor that lies on the ring, spinning
+// or not, is no rub that whirls.
+TEST(Attractor, IsNamedByTheWhirlOfAPermanentContact) {
+  const Whirl w;
+  const double rolls = -w.spin_speed * w.radius / w.clearance;
+  for (const auto& [frequency, spin, name] :
+       {std::tuple(300.0, 300.0, Attractor::kSynchronousRub),
+        std::tuple(200.0, 300.0, Attractor::kForwardRub),
+        std::tuple(-1000.0, 300.0, Attractor::kBackwardWhip),
+        std::tuple(rolls, w.spin_speed, Attractor::kRolling),
+        std::tuple(0.0, 300.0, Attractor::kResting), std::tuple(0.0, 0.0, Attractor::kResting)}) {
+    // Forward is with the spin, whichever way that turns: the mirror image is the same.
+    for (const double sign : {1.0, -1.0}) {
+      const Settled s = of({.frequency = sign * frequency, .spin_speed = sign * spin});
+      EXPECT_EQ(s.attractor, name) << frequency;
+      EXPECT_EQ(s.contact_share, 1.0);
+      EXPECT_NEAR(s.whirl_frequency, sign * frequency, 1e-6 * (1.0 + std::abs(frequency) / 1e3));
+      EXPECT_NEAR(s.spin_speed, sign * spin, 1e-9);
+    }
   }
 }
 

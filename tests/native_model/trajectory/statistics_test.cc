@@ -9,6 +9,7 @@
 #include "tests/support/jeffcott.h"
 #include "tests/support/machine.h"
 #include "tests/support/runge_kutta.h"
+#include "tests/support/trapezoid_balance.h"
 
 namespace rotorub {
 namespace {
@@ -18,18 +19,30 @@ constexpr double kRoundOff = 1e-14;
 // Feeds states of a one-mode rotor, 2 kg, clearance 0.5 mm, radius 0.05 m.
 class Feed {
  public:
-  explicit Feed(const Model& model) : recorder_(model, {}) {}
+  explicit Feed(const Model& model) : model_(model), recorder_(model, {}), balance_(model) {}
   void begin(const Eigen::Vector2d& q, const Eigen::Vector2d& v) {
-    recorder_.begin({{}, 0.0, q.data(), v.data()});
+    const Snapshot start{{}, 0.0, q.data(), v.data()};
+    recorder_.begin(start);
+    balance_.begin(start);
+    last_ = contact_point(model_, q.data(), v.data());
   }
   void step(double t, const Eigen::Vector2d& q, const Eigen::Vector2d& v, double normal = 0.0,
             double friction = 0.0, bool impact = false) {
-    recorder_.step({{}, t, q.data(), v.data()}, normal, friction, impact);
+    const Snapshot now{{}, t, q.data(), v.data()};
+    const ContactPoint point = contact_point(model_, q.data(), v.data());
+    const Impact own{t,          normal,     friction, last_.gap_rate, point.gap_rate,
+                     last_.slip, point.slip, 0.0};
+    const StepBalance balance = balance_.step(now, normal, friction, nullptr);
+    recorder_.step(now, normal, friction, impact ? &own : nullptr, balance);
+    last_ = point;
   }
   Trajectory finish(double end) { return recorder_.finish(end); }
 
  private:
+  const Model& model_;
   Recorder recorder_;
+  test::TrapezoidBalance balance_;
+  ContactPoint last_;
 };
 
 TEST(Statistics, NoContactNoFigures) {
@@ -132,11 +145,15 @@ double residual_along(const Model& m, int steps) {
   Eigen::VectorXd y(2 * n);
   y << s.q, s.v;
   Recorder recorder(m, {});
-  recorder.begin({{}, 0.0, y.data(), y.data() + n});
+  test::TrapezoidBalance balance(m);
+  const Snapshot start{{}, 0.0, y.data(), y.data() + n};
+  recorder.begin(start);
+  balance.begin(start);
   const double h = 0.02 / steps;
   for (int k = 0; k < steps; ++k) {
     y = test::runge_kutta(rate, k * h, h, y);
-    recorder.step({{}, (k + 1) * h, y.data(), y.data() + n}, 0.0, 0.0, false);
+    const Snapshot now{{}, (k + 1) * h, y.data(), y.data() + n};
+    recorder.step(now, 0.0, 0.0, nullptr, balance.step(now, 0.0, 0.0, nullptr));
   }
   return recorder.finish(0.02).statistics.energy_residual();
 }

@@ -1,6 +1,8 @@
-// Contact model `cone-coulomb` in rubs whose force is known: MuJoCo's cone corrected for sliding
-// keeps the contact, with the right force and without scatter, where the cone itself is thrown
-// open; and with a friction reference of its own the cone does so within the borders of theory.md.
+// Rubs whose force is known, in MuJoCo. Contact model `cone-coulomb`, MuJoCo's cone corrected for
+// sliding, keeps the contact, with the right force and without scatter, where the cone itself is
+// thrown open; with a friction reference of its own the cone does so within the borders of
+// theory.md. Of a backward whip `rigid` and `coulomb` stay near the exact one, and the cone falls
+// into the rolling attractor that is there as well.
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -12,6 +14,7 @@
 #include "mjcf/soft_contact.h"
 #include "native_model/oracles/annular_rub.h"
 #include "tests/support/mujoco_fixture.h"
+#include "tests/support/mujoco_run.h"
 #include "tests/support/whip.h"
 
 namespace rotorub::test {
@@ -28,11 +31,8 @@ struct Rubbing {
 
 Rubbing rubbing(scene::Scene scene, scene::ContactModel contact, double step) {
   scene.run.output_step = step;
-  MujocoOptions options;
-  options.contact = contact;
-  options.step = step;
   Rubbing out;
-  out.run = run_mujoco(scene, options);
+  out.run = mujoco_run(scene, contact, step);
   const Trajectory& t = out.run;
   EXPECT_EQ(t.status, Status::kOk) << t.message;
   const std::vector<double>& normal = t.column("normal_force");
@@ -140,6 +140,29 @@ TEST(FrictionReference, KeepsTheContactBelowItsBorder) {
   }
   EXPECT_NEAR(border(shipped("bench_ring"), 1e-5), 19.7, 0.1);
   EXPECT_NEAR(border(shipped("bench_whip"), 1e-5), 20.4, 0.1);
+}
+
+Trajectory whip(scene::ContactModel contact, double end) {
+  scene::Scene scene = shipped("bench_whip");
+  scene.run.end = end;
+  return mujoco_run(scene, contact, 1e-5);
+}
+
+// After 1 s, at 10 us: -501.845 rad/s and 244.738 N instead of -501.9257 and 244.8444.
+TEST(WhipEngine, RigidAndCoulombStayNearTheExactOne) {
+  for (const scene::ContactModel contact :
+       {scene::ContactModel::kRigid, scene::ContactModel::kCoulomb}) {
+    const Trajectory t = whip(contact, 1.0);
+    EXPECT_NEAR(whirl_speed(t, t.rows() - 1), -501.9257, 2e-4 * 502.0) << t.contact_model;
+    EXPECT_NEAR(t.column("normal_force").back(), 244.8444, 5e-4 * 245.0) << t.contact_model;
+    EXPECT_GT(t.contact_fraction(), 1.0 - 1e-9) << t.contact_model;
+  }
+}
+
+TEST(WhipEngine, TheConeFallsIntoTheRollingAttractor) {
+  const Trajectory t = whip(scene::ContactModel::kCone, 0.05);
+  EXPECT_LT(whirl_speed(t, t.rows() - 1), -1e4);
+  EXPECT_GT(t.column("normal_force").back(), 1e5);
 }
 
 }  // namespace
