@@ -69,9 +69,8 @@ View fitted(View view, std::span<const Eigen::Vector3d> points, double aspect, d
 // Soft light from above and the viewer's left, for a camera that looks along +Y or -X.
 void set_lights(mjvScene& scene, const Eigen::Vector3d& key_direction, float ambient);
 
-// Triangle meshes of the round parts that MuJoCo has no primitive for: rings, cut or whole.
-
-// Surfaces with a normal at each corner; triangles counter-clockwise seen from outside.
+// A triangle mesh, of the round parts that MuJoCo has no primitive for: a normal at each corner;
+// triangles counter-clockwise seen from outside.
 struct Mesh {
   std::string name;
   std::vector<Eigen::Vector3d> points, normals;  // equally long

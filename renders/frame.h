@@ -1,14 +1,16 @@
 // One picture of a run at one time.
 #pragma once
 
-#include <memory>
 #include <optional>
 #include <string>
+#include <vector>
 
 #include "native_model/scene/scene.h"
 #include "native_model/trajectory/trajectory.h"
 #include "renders/framing.h"
-#include "renders/sheet.h"
+#include "renders/machine_view.h"
+#include "renders/panel.h"
+#include "renders/stage.h"
 
 namespace rotorub::renders {
 
@@ -19,16 +21,36 @@ class FramePainter {
   // the series and the scene do not belong together or where OpenGL fails.
   FramePainter(const scene::Scene& scene, const Trajectory& trajectory,
                const RenderOptions& options);
-  ~FramePainter();
   FramePainter(const FramePainter&) = delete;
   FramePainter& operator=(const FramePainter&) = delete;
 
-  const Framing& framing() const;
+  const Framing& framing() const { return framing_; }
   Picture paint(double t);  // t in s of the run
 
  private:
-  struct Parts;
-  std::unique_ptr<Parts> parts_;
+  void take_runs(const Trajectory& trajectory, const RenderOptions& options);
+  // Those that are shown, ghost included; or all.
+  std::vector<const Playback*> playbacks(bool all) const;
+  void make_machines(const scene::Scene& scene, const RenderOptions& options);
+  void make_panels(const scene::Scene& scene, const Trajectory& trajectory,
+                   const RenderOptions& options);
+  void make_stage(const RenderOptions& options);
+  void write_header(Sheet sheet, double t) const;
+
+  std::vector<ShownRun> runs_;  // shown, from the left; then those that share the scales alone
+  std::size_t shown_runs_ = 1;
+  std::optional<ShownRun> ghost_;  // of the first
+  int width_, height_;
+  Framing framing_;
+  FilmParts film_;
+  Layout layout_;
+  std::string title_;
+  InstantOptions instant_;
+
+  std::vector<Panel> panels_;
+  std::vector<Mesh> meshes_;
+  std::optional<MachineView> machine_view_;
+  std::optional<Stage> stage_;  // none where no panel shows the machine
 };
 
 }  // namespace rotorub::renders

@@ -1,5 +1,5 @@
-// The scales of a film: one for all runs that are shown together, so that lengths and heights can
-// be compared.
+// What all views show of one instant, to the scales of the film: one for all runs that are shown
+// together, so that lengths and heights can be compared.
 #pragma once
 
 #include <Eigen/Core>
@@ -36,8 +36,6 @@ Scales make_scales(std::span<const Playback* const> runs, double from, double to
 // "14,050 N", "0.0512 N s", "3.1 µm": four digits at most, thousands apart.
 std::string value_text(double value, const std::string& unit);
 std::string length_text(double metres);  // in mm from 0.1 mm on, else in µm
-
-// What both views show of the contact at one instant, in drawing units.
 
 // A recent impact: where on the ring, and how bright it still is.
 struct Spark {

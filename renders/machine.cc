@@ -112,19 +112,16 @@ void draw_modal(Machine& machine, const scene::Scene& scene) {
   if (scene.drive) machine.motor = 0.0;
 }
 
-// Largest drawn motion of any station for a magnification of 1, at some times of the film.
-double largest_motion(const Machine& machine, std::span<const Playback* const> runs, double from,
-                      double to) {
-  constexpr int kLooks = 600;
-  double largest = 0.0;
+// The largest size(centre line) at so many times of the film, and its end.
+template <class Size>
+double largest(const Machine& machine, std::span<const Playback* const> runs, double from,
+               double to, int looks, Size size) {
+  double most = 0.0;
   for (const Playback* run : runs) {
-    for (int i = 0; i <= kLooks; ++i) {
-      const Pose pose = run->at(from + (to - from) * i / kLooks);
-      const Eigen::Matrix2Xd line = machine.centre_line(pose) / machine.magnification;
-      largest = std::max(largest, line.colwise().norm().maxCoeff());
-    }
+    for (int i = 0; i <= looks; ++i)
+      most = std::max(most, size(machine.centre_line(run->at(from + (to - from) * i / looks))));
   }
-  return largest;
+  return most;
 }
 
 double machine_magnification(const scene::Scene& scene, double unit, double motion) {
@@ -136,20 +133,6 @@ double machine_magnification(const scene::Scene& scene, double unit, double moti
   }
   if (most > 1e200) return 1.0;
   return std::max(1.0, plain_number_below(most));
-}
-
-// Largest magnified motion of one station.
-double motion_at(const Machine& machine, std::span<const Playback* const> runs, double from,
-                 double to, double z) {
-  constexpr int kLooks = 200;
-  double largest = 0.0;
-  for (const Playback* run : runs) {
-    for (int i = 0; i <= kLooks; ++i) {
-      const Pose pose = run->at(from + (to - from) * i / kLooks);
-      largest = std::max(largest, machine.centre(machine.centre_line(pose), z).tail<2>().norm());
-    }
-  }
-  return largest;
 }
 
 DrawnSupport drawn_support(const scene::Scene& scene) {
@@ -258,7 +241,10 @@ Machine make_machine(const scene::Scene& scene, std::span<const Playback* const>
   } else {
     draw_modal(machine, scene);
   }
-  const double motion = largest_motion(machine, runs, from, to);
+  // Of any station, for a magnification of 1.
+  const double motion = largest(machine, runs, from, to, 600, [](const Eigen::Matrix2Xd& line) {
+    return line.colwise().norm().maxCoeff();
+  });
   machine.magnification =
       magnification.value_or(machine_magnification(scene, machine.unit, motion));
   if (scene.first().contact) draw_contact(machine, scene);
@@ -267,7 +253,10 @@ Machine make_machine(const scene::Scene& scene, std::span<const Playback* const>
     const double station = scene.magnetic_bearing->station;
     const double z = station * machine.unit;
     const double shaft = 0.5 * diameter_at(*scene.rotor.geometry, station);
-    const double bore = 1.6 * shaft * machine.unit + motion_at(machine, runs, from, to, z);
+    const double moved = largest(machine, runs, from, to, 200, [&](const Eigen::Matrix2Xd& line) {
+      return machine.centre(line, z).tail<2>().norm();
+    });
+    const double bore = 1.6 * shaft * machine.unit + moved;
     machine.magnetic_bearing = {z, bore, bore + 0.035, 0.025};
   }
 

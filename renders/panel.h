@@ -1,4 +1,4 @@
-// One curve over the whole film, with the present marked.
+// One run in its part of the picture: curves and words; its views are those of the whole film.
 #pragma once
 
 #include <optional>
@@ -13,6 +13,7 @@
 
 namespace rotorub::renders {
 
+// One curve over the whole film, with the present marked.
 class Chart {
  public:
   struct Options {
@@ -47,8 +48,6 @@ class Chart {
   std::vector<Bucket> buckets_;
   double peak_ = 0.0;
 };
-
-// One run in its part of the picture: curves and words; its views are those of the whole film.
 
 // A run that is shown, or its ghost.
 struct ShownRun {

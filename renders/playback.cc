@@ -59,24 +59,16 @@ Playback::Playback(const Trajectory& trajectory)
       normal_(&need(trajectory, "normal_force")),
       friction_(&need(trajectory, "friction_force")),
       mode_(&need(trajectory, "mode")),
-      rotor_x_(track("rotor_x", "rotor_vx")),
-      rotor_y_(track("rotor_y", "rotor_vy")),
-      stator_x_(track("stator_x", "stator_vx")),
-      stator_y_(track("stator_y", "stator_vy")),
+      rotor_{track("rotor_x", "rotor_vx"), track("rotor_y", "rotor_vy")},
+      stator_{track("stator_x", "stator_vx"), track("stator_y", "stator_vy")},
       spin_(track("spin_angle", "spin_speed")) {
   for (int i = 1; trajectory.has(fmt::format("x_{}", i)); ++i) {
-    x_.push_back(track(fmt::format("x_{}", i), fmt::format("vx_{}", i)));
-    y_.push_back(track(fmt::format("y_{}", i), fmt::format("vy_{}", i)));
+    modes_.push_back({track(fmt::format("x_{}", i), fmt::format("vx_{}", i)),
+                      track(fmt::format("y_{}", i), fmt::format("vy_{}", i))});
   }
   if (trajectory.has("ring_angle")) ring_ = track("ring_angle", "ring_speed");
-  if (trajectory.has("control_x")) {
-    control_x_ = track("control_x", "");
-    control_y_ = track("control_y", "");
-  }
-  if (trajectory.has("current_1")) {
-    current_1_ = track("current_1", "");
-    current_2_ = track("current_2", "");
-  }
+  if (trajectory.has("control_x")) control_ = {track("control_x", ""), track("control_y", "")};
+  if (trajectory.has("current_1")) current_ = {track("current_1", ""), track("current_2", "")};
   if (!std::is_sorted(time_->begin(), time_->end())) {
     throw std::runtime_error("the times of the series do not ascend");
   }
@@ -127,24 +119,20 @@ Pose Playback::at(double t) const {
   const bool smooth = !impact_between((*time_)[row], (*time_)[next]);
   const auto value = [&](const Track& track) { return interpolate(track, row, pose.t, smooth); };
 
-  pose.rotor = {value(rotor_x_), value(rotor_y_)};
-  pose.stator = {value(stator_x_), value(stator_y_)};
+  const auto pair = [&](const Pair& p) { return Eigen::Vector2d(value(p[0]), value(p[1])); };
+  pose.rotor = pair(rotor_);
+  pose.stator = pair(stator_);
   pose.spin_angle = value(spin_);
   if (ring_) pose.ring_angle = value(*ring_);
   pose.x.resize(modes());
   pose.y.resize(modes());
   for (int i = 0; i < modes(); ++i) {
-    pose.x[i] = value(x_[static_cast<std::size_t>(i)]);
-    pose.y[i] = value(y_[static_cast<std::size_t>(i)]);
+    const Eigen::Vector2d bend = pair(modes_[static_cast<std::size_t>(i)]);
+    pose.x[i] = bend[0];
+    pose.y[i] = bend[1];
   }
-  if (control_x_) {
-    pose.control = {interpolate(*control_x_, row, pose.t, false),
-                    interpolate(*control_y_, row, pose.t, false)};
-  }
-  if (current_1_) {
-    pose.current = {interpolate(*current_1_, row, pose.t, false),
-                    interpolate(*current_2_, row, pose.t, false)};
-  }
+  if (control_) pose.control = pair(*control_);
+  if (current_) pose.current = pair(*current_);
   pose.gap = interpolate({gap_, nullptr}, row, pose.t, false);
 
   // Forces: within one contact between the rows, else as the row before says.
@@ -157,25 +145,13 @@ Pose Playback::at(double t) const {
   return pose;
 }
 
-double Playback::largest(const Track& x, const Track& y, double from, double to) const {
+double Playback::largest(const std::optional<Pair>& pair, double from, double to) const {
   double result = 0.0;
-  for (std::size_t i = 0; i < time_->size(); ++i) {
+  for (std::size_t i = 0; pair && i < time_->size(); ++i) {
     if ((*time_)[i] < from || (*time_)[i] > to) continue;
-    result = std::max(result, std::hypot((*x.value)[i], (*y.value)[i]));
+    result = std::max(result, std::hypot((*(*pair)[0].value)[i], (*(*pair)[1].value)[i]));
   }
   return result;
-}
-
-double Playback::largest_stator(double from, double to) const {
-  return largest(stator_x_, stator_y_, from, to);
-}
-
-double Playback::largest_control(double from, double to) const {
-  return control_x_ ? largest(*control_x_, *control_y_, from, to) : 0.0;
-}
-
-double Playback::largest_current(double from, double to) const {
-  return current_1_ ? largest(*current_1_, *current_2_, from, to) : 0.0;
 }
 
 template <class Taken>

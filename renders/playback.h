@@ -2,6 +2,7 @@
 #pragma once
 
 #include <Eigen/Core>
+#include <array>
 #include <optional>
 #include <vector>
 
@@ -53,16 +54,17 @@ class Playback {
   double start() const { return time_->front(); }  // s
   double end() const { return time_->back(); }
   std::optional<double> first_touch() const { return renders::first_touch(*trajectory_); }
-  int modes() const { return static_cast<int>(x_.size()); }
+  int modes() const { return static_cast<int>(modes_.size()); }
   const std::vector<Strike>& strikes() const { return strikes_; }
   // Largest |stator| over the rows from `from` to `to`, m, and quantile of the normal
   // force over the rows in contact there, N (0: no contact).
-  double largest_stator(double from, double to) const;
+  double largest_stator(double from, double to) const { return largest(stator_, from, to); }
   double force_quantile(double quantile, double from, double to) const;
   // The same of the gap over all rows there, m, and the largest control force, N (0: none).
   double gap_quantile(double quantile, double from, double to) const;
-  double largest_control(double from, double to) const;
-  double largest_current(double from, double to) const;  // A, of both coils together
+  double largest_control(double from, double to) const { return largest(control_, from, to); }
+  // A, of both coils together.
+  double largest_current(double from, double to) const { return largest(current_, from, to); }
 
  private:
   using Values = std::vector<double>;
@@ -71,6 +73,7 @@ class Playback {
     const Values* value = nullptr;
     const Values* rate = nullptr;
   };
+  using Pair = std::array<Track, 2>;  // of two axes
   Track track(const std::string& value, const std::string& rate) const;
   std::size_t row_before(double t) const;
   double interpolate(const Track& track, std::size_t row, double t, bool smooth) const;
@@ -78,15 +81,16 @@ class Playback {
   template <class Taken>
   double quantile_of(const Values& values, double quantile, double from, double to,
                      const Taken& taken) const;
-  double largest(const Track& x, const Track& y, double from, double to) const;
+  double largest(const std::optional<Pair>& pair, double from, double to) const;
 
   const Trajectory* trajectory_;
   const Values *time_, *gap_, *normal_, *friction_, *mode_;
-  Track rotor_x_, rotor_y_, stator_x_, stator_y_, spin_;
-  std::optional<Track> ring_;                   // of a ring that turns
-  std::optional<Track> control_x_, control_y_;  // of a ring with a controller
-  std::optional<Track> current_1_, current_2_;  // of electromagnets
-  std::vector<Track> x_, y_;
+  Pair rotor_, stator_;
+  Track spin_;
+  std::optional<Track> ring_;    // of a ring that turns
+  std::optional<Pair> control_;  // of a ring with a controller
+  std::optional<Pair> current_;  // of electromagnets
+  std::vector<Pair> modes_;
   std::vector<Strike> strikes_;
 };
 

@@ -21,6 +21,178 @@ constexpr double kPi = std::numbers::pi;
 
 Vector2d direction(double angle) { return {std::cos(angle), std::sin(angle)}; }
 
+// One picture, in drawing units of a sheet.
+struct Drawing {
+  Sheet& sheet;
+  const Machine& machine;
+  const DrawnContact& contact;
+  const Instant& instant;
+  const DrawnSection section;
+  const Vector2d middle;  // of the sheet, and
+  const double pixels;    // of a drawing unit there
+  const double half_size, wall_radius;
+
+  Sheet::Point at(const Vector2d& yz) const {
+    return {middle[0] + pixels * yz[0], middle[1] - pixels * yz[1]};
+  }
+
+  // Through the centre at rest.
+  void draw_axes() const {
+    sheet.fill(0.0, std::floor(middle[1]), sheet.area().width, 1.0, palette::kGrid);
+    sheet.fill(std::floor(middle[0]), 0.0, 1.0, sheet.area().height, palette::kGrid);
+  }
+
+  void draw_spring(const Vector2d& from, const Vector2d& to) const {
+    constexpr int kTurns = 5;
+    const Vector2d along = to - from;
+    const Vector2d across =
+        0.08 * contact.rotor_radius * Vector2d(-along[1], along[0]).normalized();
+    std::vector<Sheet::Point> points = {at(from)};
+    for (int k = 0; k < 2 * kTurns; ++k) {
+      const double s = (k + 1.0) / (2.0 * kTurns + 1.0);
+      points.push_back(at(from + s * along + (k % 2 == 0 ? 1.0 : -1.0) * across));
+    }
+    points.push_back(at(to));
+    sheet.polyline(points, std::max(1.2, 0.03 * contact.rotor_radius * pixels), palette::kHousing);
+  }
+
+  void draw_support() const {
+    const DrawnSupport& support = machine.support;
+    const double unit = contact.rotor_radius;
+    if (support.fixed) {
+      sheet.ring(at(section.ring), contact.ring_outer * pixels,
+                 (contact.ring_outer + 0.14 * unit) * pixels, palette::kHousing);
+      return;
+    }
+    const auto held = [&](double angle, const auto& draw) {
+      const Vector2d e = direction(angle);
+      const Vector2d wall = wall_radius * e;
+      const Vector2d across(-e[1], e[0]);
+      sheet.bar(at(wall - 0.22 * unit * across), at(wall + 0.22 * unit * across),
+                0.06 * unit * pixels, palette::kHousing);
+      draw(Vector2d(section.ring + contact.ring_outer * e), wall, e);
+    };
+    const auto spring = [&](const Vector2d& from, const Vector2d& to, const Vector2d&) {
+      draw_spring(from, to);
+    };
+    if (support.spring_x)
+      for (const double angle : {0.0, kPi}) held(angle, spring);
+    if (support.spring_y)
+      for (const double angle : {0.5 * kPi, 1.5 * kPi}) held(angle, spring);
+    if (!support.actuators) return;
+    for (const double angle : {0.25 * kPi, 0.75 * kPi, 1.25 * kPi, 1.75 * kPi}) {
+      if (support.magnets) {
+        // A core with its coil, fixed, at an air gap from the ring.
+        held(angle, [&](const Vector2d&, const Vector2d& wall, const Vector2d& e) {
+          const Vector2d pole = wall - 0.38 * unit * e;
+          sheet.bar(at(wall), at(pole), 0.2 * unit * pixels, palette::kHousing);
+          const Vector2d coil = wall - 0.12 * unit * e;
+          sheet.bar(at(coil), at(coil - 0.1 * unit * e), 0.34 * unit * pixels, palette::kCopper);
+        });
+      } else if (angle > kPi) {
+        // A cylinder on the wall, its rod on the ring.
+        held(angle, [&](const Vector2d& ring, const Vector2d& wall, const Vector2d& e) {
+          sheet.bar(at(ring), at(wall), 0.07 * unit * pixels, palette::kShaft);
+          sheet.bar(at(wall), at(Vector2d(wall - 0.24 * unit * e)), 0.17 * unit * pixels,
+                    palette::kHousing);
+        });
+      }
+    }
+  }
+
+  void draw_ring(double angle) const {
+    const Sheet::Point center = at(section.ring);
+    const double bore = contact.ring_bore() * pixels, outer = contact.ring_outer * pixels;
+    sheet.disc(center, bore, palette::kPaper);
+    sheet.ring(center, bore, outer, palette::kRing);
+    if (machine.ring_turns) {
+      const double wide = outer - bore;
+      sheet.sector(center, bore + 0.1 * wide, outer - 0.1 * wide, angle, 0.12 * kPi,
+                   palette::kMark);
+    }
+    sheet.ring(center, bore, bore + 1.5, palette::kRingEdge);
+    sheet.ring(center, outer - 1.5, outer, palette::kRingEdge);
+  }
+
+  void draw_rotor(double angle) const {
+    const double radius = contact.rotor_radius * pixels;
+    const Sheet::Point center = at(section.rotor);
+    sheet.disc(center, radius, palette::kRotor);
+    sheet.sector(center, 0.55 * radius, 0.93 * radius, angle, 0.5 * kPi, palette::kMark);
+    sheet.ring(center, radius - 1.5, radius, palette::kRotorEdge);
+  }
+
+  void draw_ghost(const DrawnSection& ghost) const {
+    const double radius = contact.rotor_radius * pixels;
+    sheet.disc(at(ghost.rotor), radius, palette::kGhost.with_alpha(0.15));
+    sheet.ring(at(ghost.rotor), radius - 2.0, radius, palette::kGhost);
+    sheet.dashed_circle(at(ghost.ring), contact.ring_bore() * pixels, 1.5, palette::kGhost);
+    sheet.disc(at(ghost.rotor), 0.018 * half_size * pixels, palette::kGhost);
+  }
+
+  void draw_path() const {
+    // The rotor's centre is held within the clearance circle around the ring's centre.
+    sheet.dashed_circle(at(section.ring), contact.clearance * pixels, 1.5, palette::kInk);
+    const double scale = machine.displaced(1.0);
+    std::vector<Sheet::Point> points;
+    for (const Vector2d& point : instant.trail) points.push_back(at(scale * point));
+    sheet.trail(points, 2.2, palette::kTrail);
+    sheet.disc(at(section.rotor), 0.018 * half_size * pixels, palette::kTrail);
+  }
+
+  // A bar beside the magnet of each axis that the current strengthens, from the wall inwards; pale:
+  // the largest.
+  void draw_currents() const {
+    if (!machine.support.magnets || instant.current.isZero()) return;
+    const double unit = contact.rotor_radius;
+    for (int k = 0; k < 2; ++k) {
+      const double share = instant.current[k];
+      const Vector2d e = (share < 0.0 ? -1.0 : 1.0) * direction((0.25 + 0.5 * k) * kPi);
+      const Vector2d foot = wall_radius * e + 0.3 * unit * Vector2d(e[1], -e[0]);
+      const auto bar = [&](double length, const Color& color) {
+        sheet.bar(at(foot), at(Vector2d(foot - length * kCurrentShare * unit * e)),
+                  0.09 * unit * pixels, color);
+      };
+      bar(1.0, palette::kGrid);
+      bar(std::abs(share), palette::kCurrent);
+    }
+  }
+
+  void draw_forces() const {
+    const double bore = contact.ring_bore();
+    for (const Spark& spark : instant.sparks) {
+      const double size = (0.015 + 0.045 * spark.strength * spark.brightness) * half_size;
+      sheet.disc(at(section.ring + bore * spark.e_r), size * pixels,
+                 palette::kStrike.with_alpha(spark.brightness));
+    }
+    const double width = std::max(2.5, 0.022 * half_size * pixels);
+    const double longest = kArrowShare * contact.rotor_radius;
+    const auto force = [&](const Vector2d& foot, const ArrowShare& arrow, const Vector2d& along,
+                           const Color& color) {
+      const Vector2d tip = arrow.share * longest * along;
+      if (tip.norm() < 0.02 * half_size) return;
+      sheet.arrow(at(foot), at(foot + tip), width, color);
+      if (!arrow.clipped) return;
+      // Cut off: a gap across the shaft.
+      const Vector2d across(-along[1], along[0]);
+      const Vector2d cut = foot + 0.45 * tip;
+      const double half = 1.2 * width / pixels;
+      sheet.polyline(std::array{at(cut - half * across), at(cut + half * across)}, 0.6 * width,
+                     palette::kPaper);
+    };
+    if (instant.control.share > 0.0) {
+      const Vector2d along = instant.pose.control.normalized();
+      force(section.ring + contact.ring_outer * along, instant.control, along, palette::kControl);
+    }
+    if (!section.in_contact) return;
+    force(section.touch, instant.normal, -section.e_r, palette::kNormal);
+    force(section.touch, instant.friction,
+          instant.pose.friction_force < 0.0 ? Vector2d(-section.e_t) : section.e_t,
+          palette::kFriction);
+    sheet.disc(at(section.touch), std::max(3.0, 0.02 * half_size * pixels), palette::kNormal);
+  }
+};
+
 }  // namespace
 
 SectionView::SectionView(const Machine& machine, double motion) : machine_(machine) {
@@ -39,183 +211,23 @@ double SectionView::pixels(const Area& area) const {
 
 void SectionView::draw(Sheet& sheet, const Instant& instant, const Pose* ghost) const {
   const Area& area = sheet.area();
-  const Place at{{0.5 * area.width, 0.5 * area.height}, pixels(area)};
-  const DrawnSection section = drawn_section(machine_, instant.pose);
-  draw_axes(sheet, at);
-  draw_support(sheet, at, section);
-  draw_ring(sheet, at, section, instant.pose.ring_angle);
-  draw_rotor(sheet, at, section, instant.pose.spin_angle);
-  if (ghost != nullptr) draw_ghost(sheet, at, drawn_section(machine_, *ghost));
-  draw_currents(sheet, at, instant);
-  draw_path(sheet, at, instant, section);
-  draw_forces(sheet, at, instant, section);
-}
-
-// Through the centre at rest.
-void SectionView::draw_axes(Sheet& sheet, const Place& at) const {
-  const Area& area = sheet.area();
-  sheet.fill(0.0, std::floor(at.middle[1]), area.width, 1.0, palette::kGrid);
-  sheet.fill(std::floor(at.middle[0]), 0.0, 1.0, area.height, palette::kGrid);
-}
-
-void SectionView::draw_spring(Sheet& sheet, const Place& at, const Vector2d& from,
-                              const Vector2d& to) const {
-  constexpr int kTurns = 5;
-  const Vector2d along = to - from;
-  const Vector2d across =
-      0.08 * machine_.contact->rotor_radius * Vector2d(-along[1], along[0]).normalized();
-  std::vector<Sheet::Point> points = {at(from)};
-  for (int k = 0; k < 2 * kTurns; ++k) {
-    const double s = (k + 1.0) / (2.0 * kTurns + 1.0);
-    points.push_back(at(from + s * along + (k % 2 == 0 ? 1.0 : -1.0) * across));
-  }
-  points.push_back(at(to));
-  sheet.polyline(points, std::max(1.2, 0.03 * machine_.contact->rotor_radius * at.pixels),
-                 palette::kHousing);
-}
-
-void SectionView::draw_support(Sheet& sheet, const Place& at, const DrawnSection& section) const {
-  const DrawnContact& contact = *machine_.contact;
-  const DrawnSupport& support = machine_.support;
-  const double unit = contact.rotor_radius;
-  if (support.fixed) {
-    sheet.ring(at(section.ring), contact.ring_outer * at.pixels,
-               (contact.ring_outer + 0.14 * unit) * at.pixels, palette::kHousing);
-    return;
-  }
-  const auto held = [&](double angle, const auto& draw) {
-    const Vector2d e = direction(angle);
-    const Vector2d wall = wall_ * e;
-    const Vector2d across(-e[1], e[0]);
-    sheet.bar(at(wall - 0.22 * unit * across), at(wall + 0.22 * unit * across),
-              0.06 * unit * at.pixels, palette::kHousing);
-    draw(Vector2d(section.ring + contact.ring_outer * e), wall, e);
-  };
-  const auto spring = [&](const Vector2d& from, const Vector2d& to, const Vector2d&) {
-    draw_spring(sheet, at, from, to);
-  };
-  if (support.spring_x)
-    for (const double angle : {0.0, kPi}) held(angle, spring);
-  if (support.spring_y)
-    for (const double angle : {0.5 * kPi, 1.5 * kPi}) held(angle, spring);
-  if (!support.actuators) return;
-  for (const double angle : {0.25 * kPi, 0.75 * kPi, 1.25 * kPi, 1.75 * kPi}) {
-    if (support.magnets) {
-      // A core with its coil, fixed, at an air gap from the ring.
-      held(angle, [&](const Vector2d&, const Vector2d& wall, const Vector2d& e) {
-        const Vector2d pole = wall - 0.38 * unit * e;
-        sheet.bar(at(wall), at(pole), 0.2 * unit * at.pixels, palette::kHousing);
-        const Vector2d coil = wall - 0.12 * unit * e;
-        sheet.bar(at(coil), at(coil - 0.1 * unit * e), 0.34 * unit * at.pixels, palette::kCopper);
-      });
-    } else if (angle > kPi) {
-      // A cylinder on the wall, its rod on the ring.
-      held(angle, [&](const Vector2d& ring, const Vector2d& wall, const Vector2d& e) {
-        sheet.bar(at(ring), at(wall), 0.07 * unit * at.pixels, palette::kShaft);
-        sheet.bar(at(wall), at(Vector2d(wall - 0.24 * unit * e)), 0.17 * unit * at.pixels,
-                  palette::kHousing);
-      });
-    }
-  }
-}
-
-void SectionView::draw_ring(Sheet& sheet, const Place& at, const DrawnSection& section,
-                            double angle) const {
-  const DrawnContact& contact = *machine_.contact;
-  const Sheet::Point center = at(section.ring);
-  const double bore = contact.ring_bore() * at.pixels, outer = contact.ring_outer * at.pixels;
-  sheet.disc(center, bore, palette::kPaper);
-  sheet.ring(center, bore, outer, palette::kRing);
-  if (machine_.ring_turns) {
-    const double wide = outer - bore;
-    sheet.sector(center, bore + 0.1 * wide, outer - 0.1 * wide, angle, 0.12 * kPi, palette::kMark);
-  }
-  sheet.ring(center, bore, bore + 1.5, palette::kRingEdge);
-  sheet.ring(center, outer - 1.5, outer, palette::kRingEdge);
-}
-
-void SectionView::draw_rotor(Sheet& sheet, const Place& at, const DrawnSection& section,
-                             double angle) const {
-  const double radius = machine_.contact->rotor_radius * at.pixels;
-  const Sheet::Point center = at(section.rotor);
-  sheet.disc(center, radius, palette::kRotor);
-  sheet.sector(center, 0.55 * radius, 0.93 * radius, angle, 0.5 * kPi, palette::kMark);
-  sheet.ring(center, radius - 1.5, radius, palette::kRotorEdge);
-}
-
-void SectionView::draw_ghost(Sheet& sheet, const Place& at, const DrawnSection& ghost) const {
-  const DrawnContact& contact = *machine_.contact;
-  const double radius = contact.rotor_radius * at.pixels;
-  sheet.disc(at(ghost.rotor), radius, palette::kGhost.with_alpha(0.15));
-  sheet.ring(at(ghost.rotor), radius - 2.0, radius, palette::kGhost);
-  sheet.dashed_circle(at(ghost.ring), contact.ring_bore() * at.pixels, 1.5, palette::kGhost);
-  sheet.disc(at(ghost.rotor), 0.018 * half_size_ * at.pixels, palette::kGhost);
-}
-
-void SectionView::draw_path(Sheet& sheet, const Place& at, const Instant& instant,
-                            const DrawnSection& section) const {
-  // The rotor's centre is held within the clearance circle around the ring's centre.
-  sheet.dashed_circle(at(section.ring), machine_.contact->clearance * at.pixels, 1.5,
-                      palette::kInk);
-  const double scale = machine_.displaced(1.0);
-  std::vector<Sheet::Point> points;
-  for (const Vector2d& point : instant.trail) points.push_back(at(scale * point));
-  sheet.trail(points, 2.2, palette::kTrail);
-  sheet.disc(at(section.rotor), 0.018 * half_size_ * at.pixels, palette::kTrail);
-}
-
-// A bar beside the magnet of each axis that the current strengthens, from the wall inwards; pale:
-// the largest.
-void SectionView::draw_currents(Sheet& sheet, const Place& at, const Instant& instant) const {
-  if (!machine_.support.magnets || instant.current.isZero()) return;
-  const double unit = machine_.contact->rotor_radius;
-  for (int k = 0; k < 2; ++k) {
-    const double share = instant.current[k];
-    const Vector2d e = (share < 0.0 ? -1.0 : 1.0) * direction((0.25 + 0.5 * k) * kPi);
-    const Vector2d foot = wall_ * e + 0.3 * unit * Vector2d(e[1], -e[0]);
-    const auto bar = [&](double length, const Color& color) {
-      sheet.bar(at(foot), at(Vector2d(foot - length * kCurrentShare * unit * e)),
-                0.09 * unit * at.pixels, color);
-    };
-    bar(1.0, palette::kGrid);
-    bar(std::abs(share), palette::kCurrent);
-  }
-}
-
-void SectionView::draw_forces(Sheet& sheet, const Place& at, const Instant& instant,
-                              const DrawnSection& section) const {
-  const double bore = machine_.contact->ring_bore();
-  for (const Spark& spark : instant.sparks) {
-    const double size = (0.015 + 0.045 * spark.strength * spark.brightness) * half_size_;
-    sheet.disc(at(section.ring + bore * spark.e_r), size * at.pixels,
-               palette::kStrike.with_alpha(spark.brightness));
-  }
-  const double width = std::max(2.5, 0.022 * half_size_ * at.pixels);
-  const double longest = kArrowShare * machine_.contact->rotor_radius;
-  const auto force = [&](const Vector2d& foot, const ArrowShare& arrow, const Vector2d& along,
-                         const Color& color) {
-    const Vector2d tip = arrow.share * longest * along;
-    if (tip.norm() < 0.02 * half_size_) return;
-    sheet.arrow(at(foot), at(foot + tip), width, color);
-    if (!arrow.clipped) return;
-    // Cut off: a gap across the shaft.
-    const Vector2d across(-along[1], along[0]);
-    const Vector2d cut = foot + 0.45 * tip;
-    const double half = 1.2 * width / at.pixels;
-    sheet.polyline(std::array{at(cut - half * across), at(cut + half * across)}, 0.6 * width,
-                   palette::kPaper);
-  };
-  if (instant.control.share > 0.0) {
-    const Vector2d along = instant.pose.control.normalized();
-    force(section.ring + machine_.contact->ring_outer * along, instant.control, along,
-          palette::kControl);
-  }
-  if (!section.in_contact) return;
-  force(section.touch, instant.normal, -section.e_r, palette::kNormal);
-  force(section.touch, instant.friction,
-        instant.pose.friction_force < 0.0 ? Vector2d(-section.e_t) : section.e_t,
-        palette::kFriction);
-  sheet.disc(at(section.touch), std::max(3.0, 0.02 * half_size_ * at.pixels), palette::kNormal);
+  const Drawing drawing{sheet,
+                        machine_,
+                        *machine_.contact,
+                        instant,
+                        drawn_section(machine_, instant.pose),
+                        {0.5 * area.width, 0.5 * area.height},
+                        pixels(area),
+                        half_size_,
+                        wall_};
+  drawing.draw_axes();
+  drawing.draw_support();
+  drawing.draw_ring(instant.pose.ring_angle);
+  drawing.draw_rotor(instant.pose.spin_angle);
+  if (ghost != nullptr) drawing.draw_ghost(drawn_section(machine_, *ghost));
+  drawing.draw_currents();
+  drawing.draw_path();
+  drawing.draw_forces();
 }
 
 }  // namespace rotorub::renders

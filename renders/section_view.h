@@ -20,36 +20,13 @@ class SectionView {
 
   // `ghost`: a second pose drawn translucent, or null.
   void draw(Sheet& sheet, const Instant& instant, const Pose* ghost) const;
-  // Half of the smaller side of what is seen, drawing units.
-  double half_size() const { return half_size_; }
   // Pixels of a drawing unit there.
   double pixels(const Area& area) const;
 
  private:
-  // Where drawing units are on a sheet.
-  struct Place {
-    Eigen::Vector2d middle;
-    double pixels;
-    Sheet::Point operator()(const Eigen::Vector2d& yz) const {
-      return {middle[0] + pixels * yz[0], middle[1] - pixels * yz[1]};
-    }
-  };
-  void draw_axes(Sheet& sheet, const Place& at) const;
-  void draw_support(Sheet& sheet, const Place& at, const DrawnSection& section) const;
-  void draw_spring(Sheet& sheet, const Place& at, const Eigen::Vector2d& from,
-                   const Eigen::Vector2d& to) const;
-  void draw_ring(Sheet& sheet, const Place& at, const DrawnSection& section, double angle) const;
-  void draw_rotor(Sheet& sheet, const Place& at, const DrawnSection& section, double angle) const;
-  void draw_ghost(Sheet& sheet, const Place& at, const DrawnSection& ghost) const;
-  void draw_path(Sheet& sheet, const Place& at, const Instant& instant,
-                 const DrawnSection& section) const;
-  void draw_currents(Sheet& sheet, const Place& at, const Instant& instant) const;
-  void draw_forces(Sheet& sheet, const Place& at, const Instant& instant,
-                   const DrawnSection& section) const;
-
   Machine machine_;
-  double wall_;  // radius where springs and actuators end
-  double half_size_;
+  double wall_;       // radius where springs and actuators end
+  double half_size_;  // of the smaller side of what is seen, drawing units
 };
 
 }  // namespace rotorub::renders

@@ -90,56 +90,19 @@ int spawn(std::vector<std::string> arguments, int in, int log, int out, pid_t& c
   posix_spawnattr_t attributes;
   posix_spawnattr_init(&attributes);
   posix_spawnattr_setflags(&attributes, POSIX_SPAWN_SETPGROUP);
-  const int error = posix_spawnp(&child, kEncoder, &files, &attributes, argv.data(), environ);
+  pid_t started = -1;
+  const int error = posix_spawnp(&started, kEncoder, &files, &attributes, argv.data(), environ);
+  if (error == 0) child = started;
   posix_spawnattr_destroy(&attributes);
   posix_spawn_file_actions_destroy(&files);
   return error;
 }
 
 std::string read_log(int log) {
-  std::string text;
-  char buffer[4096];
-  off_t offset = 0;
-  while (true) {
-    const ssize_t count = pread(log, buffer, sizeof buffer, offset);
-    if (count <= 0) break;
-    text.append(buffer, static_cast<std::size_t>(count));
-    offset += count;
-  }
+  std::string text(static_cast<std::size_t>(std::max<off_t>(lseek(log, 0, SEEK_END), 0)), ' ');
+  if (pread(log, text.data(), text.size(), 0) < 0) return "";
   while (!text.empty() && text.back() == '\n') text.pop_back();
   return text;
-}
-
-// A running ffmpeg: its process, the end to write frames to, what it says.
-struct Process {
-  pid_t child = -1;
-  int pipe = -1;
-  int log = -1;
-};
-
-Process start(std::vector<std::string> arguments, const std::filesystem::path& file,
-              const std::filesystem::path& part) {
-  Process process;
-  int ends[2] = {-1, -1};
-  // A socket rather than a pipe: a reader that has gone is an error of send(), not a signal.
-  if (socketpair(AF_UNIX, SOCK_STREAM | SOCK_CLOEXEC, 0, ends) != 0) {
-    throw std::runtime_error(fmt::format("{}: {}", file.string(), std::strerror(errno)));
-  }
-  process.log = memfd_create("encoder-log", MFD_CLOEXEC);
-  const int out = open(part.c_str(), O_RDWR | O_CLOEXEC);
-  const int error = process.log < 0 || out < 0
-                        ? errno
-                        : spawn(std::move(arguments), ends[0], process.log, out, process.child);
-  if (out >= 0) close(out);
-  close(ends[0]);
-  process.pipe = ends[1];
-  if (error == 0) return process;
-  close(process.pipe);
-  if (process.log >= 0) close(process.log);
-  throw std::runtime_error(fmt::format(
-      "{}: cannot start the program `{}`: {} (it makes the video: install the Debian package "
-      "ffmpeg, or see that it is on PATH)",
-      file.string(), kEncoder, std::strerror(error)));
 }
 
 }  // namespace
@@ -179,24 +142,32 @@ class VideoFile::Patience {
   Clock::time_point since_;
 };
 
+VideoFile::VideoFile(double patience, const std::filesystem::path& file, int width, int height)
+    : file_(file), part_(part_of(file)), width_(width), height_(height), patience_(patience) {}
+
+// What the other one has made is undone by the destructor where this one throws.
 VideoFile::VideoFile(const std::filesystem::path& file, int width, int height,
                      const Encoding& encoding)
-    : file_(file),
-      part_(part_of(file)),
-      width_(width),
-      height_(height),
-      patience_(encoding.patience) {
+    : VideoFile(encoding.patience, file, width, height) {
   assert(width > 0 && height > 0 && (encoding.gif || (width % 2 == 0 && height % 2 == 0)));
-  try {
-    const Process process = start(arguments_of(width, height, encoding), file, part_);
-    encoder_ = process.child;
-    pipe_ = process.pipe;
-    log_ = process.log;
-  } catch (...) {
-    std::error_code none;
-    std::filesystem::remove(part_, none);
-    throw;
+  int ends[2] = {-1, -1};
+  // A socket rather than a pipe: a reader that has gone is an error of send(), not a signal.
+  if (socketpair(AF_UNIX, SOCK_STREAM | SOCK_CLOEXEC, 0, ends) != 0) {
+    throw std::runtime_error(fmt::format("{}: {}", file.string(), std::strerror(errno)));
   }
+  pipe_ = ends[1];
+  log_ = memfd_create("encoder-log", MFD_CLOEXEC);
+  const int out = open(part_.c_str(), O_RDWR | O_CLOEXEC);
+  const int error = log_ < 0 || out < 0 ? errno
+                                        : spawn(arguments_of(width, height, encoding), ends[0],
+                                                log_, out, encoder_);
+  if (out >= 0) close(out);
+  close(ends[0]);
+  if (error == 0) return;
+  throw std::runtime_error(fmt::format(
+      "{}: cannot start the program `{}`: {} (it makes the video: install the Debian package "
+      "ffmpeg, or see that it is on PATH)",
+      file.string(), kEncoder, std::strerror(error)));
 }
 
 VideoFile::~VideoFile() {

@@ -39,6 +39,7 @@ class VideoFile {
  private:
   class Patience;
 
+  VideoFile(double patience, const std::filesystem::path& file, int width, int height);
   void close_pipe();
   int wait();
   void end_encoder();

@@ -12,8 +12,8 @@ inline constexpr const char* kBenchFile = "bench.json";
 inline constexpr const char* kCheckFile = "check.json";
 
 struct Beside {
-  nlohmann::json benches = nlohmann::json::array();  // for page/bench.js: precision_plots
-  nlohmann::json maps = nlohmann::json::array();     // for page/sweep.js: sweep_plots
+  nlohmann::json benches = nlohmann::json::array();  // for page/precision.js: precision_plots
+  nlohmann::json maps = nlohmann::json::array();     // for page/maps.js: sweep_plots
   // For report.html: "benches", "map_sets", "has_cases", "case_engines", "cases", "violations".
   nlohmann::json values = {{"benches", nlohmann::json::array()},
                            {"map_sets", nlohmann::json::array()},

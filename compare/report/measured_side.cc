@@ -23,6 +23,8 @@ namespace {
 using nlohmann::json;
 using Numbers = std::vector<double>;
 
+constexpr std::size_t kMostShown = 50000;  // samples
+
 // Columns of the record that make one track, at the samples where all of them are there.
 struct ShownColumns {
   Numbers t;

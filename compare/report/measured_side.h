@@ -11,11 +11,10 @@ namespace rotorub {
 inline constexpr const char* kMeasured = "measured";  // its label, and its colour in the page
 
 // As the other sides of plot_data(), with {"measured": true, "start", "holes", "absent"}: tracks
-// only of what is measured, straight between samples and no more than kMostShown of them; holes: of
+// only of what is measured, straight between samples and no more than 50,000 of them; holes: of
 // each track, where the record has none ([from, to], s), which the plots leave open; absent: a
 // sentence on what the player cannot show. Without shown.measured null. limit: shown_frequency().
 nlohmann::json measured_side(const ShownRuns& shown, double limit);
-inline constexpr std::size_t kMostShown = 50000;
 
 // The track of the contact's force of the k-th run averaged over the record's samples, as
 // track_json(); null where none is measured.

@@ -150,8 +150,7 @@ json torsion_values(const std::vector<WhirlMode>& modes) {
   });
 }
 
-}  // namespace
-
+// What lies beyond the diagram, in a sentence; empty where nothing does.
 std::string beyond_text(const RotorAnalysis& analysis, double range) {
   const std::vector<double>& speeds = analysis.critical_speeds;
   const auto first = std::upper_bound(speeds.begin(), speeds.end(), range);
@@ -168,6 +167,8 @@ std::string beyond_text(const RotorAnalysis& analysis, double range) {
   }
   return text;
 }
+
+}  // namespace
 
 Campbell campbell_of(const scene::Scene& scene, RotorAnalysis analysis, std::optional<double> range,
                      const std::function<void(double)>& progress) {

@@ -29,9 +29,6 @@ Campbell campbell_of(const scene::Scene& scene, RotorAnalysis analysis,
                      std::optional<double> range = {},
                      const std::function<void(double)>& progress = {});
 
-// What lies beyond the diagram, in a sentence; empty where nothing does.
-std::string beyond_text(const RotorAnalysis& analysis, double range);
-
 std::string modes_page(const scene::Scene& scene, const Campbell& campbell);
 
 // What the page's script draws, in Hz, rpm, % and mm: "campbell" {"top", "running", "critical",

@@ -11,7 +11,6 @@
 
 #include "compare/base/version.h"
 #include "compare/report/assets.h"
-#include "compare/report/web/scripts.h"
 
 namespace rotorub {
 namespace {

@@ -32,6 +32,8 @@ std::string fill_page(std::string_view html, const nlohmann::json& values);
 nlohmann::json card(std::string_view title, std::string_view tone, std::string_view headline,
                     std::string_view text);
 
+using Partials = std::map<std::string_view, std::string_view>;  // template of each name
+
 // A page from a template and values: Mustache (mustache(5)), by the library of that name,
 // and stricter.
 //
@@ -42,13 +44,9 @@ nlohmann::json card(std::string_view title, std::string_view tone, std::string_v
 //   {{^name}}..{{/name}} only where the section above would give nothing
 //   {{>name}}            the partial of that name, filled where it stands
 //   {{.}}                the current value;  a.b: a member of a member
-// Names are looked up from the innermost section outwards.
-
-using Partials = std::map<std::string_view, std::string_view>;  // template of each name
-
-// Throws std::logic_error for a name that is nowhere in `values`, for a list or an object in the
-// place of text, for an unknown partial and for a section that is not closed: a mistake in the
-// template must not become a gap in the page.
+// Names are looked up from the innermost section outwards. Throws std::logic_error for a name that
+// is nowhere in `values`, for a list or an object in the place of text, for an unknown partial and
+// for a section that is not closed: a mistake in the template must not become a gap in the page.
 std::string fill_template(std::string_view text, const nlohmann::json& values,
                           const Partials& partials = {});
 

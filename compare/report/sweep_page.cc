@@ -53,21 +53,6 @@ json field(const Statement& row, int column, double per_si) {
   return rounded(per_si * row.number(column));
 }
 
-// Places of words in the order in which they come.
-class Words {
- public:
-  std::size_t place(const std::string& word) {
-    const auto found = std::find(words_.begin(), words_.end(), word);
-    if (found != words_.end()) return static_cast<std::size_t>(found - words_.begin());
-    words_.push_back(word);
-    return words_.size() - 1;
-  }
-  const std::vector<std::string>& words() const { return words_; }
-
- private:
-  std::vector<std::string> words_;
-};
-
 // Place of each key's value in its list, of point `index` of a grid.
 std::vector<std::int64_t> places(const sweep::Study& study, std::int64_t index) {
   std::vector<std::int64_t> all(study.vary.size());
@@ -173,8 +158,7 @@ json sweep_plots(const sweep::PointScenes& scenes, sweep::Store& store, const sw
   const auto columns = sweep::result_columns();
   const std::size_t keys = study.vary.size();
   json values(keys, json::array()), figures(columns.size(), json::array()), status = json::array();
-  Words statuses;
-  statuses.place("ok");
+  std::vector<std::string> statuses{"ok"};
   store.each([&](const Statement& row) {
     const std::int64_t point = row.whole(0);
     if (point % every != 0) return;
@@ -184,7 +168,10 @@ json sweep_plots(const sweep::PointScenes& scenes, sweep::Store& store, const sw
       values[k].push_back(grid ? json(place[k])
                                : field(row, column, shown(study.vary[k].unit).per_si));
     }
-    status.push_back(statuses.place(row.text(static_cast<int>(keys) + 1)));
+    const std::string word = row.text(static_cast<int>(keys) + 1);
+    const auto found = std::find(statuses.begin(), statuses.end(), word);
+    status.push_back(found - statuses.begin());
+    if (found == statuses.end()) statuses.push_back(word);
     for (std::size_t k = 0; k < columns.size(); ++k) {
       figures[k].push_back(
           field(row, static_cast<int>(keys + 3 + k), shown(columns[k].unit).per_si));
@@ -196,7 +183,7 @@ json sweep_plots(const sweep::PointScenes& scenes, sweep::Store& store, const sw
           {"values", values},
           {"columns", figures},
           {"status", status},
-          {"statuses", statuses.words()},
+          {"statuses", statuses},
           {"every", every}};
 }
 

@@ -153,6 +153,17 @@ inline bool same(const Picture& a, const Picture& b) {
   return std::ranges::equal(a.bytes(), b.bytes());
 }
 
+// `act` throws an Error whose words hold `word`.
+template <class Error, class Act>
+void expect_thrown(Act act, const std::string& word) {
+  try {
+    act();
+    ADD_FAILURE() << "nothing was thrown that names " << word;
+  } catch (const Error& error) {
+    EXPECT_NE(std::string(error.what()).find(word), std::string::npos) << error.what();
+  }
+}
+
 using Test = std::function<bool(int red, int green, int blue)>;
 
 // Pixels of a part of the picture, [left, right) x [top, bottom), that pass a test.

@@ -64,6 +64,14 @@ class Path {
   std::string before_;
 };
 
+// A program named ffmpeg in the folder's bin, for one scope.
+Path stand_in(const Folder& folder, const std::string& script) {
+  std::filesystem::create_directory(folder / "bin");
+  std::ofstream(folder / "bin/ffmpeg") << "#!/bin/sh\n" << script;
+  std::filesystem::permissions(folder / "bin/ffmpeg", std::filesystem::perms::owner_all);
+  return Path((folder / "bin").string());
+}
+
 TEST(Video, FilmHasItsFramesSizeAndFormat) {
   const Folder folder;
   const Trajectory run = whirling_run();
@@ -112,12 +120,8 @@ TEST(Video, MissingEncoderIsNamedAndLeavesNothing) {
   const Folder folder;
   const Folder* const empty = &folder;
   const Path path(empty->path().string());
-  try {
-    render(ring_scene(), whirling_run(), short_film(), folder / "film.mp4");
-    FAIL() << "a film without ffmpeg";
-  } catch (const std::runtime_error& error) {
-    EXPECT_NE(std::string(error.what()).find("ffmpeg"), std::string::npos) << error.what();
-  }
+  expect_thrown<std::runtime_error>(
+      [&] { render(ring_scene(), whirling_run(), short_film(), folder / "film.mp4"); }, "ffmpeg");
   EXPECT_EQ(folder.entries(), 0u);
 }
 
@@ -136,35 +140,19 @@ TEST(Video, ErrorHalfwayKeepsTheFileBefore) {
 
 TEST(Video, FolderThatIsNotThereIsAnErrorWithTheEncodersWords) {
   const Folder folder;
-  try {
-    render(ring_scene(), whirling_run(), short_film(), folder.path() / "nowhere" / "film.mp4");
-    FAIL() << "a film in a folder that is not there";
-  } catch (const std::runtime_error& error) {
-    EXPECT_NE(std::string(error.what()).find("No such file or directory"), std::string::npos)
-        << error.what();
-  }
+  const auto file = folder.path() / "nowhere" / "film.mp4";
+  expect_thrown<std::runtime_error>(
+      [&] { render(ring_scene(), whirling_run(), short_film(), file); },
+      "No such file or directory");
   EXPECT_EQ(folder.entries(), 0u);
 }
 
 TEST(Video, EncoderThatFailsAtTheEndIsNoticed) {
-  // A stand-in named ffmpeg that takes every frame and then fails.
   const Folder folder;
-  const Folder& tools = folder;
-  std::filesystem::create_directory(tools / "bin");
-  {
-    std::ofstream script(tools / "bin/ffmpeg");
-    script << "#!/bin/sh\n/bin/cat > /dev/null\necho 'disc full' >&2\nexit 3\n";
-  }
-  std::filesystem::permissions(tools / "bin/ffmpeg", std::filesystem::perms::owner_all);
-  const Path path((tools / "bin").string());
+  const Path path = stand_in(folder, "/bin/cat > /dev/null\necho 'disc full' >&2\nexit 3\n");
   VideoFile video(folder / "film.mp4", 64, 64, {});
   for (int i = 0; i < 3; ++i) video.add(grey(64, 64));
-  try {
-    video.finish();
-    FAIL() << "the failure of the encoder was not noticed";
-  } catch (const std::runtime_error& error) {
-    EXPECT_NE(std::string(error.what()).find("disc full"), std::string::npos) << error.what();
-  }
+  expect_thrown<std::runtime_error>([&] { video.finish(); }, "disc full");
   EXPECT_FALSE(std::filesystem::exists(folder / "film.mp4"));
 }
 
@@ -172,21 +160,16 @@ TEST(Video, EncoderThatFailsAtTheEndIsNoticed) {
 TEST(Video, EncoderThatHangsIsEnded) {
   for (const char* taken : {"", "/bin/cat > /dev/null\n"}) {
     const Folder folder;
-    std::filesystem::create_directory(folder / "bin");
-    std::ofstream(folder / "bin/ffmpeg") << "#!/bin/sh\n" << taken << "/bin/sleep 1000\n";
-    std::filesystem::permissions(folder / "bin/ffmpeg", std::filesystem::perms::owner_all);
-    const Path path((folder / "bin").string());
+    const Path path = stand_in(folder, std::string(taken) + "/bin/sleep 1000\n");
     Encoding encoding;
     encoding.patience = 0.5;
     VideoFile video(folder / "film.mp4", 640, 480, encoding);
-    try {
-      for (int i = 0; i < 10; ++i) video.add(grey(640, 480));  // more than a socket holds
-      video.finish();
-      FAIL() << "waited for an encoder that hangs";
-    } catch (const std::runtime_error& error) {
-      EXPECT_NE(std::string(error.what()).find("film.mp4: ffmpeg hangs"), std::string::npos)
-          << error.what();
-    }
+    expect_thrown<std::runtime_error>(
+        [&] {
+          for (int i = 0; i < 10; ++i) video.add(grey(640, 480));  // more than a socket holds
+          video.finish();
+        },
+        "film.mp4: ffmpeg hangs");
     EXPECT_EQ(folder.entries(), 1u) << "bin alone";
   }
 }

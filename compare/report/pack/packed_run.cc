@@ -11,56 +11,12 @@ namespace rotorub {
 
 namespace {
 
-void put(Samples& samples, double t, double gap, double rate) {
-  samples.t.push_back(t);
-  samples.value[0].push_back(gap);
-  samples.rate[0].push_back(rate);
-}
-
-}  // namespace
-
-std::vector<Impact> counted_impacts(const Trajectory& run, std::size_t contact) {
-  std::vector<Impact> impacts;
-  std::copy_if(
-      run.impacts.begin(), run.impacts.end(), std::back_inserter(impacts),
-      [&](const Impact& i) { return counts(i) && i.contact == static_cast<int>(contact); });
-  std::stable_sort(impacts.begin(), impacts.end(),
-                   [](const Impact& a, const Impact& b) { return a.t < b.t; });
-  return impacts;
-}
-
-Samples gap_samples(const Trajectory& run, std::size_t contact, double least, double share) {
-  const auto& t = run.column("t");
-  const auto& gap = run.column(column_of_contact(contact, "gap"));
-  const auto& rate = run.column(column_of_contact(contact, "gap_rate"));
-  Samples samples;
-  samples.value.resize(1);
-  samples.rate.resize(1);
-  std::vector<Impact> impacts;
-  if (run.contact_model == "rigid") impacts = counted_impacts(run, contact);
-  std::size_t next = 0;
-  for (std::size_t i = 0; i < t.size(); ++i) {
-    // At an impact a row holds the state after it: the impact stands before the row.
-    for (; next < impacts.size() && impacts[next].t <= t[i]; ++next) {
-      const Impact& impact = impacts[next];
-      if (impact.t < t.front()) continue;
-      put(samples, impact.t, 0.0, impact.gap_rate_before);
-      put(samples, impact.t, 0.0, impact.gap_rate_after);
-    }
-    put(samples, t[i], gap[i], rate[i]);
-  }
-  for (const double g : samples.value[0])
-    samples.tolerance.push_back(std::max(least, share * std::abs(g)));
-  return samples;
-}
-
-namespace {
-
 using Values = std::vector<double>;
 using Columns = std::vector<Values>;
 
 constexpr double kClearanceShare = 1.0 / 200.0;
-constexpr double kLeastShare = 1e-6;  // of the largest: a tolerance is never 0
+constexpr double kAngleTolerance = 2e-3;  // rad
+constexpr double kLeastShare = 1e-6;      // of the largest: a tolerance is never 0
 
 // Euclidean length over the components, a row.
 Values lengths(const Columns& components) {
@@ -76,6 +32,38 @@ double largest(const Values& values) {
   double most = 0.0;
   for (const double value : values) most = std::max(most, std::abs(value));
   return most;
+}
+
+// Rows of gap and gap rate. In the rigid law every impact in between joins them twice, at gap 0,
+// with the rate before it and after it: the pieces between two bounces are then arcs that touch 0,
+// however coarse the rows are. A soft contact's impact is an episode, which its rows show.
+// Tolerance of each: the greater of `least` (m) and `kShare` of the gap.
+Samples gap_samples(const Trajectory& run, std::size_t contact, double least) {
+  const auto& t = run.column("t");
+  const auto& gap = run.column(column_of_contact(contact, "gap"));
+  const auto& rate = run.column(column_of_contact(contact, "gap_rate"));
+  Samples samples{{}, {{}}, {{}}, {}};
+  const auto put = [&](double at, double y, double dy) {
+    samples.t.push_back(at);
+    samples.value[0].push_back(y);
+    samples.rate[0].push_back(dy);
+  };
+  std::vector<Impact> impacts;
+  if (run.contact_model == "rigid") impacts = counted_impacts(run, contact);
+  std::size_t next = 0;
+  for (std::size_t i = 0; i < t.size(); ++i) {
+    // At an impact a row holds the state after it: the impact stands before the row.
+    for (; next < impacts.size() && impacts[next].t <= t[i]; ++next) {
+      const Impact& impact = impacts[next];
+      if (impact.t < t.front()) continue;
+      put(impact.t, 0.0, impact.gap_rate_before);
+      put(impact.t, 0.0, impact.gap_rate_after);
+    }
+    put(t[i], gap[i], rate[i]);
+  }
+  for (const double g : samples.value[0])
+    samples.tolerance.push_back(std::max(least, kShare * std::abs(g)));
+  return samples;
 }
 
 // Columns of one contact, and the names of its tracks, are named alike.
@@ -171,8 +159,7 @@ class RunPacker {
     add_forces("normal", {"normal_force"});
     add_forces("friction", {"friction_force"});
     packed_[own("gap")] =
-        pack(TrackKind::kHermite,
-             gap_samples(run_, at_, gap_tolerance(bearing.contact->clearance), kShare),
+        pack(TrackKind::kHermite, gap_samples(run_, at_, gap_tolerance(bearing.contact->clearance)),
              run_.contact_model == "rigid");
     add_mode();
     add_impacts();
@@ -217,6 +204,16 @@ class RunPacker {
 };
 
 }  // namespace
+
+std::vector<Impact> counted_impacts(const Trajectory& run, std::size_t contact) {
+  std::vector<Impact> impacts;
+  std::copy_if(
+      run.impacts.begin(), run.impacts.end(), std::back_inserter(impacts),
+      [&](const Impact& i) { return counts(i) && i.contact == static_cast<int>(contact); });
+  std::stable_sort(impacts.begin(), impacts.end(),
+                   [](const Impact& a, const Impact& b) { return a.t < b.t; });
+  return impacts;
+}
 
 double place_tolerance(const scene::Scene& scene) {
   double tolerance = kPlaceTolerance;

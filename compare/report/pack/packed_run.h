@@ -1,5 +1,4 @@
-// The gap of a run, with what the rows alone do not show: the touch of every rigid impact between
-// them.
+// A run as the page's player has it: the tracks of all that is drawn.
 #pragma once
 
 #include <map>
@@ -15,27 +14,17 @@ namespace rotorub {
 // Those of a contact that count, in order of time.
 std::vector<Impact> counted_impacts(const Trajectory& run, std::size_t contact);
 
-// Rows of gap and gap rate. In the rigid law every impact in between joins them twice, at gap 0,
-// with the rate before it and after it: the pieces between two bounces are then arcs that touch 0,
-// however coarse the rows are. A soft contact's impact is an episode, which its rows show.
-// Tolerance of each: the greater of `least` (m) and `share` of the gap.
-Samples gap_samples(const Trajectory& run, std::size_t contact, double least, double share);
-
-// A run as the page's player has it: the tracks of all that is drawn.
-
 // What a reader gets back of a run, at each of its rows, is off by no more than:
 //   places   1 um, and 1 / 200 of the clearance where that is less, of rotor, ring, and the bent
-//   shaft anywhere gap      30 nm (less where the clearance is: see gap_tolerance) or 1 % of it,
-//   whichever is more: a bounce of
-//            3 um is seen
+//            shaft anywhere
+//   gap      30 nm (less where the clearance is: see gap_tolerance) or 1 % of it, whichever is
+//            more: a bounce of 3 um is seen
 //   forces   1 % of the force itself, or of the mean over the rows where there is one, whichever is
-//   more;
-//            so are currents, motor torque and torsion
+//            more; so are currents, motor torque and torsion
 //   angles   2 mrad
 //   speeds   1 % of the range that the run's spin, or ring, goes through
 inline constexpr double kPlaceTolerance = 1e-6;  // m
 inline constexpr double kShare = 0.01;
-inline constexpr double kAngleTolerance = 2e-3;  // rad
 
 using PackedRun = std::map<std::string, Track>;
 

@@ -2,7 +2,7 @@
 
 #include <nlohmann/json.hpp>
 
-#include "compare/report/web/scripts.h"
+#include "compare/report/assets.h"
 #include "compare/sweep/linear_map.h"
 #include "tests/compare/sweep/studies.h"
 
@@ -11,6 +11,13 @@ namespace {
 
 using nlohmann::json;
 using sweep::PointResult;
+
+const char* const kFrictions = R"([sample]
+kind = "list"
+[[vary]]
+key = "contact.friction"
+values = [0.1, 0.2, 0.3, 0.4, 0.5, 0.6]
+)";
 
 class SweepPage : public testing::Test {
  protected:
@@ -73,24 +80,14 @@ values = [0.1, 0.3]
 }
 
 TEST_F(SweepPage, MarksOfAList) {
-  open(R"([sample]
-kind = "list"
-[[vary]]
-key = "contact.friction"
-values = [0.1, 0.2, 0.3, 0.4, 0.5, 0.6]
-)");
+  open(kFrictions);
   const json plots = sweep_plots(*scenes, *store, study);
   EXPECT_EQ(plots["kind"], "marks");
   EXPECT_EQ(plots["values"][0], json({0.1, 0.2, 0.3, 0.4, 0.5, 0.6}));
 }
 
 TEST_F(SweepPage, NeedsNoNetworkAndQuotesReasons) {
-  open(R"([sample]
-kind = "list"
-[[vary]]
-key = "contact.friction"
-values = [0.1, 0.2, 0.3, 0.4, 0.5, 0.6]
-)");
+  open(kFrictions);
   const std::string page = sweep_page(*scenes, *store, study, sweep_json(*scenes, *store, study));
   EXPECT_NE(page.find("5 of 6 ran to their end"), std::string::npos);
   EXPECT_NE(page.find("&lt;b&gt;nowhere&lt;/b&gt;"), std::string::npos);
@@ -130,12 +127,7 @@ values = ["50 Hz", "60 Hz"]
 }
 
 TEST_F(SweepPage, HasNoLinearMapOfOtherStudies) {
-  open(R"([sample]
-kind = "list"
-[[vary]]
-key = "contact.friction"
-values = [0.1, 0.2, 0.3, 0.4, 0.5, 0.6]
-)");
+  open(kFrictions);
   EXPECT_FALSE(sweep::linear_map(*scenes).any());
   EXPECT_EQ(sweep_page(*scenes, *store, study, sweep_json(*scenes, *store, study))
                 .find("without any run"),

@@ -4,8 +4,6 @@
 
 #include <nlohmann/json.hpp>
 
-#include "compare/report/plot_points.h"
-
 namespace rotorub {
 namespace {
 
@@ -54,18 +52,6 @@ TEST(Template, RefusesItsOwnMistakes) {
   EXPECT_THROW(fill_template("{{/closed}}", {{"closed", true}}), std::logic_error);
   EXPECT_THROW(fill_template("{{half", {{"half", 1}}), std::logic_error);
   EXPECT_THROW(fill_template("{{list}}", {{"list", {1, 2}}}), std::logic_error);
-}
-
-// RFC 4648, section 10.
-TEST(Base64, TestVectors) {
-  EXPECT_EQ(base64(""), "");
-  EXPECT_EQ(base64("f"), "Zg==");
-  EXPECT_EQ(base64("fo"), "Zm8=");
-  EXPECT_EQ(base64("foo"), "Zm9v");
-  EXPECT_EQ(base64("foob"), "Zm9vYg==");
-  EXPECT_EQ(base64("fooba"), "Zm9vYmE=");
-  EXPECT_EQ(base64("foobar"), "Zm9vYmFy");
-  EXPECT_EQ(base64(std::string("\xff\xfe\x00", 3)), "//4A");
 }
 
 }  // namespace

@@ -38,12 +38,7 @@ export function polygon(ctx, places, color) {
   ctx.fillStyle = color;
   ctx.fill();
 }
-export function disc(ctx, [x, y], radius, color) {
-  ctx.beginPath();
-  ctx.arc(x, y, radius, 0, 2 * Math.PI);
-  ctx.fillStyle = color;
-  ctx.fill();
-}
+export const disc = (ctx, place, radius, color) => sector(ctx, place, 0, radius, 0, Math.PI, color);
 // A part of a ring, or with `half` = pi all of it.
 export function sector(ctx, [x, y], inner, outer, angle, half, color) {
   ctx.beginPath();

@@ -64,5 +64,17 @@ TEST(Thin, StaysInItsRange) {
   EXPECT_EQ(kept.back(), 6999U);
 }
 
+// RFC 4648, section 10.
+TEST(Base64, TestVectors) {
+  EXPECT_EQ(base64(""), "");
+  EXPECT_EQ(base64("f"), "Zg==");
+  EXPECT_EQ(base64("fo"), "Zm8=");
+  EXPECT_EQ(base64("foo"), "Zm9v");
+  EXPECT_EQ(base64("foob"), "Zm9vYg==");
+  EXPECT_EQ(base64("fooba"), "Zm9vYmE=");
+  EXPECT_EQ(base64("foobar"), "Zm9vYmFy");
+  EXPECT_EQ(base64(std::string("\xff\xfe\x00", 3)), "//4A");
+}
+
 }  // namespace
 }  // namespace rotorub
