@@ -32,8 +32,8 @@ class OwnMachine {
   // The contact model that the file asks for.
   scene::ContactModel contact() const { return contact_; }
 
-  // The user's model with one of the contact models. Its own: as the file has it. Another: the pairs
-  // are set as a generated file's would be (mjcf/soft_contact.h).
+  // The user's model with one of the contact models. Its own: as the file has it. Another: the
+  // pairs are set as a generated file's would be (mjcf/soft_contact.h).
   MujocoSetup setup(scene::ContactModel contact, double step) const;
 
  private:
