@@ -35,6 +35,19 @@ void refuse_unsupported(const scene::Scene& scene) {
   }
 }
 
+// As MuJoCo calls it.
+const char* word(scene::MujocoSolver solver) {
+  switch (solver) {
+    case scene::MujocoSolver::kCg:
+      return "CG";
+    case scene::MujocoSolver::kPgs:
+      return "PGS";
+    case scene::MujocoSolver::kNewton:
+      break;
+  }
+  return "Newton";
+}
+
 class Document {
  public:
   Document(const scene::Scene& scene, const MujocoVersion& target)
@@ -88,10 +101,11 @@ class Document {
     const bool corrected = scene_.mujoco.contact == scene::ContactModel::kConeCoulomb;
     xml_.line(
         fmt::format(R"(<option timestep="{}" gravity="{} {} 0" integrator="{}" cone="elliptic" )"
-                    R"({}jacobian="dense" solver="Newton" iterations="50" )"
+                    R"({}jacobian="dense" solver="{}" iterations="50" )"
                     R"(tolerance="{}"/>)",
                     scene_.run.step, gravity.x(), gravity.y(), implicit ? "implicit" : "Euler",
-                    has_option ? R"(collision="predefined" )" : "", corrected ? "1e-8" : "1e-12"));
+                    has_option ? R"(collision="predefined" )" : "", word(scene_.mujoco.solver),
+                    corrected ? "1e-8" : "1e-12"));
     const std::size_t loop = model_.first().loop ? model_.first().loop->memory_size() : 0;
     int user_data = names::user_data_size(model_.nq(), model_.first().controller != nullptr, loop);
     if (scene_.first().contact && !segments_) {

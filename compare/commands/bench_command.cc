@@ -56,10 +56,9 @@ bench::SceneReader reader_of(const BenchArguments& options, const std::string& f
 void check_scenes(const BenchArguments& options) {
   read_each(options.scenes, [&](const std::string& file) {
     if (read_scene(file, options).first().contact) return;
-    throw UsageError(
-        fmt::format("{}: levels of error are shares of contact.clearance; accepted is a scene "
-                    "with [contact]",
-                    file));
+    throw UsageError(fmt::format(
+        "{}: levels of error are shares of contact.clearance; accepted is a scene with [contact]",
+        file));
   });
 }
 
@@ -119,16 +118,16 @@ Command add_bench_command(CLI::App& program) {
   app->add_option("SCENE", options->scenes, "Scene files (.toml)")->required();
   add_value(*app, "--engines", options->engines, "LIST",
             "Engines or families (native, mujoco, peer), separated by commas (default: all)");
-  add_value(*app, "--steps", options->steps, "LIST",
-            "Fixed steps, separated by commas, e.g. 100us,10us (default: 1-2-5 from 200 us to "
-            "1 us)");
+  add_value(
+      *app, "--steps", options->steps, "LIST",
+      "Fixed steps, separated by commas, e.g. 100us,10us (default: 1-2-5 from 200 us to 1 us)");
   add_value(*app, "--tolerances", options->tolerances, "LIST",
             "Tolerances of `event`, separated by commas (default: decades from 1e-4 to 1e-12)");
   add_value(*app, "--repeats", options->repeats, "N", "Timed runs of each point")
       ->capture_default_str();
   add_value(*app, "-o,--output", options->folder, "DIR",
-            "Writes bench.json and the page bench.html there, with stability map and "
-            "restitution table (hundreds of runs more)");
+            "Writes bench.json and the page bench.html there, with stability map and restitution "
+            "table (hundreds of runs more)");
   add_value(*app, "--end", options->end, "TIME", "End of the run, e.g. 0.5s (run.end)");
   add_controller_option(*app, *options);
   add_common_options(*app, *options);

@@ -137,8 +137,7 @@ double tolerance_of(const std::string& text) {
   if (parsed.value >= 1.0 && text.find('%') == std::string::npos) {
     throw UsageError(
         fmt::format("--tolerance {0}: a bare number is a share, and {0} would be {1:.6g} %; "
-                    "accepted is \"{0}%\" "
-                    "or {2:.6g}",
+                    "accepted is \"{0}%\" or {2:.6g}",
                     text, 100.0 * parsed.value, 0.01 * parsed.value));
   }
   return parsed.value;

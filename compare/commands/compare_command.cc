@@ -261,27 +261,24 @@ Command add_compare_command(CLI::App& program) {
                   "Scene files (.toml), or machines of your own (.xml): MJCF that names its rub "
                   "(plugin/README.md)")
       ->required();
-  app->add_option(
-         "--mode", options->mode,
-         "How the two sides are coupled: lockstep (each closes its own loop), replay (native under "
-         "the commands that MuJoCo used), resync (native restarts from MuJoCo's state at "
-         "every onset of contact and predicts it)")
+  app->add_option("--mode", options->mode,
+                  "How the two sides are coupled: lockstep (each closes its own loop), replay "
+                  "(native under the commands that MuJoCo used), resync (native restarts from "
+                  "MuJoCo's state at every onset of contact and predicts it)")
       ->check(CLI::IsMember({"lockstep", "replay", "resync"}))
       ->capture_default_str();
-  add_value(*app, "--tolerance", options->tolerance, "SHARE",
-            "On the judged figures, as 1% or 0.01: averages (mean normal force, lasting "
-            "contact, total impulse, friction work, "
-            "whirl, spin, ring speed, control force; least gap where nothing touches) and "
-            "single moments (largest impact or impulse, hard impacts, rms "
-            "gap rate)")
+  add_value(
+      *app, "--tolerance", options->tolerance, "SHARE",
+      "On the judged figures, as 1% or 0.01: averages (mean normal force, lasting contact, total "
+      "impulse, friction work, whirl, spin, ring speed, control force; least gap where nothing "
+      "touches) and single moments (largest impact or impulse, hard impacts, rms gap rate)")
       ->capture_default_str();
   app->add_option("--contact", options->contact, "Whose verdict is the exit code; all are shown")
       ->check(CLI::IsMember(scene::contact_words<std::vector<std::string>>()))
       ->capture_default_str();
   add_value(*app, "--twins", options->twins, "N",
-            "Runs a few units in the last place apart, of native and, where these scatter, "
-            "of the contact model that decides: "
-            "how well a difference is known")
+            "Runs a few units in the last place apart, of native and, where these scatter, of the "
+            "contact model that decides: how well a difference is known")
       ->capture_default_str();
   app->add_flag("--modes-ladder,!--no-modes-ladder", options->modes_ladder,
                 "The error of the bending modes kept, by native runs with up to twice as many "
@@ -289,28 +286,24 @@ Command add_compare_command(CLI::App& program) {
   add_value(*app, "-o,--output", options->folder, "DIR", "Folder of the results")
       ->capture_default_str();
   add_value(*app, "--with", options->with, "DIR",
-            "Folder of results that the report shows too: of bench, check or sweep with -o, "
-            "or a folder of such "
-            "folders; may be repeated")
+            "Folder of results that the report shows too: of bench, check or sweep with -o, or a "
+            "folder of such folders; may be repeated")
       ->expected(1)
       ->take_all()
       ->allow_extra_args(false);
-  add_value(
-      *app, "--measured", options->measured, "CSV",
-      "A measured run of the one scene, laid beside its runs: a table with a header, t and any "
-      "of rotor, ring, "
-      "gap, force, current, each with its unit, as `t [ms], rotor_x [um]` (compare/README.md)");
+  add_value(*app, "--measured", options->measured, "CSV",
+            "A measured run of the one scene, laid beside its runs: a table with a header, t and "
+            "any of rotor, ring, gap, force, current, each with its unit, as `t [ms], rotor_x "
+            "[um]` (compare/README.md)");
   add_value(*app, "--measured-shift", options->measured_shift, "TIME",
             "Time added to the record's, as 12.5ms (default: found by least squares)");
   add_value(*app, "--measured-angle", options->measured_angle, "ANGLE",
-            "Angle of the sensors' x axis in the scene, from x to y, as 30deg (default: "
-            "found where x and y are "
-            "measured)");
+            "Angle of the sensors' x axis in the scene, from x to y, as 30deg (default: found "
+            "where x and y are measured)");
   add_format_option(*app, options->format);
   app->add_flag("--tune", options->tune,
                 "Finds the fastest setting that can be trusted for each scene (rotorub tune), and "
-                "shows it beside the "
-                "verdicts");
+                "shows it beside the verdicts");
   app->add_flag("--no-video", options->no_video, "Leave the films out");
   add_run_options(*app, *options);
   add_controller_option(*app, *options);

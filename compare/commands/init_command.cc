@@ -115,26 +115,20 @@ Command add_init_command(CLI::App& program) {
   app->add_option("NAME", options->name, "Name of the scene (default: rotor)");
   app->add_option("--form", options->form,
                   "geometry (shaft, disc, bearings; loses a blade), modal (the same as one mode) "
-                  "or rig (with torsion, "
-                  "motor, exciter, actuator)")
+                  "or rig (with torsion, motor, exciter, actuator)")
       ->check(CLI::IsMember({"geometry", "modal", "rig"}))
       ->capture_default_str();
-  const auto size = [&](const char* option, std::string& target, const std::string& words,
-                        const char* type) {
-    app->add_option(option, target, words)->type_name(type);
-  };
   const Starter standard;
-  size("--speed", options->speed, "Of the spin (default: " + standard.speed.text + ")", "SPEED");
-  size("--length", options->length, "Of the shaft (default: " + standard.length.text + ")",
-       "LENGTH");
-  size("--diameter", options->diameter, "Of the shaft (default: " + standard.diameter.text + ")",
-       "LENGTH");
-  size("--disc-mass", options->disc_mass, "Of the disc (default: " + standard.disc_mass.text + ")",
-       "MASS");
-  size("--clearance", options->clearance, "Radial (default: " + standard.clearance.text + ")",
-       "LENGTH");
-  size("--friction", options->friction, "Coefficient (default: " + standard.friction.text + ")",
-       "NUMBER");
+  const auto size = [&](const char* option, std::string& target, const char* type,
+                        const char* words, const StarterValue& value) {
+    add_value(*app, option, target, type, fmt::format("{} (default: {})", words, value.text));
+  };
+  size("--speed", options->speed, "SPEED", "Of the spin", standard.speed);
+  size("--length", options->length, "LENGTH", "Of the shaft", standard.length);
+  size("--diameter", options->diameter, "LENGTH", "Of the shaft", standard.diameter);
+  size("--disc-mass", options->disc_mass, "MASS", "Of the disc", standard.disc_mass);
+  size("--clearance", options->clearance, "LENGTH", "Radial", standard.clearance);
+  size("--friction", options->friction, "NUMBER", "Coefficient", standard.friction);
   add_value(*app, "-o,--output", options->file, "FILE.toml",
             "File, or - for standard output (default: NAME.toml)");
   app->add_flag("--force", options->force, "Write over a file that is there");

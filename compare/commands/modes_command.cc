@@ -260,9 +260,8 @@ Command add_modes_command(CLI::App& program) {
       ->allow_extra_args(false);
   CLI::Option* page =
       add_value(*app, "-o,--output", options->output, "DIR|FILE.html",
-                "Writes a page with Campbell diagram and mode shapes, or of the map: a file "
-                "that ends with "
-                ".html, or a folder for modes.html, rub_map.html or feedback_map.html");
+                "Writes a page with Campbell diagram and mode shapes, or of the map: a file that "
+                "ends with .html, or a folder for modes.html, rub_map.html or feedback_map.html");
   add_value(*app, "--up-to", options->up_to, "SPEED",
             "Highest spin speed of the Campbell diagram (default: to show what matters)")
       ->needs(page);
@@ -280,8 +279,7 @@ Command add_modes_command(CLI::App& program) {
       ->needs(feedback);
   app->add_flag("--state-space", options->state_space,
                 "The plant of a controller as JSON: A, B, C of rotor and ring without contact, "
-                "force on the ring "
-                "to their positions")
+                "force on the ring to their positions")
       ->excludes(feedback)
       ->excludes(map);
   feedback->excludes(map);

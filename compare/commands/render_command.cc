@@ -50,8 +50,7 @@ StoredRun run_for_film(const RenderArguments& options, const renders::RenderOpti
       run.scene.first().controller->kind == scene::ControllerKind::kLibrary) {
     throw UsageError(
         fmt::format("{}: its controller is a library, {}, which render does not open; run it "
-                    "first, rotorub run {} --allow-library "
-                    "-o DIR, and render DIR",
+                    "first, rotorub run {} --allow-library -o DIR, and render DIR",
                     options.source, run.scene.first().controller->library, options.source));
   }
   check_window(run.scene, film);

@@ -190,10 +190,10 @@ int tasks_of(const SweepArguments& options, const Sweep& sweep) {
   const int wanted = options.tasks > 0 ? options.tasks : earlier > 0 ? earlier : kDefaultTasks;
   const int tasks = static_cast<int>(std::min<std::int64_t>(wanted, batches));
   if (earlier > 0 && earlier != tasks) {
-    throw UsageError(fmt::format(
-        "--tasks {}: {} holds results of {} shards, and other shards would run points again; give "
-        "--tasks {}, or another folder",
-        tasks, sweep.folder.string(), earlier, earlier));
+    throw UsageError(
+        fmt::format("--tasks {}: {} holds results of {} shards, and other shards would run points "
+                    "again; give --tasks {}, or another folder",
+                    tasks, sweep.folder.string(), earlier, earlier));
   }
   return tasks;
 }

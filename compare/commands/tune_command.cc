@@ -123,12 +123,12 @@ Command add_tune_command(CLI::App& program) {
   add_value(*app, "--tolerance", options->tolerance, "SHARE",
             "On the judged figures, as 1% or 0.01")
       ->capture_default_str();
-  add_value(*app, "--steps", options->steps, "LIST",
-            "Steps that are tried, e.g. 100us,10us (default: 1-2-5 from 1 ms to 1 us, and "
-            "the scene's)");
-  add_value(*app, "--twins", options->twins, "N",
-            "Native runs a few units in the last place apart, whose spread tells what can be "
-            "decided")
+  add_value(
+      *app, "--steps", options->steps, "LIST",
+      "Steps that are tried, e.g. 100us,10us (default: 1-2-5 from 1 ms to 1 us, and the scene's)");
+  add_value(
+      *app, "--twins", options->twins, "N",
+      "Native runs a few units in the last place apart, whose spread tells what can be decided")
       ->capture_default_str();
   add_value(*app, "-o,--output", options->file, "FILE.toml",
             "Writes the scene with the trusted setting there");

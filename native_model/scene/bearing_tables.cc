@@ -12,49 +12,47 @@ namespace rotorub::scene {
 namespace {
 
 Table contact() {
-  return {
-      "contact",
-      "The rotor in the ring of the auxiliary bearing. Of several bearings each is a "
-      "`[[contact]]`, with its ring, "
-      "actuator and controller below it: `[contact.stator]`, `[contact.actuator]`, "
-      "`[contact.controller]` take the "
-      "keys of `[stator]`, `[actuator]`, `[controller]`, which then do not stand by themselves.",
-      "no contact",
-      [](Scene& scene) -> void* {
-        scene.auxiliary.back().contact.emplace();
-        return &scene.auxiliary.back();
-      },
-      {key<&AuxiliaryBearing::contact, &Contact::radius>("radius", kLength, "> 0", kRequired,
-                                                         "of the rotor at the contact"),
-       key<&AuxiliaryBearing::contact, &Contact::clearance>("clearance", kLength, "> 0", kRequired,
-                                                            "delta_0, radial"),
-       key<&AuxiliaryBearing::contact, &Contact::friction, &FrictionLaw::coefficient>(
-           "friction", kPure, ">= 0", kRequired, "mu"),
-       key<&AuxiliaryBearing::contact, &Contact::restitution>("restitution", kPure, "in [0, 1]",
-                                                              kRequired, "eps_N, normal"),
-       key<&AuxiliaryBearing::contact, &Contact::tangential_restitution>(
-           "tangential_restitution", kPure, "in [0, 1]", kStandard, "eps_T"),
-       key<&AuxiliaryBearing::contact, &Contact::compression_time>("compression_time", kTime,
-                                                                   ">= 0", kStandard, "tau_C"),
-       key<&AuxiliaryBearing::contact, &Contact::expansion_time>("expansion_time", kTime, ">= 0",
-                                                                 kStandard, "tau_E"),
-       key<&AuxiliaryBearing::contact, &Contact::station>("station", kLength, ">= 0", kRequired,
-                                                          "along the shaft")
-           .or_called("z")
-           .in(Form::kGeometry),
-       key<&AuxiliaryBearing::contact, &Contact::offset>(
-           "offset", kLength, "", kStandard,
-           "of the ring's middle at rest from the line of the shaft at rest"),
-       key<&AuxiliaryBearing::name>("name", kPure, "", "its number, from 1",
-                                    "of this bearing, unique; in messages and pictures"),
-       key<&AuxiliaryBearing::contact, &Contact::shape>(
-           "shape", kPure, "", "all 1",
-           "value of each bending mode at the station; 1 of the first contact, where the modes are "
-           "scaled")
-           .in(Form::kModal),
-       key<&AuxiliaryBearing::contact, &Contact::torsion_shape>("torsion_shape", kPure, "", "all 1",
-                                                                "the same of each torsion mode")
-           .in(Form::kModal)}};
+  return {"contact",
+          "The rotor in the ring of the auxiliary bearing. Of several bearings each is a "
+          "`[[contact]]`, with its ring, actuator and controller below it: `[contact.stator]`, "
+          "`[contact.actuator]`, `[contact.controller]` take the keys of `[stator]`, `[actuator]`, "
+          "`[controller]`, which then do not stand by themselves.",
+          "no contact",
+          [](Scene& scene) -> void* {
+            scene.auxiliary.back().contact.emplace();
+            return &scene.auxiliary.back();
+          },
+          {key<&AuxiliaryBearing::contact, &Contact::radius>("radius", kLength, "> 0", kRequired,
+                                                             "of the rotor at the contact"),
+           key<&AuxiliaryBearing::contact, &Contact::clearance>("clearance", kLength, "> 0",
+                                                                kRequired, "delta_0, radial"),
+           key<&AuxiliaryBearing::contact, &Contact::friction, &FrictionLaw::coefficient>(
+               "friction", kPure, ">= 0", kRequired, "mu"),
+           key<&AuxiliaryBearing::contact, &Contact::restitution>("restitution", kPure, "in [0, 1]",
+                                                                  kRequired, "eps_N, normal"),
+           key<&AuxiliaryBearing::contact, &Contact::tangential_restitution>(
+               "tangential_restitution", kPure, "in [0, 1]", kStandard, "eps_T"),
+           key<&AuxiliaryBearing::contact, &Contact::compression_time>("compression_time", kTime,
+                                                                       ">= 0", kStandard, "tau_C"),
+           key<&AuxiliaryBearing::contact, &Contact::expansion_time>("expansion_time", kTime,
+                                                                     ">= 0", kStandard, "tau_E"),
+           key<&AuxiliaryBearing::contact, &Contact::station>("station", kLength, ">= 0", kRequired,
+                                                              "along the shaft")
+               .or_called("z")
+               .in(Form::kGeometry),
+           key<&AuxiliaryBearing::contact, &Contact::offset>(
+               "offset", kLength, "", kStandard,
+               "of the ring's middle at rest from the line of the shaft at rest"),
+           key<&AuxiliaryBearing::name>("name", kPure, "", "its number, from 1",
+                                        "of this bearing, unique; in messages and pictures"),
+           key<&AuxiliaryBearing::contact, &Contact::shape>(
+               "shape", kPure, "", "all 1",
+               "value of each bending mode at the station; 1 of the first contact, where the modes "
+               "are scaled")
+               .in(Form::kModal),
+           key<&AuxiliaryBearing::contact, &Contact::torsion_shape>(
+               "torsion_shape", kPure, "", "all 1", "the same of each torsion mode")
+               .in(Form::kModal)}};
 }
 
 Table stator() {
@@ -75,19 +73,18 @@ Table stator() {
 }
 
 Table ring_spin() {
-  return {
-      "stator.spin",
-      "The ring turns about its axis, as the inner ring of a ball bearing: the rub spins it up. "
-      "Needs [contact].",
-      "the ring does not turn",
-      [](Scene& scene) -> void* {
-        if (!scene.auxiliary.back().stator) scene.auxiliary.back().stator.emplace();
-        return &scene.auxiliary.back().stator->spin.emplace();
-      },
-      {key<&RingSpin::inertia>("inertia", kInertia, "> 0", kRequired,
-                               "polar, of all that turns with the ring"),
-       key<&RingSpin::drag>("drag", kAngularDamping, ">= 0", kStandard, "viscous, to the base"),
-       key<&RingSpin::speed>("speed", kSpin, "", kStandard, "at t = 0")}};
+  return {"stator.spin",
+          "The ring turns about its axis, as the inner ring of a ball bearing: the rub spins it "
+          "up. Needs [contact].",
+          "the ring does not turn",
+          [](Scene& scene) -> void* {
+            if (!scene.auxiliary.back().stator) scene.auxiliary.back().stator.emplace();
+            return &scene.auxiliary.back().stator->spin.emplace();
+          },
+          {key<&RingSpin::inertia>("inertia", kInertia, "> 0", kRequired,
+                                   "polar, of all that turns with the ring"),
+           key<&RingSpin::drag>("drag", kAngularDamping, ">= 0", kStandard, "viscous, to the base"),
+           key<&RingSpin::speed>("speed", kSpin, "", kStandard, "at t = 0")}};
 }
 
 Table actuator() {
@@ -241,10 +238,9 @@ void check_contact_shapes(const Checker& check) {
     if (check.index > 0 ||
         std::all_of(shape.begin(), shape.end(), [](double s) { return s == 1.0; }))
       return;
-    check.fail(
-        key,
-        "must be 1 for each mode, as the modes are scaled to 1 at the first contact; accepted: "
-        "modes scaled so, or another contact first");
+    check.fail(key,
+               "must be 1 for each mode, as the modes are scaled to 1 at the first contact; "
+               "accepted: modes scaled so, or another contact first");
   };
   one("contact.shape", contact.shape, check.bending_modes(), "bending mode");
   one("contact.torsion_shape", contact.torsion_shape, check.torsion_modes(), "torsion mode");

@@ -109,8 +109,8 @@ void check_inertia(const Checker& check, const std::string& path, const Disc& di
   if (check.scene.drive && check.sound({path + ".mass", path + ".Jp", path + ".eccentricity"}) &&
       disc.Jp < least * (1.0 - kPointMassTolerance)) {
     check.fail(path + ".Jp",
-               "with [drive] the spin is free, and a disc whose mass is out of "
-               "centre by its eccentricity has at least mass eccentricity^2 = " +
+               "with [drive] the spin is free, and a disc whose mass is out of centre by its "
+               "eccentricity has at least mass eccentricity^2 = " +
                    number_text(least) + " kg m^2 about the shaft, got " + number_text(disc.Jp) +
                    " kg m^2");
   }

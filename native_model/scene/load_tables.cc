@@ -113,9 +113,8 @@ Table bearing_control() {
       "magnetic_bearing.control",
       "The bearing's own feedback, on each of x and y by the deflection r at its station: the "
       "current i = -(`proportional` r + `integral` times the integral of r + `derivative` r'), "
-      "within the limit, and its force "
-      "`force_per_current` i (A magnetic bearing that holds the rotor). Needs "
-      "[magnetic_bearing].",
+      "within the limit, and its force `force_per_current` i (A magnetic bearing that holds the "
+      "rotor). Needs [magnetic_bearing].",
       "the bearing holds nothing",
       [](Scene& scene) -> void* {
         if (!scene.magnetic_bearing) scene.magnetic_bearing.emplace();

@@ -93,26 +93,25 @@ Table section() {
 }
 
 Table modal() {
-  return Table{
-      "rotor.modal",
-      "The shaft by its bending modes, each scaled to 1 at the contact station. Lists of one "
-      "length, one value a mode; the plane y may differ (`mass_y`, ...).",
-      "the geometry form",
-      [](Scene& scene) -> void* { return &scene.rotor.modal.emplace(); },
-      {key<&RotorModal::mass>("mass", kMass, "> 0", kRequired, ""),
-       key<&RotorModal::mass_y>("mass_y", kMass, "> 0", "`mass`", "in the plane y"),
-       key<&RotorModal::stiffness>("stiffness", kStiffness, ">= 0", kRequired, ""),
-       key<&RotorModal::stiffness_y>("stiffness_y", kStiffness, ">= 0", "`stiffness`",
-                                     "in the plane y"),
-       key<&RotorModal::damping>("damping", kDamping, ">= 0", "0", "external"),
-       key<&RotorModal::damping_y>("damping_y", kDamping, ">= 0", "`damping`",
-                                   "external, in the plane y"),
-       key<&RotorModal::internal_damping>("internal_damping", kDamping, ">= 0", "0",
-                                          "turns with the shaft"),
-       key<&RotorModal::gyroscopic>("gyroscopic", kMass, "", "0",
-                                    "g: the force -Omega g vy on x, +Omega g vx on y"),
-       key<&RotorModal::inertia>("inertia", kInertia, ">= 0", kStandard,
-                                 "of the rigid spin; required with [drive]")}}
+  return Table{"rotor.modal",
+               "The shaft by its bending modes, each scaled to 1 at the contact station. Lists of "
+               "one length, one value a mode; the plane y may differ (`mass_y`, ...).",
+               "the geometry form",
+               [](Scene& scene) -> void* { return &scene.rotor.modal.emplace(); },
+               {key<&RotorModal::mass>("mass", kMass, "> 0", kRequired, ""),
+                key<&RotorModal::mass_y>("mass_y", kMass, "> 0", "`mass`", "in the plane y"),
+                key<&RotorModal::stiffness>("stiffness", kStiffness, ">= 0", kRequired, ""),
+                key<&RotorModal::stiffness_y>("stiffness_y", kStiffness, ">= 0", "`stiffness`",
+                                              "in the plane y"),
+                key<&RotorModal::damping>("damping", kDamping, ">= 0", "0", "external"),
+                key<&RotorModal::damping_y>("damping_y", kDamping, ">= 0", "`damping`",
+                                            "external, in the plane y"),
+                key<&RotorModal::internal_damping>("internal_damping", kDamping, ">= 0", "0",
+                                                   "turns with the shaft"),
+                key<&RotorModal::gyroscopic>("gyroscopic", kMass, "", "0",
+                                             "g: the force -Omega g vy on x, +Omega g vx on y"),
+                key<&RotorModal::inertia>("inertia", kInertia, ">= 0", kStandard,
+                                          "of the rigid spin; required with [drive]")}}
       .in(Form::kModal);
 }
 
@@ -183,10 +182,10 @@ void check_sections(const Checker& check, const RotorGeometry& shaft) {
   for (std::size_t i = 0; i < shaft.sections.size(); ++i) {
     const ShaftSection& section = shaft.sections[i];
     if (std::abs(section.from - covered) > slack) {
-      check.fail(list_element("rotor.section", i) + ".from",
-                 "the sections must cover 0 to rotor.length in order, without gap or overlap: "
-                 "expected " +
-                     metres(covered) + ", got " + metres(section.from));
+      check.fail(
+          list_element("rotor.section", i) + ".from",
+          "the sections must cover 0 to rotor.length in order, without gap or overlap: expected " +
+              metres(covered) + ", got " + metres(section.from));
     }
     covered = section.to;
   }

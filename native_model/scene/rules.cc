@@ -10,8 +10,8 @@ namespace rotorub::scene {
 Table rule_table() {
   return Table{
       "check",
-      "Rules that `rotorub check` holds the scene's runs to ([compare/check/README.md]"
-      "(../compare/check/README.md)); neither model reads them.",
+      "Rules that `rotorub check` holds the scene's runs to "
+      "([compare/check/README.md](../compare/check/README.md)); neither model reads them.",
       "the rules of every run alone",
       nullptr,
       {key<&Rule::metric>(

@@ -138,8 +138,8 @@ void check_mujoco(const Checker& check) {
     }
     check.fail(
         list_element("force", i) + ".kind",
-        "with a [drive] \"unbalance\" changes how spin and bending are coupled, and MuJoCo's "
-        "rigid segments keep their masses; accepted: mujoco.rotor = \"modal\", or no [drive]");
+        "with a [drive] \"unbalance\" changes how spin and bending are coupled, and MuJoCo's rigid "
+        "segments keep their masses; accepted: mujoco.rotor = \"modal\", or no [drive]");
   }
   for (std::size_t i = 0; scene.rotor.geometry && i < scene.rotor.geometry->bearings.size(); ++i) {
     const ShaftBearing& bearing = scene.rotor.geometry->bearings[i];

@@ -237,10 +237,9 @@ bool TableReader::read_key(const Key& key, std::string_view kind, const TomlNode
     return false;
   }
   if (key.listed_only && !is_listed(path)) {
-    fail(
-        node, path,
-        "stands in [contact.stator] below a [[contact]] alone; of [stator] it is `initial.stator`, "
-        "`initial.stator_velocity`");
+    fail(node, path,
+         "stands in [contact.stator] below a [[contact]] alone; of [stator] it is "
+         "`initial.stator`, `initial.stator_velocity`");
     return false;
   }
   if (!kind.empty() && !key.is_for(kind)) {

@@ -220,6 +220,15 @@ std::string refusal(const scene::Scene& scene) {
   return {};
 }
 
+TEST_F(Writer, TakesTheSolverOfTheScene) {
+  for (const auto& [word, solver] :
+       {std::pair{"newton", mjSOL_NEWTON}, {"cg", mjSOL_CG}, {"pgs", mjSOL_PGS}}) {
+    const ModelPointer m =
+        load(mjcf(shipped("bench_ring", {std::string("mujoco.solver=") + word})));
+    EXPECT_EQ(m->opt.solver, solver) << word;
+  }
+}
+
 TEST_F(Writer, RefusesWhatIsNotOffered) {
   scene::Scene scene = shipped("bench_ring");
   scene.mujoco.rotor = scene::MujocoRotor::kSegments;

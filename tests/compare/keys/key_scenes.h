@@ -65,7 +65,11 @@ inline std::vector<KeyScene> key_scenes() {
          support});
 
   // Starts.
-  modal("steady", {"initial={steady=true}"});
+  modal("steady", {"initial={steady=true}", "force[0].amplitude=12.0"});
+  modal("sticking impacts", {"rotor.speed=0.5", "contact.friction=0.9"});
+  modal("driven torsion",
+        {"rotor.torsion={inertia=[4e-4],stiffness=[60.0],damping=[0.01],drive_shape=[-0.5]}",
+         "drive={kind='linear',gain=2.0,speed=400.0}"});
   modal("gravity and spin", {"gravity={acceleration=[0.5,-9.81]}", "drive={kind='free'}"});
 
   // Several contacts.
@@ -88,7 +92,10 @@ inline std::vector<KeyScene> key_scenes() {
          "drive={kind='linear',gain=2.0,speed=400.0,inertia=2e-3,station=0.1}"});
   shaft("Poisson's ratio", {"rotor.torsion={modes=1,damping_ratio=0.01}",
                             "drive={kind='linear',gain=2.0,speed=400.0,inertia=2e-3}"});
-  shaft("modes by themselves", {"initial=none", "rotor.modes='auto'", "rotor.modes_tolerance=0.2"});
+  // With a sleeve, without which no number of modes is enough.
+  shaft("modes by themselves", {"initial=none", "rotor.modes='auto'", "rotor.modes_tolerance=0.5",
+                                "rotor.disc[1]={z=0.28,mass=1.0,Jt=1e-4,Jp=2e-4}"});
+  shaft("modes by number", {"initial=none"});
   shaft("modes by frequency", {"initial=none", "rotor.modes=none", "rotor.max_frequency=900.0"});
   shaft("segments", {"mujoco={rotor='segments',segments=12}"});
   return all;

@@ -70,7 +70,10 @@ inline std::vector<std::string> other_values(const scene::Key& key, const scene:
       }
       break;
     case ValueType::kWhole:
-      values = {"2", "3", "1", "24"};
+      if (given != nullptr && given->kind == scene::TomlNode::Kind::kInteger) {
+        values = {fmt::format("{}", given->integer + 1), fmt::format("{}", given->integer - 1)};
+      }
+      values.insert(values.end(), {"2", "3"});
       break;
     case ValueType::kWord:
       for (const std::string_view word : key.words) values.push_back(fmt::format("'{}'", word));
