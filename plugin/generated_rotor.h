@@ -55,6 +55,11 @@ inline void add_to_dofs(const Config& config, const double* from, mjtNum* to) {
 // the gyroscopic part at the midpoint and the spin-bending coupling of unbalance in M(phi). The
 // contact's own share of dv is not known yet; it is left explicit in the gyroscopic term.
 
+// Puts the geoms of the contacts beyond the first where the modes move the rotor: in MuJoCo's next
+// pass they are there, a step late.
+void place_contacts_beside(const Config& config, const mjModel* m, mjData* d,
+                           const Coordinates& state);
+
 // Adds to d->qfrc_passive, which holds the joints' springs and dampers.
 void add_passive_force(const Config& config, const mjModel* m, mjData* d, const Coordinates& state);
 

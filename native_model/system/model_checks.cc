@@ -6,6 +6,7 @@
 
 #include "native_model/bearing/actuator_axes.h"
 #include "native_model/dynamics/dynamics.h"
+#include "native_model/scene/contact_models.h"
 #include "native_model/scene/record.h"
 #include "native_model/scene/text.h"
 
@@ -152,10 +153,13 @@ void refuse_several_contacts(const scene::Scene& scene, const std::string& who,
 
 void refuse_several_in_mujoco(const scene::Scene& scene) {
   if (scene.auxiliary.size() < 2) return;
-  if (scene.mujoco.rotor != scene::MujocoRotor::kSegments) {
-    refuse(scene,
-           {{"", 0, "mujoco.rotor",
-             "MuJoCo's modal chain carries one contact; accepted with several: \"segments\""}});
+  if (scene.mujoco.rotor != scene::MujocoRotor::kSegments &&
+      scene::is_cone(scene.mujoco.contact)) {
+    refuse(
+        scene,
+        {{"", 0, "mujoco.contact",
+          "MuJoCo's cone knows one contact of its modal chain; accepted with several: \"rigid\", "
+          "\"coulomb\", or mujoco.rotor = \"segments\""}});
   }
   if (scene.mujoco.shadow)
     refuse(scene,

@@ -1,4 +1,5 @@
-// Two auxiliary bearings in MuJoCo: a segment rotor against the native model of the same scene.
+// Two auxiliary bearings in MuJoCo, a segment rotor and the modal chain, against the native model
+// of the same scene.
 
 #include <gtest/gtest.h>
 
@@ -90,7 +91,7 @@ TEST(SeveralContactsInMujoco, HaveNoOrder) {
   EXPECT_NEAR(t.column("contact2_gap").back(), other.column("gap").back(), 1e-9);
 }
 
-TEST(SeveralContactsInMujoco, NeedSegmentsAndPassiveRings) {
+TEST(SeveralContactsInMujoco, NeedPassiveRingsAndSegmentsForACone) {
   const auto refusal = [](const std::vector<std::string>& overrides) {
     try {
       mjcf(two_catchers(overrides));
@@ -100,9 +101,12 @@ TEST(SeveralContactsInMujoco, NeedSegmentsAndPassiveRings) {
     return std::string("taken");
   };
   EXPECT_EQ(refusal({}), "taken");
-  EXPECT_NE(refusal({"mujoco.rotor=modal"})
-                .find("mujoco.rotor: MuJoCo's modal chain carries one contact"),
-            std::string::npos);
+  EXPECT_EQ(refusal({"mujoco.rotor=modal"}), "taken");
+  for (const char* cone : {"mujoco.contact=cone", "mujoco.contact=cone-coulomb"}) {
+    const std::string said = refusal({"mujoco.rotor=modal", cone});
+    EXPECT_NE(said.find("mujoco.contact"), std::string::npos) << said;
+    EXPECT_NE(said.find("mujoco.rotor = \"segments\""), std::string::npos) << said;
+  }
   EXPECT_NE(refusal({"mujoco.shadow=true"}).find("mujoco.shadow"), std::string::npos);
   EXPECT_NE(refusal({"contact[1].controller.kind=pd", "contact[1].controller.stiffness=1e4",
                      "contact[1].controller.damping=10"})
