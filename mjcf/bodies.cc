@@ -130,6 +130,7 @@ class Bodies {
     const auto named = [k](const char* name) { return names::of_bearing(k, name); };
     xml_.open(fmt::format(R"(<body name="{}" mocap="true" pos="{} {} {}">)", named(names::kRotor),
                           at.x(), at.y(), z));
+    xml_.line(massless_);
     xml_.line(fmt::format(R"(<geom name="{}" type="cylinder" size="{} {}" mass="0" contype="0" )"
                           R"(conaffinity="0" group="1" rgba="0.72 0.74 0.78 1"/>)",
                           named(names::kRotor), r, kThickness * r));

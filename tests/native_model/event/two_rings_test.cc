@@ -142,7 +142,7 @@ TEST(SeveralContacts, TwoLikeRingsOfOneKilogramAreOneOfTwo) {
 // Each bounce of the first end knocks the resting second one open, which bounces to rest anew
 // before the next.
 TEST(SeveralContacts, ANestedAccumulationEnds) {
-  const Trajectory t = test::run_event(scene::read_scene(file("drop.toml")));
+  const Trajectory t = test::run_event(test::two_rings_scene("drop"));
   ASSERT_EQ(t.status, Status::kOk) << t.message;
   EXPECT_GT(counted(t, 1), 3 * counted(t, 0));
   EXPECT_NE(t.column("mode").back(), static_cast<double>(Mode::kFree));
