@@ -11,7 +11,6 @@
 #include "plugin/mujoco_versions.h"
 
 namespace rotorub::plugin {
-
 namespace {
 
 // f = -Omega G w, on the bending rows; 0 elsewhere.

@@ -7,7 +7,6 @@
 #include "plugin/generated_rotor.h"
 
 namespace rotorub::plugin {
-
 namespace {
 
 // Of the degrees of freedom that move the body the last, or -1.

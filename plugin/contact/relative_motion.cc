@@ -7,7 +7,6 @@
 #include "plugin/mujoco_dynamics.h"
 
 namespace rotorub::plugin {
-
 namespace {
 
 constexpr double kAcross = 1e-6;  // a slide is across the axis: cosine of the angle between
