@@ -6,8 +6,8 @@
 
 #include "native_model/dynamics/dynamics.h"
 #include "native_model/scene/contact_models.h"
-#include "plugin/mujoco_dynamics.h"
 #include "plugin/message.h"
+#include "plugin/mujoco_dynamics.h"
 #include "plugin/mujoco_versions.h"
 
 namespace rotorub::plugin {

@@ -153,8 +153,7 @@ void refuse_several_contacts(const scene::Scene& scene, const std::string& who,
 
 void refuse_several_in_mujoco(const scene::Scene& scene) {
   if (scene.auxiliary.size() < 2) return;
-  if (scene.mujoco.rotor != scene::MujocoRotor::kSegments &&
-      scene::is_cone(scene.mujoco.contact)) {
+  if (scene.mujoco.rotor != scene::MujocoRotor::kSegments && scene::is_cone(scene.mujoco.contact)) {
     refuse(
         scene,
         {{"", 0, "mujoco.contact",
