@@ -51,6 +51,7 @@ class Bodies {
 
   void write() {
     rotor();
+    for (std::size_t k = 1; k < scene_.auxiliary.size(); ++k) rotor_beside(k);
     rotor_nodes();
     write_beside_the_rotor();
   }
@@ -117,6 +118,25 @@ class Bodies {
     open_moving_body(names::kRotor);
     write_rotor_disc(xml_, scene_, 0);
     close_moving_body();
+  }
+
+  // The rotor at a further contact, where the modes move it by other values than 1 and 0: the
+  // plugin places it.
+  void rotor_beside(std::size_t k) {
+    const scene::Contact& contact = *scene_.auxiliary[k].contact;
+    const Eigen::Vector2d at = rotor_point(model_, model_.q0.data(), k);
+    const double r = drawn_radius(scene_, k), z = contact.station - scene_.first().contact->station;
+    const auto named = [k](const char* name) { return names::of_bearing(k, name); };
+    xml_.open(fmt::format(R"(<body name="{}" mocap="true" pos="{} {} {}">)", named(names::kRotor),
+                          at.x(), at.y(), z));
+    xml_.line(massless_);
+    xml_.line(fmt::format(R"(<geom name="{}" type="cylinder" size="{} {}" mass="0" contype="0" )"
+                          R"(conaffinity="0" group="1" rgba="0.72 0.74 0.78 1"/>)",
+                          named(names::kRotor), r, kThickness * r));
+    xml_.line(fmt::format(R"(<geom name="{}" type="sphere" size="{}" mass="0" contype="0" )"
+                          R"(conaffinity="0" group="4"/>)",
+                          named(names::kRotorContact), 0.1 * r));
+    xml_.close("body");
   }
 
   bool has_nodes() const {

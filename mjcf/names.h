@@ -107,7 +107,7 @@ inline constexpr int kPairEntries = 13;  // of each contact beyond the first, be
 inline int user_data_size(int nq, bool controlled, std::size_t loop) {
   return kUserDataSingle + (controlled ? 2 * nq : 0) + static_cast<int>(loop);
 }
-// Behind them, with a contact on the modal chain: the step `verlet` of `rigid`
+// Behind them, with one contact on the modal chain: the step `verlet` of `rigid`
 // (plugin/contact/verlet.h), velocities and two slots of `slot` each.
 inline constexpr int kVerletSingle = 3;
 inline int verlet_data_size(int nq, std::size_t slot) {

@@ -79,7 +79,7 @@ SoftContact soft_contact(const scene::Scene& scene, scene::ContactModel model, d
 }
 
 ContactPair contact_pair(scene::ContactModel model, double clearance, const FrictionLaw& friction,
-                         const SoftContact& soft, const MujocoVersion& target) {
+                         const SoftContact& soft, const MujocoVersion& target, bool kept_out) {
   const bool is_cone = scene::is_cone(model);
   const bool is_rigid = model == scene::ContactModel::kRigid;
   ContactPair pair;
@@ -95,7 +95,7 @@ ContactPair contact_pair(scene::ContactModel model, double clearance, const Fric
   const bool is_soft = model == scene::ContactModel::kCoulomb;
   const double reach =
       model == scene::ContactModel::kCone ? 0.0 : (is_soft ? 1e-3 : 1e-2) * clearance;
-  pair.gap = is_rigid ? 1e3 : 0.0;
+  pair.gap = is_rigid || kept_out ? 1e3 : 0.0;
   // Before 3.9 a contact is seen below the margin and solved below margin - gap, since then seen
   // below margin + gap and solved below the margin.
   pair.margin = target < MujocoVersion{3, 9, 0} ? reach : reach - pair.gap;

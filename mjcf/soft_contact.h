@@ -56,7 +56,9 @@ struct ContactPair {
 };
 
 // clearance: m, > 0; friction: mu >= 0. Nobody but `cone` has friction in MuJoCo's contact.
+// `kept_out`: of MuJoCo's solver, whatever the contact model.
 ContactPair contact_pair(scene::ContactModel model, double clearance, const FrictionLaw& friction,
-                         const SoftContact& soft, const MujocoVersion& target);
+                         const SoftContact& soft, const MujocoVersion& target,
+                         bool kept_out = false);
 
 }  // namespace rotorub

@@ -108,7 +108,7 @@ class Document {
                     corrected ? "1e-8" : "1e-12"));
     const std::size_t loop = model_.first().loop ? model_.first().loop->memory_size() : 0;
     int user_data = names::user_data_size(model_.nq(), model_.first().controller != nullptr, loop);
-    if (scene_.first().contact && !segments_) {
+    if (scene_.first().contact && !segments_ && scene_.auxiliary.size() == 1) {
       const std::size_t slot =
           VerletStepper::memory_size(model_) + ZeroOrderHold::memory_size(model_) + 1;
       user_data += names::verlet_data_size(model_.nq(), slot);
@@ -168,8 +168,10 @@ class Document {
     const scene::Contact& c = *scene_.auxiliary[k].contact;
     const SoftContact soft = soft_contact(k == 0 ? scene_ : with_bearing_alone(scene_, k),
                                           scene_.mujoco.contact, scene_.run.step);
+    // A further contact of the modal chain is the plugin's alone.
+    const bool is_alone = k > 0 && !segments_;
     const ContactPair pair =
-        contact_pair(scene_.mujoco.contact, c.clearance, c.friction, soft, target_);
+        contact_pair(scene_.mujoco.contact, c.clearance, c.friction, soft, target_, is_alone);
     xml_.line(fmt::format(
         R"(<pair name="{}" geom1="{}" geom2="{}" condim="{}" friction="{} {} 0 0 0" )"
         R"(solref="{} {}" {}solimp="{} {} 0.001" margin="{}" gap="{}"/>)",

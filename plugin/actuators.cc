@@ -10,7 +10,6 @@
 #include "plugin/mujoco_versions.h"
 
 namespace rotorub::plugin {
-
 namespace {
 
 constexpr int kKinds = 3;  // of ActuatorQuestion

@@ -117,6 +117,12 @@ ContactPair map_contact(const mjModel* m, const Config& config, std::size_t k, i
   }
   p.in_world = true;
   p.on_chain = !config.segments;
+  p.beside = p.on_chain && k > 0;
+  p.bearing = k;
+  if (p.beside && m->body_mocapid[m->geom_bodyid[p.rotor_geom]] < 0) {
+    refuse(body_element(m, m->geom_bodyid[p.rotor_geom]),
+           message("carries geom \"{}\"; accepted: mocap=\"true\"", rotor));
+  }
   p.held_spin = config.segments || config.model.layout.spin ? 0.0 : config.model.speed;
   return p;
 }
@@ -176,7 +182,9 @@ int map_memory(const mjModel* m, const scene::Scene& scene, Config& config) {
   int needed =
       names::user_data_size(config.model.nq(), config.model.first().controller != nullptr, loop);
   config.loop_data = needed - static_cast<int>(loop);
-  if (scene.first().contact && scene.mujoco.rotor != scene::MujocoRotor::kSegments) {
+  // The native step in MuJoCo is that of one contact.
+  if (scene.first().contact && scene.mujoco.rotor != scene::MujocoRotor::kSegments &&
+      scene.auxiliary.size() == 1) {
     config.verlet_data = needed;
     needed += verlet_data_size(config.model);
   }
@@ -230,6 +238,11 @@ Config generated_config(const mjModel* m) {
   }
   if (scene.first().contact) {
     config.contact = contact_model(m, names::kContactText, scene.mujoco.contact);
+    if (!config.segments && scene.auxiliary.size() > 1 && scene::is_cone(config.contact)) {
+      refuse(text_element(names::kContactText),
+             "MuJoCo's cone knows one contact of the modal chain; accepted with several: rigid, "
+             "coulomb, or a scene with mujoco.rotor = \"segments\"");
+    }
     map_contacts(m, config, further);
     if (!config.segments) choose_path(m, config);
     if (config.takes_native_steps()) config.loop_data = verlet_loop_data(config);
@@ -265,8 +278,7 @@ scene::ContactModel contact_model(const mjModel* m, const std::string& text_name
 
 int find_pair(const mjModel* m, int geom_a, int geom_b) {
   for (int i = 0; i < m->npair; ++i) {
-    const int a = m->pair_geom1[i], b = m->pair_geom2[i];
-    if ((a == geom_a && b == geom_b) || (a == geom_b && b == geom_a)) return i;
+    if (are_geoms(geom_a, geom_b, m->pair_geom1[i], m->pair_geom2[i])) return i;
   }
   return -1;
 }

@@ -32,6 +32,10 @@ struct SensorAddresses {
   bool gap_in_control = false, rates_in_control = false;
 };
 
+inline bool are_geoms(int a, int b, int geom1, int geom2) {  // in either order
+  return (a == geom1 && b == geom2) || (a == geom2 && b == geom1);
+}
+
 // A rotor in its ring: of a generated model, or one of a user's own.
 struct ContactPair {
   scene::ContactModel law = scene::ContactModel::kRigid;
@@ -44,7 +48,11 @@ struct ContactPair {
 
   // Of a generated model. Contacts of the modal chain are solved in its own coordinates unless a
   // user's constraints hold its bodies as well (generated_rotor.h).
-  bool on_chain = false;    // a ChainSpace (contact/contact_space.h); else a BodySpace
+  bool on_chain = false;  // a ChainSpace (contact/contact_space.h); else a BodySpace
+  // Beyond the first on the chain: the modes move the rotor there by other values than 1 and 0, as
+  // no body of MuJoCo's does. All of its force is the plugin's, which also places its geoms.
+  bool beside = false;
+  std::size_t bearing = 0;  // in model.auxiliary
   bool in_world = false;    // the contact plane is the world's x and y, not that of the ring's geom
   double held_spin = 0.0;   // rad/s, of a rotor whose spin is no degree of freedom
   ContactParameters given;  // by the scene, whose geoms draw it: "rotor" and "ring",

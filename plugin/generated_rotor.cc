@@ -6,11 +6,11 @@
 
 #include "native_model/dynamics/dynamics.h"
 #include "native_model/scene/scene.h"
-#include "plugin/mujoco_derivatives.h"
+#include "plugin/message.h"
+#include "plugin/mujoco_dynamics.h"
 #include "plugin/mujoco_versions.h"
 
 namespace rotorub::plugin {
-
 namespace {
 
 // f = -Omega G w, on the bending rows; 0 elsewhere.
@@ -53,6 +53,17 @@ void step_mass(const Config& config, const mjModel* m, double* diagonal) {
   const Model& model = config.model;
   const double h = damped_step(m);
   for (int i = 0; i < model.nq(); ++i) diagonal[i] = model.mass[i] + h * model.damping[i];
+}
+
+void place_contacts_beside(const Config& config, const mjModel* m, mjData* d,
+                           const Coordinates& state) {
+  for (const ContactPair& pair : config.pairs) {
+    if (!pair.beside) continue;
+    const Eigen::Vector2d place = rotor_point(config.model, state.q(), pair.bearing);
+    mjtNum* body = d->mocap_pos + 3 * m->body_mocapid[m->geom_bodyid[pair.rotor_geom]];
+    body[0] = place.x();
+    body[1] = place.y();
+  }
 }
 
 void add_passive_force(const Config& config, const mjModel* m, mjData* d,
@@ -226,10 +237,15 @@ void choose_path(const mjModel* m, Config& config) {
   config.damping_added = damping_is_added(m, config);
   const std::string constraint = added_constraint(m, config);
   if (constraint.empty() && !config.damping_added) return;
-  for (ContactPair& pair : config.pairs) pair.on_chain = false;
+  const std::string added = constraint.empty() ? "what MuJoCo steps implicitly" : constraint;
+  if (config.pairs.size() > 1) {
+    refuse(added,
+           "acts on a modal chain with several contacts; accepted: one contact, or a scene "
+           "with mujoco.rotor = \"segments\"");
+  }
+  config.pairs.front().on_chain = false;
   config.verlet_data = -1;
   if (!config.model.coupled_mass()) return;
-  const std::string added = constraint.empty() ? "what MuJoCo steps implicitly" : constraint;
   const std::string text = "rotorub: " + added +
                            " acts on a generated rotor with unbalance and a drive: the contact is "
                            "solved beside it without their coupling of spin and bending";

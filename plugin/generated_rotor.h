@@ -1,4 +1,5 @@
-// The state of an mjData in the order of the native layout.
+// The rotor of a generated model in MuJoCo: its state in the native model's coordinates, what the
+// joints of the modal chain do not have by themselves, and what a user has put on it.
 #pragma once
 
 #include <mujoco/mujoco.h>
@@ -7,6 +8,7 @@
 
 namespace rotorub::plugin {
 
+// The state of an mjData in the order of the native layout.
 class Coordinates {
  public:
   Coordinates(const Config& config, const mjData* d) {
@@ -54,9 +56,13 @@ inline void add_to_dofs(const Config& config, const double* from, mjtNum* to) {
 //   (M(phi) + h D) dv = h (f - Omega G (v + dv/2)),
 // the gyroscopic part at the midpoint and the spin-bending coupling of unbalance in M(phi). The
 // contact's own share of dv is not known yet; it is left explicit in the gyroscopic term.
-
 // Adds to d->qfrc_passive, which holds the joints' springs and dampers.
 void add_passive_force(const Config& config, const mjModel* m, mjData* d, const Coordinates& state);
+
+// Puts the geoms of the contacts beyond the first where the modes move the rotor: in MuJoCo's next
+// pass they are there, a step late.
+void place_contacts_beside(const Config& config, const mjModel* m, mjData* d,
+                           const Coordinates& state);
 
 // The diagonal of M + h D (nq values) that the model's integrator solves with; M alone for RK4.
 void step_mass(const Config& config, const mjModel* m, double* diagonal);
@@ -66,7 +72,7 @@ void step_mass(const Config& config, const mjModel* m, double* diagonal);
 // implicitly beyond the dampers of the joints. The native step of `rigid` (contact/verlet.h) and
 // the diagonal mass of `coulomb` know none of it; such a model takes the general path
 // (contact/pairs.h), of first order.
-
+//
 // Takes the contacts off the chain where anything can act on a body of the kinematic trees of rotor
 // and ring, and warns of what is left out then. `cone` is MuJoCo's own, and knows them.
 void choose_path(const mjModel* m, Config& config);

@@ -110,9 +110,10 @@ ContactForce force_of(const ContactPair& pair, const mjData* d, double since) {
   if (scene::is_cone(pair.law) || !(f.place.d.norm() > kNoNormal)) return f;
   f.friction = entry[kFrictionForce];
   f.e_r = f.place.d.normalized();
-  if (pair.law == scene::ContactModel::kRigid) f.normal = entry[kNormalForce];
+  const bool rigid = pair.law == scene::ContactModel::kRigid;
+  if (rigid || pair.beside) f.normal = entry[kNormalForce];
   // Those that tell of each pass with a force.
-  if (pair.law != scene::ContactModel::kRigid && !pair.axial) return f;
+  if (!rigid && !pair.axial) return f;
   const NotedContact& n = noted(pair.data);
   const double passed = d->time - n.time;
   if (n.d != d || n.data != pair.data || (passed != 0.0 && std::abs(passed - since) > 1e-6 * since))
@@ -207,8 +208,8 @@ void fill_load_cells(const Config& config, const mjModel* m, mjData* d) {
     const ContactForce f = force_of(pair, d, 0.0);
     if (f.normal == 0.0 && f.friction == 0.0 && f.axial == 0.0) continue;
     any = true;
-    // As J^T has it (contact/body_space.h): on the rotor at its centre, on the ring at the point of
-    // its axis beside it.
+    // As J^T has it (contact/contact_space.h): on the rotor at its centre, on the ring at the point
+    // of its axis beside it.
     const Eigen::Vector3d load = contact_load(f.e_r, pair.contact.radius, f.normal, f.friction);
     const Eigen::Vector3d along = f.axial * axial_column(f.e_r, pair.contact.radius);
     const Eigen::Vector3d force(load.x(), load.y(), along.x()),
@@ -239,7 +240,7 @@ void contact_force(const mjModel* m, const mjData* d, int id, mjtNum result[6],
     if (!regular && !reverse) continue;
     const ContactForce f = force_of(pair, d, m->opt.timestep);  // that of mj_step may be taken
     // Turning the frame turns e_t and the body that the force acts on.
-    if (pair.law == scene::ContactModel::kRigid) result[0] = f.normal;
+    if (pair.law == scene::ContactModel::kRigid || pair.beside) result[0] = f.normal;
     if (scene::is_cone(pair.law)) continue;
     result[1] = -f.friction;
     if (result[0] > 0.0) result[2] = regular ? -f.axial : f.axial;

@@ -91,7 +91,9 @@ void add_loads(const Config& config, const mjModel* m, mjData* d) {
   if (config.own) return;
   if (config.segments) add_segment_loads(config, d);
   if (!config.segments && !config.takes_native_steps()) {
-    add_passive_force(config, m, d, Coordinates(config, d));
+    const Coordinates state(config, d);
+    place_contacts_beside(config, m, d, state);
+    add_passive_force(config, m, d, state);
   }
   fill_sensors(config, m, d, mjSTAGE_VEL);
 }
@@ -206,7 +208,7 @@ bool collide_pair(const mjModel* m, const mjData* d, CollisionContact* con, int 
   if (!config) return false;
   compared = d;
   for (const ContactPair& pair : config->pairs) {
-    if (std::minmax(g1, g2) != std::minmax(pair.rotor_geom, pair.ring_geom)) continue;
+    if (!are_geoms(g1, g2, pair.rotor_geom, pair.ring_geom)) continue;
     keep_callbacks();
     if (const char* why = refused_silence(m)) raise_error(why);
     // The <pair>'s margin, where the model has one; it is not among the arguments of every version.

@@ -10,7 +10,6 @@
 #include "plugin/config.h"
 
 namespace rotorub::plugin {
-
 namespace {
 
 namespace names = mjcf_names;

@@ -50,19 +50,20 @@ void put_active(const Config& config, mjData* d) {
   for (const ContactPair& pair : config.pairs) put(d, pair.sensors.active, value);
 }
 
-// Of the first contact of a generated model in the native coordinates, in which its loads are; of
-// others by the places of the geoms.
+// Of the modal chain, and of the first contact of segments, in the native coordinates, in which the
+// loads are; of others by the places of the geoms.
 bool in_native_coordinates(const Config& config, const ContactPair& pair) {
-  return !config.own && &pair == &config.pairs.front();
+  return !config.own && (pair.bearing == 0 || pair.beside);
 }
 
 void fill_gap(const Config& config, const ContactPair& pair, mjData* d) {
   const SensorAddresses& s = pair.sensors;
   if (s.gap < 0 && s.gap_scaled < 0) return;
   const double clearance = pair.contact.clearance;
-  const double delta = in_native_coordinates(config, pair)
-                           ? separation(config.model, Coordinates(config, d).q()).norm()
-                           : position_of(pair, d).norm();
+  const double delta =
+      in_native_coordinates(config, pair)
+          ? separation(config.model, Coordinates(config, d).q(), pair.bearing).norm()
+          : position_of(pair, d).norm();
   put(d, s.gap, clearance - delta);
   put(d, s.gap_scaled, (clearance - delta) / clearance);
 }
@@ -72,7 +73,7 @@ ContactPoint point_of(const Config& config, const ContactPair& pair, const mjMod
   if (!in_native_coordinates(config, pair)) return contact_point_of(pair, m, d);
   const Coordinates state(config, d);
   const double* v = config.takes_native_steps() ? velocities_of_pass(config, d) : state.v();
-  return contact_point(config.model, state.q(), v);
+  return contact_point(config.model, state.q(), v, pair.bearing);
 }
 
 void fill_rates(const Config& config, const ContactPair& pair, const mjModel* m, mjData* d) {

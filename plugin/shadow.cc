@@ -23,7 +23,6 @@
 #include "plugin/user_data.h"
 
 namespace rotorub::plugin {
-
 namespace {
 
 // What takes the steps. Holds nothing between two calls but room: the state comes from userdata and

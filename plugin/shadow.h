@@ -28,9 +28,6 @@ void advance_shadow(const Config& config, const mjModel* m, mjData* d);
 // Where it is, for those who look on: coordinates of the shadow's model, then as many velocities.
 const double* shadow_state(const Config& config, const mjData* d);
 
-// What the plugin knows of the native model that runs alongside (shadow.h): its sensors and ghosts,
-// and what tells one set of its numbers from another.
-
 // Fills the addresses of sensors and ghosts; `model` is the scene's. Throws ConfigError for a step
 // that it cannot take.
 void map_shadow(const mjModel* m, ShadowConfig& shadow);

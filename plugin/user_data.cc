@@ -7,7 +7,6 @@
 #include "plugin/mujoco_versions.h"
 
 namespace rotorub::plugin {
-
 namespace {
 
 // Of the entries that change but in our passes not: the mark of the config, and what the contacts

@@ -1,6 +1,6 @@
 // The plugin's entries in mjData.userdata: all of its memory, so that resetting and copying an
 // mjData takes it along. mj_resetData makes them 0. After the single entries, with a controller:
-// the velocities of the last two forward passes, nq each (velocity_history.h), and what a sampled
+// the velocities of the last two forward passes, nq each (control.cc), and what a sampled
 // one remembers (native_model/control/control_loop.h).
 #pragma once
 
@@ -24,7 +24,7 @@ enum UserDataEntry : int {
   // Of each rotor in its ring:
   kFrictionForce,  // N, on the rotor along e_t, of the forward pass done last
   kMode,           // number of the Mode of that pass
-  // and of `rigid` (contact/memory.h):
+  // and of `rigid` (contact/contact_memory.h):
   kNormalForce,    // N, mean over the step that the pass is for
   kContactTime,    // s, of the pass that the next three are of
   kContactBefore,  // 1: contact lasted over the step before
@@ -44,7 +44,7 @@ static_assert(kUserDataSingle == mjcf_names::kUserDataSingle);
 inline constexpr double kActed = 0.0, kNotActed = -1.0;
 
 // A user's own model has its block at Config::memory, with a check in the place of kSample
-// (own/user_block.h). A further pair has kPairEntries more behind it: entry e of pair i stands at
+// (block_is_ours). A further pair has kPairEntries more behind it: entry e of pair i stands at
 // ContactPair::data + e = memory + i kPairEntries + e, e from kFrictionForce on.
 inline constexpr int kBlockCheck = kSample;
 inline constexpr int kPairEntries = kUserDataSingle - kFrictionForce;

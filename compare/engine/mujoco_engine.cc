@@ -42,8 +42,8 @@ const char* contact_reason(Status status) {
 Trajectory run_mujoco(const scene::Scene& given, const MujocoOptions& options) {
   const scene::Scene scene = with_options(perturbed(given, options.perturbation_ulps), options);
   const bool lags = scene.first().actuator && scene.first().actuator->coil_lag > 0.0;
-  const bool native =
-      scene.mujoco.rotor == scene::MujocoRotor::kModal && !scene.mujoco.shadow && !lags;
+  const bool native = scene.mujoco.rotor == scene::MujocoRotor::kModal &&
+                      scene.auxiliary.size() == 1 && !scene.mujoco.shadow && !lags;
   if (scene.mujoco.contact == scene::ContactModel::kRigid) {
     refuse_finite_impacts(scene, native ? FiniteImpacts::kUnsampled : FiniteImpacts::kNone);
   }

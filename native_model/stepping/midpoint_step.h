@@ -66,7 +66,7 @@ struct MidpointStep {
 
  private:
   // Poisson's law where the contact closes, at the step's middle. Without a flight after it
-  // (contact/rebound.h) contact lasts from here on.
+  // (contact/impact.h) contact lasts from here on.
   ROTORUB_SLOW void collide(const Mask& hits, std::int64_t k);
 };
 

@@ -1,6 +1,6 @@
 // The contact in a fixed step, of one run or of many that have one contact or none: where the
 // straight path of a step leaves the circle, lasting contact goes on or an impact begins. Lasting
-// contact ends the step on the circle (contact/lasting_contact.h): sliding on as in the step before
+// contact ends the step on the circle (contact/step_contact.h): sliding on as in the step before
 // in all lanes at once, anything else lane by lane. Impacts are the schemes' own
 // (midpoint_step.h, verlet_step.h). Several contacts: several_contacts.h.
 #pragma once
@@ -248,7 +248,7 @@ class OneContact {
     now.lasts = lanes::select(on, lanes::select(now.normal > zero, one, zero), now.lasts);
   }
 
-  // The impulses for the present x.free; see contact/lasting_contact.h.
+  // The impulses for the present x.free; see contact/step_contact.h.
   ROTORUB_INLINE void press(const Mask& on, State& x, const Centre& d, const Centre& w) {
     const M& m = x.m;
     const T zero{}, one = lanes::all<T>(1.0), h = lanes::all<T>(x.h);

@@ -32,7 +32,7 @@ class SharedImpact {
   const ContactMatrix& matrix() const { return g_; }
 
  private:
-  // Whether the impact at the speed `approach` (m/s) is followed by a flight, contact/rebound.h.
+  // Whether the impact at the speed `approach` (m/s) is followed by a flight, contact/impact.h.
   bool rebounds(std::size_t i, double h, double approach) const;
 
   SeveralContacts* contacts_;
@@ -41,7 +41,7 @@ class SharedImpact {
   std::array<ClosedContact, kMaxContacts> of_{};
   std::array<bool, kMaxContacts> closed_{}, rests_{};
   std::array<ImpactLaw, kMaxContacts> laws_{};
-  std::array<double, kMaxContacts> pressed_{};  // m/s^2, contact/rebound.h
+  std::array<double, kMaxContacts> pressed_{};  // m/s^2, contact/impact.h
   ContactVector before_ = ContactVector(2 * kMaxContacts);
   ContactMatrix g_;
 };

@@ -12,6 +12,7 @@
 #include "native_model/dynamics/dynamics.h"
 #include "native_model/scene/diagnostic.h"
 #include "native_model/scene/record.h"
+#include "native_model/scene/scene.h"
 #include "native_model/scene/text.h"
 
 namespace rotorub {
@@ -217,10 +218,11 @@ void refuse_several_contacts(const scene::Scene& scene, const std::string& who,
 
 void refuse_several_in_mujoco(const scene::Scene& scene) {
   if (scene.auxiliary.size() < 2) return;
-  if (scene.mujoco.rotor != scene::MujocoRotor::kSegments) {
+  if (scene.mujoco.rotor != scene::MujocoRotor::kSegments && scene::is_cone(scene.mujoco.contact)) {
     scene::refuse_at(
-        scene, "mujoco.rotor",
-        "MuJoCo's modal chain carries one contact; accepted with several: \"segments\"");
+        scene, "mujoco.contact",
+        "MuJoCo's cone knows one contact of its modal chain; accepted with several: \"rigid\", "
+        "\"coulomb\", or mujoco.rotor = \"segments\"");
   }
   if (scene.mujoco.shadow)
     scene::refuse_at(scene, "mujoco.shadow",

@@ -7,7 +7,7 @@
 #include "native_model/contact/disc_law.h"
 #include "plugin/actuators.h"
 #include "plugin/contact/constraint_probe.h"
-#include "plugin/mujoco_versions.h"
+#include "plugin/mujoco_dynamics.h"
 
 namespace rotorub::plugin {
 
@@ -102,7 +102,7 @@ void shift_reference(const mjModel* m, mjData* d, const ConeRows& rows, double b
   for (int i = 0; i < shifted; ++i) d->efc_aref[rows.first + i] -= by;
 }
 
-// The reference of a contact on its ring, as the head of cone_correction.h says. False: the step
+// The reference of a contact on its ring, as cone.h says. False: the step
 // leaves the gap open, and the contact exerts nothing.
 bool follow_ring(const mjModel* m, mjData* d, const ConeRows& rows, double curvature,
                  const mjtNum* free) {

@@ -2,7 +2,7 @@
 // cone, elliptic or a pyramid. Where the spin is held constant and so is no degree of freedom, the
 // slip that MuJoCo does not see, r Omega, is put into the reference of the tangential rows. `cone`
 // may have a friction reference of its own, a_ref,T = -B_t v_slip, which MuJoCo has since 2.3.7
-// (solreffriction); `cone-coulomb` is corrected for sliding (cone_correction.h).
+// (solreffriction); `cone-coulomb` is corrected for sliding (below).
 #pragma once
 
 #include <mujoco/mujoco.h>

@@ -6,17 +6,6 @@
 #include "plugin/user_data.h"
 
 namespace rotorub::plugin {
-
-const mjContact* find_contact(int rotor_geom, int ring_geom, const mjData* d) {
-  for (int i = 0; i < d->ncon; ++i) {
-    const mjContact& c = d->contact[i];
-    const bool pair = (c.geom1 == rotor_geom && c.geom2 == ring_geom) ||
-                      (c.geom1 == ring_geom && c.geom2 == rotor_geom);
-    if (pair) return c.efc_address >= 0 ? &c : nullptr;
-  }
-  return nullptr;
-}
-
 namespace {
 
 ContactForces rigid_forces(const mjtNum* entry) {
@@ -67,14 +56,24 @@ ContactForces soft_forces(const mjModel* m, scene::ContactModel law, const mjCon
 
 }  // namespace
 
+const mjContact* find_contact(const ContactPair& pair, const mjData* d) {
+  for (int i = 0; i < d->ncon; ++i) {
+    const mjContact& c = d->contact[i];
+    if (are_geoms(pair.rotor_geom, pair.ring_geom, c.geom1, c.geom2)) {
+      return c.efc_address >= 0 ? &c : nullptr;
+    }
+  }
+  return nullptr;
+}
+
 ContactForces contact_forces(const Config& config, const mjModel* m, const mjData* d) {
   return config.pairs.empty() ? ContactForces{} : contact_forces(config.pairs.front(), m, d);
 }
 
 ContactForces contact_forces(const ContactPair& pair, const mjModel* m, const mjData* d) {
   const mjtNum* entry = d->userdata + pair.data;
-  if (pair.law == scene::ContactModel::kRigid) return rigid_forces(entry);
-  const mjContact* contact = find_contact(pair.rotor_geom, pair.ring_geom, d);
+  if (pair.law == scene::ContactModel::kRigid || pair.beside) return rigid_forces(entry);
+  const mjContact* contact = find_contact(pair, d);
   return soft_forces(m, pair.law, contact, entry, pair.law == scene::ContactModel::kCoulomb, d);
 }
 

@@ -1,7 +1,5 @@
-// Under `rigid` no rotor is deeper in its ring than a start put it: where one is, the step is too
-// long for its motion, or something moves rotor or ring that the contact does not see. That is said
-// once, and `rotorub_active` is 0 meanwhile. What it knows stands beside the Status of the contact
-// laws, in kContactStatus.
+// What is known of a contact in and after a forward pass: its memory in mjData.userdata, and its
+// forces.
 #pragma once
 
 #include <mujoco/mujoco.h>
@@ -19,6 +17,10 @@
 
 namespace rotorub::plugin {
 
+// Under `rigid` no rotor is deeper in its ring than a start put it: where one is, the step is too
+// long for its motion, or something moves rotor or ring that the contact does not see. That is said
+// once, and `rotorub_active` is 0 meanwhile. What it knows stands beside the Status of the contact
+// laws, in kContactStatus.
 class EscapeGuard {
  public:
   // entry: of a contact, as of kFrictionForce and the others.
@@ -60,7 +62,6 @@ class EscapeGuard {
 };
 
 // What `rigid` keeps in mjData.userdata: whether contact lasts, and what the step's impulses were.
-
 class ContactMemory {
  public:
   // Of the forward pass at d->time. A pass one step (h, s) later turns "now" into "before"; further
@@ -120,13 +121,10 @@ class ContactMemory {
   mjtNum* entry_;
 };
 
-// The contact of two geoms among those of a forward pass.
-
-// Null: none, or not handed to the solver.
-const mjContact* find_contact(int rotor_geom, int ring_geom, const mjData* d);
+// The pair's contact among those of a forward pass. Null: none, or not handed to the solver.
+const mjContact* find_contact(const ContactPair& pair, const mjData* d);
 
 // The contact forces of a forward pass, whichever model made them.
-
 struct ContactForces {
   double normal = 0.0;    // N, >= 0
   double friction = 0.0;  // N, on the rotor along e_t
@@ -138,10 +136,8 @@ struct ContactForces {
   Status status = Status::kOk;  // `rigid`: of the contact laws
 };
 
-// After mj_forward or mj_step: of the forward pass done last.
-// Of several contacts the first.
+// After mj_forward or mj_step: of the forward pass done last. Of several contacts the first.
 ContactForces contact_forces(const Config& config, const mjModel* m, const mjData* d);
-// Of one contact of a user's own model.
 ContactForces contact_forces(const ContactPair& pair, const mjModel* m, const mjData* d);
 
 }  // namespace rotorub::plugin

@@ -7,7 +7,6 @@
 #include "plugin/generated_rotor.h"
 
 namespace rotorub::plugin {
-
 namespace {
 
 // Of the degrees of freedom that move the body the last, or -1.
@@ -79,6 +78,7 @@ ContactPlace contact_place(const ContactPair& pair, const mjData* d) {
 
 Eigen::Vector2d turning_of(const ContactPair& pair, const ContactPlace& place, const mjModel* m,
                            const mjData* d) {
+  if (pair.on_chain) return {0.0, 0.0};
   mjtNum rotor[3], ring[3];
   point_turning(m, d, m->geom_bodyid[pair.rotor_geom], d->geom_xpos + 3 * pair.rotor_geom, rotor);
   point_turning(m, d, m->geom_bodyid[pair.ring_geom], place.ring_point, ring);
@@ -144,7 +144,8 @@ void BodySpace::solve_plain() const {
   }
 }
 
-ChainSpace::ChainSpace(const Config& config, const mjModel* m, mjData* d, const StepMatrix& matrix)
+ChainSpace::ChainSpace(const Config& config, std::size_t bearing, const mjModel* m, mjData* d,
+                       const StepMatrix& matrix)
     : ContactSpace(m, d, matrix), config_(config), room_(d) {
   const Model& model = config.model;
   const int nq = model.nq();
@@ -153,18 +154,25 @@ ChainSpace::ChainSpace(const Config& config, const mjModel* m, mjData* d, const 
     *row = room_.numbers(3 * nv_);
     std::fill_n(*row, 3 * nv_, 0.0);
   }
+  if (model.coupled_mass()) {
+    sudden_ = room_.numbers(3 * nv_);
+    std::fill_n(sudden_, 3 * nv_, 0.0);
+  }
   step_mass_ = room_.numbers(nq);
   step_mass(config, m, step_mass_);
   const Coordinates state(config, d);
   for (int k = 0; k < 3; ++k) {
     double load[kMaxCoordinates], moved[kMaxCoordinates];
     std::fill_n(load, nq, 0.0);
-    add_contact_load(model, Eigen::Vector3d::Unit(k), load);
+    add_contact_load(model, Eigen::Vector3d::Unit(k), load, bearing);
     add_to_dofs(config, load, jacobian_ + k * nv_);
     solve_mass(model, step_mass_, d->time, state.q(), load, moved);
     add_to_dofs(config, moved, damped_ + k * nv_);
     for (int i = 0; i < nq; ++i) moved[i] = load[i] / model.mass[i];
     add_to_dofs(config, moved, plain_ + k * nv_);
+    if (!model.coupled_mass()) continue;
+    solve_mass(model, d->time, state.q(), load, moved);
+    add_to_dofs(config, moved, sudden_ + k * nv_);
   }
   plain_known_ = true;
 }
@@ -176,6 +184,21 @@ Eigen::Vector3d ChainSpace::response(const mjtNum* f) const {
     for (int k = 0; k < 3; ++k) a[k] += jacobian_[k * nv_ + dof] * f[dof] / step_mass_[i];
   }
   return a;
+}
+
+void ChainSpace::add_given(const mjtNum* rows, const Eigen::Vector3d& load, mjtNum* to) const {
+  for (int i = 0; i < config_.model.nq(); ++i) {
+    const int dof = config_.dof_address[static_cast<std::size_t>(i)];
+    for (int k = 0; k < 3; ++k) to[dof] += step_mass_[i] * rows[k * nv_ + dof] * load[k];
+  }
+}
+
+void ChainSpace::add_load(const Eigen::Vector3d& load, mjtNum* to) const {
+  config_.model.coupled_mass() ? add_given(damped_, load, to) : add_rows(jacobian_, load, to);
+}
+
+void ChainSpace::add_impact(const Eigen::Vector3d& load, mjtNum* to) const {
+  add_given(sudden_ ? sudden_ : plain_, load, to);
 }
 
 void ChainSpace::add_side(const Eigen::Vector3d& normal, const Eigen::Vector3d& friction,
@@ -201,6 +224,31 @@ void ChainSpace::add_side_acceleration(const Eigen::Vector3d& normal,
     const int dof = config_.dof_address[static_cast<std::size_t>(i)];
     to[dof] += load[dof] / config_.model.mass[i];
   }
+}
+
+ContactSpaces::~ContactSpaces() {
+  while (count_-- > 0) {
+    all_[count_].axial.reset();
+    all_[count_].plane.emplace<std::monostate>();
+  }
+}
+
+ContactSpaces::Made ContactSpaces::add(const ContactPair& pair) {
+  ContactPlace place = contact_place(pair, d_);
+  if (pair.beside) {
+    place.d = separation(config_.model, Coordinates(config_, d_).q(), pair.bearing);
+  }
+  Spaces& spaces = all_[count_++];
+  if (pair.on_chain) {
+    return {place, &spaces.plane.emplace<ChainSpace>(config_, pair.bearing, m_, d_, matrix_),
+            nullptr};
+  }
+  BodySpace& plane = spaces.plane.emplace<BodySpace>(pair, place, m_, d_, matrix_);
+  plane.solve();
+  if (!pair.axial) return {place, &plane, nullptr};
+  BodySpace& axial = spaces.axial.emplace(pair, place, m_, d_, matrix_, BodyRows::kAxis);
+  axial.solve();
+  return {place, &plane, &axial};
 }
 
 Eigen::Vector3d ContactRows::column(Eigen::Index k) const {

@@ -7,7 +7,10 @@
 
 #include <Eigen/Core>
 #include <algorithm>
+#include <array>
+#include <optional>
 #include <span>
+#include <variant>
 
 #include "native_model/contact/coupled_law.h"
 #include "native_model/contact/kinematics.h"
@@ -27,16 +30,18 @@ class ContactSpace {
     return product(damped_, f);
   }                                                                          // J H^-1 f
   Eigen::Matrix3d flexibility() const { return gram(damped_); }              // J H^-1 J^T
-  Eigen::Matrix3d admittance() const { return gram(plain()); }               // J M^-1 J^T
+  Eigen::Matrix3d admittance() const { return gram(sudden()); }              // J M^-1 J^T
   bool damped() const { return damped_ != plain_; }                          // H is not M
   const mjtNum* acceleration_row(int k) const { return plain() + k * nv_; }  // row k of J M^-1
 
   // J H^-1 J_other^T and J M^-1 J_other^T: what a load of another contact does here.
   Eigen::Matrix3d flexibility(const ContactSpace& other) const { return gram(damped_, other); }
-  Eigen::Matrix3d admittance(const ContactSpace& other) const { return gram(plain(), other); }
+  Eigen::Matrix3d admittance(const ContactSpace& other) const { return gram(sudden(), other); }
 
   // to += J^T load, load: (x, y, torque) on the rotor.
-  void add_load(const Eigen::Vector3d& load, mjtNum* to) const { add_rows(jacobian_, load, to); }
+  virtual void add_load(const Eigen::Vector3d& load, mjtNum* to) const {
+    add_rows(jacobian_, load, to);
+  }
   // The accelerations without the contact, J M^-1 f of qfrc_smooth.
   virtual Eigen::Vector3d smooth() const { return rates(d_->qacc_smooth); }
   // What MuJoCo is given beside the normal force that its solver finds, for the contact's load
@@ -58,7 +63,7 @@ class ContactSpace {
     impact ? add_impact(load, to) : add_load(load, to);
   }
   // to += H M^-1 J^T load: a load over the step that no damper takes from.
-  void add_impact(const Eigen::Vector3d& load, mjtNum* to) const {
+  virtual void add_impact(const Eigen::Vector3d& load, mjtNum* to) const {
     add_load(load, to);
     StackFrame room(d_);
     mjtNum* change = room.numbers(nv_);
@@ -91,8 +96,14 @@ class ContactSpace {
   int nv_;
   mutable bool plain_known_ = false;
   mjtNum *jacobian_ = nullptr, *plain_ = nullptr, *damped_ = nullptr;  // 3 x nv
+  mjtNum* sudden_ = nullptr;  // of impulses, where M is not MuJoCo's; null: as plain_
+
+  void add_rows(const mjtNum* rows, const Eigen::Vector3d& load, mjtNum* to) const {
+    for (int k = 0; k < 3; ++k) mju_addToScl(to, rows + k * nv_, load[k], nv_);
+  }
 
  private:
+  const mjtNum* sudden() const { return sudden_ ? sudden_ : plain(); }
   Eigen::Matrix3d gram(const mjtNum* rows) const {
     Eigen::Matrix3d g;
     for (int j = 0; j < 3; ++j) g.col(j) = product(rows, jacobian_ + j * nv_);
@@ -103,9 +114,6 @@ class ContactSpace {
     Eigen::Matrix3d g;
     for (int j = 0; j < 3; ++j) g.col(j) = product(rows, other.jacobian_ + j * nv_);
     return g;
-  }
-  void add_rows(const mjtNum* rows, const Eigen::Vector3d& load, mjtNum* to) const {
-    for (int k = 0; k < 3; ++k) mju_addToScl(to, rows + k * nv_, load[k], nv_);
   }
 };
 
@@ -175,19 +183,26 @@ class BodySpace final : public ContactSpace {
 // Lives on the stack of mjData for as long as the object does.
 class ChainSpace final : public ContactSpace {
  public:
-  ChainSpace(const Config& config, const mjModel* m, mjData* d, const StepMatrix& matrix);
+  // bearing: in model.auxiliary.
+  ChainSpace(const Config& config, std::size_t bearing, const mjModel* m, mjData* d,
+             const StepMatrix& matrix);
 
   // Of MuJoCo's forces, which have been through H0 (M(phi) + h D)^-1 already
   // (add_passive_force).
   Eigen::Vector3d response(const mjtNum* f) const override;
   // With the masses of the native model: MuJoCo's links weigh a little.
   Eigen::Vector3d smooth() const override { return product(plain_, d_->qfrc_smooth); }
+  void add_load(const Eigen::Vector3d& load, mjtNum* to) const override;
+  void add_impact(const Eigen::Vector3d& load, mjtNum* to) const override;
   void add_side(const Eigen::Vector3d& normal, const Eigen::Vector3d& friction,
                 mjtNum* to) const override;
   void add_side_acceleration(const Eigen::Vector3d& normal, const Eigen::Vector3d& friction,
                              mjtNum* to) const override;
 
  private:
+  // to += H0 rows load.
+  void add_given(const mjtNum* rows, const Eigen::Vector3d& load, mjtNum* to) const;
+
   const Config& config_;
   StackFrame room_;
   mjtNum* step_mass_;  // nq
@@ -216,6 +231,37 @@ struct ContactRows {
     const Eigen::Vector2d y = rates_along(e_r, radius, of(*plane));
     return {y.x(), y.y(), axial ? column(2).dot(of(*axial)) : 0.0};
   }
+};
+
+// The spaces of the contacts of a pass, each in its form, ready to be asked. On the stack of
+// mjData: the last made goes first.
+class ContactSpaces {
+ public:
+  // After mj_fwdActuation. config must outlive it.
+  ContactSpaces(const Config& config, const mjModel* m, mjData* d)
+      : config_(config), m_(m), d_(d), matrix_(m, d) {}
+  ~ContactSpaces();
+  ContactSpaces(const ContactSpaces&) = delete;
+  ContactSpaces& operator=(const ContactSpaces&) = delete;
+
+  struct Made {
+    ContactPlace place;
+    const ContactSpace* plane;
+    const ContactSpace* axial;  // null: it does not move along its axis
+  };
+  Made add(const ContactPair& pair);  // at most kMaxContacts
+
+ private:
+  struct Spaces {
+    std::variant<std::monostate, BodySpace, ChainSpace> plane;
+    std::optional<BodySpace> axial;
+  };
+  const Config& config_;
+  const mjModel* m_;
+  mjData* d_;
+  StepMatrix matrix_;
+  std::array<Spaces, kMaxContacts> all_;
+  std::size_t count_ = 0;
 };
 
 // What p_j of each contact does to the rates of each, `rows` (2, or 3 where one of them moves along

@@ -4,21 +4,24 @@
 #include <array>
 #include <cmath>
 #include <optional>
-#include <variant>
 
 #include "native_model/contact/constrained_law.h"
 #include "native_model/contact/impact.h"
+#include "native_model/dynamics/dynamics.h"
 #include "native_model/trajectory/trajectory.h"
 #include "plugin/actuators.h"
 #include "plugin/contact/constraint_probe.h"
 #include "plugin/contact/contact_memory.h"
 #include "plugin/contact/contact_space.h"
-#include "plugin/contact/relative_motion.h"
+#include "plugin/generated_rotor.h"
 #include "plugin/load_cells.h"
+#include "plugin/options.h"
 #include "plugin/user_data.h"
 
 namespace rotorub::plugin {
 namespace {
+
+constexpr int kNoRow = -1;  // of a contact that MuJoCo's solver does not know (ContactPair::beside)
 
 // One contact in accelerations.
 struct TouchingPair : ContactRows {
@@ -36,37 +39,55 @@ struct TouchingPair : ContactRows {
   Eigen::Vector3d friction() const { return contact_load(e_r, radius, 0.0, force.y()); }
   // Of the force, what MuJoCo is given beside what its solver finds.
   void add_side(mjtNum* to) const {
+    if (row == kNoRow) return plane->add_load(normal() + friction(), to);
     plane->add_side(normal(), friction(), to);
     if (axial && force.z() != 0.0) axial->add_load(force.z() * column(2), to);
   }
   // The accelerations by all of it.
   void add_acceleration(mjtNum* to) const {
+    if (row == kNoRow) {
+      const Eigen::Vector3d none(0.0, 0.0, 0.0);
+      return plane->add_side_acceleration(none, normal() + friction(), to);
+    }
     plane->add_acceleration(normal(), to);
     plane->add_side_acceleration(normal(), friction(), to);
     if (axial && force.z() != 0.0) axial->add_acceleration(force.z() * column(2), to);
   }
 };
 
-// row: of MuJoCo's solver; axial: null where it does not move along its axis.
-TouchingPair touching_pair(const ContactPair& pair, const ContactPlace& place,
-                           const ContactSpace& space, const ContactSpace* axial, const mjModel* m,
+// K I and B of MuJoCo's reference.
+struct Reference {
+  double stiffness, damping;
+};
+Reference reference_of(const ContactPair& pair, const mjModel* m, const mjData* d, int row) {
+  if (row != kNoRow) {
+    const mjtNum* kbip = d->efc_KBIP + 4 * row;
+    return {kbip[0] * kbip[2], kbip[1]};
+  }
+  // As MuJoCo would have it: direct, of a constant impedance (mjcf/contact_pair.h).
+  const mjtNum* solref = m->pair_solref + mjNREF * pair.pair;
+  const double impedance = m->pair_solimp[mjNIMP * pair.pair];
+  return {-solref[0] / impedance, -solref[1] / impedance};
+}
+
+// row: of MuJoCo's solver.
+TouchingPair touching_pair(const ContactPair& pair, const ContactSpaces::Made& at, const mjModel* m,
                            const mjData* d, int row) {
+  const auto& [place, space, axial] = at;
   const double h = m->opt.timestep;
-  Eigen::Vector3d rates = space.rates(d->qvel);
+  Eigen::Vector3d rates = space->rates(d->qvel);
   rates.z() += pair.held_spin;
   const ContactPoint p = contact_kinematics(place.d, rates.head<2>(), rates.z(),
                                             pair.contact.radius, pair.contact.clearance);
-  TouchingPair s{{&space, axial, p.e_r, pair.contact.radius}, &pair, row, p};
+  TouchingPair s{{space, axial, p.e_r, pair.contact.radius}, &pair, row, p};
   const double whirl = p.whirl_speed();
-  const Eigen::Vector2d turning =
-      pair.on_chain ? Eigen::Vector2d(0.0, 0.0) : turning_of(pair, place, m, d);
+  const Eigen::Vector2d turning = turning_of(pair, place, m, d);
   const double whirling = whirl * whirl / p.delta;
   s.curvature = whirling + p.e_r.dot(turning);
   // MuJoCo's a_ref with the gap rate of the state's own time: that of a semi-implicit step is of
   // half a step ago.
-  const mjtNum* kbip = d->efc_KBIP + 4 * row;
-  const double reference =
-      -kbip[1] * (p.gap_rate + 0.5 * h * s.curvature) - kbip[0] * kbip[2] * p.gap;
+  const Reference r = reference_of(pair, m, d, row);
+  const double reference = -r.damping * (p.gap_rate + 0.5 * h * s.curvature) - r.stiffness * p.gap;
   s.base = {-s.curvature - reference,
             p.slip / h + whirl / p.delta * p.gap_rate + p.e_t().dot(turning),
             axial ? s.column(2).dot(axial->rates(d->qvel)) / h : 0.0};
@@ -199,6 +220,7 @@ void set_references(TouchingPairs& contacts, const mjModel* m, mjData* d) {
     return at.smooth() + at.rates(acceleration);
   };
   for (const TouchingPair& s : contacts.span()) {
+    if (s.row == kNoRow) continue;
     const double found = s.along(rates).x();
     d->efc_aref[s.row] =
         s.force.x() > 0.0 ? found + d->efc_R[s.row] * s.force.x() : open_reference(found);
@@ -239,6 +261,15 @@ void solve_beside_constraints(TouchingPairs& contacts, const mjModel* m, mjData*
   if (any) probe.keep();
 }
 
+// A contact that MuJoCo's solver does not know, near enough to be in it.
+bool is_seen_beside(const Config& config, const ContactPair& pair, const mjModel* m,
+                    const mjData* d) {
+  const Coordinates state(config, d);
+  const double delta = separation(config.model, state.q(), pair.bearing).norm();
+  return contact_enabled(m) && delta > kNoNormal &&
+         pair.contact.clearance - delta < seen_below(m, pair.pair);
+}
+
 void note(const TouchingPair& s, mjData* d) {
   mjtNum* entry = s.entry(d);
   entry[kNormalForce] = s.force.x();
@@ -247,47 +278,27 @@ void note(const TouchingPair& s, mjData* d) {
   if (s.axial) note_contact(d, s.pair->data, s.e_r, s.force.z());
 }
 
-using AnySpace = std::variant<std::monostate, BodySpace, ChainSpace>;
-
-const ContactSpace& space_of(const Config& config, const ContactPair& pair,
-                             const ContactPlace& place, const mjModel* m, mjData* d,
-                             const StepMatrix& matrix, AnySpace& room) {
-  if (pair.on_chain) return room.emplace<ChainSpace>(config, m, d, matrix);
-  BodySpace& space = room.emplace<BodySpace>(pair, place, m, d, matrix);
-  space.solve();
-  return space;
-}
-
 }  // namespace
 
 void apply_coulomb(const Config& config, const mjModel* m, mjData* d) {
-  std::optional<StepMatrix> matrix;
-  // On the stack of mjData: the last made goes first.
-  std::array<AnySpace, kMaxContacts> spaces;
-  std::array<std::optional<BodySpace>, kMaxContacts> axial;
+  std::optional<ContactSpaces> spaces;
   TouchingPairs contacts;
   for (const ContactPair& pair : config.pairs) {
     if (pair.law == scene::ContactModel::kRigid) continue;
     mjtNum* entry = d->userdata + pair.data;
     entry[kNormalForce] = entry[kFrictionForce] = 0.0;
-    const mjContact* contact = find_contact(pair.rotor_geom, pair.ring_geom, d);
-    if (!contact) entry[kMode] = 0.0;
-    if (!contact || pair.law != scene::ContactModel::kCoulomb) continue;
+    const mjContact* contact = find_contact(pair, d);
+    const bool seen = pair.beside ? is_seen_beside(config, pair, m, d) : contact != nullptr;
+    if (!seen) entry[kMode] = 0.0;
+    if (!seen || pair.law != scene::ContactModel::kCoulomb) continue;
     if (contacts.count == 0) {
       compute_actuators(m, d);
       mj_fwdAcceleration(m, d);
-      matrix.emplace(m, d);
+      spaces.emplace(config, m, d);
     }
-    const ContactPlace place = contact_place(pair, d);
-    const ContactSpace& space =
-        space_of(config, pair, place, m, d, *matrix, spaces[contacts.count]);
-    BodySpace* along = nullptr;
-    if (pair.axial)
-      along = &axial[contacts.count].emplace(pair, place, m, d, *matrix, BodyRows::kAxis);
-    if (along) along->solve();
-    contacts.rows[contacts.count] = contact->efc_address;
-    contacts.all[contacts.count++] =
-        touching_pair(pair, place, space, along, m, d, contact->efc_address);
+    const int row = pair.beside ? kNoRow : contact->efc_address;
+    contacts.rows[contacts.count] = row;
+    contacts.all[contacts.count++] = touching_pair(pair, spaces->add(pair), m, d, row);
   }
   if (contacts.count == 0) return;
   bool beside = false;
@@ -305,10 +316,6 @@ void apply_coulomb(const Config& config, const mjModel* m, mjData* d) {
   for (const TouchingPair& s : contacts.span()) {
     note(s, d);
     if (s.force.x() > 0.0) s.add_side(d->qfrc_passive);
-  }
-  for (std::size_t i = contacts.count; i-- > 0;) {
-    axial[i].reset();
-    spaces[i].emplace<std::monostate>();
   }
 }
 

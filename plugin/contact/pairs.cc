@@ -20,9 +20,7 @@ template <typename Action>
 void for_each_solved(const mjData* d, int geom1, int geom2, Action action) {
   for (int i = 0; i < d->ncon; ++i) {
     const mjContact& c = d->contact[i];
-    const bool is =
-        (c.geom1 == geom1 && c.geom2 == geom2) || (c.geom1 == geom2 && c.geom2 == geom1);
-    if (is && c.efc_address >= 0) action(c);
+    if (c.efc_address >= 0 && are_geoms(geom1, geom2, c.geom1, c.geom2)) action(c);
   }
 }
 
@@ -55,7 +53,7 @@ void apply_contacts(const Config& config, const mjModel* m, mjData* d) {
   // Soft ones first: `rigid` asks MuJoCo's solver for them as for any other contact.
   if (config.has_soft()) apply_coulomb(config, m, d);
   apply_cones(config, m, d);
-  if (config.has_rigid()) apply_rigid(config.pairs, m, d);
+  if (config.has_rigid()) apply_rigid(config, m, d);
 }
 
 int collide_exactly(const ContactPair& pair, const mjData* d, CollisionContact* con, int g1,

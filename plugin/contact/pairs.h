@@ -3,8 +3,8 @@
 //   coulomb  coulomb.h's: normal force and friction as one problem in accelerations, MuJoCo's
 //            reference set such that its solver finds the normal force
 //   cone     MuJoCo's own, in the exact circle
-//   cone-coulomb  the same, corrected for sliding (contact/cone_correction.h)
-// Contacts that act on the same bodies are solved together (contact/coupled_law.h), and so are
+//   cone-coulomb  the same, corrected for sliding (contact/cone.h)
+// Contacts that act on the same bodies are solved together (contact/coupled_step.h), and so are
 // other constraints on them (contact/constraint_probe.h).
 #pragma once
 

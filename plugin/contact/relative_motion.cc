@@ -4,10 +4,9 @@
 #include <cmath>
 
 #include "plugin/contact/contact_space.h"
-#include "plugin/mujoco_versions.h"
+#include "plugin/mujoco_dynamics.h"
 
 namespace rotorub::plugin {
-
 namespace {
 
 constexpr double kAcross = 1e-6;  // a slide is across the axis: cosine of the angle between

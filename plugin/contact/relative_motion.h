@@ -5,7 +5,7 @@
 //   gdot_Z = z' + r (e_r,y omega_x - e_r,x omega_y),
 // z' of the rotor's centre against the point of the ring's axis beside it, omega the tilt rate of
 // the rotor less 1 + delta / r times that of the ring: the motion of the point that touches; and
-// friction opposes both together (contact/disc_law.h).
+// friction opposes both together (native_model/contact/disc_law.h).
 //
 // A machine whose centres stay in the contact plane has the planar law: a rotor that only tilts,
 // about a point of the axis, slips along it by the tilt rate times r, which linear rotor dynamics

@@ -1,7 +1,7 @@
 #include "plugin/contact/rigid.h"
 
 #include <array>
-#include <optional>
+#include <span>
 
 #include "native_model/contact/coupled_law.h"
 #include "native_model/contact/kinematics.h"
@@ -142,52 +142,43 @@ void solve_groups(const mjModel* m, mjData* d, std::span<CoupledMember> all) {
 }
 
 // The contacts that may close in this step.
-void solve_near(std::span<const ContactPair* const> pairs, const mjModel* m, mjData* d) {
+void solve_near(const Config& config, std::span<const ContactPair* const> pairs, const mjModel* m,
+                mjData* d) {
   const double h = m->opt.timestep;
-  const StepMatrix matrix(m, d);
-  // On the stack of mjData: the last made goes first.
-  std::array<std::optional<BodySpace>, kMaxContacts> spaces, axial;
+  ContactSpaces spaces(config, m, d);
   std::array<CoupledMember, kMaxContacts> members;
   for (std::size_t i = 0; i < pairs.size(); ++i) {
     const ContactPair& pair = *pairs[i];
+    const auto [place, plane, axial] = spaces.add(pair);
     CoupledMember& member = members[i];
     member.pair = &pair;
-    const ContactPlace place = contact_place(pair, d);
-    BodySpace& space = spaces[i].emplace(pair, place, m, d, matrix);
-    space.solve();
-    member.space = &space;
+    member.space = plane;
+    member.axial = axial;
     member.step.h = h;
     member.step.d = place.d;
     member.step.bend = 0.5 * h * h * turning_of(pair, place, m, d);
-    member.step.start = space.rates(d->qvel);
+    member.step.start = plane->rates(d->qvel);
     member.step.start.z() += pair.held_spin;
     ContactMemory memory(d, pair.data, h);
     memory.watch(place.d.norm(), pair.contact);
     member.step.was_in_contact = memory.was_in_contact(place.d.norm(), pair.contact.clearance);
-    member.held = constraints_couple(m, d, space);
-    if (!pair.axial) continue;
-    BodySpace& along = axial[i].emplace(pair, place, m, d, matrix, BodyRows::kAxis);
-    along.solve();
-    member.axial = &along;
-    member.axial_start = along.rates(d->qvel);
-    member.held = member.held || constraints_couple(m, d, along);
+    member.held = constraints_couple(m, d, *plane);
+    if (!axial) continue;
+    member.axial_start = axial->rates(d->qvel);
+    member.held = member.held || constraints_couple(m, d, *axial);
   }
   solve_groups(m, d, {members.data(), pairs.size()});
-  for (std::size_t i = pairs.size(); i-- > 0;) {
-    axial[i].reset();
-    spaces[i].reset();
-  }
 }
 
 }  // namespace
 
-void apply_rigid(std::span<const ContactPair> pairs, const mjModel* m, mjData* d) {
+void apply_rigid(const Config& config, const mjModel* m, mjData* d) {
   update_smooth_force(m, d);
   Reach reach(m, d);
   std::array<const ContactPair*, kMaxContacts> facing{};
   std::size_t count = 0;
   bool near = false;
-  for (const ContactPair& pair : pairs) {
+  for (const ContactPair& pair : config.pairs) {
     if (pair.law != scene::ContactModel::kRigid) continue;
     ContactMemory memory(d, pair.data, m->opt.timestep);
     if (!face_each_other(pair, d)) {
@@ -196,10 +187,10 @@ void apply_rigid(std::span<const ContactPair> pairs, const mjModel* m, mjData* d
       continue;
     }
     facing[count++] = &pair;
-    near = near || memory.was_in_contact() || reach.may_reach(pair);
+    near = near || memory.was_in_contact() || pair.on_chain || reach.may_reach(pair);
   }
   if (near && contact_enabled(m)) {
-    solve_near({facing.data(), count}, m, d);
+    solve_near(config, {facing.data(), count}, m, d);
     return;
   }
   for (std::size_t i = 0; i < count; ++i) {

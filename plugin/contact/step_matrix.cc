@@ -2,7 +2,7 @@
 
 #include <Eigen/Core>
 
-#include "plugin/mujoco_derivatives.h"
+#include "plugin/mujoco_dynamics.h"
 #include "plugin/mujoco_versions.h"
 
 namespace rotorub::plugin {

@@ -1,3 +1,5 @@
+// The matrix of MuJoCo's step, tree by tree.
+//
 // M and a diagonal = L^T D L of single kinematic trees: M is of blocks, one a tree, and the degrees
 // of freedom of a tree follow each other. What is not in the trees of rotor and ring costs nothing.
 #pragma once
@@ -6,7 +8,7 @@
 
 #include <algorithm>
 
-#include "plugin/mujoco_versions.h"
+#include "plugin/mujoco_dynamics.h"
 
 namespace rotorub::plugin {
 

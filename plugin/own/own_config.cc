@@ -15,7 +15,6 @@
 #include "plugin/user_data.h"
 
 namespace rotorub::plugin {
-
 namespace {
 
 namespace names = mjcf_names;

@@ -54,7 +54,7 @@ struct LinearMachine {
 
 // m: the model of an own config. `start`: where controls and the rotor's speed are taken from.
 // Callbacks for actuators are called, and no others. Throws ConfigError naming what cannot be
-// linearised (axis_joints.h).
+// linearised (probe.h).
 LinearMachine linear_machine(const mjModel* m, const Config& config, const mjData* start);
 
 }  // namespace rotorub::plugin

@@ -6,7 +6,7 @@
 #include <string>
 
 #include "plugin/message.h"
-#include "plugin/mujoco_versions.h"
+#include "plugin/mujoco_dynamics.h"
 
 namespace rotorub::plugin {
 

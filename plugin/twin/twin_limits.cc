@@ -3,7 +3,7 @@
 #include <algorithm>
 
 #include "plugin/message.h"
-#include "plugin/mujoco_versions.h"
+#include "plugin/mujoco_dynamics.h"
 
 namespace rotorub::plugin {
 namespace {

@@ -1,16 +1,13 @@
-// Contact model `rigid` against the exact answers: bounces, rubs, sticking; and its manners inside
-// MuJoCo.
+// Contact model `rigid` against the exact answers of bounces, and its manners inside MuJoCo (rubs:
+// exact_rub_test.cc).
 #include <gtest/gtest.h>
 
 #include <cmath>
-#include <complex>
-#include <numbers>
 
 #include "mjcf/names.h"
 #include "mjcf/writer.h"
 #include "native_model/dynamics/dynamics.h"
 #include "plugin/hooks.h"
-#include "tests/plugin/normal_force.h"
 #include "tests/plugin/scenes.h"
 #include "tests/support/mujoco_fixture.h"
 
@@ -32,51 +29,6 @@ scene::Scene rigid(const std::string& text, std::vector<std::string> overrides =
 scene::Scene rigid_bench(const std::string& name, std::vector<std::string> overrides = {}) {
   overrides.push_back("mujoco.contact=rigid");
   return shipped(name, overrides);
-}
-
-double rigid_ring_force() {
-  const double m = 2.0, k = 3e5, c = 40.0, mu = 0.2, amplitude = 200.0, delta = 0.5e-3;
-  const double om = 100.0 * std::numbers::pi;
-  const double a = (k - m * om * om) * delta, b = c * om * delta, p = a + mu * b;
-  return (-p + std::sqrt(p * p - (1 + mu * mu) * (a * a + b * b - amplitude * amplitude))) /
-         (1 + mu * mu);
-}
-
-TEST_F(RigidContact, AnnularRubOnARigidRing) {
-  const double exact = rigid_ring_force();
-  for (const char* integrator : {"euler", "implicit"}) {
-    SCOPED_TRACE(integrator);
-    const NormalForce found =
-        normal_force(rigid(kAnnularRub, {std::string("mujoco.integrator=") + integrator}), 20000);
-    EXPECT_NEAR(found.mean, exact, kForce * exact);
-    EXPECT_LT(found.deviation, kScatter * exact);
-    EXPECT_EQ(found.steps_in_contact, 20000);
-  }
-}
-
-TEST_F(RigidContact, AnnularRubOnAnElasticRing) {
-  using Stiffness = std::complex<double>;
-  const double om = 100.0 * std::numbers::pi, mu = 0.2, u = 200.0, delta = 0.5e-3;
-  const Stiffness rotor(3e5 - 2.0 * om * om, 40.0 * om), stator(4e5 - om * om, 200.0 * om);
-  const Stiffness h = Stiffness(1.0, mu) * (1.0 / rotor + 1.0 / stator);
-  const double a = std::norm(h), b = delta * h.real();
-  const double constant = delta * delta - u * u / std::norm(rotor);
-  const double exact = (-b + std::sqrt(b * b - a * constant)) / a;
-  ASSERT_GT(exact, 0.0);
-  const NormalForce found = normal_force(rigid(kAnnularRub + kElasticRing), 20000);
-  EXPECT_NEAR(found.mean, exact, kForce * exact);
-  EXPECT_LT(found.deviation, kScatter * exact);
-  EXPECT_EQ(found.steps_in_contact, 20000);
-}
-
-TEST_F(RigidContact, TheErrorFallsWithTheStep) {
-  const double exact = rigid_ring_force();
-  const double coarse =
-      std::abs(normal_force(rigid(kAnnularRub, {"run.step=1e-4"}), 2000).mean - exact);
-  const double fine =
-      std::abs(normal_force(rigid(kAnnularRub, {"run.step=1e-5"}), 2000).mean - exact);
-  EXPECT_LT(fine, 0.15 * coarse);
-  EXPECT_LT(coarse, 1e-3 * exact);
 }
 
 // Without loads a bounce on the ring keeps energy and angular momentum: 101 impacts in 0.2 s.
@@ -107,22 +59,6 @@ TEST_F(RigidContact, NeverLeavesTheRing) {
     // (v h)^2 / (2 delta_0) with v = 0.35 m/s: the normal is that of the step's begin.
     ASSERT_GT(sensor(m.get(), d.get(), names::kGap), -1.5e-6) << k;
   }
-}
-
-TEST_F(RigidContact, SticksWithoutFlippingItsSign) {
-  const ModelPointer m = load(mjcf(rigid(kBrake)));
-  const DataPointer d = start(m.get());
-  int flips = 0, last = 0;
-  for (int k = 0; k < 10000; ++k) {
-    mj_step(m.get(), d.get());
-    const double slip = sensor(m.get(), d.get(), names::kSlip);
-    const int sign = std::abs(slip) > 1e-9 ? (slip > 0.0 ? 1 : -1) : 0;
-    if (sign != 0 && last != 0 && sign != last) ++flips;
-    if (sign != 0) last = sign;
-  }
-  EXPECT_LE(flips, 2);
-  EXPECT_NEAR(sensor(m.get(), d.get(), names::kSlip), 0.0, 1e-9);
-  EXPECT_NEAR(sensor(m.get(), d.get(), names::kNormalForce), 100.0, 1.0);
 }
 
 TEST_F(RigidContact, IsSeenByMujocoButNotSolvedByIt) {

@@ -1,4 +1,5 @@
-// Two auxiliary bearings in MuJoCo: a segment rotor against the native model of the same scene.
+// Two auxiliary bearings in MuJoCo, a segment rotor and the modal chain, against the native model
+// of the same scene.
 
 #include <gtest/gtest.h>
 
@@ -71,6 +72,31 @@ TEST(SeveralContactsInMujoco, RigidRecordsTheImpactsOfEach) {
   }
 }
 
+// The modal chain is the native model's rotor: the impacts of the start are the same ones.
+TEST(SeveralContactsInMujoco, OnTheModalChainAreTheNativeModels) {
+  const scene::Scene scene = two_catchers({"mujoco.rotor=modal"});
+  const Trajectory native = test::run_event(scene);
+  for (const auto contact : {scene::ContactModel::kRigid, scene::ContactModel::kCoulomb}) {
+    MujocoOptions options;
+    options.contact = contact;
+    options.step = 2e-6;
+    const Trajectory t = run_mujoco(scene, options);
+    ASSERT_EQ(t.status, Status::kOk) << t.message;
+    ASSERT_EQ(t.contacts, 2u);
+    for (std::size_t k = 0; k < 2; ++k) {
+      const ContactStatistics &found = t.statistics.contacts[k],
+                              &exact = native.statistics.contacts[k];
+      EXPECT_NEAR(found.first_touch, exact.first_touch, 1e-5) << k;
+      EXPECT_NEAR(found.impulse_total, exact.impulse_total, 5e-3 * exact.impulse_total) << k;
+    }
+    EXPECT_LT(t.statistics.energy_residual(), 1e-2) << scene::to_string(contact);
+    for (const char* column : {"normal_force", "contact2_normal_force"}) {
+      const double exact = native.column(column).back();
+      EXPECT_NEAR(t.column(column).back(), exact, 0.02 * exact) << column;
+    }
+  }
+}
+
 // Swapped in the list they are the same machine; the first one's plane is z = 0.
 TEST(SeveralContactsInMujoco, HaveNoOrder) {
   scene::Scene scene = two_catchers();
@@ -88,7 +114,7 @@ TEST(SeveralContactsInMujoco, HaveNoOrder) {
   EXPECT_NEAR(t.column("contact2_gap").back(), other.column("gap").back(), 1e-9);
 }
 
-TEST(SeveralContactsInMujoco, NeedSegmentsAndPassiveRings) {
+TEST(SeveralContactsInMujoco, NeedPassiveRingsAndSegmentsForACone) {
   const auto refusal = [](const std::vector<std::string>& overrides) {
     try {
       mjcf(two_catchers(overrides));
@@ -98,9 +124,12 @@ TEST(SeveralContactsInMujoco, NeedSegmentsAndPassiveRings) {
     return std::string("taken");
   };
   EXPECT_EQ(refusal({}), "taken");
-  EXPECT_NE(refusal({"mujoco.rotor=modal"})
-                .find("mujoco.rotor: MuJoCo's modal chain carries one contact"),
-            std::string::npos);
+  EXPECT_EQ(refusal({"mujoco.rotor=modal"}), "taken");
+  for (const char* cone : {"mujoco.contact=cone", "mujoco.contact=cone-coulomb"}) {
+    const std::string said = refusal({"mujoco.rotor=modal", cone});
+    EXPECT_NE(said.find("mujoco.contact"), std::string::npos) << said;
+    EXPECT_NE(said.find("mujoco.rotor = \"segments\""), std::string::npos) << said;
+  }
   EXPECT_NE(refusal({"mujoco.shadow=true"}).find("mujoco.shadow"), std::string::npos);
   EXPECT_NE(refusal({"contact[1].controller.kind=pd", "contact[1].controller.stiffness=1e4",
                      "contact[1].controller.damping=10"})

@@ -3,32 +3,12 @@
 
 #include <gtest/gtest.h>
 
-#include <fstream>
-#include <nlohmann/json.hpp>
-
-#include "native_model/scene/reader.h"
 #include "tests/support/jeffcott.h"
 #include "tests/support/native_run.h"
+#include "tests/support/two_rings.h"
 
 namespace rotorub {
 namespace {
-
-constexpr double kRows = 1e-12;  // s, of the times that both have written
-
-std::string file(const std::string& name) {
-  return std::string(ROTORUB_SOURCE_DIR) + "/tests/native_model/event/two_rings/" + name;
-}
-
-nlohmann::json expected(const std::string& name) {
-  std::ifstream in(file("expected.json"));
-  return nlohmann::json::parse(in).at(name);
-}
-
-std::size_t row_of(const Trajectory& t, double time) {
-  const std::vector<double>& times = t.column("t");
-  const auto found = std::lower_bound(times.begin(), times.end(), time - kRows);
-  return static_cast<std::size_t>(found - times.begin());
-}
 
 int counted(const Trajectory& t, int contact) {
   return static_cast<int>(std::count_if(t.impacts.begin(), t.impacts.end(), [&](const Impact& i) {
@@ -41,20 +21,15 @@ class TwoRings : public testing::TestWithParam<const char*> {};
 // Positions to 5e-13 m and velocities to 5e-11 m/s: a thousandth of what a bounce at the end of an
 // accumulation is.
 TEST_P(TwoRings, AgreesWithASecondProgram) {
-  const nlohmann::json exact = expected(GetParam());
-  const scene::Scene scene = scene::read_scene(file(GetParam() + std::string(".toml")));
+  const nlohmann::json exact = test::two_rings_answer(GetParam());
+  const scene::Scene scene = test::two_rings_scene(GetParam());
   const Trajectory t = test::run_event(scene);
   ASSERT_EQ(t.status, Status::kOk) << t.message;
   for (const nlohmann::json& row : exact.at("rows")) {
-    const std::size_t k = row_of(t, row.at("t"));
+    const std::size_t k = test::row_of(t, row.at("t"));
     ASSERT_LT(k, t.rows());
     for (const auto& [column, value] : row.at("state").items()) {
-      double found = t.column(column)[k];
-      // There a ring is counted from where its spring is at rest.
-      const std::size_t ring = column.starts_with("contact2_") ? 1 : 0;
-      const Eigen::Vector2d offset = scene.auxiliary[ring].contact->offset;
-      if (column.ends_with("stator_x")) found -= offset.x();
-      if (column.ends_with("stator_y")) found -= offset.y();
+      const double found = test::state_of(t, scene, column, k);
       const bool rate = column.find("_v") != std::string::npos || column.starts_with("v");
       const double bound = column == "spin_speed" ? 1e-9 : rate ? 5e-11 : 5e-13;
       EXPECT_NEAR(found, value.get<double>(), bound) << column << " at " << row.at("t");
@@ -167,7 +142,7 @@ TEST(SeveralContacts, TwoLikeRingsOfOneKilogramAreOneOfTwo) {
 // Each bounce of the first end knocks the resting second one open, which bounces to rest anew
 // before the next.
 TEST(SeveralContacts, ANestedAccumulationEnds) {
-  const Trajectory t = test::run_event(scene::read_scene(file("drop.toml")));
+  const Trajectory t = test::run_event(test::two_rings_scene("drop"));
   ASSERT_EQ(t.status, Status::kOk) << t.message;
   EXPECT_GT(counted(t, 1), 3 * counted(t, 0));
   EXPECT_NE(t.column("mode").back(), static_cast<double>(Mode::kFree));

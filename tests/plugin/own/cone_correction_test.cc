@@ -1,4 +1,4 @@
-// The correction of MuJoCo's friction cone for sliding (plugin/contact/cone_correction.h) on geoms
+// The correction of MuJoCo's friction cone for sliding (plugin/contact/cone.h) on geoms
 // of MuJoCo's own, as a user names them: what slides brakes with mu g and stays down, whatever
 // cone, solver and friction.
 #include <gtest/gtest.h>

@@ -1,5 +1,5 @@
-// What MuJoCo's steps take implicitly in the velocities, as its versions have it
-// (mujoco_versions.h). The functions are in every libmujoco.so; no header of its declares them.
+// The mass matrix, the constraints and the derivatives of MuJoCo's dynamics, as its versions have
+// them (mujoco_versions.h). Some functions are in every libmujoco.so and in no header of its.
 #pragma once
 
 #include <mujoco/mujoco.h>
@@ -25,6 +25,103 @@ int mjd_freeMhat(const mjModel*, const mjData*, int joint, mjtNum h, mjtNum* mat
 }
 
 namespace rotorub::plugin {
+
+// --- The mass matrix, row by row: the diagonal, then the dof's ancestors towards the root ---
+//
+// 2.2: qM, qLD behind each other as they are read. Since 3.3 the factor, since 3.11 the matrix too,
+// are in rows by rising column, the diagonal last, and rows of dofs that MuJoCo calls simple hold
+// the diagonal alone.
+
+struct MassRow {
+  int diagonal;   // address in the matrix
+  int step;       // to the next ancestor's
+  int ancestors;  // that are in the row
+};
+
+template <typename Data>
+constexpr bool kMassByColumns = requires(const Data* d) {
+  d->M;
+};
+
+template <typename Model, typename Data = mjData>
+MassRow mass_row(const Model* m, int dof) {
+  if constexpr (kMassByColumns<Data>) {
+    const int others = m->M_rownnz[dof] - 1;
+    return {m->M_rowadr[dof] + others, -1, others};
+  } else {
+    int ancestors = 0;
+    for (int i = m->dof_parentid[dof]; i >= 0; i = m->dof_parentid[i]) ++ancestors;
+    return {m->dof_Madr[dof], 1, ancestors};
+  }
+}
+template <typename Data>
+const mjtNum* mass_entries(const Data* d) {
+  if constexpr (kMassByColumns<Data>) {
+    return d->M;
+  } else {
+    return d->qM;
+  }
+}
+template <typename Model, typename Data = mjData>
+int mass_size(const Model* m) {
+  if constexpr (kMassByColumns<Data>) {
+    return count(m->nC);
+  } else {
+    return count(m->nM);
+  }
+}
+
+// After mj_comPos: the mass matrix, and the same full, nv x nv.
+template <typename Data>
+void make_mass(const mjModel* m, Data* d) {
+  if constexpr (requires { mj_makeM(m, d); }) {
+    mj_makeM(m, d);
+  } else {
+    mj_crb(m, d);
+  }
+}
+template <typename Data>
+void full_mass(const mjModel* m, const Data* d, mjtNum* full) {
+  if constexpr (requires { mj_fullM(m, d, full); }) {
+    mj_fullM(m, d, full);
+  } else {
+    mj_fullM(m, full, d->qM);
+  }
+}
+
+// --- Constraints ---
+
+template <typename Model>
+bool equality_holds(const Model* m, int equality) {  // at mj_resetData
+  if constexpr (requires { m->eq_active0; })
+    return m->eq_active0[equality] != 0;
+  else
+    return m->eq_active[equality] != 0;
+}
+
+template <typename Data>
+const mjtNum* constraint_diagonal(const Data* d) {  // of J M^-1 J^T, about
+  if constexpr (requires { d->efc_diagA; }) {
+    return d->efc_diagA;
+  } else {
+    return d->efc_diagApprox;
+  }
+}
+
+// x = M^-1/2 y.
+template <typename Data>
+void half_solve(const mjModel* m, Data* d, mjtNum* x, const mjtNum* y, StackFrame& room) {
+  if constexpr (std::is_invocable_v<decltype(&mj_solveM2), const mjModel*, Data*, mjtNum*,
+                                    const mjtNum*, int>) {
+    mj_solveM2(m, d, x, y, 1);
+  } else {
+    mjtNum* roots = room.numbers(count(m->nv));
+    for (int i = 0; i < count(m->nv); ++i) roots[i] = mju_sqrt(d->qLDiagInv[i]);
+    mj_solveM2(m, d, x, y, roots, 1);
+  }
+}
+
+// --- What the steps take implicitly in the velocities ---
 
 // Integrator implicitfast, from 2.3.3 on: dF/dv without that of the bias forces, and of it the
 // lower triangle.

@@ -1,0 +1,195 @@
+// Several contacts on MuJoCo's modal chain, against a second program
+// (tests/native_model/event/two_rings) and against the native event by event.
+
+#include <gtest/gtest.h>
+
+#include <array>
+
+#include "mjcf/names.h"
+#include "mjcf/writer.h"
+#include "native_model/dynamics/dynamics.h"
+#include "plugin/generated_rotor.h"
+#include "plugin/hooks.h"
+#include "tests/plugin/scenes.h"
+#include "tests/support/mujoco_fixture.h"
+#include "tests/support/native_run.h"
+#include "tests/support/two_rings.h"
+
+namespace rotorub::test {
+namespace {
+
+namespace names = mjcf_names;
+
+scene::Scene two_rings(const std::string& name, const std::string& contact, double step,
+                       const std::string& more = {}) {
+  const std::vector<std::string> overrides{"mujoco.contact=\"" + contact + "\"",
+                                           "run.step=" + std::to_string(1e6 * step) + "e-6"};
+  const scene::Scene scene = scene::read_scene(two_rings_file(name + ".toml"), overrides);
+  return more.empty() ? scene : scene::parse_scene(scene.text + more, name);
+}
+
+// Modal coordinates at the requested times, and of each ring the impulses to the end, N s.
+struct Outcome {
+  std::vector<Eigen::VectorXd> rows;
+  std::array<double, 2> normal{}, friction{};
+};
+
+Outcome in_mujoco(const scene::Scene& scene) {
+  const plugin::Hooks hooks;
+  const ModelPointer m = load(mjcf(scene));
+  const DataPointer d = start(m.get());
+  const plugin::Config config = plugin::make_config(m.get());
+  const double h = scene.run.step;
+  const auto step_at = [h](double time) { return std::llround(time / h); };
+  Outcome run;
+  for (long long k = 0; k <= step_at(scene.run.end); ++k) {
+    if (run.rows.size() < scene.run.output_times.size() &&
+        k == step_at(scene.run.output_times[run.rows.size()])) {
+      const plugin::Coordinates state(config, d.get());
+      run.rows.emplace_back(Eigen::Map<const Eigen::VectorXd>(state.q(), config.model.nq()));
+    }
+    mj_step(m.get(), d.get());
+    EXPECT_EQ(sensor(m.get(), d.get(), names::kActive), 1.0);
+    for (std::size_t i = 0; i < 2; ++i) {
+      const auto sensed = [&](const char* name) {
+        return sensor(m.get(), d.get(), names::of_bearing(i, name).c_str());
+      };
+      run.normal[i] += h * sensed(names::kNormalForce);
+      run.friction[i] += h * sensed(names::kFrictionForce);
+    }
+  }
+  return run;
+}
+
+// The largest of a position at the rows, over the clearance of the first ring; of the impulses of a
+// ring, over its normal impulse.
+struct Errors {
+  double place = 0.0, impulse = 0.0;
+};
+
+Errors errors(const std::string& name, const std::string& contact, double step) {
+  const scene::Scene scene = two_rings(name, contact, step);
+  const nlohmann::json exact = two_rings_answer(name);
+  const Outcome run = in_mujoco(scene);
+  Errors e;
+  EXPECT_EQ(run.rows.size(), exact.at("rows").size());
+  for (std::size_t k = 0; k < run.rows.size(); ++k) {
+    const nlohmann::json& due = exact.at("rows")[k].at("state");
+    const Layout l = make_model(scene).layout;
+    for (int mode = 0; mode < l.modes; ++mode) {
+      const std::string number = std::to_string(mode + 1);
+      const double x = due.at("x_" + number), y = due.at("y_" + number);
+      const double off = std::hypot(run.rows[k][l.x() + mode] - x, run.rows[k][l.y() + mode] - y);
+      e.place = std::max(e.place, off / scene.first().contact->clearance);
+    }
+  }
+  for (std::size_t i = 0; i < 2; ++i) {
+    const nlohmann::json& due = exact.at("contacts");
+    const double normal = due.at("normal_impulse")[i], friction = due.at("friction_impulse")[i];
+    e.impulse = std::max({e.impulse, std::abs(run.normal[i] - normal) / normal,
+                          std::abs(run.friction[i] - friction) / normal});
+  }
+  return e;
+}
+
+class TwoRingsInMujoco : public MujocoTest, public testing::WithParamInterface<const char*> {};
+
+TEST_P(TwoRingsInMujoco, RigidAgreesToTheOrderOfTheStep) {
+  const Errors coarse = errors(GetParam(), "rigid", 5e-5), fine = errors(GetParam(), "rigid", 5e-6);
+  std::printf("%s: place %.1e, %.1e; impulses %.1e, %.1e\n", GetParam(), coarse.place, fine.place,
+              coarse.impulse, fine.impulse);
+  EXPECT_LT(fine.place, 5e-3);
+  EXPECT_LT(fine.place, 0.3 * coarse.place);
+  EXPECT_LT(coarse.impulse, 5e-3);
+  EXPECT_LT(fine.impulse, 5e-4);
+}
+
+// MuJoCo's softness for the impacts, as stiff as the step allows.
+TEST_P(TwoRingsInMujoco, CoulombAgreesAsASoftContactDoes) {
+  const Errors e = errors(GetParam(), "coulomb", 2e-6);
+  std::printf("%s: place %.1e; impulses %.1e\n", GetParam(), e.place, e.impulse);
+  EXPECT_LT(e.place, 0.05);
+  EXPECT_LT(e.impulse, 5e-3);
+}
+
+INSTANTIATE_TEST_SUITE_P(, TwoRingsInMujoco,
+                         testing::Values("drop", "rub", "moving", "rolling", "conical",
+                                         "cylindrical"),
+                         [](const auto& of) { return std::string(of.param); });
+
+class SeveralOnTheChain : public MujocoTest {};
+
+// A spin that unbalance couples with the bending: the native model's mass matrix, not MuJoCo's.
+TEST_F(SeveralOnTheChain, KnowTheUnbalanceOfAFreeSpin) {
+  const std::string unbalance =
+      "\n[[force]]\nkind = \"unbalance\"\nstatic_moment = 0.004\nshape = [1.0, 0.2]\n";
+  const Trajectory exact = run_event(two_rings("rolling", "rigid", 5e-6, unbalance));
+  const Trajectory without = run_event(two_rings("rolling", "rigid", 5e-6));
+  ASSERT_EQ(exact.status, Status::kOk) << exact.message;
+  for (const char* contact : {"rigid", "coulomb"}) {
+    const Outcome run = in_mujoco(two_rings("rolling", contact, 5e-6, unbalance));
+    for (std::size_t i = 0; i < 2; ++i) {
+      const double due = exact.statistics.contacts[i].friction_impulse;
+      const double other = without.statistics.contacts[i].friction_impulse;
+      std::printf("%s: friction %.6g, %.6g without unbalance, %.6g found\n", contact, due, other,
+                  run.friction[i]);
+      EXPECT_NEAR(run.friction[i], due, 0.02 * std::abs(due - other)) << contact << " " << i;
+      EXPECT_NEAR(run.normal[i], exact.statistics.contacts[i].impulse_total,
+                  1e-3 * exact.statistics.contacts[i].impulse_total)
+          << contact << " " << i;
+    }
+  }
+}
+
+// The plugin puts the geoms of the second contact where the modes move the rotor, a step late.
+TEST_F(SeveralOnTheChain, HaveTheirGeomsWhereTheModesAre) {
+  const plugin::Hooks hooks;
+  const ModelPointer m = load(mjcf(two_rings("conical", "rigid", 1e-5)));
+  const DataPointer d = start(m.get());
+  const plugin::Config config = plugin::make_config(m.get());
+  const int geom =
+      mj_name2id(m.get(), mjOBJ_GEOM, names::of_bearing(1, names::kRotorContact).c_str());
+  Eigen::Vector2d before(0.0, 0.0);
+  for (int k = 0; k < 2000; ++k) {
+    const plugin::Coordinates state(config, d.get());
+    const Eigen::Vector2d now = rotor_point(config.model, state.q(), 1);
+    mj_step(m.get(), d.get());
+    if (k > 0) {
+      EXPECT_EQ(d->geom_xpos[3 * geom], before.x());
+      EXPECT_EQ(d->geom_xpos[3 * geom + 1], before.y());
+    }
+    before = now;
+  }
+  EXPECT_GT(before.norm(), 1e-4);
+}
+
+std::string refusal(const std::string& document) {
+  const ModelPointer m = load(document);
+  try {
+    plugin::make_config(m.get());
+  } catch (const plugin::ConfigError& error) {
+    return error.what();
+  }
+  return "taken";
+}
+
+TEST_F(SeveralOnTheChain, AreRefusedWhereTheirRowsAreNotKnown) {
+  const std::string document = mjcf(two_rings("conical", "rigid", 1e-5));
+  EXPECT_EQ(refusal(document), "taken");
+  const auto with = [&](const std::string& from, const std::string& to) {
+    std::string text = document;
+    text.replace(text.find(from), from.size(), to);
+    return refusal(text);
+  };
+  const std::string cone =
+      with("name=\"rotorub_contact\" data=\"rigid\"", "name=\"rotorub_contact\" data=\"cone\"");
+  EXPECT_NE(cone.find("mujoco.rotor = \"segments\""), std::string::npos) << cone;
+  const std::string limit =
+      with("<joint name=\"x_1\"", "<joint limited=\"true\" range=\"-1 1\" name=\"x_1\"");
+  EXPECT_NE(limit.find("<joint name=\"x_1\" limited>"), std::string::npos) << limit;
+  const std::string fixed = with("<body name=\"rotor_2\" mocap=\"true\"", "<body name=\"rotor_2\"");
+  EXPECT_NE(fixed.find("mocap=\"true\""), std::string::npos) << fixed;
+}
+
+}  // namespace
+}  // namespace rotorub::test

@@ -1,0 +1,47 @@
+// The scenes of tests/native_model/event/two_rings, and what a second program says of them
+// (README.md there).
+#pragma once
+
+#include <algorithm>
+#include <fstream>
+#include <string>
+
+#include <nlohmann/json.hpp>
+
+#include "native_model/scene/reader.h"
+#include "native_model/trajectory/trajectory.h"
+
+namespace rotorub::test {
+
+inline std::string two_rings_file(const std::string& name) {
+  return std::string(ROTORUB_SOURCE_DIR) + "/tests/native_model/event/two_rings/" + name;
+}
+
+inline scene::Scene two_rings_scene(const std::string& name) {
+  return scene::read_scene(two_rings_file(name + ".toml"));
+}
+
+inline nlohmann::json two_rings_answer(const std::string& name) {
+  std::ifstream in(two_rings_file("expected.json"));
+  return nlohmann::json::parse(in).at(name);
+}
+
+inline std::size_t row_of(const Trajectory& t, double time) {
+  constexpr double kRows = 1e-12;  // s, of the times that both have written
+  const std::vector<double>& times = t.column("t");
+  const auto found = std::lower_bound(times.begin(), times.end(), time - kRows);
+  return static_cast<std::size_t>(found - times.begin());
+}
+
+// A column of a state as the second program counts it: a ring from where its spring is at rest.
+inline double state_of(const Trajectory& t, const scene::Scene& scene, const std::string& column,
+                       std::size_t row) {
+  const double found = t.column(column)[row];
+  const std::size_t ring = column.starts_with("contact2_") ? 1 : 0;
+  const Eigen::Vector2d offset = scene.auxiliary[ring].contact->offset;
+  if (column.ends_with("stator_x")) return found - offset.x();
+  if (column.ends_with("stator_y")) return found - offset.y();
+  return found;
+}
+
+}  // namespace rotorub::test
