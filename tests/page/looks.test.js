@@ -125,7 +125,7 @@ test('shows of a run what its scene has', async () => {
   const billiard = await open(browser, 'billiard/plot.html');
   assert.equal(await billiard.locator('.player-run').count(), 1);
   assert.equal(await billiard.evaluate('page.players[0].runs[0].has("ring")'), false);
-  const parts = await billiard.evaluate('(({bearings, motor, actuators, discs}) => ({bearings, motor, actuators, discs}))(page.data.scenes[0].rig)');
+  const parts = await billiard.evaluate('(({rig: {bearings, motor, discs}, contacts: [{actuators}]}) => ({bearings, motor, actuators, discs}))(page.data.scenes[0])');
   assert.deepEqual(parts, {bearings: [], motor: null, actuators: false, discs: []});
   const names = await billiard.locator('.readings dt').allTextContents();
   assert.ok(names.includes('gap') && !names.some((n) => /control|current|ring’s/.test(n)), names.join());

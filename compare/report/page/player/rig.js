@@ -45,7 +45,7 @@ export class Rig {
       return trail;
     });
     this.arrows = this.contacts.map(() => [0, 1].map(() => new THREE.ArrowHelper(new THREE.Vector3(0, 0, 1), new THREE.Vector3(), 0.1, 0, 0.03, 0.02)));
-    this.scene.add(...this.trails, ...this.arrows.flat());
+    for (const mark of [...this.trails, ...this.arrows.flat()]) this.scene.add(mark);
   }
   static available() { return Boolean(renderer()); }
 
