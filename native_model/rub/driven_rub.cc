@@ -125,8 +125,8 @@ DriveTrain drive_train(const scene::Scene& scene) {
     throw scene::SceneError(
         scene::placed(scene, {{"", 0, "drive.kind",
                                "no lasting rub can be analysed with a torque that depends on time "
-                               "and angle; accepted are free, "
-                               "linear, kloss and table"}}));
+                               "and angle; accepted are free, linear, kloss and "
+                               "table"}}));
   }
   const auto torsion = [&](const Eigen::VectorXd& all) {
     return all.segment(m.layout.theta(), m.layout.torsion);
