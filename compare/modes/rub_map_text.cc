@@ -75,8 +75,7 @@ std::string rub_map_picture(const std::string& name, const rub::RubMap& map) {
   }
   return text +
          "\nAcross: spin speed, held, the loads in their ratio to it. Stable against what is "
-         "small, the "
-         "contact kept;\na bounce may lead elsewhere.\n";
+         "small, the contact kept;\na bounce may lead elsewhere.\n";
 }
 
 nlohmann::json state_space_json(const scene::Scene& scene, const LinearPlant& plant) {

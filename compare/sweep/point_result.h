@@ -46,10 +46,10 @@ struct ResultColumn {
   enum class Type { kNumber, kWhole, kWord };
   const char* name;
   Type type;
-  const char* unit;                                 // SI; "": none
-  const char* meaning;                              // one sentence
-  std::optional<double> (*number)(const Figures&);  // kNumber, kWhole
-  const char* (*word)(const Figures&);              // kWord
+  const char* unit;                                           // SI; "": none
+  const char* meaning;                                        // one sentence
+  std::optional<double> (*number)(const Figures&) = nullptr;  // kNumber, kWhole
+  const char* (*word)(const Figures&) = nullptr;              // kWord
 };
 std::span<const ResultColumn> result_columns();
 

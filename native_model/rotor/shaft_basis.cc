@@ -34,8 +34,7 @@ int functions_needed(double wave_length_ratio) {
   throw scene::SceneError(
       {{"", 0, "rotor",
         "asks for modes so high that the shaft needs more than " + std::to_string(kMostFunctions) +
-            " shape functions; accepted: fewer modes, or a lower "
-            "max_frequency"}});
+            " shape functions; accepted: fewer modes, or a lower max_frequency"}});
 }
 
 // On a cone the solution is a wave times what the section's change makes of it. Elements are so

@@ -117,11 +117,6 @@ int free_angles(const DriveTrain& train, const RubSystem& s, const SteadyRub& ru
   return train.motor && !(with_spin && train.fixed) ? 1 : 0;
 }
 
-bool can_roll(const Complex& h, double mu) {
-  return std::isfinite(h.real()) && std::isfinite(h.imag()) && h.real() < 0.0 &&
-         std::abs(h.imag()) <= -mu * h.real();
-}
-
 }  // namespace
 
 DriveTrain drive_train(const scene::Scene& scene) {
@@ -130,8 +125,8 @@ DriveTrain drive_train(const scene::Scene& scene) {
     throw scene::SceneError(
         scene::placed(scene, {{"", 0, "drive.kind",
                                "no lasting rub can be analysed with a torque that depends on time "
-                               "and angle; accepted are free, "
-                               "linear, kloss and table"}}));
+                               "and angle; accepted are free, linear, kloss and "
+                               "table"}}));
   }
   const auto torsion = [&](const Eigen::VectorXd& all) {
     return all.segment(m.layout.theta(), m.layout.torsion);

@@ -59,6 +59,10 @@ const char* to_string(RubKind kind) {
   return kNames[static_cast<std::size_t>(kind)];
 }
 
+bool can_roll(const Complex& h, double mu) {
+  return finite(h) && h.real() < 0.0 && std::abs(h.imag()) <= -mu * h.real();
+}
+
 double free_orbit(const RubSystem& system, const RotatingLoad& load) {
   const Complex a = at_contact(system, load);
   return finite(a) ? std::abs(a) : std::numeric_limits<double>::infinity();
@@ -138,11 +142,6 @@ std::vector<double> BackwardCompliance::edges(double mu) const {
   return roots;
 }
 
-bool BackwardCompliance::rolls(double nu, double mu) const {
-  const Complex h = at(nu);
-  return finite(h) && h.real() < 0.0 && std::abs(h.imag()) <= -mu * h.real();
-}
-
 std::vector<std::pair<double, double>> BackwardCompliance::rolling_ranges(double mu) const {
   std::vector<std::pair<double, double>> ranges;
   std::vector<double> ends = edges(mu);
@@ -151,7 +150,7 @@ std::vector<std::pair<double, double>> BackwardCompliance::rolling_ranges(double
   for (std::size_t k = 0; k + 1 < ends.size(); ++k) {
     const double inside =
         std::isfinite(ends[k + 1]) ? 0.5 * (ends[k] + ends[k + 1]) : 2.0 * ends[k];
-    if (rolls(inside, mu)) ranges.emplace_back(ends[k], ends[k + 1]);
+    if (can_roll(at(inside), mu)) ranges.emplace_back(ends[k], ends[k + 1]);
   }
   return ranges;
 }
@@ -178,7 +177,7 @@ std::vector<SteadyRub> BackwardCompliance::whips(double mu) const {
 std::optional<SteadyRub> BackwardCompliance::rolling(double mu) const {
   if (sense_ == 0.0) return {};
   const double nu = system_.radius * std::abs(system_.speed) / system_.clearance;
-  if (!rolls(nu, mu)) return {};
+  if (!can_roll(at(nu), mu)) return {};
   return standing(RubKind::kRolling, nu);
 }
 

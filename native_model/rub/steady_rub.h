@@ -42,6 +42,10 @@ std::vector<SteadyRub> forced_rubs(const RubSystem& system, const RotatingLoad& 
 // |a|, m: the free orbit at the contact. Infinite at an undamped resonance.
 double free_orbit(const RubSystem& system, const RotatingLoad& load);
 
+// Whether a whirl can roll where the relative centre gives way by h = H(nu), m/N: Re H < 0 and
+// |tau| <= mu.
+bool can_roll(const Complex& h, double mu);
+
 // rad/s, ascending, from `low` to `top`: evenly in the logarithm, and about each resonance (poles:
 // s of e^{s t}) in steps that double from a quarter of its half width.
 std::vector<double> resonance_points(const std::vector<Complex>& poles, double low, double top);
@@ -60,8 +64,7 @@ class BackwardCompliance {
   // rolling), ascending: where friction mu is just enough for rolling contact. Empty without spin.
   // A fold, where two roots are born, is one root.
   std::vector<double> edges(double mu) const;
-  // nu in [first, second] where a whirl against the spin can roll: Re H < 0 and |tau| <= mu; the
-  // last may reach to infinity.
+  // nu in [first, second] where a whirl against the spin can roll; the last may reach to infinity.
   std::vector<std::pair<double, double>> rolling_ranges(double mu) const;
   // Slipping whips, slower than rolling, by rising |nu|.
   std::vector<SteadyRub> whips(double mu) const;
@@ -71,7 +74,6 @@ class BackwardCompliance {
  private:
   Complex at(double nu) const;    // H, conjugate where the spin is negative
   double asked(double nu) const;  // rad, atan tau where Re H < 0; beyond +-pi/2 no pressing contact
-  bool rolls(double nu, double mu) const;
   SteadyRub standing(RubKind kind, double nu) const;
 
   RubSystem system_;
