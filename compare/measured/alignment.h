@@ -29,11 +29,11 @@ struct Alignment {
   double angle = 0.0;  // rad, in (-pi, pi]
   bool shift_found = true;
   AngleFrom angle_from = AngleFrom::kFound;
-  std::vector<std::string>
-      by;  // "rotor", "gap": what it was found by; empty: both are given and nothing moves
+  // "rotor", "gap": what it was found by; empty: both are given and nothing moves.
+  std::vector<std::string> by;
   std::optional<double> correlation;  // [-1, 1], see fitting.h; none where `by` is empty
-  std::optional<double>
-      residual;  // share: rms of what is left over the run's deviation, means taken off
+  // Share: rms of what is left over the run's deviation, means taken off.
+  std::optional<double> residual;
   // Standard deviation if what is left is white noise (the least that any estimate has, Cramer and
   // Rao). The angle's is none where it was not found.
   std::optional<double> shift_error, angle_error;  // s, rad

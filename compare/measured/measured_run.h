@@ -30,8 +30,8 @@ struct MeasuredFigure : FigureText {
 struct ColumnResidual {
   double rms = 0.0;     // of record - run
   double offset = 0.0;  // mean of record - run: a sensor's zero, or a bias of the model
-  std::optional<double>
-      share;  // rms over the run's deviation from its mean; none where the run does not move
+  // rms over the run's deviation from its mean; none where the run does not move.
+  std::optional<double> share;
 };
 struct ColumnFit {
   const Measurable* what = nullptr;
@@ -51,8 +51,8 @@ struct MeasuredRun {
   // For plots and player: the samples on the run, by the scene's clock, x and y of a pair turned
   // into its frame; a column along x or y alone only where the frames are the same.
   MeasuredRecord laid;
-  std::vector<std::vector<double>>
-      forces;  // N, of each run averaged over each of laid.t; empty: not measured
+  // N, of each run averaged over each of laid.t; empty: not measured.
+  std::vector<std::vector<double>> forces;
 };
 
 // Which figures there can be, for documents.

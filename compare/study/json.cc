@@ -1,7 +1,5 @@
 #include "compare/study/json.h"
 
-#include <fmt/format.h>
-
 #include <nlohmann/json.hpp>
 #include <vector>
 
@@ -28,10 +26,6 @@ namespace {
 
 using nlohmann::json;
 using nlohmann::ordered_json;
-
-std::string section(std::string_view file, std::span<const ColumnMeaning> columns) {
-  return fmt::format("### `{}`\n\n{}\n", file, columns_table(columns));
-}
 
 json contact_json(const ContactResult& c) {
   json all = json::object();
@@ -175,13 +169,6 @@ ordered_json compare_columns_json() {
   return {{"compare.json runs.*.metrics", columns_json(metric_keys())},
           {"compare.json runs.*.summary", columns_json(summary_keys())},
           {"compare.json measured", columns_json(measured_keys())}};
-}
-
-std::string columns_markdown() {
-  return section("series.csv", series_columns()) + section("impacts.csv", impact_columns()) +
-         section("events.csv", event_columns()) + section("summary.json", summary_keys()) +
-         section("compare.json: metrics of a run", metric_keys()) +
-         section("compare.json: a measured run", measured_keys());
 }
 
 json comparison_json(const SceneComparison& comparison) {

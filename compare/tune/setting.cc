@@ -18,6 +18,15 @@ using scene::ContactModel;
 using scene::MujocoIntegrator;
 using scene::MujocoSolver;
 
+// 1/s^2. What a step of 200 us and of 20 us gives itself.
+constexpr double kStiffnesses[] = {1e6, 1e8};
+// 1/s. With K = 1e8 a damping ratio of 0.1 and 1, whatever the scene's restitution.
+constexpr double kDampings[] = {2e3, 2e4};
+constexpr double kDampedStiffness = 1e8;
+// 1/s. Below the first border of theory.md (the curvature of the ring closes the contact), and on
+// both sides.
+constexpr double kFrictionReferences[] = {1.0, 10.0, 100.0};
+
 std::string override_of(const KeyValue& v) {
   return fmt::format("{}.{}={}", v.table, v.key, v.value.empty() ? "none" : v.value);
 }
@@ -122,6 +131,26 @@ bool reads_as(const std::string& toml, const std::string& name, const Setting& s
   }
 }
 
+// As TOML, with run.step.
+std::vector<KeyValue> key_values(const Setting& s) {
+  const Setting plain;
+  const auto word = [](const char* name) { return fmt::format("\"{}\"", name); };
+  std::vector<KeyValue> all{
+      {"run", "step", fmt::format("{}", s.step)},
+      {"mujoco", "contact", word(scene::to_string(s.contact))},
+      {"mujoco", "integrator", word(to_string(s.integrator)), s.integrator == plain.integrator}};
+  if (!is_soft(s)) return all;
+  all.push_back({"mujoco", "solver", word(to_string(s.solver)), s.solver == plain.solver});
+  const auto number = [&](const char* key, double value) {
+    all.push_back(
+        {"mujoco", key, value > 0.0 ? fmt::format("{:.17g}", value) : std::string(), value == 0.0});
+  };
+  number("solref_stiffness", s.stiffness);
+  number("solref_damping", s.damping);
+  if (s.contact == ContactModel::kCone) number("friction_reference", s.friction_reference);
+  return all;
+}
+
 }  // namespace
 
 const char* to_string(MujocoIntegrator integrator) {
@@ -144,25 +173,6 @@ std::string text(const Setting& s) {
   if (s.friction_reference > 0.0) text += fmt::format(", B_t {:g}", s.friction_reference);
   if (s.step > 0.0) text += ", " + time_text(s.step);
   return text;
-}
-
-std::vector<KeyValue> key_values(const Setting& s) {
-  const Setting plain;
-  const auto word = [](const char* name) { return fmt::format("\"{}\"", name); };
-  std::vector<KeyValue> all{
-      {"run", "step", fmt::format("{}", s.step)},
-      {"mujoco", "contact", word(scene::to_string(s.contact))},
-      {"mujoco", "integrator", word(to_string(s.integrator)), s.integrator == plain.integrator}};
-  if (!is_soft(s)) return all;
-  all.push_back({"mujoco", "solver", word(to_string(s.solver)), s.solver == plain.solver});
-  const auto number = [&](const char* key, double value) {
-    all.push_back(
-        {"mujoco", key, value > 0.0 ? fmt::format("{:.17g}", value) : std::string(), value == 0.0});
-  };
-  number("solref_stiffness", s.stiffness);
-  number("solref_damping", s.damping);
-  if (s.contact == ContactModel::kCone) number("friction_reference", s.friction_reference);
-  return all;
 }
 
 std::vector<std::string> overrides(const Setting& setting) {

@@ -31,23 +31,12 @@ struct KeyValue {
   std::string table, key, value;
   bool is_default = false;  // need not stand in a scene
 };
-// As TOML, with run.step.
-std::vector<KeyValue> key_values(const Setting& setting);
-// The same as overrides of a scene, without its step.
+// As overrides of a scene, without its step.
 std::vector<std::string> overrides(const Setting& setting);
 
 // All that are tried at each step (their `step` is 0): contact x integrator, of the soft contacts
 // solvers, stiffnesses and dampings, of `cone` friction references; and what the scene itself says.
 std::vector<Setting> variants(const scene::Mujoco& own);
-
-// 1/s^2. What a step of 200 us and of 20 us gives itself.
-inline constexpr double kStiffnesses[] = {1e6, 1e8};
-// 1/s. With K = 1e8 a damping ratio of 0.1 and 1, whatever the scene's restitution.
-inline constexpr double kDampings[] = {2e3, 2e4};
-inline constexpr double kDampedStiffness = 1e8;
-// 1/s. Below the first border of theory.md (the curvature of the ring closes the contact), and on
-// both sides.
-inline constexpr double kFrictionReferences[] = {1.0, 10.0, 100.0};
 
 // A scene's text with some values replaced, its comments and its order kept. Replaces the value of
 // a key where its table has one, a comment behind it kept; else adds the key to its table, the

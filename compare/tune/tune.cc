@@ -11,6 +11,7 @@
 #include <stdexcept>
 
 #include "compare/engine/engine.h"
+#include "compare/figures/figure_sample.h"
 #include "compare/metrics/extrapolation.h"
 #include "compare/metrics/rows.h"
 #include "compare/study/trust.h"
@@ -19,6 +20,29 @@
 
 namespace rotorub::tune {
 namespace {
+
+// The native side of every comparison, by the step: `event` has none of its own, but forces are
+// averaged over the step that they are compared at.
+struct Reference {
+  Metrics metrics;
+  std::vector<FigureSample> samples;  // of it and its twins, as figures()
+};
+
+// Runs what is asked for once. Throws std::runtime_error where `event` cannot run the scene to its
+// end.
+class References {
+ public:
+  References(const scene::Scene& scene, int twins, const std::atomic<bool>* interrupt)
+      : scene_(scene), twins_(twins), interrupt_(interrupt) {}
+  // window_step: see Runner. Of an interrupted run: what there is.
+  const Reference& at(double step, double window_step);
+
+ private:
+  const scene::Scene& scene_;
+  int twins_;
+  const std::atomic<bool>* interrupt_;
+  std::map<std::pair<double, double>, Reference> known_;  // by step and window_step
+};
 
 // Costs within this factor of the best are measured again: single runs are no closer.
 constexpr double kNear = 2.0;
@@ -52,8 +76,6 @@ double best_cost(const std::vector<JudgedSetting>& settings) {
                         : std::numeric_limits<double>::infinity();
 }
 
-}  // namespace
-
 const Reference& References::at(double step, double window_step) {
   const std::pair key(step, window_step);
   if (const auto found = known_.find(key); found != known_.end()) return found->second;
@@ -84,30 +106,7 @@ const Reference& References::at(double step, double window_step) {
   return known_.emplace(key, std::move(reference)).first->second;
 }
 
-std::vector<JudgedSetting> search(const SearchParameters& parameters, const Runner& run,
-                                  const Judge& judge, double tolerance) {
-  std::vector<JudgedSetting> all;
-  // us of a step of each variant, as last met; 0: none yet.
-  std::vector<double> last(parameters.variants.size(), 0.0);
-  for (const double step : parameters.steps) {
-    bool ran = false;
-    for (std::size_t k = 0; k < parameters.variants.size(); ++k) {
-      if (1e-6 * last[k] / step > parameters.margin * best_cost(all)) continue;
-      Setting setting = parameters.variants[k];
-      setting.step = step;
-      if (parameters.before) parameters.before(setting);
-      JudgedSetting judged = judged_run(setting, run, judge);
-      if (judged.is_trusted()) judged.luck = luck_of(judged, run, judge, tolerance);
-      if (bench::stopped(parameters.interrupt)) return all;
-      if (judged.us_per_step > 0.0) last[k] = judged.us_per_step;
-      all.push_back(std::move(judged));
-      ran = true;
-    }
-    if (!ran) break;
-  }
-  return all;
-}
-
+// The runner in MuJoCo, without output. `reader`: the scene with further overrides.
 Runner mujoco_runner(const bench::SceneReader& reader, const std::atomic<bool>* interrupt) {
   // A variant is read once for all of its steps.
   struct Variant {
@@ -140,6 +139,7 @@ Runner mujoco_runner(const bench::SceneReader& reader, const std::atomic<bool>* 
   };
 }
 
+// The judge by the references.
 Judge judge_by(References& references, double tolerance) {
   return [&references, tolerance](const Metrics& m, double step) {
     const Reference& native = references.at(step, step);
@@ -154,6 +154,8 @@ Judge judge_by(References& references, double tolerance) {
   };
 }
 
+// Measures again, in turns, those that the choice depends on: of a cost near that of the cheapest
+// trusted setting.
 void time_again(std::vector<JudgedSetting>& settings, const Runner& run,
                 const bench::TimingParameters& parameters, const std::atomic<bool>* interrupt) {
   const double best = best_cost(settings);
@@ -177,6 +179,7 @@ void time_again(std::vector<JudgedSetting>& settings, const Runner& run,
 
 namespace {}  // namespace
 
+// By runs at the step, a half and a quarter of it (compare/metrics/split.h).
 void split_errors(const Setting& setting, const Runner& run, References& references,
                   ErrorParts& parts) {
   std::array<Metrics, 3> own, native;
@@ -199,6 +202,32 @@ void split_errors(const Setting& setting, const Runner& run, References& referen
     const Split s = split(limit(native), limit(own));
     parts.figures.emplace_back(&f, split_shares(f, f.value(native[0]), s));
   }
+}
+
+}  // namespace
+
+std::vector<JudgedSetting> search(const SearchParameters& parameters, const Runner& run,
+                                  const Judge& judge, double tolerance) {
+  std::vector<JudgedSetting> all;
+  // us of a step of each variant, as last met; 0: none yet.
+  std::vector<double> last(parameters.variants.size(), 0.0);
+  for (const double step : parameters.steps) {
+    bool ran = false;
+    for (std::size_t k = 0; k < parameters.variants.size(); ++k) {
+      if (1e-6 * last[k] / step > parameters.margin * best_cost(all)) continue;
+      Setting setting = parameters.variants[k];
+      setting.step = step;
+      if (parameters.before) parameters.before(setting);
+      JudgedSetting judged = judged_run(setting, run, judge);
+      if (judged.is_trusted()) judged.luck = luck_of(judged, run, judge, tolerance);
+      if (bench::stopped(parameters.interrupt)) return all;
+      if (judged.us_per_step > 0.0) last[k] = judged.us_per_step;
+      all.push_back(std::move(judged));
+      ran = true;
+    }
+    if (!ran) break;
+  }
+  return all;
 }
 
 TuneResult tune_scene(const bench::SceneReader& reader, const TuneParameters& parameters) {

@@ -4,7 +4,6 @@
 
 #include <atomic>
 #include <functional>
-#include <map>
 #include <optional>
 #include <string>
 #include <utility>
@@ -12,36 +11,12 @@
 
 #include "compare/bench/engines.h"
 #include "compare/bench/point.h"
-#include "compare/figures/figure_sample.h"
 #include "compare/metrics/metrics.h"
 #include "compare/model_error/model_error.h"
 #include "compare/tune/choice.h"
 #include "native_model/scene/scene.h"
 
 namespace rotorub::tune {
-
-// The native side of every comparison, by the step: `event` has none of its own, but forces are
-// averaged over the step that they are compared at.
-struct Reference {
-  Metrics metrics;
-  std::vector<FigureSample> samples;  // of it and its twins, as figures()
-};
-
-// Runs what is asked for once. Throws std::runtime_error where `event` cannot run the scene to its
-// end.
-class References {
- public:
-  References(const scene::Scene& scene, int twins, const std::atomic<bool>* interrupt)
-      : scene_(scene), twins_(twins), interrupt_(interrupt) {}
-  // window_step: see Runner. Of an interrupted run: what there is.
-  const Reference& at(double step, double window_step);
-
- private:
-  const scene::Scene& scene_;
-  int twins_;
-  const std::atomic<bool>* interrupt_;
-  std::map<std::pair<double, double>, Reference> known_;  // by step and window_step
-};
 
 // Runs one setting: Metrics of a whole run with its cost in them, or a failure.
 struct Outcome {
@@ -70,27 +45,12 @@ struct SearchParameters {
 std::vector<JudgedSetting> search(const SearchParameters& parameters, const Runner& run,
                                   const Judge& judge, double tolerance);
 
-// The runner in MuJoCo, without output. `reader`: the scene with further overrides.
-Runner mujoco_runner(const bench::SceneReader& reader, const std::atomic<bool>* interrupt);
-
-// The judge by the references.
-Judge judge_by(References& references, double tolerance);
-
-// Measures again, in turns, those that the choice depends on: of a cost near that of the cheapest
-// trusted setting.
-void time_again(std::vector<JudgedSetting>& settings, const Runner& run,
-                const bench::TimingParameters& parameters, const std::atomic<bool>* interrupt);
-
 // What a trusted setting is wrong by, and whose fault each part is: as shares of the native value
 // (points: as they are), one for each judged figure; none where it cannot be determined.
 struct ErrorParts {
   std::vector<std::pair<const Figure*, SplitShares>> figures;
   std::string reason;  // why there is nothing at all; empty: there is
 };
-
-// By runs at the step, a half and a quarter of it (compare/metrics/split.h).
-void split_errors(const Setting& setting, const Runner& run, References& references,
-                  ErrorParts& parts);
 
 struct TuneParameters {
   double tolerance = 0.01;    // share: on the judged figures

@@ -1,7 +1,4 @@
-#include "compare/figures/figure.h"
-#include "compare/run_files/summary.h"
-#include "compare/study/json.h"
-
+#include <fmt/format.h>
 #include <gtest/gtest.h>
 
 #include <cstdlib>
@@ -10,7 +7,11 @@
 #include <set>
 #include <sstream>
 
+#include "compare/base/columns.h"
 #include "compare/engine/engine.h"
+#include "compare/figures/figure.h"
+#include "compare/measured/output.h"
+#include "compare/run_files/summary.h"
 #include "compare/sweep/point_result.h"
 #include "native_model/scene/reader.h"
 #include "tests/support/native_run.h"
@@ -22,6 +23,25 @@ using nlohmann::json;
 
 Trajectory short_run(const scene::Scene& scene) {
   return native_engine(scene::Integrator::kVerlet)->run(scene, {});
+}
+
+// What stands in the files that the commands write, as compare/study/README.md has it: a section a
+// file, with its table.
+constexpr const char* kColumnsBegin = "<!-- columns: begin (from the program) -->\n";
+constexpr const char* kColumnsEnd = "<!-- columns: end -->\n";
+std::string columns_markdown() {
+  const std::pair<const char*, std::span<const ColumnMeaning>> files[] = {
+      {"series.csv", series_columns()},
+      {"impacts.csv", impact_columns()},
+      {"events.csv", event_columns()},
+      {"summary.json", summary_keys()},
+      {"compare.json: metrics of a run", metric_keys()},
+      {"compare.json: a measured run", measured_keys()}};
+  std::string text;
+  for (const auto& [file, columns] : files) {
+    text += fmt::format("### `{}`\n\n{}\n", file, columns_table(columns));
+  }
+  return text;
 }
 
 // Between the marks stands what the program says; ROTORUB_UPDATE_REFERENCE=1 in the environment
