@@ -20,9 +20,9 @@ struct Encoding {
 };
 
 // A film in the making. The file appears whole when finish() returns, or not at all: frames go to
-// a part beside it (trajectory/output.h), which is renamed at the end and removed on every other way out.
-// An ffmpeg that does nothing for too long is ended. All errors are std::runtime_error and carry
-// what ffmpeg said.
+// a part beside it (trajectory/output.h), which is renamed at the end and removed on every other
+// way out. An ffmpeg that does nothing for too long is ended. All errors are std::runtime_error and
+// carry what ffmpeg said.
 class VideoFile {
  public:
   // Starts ffmpeg. For H.264 width and height must be even (yuv420p).
