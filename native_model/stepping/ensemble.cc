@@ -52,7 +52,7 @@ class LaneGroup {
         q[i] = work_.step.x.q[i][l];
         v[i] = v_[i][l];
       }
-      double force = k > 0 && !hit(lane) ? work_.step.contact.normal_impulse[l] / h_ : 0.0;
+      double force = k > 0 && !hit(lane) ? work_.step.contact.normal_impulse()[l] / h_ : 0.0;
       if constexpr (kLeaps) force += work_.step.impact_force(l, k).x();
       watch.look({first + lane, k, q, v, force, work_.totals.impacts[l]});
     }

@@ -5,7 +5,6 @@
 #include <array>
 #include <memory>
 #include <optional>
-#include <type_traits>
 #include <vector>
 
 #include "native_model/numerics/lanes.h"
@@ -143,9 +142,6 @@ struct Sized : M {
   explicit Sized(const M& m) : M(m) {}
   static constexpr L layout{};
 };
-
-template <class M>
-using LayoutOf = std::remove_cvref_t<decltype(M::layout)>;
 
 // A number for each coordinate of M.
 template <class M>

@@ -45,7 +45,7 @@ ROTORUB_INLINE void advance_one(LaneWork<Step, W>& work, std::int64_t k) {
   Step& step = work.step;
   LaneTotals<W>& totals = work.totals;
   step.step(k);
-  const T impulse = step.contact.normal_impulse;
+  const T impulse = step.contact.normal_impulse();
   const lanes::LaneMask<W> touched = impulse > zero;
   if (!lanes::any(touched)) return;
   const T now = lanes::all<T>(static_cast<double>(k) * step.x.h);
@@ -60,7 +60,7 @@ ROTORUB_INLINE void advance_one(LaneWork<Step, W>& work, std::int64_t k) {
   totals.contact_steps += steps;
   totals.peak_impulse = lanes::larger(totals.peak_impulse, peak);
   totals.farthest = lanes::larger(totals.farthest, step.contact.square_of_relative(step.x));
-  T friction_work = step.contact.friction_impulse * step.slip_of_last();
+  T friction_work = step.contact.friction_impulse() * step.slip_of_last();
   if (step.contact.impacted) count_impacts(step, totals, friction_work);
   totals.friction_work += friction_work;
 }

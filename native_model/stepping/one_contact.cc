@@ -54,19 +54,6 @@ void OneContact<M>::press_lane(int lane, State& x, const Centre& d, const Centre
 }
 
 template <class M>
-void OneContact<M>::tell(FixedStep& out, const Lasting& was) const {
-  out.normal_impulse = lanes::get(normal_impulse, 0);
-  out.friction_impulse = lanes::get(friction_impulse, 0);
-  out.impacts = impacts[0].view();
-  if (impacted) return;
-  out.lasting = {out.normal_impulse, out.friction_impulse};
-  if (!lanes::get(now.lasts > T{}, 0)) return;
-  const double sign = lanes::get(now.slip_sign, 0);
-  out.mode = sign == 0.0 ? Mode::kStick : Mode::kSlide;
-  out.reversed = sign * lanes::get(was.slip_sign, 0) < 0.0;
-}
-
-template <class M>
 double OneContact<M>::lasting_work(const State& x) const {
   const Eigen::Vector2d impulses{lanes::get(now.normal, 0), lanes::get(now.friction, 0)};
   const Eigen::Vector2d e_r{lanes::get(normal_.x, 0), lanes::get(normal_.y, 0)};
@@ -77,7 +64,6 @@ double OneContact<M>::lasting_work(const State& x) const {
 #define ROTORUB_DEFINE(...)                                                                     \
   template void OneContact<__VA_ARGS__>::begin(const State&);                                   \
   template void OneContact<__VA_ARGS__>::press_lane(int, State&, const Centre&, const Centre&); \
-  template void OneContact<__VA_ARGS__>::tell(FixedStep&, const Lasting&) const;                \
   template double OneContact<__VA_ARGS__>::lasting_work(const State&) const;
 ROTORUB_ALL_MODELS(ROTORUB_DEFINE)
 #undef ROTORUB_DEFINE

@@ -45,8 +45,6 @@ class OneContact {
   }
 
   Lasting now;
-  // What the step did, impacts and lasting contact alike, N s.
-  T normal_impulse{}, friction_impulse{};
   // Of each lane. Large, and rarely touched: apart from what every step reads.
   std::vector<ImpactList> impacts = std::vector<ImpactList>(kLanes);
   bool impacted = false;   // in a lane at least
@@ -54,6 +52,9 @@ class OneContact {
   T flying{};              // 0 in those lanes, else 1
 
   bool exists() const { return exists_; }
+  // N s, what the step did, impacts and lasting contact alike.
+  const T& normal_impulse() const { return impacted ? with_impacts_.normal : now.normal; }
+  const T& friction_impulse() const { return impacted ? with_impacts_.friction : now.friction; }
   bool lasts() const { return lanes::any(now.lasts > T{}); }
 
   // The step's beginning.
@@ -81,8 +82,8 @@ class OneContact {
     now.normal = now.friction = T{};
     const Mask rests = (outside > zero) & (lasted > zero);
     if (lanes::any(rests)) press_on(rests, x, loads, d, w);
-    normal_impulse = now.normal_at_end = now.normal;
-    friction_impulse = now.friction_at_end = now.friction;
+    now.normal_at_end = now.normal;
+    now.friction_at_end = now.friction;
     return (outside > zero) & (lasted == zero);
   }
 
@@ -128,8 +129,8 @@ class OneContact {
     };
     now.lasts = lanes::select(other, last.lasts, mean.lasts);
     now.slip_sign = lanes::select(other, last.slip_sign, mean.slip_sign);
-    now.normal = normal_impulse = choose(first.normal, last.normal, mean.normal);
-    now.friction = friction_impulse = choose(first.friction, last.friction, mean.friction);
+    now.normal = choose(first.normal, last.normal, mean.normal);
+    now.friction = choose(first.friction, last.friction, mean.friction);
     now.normal_at_end = lanes::select(other, last.normal, mean.normal_at_end);
     now.friction_at_end = lanes::select(other, last.friction, mean.friction_at_end);
   }
@@ -144,8 +145,9 @@ class OneContact {
 
   // Of one lane: an impact has come; contact lasts from here on, or does not.
   void note_impact(int lane, const Impact& impact) {
-    add_to_lane(normal_impulse, lane, impact.normal_impulse);
-    add_to_lane(friction_impulse, lane, impact.friction_impulse);
+    if (!impacted) with_impacts_ = now;
+    add_to_lane(with_impacts_.normal, lane, impact.normal_impulse);
+    add_to_lane(with_impacts_.friction, lane, impact.friction_impulse);
     impacts[static_cast<std::size_t>(lane)].add(impact);
     impacted = true;
   }
@@ -188,8 +190,21 @@ class OneContact {
   const T* end_without_impacts(const State& x) const {
     return impacted ? x.free.data() : x.after.data();
   }
-  // What the step did; `was`: before it.
-  void tell(FixedStep& out, const Lasting& was) const;
+  // The sign of the slip.
+  T slip_sign() const { return now.slip_sign; }
+  // What the step did; sign_before: of the slip.
+  void tell(FixedStep& out, const T& sign_before) const {
+    out.normal_impulse = normal_impulse();
+    out.friction_impulse = friction_impulse();
+    if (impacted) {
+      out.impacts = impacts[0].view();
+      return;
+    }
+    out.lasting = {out.normal_impulse, out.friction_impulse};
+    if (!(now.lasts > 0.0)) return;
+    out.mode = now.slip_sign == 0.0 ? Mode::kStick : Mode::kSlide;
+    out.reversed = sign_before * now.slip_sign < 0.0;
+  }
   // J, on the coordinates: of lasting contact, from velocities x.start to x.after.
   double lasting_work(const State& x) const;
 
@@ -292,6 +307,7 @@ class OneContact {
   FrictionOf<T> friction_law_;
   T admittance_[3][3] = {};
   typename State::Coordinates response_[3];
+  Lasting with_impacts_;  // of a step with impacts
   T last_sign_{};
   Centre normal_{};
 };

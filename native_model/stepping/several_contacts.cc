@@ -310,7 +310,7 @@ double SeveralContacts::lasted(const Lasting& was) const {
              : 0.0;
 }
 
-void SeveralContacts::tell(FixedStep& out, const Lasting& /*was*/) const {
+void SeveralContacts::tell(FixedStep& out, double /*sign_before*/) const {
   static_cast<ContactStep&>(out) = done[0];
   out.others = std::span(done).subspan(1);
   out.impacts = impacts;

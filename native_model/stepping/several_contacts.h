@@ -70,7 +70,8 @@ class SeveralContacts {
   const double* end_without_impacts(const State& x) const {
     return impacts.empty() ? x.after.data() : without_impacts_.data();
   }
-  void tell(FixedStep& out, const Lasting& was) const;
+  double slip_sign() const { return 0.0; }  // each its own
+  void tell(FixedStep& out, double sign_before) const;
   double lasting_work(const State& x) const;
 
   // Nobody keeps the memory of several.
@@ -89,7 +90,7 @@ class SeveralContacts {
   Eigen::Vector3d rates(std::size_t i, const double* v) const;  // (ddot, spin)
   // The straight path of a step with the relative velocity leaves the circle.
   bool leaves(std::size_t i, const Eigen::Vector3d& velocity) const;
-  // to += factor A^-1 J^T of the lasting impulses of one contact.
+  // to += A^-1 J^T p, p the impulses of a contact.
   void push(std::size_t i, double normal, double friction, std::span<double> to) const;
 
  private:

@@ -19,14 +19,16 @@ class StepperWith final : public KeptStepper {
   FixedStep step(std::int64_t k, std::span<const Eigen::Vector2d> u, bool works) override {
     command(u);
     if (!u[0].isZero(0.0)) step_.loads.drive_first_ring();
-    const auto was = step_.contact.now;
+    const double sign = step_.contact.slip_sign();
     step_.step(k);
     FixedStep out;
-    step_.contact.tell(out, was);
+    step_.contact.tell(out, sign);
     out.status = step_.x.status[0];
     if constexpr (kLeaps) {
-      out.impact_time = step_.impact_time[0];
-      out.impact_force = step_.impact_force(0, k);
+      if (step_.takes_time) {
+        out.impact_time = step_.impact_time[0];
+        out.impact_force = step_.impact_force(0, k);
+      }
     }
     if (works && out.status == Status::kOk) {
       out.impact_work = impact_work(model_, out.impacts);

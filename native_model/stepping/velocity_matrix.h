@@ -2,7 +2,7 @@
 // depend on velocities (damping of modes and bearings, rotating damping, the drive's slope,
 // gyroscopics), taken at the speed of t = 0. So all of them are implicit at the middle of the step,
 // whatever their size. What D leaves out (the spin's change, a motor's curve) is iterated
-// (step_kernel.h).
+// (load_kick.h).
 #pragma once
 
 #include <Eigen/Core>

@@ -20,7 +20,7 @@ double VerletStep<M, Contacts>::share_before_jump(int lane, double begin, double
   constexpr double kNone = 2.0;
   double share = kNone;
   const int from = kLanes > 1 ? lane : 0, to = kLanes > 1 ? lane + 1 : kJumps;
-  for (int i = from; i < to; ++i) {
+  for (int i = from; command_jumps && i < to; ++i) {
     if (jumps[i].share > 0.0) share = std::min(share, jumps[i].share);
   }
   if (share < kNone) return share;
@@ -29,7 +29,8 @@ double VerletStep<M, Contacts>::share_before_jump(int lane, double begin, double
 
 // Once the step is taken with its mean loads.
 template <class M, class Contacts>
-void VerletStep<M, Contacts>::split(const Lasting& was, double begin, double end) {
+void VerletStep<M, Contacts>::split(double begin, double end) {
+  const Lasting& was = before_parts;
   const T zero{}, one = lanes::all<T>(1.0), half = lanes::all<T>(0.5);
   T share = zero;
   for (int lane = 0; lane < kLanes; ++lane) {
@@ -90,7 +91,7 @@ void VerletStep<M, Contacts>::command_part(bool before, const T& share) {
 
 #define ROTORUB_DEFINE_STEP(...)                                                         \
   template double VerletStep<__VA_ARGS__>::share_before_jump(int, double, double) const; \
-  template void VerletStep<__VA_ARGS__>::split(const Lasting&, double, double);
+  template void VerletStep<__VA_ARGS__>::split(double, double);
 #define ROTORUB_DEFINE(...) ROTORUB_DEFINE_STEP(__VA_ARGS__, OneContact<__VA_ARGS__>)
 ROTORUB_ALL_MODELS(ROTORUB_DEFINE)
 ROTORUB_DEFINE_STEP(Model, SeveralContacts)

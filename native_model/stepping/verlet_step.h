@@ -46,11 +46,13 @@ struct VerletStep {
       const double instant = next_switch(*model, 0.0, std::numeric_limits<double>::infinity());
       switches = switches || std::isfinite(instant);
     }
-    const auto takes_time = [](const Model* model) {
+    const auto is_slow = [](const Model* model) {
       return model->first().contact && model->first().contact->impact_time() > 0.0;
     };
-    if (!std::any_of(models.begin(), models.end(), takes_time)) return;
-    for (const Model* model : models) slow_impacts.emplace_back(*model);
+    takes_time = std::any_of(models.begin(), models.end(), is_slow);
+    for (const Model* model : models) {
+      if (takes_time) slow_impacts.emplace_back(*model);
+    }
   }
 
   StepState<M> x;
@@ -68,16 +70,18 @@ struct VerletStep {
   bool command_jumps = false;  // in the step that comes
   static constexpr int kJumps = kLanes > 1 ? kLanes : kMaxContacts;
   CommandJump jumps[kJumps];         // of each lane; of one run of each contact
+  Lasting before_parts;              // of a step in parts: contact before it
   Coordinates mean_after, part_sum;  // of a step in parts: x.after of the mean loads, of the parts
 
-  std::vector<FiniteImpact> slow_impacts;  // of each lane, where impacts take time
+  bool takes_time = false;                 // an impact, of a lane at least
+  std::vector<FiniteImpact> slow_impacts;  // of each lane, if so
   double impact_time[kLanes] = {};         // s, of one that began in the step; 0: none did
   double last_time = 0.0;                  // s, of the last step, from the origin
 
   // From t_k = origin + k h to t_{k+1}. A lane with a status stays where it was.
   ROTORUB_INLINE void step(std::int64_t k) {
     late_work = 0.0;
-    if (!slow_impacts.empty()) std::fill_n(impact_time, kLanes, 0.0);
+    if (takes_time) std::fill_n(impact_time, kLanes, 0.0);
     contact.forget_last();
     kick(k);
     for (int i = 0; i < x.nq(); ++i) x.after[at(i)] = x.free[at(i)];
@@ -86,14 +90,14 @@ struct VerletStep {
       owes = 0.0;
     }
     was_first = first > 0.0;
-    if (!slow_impacts.empty()) find_slow_impacts();
+    if (takes_time) find_slow_impacts();
     if (contact.exists()) {
       const double end = x.time_of(k) + 0.5 * x.h, begin = was_first ? x.time_of(k) : end - x.h;
-      const Lasting was = contact.now;
       const bool parts = jumps_between(begin, end);
+      if (parts) before_parts = contact.now;
       x.kick = was_first ? 0.5 : 1.0;
       const Mask hits = contact.go_on(x, loads);
-      if (parts) split(was, begin, end);
+      if (parts) split(begin, end);
       if (lanes::any(hits)) collide(hits, k);
       if (contact.held_open) go_on_with_slow_impacts(k);
       x.kick = 1.0;
@@ -112,7 +116,7 @@ struct VerletStep {
       return;
     }
     kick(k);
-    if (!slow_impacts.empty()) find_slow_impacts();
+    if (takes_time) find_slow_impacts();
     if (contact.exists()) contact.hold_on(x, loads);
     const T half = lanes::all<T>(0.5);
     for (int i = 0; i < x.nq(); ++i) now[i] = half * (x.start[at(i)] + x.free[at(i)]);
@@ -149,7 +153,7 @@ struct VerletStep {
   }
   // N, normal and friction force at t_k of a lane's impact that takes time.
   Eigen::Vector2d impact_force(int lane, std::int64_t k) const {
-    if (slow_impacts.empty()) return {0.0, 0.0};
+    if (!takes_time) return {0.0, 0.0};
     return slow_impacts[static_cast<std::size_t>(lane)].force(x.time_of(k));
   }
 
@@ -220,7 +224,7 @@ struct VerletStep {
     for (CommandJump& command : jumps) command = {};
     command_jumps = false;
   }
-  ROTORUB_SLOW void split(const Lasting& was, double begin, double end);
+  ROTORUB_SLOW void split(double begin, double end);
   void take_part(const Lasting& was, const T& begin, const T& end);
   void command_part(bool before, const T& share);
 
