@@ -4,10 +4,6 @@
 #include <Eigen/Core>
 #include <span>
 
-#include "native_model/contact/step_contact.h"
-#include "native_model/dynamics/dynamics.h"
-#include "native_model/stepping/contact_kernel.h"
-#include "native_model/system/finite_impact.h"
 #include "native_model/system/model.h"
 
 namespace rotorub {
