@@ -78,6 +78,26 @@ SoftContact soft_contact(const scene::Scene& scene, scene::ContactModel model, d
   return rate > 0.0 && rate * rate < chosen.stiffness ? of(rate * rate) : chosen;
 }
 
+std::string unused_by_soft_contacts(const scene::Scene& scene) {
+  struct Key {
+    const char* name;
+    double scene::Contact::*value;
+  };
+  constexpr Key kOfRigidImpacts[] = {
+      {"contact.compression_time", &scene::Contact::compression_time},
+      {"contact.expansion_time", &scene::Contact::expansion_time},
+      {"contact.tangential_restitution", &scene::Contact::tangential_restitution}};
+  std::string names;
+  for (const Key& key : kOfRigidImpacts) {
+    const auto says = [&key](const scene::AuxiliaryBearing& bearing) {
+      return bearing.contact && (*bearing.contact).*key.value != 0.0;
+    };
+    if (!std::any_of(scene.auxiliary.begin(), scene.auxiliary.end(), says)) continue;
+    names += (names.empty() ? "" : ", ") + std::string(key.name);
+  }
+  return names.empty() ? "" : "MuJoCo's soft contact has no part in " + names;
+}
+
 ContactPair contact_pair(scene::ContactModel model, double clearance, const FrictionLaw& friction,
                          const SoftContact& soft, const MujocoVersion& target, bool kept_out) {
   const bool is_cone = scene::is_cone(model);

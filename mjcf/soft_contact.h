@@ -7,6 +7,8 @@
 //   zeta > 1:  e = exp(-zeta/s ln((zeta+s)/(zeta-s))),  s = sqrt(zeta^2-1);   zeta = 1: e^-2.
 #pragma once
 
+#include <string>
+
 #include "mjcf/mujoco_version.h"
 #include "native_model/contact/friction.h"
 #include "native_model/scene/scene.h"
@@ -45,6 +47,11 @@ SoftContact soft_contact(double restitution, double step, double stiffness = 0.0
 // with which an impact at v goes kConeDepth of the clearance deep.
 SoftContact soft_contact(const scene::Scene& scene, scene::ContactModel model, double step);
 inline constexpr double kConeDepth = 0.005;
+
+// A sentence that names what the scene's contacts say of rigid impacts and a soft contact has no
+// part in, as its stiffness and damping decide how long it takes and what it does to the slip;
+// empty where they say nothing of it.
+std::string unused_by_soft_contacts(const scene::Scene& scene);
 
 // Attributes of the <pair> of a rub, as each of the plugin's contact models sets it.
 struct ContactPair {

@@ -8,6 +8,7 @@
 #include "compare/engine/engine.h"
 #include "compare/engine/mujoco_model.h"
 #include "compare/engine/mujoco_record.h"
+#include "mjcf/soft_contact.h"
 #include "mjcf/writer.h"
 #include "native_model/control/library.h"
 #include "native_model/stepping/step_limit.h"
@@ -144,6 +145,9 @@ Trajectory run_mujoco(const scene::Scene& scene, const MujocoSetup& setup,
   out.status = status;
   if (status != Status::kOk && status != Status::kStepTooLarge) {
     message += " at t = " + std::to_string(reached) + " s";
+  }
+  if (status == Status::kOk && config.contact != scene::ContactModel::kRigid) {
+    message = unused_by_soft_contacts(scene);
   }
   out.message = message;
   return out;

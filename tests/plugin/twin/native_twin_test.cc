@@ -1,5 +1,5 @@
-// The native twin of a user's own model: its numbers against the scene that says the same, its free
-// motion against MuJoCo's, and what has no twin.
+// The native twin of a user's own model: its numbers against the scene that says the same, and what
+// has no twin. Its motion: free_motion_test.cc.
 #include "plugin/twin/native_twin.h"
 
 #include <gtest/gtest.h>
@@ -21,54 +21,6 @@ namespace rotorub::test {
 namespace {
 
 using plugin::NativeTwin;
-
-// A rotor that can bend and tilt in a ring; `rotor` and `ring` are what a test says of their
-// bodies.
-std::string machine(const std::string& rotor, const std::string& ring = "",
-                    const std::string& more = "", const std::string& option = "gravity=\"0 0 0\"") {
-  return R"(<mujoco><option timestep="1e-5" )" + option + R"(/>
-  <size nuserdata="32"/>
-  <worldbody>
-    )" + rotor +
-         R"(
-    <body name="ring" pos="0 0 0.1">)" +
-         ring + R"(<geom name="bore" type="box" size="0.06 0.06 0.01"
-      mass="1" contype="0" conaffinity="0"/></body>
-  </worldbody>
-  <contact><pair geom1="disc" geom2="bore" condim="1" margin="5e-6" gap="1"/></contact>
-  <custom>
-    <text name="rotorub_rotor_geom" data="disc"/>
-    <text name="rotorub_ring_geom" data="bore"/>
-    <text name="rotorub_contact" data="rigid"/>
-    <numeric name="rotorub_clearance" data="5e-4"/>
-    <numeric name="rotorub_friction" data="0.15"/>
-    <numeric name="rotorub_restitution" data="0.5"/>
-  </custom>
-  )" + more +
-         "</mujoco>";
-}
-
-const std::string kDisc =
-    R"(<geom name="disc" type="cylinder" size="0.05 0.01" pos="0 0 0.1" contype="0" conaffinity="0" mass="0"/>)";
-
-// A rigid rotor that tilts in its bearings: a shaft of 3 kg whose centre of mass lies below the
-// contact.
-std::string tilting(const std::string& spin, const std::string& more = "") {
-  return machine(R"(<body name="shaft">
-      <joint name="x" type="slide" axis="1 0 0" stiffness="3e5" damping="30"/>
-      <joint name="y" type="slide" axis="0 1 0" stiffness="4e5" damping="40"/>
-      <joint name="tilt_x" type="hinge" axis="1 0 0" stiffness="2e3" damping="0.3"/>
-      <joint name="tilt_y" type="hinge" axis="0 1 0" stiffness="3e3" damping="0.2"/>
-      <inertial pos="0 0 0.02" mass="1" diaginertia="4e-3 4e-3 1e-3"/>
-      <body name="wheel">
-        <joint name="spin" type="hinge" axis=")" +
-                     spin + R"("/>
-        <inertial pos="0 0 0.05" mass="2" diaginertia="6e-3 6e-3 1e-2"/>
-        )" + kDisc + R"(
-      </body>
-    </body>)",
-                 "", more);
-}
 
 using NativeTwinTest = MujocoTest;
 
@@ -98,131 +50,6 @@ TEST_F(NativeTwinTest, HasTheNumbersOfTheSceneThatSaysTheSame) {
   EXPECT_EQ(twin.scene.rotor.speed, 300.0);
   EXPECT_EQ(twin.scene.first().contact->clearance, 5e-4);
   EXPECT_EQ(twin.scene.run.step, 1e-5);
-}
-
-// A spindle of one body that tilts: all its unbalance is a mass of 10 g at the tool's end, 0.14 m
-// from the centre of mass of the body, which is a couple besides a force. `more`: other masses.
-std::string spindle(const std::string& speed, const std::string& more = "",
-                    const std::string& frame = "", const std::string& option = "gravity=\"0 0 0\"",
-                    const std::string& ring = "") {
-  return machine("<body name=\"shaft\" " + frame + R"(>
-      <joint name="x" type="slide" axis="1 0 0" stiffness="3e5" damping="30"/>
-      <joint name="y" type="slide" axis="0 1 0" stiffness="4e5" damping="40"/>
-      <joint name="tilt_x" type="hinge" axis="1 0 0" stiffness="2e3" damping="0.3"/>
-      <joint name="tilt_y" type="hinge" axis="0 1 0" stiffness="3e3" damping="0.2"/>
-      <inertial pos="0 0 0" mass="0.1" diaginertia="1e-4 1e-4 1e-4"/>
-      <body name="spindle">
-        <joint name="spin" type="hinge" axis="0 0 1"/>
-        <geom type="cylinder" size="0.03 0.05" mass="2" contype="0" conaffinity="0"/>
-        <geom type="sphere" size="0.002" pos="0.003 0.001 0.14" mass="0.01" contype="0"
-          conaffinity="0"/>)" +
-                     more + kDisc + "</body></body>",
-                 ring,
-                 "<keyframe><key name=\"start\" qvel=\"0 0 0 0 " + speed +
-                     (ring.empty() ? "" : " 0 0") + "\"/></keyframe>",
-                 option);
-}
-
-struct FreeMotion {
-  double error;      // m, largest distance of the two in the contact's plane
-  double amplitude;  // m, largest of MuJoCo's
-};
-
-// Of the twin by `event` against MuJoCo's own, over 0.02 s.
-FreeMotion free_motion(const std::string& document, double step) {
-  const ModelPointer m = load(document);
-  m->opt.timestep = step;
-  const NativeTwin twin = twin_of(m.get());
-  const int rows = 40, each = static_cast<int>(std::lround(5e-4 / step));
-  NativeOptions options;
-  options.integrator = scene::Integrator::kEvent;
-  scene::Scene scene = twin.scene;
-  scene.run.end = 0.02;
-  scene.run.output_step = scene.run.end / rows;
-  const Model model = make_model(scene);
-  const Trajectory native = run_native(scene, options);
-  EXPECT_EQ(native.status, Status::kOk) << native.message;
-  EXPECT_TRUE(native.impacts.empty()) << "it must not touch";
-  const DataPointer d = start(m.get());
-  const int disc = mj_name2id(m.get(), mjOBJ_GEOM, "disc");
-  const int bore = mj_name2id(m.get(), mjOBJ_GEOM, "bore");
-  FreeMotion all{0.0, 0.0};
-  for (int row = 1; row <= rows; ++row) {
-    for (int i = 0; i < each; ++i) mj_step(m.get(), d.get());
-    mj_kinematics(m.get(), d.get());
-    mjtNum apart[3], here[3];
-    mju_sub3(apart, d->geom_xpos + 3 * disc, d->geom_xpos + 3 * bore);
-    mju_mulMatTVec(here, d->geom_xmat + 9 * bore, apart, 3, 3);
-    const auto at = [&](const char* column) {
-      return native.column(column)[static_cast<std::size_t>(row)];
-    };
-    const double x = at("rotor_x") - at("stator_x"), y = at("rotor_y") - at("stator_y");
-    all.error = std::max(all.error, std::hypot(x - here[0], y - here[1]));
-    all.amplitude = std::max(all.amplitude, std::hypot(here[0], here[1]));
-  }
-  return all;
-}
-
-// Against MuJoCo's own free motion, whose error falls with its step.
-void expect_free_motion(const std::string& document, double share = 0.02) {
-  const FreeMotion coarse = free_motion(document, 1e-5), fine = free_motion(document, 5e-6);
-  EXPECT_LT(coarse.error, share * coarse.amplitude);
-  EXPECT_GT(coarse.amplitude, 1e-6);
-  EXPECT_NEAR(coarse.error / fine.error, 2.0, 0.2);
-}
-
-// Gyroscopics, anisotropic bearings, tilt that moves the contact.
-TEST_F(NativeTwinTest, MovesAsMujocoWithoutContact) {
-  for (const char* axis : {"0 0 1", "0 0 -1"}) {
-    SCOPED_TRACE(axis);
-    expect_free_motion(tilting(
-        axis,
-        R"(<keyframe><key name="start" qpos="1e-5 2e-5 1e-4 -2e-4 0" qvel="1e-3 0 0.01 0.02 400"/></keyframe>)"));
-  }
-}
-
-// Unbalance beside the centre of mass is a moment as well, by the body's products of inertia.
-TEST_F(NativeTwinTest, KnowsDynamicUnbalance) {
-  {
-    SCOPED_TRACE("at the tool's end");
-    expect_free_motion(spindle("400"));
-  }
-  {
-    SCOPED_TRACE("spinning the other way");
-    expect_free_motion(spindle("-400"));
-  }
-  {
-    SCOPED_TRACE("in two planes, a quarter turn apart");
-    expect_free_motion(spindle("400", R"(<geom type="sphere" size="0.002" pos="-0.001 0.004 -0.05"
-      mass="0.01" contype="0" conaffinity="0"/>)"));
-  }
-  {
-    SCOPED_TRACE("a couple alone");
-    expect_free_motion(spindle("400", R"(<geom type="sphere" size="0.002" pos="-0.003 -0.001 -0.14"
-      mass="0.01" contype="0" conaffinity="0"/>)"));
-  }
-}
-
-// A rotor that stands beside the ring's centre, in gravity: its rest is where its springs hold it.
-TEST_F(NativeTwinTest, StandsWhereTheSpringsHoldIt) {
-  const std::string document = machine(
-      R"(<body name="shaft" pos="1e-4 -5e-5 0">
-      <joint name="x" type="slide" axis="1 0 0" stiffness="3e5" damping="3000"/>
-      <joint name="y" type="slide" axis="0 1 0" stiffness="4e5" damping="3000"/>
-      <inertial pos="0 0 0.1" mass="2" diaginertia="1e-3 1e-3 1e-3"/>)" +
-          kDisc + "</body>",
-      R"(<joint name="ring_x" type="slide" axis="1 0 0" stiffness="1e5" damping="800"/>
-      <joint name="ring_y" type="slide" axis="0 -1 0" stiffness="1e5" damping="800"/>)",
-      "", "gravity=\"9 -6 0\"");
-  const NativeTwin twin = twin_of(document);
-  scene::Scene scene = twin.scene;
-  scene.run.end = 0.5;
-  const Trajectory t = run_native(scene, {});
-  ASSERT_EQ(t.status, Status::kOk);
-  EXPECT_NEAR(t.column("rotor_x").back(), 1e-4 + 18.0 / 3e5, 1e-12);
-  EXPECT_NEAR(t.column("rotor_y").back(), -5e-5 - 12.0 / 4e5, 1e-12);
-  EXPECT_NEAR(t.column("stator_x").back(), 9.0 / 1e5, 1e-12);
-  EXPECT_NEAR(t.column("stator_y").back(), -6.0 / 1e5, 1e-12);
 }
 
 TEST_F(NativeTwinTest, SaysWhatItLeavesOut) {
