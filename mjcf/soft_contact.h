@@ -42,9 +42,8 @@ SoftContact soft_contact(double restitution, double step, double stiffness = 0.0
 // Of a scene's contact with this contact model. What a scene does not say is chosen: for `coulomb`
 // as stiff as the step allows; a cone's is a contact with a limit as the step goes to 0, and no
 // stiffer than
-//   K = (v / (kConeDepth c))^2,  v = max(r_c Omega, sqrt(2 g c), speed at the start),  r_c = c the
-//   clearance,
-// with which an impact at v goes kConeDepth of the clearance deep.
+//   K = (v / (kConeDepth c))^2,  v = max(r_c Omega, sqrt(2 g c), speed at the start),
+// r_c = c the clearance, with which an impact at v goes kConeDepth of the clearance deep.
 SoftContact soft_contact(const scene::Scene& scene, scene::ContactModel model, double step);
 inline constexpr double kConeDepth = 0.005;
 

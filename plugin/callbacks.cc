@@ -1,6 +1,5 @@
 #include "plugin/callbacks.h"
 
-#include <array>
 #include <atomic>
 #include <utility>
 

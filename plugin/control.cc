@@ -62,6 +62,14 @@ Eigen::Vector2d command_of(const Config& config, const mjModel* m, mjData* d, co
   return {0.0, 0.0};
 }
 
+// Current asked for, within MuJoCo's limits, A: MuJoCo clamps its own copy of ctrl.
+double asked_current(const mjModel* m, const mjData* d, int actuator) {
+  const int control = control_address(m, actuator);
+  const mjtNum* range = m->actuator_ctrlrange + 2 * control;
+  const bool clamps = m->actuator_ctrllimited[control] && !(m->opt.disableflags & mjDSBL_CLAMPCTRL);
+  return clamps ? std::clamp(d->ctrl[control], range[0], range[1]) : d->ctrl[control];
+}
+
 }  // namespace
 
 void controller_failed(mjData* d, const std::string& why) {
@@ -115,14 +123,6 @@ Eigen::Vector2d command_of_pass(const Config& config, const mjModel* m, const mj
   }
   if (!model.first().magnets) return actuator_state(config, m, d).force;
   return {asked_current(m, d, config.actuator[0]), asked_current(m, d, config.actuator[1])};
-}
-
-// MuJoCo clamps its own copy of ctrl.
-double asked_current(const mjModel* m, const mjData* d, int actuator) {
-  const int control = control_address(m, actuator);
-  const mjtNum* range = m->actuator_ctrlrange + 2 * control;
-  const bool clamps = m->actuator_ctrllimited[control] && !(m->opt.disableflags & mjDSBL_CLAMPCTRL);
-  return clamps ? std::clamp(d->ctrl[control], range[0], range[1]) : d->ctrl[control];
 }
 
 bool is_magnet(const Config& config, int actuator) {

@@ -38,9 +38,6 @@ Eigen::Vector2d command_of_pass(const Config& config, const mjModel* m, const mj
 // force is F(s, i).
 bool is_magnet(const Config& config, int actuator);
 
-// Current asked for, within MuJoCo's limits, A.
-double asked_current(const mjModel* m, const mjData* d, int actuator);
-
 // Current of the coil, A.
 double coil_current(const mjModel* m, const mjData* d, int actuator);
 

@@ -1,7 +1,6 @@
 // The machine in MuJoCo as a linear system about its present contact state, in continuous time:
 //
-//   dy/dt = A y + B u,   s = C y + D u,     y = (qpos, qvel, act) - those of now, u = ctrl - that
-//   of now
+//   dy/dt = A y + B u,   s = C y + D u,     y = (qpos, qvel, act), u = ctrl, both less those of now
 //
 // the one whose solution over a step is that of `transition` (differences.h): exp(A h), to the
 // plugin's error of a step. In lasting contact the gap and its rate are no states: y is projected

@@ -2,10 +2,9 @@
 // XML or while it runs. What it has no place for (gyroscopics, loads, laws, mode shapes) is the
 // scene's; where its bodies and joints no longer carry those, they are refused.
 //
-//   armature, stiffness, damping of the joints      modal masses, stiffnesses, dampings; the ring's
-//   (an
-//                                                   armature edited in mjModel counts after
-//                                                   mj_setConst, as it does for MuJoCo)
+//   armature, stiffness, damping of the joints      modal masses, stiffnesses, dampings; the
+//                                                   ring's (an armature edited in mjModel counts
+//                                                   after mj_setConst, as it does for MuJoCo)
 //   <option gravity>, its disable flag              [gravity]
 //   friction[0] of the <pair>                       contact.friction
 //   size[0] of the geoms "rotor" and "ring"         contact.radius, and with it the clearance

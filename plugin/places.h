@@ -6,9 +6,9 @@
 // work, links, each with its own `previous`, so that of a user who chains to us, whichever of our
 // links he saved, we know what to call below him:
 //
-//   mjcb_control = mine                  link 1 in the place, previous: mine.       mine, then our
-//   work old = mjcb_control, mine calls old   mine stands in front again, once seen to call us
-//   mjcb_control = nullptr               link 2, previous: none.                     our work alone
+//   mjcb_control = mine                       link 1 in the place, previous: mine: mine, then ours
+//   old = mjcb_control, mine calls old        mine stands in front again, once seen to call us
+//   mjcb_control = nullptr                    link 2, previous: none: our work alone
 //
 // The work is done once a call of the place, whatever the chain. No lock is held while a function
 // of others runs; the one that orders who takes is never touched while the place is as left.

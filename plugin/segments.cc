@@ -2,7 +2,6 @@
 
 #include <Eigen/QR>
 #include <algorithm>
-#include <cmath>
 
 #include "mjcf/names.h"
 #include "native_model/dynamics/loads.h"
@@ -13,6 +12,18 @@ namespace rotorub::plugin {
 namespace {
 
 namespace names = mjcf_names;
+
+using AddressPart = int JointAddress::*;
+
+// The joints' values in an array of mjData.
+Eigen::VectorXd gather(const std::vector<JointAddress>& joints, AddressPart part,
+                       const mjtNum* from) {
+  Eigen::VectorXd values(static_cast<Eigen::Index>(joints.size()));
+  for (std::size_t i = 0; i < joints.size(); ++i) {
+    values[static_cast<Eigen::Index>(i)] = from[joints[i].*part];
+  }
+  return values;
+}
 
 void map_joints(Segments& s, const std::function<JointAddress(const std::string&)>& find) {
   s.x.push_back(find(names::kEndX));
@@ -188,8 +199,7 @@ std::string segment_step_refusal(const Segments& segments, double step) {
   const double limit = 2.0 / segments.highest;
   if (step < limit) return {};
   return step_beyond(step, {limit, "the segment rotor"}) +
-         "; accepted: a smaller run.step, or fewer "
-         "mujoco.segments";
+         "; accepted: a smaller run.step, or fewer mujoco.segments";
 }
 
 namespace {

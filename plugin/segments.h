@@ -22,18 +22,6 @@ struct JointAddress {
   int position = -1, velocity = -1;
 };
 
-using AddressPart = int JointAddress::*;
-
-// The joints' values in an array of mjData.
-inline Eigen::VectorXd gather(const std::vector<JointAddress>& joints, AddressPart part,
-                              const mjtNum* from) {
-  Eigen::VectorXd values(static_cast<Eigen::Index>(joints.size()));
-  for (std::size_t i = 0; i < joints.size(); ++i) {
-    values[static_cast<Eigen::Index>(i)] = from[joints[i].*part];
-  }
-  return values;
-}
-
 struct Segments {
   SegmentChain chain;
   std::vector<JointAddress> x, y;  // N + 2 each, in the chain's order

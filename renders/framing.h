@@ -60,8 +60,8 @@ struct RenderOptions {
 
 // The clock of a film: which time of the run each moment of the film shows. Around impacts that are
 // in view time stretches by itself, so that they are seen. Seconds of film for a second of the run:
-//   slow(t) = base (1 + (kStretch - 1) max_i bump((t - t_i) / half)), bump(u) = (1 - u^2)^2 on (-1,
-//   1)
+//   slow(t) = base (1 + (kStretch - 1) max_i bump((t - t_i) / half)),
+//   bump(u) = (1 - u^2)^2 on (-1, 1)
 // around the chosen impacts t_i: the first of all runs, then the hardest that are `half` apart.
 // They take about half of the film.
 class FilmClock {

@@ -12,7 +12,6 @@ namespace rotorub::renders {
 namespace {
 
 using Eigen::Matrix3d;
-using Eigen::Vector2d;
 using Eigen::Vector3d;
 
 constexpr double kDegree = std::numbers::pi / 180.0;

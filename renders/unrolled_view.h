@@ -3,8 +3,6 @@
 // Penetration of a soft contact goes down from the ring's line by the same law.
 #pragma once
 
-#include <optional>
-
 #include "renders/instant.h"
 #include "renders/playback.h"
 #include "renders/sheet.h"

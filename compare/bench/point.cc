@@ -6,7 +6,6 @@
 #include <cassert>
 #include <cmath>
 #include <map>
-#include <stdexcept>
 #include <utility>
 
 namespace rotorub::bench {

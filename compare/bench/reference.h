@@ -34,7 +34,7 @@ inline constexpr double kReferenceMargin = 100.0;
 // The rows that errors are looked at: at ends of steps of the whole ladder, as between them an
 // engine interpolates, across an impact in first order. Multiples of the least common multiple of
 // the steps, some thousand; where that is no whole number of nanoseconds, or leaves fewer than
-// kFewest rows, the rows of the scene.
+// kFewestRows, the rows of the scene.
 std::vector<double> common_times(const scene::Run& run, const std::vector<double>& steps);
 inline constexpr double kMostRows = 1000.0, kFewestRows = 200.0;
 

@@ -3,7 +3,6 @@
 #include <fmt/format.h>
 
 #include <memory>
-#include <stdexcept>
 
 #include "compare/bench/engines.h"
 #include "compare/peers/peers.h"

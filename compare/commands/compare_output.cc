@@ -4,7 +4,6 @@
 
 #include <cctype>
 #include <nlohmann/json.hpp>
-#include <optional>
 
 #include "compare/base/columns.h"
 #include "compare/base/json.h"

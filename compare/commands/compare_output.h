@@ -1,5 +1,4 @@
-// What `rotorub compare` leaves behind: series, films, compare.json and
-// report.html in a folder.
+// What `rotorub compare` leaves behind in a folder: series, films, compare.json and report.html.
 #pragma once
 
 #include <atomic>

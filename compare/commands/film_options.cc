@@ -5,7 +5,6 @@
 #include <CLI/CLI.hpp>
 #include <charconv>
 #include <filesystem>
-#include <stdexcept>
 
 #include "compare/commands/command.h"
 #include "native_model/scene/units.h"

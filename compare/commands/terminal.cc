@@ -26,18 +26,19 @@ std::string_view variable(const char* name) {
   return value ? value : "";
 }
 
-}  // namespace
-
 bool is_terminal(std::FILE* stream) { return isatty(fileno(stream)) == 1; }
 
-Palette palette_of(std::FILE* stream) {
-  return Palette(is_terminal(stream) && variable("NO_COLOR").empty() && variable("TERM") != "dumb");
-}
-
+// Of a terminal; 80 where nothing else is known.
 int columns_of(std::FILE* stream) {
   winsize size{};
   if (ioctl(fileno(stream), TIOCGWINSZ, &size) == 0 && size.ws_col > 0) return size.ws_col;
   return static_cast<int>(kTerminalWidth);
+}
+
+}  // namespace
+
+Palette palette_of(std::FILE* stream) {
+  return Palette(is_terminal(stream) && variable("NO_COLOR").empty() && variable("TERM") != "dumb");
 }
 
 std::string progress_bar(double share, double seconds, const std::string& what, int columns) {

@@ -9,11 +9,8 @@
 
 namespace rotorub {
 
-bool is_terminal(std::FILE* stream);
 // Colours on a terminal that has them, unless NO_COLOR is set to something (no-color.org).
 Palette palette_of(std::FILE* stream);
-// Of a terminal; 80 where nothing else is known.
-int columns_of(std::FILE* stream);
 
 // How far a long piece of work is, on standard error: on a terminal a bar, from two seconds on;
 // elsewhere a line every half minute, so that a log of hours tells what they went into.

@@ -3,7 +3,6 @@
 
 #include <functional>
 #include <string>
-#include <vector>
 
 #include "compare/commands/command.h"
 #include "compare/tune/tune.h"

@@ -3,7 +3,6 @@
 
 #include <Eigen/Core>
 #include <atomic>
-#include <cstdint>
 #include <functional>
 #include <memory>
 #include <optional>

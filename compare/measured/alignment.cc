@@ -187,8 +187,7 @@ std::string alignment_text(const Alignment& a) {
   if (a.turn_for_shift) {
     text += fmt::format(
         "; so near to a circle that {:+.3g}° of the angle make up for 10 µs of the shift: tell one "
-        "of them, if it is "
-        "known",
+        "of them, if it is known",
         1e-5 * *a.turn_for_shift / kDegree);
   }
   if (a.ambiguous()) {

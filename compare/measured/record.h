@@ -3,7 +3,6 @@
 #pragma once
 
 #include <cstdint>
-#include <optional>
 #include <span>
 #include <stdexcept>
 #include <string>
@@ -76,8 +75,8 @@ class MeasuredError : public std::runtime_error {
 //
 //   flat part   l l l ... l, of more samples than any other equal values in a row but 0
 //   both ends   the sample outside is more than kSteps of the record's resolution away from l; or a
-//   parabola through
-//               the three samples outside would pass l by as much at the second sample inside
+//               parabola through the three samples outside would pass l by as much at the second
+//               sample inside
 //
 // The resolution is the least difference of two values: a converter's peak is flat too, but comes
 // there in steps of one. 0 is no limit: it is where a force without contact, a ring at rest, or a

@@ -23,7 +23,7 @@ class Transform {
                              Eigen::ArrayXd::LinSpaced(size_, 0.0, static_cast<double>(size_ - 1)))
                                 .cos()) {}
 
-  // Hz, of every size in order of amplitudes().
+  // Hz, in the order of the amplitudes.
   std::vector<double> frequencies(double h) const {
     std::vector<double> all;
     for (Eigen::Index k = 0; k < size_; ++k) {

@@ -13,8 +13,7 @@ namespace rotorub {
 
 // Of z = x + i y, taken every h seconds, its mean removed, under a Hann window w,
 //
-//   a(f) = |sum_n w_n z_n exp(-2 pi i f n h)| / sum_n w_n,     f = k / (N h), -1/(2 h) <= f < 1/(2
-//   h).
+//   a(f) = |sum_n w_n z_n exp(-2 pi i f n h)| / sum_n w_n,   f = k / (N h), -1 <= 2 f h < 1.
 //
 // A circular orbit of radius R gives R at the frequency that it whirls with, backward ones below 0;
 // between two frequencies of the grid no less than 0.84 R.

@@ -24,7 +24,8 @@ namespace rotorub {
 // is to be expected. With e the larger of tolerance and spread of twins:
 //   converged       the last two changes are within e: chance and tolerance explain them
 //   trend           otherwise, where the changes shrink, and what is left is less than half the
-//   value no limit seen   otherwise
+//                   value
+//   no limit seen   otherwise
 enum class Convergence { kConverged, kTrend, kNoLimit };
 const char* to_string(Convergence convergence);  // "converged", "trend", "no limit seen"
 

@@ -17,7 +17,6 @@ namespace rotorub {
 namespace {
 
 using nlohmann::json;
-using rub::RubKind;
 using rub::RubPoint;
 using rub::StandingRub;
 

@@ -42,7 +42,7 @@ json plot_point(const json& point) {
           {"outcome", point.at("outcome")}};
 }
 
-// Tolerances of one engine are one series (series.h).
+// Tolerances of one engine are one series (compare/bench/work_precision.h).
 bool belongs(const json& point, const json& series) {
   return point.at("engine") == series.at("engine") &&
          (point.at("step").is_null() ? series.at("setting") == ""

@@ -141,8 +141,7 @@ class SideMaker {
     lacks("spin_speed", "speed");
     return fmt::format(
         "Of the measured run the player shows what its record has; not measured, and not drawn: "
-        "the shaft's shape, "
-        "the angle of spin{}{}.",
+        "the shaft's shape, the angle of spin{}{}.",
         missing.empty() ? "" : ", ", missing);
   }
 

@@ -43,7 +43,7 @@ struct LargestError {
 
 // What a contact model's figures are off by, by whose fault.
 struct ThreeErrors {
-  LargestError contact;  // what remains as the step goes to 0 (split.h)
+  LargestError contact;  // what remains as the step goes to 0 (extrapolation.h)
   LargestError step;     // what vanishes with it, MuJoCo's less the native one's
   // Of the modes kept (model_error.h), the same on both sides; none: not asked for.
   std::optional<LargestError> modes;

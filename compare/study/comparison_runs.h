@@ -1,10 +1,8 @@
 // The runs that a comparison is made of: who takes part, at which steps, and for how long.
 #pragma once
 
-#include <array>
 #include <functional>
 #include <memory>
-#include <optional>
 #include <string>
 #include <vector>
 

@@ -24,7 +24,7 @@ inline constexpr int kShortestFlight = 10;  // steps without an impulse
 // One contact, from its onset on.
 struct ContactResult {
   double impulse = 0.0;         // N s, normal, of all of it, >= 0
-  double window_impulse = 0.0;  // N s, largest within 20 steps (impulse_window.h)
+  double window_impulse = 0.0;  // N s, largest within 20 steps (ImpulseWindow)
   double duration = 0.0;        // s, from the touch to the last force; 0 for a single rigid impact
   double rebound = 0.0;  // m/s, gap rate after the first impact; of a soft contact where its force
                          // first ends; 0 where it does not

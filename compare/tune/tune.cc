@@ -177,9 +177,7 @@ void time_again(std::vector<JudgedSetting>& settings, const Runner& run,
   }
 }
 
-namespace {}  // namespace
-
-// By runs at the step, a half and a quarter of it (compare/metrics/split.h).
+// By runs at the step, a half and a quarter of it (compare/metrics/extrapolation.h).
 void split_errors(const Setting& setting, const Runner& run, References& references,
                   ErrorParts& parts) {
   std::array<Metrics, 3> own, native;

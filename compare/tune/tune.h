@@ -4,7 +4,6 @@
 
 #include <atomic>
 #include <functional>
-#include <optional>
 #include <string>
 #include <utility>
 #include <vector>
@@ -23,7 +22,7 @@ struct Outcome {
   Metrics metrics;
   std::string failure;
 };
-// window_step: s, 20 of which are the window of the largest impulse (impulse_window.h). A setting
+// window_step: s, 20 of which are the window of the largest impulse (ImpulseWindow). A setting
 // is judged with its own step's, as `compare` judges the scene that has it; runs at several steps
 // that are to converge share one.
 using Runner = std::function<Outcome(const Setting&, double window_step)>;

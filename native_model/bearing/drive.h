@@ -1,8 +1,6 @@
 // Drive torque on the rotor, N m: of most kinds a function of the speed at the motor.
 #pragma once
 
-#include <vector>
-
 #include "native_model/numerics/monotone_cubic.h"
 #include "native_model/scene/scene.h"
 

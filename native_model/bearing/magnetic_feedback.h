@@ -3,8 +3,8 @@
 // 2 and 4), r the deflection at its station, i the control current beyond the bias, j the part of
 // it that the integrator holds,
 //
-//   u = -(P r + D r' + j),  i = clamp(u, -limit, limit),  F = k_s r + k_i i,  j' = I r + (u - i) I
-//   / P
+//   u = -(P r + D r' + j),   i = clamp(u, -limit, limit),
+//   F = k_s r + k_i i,       j' = I r + (u - i) I / P
 //
 // for t < fails_at; from then on i = 0, F = 0 and j stays. The last term takes back from j within
 // the integral's own time P / I what the limit cuts off (K. J. Astrom, T. Hagglund, "PID

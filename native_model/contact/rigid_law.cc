@@ -1,7 +1,6 @@
 #include "native_model/contact/rigid_law.h"
 
 #include <algorithm>
-#include <cmath>
 
 #include "native_model/contact/constrained_law.h"
 #include "native_model/contact/impact.h"

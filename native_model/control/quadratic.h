@@ -5,9 +5,9 @@
 //
 // e_0, s_0, u_0: what is allowed of the rotor's distance from the ring's centre, of the ring's
 // travel and of the force (Bryson's rule). It keeps the ring about the rotor, so that they do not
-// touch. K by the discrete Riccati equation (numerics/matrix_functions.h);
+// touch. K by the discrete Riccati equation (numerics/matrix_functions.h).
 //
-// all counted from where the ring stands about the rotor at rest: off its own middle by -o, o =
+// All is counted from where the ring stands about the rotor at rest: off its own middle by -o, o =
 // contact.offset, held there by u_s = -K_f o against its springs. So u = u_s - K (x - x_s).
 //
 // LQR knows the whole state, which no sensor shows: the best that a linear law can do. LQG

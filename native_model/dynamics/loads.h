@@ -31,7 +31,7 @@ void add_forces(const M& m, double t, const double* q, double* f) {
   }
 }
 
-// What a list of loads is told of the instant beside (q, v).
+// What a list of loads knows of the instant beside (q, v).
 template <class T>
 struct LoadInstant {
   double t;                     // s, of the motor's torque

@@ -1,7 +1,6 @@
 #include "native_model/event/impact.h"
 
 #include <algorithm>
-#include <array>
 
 #include "native_model/contact/impact.h"
 #include "native_model/dynamics/dynamics.h"

@@ -4,7 +4,6 @@
 // whose translation unit chooses the instruction set.
 #pragma once
 
-#include <cmath>
 #include <cstddef>
 #include <cstdint>
 #include <new>

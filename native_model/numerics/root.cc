@@ -1,7 +1,6 @@
 #include "native_model/numerics/root.h"
 
 #include <algorithm>
-#include <cmath>
 
 namespace rotorub {
 namespace {

@@ -102,7 +102,7 @@ struct WhirlBranch {
 // continue those of the speeds before. Where none does (a mode comes into or leaves the kept ones,
 // or two meet and are overdamped), a branch ends and another begins. By the |frequency| that each
 // begins with.
-// progress: told the share done in [0, 1] after each speed; may throw to stop.
+// progress: given the share done in [0, 1] after each speed; may throw to stop.
 // Throws std::runtime_error where the eigenvalues do not converge.
 std::vector<WhirlBranch> whirl_branches(const WhirlSystem& system,
                                         const std::vector<double>& speeds,

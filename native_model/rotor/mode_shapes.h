@@ -4,7 +4,6 @@
 
 #include <Eigen/Core>
 #include <optional>
-#include <string>
 #include <vector>
 
 #include "native_model/rotor/campbell.h"

@@ -1,4 +1,4 @@
-// What a shaft loses with the modes that are not kept, and how many of them tell enough.
+// What a shaft loses with the modes that are not kept, and how many of them are enough.
 #pragma once
 
 #include <functional>

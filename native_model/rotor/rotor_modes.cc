@@ -6,7 +6,6 @@
 #include <limits>
 #include <numbers>
 #include <numeric>
-#include <optional>
 
 #include "native_model/numerics/eigenvalues.h"
 #include "native_model/rotor/mode_truncation.h"

@@ -1,6 +1,5 @@
 #include "native_model/rub/driven_rub.h"
 
-#include <algorithm>
 #include <cassert>
 #include <cmath>
 

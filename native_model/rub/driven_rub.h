@@ -7,10 +7,11 @@
 // tangential part. What the rows of a in rub_stability.h gain, and the rows of phi and theta:
 //
 //   + i U phi'' + (nu G rho - i N rho - 2 Omega U) phi' - i (Omega^2 U + f) phi
-//   J phi'' + Im U^H (a'' + 2 i Omega a' - Omega^2 a) + Omega^2 Re(U^H rho) phi - T' (phi' +
-//   d.theta') + r p = 0 J_k theta_k'' + D_k theta_k' + K_k theta_k - d_k T' (phi' + d.theta') + c_k
-//   r p = 0 sliding: p = tau l.  rolling: Im(c^T a - b) + r (phi + c_t.theta) = 0, p what that asks
-//   for, along e_t
+//   J phi'' + Im U^H (a'' + 2 i Omega a' - Omega^2 a) + Omega^2 Re(U^H rho) phi
+//           - T' (phi' + d.theta') + r p = 0
+//   J_k theta_k'' + D_k theta_k' + K_k theta_k - d_k T' (phi' + d.theta') + c_k r p = 0
+//   sliding: p = tau l
+//   rolling: Im(c^T a - b) + r (phi + c_t.theta) = 0, p what that asks for, along e_t
 //
 // So while it slides torsion has no way back to bending, and the spin has one through U, f, G and N
 // alone. Rolling is one constraint of both: the whirl is locked to the spin, nu = -r Omega /

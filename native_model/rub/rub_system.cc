@@ -4,7 +4,6 @@
 #include <cassert>
 #include <cmath>
 #include <string>
-#include <utility>
 
 #include "native_model/control/ring_feedback.h"
 #include "native_model/dynamics/linear_parts.h"

@@ -1,6 +1,5 @@
 // [controller] and the tables below it: rows, and what single keys cannot show.
 
-#include <algorithm>
 #include <cmath>
 #include <string>
 #include <utility>

@@ -18,7 +18,7 @@ struct Diagnostic {
 };
 
 // `file:line: key: reason`, without the parts that are unknown; one line that a terminal can show
-// (printable.h).
+// (printable() of text.h).
 std::string to_string(const Diagnostic& diagnostic);
 
 // A scene that cannot be used. what() has one line per diagnostic (of the first

@@ -1,7 +1,5 @@
 // [drive], [[force]] and [magnetic_bearing]: rows, and what single keys cannot show.
 
-#include <algorithm>
-
 #include "native_model/scene/checker.h"
 #include "native_model/scene/schema.h"
 #include "native_model/scene/shaft_bearing.h"

@@ -1,6 +1,5 @@
 #include "native_model/scene/overrides.h"
 
-#include <algorithm>
 #include <charconv>
 #include <cstddef>
 #include <optional>

@@ -40,6 +40,11 @@ std::string text_in(const std::filesystem::path& path, const char* expected, std
   return text;
 }
 
+// Where a scene's file stands, and what it names beside itself.
+std::string folder_of(const std::filesystem::path& file) {
+  return file.has_parent_path() ? file.parent_path().string() : ".";
+}
+
 }  // namespace
 
 std::string file_text(const std::filesystem::path& path) {
@@ -56,10 +61,6 @@ std::string regular_file_text(const std::filesystem::path& file) {
   if (std::filesystem::is_other(status))
     throw std::runtime_error("is a device or a pipe; expected a file");
   return text_in(file, "a file", std::string::npos);
-}
-
-std::string folder_of(const std::filesystem::path& file) {
-  return file.has_parent_path() ? file.parent_path().string() : ".";
 }
 
 Scene read_scene(const std::filesystem::path& path, std::span<const std::string> overrides) {

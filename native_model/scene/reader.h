@@ -23,9 +23,7 @@ Scene read_scene(const std::filesystem::path& path, std::span<const std::string>
 Scene parse_scene(std::string_view text, const std::string& file_name,
                   std::span<const std::string> overrides = {});
 
-// Where a scene's file stands, and what it names beside itself.
-std::string folder_of(const std::filesystem::path& file);
-// Its steps. The text of a file that can be a scene; throws SceneError.
+// The steps of these. The text of a file that can be a scene; throws SceneError.
 std::string file_text(const std::filesystem::path& path);
 // The scene of a tree that `text` stands for. `diagnostics`: what is known to be wrong already.
 Scene scene_of(const TomlNode& root, const std::string& file_name, std::string text,

@@ -1,7 +1,6 @@
 // [rotor] and the tables below it, discs and bearings apart: rows, and what single keys cannot
 // show.
 
-#include <algorithm>
 #include <cmath>
 
 #include "native_model/scene/checker.h"

@@ -1,7 +1,5 @@
 // [run], [gravity], [initial] and [mujoco]: rows, and what single keys cannot show.
 
-#include <algorithm>
-
 #include "native_model/scene/checker.h"
 #include "native_model/scene/schema.h"
 #include "native_model/scene/text.h"

@@ -171,12 +171,11 @@ struct Drive {
 // ---------------------------------------------------------------- [[force]], [magnetic_bearing]
 enum class ForceKind { kRotating, kConstant, kSynchronous, kChirp, kPulse, kUnbalance };
 
-// Acts for on <= t < off, rising linearly from 0 over [on, on + ramp]. amplitude (cos a, sin a)
-// with
+// Acts for on <= t < off, rising linearly from 0 over [on, on + ramp]. amplitude (cos a, sin a):
 //   rotating:    a = frequency t + phase, t absolute
-//   synchronous: a = phi + phase, phi the spin's angle; an outer force, without a torque on the
-//   spin chirp:       a' from `frequency` at `on` to `frequency_end` at `off`, linearly in time; a
-//   = phase at `on`
+//   synchronous: a = phi + phase, phi the spin's angle; an outer force, without torque on the spin
+//   chirp:       a' from `frequency` at `on` to `frequency_end` at `off`, linearly in time;
+//                a = phase at `on`
 // constant: vector; pulse: vector sin(pi (t - on)/(off - on)). unbalance: no outer force but a mass
 // out of the axis from `on` for ever (a blade is lost), as rotor.disc's eccentricity.
 struct Force {

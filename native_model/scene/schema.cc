@@ -1,7 +1,6 @@
 #include "native_model/scene/schema.h"
 
 #include <algorithm>
-#include <array>
 #include <cstdlib>
 
 #include "native_model/scene/diagnostic.h"

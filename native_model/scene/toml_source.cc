@@ -7,7 +7,6 @@
 #include <mutex>
 #include <optional>
 #include <set>
-#include <sstream>
 #include <tuple>
 
 #include "native_model/scene/key_depth.h"

@@ -1,6 +1,5 @@
 #include "native_model/stepping/euler.h"
 
-#include <cmath>
 #include <utility>
 
 #include "native_model/contact/impact.h"

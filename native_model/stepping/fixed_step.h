@@ -4,7 +4,6 @@
 #include <Eigen/Core>
 #include <array>
 #include <cstddef>
-#include <cstdint>
 #include <span>
 
 #include "native_model/contact/step_contact.h"

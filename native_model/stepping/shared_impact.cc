@@ -57,7 +57,7 @@ Status SharedImpact::strike(const StepState<Model>& x, double t, double at, cons
   const auto solved = [&] { return solve_coupled_impact(g_, before, std::span(laws_).first(n)); };
   CoupledSolution s = solved();
   // One that it knocks open too little for a flight stays. Steps, as of an impact that is located
-  // or not (rebound.h).
+  // or not (native_model/contact/impact.h).
   const double least_flight = (contacts_->located() ? 1.0 : 2.0) * x.h;
   const auto stays = [&](std::size_t i) {
     return closed_[i] && !flight_outlives(least_flight, s.y[row(i)], pressed_[i]);

@@ -3,7 +3,6 @@
 #pragma once
 
 #include <cstdint>
-#include <vector>
 
 #include "native_model/numerics/status.h"
 #include "native_model/stepping/lane_model.h"

@@ -19,8 +19,7 @@ void put_matrix(lanes::Array<T>& to, const Eigen::MatrixXd& from, int lane) {
   put_lane(to, Eigen::MatrixXd(from.transpose()).reshaped(), lane);
 }
 
-}  // namespace
-
+// D of one model, nq x nq, N s/m: -dF/dqdot at the speed of t = 0.
 Eigen::MatrixXd linear_damping(const Model& m) {
   const Layout& l = m.layout;
   const int bending = 2 * l.modes;
@@ -36,6 +35,8 @@ Eigen::MatrixXd linear_damping(const Model& m) {
   }
   return d;
 }
+
+}  // namespace
 
 template <class T>
 VelocityMatrix<T>::VelocityMatrix(const std::vector<const Model*>& models, double h)

@@ -13,9 +13,6 @@
 
 namespace rotorub {
 
-// D of one model, nq x nq, N s/m: -dF/dqdot at the speed of t = 0.
-Eigen::MatrixXd linear_damping(const Model& model);
-
 template <class T>
 class VelocityMatrix {
  public:

@@ -11,12 +11,18 @@
 
 namespace rotorub {
 
+namespace {
+
+// The commands of the instant, q and v there, t: a continuous controller's of now, else those that
+// hold.
 Eigen::Vector2d command_at_impact(const Model& m, std::size_t bearing, double t, const double* q,
                                   const double* v, const Eigen::Vector2d& held) {
   const AuxiliaryBearing& at = m.auxiliary[bearing];
   const bool follows = at.controller && at.sample_time == 0.0 && t >= at.control_on;
   return follows ? control_command(m, t, q, v, bearing) : held;
 }
+
+}  // namespace
 
 double jump_velocities(const Model& m, const ImpactInstant& at, double* jump, double* missed) {
   const int nq = m.nq();

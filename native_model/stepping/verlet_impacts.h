@@ -22,9 +22,4 @@ struct ImpactInstant {
 // misses, J.
 double jump_velocities(const Model& m, const ImpactInstant& at, double* jump, double* missed);
 
-// The commands of the instant, q and v there, t: a continuous controller's of now, else those that
-// hold.
-Eigen::Vector2d command_at_impact(const Model& m, std::size_t bearing, double t, const double* q,
-                                  const double* v, const Eigen::Vector2d& held);
-
 }  // namespace rotorub

@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cassert>
-#include <cmath>
 
 #include "native_model/bearing/actuator.h"
 #include "native_model/control/control_loop.h"

@@ -6,8 +6,8 @@
 //                       two of a magnetic bearing's integrator (their rates are the currents that
 //                       it holds) | charges of two coils of each ring with a coil lag (their rates
 //                       are the currents)
-// Equations:            M(phi) q'' = f(t, q, q', u) + W_N lambda_N + W_T lambda_T          (9),
-// (20) M is diagonal, but for the coupling of spin and bending by unbalance with a drive.
+// Equations (9), (20):  M(phi) q'' = f(t, q, q', u) + W_N lambda_N + W_T lambda_T
+// M is diagonal, but for the coupling of spin and bending by unbalance with a drive.
 #pragma once
 
 #include <Eigen/Core>

@@ -35,8 +35,7 @@ const ColumnMeaning kSeries[] = {
     {"gap_rate", "m/s", "its rate; negative: closing; 0 where the centres coincide", ""},
     {"slip", "m/s",
      "gdot_T, speed of the rotor's surface over the ring's along e_t = e_z x e_r, e_r from the "
-     "ring's "
-     "centre to the rotor's; positive for forward spin without whirl",
+     "ring's centre to the rotor's; positive for forward spin without whirl",
      ""},
     {"normal_force", "N", "of lasting contact, never negative; impacts are in impacts.csv", ""},
     {"friction_force", "N", "on the rotor along e_t; sliding: -friction normal_force sign(slip)",
@@ -85,8 +84,7 @@ const ColumnMeaning kEvents[] = {
     {"t", "s", "time of the change", ""},
     {"event", "",
      "impact, slide, stick (the mode from here on), lift_off, or reverse: the slip changes its "
-     "sign "
-     "without sticking",
+     "sign without sticking",
      ""},
     {kContactColumn, "", "number of the contact, from 1", "several contacts"},
 };

@@ -23,6 +23,8 @@ namespace rotorub {
 
 namespace {
 
+namespace fs = std::filesystem;
+
 // 17 significant digits: reads back to the same bits.
 void append(std::string& text, double value) {
   char buffer[40];
@@ -101,7 +103,6 @@ void write_events(const Trajectory& trajectory, const std::filesystem::path& fil
 }
 
 void write_whole(const std::filesystem::path& file, const std::string& text) {
-  namespace fs = std::filesystem;
   std::error_code none;
   // What a link leads to is written, not put in the place of the link; nor is a device or a pipe,
   // which takes the text as it comes.
@@ -135,8 +136,6 @@ void write_whole(const std::filesystem::path& file, const std::string& text) {
 }
 
 namespace {
-
-namespace fs = std::filesystem;
 
 constexpr const char* kPart = ".part-";
 constexpr int kMostAttempts = 100;

@@ -8,7 +8,6 @@
 #include <cmath>
 #include <cstddef>
 #include <numeric>
-#include <span>
 #include <vector>
 
 #include "native_model/contact/kinematics.h"

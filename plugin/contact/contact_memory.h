@@ -45,10 +45,8 @@ class EscapeGuard {
     if (!escaped || (bits() & kWasTold)) return;
     set(bits() | kWasTold);
     warn(message("rotorub: the rotor is {} m deep in its ring at t = {} s, with a clearance of {} "
-                 "m: the step is too long "
-                 "for this motion, or rotor or ring is moved by what the contact does not see; "
-                 "rotorub_active is 0 while "
-                 "that lasts",
+                 "m: the step is too long for this motion, or rotor or ring is moved by what the "
+                 "contact does not see; rotorub_active is 0 while that lasts",
                  -gap, time, clearance)
              .c_str());
   }

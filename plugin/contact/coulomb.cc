@@ -64,7 +64,7 @@ Reference reference_of(const ContactPair& pair, const mjModel* m, const mjData* 
     const mjtNum* kbip = d->efc_KBIP + 4 * row;
     return {kbip[0] * kbip[2], kbip[1]};
   }
-  // As MuJoCo would have it: direct, of a constant impedance (mjcf/contact_pair.h).
+  // As MuJoCo would have it: direct, of a constant impedance (mjcf/soft_contact.h).
   const mjtNum* solref = m->pair_solref + mjNREF * pair.pair;
   const double impedance = m->pair_solimp[mjNIMP * pair.pair];
   return {-solref[0] / impedance, -solref[1] / impedance};

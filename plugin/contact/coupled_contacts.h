@@ -1,13 +1,12 @@
 // The contacts of a coupled step (coupled_step.h) as one problem in their impulses: what impulses
 // of some of them do to the rates of all, and the impulses that meet the laws.
 //
-//   end_i = start_i + h a_i + sum_j G_ij w_j p_j,     w = (W_N, W_T), p = (normal, friction)
-//   impulses
+//   end_i = start_i + h a_i + sum_j G_ij w_j p_j,     w = (W_N, W_T)
 //
-// and where one of them moves along its ring's axis (relative_motion.h) with W_Z and the friction
-// along the axis for a third. G is the flexibility of the step's matrix for what acts all through
-// it, the admittance of the mass for a blow; where MuJoCo's constraints hold a body, its solver is
-// asked instead (contact/constraint_probe.h).
+// p = (normal, friction) impulses; and where one of them moves along its ring's axis
+// (relative_motion.h) with W_Z and the friction along the axis for a third. G is the flexibility of
+// the step's matrix for what acts all through it, the admittance of the mass for a blow; where
+// MuJoCo's constraints hold a body, its solver is asked instead (contact/constraint_probe.h).
 #pragma once
 
 #include <mujoco/mujoco.h>

@@ -1,7 +1,5 @@
 #include "plugin/contact/pairs.h"
 
-#include <algorithm>
-#include <cmath>
 #include <vector>
 
 #include "native_model/contact/kinematics.h"

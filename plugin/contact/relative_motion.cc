@@ -129,8 +129,8 @@ double change(const mjModel* m, mjData* d) {
   return change;
 }
 
-}  // namespace
-
+// Rates of the rotor's centre seen from the ring, (relative x, relative y, spin) as in a BodySpace:
+// J qvel, from MuJoCo's body velocities. After its velocity stage.
 Eigen::Vector3d rates_of(const ContactPair& pair, const ContactPlace& place, const mjModel* m,
                          const mjData* d) {
   Eigen::Vector3d rates(0.0, 0.0, 0.0);
@@ -151,6 +151,8 @@ Eigen::Vector3d rates_of(const ContactPair& pair, const ContactPlace& place, con
   add(m->geom_bodyid[pair.ring_geom], place.ring_point, -1.0, place.ring_spin);
   return rates;
 }
+
+}  // namespace
 
 ContactPoint contact_point_of(const ContactPair& pair, const mjModel* m, const mjData* d) {
   const ContactPlace place = contact_place(pair, d);

@@ -1,7 +1,7 @@
 // How a rotor and its ring can move against each other, and do.
 //
-// Where they move against each other along the ring's axis, the contact slips in
-// two directions, along the ring's circle and along its axis,
+// Where they move against each other along the ring's axis, the contact slips in two directions,
+// along the ring's circle and along its axis,
 //   gdot_Z = z' + r (e_r,y omega_x - e_r,x omega_y),
 // z' of the rotor's centre against the point of the ring's axis beside it, omega the tilt rate of
 // the rotor less 1 + delta / r times that of the ring: the motion of the point that touches; and
@@ -30,11 +30,7 @@ bool slides_along_axis(const mjModel* m, const ContactPair& pair);
 // by 60 degrees or more in qpos0: it lies in it as no disc does.
 bool lies_across(const mjModel* m, const ContactPair& pair);
 
-// Rates of the rotor's centre seen from the ring, (relative x, relative y, spin) as in
-// a BodySpace: J qvel, from MuJoCo's body velocities. After its velocity stage.
-Eigen::Vector3d rates_of(const ContactPair& pair, const ContactPlace& place, const mjModel* m,
-                         const mjData* d);
-// Gap, rates and slip of the state.
+// Gap, rates and slip of the state. After MuJoCo's velocity stage.
 ContactPoint contact_point_of(const ContactPair& pair, const mjModel* m, const mjData* d);
 
 // Whether the rotor can come to the ring within the step at all: a bound that needs neither

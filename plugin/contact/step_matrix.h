@@ -55,11 +55,9 @@ void solve_tree(const mjModel* m, const mjtNum* factor, const mjtNum* inverse, D
 //   dampers explicit (RK4, or disabled)   M
 //   Euler                                 M + h B,      B the joints' dampers
 //   implicit, implicitfast                M - h dF/dv,  F(v) actuators, dampers of joints and
-//   tendons, fluid,
-//                                         bias forces: MuJoCo's own derivative, which need not be
-//                                         symmetric
+//                                         tendons, fluid, bias forces: MuJoCo's own derivative,
+//                                         which need not be symmetric
 // An impulse that is to meet the contact laws at the end of the step has to pass through it.
-
 class StepMatrix {
  public:
   // After mj_fwdActuation. Finds dF/dv, once for all contacts of the pass.

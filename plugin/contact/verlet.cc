@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <atomic>
 #include <cmath>
-#include <memory>
 #include <utility>
 
 #include "native_model/bearing/actuator.h"
@@ -283,8 +282,7 @@ void warn_of_disabled_passive(const mjModel* m) {
   if (warned.exchange(true)) return;
   warn(
       "rotorub: <flag passive=\"disable\">: springs and dampers of the joints are off; with "
-      "contact "
-      "model `rigid` the scene's other loads still act (excitation, unbalance, gyroscopic, "
+      "contact model `rigid` the scene's other loads still act (excitation, unbalance, gyroscopic, "
       "weight)");
 }
 

@@ -38,13 +38,4 @@ std::array<mjtNum, 8> own_numbers(const mjModel* m, const ContactPair& pair);
 // config.
 bool same_motion(const Config& config, const mjModel* m);
 
-// What the <pair> of a user's own model must say, so that MuJoCo's solver does the contact law's
-// share and no more.
-
-// "<contact><pair geom1=... geom2=...>"
-std::string pair_element(const mjModel* m, const ContactPair& pair);
-
-// Throws ConfigError.
-void check_pair(const mjModel* m, const PairName& name, const ContactPair& pair);
-
 }  // namespace rotorub::plugin

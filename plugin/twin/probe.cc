@@ -52,7 +52,10 @@ VectorXd Probe::force(const VectorXd& v) {
   return f;
 }
 
-Eigen::Vector3d Probe::place(int geom) const { return axes_ * vector3(d_->geom_xpos + 3 * geom); }
+Eigen::Vector3d Probe::place(int geom) const {
+  const mjtNum* at = d_->geom_xpos + 3 * geom;
+  return axes_ * Eigen::Vector3d(at[0], at[1], at[2]);
+}
 
 Eigen::Vector2d Probe::apart(const ContactPair& pair) const {
   return (place(pair.rotor_geom) - place(pair.ring_geom)).head<2>();

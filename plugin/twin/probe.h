@@ -46,9 +46,6 @@ class Probe {
   Eigen::Matrix3d axes_;  // rows: x, y, z in the world
 };
 
-// Three of MuJoCo's numbers.
-inline Eigen::Vector3d vector3(const mjtNum* x) { return {x[0], x[1], x[2]}; }
-
 // The joints of a user's own machine that turn rotor and rings about the contacts' axis.
 
 // A hinge about the z axis of the first ring's geom.

@@ -190,18 +190,17 @@ PYBIND11_MODULE(rotorub_native, module) {
              py::arg("integrator") = none, py::arg("step") = none, py::arg("end") = none,
              py::arg("output_times") = none, py::arg("allow_library") = false,
              "Runs a scene, a path or a text of several lines: a dict with series, impacts and "
-             "events (arrays by column), "
-             "columns (units and meanings), scene_text and summary.\n\noverrides: "
-             "{\"contact.friction\": 0.2}; step, end: "
-             "seconds, or a string with a unit; output_times: rows of the series, s, ascending; "
-             "allow_library: the library that "
-             "the scene names as its controller is opened, code that you trust.");
+             "events (arrays by column), columns (units and meanings), scene_text and summary.\n"
+             "\n"
+             "overrides: {\"contact.friction\": 0.2}; step, end: seconds, or a string with a unit; "
+             "output_times: rows of the series, s, ascending; allow_library: the library that the "
+             "scene names as its controller is opened, code that you trust.");
   module.def("sweep", &own::sweep_points, py::arg("scene"), py::arg("points"),
              py::arg("overrides") = none, py::kw_only(), py::arg("integrator") = none,
              py::arg("step") = none, py::arg("end") = none, py::arg("allow_library") = false,
              "Runs a scene once for each dict of overrides, on all processors: arrays by the "
-             "columns of results.csv. A "
-             "point that fails says so in status and reason; its figures are NaN.");
+             "columns of results.csv. A point that fails says so in status and reason; its figures "
+             "are NaN.");
   module.def("study", &own::study, py::arg("file"), py::arg("overrides") = none, py::kw_only(),
              py::arg("allow_library") = false,
              "Runs all points of a study (compare/sweep/README.md), on all processors: as sweep, "
