@@ -29,8 +29,8 @@ std::vector<int> order_beside_the_rotor(const Model& model);
 // Radius of the drawn disc at an auxiliary bearing, m.
 double drawn_radius(const scene::Scene& scene, std::size_t bearing = 0);
 
-// The ghosts: bodies that show where the shadow has rotor and ring. The plugin
-// moves them; without it they rest at the start. They take no part in the motion.
+// The ghosts: bodies that show where the shadow has rotor and ring. The plugin moves them; without
+// it they rest at the start. They take no part in the motion.
 void write_ghosts(XmlWriter& xml, const scene::Scene& scene, const Model& model);
 
 }  // namespace rotorub

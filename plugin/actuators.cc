@@ -77,7 +77,7 @@ void begin_actuators(const mjData* d) {
   std::fill(pass.answers.begin(), pass.answers.end(), Answer::kNone);
 }
 
-// What MuJoCo has been told at this state is known.
+// What MuJoCo was given at this state stays known.
 ActuatorsAside::ActuatorsAside(const mjModel* m, mjData* d) : m_(m), d_(d) {
   if (pass.data != d || !has_inputs(m, d)) begin_actuators(d);
   pass.computed = pass.plugin_state_kept = false;

@@ -28,7 +28,7 @@ struct SensorAddresses {
   int normal_force = -1, friction_force = -1;
   int gap_scaled = -1;  // of the clearance
   ScaledSensor normal_force_scaled, friction_force_scaled;
-  // Asked for at another stage than that which MuJoCo has them at: told in mjcb_control.
+  // Asked for at another stage than that which MuJoCo has them at: filled in mjcb_control.
   bool gap_in_control = false, rates_in_control = false;
 };
 

@@ -5,7 +5,6 @@
 
 #include "native_model/bearing/actuator.h"
 #include "native_model/control/control_loop.h"
-#include "native_model/dynamics/dynamics.h"
 #include "native_model/system/actuation.h"
 #include "native_model/trajectory/trajectory.h"
 #include "plugin/mujoco_versions.h"

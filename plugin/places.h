@@ -34,7 +34,7 @@ class Place {
  public:
   using Type = Function;
 
-  // `global` may be null until it is told; the links are told before all else.
+  // `global` may be null until stand_at; link_with comes before all else.
   constexpr explicit Place(Function* global = nullptr) : global_(global) {}
   void stand_at(Function* global) { global_ = global; }
   void link_with(const Function* links) { links_ = links; }
@@ -141,7 +141,7 @@ class Place {
 
 // What a thread is in: the links of one place that wait for what they called. Kept on the stack of
 // the first of them. A frame that was left by longjmp (mju_error of a model that is compiled) is
-// told by its address: it is not above ours.
+// recognised by its address: it is not above ours.
 struct LinkCall {
   const void* data = nullptr;  // mjData
   std::uintptr_t frame = 0;

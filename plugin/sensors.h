@@ -22,8 +22,8 @@ void fill_sensors(const Config& config, const mjModel* m, mjData* d, int stage);
 // pass. (The forces of `cone`, which MuJoCo's solver finds after this, at mjSTAGE_ACC again.)
 void fill_sensors_in_control(const Config& config, const mjModel* m, mjData* d);
 
-// What was told before MuJoCo's last sensor stage, again: MuJoCo of today sets the user sensors of
-// a stage to 0 before it calls mjcb_sensor.
+// What was filled in before MuJoCo's last sensor stage, again: MuJoCo of today sets the user
+// sensors of a stage to 0 before it calls mjcb_sensor.
 void fill_late_sensors(const Config& config, const mjModel* m, mjData* d);
 
 // Where our user sensors are in mjData.sensordata; contact_sensors (config.h) finds those of one

@@ -53,7 +53,7 @@ struct RenderOptions {
   const Trajectory* beside = nullptr;
   std::vector<const Trajectory*> scaled_with;
 
-  // Told the fraction done, [0, 1], after every frame. What it throws ends the film: no file is
+  // Given the fraction done, [0, 1], after every frame. What it throws ends the film: no file is
   // left.
   std::function<void(double)> progress;
 };

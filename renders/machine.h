@@ -89,10 +89,10 @@ struct Machine {
   Eigen::Vector3d tangent(const Eigen::Matrix2Xd& line, double station) const;
 };
 
-// `runs`: all that are shown. Without a given
-// magnification: as large as makes the largest motion between `from` and `to` a tenth of the shaft,
-// within limits that keep the clearance visible, and rounded down to a plain number. Throws
-// std::runtime_error where a run has not the scene's number of modes.
+// `runs`: all that are shown. Without a given magnification: as large as makes the largest motion
+// between `from` and `to` a tenth of the shaft, within limits that keep the clearance visible, and
+// rounded down to a plain number. Throws std::runtime_error where a run has not the scene's number
+// of modes.
 Machine make_machine(const scene::Scene& scene, std::span<const Playback* const> runs, double from,
                      double to, std::optional<double> magnification);
 

@@ -33,8 +33,7 @@ struct Setting {
   std::string refusal;  // why the scene cannot be had in this setting; empty: it can
 };
 
-// The rungs that every engine is put on: what the settings are taken from: steps of the fixed
-// steps, tolerances of the others.
+// The rungs that every engine is put on: steps of the fixed steps, tolerances of the others.
 struct Ladder {
   std::vector<double> steps;       // s, > 0
   std::vector<double> tolerances;  // relative, > 0
@@ -49,9 +48,8 @@ std::vector<double> parse_steps(const std::string& list);
 // "1e-6,1e-9": numbers in (0, 1).
 std::vector<double> parse_tolerances(const std::string& list);
 
-// `event` at a tolerance of one's own: the work-precision ladder of an engine without a step, and
-// the reference. The settings of `event` for a relative tolerance: what is distinguished from 0 by
-// the tolerance follows it.
+// The settings of `event` for a relative tolerance, of its ladder and of the reference: what is
+// distinguished from 0 by the tolerance follows it.
 EventParameters event_parameters(double tolerance);
 
 // RunRequest::step is not read: forces are averaged over the bins of the parameters.

@@ -71,10 +71,9 @@ std::vector<Point> error_pass(const std::vector<Setting>& settings, const Refere
 
 // The pass for the times: repeated whole integrations with the output off, all points in turns.
 struct TimingParameters {
-  int repeats = 20;  // >= 1, of each
-  // s: a job whose repeats take longer than this in all is repeated less often, but
-  int fewest = 5;
-  double budget = 20.0;
+  int repeats = 20;      // >= 1, of each; fewer of a job that would take longer than the budget
+  int fewest = 5;        // but so many of it
+  double budget = 20.0;  // s
 };
 
 // Repeats of a job that takes `seconds`.

@@ -90,7 +90,8 @@ void set_pair(mjModel* m, const plugin::ContactPair& own, scene::ContactModel co
   m->pair_gap[at] = pair.gap;
 }
 
-// As the file has it, its load cells told where a linked program can (plugin/load_cells.h).
+// As the file has it, its load cells asked for late, where a linked program can correct them
+// (plugin/load_cells.h).
 MujocoModel load_machine(const std::filesystem::path& file) {
   MujocoModel m = load_mjcf_file(file);
   const bool cells = std::any_of(m->sensor_type, m->sensor_type + m->nsensor, [](int type) {

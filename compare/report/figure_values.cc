@@ -8,7 +8,6 @@
 
 #include "compare/figures/figure.h"
 #include "compare/report/page_values.h"
-#include "compare/study/verdict.h"
 
 namespace rotorub {
 namespace {

@@ -71,9 +71,10 @@ void leave_limits(const std::string& reason, Side& side);
 void time_runs(Runner& runner, const std::vector<Contestant>& all, int repeats,
                std::shared_ptr<const CommandRecord> commands, std::vector<Side>& sides);
 
-// Replay: the commands of a MuJoCo run on tape, for native runs that are driven by them. Whether a
-// controller of the scene commands its actuator: without one there is nothing to replay, and replay
-// equals lockstep.
+// Replay: the commands of a MuJoCo run on tape, for native runs that are driven by them.
+
+// Whether a controller of the scene commands its actuator: without one there is nothing to replay,
+// and replay equals lockstep.
 bool has_commands(const scene::Scene& scene);
 
 // Records the commands of the actuators over a run, each command from when it acts to the next one.

@@ -147,7 +147,7 @@ ConstrainedContact solve_constrained_impact(ContactResponse& response, const Con
   const auto expansion = [&](const ContactMatrix& a, const ContactVector& b) {
     CoupledSolution s = solve_expansion(a, b + a * c.p, laws, c.p);
     if (s.solutions == 1) s.p += c.p;
-    s.sticks = {};  // that of an impact is not told
+    s.sticks = {};  // that of an impact is not given
     return s;
   };
   ConstrainedContact e = iterate(response, c.p, c.y, rows_of(free, laws), line, expansion);

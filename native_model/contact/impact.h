@@ -126,10 +126,9 @@ inline bool counts(const Impact& impact) { return impact.gap_rate_before < kCoun
 // - before the impact itself is, of one that takes time;
 // - within a fixed step, of an impact that is located in its step;
 // - within two, where it is not: the step's end then tells its speed with up to the fall of a whole
-// step, a h.
-//   Then bounces of v = eps_N v + a h keep themselves going for ever: an impact that takes no
-//   more than that from its speed has no restitution either (but for long flights, and without any
-//   loss there is no accumulation).
+//   step, a h. Then bounces of v = eps_N v + a h keep themselves going for ever: an impact that
+//   takes no more than that from its speed has no restitution either (but for long flights, and
+//   without any loss there is no accumulation).
 
 // m/s^2, a, of the relative velocity (ddot, contact spin) and the loads' acceleration of the same,
 // along the outward normal e_r of a circle of radius delta (m): what turning of the normal adds is

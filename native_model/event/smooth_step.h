@@ -45,9 +45,8 @@ class SmoothStep {
   double length() const { return step_.step(); }
   double end_time() const { return end_time_; }  // s; a step up to the limit ends there to the bit
   const double* end() const { return step_.end(); }
-  const Margins& lowest(std::size_t contact) const {
-    return lowest_[contact];
-  }  // over the stages of the step
+  // Over the stages of the step.
+  const Margins& lowest(std::size_t contact) const { return lowest_[contact]; }
   std::int64_t rejected() const { return rejected_; }
 
   // The solution within the step, theta in [0, 1].
@@ -80,8 +79,8 @@ class SmoothStep {
 };
 
 // An explicit step cannot be longer than the fastest decay of the system allows, however little is
-// left of it. Such a system is stiff, and a run of it may take days: this tells in time, and by
-// what.
+// left of it. Such a system is stiff, and a run of it may take days: this says so in time, and
+// by what.
 class StiffnessWatch {
  public:
   StiffnessWatch(const Model& model, const EventParameters& parameters)

@@ -71,8 +71,8 @@ WhirlSpectrum whirl_spectrum(const WhirlSystem& system, double speed);
 // u. Isotropic planes: forward whirl alone, since unbalance cannot excite the other, at most
 // `kept`; anisotropic: forward and backward, at most 2 `kept`. A rotor with a flat enough disc has
 // fewer. Of bearings the springs k_xx and k_yy count, where they follow the speed those at the
-// critical speed itself: it may cross its own curve at none or several. (critical_speeds.cc) sense:
-// of the spin, +1 or -1, of which the sizes are given.
+// critical speed itself: it may cross its own curve at none or several. sense: of the spin, +1 or
+// -1, of which the sizes are given. (critical_speeds.cc)
 std::vector<double> critical_speeds(const WhirlSystem& system, double sense = 1.0);
 
 // The lowest size of the spin speed (rad/s, >= 0) above which a kept mode grows, right to 1e-9

@@ -60,8 +60,8 @@ struct RotorModes {
   RitzBending ritz;
   PlanarModes x, y;  // all N of them; equal bit for bit for isotropic bearings
   PlanarModes mean;  // of the mean stiffness (K_x + K_y) / 2: those that carry internal damping
-  std::optional<OwnModes>
-      own{};               // where a magnetic bearing's spring is among the bearings of x and y
+  // Where a magnetic bearing's spring is among the bearings of x and y.
+  std::optional<OwnModes> own{};
   int kept = 0;            // modes kept in each plane, 1 <= kept <= N
   double highest() const;  // rad/s, of the modes asked for (see solve_refined)
 };

@@ -3,7 +3,6 @@
 
 #include "native_model/contact/kinematics.h"
 #include "native_model/contact/step_contact.h"
-#include "native_model/dynamics/dynamics.h"
 
 namespace rotorub {
 

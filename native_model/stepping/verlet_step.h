@@ -228,7 +228,7 @@ struct VerletStep {
   void take_part(const Lasting& was, const T& begin, const T& end);
   void command_part(bool before, const T& share);
 
-  // ------------------------------------------------------------------ impacts (verlet_impacts.h)
+  // ------------------------------------------------------------------ impacts (verlet_impacts.cc)
   ROTORUB_SLOW void collide(const Mask& hits, std::int64_t k);
   void collide_lane(int lane, std::int64_t k);
   ROTORUB_SLOW void find_slow_impacts();

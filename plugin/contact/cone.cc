@@ -102,8 +102,8 @@ void shift_reference(const mjModel* m, mjData* d, const ConeRows& rows, double b
   for (int i = 0; i < shifted; ++i) d->efc_aref[rows.first + i] -= by;
 }
 
-// The reference of a contact on its ring, as cone.h says. False: the step
-// leaves the gap open, and the contact exerts nothing.
+// The reference of a contact on its ring, as cone.h says. False: the step leaves the gap open, and
+// the contact exerts nothing.
 bool follow_ring(const mjModel* m, mjData* d, const ConeRows& rows, double curvature,
                  const mjtNum* free) {
   constexpr double kResting = -1e12;  // m/s^2

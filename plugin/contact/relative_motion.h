@@ -18,7 +18,6 @@
 
 #include "native_model/contact/kinematics.h"
 #include "plugin/config.h"
-#include "plugin/contact/contact_space.h"
 
 namespace rotorub::plugin {
 

@@ -20,10 +20,8 @@
 #include <mujoco/mujoco.h>
 
 #include <array>
-#include <string>
 
 #include "plugin/config.h"
-#include "plugin/own/own_names.h"
 
 namespace rotorub::plugin {
 
