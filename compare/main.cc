@@ -118,8 +118,8 @@ int rotorub_main(int argc, char** argv) {
     return parser_exit(program, error);
   }
   catch_interrupts();
-  std::signal(SIGXFSZ,
-              SIG_IGN);  // a file beyond `ulimit -f` then fails to be written, which is reported
+  // A file beyond `ulimit -f` then fails to be written, which is reported.
+  std::signal(SIGXFSZ, SIG_IGN);
   for (const Command& command : commands) {
     if (command.app->parsed()) return run(command.action);
   }

@@ -4,7 +4,7 @@
 // mj_resetCallbacks() take ours away without a word. A Place notices (held), takes itself back
 // (take) and calls what was put there before its own work. It has several functions of the same
 // work, links, each with its own `previous`, so that of a user who chains to us, whichever of our
-// links he saved, we know what to call below him:
+// links was saved, we know what to call below:
 //
 //   mjcb_control = mine                       link 1 in the place, previous: mine: mine, then ours
 //   old = mjcb_control, mine calls old        mine stands in front again, once seen to call us

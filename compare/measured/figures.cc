@@ -129,7 +129,7 @@ const HeldColumn* find(const std::vector<HeldColumn>& columns, std::string_view 
   return found == columns.end() ? nullptr : &*found;
 }
 
-// run: none: of the record.
+// Of the record, or of a run.
 Motion motion(const HeldColumn& x, const HeldColumn* y, std::optional<std::size_t> run,
               const FigureFacts& facts) {
   const auto value = [&](const HeldColumn& c, std::size_t i) {

@@ -15,8 +15,8 @@ namespace rotorub {
 // whole impulse: peak and scatter of a run with impacts therefore grow as the step shrinks.
 struct Metrics {
   std::optional<double> first_touch;  // s
-  std::optional<double>
-      least_gap;  // m, how near the rotor came: 0 where it touched within a step, < 0 penetration
+  // m, how near the rotor came: 0 where it touched within a step, < 0 penetration.
+  std::optional<double> least_gap;
   double mean_force = 0.0;               // N, normal impulse / time from first touch
   double force_deviation = 0.0;          // N, standard deviation over the time from first touch
   double peak_force = 0.0;               // N

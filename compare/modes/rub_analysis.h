@@ -15,11 +15,10 @@ namespace rotorub {
 
 struct RubAnalysis {
   rub::RubPoint point;
-  std::vector<rub::Stability>
-      driven;  // of each of its rubs, with torsion and the spin free; empty: both are held
-  std::vector<rub::DrivenRolling>
-      rolling;                    // at the speeds that the motor keeps, whatever the speed here
-  std::vector<WhirlMode> ring;    // alone; a fixed ring: none
+  // Of each of its rubs, with torsion and the spin free; empty: both are held.
+  std::vector<rub::Stability> driven;
+  std::vector<rub::DrivenRolling> rolling;  // at the speeds that the motor keeps, not the one here
+  std::vector<WhirlMode> ring;              // alone; a fixed ring: none
   std::vector<WhirlMode> joined;  // rotor centre held to the ring's, as in rolling contact
 };
 

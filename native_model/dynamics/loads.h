@@ -9,8 +9,8 @@ namespace rotorub::equations {
 
 // All that is linear in (q, v) at a spin speed omega (rad/s) but the diagonal parts and the
 // gyroscopic moments: rotating damping, dashpots, films, springs, a magnetic bearing's law. (The
-// law is linear within its limit, films that stand off the line have a constant part.) working:
-// the share of the time for which that bearing has not failed, in [0, 1].
+// law is linear within its limit, films that stand off the line have a constant part.)
+// working: the share of the time for which that bearing has not failed, in [0, 1].
 template <class M, class T = typename M::Scalar>
 ROTORUB_INLINE void add_linear_loads(const M& m, const T& omega, const T& working, const T* q,
                                      const T* v, T* f) {

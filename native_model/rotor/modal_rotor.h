@@ -57,8 +57,8 @@ struct TorsionModes {
   Eigen::VectorXd stiffness;    // N m/rad, > 0
   Eigen::VectorXd damping;      // N m s/rad, >= 0
   Eigen::VectorXd drive_shape;  // 1, at the motor
-  std::vector<Eigen::VectorXd>
-      contacts;  // 1, at each contact; at the first 1, or 0 for a node there
+  // 1, at each contact; at the first 1, or 0 for a node there.
+  std::vector<Eigen::VectorXd> contacts;
 };
 // Of a rotor without elastic torsion.
 inline TorsionModes no_torsion(std::size_t contacts) {

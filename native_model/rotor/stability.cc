@@ -45,10 +45,9 @@ bool passive(const WhirlSystem& system) {
 
 // The kept modes at a speed, rigid ones left out.
 struct Sample {
-  double speed = 0.0;  // rad/s, its size
-  std::vector<Complex>
-      s;                 // of planes that differ Im s >= 0: a mode may change its sense on the way
-  double growth = -1.0;  // largest Re s / |s|: > 0 where one grows
+  double speed = 0.0;      // rad/s, its size
+  std::vector<Complex> s;  // of planes that differ Im s >= 0: a mode may change its sense
+  double growth = -1.0;    // largest Re s / |s|: > 0 where one grows
   bool grows() const { return growth > kGrows; }
 };
 

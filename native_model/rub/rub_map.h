@@ -21,12 +21,11 @@ struct StandingRub {
 };
 
 struct RubPoint {
-  double speed = 0.0;      // rad/s, Omega
-  double friction = 0.0;   // mu
-  double clearance = 0.0;  // m, delta_0
-  std::optional<double>
-      orbit;       // m, of the free rotor at the contact; none: loads of several frequencies
-  Stability free;  // of the rotor without contact
+  double speed = 0.0;           // rad/s, Omega
+  double friction = 0.0;        // mu
+  double clearance = 0.0;       // m, delta_0
+  std::optional<double> orbit;  // m, free rotor at the contact; none: loads of several frequencies
+  Stability free;               // of the rotor without contact
   std::vector<StandingRub> rubs;  // forced by falling force, whips by rising |whirl|, rolling
   std::vector<std::pair<double, double>> rolling_ranges;  // rad/s, |whirl| (steady_rub.h)
 

@@ -286,8 +286,7 @@ Words contact_words() {
 // ---------------------------------------------------------------- the whole
 struct Scene {
   std::string name;  // file name without folder and ending
-  std::string
-      text;  // the TOML text with overrides applied; what the MJCF carries and the hash is of
+  std::string text;  // TOML with overrides applied; what the MJCF carries and the hash is of
   Run run;
   Rotor rotor;
   std::optional<Drive> drive;

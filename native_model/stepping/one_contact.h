@@ -26,8 +26,8 @@ class OneContact {
     T lasts{};               // 1 or 0
     T slip_sign{};           // sliding: +1, -1; 0: free or sticking
     T normal{}, friction{};  // N s, of the step
-    T normal_at_end{},
-        friction_at_end{};  // N s, were the forces of its end those of the whole step
+    // N s, were the forces of its end those of the whole step.
+    T normal_at_end{}, friction_at_end{};
   };
 
   // `located`: impacts are located in their step.

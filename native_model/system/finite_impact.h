@@ -60,8 +60,8 @@ class FiniteImpact {
   // What its first `dt` (s) do.
   struct Part {
     double normal, friction;  // N s
-    Eigen::Vector2d before,
-        after;             // m/s, (gdot_N, gdot_T) that the contact changes, by the touch's normal
+    // m/s, (gdot_N, gdot_T) that the contact changes, by the touch's normal.
+    Eigen::Vector2d before, after;
     double external_work;  // J, of all other forces but springs
   };
   Part part(std::size_t phase, double dt) const;

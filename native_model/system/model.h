@@ -195,9 +195,9 @@ State initial_state(const Model& model);
 // The weight under an acceleration (x, y), m/s^2.
 void set_gravity(Model& model, const Eigen::Vector2d& acceleration);
 
-// The same without the coils' coordinates, for who integrates the currents himself.
+// The same without the coils' coordinates, for callers that integrate the currents themselves.
 Model without_coils(Model model);
-// The same with an ideal, unlimited actuator, for who knows the force on the ring.
+// The same with an ideal, unlimited actuator, for callers that know the force on the ring.
 Model with_ideal_actuator(Model model);
 // The same with a magnetic bearing whose current has no limit: its linear law.
 Model with_linear_feedback(Model model);

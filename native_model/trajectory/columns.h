@@ -15,8 +15,8 @@
 namespace rotorub {
 
 struct ColumnMeaning {
-  std::string_view
-      name;  // "torsion_<n>": numbered from 1; "control_<name>": as the controller's law calls it
+  // "torsion_<n>": numbered from 1; "control_<name>": as the controller's law calls it.
+  std::string_view name;
   std::string_view unit;     // SI; "": none
   std::string_view meaning;  // with its sign
   std::string_view present;  // where it stands; "": always

@@ -40,9 +40,9 @@ struct Track {
   double quantum = 1.0;       // of the values, > 0
   double rate_quantum = 1.0;  // of the rates, > 0
   // Columns, one after another: times, the values of each component, for kHermite the rates of
-  // each. A column is the differences of its whole numbers, the first to 0, as zigzag (2 n, or -2 n
-  // - 1 below 0) in base 128: seven bits a byte, the lowest first, the highest bit set in all but
-  // the last.
+  // each. A column is the differences of its whole numbers, the first to 0, as zigzag (2 n, or
+  // -2 n - 1 below 0) in base 128: seven bits a byte, the lowest first, the highest bit set in all
+  // but the last.
   std::string bytes;
 };
 
