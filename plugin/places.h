@@ -194,8 +194,7 @@ class LinkScope {
   bool nested_, again_;
 };
 
-// The functions that stand in MuJoCo's places (places.h): kLinks of them a place, of one work.
-
+// The functions that stand in MuJoCo's places: kLinks of them a place, of one work.
 template <typename Function>
 using LinkTable = std::array<Function, kLinks>;
 

@@ -53,7 +53,7 @@ class InTurns {
 // What a thread steps models with: room, and nothing that outlives a call, so that several threads
 // may step several mjData of one model. A worker has a model of its own, as the Config may be gone
 // before the thread is.
-
+//
 // This thread's Worker for the model and the step h (s), made where it is new or was long not used.
 // Worker(const Config&, double h).
 template <class Worker>

@@ -67,7 +67,7 @@ class MeasuredError : public std::runtime_error {
 };
 
 // Samples of a sensor at its limit: the record says "at least so much", and no more.
-
+//
 // At the least and the greatest value of a column with a limit (Measurable::clips) samples are
 // marked kClipped where the record comes to that value, stays for kLeastClipped samples or more,
 // bit for bit, and leaves it or ends, and does so faster than a peak of its own would (what it

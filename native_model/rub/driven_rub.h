@@ -34,8 +34,8 @@ namespace rotorub::rub {
 struct DriveTrain {
   std::optional<Drive> motor;  // nothing: the spin is held, torsion alone gives way
   double inertia = 0.0;        // kg m^2, J > 0 of the rigid spin; without a motor nothing
-  Eigen::VectorXd torsion_inertia, torsion_damping,
-      torsion_stiffness;                 // kg m^2, N m s, N m; k modes
+  // kg m^2, N m s, N m; k modes.
+  Eigen::VectorXd torsion_inertia, torsion_damping, torsion_stiffness;
   Eigen::VectorXd at_contact, at_motor;  // their values there, k
   Eigen::VectorXcd locked;               // N, n: f at phi = 0
   bool fixed = false;                    // there are loads that turn at a frequency of their own

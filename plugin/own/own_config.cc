@@ -97,8 +97,8 @@ void check_bounce(const mjModel* m, const PairName& name, const ContactPair& p) 
   if (std::abs(met - wanted) <= kScatter) return;
   const SoftContact soft = soft_contact(wanted, m->opt.timestep);
   refuse(pair_element(m, p),
-         message("solref bounces with {}, {} is {}; accepted: solref=\"{} {}\" solimp=\"0.9999 "
-                 "0.9999 0.001\"",
+         message("solref bounces with {}, {} is {}; accepted: solref=\"{} {}\" "
+                 "solimp=\"0.9999 0.9999 0.001\"",
                  met, name.of(names::kOwnRestitution), wanted, -soft.stiffness, -soft.damping));
 }
 
