@@ -6,6 +6,7 @@
 #include <array>
 #include <cmath>
 #include <limits>
+#include <span>
 
 namespace rotorub::check {
 namespace {
@@ -36,23 +37,29 @@ std::string violation_text(const std::string& metric, double value, double limit
 }
 
 // Largest share of its own work that an impact gives to the system instead of taking it; 0: none.
+// What several contacts do at one instant is one impact.
 double largest_gain(const std::vector<Impact>& impacts) {
-  double largest = 0.0;
+  double largest = 0.0, t = std::numeric_limits<double>::quiet_NaN(), change = 0.0, size = 0.0;
   for (const Impact& i : impacts) {
-    const double size =
+    if (i.t != t) change = size = 0.0;
+    t = i.t;
+    change += i.energy_change;
+    size +=
         std::abs(i.normal_impulse) * (std::abs(i.gap_rate_before) + std::abs(i.gap_rate_after)) +
         std::abs(i.friction_impulse) * (std::abs(i.slip_before) + std::abs(i.slip_after));
-    if (i.energy_change > 0.0)
-      largest = std::max(largest, i.energy_change / std::max(size, 1e-300));
+    const bool whole = &i == &impacts.back() || (&i)[1].t != t;
+    if (whole && change > 0.0) largest = std::max(largest, change / std::max(size, 1e-300));
   }
   return largest;
 }
 
-// |Lambda_T| - mu Lambda_N over Lambda_N, the largest; a pull counts as 1.
-double largest_impulse_residual(const std::vector<Impact>& impacts, const FrictionLaw& friction) {
+// |Lambda_T| - mu Lambda_N over Lambda_N, the largest; a pull counts as 1. Each contact has its mu.
+double largest_impulse_residual(const std::vector<Impact>& impacts,
+                                std::span<const FrictionLaw> frictions) {
   double largest = 0.0;
   for (const Impact& i : impacts) {
     if (i.normal_impulse < 0.0) return 1.0;
+    const FrictionLaw& friction = frictions[static_cast<std::size_t>(i.contact)];
     const double mu = std::max(friction.sticking(), friction.at(i.slip_before));
     const double beyond = std::abs(i.friction_impulse) - mu * i.normal_impulse;
     if (beyond > 0.0) largest = std::max(largest, beyond / std::max(i.normal_impulse, 1e-300));
@@ -112,7 +119,8 @@ Verdict finite_verdict(const Trajectory& trajectory) {
 }
 
 std::vector<Verdict> law_verdicts(const Trajectory& trajectory,
-                                  const std::optional<ContactFacts>& facts, bool exact_rows) {
+                                  const std::optional<ContactFacts>& facts,
+                                  std::span<const FrictionLaw> frictions, bool exact_rows) {
   std::vector<Verdict> verdicts{finite_verdict(trajectory)};
   if (!facts || verdicts.front().outcome != Outcome::kPass) return verdicts;
   const auto add = [&](const char* metric, double value, double limit) {
@@ -120,7 +128,7 @@ std::vector<Verdict> law_verdicts(const Trajectory& trajectory,
   };
   const Residuals r = contact_residuals(trajectory, *facts);
   add("impact energy gain", largest_gain(trajectory.impacts), kImpactGain);
-  add("impact cone", largest_impulse_residual(trajectory.impacts, facts->friction), kImpactGain);
+  add("impact cone", largest_impulse_residual(trajectory.impacts, frictions), kImpactGain);
   add("residual.adhesion", r.adhesion, kResidual);
   add("residual.cone", r.cone, kResidual);
   add("max_penetration", trajectory.statistics.max_penetration, kPenetration * facts->clearance);

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <optional>
+#include <span>
 #include <string>
 #include <vector>
 
@@ -33,9 +34,10 @@ double excess(const Verdict& verdict);
 
 // The rules of every run that came to its end, whatever its scene says: everything finite, impacts
 // that push, brake and give no energy, friction in its cone, the rotor in its ring. Of `event`,
-// whose rows are exact, complementarity and the force of sliding too.
+// whose rows are exact, complementarity and the force of sliding too. `frictions`: of each contact.
 std::vector<Verdict> law_verdicts(const Trajectory& trajectory,
-                                  const std::optional<ContactFacts>& facts, bool exact_rows);
+                                  const std::optional<ContactFacts>& facts,
+                                  std::span<const FrictionLaw> frictions, bool exact_rows);
 
 // Everything in series and impacts; also of a run that was ended early.
 Verdict finite_verdict(const Trajectory& trajectory);

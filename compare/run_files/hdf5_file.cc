@@ -1,5 +1,7 @@
 #include "compare/run_files/hdf5_file.h"
 
+#include <fmt/format.h>
+
 #include <array>
 #include <nlohmann/json.hpp>
 
@@ -66,6 +68,10 @@ void add_attributes(const nlohmann::json& object, const std::string& prefix,
     if (key == "wall_s" || key == "us_per_step" || value.is_null()) continue;
     if (value.is_object()) {
       add_attributes(value, prefix + key + ".", all);
+    } else if (value.is_array()) {  // of objects, counted from 0 as in `contact[1].friction`
+      for (std::size_t k = 0; k < value.size(); ++k) {
+        add_attributes(value[k], fmt::format("{}{}[{}].", prefix, key, k), all);
+      }
     } else if (value.is_string()) {
       all.push_back({prefix + key, value.get<std::string>()});
     } else if (value.is_number_integer()) {

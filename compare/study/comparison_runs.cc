@@ -47,10 +47,15 @@ std::vector<Contestant> contestants(const scene::Scene& scene, const CompareOpti
   std::vector<Contestant> all;
   all.push_back({"native", native_engine(scene.run.integrator), kNativeWork});
   all.push_back({to_string(decides), mujoco(decides), kMujocoWork});
+  // The modal chain has its further contacts by rigid and coulomb alone.
+  const bool has_cones = options.own || scene.auxiliary.size() < 2 ||
+                         scene.mujoco.rotor == scene::MujocoRotor::kSegments;
   for (const auto& [contact, word] : scene::kContactModels) {
-    if (contact != decides) all.push_back({word, mujoco(contact), kMujocoWork});
+    if (contact == decides || (scene::is_cone(contact) && !has_cones)) continue;
+    all.push_back({word, mujoco(contact), kMujocoWork});
   }
-  if (!options.own) all.push_back({"cone-default", default_cone_engine(), kMujocoWork, false});
+  if (!options.own && has_cones)
+    all.push_back({"cone-default", default_cone_engine(), kMujocoWork, false});
   return all;
 }
 

@@ -116,6 +116,7 @@ void Observer::watch(const Motion& from, const FiniteImpact& impact, std::size_t
   bins_until(now, false,
              [&](double t) { return from.integral(kNormalImpulse) + force.x() * (t - from.t); });
   contact_time_ += now - from.t;
+  recorder_->statistics().impact_time += now - from.t;
 }
 
 void Observer::arrive(const Motion& motion) {

@@ -132,7 +132,8 @@ Status EulerStepper::touch(double t) {
     const double closes = c.e_r.dot(free.head<2>());
     // (12): the gap of the step's end, linearised about q.
     const double gap = law.clearance - delta - h_ * closes;
-    if (gap >= 0.0) continue;
+    // A contact that lasts may be pressed by another: all together decide.
+    if (gap >= 0.0 && !(lasted[i] && done_.size() > 1)) continue;
     c.gap_rate = -closes;
     c.slip = rates_along(c.e_r, law.radius, free).y();
     c.end = gap / h_;
@@ -140,7 +141,7 @@ Status EulerStepper::touch(double t) {
     c.impact = !lasted[i] && rebound_outlives_steps(h_, law.restitution, closes, pressed);
     closing[n++] = c;
   }
-  if (n == 0) return Status::kOk;
+  if (n == 0 || (n == 1 && closing[0].end >= 0.0)) return Status::kOk;
   const Status found =
       n == 1 ? solve_one(t, closing[0]) : solve_all(t, std::span(closing).first(n));
   if (found != Status::kOk) return found;

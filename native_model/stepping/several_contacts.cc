@@ -197,10 +197,16 @@ bool SeveralContacts::go_on(State& x, Loads& loads) {
     at.free = rates(i, x.free.data());
     Lasting::Of& c = now.of[i];
     c.normal = c.friction = 0.0;
-    c.lasts = c.lasts && leaves(i, at.free);
-    if (!c.lasts) continue;
-    at.e_r = normal_of_path(at.d, h_ * at.free.head<2>(), law(i).clearance);
-    lasting[n++] = i;
+    if (c.lasts) lasting[n++] = i;
+  }
+  // One alone lasts where its free path leaves; of several one may press another, which only all
+  // together decide.
+  if (n == 1 && !leaves(lasting[0], places[lasting[0]].free)) {
+    now.of[lasting[0]].lasts = false;
+    n = 0;
+  }
+  for (const std::size_t i : std::span(lasting).first(n)) {
+    places[i].e_r = places[i].d.normalized();
   }
   if (n > 0) {
     if (loads.coupled()) respond(x, loads);

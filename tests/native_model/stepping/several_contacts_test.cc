@@ -267,5 +267,84 @@ TEST_P(SeveralContactsBy, ARestingShaftStaysAtRest) {
               1e-6);
 }
 
+// A load beyond the second contact presses it, and lifts the first, which only the other's force
+// holds: 20 N at twice the lever are 30 N up at the one, 10 N down at the other.
+TEST(SeveralContacts, OnePressesTheOtherInTheBalanceOfALever) {
+  const scene::Scene lever = scene::parse_scene(R"([run]
+end = 0.02
+step = 1e-5
+[rotor]
+speed = 100.0
+[rotor.modal]
+mass = [2.0, 8.0]
+stiffness = [0.0, 0.0]
+damping = [0.0, 0.0]
+[initial]
+y = [0.0, -0.0005]
+[[contact]]
+radius = 0.05
+clearance = 0.0005
+friction = 0.0
+restitution = 0.5
+[[contact]]
+radius = 0.05
+clearance = 0.0005
+friction = 0.0
+restitution = 0.5
+shape = [1.0, -1.0]
+[[force]]
+kind = "constant"
+vector = [0.0, -20.0]
+shape = [1.0, 2.0]
+)",
+                                                "lever");
+  for (const Integrator integrator : {Integrator::kVerlet, Integrator::kMidpoint}) {
+    const Trajectory t = test::run_with(lever, integrator, 1e-5);
+    ASSERT_EQ(t.status, Status::kOk) << name_of(integrator);
+    EXPECT_NEAR(t.column("normal_force").back(), 30.0, 1e-6) << name_of(integrator);
+    EXPECT_NEAR(t.column("contact2_normal_force").back(), 10.0, 1e-6) << name_of(integrator);
+    EXPECT_LT(t.events.size(), 6u) << name_of(integrator);
+  }
+}
+
+// A second contact that is never reached changes nothing: also where the load presses so little
+// that the path from the circle begins inward.
+TEST(SeveralContacts, OneThatIsNeverReachedChangesNothing) {
+  const std::string text = R"([run]
+end = 0.1
+step = 1e-5
+[rotor]
+speed = 200.0
+[rotor.modal]
+mass = [2.0]
+stiffness = [6e4]
+damping = [20.0]
+[initial]
+x = [0.0005]
+vy = [0.1]
+[[force]]
+kind = "rotating"
+amplitude = 6.0
+frequency = 200.0
+[[contact]]
+radius = 0.05
+clearance = 0.0005
+friction = 0.1
+restitution = 0.5
+)";
+  const std::string far =
+      "[[contact]]\nradius = 0.05\nclearance = 0.1\nfriction = 0.1\nrestitution = 0.5\n";
+  for (const Integrator integrator : {Integrator::kVerlet, Integrator::kMidpoint}) {
+    const Trajectory one = test::run_with(scene::parse_scene(text, "one"), integrator, 1e-5);
+    const Trajectory two = test::run_with(scene::parse_scene(text + far, "two"), integrator, 1e-5);
+    // The normal of lasting contact in `midpoint` is another one where a path begins inward: its
+    // error.
+    const double bound = integrator == Integrator::kVerlet ? 1e-13 : 2e-9;
+    for (std::size_t k = 0; k < one.rows(); ++k) {
+      EXPECT_NEAR(two.column("rotor_x")[k], one.column("rotor_x")[k], bound) << name_of(integrator);
+    }
+  }
+}
+
 }  // namespace
 }  // namespace rotorub
