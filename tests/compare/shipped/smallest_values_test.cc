@@ -104,7 +104,10 @@ TEST_P(LongSmallestValues, RunAlikeOrSayWhyNot) {
       const auto& t = runs.back();
       if (!t) continue;
       const std::string what = override_ + ", " + e.engine->name() + " " + e.override_;
-      EXPECT_EQ(t->status == Status::kOk, t->message.empty()) << what << ": " << t->message;
+      // A sound run has nothing to say but which keys a soft contact leaves out.
+      const bool leaves_out = t->message.find("has no part in") != std::string::npos;
+      EXPECT_EQ(t->status == Status::kOk, t->message.empty() || leaves_out)
+          << what << ": " << t->message;
       for (const Column& column : t->series) {
         for (const double v : column.values)
           ASSERT_TRUE(std::isfinite(v)) << what << ": " << column.name;
