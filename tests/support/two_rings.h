@@ -1,5 +1,5 @@
-// The scenes of tests/native_model/event/two_rings, and what a second program says of them
-// (README.md there).
+// Scenes of two contacts: those of tests/native_model/event/two_rings with what a second program
+// says of them (README.md there), and a rigid shaft.
 #pragma once
 
 #include <algorithm>
@@ -10,6 +10,7 @@
 
 #include "native_model/scene/reader.h"
 #include "native_model/trajectory/trajectory.h"
+#include "tests/support/jeffcott.h"
 
 namespace rotorub::test {
 
@@ -19,6 +20,19 @@ inline std::string two_rings_file(const std::string& name) {
 
 inline scene::Scene two_rings_scene(const std::string& name) {
   return scene::read_scene(two_rings_file(name + ".toml"));
+}
+
+// A rigid shaft: mode 1 its translation, mode 2 its tilt, 1 at the first contact and `tilt` at the
+// second.
+inline scene::Scene shaft_in_two_rings(double mass, double tilt_mass, double tilt,
+                                       const Jeffcott& of = {}) {
+  scene::Scene s = make_scene(of);
+  s.rotor.modal->mass = {mass, tilt_mass};
+  s.rotor.modal->stiffness = {of.stiffness, of.stiffness};
+  s.rotor.modal->damping = {of.damping, of.damping};
+  s.auxiliary.push_back(s.first());
+  s.auxiliary[1].contact->shape = {1.0, tilt};
+  return s;
 }
 
 inline nlohmann::json two_rings_answer(const std::string& name) {

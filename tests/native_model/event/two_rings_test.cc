@@ -59,23 +59,11 @@ INSTANTIATE_TEST_SUITE_P(, TwoRings,
                                          "cylindrical"),
                          [](const auto& of) { return std::string(of.param); });
 
-// A rigid shaft: mode 1 its translation, mode 2 its tilt, 1 at the first contact and `tilt` at the
-// second.
-scene::Scene shaft(double mass, double tilt_mass, double tilt, const test::Jeffcott& of = {}) {
-  scene::Scene s = test::make_scene(of);
-  s.rotor.modal->mass = {mass, tilt_mass};
-  s.rotor.modal->stiffness = {of.stiffness, of.stiffness};
-  s.rotor.modal->damping = {of.damping, of.damping};
-  s.auxiliary.push_back(s.first());
-  s.auxiliary[1].contact->shape = {1.0, tilt};
-  return s;
-}
-
 double end_of(const Trajectory& t, const char* column) { return t.column(column).back(); }
 
 TEST(SeveralContacts, ACentralHitIsOneContactWithTheSumOfTheMasses) {
   test::Jeffcott of{.friction = 0.2, .restitution = 0.5, .speed = 100.0};
-  scene::Scene two = shaft(3.0, 1.0, -1.0, of), one = test::make_scene(of);
+  scene::Scene two = test::shaft_in_two_rings(3.0, 1.0, -1.0, of), one = test::make_scene(of);
   one.rotor.modal->mass = {3.0};
   for (scene::Scene* s : {&two, &one}) {
     s->initial.vx = {0.3};
@@ -99,7 +87,7 @@ TEST(SeveralContacts, ACentralHitIsOneContactWithTheSumOfTheMasses) {
 
 // 1/m - a b/I = 0: with the modal masses m and I/a^2 and the tilt -b/a.
 TEST(SeveralContacts, AtTheCentreOfPercussionTheOtherContactFeelsNothing) {
-  scene::Scene s = shaft(2.0, 1.5, -0.75, {.restitution = 0.5});
+  scene::Scene s = test::shaft_in_two_rings(2.0, 1.5, -0.75, {.restitution = 0.5});
 
   // Both ends at the first contact's side: the second one lies on its circle at rest, the first
   // comes.
@@ -120,7 +108,7 @@ TEST(SeveralContacts, AtTheCentreOfPercussionTheOtherContactFeelsNothing) {
 
 TEST(SeveralContacts, TwoLikeRingsOfOneKilogramAreOneOfTwo) {
   test::Jeffcott of{.friction = 0.15, .restitution = 0.4, .speed = 80.0};
-  scene::Scene two = shaft(3.0, 1.0, -1.0, of), one = test::make_scene(of);
+  scene::Scene two = test::shaft_in_two_rings(3.0, 1.0, -1.0, of), one = test::make_scene(of);
   one.rotor.modal->mass = {3.0};
   test::add_ring(one, 2.0, 60.0, 4e5);
   for (scene::AuxiliaryBearing& bearing : two.auxiliary) {
@@ -149,39 +137,9 @@ TEST(SeveralContacts, ANestedAccumulationEnds) {
   EXPECT_NE(t.column("contact2_mode").back(), static_cast<double>(Mode::kFree));
 }
 
-// Each ring has its own controller; event and verlet ask it alike.
-TEST(SeveralContacts, HaveControllersOfTheirOwn) {
-  scene::Scene s = shaft(
-      3.0, 1.2, -0.7,
-      {.damping = 40.0, .stiffness = 3e5, .friction = 0.1, .restitution = 0.3, .speed = 200.0});
-  test::add_rotating_force(s, 260.0, 200.0);
-  s.forces[0].shape = {1.0, 0.4};
-  s.run.end = 0.03;
-  for (scene::AuxiliaryBearing& bearing : s.auxiliary) {
-    bearing.stator = scene::Stator{{1.0, 1.0}, {100.0, 100.0}, {3e5, 3e5}};
-  }
-  scene::Controller pd;
-  pd.kind = scene::ControllerKind::kPd;
-  pd.stiffness = 2e4;
-  pd.damping = 50.0;
-  s.auxiliary[1].controller = pd;
-  pd.sample_time = 1e-3;
-  s.auxiliary[0].controller = pd;
-  const Trajectory t = test::run_event(s),
-                   steps = test::run_with(s, scene::Integrator::kVerlet, 2e-6);
-  ASSERT_EQ(t.status, Status::kOk) << t.message;
-  ASSERT_EQ(steps.status, Status::kOk) << steps.message;
-  EXPECT_TRUE(t.has("control_x"));
-  EXPECT_TRUE(t.has("contact2_control_x"));
-  EXPECT_NE(end_of(t, "contact2_control_x"), 0.0);
-  EXPECT_NEAR(end_of(steps, "stator_x"), end_of(t, "stator_x"), 2e-8);
-  EXPECT_NEAR(end_of(steps, "contact2_stator_y"), end_of(t, "contact2_stator_y"), 2e-8);
-  EXPECT_LT(t.statistics.energy_residual(), 1e-10);
-}
-
 // Any order of the contacts is the same machine.
 TEST(SeveralContacts, HaveNoOrder) {
-  scene::Scene s = shaft(
+  scene::Scene s = test::shaft_in_two_rings(
       3.0, 1.2, -0.7,
       {.damping = 40.0, .stiffness = 3e5, .friction = 0.2, .restitution = 0.4, .speed = 200.0});
   test::add_rotating_force(s, 250.0, 200.0);
