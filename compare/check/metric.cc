@@ -27,8 +27,7 @@ std::optional<std::string> after(const std::string& metric, const std::string& p
 }
 
 json residuals(const scene::Scene& scene, const Trajectory& trajectory) {
-  const auto facts = contact_facts(scene);
-  return residuals_json(facts ? contact_residuals(trajectory, *facts) : Residuals());
+  return residuals_json(largest_residuals(trajectory, contact_facts(scene)));
 }
 
 std::string numbers_of(const json& object) {

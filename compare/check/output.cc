@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <nlohmann/json.hpp>
 
 #include "compare/base/format.h"
@@ -14,7 +15,7 @@ namespace {
 using nlohmann::json;
 
 constexpr std::size_t kIndent = 6;              // of a reason's further lines
-constexpr std::size_t kName = 24, kColumn = 8;  // 24 + 7 engines of 8
+constexpr std::size_t kName = 23, kColumn = 8;  // and 7 engines: 80
 constexpr std::size_t kMostReason = 400;        // bytes of one reason
 
 std::string cut(const std::string& name) { return scene::printable(name, kName - 4); }
@@ -24,12 +25,19 @@ const char* word(Outcome outcome) {
   return outcome == Outcome::kViolates ? "fails" : to_string(outcome);
 }
 
+std::size_t width_of(const CheckEngine& engine) {
+  return std::max(kColumn, std::string_view(engine.column).size() + 1);
+}
+
 std::string head() {
   std::string line(kName, ' ');
-  for (const CheckEngine& e : check_engines()) line += fmt::format("{:>{}}", e.column, kColumn);
-  std::string groups(kName, ' ');
-  groups += fmt::format("{:>{}}{:>{}}", "native", 3 * kColumn, "MuJoCo", 4 * kColumn);
-  return groups + "\n" + line + "\n";
+  std::size_t native = 0, mujoco = 0;
+  for (const CheckEngine& e : check_engines()) {
+    line += fmt::format("{:>{}}", e.column, width_of(e));
+    (e.native ? native : mujoco) += width_of(e);
+  }
+  return fmt::format("{:{}}{:>{}}{:>{}}\n{}\n", "", kName, "native", native, "MuJoCo", mujoco,
+                     line);
 }
 
 // All of one outcome, native ones first.
@@ -66,8 +74,9 @@ std::string table(const std::vector<Case>& cases, const Palette& palette) {
       const Tone tone = outcome == Outcome::kPass       ? Tone::kGood
                         : outcome == Outcome::kViolates ? Tone::kBad
                                                         : Tone::kPart;
-      text +=
-          palette.paint_first(tone, fmt::format("{:>{}}", word(outcome), kColumn), word(outcome));
+      text += palette.paint_first(
+          tone, fmt::format("{:>{}}", word(outcome), width_of(check_engines()[i - first])),
+          word(outcome));
     }
     text += '\n';
   }

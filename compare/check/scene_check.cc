@@ -160,11 +160,7 @@ Case judge(const scene::Scene& scene, const CheckEngine& engine,
       verdicts.back() =
           violated(kRefusal, "it ran to its end, and its file says that it is refused");
     }
-    std::vector<FrictionLaw> frictions;
-    for (const scene::AuxiliaryBearing& bearing : scene.auxiliary) {
-      if (bearing.contact) frictions.push_back(bearing.contact->friction);
-    }
-    for (Verdict& v : law_verdicts(*run, contact_facts(scene), frictions, engine.exact_rows)) {
+    for (Verdict& v : law_verdicts(*run, contact_facts(scene), engine.exact_rows)) {
       verdicts.push_back(std::move(v));
     }
     laws = verdicts.size();

@@ -6,7 +6,6 @@
 #include <array>
 #include <cmath>
 #include <limits>
-#include <span>
 
 namespace rotorub::check {
 namespace {
@@ -55,11 +54,11 @@ double largest_gain(const std::vector<Impact>& impacts) {
 
 // |Lambda_T| - mu Lambda_N over Lambda_N, the largest; a pull counts as 1. Each contact has its mu.
 double largest_impulse_residual(const std::vector<Impact>& impacts,
-                                std::span<const FrictionLaw> frictions) {
+                                const std::vector<ContactFacts>& contacts) {
   double largest = 0.0;
   for (const Impact& i : impacts) {
     if (i.normal_impulse < 0.0) return 1.0;
-    const FrictionLaw& friction = frictions[static_cast<std::size_t>(i.contact)];
+    const FrictionLaw& friction = contacts[static_cast<std::size_t>(i.contact)].friction;
     const double mu = std::max(friction.sticking(), friction.at(i.slip_before));
     const double beyond = std::abs(i.friction_impulse) - mu * i.normal_impulse;
     if (beyond > 0.0) largest = std::max(largest, beyond / std::max(i.normal_impulse, 1e-300));
@@ -119,19 +118,22 @@ Verdict finite_verdict(const Trajectory& trajectory) {
 }
 
 std::vector<Verdict> law_verdicts(const Trajectory& trajectory,
-                                  const std::optional<ContactFacts>& facts,
-                                  std::span<const FrictionLaw> frictions, bool exact_rows) {
+                                  const std::vector<ContactFacts>& contacts, bool exact_rows) {
   std::vector<Verdict> verdicts{finite_verdict(trajectory)};
-  if (!facts || verdicts.front().outcome != Outcome::kPass) return verdicts;
+  if (contacts.empty() || verdicts.front().outcome != Outcome::kPass) return verdicts;
   const auto add = [&](const char* metric, double value, double limit) {
     verdicts.push_back(limited(metric, value, std::nullopt, limit));
   };
-  const Residuals r = contact_residuals(trajectory, *facts);
+  const Residuals r = largest_residuals(trajectory, contacts);
   add("impact energy gain", largest_gain(trajectory.impacts), kImpactGain);
-  add("impact cone", largest_impulse_residual(trajectory.impacts, frictions), kImpactGain);
+  add("impact cone", largest_impulse_residual(trajectory.impacts, contacts), kImpactGain);
   add("residual.adhesion", r.adhesion, kResidual);
   add("residual.cone", r.cone, kResidual);
-  add("max_penetration", trajectory.statistics.max_penetration, kPenetration * facts->clearance);
+  const auto narrower = [](const ContactFacts& a, const ContactFacts& b) {
+    return a.clearance < b.clearance;
+  };
+  const double clearance = std::min_element(contacts.begin(), contacts.end(), narrower)->clearance;
+  add("max_penetration", trajectory.statistics.max_penetration, kPenetration * clearance);
   if (exact_rows) {
     add("residual.complementarity", r.complementarity, kResidual);
     add("residual.sliding", r.sliding, kResidual);

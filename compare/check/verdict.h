@@ -2,7 +2,6 @@
 #pragma once
 
 #include <optional>
-#include <span>
 #include <string>
 #include <vector>
 
@@ -34,10 +33,9 @@ double excess(const Verdict& verdict);
 
 // The rules of every run that came to its end, whatever its scene says: everything finite, impacts
 // that push, brake and give no energy, friction in its cone, the rotor in its ring. Of `event`,
-// whose rows are exact, complementarity and the force of sliding too. `frictions`: of each contact.
+// whose rows are exact, complementarity and the force of sliding too.
 std::vector<Verdict> law_verdicts(const Trajectory& trajectory,
-                                  const std::optional<ContactFacts>& facts,
-                                  std::span<const FrictionLaw> frictions, bool exact_rows);
+                                  const std::vector<ContactFacts>& contacts, bool exact_rows);
 
 // Everything in series and impacts; also of a run that was ended early.
 Verdict finite_verdict(const Trajectory& trajectory);

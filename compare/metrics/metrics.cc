@@ -74,15 +74,17 @@ void gather_impacts(const Trajectory& trajectory, Metrics& m) {
 
 }  // namespace
 
-std::optional<ContactFacts> contact_facts(const scene::Scene& scene) {
-  if (!scene.first().contact) return std::nullopt;
-  return ContactFacts{
-      scene.first().contact->clearance, scene.first().contact->radius,
-      scene.first().contact->friction,
-      scene.first().contact->compression_time + scene.first().contact->expansion_time};
+std::vector<ContactFacts> contact_facts(const scene::Scene& scene) {
+  std::vector<ContactFacts> facts;
+  for (const scene::AuxiliaryBearing& bearing : scene.auxiliary) {
+    if (!bearing.contact) continue;
+    const scene::Contact& c = *bearing.contact;
+    facts.push_back({c.clearance, c.radius, c.friction, c.compression_time + c.expansion_time});
+  }
+  return facts;
 }
 
-Metrics metrics(const Trajectory& trajectory, const std::optional<ContactFacts>& facts) {
+Metrics metrics(const Trajectory& trajectory, const std::vector<ContactFacts>& contacts) {
   const Statistics& s = trajectory.statistics;
   Metrics m;
   gather_forces(trajectory, m);
@@ -110,9 +112,9 @@ Metrics metrics(const Trajectory& trajectory, const std::optional<ContactFacts>&
   m.spin_speed = mean_of_free(trajectory, "spin_speed", m.settled.from);
   m.ring_speed = mean_of_free(trajectory, "ring_speed", m.settled.from);
   m.control_force = rms_command(trajectory);
-  if (facts) {
-    m.whirl_penetration = whirl_penetration(trajectory, facts->clearance);
-    m.residuals = contact_residuals(trajectory, *facts);
+  if (!contacts.empty()) {
+    m.whirl_penetration = whirl_penetration(trajectory, contacts.front().clearance);
+    m.residuals = largest_residuals(trajectory, contacts);
   }
   m.steps = trajectory.steps;
   if (m.steps > 0) m.us_per_step = 1e6 * trajectory.wall_s / static_cast<double>(m.steps);

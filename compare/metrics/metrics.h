@@ -53,9 +53,10 @@ struct Metrics {
 // than this share of the fastest one are distinguished by every step that is worth anything.
 inline constexpr double kHardShare = 0.01;
 
-// Nothing of the contact, where the scene has none.
-std::optional<ContactFacts> contact_facts(const scene::Scene& scene);
+// Of each contact; empty where the scene has none.
+std::vector<ContactFacts> contact_facts(const scene::Scene& scene);
 
-Metrics metrics(const Trajectory& trajectory, const std::optional<ContactFacts>& facts);
+// Without `contacts` nothing that needs to know them.
+Metrics metrics(const Trajectory& trajectory, const std::vector<ContactFacts>& contacts);
 
 }  // namespace rotorub

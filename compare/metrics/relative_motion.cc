@@ -4,6 +4,8 @@
 #include <cmath>
 #include <numbers>
 
+#include "native_model/trajectory/columns.h"
+
 namespace rotorub {
 namespace {
 
@@ -21,16 +23,19 @@ RelativePoint polar(double t, double x, double y, double vx, double vy) {
 
 }  // namespace
 
-std::vector<RelativePoint> relative_motion(const Trajectory& trajectory) {
+std::vector<RelativePoint> relative_motion(const Trajectory& trajectory, std::size_t contact) {
+  const auto column = [&](const char* name) -> const std::vector<double>& {
+    return trajectory.column(column_of_contact(contact, name));
+  };
   const auto& t = trajectory.column("t");
-  const auto& rotor_x = trajectory.column("rotor_x");
-  const auto& rotor_y = trajectory.column("rotor_y");
-  const auto& rotor_vx = trajectory.column("rotor_vx");
-  const auto& rotor_vy = trajectory.column("rotor_vy");
-  const auto& stator_x = trajectory.column("stator_x");
-  const auto& stator_y = trajectory.column("stator_y");
-  const auto& stator_vx = trajectory.column("stator_vx");
-  const auto& stator_vy = trajectory.column("stator_vy");
+  const auto& rotor_x = column("rotor_x");
+  const auto& rotor_y = column("rotor_y");
+  const auto& rotor_vx = column("rotor_vx");
+  const auto& rotor_vy = column("rotor_vy");
+  const auto& stator_x = column("stator_x");
+  const auto& stator_y = column("stator_y");
+  const auto& stator_vx = column("stator_vx");
+  const auto& stator_vy = column("stator_vy");
 
   std::vector<RelativePoint> points(t.size());
   for (std::size_t i = 0; i < t.size(); ++i) {

@@ -20,8 +20,9 @@ struct RelativePoint {
   double angle_rate = 0.0;   // rad/s, v_t / delta
 };
 
-// One point a row. Asserts the columns t, rotor_*, stator_* of the contract.
-std::vector<RelativePoint> relative_motion(const Trajectory& trajectory);
+// One point a row, at one of several contacts, from 0. Asserts the columns t, rotor_*, stator_* of
+// the contract.
+std::vector<RelativePoint> relative_motion(const Trajectory& trajectory, std::size_t contact = 0);
 
 // Rows of `points` (ascending in t) with from <= t <= to: the half-open range of their indices.
 struct RowRange {

@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "native_model/trajectory/columns.h"
+
 namespace rotorub {
 namespace {
 
@@ -27,12 +29,14 @@ void raise(double& residual, double violation) { residual = std::max(residual, v
 
 }  // namespace
 
-Residuals contact_residuals(const Trajectory& trajectory, const ContactFacts& facts) {
-  const auto points = relative_motion(trajectory);
-  const auto& gap_column = trajectory.column("gap");
-  const auto& slip = trajectory.column("slip");
-  const auto& normal = trajectory.column("normal_force");
-  const auto& friction = trajectory.column("friction_force");
+Residuals contact_residuals(const Trajectory& trajectory, const ContactFacts& facts,
+                            std::size_t contact) {
+  const auto points = relative_motion(trajectory, contact);
+  const auto column = [&](const char* name) -> const std::vector<double>& {
+    return trajectory.column(column_of_contact(contact, name));
+  };
+  const auto &gap_column = column("gap"), &slip = column("slip");
+  const auto &normal = column("normal_force"), &friction = column("friction_force");
 
   Residuals r;
   r.force_scale = mean_contact_force(normal);
@@ -66,6 +70,20 @@ Residuals contact_residuals(const Trajectory& trajectory, const ContactFacts& fa
     }
   }
   return r;
+}
+
+Residuals largest_residuals(const Trajectory& trajectory,
+                            const std::vector<ContactFacts>& contacts) {
+  Residuals largest;
+  for (std::size_t k = 0; k < contacts.size(); ++k) {
+    const Residuals r = contact_residuals(trajectory, contacts[k], k);
+    for (const auto part : {&Residuals::force_scale, &Residuals::penetration, &Residuals::adhesion,
+                            &Residuals::complementarity, &Residuals::cone, &Residuals::sliding,
+                            &Residuals::power, &Residuals::gap_error}) {
+      raise(largest.*part, r.*part);
+    }
+  }
+  return largest;
 }
 
 }  // namespace rotorub

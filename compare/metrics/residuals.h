@@ -2,6 +2,8 @@
 // made it. Shares no code with the solvers: gaps come from the positions in the series.
 #pragma once
 
+#include <vector>
+
 #include "compare/metrics/relative_motion.h"
 #include "native_model/contact/friction.h"
 #include "native_model/trajectory/trajectory.h"
@@ -36,6 +38,11 @@ inline constexpr double kSlipThreshold = 1e-3;
 // Rows within an impact that takes time have its law, not (12) and (13) of lasting contact: a force
 // beside a gap that opens, friction that restitution holds against the slip. They are left out of
 // complementarity, sliding and power.
-Residuals contact_residuals(const Trajectory& trajectory, const ContactFacts& facts);
+// `contact`: one of several, from 0.
+Residuals contact_residuals(const Trajectory& trajectory, const ContactFacts& facts,
+                            std::size_t contact = 0);
+// Of all contacts the largest; 0 without one.
+Residuals largest_residuals(const Trajectory& trajectory,
+                            const std::vector<ContactFacts>& contacts);
 
 }  // namespace rotorub

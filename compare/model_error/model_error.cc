@@ -52,7 +52,7 @@ Metrics run_with(const scene::Scene& scene, int modes, const ModelErrorParameter
   if (t.status != Status::kOk) {
     throw std::runtime_error(fmt::format("{} ({})", rotorub::to_string(t.status), t.message));
   }
-  return metrics(t, std::nullopt);
+  return metrics(t, {});
 }
 
 }  // namespace

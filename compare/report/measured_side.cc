@@ -58,14 +58,6 @@ std::optional<ShownColumns> shown_columns(const MeasuredRecord& laid,
   return shown;
 }
 
-// Of what varies about a mean, a speed: a share of how far it goes.
-Numbers range_tolerance(const std::vector<Numbers>& components) {
-  constexpr double kShareOfRange = 1e-3;
-  const Numbers& value = components.front();
-  const auto [low, high] = std::minmax_element(value.begin(), value.end());
-  return Numbers(value.size(), std::max(kShareOfRange * (*high - *low), 1e-300));
-}
-
 class SideMaker {
  public:
   SideMaker(const ShownRuns& shown) : shown_(shown), laid_(shown.measured->laid) {}
@@ -89,7 +81,9 @@ class SideMaker {
     }
     add("control", {"control_x", "control_y"}, force_tolerance);
     add("current", {"current_1", "current_2"}, force_tolerance);
-    add("spin_speed", {"spin_speed"}, range_tolerance);
+    add("spin_speed", {"spin_speed"}, [](const std::vector<Numbers>& value) {
+      return Numbers(value.front().size(), std::max(range_tolerance(value.front()), 1e-300));
+    });
     // Impacts it has none, at any contact.
     json none = json::object();
     for (const char* list : {"t", "y", "friction", "before", "after", "slip", "share"})

@@ -165,6 +165,7 @@ std::vector<std::string> reasons(const SceneComparison& comparison, std::size_t 
   };
   add(native.early_end());
   add(other.early_end());
+  if (other.trajectory.status == Status::kOk) add(other.trajectory.message);
   if (difference.resync) {
     for (std::string& reason : resync_reasons(other.label, *difference.resync)) add(reason);
     return all;

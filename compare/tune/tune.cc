@@ -92,7 +92,7 @@ const Reference& References::at(double step, double window_step) {
         fmt::format("{}: the native model, which settings are judged against, ended early ({}): {}",
                     scene_.name, rotorub::to_string(original.status), original.message));
   }
-  Reference reference{metrics(original, std::nullopt), {}};
+  Reference reference{metrics(original, {}), {}};
 
   TwinParameters parameters;
   parameters.count = twins_;
@@ -128,7 +128,7 @@ Runner mujoco_runner(const bench::SceneReader& reader, const std::atomic<bool>* 
       request.output_times = dense_times(variant->scene.run, kRows);
       request.interrupt = interrupt;
       const Trajectory t = variant->engine->run(variant->scene, request);
-      outcome.metrics = metrics(t, std::nullopt);
+      outcome.metrics = metrics(t, {});
       if (t.status != Status::kOk) {
         outcome.failure = std::string(rotorub::to_string(t.status)) + ": " + t.message;
       }

@@ -17,7 +17,9 @@ constexpr int kMostTriedBlind = 5;  // where no better guess leads to a solution
 constexpr int kSweeps = 2000;
 constexpr double kCaseRoundOff = 1e-11;  // of the rates and impulses in question
 constexpr double kSingular = 1e-12;      // pivots below this share of the largest count as 0
-constexpr double kSameMotion = 1e-8;
+// Of the rates: motions that differ by less are one. Where contacts share their forces in more ways
+// than one, the stations of a symmetric shaft are alike to what its modes are worth.
+constexpr double kSameMotion = 1e-6;
 
 enum class Bound { kLow, kHigh, kStick };
 struct Case {

@@ -13,6 +13,8 @@ namespace {
 using Velocity = Constraint::Velocity;
 
 constexpr double kOnCircle = 1e-12;  // of the clearance: a gap that counts as 0
+constexpr double kNoSlip = 1e-12;    // of the speeds that it is the sum of: a slip that counts as 0
+constexpr double kNoForce = 1e-12;   // of the largest force: one that counts as 0
 
 }  // namespace
 
@@ -102,10 +104,17 @@ void EventIntegrator::margin_reached(std::size_t contact) {
   for (Constraint::Closed& c : closed) {
     if (c.contact == contact) c.velocity = slides_off ? Velocity::kAlong : Velocity::kStuck;
   }
+  // Two contacts at one place open at once, the one that is located and its twin.
+  ContactList<std::size_t> opening;
+  for (const Constraint::Closed& c : closed) {
+    const double share = phase_.margins(c.contact).force / margin_scales(c.contact).force;
+    if (c.contact == contact || std::abs(share) <= kNoForce) opening.push_back(c.contact);
+  }
   project(closed);
   switch (end) {
     case PhaseEnd::kOpens:
-      return change_to(contact, in_flight(Departure::kLiftOff));
+      for (const std::size_t k : opening) change_to(k, in_flight(Departure::kLiftOff));
+      return;
     case PhaseEnd::kSlipStops:
       return decide(closed);
     case PhaseEnd::kSlipBegins:  // against friction at its limit
@@ -123,7 +132,13 @@ void EventIntegrator::decide(const Closed& resting) {
     const auto at = static_cast<Eigen::Index>(i);
     const std::size_t k = closed[i].index;
     force_scale_[k] = std::max(force_scale_[k], all.scale[at] / all.g(2 * at, 2 * at));
-    slips.push_back(resting[i].velocity == Velocity::kStuck ? 0.0 : closed[i].point.slip);
+    // Two contacts at one place stop at once, the one that is located and its twin.
+    const ContactPoint& p = closed[i].point;
+    const double surface =
+        std::abs(p.whirl_speed()) + model_->auxiliary[k].contact->radius * std::abs(p.spin);
+    const bool stops =
+        resting[i].velocity == Velocity::kStuck || std::abs(p.slip) <= kNoSlip * surface;
+    slips.push_back(stops ? 0.0 : p.slip);
     friction.push_back(model_->auxiliary[k].contact->friction.at(slips[i]));
   }
   const ContactDecisions decided =

@@ -115,9 +115,7 @@ class RunPacker {
     add(name, TrackKind::kLinear, values, {}, force_tolerance(values));
   }
   void add_speed(const char* name) {
-    const Values& speed = run_.column(own(name));
-    const auto [low, high] = std::minmax_element(speed.begin(), speed.end());
-    add_even(name, {name}, {}, kShare * (*high - *low));
+    add_even(name, {name}, {}, range_tolerance(run_.column(own(name))));
   }
 
   // The modes share the tolerance of the shaft evenly: their errors add up at worst.
@@ -240,6 +238,11 @@ std::vector<double> force_tolerance(const std::vector<std::vector<double>>& comp
   const double mean = count > 0 ? sum / static_cast<double>(count) : 1.0;
   for (double& force : tolerance) force = kShare * std::max(force, mean);
   return tolerance;
+}
+
+double range_tolerance(const std::vector<double>& value) {
+  const auto [low, high] = std::minmax_element(value.begin(), value.end());
+  return kShare * (*high - *low);
 }
 
 PackedRun pack_run(const scene::Scene& scene, const renders::Machine& machine,

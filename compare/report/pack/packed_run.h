@@ -46,6 +46,8 @@ double place_tolerance(const scene::Scene& scene);
 double gap_tolerance(double clearance);
 // The tolerance of forces: of each row (see above).
 std::vector<double> force_tolerance(const std::vector<std::vector<double>>& components);
+// Of what varies about a mean, a speed: a share of how far it goes, the same in each row.
+double range_tolerance(const std::vector<double>& value);
 
 nlohmann::json packed_run_json(const PackedRun& run);
 

@@ -102,7 +102,7 @@ TEST(PointMetrics, PenetrationItsPredictionAndEnergy) {
   t.statistics.external_work = 0.7;
   t.statistics.contact_work = -0.1;
   t.statistics.energy_scale = 2.0;
-  const Metrics m = metrics(t, ContactFacts{w.clearance, w.radius, w.friction});
+  const Metrics m = metrics(t, {ContactFacts{w.clearance, w.radius, w.friction}});
   EXPECT_EQ(m.max_penetration, 3e-9);
   const double way = w.frequency * w.clearance * t.step;
   EXPECT_NEAR(m.whirl_penetration, way * way / (2.0 * w.clearance), 1e-20);

@@ -103,8 +103,7 @@ TEST(CheckVerdict, SaysByHowMuch) {
 
 // ---------------------------------------------------------------- the rules of every run
 bool lawful(const Trajectory& t, bool exact_rows = true) {
-  const std::vector<FrictionLaw> frictions{{0.2}};
-  for (const Verdict& v : law_verdicts(t, ContactFacts{0.5e-3, 0.05, 0.2}, frictions, exact_rows)) {
+  for (const Verdict& v : law_verdicts(t, {ContactFacts{0.5e-3, 0.05, 0.2}}, exact_rows)) {
     if (v.outcome != Outcome::kPass) return false;
   }
   return true;

@@ -39,7 +39,7 @@ Trajectory half_touched() {
 }
 
 TEST(Metrics, AreTakenFromFirstTouch) {
-  const Metrics m = metrics(half_touched(), kFacts);
+  const Metrics m = metrics(half_touched(), {kFacts});
   ASSERT_TRUE(m.first_touch);
   EXPECT_DOUBLE_EQ(*m.first_touch, 0.5);
   EXPECT_DOUBLE_EQ(m.mean_force, 50.0);
@@ -60,20 +60,20 @@ TEST(Metrics, AreTakenFromFirstTouch) {
 // What a fixed step sees of the gap is at its ends: an impact within it is a gap of 0.
 TEST(Metrics, TheLeastGapOfATouchIsNone) {
   Trajectory t = half_touched();
-  EXPECT_FALSE(metrics(t, kFacts).least_gap) << "no [contact] told a gap";
+  EXPECT_FALSE(metrics(t, {kFacts}).least_gap) << "no [contact] told a gap";
   t.statistics.least_gap = 3e-6;
-  EXPECT_EQ(metrics(t, kFacts).least_gap, 0.0);
+  EXPECT_EQ(metrics(t, {kFacts}).least_gap, 0.0);
   t.statistics.least_gap = -2e-6;
-  EXPECT_EQ(metrics(t, kFacts).least_gap, -2e-6);
+  EXPECT_EQ(metrics(t, {kFacts}).least_gap, -2e-6);
   t.statistics.first_touch = -1.0;
   t.statistics.least_gap = 3e-6;
-  EXPECT_EQ(metrics(t, kFacts).least_gap, 3e-6);
+  EXPECT_EQ(metrics(t, {kFacts}).least_gap, 3e-6);
 }
 
 // A disc that leaves along the tangent at v_t = omega delta_0 is (v_t dt)^2 / (2 delta_0) beyond
 // the ring after dt.
 TEST(Metrics, PredictsThePenetrationOfOneStep) {
-  const Metrics m = metrics(half_touched(), kFacts);
+  const Metrics m = metrics(half_touched(), {kFacts});
   const double way = kWhirl.frequency * kWhirl.clearance * 1e-3;
   EXPECT_NEAR(m.whirl_penetration, way * way / (2.0 * kWhirl.clearance), 1e-18);
   // To second order that is what the geometry says.
@@ -92,7 +92,7 @@ TEST(Metrics, TheStepsPenetrationIsThatOfTheRowsInContact) {
   });
   const double way = kWhirl.frequency * kWhirl.clearance * 1e-3;
   const double due = way * way / (2.0 * kWhirl.clearance);
-  EXPECT_NEAR(metrics(t, kFacts).whirl_penetration, due, 1e-9 * due);
+  EXPECT_NEAR(metrics(t, {kFacts}).whirl_penetration, due, 1e-9 * due);
 }
 
 TEST(Metrics, CountImpactsThatClose) {
@@ -101,7 +101,7 @@ TEST(Metrics, CountImpactsThatClose) {
   t.impacts.push_back({0.6, 0.05, 0.0, -0.2, 0.1, 0.0, 0.0, 0.0});
   t.impacts.push_back({0.65, 1e-3, 0.0, -1.9e-3, 1e-3, 0.0, 0.0, 0.0});  // 0.95 % of the fastest
   t.impacts.push_back({0.7, 1e-9, 0.0, -1e-8, 0.0, 0.0, 0.0, 0.0});
-  const Metrics m = metrics(t, kFacts);
+  const Metrics m = metrics(t, {kFacts});
   EXPECT_EQ(m.impacts, 3U);
   EXPECT_EQ(m.hard_impacts, 2U);
   EXPECT_DOUBLE_EQ(m.peak_impulse, 0.05);
@@ -113,7 +113,7 @@ TEST(Metrics, OfARotorThatNeverTouchesAreZero) {
     row.gap = kWhirl.clearance;
     return row;
   });
-  const Metrics m = metrics(t, kFacts);
+  const Metrics m = metrics(t, {kFacts});
   EXPECT_FALSE(m.first_touch);
   EXPECT_EQ(m.mean_force, 0.0);
   EXPECT_EQ(m.contact_fraction, 0.0);

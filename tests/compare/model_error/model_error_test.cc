@@ -123,7 +123,7 @@ TEST(ModelError, TheFirstRungIsTheNativeRunOfACompare) {
   RunRequest request;
   request.output_times = dense_times(rub_scene().run, kRows);
   const Metrics m =
-      metrics(native_engine(scene::Integrator::kEvent)->run(rub_scene(), request), std::nullopt);
+      metrics(native_engine(scene::Integrator::kEvent)->run(rub_scene(), request), {});
   for (const FigureLimit& f : rub().figures)
     EXPECT_EQ(f.values[0], f.figure->value(m)) << f.figure->key;
 }

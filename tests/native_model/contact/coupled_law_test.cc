@@ -209,6 +209,33 @@ TEST(CoupledLaw, WhatIsSharedIsSharedAlike) {
   }
 }
 
+// Contacts of a mode that is 1 at the one and all but 1 at the other: which of them sticks is open,
+// what the mode does is not.
+TEST(CoupledLaw, ContactsThatAreNearlyAlikeHaveOneMotion) {
+  for (const double other : {1.0, 1.0 + 1e-12, 1.0 + 1e-9, 1.0 - 1e-7}) {
+    for (const double slip : {-0.3, -0.01, 0.01, 0.3}) {
+      const double shape[] = {1.0, other};
+      ContactMatrix a = ContactMatrix::Zero(4, 4);
+      ContactVector b(4);
+      for (const int i : {0, 1}) {
+        b.segment<2>(2 * i) << -0.1 * shape[i], slip * shape[i] + 0.02;
+        for (const int j : {0, 1}) {
+          a(2 * i, 2 * j) = 0.5 * shape[i] * shape[j];
+          a(2 * i + 1, 2 * j + 1) = 0.5 * shape[i] * shape[j] + 0.4;
+        }
+      }
+      ImpactLaw law;
+      law.friction = {0.4};
+      law.restitution = 0.3;
+      const std::array<ImpactLaw, 2> laws{law, law};
+      const CoupledSolution s = solve_coupled_impact(a, b, laws);
+      ASSERT_EQ(s.solutions, 1) << other << " " << slip;
+      EXPECT_NEAR(s.y[0], 0.03, 1e-6);
+      EXPECT_NEAR(s.y[2], 0.03, 1e-6);
+    }
+  }
+}
+
 // Nothing that moves: no impulse, and it is told.
 TEST(CoupledLaw, WhatCannotMoveHasNoSolution) {
   const ContactMatrix a = ContactMatrix::Zero(4, 4);

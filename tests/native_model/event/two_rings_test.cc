@@ -137,6 +137,42 @@ TEST(SeveralContacts, ANestedAccumulationEnds) {
   EXPECT_NE(t.column("contact2_mode").back(), static_cast<double>(Mode::kFree));
 }
 
+// Two contacts at one place share their forces, through stick and slip, and move as one does.
+TEST(SeveralContacts, TwoAtOnePlaceMoveAsOne) {
+  scene::Scene one = scene::parse_scene(R"([run]
+end = 0.1
+[rotor]
+speed = 30.0
+[rotor.modal]
+mass = [2.0]
+stiffness = [1e4]
+damping = [40.0]
+inertia = 1e-3
+[drive]
+kind = "free"
+[gravity]
+acceleration = [0.0, -9.81]
+[initial]
+vx = [0.02]
+[[contact]]
+radius = 0.02
+clearance = 3e-4
+friction = 0.4
+restitution = 0.3
+)",
+                                        "one");
+  scene::Scene two = one;
+  two.auxiliary.push_back(one.first());
+  const Trajectory t = test::run_event(two), exact = test::run_event(one);
+  ASSERT_EQ(t.status, Status::kOk) << t.message;
+  EXPECT_GE(exact.events.size(), 5u);
+  for (const char* column : {"rotor_x", "rotor_y", "spin_speed"}) {
+    EXPECT_NEAR(end_of(t, column), end_of(exact, column), 1e-10) << column;
+  }
+  EXPECT_NEAR(end_of(t, "normal_force") + end_of(t, "contact2_normal_force"),
+              end_of(exact, "normal_force"), 1e-8);
+}
+
 // Any order of the contacts is the same machine.
 TEST(SeveralContacts, HaveNoOrder) {
   scene::Scene s = test::shaft_in_two_rings(
