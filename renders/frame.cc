@@ -14,8 +14,15 @@ namespace {
 constexpr double kTrailFilmTime = 0.9;  // s of film that the path reaches back
 constexpr double kSparkFilmTime = 0.3;  // s of film that an impact glows
 
-ShownRun shown(const Trajectory& trajectory) {
-  return {Playback(trajectory), engine_label(trajectory)};
+ShownRun shown(const scene::Scene& scene, const Trajectory& trajectory) {
+  ShownRun run{Playback(trajectory), engine_label(trajectory), {}};
+  for (std::size_t k = 1; k < scene.auxiliary.size(); ++k) run.further.emplace_back(trajectory, k);
+  return run;
+}
+
+std::string name_of(const scene::Scene& scene, std::size_t contact) {
+  const std::string& name = scene.auxiliary[contact].name;
+  return name.empty() ? "contact " + std::to_string(contact + 1) : name;
 }
 
 void check_view(const scene::Scene& scene, const RenderOptions& options) {
@@ -33,19 +40,20 @@ FramePainter::FramePainter(const scene::Scene& scene, const Trajectory& trajecto
   check_options(options);
   check_view(scene, options);
   title_ = options.title.empty() ? scene.name : options.title;
-  take_runs(trajectory, options);
+  take_runs(scene, trajectory, options);
   framing_ = make_framing(playbacks(false), options);
   make_machines(scene, options);
   make_panels(scene, trajectory, options);
   make_stage(options);
 }
 
-void FramePainter::take_runs(const Trajectory& trajectory, const RenderOptions& options) {
-  runs_.push_back(shown(trajectory));
-  if (options.beside != nullptr) runs_.push_back(shown(*options.beside));
+void FramePainter::take_runs(const scene::Scene& scene, const Trajectory& trajectory,
+                             const RenderOptions& options) {
+  runs_.push_back(shown(scene, trajectory));
+  if (options.beside != nullptr) runs_.push_back(shown(scene, *options.beside));
   shown_runs_ = runs_.size();
-  for (const Trajectory* other : options.scaled_with) runs_.push_back(shown(*other));
-  if (options.shadow != nullptr) ghost_ = shown(*options.shadow);
+  for (const Trajectory* other : options.scaled_with) runs_.push_back(shown(scene, *other));
+  if (options.shadow != nullptr) ghost_ = shown(scene, *options.shadow);
   if (ghost_ && ghost_->playback.modes() != runs_[0].playback.modes()) {
     throw std::runtime_error("render: the shadow's series has another number of bending modes");
   }
@@ -55,6 +63,7 @@ std::vector<const Playback*> FramePainter::playbacks(bool all) const {
   std::vector<const Playback*> chosen;
   for (std::size_t k = 0; k < (all ? runs_.size() : shown_runs_); ++k) {
     chosen.push_back(&runs_[k].playback);
+    for (const Playback& further : runs_[k].further) chosen.push_back(&further);
   }
   if (ghost_) chosen.push_back(&ghost_->playback);
   return chosen;
@@ -75,6 +84,12 @@ void FramePainter::make_machines(const scene::Scene& scene, const RenderOptions&
   framing_.machine_magnification = film_.machine.magnification;
   film_.clearance = film_.section.clearance;
   if (film_.section.contact) film_.section_view.emplace(film_.section, ring_motion);
+  if (scene.auxiliary.size() > 1) film_.contact_name = name_of(scene, 0);
+  for (std::size_t k = 1; k < scene.auxiliary.size(); ++k) {
+    const Machine section = make_machine(with_bearing_alone(scene, k), chosen, framing_.from,
+                                         framing_.to, film_.section.magnification);
+    film_.further.push_back({name_of(scene, k), section, SectionView(section, ring_motion)});
+  }
 }
 
 void FramePainter::make_panels(const scene::Scene& scene, const Trajectory& trajectory,
@@ -105,6 +120,11 @@ void FramePainter::make_stage(const RenderOptions& options) {
   if (area.width == 0) return;
   const MujocoErrors errors;
   machine_view_.emplace(film_.machine, meshes_);
+  for (const FurtherSection& further : film_.further) {
+    // A schematic shaft has no stations at which they could stand.
+    if (film_.machine.schematic) break;
+    further_views_.emplace_back(film_.machine.with_contact_of(further.machine), meshes_);
+  }
   stage_.emplace(StageOptions{area.width, area.height, options.samples, palette::kBackground},
                  meshes_);
   machine_view_->set_up(stage_->scene(), area.aspect(), options.view == FilmView::kCloseUp);
@@ -139,12 +159,20 @@ Picture FramePainter::paint(double t) {
     std::optional<Pose> ghost;
     if (k == 0 && ghost_) ghost = ghost_->playback.at(t);
     const Pose* other = ghost ? &*ghost : nullptr;
+    std::vector<Instant> further;
+    for (const Playback& at : runs_[k].further) {
+      further.push_back(instant_at(at, t, film_.scales, instant_));
+    }
     if (stage_) {
       const MujocoErrors errors;
-      machine_view_->draw(stage_->canvas(), instant, other);
+      const Canvas canvas = stage_->canvas();
+      machine_view_->draw(canvas, instant, other);
+      for (std::size_t i = 0; i < further_views_.size(); ++i) {
+        further_views_[i].draw_bearing(canvas, further[i], film_.machine.centre_line(instant.pose));
+      }
       stage_->render(picture, panels_[k].machine_area());
     }
-    panels_[k].draw(sheet, instant, other, instant_.trail_time);
+    panels_[k].draw(sheet, instant, further, other, instant_.trail_time);
   }
   write_header(sheet.part(layout_.header), t);
   return picture;

@@ -28,7 +28,8 @@ class FramePainter {
   Picture paint(double t);  // t in s of the run
 
  private:
-  void take_runs(const Trajectory& trajectory, const RenderOptions& options);
+  void take_runs(const scene::Scene& scene, const Trajectory& trajectory,
+                 const RenderOptions& options);
   // Those that are shown, ghost included; or all.
   std::vector<const Playback*> playbacks(bool all) const;
   void make_machines(const scene::Scene& scene, const RenderOptions& options);
@@ -50,7 +51,8 @@ class FramePainter {
   std::vector<Panel> panels_;
   std::vector<Mesh> meshes_;
   std::optional<MachineView> machine_view_;
-  std::optional<Stage> stage_;  // none where no panel shows the machine
+  std::vector<MachineView> further_views_;  // of the contacts beside the first
+  std::optional<Stage> stage_;              // none where no panel shows the machine
 };
 
 }  // namespace rotorub::renders

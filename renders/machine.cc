@@ -200,6 +200,17 @@ double plain_number_below(double value) {
   return best;
 }
 
+Machine Machine::with_contact_of(const Machine& other) const {
+  Machine machine = *this;
+  machine.contact = other.contact;
+  machine.contact->clearance *= magnification / other.magnification;
+  machine.contact->ring_outer += machine.contact->clearance - other.contact->clearance;
+  machine.clearance = other.clearance;
+  machine.support = other.support;
+  machine.ring_turns = other.ring_turns;
+  return machine;
+}
+
 Eigen::Matrix2Xd Machine::centre_line(const Pose& pose) const {
   Eigen::Matrix2Xd line(2, z.size());
   if (bow.size() > 0) {

@@ -82,6 +82,8 @@ struct Machine {
 
   // Lengths of the scene (m) as displacements of the drawing.
   double displaced(double metres) const { return metres * unit * magnification; }
+  // This machine with the contact of another, which is drawn to another magnification.
+  Machine with_contact_of(const Machine& other) const;
   // Magnified centre line: 2 x k, rows Y and Z.
   Eigen::Matrix2Xd centre_line(const Pose& pose) const;
   // The magnified centre at one station, and the direction of the shaft there.

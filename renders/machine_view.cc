@@ -122,12 +122,7 @@ void MachineView::draw(Canvas canvas, const Instant& instant, const Pose* ghost)
   canvas.finish(kMetal);
   draw_shaft(canvas, line, palette::kShaft, 1.0);
   draw_bodies(canvas, instant.pose, line);
-  if (machine_.contact) {
-    const DrawnSection section = drawn_section(machine_, instant.pose);
-    draw_ring(canvas, section, palette::kRing);
-    draw_support(canvas, section);
-    draw_contact(canvas, instant, section);
-  }
+  if (machine_.contact) draw_ring_and_forces(canvas, instant);
   draw_loads(canvas, instant.pose, line);
   if (ghost != nullptr) {
     canvas.finish(kMatt);
@@ -135,6 +130,20 @@ void MachineView::draw(Canvas canvas, const Instant& instant, const Pose* ghost)
     draw_shaft(canvas, machine_.centre_line(*ghost), color, kWithin);
     if (machine_.contact) draw_ring(canvas, drawn_section(machine_, *ghost), color);
   }
+}
+
+void MachineView::draw_ring_and_forces(Canvas& canvas, const Instant& instant) const {
+  const DrawnSection section = drawn_section(machine_, instant.pose);
+  draw_ring(canvas, section, palette::kRing);
+  draw_support(canvas, section);
+  draw_contact(canvas, instant, section);
+}
+
+void MachineView::draw_bearing(Canvas canvas, const Instant& instant,
+                               const Eigen::Matrix2Xd& line) const {
+  canvas.finish(kMetal);
+  draw_body(canvas, machine_.contact->z, rotor_, palette::kRotor, instant.pose, line);
+  draw_ring_and_forces(canvas, instant);
 }
 
 void MachineView::draw_pedestal(Canvas& canvas, double z, double top, double half_width,
@@ -190,22 +199,24 @@ void MachineView::draw_shaft(Canvas& canvas, const Eigen::Matrix2Xd& line, const
   }
 }
 
+// A body sits square on the bent shaft and turns about it; its mark shows the turning.
+void MachineView::draw_body(Canvas& canvas, double z, const Body& body, const Color& color,
+                            const Pose& pose, const Eigen::Matrix2Xd& line) const {
+  const Vector3d centre = machine_.centre(line, z);
+  const Matrix3d axes =
+      (Eigen::Quaterniond::FromTwoVectors(Vector3d::UnitX(), machine_.tangent(line, z)) *
+       Eigen::AngleAxisd(pose.spin_angle, Vector3d::UnitX()))
+          .toRotationMatrix();
+  canvas.mesh(body.solid, centre, axes, color);
+  canvas.mesh(body.mark, centre, axes, palette::kMark);
+}
+
 void MachineView::draw_bodies(Canvas& canvas, const Pose& pose,
                               const Eigen::Matrix2Xd& line) const {
-  // A body sits square on the bent shaft and turns about it; its mark shows the turning.
-  const auto draw = [&](double z, const Body& body, const Color& color) {
-    const Vector3d centre = machine_.centre(line, z);
-    const Matrix3d axes =
-        (Eigen::Quaterniond::FromTwoVectors(Vector3d::UnitX(), machine_.tangent(line, z)) *
-         Eigen::AngleAxisd(pose.spin_angle, Vector3d::UnitX()))
-            .toRotationMatrix();
-    canvas.mesh(body.solid, centre, axes, color);
-    canvas.mesh(body.mark, centre, axes, palette::kMark);
-  };
   for (std::size_t i = 0; i < discs_.size(); ++i) {
-    draw(machine_.discs[i].z, discs_[i], palette::kDisc);
+    draw_body(canvas, machine_.discs[i].z, discs_[i], palette::kDisc, pose, line);
   }
-  if (machine_.contact) draw(machine_.contact->z, rotor_, palette::kRotor);
+  if (machine_.contact) draw_body(canvas, machine_.contact->z, rotor_, palette::kRotor, pose, line);
 }
 
 }  // namespace rotorub::renders

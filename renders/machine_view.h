@@ -17,11 +17,18 @@ class MachineView {
 
   // `ghost`: a second pose drawn translucent, or null.
   void draw(Canvas canvas, const Instant& instant, const Pose* ghost) const;
+  // The contact alone, on a shaft with this centre line that stands there already.
+  void draw_bearing(Canvas canvas, const Instant& instant, const Eigen::Matrix2Xd& line) const;
   // Sets camera and light for a picture of this shape (width / height): of the whole machine, or
   // close to the contact.
   void set_up(mjvScene& scene, double aspect, bool close) const;
 
  private:
+  // Meshes by number: a body and the mark that turns with it.
+  struct Body {
+    int solid = -1, mark = -1;
+  };
+
   double plate_left() const;
   double plate_right() const;
   void draw_base(Canvas& canvas) const;
@@ -29,7 +36,10 @@ class MachineView {
                      double half_depth) const;
   void draw_shaft(Canvas& canvas, const Eigen::Matrix2Xd& line, const Color& color,
                   double thickness) const;
+  void draw_body(Canvas& canvas, double z, const Body& body, const Color& color, const Pose& pose,
+                 const Eigen::Matrix2Xd& line) const;
   void draw_bodies(Canvas& canvas, const Pose& pose, const Eigen::Matrix2Xd& line) const;
+  void draw_ring_and_forces(Canvas& canvas, const Instant& instant) const;
   void draw_ring(Canvas& canvas, const DrawnSection& section, const Color& color) const;
   void draw_support(Canvas& canvas, const DrawnSection& section) const;
   void draw_strut(Canvas& canvas, const Eigen::Vector2d& from, const Eigen::Vector2d& to) const;
@@ -39,10 +49,7 @@ class MachineView {
 
   Machine machine_;
   double side_ = 1.0;  // of the contact that the camera sees, +1 or -1 along X
-  // Meshes by number; a body and the mark that turns with it.
-  struct Body {
-    int solid = -1, mark = -1;
-  };
+  // Meshes by number.
   int ring_ = -1, housing_ = -1, bearing_ = -1, magnet_ = -1;
   Body rotor_;
   std::vector<Body> discs_;

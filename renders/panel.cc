@@ -165,14 +165,39 @@ void Panel::make_charts(const Trajectory& trajectory) {
       t, controlled ? control_size(trajectory) : std::vector<double>(t.size(), 0.0), options);
 }
 
-void Panel::draw(const Sheet& picture, const Instant& instant, const Pose* ghost,
-                 double trail_time) const {
-  if (layout_.section.width > 0) {
-    Sheet sheet = picture.part(layout_.section);
-    sheet.fill(0, 0, layout_.section.width, layout_.section.height, palette::kBackground);
-    film_->section_view->draw(sheet, instant, ghost);
-    write_scale_bars(sheet);
+// One below the other where there are several.
+void Panel::draw_sections(const Sheet& picture, const Instant& instant,
+                          const std::vector<Instant>& further, const Pose* ghost) const {
+  const Area& whole = layout_.section;
+  const int count = 1 + static_cast<int>(film_->further.size());
+  for (int k = 0; k < count; ++k) {
+    const int top = k * whole.height / count, bottom = (k + 1) * whole.height / count;
+    Sheet sheet = picture.part({whole.left, whole.top + top, whole.width, bottom - top});
+    const Area& area = sheet.area();
+    sheet.fill(0, 0, area.width, area.height, palette::kBackground);
+    if (k == 0) {
+      film_->section_view->draw(sheet, instant, ghost);
+      write_scale_bars(sheet);
+    } else {
+      const auto at = static_cast<std::size_t>(k - 1);
+      film_->further[at].view.draw(sheet, further[at], nullptr);
+    }
+    if (count == 1) continue;
+    const Pose& pose = k == 0 ? instant.pose : further[static_cast<std::size_t>(k - 1)].pose;
+    const std::string& name =
+        k == 0 ? film_->contact_name : film_->further[static_cast<std::size_t>(k - 1)].name;
+    const int size = film_->text_size;
+    const double y = area.height - 1.5 * size;
+    const double x = sheet.text(0.6 * size, y, name, size, palette::kInk, Weight::kBold);
+    const bool touching = pose.mode != Mode::kFree;
+    sheet.text(x + 0.6 * size, y, to_string(pose.mode), size,
+               touching ? palette::kNormal : palette::kFaintInk);
   }
+}
+
+void Panel::draw(const Sheet& picture, const Instant& instant, const std::vector<Instant>& further,
+                 const Pose* ghost, double trail_time) const {
+  if (layout_.section.width > 0) draw_sections(picture, instant, further, ghost);
   if (layout_.unrolled.width > 0) {
     Sheet sheet = picture.part(layout_.unrolled);
     film_->unrolled_view->draw(sheet, film_->text_size, run_->playback, instant, trail_time,
@@ -189,7 +214,7 @@ void Panel::write_caption(Sheet sheet, const Pose& pose) const {
   if (ghost_ != nullptr) {
     sheet.text(size, 1.6 * size, "translucent: " + ghost_->label, size, palette::kGhost);
   }
-  if (!film_->has_contact()) return;
+  if (!film_->has_contact() || !film_->further.empty()) return;
   const bool touching = pose.mode != Mode::kFree;
   sheet.text(x + size, 0.3 * size, to_string(pose.mode), size,
              touching ? palette::kNormal : palette::kFaintInk, Weight::kBold);
@@ -242,7 +267,8 @@ void Panel::draw_charts(const Sheet& picture, const Pose& pose) const {
   const auto draw = [&](std::size_t k, const std::string& title,
                         const std::vector<Chart::Reading>& readings) {
     Sheet sheet = picture.part(layout_.charts[k]);
-    charts_[k].draw(sheet, size, pose.t, title, readings);
+    const std::string& of = film_->contact_name;
+    charts_[k].draw(sheet, size, pose.t, of.empty() ? title : of + ": " + title, readings);
   };
   draw(0, "gap",
        {{fmt::format("{:.1f} µm", std::abs(pose.gap) < 0.05e-6 ? 0.0 : 1e6 * pose.gap),

@@ -53,6 +53,14 @@ class Chart {
 struct ShownRun {
   Playback playback;
   std::string label;
+  std::vector<Playback> further;  // the same of each contact beside the first
+};
+
+// The cross-section at a contact beside the first, to the first one's scale.
+struct FurtherSection {
+  std::string name;
+  Machine machine;
+  SectionView view;
 };
 
 // What all panels of a film share.
@@ -61,6 +69,8 @@ struct FilmParts {
   Scales scales;
   Machine machine, section;  // the same machine, each magnified for its view
   std::optional<SectionView> section_view;
+  std::string contact_name;  // of the first; empty where it is the only one
+  std::vector<FurtherSection> further;
   std::optional<UnrolledView> unrolled_view;
   double clearance = 0.0;  // m
   int text_size = 17;
@@ -75,13 +85,16 @@ class Panel {
         const ShownRun& run, const ShownRun* ghost);
 
   // Everything but MuJoCo's picture of the machine, which is there already.
-  void draw(const Sheet& picture, const Instant& instant, const Pose* ghost,
-            double trail_time) const;
+  // `further`: of each contact beside the first.
+  void draw(const Sheet& picture, const Instant& instant, const std::vector<Instant>& further,
+            const Pose* ghost, double trail_time) const;
   const Area& machine_area() const { return layout_.machine; }
 
  private:
   void make_charts(const Trajectory& trajectory);
   void draw_charts(const Sheet& picture, const Pose& pose) const;
+  void draw_sections(const Sheet& picture, const Instant& instant,
+                     const std::vector<Instant>& further, const Pose* ghost) const;
   void write_caption(Sheet sheet, const Pose& pose) const;
   void write_machine_text(Sheet sheet) const;
   void write_scale_bars(Sheet sheet) const;

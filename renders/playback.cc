@@ -6,6 +6,8 @@
 #include <cmath>
 #include <stdexcept>
 
+#include "native_model/trajectory/columns.h"
+
 namespace rotorub::renders {
 
 namespace {
@@ -52,28 +54,35 @@ std::optional<double> first_touch(const Trajectory& trajectory) {
 
 Eigen::Vector2d Pose::e_r() const { return direction(rotor - stator); }
 
-Playback::Playback(const Trajectory& trajectory)
+Playback::Playback(const Trajectory& trajectory, std::size_t contact)
+    : Playback(trajectory, contact,
+               [contact](const char* name) { return column_of_contact(contact, name); }) {}
+
+template <class Of>
+Playback::Playback(const Trajectory& trajectory, std::size_t contact, const Of& of)
     : trajectory_(&trajectory),
       time_(&need(trajectory, "t")),
-      gap_(&need(trajectory, "gap")),
-      normal_(&need(trajectory, "normal_force")),
-      friction_(&need(trajectory, "friction_force")),
-      mode_(&need(trajectory, "mode")),
-      rotor_{track("rotor_x", "rotor_vx"), track("rotor_y", "rotor_vy")},
-      stator_{track("stator_x", "stator_vx"), track("stator_y", "stator_vy")},
+      gap_(&need(trajectory, of("gap"))),
+      normal_(&need(trajectory, of("normal_force"))),
+      friction_(&need(trajectory, of("friction_force"))),
+      mode_(&need(trajectory, of("mode"))),
+      rotor_{track(of("rotor_x"), of("rotor_vx")), track(of("rotor_y"), of("rotor_vy"))},
+      stator_{track(of("stator_x"), of("stator_vx")), track(of("stator_y"), of("stator_vy"))},
       spin_(track("spin_angle", "spin_speed")) {
   for (int i = 1; trajectory.has(fmt::format("x_{}", i)); ++i) {
     modes_.push_back({track(fmt::format("x_{}", i), fmt::format("vx_{}", i)),
                       track(fmt::format("y_{}", i), fmt::format("vy_{}", i))});
   }
-  if (trajectory.has("ring_angle")) ring_ = track("ring_angle", "ring_speed");
-  if (trajectory.has("control_x")) control_ = {track("control_x", ""), track("control_y", "")};
-  if (trajectory.has("current_1")) current_ = {track("current_1", ""), track("current_2", "")};
+  if (trajectory.has(of("ring_angle"))) ring_ = track(of("ring_angle"), of("ring_speed"));
+  if (trajectory.has(of("control_x")))
+    control_ = {track(of("control_x"), ""), track(of("control_y"), "")};
+  if (trajectory.has(of("current_1")))
+    current_ = {track(of("current_1"), ""), track(of("current_2"), "")};
   if (!std::is_sorted(time_->begin(), time_->end())) {
     throw std::runtime_error("the times of the series do not ascend");
   }
   for (const Impact& impact : trajectory.impacts) {
-    if (!counts(impact)) continue;
+    if (!counts(impact) || static_cast<std::size_t>(impact.contact) != contact) continue;
     strikes_.push_back({impact.t, impact.normal_impulse, {1.0, 0.0}});
   }
   std::stable_sort(strikes_.begin(), strikes_.end(),

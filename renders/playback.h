@@ -47,7 +47,8 @@ class Playback {
  public:
   // Throws std::runtime_error naming the column where the series lacks one that the contract
   // promises, and where it has no row. The trajectory must outlive the playback.
-  explicit Playback(const Trajectory& trajectory);
+  // `contact`: of several, from 0, the one whose rotor, ring and forces a pose has.
+  explicit Playback(const Trajectory& trajectory, std::size_t contact = 0);
 
   Pose at(double t) const;  // t is clamped to the rows' range
 
@@ -67,6 +68,10 @@ class Playback {
   double largest_current(double from, double to) const { return largest(current_, from, to); }
 
  private:
+  // `of`: the column of that contact by the name of the first one's.
+  template <class Of>
+  Playback(const Trajectory& trajectory, std::size_t contact, const Of& of);
+
   using Values = std::vector<double>;
   // A position and its velocity, null where the series has none.
   struct Track {

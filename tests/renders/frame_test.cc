@@ -47,6 +47,34 @@ TEST(Frame, ShowsEveryPartInItsColour) {
             50);
 }
 
+// Of two contacts each has its cross-section, the first above, and each moves as its own columns
+// say.
+TEST(Frame, ShowsEachOfSeveralContacts) {
+  scene::Scene scene = ring_scene();
+  scene.auxiliary.push_back(scene.first());
+  const auto picture = [&](const Row& first, const Row& second) {
+    Trajectory run = resting_run(first);
+    for (const Column& column : resting_run(second).series) {
+      const bool own = column.name.starts_with("rotor_") || column.name.starts_with("stator_") ||
+                       column.name == "gap" || column.name == "normal_force" ||
+                       column.name == "friction_force" || column.name == "mode";
+      if (own) run.series.push_back({"contact2_" + column.name, column.unit, column.values});
+    }
+    return FramePainter(scene, run, small_options()).paint(0.05);
+  };
+  const auto half = [](const Picture& from, bool upper) {
+    const int middle = 30 + (from.height() * 3 / 4 - 30) / 2;
+    return find(from, from.width() * 58 / 100, upper ? 30 : middle, from.width(),
+                upper ? middle : from.height() * 3 / 4, is_rotor);
+  };
+  constexpr double kMove = 0.4 * kClearance;
+  const Picture rest = picture({}, {}), moved = picture({}, {.rotor_x = kMove});
+  EXPECT_GT(half(rest, true).count, 500);
+  EXPECT_GT(half(rest, false).count, 500);
+  EXPECT_NEAR(half(moved, true).column, half(rest, true).column, 1e-9);
+  EXPECT_GT(half(moved, false).column - half(rest, false).column, 2.0);
+}
+
 TEST(Frame, RotorMovesAsItsStateDoes) {
   constexpr double kMove = 0.4 * kClearance;
   const Found rest = in_section(picture_of({}), is_rotor);
