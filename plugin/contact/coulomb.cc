@@ -95,13 +95,14 @@ TouchingPair touching_pair(const ContactPair& pair, const ContactSpaces::Made& a
 }
 
 // y without any force, free(space) the accelerations. A rebound that the loads undo within the step
-// is no flight.
+// is no flight; beside others the law of all decides, as one contact may press another.
 template <typename Free>
-Eigen::Vector3d look(TouchingPair& s, Free free, const mjModel* m, mjData* d) {
+Eigen::Vector3d look(TouchingPair& s, bool beside_others, Free free, const mjModel* m, mjData* d) {
   const Eigen::Vector3d a = s.along(free);
   const bool before = s.entry(d)[kMode] != 0.0;
   const bool lasts =
-      before && !flight_outlives(2.0 * m->opt.timestep, s.point.gap_rate, s.curvature - a.x());
+      before && (beside_others ||
+                 !flight_outlives(2.0 * m->opt.timestep, s.point.gap_rate, s.curvature - a.x()));
   s.touches = s.point.gap < 0.0 || lasts;
   return s.base + a;
 }
@@ -195,7 +196,7 @@ void solve_free(TouchingPairs& contacts, const mjModel* m, mjData* d) {
   const auto response = [d](const ContactSpace& at) { return at.response(d->qfrc_smooth); };
   std::size_t count = 0;
   for (TouchingPair& s : contacts.span()) {
-    const Eigen::Vector3d y = look(s, response, m, d);
+    const Eigen::Vector3d y = look(s, contacts.count > 1, response, m, d);
     if (s.touches) free[count++] = y;
   }
   Touching t = touching(contacts);
@@ -235,7 +236,7 @@ void solve_beside_constraints(TouchingPairs& contacts, const mjModel* m, mjData*
   ConstraintProbe probe(m, d);
   probe.solve([](mjtNum*) {});
   const auto free = [&probe](const ContactSpace& at) { return probe.acceleration(at); };
-  for (TouchingPair& s : contacts.span()) look(s, free, m, d);
+  for (TouchingPair& s : contacts.span()) look(s, contacts.count > 1, free, m, d);
   Touching t = touching(contacts);
   if (t.count > 0) {
     ForceResponse response(probe, t);

@@ -119,6 +119,25 @@ INSTANTIATE_TEST_SUITE_P(, TwoRingsInMujoco,
 
 class SeveralOnTheChain : public MujocoTest {};
 
+// One contact may be held by nothing but the other's force.
+TEST_F(SeveralOnTheChain, OnePressesTheOther) {
+  for (const char* contact : {"rigid", "coulomb"}) {
+    const std::vector<std::string> overrides{std::string("mujoco.contact=\"") + contact + "\""};
+    const plugin::Hooks hooks;
+    const ModelPointer m = load(mjcf(lever_in_two_rings(overrides)));
+    const DataPointer d = start(m.get());
+    const auto force = [&](std::size_t i) {
+      return sensor(m.get(), d.get(), names::of_bearing(i, names::kNormalForce).c_str());
+    };
+    while (d->time < 0.02) {
+      mj_step(m.get(), d.get());
+      if (d->time < 0.018) continue;
+      ASSERT_NEAR(force(0), 30.0, 0.03) << contact << " " << d->time;
+      ASSERT_NEAR(force(1), 10.0, 0.03) << contact << " " << d->time;
+    }
+  }
+}
+
 // A spin that unbalance couples with the bending: the native model's mass matrix, not MuJoCo's.
 TEST_F(SeveralOnTheChain, KnowTheUnbalanceOfAFreeSpin) {
   const std::string unbalance =

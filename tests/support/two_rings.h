@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <fstream>
+#include <span>
 #include <string>
 
 #include <nlohmann/json.hpp>
@@ -33,6 +34,39 @@ inline scene::Scene shaft_in_two_rings(double mass, double tilt_mass, double til
   s.auxiliary.push_back(s.first());
   s.auxiliary[1].contact->shape = {1.0, tilt};
   return s;
+}
+
+// At rest on both rings under 20 N at twice the lever of the first: 30 N up at the first, 10 N down
+// at the second, which nothing presses but the other's force.
+inline scene::Scene lever_in_two_rings(std::span<const std::string> overrides = {}) {
+  return scene::parse_scene(R"([run]
+end = 0.02
+step = 1e-5
+[rotor]
+speed = 100.0
+[rotor.modal]
+mass = [2.0, 8.0]
+stiffness = [0.0, 0.0]
+damping = [0.0, 0.0]
+[initial]
+y = [0.0, -0.0005]
+[[contact]]
+radius = 0.05
+clearance = 0.0005
+friction = 0.0
+restitution = 0.5
+[[contact]]
+radius = 0.05
+clearance = 0.0005
+friction = 0.0
+restitution = 0.5
+shape = [1.0, -1.0]
+[[force]]
+kind = "constant"
+vector = [0.0, -20.0]
+shape = [1.0, 2.0]
+)",
+                            "lever", overrides);
 }
 
 inline nlohmann::json two_rings_answer(const std::string& name) {

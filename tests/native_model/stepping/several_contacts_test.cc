@@ -255,34 +255,7 @@ TEST_P(SeveralContactsBy, ARestingShaftStaysAtRest) {
 // A load beyond the second contact presses it, and lifts the first, which only the other's force
 // holds: 20 N at twice the lever are 30 N up at the one, 10 N down at the other.
 TEST(SeveralContacts, OnePressesTheOtherInTheBalanceOfALever) {
-  const scene::Scene lever = scene::parse_scene(R"([run]
-end = 0.02
-step = 1e-5
-[rotor]
-speed = 100.0
-[rotor.modal]
-mass = [2.0, 8.0]
-stiffness = [0.0, 0.0]
-damping = [0.0, 0.0]
-[initial]
-y = [0.0, -0.0005]
-[[contact]]
-radius = 0.05
-clearance = 0.0005
-friction = 0.0
-restitution = 0.5
-[[contact]]
-radius = 0.05
-clearance = 0.0005
-friction = 0.0
-restitution = 0.5
-shape = [1.0, -1.0]
-[[force]]
-kind = "constant"
-vector = [0.0, -20.0]
-shape = [1.0, 2.0]
-)",
-                                                "lever");
+  const scene::Scene lever = test::lever_in_two_rings();
   for (const Integrator integrator : {Integrator::kVerlet, Integrator::kMidpoint}) {
     const Trajectory t = test::run_with(lever, integrator, 1e-5);
     ASSERT_EQ(t.status, Status::kOk) << name_of(integrator);
