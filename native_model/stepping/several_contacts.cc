@@ -7,22 +7,12 @@
 #include "native_model/dynamics/dynamics.h"
 
 namespace rotorub {
-namespace {
-
-constexpr double kNoSlip = 1e-10;  // of the surface's speed
-
-}  // namespace
-
 SeveralContacts::SeveralContacts(State& x, Loads& loads, const std::vector<const Model*>& models,
                                  bool located)
-    : done(models.front()->auxiliary.size()),
-      m_(x.m),
-      h_(x.h),
+    : ContactColumns(x, loads, models),
       located_(located),
-      response_(3 * done.size(), Columns(static_cast<std::size_t>(x.nq()))),
-      without_impacts_(response_.front()) {
+      without_impacts_(static_cast<std::size_t>(x.nq())) {
   impacts.reserve(count() * count() * StepImpacts::kMost);
-  if (!loads.coupled()) respond(x, loads);
 }
 
 void SeveralContacts::begin(const State& x) {
@@ -37,44 +27,8 @@ void SeveralContacts::forget_last() {
   for (std::size_t i = 0; i < count(); ++i) last_sign_[i] = now.of[i].slip_sign;
 }
 
-Eigen::Vector3d SeveralContacts::rates(std::size_t i, const double* v) const {
-  const auto w = equations::relative(m_, m_.auxiliary[i], v);
-  return {w.x, w.y, equations::contact_spin(m_, m_.auxiliary[i], v)};
-}
-
 bool SeveralContacts::leaves(std::size_t i, const Eigen::Vector3d& velocity) const {
   return (places[i].d + h_ * velocity.head<2>()).norm() > law(i).clearance;
-}
-
-// The columns A^-1 J^T of every contact.
-void SeveralContacts::respond(const State& x, Loads& loads) {
-  for (std::size_t i = 0; i < count(); ++i) {
-    for (int axis = 0; axis < 3; ++axis) {
-      Columns& column = response_[3 * i + static_cast<std::size_t>(axis)];
-      std::fill(column.begin(), column.end(), 0.0);
-      add_contact_load(m_, Eigen::Vector3d::Unit(axis), column.data(), i);
-      loads.solve(x, column.data());
-    }
-  }
-}
-
-Eigen::Matrix3d SeveralContacts::admittance(std::size_t i, std::size_t j) const {
-  Eigen::Matrix3d a;
-  for (int axis = 0; axis < 3; ++axis) {
-    const Columns& column = response_[3 * j + static_cast<std::size_t>(axis)];
-    a.col(axis) = contact_acceleration(m_, column.data(), i);
-  }
-  return a;
-}
-
-void SeveralContacts::push(std::size_t i, double normal, double friction,
-                           std::span<double> to) const {
-  const Eigen::Vector3d p = contact_load(places[i].e_r, law(i).radius, normal, friction);
-  for (std::size_t axis = 0; axis < 3; ++axis) {
-    const Columns& column = response_[3 * i + axis];
-    for (std::size_t k = 0; k < column.size(); ++k)
-      to[k] += column[k] * p[static_cast<Eigen::Index>(axis)];
-  }
 }
 
 // The step impulses for which each ends on its circle: Newton's method, whose linear problem is the
@@ -190,11 +144,8 @@ bool SeveralContacts::press(State& x, std::span<const std::size_t> lasting) {
 bool SeveralContacts::go_on(State& x, Loads& loads) {
   std::array<std::size_t, kMaxContacts> lasting{};
   std::size_t n = 0;
+  look(x);
   for (std::size_t i = 0; i < count(); ++i) {
-    Place& at = places[i];
-    at.d = separation(m_, x.seen.data(), i);
-    at.start = rates(i, x.start.data());
-    at.free = rates(i, x.free.data());
     Lasting::Of& c = now.of[i];
     c.normal = c.friction = 0.0;
     if (c.lasts) lasting[n++] = i;
@@ -320,15 +271,6 @@ void SeveralContacts::tell(FixedStep& out, double /*sign_before*/) const {
   static_cast<ContactStep&>(out) = done[0];
   out.others = std::span(done).subspan(1);
   out.impacts = impacts;
-}
-
-double SeveralContacts::lasting_work(const State& x) const {
-  double work = 0.0;
-  for (std::size_t i = 0; i < count(); ++i) {
-    work += rotorub::lasting_work(m_, i, places[i].e_r, done[i].lasting, places[i].start,
-                                  rates(i, end_without_impacts(x)));
-  }
-  return work;
 }
 
 }  // namespace rotorub
