@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "compare/engine/chunked_run.h"
-#include "compare/engine/contact_episodes.h"
+#include "native_model/trajectory/contact_episodes.h"
 #include "compare/engine/engine.h"
 #include "native_model/system/model.h"
 #include "native_model/trajectory/recorder.h"

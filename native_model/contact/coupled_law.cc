@@ -30,6 +30,7 @@ using Cases = std::array<Case, kMaxContacts>;
 
 // Which cases differ at all: without friction there is no sticking, and what is open has none.
 bool distinct(const Case& c, const ContactSet& set) {
+  if (set.pressed && !c.at_least) return false;
   if (c.friction == Bound::kLow) return true;
   const bool one_bound = set.slides != 0.0 || (set.friction == 0.0 && set.floor == 0.0);
   return !one_bound && !(c.at_least && set.least_normal == 0.0);
@@ -91,10 +92,12 @@ class CoupledProblem {
                      double impulses) {
     double &normal = s.p[2 * i], &friction = s.p[2 * i + 1];
     double &gap_rate = s.y[2 * i], &slip = s.y[2 * i + 1];
-    if (c.at_least ? gap_rate < -rates : std::abs(gap_rate) > rates) return false;
-    if (normal < set.least_normal - impulses) return false;
-    normal = std::max(normal, set.least_normal);
-    gap_rate = c.at_least ? std::max(gap_rate, 0.0) : 0.0;  // not round-off
+    if (!set.pressed) {
+      if (c.at_least ? gap_rate < -rates : std::abs(gap_rate) > rates) return false;
+      if (normal < set.least_normal - impulses) return false;
+      normal = std::max(normal, set.least_normal);
+      gap_rate = c.at_least ? std::max(gap_rate, 0.0) : 0.0;  // not round-off
+    }
     const double low = set.low(normal), high = set.high(normal);
     const bool one_bound = high - low <= impulses;
     s.sticks[static_cast<std::size_t>(i)] = c.friction == Bound::kStick;
@@ -178,7 +181,7 @@ CoupledSolution by_sweeps(const ContactMatrix& a, const ContactVector& b,
       if (s.solutions == 0) return {};
       p.segment(2 * i, 2) = s.p;
       Case& c = found[static_cast<std::size_t>(i)];
-      c.at_least = s.p[0] <= set[0].least_normal;
+      c.at_least = set[0].pressed || s.p[0] <= set[0].least_normal;
       c.friction = s.sticks[0]                    ? Bound::kStick
                    : s.p[1] <= set[0].low(s.p[0]) ? Bound::kLow
                                                   : Bound::kHigh;
@@ -206,7 +209,7 @@ bool moves_both_ways(const ContactMatrix& a) {
 // One contact with Coulomb's set that can move both ways: planar_contact.h has it in closed form.
 bool is_plain(const ContactMatrix& a, std::span<const ContactSet> sets) {
   return sets.size() == 1 && sets[0].least_normal == 0.0 && sets[0].side == 0.0 &&
-         sets[0].slides == 0.0 && moves_both_ways(a);
+         sets[0].slides == 0.0 && !sets[0].pressed && moves_both_ways(a);
 }
 
 CoupledSolution one_plain(const ContactMatrix& a, const ContactVector& b, const ContactSet& set) {

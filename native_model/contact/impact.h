@@ -11,6 +11,7 @@
 
 #include <Eigen/Core>
 
+#include "native_model/contact/compliance.h"
 #include "native_model/contact/friction.h"
 #include "native_model/contact/kinematics.h"
 #include "native_model/contact/planar_contact.h"
@@ -31,6 +32,9 @@ struct ContactParameters {
   double restitution;                       // eps_N
   double tangential_restitution;            // eps_T
   double compression_time, expansion_time;  // s
+  CompliantLaw compliance{};                // rigid where there is none
+
+  bool gives() const { return compliance.gives(); }
 
   ImpactLaw law() const { return {friction, restitution, tangential_restitution}; }
   double impact_time() const { return compression_time + expansion_time; }  // s
@@ -46,9 +50,10 @@ struct ContactParameters {
 struct ContactSet {
   double friction = 0.0;      // mu >= 0, of the law at the slip of the phase
   double least_normal = 0.0;  // n, N s
-  double side = 0.0;    // +1, -1: the friction begun in compression goes on to this side; 0: none
-  double floor = 0.0;   // with a side: least friction to it, N s, >= 0
-  double slides = 0.0;  // +1, -1: it slides so, whatever y_T is (an acceleration); 0: y_T decides
+  double side = 0.0;     // +1, -1: the friction begun in compression goes on to this side; 0: none
+  double floor = 0.0;    // with a side: least friction to it, N s, >= 0
+  double slides = 0.0;   // +1, -1: it slides so, whatever y_T is (an acceleration); 0: y_T decides
+  bool pressed = false;  // L_N = n, whatever y_N is: a contact that gives
 
   double low(double normal) const {
     if (slides != 0.0) return -slides * friction * normal;

@@ -14,6 +14,7 @@ using Velocity = Constraint::Velocity;
 
 constexpr double kOnCircle = 1e-12;  // of the clearance: a gap that counts as 0
 constexpr double kNoSlip = 1e-12;    // of the speeds that it is the sum of: a slip that counts as 0
+constexpr double kDrift = 1e-9;      // of them: what is left of 0 while a contact that gives sticks
 constexpr double kNoForce = 1e-12;   // of the largest force: one that counts as 0
 
 }  // namespace
@@ -22,10 +23,12 @@ void EventIntegrator::project(const Closed& closed) {
   constraint_.project(motion_.t, motion_.q(), motion_.v(), closed);
 }
 
+// Rigid ones, which are held on their circles.
 EventIntegrator::Closed EventIntegrator::in_contact() const {
   Closed closed;
   for (std::size_t k = 0; k < phase_.contacts(); ++k) {
-    if (phase_.in_contact(k)) closed.push_back({k, velocity_of(phase_.state(k).mode)});
+    if (!phase_.in_contact(k) || model_->auxiliary[k].gives()) continue;
+    closed.push_back({k, velocity_of(phase_.state(k).mode)});
   }
   return closed;
 }
@@ -35,7 +38,7 @@ EventIntegrator::Closed EventIntegrator::on_circles() const {
   Closed closed;
   for (std::size_t k = 0; k < phase_.contacts(); ++k) {
     const auto& contact = model_->auxiliary[k].contact;
-    if (!contact) continue;
+    if (!contact || contact->gives()) continue;
     const double gap = contact_point(*model_, motion_.q(), motion_.v(), k).gap;
     if (phase_.in_contact(k) || gap <= kOnCircle * contact->clearance)
       closed.push_back({k, Velocity::kKept});
@@ -62,6 +65,9 @@ void EventIntegrator::begin_on_circles() {
 }
 
 void EventIntegrator::impact(std::size_t contact) {
+  if (model_->auxiliary[contact].gives()) {
+    return press(contact, -contact_point(*model_, motion_.q(), motion_.v(), contact).gap_rate);
+  }
   first_touch(contact);
   Closed closed = on_circles();
   // The located one is closed, whatever round-off says.
@@ -90,11 +96,12 @@ void EventIntegrator::impact(std::size_t contact) {
       change_to(after.contact, in_flight(after.departure));
     }
   }
-  if (!resting.empty()) decide(resting);
+  decide(resting);
 }
 
 // Lasting contact ends, or its friction changes.
 void EventIntegrator::margin_reached(std::size_t contact) {
+  if (model_->auxiliary[contact].gives()) return press_margin_reached(contact);
   const Mode mode = phase_.state(contact).mode;
   step_.evaluate(motion_);
   const Multipliers force = phase_.multipliers(contact);
@@ -122,12 +129,25 @@ void EventIntegrator::margin_reached(std::size_t contact) {
   }
 }
 
-// What contacts on their circles with gap rate 0 do from here on.
+// What contacts on their circles with gap rate 0 do from here on, and all that give and press.
 void EventIntegrator::decide(const Closed& resting) {
+  Closed all_closed = resting;
+  for (std::size_t k = 0; k < phase_.contacts(); ++k) {
+    if (!model_->auxiliary[k].gives() || !phase_.in_contact(k)) continue;
+    const auto is_named = [k](const Constraint::Closed& c) { return c.contact == k; };
+    if (std::any_of(resting.begin(), resting.end(), is_named)) continue;
+    all_closed.push_back({k, velocity_of(phase_.state(k).mode)});
+  }
+  decide_all(all_closed);
+}
+
+void EventIntegrator::decide_all(const Closed& closed_here) {
+  if (closed_here.empty()) return;
   ContactList<ClosedContact> closed;
-  for (const Constraint::Closed& c : resting) closed.push_back({c.contact, {}});
+  for (const Constraint::Closed& c : closed_here) closed.push_back({c.contact, {}});
   const Phase::Accelerations all = phase_.accelerations(motion_.t, motion_.y.data(), closed);
   ContactList<double> slips, friction;
+  ContactList<std::optional<double>> pressing;
   for (std::size_t i = 0; i < closed.size(); ++i) {
     const auto at = static_cast<Eigen::Index>(i);
     const std::size_t k = closed[i].index;
@@ -136,22 +156,30 @@ void EventIntegrator::decide(const Closed& resting) {
     const ContactPoint& p = closed[i].point;
     const double surface =
         std::abs(p.whirl_speed()) + model_->auxiliary[k].contact->radius * std::abs(p.spin);
-    const bool stops =
-        resting[i].velocity == Velocity::kStuck || std::abs(p.slip) <= kNoSlip * surface;
+    const bool rigid = !model_->auxiliary[k].gives();
+    const double none = closed_here[i].velocity != Velocity::kStuck ? kNoSlip
+                        : rigid                                     ? kInfinity
+                                                                    : kDrift;
+    const bool stops = std::abs(p.slip) <= none * surface;
     slips.push_back(stops ? 0.0 : p.slip);
     friction.push_back(model_->auxiliary[k].contact->friction.at(slips[i]));
+    pressing.push_back(phase_.pressing(closed[i]));
   }
-  const ContactDecisions decided =
-      select_contact_modes(all.g, all.b, all.scale, slips, friction, parameters_.no_force);
+  const ContactDecisions decided = select_contact_modes(all.g, all.b, all.scale, slips, friction,
+                                                        parameters_.no_force, pressing);
   if (decided.status != Status::kOk) return fail(decided.status, decided.reason);
-  for (std::size_t i = 0; i < resting.size(); ++i) change_to(resting[i].contact, decided.next[i]);
+  for (std::size_t i = 0; i < closed.size(); ++i) change_to(closed[i].index, decided.next[i]);
 }
 
 void EventIntegrator::change_to(std::size_t k, const ContactState& next) {
   if (next.mode != Mode::kFree) first_touch(k);
   if (const auto event = event_between(phase_.state(k), next))
     observer_.record(motion_.t, *event, k);
-  phase_.set(k, next);
+  ContactState state = next;
+  if (state.mode != Mode::kFree || state.in_wall) {
+    state.hunt_crossley = phase_.state(k).hunt_crossley;
+  }
+  phase_.set(k, state);
 }
 
 void EventIntegrator::first_touch(std::size_t k) {

@@ -31,7 +31,8 @@ ContactDecisions sliding_alone(const Delassus& g, double normal, double slip, do
 
 ContactDecisions select_contact_modes(const ContactMatrix& g, const ContactVector& b,
                                       const ContactVector& scale, std::span<const double> slips,
-                                      std::span<const double> friction, double no_force) {
+                                      std::span<const double> friction, double no_force,
+                                      std::span<const std::optional<double>> pressing) {
   ContactVector pressed = b;
   ContactList<ContactSet> sets;
   for (std::size_t i = 0; i < slips.size(); ++i) {
@@ -39,13 +40,18 @@ ContactDecisions select_contact_modes(const ContactMatrix& g, const ContactVecto
     // On an orbit as wide as the clearance the ring carries nothing but round-off, of either sign:
     // lasting contact, next to without force.
     const double none = no_force * scale[at];
-    if (std::abs(b[2 * at]) < none) pressed[2 * at] = -none;
     ContactSet set;
+    if (!pressing.empty() && pressing[i]) {
+      set.pressed = true;
+      set.least_normal = *pressing[i];
+    } else if (std::abs(b[2 * at]) < none) {
+      pressed[2 * at] = -none;
+    }
     set.friction = friction[i];
     set.slides = slips[i] > 0.0 ? 1.0 : slips[i] < 0.0 ? -1.0 : 0.0;
     sets.push_back(set);
   }
-  if (slips.size() == 1 && slips[0] != 0.0) {
+  if (slips.size() == 1 && slips[0] != 0.0 && !sets[0].pressed) {
     return sliding_alone({g(0, 0), g(0, 1), g(1, 0), g(1, 1)}, pressed[0], slips[0], friction[0]);
   }
   const CoupledSolution s = solve_coupled(g, pressed, sets);
@@ -58,11 +64,13 @@ ContactDecisions select_contact_modes(const ContactMatrix& g, const ContactVecto
   }
   for (std::size_t i = 0; i < slips.size(); ++i) {
     const auto at = static_cast<Eigen::Index>(2 * i);
-    if (!(s.p[at] > 0.0)) {
+    if (!(s.p[at] > 0.0) && !sets[i].pressed) {
       decided.next.push_back(kParts);
     } else if (sets[i].slides != 0.0) {
       decided.next.push_back({Mode::kSlide, sets[i].slides});
-    } else if (s.sticks[i]) {
+    } else if (s.sticks[i] ||
+               (sets[i].pressed && sets[i].least_normal == 0.0 && friction[i] > 0.0)) {
+      // What begins to press without slip sticks until friction has its say.
       decided.next.push_back({Mode::kStick, 0.0});
     } else {
       decided.next.push_back({Mode::kSlide, s.y[at + 1] > 0.0 ? 1.0 : -1.0});

@@ -1,5 +1,6 @@
 // What a contact does next: pure functions of what holds at one instant. One contact's state; a
-// shaft with two auxiliary bearings has two of them.
+// shaft with two auxiliary bearings has two of them. A contact that gives (contact/compliance.h)
+// presses with a force that is known, and only its friction is to be decided.
 #pragma once
 
 #include <optional>
@@ -19,6 +20,10 @@ struct ContactState {
   Mode mode = Mode::kFree;
   double slip_sign = 1.0;                    // sliding only: sign of gdot_T
   Departure departure = Departure::kInside;  // free only: how the flight began
+  // Of a contact that gives: a of this touch, s/m; free only: still in the wall, which no longer
+  // presses.
+  double hunt_crossley = 0.0;
+  bool in_wall = false;
 };
 constexpr ContactState in_flight(Departure how) { return {Mode::kFree, 1.0, how}; }
 
@@ -30,16 +35,20 @@ struct ContactDecisions {
 
 // Contacts on their circles with gap rate 0, solved together: free, sliding or sticking from here
 // on, in the order of b. b and scale as Phase::Accelerations; slips: m/s, exactly 0 where it is
-// known to be, and the set-valued friction law decides; friction: mu at the slip. no_force: see
-// EventParameters.
+// known to be, and the set-valued friction law decides; friction: mu at the slip; pressing: N, of
+// those that give, else none; empty: all are rigid. no_force: see EventParameters.
 ContactDecisions select_contact_modes(const ContactMatrix& g, const ContactVector& b,
                                       const ContactVector& scale, std::span<const double> slips,
-                                      std::span<const double> friction, double no_force);
+                                      std::span<const double> friction, double no_force,
+                                      std::span<const std::optional<double>> pressing = {});
 
 // Margins of lasting contact, positive while it lasts.
 struct Margins {
-  double force;  // N, lambda_N
-  double cone;   // sliding: m/s of slip along its sign; sticking: N, mu lambda_N - |lambda_T|
+  double
+      force;  // N, lambda_N; of a contact that gives CompliantLaw::margin, in the wall its spring
+  // Sliding: m/s of slip along its sign; sticking: N, mu lambda_N - |lambda_T|; free in the wall:
+  // N, by how much it does not press.
+  double cone;
 };
 // What they are measured by.
 struct MarginScales {

@@ -76,6 +76,7 @@ void EventIntegrator::begin(const State& start, Recorder& recorder) {
   booked_ = start.t;
   sample_controllers();
   begin_on_circles();
+  begin_in_walls();
   observer_.started(motion_);
   step_.restart(motion_);
 }
@@ -96,7 +97,7 @@ void EventIntegrator::advance(double limit) {
       event ? std::min(step_.end_time(), step_.time(event->theta)) : step_.end_time();
   move_to(now, event ? std::optional(event->theta) : std::nullopt);
   if (event) {
-    phase_.in_contact(event->contact) ? margin_reached(event->contact) : impact(event->contact);
+    phase_.has_margins(event->contact) ? margin_reached(event->contact) : impact(event->contact);
     step_.restart(motion_);
     count_event();
   } else {
@@ -117,7 +118,7 @@ void EventIntegrator::move_to(double now, std::optional<double> theta) {
   // How a flight began matters no more once it has.
   if (now > motion_.t) {
     for (std::size_t k = 0; k < phase_.contacts(); ++k) {
-      if (!phase_.in_contact(k)) phase_.set(k, {});
+      if (!phase_.has_margins(k)) phase_.set(k, {});
     }
   }
   motion_.t = now;
@@ -138,8 +139,8 @@ std::optional<EventIntegrator::Found> EventIntegrator::find_event() {
   for (std::size_t k = 0; k < phase_.contacts(); ++k) {
     if (!model_->auxiliary[k].contact) continue;
     std::optional<double> theta;
-    if (phase_.in_contact(k)) {
-      force_scale_[k] = std::max(force_scale_[k], std::abs(phase_.multipliers(k).normal));
+    if (phase_.has_margins(k)) {
+      force_scale_[k] = std::max(force_scale_[k], std::abs(phase_.margins(k).force));
       theta = locate_margin(k, step_, phase_.state(k).mode, margin_scales(k), parameters_);
     } else {
       theta = locate_contact(*model_, k, step_, motion_, phase_.state(k).departure);
@@ -170,11 +171,12 @@ void EventIntegrator::arrive_at_break() {
   Closed resting;
   for (std::size_t k = 0; k < phase_.contacts(); ++k) {
     const ContactState& state = phase_.state(k);
+    if (model_->auxiliary[k].gives()) continue;
     const bool just_left =
         state.departure == Departure::kParting || state.departure == Departure::kLiftOff;
     if (phase_.in_contact(k) || just_left) resting.push_back({k, velocity_of(state.mode)});
   }
-  if (!resting.empty()) decide(resting);
+  decide(resting);
   step_.restart(motion_);
 }
 
@@ -198,7 +200,7 @@ void EventIntegrator::sample_controllers() {
 // Sliding whose G_NN - mu s G_NT runs into 0 needs forces without bound.
 void EventIntegrator::fail_step() {
   for (std::size_t k = 0; k < phase_.contacts(); ++k) {
-    if (phase_.state(k).mode != Mode::kSlide) continue;
+    if (phase_.state(k).mode != Mode::kSlide || model_->auxiliary[k].gives()) continue;
     ClosedContact c{k, {}};
     const ContactMatrix g = phase_.accelerations(motion_.t, motion_.y.data(), std::span(&c, 1)).g;
     const double mu_sign =

@@ -42,6 +42,7 @@ class EventIntegrator {
  private:
   void begin(const State& start, Recorder& recorder);
   void begin_on_circles();
+  void begin_in_walls();
   void advance(double limit);
   void arrive_at_break();
   void book_switches();
@@ -60,7 +61,12 @@ class EventIntegrator {
   Closed in_contact() const;
   void impact(std::size_t contact);
   void margin_reached(std::size_t contact);
+  // Of contacts that give.
+  void press(std::size_t contact, double speed);
+  void press_on(std::size_t contact);
+  void press_margin_reached(std::size_t contact);
   void decide(const Closed& resting);
+  void decide_all(const Closed& closed_here);
   void change_to(std::size_t contact, const ContactState& next);
   void first_touch(std::size_t contact);
   void project(const Closed& closed);

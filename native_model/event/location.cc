@@ -102,6 +102,29 @@ std::optional<double> locate_margin(std::size_t contact, SmoothStep& step, Mode 
   return {};
 }
 
+double locate_largest_force(std::size_t contact, SmoothStep& step, double last, double known) {
+  constexpr double kBetweenStages = 1.1;  // how much it may rise there
+  if (kBetweenStages * step.largest_normal(contact) <= known) return known;
+  const auto falls = [&](double theta) { return -step.normal_force(contact, theta); };
+  constexpr int kBits = std::numeric_limits<double>::digits / 2;
+  std::uintmax_t evaluations = 60;
+  const double inside =
+      -boost::math::tools::brent_find_minima(falls, 0.0, last, kBits, evaluations).second;
+  return std::max({known, inside, -falls(0.0), -falls(last)});
+}
+
+double locate_least_gap(const Model& m, std::size_t contact, SmoothStep& step, double last) {
+  const auto at = [&](double theta) {
+    const double* y = step.at(theta);
+    return contact_point(m, y, y + m.nq(), contact);
+  };
+  const auto rate = [&](double theta) { return at(theta).gap_rate; };
+  const double first_rate = rate(0.0), last_rate = rate(last);
+  const double gap = std::min(at(0.0).gap, at(last).gap);
+  if (!(first_rate < 0.0 && last_rate > 0.0)) return gap;
+  return std::min(gap, at(root(rate, 0.0, last, first_rate, last_rate).first).gap);
+}
+
 std::optional<double> locate_loss(const Model& m, SmoothStep& step, double last) {
   const auto inside = [&](double theta) { return out_of_range(m, step.at(theta)) ? -1.0 : 1.0; };
   if (inside(last) > 0.0) return {};

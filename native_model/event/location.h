@@ -16,6 +16,11 @@ std::optional<double> locate_contact(const Model& model, std::size_t contact, Sm
 std::optional<double> locate_margin(std::size_t contact, SmoothStep& step, Mode mode,
                                     const MarginScales& scales, const EventParameters& parameters);
 
+// Of a contact that gives, from the step's start to `last`: the largest normal force, N, where it
+// may be larger than `known`; and the least gap, m.
+double locate_largest_force(std::size_t contact, SmoothStep& step, double last, double known);
+double locate_least_gap(const Model& model, std::size_t contact, SmoothStep& step, double last);
+
 // The step is out of range (trajectory/range_check.h) at `last`: where it has just left.
 std::optional<double> locate_loss(const Model& model, SmoothStep& step, double last);
 

@@ -5,6 +5,7 @@
 
 #include "native_model/contact/impact.h"
 #include "native_model/dynamics/dynamics.h"
+#include "native_model/event/location.h"
 #include "native_model/system/actuation.h"
 
 namespace rotorub {
@@ -16,11 +17,13 @@ Observer::Observer(const Model& model, const EventParameters& parameters, Phase&
       row_(static_cast<std::size_t>(2 * model.nq() + integral_count(model))),
       slope_(row_),
       of_contacts_(model.auxiliary.size()),
+      touches_(model.auxiliary.size()),
       others_(model.auxiliary.size() - 1) {}
 
 void Observer::begin(const Motion& start, Recorder& recorder) {
   recorder_ = &recorder;
   std::fill(of_contacts_.begin(), of_contacts_.end(), ContactStatistics{});
+  std::fill(touches_.begin(), touches_.end(), Touch{});
   contact_time_ = impact_work_ = impact_impulse_ = bin_start_ = 0.0;
   bin_ = parameters_->force_bin > 0.0 ? std::floor(start.t / parameters_->force_bin) : 0.0;
   energy_start_ = energy(*model_, start.t, start.q(), start.v());
@@ -54,6 +57,16 @@ double Observer::normal_impulse(const Motion& motion) const {
   return sum;
 }
 
+double Observer::contact_work(const Motion& motion) const {
+  double sum = 0.0;
+  for (std::size_t k = 0; k < of_contacts_.size(); ++k) sum += motion.integral(kContactWork, k);
+  return sum;
+}
+
+double Observer::held_speed(std::size_t k) const {
+  return model_->layout.spin ? 0.0 : model_->auxiliary[k].contact->radius * model_->speed;
+}
+
 // Normal force averaged over bins of fixed width, as a fixed-step engine has it: peak and mean
 // square. Free flight carries no force, and only what an impact left in the current bin counts.
 template <class F>
@@ -73,26 +86,67 @@ void Observer::bins_until(double now, bool flies, F&& impulse_at) {
 }
 
 void Observer::watch(const Motion& from, SmoothStep& step, Constraint& constraint, double now) {
-  ContactList<Constraint::Closed> closed;
+  const auto theta = [&](double t) { return (t - from.t) / step.length(); };
+  ContactList<Constraint::Closed> held;  // on their circles
+  ContactList<int> pressing;             // where their impulses are in y
   for (std::size_t k = 0; k < phase_->contacts(); ++k) {
     if (!phase_->in_contact(k)) continue;
-    closed.push_back({k, Constraint::Velocity::kKept});
+    pressing.push_back(from.index(kNormalImpulse, k));
     of_contacts_[k].contact_time += now - from.t;
+    if (model_->auxiliary[k].gives()) {
+      watch_press(k, step, std::min(1.0, theta(now)));
+    } else {
+      held.push_back({k, Constraint::Velocity::kKept});
+    }
   }
-  const auto theta = [&](double t) { return (t - from.t) / step.length(); };
   for (double t = recorder_->next_time(); t < now; t = recorder_->next_time()) {
     step.dense(theta(t), row_.data());
-    if (!closed.empty()) constraint.to_circles(t, row_.data(), from.v(), closed);
+    if (!held.empty()) constraint.to_circles(t, row_.data(), from.v(), held);
     recorder_->row(snapshot(t, row_.data()));
   }
-  bins_until(now, closed.empty(), [&](double t) {
+  bins_until(now, pressing.empty(), [&](double t) {
     double impulse = normal_impulse(from);
-    for (const Constraint::Closed& c : closed) {
-      impulse += step.increment(from.index(kNormalImpulse, c.contact), theta(t));
-    }
+    for (const int i : pressing) impulse += step.increment(i, theta(t));
     return impulse;
   });
-  if (!closed.empty()) contact_time_ += now - from.t;
+  if (!pressing.empty()) contact_time_ += now - from.t;
+}
+
+void Observer::watch_press(std::size_t k, SmoothStep& step, double last) {
+  Statistics& s = recorder_->statistics();
+  s.peak_force = locate_largest_force(k, step, last, s.peak_force);
+  const double gap = locate_least_gap(*model_, k, step, last);
+  s.meet_gap(gap);
+  of_contacts_[k].meet_gap(gap);
+}
+
+void Observer::press(const Motion& motion, const ClosedContact& at) {
+  const std::size_t k = at.index;
+  Touch& touch = touches_[k];
+  touch = {true,
+           {},
+           motion.integral(kNormalImpulse, k),
+           motion.integral(kFrictionImpulse, k),
+           motion.integral(kContactWork, k)};
+  touch.impact.t = motion.t;
+  touch.impact.contact = static_cast<int>(k);
+  touch.impact.gap_rate_before = at.point.gap_rate;
+  touch.impact.slip_before = at.point.slip;
+  record(motion.t, EventKind::kImpact, k);
+}
+
+void Observer::release(const Motion& motion, const ClosedContact& at) {
+  const std::size_t k = at.index;
+  Touch& touch = touches_[k];
+  Impact& impact = touch.impact;
+  impact.gap_rate_after = at.point.gap_rate;
+  impact.slip_after = at.point.slip;
+  impact.normal_impulse = motion.integral(kNormalImpulse, k) - touch.normal;
+  impact.friction_impulse = motion.integral(kFrictionImpulse, k) - touch.friction;
+  impact.energy_change =
+      motion.integral(kContactWork, k) - touch.work + held_speed(k) * impact.friction_impulse;
+  recorder_->add(impact);
+  touch.open = false;
 }
 
 void Observer::watch(const Motion& from, const FiniteImpact& impact, std::size_t phase,
@@ -142,9 +196,7 @@ void Observer::account(Impact& record, double normal, double friction,
 void Observer::record_impact(const Impact& impact) {
   // What the machine that holds a prescribed speed does is no work on the coordinates.
   const auto contact = static_cast<std::size_t>(impact.contact);
-  const double held =
-      model_->layout.spin ? 0.0 : model_->auxiliary[contact].contact->radius * model_->speed;
-  impact_work_ += impact.energy_change - impact.friction_impulse * held;
+  impact_work_ += impact.energy_change - impact.friction_impulse * held_speed(contact);
   const double rubbed = impulse_work(0.0, impact.friction_impulse, {0.0, impact.slip_before},
                                      {0.0, impact.slip_after})
                             .friction;
@@ -156,6 +208,9 @@ void Observer::record_impact(const Impact& impact) {
 
 void Observer::finish(const Motion& end) {
   Statistics& s = recorder_->statistics();
+  for (std::size_t k = 0; k < touches_.size(); ++k) {
+    if (touches_[k].open) release(end, {k, contact_point(*model_, end.q(), end.v(), k)});
+  }
   for (std::size_t k = 0; k < of_contacts_.size(); ++k) {
     ContactStatistics& own = of_contacts_[k];
     if (std::isfinite(phase_->first_touch(k))) own.first_touch = phase_->first_touch(k);
@@ -170,7 +225,7 @@ void Observer::finish(const Motion& end) {
   }
   s.contact_time = contact_time_;
   s.gap_rate_square = end.integral(kGapRateSquare);
-  s.contact_work = end.integral(kContactWork) + impact_work_;
+  s.contact_work = contact_work(end) + impact_work_;
   s.external_work = end.integral(kExternalWork);
   s.energy_end = energy(*model_, end.t, end.q(), end.v());
   s.energy_scale = std::max(energy_scale_, std::abs(s.energy_end));

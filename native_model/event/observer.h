@@ -24,6 +24,10 @@ class Observer {
   void watch(const Motion& from, const FiniteImpact& impact, std::size_t phase, double now);
   // Where it has arrived.
   void arrive(const Motion& motion);
+  // A contact that gives begins to press, and no longer does: an impact is all that it does
+  // between.
+  void press(const Motion& motion, const ClosedContact& at);
+  void release(const Motion& motion, const ClosedContact& at);
   void meet_energy(const Motion& motion);
 
   // Impulses that change the rates (gdot_N, gdot_T) from `before` to `after`, and their work.
@@ -41,6 +45,9 @@ class Observer {
   Snapshot snapshot(double t, const double* y);
   ContactSnapshot snapshot_of(std::size_t contact, double t, const double* y) const;
   double normal_impulse(const Motion& motion) const;  // N s, of lasting contact, of all
+  double contact_work(const Motion& motion) const;    // J, on the coordinates, of the same
+  double held_speed(std::size_t contact) const;       // m/s, of a surface whose speed is prescribed
+  void watch_press(std::size_t contact, SmoothStep& step, double last);
   template <class F>
   void bins_until(double now, bool flies, F&& impulse_at);
 
@@ -52,6 +59,13 @@ class Observer {
   // Of each contact, beside what the integrals know: of impacts; and the time that all were closed,
   // s.
   std::vector<ContactStatistics> of_contacts_;
+  // Of each contact that gives and presses.
+  struct Touch {
+    bool open = false;
+    Impact impact{};
+    double normal = 0.0, friction = 0.0, work = 0.0;  // the integrals where it began
+  };
+  std::vector<Touch> touches_;
   std::vector<ContactSnapshot> others_;
   double contact_time_ = 0.0;                       // s
   double impact_work_ = 0.0;                        // J, on the coordinates

@@ -76,15 +76,32 @@ Phase::Accelerations Phase::accelerations(double t, const double* y,
   return all;
 }
 
-void Phase::set_margins(std::size_t k, double normal, double friction, double slip) {
-  AtContact& at = at_[k];
+std::optional<double> Phase::pressing(const ClosedContact& at) const {
+  const ContactParameters& c = *model_->auxiliary[at.index].contact;
+  if (!c.gives()) return {};
+  return c.compliance.force(-at.point.gap, -at.point.gap_rate, state(at.index).hunt_crossley);
+}
+
+void Phase::set_margins(const ClosedContact& c, double normal, double friction) {
+  AtContact& at = at_[c.index];
+  const ContactParameters& contact = *model_->auxiliary[c.index].contact;
   at.multipliers = {normal, friction};
-  if (at.state.mode == Mode::kSlide) {
-    at.margins = {normal, at.state.slip_sign * slip};
-  } else {
-    const double mu = model_->auxiliary[k].contact->friction.sticking();
-    at.margins = {normal, mu * normal - std::abs(friction)};
-  }
+  at.margins = {normal, at.state.mode == Mode::kSlide
+                            ? at.state.slip_sign * c.point.slip
+                            : contact.friction.sticking() * normal - std::abs(friction)};
+  if (!contact.gives()) return;
+  at.margins.force = contact.compliance.margin(-c.point.gap, -c.point.gap_rate,
+                                               at.state.hunt_crossley, contact.clearance);
+  // Without friction it does not matter which way it slides.
+  if (contact.friction.none()) at.margins.cone = kInfinity;
+}
+
+void Phase::set_margins_in_wall(std::size_t k, const double* q, const double* v) {
+  const ContactParameters& contact = *model_->auxiliary[k].contact;
+  const ContactPoint p = contact_point(*model_, q, v, k);
+  const double a = at_[k].state.hunt_crossley, scale = contact.clearance;
+  at_[k].margins = {contact.compliance.margin(-p.gap, 0.0, 0.0, scale),
+                    -contact.compliance.margin(-p.gap, -p.gap_rate, a, scale)};
 }
 
 // Of all that are closed, which it gives. Unknown is the normal force of each, and of one that
@@ -95,6 +112,7 @@ ContactList<ClosedContact> Phase::find_multipliers(double t, const double* y) {
     at_[k].multipliers = {};
     at_[k].margins = {kInfinity, kInfinity};
     if (in_contact(k)) closed.push_back({k, {}});
+    if (state(k).in_wall) set_margins_in_wall(k, y, y + model_->nq());
   }
   if (closed.empty()) return closed;
   const Accelerations all = unloaded(t, y, closed);
@@ -110,21 +128,31 @@ ContactList<ClosedContact> Phase::find_multipliers(double t, const double* y) {
     const ClosedContact& c = closed[0];
     const Delassus g{all.g(0, 0), all.g(0, 1), all.g(1, 0), all.g(1, 1)};
     PlanarImpulse<double> force{0.0, 0.0};
-    if (sticks(c)) {
-      force = stick(g, all.b[0], all.b[1]);
-    } else {
-      force.normal = slide(g, all.b[0], mu_sign(c));
+    const std::optional<double> known = pressing(c);
+    if (!sticks(c)) {
+      force.normal = known ? *known : slide(g, all.b[0], mu_sign(c));
       force.friction = -mu_sign(c) * force.normal;
+    } else if (known) {
+      force = {*known, -(all.b[1] + g.tn * *known) / g.tt};
+    } else {
+      force = stick(g, all.b[0], all.b[1]);
     }
-    set_margins(c.index, force.normal, force.friction, c.point.slip);
+    set_margins(c, force.normal, force.friction);
     return closed;
   }
   CaseSystem system(all.b.size());
   for (std::size_t i = 0; i < closed.size(); ++i) {
     const auto row = static_cast<Eigen::Index>(2 * i);
-    system.free(row);
+    const std::optional<double> known = pressing(closed[i]);
+    if (known) {
+      system.given[row] = *known;
+    } else {
+      system.free(row);
+    }
     if (sticks(closed[i])) {
       system.free(row + 1);
+    } else if (known) {
+      system.given[row + 1] = -mu_sign(closed[i]) * *known;
     } else {
       system.bring(row + 1, -mu_sign(closed[i]));
     }
@@ -132,7 +160,7 @@ ContactList<ClosedContact> Phase::find_multipliers(double t, const double* y) {
   const ContactVector force = system.solve(all.g, all.b);
   for (std::size_t i = 0; i < closed.size(); ++i) {
     const auto row = static_cast<Eigen::Index>(2 * i);
-    set_margins(closed[i].index, force[row], force[row + 1], closed[i].point.slip);
+    set_margins(closed[i], force[row], force[row + 1]);
   }
   return closed;
 }
@@ -159,13 +187,16 @@ void Phase::derivative(double t, const double* y, double* dy) {
     integrals[integral_index(kNormalImpulse, c.index)] = normal;
     integrals[integral_index(kFrictionImpulse, c.index)] = friction;
     integrals[integral_index(kFrictionWork, c.index)] = friction * c.point.slip;
-    integrals[kContactWork] += friction * (c.point.slip - held);
+    double& work = integrals[integral_index(kContactWork, c.index)];
+    work = friction * (c.point.slip - held);
+    if (m.auxiliary[c.index].gives()) work += normal * c.point.gap_rate;
   }
   if (!closed.empty()) {
     solve_mass(m, t, q, f_.data(), f_.data());
     a_ += f_;
   }
-  if (!in_contact(0) && m.first().contact && std::isfinite(at_[0].first_touch)) {
+  if ((!in_contact(0) || m.first().gives()) && m.first().contact &&
+      std::isfinite(at_[0].first_touch)) {
     const double rate = contact_point(m, q, v).gap_rate;
     integrals[kGapRateSquare] = rate * rate;
   }

@@ -6,13 +6,15 @@
 //                                                 (sticking; Omega_r of a ring that turns),
 //   lambda_T = -mu sign lambda_N (sliding),
 //
-// v_t = e_t . d' the whirl speed; gdot_N = 0 has been used in gddot_T. Several contacts that are
-// closed have their multipliers from one linear system, through Delassus's matrix of all of them.
+// v_t = e_t . d' the whirl speed. Of a contact that gives lambda_N is known instead
+// (contact/compliance.h). Several contacts that are closed have their multipliers from one linear
+// system, through Delassus's matrix of all of them.
 #pragma once
 
 #include <Eigen/Core>
 #include <algorithm>
 #include <limits>
+#include <optional>
 #include <span>
 #include <vector>
 
@@ -28,12 +30,12 @@ enum Integral {
   kNormalImpulse,
   kFrictionImpulse,
   kFrictionWork,
-  kContactWork,
+  kContactWork,  // on the coordinates
   kExternalWork,
   kGapRateSquare,
   kIntegrals
 };
-inline constexpr int kOfContact = 3;
+inline constexpr int kOfContact = 4;
 inline int integral_count(const Model& model) {
   return kIntegrals + kOfContact * static_cast<int>(model.auxiliary.size() - 1);
 }
@@ -86,6 +88,12 @@ class Phase {
   void set(std::size_t contact, const ContactState& state) { at_[contact].state = state; }
   const ContactState& state(std::size_t contact) const { return at_[contact].state; }
   bool in_contact(std::size_t contact) const { return state(contact).mode != Mode::kFree; }
+  // It ends by a margin: in contact, or in the wall of a ring that gives.
+  bool has_margins(std::size_t contact) const {
+    return in_contact(contact) || state(contact).in_wall;
+  }
+  // N, lambda_N of a contact that gives; none of a rigid one.
+  std::optional<double> pressing(const ClosedContact& at) const;
   std::size_t contacts() const { return at_.size(); }
 
   // Sampled controllers and recorded commands: the command is held; otherwise it follows the state.
@@ -125,7 +133,8 @@ class Phase {
   Accelerations unloaded(double t, const double* y, std::span<ClosedContact> closed) const;
   double scale_of(const ContactPoint& point, double normal, const double* q, const double* v) const;
   ContactList<ClosedContact> find_multipliers(double t, const double* y);
-  void set_margins(std::size_t contact, double normal, double friction, double slip);
+  void set_margins(const ClosedContact& at, double normal, double friction);
+  void set_margins_in_wall(std::size_t contact, const double* q, const double* v);
 
   const Model* model_;
   std::vector<AtContact> at_;  // of each auxiliary bearing

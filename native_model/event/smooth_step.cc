@@ -24,7 +24,8 @@ SmoothStep::SmoothStep(const Model& model, const EventParameters& parameters, Ph
       tolerance_(static_cast<std::size_t>(step_.size())),
       y_(tolerance_),
       slope_(tolerance_),
-      lowest_(model.auxiliary.size()) {}
+      lowest_(model.auxiliary.size()),
+      largest_normal_(lowest_.size()) {}
 
 void SmoothStep::begin(const Motion& start, double first) {
   next_ = first;
@@ -89,11 +90,13 @@ bool SmoothStep::advance(const Motion& from, double limit) {
     for (std::size_t k = 0; k < lowest_.size(); ++k) {
       const Margins& m = phase_->margins(k);
       lowest_[k] = {std::min(lowest_[k].force, m.force), std::min(lowest_[k].cone, m.cone)};
+      largest_normal_[k] = std::max(largest_normal_[k], phase_->multipliers(k).normal);
     }
   };
   while (next_ > 1e-15 * std::max(1e-3, std::abs(start_))) {
     const double h = std::min(next_, limit - start_);
     std::fill(lowest_.begin(), lowest_.end(), Margins{kInfinity, kInfinity});
+    std::fill(largest_normal_.begin(), largest_normal_.end(), 0.0);
     const double error = step_.trial(f, start_, from.y.data(), h, tolerance_.data());
     const double factor =
         error == 0.0 ? 6.0 : std::clamp(0.9 * inverse_eighth_root(error), 0.2, 6.0);
@@ -154,9 +157,18 @@ void SmoothStep::evaluate(const Motion& motion) {
 }
 
 const Margins& SmoothStep::margins(std::size_t contact, double theta) {
+  evaluate_at(theta);
+  return phase_->margins(contact);
+}
+
+double SmoothStep::normal_force(std::size_t contact, double theta) {
+  evaluate_at(theta);
+  return phase_->multipliers(contact).normal;
+}
+
+void SmoothStep::evaluate_at(double theta) {
   dense(theta, y_.data());
   phase_->derivative(before_break(time(theta)), y_.data(), slope_.data());
-  return phase_->margins(contact);
 }
 
 namespace {

@@ -47,6 +47,7 @@ class SmoothStep {
   const double* end() const { return step_.end(); }
   // Over the stages of the step.
   const Margins& lowest(std::size_t contact) const { return lowest_[contact]; }
+  double largest_normal(std::size_t contact) const { return largest_normal_[contact]; }  // N
   std::int64_t rejected() const { return rejected_; }
 
   // The solution within the step, theta in [0, 1].
@@ -57,12 +58,14 @@ class SmoothStep {
   double time(double theta) const { return start_ + theta * step_.step(); }
   // The phase's multipliers and margins at a state within the step.
   void evaluate(const Motion& motion);
-  // The margins of a contact at theta.
+  // Of a contact at theta: its margins; N.
   const Margins& margins(std::size_t contact, double theta);
+  double normal_force(std::size_t contact, double theta);
 
  private:
   double before_break(double t) const { return t < smooth_end_ ? t : smooth_end_; }
   void prepare_dense();
+  void evaluate_at(double theta);
 
   const Model* model_;
   const EventParameters* parameters_;
@@ -74,6 +77,7 @@ class SmoothStep {
   double smooth_end_ = 0.0;  // s, the last instant before the next break
   bool dense_ready_ = false;
   std::vector<Margins> lowest_;  // of each contact
+  std::vector<double> largest_normal_;
   std::int64_t rejected_ = 0;
   double displacement_ = 0.0, speed_ = 0.0, turn_ = 0.0, spin_ = 0.0;  // largest met
 };

@@ -208,8 +208,10 @@ class Dop853 {
       largest3 = std::max(largest3, std::abs(e3) / tolerance[i]);
     }
     if (largest5 == 0.0) return 0.0;
-    return std::abs(step_) * largest5 * largest5 /
-           std::sqrt(largest5 * largest5 + 0.01 * largest3 * largest3);
+    const double blend = std::abs(step_) * largest5 * largest5 /
+                         std::sqrt(largest5 * largest5 + 0.01 * largest3 * largest3);
+    // Squares of what has grown beyond all bounds are infinite, and their ratio no number.
+    return std::isnan(blend) ? std::numeric_limits<double>::infinity() : blend;
   }
 
   int size_, padded_;

@@ -13,6 +13,7 @@
 #include "native_model/stepping/stepper.h"
 #include "native_model/stepping/zero_order_hold.h"
 #include "native_model/system/actuation.h"
+#include "native_model/trajectory/contact_episodes.h"
 #include "native_model/trajectory/range_check.h"
 #include "native_model/trajectory/recorder.h"
 
@@ -63,6 +64,9 @@ class FixedRun {
         others_(contacts_ - 1),
         message_(step_refusal(model, step)) {
     for (std::size_t i = 0; i < contacts_; ++i) holds_.emplace_back(model, i);
+    for (std::size_t i = 0; model.gives() && i < contacts_; ++i) {
+      episodes_.emplace_back(recorder_, static_cast<int>(i));
+    }
     if (!message_.empty()) status_ = Status::kStepTooLarge;
     if (contacts_ > 1) recorder_.statistics().contacts.resize(contacts_);
   }
@@ -71,10 +75,11 @@ class FixedRun {
     const auto start = std::chrono::steady_clock::now();
     const std::int64_t taken = stepper_->leaps() ? leap() : walk();
     const std::chrono::duration<double> wall = std::chrono::steady_clock::now() - start;
+    for (ContactEpisodes& episode : episodes_) episode.finish();
     Trajectory out = recorder_.finish(good() ? end_ : time(taken));
     out.engine = "native";
     out.integrator = name;
-    out.contact_model = "rigid";
+    out.contact_model = native_contact_model(model_);
     out.step = step_;
     out.steps = taken;
     out.wall_s = wall.count();
@@ -202,6 +207,7 @@ class FixedRun {
 
   // ------------------------------------------------------------------ what is recorded
   Reached reach(double t, const double* q, const double* v) {
+    last_points_ = points_;
     for (std::size_t i = 0; i < contacts_; ++i) {
       if (model_.auxiliary[i].contact) points_[i] = contact_point(model_, q, v, i);
     }
@@ -232,7 +238,7 @@ class FixedRun {
   void begin(const FixedStep& done, double kick) {
     const Reached start{0.0, model_.q0.data(), model_.v0.data()};
     recorder_.begin(snapshot(start, done, kick, true));
-    note_modes(0.0, done);
+    if (episodes_.empty()) note_modes(0.0, done);
   }
 
   // The share of what lasting contact and the loads did over a step, from `begin` on.
@@ -279,7 +285,11 @@ class FixedRun {
 
   // The next state, with the forces of `done`; `impact`: one since the last.
   void advance(const Reached& now, const FixedStep& done, double kick, bool impact) {
-    note_modes(now.t, done);
+    if (episodes_.empty()) {
+      note_modes(now.t, done);
+    } else {
+      note_episodes(now.t, done, kick);
+    }
     recorder_.advance(snapshot(now, done, kick, recorder_.row_due(now.t)), points_[0], impact);
     for (std::size_t i = 0; contacts_ > 1 && i < contacts_; ++i) {
       recorder_.watch_gap(i, points_[i].gap);
@@ -287,6 +297,14 @@ class FixedRun {
     const bool inside = contacts_ == 1 && recorder_.penetration() == 0.0 && !model_.first().magnets;
     if (inside) return;
     if (const auto why = out_of_range(model_, now.q)) fail(Status::kOutOfRange, now.t, *why);
+  }
+  void note_episodes(double t, const FixedStep& done, double kick) {
+    for (std::size_t i = 0; i < contacts_; ++i) {
+      const ContactStep& did = done.at(i);
+      if (did.reversed) recorder_.add(Event{t, EventKind::kReverse, static_cast<int>(i)});
+      episodes_[i].step({t, kick, points_[i], points_[i], did.lasting.x() / kick,
+                         did.lasting.y() / kick, did.mode, &last_points_[i]});
+    }
   }
   void note_modes(double t, const FixedStep& done) {
     for (std::size_t i = 0; i < 1 + done.others.size(); ++i) {
@@ -328,7 +346,8 @@ class FixedRun {
   std::vector<ZeroOrderHold> holds_;
   Commands command_ = none(), shown_ = none();  // over the step; as they stand at the state's time
   std::vector<double> velocity_, acceleration_;
-  std::vector<ContactPoint> points_;  // of the state reached last
+  std::vector<ContactPoint> points_, last_points_;  // of the state reached last, and before it
+  std::vector<ContactEpisodes> episodes_;           // of contacts that give
   std::vector<ContactSnapshot> others_;
   std::array<Mode, kMaxContacts> modes_{};
   std::string message_;

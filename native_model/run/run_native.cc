@@ -32,7 +32,7 @@ Trajectory run_event(const Model& model, const scene::Run& run, const NativeOpti
   Trajectory out = recorder.finish(result.end);
   out.engine = "native";
   out.integrator = "event";
-  out.contact_model = "rigid";
+  out.contact_model = native_contact_model(model);
   out.steps = result.steps;
   out.wall_s = wall.count();
   out.status = result.status;
@@ -52,6 +52,7 @@ Trajectory run_native(const scene::Scene& scene, const NativeOptions& options) {
     return run_event(model, scene.run, options);
   }
   check_run_size(scene, model, step, times);
+  refuse_compliance(scene, integrator);
   refuse_finite_impacts(scene, integrator == scene::Integrator::kVerlet ? FiniteImpacts::kUnsampled
                                                                         : FiniteImpacts::kNone);
   for (std::size_t k = 0; model.auxiliary.size() > 1 && k < model.auxiliary.size(); ++k) {

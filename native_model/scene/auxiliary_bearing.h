@@ -8,6 +8,7 @@
 #include <string>
 #include <vector>
 
+#include "native_model/contact/compliance.h"
 #include "native_model/contact/friction.h"
 
 namespace rotorub::scene {
@@ -20,11 +21,12 @@ struct Contact {
   double radius = 0.0;     // m, > 0, of the rotor at the contact
   double clearance = 0.0;  // m, > 0, delta_0
   FrictionLaw friction{};
-  double restitution = 0.0;             // 1, [0, 1], eps_N
-  double tangential_restitution = 0.0;  // 1, [0, 1], eps_T
-  double compression_time = 0.0;        // s, >= 0, tau_C
-  double expansion_time = 0.0;          // s, >= 0, tau_E
-  double station = 0.0;                 // m, geometry form
+  double restitution = 0.0;                // 1, [0, 1], eps_N
+  double tangential_restitution = 0.0;     // 1, [0, 1], eps_T
+  double compression_time = 0.0;           // s, >= 0, tau_C
+  double expansion_time = 0.0;             // s, >= 0, tau_E
+  std::optional<Compliance> compliance{};  // absent: the contact is rigid
+  double station = 0.0;                    // m, geometry form
   // m: of the ring's middle at rest from the line of x = y = 0, off which deflections are counted.
   Eigen::Vector2d offset{0.0, 0.0};
   // Modal form: value of each mode at the station; empty: all 1, as those of the first contact are.

@@ -28,8 +28,10 @@ Table contact() {
                                                                 kRequired, "delta_0, radial"),
            key<&AuxiliaryBearing::contact, &Contact::friction, &FrictionLaw::coefficient>(
                "friction", kPure, ">= 0", kRequired, "mu"),
-           key<&AuxiliaryBearing::contact, &Contact::restitution>("restitution", kPure, "in [0, 1]",
-                                                                  kRequired, "eps_N, normal"),
+           key<&AuxiliaryBearing::contact, &Contact::restitution>(
+               "restitution", kPure, "in [0, 1]",
+               "none: to be given, but where `contact.compliance` has a damping of its own",
+               "eps_N, normal"),
            key<&AuxiliaryBearing::contact, &Contact::tangential_restitution>(
                "tangential_restitution", kPure, "in [0, 1]", kStandard, "eps_T"),
            key<&AuxiliaryBearing::contact, &Contact::compression_time>("compression_time", kTime,
@@ -53,6 +55,25 @@ Table contact() {
            key<&AuxiliaryBearing::contact, &Contact::torsion_shape>(
                "torsion_shape", kPure, "", "all 1", "the same of each torsion mode")
                .in(Form::kModal)}};
+}
+
+Table compliance() {
+  return {
+      "contact.compliance",
+      "The contact gives: of a depth p it presses with N = `stiffness` p^`exponent` (1 + a p'), "
+      "while that is above 0. a is `hunt_crossley`; or, where neither it nor `damping` is given, "
+      "that of `restitution` for the speed of each touch, by which free masses rebound so: ln[(1 + "
+      "a v)/(1 - a e v)] = a v (1 + e), e at least 0.01 and v at least 0.1 mm/s. Friction is that "
+      "of N, and sticks without giving.",
+      "the contact is rigid",
+      [](Scene& scene) -> void* { return &scene.auxiliary.back().contact->compliance.emplace(); },
+      {key<&Compliance::stiffness>("stiffness", kContactStiffness, "> 0", kRequired, "k"),
+       key<&Compliance::exponent>("exponent", kPure, "in [1, 2]", kStandard,
+                                  "n; 1: line contact, 1.5: Hertz's point contact"),
+       key<&Compliance::hunt_crossley>("hunt_crossley", kTimePerLength, ">= 0",
+                                       "that of `restitution`", "a"),
+       key<&Compliance::damping>("damping", kDamping, ">= 0", "none",
+                                 "c of N = k p + c p', instead of a; with `exponent` = 1 alone")}};
 }
 
 Table stator() {
@@ -246,6 +267,34 @@ void check_contact_shapes(const Checker& check) {
   one("contact.torsion_shape", contact.torsion_shape, check.torsion_modes(), "torsion mode");
 }
 
+void check_compliance(const Checker& check) {
+  if (!check.bearing().contact) return;
+  const Contact& contact = *check.bearing().contact;
+  const bool damped = contact.compliance && !contact.compliance->by_restitution();
+  if (!check.given("contact.restitution") && !damped) {
+    check.fail("contact.restitution", "missing: expected a pure number, in [0, 1]");
+  }
+  if (!contact.compliance) return;
+  if (contact.compliance->damping && contact.compliance->hunt_crossley) {
+    check.fail("contact.compliance.damping",
+               "stands beside contact.compliance.hunt_crossley; give one of them");
+  }
+  if (contact.compliance->damping && contact.compliance->exponent != 1.0) {
+    check.fail("contact.compliance.damping",
+               "belongs to exponent = 1; accepted with another: hunt_crossley, or restitution");
+  }
+  for (const auto& [key, value] :
+       {std::pair("contact.compression_time", contact.compression_time),
+        std::pair("contact.expansion_time", contact.expansion_time),
+        std::pair("contact.tangential_restitution", contact.tangential_restitution)}) {
+    if (value != 0.0) {
+      check.fail(key,
+                 "belongs to a rigid contact, and contact.compliance says how this one gives; "
+                 "accepted beside it: 0");
+    }
+  }
+}
+
 // Names are one of each; what stands once in a file stands for one bearing.
 void check_list(const Checker& check) {
   for (std::size_t k = 0; k < check.index; ++k) {
@@ -267,7 +316,7 @@ void check_list(const Checker& check) {
 }  // namespace
 
 std::vector<Table> bearing_tables() {
-  std::vector<Table> all{contact(), stator(), ring_spin(), actuator()};
+  std::vector<Table> all{contact(), compliance(), stator(), ring_spin(), actuator()};
   all.front().or_list = true;
   return all;
 }
@@ -276,6 +325,7 @@ void check_bearing(const Checker& check) {
   check_ring(check);
   if (check.bearing().actuator) check_actuator(check, *check.bearing().actuator);
   check_contact_shapes(check);
+  check_compliance(check);
   check_gap_at_start(check);
   check_list(check);
 }

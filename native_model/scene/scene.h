@@ -302,6 +302,12 @@ struct Scene {
     const std::string& own = auxiliary[bearing].name;
     return own.empty() ? std::to_string(bearing + 1) : own;
   }
+  // A contact at least is compliant.
+  bool gives() const {
+    return std::any_of(auxiliary.begin(), auxiliary.end(), [](const AuxiliaryBearing& at) {
+      return at.contact && at.contact->compliance;
+    });
+  }
   // Which one of the file's list the first is: 0 but for with_bearing_alone.
   std::size_t first_index = 0;
   std::optional<Gravity> gravity;

@@ -36,6 +36,11 @@ bool lists_contacts(const TomlNode& root) {
   return contact != nullptr && contact->kind == Kind::kArray;
 }
 
+bool is_table_of(std::string_view path) {
+  const Table* table = find_table(path);
+  return table != nullptr && table->path == path;
+}
+
 // Where a key of this name may stand: "[rotor], [rotor.torsion]".
 std::string homes_of(std::string_view name) {
   std::string text;
@@ -124,6 +129,9 @@ void TableReader::read_contacts(const Table& table, const TomlNode& list) {
     read_object(table, node, element);
     for (const Table& part : tables()) {
       if (is_part_of_contact(part)) read_table(part, node, element + ".");
+      if (!part.path.starts_with(kBelowContact)) continue;
+      const std::string name(part.path.substr(kBelowContact.size()));
+      if (const TomlNode* own = node.find(name)) read_one(part, *own, child_path(element, name));
     }
   }
 }
@@ -151,14 +159,17 @@ void TableReader::read_table(const Table& table, const TomlNode& root, const std
         fail(node->items[i], element, "expected a table " + header);
       }
     }
-  } else if (!table.list && node->kind == Kind::kTable) {
-    read_object(table, *node, path);
   } else {
-    record_.note(path, *node, false);
-    fail(*node, path,
-         "expected " + std::string(table.list ? "a list of tables " : "one table ") + header +
-             ", got " + std::string(kind_name(node->kind)));
+    read_one(table, *node, path);
   }
+}
+
+void TableReader::read_one(const Table& table, const TomlNode& node, const std::string& path) {
+  if (!table.list && node.kind == Kind::kTable) return read_object(table, node, path);
+  record_.note(path, node, false);
+  fail(node, path,
+       std::string("expected ") + (table.list ? "a list of tables [[" : "one table [") + path +
+           (table.list ? "]]" : "]") + ", got " + std::string(kind_name(node.kind)));
 }
 
 bool TableReader::kind_takes(const Table& table, const TomlNode& root, const TomlNode& node) {
@@ -264,7 +275,8 @@ void TableReader::refuse_unknown(const TomlNode& node, std::string_view table_pa
       std::string_view(prefix).substr(in_list ? kBelowContact.size() : 0);
   const auto is_known = [&](const std::string& name) {
     if (own != nullptr && own->find(name) != nullptr) return true;
-    if (table_path == "contact" && !in_list) return false;  // [stator] stands beside [contact]
+    // [stator] stands beside [contact].
+    if (table_path == "contact" && !in_list) return is_table_of(prefix + name);
     return name.find('.') == std::string::npos && find_table(prefix + name) != nullptr;
   };
   if (std::all_of(node.entries.begin(), node.entries.end(),

@@ -51,6 +51,10 @@ inline constexpr Quantity kTorque{"a torque", "N m", "N m, N mm", {2, 1, -2, 0, 
 inline constexpr Quantity kStaticMoment{
     "a static moment", "kg m", "kg m, kg mm, g mm", {1, 1, 0, 0, 0}};
 inline constexpr Quantity kStiffness{"a stiffness", "N/m", "N/m, N/mm, kN/mm", {0, 1, -2, 0, 0}};
+// N/m^n: with a unit for n = 1 alone.
+inline constexpr Quantity kContactStiffness{
+    "a stiffness", "N/m^exponent", "N/m, kN/mm, for an exponent of 1", {0, 1, -2, 0, 0}};
+inline constexpr Quantity kTimePerLength{"a time per length", "s/m", "s/m", {-1, 0, 1, 0, 0}};
 inline constexpr Quantity kDamping{
     "a damping", "N s/m", "N s/m, N s/mm, N/(m/s)", {0, 1, -1, 0, 0}};
 inline constexpr Quantity kInertia{

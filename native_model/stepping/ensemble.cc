@@ -232,9 +232,10 @@ Ensemble::Ensemble(std::vector<Model> models, double step, scene::Integrator int
       throw std::invalid_argument("run " + std::to_string(i) +
                                   " of the ensemble has other parts than run 0");
     }
-    if (models_[i].auxiliary.size() > 1) {
-      throw std::invalid_argument("run " + std::to_string(i) +
-                                  " of the ensemble has several contacts; run it by itself");
+    if (models_[i].auxiliary.size() > 1 || models_[i].gives()) {
+      throw std::invalid_argument(
+          "run " + std::to_string(i) +
+          " of the ensemble has several contacts, or one that gives; run it by itself");
     }
     const auto& c = models_[i].first().contact;
     const bool sampled = models_[i].first().controller && models_[i].first().sample_time > 0.0;

@@ -5,6 +5,7 @@
 // at its middle.
 #pragma once
 
+#include "native_model/stepping/compliant_contacts.h"
 #include "native_model/stepping/one_contact.h"
 #include "native_model/stepping/several_contacts.h"
 
@@ -72,5 +73,7 @@ struct MidpointStep {
 
 template <>
 void MidpointStep<Model, SeveralContacts>::collide(const bool& hits, std::int64_t k);
+template <>
+inline void MidpointStep<Model, CompliantContacts>::collide(const bool&, std::int64_t) {}
 
 }  // namespace rotorub

@@ -1,5 +1,6 @@
 #include "native_model/stepping/step_limit.h"
 
+#include <Eigen/Eigenvalues>
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
@@ -90,6 +91,15 @@ StepLimit step_limit(const Model& m) {
     const Controller::Gains gains = m.first().controller->ring_gains();
     take((m.stiffness[i] + gains.stiffness) / m.mass[i], gains.damping / m.mass[i],
          "the controller's gains on the ring");
+  }
+  for (const AuxiliaryBearing& at : m.auxiliary) {
+    // Of another exponent the stiffness follows the depth, and the step is held to it as it goes.
+    if (!at.gives() || at.contact->compliance.exponent != 1.0) continue;
+    const double mobility = at.admittance.topLeftCorner<2, 2>()
+                                .selfadjointView<Eigen::Lower>()
+                                .eigenvalues()
+                                .maxCoeff();
+    take(at.contact->compliance.stiffness * mobility / lightest, 0.0, "the contact's stiffness");
   }
   return limit;
 }

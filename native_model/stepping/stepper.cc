@@ -117,6 +117,9 @@ std::unique_ptr<KeptStepper> of_size(const Model& model, double h) {
 
 template <template <class, class> class Scheme>
 std::unique_ptr<KeptStepper> with_contacts(const Model& model, double h) {
+  if (model.gives()) {
+    return std::make_unique<StepperWith<Scheme<Model, CompliantContacts>, Model>>(model, h);
+  }
   if (model.auxiliary.size() == 1) return of_size<Scheme>(model, h);
   return std::make_unique<StepperWith<Scheme<Model, SeveralContacts>, Model>>(model, h);
 }

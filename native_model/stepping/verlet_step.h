@@ -20,6 +20,7 @@
 #include <limits>
 #include <vector>
 
+#include "native_model/stepping/compliant_contacts.h"
 #include "native_model/stepping/one_contact.h"
 #include "native_model/stepping/several_contacts.h"
 #include "native_model/system/finite_impact.h"
@@ -247,5 +248,17 @@ template <>
 inline void VerletStep<Model, SeveralContacts>::show_slow_impacts(std::int64_t, double*) const {}
 template <>
 inline void VerletStep<Model, SeveralContacts>::go_on_with_slow_impacts(std::int64_t) {}
+
+// Contacts that give have no impacts, and nothing that jumps with a load.
+#define ROTORUB_NONE(Result, function) \
+  template <>                          \
+  inline Result VerletStep<Model, CompliantContacts>::function
+ROTORUB_NONE(void, collide)(const bool&, std::int64_t) {}
+ROTORUB_NONE(void, find_slow_impacts)() {}
+ROTORUB_NONE(void, show_slow_impacts)(std::int64_t, double*) const {}
+ROTORUB_NONE(void, go_on_with_slow_impacts)(std::int64_t) {}
+ROTORUB_NONE(double, share_before_jump)(int, double, double) const { return 0.0; }
+ROTORUB_NONE(void, split)(double, double) {}
+#undef ROTORUB_NONE
 
 }  // namespace rotorub

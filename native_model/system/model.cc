@@ -62,6 +62,7 @@ void fill_auxiliary(const scene::Scene& scene, const ModalRotor& rotor, Model& m
     to.contact = ContactParameters{
         c.radius,           c.clearance,     c.friction, c.restitution, c.tangential_restitution,
         c.compression_time, c.expansion_time};
+    if (c.compliance) to.contact->compliance = {*c.compliance, c.restitution};
     to.ring_ratio = to.contact->surface_ratio();
     to.ring_offset = c.offset;
   }

@@ -11,6 +11,7 @@
 #pragma once
 
 #include <Eigen/Core>
+#include <algorithm>
 #include <limits>
 #include <memory>
 #include <optional>
@@ -124,6 +125,7 @@ struct AuxiliaryBearing {
   double sample_time = 0.0;                      // s, 0: continuous
   // Commands of another run in the controller's place: then there is none (see replayed).
   std::shared_ptr<const CommandRecord> recorded;
+  bool gives() const { return contact && contact->gives(); }
   bool commanded() const { return controller || recorded; }
   double force_limit = 0.0;                 // N, on each axis of an ideal actuator
   std::optional<MagneticActuator> magnets;  // absent: ideal actuator
@@ -172,6 +174,11 @@ struct Model {
   Eigen::VectorXd q0, v0;          // initial state
   std::optional<ModeLines> lines;  // deflection lines for pictures
 
+  // A contact at least is compliant.
+  bool gives() const {
+    return std::any_of(auxiliary.begin(), auxiliary.end(),
+                       [](const AuxiliaryBearing& at) { return at.gives(); });
+  }
   // Unbalance couples spin and bending where the spin is free.
   bool coupled_mass() const { return layout.spin == 1 && !unbalances.empty(); }
   // With a drive only: N m, at an angle (rad, turned since t = 0) and a speed of the motor.

@@ -182,7 +182,9 @@ void check_initial_gap(const scene::Scene& scene, const Model& model, std::size_
   const double clearance = at.contact->clearance;
   // On the ring is meant.
   constexpr double kTolerance = 1e-9;  // of the clearance
-  if (delta <= clearance * (1.0 + kTolerance)) return;
+  // Into a ring that gives a start may be as deep as a run.
+  const double reach = at.gives() ? 2.0 * clearance : clearance;
+  if (delta <= reach * (1.0 + kTolerance)) return;
   const Layout& l = model.layout;
   const char* key = !model.q0.segment(l.x(), l.modes).isZero(0.0)   ? "initial.x"
                     : !model.q0.segment(l.y(), l.modes).isZero(0.0) ? "initial.y"
@@ -206,6 +208,25 @@ void check_initial_ring(const scene::Scene& scene, std::size_t k) {
                    "is " + scene::number_text(start) +
                        " m along an axis of the actuator; accepted: less than actuator.air_gap = " +
                        scene::number_text(at.actuator->air_gap) + " m");
+}
+
+void refuse_compliance(const scene::Scene& scene, scene::Integrator integrator) {
+  if (!scene.gives()) return;
+  for (std::size_t k = 0; k < scene.auxiliary.size(); ++k) {
+    if (!scene.auxiliary[k].contact) continue;
+    const bool gives = scene.auxiliary[k].contact->compliance.has_value();
+    if (integrator == scene::Integrator::kEuler && gives) {
+      scene::refuse_at(with_bearing_alone(scene, k), "contact.compliance",
+                       "`euler` knows rigid contacts alone; accepted here: none, or the integrator "
+                       "event, verlet or midpoint");
+    }
+    if (!gives) {
+      scene::refuse_at(with_bearing_alone(scene, k), "contact",
+                       "is rigid beside a contact that gives, which needs the integrator event; "
+                       "accepted in fixed steps: contacts that are all rigid, or all with "
+                       "[contact.compliance]");
+    }
+  }
 }
 
 void refuse_several_contacts(const scene::Scene& scene, const std::string& who,

@@ -31,6 +31,9 @@ void check_initial_gap(const scene::Scene& scene, const Model& model, std::size_
 // over it.
 enum class FiniteImpacts { kNone, kUnsampled };
 void refuse_finite_impacts(const scene::Scene& scene, FiniteImpacts accepted);
+// `euler` knows rigid contacts alone; `verlet` and `midpoint` contacts of which all are rigid or
+// all give.
+void refuse_compliance(const scene::Scene& scene, scene::Integrator integrator);
 // `who` knows one contact; `accepted`: the native integrators that know more.
 void refuse_several_contacts(const scene::Scene& scene, const std::string& who,
                              const std::string& accepted = "event or verlet");

@@ -216,6 +216,10 @@ Trajectory Recorder::finish(double end) {
   t.end = end;
   t.contacts = model_->auxiliary.size();
   t.series = std::move(columns_);
+  // An impact is known where it ends, and of several contacts one may end before another that began
+  // first.
+  std::stable_sort(impacts_.begin(), impacts_.end(),
+                   [](const Impact& a, const Impact& b) { return a.t < b.t; });
   t.impacts = std::move(impacts_);
   t.events = std::move(events_);
   t.statistics = statistics_;

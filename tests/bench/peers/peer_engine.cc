@@ -5,7 +5,7 @@
 #include <cmath>
 #include <utility>
 
-#include "compare/engine/contact_episodes.h"
+#include "native_model/trajectory/contact_episodes.h"
 #include "native_model/dynamics/dynamics.h"
 #include "native_model/system/model_checks.h"
 #include "native_model/trajectory/range_check.h"

@@ -1,4 +1,4 @@
-#include "compare/engine/contact_episodes.h"
+#include "native_model/trajectory/contact_episodes.h"
 
 #include <algorithm>
 
@@ -17,8 +17,9 @@ void ContactEpisodes::step(const SoftStep& s) {
     impact_.contact = contact_;
     lasted_ = 0.0;
     impact_.t = s.t - share * s.h;
-    impact_.gap_rate_before = s.before.gap_rate;
-    impact_.slip_before = s.before.slip;
+    const ContactPoint& approach = s.approach ? *s.approach : s.before;
+    impact_.gap_rate_before = approach.gap_rate;
+    impact_.slip_before = approach.slip;
     recorder_->add(Event{impact_.t, EventKind::kImpact, contact_});
   }
   if (s.mode != mode_) {

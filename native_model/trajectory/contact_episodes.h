@@ -9,13 +9,15 @@
 
 namespace rotorub {
 
-// One fixed step: the states at both ends and the contact force held over it.
+// One fixed step: the states at both ends and the contact force held over it; or, where forces are
+// known about the instants of the states, t and that state twice, and the one before it.
 struct SoftStep {
   double t = 0.0, h = 0.0;  // s, begin and length
   ContactPoint before, after;
   double normal = 0.0;    // N, >= 0
   double friction = 0.0;  // N, on the rotor along e_t
   Mode mode = Mode::kFree;
+  const ContactPoint* approach = nullptr;  // whose rates are those of the approach; null: `before`
 };
 
 class ContactEpisodes {

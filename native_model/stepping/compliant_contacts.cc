@@ -1,0 +1,204 @@
+#include "native_model/stepping/compliant_contacts.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "native_model/dynamics/dynamics.h"
+
+namespace rotorub {
+namespace {
+
+constexpr int kRounds = 100;  // of contacts that act on each other through damping and friction
+
+// The part of a straight path of half a step in which it is in the wall. p: m, its depths.
+struct InWall {
+  double from = 0.0, to = 0.0;  // shares of the path
+  double depth = 0.0;           // m, the mean over that part
+};
+InWall in_wall(double first, double last) {
+  if (first <= 0.0 && last <= 0.0) return {};
+  const double crossing = first / (first - last);
+  InWall part{0.0, 1.0, 0.0};
+  if (first < 0.0) part.from = crossing;
+  if (last < 0.0) part.to = crossing;
+  part.depth = 0.5 * (std::max(first, 0.0) + std::max(last, 0.0));
+  return part;
+}
+
+}  // namespace
+
+// A start in the wall is a contact that begins at rest.
+void CompliantContacts::begin(const State& x) {
+  of_ = {};
+  for (std::size_t i = 0; i < count(); ++i) {
+    const double depth = separation(m_, x.q.data(), i).norm() - law(i).clearance;
+    of_[i].touches = depth > 0.0;
+    of_[i].hunt_crossley = law(i).compliance.a_of_touch(0.0);
+  }
+}
+
+// w_0 and w_1 of the step, which lasts `before` and `after` (s) its place, and the a of a touch.
+void CompliantContacts::meet_wall(std::size_t i, double before, double after) {
+  const Place& at = places[i];
+  const CompliantLaw& law_of = law(i).compliance;
+  const double clearance = law(i).clearance, length = before + after;
+  const Eigen::Vector2d first = at.d - before * at.start.head<2>(),
+                        last = at.d + after * at.free.head<2>();
+  const double depth = at.d.norm() - clearance;
+  Contact& c = of_[i];
+  c.spring = c.damper = 0.0;
+  const InWall one = before > 0.0 ? in_wall(first.norm() - clearance, depth) : InWall{},
+               two = in_wall(depth, last.norm() - clearance);
+  const double in_one = before * (one.to - one.from), in_two = after * (two.to - two.from);
+  if (in_one + in_two == 0.0) {
+    c.touches = false;
+    return;
+  }
+  if (!c.touches) {
+    // Where the path enters the wall, with the velocity of that instant.
+    const bool early = in_one > 0.0;
+    const double since = early ? before * one.from : before + after * two.from;
+    const Eigen::Vector2d there =
+        early ? first + one.from * (at.d - first) : at.d + two.from * (last - at.d);
+    const Eigen::Vector2d velocity =
+        at.start.head<2>() + since / length * (at.free - at.start).head<2>();
+    c.hunt_crossley = law_of.a_of_touch(there.normalized().dot(velocity));
+    c.touches = true;
+  }
+  const bool whole = in_one + in_two >= length;
+  c.spring = whole ? length * law_of.spring(depth)
+                   : in_one * law_of.spring(one.depth) + in_two * law_of.spring(two.depth);
+  c.damper = c.hunt_crossley * c.spring + law_of.damping * (in_one + in_two);
+}
+
+void CompliantContacts::press_one(std::size_t i, const Eigen::Vector3d& end, const Delassus& g) {
+  const Place& at = places[i];
+  Contact& c = of_[i];
+  const double radius = law(i).radius;
+  const Eigen::Vector2d before = rates_along(at.e_r, radius, at.start),
+                        after = rates_along(at.e_r, radius, end);
+  const double half = 0.5 * c.damper, bare = c.spring - half * (before.x() + after.x());
+  // With T = t + ratio P.
+  const auto normal = [&](double t, double ratio) {
+    return std::max(0.0, (bare - half * g.nt * t) / (1.0 + half * (g.nn + g.nt * ratio)));
+  };
+  const auto slip_of = [&](double n, double t) { return after.y() + g.tn * n + g.tt * t; };
+  double sign = before.y() > 0.0 ? 1.0 : before.y() < 0.0 ? -1.0 : 0.0;
+  if (std::abs(before.y()) <= kNoSlip * radius * std::abs(at.start.z())) sign = 0.0;
+  const double mu = law(i).friction.at(before.y());
+  const auto slide = [&](double ratio) {
+    c.normal = normal(0.0, ratio);
+    c.friction = ratio * c.normal;
+  };
+  c.slip_sign = sign;
+  double until = 0.0;  // share of the step until it stops
+  if (sign != 0.0) {
+    slide(-mu * sign);
+    const double slip = slip_of(c.normal, c.friction);
+    if (slip * sign > 0.0) return;
+    until = before.y() / (before.y() - slip);
+  }
+  // It stops: friction holds it, T = -(after + g_tn P) / g_tt, or it slides the other way, and T is
+  // the mean of both by the time that each holds.
+  const double held = -after.y() / g.tt, with = -g.tn / g.tt;
+  c.normal = normal(held, with);
+  c.friction = held + with * c.normal;
+  c.slip_sign = 0.0;
+  if (std::abs(c.friction) <= mu * c.normal) return;
+  const double other = sign != 0.0 ? -sign : c.friction > 0.0 ? -1.0 : 1.0;
+  slide(-mu * other * (1.0 - 2.0 * until));
+  c.slip_sign = other;
+}
+
+// The impulses of all; false where the spring turns faster than the step can follow.
+bool CompliantContacts::press(State& x) {
+  ContactList<std::size_t> pressing;
+  for (std::size_t i = 0; i < count(); ++i) {
+    of_[i].normal = of_[i].friction = 0.0;
+    if (of_[i].touches) pressing.push_back(i);
+  }
+  for (int round = 0; round < kRounds; ++round) {
+    double moved = 0.0, largest = 0.0;
+    for (const std::size_t i : pressing) {
+      Eigen::Vector3d end = places[i].free;
+      for (const std::size_t j : pressing) {
+        if (j == i) continue;
+        end += admittance(i, j) *
+               contact_load(places[j].e_r, law(j).radius, of_[j].normal, of_[j].friction);
+      }
+      const Delassus g = delassus(admittance(i, i), places[i].e_r, law(i).radius);
+      const double was = of_[i].normal, rubbed = of_[i].friction;
+      press_one(i, end, g);
+      moved = std::max({moved, std::abs(of_[i].normal - was), std::abs(of_[i].friction - rubbed)});
+      largest = std::max(largest, of_[i].normal);
+      // h^2 k' g_NN, k' = n N / p: above 4 the step's leapfrog goes its own way.
+      const double depth = places[i].d.norm() - law(i).clearance;
+      const double slope = law(i).compliance.exponent * law(i).compliance.spring(depth);
+      if (depth > 0.0 && h_ * h_ * slope * g.nn > 4.0 * depth) {
+        x.fail(0, Status::kStepTooLarge);
+        return false;
+      }
+    }
+    if (pressing.size() < 2 || moved <= 1e-15 * largest) break;
+  }
+  return true;
+}
+
+bool CompliantContacts::go_on(State& x, Loads& loads) {
+  look(x);
+  const double after = 0.5 * h_, before = x.kick < 1.0 ? 0.0 : after;
+  bool pressing = false;
+  for (std::size_t i = 0; i < count(); ++i) {
+    const double delta = places[i].d.norm();
+    if (delta > kNoNormal) places[i].e_r = places[i].d / delta;
+    meet_wall(i, before, after);
+    pressing = pressing || of_[i].touches;
+  }
+  if (pressing) {
+    if (loads.coupled()) respond(x, loads);
+    if (loads.iterates()) loads.begin_iteration(1.0);
+    for (bool settled = false;;) {
+      if (!press(x)) return false;
+      x.after = x.free;
+      for (std::size_t i = 0; i < count(); ++i) {
+        if (of_[i].touches) push(i, of_[i].normal, of_[i].friction, x.after);
+      }
+      if (!loads.iterates() || settled) break;
+      settled = !loads.improve(x, x.after.data());
+      for (std::size_t i = 0; i < count(); ++i) places[i].free = rates(i, x.free.data());
+    }
+  }
+  for (std::size_t i = 0; i < count(); ++i) {
+    const Contact& c = of_[i];
+    const bool pressed = c.touches && c.normal > 0.0;
+    const double sign_before = done[i].mode == Mode::kSlide ? last_sign_[i] : 0.0;
+    last_sign_[i] = pressed ? c.slip_sign : 0.0;
+    done[i] = {};
+    if (!pressed) continue;
+    done[i].mode = c.slip_sign == 0.0 ? Mode::kStick : Mode::kSlide;
+    done[i].reversed = sign_before * c.slip_sign < 0.0;
+    done[i].normal_impulse = c.normal;
+    done[i].friction_impulse = c.friction;
+    done[i].lasting = {c.normal, c.friction};
+  }
+  return false;
+}
+
+// With the forces of the last step.
+void CompliantContacts::hold_on(State& x, Loads& loads) {
+  if (loads.coupled()) respond(x, loads);
+  for (std::size_t i = 0; i < count(); ++i) {
+    const Eigen::Vector2d d = separation(m_, x.seen.data(), i);
+    if (!(done[i].normal_impulse > 0.0) || !(d.norm() > law(i).clearance)) continue;
+    places[i].e_r = d.normalized();
+    push(i, done[i].normal_impulse, done[i].friction_impulse, x.free);
+  }
+}
+
+void CompliantContacts::tell(FixedStep& out, double /*sign_before*/) const {
+  static_cast<ContactStep&>(out) = done[0];
+  out.others = std::span(done).subspan(1);
+  out.impacts = {};
+}
+
+}  // namespace rotorub

@@ -1,0 +1,213 @@
+// Contacts that give, by `event`, against closed forms and a program written from the equations.
+#include <gtest/gtest.h>
+
+#include <array>
+#include <cmath>
+#include <complex>
+#include <numbers>
+
+#include "native_model/contact/compliance.h"
+#include "native_model/scene/reader.h"
+#include "tests/support/jeffcott.h"
+#include "tests/support/native_run.h"
+#include "tests/support/oracles/compliant_touch.h"
+
+namespace rotorub {
+namespace {
+
+using test::Jeffcott;
+using test::make_scene;
+using test::run_event;
+
+scene::Scene thrown(const Jeffcott& rotor, const Compliance& compliance, double speed) {
+  scene::Scene s = make_scene(rotor);
+  s.first().contact->compliance = compliance;
+  s.initial.vx = {speed};
+  // One touch: not yet back at the other side.
+  const double e = std::max(s.first().contact->restitution, 0.01);
+  s.run.end = rotor.clearance / speed * (1.0 + 1.9 / e);
+  return s;
+}
+
+// Of a mass on the spring k p^n at v: the depth and the force where all of its energy is in it, and
+// the time from touch to release, 2 (p/v) integral of du / sqrt(1 - u^(n+1)) from 0 to 1.
+struct Undamped {
+  double depth, force, time;
+};
+Undamped undamped(double mass, double k, double n, double v) {
+  const double depth = std::pow(0.5 * (n + 1.0) * mass * v * v / k, 1.0 / (n + 1.0));
+  const double of_time = std::sqrt(std::numbers::pi) * std::tgamma(1.0 / (n + 1.0)) /
+                         ((n + 1.0) * std::tgamma(1.0 / (n + 1.0) + 0.5));
+  return {depth, k * std::pow(depth, n), 2.0 * depth / v * of_time};
+}
+
+TEST(CompliantContact, TheUndampedSpringsPeakAndTime) {
+  for (const double n : {1.0, 1.25, 1.5, 2.0}) {
+    const Jeffcott rotor{.restitution = 1.0};
+    const double v = 0.3, k = 1e7 * std::pow(1e-4, 1.0 - n);
+    const scene::Scene s = thrown(rotor, {.stiffness = k, .exponent = n}, v);
+    const Trajectory t = run_event(s);
+    ASSERT_EQ(t.status, Status::kOk) << t.message;
+    const Undamped exact = undamped(rotor.mass, k, n, v);
+    ASSERT_EQ(t.impacts.size(), 1u) << n;
+    EXPECT_NEAR(t.statistics.peak_force / exact.force, 1.0, 1e-9) << n;
+    EXPECT_NEAR(t.statistics.max_penetration / exact.depth, 1.0, 1e-9) << n;
+    EXPECT_NEAR(t.statistics.contact_time / exact.time, 1.0, 1e-9) << n;
+    EXPECT_NEAR(t.impacts[0].t, rotor.clearance / v, 1e-13);
+    EXPECT_NEAR(t.impacts[0].gap_rate_after, v, 1e-10);
+    EXPECT_LT(t.statistics.energy_residual(), 1e-10);
+  }
+  // The figures that textbooks give.
+  const Undamped line = undamped(2.0, 1e7, 1.0, 0.3), hertz = undamped(2.0, 1e9, 1.5, 0.3);
+  EXPECT_NEAR(line.time, std::numbers::pi * std::sqrt(2.0 / 1e7), 1e-15);
+  EXPECT_NEAR(line.force, 0.3 * std::sqrt(1e7 * 2.0), 1e-10);
+  EXPECT_NEAR(hertz.time * 0.3 / hertz.depth, 2.9432, 1e-4);
+}
+
+TEST(CompliantContact, ReboundsWithTheRestitutionThatIsAsked) {
+  for (const double n : {1.0, 1.5, 2.0}) {
+    for (const double e : {0.01, 0.1, 0.5, 0.9, 0.99}) {
+      const double v = 0.25, k = 1e7 * std::pow(1e-4, 1.0 - n);
+      scene::Scene s = thrown({.restitution = e}, {.stiffness = k, .exponent = n}, v);
+      const Trajectory fixed = run_event(s);
+      ASSERT_EQ(fixed.impacts.size(), 1u) << n << " " << e << " " << fixed.message;
+      EXPECT_NEAR(fixed.impacts[0].gap_rate_after, e * v, 1e-9) << n << " " << e;
+      test::add_ring(s, 0.7, 0.0, 0.0);  // a free mass too
+      const Trajectory ring = run_event(s);
+      ASSERT_GE(ring.impacts.size(), 1u) << n << " " << e;
+      EXPECT_NEAR(ring.impacts[0].gap_rate_after, e * v, 1e-9) << n << " " << e;
+    }
+  }
+}
+
+TEST(CompliantContact, TheReboundHasALimitAndTheSpeedToo) {
+  EXPECT_EQ(CompliantLaw::rebound_of(1.0), 0.0);
+  EXPECT_EQ(CompliantLaw::rebound_of(0.0), CompliantLaw::kMostRebound);
+  EXPECT_NEAR(CompliantLaw::rebound_of(0.01), 100.0, 1e-10);
+  const CompliantLaw law({.stiffness = 1e7}, 0.5);
+  EXPECT_EQ(law.a_of_touch(1e-9), law.a_of_touch(CompliantLaw::kLeastSpeed));
+  EXPECT_EQ(law.a_of_touch(0.0), 0.0);
+  const CompliantLaw given({.stiffness = 1e7, .hunt_crossley = 3.0}, 0.5);
+  EXPECT_EQ(given.a_of_touch(1.0), 3.0);
+  EXPECT_EQ(given.a_of_touch(0.0), 3.0);
+}
+
+// m r'' + k r + (k_c (1 - delta_0/|r|))(1 + i mu) r = F e^{i w t} turns with the force: the
+// synchronous rub on a spring, by the amplitude at which the sizes of both sides agree.
+TEST(CompliantContact, TheSynchronousRubOnASpring) {
+  const Jeffcott rotor{
+      .damping = 40.0, .stiffness = 2e5, .friction = 0.12, .restitution = 1.0, .speed = 500.0};
+  const double contact = 4e6, w = 500.0, force = 400.0;
+  const auto side = [&](double rho) {
+    const double n = contact * (1.0 - rotor.clearance / rho);
+    return rho * std::complex<double>(rotor.stiffness - rotor.mass * w * w + n,
+                                      rotor.damping * w + rotor.friction * n);
+  };
+  double low = rotor.clearance, high = 2.0 * rotor.clearance;
+  for (int i = 0; i < 200; ++i) {
+    const double middle = 0.5 * (low + high);
+    (std::abs(side(middle)) < force ? low : high) = middle;
+  }
+  const double rho = low, phase = std::arg(force / side(rho));
+  scene::Scene s = make_scene(rotor);
+  s.first().contact->compliance = Compliance{.stiffness = contact};
+  test::add_rotating_force(s, force, w, -phase);
+  s.initial.x = {rho};
+  s.initial.vy = {rho * w};
+  s.run.end = 0.05;
+  const Trajectory t = run_event(s);
+  ASSERT_EQ(t.status, Status::kOk) << t.message;
+  for (std::size_t k = 0; k < t.rows(); ++k) {
+    const double angle = w * t.column("t")[k];
+    ASSERT_NEAR(t.column("rotor_x")[k], rho * std::cos(angle), 1e-12) << k;
+    ASSERT_NEAR(t.column("rotor_y")[k], rho * std::sin(angle), 1e-12) << k;
+    ASSERT_NEAR(t.column("normal_force")[k], contact * (rho - rotor.clearance), 1e-6);
+    ASSERT_NEAR(t.column("friction_force")[k], -0.12 * t.column("normal_force")[k], 1e-9);
+  }
+  EXPECT_NEAR(t.statistics.contact_time, 0.05, 1e-12);
+  EXPECT_LT(t.statistics.energy_residual(), 1e-10);
+}
+
+// A free rotor with a spin of its own, against a program of the test's: slides, sticks, lets go.
+TEST(CompliantContact, SlipThatStopsWithinATouch) {
+  for (const double turned : {0.0, 0.7, 2.5}) {
+    for (const double n : {1.0, 1.5}) {
+      const oracle::CompliantTouch touch{
+          .stiffness = 1e7 * std::pow(1e-4, 1.0 - n), .exponent = n, .a = 0.8, .friction = 0.3};
+      scene::Scene s = make_scene({.mass = touch.mass,
+                                   .clearance = touch.clearance,
+                                   .radius = touch.radius,
+                                   .friction = touch.friction,
+                                   .speed = 4.0});
+      s.rotor.modal->inertia = touch.inertia;
+      s.drive = scene::Drive{};
+      s.drive->kind = scene::DriveKind::kFree;
+      s.first().contact->compliance =
+          Compliance{.stiffness = touch.stiffness, .exponent = n, .hunt_crossley = touch.a};
+      const std::complex<double> v = std::polar(1.0, turned) * std::complex<double>(0.3, 0.15);
+      s.initial.vx = {v.real()};
+      s.initial.vy = {v.imag()};
+      s.run.end = 4e-3;
+      const Trajectory t = run_event(s);
+      ASSERT_EQ(t.status, Status::kOk) << t.message;
+      const oracle::CompliantTouch::State end =
+          touch.at(4e-3, {0.0, 0.0, v.real(), v.imag(), 4.0}, 40000);
+      const std::size_t last = t.rows() - 1;
+      EXPECT_GT(touch.stuck, 0.0) << "the program should stick";
+      EXPECT_NEAR(t.column("rotor_x")[last], end[0], 1e-12);
+      EXPECT_NEAR(t.column("rotor_y")[last], end[1], 1e-12);
+      EXPECT_NEAR(t.column("spin_speed")[last], end[4], 1e-7);
+      const auto is_stick = [](const Event& e) { return e.kind == EventKind::kStick; };
+      EXPECT_TRUE(std::any_of(t.events.begin(), t.events.end(), is_stick));
+      EXPECT_LT(t.statistics.energy_residual(), 1e-9);
+    }
+  }
+}
+
+// The wall lets go before it is left: N = k p + c p' reaches 0 inside.
+TEST(CompliantContact, ASpringAndADamperLetGoInTheWall) {
+  const double m = 2.0, k = 1e7, v = 0.3;
+  const double zeta = 0.4, c = 2.0 * zeta * std::sqrt(k * m);
+  scene::Scene s = thrown({}, {.stiffness = k, .damping = c}, v);
+  s.run.end = 5e-3;
+  const Trajectory t = run_event(s);
+  ASSERT_EQ(t.status, Status::kOk) << t.message;
+  ASSERT_EQ(t.impacts.size(), 1u);
+  // p = v/w_d e^{-zeta w t} sin(w_d t); p'' = 0 where the force is.
+  const double w = std::sqrt(k / m), root = std::sqrt(1.0 - zeta * zeta);
+  const double end =
+      (std::numbers::pi - std::atan2(2.0 * zeta * root, 1.0 - 2.0 * zeta * zeta)) / (w * root);
+  EXPECT_NEAR(t.statistics.contact_time / end, 1.0, 1e-10);
+  EXPECT_NEAR(t.impacts[0].gap_rate_after / v,
+              std::exp(-zeta / root *
+                       (std::numbers::pi - std::atan2(2.0 * zeta * root, 1.0 - 2.0 * zeta * zeta))),
+              1e-10);
+  EXPECT_GT(t.statistics.peak_force, c * v);  // it begins with the damper's force
+}
+
+// k -> infinity: the rigid law, for one contact without slip that would reverse (W_NT = 0).
+TEST(CompliantContact, TendsToTheRigidLaw) {
+  scene::Scene s = make_scene({.friction = 0.1, .restitution = 0.6, .speed = 300.0});
+  s.initial.vx = {0.4};
+  s.initial.vy = {0.1};
+  s.run.end = 2.4e-3;
+  const Trajectory rigid = run_event(s);
+  double before = 0.0;
+  for (const double k : {1e9, 1e11, 1e13}) {
+    s.first().contact->compliance = Compliance{.stiffness = k};
+    const Trajectory t = run_event(s);
+    ASSERT_EQ(t.status, Status::kOk) << t.message;
+    ASSERT_EQ(t.impacts.size(), rigid.impacts.size());
+    const double error =
+        std::abs(t.impacts[0].friction_impulse - rigid.impacts[0].friction_impulse) +
+        std::abs(t.impacts[0].normal_impulse - rigid.impacts[0].normal_impulse);
+    // A touch lasts sqrt(m/k), and moves v sqrt(m/k) along the curved wall: order 1/2 in 1/k.
+    if (before > 0.0) {
+      EXPECT_NEAR(std::log(before / error) / std::log(100.0), 0.5, 0.05) << k;
+    }
+    before = error;
+  }
+}
+
+}  // namespace
+}  // namespace rotorub

@@ -1,0 +1,112 @@
+// Contacts that give, in fixed steps: against `event`, at second order through every touch.
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <string>
+#include <vector>
+
+#include "native_model/contact/compliance.h"
+#include "native_model/stepping/ensemble.h"
+#include "native_model/stepping/step_limit.h"
+#include "tests/support/jeffcott.h"
+#include "tests/support/native_run.h"
+#include "tests/support/order.h"
+#include "tests/support/refusal.h"
+
+namespace rotorub {
+namespace {
+
+using scene::Integrator;
+using test::make_scene;
+using test::run_event;
+using test::run_with;
+
+// A rotor that spins freely on a spring, thrown into a ring of its own.
+scene::Scene thrown(const Compliance& compliance, double friction) {
+  scene::Scene s = make_scene(
+      {.damping = 20.0, .stiffness = 4e4, .friction = friction, .restitution = 0.7, .speed = 20.0});
+  s.rotor.modal->inertia = 2e-3;
+  s.drive = scene::Drive{};
+  test::add_ring(s, 0.8, 50.0, 1e5);
+  s.first().contact->compliance = compliance;
+  s.initial.vx = {0.3};
+  s.initial.vy = {0.2};
+  s.run.end = 0.02;
+  return s;
+}
+
+struct Law {
+  std::string name;
+  Compliance compliance;
+  double friction;
+};
+const std::vector<Law> kLaws{
+    {"line, by restitution", {.stiffness = 4e6}, 0.0},
+    {"line, sliding and sticking", {.stiffness = 4e6}, 0.2},
+    {"Hertz, by restitution", {.stiffness = 4e8, .exponent = 1.5}, 0.2},
+    {"Hertz, given a", {.stiffness = 4e8, .exponent = 1.5, .hunt_crossley = 0.4}, 0.05},
+    {"spring and damper", {.stiffness = 4e6, .damping = 1500.0}, 0.2},
+};
+
+TEST(CompliantSteps, AreOfSecondOrderThroughEveryTouch) {
+  for (const Law& law : kLaws) {
+    const scene::Scene s = thrown(law.compliance, law.friction);
+    const Trajectory exact = run_event(s);
+    ASSERT_EQ(exact.status, Status::kOk) << law.name << exact.message;
+    ASSERT_GE(exact.impacts.size(), 2u) << law.name;
+    for (const Integrator scheme : {Integrator::kVerlet, Integrator::kMidpoint}) {
+      std::vector<double> errors;
+      for (const double h : {4e-6, 2e-6, 1e-6, 5e-7}) {
+        const Trajectory t = run_with(s, scheme, h);
+        ASSERT_EQ(t.status, Status::kOk) << law.name << t.message;
+        errors.push_back(test::trajectory_error(t, exact, s.first().contact->radius));
+      }
+      const double order = std::log2(errors.front() / errors.back()) / 3.0;
+      EXPECT_GT(order, 1.9) << law.name << (scheme == Integrator::kVerlet ? " verlet" : " midpoint")
+                            << " " << errors[0] << " " << errors[1] << " " << errors[2] << " "
+                            << errors[3];
+    }
+  }
+}
+
+TEST(CompliantSteps, GiveTheFiguresOfEvent) {
+  for (const Law& law : kLaws) {
+    const scene::Scene s = thrown(law.compliance, law.friction);
+    const Trajectory exact = run_event(s), t = run_with(s, Integrator::kVerlet, 2e-7);
+    ASSERT_EQ(t.status, Status::kOk) << law.name << t.message;
+    EXPECT_EQ(t.contact_model, "compliant");
+    EXPECT_EQ(t.impacts.size(), exact.impacts.size()) << law.name;
+    const Statistics &a = t.statistics, &b = exact.statistics;
+    EXPECT_NEAR(a.peak_force / b.peak_force, 1.0, 2e-3) << law.name;
+    EXPECT_NEAR(a.max_penetration / b.max_penetration, 1.0, 2e-3) << law.name;
+    EXPECT_NEAR(a.contact_time / b.contact_time, 1.0, 5e-3) << law.name;
+    EXPECT_NEAR(a.impulse_total / b.impulse_total, 1.0, 1e-3) << law.name;
+    EXPECT_NEAR(a.friction_work, b.friction_work, 2e-3 * std::abs(b.friction_work)) << law.name;
+    EXPECT_LT(a.energy_residual(), 1e-3) << law.name;
+    EXPECT_LT(b.energy_residual(), 1e-9) << law.name;
+  }
+}
+
+TEST(CompliantSteps, KeepTheirStepToTheStiffness) {
+  scene::Scene s = thrown({.stiffness = 1e9}, 0.1);
+  const Model model = make_model(s);
+  // 1/m of rotor and ring: 2 kg and 0.8 kg.
+  EXPECT_NEAR(step_limit(model).step, 2.0 / std::sqrt(1e9 * (1.0 / 2.0 + 1.0 / 0.8)), 1e-12);
+  const Trajectory t = run_with(s, Integrator::kVerlet, 1e-4);
+  EXPECT_EQ(t.status, Status::kStepTooLarge);
+  EXPECT_NE(t.message.find("the contact's stiffness"), std::string::npos) << t.message;
+  // Of Hertz's law the stiffness is that of the depth.
+  s.first().contact->compliance = Compliance{.stiffness = 1e11, .exponent = 1.5};
+  EXPECT_EQ(run_with(s, Integrator::kVerlet, 1e-4).status, Status::kStepTooLarge);
+}
+
+TEST(CompliantSteps, OthersRefuseThem) {
+  scene::Scene s = thrown({.stiffness = 4e6}, 0.1);
+  const auto refused = test::refusals([&] { run_with(s, Integrator::kEuler); });
+  ASSERT_EQ(refused.size(), 1u);
+  EXPECT_EQ(refused[0].key, "contact.compliance");
+  EXPECT_THROW(Ensemble({make_model(s)}, 1e-5), std::invalid_argument);
+}
+
+}  // namespace
+}  // namespace rotorub
