@@ -47,6 +47,12 @@ SoftContact soft_contact(double restitution, double step, double stiffness = 0.0
 SoftContact soft_contact(const scene::Scene& scene, scene::ContactModel model, double step);
 inline constexpr double kConeDepth = 0.005;
 
+// Of a contact that gives: MuJoCo's contact is the spring k and the damper c as its impedance d
+// goes to 0, K = k A / d and B = c / (d A^-1) in a_ref, A the mobility that MuJoCo takes
+// (diagApprox); the error is of order d. The plugin sets a_ref = R N by R as MuJoCo has it, N the
+// law's force.
+inline constexpr double kCompliantImpedance = 1e-4;
+
 // A sentence that names what the scene's contacts say of rigid impacts and a soft contact has no
 // part in, as its stiffness and damping decide how long it takes and what it does to the slip;
 // empty where they say nothing of it.

@@ -30,6 +30,7 @@ void refuse_unsupported(const scene::Scene& scene) {
                      "\"segments\" needs the rotor's geometry; accepted: \"modal\"");
   }
   refuse_several_in_mujoco(scene);
+  refuse_compliance_in_mujoco(scene);
   if (mujoco.integrator == scene::MujocoIntegrator::kRk4) {
     scene::refuse_at(scene, "mujoco.integrator", "accepted: \"euler\", \"implicit\"");
   }

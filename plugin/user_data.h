@@ -40,6 +40,10 @@ enum UserDataEntry : int {
 };
 static_assert(kUserDataSingle == mjcf_names::kUserDataSingle);
 
+// Of a contact that gives, in the places of what `rigid` alone keeps: 1 while it is in the wall,
+// and the a of its touch, s/m.
+inline constexpr int kTouches = kContactNow, kTouchDamping = kContactTime;
+
 // Whether loads and contact were in the pass.
 inline constexpr double kActed = 0.0, kNotActed = -1.0;
 

@@ -29,8 +29,7 @@ namespace {
 
 struct CompareArguments : CommonOptions {
   std::vector<std::string> scenes, with;
-  std::string mode = "lockstep", tolerance = "1%", contact = "rigid", folder = "runs/compare",
-              format = "csv";
+  std::string mode = "lockstep", tolerance = "1%", contact, folder = "runs/compare", format = "csv";
   std::string measured, measured_shift, measured_angle;  // empty: none, found
   int twins = kDefaultTwins;
   bool no_video = false, modes_ladder = true, tune = false;
@@ -193,7 +192,9 @@ std::vector<SceneComparison> compare_all(const CompareArguments& options, double
     how.own = subjects[k].own;
     how.mode = compare_mode_of(options.mode);
     how.tolerance = tolerance;
-    how.contact = contact_model_of(options.contact);
+    how.contact = !options.contact.empty() ? contact_model_of(options.contact)
+                  : scene.gives()          ? scene::ContactModel::kCoulomb
+                                           : kDefaultContact;
     how.twins = options.twins;
     how.modes_ladder = options.modes_ladder;
     how.measured = measured.record;
@@ -273,9 +274,10 @@ Command add_compare_command(CLI::App& program) {
       "impulse, friction work, whirl, spin, ring speed, control force; least gap where nothing "
       "touches) and single moments (largest impact or impulse, hard impacts, rms gap rate)")
       ->capture_default_str();
-  app->add_option("--contact", options->contact, "Whose verdict is the exit code; all are shown")
-      ->check(CLI::IsMember(scene::contact_words<std::vector<std::string>>()))
-      ->capture_default_str();
+  app->add_option("--contact", options->contact,
+                  "Whose verdict is the exit code; all are shown (default: rigid; coulomb where a "
+                  "contact gives)")
+      ->check(CLI::IsMember(scene::contact_words<std::vector<std::string>>()));
   add_value(*app, "--twins", options->twins, "N",
             "Runs a few units in the last place apart, of native and, where these scatter, of the "
             "contact model that decides: how well a difference is known")

@@ -52,9 +52,11 @@ std::vector<Contestant> contestants(const scene::Scene& scene, const CompareOpti
                          scene.mujoco.rotor == scene::MujocoRotor::kSegments;
   for (const auto& [contact, word] : scene::kContactModels) {
     if (contact == decides || (scene::is_cone(contact) && !has_cones)) continue;
+    const bool rigid = contact == scene::ContactModel::kRigid;
+    if (scene.gives() && (rigid || contact == scene::ContactModel::kCone)) continue;
     all.push_back({word, mujoco(contact), kMujocoWork});
   }
-  if (!options.own && has_cones)
+  if (!options.own && has_cones && !scene.gives())
     all.push_back({"cone-default", default_cone_engine(), kMujocoWork, false});
   return all;
 }

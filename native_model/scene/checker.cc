@@ -82,6 +82,10 @@ Scene with_bearing_alone(const Scene& scene, std::size_t bearing) {
 
 void complete(Scene& scene, const Record& record) {
   std::sort(scene.run.output_times.begin(), scene.run.output_times.end());
+  // MuJoCo's rigid law knows no contact that gives.
+  if (scene.gives() && !record.given("mujoco.contact")) {
+    scene.mujoco.contact = ContactModel::kCoulomb;
+  }
   Rotor& rotor = scene.rotor;
   if (rotor.geometry && !record.given("rotor.G")) {
     const double nu = rotor.geometry->nu.value_or(kSteelPoisson);

@@ -229,6 +229,22 @@ void refuse_compliance(const scene::Scene& scene, scene::Integrator integrator) 
   }
 }
 
+void refuse_compliance_in_mujoco(const scene::Scene& scene) {
+  if (!scene.gives()) return;
+  const scene::ContactModel model = scene.mujoco.contact;
+  if (model == scene::ContactModel::kRigid || model == scene::ContactModel::kCone) {
+    scene::refuse_at(scene, "mujoco.contact",
+                     std::string("\"") + scene::to_string(model) +
+                         "\" knows no contact.compliance; accepted with it: \"coulomb\", "
+                         "\"cone-coulomb\"");
+  }
+  if (scene.mujoco.shadow) {
+    scene::refuse_at(scene, "mujoco.shadow",
+                     "the shadow's contact is rigid; accepted with contact.compliance: false");
+  }
+  refuse_compliance(scene, scene::Integrator::kVerlet);
+}
+
 void refuse_several_contacts(const scene::Scene& scene, const std::string& who,
                              const std::string& accepted) {
   if (scene.auxiliary.size() < 2) return;

@@ -34,6 +34,9 @@ void refuse_finite_impacts(const scene::Scene& scene, FiniteImpacts accepted);
 // `euler` knows rigid contacts alone; `verlet` and `midpoint` contacts of which all are rigid or
 // all give.
 void refuse_compliance(const scene::Scene& scene, scene::Integrator integrator);
+// In MuJoCo `coulomb` and `cone-coulomb` know contacts that give, if all of them do. (MuJoCo's own
+// cone is lifted by the slip, so far that a soft one never presses.)
+void refuse_compliance_in_mujoco(const scene::Scene& scene);
 // `who` knows one contact; `accepted`: the native integrators that know more.
 void refuse_several_contacts(const scene::Scene& scene, const std::string& who,
                              const std::string& accepted = "event or verlet");

@@ -77,4 +77,15 @@ ContactForces contact_forces(const ContactPair& pair, const mjModel* m, const mj
   return soft_forces(m, pair.law, contact, entry, pair.law == scene::ContactModel::kCoulomb, d);
 }
 
+double compliant_force(const ContactPair& pair, const ContactPoint& point, mjtNum* entry) {
+  const CompliantLaw& law = pair.contact.compliance;
+  if (point.gap >= 0.0) {
+    entry[kTouches] = 0.0;
+    return 0.0;
+  }
+  if (entry[kTouches] == 0.0) entry[kTouchDamping] = law.a_of_touch(-point.gap_rate);
+  entry[kTouches] = 1.0;
+  return std::max(0.0, law.force(-point.gap, -point.gap_rate, entry[kTouchDamping]));
+}
+
 }  // namespace rotorub::plugin

@@ -138,4 +138,8 @@ struct ContactForces {
 ContactForces contact_forces(const Config& config, const mjModel* m, const mjData* d);
 ContactForces contact_forces(const ContactPair& pair, const mjModel* m, const mjData* d);
 
+// N, of a contact that gives, at a point of it; entry: of the contact, where the a of its touch is
+// kept while it lasts.
+double compliant_force(const ContactPair& pair, const ContactPoint& point, mjtNum* entry);
+
 }  // namespace rotorub::plugin

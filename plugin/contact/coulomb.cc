@@ -31,6 +31,7 @@ struct TouchingPair : ContactRows {
   Eigen::Vector3d base{0.0, 0.0, 0.0};  // m/s^2, of y what is not the acceleration of a coordinate
   double curvature = 0.0;  // m/s^2, towards the ring, with that of centres that go in circles
   bool touches = false;
+  std::optional<double> pressing{};      // N, of a contact that gives
   Eigen::Vector3d force{0.0, 0.0, 0.0};  // N, (normal, friction, friction along the axis)
   bool sticks = false;
 
@@ -88,6 +89,9 @@ TouchingPair touching_pair(const ContactPair& pair, const ContactSpaces::Made& a
   // half a step ago.
   const Reference r = reference_of(pair, m, d, row);
   const double reference = -r.damping * (p.gap_rate + 0.5 * h * s.curvature) - r.stiffness * p.gap;
+  if (pair.contact.gives()) {
+    s.pressing = compliant_force(pair, p, d->userdata + pair.data);
+  }
   s.base = {-s.curvature - reference,
             p.slip / h + whirl / p.delta * p.gap_rate + p.e_t().dot(turning),
             axial ? s.column(2).dot(axial->rates(d->qvel)) / h : 0.0};
@@ -99,6 +103,10 @@ TouchingPair touching_pair(const ContactPair& pair, const ContactSpaces::Made& a
 template <typename Free>
 Eigen::Vector3d look(TouchingPair& s, bool beside_others, Free free, const mjModel* m, mjData* d) {
   const Eigen::Vector3d a = s.along(free);
+  if (s.pressing) {
+    s.touches = *s.pressing > 0.0;
+    return s.base + a;
+  }
   const bool before = s.entry(d)[kMode] != 0.0;
   const bool lasts =
       before && (beside_others ||
@@ -121,7 +129,9 @@ struct TouchingPairs {
 // Those that touch, in the order of a vector of forces.
 struct Touching {
   std::array<TouchingPair*, kMaxContacts> at{};
-  std::array<ImpactLaw, kMaxContacts> laws{};  // their friction alone
+  std::array<ImpactLaw, kMaxContacts> laws{};   // their friction alone
+  std::array<ContactSet, kMaxContacts> sets{};  // of contacts that give
+  bool give = false;                            // they all do, or none
   std::size_t count = 0;
   Eigen::Index rows = 2;  // 3 where one moves along its axis
   Eigen::Index row(std::size_t k) const { return rows * static_cast<Eigen::Index>(k); }
@@ -139,6 +149,11 @@ Touching touching(TouchingPairs& contacts) {
     if (!s.touches) continue;
     // The law at the slip: the rates of this problem are accelerations.
     t.laws[t.count].friction = s.pair->contact.friction.at(s.point.slip);
+    if (s.pressing) {
+      t.give = true;
+      t.sets[t.count] = {t.laws[t.count].friction.coefficient, *s.pressing};
+      t.sets[t.count].pressed = true;
+    }
     t.at[t.count++] = &s;
     if (s.axial) t.rows = 3;
   }
@@ -205,7 +220,8 @@ void solve_free(TouchingPairs& contacts, const mjModel* m, mjData* d) {
   for (std::size_t k = 0; k < t.count; ++k) {
     b.segment(t.row(k), t.rows) = free[k].head(t.rows);
   }
-  const CoupledSolution s = solve_compression(t.matrix(), b, t.friction());
+  const CoupledSolution s = t.give ? solve_coupled(t.matrix(), b, std::span(t.sets).first(t.count))
+                                   : solve_compression(t.matrix(), b, t.friction());
   if (s.solutions > 0) put(t, s.p, s.sticks);
 }
 
@@ -291,6 +307,7 @@ void apply_coulomb(const Config& config, const mjModel* m, mjData* d) {
     const mjContact* contact = find_contact(pair, d);
     const bool seen = pair.beside ? is_seen_beside(config, pair, m, d) : contact != nullptr;
     if (!seen) entry[kMode] = 0.0;
+    if (!seen && pair.contact.gives()) entry[kTouches] = 0.0;
     if (!seen || pair.law != scene::ContactModel::kCoulomb) continue;
     if (contacts.count == 0) {
       compute_actuators(m, d);
@@ -308,7 +325,8 @@ void apply_coulomb(const Config& config, const mjModel* m, mjData* d) {
     beside = beside || constraints_couple(m, d, *s.plane, own) ||
              (s.axial && constraints_couple(m, d, *s.axial, own));
   }
-  if (beside) {
+  // The force of a contact that gives is known, whatever holds the bodies beside it.
+  if (beside && !contacts.all[0].pressing) {
     solve_beside_constraints(contacts, m, d);
   } else {
     solve_free(contacts, m, d);

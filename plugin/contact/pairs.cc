@@ -5,6 +5,7 @@
 #include "native_model/contact/kinematics.h"
 #include "native_model/scene/scene.h"
 #include "plugin/contact/cone.h"
+#include "plugin/contact/contact_memory.h"
 #include "plugin/contact/contact_space.h"
 #include "plugin/contact/coulomb.h"
 #include "plugin/contact/relative_motion.h"
@@ -22,6 +23,19 @@ void for_each_solved(const mjData* d, int geom1, int geom2, Action action) {
   }
 }
 
+// Of a contact that gives, a_ref = R N in the normal row: MuJoCo's f = (a_ref - a) / R is N as its
+// impedance d goes to 0. Friction stops the slip within the step, or as much of it as the cone
+// allows: a_ref = -v (1 - d) / (d h).
+void give_way(const ContactPair& pair, const mjModel* m, mjData* d, const mjContact& contact) {
+  const ContactPoint point = contact_point_of(pair, m, d);
+  const double force = compliant_force(pair, point, d->userdata + pair.data);
+  const int row = contact.efc_address;
+  const double impedance = m->pair_solimp[mjNIMP * pair.pair];
+  if (contact.dim >= 3)
+    set_friction_reference(m, d, contact, (1.0 - impedance) / (impedance * m->opt.timestep));
+  d->efc_aref[row] = d->efc_R[row] * force;
+}
+
 void apply_cones(const Config& config, const mjModel* m, mjData* d) {
   std::vector<SlidingContact> corrected;
   for (const int pair : config.corrected_pairs) {
@@ -34,7 +48,10 @@ void apply_cones(const Config& config, const mjModel* m, mjData* d) {
     for_each_solved(d, pair.rotor_geom, pair.ring_geom, [&](const mjContact& c) {
       if (pair.held_spin != 0.0 && c.dim >= 3)
         add_held_slip(pair.contact.radius * pair.held_spin, m, d, c);
-      if (pair.law == scene::ContactModel::kConeCoulomb) {
+      if (pair.contact.gives()) {
+        give_way(pair, m, d, c);
+        corrected.push_back({&c, {}});
+      } else if (pair.law == scene::ContactModel::kConeCoulomb) {
         const ContactPoint point = contact_point_of(pair, m, d);
         corrected.push_back({&c, point.whirl_speed() * point.whirl_speed() / point.delta});
       } else if (pair.friction_reference > 0.0 && c.dim >= 3) {
