@@ -79,7 +79,8 @@ std::vector<ContactFacts> contact_facts(const scene::Scene& scene) {
   for (const scene::AuxiliaryBearing& bearing : scene.auxiliary) {
     if (!bearing.contact) continue;
     const scene::Contact& c = *bearing.contact;
-    facts.push_back({c.clearance, c.radius, c.friction, c.compression_time + c.expansion_time});
+    facts.push_back({c.clearance, c.radius, c.friction, c.compression_time + c.expansion_time,
+                     c.compliance.has_value()});
   }
   return facts;
 }
@@ -105,6 +106,12 @@ Metrics metrics(const Trajectory& trajectory, const std::vector<ContactFacts>& c
   m.friction_impulse = s.friction_impulse;
   m.friction_work = s.friction_work;
   m.max_penetration = s.max_penetration;
+  if (std::any_of(contacts.begin(), contacts.end(),
+                  [](const ContactFacts& c) { return c.gives; })) {
+    m.contact_peak = s.peak_force;
+    m.contact_depth = s.max_penetration;
+    m.contact_time = s.contact_time;
+  }
   m.energy_residual = s.energy_residual();
   if (std::isfinite(s.least_gap))
     m.least_gap = s.first_touch >= 0.0 ? std::min(0.0, s.least_gap) : s.least_gap;

@@ -35,9 +35,12 @@ struct Metrics {
   double gap_rate_rms = 0.0;             // m/s, from first touch
   double max_penetration = 0.0;          // m
   double rms_penetration = 0.0;          // m, over the time from first touch
-  double whirl_penetration = 0.0;        // m, (v_t dt)^2 / (2 delta_0), v_t the rms speed of the
-                                         // relative centre along e_t over the rows in contact
-  double energy_residual = 0.0;          // 1, |E_end - E_start - work| / largest energy
+  // Of contacts that give, with whom they mean something: the largest force (N) and depth (m), and
+  // the time in contact (s).
+  std::optional<double> contact_peak, contact_depth, contact_time;
+  double whirl_penetration = 0.0;  // m, (v_t dt)^2 / (2 delta_0), v_t the rms speed of the
+                                   // relative centre along e_t over the rows in contact
+  double energy_residual = 0.0;    // 1, |E_end - E_start - work| / largest energy
   Settled settled;
   // Where they are free: over the last fifth of the run, rad/s.
   std::optional<double> spin_speed, ring_speed;

@@ -16,6 +16,7 @@ struct ContactFacts {
   double radius = 0.0;     // m, r, > 0
   FrictionLaw friction{};
   double impact_time = 0.0;  // s, of an impact, compression and expansion
+  bool gives = false;        // its depth obeys a law, and g_N >= 0 is none
 };
 
 // Largest violation over all rows, every one dimensionless, >= 0 and 0 for a perfect series. Forces

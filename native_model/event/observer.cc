@@ -115,6 +115,14 @@ void Observer::watch(const Motion& from, SmoothStep& step, Constraint& constrain
 void Observer::watch_press(std::size_t k, SmoothStep& step, double last) {
   Statistics& s = recorder_->statistics();
   s.peak_force = locate_largest_force(k, step, last, s.peak_force);
+  // Gauss and Legendre's rule of three points.
+  constexpr double kNodes[] = {0.1127016653792583, 0.5, 0.8872983346207417};
+  constexpr double kWeights[] = {5.0 / 18.0, 8.0 / 18.0, 5.0 / 18.0};
+  for (int i = 0; k == 0 && i < 3; ++i) {
+    const double depth = separation(*model_, step.at(kNodes[i] * last), k).norm() -
+                         model_->auxiliary[k].contact->clearance;
+    s.penetration_square += kWeights[i] * last * step.length() * depth * depth;
+  }
   const double gap = locate_least_gap(*model_, k, step, last);
   s.meet_gap(gap);
   of_contacts_[k].meet_gap(gap);
@@ -146,6 +154,9 @@ void Observer::release(const Motion& motion, const ClosedContact& at) {
   impact.energy_change =
       motion.integral(kContactWork, k) - touch.work + held_speed(k) * impact.friction_impulse;
   recorder_->add(impact);
+  // As of MuJoCo's soft contacts (trajectory/contact_episodes.h).
+  const double lasted = motion.t - impact.t;
+  if (lasted <= recorder_->window()) recorder_->statistics().impact_time += lasted;
   touch.open = false;
 }
 

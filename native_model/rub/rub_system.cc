@@ -57,6 +57,8 @@ void check(const scene::Scene& scene) {
   const scene::AuxiliaryBearing& first = scene.first();
   check(!first.contact, "contact", "the scene has no [contact]");
   refuse_several_contacts(scene, "a steady rub");
+  check(scene.gives(), "contact.compliance",
+        "what is known is the rub of a rigid contact; accepted: none");
   if (first.stator) {
     const char* planes = "both planes must be alike, give one number for x and y";
     check(first.stator->spin.has_value(), "stator.spin",

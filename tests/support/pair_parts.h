@@ -231,6 +231,8 @@ inline std::vector<Part> pair_parts() {
   // Impacts that take time.
   add_both("finite_impacts", "impacts",
            {"contact.compression_time=2.1e-4", "contact.expansion_time=1.3e-4"});
+  // A contact that gives.
+  add_both("giving_contact", "impacts", {"contact.compliance={stiffness=1e9,exponent=1.5}"});
   return parts;
 }
 

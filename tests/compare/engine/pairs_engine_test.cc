@@ -57,7 +57,8 @@ TEST_P(LongPairsEngine, RigidIsOfSecondOrder) {
       return std::any_of(pair.parts.begin(), pair.parts.end(),
                          [&](const Part& part) { return part.name == name; });
     };
-    if (has("finite_impacts") && (has("sampled_support") || has("coil_lag"))) {
+    if (has("giving_contact") ||
+        (has("finite_impacts") && (has("sampled_support") || has("coil_lag")))) {
       MujocoOptions rigid;
       rigid.contact = scene::ContactModel::kRigid;
       EXPECT_THROW(run_mujoco(scene, rigid), scene::SceneError);

@@ -29,6 +29,9 @@ inline std::vector<KeyScene> key_scenes() {
     all.push_back({std::string("shaft: ") + name, kBaseGeometry, std::move(overrides)});
   };
 
+  modal("given damping", {"contact.compliance={stiffness=5e6,damping=900.0}"});
+  modal("given Hunt and Crossley", {"contact.compliance={stiffness=5e6,hunt_crossley=0.7}"});
+
   // Controllers, what they are shown, and what they command.
   const std::string sampled = "sample_time=2.5e-4";
   modal("pd", {"controller={kind='pd',on=0.5e-3,gap_time=4e-3,stiffness=5e4,damping=200.0,"
