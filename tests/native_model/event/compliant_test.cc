@@ -11,6 +11,8 @@
 #include "tests/support/jeffcott.h"
 #include "tests/support/native_run.h"
 #include "tests/support/oracles/compliant_touch.h"
+#include "tests/support/order.h"
+#include "tests/support/refusal.h"
 
 namespace rotorub {
 namespace {
@@ -183,6 +185,45 @@ TEST(CompliantContact, ASpringAndADamperLetGoInTheWall) {
                        (std::numbers::pi - std::atan2(2.0 * zeta * root, 1.0 - 2.0 * zeta * zeta))),
               1e-10);
   EXPECT_GT(t.statistics.peak_force, c * v);  // it begins with the damper's force
+}
+
+// A rigid contact and one that gives on one shaft: `event` alone has both. The balance closes, and
+// with a stiff one it tends to two rigid ones.
+TEST(CompliantContact, BesideARigidOne) {
+  scene::Scene s = test::shipped("two_catchers", {"run.end=0.02"});
+  const Trajectory rigid = run_event(s);
+  ASSERT_EQ(rigid.status, Status::kOk) << rigid.message;
+  double error = 1.0;
+  for (const double k : {1e8, 1e10, 1e12}) {
+    s.auxiliary[1].contact->compliance = Compliance{.stiffness = k};
+    const Trajectory t = run_event(s);
+    ASSERT_EQ(t.status, Status::kOk) << t.message;
+    ASSERT_GT(t.statistics.contacts[0].impulse_total, 0.0);
+    ASSERT_GT(t.statistics.contacts[1].impulse_total, 0.0);
+    EXPECT_LT(t.statistics.energy_residual(), 1e-9) << k;
+    error = std::abs(
+        t.statistics.contacts[1].impulse_total / rigid.statistics.contacts[1].impulse_total - 1.0);
+  }
+  EXPECT_LT(error, 3e-5);
+  EXPECT_EQ(test::refusals([&] { test::run_with(s, scene::Integrator::kVerlet); })[0].key,
+            "contact[0]");
+}
+
+// All of a list in fixed steps: as `event`, of second order.
+TEST(CompliantContact, TwoOfThemInFixedSteps) {
+  const scene::Scene s =
+      test::shipped("two_catchers", {"run.end=0.02", "contact.compliance.stiffness=2e7"});
+  const Trajectory exact = run_event(s);
+  ASSERT_EQ(exact.status, Status::kOk) << exact.message;
+  ASSERT_GT(exact.statistics.contacts[1].contact_time, 1e-4);
+  std::vector<double> errors;
+  for (const double h : {2e-6, 1e-6, 5e-7}) {
+    const Trajectory t = test::run_with(s, scene::Integrator::kVerlet, h);
+    ASSERT_EQ(t.status, Status::kOk) << t.message;
+    errors.push_back(test::rotor_error(t, exact));
+  }
+  EXPECT_GT(std::log2(errors.front() / errors.back()) / 2.0, 1.8)
+      << errors[0] << " " << errors[1] << " " << errors[2];
 }
 
 // k -> infinity: the rigid law, for one contact without slip that would reverse (W_NT = 0).
