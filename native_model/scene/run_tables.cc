@@ -220,9 +220,10 @@ void check_gap_at_start(const Checker& check) {
   add(scene.initial.y, offset.y());
   const double clearance = bearing.contact->clearance;
   if (offset.norm() > clearance * (1.0 + kGapTolerance)) {
-    const char* key = check.given("initial.x")   ? "initial.x"
-                      : check.given("initial.y") ? "initial.y"
-                                                 : "initial.stator";
+    const char* key = check.given("initial.x")     ? "initial.x"
+                      : check.given("initial.y")   ? "initial.y"
+                      : scene.auxiliary.size() > 1 ? "stator.position"
+                                                   : "initial.stator";
     check.fail(key, "the rotor starts outside the ring, " + number_text(offset.norm()) +
                         " m from its centre; expected at most " + check.place("contact.clearance") +
                         " = " + number_text(clearance) + " m");

@@ -31,9 +31,6 @@ void check_initial_gap(const scene::Scene& scene, const Model& model, std::size_
 // over it.
 enum class FiniteImpacts { kNone, kUnsampled };
 void refuse_finite_impacts(const scene::Scene& scene, FiniteImpacts accepted);
-// `who` knows one contact; `accepted`: the native integrators that know more.
-void refuse_several_contacts(const scene::Scene& scene, const std::string& who,
-                             const std::string& accepted = "event or verlet");
 // MuJoCo's side of several contacts is a segment rotor with rings that nothing drives, without a
 // shadow.
 void refuse_several_in_mujoco(const scene::Scene& scene);
