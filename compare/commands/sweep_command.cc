@@ -246,7 +246,7 @@ int sweep_study(const SweepArguments& options) {
   sweep.folder =
       options.folder.empty() ? path("runs") / path(options.study).stem() : path(options.folder);
   check_output(sweep.folder, Output::kFolder);
-  say_old_words(sweep);
+  if (!options.quiet) say_old_words(sweep);
   const int processors = static_cast<int>(std::thread::hardware_concurrency());
   sweep.jobs = options.jobs > 0 ? options.jobs : std::max(1, processors);
   try {

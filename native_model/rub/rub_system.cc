@@ -58,8 +58,9 @@ void check(const scene::Scene& scene) {
   check(!first.contact, "contact", "the scene has no [contact]");
   if (scene.auxiliary.size() > 1) {
     scene::refuse_at(scene, "contact[1]",
-                     "lasting rubs are found for one contact alone; accepted: one [[contact]], as "
-                     "with --set \"contact[1]=none\"; where several settle a run shows");
+                     "a map of lasting rubs is of one contact alone; accepted: one [[contact]], as "
+                     "with --set \"contact[1]=none\"; `rotorub modes` has those of each while the "
+                     "others are open");
   }
   if (first.stator) {
     const char* planes = "both planes must be alike, give one number for x and y";
@@ -81,6 +82,7 @@ void check(const scene::Scene& scene) {
   }
   check(scene.gravity && !scene.gravity->acceleration.isZero(0.0), "gravity",
         "weight points one way, so no whirl is steady");
+  check(scene.base.has_value(), "base", "on a base that moves no whirl is steady");
   for (std::size_t i = 0; scene.rotor.geometry && i < scene.rotor.geometry->bearings.size(); ++i) {
     const scene::ShaftBearing& bearing = scene.rotor.geometry->bearings[i];
     const std::string path = scene::list_element("rotor.bearing", i);
