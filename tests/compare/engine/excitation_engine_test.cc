@@ -44,8 +44,8 @@ const std::string kPulse = "kind='pulse',vector=[1500.0,800.0],on=1.2345e-3,off=
 const std::string kBlade = "kind='unbalance',static_moment=2e-3,phase=0.4,on=1.2345e-3";
 // The base moves, beside the scene's own force.
 const std::string kQuake =
-    "base={time=[0.0,3.21e-3,9.87e-3,0.0211],acceleration_x=[0.0,60.0,-40.0,10.0],"
-    "acceleration_y=[5.0,-30.0,45.0,-20.0],ramp=2e-3}";
+    "base={time=[0.0,3.21e-3,9.87e-3,0.0211],acceleration_x=[0.0,180.0,-90.0,10.0],"
+    "acceleration_y=[5.0,-70.0,95.0,-20.0],ramp=2e-3}";
 
 class Excitations : public ::testing::TestWithParam<std::string> {};
 
