@@ -135,6 +135,9 @@ Model bending_loads(const scene::Scene& scene, const Model& model, const Segment
   loads.mass = Eigen::VectorXd::Zero(l.nq());
   loads.mass.tail(l.integrals) = model.mass.segment(model.layout.integral(), l.integrals);
   loads.internal_xx = loads.internal_xy = loads.internal_yy = ModeMatrix(matrices.internal);
+  // A push of the whole chain moves its end alone: its tilts are relative.
+  loads.base = model.base;
+  loads.gravity_mass = matrices.mass.col(0).replicate(2, 1);
   loads.forces = model.forces;  // in the scene's order, but for unbalances
   auto force = loads.forces.begin();
   for (const scene::Force& given : scene.forces) {
@@ -264,12 +267,14 @@ void add_segment_loads(const Config& config, mjData* d) {
     d->qfrc_passive[motor.velocity] += model.drive_torque(
         d->time, d->qpos[motor.position] - model.drive_angle, d->qvel[motor.velocity]);
   }
-  if (model.weight.size() > 0) {
-    // The rotor's weight is MuJoCo's; the ring's mass is an armature, on which gravity does not
-    // act.
-    for (int i = model.layout.ring(); i < model.nq(); ++i) {
-      d->qfrc_passive[config.dof_address[static_cast<std::size_t>(i)]] += model.weight[i];
-    }
+  // The rotor's weight is MuJoCo's; the ring's mass is an armature, on which gravity does not act,
+  // and which the base's motion loads as it does the rotor.
+  const Eigen::Vector2d base = model.base ? model.base->at(d->time) : Eigen::Vector2d(0.0, 0.0);
+  for (int i = model.layout.ring(); i < model.nq(); ++i) {
+    mjtNum& force = d->qfrc_passive[config.dof_address[static_cast<std::size_t>(i)]];
+    if (model.weight.size() > 0) force += model.weight[i];
+    const int along = i - model.layout.ring();
+    if (model.base && along < model.layout.stator) force -= model.gravity_mass[i] * base[along % 2];
   }
 }
 

@@ -62,12 +62,15 @@ void Chart::draw(Sheet& sheet, int text_size, double now, const std::string& tit
     x = sheet.text(x + gap, 0.35 * text_size, reading.text, text_size, reading.color);
   }
   const bool clipped = options_.mark_clipped && options_.scale.clips(peak_);
+  // Beside title and readings where there is room for the longest of them, else below.
+  const bool below = clipped && area.width < 30.0 * text_size;
+  const double line = 0.35 * text_size + (below ? 1.3 * text_size : 0.0);
   if (clipped) {
-    sheet.text_to(area.width - gap, 0.35 * text_size, "▲ peak " + value_text(peak_, options_.unit),
-                  text_size, options_.color, Weight::kBold);
+    sheet.text_to(area.width - gap, line, "▲ peak " + value_text(peak_, options_.unit), text_size,
+                  options_.color, Weight::kBold);
   }
 
-  const double top = 1.9 * text_size;
+  const double top = line + 1.55 * text_size;
   const double height = area.height - top - 3.0;
   // Charts below each other have one width, unless a label is wider.
   double label = sheet.text_width("10,000 N s", text_size);

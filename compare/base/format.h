@@ -14,6 +14,10 @@ std::string percent_text(double share);
 // A time with a fitting unit: "10 µs", "0.5 s".
 std::string time_text(double seconds);
 
+// The name of a run's contact model over its column of a terminal's table; empty: no column, as for
+// MuJoCo's defaults, which have their row in the answer and their column in the report.
+std::string column_heading(const std::string& label);
+
 inline constexpr std::size_t kTerminalWidth = 80;
 // The words of a sentence in lines of at most kTerminalWidth, the first after `lead`, the others
 // indented: by default below it.

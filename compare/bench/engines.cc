@@ -187,6 +187,11 @@ std::vector<BenchEngine> chosen_engines(const std::string& list) {
     names.emplace_back(scene::current_word(name));
     if (names.back() != name)
       fmt::print(stderr, "note: {}\n", scene::old_word_note("--engines", name));
+    // An integrator's own name is that of a native engine.
+    const bool integrator = std::ranges::any_of(bench_engines(), [&](const BenchEngine& engine) {
+      return engine.name == "native-" + names.back();
+    });
+    if (integrator) names.back().insert(0, "native-");
   }
   std::vector<BenchEngine> chosen;
   std::vector<bool> met(names.size(), false);

@@ -139,17 +139,23 @@ bool in_headline(const Level& level) { return level.share > 0.5 * kHeadlineShare
 
 std::string verdict_text(const std::vector<Level>& levels) {
   std::string native, rigid;
+  bool reached = false, by_mujoco = false;
   for (const Level& level : levels) {
     if (!in_headline(level)) continue;
-    const auto note = [&](std::optional<bool> verdict, std::string& text) {
+    const auto note = [&](std::optional<bool> verdict, bool& any, std::string& text) {
+      any = any || verdict;
       if (verdict && !*verdict) text += fmt::format(" {:.0e}", level.share);
     };
-    note(native_is_fastest(level), native);
-    note(rigid_is_fastest_mujoco(level), rigid);
+    note(native_is_fastest(level), reached, native);
+    note(rigid_is_fastest_mujoco(level), by_mujoco, rigid);
   }
-  return fmt::format("a native integrator is the fastest {}; rigid of MuJoCo's settings {}",
-                     native.empty() ? "at every level reached" : "but not at" + native,
-                     rigid.empty() ? "at every level that MuJoCo reaches" : "but not at" + rigid);
+  if (!reached) return "no engine reaches any of these levels: there is no fastest";
+  const std::string of_mujoco =
+      rigid.empty() ? "at every level that MuJoCo reaches" : "but not at" + rigid;
+  return fmt::format(
+      "a native integrator is the fastest {}; {}",
+      native.empty() ? "at every level reached" : "but not at" + native,
+      by_mujoco ? "rigid of MuJoCo's settings " + of_mujoco : "no setting of MuJoCo's reaches one");
 }
 
 }  // namespace rotorub::bench

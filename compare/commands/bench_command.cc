@@ -66,7 +66,6 @@ void write_results(const BenchArguments& options, const bench::Machine& machine,
                    const std::vector<bench::SceneBench>& benches,
                    const std::vector<bench::RestitutionRow>& restitution) {
   const std::filesystem::path folder(options.folder);
-  std::filesystem::create_directories(folder);
   write_whole(folder / kBenchFile, json_text(bench::bench_json(machine, benches, restitution)));
   write_whole(folder / "bench.html", bench_page(machine, benches, restitution));
   if (!options.json && !options.quiet) {
@@ -77,7 +76,7 @@ void write_results(const BenchArguments& options, const bench::Machine& machine,
 int run_bench(const BenchArguments& options) {
   const bench::BenchParameters parameters = bench_parameters(options);
   check_scenes(options);
-  if (!options.folder.empty()) check_writable(options.folder);
+  check_output(options.folder, Output::kFolder);
   if (!options.quiet && options.engines.empty()) fmt::print(stderr, "{}", bench::missing_text());
   ProgressBar bar(options.quiet);
   const auto count = static_cast<double>(options.scenes.size());

@@ -92,6 +92,7 @@ std::vector<CheckedScene> checked_scenes(const CheckArguments& options) {
 }
 
 int run_check(const CheckArguments& options) {
+  check_output(options.folder, Output::kFolder);
   const std::vector<CheckedScene> scenes = checked_scenes(options);
   ProgressBar bar(options.quiet);
   std::vector<check::Case> cases;
@@ -110,7 +111,6 @@ int run_check(const CheckArguments& options) {
   bar.clear();
   const bool holds = check::holds(cases);
   if (!options.folder.empty()) {
-    std::filesystem::create_directories(options.folder);
     write_whole(std::filesystem::path(options.folder) / kCheckFile,
                 json_text(check::cases_json(cases)));
   }

@@ -13,6 +13,7 @@
 
 #include "native_model/control/library.h"
 #include "native_model/scene/diagnostic.h"
+#include "native_model/scene/overrides.h"
 #include "native_model/scene/reader.h"
 #include "native_model/scene/scene.h"
 #include "native_model/scene/text.h"
@@ -84,7 +85,19 @@ scene::Scene read_scene(const std::string& file, const CommonOptions& options) {
   std::vector<std::string> overrides = overrides_of(options);
   if (!options.step.empty()) overrides.push_back("run.step=" + options.step);
   if (!options.end.empty()) overrides.push_back("run.end=" + options.end);
-  scene::Scene scene = scene::read_scene(file, overrides);
+  scene::Scene scene;
+  try {
+    scene = scene::read_scene(file, overrides);
+  } catch (const scene::SceneError& error) {
+    // By the name that the user gave it.
+    std::vector<scene::Diagnostic> wrong = error.diagnostics();
+    for (scene::Diagnostic& d : wrong) {
+      if (d.file != scene::kOverrideFile) continue;
+      if (d.key == "run.step" && !options.step.empty()) d.file = "--step";
+      if (d.key == "run.end" && !options.end.empty()) d.file = "--end";
+    }
+    throw scene::SceneError(wrong);
+  }
   if (!options.quiet) {
     // A study or a ladder reads its scene again and again.
     static std::set<std::string> said;
@@ -160,6 +173,18 @@ void say_failure(const scene::Scene& scene, const std::string& what, const Traje
   if (trajectory.status == Status::kOk) return;
   fmt::print(stderr, "rotorub: {}: {}{} at t = {:.9g} s: {}\n", scene::printable(scene.name), what,
              to_string(trajectory.status), trajectory.end, trajectory.message);
+}
+
+void check_output(const std::filesystem::path& place, Output what) {
+  namespace fs = std::filesystem;
+  if (place.empty()) return;
+  if (what == Output::kFolder) return check_writable(place);
+  std::error_code none;
+  if (fs::is_directory(place, none))
+    throw UsageError(
+        fmt::format("{}: is a folder; accepted is the name of a file", place.string()));
+  const bool device = fs::exists(place, none) && !fs::is_regular_file(place, none);
+  if (!device) check_writable(place.parent_path());
 }
 
 void write_or_print(const std::string& file, const std::string& text) {

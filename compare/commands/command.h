@@ -2,6 +2,7 @@
 #pragma once
 
 #include <atomic>
+#include <filesystem>
 #include <functional>
 #include <stdexcept>
 #include <string>
@@ -100,6 +101,10 @@ Command add_tune_command(CLI::App& program);
 // The manual of the program itself: added last.
 Command add_manual_command(CLI::App& program);
 
+// What -o names can be written there, which is said before the work: a folder, or a file. Throws
+// UsageError or std::filesystem::filesystem_error. Empty: nothing is to be written.
+enum class Output { kFolder, kFile };
+void check_output(const std::filesystem::path& place, Output what);
 // To the file, or without one to standard output.
 void write_or_print(const std::string& file, const std::string& text);
 // The exit code for the status of a run.

@@ -50,6 +50,7 @@ Subject read_subject(const std::string& file, const CompareArguments& options) {
   if (std::filesystem::path(file).extension() != ".xml")
     return {read_scene(file, options), nullptr};
   const OwnRun run = own_run(options);
+  scene::file_text(file);  // says what is wrong where it cannot be read, as of a scene
   try {
     const auto own = std::make_shared<const OwnMachine>(file, run);
     return {own->scene(), own};
@@ -157,7 +158,7 @@ void find_settings(const CompareArguments& options, double tolerance,
 }
 
 int exit_code(const std::vector<SceneComparison>& comparisons) {
-  if (interrupted()) return kStopped;
+  if (interrupted()) throw Interrupted();
   int code = kDone;
   for (const SceneComparison& c : comparisons) {
     const int run = exit_code_of(c.status());
@@ -233,7 +234,7 @@ int compare(const CompareArguments& options) {
   const auto subjects = read_subjects(options);
   const MeasuredInput measured = measured_of(options);
   const Beside beside = beside_of(options);
-  check_writable(options.folder);
+  check_output(options.folder, Output::kFolder);
   ProgressBar bar(options.quiet);
 
   const auto comparisons = compare_all(options, tolerance, subjects, measured, hdf5, bar);

@@ -34,7 +34,6 @@ void write_runs(const path& folder, const SceneComparison& comparison, hdf5::Ima
 
 void write_report(const path& folder, const std::vector<SceneComparison>& comparisons,
                   const std::vector<PageScene>& pages, const Beside& beside) {
-  std::filesystem::create_directories(folder);
   write_whole(folder / "compare.json", json_text(comparisons_json(comparisons)));
   write_whole(folder / kColumnsFile, columns_text(compare_columns_json()));
   if (!pages.empty()) write_whole(folder / "report.html", report_page(pages, beside));

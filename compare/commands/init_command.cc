@@ -35,9 +35,10 @@ void take(StarterValue& target, const char* option, const std::string& text,
   const bool in_range =
       (zero && parsed.value == 0.0) || (parsed.value >= kLeast && parsed.value <= kMost);
   if (!parsed.error.empty() || !in_range) {
-    throw UsageError(fmt::format("{} {}: accepted is {} from {}{:g} to {:g} {}, as \"{}\"", option,
-                                 scene::printable(text), quantity.name, zero ? "0, or " : "",
-                                 kLeast, kMost, quantity.unit, target.text));
+    const std::string unit = quantity.unit == "1" ? "" : " " + std::string(quantity.unit);
+    throw UsageError(fmt::format("{} {}: accepted is {}{} from {:g} to {:g}{}, as \"{}\"", option,
+                                 scene::printable(text), quantity.name, zero ? ", 0 or" : "",
+                                 kLeast, kMost, unit, target.text));
   }
   target = {text, parsed.value};
 }

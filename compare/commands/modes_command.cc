@@ -112,9 +112,7 @@ std::filesystem::path page_file(const ModesArguments& options) {
 }
 
 void write_file(const ModesArguments& options, const std::string& page) {
-  const std::filesystem::path file = page_file(options);
-  if (file.has_parent_path()) std::filesystem::create_directories(file.parent_path());
-  write_whole(file, page);
+  write_whole(page_file(options), page);
 }
 
 void write_page(const ModesArguments& options, const scene::Scene& scene,
@@ -289,6 +287,7 @@ Command add_modes_command(CLI::App& program) {
   add_common_options(*app, *options);
   return {app, [options] {
             set_scene_libraries(SceneLibraries::kLeftOut);
+            if (!options->output.empty()) check_output(page_file(*options), Output::kFile);
             return modes(*options);
           }};
 }

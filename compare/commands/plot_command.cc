@@ -44,7 +44,7 @@ int plot(const PlotArguments& options) {
   const std::filesystem::path file = options.file.empty()
                                          ? std::filesystem::path(options.folder) / "plot.html"
                                          : std::filesystem::path(options.file);
-  if (file.has_parent_path()) std::filesystem::create_directories(file.parent_path());
+  check_output(file, Output::kFile);
   write_whole(file, run_page(run, shadow));
   if (options.json) {
     std::cout << json_text({{"scene", run.scene.name},

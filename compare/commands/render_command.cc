@@ -143,7 +143,7 @@ void tell(const RenderArguments& options, const FilmRequest& request, const Stor
 
 int render_film(const RenderArguments& options) {
   FilmRequest request = film_request(options.film);
-  check_writable(std::filesystem::path(request.file).parent_path());
+  check_output(request.file.empty() ? "film" : request.file, Output::kFile);
   ProgressBar bar(options.quiet);
   const bool is_run = std::filesystem::is_directory(options.source);
   const StoredRun run = is_run ? stored(options) : run_for_film(options, request.options, bar);

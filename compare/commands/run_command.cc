@@ -98,8 +98,7 @@ int run(const RunArguments& options) {
   const std::filesystem::path folder =
       options.folder.empty() ? std::filesystem::path("runs") / (scene.name + "-" + engine->name())
                              : std::filesystem::path(options.folder);
-
-  check_writable(folder);
+  check_output(folder, Output::kFolder);
 
   ProgressBar bar(options.quiet);
   RunRequest request;

@@ -226,6 +226,17 @@ int submit_to_slurm(const SweepArguments& options, const Sweep& sweep) {
   return kDone;
 }
 
+// Those of the scene, as every command says them; what the study has is said where it is read.
+void say_old_words(const Sweep& sweep) {
+  try {
+    for (const std::string& note : sweep.scenes->at(0).notes) {
+      if (!sweep.study.varies(note.substr(0, note.find(':'))))
+        fmt::print(stderr, "note: {}: {}\n", sweep.study.scene.string(), note);
+    }
+  } catch (const scene::SceneError&) {  // a point that is refused has its row
+  }
+}
+
 int sweep_study(const SweepArguments& options) {
   check_arguments(options);
   Sweep sweep;
@@ -234,6 +245,8 @@ int sweep_study(const SweepArguments& options) {
   sweep.scenes->check();
   sweep.folder =
       options.folder.empty() ? path("runs") / path(options.study).stem() : path(options.folder);
+  check_output(sweep.folder, Output::kFolder);
+  if (!options.quiet) say_old_words(sweep);
   const int processors = static_cast<int>(std::thread::hardware_concurrency());
   sweep.jobs = options.jobs > 0 ? options.jobs : std::max(1, processors);
   try {

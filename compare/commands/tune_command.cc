@@ -66,7 +66,7 @@ int run_tune(const TuneArguments& options) {
         "{}: without a contact there is nothing to tune; accepted is a scene with [contact]",
         options.scene));
   }
-  if (!options.file.empty()) check_writable(std::filesystem::path(options.file).parent_path());
+  check_output(options.file, Output::kFile);
   ProgressBar bar(options.quiet);
   const tune::TuneResult result =
       tuned(options.scene, scene, options, tolerance, options.twins, options.steps,

@@ -148,7 +148,10 @@ Impact MujocoRecord::step_contact(std::int64_t k, std::size_t contact, const dou
                    work = 0.5 * friction * slips;
       recorder_.count_at(contact, t, step_, normal, friction, work);
       if (contact > 0) {
-        recorder_.count_beside(t, step_, normal, friction, work, r.forces.front().normal > 0.0);
+        const auto before = std::span(r.forces).first(contact);
+        const bool counted = std::ranges::any_of(
+            before, [](const plugin::ContactForces& of) { return of.normal > 0.0; });
+        recorder_.count_beside(t, step_, normal, friction, work, counted);
       }
     }
     recorder_.watch_gap(contact, after.gap);

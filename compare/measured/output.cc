@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <deque>
+#include <functional>
 #include <nlohmann/json.hpp>
 
 #include "compare/base/format.h"
@@ -87,15 +88,17 @@ std::vector<ColumnMeaning> make_measured_keys() {
   return keys;
 }
 
-constexpr int kNameWidth = 30;
-constexpr int kRunWidth = 10;
-
-std::string record_line(const std::string& label, const std::string& measured,
-                        const std::vector<std::string>& runs) {
-  std::string text = fmt::format("{:<{}}{:>{}}", label, kNameWidth, measured, kRunWidth);
-  for (const std::string& run : runs) text += fmt::format("{:>{}}", run, kRunWidth);
-  while (text.back() == ' ') text.pop_back();
-  return text + "\n";
+// A line of the table: `text` of each run that has a column.
+std::string record_line(const MeasuredRun& of, const std::string& label,
+                        const std::string& measured,
+                        const std::function<std::string(std::size_t)>& text) {
+  constexpr int kName = 29, kMeasured = 8, kRun = 7;  // native, four contact models: 80 columns
+  std::string line = fmt::format("{:<{}} {:>{}}", label, kName, measured, kMeasured);
+  for (std::size_t r = 0; r < of.labels.size(); ++r) {
+    if (!column_heading(of.labels[r]).empty()) line += fmt::format(" {:>{}}", text(r), kRun);
+  }
+  line.erase(line.find_last_not_of(' ') + 1);
+  return line + "\n";
 }
 
 // The unit that a quantity is written in, and SI values times it.
@@ -158,22 +161,20 @@ std::string measured_table(const MeasuredRun& run) {
   std::string text = wrapped("  measured: ", fmt::format("{}, {} samples, {} apart", run.file,
                                                          run.samples, time_text(run.interval)));
   text += wrapped("    ", alignment_text(run.alignment));
-  if (!run.figures.empty())
-    text += record_line("  at the record's samples", "measured", run.labels);
+  const auto add = [&](const std::string& label, const std::string& measured, auto of) {
+    text += record_line(run, label, measured, of);
+  };
+  const auto heading = [&](std::size_t r) { return column_heading(run.labels[r]); };
+  if (!run.figures.empty()) add("  at the record's samples", "measured", heading);
   for (const MeasuredFigure& f : run.figures) {
-    std::vector<std::string> values;
-    for (const double value : f.runs) values.push_back(figure_value(f, value));
-    text += record_line("    " + figure_label(f), measured_value(f), values);
+    add("    " + figure_label(f), measured_value(f),
+        [&](std::size_t r) { return figure_value(f, f.runs[r]); });
   }
-  text += record_line("  record less run, rms", "", run.labels);
+  add("  record less run, rms", "", heading);
   for (const ColumnFit& c : run.columns) {
-    std::vector<std::string> rms, shares;
-    for (const ColumnResidual& r : c.runs) {
-      rms.push_back(residual_text(*c.what, r.rms));
-      shares.push_back(share_text(r));
-    }
-    text += record_line(fmt::format("    {}, {}", c.what->name, residual_unit(*c.what)), "", rms);
-    text += record_line("      of its deviation", "", shares);
+    add(fmt::format("    {}, {}", c.what->name, residual_unit(*c.what)), "",
+        [&](std::size_t r) { return residual_text(*c.what, c.runs[r].rms); });
+    add("      of its deviation", "", [&](std::size_t r) { return share_text(c.runs[r]); });
   }
   for (const std::string& remark : run.remarks) text += wrapped("    - ", remark);
   return text;

@@ -160,9 +160,12 @@ json contenders(const std::vector<RestitutionRow>& rows) {
 }
 
 json scene_values(const SceneBench& bench, std::size_t index) {
-  bool native = true, limits = false;
-  for (const Level& level : bench.levels)
-    if (in_headline(level)) native = native && native_is_fastest(level).value_or(true);
+  std::optional<bool> native;  // none: no level is reached
+  bool limits = false;
+  for (const Level& level : bench.levels) {
+    const std::optional<bool> here = native_is_fastest(level);
+    if (in_headline(level) && here) native = native.value_or(true) && *here;
+  }
   const std::vector<Series> series = series_of(bench.points, bench.telling_errors());
   for (const Series& s : series) {
     const bool mujoco = engine_of(bench, s.engine).family == Family::kMujoco;
@@ -173,9 +176,12 @@ json scene_values(const SceneBench& bench, std::size_t index) {
       {"name", bench.scene.name},
       {"id", fmt::format("scene-{}", index + 1)},
       {"index", index},
-      {"tone", native ? "good" : "bad"},
-      {"headline",
-       native ? "A native integrator at every level reached" : "Not native at every level"},
+      {"tone", !native   ? "part"
+               : *native ? "good"
+                         : "bad"},
+      {"headline", !native   ? "No engine reaches a level"
+                   : *native ? "A native integrator at every level reached"
+                             : "Not native at every level"},
       {"text", verdict},
       {"verdict", verdict},
       {"end", time_text(bench.scene.run.end)},

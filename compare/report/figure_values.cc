@@ -73,7 +73,7 @@ json split_rows(const SceneComparison& c) {
   json rows = json::array();
   for (std::size_t k = 0; k < figures().size(); ++k) {
     const Figure& f = figures()[k];
-    if (!f.split) continue;
+    if (!f.split || is_absent(c, f)) continue;
     for (std::size_t side = 1; side < c.sides.size(); ++side) {
       const FigureDifference& d = c.differences[side - 1].figures[k];
       rows.push_back(

@@ -112,7 +112,7 @@ ThreeErrors three_errors(const SceneComparison& c, std::size_t side) {
   ThreeErrors errors;
   for (const FigureDifference& d : c.differences[side - 1].figures) {
     const Figure& f = *d.figure;
-    if (!f.is_judged() || !f.split) continue;
+    if (!f.is_judged() || !f.split || is_absent(c, f)) continue;
     const SplitShares shares = split_shares(f, f.value(c.reference(side).metrics), d.split);
     take(errors.contact, f, shares.contact);
     take(errors.step, f, shares.step);

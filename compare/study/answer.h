@@ -38,7 +38,7 @@ std::string mode_note(const SceneComparison& comparison);
 struct LargestError {
   const Figure* figure = nullptr;  // null: of none can it be determined
   double share = 0.0;              // of the native value, signed (points: as they are)
-  int untold = 0;                  // judged figures of which it cannot be determined
+  int untold = 0;  // judged figures that the runs have, of which it cannot be determined
 };
 
 // What a contact model's figures are off by, by whose fault.

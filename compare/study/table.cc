@@ -19,11 +19,8 @@ namespace {
 constexpr int kLabel = 24;
 constexpr int kValue = 9;  // native, shadow and four contact models: 80 columns
 
-// MuJoCo's defaults have their row in the answer, and their column in the report.
-bool has_column(const Side& side) { return side.label != "cone-default"; }
-const char* heading(const Side& side) {
-  return side.label == "cone-coulomb" ? "cone-c" : side.label.c_str();
-}
+std::string heading(const Side& side) { return column_heading(side.label); }
+bool has_column(const Side& side) { return !heading(side).empty(); }
 
 // "-0.24 pts" is as wide as a column.
 std::string in_column(const JudgedFigure& f) {
@@ -241,7 +238,6 @@ std::string run_table(const scene::Scene& scene, const Trajectory& t, const Pale
     text += fmt::format("  {:<{}}{:>{}}\n", label, kLabel, value, kValue);
   };
   if (m.first_touch) add("first touch, ms", short_number(1e3 * *m.first_touch));
-  if (m.least_gap && *m.least_gap > 0.0) add("least gap, µm", short_number(1e6 * *m.least_gap));
   for (const Figure& f : figures()) {
     if (!std::isnan(f.value(m))) add(figure_label(f), figure_value(f, f.value(m)));
   }

@@ -48,7 +48,7 @@ JudgedFigure judged(const Figure& figure, const FigureSample& native, const Figu
   if (f.is_absent()) f.deviation = 0.0;
   const Interval c = interval(native, other);
   f.interval = std::max(floor, share_of(figure, native.mean, c.half));
-  f.least_told = share_of(figure, native.mean, c.least_told);
+  f.least_told = std::max(f.interval, share_of(figure, native.mean, c.least_told));
   const bool nothing = native.mean == 0.0 && other.mean == 0.0;
   if (!figure.is_judged() || f.is_absent() || nothing) return f;
   const double d = std::abs(f.deviation);

@@ -28,7 +28,9 @@ struct JudgedFigure {
   double native = 0.0, other = 0.0;  // SI, of the runs that are shown
   double deviation = 0.0;            // of the means, see deviation(); 0 where one is absent
   double interval = 0.0;             // c, on the same scale; >= 0
-  double least_told = 0.0;  // the least deviation that so many twins tell (figure_sample.h)
+  // The least deviation that so many twins tell (figure_sample.h), and no less than c: what drifts
+  // without scatter hides it too.
+  double least_told = 0.0;
   FigureVerdict verdict = FigureVerdict::kNotJudged;
 
   bool is_absent() const;  // from one of the runs, or both

@@ -61,6 +61,8 @@ Value value_of(const StudyTable& table, const TomlNode& node, const std::string&
                const scene::Key* key) {
   const bool number = key != nullptr && (key->type == scene::ValueType::kNumber ||
                                          key->type == scene::ValueType::kWhole);
+  if (!number && key != nullptr && !key->words.empty())
+    say_old_word(table.path_of(name), node.text);
   if (!number) return {node.kind == Kind::kString ? node.text : toml_text(node), std::nullopt};
   const auto value = table.number(node, name, key->quantity);
   return {value ? number_text(*value) : "", value};

@@ -29,6 +29,11 @@ std::string without_elements(std::string_view path) {
 
 }  // namespace
 
+void say_old_word(const std::string& where, const std::string& word) {
+  if (scene::current_word(word) != word)
+    fmt::print(stderr, "note: {}\n", scene::old_word_note(where, word));
+}
+
 StudyTable::StudyTable(const TomlNode& node, std::string path,
                        std::initializer_list<std::string_view> keys,
                        std::vector<scene::Diagnostic>& diagnostics)
@@ -71,6 +76,7 @@ std::optional<std::size_t> StudyTable::place_of(std::string_view key,
   const auto given = text(key);
   if (!given) return std::nullopt;
   const std::string word(scene::current_word(*given));
+  say_old_word(path_of(key), *given);
   const auto found = std::find(words.begin(), words.end(), word);
   if (found != words.end()) return static_cast<std::size_t>(found - words.begin());
   fail(key, fmt::format("`{}`; accepted: {}", scene::printable(word), scene::join(words)));

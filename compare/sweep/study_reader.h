@@ -13,6 +13,9 @@
 
 namespace rotorub::sweep {
 
+// A note on standard error, where it is a word that has another name now.
+void say_old_word(const std::string& where, const std::string& word);
+
 // One table: what is asked of it is what it may hold.
 class StudyTable {
  public:
@@ -38,9 +41,9 @@ class StudyTable {
                                const scene::Quantity& quantity) const;
   void missing(std::string_view key, const std::string& expected) const;
   void fail(std::string_view key, std::string reason) const;  // at the key, or at the table
+  std::string path_of(std::string_view key) const;
 
  private:
-  std::string path_of(std::string_view key) const;
   std::optional<std::size_t> place_of(std::string_view key,
                                       std::span<const std::string_view> words) const;
 

@@ -21,9 +21,29 @@ ROTORUB_INLINE void add_linear_loads(const M& m, const T& omega, const T& workin
   if (m.feedback) add_feedback(m, working, q, v, f);
 }
 
-// Those of [[force]] at an instant; of one model alone.
+// The base's acceleration a, m/s^2: relative to it every mass is held back,
+//   f = -m_g a,  m_g the load per unit acceleration (gravity_mass).
+template <class M, class T = typename M::Scalar>
+ROTORUB_INLINE void add_base_load(const M& m, const Pair<T>& a, T* f) {
+  const T* mass = m.gravity_mass.data();
+  const int n = m.layout.modes, rings = m.layout.ring();
+  for (int k = 0; k < n; ++k) {
+    f[k] -= mass[k] * a.x;
+    f[n + k] -= mass[n + k] * a.y;
+  }
+  for (int i = rings; i < rings + m.layout.stator; i += 2) {
+    f[i] -= mass[i] * a.x;
+    f[i + 1] -= mass[i + 1] * a.y;
+  }
+}
+
+// Those of [[force]] and of the base's motion at an instant; of one model alone.
 template <class M>
 void add_forces(const M& m, double t, const double* q, double* f) {
+  if (m.base) {
+    const Eigen::Vector2d a = m.base->at(t);
+    add_base_load(m, Pair<double>{a.x(), a.y()}, f);
+  }
   for (const AppliedForce& force : m.forces) {
     if (t < force.on || t >= force.off) continue;
     const Eigen::Vector2d p = force.at(t, spin_angle(m, t, q));
@@ -43,8 +63,8 @@ struct LoadInstant {
 // the sum, and so of its last bits.
 enum class Gyroscopics { kAmong, kLeftOut };
 
-// f += all loads of the list. forces(f): adds those of [[force]], which a step averages over its
-// length.
+// f += all loads of the list. forces(f): adds those of [[force]] and the base's, which a step
+// averages over its length.
 template <Gyroscopics kGyroscopics, class M, class Forces, class T = typename M::Scalar>
 ROTORUB_INLINE void add_loads(const M& m, const LoadInstant<T>& at, const T* q, const T* v,
                               const Forces& forces, T* f) {

@@ -19,6 +19,7 @@ void Schedule::begin(double start, double end) {
     if (f.ramp > 0.0) add(f.on + f.ramp);
   }
   for (const DiscUnbalance& u : m.unbalances) add(u.on);
+  if (m.base) std::ranges::for_each(m.base->breaks(), add);
   if (m.feedback) add(m.feedback->law.fails_at);
   if (m.drive_follows()) add(m.drive->ramp_end());
   for (const AuxiliaryBearing& at : m.auxiliary) {

@@ -56,7 +56,12 @@ void check(const scene::Scene& scene) {
   const Checks check{scene};
   const scene::AuxiliaryBearing& first = scene.first();
   check(!first.contact, "contact", "the scene has no [contact]");
-  refuse_several_contacts(scene, "a steady rub");
+  if (scene.auxiliary.size() > 1) {
+    scene::refuse_at(scene, "contact[1]",
+                     "a map of lasting rubs is of one contact alone; accepted: one [[contact]], as "
+                     "with --set \"contact[1]=none\"; `rotorub modes` has those of each while the "
+                     "others are open");
+  }
   check(scene.gives(), "contact.compliance",
         "what is known is the rub of a rigid contact; accepted: none");
   if (first.stator) {
@@ -79,6 +84,7 @@ void check(const scene::Scene& scene) {
   }
   check(scene.gravity && !scene.gravity->acceleration.isZero(0.0), "gravity",
         "weight points one way, so no whirl is steady");
+  check(scene.base.has_value(), "base", "on a base that moves no whirl is steady");
   for (std::size_t i = 0; scene.rotor.geometry && i < scene.rotor.geometry->bearings.size(); ++i) {
     const scene::ShaftBearing& bearing = scene.rotor.geometry->bearings[i];
     const std::string path = scene::list_element("rotor.bearing", i);

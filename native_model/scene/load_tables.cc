@@ -1,4 +1,5 @@
-// [drive], [[force]] and [magnetic_bearing]: rows, and what single keys cannot show.
+// [drive], [[force]] and [magnetic_bearing] ([base]: base_table.cc): rows, and what single keys
+// cannot show.
 
 #include "native_model/scene/checker.h"
 #include "native_model/scene/schema.h"
@@ -237,12 +238,13 @@ void check_magnetic_bearing(const Checker& check) {
 }  // namespace
 
 std::vector<Table> load_tables() {
-  return {drive(), force(), magnetic_bearing(), bearing_control()};
+  return {drive(), force(), base_table(), magnetic_bearing(), bearing_control()};
 }
 
 void check_loads(const Checker& check) {
   if (check.scene.drive) check_drive(check, *check.scene.drive);
   check_forces(check);
+  check_base(check);
   check_magnetic_bearing(check);
 }
 

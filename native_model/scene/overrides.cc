@@ -167,9 +167,20 @@ void drop_times_beyond(TomlNode& run, const TomlNode& end) {
   std::erase_if(times->items, [&](const TomlNode& time) { return seconds(time) > last; });
 }
 
+// A table or key that a scene may have: what it has not can be removed from it.
+bool is_known(const std::vector<Step>& steps) {
+  std::vector<Step> keys = steps;
+  std::erase_if(keys, [](const Step& step) { return step.is_index; });
+  const std::string above = table_path(keys), name = keys.back().key;
+  const Table* table = find_table(above);
+  const bool key = table != nullptr && (table->store_any != nullptr || table->find(name));
+  return key || find_table((above.empty() ? "" : above + ".") + name) != nullptr;
+}
+
 // Why the override cannot be applied; empty: done.
 std::string apply(TomlNode& root, const std::vector<Step>& steps, std::string_view text) {
-  const bool removing = text == "none";
+  // What no scene has is set as any other value, which the reader refuses by its name.
+  const bool removing = text == "none" && is_known(steps);
   TomlNode* node = &root;
   std::string reason, path;
   for (std::size_t i = 0; i + 1 < steps.size(); ++i) {

@@ -222,9 +222,10 @@ void check_gap_at_start(const Checker& check) {
   // Into a ring that gives a start may be as deep as a run.
   const double reach = bearing.contact->compliance ? 2.0 * clearance : clearance;
   if (offset.norm() > reach * (1.0 + kGapTolerance)) {
-    const char* key = check.given("initial.x")   ? "initial.x"
-                      : check.given("initial.y") ? "initial.y"
-                                                 : "initial.stator";
+    const char* key = check.given("initial.x")     ? "initial.x"
+                      : check.given("initial.y")   ? "initial.y"
+                      : scene.auxiliary.size() > 1 ? "stator.position"
+                                                   : "initial.stator";
     check.fail(key, "the rotor starts outside the ring, " + number_text(offset.norm()) +
                         " m from its centre; expected at most " + check.place("contact.clearance") +
                         " = " + number_text(clearance) + " m");

@@ -219,6 +219,19 @@ struct Gravity {
   std::vector<double> participation;       // kg
 };
 
+// ---------------------------------------------------------------- [base]
+// How bearings, rings and actuators are accelerated: system/base_motion.h.
+struct Base {
+  std::vector<double> time;                            // s, ascending, none or at least 2
+  std::vector<double> acceleration_x, acceleration_y;  // m/s^2, at each time; empty: 0
+  std::vector<double> frequency, amplitude, phase;     // rad/s >= 0, m/s^2, rad of each line
+  std::optional<int> seed;                             // >= 0: gives the phases
+  double direction = 0.0;                              // rad, of the lines
+  double on = 0.0;                                     // s
+  double off = kNever;                                 // s
+  double ramp = 0.0;                                   // s, >= 0
+};
+
 // Missing lists mean 0. Modal coordinates at t = 0. steady: on the steady free orbit
 // (system/steady_orbit.h); the lists then are added to it.
 struct Initial {
@@ -311,6 +324,7 @@ struct Scene {
   // Which one of the file's list the first is: 0 but for with_bearing_alone.
   std::size_t first_index = 0;
   std::optional<Gravity> gravity;
+  std::optional<Base> base;
   Initial initial;
   Mujoco mujoco;
   // Of the file that it was read from; absent: it came in a model (MJCF) or was made by hand.

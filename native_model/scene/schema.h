@@ -122,6 +122,7 @@ bool is_part_of_contact(const Table& table);
 Table run_table();
 std::vector<Table> rotor_tables();
 std::vector<Table> load_tables();
+Table base_table();
 std::vector<Table> bearing_tables();
 std::vector<Table> control_tables();
 std::vector<Table> start_tables();

@@ -143,7 +143,7 @@ void TableReader::read_table(const Table& table, const TomlNode& root, const std
     if (path == "rotor") fail(root, path, "missing: every scene has a [rotor]");
     return;
   }
-  if (!kind_takes(table, root, *node)) return record_.note(path, *node, false);
+  if (!kind_takes(table, root, *node, path)) return record_.note(path, *node, false);
   if (table.or_list && node->kind == Kind::kArray) {
     record_.note(path, *node, true);
     return read_contacts(table, *node);
@@ -172,12 +172,13 @@ void TableReader::read_one(const Table& table, const TomlNode& node, const std::
            (table.list ? "]]" : "]") + ", got " + std::string(kind_name(node.kind)));
 }
 
-bool TableReader::kind_takes(const Table& table, const TomlNode& root, const TomlNode& node) {
+bool TableReader::kind_takes(const Table& table, const TomlNode& root, const TomlNode& node,
+                             const std::string& path) {
   if (table.kinds.empty()) return true;  // of the top level too
   const std::string_view parent = table.path.substr(0, table.path.rfind('.'));
   const std::string_view kind = kind_of(*find_table(parent), *find_path(root, parent));
   if (kind.empty() || table.is_for(kind)) return true;
-  fail(node, std::string(table.path),
+  fail(node, path,
        "belongs to kind = \"" + join(table.kinds) + "\" and has no effect with \"" +
            std::string(kind) + "\"");
   return false;

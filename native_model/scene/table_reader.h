@@ -34,7 +34,8 @@ class TableReader {
   void read_one(const Table& table, const TomlNode& node, const std::string& path);
   void read_object(const Table& table, const TomlNode& node, const std::string& path);
   // Whether the parent's `kind` takes the table; if not, that is kept as a fault.
-  bool kind_takes(const Table& table, const TomlNode& root, const TomlNode& node);
+  bool kind_takes(const Table& table, const TomlNode& root, const TomlNode& node,
+                  const std::string& path);
   void read_any(const Table& table, const TomlNode& node, const std::string& path);
   // False: the value cannot be used, and the reason is kept.
   bool read_key(const Key& key, std::string_view kind, const TomlNode& node,

@@ -67,6 +67,7 @@ LaneModel<T>::LaneModel(const std::vector<const Model*>& all)
   stiffness = vector(&Model::stiffness);
   damping = vector(&Model::damping);
   weight = vector(&Model::weight);
+  if (first.base) gravity_mass = vector(&Model::gravity_mass);
   drive_shape = vector(&Model::drive_shape);
   gyroscopic = matrix<T>(all, [](const Model& m) { return m.gyroscopic; });
   internal_xx = matrix<T>(all, [](const Model& m) { return m.internal_xx; });
@@ -142,12 +143,13 @@ bool same_structure(const Model& a, const Model& b) {
     std::vector<bool> films;
     for (const StationFilm& film : m.films) films.push_back(film.law.follows());
     const Layout& l = m.layout;
-    return std::tuple(
-        l.modes, l.spin, l.torsion, l.stator, l.ring_spin, l.integrals, l.coils, forces, films,
-        m.springs.size(), m.feedback.has_value(), m.dampers.size(), m.unbalances.size(),
-        m.weight.size(), m.drive ? static_cast<int>(m.drive->kind()) : -1, m.auxiliary.size(),
-        m.first().contact.has_value(), m.first().magnets.has_value(), m.gyroscopic.absent(),
-        m.internal_xx.absent(), m.internal_yy.absent(), m.first().commanded());
+    return std::tuple(l.modes, l.spin, l.torsion, l.stator, l.ring_spin, l.integrals, l.coils,
+                      forces, films, m.springs.size(), m.feedback.has_value(), m.dampers.size(),
+                      m.unbalances.size(), m.weight.size(), m.base != nullptr,
+                      m.drive ? static_cast<int>(m.drive->kind()) : -1, m.auxiliary.size(),
+                      m.first().contact.has_value(), m.first().magnets.has_value(),
+                      m.gyroscopic.absent(), m.internal_xx.absent(), m.internal_yy.absent(),
+                      m.first().commanded());
   };
   return structure(a) == structure(b);
 }

@@ -56,6 +56,7 @@ struct LaneModel {
   std::vector<const Model*> models;
   Layout layout;
   lanes::Array<T> mass, stiffness, damping, weight;
+  lanes::Array<T> gravity_mass;  // read where the base moves
   BasicModeMatrix<T> gyroscopic, internal_xx, internal_xy, internal_yy;
   std::vector<Damper> dampers;
   std::vector<Film> films;

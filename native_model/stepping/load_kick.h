@@ -231,7 +231,7 @@ class LoadKick {
     equations::add_springs(m, q, f);
     if (m.feedback) equations::add_feedback(m, working_, q, v, f);
     equations::add_gyroscopic(m, omega, v, f);
-    loads_.add(m.layout.modes, f);
+    loads_.add(m, f);
     if (!m.unbalances.empty()) equations::add_unbalance(m, angles_, omega, f);
     equations::add_drive(m, instant_, q, v, f);
     if (applied) {

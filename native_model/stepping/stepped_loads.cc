@@ -12,12 +12,14 @@ double next_switch(const Model& model, double from, double end) {
     look_at(force.off);
   }
   for (const DiscUnbalance& unbalance : model.unbalances) look_at(unbalance.on);
+  if (model.base) std::ranges::for_each(model.base->jumps(), look_at);
   if (model.feedback) look_at(model.feedback->law.fails_at);
   return next;
 }
 
 template <class T>
-SteppedLoads<T>::SteppedLoads(const std::vector<const Model*>& models, double h) {
+SteppedLoads<T>::SteppedLoads(const std::vector<const Model*>& models, double h)
+    : based_(models.front()->base != nullptr), models_(models) {
   using lanes::set;
   const std::vector<AppliedForce>& first = models.front()->forces;
   loads_.resize(first.size());

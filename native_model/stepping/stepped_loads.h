@@ -1,6 +1,7 @@
-// The loads of [[force]] over fixed steps. A rotating force turns by a fixed angle each step; its
-// sine and cosine are taken anew every kResync steps, so that round-off does not gather. A load
-// that is switched or ramped counts with the mean of its envelope over the step, a pulse too.
+// The loads of [[force]] and of the base's motion over fixed steps. A rotating force turns by a
+// fixed angle each step; its sine and cosine are taken anew every kResync steps, so that round-off
+// does not gather. A load that is switched or ramped counts with the mean of its envelope over the
+// step, a pulse too.
 #pragma once
 
 #include <algorithm>
@@ -9,7 +10,7 @@
 #include <numbers>
 #include <vector>
 
-#include "native_model/dynamics/equations.h"
+#include "native_model/dynamics/loads.h"
 #include "native_model/stepping/lane_model.h"
 
 namespace rotorub {
@@ -22,6 +23,7 @@ class SteppedLoads {
  public:
   static constexpr std::int64_t kResync = 256;
 
+  // `models`: of the lanes; they must outlive this.
   SteppedLoads(const std::vector<const Model*>& models, double h);
 
   // The forces of step k: directions of the instant t (s), envelopes over [begin, end]. Asked again
@@ -37,6 +39,7 @@ class SteppedLoads {
   }
   // After advance: the envelopes over another part of the step.
   ROTORUB_INLINE void weigh(const T& begin, const T& end) {
+    if (based_) find_base(begin, end);
     for (Load& load : loads_) {
       const bool turns = load.turns();
       const T x = turns ? load.amplitude * load.cosine : load.vector_x;
@@ -62,10 +65,12 @@ class SteppedLoads {
       load.y = load.share * load.amplitude * load.sine;
     }
   }
-  ROTORUB_INLINE void add(int modes, T* f) const {
+  template <class M>
+  ROTORUB_INLINE void add(const M& m, T* f) const {
     for (const Load& load : loads_) {
-      equations::add_station_force(modes, load.shape, load.x, load.y, f);
+      equations::add_station_force(m.layout.modes, load.shape, load.x, load.y, f);
     }
+    if (based_) equations::add_base_load(m, base_, f);
   }
 
   void forget() { now_ = -1; }
@@ -130,6 +135,15 @@ class SteppedLoads {
     }
   }
 
+  ROTORUB_SLOW void find_base(const T& begin, const T& end) {
+    for (int lane = 0; lane < lanes::kWidth<T>; ++lane) {
+      const Eigen::Vector2d a = models_[static_cast<std::size_t>(lane)]->base->mean(
+          lanes::get(begin, lane), lanes::get(end, lane));
+      lanes::set(base_.x, lane, a.x());
+      lanes::set(base_.y, lane, a.y());
+    }
+  }
+
   // Integral of the envelope from `on` to t, s: t - on - ramp / 2 once the ramp is over.
   ROTORUB_INLINE T risen(const Load& load, const T& t) const {
     const T zero{}, half = lanes::all<T>(0.5), one = lanes::all<T>(1.0);
@@ -147,8 +161,10 @@ class SteppedLoads {
   }
 
   std::int64_t now_ = -1;
-  bool synchronous_ = false;
+  bool synchronous_ = false, based_ = false;
   std::vector<Load> loads_;
+  equations::Pair<T> base_{};         // m/s^2, the base's acceleration over the step
+  std::vector<const Model*> models_;  // of the lanes
 };
 
 }  // namespace rotorub

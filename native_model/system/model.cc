@@ -140,6 +140,7 @@ void fill_loads(const scene::Scene& scene, const ModalRotor& rotor, Model& model
     const AuxiliaryBearing& at = model.auxiliary[k];
     if (at.moves()) model.gravity_mass.segment<2>(at.ring) = scene.auxiliary[k].stator->mass;
   }
+  if (scene.base) model.base = std::make_shared<const BaseMotion>(*scene.base);
   if (rotor.pull_x.size() > 0) {
     model.pull = Eigen::VectorXd::Zero(l.nq());
     model.pull.segment(l.x(), l.modes) = rotor.pull_x;

@@ -28,6 +28,7 @@
 #include "native_model/dynamics/mode_matrix.h"
 #include "native_model/rotor/modal_rotor.h"
 #include "native_model/scene/scene.h"
+#include "native_model/system/base_motion.h"
 
 namespace rotorub {
 
@@ -154,10 +155,11 @@ struct Model {
   std::optional<StationFeedback> feedback;           // of one: what it does beyond its spring
   std::vector<StationFilm> films;  // bearings that cross the planes or follow the speed
   std::vector<AppliedForce> forces;
-  std::vector<DiscUnbalance> unbalances;  // eccentric discs, blades that are lost
-  Eigen::VectorXd gravity_mass;           // nq, kg, load per unit acceleration
-  Eigen::VectorXd pull;                   // nq or empty, N, of bearings off the line
-  Eigen::VectorXd weight;                 // nq or empty, N, gravity and pull
+  std::vector<DiscUnbalance> unbalances;   // eccentric discs, blades that are lost
+  Eigen::VectorXd gravity_mass;            // nq, kg, load per unit acceleration
+  Eigen::VectorXd pull;                    // nq or empty, N, of bearings off the line
+  Eigen::VectorXd weight;                  // nq or empty, N, gravity and pull
+  std::shared_ptr<const BaseMotion> base;  // null: it rests
 
   // Spin. Without a drive phi = spin_angle + speed t.
   double speed = 0.0;       // rad/s at t = 0

@@ -186,11 +186,16 @@ void check_initial_gap(const scene::Scene& scene, const Model& model, std::size_
   const double reach = at.gives() ? 2.0 * clearance : clearance;
   if (delta <= reach * (1.0 + kTolerance)) return;
   const Layout& l = model.layout;
-  const char* key = !model.q0.segment(l.x(), l.modes).isZero(0.0)   ? "initial.x"
-                    : !model.q0.segment(l.y(), l.modes).isZero(0.0) ? "initial.y"
+  const bool steady = scene.initial.steady;  // gives a place of the rotor that no list does
+  const auto listed = [&](const std::vector<double>& list, int row) {
+    return !(steady && list.empty()) && !model.q0.segment(row, l.modes).isZero(0.0);
+  };
+  const char* key = listed(scene.initial.x, l.x())   ? "initial.x"
+                    : listed(scene.initial.y, l.y()) ? "initial.y"
                     : at.moves() && !model.q0.segment<2>(at.ring).isZero(0.0)
                         ? (scene.auxiliary.size() > 1 ? "stator.position" : "initial.stator")
-                        : "contact.offset";
+                    : steady ? "initial.steady"
+                             : "contact.offset";
   scene::refuse_at(with_bearing_alone(scene, k), key,
                    "the rotor starts outside the ring, " + scene::number_text(delta) +
                        " m from its centre; accepted: at most contact.clearance = " +
@@ -243,14 +248,6 @@ void refuse_compliance_in_mujoco(const scene::Scene& scene) {
                      "the shadow's contact is rigid; accepted with contact.compliance: false");
   }
   refuse_compliance(scene, scene::Integrator::kVerlet);
-}
-
-void refuse_several_contacts(const scene::Scene& scene, const std::string& who,
-                             const std::string& accepted) {
-  if (scene.auxiliary.size() < 2) return;
-  scene::refuse_at(
-      scene, "contact[1]",
-      who + " knows one contact; accepted with several: the native integrator " + accepted);
 }
 
 void refuse_several_in_mujoco(const scene::Scene& scene) {

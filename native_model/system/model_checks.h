@@ -37,9 +37,6 @@ void refuse_compliance(const scene::Scene& scene, scene::Integrator integrator);
 // In MuJoCo `coulomb` and `cone-coulomb` know contacts that give, if all of them do. (MuJoCo's own
 // cone is lifted by the slip, so far that a soft one never presses.)
 void refuse_compliance_in_mujoco(const scene::Scene& scene);
-// `who` knows one contact; `accepted`: the native integrators that know more.
-void refuse_several_contacts(const scene::Scene& scene, const std::string& who,
-                             const std::string& accepted = "event or verlet");
 // MuJoCo's side of several contacts is a segment rotor with rings that nothing drives, without a
 // shadow.
 void refuse_several_in_mujoco(const scene::Scene& scene);

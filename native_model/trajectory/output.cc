@@ -177,6 +177,7 @@ bool is_running(pid_t process) { return kill(process, 0) == 0 || errno != ESRCH;
 fs::path part_of(const fs::path& file) {
   const fs::path folder = file.has_parent_path() ? file.parent_path() : fs::path(".");
   std::error_code none;
+  fs::create_directories(folder, none);  // where that fails, so does what is written there
   std::vector<fs::path> left;
   for (fs::directory_iterator at(folder, none), end; !none && at != end; at.increment(none)) {
     const pid_t process = writer_of(at->path().filename().string(), file.filename().string());

@@ -18,13 +18,14 @@ void write_events(const Trajectory& trajectory, const std::filesystem::path& fil
 class UnwritablePlace : public std::runtime_error {
   using std::runtime_error::runtime_error;
 };
-// Writes `text` aside and renames it to `file`: whole or not at all. A device or a pipe is written
-// as it is; a link stays one. Throws
-// UnwritablePlace, and std::runtime_error where there is no room.
+// Writes `text` aside and renames it to `file`: whole or not at all, in a folder that is made if
+// need be. A device or a pipe is written as it is; a link stays one. Throws UnwritablePlace, and
+// std::runtime_error where there is no room.
 void write_whole(const std::filesystem::path& file, const std::string& text);
 
 // The place beside a file where it is written until it is whole:
-// `<file>.part-<process>-<machine>-<random>`, a file that was not there and is empty now. What
+// `<file>.part-<process>-<machine>-<random>`, a file that was not there and is empty now, as its
+// folder may be. What
 // ended processes of this machine left of the same file is removed.
 std::filesystem::path part_of(const std::filesystem::path& file);
 

@@ -79,8 +79,13 @@ void Recorder::count_contact(double normal_impulse, double friction_impulse, dou
   Statistics& s = statistics_;
   s.touch(begin);
   const double force = normal_impulse / h;
-  s.contact_time += h;
-  if (impact) s.impact_time += h;
+  // Beside lasting contact an impact takes no time of its own.
+  const double alone = impact ? std::max(0.0, h - lasted_) : h;
+  s.contact_time += alone;
+  if (impact)
+    s.impact_time += alone;
+  else
+    lasted_ += h;
   window_.add(begin, normal_impulse);
   s.add(normal_impulse, friction_impulse, 0.0);
   s.force_square += force * force * h;
@@ -131,6 +136,7 @@ void Recorder::advance(const Snapshot& now, const ContactPoint& point, bool impa
   statistics_.external_work += switching_work(*model_, last_.t, now.t, now.q, now.v);
   if (model_->first().contact) count_gap(point, h);
   keep(now);
+  lasted_ = 0.0;
   constexpr std::int64_t kLook = 256;  // steps
   if (++steps_ % kLook == 0 || row != next_) look_at_energy();
 }
@@ -153,6 +159,7 @@ void Recorder::step(const Snapshot& now, double normal_impulse, double friction_
   s.external_work += switching_work(*model_, last_.t, now.t, now.q, now.v);
   s.external_work += balance.external_work;
   keep(now);
+  lasted_ = 0.0;
   meet_energy(balance.energy);
   last_slip_ = point.slip;
 }
@@ -216,10 +223,10 @@ Trajectory Recorder::finish(double end) {
   t.end = end;
   t.contacts = model_->auxiliary.size();
   t.series = std::move(columns_);
-  // An impact is known where it ends, and of several contacts one may end before another that began
-  // first.
-  std::stable_sort(impacts_.begin(), impacts_.end(),
-                   [](const Impact& a, const Impact& b) { return a.t < b.t; });
+  // Of several contacts one may be told after what the others did since: a soft contact's impact at
+  // its end.
+  std::ranges::stable_sort(impacts_, {}, &Impact::t);
+  std::ranges::stable_sort(events_, {}, &Event::t);
   t.impacts = std::move(impacts_);
   t.events = std::move(events_);
   t.statistics = statistics_;

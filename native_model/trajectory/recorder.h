@@ -111,8 +111,8 @@ class Recorder {
   void count_at(std::size_t contact, double begin, double h, double normal_impulse,
                 double friction_impulse, double friction_work);
   void watch_gap(std::size_t contact, double gap);
-  // In the figures of all what a further contact did over a step that step() counts; `both`: the
-  // first pressed too.
+  // In the figures of all what a further contact did over a step that step() counts; `both`: one
+  // before it pressed too.
   void count_beside(double begin, double h, double normal_impulse, double friction_impulse,
                     double friction_work, bool both);
   // For engines with dense output of their own: the next wanted time (infinity: none left), a row
@@ -146,6 +146,7 @@ class Recorder {
   // no energy that round-off could be compared with.
   double resting_ = 0.0;
   std::int64_t steps_ = 0;
+  double lasted_ = 0.0;     // s of lasting contact counted since the last snapshot
   double last_slip_ = 0.0;  // m/s
   std::vector<Column> columns_;
   std::vector<double> least_gaps_;  // m, of the rows, of each contact

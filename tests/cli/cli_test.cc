@@ -180,6 +180,14 @@ TEST(CliRun, AnInterruptKeepsPartialResults) {
 }
 
 // What a rigid impact is worth on the modes kept, and where the whirl outruns them.
+TEST(CliRun, TheTableSaysEachFigureOnce) {
+  const Folder folder;
+  const std::string out =
+      folder.done({"run", shipped("bench_drop"), "--end", "1ms", "-o", "o"}).out;
+  EXPECT_EQ(out.find("least gap"), out.rfind("least gap")) << out;
+  EXPECT_TRUE(contains(out, "least gap")) << out;
+}
+
 TEST(CliRun, SummarySaysWhatTheModesAreWorth) {
   const Folder folder;
   const auto summary = [&](const std::string& scene, const std::vector<std::string>& more) {

@@ -118,6 +118,9 @@ TEST(CliModesRubs, RefusesWhatMakesNoMap) {
   const Outcome refused = folder.run({"modes", shipped("paper_sliding"), "--rub-map"});
   EXPECT_EQ(refused.code, 2);
   EXPECT_TRUE(contains(refused.err, "paper_sliding.toml")) << refused.err;
+  const Outcome several = folder.run({"modes", shipped("two_catchers"), "--rub-map"});
+  EXPECT_TRUE(contains(several.err, "one contact alone; accepted: one [[contact]], as with --set"))
+      << several.err;
   EXPECT_EQ(
       folder.run({"modes", shipped("bench_whip"), "--rub-map", "--set", "rotor.speed=0"}).code, 2)
       << "no speed about which to draw it";

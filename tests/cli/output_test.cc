@@ -103,6 +103,7 @@ std::vector<Arguments> writers(const std::string& place) {
           {"run", ring, "--engine", "mujoco", "--end", "1e4", "-o", place},
           {"compare", ring, "--end", "1e3", "-o", place},
           {"bench", ring, "-o", place},
+          {"check", ring, "--set", "run.end=1e3", "-o", place},
           {"tune", ring, "-o", place + "/tuned.toml"},
           {"sweep", "study.toml", "-o", place},
           {"render", ring, "-o", place + "/film.mp4"},
@@ -111,6 +112,8 @@ std::vector<Arguments> writers(const std::string& place) {
           {"plot", "kept", "-o", place + "/plot.html"},
           {"modes", ring, "-o", place},
           {"modes", ring, "-o", place + "/modes.html"},
+          {"modes", ring, "--rub-map", "--speeds", "10Hz:100Hz:1000", "--frictions",
+           "0.01:0.5:1000", "-o", place + "/map.html"},
           {"mjcf", ring, "-o", place + "/ring.xml"}};
 }
 
@@ -143,6 +146,29 @@ TEST(CliPlaces, WhereFilesMayNotGrow) {
   EXPECT_EQ(WEXITSTATUS(status), 3);
   EXPECT_TRUE(contains(folder.text("said"), "File too large")) << folder.text("said");
   EXPECT_EQ(folder.files(), std::vector<std::string>{"said"});
+}
+
+// A folder that is not there is made, by every command alike.
+TEST(CliPlaces, InAFolderThatIsMade) {
+  const Folder folder;
+  const std::string ring = shipped("bench_ring");
+  folder.done({"run", ring, "--end", "1ms", "-o", "new/kept", "-q"});
+  for (const Arguments& arguments :
+       std::vector<Arguments>{{"render", "new/kept", "--png", "--size", "320x180", "-o", "a/b.png"},
+                              {"plot", "new/kept", "-o", "b/plot.html"},
+                              {"mjcf", ring, "-o", "c/ring.xml"},
+                              {"modes", ring, "-o", "d/modes.html"},
+                              {"schema", "-o", "e/schema.json"},
+                              {"check", ring, "-o", "f"}}) {
+    folder.done(arguments);
+  }
+  for (const char* file :
+       {"a/b.png", "b/plot.html", "c/ring.xml", "d/modes.html", "e/schema.json", "f/check.json"}) {
+    EXPECT_TRUE(folder.has(file)) << file;
+  }
+  const Outcome refused = folder.run({"mjcf", ring, "-o", "c"});
+  EXPECT_EQ(refused.code, 2);
+  EXPECT_TRUE(contains(refused.err, "c: is a folder")) << refused.err;
 }
 
 TEST(CliPlaces, BelowAFile) {

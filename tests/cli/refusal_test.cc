@@ -115,6 +115,27 @@ vx = [1e-3, 0.0, 0.0, 0.0, 0.0]
                  {"--set: rotor.max_frequency: keeps no bending mode"});
 }
 
+// By the option that the user gave, or the key that was meant.
+TEST(CliRefusal, NamesWhatWasWritten) {
+  const Folder folder;
+  const std::string drop = shipped("bench_drop");
+  expect_refused(folder, {"run", drop, "--end", "-1"}, {"--end: run.end: out of range"});
+  expect_refused(folder, {"run", drop, "--step", "0"}, {"--step: run.step: out of range"});
+  expect_refused(folder, {"run", drop, "--set", "run.end=-1"}, {"--set: run.end: out of range"});
+  for (const std::string path : {"contact.frictoin", "contcat", "frce[0]", "rotor.modal.mas"}) {
+    expect_refused(folder, {"run", drop, "--set", path + "=none"}, {"unknown", "did you mean"});
+  }
+  EXPECT_EQ(
+      folder.run({"run", drop, "--end", "1ms", "--set", "gravity=none", "-q", "-o", "o"}).code, 0);
+  expect_refused(folder, {"compare", "nofile.xml"},
+                 {"nofile.xml: cannot be read: No such file or directory"});
+  const Outcome friction = folder.run({"init", "--friction", "x"});
+  EXPECT_TRUE(contains(friction.err,
+                       "accepted is a pure number, 0 or from 1e-06 to 1e+06, as "
+                       "\"0.15\""))
+      << friction.err;
+}
+
 TEST(CliRefusal, OfNumbersThatNoMachineHas) {
   const Folder folder;
   const std::string ring = shipped("bench_ring");

@@ -31,6 +31,16 @@ TEST(CliStop, ASignalKeepsPartialResults) {
   }
 }
 
+TEST(CliStop, AComparisonSaysThatItWasInterrupted) {
+  const Folder folder;
+  Program program(folder.path(), {"compare", shipped("bench_ring"), "--end", "1e3", "-o", "out"});
+  std::this_thread::sleep_for(1s);
+  program.interrupt(SIGINT);
+  const Outcome stopped = program.wait();
+  EXPECT_EQ(stopped.code, 130);
+  EXPECT_NE(stopped.err.find("rotorub: interrupted"), std::string::npos) << stopped.err;
+}
+
 TEST(CliStop, AFilmIsNotLeftHalfMade) {
   const Folder folder;
   Program program(folder.path(),

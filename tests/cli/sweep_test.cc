@@ -129,6 +129,30 @@ TEST(Sweep, AnotherStudyInTheSameFolderIsRefused) {
   EXPECT_EQ(folder.run({"sweep", "study.toml", "-o", "out", "--set", "run.step=1e-4"}).code, 2);
 }
 
+// As run and compare say it: of the study, of its values and of its scene.
+TEST(Sweep, SaysThatAWordIsOld) {
+  const Folder folder;
+  const auto told = [&](const std::string& vary, const std::string& run, const std::string& set) {
+    std::ofstream(folder.path() / "study.toml")
+        << "scene = \"" << shipped("bench_drop") << "\"\n[sample]\nkind = \"grid\"\n[[vary]]\n"
+        << vary << "\n[run]\nend = 1e-3\n"
+        << run;
+    std::vector<std::string> call{"sweep", "study.toml", "-o", "out"};
+    if (!set.empty()) call.insert(call.end(), {"--set", set});
+    const Outcome done = folder.done(call);
+    std::filesystem::remove_all(folder.path() / "out");
+    return done.err;
+  };
+  const std::string friction = "key = \"contact.friction\"\nvalues = [0.1]";
+  EXPECT_TRUE(
+      contains(told(friction, "integrator = \"paper\"", ""), "note: run.integrator: \"paper\""));
+  EXPECT_TRUE(contains(told("key = \"run.integrator\"\nvalues = [\"event\", \"literal\"]", "", ""),
+                       "note: vary[0].values[1]: \"literal\""));
+  EXPECT_TRUE(
+      contains(told(friction, "", "run.integrator=paper"), "bench_drop.toml: run.integrator: "));
+  EXPECT_EQ(told(friction, "", ""), "");
+}
+
 TEST(Sweep, UsageErrors) {
   const Folder folder;
   write_study(folder, "study.toml", study(2, 1, "end = \"10 ms\"\n"));

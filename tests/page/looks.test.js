@@ -94,6 +94,13 @@ test('400 px are enough', async () => {
   await page.close();
 });
 
+test('the verdicts have room at 1400 px', async () => {
+  const page = await open(browser, 'report.html', {width: 1400});
+  const wide = await page.evaluate(() => [...document.querySelectorAll('.answer')].map((e) => e.scrollWidth - e.clientWidth));
+  assert.ok(wide.length > 0 && wide.every((over) => over <= 0), `${wide}`);
+  await page.close();
+});
+
 test('prints: pictures have their places, and the screen comes back', async () => {
   const page = await open(browser, 'report.html', {colorScheme: 'dark'});
   const dark = await page.evaluate(() => getComputedStyle(document.body).backgroundColor);

@@ -228,6 +228,14 @@ inline std::vector<Part> pair_parts() {
       {"force[1]={kind='unbalance',static_moment=1e-3,phase=0.5,on=1.357911e-3,station=0.30}"},
       {"force[1]={kind='unbalance',static_moment=1e-3,phase=0.5,on=1.357911e-3}"});
 
+  // The base: samples at a whole number of no step, and lines.
+  add_both("quake", "base",
+           {"base={time=[0.4321e-3,1.7654e-3,4.321e-3,7.1234e-3],acceleration_x=[0.0,90.0,-60.0,"
+            "20.0],acceleration_y=[5.0,-40.0,50.0,-30.0],off=6.789e-3}"});
+  add_both("swell", "base",
+           {"base={frequency=[200.0,510.0],amplitude=[60.0,40.0],phase=[0.3,1.9],direction=0.6,"
+            "on=0.7654e-3,ramp=3.21e-3}"});
+
   // Impacts that take time.
   add_both("finite_impacts", "impacts",
            {"contact.compression_time=2.1e-4", "contact.expansion_time=1.3e-4"});

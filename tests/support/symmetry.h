@@ -32,6 +32,7 @@ class Transformed {
     if (scene.first().contact) vector("contact.offset", scene.first().contact->offset);
     if (scene.first().stator) stator(*scene.first().stator);
     if (scene.gravity) vector("gravity.acceleration", scene.gravity->acceleration);
+    if (scene.base) base(*scene.base);
     initial(scene);
   }
 
@@ -129,25 +130,30 @@ class Transformed {
     planes("stator.stiffness", stator.stiffness);
     if (stator.spin) number("stator.spin.speed", sense() * stator.spin->speed);
   }
+  // Pairs (x, y) that stand in two lists; one that is shorter goes on with 0.
+  void lists(const std::string& x_key, const std::string& y_key, const std::vector<double>& x,
+             const std::vector<double>& y) {
+    std::vector<double> new_x, new_y;
+    const auto at = [](const std::vector<double>& list, std::size_t k) {
+      return k < list.size() ? list[k] : 0.0;
+    };
+    for (std::size_t k = 0; k < std::max(x.size(), y.size()); ++k) {
+      const Eigen::Vector2d v = of({at(x, k), at(y, k)});
+      new_x.push_back(v.x());
+      new_y.push_back(v.y());
+    }
+    if (new_x.empty()) return;
+    set(x_key, text(new_x));
+    set(y_key, text(new_y));
+  }
+  void base(const scene::Base& base) {
+    lists("base.acceleration_x", "base.acceleration_y", base.acceleration_x, base.acceleration_y);
+    if (!base.frequency.empty()) number("base.direction", direction(base.direction));
+  }
   void initial(const scene::Scene& scene) {
     const scene::Initial& initial = scene.initial;
-    const auto lists = [&](const char* x_key, const char* y_key, const std::vector<double>& x,
-                           const std::vector<double>& y) {
-      std::vector<double> new_x, new_y;
-      const auto at = [](const std::vector<double>& list, std::size_t k) {
-        return k < list.size() ? list[k] : 0.0;
-      };
-      for (std::size_t k = 0; k < std::max(x.size(), y.size()); ++k) {
-        const Eigen::Vector2d v = of({at(x, k), at(y, k)});
-        new_x.push_back(v.x());
-        new_y.push_back(v.y());
-      }
-      if (new_x.empty()) return;
-      set(std::string("initial.") + x_key, text(new_x));
-      set(std::string("initial.") + y_key, text(new_y));
-    };
-    lists("x", "y", initial.x, initial.y);
-    lists("vx", "vy", initial.vx, initial.vy);
+    lists("initial.x", "initial.y", initial.x, initial.y);
+    lists("initial.vx", "initial.vy", initial.vx, initial.vy);
     if (const auto& ring = scene.first().stator) {
       vector("initial.stator", ring->position);
       vector("initial.stator_velocity", ring->velocity);

@@ -15,6 +15,7 @@ std::string beyond(const scene::Scene& s, const Model& m) {
   if (!s.first().contact) return "a scene without [contact]";
   if (s.auxiliary.size() > 1) return "several contacts";
   if (s.gravity) return "[gravity]";
+  if (s.base) return "[base]";
   if (!m.first().ring_offset.isZero(0.0)) return "contact.offset";
   if (m.layout.torsion > 0) return "elastic torsion";
   if (m.layout.ring_spin > 0) return "a ring that turns ([stator.spin])";

@@ -120,6 +120,23 @@ TEST(BenchTable, SaysWhoIsFastestAndWhatFailed) {
   EXPECT_EQ(text.find("\n  1e-06"), std::string::npos) << "finer levels stand in the JSON";
 }
 
+// The longest name pushes nothing aside.
+TEST(BenchTable, KeepsItsColumns) {
+  SceneBench b = made_bench();
+  b.engines.push_back(made_engine("mujoco-cone-coulomb", Family::kMujoco));
+  b.points.push_back(made_point("mujoco-cone-coulomb", 1e-4, 4e-6, 1e-4, "Euler"));
+  b.levels = levels(b.points, b.engines, b.scene.first().contact->clearance, 0.0);
+  const std::string text = bench_table(b);
+  const auto column = [&](const std::string& line, const char* word) {
+    const std::size_t at = text.find(word, text.find(line));
+    return at - text.rfind('\n', at);
+  };
+  EXPECT_EQ(column("\n  1e-02", "Euler"), column("level", "setting")) << text;
+  EXPECT_EQ(column("\n  1e-03", "10 µs"), column("level", "setting")) << text;
+  EXPECT_EQ(column("\n  mujoco-cone-coulomb", "Euler"), column("\n  mujoco-rigid", "Euler"))
+      << text;
+}
+
 TEST(BenchPage, IsSelfContainedAndEscaped) {
   const std::string page = bench_page(kMachine, {made_bench()}, kRestitution);
   EXPECT_TRUE(page.starts_with("<!doctype html>"));

@@ -122,6 +122,16 @@ TEST(Levels, TheHeadlineStopsAtEngineering) {
   EXPECT_NE(verdict.find("fastest at every level reached"), std::string::npos) << verdict;
 }
 
+// Nobody is the fastest at nothing.
+TEST(Levels, AVerdictOnNothingSaysSo) {
+  EXPECT_EQ(verdict_text(levels({}, engines(), kClearance, 0.0)),
+            "no engine reaches any of these levels: there is no fastest");
+  const std::vector<Point> native{made_point("native-verlet", 1e-4, 5e-6, 1e-3)};
+  EXPECT_EQ(verdict_text(levels(native, engines(), kClearance, 0.0)),
+            "a native integrator is the fastest at every level reached; no setting of MuJoCo's "
+            "reaches one");
+}
+
 TEST(Levels, FailuresAndUntimedPointsDoNotCount) {
   Point untimed = made_point("ode", 1e-5, 1e-9, 1e-3);
   untimed.wall = {};

@@ -26,10 +26,12 @@ Trajectory event(const scene::Scene& scene) {
   return t;
 }
 
-// The reference rig with two modes; its magnetic bearing's force begins as `force` says.
+// The reference rig with two modes; its magnetic bearing's force begins, or its base moves, as
+// `force` says.
 scene::Scene rig(const std::string& force, std::vector<std::string> more = {}) {
-  std::vector<std::string> all{"rotor.modes=2", "run.end=0.04", "run.output_step=1e-3",
-                               "force[0]={" + force + ",station=0.42}"};
+  std::vector<std::string> all{
+      "rotor.modes=2", "run.end=0.04", "run.output_step=1e-3",
+      force.starts_with("base=") ? force : "force[0]={" + force + ",station=0.42}"};
   all.insert(all.end(), more.begin(), more.end());
   return shipped("paper_passive", all);
 }
@@ -40,6 +42,10 @@ const std::string kChirp =
     "Hz',phase=0.4,on=1.2345e-3,off=0.0312345";
 const std::string kPulse = "kind='pulse',vector=[1500.0,800.0],on=1.2345e-3,off=6.5432e-3";
 const std::string kBlade = "kind='unbalance',static_moment=2e-3,phase=0.4,on=1.2345e-3";
+// The base moves, beside the scene's own force.
+const std::string kQuake =
+    "base={time=[0.0,3.21e-3,9.87e-3,0.0211],acceleration_x=[0.0,180.0,-90.0,10.0],"
+    "acceleration_y=[5.0,-70.0,95.0,-20.0],ramp=2e-3}";
 
 class Excitations : public ::testing::TestWithParam<std::string> {};
 
@@ -74,11 +80,12 @@ TEST_P(Excitations, MujocosOwnStepFollowsEvent) {
   EXPECT_GT(c.order(), 0.7) << c.text();
 }
 
-INSTANTIATE_TEST_SUITE_P(Kinds, Excitations, ::testing::Values(kLocked, kChirp, kPulse, kBlade));
+INSTANTIATE_TEST_SUITE_P(Kinds, Excitations,
+                         ::testing::Values(kLocked, kChirp, kPulse, kBlade, kQuake));
 
 // The chain of rigid segments, spin held: to what the segments leave of the shaft's frequencies.
 TEST(ExcitationSegments, FollowTheNativeBeam) {
-  for (const std::string& force : {kLocked, kChirp, kPulse, kBlade}) {
+  for (const std::string& force : {kLocked, kChirp, kPulse, kBlade, kQuake}) {
     const scene::Scene scene =
         rig(force, {"drive=none", "rotor.torsion=none", "contact.clearance=0.05", "run.step=5e-6",
                     "mujoco={rotor=\"segments\", segments=16}"});

@@ -3,6 +3,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <string>
 
 #include "compare/engine/mujoco_engine.h"
@@ -90,6 +91,7 @@ TEST(SeveralContactsInMujoco, OnTheModalChainAreTheNativeModels) {
       EXPECT_NEAR(found.impulse_total, exact.impulse_total, 5e-3 * exact.impulse_total) << k;
     }
     EXPECT_LT(t.statistics.energy_residual(), 1e-2) << scene::to_string(contact);
+    EXPECT_TRUE(std::ranges::is_sorted(t.impacts, {}, &Impact::t)) << scene::to_string(contact);
     for (const char* column : {"normal_force", "contact2_normal_force"}) {
       const double exact = native.column(column).back();
       EXPECT_NEAR(t.column(column).back(), exact, 0.02 * exact) << column;

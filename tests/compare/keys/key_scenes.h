@@ -73,6 +73,7 @@ inline std::vector<KeyScene> key_scenes() {
   modal("driven torsion",
         {"rotor.torsion={inertia=[4e-4],stiffness=[60.0],damping=[0.01],drive_shape=[-0.5]}",
          "drive={kind='linear',gain=2.0,speed=400.0}"});
+  modal("random base", {"base={frequency=[200.0,510.0],amplitude=[60.0,40.0],seed=3}"});
   modal("gravity and spin", {"gravity={acceleration=[0.5,-9.81]}", "drive={kind='free'}"});
 
   // Several contacts.

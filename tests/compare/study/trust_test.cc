@@ -138,6 +138,13 @@ TEST(Why, NamesTheFurthestFirstAndWhatWasNotDecided) {
       "%: rms gap rate +3.00 % ± 7.00 % (9.93 % would be detected)");
 }
 
+// In replay the open loop drifts, by more than equal twins scatter: not 0 % would be detected.
+TEST(Why, SaysThatADriftHidesWhatIsSmaller) {
+  const FigureSample native{100.0, 100.0}, other{100.5, 100.5};
+  EXPECT_EQ(why({judged(figure("mean_force"), native, other, kPercent, 0.021)}, kPercent),
+            "undecidable at 1 %: mean normal force +0.50 % ± 2.10 % (2.10 % would be detected)");
+}
+
 // The three errors of a comparison made by hand.
 
 // One judged figure, in points: a share of time.
@@ -182,6 +189,18 @@ TEST(ThreeErrors, SayWhatCannotBeTold) {
   EXPECT_NE(three_errors(c, 1).contact.figure, nullptr);
   c.differences[0].figures[1].split.valid = false;
   EXPECT_EQ(three_errors(c, 1).contact.figure, nullptr);
+}
+
+// A scene without a near miss has no such figure, which is no lack of knowledge.
+TEST(ThreeErrors, LeaveOutWhatTheSceneHasNot) {
+  SceneComparison c = made_by_hand();
+  for (Side& side : c.sides) side.metrics.first_touch = 0.1;
+  ASSERT_TRUE(is_absent(c, figure("near_miss")));
+  FigureDifference missing;
+  missing.figure = &figure("near_miss");
+  c.differences[0].figures.push_back(missing);
+  EXPECT_EQ(three_errors(c, 1).contact.untold, 0);
+  EXPECT_EQ(three_errors(c, 1).step.untold, 0);
 }
 
 TEST(ThreeErrors, HaveTheModesOfTheLadder) {

@@ -96,6 +96,13 @@ TEST(ContactList, IsRefusedWithTheElementsPath) {
        "contact[1].expansion_time", "known of one contact alone"},
       {"a controller without a ring", two + "[contact.controller]\nkind = \"pd\"\n", 26,
        "contact[1].controller", "needs [stator]"},
+      {"a start outside the second ring",
+       two + "[contact.stator]\nmass = 1\nstiffness = 1\nposition = [0, 1]\n", 29,
+       "contact[1].stator.position", "outside the ring"},
+      {"a table of another kind",
+       two + "[contact.stator]\nmass = 1\nstiffness = 1\n[contact.controller]\nkind = "
+             "\"pd\"\nstiffness = 1\ndamping = 1\n[contact.controller.config]\na = 1\n",
+       33, "contact[1].controller.config", "belongs to kind"},
       {"a start beside the list", two + "[initial]\nstator = [0, 0]\n", 27, "initial.stator",
        "position and velocity in each [contact.stator]"},
       {"position of the only ring",

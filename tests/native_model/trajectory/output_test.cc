@@ -166,10 +166,16 @@ std::string failure(const fs::path& file, const std::string& text) {
   return "written";
 }
 
-TEST_F(OutputTest, AFolderThatIsNotThereIsSaid) {
-  const fs::path file = folder_ / "absent" / "a.txt";
-  EXPECT_EQ(failure(file, "text"), "cannot open " + file.string() + ": No such file or directory");
-  EXPECT_EQ(files(), 0u);
+TEST_F(OutputTest, AFolderThatIsNotThereIsMade) {
+  write_whole(folder_ / "absent" / "below" / "a.txt", "text");
+  EXPECT_EQ(content(folder_ / "absent" / "below" / "a.txt"), "text");
+}
+
+TEST_F(OutputTest, AFolderThatCannotBeMadeIsSaid) {
+  write_whole(folder_ / "file", "text");
+  const fs::path file = folder_ / "file" / "below" / "a.txt";
+  EXPECT_EQ(failure(file, "text"), "cannot open " + file.string() + ": Not a directory");
+  EXPECT_EQ(files(), 1u);
 }
 
 TEST_F(OutputTest, ATargetThatCannotBeReplacedLeavesNothingAside) {

@@ -88,6 +88,39 @@ TEST(Statistics, ContactIsCountedFromFirstTouch) {
   EXPECT_LT(s.friction_work, 0.0) << "friction only takes";
 }
 
+// One contact lasts while another is hit: the step is one step of contact.
+TEST(Statistics, AnImpactBesideLastingContactTakesNoTimeOfItsOwn) {
+  const Model m = make_model(test::make_scene({}));
+  const double q[] = {0.5e-3, 0.0}, v[] = {0.0, 0.0};
+  Recorder recorder(m, {});
+  recorder.begin({{}, 0.0, q, v});
+  const StepFigures lasting{.h = 1.0, .normal_impulse = 2.0},
+      impact{.h = 1.0, .normal_impulse = 3.0, .impact = true};
+  recorder.count(lasting, 0.0);
+  recorder.count(impact, 0.0);
+  recorder.advance({{}, 1.0, q, v}, contact_point(m, q, v), true);
+  recorder.count(impact, 1.0);
+  recorder.advance({{}, 2.0, q, v}, contact_point(m, q, v), true);
+  const Statistics s = recorder.finish(2.0).statistics;
+  EXPECT_EQ(s.contact_time, 2.0);
+  EXPECT_EQ(s.impact_time, 1.0) << "of the second step";
+  EXPECT_EQ(s.impulse_total, 8.0);
+}
+
+TEST(Statistics, ImpactsAndEventsAreInTheOrderOfTime) {
+  const Model m = make_model(test::make_scene({}));
+  Recorder recorder(m, {});
+  for (const double t : {2.0, 1.0}) {
+    Impact impact;
+    impact.t = t;
+    recorder.add(impact);
+    recorder.add(Event{t, EventKind::kImpact});
+  }
+  const Trajectory t = recorder.finish(3.0);
+  EXPECT_EQ(t.impacts.front().t, 1.0);
+  EXPECT_EQ(t.events.front().t, 1.0);
+}
+
 TEST(Statistics, PenetrationIsTheDeepestMet) {
   const Model m = make_model(test::make_scene({}));
   Feed feed(m);
