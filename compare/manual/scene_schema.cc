@@ -175,7 +175,8 @@ std::string scene_schema() {
     }
     schema["description"] =
         std::string(table.meaning) + " Absent: " + std::string(table.when_absent) + ".";
-    (*parent)["properties"][std::string(name)] = std::move(schema);
+    json& place = (*parent)["properties"][std::string(name)];
+    place = table.for_key ? json{{"anyOf", {place, schema}}} : std::move(schema);
   }
   // Below each [[contact]].
   json& listed = root["properties"]["contact"]["anyOf"][1]["items"]["properties"];

@@ -121,10 +121,10 @@ bool is_part_of_contact(const Table& table) {
 const Table* find_table(std::string_view path) {
   constexpr std::string_view kList = "contact.";
   const bool below = path.starts_with(kList);
-  if (below) path.remove_prefix(kList.size());
+  const std::string_view part = below ? path.substr(kList.size()) : path;
   const std::span<const Table> all = tables();
   const auto found = std::find_if(all.begin(), all.end(), [&](const Table& table) {
-    return table.path == path && (!below || is_part_of_contact(table));
+    return table.path == path || (below && table.path == part && is_part_of_contact(table));
   });
   return found == all.end() ? nullptr : &*found;
 }

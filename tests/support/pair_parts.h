@@ -228,6 +228,10 @@ inline std::vector<Part> pair_parts() {
       {"force[1]={kind='unbalance',static_moment=1e-3,phase=0.5,on=1.357911e-3,station=0.30}"},
       {"force[1]={kind='unbalance',static_moment=1e-3,phase=0.5,on=1.357911e-3}"});
 
+  // Friction that falls over the slips of the run, and grows again.
+  add_both("falling_friction", "friction",
+           {"contact.friction={static=0.25,kinetic=0.12,stribeck_speed=5.0,viscous=4e-3}"});
+
   // Impacts that take time.
   add_both("finite_impacts", "impacts",
            {"contact.compression_time=2.1e-4", "contact.expansion_time=1.3e-4"});
