@@ -30,6 +30,14 @@ void refuse_unsupported(const scene::Scene& scene) {
                      "\"segments\" needs the rotor's geometry; accepted: \"modal\"");
   }
   refuse_several_in_mujoco(scene);
+  for (std::size_t k = 0; k < scene.auxiliary.size(); ++k) {
+    const auto& contact = scene.auxiliary[k].contact;
+    if (!scene::is_cone(mujoco.contact) || !contact || contact->friction.is_constant()) continue;
+    scene::refuse_at(scene,
+                     k > 0 ? scene::list_element("contact", k) + ".friction" : "contact.friction",
+                     "MuJoCo's cone has one coefficient for all slips; accepted: a number, or "
+                     "contact model rigid or coulomb");
+  }
   if (mujoco.integrator == scene::MujocoIntegrator::kRk4) {
     scene::refuse_at(scene, "mujoco.integrator", "accepted: \"euler\", \"implicit\"");
   }

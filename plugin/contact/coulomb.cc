@@ -29,6 +29,7 @@ struct TouchingPair : ContactRows {
   int row = 0;  // of MuJoCo's solver
   ContactPoint point{};
   Eigen::Vector3d base{0.0, 0.0, 0.0};  // m/s^2, of y what is not the acceleration of a coordinate
+  double slip = 0.0;                    // m/s, in both directions
   double curvature = 0.0;  // m/s^2, towards the ring, with that of centres that go in circles
   bool touches = false;
   Eigen::Vector3d force{0.0, 0.0, 0.0};  // N, (normal, friction, friction along the axis)
@@ -91,6 +92,7 @@ TouchingPair touching_pair(const ContactPair& pair, const ContactSpaces::Made& a
   s.base = {-s.curvature - reference,
             p.slip / h + whirl / p.delta * p.gap_rate + p.e_t().dot(turning),
             axial ? s.column(2).dot(axial->rates(d->qvel)) / h : 0.0};
+  s.slip = std::hypot(p.slip, s.base.z() * h);
   return s;
 }
 
@@ -138,7 +140,7 @@ Touching touching(TouchingPairs& contacts) {
   for (TouchingPair& s : contacts.span()) {
     if (!s.touches) continue;
     // The law at the slip: the rates of this problem are accelerations.
-    t.laws[t.count].friction = s.pair->contact.friction.at(s.point.slip);
+    t.laws[t.count].friction = s.pair->contact.friction.at(s.slip);
     t.at[t.count++] = &s;
     if (s.axial) t.rows = 3;
   }

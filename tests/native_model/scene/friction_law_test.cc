@@ -58,7 +58,7 @@ TEST(FrictionOfAScene, RefusesWhatIsNoLaw) {
     EXPECT_NE(refusal_of(text).find(part), std::string::npos) << text << ": " << refusal_of(text);
   };
   says("friction = { static = 0.1, kinetic = 0.15, stribeck_speed = 0.1 }",
-       "scene.toml:11: contact.friction.static: is below contact.friction.kinetic = 0.15");
+       "scene.toml:12: contact.friction.static: is below contact.friction.kinetic = 0.15");
   says("friction = { static = 0.3, kinetic = 0.15 }", "contact.friction.stribeck_speed: missing");
   says("friction = { static = 0.3, kinetic = 0.15, stribeck_speed = 0.0 }", "out of range");
   says("friction = { static = 0.3, kinetic = 0.15, stribeck_speed = 0.1, viscous = -1.0 }",
