@@ -14,6 +14,7 @@
 #include "native_model/rotor/refusal.h"
 #include "native_model/scene/record.h"
 #include "native_model/scene/scene.h"
+#include "native_model/scene/text.h"
 #include "native_model/stepping/stepper.h"
 #include "native_model/stepping/zero_order_hold.h"
 #include "native_model/system/model_checks.h"

@@ -268,7 +268,7 @@ CoupledSolution solve_expansion(const ContactMatrix& a, const ContactVector& b,
   const auto slip = [&](const ContactVector& y, std::size_t i) {
     return rows == 3 ? y.segment<2>(first_row(i) + 1).norm() : y[first_row(i) + 1];
   };
-  std::array<SlipFriction<double>, kMaxContacts> friction;
+  std::array<SlipFriction, kMaxContacts> friction;
   for (std::size_t i = 0; i < laws.size(); ++i) friction[i] = {laws[i].friction, slip(b, i)};
   for (;;) {
     for (std::size_t i = 0; i < laws.size(); ++i) {

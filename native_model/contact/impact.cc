@@ -115,7 +115,7 @@ void expand(const ImpactPhase& phase, const ImpactLaw& law, double mu, ImpactRes
 }
 
 void expand(const ImpactPhase& phase, const ImpactLaw& law, ImpactResult& r) {
-  SlipFriction<double> friction(law.friction, phase.slip);
+  SlipFriction friction(law.friction, phase.slip);
   do {
     expand(phase, law, friction.mu(), r);
   } while (r.status == Status::kOk &&

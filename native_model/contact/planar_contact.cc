@@ -77,7 +77,7 @@ CoulombSolution solve_coulomb(const Delassus& a, double b_n, double b_t, double 
 
 CoulombSolution solve_coulomb(const Delassus& a, double b_n, double b_t, const FrictionLaw& law,
                               double before) {
-  SlipFriction<double> friction(law, before);
+  SlipFriction friction(law, before);
   for (;;) {
     const CoulombSolution s = solve_coulomb(a, b_n, b_t, friction.mu());
     const bool sticks = s.contact_case == ContactCase::kStick;

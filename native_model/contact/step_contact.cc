@@ -89,7 +89,7 @@ class Solver {
   }
   // Sliding to this side throughout, with the mu of the middle.
   Candidate slide_on(double sign, double before) const {
-    SlipFriction<double> friction(s_.friction, before);
+    SlipFriction friction(s_.friction, before);
     for (;;) {
       const Candidate c = slide(-friction.mu() * sign);
       if (!c.holds || !friction.improve(0.5 * (before + c.slip))) return c;

@@ -39,9 +39,9 @@ class OneContact {
       const ContactParameters& c = *models[static_cast<std::size_t>(lane)]->first().contact;
       lanes::set(clearance_, lane, c.clearance);
       lanes::set(radius_, lane, c.radius);
-      friction_law_.set(lane, c.friction);
+      lanes::set(friction_, lane, c.friction.coefficient);
+      lanes::set(by_slip_, lane, c.friction.is_constant() ? 0.0 : 1.0);
     }
-    by_slip_ = !friction_law_.is_constant();
     if (!loads.coupled()) respond(x, loads);
   }
 
@@ -271,39 +271,23 @@ class OneContact {
     const T ex = normal_.x, ey = normal_.y;
     const T spin = equations::contact_spin(m, x.free.data());
     const T r = radius_;
+    const T ratio = -friction_ * last_sign_;
+    // Response to N with T = ratio N.
+    const T lx = -ex - ey * ratio, ly = -ey + ex * ratio, lz = r * ratio;
     const auto& a = admittance_;
-    const T px = d.x + h * w.x, py = d.y + h * w.y;
+    const T gx = a[0][0] * lx + a[0][1] * ly + a[0][2] * lz;
+    const T gy = a[1][0] * lx + a[1][1] * ly + a[1][2] * lz;
+    const T gz = a[2][0] * lx + a[2][1] * ly + a[2][2] * lz;
+    const T px = d.x + h * w.x, py = d.y + h * w.y, hx = h * gx, hy = h * gy;
+    const T square = hx * hx + hy * hy, along = px * hx + py * hy;
     const T circle = clearance_ * clearance_;
     const T depth = px * px + py * py - circle;
-    T ratio, root, along, normal, slip;
-    const auto slide = [&](const T& mu) __attribute__((always_inline)) {
-      ratio = -mu * last_sign_;
-      // Response to N with T = ratio N.
-      const T lx = -ex - ey * ratio, ly = -ey + ex * ratio, lz = r * ratio;
-      const T gx = a[0][0] * lx + a[0][1] * ly + a[0][2] * lz;
-      const T gy = a[1][0] * lx + a[1][1] * ly + a[1][2] * lz;
-      const T gz = a[2][0] * lx + a[2][1] * ly + a[2][2] * lz;
-      const T hx = h * gx, hy = h * gy;
-      const T square = hx * hx + hy * hy;
-      along = px * hx + py * hy;
-      root = along * along - square * depth;
-      normal = depth / (lanes::square_root(lanes::select(root > zero, root, one)) - along);
-      slip = ex * (w.y + normal * gy) - ey * (w.x + normal * gx) + r * (spin + normal * gz);
-    };
-    if (by_slip_) {  // as slide_on() there
-      const T half = lanes::all<T>(0.5);
-      const T before = slip_of(equations::relative(m, x.start.data()),
-                               equations::contact_spin(m, x.start.data()));
-      SlipFriction<T> friction(friction_law_, before);
-      do {
-        slide(friction.mu());
-      } while (friction.improve(lanes::select(on & (root > zero), half * (before + slip), before)));
-    } else {
-      slide(friction_law_.coefficient);
-    }
+    const T root = along * along - square * depth;
+    const T normal = depth / (lanes::square_root(lanes::select(root > zero, root, one)) - along);
+    const T slip = ex * (w.y + normal * gy) - ey * (w.x + normal * gx) + r * (spin + normal * gz);
     const T turned = d.x * px + d.y * py;
     const Mask slides = (root > zero) & (along < zero) & (slip * last_sign_ > zero) &
-                        (turned >= lanes::all<T>(0.5) * circle);
+                        (turned >= lanes::all<T>(0.5) * circle) & (by_slip_ == zero);
     now.normal = lanes::select(on, normal, now.normal);
     now.friction = lanes::select(on, ratio * normal, now.friction);
     now.slip_sign = lanes::select(on, last_sign_, now.slip_sign);
@@ -317,8 +301,8 @@ class OneContact {
 
   bool exists_ = false, located_;
   T clearance_{}, radius_{};
-  FrictionOf<T> friction_law_;
-  bool by_slip_ = false;  // mu of a lane at least depends on it
+  // mu, where it is a number; 1 where it depends on the slip: the lane is solved by itself.
+  T friction_{}, by_slip_{};
   T admittance_[3][3] = {};
   typename State::Coordinates response_[3];
   Lasting with_impacts_;  // of a step with impacts

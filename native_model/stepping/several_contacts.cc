@@ -133,7 +133,7 @@ CoupledSolution SeveralContacts::solve_on_circles(std::span<const std::size_t> l
 // two values by the time that each holds.
 bool SeveralContacts::press(State& x, std::span<const std::size_t> lasting) {
   std::array<Friction, kMaxContacts> friction{};
-  std::array<SlipFriction<double>, kMaxContacts> of_slip;
+  std::array<SlipFriction, kMaxContacts> of_slip;
   std::array<double, kMaxContacts> before{}, until{};
   const std::size_t n = lasting.size();
   for (std::size_t i = 0; i < n; ++i) {

@@ -13,7 +13,6 @@
 #include "native_model/contact/coupled_law.h"
 #include "native_model/contact/impact.h"
 #include "native_model/contact/planar_contact.h"
-#include "native_model/numerics/lanes.h"
 
 namespace rotorub {
 namespace {
@@ -55,29 +54,6 @@ TEST(Friction, FallsFromStaticToKineticAndGrowsWithTheSlip) {
   }
   // Beyond the end of sliding it goes on smoothly.
   EXPECT_NEAR(law.along(1e-3) + law.along(-1e-3), 2.0 * law.along(0.0), 1e-4);
-}
-
-TEST(Friction, OfLanesIsThatOfEach) {
-  using T = lanes::Lane<4>;
-  const FrictionLaw laws[] = {0.1, falling(), 0.4, falling(0.0)};
-  FrictionOf<T> all;
-  for (int lane = 0; lane < 4; ++lane) all.set(lane, laws[lane]);
-  for (const double slip : {0.0, -0.05, 0.7}) {
-    const T mu = all.at(lanes::all<T>(slip));
-    for (int lane = 0; lane < 4; ++lane) EXPECT_EQ(mu[lane], laws[lane].at(slip)) << lane;
-  }
-  // Found together to the same bits as alone, however long the others take.
-  SlipFriction<T> together(all, lanes::all<T>(0.5));
-  T mu;
-  do {
-    mu = together.mu();
-  } while (together.improve(lanes::all<T>(0.5) - lanes::all<T>(1.1) * mu));
-  for (int lane = 0; lane < 4; ++lane) {
-    SlipFriction<double> alone(laws[lane], 0.5);
-    while (alone.improve(0.5 - 1.1 * alone.mu())) continue;
-    EXPECT_EQ(mu[lane], alone.mu()) << lane;
-    EXPECT_NEAR(mu[lane], laws[lane].at(0.5 - 1.1 * mu[lane]), 1e-14) << lane;
-  }
 }
 
 // Viscous friction alone, L_T = -c v L_N with v at the end of each phase: v_C = v_0 / (1 + c G_TT
