@@ -107,7 +107,7 @@ ContactPair contact_pair(scene::ContactModel model, double clearance, const Fric
   // `coulomb`: no friction in MuJoCo's contact, the plugin adds it. Without friction the cone's
   // tangential directions are of no use either.
   pair.condim = is_cone && !friction.none() ? 3 : 1;
-  pair.friction = is_cone ? friction.constant("MuJoCo's friction cone") : friction.coefficient;
+  pair.friction = is_cone ? friction.constant("MuJoCo's cone") : friction.sticking();
   pair.soft = soft;
   // In a lasting rub `coulomb` holds the gap at 0 to within the step's error: the contact must
   // not come and go with the sign of a nanometre; nor `cone-coulomb`. `cone` would keep the margin

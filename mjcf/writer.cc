@@ -14,6 +14,7 @@
 #include "native_model/rotor/refusal.h"
 #include "native_model/scene/record.h"
 #include "native_model/scene/scene.h"
+#include "native_model/scene/text.h"
 #include "native_model/stepping/stepper.h"
 #include "native_model/stepping/zero_order_hold.h"
 #include "native_model/system/model_checks.h"
@@ -31,6 +32,14 @@ void refuse_unsupported(const scene::Scene& scene) {
   }
   refuse_several_in_mujoco(scene);
   refuse_compliance_in_mujoco(scene);
+  for (std::size_t k = 0; k < scene.auxiliary.size(); ++k) {
+    const auto& contact = scene.auxiliary[k].contact;
+    if (!scene::is_cone(mujoco.contact) || !contact || contact->friction.is_constant()) continue;
+    scene::refuse_at(scene,
+                     k > 0 ? scene::list_element("contact", k) + ".friction" : "contact.friction",
+                     "MuJoCo's cone has one coefficient for all slips; accepted: a number, or "
+                     "contact model rigid or coulomb");
+  }
   if (mujoco.integrator == scene::MujocoIntegrator::kRk4) {
     scene::refuse_at(scene, "mujoco.integrator", "accepted: \"euler\", \"implicit\"");
   }

@@ -244,6 +244,12 @@ Config generated_config(const mjModel* m) {
              "coulomb, or a scene with mujoco.rotor = \"segments\"");
     }
     map_contacts(m, config, further);
+    for (const scene::AuxiliaryBearing& at : scene.auxiliary) {
+      if (!scene::is_cone(config.contact) || at.contact->friction.is_constant()) continue;
+      refuse(text_element(names::kContactText),
+             "MuJoCo's cone has one coefficient for all slips, and the scene's friction depends on "
+             "the slip; accepted: rigid, coulomb");
+    }
     if (!config.segments) choose_path(m, config);
     if (config.takes_native_steps()) config.loop_data = verlet_loop_data(config);
     check_impacts(scene, config);

@@ -169,7 +169,15 @@ void take_contact(const mjModel* m, Model& model, const Config& config, std::siz
   AuxiliaryBearing& at = model.auxiliary[k];
   at.contact->radius = circle.radius;
   at.contact->clearance = circle.clearance;
-  at.contact->friction.coefficient = friction;
+  FrictionLaw& law = at.contact->friction;
+  if (friction != law.sticking()) {
+    if (!law.is_constant()) {
+      refuse("<contact><pair>",
+             message("friction[0] = {}; accepted: {}, as the scene's friction depends on the slip",
+                     friction, law.sticking()));
+    }
+    law.coefficient = friction;
+  }
   at.ring_ratio = at.contact->surface_ratio();
 }
 
@@ -216,7 +224,7 @@ bool has_parameters(const Config& config, const mjModel* m) {
   for (const ContactPair& pair : config.pairs) {
     const ContactParameters& c = pair.contact;
     same = same && circle_of(pair, m) == Circle{c.radius, c.clearance} &&
-           friction_of(pair, m) == c.friction.coefficient;
+           friction_of(pair, m) == c.friction.sticking();
   }
   if (model.first().controller) {
     same = same && limit_of(config, m, scene_limit(config)) == limit_in(model);

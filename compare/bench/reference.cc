@@ -105,8 +105,7 @@ std::optional<Form> annular(const scene::Scene& s) {
   const scene::RotorModal& m = *s.rotor.modal;
   const oracle::Support rotor{first(m.mass), first(m.damping), first(m.stiffness)};
   const scene::Contact& c = *s.first().contact;
-  if (!c.friction.is_constant()) return {};
-  const double mu = c.friction.coefficient;
+  const double mu = c.friction.at(c.radius * s.rotor.speed + c.clearance * f.frequency);
   std::optional<oracle::AnnularRub> rub;
   const scene::Stator ring = s.first().stator.value_or(scene::Stator{});
   if (!s.first().stator) {

@@ -124,7 +124,8 @@ StabilityMap stability_map(const SceneReader& reader, const scene::Scene& scene,
   StabilityMap map;
   map.steps.assign(std::begin(kSteps), std::end(kSteps));
   map.stiffnesses.assign(std::begin(kStiffnesses), std::end(kStiffnesses));
-  const double mu = scene.first().contact->friction.constant("the stability map");
+  // A number at every point; of a law that depends on the slip mu(0).
+  const double mu = scene.first().contact->friction.sticking();
   map.frictions = mu > 0.0 ? std::vector{0.5 * mu, mu, 2.0 * mu} : std::vector{0.0};
   for (const auto& [contact, word] : scene::kContactModels) {
     map.engines.push_back(mujoco_engine(contact)->name());

@@ -59,7 +59,7 @@ double largest_impulse_residual(const std::vector<Impact>& impacts,
   for (const Impact& i : impacts) {
     if (i.normal_impulse < 0.0) return 1.0;
     const FrictionLaw& friction = contacts[static_cast<std::size_t>(i.contact)].friction;
-    const double mu = std::max(friction.sticking(), friction.at(i.slip_before));
+    const double mu = friction.bound(std::max(std::abs(i.slip_before), std::abs(i.slip_after)));
     const double beyond = std::abs(i.friction_impulse) - mu * i.normal_impulse;
     if (beyond > 0.0) largest = std::max(largest, beyond / std::max(i.normal_impulse, 1e-300));
   }

@@ -175,7 +175,16 @@ std::string scene_schema() {
     }
     schema["description"] =
         std::string(table.meaning) + " Absent: " + std::string(table.when_absent) + ".";
-    (*parent)["properties"][std::string(name)] = std::move(schema);
+    if (!table.for_key) {
+      (*parent)["properties"][std::string(name)] = std::move(schema);
+      continue;
+    }
+    // In the place of a key's value, in [contact] and in a [[contact]].
+    json& either = (*parent)["anyOf"];
+    for (json* object : {&either[0], &either[1]["items"]}) {
+      json& value = (*object)["properties"][std::string(name)];
+      value = {{"anyOf", {value, schema}}};
+    }
   }
   // Below each [[contact]].
   json& listed = root["properties"]["contact"]["anyOf"][1]["items"]["properties"];

@@ -58,13 +58,14 @@ Residuals contact_residuals(const Trajectory& trajectory, const ContactFacts& fa
     if (!facts.gives) raise(r.penetration, -gap / facts.clearance);
     raise(r.adhesion, -normal[i] / F);
 
-    // Coulomb: |lambda_T| <= mu lambda_N; sliding: lambda_T = -mu lambda_N sign(gdot_T).
-    const double mu = facts.friction.at(slip[i]);
-    raise(r.cone, (std::abs(friction[i]) - mu * pressed) / F);
+    // Coulomb: |lambda_T| <= mu lambda_N; sliding: lambda_T = -mu lambda_N sign(gdot_T). Of a fixed
+    // step that begins or ends with sticking the greatest mu up to its slip counts.
+    raise(r.cone, (std::abs(friction[i]) - facts.friction.bound(slip[i]) * pressed) / F);
     if (within_impact(points[i].t)) continue;
     raise(r.complementarity, std::max(0.0, gap) * pressed / (facts.clearance * F));
     raise(r.power, friction[i] * slip[i] / (F * v));
     if (pressed > 0.0 && std::abs(slip[i]) > kSlipThreshold * v) {
+      const double mu = facts.friction.at(slip[i]);
       const double due = -mu * pressed * (slip[i] > 0.0 ? 1.0 : -1.0);
       raise(r.sliding, std::abs(friction[i] - due) / F);
     }

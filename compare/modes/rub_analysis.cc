@@ -85,6 +85,15 @@ json steady_json(const rub::SteadyRub& rub, const rub::Stability& stability) {
   return all;
 }
 
+// A number, or the table of a scene.
+json friction_json(const FrictionLaw& law) {
+  if (law.is_constant()) return law.coefficient;
+  return {{"static", law.sticking()},
+          {"kinetic", law.coefficient},
+          {"stribeck_speed", law.stribeck_speed},
+          {"viscous", law.viscous}};
+}
+
 std::string orbit_text(const RubPoint& point) {
   if (!point.orbit) return "free orbit: none, loads of several frequencies draw no circle";
   const double share = *point.orbit / point.clearance;
@@ -210,7 +219,7 @@ json rub_point_json(const RubPoint& point) {
     if (point.attractors() & bit) attractors.push_back(attractors_text(bit));
   }
   return {{"speed", point.speed},
-          {"friction", point.friction},
+          {"friction", friction_json(point.friction)},
           {"free_orbit", number_or_null(point.orbit)},
           {"free_growth_rate", number_or_null(point.free.growth)},
           {"attractors", attractors},
@@ -240,8 +249,12 @@ std::string rub_table(const RubAnalysis& analysis) {
   if (!analysis.ring.empty()) text += whirls_table("ring alone", analysis.ring, point.speed);
   text +=
       whirls_table("joined, the rotor's centre held to the ring's", analysis.joined, point.speed);
-  text += fmt::format("\nlasting rubs at {:.6g} rad/s with a friction of {:g}\n", point.speed,
-                      point.friction);
+  const FrictionLaw& mu = point.friction;
+  text += fmt::format(
+      "\nlasting rubs at {:.6g} rad/s with a friction of {:g}{}\n", point.speed, mu.sticking(),
+      mu.is_constant() ? ""
+                       : fmt::format(" at rest, then {:g} {:+g} exp(-(v / {:g})^2) {:+g} v",
+                                     mu.coefficient, mu.excess, mu.stribeck_speed, mu.viscous));
   text += fmt::format("  {:<10}{:>14}{:>14}{:>12}{:>14}{:>14}\n", "rub", "whirl rad/s", "force / N",
                       "friction", "growth 1/s", "at rad/s");
   for (const StandingRub& r : point.rubs) text += rub_row(r.rub, r.stability);

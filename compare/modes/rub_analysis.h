@@ -43,7 +43,8 @@ std::string attractors_text(unsigned attractors);
 // whip, rolling), "whirl": rad/s, "normal_force": N, "friction", "slip": m/s, "stable",
 // "growth_rate": 1/s, "frequency": rad/s, of the least stable pair in the frame that turns with the
 // rub}], "rolling_ranges":
-// [[rad/s, rad/s or null]]}, with "speed" and "friction".
+// [[rad/s, rad/s or null]]}, with "speed" and "friction" (a number, or where it depends on the slip
+// {"static", "kinetic", "stribeck_speed", "viscous"}).
 nlohmann::json rub_point_json(const rub::RubPoint& point);
 // The same with "ring" and "joined": [{"frequency", "damping_ratio"}]. With torsion, or a [drive]
 // whose torque depends on the speed alone, also "driven": [{"growth_rate", "frequency", "stable"}],

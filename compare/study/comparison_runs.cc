@@ -47,9 +47,14 @@ std::vector<Contestant> contestants(const scene::Scene& scene, const CompareOpti
   std::vector<Contestant> all;
   all.push_back({"native", native_engine(scene.run.integrator), kNativeWork});
   all.push_back({to_string(decides), mujoco(decides), kMujocoWork});
-  // The modal chain has its further contacts by rigid and coulomb alone.
-  const bool has_cones = options.own || scene.auxiliary.size() < 2 ||
-                         scene.mujoco.rotor == scene::MujocoRotor::kSegments;
+  // The modal chain has its further contacts by rigid and coulomb alone, and friction that depends
+  // on the slip every rotor.
+  const auto falls = [](const scene::AuxiliaryBearing& bearing) {
+    return bearing.contact && !bearing.contact->friction.is_constant();
+  };
+  const bool has_cones = std::none_of(scene.auxiliary.begin(), scene.auxiliary.end(), falls) &&
+                         (options.own || scene.auxiliary.size() < 2 ||
+                          scene.mujoco.rotor == scene::MujocoRotor::kSegments);
   for (const auto& [contact, word] : scene::kContactModels) {
     if (contact == decides || (scene::is_cone(contact) && !has_cones)) continue;
     const bool rigid = contact == scene::ContactModel::kRigid;

@@ -130,13 +130,13 @@ std::optional<double> StudyTable::number(const TomlNode& value, const std::strin
 
 const scene::Key* scene_key(std::string_view path, std::string& reason) {
   const std::string plain = without_elements(path);
-  if (scene::find_table(plain) != nullptr) return nullptr;
   const std::size_t dot = plain.rfind('.');
   const scene::Table* table =
       dot == std::string::npos ? nullptr : scene::find_table(plain.substr(0, dot));
   if (table != nullptr) {
     if (const scene::Key* key = table->find(plain.substr(dot + 1))) return key;
   }
+  if (scene::find_table(plain) != nullptr) return nullptr;
   std::vector<std::string> all;
   for (const scene::Table& t : scene::tables()) {
     for (const scene::Key& key : t.keys) {

@@ -267,17 +267,32 @@ CoupledSolution solve_expansion(const ContactMatrix& a, const ContactVector& b,
   std::array<ContactSet, kMaxContacts> sets{};
   std::array<DiscSet, kMaxContacts> discs{};
   const auto rows = b.size() / static_cast<Eigen::Index>(laws.size());
-  for (std::size_t i = 0; i < laws.size(); ++i) {
-    const auto at = rows * static_cast<Eigen::Index>(i);
-    if (rows == 3) {
-      discs[i] = expansion_disc(laws[i], b.segment<2>(at + 1).norm(), compressed[at],
-                                compressed.segment<2>(at + 1));
-    } else {
-      sets[i] = expansion_set(laws[i], b[at + 1], compressed[at], compressed[at + 1]);
+  const auto first_row = [rows](std::size_t i) { return rows * static_cast<Eigen::Index>(i); };
+  const auto slip = [&](const ContactVector& y, std::size_t i) {
+    return rows == 3 ? y.segment<2>(first_row(i) + 1).norm() : y[first_row(i) + 1];
+  };
+  std::array<SlipFriction, kMaxContacts> friction;
+  for (std::size_t i = 0; i < laws.size(); ++i) friction[i] = {laws[i].friction, slip(b, i)};
+  for (;;) {
+    for (std::size_t i = 0; i < laws.size(); ++i) {
+      const auto at = first_row(i);
+      const double mu = friction[i].mu();
+      if (rows == 3) {
+        discs[i] = expansion_disc(laws[i], mu, compressed[at], compressed.segment<2>(at + 1));
+      } else {
+        sets[i] = expansion_set(laws[i], mu, compressed[at], compressed[at + 1]);
+      }
     }
+    const CoupledSolution s = rows == 3 ? solve_discs(a, b, std::span(discs).first(laws.size()))
+                                        : solve_coupled(a, b, std::span(sets).first(laws.size()));
+    bool improved = false;
+    for (std::size_t i = 0; i < laws.size() && s.solutions == 1; ++i) {
+      const auto at = first_row(i);
+      const double loss = a(at + 1, at + 1) * s.p[at];
+      improved = friction[i].improve(slip(s.y, i), loss) || improved;
+    }
+    if (!improved) return s;
   }
-  if (rows == 3) return solve_discs(a, b, std::span(discs).first(laws.size()));
-  return solve_coupled(a, b, std::span(sets).first(laws.size()));
 }
 
 CoupledSolution solve_coupled_impact(const ContactMatrix& a, const ContactVector& b,

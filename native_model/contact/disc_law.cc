@@ -154,10 +154,10 @@ class DiscSystem {
 
 }  // namespace
 
-DiscSet expansion_disc(const ImpactLaw& law, double slip, double normal,
+DiscSet expansion_disc(const ImpactLaw& law, double mu, double normal,
                        const Eigen::Vector2d& friction) {
   DiscSet set;
-  set.friction = law.friction.at(slip);
+  set.friction = mu;
   set.least_normal = law.restitution * normal;
   const double size = friction.norm();
   if (size > 0.0) set.side = friction / size;

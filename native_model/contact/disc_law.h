@@ -27,8 +27,8 @@
 
 namespace rotorub {
 
-// Of the expansion that follows a compression of L_NC, L_TC, with the mu of `slip`.
-DiscSet expansion_disc(const ImpactLaw& law, double slip, double normal,
+// Of the expansion that follows a compression of L_NC, L_TC, with this mu.
+DiscSet expansion_disc(const ImpactLaw& law, double mu, double normal,
                        const Eigen::Vector2d& friction);
 
 // a: symmetric, positive semidefinite, of 3 x sets.size() rows; at most kMaxContacts sets. A

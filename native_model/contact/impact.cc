@@ -74,11 +74,12 @@ struct ImpactPhase {
   double slip = 0.0;      // m/s, gdot_T at its end without impulse
 };
 
-// The compression alone: fills the L_C and gdot_C. Each phase has the mu of its slip.
+// The compression alone: fills the L_C and gdot_C. Each phase has the mu of the slip with which it
+// ends.
 ImpactResult compress(const ImpactPhase& phase, const ImpactLaw& law) {
   ImpactResult r;
   const CoulombSolution c =
-      solve_coulomb(phase.matrix, phase.gap_rate, phase.slip, law.friction.at(phase.slip));
+      solve_coulomb(phase.matrix, phase.gap_rate, phase.slip, law.friction, phase.slip);
   r.status = status_of(c.solutions);
   r.normal_compression = c.normal;
   r.friction_compression = c.friction;
@@ -95,10 +96,10 @@ ImpactResult compress(const ImpactPhase& phase, const ImpactLaw& law) {
 
 // The expansion that follows r's compression; the phase's rates are those at the end of the
 // expansion without its impulses. Fills the rest.
-void expand(const ImpactPhase& phase, const ImpactLaw& law, ImpactResult& r) {
+void expand(const ImpactPhase& phase, const ImpactLaw& law, double mu, ImpactResult& r) {
   if (r.status == Status::kNoSolution) return;
   const Expansion e{phase.matrix, phase.gap_rate, phase.slip,
-                    expansion_set(law, phase.slip, r.normal_compression, r.friction_compression)};
+                    expansion_set(law, mu, r.normal_compression, r.friction_compression)};
   Point p = e.at_least_normal();
   const bool closes = e.gap_rate(p) < 0.0;  // the least impulse leaves the bodies closing
   if (closes) {
@@ -113,6 +114,14 @@ void expand(const ImpactPhase& phase, const ImpactLaw& law, ImpactResult& r) {
   r.slip = sticks ? 0.0 : e.slip(p);
 }
 
+void expand(const ImpactPhase& phase, const ImpactLaw& law, ImpactResult& r) {
+  SlipFriction friction(law.friction, phase.slip);
+  do {
+    expand(phase, law, friction.mu(), r);
+  } while (r.status == Status::kOk &&
+           friction.improve(r.slip, phase.matrix.tt * r.normal_expansion));
+}
+
 ImpactPhase phase(const ImpactInput& in, const Rows& w, const Rows& row,
                   const Eigen::Vector3d& end_velocity) {
   const Eigen::Vector3d an = in.admittance * w.normal, at = in.admittance * w.tangential;
@@ -123,9 +132,9 @@ ImpactPhase phase(const ImpactInput& in, const Rows& w, const Rows& row,
 
 }  // namespace
 
-ContactSet expansion_set(const ImpactLaw& law, double slip, double normal, double friction) {
+ContactSet expansion_set(const ImpactLaw& law, double mu, double normal, double friction) {
   ContactSet set;
-  set.friction = law.friction.at(slip);
+  set.friction = mu;
   set.least_normal = law.restitution * normal;
   set.side = friction > 0.0 ? 1.0 : friction < 0.0 ? -1.0 : 0.0;
   set.floor = law.restitution * law.tangential_restitution * std::abs(friction);

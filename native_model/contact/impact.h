@@ -48,7 +48,7 @@ struct ContactParameters {
 // Where the impulses of one contact may lie: L_N >= n, L_T in [low(L_N), high(L_N)]. n = 0 and no
 // side is Coulomb's, of a compression; the expansion has another.
 struct ContactSet {
-  double friction = 0.0;      // mu >= 0, of the law at the slip of the phase
+  double friction = 0.0;      // mu >= 0
   double least_normal = 0.0;  // n, N s
   double side = 0.0;     // +1, -1: the friction begun in compression goes on to this side; 0: none
   double floor = 0.0;    // with a side: least friction to it, N s, >= 0
@@ -64,8 +64,8 @@ struct ContactSet {
     return side < 0.0 ? -floor : friction * normal;
   }
 };
-// Of the expansion that follows a compression of L_NC, L_TC, with the mu of `slip`.
-ContactSet expansion_set(const ImpactLaw& law, double slip, double normal, double friction);
+// Of the expansion that follows a compression of L_NC, L_TC, with this mu.
+ContactSet expansion_set(const ImpactLaw& law, double mu, double normal, double friction);
 
 struct ImpactResult {
   Status status = Status::kOk;

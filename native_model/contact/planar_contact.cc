@@ -75,4 +75,15 @@ CoulombSolution solve_coulomb(const Delassus& a, double b_n, double b_t, double 
   return s;
 }
 
+CoulombSolution solve_coulomb(const Delassus& a, double b_n, double b_t, const FrictionLaw& law,
+                              double before) {
+  SlipFriction friction(law, before);
+  for (;;) {
+    const CoulombSolution s = solve_coulomb(a, b_n, b_t, friction.mu());
+    const bool sticks = s.contact_case == ContactCase::kStick;
+    const double slip = sticks ? 0.0 : slip_after(a, b_t, {s.normal, s.friction});
+    if (s.solutions != 1 || !friction.improve(slip, a.tt * s.normal)) return s;
+  }
+}
+
 }  // namespace rotorub

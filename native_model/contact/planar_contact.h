@@ -9,6 +9,8 @@
 
 #include <cstdint>
 
+#include "native_model/contact/friction.h"
+
 namespace rotorub {
 
 // The matrix a, 1/kg: Delassus's, G = W^T M^-1 W, where nt = tn; with finite impact times it is not
@@ -93,5 +95,8 @@ inline Mode mode_of(const CoulombSolution& s) {
 }
 
 CoulombSolution solve_coulomb(const Delassus& a, double b_n, double b_t, double mu);
+// With mu of the slip y_T itself; before: the slip where phase or step begins.
+CoulombSolution solve_coulomb(const Delassus& a, double b_n, double b_t, const FrictionLaw& law,
+                              double before);
 
 }  // namespace rotorub

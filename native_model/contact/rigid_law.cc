@@ -82,9 +82,11 @@ void impact(const RigidStep& step, const ContactParameters& c, RigidResult& out)
 
 // (12), (13): y_N = gap / h at the end of the step, y_T = slip there.
 void lasting(const RigidStep& step, const ContactParameters& c, RigidResult& out) {
+  const double start = rates_along(out.e_r, c.radius, step.start).y();
   const double free = rates_along(out.e_r, c.radius, step.free).y();
-  const CoulombSolution s = solve_coulomb(delassus(step.lasting_admittance, out.e_r, c.radius),
-                                          gap_over_step(step, c), free, c.friction.at(free));
+  const Delassus g = delassus(step.lasting_admittance, out.e_r, c.radius);
+  const double gap = gap_over_step(step, c);
+  const CoulombSolution s = solve_coulomb(g, gap, free, c.friction, start);
   if (take(status_of(s.solutions), s.normal, s.friction, out)) out.mode = mode_of(s);
 }
 

@@ -87,6 +87,14 @@ class Solver {
     const double normal = reach_circle(end_, s_.h * g.head<2>(), s_.clearance);
     return {normal > 0.0, normal, ratio * normal, slip(s_.free + normal * g)};
   }
+  // Sliding to this side throughout, with the mu of the middle.
+  Candidate slide_on(double sign, double before) const {
+    SlipFriction friction(s_.friction, before);
+    for (;;) {
+      const Candidate c = slide(-friction.mu() * sign);
+      if (!c.holds || !friction.improve(0.5 * (before + c.slip))) return c;
+    }
+  }
   // A slip of 0 at the end: T = T_0 + T_1 N.
   Candidate stick() const {
     const double compliance = slip(along_friction_);
@@ -101,7 +109,7 @@ class Solver {
     const double nn = -e_.dot(along_normal_.head<2>()), nt = -e_.dot(along_friction_.head<2>());
     const double mu = s_.friction.at(slip(s_.start));
     if (mu * std::abs(nt) < nn) {
-      const LastingResult r = unique(mu);
+      const LastingResult r = unique();
       if (r.solutions == 1) return r;
     }
     const Delassus g{nn, nt, slip(along_normal_), slip(along_friction_)};
@@ -118,17 +126,17 @@ class Solver {
     return sign > 0.0 ? ContactCase::kSlidePositive : ContactCase::kSlideNegative;
   }
 
-  LastingResult unique(double mu) const {
-    const double before = slip(s_.start);
+  LastingResult unique() const {
+    const double before = slip(s_.start), mu = s_.friction.sticking();
     const Candidate rest = stick();
     constexpr double kRoundOff = 1e-10;  // of the surface's speed
     if (std::abs(before) <= kRoundOff * s_.radius * std::abs(s_.start.z()) || before == 0.0) {
       if (std::abs(rest.friction) <= mu * rest.normal) return result(ContactCase::kStick, rest);
       const double sign = rest.friction > 0.0 ? -1.0 : 1.0;
-      return result(sliding(sign), slide(-mu * sign));
+      return result(sliding(sign), slide_on(sign, 0.0));
     }
     const double sign = before > 0.0 ? 1.0 : -1.0;
-    const Candidate through = slide(-mu * sign);
+    const Candidate through = slide_on(sign, before);
     if (!through.holds || through.slip * sign > 0.0) return result(sliding(sign), through);
     if (!rest.holds) return {0.0, 0.0, ContactCase::kOpen, 0};
     // Friction brakes until the slip is 0; the force that then holds it there, over a whole step.

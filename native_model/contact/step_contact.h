@@ -50,10 +50,10 @@ StepImpacts locate_impacts(const FlightStep& step, const ImpactLaw& law);
 //   |d + h (w + A p)| = delta_0,   N >= 0,   p = contact_load(N, T),
 //
 // a quadratic in N for T in a fixed ratio to it (sliding) or for a slip of 0 (sticking). Friction
-// follows the slip of the middle of the step (set-valued Coulomb law). Where the slip reverses
-// within the step, T is the mean of its two values by the time that each holds, so that a reversal
-// costs no order. Where friction can carry more than the normal row, and where no such point of the
-// circle is in reach, (12), (13) of the linearised gap decide.
+// follows the slip of the middle of the step (set-valued law), and so does its mu. Where the slip
+// reverses within the step, T is the mean of its two values by the time that each holds, so that a
+// reversal costs no order. Where friction can carry more than the normal row, and where no such
+// point of the circle is in reach, (12), (13) of the linearised gap decide.
 struct LastingStep {
   double h = 0.0;                 // s
   Eigen::Vector2d d{0.0, 0.0};    // m, ring's to rotor's centre at the begin
@@ -61,7 +61,7 @@ struct LastingStep {
   Eigen::Vector3d start, free;    // (m/s, m/s, rad/s): before the step, and without contact
   Eigen::Matrix3d admittance;     // A = J (M + h D/2)^-1 J^T
   double clearance = 0.0, radius = 0.0;  // m
-  FrictionLaw friction{};                // with the mu of the slip before the step
+  FrictionLaw friction{};
 };
 
 struct LastingResult {

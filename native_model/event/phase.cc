@@ -118,8 +118,8 @@ ContactList<ClosedContact> Phase::find_multipliers(double t, const double* y) {
   const Accelerations all = unloaded(t, y, closed);
   // Of a sliding one, mu sign(gdot_T).
   const auto mu_sign = [this](const ClosedContact& c) {
-    return model_->auxiliary[c.index].contact->friction.at(c.point.slip) *
-           at_[c.index].state.slip_sign;
+    const double sign = at_[c.index].state.slip_sign;
+    return model_->auxiliary[c.index].contact->friction.along(sign * c.point.slip) * sign;
   };
   const auto sticks = [this](const ClosedContact& c) {
     return at_[c.index].state.mode == Mode::kStick;

@@ -97,6 +97,11 @@ void add_friction(Perturbation& p, const Places& at, const RubSystem& s, const D
   lever.tail(train.modes()) = s.radius * train.at_contact;
   if (rub.kind != RubKind::kRolling) {
     p.push.col(0) += rub.friction * lever;
+    // What the slip changes by, beside what perturbation() has.
+    Eigen::VectorXd bending = Eigen::VectorXd::Zero(at.all);
+    bending.segment(at.half, at.half) = p.constraint.row(0).head(at.half).transpose();
+    const Eigen::VectorXd slip = bending + lever;
+    p.rates += slip_damping(s, rub) * (slip * slip.transpose() - bending * bending.transpose());
     return;
   }
   // The torque is of the force along e_t, which turns with the contact.
@@ -197,9 +202,9 @@ std::vector<DrivenRolling> driven_rolling(const RubSystem& system, const DriveTr
     if (!(left * right <= 0.0) || left == 0.0) continue;
     const auto [lo, hi] = root(balance, sizes[k], sizes[k + 1], left, right);
     const double speed = sense * 0.5 * (lo + hi);
-    if (!can_roll(h(speed), system.friction)) continue;
+    if (!can_roll(h(speed), system.friction.sticking())) continue;
     const RubSystem turning = at_speed(system, speed);
-    const auto rub = BackwardCompliance(turning).rolling(system.friction);
+    const auto rub = BackwardCompliance(turning).rolling(system.friction.sticking());
     if (!rub) continue;
     all.push_back({speed, *rub, torque_taken(turning, *rub),
                    stability_of(driven_eigenvalues(turning, train, *rub))});

@@ -73,7 +73,7 @@ RubStudy::RubStudy(const RubSystem& system)
       free_(stability_of(free_eigenvalues(system))),
       backward_(system) {}
 
-RubPoint RubStudy::at(double friction) const {
+RubPoint RubStudy::at(const FrictionLaw& friction) const {
   RubSystem system = system_;
   system.friction = friction;
   RubPoint point{system.speed,
@@ -82,7 +82,7 @@ RubPoint RubStudy::at(double friction) const {
                  orbit_,
                  free_,
                  {},
-                 backward_.rolling_ranges(friction)};
+                 backward_.rolling_ranges(friction.sticking())};
   const auto add = [&](SteadyRub rub) {
     const Stability stability = stability_of(rub_eigenvalues(system, rub));
     point.rubs.push_back({std::move(rub), stability});
@@ -91,7 +91,7 @@ RubPoint RubStudy::at(double friction) const {
     for (SteadyRub& rub : forced_rubs(system, loads_.front())) add(std::move(rub));
   }
   for (SteadyRub& whip : backward_.whips(friction)) add(std::move(whip));
-  if (auto rolling = backward_.rolling(friction)) add(std::move(*rolling));
+  if (auto rolling = backward_.rolling(friction.sticking())) add(std::move(*rolling));
   return point;
 }
 

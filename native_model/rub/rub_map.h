@@ -21,8 +21,8 @@ struct StandingRub {
 };
 
 struct RubPoint {
-  double speed = 0.0;           // rad/s, Omega
-  double friction = 0.0;        // mu
+  double speed = 0.0;  // rad/s, Omega
+  FrictionLaw friction{};
   double clearance = 0.0;       // m, delta_0
   std::optional<double> orbit;  // m, free rotor at the contact; none: loads of several frequencies
   Stability free;               // of the rotor without contact
@@ -41,7 +41,7 @@ class RubStudy {
   // Throws RotorNotSolvable (rotor/refusal.h).
   explicit RubStudy(const RubSystem& system);
 
-  RubPoint at(double friction) const;
+  RubPoint at(const FrictionLaw& friction) const;
 
  private:
   RubSystem system_;

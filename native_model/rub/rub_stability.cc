@@ -81,6 +81,10 @@ Eigen::MatrixXd complement(const Eigen::MatrixXd& directions) {
   return qr.householderQ() * Eigen::MatrixXd::Identity(n, n).rightCols(n - directions.cols());
 }
 
+double slip_damping(const RubSystem& s, const SteadyRub& rub) {
+  return rub.kind == RubKind::kRolling ? 0.0 : rub.normal_force * s.friction.slope(rub.slip);
+}
+
 Perturbation perturbation(const RubSystem& s, const SteadyRub& rub) {
   const Joint j = joint(s, rub.whirl);
   const Eigen::Index n = j.mass.size();
@@ -101,6 +105,7 @@ Perturbation perturbation(const RubSystem& s, const SteadyRub& rub) {
   // The force turns with the contact: eps = Im(c^T a - b) / delta_0.
   p.springs.rightCols(n) += (rub.normal_force / s.clearance) *
                             real_form(Eigen::VectorXcd(kI * push)) * j.normal.transpose();
+  p.rates.bottomRightCorner(n, n) += slip_damping(s, rub) * j.normal * j.normal.transpose();
   return p;
 }
 

@@ -8,6 +8,10 @@
 //   M_f b'' + (D_f + 2 i nu M_f) b' + D_s(nu) b - (1 + i tau) (l + i lambda eps) = 0
 //   Re(c^T a - b) = 0
 //
+// Where mu depends on the slip, lambda dmu/d|v| is a damper (or drives) along the slip, which
+// changes by delta_0 eps': c i lambda mu' delta_0 eps' in the first row, -i lambda mu' delta_0 eps'
+// in the second.
+//
 // l is eliminated by the second derivative of the constraint. 4 n + 2 eigenvalues (a fixed ring: 4
 // n - 2), of a whip one less: its direction is free, and that zero is left out. Their imaginary
 // parts are seen from the turning frame. Rolling contact holds the whole relative centre: rotor and
@@ -34,6 +38,9 @@ struct Perturbation {
   Eigen::MatrixXd push;                  // F, N x m, m = 1 sliding, 2 rolling
   Eigen::MatrixXd constraint;            // C, m x N
 };
+
+// N s/m, lambda dmu/d|v|; of rolling 0.
+double slip_damping(const RubSystem& system, const SteadyRub& rub);
 
 // Of rotor and ring, the spin held: N = 2 (n + 1), of a fixed ring 2 n.
 Perturbation perturbation(const RubSystem& system, const SteadyRub& rub);

@@ -161,7 +161,7 @@ RubSystem rub_system(const scene::Scene& scene) {
   system.contact = model.first().shape.x;
   system.clearance = model.first().contact->clearance;
   system.radius = model.first().contact->radius;
-  system.friction = model.first().contact->friction.constant("the steady rub of `modes`");
+  system.friction = model.first().contact->friction;
   if (model.layout.stator) {
     const int k = model.layout.ring();
     system.ring = Ring{model.mass[k], model.damping[k], model.stiffness[k], 0.0};

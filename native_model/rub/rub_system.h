@@ -5,15 +5,14 @@
 //   M r'' + (D + N - i Omega G) r' + (K - i Omega N) r = f(t) - c lambda (1 + i tau) e^{i psi}
 //   M_f z'' + (D_f + i k) z' + K_f z = lambda (1 + i tau) e^{i psi}         (a fixed ring: z = 0)
 //   c^T r - z = delta_0 e^{i psi} in contact
-//
 // D: external damping with the bearings', N: rotating damping, K with a magnetic bearing's negative
-// stiffness; tau = mu sign(slip), slip = r Omega + delta_0 psi'. f: loads that turn, each at one
-// speed.
+// stiffness; tau = mu(|slip|) sign(slip), slip = r Omega + delta_0 psi'. f: loads that turn, each
+// at one speed.
 //
-// What is left out: the drive's yielding and torsion (the spin is held; constant friction does not
-// feed back on torsion), when a force switches on and off (each acts for ever), the actuator's
-// limits. A passive controller's spring and damper belong to the ring, and so does cross-coupled
-// feedback (of `two_phase` what follows the hand-over), without sampling and sensors.
+// What is left out: the drive's yielding and torsion (the spin is held; driven_rub.h has both),
+// when a force switches on and off (each acts for ever), the actuator's limits. A passive
+// controller's spring and damper belong to the ring, and so does cross-coupled feedback (of
+// `two_phase` what follows the hand-over), without sampling and sensors.
 #pragma once
 
 #include <Eigen/Core>
@@ -50,9 +49,9 @@ struct RubSystem {
   Eigen::VectorXd contact;   // c, of each mode at the contact; where the modes are scaled 1 or 0
   std::optional<Ring> ring;  // nothing: fixed to the base
   double clearance = 0.0, radius = 0.0;  // m, delta_0 and r
-  double friction = 0.0;                 // mu
-  std::vector<RotatingLoad> forces;      // as the scene states them
-  Eigen::VectorXcd unbalance;            // kg m, n: load unbalance Omega^2 at frequency Omega
+  FrictionLaw friction{};
+  std::vector<RotatingLoad> forces;  // as the scene states them
+  Eigen::VectorXcd unbalance;        // kg m, n: load unbalance Omega^2 at frequency Omega
   Eigen::Index modes() const { return mass.size(); }
 };
 

@@ -74,7 +74,7 @@ std::vector<SteadyRub> forced_rubs(const RubSystem& s, const RotatingLoad& load)
   const Complex a = at_contact(s, load);
   const Complex compliant = compliance(s, load.frequency);
   if (slip == 0.0 || !finite(a) || !finite(compliant)) return rubs;
-  const double tau = s.friction * sign(slip);
+  const double tau = s.friction.at(slip) * sign(slip);
   const Complex h = Complex(1.0, tau) * compliant;
   const double square = std::norm(h), half = s.clearance * h.real();
   // (delta_0 - |a|)(delta_0 + |a|): no digits are lost where the free orbit grazes.
@@ -109,8 +109,7 @@ BackwardCompliance::BackwardCompliance(const RubSystem& system)
     if (std::abs(pole) > 0.0) lowest = std::min(lowest, std::abs(pole));
   }
   if (!(highest > 0.0)) highest = lowest = std::abs(system_.speed);
-  const double rolling = system_.radius * std::abs(system_.speed) / system_.clearance;
-  nu_ = resonance_points(poles, kBelow * lowest, std::max(rolling, kBeyond * highest));
+  nu_ = resonance_points(poles, kBelow * lowest, std::max(rolling_pace(), kBeyond * highest));
   sample_with_extremes([this](double nu) { return asked(nu); }, nu_, asked_);
 }
 
@@ -124,22 +123,48 @@ double BackwardCompliance::asked(double nu) const {
   return std::atan2(h.imag(), -h.real());
 }
 
+// With Re H < 0, of a function that has these values at nu.
+std::vector<double> BackwardCompliance::roots(const std::function<double(double)>& f,
+                                              const std::vector<double>& nu,
+                                              const std::vector<double>& values) const {
+  std::vector<double> all;
+  for (std::size_t k = 0; k + 1 < nu.size(); ++k) {
+    const double left = values[k], right = values[k + 1];
+    if (!(left * right <= 0.0) || (left == 0.0 && k > 0) || (left == 0.0 && right == 0.0)) continue;
+    const auto [lo, hi] = root(f, nu[k], nu[k + 1], left, right);
+    const double found = 0.5 * (lo + hi);
+    if (at(found).real() < 0.0) all.push_back(found);
+  }
+  return all;
+}
+
 std::vector<double> BackwardCompliance::edges(double mu) const {
   constexpr double kRoundOff = 1e-13;  // a fold closer to mu is the double root that it is there
   const double given = std::atan(mu);
-  const auto excess = [given](double angle) {
-    return std::abs(angle - given) <= kRoundOff * given ? 0.0 : angle - given;
-  };
-  std::vector<double> roots;
-  for (std::size_t k = 0; k + 1 < nu_.size(); ++k) {
-    const double left = excess(asked_[k]), right = excess(asked_[k + 1]);
-    if (!(left * right <= 0.0) || (left == 0.0 && k > 0) || (left == 0.0 && right == 0.0)) continue;
-    const auto [lo, hi] =
-        root([&](double nu) { return asked(nu) - given; }, nu_[k], nu_[k + 1], left, right);
-    const double nu = 0.5 * (lo + hi);
-    if (at(nu).real() < 0.0) roots.push_back(nu);
+  std::vector<double> excess;
+  for (const double angle : asked_) {
+    excess.push_back(std::abs(angle - given) <= kRoundOff * given ? 0.0 : angle - given);
   }
-  return roots;
+  return roots([&](double nu) { return asked(nu) - given; }, nu_, excess);
+}
+
+std::vector<double> BackwardCompliance::edges(const FrictionLaw& friction) const {
+  if (friction.is_constant()) return edges(friction.coefficient);
+  const auto excess = [&](double nu) {
+    return asked(nu) - std::atan(friction.at(slip_at(system_, -sense_ * nu)));
+  };
+  // About rolling mu changes within the Stribeck speed.
+  std::vector<double> nu = nu_, values;
+  const double rolling = rolling_pace();
+  for (double slip = 8.0; slip > 1e-3; slip *= 0.5) {
+    const double off = slip * friction.stribeck_speed / system_.clearance;
+    for (const double near : {rolling - off, rolling + off}) {
+      if (near > nu_.front() && near < nu_.back()) nu.push_back(near);
+    }
+  }
+  std::sort(nu.begin(), nu.end());
+  sample_with_extremes(excess, nu, values);
+  return roots(excess, nu, values);
 }
 
 std::vector<std::pair<double, double>> BackwardCompliance::rolling_ranges(double mu) const {
@@ -165,18 +190,21 @@ SteadyRub BackwardCompliance::standing(RubKind kind, double nu) const {
   return rub;
 }
 
-std::vector<SteadyRub> BackwardCompliance::whips(double mu) const {
+double BackwardCompliance::rolling_pace() const {
+  return system_.radius * std::abs(system_.speed) / system_.clearance;
+}
+
+std::vector<SteadyRub> BackwardCompliance::whips(const FrictionLaw& friction) const {
   std::vector<SteadyRub> all;
-  const double rolling = system_.radius * std::abs(system_.speed) / system_.clearance;
-  for (const double nu : edges(mu)) {
-    if (nu < rolling) all.push_back(standing(RubKind::kWhip, nu));
+  for (const double nu : edges(friction)) {
+    if (nu < rolling_pace()) all.push_back(standing(RubKind::kWhip, nu));
   }
   return all;
 }
 
 std::optional<SteadyRub> BackwardCompliance::rolling(double mu) const {
   if (sense_ == 0.0) return {};
-  const double nu = system_.radius * std::abs(system_.speed) / system_.clearance;
+  const double nu = rolling_pace();
   if (!can_roll(at(nu), mu)) return {};
   return standing(RubKind::kRolling, nu);
 }

@@ -4,17 +4,19 @@
 //
 //   a e^{-i psi_0} = delta_0 + lambda (1 + i tau) H(nu)
 //
-//   forced    nu of the load, tau = mu sign(slip): with h = (1 + i tau) H
+//   forced    nu of the load, tau = mu(|slip|) sign(slip): with h = (1 + i tau) H
 //             |h|^2 lambda^2 + 2 delta_0 Re(h) lambda + delta_0^2 - |a|^2 = 0, both roots >= 0
 //   whip      no load, nu against the spin, slipping: Im H + tau Re H = 0, Re H < 0,
 //             lambda = -delta_0 Re H / |H|^2                                     (Black 1968)
-//   rolling   no load, nu = -r Omega / delta_0, no slip: tau = -Im H / Re H, |tau| <= mu, Re H < 0
+//   rolling   no load, nu = -r Omega / delta_0, no slip: tau = -Im H / Re H, |tau| <= mu(0), Re H <
+//   0
 //
 // Whip and rolling leave the load out: it makes them beat. Existence is not stability
 // (rub_stability.h).
 #pragma once
 
 #include <Eigen/Core>
+#include <functional>
 #include <optional>
 #include <vector>
 
@@ -64,10 +66,12 @@ class BackwardCompliance {
   // rolling), ascending: where friction mu is just enough for rolling contact. Empty without spin.
   // A fold, where two roots are born, is one root.
   std::vector<double> edges(double mu) const;
+  // The same with mu of the slip of each nu.
+  std::vector<double> edges(const FrictionLaw& friction) const;
   // nu in [first, second] where a whirl against the spin can roll; the last may reach to infinity.
   std::vector<std::pair<double, double>> rolling_ranges(double mu) const;
   // Slipping whips, slower than rolling, by rising |nu|.
-  std::vector<SteadyRub> whips(double mu) const;
+  std::vector<SteadyRub> whips(const FrictionLaw& friction) const;
   // Rolling at the spin's own pace, if friction mu is enough.
   std::optional<SteadyRub> rolling(double mu) const;
 
@@ -75,6 +79,9 @@ class BackwardCompliance {
   Complex at(double nu) const;    // H, conjugate where the spin is negative
   double asked(double nu) const;  // rad, atan tau where Re H < 0; beyond +-pi/2 no pressing contact
   SteadyRub standing(RubKind kind, double nu) const;
+  double rolling_pace() const;  // rad/s, of nu
+  std::vector<double> roots(const std::function<double(double)>& f, const std::vector<double>& nu,
+                            const std::vector<double>& values) const;
 
   RubSystem system_;
   double sense_;  // +1: the spin is positive and backward is negative; 0: no spin

@@ -27,7 +27,7 @@ Table contact() {
            key<&AuxiliaryBearing::contact, &Contact::clearance>("clearance", kLength, "> 0",
                                                                 kRequired, "delta_0, radial"),
            key<&AuxiliaryBearing::contact, &Contact::friction, &FrictionLaw::coefficient>(
-               "friction", kPure, ">= 0", kRequired, "mu"),
+               "friction", kPure, ">= 0", kRequired, "mu; or the table `[contact.friction]`"),
            key<&AuxiliaryBearing::contact, &Contact::restitution>(
                "restitution", kPure, "in [0, 1]",
                "none: to be given, but where `contact.compliance` has a damping of its own",
@@ -74,6 +74,28 @@ Table compliance() {
                                        "that of `restitution`", "a"),
        key<&Compliance::damping>("damping", kDamping, ">= 0", "none",
                                  "c of N = k p + c p', instead of a; with `exponent` = 1 alone")}};
+}
+
+// static is kept as what it is beyond kinetic, which stands before it.
+Table friction() {
+  Key rest = key<&FrictionLaw::excess>("static", kPure, ">= 0", kRequired, "mu(0)");
+  rest.store = [](void* object, const Value& value) {
+    FrictionLaw& law = *static_cast<FrictionLaw*>(object);
+    law.excess = value.number - law.coefficient;
+  };
+  return {
+      "contact.friction",
+      "Friction that depends on the slip v, in the place of the number: mu(v) = kinetic + "
+      "(static - kinetic) exp(-(v / stribeck_speed)^2) + viscous |v|. `friction = { static = "
+      "0.3, kinetic = 0.15, stribeck_speed = 0.1 }` is the same.",
+      "mu is the same at every slip",
+      [](Scene& scene) -> void* { return &scene.auxiliary.back().contact->friction; },
+      {key<&FrictionLaw::coefficient>("kinetic", kPure, ">= 0", kRequired, "of fast sliding"), rest,
+       key<&FrictionLaw::stribeck_speed>("stribeck_speed", kVelocity, "> 0",
+                                         "needed where static > kinetic",
+                                         "at which 63 % of what is beyond kinetic has gone"),
+       key<&FrictionLaw::viscous>("viscous", kSlowness, ">= 0", kStandard,
+                                  "by how much mu grows with the slip")}};
 }
 
 Table stator() {
@@ -295,6 +317,21 @@ void check_compliance(const Checker& check) {
   }
 }
 
+void check_friction(const Checker& check) {
+  if (!check.bearing().contact ||
+      !check.sound({"contact.friction.static", "contact.friction.kinetic"}))
+    return;
+  const FrictionLaw& law = check.bearing().contact->friction;
+  if (law.excess < 0.0) {
+    check.fail("contact.friction.static",
+               "is below contact.friction.kinetic = " + number_text(law.coefficient) +
+                   "; accepted: as much or more");
+  } else if (law.excess > 0.0 && !check.given("contact.friction.stribeck_speed")) {
+    check.fail("contact.friction.stribeck_speed",
+               "missing: expected a velocity in m/s, > 0, as static is above kinetic");
+  }
+}
+
 // Names are one of each; what stands once in a file stands for one bearing.
 void check_list(const Checker& check) {
   for (std::size_t k = 0; k < check.index; ++k) {
@@ -316,8 +353,9 @@ void check_list(const Checker& check) {
 }  // namespace
 
 std::vector<Table> bearing_tables() {
-  std::vector<Table> all{contact(), compliance(), stator(), ring_spin(), actuator()};
-  all.front().or_list = true;
+  std::vector<Table> all{contact(), friction(), compliance(), stator(), ring_spin(), actuator()};
+  all[0].or_list = true;
+  all[1].for_key = true;
   return all;
 }
 
@@ -326,6 +364,7 @@ void check_bearing(const Checker& check) {
   if (check.bearing().actuator) check_actuator(check, *check.bearing().actuator);
   check_contact_shapes(check);
   check_compliance(check);
+  check_friction(check);
   check_gap_at_start(check);
   check_list(check);
 }

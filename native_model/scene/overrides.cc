@@ -177,6 +177,14 @@ bool is_known(const std::vector<Step>& steps) {
   return key || find_table((above.empty() ? "" : above + ".") + name) != nullptr;
 }
 
+// A number that gets a key of [contact.friction]: until then mu was the same at every slip.
+void as_friction_law(TomlNode& node) {
+  if (node.kind == Kind::kTable) return;
+  TomlNode law = empty_node(Kind::kTable);
+  for (const char* key : {"static", "kinetic"}) law.entries.emplace_back(key, node);
+  node = std::move(law);
+}
+
 // Why the override cannot be applied; empty: done.
 std::string apply(TomlNode& root, const std::vector<Step>& steps, std::string_view text) {
   // What no scene has is set as any other value, which the reader refuses by its name.
@@ -198,6 +206,7 @@ std::string apply(TomlNode& root, const std::vector<Step>& steps, std::string_vi
     remove(*node, steps.back());
     return {};
   }
+  if (table_path(steps) == "contact.friction") as_friction_law(*node);
   TomlNode value = parse_value(text);
   value.file = override_file();
   forget_lines(value);

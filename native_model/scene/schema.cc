@@ -120,10 +120,11 @@ bool is_part_of_contact(const Table& table) {
 
 const Table* find_table(std::string_view path) {
   constexpr std::string_view kList = "contact.";
-  const std::string_view inside = path.starts_with(kList) ? path.substr(kList.size()) : "";
+  const bool below = path.starts_with(kList);
+  const std::string_view part = below ? path.substr(kList.size()) : path;
   const std::span<const Table> all = tables();
   const auto found = std::find_if(all.begin(), all.end(), [&](const Table& table) {
-    return table.path == path || (table.path == inside && is_part_of_contact(table));
+    return table.path == path || (below && table.path == part && is_part_of_contact(table));
   });
   return found == all.end() ? nullptr : &*found;
 }

@@ -101,6 +101,7 @@ struct Table {
   void (*store_any)(void* object, ConfigEntry entry) = nullptr;
   bool or_list = false;  // [path], or [[path]] with the parts of an auxiliary bearing below each
   bool list = false;     // [[path]]: any number of them
+  bool for_key = false;  // stands in the place of a key of its parent
   Form form = Form::kEither;
 
   Table& as_list();

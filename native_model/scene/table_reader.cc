@@ -74,6 +74,7 @@ void TableReader::read(const TomlNode& root) {
   find_form(root);
   const bool listed = lists_contacts(root);
   for (const Table& table : tables()) {
+    if (table.for_key) continue;  // read where the key is
     if (!listed || !is_part_of_contact(table)) {
       read_table(table, root);
     } else if (const TomlNode* node = find_path(root, table.path)) {
@@ -129,7 +130,7 @@ void TableReader::read_contacts(const Table& table, const TomlNode& list) {
     read_object(table, node, element);
     for (const Table& part : tables()) {
       if (is_part_of_contact(part)) read_table(part, node, element + ".");
-      if (!part.path.starts_with(kBelowContact)) continue;
+      if (!part.path.starts_with(kBelowContact) || part.for_key) continue;
       const std::string name(part.path.substr(kBelowContact.size()));
       if (const TomlNode* own = node.find(name)) read_one(part, *own, child_path(element, name));
     }
@@ -196,7 +197,10 @@ void TableReader::read_object(const Table& table, const TomlNode& node, const st
   for (const Key& key : table.keys) {
     const TomlNode* value = node.find(key.name);
     const TomlNode* other = key.also.empty() ? nullptr : node.find(key.also);
-    if (value != nullptr && other != nullptr) {
+    const Table* instead = find_table(child_path(std::string(table.path), key.name));
+    if (instead != nullptr && value != nullptr && value->kind == Kind::kTable) {
+      read_object(*instead, *value, child_path(path, key.name));
+    } else if (value != nullptr && other != nullptr) {
       fail(*other, child_path(path, key.also),
            "is another name of `" + std::string(key.name) + "`; give one of them");
       record_.note(child_path(path, key.name), *value, false);
@@ -297,7 +301,8 @@ void TableReader::refuse_unknown(const TomlNode& node, std::string_view table_pa
         in_list && is_part_of_contact(table) ? inner : std::string_view(prefix);
     if (!table.path.starts_with(inside)) continue;
     const std::string_view below = table.path.substr(inside.size());
-    if (!below.empty() && below.find('.') == std::string_view::npos) known.push_back(below);
+    if (!below.empty() && below.find('.') == std::string_view::npos && !table.for_key)
+      known.push_back(below);
   }
   for (const auto& [name, value] : node.entries) {
     if (std::find(known.begin(), known.end(), name) != known.end()) continue;

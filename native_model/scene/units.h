@@ -44,6 +44,8 @@ inline constexpr Quantity kRateSquared{"a rate squared", "1/s^2", "1/s^2", {0, 0
 inline constexpr Quantity kAngularAcceleration{
     "an angular acceleration", "rad/s^2", "rad/s^2, Hz/s, rpm/s", {0, 0, -2, 0, 1}};
 inline constexpr Quantity kVelocity{"a velocity", "m/s", "m/s, mm/s", {1, 0, -1, 0, 0}};
+inline constexpr Quantity kSlowness{
+    "a coefficient per velocity", "s/m", "s/m, s/mm, 1/(m/s)", {-1, 0, 1, 0, 0}};
 inline constexpr Quantity kAcceleration{
     "an acceleration", "m/s^2", "m/s^2, mm/s^2", {1, 0, -2, 0, 0}};
 inline constexpr Quantity kForce{"a force", "N", "N, kN", {1, 1, -2, 0, 0}};

@@ -85,7 +85,6 @@ void CompliantContacts::press_one(std::size_t i, const Eigen::Vector3d& end, con
   const auto slip_of = [&](double n, double t) { return after.y() + g.tn * n + g.tt * t; };
   double sign = before.y() > 0.0 ? 1.0 : before.y() < 0.0 ? -1.0 : 0.0;
   if (std::abs(before.y()) <= kNoSlip * radius * std::abs(at.start.z())) sign = 0.0;
-  const double mu = law(i).friction.at(before.y());
   const auto slide = [&](double ratio) {
     c.normal = normal(0.0, ratio);
     c.friction = ratio * c.normal;
@@ -93,8 +92,13 @@ void CompliantContacts::press_one(std::size_t i, const Eigen::Vector3d& end, con
   c.slip_sign = sign;
   double until = 0.0;  // share of the step until it stops
   if (sign != 0.0) {
-    slide(-mu * sign);
-    const double slip = slip_of(c.normal, c.friction);
+    SlipFriction friction(law(i).friction, before.y());  // of the middle
+    double slip = 0.0;
+    do {
+      slide(-friction.mu() * sign);
+      slip = slip_of(c.normal, c.friction);
+      if (slip * sign <= 0.0) break;
+    } while (friction.improve(0.5 * (before.y() + slip)));
     if (slip * sign > 0.0) return;
     until = before.y() / (before.y() - slip);
   }
@@ -104,6 +108,7 @@ void CompliantContacts::press_one(std::size_t i, const Eigen::Vector3d& end, con
   c.normal = normal(held, with);
   c.friction = held + with * c.normal;
   c.slip_sign = 0.0;
+  const double mu = law(i).friction.sticking();
   if (std::abs(c.friction) <= mu * c.normal) return;
   const double other = sign != 0.0 ? -sign : c.friction > 0.0 ? -1.0 : 1.0;
   slide(-mu * other * (1.0 - 2.0 * until));

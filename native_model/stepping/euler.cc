@@ -38,7 +38,7 @@ FixedStep EulerStepper::step(std::int64_t k, std::span<const Eigen::Vector2d> u,
   state_.v = free_;
   hits_.clear();
   std::fill(done_.begin(), done_.end(), ContactStep{});
-  const Status found = m.first().contact ? touch(t) : Status::kOk;
+  const Status found = m.first().contact ? touch(t, start.v) : Status::kOk;
   FixedStep out;
   static_cast<ContactStep&>(out) = done_[0];
   out.others = std::span(done_).subspan(1);
@@ -81,7 +81,7 @@ Status EulerStepper::solve_one(double t, Closing& c) const {
     c.friction = r.friction();
     return r.status;
   }
-  const CoulombSolution s = solve_coulomb(g, c.end, c.slip, law.friction.at(c.slip));
+  const CoulombSolution s = solve_coulomb(g, c.end, c.slip, law.friction, c.before);
   c.normal = s.normal;
   c.friction = s.friction;
   c.sticks = mode_of(s) == Mode::kStick;
@@ -114,8 +114,8 @@ Status EulerStepper::solve_all(double t, std::span<Closing> closing) const {
   return status_of(s.solutions);
 }
 
-// The contacts over the step: state_.v from free_.
-Status EulerStepper::touch(double t) {
+// The contacts over the step: state_.v from free_; start: velocities before it.
+Status EulerStepper::touch(double t, const Eigen::VectorXd& start) {
   const Model& m = *model_;
   std::array<Closing, kMaxContacts> closing{};
   std::size_t n = 0;
@@ -136,6 +136,7 @@ Status EulerStepper::touch(double t) {
     if (gap >= 0.0 && !(lasted[i] && done_.size() > 1)) continue;
     c.gap_rate = -closes;
     c.slip = rates_along(c.e_r, law.radius, free).y();
+    c.before = rates_along(c.e_r, law.radius, rates(m, start, i)).y();
     c.end = gap / h_;
     const double pressed = pressing(c.e_r, free, acceleration, law.clearance);
     c.impact = !lasted[i] && rebound_outlives_steps(h_, law.restitution, closes, pressed);

@@ -31,11 +31,12 @@ class EulerStepper : public FixedStepper {
     Eigen::Vector2d e_r{1.0, 0.0};
     bool impact = false;                // with a rebound that outlives its steps (contact/impact.h)
     double gap_rate = 0.0, slip = 0.0;  // m/s, without contact
+    double before = 0.0;                // m/s, the slip before the step
     double end = 0.0;                   // m/s, the gap of the step's end over h
     double normal = 0.0, friction = 0.0;  // N s
     bool sticks = false;
   };
-  Status touch(double t);
+  Status touch(double t, const Eigen::VectorXd& start);
   Status solve_one(double t, Closing& c) const;
   Status solve_all(double t, std::span<Closing> closing) const;
 

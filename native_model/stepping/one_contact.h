@@ -39,7 +39,8 @@ class OneContact {
       const ContactParameters& c = *models[static_cast<std::size_t>(lane)]->first().contact;
       lanes::set(clearance_, lane, c.clearance);
       lanes::set(radius_, lane, c.radius);
-      friction_law_.set(lane, c.friction);
+      lanes::set(friction_, lane, c.friction.coefficient);
+      lanes::set(by_slip_, lane, c.friction.is_constant() ? 0.0 : 1.0);
     }
     if (!loads.coupled()) respond(x, loads);
   }
@@ -270,11 +271,7 @@ class OneContact {
     const T ex = normal_.x, ey = normal_.y;
     const T spin = equations::contact_spin(m, x.free.data());
     const T r = radius_;
-    // mu of the slip before the step, as in press_lane.
-    const Centre before = equations::relative(m, x.start.data());
-    const T slip_before =
-        ex * before.y - ey * before.x + r * equations::contact_spin(m, x.start.data());
-    const T ratio = -friction_law_.at(slip_before) * last_sign_;
+    const T ratio = -friction_ * last_sign_;
     // Response to N with T = ratio N.
     const T lx = -ex - ey * ratio, ly = -ey + ex * ratio, lz = r * ratio;
     const auto& a = admittance_;
@@ -290,7 +287,7 @@ class OneContact {
     const T slip = ex * (w.y + normal * gy) - ey * (w.x + normal * gx) + r * (spin + normal * gz);
     const T turned = d.x * px + d.y * py;
     const Mask slides = (root > zero) & (along < zero) & (slip * last_sign_ > zero) &
-                        (turned >= lanes::all<T>(0.5) * circle);
+                        (turned >= lanes::all<T>(0.5) * circle) & (by_slip_ == zero);
     now.normal = lanes::select(on, normal, now.normal);
     now.friction = lanes::select(on, ratio * normal, now.friction);
     now.slip_sign = lanes::select(on, last_sign_, now.slip_sign);
@@ -304,7 +301,8 @@ class OneContact {
 
   bool exists_ = false, located_;
   T clearance_{}, radius_{};
-  FrictionOf<T> friction_law_;
+  // mu, where it is a number; 1 where it depends on the slip: the lane is solved by itself.
+  T friction_{}, by_slip_{};
   T admittance_[3][3] = {};
   typename State::Coordinates response_[3];
   Lasting with_impacts_;  // of a step with impacts

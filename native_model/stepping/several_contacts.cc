@@ -83,10 +83,11 @@ CoupledSolution SeveralContacts::solve_on_circles(std::span<const std::size_t> l
 }
 
 // Impulses of the contacts that last; false: the laws have none. Friction follows the slip of the
-// middle; where that changes its sign within the step, it is the mean of its two values by the time
-// that each holds.
+// middle, and so does its mu; where that changes its sign within the step, it is the mean of its
+// two values by the time that each holds.
 bool SeveralContacts::press(State& x, std::span<const std::size_t> lasting) {
   std::array<Friction, kMaxContacts> friction{};
+  std::array<SlipFriction, kMaxContacts> of_slip;
   std::array<double, kMaxContacts> before{}, until{};
   const std::size_t n = lasting.size();
   for (std::size_t i = 0; i < n; ++i) {
@@ -94,8 +95,10 @@ bool SeveralContacts::press(State& x, std::span<const std::size_t> lasting) {
     const ContactParameters& c = law(lasting[i]);
     before[i] = slip(lasting[i], start);
     if (std::abs(before[i]) <= kNoSlip * c.radius * std::abs(start.z())) before[i] = 0.0;
-    friction[i].bound = c.friction.at(before[i]);
+    friction[i].bound = c.friction.sticking();
     if (before[i] != 0.0) {
+      of_slip[i] = {c.friction, before[i]};
+      friction[i].bound = of_slip[i].mu();
       friction[i].given = true;
       friction[i].ratio = before[i] > 0.0 ? -friction[i].bound : friction[i].bound;
     }
@@ -111,17 +114,23 @@ bool SeveralContacts::press(State& x, std::span<const std::size_t> lasting) {
     settled = true;
     for (std::size_t i = 0; i < n; ++i) {
       const auto at = static_cast<Eigen::Index>(2 * i);
-      const double mu = friction[i].bound, sign = before[i] > 0.0 ? 1.0 : -1.0;
+      const double sign = before[i] > 0.0 ? 1.0 : -1.0;
       if (!turns[i] && friction[i].given && s.y[at + 1] * sign <= 0.0 && s.p[at] > 0.0) {
         // It would come to rest: does friction hold it?
         turns[i] = true;
         until[i] = before[i] / (before[i] - s.y[at + 1]);  // share of the step
         friction[i].given = false;
+        friction[i].bound = law(lasting[i]).friction.sticking();
         settled = false;
       } else if (turns[i] && !turned[i] && !s.sticks[i] && s.p[at] > 0.0) {
         turned[i] = true;
         friction[i].given = true;
-        friction[i].ratio = mu * sign * (1.0 - 2.0 * until[i]);
+        friction[i].ratio = friction[i].bound * sign * (1.0 - 2.0 * until[i]);
+        settled = false;
+      } else if (friction[i].given && !turns[i] && s.p[at] > 0.0 &&
+                 of_slip[i].improve(0.5 * (before[i] + s.y[at + 1]))) {
+        friction[i].bound = of_slip[i].mu();
+        friction[i].ratio = -sign * friction[i].bound;
         settled = false;
       }
     }

@@ -62,7 +62,7 @@ class SeveralContacts : public ContactColumns {
   // How the friction of a lasting contact is found: by the slip (Coulomb's set), or in a ratio to
   // the normal impulse.
   struct Friction {
-    double bound = 0.0;  // mu, of the slip before the step
+    double bound = 0.0;  // mu
     bool given = false;
     double ratio = 0.0;
   };

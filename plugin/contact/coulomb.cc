@@ -29,6 +29,7 @@ struct TouchingPair : ContactRows {
   int row = 0;  // of MuJoCo's solver
   ContactPoint point{};
   Eigen::Vector3d base{0.0, 0.0, 0.0};  // m/s^2, of y what is not the acceleration of a coordinate
+  double slip = 0.0;                    // m/s, in both directions
   double curvature = 0.0;  // m/s^2, towards the ring, with that of centres that go in circles
   bool touches = false;
   std::optional<double> pressing{};      // N, of a contact that gives
@@ -95,6 +96,7 @@ TouchingPair touching_pair(const ContactPair& pair, const ContactSpaces::Made& a
   s.base = {-s.curvature - reference,
             p.slip / h + whirl / p.delta * p.gap_rate + p.e_t().dot(turning),
             axial ? s.column(2).dot(axial->rates(d->qvel)) / h : 0.0};
+  s.slip = std::hypot(p.slip, s.base.z() * h);
   return s;
 }
 
@@ -148,7 +150,7 @@ Touching touching(TouchingPairs& contacts) {
   for (TouchingPair& s : contacts.span()) {
     if (!s.touches) continue;
     // The law at the slip: the rates of this problem are accelerations.
-    t.laws[t.count].friction = s.pair->contact.friction.at(s.point.slip);
+    t.laws[t.count].friction = s.pair->contact.friction.at(s.slip);
     if (s.pressing) {
       t.give = true;
       t.sets[t.count] = {t.laws[t.count].friction.coefficient, *s.pressing};

@@ -39,6 +39,25 @@ double value_or(const mjModel* m, const std::string& name, double otherwise, con
   return value;
 }
 
+// mu, or static, kinetic, Stribeck speed and viscous part, as [contact.friction] of a scene.
+FrictionLaw own_friction(const mjModel* m, const std::string& name) {
+  FrictionLaw law = value_or(m, name, 0.0, kCoefficient);
+  const int id = mj_name2id(m, mjOBJ_NUMERIC, name.c_str());
+  if (id < 0 || m->numeric_size[id] < 4) return law;
+  const mjtNum* given = own_number(m, name);
+  law.coefficient = given[1];
+  law.excess = given[0] - given[1];
+  law.stribeck_speed = given[2];
+  law.viscous = given[3];
+  if (!(given[1] >= 0.0 && law.excess >= 0.0 && given[2] > 0.0 && given[3] >= 0.0)) {
+    refuse(message("<custom><numeric name=\"{}\">", name),
+           message("{} {} {} {}; accepted: a number, or static, kinetic >= 0 and at most static, "
+                   "Stribeck speed > 0, viscous >= 0",
+                   given[0], given[1], given[2], given[3]));
+  }
+  return law;
+}
+
 // Half the length of a geom along the contact's axis, where its shape has one; else `otherwise`.
 double half_length(const mjModel* m, int geom, double otherwise) {
   const mjtNum* size = m->geom_size + 3 * geom;
@@ -113,6 +132,11 @@ void check_cone(const mjModel* m, const PairName& name, const ContactPair& p) {
         message("<user name=\"{}\">", sensor),
         "contact model cone: the force is found by MuJoCo's solver; accepted: needstage=\"acc\"");
   }
+  if (!p.contact.friction.is_constant()) {
+    refuse(message("<custom><numeric name=\"{}\">", name.of(names::kOwnFriction)),
+           "contact models cone and cone-coulomb have one coefficient for all slips; accepted: a "
+           "number, or contact model rigid or coulomb");
+  }
   const double mu = p.contact.friction.coefficient, given = m->pair_friction[5 * p.pair];
   if (mu > 0.0 && m->pair_dim[p.pair] < 3) {
     refuse(pair_element(m, p), "contact model cone with friction: accepted: condim=\"3\" or more");
@@ -145,7 +169,7 @@ void refuse_mocap(const mjModel* m, int geom) {
 
 // `rigid` has its friction from <custom> alone. What a pair says of none is one of its geoms'.
 void refuse_other_friction(const mjModel* m, const PairName& name, const ContactPair& p) {
-  const double mu = p.contact.friction.coefficient, given = m->pair_friction[5 * p.pair];
+  const double mu = p.contact.friction.sticking(), given = m->pair_friction[5 * p.pair];
   const auto from = [&](int geom) { return given == m->geom_friction[3 * geom]; };
   if (m->pair_dim[p.pair] < 3 || from(p.rotor_geom) || from(p.ring_geom)) return;
   if (std::abs(given - mu) <= 1e-9 + mjMINMU) return;
@@ -202,7 +226,7 @@ ContactPair make_pair(const mjModel* m, const PairName& name) {
   ContactParameters& c = p.contact;
   c.clearance = number(names::kOwnClearance, 0.0, kLength);
   c.radius = number(names::kOwnRadius, m->geom_size[3 * p.rotor_geom], kLength);
-  c.friction = number(names::kOwnFriction, 0.0, kCoefficient);
+  c.friction = own_friction(m, name.of(names::kOwnFriction));
   c.restitution = number(names::kOwnRestitution, 0.0, kShare);
   c.tangential_restitution = number(names::kOwnTangential, 0.0, kShare);
   p.friction_reference = number(names::kOwnFrictionReference, 0.0, kCoefficient);

@@ -40,8 +40,8 @@ class ModelParameters : public MujocoTest {
     return state_after(load(mjcf(shipped("bench_ring", overrides))).get(), steps);
   }
   // What MuJoCo calls an error when the edited model is stepped.
-  static std::string refusal(const Edit& edit) {
-    const ModelPointer m = load(mjcf(shipped("bench_ring")));
+  static std::string refusal(const Edit& edit, const std::vector<std::string>& overrides = {}) {
+    const ModelPointer m = load(mjcf(shipped("bench_ring", overrides)));
     const DataPointer d = start(m.get());
     for (int k = 0; k < 10; ++k) mj_step(m.get(), d.get());
     edit(m.get());
@@ -199,6 +199,9 @@ TEST_F(ModelParameters, NumbersThatNoRotorHasAreRefusedByName) {
   expect("ring_x", refusal([](mjModel* m) { m->dof_armature[dof_of(m, "ring_x")] = 0.0; }));
   expect("x_1", refusal([](mjModel* m) { m->jnt_stiffness[joint(m, "x_1")] = -1.0; }));
   expect("friction", refusal([](mjModel* m) { m->pair_friction[0] = -0.1; }));
+  expect("depends on the slip",
+         refusal([](mjModel* m) { m->pair_friction[0] = 0.1; },
+                 {"contact.friction.kinetic=0.1", "contact.friction.stribeck_speed=1.0"}));
   expect("ring", refusal([](mjModel* m) { m->geom_size[3 * geom(m, "ring")] = 0.04; }));
   expect("<body name=\"rotor\">",
          refusal([](mjModel* m) { m->body_mass[mj_name2id(m, mjOBJ_BODY, "rotor")] = 0.3; }));

@@ -123,16 +123,19 @@ class OwnModel : public MujocoTest {
     return d;
   }
 
-  // Largest distance of rotor and ring from the native `event` run, every millisecond, m.
-  static double error(const std::string& contact, double step) {
-    const ModelPointer m = load(machine(contact));
+  // Largest distance of rotor and ring from the native `event` run, every millisecond, m. friction:
+  // as in <custom>; overrides: the scene's.
+  static double error(const std::string& contact, double step, const std::string& friction = "0.15",
+                      const std::vector<std::string>& overrides = {}) {
+    const ModelPointer m =
+        load(replaced(machine(contact), "friction\" data=\"0.15", "friction\" data=\"" + friction));
     m->opt.timestep = step;
     const DataPointer d = begin(m.get());
     NativeOptions options;
     options.integrator = scene::Integrator::kEvent;
     options.output_times.emplace();
     for (int k = 1; k <= 100; ++k) options.output_times->push_back(1e-3 * k);
-    const Trajectory native = run_native(parsed(kScene), options);
+    const Trajectory native = run_native(parsed(kScene, overrides), options);
     double largest = 0.0;
     const auto between = static_cast<int>(std::lround(1e-3 / step));
     for (std::size_t row = 0; row < 100; ++row) {
@@ -162,6 +165,30 @@ TEST_F(OwnModel, RigidFollowsTheNativeModelAtFirstOrder) {
 }
 
 TEST_F(OwnModel, CoulombFollowsTheNativeModel) { EXPECT_LT(error("coulomb", 1e-5), 2e-5); }
+
+// Static, kinetic, Stribeck speed, viscous, over the slips of the run.
+constexpr const char* kFalling = "0.25 0.1 3.0 0.005";
+const std::vector<std::string> kFallingScene{
+    "contact.friction={static=0.25,kinetic=0.1,stribeck_speed=3.0,viscous=0.005}"};
+
+TEST_F(OwnModel, FrictionThatFallsFollowsTheNativeModel) {
+  const double coarse = error("rigid", 1e-4, kFalling, kFallingScene);
+  const double fine = error("rigid", 1e-5, kFalling, kFallingScene);
+  EXPECT_LT(fine, 5e-6);
+  EXPECT_LT(fine, 0.2 * coarse);
+  EXPECT_GT(error("rigid", 1e-5, "0.15", kFallingScene), 5.0 * fine) << "it matters";
+  EXPECT_LT(error("coulomb", 1e-5, kFalling, kFallingScene), 2e-5);
+}
+
+TEST_F(OwnModel, FrictionThatIsNoLawIsRefused) {
+  const std::string given = "friction\" data=\"0.15\"";
+  for (const char* law : {"0.1 0.25 3 0", "0.25 0.1 0 0", "0.25 0.1 3 -1"}) {
+    expect_refused(machine("rigid"), given, std::string("friction\" data=\"") + law + "\"",
+                   "rotorub_friction");
+  }
+  expect_refused(machine("cone"), given, std::string("friction\" data=\"") + kFalling + "\"",
+                 "rigid or coulomb");
+}
 
 TEST_F(OwnModel, ConeTouchesInTheSameRing) {
   const ModelPointer m = load(machine("cone"));

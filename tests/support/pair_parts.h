@@ -235,6 +235,9 @@ inline std::vector<Part> pair_parts() {
   add_both("swell", "base",
            {"base={frequency=[200.0,510.0],amplitude=[60.0,40.0],phase=[0.3,1.9],direction=0.6,"
             "on=0.7654e-3,ramp=3.21e-3}"});
+  // Friction that falls over the slips of the run, and grows again.
+  add_both("falling_friction", "friction",
+           {"contact.friction={static=0.25,kinetic=0.12,stribeck_speed=5.0,viscous=4e-3}"});
 
   // Impacts that take time.
   add_both("finite_impacts", "impacts",

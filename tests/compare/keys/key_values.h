@@ -16,13 +16,13 @@ namespace rotorub::test {
 // A value of this unit that does something to the machines of pair_parts.h.
 inline double typical(std::string_view unit) {
   static const std::map<std::string_view, double> values{
-      {"1", 0.3},         {"rad", 0.5},   {"s", 1e-3},      {"m", 1e-4},       {"kg", 0.5},
-      {"rad/s", 350.0},   {"1/s", 500.0}, {"1/s^2", 1e6},   {"m/s", 0.05},     {"rad/s^2", 4000.0},
-      {"m/s^2", 5.0},     {"N", 30.0},    {"N m", 2.0},     {"kg m", 1e-3},    {"N/m", 1e4},
-      {"N s/m", 50.0},    {"A", 0.5},     {"kg m^2", 1e-3}, {"N m/rad", 20.0}, {"N m s/rad", 0.05},
-      {"A/s", 300.0},     {"N/A", 60.0},  {"A/m", 2500.0},  {"A/(m s)", 1e5},  {"A s/m", 3.0},
-      {"V", 0.5},         {"Ohm", 2.0},   {"H", 5e-3},      {"Pa", 1e11},      {"kg/m^3", 5000.0},
-      {"N m^2/A^2", 3e-4}};
+      {"1", 0.3},          {"rad", 0.5},   {"s", 1e-3},      {"m", 1e-4},       {"kg", 0.5},
+      {"rad/s", 350.0},    {"1/s", 500.0}, {"1/s^2", 1e6},   {"m/s", 0.05},     {"rad/s^2", 4000.0},
+      {"m/s^2", 5.0},      {"N", 30.0},    {"N m", 2.0},     {"kg m", 1e-3},    {"N/m", 1e4},
+      {"N s/m", 50.0},     {"A", 0.5},     {"kg m^2", 1e-3}, {"N m/rad", 20.0}, {"N m s/rad", 0.05},
+      {"A/s", 300.0},      {"N/A", 60.0},  {"A/m", 2500.0},  {"A/(m s)", 1e5},  {"A s/m", 3.0},
+      {"V", 0.5},          {"Ohm", 2.0},   {"H", 5e-3},      {"Pa", 1e11},      {"kg/m^3", 5000.0},
+      {"N m^2/A^2", 3e-4}, {"s/m", 5e-3}};
   const auto found = values.find(unit);
   return found == values.end() ? 1.0 : found->second;
 }

@@ -157,7 +157,7 @@ TEST(DiscLaw, ExpansionMeetsItsSet) {
     const CoupledSolution e = solve_expansion(a, c.y, laws, c.p);
     ASSERT_GE(e.solutions, 1) << k;
     const DiscSet set =
-        expansion_disc(laws[0], c.y.segment<2>(1).norm(), c.p[0], c.p.segment<2>(1));
+        expansion_disc(laws[0], laws[0].friction.coefficient, c.p[0], c.p.segment<2>(1));
     EXPECT_LT(off_the_laws(a, c.y, {set}, e.p), 1e-10) << k;
     held += e.p.segment<2>(1).dot(set.side) < set.floor + 1e-9 ? 1 : 0;
   }

@@ -3,9 +3,16 @@
 
 #include <gtest/gtest.h>
 
+#include <Eigen/Core>
+
+#include <cmath>
+#include <random>
+#include <stdexcept>
+#include <vector>
+
 #include "native_model/contact/coupled_law.h"
-#include "native_model/contact/disc_law.h"
-#include "native_model/numerics/lanes.h"
+#include "native_model/contact/impact.h"
+#include "native_model/contact/planar_contact.h"
 
 namespace rotorub {
 namespace {
@@ -20,23 +27,139 @@ TEST(Friction, ANumberIsCoulombsLaw) {
   EXPECT_EQ(law.constant("a cone"), 0.3);
 }
 
-TEST(Friction, OfLanesIsThatOfEach) {
-  using T = lanes::Lane<2>;
-  FrictionOf<T> both;
-  both.set(0, 0.1);
-  both.set(1, 0.4);
-  const T slip = lanes::all<T>(0.7);
-  for (const int lane : {0, 1}) {
-    const FrictionLaw own = lane == 0 ? 0.1 : 0.4;
-    EXPECT_EQ(both.at(slip)[lane], own.at(0.7));
+// The law of a bearing of bronze, say: falls within 0.1 m/s, and grows by a hundredth a m/s.
+FrictionLaw falling(double viscous = 0.01) {
+  FrictionLaw law = 0.15;
+  law.excess = 0.15;
+  law.stribeck_speed = 0.1;
+  law.viscous = viscous;
+  return law;
+}
+
+TEST(Friction, FallsFromStaticToKineticAndGrowsWithTheSlip) {
+  const FrictionLaw law = falling();
+  EXPECT_EQ(law.sticking(), 0.3);
+  EXPECT_EQ(law.at(0.0), 0.3);
+  EXPECT_DOUBLE_EQ(law.at(0.1), 0.15 + 0.15 * std::exp(-1.0) + 0.001);
+  EXPECT_DOUBLE_EQ(law.at(-0.1), law.at(0.1));
+  EXPECT_DOUBLE_EQ(law.at(8.0), 0.23);
+  EXPECT_FALSE(law.is_constant());
+  EXPECT_FALSE(law.none());
+  EXPECT_THROW(law.constant("a cone"), std::invalid_argument);
+  for (const double slip : {0.03, 0.1, -0.2, 1.0}) {
+    constexpr double d = 1e-6;
+    const double v = std::abs(slip);
+    EXPECT_NEAR(law.slope(slip), (law.at(v + d) - law.at(v - d)) / (2.0 * d), 1e-8) << slip;
+    EXPECT_GE(law.bound(slip), law.at(slip));
+  }
+  // Beyond the end of sliding it goes on smoothly.
+  EXPECT_NEAR(law.along(1e-3) + law.along(-1e-3), 2.0 * law.along(0.0), 1e-4);
+}
+
+// Viscous friction alone, L_T = -c v L_N with v at the end of each phase: v_C = v_0 / (1 + c G_TT
+// L_NC), v_E = v_C / (1 + c G_TT L_NE).
+TEST(FallingFriction, ViscousImpactIsTheClosedForm) {
+  const Delassus g{0.5, 0.0, 0.0, 1.75};
+  for (const double c : {1e-3, 0.1, 10.0, 1e4}) {
+    FrictionLaw law{};
+    law.viscous = c;
+    const double before = 3.0, closing = 0.4, restitution = 0.6;
+    const ImpactResult r = solve_impact(g, -closing, before, {law, restitution, 0.0});
+    ASSERT_EQ(r.status, Status::kOk);
+    const double normal = closing / g.nn;
+    const double compressed = before / (1.0 + c * g.tt * normal);
+    EXPECT_NEAR(r.slip_compression, compressed, 1e-14 * before) << c;
+    EXPECT_NEAR(r.slip, compressed / (1.0 + c * g.tt * restitution * normal), 1e-14 * before) << c;
   }
 }
 
-TEST(Friction, BoundsTheSetsAtTheSlipInQuestion) {
-  const ImpactLaw law{0.3, 0.5, 0.2};
-  const double slip = -2.0;
-  EXPECT_EQ(expansion_set(law, slip, 1.0, 0.0).high(2.0), 2.0 * law.friction.at(slip));
-  EXPECT_EQ(expansion_disc(law, slip, 1.0, {0.0, 0.0}).friction, law.friction.at(slip));
+// Each phase's impulses lie in the set of the slip with which it ends.
+TEST(FallingFriction, ImpactsMeetTheLawAtTheirEnds) {
+  std::mt19937 random(11);
+  std::uniform_real_distribution<double> unit(0.0, 1.0);
+  int slides = 0, sticks = 0, reversed = 0;
+  for (int k = 0; k < 20000; ++k) {
+    const double nn = 0.2 + unit(random), tt = 0.2 + 3.0 * unit(random);
+    const double nt = (unit(random) - 0.5) * std::sqrt(nn * tt);
+    FrictionLaw law = 0.4 * unit(random);
+    law.excess = 0.3 * unit(random);
+    law.stribeck_speed = 0.01 + unit(random);
+    law.viscous = k % 3 == 0 ? 0.0 : 0.2 * unit(random);
+    const double before = 4.0 * (unit(random) - 0.5);
+    const ImpactResult r =
+        solve_impact({nn, nt, nt, tt}, -unit(random), before, {law, unit(random), 0.0});
+    if (r.status != Status::kOk) continue;
+    const double size = r.normal();
+    if (r.slip_compression == 0.0) {
+      ++sticks;
+      EXPECT_LE(std::abs(r.friction_compression), law.sticking() * r.normal_compression + 1e-12);
+    } else {
+      ++slides;
+      EXPECT_NEAR(
+          r.friction_compression,
+          -std::copysign(law.at(r.slip_compression), r.slip_compression) * r.normal_compression,
+          1e-12 * size)
+          << k;
+    }
+    if (r.slip != 0.0 && r.slip * before > 0.0 && r.slip_compression * r.slip > 0.0) {
+      EXPECT_NEAR(std::abs(r.friction_expansion), law.at(r.slip) * r.normal_expansion, 1e-12 * size)
+          << k;
+    }
+    reversed += r.slip * before < 0.0 ? 1 : 0;
+  }
+  EXPECT_GT(slides, 5000);
+  EXPECT_GT(sticks, 1000);
+}
+
+// Where friction falls steeply, the same impact may leave sliding or sticking: the slip is the
+// first that it reaches from where it begins.
+TEST(FallingFriction, OfSeveralSlipsTheOneNextToTheBeginning) {
+  const Delassus g{1.0, 0.0, 0.0, 1.0};
+  FrictionLaw law = 0.1;
+  law.excess = 0.5;
+  law.stribeck_speed = 0.05;
+  const double normal = 1.0, slip = 0.4;
+  const CoulombSolution fast = solve_coulomb(g, -normal, slip, law, slip);
+  EXPECT_EQ(fast.contact_case, ContactCase::kSlidePositive);
+  EXPECT_NEAR(fast.friction, -law.at(slip + fast.friction), 1e-14);
+  EXPECT_GT(slip + fast.friction, 4.0 * law.stribeck_speed);
+  const CoulombSolution held = solve_coulomb(g, -normal, slip, law, 0.0);
+  EXPECT_EQ(held.contact_case, ContactCase::kStick);
+  EXPECT_NEAR(held.friction, -slip, 1e-15);
+}
+
+// Two contacts of one body, and friction with two directions.
+TEST(FallingFriction, SeveralContactsEachHaveTheMuOfTheirSlip) {
+  std::mt19937 random(5);
+  std::normal_distribution<double> normal;
+  int met = 0;
+  for (int k = 0; k < 500; ++k) {
+    const Eigen::Index rows = k % 2 == 0 ? 2 : 3, n = 2 * rows;
+    Eigen::MatrixXd w(2 * n, n);
+    for (double& x : w.reshaped()) x = normal(random);
+    const ContactMatrix a = w.transpose() * w;
+    ContactVector b(n);
+    for (double& x : b) x = normal(random);
+    b[0] -= 1.0;
+    b[rows] -= 1.0;
+    const std::vector<ImpactLaw> laws{{falling(0.02), 0.3, 0.0}, {falling(0.0), 0.5, 0.0}};
+    const CoupledSolution s = solve_compression(a, b, laws);
+    if (s.solutions != 1) continue;
+    for (Eigen::Index i = 0; i < 2; ++i) {
+      const double pressed = s.p[i * rows];
+      if (!(pressed > 0.0)) continue;
+      const FrictionLaw& law = laws[static_cast<std::size_t>(i)].friction;
+      const double slip = s.y.segment(i * rows + 1, rows - 1).norm();
+      const double friction = s.p.segment(i * rows + 1, rows - 1).norm();
+      if (slip > 1e-9) {
+        ++met;
+        EXPECT_NEAR(friction, law.at(slip) * pressed, 1e-11 * s.p.norm()) << k;
+      } else {
+        EXPECT_LE(friction, law.sticking() * pressed + 1e-11 * s.p.norm()) << k;
+      }
+    }
+  }
+  EXPECT_GT(met, 200);
 }
 
 }  // namespace

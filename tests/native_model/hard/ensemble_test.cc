@@ -54,7 +54,8 @@ void expect_same_bits(const std::function<Model(int)>& make, std::int64_t steps 
   std::vector<Model> models;
   for (int i = 0; i < kRuns; ++i) {
     models.push_back(make(i));
-    if (models.back().first().contact) models.back().first().contact->friction = 0.02 + 0.05 * i;
+    if (models.back().first().contact)
+      models.back().first().contact->friction.coefficient = 0.02 + 0.05 * i;
     models.back().q0[0] += 1e-6 * i;
   }
   const std::vector<EnsembleRun> runs = Ensemble(models, step).run(steps);
@@ -113,6 +114,18 @@ TEST(HardEnsemble, SpinFreeAndHeld) {
     scene::Scene scene = test::shipped("bench_ring");
     scene.drive.reset();
     return make_model(scene);
+  });
+}
+
+// Friction that falls with slip in every other run, beside a number in the others.
+TEST(HardEnsemble, FallingFriction) {
+  expect_same_bits([](int i) {
+    Model m = make_model(test::shipped("bench_ring"));
+    FrictionLaw& friction = m.first().contact->friction;
+    friction.excess = i % 2 == 0 ? 0.0 : 0.1;
+    friction.stribeck_speed = 5.0;
+    friction.viscous = i % 4 == 1 ? 0.01 : 0.0;
+    return m;
   });
 }
 

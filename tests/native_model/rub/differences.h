@@ -7,6 +7,7 @@
 #include <Eigen/Core>
 #include <Eigen/LU>
 #include <algorithm>
+#include <cmath>
 #include <limits>
 #include <vector>
 
@@ -25,7 +26,7 @@ inline double nearest_to(const rub::Complex& s, const std::vector<rub::Complex>&
 }
 
 // y' of y = (q, v): lambda keeps the relative acceleration on the circle, and where it rolls also
-// the slip; else friction is tau lambda, in one sense.
+// the slip; else friction is mu(|slip|) lambda, in one sense.
 inline Eigen::VectorXd kept_in_contact(const Model& m, const rub::SteadyRub& rub,
                                        const Eigen::VectorXd& y) {
   const Eigen::Index nq = m.nq();
@@ -60,7 +61,8 @@ inline Eigen::VectorXd kept_in_contact(const Model& m, const rub::SteadyRub& rub
     const Eigen::Vector2d lambda = -G.inverse() * left;
     a += lambda[0] * normal + lambda[1] * friction;
   } else {
-    const Eigen::VectorXd both = push(1.0, -rub.friction);
+    const double mu = m.first().contact->friction.at(p.slip);
+    const Eigen::VectorXd both = push(1.0, -std::copysign(mu, rub.friction));
     a -= left[0] / met(both)[0] * both;
   }
   Eigen::VectorXd dy(2 * nq);

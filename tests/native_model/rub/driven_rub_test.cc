@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <cmath>
 #include <numbers>
+#include <tuple>
 #include <utility>
 #include <vector>
 
@@ -92,20 +93,23 @@ void expect_driven_as_differences(const scene::Scene& scene, const RubSystem& sy
 }
 
 TEST(DrivenRub, GrowsAsTheModelSays) {
-  for (const auto& [elastic, sense] :
-       {std::pair{true, 1.0}, std::pair{false, 1.0}, std::pair{true, -1.0}}) {
+  for (const auto& [elastic, sense, friction] :
+       {std::tuple{true, 1.0, FrictionLaw(0.2)}, std::tuple{false, 1.0, FrictionLaw(0.2)},
+        std::tuple{true, -1.0, FrictionLaw(0.2)}, std::tuple{true, -1.0, test::falling()},
+        std::tuple{false, 1.0, test::falling(0.01)}}) {
     SCOPED_TRACE(elastic ? "elastic ring" : "rigid ring");
     SCOPED_TRACE(sense);
     const std::size_t sliding = (elastic ? 14 : 10) + 2 * 3 - 1;  // spin and two torsion modes more
     scene::Scene scene = driven_scene(elastic, true, sense);
+    scene.first().contact->friction = friction;
     RubSystem system = rub_system(scene);
     const auto forced = forced_rubs(system, rotating_loads(system).front());
     ASSERT_FALSE(forced.empty());
     for (const SteadyRub& rub : forced) expect_driven_as_differences(scene, system, rub, sliding);
     scene = driven_scene(elastic, false, sense);
+    scene.first().contact->friction = friction;
     system = rub_system(scene);
-    const auto whips =
-        BackwardCompliance(system).whips(scene.first().contact->friction.coefficient);
+    const auto whips = BackwardCompliance(system).whips(friction);
     ASSERT_FALSE(whips.empty());
     for (const SteadyRub& whip : whips)
       expect_driven_as_differences(scene, system, whip, sliding - 2 + 1);

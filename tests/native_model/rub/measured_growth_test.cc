@@ -82,6 +82,69 @@ TEST(MeasuredGrowth, TheRigsRubDecaysAtLittleFriction) { expect_measured({held_r
 // Friction feeds the second bending mode: the rig of the paper cannot rub steadily.
 TEST(MeasuredGrowth, TheRigsRubGrowsAtItsOwnFriction) { expect_measured({held_rig(0.3)}, false); }
 
+// Of one mode on a fixed ring the rub's angle eps alone can move, and what friction loses with the
+// slip drives it:
+//   m eps'' + (d + 2 tau nu m + lambda dmu/dv) eps' + k eps = 0,
+//   k = k_r - m nu^2 + tau d nu + lambda (1 + tau^2) / delta_0
+// so that the rub is left from lambda dmu/dv = -(d + 2 tau nu m) on.
+struct OneMode {
+  scene::Scene scene;
+  RubSystem system;
+  SteadyRub rub;
+  double damping, stiffness;  // N s/m, N/m, as above
+
+  // The surface creeps by the whirl at 0.06 m/s, where friction falls steeply.
+  explicit OneMode(double excess) : scene(test::shipped("bench_annular_rigid")) {
+    scene::Contact& c = *scene.first().contact;
+    const double nu = scene.forces[0].frequency;
+    scene.rotor.speed = (0.06 - c.clearance * nu) / c.radius;
+    c.friction.excess = excess;
+    c.friction.stribeck_speed = 0.05;
+    system = rub_system(scene);
+    rub = forced_rubs(system, rotating_loads(system).front()).at(0);
+    const scene::RotorModal& r = *scene.rotor.modal;
+    const double tau = rub.friction, m = r.mass[0], d = r.damping[0];
+    damping = d + 2.0 * tau * nu * m + rub.normal_force * c.friction.slope(rub.slip);
+    stiffness = r.stiffness[0] - m * nu * nu + tau * d * nu +
+                rub.normal_force * (1.0 + tau * tau) / c.clearance;
+  }
+};
+
+double border() {
+  double stays = 0.0, goes = 1.0;  // of the excess
+  for (int k = 0; k < 60; ++k) {
+    const double middle = 0.5 * (stays + goes);
+    (OneMode(middle).damping > 0.0 ? stays : goes) = middle;
+  }
+  return stays;
+}
+
+TEST(MeasuredGrowth, FallingFrictionIsADamperAlongTheSlip) {
+  for (const double excess : {0.0, 0.05, 0.2}) {
+    const OneMode one(excess);
+    EXPECT_NEAR(one.rub.slip, 0.06, 1e-12);
+    const double m = one.system.mass[0], half = 0.5 * one.damping / m;
+    const std::vector<Complex> found = rub_eigenvalues(one.system, one.rub);
+    ASSERT_EQ(found.size(), 2U);
+    for (const Complex& s : found) {
+      EXPECT_NEAR(s.real(), -half, 1e-9 * std::abs(s)) << excess;
+      EXPECT_NEAR(std::abs(s.imag()), std::sqrt(one.stiffness / m - half * half),
+                  1e-9 * std::abs(s));
+    }
+  }
+}
+
+// A hair to both sides of the border, by whole runs.
+TEST(MeasuredGrowth, FallingFrictionLeavesTheRubBeyondItsBorder) {
+  const double there = border();
+  EXPECT_GT(there, 0.01);
+  EXPECT_LT(there, 0.5);
+  for (const double part : {0.97, 1.03}) {
+    const OneMode one(part * there);
+    expect_measured({one.scene, 0, 0.05, 2.5e-4, 1e-3}, part < 1.0);
+  }
+}
+
 // Beyond resonance a second rub stands between the first and the free orbit: it is a watershed.
 TEST(MeasuredGrowth, TheWeakerOfTwoRubsIsLeft) {
   scene::Scene s = test::shipped("bench_annular_rigid");

@@ -80,11 +80,13 @@ void expect_as_differences(const scene::Scene& scene, const RubSystem& system, c
 }
 
 TEST(RubStability, OfThreeModesGrowsAsTheModelSays) {
-  for (const bool elastic : {true, false}) {
-    for (const double turn : {1.0, -1.0}) {
+  for (const FrictionLaw& friction : {FrictionLaw(0.2), test::falling(), test::falling(0.02)}) {
+    for (const auto& [elastic, turn] : {std::pair{true, 1.0}, std::pair{true, -1.0},
+                                        std::pair{false, 1.0}, std::pair{false, -1.0}}) {
       SCOPED_TRACE(elastic ? "elastic ring" : "rigid ring");
       SCOPED_TRACE(turn);
       scene::Scene scene = test::three_modes(elastic);
+      scene.first().contact->friction = friction;
       scene.rotor.speed *= turn;
       scene.forces[0].frequency *= turn;
       const RubSystem system = rub_system(scene);
@@ -93,8 +95,7 @@ TEST(RubStability, OfThreeModesGrowsAsTheModelSays) {
         expect_as_differences(scene, system, rub, all);
       }
       scene.forces.clear();
-      for (const SteadyRub& whip :
-           BackwardCompliance(system).whips(scene.first().contact->friction.coefficient)) {
+      for (const SteadyRub& whip : BackwardCompliance(system).whips(friction)) {
         expect_as_differences(scene, system, whip, all - 1);
       }
     }

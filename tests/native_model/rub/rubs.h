@@ -28,6 +28,15 @@ inline scene::Scene three_modes(bool elastic_ring) {
   return s;
 }
 
+// Its friction falls over the slips of a rub there, some 15 m/s, or grows.
+inline FrictionLaw falling(double viscous = 0.0) {
+  FrictionLaw law = 0.12;
+  law.excess = 0.3;
+  law.stribeck_speed = 12.0;
+  law.viscous = viscous;
+  return law;
+}
+
 // The scene started on the rub.
 inline scene::Scene started_on(scene::Scene s, const rub::SteadyRub& rub) {
   const rub::Complex direction = std::polar(1.0, rub.direction), rate(0.0, rub.whirl);
