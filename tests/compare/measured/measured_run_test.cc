@@ -317,23 +317,6 @@ void collect_keys(const nlohmann::json& object, const std::string& prefix,
   }
 }
 
-// All that a comparison runs beside a record, in 80 columns that do not run together.
-TEST(MeasuredTable, KeepsItsColumnsApart) {
-  const scene::Scene scene = short_rig();
-  const Trajectory run = run_event(scene);
-  std::vector<RunToHold> runs;
-  for (const char* label : {"native", "rigid", "coulomb", "cone", "cone-coulomb", "cone-default"})
-    runs.push_back({label, &run});
-  Sensors sensors;
-  sensors.from = 0.01;
-  sensors.to = 0.09;
-  sensors.noise = 1e-6;
-  const std::string text = measured_table(lay_in(record_of(run, sensors), {}, scene, runs));
-  EXPECT_LE(widest_line(text), 80u);
-  EXPECT_NE(text.find("measured  native   rigid coulomb    cone  cone-c\n"), std::string::npos)
-      << text;
-}
-
 // What stands in compare.json is documented, and what is documented stands there, or may.
 TEST(MeasuredRun, KeysAreDocumented) {
   const scene::Scene scene = short_rig();
