@@ -5,6 +5,7 @@
 // (midpoint_step.h, verlet_step.h). Several contacts: several_contacts.h.
 #pragma once
 
+#include <limits>
 #include <vector>
 
 #include "native_model/stepping/fixed_step.h"
@@ -39,8 +40,8 @@ class OneContact {
       const ContactParameters& c = *models[static_cast<std::size_t>(lane)]->first().contact;
       lanes::set(clearance_, lane, c.clearance);
       lanes::set(radius_, lane, c.radius);
-      lanes::set(friction_, lane, c.friction.coefficient);
-      lanes::set(by_slip_, lane, c.friction.is_constant() ? 0.0 : 1.0);
+      const double none = std::numeric_limits<double>::quiet_NaN();
+      lanes::set(friction_, lane, c.friction.is_constant() ? c.friction.coefficient : none);
     }
     if (!loads.coupled()) respond(x, loads);
   }
@@ -287,7 +288,7 @@ class OneContact {
     const T slip = ex * (w.y + normal * gy) - ey * (w.x + normal * gx) + r * (spin + normal * gz);
     const T turned = d.x * px + d.y * py;
     const Mask slides = (root > zero) & (along < zero) & (slip * last_sign_ > zero) &
-                        (turned >= lanes::all<T>(0.5) * circle) & (by_slip_ == zero);
+                        (turned >= lanes::all<T>(0.5) * circle);
     now.normal = lanes::select(on, normal, now.normal);
     now.friction = lanes::select(on, ratio * normal, now.friction);
     now.slip_sign = lanes::select(on, last_sign_, now.slip_sign);
@@ -301,8 +302,9 @@ class OneContact {
 
   bool exists_ = false, located_;
   T clearance_{}, radius_{};
-  // mu, where it is a number; 1 where it depends on the slip: the lane is solved by itself.
-  T friction_{}, by_slip_{};
+  // mu. Where it depends on the slip not a number, with which nothing slides on: such a lane is
+  // solved by itself.
+  T friction_{};
   T admittance_[3][3] = {};
   typename State::Coordinates response_[3];
   Lasting with_impacts_;  // of a step with impacts
