@@ -8,6 +8,7 @@
 #include <cmath>
 
 #include "native_model/contact/disc_law.h"
+#include "native_model/contact/impact_friction.h"
 
 namespace rotorub {
 namespace {
@@ -271,7 +272,7 @@ CoupledSolution solve_expansion(const ContactMatrix& a, const ContactVector& b,
   const auto slip = [&](const ContactVector& y, std::size_t i) {
     return rows == 3 ? y.segment<2>(first_row(i) + 1).norm() : y[first_row(i) + 1];
   };
-  std::array<SlipFriction, kMaxContacts> friction;
+  std::array<ImpactFriction, kMaxContacts> friction;
   for (std::size_t i = 0; i < laws.size(); ++i) friction[i] = {laws[i].friction, slip(b, i)};
   for (;;) {
     for (std::size_t i = 0; i < laws.size(); ++i) {
@@ -288,8 +289,9 @@ CoupledSolution solve_expansion(const ContactMatrix& a, const ContactVector& b,
     bool improved = false;
     for (std::size_t i = 0; i < laws.size() && s.solutions == 1; ++i) {
       const auto at = first_row(i);
-      const double loss = a(at + 1, at + 1) * s.p[at];
-      improved = friction[i].improve(slip(s.y, i), loss) || improved;
+      // In two directions the friction along the slip.
+      const double rubbed = rows == 3 ? -friction[i].mu() * s.p[at] : s.p[at + 1];
+      improved = friction[i].improve(s.p[at], rubbed, slip(s.y, i), a(at + 1, at + 1)) || improved;
     }
     if (!improved) return s;
   }

@@ -6,10 +6,10 @@
 // with v_s the Stribeck speed (Armstrong-Helouvry, Dupont and Canudas de Wit 1994); Coulomb's mu is
 // kinetic alone. Whoever needs the law asks for mu at the slip that is at hand:
 // - forces at one instant (event, accelerations in MuJoCo): at the slip of that instant;
-// - a phase of an impact, or a step of first order: at the slip with which it ends, as the set that
-//   is solved has it;
-// - a step of second order: at the slip of its middle, the mean of its begin and its end;
-//   of both, which depend on mu themselves, SlipFriction finds it;
+// - a phase of an impact: at the slips that it runs through (impact_friction.h);
+// - a step of first order: at the slip with which it ends, as the set that is solved has it; of
+//   second order: at the slip of its middle, the mean of its begin and its end; of both, which
+//   depend on mu themselves, SlipFriction finds it;
 // - where only one number for all slips is of use (MuJoCo's cone, closed forms): constant(), which
 //   refuses a law that is none.
 #pragma once

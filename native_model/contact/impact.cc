@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "native_model/contact/impact_friction.h"
+
 namespace rotorub {
 
 namespace {
@@ -78,8 +80,14 @@ struct ImpactPhase {
 // ends.
 ImpactResult compress(const ImpactPhase& phase, const ImpactLaw& law) {
   ImpactResult r;
-  const CoulombSolution c =
-      solve_coulomb(phase.matrix, phase.gap_rate, phase.slip, law.friction, phase.slip);
+  const Delassus& a = phase.matrix;
+  ImpactFriction friction(law.friction, phase.slip);
+  CoulombSolution c;
+  do {
+    c = solve_coulomb(a, phase.gap_rate, phase.slip, friction.mu());
+  } while (c.solutions == 1 &&
+           friction.improve(c.normal, c.friction, slip_after(a, phase.slip, {c.normal, c.friction}),
+                            a.tt));
   r.status = status_of(c.solutions);
   r.normal_compression = c.normal;
   r.friction_compression = c.friction;
@@ -115,11 +123,11 @@ void expand(const ImpactPhase& phase, const ImpactLaw& law, double mu, ImpactRes
 }
 
 void expand(const ImpactPhase& phase, const ImpactLaw& law, ImpactResult& r) {
-  SlipFriction friction(law.friction, phase.slip);
+  ImpactFriction friction(law.friction, phase.slip);
   do {
     expand(phase, law, friction.mu(), r);
   } while (r.status == Status::kOk &&
-           friction.improve(r.slip, phase.matrix.tt * r.normal_expansion));
+           friction.improve(r.normal_expansion, r.friction_expansion, r.slip, phase.matrix.tt));
 }
 
 ImpactPhase phase(const ImpactInput& in, const Rows& w, const Rows& row,

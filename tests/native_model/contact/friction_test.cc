@@ -56,59 +56,69 @@ TEST(Friction, FallsFromStaticToKineticAndGrowsWithTheSlip) {
   EXPECT_NEAR(law.along(1e-3) + law.along(-1e-3), 2.0 * law.along(0.0), 1e-4);
 }
 
-// Viscous friction alone, L_T = -c v L_N with v at the end of each phase: v_C = v_0 / (1 + c G_TT
-// L_NC), v_E = v_C / (1 + c G_TT L_NE).
+// Viscous friction alone, dT = -c v dL: v = v_0 exp(-c G_TT L) at the end of each phase.
 TEST(FallingFriction, ViscousImpactIsTheClosedForm) {
   const Delassus g{0.5, 0.0, 0.0, 1.75};
-  for (const double c : {1e-3, 0.1, 10.0, 1e4}) {
+  for (const double c : {1e-3, 0.1, 10.0}) {
     FrictionLaw law{};
     law.viscous = c;
     const double before = 3.0, closing = 0.4, restitution = 0.6;
     const ImpactResult r = solve_impact(g, -closing, before, {law, restitution, 0.0});
     ASSERT_EQ(r.status, Status::kOk);
     const double normal = closing / g.nn;
-    const double compressed = before / (1.0 + c * g.tt * normal);
-    EXPECT_NEAR(r.slip_compression, compressed, 1e-14 * before) << c;
-    EXPECT_NEAR(r.slip, compressed / (1.0 + c * g.tt * restitution * normal), 1e-14 * before) << c;
+    EXPECT_NEAR(r.slip_compression, before * std::exp(-c * g.tt * normal), 3e-14 * before) << c;
+    EXPECT_NEAR(r.slip, before * std::exp(-c * g.tt * (1.0 + restitution) * normal), 3e-14 * before)
+        << c;
   }
 }
 
-// Each phase's impulses lie in the set of the slip with which it ends.
-TEST(FallingFriction, ImpactsMeetTheLawAtTheirEnds) {
+// What friction gives over a normal impulse, dT/dL = -mu(|v|) sign(v), dv/dL = c + g_TT dT/dL, by
+// many small steps.
+double rubbed(const FrictionLaw& law, double slip, double drift, double mobility, double normal) {
+  constexpr int kSteps = 4000;
+  const double h = normal / kSteps, sign = slip > 0.0 ? 1.0 : -1.0;
+  const auto rate = [&](double v) { return drift - sign * law.along(sign * v) * mobility; };
+  double v = slip, sum = 0.0;
+  for (int k = 0; k < kSteps; ++k) {
+    const double a = rate(v), b = rate(v + 0.5 * h * a), c = rate(v + 0.5 * h * b),
+                 d = rate(v + h * c), moved = h / 6.0 * (a + 2.0 * b + 2.0 * c + d);
+    sum += (moved - drift * h) / mobility;
+    v += moved;
+  }
+  return sum;
+}
+
+// Each phase's friction is that of the slips that it runs through.
+TEST(FallingFriction, ImpactsFollowTheirSlip) {
   std::mt19937 random(11);
   std::uniform_real_distribution<double> unit(0.0, 1.0);
-  int slides = 0, sticks = 0, reversed = 0;
-  for (int k = 0; k < 20000; ++k) {
+  int slides = 0, sticks = 0;
+  for (int k = 0; k < 3000; ++k) {
     const double nn = 0.2 + unit(random), tt = 0.2 + 3.0 * unit(random);
-    const double nt = (unit(random) - 0.5) * std::sqrt(nn * tt);
+    const double nt = 0.3 * (unit(random) - 0.5) * std::sqrt(nn * tt);
     FrictionLaw law = 0.4 * unit(random);
     law.excess = 0.3 * unit(random);
-    law.stribeck_speed = 0.01 + unit(random);
+    law.stribeck_speed = 0.05 + unit(random);
     law.viscous = k % 3 == 0 ? 0.0 : 0.2 * unit(random);
     const double before = 4.0 * (unit(random) - 0.5);
     const ImpactResult r =
         solve_impact({nn, nt, nt, tt}, -unit(random), before, {law, unit(random), 0.0});
     if (r.status != Status::kOk) continue;
-    const double size = r.normal();
     if (r.slip_compression == 0.0) {
       ++sticks;
-      EXPECT_LE(std::abs(r.friction_compression), law.sticking() * r.normal_compression + 1e-12);
-    } else {
+      EXPECT_NEAR(r.friction_compression, -(before + nt * r.normal_compression) / tt, 1e-12);
+    } else if (r.slip_compression * before > 0.0) {
       ++slides;
-      EXPECT_NEAR(
-          r.friction_compression,
-          -std::copysign(law.at(r.slip_compression), r.slip_compression) * r.normal_compression,
-          1e-12 * size)
+      EXPECT_NEAR(r.friction_compression, rubbed(law, before, nt, tt, r.normal_compression), 1e-10)
+          << k;
+      if (r.slip * before <= 0.0) continue;
+      EXPECT_NEAR(r.friction_expansion, rubbed(law, r.slip_compression, nt, tt, r.normal_expansion),
+                  1e-10)
           << k;
     }
-    if (r.slip != 0.0 && r.slip * before > 0.0 && r.slip_compression * r.slip > 0.0) {
-      EXPECT_NEAR(std::abs(r.friction_expansion), law.at(r.slip) * r.normal_expansion, 1e-12 * size)
-          << k;
-    }
-    reversed += r.slip * before < 0.0 ? 1 : 0;
   }
-  EXPECT_GT(slides, 5000);
-  EXPECT_GT(sticks, 1000);
+  EXPECT_GT(slides, 1000);
+  EXPECT_GT(sticks, 200);
 }
 
 // Where friction falls steeply, the same impact may leave sliding or sticking: the slip is the
@@ -153,7 +163,10 @@ TEST(FallingFriction, SeveralContactsEachHaveTheMuOfTheirSlip) {
       const double friction = s.p.segment(i * rows + 1, rows - 1).norm();
       if (slip > 1e-9) {
         ++met;
-        EXPECT_NEAR(friction, law.at(slip) * pressed, 1e-11 * s.p.norm()) << k;
+        // Of slips between the first and the last.
+        const double first = b.segment(i * rows + 1, rows - 1).norm();
+        EXPECT_LE(friction, law.bound(std::max(first, slip)) * pressed + 1e-11 * s.p.norm()) << k;
+        EXPECT_GE(friction, law.coefficient * pressed - 1e-11 * s.p.norm()) << k;
       } else {
         EXPECT_LE(friction, law.sticking() * pressed + 1e-11 * s.p.norm()) << k;
       }

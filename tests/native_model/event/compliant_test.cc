@@ -227,26 +227,33 @@ TEST(CompliantContact, TwoOfThemInFixedSteps) {
 }
 
 // k -> infinity: the rigid law, for one contact without slip that would reverse (W_NT = 0).
+// Friction that falls too: of a rigid impact it is that of the slips that it runs through.
 TEST(CompliantContact, TendsToTheRigidLaw) {
-  scene::Scene s = make_scene({.friction = 0.1, .restitution = 0.6, .speed = 300.0});
-  s.initial.vx = {0.4};
-  s.initial.vy = {0.1};
-  s.run.end = 2.4e-3;
-  const Trajectory rigid = run_event(s);
-  double before = 0.0;
-  for (const double k : {1e9, 1e11, 1e13}) {
-    s.first().contact->compliance = Compliance{.stiffness = k};
-    const Trajectory t = run_event(s);
-    ASSERT_EQ(t.status, Status::kOk) << t.message;
-    ASSERT_EQ(t.impacts.size(), rigid.impacts.size());
-    const double error =
-        std::abs(t.impacts[0].friction_impulse - rigid.impacts[0].friction_impulse) +
-        std::abs(t.impacts[0].normal_impulse - rigid.impacts[0].normal_impulse);
-    // A touch lasts sqrt(m/k), and moves v sqrt(m/k) along the curved wall: order 1/2 in 1/k.
-    if (before > 0.0) {
-      EXPECT_NEAR(std::log(before / error) / std::log(100.0), 0.5, 0.05) << k;
+  FrictionLaw falling = 0.1;
+  falling.excess = 0.15;
+  falling.stribeck_speed = 14.95;
+  for (const FrictionLaw& friction : {FrictionLaw(0.1), falling}) {
+    scene::Scene s = make_scene({.restitution = 0.6, .speed = 300.0});
+    s.first().contact->friction = friction;
+    s.initial.vx = {0.4};
+    s.initial.vy = {0.1};
+    s.run.end = 2.4e-3;
+    const Trajectory rigid = run_event(s);
+    double before = 0.0;
+    for (const double k : {1e9, 1e11, 1e13}) {
+      s.first().contact->compliance = Compliance{.stiffness = k};
+      const Trajectory t = run_event(s);
+      ASSERT_EQ(t.status, Status::kOk) << t.message;
+      ASSERT_EQ(t.impacts.size(), rigid.impacts.size());
+      const Impact &soft = t.impacts[0], &hard = rigid.impacts[0];
+      const double error = std::abs(soft.friction_impulse - hard.friction_impulse) +
+                           std::abs(soft.normal_impulse - hard.normal_impulse);
+      // A touch lasts sqrt(m/k), and moves v sqrt(m/k) along the curved wall: order 1/2 in 1/k.
+      if (before > 0.0) {
+        EXPECT_NEAR(std::log(before / error) / std::log(100.0), 0.5, 0.05) << k;
+      }
+      before = error;
     }
-    before = error;
   }
 }
 
