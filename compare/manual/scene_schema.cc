@@ -175,15 +175,15 @@ std::string scene_schema() {
     }
     schema["description"] =
         std::string(table.meaning) + " Absent: " + std::string(table.when_absent) + ".";
-    if (!table.for_key) {
+    if (!parent->contains("anyOf")) {
       (*parent)["properties"][std::string(name)] = std::move(schema);
       continue;
     }
-    // In the place of a key's value, in [contact] and in a [[contact]].
+    // In [contact] and in a [[contact]], perhaps in the place of a key's value.
     json& either = (*parent)["anyOf"];
     for (json* object : {&either[0], &either[1]["items"]}) {
       json& value = (*object)["properties"][std::string(name)];
-      value = {{"anyOf", {value, schema}}};
+      value = table.for_key ? json{{"anyOf", {value, schema}}} : schema;
     }
   }
   // Below each [[contact]].

@@ -9,9 +9,9 @@
 
 #include "native_model/dynamics/dynamics.h"
 #include "native_model/run/status_reason.h"
+#include "native_model/run/step_commands.h"
 #include "native_model/stepping/step_limit.h"
 #include "native_model/stepping/stepper.h"
-#include "native_model/stepping/zero_order_hold.h"
 #include "native_model/system/actuation.h"
 #include "native_model/trajectory/contact_episodes.h"
 #include "native_model/trajectory/range_check.h"
@@ -19,14 +19,6 @@
 
 namespace rotorub {
 namespace {
-
-// Where a command given again jumps first in begin..end, s.
-CommandJump jump_of(const CommandRecord& told, double begin, double end) {
-  const std::vector<double>& jumps = told.jumps();
-  const auto next = std::upper_bound(jumps.begin(), jumps.end(), begin);
-  if (next == jumps.end() || *next >= end) return {};
-  return {(*next - begin) / (end - begin), told.mean(begin, *next), told.mean(*next, end)};
-}
 
 // A state that a run has come to.
 struct Reached {
@@ -58,12 +50,11 @@ class FixedRun {
         steps_(static_cast<std::int64_t>(std::ceil(end_ / step_ - 1e-9))),
         recorder_(model, options.output_times.value_or(output_times(run)), kWindowSteps * run.step),
         stepper_(make_stepper(integrator, model, step)),
+        commands_(model, *stepper_, step),
         velocity_(static_cast<std::size_t>(model.nq())),
-        acceleration_(velocity_),
         points_(contacts_),
         others_(contacts_ - 1),
         message_(step_refusal(model, step)) {
-    for (std::size_t i = 0; i < contacts_; ++i) holds_.emplace_back(model, i);
     for (std::size_t i = 0; model.gives() && i < contacts_; ++i) {
       episodes_.emplace_back(recorder_, static_cast<int>(i));
     }
@@ -89,21 +80,19 @@ class FixedRun {
   }
 
  private:
-  using Commands = std::array<Eigen::Vector2d, kMaxContacts>;
-  std::span<const Eigen::Vector2d> all(const Commands& of) const {
-    return std::span(of).first(contacts_);
-  }
   double time(std::int64_t k) const { return static_cast<double>(k) * step_; }
   bool good() const { return status_ == Status::kOk; }
 
   // Steps whose state is that of their end; the number of those taken.
   std::int64_t walk() {
-    command_of_step(0);
+    commands_.hold(0);
+    listen();
     begin({}, 1.0);
     for (std::int64_t k = 0; k < steps_; ++k) {
-      command_of_step(k);
+      commands_.hold(k);
+      listen();
       if (!good()) return k;
-      const FixedStep done = stepper_->step(k, all(command_), true);
+      const FixedStep done = stepper_->step(k, commands_.of_step(), true);
       if (done.status != Status::kOk) {
         fail(done.status, time(k), status_reason(done.status));
         return k;
@@ -127,12 +116,13 @@ class FixedRun {
     std::int64_t k = 0;
     for (; k <= steps_ && good(); ++k) {
       const double t = time(k), kick = k == 0 ? 0.5 * step_ : step_;
-      command_about(k);
+      commands_.mean_about(k);
+      listen();
       if (!good()) {
         if (k == 0) begin({}, 1.0);
         break;
       }
-      const FixedStep done = stepper_->step(k, all(command_), true);
+      const FixedStep done = stepper_->step(k, commands_.of_step(), true);
       if (done.status != Status::kOk) {
         fail(done.status, t, status_reason(done.status));
         break;
@@ -157,54 +147,6 @@ class FixedRun {
     return std::min(k, steps_);
   }
 
-  // ------------------------------------------------------------------ commands
-  // Held over a step.
-  void command_of_step(std::int64_t k) {
-    const double t = time(k);
-    for (std::size_t i = 0; i < contacts_; ++i) {
-      const CommandRecord* recorded = model_.auxiliary[i].recorded.get();
-      command_[i] =
-          recorded ? recorded->mean(t, time(k + 1)) : holds_[i].at(t, stepper_->q(), stepper_->v());
-      shown_[i] = command_[i];
-      listen(holds_[i]);
-    }
-  }
-  // The mean over (t_k - h/2, t_k + h/2).
-  void command_about(std::int64_t k) {
-    const double t = time(k), end = t + 0.5 * step_, begin = k == 0 ? t : t - 0.5 * step_;
-    bool known = false;
-    for (std::size_t i = 0; i < contacts_; ++i) shown_[i] = holds_[i].held();
-    for (std::size_t i = 0; i < contacts_; ++i) {
-      command_[i] = holds_[i].held();
-      if (const CommandRecord* recorded = model_.auxiliary[i].recorded.get()) {
-        stepper_->jump(i, jump_of(*recorded, begin, end));
-        command_[i] = shown_[i] = recorded->mean(begin, end);
-        continue;
-      }
-      if (!holds_[i].listens(end)) continue;
-      if (!known) find_velocities(k);
-      known = true;
-      command_[i] =
-          holds_[i].mean(begin, t, end, stepper_->q(), velocity_.data(), acceleration_.data());
-      shown_[i] = holds_[i].held();
-      stepper_->jump(i, holds_[i].jump());
-      listen(holds_[i]);
-    }
-  }
-  // Those of t_k before step k, with the commands that held.
-  void find_velocities(std::int64_t k) {
-    stepper_->velocity_now(k, all(shown_), velocity_.data());
-    for (std::size_t j = 0; k > 0 && j < velocity_.size(); ++j) {
-      acceleration_[j] = 2.0 / step_ * (velocity_[j] - stepper_->v()[j]);
-    }
-  }
-  // The law's word names the time.
-  void listen(const ZeroOrderHold& hold) {
-    if (hold.failure().empty() || !good()) return;
-    status_ = Status::kControllerFailed;
-    message_ = hold.failure();
-  }
-
   // ------------------------------------------------------------------ what is recorded
   Reached reach(double t, const double* q, const double* v) {
     last_points_ = points_;
@@ -227,8 +169,8 @@ class FixedRun {
       ContactSnapshot s;
       if (i < 1 + done.others.size()) s = contact_snapshot(done.at(i), kick);
       if (!row) return s;
-      s.actuator = actuator_state(model_, at.q, at.v, shown_[i], i);
-      s.actuator.outputs = holds_[i].outputs();
+      s.actuator = actuator_state(model_, at.q, at.v, commands_.shown(i), i);
+      s.actuator.outputs = commands_.outputs(i);
       return s;
     };
     for (std::size_t i = 1; i < contacts_; ++i) others_[i - 1] = of(i);
@@ -317,6 +259,12 @@ class FixedRun {
     }
   }
 
+  // The law's word names the time.
+  void listen() {
+    if (commands_.failure().empty() || !good()) return;
+    status_ = Status::kControllerFailed;
+    message_ = commands_.failure();
+  }
   void fail(Status status, double t, const std::string& why) {
     if (!good()) return;
     status_ = status;
@@ -330,12 +278,6 @@ class FixedRun {
     if (options_.progress) options_.progress(static_cast<double>(k) / static_cast<double>(steps_));
   }
 
-  static Commands none() {
-    Commands all;
-    all.fill(Eigen::Vector2d(0.0, 0.0));
-    return all;
-  }
-
   const Model& model_;
   const NativeOptions& options_;
   const std::size_t contacts_;
@@ -343,9 +285,8 @@ class FixedRun {
   std::int64_t steps_;
   Recorder recorder_;
   std::unique_ptr<FixedStepper> stepper_;
-  std::vector<ZeroOrderHold> holds_;
-  Commands command_ = none(), shown_ = none();  // over the step; as they stand at the state's time
-  std::vector<double> velocity_, acceleration_;
+  StepCommands commands_;
+  std::vector<double> velocity_;
   std::vector<ContactPoint> points_, last_points_;  // of the state reached last, and before it
   std::vector<ContactEpisodes> episodes_;           // of contacts that give
   std::vector<ContactSnapshot> others_;

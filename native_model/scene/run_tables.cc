@@ -227,7 +227,8 @@ void check_gap_at_start(const Checker& check) {
                       : scene.auxiliary.size() > 1 ? "stator.position"
                                                    : "initial.stator";
     check.fail(key, "the rotor starts outside the ring, " + number_text(offset.norm()) +
-                        " m from its centre; expected at most " + check.place("contact.clearance") +
+                        " m from its centre; expected at most " +
+                        (reach > clearance ? "twice " : "") + check.place("contact.clearance") +
                         " = " + number_text(clearance) + " m");
   }
 }

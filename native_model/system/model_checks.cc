@@ -198,8 +198,9 @@ void check_initial_gap(const scene::Scene& scene, const Model& model, std::size_
                              : "contact.offset";
   scene::refuse_at(with_bearing_alone(scene, k), key,
                    "the rotor starts outside the ring, " + scene::number_text(delta) +
-                       " m from its centre; accepted: at most contact.clearance = " +
-                       scene::number_text(clearance) + " m");
+                       " m from its centre; accepted: at most " +
+                       (reach > clearance ? "twice " : "") +
+                       "contact.clearance = " + scene::number_text(clearance) + " m");
 }
 
 void check_initial_ring(const scene::Scene& scene, std::size_t k) {

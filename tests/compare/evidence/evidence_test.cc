@@ -79,6 +79,15 @@ auto mujoco_on_the_ring(scene::ContactModel contact) {
   return [contact]() { return on_the_ring(mujoco(ring(), contact)); };
 }
 
+// The same where the ring gives, at its scene's step of 2 us.
+auto mujoco_on_the_giving_ring(scene::ContactModel contact) {
+  return [contact]() {
+    const scene::Scene scene = shipped("compliant_ring");
+    return std::optional(
+        between(mujoco(scene, contact), run_event(scene), scene.first().contact->clearance));
+  };
+}
+
 // ---------------------------------------------------------------- others
 std::optional<Apart> event_and_whip() {
   const scene::Scene scene = shipped("bench_whip");
@@ -157,6 +166,16 @@ const Pair kPairs[] = {
      "`bench_ring`",
      mujoco_on_the_ring(scene::ContactModel::kCone),
      {1.4, 0.05}},
+    {"`coulomb` and `event`, a ring that gives",
+     "modes, gap, normal and law; the step is MuJoCo's",
+     "`compliant_ring`",
+     mujoco_on_the_giving_ring(scene::ContactModel::kCoulomb),
+     {1e-2, 1e-3}},
+    {"`cone-coulomb` and `event`, a ring that gives",
+     "modes, gap, normal and the formula of the force; MuJoCo's solver finds force and friction",
+     "`compliant_ring`",
+     mujoco_on_the_giving_ring(scene::ContactModel::kConeCoulomb),
+     {1e-2, 1e-3}},
 };
 
 class Evidence : public MujocoTest, public testing::WithParamInterface<Pair> {};
