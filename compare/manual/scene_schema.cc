@@ -170,20 +170,20 @@ std::string scene_schema() {
     if (table.list) schema = {{"type", "array"}, {"items", std::move(schema)}};
     if (table.or_list) {
       // The parts of each auxiliary bearing are added below, as they are read.
-      schema = {
-          {"anyOf", {schema, {{"type", "array"}, {"items", schema}, {"maxItems", kMaxContacts}}}}};
+      const std::size_t most = table.path == "contact" ? kMaxContacts : scene::kMaxMagneticBearings;
+      schema = {{"anyOf", {schema, {{"type", "array"}, {"items", schema}, {"maxItems", most}}}}};
     }
     schema["description"] =
         std::string(table.meaning) + " Absent: " + std::string(table.when_absent) + ".";
-    if (!table.for_key) {
+    if (!parent->contains("anyOf")) {
       (*parent)["properties"][std::string(name)] = std::move(schema);
       continue;
     }
-    // In the place of a key's value, in [contact] and in a [[contact]].
+    // In [contact] and in a [[contact]], or in the place of a key's value there.
     json& either = (*parent)["anyOf"];
     for (json* object : {&either[0], &either[1]["items"]}) {
       json& value = (*object)["properties"][std::string(name)];
-      value = {{"anyOf", {value, schema}}};
+      value = table.for_key ? json{{"anyOf", {value, schema}}} : schema;
     }
   }
   // Below each [[contact]].
