@@ -57,7 +57,7 @@ class Bodies {
   }
   void write_beside_the_rotor() {
     for (std::size_t k = 0; k < scene_.auxiliary.size(); ++k) ring(k);
-    integrator();
+    integrators();
   }
 
  private:
@@ -192,15 +192,16 @@ class Bodies {
     close_moving_body();
   }
 
-  // Two joints without a shape: what a magnetic bearing's integrator holds is in MuJoCo's state,
-  // qvel.
-  void integrator() {
-    if (model_.layout.integrals == 0) return;
-    const int at = model_.layout.integral();
-    joint(names::kBearingIntegral[0], "slide", "1 0 0", at);
-    joint(names::kBearingIntegral[1], "slide", "0 1 0", at + 1);
-    open_moving_body(names::kBearingIntegrator);
-    close_moving_body();
+  // Two joints without a shape for each: what a magnetic bearing's integrator holds is in MuJoCo's
+  // state, qvel.
+  void integrators() {
+    for (int i = 0; i < model_.layout.integrals; i += 2) {
+      const int at = model_.layout.integral() + i;
+      joint(names::bearing_integral(i), "slide", "1 0 0", at);
+      joint(names::bearing_integral(i + 1), "slide", "0 1 0", at + 1);
+      open_moving_body(names::bearing_integrator(i / 2).c_str());
+      close_moving_body();
+    }
   }
 
   // Shows that the ring turns.

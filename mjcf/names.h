@@ -61,10 +61,15 @@ inline constexpr const char* kEndY = "end_y";
 inline constexpr const char* kRingX = "ring_x";
 inline constexpr const char* kRingY = "ring_y";
 inline constexpr const char* kRingSpin = "ring_spin";
-// Their velocities are the currents that a magnetic bearing's integrator holds, A; nothing is seen
-// to move.
-inline constexpr const char* kBearingIntegrator = "bearing_integrator";  // body
-inline constexpr const char* kBearingIntegral[2] = {"bearing_integral_x", "bearing_integral_y"};
+// Joints whose velocities are the currents that magnetic bearings' integrators hold, A; nothing is
+// seen to move. Two of each integrator, and a body: "bearing_integral_x", "bearing2_integral_x".
+inline std::string bearing_integral(int i) {
+  return (i < 2 ? "bearing" : "bearing" + std::to_string(i / 2 + 1)) +
+         (i % 2 == 0 ? "_integral_x" : "_integral_y");
+}
+inline std::string bearing_integrator(int k) {
+  return (k == 0 ? "bearing" : "bearing" + std::to_string(k + 1)) + std::string("_integrator");
+}
 
 // Actuators and the tendons that they pull, s_k = a_k . q_f
 inline constexpr const char* kActuator[2] = {"actuator_1", "actuator_2"};

@@ -148,14 +148,17 @@ Model bending_loads(const scene::Scene& scene, const Model& model, const Segment
           {shape(given.station), given.static_moment, given.phase, given.on});
     }
   }
-  if (!scene.magnetic_bearing) return loads;
-  const ModeShape at_magnets = shape(scene.magnetic_bearing->station);
-  if (model.feedback) {
-    loads.feedback = StationFeedback{at_magnets, model.feedback->law};
-    loads.feedback->law.held = 0.0;  // the chain has no such spring
-  } else {
-    const double k = scene.magnetic_bearing->negative_stiffness;
-    loads.springs.push_back({at_magnets, {-k, -k}});
+  for (const scene::MagneticBearing& bearing : scene.magnetic_bearings) {
+    const double k = bearing.negative_stiffness;
+    if (!bearing.control) loads.springs.push_back({shape(bearing.station), {-k, -k}});
+  }
+  for (StationFeedback feedback : model.feedbacks) {
+    const scene::MagneticBearing& bearing = scene.magnetic_bearings[feedback.number];
+    feedback.shape = shape(bearing.station);
+    if (feedback.sensor) feedback.sensor = shape(*bearing.sensor_station);
+    feedback.law.held = 0.0;  // the chain has no such spring
+    if (feedback.stored != kAbsent) feedback.stored += l.integral() - model.layout.integral();
+    loads.feedbacks.push_back(std::move(feedback));
   }
   return loads;
 }
@@ -218,8 +221,8 @@ Eigen::VectorXd bending_state(const Config& config, AddressPart part, const mjtN
   return state;
 }
 
-int stored_address(const Config& config, int plane) {
-  return config.dof_address[static_cast<std::size_t>(config.model.layout.integral() + plane)];
+int stored_address(const Config& config, int k) {
+  return config.dof_address[static_cast<std::size_t>(config.model.layout.integral() + k)];
 }
 
 void scatter(const std::vector<JointAddress>& joints, const Eigen::VectorXd& values, mjtNum* to) {
@@ -246,8 +249,8 @@ void add_segment_loads(const Config& config, mjData* d) {
   // MuJoCo's spin, also where it is held: whoever linearises sets it.
   const Eigen::VectorXd spin = gather(s.spin, &JointAddress::velocity, d->qvel);
   const double omega = s.spin_share.dot(spin);
-  const double working = bending.feedback && d->time < bending.feedback->law.fails_at ? 1.0 : 0.0;
-  equations::add_linear_loads(bending, omega, working, q.data(), v.data(), f.data());
+  const auto working = equations::working_at(bending, d->time);
+  equations::add_linear_loads(bending, omega, working.data(), q.data(), v.data(), f.data());
   equations::add_forces(bending, d->time, q.data(), f.data());
   // Blades that are lost; MuJoCo's bodies keep their masses.
   equations::DiscAngles<double> angles;

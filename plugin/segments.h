@@ -31,8 +31,8 @@ struct Segments {
   Eigen::MatrixXd damping_x, damping_y;  // external; empty: none
   Eigen::MatrixXd torsion_damping;       // empty: none
   // What the native list of loads (dynamics/loads.h) has in the place of the joints' own: rotating
-  // damping, forces, blades that are lost, the magnetic bearing. Its modes are the coordinates of a
-  // plane, its spin the mean one; then come the two of a magnetic bearing's integrator.
+  // damping, forces, blades that are lost, magnetic bearings. Its modes are the coordinates of a
+  // plane, its spin the mean one; then come those of magnetic bearings' integrators.
   Model bending;
   int drive_node = -1;         // -1: speed held
   Eigen::VectorXd spin_share;  // N + 1, J_k / sum J: mean spin
@@ -58,7 +58,7 @@ void native_velocity(const Segments& segments, const Model& model, const mjtNum*
 std::string segment_step_refusal(const Segments& segments, double step);
 
 // What the joints and tendons of the segment rotor do not have by themselves, as passive forces:
-// external and rotating damping of its modes, forces, magnetic bearing, drive, weight of the ring.
+// external and rotating damping of its modes, forces, magnetic bearings, drive, weight of the ring.
 // Springs, bearings, gyroscopics, unbalance and the rotor's weight are MuJoCo's own. Adds to
 // d->qfrc_passive. The config is that of a segment rotor.
 void add_segment_loads(const Config& config, mjData* d);

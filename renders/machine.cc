@@ -259,15 +259,16 @@ Machine make_machine(const scene::Scene& scene, std::span<const Playback* const>
       magnification.value_or(machine_magnification(scene, machine.unit, motion));
   if (scene.first().contact) draw_contact(machine, scene);
   draw_loads(machine, scene);
-  if (scene.magnetic_bearing && scene.rotor.geometry) {
-    const double station = scene.magnetic_bearing->station;
+  for (const scene::MagneticBearing& bearing : scene.magnetic_bearings) {
+    if (!scene.rotor.geometry) break;
+    const double station = bearing.station;
     const double z = station * machine.unit;
     const double shaft = 0.5 * diameter_at(*scene.rotor.geometry, station);
     const double moved = largest(machine, runs, from, to, 200, [&](const Eigen::Matrix2Xd& line) {
       return machine.centre(line, z).tail<2>().norm();
     });
     const double bore = 1.6 * shaft * machine.unit + moved;
-    machine.magnetic_bearing = {z, bore, bore + 0.035, 0.025};
+    machine.magnetic_bearings.push_back({z, bore, bore + 0.035, 0.025});
   }
 
   // The base plate lies below everything that moves.
@@ -280,7 +281,9 @@ Machine make_machine(const scene::Scene& scene, std::span<const Playback* const>
   for (const DrawnDisc& disc : machine.discs) {
     reach = std::max(reach, disc.radius + motion * machine.magnification + 0.02);
   }
-  if (machine.magnetic_bearing) reach = std::max(reach, machine.magnetic_bearing->outer + 0.02);
+  for (const DrawnMagneticBearing& magnet : machine.magnetic_bearings) {
+    reach = std::max(reach, magnet.outer + 0.02);
+  }
   machine.floor = -reach;
   return machine;
 }

@@ -72,7 +72,7 @@ struct Machine {
   double bearing_bore = 0.0;
   std::optional<DrawnContact> contact;
   DrawnSupport support;
-  std::optional<DrawnMagneticBearing> magnetic_bearing;
+  std::vector<DrawnMagneticBearing> magnetic_bearings;
   std::vector<DrawnLoad> loads;
   double largest_load = 0.0;    // N
   std::optional<double> motor;  // z

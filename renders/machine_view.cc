@@ -64,10 +64,9 @@ MachineView::MachineView(const Machine& machine, std::vector<Mesh>& meshes) : ma
   if (!machine.bearings.empty()) {
     bearing_ = add_mesh(meshes, {machine.bearing_bore, 2.2 * machine.bearing_bore, 0.018});
   }
-  if (machine.magnetic_bearing) {
-    const DrawnMagneticBearing& magnet = *machine.magnetic_bearing;
-    magnet_ = add_mesh(
-        meshes, {magnet.bore + 0.012, magnet.outer, magnet.half_width, kKeptFrom, kKeptTo, 72});
+  for (const DrawnMagneticBearing& magnet : machine.magnetic_bearings) {
+    magnets_.push_back(add_mesh(
+        meshes, {magnet.bore + 0.012, magnet.outer, magnet.half_width, kKeptFrom, kKeptTo, 72}));
   }
   // From the side of the ring where no disc stands before it.
   double nearest = 2.0;
@@ -172,10 +171,10 @@ void MachineView::draw_base(Canvas& canvas) const {
     draw_pedestal(canvas, middle, -0.03, 0.04, 0.04);
     canvas.cylinder({middle - 0.06, 0.0, 0.0}, {middle + 0.06, 0.0, 0.0}, 0.06, palette::kMotor);
   }
-  if (machine_.magnetic_bearing) {
-    const DrawnMagneticBearing& magnet = *machine_.magnetic_bearing;
+  for (std::size_t i = 0; i < magnets_.size(); ++i) {
+    const DrawnMagneticBearing& magnet = machine_.magnetic_bearings[i];
     draw_pedestal(canvas, magnet.z, -0.9 * magnet.outer, 0.6 * magnet.half_width, 0.03);
-    canvas.mesh(magnet_, {magnet.z, 0.0, 0.0}, kUpright, palette::kHousing);
+    canvas.mesh(magnets_[i], {magnet.z, 0.0, 0.0}, kUpright, palette::kHousing);
     for (int pole = 0; pole < 8; ++pole) {
       const double angle = (22.5 + 45.0 * pole) * kDegree;
       if (angle > kKeptTo - 2.0 * std::numbers::pi && angle < kKeptFrom) continue;

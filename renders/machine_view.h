@@ -50,7 +50,8 @@ class MachineView {
   Machine machine_;
   double side_ = 1.0;  // of the contact that the camera sees, +1 or -1 along X
   // Meshes by number.
-  int ring_ = -1, housing_ = -1, bearing_ = -1, magnet_ = -1;
+  int ring_ = -1, housing_ = -1, bearing_ = -1;
+  std::vector<int> magnets_;  // of each magnetic bearing
   Body rotor_;
   std::vector<Body> discs_;
 };

@@ -47,7 +47,7 @@ bool is_plain(const scene::Scene& s) {
                         first(m.gyroscopic) == 0.0;
   const bool turning_ring = s.first().stator && s.first().stator->spin;
   return one_mode && !turning_ring && s.first().contact->offset.isZero(0.0) && !s.rotor.torsion &&
-         !s.drive && !s.magnetic_bearing && !s.first().actuator && !s.first().controller &&
+         !s.drive && s.magnetic_bearings.empty() && !s.first().actuator && !s.first().controller &&
          !s.gravity && !s.base && s.first().contact->compression_time == 0.0 &&
          s.first().contact->expansion_time == 0.0 &&
          s.first().contact->tangential_restitution == 0.0;

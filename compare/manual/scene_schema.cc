@@ -170,8 +170,8 @@ std::string scene_schema() {
     if (table.list) schema = {{"type", "array"}, {"items", std::move(schema)}};
     if (table.or_list) {
       // The parts of each auxiliary bearing are added below, as they are read.
-      schema = {
-          {"anyOf", {schema, {{"type", "array"}, {"items", schema}, {"maxItems", kMaxContacts}}}}};
+      const std::size_t most = table.path == "contact" ? kMaxContacts : scene::kMaxMagneticBearings;
+      schema = {{"anyOf", {schema, {{"type", "array"}, {"items", schema}, {"maxItems", most}}}}};
     }
     schema["description"] =
         std::string(table.meaning) + " Absent: " + std::string(table.when_absent) + ".";
@@ -179,7 +179,7 @@ std::string scene_schema() {
       (*parent)["properties"][std::string(name)] = std::move(schema);
       continue;
     }
-    // In [contact] and in a [[contact]], perhaps in the place of a key's value.
+    // In [contact] and in a [[contact]], or in the place of a key's value there.
     json& either = (*parent)["anyOf"];
     for (json* object : {&either[0], &either[1]["items"]}) {
       json& value = (*object)["properties"][std::string(name)];

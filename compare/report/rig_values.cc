@@ -24,13 +24,13 @@ json shapes(const Eigen::MatrixXd& modes) {
 }
 
 // Nothing stands for a bearing that a force alone implies.
-json magnet_values(const scene::Scene& scene, const renders::Machine& machine) {
-  if (!scene.magnetic_bearing || !machine.magnetic_bearing) return nullptr;
-  const renders::DrawnMagneticBearing& magnet = *machine.magnetic_bearing;
-  return {{"z", magnet.z},
-          {"bore", magnet.bore},
-          {"outer", magnet.outer},
-          {"half_width", magnet.half_width}};
+json magnet_values(const renders::Machine& machine) {
+  return list_of(machine.magnetic_bearings, [](const renders::DrawnMagneticBearing& magnet) {
+    return json{{"z", magnet.z},
+                {"bore", magnet.bore},
+                {"outer", magnet.outer},
+                {"half_width", magnet.half_width}};
+  });
 }
 
 // m: how far from the middle the actuators' curves go.
@@ -81,7 +81,7 @@ json rig_values(const scene::Scene& scene, const renders::Machine& machine) {
                  return {{"z", disc.z}, {"radius", disc.radius}, {"half_width", disc.half_width}};
                })},
       {"bearings", scene.rotor.geometry ? json(machine.bearings) : json::array()},
-      {"magnetic_bearing", magnet_values(scene, machine)},
+      {"magnetic_bearings", magnet_values(machine)},
       {"motor",
        scene.drive && scene.rotor.geometry && machine.motor ? json(*machine.motor) : json()}};
 }

@@ -33,9 +33,9 @@ struct Coupling {
 void add_loads(const Model& m, double t, const double* q, const double* v, double* f) {
   Angles angles;
   if (!m.unbalances.empty()) angles.fill(m, t, q);
-  const double working = m.feedback && t < m.feedback->law.fails_at ? 1.0 : 0.0;
+  const auto working = eq::working_at(m, t);
   const auto add_forces = [&](double* to) { eq::add_forces(m, t, q, to); };
-  eq::add_loads<eq::Gyroscopics::kLeftOut>(m, {t, working, angles}, q, v, add_forces, f);
+  eq::add_loads<eq::Gyroscopics::kLeftOut>(m, {t, working.data(), angles}, q, v, add_forces, f);
 }
 
 }  // namespace
@@ -49,13 +49,14 @@ double motor_torque(const Model& m, double t, const double* q, const double* v) 
   return m.drive ? eq::motor_torque(m, t, q, v) : 0.0;
 }
 
-Eigen::Vector2d bearing_current(const Model& m, double t, const double* q, const double* v) {
-  if (!m.feedback || t >= m.feedback->law.fails_at) return {0.0, 0.0};
-  const MagneticFeedback<double>& law = m.feedback->law;
-  const Eigen::Vector2d r = at_station(m.layout, m.feedback->shape, q);
-  const Eigen::Vector2d rate = at_station(m.layout, m.feedback->shape, v);
-  const eq::Pair<double> stored = eq::stored_current(m, v);
-  return {law.current(r.x(), rate.x(), stored.x), law.current(r.y(), rate.y(), stored.y)};
+Eigen::Vector2d bearing_current(const Model& m, const StationFeedback& bearing, double t,
+                                const double* q, const double* v) {
+  const MagneticFeedback<double>& law = bearing.law;
+  if (t >= law.fails_at) return {0.0, 0.0};
+  const Eigen::Vector2d seen = at_station(m.layout, bearing.seen(), q);
+  const Eigen::Vector2d rate = at_station(m.layout, bearing.seen(), v);
+  const eq::Pair<double> stored = eq::stored_current(m, bearing, v);
+  return {law.current(seen.x(), rate.x(), stored.x), law.current(seen.y(), rate.y(), stored.y)};
 }
 
 void coupling_force(const Model& m, double t, const double* q, const double* v, double* f) {

@@ -20,7 +20,8 @@ double contact_spin(const Model& model, const double* v, std::size_t contact = 0
 double motor_torque(const Model& model, double t, const double* q, const double* v);
 
 // A, of a magnetic bearing with a feedback on each axis; 0 without one, and once it has failed.
-Eigen::Vector2d bearing_current(const Model& model, double t, const double* q, const double* v);
+Eigen::Vector2d bearing_current(const Model& model, const StationFeedback& bearing, double t,
+                                const double* q, const double* v);
 
 // f(t, q, v), nq values: all loads but the contact's and the actuator's.
 void unactuated_force(const Model& model, double t, const double* q, const double* v, double* f);

@@ -7,7 +7,7 @@ namespace rotorub {
 LinearParts linear_parts(const Model& given, double speed) {
   const Model m = without_offsets(with_linear_feedback(given));
   const int nq = m.nq(), size = 2 * m.layout.modes;
-  const double works = m.feedback && m.feedback->law.fails_at > 0.0 ? 1.0 : 0.0;
+  const auto works = equations::working_at(m, 0.0);
   LinearParts parts{m.mass.head(size), m.damping.head(size).asDiagonal(),
                     m.stiffness.head(size).asDiagonal()};
   const Eigen::VectorXd rest = Eigen::VectorXd::Zero(nq);
@@ -15,10 +15,10 @@ LinearParts linear_parts(const Model& given, double speed) {
   for (int j = 0; j < size; ++j) {
     const Eigen::VectorXd unit = Eigen::VectorXd::Unit(nq, j);
     f.setZero();
-    equations::add_linear_loads(m, speed, works, unit.data(), rest.data(), f.data());
+    equations::add_linear_loads(m, speed, works.data(), unit.data(), rest.data(), f.data());
     parts.stiffness.col(j) -= f.head(size);
     f.setZero();
-    equations::add_linear_loads(m, speed, works, rest.data(), unit.data(), f.data());
+    equations::add_linear_loads(m, speed, works.data(), rest.data(), unit.data(), f.data());
     equations::add_gyroscopic(m, speed, unit.data(), f.data());
     parts.damping.col(j) -= f.head(size);
   }

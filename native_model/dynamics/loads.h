@@ -3,22 +3,34 @@
 // beside it (equations.h, system/actuation.h), and so are the diagonal parts and the weight.
 #pragma once
 
+#include <array>
+
 #include "native_model/dynamics/equations.h"
 
 namespace rotorub::equations {
 
 // All that is linear in (q, v) at a spin speed omega (rad/s) but the diagonal parts and the
-// gyroscopic moments: rotating damping, dashpots, films, springs, a magnetic bearing's law. (The
+// gyroscopic moments: rotating damping, dashpots, films, springs, magnetic bearings' laws. (A
 // law is linear within its limit, films that stand off the line have a constant part.)
-// working: the share of the time for which that bearing has not failed, in [0, 1].
+// working: of each of those bearings the share of the time for which it has not failed, in [0, 1].
 template <class M, class T = typename M::Scalar>
-ROTORUB_INLINE void add_linear_loads(const M& m, const T& omega, const T& working, const T* q,
+ROTORUB_INLINE void add_linear_loads(const M& m, const T& omega, const T* working, const T* q,
                                      const T* v, T* f) {
   add_rotating_damping(m, q, v, omega, f);
   add_dampers(m, v, f);
   add_films(m, omega, q, v, f);
   add_springs(m, q, f);
-  if (m.feedback) add_feedback(m, working, q, v, f);
+  add_feedbacks(m, working, q, v, f);
+}
+
+// Those shares at an instant, of one model alone.
+template <class M>
+std::array<double, scene::kMaxMagneticBearings> working_at(const M& m, double t) {
+  std::array<double, scene::kMaxMagneticBearings> shares{};
+  for (std::size_t k = 0; k < m.feedbacks.size(); ++k) {
+    shares[k] = t < m.feedbacks[k].law.fails_at ? 1.0 : 0.0;
+  }
+  return shares;
 }
 
 // The base's acceleration a, m/s^2: relative to it every mass is held back,
@@ -55,7 +67,7 @@ void add_forces(const M& m, double t, const double* q, double* f) {
 template <class T>
 struct LoadInstant {
   double t;                     // s, of the motor's torque
-  T working;                    // as above
+  const T* working;             // as above
   const DiscAngles<T>& angles;  // of the eccentric discs; read where there are any
 };
 

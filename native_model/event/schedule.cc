@@ -20,7 +20,7 @@ void Schedule::begin(double start, double end) {
   }
   for (const DiscUnbalance& u : m.unbalances) add(u.on);
   if (m.base) std::ranges::for_each(m.base->breaks(), add);
-  if (m.feedback) add(m.feedback->law.fails_at);
+  for (const StationFeedback& f : m.feedbacks) add(f.law.fails_at);
   if (m.drive_follows()) add(m.drive->ramp_end());
   for (const AuxiliaryBearing& at : m.auxiliary) {
     if (at.controller) {

@@ -58,6 +58,11 @@ void SmoothStep::meet(const Motion& motion) {
     return std::find_if(model_->auxiliary.begin(), model_->auxiliary.end(), has)
         ->magnets->current_limit;
   };
+  const auto most_stored = [&](int i) {  // A at the size of the motion
+    const auto has = [i](const StationFeedback& f) { return i == f.stored || i == f.stored + 1; };
+    return std::find_if(model_->feedbacks.begin(), model_->feedbacks.end(), has)->law.proportional *
+           displacement_;
+  };
   double *of_q = tolerance_.data(), *of_v = of_q + n;
   for (int i = 0; i < l.mechanical(); ++i) {
     of_q[i] = tolerance * (angle(i) ? 1.0 : displacement_);
@@ -67,8 +72,7 @@ void SmoothStep::meet(const Motion& motion) {
   // run.
   for (int i = l.integral(); i < n; ++i) {
     of_q[i] = kInfinity;
-    of_v[i] = tolerance *
-              (i < l.coil() ? model_->feedback->law.proportional * displacement_ : coil_limit(i));
+    of_v[i] = tolerance * (i < l.coil() ? most_stored(i) : coil_limit(i));
   }
   std::fill(tolerance_.begin() + 2 * n, tolerance_.end(), kInfinity);
 }
@@ -191,7 +195,7 @@ std::string part_of(const Layout& l, int i) {
   if (i < l.ring()) return numbered("the rotor's torsion mode ", l.theta());
   if (i < l.ring_angle()) return "the ring's motion";
   if (i < l.integral()) return "the ring's spin";
-  if (i < l.coil()) return "the magnetic bearing's integrator";
+  if (i < l.coil()) return "a magnetic bearing's integrator";
   return numbered("the current of coil ", l.coil());
 }
 

@@ -15,14 +15,16 @@
 namespace rotorub {
 namespace {
 
-// Positive Omega of K u = Omega^2 A u for symmetric K and A, A not necessarily definite.
+// Positive Omega of K u = Omega^2 A u. K is symmetric but for magnets that sense elsewhere, A is
+// and not necessarily definite.
 std::vector<double> synchronous_speeds(const Eigen::MatrixXd& K, const Eigen::MatrixXd& A) {
   std::vector<double> inverse_squares;
-  if (Eigen::LLT<Eigen::MatrixXd>(K).info() == Eigen::Success) {
+  if (K == K.transpose() && Eigen::LLT<Eigen::MatrixXd>(K).info() == Eigen::Success) {
     const Eigen::VectorXd values = found_by(symmetric_eigenvalues(A, K));
     inverse_squares.assign(values.begin(), values.end());
   } else {
-    // A magnetic bearing stronger than the shaft: K^-1 A, whose real eigenvalues count.
+    // Magnets stronger than the shaft, or that sense elsewhere: K^-1 A, whose real eigenvalues
+    // count.
     constexpr double kReal = 1e-9;
     for (const std::complex<double>& mu : found_by(real_eigenvalues(K.fullPivLu().solve(A)))) {
       if (std::abs(mu.imag()) <= kReal * std::abs(mu)) inverse_squares.push_back(mu.real());

@@ -236,8 +236,9 @@ ModalRotor reduce_bending(const scene::Scene& scene, const RotorModes& modes) {
   for (const scene::Force& force : scene.forces) {
     rotor.force_shapes.push_back(shape_at(force.station));
   }
-  if (scene.magnetic_bearing) {
-    rotor.magnetic_bearing_shape = shape_at(scene.magnetic_bearing->station);
+  for (const scene::MagneticBearing& bearing : scene.magnetic_bearings) {
+    MagnetShapes& at = rotor.magnets.emplace_back(MagnetShapes{shape_at(bearing.station)});
+    if (bearing.sensor_station) at.sensor = shape_at(*bearing.sensor_station);
   }
   rotor.gravity_x = x.shape.transpose() * ritz.gravity;
   rotor.gravity_y = y.shape.transpose() * ritz.gravity;

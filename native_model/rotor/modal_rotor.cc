@@ -63,7 +63,10 @@ ModalRotor modal_form(const scene::Scene& scene) {
   rotor.internal_xx = rotor.internal_xy = rotor.internal_yy =
       values(modal.internal_damping, n, 0.0).asDiagonal();
   for (const scene::Force& force : scene.forces) rotor.force_shapes.push_back(shape(force.shape));
-  if (scene.magnetic_bearing) rotor.magnetic_bearing_shape = shape(scene.magnetic_bearing->shape);
+  for (const scene::MagneticBearing& bearing : scene.magnetic_bearings) {
+    MagnetShapes& at = rotor.magnets.emplace_back(MagnetShapes{shape(bearing.shape)});
+    if (!bearing.sensor_shape.empty()) at.sensor = shape(bearing.sensor_shape);
+  }
 
   // Without a participation a mode weighs what it is.
   const bool given = scene.gravity && !scene.gravity->participation.empty();

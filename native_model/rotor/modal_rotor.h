@@ -71,6 +71,12 @@ struct ModeLines {
   Eigen::MatrixXd x, y;
 };
 
+// A magnetic bearing and, where that is elsewhere, its sensor.
+struct MagnetShapes {
+  ModeShape station;
+  std::optional<ModeShape> sensor{};
+};
+
 struct ModalRotor {
   PlaneModes x, y;
   std::vector<ModeShape> contacts;  // of each auxiliary bearing; of the first 1 or 0 for each mode
@@ -80,8 +86,8 @@ struct ModalRotor {
   std::vector<StationFilm> films;
   Eigen::VectorXd pull_x, pull_y;  // N, n or empty: of springs of bearings that stand off the line
   std::vector<DiscUnbalance> unbalances;
-  std::vector<ModeShape> force_shapes;  // one for each of Scene.forces, of kind unbalance too
-  std::optional<ModeShape> magnetic_bearing_shape;
+  std::vector<ModeShape> force_shapes;   // one for each of Scene.forces, of kind unbalance too
+  std::vector<MagnetShapes> magnets;     // one for each of Scene.magnetic_bearings
   Eigen::VectorXd gravity_x, gravity_y;  // kg, n, load of each mode per unit acceleration
   double spin_inertia = 0.0;             // kg m^2, rigid rotor with the motor's
   TorsionModes torsion;                  // empty lists without [rotor.torsion]

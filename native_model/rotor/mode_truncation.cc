@@ -59,8 +59,13 @@ std::vector<Place> places(const scene::Scene& scene) {
   const auto& bearings = scene.rotor.geometry->bearings;
   for (std::size_t i = 0; i < bearings.size(); ++i) add("bearing", i, bearings[i].z);
   for (std::size_t i = 0; i < scene.forces.size(); ++i) add("force", i, scene.forces[i].station);
-  if (scene.magnetic_bearing) {
-    all.push_back({"the magnetic bearing", scene.magnetic_bearing->station});
+  const auto& magnets = scene.magnetic_bearings;
+  for (std::size_t i = 0; i < magnets.size(); ++i) {
+    if (magnets.size() == 1) {
+      all.push_back({"the magnetic bearing", magnets[i].station});
+    } else {
+      add("magnetic bearing", i, magnets[i].station);
+    }
   }
   return all;
 }

@@ -26,7 +26,7 @@ std::pair<double, double> supports(const scene::RotorGeometry& geometry, int pla
         std::string("leaves the shaft free to move as a rigid body in plane ") +
             (plane == 0 ? "x" : "y") +
             "; accepted: bearings with stiffness > 0 at two stations or more, or at one beside a "
-            "[magnetic_bearing] with a control"}});
+            "[magnetic_bearing] with a control, or two of those"}});
 }
 
 // M, G and the gravity load of the shaft itself, by Gauss quadrature exact for every product.

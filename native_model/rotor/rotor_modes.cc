@@ -55,9 +55,7 @@ ModalSums modal_sums(const PlanarModes& modes, const Eigen::RowVectorXd& u) {
   return sums;
 }
 
-MagneticSupport magnetic_support(const scene::Scene& scene) {
-  if (!scene.magnetic_bearing) return {};
-  const scene::MagneticBearing& bearing = *scene.magnetic_bearing;
+MagneticSupport magnetic_support(const scene::Scene& scene, const scene::MagneticBearing& bearing) {
   if (!bearing.control) return {-bearing.negative_stiffness, 0.0, 0.0};
   const scene::BearingControl& c = *bearing.control;
   const double stiffness = c.force_per_current * c.proportional - bearing.negative_stiffness;
@@ -67,11 +65,18 @@ MagneticSupport magnetic_support(const scene::Scene& scene) {
   return support;
 }
 
+bool held_by_magnets(const scene::Scene& scene) {
+  const auto& all = scene.magnetic_bearings;
+  return std::any_of(all.begin(), all.end(), [&](const scene::MagneticBearing& bearing) {
+    return magnetic_support(scene, bearing).held > 0.0;
+  });
+}
+
 scene::RotorGeometry supported(const scene::Scene& scene) {
   scene::RotorGeometry geometry = *scene.rotor.geometry;
-  const double held = magnetic_support(scene).held;
-  if (held > 0.0) {
-    geometry.bearings.push_back({scene.magnetic_bearing->station, {held, held}, {0.0, 0.0}});
+  for (const scene::MagneticBearing& bearing : scene.magnetic_bearings) {
+    const double held = magnetic_support(scene, bearing).held;
+    if (held > 0.0) geometry.bearings.push_back({bearing.station, {held, held}, {0.0, 0.0}});
   }
   return geometry;
 }
@@ -106,10 +111,13 @@ int count_below(const PlanarModes& modes, double frequency) {
   return static_cast<int>((modes.frequency.array() <= frequency).count());
 }
 
-OwnModes own_modes(const RotorModes& modes, double station, double held) {
+OwnModes own_modes(const scene::Scene& scene, const RotorModes& modes) {
   const RitzBending& r = modes.ritz;
-  const Eigen::RowVectorXd u = r.basis.deflection(station);
-  const Eigen::MatrixXd spring = held * u.transpose() * u;
+  Eigen::MatrixXd spring = Eigen::MatrixXd::Zero(r.mass.rows(), r.mass.cols());
+  for (const scene::MagneticBearing& bearing : scene.magnetic_bearings) {
+    const Eigen::RowVectorXd u = r.basis.deflection(bearing.station);
+    spring += magnetic_support(scene, bearing).held * u.transpose() * u;
+  }
   const auto without = [&](const Eigen::MatrixXd& stiffness, const PlanarModes& with) {
     return free_modes(r.mass, stiffness - spring, with.frequency[0]);
   };
@@ -130,8 +138,7 @@ RotorModes solve(const scene::Scene& scene, double omega) {
   result.y = r.isotropic ? result.x : planar_modes(r.mass, r.stiffness_y);
   result.mean =
       r.isotropic ? result.x : planar_modes(r.mass, 0.5 * (r.stiffness_x + r.stiffness_y));
-  const double held = magnetic_support(scene).held;
-  if (held > 0.0) result.own = own_modes(result, scene.magnetic_bearing->station, held);
+  if (held_by_magnets(scene)) result.own = own_modes(scene, result);
   return result;
 }
 

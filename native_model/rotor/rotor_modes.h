@@ -40,18 +40,20 @@ struct MagneticSupport {
   double stiffness = 0.0;  // N/m: -k_s; with a feedback k_i P - k_s, 0 of one that has failed
   double damping = 0.0;    // N s/m, k_i D
   // N/m, >= 0: the spring that the modes are found with. Geometry form: that of a feedback, however
-  // soon it fails, so that a shaft on one other bearing has modes. Whoever uses the modes adds what
+  // soon it fails, so that a shaft that magnets hold has modes. Whoever uses the modes adds what
   // the bearing does beyond it, so that nothing but the modes kept depends on this choice; damping
   // ratios are of the modes without it (OwnModes).
   double held = 0.0;
 };
-MagneticSupport magnetic_support(const scene::Scene& scene);  // zeros without a magnetic bearing
+MagneticSupport magnetic_support(const scene::Scene& scene, const scene::MagneticBearing& bearing);
+// One of them has a spring `held`.
+bool held_by_magnets(const scene::Scene& scene);
 
-// Geometry form: the shaft on its bearings, with the spring `held` as one more.
+// Geometry form: the shaft on its bearings, with each spring `held` as one more.
 scene::RotorGeometry supported(const scene::Scene& scene);
 
-// The modes that damping ratios are of, on the shaft's own bearings: a motion that only a magnetic
-// bearing holds has a frequency, and with it a damping, of 0.
+// The modes that damping ratios are of, on the shaft's own bearings: a motion that only magnetic
+// bearings hold has a frequency, and with it a damping, of 0.
 struct OwnModes {
   PlanarModes x, y, mean;  // mean: as RotorModes
 };
@@ -60,7 +62,7 @@ struct RotorModes {
   RitzBending ritz;
   PlanarModes x, y;  // all N of them; equal bit for bit for isotropic bearings
   PlanarModes mean;  // of the mean stiffness (K_x + K_y) / 2: those that carry internal damping
-  // Where a magnetic bearing's spring is among the bearings of x and y.
+  // Where magnetic bearings' springs are among the bearings of x and y.
   std::optional<OwnModes> own{};
   int kept = 0;            // modes kept in each plane, 1 <= kept <= N
   double highest() const;  // rad/s, of the modes asked for (see solve_refined)

@@ -59,11 +59,12 @@ Eigen::MatrixXd scaled_shapes(const scene::Scene& scene, const SegmentChain& cha
   return shape;
 }
 
-// `modes`: with a magnetic bearing's spring, where it has one; damping ratios are of those without.
+// `modes`: with magnetic bearings' springs, where there are any; damping ratios are of those
+// without.
 void fill_damping(const scene::Scene& scene, const SegmentChain& chain, OwnModes modes,
                   SegmentMatrices& m) {
   const scene::RotorGeometry& geometry = *scene.rotor.geometry;
-  if (magnetic_support(scene).held > 0.0) {
+  if (held_by_magnets(scene)) {
     const Eigen::MatrixXd x = stiffness(geometry, chain, 0), y = stiffness(geometry, chain, 1);
     const auto own = [&](const Eigen::MatrixXd& of, const PlanarModes& with) {
       return free_modes(m.mass, of, with.frequency[0]);

@@ -117,9 +117,13 @@ std::vector<Station> stations_of(const scene::Scene& scene) {
     if (contact) stations.push_back({StationKind::kContact, name, contact->station});
   }
   if (scene.drive) stations.push_back({StationKind::kDrive, "drive", scene.drive->station});
-  if (scene.magnetic_bearing) {
-    stations.push_back(
-        {StationKind::kMagneticBearing, "magnetic bearing", scene.magnetic_bearing->station});
+  add_all(StationKind::kMagneticBearing, "magnetic bearing", scene.magnetic_bearings,
+          &scene::MagneticBearing::station);
+  const auto& magnets = scene.magnetic_bearings;
+  for (std::size_t k = 0; k < magnets.size(); ++k) {
+    if (!magnets[k].sensor_station) continue;
+    stations.push_back({StationKind::kMagneticBearing, numbered("sensor", k, magnets.size()),
+                        *magnets[k].sensor_station});
   }
   add_all(StationKind::kForce, "force", scene.forces, &scene::Force::station);
   return stations;

@@ -32,6 +32,25 @@ void add_support(const Eigen::VectorXd& ux, const Eigen::VectorXd& uy,
   system.damping_y += damping.y() * uy * uy.transpose();
 }
 
+// A magnetic bearing, beside its spring `held`: at its station u, seen at its sensor s the force
+//   -(-k_s u^T r + k_i (P s^T r + D s^T r')), with s = u a spring and a damper.
+void add_magnets(const scene::Scene& scene, const scene::MagneticBearing& bearing,
+                 const Eigen::VectorXd (&u)[2], const Eigen::VectorXd (&s)[2],
+                 WhirlSystem& system) {
+  const MagneticSupport support = magnetic_support(scene, bearing);
+  const double beside = support.stiffness - support.held;
+  if (!bearing.senses_elsewhere() || !bearing.control || bearing.control->fails_at <= 0.0) {
+    return add_support(u[0], u[1], {beside, beside}, {support.damping, support.damping}, system);
+  }
+  const double own = -(bearing.negative_stiffness + support.held);
+  add_support(u[0], u[1], {own, own}, {0.0, 0.0}, system);
+  const double spring = bearing.control->force_per_current * bearing.control->proportional;
+  system.stiffness_x += spring * u[0] * s[0].transpose();
+  system.stiffness_y += spring * u[1] * s[1].transpose();
+  system.damping_x += support.damping * u[0] * s[0].transpose();
+  system.damping_y += support.damping * u[1] * s[1].transpose();
+}
+
 // Untruncated: coordinates are all modes of the mean stiffness, of unit mass.
 WhirlSystem geometry_system(const scene::Scene& scene) {
   const scene::RotorGeometry& geometry = *scene.rotor.geometry;
@@ -78,17 +97,16 @@ WhirlSystem geometry_system(const scene::Scene& scene) {
     system.internal_xy = system.internal_yy = system.internal_xx;
   }
 
-  // Dashpots of the bearings and the magnetic bearing, at their stations.
+  // Dashpots of the bearings and magnetic bearings, at their stations.
   for (const scene::ShaftBearing& bearing : geometry.bearings) {
     const Eigen::VectorXd u = values_at(bearing.z);
     add_support(u, u, {0.0, 0.0}, bearing.damping, system);
     if (auto film = film_of(bearing)) system.films.push_back({u, std::move(*film)});
   }
-  if (scene.magnetic_bearing) {
-    const Eigen::VectorXd u = values_at(scene.magnetic_bearing->station);
-    const MagneticSupport support = magnetic_support(scene);
-    const double beside = support.stiffness - support.held;
-    add_support(u, u, {beside, beside}, {support.damping, support.damping}, system);
+  for (const scene::MagneticBearing& bearing : scene.magnetic_bearings) {
+    const Eigen::VectorXd u = values_at(bearing.station),
+                          s = values_at(bearing.sensor_station.value_or(bearing.station));
+    add_magnets(scene, bearing, {u, u}, {s, s}, system);
   }
   return system;
 }
@@ -113,12 +131,11 @@ WhirlSystem modal_system(const scene::Scene& scene) {
   system.internal_xx = scaled(sx, rotor.internal_xx, sx);
   system.internal_xy = scaled(sx, rotor.internal_xy, sy);
   system.internal_yy = scaled(sy, rotor.internal_yy, sy);
-  if (scene.magnetic_bearing) {
-    const Eigen::VectorXd ux = rotor.magnetic_bearing_shape->x.cwiseProduct(sx);
-    const Eigen::VectorXd uy = rotor.magnetic_bearing_shape->y.cwiseProduct(sy);
-    const MagneticSupport support = magnetic_support(scene);
-    add_support(ux, uy, {support.stiffness, support.stiffness}, {support.damping, support.damping},
-                system);
+  for (std::size_t k = 0; k < scene.magnetic_bearings.size(); ++k) {
+    const ModeShape& u = rotor.magnets[k].station;
+    const ModeShape s = rotor.magnets[k].sensor.value_or(u);
+    add_magnets(scene, scene.magnetic_bearings[k], {u.x.cwiseProduct(sx), u.y.cwiseProduct(sy)},
+                {s.x.cwiseProduct(sx), s.y.cwiseProduct(sy)}, system);
   }
   return system;
 }

@@ -38,17 +38,19 @@ struct Checks {
 };
 
 // Linear: it works without a limit for ever, or has failed.
-void check_feedback(const Checks& check, const scene::BearingControl& control) {
+void check_feedback(const Checks& check, std::size_t bearing,
+                    const scene::BearingControl& control) {
   if (control.fails_at == 0.0) return;
-  const std::string path = "magnetic_bearing.control.";
+  const std::string path =
+      scene::magnetic_bearing_path(check.scene.record.get(), bearing) + ".control.";
   check(control.fails_at < scene::kNever, path + "fails_at",
         "before and after are two machines; accepted are 0 (it has failed) and never (left out)");
   check(control.integral > 0.0, path + "integral",
-        "the analysis has no state for an integrator; accepted are 0 (left out), or "
-        "magnetic_bearing.control.fails_at = 0");
+        "the analysis has no state for an integrator; accepted are 0 (left out), or " + path +
+            "fails_at = 0");
   check(std::isfinite(control.current_limit), path + "current_limit",
-        "at the limit the magnets' forces are not linear; accepted are none (left out), or "
-        "magnetic_bearing.control.fails_at = 0");
+        "at the limit the magnets' forces are not linear; accepted are none (left out), or " +
+            path + "fails_at = 0");
 }
 
 // What the scene itself shows.
@@ -97,8 +99,9 @@ void check(const scene::Scene& scene) {
   }
   check(!first.contact->offset.isZero(0.0), "contact.offset",
         "the ring is out of the middle of the whirl, and none is steady; accepted is 0");
-  if (scene.magnetic_bearing && scene.magnetic_bearing->control) {
-    check_feedback(check, *scene.magnetic_bearing->control);
+  for (std::size_t k = 0; k < scene.magnetic_bearings.size(); ++k) {
+    const auto& control = scene.magnetic_bearings[k].control;
+    if (control) check_feedback(check, k, *control);
   }
   check(first.controller && first.controller->kind != scene::ControllerKind::kPassive &&
             !crosses(*first.controller),
@@ -117,7 +120,7 @@ bool same_planes(const Model& m) {
              g == g.transpose() && xx == m.internal_xy.dense(n) && xx == m.internal_yy.dense(n);
   for (const StationDamper& d : m.dampers) all = all && same(d.shape) && !differ(d.damping);
   for (const StationSpring& s : m.springs) all = all && same(s.shape) && !differ(s.stiffness);
-  if (m.feedback) all = all && same(m.feedback->shape);
+  for (const StationFeedback& f : m.feedbacks) all = all && same(f.shape) && same(f.seen());
   for (const AppliedForce& f : m.forces) all = all && same(f.shape);
   for (const DiscUnbalance& u : m.unbalances) all = all && same(u.shape);
   return all;

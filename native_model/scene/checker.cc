@@ -108,7 +108,7 @@ void complete(Scene& scene, const Record& record) {
   fill(modal.stiffness_y, modal.stiffness);
   fill(modal.damping_y, modal.damping);
   for (Force& force : scene.forces) fill(force.shape, ones);
-  if (scene.magnetic_bearing) fill(scene.magnetic_bearing->shape, ones);
+  for (MagneticBearing& bearing : scene.magnetic_bearings) fill(bearing.shape, ones);
   if (rotor.torsion) {
     const std::vector<double> no_torsion(rotor.torsion->inertia.size(), 0.0);
     fill(rotor.torsion->damping, no_torsion);

@@ -46,13 +46,13 @@ struct Checker {
   std::optional<std::size_t> torsion_modes() const;
 };
 
-void check_run(const Checker& check);      // [run]
-void check_rotor(const Checker& check);    // [rotor] and its tables
-void check_loads(const Checker& check);    // [drive], [[force]], [magnetic_bearing] and its control
-void check_base(const Checker& check);     // [base]
-void check_start(const Checker& check);    // [initial], [gravity], [mujoco]
-void check_bearing(const Checker& check);  // [stator], [actuator] of one bearing
-void check_contact(const Checker& check);  // its [contact] and the laws of it
+void check_run(const Checker& check);           // [run]
+void check_rotor(const Checker& check);         // [rotor] and its tables
+void check_loads(const Checker& check);         // [drive], [[force]], magnetic bearings
+void check_base(const Checker& check);          // [base]
+void check_start(const Checker& check);         // [initial], [gravity], [mujoco]
+void check_bearing(const Checker& check);       // [stator], [actuator] of one bearing
+void check_contact(const Checker& check);       // its [contact] and the laws of it
 void check_gap_at_start(const Checker& check);  // the rotor is in its ring
 void check_control(const Checker& check);       // its [controller] and the tables below
 

@@ -220,11 +220,13 @@ std::string apply(TomlNode& root, const std::vector<Step>& steps, std::string_vi
   return {};
 }
 
-// contact.friction of several contacts is that of all of them.
+// contact.friction of several contacts is that of all of them, and so of magnetic bearings.
 std::string apply_to_each(TomlNode& root, std::vector<Step> steps, std::string_view text) {
-  TomlNode* list = steps.front().key == "contact" && steps.size() > 1 && !steps[1].is_index
-                       ? root.find("contact")
-                       : nullptr;
+  const std::string& key = steps.front().key;
+  TomlNode* list =
+      (key == "contact" || key == "magnetic_bearing") && steps.size() > 1 && !steps[1].is_index
+          ? root.find(key)
+          : nullptr;
   if (list == nullptr || list->kind != Kind::kArray || list->items.empty())
     return apply(root, steps, text);
   steps.insert(steps.begin() + 1, Step{{}, 0, true});

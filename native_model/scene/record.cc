@@ -49,6 +49,13 @@ Diagnostic Record::diagnostic(const std::string& path, std::string reason) const
   }
 }
 
+std::string magnetic_bearing_path(const Record* record, std::size_t bearing) {
+  const std::string element = list_element("magnetic_bearing", bearing);
+  return record        ? record->given(element) ? element : "magnetic_bearing"
+         : bearing > 0 ? element
+                       : "magnetic_bearing";
+}
+
 std::vector<Diagnostic> placed(const Scene& scene, std::vector<Diagnostic> diagnostics) {
   for (Diagnostic& d : diagnostics) {
     if (!d.file.empty()) continue;

@@ -2,6 +2,7 @@
 // are faulty. The cross-checks ask it, so that one slip is not reported twice.
 #pragma once
 
+#include <cstddef>
 #include <initializer_list>
 #include <map>
 #include <string>
@@ -41,6 +42,10 @@ class Record {
   };
   std::map<std::string, Mark, std::less<>> marks_;
 };
+
+// Where the keys of a magnetic bearing stand: "magnetic_bearing", or in a list
+// "magnetic_bearing[1]".
+std::string magnetic_bearing_path(const Record* record, std::size_t bearing);
 
 // What was found wrong after the reading: each diagnostic without a file is given the place of its
 // key. Of a scene that was made by hand the name alone is known.

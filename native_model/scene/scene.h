@@ -168,7 +168,7 @@ struct Drive {
   double inertia = 0.0;  // kg m^2, >= 0, geometry form: of the motor's rotor at `station`
 };
 
-// ---------------------------------------------------------------- [[force]], [magnetic_bearing]
+// ---------------------------------------------------------------- [[force]], magnetic bearings
 enum class ForceKind { kRotating, kConstant, kSynchronous, kChirp, kPulse, kUnbalance };
 
 // Acts for on <= t < off, rising linearly from 0 over [on, on + ramp]. amplitude (cos a, sin a):
@@ -209,7 +209,12 @@ struct MagneticBearing {
   std::vector<double> shape;                // modal form: mode values at the station, default all 1
   double negative_stiffness = 0.0;          // N/m, >= 0
   std::optional<BearingControl> control{};  // absent: it holds nothing
+  // Where the control sees the deflection; absent: where the bearing is.
+  std::optional<double> sensor_station{};  // m, geometry form
+  std::vector<double> sensor_shape{};      // modal form; empty: as `shape`
+  bool senses_elsewhere() const { return sensor_station || !sensor_shape.empty(); }
 };
+inline constexpr std::size_t kMaxMagneticBearings = 8;
 
 // ---------------------------------------------------------------- [gravity], [initial], [mujoco]
 // Acceleration in the plane of the bending modes. Modal form: `participation` is the load of each
@@ -304,7 +309,8 @@ struct Scene {
   Rotor rotor;
   std::optional<Drive> drive;
   std::vector<Force> forces;
-  std::optional<MagneticBearing> magnetic_bearing;
+  // [magnetic_bearing], or each [[magnetic_bearing]]; at most kMaxMagneticBearings.
+  std::vector<MagneticBearing> magnetic_bearings;
   // One at least: [contact], [stator], [actuator] and [controller] at the top of a file, which may
   // all be absent, or those of its [[contact]] in their order; at most kMaxContacts.
   std::vector<AuxiliaryBearing> auxiliary = std::vector<AuxiliaryBearing>(1);

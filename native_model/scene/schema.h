@@ -99,7 +99,7 @@ struct Table {
   std::vector<std::string_view> kinds{};
   // Of a table that takes any key: keeps a number or a text. Null: it takes `keys` alone.
   void (*store_any)(void* object, ConfigEntry entry) = nullptr;
-  bool or_list = false;  // [path], or [[path]] with the parts of an auxiliary bearing below each
+  bool or_list = false;  // [path], or [[path]] with its own parts below each
   bool list = false;     // [[path]]: any number of them
   bool for_key = false;  // stands in the place of a key of its parent
   Form form = Form::kEither;

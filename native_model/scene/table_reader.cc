@@ -112,26 +112,31 @@ void TableReader::find_form(const TomlNode& root) {
   }
 }
 
-// Each [[contact]] with the parts of its bearing.
-void TableReader::read_contacts(const Table& table, const TomlNode& list) {
-  if (list.items.size() > kMaxContacts) {
-    fail(list, "contact",
-         "has " + std::to_string(list.items.size()) + " contacts; accepted: at most " +
-             std::to_string(kMaxContacts));
+// Each [[contact]] with the parts of its bearing, each [[magnetic_bearing]] with its control.
+void TableReader::read_list(const Table& table, const TomlNode& list) {
+  const std::string path(table.path), below = path + ".";
+  const bool contacts = path == "contact";
+  const std::size_t most = contacts ? kMaxContacts : kMaxMagneticBearings;
+  if (list.items.size() > most) {
+    fail(list, path,
+         "has " + std::to_string(list.items.size()) +
+             (contacts ? " contacts" : " magnetic bearings") + "; accepted: at most " +
+             std::to_string(most));
+    if (!contacts) return;
   }
   for (std::size_t i = 0; i < list.items.size(); ++i) {
-    const std::string element = list_element("contact", i);
+    const std::string element = list_element(path, i);
     const TomlNode& node = list.items[i];
-    if (i > 0) scene_.auxiliary.emplace_back();
+    if (contacts && i > 0) scene_.auxiliary.emplace_back();
     if (node.kind != Kind::kTable) {
-      fail(node, element, "expected a table [[contact]]");
+      fail(node, element, "expected a table [[" + path + "]]");
       continue;
     }
     read_object(table, node, element);
     for (const Table& part : tables()) {
-      if (is_part_of_contact(part)) read_table(part, node, element + ".");
-      if (!part.path.starts_with(kBelowContact) || part.for_key) continue;
-      const std::string name(part.path.substr(kBelowContact.size()));
+      if (contacts && is_part_of_contact(part)) read_table(part, node, element + ".");
+      if (!part.path.starts_with(below) || part.for_key) continue;
+      const std::string name(part.path.substr(below.size()));
       if (const TomlNode* own = node.find(name)) read_one(part, *own, child_path(element, name));
     }
   }
@@ -147,7 +152,7 @@ void TableReader::read_table(const Table& table, const TomlNode& root, const std
   if (!kind_takes(table, root, *node, path)) return record_.note(path, *node, false);
   if (table.or_list && node->kind == Kind::kArray) {
     record_.note(path, *node, true);
-    return read_contacts(table, *node);
+    return read_list(table, *node);
   }
   const std::string header = (table.list ? "[[" : "[") + path + (table.list ? "]]" : "]");
   if (table.list && node->kind == Kind::kArray) {

@@ -30,7 +30,7 @@ class TableReader {
   void find_form(const TomlNode& root);
   // `above`: of the path of `root`, "contact[1]." of an element.
   void read_table(const Table& table, const TomlNode& root, const std::string& above = {});
-  void read_contacts(const Table& table, const TomlNode& list);
+  void read_list(const Table& table, const TomlNode& list);
   void read_one(const Table& table, const TomlNode& node, const std::string& path);
   void read_object(const Table& table, const TomlNode& node, const std::string& path);
   // Whether the parent's `kind` takes the table; if not, that is kept as a fault.

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cassert>
 #include <tuple>
+#include <utility>
 
 namespace rotorub {
 namespace {
@@ -107,15 +108,22 @@ LaneModel<T>::LaneModel(const std::vector<const Model*>& all)
         {shape<T>(all, [&](const Model& m) -> const ModeShape& { return of(m).shape; }),
          plane<T>(all, [&](const Model& m) { return of(m).stiffness; })});
   }
-  if (first.feedback) {
+  for (std::size_t i = 0; i < first.feedbacks.size(); ++i) {
+    const auto of = [i](const Model& m) -> const StationFeedback& { return m.feedbacks[i]; };
     const auto law = [&](auto member) {
-      return number<T>(all, [=](const Model& m) { return m.feedback->law.*member; });
+      return number<T>(all, [=](const Model& m) { return of(m).law.*member; });
     };
     using Law = MagneticFeedback<double>;
-    feedback = {shape<T>(all, [](const Model& m) -> const ModeShape& { return m.feedback->shape; }),
-                {law(&Law::negative_stiffness), law(&Law::force_per_current),
-                 law(&Law::proportional), law(&Law::derivative), law(&Law::current_limit),
-                 law(&Law::fails_at), law(&Law::held), law(&Law::integral)}};
+    feedbacks.push_back(
+        {shape<T>(all, [&](const Model& m) -> const ModeShape& { return of(m).shape; }),
+         {law(&Law::negative_stiffness), law(&Law::force_per_current), law(&Law::proportional),
+          law(&Law::derivative), law(&Law::current_limit), law(&Law::fails_at), law(&Law::held),
+          law(&Law::integral)},
+         {},
+         of(first).stored});
+    if (!of(first).sensor) continue;
+    feedbacks.back().sensor =
+        shape<T>(all, [&](const Model& m) -> const ModeShape& { return *of(m).sensor; });
   }
   for (std::size_t i = 0; i < first.unbalances.size(); ++i) {
     const auto of = [i](const Model& m) -> const DiscUnbalance& { return m.unbalances[i]; };
@@ -142,14 +150,16 @@ bool same_structure(const Model& a, const Model& b) {
     for (const AppliedForce& f : m.forces) forces.push_back(static_cast<int>(f.kind));
     std::vector<bool> films;
     for (const StationFilm& film : m.films) films.push_back(film.law.follows());
+    std::vector<std::pair<int, bool>> feedbacks;
+    for (const StationFeedback& f : m.feedbacks)
+      feedbacks.emplace_back(f.stored, f.sensor.has_value());
     const Layout& l = m.layout;
-    return std::tuple(l.modes, l.spin, l.torsion, l.stator, l.ring_spin, l.integrals, l.coils,
-                      forces, films, m.springs.size(), m.feedback.has_value(), m.dampers.size(),
-                      m.unbalances.size(), m.weight.size(), m.base != nullptr,
-                      m.drive ? static_cast<int>(m.drive->kind()) : -1, m.auxiliary.size(),
-                      m.first().contact.has_value(), m.first().magnets.has_value(),
-                      m.gyroscopic.absent(), m.internal_xx.absent(), m.internal_yy.absent(),
-                      m.first().commanded());
+    return std::tuple(
+        l.modes, l.spin, l.torsion, l.stator, l.ring_spin, l.integrals, l.coils, forces, films,
+        m.springs.size(), feedbacks, m.dampers.size(), m.unbalances.size(), m.weight.size(),
+        m.base != nullptr, m.drive ? static_cast<int>(m.drive->kind()) : -1, m.auxiliary.size(),
+        m.first().contact.has_value(), m.first().magnets.has_value(), m.gyroscopic.absent(),
+        m.internal_xx.absent(), m.internal_yy.absent(), m.first().commanded());
   };
   return structure(a) == structure(b);
 }

@@ -37,6 +37,8 @@ struct LaneModel {
   struct Feedback {
     Shape shape;
     MagneticFeedback<T> law;
+    std::optional<Shape> sensor;
+    int stored;
   };
   struct Bearing {  // as AuxiliaryBearing
     Shape shape;
@@ -61,7 +63,7 @@ struct LaneModel {
   std::vector<Damper> dampers;
   std::vector<Film> films;
   std::vector<Spring> springs;
-  std::optional<Feedback> feedback;
+  std::vector<Feedback> feedbacks;
   std::vector<Unbalance> unbalances;
   T speed{}, spin_angle{};
   lanes::Array<T> drive_shape;

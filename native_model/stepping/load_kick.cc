@@ -1,5 +1,8 @@
 #include "native_model/stepping/load_kick.h"
 
+#include <algorithm>
+#include <cmath>
+
 #include "native_model/system/actuation.h"
 
 namespace rotorub {
@@ -12,10 +15,11 @@ void add_actuators_of_run(const Model& m, const double* q, const double* v, cons
 }
 
 bool feedback_switches(const Model& m) {
-  if (!m.feedback) return false;
-  const MagneticFeedback<double>& law = m.feedback->law;
-  if (law.damping() == 0.0 || law.fails_at <= 0.0) return false;
-  return std::isfinite(law.current_limit) || law.fails_at < scene::kNever;
+  return std::any_of(m.feedbacks.begin(), m.feedbacks.end(), [](const StationFeedback& bearing) {
+    const MagneticFeedback<double>& law = bearing.law;
+    if (law.damping() == 0.0 || law.fails_at <= 0.0) return false;
+    return std::isfinite(law.current_limit) || law.fails_at < scene::kNever;
+  });
 }
 
 }  // namespace rotorub

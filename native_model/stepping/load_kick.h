@@ -32,7 +32,7 @@ using StepCommands = std::array<equations::Pair<T>, kMaxContacts>;
 // f += what the actuators do under `commands`, two numbers of each auxiliary bearing. One run.
 void add_actuators_of_run(const Model& m, const double* q, const double* v, const double* commands,
                           double* f);
-// What the magnetic bearing does leaves its linear law, of which the damper is in the matrix.
+// What a magnetic bearing does leaves its linear law, of which the damper is in the matrix.
 bool feedback_switches(const Model& m);
 
 template <class M>
@@ -192,7 +192,7 @@ class LoadKick {
     const T h = lanes::all<T>(x.h);
     const T* q = x.seen.data();
     const double t = instant_;
-    if (m.feedback) find_working(m, begin, end);
+    if (!m.feedbacks.empty()) find_working(m, begin, end);
     if (loads_.synchronous()) loads_.turn_with(equations::spin_angle(m, t, q));
     if (!m.unbalances.empty()) {
       angles_.fill(m, t, q, begin, end);
@@ -229,7 +229,7 @@ class LoadKick {
     equations::add_dampers(m, v, f);
     equations::add_films(m, omega, q, v, f);
     equations::add_springs(m, q, f);
-    if (m.feedback) equations::add_feedback(m, working_, q, v, f);
+    equations::add_feedbacks(m, working_.data(), q, v, f);
     equations::add_gyroscopic(m, omega, v, f);
     loads_.add(m, f);
     if (!m.unbalances.empty()) equations::add_unbalance(m, angles_, omega, f);
@@ -265,11 +265,13 @@ class LoadKick {
     }
   }
   ROTORUB_SLOW void find_working(const M& m, const T& begin, const T& end) {
-    for (int lane = 0; lane < kLanes; ++lane) {
-      const double fails_at = lanes::get(m.feedback->law.fails_at, lane);
-      lanes::set(working_, lane,
-                 MagneticFeedback<double>::working(fails_at, lanes::get(begin, lane),
-                                                   lanes::get(end, lane)));
+    for (std::size_t k = 0; k < m.feedbacks.size(); ++k) {
+      for (int lane = 0; lane < kLanes; ++lane) {
+        const double fails_at = lanes::get(m.feedbacks[k].law.fails_at, lane);
+        lanes::set(working_[k], lane,
+                   MagneticFeedback<double>::working(fails_at, lanes::get(begin, lane),
+                                                     lanes::get(end, lane)));
+      }
     }
   }
 
@@ -283,7 +285,8 @@ class LoadKick {
   // at q_k.
   Coordinates round_off_;
   T balanced_{};
-  T working_{};  // share of the step for which the magnetic bearing has not failed
+  // Share of the step for which each magnetic bearing has not failed.
+  std::array<T, scene::kMaxMagneticBearings> working_{};
   // Of the iteration: 1 in the lanes that go on.
   T open_{};
   int rounds_ = 0;

@@ -56,22 +56,34 @@ std::optional<double> base(const std::vector<OrbitPart>& turning) {
   return {};
 }
 
-// With a magnetic bearing's integrator: the force -force_per_current j at its stations,
-// j' = integral station^T q of each plane.
+// With magnetic bearings' integrators that work: the force -force_per_current j at their stations,
+// j' = integral sensor^T q. Two columns of each such bearing, one a plane.
 struct Bending : LinearParts {
-  Eigen::MatrixXd station;  // 2 n x 2, or without an integrator that works 2 n x 0
-  double force_per_current = 0.0, integral = 0.0;  // N/A, A/(m s)
+  explicit Bending(LinearParts parts) : LinearParts(std::move(parts)) {}
+  Eigen::MatrixXd station, sensor;              // 2 n x s
+  Eigen::VectorXd force_per_current, integral;  // s, N/A, A/(m s)
+  std::vector<int> stored;                      // s, which of the model's integrals it is
 };
 
 Bending bending(const Model& m) {
   const Layout& l = m.layout;
-  Bending b{linear_parts(m, m.speed), Eigen::MatrixXd(2 * l.modes, 0)};
-  if (l.integrals == 0 || m.feedback->law.fails_at <= 0.0) return b;
-  b.station = Eigen::MatrixXd::Zero(2 * l.modes, 2);
-  b.station.col(0).head(l.modes) = m.feedback->shape.x;
-  b.station.col(1).tail(l.modes) = m.feedback->shape.y;
-  b.force_per_current = m.feedback->law.force_per_current;
-  b.integral = m.feedback->law.integral;
+  Bending b(linear_parts(m, m.speed));
+  b.station = b.sensor = Eigen::MatrixXd::Zero(2 * l.modes, l.integrals);
+  b.force_per_current = b.integral = Eigen::VectorXd::Zero(l.integrals);
+  Eigen::Index at = 0;
+  for (const StationFeedback& f : m.feedbacks) {
+    if (f.stored == kAbsent || f.law.fails_at <= 0.0) continue;
+    b.station.col(at).head(l.modes) = f.shape.x;
+    b.station.col(at + 1).tail(l.modes) = f.shape.y;
+    b.sensor.col(at).head(l.modes) = f.seen().x;
+    b.sensor.col(at + 1).tail(l.modes) = f.seen().y;
+    b.force_per_current.segment<2>(at).setConstant(f.law.force_per_current);
+    b.integral.segment<2>(at).setConstant(f.law.integral);
+    for (int plane = 0; plane < 2; ++plane) b.stored.push_back(f.stored - l.integral() + plane);
+    at += 2;
+  }
+  b.station.conservativeResize(Eigen::NoChange, at);
+  b.sensor.conservativeResize(Eigen::NoChange, at);
   return b;
 }
 
@@ -171,10 +183,14 @@ void check_stability(const scene::Scene& scene, const Model& m, const Bending& b
   Eigen::MatrixXd a = Eigen::MatrixXd::Zero(2 * n + stored, 2 * n + stored);
   a.topLeftCorner(2 * n, 2 * n) = first_order_form(damping, k, w);
   if (stored > 0) {
-    const Eigen::MatrixXd station = inverse.asDiagonal() * b.station;
-    const double unit = std::sqrt(b.force_per_current * b.integral / w.maxCoeff());
-    a.block(n, 2 * n, n, stored) = -unit * w.maxCoeff() * station;
-    a.block(2 * n, 0, stored, n) = unit * station.transpose() * w.cwiseInverse().asDiagonal();
+    const Eigen::MatrixXd station = inverse.asDiagonal() * b.station,
+                          sensor = inverse.asDiagonal() * b.sensor;
+    for (Eigen::Index j = 0; j < stored; ++j) {
+      const double unit = std::sqrt(b.force_per_current[j] * b.integral[j] / w.maxCoeff());
+      a.block(n, 2 * n + j, n, 1) = -unit * w.maxCoeff() * station.col(j);
+      a.block(2 * n + j, 0, 1, n) =
+          unit * sensor.col(j).transpose() * w.cwiseInverse().asDiagonal();
+    }
   }
   const auto values = real_eigenvalues(a);
   if (!values) refuse_steady(scene, "the eigenvalues of the free rotor do not converge");
@@ -188,12 +204,11 @@ void check_stability(const scene::Scene& scene, const Model& m, const Bending& b
                            " 1/s; accepted: a stable one, or false");
 }
 
-// Phasor amplitudes of one frequency: Q (m, 2 n), and what an integrator holds (A).
+// Phasor amplitudes of one frequency: Q (m, 2 n), and what the model's integrators hold (A).
 struct Answer {
-  Eigen::VectorXcd q;
-  Eigen::Vector2cd stored = Eigen::Vector2cd::Zero();
+  Eigen::VectorXcd q, stored;
 };
-Answer answer(const scene::Scene& scene, const Bending& b, const Load& load) {
+Answer answer(const scene::Scene& scene, const Layout& l, const Bending& b, const Load& load) {
   constexpr double kSingular = 1e-12;
   const double nu = load.frequency;
   // Rows and columns by the size that their terms have: away from resonance the diagonal is
@@ -205,19 +220,19 @@ Answer answer(const scene::Scene& scene, const Bending& b, const Load& load) {
   z += Phasor(0.0, nu) * b.damping.cast<Phasor>();
   z.diagonal() -= (nu * nu * b.mass).cast<Phasor>();
   z = (scale.asDiagonal() * z * scale.asDiagonal()).eval();
-  // i nu j = I station^T q beside them; j in the unit of the force that its station's rows have.
+  // i nu j = I sensor^T q beside them; j in the unit of the force that its stations' rows have.
   const Eigen::Index n = b.mass.size(), stored = b.station.cols();
-  double unit = 1.0;
+  const Eigen::MatrixXd station = scale.asDiagonal() * b.station,
+                        sensor = scale.asDiagonal() * b.sensor;
+  const double unit = stored > 0 ? station.cwiseAbs().maxCoeff() : 1.0;
   if (stored > 0) {
-    const Eigen::MatrixXd station = scale.asDiagonal() * b.station;
-    unit = station.cwiseAbs().maxCoeff();
     z.conservativeResizeLike(Eigen::MatrixXcd::Zero(n + stored, n + stored));
     z.topRightCorner(n, stored) = (station / unit).cast<Phasor>();
-    z.bottomLeftCorner(stored, n) = (station / unit).transpose().cast<Phasor>();
-    // F = k_i j: i nu F / (k_i I) - station^T q = 0.
-    z.bottomRightCorner(stored, stored)
-        .diagonal()
-        .setConstant(Phasor(0.0, -nu / (b.force_per_current * b.integral * unit * unit)));
+    z.bottomLeftCorner(stored, n) = (sensor / unit).transpose().cast<Phasor>();
+  }
+  for (Eigen::Index k = 0; k < stored; ++k) {
+    // F = k_i j: i nu F / (k_i I) - sensor^T q = 0.
+    z(n + k, n + k) = Phasor(0.0, -nu / (b.force_per_current[k] * b.integral[k] * unit * unit));
   }
   const Eigen::PartialPivLU<Eigen::MatrixXcd> lu(z);
   // Against the scale, not against z itself: both planes may be in resonance.
@@ -232,21 +247,27 @@ Answer answer(const scene::Scene& scene, const Bending& b, const Load& load) {
   Eigen::VectorXcd right = Eigen::VectorXcd::Zero(n + stored);
   right.head(n) = scale.asDiagonal() * load.load;
   const Eigen::VectorXcd solved = lu.solve(right);
-  Answer answer{scale.asDiagonal() * solved.head(n)};
-  if (stored > 0) answer.stored = solved.tail(stored) / (unit * b.force_per_current);
+  Answer answer{scale.asDiagonal() * solved.head(n), Eigen::VectorXcd::Zero(l.integrals)};
+  for (Eigen::Index k = 0; k < stored; ++k) {
+    answer.stored[b.stored[static_cast<std::size_t>(k)]] =
+        solved[n + k] / (unit * b.force_per_current[k]);
+  }
   return answer;
 }
 
-// A, of the magnetic bearing's current on each axis: the linear law's, of one frequency.
-Eigen::Vector2d current_amplitude(const Model& m, double frequency, const Answer& answer) {
+// A, of a magnetic bearing's current on each axis: the linear law's, of one frequency.
+Eigen::Vector2d current_amplitude(const Model& m, const StationFeedback& feedback, double frequency,
+                                  const Answer& answer) {
   const int n = m.layout.modes;
-  const MagneticFeedback<double>& law = m.feedback->law;
+  const MagneticFeedback<double>& law = feedback.law;
   const Phasor gain(law.proportional, frequency * law.derivative);
   const auto of = [&](const Eigen::VectorXd& shape, int plane) {
-    return std::abs(gain * shape.cast<Phasor>().dot(answer.q.segment(plane * n, n)) +
-                    answer.stored[plane]);
+    const Phasor stored = feedback.stored == kAbsent
+                              ? Phasor(0.0)
+                              : answer.stored[feedback.stored - m.layout.integral() + plane];
+    return std::abs(gain * shape.cast<Phasor>().dot(answer.q.segment(plane * n, n)) + stored);
   };
-  return {of(m.feedback->shape.x, 0), of(m.feedback->shape.y, 1)};
+  return {of(feedback.seen().x, 0), of(feedback.seen().y, 1)};
 }
 
 }  // namespace
@@ -293,14 +314,17 @@ FreeMotion free_motion(const scene::Scene& scene, const Model& m) {
   const Bending b = bending(m);
   check_stability(scene, m, b);
   const Eigen::VectorXd rest = Eigen::VectorXd::Zero(2 * l.modes);
-  FreeMotion motion{rest, rest};
+  FreeMotion motion{rest, rest, Eigen::VectorXd::Zero(l.integrals)};
+  motion.current.assign(m.feedbacks.size(), Eigen::Vector2d::Zero());
   for (const Load& load : loads_of(scene, m)) {
-    const Answer found = answer(scene, b, load);
+    const Answer found = answer(scene, l, b, load);
     const Eigen::VectorXcd& q = found.q;
     motion.q += q.real();
     motion.v += (Phasor(0.0, load.frequency) * q).real();
     motion.stored += found.stored.real();
-    if (m.feedback) motion.current += current_amplitude(m, load.frequency, found);
+    for (std::size_t k = 0; k < m.feedbacks.size(); ++k) {
+      motion.current[k] += current_amplitude(m, m.feedbacks[k], load.frequency, found);
+    }
     const Eigen::VectorXd re = q.real(), im = q.imag();
     const auto c = equations::at_station(l.modes, m.first().shape, re.data());
     const auto s = equations::at_station(l.modes, m.first().shape, im.data());

@@ -31,10 +31,10 @@ struct OrbitSize {
 };
 
 struct FreeMotion {
-  Eigen::VectorXd q, v;              // 2 n: m, m/s, at t = 0
-  Eigen::Vector2d stored{0.0, 0.0};  // A, what a magnetic bearing's integrator holds at t = 0
-  // A, the most of its current on each axis: the sum over all frequencies.
-  Eigen::Vector2d current{0.0, 0.0};
+  Eigen::VectorXd q, v;    // 2 n: m, m/s, at t = 0
+  Eigen::VectorXd stored;  // A, what the magnetic bearings' integrators hold at t = 0
+  // A, of each magnetic bearing the most of its current on each axis: the sum over all frequencies.
+  std::vector<Eigen::Vector2d> current{};
   OrbitSize orbit{};  // of the rotor's centre at the contact, m
 };
 

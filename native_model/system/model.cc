@@ -33,10 +33,9 @@ Layout make_layout(const scene::Scene& scene, const ModalRotor& rotor) {
     layout.ring_spin += bearing.stator->spin ? 1 : 0;
     layout.coils += bearing.actuator && bearing.actuator->coil_lag > 0.0 ? 2 : 0;
   }
-  layout.integrals = scene.magnetic_bearing && scene.magnetic_bearing->control &&
-                             scene.magnetic_bearing->control->integral > 0.0
-                         ? 2
-                         : 0;
+  for (const scene::MagneticBearing& bearing : scene.magnetic_bearings) {
+    layout.integrals += bearing.control && bearing.control->integral > 0.0 ? 2 : 0;
+  }
   return layout;
 }
 
@@ -100,19 +99,24 @@ void fill_diagonals(const scene::Scene& scene, const ModalRotor& rotor, Model& m
   assert(l.modes > 0);
 }
 
-void add_magnetic_bearing(const scene::Scene& scene, const ModeShape& shape, Model& model) {
-  const scene::MagneticBearing& bearing = *scene.magnetic_bearing;
+// stored: where the next integrator's coordinates begin.
+void add_magnetic_bearing(const scene::Scene& scene, std::size_t number, const MagnetShapes& shapes,
+                          int& stored, Model& model) {
+  const scene::MagneticBearing& bearing = scene.magnetic_bearings[number];
   const double k = bearing.negative_stiffness;
-  if (!bearing.control) return model.springs.push_back({shape, {-k, -k}});
+  if (!bearing.control) return model.springs.push_back({shapes.station, {-k, -k}});
   const scene::BearingControl& c = *bearing.control;
-  StationFeedback feedback{shape,
+  StationFeedback feedback{shapes.station,
                            {k, c.force_per_current, c.proportional, c.derivative, c.current_limit,
-                            c.fails_at, 0.0, c.integral}};
-  // Its linear spring acts for ever, in the modes or beside them, and the law takes it back.
+                            c.fails_at, 0.0, c.integral},
+                           shapes.sensor};
+  feedback.number = number;
+  if (c.integral > 0.0) feedback.stored = std::exchange(stored, stored + 2);
+  // A linear spring acts for ever, in the modes or beside them, and the law takes it back.
   feedback.law.held = feedback.law.stiffness();
-  const double beside = feedback.law.held - magnetic_support(scene).held;
-  if (beside != 0.0) model.springs.push_back({shape, {beside, beside}});
-  model.feedback = std::move(feedback);
+  const double beside = feedback.law.held - magnetic_support(scene, bearing).held;
+  if (beside != 0.0) model.springs.push_back({shapes.station, {beside, beside}});
+  model.feedbacks.push_back(std::move(feedback));
 }
 
 void fill_loads(const scene::Scene& scene, const ModalRotor& rotor, Model& model) {
@@ -130,8 +134,9 @@ void fill_loads(const scene::Scene& scene, const ModalRotor& rotor, Model& model
     }
     model.forces.push_back(std::move(force));
   }
-  if (scene.magnetic_bearing && rotor.magnetic_bearing_shape) {
-    add_magnetic_bearing(scene, *rotor.magnetic_bearing_shape, model);
+  int stored = l.integral();
+  for (std::size_t k = 0; k < rotor.magnets.size(); ++k) {
+    add_magnetic_bearing(scene, k, rotor.magnets[k], stored, model);
   }
   model.gravity_mass = Eigen::VectorXd::Zero(l.nq());
   model.gravity_mass.segment(l.x(), l.modes) = rotor.gravity_x;

@@ -3,9 +3,9 @@
 //
 // Coordinates q (nq):   x_1..x_n, y_1..y_n | phi (with a drive) | theta_1..theta_k |
 //                       x, y of each ring that moves | angle of each ring that turns |
-//                       two of a magnetic bearing's integrator (their rates are the currents that
-//                       it holds) | charges of two coils of each ring with a coil lag (their rates
-//                       are the currents)
+//                       two of each magnetic bearing's integrator (their rates are the currents
+//                       that it holds) | charges of two coils of each ring with a coil lag (their
+//                       rates are the currents)
 // Equations (9), (20):  M(phi) q'' = f(t, q, q', u) + W_N lambda_N + W_T lambda_T
 // M is diagonal, but for the coupling of spin and bending by unbalance with a drive.
 #pragma once
@@ -44,7 +44,7 @@ struct Layout {
   int torsion = 0;    // elastic torsion modes
   int stator = 0;     // 2 for each ring that moves
   int ring_spin = 0;  // 1 for each ring that turns
-  int integrals = 0;  // 2 with a magnetic bearing's integrator, else 0
+  int integrals = 0;  // 2 for each magnetic bearing with an integrator
   int coils = 0;      // 2 for each ring whose currents lag
   int x() const { return 0; }
   int y() const { return modes; }
@@ -89,10 +89,16 @@ struct StationSpring {
   Eigen::Vector2d stiffness;  // N/m, negative for a magnetic bearing
 };
 
+inline constexpr int kAbsent = -1;
+
 // A magnetic bearing with a feedback of its own, the same in both planes.
 struct StationFeedback {
   ModeShape shape;
   MagneticFeedback<double> law;
+  std::optional<ModeShape> sensor{};  // where the law sees the deflection; absent: at `shape`
+  int stored = kAbsent;               // where its integrator's two coordinates begin in q
+  std::size_t number = 0;             // among the scene's magnetic bearings
+  const ModeShape& seen() const { return sensor ? *sensor : shape; }
 };
 
 // Magnets on the two axes of the actuator; they act with or without a controller.
@@ -105,8 +111,6 @@ struct MagneticActuator {
   double voltage_limit = std::numeric_limits<double>::infinity(), inductance = 1.0,
          resistance = 0.0;
 };
-
-inline constexpr int kAbsent = -1;
 
 // One auxiliary bearing: the contact at a station, the ring there, and what moves the ring.
 struct AuxiliaryBearing {
@@ -151,8 +155,8 @@ struct Model {
   ModeMatrix gyroscopic;                             // kg
   ModeMatrix internal_xx, internal_xy, internal_yy;  // N s/m, rotating damping
   std::vector<StationDamper> dampers;                // bearings
-  std::vector<StationSpring> springs;                // magnetic bearing
-  std::optional<StationFeedback> feedback;           // of one: what it does beyond its spring
+  std::vector<StationSpring> springs;                // magnetic bearings
+  std::vector<StationFeedback> feedbacks;            // of them: what they do beyond their springs
   std::vector<StationFilm> films;  // bearings that cross the planes or follow the speed
   std::vector<AppliedForce> forces;
   std::vector<DiscUnbalance> unbalances;   // eccentric discs, blades that are lost
@@ -208,7 +212,7 @@ void set_gravity(Model& model, const Eigen::Vector2d& acceleration);
 Model without_coils(Model model);
 // The same with an ideal, unlimited actuator, for callers that know the force on the ring.
 Model with_ideal_actuator(Model model);
-// The same with a magnetic bearing whose current has no limit: its linear law.
+// The same with magnetic bearings whose currents have no limit: their linear laws.
 Model with_linear_feedback(Model model);
 // The same with every bearing on the line.
 Model without_offsets(Model model);

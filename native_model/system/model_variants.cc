@@ -35,7 +35,7 @@ Model with_ideal_actuator(Model model) {
 
 Model with_linear_feedback(Model model) {
   constexpr double kNone = std::numeric_limits<double>::infinity();
-  if (model.feedback) model.feedback->law.current_limit = kNone;
+  for (StationFeedback& feedback : model.feedbacks) feedback.law.current_limit = kNone;
   return model;
 }
 

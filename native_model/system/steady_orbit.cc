@@ -7,6 +7,7 @@
 
 #include "native_model/bearing/actuator.h"
 #include "native_model/scene/diagnostic.h"
+#include "native_model/scene/record.h"
 #include "native_model/scene/text.h"
 #include "native_model/system/free_motion.h"
 
@@ -16,11 +17,12 @@ namespace {
 // The orbit is that of the linear law: the sum of all frequencies' amplitudes keeps the limit.
 void check_current(const scene::Scene& scene, const StationFeedback& feedback, double most) {
   if (feedback.law.fails_at <= 0.0 || most <= feedback.law.current_limit) return;
-  refuse_steady(scene, "the steady free orbit asks the magnetic bearing for up to " +
-                           scene::number_text(most) +
-                           " A, beyond magnetic_bearing.control.current_limit = " +
-                           scene::number_text(feedback.law.current_limit) +
-                           " A, where its law is not linear; accepted: a larger limit, or false");
+  const std::string path = scene::magnetic_bearing_path(scene.record.get(), feedback.number);
+  refuse_steady(scene,
+                "the steady free orbit asks the magnetic bearing for up to " +
+                    scene::number_text(most) + " A, beyond " + path +
+                    ".control.current_limit = " + scene::number_text(feedback.law.current_limit) +
+                    " A, where its law is not linear; accepted: a larger limit, or false");
 }
 
 // Where the ring comes to rest, m, by Newton's method from its middle.
@@ -100,8 +102,10 @@ void add_steady_orbit(const scene::Scene& scene, Model& m) {
   FreeMotion motion = free_motion(scene, m);
   m.q0.head(2 * l.modes) += motion.q;
   m.v0.head(2 * l.modes) += motion.v;
-  m.v0.segment(l.integral(), l.integrals) += motion.stored.head(l.integrals);
-  if (m.feedback) check_current(scene, *m.feedback, motion.current.maxCoeff());
+  m.v0.segment(l.integral(), l.integrals) += motion.stored;
+  for (std::size_t k = 0; k < m.feedbacks.size(); ++k) {
+    check_current(scene, m.feedbacks[k], motion.current[k].maxCoeff());
+  }
   OrbitSize& orbit = motion.orbit;
   if (l.stator) {
     const Eigen::Vector2d place = ring_at_rest(scene, m);

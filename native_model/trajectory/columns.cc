@@ -11,7 +11,8 @@
 namespace rotorub {
 namespace {
 
-constexpr std::string_view kContactColumn = "contact", kPrefix = "contact";
+constexpr std::string_view kContactColumn = "contact", kPrefix = "contact", kMagnets = "bearing",
+                           kFurtherMagnets = "bearing<k>_<column>";
 constexpr std::string_view kModal = "modal coordinate, each mode scaled to 1 at the contact";
 
 const ColumnMeaning kSeries[] = {
@@ -61,6 +62,10 @@ const ColumnMeaning kSeries[] = {
     {"bearing_current_x", "A", "control current of the magnetic bearing's own feedback along x",
      "feedback"},
     {"bearing_current_y", "A", "the same along y", "feedback"},
+    {kFurtherMagnets, "A",
+     "of the k-th magnetic bearing what the column of that name is of the first: "
+     "bearing2_current_x",
+     "several magnetic bearings"},
     {"contact<k>_<column>", "",
      "of the k-th contact what the column of that name is of the first: contact2_gap",
      "several contacts"},
@@ -109,6 +114,7 @@ struct Title {
   const char* name;
   int number = 0;                           // from 1: "<name>_<number>"
   const Controller::Output* own = nullptr;  // of a law's own output; it has no other name
+  std::size_t magnets = 0;                  // number of the magnetic bearing, from 0
 };
 
 // The modal coordinates.
@@ -186,12 +192,13 @@ void for_each_column(const Model& m, const Visit& visit) {
     visit(0, Title{"motor_torque"},
           [](const Row& r) { return motor_torque(r.m, r.time, r.now.q, r.now.v); });
   }
-  if (m.feedback) {
-    const auto current = [](const Row& r) {
-      return bearing_current(r.m, r.time, r.now.q, r.now.v);
+  for (const StationFeedback& bearing : m.feedbacks) {
+    const auto current = [&](const Row& r) {
+      return bearing_current(r.m, bearing, r.time, r.now.q, r.now.v);
     };
-    visit(0, Title{"bearing_current_x"}, [&](const Row& r) { return current(r).x(); });
-    visit(0, Title{"bearing_current_y"}, [&](const Row& r) { return current(r).y(); });
+    const auto title = [&](const char* name) { return Title{name, 0, nullptr, bearing.number}; };
+    visit(0, title("bearing_current_x"), [&](const Row& r) { return current(r).x(); });
+    visit(0, title("bearing_current_y"), [&](const Row& r) { return current(r).y(); });
   }
   for (std::size_t k = 1; k < m.auxiliary.size(); ++k) for_each_column_of(m, k, visit);
 }
@@ -225,8 +232,10 @@ std::pair<std::size_t, std::string_view> contact_of_column(std::string_view name
 const ColumnMeaning& series_column(std::string_view full_name) {
   const std::string_view name = contact_of_column(full_name).second;
   const ColumnMeaning* own = nullptr;
+  const bool further = name.starts_with(kMagnets) &&  // "bearing2_current_x": one digit
+                       name.substr(std::min(kMagnets.size() + 1, name.size())).starts_with('_');
   for (const ColumnMeaning& column : kSeries) {
-    if (column.name == name) return column;
+    if (column.name == name || (further && column.name == kFurtherMagnets)) return column;
     if (column.name.ends_with(kNumber) && is_numbered(name, column.name)) return column;
     if (column.name.ends_with(kName)) own = &column;
   }
@@ -245,6 +254,7 @@ std::vector<Column> series_of(const Model& model) {
     }
     std::string name = column_of_contact(contact, title.name);
     if (title.number > 0) name += "_" + std::to_string(title.number);
+    if (title.magnets > 0) name.insert(kMagnets.size(), std::to_string(title.magnets + 1));
     const std::string_view unit = series_column(name).unit;
     all.push_back({std::move(name), std::string(unit), {}});
   });

@@ -96,7 +96,7 @@ inline std::vector<Part> parts() {
          m.dampers.push_back({shape, {20.0, 20.0}});
        })},
       {"magnetic_bearing", with([](scene::Scene& s) {
-         s.magnetic_bearing = scene::MagneticBearing{0.0, {0.8, -1.3}, 2e4};
+         s.magnetic_bearings = {scene::MagneticBearing{0.0, {0.8, -1.3}, 2e4}};
        })},
       {"gravity", with([](scene::Scene& s) {
          s.gravity = scene::Gravity{{0.0, -9.81}, {}};

@@ -52,7 +52,7 @@ inline scene::Scene machine_scene(bool with_drive) {
   constant.vector = {12.0, -25.0};
   constant.shape = {1.1, 0.2};
   s.forces = {rotating, constant};
-  s.magnetic_bearing = scene::MagneticBearing{0.0, {0.8, -1.3}, 3e4};
+  s.magnetic_bearings = {scene::MagneticBearing{0.0, {0.8, -1.3}, 3e4}};
   scene::Contact contact;
   contact.radius = 0.05;
   contact.clearance = 0.5e-3;

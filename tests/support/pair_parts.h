@@ -196,6 +196,17 @@ inline std::vector<Part> pair_parts() {
        "proportional=2500.0,integral=3e5,derivative=3.0,current_limit=0.9}}"},
       {"magnetic_bearing={negative_stiffness=4.5e4,control={force_per_current=60.0,"
        "proportional=2500.0,integral=3e5,derivative=3.0,current_limit=0.9}}"});
+  // The one at its limit, the other sensed elsewhere and failing on the way.
+  const std::string limited =
+                        "negative_stiffness=4.5e4,control={force_per_current=60.0,proportional="
+                        "2500.0,integral=3e5,derivative=3.0,current_limit=0.9}}",
+                    failing =
+                        "negative_stiffness=3e4,control={force_per_current=50.0,proportional="
+                        "1800.0,integral=2e5,derivative=2.0,fails_at=6.54321e-3}}";
+  add("two_magnetic_bearings", "magnetic_bearing",
+      {"magnetic_bearing=[{station=0.42," + limited + ",{station=0.12,sensor_station=0.16," +
+       failing + "]"},
+      {"magnetic_bearing=[{" + limited + ",{shape=[0.7],sensor_shape=[0.8]," + failing + "]"});
   add_both("magnets", "actuator", {magnets + "}"});
   add_both("coil_lag", "actuator", {support + "}", magnets + ",coil_lag=3e-4}"});
 

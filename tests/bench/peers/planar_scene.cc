@@ -22,7 +22,7 @@ std::string beyond(const scene::Scene& s, const Model& m) {
   if (!m.gyroscopic.absent()) return "gyroscopic terms";
   if (!m.internal_xx.absent() || !m.internal_xy.absent()) return "internal (rotating) damping";
   if (m.weight.size() > 0) return "a bearing that stands off the line";
-  if (!m.dampers.empty() || !m.springs.empty() || m.feedback || !m.films.empty())
+  if (!m.dampers.empty() || !m.springs.empty() || !m.feedbacks.empty() || !m.films.empty())
     return "bearings or springs at stations of their own";
   if (!m.unbalances.empty()) return "unbalance";
   for (const AppliedForce& f : m.forces) {

@@ -300,7 +300,7 @@ TEST(PackedRun, HasNothingThatTheSceneHasNot) {
   EXPECT_FALSE(contacts[0].at("actuators"));
   EXPECT_TRUE(rig.at("motor").is_null());
   EXPECT_TRUE(rig.at("bearings").empty());
-  EXPECT_TRUE(rig.at("magnetic_bearing").is_null());
+  EXPECT_TRUE(rig.at("magnetic_bearings").empty());
 }
 
 }  // namespace

@@ -125,7 +125,7 @@ TEST(SmoothForce, MagneticBearingPullsAway) {
   scene::Scene s = make_scene({});
   s.rotor.modal->mass = {2.0, 1.0};
   s.rotor.modal->stiffness = s.rotor.modal->damping = {0.0, 0.0};
-  s.magnetic_bearing = scene::MagneticBearing{0.0, {0.5, -2.0}, 1000.0};
+  s.magnetic_bearings = {scene::MagneticBearing{0.0, {0.5, -2.0}, 1000.0}};
   const Model m = make_model(s);
   // Deflection 0.5 * 2e-3 - 2 * 1e-3 = -1e-3 in x: 1 N towards -x, through the shape (0.5, -2).
   const Eigen::VectorXd f = smooth(m, 0.0, vec({2e-3, 1e-3, 0.0, 0.0}), Eigen::VectorXd::Zero(4));

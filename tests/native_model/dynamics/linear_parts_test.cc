@@ -23,7 +23,7 @@ Model machine_with_all() {
   m.films.push_back(film);
   StationFeedback feedback{shape, {}};
   feedback.law = {3e4, 110.0, 900.0, 2.0, 1e300, scene::kNever, 0.0, 0.0};
-  m.feedback = feedback;
+  m.feedbacks = {feedback};
   return m;
 }
 

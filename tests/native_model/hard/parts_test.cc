@@ -77,7 +77,7 @@ TEST(HardParts, MagneticBearingPastTheStiffness) {
     SCOPED_TRACE(part);
     scene::Scene scene = make_scene(
         {.mass = 2.0, .stiffness = 2e5, .friction = 0.2, .restitution = 0.4, .speed = 100.0});
-    scene.magnetic_bearing = scene::MagneticBearing{0.0, {}, part * 2e5};
+    scene.magnetic_bearings = {scene::MagneticBearing{0.0, {}, part * 2e5}};
     scene.initial.x = {1e-5};
     scene.run.end = 0.1;
     const Trajectory t = test::sound_event(scene);

@@ -43,8 +43,8 @@ class RandomScenes {
     const int forces = static_cast<int>(random_() % 3);
     for (int i = 0; i < forces; ++i) add_force(s);
     if (chance(0.2)) {
-      s.magnetic_bearing =
-          scene::MagneticBearing{0.0, {}, between(0.0, 0.5) * s.rotor.modal->stiffness[0]};
+      s.magnetic_bearings = {
+          scene::MagneticBearing{0.0, {}, between(0.0, 0.5) * s.rotor.modal->stiffness[0]}};
     }
     if (chance(0.3)) s.gravity = scene::Gravity{{0.0, -9.81}, {}};
     const double reach = 0.9 * s.first().contact->clearance / std::sqrt(2.0);

@@ -165,7 +165,7 @@ TEST(LevitatedShaft, FallsAsAPendulumAboutItsBearing) {
 TEST(LevitatedShaft, ThatHasFailedIsNoLongerHeld) {
   const scene::Scene s =
       parse(kMagnets, {"magnetic_bearing.control.fails_at=0", "gravity=none", "rotor.modes=8"});
-  const MagneticSupport support = magnetic_support(s);
+  const MagneticSupport support = magnetic_support(s, s.magnetic_bearings[0]);
   EXPECT_EQ(support.stiffness, 0.0);
   EXPECT_EQ(support.damping, 0.0);
   EXPECT_EQ(support.held, 3e5);

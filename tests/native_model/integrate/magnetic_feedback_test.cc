@@ -31,8 +31,8 @@ constexpr double kGravity = 9.81;                            // m/s^2
 // A rigid mode that nothing else holds.
 scene::Scene levitated() {
   scene::Scene s = test::make_scene({.mass = kHeld, .clearance = 0.5e-3});
-  s.magnetic_bearing = scene::MagneticBearing{0.0, {1.0}, kNegative};
-  s.magnetic_bearing->control = scene::BearingControl{
+  s.magnetic_bearings = {scene::MagneticBearing{0.0, {1.0}, kNegative}};
+  s.magnetic_bearings[0].control = scene::BearingControl{
       .force_per_current = kForce, .proportional = kProportional, .derivative = kDerivative};
   s.run.end = 0.05;
   s.run.output_step = 1e-3;
@@ -83,8 +83,8 @@ TEST(MagneticFeedback, CurrentIsAColumn) {
   scene::Scene s = levitated();
   s.initial.x = {1e-4};
   s.initial.vy = {0.03};
-  s.magnetic_bearing->control->current_limit = 0.2;
-  s.magnetic_bearing->control->fails_at = 0.0205;
+  s.magnetic_bearings[0].control->current_limit = 0.2;
+  s.magnetic_bearings[0].control->fails_at = 0.0205;
   const Trajectory t = run_event(s);
   const auto current = [](double r, double rate) {
     return std::clamp(-(kProportional * r + kDerivative * rate), -0.2, 0.2);
@@ -107,9 +107,9 @@ TEST(MagneticFeedback, CurrentIsAColumn) {
 TEST(MagneticFeedback, AtTheLimitTheForceIsConstant) {
   constexpr double kLimit = 0.5, kStart = 4e-4;
   scene::Scene s = levitated();
-  s.magnetic_bearing->negative_stiffness = 0.0;
-  s.magnetic_bearing->control->derivative = 0.0;
-  s.magnetic_bearing->control->current_limit = kLimit;
+  s.magnetic_bearings[0].negative_stiffness = 0.0;
+  s.magnetic_bearings[0].control->derivative = 0.0;
+  s.magnetic_bearings[0].control->current_limit = kLimit;
   s.initial.x = {kStart};
   const double a = kForce * kLimit / kHeld, border = kLimit / kProportional;
   const double reached = std::sqrt(2.0 * (kStart - border) / a), speed = -a * reached;
@@ -139,8 +139,8 @@ TEST(MagneticFeedback, FixedStepsAreOfSecondOrderThroughLimitAndFailure) {
   s.first().contact.reset();
   s.initial.x = {3e-4};
   s.initial.vy = {0.1};
-  s.magnetic_bearing->control->current_limit = 0.4;
-  s.magnetic_bearing->control->fails_at = 0.0312345678;
+  s.magnetic_bearings[0].control->current_limit = 0.4;
+  s.magnetic_bearings[0].control->fails_at = 0.0312345678;
   const Trajectory reference = run_event(s);
   EXPECT_LT(reference.statistics.energy_residual(), 1e-10);
   for (const auto integrator : {scene::Integrator::kMidpoint, scene::Integrator::kVerlet}) {
@@ -162,7 +162,7 @@ TEST(MagneticFeedback, FailsAndTheRotorFalls) {
   s.first().contact->restitution = 0.5;
   s.gravity = scene::Gravity{{0.0, -kGravity}, {}};
   s.initial.steady = true;
-  s.magnetic_bearing->control->fails_at = kFails;
+  s.magnetic_bearings[0].control->fails_at = kFails;
   s.run.output_step = 1e-4;
   const double sag = kHeld * kGravity / kNet, fall = s.first().contact->clearance - sag;
   const double touch = kFails + std::sqrt(2.0 * fall / kGravity);
@@ -196,9 +196,9 @@ TEST(MagneticFeedback, LanesAreTheRunsAlone) {
     scene::Scene s = levitated();
     s.initial.x = {3e-4};
     s.initial.vy = {0.1};
-    s.magnetic_bearing->control->current_limit = 0.3 + 0.1 * k;
-    s.magnetic_bearing->control->fails_at = 0.01 + 1.2345e-3 * k;
-    s.magnetic_bearing->control->integral = 1e4 + 2e4 * k;
+    s.magnetic_bearings[0].control->current_limit = 0.3 + 0.1 * k;
+    s.magnetic_bearings[0].control->fails_at = 0.01 + 1.2345e-3 * k;
+    s.magnetic_bearings[0].control->integral = 1e4 + 2e4 * k;
     models.push_back(make_model(s));
     s.run.end = kSteps * kStep;
     const Trajectory t = run_with(s, scene::Integrator::kVerlet, kStep);

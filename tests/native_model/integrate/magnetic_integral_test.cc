@@ -30,8 +30,8 @@ constexpr double kWeight = kHung * 9.81;                       // N
 
 scene::Scene integrating() {
   scene::Scene s = test::make_scene({.mass = kHung, .clearance = 0.5e-3});
-  s.magnetic_bearing = scene::MagneticBearing{0.0, {1.0}, kPull};
-  s.magnetic_bearing->control = scene::BearingControl{
+  s.magnetic_bearings = {scene::MagneticBearing{0.0, {1.0}, kPull}};
+  s.magnetic_bearings[0].control = scene::BearingControl{
       .force_per_current = kPerAmpere, .proportional = kP, .integral = kI, .derivative = kD};
   s.run.end = 0.1;
   s.run.output_step = 1e-3;
@@ -122,9 +122,9 @@ TEST(MagneticIntegral, TooMuchOfItHasNoSteadyOrbit) {
   s.gravity = scene::Gravity{{0.0, -9.81}, {}};
   s.initial.steady = true;
   const double border = kD * kSpring / kHung;
-  s.magnetic_bearing->control->integral = 0.999 * border;
+  s.magnetic_bearings[0].control->integral = 0.999 * border;
   EXPECT_NO_THROW(make_model(s));
-  s.magnetic_bearing->control->integral = 1.001 * border;
+  s.magnetic_bearings[0].control->integral = 1.001 * border;
   EXPECT_THROW(make_model(s), scene::SceneError);
 }
 
@@ -134,8 +134,8 @@ TEST(MagneticIntegral, TheLimitTakesBackWhatItCutsOff) {
   constexpr double kPush = 25.0, kOff = 0.05, kStep = 1e-6;  // N, s, s
   scene::Scene s = integrating();
   s.first().contact.reset();
-  s.magnetic_bearing->negative_stiffness = 0.0;
-  s.magnetic_bearing->control->current_limit = kLimit;
+  s.magnetic_bearings[0].negative_stiffness = 0.0;
+  s.magnetic_bearings[0].control->current_limit = kLimit;
   s.forces = {
       {.kind = scene::ForceKind::kConstant, .vector = {kPush, 0.0}, .off = kOff, .shape = {1.0}}};
   ASSERT_GT(kPush, kPerAmpere * kLimit);  // it is pushed away

@@ -178,13 +178,13 @@ TEST(Campbell, BearingDampers) {
 
 TEST(Campbell, MagneticBearingSoftensTheRotor) {
   scene::Scene s = jeffcott(2.0, 2e5, 0.0);
-  s.magnetic_bearing.emplace().negative_stiffness = 0.5e5;
+  s.magnetic_bearings.emplace_back().negative_stiffness = 0.5e5;
   const WhirlSystem system = whirl_system(s);
   EXPECT_NEAR(whirl_spectrum(system, 10.0).modes[1].frequency, std::sqrt(0.75e5), 1e-6);
   EXPECT_FALSE(stability_threshold(system));
 
   // Stronger than the shaft: the rotor falls to one side without turning.
-  s.magnetic_bearing->negative_stiffness = 2.1e5;
+  s.magnetic_bearings[0].negative_stiffness = 2.1e5;
   const std::optional<double> threshold = stability_threshold(whirl_system(s));
   ASSERT_TRUE(threshold);
   EXPECT_EQ(*threshold, 0.0);
@@ -193,8 +193,8 @@ TEST(Campbell, MagneticBearingSoftensTheRotor) {
 // At the station of a bearing it is the same as a bearing that much softer.
 TEST(Campbell, MagneticBearingInGeometryForm) {
   scene::Scene magnetic = scene_of(oracle::friswell_rotor());
-  magnetic.magnetic_bearing.emplace().station = 1.5;
-  magnetic.magnetic_bearing->negative_stiffness = 0.4e6;
+  magnetic.magnetic_bearings.emplace_back().station = 1.5;
+  magnetic.magnetic_bearings[0].negative_stiffness = 0.4e6;
   scene::Scene soft = scene_of(oracle::friswell_rotor());
   soft.rotor.geometry->bearings[1].stiffness = {0.6e6, 0.6e6};
   const WhirlSystem system = whirl_system(magnetic);

@@ -149,13 +149,13 @@ TEST(ModalRotor, StationsOfTheScene) {
   s.forces.resize(2);
   s.forces[0].station = 0.24;  // the contact's
   s.forces[1].station = 0.42;
-  s.magnetic_bearing.emplace().station = 0.42;
+  s.magnetic_bearings.emplace_back().station = 0.42;
   s.rotor.geometry->bearings[0].damping = {5.0, 7.0};
   const ModalRotor rotor = modal_rotor(s);
   ASSERT_EQ(rotor.force_shapes.size(), 2u);
   EXPECT_LT((rotor.force_shapes[0].x - Eigen::VectorXd::Ones(3)).cwiseAbs().maxCoeff(), 1e-12);
-  ASSERT_TRUE(rotor.magnetic_bearing_shape);
-  EXPECT_EQ(rotor.magnetic_bearing_shape->x, rotor.force_shapes[1].x);
+  ASSERT_EQ(rotor.magnets.size(), 1u);
+  EXPECT_EQ(rotor.magnets[0].station.x, rotor.force_shapes[1].x);
   ASSERT_EQ(rotor.bearing_dampers.size(), 1u) << "a bearing without damping has no dashpot";
   EXPECT_EQ(rotor.bearing_dampers[0].damping, Eigen::Vector2d(5.0, 7.0));
   EXPECT_LT(std::abs(rotor.bearing_dampers[0].shape.x[0]), 0.1) << "near a stiff bearing";
@@ -222,7 +222,7 @@ TEST(ModalRotor, ModalFormIsCopied) {
   s.rotor.torsion->stiffness = {60.0};
   s.forces.resize(2);
   s.forces[1].shape = {1.0, -0.5};
-  s.magnetic_bearing.emplace().negative_stiffness = 10.0;
+  s.magnetic_bearings.emplace_back().negative_stiffness = 10.0;
 
   const ModalRotor rotor = modal_rotor(s);
   EXPECT_EQ(rotor.x.mass, Eigen::Vector2d(2.0, 0.8));
@@ -234,7 +234,7 @@ TEST(ModalRotor, ModalFormIsCopied) {
   EXPECT_EQ(rotor.contacts.front().y, Eigen::Vector2d(1.0, 1.0));
   EXPECT_EQ(rotor.force_shapes[0].x, Eigen::Vector2d(1.0, 1.0));
   EXPECT_EQ(rotor.force_shapes[1].y, Eigen::Vector2d(1.0, -0.5));
-  EXPECT_EQ(rotor.magnetic_bearing_shape->x, Eigen::Vector2d(1.0, 1.0));
+  EXPECT_EQ(rotor.magnets[0].station.x, Eigen::Vector2d(1.0, 1.0));
   EXPECT_EQ(rotor.gravity_x, rotor.x.mass);
   EXPECT_EQ(rotor.spin_inertia, 1e-3);
   EXPECT_EQ(rotor.torsion.damping[0], 0.0);

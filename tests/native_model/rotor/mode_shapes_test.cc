@@ -60,7 +60,7 @@ TEST(ModeShapes, GiveTheValuesAtTheStations) {
 TEST(ModeShapes, AreThoseOfTheModel) {
   scene::Scene s = test::anisotropic_rotor();
   test::add_contact(s, 0.4);
-  s.magnetic_bearing.emplace().station = 0.9;
+  s.magnetic_bearings.emplace_back().station = 0.9;
   const ModeShapes shapes = mode_shapes(s).value();
   const ModalRotor rotor = modal_rotor(s);
   EXPECT_FALSE(shapes.same_planes);
@@ -71,8 +71,8 @@ TEST(ModeShapes, AreThoseOfTheModel) {
     found = true;
     const Eigen::Index row = static_cast<Eigen::Index>(i);
     const Eigen::VectorXd x = shapes.x.at_stations.row(row), y = shapes.y.at_stations.row(row);
-    EXPECT_LT((x - rotor.magnetic_bearing_shape->x).cwiseAbs().maxCoeff(), kShape);
-    EXPECT_LT((y - rotor.magnetic_bearing_shape->y).cwiseAbs().maxCoeff(), kShape);
+    EXPECT_LT((x - rotor.magnets[0].station.x).cwiseAbs().maxCoeff(), kShape);
+    EXPECT_LT((y - rotor.magnets[0].station.y).cwiseAbs().maxCoeff(), kShape);
     EXPECT_GT((x - y).cwiseAbs().maxCoeff(), 1e-3) << "the planes differ";
   }
   EXPECT_TRUE(found);

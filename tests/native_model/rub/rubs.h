@@ -21,7 +21,7 @@ inline scene::Scene three_modes(bool elastic_ring) {
   r.damping = {40.0, 60.0, 90.0};
   r.internal_damping = {5.0, 20.0, 0.0};
   r.gyroscopic = {0.3, -0.1, 0.2};
-  s.magnetic_bearing = scene::MagneticBearing{0.0, {0.9, 0.4, -0.6}, 2e4};
+  s.magnetic_bearings = {scene::MagneticBearing{0.0, {0.9, 0.4, -0.6}, 2e4}};
   if (elastic_ring) add_ring(s, 1.0, 200.0, 1e6);
   add_rotating_force(s, 250.0, s.rotor.speed, 0.7);
   s.forces.back().shape = {0.8, -0.5, 0.3};

@@ -111,7 +111,7 @@ TEST(Reader, FillsInTheDefaults) {
   EXPECT_EQ(scene.rotor.torsion->drive_shape, std::vector<double>{0.0});
   EXPECT_EQ(scene.first().contact->tangential_restitution, 0.0);
   EXPECT_FALSE(scene.drive || scene.first().stator || scene.first().actuator ||
-               scene.first().controller || scene.gravity || scene.magnetic_bearing);
+               scene.first().controller || scene.gravity || !scene.magnetic_bearings.empty());
 }
 
 TEST(Reader, ReadsTheGeometryForm) {

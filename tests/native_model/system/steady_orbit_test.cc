@@ -137,7 +137,7 @@ TEST(SteadyOrbit, OfARoundRotorAtAnyFrequency) {
     scene::Scene s = steady({.mass = 2.0, .damping = 60.0, .stiffness = 3e5, .speed = speed});
     s.rotor.modal->gyroscopic = {0.4};
     s.rotor.modal->internal_damping = {25.0};
-    s.magnetic_bearing = scene::MagneticBearing{0.0, {}, 4e4};
+    s.magnetic_bearings = {scene::MagneticBearing{0.0, {}, 4e4}};
     test::add_rotating_force(s, 30.0, nu, 0.7);
     const Model m = make_model(s);
     const Complex d(2.6e5 + nu * speed * 0.4 - 2.0 * nu * nu, nu * 60.0 + (nu - speed) * 25.0);

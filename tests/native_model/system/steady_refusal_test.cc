@@ -47,7 +47,7 @@ TEST(SteadyOrbitRefusal, Unstable) {
   expect_refused(s, "unstable at 900 rad/s, a motion at 318.6");
   s.rotor.speed = 300.0;
   EXPECT_EQ(refusal(s), "");
-  s.magnetic_bearing = scene::MagneticBearing{0.0, {}, 2.1e5};
+  s.magnetic_bearings = {scene::MagneticBearing{0.0, {}, 2.1e5}};
   expect_refused(s, "unstable");
 }
 

@@ -126,8 +126,8 @@ export function rigParts(values, contacts, {sides, cut}) {
     motor.position.x = values.motor < 0.5 ? values.motor - 0.06 : values.motor + 0.06;
     group.add(motor);
   }
-  if (values.magnetic_bearing) {
-    const m = values.magnetic_bearing, magnet = body(annulus(m.bore, m.outer, m.half_width, cut), '--copper');
+  for (const m of values.magnetic_bearings) {
+    const magnet = body(annulus(m.bore, m.outer, m.half_width, cut), '--copper');
     magnet.position.x = m.z;
     group.add(magnet);
   }

@@ -1,0 +1,253 @@
+// Several magnetic bearings, each with its own feedback, limit and failure: a free shaft that they
+// alone hold, against springs and dampers.
+#include <gtest/gtest.h>
+
+#include <Eigen/Eigenvalues>
+#include <algorithm>
+#include <cmath>
+#include <string>
+#include <vector>
+
+#include "native_model/rotor/campbell.h"
+#include "native_model/scene/diagnostic.h"
+#include "native_model/scene/reader.h"
+#include "native_model/stepping/ensemble.h"
+#include "native_model/system/model.h"
+#include "tests/support/native_run.h"
+#include "tests/support/order.h"
+
+namespace rotorub {
+namespace {
+
+using test::run_event;
+using test::run_with;
+
+// k_i P - k_s: 3e5 and 2e5 N/m; k_i D: 400 and 250 N s/m.
+constexpr const char* kTwoMagnets = R"(
+[[magnetic_bearing]]
+station = 0.08
+negative_stiffness = 2e5
+[magnetic_bearing.control]
+force_per_current = 100.0
+proportional = 5000.0
+derivative = 4.0
+[[magnetic_bearing]]
+station = 0.52
+negative_stiffness = 1e5
+[magnetic_bearing.control]
+force_per_current = 50.0
+proportional = 6000.0
+derivative = 5.0
+)";
+constexpr const char* kTwoBearings = R"(
+[[rotor.bearing]]
+z = 0.08
+stiffness = 3e5
+damping = 400.0
+[[rotor.bearing]]
+z = 0.52
+stiffness = 2e5
+damping = 250.0
+)";
+constexpr const char* kFreeShaft = R"(
+[run]
+end = 0.05
+step = 1e-5
+output_step = 1e-3
+[rotor]
+speed = 300.0
+length = 0.60
+E = 2.1e11
+nu = 0.3
+rho = 7850.0
+modes = 4
+[[rotor.section]]
+from = 0.0
+to = 0.60
+diameter = 0.018
+[[rotor.disc]]
+z = 0.35
+mass = 2.0
+Jt = 1.8e-3
+Jp = 3.6e-3
+eccentricity = 40e-6
+[contact]
+station = 0.46
+radius = 0.02
+clearance = 0.3e-3
+friction = 0.2
+restitution = 0.4
+[gravity]
+acceleration = [0.0, -9.81]
+)";
+
+scene::Scene levitated_by_two(const std::string& tail,
+                              const std::vector<std::string>& overrides = {}) {
+  return scene::parse_scene(kFreeShaft + tail, "shaft.toml", overrides);
+}
+
+std::string refusal_of(const std::string& tail, const std::vector<std::string>& overrides = {}) {
+  try {
+    make_model(levitated_by_two(tail, overrides));
+  } catch (const scene::SceneError& error) {
+    return error.what();
+  }
+  return "";
+}
+
+TEST(MagneticBearings, HoldAShaftAsTwoSpringsAndDampersDo) {
+  for (const char* start : {"initial.steady=true", "initial={vx=[0.02,0.01,0.0,0.0]}"}) {
+    SCOPED_TRACE(start);
+    const Trajectory magnets = run_event(levitated_by_two(kTwoMagnets, {start}));
+    const Trajectory bearings = run_event(levitated_by_two(kTwoBearings, {start}));
+    EXPECT_GT(std::abs(magnets.column("rotor_y").back()), 1e-5);
+    EXPECT_LT(test::rotor_error(magnets, bearings), 1e-9 * 0.3e-3);
+    EXPECT_LT(magnets.statistics.energy_residual(), 1e-9);
+  }
+  const WhirlSpectrum a = whirl_spectrum(whirl_system(levitated_by_two(kTwoMagnets)), 300.0);
+  const WhirlSpectrum b = whirl_spectrum(whirl_system(levitated_by_two(kTwoBearings)), 300.0);
+  ASSERT_EQ(a.modes.size(), b.modes.size());
+  for (std::size_t k = 0; k < 8; ++k) {
+    EXPECT_NEAR(a.modes[k].frequency, b.modes[k].frequency, 1e-8 * std::abs(b.modes[k].frequency));
+    EXPECT_NEAR(a.modes[k].damping_ratio, b.modes[k].damping_ratio, 1e-8) << k;
+  }
+}
+
+// M = (m, 0; 0, J) of (displacement of the centre of mass, tilt) on the springs at their arms.
+TEST(MagneticBearings, HoldARigidShaftAtTheFrequenciesOfTheirSprings) {
+  const scene::Scene s =
+      levitated_by_two(kTwoMagnets, {"rotor.E=2.1e17", "magnetic_bearing.control.derivative=0"});
+  const double radius = 0.009, line = 7850.0 * M_PI * radius * radius, shaft_mass = 0.6 * line;
+  const double mass = shaft_mass + 2.0, centre = (shaft_mass * 0.3 + 2.0 * 0.35) / mass;
+  const double inertia = shaft_mass * (0.03 + (0.3 - centre) * (0.3 - centre)) +
+                         0.25 * shaft_mass * radius * radius + 1.8e-3 +
+                         2.0 * (0.35 - centre) * (0.35 - centre);
+  const double a = 0.08 - centre, b = 0.52 - centre, ka = 3e5, kb = 2e5;
+  Eigen::Matrix2d m, k;
+  m << mass, 0.0, 0.0, inertia;
+  k << ka + kb, ka * a + kb * b, ka * a + kb * b, ka * a * a + kb * b * b;
+  const Eigen::Vector2d exact =
+      Eigen::GeneralizedSelfAdjointEigenSolver<Eigen::Matrix2d>(k, m).eigenvalues().cwiseSqrt();
+  const WhirlSpectrum spectrum = whirl_spectrum(whirl_system(s), 0.0);
+  for (const double omega : exact) {
+    EXPECT_TRUE(std::any_of(spectrum.modes.begin(), spectrum.modes.end(), [&](const auto& mode) {
+      return std::abs(std::abs(mode.frequency) - omega) < 1e-5 * omega;
+    })) << omega;
+  }
+}
+
+TEST(MagneticBearings, AListOfOneIsTheTable) {
+  const std::string keys = "\nstation = 0.52\nnegative_stiffness = 1e5\n";
+  const std::string control =
+      "[magnetic_bearing.control]\nforce_per_current = 50.0\nproportional = 6000.0\n"
+      "integral = 1e5\nderivative = 5.0\ncurrent_limit = 0.5\nfails_at = 0.02\n";
+  const std::string plain = "[[rotor.bearing]]\nz = 0.05\nstiffness = 2e6\n";
+  const std::vector<std::string> start{"initial.vx=[0.2,0.0,0.0,0.0]"};
+  const Trajectory table =
+      run_event(levitated_by_two(plain + "[magnetic_bearing]" + keys + control, start));
+  const Trajectory list =
+      run_event(levitated_by_two(plain + "[[magnetic_bearing]]" + keys + control, start));
+  EXPECT_GT(table.impacts.size(), 2u);
+  EXPECT_EQ(table.column("rotor_x"), list.column("rotor_x"));
+  EXPECT_EQ(table.column("bearing_current_y"), list.column("bearing_current_y"));
+}
+
+const std::vector<std::string> kBusy{"magnetic_bearing.control.integral=2e5",
+                                     "magnetic_bearing[0].control.current_limit=0.6",
+                                     "magnetic_bearing[1].control.fails_at=21.2345e-3",
+                                     "magnetic_bearing[1].control.derivative=3.0",
+                                     "initial.vx=[0.2,0.02,0.0,0.0]",
+                                     "magnetic_bearing[0].negative_stiffness=2e4",
+                                     "run.end=0.025"};
+
+// At its limit the one, failing the other: fixed steps come to the event's answer with their order,
+// and the currents are told apart.
+TEST(MagneticBearings, EachHasItsLimitItsIntegratorAndItsFailure) {
+  const auto busy = [](std::vector<std::string> more) {
+    more.insert(more.end(), kBusy.begin(), kBusy.end());
+    more.emplace_back("contact=none");
+    return levitated_by_two(kTwoMagnets, more);
+  };
+  const Trajectory exact = run_event(busy({}));
+  const std::vector<double>&first = exact.column("bearing_current_x"),
+        &second = exact.column("bearing2_current_x"), &t = exact.column("t");
+  double most = 0.0;
+  for (std::size_t k = 0; k < t.size(); ++k) {
+    most = std::max(most, std::abs(first[k]));
+    EXPECT_EQ(second[k] == 0.0, t[k] > 21.2345e-3) << t[k];
+  }
+  EXPECT_EQ(most, 0.6);
+  EXPECT_LT(exact.statistics.energy_residual(), 1e-9);
+  for (const auto integrator : {scene::Integrator::kMidpoint, scene::Integrator::kVerlet}) {
+    const Trajectory coarse = run_with(busy({}), integrator, 2e-5);
+    const Trajectory fine = run_with(busy({}), integrator, 5e-6);
+    const double by = test::rotor_error(fine, exact);
+    EXPECT_LT(by, 2e-9);
+    EXPECT_LT(by, 0.1 * test::rotor_error(coarse, exact)) << static_cast<int>(integrator);
+  }
+}
+
+// The weight ends up in the integrators' currents, and a steady start has them from the first.
+TEST(MagneticBearings, IntegratorsCarryTheWeightFromASteadyStart) {
+  const Trajectory t = run_event(levitated_by_two(
+      kTwoMagnets,
+      {"rotor.E=2.1e18", "rotor.modes=2", "run.end=0.02", "magnetic_bearing.control.integral=2e5",
+       "initial.steady=true", "rotor.disc[0].eccentricity=0"}));
+  const double line = 7850.0 * M_PI * 0.009 * 0.009 * 0.6, g = 9.81;
+  const double at_second = (line * (0.3 - 0.08) + 2.0 * (0.35 - 0.08)) / 0.44 * g;
+  const double at_first = (line + 2.0) * g - at_second;
+  for (const std::size_t k : {std::size_t{0}, t.rows() - 1}) {
+    EXPECT_NEAR(100.0 * t.column("bearing_current_y")[k], at_first, 1e-6 * at_first);
+    EXPECT_NEAR(50.0 * t.column("bearing2_current_y")[k], at_second, 1e-6 * at_second);
+    EXPECT_NEAR(t.column("rotor_x")[k], 0.0, 1e-12);
+  }
+}
+
+TEST(MagneticBearings, LanesAreTheRunsAlone) {
+  std::vector<Model> models;
+  for (int k = 0; k < 4; ++k) {
+    std::vector<std::string> overrides = kBusy;
+    overrides.push_back("magnetic_bearing[1].control.fails_at=" + std::to_string(0.004 + 1e-3 * k));
+    overrides.push_back("magnetic_bearing[0].sensor_station=" + std::to_string(0.05 + 0.01 * k));
+    models.push_back(make_model(levitated_by_two(kTwoMagnets, overrides)));
+  }
+  for (const auto integrator : {scene::Integrator::kMidpoint, scene::Integrator::kVerlet}) {
+    const std::vector<EnsembleRun> runs = Ensemble(models, 1e-5, integrator).run(1500);
+    for (std::size_t k = 0; k < models.size(); ++k) {
+      const EnsembleRun alone = Ensemble({models[k]}, 1e-5, integrator).run(1500).front();
+      ASSERT_EQ(runs[k].status, Status::kOk);
+      EXPECT_EQ(runs[k].q, alone.q) << k;
+      EXPECT_EQ(runs[k].v, alone.v) << k;
+    }
+    EXPECT_NE(runs[0].q, runs[1].q);
+  }
+}
+
+TEST(MagneticBearings, RefuseWhatTheyCannotHold) {
+  const std::string one =
+      std::string(kTwoMagnets).substr(0, std::string(kTwoMagnets).rfind("[[mag"));
+  const std::string alone = refusal_of(one);
+  EXPECT_NE(alone.find("or two of those"), std::string::npos) << alone;
+  const std::string weak =
+      refusal_of(kTwoMagnets, {"magnetic_bearing[1].control.proportional=1000"});
+  EXPECT_NE(weak.find("magnetic_bearing[1].control.proportional"), std::string::npos) << weak;
+  EXPECT_NE(weak.find("accepted: more than 2000 A/m"), std::string::npos) << weak;
+  const std::string limit = refusal_of(
+      kTwoMagnets, {"initial.steady=true", "magnetic_bearing[1].control.current_limit=0.01"});
+  EXPECT_NE(limit.find("magnetic_bearing[1].control.current_limit = 0.01 A"), std::string::npos)
+      << limit;
+  const std::string sensor = refusal_of(
+      kTwoMagnets, {"magnetic_bearing[1].control=none", "magnetic_bearing[1].sensor_station=0.5"});
+  EXPECT_NE(sensor.find("magnetic_bearing[1].control sees the deflection"), std::string::npos)
+      << sensor;
+  const std::string outside = refusal_of(kTwoMagnets, {"magnetic_bearing[0].sensor_station=0.7"});
+  EXPECT_NE(outside.find("magnetic_bearing[0].sensor_station"), std::string::npos) << outside;
+  std::string many;
+  for (int k = 0; k < 9; ++k) {
+    many += "[[magnetic_bearing]]\nstation = 0." + std::to_string(k) + "\nnegative_stiffness = 1\n";
+  }
+  EXPECT_NE(refusal_of(kTwoBearings + many).find("at most 8"), std::string::npos);
+}
+
+}  // namespace
+}  // namespace rotorub
