@@ -61,6 +61,7 @@ std::vector<Place> places(const scene::Scene& scene) {
   for (std::size_t i = 0; i < scene.forces.size(); ++i) add("force", i, scene.forces[i].station);
   const auto& magnets = scene.magnetic_bearings;
   for (std::size_t i = 0; i < magnets.size(); ++i) {
+    if (magnets[i].sensor_station) add("sensor", i, *magnets[i].sensor_station);
     if (magnets.size() == 1) {
       all.push_back({"the magnetic bearing", magnets[i].station});
     } else {

@@ -31,7 +31,8 @@ inline constexpr int kMostAutoModes = 50;
 // The least number of modes n for which, on the mesh that n modes have, the first n modes are
 // within the scene's modes_tolerance of all modes of that mesh, in both planes, in
 //   - the effective mass at the contact, 1 / (u M^-1 u^T),
-//   - the static flexibility u K^-1 u^T at contact, bearings, forces and magnetic bearing.
+//   - the static flexibility u K^-1 u^T at contact, bearings, forces, magnetic bearings
+//     and their sensors.
 // `with_modes`: the shaft with n modes kept. Throws scene::SceneError where there is no such number
 // up to kMostAutoModes: the effective mass of a station without a mass of its own falls without
 // end.

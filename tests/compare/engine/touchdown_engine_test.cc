@@ -1,7 +1,8 @@
-// A levitated rotor drops into its ring: MuJoCo against the native `event` and `verlet`
+// A levitated rotor, and how it drops into its ring: MuJoCo against the native `event` and `verlet`
 // integrators.
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 
 #include "compare/engine/mujoco_engine.h"
@@ -99,6 +100,56 @@ TEST(TouchdownEngine, SegmentsFallAsTheModesDo) {
   const Trajectory segments = mujoco_run(scene, scene::ContactModel::kRigid, 2e-6);
   EXPECT_GT(std::abs(exact.column("rotor_y").back()), 1e-4);
   EXPECT_LT(rotor_error(segments, exact), 0.03 * scene.first().contact->clearance);
+}
+
+// Two magnetic bearings alone hold the rotor, sensed beside their magnets. From rest under its
+// weight, so that both integrators fill; the first bearing at its limit.
+scene::Scene levitated(const std::vector<std::string>& more = {}) {
+  std::vector<std::string> overrides = {"run.end=0.03",
+                                        "run.output_step=1e-3",
+                                        "rotor.modes=4",
+                                        "mujoco.rotor=modal",
+                                        "contact[1]=none",
+                                        "contact.clearance=0.02",
+                                        "initial.steady=false",
+                                        "gravity.acceleration=[0.0,-3.0]",
+                                        "magnetic_bearing[0].control.current_limit=1.5",
+                                        "magnetic_bearing[0].control.fails_at=25.003e-3",
+                                        "magnetic_bearing[1].control.fails_at=1.0"};
+  overrides.insert(overrides.end(), more.begin(), more.end());
+  return shipped("amb_machine", overrides);
+}
+
+TEST(LevitatedEngine, MujocoHoldsTheRotorAsTheNativeModelDoes) {
+  const scene::Scene scene = levitated();
+  const Trajectory exact = native(scene, scene::Integrator::kEvent);
+  const Trajectory verlet = native(scene, scene::Integrator::kVerlet);
+  const Trajectory rigid = mujoco_run(scene, scene::ContactModel::kRigid, kStep);
+  EXPECT_LT(rotor_error(rigid, verlet), 1e-10);
+  EXPECT_LT(rotor_error(rigid, exact), 1e-7);
+  for (const char* column : {"bearing_current_y", "bearing2_current_y"}) {
+    const auto &a = rigid.column(column), &b = verlet.column(column);
+    for (std::size_t k = 0; k < a.size(); ++k) EXPECT_NEAR(a[k], b[k], 1e-5) << k;
+  }
+  EXPECT_GT(exact.column("bearing2_current_y").back(), 0.5);
+  EXPECT_EQ(std::ranges::max(exact.column("bearing_current_y")), 1.5);
+  EXPECT_EQ(exact.column("bearing_current_y").back(), 0.0);
+  const double coarse = rotor_error(mujoco_run(scene, scene::ContactModel::kCoulomb, 1e-5), exact);
+  const double fine = rotor_error(mujoco_run(scene, scene::ContactModel::kCoulomb, 2.5e-6), exact);
+  EXPECT_LT(fine, 0.3 * coarse);  // MuJoCo's own step is of first order
+}
+
+// The chain is another beam, which the magnets and sensors meet at their stations: an error
+// of second order in its segments beside one of first order in the step, of a motion of 75 um.
+TEST(LevitatedEngine, SegmentsHangInTheSameMagnets) {
+  const scene::Scene scene = levitated({"run.end=0.024", "rotor.modes=16", "mujoco.rotor=segments",
+                                        "mujoco.segments=24", "run.step=2e-6"});
+  const Trajectory exact = native(scene, scene::Integrator::kEvent);
+  const Trajectory segments = mujoco_run(scene, scene::ContactModel::kRigid, 2e-6);
+  EXPECT_GT(std::abs(exact.column("rotor_y").back()), 1e-5);
+  EXPECT_LT(rotor_error(segments, exact), 2e-7);
+  EXPECT_NEAR(segments.column("bearing2_current_y").back(),
+              exact.column("bearing2_current_y").back(), 0.02);
 }
 
 }  // namespace
