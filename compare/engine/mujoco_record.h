@@ -7,9 +7,9 @@
 #include <vector>
 
 #include "compare/engine/chunked_run.h"
-#include "native_model/trajectory/contact_episodes.h"
 #include "compare/engine/engine.h"
 #include "native_model/system/model.h"
+#include "native_model/trajectory/contact_episodes.h"
 #include "native_model/trajectory/recorder.h"
 
 namespace rotorub {

@@ -176,7 +176,7 @@ TEST_F(OwnModel, FrictionThatFallsFollowsTheNativeModel) {
   const double fine = error("rigid", 1e-5, kFalling, kFallingScene);
   EXPECT_LT(fine, 5e-6);
   EXPECT_LT(fine, 0.2 * coarse);
-  EXPECT_GT(error("rigid", 1e-5, "0.15", kFallingScene), 5.0 * fine) << "it matters";
+  EXPECT_GT(error("rigid", 1e-5, "0.15", kFallingScene), 3.0 * fine) << "it matters";
   EXPECT_LT(error("coulomb", 1e-5, kFalling, kFallingScene), 2e-5);
 }
 

@@ -5,9 +5,9 @@
 #include <cmath>
 #include <utility>
 
-#include "native_model/trajectory/contact_episodes.h"
 #include "native_model/dynamics/dynamics.h"
 #include "native_model/system/model_checks.h"
+#include "native_model/trajectory/contact_episodes.h"
 #include "native_model/trajectory/range_check.h"
 #include "native_model/trajectory/recorder.h"
 #include "tests/bench/peers/planar_scene.h"

@@ -19,11 +19,12 @@ TEST(Figures, AveragesAndSingleMomentsAreJudged) {
     if (f.judged == Judged::kPeak) peaks.insert(f.key);
     EXPECT_EQ(f.is_judged(), f.judged != Judged::kNo) << f.key;
   }
-  EXPECT_EQ(averages, (std::set<std::string>{"mean_force", "lasting_fraction", "impulse_total",
-                                             "friction_work", "whirl_frequency", "spin_speed",
-                                             "ring_speed", "control_force", "near_miss"}));
+  EXPECT_EQ(averages,
+            (std::set<std::string>{"mean_force", "lasting_fraction", "impulse_total",
+                                   "friction_work", "whirl_frequency", "spin_speed", "ring_speed",
+                                   "control_force", "near_miss", "contact_time"}));
   EXPECT_EQ(peaks, (std::set<std::string>{"impact_impulse", "window_impulse", "gap_rate_rms",
-                                          "hard_impacts"}));
+                                          "hard_impacts", "contact_peak", "contact_depth"}));
 }
 
 TEST(Figures, DeviationIsRelativeOrInPoints) {
