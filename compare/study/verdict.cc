@@ -48,8 +48,8 @@ std::string attractor_sentence(const Side& native, const Side& other) {
   const Attractor b = other.metrics.settled.attractor;
   if (a == b || a == Attractor::kUnknown || b == Attractor::kUnknown) return {};
   return fmt::format(
-      "it settles to something else: {} ({}), where the rigid law settles to {} ({})", to_string(b),
-      explanation(b), to_string(a), explanation(a));
+      "it settles to something else: {} ({}), where the native law settles to {} ({})",
+      to_string(b), explanation(b), to_string(a), explanation(a));
 }
 
 std::string contact_sentence(const Side& native, const Side& other) {
@@ -147,7 +147,7 @@ std::string open_loop_sentence(const SceneComparison& c, const SideDifference& d
 }
 
 std::string penetration_sentence(const SceneComparison& c, const Side& other) {
-  if (!c.scene.first().contact) return {};
+  if (!c.scene.first().contact || c.scene.gives()) return {};
   const double share = other.metrics.max_penetration / c.scene.first().contact->clearance;
   if (share < kDeepPenetration) return {};
   return fmt::format("the rotor sinks {:.0f} µm into the ring, {:.0f} % of the clearance",
@@ -201,7 +201,7 @@ std::string headline(const SceneComparison& comparison, const Side& other,
   switch (difference.trust) {
     case Trust::kYes:
       return fmt::format(
-          "MuJoCo's {} contact agrees with the rigid law within {:.3g} %: its contact forces can "
+          "MuJoCo's {} contact agrees with the native law within {:.3g} %: its contact forces can "
           "be trusted here.",
           other.label, tolerance);
     case Trust::kUndecidable:
