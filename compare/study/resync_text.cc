@@ -130,7 +130,7 @@ std::string resync_table(const SceneComparison& c) {
       "  onsets; differences are shares of\n",
       percent_text(c.tolerance));
   for (const ResyncFigure& f : resync_figures()) {
-    text += fmt::format("    {:<12}{}\n", f.label, f.relative_to);
+    text += fmt::format("    {:<16} {}\n", f.label, f.relative_to);
   }
   return text;
 }
