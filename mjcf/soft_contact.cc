@@ -69,7 +69,7 @@ SoftContact soft_contact(double restitution, double step, double stiffness, doub
 SoftContact soft_contact(const scene::Scene& scene, scene::ContactModel model, double step) {
   const scene::Contact& c = *scene.first().contact;
   const scene::Mujoco& mujoco = scene.mujoco;
-  if (c.compliance) return {1.0, 0.0, kCompliantImpedance};  // both are the plugin's
+  if (c.compliance) return {1.0, 0.0, kCompliantImpedance, true};
   const auto of = [&](double stiffness) {
     return soft_contact(c.restitution, step, stiffness, mujoco.solref_damping);
   };
@@ -114,9 +114,8 @@ ContactPair contact_pair(scene::ContactModel model, double clearance, const Fric
   // as a gap. `rigid` shows the contact from a little further off, for viewers, and keeps it from
   // MuJoCo's solver by a gap that no depth makes up for.
   const bool is_soft = model == scene::ContactModel::kCoulomb;
-  const bool gives = soft.impedance == kCompliantImpedance;
   const double reach =
-      model == scene::ContactModel::kCone || gives ? 0.0 : (is_soft ? 1e-3 : 1e-2) * clearance;
+      model == scene::ContactModel::kCone || soft.gives ? 0.0 : (is_soft ? 1e-3 : 1e-2) * clearance;
   pair.gap = is_rigid || kept_out ? 1e3 : 0.0;
   // Before 3.9 a contact is seen below the margin and solved below margin - gap, since then seen
   // below margin + gap and solved below the margin.

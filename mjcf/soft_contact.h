@@ -19,6 +19,7 @@ struct SoftContact {
   double stiffness = 0.0;  // 1/s^2, K > 0
   double damping = 0.0;    // 1/s, B >= 0
   double impedance = 0.0;  // 1, d, constant (solimp)
+  bool gives = false;      // a contact that gives: stiffness and damping are the plugin's
 };
 
 // Ratio of the speeds after and before for a damping ratio zeta >= 0, in (0, 1].
@@ -47,10 +48,9 @@ SoftContact soft_contact(double restitution, double step, double stiffness = 0.0
 SoftContact soft_contact(const scene::Scene& scene, scene::ContactModel model, double step);
 inline constexpr double kConeDepth = 0.005;
 
-// Of a contact that gives: MuJoCo's contact is the spring k and the damper c as its impedance d
-// goes to 0, K = k A / d and B = c / (d A^-1) in a_ref, A the mobility that MuJoCo takes
-// (diagApprox); the error is of order d. The plugin sets a_ref = R N by R as MuJoCo has it, N the
-// law's force.
+// Of a contact that gives: as its impedance d goes to 0 MuJoCo's contact is a spring k and a damper
+// c, with K = k A / d and B = c A / d in a_ref, A the mobility that MuJoCo takes (diagApprox); the
+// error is of order d. The plugin sets a_ref = R N by R as MuJoCo has it, N the law's force.
 inline constexpr double kCompliantImpedance = 1e-4;
 
 // A sentence that names what the scene's contacts say of rigid impacts and a soft contact has no

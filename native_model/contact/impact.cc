@@ -76,8 +76,8 @@ struct ImpactPhase {
   double slip = 0.0;      // m/s, gdot_T at its end without impulse
 };
 
-// The compression alone: fills the L_C and gdot_C. Each phase has the mu of the slip with which it
-// ends.
+// The compression alone: fills the L_C and gdot_C. Each phase has the mu of the slips that it runs
+// through.
 ImpactResult compress(const ImpactPhase& phase, const ImpactLaw& law) {
   ImpactResult r;
   const Delassus& a = phase.matrix;

@@ -33,7 +33,7 @@ double mean_friction(const FrictionLaw& law, double before, double drift, double
     h = std::min(h, 1.0 - x);
     const double error = step.trial(slope, x, &u, h, &tolerance);
     if (error > 1.0) {
-      h *= std::clamp(0.9 / std::sqrt(std::sqrt(std::sqrt(error))), 0.2, 0.9);
+      h *= std::min(Dop853::step_factor(error), 0.9);
       continue;
     }
     if (*step.end() <= 0.0) {  // it stops
@@ -45,7 +45,9 @@ double mean_friction(const FrictionLaw& law, double before, double drift, double
     u = *step.end();
     x += h;
     step.advance();
-    h *= error > 0.0 ? std::clamp(0.9 / std::sqrt(std::sqrt(std::sqrt(error))), 0.2, 6.0) : 6.0;
+    h *= Dop853::step_factor(error);
+    // Where friction and drift balance nothing changes any more, however stiff they are.
+    if (std::abs(*step.first_slope()) * (1.0 - x) <= tolerance) break;
   }
   return mean_until(1.0, u);
 }

@@ -11,9 +11,6 @@ namespace {
 
 constexpr double kLeastDisplacement = 1e-6, kLeastSpeed = 1e-6;  // m, m/s: of a system at rest
 
-// error^(-1/8), by roots: unlike pow their bits are the same on every processor.
-double inverse_eighth_root(double x) { return 1.0 / std::sqrt(std::sqrt(std::sqrt(x))); }
-
 }  // namespace
 
 SmoothStep::SmoothStep(const Model& model, const EventParameters& parameters, Phase& phase)
@@ -102,8 +99,7 @@ bool SmoothStep::advance(const Motion& from, double limit) {
     std::fill(lowest_.begin(), lowest_.end(), Margins{kInfinity, kInfinity});
     std::fill(largest_normal_.begin(), largest_normal_.end(), 0.0);
     const double error = step_.trial(f, start_, from.y.data(), h, tolerance_.data());
-    const double factor =
-        error == 0.0 ? 6.0 : std::clamp(0.9 * inverse_eighth_root(error), 0.2, 6.0);
+    const double factor = Dop853::step_factor(error);
     if (error <= 1.0) {
       // A step cut short by a break says little of the next one.
       next_ = h < next_ ? std::max(next_, h * factor) : h * factor;

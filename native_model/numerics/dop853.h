@@ -109,6 +109,13 @@ class Dop853 {
 
   // The last trial's end becomes the next start: its slope is known.
   void advance() { std::copy_n(stage(dop853::kStages), size_, stage(0)); }
+  // What the length of a step of this error (1: the tolerance) is to be multiplied by, for the next
+  // or for another try; error^(-1/8) by roots: unlike pow their bits are the same on every
+  // processor.
+  static double step_factor(double error) {
+    if (error == 0.0) return 6.0;
+    return std::clamp(0.9 * (1.0 / std::sqrt(std::sqrt(std::sqrt(error)))), 0.2, 6.0);
+  }
   double step() const { return step_; }
   int size() const { return size_; }
 

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 #include "native_model/dynamics/dynamics.h"
 
@@ -176,8 +177,7 @@ bool CompliantContacts::go_on(State& x, Loads& loads) {
   for (std::size_t i = 0; i < count(); ++i) {
     const Contact& c = of_[i];
     const bool pressed = c.touches && c.normal > 0.0;
-    const double sign_before = done[i].mode == Mode::kSlide ? last_sign_[i] : 0.0;
-    last_sign_[i] = pressed ? c.slip_sign : 0.0;
+    const double sign_before = std::exchange(last_sign_[i], pressed ? c.slip_sign : 0.0);
     done[i] = {};
     if (!pressed) continue;
     done[i].mode = c.slip_sign == 0.0 ? Mode::kStick : Mode::kSlide;

@@ -14,6 +14,7 @@
 #include "native_model/run/run_native.h"
 #include "native_model/scene/diagnostic.h"
 #include "native_model/scene/reader.h"
+#include "tests/support/levitated_shaft.h"
 #include "tests/support/order.h"
 
 namespace rotorub {
@@ -35,45 +36,16 @@ z = 0.52
 stiffness = 3e5
 damping = 400.0
 )";
-constexpr const char* kShaft = R"(
-[run]
-end = 0.05
-step = 1e-5
-output_step = 1e-3
-[rotor]
-speed = 300.0
-length = 0.60
-E = 2.1e11
-nu = 0.3
-rho = 7850.0
-modes = 4
-damping_ratio = 0.01
-internal_damping_ratio = 0.004
-[[rotor.section]]
-from = 0.0
-to = 0.60
-diameter = 0.018
-[[rotor.disc]]
-z = 0.35
-mass = 2.0
-Jt = 1.8e-3
-Jp = 3.6e-3
-eccentricity = 40e-6
+constexpr const char* kPlainBearing = R"(
 [[rotor.bearing]]
 z = 0.03
 stiffness = 2e7
-[contact]
-station = 0.46
-radius = 0.02
-clearance = 0.3e-3
-friction = 0.2
-restitution = 0.4
-[gravity]
-acceleration = [0.0, -9.81]
 )";
 
 scene::Scene parse(const std::string& tail, const std::vector<std::string>& overrides = {}) {
-  return scene::parse_scene(kShaft + tail, "shaft.toml", overrides);
+  std::vector<std::string> all{"rotor.damping_ratio=0.01", "rotor.internal_damping_ratio=0.004"};
+  all.insert(all.end(), overrides.begin(), overrides.end());
+  return test::held_shaft(kPlainBearing + tail, all);
 }
 
 scene::Scene undamped(const std::string& tail, std::vector<std::string> overrides = {}) {
@@ -85,15 +57,6 @@ Trajectory run(const scene::Scene& s) {
   Trajectory t = run_native(s);
   EXPECT_EQ(t.status, Status::kOk) << t.message;
   return t;
-}
-
-std::string refusal(const scene::Scene& s) {
-  try {
-    make_model(s);
-  } catch (const scene::SceneError& error) {
-    return error.what();
-  }
-  return "";
 }
 
 // A bearing with the magnets' stiffness and damping in their place: the same motion, to round-off.
@@ -196,21 +159,22 @@ TEST(LevitatedShaft, LastingRubsAreThoseOfALinearMachine) {
 
 TEST(LevitatedShaft, RefusesWhatItCannotDo) {
   // The weight alone asks for 18 N / 100 N/A and more.
-  const std::string steady = refusal(
+  const std::string steady = test::model_refusal(
       parse(kMagnets, {"initial.steady=true", "magnetic_bearing.control.current_limit=0.1"}));
   EXPECT_NE(steady.find("current_limit = 0.1 A"), std::string::npos) << steady;
-  EXPECT_EQ(
-      refusal(parse(kMagnets, {"initial.steady=true", "magnetic_bearing.control.current_limit=2"})),
-      "");
+  EXPECT_EQ(test::model_refusal(parse(
+                kMagnets, {"initial.steady=true", "magnetic_bearing.control.current_limit=2"})),
+            "");
   // Nothing holds it from the start.
-  const std::string failed =
-      refusal(parse(kMagnets, {"initial.steady=true", "magnetic_bearing.control.fails_at=0"}));
+  const std::string failed = test::model_refusal(
+      parse(kMagnets, {"initial.steady=true", "magnetic_bearing.control.fails_at=0"}));
   EXPECT_NE(failed.find("initial.steady"), std::string::npos) << failed;
   // Beside the plain bearing it holds no tilt; without a control nothing.
-  const std::string together = refusal(parse(kMagnets, {"magnetic_bearing.station=0.03"}));
+  const std::string together =
+      test::model_refusal(parse(kMagnets, {"magnetic_bearing.station=0.03"}));
   EXPECT_NE(together.find("free to move as a rigid body"), std::string::npos) << together;
   const std::string alone =
-      refusal(parse("[magnetic_bearing]\nstation = 0.5\nnegative_stiffness = 1e4\n"));
+      test::model_refusal(parse("[magnetic_bearing]\nstation = 0.5\nnegative_stiffness = 1e4\n"));
   EXPECT_NE(alone.find("beside a [magnetic_bearing] with a control"), std::string::npos) << alone;
 }
 

@@ -13,6 +13,7 @@
 #include "native_model/scene/reader.h"
 #include "native_model/stepping/ensemble.h"
 #include "native_model/system/model.h"
+#include "tests/support/levitated_shaft.h"
 #include "tests/support/native_run.h"
 #include "tests/support/order.h"
 
@@ -49,50 +50,17 @@ z = 0.52
 stiffness = 2e5
 damping = 250.0
 )";
-constexpr const char* kFreeShaft = R"(
-[run]
-end = 0.05
-step = 1e-5
-output_step = 1e-3
-[rotor]
-speed = 300.0
-length = 0.60
-E = 2.1e11
-nu = 0.3
-rho = 7850.0
-modes = 4
-[[rotor.section]]
-from = 0.0
-to = 0.60
-diameter = 0.018
-[[rotor.disc]]
-z = 0.35
-mass = 2.0
-Jt = 1.8e-3
-Jp = 3.6e-3
-eccentricity = 40e-6
-[contact]
-station = 0.46
-radius = 0.02
-clearance = 0.3e-3
-friction = 0.2
-restitution = 0.4
-[gravity]
-acceleration = [0.0, -9.81]
-)";
-
 scene::Scene levitated_by_two(const std::string& tail,
                               const std::vector<std::string>& overrides = {}) {
-  return scene::parse_scene(kFreeShaft + tail, "shaft.toml", overrides);
+  return test::held_shaft(tail, overrides);
 }
 
 std::string refusal_of(const std::string& tail, const std::vector<std::string>& overrides = {}) {
   try {
-    make_model(levitated_by_two(tail, overrides));
+    return test::model_refusal(levitated_by_two(tail, overrides));
   } catch (const scene::SceneError& error) {
     return error.what();
   }
-  return "";
 }
 
 TEST(MagneticBearings, HoldAShaftAsTwoSpringsAndDampersDo) {
