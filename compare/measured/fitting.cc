@@ -18,6 +18,7 @@ using Eigen::VectorXd;
 
 constexpr double kMostGrid = 1 << 19;        // instants of record and run together
 constexpr std::size_t kMostFitted = 200000;  // samples of a channel: more tell no more
+constexpr double kExact = 1e-9;              // intervals of the record, of a shift
 constexpr double kApart = 0.01;              // intervals of the record, of central differences
 
 VectorXcd without_mean(const VectorXcd& z) {
@@ -252,14 +253,13 @@ double Fitting::refined(double shift, double h) const {
   for (double by = -h; h > 1.5 * interval_ && by <= h; by += 0.5 * interval_) {
     if (left(middle + by) < left(shift)) shift = middle + by;
   }
-  // By what it leaves the best angle does not move with the shift: d |m - s|^2 = -2 Re (m - s)^*
-  // s'.
+  // The angle is the best at each shift, so that d |m - s|^2 = -2 Re (m - s)^* s' alone.
   const auto slope = [&](double by) { return -at(by).left().dot(rate_at(by)).real(); };
   // The grid's best is half an interval off at most; much farther a fast motion turns the slope.
   const double reach = 0.75 * interval_, before = shift - reach, after = shift + reach;
   const double falls = slope(before), rises = slope(after);
   if (!(falls < 0.0 && rises > 0.0)) return shift;
-  const double found = root(slope, before, after, falls, rises).first;
+  const double found = root(slope, before, after, falls, rises, kExact * interval_).first;
   return left(found) < left(shift) ? found : shift;
 }
 
