@@ -73,9 +73,7 @@ struct Collision<int (*)(Model, Data, Contact, int, int, Rest...)> {
     const Place<mjfCollision>& place = collision_place(m, g1, g2);
     const mjfCollision previous = place.previous(K);
     if (!previous) return 0;
-    if (!place.layered()) return previous(m, d, con, g1, g2, rest...);
     LinkScope scope(call, d, K);
-    if (scope.again()) return 0;
     scope.reaches([&] { count = previous(m, d, con, g1, g2, rest...); });
     return count;
   }
@@ -127,10 +125,6 @@ bool callbacks_lost() {
 void keep_callbacks() {
   if (!callbacks_lost()) return;
   for_each_callback([](auto& place, const auto&) { place.take(); });
-}
-
-void keep_control() {
-  if (!control_place.held()) keep_callbacks();
 }
 
 bool collision_was_lost(const Config& config, const mjModel* m) {

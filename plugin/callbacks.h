@@ -17,10 +17,8 @@ void restore_callbacks();
 bool callbacks_active();  // between the two
 
 // Takes back every place that others have written over since. A few nanoseconds where none has. One
-// of our functions that is still called brings the others back: the collision function and the
-// first stage of sensors all of them, mjcb_passive the one that comes after it (keep_control).
+// of our functions that is still called brings the others back.
 void keep_callbacks();
-void keep_control();
 
 // As the places may have been written over without any of ours being called (all callbacks reset
 // with the contact disabled), where MuJoCo's functions themselves can be had: register.cc.

@@ -1,7 +1,6 @@
 #include "plugin/hooks.h"
 
 #include <dlfcn.h>
-#include <mujoco/mujoco.h>
 
 #include <atomic>
 #include <mutex>

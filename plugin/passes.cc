@@ -61,7 +61,7 @@ class KeptReferences {
 // Takes back what others have written over. Where another's function has collided the pair,
 // MuJoCo's soft contact is made anew, so that not even this pass goes without.
 bool keep_places(const Config& config, const mjModel* m, mjData* d) {
-  keep_control();
+  keep_callbacks();
   if (!config.has_contact() || !collision_was_lost(config, m)) return false;
   if (!config.has_soft() || !contact_enabled(m)) return false;
   mj_fwdPosition(m, d);

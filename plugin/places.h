@@ -44,8 +44,6 @@ class Place {
     return std::atomic_ref(*global_).load(std::memory_order_acquire) ==
            expected_.load(std::memory_order_acquire);
   }
-  // True where a call of one link may reach another.
-  bool layered() const { return layered_.load(std::memory_order_acquire); }
   Function previous(int link) const { return previous_[link].load(std::memory_order_acquire); }
 
   // Puts a link in front of who stands there, if that is neither ours nor calls us. True where it
@@ -60,7 +58,6 @@ class Place {
         return false;
       }
       const int link = link_for(there);
-      if (link != 0 || used_ > 1) layered_ = true;
       previous_[link] = there;
       if (place.compare_exchange_strong(there, links_[link])) {
         expected_ = links_[link];
@@ -83,13 +80,11 @@ class Place {
   // Who stands in front has called us before, and now has not: it is never let in front again. True
   // where it was so.
   bool distrust() {
-    if (!fronted()) return false;
     {
       const std::lock_guard<std::mutex> lock(mutex_);
       const Function there = std::atomic_ref(*global_).load();
       if (!there || there != chains_) return false;
-      deceives_ = chains_;
-      chains_ = nullptr;
+      deceives_ = std::exchange(chains_, nullptr);
     }
     return take();
   }
@@ -106,11 +101,6 @@ class Place {
   }
 
  private:
-  // True where who stands in front is not ours: it calls us.
-  bool fronted() const {
-    const Function there = expected_.load(std::memory_order_acquire);
-    return there && index_of(there) < 0;
-  }
   int index_of(Function f) const {
     for (int i = 0; i < kLinks; ++i) {
       if (links_[i] == f) return i;
@@ -131,7 +121,6 @@ class Place {
   const Function* links_ = nullptr;
   std::atomic<Function> expected_{nullptr};
   std::atomic<Function> previous_[kLinks] = {};
-  std::atomic<bool> layered_ = false;
 
   std::mutex mutex_;  // of who changes the place
   int used_ = 0, oldest_ = 0;
@@ -168,9 +157,10 @@ class LinkScope {
 
   // True in a link that was called by what it called itself.
   bool again() const { return again_; }
-  // Runs what the link calls first; true where that reached another link.
+  // Runs what the link calls first, unless it is under way; true where that reached another link.
   template <typename Call>
   bool reaches(Call call) {
+    if (again_) return false;
     const bool reached = call_.reached;
     call_.reached = false;
     call_.inside |= bit_;
@@ -219,15 +209,8 @@ struct LinksOf<void (*)(const mjModel*, mjData*, Rest...), kPlace, kWork> {
   template <int K>
   static void link(const mjModel* m, mjData* d, Rest... rest) {
     const Function previous = kPlace.previous(K);
-    if (!kPlace.layered()) {
-      if (previous) previous(m, d, rest...);
-      kWork(m, d, rest...);
-      return;
-    }
     LinkScope scope(call, d, K);
-    if (previous && !scope.again() && scope.reaches([&] { previous(m, d, rest...); })) {
-      kPlace.let_in_front(K);
-    }
+    if (previous && scope.reaches([&] { previous(m, d, rest...); })) kPlace.let_in_front(K);
     if (scope.begin_work()) kWork(m, d, rest...);
   }
   static constexpr LinkTable<Function> kTable = make_links<LinksOf, Function>();
@@ -248,13 +231,9 @@ struct Givers {
     if (kWork(m, d, id, value)) return value;
     const mjfAct previous = kPlace.previous(K);
     if (!previous || answer_given(kAsked, m, d, id, value)) return value;
-    if (!kPlace.layered()) {
-      value = previous(m, d, id);
-    } else {
-      LinkScope scope(call, d, K);
-      if (scope.again()) return value;
-      scope.reaches([&] { value = previous(m, d, id); });
-    }
+    LinkScope scope(call, d, K);
+    if (scope.again()) return value;
+    scope.reaches([&] { value = previous(m, d, id); });
     keep_answer(kAsked, d, id, value);
     return value;
   }

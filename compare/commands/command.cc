@@ -128,12 +128,11 @@ OwnRun own_run(const CommonOptions& options) {
                     options.overrides.front()));
   }
   const auto time = [](const char* flag, const std::string& text) {
-    const auto parsed = scene::parse_quantity(text, scene::kTime);
-    if (!parsed.error.empty() || !(parsed.value > 0.0)) {
-      throw UsageError(
-          fmt::format("{} {}: accepted is a time above 0, as 10us or 0.5s", flag, text));
-    }
-    return parsed.value;
+    const std::string accepted = "a time above 0, as 10us or 0.5s";
+    const double value = quantity_of(flag, text, scene::kTime, accepted);
+    if (!(value > 0.0))
+      throw UsageError(fmt::format("{} {}: accepted is {}", flag, text, accepted));
+    return value;
   };
   OwnRun run;
   if (!options.step.empty()) run.step = time("--step", options.step);
@@ -141,19 +140,27 @@ OwnRun own_run(const CommonOptions& options) {
   return run;
 }
 
+double quantity_of(const std::string& option, const std::string& text,
+                   const scene::Quantity& quantity, const std::string& accepted) {
+  const auto parsed = scene::parse_quantity(text, quantity);
+  if (parsed.error.empty()) return parsed.value;
+  throw UsageError(fmt::format("{} {}: {}{}", option, scene::printable(text),
+                               accepted.empty() ? "" : "accepted is ",
+                               accepted.empty() ? parsed.error : accepted));
+}
+
 double tolerance_of(const std::string& text) {
-  const auto parsed = scene::parse_quantity(text, scene::kPure);
-  if (!parsed.error.empty() || !(parsed.value >= 0.0)) {
-    throw UsageError(
-        fmt::format("--tolerance {}: accepted is a share of 0 or more, as 1% or 0.01", text));
-  }
-  if (parsed.value >= 1.0 && text.find('%') == std::string::npos) {
+  const std::string accepted = "a share of 0 or more, as 1% or 0.01";
+  const double value = quantity_of("--tolerance", text, scene::kPure, accepted);
+  if (!(value >= 0.0))
+    throw UsageError(fmt::format("--tolerance {}: accepted is {}", text, accepted));
+  if (value >= 1.0 && text.find('%') == std::string::npos) {
     throw UsageError(
         fmt::format("--tolerance {0}: a bare number is a share, and {0} would be {1:.6g} %; "
                     "accepted is \"{0}%\" or {2:.6g}",
-                    text, 100.0 * parsed.value, 0.01 * parsed.value));
+                    text, 100.0 * value, 0.01 * value));
   }
-  return parsed.value;
+  return value;
 }
 
 void check_twins(int twins) {

@@ -12,6 +12,7 @@
 #include "compare/own/own_machine.h"
 #include "compare/run_files/run_directory.h"
 #include "native_model/scene/scene.h"
+#include "native_model/scene/units.h"
 #include "native_model/trajectory/trajectory.h"
 
 namespace CLI {
@@ -72,6 +73,10 @@ void read_each(const std::vector<std::string>& files,
 // keys for.
 OwnRun own_run(const CommonOptions& options);
 
+// What an option was given, as "10us", in SI. Throws UsageError with the option, the text, and what
+// is accepted; empty: what is wrong with it as such a quantity.
+double quantity_of(const std::string& option, const std::string& text,
+                   const scene::Quantity& quantity, const std::string& accepted = {});
 // A tolerance as a user writes it: "1%" or 0.01; a bare number of 1 or more is refused, as it may
 // mean either. Throws UsageError.
 double tolerance_of(const std::string& text);

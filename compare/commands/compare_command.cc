@@ -87,14 +87,6 @@ struct MeasuredInput {
   AlignmentOptions alignment;
 };
 
-std::optional<double> quantity_of(const char* option, const std::string& text,
-                                  const scene::Quantity& quantity) {
-  if (text.empty()) return std::nullopt;
-  const scene::ParsedQuantity parsed = scene::parse_quantity(text, quantity);
-  if (!parsed.error.empty()) throw UsageError(fmt::format("{}: {}", option, parsed.error));
-  return parsed.value;
-}
-
 MeasuredInput measured_of(const CompareArguments& options) {
   MeasuredInput input;
   if (options.measured.empty()) {
@@ -106,8 +98,10 @@ MeasuredInput measured_of(const CompareArguments& options) {
     throw UsageError(fmt::format("--measured: one scene is accepted with it, {} are given",
                                  options.scenes.size()));
   }
-  input.alignment.shift = quantity_of("--measured-shift", options.measured_shift, scene::kTime);
-  input.alignment.angle = quantity_of("--measured-angle", options.measured_angle, scene::kAngle);
+  if (const std::string& shift = options.measured_shift; !shift.empty())
+    input.alignment.shift = quantity_of("--measured-shift", shift, scene::kTime);
+  if (const std::string& angle = options.measured_angle; !angle.empty())
+    input.alignment.angle = quantity_of("--measured-angle", angle, scene::kAngle);
   input.record = std::make_shared<const MeasuredRecord>(read_measured(options.measured));
   return input;
 }

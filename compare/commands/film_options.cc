@@ -25,17 +25,13 @@ constexpr double kGifRate = 25.0, kGifSeconds = 6.0;
 
 std::optional<double> value_of(const std::string& flag, const std::string& text,
                                const scene::Quantity& quantity, const std::string& accepted) {
-  if (text.empty()) return std::nullopt;
-  const auto parsed = scene::parse_quantity(text, quantity);
-  if (!parsed.error.empty()) refuse(flag, text, accepted);
-  return parsed.value;
+  return text.empty() ? std::nullopt : std::optional(quantity_of(flag, text, quantity, accepted));
 }
 
 std::optional<double> time_of(const std::string& flag, const std::string& text) {
-  const auto time =
-      value_of(flag, text, scene::kTime, "a time of the run, 0 or more, as 0.12 or \"120 ms\"");
-  if (time && *time < 0.0)
-    refuse(flag, text, "a time of the run, 0 or more, as 0.12 or \"120 ms\"");
+  const char* const accepted = "a time of the run, 0 or more, as 0.12 or \"120 ms\"";
+  const auto time = value_of(flag, text, scene::kTime, accepted);
+  if (time && *time < 0.0) refuse(flag, text, accepted);
   return time;
 }
 

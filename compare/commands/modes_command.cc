@@ -44,13 +44,6 @@ struct ModesArguments : CommonOptions {
   throw UsageError(fmt::format("{} {}: {}; accepted is FROM:TO:COUNT", option, text, why));
 }
 
-double value_of(const char* option, const std::string& all, const std::string& part,
-                const scene::Quantity& quantity) {
-  const auto parsed = scene::parse_quantity(part, quantity);
-  if (!parsed.error.empty()) refuse_range(option, all, parsed.error);
-  return parsed.value;
-}
-
 int count_of(const char* option, const std::string& all, const std::string& part) {
   int count = 0;
   const auto end = std::from_chars(part.data(), part.data() + part.size(), count);
@@ -76,24 +69,20 @@ std::vector<double> range_values(const char* option, const std::string& text,
   if (first == std::string::npos || first == last || text.find(':', first + 1) != last) {
     refuse_range(option, text, "it has three parts");
   }
-  const double from = value_of(option, text, text.substr(0, first), quantity);
-  const double to = value_of(option, text, text.substr(first + 1, last - first - 1), quantity);
+  const auto part = [&](std::size_t begin, std::size_t end) {
+    return quantity_of(option, text.substr(begin, end - begin), quantity);
+  };
+  const double from = part(0, first), to = part(first + 1, last);
   const int count = count_of(option, text, text.substr(last + 1));
   if (!(from >= 0.0) || !(to > from))
     refuse_range(option, text, "FROM is 0 or more and TO above it");
   return even_values(from, to, count);
 }
 
-double speed_of(const char* option, const std::string& text) {
-  const auto parsed = scene::parse_quantity(text, scene::kSpin);
-  if (!parsed.error.empty()) throw UsageError(fmt::format("{} {}: {}", option, text, parsed.error));
-  return parsed.value;
-}
-
 // Empty: not given.
 std::optional<double> range_of(const ModesArguments& options) {
   if (options.up_to.empty()) return std::nullopt;
-  const double range = speed_of("--up-to", options.up_to);
+  const double range = quantity_of("--up-to", options.up_to, scene::kSpin);
   if (!(range > 0.0)) {
     throw UsageError(
         fmt::format("--up-to {}: accepted is a spin speed above 0, as 9000 rpm", options.up_to));
@@ -218,7 +207,8 @@ int modes(const ModesArguments& options) {
   if (options.state_space) return show_state_space(options);
   if (options.feedback_map) return show_feedback(options);
   std::vector<double> speeds;
-  for (const std::string& text : options.speeds) speeds.push_back(speed_of("--speed", text));
+  for (const std::string& text : options.speeds)
+    speeds.push_back(quantity_of("--speed", text, scene::kSpin));
   const std::optional<double> range = range_of(options);
   MapRanges ranges = map_ranges(options);
   const scene::Scene scene = read_scene(options.scene, options);

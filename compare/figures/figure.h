@@ -6,6 +6,7 @@
 #include <optional>
 #include <span>
 #include <string>
+#include <string_view>
 
 #include "compare/metrics/extrapolation.h"
 #include "compare/metrics/metrics.h"
@@ -93,9 +94,14 @@ struct ResidualFigure {
 std::span<const ResidualFigure> residual_figures();
 nlohmann::json residuals_json(const Residuals& residuals);
 
-// Figures (SI), settled state and residuals of a run, a number that is not finite as null; and what
-// the keys mean.
+// Figures (SI, a count as a whole number), settled state, residuals and cost of a run, a number
+// that is not finite as null; and what the keys mean. A summary and a sweep hold some of them, by
+// key.
 nlohmann::json metrics_json(const Metrics& metrics);
 std::span<const ColumnMeaning> metric_keys();
+
+// One of them; "settled.from": within another. Assert that the key is one of the list.
+const ColumnMeaning& metric_key(std::string_view key);
+nlohmann::json metric_value(const Metrics& metrics, std::string_view key);
 
 }  // namespace rotorub

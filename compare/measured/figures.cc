@@ -42,19 +42,12 @@ std::optional<double> contact(const Motion& m) {
 // missing.
 std::optional<DominantWhirl> whirl(const Motion& m) {
   if (m.t.size() < 2 || !m.facts.rate_tells) return std::nullopt;
-  Values x, y;
-  for (const auto& z : m.good) {
-    x.push_back(z.real());
-    y.push_back(z.imag());
-  }
   const double span = m.t.back() - m.t.front();
   const auto count = std::max<std::size_t>(2, std::lround(span / m.facts.interval) + 1);
   const Values at = even_times(m.t.front(), m.t.back(), count);
-  x = linear(m.t, x, at);
-  y = linear(m.t, y, at);
-  std::vector<std::complex<double>> z;
-  for (std::size_t k = 0; k < count; ++k) z.emplace_back(x[k], y[k]);
-  return dominant_whirl(z, span / static_cast<double>(count - 1));
+  return dominant_whirl(
+      linear(m.t, std::span<const std::complex<double>>(m.good.data(), m.t.size()), at),
+      span / static_cast<double>(count - 1));
 }
 template <double DominantWhirl::*Part>
 std::optional<double> dominant(const Motion& m) {

@@ -2,10 +2,10 @@
 
 #include <algorithm>
 #include <cmath>
-#include <unsupported/Eigen/LevenbergMarquardt>
 
 #include "compare/metrics/fourier.h"
 #include "compare/metrics/rows.h"
+#include "native_model/numerics/root.h"
 
 namespace rotorub {
 namespace {
@@ -18,6 +18,7 @@ using Eigen::VectorXd;
 
 constexpr double kMostGrid = 1 << 19;        // instants of record and run together
 constexpr std::size_t kMostFitted = 200000;  // samples of a channel: more tell no more
+constexpr double kExact = 1e-9;              // intervals of the record, of a shift
 constexpr double kApart = 0.01;              // intervals of the record, of central differences
 
 VectorXcd without_mean(const VectorXcd& z) {
@@ -54,29 +55,16 @@ Grid grid_of(const MeasuredRecord& record, const SampledRun& run) {
   return grid;
 }
 
-// The record on the grid, linear between neighbours, and whether it is there: 1, or 0 in a hole,
-// where neighbours are far apart.
+// The record on the grid, each sample at the instant nearest to it, and whether it is there: 1, or
+// 0 in a hole.
 void lay_on_grid(const MeasuredRecord& record, const Channel& channel, const Grid& grid,
                  ArrayXcd& value, ArrayXcd& there) {
   value = there = ArrayXcd::Zero(grid.size);
-  std::vector<double> t, x, y;
-  for (const double at : channel.times.t) t.push_back((at - record.t.front()) / grid.h);
-  if (t.size() < 2) return;
-  for (const auto& z : channel.value) {
-    x.push_back(z.real());
-    y.push_back(z.imag());
-  }
-  const auto last = static_cast<double>(grid.record - 1);
-  const auto at = even_times(0.0, last, static_cast<std::size_t>(grid.record));
-  const auto real = linear(t, x, at), imag = linear(t, y, at);
-  const double far = 2.5 * std::max(record.interval / grid.h, 1.0);
-  for (std::size_t k = 0; k + 1 < t.size(); ++k) {
-    if (t[k + 1] - t[k] > far) continue;
-    for (double j = std::ceil(t[k] - 1e-6); j <= std::min(t[k + 1] + 1e-6, last); j += 1.0) {
-      const auto i = static_cast<std::size_t>(j);
-      value[static_cast<Index>(i)] = {real[i], imag[i]};
-      there[static_cast<Index>(i)] = 1.0;
-    }
+  for (Index k = 0; k < channel.value.size(); ++k) {
+    const double at = (channel.times.t[static_cast<std::size_t>(k)] - record.t.front()) / grid.h;
+    const Index i = std::min<Index>(std::llround(at), grid.record - 1);
+    value[i] = channel.value[k];
+    there[i] = 1.0;
   }
 }
 
@@ -118,31 +106,6 @@ void add_channel(const MeasuredRecord& record, const SampledRun& run, const Chan
     sums.both += (both * std::polar(1.0, channel.pair ? -*angle : 0.0)).real();
   }
 }
-
-// What is left at a shift, for the library: x[0] intervals of the record after `shift`.
-struct LeftAt : Eigen::DenseFunctor<double> {
-  const Fitting& fitting;
-  double shift, interval;
-
-  LeftAt(const Fitting& f, double from, double h)
-      : DenseFunctor(1, 2 * static_cast<int>(f.at(from).run.size())),
-        fitting(f),
-        shift(from),
-        interval(h) {}
-
-  VectorXd at(double x) const {
-    const VectorXcd left = fitting.at(shift + x * interval).left();
-    return (VectorXd(2 * left.size()) << left.real(), left.imag()).finished();
-  }
-  int operator()(const VectorXd& x, VectorXd& left) const {
-    left = at(x[0]);
-    return 0;
-  }
-  int df(const VectorXd& x, Eigen::MatrixXd& slope) const {
-    slope = (at(x[0] + kApart) - at(x[0] - kApart)) / (2.0 * kApart);
-    return 0;
-  }
-};
 
 }  // namespace
 
@@ -290,21 +253,24 @@ double Fitting::refined(double shift, double h) const {
   for (double by = -h; h > 1.5 * interval_ && by <= h; by += 0.5 * interval_) {
     if (left(middle + by) < left(shift)) shift = middle + by;
   }
-  LeftAt functor(*this, shift, interval_);
-  Eigen::LevenbergMarquardt<LeftAt> search(functor);
-  search.setFactor(1.0);  // the first step is an interval at most
-  search.setFtol(1e-15);
-  search.setXtol(1e-13);
-  VectorXd x = VectorXd::Zero(1);
-  search.minimize(x);
-  const double found = shift + x[0] * interval_;
-  return std::abs(x[0]) <= 1.0 && left(found) < left(shift) ? found : shift;
+  // The angle is the best at each shift, so that d |m - s|^2 = -2 Re (m - s)^* s' alone.
+  const auto slope = [&](double by) { return -at(by).left().dot(rate_at(by)).real(); };
+  // The grid's best is half an interval off at most; much farther a fast motion turns the slope.
+  const double reach = 0.75 * interval_, before = shift - reach, after = shift + reach;
+  const double falls = slope(before), rises = slope(after);
+  if (!(falls < 0.0 && rises > 0.0)) return shift;
+  const double found = root(slope, before, after, falls, rises, kExact * interval_).first;
+  return left(found) < left(shift) ? found : shift;
+}
+
+VectorXcd Fitting::rate_at(double shift) const {
+  const double h = kApart * interval_;
+  return (run_at(shift + h) - run_at(shift - h)) / (2.0 * h);
 }
 
 Fitting::Effects Fitting::effects(const Fit& fit, double shift) const {
-  const double h = kApart * interval_;
   Effects g;
-  g.d = (run_at(shift + h) - run_at(shift - h)) / (2.0 * h);
+  g.d = rate_at(shift);
   g.e = VectorXcd::Zero(g.d.size());
   if (!angle_) g.e.head(pairs_) = std::complex<double>(0.0, -1.0) * fit.record.head(pairs_);
   g.dd = g.d.squaredNorm();

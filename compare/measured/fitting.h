@@ -79,7 +79,7 @@ class Fitting {
   Fit at(double shift) const;
 
   // The shift within h (s, of the search's grid) of `shift` that leaves least: first coarse where
-  // the grid is wider than the record's interval, then by Levenberg and Marquardt.
+  // the grid is wider than the record's interval, then where the slope of what is left is 0.
   double refined(double shift, double h) const;
 
   // What the shift (s) and the angle do to what is left: derivatives, d by central differences, e
@@ -103,6 +103,7 @@ class Fitting {
   };
   void add(const Channel& channel, double from, double to);
   Eigen::VectorXcd run_at(double shift) const;
+  Eigen::VectorXcd rate_at(double shift) const;  // 1/s, by central differences
 
   const SampledRun& run_;
   double interval_;  // s, of the record

@@ -25,9 +25,10 @@ double whirl_penetration(const Trajectory& trajectory, double clearance) {
 
 void gather_forces(const Trajectory& trajectory, Metrics& m) {
   const Statistics& s = trajectory.statistics;
-  const double span = trajectory.end - s.first_touch;
-  if (s.first_touch < 0.0 || span <= 0.0) return;
+  if (s.first_touch < 0.0) return;
   m.first_touch = s.first_touch;
+  const double span = trajectory.end - s.first_touch;
+  if (span <= 0.0) return;
   m.mean_force = trajectory.mean_force();
   const double variance = s.force_square / span - m.mean_force * m.mean_force;
   m.force_deviation = std::sqrt(std::max(0.0, variance));
@@ -85,7 +86,7 @@ std::vector<ContactFacts> contact_facts(const scene::Scene& scene) {
   return facts;
 }
 
-Metrics metrics(const Trajectory& trajectory, const std::vector<ContactFacts>& contacts) {
+Metrics totals(const Trajectory& trajectory) {
   const Statistics& s = trajectory.statistics;
   Metrics m;
   gather_forces(trajectory, m);
@@ -106,15 +107,26 @@ Metrics metrics(const Trajectory& trajectory, const std::vector<ContactFacts>& c
   m.friction_impulse = s.friction_impulse;
   m.friction_work = s.friction_work;
   m.max_penetration = s.max_penetration;
-  if (std::any_of(contacts.begin(), contacts.end(),
-                  [](const ContactFacts& c) { return c.gives; })) {
-    m.contact_peak = s.peak_force;
-    m.contact_depth = s.max_penetration;
-    m.contact_time = s.contact_time;
-  }
   m.energy_residual = s.energy_residual();
   if (std::isfinite(s.least_gap))
     m.least_gap = s.first_touch >= 0.0 ? std::min(0.0, s.least_gap) : s.least_gap;
+  m.end = trajectory.end;
+  m.step = trajectory.step;
+  m.steps = trajectory.steps;
+  m.wall_s = trajectory.wall_s;
+  if (m.steps > 0) m.us_per_step = 1e6 * m.wall_s / static_cast<double>(m.steps);
+  if (m.wall_s > 0.0) m.real_time_factor = m.end / m.wall_s;
+  return m;
+}
+
+Metrics metrics(const Trajectory& trajectory, const std::vector<ContactFacts>& contacts) {
+  Metrics m = totals(trajectory);
+  if (std::any_of(contacts.begin(), contacts.end(),
+                  [](const ContactFacts& c) { return c.gives; })) {
+    m.contact_peak = trajectory.statistics.peak_force;
+    m.contact_depth = m.max_penetration;
+    m.contact_time = trajectory.statistics.contact_time;
+  }
   m.settled = settled(trajectory);
   m.spin_speed = mean_of_free(trajectory, "spin_speed", m.settled.from);
   m.ring_speed = mean_of_free(trajectory, "ring_speed", m.settled.from);
@@ -123,9 +135,6 @@ Metrics metrics(const Trajectory& trajectory, const std::vector<ContactFacts>& c
     m.whirl_penetration = whirl_penetration(trajectory, contacts.front().clearance);
     m.residuals = largest_residuals(trajectory, contacts);
   }
-  m.steps = trajectory.steps;
-  if (m.steps > 0) m.us_per_step = 1e6 * trajectory.wall_s / static_cast<double>(m.steps);
-  if (trajectory.wall_s > 0.0) m.real_time_factor = trajectory.end / trajectory.wall_s;
   return m;
 }
 

@@ -46,8 +46,11 @@ struct Metrics {
   std::optional<double> spin_speed, ring_speed;
   std::optional<double> control_force;  // N, rms of the command over the run; none: no actuator
   Residuals residuals;
+  double end = 0.0;   // s, time reached
+  double step = 0.0;  // s; `event`: 0
   // Cost.
   std::int64_t steps = 0;
+  double wall_s = 0.0;            // of the integration
   double us_per_step = 0.0;       // 0 for no step
   double real_time_factor = 0.0;  // simulated time / wall time
 };
@@ -59,7 +62,10 @@ inline constexpr double kHardShare = 0.01;
 // Of each contact; empty where the scene has none.
 std::vector<ContactFacts> contact_facts(const scene::Scene& scene);
 
-// Without `contacts` nothing that needs to know them.
+// Of the metrics those that need neither the series nor the contacts.
+Metrics totals(const Trajectory& trajectory);
+
+// All; without `contacts` nothing that needs to know them.
 Metrics metrics(const Trajectory& trajectory, const std::vector<ContactFacts>& contacts);
 
 }  // namespace rotorub

@@ -2,7 +2,6 @@
 // velocities of a series, row by row, by code that no engine shares.
 #pragma once
 
-#include <Eigen/Core>
 #include <vector>
 
 #include "native_model/trajectory/trajectory.h"

@@ -29,15 +29,26 @@ void along(std::span<const double> rows, std::span<const double> t, Each each) {
   }
 }
 
-}  // namespace
-
-std::vector<double> linear(std::span<const double> rows, std::span<const double> y,
-                           std::span<const double> t) {
-  std::vector<double> out(t.size());
+template <class Value>
+std::vector<Value> straight(std::span<const double> rows, std::span<const Value> y,
+                            std::span<const double> t) {
+  std::vector<Value> out(t.size());
   along(rows, t, [&](std::size_t k, std::size_t row, double s, double) {
     out[k] = s == 1.0 ? y[row + 1] : y[row] + s * (y[row + 1] - y[row]);
   });
   return out;
+}
+
+}  // namespace
+
+std::vector<double> linear(std::span<const double> rows, std::span<const double> y,
+                           std::span<const double> t) {
+  return straight(rows, y, t);
+}
+std::vector<std::complex<double>> linear(std::span<const double> rows,
+                                         std::span<const std::complex<double>> y,
+                                         std::span<const double> t) {
+  return straight(rows, y, t);
 }
 
 std::vector<double> cubic(std::span<const double> rows, std::span<const double> y,

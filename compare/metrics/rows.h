@@ -1,6 +1,7 @@
 // The rows that a run is judged by, and values between them.
 #pragma once
 
+#include <complex>
 #include <cstddef>
 #include <span>
 #include <vector>
@@ -14,6 +15,9 @@ namespace rotorub {
 // there. Two rows or more; rows ascend.
 std::vector<double> linear(std::span<const double> rows, std::span<const double> y,
                            std::span<const double> t);
+std::vector<std::complex<double>> linear(std::span<const double> rows,
+                                         std::span<const std::complex<double>> y,
+                                         std::span<const double> t);
 // Hermite's cubic. rate: of y.
 std::vector<double> cubic(std::span<const double> rows, std::span<const double> y,
                           std::span<const double> rate, std::span<const double> t);

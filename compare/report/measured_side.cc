@@ -162,10 +162,10 @@ class SideMaker {
     if (2 * count >= kLeastSpectrumRows) {
       const double h = (to - from) / static_cast<double>(count - 1);
       const Numbers at = even_times(from, to, count);
-      const Numbers x = linear(rotor->t, rotor->value[0], at);
-      const Numbers y = linear(rotor->t, rotor->value[1], at);
       std::vector<std::complex<double>> z;
-      for (std::size_t k = 0; k < count; ++k) z.emplace_back(x[k], y[k]);
+      for (std::size_t k = 0; k < rotor->t.size(); ++k)
+        z.emplace_back(rotor->value[0][k], rotor->value[1][k]);
+      z = linear(rotor->t, z, at);
       all["spectrum"] = spectrum_data(z, h, limit);
     }
     const SampledRun first(*shown_.runs.front().trajectory);

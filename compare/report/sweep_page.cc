@@ -28,9 +28,9 @@ struct Unit {
   std::string name;
   double per_si = 1.0;
 };
-Unit shown(const std::string& unit) {
+Unit shown(std::string_view unit) {
   if (unit == "rad/s") return {"Hz", kHz};
-  return {unit, 1.0};
+  return {std::string(unit), 1.0};
 }
 
 // The values of a key of a grid, in order.
@@ -80,7 +80,7 @@ json figures_json() {
     return {{"name", column.name},
             {"unit", shown(column.unit).name},
             {"meaning", column.meaning},
-            {"word", column.type == ResultColumn::Type::kWord}};
+            {"word", column.value({}).is_string()}};
   });
 }
 

@@ -6,6 +6,7 @@
 #include "compare/base/columns.h"
 #include "compare/base/json.h"
 #include "compare/base/version.h"
+#include "compare/figures/figure.h"
 #include "compare/metrics/above_modes.h"
 #include "native_model/rotor/mode_truncation.h"
 #include "native_model/scene/reader.h"
@@ -19,7 +20,10 @@ using nlohmann::ordered_json;
 constexpr std::string_view kSeveral = "several contacts";
 constexpr std::string_view kGeometry = "geometry form with a contact, else null";
 
-const ColumnMeaning kSummaryKeys[] = {
+// A row without a meaning: it is that of the metric.
+constexpr ColumnMeaning metric(std::string_view key) { return {key, "", "", ""}; }
+
+constexpr ColumnMeaning kSummaryKeys[] = {
     {"program", "", "rotorub", ""},
     {"version", "", "of the program", ""},
     {"mujoco_version", "", "of the MuJoCo that it runs with", ""},
@@ -28,20 +32,17 @@ const ColumnMeaning kSummaryKeys[] = {
     {"engine", "", "native or mujoco", ""},
     {"integrator", "", "of the engine", ""},
     {"contact_model", "", "rigid, coulomb, cone or cone-coulomb", ""},
-    {"step", "s", "fixed step; 0 for event", ""},
-    {"steps", "", "number of steps taken", ""},
-    {"end", "s", "time reached", ""},
-    {"wall_s", "s", "time of the integration; no result", ""},
-    {"us_per_step", "us", "the same for a step; no result", ""},
-    {"max_penetration", "m", "deepest penetration, never negative", ""},
-    {"contact_fraction", "",
-     "share of the time from first touch with a normal force; an impact of a fixed step counts "
-     "as one step",
-     ""},
-    {"mean_force", "N", "normal impulse over the time from first touch", ""},
-    {"impulse_total", "N s", "all normal impulse on the rotor, never negative", ""},
-    {"impacts", "", "number of impacts with a gap rate below -1e-4 m/s", ""},
-    {"energy_residual", "", "imbalance of the energy over the largest energy met", ""},
+    metric("step"),
+    metric("steps"),
+    metric("end"),
+    metric("wall_s"),
+    metric("us_per_step"),
+    metric("max_penetration"),
+    metric("contact_fraction"),
+    metric("mean_force"),
+    metric("impulse_total"),
+    metric("impacts"),
+    metric("energy_residual"),
     {"contact_mass.kept", "kg", "mass that an impact meets, of the modes kept", kGeometry},
     {"contact_mass.mesh", "kg", "the same of all modes of the mesh", kGeometry},
     {"contact_mass.kept_modes", "", "number of modes kept", kGeometry},
@@ -108,21 +109,11 @@ json above_modes_json(const std::optional<AboveModes>& above) {
 }  // namespace
 
 json run_numbers_json(const Trajectory& trajectory) {
-  const Statistics& s = trajectory.statistics;
-  const double us =
-      trajectory.steps > 0 ? 1e6 * trajectory.wall_s / static_cast<double>(trajectory.steps) : 0.0;
-  json all = {
-      {"step", trajectory.step},
-      {"steps", trajectory.steps},
-      {"end", trajectory.end},
-      {"wall_s", trajectory.wall_s},
-      {"us_per_step", us},
-      {"max_penetration", s.max_penetration},
-      {"contact_fraction", trajectory.contact_fraction()},
-      {"mean_force", trajectory.mean_force()},
-      {"impulse_total", s.impulse_total},
-      {"impacts", std::count_if(trajectory.impacts.begin(), trajectory.impacts.end(), counts)},
-      {"energy_residual", s.energy_residual()}};
+  const Metrics m = totals(trajectory);
+  json all = json::object();
+  for (const ColumnMeaning& k : kSummaryKeys) {
+    if (k.meaning.empty()) all[k.name] = metric_value(m, k.name);
+  }
   // rad/s, at the end, of a ring that turns.
   if (trajectory.has("ring_speed") && trajectory.rows() > 0) {
     all["ring_speed"] = trajectory.column("ring_speed").back();
@@ -148,7 +139,15 @@ json summary_json(const scene::Scene& scene, const Trajectory& trajectory) {
   return all;
 }
 
-std::span<const ColumnMeaning> summary_keys() { return kSummaryKeys; }
+std::span<const ColumnMeaning> summary_keys() {
+  static const std::vector<ColumnMeaning> keys = [] {
+    std::vector<ColumnMeaning> all(std::begin(kSummaryKeys), std::end(kSummaryKeys));
+    for (ColumnMeaning& k : all)
+      if (k.meaning.empty()) k = metric_key(k.name);
+    return all;
+  }();
+  return keys;
+}
 
 ordered_json run_columns_json(const Trajectory& trajectory) {
   ordered_json series = ordered_json::array();

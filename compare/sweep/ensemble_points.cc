@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <iterator>
+#include <limits>
 
 #include "compare/engine/engine.h"
 #include "compare/sweep/point_run.h"
@@ -69,12 +70,12 @@ struct Seen {
   }
 };
 
-Figures figures_of(const EnsembleRun& run, const Group& group, Seen& seen) {
-  Figures f;
+Metrics figures_of(const EnsembleRun& run, const Group& group, Seen& seen) {
+  Metrics f;
   f.end = group.end;
   f.steps = steps_of(group);
   if (run.first_touch >= 0.0) f.first_touch = run.first_touch;
-  f.impacts = run.impacts;
+  f.impacts = static_cast<std::size_t>(run.impacts);
   f.contact_fraction = run.contact_fraction(group.end, group.step);
   f.mean_force = run.mean_force(group.end);
   f.peak_force = run.peak_impulse / group.step;
@@ -82,6 +83,7 @@ Figures figures_of(const EnsembleRun& run, const Group& group, Seen& seen) {
   f.peak_impulse = run.peak_impact;
   f.friction_work = run.friction_work;
   f.max_penetration = run.max_penetration;
+  f.energy_residual = std::numeric_limits<double>::quiet_NaN();
   seen.part.from = (1.0 - kSettledShare) * group.end;
   f.settled = settled(seen.part);
   return f;

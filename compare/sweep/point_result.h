@@ -6,50 +6,34 @@
 #include <optional>
 #include <span>
 #include <string>
+#include <string_view>
 
-#include "compare/metrics/attractor.h"
+#include "compare/metrics/metrics.h"
 #include "compare/sweep/study_file.h"
-#include "native_model/trajectory/trajectory.h"
+#include "native_model/trajectory/columns.h"
 
 namespace rotorub::sweep {
 
-// Figures of a run that went to its end. An ensemble keeps no balance of the energy.
-struct Figures {
-  double end = 0.0;  // s
-  std::int64_t steps = 0;
-  std::optional<double> first_touch;      // s; nothing: never
-  std::int64_t impacts = 0;               // counted ones
-  double contact_fraction = 0.0;          // of the time from first touch
-  double mean_force = 0.0;                // N, over the time from first touch
-  double peak_force = 0.0;                // N, largest impulse of a step / step
-  double impulse_total = 0.0;             // N s
-  Settled settled;                        // over the last fifth
-  std::optional<double> peak_impulse;     // N s, largest of one impact
-  std::optional<double> friction_work;    // J, <= 0
-  std::optional<double> max_penetration;  // m
-  std::optional<double> energy_residual;  // 1; single runs
-};
-
 struct PointResult {
-  std::int64_t point = 0;          // index in the study's order
-  std::string status = "ok";       // as of a run, or "refused": no scene, or one that cannot run
-  std::string reason;              // empty: ok
-  std::optional<Figures> figures;  // nothing: not ok
+  std::int64_t point = 0;     // index in the study's order
+  std::string status = "ok";  // as of a run, or "refused": no scene, or one that cannot run
+  std::string reason;         // empty: ok
+  // Nothing: not ok. Of them what result_columns() reads; an ensemble keeps no balance of the
+  // energy.
+  std::optional<Metrics> figures;
 
   bool ok() const { return figures.has_value(); }
 };
 
 inline constexpr const char* kRefused = "refused";
 
-// The columns of the results behind the point, the varied keys, status and reason.
-struct ResultColumn {
-  enum class Type { kNumber, kWhole, kWord };
-  const char* name;
-  Type type;
-  const char* unit;                                           // SI; "": none
-  const char* meaning;                                        // one sentence
-  std::optional<double> (*number)(const Figures&) = nullptr;  // kNumber, kWhole
-  const char* (*word)(const Figures&) = nullptr;              // kWord
+// The columns of the results behind the point, the varied keys, status and reason: metrics of the
+// registry (compare/figures).
+struct ResultColumn : ColumnMeaning {
+  std::string_view key;
+  // Of one type, whatever the metrics: whole number, word, or else number; null or not finite:
+  // none.
+  nlohmann::json value(const Metrics& metrics) const;
 };
 std::span<const ResultColumn> result_columns();
 

@@ -13,28 +13,6 @@
 namespace rotorub::sweep {
 namespace {
 
-Figures figures_of(const Trajectory& t) {
-  const Statistics& s = t.statistics;
-  Figures f;
-  f.end = t.end;
-  f.steps = t.steps;
-  if (s.first_touch >= 0.0) f.first_touch = s.first_touch;
-  f.contact_fraction = t.contact_fraction();
-  f.mean_force = t.mean_force();
-  f.peak_force = s.peak_force;
-  f.impulse_total = s.impulse_total;
-  f.settled = settled(t);
-  f.peak_impulse = 0.0;
-  for (const Impact& impact : t.impacts) {
-    f.impacts += counts(impact) ? 1 : 0;
-    f.peak_impulse = std::max(*f.peak_impulse, impact.normal_impulse);
-  }
-  f.friction_work = s.friction_work;
-  f.max_penetration = s.max_penetration;
-  f.energy_residual = s.energy_residual();
-  return f;
-}
-
 constexpr std::int64_t kEnsemblePoints = 32;  // of a batch: whole groups on every instruction set
 
 }  // namespace
@@ -71,7 +49,8 @@ std::optional<PointResult> run_single(std::int64_t point, const scene::Scene& sc
     result.reason = trajectory.message;
     if (trajectory.status == Status::kOk) {
       result.reason.clear();
-      result.figures = figures_of(trajectory);
+      result.figures = totals(trajectory);
+      result.figures->settled = settled(trajectory);
     }
     return result;
   } catch (const scene::SceneError& error) {

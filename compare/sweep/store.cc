@@ -3,13 +3,15 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <array>
 #include <cstdio>
+#include <nlohmann/json.hpp>
 
 #include "compare/base/version.h"
 
 namespace rotorub::sweep {
 namespace {
+
+using nlohmann::json;
 
 constexpr const char* kFormat = "1";  // of the tables
 
@@ -20,18 +22,17 @@ std::map<std::string, std::string> read_meta(Database& database, const std::stri
   return meta;
 }
 
-const char* sql_type(ResultColumn::Type type) {
-  constexpr std::array<const char*, 3> kTypes{"REAL", "INTEGER", "TEXT"};
-  return kTypes[static_cast<std::size_t>(type)];
+const char* sql_type(const ResultColumn& column) {
+  const json value = column.value({});
+  return value.is_string() ? "TEXT" : value.is_number_integer() ? "INTEGER" : "REAL";
 }
 
-Cell cell_of(const ResultColumn& column, const std::optional<Figures>& figures) {
-  if (!figures) return {};
-  if (column.type == ResultColumn::Type::kWord) return column.word(*figures);
-  const std::optional<double> value = column.number(*figures);
-  if (!value) return {};
-  if (column.type == ResultColumn::Type::kWhole) return static_cast<std::int64_t>(*value);
-  return *value;
+Cell cell_of(const ResultColumn& column, const std::optional<Metrics>& figures) {
+  const json value = figures ? column.value(*figures) : json();
+  if (value.is_null()) return {};
+  if (value.is_string()) return value.get<std::string>();
+  if (value.is_number_integer()) return value.get<std::int64_t>();
+  return value.get<double>();  // SQLite stores what is no number as nothing
 }
 
 }  // namespace
@@ -63,7 +64,7 @@ void Store::make_tables() {
   for (const Vary& vary : study_->vary) columns += ", " + quoted_name(vary.key);
   columns += ", status TEXT NOT NULL, reason TEXT NOT NULL";
   for (const ResultColumn& column : result_columns()) {
-    columns += fmt::format(", {} {}", quoted_name(column.name), sql_type(column.type));
+    columns += fmt::format(", {} {}", quoted_name(std::string(column.name)), sql_type(column));
   }
   database_.execute("CREATE TABLE points (" + columns + ")");
   transaction.commit();

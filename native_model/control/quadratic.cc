@@ -6,7 +6,6 @@
 
 #include "native_model/bearing/actuator.h"
 #include "native_model/numerics/matrix_functions.h"
-#include "native_model/scene/diagnostic.h"
 #include "native_model/scene/record.h"
 
 namespace rotorub {

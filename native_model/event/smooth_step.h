@@ -2,7 +2,6 @@
 // the motion, and the dense output where it is asked for.
 #pragma once
 
-#include <Eigen/Core>
 #include <cstdint>
 #include <optional>
 #include <string>

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <array>
+#include <boost/locale/utf.hpp>
 #include <cstdint>
 #include <cstdio>
 #include <utility>
@@ -26,37 +27,6 @@ std::string_view trimmed(std::string_view text) {
 
 namespace {
 
-struct Character {
-  std::uint32_t code = 0;
-  std::size_t bytes = 0;  // 0: no UTF-8
-};
-
-// The first character of a text that is not empty.
-Character first_character(std::string_view text) {
-  const auto byte = [&](std::size_t i) {
-    return i < text.size() ? static_cast<std::uint32_t>(static_cast<unsigned char>(text[i])) : 0u;
-  };
-  const std::uint32_t lead = byte(0);
-  if (lead < 0x80u) return {lead, 1};
-  // Bits of the lead byte, and the lowest code that needs so many bytes.
-  struct Length {
-    std::size_t bytes;
-    std::uint32_t mark, mask, least;
-  };
-  for (const Length& l : {Length{2, 0xc0u, 0xe0u, 0x80u}, Length{3, 0xe0u, 0xf0u, 0x800u},
-                          Length{4, 0xf0u, 0xf8u, 0x10000u}}) {
-    if ((lead & l.mask) != l.mark) continue;
-    std::uint32_t code = lead & ~l.mask;
-    for (std::size_t i = 1; i < l.bytes; ++i) {
-      if ((byte(i) & 0xc0u) != 0x80u) return {};
-      code = (code << 6u) | (byte(i) & 0x3fu);
-    }
-    const bool surrogate = code >= 0xd800u && code <= 0xdfffu;
-    return code < l.least || code > 0x10ffffu || surrogate ? Character{} : Character{code, l.bytes};
-  }
-  return {};
-}
-
 // Controls, and the marks that turn the direction of writing or end a line.
 bool obeyed(std::uint32_t code) {
   return code < 0x20u || (code >= 0x7fu && code <= 0x9fu) || (code >= 0x200eu && code <= 0x200fu) ||
@@ -77,20 +47,21 @@ std::string escaped(std::uint32_t code) {
 
 std::string printable(std::string_view text, std::size_t most) {
   std::string result;
-  while (!text.empty()) {
-    const Character c = first_character(text);
-    const std::size_t bytes = std::max<std::size_t>(c.bytes, 1);
-    std::string shown(text.substr(0, bytes));
-    if (c.bytes == 0) {
+  for (const char *at = text.data(), *const end = at + text.size(); at != end;) {
+    const char* const begin = at;
+    const auto code = boost::locale::utf::utf_traits<char>::decode(at, end);
+    const bool valid = boost::locale::utf::is_valid_codepoint(code);
+    if (!valid) at = begin + 1;
+    std::string shown(begin, at);
+    if (!valid) {
       std::array<char, 8> hex{};
-      std::snprintf(hex.data(), hex.size(), "\\x%02x", static_cast<unsigned char>(text.front()));
+      std::snprintf(hex.data(), hex.size(), "\\x%02x", static_cast<unsigned char>(*begin));
       shown = hex.data();
-    } else if (obeyed(c.code)) {
-      shown = escaped(c.code);
+    } else if (obeyed(code)) {
+      shown = escaped(code);
     }
     if (result.size() + shown.size() > most) return result + "...";
     result += shown;
-    text.remove_prefix(bytes);
   }
   return result;
 }

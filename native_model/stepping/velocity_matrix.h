@@ -5,7 +5,6 @@
 // (load_kick.h).
 #pragma once
 
-#include <Eigen/Core>
 #include <vector>
 
 #include "native_model/numerics/lanes.h"

@@ -14,8 +14,6 @@
 
 #include <mujoco/mujoco.h>
 
-#include <Eigen/Core>
-
 #include "native_model/contact/kinematics.h"
 #include "plugin/config.h"
 

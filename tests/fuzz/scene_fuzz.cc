@@ -2,7 +2,6 @@
 // a terminal obeys or that has no end.
 
 #include <cstdint>
-#include <string_view>
 
 #include "native_model/scene/diagnostic.h"
 #include "native_model/scene/reader.h"

@@ -1,12 +1,9 @@
 // Contact model `coulomb`: its bounce, and its manners inside MuJoCo (rubs: exact_rub_test.cc).
 #include <gtest/gtest.h>
 
-#include <cmath>
-
 #include "mjcf/names.h"
 #include "mjcf/writer.h"
 #include "plugin/hooks.h"
-#include "tests/plugin/scenes.h"
 #include "tests/support/mujoco_fixture.h"
 
 namespace rotorub::test {

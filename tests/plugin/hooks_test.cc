@@ -2,8 +2,6 @@
 
 #include <gtest/gtest.h>
 
-#include <algorithm>
-
 #include "mjcf/names.h"
 #include "mjcf/writer.h"
 #include "tests/plugin/scenes.h"

@@ -2,8 +2,6 @@
 // in mjData.
 #include <gtest/gtest.h>
 
-#include <algorithm>
-#include <cmath>
 #include <cstdlib>
 #include <string>
 #include <thread>

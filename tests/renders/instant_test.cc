@@ -2,8 +2,6 @@
 
 #include <gtest/gtest.h>
 
-#include <array>
-
 #include "tests/renders/samples.h"
 
 namespace rotorub::renders {

@@ -9,7 +9,6 @@
 #include <filesystem>
 #include <functional>
 #include <string>
-#include <vector>
 
 #include "native_model/scene/reader.h"
 #include "native_model/trajectory/trajectory.h"

@@ -1,8 +1,6 @@
 // The whip of a one-mode rotor on an elastic ring, and starts on its circular motions.
 #pragma once
 
-#include <cmath>
-
 #include "native_model/scene/scene.h"
 #include "native_model/trajectory/trajectory.h"
 #include "tests/support/oracles/elastic_whip.h"

@@ -4,7 +4,6 @@
 #include <gtest/gtest.h>
 #include <mujoco/mujoco.h>
 
-#include <cstdio>
 #include <cstdlib>
 #include <fstream>
 #include <sstream>

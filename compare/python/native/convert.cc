@@ -206,15 +206,17 @@ py::dict points_dict(const std::vector<sweep::PointResult>& points) {
   all["status"] = numpy.attr("array")(statuses, "str");
   all["reason"] = numpy.attr("array")(reasons, "str");
   for (const sweep::ResultColumn& column : sweep::result_columns()) {
-    if (column.word) {
+    const py::str name{std::string(column.name)};
+    if (column.value({}).is_string()) {
       std::vector<std::string> words;
-      for (const auto& p : points) words.emplace_back(p.figures ? column.word(*p.figures) : "");
-      all[column.name] = numpy.attr("array")(words, "str");
+      for (const auto& p : points)
+        words.push_back(p.figures ? column.value(*p.figures).get<std::string>() : "");
+      all[name] = numpy.attr("array")(words, "str");
       continue;
     }
-    all[column.name] = column_of(points, [&](const sweep::PointResult& p) {
-      const auto value = p.figures ? column.number(*p.figures) : std::nullopt;
-      return value.value_or(std::numeric_limits<double>::quiet_NaN());
+    all[name] = column_of(points, [&](const sweep::PointResult& p) {
+      const nlohmann::json value = p.figures ? column.value(*p.figures) : nlohmann::json();
+      return value.is_number() ? value.get<double>() : std::numeric_limits<double>::quiet_NaN();
     });
   }
   return all;

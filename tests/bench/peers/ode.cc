@@ -13,9 +13,6 @@
 
 #include <ode/ode.h>
 
-#include <cmath>
-#include <cstdio>
-
 #include "tests/bench/peers/stepper.h"
 
 namespace rotorub::peers {

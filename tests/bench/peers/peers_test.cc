@@ -8,7 +8,6 @@
 #include <cstdlib>
 
 #include "compare/bench/reference.h"
-#include "native_model/scene/reader.h"
 #include "tests/bench/peers/module.h"
 #include "tests/bench/peers/penalty.h"
 #include "tests/bench/peers/planar_scene.h"

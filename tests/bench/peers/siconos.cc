@@ -10,7 +10,6 @@
 #include <SiconosKernel.hpp>
 
 #include <algorithm>
-#include <cmath>
 #include <string>
 
 #include "tests/bench/peers/stepper.h"

@@ -1,7 +1,6 @@
 // What a bench is written as: JSON, terminal table, page.
 #include <gtest/gtest.h>
 
-#include <cmath>
 #include <limits>
 #include <nlohmann/json.hpp>
 

@@ -5,7 +5,6 @@
 #include <cmath>
 
 #include "compare/bench/engines.h"
-#include "native_model/scene/reader.h"
 #include "tests/support/native_run.h"
 
 namespace rotorub::bench {

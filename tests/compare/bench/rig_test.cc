@@ -2,8 +2,6 @@
 // peers that cannot hold it.
 #include <gtest/gtest.h>
 
-#include <algorithm>
-
 #include "compare/bench/scene_bench.h"
 #include "native_model/scene/reader.h"
 

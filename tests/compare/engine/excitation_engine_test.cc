@@ -8,7 +8,6 @@
 #include <vector>
 
 #include "compare/engine/mujoco_engine.h"
-#include "mjcf/writer.h"
 #include "native_model/run/run_native.h"
 #include "native_model/scene/diagnostic.h"
 #include "tests/support/mujoco_fixture.h"

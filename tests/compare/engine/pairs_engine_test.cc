@@ -7,7 +7,6 @@
 #include <string>
 
 #include "compare/engine/mujoco_engine.h"
-#include "native_model/run/run_native.h"
 #include "tests/support/mujoco_fixture.h"
 #include "tests/support/mujoco_run.h"
 #include "tests/support/native_run.h"

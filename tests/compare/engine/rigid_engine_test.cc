@@ -3,7 +3,6 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
-#include <cmath>
 
 #include "compare/engine/mujoco_engine.h"
 #include "native_model/run/run_native.h"

@@ -5,7 +5,6 @@
 //   build/bin/test_compare_evidence --gtest_brief=1
 #include <gtest/gtest.h>
 
-#include <algorithm>
 #include <cmath>
 #include <cstdio>
 #include <functional>

@@ -1,6 +1,5 @@
 #include "compare/sweep/sample.h"
 
-#include <algorithm>
 #include <cmath>
 #include <set>
 

@@ -1,7 +1,5 @@
 #include "compare/sweep/store.h"
 
-#include <limits>
-
 #include "compare/sweep/folder.h"
 #include "compare/sweep/shard.h"
 #include "native_model/scene/reader.h"

@@ -6,7 +6,6 @@
 #include <algorithm>
 #include <cmath>
 #include <complex>
-#include <vector>
 
 #include "native_model/control/quadratic.h"
 #include "native_model/control/ring_feedback.h"

@@ -3,7 +3,6 @@
 
 #include <cmath>
 #include <limits>
-#include <numbers>
 
 #include "native_model/dynamics/dynamics.h"
 #include "native_model/system/actuation.h"

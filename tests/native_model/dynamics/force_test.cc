@@ -2,7 +2,6 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
-#include <numbers>
 
 #include "native_model/dynamics/dynamics.h"
 #include "native_model/system/actuation.h"

@@ -2,7 +2,6 @@
 // next to none; and a swing whose slip turns round.
 #include <gtest/gtest.h>
 
-#include <algorithm>
 #include <cmath>
 #include <vector>
 

@@ -1,7 +1,6 @@
 // Contacts that give, by `event`, against closed forms and a program written from the equations.
 #include <gtest/gtest.h>
 
-#include <array>
 #include <cmath>
 #include <complex>
 #include <numbers>

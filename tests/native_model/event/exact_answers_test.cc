@@ -10,7 +10,6 @@
 #include "native_model/oracles/annular_rub.h"
 #include "native_model/oracles/bounces.h"
 #include "native_model/run/run_native.h"
-#include "native_model/scene/reader.h"
 #include "tests/support/jeffcott.h"
 #include "tests/support/native_run.h"
 #include "tests/support/oracles/elastic_whip.h"
@@ -190,26 +189,6 @@ TEST(EventFree, HarmonicMotionToTheTolerance) {
     const double time = t.column("t")[k];
     ASSERT_NEAR(t.column("rotor_x")[k], 1e-3 * std::cos(omega * time), 1e-13);
     ASSERT_NEAR(t.column("rotor_y")[k], 0.2 / omega * std::sin(omega * time), 1e-13);
-  }
-}
-
-// Rotating damping above Omega = omega (1 + d_e / d_i) feeds the forward whirl, below it does not.
-TEST(EventFree, InternalDampingThreshold) {
-  const double omega = std::sqrt(1e5), external = 8.0, internal = 20.0;
-  const double threshold = omega * (1.0 + external / internal);
-  for (const double factor : {0.98, 1.02}) {
-    scene::Scene scene = make_scene({.mass = 2.0,
-                                     .damping = external,
-                                     .stiffness = 2e5,
-                                     .clearance = 1.0,
-                                     .speed = factor * threshold});
-    scene.rotor.modal->internal_damping = {internal};
-    scene.initial.x = {1e-4};
-    scene.initial.vy = {omega * 1e-4};
-    scene.run.end = 2.0;
-    const Trajectory t = run(scene);
-    const double end = rotor(t, t.rows() - 1).norm();
-    EXPECT_EQ(end > 1e-4, factor > 1.0) << end;
   }
 }
 

@@ -2,7 +2,6 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
-#include <numbers>
 
 #include "native_model/oracles/bounces.h"
 #include "tests/native_model/hard/rules.h"

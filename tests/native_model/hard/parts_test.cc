@@ -91,7 +91,8 @@ TEST(HardParts, MagneticBearingPastTheStiffness) {
   }
 }
 
-// Stable below omega (1 + d_e / d_i), not above, in both integrators.
+// Rotating damping feeds the forward whirl above Omega = omega (1 + d_e / d_i), and not below it,
+// in both integrators.
 TEST(HardParts, InternalDampingThreshold) {
   const double omega = std::sqrt(1e5), external = 8.0, internal = 20.0;
   const double threshold = omega * (1.0 + external / internal);

@@ -4,7 +4,6 @@
 
 #include <cmath>
 #include <complex>
-#include <numbers>
 
 #include "native_model/oracles/annular_rub.h"
 #include "tests/native_model/hard/rules.h"

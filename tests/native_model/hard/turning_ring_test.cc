@@ -4,7 +4,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <complex>
 
 #include "native_model/dynamics/dynamics.h"
 #include "native_model/oracles/annular_rub.h"

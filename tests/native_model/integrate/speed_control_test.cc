@@ -6,7 +6,6 @@
 #include <complex>
 
 #include "native_model/run/run_native.h"
-#include "native_model/scene/diagnostic.h"
 #include "native_model/scene/reader.h"
 #include "native_model/stepping/step_limit.h"
 #include "tests/support/jeffcott.h"

@@ -14,7 +14,6 @@
 #include "native_model/scene/diagnostic.h"
 #include "native_model/scene/reader.h"
 #include "native_model/system/model.h"
-#include "native_model/system/steady_orbit.h"
 
 namespace rotorub {
 namespace {

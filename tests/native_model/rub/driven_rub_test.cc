@@ -6,9 +6,7 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numbers>
 #include <tuple>
-#include <utility>
 #include <vector>
 
 #include "native_model/numerics/eigenvalues.h"

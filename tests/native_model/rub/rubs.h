@@ -1,9 +1,7 @@
 // Rotors of several modes on a ring, and starts on their lasting rubs.
 #pragma once
 
-#include <cmath>
 #include <numbers>
-#include <random>
 
 #include "native_model/rub/steady_rub.h"
 #include "native_model/scene/scene.h"

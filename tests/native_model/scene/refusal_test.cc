@@ -2,9 +2,7 @@
 #include <gtest/gtest.h>
 
 #include <string>
-#include <vector>
 
-#include "native_model/scene/reader.h"
 #include "tests/native_model/scene/refusals.h"
 
 namespace rotorub::scene {

@@ -1,7 +1,6 @@
 // A stepper and a command whose state is carried as plain numbers go on to the same bits.
 #include <gtest/gtest.h>
 
-#include <limits>
 #include <vector>
 
 #include "native_model/scene/reader.h"

@@ -11,7 +11,6 @@
 #include "native_model/oracles/annular_rub.h"
 #include "native_model/oracles/bounces.h"
 #include "native_model/run/run_native.h"
-#include "native_model/scene/reader.h"
 #include "tests/support/jeffcott.h"
 #include "tests/support/native_run.h"
 #include "tests/support/oracles/elastic_whip.h"

@@ -4,7 +4,6 @@
 
 #include <cmath>
 
-#include "native_model/scene/reader.h"
 #include "tests/native_model/scene/refusals.h"
 
 namespace rotorub {

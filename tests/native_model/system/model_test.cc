@@ -3,8 +3,6 @@
 
 #include <gtest/gtest.h>
 
-#include <cmath>
-
 #include "native_model/dynamics/dynamics.h"
 #include "native_model/scene/reader.h"
 #include "tests/native_model/rotor/rotors.h"

@@ -1,7 +1,6 @@
 // contact.offset: a machine and its ring moved by the same are the same machine.
 #include <gtest/gtest.h>
 
-#include <cmath>
 #include <string>
 #include <vector>
 

@@ -5,13 +5,11 @@
 
 #include <cmath>
 #include <complex>
-#include <numbers>
 #include <string>
 
 #include "native_model/bearing/actuator.h"
 #include "native_model/dynamics/dynamics.h"
 #include "native_model/run/run_native.h"
-#include "native_model/scene/reader.h"
 #include "native_model/system/actuation.h"
 #include "tests/native_model/system/steady_scenes.h"
 #include "tests/support/jeffcott.h"

@@ -1,6 +1,5 @@
 // [initial] steady: a shaft with all that a linear rotor can have, whose orbit must come back after
 // each period.
-#include "native_model/system/steady_orbit.h"
 
 #include <gtest/gtest.h>
 

@@ -1,8 +1,6 @@
 // Figures of a run on steps made by hand.
 #include <gtest/gtest.h>
 
-#include <cmath>
-
 #include "native_model/dynamics/dynamics.h"
 #include "native_model/system/actuation.h"
 #include "native_model/trajectory/recorder.h"

@@ -2,8 +2,6 @@
 // whose memory is whose.
 #include <gtest/gtest.h>
 
-#include <cmath>
-
 #include "plugin/hooks.h"
 #include "plugin/user_data.h"
 #include "tests/plugin/own/machine.h"

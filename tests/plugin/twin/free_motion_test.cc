@@ -5,8 +5,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <fstream>
-#include <sstream>
 
 #include "native_model/dynamics/dynamics.h"
 #include "native_model/run/run_native.h"
