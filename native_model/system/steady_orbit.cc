@@ -217,6 +217,10 @@ FreeOrbit free_orbit(const scene::Scene& scene, Model m, double speed) {
       OrbitSize orbit = free_motion(scene, with_loads_of(m, t)).orbits.front();
       orbit.centre = -ring - m.first().ring_offset;
       free.largest = std::max(*free.largest, orbit.largest());
+      // About its mean an orbit goes as far to the one side as to the other.
+      orbit.centre.setZero();
+      std::erase_if(orbit.parts, [](const OrbitPart& part) { return part.frequency == 0.0; });
+      free.vibration = std::max(free.vibration, 2.0 * orbit.largest());
     }
     return free;
   } catch (const scene::SceneError& error) {
