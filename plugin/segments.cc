@@ -149,7 +149,7 @@ Model bending_loads(const scene::Scene& scene, const Model& model, const Segment
     }
   }
   for (const scene::MagneticBearing& bearing : scene.magnetic_bearings) {
-    const double k = bearing.negative_stiffness;
+    const double k = bearing.pull();
     if (!bearing.control) loads.springs.push_back({shape(bearing.station), {-k, -k}});
   }
   for (StationFeedback feedback : model.feedbacks) {
@@ -157,7 +157,7 @@ Model bending_loads(const scene::Scene& scene, const Model& model, const Segment
     feedback.shape = shape(bearing.station);
     if (feedback.sensor) feedback.sensor = shape(*bearing.sensor_station);
     feedback.law.held = 0.0;  // the chain has no such spring
-    if (feedback.stored != kAbsent) feedback.stored += l.integral() - model.layout.integral();
+    feedback.states = feedback.states.moved(l.integral() - model.layout.integral());
     loads.feedbacks.push_back(std::move(feedback));
   }
   return loads;

@@ -248,11 +248,53 @@ ROTORUB_INLINE void add_springs(const M& m, const T* q, T* f) {
   }
 }
 
-// A, what the integrator of a magnetic bearing holds; 0 without one.
+// A state of a magnetic bearing's feedback that begins at a coordinate; where it has none
+// `otherwise`.
+template <class M, class T = typename M::Scalar>
+ROTORUB_INLINE Pair<T> feedback_state(const M& m, int at, const T* v, const Pair<T>& otherwise) {
+  if (m.layout.integrals == 0 || at == kAbsent) return otherwise;
+  return {v[at], v[at + 1]};
+}
+
+// A, of a magnetic bearing on each axis; asked: of its law.
+template <class T>
+struct BearingCurrent {
+  Pair<T> asked, limited, current;
+};
 template <class M, class B, class T = typename M::Scalar>
-ROTORUB_INLINE Pair<T> stored_current(const M& m, const B& bearing, const T* v) {
-  if (m.layout.integrals == 0 || bearing.stored == kAbsent) return {T{}, T{}};
-  return {v[bearing.stored], v[bearing.stored + 1]};
+ROTORUB_INLINE BearingCurrent<T> bearing_current(const M& m, const B& bearing, const Pair<T>& seen,
+                                                 const Pair<T>& rate, const T* v) {
+  const auto& law = bearing.law;
+  const Pair<T> stored = feedback_state(m, bearing.states.stored, v, Pair<T>{T{}, T{}});
+  const Pair<T> d = feedback_state(m, bearing.states.filtered, v, rate);
+  const Pair<T> asked{law.asked(seen.x, d.x, stored.x), law.asked(seen.y, d.y, stored.y)};
+  const Pair<T> limited{law.limited(asked.x), law.limited(asked.y)};
+  return {asked, limited, feedback_state(m, bearing.states.current, v, limited)};
+}
+
+// f += M times the rates of its states, but for what their own lags do, which is in the damping.
+template <class M, class B, class T = typename M::Scalar>
+ROTORUB_INLINE void add_feedback_rates(const M& m, const B& bearing, const T& share,
+                                       const Pair<T>& seen, const Pair<T>& rate,
+                                       const BearingCurrent<T>& now, T* f) {
+  const auto& law = bearing.law;
+  const auto add = [&](int at, const T& x, const T& y) {
+    f[at] += m.mass[at] * x;
+    f[at + 1] += m.mass[at + 1] * y;
+  };
+  const FeedbackStates& states = bearing.states;
+  if (states.stored != kAbsent) {
+    add(states.stored, law.stored_rate(share, seen.x, now.asked.x),
+        law.stored_rate(share, seen.y, now.asked.y));
+  }
+  if (states.filtered != kAbsent) {
+    add(states.filtered, rate.x / law.derivative_lag, rate.y / law.derivative_lag);
+  }
+  if (states.current != kAbsent) {
+    const auto& coil = law.amplifier;
+    add(states.current, coil.load(share * now.limited.x, now.current.x) / coil.lag,
+        coil.load(share * now.limited.y, now.current.y) / coil.lag);
+  }
 }
 
 // Magnetic bearings with a feedback, each of which works for its share of the time: all that they
@@ -266,13 +308,10 @@ ROTORUB_INLINE void add_feedbacks(const M& m, const T* shares, const T* q, const
     const auto& sensor = bearing.sensor ? *bearing.sensor : bearing.shape;
     const Pair<T> r = at_station(n, bearing.shape, q), rate = at_station(n, sensor, v);
     const Pair<T> seen = bearing.sensor ? at_station(n, sensor, q) : r;
-    const Pair<T> stored = stored_current(m, bearing, v);
-    add_station_force<T>(n, bearing.shape, law.force(share, r.x, seen.x, rate.x, stored.x),
-                         law.force(share, r.y, seen.y, rate.y, stored.y), f);
-    if (m.layout.integrals == 0 || bearing.stored == kAbsent) continue;
-    const int at = bearing.stored;
-    f[at] += m.mass[at] * law.stored_rate(share, seen.x, rate.x, stored.x);
-    f[at + 1] += m.mass[at + 1] * law.stored_rate(share, seen.y, rate.y, stored.y);
+    const BearingCurrent<T> now = bearing_current(m, bearing, seen, rate, v);
+    add_station_force<T>(n, bearing.shape, law.force(share, r.x, now.current.x),
+                         law.force(share, r.y, now.current.y), f);
+    if (m.layout.integrals > 0) add_feedback_rates(m, bearing, share, seen, rate, now, f);
   }
 }
 

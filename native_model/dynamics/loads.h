@@ -28,7 +28,7 @@ template <class M>
 std::array<double, scene::kMaxMagneticBearings> working_at(const M& m, double t) {
   std::array<double, scene::kMaxMagneticBearings> shares{};
   for (std::size_t k = 0; k < m.feedbacks.size(); ++k) {
-    shares[k] = t < m.feedbacks[k].law.fails_at ? 1.0 : 0.0;
+    shares[k] = m.feedbacks[k].works.at(t) ? 1.0 : 0.0;
   }
   return shares;
 }

@@ -20,7 +20,9 @@ void Schedule::begin(double start, double end) {
   }
   for (const DiscUnbalance& u : m.unbalances) add(u.on);
   if (m.base) std::ranges::for_each(m.base->breaks(), add);
-  for (const StationFeedback& f : m.feedbacks) add(f.law.fails_at);
+  for (const StationFeedback& f : m.feedbacks) {
+    for (const double t : f.works.all()) add(t);
+  }
   if (m.drive_follows()) add(m.drive->ramp_end());
   for (const AuxiliaryBearing& at : m.auxiliary) {
     if (at.controller) {

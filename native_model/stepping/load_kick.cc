@@ -17,8 +17,10 @@ void add_actuators_of_run(const Model& m, const double* q, const double* v, cons
 bool feedback_switches(const Model& m) {
   return std::any_of(m.feedbacks.begin(), m.feedbacks.end(), [](const StationFeedback& bearing) {
     const MagneticFeedback<double>& law = bearing.law;
-    if (law.damping() == 0.0 || law.fails_at <= 0.0) return false;
-    return std::isfinite(law.current_limit) || law.fails_at < scene::kNever;
+    const bool constant = std::ranges::all_of(
+        bearing.works.all(), [](double t) { return t <= 0.0 || t >= scene::kNever; });
+    if (law.damping() == 0.0 || (constant && !bearing.works.at(0.0))) return false;
+    return std::isfinite(law.current_limit) || law.opposed || !constant;
   });
 }
 

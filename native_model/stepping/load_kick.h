@@ -63,8 +63,17 @@ class LoadKick {
     several_ = first.auxiliary.size() > 1;
     for (int i = 0; iterates_ && i < layout.nq(); ++i) {
       const auto c = static_cast<std::size_t>(i);
-      const T sprung = lanes::all<T>(1e-15 * h) * m.stiffness[c];
+      T held = m.stiffness[c];
+      for (const auto& spring : m.springs) held += held_by(spring, layout.modes, i);
+      const T sprung = lanes::all<T>(1e-15 * h) * held;
       round_off_[c] = sprung * sprung / m.mass[c];
+      for (const auto& bearing : m.feedbacks) {
+        if (!bearing.law.opposed || i >= 2 * layout.modes) continue;
+        // Two magnets pull against each other, each with its force at the bias.
+        const T pull = lanes::all<T>(2e-15 * h) * bearing.law.magnets.force_at_bias() *
+                       mode_value(bearing.shape, layout.modes, i);
+        magnets_round_off_ += pull * pull / m.mass[c];
+      }
     }
     if (!coupled_) return;
     bx_.assign(static_cast<std::size_t>(layout.modes), T{});
@@ -185,6 +194,19 @@ class LoadKick {
  private:
   static constexpr int kMostRounds = 20;
 
+  // Of bending coordinate i.
+  template <class Shape>
+  static T mode_value(const Shape& shape, int n, int i) {
+    return i < n ? shape.x.data()[i] : shape.y.data()[i - n];
+  }
+  // N/m, of coordinate i on a spring at a station: what a magnetic bearing's law takes back.
+  template <class Spring>
+  static T held_by(const Spring& spring, int n, int i) {
+    if (i >= 2 * n) return T{};
+    const T u = mode_value(spring.shape, n, i);
+    return lanes::larger(T{}, i < n ? spring.stiffness.x() : spring.stiffness.y()) * u * u;
+  }
+
   // With the loads as weighed last; begin..end: of all others that are switched.
   ROTORUB_INLINE void weighed_free_velocity(State& x, const T& begin, const T& end) {
     const M& m = x.m;
@@ -212,7 +234,7 @@ class LoadKick {
       for (int i = 0; i < nq; ++i) free[i] = start[i] + f[i];
     }
     if (!iterates_) return;
-    balanced_ = T{};
+    balanced_ = magnets_round_off_;
     for (int i = 0; i < nq; ++i) balanced_ += round_off_[static_cast<std::size_t>(i)] * q[i] * q[i];
     begin_iteration(lanes::all<T>(1.0));
     while (improve(x, free)) {
@@ -267,10 +289,8 @@ class LoadKick {
   ROTORUB_SLOW void find_working(const M& m, const T& begin, const T& end) {
     for (std::size_t k = 0; k < m.feedbacks.size(); ++k) {
       for (int lane = 0; lane < kLanes; ++lane) {
-        const double fails_at = lanes::get(m.feedbacks[k].law.fails_at, lane);
-        lanes::set(working_[k], lane,
-                   MagneticFeedback<double>::working(fails_at, lanes::get(begin, lane),
-                                                     lanes::get(end, lane)));
+        const WorkingTimes& works = lane_model(m, lane).feedbacks[k].works;
+        lanes::set(working_[k], lane, works.share(lanes::get(begin, lane), lanes::get(end, lane)));
       }
     }
   }
@@ -284,7 +304,7 @@ class LoadKick {
   // Of a deflection q_i the least energy that a step can tell, (1e-15 h k_i)^2/m_i q_i^2; their sum
   // at q_k.
   Coordinates round_off_;
-  T balanced_{};
+  T balanced_{}, magnets_round_off_{};
   // Share of the step for which each magnetic bearing has not failed.
   std::array<T, scene::kMaxMagneticBearings> working_{};
   // Of the iteration: 1 in the lanes that go on.

@@ -17,10 +17,10 @@
 namespace rotorub {
 namespace {
 
-// kg: an integrator is the momentum of a mass that its rate pushes, so that whoever steps
+// kg: a feedback's state is the speed of a mass that its rate pushes, so that whoever steps
 // coordinates steps it. So small that the mass is not noticed in sums over all coordinates, and so
 // large that the weight of the 1e-12 kg that MuJoCo wants of a body is not noticed by it.
-constexpr double kIntegratorMass = 1e-3;
+constexpr double kStateMass = 1e-3;
 
 Layout make_layout(const scene::Scene& scene, const ModalRotor& rotor) {
   Layout layout;
@@ -34,7 +34,10 @@ Layout make_layout(const scene::Scene& scene, const ModalRotor& rotor) {
     layout.coils += bearing.actuator && bearing.actuator->coil_lag > 0.0 ? 2 : 0;
   }
   for (const scene::MagneticBearing& bearing : scene.magnetic_bearings) {
-    layout.integrals += bearing.control && bearing.control->integral > 0.0 ? 2 : 0;
+    if (!bearing.control) continue;
+    layout.integrals += bearing.control->integral > 0.0 ? 2 : 0;
+    layout.integrals += bearing.control->derivative_lag > 0.0 ? 2 : 0;
+    layout.integrals += bearing.amplifier ? 2 : 0;
   }
   return layout;
 }
@@ -83,7 +86,7 @@ void fill_diagonals(const scene::Scene& scene, const ModalRotor& rotor, Model& m
   put(l.y(), rotor.y.mass, rotor.y.stiffness, rotor.y.damping);
   if (l.spin) model.mass[l.phi()] = rotor.spin_inertia;
   put(l.theta(), rotor.torsion.inertia, rotor.torsion.stiffness, rotor.torsion.damping);
-  model.mass.segment(l.integral(), l.integrals).setConstant(kIntegratorMass);
+  model.mass.segment(l.integral(), l.integrals).setConstant(kStateMass);
   for (std::size_t k = 0; k < scene.auxiliary.size(); ++k) {
     const scene::AuxiliaryBearing& from = scene.auxiliary[k];
     const AuxiliaryBearing& at = model.auxiliary[k];
@@ -99,19 +102,44 @@ void fill_diagonals(const scene::Scene& scene, const ModalRotor& rotor, Model& m
   assert(l.modes > 0);
 }
 
-// stored: where the next integrator's coordinates begin.
+// next: where the coordinates of the next state begin.
 void add_magnetic_bearing(const scene::Scene& scene, std::size_t number, const MagnetShapes& shapes,
-                          int& stored, Model& model) {
+                          int& next, Model& model) {
   const scene::MagneticBearing& bearing = scene.magnetic_bearings[number];
-  const double k = bearing.negative_stiffness;
+  const double k = bearing.pull();
   if (!bearing.control) return model.springs.push_back({shapes.station, {-k, -k}});
   const scene::BearingControl& c = *bearing.control;
-  StationFeedback feedback{shapes.station,
-                           {k, c.force_per_current, c.proportional, c.derivative, c.current_limit,
-                            c.fails_at, 0.0, c.integral},
-                           shapes.sensor};
-  feedback.number = number;
-  if (c.integral > 0.0) feedback.stored = std::exchange(stored, stored + 2);
+  StationFeedback feedback{
+      .shape = shapes.station,
+      .law = {.negative_stiffness = k,
+              .force_per_current = bearing.force_per_current(),
+              .proportional = c.proportional,
+              .derivative = c.derivative,
+              .current_limit = bearing.current_limit(),
+              .integral = c.integral,
+              .derivative_lag = c.derivative_lag},
+      .works = {c.works_from > 0.0 ? c.works_from : -scene::kNever, c.fails_at, c.returns_at},
+      .sensor = shapes.sensor,
+      .number = number};
+  if (bearing.kind == scene::MagnetKind::kElectromagnet) {
+    feedback.law.opposed = true;
+    feedback.law.magnets = {bearing.force_constant, bearing.bias_current, bearing.air_gap};
+  }
+  const auto state = [&](double lag) {
+    if (lag > 0.0) {
+      model.damping.segment<2>(next) = model.mass.segment<2>(next) / lag;
+    }
+    return std::exchange(next, next + 2);
+  };
+  if (c.integral > 0.0) feedback.states.stored = state(0.0);
+  if (c.derivative_lag > 0.0) feedback.states.filtered = state(c.derivative_lag);
+  if (bearing.amplifier) {
+    constexpr double kNone = std::numeric_limits<double>::infinity();
+    const scene::Amplifier& a = *bearing.amplifier;
+    feedback.law.amplifier = {1.0 / a.bandwidth, kNone, a.voltage_limit,
+                              a.inductance > 0.0 ? a.inductance : 1.0, a.resistance};
+    feedback.states.current = state(1.0 / a.bandwidth);
+  }
   // A linear spring acts for ever, in the modes or beside them, and the law takes it back.
   feedback.law.held = feedback.law.stiffness();
   const double beside = feedback.law.held - magnetic_support(scene, bearing).held;
@@ -134,9 +162,9 @@ void fill_loads(const scene::Scene& scene, const ModalRotor& rotor, Model& model
     }
     model.forces.push_back(std::move(force));
   }
-  int stored = l.integral();
+  int next = l.integral();
   for (std::size_t k = 0; k < rotor.magnets.size(); ++k) {
-    add_magnetic_bearing(scene, k, rotor.magnets[k], stored, model);
+    add_magnetic_bearing(scene, k, rotor.magnets[k], next, model);
   }
   model.gravity_mass = Eigen::VectorXd::Zero(l.nq());
   model.gravity_mass.segment(l.x(), l.modes) = rotor.gravity_x;

@@ -3,8 +3,8 @@
 //
 // Coordinates q (nq):   x_1..x_n, y_1..y_n | phi (with a drive) | theta_1..theta_k |
 //                       x, y of each ring that moves | angle of each ring that turns |
-//                       two of each magnetic bearing's integrator (their rates are the currents
-//                       that it holds) | charges of two coils of each ring with a coil lag (their
+//                       two of each state that a magnetic bearing's feedback has (their rates are
+//                       the states) | charges of two coils of each ring with a coil lag (their
 //                       rates are the currents)
 // Equations (9), (20):  M(phi) q'' = f(t, q, q', u) + W_N lambda_N + W_T lambda_T
 // M is diagonal, but for the coupling of spin and bending by unbalance with a drive.
@@ -44,7 +44,7 @@ struct Layout {
   int torsion = 0;    // elastic torsion modes
   int stator = 0;     // 2 for each ring that moves
   int ring_spin = 0;  // 1 for each ring that turns
-  int integrals = 0;  // 2 for each magnetic bearing with an integrator
+  int integrals = 0;  // 2 for each state of a magnetic bearing's feedback
   int coils = 0;      // 2 for each ring whose currents lag
   int x() const { return 0; }
   int y() const { return modes; }
@@ -91,12 +91,28 @@ struct StationSpring {
 
 inline constexpr int kAbsent = -1;
 
+// Where the two coordinates of each state of a feedback begin in q, x before y; kAbsent: it has no
+// such state.
+struct FeedbackStates {
+  int stored = kAbsent;    // rates A: of the integrator
+  int filtered = kAbsent;  // rates m/s: the derivative's
+  int current = kAbsent;   // rates A: of the coils behind the amplifier
+
+  bool operator==(const FeedbackStates&) const = default;
+  FeedbackStates moved(int by) const {
+    FeedbackStates all = *this;
+    for (int* at : {&all.stored, &all.filtered, &all.current}) *at += *at == kAbsent ? 0 : by;
+    return all;
+  }
+};
+
 // A magnetic bearing with a feedback of its own, the same in both planes.
 struct StationFeedback {
   ModeShape shape;
   MagneticFeedback<double> law;
+  WorkingTimes works;
+  FeedbackStates states{};
   std::optional<ModeShape> sensor{};  // where the law sees the deflection; absent: at `shape`
-  int stored = kAbsent;               // where its integrator's two coordinates begin in q
   std::size_t number = 0;             // among the scene's magnetic bearings
   const ModeShape& seen() const { return sensor ? *sensor : shape; }
 };
@@ -212,7 +228,8 @@ void set_gravity(Model& model, const Eigen::Vector2d& acceleration);
 Model without_coils(Model model);
 // The same with an ideal, unlimited actuator, for callers that know the force on the ring.
 Model with_ideal_actuator(Model model);
-// The same with magnetic bearings whose currents have no limit: their linear laws.
+// The same with the linear laws of magnetic bearings: without limits, of magnets that pull against
+// each other about the middle.
 Model with_linear_feedback(Model model);
 // The same with every bearing on the line.
 Model without_offsets(Model model);

@@ -67,6 +67,10 @@ inline std::vector<KeyScene> key_scenes() {
          "74.0,-74.0,-23.0,21.0,72.0,-80.0,-24.0,22.0,70.0]}",
          support});
 
+  modal("magnets without control",
+        {"magnetic_bearing={kind='electromagnet',force_constant=1e-5,bias_current=1.0,"
+         "air_gap=1e-3}"});
+
   // Starts.
   modal("steady", {"initial={steady=true}", "force[0].amplitude=12.0"});
   modal("sticking impacts", {"rotor.speed=0.5", "contact.friction=0.9"});

@@ -1,0 +1,273 @@
+// [magnetic_bearing] and its tables: rows, and what single keys cannot show.
+
+#include <cmath>
+
+#include "native_model/scene/checker.h"
+#include "native_model/scene/schema.h"
+#include "native_model/scene/shaft_bearing.h"
+#include "native_model/scene/text.h"
+
+namespace rotorub::scene {
+namespace {
+
+Table magnetic_bearing() {
+  return {"magnetic_bearing",
+          "Adds the force of its magnets at its station, and what its `control` does; its "
+          "excitation is a [[force]] at the same station. Or several of them, each "
+          "[[magnetic_bearing]] with its own [magnetic_bearing.control] and "
+          "[magnetic_bearing.amplifier].",
+          "none",
+          [](Scene& scene) -> void* { return &scene.magnetic_bearings.emplace_back(); },
+          {word<&MagneticBearing::kind>(
+               "kind", {"linear", "electromagnet"}, kStandard,
+               "the force `negative_stiffness` r + `force_per_current` i, r the deflection at its "
+               "station, i the current of its control; two magnets that pull against each other "
+               "on each of x and y, `force_constant` [((`bias_current` + i)/(`air_gap` - r))^2 - "
+               "((`bias_current` - i)/(`air_gap` + r))^2]"),
+           key<&MagneticBearing::negative_stiffness>("negative_stiffness", kStiffness, ">= 0",
+                                                     kStandard, "its size, k_s", {"linear"}),
+           key<&MagneticBearing::force_constant>("force_constant", kMagnetConstant, "> 0",
+                                                 kRequired, "k_m", {"electromagnet"}),
+           key<&MagneticBearing::bias_current>("bias_current", kCurrent, "> 0", kRequired,
+                                               "i_0, in both magnets", {"electromagnet"}),
+           key<&MagneticBearing::air_gap>("air_gap", kLength, "> 0", kRequired,
+                                          "s_0, of each magnet at r = 0", {"electromagnet"}),
+           key<&MagneticBearing::shape>("shape", kPure, "", "all 1",
+                                        "value of each bending mode at the station")
+               .in(Form::kModal),
+           key<&MagneticBearing::station>("station", kLength, ">= 0", kRequired, "along the shaft")
+               .or_called("z")
+               .in(Form::kGeometry),
+           key<&MagneticBearing::sensor_shape>("sensor_shape", kPure, "", "`shape`",
+                                               "the same where `control` sees the deflection")
+               .in(Form::kModal),
+           key<&MagneticBearing::sensor_station>("sensor_station", kLength, ">= 0", "`station`",
+                                                 "where `control` sees the deflection")
+               .in(Form::kGeometry)}};
+}
+
+Table bearing_control() {
+  return {
+      "magnetic_bearing.control",
+      "The bearing's own feedback, on each of x and y by the deflection r at its sensor: the "
+      "current i = -(`proportional` r + `integral` times the integral of r + `derivative` r'), "
+      "within the limit (A magnetic bearing that holds the rotor). Needs [magnetic_bearing].",
+      "the bearing holds nothing",
+      [](Scene& scene) -> void* {
+        if (scene.magnetic_bearings.empty()) scene.magnetic_bearings.emplace_back();
+        return &scene.magnetic_bearings.back().control.emplace();
+      },
+      {key<&BearingControl::force_per_current>(
+           "force_per_current", kForcePerCurrent, "> 0", "that of an electromagnet",
+           "k_i, of a bearing of kind `linear`, which needs it"),
+       key<&BearingControl::proportional>("proportional", kCurrentPerLength, ">= 0", kRequired,
+                                          "P"),
+       key<&BearingControl::integral>(
+           "integral", kCurrentPerLengthTime, ">= 0", kStandard,
+           "I; at the limit it takes back what is cut off; needs `proportional`"),
+       key<&BearingControl::derivative>("derivative", kCurrentPerVelocity, ">= 0", kStandard, "D"),
+       key<&BearingControl::derivative_lag>(
+           "derivative_lag", kTime, ">= 0", kStandard,
+           "T, of the derivative's filter: D s/(1 + T s); 0: none"),
+       key<&BearingControl::current_limit>("current_limit", kCurrent, "> 0",
+                                           "none; of an electromagnet `bias_current`, the most",
+                                           "of the current's size on each axis"),
+       key<&BearingControl::works_from>("on", kTime, ">= 0", kStandard,
+                                        "up to here neither current nor negative stiffness"),
+       key<&BearingControl::fails_at>("fails_at", kTime, ">= 0", "never",
+                                      "from here on neither current nor negative stiffness"),
+       key<&BearingControl::returns_at>(
+           "returns_at", kTime, ">= 0", "never",
+           "it works again from here on, for ever; after `fails_at`")}};
+}
+
+Table amplifier() {
+  return {"magnetic_bearing.amplifier",
+          "What drives the coils of an axis: its current i follows the one c that the control asks "
+          "for, di/dt = `bandwidth` (c - i), within the voltage. Needs [magnetic_bearing.control].",
+          "the current is at once what is asked for",
+          [](Scene& scene) -> void* {
+            if (scene.magnetic_bearings.empty()) scene.magnetic_bearings.emplace_back();
+            return &scene.magnetic_bearings.back().amplifier.emplace();
+          },
+          {key<&Amplifier::bandwidth>("bandwidth", kSpin, "> 0", kRequired,
+                                      "at which the current lags by 45 degrees"),
+           key<&Amplifier::voltage_limit>(
+               "voltage_limit", kVoltage, "> 0", "none",
+               "of the size of u: `inductance` di/dt = u - `resistance` i; needs `inductance`"),
+           key<&Amplifier::inductance>("inductance", kInductance, "> 0", "none",
+                                       "of the coils of an axis; needs `voltage_limit`"),
+           key<&Amplifier::resistance>("resistance", kResistance, ">= 0", kStandard,
+                                       "of the coils of an axis; needs `voltage_limit`")}};
+}
+
+// N/m, of its own linear law.
+double spring_of(const MagneticBearing& bearing) {
+  if (!bearing.control) return -bearing.pull();
+  return bearing.force_per_current() * bearing.control->proportional - bearing.pull();
+}
+
+// The other supports leave the shaft no rigid motion in this plane: they hold it at two stations.
+bool held_without(const Scene& scene, const MagneticBearing& magnetic, int plane) {
+  std::vector<double> stations;
+  for (const ShaftBearing& bearing : scene.rotor.geometry->bearings) {
+    if (stiffness_at(bearing, scene.rotor.speed)[plane] > 0.0) stations.push_back(bearing.z);
+  }
+  for (const MagneticBearing& other : scene.magnetic_bearings) {
+    if (&other != &magnetic && spring_of(other) > 0.0) stations.push_back(other.station);
+  }
+  return std::any_of(stations.begin(), stations.end(),
+                     [&](double z) { return z != stations.front(); });
+}
+
+bool touches(const MagneticBearing& bearing, std::size_t mode) {
+  return bearing.shape.empty() || (mode < bearing.shape.size() && bearing.shape[mode] != 0.0);
+}
+
+// What nothing but this magnetic bearing holds; empty: nothing.
+std::string held_by_magnets(const Scene& scene, const MagneticBearing& magnetic) {
+  const char* planes[] = {"x", "y"};
+  if (scene.rotor.geometry) {
+    for (int plane : {0, 1}) {
+      if (held_without(scene, magnetic, plane)) continue;
+      return std::string("the shaft against rigid motion in plane ") + planes[plane];
+    }
+  }
+  if (!scene.rotor.modal) return {};
+  const RotorModal& modal = *scene.rotor.modal;
+  for (std::size_t k = 0; k < modal.stiffness.size(); ++k) {
+    const bool free_y = k < modal.stiffness_y.size() && modal.stiffness_y[k] == 0.0;
+    if (!touches(magnetic, k) || !(modal.stiffness[k] == 0.0 || free_y)) continue;
+    if (std::any_of(scene.magnetic_bearings.begin(), scene.magnetic_bearings.end(),
+                    [&](const MagneticBearing& other) {
+                      return &other != &magnetic && touches(other, k) && spring_of(other) > 0.0;
+                    }))
+      continue;
+    return "mode " + std::to_string(k + 1) + ", whose stiffness is 0, in plane " +
+           planes[modal.stiffness[k] == 0.0 ? 0 : 1];
+  }
+  return {};
+}
+
+void check_amplifier(const Checker& check, const MagneticBearing& magnetic,
+                     const std::string& path) {
+  const std::string own = path + ".amplifier.";
+  if (!magnetic.control) {
+    return check.fail(path + ".amplifier",
+                      "needs " + path + ".control, which asks for the current");
+  }
+  const bool limited = check.given(own + "voltage_limit");
+  if (limited && !check.given(own + "inductance")) {
+    check.fail(own + "voltage_limit",
+               "needs " + own + "inductance: inductance di/dt = u - resistance i");
+  }
+  for (const char* key : {"inductance", "resistance"}) {
+    if (limited || !check.given(own + key)) continue;
+    check.fail(own + key,
+               "needs " + own + "voltage_limit: a voltage without limit gives every current");
+  }
+}
+
+// When it works, and within what.
+void check_control_limits(const Checker& check, const MagneticBearing& magnetic,
+                          const std::string& path) {
+  const BearingControl& control = *magnetic.control;
+  const std::string own = path + ".control.";
+  if (check.given(own + "returns_at") && check.sound({own + "fails_at", own + "returns_at"}) &&
+      control.returns_at <= control.fails_at) {
+    check.fail(own + "returns_at",
+               check.given(own + "fails_at")
+                   ? "must be after `fails_at` = " + number_text(control.fails_at) + " s"
+                   : "needs " + own + "fails_at, after which it returns");
+  }
+  if (check.given(own + "on") && check.given(own + "fails_at") &&
+      check.sound({own + "on", own + "fails_at"}) && control.fails_at < control.works_from) {
+    check.fail(own + "fails_at",
+               "must not be before `on` = " + number_text(control.works_from) + " s");
+  }
+  if (magnetic.kind != MagnetKind::kElectromagnet) {
+    if (!check.given(own + "force_per_current")) {
+      check.fail(own + "force_per_current",
+                 "missing: expected a force per current in N/A, > 0, of a bearing of kind "
+                 "\"linear\"");
+    }
+    return;
+  }
+  if (check.given(own + "force_per_current")) {
+    check.fail(own + "force_per_current",
+               "belongs to kind = \"linear\"; an electromagnet's follows from force_constant, "
+               "bias_current and air_gap");
+  }
+  if (check.given(own + "current_limit") &&
+      check.sound({own + "current_limit", path + ".bias_current"}) &&
+      control.current_limit > magnetic.bias_current) {
+    check.fail(own + "current_limit", "must be at most " + path +
+                                          ".bias_current = " + number_text(magnetic.bias_current) +
+                                          " A: beyond it a magnet's current would turn round");
+  }
+}
+
+// What it alone holds it must hold.
+void check_magnetic_bearing(const Checker& check, const MagneticBearing& magnetic,
+                            const std::string& path) {
+  check.station(path + ".station", magnetic.station);
+  check.station(path + ".sensor_station", magnetic.sensor_station.value_or(0.0));
+  if (const auto modes = check.bending_modes()) {
+    check.list_length(path + ".shape", magnetic.shape, *modes, "bending mode");
+    check.list_length(path + ".sensor_shape", magnetic.sensor_shape, *modes, "bending mode");
+  }
+  const std::string control_path = path + ".control";
+  if (magnetic.amplifier) check_amplifier(check, magnetic, path);
+  if (!magnetic.control) {
+    for (const char* key : {".sensor_station", ".sensor_shape"}) {
+      if (check.given(path + key)) {
+        check.fail(path + key, "is where " + control_path +
+                                   " sees the deflection, and there is "
+                                   "none; accepted: one beside it");
+      }
+    }
+    return;
+  }
+  check_control_limits(check, magnetic, path);
+  if (!check.sound({path + ".kind", path + ".negative_stiffness", path + ".force_constant",
+                    path + ".bias_current", path + ".air_gap", control_path + ".force_per_current",
+                    control_path + ".proportional"}) ||
+      !(magnetic.force_per_current() > 0.0)) {
+    return;
+  }
+  const BearingControl& control = *magnetic.control;
+  if (control.integral > 0.0 && control.proportional == 0.0) {
+    check.fail(control_path + ".integral",
+               "needs " + control_path +
+                   ".proportional, whose force the integrator replaces within P / I");
+  }
+  const double gain = magnetic.force_per_current();
+  const double magnets = gain * control.proportional, against = magnetic.pull();
+  if (magnets > against) return;
+  const std::string held = held_by_magnets(check.scene, magnetic);
+  if (held.empty()) return;
+  check.fail(
+      control_path + ".proportional",
+      "times force_per_current is " + number_text(magnets) + " N/m, and " +
+          (magnetic.kind == MagnetKind::kLinear ? "negative_stiffness" : "the magnets' pull") +
+          " takes " + number_text(against) + " N/m of it: " + number_text(against - magnets) +
+          " N/m too little to hold " + held + ", which nothing else holds; accepted: more than " +
+          number_text(against / gain) + " A/m");
+}
+
+}  // namespace
+
+std::vector<Table> magnetic_tables() {
+  Table magnets = magnetic_bearing();
+  magnets.or_list = true;
+  return {std::move(magnets), bearing_control(), amplifier()};
+}
+
+void check_magnetic_bearings(const Checker& check) {
+  for (std::size_t k = 0; k < check.scene.magnetic_bearings.size(); ++k) {
+    check_magnetic_bearing(check, check.scene.magnetic_bearings[k],
+                           magnetic_bearing_path(&check.record, k));
+  }
+}
+
+}  // namespace rotorub::scene
