@@ -6,6 +6,7 @@
 #include "mjcf/names.h"
 #include "native_model/dynamics/loads.h"
 #include "native_model/stepping/step_limit.h"
+#include "native_model/system/sampled_feedback.h"
 #include "plugin/config.h"
 
 namespace rotorub::plugin {
@@ -160,6 +161,12 @@ Model bending_loads(const scene::Scene& scene, const Model& model, const Segment
     feedback.states = feedback.states.moved(l.integral() - model.layout.integral());
     loads.feedbacks.push_back(std::move(feedback));
   }
+  loads.samplers = model.samplers;
+  for (SampledFeedback& sampler : loads.samplers) {
+    for (int* at : {&sampler.command, &sampler.state}) {
+      *at += l.integral() - model.layout.integral();
+    }
+  }
   return loads;
 }
 
@@ -233,7 +240,7 @@ void scatter(const std::vector<JointAddress>& joints, const Eigen::VectorXd& val
 
 }  // namespace
 
-void add_segment_loads(const Config& config, mjData* d) {
+void add_segment_loads(const Config& config, double step, mjData* d) {
   const Segments& s = *config.segments;
   const Model &model = config.model, &bending = s.bending;
   const Layout& l = bending.layout;
@@ -242,6 +249,7 @@ void add_segment_loads(const Config& config, mjData* d) {
   for (int k = 0; k < l.integrals; ++k) v[l.integral() + k] = d->qvel[stored_address(config, k)];
 
   Eigen::VectorXd f = Eigen::VectorXd::Zero(l.nq());
+  jump_in_step(bending, d->time, step, q.data(), v.data(), f.data());
   if (s.damping_x.size() > 0) {
     f.segment(l.x(), l.modes) -= s.damping_x * v.segment(l.x(), l.modes);
     f.segment(l.y(), l.modes) -= s.damping_y * v.segment(l.y(), l.modes);

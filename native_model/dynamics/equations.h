@@ -267,7 +267,8 @@ ROTORUB_INLINE BearingCurrent<T> bearing_current(const M& m, const B& bearing, c
   const auto& law = bearing.law;
   const Pair<T> stored = feedback_state(m, bearing.states.stored, v, Pair<T>{T{}, T{}});
   const Pair<T> d = feedback_state(m, bearing.states.filtered, v, rate);
-  const Pair<T> asked{law.asked(seen.x, d.x, stored.x), law.asked(seen.y, d.y, stored.y)};
+  const Pair<T> own{law.asked(seen.x, d.x, stored.x), law.asked(seen.y, d.y, stored.y)};
+  const Pair<T> asked = feedback_state(m, bearing.states.command, v, own);
   const Pair<T> limited{law.limited(asked.x), law.limited(asked.y)};
   return {asked, limited, feedback_state(m, bearing.states.current, v, limited)};
 }

@@ -69,7 +69,7 @@ void SmoothStep::meet(const Motion& motion) {
                (f.law.proportional * displacement_ + f.law.derivative * speed_ + kLeastCurrent);
       }
     }
-    return kInfinity;
+    return kInfinity;  // of a sampler's memory, which holds
   };
   double *of_q = tolerance_.data(), *of_v = of_q + n;
   for (int i = 0; i < l.mechanical(); ++i) {

@@ -11,22 +11,44 @@ namespace rotorub::scene {
 
 inline constexpr double kNever = 1e300;  // s, a switching time that is never reached
 
-// On each of x and y.
+// Of a linear law that is asked once a sample (control/linear_controller.h), row by row.
+struct ControlMatrices {
+  std::vector<double> state, input, output, feedthrough;  // A, B, C, D; D: A/m
+};
+
+enum class ControlForm { kPid, kTransferFunction, kStateSpace, kShared };
+
+// On each of x and y; `shared`: what [magnetic_control] asks for.
 struct BearingControl {
   double force_per_current = 0.0;  // linear: N/A, k_i > 0
-  double proportional = 0.0;       // A/m, P >= 0
-  double integral = 0.0;           // A/(m s), I >= 0, needs P > 0
-  double derivative = 0.0;         // A s/m, D >= 0
-  double derivative_lag = 0.0;     // s, >= 0, of the derivative's filter
+  // A/m, P >= 0; of another form than pid the spring alone of which the modes of a shaft are made.
+  double proportional = 0.0;
+  double integral = 0.0;        // pid: A/(m s), I >= 0, needs P > 0
+  double derivative = 0.0;      // pid: A s/m, D >= 0
+  double derivative_lag = 0.0;  // pid: s, >= 0, of the derivative's filter
   // A, > 0, on each axis; of an electromagnet at most its bias.
   double current_limit = std::numeric_limits<double>::infinity();
   // It works for works_from <= t < fails_at and for returns_at <= t; in between it has no current
   // and no negative stiffness. s, >= 0.
   double works_from = 0.0, fails_at = kNever, returns_at = kNever;
+  ControlForm form = ControlForm::kPid;
+  double sample_time = 0.0;  // s, >= 0; 0: continuous, of pid alone
+  double delay = 0.0;        // s, >= 0, whole samples
+  // transfer_function: of powers of 1/z, from the 0th; A/m and 1.
+  std::vector<double> numerator{}, denominator{};
+  ControlMatrices matrices{};  // state_space: of one axis
 
+  bool sampled() const { return sample_time > 0.0 || form == ControlForm::kShared; }
   bool works_at(double t) const { return t >= returns_at || (t >= works_from && t < fails_at); }
   // At some time.
   bool works() const { return works_from < fails_at || returns_at < kNever; }
+};
+
+// One law for all bearings of form `shared`, in the order of the scene, two ports of each: x, y.
+struct SharedControl {
+  double sample_time = 0.0;  // s, > 0
+  double delay = 0.0;        // s, >= 0, whole samples
+  ControlMatrices matrices{};
 };
 
 // Between the current that the control asks for and the coil's.

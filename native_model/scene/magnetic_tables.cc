@@ -1,5 +1,6 @@
 // [magnetic_bearing] and its tables: rows, and what single keys cannot show.
 
+#include <algorithm>
 #include <cmath>
 
 #include "native_model/scene/checker.h"
@@ -47,38 +48,85 @@ Table magnetic_bearing() {
 }
 
 Table bearing_control() {
-  return {
-      "magnetic_bearing.control",
-      "The bearing's own feedback, on each of x and y by the deflection r at its sensor: the "
-      "current i = -(`proportional` r + `integral` times the integral of r + `derivative` r'), "
-      "within the limit (A magnetic bearing that holds the rotor). Needs [magnetic_bearing].",
-      "the bearing holds nothing",
-      [](Scene& scene) -> void* {
-        if (scene.magnetic_bearings.empty()) scene.magnetic_bearings.emplace_back();
-        return &scene.magnetic_bearings.back().control.emplace();
-      },
-      {key<&BearingControl::force_per_current>(
-           "force_per_current", kForcePerCurrent, "> 0", "that of an electromagnet",
-           "k_i, of a bearing of kind `linear`, which needs it"),
-       key<&BearingControl::proportional>("proportional", kCurrentPerLength, ">= 0", kRequired,
-                                          "P"),
-       key<&BearingControl::integral>(
-           "integral", kCurrentPerLengthTime, ">= 0", kStandard,
-           "I; at the limit it takes back what is cut off; needs `proportional`"),
-       key<&BearingControl::derivative>("derivative", kCurrentPerVelocity, ">= 0", kStandard, "D"),
-       key<&BearingControl::derivative_lag>(
-           "derivative_lag", kTime, ">= 0", kStandard,
-           "T, of the derivative's filter: D s/(1 + T s); 0: none"),
-       key<&BearingControl::current_limit>("current_limit", kCurrent, "> 0",
-                                           "none; of an electromagnet `bias_current`, the most",
-                                           "of the current's size on each axis"),
-       key<&BearingControl::works_from>("on", kTime, ">= 0", kStandard,
-                                        "up to here neither current nor negative stiffness"),
-       key<&BearingControl::fails_at>("fails_at", kTime, ">= 0", "never",
-                                      "from here on neither current nor negative stiffness"),
-       key<&BearingControl::returns_at>(
-           "returns_at", kTime, ">= 0", "never",
-           "it works again from here on, for ever; after `fails_at`")}};
+  return {"magnetic_bearing.control",
+          "The bearing's own feedback, on each of x and y by the deflection r at its sensor: the "
+          "current i = -(`proportional` r + `integral` times the integral of r + `derivative` r'), "
+          "within the limit (A magnetic bearing that holds the rotor). Needs [magnetic_bearing].",
+          "the bearing holds nothing",
+          [](Scene& scene) -> void* {
+            if (scene.magnetic_bearings.empty()) scene.magnetic_bearings.emplace_back();
+            return &scene.magnetic_bearings.back().control.emplace();
+          },
+          {word<&BearingControl::form>(
+               "kind", {"pid", "transfer_function", "state_space", "shared"}, kStandard,
+               "that law, continuous or sampled; i = -H(z) r, sampled; the same by matrices, x' = "
+               "A x + "
+               "B r, i = -(C x + D r), of each axis; what [magnetic_control] asks for"),
+           key<&BearingControl::force_per_current>(
+               "force_per_current", kForcePerCurrent, "> 0", "that of an electromagnet",
+               "k_i, of a bearing of kind `linear`, which needs it"),
+           key<&BearingControl::proportional>(
+               "proportional", kCurrentPerLength, ">= 0", "0; of `pid` required",
+               "P; of the other kinds no law: the modes of a shaft are made with its spring"),
+           key<&BearingControl::integral>(
+               "integral", kCurrentPerLengthTime, ">= 0", kStandard,
+               "I; at the limit it takes back what is cut off; needs `proportional`", {"pid"}),
+           key<&BearingControl::derivative>("derivative", kCurrentPerVelocity, ">= 0", kStandard,
+                                            "D", {"pid"}),
+           key<&BearingControl::derivative_lag>(
+               "derivative_lag", kTime, ">= 0", kStandard,
+               "T, of the derivative's filter: D s/(1 + T s); 0: none", {"pid"}),
+           key<&BearingControl::sample_time>(
+               "sample_time", kTime, ">= 0", "0; of other kinds than `pid` required",
+               "the current asked for is held between samples; 0: continuous",
+               {"pid", "transfer_function", "state_space"}),
+           key<&BearingControl::delay>("delay", kTime, ">= 0", kStandard,
+                                       "from the sample to its current; whole samples",
+                                       {"pid", "transfer_function", "state_space"}),
+           key<&BearingControl::numerator>("numerator", kCurrentPerLength, "", kRequired,
+                                           "of H: of powers of 1/z, from the 0th",
+                                           {"transfer_function"}),
+           key<&BearingControl::denominator>("denominator", kPure, "", kRequired,
+                                             "the same; its first is not 0", {"transfer_function"}),
+           key<&BearingControl::matrices, &ControlMatrices::state>(
+               "state_matrix", kPure, "", kRequired, "A, row by row, n times n", {"state_space"}),
+           key<&BearingControl::matrices, &ControlMatrices::input>(
+               "input_matrix", kPure, "", kRequired, "B, n values", {"state_space"}),
+           key<&BearingControl::matrices, &ControlMatrices::output>(
+               "output_matrix", kPure, "", kRequired, "C, n values", {"state_space"}),
+           key<&BearingControl::matrices, &ControlMatrices::feedthrough>(
+               "feedthrough", kCurrentPerLength, "", kRequired, "[D]", {"state_space"}),
+           key<&BearingControl::current_limit>("current_limit", kCurrent, "> 0",
+                                               "none; of an electromagnet `bias_current`, the most",
+                                               "of the current's size on each axis"),
+           key<&BearingControl::works_from>("on", kTime, ">= 0", kStandard,
+                                            "up to here neither current nor negative stiffness"),
+           key<&BearingControl::fails_at>("fails_at", kTime, ">= 0", "never",
+                                          "from here on neither current nor negative stiffness"),
+           key<&BearingControl::returns_at>(
+               "returns_at", kTime, ">= 0", "never",
+               "it works again from here on, for ever; after `fails_at`")}};
+}
+
+Table magnetic_control() {
+  return {"magnetic_control",
+          "One sampled law for all bearings whose control is of kind `shared`, p = two ports of "
+          "each in the order of the file, x before y: the currents i = -(C x + D r) of the "
+          "deflections r at their sensors, x' = A x + B r. Matrices stand row by row.",
+          "each for itself",
+          [](Scene& scene) -> void* { return &scene.magnetic_control.emplace(); },
+          {key<&SharedControl::sample_time>("sample_time", kTime, "> 0", kRequired,
+                                            "the currents asked for are held between samples"),
+           key<&SharedControl::delay>("delay", kTime, ">= 0", kStandard,
+                                      "from the sample to its currents; whole samples"),
+           key<&SharedControl::matrices, &ControlMatrices::state>("state_matrix", kPure, "",
+                                                                  kRequired, "A, n times n"),
+           key<&SharedControl::matrices, &ControlMatrices::input>("input_matrix", kPure, "",
+                                                                  kRequired, "B, n times p"),
+           key<&SharedControl::matrices, &ControlMatrices::output>("output_matrix", kPure, "",
+                                                                   kRequired, "C, p times n"),
+           key<&SharedControl::matrices, &ControlMatrices::feedthrough>(
+               "feedthrough", kCurrentPerLength, "", kRequired, "D, p times p")}};
 }
 
 Table amplifier() {
@@ -168,6 +216,75 @@ void check_amplifier(const Checker& check, const MagneticBearing& magnetic,
   }
 }
 
+// Matrices that fit each other; `below`: of the table that they stand in, "magnetic_control.".
+void check_matrices(const Checker& check, const ControlMatrices& m, const std::string& below,
+                    std::size_t ports) {
+  if (!check.sound({below + "state_matrix", below + "input_matrix", below + "output_matrix",
+                    below + "feedthrough"})) {
+    return;
+  }
+  const auto n =
+      static_cast<std::size_t>(std::lround(std::sqrt(static_cast<double>(m.state.size()))));
+  if (n * n != m.state.size()) {
+    return check.fail(below + "state_matrix",
+                      "expected n times n values, got " + std::to_string(m.state.size()));
+  }
+  const auto fits = [&](const char* key, const std::vector<double>& list, std::size_t size,
+                        const std::string& of) {
+    if (list.size() == size) return;
+    check.fail(below + key, "expected " + std::to_string(size) + " values, " + of + ", got " +
+                                std::to_string(list.size()));
+  };
+  const std::string rows = std::to_string(n), columns = std::to_string(ports);
+  fits("input_matrix", m.input, n * ports, rows + " times " + columns);
+  fits("output_matrix", m.output, n * ports, columns + " times " + rows);
+  fits("feedthrough", m.feedthrough, ports * ports, columns + " times " + columns);
+}
+
+void check_delay(const Checker& check, const std::string& below, double sample_time, double delay) {
+  if (!check.given(below + "delay") || !check.sound({below + "sample_time", below + "delay"})) {
+    return;
+  }
+  if (!(sample_time > 0.0)) {
+    if (delay > 0.0) check.fail(below + "delay", "needs " + below + "sample_time");
+    return;
+  }
+  const double samples = delay / sample_time;
+  constexpr double kMost = 20.0;
+  if (samples > kMost + 0.5 || std::abs(samples - std::round(samples)) > 1e-6) {
+    check.fail(below + "delay", "is " + number_text(samples) +
+                                    " samples; accepted: a whole number of them, at most 20");
+  }
+}
+
+void check_form(const Checker& check, const BearingControl& control, const std::string& own) {
+  if (!check.sound({own + "kind"})) return;
+  if (control.form == ControlForm::kPid) {
+    if (!check.given(own + "proportional")) {
+      check.fail(own + "proportional",
+                 "missing: expected a current per length in A/m, >= 0, of a control of kind "
+                 "\"pid\"");
+    }
+  } else if (control.form == ControlForm::kShared) {
+    if (!check.scene.magnetic_control && !check.given("magnetic_control")) {
+      check.fail(own + "kind", "\"shared\" needs [magnetic_control], which asks for its currents");
+    }
+  } else if (!check.given(own + "sample_time")) {
+    check.fail(own + "sample_time", "missing: expected a time in s, > 0, of this kind");
+  } else if (check.sound({own + "sample_time"}) && control.sample_time == 0.0) {
+    check.fail(own + "sample_time", "must be > 0: a law of this kind is sampled");
+  }
+  check_delay(check, own, control.sample_time, control.delay);
+  if (control.form == ControlForm::kStateSpace) check_matrices(check, control.matrices, own, 1);
+  if (control.form == ControlForm::kTransferFunction &&
+      check.sound({own + "numerator", own + "denominator"})) {
+    if (control.denominator.empty() || control.denominator.front() == 0.0) {
+      check.fail(own + "denominator", "expected a first value that is not 0");
+    }
+    if (control.numerator.empty()) check.fail(own + "numerator", "expected a value at least");
+  }
+}
+
 // When it works, and within what.
 void check_control_limits(const Checker& check, const MagneticBearing& magnetic,
                           const std::string& path) {
@@ -228,6 +345,7 @@ void check_magnetic_bearing(const Checker& check, const MagneticBearing& magneti
     }
     return;
   }
+  check_form(check, *magnetic.control, control_path + ".");
   check_control_limits(check, magnetic, path);
   if (!check.sound({path + ".kind", path + ".negative_stiffness", path + ".force_constant",
                     path + ".bias_current", path + ".air_gap", control_path + ".force_per_current",
@@ -260,10 +378,24 @@ void check_magnetic_bearing(const Checker& check, const MagneticBearing& magneti
 std::vector<Table> magnetic_tables() {
   Table magnets = magnetic_bearing();
   magnets.or_list = true;
-  return {std::move(magnets), bearing_control(), amplifier()};
+  return {std::move(magnets), bearing_control(), amplifier(), magnetic_control()};
 }
 
 void check_magnetic_bearings(const Checker& check) {
+  if (const auto& shared = check.scene.magnetic_control) {
+    const auto& all = check.scene.magnetic_bearings;
+    const auto takes_part = [](const MagneticBearing& bearing) {
+      return bearing.control && bearing.control->form == ControlForm::kShared;
+    };
+    const auto ports = 2 * static_cast<std::size_t>(std::ranges::count_if(all, takes_part));
+    if (ports == 0) {
+      check.fail("magnetic_control",
+                 "no magnetic bearing has a control of kind \"shared\"; accepted: one at least");
+    } else {
+      check_matrices(check, shared->matrices, "magnetic_control.", ports);
+    }
+    check_delay(check, "magnetic_control.", shared->sample_time, shared->delay);
+  }
   for (std::size_t k = 0; k < check.scene.magnetic_bearings.size(); ++k) {
     check_magnetic_bearing(check, check.scene.magnetic_bearings[k],
                            magnetic_bearing_path(&check.record, k));

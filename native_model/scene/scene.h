@@ -287,6 +287,7 @@ struct Scene {
   std::vector<Force> forces;
   // [magnetic_bearing], or each [[magnetic_bearing]]; at most kMaxMagneticBearings.
   std::vector<MagneticBearing> magnetic_bearings;
+  std::optional<SharedControl> magnetic_control;
   // One at least: [contact], [stator], [actuator] and [controller] at the top of a file, which may
   // all be absent, or those of its [[contact]] in their order; at most kMaxContacts.
   std::vector<AuxiliaryBearing> auxiliary = std::vector<AuxiliaryBearing>(1);

@@ -168,9 +168,9 @@ bool same_structure(const Model& a, const Model& b) {
     for (const AppliedForce& f : m.forces) forces.push_back(static_cast<int>(f.kind));
     std::vector<bool> films;
     for (const StationFilm& film : m.films) films.push_back(film.law.follows());
-    std::vector<std::tuple<int, int, int, bool, bool>> feedbacks;
+    std::vector<std::tuple<int, int, int, int, bool, bool>> feedbacks;
     for (const StationFeedback& f : m.feedbacks) {
-      feedbacks.emplace_back(f.states.stored, f.states.filtered, f.states.current,
+      feedbacks.emplace_back(f.states.stored, f.states.filtered, f.states.current, f.states.command,
                              f.sensor.has_value(), f.law.opposed);
     }
     const Layout& l = m.layout;

@@ -10,6 +10,7 @@
 // nothing. All inline: whoever calls it chooses the instruction set.
 #pragma once
 
+#include <algorithm>
 #include <array>
 #include <cstdint>
 #include <utility>
@@ -21,6 +22,7 @@
 #include "native_model/stepping/step_state.h"
 #include "native_model/stepping/stepped_loads.h"
 #include "native_model/stepping/velocity_matrix.h"
+#include "native_model/system/sampled_feedback.h"
 
 namespace rotorub {
 
@@ -87,6 +89,13 @@ class LoadKick {
   void drive_first_ring() { commanded_ = true; }
   // M(phi) changes from step to step.
   bool coupled() const { return coupled_; }
+  // Controls of magnetic bearings are sampled at the instants of the loads.
+  void sample(const std::vector<const Model*>& models) {
+    samples_ = !models.front()->samplers.empty();
+    if (samples_) {
+      sampled_.assign(static_cast<std::size_t>(models.front()->layout.integrals), T{});
+    }
+  }
   // What depends on velocities beyond the linear part: improve() is to be called.
   bool iterates() const { return iterates_; }
 
@@ -106,6 +115,7 @@ class LoadKick {
     instant_ = t;
     const double end = t + 0.5 * x.h;
     loads_.advance(k, t, begin, end);
+    if (samples_) find_samples(x, t, begin);
     weighed_free_velocity(x, lanes::all<T>(begin), lanes::all<T>(end));
   }
   // The same as if what is switched on between begin and end had held for the whole step.
@@ -254,6 +264,9 @@ class LoadKick {
     equations::add_feedbacks(m, working_.data(), q, v, f);
     equations::add_gyroscopic(m, omega, v, f);
     loads_.add(m, f);
+    for (int i = 0; sampled_now_ && i < m.layout.integrals; ++i) {
+      f[m.layout.integral() + i] += sampled_[static_cast<std::size_t>(i)];
+    }
     if (!m.unbalances.empty()) equations::add_unbalance(m, angles_, omega, f);
     equations::add_drive(m, instant_, q, v, f);
     if (applied) {
@@ -286,6 +299,24 @@ class LoadKick {
       for (int i = 0; i < nq; ++i) lanes::set(f[i], lane, run_f[i]);
     }
   }
+  // What samplers remember jumps at t, in the middle of the kick, or where a first one begins: the
+  // mean of the kick's velocities then has half of the jump, or all.
+  ROTORUB_SLOW void find_samples(const State& x, double t, double begin) {
+    sampled_now_ = false;
+    double q[kMaxCoordinates], v[kMaxCoordinates], after[kMaxCoordinates];
+    const int first = x.m.layout.integral(), count = x.m.layout.integrals;
+    for (int lane = 0; lane < kLanes; ++lane) {
+      read_lane(x, x.seen, lane, q);
+      read_lane(x, x.start, lane, v);
+      std::copy_n(v, x.nq(), after);
+      sampled_now_ |= take_samples(lane_model(x.m, lane), t, x.h, q, after);
+      for (int i = 0; i < count; ++i) {
+        const double mass = lanes::get(x.m.mass.data()[first + i], lane);
+        const double jump = (begin == t ? 2.0 : 1.0) * (after[first + i] - v[first + i]);
+        lanes::set(sampled_[static_cast<std::size_t>(i)], lane, mass * jump / x.h);
+      }
+    }
+  }
   ROTORUB_SLOW void find_working(const M& m, const T& begin, const T& end) {
     for (std::size_t k = 0; k < m.feedbacks.size(); ++k) {
       for (int lane = 0; lane < kLanes; ++lane) {
@@ -299,6 +330,8 @@ class LoadKick {
   VelocityMatrix<T> matrix_;
   SteppedLoads<T> loads_;
   equations::DiscAngles<T> angles_;
+  bool samples_ = false, sampled_now_ = false;
+  lanes::Array<T> sampled_;  // N, what makes the jumps of the feedbacks' states
   lanes::Array<T> bx_, by_;  // the coupling of bending and spin by unbalance, n each
   Coordinates f_, change_;
   // Of a deflection q_i the least energy that a step can tell, (1e-15 h k_i)^2/m_i q_i^2; their sum

@@ -272,6 +272,15 @@ void refuse_steady(const scene::Scene& scene, const std::string& why) {
 
 FreeMotion free_motion(const scene::Scene& scene, const Model& m) {
   const Layout& l = m.layout;
+  for (const SampledFeedback& s : m.samplers) {
+    for (const std::size_t k : s.bearings) {
+      if (!m.feedbacks[k].works.at(0.0)) continue;
+      refuse_steady(scene,
+                    "the control of " +
+                        scene::magnetic_bearing_path(scene.record.get(), m.feedbacks[k].number) +
+                        " is sampled, and no orbit is steady between its samples; accepted: false");
+    }
+  }
   const Bending b = bending(m);
   check_stability(scene, m);
   const Eigen::VectorXd rest = Eigen::VectorXd::Zero(2 * l.modes);

@@ -9,8 +9,8 @@
 #include "native_model/control/quadratic.h"
 #include "native_model/dynamics/dynamics.h"
 #include "native_model/dynamics/equations.h"
-#include "native_model/rotor/rotor_modes.h"
 #include "native_model/scene/record.h"
+#include "native_model/system/magnetic_bearings.h"
 #include "native_model/system/model_checks.h"
 #include "native_model/system/steady_orbit.h"
 
@@ -33,12 +33,7 @@ Layout make_layout(const scene::Scene& scene, const ModalRotor& rotor) {
     layout.ring_spin += bearing.stator->spin ? 1 : 0;
     layout.coils += bearing.actuator && bearing.actuator->coil_lag > 0.0 ? 2 : 0;
   }
-  for (const scene::MagneticBearing& bearing : scene.magnetic_bearings) {
-    if (!bearing.control) continue;
-    layout.integrals += bearing.control->integral > 0.0 ? 2 : 0;
-    layout.integrals += bearing.control->derivative_lag > 0.0 ? 2 : 0;
-    layout.integrals += bearing.amplifier ? 2 : 0;
-  }
+  layout.integrals = feedback_states(scene);
   return layout;
 }
 
@@ -102,51 +97,6 @@ void fill_diagonals(const scene::Scene& scene, const ModalRotor& rotor, Model& m
   assert(l.modes > 0);
 }
 
-// next: where the coordinates of the next state begin.
-void add_magnetic_bearing(const scene::Scene& scene, std::size_t number, const MagnetShapes& shapes,
-                          int& next, Model& model) {
-  const scene::MagneticBearing& bearing = scene.magnetic_bearings[number];
-  const double k = bearing.pull();
-  if (!bearing.control) return model.springs.push_back({shapes.station, {-k, -k}});
-  const scene::BearingControl& c = *bearing.control;
-  StationFeedback feedback{
-      .shape = shapes.station,
-      .law = {.negative_stiffness = k,
-              .force_per_current = bearing.force_per_current(),
-              .proportional = c.proportional,
-              .derivative = c.derivative,
-              .current_limit = bearing.current_limit(),
-              .integral = c.integral,
-              .derivative_lag = c.derivative_lag},
-      .works = {c.works_from > 0.0 ? c.works_from : -scene::kNever, c.fails_at, c.returns_at},
-      .sensor = shapes.sensor,
-      .number = number};
-  if (bearing.kind == scene::MagnetKind::kElectromagnet) {
-    feedback.law.opposed = true;
-    feedback.law.magnets = {bearing.force_constant, bearing.bias_current, bearing.air_gap};
-  }
-  const auto state = [&](double lag) {
-    if (lag > 0.0) {
-      model.damping.segment<2>(next) = model.mass.segment<2>(next) / lag;
-    }
-    return std::exchange(next, next + 2);
-  };
-  if (c.integral > 0.0) feedback.states.stored = state(0.0);
-  if (c.derivative_lag > 0.0) feedback.states.filtered = state(c.derivative_lag);
-  if (bearing.amplifier) {
-    constexpr double kNone = std::numeric_limits<double>::infinity();
-    const scene::Amplifier& a = *bearing.amplifier;
-    feedback.law.amplifier = {1.0 / a.bandwidth, kNone, a.voltage_limit,
-                              a.inductance > 0.0 ? a.inductance : 1.0, a.resistance};
-    feedback.states.current = state(1.0 / a.bandwidth);
-  }
-  // A linear spring acts for ever, in the modes or beside them, and the law takes it back.
-  feedback.law.held = feedback.law.stiffness();
-  const double beside = feedback.law.held - magnetic_support(scene, bearing).held;
-  if (beside != 0.0) model.springs.push_back({shapes.station, {beside, beside}});
-  model.feedbacks.push_back(std::move(feedback));
-}
-
 void fill_loads(const scene::Scene& scene, const ModalRotor& rotor, Model& model) {
   const Layout& l = model.layout;
   assert(rotor.force_shapes.size() == scene.forces.size());
@@ -162,10 +112,7 @@ void fill_loads(const scene::Scene& scene, const ModalRotor& rotor, Model& model
     }
     model.forces.push_back(std::move(force));
   }
-  int next = l.integral();
-  for (std::size_t k = 0; k < rotor.magnets.size(); ++k) {
-    add_magnetic_bearing(scene, k, rotor.magnets[k], next, model);
-  }
+  add_magnetic_bearings(scene, rotor.magnets, model);
   model.gravity_mass = Eigen::VectorXd::Zero(l.nq());
   model.gravity_mass.segment(l.x(), l.modes) = rotor.gravity_x;
   model.gravity_mass.segment(l.y(), l.modes) = rotor.gravity_y;
@@ -249,6 +196,7 @@ void fill_control(const scene::Scene& scene, std::size_t k, Model& model) {
   }
   const scene::Controller& c = *from.controller;
   if (c.kind == scene::ControllerKind::kLqr || c.kind == scene::ControllerKind::kLqg) {
+    check_linear_plant(scene, k, model);
     plant.linear = std::make_shared<LinearPlant>(plant_of(model, k, scene.rotor.speed));
   }
   to.controller = make_controller(k == 0 ? scene : with_bearing_alone(scene, k), plant);

@@ -25,6 +25,7 @@
 #include "native_model/control/command_record.h"
 #include "native_model/control/control_loop.h"
 #include "native_model/control/controller.h"
+#include "native_model/control/linear_controller.h"
 #include "native_model/dynamics/mode_matrix.h"
 #include "native_model/rotor/modal_rotor.h"
 #include "native_model/scene/scene.h"
@@ -97,11 +98,13 @@ struct FeedbackStates {
   int stored = kAbsent;    // rates A: of the integrator
   int filtered = kAbsent;  // rates m/s: the derivative's
   int current = kAbsent;   // rates A: of the coils behind the amplifier
+  int command = kAbsent;   // rates A: what a sampled control asked for last
 
   bool operator==(const FeedbackStates&) const = default;
   FeedbackStates moved(int by) const {
     FeedbackStates all = *this;
-    for (int* at : {&all.stored, &all.filtered, &all.current}) *at += *at == kAbsent ? 0 : by;
+    for (int* at : {&all.stored, &all.filtered, &all.current, &all.command})
+      *at += *at == kAbsent ? 0 : by;
     return all;
   }
 };
@@ -116,6 +119,18 @@ struct StationFeedback {
   std::size_t number = 0;             // among the scene's magnetic bearings
   const ModeShape& seen() const { return sensor ? *sensor : shape; }
 };
+
+// A control of magnetic bearings that is asked once a sample; two ports of each, x before y. What
+// it remembers is states, too: rates of coordinates (system/sampled_feedback.h).
+struct SampledFeedback {
+  LinearController law;
+  double sample_time = 0.0;           // s, > 0
+  int delay = 0;                      // samples from the measurement to the command
+  std::vector<std::size_t> bearings;  // among the model's feedbacks
+  int command = kAbsent;  // the commands that hold, A, then those of `delay` samples to come
+  int state = kAbsent;    // the states of its law
+};
+inline constexpr std::size_t kMaxPorts = 2 * scene::kMaxMagneticBearings;
 
 // Magnets on the two axes of the actuator; they act with or without a controller.
 struct MagneticActuator {
@@ -173,6 +188,7 @@ struct Model {
   std::vector<StationDamper> dampers;                // bearings
   std::vector<StationSpring> springs;                // magnetic bearings
   std::vector<StationFeedback> feedbacks;            // of them: what they do beyond their springs
+  std::vector<SampledFeedback> samplers;             // what asks for the currents of some of them
   std::vector<StationFilm> films;  // bearings that cross the planes or follow the speed
   std::vector<AppliedForce> forces;
   std::vector<DiscUnbalance> unbalances;   // eccentric discs, blades that are lost
@@ -209,6 +225,8 @@ struct Model {
   }
   bool drive_follows() const { return drive && drive->follows(); }  // angle and t matter
   int nq() const { return layout.nq(); }
+  // What the samplers remember stands from here to the coils in q.
+  int sampled_states() const { return samplers.empty() ? layout.coil() : samplers.front().command; }
 };
 
 // What changes: time, coordinates and velocities.
