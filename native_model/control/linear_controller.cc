@@ -18,16 +18,28 @@ LinearController of_size(Eigen::Index states, Eigen::Index ports) {
 }  // namespace
 
 LinearController sampled_pid(const SampledPid& pid, double T) {
-  // x = (j, d of the sample before, y of the sample before).
-  LinearController law = of_size(3, 1);
+  // x = (j, d of the sample before, y of the sample before), as far as the law has them.
+  const bool integrates = pid.integral > 0.0, differs = pid.derivative > 0.0;
+  const bool filters = differs && pid.derivative_lag > 0.0;
+  const Eigen::Index j = 0, d = integrates ? 1 : 0, before = d + (filters ? 1 : 0);
+  LinearController law = of_size(before + (differs ? 1 : 0), 1);
+  law.d(0, 0) = pid.proportional;
+  if (integrates) {
+    law.a(j, j) = law.c(0, j) = 1.0;
+    law.b(j, 0) = T * pid.integral;
+    law.back(j, 0) = T * pid.integral / pid.proportional;
+  }
+  if (!differs) return law;
   const double whole = pid.derivative_lag + T, kept = pid.derivative_lag / whole;
-  law.a << 1.0, 0.0, 0.0,  //
-      0.0, kept, -1.0 / whole, 0.0, 0.0, 0.0;
-  law.b << T * pid.integral, 1.0 / whole, 1.0;
-  law.c << 1.0, pid.derivative * kept, -pid.derivative / whole;
-  law.d << pid.proportional + pid.derivative / whole;
-  if (pid.integral > 0.0) law.back(0, 0) = T * pid.integral / pid.proportional;
-  law.start(2, 0) = 1.0;
+  law.d(0, 0) += pid.derivative / whole;
+  law.c(0, before) = -pid.derivative / whole;
+  law.b(before, 0) = law.start(before, 0) = 1.0;
+  if (filters) {
+    law.a(d, d) = kept;
+    law.a(d, before) = -1.0 / whole;
+    law.b(d, 0) = 1.0 / whole;
+    law.c(0, d) = pid.derivative * kept;
+  }
   return law;
 }
 

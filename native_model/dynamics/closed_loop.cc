@@ -10,7 +10,7 @@ namespace {
 
 // Units of the last coordinates in which each acts as strongly as it is acted upon (E. E. Osborne,
 // "On pre-conditioning of matrices", J. ACM 7, 1960).
-void balance_from(Eigen::Index first, Eigen::MatrixXd& a) {
+void balance_from(Eigen::Index first, Eigen::MatrixXd& a, Eigen::VectorXd& unit_of) {
   constexpr int kSweeps = 20;
   for (int sweep = 0; sweep < kSweeps; ++sweep) {
     for (Eigen::Index k = first; k < a.rows(); ++k) {
@@ -20,6 +20,7 @@ void balance_from(Eigen::Index first, Eigen::MatrixXd& a) {
       const double unit = std::sqrt(acted / acts);
       a.col(k) *= unit;
       a.row(k) /= unit;
+      unit_of[k] *= unit;
     }
   }
 }
@@ -58,7 +59,7 @@ ClosedLoop closed_loop(const Model& given, double speed) {
   return loop;
 }
 
-Eigen::MatrixXd ClosedLoop::first_order() const {
+FirstOrderForm ClosedLoop::first_order() const {
   const Eigen::Index n = mass.size(), s = force.cols();
   // States (w q, q') of unit mass, w each coordinate's own frequency.
   const Eigen::VectorXd inverse = mass.cwiseSqrt().cwiseInverse();
@@ -71,19 +72,37 @@ Eigen::MatrixXd ClosedLoop::first_order() const {
   for (double& x : w) {
     if (x == 0.0) x = largest > 0.0 ? largest : 1.0;
   }
-  Eigen::MatrixXd a = Eigen::MatrixXd::Zero(2 * n + s, 2 * n + s);
+  FirstOrderForm form{Eigen::MatrixXd::Zero(2 * n + s, 2 * n + s),
+                      Eigen::VectorXd::Ones(2 * n + s)};
+  Eigen::MatrixXd& a = form.a;
+  form.unit.head(n) = inverse.cwiseQuotient(w);
+  form.unit.segment(n, n) = inverse;
   a.topLeftCorner(2 * n, 2 * n) = first_order_form(scaled(damping), k, w);
-  if (s == 0) return a;
+  if (s == 0) return form;
   a.block(n, 2 * n, n, s) = inverse.asDiagonal() * force;
   a.block(2 * n, 0, s, n) = of_q * inverse.cwiseQuotient(w).asDiagonal();
   a.block(2 * n, n, s, n) = of_v * inverse.asDiagonal();
   a.bottomRightCorner(s, s) = of_state;
-  balance_from(2 * n, a);
-  return a;
+  balance_from(2 * n, a, form.unit);
+  return form;
 }
 
 std::optional<std::vector<std::complex<double>>> closed_loop_eigenvalues(const ClosedLoop& loop) {
-  return real_eigenvalues(loop.first_order());
+  return real_eigenvalues(loop.first_order().a);
+}
+
+std::complex<double> filter_of(const StationFeedback& f, double nu) {
+  return f.states.filtered == kAbsent ? 1.0
+                                      : 1.0 / std::complex<double>(1.0, nu * f.law.derivative_lag);
+}
+
+std::complex<double> lag_of(const StationFeedback& f, double nu) {
+  return f.states.current == kAbsent ? 1.0
+                                     : 1.0 / std::complex<double>(1.0, nu * f.law.amplifier.lag);
+}
+
+std::complex<double> gain_of(const StationFeedback& f, double nu) {
+  return f.law.proportional + std::complex<double>(0.0, nu * f.law.derivative) * filter_of(f, nu);
 }
 
 }  // namespace rotorub

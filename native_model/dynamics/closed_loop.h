@@ -14,13 +14,17 @@
 
 namespace rotorub {
 
+// y' = A y, (q, q', z) = unit y: units in which no entry of A is far from the others.
+struct FirstOrderForm {
+  Eigen::MatrixXd a;     // (4 n + s) square
+  Eigen::VectorXd unit;  // 4 n + s
+};
+
 struct ClosedLoop : LinearParts {
   Eigen::MatrixXd force;  // F, 2 n x s; a state that is not there has zeros everywhere
   Eigen::MatrixXd of_q, of_v, of_state;  // Q, R, s x 2 n; S, s x s
 
-  // First-order form, (2 n + 2 n + s) square: y' = A y, y = (q, q', z) in units in which no entry
-  // is far from the others.
-  Eigen::MatrixXd first_order() const;
+  FirstOrderForm first_order() const;
 };
 
 // speed: Omega, rad/s. States that the spin's coupling or a coil of a ring has are not among them.
@@ -28,5 +32,12 @@ ClosedLoop closed_loop(const Model& model, double speed);
 
 // By falling real part, 1/s; nothing: the iteration does not converge.
 std::optional<std::vector<std::complex<double>>> closed_loop_eigenvalues(const ClosedLoop& loop);
+
+// Of one frequency nu (rad/s) between a feedback's deflection and its current: the derivative's
+// filter and the amplifier's lag, 1 where there is none.
+std::complex<double> filter_of(const StationFeedback& feedback, double nu);
+std::complex<double> lag_of(const StationFeedback& feedback, double nu);
+// A/m, P + i nu D with the filter: of what its own law asks for, but for what the integrator holds.
+std::complex<double> gain_of(const StationFeedback& feedback, double nu);
 
 }  // namespace rotorub

@@ -5,7 +5,7 @@
 
 #include <array>
 
-#include "native_model/dynamics/equations.h"
+#include "native_model/dynamics/feedback_equations.h"
 
 namespace rotorub::equations {
 

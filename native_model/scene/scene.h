@@ -237,6 +237,7 @@ struct Mujoco {
   double solref_damping = 0.0;      // 1/s, > 0: direct solref B (0: that of contact.restitution)
   double friction_reference = 0.0;  // 1/s, > 0: B_t of the cone's friction rows (0: MuJoCo's, B)
   bool shadow = false;              // the native model runs alongside, in user sensors
+  bool bearing_currents = false;    // actuators that add to what the amplifiers are asked for
 };
 
 // The contact models of MuJoCo's side and their words: in scene files, options, columns and

@@ -17,7 +17,7 @@
 #include <vector>
 
 #include "native_model/contact/most_contacts.h"
-#include "native_model/dynamics/equations.h"
+#include "native_model/dynamics/feedback_equations.h"
 #include "native_model/stepping/lane_model.h"
 #include "native_model/stepping/step_state.h"
 #include "native_model/stepping/stepped_loads.h"

@@ -19,19 +19,6 @@ namespace {
 
 using Phasor = std::complex<double>;
 
-// Of one frequency nu (rad/s) between a feedback's deflection and its current: the derivative's
-// filter and the amplifier's lag, 1 where there is none.
-Phasor filter_of(const StationFeedback& f, double nu) {
-  return f.states.filtered == kAbsent ? 1.0 : 1.0 / Phasor(1.0, nu * f.law.derivative_lag);
-}
-Phasor lag_of(const StationFeedback& f, double nu) {
-  return f.states.current == kAbsent ? 1.0 : 1.0 / Phasor(1.0, nu * f.law.amplifier.lag);
-}
-// A/m, of the current asked for but for what the integrator holds of it.
-Phasor gain_of(const StationFeedback& f, double nu) {
-  return f.law.proportional + Phasor(0.0, nu * f.law.derivative) * filter_of(f, nu);
-}
-
 // With magnetic bearings' integrators that work: the force -force_per_current j at their stations,
 // j' = integral sensor^T q. Two columns of each such bearing, one a plane.
 struct Bending : LinearParts {

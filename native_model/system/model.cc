@@ -196,7 +196,10 @@ void fill_control(const scene::Scene& scene, std::size_t k, Model& model) {
   }
   const scene::Controller& c = *from.controller;
   if (c.kind == scene::ControllerKind::kLqr || c.kind == scene::ControllerKind::kLqg) {
-    check_linear_plant(scene, k, model);
+    if (const std::string why = beyond_linear_plant(scene, model); !why.empty()) {
+      scene::refuse_at(k == 0 ? scene : with_bearing_alone(scene, k), "controller.kind",
+                       why + "; accepted: a controller of another kind");
+    }
     plant.linear = std::make_shared<LinearPlant>(plant_of(model, k, scene.rotor.speed));
   }
   to.controller = make_controller(k == 0 ? scene : with_bearing_alone(scene, k), plant);

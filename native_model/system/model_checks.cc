@@ -310,17 +310,15 @@ void check_run_size(const scene::Scene& scene, const Model& model, std::optional
   refuse_any(scene, std::move(wrong));
 }
 
-void check_linear_plant(const scene::Scene& scene, std::size_t bearing, const Model& model) {
+std::string beyond_linear_plant(const scene::Scene& scene, const Model& model) {
   for (const StationFeedback& f : model.feedbacks) {
     const FeedbackStates& s = f.states;
     if (!f.works.at(0.0)) continue;
     if (s.filtered == kAbsent && s.current == kAbsent && s.command == kAbsent) continue;
-    scene::refuse_at(bearing == 0 ? scene : with_bearing_alone(scene, bearing), "controller.kind",
-                     scene::magnetic_bearing_path(scene.record.get(), f.number) +
-                         " has a filter, an amplifier or a sampled control, which the linear plant "
-                         "does not know; accepted: a controller of another kind, or a continuous "
-                         "law without them");
+    return scene::magnetic_bearing_path(scene.record.get(), f.number) +
+           " has a filter, an amplifier or a sampled control, which the linear plant does not know";
   }
+  return {};
 }
 
 }  // namespace rotorub

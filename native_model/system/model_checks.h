@@ -57,7 +57,8 @@ void check_steps(const scene::Scene& scene, double fixed_step);
 void check_run_size(const scene::Scene& scene, const Model& model, std::optional<double> fixed_step,
                     const std::vector<double>* times = nullptr);
 
-// The plant of an LQR or LQG is bending and ring: no feedback may have states of its own in it.
-void check_linear_plant(const scene::Scene& scene, std::size_t bearing, const Model& model);
+// Why plant_of is not the scene's; empty: it is. Bending and ring are its states, and no feedback
+// of a magnetic bearing has states of its own there.
+std::string beyond_linear_plant(const scene::Scene& scene, const Model& model);
 
 }  // namespace rotorub

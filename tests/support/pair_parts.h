@@ -204,6 +204,13 @@ inline std::vector<Part> pair_parts() {
       "resistance=0.5}}";
   add("opposed_magnets", "magnetic_bearing", {"magnetic_bearing={station=0.42," + opposed},
       {"magnetic_bearing={" + opposed});
+  // Asked once a sample, late, at its limit at the start.
+  const std::string asked =
+      "negative_stiffness=4.5e4,control={force_per_current=60.0,proportional=2500.0,integral=1e5,"
+      "derivative=1.0,derivative_lag=5e-4,current_limit=0.9,sample_time=" +
+      std::string(kSampleTime) + ",delay=" + kSampleTime + "}}";
+  add("sampled_magnets", "magnetic_bearing", {"magnetic_bearing={station=0.42," + asked},
+      {"magnetic_bearing={" + asked});
   // The one at its limit, the other sensed elsewhere and failing on the way.
   const std::string limited =
                         "negative_stiffness=4.5e4,control={force_per_current=60.0,proportional="
