@@ -70,14 +70,22 @@ inline constexpr const char* kBristles = "ring_bristles";
 inline constexpr const char* kBristleX = "ring_bristle_x";
 inline constexpr const char* kBristleY = "ring_bristle_y";
 inline constexpr const char* kSpinBristle = "ring_bristle_spin";
-// Joints whose velocities are the currents that magnetic bearings' integrators hold, A; nothing is
-// seen to move. Two of each integrator, and a body: "bearing_integral_x", "bearing2_integral_x".
+// Joints whose velocities are the states of magnetic bearings' feedbacks, as what an integrator
+// holds, A; nothing is seen to move. Two of each state, and a body: "bearing_integral_x",
+// "bearing2_integral_x".
 inline std::string bearing_integral(int i) {
   return (i < 2 ? "bearing" : "bearing" + std::to_string(i / 2 + 1)) +
          (i % 2 == 0 ? "_integral_x" : "_integral_y");
 }
 inline std::string bearing_integrator(int k) {
   return (k == 0 ? "bearing" : "bearing" + std::to_string(k + 1)) + std::string("_integrator");
+}
+
+// Actuators of the scene's magnetic bearings, called as their columns are: "bearing_current_x",
+// "bearing2_current_x"
+inline std::string bearing_current(std::size_t k, int axis) {
+  return (k == 0 ? "bearing" : "bearing" + std::to_string(k + 1)) +
+         (axis == 0 ? "_current_x" : "_current_y");
 }
 
 // Actuators and the tendons that they pull, s_k = a_k . q_f

@@ -5,6 +5,7 @@
 #include <optional>
 #include <string>
 #include <string_view>
+#include <vector>
 
 #include "mjcf/bodies.h"
 #include "mjcf/names.h"
@@ -66,6 +67,9 @@ class Document {
         model_(without_coils(make_model(scene))),
         radius_(drawn_radius(scene)) {
     if (scene.mujoco.rotor == scene::MujocoRotor::kSegments) segments_.emplace(scene_, model_);
+    for (const StationFeedback& f : model_.feedbacks) {
+      if (scene.mujoco.bearing_currents && f.states.current != kAbsent) excited_.push_back(&f);
+    }
   }
 
   std::string write() {
@@ -84,7 +88,7 @@ class Document {
     xml_.close("worldbody");
     if (scene_.first().contact) contacts();
     if (segments_ || actuated()) tendons();
-    if (actuated()) actuators();
+    if (actuated() || !excited_.empty()) actuators();
     sensors();
     keyframes();
     custom();
@@ -208,25 +212,39 @@ class Document {
     }
   }
 
+  static std::string ctrl_range(double limit) {
+    return limit < 1e300 ? fmt::format(R"(ctrllimited="true" ctrlrange="{} {}")", -limit, limit)
+                         : std::string(R"(ctrllimited="false")");
+  }
+
   // ctrl: the force on the ring, N, or the current asked for, A, whose force the plugin's gain and
   // bias give.
   void actuators() {
     const double limit =
         model_.first().magnets ? model_.first().magnets->current_limit : model_.first().force_limit;
-    const std::string range =
-        limit < 1e300 ? fmt::format(R"(ctrllimited="true" ctrlrange="{} {}")", -limit, limit)
-                      : std::string(R"(ctrllimited="false")");
     const bool lags = model_.first().magnets && model_.first().magnets->coil_lag > 0.0;
     const std::string_view kind = model_.first().magnets ? "general" : "motor";
     const std::string_view law = !model_.first().magnets ? ""
                                  : lags ? R"(dyntype="user" gaintype="user" biastype="user" )"
                                         : R"(dyntype="none" gaintype="user" biastype="user" )";
     xml_.open("<actuator>");
-    for (int k = 0; k < 2; ++k) {
+    for (int k = 0; actuated() && k < 2; ++k) {
       xml_.line(fmt::format(R"(<{} name="{}" tendon="{}" {}{}/>)", kind, names::kActuator[k],
-                            names::kAxis[k], law, range));
+                            names::kAxis[k], law, ctrl_range(limit)));
     }
+    for (const StationFeedback* f : excited_) excitation(*f);
     xml_.close("actuator");
+  }
+  // ctrl: A, beside what the bearing's own control asks for. The coil's current is the speed of a
+  // joint whose damper is the lag: mass di/dt = damping (asked + ctrl - i).
+  void excitation(const StationFeedback& f) {
+    for (int axis = 0; axis < 2; ++axis) {
+      const int at = f.states.current + axis;
+      xml_.line(fmt::format(R"(<motor name="{}" joint="{}" gear="{}" {}/>)",
+                            names::bearing_current(f.number, axis),
+                            names::bearing_integral(at - model_.layout.integral()),
+                            model_.damping[at], ctrl_range(f.law.current_limit)));
+    }
   }
 
   void sensor(const std::string& name, const char* stage, int dim = 1) {
@@ -310,7 +328,8 @@ class Document {
   const MujocoVersion target_;
   Model model_;
   std::optional<SegmentRotor> segments_;
-  double radius_;  // m, of the drawn disc
+  std::vector<const StationFeedback*> excited_;  // of model_, those with actuators
+  double radius_;                                // m, of the drawn disc
   XmlWriter xml_;
 };
 

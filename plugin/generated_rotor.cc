@@ -6,6 +6,7 @@
 
 #include "native_model/dynamics/dynamics.h"
 #include "native_model/scene/scene.h"
+#include "native_model/system/sampled_feedback.h"
 #include "plugin/message.h"
 #include "plugin/mujoco_dynamics.h"
 #include "plugin/mujoco_versions.h"
@@ -70,11 +71,14 @@ void add_passive_force(const Config& config, const mjModel* m, mjData* d,
                        const Coordinates& state) {
   const Model& model = config.model;
   const int n = model.nq();
-  double f[kMaxCoordinates];
+  double f[kMaxCoordinates], v[kMaxCoordinates], jump[kMaxCoordinates] = {};
+  std::copy_n(state.v(), n, v);
+  jump_in_step(model, d->time, m->opt.timestep, state.q(), v, jump);
   const bool rk4 = m->opt.integrator == mjINT_RK4;
   if (rk4 || (model.gyroscopic.absent() && !model.coupled_mass())) {
-    coupling_force(model, d->time, state.q(), state.v(), f);
-    if (!rk4) step_bristles(model, state.v(), state.v(), m->opt.timestep, f);
+    coupling_force(model, d->time, state.q(), v, f);
+    if (!rk4) step_bristles(model, v, v, m->opt.timestep, f);
+    for (int i = model.sampled_states(); i < n; ++i) f[i] += jump[i];
     add_to_dofs(config, f, d->qfrc_passive);
     return;
   }
@@ -82,8 +86,9 @@ void add_passive_force(const Config& config, const mjModel* m, mjData* d,
   // it in MuJoCo.
   double mass[kMaxCoordinates], dv[kMaxCoordinates];
   step_mass(config, m, mass);
-  load_force(model, d->time, state.q(), state.v(), f);
-  step_bristles(model, state.v(), state.v(), m->opt.timestep, f);
+  load_force(model, d->time, state.q(), v, f);
+  step_bristles(model, v, v, m->opt.timestep, f);
+  for (int i = model.sampled_states(); i < n; ++i) f[i] += jump[i];
   for (int i = 0; i < n; ++i) {
     const int dof = config.dof_address[static_cast<std::size_t>(i)];
     f[i] += d->qfrc_passive[dof] + d->qfrc_applied[dof];

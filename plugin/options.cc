@@ -35,7 +35,12 @@ const char* refused_options(const Config& config, const mjModel* m) {
 }
 
 const char* refused_integrator(const Config& config, const mjModel* m) {
-  if (m->opt.integrator != mjINT_RK4 || !config.has_rigid()) return nullptr;
+  if (m->opt.integrator != mjINT_RK4) return nullptr;
+  if (!config.model.samplers.empty()) {
+    return "rotorub: <option integrator=\"RK4\">: a magnetic bearing's control is sampled once a "
+           "step; accepted: Euler, implicit";
+  }
+  if (!config.has_rigid()) return nullptr;
   return "rotorub: <option integrator=\"RK4\">: contact model `rigid` gives its impulses once a "
          "step; accepted: Euler, implicit (or contact model coulomb or cone)";
 }

@@ -7,6 +7,7 @@
 #include "native_model/dynamics/dynamics.h"
 #include "native_model/dynamics/loads.h"
 #include "native_model/stepping/step_limit.h"
+#include "native_model/system/sampled_feedback.h"
 #include "plugin/config.h"
 
 namespace rotorub::plugin {
@@ -150,7 +151,7 @@ Model bending_loads(const scene::Scene& scene, const Model& model, const Segment
     }
   }
   for (const scene::MagneticBearing& bearing : scene.magnetic_bearings) {
-    const double k = bearing.negative_stiffness;
+    const double k = bearing.pull();
     if (!bearing.control) loads.springs.push_back({shape(bearing.station), {-k, -k}});
   }
   for (StationFeedback feedback : model.feedbacks) {
@@ -158,8 +159,14 @@ Model bending_loads(const scene::Scene& scene, const Model& model, const Segment
     feedback.shape = shape(bearing.station);
     if (feedback.sensor) feedback.sensor = shape(*bearing.sensor_station);
     feedback.law.held = 0.0;  // the chain has no such spring
-    if (feedback.stored != kAbsent) feedback.stored += l.integral() - model.layout.integral();
+    feedback.states = feedback.states.moved(l.integral() - model.layout.integral());
     loads.feedbacks.push_back(std::move(feedback));
+  }
+  loads.samplers = model.samplers;
+  for (SampledFeedback& sampler : loads.samplers) {
+    for (int* at : {&sampler.command, &sampler.state}) {
+      *at += l.integral() - model.layout.integral();
+    }
   }
   return loads;
 }
@@ -259,6 +266,7 @@ void add_segment_loads(const Config& config, const mjModel* m, mjData* d) {
   for (int k = 0; k < l.integrals; ++k) v[l.integral() + k] = d->qvel[stored_address(config, k)];
 
   Eigen::VectorXd f = Eigen::VectorXd::Zero(l.nq());
+  jump_in_step(bending, d->time, m->opt.timestep, q.data(), v.data(), f.data());
   if (s.damping_x.size() > 0) {
     f.segment(l.x(), l.modes) -= s.damping_x * v.segment(l.x(), l.modes);
     f.segment(l.y(), l.modes) -= s.damping_y * v.segment(l.y(), l.modes);

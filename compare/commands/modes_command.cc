@@ -25,6 +25,7 @@
 #include "native_model/rub/rub_map.h"
 #include "native_model/scene/units.h"
 #include "native_model/system/model.h"
+#include "native_model/system/model_checks.h"
 #include "native_model/trajectory/output.h"
 
 namespace rotorub {
@@ -196,6 +197,8 @@ int show_state_space(const ModesArguments& options) {
     throw UsageError(
         "--state-space: needs [stator] and [contact]: the force on the ring is the input");
   }
+  const std::string why = beyond_linear_plant(scene, 0, model);
+  if (!why.empty()) throw UsageError("--state-space: " + why);
   std::cout << json_text(state_space_json(scene, plant_of(model, 0, scene.rotor.speed)));
   return kDone;
 }

@@ -13,6 +13,7 @@
 #include "native_model/control/library.h"
 #include "native_model/stepping/step_limit.h"
 #include "native_model/system/model_checks.h"
+#include "native_model/system/sampled_feedback.h"
 #include "native_model/trajectory/recorder.h"
 #include "plugin/config.h"
 #include "plugin/generated_rotor.h"
@@ -64,6 +65,7 @@ Trajectory run_mujoco(const scene::Scene& given, const MujocoOptions& options) {
   };
   setup.refusal = config.segments ? plugin::segment_step_refusal(*config.segments, scene.run.step)
                                   : step_refusal(config.model, scene.run.step);
+  if (setup.refusal.empty()) setup.refusal = sample_refusal(config.model, scene.run.step);
   return run_mujoco(scene, setup, options);
 }
 

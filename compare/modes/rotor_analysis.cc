@@ -9,6 +9,7 @@
 
 #include "compare/base/json.h"
 #include "compare/base/units.h"
+#include "compare/modes/levitation_text.h"
 #include "native_model/rotor/modal_rotor.h"
 #include "native_model/rotor/refusal.h"
 
@@ -40,11 +41,16 @@ RotorAnalysis analysis_of(const scene::Scene& scene, const std::vector<double>& 
 
 void add_response(const scene::Scene& scene, const std::vector<double>& speeds,
                   RotorAnalysis& analysis) {
-  if (!scene.first().contact) return;
-  analysis.clearance = scene.first().contact->clearance;
+  const bool controls =
+      std::ranges::any_of(scene.magnetic_bearings,
+                          [](const scene::MagneticBearing& b) { return b.control.has_value(); });
+  if (!scene.first().contact && !controls) return;
   scene::Scene free = scene;
   free.initial = {};
   const Model model = make_model(free);
+  for (double speed : speeds) analysis.levitations.push_back(levitation(model, speed));
+  if (!scene.first().contact) return;
+  analysis.clearance = scene.first().contact->clearance;
   for (double speed : speeds) analysis.orbits.push_back(free_orbit(free, model, speed));
 }
 
@@ -230,7 +236,9 @@ json modes_json(const RotorAnalysis& analysis) {
         {{"speed", spectrum.speed},
          {"modes", whirls_json(spectrum.modes)},
          {"rub", rubs.at.empty() ? json(nullptr) : rub_json(rubs.at[at])},
-         {"response", analysis.orbits.empty() ? json(nullptr) : response_json(analysis, at)}});
+         {"response", analysis.orbits.empty() ? json(nullptr) : response_json(analysis, at)},
+         {"levitation", analysis.levitations.empty() ? json(nullptr)
+                                                     : levitation_json(analysis.levitations[at])}});
     for (const RubAnalyses& of : analysis.rubs) {
       if (of.contact.empty()) break;  // there is one
       spectra.back()["contacts"].push_back(
@@ -260,6 +268,9 @@ std::string modes_table(const std::string& name, const RotorAnalysis& analysis) 
   for (std::size_t i = 0; i < analysis.spectra.size(); ++i) {
     text += "\n" + spectrum_table(analysis.spectra[i]);
     if (!analysis.orbits.empty()) text += response_text(analysis, i);
+    if (!analysis.levitations.empty()) {
+      text += levitation_table(analysis.spectra[i].speed, analysis.levitations[i]);
+    }
   }
   text += torsion_table(analysis);
 

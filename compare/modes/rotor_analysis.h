@@ -13,6 +13,7 @@
 #include "native_model/rotor/mode_truncation.h"
 #include "native_model/rotor/whirl_system.h"
 #include "native_model/scene/scene.h"
+#include "native_model/system/levitation.h"
 #include "native_model/system/steady_orbit.h"
 
 namespace rotorub {
@@ -29,6 +30,8 @@ struct RotorAnalysis {
   std::vector<RubAnalyses> rubs;  // of each contact, at the same speeds as the spectra
   std::vector<FreeOrbit> orbits;  // at the same speeds, of the modes kept; none without a contact
   double clearance = 0.0;         // m, of the contact
+  // At the same speeds, of the modes kept; without magnetic bearings that control none.
+  std::vector<Levitation> levitations;
   std::optional<ContactMass> contact_mass;  // geometry form with a contact only
 };
 
@@ -59,7 +62,7 @@ std::string stability_text(const RotorAnalysis& analysis);
 // (system/steady_orbit.h), "least_gap": m, < 0 where it would touch, or null, "vibration": m, peak
 // to peak, "vibration_limit": m, that of API 617 at this speed, null at rest, "refused": why there
 // is no such orbit, or null}, and "rub": rub_analysis.h; where its rubs cannot be analysed it is
-// null, and "rub_refused" says why.
+// null, and "rub_refused" says why. "levitation": levitation_text.h.
 nlohmann::json modes_json(const RotorAnalysis& analysis);
 
 // The same for people, with Hz and rpm; ends with a line break. Of the shapes, the values at the

@@ -8,6 +8,8 @@
 #include <string>
 #include <vector>
 
+#include "native_model/bearing/opposed_magnets.h"
+
 namespace rotorub {
 
 inline constexpr double kHalfRoot = 0.70710678118654752440;  // 1/sqrt 2
@@ -36,12 +38,9 @@ class ForceLaw {
   virtual double reach() const { return std::numeric_limits<double>::infinity(); }
 };
 
-// Two electromagnets that pull against each other with a bias current,
+// Two electromagnets that pull against each other (opposed_magnets.h), on a spring of their own,
 //
 //   F(s, i) = k_m [ ((i_0 + i)/(s_0 - s))^2 - ((i_0 - i)/(s_0 + s))^2 ] - c s
-//
-// F rises with i for |i| <= i_0. At s = i = 0 it has the slopes 4 k_m i_0 / s_0^2 (N/A) and
-// 4 k_m i_0^2 / s_0^3 - c (N/m: it pulls away from the middle).
 class Electromagnet final : public ForceLaw {
  public:
   struct Parameters {
@@ -50,11 +49,8 @@ class Electromagnet final : public ForceLaw {
     double air_gap = 0.0;         // m, s_0 > 0
     double stiffness = 0.0;       // N/m, c >= 0
   };
-  explicit Electromagnet(const Parameters& parameters) : p_(parameters) {}
-
-  // The ring's stop at the cores is not modelled: beyond kReach of the air gap the magnets pull as
-  // they do there.
-  static constexpr double kReach = 0.99;
+  explicit Electromagnet(const Parameters& p)
+      : p_(p), magnets_{p.force_constant, p.bias_current, p.air_gap} {}
 
   double force(double s, double i) const override;
   double gain(double s, double i) const override;
@@ -62,13 +58,10 @@ class Electromagnet final : public ForceLaw {
   double reach() const override { return p_.air_gap; }
 
  private:
-  // 1/(s_0 - s)^2 and 1/(s_0 + s)^2.
-  struct Gaps {
-    double pulling, opposing;
-  };
-  Gaps gaps(double s) const;
+  using Gaps = OpposedMagnets<double>::Gaps;
 
   Parameters p_;
+  OpposedMagnets<double> magnets_;
 };
 
 // F(s, i) of a magnetic actuator from measured or computed values on a grid, by a bicubic spline

@@ -51,12 +51,11 @@ double motor_torque(const Model& m, double t, const double* q, const double* v) 
 
 Eigen::Vector2d bearing_current(const Model& m, const StationFeedback& bearing, double t,
                                 const double* q, const double* v) {
-  const MagneticFeedback<double>& law = bearing.law;
-  if (t >= law.fails_at) return {0.0, 0.0};
-  const Eigen::Vector2d seen = at_station(m.layout, bearing.seen(), q);
-  const Eigen::Vector2d rate = at_station(m.layout, bearing.seen(), v);
-  const eq::Pair<double> stored = eq::stored_current(m, bearing, v);
-  return {law.current(seen.x(), rate.x(), stored.x), law.current(seen.y(), rate.y(), stored.y)};
+  if (!bearing.works.at(t)) return {0.0, 0.0};
+  const int n = m.layout.modes;
+  const eq::Pair<double> seen = eq::at_station(n, bearing.seen(), q);
+  const eq::Pair<double> rate = eq::at_station(n, bearing.seen(), v);
+  return vector(eq::bearing_current(m, bearing, seen, rate, v).current);
 }
 
 void coupling_force(const Model& m, double t, const double* q, const double* v, double* f) {

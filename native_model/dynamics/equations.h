@@ -248,34 +248,6 @@ ROTORUB_INLINE void add_springs(const M& m, const T* q, T* f) {
   }
 }
 
-// A, what the integrator of a magnetic bearing holds; 0 without one.
-template <class M, class B, class T = typename M::Scalar>
-ROTORUB_INLINE Pair<T> stored_current(const M& m, const B& bearing, const T* v) {
-  if (m.layout.integrals == 0 || bearing.stored == kAbsent) return {T{}, T{}};
-  return {v[bearing.stored], v[bearing.stored + 1]};
-}
-
-// Magnetic bearings with a feedback, each of which works for its share of the time: all that they
-// do beyond their linear springs.
-template <class M, class T = typename M::Scalar>
-ROTORUB_INLINE void add_feedbacks(const M& m, const T* shares, const T* q, const T* v, T* f) {
-  const int n = m.layout.modes;
-  for (const auto& bearing : m.feedbacks) {
-    const T share = *shares++;
-    const auto& law = bearing.law;
-    const auto& sensor = bearing.sensor ? *bearing.sensor : bearing.shape;
-    const Pair<T> r = at_station(n, bearing.shape, q), rate = at_station(n, sensor, v);
-    const Pair<T> seen = bearing.sensor ? at_station(n, sensor, q) : r;
-    const Pair<T> stored = stored_current(m, bearing, v);
-    add_station_force<T>(n, bearing.shape, law.force(share, r.x, seen.x, rate.x, stored.x),
-                         law.force(share, r.y, seen.y, rate.y, stored.y), f);
-    if (m.layout.integrals == 0 || bearing.stored == kAbsent) continue;
-    const int at = bearing.stored;
-    f[at] += m.mass[at] * law.stored_rate(share, seen.x, rate.x, stored.x);
-    f[at + 1] += m.mass[at + 1] * law.stored_rate(share, seen.y, rate.y, stored.y);
-  }
-}
-
 // -Omega G v.
 template <class M, class T = typename M::Scalar>
 ROTORUB_INLINE void add_gyroscopic(const M& m, const T& omega, const T* v, T* f) {

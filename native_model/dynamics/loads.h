@@ -7,7 +7,7 @@
 #include <type_traits>
 
 #include "native_model/dynamics/dynamics.h"
-#include "native_model/dynamics/equations.h"
+#include "native_model/dynamics/feedback_equations.h"
 
 namespace rotorub::equations {
 
@@ -18,6 +18,19 @@ ROTORUB_INLINE void add_supports([[maybe_unused]] const M& m, [[maybe_unused]] c
                                  [[maybe_unused]] const T* v, [[maybe_unused]] T* f) {
   if constexpr (std::is_base_of_v<Model, M>) {
     if (!m.supports.empty()) add_ring_supports(m, q, v, f);
+  }
+}
+
+// The same in a step of h, s, from the velocities `start`: what bristles do within it is known
+// exactly, as they may be quick.
+template <class M, class T = typename M::Scalar>
+ROTORUB_INLINE void add_supports([[maybe_unused]] const M& m, [[maybe_unused]] const T* q,
+                                 [[maybe_unused]] const T* v, [[maybe_unused]] const T* start,
+                                 [[maybe_unused]] double h, [[maybe_unused]] T* f) {
+  if constexpr (std::is_base_of_v<Model, M>) {
+    if (m.supports.empty()) return;
+    add_ring_supports(m, q, v, f);
+    step_bristles(m, v, start, h, f);
   }
 }
 
@@ -40,7 +53,7 @@ template <class M>
 std::array<double, scene::kMaxMagneticBearings> working_at(const M& m, double t) {
   std::array<double, scene::kMaxMagneticBearings> shares{};
   for (std::size_t k = 0; k < m.feedbacks.size(); ++k) {
-    shares[k] = t < m.feedbacks[k].law.fails_at ? 1.0 : 0.0;
+    shares[k] = m.feedbacks[k].works.at(t) ? 1.0 : 0.0;
   }
   return shares;
 }

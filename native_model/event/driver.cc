@@ -6,6 +6,7 @@
 #include "native_model/dynamics/dynamics.h"
 #include "native_model/event/location.h"
 #include "native_model/system/actuation.h"
+#include "native_model/system/sampled_feedback.h"
 #include "native_model/trajectory/range_check.h"
 
 namespace rotorub {
@@ -181,6 +182,10 @@ void EventIntegrator::arrive_at_break() {
 }
 
 void EventIntegrator::sample_controllers() {
+  for (std::size_t k = 0; k < model_->samplers.size(); ++k) {
+    if (!schedule_.feedback_due(k, motion_.t)) continue;
+    take_sample(*model_, model_->samplers[k], motion_.t, motion_.q(), motion_.v());
+  }
   const double *q = motion_.q(), *v = motion_.v();
   for (std::size_t k = 0; k < phase_.contacts(); ++k) {
     if (!schedule_.sample_due(k, motion_.t)) continue;

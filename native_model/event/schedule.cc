@@ -20,7 +20,9 @@ void Schedule::begin(double start, double end) {
   }
   for (const DiscUnbalance& u : m.unbalances) add(u.on);
   if (m.base) std::ranges::for_each(m.base->breaks(), add);
-  for (const StationFeedback& f : m.feedbacks) add(f.law.fails_at);
+  for (const StationFeedback& f : m.feedbacks) {
+    for (const double t : f.works.all()) add(t);
+  }
   if (m.drive_follows()) add(m.drive->ramp_end());
   for (const AuxiliaryBearing& at : m.auxiliary) {
     if (at.controller) {
@@ -35,6 +37,10 @@ void Schedule::begin(double start, double end) {
   }
   std::sort(breaks_.begin(), breaks_.end());
   breaks_.erase(std::unique(breaks_.begin(), breaks_.end()), breaks_.end());
+  next_feedback_.clear();
+  for (const SampledFeedback& s : m.samplers) {
+    next_feedback_.push_back(std::ceil(start / s.sample_time - 1e-9));
+  }
   next_sample_.clear();
   for (const AuxiliaryBearing& at : m.auxiliary) {
     next_sample_.push_back(at.sample_time > 0.0 ? std::ceil(start / at.sample_time - 1e-9) : 0.0);
@@ -50,7 +56,19 @@ double Schedule::next(double t) const {
     const double sample = next_sample_[k] * at.sample_time;
     if (sample > t) limit = std::min(limit, sample);
   }
+  for (std::size_t k = 0; k < next_feedback_.size(); ++k) {
+    const double sample = next_feedback_[k] * model_->samplers[k].sample_time;
+    if (sample > t) limit = std::min(limit, sample);
+  }
   return limit;
+}
+
+bool Schedule::feedback_due(std::size_t sampler, double t) {
+  double& next = next_feedback_[sampler];
+  const double every = model_->samplers[sampler].sample_time;
+  if (t < next * every) return false;
+  next = sample_index(t, every) + 1.0;
+  return true;
 }
 
 bool Schedule::sample_due(std::size_t bearing, double t) {

@@ -18,11 +18,14 @@ class Schedule {
   double next(double t) const;
   // Once at each t reached: is the controller of this auxiliary bearing to be sampled now?
   bool sample_due(std::size_t bearing, double t);
+  // The same of a control of magnetic bearings (Model::samplers).
+  bool feedback_due(std::size_t sampler, double t);
 
  private:
   const Model* model_;
-  std::vector<double> breaks_;       // s, ascending; the last is the end
-  std::vector<double> next_sample_;  // index, of each bearing
+  std::vector<double> breaks_;         // s, ascending; the last is the end
+  std::vector<double> next_sample_;    // index, of each bearing
+  std::vector<double> next_feedback_;  // index, of each sampler of magnetic bearings
 };
 
 }  // namespace rotorub

@@ -10,6 +10,7 @@ namespace rotorub {
 namespace {
 
 constexpr double kLeastDisplacement = 1e-6, kLeastSpeed = 1e-6;  // m, m/s: of a system at rest
+constexpr double kLeastCurrent = 1e-6;                           // A
 
 }  // namespace
 
@@ -55,10 +56,20 @@ void SmoothStep::meet(const Motion& motion) {
     return std::find_if(model_->auxiliary.begin(), model_->auxiliary.end(), has)
         ->magnets->current_limit;
   };
-  const auto most_stored = [&](int i) {  // A at the size of the motion
-    const auto has = [i](const StationFeedback& f) { return i == f.stored || i == f.stored + 1; };
-    return std::find_if(model_->feedbacks.begin(), model_->feedbacks.end(), has)->law.proportional *
-           displacement_;
+  // Of a feedback's state, at the size of the motion. What lags is faster than the motion, and its
+  // dense output further from it than its steps.
+  constexpr double kLags = 1e-2;
+  const auto state_size = [&](int i) {
+    for (const StationFeedback& f : model_->feedbacks) {
+      const auto is = [i](int at) { return i == at || i == at + 1; };
+      if (is(f.states.stored)) return f.law.proportional * displacement_;
+      if (is(f.states.filtered)) return kLags * speed_;
+      if (is(f.states.current)) {
+        return kLags *
+               (f.law.proportional * displacement_ + f.law.derivative * speed_ + kLeastCurrent);
+      }
+    }
+    return kInfinity;  // of a sampler's memory, which holds
   };
   double *of_q = tolerance_.data(), *of_v = of_q + n;
   for (int i = 0; i < l.mechanical(); ++i) {
@@ -69,7 +80,7 @@ void SmoothStep::meet(const Motion& motion) {
   // the integrals of the run.
   for (int i = l.bristle(); i < n; ++i) {
     of_q[i] = kInfinity;
-    of_v[i] = tolerance * (i < l.integral() ? 1.0 : i < l.coil() ? most_stored(i) : coil_limit(i));
+    of_v[i] = tolerance * (i < l.integral() ? 1.0 : i < l.coil() ? state_size(i) : coil_limit(i));
   }
   std::fill(tolerance_.begin() + 2 * n, tolerance_.end(), kInfinity);
 }
@@ -192,7 +203,7 @@ std::string part_of(const Layout& l, int i) {
   if (i < l.ring_angle()) return "the ring's motion";
   if (i < l.bristle()) return "the ring's spin";
   if (i < l.integral()) return "dry friction under the ring";
-  if (i < l.coil()) return "a magnetic bearing's integrator";
+  if (i < l.coil()) return "a magnetic bearing's integrator, filter or amplifier";
   return numbered("the current of coil ", l.coil());
 }
 

@@ -56,11 +56,12 @@ ModalSums modal_sums(const PlanarModes& modes, const Eigen::RowVectorXd& u) {
 }
 
 MagneticSupport magnetic_support(const scene::Scene& scene, const scene::MagneticBearing& bearing) {
-  if (!bearing.control) return {-bearing.negative_stiffness, 0.0, 0.0};
+  if (!bearing.control) return {-bearing.pull(), 0.0, 0.0};
   const scene::BearingControl& c = *bearing.control;
-  const double stiffness = c.force_per_current * c.proportional - bearing.negative_stiffness;
+  const double gain = bearing.force_per_current();
+  const double stiffness = gain * c.proportional - bearing.pull();
   MagneticSupport support;
-  if (c.fails_at > 0.0) support = {stiffness, c.force_per_current * c.derivative, 0.0};
+  if (c.works()) support = {stiffness, gain * c.derivative, 0.0};
   if (scene.rotor.geometry && !scene.rotor.assembled) support.held = std::max(0.0, stiffness);
   return support;
 }

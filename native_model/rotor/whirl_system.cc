@@ -39,12 +39,12 @@ void add_magnets(const scene::Scene& scene, const scene::MagneticBearing& bearin
                  WhirlSystem& system) {
   const MagneticSupport support = magnetic_support(scene, bearing);
   const double beside = support.stiffness - support.held;
-  if (!bearing.senses_elsewhere() || !bearing.control || bearing.control->fails_at <= 0.0) {
+  if (!bearing.senses_elsewhere() || !bearing.control || !bearing.control->works()) {
     return add_support(u[0], u[1], {beside, beside}, {support.damping, support.damping}, system);
   }
-  const double own = -(bearing.negative_stiffness + support.held);
+  const double own = -(bearing.pull() + support.held);
   add_support(u[0], u[1], {own, own}, {0.0, 0.0}, system);
-  const double spring = bearing.control->force_per_current * bearing.control->proportional;
+  const double spring = bearing.force_per_current() * bearing.control->proportional;
   system.stiffness_x += spring * u[0] * s[0].transpose();
   system.stiffness_y += spring * u[1] * s[1].transpose();
   system.damping_x += support.damping * u[0] * s[0].transpose();

@@ -39,14 +39,28 @@ struct Checks {
 
 // Linear: it works without a limit for ever, or has failed.
 void check_feedback(const Checks& check, std::size_t bearing,
-                    const scene::BearingControl& control) {
-  if (control.fails_at == 0.0) return;
+                    const scene::MagneticBearing& magnetic) {
+  const scene::BearingControl& control = *magnetic.control;
+  if (!control.works()) return;
   const std::string path =
       scene::magnetic_bearing_path(check.scene.record.get(), bearing) + ".control.";
+  check(magnetic.kind != scene::MagnetKind::kLinear,
+        scene::magnetic_bearing_path(check.scene.record.get(), bearing) + ".kind",
+        "an electromagnet's force is not linear; accepted are linear, or " + path + "fails_at = 0");
+  check(control.works_from > 0.0, path + "on",
+        "before and after are two machines; accepted is 0 (left out)");
   check(control.fails_at < scene::kNever, path + "fails_at",
         "before and after are two machines; accepted are 0 (it has failed) and never (left out)");
-  check(control.integral > 0.0, path + "integral",
-        "the analysis has no state for an integrator; accepted are 0 (left out), or " + path +
+  const auto has_no_state = [&](bool has, const std::string& key, const char* what) {
+    check(has, key,
+          std::string("the analysis has no state for ") + what +
+              "; accepted are 0 (left out), or " + path + "fails_at = 0");
+  };
+  has_no_state(control.integral > 0.0, path + "integral", "an integrator");
+  has_no_state(control.derivative_lag > 0.0, path + "derivative_lag", "a filter");
+  check(magnetic.amplifier.has_value(),
+        scene::magnetic_bearing_path(check.scene.record.get(), bearing) + ".amplifier",
+        "the analysis has no state for an amplifier; accepted is none (left out), or " + path +
             "fails_at = 0");
   check(std::isfinite(control.current_limit), path + "current_limit",
         "at the limit the magnets' forces are not linear; accepted are none (left out), or " +
@@ -103,8 +117,8 @@ void check(const scene::Scene& scene) {
   check(!first.contact->offset.isZero(0.0), "contact.offset",
         "the ring is out of the middle of the whirl, and none is steady; accepted is 0");
   for (std::size_t k = 0; k < scene.magnetic_bearings.size(); ++k) {
-    const auto& control = scene.magnetic_bearings[k].control;
-    if (control) check_feedback(check, k, *control);
+    const scene::MagneticBearing& magnetic = scene.magnetic_bearings[k];
+    if (magnetic.control) check_feedback(check, k, magnetic);
   }
   check(first.controller && first.controller->kind != scene::ControllerKind::kPassive &&
             !crosses(*first.controller),

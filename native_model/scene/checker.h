@@ -46,10 +46,11 @@ struct Checker {
   std::optional<std::size_t> torsion_modes() const;
 };
 
-void check_run(const Checker& check);           // [run]
-void check_rotor(const Checker& check);         // [rotor] and its tables
-void check_loads(const Checker& check);         // [drive], [[force]], magnetic bearings
-void check_base(const Checker& check);          // [base]
+void check_run(const Checker& check);    // [run]
+void check_rotor(const Checker& check);  // [rotor] and its tables
+void check_loads(const Checker& check);  // [drive], [[force]], [base], magnetic bearings
+void check_base(const Checker& check);   // [base]
+void check_magnetic_bearings(const Checker& check);
 void check_start(const Checker& check);         // [initial], [gravity], [mujoco]
 void check_ring(const Checker& check);          // [stator] of one bearing and the tables below
 void check_actuator(const Checker& check);      // its [actuator]

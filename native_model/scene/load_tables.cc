@@ -1,9 +1,8 @@
-// [drive], [[force]] and [magnetic_bearing] ([base]: base_table.cc): rows, and what single keys
-// cannot show.
+// [drive] and [[force]] ([base]: base_table.cc, magnetic bearings: magnetic_tables.cc): rows, and
+// what single keys cannot show.
 
 #include "native_model/scene/checker.h"
 #include "native_model/scene/schema.h"
-#include "native_model/scene/shaft_bearing.h"
 #include "native_model/scene/text.h"
 
 namespace rotorub::scene {
@@ -91,55 +90,6 @@ Table force() {
       .as_list();
 }
 
-Table magnetic_bearing() {
-  return {"magnetic_bearing",
-          "Adds the force + `negative_stiffness` times the deflection at its station, and what its "
-          "`control` does; its excitation is a [[force]] at the same station. Or several of them, "
-          "each [[magnetic_bearing]] with its own [magnetic_bearing.control].",
-          "none",
-          [](Scene& scene) -> void* { return &scene.magnetic_bearings.emplace_back(); },
-          {key<&MagneticBearing::negative_stiffness>("negative_stiffness", kStiffness, ">= 0",
-                                                     kRequired, "its size"),
-           key<&MagneticBearing::shape>("shape", kPure, "", "all 1",
-                                        "value of each bending mode at the station")
-               .in(Form::kModal),
-           key<&MagneticBearing::station>("station", kLength, ">= 0", kRequired, "along the shaft")
-               .or_called("z")
-               .in(Form::kGeometry),
-           key<&MagneticBearing::sensor_shape>("sensor_shape", kPure, "", "`shape`",
-                                               "the same where `control` sees the deflection")
-               .in(Form::kModal),
-           key<&MagneticBearing::sensor_station>("sensor_station", kLength, ">= 0", "`station`",
-                                                 "where `control` sees the deflection")
-               .in(Form::kGeometry)}};
-}
-
-Table bearing_control() {
-  return {
-      "magnetic_bearing.control",
-      "The bearing's own feedback, on each of x and y by the deflection r at its sensor: the "
-      "current i = -(`proportional` r + `integral` times the integral of r + `derivative` r'), "
-      "within the limit, and its force `force_per_current` i (A magnetic bearing that holds the "
-      "rotor). Needs [magnetic_bearing].",
-      "the bearing holds nothing",
-      [](Scene& scene) -> void* {
-        if (scene.magnetic_bearings.empty()) scene.magnetic_bearings.emplace_back();
-        return &scene.magnetic_bearings.back().control.emplace();
-      },
-      {key<&BearingControl::force_per_current>("force_per_current", kForcePerCurrent, "> 0",
-                                               kRequired, "k_i"),
-       key<&BearingControl::proportional>("proportional", kCurrentPerLength, ">= 0", kRequired,
-                                          "P"),
-       key<&BearingControl::integral>(
-           "integral", kCurrentPerLengthTime, ">= 0", kStandard,
-           "I; at the limit it takes back what is cut off; needs `proportional`"),
-       key<&BearingControl::derivative>("derivative", kCurrentPerVelocity, ">= 0", kStandard, "D"),
-       key<&BearingControl::current_limit>("current_limit", kCurrent, "> 0", "none",
-                                           "of the current's size on each axis"),
-       key<&BearingControl::fails_at>("fails_at", kTime, ">= 0", "never",
-                                      "from here on neither current nor negative stiffness")}};
-}
-
 void check_drive(const Checker& check, const Drive& drive) {
   check.station("drive.station", drive.station);
   if (drive.kind != DriveKind::kTable || !check.given("drive.table_speed") ||
@@ -175,114 +125,19 @@ void check_forces(const Checker& check) {
   }
 }
 
-// N/m, of its own linear law.
-double spring_of(const MagneticBearing& bearing) {
-  if (!bearing.control) return -bearing.negative_stiffness;
-  return bearing.control->force_per_current * bearing.control->proportional -
-         bearing.negative_stiffness;
-}
-
-// The other supports leave the shaft no rigid motion in this plane: they hold it at two stations.
-bool held_without(const Scene& scene, const MagneticBearing& magnetic, int plane) {
-  std::vector<double> stations;
-  for (const ShaftBearing& bearing : scene.rotor.geometry->bearings) {
-    if (stiffness_at(bearing, scene.rotor.speed)[plane] > 0.0) stations.push_back(bearing.z);
-  }
-  for (const MagneticBearing& other : scene.magnetic_bearings) {
-    if (&other != &magnetic && spring_of(other) > 0.0) stations.push_back(other.station);
-  }
-  return std::any_of(stations.begin(), stations.end(),
-                     [&](double z) { return z != stations.front(); });
-}
-
-bool touches(const MagneticBearing& bearing, std::size_t mode) {
-  return bearing.shape.empty() || (mode < bearing.shape.size() && bearing.shape[mode] != 0.0);
-}
-
-// What nothing but this magnetic bearing holds; empty: nothing.
-std::string held_by_magnets(const Scene& scene, const MagneticBearing& magnetic) {
-  const char* planes[] = {"x", "y"};
-  if (scene.rotor.geometry) {
-    for (int plane : {0, 1}) {
-      if (held_without(scene, magnetic, plane)) continue;
-      return std::string("the shaft against rigid motion in plane ") + planes[plane];
-    }
-  }
-  if (!scene.rotor.modal) return {};
-  const RotorModal& modal = *scene.rotor.modal;
-  for (std::size_t k = 0; k < modal.stiffness.size(); ++k) {
-    const bool free_y = k < modal.stiffness_y.size() && modal.stiffness_y[k] == 0.0;
-    if (!touches(magnetic, k) || !(modal.stiffness[k] == 0.0 || free_y)) continue;
-    if (std::any_of(scene.magnetic_bearings.begin(), scene.magnetic_bearings.end(),
-                    [&](const MagneticBearing& other) {
-                      return &other != &magnetic && touches(other, k) && spring_of(other) > 0.0;
-                    }))
-      continue;
-    return "mode " + std::to_string(k + 1) + ", whose stiffness is 0, in plane " +
-           planes[modal.stiffness[k] == 0.0 ? 0 : 1];
-  }
-  return {};
-}
-
-// What it alone holds it must hold.
-void check_magnetic_bearing(const Checker& check, const MagneticBearing& magnetic,
-                            const std::string& path) {
-  check.station(path + ".station", magnetic.station);
-  check.station(path + ".sensor_station", magnetic.sensor_station.value_or(0.0));
-  if (const auto modes = check.bending_modes()) {
-    check.list_length(path + ".shape", magnetic.shape, *modes, "bending mode");
-    check.list_length(path + ".sensor_shape", magnetic.sensor_shape, *modes, "bending mode");
-  }
-  const std::string control_path = path + ".control";
-  if (!magnetic.control) {
-    for (const char* key : {".sensor_station", ".sensor_shape"}) {
-      if (check.given(path + key)) {
-        check.fail(path + key, "is where " + control_path +
-                                   " sees the deflection, and there is "
-                                   "none; accepted: one beside it");
-      }
-    }
-    return;
-  }
-  if (!check.sound({path + ".negative_stiffness", control_path + ".force_per_current",
-                    control_path + ".proportional"})) {
-    return;
-  }
-  const BearingControl& control = *magnetic.control;
-  if (control.integral > 0.0 && control.proportional == 0.0) {
-    check.fail(control_path + ".integral",
-               "needs " + control_path +
-                   ".proportional, whose force the integrator replaces within P / I");
-  }
-  const double magnets = control.force_per_current * control.proportional;
-  const double against = magnetic.negative_stiffness;
-  if (magnets > against) return;
-  const std::string held = held_by_magnets(check.scene, magnetic);
-  if (held.empty()) return;
-  check.fail(control_path + ".proportional",
-             "times force_per_current is " + number_text(magnets) +
-                 " N/m, and negative_stiffness takes " + number_text(against) +
-                 " N/m of it: " + number_text(against - magnets) + " N/m too little to hold " +
-                 held + ", which nothing else holds; accepted: more than " +
-                 number_text(against / control.force_per_current) + " A/m");
-}
-
 }  // namespace
 
 std::vector<Table> load_tables() {
-  Table magnets = magnetic_bearing();
-  magnets.or_list = true;
-  return {drive(), force(), base_table(), std::move(magnets), bearing_control()};
+  std::vector<Table> all{drive(), force(), base_table()};
+  for (Table& table : magnetic_tables()) all.push_back(std::move(table));
+  return all;
 }
 
 void check_loads(const Checker& check) {
   if (check.scene.drive) check_drive(check, *check.scene.drive);
   check_forces(check);
   check_base(check);
-  for (std::size_t k = 0; k < check.scene.magnetic_bearings.size(); ++k) {
-    check_magnetic_bearing(check, check.scene.magnetic_bearings[k],
-                           magnetic_bearing_path(&check.record, k));
-  }
+  check_magnetic_bearings(check);
 }
 
 }  // namespace rotorub::scene

@@ -91,7 +91,11 @@ Table mujoco() {
            "of MuJoCo 2.3.7 and later)"),
        key<&Mujoco::shadow>("shadow", kPure, "", kStandard,
                             "the native model runs alongside, step by step: its gap, forces and "
-                            "position are user sensors, and a ghost shows it (plugin/README.md)")}};
+                            "position are user sensors, and a ghost shows it (plugin/README.md)"),
+       key<&Mujoco::bearing_currents>(
+           "bearing_currents", kPure, "", kStandard,
+           "two actuators of each magnetic bearing with an amplifier: their ctrl, A, is added to "
+           "the current that its control asks for (the viewer's sliders)")}};
 }
 
 void check_initial_lists(const Checker& check) {
@@ -128,6 +132,16 @@ void check_steady(const Checker& check) {
 }
 
 void check_mujoco(const Checker& check) {
+  if (check.scene.mujoco.bearing_currents && check.scene.mujoco.shadow) {
+    check.fail("mujoco.bearing_currents",
+               "mujoco.shadow does not know what is added to the currents; accepted: one of them");
+  }
+  const auto amplifies = [](const MagneticBearing& b) { return b.amplifier.has_value(); };
+  if (check.scene.mujoco.bearing_currents &&
+      std::ranges::none_of(check.scene.magnetic_bearings, amplifies)) {
+    check.fail("mujoco.bearing_currents",
+               "no magnetic bearing has a [magnetic_bearing.amplifier]; accepted: false");
+  }
   const Scene& scene = check.scene;
   for (std::size_t i = 0; i < scene.forces.size(); ++i) {
     if (scene.forces[i].kind != ForceKind::kUnbalance || !scene.drive ||

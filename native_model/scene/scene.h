@@ -17,6 +17,7 @@
 
 #include "native_model/contact/most_contacts.h"
 #include "native_model/scene/auxiliary_bearing.h"
+#include "native_model/scene/magnetic_bearing.h"
 
 namespace rotorub {
 struct ModalRotor;  // rotor/modal_rotor.h
@@ -25,8 +26,6 @@ struct ModalRotor;  // rotor/modal_rotor.h
 namespace rotorub::scene {
 
 class Record;
-
-inline constexpr double kNever = 1e300;  // s, a switching time that is never reached
 
 // ---------------------------------------------------------------- [run]
 enum class Integrator { kEvent, kMidpoint, kVerlet, kEuler };
@@ -168,7 +167,7 @@ struct Drive {
   double inertia = 0.0;  // kg m^2, >= 0, geometry form: of the motor's rotor at `station`
 };
 
-// ---------------------------------------------------------------- [[force]], magnetic bearings
+// ---------------------------------------------------------------- [[force]]
 enum class ForceKind { kRotating, kConstant, kSynchronous, kChirp, kPulse, kUnbalance };
 
 // Acts for on <= t < off, rising linearly from 0 over [on, on + ramp]. amplitude (cos a, sin a):
@@ -192,29 +191,6 @@ struct Force {
   std::vector<double> shape;         // modal form: mode values at the station, default all 1
   double station = 0.0;              // m, geometry form
 };
-
-// The feedback of a magnetic bearing on each of x and y: bearing/magnetic_feedback.h.
-struct BearingControl {
-  double force_per_current = 0.0;                                  // N/A, k_i > 0
-  double proportional = 0.0;                                       // A/m, P >= 0
-  double integral = 0.0;                                           // A/(m s), I >= 0, needs P > 0
-  double derivative = 0.0;                                         // A s/m, D >= 0
-  double current_limit = std::numeric_limits<double>::infinity();  // A, > 0, on each axis
-  double fails_at = kNever;  // s, >= 0: no current and no negative stiffness from then on
-};
-
-// Adds the force + negative_stiffness * deflection at its station, and what `control` does.
-struct MagneticBearing {
-  double station = 0.0;                     // m, geometry form
-  std::vector<double> shape;                // modal form: mode values at the station, default all 1
-  double negative_stiffness = 0.0;          // N/m, >= 0
-  std::optional<BearingControl> control{};  // absent: it holds nothing
-  // Where the control sees the deflection; absent: where the bearing is.
-  std::optional<double> sensor_station{};  // m, geometry form
-  std::vector<double> sensor_shape{};      // modal form; empty: as `shape`
-  bool senses_elsewhere() const { return sensor_station || !sensor_shape.empty(); }
-};
-inline constexpr std::size_t kMaxMagneticBearings = 8;
 
 // ---------------------------------------------------------------- [gravity], [initial], [mujoco]
 // Acceleration in the plane of the bending modes. Modal form: `participation` is the load of each
@@ -261,6 +237,7 @@ struct Mujoco {
   double solref_damping = 0.0;      // 1/s, > 0: direct solref B (0: that of contact.restitution)
   double friction_reference = 0.0;  // 1/s, > 0: B_t of the cone's friction rows (0: MuJoCo's, B)
   bool shadow = false;              // the native model runs alongside, in user sensors
+  bool bearing_currents = false;    // actuators that add to what the amplifiers are asked for
 };
 
 // The contact models of MuJoCo's side and their words: in scene files, options, columns and
@@ -311,6 +288,7 @@ struct Scene {
   std::vector<Force> forces;
   // [magnetic_bearing], or each [[magnetic_bearing]]; at most kMaxMagneticBearings.
   std::vector<MagneticBearing> magnetic_bearings;
+  std::optional<SharedControl> magnetic_control;
   // One at least: [contact], [stator], [actuator] and [controller] at the top of a file, which may
   // all be absent, or those of its [[contact]] in their order; at most kMaxContacts.
   std::vector<AuxiliaryBearing> auxiliary = std::vector<AuxiliaryBearing>(1);

@@ -124,6 +124,7 @@ Table run_table();
 std::vector<Table> rotor_tables();
 std::vector<Table> load_tables();
 Table base_table();
+std::vector<Table> magnetic_tables();
 std::vector<Table> contact_tables();
 std::vector<Table> ring_tables();
 std::vector<Table> actuator_tables();

@@ -6,6 +6,7 @@
 #include "native_model/dynamics/constraint.h"
 #include "native_model/dynamics/dynamics.h"
 #include "native_model/system/actuation.h"
+#include "native_model/system/sampled_feedback.h"
 
 namespace rotorub {
 namespace {
@@ -32,10 +33,11 @@ FixedStep EulerStepper::step(std::int64_t k, std::span<const Eigen::Vector2d> u,
   const Model& m = *model_;
   const double t = static_cast<double>(k) * h_;
   const State start = state_;
+  take_samples(m, t, h_, q(), state_.v.data());
   smooth_force(m, t, q(), v(), u, f_.data());
   step_bristles(m, v(), v(), h_, f_.data());
   solve_mass(m, t, q(), f_.data(), f_.data());
-  free_ = start.v + h_ * f_;
+  free_ = state_.v + h_ * f_;
   state_.v = free_;
   hits_.clear();
   std::fill(done_.begin(), done_.end(), ContactStep{});

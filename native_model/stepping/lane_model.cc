@@ -114,13 +114,31 @@ LaneModel<T>::LaneModel(const std::vector<const Model*>& all)
       return number<T>(all, [=](const Model& m) { return of(m).law.*member; });
     };
     using Law = MagneticFeedback<double>;
+    const auto coil = [&](auto member) {
+      return number<T>(all, [=](const Model& m) { return of(m).law.amplifier.*member; });
+    };
+    const auto magnets = [&](auto member) {
+      return number<T>(all, [=](const Model& m) { return of(m).law.magnets.*member; });
+    };
+    using Magnets = OpposedMagnets<double>;
     feedbacks.push_back(
         {shape<T>(all, [&](const Model& m) -> const ModeShape& { return of(m).shape; }),
-         {law(&Law::negative_stiffness), law(&Law::force_per_current), law(&Law::proportional),
-          law(&Law::derivative), law(&Law::current_limit), law(&Law::fails_at), law(&Law::held),
-          law(&Law::integral)},
+         {.negative_stiffness = law(&Law::negative_stiffness),
+          .force_per_current = law(&Law::force_per_current),
+          .proportional = law(&Law::proportional),
+          .derivative = law(&Law::derivative),
+          .current_limit = law(&Law::current_limit),
+          .held = law(&Law::held),
+          .integral = law(&Law::integral),
+          .derivative_lag = law(&Law::derivative_lag),
+          .amplifier = {coil(&Coil<double>::lag), coil(&Coil<double>::rate_limit),
+                        coil(&Coil<double>::voltage_limit), coil(&Coil<double>::inductance),
+                        coil(&Coil<double>::resistance)},
+          .opposed = of(first).law.opposed,
+          .magnets = {magnets(&Magnets::force_constant), magnets(&Magnets::bias_current),
+                      magnets(&Magnets::air_gap)}},
          {},
-         of(first).stored});
+         of(first).states});
     if (!of(first).sensor) continue;
     feedbacks.back().sensor =
         shape<T>(all, [&](const Model& m) -> const ModeShape& { return *of(m).sensor; });
@@ -150,9 +168,11 @@ bool same_structure(const Model& a, const Model& b) {
     for (const AppliedForce& f : m.forces) forces.push_back(static_cast<int>(f.kind));
     std::vector<bool> films;
     for (const StationFilm& film : m.films) films.push_back(film.law.follows());
-    std::vector<std::pair<int, bool>> feedbacks;
-    for (const StationFeedback& f : m.feedbacks)
-      feedbacks.emplace_back(f.stored, f.sensor.has_value());
+    std::vector<std::tuple<int, int, int, int, bool, bool>> feedbacks;
+    for (const StationFeedback& f : m.feedbacks) {
+      feedbacks.emplace_back(f.states.stored, f.states.filtered, f.states.current, f.states.command,
+                             f.sensor.has_value(), f.law.opposed);
+    }
     const Layout& l = m.layout;
     return std::tuple(
         l.modes, l.spin, l.torsion, l.stator, l.ring_spin, l.integrals, l.coils, forces, films,

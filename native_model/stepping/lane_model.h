@@ -38,7 +38,7 @@ struct LaneModel {
     Shape shape;
     MagneticFeedback<T> law;
     std::optional<Shape> sensor;
-    int stored;
+    FeedbackStates states;
   };
   struct Bearing {  // as AuxiliaryBearing
     Shape shape;

@@ -10,6 +10,7 @@
 // nothing. All inline: whoever calls it chooses the instruction set.
 #pragma once
 
+#include <algorithm>
 #include <array>
 #include <cstdint>
 #include <utility>
@@ -17,11 +18,12 @@
 
 #include "native_model/contact/most_contacts.h"
 #include "native_model/dynamics/dynamics.h"
-#include "native_model/dynamics/equations.h"
+#include "native_model/dynamics/feedback_equations.h"
 #include "native_model/stepping/lane_model.h"
 #include "native_model/stepping/step_state.h"
 #include "native_model/stepping/stepped_loads.h"
 #include "native_model/stepping/velocity_matrix.h"
+#include "native_model/system/sampled_feedback.h"
 
 namespace rotorub {
 
@@ -33,8 +35,8 @@ using StepCommands = std::array<equations::Pair<T>, kMaxContacts>;
 // f += what the actuators do under `commands`, two numbers of each auxiliary bearing. One run.
 void add_actuators_of_run(const Model& m, const double* q, const double* v, const double* commands,
                           double* f);
-// What a magnetic bearing does leaves its linear law, of which the damper is in the matrix.
-bool feedback_switches(const Model& m);
+// A load of one of the models depends on velocities beyond what the matrix has of it.
+bool beyond_matrix(const std::vector<const Model*>& models);
 
 template <class M>
 class LoadKick {
@@ -51,22 +53,22 @@ class LoadKick {
     const Layout& layout = first.layout;
     coupled_ = first.coupled_mass();
     commanded_ = first.first().moves() && first.first().commanded();
-    const bool turns = layout.spin && (!first.gyroscopic.absent() || !first.internal_xx.absent() ||
-                                       !first.internal_yy.absent() || coupled_);
-    const bool curve = first.drive && first.drive->kind() != scene::DriveKind::kLinear &&
-                       first.drive->kind() != scene::DriveKind::kFree;
-    bool switches = false;
-    for (const Model* model : models) switches = switches || feedback_switches(*model);
-    bool follows = false;  // bearings the spin, where that is free
-    for (const auto& film : first.films) follows = follows || (layout.spin && film.law.follows());
-    iterates_ = turns || curve || follows || switches || layout.integrals > 0 || layout.coils > 0 ||
-                !first.supports.empty();
+    iterates_ = beyond_matrix(models);
     magnetic_ = first.first().magnets.has_value();
     several_ = first.auxiliary.size() > 1;
     for (int i = 0; iterates_ && i < layout.nq(); ++i) {
       const auto c = static_cast<std::size_t>(i);
-      const T sprung = lanes::all<T>(1e-15 * h) * m.stiffness[c];
+      T held = m.stiffness[c];
+      for (const auto& spring : m.springs) held += held_by(spring, layout.modes, i);
+      const T sprung = lanes::all<T>(1e-15 * h) * held;
       round_off_[c] = sprung * sprung / m.mass[c];
+      for (const auto& bearing : m.feedbacks) {
+        if (!bearing.law.opposed || i >= 2 * layout.modes) continue;
+        // Two magnets pull against each other, each with its force at the bias.
+        const T pull = lanes::all<T>(2e-15 * h) * bearing.law.magnets.force_at_bias() *
+                       mode_value(bearing.shape, layout.modes, i);
+        magnets_round_off_ += pull * pull / m.mass[c];
+      }
     }
     if (!coupled_) return;
     bx_.assign(static_cast<std::size_t>(layout.modes), T{});
@@ -80,6 +82,13 @@ class LoadKick {
   void drive_first_ring() { commanded_ = true; }
   // M(phi) changes from step to step.
   bool coupled() const { return coupled_; }
+  // Controls of magnetic bearings are sampled at the instants of the loads.
+  void sample(const std::vector<const Model*>& models) {
+    samples_ = !models.front()->samplers.empty();
+    if (samples_) {
+      sampled_.assign(static_cast<std::size_t>(models.front()->layout.integrals), T{});
+    }
+  }
   // What depends on velocities beyond the linear part: improve() is to be called.
   bool iterates() const { return iterates_; }
 
@@ -99,6 +108,7 @@ class LoadKick {
     instant_ = t;
     const double end = t + 0.5 * x.h;
     loads_.advance(k, t, begin, end);
+    if (samples_) find_samples(x, t, begin);
     weighed_free_velocity(x, lanes::all<T>(begin), lanes::all<T>(end));
   }
   // The same as if what is switched on between begin and end had held for the whole step.
@@ -188,6 +198,19 @@ class LoadKick {
  private:
   static constexpr int kMostRounds = 20;
 
+  // Of bending coordinate i.
+  template <class Shape>
+  static T mode_value(const Shape& shape, int n, int i) {
+    return i < n ? shape.x.data()[i] : shape.y.data()[i - n];
+  }
+  // N/m, of coordinate i on a spring at a station: what a magnetic bearing's law takes back.
+  template <class Spring>
+  static T held_by(const Spring& spring, int n, int i) {
+    if (i >= 2 * n) return T{};
+    const T u = mode_value(spring.shape, n, i);
+    return lanes::larger(T{}, i < n ? spring.stiffness.x() : spring.stiffness.y()) * u * u;
+  }
+
   // With the loads as weighed last; begin..end: of all others that are switched.
   ROTORUB_INLINE void weighed_free_velocity(State& x, const T& begin, const T& end) {
     const M& m = x.m;
@@ -215,7 +238,7 @@ class LoadKick {
       for (int i = 0; i < nq; ++i) free[i] = start[i] + f[i];
     }
     if (!iterates_) return;
-    balanced_ = T{};
+    balanced_ = magnets_round_off_;
     for (int i = 0; i < nq; ++i) balanced_ += round_off_[static_cast<std::size_t>(i)] * q[i] * q[i];
     begin_iteration(lanes::all<T>(1.0));
     while (improve(x, free)) {
@@ -233,9 +256,12 @@ class LoadKick {
     equations::add_films(m, omega, q, v, f);
     equations::add_springs(m, q, f);
     equations::add_feedbacks(m, working_.data(), q, v, f);
-    add_supports(x, v, f);
+    equations::add_supports(m, q, v, x.start.data(), x.kick * x.h, f);
     equations::add_gyroscopic(m, omega, v, f);
     loads_.add(m, f);
+    for (int i = 0; sampled_now_ && i < m.layout.integrals; ++i) {
+      f[m.layout.integral() + i] += sampled_[static_cast<std::size_t>(i)];
+    }
     if (!m.unbalances.empty()) equations::add_unbalance(m, angles_, omega, f);
     equations::add_drive(m, instant_, q, v, f);
     if (applied) {
@@ -249,15 +275,6 @@ class LoadKick {
     }
   }
 
-  // What dry friction's bristles do within the step is known exactly: they may be quick.
-  ROTORUB_INLINE void add_supports([[maybe_unused]] const State& x, [[maybe_unused]] const T* v,
-                                   [[maybe_unused]] T* f) const {
-    if constexpr (std::is_base_of_v<Model, M>) {
-      if (x.m.supports.empty()) return;
-      add_ring_supports(x.m, x.seen.data(), v, f);
-      step_bristles(x.m, v, x.start.data(), x.kick * x.h, f);
-    }
-  }
   // Of magnets, which drive the coils too, and of several rings: run by run.
   ROTORUB_SLOW void add_actuators(const State& x, const T* v, T* f) const {
     double run_q[kMaxCoordinates], run_v[kMaxCoordinates], run_f[kMaxCoordinates];
@@ -277,13 +294,29 @@ class LoadKick {
       for (int i = 0; i < nq; ++i) lanes::set(f[i], lane, run_f[i]);
     }
   }
+  // What samplers remember jumps at t, in the middle of the kick, or where a first one begins: the
+  // mean of the kick's velocities then has half of the jump, or all.
+  ROTORUB_SLOW void find_samples(const State& x, double t, double begin) {
+    sampled_now_ = false;
+    double q[kMaxCoordinates], v[kMaxCoordinates], after[kMaxCoordinates];
+    const int first = x.m.layout.integral(), count = x.m.layout.integrals;
+    for (int lane = 0; lane < kLanes; ++lane) {
+      read_lane(x, x.seen, lane, q);
+      read_lane(x, x.start, lane, v);
+      std::copy_n(v, x.nq(), after);
+      sampled_now_ |= take_samples(lane_model(x.m, lane), t, x.h, q, after);
+      for (int i = 0; i < count; ++i) {
+        const double mass = lanes::get(x.m.mass.data()[first + i], lane);
+        const double jump = (begin == t ? 2.0 : 1.0) * (after[first + i] - v[first + i]);
+        lanes::set(sampled_[static_cast<std::size_t>(i)], lane, mass * jump / x.h);
+      }
+    }
+  }
   ROTORUB_SLOW void find_working(const M& m, const T& begin, const T& end) {
     for (std::size_t k = 0; k < m.feedbacks.size(); ++k) {
       for (int lane = 0; lane < kLanes; ++lane) {
-        const double fails_at = lanes::get(m.feedbacks[k].law.fails_at, lane);
-        lanes::set(working_[k], lane,
-                   MagneticFeedback<double>::working(fails_at, lanes::get(begin, lane),
-                                                     lanes::get(end, lane)));
+        const WorkingTimes& works = lane_model(m, lane).feedbacks[k].works;
+        lanes::set(working_[k], lane, works.share(lanes::get(begin, lane), lanes::get(end, lane)));
       }
     }
   }
@@ -292,12 +325,14 @@ class LoadKick {
   VelocityMatrix<T> matrix_;
   SteppedLoads<T> loads_;
   equations::DiscAngles<T> angles_;
+  bool samples_ = false, sampled_now_ = false;
+  lanes::Array<T> sampled_;  // N, what makes the jumps of the feedbacks' states
   lanes::Array<T> bx_, by_;  // the coupling of bending and spin by unbalance, n each
   Coordinates f_, change_;
   // Of a deflection q_i the least energy that a step can tell, (1e-15 h k_i)^2/m_i q_i^2; their sum
   // at q_k.
   Coordinates round_off_;
-  T balanced_{};
+  T balanced_{}, magnets_round_off_{};
   // Share of the step for which each magnetic bearing has not failed.
   std::array<T, scene::kMaxMagneticBearings> working_{};
   // Of the iteration: 1 in the lanes that go on.

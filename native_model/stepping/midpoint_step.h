@@ -19,15 +19,20 @@ struct MidpointStep {
 
   // `models`: those of the lanes, all of the same structure; they and `m` must outlive this.
   MidpointStep(const M& m, const std::vector<const Model*>& models, double h)
-      : x(m, h), loads(m, models, h), contact(x, loads, models, false) {}
+      : x(m, h),
+        loads(m, models, h),
+        contact(x, loads, models, false),
+        samples(!models.front()->samplers.empty()) {}
 
   StepState<M> x;  // x.seen: the middle
   LoadKick<M> loads;
   Contacts contact;
+  bool samples;  // of magnetic bearings' controls, as a step begins
 
   // From t = origin + k h to origin + (k + 1) h. A lane with a status stays where it was.
   ROTORUB_INLINE void step(std::int64_t k) {
     const T half = lanes::all<T>(0.5 * x.h);
+    if (samples) sample(x.time_of(k));
     for (int i = 0; i < x.nq(); ++i) {
       const auto c = static_cast<std::size_t>(i);
       x.seen[c] = x.q[c] + half * x.v[c];
@@ -66,6 +71,16 @@ struct MidpointStep {
   void for_each_kept(Action) {}
 
  private:
+  ROTORUB_SLOW void sample(double t) {
+    double q[kMaxCoordinates], v[kMaxCoordinates];
+    for (int lane = 0; lane < kLanes; ++lane) {
+      if (x.status[lane] != Status::kOk) continue;
+      read_lane(x, x.q, lane, q);
+      read_lane(x, x.v, lane, v);
+      if (!take_samples(lane_model(x.m, lane), t, x.h, q, v)) continue;
+      for (int i = 0; i < x.nq(); ++i) lanes::set(x.v[static_cast<std::size_t>(i)], lane, v[i]);
+    }
+  }
   // Poisson's law where the contact closes, at the step's middle. Without a flight after it
   // (contact/impact.h) contact lasts from here on.
   ROTORUB_SLOW void collide(const Mask& hits, std::int64_t k);

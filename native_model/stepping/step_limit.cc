@@ -7,6 +7,7 @@
 #include <limits>
 
 #include "native_model/dynamics/dynamics.h"
+#include "native_model/system/sampled_feedback.h"
 
 namespace rotorub {
 namespace {
@@ -129,7 +130,7 @@ std::string step_beyond(double step, const StepLimit& limit) {
 
 std::string step_refusal(const Model& model, double step) {
   const StepLimit limit = step_limit(model);
-  return step < limit.step ? std::string() : step_beyond(step, limit);
+  return step < limit.step ? sample_refusal(model, step) : step_beyond(step, limit);
 }
 
 }  // namespace rotorub

@@ -13,7 +13,7 @@ double next_switch(const Model& model, double from, double end) {
   }
   for (const DiscUnbalance& unbalance : model.unbalances) look_at(unbalance.on);
   if (model.base) std::ranges::for_each(model.base->jumps(), look_at);
-  for (const StationFeedback& f : model.feedbacks) look_at(f.law.fails_at);
+  for (const StationFeedback& f : model.feedbacks) std::ranges::for_each(f.works.all(), look_at);
   return next;
 }
 

@@ -47,6 +47,7 @@ struct VerletStep {
       const double instant = next_switch(*model, 0.0, std::numeric_limits<double>::infinity());
       switches = switches || std::isfinite(instant);
     }
+    loads.sample(models);
     const auto is_slow = [](const Model* model) {
       return model->first().contact && model->first().contact->impact_time() > 0.0;
     };
@@ -160,12 +161,14 @@ struct VerletStep {
 
   // ------------------------------------------------------------------ one run
   // After step k: velocities of t_k, the mean of the two middles, just before an impact of the
-  // step.
+  // step and before its samples.
   void last_velocity(double* now) const {
     const double* end = contact.end_without_impacts(x);
     for (int i = 0; i < x.nq(); ++i) {
       now[i] = was_first ? x.start[at(i)] : 0.5 * (x.start[at(i)] + end[i]);
     }
+    const Model& model = lane_model(x.m, 0);
+    for (int i = model.sampled_states(); i < model.layout.coil(); ++i) now[i] = x.start[at(i)];
     if (contact.held_open) slow_impacts[0].velocities(x.origin + last_time, now);
   }
   // J, of the step's loads on the coordinates.

@@ -4,6 +4,7 @@
 #include <cassert>
 
 #include "native_model/bearing/actuator.h"
+#include "native_model/bearing/coil.h"
 #include "native_model/control/control_loop.h"
 #include "native_model/dynamics/dynamics.h"
 
@@ -120,12 +121,9 @@ void add_actuators(const Model& m, const double* q, const double* v,
 }
 
 double coil_load(const MagneticActuator& magnets, double asked, double current) {
-  // di/dt of the whole voltage: (+-U - R i) / L.
-  const double drop = magnets.resistance * current, rate = magnets.current_rate_limit;
-  const double fall = std::max(-rate, (-magnets.voltage_limit - drop) / magnets.inductance);
-  const double rise = std::min(rate, (magnets.voltage_limit - drop) / magnets.inductance);
-  return std::min(std::max(asked, current + magnets.coil_lag * fall),
-                  current + magnets.coil_lag * rise);
+  return Coil<double>{magnets.coil_lag, magnets.current_rate_limit, magnets.voltage_limit,
+                      magnets.inductance, magnets.resistance}
+      .load(asked, current);
 }
 
 SampledCommand::SampledCommand(const Model& model, std::size_t bearing)

@@ -4,15 +4,13 @@
 #include <algorithm>
 #include <cmath>
 #include <complex>
-#include <numbers>
-#include <optional>
 #include <string>
 #include <utility>
 #include <vector>
 
+#include "native_model/dynamics/closed_loop.h"
 #include "native_model/dynamics/linear_parts.h"
 #include "native_model/dynamics/loads.h"
-#include "native_model/numerics/eigenvalues.h"
 #include "native_model/scene/record.h"
 #include "native_model/scene/text.h"
 
@@ -21,41 +19,6 @@ namespace {
 
 using Phasor = std::complex<double>;
 
-// The most of f over a period, looked at so often and then closer where it is highest.
-template <class F>
-double largest_of(const F& f, double period, int looks) {
-  const double spacing = period / looks;
-  double best = 0.0, most = f(0.0);
-  for (int k = 1; k < looks; ++k) {
-    const double value = f(k * spacing);
-    if (value > most) {
-      most = value;
-      best = k * spacing;
-    }
-  }
-  double low = best - spacing, high = best + spacing;
-  for (int round = 0; round < 60; ++round) {
-    const double a = low + (high - low) / 3.0, b = high - (high - low) / 3.0;
-    (f(a) < f(b) ? low : high) = f(a) < f(b) ? a : b;
-  }
-  return std::max(most, f(0.5 * (low + high)));
-}
-
-// rad/s: all parts turn at whole multiples of it; nothing: there is none, or it is that of a single
-// part.
-std::optional<double> base(const std::vector<OrbitPart>& turning) {
-  if (turning.size() < 2) return {};
-  for (int divisor = 1; divisor <= OrbitSize::kHighest; ++divisor) {
-    const double frequency = turning.front().frequency / divisor;
-    const auto whole = [&](const OrbitPart& part) {
-      const double ratio = part.frequency / frequency;
-      return ratio < OrbitSize::kHighest + 0.5 && std::abs(ratio - std::round(ratio)) < 1e-9;
-    };
-    if (std::all_of(turning.begin(), turning.end(), whole)) return frequency;
-  }
-  return {};
-}
-
 // With magnetic bearings' integrators that work: the force -force_per_current j at their stations,
 // j' = integral sensor^T q. Two columns of each such bearing, one a plane.
 struct Bending : LinearParts {
@@ -63,6 +26,7 @@ struct Bending : LinearParts {
   Eigen::MatrixXd station, sensor;              // 2 n x s
   Eigen::VectorXd force_per_current, integral;  // s, N/A, A/(m s)
   std::vector<int> stored;                      // s, which of the model's integrals it is
+  std::vector<const StationFeedback*> owner;    // s
 };
 
 Bending bending(const Model& m) {
@@ -72,14 +36,17 @@ Bending bending(const Model& m) {
   b.force_per_current = b.integral = Eigen::VectorXd::Zero(l.integrals);
   Eigen::Index at = 0;
   for (const StationFeedback& f : m.feedbacks) {
-    if (f.stored == kAbsent || f.law.fails_at <= 0.0) continue;
+    if (f.states.stored == kAbsent || !f.works.at(0.0)) continue;
     b.station.col(at).head(l.modes) = f.shape.x;
     b.station.col(at + 1).tail(l.modes) = f.shape.y;
     b.sensor.col(at).head(l.modes) = f.seen().x;
     b.sensor.col(at + 1).tail(l.modes) = f.seen().y;
     b.force_per_current.segment<2>(at).setConstant(f.law.force_per_current);
     b.integral.segment<2>(at).setConstant(f.law.integral);
-    for (int plane = 0; plane < 2; ++plane) b.stored.push_back(f.stored - l.integral() + plane);
+    for (int plane = 0; plane < 2; ++plane) {
+      b.stored.push_back(f.states.stored - l.integral() + plane);
+      b.owner.push_back(&f);
+    }
     at += 2;
   }
   b.station.conservativeResize(Eigen::NoChange, at);
@@ -167,32 +134,9 @@ std::vector<Load> loads_of(const scene::Scene& scene, const Model& m) {
 }
 
 // Nothing grows: an orbit that nothing comes back to is no steady one.
-void check_stability(const scene::Scene& scene, const Model& m, const Bending& b) {
+void check_stability(const scene::Scene& scene, const Model& m) {
   constexpr double kScatter = 1e-9;  // of the largest eigenvalue
-  // States (w q, q', j) of unit mass, w each coordinate's own frequency, j's unit one in which it
-  // acts as it is acted upon: no number is far from the others.
-  const Eigen::Index n = b.mass.size(), stored = b.station.cols();
-  const Eigen::VectorXd root = b.mass.cwiseSqrt(), inverse = root.cwiseInverse();
-  const Eigen::MatrixXd k = inverse.asDiagonal() * b.stiffness * inverse.asDiagonal();
-  Eigen::VectorXd w = k.diagonal().cwiseAbs().cwiseSqrt();
-  const double largest = w.maxCoeff();
-  for (double& x : w) {
-    if (x == 0.0) x = largest > 0.0 ? largest : 1.0;
-  }
-  const Eigen::MatrixXd damping = inverse.asDiagonal() * b.damping * inverse.asDiagonal();
-  Eigen::MatrixXd a = Eigen::MatrixXd::Zero(2 * n + stored, 2 * n + stored);
-  a.topLeftCorner(2 * n, 2 * n) = first_order_form(damping, k, w);
-  if (stored > 0) {
-    const Eigen::MatrixXd station = inverse.asDiagonal() * b.station,
-                          sensor = inverse.asDiagonal() * b.sensor;
-    for (Eigen::Index j = 0; j < stored; ++j) {
-      const double unit = std::sqrt(b.force_per_current[j] * b.integral[j] / w.maxCoeff());
-      a.block(n, 2 * n + j, n, 1) = -unit * w.maxCoeff() * station.col(j);
-      a.block(2 * n + j, 0, 1, n) =
-          unit * sensor.col(j).transpose() * w.cwiseInverse().asDiagonal();
-    }
-  }
-  const auto values = real_eigenvalues(a);
+  const auto values = closed_loop_eigenvalues(closed_loop(m, m.speed));
   if (!values) refuse_steady(scene, "the eigenvalues of the free rotor do not converge");
   double size = 0.0;
   for (const Phasor& s : *values) size = std::max(size, std::abs(s));
@@ -204,11 +148,44 @@ void check_stability(const scene::Scene& scene, const Model& m, const Bending& b
                            " 1/s; accepted: a stable one, or false");
 }
 
-// Phasor amplitudes of one frequency: Q (m, 2 n), and what the model's integrators hold (A).
+// z += what filters and lags make of the laws in b, force over deflection.
+void add_lags(const Model& m, double nu, Eigen::MatrixXcd& z) {
+  const int n = m.layout.modes;
+  for (const StationFeedback& f : m.feedbacks) {
+    const bool filters = f.states.filtered != kAbsent, lags = f.states.current != kAbsent;
+    if ((!filters && !lags) || !f.works.at(0.0)) continue;
+    // What the matrices have of it already.
+    const Phasor has(lags ? 0.0 : f.law.proportional,
+                     lags || filters ? 0.0 : nu * f.law.derivative);
+    const Phasor missing = f.law.force_per_current * (lag_of(f, nu) * gain_of(f, nu) - has);
+    z.topLeftCorner(n, n) += missing * f.shape.x * f.seen().x.transpose();
+    z.block(n, n, n, n) += missing * f.shape.y * f.seen().y.transpose();
+  }
+}
+
+// Phasor amplitudes of one frequency: Q (m, 2 n), and the states of the model's feedbacks.
 struct Answer {
   Eigen::VectorXcd q, stored;
 };
-Answer answer(const scene::Scene& scene, const Layout& l, const Bending& b, const Load& load) {
+// The states that follow from q and what the integrators hold: a filter's and an amplifier's.
+void follow(const Model& m, double nu, Answer& answer) {
+  const int n = m.layout.modes, first = m.layout.integral();
+  for (const StationFeedback& f : m.feedbacks) {
+    if (!f.works.at(0.0)) continue;
+    for (int plane = 0; plane < 2; ++plane) {
+      const Eigen::VectorXd& shape = plane == 0 ? f.seen().x : f.seen().y;
+      const Phasor seen = shape.cast<Phasor>().dot(answer.q.segment(plane * n, n));
+      const auto state = [&](int at) -> Phasor& { return answer.stored[at - first + plane]; };
+      if (f.states.filtered != kAbsent) {
+        state(f.states.filtered) = Phasor(0.0, nu) * filter_of(f, nu) * seen;
+      }
+      if (f.states.current == kAbsent) continue;
+      const Phasor stored = f.states.stored == kAbsent ? 0.0 : state(f.states.stored);
+      state(f.states.current) = -lag_of(f, nu) * (gain_of(f, nu) * seen + stored);
+    }
+  }
+}
+Answer answer(const scene::Scene& scene, const Model& m, const Bending& b, const Load& load) {
   constexpr double kSingular = 1e-12;
   const double nu = load.frequency;
   // Rows and columns by the size that their terms have: away from resonance the diagonal is
@@ -219,6 +196,7 @@ Answer answer(const scene::Scene& scene, const Layout& l, const Bending& b, cons
   Eigen::MatrixXcd z = b.stiffness.cast<Phasor>();
   z += Phasor(0.0, nu) * b.damping.cast<Phasor>();
   z.diagonal() -= (nu * nu * b.mass).cast<Phasor>();
+  add_lags(m, nu, z);
   z = (scale.asDiagonal() * z * scale.asDiagonal()).eval();
   // i nu j = I sensor^T q beside them; j in the unit of the force that its stations' rows have.
   const Eigen::Index n = b.mass.size(), stored = b.station.cols();
@@ -228,6 +206,9 @@ Answer answer(const scene::Scene& scene, const Layout& l, const Bending& b, cons
   if (stored > 0) {
     z.conservativeResizeLike(Eigen::MatrixXcd::Zero(n + stored, n + stored));
     z.topRightCorner(n, stored) = (station / unit).cast<Phasor>();
+    for (Eigen::Index k = 0; k < stored; ++k) {
+      z.col(n + k) *= lag_of(*b.owner[static_cast<std::size_t>(k)], nu);
+    }
     z.bottomLeftCorner(stored, n) = (sensor / unit).transpose().cast<Phasor>();
   }
   for (Eigen::Index k = 0; k < stored; ++k) {
@@ -247,24 +228,24 @@ Answer answer(const scene::Scene& scene, const Layout& l, const Bending& b, cons
   Eigen::VectorXcd right = Eigen::VectorXcd::Zero(n + stored);
   right.head(n) = scale.asDiagonal() * load.load;
   const Eigen::VectorXcd solved = lu.solve(right);
-  Answer answer{scale.asDiagonal() * solved.head(n), Eigen::VectorXcd::Zero(l.integrals)};
+  Answer answer{scale.asDiagonal() * solved.head(n), Eigen::VectorXcd::Zero(m.layout.integrals)};
   for (Eigen::Index k = 0; k < stored; ++k) {
     answer.stored[b.stored[static_cast<std::size_t>(k)]] =
         solved[n + k] / (unit * b.force_per_current[k]);
   }
+  follow(m, nu, answer);
   return answer;
 }
 
-// A, of a magnetic bearing's current on each axis: the linear law's, of one frequency.
+// A, of the current that a magnetic bearing's law asks for on each axis, of one frequency.
 Eigen::Vector2d current_amplitude(const Model& m, const StationFeedback& feedback, double frequency,
                                   const Answer& answer) {
   const int n = m.layout.modes;
-  const MagneticFeedback<double>& law = feedback.law;
-  const Phasor gain(law.proportional, frequency * law.derivative);
+  const Phasor gain = gain_of(feedback, frequency);
   const auto of = [&](const Eigen::VectorXd& shape, int plane) {
-    const Phasor stored = feedback.stored == kAbsent
+    const Phasor stored = feedback.states.stored == kAbsent
                               ? Phasor(0.0)
-                              : answer.stored[feedback.stored - m.layout.integral() + plane];
+                              : answer.stored[feedback.states.stored - m.layout.integral() + plane];
     return std::abs(gain * shape.cast<Phasor>().dot(answer.q.segment(plane * n, n)) + stored);
   };
   return {of(feedback.seen().x, 0), of(feedback.seen().y, 1)};
@@ -272,53 +253,29 @@ Eigen::Vector2d current_amplitude(const Model& m, const StationFeedback& feedbac
 
 }  // namespace
 
-double OrbitSize::largest() const {
-  Eigen::Vector2d middle = centre;
-  std::vector<OrbitPart> turning;
-  for (const OrbitPart& part : parts) {
-    if (part.frequency > 0.0) {
-      turning.push_back(part);
-    } else {
-      middle += part.amplitude.real();
-    }
-  }
-  if (turning.empty()) return middle.norm();
-  constexpr double kTurn = 2.0 * std::numbers::pi;
-  if (const auto frequency = base(turning)) {
-    const auto distance = [&](double t) {
-      Eigen::Vector2d d = middle;
-      for (const OrbitPart& part : turning) {
-        d += (part.amplitude * std::polar(1.0, part.frequency * t)).real();
-      }
-      return d.norm();
-    };
-    return largest_of(distance, kTurn / *frequency, 64 * kHighest);
-  }
-  const auto along = [&](double angle) {
-    const Eigen::Vector2d u{std::cos(angle), std::sin(angle)};
-    double sum = middle.dot(u);
-    for (const OrbitPart& part : turning) {
-      sum += std::abs(part.amplitude.x() * u.x() + part.amplitude.y() * u.y());
-    }
-    return sum;
-  };
-  return largest_of(along, kTurn, 720);
-}
-
 void refuse_steady(const scene::Scene& scene, const std::string& why) {
   scene::refuse_at(scene, "initial.steady", why);
 }
 
 FreeMotion free_motion(const scene::Scene& scene, const Model& m) {
   const Layout& l = m.layout;
+  for (const SampledFeedback& s : m.samplers) {
+    for (const std::size_t k : s.bearings) {
+      if (!m.feedbacks[k].works.at(0.0)) continue;
+      refuse_steady(scene,
+                    "the control of " +
+                        scene::magnetic_bearing_path(scene.record.get(), m.feedbacks[k].number) +
+                        " is sampled, and no orbit is steady between its samples; accepted: false");
+    }
+  }
   const Bending b = bending(m);
-  check_stability(scene, m, b);
+  check_stability(scene, m);
   const Eigen::VectorXd rest = Eigen::VectorXd::Zero(2 * l.modes);
   FreeMotion motion{rest, rest, Eigen::VectorXd::Zero(l.integrals)};
   motion.orbits.resize(m.auxiliary.size());
   motion.current.assign(m.feedbacks.size(), Eigen::Vector2d::Zero());
   for (const Load& load : loads_of(scene, m)) {
-    const Answer found = answer(scene, l, b, load);
+    const Answer found = answer(scene, m, b, load);
     const Eigen::VectorXcd& q = found.q;
     motion.q += q.real();
     motion.v += (Phasor(0.0, load.frequency) * q).real();

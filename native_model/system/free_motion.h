@@ -32,7 +32,7 @@ struct OrbitSize {
 
 struct FreeMotion {
   Eigen::VectorXd q, v;    // 2 n: m, m/s, at t = 0
-  Eigen::VectorXd stored;  // A, what the magnetic bearings' integrators hold at t = 0
+  Eigen::VectorXd stored;  // the states of the magnetic bearings' feedbacks at t = 0
   // A, of each magnetic bearing the most of its current on each axis: the sum over all frequencies.
   std::vector<Eigen::Vector2d> current{};
   std::vector<OrbitSize> orbits{};  // of the rotor's centre at each auxiliary bearing, m

@@ -7,8 +7,8 @@
 
 #include "native_model/dynamics/dynamics.h"
 #include "native_model/dynamics/equations.h"
-#include "native_model/rotor/rotor_modes.h"
 #include "native_model/scene/record.h"
+#include "native_model/system/magnetic_bearings.h"
 #include "native_model/system/model_checks.h"
 #include "native_model/system/ring_actuation.h"
 #include "native_model/system/steady_orbit.h"
@@ -16,11 +16,11 @@
 namespace rotorub {
 namespace {
 
-// kg: an integrator, or a bristle of dry friction, is the momentum of a mass that its rate pushes,
-// so that whoever steps coordinates steps it. So small that the mass is not noticed in sums over
-// all coordinates, and so large that the weight of the 1e-12 kg that MuJoCo wants of a body is not
-// noticed by it.
-constexpr double kIntegratorMass = 1e-3;
+// kg: a feedback's state, or a bristle of dry friction, is the speed of a mass that its rate
+// pushes, so that whoever steps coordinates steps it. So small that the mass is not noticed in sums
+// over all coordinates, and so large that the weight of the 1e-12 kg that MuJoCo wants of a body is
+// not noticed by it.
+constexpr double kStateMass = 1e-3;
 
 Layout make_layout(const scene::Scene& scene, const ModalRotor& rotor) {
   Layout layout;
@@ -36,9 +36,7 @@ Layout make_layout(const scene::Scene& scene, const ModalRotor& rotor) {
     layout.bristles += bearing.stator->spin && bearing.stator->spin->drags() ? 1 : 0;
     layout.coils += bearing.actuator && bearing.actuator->coil_lag > 0.0 ? 2 : 0;
   }
-  for (const scene::MagneticBearing& bearing : scene.magnetic_bearings) {
-    layout.integrals += bearing.control && bearing.control->integral > 0.0 ? 2 : 0;
-  }
+  layout.integrals = feedback_states(scene);
   return layout;
 }
 
@@ -87,7 +85,7 @@ void fill_diagonals(const scene::Scene& scene, const ModalRotor& rotor, Model& m
   put(l.y(), rotor.y.mass, rotor.y.stiffness, rotor.y.damping);
   if (l.spin) model.mass[l.phi()] = rotor.spin_inertia;
   put(l.theta(), rotor.torsion.inertia, rotor.torsion.stiffness, rotor.torsion.damping);
-  model.mass.segment(l.bristle(), l.bristles + l.integrals).setConstant(kIntegratorMass);
+  model.mass.segment(l.bristle(), l.bristles + l.integrals).setConstant(kStateMass);
   for (std::size_t k = 0; k < scene.auxiliary.size(); ++k) {
     const scene::AuxiliaryBearing& from = scene.auxiliary[k];
     const AuxiliaryBearing& at = model.auxiliary[k];
@@ -132,26 +130,6 @@ void add_support(const scene::Stator& ring, std::size_t number, int& bristle, Mo
   model.supports.push_back(std::move(support));
 }
 
-// stored: where the next integrator's coordinates begin.
-void add_magnetic_bearing(const scene::Scene& scene, std::size_t number, const MagnetShapes& shapes,
-                          int& stored, Model& model) {
-  const scene::MagneticBearing& bearing = scene.magnetic_bearings[number];
-  const double k = bearing.negative_stiffness;
-  if (!bearing.control) return model.springs.push_back({shapes.station, {-k, -k}});
-  const scene::BearingControl& c = *bearing.control;
-  StationFeedback feedback{shapes.station,
-                           {k, c.force_per_current, c.proportional, c.derivative, c.current_limit,
-                            c.fails_at, 0.0, c.integral},
-                           shapes.sensor};
-  feedback.number = number;
-  if (c.integral > 0.0) feedback.stored = std::exchange(stored, stored + 2);
-  // A linear spring acts for ever, in the modes or beside them, and the law takes it back.
-  feedback.law.held = feedback.law.stiffness();
-  const double beside = feedback.law.held - magnetic_support(scene, bearing).held;
-  if (beside != 0.0) model.springs.push_back({shapes.station, {beside, beside}});
-  model.feedbacks.push_back(std::move(feedback));
-}
-
 void fill_loads(const scene::Scene& scene, const ModalRotor& rotor, Model& model) {
   const Layout& l = model.layout;
   assert(rotor.force_shapes.size() == scene.forces.size());
@@ -167,10 +145,7 @@ void fill_loads(const scene::Scene& scene, const ModalRotor& rotor, Model& model
     }
     model.forces.push_back(std::move(force));
   }
-  int stored = l.integral();
-  for (std::size_t k = 0; k < rotor.magnets.size(); ++k) {
-    add_magnetic_bearing(scene, k, rotor.magnets[k], stored, model);
-  }
+  add_magnetic_bearings(scene, rotor.magnets, model);
   model.gravity_mass = Eigen::VectorXd::Zero(l.nq());
   model.gravity_mass.segment(l.x(), l.modes) = rotor.gravity_x;
   model.gravity_mass.segment(l.y(), l.modes) = rotor.gravity_y;

@@ -4,8 +4,8 @@
 // Coordinates q (nq):   x_1..x_n, y_1..y_n | phi (with a drive) | theta_1..theta_k |
 //                       x, y of each ring that moves, and of its housing | angle of each ring that
 //                       turns | bristles of dry friction (their rates are its state) |
-//                       two of each magnetic bearing's integrator (their rates are the currents
-//                       that it holds) | charges of two coils of each ring with a coil lag (their
+//                       two of each state that a magnetic bearing's feedback has (their rates are
+//                       the states) | charges of two coils of each ring with a coil lag (their
 //                       rates are the currents)
 // Equations (9), (20):  M(phi) q'' = f(t, q, q', u) + W_N lambda_N + W_T lambda_T
 // M is diagonal, but for the coupling of spin and bending by unbalance with a drive.
@@ -27,6 +27,7 @@
 #include "native_model/control/command_record.h"
 #include "native_model/control/control_loop.h"
 #include "native_model/control/controller.h"
+#include "native_model/control/linear_controller.h"
 #include "native_model/dynamics/mode_matrix.h"
 #include "native_model/rotor/modal_rotor.h"
 #include "native_model/scene/scene.h"
@@ -47,7 +48,7 @@ struct Layout {
   int stator = 0;     // 2 for each ring that moves, and 2 for its housing
   int ring_spin = 0;  // 1 for each ring that turns
   int bristles = 0;   // 2 for each ring with dry friction, 1 for each whose spin is dragged dry
-  int integrals = 0;  // 2 for each magnetic bearing with an integrator
+  int integrals = 0;  // 2 for each state of a magnetic bearing's feedback
   int coils = 0;      // 2 for each ring whose currents lag
   int x() const { return 0; }
   int y() const { return modes; }
@@ -95,15 +96,45 @@ struct StationSpring {
 
 inline constexpr int kAbsent = -1;
 
+// Where the two coordinates of each state of a feedback begin in q, x before y; kAbsent: it has no
+// such state.
+struct FeedbackStates {
+  int stored = kAbsent;    // rates A: of the integrator
+  int filtered = kAbsent;  // rates m/s: the derivative's
+  int current = kAbsent;   // rates A: of the coils behind the amplifier
+  int command = kAbsent;   // rates A: what a sampled control asked for last
+
+  bool operator==(const FeedbackStates&) const = default;
+  FeedbackStates moved(int by) const {
+    FeedbackStates all = *this;
+    for (int* at : {&all.stored, &all.filtered, &all.current, &all.command})
+      *at += *at == kAbsent ? 0 : by;
+    return all;
+  }
+};
+
 // A magnetic bearing with a feedback of its own, the same in both planes.
 struct StationFeedback {
   ModeShape shape;
   MagneticFeedback<double> law;
+  WorkingTimes works;
+  FeedbackStates states{};
   std::optional<ModeShape> sensor{};  // where the law sees the deflection; absent: at `shape`
-  int stored = kAbsent;               // where its integrator's two coordinates begin in q
   std::size_t number = 0;             // among the scene's magnetic bearings
   const ModeShape& seen() const { return sensor ? *sensor : shape; }
 };
+
+// A control of magnetic bearings that is asked once a sample; two ports of each, x before y. What
+// it remembers is states, too: rates of coordinates (system/sampled_feedback.h).
+struct SampledFeedback {
+  LinearController law;
+  double sample_time = 0.0;           // s, > 0
+  int delay = 0;                      // samples from the measurement to the command
+  std::vector<std::size_t> bearings;  // among the model's feedbacks
+  int command = kAbsent;  // the commands that hold, A, then those of `delay` samples to come
+  int state = kAbsent;    // the states of its law
+};
+inline constexpr std::size_t kMaxPorts = 2 * scene::kMaxMagneticBearings;
 
 // Magnets on the two axes of the actuator; they act with or without a controller.
 struct MagneticActuator {
@@ -175,6 +206,7 @@ struct Model {
   std::vector<StationSpring> springs;                // magnetic bearings
   std::vector<StationFeedback> feedbacks;            // of them: what they do beyond their springs
   std::vector<StationSupport> supports;              // of rings on more than a spring and a damper
+  std::vector<SampledFeedback> samplers;             // what asks for the currents of some of them
   std::vector<StationFilm> films;  // bearings that cross the planes or follow the speed
   std::vector<AppliedForce> forces;
   std::vector<DiscUnbalance> unbalances;   // eccentric discs, blades that are lost
@@ -211,6 +243,8 @@ struct Model {
   }
   bool drive_follows() const { return drive && drive->follows(); }  // angle and t matter
   int nq() const { return layout.nq(); }
+  // What the samplers remember stands from here to the coils in q.
+  int sampled_states() const { return samplers.empty() ? layout.coil() : samplers.front().command; }
 };
 
 // What changes: time, coordinates and velocities.
@@ -230,7 +264,8 @@ void set_gravity(Model& model, const Eigen::Vector2d& acceleration);
 Model without_coils(Model model);
 // The same with an ideal, unlimited actuator, for callers that know the force on the ring.
 Model with_ideal_actuator(Model model);
-// The same with magnetic bearings whose currents have no limit: their linear laws.
+// The same with the linear laws of magnetic bearings: without limits, of magnets that pull against
+// each other about the middle.
 Model with_linear_feedback(Model model);
 // The same with every bearing on the line.
 Model without_offsets(Model model);

@@ -35,7 +35,10 @@ Model with_ideal_actuator(Model model) {
 
 Model with_linear_feedback(Model model) {
   constexpr double kNone = std::numeric_limits<double>::infinity();
-  for (StationFeedback& feedback : model.feedbacks) feedback.law.current_limit = kNone;
+  for (StationFeedback& feedback : model.feedbacks) {
+    feedback.law.current_limit = feedback.law.amplifier.voltage_limit = kNone;
+    feedback.law.opposed = false;
+  }
   return model;
 }
 

@@ -6,6 +6,7 @@
 #include "native_model/bearing/actuator.h"
 #include "native_model/control/quadratic.h"
 #include "native_model/scene/record.h"
+#include "native_model/system/model_checks.h"
 
 namespace rotorub {
 
@@ -62,11 +63,9 @@ void fill_control(const scene::Scene& scene, std::size_t k, Model& model) {
   }
   const scene::Controller& c = *from.controller;
   if (c.kind == scene::ControllerKind::kLqr || c.kind == scene::ControllerKind::kLqg) {
-    if (!from.stator->on_springs_alone()) {
-      scene::refuse_at(with_bearing_alone(scene, k), "controller.kind",
-                       "the law is found for a ring on its spring and damper to the base alone; "
-                       "accepted: no stator.mount, dry_friction, squeeze_film or ball_bearing, or "
-                       "another kind");
+    if (const std::string why = beyond_linear_plant(scene, k, model); !why.empty()) {
+      scene::refuse_at(k == 0 ? scene : with_bearing_alone(scene, k), "controller.kind",
+                       why + "; accepted: a controller of another kind");
     }
     plant.linear = std::make_shared<LinearPlant>(plant_of(model, k, scene.rotor.speed));
   }

@@ -16,7 +16,7 @@ namespace {
 
 // The orbit is that of the linear law: the sum of all frequencies' amplitudes keeps the limit.
 void check_current(const scene::Scene& scene, const StationFeedback& feedback, double most) {
-  if (feedback.law.fails_at <= 0.0 || most <= feedback.law.current_limit) return;
+  if (!feedback.works.at(0.0) || most <= feedback.law.current_limit) return;
   const std::string path = scene::magnetic_bearing_path(scene.record.get(), feedback.number);
   refuse_steady(scene,
                 "the steady free orbit asks the magnetic bearing for up to " +

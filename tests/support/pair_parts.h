@@ -212,6 +212,21 @@ inline std::vector<Part> pair_parts() {
        "proportional=2500.0,integral=3e5,derivative=3.0,current_limit=0.9}}"},
       {"magnetic_bearing={negative_stiffness=4.5e4,control={force_per_current=60.0,"
        "proportional=2500.0,integral=3e5,derivative=3.0,current_limit=0.9}}"});
+  // Two magnets behind an amplifier at its voltage at the start; they are off twice.
+  const std::string opposed =
+      "kind='electromagnet',force_constant=1e-5,bias_current=1.5,air_gap=1e-3,control={"
+      "proportional=3000.0,derivative=3.0,derivative_lag=2e-4,on=0.31416e-3,fails_at=5.4321e-3,"
+      "returns_at=6.54321e-3},amplifier={bandwidth=6000.0,voltage_limit=12.0,inductance=0.02,"
+      "resistance=0.5}}";
+  add("opposed_magnets", "magnetic_bearing", {"magnetic_bearing={station=0.42," + opposed},
+      {"magnetic_bearing={" + opposed});
+  // Asked once a sample, late, at its limit at the start.
+  const std::string asked =
+      "negative_stiffness=4.5e4,control={force_per_current=60.0,proportional=2500.0,integral=1e5,"
+      "derivative=1.0,derivative_lag=5e-4,current_limit=0.9,sample_time=" +
+      std::string(kSampleTime) + ",delay=" + kSampleTime + "}}";
+  add("sampled_magnets", "magnetic_bearing", {"magnetic_bearing={station=0.42," + asked},
+      {"magnetic_bearing={" + asked});
   // The one at its limit, the other sensed elsewhere and failing on the way.
   const std::string limited =
                         "negative_stiffness=4.5e4,control={force_per_current=60.0,proportional="

@@ -30,6 +30,7 @@ const std::map<std::string, std::string>& without_effect() {
       {"run.integrator", "the test chooses it"},
       {"mujoco.contact", "the test chooses it"},
       {"mujoco.shadow", "runs alongside and acts on nothing"},
+      {"mujoco.bearing_currents", "a user's to move; at 0 they do nothing"},
       {"run.output_step", "of what is written"},
       {"run.output_times", "of what is written"},
       {"contact.name", "a name"},

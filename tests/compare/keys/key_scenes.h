@@ -67,6 +67,30 @@ inline std::vector<KeyScene> key_scenes() {
          "74.0,-74.0,-23.0,21.0,72.0,-80.0,-24.0,22.0,70.0]}",
          support});
 
+  modal("magnets without control",
+        {"magnetic_bearing={kind='electromagnet',force_constant=1e-5,bias_current=1.0,"
+         "air_gap=1e-3}"});
+
+  // Sampled controls of magnetic bearings.
+  const auto magnetic = [&](const char* name, const std::string& control,
+                            const std::string& shared = {}) {
+    std::vector<std::string> overrides{
+        "magnetic_bearing={negative_stiffness=3e4,control={force_per_current=60.0,"
+        "proportional=2000.0," +
+        control + "}}"};
+    if (!shared.empty()) overrides.push_back("magnetic_control={" + sampled + "," + shared + "}");
+    modal(name, std::move(overrides));
+  };
+  magnetic("magnets by a transfer function",
+           "kind='transfer_function',numerator=[3000.0,-1000.0],denominator=[1.0,-0.2]," + sampled);
+  magnetic("magnets by matrices",
+           "kind='state_space',state_matrix=[0.5],input_matrix=[1.0],output_matrix=[500.0],"
+           "feedthrough=[2000.0]," +
+               sampled);
+  magnetic("magnets under one law", "kind='shared'",
+           "delay=2.5e-4,state_matrix=[0.5],input_matrix=[1.0,0.6],output_matrix=[500.0,300.0],"
+           "feedthrough=[2000.0,100.0,-100.0,2000.0]");
+
   // Starts.
   modal("steady", {"initial={steady=true}", "force[0].amplitude=12.0"});
   modal("sticking impacts", {"rotor.speed=0.5", "contact.friction=0.9"});

@@ -1,0 +1,77 @@
+// The feedbacks of magnetic bearings (bearing/magnetic_feedback.h) as part of the equations of
+// motion, like equations.h.
+#pragma once
+
+#include "native_model/dynamics/equations.h"
+
+namespace rotorub::equations {
+
+// A state of a magnetic bearing's feedback that begins at a coordinate; where it has none
+// `otherwise`.
+template <class M, class T = typename M::Scalar>
+ROTORUB_INLINE Pair<T> feedback_state(const M& m, int at, const T* v, const Pair<T>& otherwise) {
+  if (m.layout.integrals == 0 || at == kAbsent) return otherwise;
+  return {v[at], v[at + 1]};
+}
+
+// A, of a magnetic bearing on each axis; asked: of its law.
+template <class T>
+struct BearingCurrent {
+  Pair<T> asked, limited, current;
+};
+template <class M, class B, class T = typename M::Scalar>
+ROTORUB_INLINE BearingCurrent<T> bearing_current(const M& m, const B& bearing, const Pair<T>& seen,
+                                                 const Pair<T>& rate, const T* v) {
+  const auto& law = bearing.law;
+  const Pair<T> stored = feedback_state(m, bearing.states.stored, v, Pair<T>{T{}, T{}});
+  const Pair<T> d = feedback_state(m, bearing.states.filtered, v, rate);
+  const Pair<T> own{law.asked(seen.x, d.x, stored.x), law.asked(seen.y, d.y, stored.y)};
+  const Pair<T> asked = feedback_state(m, bearing.states.command, v, own);
+  const Pair<T> limited{law.limited(asked.x), law.limited(asked.y)};
+  return {asked, limited, feedback_state(m, bearing.states.current, v, limited)};
+}
+
+// f += M times the rates of its states, but for what their own lags do, which is in the damping.
+template <class M, class B, class T = typename M::Scalar>
+ROTORUB_INLINE void add_feedback_rates(const M& m, const B& bearing, const T& share,
+                                       const Pair<T>& seen, const Pair<T>& rate,
+                                       const BearingCurrent<T>& now, T* f) {
+  const auto& law = bearing.law;
+  const auto add = [&](int at, const T& x, const T& y) {
+    f[at] += m.mass[at] * x;
+    f[at + 1] += m.mass[at + 1] * y;
+  };
+  const FeedbackStates& states = bearing.states;
+  if (states.stored != kAbsent) {
+    add(states.stored, law.stored_rate(share, seen.x, now.asked.x),
+        law.stored_rate(share, seen.y, now.asked.y));
+  }
+  if (states.filtered != kAbsent) {
+    add(states.filtered, rate.x / law.derivative_lag, rate.y / law.derivative_lag);
+  }
+  if (states.current != kAbsent) {
+    const auto& coil = law.amplifier;
+    add(states.current, coil.load(share * now.limited.x, now.current.x) / coil.lag,
+        coil.load(share * now.limited.y, now.current.y) / coil.lag);
+  }
+}
+
+// Magnetic bearings with a feedback, each of which works for its share of the time: all that they
+// do beyond their linear springs.
+template <class M, class T = typename M::Scalar>
+ROTORUB_INLINE void add_feedbacks(const M& m, const T* shares, const T* q, const T* v, T* f) {
+  const int n = m.layout.modes;
+  for (const auto& bearing : m.feedbacks) {
+    const T share = *shares++;
+    const auto& law = bearing.law;
+    const auto& sensor = bearing.sensor ? *bearing.sensor : bearing.shape;
+    const Pair<T> r = at_station(n, bearing.shape, q), rate = at_station(n, sensor, v);
+    const Pair<T> seen = bearing.sensor ? at_station(n, sensor, q) : r;
+    const BearingCurrent<T> now = bearing_current(m, bearing, seen, rate, v);
+    add_station_force<T>(n, bearing.shape, law.force(share, r.x, now.current.x),
+                         law.force(share, r.y, now.current.y), f);
+    if (m.layout.integrals > 0) add_feedback_rates(m, bearing, share, seen, rate, now, f);
+  }
+}
+
+}  // namespace rotorub::equations

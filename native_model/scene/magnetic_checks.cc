@@ -1,0 +1,260 @@
+// What single keys of magnetic bearings cannot show.
+
+#include <algorithm>
+#include <cmath>
+
+#include "native_model/scene/checker.h"
+#include "native_model/scene/shaft_bearing.h"
+#include "native_model/scene/text.h"
+
+namespace rotorub::scene {
+namespace {
+
+// N/m, of its own linear law.
+double spring_of(const MagneticBearing& bearing) {
+  if (!bearing.control) return -bearing.pull();
+  return bearing.force_per_current() * bearing.control->proportional - bearing.pull();
+}
+
+// The other supports leave the shaft no rigid motion in this plane: they hold it at two stations.
+bool held_without(const Scene& scene, const MagneticBearing& magnetic, int plane) {
+  std::vector<double> stations;
+  for (const ShaftBearing& bearing : scene.rotor.geometry->bearings) {
+    if (stiffness_at(bearing, scene.rotor.speed)[plane] > 0.0) stations.push_back(bearing.z);
+  }
+  for (const MagneticBearing& other : scene.magnetic_bearings) {
+    if (&other != &magnetic && spring_of(other) > 0.0) stations.push_back(other.station);
+  }
+  return std::any_of(stations.begin(), stations.end(),
+                     [&](double z) { return z != stations.front(); });
+}
+
+bool touches(const MagneticBearing& bearing, std::size_t mode) {
+  return bearing.shape.empty() || (mode < bearing.shape.size() && bearing.shape[mode] != 0.0);
+}
+
+// What nothing but this magnetic bearing holds; empty: nothing.
+std::string held_by_magnets(const Scene& scene, const MagneticBearing& magnetic) {
+  const char* planes[] = {"x", "y"};
+  if (scene.rotor.geometry) {
+    for (int plane : {0, 1}) {
+      if (held_without(scene, magnetic, plane)) continue;
+      return std::string("the shaft against rigid motion in plane ") + planes[plane];
+    }
+  }
+  if (!scene.rotor.modal) return {};
+  const RotorModal& modal = *scene.rotor.modal;
+  for (std::size_t k = 0; k < modal.stiffness.size(); ++k) {
+    const bool free_y = k < modal.stiffness_y.size() && modal.stiffness_y[k] == 0.0;
+    if (!touches(magnetic, k) || !(modal.stiffness[k] == 0.0 || free_y)) continue;
+    if (std::any_of(scene.magnetic_bearings.begin(), scene.magnetic_bearings.end(),
+                    [&](const MagneticBearing& other) {
+                      return &other != &magnetic && touches(other, k) && spring_of(other) > 0.0;
+                    }))
+      continue;
+    return "mode " + std::to_string(k + 1) + ", whose stiffness is 0, in plane " +
+           planes[modal.stiffness[k] == 0.0 ? 0 : 1];
+  }
+  return {};
+}
+
+void check_amplifier(const Checker& check, const MagneticBearing& magnetic,
+                     const std::string& path) {
+  const std::string own = path + ".amplifier.";
+  if (!magnetic.control) {
+    return check.fail(path + ".amplifier",
+                      "needs " + path + ".control, which asks for the current");
+  }
+  const bool limited = check.given(own + "voltage_limit");
+  if (limited && !check.given(own + "inductance")) {
+    check.fail(own + "voltage_limit",
+               "needs " + own + "inductance: inductance di/dt = u - resistance i");
+  }
+  for (const char* key : {"inductance", "resistance"}) {
+    if (limited || !check.given(own + key)) continue;
+    check.fail(own + key,
+               "needs " + own + "voltage_limit: a voltage without limit gives every current");
+  }
+}
+
+// Matrices that fit each other; `below`: of the table that they stand in, "magnetic_control.".
+void check_matrices(const Checker& check, const ControlMatrices& m, const std::string& below,
+                    std::size_t ports) {
+  if (!check.sound({below + "state_matrix", below + "input_matrix", below + "output_matrix",
+                    below + "feedthrough"})) {
+    return;
+  }
+  const auto n =
+      static_cast<std::size_t>(std::lround(std::sqrt(static_cast<double>(m.state.size()))));
+  if (n * n != m.state.size()) {
+    return check.fail(below + "state_matrix",
+                      "expected n times n values, got " + std::to_string(m.state.size()));
+  }
+  const auto fits = [&](const char* key, const std::vector<double>& list, std::size_t size,
+                        const std::string& of) {
+    if (list.size() == size) return;
+    check.fail(below + key, "expected " + std::to_string(size) + " values, " + of + ", got " +
+                                std::to_string(list.size()));
+  };
+  const std::string rows = std::to_string(n), columns = std::to_string(ports);
+  fits("input_matrix", m.input, n * ports, rows + " times " + columns);
+  fits("output_matrix", m.output, n * ports, columns + " times " + rows);
+  fits("feedthrough", m.feedthrough, ports * ports, columns + " times " + columns);
+}
+
+void check_delay(const Checker& check, const std::string& below, double sample_time, double delay) {
+  if (!check.given(below + "delay") || !check.sound({below + "sample_time", below + "delay"})) {
+    return;
+  }
+  if (!(sample_time > 0.0)) {
+    if (delay > 0.0) check.fail(below + "delay", "needs " + below + "sample_time");
+    return;
+  }
+  const double samples = delay / sample_time;
+  constexpr double kMost = 20.0;
+  if (samples > kMost + 0.5 || std::abs(samples - std::round(samples)) > 1e-6) {
+    check.fail(below + "delay", "is " + number_text(samples) +
+                                    " samples; accepted: a whole number of them, at most 20");
+  }
+}
+
+void check_form(const Checker& check, const BearingControl& control, const std::string& own) {
+  if (!check.sound({own + "kind"})) return;
+  if (control.form == ControlForm::kPid) {
+    if (!check.given(own + "proportional")) {
+      check.fail(own + "proportional",
+                 "missing: expected a current per length in A/m, >= 0, of a control of kind "
+                 "\"pid\"");
+    }
+  } else if (control.form == ControlForm::kShared) {
+    if (!check.scene.magnetic_control && !check.given("magnetic_control")) {
+      check.fail(own + "kind", "\"shared\" needs [magnetic_control], which asks for its currents");
+    }
+  } else if (!check.given(own + "sample_time")) {
+    check.fail(own + "sample_time", "missing: expected a time in s, > 0, of this kind");
+  } else if (check.sound({own + "sample_time"}) && control.sample_time == 0.0) {
+    check.fail(own + "sample_time", "must be > 0: a law of this kind is sampled");
+  }
+  check_delay(check, own, control.sample_time, control.delay);
+  if (control.form == ControlForm::kStateSpace) check_matrices(check, control.matrices, own, 1);
+  if (control.form == ControlForm::kTransferFunction &&
+      check.sound({own + "numerator", own + "denominator"})) {
+    if (control.denominator.empty() || control.denominator.front() == 0.0) {
+      check.fail(own + "denominator", "expected a first value that is not 0");
+    }
+    if (control.numerator.empty()) check.fail(own + "numerator", "expected a value at least");
+  }
+}
+
+// When it works, and within what.
+void check_control_limits(const Checker& check, const MagneticBearing& magnetic,
+                          const std::string& path) {
+  const BearingControl& control = *magnetic.control;
+  const std::string own = path + ".control.";
+  if (check.given(own + "returns_at") && check.sound({own + "fails_at", own + "returns_at"}) &&
+      control.returns_at <= control.fails_at) {
+    check.fail(own + "returns_at",
+               check.given(own + "fails_at")
+                   ? "must be after `fails_at` = " + number_text(control.fails_at) + " s"
+                   : "needs " + own + "fails_at, after which it returns");
+  }
+  if (check.given(own + "on") && check.given(own + "fails_at") &&
+      check.sound({own + "on", own + "fails_at"}) && control.fails_at < control.works_from) {
+    check.fail(own + "fails_at",
+               "must not be before `on` = " + number_text(control.works_from) + " s");
+  }
+  if (magnetic.kind != MagnetKind::kElectromagnet) {
+    if (!check.given(own + "force_per_current")) {
+      check.fail(own + "force_per_current",
+                 "missing: expected a force per current in N/A, > 0, of a bearing of kind "
+                 "\"linear\"");
+    }
+    return;
+  }
+  if (check.given(own + "force_per_current")) {
+    check.fail(own + "force_per_current",
+               "belongs to kind = \"linear\"; an electromagnet's follows from force_constant, "
+               "bias_current and air_gap");
+  }
+  if (check.given(own + "current_limit") &&
+      check.sound({own + "current_limit", path + ".bias_current"}) &&
+      control.current_limit > magnetic.bias_current) {
+    check.fail(own + "current_limit", "must be at most " + path +
+                                          ".bias_current = " + number_text(magnetic.bias_current) +
+                                          " A: beyond it a magnet's current would turn round");
+  }
+}
+
+// What it alone holds it must hold.
+void check_magnetic_bearing(const Checker& check, const MagneticBearing& magnetic,
+                            const std::string& path) {
+  check.station(path + ".station", magnetic.station);
+  check.station(path + ".sensor_station", magnetic.sensor_station.value_or(0.0));
+  if (const auto modes = check.bending_modes()) {
+    check.list_length(path + ".shape", magnetic.shape, *modes, "bending mode");
+    check.list_length(path + ".sensor_shape", magnetic.sensor_shape, *modes, "bending mode");
+  }
+  const std::string control_path = path + ".control";
+  if (magnetic.amplifier) check_amplifier(check, magnetic, path);
+  if (!magnetic.control) {
+    for (const char* key : {".sensor_station", ".sensor_shape"}) {
+      if (check.given(path + key)) {
+        check.fail(path + key, "is where " + control_path +
+                                   " sees the deflection, and there is "
+                                   "none; accepted: one beside it");
+      }
+    }
+    return;
+  }
+  check_form(check, *magnetic.control, control_path + ".");
+  check_control_limits(check, magnetic, path);
+  if (!check.sound({path + ".kind", path + ".negative_stiffness", path + ".force_constant",
+                    path + ".bias_current", path + ".air_gap", control_path + ".force_per_current",
+                    control_path + ".proportional"}) ||
+      !(magnetic.force_per_current() > 0.0)) {
+    return;
+  }
+  const BearingControl& control = *magnetic.control;
+  if (control.integral > 0.0 && control.proportional == 0.0) {
+    check.fail(control_path + ".integral",
+               "needs " + control_path +
+                   ".proportional, whose force the integrator replaces within P / I");
+  }
+  const double gain = magnetic.force_per_current();
+  const double magnets = gain * control.proportional, against = magnetic.pull();
+  if (magnets > against) return;
+  const std::string held = held_by_magnets(check.scene, magnetic);
+  if (held.empty()) return;
+  check.fail(
+      control_path + ".proportional",
+      "times force_per_current is " + number_text(magnets) + " N/m, and " +
+          (magnetic.kind == MagnetKind::kLinear ? "negative_stiffness" : "the magnets' pull") +
+          " takes " + number_text(against) + " N/m of it: " + number_text(against - magnets) +
+          " N/m too little to hold " + held + ", which nothing else holds; accepted: more than " +
+          number_text(against / gain) + " A/m");
+}
+
+}  // namespace
+
+void check_magnetic_bearings(const Checker& check) {
+  if (const auto& shared = check.scene.magnetic_control) {
+    const auto& all = check.scene.magnetic_bearings;
+    const auto takes_part = [](const MagneticBearing& bearing) {
+      return bearing.control && bearing.control->form == ControlForm::kShared;
+    };
+    const auto ports = 2 * static_cast<std::size_t>(std::ranges::count_if(all, takes_part));
+    if (ports == 0) {
+      check.fail("magnetic_control",
+                 "no magnetic bearing has a control of kind \"shared\"; accepted: one at least");
+    } else {
+      check_matrices(check, shared->matrices, "magnetic_control.", ports);
+    }
+    check_delay(check, "magnetic_control.", shared->sample_time, shared->delay);
+  }
+  for (std::size_t k = 0; k < check.scene.magnetic_bearings.size(); ++k) {
+    check_magnetic_bearing(check, check.scene.magnetic_bearings[k],
+                           magnetic_bearing_path(&check.record, k));
+  }
+}
+
+}  // namespace rotorub::scene

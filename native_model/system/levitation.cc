@@ -1,0 +1,233 @@
+#include "native_model/system/levitation.h"
+
+#include <Eigen/LU>
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+#include <optional>
+#include <utility>
+
+#include "native_model/dynamics/closed_loop.h"
+#include "native_model/numerics/eigenvalues.h"
+#include "native_model/numerics/matrix_functions.h"
+#include "native_model/system/sampled_feedback.h"
+
+namespace rotorub {
+namespace {
+
+// Working for ever, or never.
+Model always_working(Model model) {
+  for (StationFeedback& f : model.feedbacks) {
+    const bool ever =
+        f.works.fails > std::max(0.0, f.works.from) || f.works.returns < scene::kNever;
+    f.works = {-scene::kNever, ever ? scene::kNever : -scene::kNever, scene::kNever};
+  }
+  return with_linear_feedback(without_offsets(std::move(model)));
+}
+
+// One sample of the loop, from before a sample to before the next: S first, then e^{A T}.
+struct SampledStep {
+  double every;
+  Eigen::MatrixXd matrix;
+};
+SampledStep step_of(const Model& m, double speed) {
+  const Layout& l = m.layout;
+  const Eigen::Index bending = 2 * l.modes, size = 2 * bending + l.integrals;
+  const FirstOrderForm form = closed_loop(m, speed).first_order();
+  const double every = m.samplers.front().sample_time;
+  const double late = 1000.0 * every;  // not the first
+  Eigen::MatrixXd sample = Eigen::MatrixXd::Identity(size, size);
+  Eigen::VectorXd q = Eigen::VectorXd::Zero(m.nq()), v = q;
+  for (Eigen::Index j = 0; j < size; ++j) {
+    q.setZero();
+    v.setZero();
+    if (j < bending) q[j] = 1.0;
+    if (j >= 2 * bending) v[l.integral() + j - 2 * bending] = 1.0;
+    for (const SampledFeedback& s : m.samplers) take_sample(m, s, late, q.data(), v.data());
+    sample.col(j).tail(l.integrals) = v.segment(l.integral(), l.integrals);
+  }
+  const Eigen::VectorXd inverse = form.unit.cwiseInverse();
+  return {every,
+          matrix_exp(form.a * every) * (inverse.asDiagonal() * sample * form.unit.asDiagonal())};
+}
+
+void find_poles(const Model& m, double speed, Levitation& out) {
+  const auto refuse = [&](const char* why) { out.poles_refused = why; };
+  if (m.samplers.empty()) {
+    const auto values = closed_loop_eigenvalues(closed_loop(m, speed));
+    if (!values) return refuse("the eigenvalues do not converge");
+    out.poles = *values;
+    return;
+  }
+  out.sample_time = m.samplers.front().sample_time;
+  for (const SampledFeedback& s : m.samplers) {
+    if (s.sample_time != out.sample_time) return refuse("its controls have different sample times");
+  }
+  const SampledStep step = step_of(m, speed);
+  const auto values = real_eigenvalues(step.matrix);
+  if (!values) return refuse("the eigenvalues do not converge");
+  constexpr double kNothing = 1e-6;  // z of what has ended within a sample, but for round-off
+  for (const std::complex<double>& z : *values) {
+    if (std::abs(z) > kNothing) out.poles.push_back(std::log(z) / step.every);
+  }
+  std::sort(out.poles.begin(), out.poles.end(),
+            [](const std::complex<double>& a, const std::complex<double>& b) {
+              return a.real() != b.real() ? a.real() > b.real() : a.imag() < b.imag();
+            });
+}
+
+// Where |S| is looked at, rad/s, ascending: evenly over the decades of the poles, and about each.
+std::vector<double> frequencies(const Model& m, const std::vector<std::complex<double>>& poles) {
+  constexpr int kEven = 1200;
+  double low = 1e300, high = 0.0;
+  for (const std::complex<double>& s : poles) {
+    if (std::abs(s) > 0.0) low = std::min(low, std::abs(s));
+    high = std::max(high, std::abs(s));
+  }
+  if (!(high > 0.0)) low = 1.0, high = 1e5;
+  low = std::max(0.01 * low, 1e-6 * high);
+  high *= 3.0;
+  for (const SampledFeedback& s : m.samplers)
+    high = std::min(high, std::numbers::pi / s.sample_time);
+  std::vector<double> all;
+  for (int k = 0; k < kEven; ++k) all.push_back(low * std::pow(high / low, k / (kEven - 1.0)));
+  for (const std::complex<double>& s : poles) {
+    for (const double by : {0.0, 0.1, 0.3, 0.6, 1.0, 2.0}) {
+      for (const double sign : {-1.0, 1.0}) {
+        const double w = s.imag() + sign * by * s.real();
+        if (w > low && w < high) all.push_back(w);
+      }
+    }
+  }
+  std::sort(all.begin(), all.end());
+  all.erase(std::unique(all.begin(), all.end()), all.end());
+  return all;
+}
+
+// The peak of f between low and high, by golden section; (where, how much).
+template <class F>
+std::pair<double, double> peak_between(const F& f, double low, double high) {
+  const double share = 0.5 * (std::sqrt(5.0) - 1.0);
+  double a = high - share * (high - low), b = low + share * (high - low), fa = f(a), fb = f(b);
+  while (high - low > 1e-9 * high) {
+    if (fa < fb) {
+      low = std::exchange(a, b);
+      fa = std::exchange(fb, f(b = low + share * (high - low)));
+    } else {
+      high = std::exchange(b, a);
+      fb = std::exchange(fa, f(a = high - share * (high - low)));
+    }
+  }
+  return fa > fb ? std::pair(a, fa) : std::pair(b, fb);
+}
+
+}  // namespace
+
+char sensitivity_zone(double peak) {
+  return peak < 3.0 ? 'A' : peak < 4.0 ? 'B' : peak < 5.0 ? 'C' : 'D';
+}
+
+LoopResponse::LoopResponse(const Model& model, double speed) : model_(always_working(model)) {
+  Model open = model_;
+  for (StationFeedback& f : open.feedbacks) f.law.proportional = f.law.derivative = 0.0;
+  const LinearParts parts = linear_parts(open, speed);
+  mass_ = parts.mass;
+  damping_ = parts.damping;
+  stiffness_ = parts.stiffness;
+  for (std::size_t k = 0; k < model_.feedbacks.size(); ++k) {
+    if (model_.feedbacks[k].works.at(0.0)) working_.push_back(k);
+  }
+  const Eigen::Index n = model_.layout.modes, p = 2 * static_cast<Eigen::Index>(working_.size());
+  into_ = seen_ = Eigen::MatrixXd::Zero(2 * n, p);
+  for (Eigen::Index j = 0; j < p; j += 2) {
+    const StationFeedback& f = model_.feedbacks[working_[static_cast<std::size_t>(j / 2)]];
+    into_.col(j).head(n) = f.law.force_per_current * f.shape.x;
+    into_.col(j + 1).tail(n) = f.law.force_per_current * f.shape.y;
+    seen_.col(j).head(n) = f.seen().x;
+    seen_.col(j + 1).tail(n) = f.seen().y;
+  }
+}
+
+std::size_t LoopResponse::bearing(Eigen::Index port) const {
+  return model_.feedbacks[working_[static_cast<std::size_t>(port / 2)]].number;
+}
+
+// H: the currents are -H y.
+Eigen::MatrixXcd LoopResponse::controls(double w) const {
+  Eigen::MatrixXcd h = Eigen::MatrixXcd::Zero(ports(), ports());
+  for (Eigen::Index j = 0; j < ports(); ++j) {
+    const StationFeedback& f = model_.feedbacks[working_[static_cast<std::size_t>(j / 2)]];
+    if (f.states.command == kAbsent)
+      h(j, j) = gain_of(f, w) + f.law.integral / std::complex<double>(0.0, w);
+  }
+  const auto port_of = [&](const SampledFeedback& s, Eigen::Index port) {
+    const std::size_t feedback = s.bearings[static_cast<std::size_t>(port / 2)];
+    const auto at = std::find(working_.begin(), working_.end(), feedback);
+    return at == working_.end() ? Eigen::Index{-1} : 2 * (at - working_.begin()) + port % 2;
+  };
+  for (const SampledFeedback& s : model_.samplers) {
+    // C (z - A)^-1 B + D at z = e^{i w T}, held over T and late by the delay.
+    const LinearController& law = s.law;
+    const std::complex<double> turn(0.0, w * s.sample_time), z = std::exp(turn);
+    Eigen::MatrixXcd answer = law.d.cast<std::complex<double>>();
+    if (law.states() > 0) {
+      const Eigen::MatrixXcd inner = z * Eigen::MatrixXcd::Identity(law.states(), law.states()) -
+                                     law.a.cast<std::complex<double>>();
+      answer += law.c.cast<std::complex<double>>() *
+                inner.partialPivLu().solve(law.b.cast<std::complex<double>>());
+    }
+    answer *= (1.0 - 1.0 / z) / turn * std::exp(-turn * static_cast<double>(s.delay));
+    for (Eigen::Index i = 0; i < law.ports(); ++i) {
+      for (Eigen::Index j = 0; j < law.ports(); ++j) {
+        const Eigen::Index to = port_of(s, i), from = port_of(s, j);
+        if (to >= 0 && from >= 0) h(to, from) = answer(i, j);
+      }
+    }
+  }
+  for (Eigen::Index j = 0; j < ports(); ++j) {
+    h.row(j) *= lag_of(model_.feedbacks[working_[static_cast<std::size_t>(j / 2)]], w);
+  }
+  return h;
+}
+
+Eigen::MatrixXcd LoopResponse::return_difference(double w) const {
+  Eigen::MatrixXcd z = stiffness_.cast<std::complex<double>>() +
+                       std::complex<double>(0.0, w) * damping_.cast<std::complex<double>>();
+  z.diagonal() -= (w * w * mass_).cast<std::complex<double>>();
+  const Eigen::MatrixXcd g = seen_.transpose().cast<std::complex<double>>() *
+                             z.partialPivLu().solve(into_.cast<std::complex<double>>());
+  return Eigen::MatrixXcd::Identity(ports(), ports()) + g * controls(w);
+}
+
+Eigen::MatrixXcd LoopResponse::sensitivity(double w) const {
+  return return_difference(w).partialPivLu().inverse();
+}
+
+Levitation levitation(const Model& model, double speed) {
+  Levitation out;
+  const LoopResponse response(model, speed);
+  if (response.ports() == 0) return out;
+  const Model m = always_working(model);
+  find_poles(m, speed, out);
+  const std::vector<double> at = frequencies(m, out.poles);
+  Eigen::MatrixXd sizes(response.ports(), static_cast<Eigen::Index>(at.size()));
+  for (std::size_t k = 0; k < at.size(); ++k) {
+    sizes.col(static_cast<Eigen::Index>(k)) = response.sensitivity(at[k]).diagonal().cwiseAbs();
+  }
+  for (Eigen::Index j = 0; j < response.ports(); ++j) {
+    Eigen::Index most = 0;
+    LoopSensitivity loop{response.bearing(j), static_cast<int>(j % 2), 0.0, 0.0};
+    loop.peak = sizes.row(j).maxCoeff(&most);
+    loop.frequency = at[static_cast<std::size_t>(most)];
+    if (most > 0 && most + 1 < sizes.cols()) {
+      const auto size = [&](double w) { return std::abs(response.sensitivity(w)(j, j)); };
+      const auto [where, peak] = peak_between(size, at[static_cast<std::size_t>(most - 1)],
+                                              at[static_cast<std::size_t>(most + 1)]);
+      if (peak > loop.peak) loop.peak = peak, loop.frequency = where;
+    }
+    out.loops.push_back(loop);
+  }
+  return out;
+}
+
+}  // namespace rotorub

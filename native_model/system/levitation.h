@@ -1,0 +1,66 @@
+// What holds a rotor in magnetic bearings, as a linear loop: its poles, and the sensitivity of each
+// of its axes (ISO 14839-3),
+//
+//   S_k = 1 / (1 + L_k),   L_k the open loop of axis k, all others closed;
+//
+// it is the k-th diagonal element of (1 + G H)^-1 at the sensors, G the rotor from the currents
+// that the controls ask for to the sensors, H the controls: within their limits, of magnets that
+// pull against each other about the middle, working for ever where they work at some time. A
+// sampled control is looked at below its Nyquist frequency, with its hold and delay; what it folds
+// back from above is left out of S.
+#pragma once
+
+#include <Eigen/Core>
+#include <complex>
+#include <string>
+#include <vector>
+
+#include "native_model/system/model.h"
+
+namespace rotorub {
+
+struct LoopSensitivity {
+  std::size_t bearing;  // among the scene's magnetic bearings
+  int axis;             // 0: x, 1: y
+  double peak;          // 1, the most of |S|
+  double frequency;     // rad/s, where
+};
+
+// Of a machine newly commissioned A is accepted, B of one for unrestricted long-term running, C is
+// not for that, D damages: peaks below 3 (9.5 dB), 4 (12 dB), 5 (14 dB), and above.
+char sensitivity_zone(double peak);
+
+struct Levitation {
+  // 1/s, by falling real part. Of a sampled loop ln z / T of those of its step of one sample, T;
+  // without those at z = 0, whose motion ends within a few samples.
+  std::vector<std::complex<double>> poles;
+  double sample_time = 0.0;   // s, T; 0: continuous
+  std::string poles_refused;  // why there are none
+  std::vector<LoopSensitivity> loops;
+  bool stable() const { return poles_refused.empty() && !poles.empty() && poles[0].real() < 0.0; }
+};
+
+// At the spin speed `speed` (rad/s). Without feedbacks that work: no loops.
+Levitation levitation(const Model& model, double speed);
+
+// S at a frequency (rad/s, > 0), two ports of each feedback that works, x before y: p x p.
+class LoopResponse {
+ public:
+  LoopResponse(const Model& model, double speed);
+  Eigen::MatrixXcd sensitivity(double frequency) const;
+  // 1 + G H.
+  Eigen::MatrixXcd return_difference(double frequency) const;
+  Eigen::Index ports() const { return into_.cols(); }
+  std::size_t bearing(Eigen::Index port) const;  // among the scene's
+
+ private:
+  Eigen::MatrixXcd controls(double frequency) const;
+
+  Model model_;
+  std::vector<std::size_t> working_;  // among the model's feedbacks
+  Eigen::VectorXd mass_;              // of bending, as in LinearParts
+  Eigen::MatrixXd damping_, stiffness_;
+  Eigen::MatrixXd into_, seen_;  // 2 n x p: force of each port's ampere; its sensor
+};
+
+}  // namespace rotorub

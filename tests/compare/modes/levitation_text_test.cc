@@ -1,0 +1,67 @@
+// What `rotorub modes` says of the closed loop of magnetic bearings.
+#include "compare/modes/levitation_text.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <nlohmann/json.hpp>
+#include <string>
+
+#include "compare/modes/rotor_analysis.h"
+#include "native_model/scene/reader.h"
+
+namespace rotorub {
+namespace {
+
+// S = (m s^2 - k_s) / (m s^2 + k_i D s + k_i P - k_s), as figures and as a file.
+constexpr const char* kHung = R"(
+[run]
+end = 0.01
+[rotor.modal]
+mass = [2.0]
+stiffness = [0.0]
+[magnetic_bearing]
+negative_stiffness = 1e5
+[magnetic_bearing.control]
+force_per_current = 80.0
+proportional = 4000.0
+derivative = 10.0
+)";
+
+TEST(LevitationText, PolesLoopsAndZones) {
+  const RotorAnalysis analysis = analyse_rotor(scene::parse_scene(kHung, "hung.toml", {}), {});
+  const nlohmann::json all = modes_json(analysis)["speeds"][0]["levitation"];
+  EXPECT_EQ(all["sample_time"], 0.0);
+  EXPECT_TRUE(all["poles_refused"].is_null());
+  ASSERT_EQ(all["poles"].size(), 4u);
+  EXPECT_NEAR(all["poles"][0]["real"].get<double>(), -200.0, 1e-9);
+  EXPECT_NEAR(std::abs(all["poles"][0]["imaginary"].get<double>()), std::sqrt(1.1e5 - 4e4), 1e-9);
+  ASSERT_EQ(all["loops"].size(), 2u);
+  EXPECT_EQ(all["loops"][1]["bearing"], 1);
+  EXPECT_EQ(all["loops"][1]["axis"], "y");
+  const double w = all["loops"][1]["frequency"];
+  const double plant = -2.0 * w * w - 1e5;
+  const double size = -plant / std::hypot(plant + 3.2e5, 800.0 * w);
+  EXPECT_NEAR(all["loops"][1]["sensitivity"].get<double>(), size, 1e-9 * size);
+  EXPECT_EQ(all["loops"][1]["zone"], "A");
+  const std::string text = modes_table("hung", analysis);
+  EXPECT_NE(text.find("closed loop of the magnetic bearings at 0 rad/s"), std::string::npos)
+      << text;
+  EXPECT_NE(text.find("zone of ISO 14839-3"), std::string::npos);
+  EXPECT_EQ(text.find("unstable: sensitivities"), std::string::npos);
+}
+
+TEST(LevitationText, SaysSoWhereTheLoopIsUnstableOrThereIsNone) {
+  const RotorAnalysis grows = analyse_rotor(
+      scene::parse_scene(kHung, "grows.toml", {"magnetic_bearing.amplifier={bandwidth=40.0}"}), {});
+  EXPECT_NE(modes_table("grows", grows).find("unstable: sensitivities"), std::string::npos);
+  const RotorAnalysis none = analyse_rotor(
+      scene::parse_scene(kHung, "none.toml",
+                         {"magnetic_bearing.control=none", "rotor.modal.stiffness=[2e5]"}),
+      {});
+  EXPECT_TRUE(modes_json(none)["speeds"][0]["levitation"].is_null());
+  EXPECT_EQ(modes_table("none", none).find("closed loop"), std::string::npos);
+}
+
+}  // namespace
+}  // namespace rotorub

@@ -1,0 +1,149 @@
+// The force of two magnets that pull against each other, against exact answers.
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <vector>
+
+#include "native_model/stepping/ensemble.h"
+#include "native_model/system/model.h"
+#include "tests/support/jeffcott.h"
+#include "tests/support/native_run.h"
+#include "tests/support/order.h"
+
+namespace rotorub {
+namespace {
+
+using test::run_event;
+using test::run_with;
+
+constexpr double kMagnetsHold = 2.0, kMagnetsCarry = kMagnetsHold * 9.81;  // kg, N
+constexpr double kRateLag = 1e-4, kCoilBandwidth = 9000.0;                 // s, rad/s
+constexpr double kConstant = 2e-6, kBias = 2.5, kGap = 6e-4;               // N m^2/A^2, A, m
+
+scene::Scene opposed(double stiffness) {
+  scene::Scene s =
+      test::make_scene({.mass = kMagnetsHold, .stiffness = stiffness, .clearance = 5e-4});
+  scene::MagneticBearing magnets;
+  magnets.shape = {1.0};
+  magnets.kind = scene::MagnetKind::kElectromagnet;
+  magnets.force_constant = kConstant;
+  magnets.bias_current = kBias;
+  magnets.air_gap = kGap;
+  s.magnetic_bearings = {magnets};
+  s.run.end = 0.05;
+  s.run.output_step = 1e-3;
+  return s;
+}
+
+double force(double r, double i) {
+  const double near = (kBias + i) / (kGap - r), far = (kBias - i) / (kGap + r);
+  return kConstant * (near * near - far * far);
+}
+
+// Without a current its force has the potential -k_m i_0^2 (1/(s_0 - r) + 1/(s_0 + r)).
+TEST(OpposedMagnets, HaveAPotentialAtTheirBias) {
+  constexpr double kSpring = 6e5, kStart = 3e-4;
+  scene::Scene s = opposed(kSpring);
+  s.magnetic_bearings[0].control = scene::BearingControl{};
+  s.first().contact.reset();
+  s.initial.x = {kStart};
+  const auto potential = [](double r) {
+    return 0.5 * kSpring * r * r -
+           kConstant * kBias * kBias * (1.0 / (kGap - r) + 1.0 / (kGap + r));
+  };
+  const Trajectory t = run_event(s);
+  const double all = potential(kStart), size = 0.5 * kSpring * kStart * kStart;
+  double least = kStart;
+  for (std::size_t k = 0; k < t.rows(); ++k) {
+    const double r = t.column("rotor_x")[k], rate = t.column("rotor_vx")[k];
+    EXPECT_NEAR(0.5 * kMagnetsHold * rate * rate + potential(r), all, 1e-10 * size) << k;
+    least = std::min(least, r);
+  }
+  EXPECT_LT(least, -0.9 * kStart);
+  EXPECT_LT(t.statistics.energy_residual(), 1e-9);
+  for (const auto integrator : {scene::Integrator::kMidpoint, scene::Integrator::kVerlet}) {
+    test::Convergence c;
+    for (const double step : {4e-5, 2e-5, 1e-5, 5e-6}) {
+      c.steps.push_back(step);
+      c.errors.push_back(test::rotor_error(run_with(s, integrator, step), t));
+    }
+    EXPECT_GT(c.order(), 1.95) << static_cast<int>(integrator) << " " << c.text();
+  }
+}
+
+// About the middle it is k_s r + k_i i, k_i = 4 k_m i_0 / s_0^2, k_s = k_i i_0 / s_0, to the third
+// order.
+TEST(OpposedMagnets, AreLinearAboutTheMiddle) {
+  const double gain = 4.0 * kConstant * kBias / (kGap * kGap), pull = gain * kBias / kGap;
+  const scene::BearingControl control{
+      .proportional = 2.0 * pull / gain, .derivative = 1.5, .derivative_lag = kRateLag};
+  const auto error = [&](double size) {
+    scene::Scene nonlinear = opposed(0.0), linear = nonlinear;
+    nonlinear.magnetic_bearings[0].control = control;
+    linear.magnetic_bearings[0] = {.shape = {1.0}, .negative_stiffness = pull, .control = control};
+    linear.magnetic_bearings[0].control->force_per_current = gain;
+    for (scene::Scene* s : {&nonlinear, &linear}) {
+      s->magnetic_bearings[0].amplifier = scene::Amplifier{.bandwidth = kCoilBandwidth};
+      s->initial.x = {size};
+    }
+    return test::rotor_error(run_event(nonlinear), run_event(linear)) / size;
+  };
+  const double small = error(1e-6), larger = error(1e-5);
+  EXPECT_LT(small, 1e-4);
+  EXPECT_NEAR(larger / small, 100.0, 5.0);
+}
+
+// Under a weight the damped rotor comes to rest where F(r, -P r) carries it, not where the linear
+// law would.
+TEST(OpposedMagnets, CarryAWeightWhereTheirForceDoes) {
+  const double gain = 4.0 * kConstant * kBias / (kGap * kGap), pull = gain * kBias / kGap;
+  const double p = 2.5 * pull / gain;
+  scene::Scene s = opposed(0.0);
+  s.magnetic_bearings[0].control = scene::BearingControl{.proportional = p, .derivative = 12.0};
+  s.gravity = scene::Gravity{{0.0, -9.81}, {}};
+  s.run.end = 1.0;
+  double low = -1e-4, high = 0.0;
+  ASSERT_GT(force(low, -p * low), kMagnetsCarry);
+  for (int k = 0; k < 100; ++k) {
+    const double middle = 0.5 * (low + high);
+    (force(middle, -p * middle) > kMagnetsCarry ? low : high) = middle;
+  }
+  ASSERT_GT(std::abs(low + kMagnetsCarry / (gain * p - pull)), 1e-3 * std::abs(low));
+  for (const auto integrator :
+       {scene::Integrator::kEvent, scene::Integrator::kMidpoint, scene::Integrator::kVerlet}) {
+    EXPECT_NEAR(run_with(s, integrator).column("rotor_y").back(), low, 1e-11)
+        << static_cast<int>(integrator);
+  }
+}
+
+// Lanes beside each other, each with its own magnets and amplifier, are the runs alone.
+TEST(OpposedMagnets, LanesAreTheRunsAlone) {
+  constexpr double kStep = 1e-5;
+  constexpr int kSteps = 1000;
+  std::vector<Model> models;
+  for (int k = 0; k < 4; ++k) {
+    scene::Scene s = opposed(0.0);
+    s.magnetic_bearings[0].force_constant *= 1.0 + 0.1 * k;
+    s.magnetic_bearings[0].control = scene::BearingControl{.proportional = 9000.0 + 100.0 * k,
+                                                           .derivative = 3.0 + k,
+                                                           .derivative_lag = 1e-4 + 1e-5 * k};
+    s.magnetic_bearings[0].amplifier = scene::Amplifier{
+        .bandwidth = 6000.0 + 500.0 * k, .voltage_limit = 40.0 + k, .inductance = 0.02};
+    s.initial.x = {3e-4};
+    models.push_back(make_model(s));
+  }
+  for (const auto integrator : {scene::Integrator::kMidpoint, scene::Integrator::kVerlet}) {
+    const std::vector<EnsembleRun> runs = Ensemble(models, kStep, integrator).run(kSteps);
+    for (std::size_t k = 0; k < models.size(); ++k) {
+      const EnsembleRun alone = Ensemble({models[k]}, kStep, integrator).run(kSteps).front();
+      ASSERT_EQ(runs[k].status, Status::kOk);
+      EXPECT_EQ(runs[k].q, alone.q) << k;
+      EXPECT_EQ(runs[k].v, alone.v) << k;
+    }
+    EXPECT_NE(runs[0].q, runs[1].q);
+  }
+}
+
+}  // namespace
+}  // namespace rotorub
