@@ -57,6 +57,8 @@ class Bodies {
   }
   void write_beside_the_rotor() {
     for (std::size_t k = 0; k < scene_.auxiliary.size(); ++k) ring(k);
+    for (std::size_t k = 0; k < scene_.auxiliary.size(); ++k) housing(k);
+    for (const StationSupport& support : model_.supports) bristles(support);
     integrators();
   }
 
@@ -192,6 +194,38 @@ class Bodies {
     close_moving_body();
   }
 
+  // What carries the ring; the plugin has what is between the two.
+  void housing(std::size_t k) {
+    const AuxiliaryBearing& at = model_.auxiliary[k];
+    if (at.housing == kAbsent) return;
+    const auto named = [k](const char* name) { return names::of_bearing(k, name); };
+    joint(named(names::kHousingX), "slide", "1 0 0", at.housing);
+    joint(named(names::kHousingY), "slide", "0 1 0", at.housing + 1);
+    const double z =
+        k == 0 ? 0.0 : scene_.auxiliary[k].contact->station - scene_.first().contact->station;
+    open_moving_body(named(names::kHousing).c_str(),
+                     fmt::format(R"( pos="{} {} {}")", at.ring_offset.x(), at.ring_offset.y(), z));
+    const double radius = drawn_radius(scene_, k);
+    xml_.line(fmt::format(R"(<geom name="{}" type="cylinder" size="{} {}" mass="0" contype="0" )"
+                          R"(conaffinity="0" group="1" rgba="0.35 0.35 0.4 0.2"/>)",
+                          named(names::kHousing), 1.3 * radius, 0.5 * kThickness * radius));
+    close_moving_body();
+  }
+
+  void bristles(const StationSupport& s) {
+    const auto named = [&](const char* name) { return names::of_bearing(s.number, name); };
+    if (s.bristle != kAbsent) {
+      joint(named(names::kBristleX), "slide", "1 0 0", s.bristle);
+      joint(named(names::kBristleY), "slide", "0 1 0", s.bristle + 1);
+    }
+    if (s.spin_bristle != kAbsent) {
+      joint(named(names::kSpinBristle), "slide", "0 0 1", s.spin_bristle);
+    }
+    if (joints_.empty()) return;
+    open_moving_body(named(names::kBristles).c_str());
+    close_moving_body();
+  }
+
   // Two joints without a shape for each: what a magnetic bearing's integrator holds is in MuJoCo's
   // state, qvel.
   void integrators() {
@@ -277,6 +311,10 @@ std::vector<int> order_beside_the_rotor(const Model& model) {
     if (at.moves()) order.insert(order.end(), {at.ring, at.ring + 1});
     if (at.turns()) order.push_back(at.ring_angle);
   }
+  for (const AuxiliaryBearing& at : model.auxiliary) {
+    if (at.housing != kAbsent) order.insert(order.end(), {at.housing, at.housing + 1});
+  }
+  for (int i = l.bristle(); i < l.integral(); ++i) order.push_back(i);
   for (int i = l.integral(); i < l.coil(); ++i) order.push_back(i);
   return order;
 }

@@ -1,6 +1,7 @@
 // Names of the elements in a generated MJCF, as the plugin, the engine and the renderer look them
 // up. Joints: x_1.., y_1.. (bending modes), spin, torsion_1.., ring_x, ring_y, ring_spin,
-// bearing_integral_x, bearing_integral_y.
+// housing_x, housing_y, ring_bristle_x, ring_bristle_y, ring_bristle_spin, bearing_integral_x,
+// bearing_integral_y.
 #pragma once
 
 #include <cstddef>
@@ -61,6 +62,14 @@ inline constexpr const char* kEndY = "end_y";
 inline constexpr const char* kRingX = "ring_x";
 inline constexpr const char* kRingY = "ring_y";
 inline constexpr const char* kRingSpin = "ring_spin";
+inline constexpr const char* kHousing = "housing";
+inline constexpr const char* kHousingX = "housing_x";
+inline constexpr const char* kHousingY = "housing_y";
+// Joints whose velocities are the states of dry friction under a ring, and of its spin.
+inline constexpr const char* kBristles = "ring_bristles";
+inline constexpr const char* kBristleX = "ring_bristle_x";
+inline constexpr const char* kBristleY = "ring_bristle_y";
+inline constexpr const char* kSpinBristle = "ring_bristle_spin";
 // Joints whose velocities are the currents that magnetic bearings' integrators hold, A; nothing is
 // seen to move. Two of each integrator, and a body: "bearing_integral_x", "bearing2_integral_x".
 inline std::string bearing_integral(int i) {

@@ -51,6 +51,16 @@ std::string joint_name(const Model& model, int i) {
     if (i == at.ring) return names::of_bearing(k, names::kRingX);
     if (i == at.ring + 1 && at.moves()) return names::of_bearing(k, names::kRingY);
     if (i == at.ring_angle) return names::of_bearing(k, names::kRingSpin);
+    if (at.housing == kAbsent) continue;
+    if (i == at.housing) return names::of_bearing(k, names::kHousingX);
+    if (i == at.housing + 1) return names::of_bearing(k, names::kHousingY);
+  }
+  for (const StationSupport& s : model.supports) {
+    const auto named = [&](const char* name) { return names::of_bearing(s.number, name); };
+    if (i == s.spin_bristle) return named(names::kSpinBristle);
+    if (s.bristle == kAbsent) continue;
+    if (i == s.bristle) return named(names::kBristleX);
+    if (i == s.bristle + 1) return named(names::kBristleY);
   }
   return {};
 }

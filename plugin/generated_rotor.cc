@@ -74,6 +74,7 @@ void add_passive_force(const Config& config, const mjModel* m, mjData* d,
   const bool rk4 = m->opt.integrator == mjINT_RK4;
   if (rk4 || (model.gyroscopic.absent() && !model.coupled_mass())) {
     coupling_force(model, d->time, state.q(), state.v(), f);
+    if (!rk4) step_bristles(model, state.v(), state.v(), m->opt.timestep, f);
     add_to_dofs(config, f, d->qfrc_passive);
     return;
   }
@@ -82,6 +83,7 @@ void add_passive_force(const Config& config, const mjModel* m, mjData* d,
   double mass[kMaxCoordinates], dv[kMaxCoordinates];
   step_mass(config, m, mass);
   load_force(model, d->time, state.q(), state.v(), f);
+  step_bristles(model, state.v(), state.v(), m->opt.timestep, f);
   for (int i = 0; i < n; ++i) {
     const int dof = config.dof_address[static_cast<std::size_t>(i)];
     f[i] += d->qfrc_passive[dof] + d->qfrc_applied[dof];

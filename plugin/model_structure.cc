@@ -98,6 +98,7 @@ void check_rings(const mjModel* m, const Config& config) {
     };
     if (at.moves()) check(at.ring, 0, "1 0 0"), check(at.ring + 1, 1, "0 1 0");
     if (at.turns()) check(at.ring_angle, 2, "0 0 1");
+    if (at.housing != kAbsent) check(at.housing, 0, "1 0 0"), check(at.housing + 1, 1, "0 1 0");
   }
 }
 

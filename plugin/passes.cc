@@ -89,7 +89,7 @@ void notice_missed_control(const Config& config, mjData* d) {
 
 void add_loads(const Config& config, const mjModel* m, mjData* d) {
   if (config.own) return;
-  if (config.segments) add_segment_loads(config, d);
+  if (config.segments) add_segment_loads(config, m, d);
   if (!config.segments && !config.takes_native_steps()) {
     const Coordinates state(config, d);
     place_contacts_beside(config, m, d, state);

@@ -4,6 +4,7 @@
 #include <algorithm>
 
 #include "mjcf/names.h"
+#include "native_model/dynamics/dynamics.h"
 #include "native_model/dynamics/loads.h"
 #include "native_model/stepping/step_limit.h"
 #include "plugin/config.h"
@@ -225,6 +226,22 @@ int stored_address(const Config& config, int k) {
   return config.dof_address[static_cast<std::size_t>(config.model.layout.integral() + k)];
 }
 
+// Of what carries the rings beyond their joints' springs, nq values; empty: nothing.
+Eigen::VectorXd support_loads(const Config& config, const mjModel* m, const mjData* d) {
+  const Model& model = config.model;
+  if (model.supports.empty()) return {};
+  Eigen::VectorXd q = Eigen::VectorXd::Zero(model.nq()), v = q, f = q;
+  for (int i = model.layout.ring(); i < model.nq(); ++i) {
+    q[i] = d->qpos[config.qpos_address[static_cast<std::size_t>(i)]];
+    v[i] = d->qvel[config.dof_address[static_cast<std::size_t>(i)]];
+  }
+  add_ring_supports(model, q.data(), v.data(), f.data());
+  if (m->opt.integrator != mjINT_RK4) {
+    step_bristles(model, v.data(), v.data(), m->opt.timestep, f.data());
+  }
+  return f;
+}
+
 void scatter(const std::vector<JointAddress>& joints, const Eigen::VectorXd& values, mjtNum* to) {
   for (std::size_t i = 0; i < joints.size(); ++i) {
     to[joints[i].velocity] += values[static_cast<Eigen::Index>(i)];
@@ -233,7 +250,7 @@ void scatter(const std::vector<JointAddress>& joints, const Eigen::VectorXd& val
 
 }  // namespace
 
-void add_segment_loads(const Config& config, mjData* d) {
+void add_segment_loads(const Config& config, const mjModel* m, mjData* d) {
   const Segments& s = *config.segments;
   const Model &model = config.model, &bending = s.bending;
   const Layout& l = bending.layout;
@@ -273,8 +290,10 @@ void add_segment_loads(const Config& config, mjData* d) {
   // The rotor's weight is MuJoCo's; the ring's mass is an armature, on which gravity does not act,
   // and which the base's motion loads as it does the rotor.
   const Eigen::Vector2d base = model.base ? model.base->at(d->time) : Eigen::Vector2d(0.0, 0.0);
+  const Eigen::VectorXd supports = support_loads(config, m, d);
   for (int i = model.layout.ring(); i < model.nq(); ++i) {
     mjtNum& force = d->qfrc_passive[config.dof_address[static_cast<std::size_t>(i)]];
+    if (supports.size() > 0) force += supports[i];
     if (model.weight.size() > 0) force += model.weight[i];
     const int along = i - model.layout.ring();
     if (model.base && along < model.layout.stator) force -= model.gravity_mass[i] * base[along % 2];

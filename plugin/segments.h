@@ -61,6 +61,6 @@ std::string segment_step_refusal(const Segments& segments, double step);
 // external and rotating damping of its modes, forces, magnetic bearings, drive, weight of the ring.
 // Springs, bearings, gyroscopics, unbalance and the rotor's weight are MuJoCo's own. Adds to
 // d->qfrc_passive. The config is that of a segment rotor.
-void add_segment_loads(const Config& config, mjData* d);
+void add_segment_loads(const Config& config, const mjModel* m, mjData* d);
 
 }  // namespace rotorub::plugin

@@ -184,6 +184,10 @@ json read_or_null(const Metrics& m) {
   return number_or_null(m.*Member);
 }
 template <auto Member>
+json count_or_null(const Metrics& m) {
+  return m.*Member ? json(*(m.*Member)) : json();
+}
+template <auto Member>
 json settled_at(const Metrics& m) {
   return m.settled.*Member;
 }
@@ -202,6 +206,13 @@ const MetricKey kMetricKeys[] = {
      read_or_null<&Metrics::least_gap>},
     {"peak_impulse", "N s", "largest normal impulse of one impact", read<&Metrics::peak_impulse>},
     {"friction_impulse", "N s", "on the rotor, signed along e_t", read<&Metrics::friction_impulse>},
+    {"forward_passes", "",
+     "turns of the rotor all around its ring from the first touch on, along +z; of several "
+     "contacts "
+     "where they are most; null: of an ensemble",
+     count_or_null<&Metrics::forward_passes>},
+    {"backward_passes", "", "the same against it", count_or_null<&Metrics::backward_passes>},
+    {"whirl_time", "s", "that these took", read_or_null<&Metrics::whirl_time>},
     {"real_time_factor", "", "simulated time over time taken; no result",
      read<&Metrics::real_time_factor>},
     {"settled.attractor", "",

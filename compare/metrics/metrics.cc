@@ -107,6 +107,9 @@ Metrics totals(const Trajectory& trajectory) {
   m.friction_impulse = s.friction_impulse;
   m.friction_work = s.friction_work;
   m.max_penetration = s.max_penetration;
+  m.forward_passes = s.passes.forward();
+  m.backward_passes = s.passes.backward();
+  m.whirl_time = s.passes.time();
   m.energy_residual = s.energy_residual();
   if (std::isfinite(s.least_gap))
     m.least_gap = s.first_touch >= 0.0 ? std::min(0.0, s.least_gap) : s.least_gap;

@@ -38,9 +38,12 @@ struct Metrics {
   // Of contacts that give, with whom they mean something: the largest force (N) and depth (m), and
   // the time in contact (s).
   std::optional<double> contact_peak, contact_depth, contact_time;
-  double whirl_penetration = 0.0;  // m, (v_t dt)^2 / (2 delta_0), v_t the rms speed of the
-                                   // relative centre along e_t over the rows in contact
-  double energy_residual = 0.0;    // 1, |E_end - E_start - work| / largest energy
+  // Of a run by itself: full_passes.h.
+  std::optional<int> forward_passes, backward_passes;
+  std::optional<double> whirl_time;  // s
+  double whirl_penetration = 0.0;    // m, (v_t dt)^2 / (2 delta_0), v_t the rms speed of the
+                                     // relative centre along e_t over the rows in contact
+  double energy_residual = 0.0;      // 1, |E_end - E_start - work| / largest energy
   Settled settled;
   // Where they are free: over the last fifth of the run, rad/s.
   std::optional<double> spin_speed, ring_speed;

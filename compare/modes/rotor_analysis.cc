@@ -175,12 +175,36 @@ std::string stability_text(const RotorAnalysis& analysis) {
                      analysis.stability_bound * kRpm);
 }
 
+// m, peak to peak, of API 617: 25.4 um sqrt(12000 rpm / speed), and no
+// more than 25.4 um. For a rotor at rest infinity.
+double vibration_limit(double speed) {
+  const double rpm = std::abs(speed) * kRpm;
+  return rpm > 0.0 ? 25.4e-6 * std::min(1.0, std::sqrt(12000.0 / rpm))
+                   : std::numeric_limits<double>::infinity();
+}
+
+std::string vibration_text(const FreeOrbit& orbit, double speed) {
+  constexpr double kMicro = 1e6;
+  const double limit = vibration_limit(speed);
+  if (!std::isfinite(limit) || orbit.vibration == 0.0) return "";
+  return fmt::format("  vibration there: {:.5g} um peak to peak, {} the {:.4g} um of API 617\n",
+                     kMicro * orbit.vibration, orbit.vibration <= limit ? "within" : "beyond",
+                     kMicro * limit);
+}
+
 json response_json(const RotorAnalysis& analysis, std::size_t at) {
   const FreeOrbit& orbit = analysis.orbits[at];
   if (!orbit.largest)
-    return {{"orbit", nullptr}, {"least_gap", nullptr}, {"refused", orbit.refused}};
+    return {{"orbit", nullptr},
+            {"least_gap", nullptr},
+            {"vibration", nullptr},
+            {"vibration_limit", nullptr},
+            {"refused", orbit.refused}};
+  const double limit = vibration_limit(analysis.spectra[at].speed);
   return {{"orbit", *orbit.largest},
           {"least_gap", analysis.clearance - *orbit.largest},
+          {"vibration", orbit.vibration},
+          {"vibration_limit", std::isfinite(limit) ? json(limit) : json(nullptr)},
           {"refused", nullptr}};
 }
 
@@ -190,10 +214,11 @@ std::string response_text(const RotorAnalysis& analysis, std::size_t at) {
   if (!orbit.largest) return fmt::format("  response at the contact: none, {}\n", orbit.refused);
   const double gap = analysis.clearance - *orbit.largest;
   return fmt::format(
-      "  response at the contact: {:.5g} um from the middle of the ring, {}\n",
-      kMicro * *orbit.largest,
-      gap > 0.0 ? fmt::format("least gap {:.5g} um", kMicro * gap)
-                : fmt::format("it touches: {:.5g} um beyond the clearance", -kMicro * gap));
+             "  response at the contact: {:.5g} um from the middle of the ring, {}\n",
+             kMicro * *orbit.largest,
+             gap > 0.0 ? fmt::format("least gap {:.5g} um", kMicro * gap)
+                       : fmt::format("it touches: {:.5g} um beyond the clearance", -kMicro * gap)) +
+         vibration_text(orbit, analysis.spectra[at].speed);
 }
 
 json modes_json(const RotorAnalysis& analysis) {

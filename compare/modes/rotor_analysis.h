@@ -56,7 +56,8 @@ std::string stability_text(const RotorAnalysis& analysis);
 // "at_stations"}]}; modes scaled as the coordinates of a run are (mode_shapes.h). Modal form:
 // "mode_shapes" is null. With a [contact] each speed has "response": {"orbit": m or null, how far
 // the free rotor's centre goes from the ring's under unbalance, weight and forces
-// (system/steady_orbit.h), "least_gap": m, < 0 where it would touch, or null, "refused": why there
+// (system/steady_orbit.h), "least_gap": m, < 0 where it would touch, or null, "vibration": m, peak
+// to peak, "vibration_limit": m, that of API 617 at this speed, null at rest, "refused": why there
 // is no such orbit, or null}, and "rub": rub_analysis.h; where its rubs cannot be analysed it is
 // null, and "rub_refused" says why.
 nlohmann::json modes_json(const RotorAnalysis& analysis);

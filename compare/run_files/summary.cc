@@ -43,6 +43,9 @@ constexpr ColumnMeaning kSummaryKeys[] = {
     metric("impulse_total"),
     metric("impacts"),
     metric("energy_residual"),
+    metric("forward_passes"),
+    metric("backward_passes"),
+    metric("whirl_time"),
     {"contact_mass.kept", "kg", "mass that an impact meets, of the modes kept", kGeometry},
     {"contact_mass.mesh", "kg", "the same of all modes of the mesh", kGeometry},
     {"contact_mass.kept_modes", "", "number of modes kept", kGeometry},
@@ -68,6 +71,9 @@ constexpr ColumnMeaning kSummaryKeys[] = {
     {"contacts[].impacts", "", "number of its impacts with a gap rate below -1e-4 m/s", kSeveral},
     {"contacts[].least_gap", "m", "smallest gap of all rows and ends of steps", kSeveral},
     {"contacts[].max_penetration", "m", "never negative", kSeveral},
+    {"contacts[].forward_passes", "", "turns of the rotor all around the ring, along +z", kSeveral},
+    {"contacts[].backward_passes", "", "the same against it", kSeveral},
+    {"contacts[].whirl_time", "s", "that these took", kSeveral},
     {"status", "",
      "ok, diverged, no_solution, ambiguous, step_too_large, out_of_range, controller_failed or "
      "interrupted",
@@ -91,7 +97,10 @@ json contacts_json(const scene::Scene& scene, const Trajectory& trajectory) {
                    {"friction_work", s.friction_work},
                    {"impacts", impacts},
                    {"least_gap", s.least_gap},
-                   {"max_penetration", s.max_penetration}});
+                   {"max_penetration", s.max_penetration},
+                   {"forward_passes", s.passes.forward()},
+                   {"backward_passes", s.passes.backward()},
+                   {"whirl_time", s.passes.time()}});
   }
   return all;
 }

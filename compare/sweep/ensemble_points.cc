@@ -147,7 +147,7 @@ std::vector<PointResult> run_ensembles(const std::vector<PointScene>& points,
   std::vector<PointResult> out;
   std::vector<Group> groups;
   for (const PointScene& point : points) {
-    if (point.scene.auxiliary.size() > 1 || point.scene.gives()) {
+    if (!point.scene.fits_lanes()) {
       const auto engine = native_engine(integrator);
       if (auto result = run_single(point.point, point.scene, *engine, interrupt)) {
         out.push_back(std::move(*result));

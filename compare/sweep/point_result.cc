@@ -27,7 +27,10 @@ constexpr const char* kKept[] = {"end",
                                  "peak_impulse",
                                  "friction_work",
                                  "max_penetration",
-                                 "energy_residual"};
+                                 "energy_residual",
+                                 "forward_passes",
+                                 "backward_passes",
+                                 "whirl_time"};
 
 constexpr ColumnMeaning kPoint{"point", "", "number of the point in the study's order, from 0", ""};
 constexpr std::string_view kVaried = "value of the varied key";

@@ -188,6 +188,11 @@ double energy(const Model& m, double t, const double* q, const double* v) {
     const Eigen::Vector2d r = at_station(l, s.shape, q);
     e += 0.5 * s.stiffness.dot(r.cwiseProduct(r));
   }
+  for (const StationSupport& s : m.supports) {
+    for (int k = 0; s.housing != kAbsent && k < 2; ++k) {
+      e -= s.stiffness[k] * q[s.ring + k] * q[s.housing + k];
+    }
+  }
   if (m.coupled_mass()) {
     const Coupling b(m, t, q);
     double bending = 0.0;
@@ -232,6 +237,7 @@ double external_power(const Model& m, double t, const double* q, const double* v
 double extra_power(const Model& m, double t, const double* q, const double* v) {
   const Layout& l = m.layout;
   double power = 0.0;
+  power -= coupling_power(m, q, v);
   for (const StationSpring& s : m.springs) {
     power += s.stiffness.cwiseProduct(at_station(l, s.shape, q)).dot(at_station(l, s.shape, v));
   }

@@ -80,6 +80,15 @@ inline double external_power(const Model& model, double t, const double* q, cons
 // J: what the energy gains at (q, v) by the blades lost in (from, to], where the spin is free: no
 // velocity jumps, and with a blade goes its part of the energy. Work of the outside in the balance.
 double switching_work(const Model& model, double from, double to, const double* q, const double* v);
+// f += what carries the rings beyond the diagonals (Model::supports), and the rates of its
+// bristles.
+void add_ring_supports(const Model& model, const double* q, const double* v, double* f);
+// In the place of their rates the loads on bristles of dry friction, M ds/dt, that lead in a step
+// of h (s) from their states in `from` to those that `v` gives, both nq values: at any size of h
+// they stay within full slip.
+void step_bristles(const Model& model, const double* v, const double* from, double h, double* f);
+// W: of f, what couples a ring and its housing by their spring: energy() has it.
+double coupling_power(const Model& model, const double* q, const double* v);
 // What external_power has beyond (f + stiffness q) . v, for callers that hold f already.
 double extra_power(const Model& model, double t, const double* q, const double* v);
 

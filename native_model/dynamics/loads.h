@@ -4,10 +4,22 @@
 #pragma once
 
 #include <array>
+#include <type_traits>
 
+#include "native_model/dynamics/dynamics.h"
 #include "native_model/dynamics/equations.h"
 
 namespace rotorub::equations {
+
+// What carries rings beyond springs and dampers to the base (dynamics.h). Of many in lanes none has
+// such (scene::Scene::fits_lanes).
+template <class M, class T = typename M::Scalar>
+ROTORUB_INLINE void add_supports([[maybe_unused]] const M& m, [[maybe_unused]] const T* q,
+                                 [[maybe_unused]] const T* v, [[maybe_unused]] T* f) {
+  if constexpr (std::is_base_of_v<Model, M>) {
+    if (!m.supports.empty()) add_ring_supports(m, q, v, f);
+  }
+}
 
 // All that is linear in (q, v) at a spin speed omega (rad/s) but the diagonal parts and the
 // gyroscopic moments: rotating damping, dashpots, films, springs, magnetic bearings' laws. (A
@@ -82,6 +94,7 @@ ROTORUB_INLINE void add_loads(const M& m, const LoadInstant<T>& at, const T* q, 
                               const Forces& forces, T* f) {
   const T omega = spin_speed(m, v);
   add_linear_loads(m, omega, at.working, q, v, f);
+  add_supports(m, q, v, f);
   if constexpr (kGyroscopics == Gyroscopics::kAmong) add_gyroscopic(m, omega, v, f);
   forces(f);
   if (!m.unbalances.empty()) add_unbalance(m, at.angles, omega, f);

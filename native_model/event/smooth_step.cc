@@ -65,11 +65,11 @@ void SmoothStep::meet(const Motion& motion) {
     of_q[i] = tolerance * (angle(i) ? 1.0 : displacement_);
     of_v[i] = tolerance * (angle(i) ? std::max(1.0, spin_) : speed_);
   }
-  // Nothing depends on an integrator's own integral, a coil's charge, nor on the integrals of the
-  // run.
-  for (int i = l.integral(); i < n; ++i) {
+  // Nothing depends on a bristle's integral, an integrator's own integral, a coil's charge, nor on
+  // the integrals of the run.
+  for (int i = l.bristle(); i < n; ++i) {
     of_q[i] = kInfinity;
-    of_v[i] = tolerance * (i < l.coil() ? most_stored(i) : coil_limit(i));
+    of_v[i] = tolerance * (i < l.integral() ? 1.0 : i < l.coil() ? most_stored(i) : coil_limit(i));
   }
   std::fill(tolerance_.begin() + 2 * n, tolerance_.end(), kInfinity);
 }
@@ -190,7 +190,8 @@ std::string part_of(const Layout& l, int i) {
   if (i < l.theta()) return "the rotor's spin";
   if (i < l.ring()) return numbered("the rotor's torsion mode ", l.theta());
   if (i < l.ring_angle()) return "the ring's motion";
-  if (i < l.integral()) return "the ring's spin";
+  if (i < l.bristle()) return "the ring's spin";
+  if (i < l.integral()) return "dry friction under the ring";
   if (i < l.coil()) return "a magnetic bearing's integrator";
   return numbered("the current of coil ", l.coil());
 }

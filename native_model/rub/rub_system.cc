@@ -71,6 +71,9 @@ void check(const scene::Scene& scene) {
     check(first.stator->spin.has_value(), "stator.spin",
           "its speed would have to be found with the rub, sliding or rolling; accepted is a ring "
           "that does not turn");
+    check(!first.stator->on_springs_alone(), "stator",
+          "the analysis has the ring on its spring and damper to the base alone; accepted: no "
+          "mount, dry_friction, squeeze_film or ball_bearing");
     check(differ(first.stator->mass), "stator.mass", planes);
     check(differ(first.stator->damping), "stator.damping", planes);
     check(differ(first.stator->stiffness), "stator.stiffness", planes);

@@ -35,22 +35,62 @@ struct Contact {
 
 // ---------------------------------------------------------------- [stator], [actuator]
 // The ring turns about its axis, as the inner ring of an auxiliary ball bearing does: J Omega_r' =
-// torque of the contact - drag Omega_r. Dry friction of the balls is left out: it would hold the
-// ring still up to a torque, a second set-valued law beside the contact's.
+// torque of the contact - drag Omega_r - (dry_drag + load_factor pitch_diameter P) s, s in [-1, 1]
+// the state of dry friction (bearing/ring_support.h) and P the size of the force that the ring's
+// support transmits (Palmgren 1959: M_1 = f_1 P d_m).
 struct RingSpin {
-  double inertia = 0.0;  // kg m^2, > 0, polar, of all that turns with the ring
-  double drag = 0.0;     // N m s, >= 0, viscous, to the base
-  double speed = 0.0;    // rad/s, about +z, at t = 0
+  double inertia = 0.0;            // kg m^2, > 0, polar, of all that turns with the ring
+  double drag = 0.0;               // N m s, >= 0, viscous, to the base
+  double speed = 0.0;              // rad/s, about +z, at t = 0
+  double dry_drag = 0.0;           // N m, >= 0, at no load
+  double load_factor = 0.0;        // 1, >= 0, f_1; needs a ring that moves
+  double pitch_diameter = 0.0;     // m, > 0, d_m, of the balls' circle
+  double presliding_angle = 0.01;  // rad, > 0: by how much it turns before the drag acts in full
+  bool drags() const { return dry_drag > 0.0 || load_factor > 0.0; }
+};
+
+// What carries the ring: stator.stiffness and stator.damping then are between ring and housing.
+struct Housing {
+  PlanePair mass{0.0, 0.0};       // kg, > 0
+  PlanePair stiffness{0.0, 0.0};  // N/m, >= 0, to the base
+  PlanePair damping{0.0, 0.0};    // N s/m, >= 0, to the base
+};
+
+// Between the ring and what carries it, beside spring and damper: bearing/ring_support.h.
+struct DryFriction {
+  double force = 0.0;       // N, > 0, in full slip
+  double presliding = 0.0;  // m, > 0: the way on which it rises to that
+};
+struct SqueezeFilm {
+  double radius = 0.0;     // m, > 0, of the journal: the ring's outside
+  double length = 0.0;     // m, > 0, axial
+  double clearance = 0.0;  // m, > 0, radial
+  double viscosity = 0.0;  // Pa s, > 0
+  bool cavitation = true;  // the film bears no tension
+};
+struct BallSupport {
+  int balls = 0;           // >= 3
+  double stiffness = 0.0;  // N/m^1.5, > 0, of a ball between its two races
+  double play = 0.0;       // m, >= 0, radial: how far the ring moves until the first ball bears
+  double phase = 0.0;      // rad, of the first ball from the x axis
 };
 
 // The ring of the auxiliary bearing; absent: fixed to the base.
 struct Stator {
-  PlanePair mass{0.0, 0.0};            // kg, > 0
-  PlanePair damping{0.0, 0.0};         // N s/m, >= 0
-  PlanePair stiffness{0.0, 0.0};       // N/m, >= 0, mechanical spring to the base, always acting
-  std::optional<RingSpin> spin{};      // absent: the ring does not turn
+  PlanePair mass{0.0, 0.0};        // kg, > 0
+  PlanePair damping{0.0, 0.0};     // N s/m, >= 0
+  PlanePair stiffness{0.0, 0.0};   // N/m, >= 0, mechanical spring to the base, always acting
+  std::optional<RingSpin> spin{};  // absent: the ring does not turn
+  std::optional<Housing> mount{};  // absent: the base carries the ring
+  std::optional<DryFriction> dry_friction{};
+  std::optional<SqueezeFilm> squeeze_film{};
+  std::optional<BallSupport> ball_bearing{};
   Eigen::Vector2d position{0.0, 0.0};  // m, at t = 0, from where it is at rest
   Eigen::Vector2d velocity{0.0, 0.0};  // m/s, at t = 0
+  // Nothing carries the ring, or drags its spin, but springs and viscous dampers to the base.
+  bool on_springs_alone() const {
+    return !mount && !dry_friction && !squeeze_film && !ball_bearing && !(spin && spin->drags());
+  }
 };
 
 enum class ActuatorKind { kIdeal, kElectromagnet, kTable };

@@ -67,7 +67,8 @@ void validate(const Scene& scene, const Record& record, std::vector<Diagnostic>&
   check_start(check);
   for (std::size_t k = 0; k < scene.auxiliary.size(); ++k) {
     const Checker of_bearing{scene, record, diagnostics, k};
-    check_bearing(of_bearing);
+    check_ring(of_bearing);
+    check_actuator(of_bearing);
     check_contact(of_bearing);
     check_control(of_bearing);
   }

@@ -51,7 +51,8 @@ void check_rotor(const Checker& check);         // [rotor] and its tables
 void check_loads(const Checker& check);         // [drive], [[force]], magnetic bearings
 void check_base(const Checker& check);          // [base]
 void check_start(const Checker& check);         // [initial], [gravity], [mujoco]
-void check_bearing(const Checker& check);       // [stator], [actuator] of one bearing
+void check_ring(const Checker& check);          // [stator] of one bearing and the tables below
+void check_actuator(const Checker& check);      // its [actuator]
 void check_contact(const Checker& check);       // its [contact] and the laws of it
 void check_gap_at_start(const Checker& check);  // the rotor is in its ring
 void check_control(const Checker& check);       // its [controller] and the tables below

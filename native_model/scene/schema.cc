@@ -104,8 +104,8 @@ RotorGeometry& geometry_of(Scene& scene) {
 std::span<const Table> tables() {
   static const std::vector<Table> all = [] {
     std::vector<Table> result{run_table()};
-    for (auto* tables : {rotor_tables, load_tables, contact_tables, bearing_tables, control_tables,
-                         start_tables}) {
+    for (auto* tables : {rotor_tables, load_tables, contact_tables, ring_tables, actuator_tables,
+                         control_tables, start_tables}) {
       for (Table& table : tables()) result.push_back(std::move(table));
     }
     result.push_back(rule_table());

@@ -82,6 +82,7 @@ inline constexpr Quantity kInductance{"an inductance", "H", "H, mH, V s/A", {2, 
 inline constexpr Quantity kMagnetConstant{
     "a magnet's force constant", "N m^2/A^2", "N m^2/A^2, N mm^2/A^2", {3, 1, -2, -2, 0}};
 inline constexpr Quantity kPressure{"a pressure", "Pa", "Pa, MPa, GPa, N/mm^2", {-1, 1, -2, 0, 0}};
+inline constexpr Quantity kViscosity{"a viscosity", "Pa s", "Pa s, mPa s", {-1, 1, -1, 0, 0}};
 inline constexpr Quantity kDensity{"a density", "kg/m^3", "kg/m^3, g/cm^3", {-3, 1, 0, 0, 0}};
 
 // The SI value (rad, rad/s for angles and speeds), or why there is none.

@@ -232,10 +232,11 @@ Ensemble::Ensemble(std::vector<Model> models, double step, scene::Integrator int
       throw std::invalid_argument("run " + std::to_string(i) +
                                   " of the ensemble has other parts than run 0");
     }
-    if (models_[i].auxiliary.size() > 1 || models_[i].gives()) {
+    if (models_[i].auxiliary.size() > 1 || models_[i].gives() || !models_[i].supports.empty()) {
       throw std::invalid_argument(
           "run " + std::to_string(i) +
-          " of the ensemble has several contacts, or one that gives; run it by itself");
+          " of the ensemble has several contacts, one that gives, or a ring on more than a spring "
+          "and a damper; run it by itself");
     }
     const auto& c = models_[i].first().contact;
     const bool sampled = models_[i].first().controller && models_[i].first().sample_time > 0.0;

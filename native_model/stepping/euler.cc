@@ -33,6 +33,7 @@ FixedStep EulerStepper::step(std::int64_t k, std::span<const Eigen::Vector2d> u,
   const double t = static_cast<double>(k) * h_;
   const State start = state_;
   smooth_force(m, t, q(), v(), u, f_.data());
+  step_bristles(m, v(), v(), h_, f_.data());
   solve_mass(m, t, q(), f_.data(), f_.data());
   free_ = start.v + h_ * f_;
   state_.v = free_;

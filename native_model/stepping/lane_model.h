@@ -114,7 +114,7 @@ void put_lane(To& to, const From& from, int lane) {
 template <int kModes, int kSpin, int kStator>
 struct SmallLayout {
   static constexpr int modes = kModes, spin = kSpin, torsion = 0, stator = kStator;
-  static constexpr int ring_spin = 0, integrals = 0, coils = 0;
+  static constexpr int ring_spin = 0, bristles = 0, integrals = 0, coils = 0;
   static constexpr int phi() { return 2 * modes; }
   static constexpr int theta() { return phi() + spin; }
   static constexpr int ring() { return theta(); }
@@ -125,7 +125,7 @@ struct SmallLayout {
   static constexpr int nq() { return coil(); }
   static bool fits(const Layout& l) {
     return l.modes == modes && l.spin == spin && l.torsion == 0 && l.stator == stator &&
-           l.ring_spin == 0 && l.integrals == 0 && l.coils == 0;
+           l.ring_spin == 0 && l.bristles == 0 && l.integrals == 0 && l.coils == 0;
   }
 };
 

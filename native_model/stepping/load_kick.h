@@ -16,6 +16,7 @@
 #include <vector>
 
 #include "native_model/contact/most_contacts.h"
+#include "native_model/dynamics/dynamics.h"
 #include "native_model/dynamics/equations.h"
 #include "native_model/stepping/lane_model.h"
 #include "native_model/stepping/step_state.h"
@@ -58,7 +59,8 @@ class LoadKick {
     for (const Model* model : models) switches = switches || feedback_switches(*model);
     bool follows = false;  // bearings the spin, where that is free
     for (const auto& film : first.films) follows = follows || (layout.spin && film.law.follows());
-    iterates_ = turns || curve || follows || switches || layout.integrals > 0 || layout.coils > 0;
+    iterates_ = turns || curve || follows || switches || layout.integrals > 0 || layout.coils > 0 ||
+                !first.supports.empty();
     magnetic_ = first.first().magnets.has_value();
     several_ = first.auxiliary.size() > 1;
     for (int i = 0; iterates_ && i < layout.nq(); ++i) {
@@ -174,6 +176,7 @@ class LoadKick {
     double work = 0.0;
     const double* stiffness = m.stiffness.data();
     for (int i = 0; i < nq; ++i) work += (f[i] + stiffness[i] * q[i]) * v[i];
+    work -= coupling_power(m, q, v);
     if (m.springs.empty() && !coupled_) return x.h * work;
     for (int i = 0; i < x.nq(); ++i) f[i] = 0.0;
     equations::add_springs(m, q, f);
@@ -230,6 +233,7 @@ class LoadKick {
     equations::add_films(m, omega, q, v, f);
     equations::add_springs(m, q, f);
     equations::add_feedbacks(m, working_.data(), q, v, f);
+    add_supports(x, v, f);
     equations::add_gyroscopic(m, omega, v, f);
     loads_.add(m, f);
     if (!m.unbalances.empty()) equations::add_unbalance(m, angles_, omega, f);
@@ -245,6 +249,15 @@ class LoadKick {
     }
   }
 
+  // What dry friction's bristles do within the step is known exactly: they may be quick.
+  ROTORUB_INLINE void add_supports([[maybe_unused]] const State& x, [[maybe_unused]] const T* v,
+                                   [[maybe_unused]] T* f) const {
+    if constexpr (std::is_base_of_v<Model, M>) {
+      if (x.m.supports.empty()) return;
+      add_ring_supports(x.m, x.seen.data(), v, f);
+      step_bristles(x.m, v, x.start.data(), x.kick * x.h, f);
+    }
+  }
   // Of magnets, which drive the coils too, and of several rings: run by run.
   ROTORUB_SLOW void add_actuators(const State& x, const T* v, T* f) const {
     double run_q[kMaxCoordinates], run_v[kMaxCoordinates], run_f[kMaxCoordinates];

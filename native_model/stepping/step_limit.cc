@@ -92,6 +92,22 @@ StepLimit step_limit(const Model& m) {
     take((m.stiffness[i] + gains.stiffness) / m.mass[i], gains.damping / m.mass[i],
          "the controller's gains on the ring");
   }
+  for (const StationSupport& s : m.supports) {
+    for (int k = 0; k < 2; ++k) {
+      const double mass = m.mass[s.ring + k];
+      double slope = s.law.dry ? s.law.dry->force / s.law.dry->presliding : 0.0;
+      // Rows of M^-1/2 K M^-1/2, whose eigenvalues are bounded by them.
+      if (s.housing == kAbsent) {
+        take((m.stiffness[s.ring + k] + slope) / mass, 0.0, "the ring's dry friction");
+        continue;
+      }
+      slope += s.stiffness[k];
+      const double carrier = m.mass[s.housing + k], both = slope / std::sqrt(mass * carrier);
+      take(slope / mass + both, 0.0, "the ring in its housing");
+      take((m.stiffness[s.housing + k] - s.stiffness[k] + slope) / carrier + both, 0.0,
+           "the housing on its spring");
+    }
+  }
   for (const AuxiliaryBearing& at : m.auxiliary) {
     // Of another exponent the stiffness follows the depth, and the step is held to it as it goes.
     if (!at.gives() || at.contact->compliance.exponent != 1.0) continue;

@@ -315,6 +315,7 @@ FreeMotion free_motion(const scene::Scene& scene, const Model& m) {
   check_stability(scene, m, b);
   const Eigen::VectorXd rest = Eigen::VectorXd::Zero(2 * l.modes);
   FreeMotion motion{rest, rest, Eigen::VectorXd::Zero(l.integrals)};
+  motion.orbits.resize(m.auxiliary.size());
   motion.current.assign(m.feedbacks.size(), Eigen::Vector2d::Zero());
   for (const Load& load : loads_of(scene, m)) {
     const Answer found = answer(scene, l, b, load);
@@ -326,9 +327,11 @@ FreeMotion free_motion(const scene::Scene& scene, const Model& m) {
       motion.current[k] += current_amplitude(m, m.feedbacks[k], load.frequency, found);
     }
     const Eigen::VectorXd re = q.real(), im = q.imag();
-    const auto c = equations::at_station(l.modes, m.first().shape, re.data());
-    const auto s = equations::at_station(l.modes, m.first().shape, im.data());
-    motion.orbit.parts.push_back({load.frequency, {Phasor(c.x, s.x), Phasor(c.y, s.y)}});
+    for (std::size_t k = 0; k < m.auxiliary.size(); ++k) {
+      const auto c = equations::at_station(l.modes, m.auxiliary[k].shape, re.data());
+      const auto s = equations::at_station(l.modes, m.auxiliary[k].shape, im.data());
+      motion.orbits[k].parts.push_back({load.frequency, {Phasor(c.x, s.x), Phasor(c.y, s.y)}});
+    }
   }
   return motion;
 }

@@ -35,7 +35,7 @@ struct FreeMotion {
   Eigen::VectorXd stored;  // A, what the magnetic bearings' integrators hold at t = 0
   // A, of each magnetic bearing the most of its current on each axis: the sum over all frequencies.
   std::vector<Eigen::Vector2d> current{};
-  OrbitSize orbit{};  // of the rotor's centre at the contact, m
+  std::vector<OrbitSize> orbits{};  // of the rotor's centre at each auxiliary bearing, m
 };
 
 // At the speed model.speed. Throws scene::SceneError, key initial.steady, where there is none.

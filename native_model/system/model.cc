@@ -5,21 +5,21 @@
 #include <numbers>
 #include <utility>
 
-#include "native_model/bearing/actuator.h"
-#include "native_model/control/quadratic.h"
 #include "native_model/dynamics/dynamics.h"
 #include "native_model/dynamics/equations.h"
 #include "native_model/rotor/rotor_modes.h"
 #include "native_model/scene/record.h"
 #include "native_model/system/model_checks.h"
+#include "native_model/system/ring_actuation.h"
 #include "native_model/system/steady_orbit.h"
 
 namespace rotorub {
 namespace {
 
-// kg: an integrator is the momentum of a mass that its rate pushes, so that whoever steps
-// coordinates steps it. So small that the mass is not noticed in sums over all coordinates, and so
-// large that the weight of the 1e-12 kg that MuJoCo wants of a body is not noticed by it.
+// kg: an integrator, or a bristle of dry friction, is the momentum of a mass that its rate pushes,
+// so that whoever steps coordinates steps it. So small that the mass is not noticed in sums over
+// all coordinates, and so large that the weight of the 1e-12 kg that MuJoCo wants of a body is not
+// noticed by it.
 constexpr double kIntegratorMass = 1e-3;
 
 Layout make_layout(const scene::Scene& scene, const ModalRotor& rotor) {
@@ -31,6 +31,9 @@ Layout make_layout(const scene::Scene& scene, const ModalRotor& rotor) {
     if (!bearing.stator) continue;
     layout.stator += 2;
     layout.ring_spin += bearing.stator->spin ? 1 : 0;
+    layout.stator += bearing.stator->mount ? 2 : 0;
+    layout.bristles += bearing.stator->dry_friction ? 2 : 0;
+    layout.bristles += bearing.stator->spin && bearing.stator->spin->drags() ? 1 : 0;
     layout.coils += bearing.actuator && bearing.actuator->coil_lag > 0.0 ? 2 : 0;
   }
   for (const scene::MagneticBearing& bearing : scene.magnetic_bearings) {
@@ -53,6 +56,7 @@ void fill_auxiliary(const scene::Scene& scene, const ModalRotor& rotor, Model& m
     to.torsion_shape = rotor.torsion.contacts[k];
     if (from.stator) {
       to.ring = std::exchange(ring, ring + 2);
+      if (from.stator->mount) to.housing = std::exchange(ring, ring + 2);
       if (from.stator->spin) to.ring_angle = angle++;
       if (from.actuator && from.actuator->coil_lag > 0.0) to.coil = std::exchange(coil, coil + 2);
     }
@@ -83,11 +87,16 @@ void fill_diagonals(const scene::Scene& scene, const ModalRotor& rotor, Model& m
   put(l.y(), rotor.y.mass, rotor.y.stiffness, rotor.y.damping);
   if (l.spin) model.mass[l.phi()] = rotor.spin_inertia;
   put(l.theta(), rotor.torsion.inertia, rotor.torsion.stiffness, rotor.torsion.damping);
-  model.mass.segment(l.integral(), l.integrals).setConstant(kIntegratorMass);
+  model.mass.segment(l.bristle(), l.bristles + l.integrals).setConstant(kIntegratorMass);
   for (std::size_t k = 0; k < scene.auxiliary.size(); ++k) {
     const scene::AuxiliaryBearing& from = scene.auxiliary[k];
     const AuxiliaryBearing& at = model.auxiliary[k];
     if (at.moves()) put(at.ring, from.stator->mass, from.stator->stiffness, from.stator->damping);
+    if (at.housing != kAbsent) {
+      const scene::Housing& housing = *from.stator->mount;
+      put(at.housing, housing.mass, housing.stiffness + from.stator->stiffness,
+          housing.damping + from.stator->damping);
+    }
     if (at.turns()) {
       model.mass[at.ring_angle] = from.stator->spin->inertia;
       model.damping[at.ring_angle] = from.stator->spin->drag;
@@ -97,6 +106,30 @@ void fill_diagonals(const scene::Scene& scene, const ModalRotor& rotor, Model& m
   }
   model.damping.tail(l.coils).setOnes();
   assert(l.modes > 0);
+}
+
+// Of a ring on more than a spring and a damper. bristle: where the next one stands.
+void add_support(const scene::Stator& ring, std::size_t number, int& bristle, Model& model) {
+  const AuxiliaryBearing& at = model.auxiliary[number];
+  StationSupport support;
+  support.number = number;
+  support.ring = at.ring;
+  support.housing = at.housing;
+  support.stiffness = ring.stiffness;
+  support.damping = ring.damping;
+  if (ring.ball_bearing) support.law.balls.emplace(*ring.ball_bearing);
+  if (ring.squeeze_film) support.law.film.emplace(*ring.squeeze_film);
+  if (ring.dry_friction) {
+    support.law.dry = ring.dry_friction;
+    support.bristle = std::exchange(bristle, bristle + 2);
+  }
+  if (ring.spin && ring.spin->drags()) {
+    support.law.drag = ring.spin;
+    support.ring_angle = at.ring_angle;
+    support.spin_bristle = bristle++;
+  }
+  if (support.housing == kAbsent && !support.law.bears() && !support.law.drag) return;
+  model.supports.push_back(std::move(support));
 }
 
 // stored: where the next integrator's coordinates begin.
@@ -141,9 +174,14 @@ void fill_loads(const scene::Scene& scene, const ModalRotor& rotor, Model& model
   model.gravity_mass = Eigen::VectorXd::Zero(l.nq());
   model.gravity_mass.segment(l.x(), l.modes) = rotor.gravity_x;
   model.gravity_mass.segment(l.y(), l.modes) = rotor.gravity_y;
+  int bristle = l.bristle();
   for (std::size_t k = 0; k < scene.auxiliary.size(); ++k) {
     const AuxiliaryBearing& at = model.auxiliary[k];
-    if (at.moves()) model.gravity_mass.segment<2>(at.ring) = scene.auxiliary[k].stator->mass;
+    if (!at.moves()) continue;
+    const scene::Stator& ring = *scene.auxiliary[k].stator;
+    model.gravity_mass.segment<2>(at.ring) = ring.mass;
+    if (ring.mount) model.gravity_mass.segment<2>(at.housing) = ring.mount->mass;
+    add_support(ring, k, bristle, model);
   }
   if (scene.base) model.base = std::make_shared<const BaseMotion>(*scene.base);
   if (rotor.pull_x.size() > 0) {
@@ -166,69 +204,6 @@ void fill_unbalances(const scene::Scene& scene, const ModalRotor& rotor, Model& 
     if (f.kind != scene::ForceKind::kUnbalance || f.static_moment == 0.0) continue;
     model.unbalances.push_back({rotor.force_shapes[i], f.static_moment, f.phase, f.on});
   }
-}
-
-void fill_actuator(const scene::Scene& scene, std::size_t k, Model& model) {
-  const scene::Actuator a = scene.auxiliary[k].actuator.value_or(scene::Actuator{});
-  model.auxiliary[k].force_limit = a.force_limit;
-  if (a.kind == scene::ActuatorKind::kIdeal || !model.auxiliary[k].moves()) return;
-  MagneticActuator& magnets = model.auxiliary[k].magnets.emplace();
-  double most = a.bias_current;
-  if (a.kind == scene::ActuatorKind::kElectromagnet) {
-    magnets.law = std::make_shared<Electromagnet>(
-        Electromagnet::Parameters{a.force_constant, a.bias_current, a.air_gap, a.stiffness});
-  } else {
-    const auto table =
-        std::make_shared<ForceTable>(ForceGrid{a.table_position, a.table_current, a.table_force});
-    const std::string reason = table->refusal();
-    if (!reason.empty())
-      scene::refuse_at(with_bearing_alone(scene, k), "actuator.table_force", reason);
-    magnets.law = table;
-    most = std::min(-a.table_current.front(), a.table_current.back());
-  }
-  magnets.current_limit = a.current_limit > 0.0 ? a.current_limit : most;
-  magnets.coil_lag = a.coil_lag;
-  magnets.current_rate_limit = a.current_rate_limit;
-  magnets.voltage_limit = a.voltage_limit;
-  if (a.inductance > 0.0) magnets.inductance = a.inductance;
-  magnets.resistance = a.resistance;
-}
-
-void fill_control(const scene::Scene& scene, std::size_t k, Model& model) {
-  const scene::AuxiliaryBearing& from = scene.auxiliary[k];
-  AuxiliaryBearing& to = model.auxiliary[k];
-  if (!from.controller || !from.stator) return;
-  // Only a law that tracks the rotor needs a contact (scene validation).
-  assert(from.contact || from.controller->kind == scene::ControllerKind::kPassive ||
-         from.controller->kind == scene::ControllerKind::kLibrary);
-  const double clearance = from.contact ? from.contact->clearance : 0.0;
-  const int n = model.layout.modes;
-  const auto mobility = [&](const Eigen::VectorXd& shape, int at) {
-    return shape.cwiseAbs2().dot(model.mass.segment(at, n).cwiseInverse());
-  };
-  Plant plant;
-  plant.clearance = clearance;
-  plant.stator_mass = (1.0 + from.controller->mass_error) * from.stator->mass;
-  plant.stator_damping = from.stator->damping;
-  plant.stator_stiffness = from.stator->stiffness;
-  plant.rotor_mobility = {mobility(to.shape.x, model.layout.x()),
-                          mobility(to.shape.y, model.layout.y())};
-  if (to.magnets) {
-    plant.current_limit = to.magnets->current_limit;
-    plant.coil_lag = to.magnets->coil_lag;
-  } else {
-    plant.force_limit = to.force_limit;
-  }
-  const scene::Controller& c = *from.controller;
-  if (c.kind == scene::ControllerKind::kLqr || c.kind == scene::ControllerKind::kLqg) {
-    plant.linear = std::make_shared<LinearPlant>(plant_of(model, k, scene.rotor.speed));
-  }
-  to.controller = make_controller(k == 0 ? scene : with_bearing_alone(scene, k), plant);
-  to.control_on = c.on;
-  to.sample_time = c.sample_time;
-  if (!to.controller || c.sample_time <= 0.0) return;
-  to.loop =
-      std::make_shared<ControlLoop>(to.controller, c.sensors, c.trigger, c.sample_time, clearance);
 }
 
 void fill_initial(const scene::Scene& scene, Model& model) {

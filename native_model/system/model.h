@@ -2,7 +2,8 @@
 // immutable and may be shared between threads; what changes is a State.
 //
 // Coordinates q (nq):   x_1..x_n, y_1..y_n | phi (with a drive) | theta_1..theta_k |
-//                       x, y of each ring that moves | angle of each ring that turns |
+//                       x, y of each ring that moves, and of its housing | angle of each ring that
+//                       turns | bristles of dry friction (their rates are its state) |
 //                       two of each magnetic bearing's integrator (their rates are the currents
 //                       that it holds) | charges of two coils of each ring with a coil lag (their
 //                       rates are the currents)
@@ -21,6 +22,7 @@
 #include "native_model/bearing/actuator.h"
 #include "native_model/bearing/drive.h"
 #include "native_model/bearing/magnetic_feedback.h"
+#include "native_model/bearing/ring_support.h"
 #include "native_model/contact/impact.h"
 #include "native_model/control/command_record.h"
 #include "native_model/control/control_loop.h"
@@ -42,8 +44,9 @@ struct Layout {
   int modes = 0;      // n, bending modes in each plane
   int spin = 0;       // 1 with a drive, else 0
   int torsion = 0;    // elastic torsion modes
-  int stator = 0;     // 2 for each ring that moves
+  int stator = 0;     // 2 for each ring that moves, and 2 for its housing
   int ring_spin = 0;  // 1 for each ring that turns
+  int bristles = 0;   // 2 for each ring with dry friction, 1 for each whose spin is dragged dry
   int integrals = 0;  // 2 for each magnetic bearing with an integrator
   int coils = 0;      // 2 for each ring whose currents lag
   int x() const { return 0; }
@@ -52,13 +55,14 @@ struct Layout {
   int theta() const { return 2 * modes + spin; }
   int ring() const { return theta() + torsion; }
   int ring_angle() const { return ring() + stator; }
-  int integral() const { return ring_angle() + ring_spin; }
+  int bristle() const { return ring_angle() + ring_spin; }
+  int integral() const { return bristle() + bristles; }
   int coil() const { return integral() + integrals; }
-  int mechanical() const { return integral(); }  // the coordinates that have an energy
+  int mechanical() const { return bristle(); }  // the coordinates that have an energy
   int nq() const { return coil() + coils; }
   // Coordinate i is an angle.
   bool turns(int i) const {
-    return (i >= phi() && i < ring()) || (i >= ring_angle() && i < integral());
+    return (i >= phi() && i < ring()) || (i >= ring_angle() && i < mechanical());
   }
 };
 
@@ -112,6 +116,18 @@ struct MagneticActuator {
          resistance = 0.0;
 };
 
+// What carries a ring beyond the diagonals of stiffness and damping. With a housing those have the
+// spring and the damper between the two on both, and `stiffness`, `damping` couple them.
+struct StationSupport {
+  std::size_t number = 0;                            // of the auxiliary bearing
+  int ring = kAbsent, housing = kAbsent;             // where their coordinates begin in q
+  Eigen::Vector2d stiffness{0.0, 0.0};               // N/m, of the spring under the ring
+  Eigen::Vector2d damping{0.0, 0.0};                 // N s/m
+  RingSupport law;                                   // beside them
+  int bristle = kAbsent;                             // two, of its dry friction
+  int ring_angle = kAbsent, spin_bristle = kAbsent;  // where the spin is dragged dry
+};
+
 // One auxiliary bearing: the contact at a station, the ring there, and what moves the ring.
 struct AuxiliaryBearing {
   std::string name;                          // in messages
@@ -123,6 +139,7 @@ struct AuxiliaryBearing {
   // Where its parts begin in q; kAbsent of a ring that is fixed, does not turn, has no coils that
   // lag.
   int ring = kAbsent, ring_angle = kAbsent, coil = kAbsent;
+  int housing = kAbsent;  // behind the ring's
 
   std::shared_ptr<const Controller> controller;  // null: passive
   std::shared_ptr<const ControlLoop> loop;       // of a sampled controller
@@ -157,6 +174,7 @@ struct Model {
   std::vector<StationDamper> dampers;                // bearings
   std::vector<StationSpring> springs;                // magnetic bearings
   std::vector<StationFeedback> feedbacks;            // of them: what they do beyond their springs
+  std::vector<StationSupport> supports;              // of rings on more than a spring and a damper
   std::vector<StationFilm> films;  // bearings that cross the planes or follow the speed
   std::vector<AppliedForce> forces;
   std::vector<DiscUnbalance> unbalances;   // eccentric discs, blades that are lost

@@ -25,25 +25,93 @@ void check_current(const scene::Scene& scene, const StationFeedback& feedback, d
                     " A, where its law is not linear; accepted: a larger limit, or false");
 }
 
-// Where the ring comes to rest, m, by Newton's method from its middle.
-Eigen::Vector2d ring_at_rest(const scene::Scene& scene, const Model& m) {
-  const int ring = m.layout.ring();
-  const Eigen::Vector2d stiffness = m.stiffness.segment<2>(ring);
-  const Eigen::Vector2d weight =
-      m.weight.size() > 0 ? Eigen::Vector2d(m.weight.segment<2>(ring)) : Eigen::Vector2d(0.0, 0.0);
-  if (!m.first().magnets) {
+// Where a ring under `weight` (N) comes to rest on its balls and its spring, m: where its energy is
+// least, which is convex, by Newton's method with steps that are halved until it falls.
+Eigen::Vector2d at_rest_on_balls(const BallBearingLaw& balls, const Eigen::Vector2d& stiffness,
+                                 const Eigen::Vector2d& weight) {
+  const auto force = [&](const Eigen::Vector2d& r) -> Eigen::Vector2d {
+    return weight - stiffness.cwiseProduct(r) + balls.force(r);
+  };
+  if (weight.isZero(0.0)) return {0.0, 0.0};
+  // Out of the play along the weight, to where it is held.
+  Eigen::Vector2d place = 1e-9 * weight.normalized(), pull = weight;
+  while (force(place).dot(weight) > 0.0) place *= 2.0;
+  for (int round = 0; round < 200; ++round) {
+    pull = force(place);
+    if (pull.norm() <= 1e-12 * weight.norm()) break;
+    const double h = 1e-7 * place.norm();
+    Eigen::Matrix2d slope;
+    for (int k = 0; k < 2; ++k) {
+      const Eigen::Vector2d nudge = h * Eigen::Vector2d::Unit(k);
+      slope.col(k) = (force(place - nudge) - force(place + nudge)) / (2.0 * h);
+    }
+    slope.diagonal().array() += 1e-9 * slope.trace();
+    Eigen::Vector2d change = slope.inverse() * pull;
+    while (force(place + change).norm() > pull.norm() && change.norm() > 1e-16 * place.norm()) {
+      change *= 0.5;
+    }
+    place += change;
+  }
+  return place;
+}
+
+// Where a ring and its housing come to rest, m.
+struct Rest {
+  Eigen::Vector2d ring{0.0, 0.0}, housing{0.0, 0.0};
+};
+
+Eigen::Vector2d ring_on_magnets(const scene::Scene& scene, const AuxiliaryBearing& at,
+                                const Eigen::Vector2d& stiffness, const Eigen::Vector2d& weight);
+
+Rest ring_at_rest(const scene::Scene& scene, const Model& m, const AuxiliaryBearing& at) {
+  Rest rest;
+  if (!at.moves()) return rest;
+  const auto weight_of = [&](int i) -> Eigen::Vector2d {
+    return m.weight.size() > 0 ? Eigen::Vector2d(m.weight.segment<2>(i))
+                               : Eigen::Vector2d(0.0, 0.0);
+  };
+  const auto hang = [&](const Eigen::Vector2d& weight, const Eigen::Vector2d& stiffness,
+                        const char* what) {
     Eigen::Vector2d place{0.0, 0.0};
     for (int k = 0; k < 2; ++k) {
       if (weight[k] == 0.0) continue;
-      if (stiffness[k] == 0.0) refuse_steady(scene, "nothing holds the ring against its weight");
+      if (stiffness[k] == 0.0) {
+        refuse_steady(scene, std::string("nothing holds the ") + what + " against its weight");
+      }
       place[k] = weight[k] / stiffness[k];
     }
     return place;
+  };
+  const Eigen::Vector2d stiffness = m.stiffness.segment<2>(at.ring), weight = weight_of(at.ring);
+  const auto support = std::find_if(m.supports.begin(), m.supports.end(),
+                                    [&](const StationSupport& s) { return s.ring == at.ring; });
+  const bool mounted = support != m.supports.end();
+  if (at.magnets) {
+    if (mounted && (at.housing != kAbsent || support->law.balls)) {
+      refuse_steady(scene,
+                    "where magnets hold a ring with a stator.mount or stator.ball_bearing is not "
+                    "looked for; accepted: neither, or false");
+    }
+    rest.ring = ring_on_magnets(scene, at, stiffness, weight);
+    return rest;
   }
-  const ForceLaw& law = *m.first().magnets->law;
-  const auto force = [&](const Eigen::Vector2d& at) -> Eigen::Vector2d {
-    const Eigen::Vector2d s = to_axes(at);
-    return weight - stiffness.cwiseProduct(at) +
+  rest.ring = mounted && support->law.balls
+                  ? at_rest_on_balls(*support->law.balls, stiffness, weight)
+                  : hang(weight, stiffness, "ring");
+  if (at.housing == kAbsent) return rest;
+  // It carries the ring; the diagonal has the spring between the two as well.
+  const Eigen::Vector2d to_base = m.stiffness.segment<2>(at.housing) - support->stiffness;
+  rest.housing = hang(weight + weight_of(at.housing), to_base, "housing");
+  rest.ring += rest.housing;
+  return rest;
+}
+
+Eigen::Vector2d ring_on_magnets(const scene::Scene& scene, const AuxiliaryBearing& at,
+                                const Eigen::Vector2d& stiffness, const Eigen::Vector2d& weight) {
+  const ForceLaw& law = *at.magnets->law;
+  const auto force = [&](const Eigen::Vector2d& r) -> Eigen::Vector2d {
+    const Eigen::Vector2d s = to_axes(r);
+    return weight - stiffness.cwiseProduct(r) +
            from_axes({law.force(s.x(), 0.0), law.force(s.y(), 0.0)});
   };
   const char* pulled =
@@ -106,25 +174,30 @@ void add_steady_orbit(const scene::Scene& scene, Model& m) {
   for (std::size_t k = 0; k < m.feedbacks.size(); ++k) {
     check_current(scene, m.feedbacks[k], motion.current[k].maxCoeff());
   }
-  OrbitSize& orbit = motion.orbit;
-  if (l.stator) {
-    const Eigen::Vector2d place = ring_at_rest(scene, m);
-    m.q0.segment<2>(l.ring()) += place;
-    orbit.centre = -place;
+  for (std::size_t k = 0; k < m.auxiliary.size(); ++k) {
+    const AuxiliaryBearing& at = m.auxiliary[k];
+    const Rest rest = ring_at_rest(scene, m, at);
+    if (at.moves()) m.q0.segment<2>(at.ring) += rest.ring;
+    if (at.housing != kAbsent) m.q0.segment<2>(at.housing) += rest.housing;
+    motion.orbits[k].centre = -rest.ring - at.ring_offset;
   }
-  orbit.centre -= m.first().ring_offset;
   if (l.torsion && m.drive && scene.initial.torsion.empty()) {
     const double torque = m.drive->torque(0.0, 0.0, m.speed);
     m.q0.segment(l.theta(), l.torsion) +=
         torque * m.drive_shape.cwiseQuotient(m.stiffness.segment(l.theta(), l.torsion));
   }
-  if (!m.first().contact) return;
-  const double largest = orbit.largest(), clearance = m.first().contact->clearance;
-  if (largest < clearance) return;
-  refuse_steady(scene,
-                "the steady free orbit touches: it comes to " + scene::number_text(largest) +
-                    " m from the middle of the ring; accepted: less than contact.clearance = " +
-                    scene::number_text(clearance) + " m, or false and a start of your own");
+  for (std::size_t k = 0; k < m.auxiliary.size(); ++k) {
+    if (!m.auxiliary[k].contact) continue;
+    const double largest = motion.orbits[k].largest();
+    const double clearance = m.auxiliary[k].contact->clearance;
+    if (largest < clearance) continue;
+    const std::string key =
+        m.auxiliary.size() > 1 ? scene::list_element("contact", k) : std::string("contact");
+    refuse_steady(
+        scene, "the steady free orbit touches: it comes to " + scene::number_text(largest) +
+                   " m from the middle of the ring; accepted: less than " + key + ".clearance = " +
+                   scene::number_text(clearance) + " m, or false and a start of your own");
+  }
 }
 
 FreeOrbit free_orbit(const scene::Scene& scene, Model m, double speed) {
@@ -138,13 +211,16 @@ FreeOrbit free_orbit(const scene::Scene& scene, Model m, double speed) {
     ++force;
   }
   try {
-    const Eigen::Vector2d ring =
-        m.layout.stator ? ring_at_rest(scene, m) : Eigen::Vector2d(0.0, 0.0);
+    const Eigen::Vector2d ring = ring_at_rest(scene, m, m.first()).ring;
     FreeOrbit free{0.0, {}};
     for (const double t : changes(m)) {
-      OrbitSize orbit = free_motion(scene, with_loads_of(m, t)).orbit;
+      OrbitSize orbit = free_motion(scene, with_loads_of(m, t)).orbits.front();
       orbit.centre = -ring - m.first().ring_offset;
       free.largest = std::max(*free.largest, orbit.largest());
+      // About its mean an orbit goes as far to the one side as to the other.
+      orbit.centre.setZero();
+      std::erase_if(orbit.parts, [](const OrbitPart& part) { return part.frequency == 0.0; });
+      free.vibration = std::max(free.vibration, 2.0 * orbit.largest());
     }
     return free;
   } catch (const scene::SceneError& error) {

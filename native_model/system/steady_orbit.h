@@ -38,6 +38,7 @@ void add_steady_orbit(const scene::Scene& scene, Model& model);
 struct FreeOrbit {
   std::optional<double> largest;  // m; empty: there is no such orbit
   std::string refused;            // why, without a full stop
+  double vibration = 0.0;         // m, peak to peak: the most that the centre moves about its mean
 };
 FreeOrbit free_orbit(const scene::Scene& scene, Model model, double speed);
 

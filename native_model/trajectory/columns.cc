@@ -58,6 +58,11 @@ const ColumnMeaning kSeries[] = {
     {"ring_angle", "rad", "angle of the ring's own spin, positive as the rotor's",
      "a ring that turns"},
     {"ring_speed", "rad/s", "its speed", "a ring that turns"},
+    {"housing_x", "m",
+     "of the housing that carries the ring, from where it is at rest without load", "a mount"},
+    {"housing_y", "m", "the same along y", "a mount"},
+    {"housing_vx", "m/s", "its velocity along x", "a mount"},
+    {"housing_vy", "m/s", "the same along y", "a mount"},
     {"motor_torque", "N m", "on the rotor, positive along the spin", "a drive"},
     {"bearing_current_x", "A", "control current of the magnetic bearing's own feedback along x",
      "feedback"},
@@ -180,6 +185,14 @@ void for_each_column_of(const Model& m, std::size_t k, const Visit& visit) {
   if (bearing.turns()) {
     visit(k, Title{"ring_angle"}, [&](const Row& r) { return r.now.q[bearing.ring_angle]; });
     visit(k, Title{"ring_speed"}, [&](const Row& r) { return r.now.v[bearing.ring_angle]; });
+  }
+  if (bearing.housing != kAbsent) {
+    both("housing_x", "housing_y", [&](const Row& r) -> Eigen::Vector2d {
+      return {r.now.q[bearing.housing], r.now.q[bearing.housing + 1]};
+    });
+    both("housing_vx", "housing_vy", [&](const Row& r) -> Eigen::Vector2d {
+      return {r.now.v[bearing.housing], r.now.v[bearing.housing + 1]};
+    });
   }
 }
 

@@ -28,6 +28,18 @@ std::optional<std::string> out_of_range(const Model& m, const double* q,
                " m from its middle along a magnet's axis, in an air gap of " + text(reach) + " m";
       }
     }
+    for (const StationSupport& s : m.supports) {
+      if (s.ring != at.ring || !s.law.film) continue;
+      const Eigen::Vector2d housing = s.housing == kAbsent
+                                          ? Eigen::Vector2d(0.0, 0.0)
+                                          : Eigen::Vector2d(q[s.housing], q[s.housing + 1]);
+      const double distance = (stator_point(m, q, k) - housing).norm();
+      if (distance >= SqueezeFilmLaw::kReach * s.law.film->clearance()) {
+        return "the " + ring() + " is " + text(distance) +
+               " m from the middle of its squeeze film, of a clearance of " +
+               text(s.law.film->clearance()) + " m";
+      }
+    }
     if (!at.contact) continue;
     const double clearance = at.contact->clearance, depth = given.value_or(clearance);
     const double square = separation(m, q, k).squaredNorm();

@@ -54,6 +54,11 @@ void Recorder::keep(const Snapshot& now) {
   std::copy_n(now.v, last_v_.size(), last_v_.begin());
   last_.q = last_q_.data();
   last_.v = last_v_.data();
+  const bool several = !statistics_.contacts.empty();
+  for (std::size_t k = 0; k < model_->auxiliary.size(); ++k) {
+    ContactStatistics& own = several ? statistics_.contacts[k] : statistics_;
+    if (own.first_touch >= 0.0) own.passes.follow(separation(*model_, now.q, k), now.t);
+  }
 }
 
 void Recorder::look_at_energy() { meet_energy(energy(*model_, last_.t, last_.q, last_.v)); }
@@ -218,6 +223,12 @@ Trajectory Recorder::finish(double end) {
     ContactStatistics& own = statistics_.contacts[k];
     own.least_gap = std::min(own.least_gap, least_gaps_[k]);
     if (own.first_touch >= 0.0) own.least_gap = std::min(own.least_gap, 0.0);
+  }
+  if (!statistics_.contacts.empty()) {
+    statistics_.passes =
+        std::ranges::max(statistics_.contacts, {}, [](const ContactStatistics& own) {
+          return own.passes.forward() + own.passes.backward();
+        }).passes;
   }
   Trajectory t;
   t.end = end;

@@ -12,6 +12,7 @@
 #include "native_model/contact/planar_contact.h"
 #include "native_model/numerics/status.h"
 #include "native_model/system/model.h"
+#include "native_model/trajectory/full_passes.h"
 
 namespace rotorub {
 
@@ -45,6 +46,7 @@ struct ContactStatistics {
   // m, of rows and ends of steps; infinity: no contact
   double least_gap = std::numeric_limits<double>::infinity();
   double max_penetration = 0.0;  // m
+  FullPasses passes;             // of the rotor around the ring from the first touch on
 
   // Impulses (N s) and the work of friction (J).
   void add(double normal, double friction, double work) {
@@ -62,7 +64,8 @@ struct ContactStatistics {
 };
 
 // Figures gathered over every step, whatever the spacing of the series; its own contact's are those
-// of all, the time that in which some contact has a normal force.
+// of all, the time that in which some contact has a normal force, and the passes those of the one
+// with the most.
 struct Statistics : ContactStatistics {
   // s of contact_time that are impacts: their steps, or soft contacts shorter than the window
   double impact_time = 0.0;

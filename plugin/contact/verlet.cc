@@ -182,7 +182,8 @@ void add_other_actuators(const Config& config, const mjModel* m, mjData* d, doub
   for (int i = 0; i < model.nq(); ++i) {
     f[i] += d->qfrc_actuator[config.dof_address[static_cast<std::size_t>(i)]];
   }
-  for (int k = 0; k < model.layout.stator; ++k) f[model.layout.ring() + k] -= ours[k];
+  const int ring = model.first().ring;
+  for (int k = 0; ring != kAbsent && k < 2; ++k) f[ring + k] -= ours[k];
 }
 
 // The mean command about this instant, as the plant takes it; ctrl gets what holds.

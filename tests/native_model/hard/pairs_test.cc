@@ -33,8 +33,8 @@ TEST_P(LongPairs, EnsembleIsRunByRun) {
     const scene::Scene scene = pair.scene();
     const Model model = make_model(scene);
     for (const Integrator integrator : {Integrator::kMidpoint, Integrator::kVerlet}) {
-      // One that gives is run by itself.
-      if (refused(integrator, pair.parts) || model.gives()) {
+      // One with a contact that gives, or a ring on a mount, is run by itself.
+      if (refused(integrator, pair.parts) || !scene.fits_lanes()) {
         EXPECT_THROW(Ensemble({model}, 1e-5, integrator), std::invalid_argument) << scene.name;
         continue;
       }

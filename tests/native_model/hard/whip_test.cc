@@ -5,9 +5,11 @@
 #include <Eigen/Cholesky>
 #include <cmath>
 #include <complex>
+#include <numbers>
 #include <vector>
 
 #include "tests/native_model/hard/rules.h"
+#include "tests/support/native_run.h"
 #include "tests/support/oracles/elastic_whip.h"
 #include "tests/support/whip.h"
 
@@ -35,6 +37,25 @@ TEST(HardWhip, EventReachesTheWhip) {
   const double nu = whip.slipping_whips(scene.first().contact->friction.coefficient)[1];
   EXPECT_NEAR(test::whirl_speed(t, t.rows() - 1), -nu, 1e-8 * nu);
   EXPECT_NEAR(t.column("normal_force").back(), whip.normal_force(nu), 1e-7 * 245.0);
+}
+
+// Passes are counted by states, not by rows: one row a second sees as many.
+TEST(HardWhip, PassesAreTheTurnsOfTheWhirl) {
+  scene::Scene scene = test::shipped("bench_whip");
+  const Trajectory fine = test::sound_event(scene);
+  double angle = 0.0;  // of the rows, 1000 a second
+  for (std::size_t k = 1; k < fine.rows(); ++k) {
+    angle += 0.5e-3 * (test::whirl_speed(fine, k - 1) + test::whirl_speed(fine, k));
+  }
+  const int turns = static_cast<int>(-angle / (2.0 * std::numbers::pi));
+  scene.run.output_step = 1.0;
+  for (const scene::Integrator integrator :
+       {scene::Integrator::kEvent, scene::Integrator::kVerlet}) {
+    const FullPasses passes = test::run_with(scene, integrator, 1e-4).statistics.passes;
+    EXPECT_EQ(passes.backward(), turns);
+    EXPECT_EQ(passes.forward(), 0);
+    EXPECT_NEAR(passes.time(), 1.0, 0.02);
+  }
 }
 
 // ---------------------------------------------------------------- growth

@@ -1,4 +1,4 @@
-// [stator] and [actuator] of an auxiliary bearing: rows, and what single keys cannot show.
+// [actuator] of an auxiliary bearing: rows, and what single keys cannot show.
 
 #include <algorithm>
 #include <functional>
@@ -9,38 +9,6 @@
 
 namespace rotorub::scene {
 namespace {
-
-Table stator() {
-  return {"stator",
-          "The movable ring of the auxiliary bearing.",
-          "the ring is fixed to the base",
-          [](Scene& scene) -> void* { return &scene.auxiliary.back().stator.emplace(); },
-          {planes<&Stator::mass>("mass", kMass, "> 0", kRequired, ""),
-           planes<&Stator::damping>("damping", kDamping, ">= 0", kStandard, "to the base"),
-           planes<&Stator::stiffness>("stiffness", kStiffness, ">= 0", kRequired,
-                                      "mechanical spring to the base, always acting"),
-           key<&Stator::position>("position", kLength, "", "[0, 0]; of `[stator]` `initial.stator`",
-                                  "at t = 0, from where it is at rest")
-               .below_list(),
-           key<&Stator::velocity>("velocity", kVelocity, "",
-                                  "[0, 0]; of `[stator]` `initial.stator_velocity`", "at t = 0")
-               .below_list()}};
-}
-
-Table ring_spin() {
-  return {"stator.spin",
-          "The ring turns about its axis, as the inner ring of a ball bearing: the rub spins it "
-          "up. Needs [contact].",
-          "the ring does not turn",
-          [](Scene& scene) -> void* {
-            if (!scene.auxiliary.back().stator) scene.auxiliary.back().stator.emplace();
-            return &scene.auxiliary.back().stator->spin.emplace();
-          },
-          {key<&RingSpin::inertia>("inertia", kInertia, "> 0", kRequired,
-                                   "polar, of all that turns with the ring"),
-           key<&RingSpin::drag>("drag", kAngularDamping, ">= 0", kStandard, "viscous, to the base"),
-           key<&RingSpin::speed>("speed", kSpin, "", kStandard, "at t = 0")}};
-}
 
 Table actuator() {
   return {
@@ -93,28 +61,6 @@ Table actuator() {
        key<&Actuator::resistance>("resistance", kResistance, ">= 0", kStandard,
                                   "of the coil of an axis; needs `voltage_limit`",
                                   {"electromagnet", "table"})}};
-}
-
-void check_ring(const Checker& check) {
-  const AuxiliaryBearing& bearing = check.bearing();
-  const bool has_ring = check.given("stator");
-  if (bearing.contact) check.station("contact.station", bearing.contact->station);
-  if (bearing.actuator && !has_ring) {
-    check.fail("actuator", "needs [stator]: the ring is fixed, and there is nothing to move");
-  }
-  if (bearing.stator && bearing.stator->spin && !check.given("contact")) {
-    check.fail("stator.spin", "needs [contact]: nothing else turns the ring");
-  }
-  for (const char* key : {"initial.stator", "initial.stator_velocity"}) {
-    if (!check.given(key) || check.index > 0) continue;
-    if (check.given("contact[0]")) {
-      check.fail(key,
-                 "is not known beside [[contact]]; accepted: position and velocity in each "
-                 "[contact.stator]");
-    } else if (!has_ring) {
-      check.fail(key, "needs [stator]: the ring is fixed and stays at [0, 0]");
-    }
-  }
 }
 
 void check_force_table(const Checker& check, const Actuator& actuator) {
@@ -185,10 +131,9 @@ void check_actuator(const Checker& check, const Actuator& actuator) {
 
 }  // namespace
 
-std::vector<Table> bearing_tables() { return {stator(), ring_spin(), actuator()}; }
+std::vector<Table> actuator_tables() { return {actuator()}; }
 
-void check_bearing(const Checker& check) {
-  check_ring(check);
+void check_actuator(const Checker& check) {
   if (check.bearing().actuator) check_actuator(check, *check.bearing().actuator);
 }
 

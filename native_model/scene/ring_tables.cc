@@ -1,0 +1,152 @@
+// [stator] of an auxiliary bearing and the tables below: rows, and what single keys cannot show.
+
+#include <optional>
+
+#include "native_model/scene/checker.h"
+#include "native_model/scene/schema.h"
+
+namespace rotorub::scene {
+namespace {
+
+Table stator() {
+  return {
+      "stator",
+      "The movable ring of the auxiliary bearing.",
+      "the ring is fixed to the base",
+      [](Scene& scene) -> void* { return &scene.auxiliary.back().stator.emplace(); },
+      {planes<&Stator::mass>("mass", kMass, "> 0", kRequired, ""),
+       planes<&Stator::damping>("damping", kDamping, ">= 0", kStandard, "to what carries the ring"),
+       planes<&Stator::stiffness>("stiffness", kStiffness, ">= 0", kRequired,
+                                  "mechanical spring to what carries the ring, always acting"),
+       key<&Stator::position>("position", kLength, "", "[0, 0]; of `[stator]` `initial.stator`",
+                              "at t = 0, from where it is at rest")
+           .below_list(),
+       key<&Stator::velocity>("velocity", kVelocity, "",
+                              "[0, 0]; of `[stator]` `initial.stator_velocity`", "at t = 0")
+           .below_list()}};
+}
+
+template <typename Part>
+void* part_of_ring(Scene& scene, std::optional<Part> Stator::*part) {
+  std::optional<Stator>& ring = scene.auxiliary.back().stator;
+  if (!ring) ring.emplace();
+  return &((*ring).*part).emplace();
+}
+
+Table ring_spin() {
+  return {
+      "stator.spin",
+      "The ring turns about its axis, as the inner ring of a ball bearing: the rub spins it "
+      "up. Needs [contact].",
+      "the ring does not turn",
+      [](Scene& scene) { return part_of_ring(scene, &Stator::spin); },
+      {key<&RingSpin::inertia>("inertia", kInertia, "> 0", kRequired,
+                               "polar, of all that turns with the ring"),
+       key<&RingSpin::drag>("drag", kAngularDamping, ">= 0", kStandard, "viscous, to the base"),
+       key<&RingSpin::speed>("speed", kSpin, "", kStandard, "at t = 0"),
+       key<&RingSpin::dry_drag>("dry_drag", kTorque, ">= 0", kStandard,
+                                "torque that holds or brakes the spin at no load"),
+       key<&RingSpin::load_factor>(
+           "load_factor", kPure, ">= 0", kStandard,
+           "f_1 of Palmgren's torque f_1 P `pitch_diameter` beside it, P the force on the "
+           "ring's support"),
+       key<&RingSpin::pitch_diameter>("pitch_diameter", kLength, "> 0", "none",
+                                      "d_m, of the balls' circle; needs `load_factor`"),
+       key<&RingSpin::presliding_angle>("presliding_angle", kAngle, "> 0", kStandard,
+                                        "by how much the ring turns until these two act in full")}};
+}
+
+Table mount() {
+  return {"stator.mount",
+          "A housing between ring and base: `stator.stiffness` and `stator.damping` are between "
+          "ring and housing, and so are the tables below. The actuator stands on the base.",
+          "the base carries the ring",
+          [](Scene& scene) { return part_of_ring(scene, &Stator::mount); },
+          {planes<&Housing::mass>("mass", kMass, "> 0", kRequired, "of the housing"),
+           planes<&Housing::stiffness>("stiffness", kStiffness, ">= 0", kRequired, "to the base"),
+           planes<&Housing::damping>("damping", kDamping, ">= 0", kStandard, "to the base")}};
+}
+
+Table dry_friction() {
+  return {"stator.dry_friction",
+          "Dry friction under the ring, by Dahl's law: a tolerance ring, a friction damper.",
+          "none",
+          [](Scene& scene) { return part_of_ring(scene, &Stator::dry_friction); },
+          {key<&DryFriction::force>("force", kForce, "> 0", kRequired, "of full slip"),
+           key<&DryFriction::presliding>("presliding", kLength, "> 0", kRequired,
+                                         "the way on which it rises to that")}};
+}
+
+Table squeeze_film() {
+  return {"stator.squeeze_film",
+          "A squeeze film around the ring, by the theory of the short bearing.",
+          "none",
+          [](Scene& scene) { return part_of_ring(scene, &Stator::squeeze_film); },
+          {key<&SqueezeFilm::radius>("radius", kLength, "> 0", kRequired, "of the ring's outside"),
+           key<&SqueezeFilm::length>("length", kLength, "> 0", kRequired, "axial"),
+           key<&SqueezeFilm::clearance>("clearance", kLength, "> 0", kRequired,
+                                        "radial; a ring that goes beyond ends the run"),
+           key<&SqueezeFilm::viscosity>("viscosity", kViscosity, "> 0", kRequired, "of the oil"),
+           key<&SqueezeFilm::cavitation>("cavitation", kPure, "", kStandard,
+                                         "the film bears no tension: it is half around")}};
+}
+
+Table ball_bearing() {
+  return {"stator.ball_bearing",
+          "The balls that carry the ring: Hertz's law for each, and play.",
+          "none",
+          [](Scene& scene) { return part_of_ring(scene, &Stator::ball_bearing); },
+          {key<&BallSupport::balls>("balls", kPure, "in [3, 100]", kRequired, "how many"),
+           key<&BallSupport::stiffness>("stiffness", kPure, "> 0", kRequired,
+                                        "N/m^1.5, of one ball between its two races"),
+           key<&BallSupport::play>("play", kLength, ">= 0", kStandard,
+                                   "how far the ring goes until the first ball bears"),
+           key<&BallSupport::phase>("phase", kAngle, "", kStandard,
+                                    "of the first ball from the x axis")}};
+}
+
+void check_spin(const Checker& check, const RingSpin& spin) {
+  const bool loaded = spin.load_factor > 0.0;
+  if (loaded && !check.given("stator.spin.pitch_diameter")) {
+    check.fail("stator.spin.load_factor",
+               "needs stator.spin.pitch_diameter: the torque is load_factor P pitch_diameter");
+  }
+  if (!loaded && check.given("stator.spin.pitch_diameter")) {
+    check.fail("stator.spin.pitch_diameter", "needs stator.spin.load_factor above 0");
+  }
+  if (!spin.drags() && check.given("stator.spin.presliding_angle")) {
+    check.fail("stator.spin.presliding_angle",
+               "needs stator.spin.dry_drag or stator.spin.load_factor above 0");
+  }
+}
+
+}  // namespace
+
+std::vector<Table> ring_tables() {
+  return {stator(), ring_spin(), mount(), dry_friction(), squeeze_film(), ball_bearing()};
+}
+
+void check_ring(const Checker& check) {
+  const AuxiliaryBearing& bearing = check.bearing();
+  const bool has_ring = check.given("stator");
+  if (bearing.contact) check.station("contact.station", bearing.contact->station);
+  if (bearing.actuator && !has_ring) {
+    check.fail("actuator", "needs [stator]: the ring is fixed, and there is nothing to move");
+  }
+  if (bearing.stator && bearing.stator->spin && !check.given("contact")) {
+    check.fail("stator.spin", "needs [contact]: nothing else turns the ring");
+  }
+  if (bearing.stator && bearing.stator->spin) check_spin(check, *bearing.stator->spin);
+  for (const char* key : {"initial.stator", "initial.stator_velocity"}) {
+    if (!check.given(key) || check.index > 0) continue;
+    if (check.given("contact[0]")) {
+      check.fail(key,
+                 "is not known beside [[contact]]; accepted: position and velocity in each "
+                 "[contact.stator]");
+    } else if (!has_ring) {
+      check.fail(key, "needs [stator]: the ring is fixed and stays at [0, 0]");
+    }
+  }
+}
+
+}  // namespace rotorub::scene
