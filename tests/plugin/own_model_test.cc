@@ -10,6 +10,7 @@
 #include "native_model/run/run_native.h"
 #include "plugin/hooks.h"
 #include "plugin/mujoco_versions.h"
+#include "tests/support/mujoco_document.h"
 #include "tests/support/mujoco_fixture.h"
 
 namespace rotorub::test {
@@ -88,12 +89,6 @@ vector = [200.0, 0.0]
 vx = [0.2]
 vy = [0.3]
 )";
-
-std::string replaced(std::string text, const std::string& from, const std::string& to) {
-  const std::size_t at = text.find(from);
-  EXPECT_NE(at, std::string::npos) << from;
-  return at == std::string::npos ? text : text.replace(at, from.size(), to);
-}
 
 std::string machine(const std::string& contact) {
   // sqrt(K) h = 0.2; K and B of a restitution of 0.5, as bench_ring.xml has them.

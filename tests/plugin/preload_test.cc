@@ -2,8 +2,6 @@
 // of a linked run.
 #include <gtest/gtest.h>
 
-#include <bit>
-#include <cstdint>
 #include <cstdlib>
 #include <filesystem>
 #include <fstream>
@@ -61,19 +59,6 @@ class Preload : public MujocoTest, public ::testing::WithParamInterface<const ch
     return lines;
   }
 
-  static std::string bits(const mjModel* m, const mjData* d) {
-    std::string line;
-    const auto add = [&line](double value) {
-      char text[20];
-      std::snprintf(text, sizeof text, "%016llx ",
-                    static_cast<unsigned long long>(std::bit_cast<std::uint64_t>(value)));
-      line += text;
-    };
-    add(d->time);
-    for (const double value : state_of(m, d)) add(value);
-    return line;
-  }
-
   // The same run here, with the plugin linked.
   static std::string linked(const std::string& document, int steps) {
     const plugin::Hooks hooks;
@@ -84,7 +69,7 @@ class Preload : public MujocoTest, public ::testing::WithParamInterface<const ch
       mju_zero(d->ctrl, m->nu);
       mj_step(m.get(), d.get());
     }
-    return bits(m.get(), d.get());
+    return state_bits(m.get(), d.get());
   }
 
   fs::path folder_;

@@ -2,8 +2,6 @@
 // step, and get the bits of a linked run. Their exit codes say nothing.
 #include <gtest/gtest.h>
 
-#include <bit>
-#include <cstdint>
 #include <cstdlib>
 #include <filesystem>
 #include <fstream>
@@ -65,16 +63,7 @@ class Programs : public MujocoTest {
     const ModelPointer m = load(document);
     const DataPointer d(mj_makeData(m.get()));
     for (int k = 0; k < kProgramSteps; ++k) mj_step(m.get(), d.get());
-    std::string line = "1 ";
-    const auto add = [&line](double value) {
-      char text[20];
-      std::snprintf(text, sizeof text, "%016llx ",
-                    static_cast<unsigned long long>(std::bit_cast<std::uint64_t>(value)));
-      line += text;
-    };
-    add(d->time);
-    for (const double value : state_of(m.get(), d.get())) add(value);
-    return line;
+    return "1 " + state_bits(m.get(), d.get());
   }
 
   // Programs that open a window are not started with a sanitizer's run time in front of the

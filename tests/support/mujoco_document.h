@@ -1,6 +1,7 @@
 // Documents of tests, written for MuJoCo 2.2, for the MuJoCo that is tested.
 #pragma once
 
+#include <gtest/gtest.h>
 #include <mujoco/mujoco.h>
 
 #include <string>
@@ -17,6 +18,13 @@ inline std::string for_this_mujoco(std::string document) {
                     "<default><geom contype='0' conaffinity='0'/></default>");
   }
   return document;
+}
+
+// With the first `from` as `to`.
+inline std::string replaced(std::string text, const std::string& from, const std::string& to) {
+  const std::size_t at = text.find(from);
+  EXPECT_NE(at, std::string::npos) << from;
+  return at == std::string::npos ? text : text.replace(at, from.size(), to);
 }
 
 }  // namespace rotorub::test

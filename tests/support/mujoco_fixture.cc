@@ -1,6 +1,10 @@
 #include "tests/support/mujoco_fixture.h"
 
 #include <algorithm>
+#include <bit>
+#include <cinttypes>
+#include <cstdint>
+#include <cstdio>
 #include <filesystem>
 #include <stdexcept>
 
@@ -55,6 +59,18 @@ std::vector<double> state_of(const mjModel* m, const mjData* d) {
   std::vector<double> state(d->qpos, d->qpos + m->nq);
   state.insert(state.end(), d->qvel, d->qvel + m->nv);
   return state;
+}
+
+std::string state_bits(const mjModel* m, const mjData* d) {
+  std::string line;
+  const auto add = [&line](double value) {
+    char text[20];
+    std::snprintf(text, sizeof text, "%016" PRIx64 " ", std::bit_cast<std::uint64_t>(value));
+    line += text;
+  };
+  add(d->time);
+  for (const double value : state_of(m, d)) add(value);
+  return line;
 }
 
 std::vector<double> state_after(const mjModel* m, int steps) {

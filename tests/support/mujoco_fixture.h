@@ -31,6 +31,8 @@ DataPointer start(const mjModel* m);
 // qpos and qvel, one after the other.
 std::vector<double> state_of(const mjModel* m, const mjData* d);
 std::vector<double> state_after(const mjModel* m, int steps);
+// Time and state, as support/step_log writes the bits of another program's.
+std::string state_bits(const mjModel* m, const mjData* d);
 
 double sensor(const mjModel* m, const mjData* d, const char* name);
 

@@ -8,6 +8,7 @@
 #include "mjcf/writer.h"
 #include "plugin/hooks.h"
 #include "plugin/user_data.h"
+#include "tests/support/mujoco_document.h"
 #include "tests/support/mujoco_fixture.h"
 
 namespace rotorub::test {
@@ -46,20 +47,14 @@ x = [4.99e-4]
 vx = [0.3]
 )";
 
-std::string with(std::string text, const std::string& from, const std::string& to) {
-  const std::size_t at = text.find(from);
-  EXPECT_NE(at, std::string::npos) << from;
-  return at == std::string::npos ? text : text.replace(at, from.size(), to);
-}
-
 std::string written(const std::string& contact, const std::string& friction) {
-  return mjcf(parsed(with(kFlight, "FRICTION", friction), {"mujoco.contact=" + contact}));
+  return mjcf(parsed(replaced(kFlight, "FRICTION", friction), {"mujoco.contact=" + contact}));
 }
 
 std::string locked(const std::string& document) {
-  return with(document, "</mujoco>",
-              "<equality><joint joint1=\"ring_x\" solimp=\"0.9999 0.9999 0.001\"/>"
-              "<joint joint1=\"ring_y\" solimp=\"0.9999 0.9999 0.001\"/></equality></mujoco>");
+  return replaced(document, "</mujoco>",
+                  "<equality><joint joint1=\"ring_x\" solimp=\"0.9999 0.9999 0.001\"/>"
+                  "<joint joint1=\"ring_y\" solimp=\"0.9999 0.9999 0.001\"/></equality></mujoco>");
 }
 
 DataPointer after(const mjModel* m, int steps) {
@@ -83,10 +78,10 @@ TEST_F(HeldGenerated, ALockedRingIsAFixedRing) {
 }
 
 TEST_F(HeldGenerated, ALimitHolds) {
-  const ModelPointer m = load(
-      with(written("rigid", "0.0"), "<joint name=\"ring_x\" ",
-           "<joint name=\"ring_x\" limited=\"true\" range=\"-1 -1e-7\" solimplimit=\"0.9999 0.9999 "
-           "0.001\" "));
+  const ModelPointer m = load(replaced(
+      written("rigid", "0.0"), "<joint name=\"ring_x\" ",
+      "<joint name=\"ring_x\" limited=\"true\" range=\"-1 -1e-7\" solimplimit=\"0.9999 0.9999 "
+      "0.001\" "));
   EXPECT_NEAR(-after(m.get(), 1)->qvel[0] / 0.3, 0.5, 1e-3);
 }
 
@@ -96,7 +91,7 @@ TEST_F(HeldGenerated, TheGeneralPathHasTheSceneLoads) {
   const scene::Scene bench = shipped("bench_ring");
   const std::string plain = mjcf(bench);
   const ModelPointer native = load(plain);
-  const ModelPointer general = load(with(
+  const ModelPointer general = load(replaced(
       plain, "<joint name=\"ring_x\" ", "<joint name=\"ring_x\" limited=\"true\" range=\"-1 1\" "));
   const DataPointer a = after(native.get(), 5000), b = after(general.get(), 5000);
   EXPECT_NEAR(a->qpos[0], b->qpos[0], 1e-5);

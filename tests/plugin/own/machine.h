@@ -2,9 +2,9 @@
 // slides, without springs; what a test adds is given as MJCF.
 #pragma once
 
-#include <gtest/gtest.h>
-
 #include <string>
+
+#include "tests/support/mujoco_document.h"
 
 namespace rotorub::test {
 
@@ -21,12 +21,6 @@ struct Machine {
   double friction = 0.0, restitution = kEps;
   std::string custom = "";  // further elements
 };
-
-inline std::string replaced(std::string text, const std::string& from, const std::string& to) {
-  const std::size_t at = text.find(from);
-  EXPECT_NE(at, std::string::npos) << from;
-  return at == std::string::npos ? text : text.replace(at, from.size(), to);
-}
 
 inline std::string document(const Machine& x) {
   // sqrt(K) h = 0.2; K and B of a restitution of 0.5, as bench_ring.xml has them.
