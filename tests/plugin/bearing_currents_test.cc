@@ -55,8 +55,8 @@ TEST_F(BearingCurrentsTest, AStepIsTheLoopsOwn) {
   a.row(2) << -9000.0 * 4000.0, -9000.0 * 2.0, -9000.0, 9000.0;
   for (const char* contact : {"rigid", "coulomb"}) {
     SCOPED_TRACE(contact);
-    const scene::Scene s =
-        scene::parse_scene(kHeld, "held.toml", {std::string("mujoco.contact=") + contact});
+    const scene::Scene s = scene::parse_scene(
+        kHeld, "held.toml", std::vector<std::string>{std::string("mujoco.contact=") + contact});
     const ModelPointer m = load(mjcf(s));
     ASSERT_EQ(m->nu, 2);
     const int y = mj_name2id(m.get(), mjOBJ_ACTUATOR, mjcf_names::bearing_current(0, 1).c_str());
@@ -84,9 +84,14 @@ TEST_F(BearingCurrentsTest, AStepIsTheLoopsOwn) {
 // None where no key asks for it, or nothing lags.
 TEST_F(BearingCurrentsTest, AreThereWhereAKeyAsks) {
   EXPECT_EQ(
-      load(mjcf(scene::parse_scene(kHeld, "held.toml", {"mujoco.bearing_currents=false"})))->nu, 0);
-  EXPECT_THROW(mjcf(scene::parse_scene(kHeld, "held.toml", {"magnetic_bearing.amplifier=none"})),
-               scene::SceneError);
+      load(mjcf(scene::parse_scene(kHeld, "held.toml",
+                                   std::vector<std::string>{"mujoco.bearing_currents=false"})))
+          ->nu,
+      0);
+  EXPECT_THROW(
+      mjcf(scene::parse_scene(kHeld, "held.toml",
+                              std::vector<std::string>{"magnetic_bearing.amplifier=none"})),
+      scene::SceneError);
 }
 
 }  // namespace

@@ -53,11 +53,14 @@ TEST(LevitationText, PolesLoopsAndZones) {
 
 TEST(LevitationText, SaysSoWhereTheLoopIsUnstableOrThereIsNone) {
   const RotorAnalysis grows = analyse_rotor(
-      scene::parse_scene(kHung, "grows.toml", {"magnetic_bearing.amplifier={bandwidth=40.0}"}), {});
+      scene::parse_scene(kHung, "grows.toml",
+                         std::vector<std::string>{"magnetic_bearing.amplifier={bandwidth=40.0}"}),
+      {});
   EXPECT_NE(modes_table("grows", grows).find("unstable: sensitivities"), std::string::npos);
   const RotorAnalysis none = analyse_rotor(
-      scene::parse_scene(kHung, "none.toml",
-                         {"magnetic_bearing.control=none", "rotor.modal.stiffness=[2e5]"}),
+      scene::parse_scene(
+          kHung, "none.toml",
+          std::vector<std::string>{"magnetic_bearing.control=none", "rotor.modal.stiffness=[2e5]"}),
       {});
   EXPECT_TRUE(modes_json(none)["speeds"][0]["levitation"].is_null());
   EXPECT_EQ(modes_table("none", none).find("closed loop"), std::string::npos);

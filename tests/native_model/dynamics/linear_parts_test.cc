@@ -21,8 +21,12 @@ Model machine_with_all() {
   StationFilm film{shape, {}};
   film.law.constant = {2e4, 7e3, -9e3, 1e4, 31.0, 3.0, -5.0, 17.0};
   m.films.push_back(film);
-  StationFeedback feedback{shape, {}};
-  feedback.law = {3e4, 110.0, 900.0, 2.0, 1e300, scene::kNever, 0.0, 0.0};
+  StationFeedback feedback{shape, {}, {}};
+  feedback.law.negative_stiffness = 3e4;
+  feedback.law.force_per_current = 110.0;
+  feedback.law.proportional = 900.0;
+  feedback.law.derivative = 2.0;
+  feedback.law.current_limit = 1e300;
   m.feedbacks = {feedback};
   return m;
 }
