@@ -50,9 +50,14 @@ ROTORUB_INLINE void add_feedback_rates(const M& m, const B& bearing, const T& sh
     add(states.filtered, rate.x / law.derivative_lag, rate.y / law.derivative_lag);
   }
   if (states.current != kAbsent) {
+    // At the voltage's limit the mean of the two rates is not the rate of the mean.
     const auto& coil = law.amplifier;
-    add(states.current, coil.load(share * now.limited.x, now.current.x) / coil.lag,
-        coil.load(share * now.limited.y, now.current.y) / coil.lag);
+    const auto rate_of = [&](const T& asked, const T& current) {
+      const T rest = lanes::all<T>(1.0) - share;
+      return (share * coil.load(asked, current) + rest * coil.load(T{}, current)) / coil.lag;
+    };
+    add(states.current, rate_of(now.limited.x, now.current.x),
+        rate_of(now.limited.y, now.current.y));
   }
 }
 
