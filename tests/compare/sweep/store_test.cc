@@ -54,7 +54,8 @@ TEST_F(StoreTest, RowsComeInTheOrderOfTheStudyToTheLastBit) {
   EXPECT_EQ(text.substr(0, text.find('\n')),
             "point,contact.friction,status,reason,end,steps,first_touch,impacts,contact_fraction,"
             "mean_force,peak_force,impulse_total,attractor,contact_share,whirl_frequency,"
-            "spin_speed,peak_impulse,friction_work,max_penetration,energy_residual");
+            "spin_speed,peak_impulse,friction_work,max_penetration,energy_residual,"
+            "forward_passes,backward_passes,whirl_time");
   EXPECT_NE(text.find("\n0,0.10000000000000001,ok,,0,0,,0,0,1e-300,"), std::string::npos) << text;
   EXPECT_NE(text.find(",0.33333333333333331,"), std::string::npos);
   EXPECT_NE(text.find("\n2,0.29999999999999999,diverged,\"a \"\"comma\"\", and more\",,,"),
