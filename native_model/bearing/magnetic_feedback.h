@@ -28,9 +28,9 @@ struct WorkingTimes {
   double from, fails, returns;
 
   std::array<double, 3> all() const { return {from, fails, returns}; }
-  bool at(double t) const { return t >= returns || (t >= from && t < fails); }
+  ROTORUB_INLINE bool at(double t) const { return t >= returns || (t >= from && t < fails); }
   // The share of the time from begin to end for which it works; of an instant 0 or 1.
-  double share(double begin, double end) const {
+  ROTORUB_INLINE double share(double begin, double end) const {
     if (!(end > begin)) return at(begin) ? 1.0 : 0.0;
     const auto within = [&](double on, double off) {
       const double first = on > begin ? on : begin, last = off < end ? off : end;

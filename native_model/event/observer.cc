@@ -90,6 +90,10 @@ void Observer::watch(const Motion& from, SmoothStep& step, Constraint& constrain
   ContactList<Constraint::Closed> held;  // on their circles
   ContactList<int> pressing;             // where their impulses are in y
   for (std::size_t k = 0; k < phase_->contacts(); ++k) {
+    const ContactStatistics& own = of_contacts_[k];
+    if (phase_->in_contact(k) || own.contact_time > 0.0 || own.impulse_total > 0.0) {
+      follow(k, from, step, std::min(1.0, theta(now)));
+    }
     if (!phase_->in_contact(k)) continue;
     pressing.push_back(from.index(kNormalImpulse, k));
     of_contacts_[k].contact_time += now - from.t;
@@ -110,6 +114,13 @@ void Observer::watch(const Motion& from, SmoothStep& step, Constraint& constrain
     return impulse;
   });
   if (!pressing.empty()) contact_time_ += now - from.t;
+}
+
+// Half a step is less than half a turn.
+void Observer::follow(std::size_t k, const Motion& from, SmoothStep& step, double last) {
+  FullPasses& passes = of_contacts_[k].passes;
+  passes.follow(separation(*model_, from.q(), k), from.t);
+  passes.follow(separation(*model_, step.at(0.5 * last), k), from.t + 0.5 * last * step.length());
 }
 
 void Observer::watch_press(std::size_t k, SmoothStep& step, double last) {
@@ -240,6 +251,7 @@ void Observer::finish(const Motion& end) {
   s.external_work = end.integral(kExternalWork);
   s.energy_end = energy(*model_, end.t, end.q(), end.v());
   s.energy_scale = std::max(energy_scale_, std::abs(s.energy_end));
+  s.passes = of_contacts_.front().passes;
   if (of_contacts_.size() > 1) s.contacts = of_contacts_;
 }
 

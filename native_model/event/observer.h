@@ -47,6 +47,7 @@ class Observer {
   double normal_impulse(const Motion& motion) const;  // N s, of lasting contact, of all
   double contact_work(const Motion& motion) const;    // J, on the coordinates, of the same
   double held_speed(std::size_t contact) const;       // m/s, of a surface whose speed is prescribed
+  void follow(std::size_t contact, const Motion& from, SmoothStep& step, double last);
   void watch_press(std::size_t contact, SmoothStep& step, double last);
   template <class F>
   void bins_until(double now, bool flies, F&& impulse_at);

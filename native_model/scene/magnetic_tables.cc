@@ -21,7 +21,7 @@ Table magnetic_bearing() {
                "on each of x and y, `force_constant` [((`bias_current` + i)/(`air_gap` - r))^2 - "
                "((`bias_current` - i)/(`air_gap` + r))^2]"),
            key<&MagneticBearing::negative_stiffness>("negative_stiffness", kStiffness, ">= 0",
-                                                     kStandard, "its size, k_s", {"linear"}),
+                                                     kRequired, "its size, k_s", {"linear"}),
            key<&MagneticBearing::force_constant>("force_constant", kMagnetConstant, "> 0",
                                                  kRequired, "k_m", {"electromagnet"}),
            key<&MagneticBearing::bias_current>("bias_current", kCurrent, "> 0", kRequired,

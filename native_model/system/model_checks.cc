@@ -274,14 +274,18 @@ void refuse_several_in_mujoco(const scene::Scene& scene) {
 void refuse_finite_impacts(const scene::Scene& scene, FiniteImpacts accepted) {
   if (!scene.first().contact) return;
   const bool sampled = scene.first().controller && scene.first().controller->sample_time > 0.0;
+  const bool asked = std::ranges::any_of(scene.magnetic_bearings, [&](const auto& bearing) {
+    const auto& control = bearing.control;
+    return control && (control->sampled());
+  });
   const bool knows = accepted == FiniteImpacts::kUnsampled;
-  if (knows && !sampled) return;
+  if (knows && !sampled && !asked) return;
   const auto check = [&](const char* key, double time) {
     if (time <= 0.0) return;
     scene::refuse_at(
         scene, key,
         knows ? "an impact that takes time, under a controller with a sample_time, needs "
-                "the integrator event; accepted here: 0, or controller.sample_time = 0"
+                "the integrator event; accepted here: 0, or no sample_time of a controller"
               : "an impact that takes time needs the integrator event or verlet, or "
                 "rigid of a modal chain in MuJoCo without a shadow and without a "
                 "coil_lag; accepted with anything else: 0");

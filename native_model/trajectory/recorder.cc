@@ -57,7 +57,9 @@ void Recorder::keep(const Snapshot& now) {
   const bool several = !statistics_.contacts.empty();
   for (std::size_t k = 0; k < model_->auxiliary.size(); ++k) {
     ContactStatistics& own = several ? statistics_.contacts[k] : statistics_;
-    if (own.first_touch >= 0.0) own.passes.follow(separation(*model_, now.q, k), now.t);
+    // A touch that lasts is counted at its end.
+    if (own.first_touch < 0.0 && now.at(k).mode == Mode::kFree) continue;
+    own.passes.follow(separation(*model_, now.q, k), now.t);
   }
 }
 

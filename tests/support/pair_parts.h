@@ -183,21 +183,16 @@ inline std::vector<Part> pair_parts() {
   add_both("ring_offset", "ring_offset", {"contact.offset=[0.09e-3,-0.06e-3]"});
   add_both("turning_ring", "turning_ring", {"stator.spin={inertia=2e-4,drag=8e-3,speed=-40.0}"});
   // What carries the ring.
-  add_both("housing", "ring_support",
-           {"stator.mount={mass=2.5,stiffness=[3e5,4e5],damping=[60.0,90.0]}"});
-  add_both("dry_friction", "ring_support", {"stator.dry_friction={force=12.0,presliding=4e-5}"});
-  add_both("squeeze_film", "ring_support",
-           {"stator.squeeze_film={radius=0.06,length=0.012,clearance=1.5e-3,viscosity=0.4}"});
   add_both("ball_bearing", "ring_support",
            {"stator.ball_bearing={balls=9,stiffness=4e8,play=0.05e-3,phase=0.2}"});
   add_both("dry_spin", "turning_ring",
            {"stator.spin={inertia=2e-4,speed=-40.0,dry_drag=0.05,load_factor=2e-3,pitch_diameter="
             "0.08,presliding_angle=0.05}"});
-  add_both(
-      "mounted_ring", "ring_support",
-      {"stator.mount={mass=2.5,stiffness=3e5}", "stator.dry_friction={force=12.0,presliding=4e-5}",
-       "stator.squeeze_film={radius=0.06,length=0.012,clearance=1.5e-3,viscosity=0.4,"
-       "cavitation=false}"});
+  add_both("mounted_ring", "ring_support",
+           {"stator.mount={mass=2.5,stiffness=[3e5,4e5],damping=[60.0,90.0]}",
+            "stator.dry_friction={force=12.0,presliding=4e-5}",
+            "stator.squeeze_film={radius=0.06,length=0.012,clearance=1.5e-3,viscosity=0.4,"
+            "cavitation=false}"});
   add("magnetic_bearing", "magnetic_bearing",
       {"magnetic_bearing={station=0.42,negative_stiffness=4.5e4}"},
       {"magnetic_bearing={negative_stiffness=4.5e4}"});

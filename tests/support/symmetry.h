@@ -30,7 +30,9 @@ class Transformed {
     for (std::size_t k = 0; k < scene.forces.size(); ++k)
       force(scene.forces[k], "force[" + std::to_string(k) + "].");
     if (scene.first().contact) vector("contact.offset", scene.first().contact->offset);
-    if (scene.first().stator) stator(*scene.first().stator);
+    // Of several contacts, all of whose rings are alike.
+    const std::string at = scene.auxiliary.size() > 1 ? "contact.stator." : "stator.";
+    if (scene.first().stator) stator(*scene.first().stator, at);
     if (scene.gravity) vector("gravity.acceleration", scene.gravity->acceleration);
     if (scene.base) base(*scene.base);
     initial(scene);
@@ -124,11 +126,19 @@ class Transformed {
       vector(at + "vector", force.vector);
     }
   }
-  void stator(const scene::Stator& stator) {
-    planes("stator.mass", stator.mass);
-    planes("stator.damping", stator.damping);
-    planes("stator.stiffness", stator.stiffness);
-    if (stator.spin) number("stator.spin.speed", sense() * stator.spin->speed);
+  void stator(const scene::Stator& stator, const std::string& at) {
+    planes(at + "mass", stator.mass);
+    planes(at + "damping", stator.damping);
+    planes(at + "stiffness", stator.stiffness);
+    if (stator.spin) number(at + "spin.speed", sense() * stator.spin->speed);
+    if (stator.mount) {
+      planes(at + "mount.mass", stator.mount->mass);
+      planes(at + "mount.damping", stator.mount->damping);
+      planes(at + "mount.stiffness", stator.mount->stiffness);
+    }
+    if (stator.ball_bearing) {
+      number(at + "ball_bearing.phase", direction(stator.ball_bearing->phase));
+    }
   }
   // Pairs (x, y) that stand in two lists; one that is shorter goes on with 0.
   void lists(const std::string& x_key, const std::string& y_key, const std::vector<double>& x,

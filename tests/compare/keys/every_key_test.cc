@@ -33,6 +33,7 @@ const std::map<std::string, std::string>& without_effect() {
       {"mujoco.bearing_currents", "a user's to move; at 0 they do nothing"},
       {"run.output_step", "of what is written"},
       {"run.output_times", "of what is written"},
+      {"magnetic_bearing.kind", "each word has required keys of its own: alone it is refused"},
       {"contact.name", "a name"},
       {"controller.library", "a file"},
       {"controller.sensors.rotor", library},

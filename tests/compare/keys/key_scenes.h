@@ -91,6 +91,10 @@ inline std::vector<KeyScene> key_scenes() {
            "delay=2.5e-4,state_matrix=[0.5],input_matrix=[1.0,0.6],output_matrix=[500.0,300.0],"
            "feedthrough=[2000.0,100.0,-100.0,2000.0]");
 
+  magnetic("magnets under one law at once", "kind='shared'",
+           "state_matrix=[0.5],input_matrix=[1.0,0.6],output_matrix=[500.0,300.0],"
+           "feedthrough=[2000.0,100.0,-100.0,2000.0]");
+
   // Starts.
   modal("steady", {"initial={steady=true}", "force[0].amplitude=12.0"});
   modal("sticking impacts", {"rotor.speed=0.5", "contact.friction=0.9"});

@@ -49,9 +49,10 @@ inline constexpr const char* kTakesTime = "an impact that takes time needs the i
 // A sample of a controller that falls into an impact: loads and command are held over it.
 inline constexpr const char* kSampled =
     "under a controller with a sample_time, needs the integrator event";
-inline constexpr std::array<Refusal, 2> kRefused{
+inline constexpr std::array<Refusal, 3> kRefused{
     {{Integrator::kMidpoint, "finite_impacts", nullptr, kTakesTime},
-     {Integrator::kVerlet, "finite_impacts", "sampled_support", kSampled}}};
+     {Integrator::kVerlet, "finite_impacts", "sampled_support", kSampled},
+     {Integrator::kVerlet, "finite_impacts", "sampled_magnets", kSampled}}};
 
 // Where a scheme was measured short of that; the bound is set from what was measured.
 struct Kink {

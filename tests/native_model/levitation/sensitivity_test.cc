@@ -197,15 +197,17 @@ TEST(Levitation, SampledLoopHasItsHoldAndDelay) {
   EXPECT_EQ(all.sample_time, kT);
   // r'' = (k_s r + k_i i) / m over a sample by cosh and sinh; then (r, v, r before, i held, next).
   const double k = std::sqrt(kPullOf / kMass), c = std::cosh(k * kT), s = std::sinh(k * kT);
-  const double push = kForceOf / kPullOf;  // m/A, where k_i i holds against k_s
+  // Currents in 10 kA, so that no entry is far from the others.
+  constexpr double kUnit = 1e4;
+  const double push = kUnit * kForceOf / kPullOf;  // where k_i i holds against k_s
   Eigen::MatrixXd sample = Eigen::MatrixXd::Zero(6, 6), move = sample;
   // Of each sample first the queue moves: held, next, last; r stays as the one before.
   sample(0, 0) = sample(1, 1) = 1.0;
   sample(2, 0) = 1.0;
   sample(3, 4) = 1.0;
   sample(4, 5) = 1.0;
-  sample(5, 0) = -(kStiff + kDamps / kT);
-  sample(5, 2) = kDamps / kT;
+  sample(5, 0) = -(kStiff + kDamps / kT) / kUnit;
+  sample(5, 2) = kDamps / kT / kUnit;
   move.setIdentity();
   move.topLeftCorner(2, 2) << c, s / k, s * k, c;
   move(0, 3) = push * (c - 1.0);

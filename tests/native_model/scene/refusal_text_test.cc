@@ -75,7 +75,8 @@ TEST(Refusal, WritesOneLineAProblem) {
         error.what(),
         "dir/s.toml:9: contact.friction: out of range: expected a pure number, >= 0, got -1\n"
         "dir/s.toml:11: zzz: unknown table; accepted: run, rotor, drive, force, base, "
-        "magnetic_bearing, contact, stator, actuator, controller, gravity, initial, mujoco, check");
+        "magnetic_bearing, magnetic_control, contact, stator, actuator, controller, gravity, "
+        "initial, mujoco, check");
   }
 }
 
