@@ -239,7 +239,8 @@ Ensemble::Ensemble(std::vector<Model> models, double step, scene::Integrator int
           "and a damper; run it by itself");
     }
     const auto& c = models_[i].first().contact;
-    const bool sampled = models_[i].first().controller && models_[i].first().sample_time > 0.0;
+    const bool sampled = !models_[i].samplers.empty() ||
+                         (models_[i].first().controller && models_[i].first().sample_time > 0.0);
     if ((integrator == scene::Integrator::kMidpoint || sampled) && c && c->impact_time() > 0.0) {
       throw std::invalid_argument("run " + std::to_string(i) +
                                   " of the ensemble has impacts that take time, which need the "

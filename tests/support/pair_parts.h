@@ -186,7 +186,7 @@ inline std::vector<Part> pair_parts() {
   add_both("ball_bearing", "ring_support",
            {"stator.ball_bearing={balls=9,stiffness=4e8,play=0.05e-3,phase=0.2}"});
   add_both("dry_spin", "turning_ring",
-           {"stator.spin={inertia=2e-4,speed=-40.0,dry_drag=0.05,load_factor=2e-3,pitch_diameter="
+           {"stator.spin={inertia=3e-4,speed=-30.0,dry_drag=0.03,load_factor=2e-3,pitch_diameter="
             "0.08,presliding_angle=0.05}"});
   add_both("mounted_ring", "ring_support",
            {"stator.mount={mass=2.5,stiffness=[3e5,4e5],damping=[60.0,90.0]}",
