@@ -93,12 +93,16 @@ TEST_P(EveryPeer, RefusesWhatItCannotHold) {
   struct Case {
     const char *scene, *override, *part;
   };
-  for (const Case& c : {Case{"paper_passive", "run.end=0.01", "modes"},
-                        Case{"bench_ring", "rotor.modal.gyroscopic=[0.1]", "gyroscopic"},
-                        Case{"bench_ring", "rotor.modal.internal_damping=[1.0]", "internal"},
-                        Case{"bench_ring", "contact.tangential_restitution=0.5", "tangential"},
-                        Case{"bench_ring", "stator.spin.inertia=1e-4", "turns"},
-                        Case{"bench_ring", "gravity.acceleration=[0.0,-9.81]", "gravity"}}) {
+  for (const Case& c :
+       {Case{"paper_passive", "run.end=0.01", "modes"},
+        Case{"bench_ring", "rotor.modal.gyroscopic=[0.1]", "gyroscopic"},
+        Case{"bench_ring", "rotor.modal.internal_damping=[1.0]", "internal"},
+        Case{"bench_ring", "contact.tangential_restitution=0.5", "tangential"},
+        Case{"bench_ring", "stator.spin.inertia=1e-4", "turns"},
+        Case{"bench_ring", "stator.mount={mass=2.0,stiffness=1e5}", "spring"},
+        Case{"bench_ring", "stator.dry_friction={force=9.0,presliding=1e-5}", "spring"},
+        Case{"bench_ring", "contact.compliance.stiffness=1e7", "gives"},
+        Case{"bench_ring", "gravity.acceleration=[0.0,-9.81]", "gravity"}}) {
     try {
       engine().run(shipped(c.scene, {c.override}), {});
       ADD_FAILURE() << c.part << " was taken";
