@@ -55,13 +55,40 @@ Eigen::Vector2d at_rest_on_balls(const BallBearingLaw& balls, const Eigen::Vecto
   return place;
 }
 
+// The same on the magnets of its actuator.
+Eigen::Vector2d ring_on_magnets(const scene::Scene& scene, const AuxiliaryBearing& at,
+                                const Eigen::Vector2d& stiffness, const Eigen::Vector2d& weight) {
+  const ForceLaw& law = *at.magnets->law;
+  const auto force = [&](const Eigen::Vector2d& r) -> Eigen::Vector2d {
+    const Eigen::Vector2d s = to_axes(r);
+    return weight - stiffness.cwiseProduct(r) +
+           from_axes({law.force(s.x(), 0.0), law.force(s.y(), 0.0)});
+  };
+  const char* pulled =
+      "the bias of the actuator's magnets pulls the ring away from its middle harder than [stator] "
+      "holds it; accepted: a stiffer stator.stiffness, or false";
+  constexpr double kStep = 1e-8;  // m, of the difference quotients
+  Eigen::Vector2d place{0.0, 0.0};
+  for (int round = 0; round < 60; ++round) {
+    Eigen::Matrix2d slope;
+    for (int k = 0; k < 2; ++k) {
+      const Eigen::Vector2d h = kStep * Eigen::Vector2d::Unit(k);
+      slope.col(k) = (force(place - h) - force(place + h)) / (2.0 * kStep);
+    }
+    // Held: -dF/dq is positive definite; it is symmetric.
+    if (slope.trace() <= 0.0 || slope.determinant() <= 0.0) break;
+    const Eigen::Vector2d change = slope.inverse() * force(place);
+    place += change;
+    if (to_axes(place).cwiseAbs().maxCoeff() >= law.reach()) break;
+    if (change.norm() <= 1e-15 * (1e-3 + place.norm())) return place;
+  }
+  refuse_steady(scene, pulled);
+}
+
 // Where a ring and its housing come to rest, m.
 struct Rest {
   Eigen::Vector2d ring{0.0, 0.0}, housing{0.0, 0.0};
 };
-
-Eigen::Vector2d ring_on_magnets(const scene::Scene& scene, const AuxiliaryBearing& at,
-                                const Eigen::Vector2d& stiffness, const Eigen::Vector2d& weight);
 
 Rest ring_at_rest(const scene::Scene& scene, const Model& m, const AuxiliaryBearing& at) {
   Rest rest;
@@ -104,35 +131,6 @@ Rest ring_at_rest(const scene::Scene& scene, const Model& m, const AuxiliaryBear
   rest.housing = hang(weight + weight_of(at.housing), to_base, "housing");
   rest.ring += rest.housing;
   return rest;
-}
-
-Eigen::Vector2d ring_on_magnets(const scene::Scene& scene, const AuxiliaryBearing& at,
-                                const Eigen::Vector2d& stiffness, const Eigen::Vector2d& weight) {
-  const ForceLaw& law = *at.magnets->law;
-  const auto force = [&](const Eigen::Vector2d& r) -> Eigen::Vector2d {
-    const Eigen::Vector2d s = to_axes(r);
-    return weight - stiffness.cwiseProduct(r) +
-           from_axes({law.force(s.x(), 0.0), law.force(s.y(), 0.0)});
-  };
-  const char* pulled =
-      "the bias of the actuator's magnets pulls the ring away from its middle harder than [stator] "
-      "holds it; accepted: a stiffer stator.stiffness, or false";
-  constexpr double kStep = 1e-8;  // m, of the difference quotients
-  Eigen::Vector2d place{0.0, 0.0};
-  for (int round = 0; round < 60; ++round) {
-    Eigen::Matrix2d slope;
-    for (int k = 0; k < 2; ++k) {
-      const Eigen::Vector2d h = kStep * Eigen::Vector2d::Unit(k);
-      slope.col(k) = (force(place - h) - force(place + h)) / (2.0 * kStep);
-    }
-    // Held: -dF/dq is positive definite; it is symmetric.
-    if (slope.trace() <= 0.0 || slope.determinant() <= 0.0) break;
-    const Eigen::Vector2d change = slope.inverse() * force(place);
-    place += change;
-    if (to_axes(place).cwiseAbs().maxCoeff() >= law.reach()) break;
-    if (change.norm() <= 1e-15 * (1e-3 + place.norm())) return place;
-  }
-  refuse_steady(scene, pulled);
 }
 
 // When another set of loads has come to act in full, s; 0 first.
