@@ -21,7 +21,7 @@ struct Pair {  // of the two planes
 template <class T, class Shape>
 ROTORUB_INLINE void add_station_force(int n, const Shape& shape, const T& fx, const T& fy, T* f) {
   const T *x = shape.x.data(), *y = shape.y.data();
-  for (int k = 0; k < n; ++k) {
+  ROTORUB_APART for (int k = 0; k < n; ++k) {
     f[k] += fx * x[k];
     f[n + k] += fy * y[k];
   }
@@ -165,7 +165,7 @@ ROTORUB_INLINE void spin_coupling(const M& m, const DiscAngles<T>& at, T* bx, T*
     const auto& disc = m.unbalances[i];
     const T *x = disc.shape.x.data(), *y = disc.shape.y.data();
     const T ax = disc.static_moment * at.sine[i], ay = disc.static_moment * at.cosine[i];
-    for (int k = 0; k < n; ++k) {
+    ROTORUB_APART for (int k = 0; k < n; ++k) {
       bx[k] -= ax * x[k];
       by[k] += ay * y[k];
     }
@@ -197,10 +197,10 @@ template <class M, class T = typename M::Scalar>
 ROTORUB_INLINE void diagonal_force(const M& m, const T* q, const T* v, T* f) {
   const T *stiffness = m.stiffness.data(), *damping = m.damping.data();
   const int nq = m.layout.nq();
-  for (int i = 0; i < nq; ++i) f[i] = -(stiffness[i] * q[i] + damping[i] * v[i]);
+  ROTORUB_APART for (int i = 0; i < nq; ++i) f[i] = -(stiffness[i] * q[i] + damping[i] * v[i]);
   if (m.weight.size() == 0) return;
   const T* weight = m.weight.data();
-  for (int i = 0; i < nq; ++i) f[i] += weight[i];
+  ROTORUB_APART for (int i = 0; i < nq; ++i) f[i] += weight[i];
 }
 
 // Rotating damping, see modal_rotor.h: -D_i (qdot - Omega e_z x q).

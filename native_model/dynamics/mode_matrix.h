@@ -4,7 +4,7 @@
 
 #include <Eigen/Core>
 
-#include "native_model/numerics/lanes.h"
+#include "native_model/numerics/small_matrix.h"
 
 namespace rotorub {
 
@@ -16,39 +16,49 @@ class BasicModeMatrix {
   BasicModeMatrix() = default;
   // n x n; exact zeros decide the kind.
   explicit BasicModeMatrix(const Eigen::MatrixXd& matrix);
-  // n x n of the given kind, row by row or the diagonal alone.
-  BasicModeMatrix(Kind kind, lanes::Array<T> values) : kind_(kind), values_(std::move(values)) {}
+  // n x n of the given kind, column by column or the diagonal alone.
+  BasicModeMatrix(Kind kind, lanes::Array<T> values, int n)
+      : kind_(kind), columns_(std::move(values)) {
+    if (kind_ != Kind::kFull || symmetric(n)) return;
+    rows_ = columns_;
+    for (int i = 0; i < n; ++i) {
+      for (int j = 0; j < n; ++j) rows_[at(i * n + j)] = columns_[at(j * n + i)];
+    }
+  }
 
   Kind kind() const { return kind_; }
   bool absent() const { return kind_ == Kind::kAbsent; }
   Eigen::MatrixXd dense(int n) const;
 
-  // out += factor * A * in, n values each. Plain loops: n is small, and nothing may allocate.
+  // out += factor * A * in, n values each.
   ROTORUB_INLINE void add(const T& factor, const T* in, T* out, int n) const {
-    const T* a = values_.data();
+    const T* a = columns_.data();
     if (kind_ == Kind::kDiagonal) {
       for (int i = 0; i < n; ++i) out[i] += factor * a[i] * in[i];
     } else if (kind_ == Kind::kFull) {
-      for (int i = 0; i < n; ++i) {
-        T sum{};
-        for (int j = 0; j < n; ++j) sum += a[i * n + j] * in[j];
-        out[i] += factor * sum;
-      }
+      small_matrix::add_multiple(factor, a, n, n, in, out);
     }
   }
   // out += factor * A^T * in.
   ROTORUB_INLINE void add_transposed(const T& factor, const T* in, T* out, int n) const {
-    if (kind_ != Kind::kFull) return add(factor, in, out, n);
-    const T* a = values_.data();
-    for (int i = 0; i < n; ++i) {
-      const T scaled = factor * in[i];
-      for (int j = 0; j < n; ++j) out[j] += a[i * n + j] * scaled;
-    }
+    if (rows_.empty()) return add(factor, in, out, n);
+    small_matrix::add_multiple(factor, rows_.data(), n, n, in, out);
   }
 
  private:
+  static std::size_t at(int i) { return static_cast<std::size_t>(i); }
+  bool symmetric(int n) const {
+    for (int i = 0; i < n; ++i) {
+      for (int j = 0; j < i; ++j) {
+        if (lanes::any(columns_[at(i * n + j)] != columns_[at(j * n + i)])) return false;
+      }
+    }
+    return true;
+  }
+
   Kind kind_ = Kind::kAbsent;
-  lanes::Array<T> values_;  // the diagonal, or row by row
+  lanes::Array<T> columns_;  // the diagonal, or column by column
+  lanes::Array<T> rows_;     // row by row, of one that is full and not symmetric
 };
 
 using ModeMatrix = BasicModeMatrix<double>;

@@ -13,6 +13,9 @@
 // Rare, and done run by run: a function of its own, for any processor.
 #define ROTORUB_SLOW __attribute__((noinline, cold))
 
+// Before a loop whose arrays overlap element by element or not at all.
+#define ROTORUB_APART _Pragma("GCC ivdep")
+
 namespace rotorub::lanes {
 
 // GCC's vectors of W doubles. Their own alignment is lost as a template argument: the structs below
@@ -159,6 +162,18 @@ ROTORUB_INLINE T larger(const T& a, const T& b) {
 template <class T>
 ROTORUB_INLINE T magnitude(const T& a) {
   return select(a < T{}, -a, a);
+}
+// term(0) + ... + term(n - 1) in four sums, none of which waits for another.
+template <class T, class Term>
+ROTORUB_INLINE T sum(int n, Term term) {
+  T sums[4] = {};
+  int i = 0;
+  for (; i + 4 <= n; i += 4) {
+    for (int k = 0; k < 4; ++k) sums[k] += term(i + k);
+  }
+  for (; i < n; ++i) sums[0] += term(i);
+  if (n < 4) return sums[0];
+  return (sums[0] + sums[2]) + (sums[1] + sums[3]);
 }
 // The same number in every lane.
 template <class T>

@@ -150,7 +150,7 @@ bool CompliantContacts::press(State& x) {
   return true;
 }
 
-bool CompliantContacts::go_on(State& x, Loads& loads) {
+bool CompliantContacts::go_on(State& x, Loads& loads, double /*unsettled*/) {
   look(x);
   const double after = 0.5 * h_, before = x.kick < 1.0 ? 0.0 : after;
   bool pressing = false;

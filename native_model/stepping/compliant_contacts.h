@@ -26,7 +26,7 @@ class CompliantContacts : public ContactColumns {
   static constexpr bool lasts() { return false; }
   void forget_last() {}
   void begin(const State& x);
-  bool go_on(State& x, Loads& loads);
+  bool go_on(State& x, Loads& loads, double unsettled = 0.0);
   void hold_on(State& x, Loads& loads);
   void back_to_circle(State&, Loads&) {}
   const double* end_without_impacts(const State& x) const { return x.after.data(); }

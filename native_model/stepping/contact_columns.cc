@@ -9,7 +9,12 @@ ContactColumns::ContactColumns(State& x, Loads& loads, const std::vector<const M
       m_(x.m),
       h_(x.h),
       response_(3 * done.size(), Columns(static_cast<std::size_t>(x.nq()))) {
-  if (!loads.coupled()) respond(x, loads);
+  for (std::size_t k = 0; k < response_.size(); ++k) {
+    const auto axis = static_cast<Eigen::Index>(k % 3);
+    add_contact_load(m_, Eigen::Vector3d::Unit(axis), response_[k].data(), k / 3);
+    loads.solve_uncoupled(x, response_[k].data());
+  }
+  if (loads.coupled()) uncoupled_ = response_;
 }
 
 Eigen::Vector3d ContactColumns::rates(std::size_t i, const double* v) const {
@@ -26,13 +31,9 @@ void ContactColumns::look(const State& x) {
 }
 
 void ContactColumns::respond(const State& x, Loads& loads) {
-  for (std::size_t i = 0; i < count(); ++i) {
-    for (int axis = 0; axis < 3; ++axis) {
-      Columns& column = response_[3 * i + static_cast<std::size_t>(axis)];
-      std::fill(column.begin(), column.end(), 0.0);
-      add_contact_load(m_, Eigen::Vector3d::Unit(axis), column.data(), i);
-      loads.solve(x, column.data());
-    }
+  for (std::size_t k = 0; k < uncoupled_.size(); ++k) {
+    std::ranges::copy(uncoupled_[k], response_[k].begin());
+    loads.couple(x, response_[k].data());
   }
 }
 

@@ -35,7 +35,8 @@ class ContactColumns {
   std::vector<ContactStep> done;
 
   static constexpr bool exists() { return true; }
-  static constexpr bool held_open = false;  // no impact takes time
+  static constexpr double settles() { return 0.0; }  // go_on() wants x.free settled
+  static constexpr bool held_open = false;           // no impact takes time
   std::size_t count() const { return done.size(); }
   const Model& model() const { return m_; }
   const ContactParameters& law(std::size_t i) const { return *m_.auxiliary[i].contact; }
@@ -66,7 +67,8 @@ class ContactColumns {
   double h_;
 
  private:
-  std::vector<Columns> response_;  // A^-1 J^T, three columns of each contact
+  // A^-1 J^T, three columns of each contact; where spin and bending are coupled A_0^-1 J^T too.
+  std::vector<Columns> response_, uncoupled_;
 };
 
 }  // namespace rotorub

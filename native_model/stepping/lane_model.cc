@@ -47,10 +47,10 @@ BasicModeMatrix<T> matrix(const std::vector<const Model*>& models, auto of) {
   const bool full = kind == ModeMatrix::Kind::kFull;
   const auto flat = [&](const Model& m) -> Eigen::VectorXd {
     const Eigen::MatrixXd dense = of(m).dense(n);
-    if (full) return Eigen::MatrixXd(dense.transpose()).reshaped();
+    if (full) return dense.reshaped();
     return dense.diagonal();
   };
-  return {static_cast<typename BasicModeMatrix<T>::Kind>(kind), side_by_side<T>(models, flat)};
+  return {static_cast<typename BasicModeMatrix<T>::Kind>(kind), side_by_side<T>(models, flat), n};
 }
 
 }  // namespace

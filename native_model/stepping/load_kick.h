@@ -48,14 +48,19 @@ class LoadKick {
 
   // `models`: those of the lanes, all of the same structure; they must outlive this.
   LoadKick(const M& m, const std::vector<const Model*>& models, double h)
-      : matrix_(models, h), loads_(models, h), f_(State::make(m)), change_(f_), round_off_(f_) {
+      : matrix_(models, h),
+        loads_(models, h),
+        f_(State::make(m)),
+        change_(f_),
+        seen_end_(f_),
+        round_off_(f_) {
     const Model& first = *models.front();
     const Layout& layout = first.layout;
-    coupled_ = first.coupled_mass();
     commanded_ = first.first().moves() && first.first().commanded();
     iterates_ = beyond_matrix(models);
     magnetic_ = first.first().magnets.has_value();
     several_ = first.auxiliary.size() > 1;
+    if (coupled()) eccentric_ = first.unbalances.size();
     for (int i = 0; iterates_ && i < layout.nq(); ++i) {
       const auto c = static_cast<std::size_t>(i);
       T held = m.stiffness[c];
@@ -70,9 +75,6 @@ class LoadKick {
         magnets_round_off_ += pull * pull / m.mass[c];
       }
     }
-    if (!coupled_) return;
-    bx_.assign(static_cast<std::size_t>(layout.modes), T{});
-    by_ = bx_;
   }
 
   StepCommands<T> command{};
@@ -81,7 +83,7 @@ class LoadKick {
   // A force that comes without a controller acts from here on.
   void drive_first_ring() { commanded_ = true; }
   // M(phi) changes from step to step.
-  bool coupled() const { return coupled_; }
+  bool coupled() const { return matrix_.coupled(); }
   // Controls of magnetic bearings are sampled at the instants of the loads.
   void sample(const std::vector<const Model*>& models) {
     samples_ = !models.front()->samplers.empty();
@@ -95,30 +97,42 @@ class LoadKick {
   // All that outlives a step, as plain numbers.
   template <class Action>
   void for_each_kept(Action action) {
-    for (T& value : bx_) action(value);
-    for (T& value : by_) action(value);
+    for (std::size_t i = 0; i < eccentric_; ++i) {
+      action(angles_.cosine[i]);
+      action(angles_.sine[i]);
+    }
     loads_.for_each_kept(action);
   }
-  // Step numbers begin anew.
-  void forget() { loads_.forget(); }
+  // Step numbers begin anew, or what is kept has been written.
+  void forget(const M& m) {
+    loads_.forget();
+    if (coupled()) matrix_.couple_at(m, angles_);
+  }
 
   // x.start -> x.free: the velocities that the loads of step k give, about the instant t and at
-  // x.seen; begin (s): of the loads, they end at t + h/2.
-  ROTORUB_INLINE void free_velocity(State& x, std::int64_t k, double begin, double t) {
+  // x.seen; begin (s): of the loads, they end at t + h/2. In the lanes where `later` is 1 without
+  // what is to be iterated: settle() or an iteration with the contact is to come.
+  ROTORUB_INLINE void free_velocity(State& x, std::int64_t k, double begin, double t,
+                                    const T& later = T{}) {
     instant_ = t;
     const double end = t + 0.5 * x.h;
     loads_.advance(k, t, begin, end);
     if (samples_) find_samples(x, t, begin);
-    weighed_free_velocity(x, lanes::all<T>(begin), lanes::all<T>(end));
+    weighed_free_velocity(x, lanes::all<T>(begin), lanes::all<T>(end), later);
   }
   // The same as if what is switched on between begin and end had held for the whole step.
   void free_velocity_of_part(State& x, const T& begin, const T& end) {
     const double kick = std::exchange(x.kick, 1.0);
     loads_.weigh(begin, end);
-    weighed_free_velocity(x, begin, end);
+    weighed_free_velocity(x, begin, end, T{});
     x.kick = kick;
   }
 
+  // x.free iterated in the lanes where `open` is 1.
+  ROTORUB_INLINE void settle(State& x, const T& open) {
+    begin_iteration(open);
+    for (bool goes_on = lanes::any(open > T{}); goes_on;) goes_on = improve(x, x.free.data());
+  }
   // In the lanes where `open` is 1.
   ROTORUB_INLINE void begin_iteration(const T& open) {
     rounds_ = 0;
@@ -132,36 +146,32 @@ class LoadKick {
     const int nq = layout.nq(), n = layout.modes, phi = layout.phi();
     const T h = lanes::all<T>(x.kick * x.h), half = lanes::all<T>(0.5), zero{};
     const T *start = x.start.data(), *mass = x.m.mass.data();
-    T *f = f_.data(), *change = change_.data(), *free = x.free.data();
-    for (int i = 0; i < nq; ++i) change[i] = half * (start[i] + end[i]);
+    T *f = f_.data(), *change = change_.data(), *free = x.free.data(), *seen = seen_end_.data();
+    ROTORUB_APART for (int i = 0; i < nq; ++i) change[i] = half * (start[i] + end[i]);
     force(x, change, f);
-    for (int i = 0; i < nq; ++i) {
+    const T before = energy_of(nq, mass, [&](int i) { return end[i] - seen[i]; });
+    ROTORUB_APART for (int i = 0; i < nq; ++i) {
+      seen[i] = lanes::select(open_ > zero, end[i], seen[i]);
       change[i] = end[i] - start[i];
       f[i] = h * f[i] - mass[i] * change[i];
     }
-    if (coupled_) {
-      const T *bx = bx_.data(), *by = by_.data();
-      T sum{};
-      for (int k = 0; k < n; ++k) {
-        f[k] -= bx[k] * change[phi];
-        f[n + k] -= by[k] * change[phi];
-        sum += bx[k] * change[k] + by[k] * change[n + k];
-      }
-      f[phi] -= sum;
+    if (coupled()) {
+      const T* b = matrix_.coupling();
+      ROTORUB_APART for (int k = 0; k < 2 * n; ++k) f[k] -= b[k] * change[phi];
+      f[phi] -= lanes::sum<T>(2 * n, [&](int k) { return b[k] * change[k]; });
     }
     solve(x, f);
-    T moved{}, size{}, whole{};
-    for (int i = 0; i < nq; ++i) {
-      const T better = start[i] + change[i] + f[i], by = better - free[i];
-      moved += mass[i] * by * by;
-      size += mass[i] * change[i] * change[i];
-      whole += mass[i] * end[i] * end[i];
-      free[i] = lanes::select(open_ > zero, better, free[i]);
+    ROTORUB_APART for (int i = 0; i < nq; ++i) f[i] = start[i] + change[i] + f[i];
+    const T moved = energy_of(nq, mass, [&](int i) { return f[i] - free[i]; });
+    const T size = energy_of(nq, mass, [&](int i) { return change[i]; });
+    ROTORUB_APART for (int i = 0; i < nq; ++i) {
+      free[i] = lanes::select(open_ > zero, f[i], free[i]);
     }
-    // To 1e-10 of the change, as the next round would gain as much again; or to round-off, of the
-    // velocities or, of a rotor that rests under its load, of the forces in balance.
-    const T enough = lanes::all<T>(1e-20) * size + lanes::all<T>(1e-30) * whole + balanced_;
-    open_ = lanes::select(moved > enough, open_, zero);
+    // To 1e-10 of the change: what is left is what the round moved times the rate of convergence,
+    // moved / before.
+    open_ = lanes::select(moved * moved > lanes::all<T>(1e-20) * size * before, open_, zero);
+    if (!lanes::any(open_ > zero)) return false;
+    open_ = lanes::select(moved > noise(x, end), open_, zero);
     if (++rounds_ < kMostRounds) return lanes::any(open_ > zero);
     for (int lane = 0; lane < kLanes; ++lane) {
       if (lanes::get(open_, lane) > 0.0) x.fail(lane, Status::kStepTooLarge);
@@ -170,9 +180,13 @@ class LoadKick {
   }
 
   // f <- A^-1 f.
-  ROTORUB_INLINE void solve(const State& x, T* f) {
-    matrix_.solve(x.m.layout, coupled_ ? bx_.data() : nullptr, by_.data(), f);
+  ROTORUB_INLINE void solve(const State& x, T* f) { matrix_.solve(x.m.layout, f); }
+  // f <- A^-1 f in the two parts of which the first does not change from step to step.
+  ROTORUB_INLINE void solve_uncoupled(const State& x, T* f) {
+    matrix_.solve_uncoupled(x.m.layout, f);
   }
+  ROTORUB_INLINE void couple(const State& x, T* f) const { matrix_.couple(x.m.layout, f); }
+  const VelocityMatrix<T>& matrix() const { return matrix_; }
 
   // J: of the forces of F at the middle of the step from x.start to `end`, but those that energy
   // holds (springs, and with a free spin unbalance, which is inertial), over h. One run.
@@ -187,16 +201,36 @@ class LoadKick {
     const double* stiffness = m.stiffness.data();
     for (int i = 0; i < nq; ++i) work += (f[i] + stiffness[i] * q[i]) * v[i];
     work -= coupling_power(m, q, v);
-    if (m.springs.empty() && !coupled_) return x.h * work;
+    if (m.springs.empty() && !coupled()) return x.h * work;
     for (int i = 0; i < x.nq(); ++i) f[i] = 0.0;
     equations::add_springs(m, q, f);
-    if (coupled_) equations::add_unbalance(m, angles_, equations::spin_speed(m, v), f);
+    if (coupled()) equations::add_unbalance(m, angles_, equations::spin_speed(m, v), f);
     for (int i = 0; i < nq; ++i) work -= f[i] * v[i];
     return x.h * work;
   }
 
  private:
   static constexpr int kMostRounds = 20;
+
+  // J, twice the energy of velocities.
+  template <class Velocity>
+  static ROTORUB_INLINE T energy_of(int nq, const T* mass, Velocity v) {
+    return lanes::sum<T>(nq, [&](int i) {
+      const T rate = v(i);
+      return mass[i] * rate * rate;
+    });
+  }
+  // J, what a round moves by round-off: of the velocities or, of a rotor that rests under its load,
+  // of the forces in balance.
+  ROTORUB_INLINE T noise(const State& x, const T* end) const {
+    const T *mass = x.m.mass.data(), *q = x.seen.data();
+    T least = magnets_round_off_;
+    for (int i = 0; i < x.nq(); ++i) {
+      const T whole = mass[i] * end[i] * end[i];
+      least += lanes::all<T>(1e-30) * whole + round_off_[static_cast<std::size_t>(i)] * q[i] * q[i];
+    }
+    return least;
+  }
 
   // Of bending coordinate i.
   template <class Shape>
@@ -212,7 +246,8 @@ class LoadKick {
   }
 
   // With the loads as weighed last; begin..end: of all others that are switched.
-  ROTORUB_INLINE void weighed_free_velocity(State& x, const T& begin, const T& end) {
+  ROTORUB_INLINE void weighed_free_velocity(State& x, const T& begin, const T& end,
+                                            const T& later) {
     const M& m = x.m;
     const int nq = x.nq();
     const T h = lanes::all<T>(x.h);
@@ -222,7 +257,7 @@ class LoadKick {
     if (loads_.synchronous()) loads_.turn_with(equations::spin_angle(m, t, q));
     if (!m.unbalances.empty()) {
       angles_.fill(m, t, q, begin, end);
-      if (coupled_) equations::spin_coupling(m, angles_, bx_.data(), by_.data());
+      if (coupled()) matrix_.couple_at(m, angles_);
     }
     const T* start = x.start.data();
     T* free = x.free.data();
@@ -230,19 +265,17 @@ class LoadKick {
     typename CoordinateArray<M>::Scratch scratch = f_;
     T* f = scratch.data();
     force(x, start, f);
-    if (const T* step = coupled_ ? nullptr : matrix_.diagonal_step()) {
-      for (int i = 0; i < nq; ++i) free[i] = start[i] + step[i] * f[i];
+    if (const T* step = matrix_.diagonal_step()) {
+      ROTORUB_APART for (int i = 0; i < nq; ++i) free[i] = start[i] + step[i] * f[i];
     } else {
-      for (int i = 0; i < nq; ++i) f[i] = h * f[i];
+      ROTORUB_APART for (int i = 0; i < nq; ++i) f[i] = h * f[i];
       solve(x, f);
-      for (int i = 0; i < nq; ++i) free[i] = start[i] + f[i];
+      ROTORUB_APART for (int i = 0; i < nq; ++i) free[i] = start[i] + f[i];
     }
     if (!iterates_) return;
-    balanced_ = magnets_round_off_;
-    for (int i = 0; i < nq; ++i) balanced_ += round_off_[static_cast<std::size_t>(i)] * q[i] * q[i];
-    begin_iteration(lanes::all<T>(1.0));
-    while (improve(x, free)) {
-    }
+    T* seen = seen_end_.data();
+    ROTORUB_APART for (int i = 0; i < nq; ++i) seen[i] = start[i];
+    settle(x, lanes::all<T>(1.0) - later);
   }
 
   // F(x.seen, v), all loads but the contacts'; those of [[force]] as advanced last.
@@ -321,18 +354,18 @@ class LoadKick {
     }
   }
 
-  bool coupled_ = false, iterates_ = false, magnetic_ = false, several_ = false, commanded_ = false;
+  bool iterates_ = false, magnetic_ = false, several_ = false, commanded_ = false;
   VelocityMatrix<T> matrix_;
   SteppedLoads<T> loads_;
-  equations::DiscAngles<T> angles_;
+  equations::DiscAngles<T> angles_{};
+  std::size_t eccentric_ = 0;
   bool samples_ = false, sampled_now_ = false;
   lanes::Array<T> sampled_;  // N, what makes the jumps of the feedbacks' states
-  lanes::Array<T> bx_, by_;  // the coupling of bending and spin by unbalance, n each
   Coordinates f_, change_;
-  // Of a deflection q_i the least energy that a step can tell, (1e-15 h k_i)^2/m_i q_i^2; their sum
-  // at q_k.
+  Coordinates seen_end_;  // the step's end of which the last round had the forces
+  // Of a deflection q_i the least energy that a step can tell is (1e-15 h k_i)^2/m_i q_i^2.
   Coordinates round_off_;
-  T balanced_{}, magnets_round_off_{};
+  T magnets_round_off_{};
   // Share of the step for which each magnetic bearing has not failed.
   std::array<T, scene::kMaxMagneticBearings> working_{};
   // Of the iteration: 1 in the lanes that go on.

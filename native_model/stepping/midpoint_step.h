@@ -41,12 +41,13 @@ struct MidpointStep {
     contact.forget_last();
     if (contact.exists()) contact.back_to_circle(x, loads);
     const double t = x.time_of(k);
-    loads.free_velocity(x, k, t, t + 0.5 * x.h);
+    const T unsettled = loads.iterates() ? contact.settles() : T{};
+    loads.free_velocity(x, k, t, t + 0.5 * x.h, unsettled);
     for (int i = 0; i < x.nq(); ++i) {
       x.after[static_cast<std::size_t>(i)] = x.free[static_cast<std::size_t>(i)];
     }
     if (contact.exists()) {
-      const Mask hits = contact.go_on(x, loads);
+      const Mask hits = contact.go_on(x, loads, unsettled);
       if (lanes::any(hits)) collide(hits, k);
     }
     x.move(half);
@@ -54,7 +55,7 @@ struct MidpointStep {
 
   // A state has been written.
   void restart() {
-    loads.forget();
+    loads.forget(x.m);
     contact.begin(x);
   }
 

@@ -5,6 +5,7 @@
 // (midpoint_step.h, verlet_step.h). Several contacts: several_contacts.h.
 #pragma once
 
+#include <algorithm>
 #include <limits>
 #include <vector>
 
@@ -43,7 +44,22 @@ class OneContact {
       const double none = std::numeric_limits<double>::quiet_NaN();
       lanes::set(friction_, lane, c.friction.is_constant() ? c.friction.coefficient : none);
     }
-    if (!loads.coupled()) respond(x, loads);
+    const T zero{}, one = lanes::all<T>(1.0);
+    for (int j = 0; j < 3; ++j) {
+      T* column = response_[j].data();
+      equations::add_contact_load(x.m, j == 0 ? one : zero, j == 1 ? one : zero,
+                                  j == 2 ? one : zero, column);
+      loads.solve_uncoupled(x, column);
+      const Centre d = equations::relative(x.m, column);
+      uncoupled_[0][j] = d.x;
+      uncoupled_[1][j] = d.y;
+      // A prescribed spin speed does not change.
+      if (equations::turns_at_contact(x.m)) {
+        uncoupled_[2][j] = equations::turning_at_contact(x.m, x.m.first(), column);
+      }
+      if (x.m.layout.spin) uncoupled_[2][j] += column[x.m.layout.phi()];
+    }
+    for (int i = 0; i < 3; ++i) std::copy_n(uncoupled_[i], 3, admittance_[i]);
   }
 
   Lasting now;
@@ -69,14 +85,25 @@ class OneContact {
   // step that does not locate its impacts finds that itself.)
   void begin(const State& x);
 
+  // 1 where x.free may come to go_on() unsettled: lasting contact iterates it anyway.
+  ROTORUB_INLINE T settles() const { return now.lasts; }
+
   // Lasting contact over the step, where the straight path from x.seen with x.free would leave the
   // circle: x.after from x.free. Gives the lanes in which the path leaves the circle out of flight.
-  ROTORUB_INLINE Mask go_on(State& x, LoadKick<M>& loads) {
-    const T zero{}, one = lanes::all<T>(1.0), h = lanes::all<T>(x.h), c = clearance_;
+  // In the lanes where `unsettled` is 1, x.free is without what is iterated.
+  ROTORUB_INLINE Mask go_on(State& x, LoadKick<M>& loads, const T& unsettled = T{}) {
+    const T zero{};
     const Centre d = equations::separation(x.m, x.seen.data());
-    const Centre w = equations::relative(x.m, x.free.data());
-    const T px = d.x + h * w.x, py = d.y + h * w.y;
-    T outside = lanes::select(px * px + py * py > c * c, one, zero);
+    Centre w = equations::relative(x.m, x.free.data());
+    T outside = leaving(x, d, w);
+    if (loads.iterates()) {
+      const Mask lets_go = (unsettled > zero) & (outside == zero);
+      if (lanes::any(lets_go)) {
+        settle(lets_go, x, loads);
+        w = equations::relative(x.m, x.free.data());
+        outside = lanes::select(lets_go, leaving(x, d, w), outside);
+      }
+    }
     if (held_open) outside = outside * flying;
     const T lasted = now.lasts;
     now.lasts = outside * lasted;
@@ -96,7 +123,7 @@ class OneContact {
     const T one = lanes::all<T>(1.0), square = d.x * d.x + d.y * d.y;
     const T delta = lanes::square_root(lanes::select(square > T{}, square, one));
     if (loads.coupled()) respond(x, loads);
-    push(x, x.free.data(), x.free.data(), {d.x / delta, d.y / delta}, now.normal_at_end,
+    push(x, loads, x.free.data(), x.free.data(), {d.x / delta, d.y / delta}, now.normal_at_end,
          now.friction_at_end, now.lasts > T{});
   }
 
@@ -114,7 +141,7 @@ class OneContact {
     const T ex = d.x / delta, ey = d.y / delta;
     const auto& a = admittance_;
     const T nn = ex * (a[0][0] * ex + a[0][1] * ey) + ey * (a[1][0] * ex + a[1][1] * ey);
-    push(x, x.seen.data(), x.seen.data(), {ex, ey}, (delta - c) / nn, T{}, outside);
+    push(x, loads, x.seen.data(), x.seen.data(), {ex, ey}, (delta - c) / nn, T{}, outside);
   }
 
   // Of two parts of a step, `first` for `share` of it and this one for `rest`, the lasting contact
@@ -211,35 +238,51 @@ class OneContact {
   double lasting_work(const State& x) const;
 
  private:
-  // The columns A^-1 J^T of the contact space and A's admittance J A^-1 J^T.
-  ROTORUB_INLINE void respond(const State& x, LoadKick<M>& loads) {
-    const M& m = x.m;
-    const T zero{}, one = lanes::all<T>(1.0);
+  // 1 where the path from d with the velocity w ends outside the circle.
+  ROTORUB_INLINE T leaving(const State& x, const Centre& d, const Centre& w) const {
+    const T h = lanes::all<T>(x.h), c = clearance_;
+    const T px = d.x + h * w.x, py = d.y + h * w.y;
+    return lanes::select(px * px + py * py > c * c, lanes::all<T>(1.0), T{});
+  }
+  // x.free and x.after of lanes that do not press on.
+  ROTORUB_INLINE void settle(const Mask& lets_go, State& x, LoadKick<M>& loads) {
+    loads.settle(x, lanes::select(lets_go, lanes::all<T>(1.0), T{}));
+    for (std::size_t i = 0; i < x.after.size(); ++i) {
+      x.after[i] = lanes::select(lets_go, x.free[i], x.after[i]);
+    }
+  }
+  // A's admittance J A^-1 J^T where bending and spin are coupled.
+  ROTORUB_INLINE void respond(const State& x, const LoadKick<M>& loads) {
+    const auto& l = x.m.layout;
+    const VelocityMatrix<T>& a = loads.matrix();
+    const Centre bent = equations::at_station(l.modes, x.m.first().shape, a.solved_coupling());
+    T turned = a.spin_column()[0];
+    const T* shape = x.m.first().torsion_shape.data();
+    for (int k = 0; k < l.torsion; ++k) turned += shape[k] * a.spin_column()[1 + k];
     for (int j = 0; j < 3; ++j) {
-      T* column = response_[j].data();
-      for (int i = 0; i < x.nq(); ++i) column[i] = zero;
-      equations::add_contact_load(m, j == 0 ? one : zero, j == 1 ? one : zero, j == 2 ? one : zero,
-                                  column);
-      loads.solve(x, column);
-      const Centre d = equations::relative(m, column);
-      admittance_[0][j] = d.x;
-      admittance_[1][j] = d.y;
-      // A prescribed spin speed does not change.
-      admittance_[2][j] = equations::turns_at_contact(m)
-                              ? equations::turning_at_contact(m, m.first(), column)
-                              : zero;
-      if (m.layout.spin) admittance_[2][j] += column[m.layout.phi()];
+      coupled_[j] = a.coupled_part(l, response_[j].data());
+      admittance_[0][j] = uncoupled_[0][j] - bent.x * coupled_[j].spin;
+      admittance_[1][j] = uncoupled_[1][j] - bent.y * coupled_[j].spin;
+      admittance_[2][j] = uncoupled_[2][j] + turned * coupled_[j].back;
     }
   }
 
   // to = from + A^-1 J^T of the load (N, F) with the normal e, in the lanes of `on`.
-  ROTORUB_INLINE void push(const State& x, const T* from, T* to, const Centre& e, const T& normal,
-                           const T& friction, const Mask& on) {
+  ROTORUB_INLINE void push(const State& x, const LoadKick<M>& loads, const T* from, T* to,
+                           const Centre& e, const T& normal, const T& friction, const Mask& on) {
     const T zero{};
     const T N = lanes::select(on, normal, zero), F = lanes::select(on, friction, zero);
     const T px = -e.x * N - e.y * F, py = -e.y * N + e.x * F, pz = radius_ * F;
     const T *cx = response_[0].data(), *cy = response_[1].data(), *cz = response_[2].data();
-    for (int i = 0; i < x.nq(); ++i) to[i] = from[i] + (cx[i] * px + cy[i] * py + cz[i] * pz);
+    const int nq = x.nq();
+    ROTORUB_APART for (int i = 0; i < nq; ++i) {
+      to[i] = from[i] + (cx[i] * px + cy[i] * py + cz[i] * pz);
+    }
+    if (!loads.coupled()) return;
+    const auto along = [&](auto part) {
+      return coupled_[0].*part * px + coupled_[1].*part * py + coupled_[2].*part * pz;
+    };
+    loads.matrix().add(x.m.layout, {along(&Coupled::spin), along(&Coupled::back)}, to);
   }
 
   // Lasting contact in the lanes of `on`, from d at the step's begin: x.after from x.free, whatever
@@ -255,7 +298,7 @@ class OneContact {
     if (loads.iterates()) loads.begin_iteration(lanes::select(on, one, zero));
     for (bool settled = false;;) {
       press(on, x, d, w);
-      push(x, x.free.data(), x.after.data(), normal_, now.normal, now.friction, on);
+      push(x, loads, x.free.data(), x.after.data(), normal_, now.normal, now.friction, on);
       // Once more after the last round: a lane's end must not depend on how long the others went
       // on.
       if (!loads.iterates() || settled) break;
@@ -287,8 +330,9 @@ class OneContact {
     const T normal = depth / (lanes::square_root(lanes::select(root > zero, root, one)) - along);
     const T slip = ex * (w.y + normal * gy) - ey * (w.x + normal * gx) + r * (spin + normal * gz);
     const T turned = d.x * px + d.y * py;
-    const Mask slides = (root > zero) & (along < zero) & (slip * last_sign_ > zero) &
-                        (turned >= lanes::all<T>(0.5) * circle);
+    // Once iterated, the path may end inside: no adhesion.
+    const Mask slides = (depth > zero) & (root > zero) & (along < zero) &
+                        (slip * last_sign_ > zero) & (turned >= lanes::all<T>(0.5) * circle);
     now.normal = lanes::select(on, normal, now.normal);
     now.friction = lanes::select(on, ratio * normal, now.friction);
     now.slip_sign = lanes::select(on, last_sign_, now.slip_sign);
@@ -306,7 +350,11 @@ class OneContact {
   // solved by itself.
   T friction_{};
   T admittance_[3][3] = {};
+  using Coupled = typename VelocityMatrix<T>::Coupled;
+  // A_0^-1 J^T and J A_0^-1 J^T; what A has beside A_0^-1 J^T.
   typename State::Coordinates response_[3];
+  T uncoupled_[3][3] = {};
+  Coupled coupled_[3];
   Lasting with_impacts_;  // of a step with impacts
   T last_sign_{};
   Centre normal_{};

@@ -150,7 +150,7 @@ bool SeveralContacts::press(State& x, std::span<const std::size_t> lasting) {
   return true;
 }
 
-bool SeveralContacts::go_on(State& x, Loads& loads) {
+bool SeveralContacts::go_on(State& x, Loads& loads, double /*unsettled*/) {
   std::array<std::size_t, kMaxContacts> lasting{};
   std::size_t n = 0;
   look(x);

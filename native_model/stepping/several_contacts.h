@@ -35,7 +35,7 @@ class SeveralContacts : public ContactColumns {
   // As OneContact's. go_on: an impact may have come.
   void forget_last();
   void begin(const State& x);
-  bool go_on(State& x, Loads& loads);
+  bool go_on(State& x, Loads& loads, double unsettled = 0.0);
   void hold_on(State& x, Loads& loads);
   void back_to_circle(State& x, Loads& loads);
   bool alike(const Lasting& part, const Lasting& was) const;

@@ -61,17 +61,18 @@ struct StepState {
   ROTORUB_INLINE void move(const T& dt) {
     check_finite();
     if (failed) return move_running(dt);
+    const T *end = after.data(), *from = seen.data();
+    T *to_q = q.data(), *to_v = v.data();
     for (int i = 0; i < nq(); ++i) {
-      const auto c = static_cast<std::size_t>(i);
-      v[c] = after[c];
-      q[c] = seen[c] + dt * after[c];
+      to_v[i] = end[i];
+      to_q[i] = from[i] + dt * end[i];
     }
   }
 
  private:
   ROTORUB_INLINE void check_finite() {
-    T sum{};
-    for (int i = 0; i < nq(); ++i) sum += after[static_cast<std::size_t>(i)];
+    const T* end = after.data();
+    const T sum = lanes::sum<T>(nq(), [&](int i) { return end[i]; });
     const T rest = sum - sum, zero{};  // 0 where finite
     if (!lanes::any(rest != zero)) return;
     for (int lane = 0; lane < kLanes; ++lane) {

@@ -58,7 +58,7 @@ class StepperWith final : public KeptStepper {
   void restore(const double* from) override {
     for_each_kept([&from](double& value) { value = *from++; });
     step_.x.revive();
-    step_.loads.forget();
+    step_.loads.forget(step_.x.m);
   }
   void adopt(const double* q, const double* v) override { step_.x.adopt(q, v); }
   void apply(const double* loads) override { step_.loads.applied = loads; }

@@ -16,7 +16,7 @@ bool is_diagonal(const Eigen::MatrixXd& a) {
 template <class T>
 void put_matrix(lanes::Array<T>& to, const Eigen::MatrixXd& from, int lane) {
   to.resize(static_cast<std::size_t>(from.size()), T{});
-  put_lane(to, Eigen::MatrixXd(from.transpose()).reshaped(), lane);
+  put_lane(to, from.reshaped(), lane);
 }
 
 // D of one model, nq x nq, N s/m: -dF/dqdot at the speed of t = 0.
@@ -39,20 +39,20 @@ Eigen::MatrixXd linear_damping(const Model& m) {
 }  // namespace
 
 template <class T>
-VelocityMatrix<T>::VelocityMatrix(const std::vector<const Model*>& models, double h)
-    : layout_(models.front()->layout) {
-  const int nq = layout_.nq(), bending = 2 * layout_.modes;
+VelocityMatrix<T>::VelocityMatrix(const std::vector<const Model*>& models, double h) {
+  const Layout& l = models.front()->layout;
+  const int nq = l.nq(), bending = 2 * l.modes, spins = l.spin + l.torsion;
+  coupled_ = models.front()->coupled_mass();
   std::vector<Eigen::MatrixXd> all;
   for (const Model* m : models) {
     all.push_back(0.5 * h * linear_damping(*m));
     const Eigen::MatrixXd& d = all.back();
     dense_bending_ = dense_bending_ || !is_diagonal(d.topLeftCorner(bending, bending));
-    dense_spin_ =
-        dense_spin_ || !is_diagonal(d.block(layout_.phi(), layout_.phi(), spins(), spins()));
+    dense_spin_ = dense_spin_ || !is_diagonal(d.block(l.phi(), l.phi(), spins, spins));
   }
-  for (auto* x : {&inverse_, &step_, &work_, &rows_, &solved_}) {
-    x->assign(static_cast<std::size_t>(nq), T{});
-  }
+  for (auto* x : {&inverse_, &step_, &work_}) x->assign(static_cast<std::size_t>(nq), T{});
+  if (coupled_) coupling_.assign(static_cast<std::size_t>(bending), T{});
+  solved_ = coupling_;
   for (int lane = 0; lane < lanes::kWidth<T>; ++lane) {
     const Model& m = *models[static_cast<std::size_t>(lane)];
     const Eigen::MatrixXd& d = all[static_cast<std::size_t>(lane)];
@@ -60,14 +60,20 @@ VelocityMatrix<T>::VelocityMatrix(const std::vector<const Model*>& models, doubl
     const Eigen::VectorXd inverse = a.diagonal().cwiseInverse();
     put_lane(inverse_, inverse, lane);
     put_lane(step_, Eigen::VectorXd(h * inverse), lane);
-    if (dense_bending_) {
-      put_matrix(bending_, Eigen::MatrixXd(a.topLeftCorner(bending, bending).inverse()), lane);
+    const Eigen::MatrixXd bend = a.topLeftCorner(bending, bending).inverse();
+    if (dense_bending_) put_matrix(bending_, bend, lane);
+    if (!l.spin) continue;
+    const Eigen::MatrixXd turn = a.block(l.phi(), l.phi(), spins, spins).inverse();
+    if (dense_spin_) put_matrix(spin_, turn, lane);
+    if (!coupled_) continue;
+    put_matrix(spin_column_, turn.leftCols(1), lane);
+    Eigen::MatrixXd shapes = Eigen::MatrixXd::Zero(bending, 2 * m.unbalances.size());
+    for (std::size_t i = 0; i < m.unbalances.size(); ++i) {
+      const auto column = static_cast<Eigen::Index>(2 * i);
+      shapes.col(column).head(l.modes) = m.unbalances[i].shape.x;
+      shapes.col(column + 1).tail(l.modes) = m.unbalances[i].shape.y;
     }
-    if (dense_spin_) {
-      put_matrix(spin_,
-                 Eigen::MatrixXd(a.block(layout_.phi(), layout_.phi(), spins(), spins()).inverse()),
-                 lane);
-    }
+    put_matrix(solved_shapes_, bend * shapes, lane);
   }
 }
 

@@ -85,8 +85,13 @@ struct VerletStep {
     late_work = 0.0;
     if (takes_time) std::fill_n(impact_time, kLanes, 0.0);
     contact.forget_last();
-    kick(k);
-    for (int i = 0; i < x.nq(); ++i) x.after[at(i)] = x.free[at(i)];
+    const bool later = loads.iterates() && first == 0.0 && !takes_time;
+    const T unsettled = later ? contact.settles() : T{};
+    kick(k, unsettled);
+    const T* free = x.free.data();
+    T* after = x.after.data();
+    const int nq = x.nq();
+    ROTORUB_APART for (int i = 0; i < nq; ++i) after[i] = free[i];
     if (owes > 0.0) {
       for (T& value : late) value = T{};
       owes = 0.0;
@@ -98,7 +103,7 @@ struct VerletStep {
       const bool parts = jumps_between(begin, end);
       if (parts) before_parts = contact.now;
       x.kick = was_first ? 0.5 : 1.0;
-      const Mask hits = contact.go_on(x, loads);
+      const Mask hits = contact.go_on(x, loads, unsettled);
       if (parts) split(begin, end);
       if (lanes::any(hits)) collide(hits, k);
       if (contact.held_open) go_on_with_slow_impacts(k);
@@ -130,7 +135,7 @@ struct VerletStep {
     first = 1.0;
     owes = 0.0;
     for (T& value : late) value = T{};
-    loads.forget();
+    loads.forget(x.m);
     for (FiniteImpact& impact : slow_impacts) impact.cancel();
     contact.begin(x);
   }
@@ -190,17 +195,20 @@ struct VerletStep {
  private:
   static std::size_t at(int i) { return static_cast<std::size_t>(i); }
 
-  // x.start and x.free of step k.
-  ROTORUB_INLINE void kick(std::int64_t k) {
-    for (int i = 0; i < x.nq(); ++i) {
-      x.start[at(i)] = x.v[at(i)];
-      x.seen[at(i)] = x.q[at(i)];
+  // x.start and x.free of step k; `later`: see LoadKick.
+  ROTORUB_INLINE void kick(std::int64_t k, const T& later = T{}) {
+    const T *q = x.q.data(), *v = x.v.data();
+    T *start = x.start.data(), *seen = x.seen.data();
+    const int nq = x.nq();
+    ROTORUB_APART for (int i = 0; i < nq; ++i) {
+      start[i] = v[i];
+      seen[i] = q[i];
     }
     if (owes > 0.0) {
       for (int i = 0; i < x.nq(); ++i) x.start[at(i)] += late[at(i)];
     }
     const double t = x.time_of(k);
-    loads.free_velocity(x, k, first > 0.0 ? t : t - 0.5 * x.h, t);
+    loads.free_velocity(x, k, first > 0.0 ? t : t - 0.5 * x.h, t, later);
     if (first > 0.0) halve_kick();
   }
   // x.free of the step's loads, which are those of its kick: the first is half of one.

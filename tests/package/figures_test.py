@@ -28,7 +28,7 @@ class Figures(InAFolder):
         return summary
 
     def quoted(self, text):
-        self.assertIn(text, README)
+        self.assertTrue(text in README, text)
 
     def row(self, name, summary):
         self.quoted(f"| {name} | {summary['mean_force']:.1f} | {summary['largest']:.4f} |"

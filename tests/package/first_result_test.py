@@ -33,7 +33,8 @@ class FirstResult(InAFolder):
             codes = (0, 1) if line[1] == "compare" else (0,)
             self.assertIn(done.returncode, codes, f"{line}\n{done.stdout}{done.stderr}")
         before, after = (json.loads((self.folder / run / "summary.json").read_text()) for run in ("before", "after"))
-        self.assertEqual((before["impacts"], after["impacts"]), (48, 1572))
+        self.assertEqual(before["impacts"], 48)
+        self.assertAlmostEqual(after["impacts"], 1570, delta=10)  # it bounces on: other round-off, other impacts
         self.assertAlmostEqual(before["contact_fraction"], 0.98, delta=0.005)
         self.assertAlmostEqual(after["contact_fraction"], 0.39, delta=0.005)
         self.assertGreater((self.folder / "rub.mp4").stat().st_size, 10_000)

@@ -1,0 +1,79 @@
+#include "native_model/numerics/small_matrix.h"
+
+#include <type_traits>
+
+namespace rotorub::small_matrix {
+namespace {
+
+// Rows from, from + 1, ... in blocks of kVectors registers of W numbers; gives the first row left.
+template <int W, int kVectors, class Store>
+ROTORUB_INLINE int blocks_of_rows(int from, const double* columns, int rows, int count,
+                                  const double* in, Store store) {
+  using Vector = lanes::Raw<W>::Value;
+  constexpr int kBlock = W * kVectors;
+  for (; from + kBlock <= rows; from += kBlock) {
+    Vector sums[kVectors] = {};
+    for (int j = 0; j < count; ++j) {
+      const double* column = columns + j * rows + from;
+#pragma GCC unroll 4
+      for (int k = 0; k < kVectors; ++k) {
+        Vector part;
+        __builtin_memcpy(&part, column + k * W, sizeof part);
+        sums[k] += part * in[j];
+      }
+    }
+#pragma GCC unroll 4
+    for (int k = 0; k < kVectors; ++k) store(from + k * W, sums[k]);
+  }
+  return from;
+}
+template <int W, class Store>
+ROTORUB_INLINE void each_block(const double* columns, int rows, int count, const double* in,
+                               Store store) {
+  int i = blocks_of_rows<W, 8 / W>(0, columns, rows, count, in, store);
+  i = blocks_of_rows<2, 1>(i, columns, rows, count, in, store);
+  if (i == rows) return;
+  double sum = 0.0;
+  for (int j = 0; j < count; ++j) sum += columns[j * rows + i] * in[j];
+  store(i, sum);
+}
+
+// A function for each processor, of which the loader takes one (GCC's function multiversioning).
+#ifdef ROTORUB_EACH_TARGET
+#define ROTORUB_EACH_WIDTH(X)                                                  \
+  __attribute__((target("avx512f"))) X(8) __attribute__((target("avx2"))) X(4) \
+      __attribute__((target("default"))) X(2)
+#else
+#define ROTORUB_EACH_WIDTH(X) X(2)
+#endif
+
+#define ROTORUB_MULTIPLY(W)                                                                 \
+  void product(const double* columns, int rows, int count, const double* in, double* out) { \
+    each_block<W>(columns, rows, count, in, [&](int i, const auto& sums) {                  \
+      __builtin_memcpy(out + i, &sums, sizeof sums);                                        \
+    });                                                                                     \
+  }
+ROTORUB_EACH_WIDTH(ROTORUB_MULTIPLY)
+#define ROTORUB_ADD_MULTIPLE(W)                                                                   \
+  void added_product(double factor, const double* columns, int rows, int count, const double* in, \
+                     double* out) {                                                               \
+    each_block<W>(columns, rows, count, in, [&](int i, const auto& sums) {                        \
+      std::remove_cvref_t<decltype(sums)> new_rows;                                               \
+      __builtin_memcpy(&new_rows, out + i, sizeof new_rows);                                      \
+      new_rows += sums * factor;                                                                  \
+      __builtin_memcpy(out + i, &new_rows, sizeof new_rows);                                      \
+    });                                                                                           \
+  }
+ROTORUB_EACH_WIDTH(ROTORUB_ADD_MULTIPLE)
+
+}  // namespace
+
+void multiply(const double* columns, int rows, int count, const double* in, double* out) {
+  product(columns, rows, count, in, out);
+}
+void add_multiple(double factor, const double* columns, int rows, int count, const double* in,
+                  double* out) {
+  added_product(factor, columns, rows, count, in, out);
+}
+
+}  // namespace rotorub::small_matrix
