@@ -89,11 +89,15 @@ void notice_missed_control(const Config& config, mjData* d) {
 
 void add_loads(const Config& config, const mjModel* m, mjData* d) {
   if (config.own) return;
-  if (config.segments) add_segment_loads(config, m, d);
-  if (!config.segments && !config.takes_native_steps()) {
-    const Coordinates state(config, d);
-    place_contacts_beside(config, m, d, state);
-    add_passive_force(config, m, d, state);
+  try {
+    if (config.segments) add_segment_loads(config, m, d);
+    if (!config.segments && !config.takes_native_steps()) {
+      const Coordinates state(config, d);
+      place_contacts_beside(config, m, d, state);
+      add_passive_force(config, m, d, state);
+    }
+  } catch (const ControllerError& error) {
+    controller_failed(d, error.what());
   }
   fill_sensors(config, m, d, mjSTAGE_VEL);
 }
@@ -115,7 +119,11 @@ void refresh_velocity_stage(const Config& config, const mjModel* m, mjData* d) {
 // Command and contact of this pass.
 void act(const Config& config, const mjModel* m, mjData* d) {
   if (config.takes_native_steps()) {
-    apply_verlet(config, m, d, Coordinates(config, d));
+    try {
+      apply_verlet(config, m, d, Coordinates(config, d));
+    } catch (const ControllerError& error) {
+      controller_failed(d, error.what());
+    }
     fill_sensors(config, m, d, mjSTAGE_VEL);
   } else {
     if (!config.own) write_command(config, m, d, Coordinates(config, d));

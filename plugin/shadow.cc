@@ -100,6 +100,8 @@ void begin(const Config& config, const mjModel* m, mjData* d, double* entry) {
   }
 }
 
+constexpr const char* kFailed = "rotorub: shadow: its controller failed: it stands still";
+
 void step(const Config& config, const mjModel* m, mjData* d, double* entry) {
   const double h = m->opt.timestep;
   Worker& worker = thread_worker<Worker>(config, h);
@@ -112,12 +114,17 @@ void step(const Config& config, const mjModel* m, mjData* d, double* entry) {
     u = worker.command.at(t, worker.stepper.q(), worker.stepper.v());
     worker.command.save(hold_memory(entry));
     if (!worker.command.failure().empty()) {
-      stop(entry, Status::kControllerFailed,
-           "rotorub: shadow: its controller failed: it stands still");
+      stop(entry, Status::kControllerFailed, kFailed);
       return;
     }
   }
-  const FixedStep done = worker.stepper.step(static_cast<std::int64_t>(entry[kShadowSteps]), u);
+  FixedStep done;
+  try {
+    done = worker.stepper.step(static_cast<std::int64_t>(entry[kShadowSteps]), u);
+  } catch (const ControllerError&) {
+    stop(entry, Status::kControllerFailed, kFailed);
+    return;
+  }
   if (done.status != Status::kOk) {
     stop(entry, done.status,
          done.status == Status::kDiverged

@@ -77,9 +77,7 @@ std::vector<CheckedScene> checked_scenes(const CheckArguments& options) {
   read_each(scene_files(options.places), [&](const std::string& file) {
     try {
       CheckedScene one{read_scene(file, options), {}, ""};
-      const auto& controller = one.scene.first().controller;
-      if (controller && controller->kind == scene::ControllerKind::kLibrary)
-        controller_library(one.scene);
+      for (const NamedLibrary& library : libraries_of(one.scene)) library_path(one.scene, library);
       one.rules = check::rules_of(one.scene);
       all.push_back(std::move(one));
     } catch (const scene::SceneError& error) {

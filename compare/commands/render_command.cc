@@ -46,12 +46,11 @@ StoredRun run_for_film(const RenderArguments& options, const renders::RenderOpti
                        ProgressBar& bar) {
   StoredRun run;
   run.scene = read_scene(options.source, options);
-  if (run.scene.first().controller &&
-      run.scene.first().controller->kind == scene::ControllerKind::kLibrary) {
+  if (const auto libraries = libraries_of(run.scene); !libraries.empty()) {
     throw UsageError(
         fmt::format("{}: its controller is a library, {}, which render does not open; run it "
                     "first, rotorub run {} --allow-library -o DIR, and render DIR",
-                    options.source, run.scene.first().controller->library, options.source));
+                    options.source, libraries.front().file, options.source));
   }
   check_window(run.scene, film);
   RunRequest request;

@@ -73,7 +73,8 @@ bool ChunkedRun::step() {
   } catch (const MujocoError& error) {
     error_ = error.what();
     const auto controller = static_cast<double>(Status::kControllerFailed);
-    if (config_.model.first().loop && data_->userdata[plugin::kContactStatus] == controller) {
+    const bool sampled = config_.model.first().loop || !config_.model.samplers.empty();
+    if (sampled && data_->userdata[plugin::kContactStatus] == controller) {
       contact_status_ = Status::kControllerFailed;
     }
     return false;

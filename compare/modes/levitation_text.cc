@@ -30,7 +30,7 @@ std::vector<std::complex<double>> shown_poles(const Levitation& levitation) {
 }  // namespace
 
 json levitation_json(const Levitation& levitation) {
-  if (levitation.loops.empty()) return nullptr;
+  if (levitation.loops.empty() && levitation.poles_refused.empty()) return nullptr;
   json poles = json::array(), loops = json::array();
   for (const auto& s : levitation.poles) {
     poles.push_back({{"real", s.real()}, {"imaginary", s.imag()}});
@@ -50,7 +50,7 @@ json levitation_json(const Levitation& levitation) {
 }
 
 std::string levitation_table(double speed, const Levitation& levitation) {
-  if (levitation.loops.empty()) return "";
+  if (levitation.loops.empty() && levitation.poles_refused.empty()) return "";
   std::string text = fmt::format(
       "\nclosed loop of the magnetic bearings at {:.6g} rad/s{}\n", speed,
       levitation.sample_time > 0.0 ? fmt::format(", sampled every {:.4g} s", levitation.sample_time)
@@ -73,6 +73,7 @@ std::string levitation_table(double speed, const Levitation& levitation) {
     if (!levitation.stable())
       text += "  it is unstable: sensitivities are of no loop that stands\n";
   }
+  if (levitation.loops.empty()) return text;
   text += fmt::format("  {:<10}{:<6}{:>16}{:>10}{:>14}{:>22}\n", "bearing", "axis", "most of |S|",
                       "dB", "at Hz", "zone of ISO 14839-3");
   for (const LoopSensitivity& loop : levitation.loops) {

@@ -151,12 +151,8 @@ nlohmann::json summary_of(const path& file) {
 // A library stands beside the scene, not beside its results.
 std::string text_to_keep(const scene::Scene& scene) {
   std::vector<std::string> places;
-  for (std::size_t k = 0; k < scene.auxiliary.size(); ++k) {
-    const auto& controller = scene.auxiliary[k].controller;
-    if (!controller || controller->kind != scene::ControllerKind::kLibrary) continue;
-    const std::string key =
-        scene.record ? scene.record->place("controller.library", k) : "controller.library";
-    places.push_back(key + "=" + controller_library(with_bearing_alone(scene, k)).string());
+  for (const NamedLibrary& library : libraries_of(scene)) {
+    places.push_back(library.key + "=" + library_path(scene, library).string());
   }
   if (places.empty()) return scene.text;
   return scene::parse_scene(scene.text, scene.name + ".toml", places).text;

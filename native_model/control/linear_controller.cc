@@ -5,9 +5,7 @@
 #include <cmath>
 
 namespace rotorub {
-namespace {
-
-LinearController of_size(Eigen::Index states, Eigen::Index ports) {
+LinearController no_law(Eigen::Index states, Eigen::Index ports) {
   const auto zero = [](Eigen::Index rows, Eigen::Index columns) -> Eigen::MatrixXd {
     return Eigen::MatrixXd::Zero(rows, columns);
   };
@@ -15,14 +13,12 @@ LinearController of_size(Eigen::Index states, Eigen::Index ports) {
           zero(ports, ports),   zero(states, ports), zero(states, ports)};
 }
 
-}  // namespace
-
 LinearController sampled_pid(const SampledPid& pid, double T) {
   // x = (j, d of the sample before, y of the sample before), as far as the law has them.
   const bool integrates = pid.integral > 0.0, differs = pid.derivative > 0.0;
   const bool filters = differs && pid.derivative_lag > 0.0;
   const Eigen::Index j = 0, d = integrates ? 1 : 0, before = d + (filters ? 1 : 0);
-  LinearController law = of_size(before + (differs ? 1 : 0), 1);
+  LinearController law = no_law(before + (differs ? 1 : 0), 1);
   law.d(0, 0) = pid.proportional;
   if (integrates) {
     law.a(j, j) = law.c(0, j) = 1.0;
@@ -52,7 +48,7 @@ LinearController transfer_function(const std::vector<double>& numerator,
     return i < list.size() ? list[i] / denominator.front() : 0.0;
   };
   const auto n = static_cast<Eigen::Index>(size) - 1;
-  LinearController law = of_size(n, 1);
+  LinearController law = no_law(n, 1);
   law.d(0, 0) = of(numerator, 0);
   for (Eigen::Index i = 0; i < n; ++i) {
     const auto k = static_cast<std::size_t>(i) + 1;
@@ -68,7 +64,7 @@ LinearController state_space(const std::vector<double>& a, const std::vector<dou
                              const std::vector<double>& c, const std::vector<double>& d,
                              Eigen::Index ports) {
   const auto n = static_cast<Eigen::Index>(std::lround(std::sqrt(static_cast<double>(a.size()))));
-  LinearController law = of_size(n, ports);
+  LinearController law = no_law(n, ports);
   const auto fill = [](const std::vector<double>& from, Eigen::MatrixXd& to) {
     assert(from.empty() || static_cast<Eigen::Index>(from.size()) == to.size());
     for (std::size_t i = 0; i < from.size(); ++i) {
@@ -85,7 +81,7 @@ LinearController state_space(const std::vector<double>& a, const std::vector<dou
 
 LinearController on_both_axes(const LinearController& one) {
   const Eigen::Index n = one.states(), p = one.ports();
-  LinearController law = of_size(2 * n, 2 * p);
+  LinearController law = no_law(2 * n, 2 * p);
   const auto twice = [](const Eigen::MatrixXd& from, Eigen::MatrixXd& to) {
     to.topLeftCorner(from.rows(), from.cols()) = from;
     to.bottomRightCorner(from.rows(), from.cols()) = from;

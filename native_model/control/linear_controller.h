@@ -41,6 +41,9 @@ LinearController state_space(const std::vector<double>& a, const std::vector<dou
                              const std::vector<double>& c, const std::vector<double>& d,
                              Eigen::Index ports);
 
+// Of n states and p ports, that asks for nothing.
+LinearController no_law(Eigen::Index states, Eigen::Index ports);
+
 // The same law on x and on y, each for itself.
 LinearController on_both_axes(const LinearController& of_one);
 

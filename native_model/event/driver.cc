@@ -184,7 +184,11 @@ void EventIntegrator::arrive_at_break() {
 void EventIntegrator::sample_controllers() {
   for (std::size_t k = 0; k < model_->samplers.size(); ++k) {
     if (!schedule_.feedback_due(k, motion_.t)) continue;
-    take_sample(*model_, model_->samplers[k], motion_.t, motion_.q(), motion_.v());
+    try {
+      take_sample(*model_, model_->samplers[k], motion_.t, motion_.q(), motion_.v());
+    } catch (const ControllerError& error) {
+      controller_failed(error.what());
+    }
   }
   const double *q = motion_.q(), *v = motion_.v();
   for (std::size_t k = 0; k < phase_.contacts(); ++k) {
@@ -196,10 +200,15 @@ void EventIntegrator::sample_controllers() {
     const Eigen::Vector2d held = phase_.command(k, motion_.t, motion_.y.data());
     phase_.hold(k, sampled_[k].take(motion_.t, q, v, held));
     phase_.show(k, sampled_[k].outputs());
-    if (sampled_[k].failure().empty() || result_.status != Status::kOk) continue;
-    result_.status = Status::kControllerFailed;
-    result_.message = sampled_[k].failure();  // with its time
+    if (!sampled_[k].failure().empty()) controller_failed(sampled_[k].failure());
   }
+}
+
+// why: with its time.
+void EventIntegrator::controller_failed(const std::string& why) {
+  if (result_.status != Status::kOk) return;
+  result_.status = Status::kControllerFailed;
+  result_.message = why;
 }
 
 // Sliding whose G_NN - mu s G_NT runs into 0 needs forces without bound.

@@ -47,6 +47,7 @@ class EventIntegrator {
   void arrive_at_break();
   void book_switches();
   void sample_controllers();
+  void controller_failed(const std::string& why);
   void move_to(double now, std::optional<double> theta);
   void lose(double theta);
 

@@ -83,6 +83,18 @@ class FixedRun {
   double time(std::int64_t k) const { return static_cast<double>(k) * step_; }
   bool good() const { return status_ == Status::kOk; }
 
+  // The law of magnetic bearings is asked within the step.
+  FixedStep take_step(std::int64_t k) {
+    try {
+      return stepper_->step(k, commands_.of_step(), true);
+    } catch (const ControllerError& error) {
+      controller_failed(error.what());
+      FixedStep none;
+      none.status = status_;
+      return none;
+    }
+  }
+
   // Steps whose state is that of their end; the number of those taken.
   std::int64_t walk() {
     commands_.hold(0);
@@ -92,7 +104,7 @@ class FixedRun {
       commands_.hold(k);
       listen();
       if (!good()) return k;
-      const FixedStep done = stepper_->step(k, commands_.of_step(), true);
+      const FixedStep done = take_step(k);
       if (done.status != Status::kOk) {
         fail(done.status, time(k), status_reason(done.status));
         return k;
@@ -122,8 +134,9 @@ class FixedRun {
         if (k == 0) begin({}, 1.0);
         break;
       }
-      const FixedStep done = stepper_->step(k, commands_.of_step(), true);
+      const FixedStep done = take_step(k);
       if (done.status != Status::kOk) {
+        if (done.status == Status::kControllerFailed && k == 0) begin({}, 1.0);
         fail(done.status, t, status_reason(done.status));
         break;
       }
@@ -259,11 +272,14 @@ class FixedRun {
     }
   }
 
-  // The law's word names the time.
   void listen() {
-    if (commands_.failure().empty() || !good()) return;
+    if (!commands_.failure().empty()) controller_failed(commands_.failure());
+  }
+  // why: it names the time.
+  void controller_failed(const std::string& why) {
+    if (!good()) return;
     status_ = Status::kControllerFailed;
-    message_ = commands_.failure();
+    message_ = why;
   }
   void fail(Status status, double t, const std::string& why) {
     if (!good()) return;

@@ -10,6 +10,7 @@
 
 #include "native_model/contact/compliance.h"
 #include "native_model/contact/friction.h"
+#include "native_model/scene/config_entry.h"
 
 namespace rotorub::scene {
 
@@ -157,13 +158,6 @@ struct Trigger {
   std::optional<double> gap;            // m, > 0: the gap is that small
   std::optional<double> time_to_touch;  // s, > 0: at its present rate it is closed within this time
   bool touch = false;                   // rotor and ring have touched
-};
-
-// One entry of [controller.config].
-struct ConfigEntry {
-  std::string key;
-  std::optional<std::string> text;  // absent: a number
-  double number = 0.0;
 };
 
 enum class BoundaryLayer { kConstant, kAdaptive };

@@ -5,7 +5,10 @@
 #include <cstddef>
 #include <limits>
 #include <optional>
+#include <string>
 #include <vector>
+
+#include "native_model/scene/config_entry.h"
 
 namespace rotorub::scene {
 
@@ -44,11 +47,19 @@ struct BearingControl {
   bool works() const { return works_from < fails_at || returns_at < kNever; }
 };
 
+enum class SharedLaw { kMatrices, kLibrary };
+
 // One law for all bearings of form `shared`, in the order of the scene, two ports of each: x, y.
 struct SharedControl {
+  SharedLaw kind = SharedLaw::kMatrices;
   double sample_time = 0.0;  // s, > 0
   double delay = 0.0;        // s, >= 0, whole samples
   ControlMatrices matrices{};
+  // library: file, beside the scene's or absolute, and what it is given
+  std::string library{};
+  std::vector<ConfigEntry> config{};
+
+  bool by_library() const { return kind == SharedLaw::kLibrary; }
 };
 
 // Between the current that the control asks for and the coil's.

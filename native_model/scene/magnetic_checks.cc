@@ -246,7 +246,7 @@ void check_magnetic_bearings(const Checker& check) {
     if (ports == 0) {
       check.fail("magnetic_control",
                  "no magnetic bearing has a control of kind \"shared\"; accepted: one at least");
-    } else {
+    } else if (!shared->by_library()) {
       check_matrices(check, shared->matrices, "magnetic_control.", ports);
     }
     check_delay(check, "magnetic_control.", shared->sample_time, shared->delay);

@@ -106,22 +106,41 @@ Table bearing_control() {
 Table magnetic_control() {
   return {"magnetic_control",
           "One sampled law for all bearings whose control is of kind `shared`, p = two ports of "
-          "each in the order of the file, x before y: the currents i = -(C x + D r) of the "
-          "deflections r at their sensors, x' = A x + B r. Matrices stand row by row.",
+          "each in the order of the file, x before y: the currents i of the deflections r at their "
+          "sensors. Matrices stand row by row.",
           "each for itself",
           [](Scene& scene) -> void* { return &scene.magnetic_control.emplace(); },
-          {key<&SharedControl::sample_time>("sample_time", kTime, "> 0", kRequired,
+          {word<&SharedControl::kind>("kind", {"matrices", "library"}, kStandard,
+                                      "i = -(C x + D r), x' = A x + B r; one of your own"),
+           key<&SharedControl::sample_time>("sample_time", kTime, "> 0", kRequired,
                                             "the currents asked for are held between samples"),
            key<&SharedControl::delay>("delay", kTime, ">= 0", kStandard,
                                       "from the sample to its currents; whole samples"),
-           key<&SharedControl::matrices, &ControlMatrices::state>("state_matrix", kPure, "",
-                                                                  kRequired, "A, n times n"),
-           key<&SharedControl::matrices, &ControlMatrices::input>("input_matrix", kPure, "",
-                                                                  kRequired, "B, n times p"),
-           key<&SharedControl::matrices, &ControlMatrices::output>("output_matrix", kPure, "",
-                                                                   kRequired, "C, p times n"),
+           key<&SharedControl::matrices, &ControlMatrices::state>(
+               "state_matrix", kPure, "", kRequired, "A, n times n", {"matrices"}),
+           key<&SharedControl::matrices, &ControlMatrices::input>(
+               "input_matrix", kPure, "", kRequired, "B, n times p", {"matrices"}),
+           key<&SharedControl::matrices, &ControlMatrices::output>(
+               "output_matrix", kPure, "", kRequired, "C, p times n", {"matrices"}),
            key<&SharedControl::matrices, &ControlMatrices::feedthrough>(
-               "feedthrough", kCurrentPerLength, "", kRequired, "D, p times p")}};
+               "feedthrough", kCurrentPerLength, "", kRequired, "D, p times p", {"matrices"}),
+           key<&SharedControl::library>("library", kPure, "", kRequired,
+                                        "shared library, beside the scene's file or absolute (C "
+                                        "header: rotorub/controller.h)",
+                                        {"library"})}};
+}
+
+Table magnetic_config() {
+  return {"magnetic_control.config",
+          "What a law of your own for the magnetic bearings is given: any keys, each a number or a "
+          "text.",
+          "nothing",
+          [](Scene& scene) -> void* { return &scene.magnetic_control->config; },
+          {},
+          {"library"},
+          [](void* object, ConfigEntry entry) {
+            static_cast<std::vector<ConfigEntry>*>(object)->push_back(std::move(entry));
+          }};
 }
 
 Table amplifier() {
@@ -149,7 +168,8 @@ Table amplifier() {
 std::vector<Table> magnetic_tables() {
   Table magnets = magnetic_bearing();
   magnets.or_list = true;
-  return {std::move(magnets), bearing_control(), amplifier(), magnetic_control()};
+  return {std::move(magnets), bearing_control(), amplifier(), magnetic_control(),
+          magnetic_config()};
 }
 
 }  // namespace rotorub::scene

@@ -308,7 +308,8 @@ struct Scene {
   // An ensemble takes it as one of many side by side (stepping/ensemble.h).
   bool fits_lanes() const {
     const std::optional<Stator>& ring = first().stator;
-    return auxiliary.size() == 1 && !gives() && (!ring || ring->on_springs_alone());
+    return auxiliary.size() == 1 && !gives() && (!ring || ring->on_springs_alone()) &&
+           !(magnetic_control && magnetic_control->by_library());
   }
   // Which one of the file's list the first is: 0 but for with_bearing_alone.
   std::size_t first_index = 0;

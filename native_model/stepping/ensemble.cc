@@ -232,6 +232,12 @@ Ensemble::Ensemble(std::vector<Model> models, double step, scene::Integrator int
       throw std::invalid_argument("run " + std::to_string(i) +
                                   " of the ensemble has other parts than run 0");
     }
+    if (std::ranges::any_of(models_[i].samplers,
+                            [](const SampledFeedback& s) { return s.library != nullptr; })) {
+      throw std::invalid_argument("run " + std::to_string(i) +
+                                  " of the ensemble has magnetic bearings under a library, whose "
+                                  "failure would end all; run it by itself");
+    }
     if (models_[i].auxiliary.size() > 1 || models_[i].gives() || !models_[i].supports.empty()) {
       throw std::invalid_argument(
           "run " + std::to_string(i) +

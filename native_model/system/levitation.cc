@@ -208,6 +208,12 @@ Levitation levitation(const Model& model, double speed) {
   const LoopResponse response(model, speed);
   if (response.ports() == 0) return out;
   const Model m = always_working(model);
+  if (std::ranges::any_of(m.samplers, [](const auto& s) { return s.library != nullptr; })) {
+    out.poles_refused =
+        "a library asks for the currents of magnetic bearings (magnetic_control.library), and what "
+        "law it has is not known here";
+    return out;
+  }
   find_poles(m, speed, out);
   const std::vector<double> at = frequencies(m, out.poles);
   Eigen::MatrixXd sizes(response.ports(), static_cast<Eigen::Index>(at.size()));

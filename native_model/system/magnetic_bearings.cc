@@ -5,6 +5,7 @@
 #include <limits>
 #include <utility>
 
+#include "native_model/control/magnetic_library.h"
 #include "native_model/rotor/rotor_modes.h"
 
 namespace rotorub {
@@ -26,30 +27,16 @@ LinearController law_of(const scene::BearingControl& c) {
   return sampled_pid({c.proportional, c.integral, c.derivative, c.derivative_lag}, c.sample_time);
 }
 
-// Each bearing's own sampled control, then the one that some share; `bearings` among the scene's.
-std::vector<SampledFeedback> samplers_of(const scene::Scene& scene) {
-  const auto delayed = [](const auto& control) {
-    return static_cast<int>(std::lround(control.delay / control.sample_time));
-  };
-  std::vector<SampledFeedback> all;
-  SampledFeedback shared;
-  for (std::size_t k = 0; k < scene.magnetic_bearings.size(); ++k) {
-    const auto& control = scene.magnetic_bearings[k].control;
-    if (!control || !control->sampled()) continue;
-    if (control->form == ControlForm::kShared) {
-      shared.bearings.push_back(k);
-    } else {
-      all.push_back({on_both_axes(law_of(*control)), control->sample_time, delayed(*control), {k}});
-    }
+// The law of [magnetic_control].
+void fill_law(const scene::Scene& scene, SampledFeedback& shared) {
+  const auto ports = static_cast<Eigen::Index>(2 * shared.bearings.size());
+  if (scene.magnetic_control->by_library()) {
+    shared.library = std::make_shared<const MagneticLibrary>(scene, shared.bearings);
+    shared.law = no_law(static_cast<Eigen::Index>(shared.library->state_size()), ports);
+    return;
   }
-  if (shared.bearings.empty()) return all;
   const scene::ControlMatrices& m = scene.magnetic_control->matrices;
-  shared.law = state_space(m.state, m.input, m.output, m.feedthrough,
-                           static_cast<Eigen::Index>(2 * shared.bearings.size()));
-  shared.sample_time = scene.magnetic_control->sample_time;
-  shared.delay = delayed(*scene.magnetic_control);
-  all.push_back(std::move(shared));
-  return all;
+  shared.law = state_space(m.state, m.input, m.output, m.feedthrough, ports);
 }
 
 // Coordinates; MuJoCo takes them in twos.
@@ -103,7 +90,30 @@ void add_magnetic_bearing(const scene::Scene& scene, std::size_t number, const M
 
 }  // namespace
 
-int feedback_states(const scene::Scene& scene) {
+std::vector<SampledFeedback> magnetic_samplers(const scene::Scene& scene) {
+  const auto delayed = [](const auto& control) {
+    return static_cast<int>(std::lround(control.delay / control.sample_time));
+  };
+  std::vector<SampledFeedback> all;
+  SampledFeedback shared;
+  for (std::size_t k = 0; k < scene.magnetic_bearings.size(); ++k) {
+    const auto& control = scene.magnetic_bearings[k].control;
+    if (!control || !control->sampled()) continue;
+    if (control->form == ControlForm::kShared) {
+      shared.bearings.push_back(k);
+    } else {
+      all.push_back({on_both_axes(law_of(*control)), control->sample_time, delayed(*control), {k}});
+    }
+  }
+  if (shared.bearings.empty()) return all;
+  fill_law(scene, shared);
+  shared.sample_time = scene.magnetic_control->sample_time;
+  shared.delay = delayed(*scene.magnetic_control);
+  all.push_back(std::move(shared));
+  return all;
+}
+
+int feedback_states(const scene::Scene& scene, const std::vector<SampledFeedback>& samplers) {
   int count = 0;
   for (const scene::MagneticBearing& bearing : scene.magnetic_bearings) {
     if (!bearing.control) continue;
@@ -111,7 +121,7 @@ int feedback_states(const scene::Scene& scene) {
     count += filters(*bearing.control) ? 2 : 0;
     count += bearing.amplifier ? 2 : 0;
   }
-  for (const SampledFeedback& s : samplers_of(scene)) count += memory_of(s);
+  for (const SampledFeedback& s : samplers) count += memory_of(s);
   return count;
 }
 
@@ -121,7 +131,7 @@ void add_magnetic_bearings(const scene::Scene& scene, const std::vector<MagnetSh
   for (std::size_t k = 0; k < shapes.size(); ++k) {
     add_magnetic_bearing(scene, k, shapes[k], next, model);
   }
-  for (SampledFeedback& s : samplers_of(scene)) {
+  for (SampledFeedback& s : model.samplers) {
     s.command = next;
     s.state = next + static_cast<int>(s.law.ports()) * (1 + s.delay);
     next += memory_of(s);
@@ -132,7 +142,6 @@ void add_magnetic_bearings(const scene::Scene& scene, const std::vector<MagnetSh
       at->states.command = std::exchange(port, port + 2);
       bearing = static_cast<std::size_t>(at - model.feedbacks.begin());
     }
-    model.samplers.push_back(std::move(s));
   }
 }
 

@@ -22,7 +22,8 @@ namespace {
 // not noticed by it.
 constexpr double kStateMass = 1e-3;
 
-Layout make_layout(const scene::Scene& scene, const ModalRotor& rotor) {
+Layout make_layout(const scene::Scene& scene, const ModalRotor& rotor,
+                   const std::vector<SampledFeedback>& samplers) {
   Layout layout;
   layout.modes = rotor.modes();
   layout.spin = scene.drive ? 1 : 0;
@@ -36,7 +37,7 @@ Layout make_layout(const scene::Scene& scene, const ModalRotor& rotor) {
     layout.bristles += bearing.stator->spin && bearing.stator->spin->drags() ? 1 : 0;
     layout.coils += bearing.actuator && bearing.actuator->coil_lag > 0.0 ? 2 : 0;
   }
-  layout.integrals = feedback_states(scene);
+  layout.integrals = feedback_states(scene, samplers);
   return layout;
 }
 
@@ -238,7 +239,8 @@ Model make_model(const scene::Scene& scene) {
   }
   ModalRotor rotor = modal_rotor(scene);
   Model model;
-  model.layout = make_layout(scene, rotor);
+  model.samplers = magnetic_samplers(scene);
+  model.layout = make_layout(scene, rotor, model.samplers);
   check_size(scene, model.nq());
   check_initial_lists(scene, model.layout);
   fill_auxiliary(scene, rotor, model);

@@ -35,6 +35,8 @@
 
 namespace rotorub {
 
+class MagneticLibrary;  // control/magnetic_library.h
+
 // Bound on nq, so that a step needs no heap; make_model refuses more (scene::SceneError).
 inline constexpr int kMaxCoordinates = 512;
 // Bound on eccentric discs, for the same reason.
@@ -127,12 +129,13 @@ struct StationFeedback {
 // A control of magnetic bearings that is asked once a sample; two ports of each, x before y. What
 // it remembers is states, too: rates of coordinates (system/sampled_feedback.h).
 struct SampledFeedback {
-  LinearController law;
+  LinearController law;               // with a library its sizes alone count
   double sample_time = 0.0;           // s, > 0
   int delay = 0;                      // samples from the measurement to the command
   std::vector<std::size_t> bearings;  // among the model's feedbacks
   int command = kAbsent;  // the commands that hold, A, then those of `delay` samples to come
   int state = kAbsent;    // the states of its law
+  std::shared_ptr<const MagneticLibrary> library{};  // in the law's place; null: none
 };
 inline constexpr std::size_t kMaxPorts = 2 * scene::kMaxMagneticBearings;
 

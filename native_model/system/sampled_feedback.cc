@@ -4,53 +4,94 @@
 #include <cmath>
 #include <cstdio>
 
+#include "native_model/control/magnetic_library.h"
 #include "native_model/dynamics/equations.h"
 
 namespace rotorub {
 
+namespace {
+
+double product(const Eigen::MatrixXd& matrix, int row, const double* of) {
+  double total = 0.0;
+  for (Eigen::Index j = 0; j < matrix.cols(); ++j) total += matrix(row, j) * of[j];
+  return total;
+}
+
+// Of a sample: what the sensors show, what the law asks for, and what is given of it, A.
+struct Sample {
+  double seen[kMaxPorts] = {}, asked[kMaxPorts] = {}, given[kMaxPorts] = {};
+};
+
+// asked of the law, and its states x from this sample to the next but for what the limits cut off.
+void ask_matrices(const LinearController& law, Sample& sample, double* x) {
+  double after[kMaxCoordinates];
+  const int n = static_cast<int>(law.states()), ports = static_cast<int>(law.ports());
+  for (int i = 0; i < ports; ++i)
+    sample.asked[i] = -(product(law.c, i, x) + product(law.d, i, sample.seen));
+  for (int i = 0; i < n; ++i) after[i] = product(law.a, i, x) + product(law.b, i, sample.seen);
+  std::copy_n(after, n, x);
+}
+
+void ask_library(const Model& m, const SampledFeedback& s, double t, const double* q,
+                 const double* v, Sample& sample, double* x) {
+  double current[kMaxPorts];
+  for (std::size_t k = 0; k < s.bearings.size(); ++k) {
+    const FeedbackStates& states = m.feedbacks[s.bearings[k]].states;
+    std::copy_n(v + (states.current == kAbsent ? states.command : states.current), 2,
+                current + 2 * k);
+  }
+  rotorub_magnetic_measurement now{};
+  now.t = t;
+  now.sample = static_cast<std::int64_t>(sample_index(t, s.sample_time));
+  now.deflection = sample.seen;
+  now.current = current;
+  now.spin_angle = equations::spin_angle(m, t, q);
+  now.spin_speed = equations::spin_speed(m, v);
+  s.library->step(now, x, sample.asked);
+}
+
+}  // namespace
+
 void take_sample(const Model& m, const SampledFeedback& s, double t, const double* q, double* v) {
   const LinearController& law = s.law;
   const int n = static_cast<int>(law.states()), ports = static_cast<int>(law.ports());
-  double *x = v + s.state, *held = v + s.command;
   const int queue = ports * s.delay;
+  double *state = v + s.state, *held = v + s.command;
   const auto works_at = [&](double time) {
     return std::any_of(s.bearings.begin(), s.bearings.end(),
                        [&](std::size_t k) { return m.feedbacks[k].works.at(time); });
   };
   if (!works_at(t)) {
-    std::fill_n(x, n, 0.0);
+    std::fill_n(state, n, 0.0);
     std::fill_n(held, queue + ports, 0.0);
     return;
   }
-  // What the sensors show, and what may be asked for.
-  double y[kMaxPorts], asked[kMaxPorts], given[kMaxPorts], after[kMaxCoordinates];
+  Sample sample;
   for (std::size_t k = 0; k < s.bearings.size(); ++k) {
     const auto seen = equations::at_station(m.layout.modes, m.feedbacks[s.bearings[k]].seen(), q);
-    y[2 * k] = seen.x;
-    y[2 * k + 1] = seen.y;
+    sample.seen[2 * k] = seen.x;
+    sample.seen[2 * k + 1] = seen.y;
   }
-  const auto sum = [](const Eigen::MatrixXd& matrix, int row, const double* of) {
-    double total = 0.0;
-    for (Eigen::Index j = 0; j < matrix.cols(); ++j) total += matrix(row, j) * of[j];
-    return total;
-  };
+  double x[kMaxCoordinates];
+  std::copy_n(state, n, x);
   const double before = t - s.sample_time;
-  if (before < -0.5 * s.sample_time || !works_at(before)) {
-    for (int i = 0; i < n; ++i) x[i] = sum(law.start, i, y);
-    std::fill_n(held, queue + ports, 0.0);
+  const bool begins = before < -0.5 * s.sample_time || !works_at(before);
+  if (begins) {
+    for (int i = 0; i < n; ++i) x[i] = product(law.start, i, sample.seen);
+    if (s.library) s.library->start(x);
   }
+  s.library ? ask_library(m, s, t, q, v, sample, x) : ask_matrices(law, sample, x);
   for (int i = 0; i < ports; ++i) {
     const StationFeedback& bearing = m.feedbacks[s.bearings[static_cast<std::size_t>(i / 2)]];
-    asked[i] = -(sum(law.c, i, x) + sum(law.d, i, y));
-    given[i] = bearing.works.at(t) ? bearing.law.limited(asked[i]) : 0.0;
+    sample.given[i] = bearing.works.at(t) ? bearing.law.limited(sample.asked[i]) : 0.0;
   }
   for (int i = 0; i < n; ++i) {
-    after[i] = sum(law.a, i, x) + sum(law.b, i, y);
-    for (int j = 0; j < ports; ++j) after[i] += law.back(i, j) * (asked[j] - given[j]);
+    for (int j = 0; j < ports; ++j) x[i] += law.back(i, j) * (sample.asked[j] - sample.given[j]);
   }
-  std::copy_n(after, n, x);
+  if (begins) std::fill_n(held, queue + ports, 0.0);
+  std::copy_n(x, n, state);
   std::copy(held + ports, held + ports + queue, held);
-  std::copy_n(given, ports, held + queue);
+  std::copy_n(sample.given, ports, held + queue);
 }
 
 bool take_samples(const Model& m, double t, double h, const double* q, double* v) {

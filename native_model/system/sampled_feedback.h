@@ -10,7 +10,8 @@
 namespace rotorub {
 
 // The sample at t (s): v <- what holds after it, of the state (q, v) before it, nq values each. A
-// controller none of whose bearings works asks for nothing and forgets.
+// controller none of whose bearings works asks for nothing and forgets. Throws ControllerError
+// where a library's law fails: v is then as it was.
 void take_sample(const Model& model, const SampledFeedback& sampled, double t, const double* q,
                  double* v);
 

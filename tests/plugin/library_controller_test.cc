@@ -169,5 +169,45 @@ TEST_F(LibraryControllerTest, WithoutOneTheProgramWritesCtrl) {
   EXPECT_EQ(d->actuator_force[0], 25.0);
 }
 
+// An MJCF of magnetic bearings under a library, written with it and without opening it: the second
+// has room for more states, and moves as the first.
+TEST_F(LibraryControllerTest, AModelThatIsWrittenUnopenedRunsWithTheLibrary) {
+  scene::Scene s =
+      shipped("relevitation",
+              {"run.end=0.02", "run.step=1e-5", "mujoco.rotor=modal", "contact=none",
+               "magnetic_bearing[0].control={kind='shared',proportional=22e3}",
+               "magnetic_bearing[1].control={kind='shared',proportional=22e3}",
+               "magnetic_control={kind='library',library='magnetic_controller.so',sample_time=1e-4,"
+               "config={a='0.5',b='1 0 0 0',c='1e4 0 0 0',"
+               "d='2.2e4 0 0 0 0 2.2e4 0 0 0 0 2.2e4 0 0 0 0 2.2e4'}}"});
+  s.folder.reset();
+  const auto end_of = [](const std::string& model, int* states) {
+    const ModelPointer m = load(model);
+    const DataPointer d = start(m.get());
+    const plugin::Config config = plugin::make_config(m.get());
+    for (int k = 0; k < 500; ++k) mj_step(m.get(), d.get());
+    *states = m->nv;
+    std::vector<double> q;
+    for (int i = 0; i < config.model.layout.coil(); ++i)
+      q.push_back(d->qpos[config.qpos_address[static_cast<std::size_t>(i)]]);
+    return q;
+  };
+  int opened = 0, unopened = 0;
+  const std::vector<double> q = end_of(mjcf(s), &opened);
+  set_scene_libraries(SceneLibraries::kLeftOut);
+  const std::string blind = mjcf(s);
+  set_scene_libraries(SceneLibraries::kAsked);
+  const std::vector<double> other = end_of(blind, &unopened);
+  EXPECT_EQ(unopened - opened, 64 - 2) << "of the states, in pairs";
+  ASSERT_EQ(q.size(), other.size());
+  double most = 0.0, apart = 0.0;
+  for (std::size_t i = 0; i < q.size(); ++i) {
+    most = std::max(most, std::abs(q[i]));
+    apart = std::max(apart, std::abs(q[i] - other[i]));
+  }
+  EXPECT_GT(most, 1e-6);
+  EXPECT_LT(apart, 1e-12 * most);
+}
+
 }  // namespace
 }  // namespace rotorub::test

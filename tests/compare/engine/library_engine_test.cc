@@ -72,5 +72,66 @@ TEST(LibraryEngine, AFailureEndsTheRunWithNameAndTime) {
   }
 }
 
+// ------------------------------------------------------------------ magnetic bearings
+
+scene::Scene levitated(const std::string& law, const std::string& rotor,
+                       const std::vector<std::string>& more = {}) {
+  std::vector<std::string> overrides{
+      "run.end=0.02",
+      "run.step=1e-5",
+      "run.output_step=1e-4",
+      "mujoco.rotor=" + rotor,
+      "magnetic_bearing[0].control={kind='shared',proportional=22e3}",
+      "magnetic_bearing[1].control={kind='shared',proportional=22e3}",
+      "magnetic_control={sample_time=1e-4,delay=1e-4," + law + "}"};
+  overrides.insert(overrides.end(), more.begin(), more.end());
+  scene::Scene s = shipped("relevitation", overrides);
+  s.folder = ROTORUB_LIBRARIES;
+  return s;
+}
+// A derivative by the difference of two samples, of each of four axes.
+const std::string kDifference =
+    "state_matrix=[0,0,0,0,0,0,0,0,0,0,0,0,0,0,0,0],"
+    "input_matrix=[1,0,0,0,0,1,0,0,0,0,1,0,0,0,0,1],"
+    "output_matrix=[-2e5,0,0,0,0,-2e5,0,0,0,0,-2e5,0,0,0,0,-2e5],"
+    "feedthrough=[2.2e5,0,0,0,0,2.2e5,0,0,0,0,2.2e5,0,0,0,0,2.2e5]";
+const std::string kByLibrary = "kind='library',library='magnetic_controller.so',config={";
+const std::string kDifferenceByLibrary =
+    kByLibrary +
+    "a='0 0 0 0 0 0 0 0 0 0 0 0 0 0 0 0',b='1 0 0 0 0 1 0 0 0 0 1 0 0 0 0 1',"
+    "c='-2e5 0 0 0 0 -2e5 0 0 0 0 -2e5 0 0 0 0 -2e5',"
+    "d='2.2e5 0 0 0 0 2.2e5 0 0 0 0 2.2e5 0 0 0 0 2.2e5'";
+
+TEST(MagneticLibraryEngine, TheSameLawGivesTheSameBitsInMujoco) {
+  for (const std::string rotor : {"modal", "segments"}) {
+    for (const auto contact : {scene::ContactModel::kRigid, scene::ContactModel::kCoulomb}) {
+      const auto engine = mujoco_engine(contact);
+      const Trajectory a = engine->run(levitated(kDifference, rotor), {}),
+                       b = engine->run(levitated(kDifferenceByLibrary + "}", rotor), {});
+      ASSERT_EQ(a.status, Status::kOk) << a.message;
+      ASSERT_EQ(b.status, Status::kOk) << b.message;
+      ASSERT_EQ(a.series.size(), b.series.size());
+      for (std::size_t c = 0; c < a.series.size(); ++c)
+        EXPECT_EQ(a.series[c].values, b.series[c].values) << rotor << " " << a.series[c].name;
+      double most = 0.0;
+      for (const double i : b.column("bearing2_current_x")) most = std::max(most, std::abs(i));
+      EXPECT_GT(most, 0.01) << rotor;
+    }
+  }
+}
+
+TEST(MagneticLibraryEngine, AFailureEndsTheRunWithNameAndTime) {
+  for (const std::string rotor : {"modal", "segments"}) {
+    for (const auto contact : {scene::ContactModel::kRigid, scene::ContactModel::kCoulomb}) {
+      const Trajectory t = mujoco_engine(contact)->run(
+          levitated(kDifferenceByLibrary + ",fault='throw',at=0.004}", rotor), {});
+      EXPECT_EQ(t.status, Status::kControllerFailed) << rotor << " " << t.message;
+      EXPECT_NE(t.message.find("controller magnetic"), std::string::npos) << t.message;
+      EXPECT_NE(t.message.find("thrown in step"), std::string::npos) << t.message;
+      EXPECT_NEAR(t.end, 0.004, 2e-5) << rotor;
+    }
+  }
+}
+
 }  // namespace
 }  // namespace rotorub::test

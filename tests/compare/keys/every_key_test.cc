@@ -34,6 +34,8 @@ const std::map<std::string, std::string>& without_effect() {
       {"run.output_step", "of what is written"},
       {"run.output_times", "of what is written"},
       {"magnetic_bearing.kind", "each word has required keys of its own: alone it is refused"},
+      {"magnetic_control.kind", "each word has required keys of its own: alone it is refused"},
+      {"magnetic_control.library", "a file"},
       {"contact.name", "a name"},
       {"controller.library", "a file"},
       {"controller.sensors.rotor", library},

@@ -209,7 +209,7 @@ TEST(LibraryPath, IsLookedUpInTheFoldersOfTheVariable) {
   scene::Scene s = read("faulty_controller.so");
   s.folder.reset();
   const Environment path("ROTORUB_CONTROLLER_PATH", "/nowhere:" + kLibraries.string());
-  EXPECT_EQ(controller_library(s), kLibraries / "faulty_controller.so");
+  EXPECT_EQ(library_path(s, libraries_of(s).front()), kLibraries / "faulty_controller.so");
   s.first().controller->library = "nowhere.so";
   expect_said(refusal(s),
               {"not found", "/nowhere/nowhere.so", (kLibraries / "nowhere.so").string()});

@@ -1,6 +1,8 @@
 /* A controller of one's own for rotorub: a shared library with one function,
- * rotorub_controller_get. The same library runs in the native model, in MuJoCo and in sweeps; C and
- * C++, and whatever can make a C function (examples: README.md, "Your own controller").
+ * rotorub_controller_get, which commands a ring, or rotorub_magnetic_controller_get, which commands
+ * the currents of magnetic bearings (at the end), or both. The same library runs in the native
+ * model, in MuJoCo and in sweeps; C and C++, and whatever can make a C function (examples:
+ * README.md, "Your own controller").
  *
  * One sampled step: at t = k sample_time the library is shown what the sensors measure, changes its
  * state, and tells a command that is held until the next sample. The state is a plain array that
@@ -92,10 +94,73 @@ typedef struct rotorub_controller {
               char* reason, size_t room);
 } rotorub_controller;
 
-/* The one symbol of the library. What it returns lives as long as the library. */
+/* The symbol of the library. What it returns lives as long as the library. */
 const rotorub_controller* rotorub_controller_get(void);
 typedef const rotorub_controller* (*rotorub_controller_get_function)(void);
 #define ROTORUB_CONTROLLER_SYMBOL "rotorub_controller_get"
+
+/* ------------------------------------------------------------------------------------------------
+ * Magnetic bearings: one law for all whose control is of kind "shared" ([magnetic_control] kind =
+ * "library"). Ports: x and y of the first bearing of the scene's list, x and y of the second, ...
+ *
+ * The state is at most 64 numbers. A fixed step and MuJoCo carry it as speeds, to round-off: a
+ * number that counts is to be rounded before it is used; in MuJoCo it must stay below 1e10. While
+ * no bearing works the law is not asked; start() comes before its first sample and before the first
+ * after that. */
+
+/* Of the structures below. */
+#define ROTORUB_MAGNETIC_CONTROLLER_ABI 1
+
+typedef struct rotorub_magnetic_bearing {
+  double force_per_current;  /* N/A, k_i, of two magnets about the middle */
+  double negative_stiffness; /* N/m, k_s, likewise */
+  double current_limit;      /* A, of the size of each axis; infinity: none */
+  /* Of two magnets, k_m [((i_0 + i)/(s_0 - r))^2 - ((i_0 - i)/(s_0 + r))^2]; 0 of a linear one. */
+  double force_constant; /* N m^2/A^2, k_m */
+  double bias_current;   /* A, i_0 */
+  double air_gap;        /* m, s_0 */
+  double bandwidth;      /* rad/s, of the amplifier; infinity: none */
+} rotorub_magnetic_bearing;
+
+/* What create() is given; it is gone when create() returns. */
+typedef struct rotorub_magnetic_setup {
+  uint32_t abi;       /* ROTORUB_MAGNETIC_CONTROLLER_ABI of the caller */
+  double sample_time; /* s, > 0 */
+  double delay;       /* s, from the sample to its currents, beyond the library */
+  size_t ports;
+  const rotorub_magnetic_bearing* bearings; /* ports / 2 of them */
+  size_t entries;
+  const rotorub_entry* config; /* [magnetic_control.config] */
+} rotorub_magnetic_setup;
+
+/* It is gone when step() returns. */
+typedef struct rotorub_magnetic_measurement {
+  double t;                 /* s, of the sample */
+  int64_t sample;           /* k, its number: floor(t / sample_time) */
+  const double* deflection; /* m, of each port, at its sensor */
+  /* A, of each port: the coil's, or without an amplifier that of the sample before. Like spin_speed
+   * it is of half a step before the sample in MuJoCo and in `verlet`. */
+  const double* current;
+  double spin_angle; /* rad */
+  double spin_speed; /* rad/s */
+} rotorub_magnetic_measurement;
+
+typedef struct rotorub_magnetic_controller {
+  uint32_t abi; /* ROTORUB_MAGNETIC_CONTROLLER_ABI */
+  const char* name;
+  /* As those of rotorub_controller. */
+  int (*create)(const rotorub_magnetic_setup* setup, void** self, char* reason, size_t room);
+  void (*destroy)(void* self);
+  size_t (*state_size)(const void* self);
+  void (*start)(const void* self, double* state);
+  /* current: A, of each port, asked for; its limit is kept by the caller. */
+  int (*step)(const void* self, const rotorub_magnetic_measurement* now, double* state,
+              double* current, char* reason, size_t room);
+} rotorub_magnetic_controller;
+
+const rotorub_magnetic_controller* rotorub_magnetic_controller_get(void);
+typedef const rotorub_magnetic_controller* (*rotorub_magnetic_controller_get_function)(void);
+#define ROTORUB_MAGNETIC_CONTROLLER_SYMBOL "rotorub_magnetic_controller_get"
 
 #ifdef __cplusplus
 }

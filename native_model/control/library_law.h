@@ -1,0 +1,115 @@
+// A law from a shared library of the user's, of any of the structures of rotorub/controller.h:
+// loaded, created, stepped, and ended with a word where it fails.
+#pragma once
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <cstdint>
+#include <memory>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "native_model/control/abi/rotorub/controller.h"
+#include "native_model/control/controller.h"
+#include "native_model/control/library_file.h"
+#include "native_model/scene/record.h"
+#include "native_model/scene/text.h"
+
+namespace rotorub {
+
+// Functions: rotorub_controller or rotorub_magnetic_controller.
+template <class Functions>
+class LibraryLaw {
+ public:
+  // Loaded, of this ABI and complete, with nothing created yet. The library stands in the scene at
+  // `table`.library. Throws scene::SceneError there.
+  LibraryLaw(const scene::Scene& scene, const std::string& table, const std::string& file,
+             const char* symbol, std::uint32_t abi)
+      : scene_(&scene), table_(table) {
+    const std::filesystem::path path = library_path(scene, named(file));
+    name_ = path.string();
+    library_ = opened_library(scene, named(file), path);
+    const auto get = reinterpret_cast<const Functions* (*)()>(symbol_of(library_.get(), symbol));
+    if (get == nullptr) refuse(std::string("no function ") + symbol + " (rotorub/controller.h)");
+    functions_ = get();
+    if (functions_ == nullptr) refuse("gives no controller");
+    if (functions_->abi != abi) {
+      refuse("is of controller ABI " + std::to_string(functions_->abi) +
+             "; accepted: " + std::to_string(abi));
+    }
+    if (functions_->create == nullptr || functions_->step == nullptr)
+      refuse("has no create() or no step()");
+    name_ = functions_->name != nullptr ? scene::printable(functions_->name, 80)
+                                        : path.filename().string();
+  }
+  ~LibraryLaw() {
+    if (created_ && functions_->destroy != nullptr) functions_->destroy(self_);
+  }
+  LibraryLaw(const LibraryLaw&) = delete;
+  LibraryLaw& operator=(const LibraryLaw&) = delete;
+
+  // Once, as long as the scene stands; setup: all but its entries, which are those of `config`.
+  template <class Setup>
+  void create(Setup setup, const std::vector<scene::ConfigEntry>& config, std::size_t most_state) {
+    std::vector<rotorub_entry> entries;
+    for (const scene::ConfigEntry& e : config) {
+      entries.push_back({e.key.c_str(), e.text ? e.text->c_str() : nullptr, e.number});
+    }
+    setup.entries = entries.size();
+    setup.config = entries.data();
+    const std::string refused = failure_of(
+        [&](char* reason) { return functions_->create(&setup, &self_, reason, kReasonRoom); });
+    if (!refused.empty())
+      scene::refuse_at(*scene_, table_ + ".config", name_ + " refuses: " + refused);
+    created_ = true;
+    if (functions_->state_size != nullptr) state_size_ = functions_->state_size(self_);
+    if (state_size_ > most_state) {
+      refuse("a state of " + std::to_string(state_size_) + " numbers; accepted: up to " +
+             std::to_string(most_state));
+    }
+  }
+
+  std::size_t state_size() const { return state_size_; }
+  // state: 0 before.
+  void start(double* state) const {
+    if (functions_->start != nullptr) functions_->start(self_, state);
+  }
+  // told: `commands` numbers. Throws ControllerError.
+  template <class Measurement>
+  void step(const Measurement& now, double* state, double* told, std::size_t commands) const {
+    const std::string failed = failure_of([&](char* reason) {
+      return functions_->step(self_, &now, state, told, reason, kReasonRoom);
+    });
+    const auto finite = [](const double* from, std::size_t count) {
+      return std::all_of(from, from + count, [](double x) { return std::isfinite(x); });
+    };
+    if (!failed.empty()) fail(now.t, failed);
+    if (!finite(told, commands)) fail(now.t, "its command is not finite");
+    if (!finite(state, state_size_)) fail(now.t, "its state is not finite");
+  }
+
+  const Functions& functions() const { return *functions_; }
+  // At the key that names the library; while the scene stands.
+  [[noreturn]] void refuse(const std::string& why) const {
+    scene::refuse_at(*scene_, table_ + ".library", name_ + ": " + why);
+  }
+
+ private:
+  NamedLibrary named(const std::string& file) const { return {table_ + ".library", file}; }
+  [[noreturn]] void fail(double t, const std::string& reason) const {
+    throw ControllerError("controller " + name_ + " at t = " + std::to_string(t) + " s: " + reason);
+  }
+
+  const scene::Scene* scene_;  // of construction and create() alone
+  std::string table_;
+  std::shared_ptr<void> library_;  // keeps what `functions_` points to
+  const Functions* functions_ = nullptr;
+  void* self_ = nullptr;
+  bool created_ = false;
+  std::size_t state_size_ = 0;
+  std::string name_;
+};
+
+}  // namespace rotorub
