@@ -8,6 +8,7 @@
 #include <type_traits>
 
 #include "native_model/numerics/lanes.h"
+#include "native_model/numerics/sine_cosine.h"
 #include "native_model/system/model.h"
 
 namespace rotorub::equations {
@@ -134,23 +135,29 @@ template <class T>
 struct DiscAngles {
   T cosine[kMaxUnbalances], sine[kMaxUnbalances];
 
+  // At an instant, s.
   template <class M>
-  ROTORUB_INLINE void fill(const M& m, double t, const T* q) {
-    fill(m, t, q, lanes::all<T>(t), lanes::all<T>(t));
-  }
-  // Of a step from `begin` to `end`, s: those that come within it count with their share of it.
-  template <class M>
-  ROTORUB_INLINE void fill(const M& m, double t, const T* q, const T& begins, const T& ends) {
+  void fill(const M& m, double t, const T* q) {
     const T spin = equations::spin_angle(m, t, q);
     for (std::size_t i = 0; i < m.unbalances.size(); ++i) {
       const T angle = spin + m.unbalances[i].phase;
-      for (int lane = 0; lane < lanes::kWidth<T>; ++lane) {
-        const double a = lanes::get(angle, lane), on = lanes::get(m.unbalances[i].on, lane);
-        const double begin = lanes::get(begins, lane), end = lanes::get(ends, lane);
-        const double share = on <= begin ? 1.0 : on < end ? (end - on) / (end - begin) : 0.0;
-        lanes::set(cosine[i], lane, share * std::cos(a));
-        lanes::set(sine[i], lane, share * std::sin(a));
-      }
+      const bool there = m.unbalances[i].on <= t;
+      cosine[i] = there ? std::cos(angle) : 0.0;
+      sine[i] = there ? std::sin(angle) : 0.0;
+    }
+  }
+  // Of a step from `begin` to `end`, s: those that come within it count with their share of it.
+  template <class M>
+  ROTORUB_INLINE void fill(const M& m, double t, const T* q, const T& begin, const T& end) {
+    const T spin = equations::spin_angle(m, t, q), zero{};
+    for (std::size_t i = 0; i < m.unbalances.size(); ++i) {
+      sine_cosine<T>(spin + m.unbalances[i].phase, sine[i], cosine[i]);
+      const T& on = m.unbalances[i].on;
+      if (!lanes::any(on > begin)) continue;
+      const T share = lanes::select(on < end, (end - on) / (end - begin), zero);
+      const auto there = on <= begin;
+      cosine[i] = lanes::select(there, cosine[i], share * cosine[i]);
+      sine[i] = lanes::select(there, sine[i], share * sine[i]);
     }
   }
 };
@@ -198,6 +205,17 @@ ROTORUB_INLINE void diagonal_force(const M& m, const T* q, const T* v, T* f) {
   const T *stiffness = m.stiffness.data(), *damping = m.damping.data();
   const int nq = m.layout.nq();
   ROTORUB_APART for (int i = 0; i < nq; ++i) f[i] = -(stiffness[i] * q[i] + damping[i] * v[i]);
+  if (m.weight.size() == 0) return;
+  const T* weight = m.weight.data();
+  ROTORUB_APART for (int i = 0; i < nq; ++i) f[i] += weight[i];
+}
+
+// f = weight - D v: of the same what is not a spring's.
+template <class M, class T = typename M::Scalar>
+ROTORUB_INLINE void damping_force(const M& m, const T* v, T* f) {
+  const T* damping = m.damping.data();
+  const int nq = m.layout.nq();
+  ROTORUB_APART for (int i = 0; i < nq; ++i) f[i] = -(damping[i] * v[i]);
   if (m.weight.size() == 0) return;
   const T* weight = m.weight.data();
   ROTORUB_APART for (int i = 0; i < nq; ++i) f[i] += weight[i];

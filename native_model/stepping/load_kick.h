@@ -196,16 +196,9 @@ class LoadKick {
     const double* q = x.seen.data();
     double *f = f_.data(), *v = change_.data();
     for (int i = 0; i < x.nq(); ++i) v[i] = 0.5 * (x.start[static_cast<std::size_t>(i)] + end[i]);
-    force(x, v, f);
-    double work = 0.0;
-    const double* stiffness = m.stiffness.data();
-    for (int i = 0; i < nq; ++i) work += (f[i] + stiffness[i] * q[i]) * v[i];
-    work -= coupling_power(m, q, v);
-    if (m.springs.empty() && !coupled()) return x.h * work;
-    for (int i = 0; i < x.nq(); ++i) f[i] = 0.0;
-    equations::add_springs(m, q, f);
-    if (coupled()) equations::add_unbalance(m, angles_, equations::spin_speed(m, v), f);
-    for (int i = 0; i < nq; ++i) work -= f[i] * v[i];
+    force<Of::kWorking>(x, v, f);
+    double work = -coupling_power(m, q, v);
+    for (int i = 0; i < nq; ++i) work += f[i] * v[i];
     return x.h * work;
   }
 
@@ -278,24 +271,35 @@ class LoadKick {
     settle(x, lanes::all<T>(1.0) - later);
   }
 
-  // F(x.seen, v), all loads but the contacts'; those of [[force]] as advanced last.
+  // F(x.seen, v), all loads but the contacts'; those of [[force]] as advanced last. kWorking:
+  // without what energy holds and what does no work (springs, gyroscopics, unbalance of a free
+  // spin).
+  enum class Of { kAll, kWorking };
+  template <Of kOf = Of::kAll>
   ROTORUB_INLINE void force(const State& x, const T* v, T* f) {
+    constexpr bool kAll = kOf == Of::kAll;
     const M& m = x.m;
     const T* q = x.seen.data();
     const T omega = equations::spin_speed(m, v);
-    equations::diagonal_force(m, q, v, f);
+    if constexpr (kAll) {
+      equations::diagonal_force(m, q, v, f);
+    } else {
+      equations::damping_force(m, v, f);
+    }
     equations::add_rotating_damping(m, q, v, omega, f);
     equations::add_dampers(m, v, f);
     equations::add_films(m, omega, q, v, f);
-    equations::add_springs(m, q, f);
+    if constexpr (kAll) equations::add_springs(m, q, f);
     equations::add_feedbacks(m, working_.data(), q, v, f);
     equations::add_supports(m, q, v, x.start.data(), x.kick * x.h, f);
-    equations::add_gyroscopic(m, omega, v, f);
+    if constexpr (kAll) equations::add_gyroscopic(m, omega, v, f);
     loads_.add(m, f);
     for (int i = 0; sampled_now_ && i < m.layout.integrals; ++i) {
       f[m.layout.integral() + i] += sampled_[static_cast<std::size_t>(i)];
     }
-    if (!m.unbalances.empty()) equations::add_unbalance(m, angles_, omega, f);
+    if (!m.unbalances.empty() && (kAll || !coupled())) {
+      equations::add_unbalance(m, angles_, omega, f);
+    }
     equations::add_drive(m, instant_, q, v, f);
     if (applied) {
       for (int i = 0; i < x.nq(); ++i) f[i] += applied[i];

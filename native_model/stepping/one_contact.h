@@ -34,7 +34,9 @@ class OneContact {
 
   // `located`: impacts are located in their step.
   OneContact(State& x, LoadKick<M>& loads, const std::vector<const Model*>& models, bool located)
-      : located_(located), response_{State::make(x.m), State::make(x.m), State::make(x.m)} {
+      : located_(located),
+        response_{State::make(x.m), State::make(x.m), State::make(x.m)},
+        ended_(State::make(x.m)) {
     exists_ = models.front()->first().contact.has_value();
     if (!exists_) return;
     for (int lane = 0; lane < kLanes; ++lane) {
@@ -85,32 +87,45 @@ class OneContact {
   // step that does not locate its impacts finds that itself.)
   void begin(const State& x);
 
-  // 1 where x.free may come to go_on() unsettled: lasting contact iterates it anyway.
-  ROTORUB_INLINE T settles() const { return now.lasts; }
+  // 1 where x.free may come to go_on() unsettled: beside lanes in lasting contact, which iterate it
+  // anyway, the others do so with them.
+  ROTORUB_INLINE T settles() const { return lanes::all<T>(lasts() ? 1.0 : 0.0); }
 
   // Lasting contact over the step, where the straight path from x.seen with x.free would leave the
   // circle: x.after from x.free. Gives the lanes in which the path leaves the circle out of flight.
   // In the lanes where `unsettled` is 1, x.free is without what is iterated.
   ROTORUB_INLINE Mask go_on(State& x, LoadKick<M>& loads, const T& unsettled = T{}) {
-    const T zero{};
+    const T zero{}, one = lanes::all<T>(1.0), lasted = now.lasts, sign = now.slip_sign;
     const Centre d = equations::separation(x.m, x.seen.data());
     Centre w = equations::relative(x.m, x.free.data());
     T outside = leaving(x, d, w);
-    if (loads.iterates()) {
-      const Mask lets_go = (unsettled > zero) & (outside == zero);
-      if (lanes::any(lets_go)) {
-        settle(lets_go, x, loads);
-        w = equations::relative(x.m, x.free.data());
-        outside = lanes::select(lets_go, leaving(x, d, w), outside);
-      }
-    }
-    if (held_open) outside = outside * flying;
-    const T lasted = now.lasts;
-    now.lasts = outside * lasted;
-    now.slip_sign = now.lasts * now.slip_sign;
-    now.normal = now.friction = T{};
     const Mask rests = (outside > zero) & (lasted > zero);
-    if (lanes::any(rests)) press_on(rests, x, loads, d, w);
+    now.lasts = outside * lasted;
+    now.slip_sign = now.lasts * sign;
+    now.normal = now.friction = T{};
+    Mask on = rests;
+    T open = lanes::select(rests, one, unsettled);
+    bool again = lanes::any(open > zero);
+    for (bool late = false; again; late = true) {
+      press_on(on, open, x, loads, d, w);
+      if (late) {
+        for (std::size_t i = 0; i < x.after.size(); ++i) {
+          x.after[i] = lanes::select(on, x.after[i], ended_[i]);
+        }
+      }
+      if (late || !loads.iterates()) break;
+      // Now that they are settled: who leaves the circle, in flight or out of lasting contact.
+      const Mask waited = (unsettled > zero) & !rests;
+      w = equations::relative(x.m, x.free.data());
+      outside = lanes::select(waited, leaving(x, d, w), outside);
+      on = waited & (outside > zero) & (lasted > zero);
+      again = lanes::any(on);
+      if (!again) break;
+      now.lasts = lanes::select(on, one, now.lasts);
+      now.slip_sign = lanes::select(on, sign, now.slip_sign);
+      open = lanes::select(on, one, zero);
+      for (std::size_t i = 0; i < x.after.size(); ++i) ended_[i] = x.after[i];
+    }
     now.normal_at_end = now.normal;
     now.friction_at_end = now.friction;
     return (outside > zero) & (lasted == zero);
@@ -238,18 +253,12 @@ class OneContact {
   double lasting_work(const State& x) const;
 
  private:
-  // 1 where the path from d with the velocity w ends outside the circle.
+  // 1 where the path from d with the velocity w ends outside the circle, of what flies.
   ROTORUB_INLINE T leaving(const State& x, const Centre& d, const Centre& w) const {
     const T h = lanes::all<T>(x.h), c = clearance_;
     const T px = d.x + h * w.x, py = d.y + h * w.y;
-    return lanes::select(px * px + py * py > c * c, lanes::all<T>(1.0), T{});
-  }
-  // x.free and x.after of lanes that do not press on.
-  ROTORUB_INLINE void settle(const Mask& lets_go, State& x, LoadKick<M>& loads) {
-    loads.settle(x, lanes::select(lets_go, lanes::all<T>(1.0), T{}));
-    for (std::size_t i = 0; i < x.after.size(); ++i) {
-      x.after[i] = lanes::select(lets_go, x.free[i], x.after[i]);
-    }
+    const T outside = lanes::select(px * px + py * py > c * c, lanes::all<T>(1.0), T{});
+    return held_open ? outside * flying : outside;
   }
   // A's admittance J A^-1 J^T where bending and spin are coupled.
   ROTORUB_INLINE void respond(const State& x, const LoadKick<M>& loads) {
@@ -286,16 +295,18 @@ class OneContact {
   }
 
   // Lasting contact in the lanes of `on`, from d at the step's begin: x.after from x.free, whatever
-  // the iteration needs. Slides on as in the step before where it can, in all lanes at once.
-  ROTORUB_INLINE void press_on(const Mask& on, State& x, LoadKick<M>& loads, const Centre& d,
-                               Centre w) {
+  // the iteration needs; in flight it is iterated where `open` is 1. Slides on as in the step
+  // before where it can, in all lanes at once.
+  ROTORUB_INLINE void press_on(const Mask& on, const T& open, State& x, LoadKick<M>& loads,
+                               const Centre& d, Centre w) {
     if (loads.coupled()) respond(x, loads);
     last_sign_ = now.slip_sign;
     const T zero{}, one = lanes::all<T>(1.0);
     const T square = d.x * d.x + d.y * d.y;
     const T inverse = one / lanes::square_root(lanes::select(square > zero, square, one));
-    normal_ = {d.x * inverse, d.y * inverse};
-    if (loads.iterates()) loads.begin_iteration(lanes::select(on, one, zero));
+    normal_.x = lanes::select(on, d.x * inverse, normal_.x);
+    normal_.y = lanes::select(on, d.y * inverse, normal_.y);
+    if (loads.iterates()) loads.begin_iteration(open);
     for (bool settled = false;;) {
       press(on, x, d, w);
       push(x, loads, x.free.data(), x.after.data(), normal_, now.normal, now.friction, on);
@@ -355,7 +366,8 @@ class OneContact {
   typename State::Coordinates response_[3];
   T uncoupled_[3][3] = {};
   Coupled coupled_[3];
-  Lasting with_impacts_;  // of a step with impacts
+  typename State::Coordinates ended_;  // x.after of the other lanes, while some press on late
+  Lasting with_impacts_;               // of a step with impacts
   T last_sign_{};
   Centre normal_{};
 };

@@ -58,9 +58,7 @@ class SteppedLoads {
   ROTORUB_INLINE void turn_with(const T& phi) {
     for (Load& load : loads_) {
       if (load.kind != scene::ForceKind::kSynchronous) continue;
-      const T angle = phi + load.phase;
-      for (int lane = 0; lane < lanes::kWidth<T>; ++lane)
-        point(load, lane, lanes::get(angle, lane));
+      sine_cosine<T>(phi + load.phase, load.sine, load.cosine);
       load.x = load.share * load.amplitude * load.cosine;
       load.y = load.share * load.amplitude * load.sine;
     }

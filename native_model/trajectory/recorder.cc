@@ -48,22 +48,22 @@ double Recorder::next_time() const {
   return next_ < times_.size() ? times_[next_] : std::numeric_limits<double>::infinity();
 }
 
-void Recorder::keep(const Snapshot& now) {
-  last_ = now;
+void Recorder::keep(const Snapshot& now, const ContactPoint& point) {
+  last_t_ = now.t;
   std::copy_n(now.q, last_q_.size(), last_q_.begin());
   std::copy_n(now.v, last_v_.size(), last_v_.begin());
-  last_.q = last_q_.data();
-  last_.v = last_v_.data();
   const bool several = !statistics_.contacts.empty();
   for (std::size_t k = 0; k < model_->auxiliary.size(); ++k) {
     ContactStatistics& own = several ? statistics_.contacts[k] : statistics_;
     // A touch that lasts is counted at its end.
     if (own.first_touch < 0.0 && now.at(k).mode == Mode::kFree) continue;
-    own.passes.follow(separation(*model_, now.q, k), now.t);
+    own.passes.follow(k == 0 ? point.d : separation(*model_, now.q, k), now.t);
   }
 }
 
-void Recorder::look_at_energy() { meet_energy(energy(*model_, last_.t, last_.q, last_.v)); }
+void Recorder::look_at_energy() {
+  meet_energy(energy(*model_, last_t_, last_q_.data(), last_v_.data()));
+}
 
 void Recorder::meet_energy(double now) {
   Statistics& s = statistics_;
@@ -73,7 +73,7 @@ void Recorder::meet_energy(double now) {
 
 void Recorder::begin(const Snapshot& start) {
   const ContactPoint point = contact_point(*model_, start.q, start.v);
-  keep(start);
+  keep(start, point);
   if (model_->first().contact) statistics_.least_gap = point.gap;
   last_slip_ = point.slip;
   look_at_energy();
@@ -137,12 +137,12 @@ void Recorder::count(const StepFigures& f, double begin) {
 }
 
 void Recorder::advance(const Snapshot& now, const ContactPoint& point, bool impact) {
-  const double h = now.t - last_.t;
+  const double h = now.t - last_t_;
   const std::size_t row = next_;
   rows_until(now, impact);
-  statistics_.external_work += switching_work(*model_, last_.t, now.t, now.q, now.v);
+  statistics_.external_work += switching_work(*model_, last_t_, now.t, now.q, now.v);
   if (model_->first().contact) count_gap(point, h);
-  keep(now);
+  keep(now, point);
   lasted_ = 0.0;
   constexpr std::int64_t kLook = 256;  // steps
   if (++steps_ % kLook == 0 || row != next_) look_at_energy();
@@ -150,22 +150,22 @@ void Recorder::advance(const Snapshot& now, const ContactPoint& point, bool impa
 
 void Recorder::step(const Snapshot& now, double normal_impulse, double friction_impulse,
                     const Impact* impact, const StepBalance& balance) {
-  const double h = now.t - last_.t;
+  const double h = now.t - last_t_;
   const ContactPoint point = contact_point(*model_, now.q, now.v);
   rows_until(now, impact != nullptr);
 
   Statistics& s = statistics_;
   if (normal_impulse > 0.0) {
-    count_contact(normal_impulse, friction_impulse, h, last_.t, impact != nullptr);
+    count_contact(normal_impulse, friction_impulse, h, last_t_, impact != nullptr);
     const double slips =
         impact ? impact->slip_before + impact->slip_after : last_slip_ + point.slip;
     s.friction_work += 0.5 * friction_impulse * slips;
   }
   if (model_->first().contact) count_gap(point, h);
   s.contact_work += balance.contact_work;
-  s.external_work += switching_work(*model_, last_.t, now.t, now.q, now.v);
+  s.external_work += switching_work(*model_, last_t_, now.t, now.q, now.v);
   s.external_work += balance.external_work;
-  keep(now);
+  keep(now, point);
   lasted_ = 0.0;
   meet_energy(balance.energy);
   last_slip_ = point.slip;
@@ -173,10 +173,10 @@ void Recorder::step(const Snapshot& now, double normal_impulse, double friction_
 
 // Rows in (last, now]: at the step's own time its state to the bit, else interpolated.
 void Recorder::rows_until(const Snapshot& now, bool impact) {
-  const double h = now.t - last_.t;
+  const double h = now.t - last_t_;
   const double same = 1e-9 * h;  // a requested time this near to a step is that step
   while (next_time() <= now.t + same) {
-    const double t = next_time(), s = (t - last_.t) / h;
+    const double t = next_time(), s = (t - last_t_) / h;
     if (std::abs(now.t - t) <= same) {
       Snapshot exact = now;
       exact.t = t;

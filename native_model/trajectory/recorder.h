@@ -128,7 +128,7 @@ class Recorder {
   Trajectory finish(double end);
 
  private:
-  void keep(const Snapshot& now);
+  void keep(const Snapshot& now, const ContactPoint& point);  // of the first contact
   void look_at_energy();
   void meet_energy(double now);
   void count_contact(double normal_impulse, double friction_impulse, double h, double begin,
@@ -139,7 +139,7 @@ class Recorder {
   const Model* model_;
   std::vector<double> times_;
   std::size_t next_ = 0;
-  Snapshot last_;
+  double last_t_ = 0.0;  // s, of the last snapshot
   std::vector<double> last_q_, last_v_, q_, v_;
   double penetration_ = 0.0;
   // J: of a contact that rests at the last row its force over the clearance. A rotor at rest holds
