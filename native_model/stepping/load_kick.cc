@@ -19,14 +19,15 @@ bool feedback_switches(const Model& m) {
   });
 }
 
-}  // namespace
-
+// f += what the actuators do under `commands`, two numbers of each auxiliary bearing. One run.
 void add_actuators_of_run(const Model& m, const double* q, const double* v, const double* commands,
                           double* f) {
   std::array<Eigen::Vector2d, kMaxContacts> asked;
   for (std::size_t i = 0; i < asked.size(); ++i) asked[i] = {commands[2 * i], commands[2 * i + 1]};
   add_actuators(m, q, v, asked, f);
 }
+
+}  // namespace
 
 bool beyond_matrix(const std::vector<const Model*>& models) {
   const Model& m = *models.front();
@@ -44,5 +45,60 @@ bool beyond_matrix(const std::vector<const Model*>& models) {
   return turns || curve || follows || switches || l.integrals > 0 || l.coils > 0 ||
          !m.supports.empty();
 }
+
+template <class M>
+void LoadKick<M>::add_actuators(const State& x, const T* v, T* f) const {
+  double run_q[kMaxCoordinates], run_v[kMaxCoordinates], run_f[kMaxCoordinates];
+  double asked[2 * kMaxContacts];
+  const int nq = x.nq();
+  for (int lane = 0; lane < kLanes; ++lane) {
+    read_lane(x, x.seen, lane, run_q);
+    for (int i = 0; i < nq; ++i) {
+      run_v[i] = lanes::get(v[i], lane);
+      run_f[i] = lanes::get(f[i], lane);
+    }
+    for (std::size_t b = 0; b < command.size(); ++b) {
+      asked[2 * b] = lanes::get(command[b].x, lane);
+      asked[2 * b + 1] = lanes::get(command[b].y, lane);
+    }
+    add_actuators_of_run(lane_model(x.m, lane), run_q, run_v, asked, run_f);
+    for (int i = 0; i < nq; ++i) lanes::set(f[i], lane, run_f[i]);
+  }
+}
+
+template <class M>
+void LoadKick<M>::find_samples(const State& x, double t, double begin) {
+  sampled_now_ = false;
+  double q[kMaxCoordinates], v[kMaxCoordinates], after[kMaxCoordinates];
+  const int first = x.m.layout.integral(), count = x.m.layout.integrals;
+  for (int lane = 0; lane < kLanes; ++lane) {
+    read_lane(x, x.seen, lane, q);
+    read_lane(x, x.start, lane, v);
+    std::copy_n(v, x.nq(), after);
+    sampled_now_ |= take_samples(lane_model(x.m, lane), t, x.h, q, after);
+    for (int i = 0; i < count; ++i) {
+      const double mass = lanes::get(x.m.mass.data()[first + i], lane);
+      const double jump = (begin == t ? 2.0 : 1.0) * (after[first + i] - v[first + i]);
+      lanes::set(sampled_[static_cast<std::size_t>(i)], lane, mass * jump / x.h);
+    }
+  }
+}
+
+template <class M>
+void LoadKick<M>::find_working(const M& m, const T& begin, const T& end) {
+  for (std::size_t k = 0; k < m.feedbacks.size(); ++k) {
+    for (int lane = 0; lane < kLanes; ++lane) {
+      const WorkingTimes& works = lane_model(m, lane).feedbacks[k].works;
+      lanes::set(working_[k], lane, works.share(lanes::get(begin, lane), lanes::get(end, lane)));
+    }
+  }
+}
+
+#define ROTORUB_DEFINE(...)                                                             \
+  template void LoadKick<__VA_ARGS__>::add_actuators(const State&, const T*, T*) const; \
+  template void LoadKick<__VA_ARGS__>::find_samples(const State&, double, double);      \
+  template void LoadKick<__VA_ARGS__>::find_working(const __VA_ARGS__&, const T&, const T&);
+ROTORUB_ALL_MODELS(ROTORUB_DEFINE)
+#undef ROTORUB_DEFINE
 
 }  // namespace rotorub

@@ -32,9 +32,6 @@ namespace rotorub {
 template <class T>
 using StepCommands = std::array<equations::Pair<T>, kMaxContacts>;
 
-// f += what the actuators do under `commands`, two numbers of each auxiliary bearing. One run.
-void add_actuators_of_run(const Model& m, const double* q, const double* v, const double* commands,
-                          double* f);
 // A load of one of the models depends on velocities beyond what the matrix has of it.
 bool beyond_matrix(const std::vector<const Model*>& models);
 
@@ -313,50 +310,11 @@ class LoadKick {
   }
 
   // Of magnets, which drive the coils too, and of several rings: run by run.
-  ROTORUB_SLOW void add_actuators(const State& x, const T* v, T* f) const {
-    double run_q[kMaxCoordinates], run_v[kMaxCoordinates], run_f[kMaxCoordinates];
-    double asked[2 * kMaxContacts];
-    const int nq = x.nq();
-    for (int lane = 0; lane < kLanes; ++lane) {
-      read_lane(x, x.seen, lane, run_q);
-      for (int i = 0; i < nq; ++i) {
-        run_v[i] = lanes::get(v[i], lane);
-        run_f[i] = lanes::get(f[i], lane);
-      }
-      for (std::size_t b = 0; b < command.size(); ++b) {
-        asked[2 * b] = lanes::get(command[b].x, lane);
-        asked[2 * b + 1] = lanes::get(command[b].y, lane);
-      }
-      add_actuators_of_run(lane_model(x.m, lane), run_q, run_v, asked, run_f);
-      for (int i = 0; i < nq; ++i) lanes::set(f[i], lane, run_f[i]);
-    }
-  }
+  ROTORUB_SLOW void add_actuators(const State& x, const T* v, T* f) const;
   // What samplers remember jumps at t, in the middle of the kick, or where a first one begins: the
   // mean of the kick's velocities then has half of the jump, or all.
-  ROTORUB_SLOW void find_samples(const State& x, double t, double begin) {
-    sampled_now_ = false;
-    double q[kMaxCoordinates], v[kMaxCoordinates], after[kMaxCoordinates];
-    const int first = x.m.layout.integral(), count = x.m.layout.integrals;
-    for (int lane = 0; lane < kLanes; ++lane) {
-      read_lane(x, x.seen, lane, q);
-      read_lane(x, x.start, lane, v);
-      std::copy_n(v, x.nq(), after);
-      sampled_now_ |= take_samples(lane_model(x.m, lane), t, x.h, q, after);
-      for (int i = 0; i < count; ++i) {
-        const double mass = lanes::get(x.m.mass.data()[first + i], lane);
-        const double jump = (begin == t ? 2.0 : 1.0) * (after[first + i] - v[first + i]);
-        lanes::set(sampled_[static_cast<std::size_t>(i)], lane, mass * jump / x.h);
-      }
-    }
-  }
-  ROTORUB_SLOW void find_working(const M& m, const T& begin, const T& end) {
-    for (std::size_t k = 0; k < m.feedbacks.size(); ++k) {
-      for (int lane = 0; lane < kLanes; ++lane) {
-        const WorkingTimes& works = lane_model(m, lane).feedbacks[k].works;
-        lanes::set(working_[k], lane, works.share(lanes::get(begin, lane), lanes::get(end, lane)));
-      }
-    }
-  }
+  ROTORUB_SLOW void find_samples(const State& x, double t, double begin);
+  ROTORUB_SLOW void find_working(const M& m, const T& begin, const T& end);
 
   bool iterates_ = false, magnetic_ = false, several_ = false, commanded_ = false;
   VelocityMatrix<T> matrix_;

@@ -37,7 +37,7 @@ void OneContact<M>::press_lane(int lane, State& x, const Centre& d, const Centre
   s.start = rates_of_lane(x, x.start, lane);
   s.free = rates_of_lane(x, x.free, lane);
   for (int i = 0; i < 3; ++i) {
-    for (int j = 0; j < 3; ++j) s.admittance(i, j) = lanes::get(admittance_[i][j], lane);
+    for (int j = 0; j < 3; ++j) s.admittance(i, j) = lanes::get(response_.admittance[i][j], lane);
   }
   s.clearance = c.clearance;
   s.radius = c.radius;

@@ -9,8 +9,8 @@
 #include <limits>
 #include <vector>
 
+#include "native_model/stepping/contact_response.h"
 #include "native_model/stepping/fixed_step.h"
-#include "native_model/stepping/load_kick.h"
 
 namespace rotorub {
 
@@ -34,9 +34,7 @@ class OneContact {
 
   // `located`: impacts are located in their step.
   OneContact(State& x, LoadKick<M>& loads, const std::vector<const Model*>& models, bool located)
-      : located_(located),
-        response_{State::make(x.m), State::make(x.m), State::make(x.m)},
-        ended_(State::make(x.m)) {
+      : located_(located), response_(x.m), ended_(State::make(x.m)) {
     exists_ = models.front()->first().contact.has_value();
     if (!exists_) return;
     for (int lane = 0; lane < kLanes; ++lane) {
@@ -46,22 +44,7 @@ class OneContact {
       const double none = std::numeric_limits<double>::quiet_NaN();
       lanes::set(friction_, lane, c.friction.is_constant() ? c.friction.coefficient : none);
     }
-    const T zero{}, one = lanes::all<T>(1.0);
-    for (int j = 0; j < 3; ++j) {
-      T* column = response_[j].data();
-      equations::add_contact_load(x.m, j == 0 ? one : zero, j == 1 ? one : zero,
-                                  j == 2 ? one : zero, column);
-      loads.solve_uncoupled(x, column);
-      const Centre d = equations::relative(x.m, column);
-      uncoupled_[0][j] = d.x;
-      uncoupled_[1][j] = d.y;
-      // A prescribed spin speed does not change.
-      if (equations::turns_at_contact(x.m)) {
-        uncoupled_[2][j] = equations::turning_at_contact(x.m, x.m.first(), column);
-      }
-      if (x.m.layout.spin) uncoupled_[2][j] += column[x.m.layout.phi()];
-    }
-    for (int i = 0; i < 3; ++i) std::copy_n(uncoupled_[i], 3, admittance_[i]);
+    response_.find(x, loads, radius_);
   }
 
   Lasting now;
@@ -137,9 +120,9 @@ class OneContact {
     const Centre d = equations::separation(x.m, x.seen.data());
     const T one = lanes::all<T>(1.0), square = d.x * d.x + d.y * d.y;
     const T delta = lanes::square_root(lanes::select(square > T{}, square, one));
-    if (loads.coupled()) respond(x, loads);
-    push(x, loads, x.free.data(), x.free.data(), {d.x / delta, d.y / delta}, now.normal_at_end,
-         now.friction_at_end, now.lasts > T{});
+    response_.couple(x, loads);
+    response_.push(x, loads, x.free.data(), x.free.data(), {d.x / delta, d.y / delta},
+                   now.normal_at_end, now.friction_at_end, now.lasts > T{});
   }
 
   // x.seen well outside the ring (a flight of more than the clearance within half a step) goes back
@@ -150,13 +133,14 @@ class OneContact {
     const T square = d.x * d.x + d.y * d.y, c = clearance_;
     const Mask outside = square > c * c * lanes::all<T>(1.02);
     if (!lanes::any(outside)) return;
-    if (loads.coupled()) respond(x, loads);
+    response_.couple(x, loads);
     const T one = lanes::all<T>(1.0);
     const T delta = lanes::select(outside, lanes::square_root(square), one);
     const T ex = d.x / delta, ey = d.y / delta;
-    const auto& a = admittance_;
+    const auto& a = response_.admittance;
     const T nn = ex * (a[0][0] * ex + a[0][1] * ey) + ey * (a[1][0] * ex + a[1][1] * ey);
-    push(x, loads, x.seen.data(), x.seen.data(), {ex, ey}, (delta - c) / nn, T{}, outside);
+    response_.push(x, loads, x.seen.data(), x.seen.data(), {ex, ey}, (delta - c) / nn, T{},
+                   outside);
   }
 
   // Of two parts of a step, `first` for `share` of it and this one for `rest`, the lasting contact
@@ -260,46 +244,12 @@ class OneContact {
     const T outside = lanes::select(px * px + py * py > c * c, lanes::all<T>(1.0), T{});
     return held_open ? outside * flying : outside;
   }
-  // A's admittance J A^-1 J^T where bending and spin are coupled.
-  ROTORUB_INLINE void respond(const State& x, const LoadKick<M>& loads) {
-    const auto& l = x.m.layout;
-    const VelocityMatrix<T>& a = loads.matrix();
-    const Centre bent = equations::at_station(l.modes, x.m.first().shape, a.solved_coupling());
-    T turned = a.spin_column()[0];
-    const T* shape = x.m.first().torsion_shape.data();
-    for (int k = 0; k < l.torsion; ++k) turned += shape[k] * a.spin_column()[1 + k];
-    for (int j = 0; j < 3; ++j) {
-      coupled_[j] = a.coupled_part(l, response_[j].data());
-      admittance_[0][j] = uncoupled_[0][j] - bent.x * coupled_[j].spin;
-      admittance_[1][j] = uncoupled_[1][j] - bent.y * coupled_[j].spin;
-      admittance_[2][j] = uncoupled_[2][j] + turned * coupled_[j].back;
-    }
-  }
-
-  // to = from + A^-1 J^T of the load (N, F) with the normal e, in the lanes of `on`.
-  ROTORUB_INLINE void push(const State& x, const LoadKick<M>& loads, const T* from, T* to,
-                           const Centre& e, const T& normal, const T& friction, const Mask& on) {
-    const T zero{};
-    const T N = lanes::select(on, normal, zero), F = lanes::select(on, friction, zero);
-    const T px = -e.x * N - e.y * F, py = -e.y * N + e.x * F, pz = radius_ * F;
-    const T *cx = response_[0].data(), *cy = response_[1].data(), *cz = response_[2].data();
-    const int nq = x.nq();
-    ROTORUB_APART for (int i = 0; i < nq; ++i) {
-      to[i] = from[i] + (cx[i] * px + cy[i] * py + cz[i] * pz);
-    }
-    if (!loads.coupled()) return;
-    const auto along = [&](auto part) {
-      return coupled_[0].*part * px + coupled_[1].*part * py + coupled_[2].*part * pz;
-    };
-    loads.matrix().add(x.m.layout, {along(&Coupled::spin), along(&Coupled::back)}, to);
-  }
-
   // Lasting contact in the lanes of `on`, from d at the step's begin: x.after from x.free, whatever
   // the iteration needs; in flight it is iterated where `open` is 1. Slides on as in the step
   // before where it can, in all lanes at once.
   ROTORUB_INLINE void press_on(const Mask& on, const T& open, State& x, LoadKick<M>& loads,
                                const Centre& d, Centre w) {
-    if (loads.coupled()) respond(x, loads);
+    response_.couple(x, loads);
     last_sign_ = now.slip_sign;
     const T zero{}, one = lanes::all<T>(1.0);
     const T square = d.x * d.x + d.y * d.y;
@@ -309,7 +259,8 @@ class OneContact {
     if (loads.iterates()) loads.begin_iteration(open);
     for (bool settled = false;;) {
       press(on, x, d, w);
-      push(x, loads, x.free.data(), x.after.data(), normal_, now.normal, now.friction, on);
+      response_.push(x, loads, x.free.data(), x.after.data(), normal_, now.normal, now.friction,
+                     on);
       // Once more after the last round: a lane's end must not depend on how long the others went
       // on.
       if (!loads.iterates() || settled) break;
@@ -329,7 +280,7 @@ class OneContact {
     const T ratio = -friction_ * last_sign_;
     // Response to N with T = ratio N.
     const T lx = -ex - ey * ratio, ly = -ey + ex * ratio, lz = r * ratio;
-    const auto& a = admittance_;
+    const auto& a = response_.admittance;
     const T gx = a[0][0] * lx + a[0][1] * ly + a[0][2] * lz;
     const T gy = a[1][0] * lx + a[1][1] * ly + a[1][2] * lz;
     const T gz = a[2][0] * lx + a[2][1] * ly + a[2][2] * lz;
@@ -360,12 +311,7 @@ class OneContact {
   // mu. Where it depends on the slip not a number, with which nothing slides on: such a lane is
   // solved by itself.
   T friction_{};
-  T admittance_[3][3] = {};
-  using Coupled = typename VelocityMatrix<T>::Coupled;
-  // A_0^-1 J^T and J A_0^-1 J^T; what A has beside A_0^-1 J^T.
-  typename State::Coordinates response_[3];
-  T uncoupled_[3][3] = {};
-  Coupled coupled_[3];
+  ContactResponse<M> response_;
   typename State::Coordinates ended_;  // x.after of the other lanes, while some press on late
   Lasting with_impacts_;               // of a step with impacts
   T last_sign_{};

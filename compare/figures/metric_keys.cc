@@ -1,0 +1,128 @@
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cassert>
+#include <cmath>
+#include <deque>
+#include <nlohmann/json.hpp>
+#include <vector>
+
+#include "compare/base/json.h"
+#include "compare/figures/figure.h"
+
+namespace rotorub {
+namespace {
+
+using nlohmann::json;
+
+// What the metrics of a run hold beside its figures and residuals; "settled.from": within another.
+struct MetricKey {
+  const char *key, *unit, *meaning;
+  json (*value)(const Metrics&);
+};
+json figure_json(const Figure& figure, const Metrics& m) {
+  const double value = figure.value(m);
+  const bool is_count = !*figure.unit && std::isfinite(value);
+  return is_count ? json(std::llround(value)) : json(value);
+}
+template <auto Member>
+json read(const Metrics& m) {
+  return m.*Member;
+}
+template <auto Member>
+json read_or_null(const Metrics& m) {
+  return number_or_null(m.*Member);
+}
+template <auto Member>
+json count_or_null(const Metrics& m) {
+  return m.*Member ? json(*(m.*Member)) : json();
+}
+template <auto Member>
+json settled_at(const Metrics& m) {
+  return m.settled.*Member;
+}
+const MetricKey kMetricKeys[] = {
+    {"end", "s", "time reached", read<&Metrics::end>},
+    {"step", "s", "fixed step; 0 for event", read<&Metrics::step>},
+    {"steps", "", "number of steps taken", read<&Metrics::steps>},
+    {"wall_s", "s", "time of the integration; no result", read<&Metrics::wall_s>},
+    {"us_per_step", "us", "the same for a step; no result", read<&Metrics::us_per_step>},
+    {"first_touch", "s",
+     "time of the first contact, of an ensemble's the beginning of its step; null: never",
+     read_or_null<&Metrics::first_touch>},
+    {"least_gap", "m",
+     "smallest gap of all rows and ends of steps; 0 or, by penetration, less where it touched; "
+     "null: no [contact]",
+     read_or_null<&Metrics::least_gap>},
+    {"peak_impulse", "N s", "largest normal impulse of one impact", read<&Metrics::peak_impulse>},
+    {"friction_impulse", "N s", "on the rotor, signed along e_t", read<&Metrics::friction_impulse>},
+    {"forward_passes", "",
+     "turns of the rotor all around its ring from the first touch on, along +z; of several "
+     "contacts "
+     "where they are most; null: of an ensemble",
+     count_or_null<&Metrics::forward_passes>},
+    {"backward_passes", "", "the same against it", count_or_null<&Metrics::backward_passes>},
+    {"whirl_time", "s", "that these took", read_or_null<&Metrics::whirl_time>},
+    {"real_time_factor", "", "simulated time over time taken; no result",
+     read<&Metrics::real_time_factor>},
+    {"settled.attractor", "",
+     "what the last fifth of the run is: no contact, chattering, resting, synchronous rub, forward "
+     "rub, backward whip, rolling or unknown",
+     [](const Metrics& m) { return json(to_string(m.settled.attractor)); }},
+    {"settled.from", "s", "where that begins", settled_at<&Settled::from>},
+    {"settled.contact_share", "", "share of the last fifth's rows in contact",
+     settled_at<&Settled::contact_share>},
+    {"settled.whirl_frequency", "rad/s", "mean whirl over the last fifth, forward positive",
+     settled_at<&Settled::whirl_frequency>},
+    {"settled.spin_speed", "rad/s", "mean spin speed over the last fifth",
+     settled_at<&Settled::spin_speed>},
+    {"settled.impacts", "", "counted impacts of the last fifth", settled_at<&Settled::impacts>},
+    {"residuals.force_scale", "N",
+     "mean normal force of the rows in contact: F below, delta_0 the clearance",
+     [](const Metrics& m) { return json(m.residuals.force_scale); }},
+};
+
+std::vector<ColumnMeaning> make_metric_keys() {
+  static std::deque<std::string> names;  // that the keys point to
+  std::vector<ColumnMeaning> keys;
+  for (const Figure& f : figures()) keys.push_back({f.key, figure_si_unit(f), f.meaning, ""});
+  for (const MetricKey& k : kMetricKeys) keys.push_back({k.key, k.unit, k.meaning, ""});
+  for (const ResidualFigure& r : residual_figures()) {
+    keys.push_back({names.emplace_back(fmt::format("residuals.{}", r.key)), "", r.definition, ""});
+  }
+  return keys;
+}
+
+}  // namespace
+
+const ColumnMeaning& metric_key(std::string_view key) {
+  const auto keys = metric_keys();
+  const auto found =
+      std::find_if(keys.begin(), keys.end(), [&](const ColumnMeaning& k) { return k.name == key; });
+  assert(found != keys.end());
+  return *found;
+}
+
+json metric_value(const Metrics& m, std::string_view key) {
+  for (const MetricKey& k : kMetricKeys)
+    if (k.key == key) return k.value(m);
+  return figure_json(figure(std::string(key)), m);
+}
+
+json metrics_json(const Metrics& m) {
+  json all = {{"residuals", residuals_json(m.residuals)}};
+  for (const Figure& f : figures()) all[f.key] = figure_json(f, m);
+  for (const MetricKey& k : kMetricKeys) {
+    std::string path = fmt::format("/{}", k.key);
+    std::replace(path.begin(), path.end(), '.', '/');
+    all[json::json_pointer(path)] = k.value(m);
+  }
+  return all;
+}
+
+std::span<const ColumnMeaning> metric_keys() {
+  static const std::vector<ColumnMeaning> keys = make_metric_keys();
+  return keys;
+}
+
+}  // namespace rotorub
