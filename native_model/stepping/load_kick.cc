@@ -19,14 +19,6 @@ bool feedback_switches(const Model& m) {
   });
 }
 
-// f += what the actuators do under `commands`, two numbers of each auxiliary bearing. One run.
-void add_actuators_of_run(const Model& m, const double* q, const double* v, const double* commands,
-                          double* f) {
-  std::array<Eigen::Vector2d, kMaxContacts> asked;
-  for (std::size_t i = 0; i < asked.size(); ++i) asked[i] = {commands[2 * i], commands[2 * i + 1]};
-  add_actuators(m, q, v, asked, f);
-}
-
 }  // namespace
 
 bool beyond_matrix(const std::vector<const Model*>& models) {
@@ -49,7 +41,7 @@ bool beyond_matrix(const std::vector<const Model*>& models) {
 template <class M>
 void LoadKick<M>::add_actuators(const State& x, const T* v, T* f) const {
   double run_q[kMaxCoordinates], run_v[kMaxCoordinates], run_f[kMaxCoordinates];
-  double asked[2 * kMaxContacts];
+  std::array<Eigen::Vector2d, kMaxContacts> asked;
   const int nq = x.nq();
   for (int lane = 0; lane < kLanes; ++lane) {
     read_lane(x, x.seen, lane, run_q);
@@ -58,10 +50,9 @@ void LoadKick<M>::add_actuators(const State& x, const T* v, T* f) const {
       run_f[i] = lanes::get(f[i], lane);
     }
     for (std::size_t b = 0; b < command.size(); ++b) {
-      asked[2 * b] = lanes::get(command[b].x, lane);
-      asked[2 * b + 1] = lanes::get(command[b].y, lane);
+      asked[b] = {lanes::get(command[b].x, lane), lanes::get(command[b].y, lane)};
     }
-    add_actuators_of_run(lane_model(x.m, lane), run_q, run_v, asked, run_f);
+    rotorub::add_actuators(lane_model(x.m, lane), run_q, run_v, asked, run_f);
     for (int i = 0; i < nq; ++i) lanes::set(f[i], lane, run_f[i]);
   }
 }
