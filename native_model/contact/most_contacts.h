@@ -17,6 +17,7 @@ class ContactList {
     assert(size_ < items_.size());
     items_[size_++] = item;
   }
+  void clear() { size_ = 0; }
   std::size_t size() const { return size_; }
   bool empty() const { return size_ == 0; }
   const T* data() const { return items_.data(); }

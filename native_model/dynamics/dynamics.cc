@@ -4,6 +4,7 @@
 #include <cassert>
 #include <cmath>
 
+#include "native_model/dynamics/inverse_mass.h"
 #include "native_model/dynamics/loads.h"
 
 namespace rotorub {
@@ -19,20 +20,15 @@ Eigen::Vector2d at_station(const Layout& l, const ModeShape& shape, const double
   return vector(eq::at_station(l.modes, shape, q));
 }
 
-// The bending rows that couple with the spin, n each.
-struct Coupling {
-  double x[kMaxCoordinates], y[kMaxCoordinates];
-  Coupling(const Model& m, double t, const double* q) {
-    Angles at;
-    at.fill(m, t, q);
-    eq::spin_coupling(m, at, x, y);
-  }
-};
-
-// All loads but the diagonal and the gyroscopic ones, and the weight.
-void add_loads(const Model& m, double t, const double* q, const double* v, double* f) {
+Angles angles_at(const Model& m, double t, const double* q) {
   Angles angles;
   if (!m.unbalances.empty()) angles.fill(m, t, q);
+  return angles;
+}
+
+// All loads but the diagonal and the gyroscopic ones, and the weight.
+void add_loads(const Model& m, double t, const Angles& angles, const double* q, const double* v,
+               double* f) {
   const auto working = eq::working_at(m, t);
   const auto add_forces = [&](double* to) { eq::add_forces(m, t, q, to); };
   eq::add_loads<eq::Gyroscopics::kLeftOut>(m, {t, working.data(), angles}, q, v, add_forces, f);
@@ -70,12 +66,17 @@ void load_force(const Model& m, double t, const double* q, const double* v, doub
   } else {
     std::fill_n(f, l.nq(), 0.0);
   }
-  add_loads(m, t, q, v, f);
+  add_loads(m, t, angles_at(m, t, q), q, v, f);
 }
 
 void unactuated_force(const Model& m, double t, const double* q, const double* v, double* f) {
+  unactuated_force(m, t, angles_at(m, t, q), q, v, f);
+}
+
+void unactuated_force(const Model& m, double t, const Angles& angles, const double* q,
+                      const double* v, double* f) {
   eq::diagonal_force(m, q, v, f);
-  add_loads(m, t, q, v, f);
+  add_loads(m, t, angles, q, v, f);
   eq::add_gyroscopic(m, spin_speed(m, v), v, f);
 }
 
@@ -85,10 +86,7 @@ void solve_mass(const Model& m, double t, const double* q, const double* f, doub
 
 void solve_mass(const Model& m, const double* mass, double t, const double* q, const double* f,
                 double* a) {
-  if (m.coupled_mass()) {
-    const Coupling b(m, t, q);
-    return eq::solve_coupled(m, mass, b.x, b.y, f, a);
-  }
+  if (m.coupled_mass()) return InverseMass(m, mass, t, q).solve(f, a);
   for (int i = 0; i < m.nq(); ++i) a[i] = f[i] / mass[i];
 }
 
@@ -137,40 +135,7 @@ Eigen::Matrix3d contact_admittance(const Model& m, const double* mass, double t,
 
 Eigen::Matrix3d contact_admittance(const Model& m, const double* mass, double t, const double* q,
                                    std::size_t i, std::size_t j) {
-  const Layout& l = m.layout;
-  const AuxiliaryBearing &one = m.auxiliary[i], &other = m.auxiliary[j];
-  Eigen::Vector3d a{0.0, 0.0, 0.0};
-  for (int k = 0; k < l.modes; ++k) {
-    a.x() += one.shape.x[k] * other.shape.x[k] / mass[l.x() + k];
-    a.y() += one.shape.y[k] * other.shape.y[k] / mass[l.y() + k];
-  }
-  for (int k = 0; k < l.torsion; ++k) {
-    a.z() += one.torsion_shape[k] * other.torsion_shape[k] / mass[l.theta() + k];
-  }
-  if (i == j && one.moves()) {
-    a.x() += 1.0 / mass[one.ring];
-    a.y() += 1.0 / mass[one.ring + 1];
-  }
-  if (i == j && one.turns()) a.z() += one.ring_ratio * one.ring_ratio / mass[one.ring_angle];
-  if (!m.coupled_mass()) {
-    if (l.spin) a.z() += 1.0 / mass[l.phi()];
-    return a.asDiagonal();
-  }
-  // M^-1 = D0^-1 + w w^T / s, w = (-D^-1 b, 1), s = J - b^T D^-1 b; D0^-1 is 0 at the spin.
-  const Coupling b(m, t, q);
-  double s = mass[l.phi()];
-  Eigen::Vector3d of_one{0.0, 0.0, 1.0}, of_other{0.0, 0.0, 1.0};
-  for (int k = 0; k < l.modes; ++k) {
-    const double wx = -b.x[k] / mass[l.x() + k], wy = -b.y[k] / mass[l.y() + k];
-    s += b.x[k] * wx + b.y[k] * wy;
-    of_one.x() += one.shape.x[k] * wx;
-    of_one.y() += one.shape.y[k] * wy;
-    of_other.x() += other.shape.x[k] * wx;
-    of_other.y() += other.shape.y[k] * wy;
-  }
-  Eigen::Matrix3d full = a.asDiagonal();
-  full.noalias() += of_one * of_other.transpose() / s;
-  return full;
+  return InverseMass(m, mass, t, q).admittance(i, j);
 }
 
 void add_contact_load(const Model& m, const Eigen::Vector3d& p, double* f, std::size_t k) {
@@ -193,9 +158,9 @@ double energy(const Model& m, double t, const double* q, const double* v) {
     }
   }
   if (m.coupled_mass()) {
-    const Coupling b(m, t, q);
-    double bending = 0.0;
-    for (int k = 0; k < l.modes; ++k) bending += b.x[k] * v[k] + b.y[k] * v[l.y() + k];
+    double b[kMaxCoordinates], bending = 0.0;
+    eq::spin_coupling(m, angles_at(m, t, q), b, b + l.modes);
+    for (int k = 0; k < 2 * l.modes; ++k) bending += b[k] * v[k];
     e += v[l.phi()] * bending;
   }
   return e;
@@ -234,6 +199,10 @@ double external_power(const Model& m, double t, const double* q, const double* v
 }
 
 double extra_power(const Model& m, double t, const double* q, const double* v) {
+  return extra_power(m, angles_at(m, t, q), q, v);
+}
+
+double extra_power(const Model& m, const Angles& angles, const double* q, const double* v) {
   const Layout& l = m.layout;
   double power = 0.0;
   power -= coupling_power(m, q, v);
@@ -242,12 +211,13 @@ double extra_power(const Model& m, double t, const double* q, const double* v) {
   }
   if (m.coupled_mass()) {
     // With a free spin m e Omega^2 is inertial: it moves energy between spin and bending.
-    double f[kMaxCoordinates];
-    std::fill_n(f, 2 * l.modes, 0.0);
-    Angles at;
-    at.fill(m, t, q);
-    eq::add_unbalance(m, at, spin_speed(m, v), f);
-    for (int i = 0; i < 2 * l.modes; ++i) power -= f[i] * v[i];
+    const double omega = spin_speed(m, v);
+    for (std::size_t i = 0; i < m.unbalances.size(); ++i) {
+      const DiscUnbalance& disc = m.unbalances[i];
+      const Eigen::Vector2d rate = at_station(l, disc.shape, v);
+      power -= disc.static_moment * omega * omega *
+               (angles.cosine[i] * rate.x() + angles.sine[i] * rate.y());
+    }
   }
   return power;
 }

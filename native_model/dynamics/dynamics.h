@@ -10,6 +10,11 @@
 
 namespace rotorub {
 
+namespace equations {
+template <class T>
+struct DiscAngles;  // equations.h
+}
+
 double spin_angle(const Model& model, double t, const double* q);  // rad, phi, without torsion
 double spin_speed(const Model& model, const double* v);            // rad/s, Omega, without torsion
 // rad/s, Omega_c - (R/r) Omega_r, with torsion; Omega_r of a ring that turns. `contact`: the number
@@ -25,6 +30,9 @@ Eigen::Vector2d bearing_current(const Model& model, const StationFeedback& beari
 
 // f(t, q, v), nq values: all loads but the contact's and the actuator's.
 void unactuated_force(const Model& model, double t, const double* q, const double* v, double* f);
+// The same for callers who know where the eccentric discs point.
+void unactuated_force(const Model& model, double t, const equations::DiscAngles<double>& angles,
+                      const double* q, const double* v, double* f);
 
 // The part of f that a diagonal spring-damper chain does not have by itself: f without
 // -stiffness q - damping v. What the plugin adds to MuJoCo's joints.
@@ -91,5 +99,7 @@ void step_bristles(const Model& model, const double* v, const double* from, doub
 double coupling_power(const Model& model, const double* q, const double* v);
 // What external_power has beyond (f + stiffness q) . v, for callers that hold f already.
 double extra_power(const Model& model, double t, const double* q, const double* v);
+double extra_power(const Model& model, const equations::DiscAngles<double>& angles, const double* q,
+                   const double* v);
 
 }  // namespace rotorub

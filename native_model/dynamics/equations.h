@@ -141,9 +141,11 @@ struct DiscAngles {
     const T spin = equations::spin_angle(m, t, q);
     for (std::size_t i = 0; i < m.unbalances.size(); ++i) {
       const T angle = spin + m.unbalances[i].phase;
-      const bool there = m.unbalances[i].on <= t;
-      cosine[i] = there ? std::cos(angle) : 0.0;
-      sine[i] = there ? std::sin(angle) : 0.0;
+      if (m.unbalances[i].on <= t) {
+        sine_cosine<T>(angle, sine[i], cosine[i]);
+      } else {
+        sine[i] = cosine[i] = T{};
+      }
     }
   }
   // Of a step from `begin` to `end`, s: those that come within it count with their share of it.
@@ -176,26 +178,6 @@ ROTORUB_INLINE void spin_coupling(const M& m, const DiscAngles<T>& at, T* bx, T*
       bx[k] -= ax * x[k];
       by[k] += ay * y[k];
     }
-  }
-}
-
-// a = M^-1 f with `mass` on the diagonal; in place where a = f. Bending is eliminated.
-template <class M, class T = typename M::Scalar>
-ROTORUB_INLINE void solve_coupled(const M& m, const T* mass, const T* bx, const T* by, const T* f,
-                                  T* a) {
-  const auto& l = m.layout;
-  const int n = l.modes, phi = l.phi();
-  T torque = f[phi], inertia = mass[phi];
-  for (int k = 0; k < n; ++k) {
-    torque -= bx[k] * f[k] / mass[k] + by[k] * f[n + k] / mass[n + k];
-    inertia -= bx[k] * bx[k] / mass[k] + by[k] * by[k] / mass[n + k];
-  }
-  const T acceleration = torque / inertia;
-  for (int i = 0; i < l.nq(); ++i) a[i] = f[i] / mass[i];
-  a[phi] = acceleration;
-  for (int k = 0; k < n; ++k) {
-    a[k] -= bx[k] * acceleration / mass[k];
-    a[n + k] -= by[k] * acceleration / mass[n + k];
   }
 }
 

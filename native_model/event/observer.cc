@@ -116,11 +116,22 @@ void Observer::watch(const Motion& from, SmoothStep& step, Constraint& constrain
   if (!pressing.empty()) contact_time_ += now - from.t;
 }
 
-// Half a step is less than half a turn.
+// Half a step is less than half a turn. Of a whole one Hermite's cubic knows the middle well enough
+// to say in which quarter it is; of a part of it the dense output is there anyhow.
 void Observer::follow(std::size_t k, const Motion& from, SmoothStep& step, double last) {
+  const Model& m = *model_;
+  const Eigen::Vector2d start = separation(m, from.q(), k);
+  const auto middle = [&]() -> Eigen::Vector2d {
+    if (last < 1.0) return separation(m, step.at(0.5 * last), k);
+    const auto rate = [&](const double* v) -> Eigen::Vector2d {
+      return rotor_point(m, v, k) - stator_point(m, v, k);
+    };
+    return 0.5 * (start + separation(m, step.end(), k)) +
+           0.125 * step.length() * (rate(from.v()) - rate(step.end() + m.nq()));
+  };
   FullPasses& passes = of_contacts_[k].passes;
-  passes.follow(separation(*model_, from.q(), k), from.t);
-  passes.follow(separation(*model_, step.at(0.5 * last), k), from.t + 0.5 * last * step.length());
+  passes.follow(start, from.t);
+  passes.follow(middle(), from.t + 0.5 * last * step.length());
 }
 
 void Observer::watch_press(std::size_t k, SmoothStep& step, double last) {

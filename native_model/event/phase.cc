@@ -8,12 +8,21 @@
 
 namespace rotorub {
 
+namespace eq = equations;
+
 Phase::Phase(const Model& model)
     : model_(&model),
       at_(model.auxiliary.size()),
       commands_(model.auxiliary.size(), Eigen::Vector2d(0.0, 0.0)),
+      inverse_mass_(model),
       f_(Eigen::VectorXd::Zero(model.nq())),
-      a_(Eigen::VectorXd::Zero(model.nq())) {}
+      a_(Eigen::VectorXd::Zero(model.nq())) {
+  for (std::size_t k = 0; k < at_.size(); ++k) {
+    const AuxiliaryBearing& bearing = model.auxiliary[k];
+    at_[k].admittance = inverse_mass_.uncoupled_admittance(k, k);
+    is_actuated_ = is_actuated_ || (bearing.moves() && (bearing.commanded() || bearing.magnets));
+  }
+}
 
 Eigen::Vector2d Phase::command(std::size_t k, double t, const double* y) const {
   const AuxiliaryBearing& bearing = model_->auxiliary[k];
@@ -22,32 +31,28 @@ Eigen::Vector2d Phase::command(std::size_t k, double t, const double* y) const {
 }
 
 void Phase::accelerate(double t, const double* y) {
-  const double *q = y, *v = y + model_->nq();
-  for (std::size_t k = 0; k < at_.size(); ++k) commands_[k] = command(k, t, y);
-  smooth_force(*model_, t, q, v, commands_, f_.data());
-  solve_mass(*model_, t, q, f_.data(), a_.data());
-}
-
-// By the accelerations a_ of all other loads, without scales.
-Phase::Accelerations Phase::unloaded(double t, const double* y,
-                                     std::span<ClosedContact> closed) const {
   const Model& m = *model_;
   const double *q = y, *v = y + m.nq();
-  const auto n = static_cast<Eigen::Index>(closed.size());
-  Accelerations all{{}, ContactVector(2 * n), {}};
-  for (Eigen::Index i = 0; i < n; ++i) {
-    ClosedContact& c = closed[static_cast<std::size_t>(i)];
-    const ContactPoint& p = c.point = contact_point(m, q, v, c.index);
-    const Eigen::Vector3d dd = contact_acceleration(m, a_.data(), c.index);
-    const double whirl = p.whirl_speed(), radius = m.auxiliary[c.index].contact->radius;
-    all.b[2 * i] = -p.e_r.dot(dd.head<2>()) - whirl * whirl / p.delta;
-    all.b[2 * i + 1] = p.e_t().dot(dd.head<2>()) + radius * dd.z() + whirl / p.delta * p.gap_rate;
-    if (n > 1) continue;
-    const Delassus g = delassus(contact_admittance(m, t, q, c.index), p.e_r, radius);
-    all.g = Eigen::Matrix2d{{g.nn, g.nt}, {g.tn, g.tt}};
+  double* f = f_.data();
+  if (!m.unbalances.empty()) {
+    angles_.fill(m, t, q);
+    inverse_mass_.couple(angles_);
   }
-  if (n > 1) all.g = delassus(m, t, q, closed);
-  return all;
+  unactuated_force(m, t, angles_, q, v, f);
+  if (is_actuated_) {
+    for (std::size_t k = 0; k < at_.size(); ++k) commands_[k] = command(k, t, y);
+    add_actuators(m, q, v, commands_, f);
+  }
+  inverse_mass_.solve(f, a_.data());
+}
+
+// Its gddot, normal and tangential, by the accelerations a_ of all other loads.
+Eigen::Vector2d Phase::unloaded(const ClosedContact& c) const {
+  const ContactPoint& p = c.point;
+  const Eigen::Vector3d dd = contact_acceleration(*model_, a_.data(), c.index);
+  const double whirl = p.whirl_speed(), radius = model_->auxiliary[c.index].contact->radius;
+  return {-p.e_r.dot(dd.head<2>()) - whirl * whirl / p.delta,
+          p.e_t().dot(dd.head<2>()) + radius * dd.z() + whirl / p.delta * p.gap_rate};
 }
 
 // What adds up to the normal acceleration. Of one of several contacts that stands still while the
@@ -66,12 +71,15 @@ double Phase::scale_of(const ContactPoint& point, double normal, const double* q
 
 Phase::Accelerations Phase::accelerations(double t, const double* y,
                                           std::span<ClosedContact> closed) {
+  const double *q = y, *v = y + model_->nq();
   accelerate(t, y);
-  Accelerations all = unloaded(t, y, closed);
-  all.scale.resize(static_cast<Eigen::Index>(closed.size()));
-  for (Eigen::Index i = 0; i < all.scale.size(); ++i) {
-    all.scale[i] =
-        scale_of(closed[static_cast<std::size_t>(i)].point, all.b[2 * i], y, y + model_->nq());
+  for (ClosedContact& c : closed) c.point = contact_point(*model_, q, v, c.index);
+  const auto n = static_cast<Eigen::Index>(closed.size());
+  Accelerations all{delassus(*model_, t, q, closed), ContactVector(2 * n), ContactVector(n)};
+  for (Eigen::Index i = 0; i < n; ++i) {
+    const ClosedContact& c = closed[static_cast<std::size_t>(i)];
+    all.b.segment<2>(2 * i) = unloaded(c);
+    all.scale[i] = scale_of(c.point, all.b[2 * i], q, v);
   }
   return all;
 }
@@ -104,65 +112,92 @@ void Phase::set_margins_in_wall(std::size_t k, const double* q, const double* v)
                     -contact.compliance.margin(-p.gap, -p.gap_rate, a, scale)};
 }
 
-// Of all that are closed, which it gives. Unknown is the normal force of each, and of one that
-// sticks its friction; gddot of each is 0. Multipliers and margins of the others are none.
-ContactList<ClosedContact> Phase::find_multipliers(double t, const double* y) {
-  ContactList<ClosedContact> closed;
-  for (std::size_t k = 0; k < at_.size(); ++k) {
-    at_[k].multipliers = {};
-    at_[k].margins = {kInfinity, kInfinity};
-    if (in_contact(k)) closed.push_back({k, {}});
-    if (state(k).in_wall) set_margins_in_wall(k, y, y + model_->nq());
+// Of a sliding one, mu sign(gdot_T).
+double Phase::mu_sign(const ClosedContact& c) const {
+  const double sign = at_[c.index].state.slip_sign;
+  return model_->auxiliary[c.index].contact->friction.along(sign * c.point.slip) * sign;
+}
+
+// Unknown is the normal force of each, and of one that sticks its friction; gddot of each is 0.
+// Adds what they do to the accelerations a.
+void Phase::press_one(const ClosedContact& c, double* a) {
+  const AtContact& at = at_[c.index];
+  const double radius = model_->auxiliary[c.index].contact->radius;
+  const Eigen::Vector3d coupling = inverse_mass_.coupling_at(c.index);
+  const Delassus g =
+      delassus(inverse_mass_.admittance(at.admittance, coupling), c.point.e_r, radius);
+  const Eigen::Vector2d b = unloaded(c);
+  const std::optional<double> known = pressing(c);
+  PlanarImpulse<double> force{0.0, 0.0};
+  if (at.state.mode != Mode::kStick) {
+    const double friction = mu_sign(c);
+    force.normal = known ? *known : slide(g, b[0], friction);
+    force.friction = -friction * force.normal;
+  } else if (known) {
+    force = {*known, -(b[1] + g.tn * *known) / g.tt};
+  } else {
+    force = stick(g, b[0], b[1]);
   }
-  if (closed.empty()) return closed;
-  const Accelerations all = unloaded(t, y, closed);
-  // Of a sliding one, mu sign(gdot_T).
-  const auto mu_sign = [this](const ClosedContact& c) {
-    const double sign = at_[c.index].state.slip_sign;
-    return model_->auxiliary[c.index].contact->friction.along(sign * c.point.slip) * sign;
-  };
-  const auto sticks = [this](const ClosedContact& c) {
-    return at_[c.index].state.mode == Mode::kStick;
-  };
-  if (closed.size() == 1) {
-    const ClosedContact& c = closed[0];
-    const Delassus g{all.g(0, 0), all.g(0, 1), all.g(1, 0), all.g(1, 1)};
-    PlanarImpulse<double> force{0.0, 0.0};
-    const std::optional<double> known = pressing(c);
-    if (!sticks(c)) {
-      force.normal = known ? *known : slide(g, all.b[0], mu_sign(c));
-      force.friction = -mu_sign(c) * force.normal;
-    } else if (known) {
-      force = {*known, -(all.b[1] + g.tn * *known) / g.tt};
-    } else {
-      force = stick(g, all.b[0], all.b[1]);
-    }
-    set_margins(c, force.normal, force.friction);
-    return closed;
-  }
-  CaseSystem system(all.b.size());
-  for (std::size_t i = 0; i < closed.size(); ++i) {
+  set_margins(c, force.normal, force.friction);
+  inverse_mass_.add_response(c.index, coupling,
+                             contact_load(c.point.e_r, radius, force.normal, force.friction), a);
+}
+
+void Phase::press_several(double t, const double* q, double* a) {
+  const auto rows = static_cast<Eigen::Index>(2 * closed_.size());
+  ContactVector b(rows);
+  CaseSystem system(rows);
+  for (std::size_t i = 0; i < closed_.size(); ++i) {
+    const ClosedContact& c = closed_[i];
     const auto row = static_cast<Eigen::Index>(2 * i);
-    const std::optional<double> known = pressing(closed[i]);
+    b.segment<2>(row) = unloaded(c);
+    const std::optional<double> known = pressing(c);
     if (known) {
       system.given[row] = *known;
     } else {
       system.free(row);
     }
-    if (sticks(closed[i])) {
+    if (at_[c.index].state.mode == Mode::kStick) {
       system.free(row + 1);
     } else if (known) {
-      system.given[row + 1] = -mu_sign(closed[i]) * *known;
+      system.given[row + 1] = -mu_sign(c) * *known;
     } else {
-      system.bring(row + 1, -mu_sign(closed[i]));
+      system.bring(row + 1, -mu_sign(c));
     }
   }
-  const ContactVector force = system.solve(all.g, all.b);
-  for (std::size_t i = 0; i < closed.size(); ++i) {
+  const ContactVector force = system.solve(delassus(*model_, t, q, closed_), b);
+  for (std::size_t i = 0; i < closed_.size(); ++i) {
+    const ClosedContact& c = closed_[i];
     const auto row = static_cast<Eigen::Index>(2 * i);
-    set_margins(closed[i], force[row], force[row + 1]);
+    const double radius = model_->auxiliary[c.index].contact->radius;
+    set_margins(c, force[row], force[row + 1]);
+    inverse_mass_.add_response(c.index, inverse_mass_.coupling_at(c.index),
+                               contact_load(c.point.e_r, radius, force[row], force[row + 1]), a);
   }
-  return closed;
+}
+
+// Multipliers and margins of those that are open are none.
+void Phase::find_closed(const double* q, const double* v) {
+  closed_.clear();
+  for (std::size_t k = 0; k < at_.size(); ++k) {
+    at_[k].multipliers = {};
+    at_[k].margins = {kInfinity, kInfinity};
+    if (in_contact(k)) closed_.push_back({k, contact_point(*model_, q, v, k)});
+    if (state(k).in_wall) set_margins_in_wall(k, q, v);
+  }
+}
+
+// The rates of what is summed up of a closed contact.
+void Phase::integrate(const ClosedContact& c, double* integrals) const {
+  const Model& m = *model_;
+  const auto [normal, friction] = at_[c.index].multipliers;
+  const double held = m.layout.spin ? 0.0 : m.auxiliary[c.index].contact->radius * m.speed;
+  integrals[integral_index(kNormalImpulse, c.index)] = normal;
+  integrals[integral_index(kFrictionImpulse, c.index)] = friction;
+  integrals[integral_index(kFrictionWork, c.index)] = friction * c.point.slip;
+  double& work = integrals[integral_index(kContactWork, c.index)];
+  work = friction * (c.point.slip - held);
+  if (m.auxiliary[c.index].gives()) work += normal * c.point.gap_rate;
 }
 
 void Phase::derivative(double t, const double* y, double* dy) {
@@ -170,39 +205,24 @@ void Phase::derivative(double t, const double* y, double* dy) {
   const int n = m.nq();
   const double *q = y, *v = y + n;
   accelerate(t, y);
+  double *a = dy + n, *integrals = dy + 2 * n;
+  std::copy_n(v, n, dy);
+  std::copy_n(a_.data(), n, a);
 
-  double* integrals = dy + 2 * n;
+  std::fill_n(integrals, integral_count(m), 0.0);
   double power = 0.0;
   for (int i = 0; i < m.layout.mechanical(); ++i) power += (f_[i] + m.stiffness[i] * q[i]) * v[i];
-  std::fill_n(integrals, integral_count(m), 0.0);
-  integrals[kExternalWork] = power + extra_power(m, t, q, v);
+  integrals[kExternalWork] = power + extra_power(m, angles_, q, v);
 
-  const ContactList<ClosedContact> closed = find_multipliers(t, y);
-  if (!closed.empty()) f_.setZero();
-  for (const ClosedContact& c : closed) {
-    const double radius = m.auxiliary[c.index].contact->radius;
-    const auto [normal, friction] = at_[c.index].multipliers;
-    add_contact_load(m, contact_load(c.point.e_r, radius, normal, friction), f_.data(), c.index);
-    const double held = m.layout.spin ? 0.0 : radius * m.speed;
-    integrals[integral_index(kNormalImpulse, c.index)] = normal;
-    integrals[integral_index(kFrictionImpulse, c.index)] = friction;
-    integrals[integral_index(kFrictionWork, c.index)] = friction * c.point.slip;
-    double& work = integrals[integral_index(kContactWork, c.index)];
-    work = friction * (c.point.slip - held);
-    if (m.auxiliary[c.index].gives()) work += normal * c.point.gap_rate;
-  }
-  if (!closed.empty()) {
-    solve_mass(m, t, q, f_.data(), f_.data());
-    a_ += f_;
-  }
+  find_closed(q, v);
+  if (closed_.size() == 1) press_one(closed_[0], a);
+  if (closed_.size() > 1) press_several(t, q, a);
+  for (const ClosedContact& c : closed_) integrate(c, integrals);
   if ((!in_contact(0) || m.first().gives()) && m.first().contact &&
       std::isfinite(at_[0].first_touch)) {
-    const double rate = contact_point(m, q, v).gap_rate;
-    integrals[kGapRateSquare] = rate * rate;
-  }
-  for (int i = 0; i < n; ++i) {
-    dy[i] = v[i];
-    dy[n + i] = a_[i];
+    const eq::Pair<double> d = eq::separation(m, q), rate = eq::relative(m, v);
+    const double square = d.x * d.x + d.y * d.y, along = d.x * rate.x + d.y * rate.y;
+    if (square > kNoNormal * kNoNormal) integrals[kGapRateSquare] = along * along / square;
   }
 }
 

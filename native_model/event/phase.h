@@ -19,6 +19,7 @@
 #include <vector>
 
 #include "native_model/dynamics/constraint.h"
+#include "native_model/dynamics/inverse_mass.h"
 #include "native_model/event/contact_state.h"
 #include "native_model/system/model.h"
 
@@ -123,6 +124,7 @@ class Phase {
  private:
   struct AtContact {
     ContactState state{};
+    Eigen::Matrix3d admittance = Eigen::Matrix3d::Zero();  // of itself, where nothing is coupled
     Multipliers multipliers{};
     Margins margins{kInfinity, kInfinity};
     double first_touch = kInfinity;
@@ -130,16 +132,24 @@ class Phase {
     Outputs outputs{};
   };
   void accelerate(double t, const double* y);
-  Accelerations unloaded(double t, const double* y, std::span<ClosedContact> closed) const;
+  Eigen::Vector2d unloaded(const ClosedContact& at) const;
+  double mu_sign(const ClosedContact& at) const;
   double scale_of(const ContactPoint& point, double normal, const double* q, const double* v) const;
-  ContactList<ClosedContact> find_multipliers(double t, const double* y);
+  void find_closed(const double* q, const double* v);
+  void press_one(const ClosedContact& at, double* a);
+  void press_several(double t, const double* q, double* a);
+  void integrate(const ClosedContact& at, double* integrals) const;
   void set_margins(const ClosedContact& at, double normal, double friction);
   void set_margins_in_wall(std::size_t contact, const double* q, const double* v);
 
   const Model* model_;
   std::vector<AtContact> at_;  // of each auxiliary bearing
+  bool is_actuated_ = false;   // a ring at least
   std::vector<Eigen::Vector2d> commands_;
-  Eigen::VectorXd f_, a_;  // loads and accelerations
+  ContactList<ClosedContact> closed_;  // now
+  equations::DiscAngles<double> angles_;
+  InverseMass inverse_mass_;
+  Eigen::VectorXd f_, a_;  // loads and accelerations, without contact
 };
 
 }  // namespace rotorub

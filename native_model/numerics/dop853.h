@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <span>
 #include <vector>
 
 #include "native_model/numerics/dop853_tableau.h"
@@ -23,7 +24,9 @@ class Dop853 {
         dense_(static_cast<std::size_t>(padded_ * kDenseTerms)),
         start_(static_cast<std::size_t>(padded_)),
         end_(start_),
-        work_(start_) {}
+        work_(start_),
+        fifth_(start_),
+        third_(start_) {}
 
   // f(t, y) at the start of the next step: to be set first, and after every jump of y or f.
   double* first_slope() { return stage(0); }
@@ -92,7 +95,7 @@ class Dop853 {
   // The same of one component, at the cost of its own terms alone.
   double increment(int i, double theta) {
     if (known_ == 0 && known_alone_ != i) {
-      find_terms<1>(i);
+      find_terms_of(i);
       known_alone_ = i;
     }
     return nested(i, theta);
@@ -120,9 +123,9 @@ class Dop853 {
   int size() const { return size_; }
 
  private:
-  // Sums over the stages go through the components in blocks, so that they stay in registers. The
-  // storage is padded to whole blocks, with zeros.
-  static constexpr int kBlock = 6;
+  // Sums over the stages go through the components in blocks (numerics/small_matrix.h). The storage
+  // is padded to whole blocks, with zeros.
+  static constexpr int kBlock = 8;
   static constexpr int kNone = -1;
 
   double* stage(int s) { return stages_.data() + static_cast<std::ptrdiff_t>(s) * padded_; }
@@ -133,18 +136,7 @@ class Dop853 {
 
   // y = start + h sum of the row.
   void combine(const dop853::Row& row, double* y) {
-    for (int first = 0; first < padded_; first += kBlock) {
-      double sum[kBlock];
-      const double *begin = stage(row.terms[0].stage) + first, first_weight = row.terms[0].weight;
-      for (int i = 0; i < kBlock; ++i) sum[i] = first_weight * begin[i];
-      for (int j = 1; j < row.count; ++j) {
-        const dop853::Term& w = row.terms[static_cast<std::size_t>(j)];
-        const double *from = stage(w.stage) + first, weight = w.weight;
-        for (int i = 0; i < kBlock; ++i) sum[i] += weight * from[i];
-      }
-      const double* start = start_.data() + first;
-      for (int i = 0; i < kBlock; ++i) y[first + i] = start[i] + step_ * sum[i];
-    }
+    small_matrix::combine(stages_.data(), padded_, row, step_, start_.data(), y);
   }
 
   double nested(int i, double theta) const {
@@ -157,60 +149,47 @@ class Dop853 {
     return sum;
   }
 
-  // F_0 ... of N components from `first` on.
-  template <int N>
-  void find_terms(int first) {
-    using namespace dop853;
-    const double *f0 = stage(0) + first, *f1 = stage(kStages) + first;
-    const double *start = start_.data() + first, *end = end_.data() + first;
-    double *term0 = dense_term(0) + first, *term1 = dense_term(1) + first,
-           *term2 = dense_term(2) + first;
-    for (int i = 0; i < N; ++i) {
-      const double dy = end[i] - start[i];
-      term0[i] = dy;
-      term1[i] = step_ * f0[i] - dy;
-      term2[i] = 2.0 * dy - step_ * (f1[i] + f0[i]);
-    }
+  // F_0, F_1, F_2 of a component, by its ends.
+  void find_first_terms(int i) {
+    const auto k = static_cast<std::size_t>(i);
+    const double dy = end_[k] - start_[k], f0 = stage(0)[i], f1 = stage(dop853::kStages)[i];
+    dense_term(0)[i] = dy;
+    dense_term(1)[i] = step_ * f0 - dy;
+    dense_term(2)[i] = 2.0 * dy - step_ * (f1 + f0);
+  }
+  void find_terms_of(int i) {
+    find_first_terms(i);
     for (int d = 0; d < 4; ++d) {
-      const Row& row = kDense[static_cast<std::size_t>(d)];
-      double sum[N] = {};
-      for (int j = 0; j < row.count; ++j) {
-        const Term& w = row.terms[static_cast<std::size_t>(j)];
-        const double *from = stage(w.stage) + first, weight = step_ * w.weight;
-        for (int i = 0; i < N; ++i) sum[i] += weight * from[i];
-      }
-      double* to = dense_term(3 + d) + first;
-      for (int i = 0; i < N; ++i) to[i] = sum[i];
+      double sum = 0.0;
+      for (const dop853::Term& w : row_of_dense(d)) sum += w.weight * stage(w.column)[i];
+      dense_term(3 + d)[i] = step_ * sum;
     }
   }
   void find_all_terms() {
     if (known_ == size_) return;
-    for (int first = 0; first < padded_; first += kBlock) find_terms<kBlock>(first);
+    for (int i = 0; i < size_; ++i) find_first_terms(i);
+    for (int d = 0; d < 4; ++d) {
+      small_matrix::combine(stages_.data(), padded_, row_of_dense(d), step_, nullptr,
+                            dense_term(3 + d));
+    }
     known_ = size_;
+  }
+  static std::span<const dop853::Term> row_of_dense(int d) {
+    return dop853::kDense[static_cast<std::size_t>(d)];
   }
 
   // Hairer's blend of the two estimates, by the largest component:
   // |h| e5^2 / sqrt(e5^2 + 0.01 e3^2).
   double error(const double* tolerance) {
     using namespace dop853;
+    small_matrix::combine(stages_.data(), padded_, kFifth, 1.0, nullptr, fifth_.data());
+    small_matrix::combine(stages_.data(), padded_, kThirdOfStep, 1.0, nullptr, third_.data());
     double largest5 = 0.0, largest3 = 0.0;
     for (int i = 0; i < size_; ++i) {
-      double e5 = 0.0, e3 = 0.0;
-      for (int j = 0; j < kFifth[0].count; ++j) {
-        const Term& w = kFifth[0].terms[static_cast<std::size_t>(j)];
-        e5 += w.weight * stage(w.stage)[i];
-      }
+      const double e5 = fifth_[static_cast<std::size_t>(i)];
+      const double e3 = third_[static_cast<std::size_t>(i)];
       if (!std::isfinite(e5)) return std::numeric_limits<double>::infinity();
       if (std::isinf(tolerance[i])) continue;
-      const Row& eighth = kMatrix[kStages];
-      for (int j = 0; j < eighth.count; ++j) {
-        const Term& w = eighth.terms[static_cast<std::size_t>(j)];
-        e3 += w.weight * stage(w.stage)[i];
-      }
-      for (int j = 0; j < kThird.count; ++j) {
-        const Term& w = kThird.terms[static_cast<std::size_t>(j)];
-        e3 -= w.weight * stage(w.stage)[i];
-      }
       largest5 = std::max(largest5, std::abs(e5) / tolerance[i]);
       largest3 = std::max(largest3, std::abs(e3) / tolerance[i]);
     }
@@ -226,6 +205,7 @@ class Dop853 {
   int known_alone_ = kNone;  // the one that is known beside none
   double step_ = 0.0;
   std::vector<double> stages_, dense_, start_, end_, work_;
+  std::vector<double> fifth_, third_;  // estimates of the error over the step's length
 };
 
 }  // namespace rotorub

@@ -4,13 +4,13 @@
 #pragma once
 
 #include <array>
+#include <span>
+
+#include "native_model/numerics/small_matrix.h"
 
 namespace rotorub::dop853 {
 
-struct Term {
-  int stage;
-  double weight;
-};
+using Term = small_matrix::WeightedColumn;  // of the stages
 
 inline constexpr int kStages = 12;          // of a step; stage 12 is f at its end
 inline constexpr int kExtendedStages = 16;  // with those of the dense output
@@ -35,6 +35,7 @@ inline constexpr std::array<double, kExtendedStages> kNodes{0.0,
 struct Row {
   int count;
   std::array<Term, 13> terms;
+  operator std::span<const Term>() const { return {terms.data(), static_cast<std::size_t>(count)}; }
 };
 
 // y_s = y + h sum a_sj k_j; row 12 is the step itself.
@@ -134,21 +135,34 @@ inline constexpr std::array<Row, 16> kMatrix{
         {14, -9.15095847217987001081870187138}}}}}};
 
 // Difference to the embedded formula of order 5.
-inline constexpr std::array<Row, 1> kFifth{{{8,
-                                             {{{0, 0.1312004499419488073250102996e-1},
-                                               {5, -0.1225156446376204440720569753e+1},
-                                               {6, -0.4957589496572501915214079952},
-                                               {7, 0.1664377182454986536961530415e+1},
-                                               {8, -0.3503288487499736816886487290},
-                                               {9, 0.3341791187130174790297318841},
-                                               {10, 0.8192320648511571246570742613e-1},
-                                               {11, -0.2235530786388629525884427845e-1}}}}}};
+inline constexpr Row kFifth{8,
+                            {{{0, 0.1312004499419488073250102996e-1},
+                              {5, -0.1225156446376204440720569753e+1},
+                              {6, -0.4957589496572501915214079952},
+                              {7, 0.1664377182454986536961530415e+1},
+                              {8, -0.3503288487499736816886487290},
+                              {9, 0.3341791187130174790297318841},
+                              {10, 0.8192320648511571246570742613e-1},
+                              {11, -0.2235530786388629525884427845e-1}}}};
 
 // The embedded formula of order 3, to be taken off row 12.
 inline constexpr Row kThird{3,
                             {{{0, 0.244094488188976377952755905512},
                               {8, 0.733846688281611857341361741547},
                               {11, 0.220588235294117647058823529412e-1}}}};
+
+// What that leaves.
+inline constexpr Row kThirdOfStep = [] {
+  Row row = kMatrix[kStages];
+  for (int i = 0; i < row.count; ++i) {
+    Term& term = row.terms[static_cast<std::size_t>(i)];
+    for (int j = 0; j < kThird.count; ++j) {
+      const Term& taken = kThird.terms[static_cast<std::size_t>(j)];
+      if (taken.column == term.column) term.weight -= taken.weight;
+    }
+  }
+  return row;
+}();
 
 // The last four vectors of the dense output.
 inline constexpr std::array<Row, 4> kDense{{{12,

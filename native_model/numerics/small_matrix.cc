@@ -1,5 +1,6 @@
 #include "native_model/numerics/small_matrix.h"
 
+#include <cassert>
 #include <type_traits>
 
 namespace rotorub::small_matrix {
@@ -38,6 +39,35 @@ ROTORUB_INLINE void each_block(const double* columns, int rows, int count, const
   store(i, sum);
 }
 
+template <int W>
+ROTORUB_INLINE void combine_blocks(const double* columns, int rows, const WeightedColumn* sum,
+                                   int count, double factor, const double* start, double* out) {
+  using Vector = lanes::Raw<W>::Value;
+  constexpr int kVectors = 8 / W;
+  for (int i = 0; i < rows; i += 8) {
+    Vector sums[kVectors] = {};
+    for (int j = 0; j < count; ++j) {
+      const double* column = columns + sum[j].column * rows + i;
+#pragma GCC unroll 4
+      for (int k = 0; k < kVectors; ++k) {
+        Vector part;
+        __builtin_memcpy(&part, column + k * W, sizeof part);
+        sums[k] += part * sum[j].weight;
+      }
+    }
+#pragma GCC unroll 4
+    for (int k = 0; k < kVectors; ++k) {
+      sums[k] *= factor;
+      if (start) {
+        Vector from;
+        __builtin_memcpy(&from, start + i + k * W, sizeof from);
+        sums[k] += from;
+      }
+      __builtin_memcpy(out + i + k * W, &sums[k], sizeof sums[k]);
+    }
+  }
+}
+
 // A function for each processor, of which the loader takes one (GCC's function multiversioning).
 #ifdef ROTORUB_EACH_TARGET
 #define ROTORUB_EACH_WIDTH(X)                                                  \
@@ -65,6 +95,12 @@ ROTORUB_EACH_WIDTH(ROTORUB_MULTIPLY)
     });                                                                                           \
   }
 ROTORUB_EACH_WIDTH(ROTORUB_ADD_MULTIPLE)
+#define ROTORUB_COMBINE(W)                                                             \
+  void combined(const double* columns, int rows, const WeightedColumn* sum, int count, \
+                double factor, const double* start, double* out) {                     \
+    combine_blocks<W>(columns, rows, sum, count, factor, start, out);                  \
+  }
+ROTORUB_EACH_WIDTH(ROTORUB_COMBINE)
 
 }  // namespace
 
@@ -74,6 +110,12 @@ void multiply(const double* columns, int rows, int count, const double* in, doub
 void add_multiple(double factor, const double* columns, int rows, int count, const double* in,
                   double* out) {
   added_product(factor, columns, rows, count, in, out);
+}
+
+void combine(const double* columns, int rows, std::span<const WeightedColumn> sum, double factor,
+             const double* start, double* out) {
+  assert(rows % 8 == 0);
+  combined(columns, rows, sum.data(), static_cast<int>(sum.size()), factor, start, out);
 }
 
 }  // namespace rotorub::small_matrix

@@ -4,6 +4,8 @@
 // last, so the same bits from all of them.
 #pragma once
 
+#include <span>
+
 #include "native_model/numerics/lanes.h"
 
 namespace rotorub::small_matrix {
@@ -13,6 +15,15 @@ void multiply(const double* columns, int rows, int count, const double* in, doub
 // out += factor (A in).
 void add_multiple(double factor, const double* columns, int rows, int count, const double* in,
                   double* out);
+
+// out = factor times a sum of columns, each with its weight; plus `start`, unless null. rows: a
+// multiple of 8.
+struct WeightedColumn {
+  int column;
+  double weight;
+};
+void combine(const double* columns, int rows, std::span<const WeightedColumn> sum, double factor,
+             const double* start, double* out);
 
 // Rows [i, i + kRows) of A in.
 template <int kRows, class T>

@@ -228,8 +228,9 @@ Eigen::Vector2d AppliedForce::at(double t, double spin) const {
   if (kind == scene::ForceKind::kPulse) {
     return std::sin(std::numbers::pi * (t - on) / (off - on)) * vector;
   }
-  const double a = angle(t, spin);
-  return factor * amplitude * Eigen::Vector2d(std::cos(a), std::sin(a));
+  double sine, cosine;
+  sine_cosine(angle(t, spin), sine, cosine);
+  return factor * amplitude * Eigen::Vector2d(cosine, sine);
 }
 
 Model make_model(const scene::Scene& scene) {

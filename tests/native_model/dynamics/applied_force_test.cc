@@ -55,7 +55,8 @@ TEST(AppliedForce, RotatesWithAbsoluteTime) {
 // its angle grows by the mean of both frequencies; a pulse is 0 at both ends.
 TEST(AppliedForce, OfTheKindsThatFollowAndPass) {
   AppliedForce f{scene::ForceKind::kSynchronous, 2.0, 0.0, 0.5, {9.0, 9.0}, 0.1, 0.3, 0.0, {}};
-  EXPECT_EQ(f.at(0.2, 4.0), Eigen::Vector2d(2.0 * std::cos(4.5), 2.0 * std::sin(4.5)));
+  EXPECT_DOUBLE_EQ(f.at(0.2, 4.0).x(), 2.0 * std::cos(4.5));
+  EXPECT_DOUBLE_EQ(f.at(0.2, 4.0).y(), 2.0 * std::sin(4.5));
   EXPECT_EQ(f.at(0.3, 4.0), Eigen::Vector2d(0.0, 0.0));
   f.kind = scene::ForceKind::kChirp;
   f.frequency = 100.0;
