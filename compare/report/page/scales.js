@@ -41,22 +41,23 @@ export function countUntil(all, value, of = (x) => x) {
   return low;
 }
 
-// Least and greatest of each of `buckets` equal parts, in order: no spike is lost.
+// First, least, greatest and last of each of `buckets` equal parts of the time, in order: no spike is lost, and the line
+// between two parts begins and ends where the whole one does.
 export function thinned(t, y, buckets) {
   const n = t.length;
-  if (n <= 2 * buckets + 2) return {t, y};
-  const kept = [0];
-  for (let b = 0; b < buckets; ++b) {
-    const begin = Math.floor(n * b / buckets), end = Math.floor(n * (b + 1) / buckets);
-    let low = begin, high = begin;
-    for (let i = begin; i < end; ++i) {
+  if (n <= 4 * buckets) return {t, y};
+  const width = (t[n - 1] - t[0]) / buckets, kept = [];
+  for (let first = 0, b = 1; first < n; ++b) {
+    let low = first, high = first, last = first;
+    for (let i = first; i < n && (b >= buckets || t[i] < t[0] + b * width); ++i) {
       if (y[i] < y[low]) low = i;
       if (y[i] > y[high]) high = i;
+      last = i;
     }
-    kept.push(Math.min(low, high));
-    if (low !== high) kept.push(Math.max(low, high));
+    if (b < buckets && t[first] >= t[0] + b * width) continue;  // nothing in this part
+    kept.push(...new Set([first, Math.min(low, high), Math.max(low, high), last]));
+    first = last + 1;
   }
-  kept.push(n - 1);
   return {t: kept.map((i) => t[i]), y: kept.map((i) => y[i])};
 }
 

@@ -52,10 +52,30 @@ test('counting until a value', () => {
 test('a thinned line keeps its ends and every spike', () => {
   const t = Array.from({length: 10000}, (_, k) => k), y = t.map((k) => (k === 5003 ? 9 : k === 7001 ? -9 : Math.sin(k)));
   const line = thinned(t, y, 100);
-  assert.ok(line.t.length <= 202);
+  assert.ok(line.t.length <= 400);
   assert.ok(line.t.includes(0) && line.t.includes(9999) && line.t.includes(5003) && line.t.includes(7001));
   assert.ok(line.t.every((v, k) => k === 0 || v >= line.t[k - 1]), 'in order');
   assert.deepEqual(thinned([1, 2], [3, 4], 100), {t: [1, 2], y: [3, 4]});
+});
+
+// The value that a drawn line has at a time.
+function drawnAt({t, y}, time) {
+  const k = t.findIndex((v) => v >= time);
+  return k === 0 || t[k] === time ? y[k] : y[k - 1] + (y[k] - y[k - 1]) * (time - t[k - 1]) / (t[k] - t[k - 1]);
+}
+
+test('a thinned line is at rest where the whole one is, however its samples lie', () => {
+  // Nothing until a touch at 105 ms; then a knot at every step.
+  const t = [], y = [];
+  for (let k = 0; k <= 50; ++k) t.push(2.1e-3 * k), y.push(0);
+  for (let k = 1; k <= 40000; ++k) t.push(0.105 + 1e-5 * k), y.push(1000 * (k % 3));
+  const line = thinned(t, y, 700);
+  assert.ok(line.t.length <= 2800);
+  for (const time of [0.02, 0.0979, 0.1, 0.1049, 0.105]) assert.equal(drawnAt(line, time), 0, `at ${time} s`);
+  // A force that ends and stays away.
+  const gone = thinned(t.map((time) => 0.505 - time).reverse(), [...y].reverse(), 700);
+  for (const time of [0.4001, 0.41, 0.5]) assert.equal(drawnAt(gone, time), 0, `at ${time} s`);
+  assert.equal(Math.max(...line.y), 2000);
 });
 
 test('a line is open where a record has no samples', () => {
