@@ -69,32 +69,38 @@ Waterfall waterfall(std::span<const Complex> z, double h, std::size_t stretch) {
   return all;
 }
 
-std::vector<Complex> even_orbit(const Trajectory& run, double from, double to, std::size_t count) {
-  assert(count >= 2 && run.rows() >= 2);
-  const std::vector<double> at = even_times(from, to, count);
+namespace {
+
+// The rotor at the contact at ascending times within the run.
+std::vector<Complex> orbit_at(const Trajectory& run, const std::vector<double>& times) {
   const auto along = [&](const char* place, const char* rate) {
-    return cubic(run.column("t"), run.column(place), run.column(rate), at);
+    return cubic(run.column("t"), run.column(place), run.column(rate), times);
   };
   const std::vector<double> x = along("rotor_x", "rotor_vx"), y = along("rotor_y", "rotor_vy");
   std::vector<Complex> z;
-  for (std::size_t k = 0; k < count; ++k) z.emplace_back(x[k], y[k]);
+  for (std::size_t k = 0; k < times.size(); ++k) z.emplace_back(x[k], y[k]);
   return z;
 }
 
-std::vector<std::complex<double>> poincare_points(const Trajectory& run, double from) {
+}  // namespace
+
+std::vector<Complex> even_orbit(const Trajectory& run, double from, double to, std::size_t count) {
+  assert(count >= 2 && run.rows() >= 2);
+  return orbit_at(run, even_times(from, to, count));
+}
+
+std::vector<Complex> poincare_points(const Trajectory& run, double from) {
   constexpr double kTurn = 2.0 * std::numbers::pi;
   const std::vector<double>&t = run.column("t"), &angle = run.column("spin_angle");
-  const std::vector<double>&x = run.column("rotor_x"), &y = run.column("rotor_y");
-  std::vector<std::complex<double>> points;
+  std::vector<double> passed;  // s
   for (std::size_t i = 1; i < t.size(); ++i) {
     const double before = std::floor(angle[i - 1] / kTurn), after = std::floor(angle[i] / kTurn);
     if (before == after || t[i - 1] < from) continue;
     // The last multiple that is passed: rows stand closer than a turn.
-    const double passed = kTurn * (after > before ? after : before);
-    const double share = (passed - angle[i - 1]) / (angle[i] - angle[i - 1]);
-    points.emplace_back(std::lerp(x[i - 1], x[i], share), std::lerp(y[i - 1], y[i], share));
+    const double mark = kTurn * (after > before ? after : before);
+    passed.push_back(std::lerp(t[i - 1], t[i], (mark - angle[i - 1]) / (angle[i] - angle[i - 1])));
   }
-  return points;
+  return orbit_at(run, passed);
 }
 
 }  // namespace rotorub

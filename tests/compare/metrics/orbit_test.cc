@@ -111,15 +111,18 @@ TEST(EvenOrbit, IsCubicBetweenRows) {
 // Hz.
 Trajectory circling(double spin, double whirl, std::size_t rows = 20001) {
   Trajectory t;
-  std::vector<double> time, angle, x, y;
+  std::vector<double> time, angle, x, y, vx, vy;
+  const double rate = kFullTurn * spin * whirl;
   for (std::size_t i = 0; i < rows; ++i) {
     time.push_back(static_cast<double>(i) / static_cast<double>(rows - 1));
     angle.push_back(kFullTurn * spin * time.back() + 0.5);
     x.push_back(std::cos(whirl * angle.back()));
     y.push_back(std::sin(whirl * angle.back()));
+    vx.push_back(-rate * y.back());
+    vy.push_back(rate * x.back());
   }
-  t.series = {
-      {"t", "s", time}, {"rotor_x", "m", x}, {"rotor_y", "m", y}, {"spin_angle", "rad", angle}};
+  t.series = {{"t", "s", time},        {"rotor_x", "m", x},     {"rotor_y", "m", y},
+              {"rotor_vx", "m/s", vx}, {"rotor_vy", "m/s", vy}, {"spin_angle", "rad", angle}};
   return t;
 }
 
@@ -132,6 +135,13 @@ TEST(Poincare, OfASynchronousMotionIsAPoint) {
       EXPECT_NEAR(p.imag(), 0.0, 1e-5);
     }
   }
+}
+
+// A dozen rows a turn: a circle stays one. (Cubic over an angle a: a^4 / 384 off.)
+TEST(Poincare, OfFewRowsATurnStaysOnTheCircle) {
+  const auto points = poincare_points(circling(10.0, 0.9, 121), 0.0);
+  EXPECT_EQ(points.size(), 10U);
+  for (const auto& p : points) EXPECT_NEAR(std::abs(p), 1.0, 2e-4);
 }
 
 // Half the spin: two places in turn.
