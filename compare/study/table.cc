@@ -226,6 +226,24 @@ std::string comparison_table(const SceneComparison& c, const Palette& palette) {
   return text;
 }
 
+std::string rub_answer(const Metrics& m) {
+  if (!m.first_touch) {
+    if (!m.least_gap) return "no, rotor and ring do not touch";
+    return fmt::format("no, the rotor stays {} µm clear of the ring",
+                       short_number(1e6 * *m.least_gap));
+  }
+  std::string text = "yes, from " + time_text(*m.first_touch);
+  if (m.hard_impacts > 0)
+    text += fmt::format(": {} hard impact{}", m.hard_impacts, m.hard_impacts > 1 ? "s" : "");
+  const Attractor last = m.settled.attractor;
+  if (last == Attractor::kNoContact) {
+    text += ", and no contact any more in the last fifth of the run";
+  } else if (last != Attractor::kUnknown) {
+    text += fmt::format(", {} in the last fifth of the run", to_string(last));
+  }
+  return text + fmt::format("; mean normal force {} N", short_number(m.mean_force));
+}
+
 std::string run_table(const scene::Scene& scene, const Trajectory& t, const Palette& palette) {
   const Metrics m = metrics(t, contact_facts(scene));
   const std::string step = t.step > 0.0 ? "step " + time_text(t.step) : "steps of its own";
@@ -234,6 +252,7 @@ std::string run_table(const scene::Scene& scene, const Trajectory& t, const Pale
       palette.paint(t.status == Status::kOk ? Tone::kGood : Tone::kBad, to_string(t.status)),
       t.engine, t.integrator, t.contact_model, step, time_text(t.end), time_text(scene.run.end));
   if (!t.message.empty()) text += wrapped("  ", t.message);
+  if (!contact_facts(scene).empty()) text += wrapped("  rubs: ", rub_answer(m));
   const auto add = [&](const std::string& label, const std::string& value) {
     text += fmt::format("  {:<{}}{:>{}}\n", label, kLabel, value, kValue);
   };

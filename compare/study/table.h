@@ -13,7 +13,11 @@ namespace rotorub {
 // most 80 columns wide.
 std::string comparison_table(const SceneComparison& comparison, const Palette& palette = Palette());
 
-// What `run` says of one run.
+// Whether rotor and ring touch in a run, from when on, how hard, and what becomes of it: the rest
+// of a sentence that begins with "rubs: ".
+std::string rub_answer(const Metrics& metrics);
+
+// What `run` says of one run: that answer, then its figures.
 std::string run_table(const scene::Scene& scene, const Trajectory& trajectory,
                       const Palette& palette = Palette());
 
