@@ -4,8 +4,8 @@
 #include <cassert>
 
 #include "native_model/bearing/actuator.h"
-#include "native_model/control/quadratic.h"
 #include "native_model/scene/record.h"
+#include "native_model/system/linear_plant.h"
 #include "native_model/system/model_checks.h"
 
 namespace rotorub {
@@ -63,9 +63,14 @@ void fill_control(const scene::Scene& scene, std::size_t k, Model& model) {
   }
   const scene::Controller& c = *from.controller;
   if (c.kind == scene::ControllerKind::kLqr || c.kind == scene::ControllerKind::kLqg) {
-    if (const std::string why = beyond_linear_plant(scene, k, model); !why.empty()) {
+    const bool estimates = c.kind == scene::ControllerKind::kLqg;
+    const std::string why = beyond_linear_plant(scene, k, model, estimates ? c.sample_time : 0.0);
+    if (!why.empty()) {
+      const bool lqg_can =
+          !estimates && beyond_linear_plant(scene, k, model, c.sample_time).empty();
       scene::refuse_at(k == 0 ? scene : with_bearing_alone(scene, k), "controller.kind",
-                       why + "; accepted: a controller of another kind");
+                       why + (lqg_can ? "; accepted: lqg, which estimates it, or another kind"
+                                      : "; accepted: a controller of another kind"));
     }
     plant.linear = std::make_shared<LinearPlant>(plant_of(model, k, scene.rotor.speed));
   }
