@@ -122,13 +122,13 @@ LinearPlant plant_of(const Model& model, std::size_t bearing, double speed) {
 }
 
 std::string beyond_linear_plant(const scene::Scene& scene, std::size_t bearing, const Model& model,
-                                double estimates) {
+                                double every) {
   if (const auto& ring = scene.auxiliary[bearing].stator; ring && !ring->on_springs_alone()) {
     return "the ring stands on more than its spring and damper (stator.mount, dry_friction, "
            "squeeze_film, "
            "ball_bearing or a spin that is dragged dry), which the linear plant does not know";
   }
-  double every = 0.0;
+  double other = 0.0;  // s, what another is sampled by
   for (const SampledFeedback& s : model.samplers) {
     const auto working = std::ranges::find_if(
         s.bearings, [&](std::size_t k) { return model.feedbacks[k].works.at(0.0); });
@@ -137,19 +137,16 @@ std::string beyond_linear_plant(const scene::Scene& scene, std::size_t bearing, 
         "the control of " +
         scene::magnetic_bearing_path(scene.record.get(), model.feedbacks[*working].number);
     if (s.library) return control + " is a library, whose law the linear plant does not know";
-    if (estimates == 0.0) {
-      return control +
-             " is sampled: what it remembers jumps as it is read, and is no state of a "
-             "plant in continuous time";
-    }
-    const double samples = estimates / s.sample_time;
+    if (every == 0.0)
+      return control + " is sampled, and matrices in continuous time have no samples";
+    const double samples = every / s.sample_time;
     if (samples < 0.5 || std::abs(samples - std::round(samples)) > 1e-9 * samples) {
       return control + " is sampled every " + scene::number_text(s.sample_time) +
              " s, of which controller.sample_time is no whole multiple";
     }
-    if (every > 0.0 && s.sample_time != every)
+    if (other > 0.0 && s.sample_time != other)
       return control + " has another sample time than that of another magnetic bearing";
-    every = s.sample_time;
+    other = s.sample_time;
   }
   return {};
 }

@@ -15,10 +15,9 @@ namespace rotorub {
 // of those that work at t = 0.
 LinearPlant plant_of(const Model& model, std::size_t bearing, double speed);
 
-// Why plant_of an auxiliary bearing is not the scene's; empty: it is. estimates: s, the sample time
-// of a law that estimates what sampled controls of magnetic bearings remember; 0: of one that reads
-// it, or of matrices in continuous time.
+// Why plant_of an auxiliary bearing is not the scene's; empty: it is. every: s, the sample time of
+// the law that is designed; 0: the matrices are wanted as they are, in continuous time.
 std::string beyond_linear_plant(const scene::Scene& scene, std::size_t bearing, const Model& model,
-                                double estimates = 0.0);
+                                double every = 0.0);
 
 }  // namespace rotorub

@@ -63,14 +63,10 @@ void fill_control(const scene::Scene& scene, std::size_t k, Model& model) {
   }
   const scene::Controller& c = *from.controller;
   if (c.kind == scene::ControllerKind::kLqr || c.kind == scene::ControllerKind::kLqg) {
-    const bool estimates = c.kind == scene::ControllerKind::kLqg;
-    const std::string why = beyond_linear_plant(scene, k, model, estimates ? c.sample_time : 0.0);
+    const std::string why = beyond_linear_plant(scene, k, model, c.sample_time);
     if (!why.empty()) {
-      const bool lqg_can =
-          !estimates && beyond_linear_plant(scene, k, model, c.sample_time).empty();
       scene::refuse_at(k == 0 ? scene : with_bearing_alone(scene, k), "controller.kind",
-                       why + (lqg_can ? "; accepted: lqg, which estimates it, or another kind"
-                                      : "; accepted: a controller of another kind"));
+                       why + "; accepted: a controller of another kind");
     }
     plant.linear = std::make_shared<LinearPlant>(plant_of(model, k, scene.rotor.speed));
   }

@@ -120,12 +120,11 @@ struct Recursion {
 };
 
 // All that the design knows is in a run, to round-off: matrices of the closed loop, sample by
-// sample. A sampled law begins with what its sensors show first, so that only from then on the run
-// is the recursion: such a run begins with its rotor in the middle.
+// sample. The memory of a sampled law begins with what its sensors show first, which is no linear
+// map of a memory before: such a run begins with its rotor in the middle, in motion.
 TEST(QuadraticWithMagnets, ARunIsTheClosedLoopOfTheDesign) {
   for (const Hanging& loop : loops()) {
     for (const std::string kind : {"lqr", "lqg"}) {
-      if (loop.sampled && kind == "lqr") continue;
       SCOPED_TRACE(loop.name + ", " + kind);
       scene::Scene s = levitated(loop, kind);
       if (loop.sampled) s.initial.vx = {0.03, 0.01};
@@ -144,24 +143,30 @@ TEST(QuadraticWithMagnets, ARunIsTheClosedLoopOfTheDesign) {
   }
 }
 
-TEST(QuadraticWithMagnets, FixedStepsComeToTheSameBySecondOrder) {
+TEST(QuadraticWithMagnets, FixedStepsComeToTheSame) {
   for (const Hanging& loop : loops()) {
     for (const std::string kind : {"lqr", "lqg"}) {
-      if (loop.sampled && kind == "lqr") continue;
       SCOPED_TRACE(loop.name + ", " + kind);
       scene::Scene s = levitated(loop, kind);
       const Trajectory exact = test::run_event(s);
-      test::Convergence c;
-      for (const double step : {2.5e-5, 1.25e-5, 6.25e-6, 3.125e-6}) {
-        const Trajectory t = test::run_with(s, scene::Integrator::kVerlet, step);
-        ASSERT_EQ(t.status, Status::kOk) << t.message;
-        double most = 0.0;
-        for (std::size_t k = 0; k < t.rows(); ++k)
-          most = std::max(most, std::abs(t.column("stator_x")[k] - exact.column("stator_x")[k]));
-        c.steps.push_back(step);
-        c.errors.push_back(most);
+      // lqr reads velocities, which `verlet` has at a sample's instant to first order alone: the
+      // force of the magnets jumps there.
+      const double reads = loop.sampled && kind == "lqr" ? 0.9 : 1.8;
+      for (const auto& [integrator, order] : {std::pair(scene::Integrator::kVerlet, reads),
+                                              std::pair(scene::Integrator::kMidpoint, 1.8),
+                                              std::pair(scene::Integrator::kEuler, 0.8)}) {
+        test::Convergence c;
+        for (const double step : {2.5e-5, 1.25e-5, 6.25e-6, 3.125e-6}) {
+          const Trajectory t = test::run_with(s, integrator, step);
+          ASSERT_EQ(t.status, Status::kOk) << t.message;
+          double most = 0.0;
+          for (std::size_t k = 0; k < t.rows(); ++k)
+            most = std::max(most, std::abs(t.column("stator_x")[k] - exact.column("stator_x")[k]));
+          c.steps.push_back(step);
+          c.errors.push_back(most);
+        }
+        EXPECT_GT(c.order(), order) << static_cast<int>(integrator) << ": " << c.text();
       }
-      EXPECT_GT(c.order(), 1.8) << c.text();
     }
   }
 }
@@ -263,7 +268,7 @@ TEST(QuadraticWithMagnets, FastAmplifiersAndSamplesGiveTheGainsWithoutThem) {
   EXPECT_NEAR(samples.order(), 1.0, 0.1) << samples.text();
 }
 
-TEST(QuadraticWithMagnets, RefusesWhatItCannotKnowAndSaysWhatItCan) {
+TEST(QuadraticWithMagnets, RefusesSamplesThatDoNotMeetItsOwn) {
   const auto why = [](const Hanging& loop, const std::string& kind) -> std::string {
     try {
       make_model(levitated(loop, kind));
@@ -273,8 +278,7 @@ TEST(QuadraticWithMagnets, RefusesWhatItCannotKnowAndSaysWhatItCan) {
     return "";
   };
   const Hanging sampled = loops()[1];
-  EXPECT_NE(why(sampled, "lqr").find("accepted: lqg, which estimates it"), std::string::npos)
-      << why(sampled, "lqr");
+  EXPECT_EQ(why(sampled, "lqr"), "");
   EXPECT_EQ(why(sampled, "lqg"), "");
   Hanging beside = sampled;
   beside.first = "derivative = 2.0, sample_time = 0.7e-4";
