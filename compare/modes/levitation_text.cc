@@ -93,27 +93,28 @@ LoopSheet sensitivity_sheet(const Levitation& levitation) {
 }
 
 LoopSheet step_sheet(const Levitation& levitation) {
-  LoopSheet sheet = sheet_of_loops(
-      levitation,
-      "step of force on the rotor at each bearing: how far the rotor goes there per newton, within "
-      "2 % from when on, and the static stiffness",
-      {{"most um/N", 13},
-       {"at ms", 10},
-       {"rises ms", 10},
-       {"overshoot %", 13},
-       {"settles ms", 12},
-       {"stays um/N", 12},
-       {"stiffness N/m", 15}},
-      [&](std::size_t k) {
-        const StepResponse& step = levitation.steps[k];
-        return std::vector{fmt::format("{:.4g}", kMicro * step.largest),
-                           or_dash(step.largest_at, kMilli),
-                           or_dash(step.rise_time, kMilli),
-                           or_dash(step.overshoot, 100.0),
-                           fmt::format("{:.4g}", kMilli * step.settling_time),
-                           fmt::format("{:.4g}", kMicro * step.steady),
-                           or_dash(step.static_stiffness(), 1.0)};
-      });
+  LoopSheet sheet =
+      sheet_of_loops(levitation,
+                     "step of force on the rotor at each bearing: how far it goes there per "
+                     "newton, settled within "
+                     "2 %",
+                     {{"most um/N", 13},
+                      {"at ms", 10},
+                      {"rises ms", 10},
+                      {"overshoot %", 13},
+                      {"settles ms", 12},
+                      {"stays um/N", 12},
+                      {"stiffness N/m", 15}},
+                     [&](std::size_t k) {
+                       const StepResponse& step = levitation.steps[k];
+                       return std::vector{fmt::format("{:.4g}", kMicro * step.largest),
+                                          or_dash(step.largest_at, kMilli),
+                                          or_dash(step.rise_time, kMilli),
+                                          or_dash(step.overshoot, 100.0),
+                                          fmt::format("{:.4g}", kMilli * step.settling_time),
+                                          fmt::format("{:.4g}", kMicro * step.steady),
+                                          or_dash(step.static_stiffness(), 1.0)};
+                     });
   if (std::ranges::any_of(levitation.steps, [](const auto& s) { return !s.overshoot; }))
     sheet.notes.push_back(
         "without an overshoot: it comes back, and settles within 2 % of its largest deflection");
