@@ -45,6 +45,10 @@ void velocity_at_time(const Config& config, const mjModel* m, mjData* d, const C
   const bool stepped = std::abs(data[kLatestTime] - data[kEarlierTime] - h) < 1e-6 * h;
   const double share = stepped && smooth ? 0.5 : 0.0;
   for (int i = 0; i < n; ++i) now[i] = v[i] + share * (v[i] - earlier[i]);
+  // A sampled law is shown what those of magnetic bearings remember as their last samples left it.
+  if (!config.model.first().loop) return;
+  const int first = config.model.sampled_states(), end = config.model.layout.coil();
+  std::copy(v + first, v + end, now + first);
 }
 
 Eigen::Vector2d command_of(const Config& config, const mjModel* m, mjData* d, const double* q,

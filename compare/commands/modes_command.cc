@@ -20,12 +20,11 @@
 #include "compare/report/linear_maps.h"
 #include "compare/report/modes_page.h"
 #include "native_model/control/library.h"
-#include "native_model/control/quadratic.h"
 #include "native_model/rotor/refusal.h"
 #include "native_model/rub/rub_map.h"
 #include "native_model/scene/units.h"
+#include "native_model/system/linear_plant.h"
 #include "native_model/system/model.h"
-#include "native_model/system/model_checks.h"
 #include "native_model/trajectory/output.h"
 
 namespace rotorub {

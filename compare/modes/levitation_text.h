@@ -1,8 +1,10 @@
-// Magnetic bearings in `rotorub modes`: closed loop and sensitivities, as text and as JSON.
+// Magnetic bearings in `rotorub modes`: closed loop, sensitivities, answers to a step of force and
+// to the unbalance, as text and as JSON; the page shows the same cells (report/loop_page.h).
 #pragma once
 
 #include <nlohmann/json_fwd.hpp>
 #include <string>
+#include <vector>
 
 #include "native_model/system/levitation.h"
 
@@ -10,12 +12,29 @@ namespace rotorub {
 
 // null without a magnetic bearing that controls; else {"poles": [{"real", "imaginary"}] in 1/s, by
 // falling real part, or null, "poles_refused": why, or null, "sample_time": s, 0: continuous,
-// "loops":
-// [{"bearing": from 1, "axis": "x" or "y", "sensitivity": the peak of |S|, "frequency": rad/s,
-// "zone": of ISO 14839-3}]}.
+// "loops": [{"bearing": from 1, "axis": "x" or "y", "sensitivity": the peak of |S|, "frequency":
+// rad/s, "zone": of ISO 14839-3, "step": {"largest": m/N, "largest_at": s or null, "steady": m/N,
+// "static_stiffness": N/m or null, "rise_time": s or null, "overshoot": a share or null,
+// "settling_time": s} as StepResponse, "unbalance": m, peak to peak}]}; the last two are null of a
+// loop that is unstable.
 nlohmann::json levitation_json(const Levitation& levitation);
 
-// speed: rad/s. Empty without one.
+// A table as people read it, ready in words.
+struct LoopSheet {
+  struct Column {
+    std::string head;
+    int width;  // of text; < 0: to the left
+  };
+  std::string caption;  // may be empty
+  std::vector<Column> columns;
+  std::vector<std::vector<std::string>> rows;
+  std::vector<std::string> notes;
+};
+std::vector<LoopSheet> levitation_sheets(const Levitation& levitation);
+
+// speed: rad/s.
+std::string levitation_title(double speed, const Levitation& levitation);
+// Both as text. Empty without a magnetic bearing that controls.
 std::string levitation_table(double speed, const Levitation& levitation);
 
 }  // namespace rotorub

@@ -181,8 +181,6 @@ std::string stability_text(const RotorAnalysis& analysis) {
                      analysis.stability_bound * kRpm);
 }
 
-// m, peak to peak, of API 617: 25.4 um sqrt(12000 rpm / speed), and no
-// more than 25.4 um. For a rotor at rest infinity.
 double vibration_limit(double speed) {
   const double rpm = std::abs(speed) * kRpm;
   return rpm > 0.0 ? 25.4e-6 * std::min(1.0, std::sqrt(12000.0 / rpm))

@@ -48,6 +48,10 @@ const char* sense_of(const WhirlMode& mode, double speed);
 // speed.
 std::string stability_text(const RotorAnalysis& analysis);
 
+// m, peak to peak, of API 617: 25.4 um sqrt(12000 rpm / speed), and no more than 25.4 um; speed:
+// rad/s, either sign. For a rotor at rest infinity.
+double vibration_limit(double speed);
+
 // As JSON (public contract):
 // {"speeds": [{"speed", "modes": [{"frequency", "damping_ratio"}]}], "critical_speeds": [],
 // "stability_threshold": null, "stability_bound"}: rad/s; forward whirl positive, backward

@@ -40,6 +40,7 @@ std::vector<std::string> state_names(const LinearPlant& plant) {
     }
     for (const char* plane : {"x", "y"}) names.push_back(fmt::format("stator_{}{}", rate, plane));
   }
+  names.insert(names.end(), plant.memory_names.begin(), plant.memory_names.end());
   return names;
 }
 

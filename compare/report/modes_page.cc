@@ -10,6 +10,7 @@
 
 #include "compare/base/units.h"
 #include "compare/report/assets.h"
+#include "compare/report/loop_page.h"
 #include "compare/report/page_frame.h"
 #include "compare/report/plot_points.h"
 #include "native_model/scene/diagnostic.h"
@@ -182,9 +183,15 @@ Campbell campbell_of(const scene::Scene& scene, RotorAnalysis analysis, std::opt
 
 std::string modes_page(const scene::Scene& scene, const Campbell& campbell) {
   const RotorAnalysis& analysis = campbell.analysis;
+  json data{{"rotor", modes_plots(scene, campbell)}};
+  const json loops = loop_values(analysis), unbalance = unbalance_plot(scene, campbell);
+  if (!loops.empty()) {
+    data["loops"] = loop_plots(analysis);
+    data["unbalance"] = unbalance;
+  }
   json values = page_frame({scene.name, "whirl of the free rotor",
                             "Where does it whirl, and where does it stay stable?"},
-                           {{"rotor", modes_plots(scene, campbell)}});
+                           data);
   values["hash"] = scene::scene_hash(scene);
   values["cards"] = json::array(
       {running_card(scene, analysis), critical_card(analysis), stability_card(scene, analysis)});
@@ -197,6 +204,9 @@ std::string modes_page(const scene::Scene& scene, const Campbell& campbell) {
   values["stability"] = stability_text(analysis);
   values["has_torsion"] = !analysis.torsion.empty();
   values["torsion"] = torsion_values(analysis.torsion);
+  values["loops"] = loops;
+  values["has_loops"] = !loops.empty();
+  values["has_unbalance"] = !unbalance.is_null();
   values["text"] = scene.text;
   return fill_page(modes_html(), values);
 }

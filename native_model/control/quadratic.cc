@@ -2,6 +2,7 @@
 
 #include <Eigen/Cholesky>
 #include <cassert>
+#include <cmath>
 #include <vector>
 
 #include "native_model/bearing/actuator.h"
@@ -10,15 +11,26 @@
 
 namespace rotorub {
 
-// exp(T [A B; 0 0]) = [A_d B_d; 0 1] (Van Loan 1978).
+// exp(T [A B; 0 0]) = [A_d B_d; 0 1] (Van Loan 1978); with samples in between, their S first, a
+// product of one such map each.
 LinearPlant sampled(const LinearPlant& plant, double sample_time) {
   const Eigen::Index n = plant.a.rows(), u = plant.b.cols(), m = u + plant.d.cols();
+  const bool jumps = plant.every > 0.0;
+  const double step = jumps ? plant.every : sample_time;
   Eigen::MatrixXd block = Eigen::MatrixXd::Zero(n + m, n + m);
-  block.topLeftCorner(n, n) = sample_time * plant.a;
-  block.topRightCorner(n, m) << sample_time * plant.b, sample_time * plant.d;
-  const Eigen::MatrixXd over = matrix_exp(block);
-  return {over.topLeftCorner(n, n), over.block(0, n, n, u), over.topRightCorner(n, m - u), plant.c,
-          plant.coordinates};
+  block.topLeftCorner(n, n) = step * plant.a;
+  block.topRightCorner(n, m) << step * plant.b, step * plant.d;
+  Eigen::MatrixXd over = matrix_exp(block);
+  if (jumps) {
+    over.topLeftCorner(n, n) = (over.topLeftCorner(n, n) * plant.sample).eval();
+    const Eigen::MatrixXd once = over;
+    for (long k = std::lround(sample_time / plant.every); k > 1; --k) over = (once * over).eval();
+  }
+  LinearPlant held = plant;
+  held.a = over.topLeftCorner(n, n);
+  held.b = over.block(0, n, n, u);
+  held.d = over.topRightCorner(n, m - u);
+  return held;
 }
 
 QuadraticDesign quadratic_design(const scene::Scene& scene, const LinearPlant& plant) {
@@ -36,11 +48,12 @@ QuadraticDesign quadratic_design(const scene::Scene& scene, const LinearPlant& p
         "no feedback of the ring stabilises rotor and ring: a mode that grows is out of its reach");
   d.gain = riccati_gain(a, b, r, *cost);
   // The ring off its middle, the rotor at rest: what its springs ask for, by its own two rows.
-  const Eigen::Index half = plant.a.rows() / 2;
+  const Eigen::Index half = plant.half(), rate = 2 * half - 2;
   Eigen::VectorXd stand = Eigen::VectorXd::Zero(plant.a.rows());
   stand.segment(half - 2, 2) = -d.offset;
   d.level =
-      d.gain * stand - (plant.a * stand).tail(2).cwiseQuotient(plant.b.bottomRows(2).diagonal());
+      d.gain * stand -
+      (plant.a * stand).segment(rate, 2).cwiseQuotient(plant.b.middleRows(rate, 2).diagonal());
   if (c.kind == scene::ControllerKind::kLqr) return d;
 
   const Eigen::MatrixXd w = d.plant.d * c.disturbance;
@@ -56,12 +69,15 @@ QuadraticDesign quadratic_design(const scene::Scene& scene, const LinearPlant& p
 
 Eigen::Vector2d StateFeedback::command(const Measurement& now, const SwitchOn&, double*) const {
   assert(now.q != nullptr);
-  const std::vector<int>& at = design_.plant.coordinates;
-  const auto half = static_cast<Eigen::Index>(at.size());
+  const std::vector<int>&at = design_.plant.coordinates, &memory = design_.plant.memory;
+  const Eigen::Index half = design_.plant.half();
   Eigen::Vector2d u = design_.level;
   for (Eigen::Index i = 0; i < half; ++i) {
     const int k = at[static_cast<std::size_t>(i)];
     u -= design_.gain.col(i) * now.q[k] + design_.gain.col(half + i) * now.v[k];
+  }
+  for (std::size_t i = 0; i < memory.size(); ++i) {
+    u -= design_.gain.col(2 * half + static_cast<Eigen::Index>(i)) * now.v[memory[i]];
   }
   return u;
 }

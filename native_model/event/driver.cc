@@ -181,15 +181,9 @@ void EventIntegrator::arrive_at_break() {
   step_.restart(motion_);
 }
 
+// The rings' controllers first: they are shown what the magnetic bearings' samples before this one
+// left, as in fixed steps.
 void EventIntegrator::sample_controllers() {
-  for (std::size_t k = 0; k < model_->samplers.size(); ++k) {
-    if (!schedule_.feedback_due(k, motion_.t)) continue;
-    try {
-      take_sample(*model_, model_->samplers[k], motion_.t, motion_.q(), motion_.v());
-    } catch (const ControllerError& error) {
-      controller_failed(error.what());
-    }
-  }
   const double *q = motion_.q(), *v = motion_.v();
   for (std::size_t k = 0; k < phase_.contacts(); ++k) {
     if (!schedule_.sample_due(k, motion_.t)) continue;
@@ -201,6 +195,14 @@ void EventIntegrator::sample_controllers() {
     phase_.hold(k, sampled_[k].take(motion_.t, q, v, held));
     phase_.show(k, sampled_[k].outputs());
     if (!sampled_[k].failure().empty()) controller_failed(sampled_[k].failure());
+  }
+  for (std::size_t k = 0; k < model_->samplers.size(); ++k) {
+    if (!schedule_.feedback_due(k, motion_.t)) continue;
+    try {
+      take_sample(*model_, model_->samplers[k], motion_.t, motion_.q(), motion_.v());
+    } catch (const ControllerError& error) {
+      controller_failed(error.what());
+    }
   }
 }
 

@@ -53,6 +53,11 @@ Eigen::Vector2d ZeroOrderHold::mean(double begin, double t, double end, const do
       now_q[i] = q[i] + s * (v[i] + 0.5 * s * a[i]);
       now_v[i] = v[i] + s * a[i];
     }
+    // A sampled law is shown what sampled controls of magnetic bearings remember as their last
+    // samples left it: v has half of what the samples of this step change, which is the mean that a
+    // continuous one has to see.
+    for (int i = m.sampled_states(); i < m.layout.coil() && bearing().loop; ++i)
+      now_v[i] = v[i] + (begin - t) * a[i];
     held_ = command(std::max(instant, bearing().control_on), now_q, now_v);
   };
   // Without a lag magnets turn currents into forces at once: it is forces that have a mean.

@@ -25,50 +25,37 @@ Model always_working(Model model) {
   return with_linear_feedback(without_offsets(std::move(model)));
 }
 
-// One sample of the loop, from before a sample to before the next: S first, then e^{A T}.
-struct SampledStep {
-  double every;
-  Eigen::MatrixXd matrix;
-};
-SampledStep step_of(const Model& m, double speed) {
-  const Layout& l = m.layout;
-  const Eigen::Index bending = 2 * l.modes, size = 2 * bending + l.integrals;
-  const FirstOrderForm form = closed_loop(m, speed).first_order();
-  const double every = m.samplers.front().sample_time;
-  const double late = 1000.0 * every;  // not the first
-  Eigen::MatrixXd sample = Eigen::MatrixXd::Identity(size, size);
-  Eigen::VectorXd q = Eigen::VectorXd::Zero(m.nq()), v = q;
-  for (Eigen::Index j = 0; j < size; ++j) {
-    q.setZero();
-    v.setZero();
-    if (j < bending) q[j] = 1.0;
-    if (j >= 2 * bending) v[l.integral() + j - 2 * bending] = 1.0;
-    for (const SampledFeedback& s : m.samplers) take_sample(m, s, late, q.data(), v.data());
-    sample.col(j).tail(l.integrals) = v.segment(l.integral(), l.integrals);
+bool by_library(const SampledFeedback& s) { return s.library != nullptr; }
+
+// Why there are no poles; empty: there are.
+std::string refusal_of(const Model& m) {
+  if (std::ranges::any_of(m.samplers, by_library)) {
+    return "a library asks for the currents of magnetic bearings (magnetic_control.library), and "
+           "what law it has is not known here";
   }
-  const Eigen::VectorXd inverse = form.unit.cwiseInverse();
-  return {every,
-          matrix_exp(form.a * every) * (inverse.asDiagonal() * sample * form.unit.asDiagonal())};
+  for (const SampledFeedback& s : m.samplers) {
+    if (s.sample_time != m.samplers.front().sample_time)
+      return "its controls have different sample times";
+  }
+  return {};
 }
 
-void find_poles(const Model& m, double speed, Levitation& out) {
-  const auto refuse = [&](const char* why) { out.poles_refused = why; };
-  if (m.samplers.empty()) {
-    const auto values = closed_loop_eigenvalues(closed_loop(m, speed));
-    if (!values) return refuse("the eigenvalues do not converge");
+void find_poles(const LinearLoop& loop, Levitation& out) {
+  const bool samples = loop.every > 0.0;
+  // Of one sample, from before it to before the next: S first, then e^{A T}.
+  const auto values =
+      real_eigenvalues(samples ? matrix_exp(loop.form.a * loop.every) * loop.sample : loop.form.a);
+  if (!values) {
+    out.poles_refused = "the eigenvalues do not converge";
+    return;
+  }
+  if (!samples) {
     out.poles = *values;
     return;
   }
-  out.sample_time = m.samplers.front().sample_time;
-  for (const SampledFeedback& s : m.samplers) {
-    if (s.sample_time != out.sample_time) return refuse("its controls have different sample times");
-  }
-  const SampledStep step = step_of(m, speed);
-  const auto values = real_eigenvalues(step.matrix);
-  if (!values) return refuse("the eigenvalues do not converge");
   constexpr double kNothing = 1e-6;  // z of what has ended within a sample, but for round-off
   for (const std::complex<double>& z : *values) {
-    if (std::abs(z) > kNothing) out.poles.push_back(std::log(z) / step.every);
+    if (std::abs(z) > kNothing) out.poles.push_back(std::log(z) / loop.every);
   }
   std::sort(out.poles.begin(), out.poles.end(),
             [](const std::complex<double>& a, const std::complex<double>& b) {
@@ -127,7 +114,8 @@ char sensitivity_zone(double peak) {
   return peak < 3.0 ? 'A' : peak < 4.0 ? 'B' : peak < 5.0 ? 'C' : 'D';
 }
 
-LoopResponse::LoopResponse(const Model& model, double speed) : model_(always_working(model)) {
+LoopResponse::LoopResponse(const Model& model, double speed)
+    : model_(always_working(model)), speed_(speed) {
   Model open = model_;
   for (StationFeedback& f : open.feedbacks) f.law.proportional = f.law.derivative = 0.0;
   const LinearParts parts = linear_parts(open, speed);
@@ -190,13 +178,33 @@ Eigen::MatrixXcd LoopResponse::controls(double w) const {
   return h;
 }
 
-Eigen::MatrixXcd LoopResponse::return_difference(double w) const {
+// The sensors under forces of one frequency, without controls.
+Eigen::MatrixXcd LoopResponse::open(double w, const Eigen::MatrixXcd& force) const {
   Eigen::MatrixXcd z = stiffness_.cast<std::complex<double>>() +
                        std::complex<double>(0.0, w) * damping_.cast<std::complex<double>>();
   z.diagonal() -= (w * w * mass_).cast<std::complex<double>>();
-  const Eigen::MatrixXcd g = seen_.transpose().cast<std::complex<double>>() *
-                             z.partialPivLu().solve(into_.cast<std::complex<double>>());
+  return seen_.transpose().cast<std::complex<double>>() * z.partialPivLu().solve(force);
+}
+
+Eigen::MatrixXcd LoopResponse::return_difference(double w) const {
+  const Eigen::MatrixXcd g = open(w, into_.cast<std::complex<double>>());
   return Eigen::MatrixXcd::Identity(ports(), ports()) + g * controls(w);
+}
+
+Eigen::VectorXd LoopResponse::unbalance() const {
+  if (speed_ == 0.0) return Eigen::VectorXd::Zero(ports());
+  const Eigen::Index n = model_.layout.modes;
+  const double w = std::abs(speed_);
+  // m e Omega^2 (cos, sin)(Omega t + phase) as the real part of force e^{i w t}.
+  Eigen::VectorXcd force = Eigen::VectorXcd::Zero(2 * n);
+  for (const DiscUnbalance& u : model_.unbalances) {
+    if (u.on > 0.0) continue;
+    const double sense = speed_ < 0.0 ? -1.0 : 1.0;
+    const std::complex<double> x = std::polar(u.static_moment * w * w, sense * u.phase);
+    force.head(n) += x * u.shape.x;
+    force.tail(n) += std::complex<double>(0.0, -sense) * x * u.shape.y;
+  }
+  return 2.0 * (sensitivity(w) * open(w, force)).cwiseAbs();
 }
 
 Eigen::MatrixXcd LoopResponse::sensitivity(double w) const {
@@ -208,13 +216,17 @@ Levitation levitation(const Model& model, double speed) {
   const LoopResponse response(model, speed);
   if (response.ports() == 0) return out;
   const Model m = always_working(model);
-  if (std::ranges::any_of(m.samplers, [](const auto& s) { return s.library != nullptr; })) {
-    out.poles_refused =
-        "a library asks for the currents of magnetic bearings (magnetic_control.library), and what "
-        "law it has is not known here";
-    return out;
+  out.poles_refused = refusal_of(m);
+  if (std::ranges::any_of(m.samplers, by_library)) return out;
+  if (!m.samplers.empty()) out.sample_time = m.samplers.front().sample_time;
+  if (out.poles_refused.empty()) {
+    const LinearLoop loop = linear_loop(m, speed);
+    find_poles(loop, out);
+    if (out.stable()) {
+      out.steps = step_responses(m, loop, out.poles);
+      out.unbalance = response.unbalance();
+    }
   }
-  find_poles(m, speed, out);
   const std::vector<double> at = frequencies(m, out.poles);
   Eigen::MatrixXd sizes(response.ports(), static_cast<Eigen::Index>(at.size()));
   for (std::size_t k = 0; k < at.size(); ++k) {
@@ -233,7 +245,17 @@ Levitation levitation(const Model& model, double speed) {
     }
     out.loops.push_back(loop);
   }
+  out.frequencies = at;
+  out.sensitivities = sizes;
   return out;
+}
+
+std::optional<Eigen::VectorXd> unbalance_response(const Model& model, double speed) {
+  const Model m = always_working(model);
+  Levitation found;
+  if (refusal_of(m).empty()) find_poles(linear_loop(m, speed), found);
+  if (!found.stable()) return std::nullopt;
+  return LoopResponse(model, speed).unbalance();
 }
 
 }  // namespace rotorub

@@ -12,10 +12,12 @@
 
 #include <Eigen/Core>
 #include <complex>
+#include <optional>
 #include <string>
 #include <vector>
 
 #include "native_model/system/model.h"
+#include "native_model/system/step_response.h"
 
 namespace rotorub {
 
@@ -37,11 +39,21 @@ struct Levitation {
   double sample_time = 0.0;   // s, T; 0: continuous
   std::string poles_refused;  // why there are none
   std::vector<LoopSensitivity> loops;
+  // |S| at some frequencies, rad/s, ascending: loops x frequencies.
+  std::vector<double> frequencies;
+  Eigen::MatrixXd sensitivities;
+  // Of a loop that is stable, as the loops: of a step of force, and m, peak to peak, how far each
+  // sensor's axis moves under the unbalance.
+  std::vector<StepResponse> steps;
+  Eigen::VectorXd unbalance;
   bool stable() const { return poles_refused.empty() && !poles.empty() && poles[0].real() < 0.0; }
 };
 
 // At the spin speed `speed` (rad/s). Without feedbacks that work: no loops.
 Levitation levitation(const Model& model, double speed);
+
+// Levitation::unbalance alone; empty: the loop is unstable, or has no poles that are known.
+std::optional<Eigen::VectorXd> unbalance_response(const Model& model, double speed);
 
 // S at a frequency (rad/s, > 0), two ports of each feedback that works, x before y: p x p.
 class LoopResponse {
@@ -50,13 +62,17 @@ class LoopResponse {
   Eigen::MatrixXcd sensitivity(double frequency) const;
   // 1 + G H.
   Eigen::MatrixXcd return_difference(double frequency) const;
+  // m, peak to peak, of each port's sensor under the unbalances that act from the start.
+  Eigen::VectorXd unbalance() const;
   Eigen::Index ports() const { return into_.cols(); }
   std::size_t bearing(Eigen::Index port) const;  // among the scene's
 
  private:
   Eigen::MatrixXcd controls(double frequency) const;
+  Eigen::MatrixXcd open(double frequency, const Eigen::MatrixXcd& force) const;
 
   Model model_;
+  double speed_;                      // rad/s
   std::vector<std::size_t> working_;  // among the model's feedbacks
   Eigen::VectorXd mass_;              // of bending, as in LinearParts
   Eigen::MatrixXd damping_, stiffness_;

@@ -276,8 +276,5 @@ Model without_offsets(Model model);
 Model without_controller(Model model);
 // The same driven by the commands of another run instead of its controller; as it is for null.
 Model replayed(Model model, std::shared_ptr<const CommandRecord> commands);
-// The linear plant (control/quadratic.h) about an auxiliary bearing with a ring and a contact, at
-// the spin speed `speed` (rad/s), held; spin, torsion, an angle of the ring and coils are left out.
-LinearPlant plant_of(const Model& model, std::size_t bearing, double speed);
 
 }  // namespace rotorub

@@ -314,21 +314,4 @@ void check_run_size(const scene::Scene& scene, const Model& model, std::optional
   refuse_any(scene, std::move(wrong));
 }
 
-std::string beyond_linear_plant(const scene::Scene& scene, std::size_t bearing,
-                                const Model& model) {
-  if (const auto& ring = scene.auxiliary[bearing].stator; ring && !ring->on_springs_alone()) {
-    return "the ring stands on more than its spring and damper (stator.mount, dry_friction, "
-           "squeeze_film, "
-           "ball_bearing or a spin that is dragged dry), which the linear plant does not know";
-  }
-  for (const StationFeedback& f : model.feedbacks) {
-    const FeedbackStates& s = f.states;
-    if (!f.works.at(0.0)) continue;
-    if (s.filtered == kAbsent && s.current == kAbsent && s.command == kAbsent) continue;
-    return scene::magnetic_bearing_path(scene.record.get(), f.number) +
-           " has a filter, an amplifier or a sampled control, which the linear plant does not know";
-  }
-  return {};
-}
-
 }  // namespace rotorub

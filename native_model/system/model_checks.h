@@ -57,8 +57,4 @@ void check_steps(const scene::Scene& scene, double fixed_step);
 void check_run_size(const scene::Scene& scene, const Model& model, std::optional<double> fixed_step,
                     const std::vector<double>* times = nullptr);
 
-// Why plant_of an auxiliary bearing is not the scene's; empty: it is. Bending and ring are its
-// states, and no feedback of a magnetic bearing has states of its own there.
-std::string beyond_linear_plant(const scene::Scene& scene, std::size_t bearing, const Model& model);
-
 }  // namespace rotorub

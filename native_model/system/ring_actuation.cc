@@ -4,8 +4,8 @@
 #include <cassert>
 
 #include "native_model/bearing/actuator.h"
-#include "native_model/control/quadratic.h"
 #include "native_model/scene/record.h"
+#include "native_model/system/linear_plant.h"
 #include "native_model/system/model_checks.h"
 
 namespace rotorub {
@@ -63,7 +63,8 @@ void fill_control(const scene::Scene& scene, std::size_t k, Model& model) {
   }
   const scene::Controller& c = *from.controller;
   if (c.kind == scene::ControllerKind::kLqr || c.kind == scene::ControllerKind::kLqg) {
-    if (const std::string why = beyond_linear_plant(scene, k, model); !why.empty()) {
+    const std::string why = beyond_linear_plant(scene, k, model, c.sample_time);
+    if (!why.empty()) {
       scene::refuse_at(k == 0 ? scene : with_bearing_alone(scene, k), "controller.kind",
                        why + "; accepted: a controller of another kind");
     }

@@ -94,6 +94,27 @@ void take_sample(const Model& m, const SampledFeedback& s, double t, const doubl
   std::copy_n(sample.given, ports, held + queue);
 }
 
+Eigen::MatrixXd linear_sample(const Model& m) {
+  const Eigen::Index bending = 2 * m.layout.modes, states = m.layout.integrals;
+  Eigen::MatrixXd sample(states, bending + states);
+  Eigen::VectorXd q(m.nq()), v(m.nq());
+  for (Eigen::Index j = 0; j < bending + states; ++j) {
+    q.setZero();
+    v.setZero();
+    if (j < bending) {
+      q[j] = 1.0;
+    } else {
+      v[m.layout.integral() + j - bending] = 1.0;
+    }
+    for (const SampledFeedback& s : m.samplers) {
+      const double late = 1000.0 * s.sample_time;  // not the first
+      take_sample(m, s, late, q.data(), v.data());
+    }
+    sample.col(j) = v.segment(m.layout.integral(), states);
+  }
+  return sample;
+}
+
 bool take_samples(const Model& m, double t, double h, const double* q, double* v) {
   constexpr double kLate = 1e-3;  // of a step, by which sums of steps miss a sample
   bool taken = false;

@@ -3,6 +3,7 @@
 // them.
 #pragma once
 
+#include <Eigen/Core>
 #include <string>
 
 #include "native_model/system/model.h"
@@ -14,6 +15,10 @@ namespace rotorub {
 // where a library's law fails: v is then as it was.
 void take_sample(const Model& model, const SampledFeedback& sampled, double t, const double* q,
                  double* v);
+
+// One sample of all samplers without limits, at once, some time after the first, as a matrix: what
+// the feedbacks' states are after it, of q's bending (2 n) and those before it.
+Eigen::MatrixXd linear_sample(const Model& model);
 
 // The samples that are due at the instant t of steps of length h (s): at the first instant at or
 // after each. True where there was one.

@@ -1,5 +1,6 @@
-// Figures that no clock moves: of a bench, maps of a sweep or of a linear analysis, the free rotor. Each is drawn when
-// it comes near the screen. On pages of their own, and beside the comparison in the report.
+// Figures that no clock moves: of a bench, maps of a sweep or of a linear analysis, the free rotor, the closed loop of
+// magnetic bearings. Each is drawn when it comes near the screen. On pages of their own, and beside the comparison in the report.
+import {loopFigure, unbalanceFigure} from './loop.js';
 import {mapsOf} from './maps.js';
 import {data, isPrinting, show, whenNear} from './page.js';
 import {precision} from './precision.js';
@@ -7,6 +8,8 @@ import {rotorFigure} from './rotor.js';
 
 // Of each kind of plot: data-of.
 const figures = {
+  loop: (plot) => loopFigure(data.loops[plot.dataset.index], plot.dataset.plot),
+  unbalance: () => unbalanceFigure(data.unbalance),
   bench: (plot) => precision(data.benches[plot.dataset.index], plot.dataset.plot),
   rotor: (plot) => rotorFigure(data.rotor, plot.dataset.plot, plot.clientWidth),
 };

@@ -52,6 +52,18 @@ inline std::vector<KeyScene> key_scenes() {
          sampled + "}"});
   modal("lqr", {"controller={kind='lqr'," + sampled + "}"});
   modal("lqg", {"controller={kind='lqg'," + sampled + "}"});
+  // Of a rotor in magnetic bearings whose feedbacks remember.
+  modal("lqr, amplifier",
+        {"controller={kind='lqr'," + sampled + "}",
+         "magnetic_bearing={negative_stiffness=3e4,amplifier={bandwidth=8000.0},control={force_per_"
+         "current=60.0,proportional=2000.0,integral=2e4,derivative=1.0,derivative_lag=2e-4}}"});
+  for (const char* kind : {"lqr", "lqg"}) {
+    modal((std::string(kind) + ", sampled magnets").c_str(),
+          {std::string("controller={kind='") + kind + "'," + sampled + "}",
+           "magnetic_bearing={negative_stiffness=3e4,control={force_per_current=60.0,"
+           "proportional=2000.0,derivative=1.0,delay=2.5e-4," +
+               sampled + "}}"});
+  }
   modal("limited force",
         {"actuator={kind='ideal',force_limit=5.0}", "controller={kind='passive',stiffness=4e4}"});
   const std::string magnets =

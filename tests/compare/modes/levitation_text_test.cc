@@ -1,6 +1,7 @@
 // What `rotorub modes` says of the closed loop of magnetic bearings.
 #include "compare/modes/levitation_text.h"
 
+#include <fmt/format.h>
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -44,7 +45,18 @@ TEST(LevitationText, PolesLoopsAndZones) {
   const double size = -plant / std::hypot(plant + 3.2e5, 800.0 * w);
   EXPECT_NEAR(all["loops"][1]["sensitivity"].get<double>(), size, 1e-9 * size);
   EXPECT_EQ(all["loops"][1]["zone"], "A");
+  // zeta = 200 / sqrt(1.1e5).
+  const nlohmann::json& step = all["loops"][0]["step"];
+  const double overshoot = std::exp(-M_PI * 200.0 / std::sqrt(1.1e5 - 4e4));
+  EXPECT_NEAR(step["overshoot"].get<double>(), overshoot, 1e-9);
+  EXPECT_NEAR(step["steady"].get<double>(), 1.0 / 2.2e5, 1e-9 / 2.2e5);
+  EXPECT_NEAR(step["static_stiffness"].get<double>(), 2.2e5, 1e-3);
+  EXPECT_NEAR(step["largest_at"].get<double>(), M_PI / std::sqrt(1.1e5 - 4e4), 1e-9);
+  EXPECT_EQ(all["loops"][0]["unbalance"], 0.0);
   const std::string text = modes_table("hung", analysis);
+  EXPECT_NE(text.find("step of force on the rotor at each bearing"), std::string::npos);
+  EXPECT_NE(text.find(fmt::format("{:.4g}", 100.0 * overshoot)), std::string::npos) << text;
+  EXPECT_EQ(text.find("unbalance response"), std::string::npos) << "there is none";
   EXPECT_NE(text.find("closed loop of the magnetic bearings at 0 rad/s"), std::string::npos)
       << text;
   EXPECT_NE(text.find("zone of ISO 14839-3"), std::string::npos);
@@ -57,6 +69,8 @@ TEST(LevitationText, SaysSoWhereTheLoopIsUnstableOrThereIsNone) {
                          std::vector<std::string>{"magnetic_bearing.amplifier={bandwidth=40.0}"}),
       {});
   EXPECT_NE(modes_table("grows", grows).find("unstable: sensitivities"), std::string::npos);
+  EXPECT_EQ(modes_table("grows", grows).find("step of force"), std::string::npos);
+  EXPECT_TRUE(modes_json(grows)["speeds"][0]["levitation"]["loops"][0]["step"].is_null());
   const RotorAnalysis none = analyse_rotor(
       scene::parse_scene(
           kHung, "none.toml",

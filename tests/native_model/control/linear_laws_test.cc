@@ -7,13 +7,12 @@
 #include <cmath>
 #include <complex>
 
-#include "native_model/control/quadratic.h"
 #include "native_model/control/ring_feedback.h"
 #include "native_model/dynamics/dynamics.h"
 #include "native_model/numerics/matrix_functions.h"
 #include "native_model/rub/rub_stability.h"
 #include "native_model/run/run_native.h"
-#include "native_model/system/model.h"
+#include "native_model/system/linear_plant.h"
 #include "tests/support/jeffcott.h"
 
 namespace rotorub {

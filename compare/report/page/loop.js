@@ -1,0 +1,62 @@
+// The closed loop of magnetic bearings as plotly takes it, from what loop_page.h gives: sensitivities with the zones of
+// ISO 14839-3, answers to a step of force, and the unbalance response.
+import {axes, css, layout, legendAbove as legend, titled} from './style.js';
+
+// Colour the bearing, dashes the axis y, which often lies on x.
+const style = (name) => ({color: css(`--mode-${((Number(name.split(' ')[1]) - 1) % 6) + 1}`), width: 2,
+  dash: name.endsWith('y') ? 'dash' : 'solid', simplify: false});
+const lineOf = (name, x, y, hovertemplate) => ({x, y, name, legendgroup: name, type: 'scatter', mode: 'lines',
+  line: style(name), hovertemplate: `${hovertemplate}<extra>${name}</extra>`});
+const mark = (name, [x, y], symbol, words) => ({x: [x], y: [y], name, legendgroup: name, showlegend: false, type: 'scatter',
+  mode: 'markers', cliponaxis: false, marker: {color: style(name).color, size: 9, symbol, line: {width: 2}},
+  hovertemplate: `${words}<extra>${name}</extra>`});
+const room = {l: 64, r: 34, t: 30, b: 44};
+
+// Upper limits of the zones; D has none.
+export const zones = [['A', 3, '--good-bg'], ['B', 4, '--flat-bg'], ['C', 5, '--part-bg'], ['D', Infinity, '--bad-bg']]
+  .map(([name, limit, color]) => ({name, limit: 20 * Math.log10(limit), color}));
+
+function sensitivityFigure({sensitivity}) {
+  const values = sensitivity.flatMap(({y}) => y);
+  const high = Math.max(18, ...values.map((y) => y + 2)), low = Math.max(-40, Math.min(...values) - 2);
+  const shapes = [], annotations = [];
+  zones.forEach(({name, limit, color}, k) => {
+    const from = k === 0 ? low : zones[k - 1].limit, to = Math.min(limit, high);
+    shapes.push({type: 'rect', xref: 'paper', x0: 0, x1: 1, y0: from, y1: to, layer: 'below', fillcolor: css(color), line: {width: 0}});
+    if (k > 0) shapes.push({type: 'line', xref: 'paper', x0: 0, x1: 1, y0: from, y1: from, line: {color: css('--soft'), width: 1, dash: 'dot'}});
+    annotations.push({xref: 'paper', x: 1, xanchor: 'left', xshift: 8, y: k === 0 ? (Math.max(from, 0) + to) / 2 : (from + to) / 2,
+      text: `<b>${name}</b>`, showarrow: false, font: {color: css('--ink'), size: 13}});
+  });
+  const curves = sensitivity.flatMap(({name, f, y, peak}) => [
+    lineOf(name, f, y, '%{x:.5g} Hz: %{y:.3g} dB'), mark(name, peak, 'circle-open', 'most: %{x:.5g} Hz, %{y:.3g} dB')]);
+  return {data: curves, layout: layout({shapes, annotations, hovermode: 'closest', showlegend: true, legend: legend(), margin: room,
+    xaxis: titled('frequency / Hz', {type: 'log', exponentformat: 'none'}), yaxis: axes({title: {text: '|S| / dB', standoff: 8}, range: [low, high]})})};
+}
+
+function stepFigure({step}) {
+  const curves = step.flatMap(({name, t, y, peak, settled}) => [
+    lineOf(name, t, y, '%{x:.4g} ms: %{y:.4g} µm/N'),
+    ...(peak ? [mark(name, peak, 'circle-open', 'most: %{y:.4g} µm/N at %{x:.4g} ms')] : []),
+    mark(name, settled, 'diamond-open', 'settled within 2 % from %{x:.4g} ms on')]);
+  // What stays of the deflection.
+  const shapes = step.map(({name, steady}) => ({type: 'line', xref: 'paper', x0: 0, x1: 1, y0: steady, y1: steady, layer: 'below',
+    line: {color: style(name).color, width: 1, dash: 'dot'}}));
+  return {data: curves, layout: layout({shapes, hovermode: 'closest', showlegend: true, legend: legend(), margin: room,
+    xaxis: titled('time / ms', {rangemode: 'tozero'}), yaxis: titled('deflection per newton / (µm/N)', {zerolinecolor: css('--soft')})})};
+}
+
+const figures = {sensitivity: sensitivityFigure, step: stepFigure};
+export const loopFigure = (loop, key) => figures[key](loop);
+
+// Peak to peak against the spin speed.
+export function unbalanceFigure({speed, running, curves, limit}) {
+  const high = 1.15 * Math.max(...curves.flatMap(({y}) => y.filter((v) => v !== null)), limit[limit.length - 1]);
+  const shapes = running > 0 ? [{type: 'line', x0: running, x1: running, yref: 'paper', y0: 0, y1: 1,
+    line: {color: css('--soft'), width: 1.2, dash: 'dot'}}] : [];
+  const data = [...curves.map(({name, y}) => lineOf(name, speed, y, '%{x:.5g} rpm: %{y:.4g} µm')),
+    {...lineOf('bearing 1 limit', speed, limit, '%{x:.5g} rpm: %{y:.4g} µm'), name: 'limit of API 617',
+      legendgroup: 'limit', line: {color: css('--bad'), width: 1.6, dash: 'dashdot'}}];
+  return {data, layout: layout({shapes, hovermode: 'closest', showlegend: true, legend: legend(), margin: room,
+    xaxis: titled('spin speed / rpm', {range: [0, speed[speed.length - 1]], exponentformat: 'none', separatethousands: true}),
+    yaxis: titled('deflection, peak to peak / µm', {range: [0, high]})})};
+}

@@ -1,0 +1,229 @@
+// Answers of magnetic bearings' loops to a step of force and to the unbalance, against closed forms
+// and against runs of the nonlinear model.
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <complex>
+#include <string>
+#include <vector>
+
+#include "native_model/scene/reader.h"
+#include "native_model/system/levitation.h"
+#include "tests/support/jeffcott.h"
+#include "tests/support/native_run.h"
+
+namespace rotorub {
+namespace {
+
+constexpr double kHeavy = 2.0, kPulls = 1e5, kPushes = 80.0;  // kg, N/m, N/A
+
+// m r'' + c r' + k r = force: k = k_i P - k_s, c = k_i D.
+scene::Scene hung(double stiffness, double damping) {
+  scene::Scene s = test::make_scene({.mass = kHeavy});
+  s.magnetic_bearings = {scene::MagneticBearing{0.0, {1.0}, kPulls}};
+  s.magnetic_bearings[0].control =
+      scene::BearingControl{.force_per_current = kPushes,
+                            .proportional = (stiffness + kPulls) / kPushes,
+                            .derivative = damping / kPushes};
+  return s;
+}
+
+// Where f, which is monotone there, is 0.
+template <class F>
+double root(const F& f, double low, double high) {
+  const bool begins_above = f(low) > 0.0;
+  for (int k = 0; k < 200; ++k) {
+    const double middle = 0.5 * (low + high);
+    ((f(middle) > 0.0) == begins_above ? low : high) = middle;
+  }
+  return low;
+}
+
+// The most of y is (1 + exp(-pi zeta / sqrt(1 - zeta^2))) / k, at pi / w_d.
+TEST(StepResponse, ProportionalAndDerivativeOfOneMassHaveTheTextbooksFigures) {
+  constexpr double kHeld = 2.2e5;
+  const double w = std::sqrt(kHeld / kHeavy);
+  for (const double zeta : {0.02, 0.1, 0.4, 0.7}) {
+    SCOPED_TRACE(zeta);
+    const Levitation all = levitation(make_model(hung(kHeld, 2.0 * zeta * w * kHeavy)), 0.0);
+    const double wd = w * std::sqrt(1.0 - zeta * zeta),
+                 beside = zeta / std::sqrt(1.0 - zeta * zeta);
+    const auto y = [&](double t) {
+      return (1.0 - std::exp(-zeta * w * t) * (std::cos(wd * t) + beside * std::sin(wd * t))) /
+             kHeld;
+    };
+    ASSERT_EQ(all.steps.size(), 2u);
+    for (const StepResponse& step : all.steps) {
+      const double overshoot = std::exp(-M_PI * beside);
+      EXPECT_NEAR(step.overshoot.value(), overshoot, 1e-9);
+      EXPECT_NEAR(step.largest, (1.0 + overshoot) / kHeld, 1e-10 / kHeld);
+      EXPECT_NEAR(step.largest_at.value(), M_PI / wd, 1e-9 * M_PI / wd);
+      EXPECT_NEAR(step.static_stiffness().value(), kHeld, 1e-9 * kHeld);
+      const auto first = [&](double share) {
+        return root([&](double t) { return y(t) - share / kHeld; }, 0.0, M_PI / wd);
+      };
+      EXPECT_NEAR(step.rise_time.value(), first(0.9) - first(0.1), 1e-8 / w);
+      // The last half swing that leaves the band, and where it comes back into it.
+      int swing = 1;
+      while (std::exp(-zeta * w * (swing + 1) * M_PI / wd) > 0.02) ++swing;
+      const bool leaves = std::exp(-zeta * w * swing * M_PI / wd) > 0.02;
+      const double side = swing % 2 == 1 ? 1.02 : 0.98;
+      const double settled =
+          leaves ? root([&](double t) { return y(t) - side / kHeld; }, swing * M_PI / wd,
+                        (swing + 1) * M_PI / wd)
+                 : root([&](double t) { return y(t) - 0.98 / kHeld; }, 0.0, M_PI / wd);
+      EXPECT_NEAR(step.settling_time, settled, 1e-7 * settled);
+      for (std::size_t k = 0; k < step.t.size(); ++k)
+        ASSERT_NEAR(step.y[k], y(step.t[k]), 1e-9 / kHeld) << step.t[k];
+    }
+  }
+}
+
+// Two equal poles, whose modes are no basis, and two real ones: no overshoot, and it is never at
+// its most.
+TEST(StepResponse, WithoutASwingDoesNotOvershoot) {
+  constexpr double kHeld = 2.2e5;
+  const double w = std::sqrt(kHeld / kHeavy);
+  for (const double zeta : {1.0, 3.0}) {
+    const Levitation all = levitation(make_model(hung(kHeld, 2.0 * zeta * w * kHeavy)), 0.0);
+    const StepResponse& step = all.steps.at(0);
+    EXPECT_LT(step.overshoot.value(), 1e-9);
+    EXPECT_FALSE(step.largest_at.has_value());
+    EXPECT_EQ(step.largest, step.steady);
+    // (1 + w t) e^{-w t} = 0.02.
+    if (zeta == 1.0) {
+      EXPECT_NEAR(w * step.settling_time, 5.83392, 1e-5);
+    }
+  }
+}
+
+TEST(StepResponse, OfALoopThatIsUnstableThereIsNone) {
+  EXPECT_TRUE(levitation(make_model(hung(2e5, -10.0)), 0.0).steps.empty());
+  EXPECT_FALSE(unbalance_response(make_model(hung(2e5, -10.0)), 100.0));
+}
+
+// An integrator takes it all back: nothing stays, so that there is no overshoot of it.
+TEST(StepResponse, AnIntegratorLetsNothingStay) {
+  scene::Scene s = hung(2.2e5, 400.0);
+  s.magnetic_bearings[0].control->integral = 3e4;
+  const StepResponse step = levitation(make_model(s), 0.0).steps.at(0);
+  EXPECT_EQ(step.steady, 0.0);
+  EXPECT_FALSE(step.overshoot || step.rise_time || step.static_stiffness());
+  EXPECT_GT(step.largest, 1.0 / 2.2e5);
+  const auto late = [&](double t) { return t > step.settling_time * (1.0 + 1e-9); };
+  for (std::size_t k = 0; k < step.t.size(); ++k) {
+    EXPECT_LE(std::abs(step.y[k]), step.largest * (1.0 + 1e-12));
+    if (late(step.t[k])) {
+      EXPECT_LE(std::abs(step.y[k]), 0.02 * step.largest * (1.0 + 1e-9));
+    }
+  }
+}
+
+// Two modes of a turning rotor and two bearings with all that a loop may have; a tenth of a newton
+// at the first of them, which stands at the contact.
+constexpr const char* kTwoBearings = R"(
+[rotor]
+speed = 200.0
+[rotor.modal]
+mass = [2.0, 0.7]
+stiffness = [1e5, 9e5]
+damping = [30.0, 20.0]
+gyroscopic = [0.05, 0.02]
+[contact]
+clearance = 1e-3
+radius = 0.05
+friction = 0.1
+restitution = 0.5
+[[magnetic_bearing]]
+shape = [1.0, 1.0]
+sensor_shape = [0.9, 0.8]
+negative_stiffness = 3e4
+[magnetic_bearing.control]
+force_per_current = 40.0
+proportional = 3000.0
+derivative = 4.0
+LAW
+[magnetic_bearing.amplifier]
+bandwidth = 8000.0
+[[magnetic_bearing]]
+shape = [0.5, -0.6]
+negative_stiffness = 2e4
+[magnetic_bearing.control]
+force_per_current = 60.0
+proportional = 1500.0
+derivative = 1.0
+[[force]]
+kind = "constant"
+vector = [0.1, 0.0]
+[run]
+end = 0.06
+)";
+
+// Every row of a run at an instant of the curve, and the figures of its rows.
+void expect_the_run(const std::string& law, double every) {
+  std::string text = kTwoBearings;
+  text.replace(text.find("LAW"), 3, law);
+  scene::Scene s = scene::parse_scene(text, "step.toml", {});
+  const Levitation all = levitation(make_model(s), 200.0);
+  ASSERT_TRUE(all.stable());
+  const StepResponse& step = all.steps.at(0);
+  s.run.output_step = every > 0.0 ? every : 32.0 * step.t[1];
+  const Trajectory run = test::run_event(s);
+  ASSERT_EQ(run.status, Status::kOk) << run.message;
+  int met = 0;
+  double largest = 0.0;
+  for (std::size_t row = 1; row < run.rows(); ++row) {
+    const double t = run.column("t")[row], moved = run.column("rotor_x")[row] / 0.1;
+    largest = std::max(largest, moved);
+    const auto at = std::lower_bound(step.t.begin(), step.t.end(), t * (1.0 - 1e-9));
+    if (std::abs(*at - t) > 1e-9 * t) continue;
+    ++met;
+    EXPECT_NEAR(step.y[static_cast<std::size_t>(at - step.t.begin())], moved, 1e-8 * step.largest)
+        << t;
+  }
+  EXPECT_GT(met, 100);
+  EXPECT_LE(largest, step.largest * (1.0 + 1e-8));
+  EXPECT_GT(largest, step.largest * (1.0 - 1e-3));
+}
+
+TEST(StepResponse, IsTheRunUnderASmallForce) {
+  expect_the_run("derivative_lag = 2e-4\nintegral = 3e4", 0.0);
+}
+
+TEST(StepResponse, OfASampledLoopIsTheRunUnderASmallForce) {
+  expect_the_run("sample_time = 1e-4\ndelay = 2e-4\nderivative_lag = 2e-4\nintegral = 3e4", 1e-4);
+}
+
+// 2 m e Omega^2 / |k - m Omega^2 + i Omega c|, and a sampled loop against the run's last turns.
+TEST(UnbalanceResponse, OneMassHasItsClosedForm) {
+  constexpr double kMoment = 1e-4;  // kg m
+  scene::Scene s = hung(2.2e5, 400.0);
+  scene::Force unbalance;
+  unbalance.kind = scene::ForceKind::kUnbalance;
+  unbalance.static_moment = kMoment;
+  unbalance.phase = 0.7;
+  s.forces.push_back(unbalance);
+  for (const double speed : {-500.0, 40.0, 330.0, 900.0}) {
+    s.rotor.speed = speed;
+    const Eigen::VectorXd moved = unbalance_response(make_model(s), speed).value();
+    const double exact =
+        2.0 * kMoment * speed * speed /
+        std::abs(std::complex<double>(2.2e5 - kHeavy * speed * speed, 400.0 * speed));
+    EXPECT_NEAR(moved[0], exact, 1e-10 * exact) << speed;
+    EXPECT_NEAR(moved[1], exact, 1e-10 * exact) << speed;
+  }
+  s.rotor.speed = 330.0;
+  s.magnetic_bearings[0].control->sample_time = 5e-5;
+  s.run.end = 0.4;
+  s.run.output_step = 2e-5;
+  const double shown = levitation(make_model(s), 330.0).unbalance[0];
+  const Trajectory run = test::run_event(s);
+  ASSERT_EQ(run.status, Status::kOk) << run.message;
+  const std::vector<double>& x = run.column("rotor_x");
+  const auto [low, high] = std::minmax_element(x.end() - 4000, x.end());
+  EXPECT_NEAR(shown, *high - *low, 1e-3 * shown);
+}
+
+}  // namespace
+}  // namespace rotorub
