@@ -4,8 +4,13 @@
 #include <cassert>
 #include <cmath>
 #include <limits>
+#include <list>
+#include <mutex>
 #include <numbers>
 #include <numeric>
+#include <optional>
+#include <utility>
+#include <vector>
 
 #include "native_model/numerics/eigenvalues.h"
 #include "native_model/rotor/mode_truncation.h"
@@ -129,10 +134,9 @@ OwnModes own_modes(const scene::Scene& scene, const RotorModes& modes) {
   return own;
 }
 
-RotorModes solve(const scene::Scene& scene, double omega) {
-  const scene::RotorGeometry geometry = supported(scene);
-  RitzBending ritz =
-      ritz_bending(geometry, bending_mesh(geometry, loaded_stations(scene), kWhirlMargin * omega));
+RotorModes solved(const scene::Scene& scene, const scene::RotorGeometry& geometry,
+                  const std::vector<double>& stations, double omega) {
+  RitzBending ritz = ritz_bending(geometry, bending_mesh(geometry, stations, kWhirlMargin * omega));
   RotorModes result{std::move(ritz), {}, {}, {}};
   const RitzBending& r = result.ritz;
   result.x = planar_modes(r.mass, r.stiffness_x);
@@ -141,6 +145,84 @@ RotorModes solve(const scene::Scene& scene, double omega) {
       r.isotropic ? result.x : planar_modes(r.mass, 0.5 * (r.stiffness_x + r.stiffness_y));
   if (held_by_magnets(scene)) result.own = own_modes(scene, result);
   return result;
+}
+
+// What `solved` makes its modes of, list by list with its length before it. A field that a
+// structure is given later does not compile here until it is put in or left out.
+std::vector<double> numbers_of(const scene::Scene& scene, const scene::RotorGeometry& geometry,
+                               const std::vector<double>& stations, double omega) {
+  std::vector<double> all;
+  const auto add = [&](auto... numbers) { (all.push_back(numbers), ...); };
+  const auto add_optional = [&](const std::optional<double>& number) {
+    add(number ? 1.0 : 0.0, number.value_or(0.0));
+  };
+  const auto begin_list = [&](const auto& list) { add(static_cast<double>(list.size())); };
+
+  const auto& [length, E, nu, G, rho, modes, auto_modes, tolerance, most, damping, internal,
+               sections, discs, bearings] = geometry;
+  add(omega, length, E, rho);
+  begin_list(sections);
+  for (const scene::ShaftSection& section : sections) {
+    const auto& [from, to, outer, inner, end_outer, end_inner] = section;
+    add(from, to, outer, inner);
+    add_optional(end_outer);
+    add_optional(end_inner);
+  }
+  begin_list(discs);
+  for (const scene::Disc& disc : discs) {
+    const auto& [z, mass, Jt, Jp, eccentricity, phase, outer, inner, thickness, density, unbalance,
+                 grade, grade_speed] = disc;
+    add(z, mass, Jt, Jp);
+  }
+  begin_list(bearings);
+  for (const scene::ShaftBearing& bearing : bearings) {
+    const auto& [z, k, c, cross_k, cross_c, offset, speed, kxx, kxy, kyx, kyy, cxx, cxy, cyx, cyy] =
+        bearing;
+    add(z, k.x(), k.y());
+  }
+  begin_list(stations);
+  for (const double z : stations) add(z);
+  for (const scene::MagneticBearing& bearing : scene.magnetic_bearings)
+    add(bearing.station, magnetic_support(scene, bearing).held);
+  return all;
+}
+
+// The latest solutions: one run asks for the same several times, and the runs of a comparison or a
+// sweep seldom change the shaft. From any thread; two that ask for the same at once may both solve
+// it.
+class KnownModes {
+ public:
+  std::optional<RotorModes> find(const std::vector<double>& numbers) {
+    const std::lock_guard lock(mutex_);
+    const auto found = std::find_if(known_.begin(), known_.end(),
+                                    [&](const Known& known) { return known.first == numbers; });
+    if (found == known_.end()) return {};
+    known_.splice(known_.begin(), known_, found);
+    return found->second;
+  }
+  void add(std::vector<double> numbers, const RotorModes& modes) {
+    const std::lock_guard lock(mutex_);
+    known_.emplace_front(std::move(numbers), modes);
+    if (known_.size() > kMost) known_.pop_back();
+  }
+
+ private:
+  // Two for each rung of a ladder of modes, and as many for scenes beside it.
+  static constexpr std::size_t kMost = 16;
+  using Known = std::pair<std::vector<double>, RotorModes>;
+  std::mutex mutex_;
+  std::list<Known> known_;  // the latest first
+};
+
+RotorModes solve(const scene::Scene& scene, double omega) {
+  static KnownModes known;
+  const scene::RotorGeometry geometry = supported(scene);
+  const std::vector<double> stations = loaded_stations(scene);
+  std::vector<double> numbers = numbers_of(scene, geometry, stations, omega);
+  if (auto modes = known.find(numbers)) return *std::move(modes);
+  RotorModes modes = solved(scene, geometry, stations, omega);
+  known.add(std::move(numbers), modes);
+  return modes;
 }
 
 }  // namespace
