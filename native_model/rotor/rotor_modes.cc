@@ -134,9 +134,10 @@ OwnModes own_modes(const scene::Scene& scene, const RotorModes& modes) {
   return own;
 }
 
-RotorModes solved(const scene::Scene& scene, const scene::RotorGeometry& geometry,
-                  const std::vector<double>& stations, double omega) {
-  RitzBending ritz = ritz_bending(geometry, bending_mesh(geometry, stations, kWhirlMargin * omega));
+RotorModes solve(const scene::Scene& scene, double omega) {
+  const scene::RotorGeometry geometry = supported(scene);
+  RitzBending ritz =
+      ritz_bending(geometry, bending_mesh(geometry, loaded_stations(scene), kWhirlMargin * omega));
   RotorModes result{std::move(ritz), {}, {}, {}};
   const RitzBending& r = result.ritz;
   result.x = planar_modes(r.mass, r.stiffness_x);
@@ -147,10 +148,12 @@ RotorModes solved(const scene::Scene& scene, const scene::RotorGeometry& geometr
   return result;
 }
 
-// What `solved` makes its modes of, list by list with its length before it. A field that a
-// structure is given later does not compile here until it is put in or left out.
-std::vector<double> numbers_of(const scene::Scene& scene, const scene::RotorGeometry& geometry,
-                               const std::vector<double>& stations, double omega) {
+// What modes are made of, list by list with its length before it: so many of them, or all on a mesh
+// for a frequency (0: the other is asked for). A field that a structure is given later does not
+// compile here until it is put in or left out.
+std::vector<double> numbers_of(const scene::Scene& scene, int wanted, double frequency) {
+  const scene::RotorGeometry geometry = supported(scene);
+  const std::vector<double> stations = loaded_stations(scene);
   std::vector<double> all;
   const auto add = [&](auto... numbers) { (all.push_back(numbers), ...); };
   const auto add_optional = [&](const std::optional<double>& number) {
@@ -160,7 +163,7 @@ std::vector<double> numbers_of(const scene::Scene& scene, const scene::RotorGeom
 
   const auto& [length, E, nu, G, rho, modes, auto_modes, tolerance, most, damping, internal,
                sections, discs, bearings] = geometry;
-  add(omega, length, E, rho);
+  add(wanted, frequency, length, E, rho);
   begin_list(sections);
   for (const scene::ShaftSection& section : sections) {
     const auto& [from, to, outer, inner, end_outer, end_inner] = section;
@@ -192,7 +195,18 @@ std::vector<double> numbers_of(const scene::Scene& scene, const scene::RotorGeom
 // it.
 class KnownModes {
  public:
-  std::optional<RotorModes> find(const std::vector<double>& numbers) {
+  template <class Find>
+  RotorModes at(std::vector<double> numbers, const Find& find) {
+    if (auto modes = known(numbers)) return *std::move(modes);
+    RotorModes modes = find();
+    const std::lock_guard lock(mutex_);
+    known_.emplace_front(std::move(numbers), modes);
+    if (known_.size() > kMost) known_.pop_back();
+    return modes;
+  }
+
+ private:
+  std::optional<RotorModes> known(const std::vector<double>& numbers) {
     const std::lock_guard lock(mutex_);
     const auto found = std::find_if(known_.begin(), known_.end(),
                                     [&](const Known& known) { return known.first == numbers; });
@@ -200,30 +214,13 @@ class KnownModes {
     known_.splice(known_.begin(), known_, found);
     return found->second;
   }
-  void add(std::vector<double> numbers, const RotorModes& modes) {
-    const std::lock_guard lock(mutex_);
-    known_.emplace_front(std::move(numbers), modes);
-    if (known_.size() > kMost) known_.pop_back();
-  }
 
- private:
-  // Two for each rung of a ladder of modes, and as many for scenes beside it.
-  static constexpr std::size_t kMost = 16;
+  // The rungs of a ladder of modes, and as many for scenes beside it.
+  static constexpr std::size_t kMost = 8;
   using Known = std::pair<std::vector<double>, RotorModes>;
   std::mutex mutex_;
   std::list<Known> known_;  // the latest first
 };
-
-RotorModes solve(const scene::Scene& scene, double omega) {
-  static KnownModes known;
-  const scene::RotorGeometry geometry = supported(scene);
-  const std::vector<double> stations = loaded_stations(scene);
-  std::vector<double> numbers = numbers_of(scene, geometry, stations, omega);
-  if (auto modes = known.find(numbers)) return *std::move(modes);
-  RotorModes modes = solved(scene, geometry, stations, omega);
-  known.add(std::move(numbers), modes);
-  return modes;
-}
 
 }  // namespace
 
@@ -236,12 +233,16 @@ RotorModes rotor_modes(const scene::Scene& scene) {
   assert(scene.rotor.geometry);
   const scene::RotorGeometry& geometry = *scene.rotor.geometry;
 
+  static KnownModes known;
+
   // A number of modes: the frequency that the mesh must carry is found on the way.
   const auto with_modes = [&](int count) {
-    return solve_refined(pinned_frequency(geometry, count), [&](double omega) {
-      RotorModes result = solve(scene, omega);
-      result.kept = count;
-      return result;
+    return known.at(numbers_of(scene, count, 0.0), [&] {
+      return solve_refined(pinned_frequency(geometry, count), [&](double omega) {
+        RotorModes result = solve(scene, omega);
+        result.kept = count;
+        return result;
+      });
     });
   };
   if (geometry.auto_modes) return fewest_modes(scene, with_modes);
@@ -250,7 +251,7 @@ RotorModes rotor_modes(const scene::Scene& scene) {
   // A bound on the frequency: Ritz frequencies come from above, so none is missed on a mesh for it.
   assert(geometry.max_frequency);
   const double bound = *geometry.max_frequency;
-  RotorModes result = solve(scene, bound);
+  RotorModes result = known.at(numbers_of(scene, 0, bound), [&] { return solve(scene, bound); });
   result.kept = std::max(count_below(result.x, bound), count_below(result.y, bound));
   if (result.kept == 0) {
     const double lowest = std::min(result.x.frequency[0], result.y.frequency[0]);
