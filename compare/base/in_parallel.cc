@@ -15,10 +15,12 @@ void in_parallel(std::size_t count, const std::atomic<bool>* interrupt,
   std::size_t done = 0;
   std::mutex mutex;
   std::exception_ptr failure;
+  std::size_t failed = count;
   const auto stopped = [&] { return interrupt && interrupt->load(); };
   const auto take = [&] {
+    std::size_t k = count;
     try {
-      for (std::size_t k = next++; k < count && !stopped(); k = next++) {
+      for (k = next++; k < count && !stopped(); k = next++) {
         work(k);
         const std::lock_guard lock(mutex);
         ++done;
@@ -26,7 +28,10 @@ void in_parallel(std::size_t count, const std::atomic<bool>* interrupt,
       }
     } catch (...) {
       const std::lock_guard lock(mutex);
-      failure = std::current_exception();
+      if (k < failed) {
+        failed = k;
+        failure = std::current_exception();
+      }
       next = count;
     }
   };

@@ -17,7 +17,6 @@
 #include "native_model/trajectory/recorder.h"
 #include "plugin/config.h"
 #include "plugin/generated_rotor.h"
-#include "plugin/hooks.h"
 
 namespace rotorub {
 
@@ -50,8 +49,7 @@ Trajectory run_mujoco(const scene::Scene& given, const MujocoOptions& options) {
     refuse_finite_impacts(scene, native ? FiniteImpacts::kUnsampled : FiniteImpacts::kNone);
   }
   check_steps(scene, scene.run.step);
-  const MujocoMessages messages;
-  const plugin::Hooks hooks;
+  const MujocoInPlace mujoco;
   MujocoSetup setup;
   if (scene.folder) look_for_controllers_in(*scene.folder);
   setup.m = load_mjcf(mjcf(scene));
@@ -72,8 +70,7 @@ Trajectory run_mujoco(const scene::Scene& given, const MujocoOptions& options) {
 Trajectory run_mujoco(const scene::Scene& scene, const MujocoSetup& setup,
                       const MujocoOptions& options) {
   if (options.commands) throw std::invalid_argument("MuJoCo takes no recorded commands");
-  const MujocoMessages messages;
-  const plugin::Hooks hooks;
+  const MujocoInPlace mujoco;
   const plugin::Config& config = *setup.config;
   const Model& model = *setup.model;
   const double step = scene.run.step;
@@ -119,7 +116,7 @@ Trajectory run_mujoco(const scene::Scene& scene, const MujocoSetup& setup,
         message = run.error();
       } else if (run.failed()) {
         status = Status::kDiverged;
-        const std::vector<std::string> warnings = messages.warnings();
+        const std::vector<std::string> warnings = mujoco.messages.warnings();
         message = warnings.empty() ? "the state is no longer finite" : warnings.back();
       } else if (options.interrupt && options.interrupt->load(std::memory_order_relaxed)) {
         status = Status::kInterrupted;

@@ -12,8 +12,16 @@
 #include "native_model/system/model.h"
 #include "native_model/trajectory/trajectory.h"
 #include "plugin/config.h"
+#include "plugin/hooks.h"
 
 namespace rotorub {
+
+// MuJoCo's callbacks and message handlers are global. While one of these lives they stay in place,
+// so that runs may begin and end in any threads.
+struct MujocoInPlace {
+  MujocoMessages messages;
+  plugin::Hooks hooks;
+};
 
 struct MujocoOptions : RunRequest {
   std::optional<scene::ContactModel> contact{};  // default: the scene's
@@ -26,7 +34,7 @@ struct MujocoOptions : RunRequest {
 // what MuJoCo refuses; std::invalid_argument for recorded commands. A run that fails has a status;
 // what was recorded until then is kept.
 // wall_s is the time in mj_step and in copying its results, without the recorder.
-// Not from two threads at a time: MuJoCo's callbacks and message handlers are global.
+// From two threads at a time only while a MujocoInPlace lives.
 Trajectory run_mujoco(const scene::Scene& scene, const MujocoOptions& options = {});
 
 // The state in the coordinates of a native model, nq values each.

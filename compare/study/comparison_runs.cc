@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 #include "compare/own/own_machine.h"
 #include "native_model/scene/diagnostic.h"
@@ -14,7 +15,9 @@ namespace {
 
 constexpr double kMujocoWork = 15.0;
 
-void finish(Timing& timing) {
+// The time of the side's run is the median too: the one that is shown had others beside it.
+void finish(Side& side) {
+  Timing& timing = side.timing;
   if (timing.us_per_step.empty()) return;
   std::vector<double> times = timing.us_per_step;
   std::sort(times.begin(), times.end());
@@ -22,6 +25,10 @@ void finish(Timing& timing) {
   timing.median = n % 2 == 1 ? times[n / 2] : 0.5 * (times[n / 2 - 1] + times[n / 2]);
   timing.lowest = times.front();
   timing.highest = times.back();
+  Metrics& m = side.metrics;
+  m.us_per_step = timing.median;
+  m.wall_s = side.trajectory.wall_s = 1e-6 * timing.median * static_cast<double>(m.steps);
+  m.real_time_factor = m.end / m.wall_s;
 }
 
 // A row at every step; each command acts about its instant.
@@ -68,8 +75,10 @@ std::vector<Contestant> contestants(const scene::Scene& scene, const CompareOpti
 
 std::function<void(double)> Runner::part(double work, const std::string& what) {
   if (!options_.progress) return {};
-  return [this, work, what](double share) {
-    options_.progress((done_ + share * work) / total_, what);
+  return [this, work, what, told = std::make_shared<double>(0.0)](double share) {
+    const std::lock_guard lock(mutex_);
+    done_ += (share - std::exchange(*told, share)) * work;
+    options_.progress(done_ / total_, what);
   };
 }
 
@@ -79,7 +88,7 @@ Trajectory Runner::run(const Engine& engine, RunRequest request, double work,
   request.progress = part(work, what);
   if (request.progress) request.progress(0.0);
   Trajectory trajectory = engine.run(scene_, request);
-  done_ += work;
+  if (request.progress) request.progress(1.0);
   return trajectory;
 }
 
@@ -101,12 +110,8 @@ Twins Runner::twins(const Contestant& who, const Trajectory& original, double th
   parameters.output_times = times;
   parameters.commands = std::move(commands);
   parameters.interrupt = options_.interrupt;
-  const double work = count * who.work;
-  parameters.progress = part(work, who.label + " twins");
-  parameters.threads = who.label == "native";
-  Twins found = run_twins(*who.engine, scene_, original, threshold, parameters);
-  done_ += work;
-  return found;
+  parameters.progress = part(count * who.work, who.label + " twins");
+  return run_twins(*who.engine, scene_, original, threshold, parameters);
 }
 
 ModelError Runner::model_error(const Repeatability& repeats) {
@@ -115,30 +120,26 @@ ModelError Runner::model_error(const Repeatability& repeats) {
   parameters.spread = single_run_intervals(repeats.samples);
   parameters.interrupt = options_.interrupt;
   parameters.progress = part(kLadderWork, "more modes");
-  ModelError found = rotorub::model_error(scene_, parameters);
-  done_ += kLadderWork;
-  return found;
+  return rotorub::model_error(scene_, parameters);
 }
 
-void climb_down(Runner& runner, const Contestant& who, const std::vector<double>& times,
-                const Prepare& prepare, Side& side) {
-  std::array<Metrics, kRungs> rungs;
-  rungs[0] = side.metrics;
-  std::string failed = side.trajectory.status == Status::kOk ? "" : "the run did not end well";
-  for (std::size_t k = 1; k < kRungs && failed.empty(); ++k) {
-    RunRequest request;
-    request.output_times = times;
-    const double part = k == 1 ? 2.0 : 4.0;
-    request.step = runner.scene().run.step / part;
-    prepare(k, request);
-    const Trajectory t = runner.run(*who.engine, request, part * who.work,
-                                    who.label + (k == 1 ? " at half the step" : " at a quarter"));
-    rungs[k] = metrics(t, contact_facts(runner.scene()));
-    if (t.status != Status::kOk) failed = "a run at a smaller step did not end well: " + t.message;
+Rung run_rung(Runner& runner, const Contestant& who, std::size_t rung, RunRequest request) {
+  const double part = rung == 1 ? 2.0 : 4.0;
+  request.step = runner.scene().run.step / part;
+  const Trajectory t = runner.run(*who.engine, std::move(request), part * who.work,
+                                  who.label + (rung == 1 ? " at half the step" : " at a quarter"));
+  return {metrics(t, contact_facts(runner.scene())),
+          t.status == Status::kOk ? "" : "a run at a smaller step did not end well: " + t.message};
+}
+
+void set_limits(const Ladder& ladder, Side& side) {
+  if (side.trajectory.status != Status::kOk) return leave_limits("the run did not end well", side);
+  for (std::size_t rung = 1; rung < kRungs; ++rung) {
+    if (!ladder[rung].failed.empty()) return leave_limits(ladder[rung].failed, side);
   }
-  if (!failed.empty()) return leave_limits(failed, side);
   for (const Figure& f : figures()) {
-    side.limits.push_back(extrapolate({f.value(rungs[0]), f.value(rungs[1]), f.value(rungs[2])}));
+    side.limits.push_back(extrapolate(
+        {f.value(side.metrics), f.value(ladder[1].metrics), f.value(ladder[2].metrics)}));
   }
 }
 
@@ -167,7 +168,7 @@ void time_runs(Runner& runner, const std::vector<Contestant>& all, int repeats,
       }
     }
   }
-  for (Side& side : sides) finish(side.timing);
+  for (Side& side : sides) finish(side);
 }
 
 bool has_commands(const scene::Scene& scene) {

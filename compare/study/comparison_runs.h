@@ -1,8 +1,10 @@
 // The runs that a comparison is made of: who takes part, at which steps, and for how long.
 #pragma once
 
+#include <array>
 #include <functional>
 #include <memory>
+#include <mutex>
 #include <string>
 #include <vector>
 
@@ -27,7 +29,8 @@ inline constexpr double kLadderWork = 20.0;  // of the ladder of modes, in these
 // Native, then MuJoCo with the contact model that decides, then with the others.
 std::vector<Contestant> contestants(const scene::Scene& scene, const CompareOptions& options);
 
-// Runs engines one after another and keeps count of the work for the progress bar.
+// Runs engines and keeps count of the work for the progress bar. Several threads may run at a time
+// while a MujocoInPlace lives.
 class Runner {
  public:
   // `total`: of all the work to come, in the units of Contestant::work. All must outlive it.
@@ -43,26 +46,31 @@ class Runner {
               int count);
   // What the modes kept leave out; the twins' spread is what no more modes can tell.
   ModelError model_error(const Repeatability& repeats);
-  // For work beside runs: tells its share.
+  // For work beside runs: tells its share, 1 at the end.
   std::function<void(double)> part(double work, const std::string& what);
-  void done(double work) { done_ += work; }
   bool interrupted() const { return options_.interrupt && options_.interrupt->load(); }
   const scene::Scene& scene() const { return scene_; }
 
  private:
   const scene::Scene& scene_;
   const CompareOptions& options_;
-  double total_, done_ = 0.0;
+  double total_;
+  std::mutex mutex_;
+  double done_ = 0.0;  // of total_
 };
 
-// What a run at a part of the scene's step is asked for beyond it: rung 0 is the scene's step, 1
-// and 2 are half and a quarter of it.
-using Prepare = std::function<void(std::size_t rung, RunRequest& request)>;
+// Rung 0 is the scene's step, 1 and 2 are half and a quarter of it.
 inline constexpr std::size_t kRungs = 3;
+struct Rung {
+  Metrics metrics;
+  std::string failed = "there is no run at a smaller step";  // why there are none; empty: there are
+};
+using Ladder = std::array<Rung, kRungs>;  // [0] is not used: the side has its figures
 
-// Fills side.limits: the figures at dt, dt/2 and dt/4 and what they tend to. Rows at `times`.
-void climb_down(Runner& runner, const Contestant& who, const std::vector<double>& times,
-                const Prepare& prepare, Side& side);
+// A run at a part of the scene's step, with what else it is asked for.
+Rung run_rung(Runner& runner, const Contestant& who, std::size_t rung, RunRequest request);
+// Fills side.limits: the figures at dt, dt/2 and dt/4 and what they tend to.
+void set_limits(const Ladder& ladder, Side& side);
 // Fills them where nothing was run at smaller steps.
 void leave_limits(const std::string& reason, Side& side);
 

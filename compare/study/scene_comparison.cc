@@ -6,6 +6,8 @@
 #include <cassert>
 #include <cmath>
 
+#include "compare/base/in_parallel.h"
+#include "compare/engine/mujoco_engine.h"
 #include "compare/own/own_machine.h"
 #include "compare/study/comparison_runs.h"
 #include "compare/study/twins.h"
@@ -113,22 +115,28 @@ class Comparison {
     return replays() ? commands(side) : nullptr;
   }
 
-  // The runs that are shown: every row that plots and residuals need. What drives a native one must
-  // have run before it.
+  // The runs that are shown: every row that plots and residuals need. Runs are on all processors;
+  // those for time alone are not. What drives a native one must have run before it.
   void show() {
-    std::vector<Side> mujoco;
-    if (!replays()) show_native(1);
-    for (std::size_t k = 1; k < all_.size() && !runner_.interrupted(); ++k) {
+    result_.sides.resize(all_.size());
+    if (replays()) result_.natives.resize(all_.size() - 2);
+    in_parallel(all_.size(), nullptr, {}, [&](std::size_t k) {
+      if (k == 0) return replays() ? void() : show_native(1);
+      if (runner_.interrupted()) return;
       RunRequest request;
       request.watch = [this, k](const WatchedStep& step) {
         if (result_.commands) tapes_[k][0].add(step);
         if (resyncs()) onsets_[k].step(step);
       };
-      mujoco.push_back(runner_.shown(all_[k], std::move(request)));
+      result_.sides[k] = runner_.shown(all_[k], std::move(request));
       if (replays()) show_native(k);
+    });
+    if (runner_.interrupted()) {
+      const auto not_run = [](const Side& side) { return side.label.empty(); };
+      std::erase_if(result_.sides, not_run);
+      std::erase_if(result_.natives, not_run);
+      return;
     }
-    for (Side& side : mujoco) result_.sides.push_back(std::move(side));
-    if (runner_.interrupted()) return;
     result_.shadow = shadow_column(runner_, result_.sides[0], commands(1), options_);
     if (result_.commands && !result_.own) run_without_control();
     lay_measured_in();
@@ -163,8 +171,10 @@ class Comparison {
   void show_native(std::size_t driven_by) {
     RunRequest request;
     request.commands = replayed_commands(driven_by);
-    Side side = runner_.shown(all_[0], std::move(request));
-    (driven_by == 1 ? result_.sides : result_.natives).push_back(std::move(side));
+    native_side(driven_by) = runner_.shown(all_[0], std::move(request));
+  }
+  Side& native_side(std::size_t driven_by) {
+    return driven_by == 1 ? result_.sides[0] : result_.natives[driven_by - 2];
   }
 
   // Smaller steps, twins, contact by contact, and clean times.
@@ -190,29 +200,32 @@ class Comparison {
     time_runs(runner_, all_, options_.timing_repeats, replayed_commands(1), result_.sides);
   }
 
+  // The dearest first.
   void climb() {
-    if (!replays()) climb_native(1, result_.sides[0]);
-    for (std::size_t k = 1; k < all_.size(); ++k) {
-      const auto tape = [&](std::size_t rung, RunRequest& request) {
-        if (replays()) request.watch = tapes_[k][rung].watch();
-      };
-      if (!all_[k].climbs) {
-        const std::string reason = "it is shown at the scene's step alone";
-        leave_limits(reason, result_.sides[k]);
-        if (replays()) leave_limits(reason, k == 1 ? result_.sides[0] : result_.natives[k - 2]);
-        continue;
-      }
-      climb_down(runner_, all_[k], times_, tape, result_.sides[k]);
-      if (replays()) climb_native(k, k == 1 ? result_.sides[0] : result_.natives[k - 2]);
-    }
-  }
-
-  // At each rung driven by the commands of the side's own run there.
-  void climb_native(std::size_t driven_by, Side& side) {
-    const auto drive = [&](std::size_t rung, RunRequest& request) {
-      if (replays()) request.commands = commands(driven_by, rung);
+    std::vector<Ladder> ladders(all_.size()), native_ladders(all_.size());
+    in_parallel(2 * all_.size(), options_.interrupt, {}, [&](std::size_t job) {
+      const std::size_t k = job % all_.size(), rung = job < all_.size() ? 2 : 1;
+      if (!all_[k].climbs || (replays() && k == 0)) return;
+      if (result_.sides[k].trajectory.status != Status::kOk) return;
+      RunRequest request;
+      request.output_times = times_;
+      if (replays()) request.watch = tapes_[k][rung].watch();
+      ladders[k][rung] = run_rung(runner_, all_[k], rung, request);
+      if (!replays() || native_side(k).trajectory.status != Status::kOk) return;
+      // Driven by the commands of the side's own run there.
+      request.watch = {};
+      request.commands = commands(k, rung);
+      native_ladders[k][rung] = run_rung(runner_, all_[0], rung, request);
+    });
+    if (runner_.interrupted()) return;
+    const auto climbed = [&](std::size_t k, const Ladder& ladder, Side& side) {
+      if (!all_[k].climbs) return leave_limits("it is shown at the scene's step alone", side);
+      set_limits(ladder, side);
     };
-    climb_down(runner_, all_[0], times_, drive, side);
+    for (std::size_t k = replays() ? 1 : 0; k < all_.size(); ++k) {
+      climbed(k, ladders[k], result_.sides[k]);
+      if (replays()) climbed(k, native_ladders[k], native_side(k));
+    }
   }
 
   void predict_onsets() {
@@ -222,7 +235,6 @@ class Comparison {
       auto predicted =
           predict(result_.scene, onsets_[k].finish(mujoco.end), commands(k), result_.scene.run.step,
                   runner_.part(all_[0].work, "onsets of " + all_[k].label), options_.interrupt);
-      runner_.done(all_[0].work);
       resyncs_.push_back(judge_resync(std::move(predicted), mujoco.statistics.impulse_total > 0.0,
                                       options_.tolerance));
       resyncs_.back().left_out = left_out;
@@ -276,6 +288,7 @@ class Comparison {
   std::vector<Resync> resyncs_;                         // of sides[1], sides[2], ...
   Twins twins_, decider_twins_;                         // of sides[0] and sides[1]
   std::vector<double> replay_floor_;                    // empty but in replay
+  MujocoInPlace mujoco_;                                // several threads run it
 };
 
 constexpr const char* kModes[] = {"lockstep", "replay", "resync"};  // as CompareMode

@@ -13,7 +13,6 @@ Twins run_twins(const Engine& engine, const scene::Scene& scene, const Trajector
                 double threshold, const TwinParameters& parameters) {
   const auto count = static_cast<std::size_t>(parameters.count);
   Twins twins{std::vector<Metrics>(count), std::vector<Divergence>(count)};
-  const auto stopped = [&] { return parameters.interrupt && parameters.interrupt->load(); };
 
   // Each twin writes to its own place.
   const auto run = [&](std::size_t k) {
@@ -28,16 +27,8 @@ Twins run_twins(const Engine& engine, const scene::Scene& scene, const Trajector
     twins.divergences[k] = divergence(original, t, threshold);
   };
 
-  if (parameters.threads) {
-    in_parallel(count, parameters.interrupt, parameters.progress, run);
-  } else {
-    for (std::size_t k = 0; k < count && !stopped(); ++k) {
-      run(k);
-      if (parameters.progress)
-        parameters.progress(static_cast<double>(k + 1) / static_cast<double>(count));
-    }
-  }
-  if (stopped()) return {};
+  in_parallel(count, parameters.interrupt, parameters.progress, run);
+  if (parameters.interrupt && parameters.interrupt->load()) return {};
   return twins;
 }
 

@@ -19,7 +19,6 @@ struct TwinParameters {
   std::optional<double> step;        // s; none: the scene's
   std::vector<double> output_times;  // s, rows: of `divergence`, and of what figures need rows
   std::shared_ptr<const CommandRecord> commands;  // that drive them all; null: none
-  bool threads = true;  // false: one after the other, as MuJoCo's runs must be
   std::function<void(double)> progress;
   const std::atomic<bool>* interrupt = nullptr;
 };
@@ -33,8 +32,9 @@ struct Twins {
 // +1, -1, +2, -2, ...
 int twin_ulps(int index);
 
-// They run on all processors, where they may; the result does not depend on how many there are. An
-// interrupt leaves both lists empty. `threshold`: m, beyond which two runs have parted.
+// They run on all processors: of MuJoCo while a MujocoInPlace lives. The result does not depend on
+// how many there are. An interrupt leaves both lists empty. `threshold`: m, beyond which two runs
+// have parted.
 Twins run_twins(const Engine& engine, const scene::Scene& scene, const Trajectory& original,
                 double threshold, const TwinParameters& parameters);
 

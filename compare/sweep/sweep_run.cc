@@ -11,9 +11,8 @@
 #include <thread>
 #include <utility>
 
-#include "compare/engine/mujoco_model.h"
+#include "compare/engine/mujoco_engine.h"
 #include "compare/sweep/point_run.h"
-#include "plugin/hooks.h"
 
 namespace rotorub::sweep {
 namespace {
@@ -116,12 +115,6 @@ class Workers {
   std::exception_ptr failure_;
   int running_;
   std::vector<std::jthread> threads_;  // the last member: joined before the others go
-};
-
-// MuJoCo's callbacks and handlers are global: they stay in place while any thread steps.
-struct MujocoInPlace {
-  MujocoMessages messages;
-  plugin::Hooks hooks;
 };
 
 }  // namespace

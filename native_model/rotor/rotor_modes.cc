@@ -4,8 +4,13 @@
 #include <cassert>
 #include <cmath>
 #include <limits>
+#include <list>
+#include <mutex>
 #include <numbers>
 #include <numeric>
+#include <optional>
+#include <utility>
+#include <vector>
 
 #include "native_model/numerics/eigenvalues.h"
 #include "native_model/rotor/mode_truncation.h"
@@ -143,6 +148,80 @@ RotorModes solve(const scene::Scene& scene, double omega) {
   return result;
 }
 
+// What modes are made of, list by list with its length before it: so many of them, or all on a mesh
+// for a frequency (0: the other is asked for). A field that a structure is given later does not
+// compile here until it is put in or left out.
+std::vector<double> numbers_of(const scene::Scene& scene, int wanted, double frequency) {
+  const scene::RotorGeometry geometry = supported(scene);
+  const std::vector<double> stations = loaded_stations(scene);
+  std::vector<double> all;
+  const auto add = [&](auto... numbers) { (all.push_back(numbers), ...); };
+  const auto add_optional = [&](const std::optional<double>& number) {
+    add(number ? 1.0 : 0.0, number.value_or(0.0));
+  };
+  const auto begin_list = [&](const auto& list) { add(static_cast<double>(list.size())); };
+
+  const auto& [length, E, nu, G, rho, modes, auto_modes, tolerance, most, damping, internal,
+               sections, discs, bearings] = geometry;
+  add(wanted, frequency, length, E, rho);
+  begin_list(sections);
+  for (const scene::ShaftSection& section : sections) {
+    const auto& [from, to, outer, inner, end_outer, end_inner] = section;
+    add(from, to, outer, inner);
+    add_optional(end_outer);
+    add_optional(end_inner);
+  }
+  begin_list(discs);
+  for (const scene::Disc& disc : discs) {
+    const auto& [z, mass, Jt, Jp, eccentricity, phase, outer, inner, thickness, density, unbalance,
+                 grade, grade_speed] = disc;
+    add(z, mass, Jt, Jp);
+  }
+  begin_list(bearings);
+  for (const scene::ShaftBearing& bearing : bearings) {
+    const auto& [z, k, c, cross_k, cross_c, offset, speed, kxx, kxy, kyx, kyy, cxx, cxy, cyx, cyy] =
+        bearing;
+    add(z, k.x(), k.y());
+  }
+  begin_list(stations);
+  for (const double z : stations) add(z);
+  for (const scene::MagneticBearing& bearing : scene.magnetic_bearings)
+    add(bearing.station, magnetic_support(scene, bearing).held);
+  return all;
+}
+
+// The latest solutions: one run asks for the same several times, and the runs of a comparison or a
+// sweep seldom change the shaft. From any thread; two that ask for the same at once may both solve
+// it.
+class KnownModes {
+ public:
+  template <class Find>
+  RotorModes at(std::vector<double> numbers, const Find& find) {
+    if (auto modes = known(numbers)) return *std::move(modes);
+    RotorModes modes = find();
+    const std::lock_guard lock(mutex_);
+    known_.emplace_front(std::move(numbers), modes);
+    if (known_.size() > kMost) known_.pop_back();
+    return modes;
+  }
+
+ private:
+  std::optional<RotorModes> known(const std::vector<double>& numbers) {
+    const std::lock_guard lock(mutex_);
+    const auto found = std::find_if(known_.begin(), known_.end(),
+                                    [&](const Known& known) { return known.first == numbers; });
+    if (found == known_.end()) return {};
+    known_.splice(known_.begin(), known_, found);
+    return found->second;
+  }
+
+  // The rungs of a ladder of modes, and as many for scenes beside it.
+  static constexpr std::size_t kMost = 8;
+  using Known = std::pair<std::vector<double>, RotorModes>;
+  std::mutex mutex_;
+  std::list<Known> known_;  // the latest first
+};
+
 }  // namespace
 
 double RotorModes::highest() const {
@@ -154,12 +233,16 @@ RotorModes rotor_modes(const scene::Scene& scene) {
   assert(scene.rotor.geometry);
   const scene::RotorGeometry& geometry = *scene.rotor.geometry;
 
+  static KnownModes known;
+
   // A number of modes: the frequency that the mesh must carry is found on the way.
   const auto with_modes = [&](int count) {
-    return solve_refined(pinned_frequency(geometry, count), [&](double omega) {
-      RotorModes result = solve(scene, omega);
-      result.kept = count;
-      return result;
+    return known.at(numbers_of(scene, count, 0.0), [&] {
+      return solve_refined(pinned_frequency(geometry, count), [&](double omega) {
+        RotorModes result = solve(scene, omega);
+        result.kept = count;
+        return result;
+      });
     });
   };
   if (geometry.auto_modes) return fewest_modes(scene, with_modes);
@@ -168,7 +251,7 @@ RotorModes rotor_modes(const scene::Scene& scene) {
   // A bound on the frequency: Ritz frequencies come from above, so none is missed on a mesh for it.
   assert(geometry.max_frequency);
   const double bound = *geometry.max_frequency;
-  RotorModes result = solve(scene, bound);
+  RotorModes result = known.at(numbers_of(scene, 0, bound), [&] { return solve(scene, bound); });
   result.kept = std::max(count_below(result.x, bound), count_below(result.y, bound));
   if (result.kept == 0) {
     const double lowest = std::min(result.x.frequency[0], result.y.frequency[0]);

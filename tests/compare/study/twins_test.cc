@@ -3,6 +3,8 @@
 
 #include <gtest/gtest.h>
 
+#include "compare/base/in_parallel.h"
+#include "compare/engine/mujoco_engine.h"
 #include "tests/support/native_run.h"
 
 namespace rotorub {
@@ -37,6 +39,45 @@ TEST_F(TwinRuns, AreTheRunsOfTheirStarts) {
     EXPECT_EQ(twins.metrics[at].impulse_total, alone.statistics.impulse_total);
     EXPECT_EQ(twins.metrics[at].peak_force, alone.statistics.peak_force);
     EXPECT_FALSE(twins.divergences[at].time) << "bench_ring is not chaotic";
+  }
+}
+
+// MuJoCo steps in several threads at a time: to the bit as alone, `cone-coulomb` with what it keeps
+// from step to step.
+TEST_F(TwinRuns, OfMujocoAreTheRunsOfTheirStarts) {
+  for (const auto contact : {scene::ContactModel::kRigid, scene::ContactModel::kCoulomb,
+                             scene::ContactModel::kConeCoulomb}) {
+    const auto engine = mujoco_engine(contact);
+    TwinParameters parameters;
+    parameters.count = 6;
+    parameters.output_times = {0.01, 0.02};
+    const Trajectory original = engine->run(scene_, {});
+    const MujocoInPlace mujoco;
+    const Twins twins = run_twins(*engine, scene_, original, 1e-6, parameters);
+    ASSERT_EQ(twins.metrics.size(), 6U);
+    for (int k = 0; k < parameters.count; ++k) {
+      RunRequest request;
+      request.perturbation_ulps = twin_ulps(k);
+      request.output_times = parameters.output_times;
+      const Trajectory alone = engine->run(scene_, request);
+      const Metrics& twin = twins.metrics[static_cast<std::size_t>(k)];
+      EXPECT_EQ(twin.impulse_total, alone.statistics.impulse_total) << to_string(contact);
+      EXPECT_EQ(twin.peak_force, alone.statistics.peak_force) << to_string(contact);
+    }
+  }
+}
+
+// Whichever thread meets it first.
+TEST(InParallel, ThrowsTheFirstFailure) {
+  for (int repeat = 0; repeat < 20; ++repeat) {
+    try {
+      in_parallel(8, nullptr, {}, [](std::size_t k) {
+        if (k >= 1) throw std::runtime_error(std::to_string(k));
+      });
+      ADD_FAILURE();
+    } catch (const std::runtime_error& error) {
+      EXPECT_STREQ(error.what(), "1");
+    }
   }
 }
 
