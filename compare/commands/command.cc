@@ -22,6 +22,35 @@
 
 namespace rotorub {
 
+namespace {
+
+// A library's source is what a newcomer gives first.
+std::string refuse_source(const std::string& file) {
+  const std::string suffix = std::filesystem::path(file).extension().string();
+  const std::string library = std::filesystem::path(file).stem().string() + ".so";
+  if (suffix == ".c" || suffix == ".cc" || suffix == ".cpp") {
+    return fmt::format(
+        "{} is a source: build it, {} -shared -fPIC -I PREFIX/include {} -o {}, and give {}", file,
+        suffix == ".c" ? "cc" : "c++", file, library, library);
+  }
+  if (suffix != ".py") return "";
+  return fmt::format(
+      "{} is Python: accepted is a shared library; the example python_controller.c is one that "
+      "asks a law in Python",
+      file);
+}
+
+// Of a command that takes scenes alone.
+void refuse_mujoco_model(const std::string& file) {
+  if (std::filesystem::path(file).extension() != ".xml") return;
+  throw scene::SceneError(
+      {{file, 0, "",
+        "a MuJoCo model: accepted is a scene, .toml. `rotorub compare` takes a machine of your own "
+        "as .xml, and `rotorub mjcf SCENE.toml` writes a scene's model"}});
+}
+
+}  // namespace
+
 void add_common_options(CLI::App& command, CommonOptions& options) {
   add_value(command, "--set", options.overrides, "TABLE.KEY=VALUE",
             "Override a value of the scene, e.g. contact.friction=0.2; may be repeated")
@@ -41,6 +70,7 @@ void add_controller_option(CLI::App& command, CommonOptions& options) {
   add_value(command, "--controller", options.controller, "FILE.so",
             "Your own controller, a shared library, in the place of the scene's")
       ->check(CLI::ExistingFile)
+      ->check(refuse_source)
       ->each([](const std::string& file) { allow_library(std::filesystem::absolute(file)); });
   add_allow_library_option(command, options);
 }
@@ -82,6 +112,7 @@ std::vector<std::string> overrides_of(const CommonOptions& options) {
 }
 
 scene::Scene read_scene(const std::string& file, const CommonOptions& options) {
+  refuse_mujoco_model(file);
   std::vector<std::string> overrides = overrides_of(options);
   if (!options.step.empty()) overrides.push_back("run.step=" + options.step);
   if (!options.end.empty()) overrides.push_back("run.end=" + options.end);
@@ -122,6 +153,12 @@ void read_each(const std::vector<std::string>& files,
 }
 
 OwnRun own_run(const CommonOptions& options) {
+  if (!options.controller.empty()) {
+    throw UsageError(fmt::format(
+        "--controller {}: of a scene; a machine of your own is driven by what its .xml and the "
+        "program around it command, and is compared here as it stands",
+        options.controller));
+  }
   if (!options.overrides.empty()) {
     throw UsageError(
         fmt::format("--set {}: of a scene; a machine of your own has its values in its .xml",

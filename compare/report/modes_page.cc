@@ -89,7 +89,8 @@ bool runs_unstable(const scene::Scene& scene, const RotorAnalysis& analysis) {
 
 json stability_card(const scene::Scene& scene, const RotorAnalysis& analysis) {
   const bool at_rest = analysis.stability_threshold == 0.0;
-  std::string headline = "stable at any speed", text = "nothing in the rotor can make a whirl grow";
+  std::string headline = "stable at any speed",
+              text = "while it touches nothing: nothing in the rotor can make a whirl grow";
   if (analysis.stability_threshold) {
     headline = at_rest ? "unstable at rest"
                        : fmt::format("unstable above {}", rpm_text(*analysis.stability_threshold));
@@ -102,7 +103,7 @@ json stability_card(const scene::Scene& scene, const RotorAnalysis& analysis) {
   const char* tone = runs_unstable(scene, analysis) ? "bad"
                      : analysis.stability_threshold ? ""
                                                     : "good";
-  return card("Stability", tone, headline, text);
+  return card("Free whirl", tone, headline, text);
 }
 
 json running_card(const scene::Scene& scene, const RotorAnalysis& analysis) {
@@ -111,6 +112,28 @@ json running_card(const scene::Scene& scene, const RotorAnalysis& analysis) {
   return card("The scene's speed", unstable ? "bad" : "",
               rpm_text(speed) + (unstable ? ", unstable" : ""),
               nearest_text(analysis.critical_speeds, speed));
+}
+
+// What a touch may lead to, of each contact.
+void add_rub_cards(const RotorAnalysis& analysis, json& cards) {
+  for (const RubAnalyses& rubs : analysis.rubs) {
+    const std::string title =
+        rubs.contact.empty() ? "Once it touches" : "Once it touches " + rubs.contact;
+    if (!rubs.refused.empty()) cards.push_back(card(title, "", "not analysed", rubs.refused));
+    if (rubs.at.empty()) continue;
+    const rub::RubPoint& point = rubs.at.front().point;
+    const auto unstable =
+        std::count_if(point.rubs.begin(), point.rubs.end(),
+                      [](const rub::StandingRub& r) { return !r.stability.stable; });
+    const bool against_spin = point.attractors() & (rub::kBackwardWhip | rub::kRollingRub);
+    std::string text = fmt::format("what is stable at {}", rpm_text(std::abs(point.speed)));
+    if (unstable > 0) {
+      text += fmt::format("; beside it {} lasting rub{} that {} not", unstable,
+                          unstable > 1 ? "s" : "", unstable > 1 ? "are" : "is");
+    }
+    cards.push_back(
+        card(title, against_spin ? "bad" : "", attractors_text(point.attractors()), text));
+  }
 }
 
 json shape_rows(const ModeShapes& shapes, const PlaneShapes& plane) {
@@ -195,6 +218,7 @@ std::string modes_page(const scene::Scene& scene, const Campbell& campbell) {
   values["hash"] = scene::scene_hash(scene);
   values["cards"] = json::array(
       {running_card(scene, analysis), critical_card(analysis), stability_card(scene, analysis)});
+  add_rub_cards(analysis, values["cards"]);
   values["top"] = rpm_text(campbell.range);
   values["beyond"] = beyond_text(analysis, campbell.range);
   values["has_shapes"] = analysis.shapes.has_value();

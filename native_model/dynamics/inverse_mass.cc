@@ -25,12 +25,8 @@ void InverseMass::couple(const eq::DiscAngles<double>& at) {
   const int n = m.layout.modes;
   double b[kMaxCoordinates];
   eq::spin_coupling(m, at, b, b + n);
-  double inertia = inertia_;
-  for (int k = 0; k < 2 * n; ++k) {
-    w_[k] = -inverse_[k] * b[k];
-    inertia += w_[k] * b[k];
-  }
-  spin_ = 1.0 / inertia;
+  for (int k = 0; k < 2 * n; ++k) w_[k] = -inverse_[k] * b[k];
+  spin_ = 1.0 / (inertia_ + lanes::sum<double>(2 * n, [&](int k) { return w_[k] * b[k]; }));
 }
 
 void InverseMass::solve(const double* f, double* a) const {
@@ -41,8 +37,7 @@ void InverseMass::solve(const double* f, double* a) const {
     return;
   }
   const int bending = 2 * l.modes, phi = l.phi();
-  double torque = f[phi];
-  for (int k = 0; k < bending; ++k) torque += w_[k] * f[k];
+  const double torque = f[phi] + lanes::sum<double>(bending, [&](int k) { return w_[k] * f[k]; });
   const double turned = torque * spin_;
   for (int i = 0; i < nq; ++i) a[i] = inverse_[i] * f[i];
   for (int k = 0; k < bending; ++k) a[k] += w_[k] * turned;

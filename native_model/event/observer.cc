@@ -70,18 +70,31 @@ double Observer::held_speed(std::size_t k) const {
 // Normal force averaged over bins of fixed width, as a fixed-step engine has it: peak and mean
 // square. Free flight carries no force, and only what an impact left in the current bin counts.
 template <class F>
-void Observer::bins_until(double now, bool flies, F&& impulse_at) {
+void Observer::bins_until(double now, bool flies, F&& impulses_at) {
   const double width = parameters_->force_bin;
   if (width <= 0.0) return;
   Statistics& s = recorder_->statistics();
-  for (double edge = (bin_ + 1) * width; edge <= now; edge = (bin_ + 1) * width) {
-    const double total = impact_impulse_ + impulse_at(edge), force = (total - bin_start_) / width;
-    s.peak_force = std::max(s.peak_force, force);
-    s.force_square += force * force * width;
-    if (total != bin_start_) recorder_->watch_impulse(edge - 0.5 * width, total - bin_start_);
-    bin_start_ = total;
-    ++bin_;
-    if (flies && force == 0.0) bin_ = std::max(bin_, std::floor(now / width) - 1.0);
+  constexpr std::size_t kAtOnce = 16;
+  double edges[kAtOnce], impulses[kAtOnce];
+  while (true) {
+    std::size_t count = 0;
+    for (; count < kAtOnce; ++count) {
+      edges[count] = (bin_ + 1.0 + static_cast<double>(count)) * width;
+      if (edges[count] > now) break;
+    }
+    if (count == 0) return;
+    impulses_at(std::span(edges, count), impulses);
+    for (std::size_t k = 0; k < count; ++k) {
+      const double total = impact_impulse_ + impulses[k], force = (total - bin_start_) / width;
+      s.peak_force = std::max(s.peak_force, force);
+      s.force_square += force * force * width;
+      if (total != bin_start_) recorder_->watch_impulse(edges[k] - 0.5 * width, total - bin_start_);
+      bin_start_ = total;
+      ++bin_;
+      if (!flies || force != 0.0) continue;
+      bin_ = std::max(bin_, std::floor(now / width) - 1.0);
+      break;
+    }
   }
 }
 
@@ -108,10 +121,9 @@ void Observer::watch(const Motion& from, SmoothStep& step, Constraint& constrain
     if (!held.empty()) constraint.to_circles(t, row_.data(), from.v(), held);
     recorder_->row(snapshot(t, row_.data()));
   }
-  bins_until(now, pressing.empty(), [&](double t) {
-    double impulse = normal_impulse(from);
-    for (const int i : pressing) impulse += step.increment(i, theta(t));
-    return impulse;
+  bins_until(now, pressing.empty(), [&](std::span<const double> times, double* impulses) {
+    std::fill_n(impulses, times.size(), normal_impulse(from));
+    for (const int i : pressing) step.add_increments(i, times, impulses);
   });
   if (!pressing.empty()) contact_time_ += now - from.t;
 }
@@ -200,8 +212,10 @@ void Observer::watch(const Motion& from, const FiniteImpact& impact, std::size_t
     s.friction_force = force.y();
     recorder_->row(s);
   }
-  bins_until(now, false,
-             [&](double t) { return from.integral(kNormalImpulse) + force.x() * (t - from.t); });
+  bins_until(now, false, [&](std::span<const double> times, double* impulses) {
+    for (const double t : times)
+      *impulses++ = from.integral(kNormalImpulse) + force.x() * (t - from.t);
+  });
   contact_time_ += now - from.t;
   recorder_->statistics().impact_time += now - from.t;
 }

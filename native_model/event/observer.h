@@ -50,7 +50,7 @@ class Observer {
   void follow(std::size_t contact, const Motion& from, SmoothStep& step, double last);
   void watch_press(std::size_t contact, SmoothStep& step, double last);
   template <class F>
-  void bins_until(double now, bool flies, F&& impulse_at);
+  void bins_until(double now, bool flies, F&& impulses_at);
 
   const Model* model_;
   const EventParameters* parameters_;

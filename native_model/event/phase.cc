@@ -210,8 +210,9 @@ void Phase::derivative(double t, const double* y, double* dy) {
   std::copy_n(a_.data(), n, a);
 
   std::fill_n(integrals, integral_count(m), 0.0);
-  double power = 0.0;
-  for (int i = 0; i < m.layout.mechanical(); ++i) power += (f_[i] + m.stiffness[i] * q[i]) * v[i];
+  const double *f = f_.data(), *stiffness = m.stiffness.data();
+  const double power = lanes::sum<double>(
+      m.layout.mechanical(), [=](int i) { return (f[i] + stiffness[i] * q[i]) * v[i]; });
   integrals[kExternalWork] = power + extra_power(m, angles_, q, v);
 
   find_closed(q, v);

@@ -153,9 +153,11 @@ const double* SmoothStep::at(double theta) {
   return y_.data();
 }
 
-double SmoothStep::increment(int i, double theta) {
+void SmoothStep::add_increments(int i, std::span<const double> times, double* to) {
   prepare_dense();
-  return step_.increment(i, theta);
+  step_.find_terms_of(i);
+  const double share = 1.0 / step_.step();
+  for (const double t : times) *to++ += step_.nested(i, (t - start_) * share);
 }
 
 const double* SmoothStep::term(int d) {

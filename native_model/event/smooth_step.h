@@ -4,6 +4,7 @@
 
 #include <cstdint>
 #include <optional>
+#include <span>
 #include <string>
 #include <vector>
 
@@ -51,9 +52,10 @@ class SmoothStep {
 
   // The solution within the step, theta in [0, 1].
   void dense(double theta, double* y);
-  const double* at(double theta);         // valid until the next call
-  double increment(int i, double theta);  // of y_i since the step's start
-  const double* term(int d);              // of the nested form, see Dop853
+  const double* at(double theta);  // valid until the next call
+  // to_k += what y_i has gained since the step's start at times within it, s.
+  void add_increments(int i, std::span<const double> times, double* to);
+  const double* term(int d);  // of the nested form, see Dop853
   double time(double theta) const { return start_ + theta * step_.step(); }
   // The phase's multipliers and margins at a state within the step.
   void evaluate(const Motion& motion);

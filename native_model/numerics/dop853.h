@@ -94,11 +94,28 @@ class Dop853 {
   }
   // The same of one component, at the cost of its own terms alone.
   double increment(int i, double theta) {
-    if (known_ == 0 && known_alone_ != i) {
-      find_terms_of(i);
-      known_alone_ = i;
-    }
+    find_terms_of(i);
     return nested(i, theta);
+  }
+  void find_terms_of(int i) {
+    if (known_ == size_ || known_alone_ == i) return;
+    known_alone_ = i;
+    find_first_terms(i);
+    for (int d = 0; d < 4; ++d) {
+      double sum = 0.0;
+      for (const dop853::Term& w : row_of_dense(d)) sum += w.weight * stage(w.column)[i];
+      dense_term(3 + d)[i] = step_ * sum;
+    }
+  }
+  // Of a component whose terms have been found.
+  double nested(int i, double theta) const {
+    const double* terms = dense_.data() + i;
+    double sum = 0.0;
+    for (int d = kDenseTerms - 1; d >= 0; --d) {
+      sum = (sum + terms[static_cast<std::ptrdiff_t>(d) * padded_]) *
+            (d % 2 == 0 ? theta : 1.0 - theta);
+    }
+    return sum;
   }
   void dense(double theta, double* y) {
     increment(theta, y);
@@ -139,16 +156,6 @@ class Dop853 {
     small_matrix::combine(stages_.data(), padded_, row, step_, start_.data(), y);
   }
 
-  double nested(int i, double theta) const {
-    const double* terms = dense_.data() + i;
-    double sum = 0.0;
-    for (int d = kDenseTerms - 1; d >= 0; --d) {
-      sum = (sum + terms[static_cast<std::ptrdiff_t>(d) * padded_]) *
-            (d % 2 == 0 ? theta : 1.0 - theta);
-    }
-    return sum;
-  }
-
   // F_0, F_1, F_2 of a component, by its ends.
   void find_first_terms(int i) {
     const auto k = static_cast<std::size_t>(i);
@@ -156,14 +163,6 @@ class Dop853 {
     dense_term(0)[i] = dy;
     dense_term(1)[i] = step_ * f0 - dy;
     dense_term(2)[i] = 2.0 * dy - step_ * (f1 + f0);
-  }
-  void find_terms_of(int i) {
-    find_first_terms(i);
-    for (int d = 0; d < 4; ++d) {
-      double sum = 0.0;
-      for (const dop853::Term& w : row_of_dense(d)) sum += w.weight * stage(w.column)[i];
-      dense_term(3 + d)[i] = step_ * sum;
-    }
   }
   void find_all_terms() {
     if (known_ == size_) return;

@@ -58,6 +58,28 @@ TEST(CliRefusal, OfMoreRowsThanMemoryHolds) {
   }
 }
 
+// What a newcomer gives in the place of a scene or of a library: told what to give instead.
+TEST(CliRefusal, OfAModelOrASourceSaysWhatToGive) {
+  const Folder folder;
+  std::ofstream(folder.path() / "own.xml") << "<mujoco/>\n";
+  for (const std::string command : {"run", "modes", "tune"}) {
+    SCOPED_TRACE(command);
+    const Outcome refused = folder.run({command, "own.xml"});
+    EXPECT_EQ(refused.code, 2) << refused.err;
+    EXPECT_NE(refused.err.find("own.xml: a MuJoCo model: accepted is a scene, .toml"),
+              std::string::npos)
+        << refused.err;
+  }
+  for (const std::string source : {"mine.c", "mine.cpp", "mine.py"}) {
+    std::ofstream(folder.path() / source) << "\n";
+    expect_refused(folder, {"run", shipped("paper_sliding"), "--controller", source},
+                   {source + " is ", source.ends_with(".py") ? "shared library" : "-shared"});
+  }
+  std::ofstream(folder.path() / "mine.so") << "\n";
+  expect_refused(folder, {"compare", "own.xml", "--controller", "mine.so"},
+                 {"--controller mine.so: of a scene"});
+}
+
 TEST(CliRefusal, OfMoreSamplesThanCanBeTaken) {
   const Folder folder;
   for (const Arguments& engine :

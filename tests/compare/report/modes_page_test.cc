@@ -169,6 +169,30 @@ TEST(ModesPage, HoldsAllItNeeds) {
             json({{"rotor", plots_of(friswell())}}));
 }
 
+// A free rotor that is stable at any speed may whip once it touches: the page says so beside it.
+TEST(ModesPage, SaysWhatATouchMayLeadTo) {
+  scene::Scene s = jeffcott();
+  EXPECT_EQ(page_of(s).find("Once it touches"), std::string::npos) << "there is nothing to touch";
+  auto& bearing = s.first();
+  bearing.contact.emplace();
+  bearing.contact->radius = 50e-3;
+  bearing.contact->clearance = 0.5e-3;
+  bearing.contact->friction.coefficient = 0.2;
+  auto& ring = bearing.stator.emplace();
+  ring.mass = {1.0, 1.0};
+  ring.stiffness = {1e6, 1e6};
+  ring.damping = {200.0, 200.0};
+  const RotorAnalysis analysis = analyse_rotor(s, {});
+  ASSERT_EQ(analysis.rubs.size(), 1u);
+  ASSERT_EQ(analysis.rubs[0].refused, "");
+  const unsigned attractors = analysis.rubs[0].at.at(0).point.attractors();
+  EXPECT_TRUE(attractors & rub::kBackwardWhip) << attractors_text(attractors);
+  const std::string page = page_of(s);
+  EXPECT_NE(page.find("Once it touches"), std::string::npos);
+  EXPECT_NE(page.find(attractors_text(attractors)), std::string::npos);
+  EXPECT_NE(page.find("stable at any speed"), std::string::npos);
+}
+
 TEST(ModesPage, SaysWhatTheModelSays) {
   scene::Scene s = friswell();
   EXPECT_NE(page_of(s).find("stable at any speed"), std::string::npos);
