@@ -232,7 +232,7 @@ std::string rub_answer(const Metrics& m) {
     return fmt::format("no, the rotor stays {} µm clear of the ring",
                        short_number(1e6 * *m.least_gap));
   }
-  std::string text = "yes, from " + time_text(*m.first_touch);
+  std::string text = fmt::format("yes, from {} ms", short_number(1e3 * *m.first_touch));
   if (m.hard_impacts > 0)
     text += fmt::format(": {} hard impact{}", m.hard_impacts, m.hard_impacts > 1 ? "s" : "");
   const Attractor last = m.settled.attractor;
@@ -257,8 +257,12 @@ std::string run_table(const scene::Scene& scene, const Trajectory& t, const Pale
     text += fmt::format("  {:<{}}{:>{}}\n", label, kLabel, value, kValue);
   };
   if (m.first_touch) add("first touch, ms", short_number(1e3 * *m.first_touch));
+  // Without a touch a figure of contact is 0, and its row says nothing.
   for (const Figure& f : figures()) {
-    if (!std::isnan(f.value(m))) add(figure_label(f), figure_value(f, f.value(m)));
+    const double value = f.value(m);
+    if (!std::isnan(value) && (m.first_touch || value != 0.0)) {
+      add(figure_label(f), figure_value(f, value));
+    }
   }
   add("settles to", to_string(m.settled.attractor));
   add("steps", fmt::format("{}", t.steps));

@@ -17,10 +17,10 @@ Metrics rub(std::size_t hard_impacts, Attractor last) {
 TEST(RubAnswer, SaysWhenHowHardAndWhatBecomesOfIt) {
   EXPECT_EQ(rub_answer(rub(699, Attractor::kSynchronousRub)),
             "yes, from 107.1 ms: 699 hard impacts, synchronous rub in the last fifth of the run; "
-            "mean normal force 59.8 N");
+            "mean normal force 59.80 N");
   EXPECT_EQ(rub_answer(rub(1, Attractor::kNoContact)),
             "yes, from 107.1 ms: 1 hard impact, and no contact any more in the last fifth of the "
-            "run; mean normal force 59.8 N");
+            "run; mean normal force 59.80 N");
 }
 
 TEST(RubAnswer, SaysHowNearARotorComesThatDoesNotTouch) {
