@@ -51,6 +51,23 @@ test('every link of the contents leads somewhere, by keyboard too', async () => 
   await page.waitForFunction(() => Math.abs(document.getElementById('scene-2-figures').getBoundingClientRect().top) < 120);
 });
 
+test('a plot is saved as a picture and as a table', async () => {
+  const {traces} = await drawn('#scene-1-plots .plot[data-plot="gap"]');
+  const saved = async (format) => {
+    const button = page.locator('#scene-1-plots figure:has(.plot[data-plot="gap"]) .save button', {hasText: format});
+    const [download] = await Promise.all([page.waitForEvent('download'), button.click()]);
+    return {name: download.suggestedFilename(), text: fs.readFileSync(await download.path(), 'utf8')};
+  };
+  const table = await saved('CSV');
+  assert.match(table.name, /^[a-z-]+\.csv$/);
+  const [header, ...lines] = table.text.trim().split('\r\n');
+  assert.equal(header, 'trace,x,y');
+  assert.equal(lines.length, traces.reduce((sum, t) => sum + t.y.length, 0));
+  const [name, x, y] = lines[0].split(',');
+  assert.deepEqual([name, Number(x), Number(y)], [traces[0].name, traces[0].x[0], traces[0].y[0]]);
+  assert.match((await saved('SVG')).text, /^<svg/);
+});
+
 test('figures, pictures and switches have names and states', async () => {
   const nameless = await page.evaluate(() => {
     const named = (e) => e.getAttribute('aria-label') || e.textContent.trim() || e.title;

@@ -1,4 +1,5 @@
 // What the scripts of all pages share: the page's data, the drawing of a plot, and the light or dark theme.
+import {offerFiles} from './save.js';
 import {forgetColours} from './style.js';
 
 const root = document.documentElement;
@@ -34,6 +35,7 @@ export function start(draw) {
 export function show(plot, {data: traces, layout}) {
   const size = isPrinting() ? {width: plot.clientWidth, height: plot.clientHeight} : {};
   Plotly.react(plot, traces, {...layout, ...size}, {displaylogo: false, displayModeBar: false, responsive: !isPrinting()});
+  offerFiles(plot);
 }
 
 // Calls act(near) when the element comes near the screen, and when it leaves.
