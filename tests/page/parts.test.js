@@ -68,6 +68,27 @@ test('a plot is saved as a picture and as a table', async () => {
   assert.match((await saved('SVG')).text, /^<svg/);
 });
 
+test('a link leads to a time, a zoom and the runs shown, and the address follows them', async () => {
+  const linked = await open(browser, 'report.html#scene-1?t=0.011&from=0.01&to=0.012&hide=cone');
+  const shown = () => linked.evaluate(() => {
+    const plots = document.getElementById('scene-1-plots');
+    return {t: window.page.players[0].clock.t, hash: location.hash,
+      off: [...plots.querySelectorAll('.legend-item[aria-pressed="false"]')].map((b) => b.dataset.side),
+      range: plots.querySelector('.plot.drawn')?._fullLayout?.xaxis.range};
+  });
+  await linked.evaluate(() => document.querySelector('#scene-1-plots .plot').scrollIntoView({block: 'center', behavior: 'instant'}));
+  await linked.waitForFunction(() => document.querySelector('#scene-1-plots .plot.drawn'));
+  const first = await shown();
+  assert.deepEqual([first.t, first.off], [0.011, ['cone']]);
+  assert.ok(first.range[0] >= 0.0099 && first.range[1] <= 0.0121, first.range);
+  await linked.locator('#scene-1-plots .legend-item[data-side="cone"]').click();
+  await linked.evaluate(() => window.page.players[0].clock.seek(0.0105));
+  await linked.waitForFunction(() => location.hash.startsWith('#scene-1?t=0.0105'));
+  assert.ok(!(await shown()).hash.includes('hide'));
+  assert.deepEqual(linked.said, []);
+  await linked.close();
+});
+
 test('figures, pictures and switches have names and states', async () => {
   const nameless = await page.evaluate(() => {
     const named = (e) => e.getAttribute('aria-label') || e.textContent.trim() || e.title;

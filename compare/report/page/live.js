@@ -1,4 +1,5 @@
 // A scene of a page: its runs, its clock, and the plots and the player that follow it.
+import {AddressWriter, stateIn} from './address.js';
 import {Clock} from './player/clock.js';
 import {Player} from './player/player.js';
 import {runOf} from './player/run.js';
@@ -8,11 +9,15 @@ export class LiveScene {
   constructor(element, scene) {
     this.runs = scene.sides.map((side) => runOf(side, scene));
     const {from, to} = scene.windows[0];
-    this.clock = new Clock(from, to, (t) => this.show(t), () => this.player?.showPlaying());
+    this.clock = new Clock(from, to, (t) => this.show(t), () => {
+      this.player?.showPlaying();
+      this.told();
+    });
     this.plots = new ScenePlots(element, scene, this.runs, (t) => {
       this.clock.seek(t);
       if (this.player) this.player.element.focus({preventScroll: true});
-    });
+    }, () => this.told());
+    this.address = new AddressWriter(element.id);
     this.player = null;
     const live = element.querySelector('.live'), moving = this.runs.filter((run) => run.has('rotor'));
     if (scene.rig && moving.length) this.player = new Player(live, scene, moving, this.clock, this.runs.filter((run) => !run.has('rotor')));
@@ -20,6 +25,15 @@ export class LiveScene {
     // The first touch is worth seeing first, and a little of what comes of it.
     const touch = this.clock.hard[0];
     this.clock.t = touch === undefined ? from : Math.min(to, touch + 0.25 * this.player.span(this.player.shown[0], touch));
+    const linked = stateIn(location.hash, element.id);
+    if (!linked) return;
+    this.plots.restore(linked);
+    if (linked.t !== undefined) this.clock.t = Math.min(to, Math.max(from, linked.t));
+    element.scrollIntoView();
+  }
+  // The reader has sought a time, zoomed or hidden a run: not before the page is drawn.
+  told() {
+    if (this.isDrawn) this.address.write({t: this.clock.t, range: this.plots.range, hidden: this.plots.hidden});
   }
   // Draws the player, near the screen or not.
   begin() {
@@ -28,6 +42,8 @@ export class LiveScene {
     this.player.draw();
   }
   show(t) {
+    if (t !== this.shown && !this.clock.playing) this.told();
+    this.shown = t;
     this.plots.cursor(t);
     if (!this.player) return;
     this.player.draw();
@@ -36,5 +52,6 @@ export class LiveScene {
   drawAll() {
     if (window.Plotly) this.plots.drawAll();
     this.show(this.clock.t);
+    this.isDrawn = true;
   }
 }

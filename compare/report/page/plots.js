@@ -5,9 +5,10 @@ import {css} from './style.js';
 import {sceneFigure} from './traces.js';
 
 export class ScenePlots {
-  // runs: of scene.sides, each with its contacts; seek(t): what a click asks for.
-  constructor(element, scene, runs, seek) {
-    Object.assign(this, {element, scene, runs, seek});
+  // runs: of scene.sides, each with its contacts; seek(t): what a click asks for; changed(): the reader shows something
+  // else.
+  constructor(element, scene, runs, seek, changed) {
+    Object.assign(this, {element, scene, runs, seek, changed});
     this.plots = [...element.querySelectorAll('.plot')];
     this.hidden = new Set();
     this.near = new Set();
@@ -141,6 +142,7 @@ export class ScenePlots {
   show(range) {
     this.range = range;
     this.drawAll();
+    this.changed();
   }
 
   toggle(button) {
@@ -148,5 +150,17 @@ export class ScenePlots {
     if (!this.hidden.delete(side)) this.hidden.add(side);
     button.setAttribute('aria-pressed', String(!this.hidden.has(side)));
     this.drawAll();
+    this.changed();
+  }
+
+  // As a link says, before anything is drawn; of what the scene has.
+  restore({from, to, hidden}) {
+    const whole = this.scene.windows[0];
+    if (from < to && from < whole.to && to > whole.from) this.range = [Math.max(whole.from, from), Math.min(whole.to, to)];
+    for (const button of this.element.querySelectorAll('.legend-item')) {
+      if (!hidden.has(button.dataset.side)) continue;
+      this.hidden.add(button.dataset.side);
+      button.setAttribute('aria-pressed', 'false');
+    }
   }
 }
