@@ -1,5 +1,13 @@
 # Everything from outside, by the folder that first needs it. compare/setup installs the Debian packages.
 
+# First what compare/setup fetches: where that has not been run, nothing else need be there either.
+foreach(file plotly-basic.min.js three.module.js esbuild)
+  if(NOT EXISTS "${ROTORUB_WEB_DIR}/${file}")
+    message(FATAL_ERROR "${ROTORUB_WEB_DIR}/${file} is missing: run compare/setup, which fetches it, "
+                        "or set ROTORUB_WEB_DIR to a folder that has it")
+  endif()
+endforeach()
+
 # native_model
 find_package(Eigen3 3.4 REQUIRED NO_MODULE)
 find_path(ROTORUB_TOMLPLUSPLUS_INCLUDE toml++/toml.h REQUIRED)

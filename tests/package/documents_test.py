@@ -1,5 +1,6 @@
 """What the documents say is there: equations, links, examples, commands."""
 
+import json
 import pathlib
 import re
 import unittest
@@ -44,10 +45,19 @@ class Documents(unittest.TestCase):
         missing = {number: files for number, files in cited.items() if number not in numbers and number > 0}
         self.assertEqual(missing, {})
 
+    def test_contributors_are_led_to_what_is_there(self):
+        text = (SOURCE / "CONTRIBUTING.md").read_text()
+        named = {word for word in re.findall(r"`([\w./-]+)`", text) if "/" in word}
+        self.assertGreater(len(named), 15)
+        for place in named - {"mjcf/NAME.toml"}:
+            self.assertTrue(place.startswith("build/") or (SOURCE / place).exists(), place)
+        presets = {preset["name"] for preset in json.loads((SOURCE / "CMakePresets.json").read_text())["configurePresets"]}
+        self.assertLessEqual({"dev", "asan-ubsan", "tsan", "nan-init"}, presets)
+
     def test_the_top_level_is_the_products(self):
         shown = {entry.name for entry in SOURCE.iterdir() if entry.name[0] != "." and entry.name not in NO_SOURCE}
-        self.assertEqual(shown, {"CMakeLists.txt", "CMakePresets.json", "LICENSE", "README.md", "compare", "mjcf",
-                                 "native_model", "plugin", "renders", "tests"})
+        self.assertEqual(shown, {"CHANGELOG.md", "CITATION.cff", "CMakeLists.txt", "CMakePresets.json", "CONTRIBUTING.md",
+                                 "LICENSE", "README.md", "compare", "mjcf", "native_model", "plugin", "renders", "tests"})
 
     def test_every_folder_has_a_readme(self):
         for entry in SOURCE.iterdir():
