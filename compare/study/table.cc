@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numbers>
 
 #include "compare/base/format.h"
 #include "compare/figures/figure.h"
@@ -251,6 +252,11 @@ std::string run_table(const scene::Scene& scene, const Trajectory& t, const Pale
       "{}: {}\n  {} {}, contact {}, {}, {} of {} simulated\n", scene.name,
       palette.paint(t.status == Status::kOk ? Tone::kGood : Tone::kBad, to_string(t.status)),
       t.engine, t.integrator, t.contact_model, step, time_text(t.end), time_text(scene.run.end));
+  // In both units: 3600 without one is rad/s, whatever was meant.
+  const double speed = scene.rotor.speed;
+  text += fmt::format("  rotor at {} rad/s, {} rpm{}\n", short_number(speed),
+                      short_number(speed * 30.0 / std::numbers::pi),
+                      scene.drive ? " at its start" : "");
   if (!t.message.empty()) text += wrapped("  ", t.message);
   if (!contact_facts(scene).empty()) text += wrapped("  rubs: ", rub_answer(m));
   const auto add = [&](const std::string& label, const std::string& value) {
