@@ -28,7 +28,7 @@ void finish(Side& side) {
   Metrics& m = side.metrics;
   m.us_per_step = timing.median;
   m.wall_s = side.trajectory.wall_s = 1e-6 * timing.median * static_cast<double>(m.steps);
-  m.real_time_factor = m.end / m.wall_s;
+  m.real_time_factor = m.wall_s > 0.0 ? m.end / m.wall_s : 0.0;
 }
 
 // A row at every step; each command acts about its instant.

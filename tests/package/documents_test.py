@@ -46,7 +46,7 @@ class Documents(unittest.TestCase):
         self.assertEqual(missing, {})
 
     def test_contributors_are_led_to_what_is_there(self):
-        text = (SOURCE / "CONTRIBUTING.md").read_text()
+        text = (SOURCE / ".github/CONTRIBUTING.md").read_text()
         named = {word for word in re.findall(r"`([\w./-]+)`", text) if "/" in word}
         self.assertGreater(len(named), 15)
         for place in named - {"mjcf/NAME.toml"}:
@@ -56,8 +56,8 @@ class Documents(unittest.TestCase):
 
     def test_the_top_level_is_the_products(self):
         shown = {entry.name for entry in SOURCE.iterdir() if entry.name[0] != "." and entry.name not in NO_SOURCE}
-        self.assertEqual(shown, {"CHANGELOG.md", "CITATION.cff", "CMakeLists.txt", "CMakePresets.json", "CONTRIBUTING.md",
-                                 "LICENSE", "README.md", "compare", "mjcf", "native_model", "plugin", "renders", "tests"})
+        self.assertEqual(shown, {"CMakeLists.txt", "CMakePresets.json", "LICENSE", "README.md", "compare", "mjcf",
+                                 "native_model", "plugin", "renders", "tests"})
 
     def test_every_folder_has_a_readme(self):
         for entry in SOURCE.iterdir():
