@@ -23,18 +23,17 @@ TEST(Twins, StartOnBothSides) {
 }
 
 // Whichever thread ran it, a twin is the run of its start, to the bit.
-TEST_F(TwinRuns, AreTheRunsOfTheirStarts) {
-  const Trajectory original = event_->run(scene_, {});
+void expect_runs_of_their_starts(const Engine& engine, const scene::Scene& scene) {
   TwinParameters parameters;
-  parameters.count = 5;
+  parameters.count = 6;
   parameters.output_times = {0.01, 0.02};
-  const Twins twins = run_twins(*event_, scene_, original, 1e-6, parameters);
-  ASSERT_EQ(twins.metrics.size(), 5U);
+  const Twins twins = run_twins(engine, scene, engine.run(scene, {}), 1e-6, parameters);
+  ASSERT_EQ(twins.metrics.size(), 6U);
   for (int k = 0; k < parameters.count; ++k) {
     RunRequest request;
     request.perturbation_ulps = twin_ulps(k);
     request.output_times = parameters.output_times;
-    const Trajectory alone = event_->run(scene_, request);
+    const Trajectory alone = engine.run(scene, request);
     const auto at = static_cast<std::size_t>(k);
     EXPECT_EQ(twins.metrics[at].impulse_total, alone.statistics.impulse_total);
     EXPECT_EQ(twins.metrics[at].peak_force, alone.statistics.peak_force);
@@ -42,28 +41,16 @@ TEST_F(TwinRuns, AreTheRunsOfTheirStarts) {
   }
 }
 
+TEST_F(TwinRuns, AreTheRunsOfTheirStarts) { expect_runs_of_their_starts(*event_, scene_); }
+
 // MuJoCo steps in several threads at a time: to the bit as alone, `cone-coulomb` with what it keeps
 // from step to step.
 TEST_F(TwinRuns, OfMujocoAreTheRunsOfTheirStarts) {
+  const MujocoInPlace mujoco;
   for (const auto contact : {scene::ContactModel::kRigid, scene::ContactModel::kCoulomb,
                              scene::ContactModel::kConeCoulomb}) {
-    const auto engine = mujoco_engine(contact);
-    TwinParameters parameters;
-    parameters.count = 6;
-    parameters.output_times = {0.01, 0.02};
-    const Trajectory original = engine->run(scene_, {});
-    const MujocoInPlace mujoco;
-    const Twins twins = run_twins(*engine, scene_, original, 1e-6, parameters);
-    ASSERT_EQ(twins.metrics.size(), 6U);
-    for (int k = 0; k < parameters.count; ++k) {
-      RunRequest request;
-      request.perturbation_ulps = twin_ulps(k);
-      request.output_times = parameters.output_times;
-      const Trajectory alone = engine->run(scene_, request);
-      const Metrics& twin = twins.metrics[static_cast<std::size_t>(k)];
-      EXPECT_EQ(twin.impulse_total, alone.statistics.impulse_total) << to_string(contact);
-      EXPECT_EQ(twin.peak_force, alone.statistics.peak_force) << to_string(contact);
-    }
+    SCOPED_TRACE(to_string(contact));
+    expect_runs_of_their_starts(*mujoco_engine(contact), scene_);
   }
 }
 
