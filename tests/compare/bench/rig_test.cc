@@ -1,4 +1,4 @@
-// The reference rig on the bench: a coarse rerun of what the README's table says of it, and the
+// The reference rig on the bench: a coarse rerun of what the table of compare/docs/findings.md says of it, and the
 // peers that cannot hold it.
 #include <gtest/gtest.h>
 
