@@ -54,7 +54,8 @@ class Table(InAFolder):
             self.assertEqual(cell, scene["differences"][side]["trusted"], side)
         # What twins cannot decide at 1 %, the number of impacts, is all that a single run of `rigid` is outside by.
         self.assertEqual(told["trusted"][1], "yes, but for the number of impacts")
-        outside = [name for name, figure in scene["differences"]["rigid"]["figures"].items() if figure.get("within") is False]
+        figures = scene["differences"]["rigid"]["figures"]
+        outside = [name for name, figure in figures.items() if figure["verdict"] == "outside"]
         self.assertEqual(outside, ["hard_impacts"])
 
 
