@@ -68,7 +68,7 @@ file(
   RELATIVE "${PROJECT_SOURCE_DIR}"
   "${PROJECT_SOURCE_DIR}/compare/*.md" "${PROJECT_SOURCE_DIR}/mjcf/*.md" "${PROJECT_SOURCE_DIR}/native_model/*.md"
   "${PROJECT_SOURCE_DIR}/plugin/*.md" "${PROJECT_SOURCE_DIR}/renders/*.md" "${PROJECT_SOURCE_DIR}/compare/report/docs/*.png"
-  "${PROJECT_SOURCE_DIR}/renders/samples/*.png")
+  "${PROJECT_SOURCE_DIR}/renders/samples/*.png" "${PROJECT_SOURCE_DIR}/mjcf/docs/*.jpg")
 foreach(document README.md ${documents})
   get_filename_component(folder "${document}" DIRECTORY)
   install(FILES "${PROJECT_SOURCE_DIR}/${document}" DESTINATION "${CMAKE_INSTALL_DOCDIR}/${folder}")

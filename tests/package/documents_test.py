@@ -107,6 +107,10 @@ class Documents(unittest.TestCase):
         listed = re.findall(r"^\| `([\w/*]+)` \| [^|]{20,} \|$", text, re.M)
         scenes = [str(file.relative_to(SOURCE / "mjcf").with_suffix("")) for file in shipped()]
         self.assertEqual(sorted(listed), sorted({re.sub("^hard/.*", "hard/*", scene) for scene in scenes}))
+        # Its picture has a place for each that can be rendered.
+        across, down = map(int, re.search(r"tile=(\d+)x(\d+)", (SOURCE / "mjcf/docs/make_gallery").read_text()).groups())
+        pictures = [name for name in listed if "*" not in name and 'kind = "library"' not in (SOURCE / f"mjcf/{name}.toml").read_text()]
+        self.assertTrue(across * (down - 1) < len(pictures) <= across * down, len(pictures))
 
     def test_tables_of_figures_have_their_command(self):
         """Beside each table of results stands what makes it: in the lines of its section before it, or just below."""
