@@ -47,6 +47,19 @@ class Documents(unittest.TestCase):
         missing = {number: files for number, files in cited.items() if number not in numbers and number > 0}
         self.assertEqual(missing, {})
 
+    def test_every_part_of_the_theory_has_its_evidence(self):
+        """Sections of the theory that claim something, and tests that there are."""
+        text = (SOURCE / "native_model/docs/evidence.md").read_text()
+        sections = re.findall(r"^## (.*)$", (SOURCE / "native_model/docs/theory.md").read_text(), re.M)
+        claims = sections[:sections.index("Validation")]
+        linked = set(re.findall(r"\(theory\.md#([\w-]+)\)", text))
+        self.assertEqual(linked, {re.sub(r"[^\w\- ]", "", section.lower()).replace(" ", "-") for section in claims})
+        code = "\n".join(file.read_text() for file in (SOURCE / "tests").rglob("*_test.cc"))
+        there = {f"{suite}.{name}" for suite, name in re.findall(r"^TEST(?:_F|_P)?\(\s*(\w+),\s*(\w+)\)", code, re.M)}
+        named = re.findall(r"`([A-Z]\w+\.[A-Z]\w+)`", text)
+        self.assertGreater(len(named), 50)
+        self.assertEqual(sorted(set(named) - there), [])
+
     def test_contributors_are_led_to_what_is_there(self):
         text = (SOURCE / ".github/CONTRIBUTING.md").read_text()
         named = {word for word in re.findall(r"`([\w./-]+)`", text) if "/" in word}
