@@ -66,7 +66,7 @@ install(FILES "${ROTORUB_MANUAL_DIR}/scene.schema.json" DESTINATION "${CMAKE_INS
 file(
   GLOB_RECURSE documents
   RELATIVE "${PROJECT_SOURCE_DIR}"
-  "${PROJECT_SOURCE_DIR}/compare/*.md" "${PROJECT_SOURCE_DIR}/mjcf/*.md" "${PROJECT_SOURCE_DIR}/native_model/*.md"
+  CONFIGURE_DEPENDS "${PROJECT_SOURCE_DIR}/compare/*.md" "${PROJECT_SOURCE_DIR}/mjcf/*.md" "${PROJECT_SOURCE_DIR}/native_model/*.md"
   "${PROJECT_SOURCE_DIR}/plugin/*.md" "${PROJECT_SOURCE_DIR}/renders/*.md" "${PROJECT_SOURCE_DIR}/compare/report/docs/*.png"
   "${PROJECT_SOURCE_DIR}/renders/samples/*.png" "${PROJECT_SOURCE_DIR}/mjcf/docs/*.jpg")
 foreach(document README.md ${documents})
