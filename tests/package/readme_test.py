@@ -1,4 +1,4 @@
-"""The table of the README, computed anew by the command that stands beside it."""
+"""The table of the README, and the first two of compare/docs/findings.md, computed anew by the command that stands beside them."""
 
 import json
 import re
@@ -7,6 +7,7 @@ import unittest
 from product import SOURCE, InAFolder
 
 SIDES = "native", "rigid", "cone-coulomb", "cone"
+ALL_SIDES = "native", "rigid", "coulomb", "cone-coulomb", "cone"
 
 
 def table():
@@ -22,6 +23,14 @@ def table():
             scene, first = found.groups()
         told.setdefault(scene, {})[first] = cells
     return told
+
+
+def findings(scene):
+    """{row: [cell of each of all sides]} of the scene's table among the findings."""
+    text = (SOURCE / "compare/docs/findings.md").read_text()
+    lines = text[text.index(f"| `{scene}`:"):].split("\n\n")[0].splitlines()[2:]
+    cells = [[cell.strip() for cell in line.split("|")[1:-1]] for line in lines]
+    return {row[0].partition(" (")[0].partition(";")[0]: row[1:] for row in cells}
 
 
 class Table(InAFolder):
@@ -41,15 +50,34 @@ class Table(InAFolder):
                 self.assertEqual(number, f"{value:.{len(number.partition('.')[2])}f}", f"{row}, {side}")
         self.assertEqual(told["trusted"][0], "")
 
+    def check_findings(self, name, scene):
+        metrics = {side: scene["runs"][side]["metrics"] for side in ALL_SIDES}
+        rows = {"mean normal force": ("mean_force", 1.0), "lasting contact": ("lasting_fraction", 100.0),
+                "largest impact": ("impact_impulse", 1.0), "hard impacts": ("hard_impacts", 1.0),
+                "rms gap rate": ("gap_rate_rms", 1e3), "control force, rms": ("control_force", 1.0)}
+        told = findings(name)
+        self.assertEqual(set(told) - {"trusted"}, set(rows) - (set() if name == "paper_sliding" else {"control force, rms"}))
+        for row, cells in told.items():
+            for side, cell in zip(ALL_SIDES, cells, strict=True):
+                if row == "trusted":
+                    continue
+                key, scale = rows[row]
+                if row == "largest impact" and side not in ("native", "rigid"):
+                    key = "window_impulse"  # of a soft contact
+                number = re.match(r"[\d.]+", cell)[0]
+                self.assertEqual(number, f"{scale * metrics[side][key]:.{len(number.partition('.')[2])}f}", f"{row}, {side}")
+
     def test_under_control(self):
         told, scene = table()["under control"], self.found("paper_sliding")
         self.check(told, scene)
+        self.check_findings("paper_sliding", scene)
         for side, cell in zip(SIDES[1:], told["trusted"][1:], strict=True):
             self.assertEqual(cell, scene["differences"][side]["trusted"], side)
 
     def test_passive(self):
         told, scene = table()["passive"], self.found("paper_passive")
         self.check(told, scene)
+        self.check_findings("paper_passive", scene)
         for side, cell in zip(SIDES[2:], told["trusted"][2:], strict=True):
             self.assertEqual(cell, scene["differences"][side]["trusted"], side)
         # What twins cannot decide at 1 %, the number of impacts, is all that a single run of `rigid` is outside by.
