@@ -15,6 +15,11 @@ namespace {
 
 constexpr std::int64_t kEnsemblePoints = 32;  // of a batch: whole groups on every instruction set
 
+// Whether points may run side by side, by the integrators that have ensembles.
+bool may_share_registers(const Study& study) {
+  return study.engine == EngineKind::kNative && !study.all_figures;
+}
+
 }  // namespace
 
 std::unique_ptr<Engine> engine_of(const Study& study, const scene::Scene& scene) {
@@ -72,7 +77,7 @@ std::vector<PointResult> run_batch(const Study& study, const std::vector<std::in
     try {
       PointScene made{point, scene_at(point)};
       const auto integrator = study.integrator.value_or(made.scene.run.integrator);
-      if (study.engine == EngineKind::kNative && has_ensemble(integrator)) {
+      if (may_share_registers(study) && has_ensemble(integrator)) {
         together[integrator].push_back(std::move(made));
       } else if (auto result =
                      run_single(point, made.scene, *engine_of(study, made.scene), interrupt)) {
@@ -93,7 +98,7 @@ std::vector<PointResult> run_batch(const Study& study, const std::vector<std::in
 std::int64_t batch_size(const Study& study) {
   // Where each point says its integrator, any of them may be one with ensembles.
   const bool together =
-      study.engine == EngineKind::kNative && (!study.integrator || has_ensemble(*study.integrator));
+      may_share_registers(study) && (!study.integrator || has_ensemble(*study.integrator));
   return together ? kEnsemblePoints : 1;
 }
 

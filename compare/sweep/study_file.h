@@ -44,8 +44,10 @@ struct Study {
   EngineKind engine = EngineKind::kNative;
   std::optional<scene::Integrator> integrator;  // default: that of the point's scene
   std::optional<scene::ContactModel> contact;   // of MuJoCo; default: that of the point's scene
-  std::vector<std::string> overrides;           // run.step and run.end, where the study gives them
-  std::string text;                             // of the file
+  // Points run one by one, so that none of their columns is empty that a run could fill.
+  bool all_figures = false;
+  std::vector<std::string> overrides;  // run.step and run.end, where the study gives them
+  std::string text;                    // of the file
 
   bool varies(const std::string& key) const;
 };

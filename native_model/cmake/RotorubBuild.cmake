@@ -32,6 +32,13 @@ endif()
 # instruction.
 add_compile_options(-ffp-contract=off -fno-math-errno)
 
+# Code for the processor's own instruction set stands beside that for any. With sanitizers every function carries
+# their calls: the least processor's alone.
+if(CMAKE_SYSTEM_PROCESSOR MATCHES "x86_64|AMD64" AND NOT ROTORUB_SANITIZE)
+  set(ROTORUB_EACH_TARGET ON)
+  add_compile_definitions(ROTORUB_EACH_TARGET)
+endif()
+
 if(CMAKE_BUILD_TYPE STREQUAL "Debug")
   add_compile_definitions(_GLIBCXX_ASSERTIONS)
 endif()

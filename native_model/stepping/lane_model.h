@@ -172,6 +172,12 @@ using Lanes = LaneModel<lanes::Lane<W>>;
 #define ROTORUB_ALL_MODELS(X)                   \
   X(Model)                                      \
   ROTORUB_SMALL_LAYOUTS(ROTORUB_SIZED_MODEL, X) \
-  ROTORUB_LANE_MODELS(X, 2) ROTORUB_LANE_MODELS(X, 4) ROTORUB_LANE_MODELS(X, 8)
+  ROTORUB_LANE_MODELS(X, 2) ROTORUB_WIDE_MODELS(X)
+// Lanes that only larger processors have (native_model/CMakeLists.txt).
+#ifdef ROTORUB_EACH_TARGET
+#define ROTORUB_WIDE_MODELS(X) ROTORUB_LANE_MODELS(X, 4) ROTORUB_LANE_MODELS(X, 8)
+#else
+#define ROTORUB_WIDE_MODELS(X)
+#endif
 
 }  // namespace rotorub

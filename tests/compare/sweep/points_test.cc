@@ -180,6 +180,25 @@ step = "20 us"
 }
 
 // They are in contact as long as they take, with the force of that time.
+// What an ensemble does not keep is had by running one by one, and nothing else changes.
+TEST(EnsemblePoints, AStudyMayAskForEveryFigure) {
+  const auto results = [](const std::string& figures) {
+    const Made made(frictions("[0.05, 0.15]") + "integrator = \"verlet\"\n" + figures);
+    const std::vector<std::int64_t> points{0, 1};
+    return ordered(run_batch(
+        made.study, points, [&](std::int64_t k) { return made.scenes.at(k); }, kGoOn));
+  };
+  const auto few = results("figures = \"ensemble\"\n"), all = results("figures = \"all\"\n");
+  ASSERT_EQ(few.size(), all.size());
+  for (std::size_t k = 0; k < all.size(); ++k) {
+    EXPECT_TRUE(std::isnan(few[k].figures->energy_residual));
+    EXPECT_GT(all[k].figures->energy_residual, 0.0);
+    EXPECT_LT(all[k].figures->energy_residual, 1e-3);
+    EXPECT_NEAR(all[k].figures->impulse_total, few[k].figures->impulse_total,
+                1e-9 * few[k].figures->impulse_total);
+  }
+}
+
 TEST(EnsemblePoints, ImpactsThatTakeTimeHaveTheirDuration) {
   constexpr double kRoundOff = 1e-11;  // relative
   const Made made(of_ring() + R"([sample]
