@@ -76,6 +76,33 @@ std::string difference_text(const JudgedFigure& f) {
   return f.interval >= 5e-5 ? text + " ± " + size_text(*f.figure, f.interval) : text;
 }
 
+std::string plain_difference(const JudgedFigure& f) {
+  constexpr double kTimes = 2.0;  // from there on as a factor
+  const Figure& figure = *f.figure;
+  const double ratio = std::abs(f.other / f.native);
+  const bool small = std::abs(f.native) < figure.resolution || f.native == 0.0;
+  if (figure.scale == Scale::kPoints || small || f.other == 0.0) {
+    const auto value = [&](double v) {
+      const double shown = figure.per_unit * v;
+      return figure.scale == Scale::kPoints ? fmt::format("{:.3g}", std::round(10.0 * shown) / 10.0)
+                                            : short_number(shown);
+    };
+    const std::string unit = *figure.unit ? std::string(" ") + figure.unit : std::string();
+    return fmt::format("{} {}{} instead of {}{}", figure.label, value(f.other), unit,
+                       value(f.native), unit);
+  }
+  const std::string_view unit = figure.unit;
+  const bool speed = unit == "Hz" || unit == "rad/s";
+  const std::string turned = f.other * f.native < 0.0 ? " and the other way round" : "";
+  if (ratio >= kTimes) {
+    return fmt::format("{} {:.2g} times as {}{}", figure.label, ratio, speed ? "fast" : "large",
+                       turned);
+  }
+  const char* way = ratio > 1.0 ? (speed ? "fast" : "large") : (speed ? "slow" : "small");
+  return fmt::format("{} {:.2g} % too {}{}", figure.label, 100.0 * std::abs(ratio - 1.0), way,
+                     turned);
+}
+
 Trust trust(const std::vector<JudgedFigure>& figures) {
   bool peaks = true, decided = false;
   for (const JudgedFigure& f : figures) {
