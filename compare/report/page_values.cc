@@ -101,9 +101,10 @@ bool knows_modes(const SceneComparison& c) {
   return c.model_error && !c.model_error->figures.empty();
 }
 
-json error_values(const LargestError& error) {
-  if (!error.figure) return {{"value", "–"}, {"label", ""}, {"note", "cannot be told"}};
-  return {{"value", deviation_text(*error.figure, error.share)},
+json error_values(const char* of, const LargestError& error) {
+  if (!error.figure) return {{"of", of}, {"value", "–"}, {"label", ""}, {"note", "cannot be told"}};
+  return {{"of", of},
+          {"value", deviation_text(*error.figure, error.share)},
           {"label", error.figure->label},
           {"note", error.untold > 0 ? fmt::format("of {} more it cannot be told", error.untold)
                                     : std::string()}};
@@ -117,8 +118,8 @@ json answer_values(const SceneComparison& c) {
   return list_of(reading_order(c), [&](std::size_t k) -> json {
     const AnswerRow& row = rows[k];
     const ThreeErrors errors = three_errors(c, k + 1);
-    json all = {error_values(errors.contact), error_values(errors.step)};
-    if (modes) all.push_back(error_values(*errors.modes));
+    json all = {error_values("contact model", errors.contact), error_values("step", errors.step)};
+    if (modes) all.push_back(error_values("modes kept", *errors.modes));
     return {{"errors", all},
             {"plain", row.plain},
             {"contact", row.contact},
