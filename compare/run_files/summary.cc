@@ -8,8 +8,8 @@
 #include "compare/base/version.h"
 #include "compare/figures/figure.h"
 #include "compare/metrics/above_modes.h"
+#include "compare/run_files/doubts.h"
 #include "native_model/rotor/mode_truncation.h"
-#include "native_model/scene/doubts.h"
 #include "native_model/scene/reader.h"
 
 namespace rotorub {
@@ -146,7 +146,7 @@ json summary_json(const scene::Scene& scene, const Trajectory& trajectory) {
               {"above_modes", above_modes_json(above_modes(scene, trajectory))},
               {"status", to_string(trajectory.status)},
               {"message", trajectory.message},
-              {"warnings", scene::doubts(scene)}});
+              {"warnings", doubts(scene)}});
   if (trajectory.contacts > 1) all["contacts"] = contacts_json(scene, trajectory);
   return all;
 }

@@ -9,10 +9,10 @@
 #include "compare/base/format.h"
 #include "compare/figures/figure.h"
 #include "compare/measured/output.h"
+#include "compare/run_files/doubts.h"
 #include "compare/study/answer.h"
 #include "compare/study/resync_text.h"
 #include "compare/study/verdict.h"
-#include "native_model/scene/doubts.h"
 #include "native_model/scene/reader.h"
 
 namespace rotorub {
@@ -261,7 +261,7 @@ std::string run_table(const scene::Scene& scene, const Trajectory& t, const Pale
                       short_number(speed * 30.0 / std::numbers::pi),
                       scene.drive ? " at its start" : "");
   if (!t.message.empty()) text += wrapped("  ", t.message);
-  for (const std::string& doubt : scene::doubts(scene)) text += wrapped("  warning: ", doubt);
+  for (const std::string& doubt : doubts(scene)) text += wrapped("  warning: ", doubt);
   if (!contact_facts(scene).empty()) text += wrapped("  rubs: ", rub_answer(m));
   const auto add = [&](const std::string& label, const std::string& value) {
     text += fmt::format("  {:<{}}{:>{}}\n", label, kLabel, value, kValue);

@@ -7,7 +7,7 @@
 
 #include "native_model/scene/scene.h"
 
-namespace rotorub::scene {
+namespace rotorub {
 
 // A clearance beyond so many radii is a pipe, not a bearing; beyond this speed no material holds a
 // rim together; softer than this is no metal.
@@ -18,6 +18,6 @@ inline constexpr double kSoftestShaft = 1e8;       // Pa
 inline constexpr double kMostEccentricity = 0.01;  // m
 
 // A sentence each, with key and value; none: nothing is in doubt.
-std::vector<std::string> doubts(const Scene& scene);
+std::vector<std::string> doubts(const scene::Scene& scene);
 
-}  // namespace rotorub::scene
+}  // namespace rotorub

@@ -1,12 +1,12 @@
-#include "native_model/scene/doubts.h"
+#include "compare/run_files/doubts.h"
 
 #include <fmt/format.h>
 
 #include <cmath>
 
-namespace rotorub::scene {
+namespace rotorub {
 
-std::vector<std::string> doubts(const Scene& scene) {
+std::vector<std::string> doubts(const scene::Scene& scene) {
   std::vector<std::string> all;
   const double speed = std::abs(scene.rotor.speed);
   for (std::size_t k = 0; k < scene.auxiliary.size(); ++k) {
@@ -36,7 +36,7 @@ std::vector<std::string> doubts(const Scene& scene) {
     all.push_back(fmt::format("rotor.E = {:.4g} Pa is softer than any metal (steel: \"210 GPa\")",
                               scene.rotor.geometry->E));
   }
-  for (const Disc& disc : scene.rotor.geometry->discs) {
+  for (const scene::Disc& disc : scene.rotor.geometry->discs) {
     if (disc.eccentricity <= kMostEccentricity) continue;
     all.push_back(fmt::format(
         "rotor.disc.eccentricity = {:.4g} m at z = {:.4g} m; balanced discs have some micrometres",
@@ -45,4 +45,4 @@ std::vector<std::string> doubts(const Scene& scene) {
   return all;
 }
 
-}  // namespace rotorub::scene
+}  // namespace rotorub

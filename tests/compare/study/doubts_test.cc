@@ -1,18 +1,19 @@
-#include "native_model/scene/doubts.h"
+#include "compare/run_files/doubts.h"
 
 #include <gtest/gtest.h>
 
 #include "native_model/scene/reader.h"
 
-namespace rotorub::scene {
+namespace rotorub {
 namespace {
 
-Scene scene_with(const std::string& speed, const std::string& contact) {
-  return parse_scene("[run]\nend = 0.1\n[rotor]\nspeed = " + speed +
-                         "\n[rotor.modal]\nmass = [2.0]\nstiffness = [2e5]\ndamping = [40.0]\n"
-                         "[contact]\nradius = 0.05\n" +
-                         contact,
-                     "made.toml");
+scene::Scene scene_with(const std::string& speed, const std::string& contact) {
+  return scene::parse_scene(
+      "[run]\nend = 0.1\n[rotor]\nspeed = " + speed +
+          "\n[rotor.modal]\nmass = [2.0]\nstiffness = [2e5]\ndamping = [40.0]\n"
+          "[contact]\nradius = 0.05\n" +
+          contact,
+      "made.toml");
 }
 
 TEST(Doubts, NameWhatIsHardlyMeantWithItsKey) {
@@ -32,4 +33,4 @@ TEST(Doubts, NameWhatIsHardlyMeantWithItsKey) {
 }
 
 }  // namespace
-}  // namespace rotorub::scene
+}  // namespace rotorub
