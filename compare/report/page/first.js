@@ -1,6 +1,6 @@
 // The picture beneath a comparison's answer: native beside MuJoCo alone, where the two part.
 import {timeTraces} from './traces.js';
-import {axes, layout} from './style.js';
+import {axes, layout, short} from './style.js';
 
 const kLooks = 4000;      // instants of the run at which the two are compared
 const kApart = 0.01;      // of the clearance, or
@@ -57,7 +57,7 @@ export function showFirst(plot, scene, runs, show) {
   if (!figure) return;
   const name = figure.words.other === 'cone' ? 'MuJoCo alone' : figure.words.other;
   const sample = (label, text) => `<span class="key-of"><i class="swatch side-${label}"></i>${text}</span>`;
-  place.querySelector('figcaption').innerHTML = `<b>Where they part</b>, from ${(1e3 * figure.words.from).toPrecision(4)} ms on: ` +
+  place.querySelector('figcaption').innerHTML = `<b>Where they part</b>, from ${short(1e3 * figure.words.from)} ms on: ` +
     `${sample(native(runs), 'native')} ${sample(figure.words.other, name)} — gap (0: contact), and normal force`;
   show(plot, figure);
 }

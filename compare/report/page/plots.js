@@ -102,7 +102,7 @@ export class ScenePlots {
 
   drawAll() {
     this.plots.forEach((plot) => { plot.stale = true; });
-    for (const plot of this.plots) if (isPrinting() || this.near.has(plot)) inTurn(plot, () => this.draw(plot));
+    for (const plot of this.plots) if (isPrinting() || this.near.has(plot)) this.draw(plot);
     this.scene.windows.forEach((w, k) => {
       const shown = Math.abs(w.from - this.range[0]) + Math.abs(w.to - this.range[1]) < 1e-9;
       const button = this.element.querySelector(`[data-window="${k}"]`);

@@ -11,7 +11,7 @@ scene::Scene scene_with(const std::string& speed, const std::string& contact) {
   return scene::parse_scene(
       "[run]\nend = 0.1\n[rotor]\nspeed = " + speed +
           "\n[rotor.modal]\nmass = [2.0]\nstiffness = [2e5]\ndamping = [40.0]\n"
-          "[contact]\nradius = 0.05\n" +
+          "[contact]\nradius = 0.05\nrestitution = 0.5\n" +
           contact,
       "made.toml");
 }
