@@ -53,8 +53,10 @@ export function firstFigure(scene, runs) {
 // Draws it in its place, or leaves the place out.
 export function showFirst(plot, scene, runs, show) {
   const figure = firstFigure(scene, runs), place = plot.closest('figure');
-  place.hidden = !figure;
-  if (!figure) return;
+  if (!figure) {
+    place.remove();
+    return;
+  }
   const name = figure.words.other === 'cone' ? 'MuJoCo alone' : figure.words.other;
   const sample = (label, text) => `<span class="key-of"><i class="swatch side-${label}"></i>${text}</span>`;
   place.querySelector('figcaption').innerHTML = `<b>Where they part</b>, from ${short(1e3 * figure.words.from)} ms on: ` +
