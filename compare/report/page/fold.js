@@ -16,10 +16,16 @@ function shorten(grid) {
   grid.after(button);
 }
 
+// A part that was open is where the browser has scrolled to.
 function openTarget() {
   const target = document.getElementById(location.hash.slice(1).split('?')[0]);
-  for (let part = target; part; part = part.parentElement) if (part.tagName === 'DETAILS') part.open = true;
-  if (target) target.scrollIntoView();
+  let opened = false;
+  for (let part = target; part; part = part.parentElement) {
+    if (part.tagName !== 'DETAILS' || part.open) continue;
+    part.open = true;
+    opened = true;
+  }
+  if (opened) target.scrollIntoView();
 }
 
 // A table that is wider than its place can be scrolled by keys.

@@ -36,6 +36,7 @@ export function stills(further = {}) {
   }
   return () => {
     for (const one of all) one.stale = true;
-    if (window.Plotly) all.filter((one) => one.near || isPrinting()).forEach((one) => inTurn(one, () => draw(one)));
+    if (!window.Plotly) return;
+    for (const one of all) if (one.near || isPrinting()) inTurn(one, () => draw(one));
   };
 }
