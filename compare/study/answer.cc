@@ -58,8 +58,8 @@ std::string evidence_of(const SceneComparison& c, const Side& side) {
            "evidence of the rotor.";
   }
   return "rigid shares law and step with native verlet: agreement says that it was put in right. "
-         "That it is right, closed forms, Siconos, ODE and MuJoCo's own rotor say (README, "
-         "Evidence).";
+         "That it is right, closed forms, Siconos, ODE and MuJoCo's own rotor say "
+         "(compare/docs/findings.md, Evidence).";
 }
 
 std::string what_it_did(const SceneComparison& c, const SideDifference& d) {

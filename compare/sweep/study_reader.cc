@@ -149,7 +149,7 @@ const scene::Key* scene_key(std::string_view path, std::string& reason) {
   if (!meant.empty()) reason += fmt::format(", did you mean `{}`?", meant);
   reason +=
       "; accepted: table.key or table[element].key, as contact.friction or "
-      "force[0].amplitude (mjcf/README.md lists them)";
+      "force[0].amplitude (mjcf/docs/keys.md lists them)";
   return nullptr;
 }
 

@@ -62,11 +62,17 @@ install(
   DESTINATION "${CMAKE_INSTALL_DATADIR}/bash-completion/completions"
   RENAME rotorub)
 install(FILES "${ROTORUB_MANUAL_DIR}/scene.schema.json" DESTINATION "${CMAKE_INSTALL_DATADIR}/rotorub")
-install(FILES "${PROJECT_SOURCE_DIR}/README.md" "${PROJECT_SOURCE_DIR}/native_model/docs/theory.md" DESTINATION "${CMAKE_INSTALL_DOCDIR}")
-install(
-  FILES "${PROJECT_SOURCE_DIR}/mjcf/README.md"
-  DESTINATION "${CMAKE_INSTALL_DOCDIR}"
-  RENAME scenes.md)
+# The documents, in the folders that their links name, and the pictures in them that are not films.
+file(
+  GLOB_RECURSE documents
+  RELATIVE "${PROJECT_SOURCE_DIR}"
+  CONFIGURE_DEPENDS "${PROJECT_SOURCE_DIR}/compare/*.md" "${PROJECT_SOURCE_DIR}/mjcf/*.md" "${PROJECT_SOURCE_DIR}/native_model/*.md"
+  "${PROJECT_SOURCE_DIR}/plugin/*.md" "${PROJECT_SOURCE_DIR}/renders/*.md" "${PROJECT_SOURCE_DIR}/compare/report/docs/*.png"
+  "${PROJECT_SOURCE_DIR}/renders/samples/*.png" "${PROJECT_SOURCE_DIR}/mjcf/docs/*.jpg")
+foreach(document README.md ${documents})
+  get_filename_component(folder "${document}" DIRECTORY)
+  install(FILES "${PROJECT_SOURCE_DIR}/${document}" DESTINATION "${CMAKE_INSTALL_DOCDIR}/${folder}")
+endforeach()
 install(
   FILES "${PROJECT_SOURCE_DIR}/LICENSE"
   DESTINATION "${CMAKE_INSTALL_DOCDIR}"

@@ -1,4 +1,4 @@
-// Reading a scene from TOML (mjcf/README.md lists every table and key).
+// Reading a scene from TOML (mjcf/docs/keys.md lists every table and key).
 #pragma once
 
 #include <filesystem>

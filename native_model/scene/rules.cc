@@ -11,7 +11,7 @@ Table rule_table() {
   return Table{
       "check",
       "Rules that `rotorub check` holds the scene's runs to "
-      "([compare/check/README.md](../compare/check/README.md)); neither model reads them.",
+      "([compare/check/README.md](../../compare/check/README.md)); neither model reads them.",
       "the rules of every run alone",
       nullptr,
       {key<&Rule::metric>(

@@ -1,6 +1,6 @@
 // Every table and key that a scene may hold, as data: name, quantity, range, default, when it is
 // needed, where it is stored. The reader, the search for unknown keys and the reference
-// (mjcf/README.md) all work from this one description; the rows stand beside the checks of what
+// (mjcf/docs/keys.md) all work from this one description; the rows stand beside the checks of what
 // single keys cannot show: *_tables.cc, disc.cc, shaft_bearing.cc, rules.cc.
 #pragma once
 

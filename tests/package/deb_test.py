@@ -2,6 +2,7 @@
 
 import os
 import pathlib
+import re
 import shutil
 import subprocess
 import unittest
@@ -24,8 +25,9 @@ usr/lib/python3/dist-packages/rotorub.py
 usr/lib/python3/dist-packages/rotorub_native.so
 usr/share/rotorub/matlab/rotorub_read.m
 usr/share/doc/rotorub/README.md
-usr/share/doc/rotorub/theory.md
-usr/share/doc/rotorub/scenes.md
+usr/share/doc/rotorub/native_model/docs/theory.md
+usr/share/doc/rotorub/mjcf/README.md
+usr/share/doc/rotorub/compare/docs/tutorial_engineer.md
 usr/share/doc/rotorub/copyright
 usr/share/doc/rotorub/examples/find_package/main.cc
 """.split()
@@ -68,6 +70,12 @@ class DebianPackage(InAFolder):
         for file in files:
             if file.endswith((".cmake", ".1", ".json")):
                 self.assertNotIn(str(BUILD), (root / file).read_text(), file)
+
+        # The README's links are live, but for what only the repository has.
+        there = root / "usr/share/doc/rotorub"
+        links = {link.partition("#")[0] for link in re.findall(r"\]\(([^)\s]+)\)", (there / "README.md").read_text())}
+        dead = {link for link in links if not (there / link).exists()}
+        self.assertEqual(dead, {"tests/README.md", ".github/CONTRIBUTING.md"})
 
         program = root / "usr/bin/rotorub"
         self.rotorub("init", "there", program=program)

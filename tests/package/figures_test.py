@@ -1,4 +1,4 @@
-"""Figures that the READMEs quote, computed anew: each must stand there as the command prints it."""
+"""Figures that the documents quote, computed anew: each must stand there as the command prints it."""
 
 import csv
 import json
@@ -9,7 +9,7 @@ import unittest
 from product import SOURCE, InAFolder
 
 SCENES = SOURCE / "mjcf"
-README = (SOURCE / "mjcf" / "README.md").read_text()
+FINDINGS = (SOURCE / "mjcf/docs/findings.md").read_text()
 
 
 class Figures(InAFolder):
@@ -28,7 +28,7 @@ class Figures(InAFolder):
         return summary
 
     def quoted(self, text):
-        self.assertTrue(text in README, text)
+        self.assertTrue(text in FINDINGS, text)
 
     def row(self, name, summary):
         self.quoted(f"| {name} | {summary['mean_force']:.1f} | {summary['largest']:.4f} |"
@@ -52,7 +52,7 @@ class Figures(InAFolder):
         self.quoted(f"{math.sqrt(2e5 / 1.5):.0f} rad/s, within 5 % of the rotor's critical speed, {critical:.0f} rad/s")
 
     def test_lead_times(self):
-        told = re.search(r"switched on at\n?\s*([\d, ]+) ms it is ([\d., ]+) mN s", README)
+        told = re.search(r"switched on at\n?\s*([\d, ]+) ms it is ([\d., ]+) mN s", FINDINGS)
         times, impulses = (text.split(", ") for text in told.groups())
         for time, impulse in zip(times, impulses, strict=True):
             summary = self.run_of("paper_sliding", f'controller.on="{time} ms"',
@@ -66,7 +66,7 @@ class Figures(InAFolder):
                             "`two_phase`, 20 us": ("paper_two_phase",),
                             "`cross_coupled` alone, 20 us": ("paper_cross_coupled",)}.items():
             summary = self.run_of(*words, options=("--integrator", "verlet", "--step", "5us"))
-            line = next(line for line in README.splitlines() if line.startswith(f"| {name}"))
+            line = next(line for line in FINDINGS.splitlines() if line.startswith(f"| {name}"))
             _, _, hits, largest, _, force, contact, _ = (cell.strip() for cell in line.split("|"))
             self.assertEqual(int(hits), summary["hits"], name)
             self.assertAlmostEqual(float(largest), summary["largest"], delta=0.5 * 10.0 ** -len(largest.split(".")[1]))
@@ -94,9 +94,9 @@ class Figures(InAFolder):
                          ["", *(f"{1e9 * left[side]['rms']:.0f} nm" for side in sides[:4]), f"{1e6 * left['cone']['rms']:.1f} um"])
         self.assertEqual(told["shift"][0], f"{1e9 * measured['alignment']['shift']:.0f} ns")
 
-    # ------------------------------------------------------------ README.md: MuJoCo's cone
+    # ------------------------------------------------------------ compare/docs/findings.md: MuJoCo's cone
     def test_the_cone_on_the_rig(self):
-        lines = (SOURCE / "README.md").read_text().splitlines()
+        lines = (SOURCE / "compare/docs/findings.md").read_text().splitlines()
         columns = (("cone",), ("cone", "mujoco.friction_reference=1"), ("cone-coulomb",), ("rigid",))
         for scene in ("paper_sliding", "paper_passive"):
             cells = next(line for line in lines if line.startswith(f"| `{scene}`, 0.5 s |")).split("|")[3:-1]
@@ -107,9 +107,9 @@ class Figures(InAFolder):
                 self.assertAlmostEqual(float(share), 100.0 * summary["contact_fraction"],
                                        delta=0.51 * 10.0 ** -len(share.partition(".")[2]))
 
-    # ------------------------------------------------------------ README.md: modes kept
+    # ------------------------------------------------------------ native_model/docs/modes_kept.md
     def test_the_modes_kept(self):
-        text = " ".join((SOURCE / "README.md").read_text().split())
+        text = " ".join((SOURCE / "native_model/docs/modes_kept.md").read_text().split())
         rig = (SCENES / "paper_passive.toml").read_text()
         bare = rig[:rig.index("# The sleeve at")] + rig[rig.index("[[rotor.bearing]]"):]
         (self.folder / "bare.toml").write_text(bare)

@@ -1,4 +1,4 @@
-"""Every key that a command prints as JSON stands in its README, in a column of code."""
+"""Every key that a command prints as JSON stands in its README, in a column of code; every word of a figure in the glossary."""
 
 import json
 import re
@@ -43,6 +43,23 @@ class JsonKeys(InAFolder):
 
     def test_check(self):
         self.check(self.rotorub("check", SCENES / "hard" / "attractor_free.toml", "--json"), "check")
+
+    def test_the_glossary_has_the_words_of_a_run_and_of_a_comparison(self):
+        glossary = (SOURCE / "compare/docs/glossary.md").read_text()
+        run = self.rotorub("run", SCENES / "bench_ring.toml", "--end", "20ms", "-o", "run")
+        compared = self.rotorub("compare", SCENES / "bench_ring.toml", "--end", "20ms", "--twins", "0", "--no-video",
+                                "--no-modes-ladder", "-o", "out", code=(0, 1)).split("difference from native")[0]
+        # A figure's line: its name, its unit where it has one, then its values in columns.
+        labels = set(re.findall(r"^[* ] ([a-z][^:?\n]*?)(?:, (?:N|N s|J|%|Hz|mm/s|rad/s|µm|ms|ppm|µs))?  +[-\d–]", run + compared, re.M))
+        self.assertGreater(len(labels), 15)
+        own = {"steps", "time of a step"}  # of the program, not of the motion
+        self.assertEqual(sorted(label for label in labels - own if f"**{label}**" not in glossary), [])
+        for contact in ("rigid", "coulomb", "cone", "cone-coulomb", "cone-default"):
+            self.assertIn(f"`{contact}`", glossary)
+        columns = {column["name"] for column in json.loads((self.folder / "run/columns.json").read_text())["series.csv"]}
+        for column in ("gap", "gap_rate", "slip", "normal_force", "friction_force", "mode"):
+            self.assertIn(column, columns)
+            self.assertIn(f"(`{column}`)", glossary)
 
 
 if __name__ == "__main__":

@@ -11,7 +11,7 @@ execute_process(COMMAND "${WORK_DIR}/build/outside"
                         "${WORK_DIR}/prefix/share/rotorub/mjcf/bench_ring.toml"
                         COMMAND_ERROR_IS_FATAL ANY)
 
-# The example of the README: the first impacts of bench_ring are published.
+# The example of native_model/examples/README.md: the first impacts of bench_ring are published.
 execute_process(
   COMMAND "${CMAKE_COMMAND}" -G Ninja -S "${EXAMPLE_DIR}" -B "${WORK_DIR}/example"
           "-DCMAKE_PREFIX_PATH=${WORK_DIR}/prefix" COMMAND_ERROR_IS_FATAL ANY)

@@ -34,10 +34,10 @@ class InAFolder(unittest.TestCase):
         self.addCleanup(folder.cleanup)
         self.folder = pathlib.Path(folder.name)
 
-    def rotorub(self, *words, code=0, program=BINARY, env=None):
+    def rotorub(self, *words, code=0, program=BINARY, env=None, timeout=120):
         """Runs it; the exit code is `code` (one, or several that are right). Gives standard output."""
         done = subprocess.run([program, *map(str, words)], cwd=self.folder, text=True, capture_output=True,
-                              env={**os.environ, **(env or {})}, timeout=120)
+                              env={**os.environ, **(env or {})}, timeout=timeout)
         codes = (code,) if isinstance(code, int) else code
         self.assertIn(done.returncode, codes, f"rotorub {' '.join(map(str, words))}\n{done.stdout}{done.stderr}")
         self.said = done.stderr

@@ -1,4 +1,4 @@
-"""The blocks of compare/python/README.md, and that of the README of the project, run as they stand there."""
+"""The blocks of compare/python/README.md, and that of compare/docs/program.md, run as they stand there."""
 
 import contextlib
 import io
@@ -35,7 +35,7 @@ class Readme(InFolder):
 
     def test_the_projects_own_runs(self):
         self.rotorub("run", SCENES / "paper_passive.toml", "--end", "0.12")
-        self.assertRegex(self.said_by("README.md", 1), r"^-?[\d.e-]+ m 0\.\d+ 0\.\d+\n$")
+        self.assertRegex(self.said_by("compare/docs/program.md", 1), r"^-?[\d.e-]+ m 0\.\d+ 0\.\d+\n$")
 
 
 if __name__ == "__main__":

@@ -1,6 +1,6 @@
 // What MuJoCo's contact models make of a rub: `cone_figures SCENE.toml [CONTACT] [KEY=VALUE...]
 // [diagexact]` runs the scene with contact model `cone`, or CONTACT, and prints one line, against
-// the native `event`. Built for MuJoCo 2.2.2 and for today's: a table of the README.
+// the native `event`. Built for MuJoCo 2.2.2 and for today's: a table of compare/docs/findings.md.
 #include <mujoco/mujoco.h>
 
 #include <algorithm>

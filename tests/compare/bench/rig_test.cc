@@ -1,5 +1,5 @@
-// The reference rig on the bench: a coarse rerun of what the README's table says of it, and the
-// peers that cannot hold it.
+// The reference rig on the bench: a coarse rerun of what the table of compare/docs/findings.md says
+// of it, and the peers that cannot hold it.
 #include <gtest/gtest.h>
 
 #include "compare/bench/scene_bench.h"

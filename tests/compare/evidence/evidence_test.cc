@@ -1,6 +1,6 @@
 // What stands behind the native model and MuJoCo's contact models: pair by pair, what the two
 // share, and how far apart they are. Agreement of two that share a part says nothing of that part.
-// Printed as the README's table by
+// Printed as the table of compare/docs/findings.md by
 //
 //   build/bin/test_compare_evidence --gtest_brief=1
 #include <gtest/gtest.h>

@@ -1,7 +1,7 @@
 // How robust the laws are: every eighth point of the shipped studies
 // (mjcf/studies/robustness_*.toml), against the passive bearing at the same point. The shares of
-// all 200 points stand in mjcf/README.md; the bounds here leave room for what 25 points scatter
-// (two standard deviations of a share of 90 % are 12 %).
+// all 200 points stand in mjcf/docs/findings.md; the bounds here leave room for what 25 points
+// scatter (two standard deviations of a share of 90 % are 12 %).
 #include <gtest/gtest.h>
 
 #include <optional>

@@ -66,7 +66,7 @@ std::string row(const Key& key) {
 }
 
 // Markdown: a section for every table with its keys, units, ranges, defaults and meanings. Stands
-// in mjcf/README.md between the marks above; a test holds the two together.
+// in mjcf/docs/keys.md between the marks above; a test holds the two together.
 std::string reference_markdown() {
   std::string text;
   for (const Table& table : tables()) {
@@ -85,22 +85,22 @@ std::string reference_markdown() {
 }
 
 // ROTORUB_UPDATE_REFERENCE=1 in the environment writes it instead.
-TEST(Reference, StandsInTheReadmeAsTheSchemaHasIt) {
-  const std::string path = std::string(ROTORUB_MJCF_DIR) + "/README.md";
+TEST(Reference, StandsInTheDocumentAsTheSchemaHasIt) {
+  const std::string path = std::string(ROTORUB_MJCF_DIR) + "/docs/keys.md";
   std::ifstream file(path);
   std::stringstream content;
   content << file.rdbuf();
-  std::string readme = content.str();
-  const std::size_t begin = readme.find(kReferenceBegin), end = readme.find(kReferenceEnd);
+  std::string document = content.str();
+  const std::size_t begin = document.find(kReferenceBegin), end = document.find(kReferenceEnd);
   ASSERT_TRUE(begin != std::string::npos && end != std::string::npos) << "no marks in " << path;
 
   const std::size_t first = begin + std::string(kReferenceBegin).size();
   const std::string expected = "\n" + reference_markdown();
   if (std::getenv("ROTORUB_UPDATE_REFERENCE") != nullptr) {
-    std::ofstream(path) << readme.replace(first, end - first, expected);
+    std::ofstream(path) << document.replace(first, end - first, expected);
     return;
   }
-  EXPECT_EQ(readme.substr(first, end - first), expected)
+  EXPECT_EQ(document.substr(first, end - first), expected)
       << path << " is behind the schema; run this test with ROTORUB_UPDATE_REFERENCE=1";
 }
 

@@ -2,7 +2,7 @@
  * rotorub_controller_get, which commands a ring, or rotorub_magnetic_controller_get, which commands
  * the currents of magnetic bearings (at the end), or both. The same library runs in the native
  * model, in MuJoCo and in sweeps; C and C++, and whatever can make a C function (examples:
- * README.md, "Your own controller").
+ * mjcf/docs/own_controller.md).
  *
  * One sampled step: at t = k sample_time the library is shown what the sensors measure, changes its
  * state, and tells a command that is held until the next sample. The state is a plain array that
