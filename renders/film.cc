@@ -170,6 +170,7 @@ PictureResult render_still(const scene::Scene& scene, const Trajectory& trajecto
     options.from = std::min(*t, make_framing(playback, options).from);
   }
   FramePainter painter(scene, trajectory, options);
+  painter.alone();
   const Framing& framing = painter.framing();
   if (t && !(*t >= framing.from && *t <= framing.to)) {
     throw std::invalid_argument(

@@ -112,6 +112,7 @@ void FramePainter::make_panels(const scene::Scene& scene, const Trajectory& traj
     panels_.emplace_back(film_, layout_.panels[k], *trajectories[k], runs_[k],
                          k == 0 && ghost_ ? &*ghost_ : nullptr);
   }
+  frame_film_time_ = 1.0 / options.frames_per_second;
   instant_.trail_time = kTrailFilmTime / framing_.slow_motion;
 }
 
@@ -154,6 +155,7 @@ Picture FramePainter::paint(double t) {
   sheet.fill(0.0, 0.0, width_, height_, palette::kBackground);
 
   instant_.spark_time = kSparkFilmTime / framing_.clock.slow(t);
+  instant_.frame_time = frame_film_time_ / framing_.clock.slow(t);
   for (std::size_t k = 0; k < panels_.size(); ++k) {
     const Instant instant = instant_at(runs_[k].playback, t, film_.scales, instant_);
     std::optional<Pose> ghost;

@@ -26,6 +26,8 @@ class FramePainter {
 
   const Framing& framing() const { return framing_; }
   Picture paint(double t);  // t in s of the run
+  // Of a picture of its own no other frame can be too far away.
+  void alone() { frame_film_time_ = 0.0; }
 
  private:
   void take_runs(const scene::Scene& scene, const Trajectory& trajectory,
@@ -47,6 +49,7 @@ class FramePainter {
   Layout layout_;
   std::string title_;
   InstantOptions instant_;
+  double frame_film_time_ = 0.0;  // s of film, between frames
 
   std::vector<Panel> panels_;
   std::vector<Mesh> meshes_;

@@ -93,7 +93,8 @@ std::string length_text(double metres) {
 
 namespace {
 constexpr int kTrailPoints = 72;
-constexpr double kFaintest = 0.15;  // weaker impacts are not drawn
+constexpr double kFramesOfATurn = 2.0;  // fewer, and it seems to turn another way
+constexpr double kFaintest = 0.15;      // weaker impacts are not drawn
 }  // namespace
 
 Instant instant_at(const Playback& playback, double t, const Scales& scales,
@@ -101,7 +102,11 @@ Instant instant_at(const Playback& playback, double t, const Scales& scales,
   Instant instant;
   instant.pose = playback.at(t);
   const double oldest = std::max(playback.start(), t - options.trail_time);
-  for (int i = 0; i <= kTrailPoints; ++i) {
+  const bool drawn = !playback.strobe(oldest, t);
+  instant.strobe = playback.strobe(oldest, t, options.frame_time * kPointsOfATurn / kFramesOfATurn);
+  if (instant.strobe && options.frame_time > 0.0 && drawn)
+    instant.strobe->spacing = options.frame_time;
+  for (int i = 0; drawn && i <= kTrailPoints; ++i) {
     instant.trail.push_back(playback.at(oldest + (t - oldest) * i / kTrailPoints).rotor);
   }
 

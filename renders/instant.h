@@ -3,6 +3,7 @@
 #pragma once
 
 #include <Eigen/Core>
+#include <optional>
 #include <span>
 #include <string>
 #include <vector>
@@ -54,14 +55,17 @@ inline constexpr double kArrowShare = 0.85;  // of the rotor's radius: the longe
 // A second view of time: pose now, path of the last while, recent impacts.
 struct Instant {
   Pose pose;
-  std::vector<Eigen::Vector2d> trail;  // m, centres of the rotor, oldest first, the last is now
+  std::vector<Eigen::Vector2d>
+      trail;  // m, centres of the rotor, oldest first, the last is now; empty: rows do not show it
   std::vector<Spark> sparks;
+  std::optional<Strobe> strobe;  // why there is no trail, or why frames do not show the whirl
   ArrowShare normal, friction, control;
   Eigen::Vector2d current{0.0, 0.0};  // [-1, 1], of the coils of each axis, by the film's scale
 };
 
 struct InstantOptions {
   double trail_time = 0.02;   // s
+  double frame_time = 0.0;    // s of the run, between frames; 0: a picture
   double spark_time = 0.005;  // s, until an impact has faded
 };
 Instant instant_at(const Playback& playback, double t, const Scales& scales,

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numbers>
 
 #include "renders/machine.h"
 #include "renders/palette.h"
@@ -27,10 +28,18 @@ Chart::Chart(const std::vector<double>& t, const std::vector<double>& values,
   }
 }
 
-// Zero and one plain number; of a logarithmic scale every decade, from the top.
+// Zero and a plain number on each side that the scale has, the larger first; of a logarithmic scale
+// every decade, from the top.
 std::vector<double> Chart::grid() const {
   const ValueScale& scale = options_.scale;
-  if (!scale.logarithmic) return {0.0, plain_number_below(scale.high)};
+  if (!scale.logarithmic) {
+    std::vector<double> lines = {0.0};
+    if (scale.high > 0.0) lines.push_back(plain_number_below(scale.high));
+    if (scale.low < 0.0) lines.push_back(-plain_number_below(-scale.low));
+    std::sort(lines.begin(), lines.end(),
+              [](double a, double b) { return std::abs(a) > std::abs(b); });
+    return lines;
+  }
   std::vector<double> lines;
   for (double value = scale.high; value >= 0.999 * scale.low; value /= 10.0) lines.push_back(value);
   return lines;
@@ -46,7 +55,10 @@ void Chart::draw_scale(Sheet& sheet, int text_size, double top, double height, d
     const bool covers = std::any_of(written.begin(), written.end(), [&](double other) {
       return std::abs(label - other) < 1.1 * text_size;
     });
-    if (value == 0.0 || covers) continue;
+    // One that lies on the line of 0 would be read as it.
+    const double zero = std::floor(top + height * (1.0 - options_.scale.share(0.0)));
+    const bool is_zero = value != 0.0 && options_.scale.low < 0.0 && std::abs(y - zero) < text_size;
+    if (value == 0.0 || covers || is_zero) continue;
     sheet.text(width + 6.0, label, value_text(value, options_.unit), text_size, palette::kFaintInk);
     written.push_back(label);
   }
@@ -207,20 +219,35 @@ void Panel::draw(const Sheet& picture, const Instant& instant, const std::vector
                                ghost_ != nullptr ? &ghost_->playback : nullptr);
   }
   if (layout_.machine.width > 0) write_machine_text(picture.part(layout_.machine));
-  write_caption(picture.part(layout_.caption), instant.pose);
+  write_caption(picture.part(layout_.caption), instant);
   if (!charts_.empty()) draw_charts(picture, instant.pose);
 }
 
-void Panel::write_caption(Sheet sheet, const Pose& pose) const {
+void Panel::write_caption(Sheet sheet, const Instant& instant) const {
+  const Pose& pose = instant.pose;
   const int size = film_->text_size;
   double x = sheet.text(size, 0.3 * size, run_->label, size, palette::kInk);
   if (ghost_ != nullptr) {
     sheet.text(size, 1.6 * size, "translucent: " + ghost_->label, size, palette::kGhost);
   }
+  if (instant.strobe) {
+    const double y = (ghost_ != nullptr ? 2.9 : 1.6) * size;
+    const std::string text = strobe_text(*instant.strobe);
+    sheet.fill(size, y, sheet.text_width(text, size), 1.3 * size,
+               palette::kBackground.with_alpha(0.8));
+    sheet.text(size, y, text, size, palette::kNormal);
+  }
   if (!film_->has_contact() || !film_->further.empty()) return;
   const bool touching = pose.mode != Mode::kFree;
   sheet.text(x + size, 0.3 * size, to_string(pose.mode), size,
              touching ? palette::kNormal : palette::kFaintInk, Weight::kBold);
+}
+
+std::string strobe_text(const Strobe& strobe) {
+  const double turns_a_second = strobe.whirl / (2.0 * std::numbers::pi);
+  return fmt::format("whirl {}, too fast to show: a place every {}, {:.2g} turns",
+                     value_text(turns_a_second, "Hz"), value_text(1e3 * strobe.spacing, "ms"),
+                     std::abs(turns_a_second) * strobe.spacing);
 }
 
 void Panel::write_machine_text(Sheet sheet) const {
@@ -237,7 +264,8 @@ void Panel::write_scale_bars(Sheet sheet) const {
   const int size = std::min(film_->text_size, std::max(9, area.height / 26));
   const double pixels = film_->section_view->pixels(area);
   const DrawnContact& contact = *film_->section.contact;
-  double y = 2.2 * size;  // below the caption, where no actuator is
+  // Below the caption, and below what it says of a whirl, where no actuator is.
+  double y = (layout_.section.left == layout_.caption.left ? 3.4 : 2.2) * size;
   const auto bar = [&](double length, const std::string& text, const Color& color) {
     const double wide = std::max(length, sheet.text_width(text, size));
     sheet.fill(0.6 * size, y, wide + 0.8 * size, 1.7 * size, palette::kBackground.with_alpha(0.8));

@@ -78,6 +78,9 @@ struct FilmParts {
   int charts() const { return !has_contact() ? 0 : scales.control.high > 0.0 ? 3 : 2; }
 };
 
+// "whirl -1,796 Hz, too fast to show: a place every 0.2 ms, 0.36 turns".
+std::string strobe_text(const Strobe& strobe);
+
 class Panel {
  public:
   // All must outlive it; the ghost may be null.
@@ -95,7 +98,7 @@ class Panel {
   void draw_charts(const Sheet& picture, const Pose& pose) const;
   void draw_sections(const Sheet& picture, const Instant& instant,
                      const std::vector<Instant>& further, const Pose* ghost) const;
-  void write_caption(Sheet sheet, const Pose& pose) const;
+  void write_caption(Sheet sheet, const Instant& instant) const;
   void write_machine_text(Sheet sheet) const;
   void write_scale_bars(Sheet sheet) const;
 

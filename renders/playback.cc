@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numbers>
 #include <stdexcept>
 
 #include "native_model/trajectory/columns.h"
@@ -120,12 +121,43 @@ double Playback::interpolate(const Track& track, std::size_t row, double t, bool
   return (1.0 - s) * value[row] + s * value[row + 1];
 }
 
+double Playback::whirl(std::size_t row) const {
+  Eigen::Vector2d d, v;
+  for (std::size_t k = 0; k < 2; ++k) {
+    if (!rotor_[k].rate || !stator_[k].rate) return 0.0;
+    const auto axis = static_cast<Eigen::Index>(k);
+    d[axis] = (*rotor_[k].value)[row] - (*stator_[k].value)[row];
+    v[axis] = (*rotor_[k].rate)[row] - (*stator_[k].rate)[row];
+  }
+  const double square = d.squaredNorm();
+  return square > 0.0 ? (d[0] * v[1] - d[1] * v[0]) / square : 0.0;
+}
+
+std::optional<Strobe> Playback::strobe(double from, double to, double spacing) const {
+  std::vector<double> whirls;
+  double widest = 0.0;
+  std::size_t coarse = 0;
+  for (std::size_t i = row_before(from); i + 1 < time_->size() && (*time_)[i] <= to; ++i) {
+    const double apart = (*time_)[i + 1] - (*time_)[i];
+    whirls.push_back(whirl(i));
+    widest = std::max(widest, apart);
+    const double turn = std::max(spacing, apart) * std::abs(whirls.back());
+    coarse += turn * kPointsOfATurn > 2.0 * std::numbers::pi ? 1 : 0;
+  }
+  if (2 * coarse <= whirls.size()) return std::nullopt;
+  const auto middle = whirls.begin() + static_cast<std::ptrdiff_t>(whirls.size() / 2);
+  std::nth_element(whirls.begin(), middle, whirls.end());
+  return Strobe{*middle, std::max(spacing, widest)};
+}
+
 Pose Playback::at(double t) const {
   Pose pose;
   pose.t = std::clamp(t, start(), end());
   const std::size_t row = row_before(pose.t);
   const std::size_t next = std::min(row + 1, time_->size() - 1);
-  const bool smooth = !impact_between((*time_)[row], (*time_)[next]);
+  const double turned = whirl(row) * ((*time_)[next] - (*time_)[row]);
+  const bool smooth = !impact_between((*time_)[row], (*time_)[next]) &&
+                      std::abs(turned) * kPointsOfATurn <= 2.0 * std::numbers::pi;
   const auto value = [&](const Track& track) { return interpolate(track, row, pose.t, smooth); };
 
   const auto pair = [&](const Pair& p) { return Eigen::Vector2d(value(p[0]), value(p[1])); };

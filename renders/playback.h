@@ -39,10 +39,18 @@ struct Strike {
 // Time of the first contact, s, from impacts and rows; nothing where it never touches.
 std::optional<double> first_touch(const Trajectory& trajectory);
 
+// A whirl that rows or frames are too far apart to show: drawn from point to point it is a star.
+struct Strobe {
+  double whirl = 0.0;    // rad/s, signed, of the rotor's centre about the ring's
+  double spacing = 0.0;  // s, between rows
+};
+// A turn has to have so many points for its path to be drawn.
+inline constexpr double kPointsOfATurn = 8.0;
+
 // Between two rows positions follow the cubic Hermite of positions and velocities; the straight
 // line where an impact lies between them, or where the velocities are not in the series. Two points
-// inside a ring never give one outside of it that way. Forces are interpolated within one contact
-// and hold the value of the row before otherwise.
+// inside a ring never give one outside of it that way; nor do rows too far apart for the whirl.
+// Forces are interpolated within one contact and hold the value of the row before otherwise.
 class Playback {
  public:
   // Throws std::runtime_error naming the column where the series lacks one that the contract
@@ -51,6 +59,11 @@ class Playback {
   explicit Playback(const Trajectory& trajectory, std::size_t contact = 0);
 
   Pose at(double t) const;  // t is clamped to the rows' range
+
+  // Of the rows in [from, to]: their median whirl by the velocities, where for most of them less
+  // than kPointsOfATurn of `spacing` s make a turn; nothing where the path can be drawn, or where
+  // the series has no velocities. spacing: 0: that of the rows.
+  std::optional<Strobe> strobe(double from, double to, double spacing = 0.0) const;
 
   double start() const { return time_->front(); }  // s
   double end() const { return time_->back(); }
@@ -83,6 +96,7 @@ class Playback {
   std::size_t row_before(double t) const;
   double interpolate(const Track& track, std::size_t row, double t, bool smooth) const;
   bool impact_between(double from, double to) const;
+  double whirl(std::size_t row) const;  // rad/s; 0 without velocities
   template <class Taken>
   double quantile_of(const Values& values, double quantile, double from, double to,
                      const Taken& taken) const;

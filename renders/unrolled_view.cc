@@ -92,7 +92,9 @@ void UnrolledView::draw(Sheet& sheet, int text_size, const Playback& playback,
   if (ghost != nullptr) {
     draw_path(sheet, plot, *ghost, instant.pose.t, trail_time, palette::kGhost);
   }
-  draw_path(sheet, plot, playback, instant.pose.t, trail_time, palette::kTrail);
+  if (!instant.trail.empty()) {
+    draw_path(sheet, plot, playback, instant.pose.t, trail_time, palette::kTrail);
+  }
   const double ring = plot.top + height_of(0.0) * plot.height;
   for (const Spark& spark : instant.sparks) {
     const double x = plot.left + (std::atan2(spark.e_r[1], spark.e_r[0]) + kHalfTurn) /

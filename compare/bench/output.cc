@@ -4,6 +4,7 @@
 
 #include <nlohmann/json.hpp>
 
+#include "compare/base/format.h"
 #include "compare/base/json.h"
 #include "compare/base/units.h"
 #include "compare/bench/work_precision.h"
@@ -150,7 +151,7 @@ std::string series_lines(const SceneBench& bench) {
                     optional(s.order.has_value(), fmt::format("{:.2f}", s.order.value_or(0.0))),
                     optional(s.us_per_step > 0.0, fmt::format("{:.3g}", s.us_per_step)),
                     optional(s.best.has_value(), fmt::format("{:.1e} m", least)), outcomes_text(s));
-    if (!s.reason.empty()) text += fmt::format("      {}\n", s.reason);
+    if (!s.reason.empty()) text += wrapped("      ", s.reason);
   }
   return text;
 }
@@ -204,16 +205,17 @@ json bench_json(const Machine& machine, const std::vector<SceneBench>& benches,
 
 std::string bench_table(const SceneBench& bench) {
   const double clearance = bench.scene.first().contact->clearance;
-  std::string text = fmt::format(
-      "{}: {:.4g} s; errors against {} (its own: {:.1e} m), levels as shares of the clearance "
-      "{:.3g} "
-      "mm\n\n  {:<7}{:<{}}{:<24}{:>13}   {}\n",
-      bench.scene.name, bench.scene.run.end, bench.reference.source, bench.reference.error,
-      1e3 * clearance, "level", "fastest", kEngine, "setting", "median", "others");
+  const std::string head = fmt::format(
+      "{:.4g} s; errors against {} (its own: {:.1e} m), levels as shares of the clearance {:.3g} "
+      "mm",
+      bench.scene.run.end, bench.reference.source, bench.reference.error, 1e3 * clearance);
+  std::string text = wrapped(bench.scene.name + ": ", head, 2) +
+                     fmt::format("\n  {:<7}{:<{}}{:<24}{:>13}   {}\n", "level", "fastest", kEngine,
+                                 "setting", "median", "others");
   for (const Level& level : bench.levels) {
     if (in_headline(level)) text += level_line(level, bench.points);
   }
-  return text + "\n  " + verdict_text(bench.levels) + "\n" + series_lines(bench);
+  return text + "\n" + wrapped("  ", verdict_text(bench.levels)) + series_lines(bench);
 }
 
 std::string missing_text() {

@@ -62,7 +62,7 @@ Judgement judge(const Trajectory& trajectory, const Settled& settled, const Sett
         100.0 * reference.contact_share, reference.whirl_frequency);
   };
   if (settled.attractor != reference.attractor) {
-    const bool bounces = settled.attractor == Attractor::kChattering;
+    const bool bounces = settled.attractor == Attractor::kBouncing;
     return bounces ? Judgement{Outcome::kChatter, said("it chatters")}
                    : Judgement{Outcome::kWrongAttractor, said("another attractor")};
   }

@@ -52,10 +52,14 @@ std::unique_ptr<Engine> engine_of(const RunArguments& options, const scene::Scen
 std::string truncation_note(const scene::Scene& scene) {
   const auto mass = contact_mass(scene);
   if (!mass || !mass->truncated()) return "";
-  return fmt::format(
-      "  note: an impact meets {} kg with {} of the shaft's modes, {} kg with all {} of its mesh:\n"
-      "  sizes and numbers of impacts depend on rotor.modes, mean force hardly (README, Limits)\n",
-      short_number(mass->kept), mass->kept_modes, short_number(mass->mesh), mass->mesh_modes);
+  return wrapped(
+      "  note: ",
+      fmt::format("an impact meets {} kg with {} of the shaft's modes, {} kg with all {} of its "
+                  "mesh: sizes and numbers of impacts depend on rotor.modes, mean force hardly "
+                  "(README, Limits)",
+                  short_number(mass->kept), mass->kept_modes, short_number(mass->mesh),
+                  mass->mesh_modes),
+      2);
 }
 
 // Where the whirl outruns what the rotor can bend to.
@@ -63,16 +67,15 @@ std::string whirl_note(const scene::Scene& scene, const Trajectory& trajectory) 
   constexpr double kHz = 1.0 / (2.0 * std::numbers::pi);
   const auto above = above_modes(scene, trajectory);
   if (!above || !above->matters()) return "";
-  return fmt::format(
-      "  note: in {} of the time in contact, with {} of the friction work, the whirl is faster "
-      "than\n"
-      "  the highest mode kept ({} Hz): {} Hz at most. There the shaft has no flexibility of its "
-      "own:\n"
-      "  keep modes beyond that (rotor.modes), or read the figures as those of the modes kept\n",
+  const std::string sentence = fmt::format(
+      "in {} of the time in contact, with {} of the friction work, the whirl is faster than the "
+      "highest mode kept ({} Hz): {} Hz at most. There the shaft has no flexibility of its own: "
+      "keep modes beyond that (rotor.modes), or read the figures as those of the modes kept",
       percent_text(std::round(1e3 * above->contact_share) / 1e3),
       percent_text(std::round(1e3 * above->friction_share) / 1e3),
       short_number(kHz * (above->fastest > 0.0 ? above->band.forward : above->band.backward)),
       short_number(kHz * above->fastest));
+  return wrapped("  note: ", sentence, 2);
 }
 
 // The native model that ran alongside in the plugin: nobody but a controller of the scene commands

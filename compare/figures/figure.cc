@@ -218,7 +218,7 @@ SplitShares split_shares(const Figure& figure, double native, const Split& split
 
 std::string deviation_text(const Figure& figure, double deviation) {
   if (!figure.comparable) return "–";
-  const char* unit = figure.scale == Scale::kPoints ? "pts" : "%";
+  const char* unit = figure.scale == Scale::kPoints ? "points" : "%";
   if (!std::isfinite(deviation)) return deviation > 0.0 ? "+∞" : "-∞";
   const double percent = 100.0 * deviation;
   const double size = std::abs(percent);

@@ -77,7 +77,7 @@ struct SplitShares {
 };
 SplitShares split_shares(const Figure& figure, double native, const Split& split);
 
-// "+0.52 %", "-77 pts", "×188" on the figure's scale; "∞" where the native value is 0; "–" for a
+// "+0.52 %", "-77 points", "×188" on the figure's scale; "∞" where the native value is 0; "–" for a
 // figure that is not comparable.
 std::string deviation_text(const Figure& figure, double deviation);
 // The same of a size: without a plus.

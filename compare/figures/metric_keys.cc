@@ -66,7 +66,7 @@ const MetricKey kMetricKeys[] = {
     {"real_time_factor", "", "simulated time over time taken; no result",
      read<&Metrics::real_time_factor>},
     {"settled.attractor", "",
-     "what the last fifth of the run is: no contact, chattering, resting, synchronous rub, forward "
+     "what the last fifth of the run is: no contact, bouncing, resting, synchronous rub, forward "
      "rub, backward whip, rolling or unknown",
      [](const Metrics& m) { return json(to_string(m.settled.attractor)); }},
     {"settled.from", "s", "where that begins", settled_at<&Settled::from>},

@@ -14,8 +14,8 @@ struct AttractorName {
 };
 // In the order of Attractor.
 constexpr std::array kNames{
-    AttractorName{"no contact", "nothing touches in the last fifth of the run"},
-    AttractorName{"chattering", "contact comes and goes in the last fifth of the run"},
+    AttractorName{"no contact", "nothing touches at the end of the run"},
+    AttractorName{"bouncing", "contact comes and goes in the last fifth of the run"},
     AttractorName{"resting", "permanent contact at one place of the ring"},
     AttractorName{"synchronous rub",
                   "permanent contact that whirls forward with the spin (full annular rub)"},
@@ -69,6 +69,20 @@ const char* explanation(Attractor attractor) {
   return kNames.at(static_cast<std::size_t>(attractor)).explanation;
 }
 
+bool has_ended(const LastPart& part) {
+  std::vector<double> touches = part.impact_times;
+  for (std::size_t i = 0; i < part.points.size(); ++i) {
+    if (part.normal_force[i] > 0.0) touches.push_back(part.points[i].t);
+  }
+  if (touches.empty()) return true;
+  std::sort(touches.begin(), touches.end());
+  double longest = 0.0;
+  for (std::size_t i = 1; i < touches.size(); ++i)
+    longest = std::max(longest, touches[i] - touches[i - 1]);
+  const double end = part.points.back().t;
+  return end - touches.back() > std::max(0.5 * (end - part.from), 2.0 * longest);
+}
+
 Settled settled(const LastPart& part) {
   Settled s;
   s.from = part.from;
@@ -82,10 +96,10 @@ Settled settled(const LastPart& part) {
   s.whirl_frequency = whirl_frequency(part.points, {0, rows});
   s.spin_speed = mean(part.spin_speed);
 
-  if (touching == 0 && s.impacts == 0) {
+  if (has_ended(part)) {
     s.attractor = Attractor::kNoContact;
   } else if (s.contact_share < kPermanentContact) {
-    s.attractor = Attractor::kChattering;
+    s.attractor = Attractor::kBouncing;
   } else {
     s.attractor = permanent(s, relative_slip(part), part.points.back().t - part.points.front().t);
   }
@@ -105,9 +119,10 @@ Settled settled(const Trajectory& trajectory) {
   part.normal_force = rows(trajectory.column("normal_force"));
   part.slip = rows(trajectory.column("slip"));
   part.spin_speed = rows(trajectory.column("spin_speed"));
-  part.impacts = static_cast<std::size_t>(
-      std::count_if(trajectory.impacts.begin(), trajectory.impacts.end(),
-                    [&](const Impact& i) { return i.t >= part.from && counts(i); }));
+  for (const Impact& impact : trajectory.impacts) {
+    if (impact.t >= part.from && counts(impact)) part.impact_times.push_back(impact.t);
+  }
+  part.impacts = part.impact_times.size();
   return settled(part);
 }
 

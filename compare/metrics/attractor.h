@@ -11,8 +11,8 @@ namespace rotorub {
 // Looked at over the last fifth of the run (kSettledShare), with `contact` the share of its rows
 // with a normal force:
 enum class Attractor {
-  kNoContact,       // no row in contact and no counted impact
-  kChattering,      // contact in fewer than 99 % of the rows: bouncing
+  kNoContact,       // no row in contact and no counted impact, or none any more (has_ended)
+  kBouncing,        // contact in fewer than 99 % of the rows, in whatever order it comes and goes
   kResting,         // else, less than 1 % of a turn about the ring: rests on it
   kSynchronousRub,  // else, whirl with the spin, within 2 % of the mean spin speed: full annular
                     // rub
@@ -45,7 +45,12 @@ struct LastPart {
   std::vector<RelativePoint> points;
   std::vector<double> normal_force, slip, spin_speed;  // N, m/s, rad/s
   std::size_t impacts = 0;                             // counted ones
+  std::vector<double> impact_times;  // s, ascending, of these, or of the rows that saw them first
 };
+
+// Whether the contact is over: for half of the last part nothing has touched, and twice as long as
+// the longest flight before.
+bool has_ended(const LastPart& part);
 
 Settled settled(const LastPart& part);
 Settled settled(const Trajectory& trajectory);

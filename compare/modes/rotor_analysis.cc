@@ -7,6 +7,7 @@
 #include <cmath>
 #include <nlohmann/json.hpp>
 
+#include "compare/base/format.h"
 #include "compare/base/json.h"
 #include "compare/base/units.h"
 #include "compare/modes/levitation_text.h"
@@ -117,11 +118,12 @@ std::string torsion_table(const RotorAnalysis& analysis) {
 
 std::string contact_mass_text(const std::optional<ContactMass>& mass) {
   if (!mass) return "";
-  return fmt::format(
-      "\nmass that an impact meets at the contact\n  {:.4g} kg with the {} modes kept, {:.4g} kg "
-      "with all {} of the mesh{}\n",
-      mass->kept, mass->kept_modes, mass->mesh, mass->mesh_modes,
-      mass->truncated() ? ": impacts are those of the modes kept" : "");
+  return "\nmass that an impact meets at the contact\n" +
+         wrapped("  ",
+                 fmt::format("{:.4g} kg with the {} modes kept, {:.4g} kg with all {} of the "
+                             "mesh{}",
+                             mass->kept, mass->kept_modes, mass->mesh, mass->mesh_modes,
+                             mass->truncated() ? ": impacts are those of the modes kept" : ""));
 }
 
 std::vector<double> list(const Eigen::VectorXd& values) { return {values.begin(), values.end()}; }
@@ -217,12 +219,11 @@ std::string response_text(const RotorAnalysis& analysis, std::size_t at) {
   const FreeOrbit& orbit = analysis.orbits[at];
   if (!orbit.largest) return fmt::format("  response at the contact: none, {}\n", orbit.refused);
   const double gap = analysis.clearance - *orbit.largest;
-  return fmt::format(
-             "  response at the contact: {:.5g} um from the middle of the ring, {}\n",
-             kMicro * *orbit.largest,
-             gap > 0.0 ? fmt::format("least gap {:.5g} um", kMicro * gap)
-                       : fmt::format("it touches: {:.5g} um beyond the clearance", -kMicro * gap)) +
-         vibration_text(orbit, analysis.spectra[at].speed);
+  const std::string sentence = fmt::format(
+      "response at the contact: {:.5g} um from the middle of the ring, {}", kMicro * *orbit.largest,
+      gap > 0.0 ? fmt::format("least gap {:.5g} um", kMicro * gap)
+                : fmt::format("it touches: {:.5g} um beyond the clearance", -kMicro * gap));
+  return wrapped("  ", sentence) + vibration_text(orbit, analysis.spectra[at].speed);
 }
 
 json modes_json(const RotorAnalysis& analysis) {

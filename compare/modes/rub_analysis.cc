@@ -8,6 +8,7 @@
 #include <optional>
 #include <utility>
 
+#include "compare/base/format.h"
 #include "compare/base/json.h"
 #include "compare/base/units.h"
 #include "compare/modes/rotor_analysis.h"
@@ -259,7 +260,7 @@ std::string rub_table(const RubAnalysis& analysis) {
                       "friction", "growth 1/s", "at rad/s");
   for (const StandingRub& r : point.rubs) text += rub_row(r.rub, r.stability);
   if (point.rubs.empty()) text += "  none\n";
-  text += "  " + orbit_text(point) + "\n  " + rolling_text(point) + "\n";
+  text += wrapped("  ", orbit_text(point)) + wrapped("  ", rolling_text(point));
   text += "  attractors: " + attractors_text(point.attractors()) + "\n";
   return text + driven_text(analysis);
 }

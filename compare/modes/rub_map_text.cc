@@ -74,9 +74,10 @@ std::string rub_map_picture(const std::string& name, const rub::RubMap& map) {
     text += fmt::format("  {}  {:<60}{:>6.1f} %\n", kLetters[k], attractors_text(k),
                         100.0 * met[k] / static_cast<double>(map.points.size()));
   }
-  return text +
-         "\nAcross: spin speed, held, the loads in their ratio to it. Stable against what is "
-         "small, the contact kept;\na bounce may lead elsewhere.\n";
+  return text + "\n" +
+         wrapped("",
+                 "Across: spin speed, held, the loads in their ratio to it. Stable against "
+                 "what is small, the contact kept; a bounce may lead elsewhere.");
 }
 
 nlohmann::json state_space_json(const scene::Scene& scene, const LinearPlant& plant) {

@@ -30,6 +30,7 @@ std::string_view figures_html();    // meaning and unit of each
 std::string_view plots_html();      // a scene's plots and what is shown of them
 std::string_view player_html();     // a scene's live player
 std::string_view transport_html();  // time of player and plots
+std::string_view glossary_html();   // what the words mean
 std::string_view rotor_html();      // Campbell diagram and whirl shapes of a scene
 
 }  // namespace rotorub

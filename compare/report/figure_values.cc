@@ -69,25 +69,25 @@ json figure_rows(const SceneComparison& c, bool judged_only) {
   return rows;
 }
 
-json split_rows(const SceneComparison& c) {
+json split_rows(const SceneComparison& c, bool valid) {
   json rows = json::array();
   for (std::size_t k = 0; k < figures().size(); ++k) {
     const Figure& f = figures()[k];
     if (!f.split || is_absent(c, f)) continue;
     for (std::size_t side = 1; side < c.sides.size(); ++side) {
       const FigureDifference& d = c.differences[side - 1].figures[k];
-      rows.push_back(
-          {{"label", f.label},
-           {"unit", f.unit},
-           {"side", c.sides[side].label},
-           {"difference", figure_value(f, d.split.difference)},
-           {"model_gap", figure_value(f, d.split.model_gap)},
-           {"step_error", figure_value(f, d.split.step_error)},
-           {"native_step_error", figure_value(f, d.split.native_step_error)},
-           {"floor", size_text(f, d.interval)},
-           {"tone", d.split.valid ? "" : "unsure"},
-           {"note", d.split.valid ? fmt::format("valid, ± {}", figure_value(f, d.split.uncertainty))
-                                  : "not valid: " + d.split.reason}});
+      if (d.split.valid != valid) continue;
+      rows.push_back({{"label", f.label},
+                      {"unit", f.unit},
+                      {"side", c.sides[side].label},
+                      {"difference", figure_value(f, d.split.difference)},
+                      {"model_gap", figure_value(f, d.split.model_gap)},
+                      {"step_error", figure_value(f, d.split.step_error)},
+                      {"native_step_error", figure_value(f, d.split.native_step_error)},
+                      {"floor", size_text(f, d.interval)},
+                      {"tone", valid ? "" : "unsure"},
+                      {"note", valid ? fmt::format("± {}", figure_value(f, d.split.uncertainty))
+                                     : d.split.reason}});
     }
   }
   return rows;

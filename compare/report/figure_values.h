@@ -10,8 +10,9 @@ namespace rotorub {
 
 nlohmann::json column_values(const SceneComparison& c);  // heads of the columns
 nlohmann::json figure_rows(const SceneComparison& c,
-                           bool judged_only);            // with the chips of their deviations
-nlohmann::json split_rows(const SceneComparison& c);     // model gap and step error
+                           bool judged_only);  // with the chips of their deviations
+// Model gap and step error: of the splits that converge, or of those that say nothing.
+nlohmann::json split_rows(const SceneComparison& c, bool valid);
 nlohmann::json residual_rows(const SceneComparison& c);  // of the laws
 nlohmann::json cost_rows(const SceneComparison& c);      // time of a step
 nlohmann::json ladder_values(

@@ -86,7 +86,7 @@ const char* mark(Trust trust) {
 
 json verdict_values(const SceneComparison& c) {
   json all = json::array();
-  for (std::size_t k = 0; k < c.differences.size(); ++k) {
+  for (const std::size_t k : reading_order(c)) {
     const SideDifference& d = c.differences[k];
     all.push_back({{"tone", tone(d.trust)},
                    {"mark", mark(d.trust)},
@@ -97,21 +97,31 @@ json verdict_values(const SceneComparison& c) {
   return all;
 }
 
-json error_values(const LargestError& error) {
-  if (!error.figure) return {{"value", "not known"}, {"label", ""}, {"note", ""}};
-  return {{"value", deviation_text(*error.figure, error.share)},
-          {"label", error.figure->label},
-          {"note", error.untold > 0 ? fmt::format("{} not known", error.untold) : std::string()}};
+bool knows_modes(const SceneComparison& c) {
+  return c.model_error && !c.model_error->figures.empty();
 }
 
-// One row a contact model, none smaller than another.
+json error_values(const char* of, const LargestError& error) {
+  if (!error.figure) return {{"of", of}, {"value", "–"}, {"label", ""}, {"note", "cannot be told"}};
+  return {{"of", of},
+          {"value", deviation_text(*error.figure, error.share)},
+          {"label", error.figure->label},
+          {"note", error.untold > 0 ? fmt::format("of {} more it cannot be told", error.untold)
+                                    : std::string()}};
+}
+
+// One row a contact model, none smaller than another. A column of errors of which nothing is known
+// in any row is left out.
 json answer_values(const SceneComparison& c) {
-  std::size_t side = 0;
-  return list_of(answer(c), [&](const AnswerRow& row) -> json {
-    const ThreeErrors errors = three_errors(c, ++side);
-    return {{"errors",
-             {error_values(errors.contact), error_values(errors.step),
-              error_values(errors.modes.value_or(LargestError()))}},
+  const std::vector<AnswerRow> rows = answer(c);
+  const bool modes = knows_modes(c);
+  return list_of(reading_order(c), [&](std::size_t k) -> json {
+    const AnswerRow& row = rows[k];
+    const ThreeErrors errors = three_errors(c, k + 1);
+    json all = {error_values("contact model", errors.contact), error_values("step", errors.step)};
+    if (modes) all.push_back(error_values("modes kept", *errors.modes));
+    return {{"errors", all},
+            {"plain", row.plain},
             {"contact", row.contact},
             {"question", row.question},
             {"tone", tone(row.trust)},
@@ -122,6 +132,22 @@ json answer_values(const SceneComparison& c) {
             {"decides", row.decides},
             {"evidence", row.evidence}};
   });
+}
+
+// Those of the answer's sentence, each with its tone.
+json clause_values(const SceneComparison& c) {
+  json clauses = json::array();
+  const std::vector<AnswerRow> rows = answer(c);
+  for (const std::size_t k : sentence_rows(c)) {
+    const AnswerRow& row = rows[k];
+    clauses.push_back({{"question", row.question},
+                       {"tone", tone(row.trust)},
+                       {"trusted", to_string(row.trust)},
+                       {"plain", row.plain},
+                       {"more", true}});
+  }
+  if (!clauses.empty()) clauses.back()["more"] = false;
+  return clauses;
 }
 
 json impact_rows(const SceneComparison& c) {
@@ -168,7 +194,8 @@ json condition_values(const SceneComparison& c) {
   add("scene hash", scene::scene_hash(c.scene));
   add("step", time_text(c.scene.run.step));
   add("tolerance", percent_text(c.tolerance));
-  add("twins", fmt::format("{}", c.twins));
+  add("repeated runs",
+      fmt::format("{} of native, from starts a few units in the last place apart", c.twins));
   for (const Side& side : c.sides) {
     const Trajectory& t = side.trajectory;
     add(side.label.c_str(), fmt::format("{}, integrator {}, contact {}, {}", t.engine, t.integrator,
@@ -205,6 +232,8 @@ json scene_values(const SceneComparison& c) {
           {"columns", column_values(c)},
           {"shadow", shadow_sentence(c)},
           {"answer", answer_values(c)},
+          {"clauses", clause_values(c)},
+          {"knows_modes", knows_modes(c)},
           {"whose", whose_verdict(c)},
           {"step", time_text(c.scene.run.step)},
           {"end", time_text(c.scene.run.end)},
@@ -216,7 +245,10 @@ json scene_values(const SceneComparison& c) {
           {"verdicts", verdict_values(c)},
           {"judged", figure_rows(c, true)},
           {"all", figure_rows(c, false)},
-          {"splits", split_rows(c)},
+          {"splits", split_rows(c, true)},
+          {"unsplit", split_rows(c, false)},
+          {"has_unsplit", !split_rows(c, false).empty()},
+          {"unsplit_count", split_rows(c, false).size()},
           {"has_ladder", !ladder.is_null()},
           {"ladder", ladder.is_null() ? json::array() : json::array({ladder})},
           {"residuals", residual_rows(c)},

@@ -8,6 +8,7 @@
 #include "compare/base/version.h"
 #include "compare/figures/figure.h"
 #include "compare/metrics/above_modes.h"
+#include "compare/run_files/doubts.h"
 #include "native_model/rotor/mode_truncation.h"
 #include "native_model/scene/reader.h"
 
@@ -79,6 +80,7 @@ constexpr ColumnMeaning kSummaryKeys[] = {
      "interrupted",
      ""},
     {"message", "", "why it is not ok", ""},
+    {"warnings", "", "sentences: values of the scene that are hardly meant", ""},
 };
 
 // Of each contact, where there are several.
@@ -143,7 +145,8 @@ json summary_json(const scene::Scene& scene, const Trajectory& trajectory) {
               {"contact_mass", contact_mass_json(contact_mass(scene))},
               {"above_modes", above_modes_json(above_modes(scene, trajectory))},
               {"status", to_string(trajectory.status)},
-              {"message", trajectory.message}});
+              {"message", trajectory.message},
+              {"warnings", doubts(scene)}});
   if (trajectory.contacts > 1) all["contacts"] = contacts_json(scene, trajectory);
   return all;
 }

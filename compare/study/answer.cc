@@ -2,8 +2,11 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+#include <array>
 #include <cassert>
 #include <cmath>
+#include <numeric>
 
 #include "compare/base/format.h"
 #include "compare/study/resync_text.h"
@@ -19,6 +22,24 @@ std::string reason(const SceneComparison& c, const Side& other, const SideDiffer
   if (d.resync) return why(*d.resync, c.tolerance);
   const bool untouched = !native.metrics.first_touch && !other.metrics.first_touch;
   return (untouched ? "nothing touches; " : "") + why(d.judged(), c.tolerance);
+}
+
+// What is off most: where averages are not to be trusted, one of these first.
+std::string plain_reason(const SceneComparison& c, const Side& other, const SideDifference& d) {
+  const Side& native = c.sides.front();
+  if (d.resync || native.trajectory.status != Status::kOk || other.trajectory.status != Status::kOk)
+    return reason(c, other, d);
+  const std::vector<JudgedFigure> judged = d.judged(), off = outside(judged);
+  if (off.empty()) {
+    return d.trust == Trust::kUndecidable
+               ? "the motion does not repeat itself to " + percent_text(c.tolerance)
+               : "";
+  }
+  const auto average = std::find_if(off.begin(), off.end(), [](const JudgedFigure& f) {
+    return f.figure->judged == Judged::kAverage;
+  });
+  if (average == off.end() || average == off.begin()) return plain_difference(off.front());
+  return plain_difference(*average) + ", " + plain_difference(off.front());
 }
 
 std::string question_of(const std::string& label) {
@@ -65,9 +86,39 @@ std::vector<AnswerRow> answer(const SceneComparison& c) {
     const Side& side = c.sides[k + 1];
     const SideDifference& d = c.differences[k];
     rows.push_back({side.label, question_of(side.label), d.trust, reason(c, side, d),
-                    side.timing.median, d.decides, evidence_of(c, side)});
+                    plain_reason(c, side, d), side.timing.median, d.decides, evidence_of(c, side)});
   }
   return rows;
+}
+
+std::vector<std::size_t> reading_order(const SceneComparison& c) {
+  constexpr std::array kOrder{"cone", "cone-default", "cone-coulomb", "coulomb", "rigid"};
+  const auto place = [&](std::size_t difference) {
+    const auto found = std::find(kOrder.begin(), kOrder.end(), c.sides[difference + 1].label);
+    return found - kOrder.begin();
+  };
+  std::vector<std::size_t> order(c.differences.size());
+  std::iota(order.begin(), order.end(), std::size_t{0});
+  std::stable_sort(order.begin(), order.end(),
+                   [&](std::size_t a, std::size_t b) { return place(a) < place(b); });
+  return order;
+}
+
+std::vector<std::size_t> sentence_rows(const SceneComparison& c) {
+  std::vector<std::size_t> rows = reading_order(c);
+  std::erase_if(rows, [&](std::size_t k) { return !scene::contact_model(c.sides[k + 1].label); });
+  return rows;
+}
+
+std::string answer_sentence(const SceneComparison& c) {
+  const std::vector<AnswerRow> rows = answer(c);
+  std::string text;
+  for (const std::size_t k : sentence_rows(c)) {
+    const AnswerRow& row = rows[k];
+    text += fmt::format("{}{}: {}{}", text.empty() ? "" : "; ", row.question, to_string(row.trust),
+                        row.plain.empty() ? "" : " (" + row.plain + ")");
+  }
+  return text + ".";
 }
 
 std::string whose_verdict(const SceneComparison& c) {

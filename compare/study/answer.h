@@ -15,6 +15,7 @@ struct AnswerRow {
   std::string question;  // what that is, to somebody new: "with the rigid law"
   Trust trust = Trust::kNo;
   std::string why;           // half a sentence
+  std::string plain;         // the same to somebody new, two figures at most; empty: none is off
   double us_per_step = 0.0;  // median; 0: not timed
   bool decides = false;      // the exit code
   std::string evidence;      // a sentence: what agreement says, where the two share more than the
@@ -23,6 +24,18 @@ struct AnswerRow {
 
 // In the order of the sides.
 std::vector<AnswerRow> answer(const SceneComparison& comparison);
+
+// The numbers of the differences as a newcomer reads them: MuJoCo alone, corrected, by the plugin's
+// laws, so that nobody takes what the plugin solves for MuJoCo as it comes.
+std::vector<std::size_t> reading_order(const SceneComparison& comparison);
+
+// Of these the ones that its sentence has: every contact model but what MuJoCo's default solref
+// makes.
+std::vector<std::size_t> sentence_rows(const SceneComparison& comparison);
+
+// "MuJoCo alone: no (lasting contact 0 % instead of 99 %); with the corrected cone: averages only
+// (...); with the rigid law: yes."
+std::string answer_sentence(const SceneComparison& comparison);
 
 // "Exit code: by rigid (--contact), which agrees within 1 %."
 std::string whose_verdict(const SceneComparison& comparison);

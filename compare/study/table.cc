@@ -9,6 +9,7 @@
 #include "compare/base/format.h"
 #include "compare/figures/figure.h"
 #include "compare/measured/output.h"
+#include "compare/run_files/doubts.h"
 #include "compare/study/answer.h"
 #include "compare/study/resync_text.h"
 #include "compare/study/verdict.h"
@@ -23,11 +24,10 @@ constexpr int kValue = 9;  // native, shadow and four contact models: 80 columns
 std::string heading(const Side& side) { return column_heading(side.label); }
 bool has_column(const Side& side) { return !heading(side).empty(); }
 
-// "-0.24 pts" is as wide as a column.
+// Points have no unit in a column: the line below the differences says so.
+std::string in_column(const std::string& text) { return text.substr(0, text.find(" points")); }
 std::string in_column(const JudgedFigure& f) {
-  std::string text = f.is_absent() ? "–" : deviation_text(*f.figure, f.deviation);
-  if (text.ends_with(" pts")) text.pop_back();
-  return text;
+  return f.is_absent() ? "–" : in_column(deviation_text(*f.figure, f.deviation));
 }
 
 // A line of texts below the columns: of native, of its shadow where there is one, and of each
@@ -75,7 +75,7 @@ std::string difference_lines(const SceneComparison& c) {
     text += line(c, marked(f, f.label), "", c.shadow.side ? in_column(c.shadow.figures[i]) : "",
                  [&](std::size_t k) { return in_column(c.differences[k - 1].figures[i]); });
   }
-  return text;
+  return text + wrapped("    ", "of shares of time: in percentage points, without a unit");
 }
 
 // Where twins scatter: half of the confidence interval of each difference, and what that many twins
@@ -91,7 +91,7 @@ std::string interval_lines(const SceneComparison& c) {
     if (!f.is_judged() || !scatters) continue;
     const auto add = [&](const std::string& label, double FigureDifference::*size) {
       text += line(c, label, "", "", [&](std::size_t k) {
-        return size_text(f, c.differences[k - 1].figures[i].*size);
+        return in_column(size_text(f, c.differences[k - 1].figures[i].*size));
       });
     };
     add(fmt::format("  ± {}", f.label), &FigureDifference::interval);
@@ -170,7 +170,10 @@ std::string answer_lines(const SceneComparison& c, const Palette& palette) {
   constexpr int kQuestion = 53, kTrust = 15;
   std::string text = fmt::format("  {:<{}}{:<{}}{}\n", "Can MuJoCo's contact forces be trusted?",
                                  kQuestion, "trusted", kTrust, "us a step");
-  for (const AnswerRow& row : answer(c)) {
+  const std::vector<AnswerRow> rows = answer(c);
+  const std::vector<std::size_t> order = reading_order(c);
+  for (const std::size_t k : order) {
+    const AnswerRow& row = rows[k];
     const std::string cost = row.us_per_step > 0.0 ? short_number(row.us_per_step) : "-";
     const std::string line = fmt::format("{} {:<{}}{:<{}}{}\n", row.decides ? ">" : " ",
                                          row.question + "? (" + row.contact + ")", kQuestion,
@@ -179,7 +182,7 @@ std::string answer_lines(const SceneComparison& c, const Palette& palette) {
             wrapped("      ", row.why);
   }
   text += wrapped("  > ", whose_verdict(c));
-  for (const AnswerRow& row : answer(c)) {
+  for (const AnswerRow& row : rows) {
     if (!row.evidence.empty()) text += wrapped("    ", row.evidence);
   }
   if (const std::string note = mode_note(c); !note.empty()) text += wrapped("    ", note);
@@ -217,7 +220,7 @@ std::string comparison_table(const SceneComparison& c, const Palette& palette) {
     if (c.model_error) text += "\n" + model_error_table(*c.model_error, "  ");
   }
   if (c.measured) text += "\n" + measured_table(*c.measured);
-  for (std::size_t k = 0; k < c.differences.size(); ++k) {
+  for (const std::size_t k : reading_order(c)) {
     const SideDifference& d = c.differences[k];
     const char* lead = kLeads[static_cast<int>(d.trust)];
     text += "\n" + palette.paint_first(tone_of(d.trust),
@@ -238,7 +241,7 @@ std::string rub_answer(const Metrics& m) {
     text += fmt::format(": {} hard impact{}", m.hard_impacts, m.hard_impacts > 1 ? "s" : "");
   const Attractor last = m.settled.attractor;
   if (last == Attractor::kNoContact) {
-    text += ", and no contact any more in the last fifth of the run";
+    text += ", and no contact any more at its end";
   } else if (last != Attractor::kUnknown) {
     text += fmt::format(", {} in the last fifth of the run", to_string(last));
   }
@@ -258,6 +261,7 @@ std::string run_table(const scene::Scene& scene, const Trajectory& t, const Pale
                       short_number(speed * 30.0 / std::numbers::pi),
                       scene.drive ? " at its start" : "");
   if (!t.message.empty()) text += wrapped("  ", t.message);
+  for (const std::string& doubt : doubts(scene)) text += wrapped("  warning: ", doubt);
   if (!contact_facts(scene).empty()) text += wrapped("  rubs: ", rub_answer(m));
   const auto add = [&](const std::string& label, const std::string& value) {
     text += fmt::format("  {:<{}}{:>{}}\n", label, kLabel, value, kValue);

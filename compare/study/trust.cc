@@ -76,6 +76,43 @@ std::string difference_text(const JudgedFigure& f) {
   return f.interval >= 5e-5 ? text + " ± " + size_text(*f.figure, f.interval) : text;
 }
 
+namespace {
+
+// Two significant digits without an exponent: "630", "16", "1.6".
+std::string two_digits(double value) {
+  const double unit = value > 0.0 ? std::pow(10.0, std::floor(std::log10(value)) - 1.0) : 1.0;
+  return fmt::format("{:.10g}", std::round(value / unit) * unit);
+}
+
+}  // namespace
+
+std::string plain_difference(const JudgedFigure& f) {
+  constexpr double kTimes = 2.0;  // from there on as a factor
+  const Figure& figure = *f.figure;
+  const double ratio = std::abs(f.other / f.native);
+  const bool small = std::abs(f.native) < figure.resolution || f.native == 0.0;
+  if (figure.scale == Scale::kPoints || small || f.other == 0.0) {
+    const auto value = [&](double v) {
+      const double shown = figure.per_unit * v;
+      return figure.scale == Scale::kPoints ? fmt::format("{:.3g}", std::round(10.0 * shown) / 10.0)
+                                            : short_number(shown);
+    };
+    const std::string unit = *figure.unit ? std::string(" ") + figure.unit : std::string();
+    return fmt::format("{} {}{} instead of {}{}", figure.label, value(f.other), unit,
+                       value(f.native), unit);
+  }
+  const std::string_view unit = figure.unit;
+  const bool speed = unit == "Hz" || unit == "rad/s";
+  const std::string turned = f.other * f.native < 0.0 ? " and the other way round" : "";
+  if (ratio >= kTimes) {
+    return fmt::format("{} {} times as {}{}", figure.label, two_digits(ratio),
+                       speed ? "fast" : "large", turned);
+  }
+  const char* way = ratio > 1.0 ? (speed ? "fast" : "large") : (speed ? "slow" : "small");
+  return fmt::format("{} {} % too {}{}", figure.label, two_digits(100.0 * std::abs(ratio - 1.0)),
+                     way, turned);
+}
+
 Trust trust(const std::vector<JudgedFigure>& figures) {
   bool peaks = true, decided = false;
   for (const JudgedFigure& f : figures) {

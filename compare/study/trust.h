@@ -46,6 +46,10 @@ JudgedFigure judged(const Figure& figure, double native, double other,
 // themselves where the native one is below what a share is taken of: "0.157 mm/s for 0.196".
 std::string difference_text(const JudgedFigure& figure);
 
+// The same to somebody new: "rms gap rate 16 times as large", "lasting contact 0 % instead of 99
+// %", "whirl 22 times as fast and the other way round".
+std::string plain_difference(const JudgedFigure& figure);
+
 // What a contact model may be used for.
 enum class Trust {
   kYes,           // no judged figure is outside, and one at least is within

@@ -64,7 +64,9 @@ struct Seen {
     part.slip.push_back(p.slip);
     part.spin_speed.push_back(spin_speed(model, look.v));
     if (impacts_before < 0) impacts_before = look.impacts;
-    part.impacts = static_cast<std::size_t>(look.impacts - impacts_before);
+    const auto impacts = static_cast<std::size_t>(look.impacts - impacts_before);
+    if (impacts > part.impacts) part.impact_times.push_back(point.t);
+    part.impacts = impacts;
     lost = lost || !std::isfinite(p.delta) || !std::isfinite(p.slip) ||
            out_of_range(model, look.q).has_value();
   }

@@ -140,7 +140,7 @@ class Figures(InAFolder):
         slowest = {(round(point["speed"], 6), round(point["friction"], 6)):
                    min((rub["growth_rate"] for rub in point["rubs"] if rub["kind"] == "forced"), default=math.inf)
                    for point in rubs}
-        found = {"chattering": [], "synchronous rub": []}
+        found = {"bouncing": [], "synchronous rub": []}
         with open(self.folder / "map" / "results.csv") as file:
             for point in csv.DictReader(file):
                 place = round(float(point["rotor.speed"]), 6), round(float(point["contact.friction"]), 6)

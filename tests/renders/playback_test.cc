@@ -101,5 +101,45 @@ TEST(Playback, RefusesASeriesWithoutAColumnByItsName) {
   EXPECT_THROW(Playback{Trajectory{}}, std::runtime_error);
 }
 
+// A whirl of 3000 rad/s with the velocities of the contract, in rows `spacing` s apart.
+Trajectory fast_whirl(double spacing) {
+  const int rows = static_cast<int>(std::lround(0.1 / spacing)) + 1;
+  Trajectory run = made_run(rows, [](double t) {
+    Row row;
+    row.rotor_x = kClearance * std::cos(3000.0 * t);
+    row.rotor_y = kClearance * std::sin(3000.0 * t);
+    row.normal_force = 100.0;
+    return row;
+  });
+  const auto rate = [&](const char* name, const char* of, double sign) {
+    Column column{name, "", run.column(of)};
+    for (double& value : column.values) value *= sign * 3000.0;
+    run.series.push_back(column);
+  };
+  rate("rotor_vx", "rotor_y", -1.0);
+  rate("rotor_vy", "rotor_x", 1.0);
+  rate("stator_vx", "stator_y", 1.0);
+  rate("stator_vy", "stator_x", 1.0);
+  return run;
+}
+
+// A turn lasts 2.1 ms. Rows of 0.1 ms draw it; rows of 1 ms, and frames of 2 ms, make a star of it.
+TEST(Playback, KnowsAWhirlThatItsRowsOrItsFramesCannotShow) {
+  const Trajectory fine = fast_whirl(1e-4), coarse = fast_whirl(1e-3);
+  const Playback shown(fine), star(coarse);
+  EXPECT_FALSE(shown.strobe(0.02, 0.05));
+  ASSERT_TRUE(shown.strobe(0.02, 0.05, 2e-3));
+  ASSERT_TRUE(star.strobe(0.02, 0.05));
+  EXPECT_NEAR(star.strobe(0.02, 0.05)->whirl, 3000.0, 1e-9);
+  EXPECT_NEAR(star.strobe(0.02, 0.05)->spacing, 1e-3, 1e-12);
+}
+
+TEST(Playback, BetweenRowsTooFarApartARotorStaysWhereItCanBe) {
+  const Trajectory coarse = fast_whirl(1e-3);
+  const Playback star(coarse);
+  for (int k = 0; k <= 1000; ++k)
+    EXPECT_LE(star.at(1e-4 * k).rotor.norm(), kClearance * (1.0 + 1e-12)) << k;
+}
+
 }  // namespace
 }  // namespace rotorub::renders

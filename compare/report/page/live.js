@@ -7,15 +7,16 @@ import {ScenePlots} from './plots.js';
 
 export class LiveScene {
   constructor(element, scene) {
+    this.scene = scene;
     this.runs = scene.sides.map((side) => runOf(side, scene));
     const {from, to} = scene.windows[0];
     this.clock = new Clock(from, to, (t) => this.show(t), () => {
       this.player?.showPlaying();
       this.told();
     });
-    this.plots = new ScenePlots(element, scene, this.runs, (t) => {
+    this.plots = new ScenePlots(element, scene, this.runs, (t, clicked = true) => {
       this.clock.seek(t);
-      if (this.player) this.player.element.focus({preventScroll: true});
+      if (this.player && clicked) this.player.element.focus({preventScroll: true});
     }, () => this.told());
     this.address = new AddressWriter(element.id);
     this.player = null;

@@ -3,7 +3,7 @@
 // key is a curve. A figure may be "linear": computed for every point, whether its run succeeded or not; and "signed":
 // its colours part at 0.
 import {show} from './page.js';
-import {colourScale, keyScale, kinds} from './scales.js';
+import {colourOfWord, colourScale, keyScale} from './scales.js';
 import {axes, css, layout, legendAbove, scaleOfColours, short} from './style.js';
 
 export function mapsOf(element, data) {
@@ -39,7 +39,7 @@ export function mapsOf(element, data) {
   // ------------------------------------------------------------------ plots
   function legendOf(colour, anyFailed) {
     const entry = (name, color) => ({type: 'scatter', x: [null], y: [null], mode: 'markers', name, marker: {symbol: 'square', size: 12, color}});
-    return [...(colour.words || []).map((word, k) => entry(word, kinds[k % kinds.length])),
+    return [...(colour.words || []).map((word) => entry(word, colourOfWord(word, colour.words))),
       ...(anyFailed ? [entry('failed', failed)] : [])];
   }
   function barOf(colour, figure) {

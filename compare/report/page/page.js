@@ -1,4 +1,5 @@
 // What the scripts of all pages share: the page's data, the drawing of a plot, and the light or dark theme.
+import {foldParts} from './fold.js';
 import {offerFiles} from './save.js';
 import {forgetColours} from './style.js';
 
@@ -8,6 +9,7 @@ export const isPrinting = () => root.classList.contains('printing');
 
 // Draws the page, and again whenever the theme changes.
 export function start(draw) {
+  foldParts();
   const prefersDark = matchMedia('(prefers-color-scheme: dark)'), button = document.getElementById('theme');
   let chosen = null;
   function theme(name) {
@@ -35,7 +37,31 @@ export function start(draw) {
 export function show(plot, {data: traces, layout}) {
   const size = isPrinting() ? {width: plot.clientWidth, height: plot.clientHeight} : {};
   Plotly.react(plot, traces, {...layout, ...size}, {displaylogo: false, displayModeBar: false, responsive: !isPrinting()});
+  plot.tabIndex = 0;
+  plot.setAttribute('role', 'group');
+  const title = plot.closest('figure')?.querySelector('figcaption b');
+  plot.setAttribute('aria-label', `plot: ${title ? title.textContent : plot.id || 'figure'}`);
   offerFiles(plot);
+}
+
+// Draws one after the other, one a frame, so that a page can be scrolled meanwhile; on paper at once. `of`: what a later
+// call replaces.
+const waiting = new Map();
+function drawNext() {
+  const [first] = waiting;
+  if (!first) return;
+  waiting.delete(first[0]);
+  if (waiting.size) requestAnimationFrame(drawNext);
+  first[1]();
+}
+export function inTurn(of, draw) {
+  if (isPrinting()) {
+    waiting.delete(of);
+    draw();
+    return;
+  }
+  waiting.set(of, draw);
+  if (waiting.size === 1) requestAnimationFrame(drawNext);
 }
 
 // Calls act(near) when the element comes near the screen, and when it leaves.

@@ -1,6 +1,6 @@
 // The plots of one scene, from its runs' tracks: sampled anew for every window, linked in time and legend, under the
 // cursor of the scene's clock. Each is drawn when it comes near the screen.
-import {isPrinting, show, whenNear} from './page.js';
+import {inTurn, isPrinting, show, whenNear} from './page.js';
 import {css} from './style.js';
 import {sceneFigure} from './traces.js';
 
@@ -29,8 +29,9 @@ export class ScenePlots {
       if (!near || this.near.has(plot)) return;
       this.near.add(plot);
       // The cursor has gone on meanwhile.
-      if (window.Plotly && plot.stale !== false) this.draw(plot); else this.place(plot);
+      if (window.Plotly && plot.stale !== false) inTurn(plot, () => this.draw(plot)); else this.place(plot);
     });
+    plot.addEventListener('keydown', (event) => this.key(plot, event));
     // A click seeks; a drag is plotly's own, and zooms.
     let down = null;
     plot.addEventListener('pointerdown', (event) => { down = [event.clientX, event.clientY]; }, true);
@@ -46,6 +47,19 @@ export class ScenePlots {
     if (!layout || !this.overTime(plot)) return;
     const axis = layout.xaxis, x = event.clientX - plot.getBoundingClientRect().left - axis._offset;
     if (x >= 0 && x <= axis._length) this.seek(axis.p2d(x));
+  }
+
+  // Of a plot over time: arrows move the cursor, + and - zoom about it, 0 shows the whole run.
+  key(plot, event) {
+    if (!this.overTime(plot) || event.target !== plot || event.ctrlKey || event.altKey || event.metaKey) return;
+    const [from, to] = this.range, whole = this.span(0), step = (to - from) * (event.shiftKey ? 0.2 : 0.02);
+    const zoom = (factor) => this.show([Math.max(whole[0], this.t - factor * (this.t - from)),
+      Math.min(whole[1], this.t + factor * (to - this.t))]);
+    const acts = {ArrowLeft: () => this.seek(this.t - step, false), ArrowRight: () => this.seek(this.t + step, false),
+      Home: () => this.seek(from, false), End: () => this.seek(to, false), '+': () => zoom(0.5), '-': () => zoom(2), 0: () => this.show(whole)};
+    if (!acts[event.key]) return;
+    event.preventDefault();
+    acts[event.key]();
   }
 
   overTime(plot) { return plot.dataset.over === 'time' || plot.dataset.over === 'impacts'; }

@@ -1,6 +1,7 @@
 // The report, and the page of one run: what control trades, then every scene with its plots and its live player,
 // under one clock each.
 // Without it the page still shows verdicts and tables.
+import {showFirst} from './first.js';
 import {LiveScene} from './live.js';
 import {data, show, start, withPlotly} from './page.js';
 import {stills} from './stills.js';
@@ -29,7 +30,7 @@ function drawTrade() {
 
 const scenes = [...document.querySelectorAll('.scene')].map(
   (element) => new LiveScene(element, data.scenes[Number(element.dataset.scene)]));
-const drawStills = stills();
+const drawStills = stills({first: (plot) => showFirst(plot, scenes[plot.dataset.index].scene, scenes[plot.dataset.index].runs, show)});
 // For tests, and for whoever scripts the page.
 window.page = {data, players: scenes.map((scene) => scene.player)};
 

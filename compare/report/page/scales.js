@@ -3,6 +3,18 @@ import {parts, shade, short} from './style.js';
 
 const low2high = ['#440154', '#414487', '#2a788e', '#22a884', '#7ad151', '#fde725'];
 const below2above = ['#2166ac', '#92c5de', '#f7f7f7', '#f4a582', '#b2182b'];
+// What a run settles to has one colour in every map, as runs find it and as the eigenvalues say (attractor.h,
+// rub_analysis.h). What may coexist is the mixture of its parts.
+const states = {'no contact': '#c9d6e3', bouncing: '#aa3377', resting: '#8c6d31', 'synchronous rub': '#2f5fb3', 'forward rub': '#33a5c8',
+  'backward whip': '#d62728', rolling: '#e8b800', unknown: '#8f8f8f', 'none stable': '#3b3b3b'};
+// The colour of a word of a map, as "#rrggbb"; of others than these by their place among the map's words.
+export function colourOfWord(word, words) {
+  const mixed = word.split(' + ').map((state) => states[state]);
+  if (mixed.includes(undefined)) return kinds[words.indexOf(word) % kinds.length];
+  const all = mixed.map(parts);
+  const mean = [0, 1, 2].map((k) => Math.round(all.reduce((sum, part) => sum + part[k], 0) / all.length));
+  return `#${mean.map((part) => part.toString(16).padStart(2, '0')).join('')}`;
+}
 export const kinds = ['#4477aa', '#ee6677', '#228833', '#ccbb44', '#66ccee', '#aa3377', '#bbbbbb', '#997700'];
 
 // Of the chosen values of a column. of(value): red, green, blue. Numbers of several decades are told apart by their
@@ -11,7 +23,7 @@ export function colourScale(column, chosen, signed) {
   const given = chosen.map((i) => column[i]).filter((v) => v !== null);
   if (given.some((v) => typeof v === 'string')) {
     const words = [...new Set(column.filter((v) => v !== null))].sort();
-    return {words, of: (v) => parts(kinds[words.indexOf(v) % kinds.length])};
+    return {words, of: (v) => parts(colourOfWord(v, words))};
   }
   let low = given.length ? Infinity : 0, high = given.length ? -Infinity : 1;
   for (const v of given) { low = Math.min(low, v); high = Math.max(high, v); }

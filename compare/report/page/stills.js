@@ -2,7 +2,7 @@
 // magnetic bearings. Each is drawn when it comes near the screen. On pages of their own, and beside the comparison in the report.
 import {loopFigure, unbalanceFigure} from './loop.js';
 import {mapsOf} from './maps.js';
-import {data, isPrinting, show, whenNear} from './page.js';
+import {data, inTurn, isPrinting, show, whenNear} from './page.js';
 import {precision} from './precision.js';
 import {rotorFigure} from './rotor.js';
 
@@ -15,9 +15,13 @@ const figures = {
 };
 
 // Gives the function that draws all that is near the screen anew.
-export function stills() {
+// further: kinds of plots beside those above, each drawing its plot itself.
+export function stills(further = {}) {
   const of = (selector, drawOf) => [...document.querySelectorAll(selector)].map((element) => ({element, draw: drawOf(element)}));
-  const all = [...of('.plot[data-of]', (plot) => () => show(plot, figures[plot.dataset.of](plot))),
+  const all = [...of('.plot[data-of]', (plot) => () => {
+    const kind = plot.dataset.of;
+    if (further[kind]) further[kind](plot); else show(plot, figures[kind](plot));
+  }),
     ...of('.map-set', (set) => mapsOf(set, data.maps[set.dataset.index]))];
   function draw(one) {
     one.stale = false;
@@ -27,11 +31,12 @@ export function stills() {
   for (const one of all) {
     whenNear(one.element, (near) => {
       one.near = near;
-      if (near && one.stale && window.Plotly) draw(one);
+      if (near && one.stale && window.Plotly) inTurn(one, () => draw(one));
     });
   }
   return () => {
     for (const one of all) one.stale = true;
-    if (window.Plotly) all.filter((one) => one.near || isPrinting()).forEach(draw);
+    if (!window.Plotly) return;
+    for (const one of all) if (one.near || isPrinting()) inTurn(one, () => draw(one));
   };
 }

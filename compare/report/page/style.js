@@ -12,9 +12,11 @@ export function css(name) {
 export const axes = (extra) => ({gridcolor: css('--hair'), zerolinecolor: css('--line'), linecolor: css('--line'),
   tickcolor: css('--line'), ticks: 'outside', ticklen: 4, automargin: true, ...extra});
 export const titled = (text, extra) => axes({title: {text, standoff: 8}, ...extra});
+// Pictures on paper are small.
+const onPaper = () => document.documentElement?.classList?.contains('printing');
 export const layout = (extra) => ({
   paper_bgcolor: 'rgba(0,0,0,0)', plot_bgcolor: 'rgba(0,0,0,0)', showlegend: false,
-  font: {family: getComputedStyle(document.body).fontFamily, size: 12, color: css('--soft')},
+  font: {family: getComputedStyle(document.body).fontFamily, size: onPaper() ? 8 : 12, color: css('--soft')},
   margin: {l: 56, r: 12, t: 8, b: 40}, hovermode: 'x unified',
   hoverlabel: {bgcolor: css('--panel'), bordercolor: css('--line'), font: {color: css('--ink')}}, ...extra});
 export const legendAbove = (extra) => ({orientation: 'h', x: 0, y: 1.02, yanchor: 'bottom', font: {color: css('--ink')}, ...extra});

@@ -38,7 +38,7 @@ function sampled(run, key, [from, to]) {
 
 const has = (run, key) => run.has(series[key].track) && !(series[key].jumps && run.tracks[series[key].track].kind !== 'hermite');
 
-function timeTraces(runs, key, range) {
+export function timeTraces(runs, key, range) {
   return behindFirst(runs).filter((run) => has(run, key)).map((run) => {
     const {t, y} = sampled(run, key, range);
     return {x: t, y, name: run.label, meta: run.label, type: 'scatter', mode: 'lines',

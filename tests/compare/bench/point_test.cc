@@ -128,7 +128,7 @@ TEST(Judgement, BouncingWhereTheReferenceRubsIsChatter) {
   });
   const Judgement j = judged(bounces, rub({}));
   EXPECT_EQ(j.outcome, Outcome::kChatter);
-  EXPECT_NE(j.reason.find("chattering"), std::string::npos) << j.reason;
+  EXPECT_NE(j.reason.find("bouncing"), std::string::npos) << j.reason;
   EXPECT_NE(j.reason.find("synchronous rub"), std::string::npos) << j.reason;
   EXPECT_EQ(judged(bounces, bounces).outcome, Outcome::kOk) << "a scene that bounces for good";
 }

@@ -41,30 +41,55 @@ TEST(Attractor, IsNamedByTheWhirlOfAPermanentContact) {
   }
 }
 
-TEST(Attractor, Chattering) {
+TEST(Attractor, BouncesWhereContactComesAndGoes) {
   const Whirl w;
   const auto half = hand_made(1000, 1e-3, [&](double t) {
     Row row = sliding(w, t);
     if (static_cast<int>(std::lround(t / 1e-3)) % 2 == 0) row.normal = 0.0;
     return row;
   });
-  EXPECT_EQ(settled(half).attractor, Attractor::kChattering);
+  EXPECT_EQ(settled(half).attractor, Attractor::kBouncing);
   EXPECT_NEAR(settled(half).contact_share, 0.5, 0.01);
 }
 
-TEST(Attractor, ImpactsAloneAreChatteringToo) {
+TEST(Attractor, ImpactsAloneAreBouncesToo) {
   Trajectory t = hand_made(1000, 1e-3, [](double) { return Row{}; });
   EXPECT_EQ(settled(t).attractor, Attractor::kNoContact);
   Impact impact;
   impact.t = 0.9;
   impact.gap_rate_before = -0.1;
   t.impacts.push_back(impact);
-  EXPECT_EQ(settled(t).attractor, Attractor::kChattering);
+  EXPECT_EQ(settled(t).attractor, Attractor::kBouncing);
   // One that happened before the last fifth does not count, nor does a touch.
   t.impacts[0].t = 0.5;
   EXPECT_EQ(settled(t).attractor, Attractor::kNoContact);
   t.impacts[0] = {0.9, 0.0, 0.0, -1e-6, 0.0, 0.0, 0.0, 0.0};
   EXPECT_EQ(settled(t).attractor, Attractor::kNoContact);
+}
+
+// A rub that was is none that is; but a bouncer that is only in the air is.
+TEST(Attractor, WhatHasEndedIsNoContact) {
+  const Whirl w;
+  const auto until = [&](double last) {
+    return settled(hand_made(1000, 1e-3, [&](double t) {
+      Row row = sliding(w, t);
+      if (t > last) row.normal = 0.0;
+      return row;
+    }));
+  };
+  EXPECT_EQ(until(0.85).attractor, Attractor::kNoContact);
+  EXPECT_EQ(until(0.95).attractor, Attractor::kBouncing);
+  Trajectory t = hand_made(1000, 1e-3, [](double) { return Row{}; });
+  const auto strike = [](double at) {
+    Impact impact;
+    impact.t = at;
+    impact.gap_rate_before = -0.1;
+    return impact;
+  };
+  t.impacts = {strike(0.83), strike(0.85)};
+  EXPECT_EQ(settled(t).attractor, Attractor::kNoContact);
+  t.impacts = {strike(0.81), strike(0.88)};
+  EXPECT_EQ(settled(t).attractor, Attractor::kBouncing);
 }
 
 TEST(Attractor, TooFewRowsAreUnknown) {

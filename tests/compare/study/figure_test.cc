@@ -50,7 +50,7 @@ TEST(Figures, DeviationsAreWrittenWithTheirScale) {
   EXPECT_EQ(deviation_text(force, -0.77), "-77 %");
   EXPECT_EQ(deviation_text(force, 187.0), "×188");
   EXPECT_EQ(deviation_text(force, 1e-6), "0.00 %");
-  EXPECT_EQ(deviation_text(figure("contact_fraction"), -0.77), "-77 pts");
+  EXPECT_EQ(deviation_text(figure("contact_fraction"), -0.77), "-77 points");
   EXPECT_EQ(deviation_text(figure("max_penetration"), 3.0), "–");
   EXPECT_EQ(deviation_text(force, std::numeric_limits<double>::infinity()), "+∞");
 }

@@ -19,8 +19,8 @@ TEST(RubAnswer, SaysWhenHowHardAndWhatBecomesOfIt) {
             "yes, from 107.1 ms: 699 hard impacts, synchronous rub in the last fifth of the run; "
             "mean normal force 59.80 N");
   EXPECT_EQ(rub_answer(rub(1, Attractor::kNoContact)),
-            "yes, from 107.1 ms: 1 hard impact, and no contact any more in the last fifth of the "
-            "run; mean normal force 59.80 N");
+            "yes, from 107.1 ms: 1 hard impact, and no contact any more at its end; mean normal "
+            "force 59.80 N");
 }
 
 TEST(RubAnswer, SaysHowNearARotorComesThatDoesNotTouch) {

@@ -188,6 +188,21 @@ TEST(SceneComparison, BeginsWithOneRowAContactModel) {
   }
 }
 
+// A newcomer reads MuJoCo as it comes first, in words, and what the plugin solves for it last.
+TEST(SceneComparison, AnswersInASentence) {
+  const SceneComparison& c = short_comparison();
+  std::vector<std::string> order;
+  for (const std::size_t k : reading_order(c)) order.push_back(c.sides[k + 1].label);
+  EXPECT_EQ(order,
+            (std::vector<std::string>{"cone", "cone-default", "cone-coulomb", "coulomb", "rigid"}));
+  const std::string sentence = answer_sentence(c);
+  EXPECT_TRUE(sentence.starts_with("MuJoCo alone: no (")) << sentence;
+  EXPECT_TRUE(sentence.ends_with("; with the rigid law: yes.")) << sentence;
+  EXPECT_EQ(sentence.find("solref"), std::string::npos) << sentence;
+  const std::string table = comparison_table(c);
+  EXPECT_LT(table.find("MuJoCo alone? (cone)"), table.find("with the rigid law? (rigid)"));
+}
+
 // Another contact model may decide; all are shown.
 TEST(SceneComparison, AnyContactMayDecide) {
   CompareOptions options;

@@ -218,5 +218,21 @@ TEST(ThreeErrors, HaveTheModesOfTheLadder) {
   EXPECT_EQ(errors.modes->untold, 1);
 }
 
+TEST(PlainDifference, IsInWordsOfEveryDay) {
+  const auto plain = [](const char* key, double native, double other) {
+    return plain_difference(judged(figure(key), native, other, kPercent));
+  };
+  EXPECT_EQ(plain("lasting_fraction", 0.988, 0.0), "lasting contact 0 % instead of 98.8 %");
+  EXPECT_EQ(plain("gap_rate_rms", 6.5e-3, 0.105), "rms gap rate 16 times as large");
+  EXPECT_EQ(plain("mean_force", 100.0, 90.0), "mean normal force 10 % too small");
+  EXPECT_EQ(plain("mean_force", 100.0, 101.6), "mean normal force 1.6 % too large");
+  EXPECT_EQ(plain("whirl_frequency", -501.9, -11287.0), "whirl 22 times as fast");
+  EXPECT_EQ(plain("whirl_frequency", 300.0, -285.0), "whirl 5 % too slow and the other way round");
+  EXPECT_EQ(plain("mean_force", 244.84, 118012.0), "mean normal force 480 times as large");
+  // Too small for a share of itself.
+  EXPECT_EQ(plain("hard_impacts", 8.0, 309.0), "hard impacts 309 instead of 8");
+  EXPECT_EQ(plain("gap_rate_rms", 0.0, 0.017), "rms gap rate 17 mm/s instead of 0 mm/s");
+}
+
 }  // namespace
 }  // namespace rotorub

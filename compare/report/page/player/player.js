@@ -1,6 +1,7 @@
 // The live player of a scene: two runs of the reader's choice under the scene's clock, drawn by rig, section and
 // unrolled gap to common scales, the last two for each contact. state() tells tests, and whoever scripts the page, what
 // is shown.
+import {besideNative} from '../first.js';
 import {isPrinting} from '../page.js';
 import {showReadings} from './readings.js';
 import {Rig} from './rig.js';
@@ -9,6 +10,7 @@ import {units} from './units.js';
 import {Unrolled} from './unrolled.js';
 
 const kPaces = [1, 2, 5, 10, 20, 50, 100, 200, 500, 1000, 2000, 5000, 10000];
+const kTurnByKey = 0.1;  // rad
 const kFilm = 25;  // s that a run takes at first
 
 export class Player {
@@ -19,7 +21,7 @@ export class Player {
     Object.assign(this, {scene, runs, left, clock, visible: false, rig: undefined, rigs: []});
     this.touches = scene.contacts[0].touches;
     const places = [...this.element.querySelectorAll('.player-run')];
-    this.chosen = runs.length > 1 ? [0, 1] : [0];
+    this.chosen = runs.length > 1 ? [0, besideNative(runs)] : [0];
     for (const place of places.slice(this.chosen.length)) place.remove();
     this.element.classList.toggle('alone', this.chosen.length < 2);
     if (!this.touches) for (const part of this.element.querySelectorAll('.section, .unrolled-figure')) part.remove();
@@ -75,6 +77,16 @@ export class Player {
       this.rig.turn(-event.movementX / 150, event.movementY / 150);
       this.draw();
     });
+    const turns = {ArrowLeft: [-1, 0], ArrowRight: [1, 0], ArrowUp: [0, 1], ArrowDown: [0, -1]};
+    canvas.tabIndex = 0;
+    canvas.addEventListener('keydown', (event) => {
+      const turn = turns[event.key];
+      if (!this.rig || !(turn || event.key === 'Home')) return;
+      event.preventDefault();
+      event.stopPropagation();
+      if (turn) this.rig.turn(kTurnByKey * turn[0], kTurnByKey * turn[1]); else this.rig.turnBack();
+      this.draw();
+    });
     canvas.addEventListener('dblclick', () => { this.rig.turnBack(); this.draw(); });
   }
 
@@ -85,7 +97,9 @@ export class Player {
     const all = (of) => Math.max(...this.shown.map((run) => most(run, of)));
     this.scales = {force: first((run) => run.forces.usual), impulse: first((run) => run.largestImpulse),
       control: all((run) => run.largest('control')), current: all((run) => run.largest('current'))};
-    this.clock.hard = [...new Set(this.shown.flatMap((run) => run.contacts.flatMap((at) => at.hardImpacts)))].sort((a, b) => a - b);
+    // Those of the first run that has any: a contact that chatters would slow down the whole film.
+    const hits = this.shown.map((run) => run.contacts.flatMap((at) => at.hardImpacts)).find((times) => times.length) || [];
+    this.clock.hard = [...new Set(hits)].sort((a, b) => a - b);
     this.pictures = !this.touches ? [] : scene.contacts.map((contact, c) => ({
       sections: this.places.map(({feet}) => new Section(feet[c].section, contact, this.scales)),
       unrolled: new Unrolled(this.element.querySelectorAll('canvas.unrolled')[c], contact, this.shownAt(c))}));
@@ -124,7 +138,7 @@ export class Player {
   }
 
   draw() {
-    if (!this.visible && !isPrinting()) return;
+    if (!this.visible || isPrinting()) return;  // paper has no player
     const {t} = this.clock, outlined = this.transport.querySelector('.outline').checked && this.shown.length > 1;
     const spans = this.shown.map((run) => this.span(run, t));
     const poses = this.scene.contacts.map((_, c) => this.shownAt(c).map((run) => ({run, pose: run.pose(t)})));
@@ -143,8 +157,7 @@ export class Player {
       this.rigs = this.shown.map((run, k) => this.rig.draw(this.places[k].place.querySelector('canvas.rig'), run,
         poses.map((shown) => shown[k].pose), this.scales, spans[k]));
     }
-    if (this.rig === undefined && isPrinting()) this.makeRig();
-    else if (this.rig === undefined) setTimeout(() => this.makeRig());
+    if (this.rig === undefined) setTimeout(() => this.makeRig());
     else this.firstDrawn = this.firstDrawn || performance.now();
   }
 

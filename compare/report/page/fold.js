@@ -1,0 +1,60 @@
+// Small screens begin with their long parts folded; a link into a folded part opens it; paper has every table and plot.
+const kFirstPlots = 4;  // of a scene, on a small screen
+
+const small = () => matchMedia('(max-width: 760px)').matches;
+
+// Of a scene's plots the first few, and a button for the rest.
+function shorten(grid) {
+  const plots = grid.querySelectorAll('figure').length;
+  if (plots <= kFirstPlots + 2) return;
+  grid.classList.add('few');
+  const button = document.createElement('button');
+  button.type = 'button';
+  button.className = 'more-plots';
+  button.textContent = `all ${plots} plots`;
+  button.addEventListener('click', () => { grid.classList.remove('few'); button.remove(); });
+  grid.after(button);
+}
+
+// A part that was open is where the browser has scrolled to.
+function openTarget() {
+  const target = document.getElementById(location.hash.slice(1).split('?')[0]);
+  let opened = false;
+  for (let part = target; part; part = part.parentElement) {
+    if (part.tagName !== 'DETAILS' || part.open) continue;
+    part.open = true;
+    opened = true;
+  }
+  if (opened) target.scrollIntoView();
+}
+
+// A table that is wider than its place can be scrolled by keys.
+function reachTables() {
+  for (const place of document.querySelectorAll('.scroll')) {
+    const wide = place.scrollWidth > place.clientWidth + 1;
+    place.toggleAttribute('tabindex', wide);
+    if (!wide) { place.removeAttribute('role'); place.removeAttribute('aria-label'); continue; }
+    const heading = place.querySelector('caption') || place.closest('section, details, article, .answer')?.querySelector('h2, h3, summary');
+    place.tabIndex = 0;
+    place.setAttribute('role', 'region');
+    place.setAttribute('aria-label', `table: ${heading ? heading.textContent.trim() : 'figures'}`);
+  }
+}
+
+// Before the page is drawn.
+export function foldParts() {
+  if (small()) {
+    for (const part of document.querySelectorAll('details.later')) part.open = false;
+    document.querySelectorAll('.plots .plot-grid').forEach(shorten);
+  }
+  addEventListener('hashchange', openTarget);
+  if (location.hash) openTarget();
+  reachTables();
+  addEventListener('resize', reachTables);
+  let opened = [];
+  addEventListener('beforeprint', () => {
+    opened = [...document.querySelectorAll('details.later:not([open])')];
+    for (const part of opened) part.open = true;
+  });
+  addEventListener('afterprint', () => { for (const part of opened) part.open = false; });
+}

@@ -1,0 +1,35 @@
+// What axe finds in the pages, everything drawn, light and dark: nothing.
+import fs from 'node:fs';
+import path from 'node:path';
+import {after, before, test} from 'node:test';
+import {assert, launch, open, rotorub, scene, top} from './support.js';
+
+const axe = fs.readFileSync(path.join(top, 'build/npm/node_modules/axe-core/axe.min.js'), 'utf8');
+let browser;
+before(async () => {
+  rotorub(['compare', scene('bench_ring'), '--end', '0.02', '--twins', '0', '--no-video', '--quiet', '-o', '.'], [0, 1]);
+  rotorub(['run', scene('bench_ring'), '--end', '0.05', '--quiet', '-o', 'ring']);
+  rotorub(['plot', 'ring', '--quiet']);
+  browser = await launch();
+});
+after(() => browser?.close());
+
+for (const file of ['report.html', 'ring/plot.html']) {
+  for (const colorScheme of ['light', 'dark']) {
+    test(`${file}, ${colorScheme}`, async () => {
+      const page = await open(browser, file, {colorScheme});
+      await page.evaluate(async () => {
+        document.getElementById('glossary').open = true;
+        for (let y = 0; y < document.body.scrollHeight; y += 700) {
+          scrollTo(0, y);
+          await new Promise((done) => { setTimeout(done, 100); });
+        }
+      });
+      await page.evaluate(axe);
+      const found = await page.evaluate(async () => (await window.axe.run(document, {resultTypes: ['violations']})).violations
+        .map((v) => `${v.id}: ${v.nodes.slice(0, 3).map((node) => node.target.join(' ')).join(', ')}`));
+      assert.deepEqual(found, []);
+      await page.close();
+    });
+  }
+}
