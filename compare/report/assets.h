@@ -31,5 +31,6 @@ std::string_view plots_html();      // a scene's plots and what is shown of them
 std::string_view player_html();     // a scene's live player
 std::string_view transport_html();  // time of player and plots
 std::string_view rotor_html();      // Campbell diagram and whirl shapes of a scene
+std::string_view bode_html();       // its response to unbalance
 
 }  // namespace rotorub

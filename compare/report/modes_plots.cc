@@ -7,6 +7,7 @@
 #include "compare/modes/rotor_analysis.h"
 #include "compare/report/modes_page.h"
 #include "compare/report/plot_points.h"
+#include "compare/report/response_plots.h"
 
 namespace rotorub {
 namespace {
@@ -159,7 +160,8 @@ double campbell_range(const scene::Scene& scene, const RotorAnalysis& analysis) 
 
 json modes_plots(const scene::Scene& scene, const Campbell& campbell) {
   return {{"campbell", campbell_json(scene, campbell)},
-          {"shapes", shapes_json(scene, campbell.analysis)}};
+          {"shapes", shapes_json(scene, campbell.analysis)},
+          {"bode", bode_data(scene, campbell.range)}};
 }
 
 }  // namespace rotorub

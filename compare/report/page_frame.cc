@@ -134,7 +134,8 @@ std::string fill_page(std::string_view html, const json& values) {
                         {"plots", plots_html()},
                         {"player", player_html()},
                         {"transport", transport_html()},
-                        {"rotor", rotor_html()}});
+                        {"rotor", rotor_html()},
+                        {"bode", bode_html()}});
 }
 
 }  // namespace rotorub
