@@ -30,9 +30,17 @@ export function lookAt(from, to, turn) {
   return {from: begin, to, steps: turn > 0 ? Math.min(4000, Math.max(200, Math.ceil(40 * (to - begin) / turn))) : 400};
 }
 
+// What is said of the senses: one line for those that most runs have, and one for each of the others.
+export function senseLines(words) {
+  const all = [...words.values()], most = [...new Set(all)].sort((a, b) => all.filter((w) => w === b).length - all.filter((w) => w === a).length)[0];
+  const others = [...words].filter(([, word]) => word !== most), same = all.length - others.length;
+  const line = {text: same === 1 ? [...words].find(([, word]) => word === most).join(': ') : `${others.length ? `${same} others` : 'all'}: ${most}`, label: null};
+  return all.length ? [...others.map(([label, word]) => ({text: `${label}: ${word}`, label})), line] : [];
+}
+
 // Marks, arrows and words of the runs; placeOf(run, t): um.
 export function orbitMarks(runs, [from, to], hidden, placeOf) {
-  const data = [], annotations = [];
+  const data = [], annotations = [], words = new Map();
   for (const run of runs.filter((r) => !hidden.has(r.label))) {
     const start = Math.max(from, run.start), end = Math.min(to, run.end);
     if (!(end > start)) continue;
@@ -48,8 +56,9 @@ export function orbitMarks(runs, [from, to], hidden, placeOf) {
       annotations.push({x: head[0], y: head[1], ax: tail[0], ay: tail[1], xref: 'x', yref: 'y', axref: 'x', ayref: 'y', text: '', showarrow: true,
         arrowhead: 2, arrowsize: 1.4, arrowwidth: 1.6, arrowcolor: color});
     }
-    annotations.push({xref: 'paper', yref: 'paper', x: 1, y: 1, xanchor: 'right', yanchor: 'top', yshift: -15 * annotations.filter((a) => a.text).length,
-      showarrow: false, text: `${run.label}: ${senseWord(sweptSense(points), spin)}`, font: {color, size: 12}});
+    words.set(run.label, senseWord(sweptSense(points), spin));
   }
+  senseLines(words).forEach(({text, label}, k) => annotations.push({xref: 'paper', yref: 'paper', x: 1, y: 1, xanchor: 'right', yanchor: 'top',
+    yshift: -15 * k, showarrow: false, text, font: {color: css(label ? `--${label}` : '--soft'), size: 12}}));
   return {data, annotations};
 }

@@ -51,9 +51,8 @@ function cascade(scene, runs, hidden) {
 const tracked = (scene) => [...scene.sides].reverse().filter((side) => side.whirl.orders);
 
 // Phases within a turn, from a quarter before the mark to three behind it, as Bode plots have them; null where a line
-// would jump, and where what it is of hardly moves: there the phase is chance.
-export function withinTurn(phases, sizes) {
-  const least = 0.01 * Math.max(...sizes);
+// would jump, and where what it is of is smaller than `least`: there the phase is chance.
+export function withinTurn(phases, sizes, least) {
   let last = null;
   return phases.map((phase, k) => {
     const within = phase - 360 * Math.ceil((phase - 90) / 360), jumps = last !== null && Math.abs(within - last) > 180;
@@ -69,7 +68,7 @@ function orders(scene) {
       line: {...line(side.label), width: k ? 1 : line(side.label).width}, opacity: k ? 0.6 : 1,
       customdata: amplitude[k].map((a, i) => [a, phase[k][i]]),
       hovertemplate: `%{x:.5g} rpm: %{customdata[0]:.4g} µm, %{customdata[1]:.1f}°<extra>${name}</extra>`, ...more});
-    return [trace(amplitude[k]), trace(withinTurn(phase[k], amplitude[k]), {yaxis: 'y2'})];
+    return [trace(amplitude[k]), trace(withinTurn(phase[k], amplitude[k], 0.01 * Math.max(...amplitude[0])), {yaxis: 'y2'})];
   }));
   const at = (t) => sides.map(({label, whirl: {orders: o}}) => ({label, x: between(o.t, o.speed, t), y: between(o.t, o.amplitude[0], t)}));
   return {data: traces, at, layout: layout({hovermode: 'closest', margin: {l: 64, r: 24, t: 8, b: 44},

@@ -1,6 +1,6 @@
 // How contact forces and impulses are distributed, and what is left of a record beside each run, as plotly takes them.
 import {thinned} from './scales.js';
-import {axes, css, decades, layout, line, titled} from './style.js';
+import {axes, css, decades, layout, line, number, titled} from './style.js';
 
 // The corners of a staircase: share[k] from k width to (k + 1) width.
 export function staircase({width, share}) {
@@ -14,11 +14,23 @@ export function staircase({width, share}) {
 
 const trace = (label, x, y, more) => ({x, y, name: label, meta: label, type: 'scatter', mode: 'lines', line: line(label), ...more});
 
+// The first two runs set the width, as they do the height of a force plot; one that goes far beyond says so.
+export function widthFor(sides) {
+  const reach = ({of}) => of.force.width * of.force.share.length, all = sides.filter(({of}) => of.force);
+  const usual = 1.05 * Math.max(0, ...all.slice(-2).map(reach));
+  const beyond = all.filter((side) => reach(side) > 3 * usual);
+  return beyond.length ? {range: [0, Math.max(usual, ...all.filter((side) => !beyond.includes(side)).map(reach))], beyond: beyond.map((side) => ({label: side.label, most: reach(side)}))} :
+    {beyond};
+}
+
 function force(sides) {
+  const {range, beyond} = widthFor(sides);
   return {data: sides.filter(({of}) => of.force).map(({label, of}) => {
     const {x, y} = staircase(of.force);
-    return trace(label, x, y, {hovertemplate: `%{x:.4g} N: %{y:.3g} % of the time<extra>${label}</extra>`});
-  }), layout: layout({hovermode: 'closest', xaxis: titled('normal force / N'), yaxis: titled('share of the time / %', decades)})};
+    return trace(label, x, y, {line: {...line(label), dash: 'solid'}, hovertemplate: `%{x:.4g} N: %{y:.3g} % of the time<extra>${label}</extra>`});
+  }), layout: layout({hovermode: 'closest', xaxis: titled('normal force / N', range ? {range} : {}), yaxis: titled('share of the time / %', decades),
+    annotations: beyond.map(({label, most}, k) => ({text: `${label} reaches ${number(most, 3)} N`, xref: 'paper', yref: 'paper', x: 1, y: 1, xanchor: 'right',
+      yanchor: 'top', yshift: -16 * k, showarrow: false, font: {color: css(`--${label}`), size: 12}}))})};
 }
 
 function impulse(sides) {

@@ -2,11 +2,11 @@
 import assert from 'node:assert/strict';
 import {test} from 'node:test';
 import {decrement} from '../../../compare/report/page/campbell.js';
-import {lookAt, senseWord, sweptSense} from '../../../compare/report/page/orbits.js';
+import {lookAt, senseLines, senseWord, sweptSense} from '../../../compare/report/page/orbits.js';
 import {Run} from '../../../compare/report/page/player/run.js';
 import {alongCurve, letteredPeaks, placeOf} from '../../../compare/report/page/response.js';
 import {amplitudes, between, withinTurn} from '../../../compare/report/page/runup.js';
-import {measuredMinus, staircase} from '../../../compare/report/page/spread.js';
+import {measuredMinus, staircase, widthFor} from '../../../compare/report/page/spread.js';
 
 const near = (a, b, words) => assert.ok(Math.abs(a - b) <= 1e-9 * Math.max(1, Math.abs(b)), `${words}: ${a} is not ${b}`);
 const turn = 2 * Math.PI;
@@ -33,6 +33,15 @@ test('an orbit goes with the spin or against it', () => {
   assert.ok(Math.abs(sweptSense(eight)) < 1e-9, 'a figure of eight goes either way');
   assert.deepEqual([[1, 50], [-1, 50], [1, -50], [-1, -50], [0.5, 50], [0.05, 50], [1, 0], [-1, 0]].map(([sense, spin]) => senseWord(sense, spin)),
     ['forward', 'backward', 'backward', 'forward', 'mostly forward', 'to and fro', 'from x to y', 'from y to x']);
+});
+
+test('of the senses of many runs those are named that differ', () => {
+  const texts = (words) => senseLines(new Map(Object.entries(words))).map(({text}) => text);
+  assert.deepEqual(texts({native: 'forward'}), ['native: forward']);
+  assert.deepEqual(texts({native: 'forward', rigid: 'forward', cone: 'forward'}), ['all: forward']);
+  assert.deepEqual(texts({native: 'forward', rigid: 'forward', cone: 'to and fro'}), ['cone: to and fro', '2 others: forward']);
+  assert.deepEqual(texts({native: 'forward', cone: 'backward'}), ['cone: backward', 'native: forward']);
+  assert.deepEqual(texts({}), []);
 });
 
 test('of many turns the last ones are looked at, closely enough for every passing of the mark', () => {
@@ -86,12 +95,20 @@ test('between points of a run-up the cursor goes straight', () => {
 });
 
 test('phases within a turn are open where they would jump, and where nothing moves', () => {
-  assert.deepEqual(withinTurn([0, -180, -269, -271, -300, -450], [1, 1, 1, 1, 1, 1]), [0, -180, -269, null, 60, -90]);
-  assert.deepEqual(withinTurn([0, -10, 90.5], [1, 0.001, 1]), [0, null, null]);
+  assert.deepEqual(withinTurn([0, -180, -269, -271, -300, -450], [1, 1, 1, 1, 1, 1], 0), [0, -180, -269, null, 60, -90]);
+  assert.deepEqual(withinTurn([0, -10, 90.5], [1, 0.001, 1], 0.01), [0, null, null]);
 });
 
 test('a histogram is drawn as stairs', () => {
   assert.deepEqual(staircase({width: 2, share: [5, 1]}), {x: [0, 0, 2, 2, 4, 4], y: [0, 5, 5, 1, 1, 0]});
+});
+
+test('a force that goes far beyond those of the first two runs does not flatten them', () => {
+  const side = (label, reach) => ({label, of: {force: {width: reach / 2, share: [1, 1]}}});
+  assert.deepEqual(widthFor([side('cone', 2000), side('coulomb', 250), side('rigid', 110), side('native', 100)]),
+    {range: [0, 250], beyond: [{label: 'cone', most: 2000}]});
+  assert.deepEqual(widthFor([side('rigid', 110), side('native', 100)]), {beyond: []});
+  assert.deepEqual(widthFor([{label: 'native', of: {force: null}}]), {beyond: []});
 });
 
 test('measured minus run is at the samples of the record, where both are', () => {
