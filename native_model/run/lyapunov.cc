@@ -74,6 +74,17 @@ Lyapunov largest_lyapunov(const scene::Scene& start, const LyapunovParameters& p
   options.integrator = p.integrator;
   options.interrupt = p.interrupt;
   options.output_times = std::vector<double>{p.stretch};
+  // The other way round, should the ring be in the first one's.
+  const auto beside = [&](const scene::Scene& s, bool either_way, const Eigen::VectorXd& by) {
+    const scene::Scene there = vector.moved(s, by);
+    if (!either_way) return there;
+    try {
+      make_model(there);
+    } catch (const scene::SceneError&) {
+      return vector.moved(s, -by);
+    }
+    return there;
+  };
   const auto on = [&](const scene::Scene& s) -> std::optional<scene::Scene> {
     const Trajectory run = run_native(s, options);
     if (run.status != Status::kOk) return std::nullopt;
@@ -86,9 +97,7 @@ Lyapunov largest_lyapunov(const scene::Scene& start, const LyapunovParameters& p
     Eigen::VectorXd line = Eigen::VectorXd::Unit(vector.of(one).size(), 0);
     double sum = 0.0;
     for (int k = 0; k < p.settling + p.stretches; ++k) {
-      // Inwards, should the ring be in the way.
-      const double sense = k == 0 && one.initial.x.front() > 0.0 ? -1.0 : 1.0;
-      auto other = on(vector.moved(one, sense * first * line));
+      auto other = on(beside(one, k == 0, first * line));
       auto next = on(one);
       if (!other || !next) return {std::nullopt, "a run on the way does not end well"};
       line = vector.of(*other) - vector.of(*next);

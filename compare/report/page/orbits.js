@@ -58,7 +58,7 @@ export function orbitMarks(runs, [from, to], hidden, placeOf) {
     }
     words.set(run.label, senseWord(sweptSense(points), spin));
   }
-  senseLines(words).forEach(({text, label}, k) => annotations.push({xref: 'paper', yref: 'paper', x: 1, y: 1, xanchor: 'right', yanchor: 'top',
-    yshift: -15 * k, showarrow: false, text, font: {color: css(label ? `--${label}` : '--soft'), size: 12}}));
+  annotations.push(...senseLines(words).map(({text, label}, k) => ({xref: 'paper', yref: 'paper', x: 1, y: 1, xanchor: 'right', yanchor: 'top',
+    yshift: -15 * k, showarrow: false, text, font: {color: css(label ? `--${label}` : '--soft'), size: 12}})));
   return {data, annotations};
 }

@@ -68,6 +68,25 @@ TEST(LargestLyapunov, OfACircularBilliardGoesToNothing) {
   }
 }
 
+// It rolls round the ring from the first touch on, held out by a force that turns slowly enough: a
+// start beside it towards the ring is none, and the other way is taken.
+TEST(LargestLyapunov, BeginsOnTheRingToo) {
+  for (const double side : {1.0, -1.0}) {
+    scene::Scene s = test::make_scene({.mass = 2.0,
+                                       .damping = 40.0,
+                                       .stiffness = 2e4,
+                                       .friction = 0.1,
+                                       .restitution = 0.3,
+                                       .speed = 100.0});
+    test::add_ring(s, 1.0, 200.0, 1e5);
+    test::add_rotating_force(s, side * 100.0, 100.0);
+    s.initial.x = {side * 0.5e-3};
+    const Lyapunov found = largest_lyapunov(s, of_event(2.0 * std::numbers::pi / 100.0));
+    ASSERT_TRUE(found.exponent) << found.refused;
+    EXPECT_LT(*found.exponent, 0.0) << "a rub in step with its force draws its neighbours";
+  }
+}
+
 TEST(LargestLyapunov, SaysWhyThereIsNone) {
   scene::Scene s = test::make_scene({.mass = 2.0, .stiffness = 2e5, .speed = 200.0});
   s.first().controller.emplace().kind = scene::ControllerKind::kSliding;

@@ -1,6 +1,7 @@
 // The plots of rotor dynamics without a browser: Bode and polar, decrement, orbits' sense and mark, run-ups, distributions.
 import assert from 'node:assert/strict';
 import {test} from 'node:test';
+import {places} from '../../../compare/report/page/bifurcation.js';
 import {decrement} from '../../../compare/report/page/campbell.js';
 import {lookAt, senseLines, senseWord, sweptSense} from '../../../compare/report/page/orbits.js';
 import {Run} from '../../../compare/report/page/player/run.js';
@@ -109,6 +110,12 @@ test('a force that goes far beyond those of the first two runs does not flatten 
     {range: [0, 250], beyond: [{label: 'cone', most: 2000}]});
   assert.deepEqual(widthFor([side('rigid', 110), side('native', 100)]), {beyond: []});
   assert.deepEqual(widthFor([{label: 'native', of: {force: null}}]), {beyond: []});
+});
+
+test('a bifurcation diagram has every place of every value', () => {
+  const drawn = places([{value: 1, x: [5], period: 1}, {value: 2, x: [3, 4], period: 2}, {value: 3, x: [], period: 0}, {value: 4, x: [1], period: 0}]);
+  assert.deepEqual([drawn.x, drawn.y], [[1, 2, 2, 4], [5, 3, 4, 1]]);
+  assert.deepEqual(drawn.text, ['1: a turn', '2: 2 turns', '2: 2 turns', '4: no period up to 16 turns']);
 });
 
 test('measured minus run is at the samples of the record, where both are', () => {
