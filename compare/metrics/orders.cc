@@ -35,10 +35,8 @@ Turning turning(const Trajectory& run) {
       if (out.t.empty() && along >= -kStill * most) continue;
       return {};  // it turns back, or stops on the way
     }
-    if (!out.t.empty() && at <= out.angle.back()) {
-      if (t[i] == out.t.back()) continue;  // a jump
-      return {};
-    }
+    // Rows at one instant: a jump, or times that differ by round-off.
+    if (!out.t.empty() && at <= out.angle.back()) continue;
     out.angle.push_back(at);
     out.t.push_back(t[i]);
     out.slowness.push_back(1.0 / along);

@@ -70,6 +70,22 @@ TEST(OrderTrack, FollowsASpinOfEitherSense) {
   }
 }
 
+// Dense rows and asked for ones that are the same but for round-off, and jumps.
+TEST(OrderTrack, TakesRowsThatAreOneInstant) {
+  const Trajectory run = run_up(20.0, 80.0, 4001);
+  Trajectory twice = run;
+  for (Column& c : twice.series) {
+    for (const std::size_t row : {3000u, 2000u, 1000u}) {
+      const auto at = c.values.begin() + row;
+      c.values.insert(at, c.name == "t" && row == 2000u ? std::nextafter(*at, 0.0) : *at);
+    }
+  }
+  const OrderTrack one = order_track(run, 50), other = order_track(twice, 50);
+  ASSERT_EQ(one.t.size(), other.t.size());
+  for (std::size_t k = 0; k < one.t.size(); ++k)
+    EXPECT_LT(std::abs(one.probe[k][0] - other.probe[k][0]), 1e-12);
+}
+
 TEST(OrderTrack, IsNothingWhereOrdersCannotBeTold) {
   EXPECT_TRUE(order_track(run_up(20.0, 80.0, 201), 50).t.empty()) << "4 rows a turn";
   EXPECT_TRUE(order_track(run_up(1.0, 2.0, 4001), 50).t.empty()) << "a turn and a half";

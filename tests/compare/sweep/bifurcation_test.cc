@@ -83,6 +83,37 @@ TEST(Bifurcation, OfAFreeRotorIsItsUnbalanceVector) {
   EXPECT_EQ(data.at("up")[4].at("x").size(), 1u) << "a motion of one turn once";
 }
 
+// An unbalanced rotor in an elastic ring (mjcf/studies/speed_bifurcation.toml): at 100 Hz it rubs
+// on its way up, and on its way down it whirls freely, F / (k - m w^2 + i d w).
+TEST(Bifurcation, FollowsTwoMotionsThatStandSideBySide) {
+  test::StudyFolder folder;
+  const Study study =
+      folder.study("scene = \"" + std::string(ROTORUB_MJCF_DIR) + R"(/bench_annular_elastic.toml"
+[sample]
+kind = "list"
+[[vary]]
+key = "rotor.speed"
+also = ["force[0].frequency"]
+values = ["60 Hz", "80 Hz", "100 Hz", "125 Hz"]
+[run]
+integrator = "event"
+end = "1 s"
+)");
+  const auto diagram = bifurcation(PointScenes(study, {}), nullptr, {});
+  ASSERT_TRUE(diagram);
+  const BranchPoint &up = diagram->up[2], &down = diagram->down[1];
+  ASSERT_EQ(up.point, 2);
+  ASSERT_EQ(down.point, 2);
+  const double w = 200.0 * std::numbers::pi;
+  const Phasor free = 150.0 / Phasor(2e5 - 2.0 * w * w, 40.0 * w);
+  ASSERT_LT(std::abs(free), 0.5e-3) << "it has room in the ring";
+  EXPECT_LT(std::abs(std::abs(down.places.back()) - std::abs(free)), 1e-2 * std::abs(free));
+  EXPECT_GT(std::abs(up.places.back() - down.places.back()), 0.1 * std::abs(free));
+  EXPECT_EQ(up.period, 1);
+  ASSERT_TRUE(up.exponent);
+  EXPECT_LT(*up.exponent, 0.0);
+}
+
 // A ring that is narrower than where the rotor is: no start there, and the scene's own instead.
 TEST(Bifurcation, BeginsAnewWhereTheLastStateDoesNotFit) {
   test::StudyFolder folder;

@@ -68,8 +68,8 @@ TEST(LargestLyapunov, OfACircularBilliardGoesToNothing) {
   }
 }
 
-// It rolls round the ring from the first touch on, held out by a force that turns slowly enough: a
-// start beside it towards the ring is none, and the other way is taken.
+// A start on the ring, which a force holds it to: one beside it, towards the ring, is none, and the
+// other way is taken.
 TEST(LargestLyapunov, BeginsOnTheRingToo) {
   for (const double side : {1.0, -1.0}) {
     scene::Scene s = test::make_scene({.mass = 2.0,
