@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "native_model/rotor/campbell.h"
+#include "native_model/rotor/refusal.h"
 #include "native_model/rotor/whirl_system.h"
 
 namespace rotorub {
@@ -27,7 +28,11 @@ std::optional<StiffnessMap> stiffness_map(const scene::Scene& scene) {
       bearing.stiffness *= factor;
     }
     map.stiffness.push_back(factor * map.own);
-    map.critical.push_back(critical_speeds(whirl_system(held), sense));
+    try {
+      map.critical.push_back(critical_speeds(whirl_system(held), sense));
+    } catch (const RotorNotSolvable&) {
+      map.critical.emplace_back();  // springs beyond what the matrices bear
+    }
   }
   return map;
 }

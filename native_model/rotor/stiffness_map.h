@@ -13,7 +13,8 @@ namespace rotorub {
 struct StiffnessMap {
   std::vector<double> stiffness;  // N/m, ascending, of the first bearing that has any, in x
   double own = 0.0;               // N/m, what the scene gives it
-  // rad/s, ascending, at each stiffness (campbell.h: critical_speeds).
+  // rad/s, ascending, at each stiffness (campbell.h: critical_speeds); none where they cannot be
+  // found.
   std::vector<std::vector<double>> critical;
 };
 

@@ -265,6 +265,14 @@ void refuse_samples(const scene::Scene& scene, const Model& m) {
 
 }  // namespace
 
+scene::Scene without_start(scene::Scene scene) {
+  scene.initial = {};
+  for (scene::AuxiliaryBearing& at : scene.auxiliary) {
+    if (at.stator) at.stator->position = at.stator->velocity = {0.0, 0.0};
+  }
+  return scene;
+}
+
 void refuse_steady(const scene::Scene& scene, const std::string& why) {
   scene::refuse_at(scene, "initial.steady", why);
 }

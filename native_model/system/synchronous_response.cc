@@ -190,8 +190,7 @@ std::vector<ResponsePeak> peaks_of(Response& response, const std::vector<SpeedPo
 
 std::optional<SynchronousResponse> synchronous_response(const scene::Scene& scene, double top) {
   constexpr int kSpeeds = 80, kHalvings = 9;
-  scene::Scene free = scene;
-  free.initial = {};
+  const scene::Scene free = without_start(scene);
   Model model = make_model(free);
   SynchronousResponse out;
   out.forces = add_forces(scene, model);

@@ -73,10 +73,12 @@ test('the critical speed map crosses the critical speeds at the stiffness of the
   assert.ok(bode.notes.some((note) => note.includes('AF 50')), `damping of 1 %: ${bode.notes}`);
   const ratios = await drawn(page, 'damping'), decrements = await drawn(page, 'decrement');
   assert.equal(decrements.traces.length, ratios.traces.length);
-  decrements.traces.forEach(({y}, k) => y.forEach((value, i) => {
-    const zeta = ratios.traces[k].y[i] / 100;
-    assert.ok(Math.abs(value - 2 * Math.PI * zeta / Math.sqrt(1 - zeta ** 2)) < 1e-9, `${value} of ${zeta}`);
-  }));
+  for (const [k, {y}] of decrements.traces.entries()) {
+    for (const [i, value] of y.entries()) {
+      const zeta = ratios.traces[k].y[i] / 100;
+      assert.ok(Math.abs(value - 2 * Math.PI * zeta / Math.sqrt(1 - zeta ** 2)) < 1e-9, `${value} of ${zeta}`);
+    }
+  }
   assert.deepEqual(page.said, []);
   await page.close();
 });

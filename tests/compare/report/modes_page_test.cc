@@ -222,6 +222,20 @@ TEST(ModesPage, SaysWhatATouchMayLeadTo) {
   EXPECT_NE(page.find("stable at any speed"), std::string::npos);
 }
 
+// A start of rotor and ring that only go together, as of mjcf/bench_annular_elastic.toml.
+TEST(ModesPage, AsksForNoStart) {
+  scene::Scene s = jeffcott();
+  auto& bearing = s.first();
+  bearing.contact.emplace();
+  bearing.contact->radius = 50e-3;
+  bearing.contact->clearance = 0.5e-3;
+  bearing.stator.emplace().mass = {1.0, 1.0};
+  bearing.stator->stiffness = {1e5, 1e5};
+  s.initial.x = {2e-3};
+  bearing.stator->position = {1.8e-3, 0.0};
+  EXPECT_NE(page_of(s).find("stable at any speed"), std::string::npos);
+}
+
 TEST(ModesPage, SaysWhatTheModelSays) {
   scene::Scene s = friswell();
   EXPECT_NE(page_of(s).find("stable at any speed"), std::string::npos);

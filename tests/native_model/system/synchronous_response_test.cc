@@ -138,6 +138,17 @@ TEST(SynchronousResponse, TakesAForceThatTurnsWithTheSpin) {
   EXPECT_FALSE(synchronous_response(s, kOmega)) << "it does not turn with the spin";
 }
 
+// A start of rotor and ring that only go together.
+TEST(SynchronousResponse, AsksForNoStart) {
+  scene::Scene s = unbalanced(0.05);
+  test::add_ring(s, 1.0, 200.0, 1e5);
+  s.initial.x = {2e-3};
+  s.first().stator->position = {1.8e-3, 0.0};
+  const auto response = synchronous_response(s, kOmega);
+  ASSERT_TRUE(response);
+  EXPECT_LT(std::abs(response->probes[0].deflection.back() - closed_form(kOmega, 0.05)), 1e-12);
+}
+
 TEST(SynchronousResponse, OfAShaftIsSeenAtItsStations) {
   scene::Scene s;
   s.rotor.speed = 50.0;

@@ -5,7 +5,7 @@ import {places} from '../../../compare/report/page/bifurcation.js';
 import {decrement} from '../../../compare/report/page/campbell.js';
 import {lookAt, senseLines, senseWord, sweptSense} from '../../../compare/report/page/orbits.js';
 import {Run} from '../../../compare/report/page/player/run.js';
-import {alongCurve, letteredPeaks, placeOf} from '../../../compare/report/page/response.js';
+import {alongCurve, letteredPeaks, placeOf, shownFirst} from '../../../compare/report/page/response.js';
 import {amplitudes, between, withinTurn} from '../../../compare/report/page/runup.js';
 import {measuredMinus, staircase, widthFor} from '../../../compare/report/page/spread.js';
 
@@ -81,8 +81,16 @@ test('a polar plot has the mark to the right, and lags downwards', () => {
 test('of peaks beside each other the highest is lettered', () => {
   const peak = (speed, amplitude) => ({speed, amplitude, phase: 0, factor: 10});
   const curve = (name, ...peaks) => ({name, plane: '', peaks});
-  const curves = [curve('disc 1', peak(1000, 5), peak(3000, 1)), curve('contact', peak(1001, 7)), curve('bearing 1', peak(2000, 9))];
+  const curves = [curve('disc 1', peak(1000, 5), peak(3000, 1)), curve('contact', peak(1001, 7))];
   assert.deepEqual(letteredPeaks(curves).map(({speed, curve: {name}}) => [speed, name]), [[1001, 'contact'], [3000, 'disc 1']]);
+});
+
+test('of many stations the contacts are shown first, and those that move most', () => {
+  const curve = (name, most, plane = '') => ({name, plane, amplitude: [null, most, 0]});
+  const few = [curve('bearing 1', 1), curve('disc 1', 9, 'x'), curve('disc 1', 9, 'y'), curve('contact', 2, 'x')];
+  assert.deepEqual([...shownFirst(few)].map(({name, plane}) => name + plane), ['contactx', 'disc 1x']);
+  const many = [...Array.from({length: 8}, (_, k) => curve(`disc ${k}`, k)), curve('contact a', 0), curve('contact b', 0)];
+  assert.deepEqual([...shownFirst(many)].map(({name}) => name), ['contact a', 'contact b', 'disc 7', 'disc 6', 'disc 5']);
 });
 
 test('cells of a cascade are amplitudes again', () => {
