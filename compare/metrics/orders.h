@@ -24,9 +24,9 @@ struct OrderTrack {
   std::vector<std::array<std::complex<double>, kOrders>> probe;  // m, v_1 and v_2
 };
 
-// A stretch every quarter of a turn, or every so many that there are at most `most`; of the rotor at the
-// contact. Only where the spin goes one way and rows are dense enough to tell the orders apart;
-// else empty.
+// A stretch every quarter of a turn, or every so many that there are at most `most`; of the rotor
+// at the contact. Only where the spin goes one way and rows are dense enough to tell the orders
+// apart; else empty.
 OrderTrack order_track(const Trajectory& run, std::size_t most);
 
 }  // namespace rotorub

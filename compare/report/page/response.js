@@ -22,12 +22,15 @@ function styleOf(curves, first) {
     dash: plane === 'y' ? 'dash' : 'solid', simplify: false});
 }
 
-// Peaks to be lettered: of all curves the highest, none beside another.
-export function letteredPeaks(curves) {
-  const all = curves.flatMap((curve) => curve.peaks.map((peak) => ({...peak, curve}))).sort((a, b) => b.amplitude - a.amplitude);
-  return all.filter((peak, k) => all.slice(0, k).every((higher) => Math.abs(higher.speed - peak.speed) > 0.05 * peak.speed));
+// Peaks to be lettered: of all curves the highest, none beside another; one that is critically damped (API 684) has its ring
+// alone.
+const kDamped = 2.5;
+export function letteredPeaks(curves, top) {
+  const all = curves.flatMap((curve) => curve.peaks.map((peak) => ({...peak, curve}))).filter(({factor}) => factor >= kDamped)
+    .sort((a, b) => b.amplitude - a.amplitude);
+  return all.filter((peak, k) => all.slice(0, k).every((higher) => Math.abs(higher.speed - peak.speed) > 0.08 * top));
 }
-const factorOf = ({factor}) => (factor === null ? 'no amplification factor' : `AF ${number(factor, 3)}${factor < 2.5 ? ', critically damped' : ''}`);
+const factorOf = ({factor}) => (factor === null ? 'no amplification factor' : `AF ${number(factor, 3)}${factor < kDamped ? ', critically damped' : ''}`);
 
 // From the highest peak five decades down at most.
 function decadesOf(curves, clearance) {
@@ -55,8 +58,8 @@ export function bodeFigure({bode, campbell}) {
     legendgroup: nameOf(curve), showlegend: false, type: 'scatter', mode: 'markers', cliponaxis: false, ...visibility(curve),
     marker: {color: css('--paper'), size: 9, line: {color: style(curve).color, width: 2}},
     text: curve.peaks.map(factorOf), hovertemplate: `peak at %{x:.5g} rpm: %{y:.4g} µm, %{text}<extra>${nameOf(curve)}</extra>`}));
-  const letters = letteredPeaks(shown).map((peak) => ({x: peak.speed, y: Math.log10(peak.amplitude), text: `${rpm(peak.speed)}, ${factorOf(peak)}`,
-    showarrow: false, xanchor: peak.speed > 0.85 * top ? 'right' : 'center', yanchor: 'bottom', yshift: 7, font: {color: css('--ink'), size: 12}}));
+  const letters = letteredPeaks(shown, top).map((peak) => ({x: peak.speed, y: Math.log10(peak.amplitude), text: `${rpm(peak.speed)}, ${factorOf(peak)}`,
+    showarrow: false, xanchor: peak.speed > 0.85 * top ? 'right' : peak.speed < 0.15 * top ? 'left' : 'center', yanchor: 'bottom', yshift: 7, font: {color: css('--ink'), size: 12}}));
   const marks = [...(running > 0 && running <= top ? [across(running, '--soft', 'dot')] : []),
     ...campbell.critical.filter((n) => n <= top).map((n) => across(n, '--line', 'longdash')),
     ...(clearance ? [{type: 'line', xref: 'paper', x0: 0, x1: 1, y0: clearance, y1: clearance, line: {color: css('--bad'), width: 1.2, dash: 'dash'}}] : [])];

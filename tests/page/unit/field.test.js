@@ -78,11 +78,11 @@ test('a polar plot has the mark to the right, and lags downwards', () => {
   angles.forEach((a, k) => { assert.ok(Math.abs(a - Math.PI * (k + 1) / 4) < 0.01, `${a}`); });
 });
 
-test('of peaks beside each other the highest is lettered', () => {
-  const peak = (speed, amplitude) => ({speed, amplitude, phase: 0, factor: 10});
+test('of peaks beside each other the highest is lettered, and none that is critically damped', () => {
+  const peak = (speed, amplitude, factor = 10) => ({speed, amplitude, phase: 0, factor});
   const curve = (name, ...peaks) => ({name, plane: '', peaks});
-  const curves = [curve('disc 1', peak(1000, 5), peak(3000, 1)), curve('contact', peak(1001, 7))];
-  assert.deepEqual(letteredPeaks(curves).map(({speed, curve: {name}}) => [speed, name]), [[1001, 'contact'], [3000, 'disc 1']]);
+  const curves = [curve('disc 1', peak(1000, 5), peak(3000, 1)), curve('contact', peak(1001, 7), peak(5000, 9, 2), peak(6000, 9, null))];
+  assert.deepEqual(letteredPeaks(curves, 7000).map(({speed, curve: {name}}) => [speed, name]), [[1001, 'contact'], [3000, 'disc 1']]);
 });
 
 test('of many stations the contacts are shown first, and those that move most', () => {
