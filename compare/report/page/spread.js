@@ -1,5 +1,5 @@
 // How contact forces and impulses are distributed, and what is left of a record beside each run, as plotly takes them.
-import {thinned} from './scales.js';
+import {opened, thinned} from './scales.js';
 import {axes, css, decades, layout, line, number, titled} from './style.js';
 
 // The corners of a staircase: share[k] from k width to (k + 1) width.
@@ -53,7 +53,7 @@ export function measuredMinus(record, run, [from, to]) {
 export function minusFigure(runs, range) {
   const record = runs.find((run) => run.measured), others = runs.filter((run) => !run.measured && run.has('rotor'));
   const data = !record?.has('rotor') ? [] : [...others].reverse().map((run) => {
-    const all = measuredMinus(record, run, range), {t, y} = thinned(all.t, all.y, 700);
+    const all = measuredMinus(record, run, range), {t, y} = opened(thinned(all.t, all.y, 700), record.holes.rotor);
     return trace(run.label, t, y, {hovertemplate: `measured − ${run.label}: %{y:.4g} µm<extra></extra>`});
   });
   return {data, layout: layout({hovermode: 'x unified', xaxis: axes({title: {text: 't / s', standoff: 6}, range: range.slice(), hoverformat: '.6f'}),

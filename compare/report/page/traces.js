@@ -3,7 +3,7 @@ import {orbitMarks} from './orbits.js';
 import {Track} from './player/tracks.js';
 import {rotorFigure} from './rotor.js';
 import {runUpFigure} from './runup.js';
-import {opened, thinned} from './scales.js';
+import {opened, openedCurve, thinned} from './scales.js';
 import {minusFigure, spreadFigure} from './spread.js';
 import {axes, css, decades, isFront, layout, line, number, symbol, titled} from './style.js';
 import {isWhirl, whirlFigure} from './whirl.js';
@@ -88,7 +88,8 @@ function lawShapes({contact, runs}, key) {
 // Of curves in the plane every instant of `track`, more where it would be coarse.
 function curve(run, track, range, read, label, width, dash) {
   const times = run.tracks[track].instants(range[0], range[1], 2 * kBuckets);
-  const every = Math.ceil(times.length / (4 * kBuckets)), points = times.filter((_, k) => k % every === 0).map(read);
+  const every = Math.ceil(times.length / (4 * kBuckets)), kept = times.filter((_, k) => k % every === 0);
+  const points = openedCurve(kept, kept.map(read), run.holes?.[track]);
   return {x: points.map((p) => p[0]), y: points.map((p) => p[1]), name: run.label, meta: run.label, type: 'scatter', mode: 'lines',
     line: {...line(run.label, false), width, ...(dash ? {dash} : {})}, hovertemplate: `(%{x:.4g}, %{y:.4g})<extra>${run.label}${label}</extra>`};
 }
