@@ -14,6 +14,7 @@ namespace {
 using Complex = std::complex<double>;
 constexpr double kTurn = 2.0 * std::numbers::pi;
 constexpr std::size_t kSamples = 512;  // of a stretch: 64 a turn
+constexpr double kRowsForATurn = 6.0;  // by their velocities rows have twice the information
 
 // s, when the size of the speed first comes to `speed`.
 std::optional<double> first_time(const std::vector<double>& t, const std::vector<double>& speeds,
@@ -69,6 +70,9 @@ Cascade cascade(const Trajectory& run, std::size_t rows, std::size_t frequencies
     if (!at || speed == 0.0) continue;
     const double half = 0.5 * Cascade::kTurns * kTurn / speed;
     if (*at - half < t.front() || *at + half > t.back()) continue;
+    const auto dense = std::upper_bound(t.begin(), t.end(), *at + half) -
+                       std::lower_bound(t.begin(), t.end(), *at - half);
+    if (static_cast<double>(dense) < kRowsForATurn * Cascade::kTurns) continue;
     out.t.push_back(*at);
     out.speed.push_back(speed);
     const double h = 2.0 * half / static_cast<double>(kSamples);

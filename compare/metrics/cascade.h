@@ -19,8 +19,9 @@ struct Cascade {
   std::vector<double> amplitude;  // m, rows x frequencies
 };
 
-// `rows` of them, of those that lie so far within the run that a stretch fits; of speeds that the
-// run has more than once the first time. Up to `highest` (Hz) either way. Empty: no run-up.
+// `rows` of them, of those that lie so far within the run that a stretch fits, and where its rows
+// are dense enough to tell whirls apart; of speeds that the run has more than once the first time.
+// Up to `highest` (Hz) either way. Empty: no run-up.
 Cascade cascade(const Trajectory& run, std::size_t rows, std::size_t frequencies, double highest);
 
 }  // namespace rotorub

@@ -1,6 +1,7 @@
 #include "compare/report/plot_kinds.h"
 
 #include <algorithm>
+#include <nlohmann/json.hpp>
 
 #include "compare/report/pack/packed_run.h"
 #include "compare/report/run_up_plots.h"
@@ -31,7 +32,12 @@ bool has_measured_force(const ShownRuns& s, const Trajectory&, std::size_t) {
 }
 bool is_compared(const ShownRuns& s, const Trajectory&, std::size_t) { return s.runs.size() > 1; }
 bool turns(const ShownRuns&, const Trajectory& t, std::size_t) { return mean_spin(t) != 0.0; }
-bool runs_up(const ShownRuns&, const Trajectory& t, std::size_t) { return changes_speed(t); }
+bool has_orders(const ShownRuns&, const Trajectory& t, std::size_t) {
+  return !orders_data(t).is_null();
+}
+bool has_cascade(const ShownRuns&, const Trajectory& t, std::size_t) {
+  return !cascade_data(t).is_null();
+}
 bool has_measured_place(const ShownRuns& s, const Trajectory&, std::size_t) {
   return s.measured && s.measured->laid.find("rotor_x") && s.measured->laid.find("rotor_y");
 }
@@ -115,19 +121,19 @@ constexpr PlotKind kKinds[] = {
     {"waterfall", "Waterfall", "µm", "the full spectrum over the run, of the first run shown", "",
      "whirl", kRun, is_sampled},
     {"cascade", "Cascade", "µm",
-     "full spectra over the speed of the run-up, forward whirl right, backward left; a ridge along "
+     "full spectra over the speed as it changes, forward whirl right, backward left; a ridge along "
      "1× or 2× is bound to the spin, an upright one is a natural frequency that rings; of the "
      "first "
      "run shown",
-     "wide tall", "runup", kRun, runs_up},
-    {"orders", "Run-up, 1× and 2×", "µm",
+     "wide tall", "runup", kRun, has_cascade},
+    {"orders", "1× and 2× over the speed", "µm",
      "amplitude and phase against the mark on the rotor, as a probe along x has them, over "
      "four turns; where 1× peaks and falls by half a turn a critical speed is passed; thin: 2×",
-     "wide tall", "runup", kRun, runs_up},
-    {"orders_polar", "Polar plot of the run-up, 1×", "µm",
+     "wide tall", "runup", kRun, has_orders},
+    {"orders_polar", "Polar plot of 1×", "µm",
      "the same as the high spot goes on the rotor, the mark to the right: a loop is a critical "
      "speed",
-     "square", "runup", kRun, runs_up},
+     "square", "runup", kRun, has_orders},
     {"poincare", "Poincaré points", "µm",
      "the rotor once a turn, second half: a point is synchronous, a cloud chaos", "square", "whirl",
      kRun, turns},
