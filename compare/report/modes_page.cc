@@ -233,6 +233,8 @@ std::string modes_page(const scene::Scene& scene, const Campbell& campbell) {
   values["has_shapes"] = analysis.shapes.has_value();
   values["planes"] = planes_values(analysis);
   add_bode_place(data.at("rotor").at("bode"), "data-of=\"rotor\"", values);
+  values["peaks"] = peak_rows(data.at("rotor").at("bode"));
+  values["has_peaks"] = !values["peaks"].empty();
   values["has_stiffness"] = !data.at("rotor").at("stiffness").is_null();
   values["spectra"] = list_of(analysis.spectra, spectrum_values);
   values["critical"] = critical_values(analysis.critical_speeds);

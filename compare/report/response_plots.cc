@@ -1,9 +1,14 @@
 #include "compare/report/response_plots.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cmath>
-
 #include <nlohmann/json.hpp>
+#include <optional>
+#include <string>
+#include <utility>
+#include <vector>
 
 #include "compare/base/units.h"
 #include "compare/report/plot_points.h"
@@ -66,6 +71,51 @@ json bode_data(const scene::Scene& scene, double top) {
           {"curves", list_of(response->probes, [&](const ProbeResponse& probe) {
              return curve_json(probe, response->speed, response->same_planes);
            })}};
+}
+
+json peak_rows(const json& bode) {
+  constexpr double kSame = 0.02;  // of the speed
+  std::vector<std::pair<json, std::string>> all;
+  if (bode.is_null()) return json::array();
+  for (const json& curve : bode.at("curves")) {
+    const std::string plane = curve.at("plane");
+    for (const json& peak : curve.at("peaks"))
+      all.emplace_back(peak,
+                       curve.at("name").get<std::string>() + (plane.empty() ? "" : ", " + plane));
+  }
+  const auto value = [](const auto& peak, const char* what) {
+    return peak.first.at(what).template get<double>();
+  };
+  std::sort(all.begin(), all.end(),
+            [&](const auto& a, const auto& b) { return value(a, "speed") < value(b, "speed"); });
+  json rows = json::array();
+  const double running = bode.at("running");
+  for (auto begin = all.begin(); begin != all.end();) {
+    const auto end = std::find_if(begin, all.end(), [&](const auto& peak) {
+      return value(peak, "speed") > (1.0 + kSame) * value(*begin, "speed");
+    });
+    const auto top = std::max_element(begin, end, [&](const auto& a, const auto& b) {
+      return value(a, "amplitude") < value(b, "amplitude");
+    });
+    const double speed = value(*top, "speed");
+    const json& factor = top->first.at("factor");
+    const double margin = running > 0.0 ? std::abs(speed - running) / running : 0.0;
+    std::optional<double> asked;
+    if (!factor.is_null() && running > 0.0)
+      asked = required_margin(factor.get<double>(), speed > running);
+    rows.push_back(
+        {{"speed", fmt::format("{:.5g}", speed)},
+         {"station", top->second},
+         {"amplitude", fmt::format("{:.4g}", value(*top, "amplitude"))},
+         {"factor", factor.is_null() ? "–" : fmt::format("{:.3g}", factor.get<double>())},
+         {"margin", running > 0.0 ? fmt::format("{:.3g} %", 100.0 * margin) : "–"},
+         {"asked", asked ? fmt::format("{:.3g} %", 100.0 * *asked) : "none"},
+         {"tone", !asked             ? ""
+                  : margin >= *asked ? "good"
+                                     : "bad"}});
+    begin = end;
+  }
+  return rows;
 }
 
 json stiffness_data(const scene::Scene& scene) {

@@ -15,6 +15,10 @@ namespace rotorub {
 // steady. Null: nothing turns with the spin.
 nlohmann::json bode_data(const scene::Scene& scene, double top);
 
+// Rows of the page's table of peaks, from bode_data: of peaks at nearly one speed the largest, its
+// station, and how far the scene's speed lies from it beside what API 617 asks for. Texts.
+nlohmann::json peak_rows(const nlohmann::json& bode);
+
 // {"stiffness": [N/m], "own": N/m, "curves": [[rpm] of the k-th critical speed, null where there is
 // none]}; null where there is no such map.
 nlohmann::json stiffness_data(const scene::Scene& scene);

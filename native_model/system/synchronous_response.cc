@@ -188,6 +188,11 @@ std::vector<ResponsePeak> peaks_of(Response& response, const std::vector<SpeedPo
 
 }  // namespace
 
+std::optional<double> required_margin(double amplification, bool above) {
+  if (amplification < 2.5) return std::nullopt;
+  return 0.17 * (1.0 - 1.0 / (amplification - 1.5)) + (above ? 0.1 : 0.0);
+}
+
 std::optional<SynchronousResponse> synchronous_response(const scene::Scene& scene, double top) {
   constexpr int kSpeeds = 80, kHalvings = 9;
   const scene::Scene free = without_start(scene);

@@ -26,6 +26,11 @@ struct ResponsePeak {
   std::optional<double> amplification{};  // none: it does not fall that far on either side
 };
 
+// How far a speed of the machine has to lie from such a peak, as a share of that speed (API 617,
+// 8th ed., 1-6.8.2.10): 17 % (1 - 1 / (AF - 1.5)), and 10 % more of a peak above it; none where AF
+// < 2.5.
+std::optional<double> required_margin(double amplification, bool above);
+
 struct ProbeResponse {
   std::string name;  // of the station
   int plane = 0;     // 0: x, 1: y

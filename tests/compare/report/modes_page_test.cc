@@ -194,6 +194,15 @@ TEST(ModesPlots, DrawTheResponseToUnbalance) {
   }
   ASSERT_EQ(curve.at("peaks").size(), 1u);
   EXPECT_NEAR(curve["peaks"][0].at("factor").get<double>() * 2.0 * zeta, 1.0, 0.01);
+  // AF is 31.6 / 2: 17 % (1 - 1/14.3) below, 10 % more above; 100 rad/s is two thirds below 316.
+  const json rows = peak_rows(bode);
+  ASSERT_EQ(rows.size(), 1u);
+  EXPECT_EQ(rows[0].at("margin"), "217 %");
+  EXPECT_EQ(rows[0].at("asked"), "25.8 %");
+  EXPECT_EQ(rows[0].at("tone"), "good");
+  s.rotor.speed = 300.0;
+  EXPECT_EQ(peak_rows(plots_of(s).at("bode"))[0].at("tone"), "bad") << "5 % above it";
+  EXPECT_NE(page_of(s).find("Peaks of the unbalance response"), std::string::npos);
   EXPECT_NE(page_of(s).find("data-plot=\"bode\""), std::string::npos);
   EXPECT_EQ(page_of(s).find("count as the unbalance"), std::string::npos);
 }

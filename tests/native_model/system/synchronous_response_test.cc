@@ -90,6 +90,14 @@ TEST(SynchronousResponse, HasThePeakAndTheAmplificationOfOneMode) {
       << "1 / (2 zeta)";
 }
 
+TEST(SynchronousResponse, AsksForTheMarginsOfApi617) {
+  EXPECT_FALSE(required_margin(2.49, true)) << "critically damped";
+  EXPECT_DOUBLE_EQ(required_margin(2.5, false).value(), 0.0);
+  EXPECT_DOUBLE_EQ(required_margin(2.5, true).value(), 0.1);
+  EXPECT_DOUBLE_EQ(required_margin(11.5, false).value(), 0.153);
+  EXPECT_DOUBLE_EQ(required_margin(11.5, true).value(), 0.253);
+}
+
 TEST(SynchronousResponse, FollowsThePhaseAndTheSense) {
   constexpr double kZeta = 0.05;
   scene::Scene s = unbalanced(kZeta, 0.7);
