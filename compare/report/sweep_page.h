@@ -2,7 +2,7 @@
 // cells for a grid, marks for other points; for one key a curve.
 #pragma once
 
-#include <nlohmann/json_fwd.hpp>
+#include <nlohmann/json.hpp>
 #include <string>
 #include <string_view>
 
