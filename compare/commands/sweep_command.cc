@@ -15,7 +15,9 @@
 #include "compare/base/json.h"
 #include "compare/commands/command.h"
 #include "compare/commands/terminal.h"
+#include "compare/report/bifurcation_plot.h"
 #include "compare/report/sweep_page.h"
+#include "compare/sweep/bifurcation.h"
 #include "compare/sweep/folder.h"
 #include "compare/sweep/point_result.h"
 #include "compare/sweep/shard.h"
@@ -30,7 +32,7 @@ using std::filesystem::path;
 struct SweepArguments : CommonOptions {
   std::string study, folder, shard;
   int jobs = 0, tasks = 0;  // 0: not given
-  bool slurm = false;
+  bool slurm = false, bifurcation = false;
   std::vector<std::string> merge;
 };
 
@@ -50,6 +52,9 @@ void check_arguments(const SweepArguments& options) {
   const int modes =
       (options.shard.empty() ? 0 : 1) + (options.slurm ? 1 : 0) + (options.merge.empty() ? 0 : 1);
   if (modes > 1) throw UsageError("--shard, --slurm and --merge are three ways; give one of them");
+  if (options.bifurcation && (!options.shard.empty() || options.slurm))
+    throw UsageError(
+        "--bifurcation follows a motion from value to value: not with --shard or --slurm");
   if (options.tasks > 0 && !options.slurm) throw UsageError("--tasks belongs to --slurm");
 }
 
@@ -76,13 +81,27 @@ void print_json(const Sweep& sweep, sweep::Store& store, const sweep::Shard& sha
                           {"folder", sweep.folder.string()}});
 }
 
+// With --bifurcation: the diagram, which is kept beside the page; else null.
+nlohmann::json bifurcation_of(const SweepArguments& options, const Sweep& sweep) {
+  if (!options.bifurcation) return nullptr;
+  ProgressBar bar(options.quiet);
+  const auto diagram = sweep::bifurcation(
+      *sweep.scenes, &interrupted(), [&](double share) { bar.show(share, "bifurcation diagram"); });
+  bar.clear();
+  if (!diagram) throw Interrupted();
+  nlohmann::json data = bifurcation_data(sweep.study, sweep.scenes->sample(), *diagram);
+  write_whole(sweep.folder / sweep::kBifurcationFile, data.dump());
+  return data;
+}
+
 // All points are there: the table and the page.
 void write_results(const SweepArguments& options, const Sweep& sweep, sweep::Store& store) {
   sweep::write_csv(store, sweep.folder / sweep::kCsvFile);
   write_whole(sweep.folder / kColumnsFile, columns_text(sweep::sweep_columns_json(sweep.study)));
   const nlohmann::json kept = sweep_json(*sweep.scenes, store, sweep.study);
   write_whole(sweep.folder / sweep::kDataFile, kept.dump());
-  write_whole(sweep.folder / sweep::kPageFile, sweep_page(*sweep.scenes, store, sweep.study, kept));
+  write_whole(sweep.folder / sweep::kPageFile,
+              sweep_page(*sweep.scenes, store, sweep.study, kept, bifurcation_of(options, sweep)));
   say(options, fmt::format("{} points: {}\nwritten to {} ({}, results.sqlite, {})", store.count(),
                            counts_text(store.count_by_status()), sweep.folder.string(),
                            sweep::kCsvFile, sweep::kPageFile));
@@ -241,6 +260,8 @@ int sweep_study(const SweepArguments& options) {
   check_arguments(options);
   Sweep sweep;
   sweep.study = sweep::read_study(options.study);
+  const std::string none = options.bifurcation ? sweep::no_bifurcation(sweep.study) : "";
+  if (!none.empty()) throw UsageError("--bifurcation: " + none);
   sweep.scenes = std::make_unique<sweep::PointScenes>(sweep.study, overrides_of(options));
   sweep.scenes->check();
   sweep.folder =
@@ -274,6 +295,9 @@ Command add_sweep_command(CLI::App& program) {
   app->add_option("--tasks", options->tasks, "Tasks of the array job (default: 16)")
       ->check(CLI::Range(1, sweep::kMostShards));
   add_value(*app, "--merge", options->merge, "DIR...", "Join the results of these folders' shards");
+  app->add_flag("--bifurcation", options->bifurcation,
+                "Also a bifurcation diagram over the one key, up and down, each value from where "
+                "the one before it ended, with periods and Lyapunov exponents");
   add_controller_option(*app, *options);
   add_common_options(*app, *options);
   return {app, [options] { return sweep_study(*options); }};

@@ -103,4 +103,16 @@ std::vector<Complex> poincare_points(const Trajectory& run, double from) {
   return orbit_at(run, passed);
 }
 
+int section_period(const std::vector<Complex>& places, double tolerance, int most) {
+  for (int turns = 1; turns <= most; ++turns) {
+    const auto apart = static_cast<std::size_t>(turns);
+    if (places.size() < 2 * apart + 2) return 0;
+    bool back = true;
+    for (std::size_t k = apart; back && k < places.size(); ++k)
+      back = std::abs(places[k] - places[k - apart]) <= tolerance;
+    if (back) return turns;
+  }
+  return 0;
+}
+
 }  // namespace rotorub

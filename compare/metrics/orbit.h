@@ -45,4 +45,9 @@ std::vector<std::complex<double>> even_orbit(const Trajectory& run, double from,
 // at rest.
 std::vector<std::complex<double>> poincare_points(const Trajectory& run, double from);
 
+// After how many turns such places come back to themselves, all of them within `tolerance` (m): 1
+// of a synchronous motion; 0: after none up to `most`, or too few places to tell, fewer than twice
+// as many and two.
+int section_period(const std::vector<std::complex<double>>& places, double tolerance, int most);
+
 }  // namespace rotorub

@@ -13,6 +13,7 @@
 #include "compare/modes/levitation_text.h"
 #include "native_model/rotor/modal_rotor.h"
 #include "native_model/rotor/refusal.h"
+#include "native_model/system/free_motion.h"
 
 namespace rotorub {
 namespace {
@@ -46,8 +47,7 @@ void add_response(const scene::Scene& scene, const std::vector<double>& speeds,
       std::ranges::any_of(scene.magnetic_bearings,
                           [](const scene::MagneticBearing& b) { return b.control.has_value(); });
   if (!scene.first().contact && !controls) return;
-  scene::Scene free = scene;
-  free.initial = {};
+  const scene::Scene free = without_start(scene);
   const Model model = make_model(free);
   for (double speed : speeds) analysis.levitations.push_back(levitation(model, speed));
   if (!scene.first().contact) return;

@@ -32,5 +32,6 @@ std::string_view player_html();     // a scene's live player
 std::string_view transport_html();  // time of player and plots
 std::string_view glossary_html();   // what the words mean
 std::string_view rotor_html();      // Campbell diagram and whirl shapes of a scene
+std::string_view bode_html();       // its response to unbalance
 
 }  // namespace rotorub

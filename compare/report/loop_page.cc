@@ -13,6 +13,7 @@
 #include "compare/base/units.h"
 #include "compare/modes/levitation_text.h"
 #include "compare/report/plot_points.h"
+#include "native_model/system/free_motion.h"
 #include "native_model/system/model.h"
 
 namespace rotorub {
@@ -138,8 +139,7 @@ json unbalance_plot(const scene::Scene& scene, const Campbell& campbell) {
   constexpr int kSpeeds = 200;
   const RotorAnalysis& analysis = campbell.analysis;
   if (analysis.levitations.empty() || analysis.levitations.front().loops.empty()) return nullptr;
-  scene::Scene free = scene;
-  free.initial = {};
+  const scene::Scene free = without_start(scene);
   const Model model = make_model(free);
   if (model.unbalances.empty()) return nullptr;
   json speeds = json::array(), limit = json::array(), curves = json::array();

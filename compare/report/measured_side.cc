@@ -88,16 +88,18 @@ class SideMaker {
     json none = json::object();
     for (const char* list : {"t", "y", "friction", "before", "after", "slip", "share"})
       none[list] = json::array();
-    return {{"label", kMeasured},
-            {"measured", true},
-            {"status", to_string(Status::kOk)},
-            {"start", laid_.t.front()},
-            {"end", laid_.t.back()},
-            {"tracks", tracks_},
-            {"holes", holes_},
-            {"absent", absent()},
-            {"whirl", whirl(limit)},
-            {"impacts", json(scene.auxiliary.size(), none)}};
+    return {
+        {"label", kMeasured},
+        {"measured", true},
+        {"status", to_string(Status::kOk)},
+        {"start", laid_.t.front()},
+        {"end", laid_.t.back()},
+        {"tracks", tracks_},
+        {"holes", holes_},
+        {"absent", absent()},
+        {"whirl", whirl(limit)},
+        {"impacts", json(scene.auxiliary.size(), none)},
+        {"distribution", json(scene.auxiliary.size(), {{"force", nullptr}, {"impulse", nullptr}})}};
   }
 
  private:
@@ -150,10 +152,8 @@ class SideMaker {
   // The second half of the record, as of the other runs; its distance from the first run at its
   // samples.
   json whirl(double limit) const {
-    json all = {{"spectrum", nullptr},
-                {"waterfall", nullptr},
-                {"poincare", nullptr},
-                {"residual", nullptr}};
+    json all = {{"spectrum", nullptr}, {"waterfall", nullptr}, {"poincare", nullptr},
+                {"residual", nullptr}, {"orders", nullptr},    {"cascade", nullptr}};
     const auto rotor = shown_columns(laid_, {"rotor_x", "rotor_y"});
     if (!rotor) return all;
     const double to = rotor->t.back(), from = 0.5 * (rotor->t.front() + to);

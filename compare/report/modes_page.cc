@@ -13,6 +13,7 @@
 #include "compare/report/loop_page.h"
 #include "compare/report/page_frame.h"
 #include "compare/report/plot_points.h"
+#include "compare/report/response_plots.h"
 #include "native_model/scene/diagnostic.h"
 #include "native_model/scene/reader.h"
 
@@ -192,6 +193,13 @@ std::string beyond_text(const RotorAnalysis& analysis, double range) {
   return text;
 }
 
+// Whether there is a place for Bode's plot, and what it is of.
+void add_bode_place(const json& bode, const char* place, json& values) {
+  values["bode_place"] = place;
+  values["has_bode"] = !bode.is_null();
+  values["bode_forces"] = !bode.is_null() && bode.at("forces").get<bool>();
+}
+
 }  // namespace
 
 Campbell campbell_of(const scene::Scene& scene, RotorAnalysis analysis, std::optional<double> range,
@@ -207,6 +215,7 @@ Campbell campbell_of(const scene::Scene& scene, RotorAnalysis analysis, std::opt
 std::string modes_page(const scene::Scene& scene, const Campbell& campbell) {
   const RotorAnalysis& analysis = campbell.analysis;
   json data{{"rotor", modes_plots(scene, campbell)}};
+  data["rotor"]["stiffness"] = stiffness_data(scene);
   const json loops = loop_values(analysis), unbalance = unbalance_plot(scene, campbell);
   if (!loops.empty()) {
     data["loops"] = loop_plots(analysis);
@@ -223,6 +232,10 @@ std::string modes_page(const scene::Scene& scene, const Campbell& campbell) {
   values["beyond"] = beyond_text(analysis, campbell.range);
   values["has_shapes"] = analysis.shapes.has_value();
   values["planes"] = planes_values(analysis);
+  add_bode_place(data.at("rotor").at("bode"), "data-of=\"rotor\"", values);
+  values["peaks"] = peak_rows(data.at("rotor").at("bode"));
+  values["has_peaks"] = !values["peaks"].empty();
+  values["has_stiffness"] = !data.at("rotor").at("stiffness").is_null();
   values["spectra"] = list_of(analysis.spectra, spectrum_values);
   values["critical"] = critical_values(analysis.critical_speeds);
   values["stability"] = stability_text(analysis);
@@ -238,17 +251,17 @@ std::string modes_page(const scene::Scene& scene, const Campbell& campbell) {
 RotorSection rotor_section(const scene::Scene& scene) {
   constexpr int kWhirlShapes = 4;  // of either sense
   RotorSection section;
-  section.values = {{"has_campbell", false},
-                    {"has_shapes", false},
-                    {"beyond", ""},
-                    {"speed", rpm_text(std::abs(scene.rotor.speed))},
-                    {"refusal", ""}};
+  section.values = {{"has_campbell", false}, {"has_shapes", false},
+                    {"beyond", ""},          {"speed", rpm_text(std::abs(scene.rotor.speed))},
+                    {"has_bode", false},     {"bode_forces", false},
+                    {"bode_place", ""},      {"refusal", ""}};
   try {
     const Campbell campbell = campbell_of(scene, analyse_free_rotor(scene, {}));
     section.data = modes_plots(scene, campbell);
     section.values["has_campbell"] = true;
     section.values["has_shapes"] = campbell.analysis.shapes.has_value();
     section.values["beyond"] = beyond_text(campbell.analysis, campbell.range);
+    add_bode_place(section.data.at("bode"), "data-over=\"rotor\"", section.values);
     // Those at rest, and the higher ones, are on the page of `modes`.
     if (campbell.analysis.shapes) {
       json& shapes = section.data["shapes"];

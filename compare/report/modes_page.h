@@ -32,8 +32,9 @@ Campbell campbell_of(const scene::Scene& scene, RotorAnalysis analysis,
 std::string modes_page(const scene::Scene& scene, const Campbell& campbell);
 
 // What the page's script draws, in Hz, rpm, % and mm: "campbell" {"top", "running", "critical",
-// "threshold": null, "pieces", "torsion", "operating": the modes at the scene's speed} and "shapes"
-// (null for the modal form), "modes" at rest and "whirl" at the scene's speed among them.
+// "threshold": null, "pieces", "torsion", "operating": the modes at the scene's speed}, "shapes"
+// (null for the modal form), "modes" at rest and "whirl" at the scene's speed among them, and
+// "bode" (response_plots.h).
 nlohmann::json modes_plots(const scene::Scene& scene, const Campbell& campbell);
 
 // The report's section on the free rotor: Campbell diagram with the scene's speed, and whirl shapes

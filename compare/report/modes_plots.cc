@@ -7,6 +7,7 @@
 #include "compare/modes/rotor_analysis.h"
 #include "compare/report/modes_page.h"
 #include "compare/report/plot_points.h"
+#include "compare/report/response_plots.h"
 
 namespace rotorub {
 namespace {
@@ -136,6 +137,17 @@ json shapes_json(const scene::Scene& scene, const RotorAnalysis& analysis) {
           {"modes", modes}};
 }
 
+// Where it runs and what it meets next, not as far as the diagram's highest critical speed: to two
+// and a half times the scene's speed, or a quarter beyond the next critical speed.
+double bode_range(const scene::Scene& scene, const Campbell& campbell) {
+  const double speed = std::abs(scene.rotor.speed);
+  const std::vector<double>& critical = campbell.analysis.critical_speeds;
+  if (speed == 0.0) return campbell.range;
+  const auto next = std::upper_bound(critical.begin(), critical.end(), speed);
+  const double beyond = next == critical.end() ? 0.0 : 1.25 * *next;
+  return std::min(campbell.range, std::max(2.5 * speed, beyond));
+}
+
 }  // namespace
 
 double campbell_range(const scene::Scene& scene, const RotorAnalysis& analysis) {
@@ -159,7 +171,8 @@ double campbell_range(const scene::Scene& scene, const RotorAnalysis& analysis) 
 
 json modes_plots(const scene::Scene& scene, const Campbell& campbell) {
   return {{"campbell", campbell_json(scene, campbell)},
-          {"shapes", shapes_json(scene, campbell.analysis)}};
+          {"shapes", shapes_json(scene, campbell.analysis)},
+          {"bode", bode_data(scene, bode_range(scene, campbell))}};
 }
 
 }  // namespace rotorub

@@ -5,6 +5,8 @@
 #include <boost/archive/iterators/transform_width.hpp>
 #include <cassert>
 #include <charconv>
+#include <cmath>
+#include <numbers>
 #include <numeric>
 
 namespace rotorub {
@@ -21,6 +23,11 @@ double rounded(double value, int digits) {
 nlohmann::json picked(const std::vector<double>& values, const std::vector<std::size_t>& which,
                       int digits) {
   return list_of(which, [&](std::size_t i) { return rounded(values[i], digits); });
+}
+
+double phase_degrees(std::complex<double> x, double last) {
+  const double phase = 180.0 / std::numbers::pi * std::arg(x);
+  return phase - 360.0 * std::round((phase - last) / 360.0);
 }
 
 std::vector<std::size_t> thin(const std::vector<double>& y, std::size_t first, std::size_t last,
@@ -43,6 +50,20 @@ std::vector<std::size_t> thin(const std::vector<double>& y, std::size_t first, s
   std::sort(kept.begin(), kept.end());
   kept.erase(std::unique(kept.begin(), kept.end()), kept.end());
   return kept;
+}
+
+nlohmann::json levels_data(const std::vector<double>& cells) {
+  constexpr double kDecades = 4.0;
+  const double most = cells.empty() ? 0.0 : *std::max_element(cells.begin(), cells.end());
+  if (!(most > 0.0)) return nullptr;
+  const double high = std::log10(most), low = high - kDecades;
+  std::string levels;
+  for (const double a : cells) {
+    const double share = a > 0.0 ? (std::log10(a) - low) / kDecades : 0.0;
+    levels += static_cast<char>(
+        static_cast<unsigned char>(std::lround(255.0 * std::clamp(share, 0.0, 1.0))));
+  }
+  return {{"low", rounded(low, 4)}, {"high", rounded(high, 4)}, {"levels", base64(levels)}};
 }
 
 std::string base64(std::string_view bytes) {

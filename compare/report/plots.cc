@@ -5,12 +5,13 @@
 #include <nlohmann/json.hpp>
 #include <numbers>
 
+#include "compare/report/contact_plots.h"
 #include "compare/report/measured_side.h"
 #include "compare/report/pack/packed_run.h"
+#include "compare/report/plot_kinds.h"
 #include "compare/report/plot_points.h"
 #include "compare/report/rig_values.h"
 #include "compare/report/whirl_plots.h"
-#include "native_model/trajectory/columns.h"
 
 namespace rotorub {
 
@@ -36,127 +37,6 @@ using nlohmann::json;
 using Values = std::vector<double>;
 
 constexpr double kTurn = 2.0 * std::numbers::pi;
-
-// Whether a plot is of the whole run, or of each contact where there are several.
-enum class PlotOf { kRun, kContact };
-
-struct PlotKind {
-  const char* key;
-  const char* title;
-  const char* unit;
-  const char* text;   // what is to be seen, half a sentence
-  const char* shape;  // class in the page: "", "wide", "square"
-  // What it is drawn over, and how traces.js draws it: "time", a series; "impacts" and "law", each
-  // impact a point, over time or on a law; "path", on the characteristic of what drives the run;
-  // "turns", the place over the last turns; "whirl", which no window changes.
-  const char* over;
-  PlotOf of;
-  // Whether there is data for it, at this contact.
-  bool (*shown)(const ShownRuns& shown, const Trajectory& trajectory, std::size_t contact);
-};
-struct ShownPlot {
-  const PlotKind* kind;
-  std::size_t contact;
-};
-bool has(const Trajectory& run, std::size_t contact, const char* column) {
-  return run.has(column_of_contact(contact, column));
-}
-bool always(const ShownRuns&, const Trajectory&, std::size_t) { return true; }
-bool touches(const ShownRuns& s, const Trajectory&, std::size_t contact) {
-  return s.scene->auxiliary[contact].contact.has_value();
-}
-bool rubs(const ShownRuns& s, const Trajectory& t, std::size_t contact) {
-  return touches(s, t, contact) && !s.scene->auxiliary[contact].contact->friction.none();
-}
-template <const char* column>
-bool has_column(const ShownRuns&, const Trajectory& t, std::size_t contact) {
-  return has(t, contact, column);
-}
-constexpr char kCurrent[] = "current_1", kControl[] = "control_x", kTorsion[] = "torsion_1",
-               kRingSpeed[] = "ring_speed", kMotor[] = "motor_torque";
-bool has_measured_force(const ShownRuns& s, const Trajectory&, std::size_t) {
-  return s.measured && !s.measured->forces.empty();
-}
-bool is_compared(const ShownRuns& s, const Trajectory&, std::size_t) { return s.runs.size() > 1; }
-bool turns(const ShownRuns&, const Trajectory& t, std::size_t) { return mean_spin(t) != 0.0; }
-bool is_sampled(const ShownRuns&, const Trajectory& t, std::size_t) {
-  return t.rows() >= kLeastSpectrumRows;
-}
-
-constexpr auto kRun = PlotOf::kRun, kContact = PlotOf::kContact;
-constexpr PlotKind kKinds[] = {
-    {"gap", "Gap", "µm", "0: contact; below 0: penetration", "wide", "time", kContact, touches},
-    {"gap_rate", "Gap rate", "mm/s", "what control brings to 0 (paper, Fig. 8)", "", "time",
-     kContact, touches},
-    {"rotor_x", "Rotor", "µm",
-     "along x; dotted, where there is control: without it (paper, Fig. 9)", "", "time", kContact,
-     always},
-    {"normal_force", "Normal force", "N",
-     "of lasting contact; impulses of the rigid law's impacts are below", "", "time", kContact,
-     touches},
-    {"sample_force", "Force of a sample", "N",
-     "what the force sensor sees: of every run averaged over the record's samples, impacts "
-     "included",
-     "wide", "time", kRun, has_measured_force},
-    {"friction_force", "Friction force", "N", "on the rotor, along the ring", "", "time", kContact,
-     touches},
-    {"impacts", "Impacts", "mN s", "normal impulse of each impact or contact episode", "",
-     "impacts", kContact, touches},
-    {"friction_impacts", "Friction of impacts", "mN s", "size of the tangential impulse of each",
-     "", "impacts", kContact, rubs},
-    {"normal_law", "Normal contact law", "m/s",
-     "gap rates before and after each impact; dashed: the restitution where friction has no part",
-     "square", "law", kContact, touches},
-    {"friction_law", "Friction law", "",
-     "of each impact, tangential over friction times normal impulse (paper, Fig. 5); dashed: "
-     "Coulomb's",
-     "square", "law", kContact, rubs},
-    {"spin", "Spin speed", "rpm", "what friction takes from the drive", "", "time", kRun, always},
-    {"ring_speed", "Ring speed", "rpm", "what friction and drag make of the ring that turns", "",
-     "time", kContact, has_column<kRingSpeed>},
-    {"torsion", "Torsion", "mrad", "twist of the shaft at the contact", "", "time", kRun,
-     has_column<kTorsion>},
-    {"control", "Control force", "N", "magnitude of the actuators' force on the ring", "", "time",
-     kContact, has_column<kControl>},
-    {"current", "Coil current", "A", "magnitude of the control currents of the two axes", "",
-     "time", kContact, has_column<kCurrent>},
-    {"actuator", "Actuator", "N",
-     "force of axis 1 over its current, on the characteristic F(s, i) (paper, Fig. 3)", "square",
-     "path", kContact, has_column<kCurrent>},
-    {"motor", "Motor", "N m",
-     "torque over speed; dashed: the motor's characteristic (paper, Fig. 6)", "square", "path",
-     kRun, has_column<kMotor>},
-    {"orbit", "Orbits", "µm", "rotor solid, ring dotted; the last turns, or the time zoomed to",
-     "square", "turns", kContact, always},
-    {"relative", "Rotor in the ring", "µm", "relative to the ring's centre; dashed: the clearance",
-     "square", "turns", kContact, touches},
-    {"residual", "Away from the first run", "µm",
-     "distance of a run's rotor from the first run's; in chaos it grows to the orbit's size", "",
-     "time", kRun, is_compared},
-    {"spectrum", "Full spectrum", "µm",
-     "of the second half: forward whirl above 0 Hz, backward below; dashed: the spin", "", "whirl",
-     kRun, is_sampled},
-    {"waterfall", "Waterfall", "µm", "the full spectrum over the run, of the first run shown", "",
-     "whirl", kRun, is_sampled},
-    {"poincare", "Poincaré points", "µm",
-     "the rotor once a turn, second half: a point is synchronous, a cloud chaos", "square", "whirl",
-     kRun, turns},
-};
-
-// Those that a run has data for.
-std::vector<ShownPlot> plot_kinds(const ShownRuns& shown) {
-  std::vector<ShownPlot> plots;
-  const std::size_t contacts = shown.scene->auxiliary.size();
-  for (const PlotKind& kind : kKinds) {
-    for (std::size_t k = 0; k < (kind.of == PlotOf::kContact ? contacts : 1); ++k) {
-      if (std::any_of(shown.runs.begin(), shown.runs.end(), [&](const ShownRun& run) {
-            return run.trajectory->rows() > 0 && kind.shown(shown, *run.trajectory, k);
-          }))
-        plots.push_back({&kind, k});
-    }
-  }
-  return plots;
-}
 
 // A part of the run that the page can zoom to.
 struct Window {
@@ -214,8 +94,9 @@ json side_data(const ShownRuns& shown, const ShownRun& run,
                const std::optional<renders::Machine>& machine, double limit) {
   const scene::Scene& scene = *shown.scene;
   const Trajectory* first = shown.runs.front().trajectory;
-  json impacts = json::array();
+  json impacts = json::array(), contacts = json::array();
   for (std::size_t k = 0; k < scene.auxiliary.size(); ++k) {
+    contacts.push_back(contact_distribution(*run.trajectory, k));
     const auto& contact = scene.auxiliary[k].contact;
     impacts.push_back(
         impact_data(*run.trajectory, k, contact ? contact->friction.sticking() : 0.0));
@@ -226,7 +107,8 @@ json side_data(const ShownRuns& shown, const ShownRun& run,
           {"tracks",
            packed_run_json(machine ? pack_run(scene, *machine, *run.trajectory) : PackedRun())},
           {"whirl", whirl_data(*run.trajectory, first == run.trajectory ? nullptr : first, limit)},
-          {"impacts", impacts}};
+          {"impacts", impacts},
+          {"distribution", contacts}};
 }
 
 // The motor's characteristic about the speeds that the first run goes through.

@@ -23,16 +23,6 @@ using sweep::SampleKind;
 using sweep::Statement;
 using sweep::Vary;
 
-// A unit as the page writes it.
-struct Unit {
-  std::string name;
-  double per_si = 1.0;
-};
-Unit shown(std::string_view unit) {
-  if (unit == "rad/s") return {"Hz", kHz};
-  return {std::string(unit), 1.0};
-}
-
 // The values of a key of a grid, in order.
 json grid_values(const Vary& vary, double per_si) {
   if (!vary.values.empty()) {
@@ -65,7 +55,7 @@ std::vector<std::int64_t> places(const sweep::Study& study, std::int64_t index) 
 
 json keys_of(const sweep::Study& study, bool grid) {
   return list_of(study.vary, [&](const Vary& vary) {
-    const Unit unit = shown(vary.unit);
+    const ShownUnit unit = shown_unit(vary.unit);
     json key = {{"name", vary.key},
                 {"unit", unit.name},
                 {"even", vary.values.empty() && vary.spacing == sweep::Spacing::kLinear},
@@ -78,7 +68,7 @@ json keys_of(const sweep::Study& study, bool grid) {
 json figures_json() {
   return list_of(sweep::result_columns(), [](const ResultColumn& column) -> json {
     return {{"name", column.name},
-            {"unit", shown(column.unit).name},
+            {"unit", shown_unit(column.unit).name},
             {"meaning", column.meaning},
             {"word", column.value({}).is_string()}};
   });
@@ -152,6 +142,11 @@ void add_linear(const sweep::LinearMap& map, json& plots) {
 
 }  // namespace
 
+ShownUnit shown_unit(std::string_view unit) {
+  if (unit == "rad/s") return {"Hz", kHz};
+  return {std::string(unit), 1.0};
+}
+
 json sweep_plots(const sweep::PointScenes& scenes, sweep::Store& store, const sweep::Study& study) {
   const std::int64_t every = (scenes.sample().size() + kMostDrawn - 1) / kMostDrawn;
   const bool grid = study.kind == SampleKind::kGrid && every == 1;
@@ -166,7 +161,7 @@ json sweep_plots(const sweep::PointScenes& scenes, sweep::Store& store, const sw
     for (std::size_t k = 0; k < keys; ++k) {
       const int column = static_cast<int>(k) + 1;
       values[k].push_back(grid ? json(place[k])
-                               : field(row, column, shown(study.vary[k].unit).per_si));
+                               : field(row, column, shown_unit(study.vary[k].unit).per_si));
     }
     const std::string word = row.text(static_cast<int>(keys) + 1);
     const auto found = std::find(statuses.begin(), statuses.end(), word);
@@ -174,7 +169,7 @@ json sweep_plots(const sweep::PointScenes& scenes, sweep::Store& store, const sw
     if (found == statuses.end()) statuses.push_back(word);
     for (std::size_t k = 0; k < columns.size(); ++k) {
       figures[k].push_back(
-          field(row, static_cast<int>(keys + 3 + k), shown(columns[k].unit).per_si));
+          field(row, static_cast<int>(keys + 3 + k), shown_unit(columns[k].unit).per_si));
     }
   });
   return {{"kind", grid ? "grid" : "marks"},
@@ -204,10 +199,13 @@ json sweep_json(const sweep::PointScenes& scenes, sweep::Store& store, const swe
 }
 
 std::string sweep_page(const sweep::PointScenes& scenes, sweep::Store& store,
-                       const sweep::Study& study, const json& kept) {
+                       const sweep::Study& study, const json& kept, const json& bifurcation) {
   const json& plots = kept.at("plots");
-  json values =
-      page_frame({kept.at("name"), "sweep", "What does it do, and where?"}, {{"maps", {plots}}});
+  json data{{"maps", {plots}}};
+  if (!bifurcation.is_null()) data["bifurcation"] = bifurcation;
+  json values = page_frame({kept.at("name"), "sweep", "What does it do, and where?"}, data);
+  values["has_bifurcation"] = !bifurcation.is_null();
+  values["bifurcation_note"] = bifurcation.is_null() ? "" : bifurcation.at("note");
   for (const char* name : {"maps", "cards", "linear", "linear_refused"})
     values[name] = kept.at(name);
   values["two"] = study.vary.size() > 1;

@@ -2,17 +2,27 @@
 // cells for a grid, marks for other points; for one key a curve.
 #pragma once
 
-#include <nlohmann/json_fwd.hpp>
+#include <nlohmann/json.hpp>
 #include <string>
+#include <string_view>
 
 #include "compare/sweep/sample.h"
 #include "compare/sweep/store.h"
 
 namespace rotorub {
 
-// The store holds all points; kept: sweep_json of the same.
+// The store holds all points; kept: sweep_json of the same; bifurcation: bifurcation_data
+// (bifurcation_plot.h), null: none.
 std::string sweep_page(const sweep::PointScenes& scenes, sweep::Store& store,
-                       const sweep::Study& study, const nlohmann::json& kept);
+                       const sweep::Study& study, const nlohmann::json& kept,
+                       const nlohmann::json& bifurcation = nullptr);
+
+// A unit as the page writes it: of rad/s Hz.
+struct ShownUnit {
+  std::string name;
+  double per_si = 1.0;
+};
+ShownUnit shown_unit(std::string_view unit);
 
 // The same for a report that shows it too (beside.h): "name", "cards", "maps" of the template and
 // "plots".

@@ -8,6 +8,7 @@
 
 #include "compare/metrics/orbit.h"
 #include "compare/report/plot_points.h"
+#include "compare/report/run_up_plots.h"
 
 namespace rotorub {
 namespace {
@@ -19,7 +20,6 @@ constexpr double kMicro = 1e6;
 constexpr std::size_t kMostSamples = 1 << 14;
 constexpr std::size_t kSpectrumBuckets = 400;  // twice as many points: peaks survive
 constexpr std::size_t kColumns = 240;          // of a waterfall: frequencies
-constexpr double kDecades = 4.0;               // that a waterfall shows, down from its largest
 
 double start_of_the_settled(const Trajectory& run) {
   const Values& t = run.column("t");
@@ -43,8 +43,7 @@ json spectrum_json(const Trajectory& run, double limit) {
   return spectrum_data(even_orbit(run, from, to, count), h, limit);
 }
 
-// The largest amplitude of each column's frequencies, a byte for what lies within kDecades of the
-// largest of all.
+// The largest amplitude of each column's frequencies.
 json waterfall_json(const Trajectory& run, double limit, double longest_turn) {
   const double from = run.column("t").front(), to = run.column("t").back();
   const std::size_t count = samples_between(run, from, to);
@@ -69,23 +68,13 @@ json waterfall_json(const Trajectory& run, double limit, double longest_turn) {
       largest = std::max(largest, kMicro * w.amplitude[row * stretch + middle - side + k]);
     }
   }
-  const double most = *std::max_element(cell.begin(), cell.end());
-  if (!(most > 0.0)) return nullptr;
-  const double high = std::log10(most), low = high - kDecades;
-  std::string levels;
-  for (const double a : cell) {
-    const double share = a > 0.0 ? (std::log10(a) - low) / kDecades : 0.0;
-    levels += static_cast<char>(
-        static_cast<unsigned char>(std::lround(255.0 * std::clamp(share, 0.0, 1.0))));
-  }
-  return {
-      {"t", {rounded(from + w.time.front(), 6), rounded(from + w.time.back(), 6)}},
-      {"f", {rounded(lowest, 6), rounded(lowest + apart * static_cast<double>(columns * each), 6)}},
-      {"rows", w.time.size()},
-      {"columns", columns},
-      {"low", rounded(low, 4)},
-      {"high", rounded(high, 4)},
-      {"levels", base64(levels)}};
+  json all = levels_data(cell);
+  if (all.is_null()) return nullptr;
+  all["t"] = {rounded(from + w.time.front(), 6), rounded(from + w.time.back(), 6)};
+  all["f"] = {rounded(lowest, 6), rounded(lowest + apart * static_cast<double>(columns * each), 6)};
+  all["rows"] = w.time.size();
+  all["columns"] = columns;
+  return all;
 }
 
 json poincare_json(const Trajectory& run) {
@@ -168,7 +157,9 @@ json whirl_data(const Trajectory& run, const Trajectory* first, double limit) {
   return {{"spectrum", any ? spectrum_json(run, limit) : json()},
           {"waterfall", any ? waterfall_json(run, limit, turn_of(run)) : json()},
           {"poincare", any ? poincare_json(run) : json()},
-          {"residual", any && first ? residual_json(run, *first) : json()}};
+          {"residual", any && first ? residual_json(run, *first) : json()},
+          {"orders", any ? orders_data(run) : json()},
+          {"cascade", any ? cascade_data(run) : json()}};
 }
 
 }  // namespace rotorub

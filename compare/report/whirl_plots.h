@@ -22,7 +22,8 @@ inline constexpr std::size_t kLeastSpectrumRows = 64;
 // Of a run: {"spectrum": {"f": [Hz], "y": [um]}, "waterfall": {"t": [s, s], "f": [Hz, Hz], "rows",
 // "columns", "low", "high" (log10 um), "levels": base64 of a byte a cell, rows from the first time,
 // columns from the lowest frequency}, "poincare": {"x", "y"} um, "residual": {"t", "y"} um or
-// null}. Null members where a run is too short. `limit`: shown_frequency.
+// null, "orders", "cascade": run_up_plots.h}. Null members where a run is too short. `limit`:
+// shown_frequency.
 nlohmann::json whirl_data(const Trajectory& run, const Trajectory* first, double limit);
 
 // "spectrum" of it: of z (m) at even times h (s) apart, to `limit` (Hz) on either side.

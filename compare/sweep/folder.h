@@ -13,6 +13,7 @@ inline constexpr const char* kStudyFile = "study.toml";
 inline constexpr const char* kSceneFile = "scene.toml";
 inline constexpr const char* kCsvFile = "results.csv";
 inline constexpr const char* kPageFile = "sweep.html";
+inline constexpr const char* kBifurcationFile = "bifurcation.json";
 inline constexpr const char* kDataFile =
     "sweep.json";  // what the page draws, for a report beside it
 

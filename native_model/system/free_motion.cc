@@ -251,14 +251,7 @@ Eigen::Vector2d current_amplitude(const Model& m, const StationFeedback& feedbac
   return {of(feedback.seen().x, 0), of(feedback.seen().y, 1)};
 }
 
-}  // namespace
-
-void refuse_steady(const scene::Scene& scene, const std::string& why) {
-  scene::refuse_at(scene, "initial.steady", why);
-}
-
-FreeMotion free_motion(const scene::Scene& scene, const Model& m) {
-  const Layout& l = m.layout;
+void refuse_samples(const scene::Scene& scene, const Model& m) {
   for (const SampledFeedback& s : m.samplers) {
     for (const std::size_t k : s.bearings) {
       if (!m.feedbacks[k].works.at(0.0)) continue;
@@ -268,6 +261,25 @@ FreeMotion free_motion(const scene::Scene& scene, const Model& m) {
                         " is sampled, and no orbit is steady between its samples; accepted: false");
     }
   }
+}
+
+}  // namespace
+
+scene::Scene without_start(scene::Scene scene) {
+  scene.initial = {};
+  for (scene::AuxiliaryBearing& at : scene.auxiliary) {
+    if (at.stator) at.stator->position = at.stator->velocity = {0.0, 0.0};
+  }
+  return scene;
+}
+
+void refuse_steady(const scene::Scene& scene, const std::string& why) {
+  scene::refuse_at(scene, "initial.steady", why);
+}
+
+FreeMotion free_motion(const scene::Scene& scene, const Model& m) {
+  const Layout& l = m.layout;
+  refuse_samples(scene, m);
   const Bending b = bending(m);
   check_stability(scene, m);
   const Eigen::VectorXd rest = Eigen::VectorXd::Zero(2 * l.modes);
@@ -291,6 +303,16 @@ FreeMotion free_motion(const scene::Scene& scene, const Model& m) {
     }
   }
   return motion;
+}
+
+Eigen::VectorXcd unbalance_amplitude(const scene::Scene& scene, const Model& m) {
+  refuse_samples(scene, m);
+  check_stability(scene, m);
+  Loads loads(m.layout.modes);
+  for (const DiscUnbalance& u : m.unbalances)
+    loads.turn(m.speed, u.shape, u.static_moment * m.speed * m.speed, u.phase);
+  if (loads.all().empty()) return Eigen::VectorXcd::Zero(2 * m.layout.modes);
+  return answer(scene, m, bending(m), loads.all().front()).q;
 }
 
 }  // namespace rotorub

@@ -41,6 +41,14 @@ struct FreeMotion {
 // At the speed model.speed. Throws scene::SceneError, key initial.steady, where there is none.
 FreeMotion free_motion(const scene::Scene& scene, const Model& model);
 
+// Of the unbalances alone, whenever they come to act: Q of q = Re(Q e^{i |Omega| t}), m, 2 n,
+// against the mark on the rotor, which lies at +x at t = 0. Throws as free_motion.
+Eigen::VectorXcd unbalance_amplitude(const scene::Scene& scene, const Model& m);
+
+// The scene at rest in the middle of its rings, whatever start it gives: for an analysis that asks
+// for none.
+scene::Scene without_start(scene::Scene scene);
+
 [[noreturn]] void refuse_steady(const scene::Scene& scene, const std::string& why);
 
 }  // namespace rotorub

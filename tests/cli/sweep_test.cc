@@ -51,6 +51,24 @@ TEST(Sweep, LeavesTableDatabasePageAndStudy) {
   EXPECT_EQ(folder.text("out/results.csv"), table);
 }
 
+// Values are taken upwards, however the study lists them.
+TEST(Sweep, KeepsABifurcationDiagram) {
+  const Folder folder;
+  write_study(folder, "study.toml",
+              "scene = \"" + shipped("bench_annular_elastic") +
+                  "\"\n[sample]\nkind = \"list\"\n[[vary]]\nkey = \"contact.friction\"\n"
+                  "values = [0.2, 0.1]\n[run]\nintegrator = \"event\"\nend = \"0.2 s\"\n");
+  folder.done({"sweep", "study.toml", "-o", "out", "--bifurcation", "-q"});
+  const json diagram = json::parse(folder.text("out/bifurcation.json"));
+  EXPECT_EQ(diagram.at("key").at("name"), "contact.friction");
+  ASSERT_EQ(diagram.at("up").size(), 2u);
+  EXPECT_EQ(diagram.at("up")[0].at("value"), 0.1);
+  EXPECT_EQ(diagram.at("down")[0].at("value"), 0.2);
+  EXPECT_EQ(diagram.at("up")[1].at("continued"), true);
+  EXPECT_EQ(diagram.at("up")[1].at("period"), 1) << "an annular rub in step with its force";
+  EXPECT_NE(folder.text("out/sweep.html").find("data-plot=\"bifurcation\""), std::string::npos);
+}
+
 TEST(Sweep, DoesNotDependOnTheThreads) {
   const Folder folder;
   for (const char* run :
@@ -162,6 +180,8 @@ TEST(Sweep, UsageErrors) {
                                                 {"study.toml", "--shard", "1/2", "--slurm"},
                                                 {"study.toml", "--merge", "nowhere"},
                                                 {"study.toml", "--tasks", "3"},
+                                                {"study.toml", "--bifurcation"},
+                                                {"study.toml", "--bifurcation", "--shard", "1/2"},
                                                 {"study.toml", "--set", "contact.friction=0.2"},
                                                 {"study.toml", "--set", "contact.x=1"}}) {
     std::vector<std::string> arguments{"sweep"};

@@ -83,7 +83,8 @@ export class ScenePlots {
   draw(plot) {
     const {plot: key, over} = plot.dataset;
     const range = over === 'turns' ? this.turns() : this.range;
-    const {data, layout} = sceneFigure(this.viewOf(plot), key, over, range, this.hidden, plot.clientWidth);
+    const {data, layout, at} = sceneFigure(this.viewOf(plot), key, over, range, this.hidden, plot.clientWidth);
+    plot.at = at;
     data.forEach((trace) => { trace.visible = this.hidden.has(trace.meta) ? 'legendonly' : trace.visible || true; });
     const first = !plot.classList.contains('drawn');
     plot.stale = false;
@@ -122,7 +123,8 @@ export class ScenePlots {
     if (!plot.mark || !layout?.xaxis) return;
     // For tests: the time that the plot is at.
     plot.dataset.cursor = this.t;
-    if (plot.dataset.over === 'turns') this.placeDots(plot, layout);
+    if (plot.dataset.over === 'turns') this.placeDots(plot, layout, this.onOrbits(plot));
+    if (plot.at) this.placeDots(plot, layout, plot.at(this.t).filter(({label}) => !this.hidden.has(label)));
     if (!this.overTime(plot)) return;
     const [from, to] = layout.xaxis.range, inside = this.t >= from && this.t <= to;
     plot.mark.hidden = !inside;
@@ -130,17 +132,22 @@ export class ScenePlots {
       `transform:translateX(${layout.xaxis._offset + layout.xaxis.d2p(this.t)}px)`;
   }
 
-  // Where each run is now on its orbit.
-  placeDots(plot, layout) {
-    const shown = this.viewOf(plot).runs.filter((run) => run.has('rotor') && !this.hidden.has(run.label));
-    plot.mark.innerHTML = shown.map((run) => {
-      const {rotor, ring} = run.pose(this.t);
-      if (!run.within(this.t) || (plot.dataset.plot !== 'orbit' && !run.ringKnown)) return '';
-      const from = plot.dataset.plot === 'orbit' ? [0, 0] : ring;
-      const x = layout.xaxis.d2p(1e6 * (rotor[0] - from[0])), y = layout.yaxis.d2p(1e6 * (rotor[1] - from[1]));
+  // Where each run is now on its orbit, um.
+  onOrbits(plot) {
+    const orbit = plot.dataset.plot === 'orbit';
+    return this.viewOf(plot).runs.filter((run) => run.has('rotor') && !this.hidden.has(run.label) && run.within(this.t) && (orbit || run.ringKnown))
+      .map((run) => {
+        const {rotor, ring} = run.pose(this.t), from = orbit ? [0, 0] : ring;
+        return {label: run.label, x: 1e6 * (rotor[0] - from[0]), y: 1e6 * (rotor[1] - from[1])};
+      });
+  }
+
+  placeDots(plot, layout, places) {
+    plot.mark.innerHTML = places.map((place) => {
+      const x = layout.xaxis.d2p(place.x), y = layout.yaxis.d2p(place.y);
       const inside = x >= 0 && x <= layout.xaxis._length && y >= 0 && y <= layout.yaxis._length;
-      return inside ? `<b data-side="${run.label}" style="left:${layout.xaxis._offset + x}px;top:${layout.yaxis._offset + y}px;` +
-        `background:${css(`--${run.label}`)}"></b>` : '';
+      return inside ? `<b data-side="${place.label}" style="left:${layout.xaxis._offset + x}px;top:${layout.yaxis._offset + y}px;` +
+        `background:${css(`--${place.label}`)}"></b>` : '';
     }).join('');
   }
 

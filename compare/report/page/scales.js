@@ -81,3 +81,8 @@ export function opened({t, y}, holes = []) {
   points.sort((a, b) => a[0] - b[0]);
   return {t: points.map((p) => p[0]), y: points.map((p) => p[1])};
 }
+
+// Points of a curve in the plane at ascending times, with an open place for every hole that they go over.
+export function openedCurve(times, points, holes = []) {
+  return points.flatMap((point, k) => (k > 0 && holes.some(([from, to]) => times[k - 1] <= from && times[k] >= to) ? [[null, null], point] : [point]));
+}

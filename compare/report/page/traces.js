@@ -1,7 +1,10 @@
 // What each plot of a scene shows, as plotly takes it: traces and layout.
+import {orbitMarks} from './orbits.js';
 import {Track} from './player/tracks.js';
 import {rotorFigure} from './rotor.js';
-import {opened, thinned} from './scales.js';
+import {runUpFigure} from './runup.js';
+import {opened, openedCurve, thinned} from './scales.js';
+import {minusFigure, spreadFigure} from './spread.js';
 import {axes, css, decades, isFront, layout, line, number, symbol, titled} from './style.js';
 import {isWhirl, whirlFigure} from './whirl.js';
 
@@ -85,7 +88,8 @@ function lawShapes({contact, runs}, key) {
 // Of curves in the plane every instant of `track`, more where it would be coarse.
 function curve(run, track, range, read, label, width, dash) {
   const times = run.tracks[track].instants(range[0], range[1], 2 * kBuckets);
-  const every = Math.ceil(times.length / (4 * kBuckets)), points = times.filter((_, k) => k % every === 0).map(read);
+  const every = Math.ceil(times.length / (4 * kBuckets)), kept = times.filter((_, k) => k % every === 0);
+  const points = openedCurve(kept, kept.map(read), run.holes?.[track]);
   return {x: points.map((p) => p[0]), y: points.map((p) => p[1]), name: run.label, meta: run.label, type: 'scatter', mode: 'lines',
     line: {...line(run.label, false), width, ...(dash ? {dash} : {})}, hovertemplate: `(%{x:.4g}, %{y:.4g})<extra>${run.label}${label}</extra>`};
 }
@@ -93,9 +97,9 @@ const micro = ([x, y]) => [1e6 * x, 1e6 * y];
 const orbitTraces = (runs, range) => behindFirst(runs).filter((run) => run.has('rotor')).flatMap((run) => [
   curve(run, 'rotor', range, (t) => micro(run.pose(t).rotor), ' rotor', isFront(run.label) ? 2.4 : 1.4, 'solid'),
   ...(run.has('ring') ? [curve(run, 'ring', range, (t) => micro(run.pair('ring', t)), ' ring', isFront(run.label) ? 1.8 : 1, 'dot')] : [])]);
+const relativePlace = (run, t) => { const p = run.pose(t); return micro([p.rotor[0] - p.ring[0], p.rotor[1] - p.ring[1]]); };
 const relativeTraces = (runs, range) => behindFirst(runs).filter((run) => run.has('rotor') && run.has('gap') && run.ringKnown).map((run) =>
-  curve(run, 'gap', range, (t) => { const p = run.pose(t); return micro([p.rotor[0] - p.ring[0], p.rotor[1] - p.ring[1]]); },
-    ' relative', isFront(run.label) ? 2.4 : 1.4));
+  curve(run, 'gap', range, (t) => relativePlace(run, t), ' relative', isFront(run.label) ? 2.4 : 1.4));
 
 // A run's own points on the characteristic of what drives it. The first actuator axis is (1, 1) / sqrt 2.
 function pathTraces({scene, contact, runs}, key, range) {
@@ -130,12 +134,15 @@ export function heightFor(traces) {
   return notes.length ? {axis: {range}, notes} : {};
 }
 
-function turnsPlot({contact, runs}, key, range) {
+function turnsPlot({contact, runs}, key, range, hidden) {
   const r = 1e6 * contact.clearance;
   const circle = {type: 'circle', x0: -r, x1: r, y0: -r, y1: r, line: {color: css('--soft'), width: 1, dash: 'dash'}};
   const square = {automargin: false, constrain: 'domain'};
-  return {data: key === 'orbit' ? orbitTraces(runs, range) : relativeTraces(runs, range),
-    layout: layout({hovermode: 'closest', shapes: key === 'relative' && r > 0 ? [circle] : [],
+  const orbit = key === 'orbit', lines = orbit ? orbitTraces(runs, range) : relativeTraces(runs, range);
+  const marked = behindFirst(runs).filter((run) => run.has('rotor') && run.has('spin') && (orbit || run.has('gap')));
+  const marks = orbitMarks(marked, range, hidden, orbit ? (run, t) => micro(run.pose(t).rotor) : relativePlace);
+  return {data: [...lines, ...marks.data],
+    layout: layout({hovermode: 'closest', annotations: marks.annotations, shapes: key === 'relative' && r > 0 ? [circle] : [],
       xaxis: titled('x / µm', square), yaxis: titled('y / µm', {...square, scaleanchor: 'x'})})};
 }
 function timePlot(view, key, over, range) {
@@ -151,7 +158,10 @@ function timePlot(view, key, over, range) {
 export function sceneFigure(view, key, over, range, hidden, width) {
   if (over === 'rotor') return rotorFigure(view.scene.rotor, key, width);
   if (isWhirl(key)) return whirlFigure(view.scene, key, range, hidden);
-  if (over === 'turns') return turnsPlot(view, key, range);
+  if (over === 'turns') return turnsPlot(view, key, range, hidden);
+  if (over === 'runup') return runUpFigure(key, view.scene, view.runs, hidden);
+  if (over === 'spread') return spreadFigure(key, view.scene, view.number);
+  if (key === 'measured_minus') return minusFigure(view.runs, range);
   if (over === 'time' || over === 'impacts') return timePlot(view, key, over, range);
   const law = over === 'law';
   const titles = key === 'normal_law' ? ['before / (m/s)', 'after / (m/s)'] :

@@ -158,5 +158,19 @@ TEST(Poincare, BeginsWhereItIsAskedTo) {
   EXPECT_TRUE(poincare_points(circling(0.0, 1.0), 0.0).empty()) << "a rotor at rest has no turns";
 }
 
+TEST(SectionPeriod, CountsTheTurnsUntilPlacesComeBack) {
+  std::vector<Complex> once(20, Complex(1.0, 2.0)), thrice, golden;
+  for (int k = 0; k < 40; ++k) {
+    thrice.push_back(circle(2.0, 1.0 / 3.0, k));
+    golden.push_back(circle(2.0, 0.61803398875, k));
+  }
+  EXPECT_EQ(section_period(once, 1e-9, 16), 1);
+  EXPECT_EQ(section_period(thrice, 1e-9, 16), 3);
+  EXPECT_EQ(section_period(golden, 1e-3, 16), 0) << "two frequencies never come back";
+  EXPECT_EQ(section_period({thrice.begin(), thrice.begin() + 5}, 1e-9, 16), 0) << "too few to tell";
+  once.back() += 1e-3;
+  EXPECT_EQ(section_period(once, 1e-9, 16), 0);
+}
+
 }  // namespace
 }  // namespace rotorub

@@ -8,6 +8,7 @@
 
 #include "compare/base/units.h"
 #include "compare/report/assets.h"
+#include "compare/report/response_plots.h"
 #include "native_model/rotor/campbell.h"
 #include "native_model/scene/reader.h"
 #include "tests/support/oracles/shafts.h"
@@ -165,8 +166,45 @@ TEST(ModesPage, HoldsAllItNeeds) {
   EXPECT_EQ(page.find("<link"), std::string::npos);
   EXPECT_EQ(page.find("@import"), std::string::npos);
   EXPECT_EQ(page.find("{{"), std::string::npos) << "every name of the template filled";
-  EXPECT_EQ(json::parse(part(page, "type=\"application/json\">", "</script>")),
-            json({{"rotor", plots_of(friswell())}}));
+  json expected{{"rotor", plots_of(friswell())}};
+  expected["rotor"]["stiffness"] = stiffness_data(friswell());
+  EXPECT_EQ(json::parse(part(page, "type=\"application/json\">", "</script>")), expected);
+}
+
+// The drawn Bode plot of one mode: e r^2 / (1 - r^2 + 2 i zeta r), zeta = 1/sqrt(1000).
+TEST(ModesPlots, DrawTheResponseToUnbalance) {
+  scene::Scene s = jeffcott();
+  EXPECT_TRUE(plots_of(s).at("bode").is_null()) << "nothing turns with the spin";
+  EXPECT_EQ(page_of(s).find("data-plot=\"bode\""), std::string::npos);
+  scene::Force unbalance;
+  unbalance.kind = scene::ForceKind::kUnbalance;
+  unbalance.static_moment = 2.0 * 10e-6;
+  s.forces.push_back(unbalance);
+  const json bode = plots_of(s).at("bode");
+  EXPECT_EQ(bode.at("forces"), false);
+  ASSERT_EQ(bode.at("curves").size(), 1u);
+  const json& curve = bode["curves"][0];
+  const double omega = std::sqrt(1e5), zeta = 40.0 / (2.0 * 2.0 * omega);
+  for (std::size_t k = 0; k < bode.at("speed").size(); ++k) {
+    const double r = bode["speed"][k].get<double>() / kRpm / omega;
+    const double size = 10.0 * r * r / std::hypot(1.0 - r * r, 2.0 * zeta * r);
+    EXPECT_NEAR(curve.at("amplitude")[k].get<double>() / size, 1.0, 2e-4);
+    const double phase = -std::atan2(2.0 * zeta * r, 1.0 - r * r) * 180.0 / 3.14159265358979;
+    EXPECT_NEAR(curve.at("phase")[k].get<double>(), phase, 0.02);
+  }
+  ASSERT_EQ(curve.at("peaks").size(), 1u);
+  EXPECT_NEAR(curve["peaks"][0].at("factor").get<double>() * 2.0 * zeta, 1.0, 0.01);
+  // AF is 31.6 / 2: 17 % (1 - 1/14.3) below, 10 % more above; 100 rad/s is two thirds below 316.
+  const json rows = peak_rows(bode);
+  ASSERT_EQ(rows.size(), 1u);
+  EXPECT_EQ(rows[0].at("margin"), "217 %");
+  EXPECT_EQ(rows[0].at("asked"), "25.8 %");
+  EXPECT_EQ(rows[0].at("tone"), "good");
+  s.rotor.speed = 300.0;
+  EXPECT_EQ(peak_rows(plots_of(s).at("bode"))[0].at("tone"), "bad") << "5 % above it";
+  EXPECT_NE(page_of(s).find("Peaks of the unbalance response"), std::string::npos);
+  EXPECT_NE(page_of(s).find("data-plot=\"bode\""), std::string::npos);
+  EXPECT_EQ(page_of(s).find("count as the unbalance"), std::string::npos);
 }
 
 // A free rotor that is stable at any speed may whip once it touches: the page says so beside it.
@@ -191,6 +229,20 @@ TEST(ModesPage, SaysWhatATouchMayLeadTo) {
   EXPECT_NE(page.find("Once it touches"), std::string::npos);
   EXPECT_NE(page.find(attractors_text(attractors)), std::string::npos);
   EXPECT_NE(page.find("stable at any speed"), std::string::npos);
+}
+
+// A start of rotor and ring that only go together, as of mjcf/bench_annular_elastic.toml.
+TEST(ModesPage, AsksForNoStart) {
+  scene::Scene s = jeffcott();
+  auto& bearing = s.first();
+  bearing.contact.emplace();
+  bearing.contact->radius = 50e-3;
+  bearing.contact->clearance = 0.5e-3;
+  bearing.stator.emplace().mass = {1.0, 1.0};
+  bearing.stator->stiffness = {1e5, 1e5};
+  s.initial.x = {2e-3};
+  bearing.stator->position = {1.8e-3, 0.0};
+  EXPECT_NE(page_of(s).find("stable at any speed"), std::string::npos);
 }
 
 TEST(ModesPage, SaysWhatTheModelSays) {

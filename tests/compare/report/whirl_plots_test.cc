@@ -6,6 +6,7 @@
 #include <nlohmann/json.hpp>
 #include <numbers>
 
+#include "compare/report/run_up_plots.h"
 #include "compare/report/whirl_plots.h"
 
 namespace rotorub {
@@ -27,8 +28,13 @@ Trajectory whirling(double spin = 40.0, std::size_t rows = 4001) {
     angle.push_back(with);
   }
   Trajectory run;
-  run.series = {{"t", "s", t},           {"rotor_x", "m", x},     {"rotor_y", "m", y},
-                {"rotor_vx", "m/s", vx}, {"rotor_vy", "m/s", vy}, {"spin_angle", "rad", angle}};
+  run.series = {{"t", "s", t},
+                {"rotor_x", "m", x},
+                {"rotor_y", "m", y},
+                {"rotor_vx", "m/s", vx},
+                {"rotor_vy", "m/s", vy},
+                {"spin_angle", "rad", angle},
+                {"spin_speed", "rad/s", std::vector<double>(rows, kTurn * spin)}};
   return run;
 }
 
@@ -75,6 +81,45 @@ TEST(WhirlPlots, TheResidualIsTheDistance) {
   }
   const json apart = whirl_data(away, &other, 320.0).at("residual");
   for (const double y : apart.at("y").get<std::vector<double>>()) EXPECT_NEAR(y, 3.0, 1e-6);
+}
+
+// 1x of a run-up from 20 to 60 Hz: 5 um, whose phase is that of the mark.
+TEST(WhirlPlots, ARunUpHasItsOrders) {
+  std::vector<double> t, x, y, vx, vy, angle, speed;
+  for (std::size_t i = 0; i <= 4000; ++i) {
+    t.push_back(static_cast<double>(i) / 4000.0);
+    const double phi = kTurn * (20.0 + 20.0 * t.back()) * t.back(),
+                 omega = kTurn * (20.0 + 40.0 * t.back());
+    x.push_back(5e-6 * std::cos(phi - 2.0)), y.push_back(5e-6 * std::sin(phi - 2.0));
+    vx.push_back(-omega * y.back()), vy.push_back(omega * x.back());
+    angle.push_back(phi), speed.push_back(omega);
+  }
+  Trajectory run;
+  run.series = {{"t", "s", t},
+                {"rotor_x", "m", x},
+                {"rotor_y", "m", y},
+                {"rotor_vx", "m/s", vx},
+                {"rotor_vy", "m/s", vy},
+                {"spin_angle", "rad", angle},
+                {"spin_speed", "rad/s", speed}};
+  ASSERT_TRUE(changes_speed(run));
+  const json orders = whirl_data(run, nullptr, 320.0).at("orders");
+  ASSERT_EQ(orders.at("t").size(), 145u) << "40 turns, four in a stretch, a quarter between two";
+  for (std::size_t k = 0; k < 145; ++k) {
+    EXPECT_NEAR(orders.at("speed")[k].get<double>(),
+                60.0 * (20.0 + 40.0 * orders.at("t")[k].get<double>()), 0.1);
+    EXPECT_NEAR(orders.at("amplitude")[0][k].get<double>(), 5.0, 1e-3);
+    EXPECT_NEAR(orders.at("phase")[0][k].get<double>(), -2.0 * 360.0 / kTurn, 0.02);
+    EXPECT_NEAR(orders.at("amplitude")[1][k].get<double>(), 0.0, 1e-3) << "no 2x";
+  }
+  const json cascade = whirl_data(run, nullptr, 320.0).at("cascade");
+  EXPECT_EQ(cascade.at("speed").size() * cascade.at("columns").get<std::size_t>(),
+            cascade.at("levels").get<std::string>().size() / 4 * 3);
+  EXPECT_NEAR(cascade.at("high").get<double>(), std::log10(5.0), 0.1);
+  for (double& s : run.series.back().values) s = kTurn * 20.0;
+  EXPECT_FALSE(changes_speed(run));
+  EXPECT_TRUE(whirl_data(run, nullptr, 320.0).at("orders").is_null()) << "no run-up";
+  EXPECT_TRUE(whirl_data(run, nullptr, 320.0).at("cascade").is_null());
 }
 
 // A run that ends at once, and one of a rotor at rest.

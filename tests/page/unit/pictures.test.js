@@ -3,7 +3,7 @@ import assert from 'node:assert/strict';
 import {test} from 'node:test';
 import {gapAt, unrolledScale} from '../../../compare/report/page/player/unrolled.js';
 import {units} from '../../../compare/report/page/player/units.js';
-import {colourScale, countUntil, keyScale, opened, thinned} from '../../../compare/report/page/scales.js';
+import {colourScale, countUntil, keyScale, opened, openedCurve, thinned} from '../../../compare/report/page/scales.js';
 import {scaleOfColours, shade} from '../../../compare/report/page/style.js';
 import {heightFor} from '../../../compare/report/page/traces.js';
 
@@ -81,6 +81,12 @@ test('a thinned line is at rest where the whole one is, however its samples lie'
 test('a line is open where a record has no samples', () => {
   assert.deepEqual(opened({t: [0, 1, 2, 3], y: [5, 6, 7, 8]}, [[1, 3]]), {t: [0, 1, 2, 3], y: [5, 6, null, 8]});
   assert.deepEqual(opened({t: [0, 1], y: [5, 6]}), {t: [0, 1], y: [5, 6]});
+});
+
+test('a curve is open where a record has no samples', () => {
+  assert.deepEqual(openedCurve([0, 1, 3, 4], [[1, 2], [3, 4], [5, 6], [7, 8]], [[1, 3]]), [[1, 2], [3, 4], [null, null], [5, 6], [7, 8]]);
+  assert.deepEqual(openedCurve([0, 1], [[1, 2], [3, 4]], [[5, 6]]), [[1, 2], [3, 4]]);
+  assert.deepEqual(openedCurve([0, 1], [[1, 2], [3, 4]]), [[1, 2], [3, 4]]);
 });
 
 test('the unrolled gap is that of two circles', () => {

@@ -129,11 +129,10 @@ export class Run {
   }
 
   // Times in (from, to] at which the mark on the rotor passes +x: the keyphasor's pulses.
-  pulses(from, to) {
+  pulses(from, to, steps = 200) {
     if (!this.has('spin')) return [];
     const turn = 2 * Math.PI, spin = this.tracks.spin, times = [];
     let a = from, fa = spin.at(from) / turn;
-    const steps = 200;
     for (let k = 1; k <= steps; ++k) {
       const b = from + (to - from) * k / steps, fb = spin.at(b) / turn;
       if (Math.floor(fa) !== Math.floor(fb)) {

@@ -1,0 +1,136 @@
+#include "compare/report/response_plots.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <nlohmann/json.hpp>
+#include <optional>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "compare/base/units.h"
+#include "compare/report/plot_points.h"
+#include "native_model/rotor/stiffness_map.h"
+#include "native_model/system/synchronous_response.h"
+
+namespace rotorub {
+namespace {
+
+using nlohmann::json;
+
+constexpr double kMicronsOfMetre = 1e6;  // in a m
+constexpr int kResponseDigits = 5;
+
+json curve_json(const ProbeResponse& probe, const std::vector<double>& speed, bool same_planes) {
+  json amplitude = json::array(), phase = json::array(), peaks = json::array();
+  double last = 0.0;
+  std::vector<double> phases;
+  for (const std::complex<double>& x : probe.deflection) {
+    if (std::isnan(x.real())) {
+      amplitude.push_back(nullptr);
+      phase.push_back(nullptr);
+    } else {
+      last = phase_degrees(x, last);
+      amplitude.push_back(rounded(kMicronsOfMetre * std::abs(x), kResponseDigits));
+      phase.push_back(rounded(last, kResponseDigits));
+    }
+    phases.push_back(last);
+  }
+  for (const ResponsePeak& peak : probe.peaks) {
+    const auto at = std::upper_bound(speed.begin(), speed.end(), peak.speed) - speed.begin() - 1;
+    const double beside = phases[static_cast<std::size_t>(std::max<std::ptrdiff_t>(at, 0))];
+    peaks.push_back(
+        {{"speed", rounded(kRpm * peak.speed)},
+         {"amplitude", rounded(kMicronsOfMetre * std::abs(peak.deflection), kResponseDigits)},
+         {"phase", rounded(phase_degrees(peak.deflection, beside), kResponseDigits)},
+         {"factor",
+          peak.amplification ? json(rounded(*peak.amplification, kResponseDigits)) : json()}});
+  }
+  return {{"name", probe.name},
+          {"plane", same_planes        ? ""
+                    : probe.plane == 0 ? "x"
+                                       : "y"},
+          {"amplitude", amplitude},
+          {"phase", phase},
+          {"peaks", peaks}};
+}
+
+}  // namespace
+
+json bode_data(const scene::Scene& scene, double top) {
+  const auto response = synchronous_response(scene, top);
+  if (!response) return nullptr;
+  return {{"speed", rounded_list(response->speed, kRpm)},
+          {"running", rounded(std::abs(scene.rotor.speed) * kRpm)},
+          {"forces", response->forces},
+          {"clearance", scene.first().contact
+                            ? json(rounded(kMicronsOfMetre * scene.first().contact->clearance))
+                            : json()},
+          {"curves", list_of(response->probes, [&](const ProbeResponse& probe) {
+             return curve_json(probe, response->speed, response->same_planes);
+           })}};
+}
+
+json peak_rows(const json& bode) {
+  constexpr double kSame = 0.02;  // of the speed
+  std::vector<std::pair<json, std::string>> all;
+  if (bode.is_null()) return json::array();
+  for (const json& curve : bode.at("curves")) {
+    const std::string plane = curve.at("plane");
+    for (const json& peak : curve.at("peaks"))
+      all.emplace_back(peak,
+                       curve.at("name").get<std::string>() + (plane.empty() ? "" : ", " + plane));
+  }
+  const auto value = [](const auto& peak, const char* what) {
+    return peak.first.at(what).template get<double>();
+  };
+  std::sort(all.begin(), all.end(),
+            [&](const auto& a, const auto& b) { return value(a, "speed") < value(b, "speed"); });
+  json rows = json::array();
+  const double running = bode.at("running");
+  for (auto begin = all.begin(); begin != all.end();) {
+    const auto end = std::find_if(begin, all.end(), [&](const auto& peak) {
+      return value(peak, "speed") > (1.0 + kSame) * value(*begin, "speed");
+    });
+    const auto top = std::max_element(begin, end, [&](const auto& a, const auto& b) {
+      return value(a, "amplitude") < value(b, "amplitude");
+    });
+    const double speed = value(*top, "speed");
+    const json& factor = top->first.at("factor");
+    const double margin = running > 0.0 ? std::abs(speed - running) / running : 0.0;
+    std::optional<double> asked;
+    if (!factor.is_null() && running > 0.0)
+      asked = required_margin(factor.get<double>(), speed > running);
+    rows.push_back(
+        {{"speed", fmt::format("{:.5g}", speed)},
+         {"station", top->second},
+         {"amplitude", fmt::format("{:.4g}", value(*top, "amplitude"))},
+         {"factor", factor.is_null() ? "–" : fmt::format("{:.3g}", factor.get<double>())},
+         {"margin", running > 0.0 ? fmt::format("{:.3g} %", 100.0 * margin) : "–"},
+         {"asked", asked ? fmt::format("{:.3g} %", 100.0 * *asked) : "none"},
+         {"tone", !asked             ? ""
+                  : margin >= *asked ? "good"
+                                     : "bad"}});
+    begin = end;
+  }
+  return rows;
+}
+
+json stiffness_data(const scene::Scene& scene) {
+  const auto map = stiffness_map(scene);
+  if (!map) return nullptr;
+  std::size_t most = 0;
+  for (const auto& speeds : map->critical) most = std::max(most, speeds.size());
+  json curves = json::array();
+  for (std::size_t k = 0; k < most; ++k) {
+    curves.push_back(list_of(map->critical, [&](const std::vector<double>& speeds) {
+      return k < speeds.size() ? json(rounded(kRpm * speeds[k])) : json();
+    }));
+  }
+  return {
+      {"stiffness", rounded_list(map->stiffness)}, {"own", rounded(map->own)}, {"curves", curves}};
+}
+
+}  // namespace rotorub

@@ -1,0 +1,26 @@
+// What the pages draw of the free rotor beside Campbell's diagram: its response to unbalance over
+// the speed (Bode, polar), and its critical speeds over the stiffness of the bearings.
+#pragma once
+
+#include <nlohmann/json_fwd.hpp>
+
+#include "native_model/scene/scene.h"
+
+namespace rotorub {
+
+// {"speed": [rpm], "running": rpm, "forces": as SynchronousResponse, "clearance": um, of the first
+// contact, or null, "curves": [{"name", "plane": "x", "y", or "" of planes that are alike,
+// "amplitude": [um], "phase": [deg], "peaks": [{"speed", "amplitude", "phase", "factor": or
+// null}]}]} up to top (rad/s). The phase goes on beyond half a turn; null where there is nothing
+// steady. Null: nothing turns with the spin.
+nlohmann::json bode_data(const scene::Scene& scene, double top);
+
+// Rows of the page's table of peaks, from bode_data: of peaks at nearly one speed the largest, its
+// station, and how far the scene's speed lies from it beside what API 617 asks for. Texts.
+nlohmann::json peak_rows(const nlohmann::json& bode);
+
+// {"stiffness": [N/m], "own": N/m, "curves": [[rpm] of the k-th critical speed, null where there is
+// none]}; null where there is no such map.
+nlohmann::json stiffness_data(const scene::Scene& scene);
+
+}  // namespace rotorub

@@ -1,0 +1,162 @@
+#include "compare/sweep/bifurcation.h"
+
+#include <algorithm>
+#include <cmath>
+#include <mutex>
+#include <numbers>
+#include <numeric>
+#include <stdexcept>
+
+#include "compare/base/in_parallel.h"
+#include "compare/metrics/orbit.h"
+#include "compare/metrics/rows.h"
+#include "compare/sweep/point_run.h"
+#include "native_model/run/continued.h"
+#include "native_model/run/lyapunov.h"
+#include "native_model/scene/diagnostic.h"
+
+namespace rotorub::sweep {
+namespace {
+
+constexpr double kWholeTurn = 2.0 * std::numbers::pi;
+
+// A value's scene and the run that it led to: what the next one goes on from.
+struct Before {
+  scene::Scene scene;
+  Trajectory run;
+};
+
+double turn_of(const scene::Scene& scene) { return kWholeTurn / std::abs(scene.rotor.speed); }
+
+Trajectory run_of(const Study& study, const scene::Scene& scene, double turn,
+                  const std::atomic<bool>* interrupt) {
+  constexpr double kRowsOfATurn = 48.0;
+  const double end = scene.run.end, part = std::min(0.5 * end, (Bifurcation::kTurns + 0.5) * turn);
+  const auto rows = static_cast<std::size_t>(std::ceil(kRowsOfATurn * part / turn)) + 2;
+  RunRequest request;
+  request.interrupt = interrupt;
+  request.output_times = even_times(end - part, end, rows);
+  return engine_of(study, scene)->run(scene, request);
+}
+
+void read_section(const Trajectory& run, BranchPoint& out) {
+  out.places = poincare_points(run, run.column("t").front());
+  double size = 0.0;
+  for (const auto& place : out.places) size = std::max(size, std::abs(place));
+  out.period = section_period(out.places, Bifurcation::kTolerance * size, Bifurcation::kMostPeriod);
+}
+
+// A stretch of a turn, of a fixed step of whole steps.
+std::optional<double> exponent_of(const Study& study, const Before& at, double turn,
+                                  const std::atomic<bool>* interrupt) {
+  LyapunovParameters parameters;
+  parameters.integrator = study.integrator;
+  parameters.interrupt = interrupt;
+  const auto integrator = study.integrator.value_or(at.scene.run.integrator);
+  const double step = at.scene.run.step;
+  parameters.stretch = integrator == scene::Integrator::kEvent
+                           ? turn
+                           : step * std::max(1.0, std::round(turn / step));
+  return largest_lyapunov(continued(at.scene, at.scene, at.run), parameters).exponent;
+}
+
+class Branch {
+ public:
+  Branch(const PointScenes& scenes, bool follows, bool exponents,
+         const std::atomic<bool>* interrupt)
+      : scenes_(scenes), follows_(follows), exponents_(exponents), interrupt_(interrupt) {}
+
+  BranchPoint at(std::int64_t point) {
+    BranchPoint out{point, {}};
+    try {
+      const scene::Scene own = scenes_.at(point);
+      if (own.rotor.speed == 0.0) throw std::runtime_error("a rotor at rest has no turns");
+      if (follows_ && before_) {
+        try {
+          step(continued(own, before_->scene, before_->run), out);
+          out.continued = true;
+          return out;
+        } catch (const scene::SceneError&) {
+          out.places.clear();  // no start for this value: a smaller ring, other modes
+        }
+      }
+      step(own, out);
+    } catch (const scene::SceneError& error) {
+      out.refused = reason_of(error);
+    } catch (const std::runtime_error& error) {
+      out.refused = error.what();
+    }
+    return out;
+  }
+
+ private:
+  void step(const scene::Scene& scene, BranchPoint& out) {
+    const double turn = turn_of(scene);
+    Trajectory run = run_of(scenes_.study(), scene, turn, interrupt_);
+    if (run.status != Status::kOk)
+      throw std::runtime_error(run.message.empty() ? to_string(run.status) : run.message);
+    read_section(run, out);
+    before_ = Before{scene, std::move(run)};
+    if (exponents_) out.exponent = exponent_of(scenes_.study(), *before_, turn, interrupt_);
+  }
+
+  const PointScenes& scenes_;
+  bool follows_, exponents_;
+  const std::atomic<bool>* interrupt_;
+  std::optional<Before> before_;
+};
+
+// Of the first value that has a scene at all.
+std::string reason_not_continued(const PointScenes& scenes) {
+  for (std::int64_t point = 0; point < scenes.sample().size(); ++point) {
+    try {
+      return not_continued(scenes.at(point));
+    } catch (const scene::SceneError&) {  // the next one may have one
+    }
+  }
+  return {};
+}
+
+}  // namespace
+
+std::string no_bifurcation(const Study& study) {
+  if (study.vary.size() != 1) return "a bifurcation diagram is over one [[vary]] alone";
+  if (study.engine != EngineKind::kNative) return "a bifurcation diagram is of native runs alone";
+  if (std::ranges::any_of(study.vary.front().values,
+                          [](const Value& value) { return !value.number.has_value(); }))
+    return "a bifurcation diagram is over numbers alone";
+  return {};
+}
+
+std::optional<Bifurcation> bifurcation(const PointScenes& scenes,
+                                       const std::atomic<bool>* interrupt,
+                                       const std::function<void(double)>& progress) {
+  std::vector<std::int64_t> order(static_cast<std::size_t>(scenes.sample().size()));
+  std::iota(order.begin(), order.end(), std::int64_t{0});
+  const auto value = [&](std::int64_t point) {
+    return scenes.sample().at(point).front().number.value_or(0.0);
+  };
+  std::ranges::sort(order, {}, value);
+  Bifurcation out;
+  out.not_continued = reason_not_continued(scenes);
+  const bool follows = out.not_continued.empty();
+  std::mutex mutex;
+  std::size_t done = 0;
+  const double all = 2.0 * static_cast<double>(order.size());
+  in_parallel(2, interrupt, {}, [&](std::size_t k) {
+    Branch branch(scenes, follows, follows && k == 0, interrupt);
+    auto& points = k == 0 ? out.up : out.down;
+    std::vector<std::int64_t> own = order;
+    if (k == 1) std::ranges::reverse(own);
+    for (const std::int64_t point : own) {
+      if (interrupt && *interrupt) return;
+      points.push_back(branch.at(point));
+      const std::lock_guard<std::mutex> lock(mutex);
+      if (progress) progress(static_cast<double>(++done) / all);
+    }
+  });
+  if (interrupt && *interrupt) return std::nullopt;
+  return out;
+}
+
+}  // namespace rotorub::sweep

@@ -1,0 +1,116 @@
+#include "native_model/run/lyapunov.h"
+
+#include <Eigen/Core>
+#include <cmath>
+#include <numbers>
+#include <vector>
+
+#include "native_model/run/continued.h"
+#include "native_model/run/run_native.h"
+#include "native_model/scene/diagnostic.h"
+#include "native_model/system/model.h"
+
+namespace rotorub {
+namespace {
+
+// A scene's start as a vector of lengths: velocities times `time`, angles times `length`.
+struct StartVector {
+  double time, length;
+
+  template <class Each>
+  void visit(scene::Scene& s, Each each) const {
+    const auto list = [&](std::vector<double>& values, double unit) {
+      for (double& value : values) each(value, unit);
+    };
+    list(s.initial.x, 1.0);
+    list(s.initial.y, 1.0);
+    list(s.initial.vx, time);
+    list(s.initial.vy, time);
+    list(s.initial.torsion, length);
+    list(s.initial.torsion_speed, length * time);
+    if (s.drive) {
+      each(s.initial.spin_angle, length);
+      each(s.rotor.speed, length * time);
+    }
+    for (scene::AuxiliaryBearing& at : s.auxiliary) {
+      if (!at.stator) continue;
+      for (int k = 0; k < 2; ++k) each(at.stator->position[k], 1.0);
+      for (int k = 0; k < 2; ++k) each(at.stator->velocity[k], time);
+    }
+  }
+  Eigen::VectorXd of(scene::Scene s) const {
+    std::vector<double> all;
+    visit(s, [&](double& value, double unit) { all.push_back(unit * value); });
+    return Eigen::Map<const Eigen::VectorXd>(all.data(), static_cast<Eigen::Index>(all.size()));
+  }
+  scene::Scene moved(scene::Scene s, const Eigen::VectorXd& by) const {
+    Eigen::Index k = 0;
+    visit(s, [&](double& value, double unit) { value += by[k++] / unit; });
+    return s;
+  }
+};
+
+// Of every list of the start as many values as it has.
+scene::Scene with_whole_start(scene::Scene s) {
+  const Layout l = make_model(s).layout;
+  for (std::vector<double>* list : {&s.initial.x, &s.initial.y, &s.initial.vx, &s.initial.vy})
+    list->resize(static_cast<std::size_t>(l.modes), 0.0);
+  for (std::vector<double>* list : {&s.initial.torsion, &s.initial.torsion_speed})
+    list->resize(static_cast<std::size_t>(l.torsion), 0.0);
+  return s;
+}
+
+}  // namespace
+
+Lyapunov largest_lyapunov(const scene::Scene& start, const LyapunovParameters& p) {
+  const std::string why = not_continued(start);
+  if (!why.empty()) return {std::nullopt, why};
+  if (start.initial.steady)
+    return {std::nullopt, "it starts on its steady orbit; give a start that a run has left"};
+  const double size = start.first().contact ? start.first().contact->clearance : 1e-3,
+               first = p.distance * size;
+  const StartVector vector{p.stretch / (2.0 * std::numbers::pi), size};
+  NativeOptions options;
+  options.integrator = p.integrator;
+  options.interrupt = p.interrupt;
+  options.output_times = std::vector<double>{p.stretch};
+  // The other way round, should the ring be in the first one's.
+  const auto beside = [&](const scene::Scene& s, bool either_way, const Eigen::VectorXd& by) {
+    const scene::Scene there = vector.moved(s, by);
+    if (!either_way) return there;
+    try {
+      make_model(there);
+    } catch (const scene::SceneError&) {
+      return vector.moved(s, -by);
+    }
+    return there;
+  };
+  const auto on = [&](const scene::Scene& s) -> std::optional<scene::Scene> {
+    const Trajectory run = run_native(s, options);
+    if (run.status != Status::kOk) return std::nullopt;
+    return continued(s, s, run);
+  };
+  try {
+    scene::Scene one = with_whole_start(start);
+    one.run.end = p.stretch;
+    one.run.output_times.clear();
+    Eigen::VectorXd line = Eigen::VectorXd::Unit(vector.of(one).size(), 0);
+    double sum = 0.0;
+    for (int k = 0; k < p.settling + p.stretches; ++k) {
+      auto other = on(beside(one, k == 0, first * line));
+      auto next = on(one);
+      if (!other || !next) return {std::nullopt, "a run on the way does not end well"};
+      line = vector.of(*other) - vector.of(*next);
+      const double distance = line.norm();
+      if (!(distance > 0.0)) return {std::nullopt, "the runs come together to the last bit"};
+      if (k >= p.settling) sum += std::log(distance / first);
+      line /= distance;
+      one = std::move(*next);
+    }
+    return {sum / (p.stretches * p.stretch), {}};
+  } catch (const scene::SceneError& error) {
+    return {std::nullopt, error.diagnostics().front().reason};
+  }
+}
+
+}  // namespace rotorub

@@ -1,0 +1,60 @@
+#include "compare/metrics/cascade.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <complex>
+#include <numbers>
+
+namespace rotorub {
+namespace {
+
+// From 20 to 80 Hz in 4 s; whirl of 20 um forward at 50 Hz and of 4 um backward at 90 Hz.
+Trajectory ringing(int rows) {
+  constexpr double kTwoPi = 2.0 * std::numbers::pi;
+  std::vector<double> t, x, y, vx, vy, speed;
+  for (int i = 0; i <= rows; ++i) {
+    t.push_back(4.0 * i / rows);
+    const std::complex<double> i_(0.0, 1.0);
+    const auto forward = 20e-6 * std::polar(1.0, kTwoPi * 50.0 * t.back()),
+               backward = 4e-6 * std::polar(1.0, -kTwoPi * 90.0 * t.back() + 0.4);
+    const auto z = forward + backward + 7e-6, v = kTwoPi * i_ * (50.0 * forward - 90.0 * backward);
+    x.push_back(z.real()), y.push_back(z.imag()), vx.push_back(v.real()), vy.push_back(v.imag());
+    speed.push_back(kTwoPi * (20.0 + 15.0 * t.back()));
+  }
+  Trajectory run;
+  run.series = {{"t", "s", t},           {"rotor_x", "m", x},     {"rotor_y", "m", y},
+                {"rotor_vx", "m/s", vx}, {"rotor_vy", "m/s", vy}, {"spin_speed", "rad/s", speed}};
+  return run;
+}
+
+TEST(Cascade, HasUprightRidgesWhereNaturalFrequenciesRing) {
+  constexpr double kTwoPi = 2.0 * std::numbers::pi;
+  constexpr std::size_t kRows = 30, kColumns = 601;
+  const Cascade c = cascade(ringing(16000), kRows, kColumns, 300.0);
+  ASSERT_GE(c.t.size(), kRows - 3) << "those at the ends have no room for eight turns";
+  ASSERT_EQ(c.amplitude.size(), c.t.size() * kColumns);
+  EXPECT_EQ(c.frequency.front(), -300.0);
+  EXPECT_EQ(c.frequency.back(), 300.0);
+  for (std::size_t row = 0; row < c.t.size(); ++row) {
+    EXPECT_NEAR(c.speed[row], kTwoPi * (20.0 + 15.0 * c.t[row]), 1e-6);
+    const auto begin = c.amplitude.begin() + static_cast<std::ptrdiff_t>(row * kColumns);
+    const auto forward = std::max_element(begin + 300, begin + kColumns),
+               backward = std::max_element(begin, begin + 300);
+    EXPECT_NEAR(c.frequency[static_cast<std::size_t>(forward - begin)], 50.0, 1.01);
+    EXPECT_NEAR(c.frequency[static_cast<std::size_t>(backward - begin)], -90.0, 2.01);
+    EXPECT_NEAR(*forward, 20e-6, 0.1e-6);
+    EXPECT_NEAR(*backward, 4e-6, 0.1e-6);
+  }
+}
+
+// 200 rows a second: of a spin of 33 Hz and more a turn has fewer than six.
+TEST(Cascade, IsOpenWhereRowsAreTooFew) {
+  const Cascade c = cascade(ringing(800), 30, 101, 300.0);
+  ASSERT_FALSE(c.t.empty());
+  EXPECT_LT(c.speed.back(), 2.0 * std::numbers::pi * 34.0);
+}
+
+}  // namespace
+}  // namespace rotorub

@@ -1,0 +1,107 @@
+// The plots of rotor dynamics in Chromium: in the pages of a run-up, of modes and of a sweep.
+import {after, before, test} from 'node:test';
+import fs from 'node:fs';
+import path from 'node:path';
+import {assert, folder, launch, open, rotorub, scene} from './support.js';
+
+let browser;
+before(async () => { browser = await launch(); });
+after(() => browser?.close());
+
+// What a plot shows, once it is drawn.
+async function drawn(page, key) {
+  const selector = `.plot[data-plot="${key}"]`;
+  await page.evaluate((s) => document.querySelector(s).closest('figure').scrollIntoView({block: 'center', behavior: 'instant'}), selector);
+  await page.waitForFunction((s) => (document.querySelector(s)._fullData || []).length > 0, selector);
+  return page.evaluate((s) => {
+    const plot = document.querySelector(s);
+    return {notes: (plot.layout.annotations || []).map((a) => a.text).filter((text) => text),
+      traces: plot._fullData.map((d) => ({name: d.name, mode: d.mode, axis: d.yaxis, symbol: d.marker?.symbol, x: [...d.x], y: [...d.y]}))};
+  }, selector);
+}
+const largest = ({x, y}) => y.reduce((best, value, k) => (value > best.y ? {x: x[k], y: value} : best), {x: 0, y: -Infinity});
+
+test('a run-up goes through the peak of its Bode plot, a little later, and the dots follow the time', async () => {
+  rotorub(['run', scene('run_up'), '-o', 'up', '-q']);
+  rotorub(['plot', 'up', '-q']);
+  const page = await open(browser, 'up/plot.html');
+  const bode = await drawn(page, 'bode'), contact = bode.traces.find((t) => t.name === 'contact' && t.mode === 'lines' && t.axis === 'y');
+  const critical = largest(contact).x;
+  const orders = await drawn(page, 'orders'), once = orders.traces.filter((t) => t.name === 'native, 1×').find((t) => t.axis === 'y');
+  const peak = largest(once);
+  assert.ok(peak.x > critical && peak.x < 1.25 * critical, `${peak.x} rpm beside ${critical} rpm`);
+  assert.ok(peak.y < largest(contact).y, 'it has no time to grow');
+
+  const places = [];
+  for (const t of [0.2, 0.5]) {
+    await page.evaluate(`page.players[0].clock.seek(${t})`);
+    for (const key of ['cascade', 'orders', 'orders_polar']) {
+      await drawn(page, key);
+      const at = await page.evaluate((k) => {
+        const dot = document.querySelector(`.plot[data-plot="${k}"] .cursor-dots b`);
+        return dot && [dot.style.left, dot.style.top].join();
+      }, key);
+      places.push(at);
+    }
+  }
+  // At 0.2 s the cascade has no row yet: eight turns about it do not fit into the run.
+  assert.ok(places.slice(1).every(Boolean), `${places}`);
+  assert.equal(new Set(places).size, places.length, `${places}`);
+
+  const cascade = await drawn(page, 'cascade'), rows = cascade.traces.filter((t) => t.name !== 'foot');
+  assert.ok(rows.length > 20);
+  for (const row of rows) assert.ok(largest(row).x > 30 && largest(row).x < 80, `forward, at ${largest(row).x} Hz`);
+  const orbit = await drawn(page, 'orbit');
+  assert.deepEqual(orbit.notes, ['native: forward']);
+  assert.ok(orbit.traces.some((t) => t.mode === 'markers' && t.symbol === 'diamond' && t.x.length >= 1));
+  assert.deepEqual(page.said, []);
+  await page.close();
+});
+
+test('the critical speed map crosses the critical speeds at the stiffness of the scene', async () => {
+  const args = ['modes', scene('run_up'), '-o', 'modes'];
+  rotorub([...args, '-q']);
+  const critical = JSON.parse(rotorub([...args, '--json'])).critical_speeds.map((w) => w * 30 / Math.PI);
+  const page = await open(browser, 'modes/modes.html');
+  const map = await drawn(page, 'stiffness');
+  assert.ok(map.traces.length >= 4);
+  map.traces.slice(0, 4).forEach((curve, k) => {
+    const at = curve.x.findIndex((x) => Math.abs(x / 2e7 - 1) < 1e-6);
+    assert.ok(Math.abs(curve.y[at] / critical[k] - 1) < 1e-5, `${curve.y[at]} is not ${critical[k]}`);
+  });
+  const bode = await drawn(page, 'bode');
+  assert.ok(bode.notes.some((note) => note.includes('AF 50')), `damping of 1 %: ${bode.notes}`);
+  const ratios = await drawn(page, 'damping'), decrements = await drawn(page, 'decrement');
+  assert.equal(decrements.traces.length, ratios.traces.length);
+  for (const [k, {y}] of decrements.traces.entries()) {
+    for (const [i, value] of y.entries()) {
+      const zeta = ratios.traces[k].y[i] / 100;
+      assert.ok(Math.abs(value - 2 * Math.PI * zeta / Math.sqrt(1 - zeta ** 2)) < 1e-9, `${value} of ${zeta}`);
+    }
+  }
+  assert.deepEqual(page.said, []);
+  await page.close();
+});
+
+test('a bifurcation diagram in the page of a sweep shows two motions side by side', async () => {
+  fs.writeFileSync(path.join(folder, 'study.toml'), `scene = "${scene('bench_annular_elastic')}"
+[sample]
+kind = "list"
+[[vary]]
+key = "rotor.speed"
+also = ["force[0].frequency"]
+values = ["60 Hz", "80 Hz", "100 Hz", "125 Hz"]
+[run]
+integrator = "event"
+end = "1 s"
+`);
+  rotorub(['sweep', 'study.toml', '-o', 'sweep', '--bifurcation', '-q']);
+  const page = await open(browser, 'sweep/sweep.html');
+  const diagram = await drawn(page, 'bifurcation'), of = (name) => diagram.traces.find((t) => t.name === name);
+  const at = (trace, hertz) => trace.y[trace.x.findIndex((x) => Math.abs(x - hertz) < 1e-3)];
+  assert.ok(Math.abs(at(of('upwards'), 60) - at(of('downwards'), 60)) < 1, 'one motion');
+  assert.ok(Math.abs(at(of('upwards'), 100) - at(of('downwards'), 100)) > 20, 'two motions');
+  assert.deepEqual(of('Lyapunov exponent').x.map(Math.round), [60, 80, 100, 125]);
+  assert.deepEqual(page.said, []);
+  await page.close();
+});
