@@ -134,9 +134,9 @@ std::string fill_page(std::string_view html, const json& values) {
                         {"plots", plots_html()},
                         {"player", player_html()},
                         {"transport", transport_html()},
-                         {"glossary", glossary_html()},
-                         {"rotor", rotor_html()},
-                         {"bode", bode_html()}});
+                        {"glossary", glossary_html()},
+                        {"rotor", rotor_html()},
+                        {"bode", bode_html()}});
 }
 
 }  // namespace rotorub

@@ -63,6 +63,7 @@ TRIED = [
     "sweep study.toml -o s2 --shard 2/2 --set contact.friction=0.1 -q",
     "sweep study.toml -o s3 --merge s1 s2 --set contact.friction=0.1 --quiet",
     "sweep study.toml -o s4 --slurm --tasks 2 --quiet",
+    "sweep study.toml -o s6 --bifurcation -q",
     f"sweep paper.toml -o s5 --controller {OWN} {SAMPLED} -q",
     f"check {DROP} --set run.end=11ms --json", f"check {DROP} --set run.end=11ms --quiet --output k1",
     f"check {DROP} --set run.end=11ms -q -o k2",
