@@ -63,7 +63,7 @@ Judgement judge(const Trajectory& trajectory, const Settled& settled, const Sett
   };
   if (settled.attractor != reference.attractor) {
     const bool bounces = settled.attractor == Attractor::kBouncing;
-    return bounces ? Judgement{Outcome::kChatter, said("it chatters")}
+    return bounces ? Judgement{Outcome::kChatter, said("it bounces")}
                    : Judgement{Outcome::kWrongAttractor, said("another attractor")};
   }
   // The same name at another frequency is another attractor too: two whips, two rolls.

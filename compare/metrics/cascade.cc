@@ -6,7 +6,9 @@
 #include <numbers>
 #include <optional>
 
+#include "compare/metrics/fourier.h"
 #include "compare/metrics/orbit.h"
+#include "compare/metrics/rows.h"
 
 namespace rotorub {
 namespace {
@@ -14,7 +16,6 @@ namespace {
 using Complex = std::complex<double>;
 constexpr double kTurn = 2.0 * std::numbers::pi;
 constexpr std::size_t kSamples = 512;  // of a stretch: 64 a turn
-constexpr double kRowsForATurn = 6.0;  // by their velocities rows have twice the information
 
 // s, when the size of the speed first comes to `speed`.
 std::optional<double> first_time(const std::vector<double>& t, const std::vector<double>& speeds,
@@ -29,16 +30,10 @@ std::optional<double> first_time(const std::vector<double>& t, const std::vector
 
 void append_row(const std::vector<Complex>& z, double h, const std::vector<double>& frequencies,
                 std::vector<double>& out) {
-  const auto count = static_cast<double>(z.size());
-  Complex mean = 0.0;
-  for (const Complex& place : z) mean += place / count;
-  std::vector<Complex> windowed;
-  double weight = 0.0;
-  for (std::size_t n = 0; n < z.size(); ++n) {
-    const double w = 0.5 - 0.5 * std::cos(kTurn * static_cast<double>(n) / count);
-    windowed.push_back(w * (z[n] - mean));
-    weight += w;
-  }
+  const Eigen::Map<const Eigen::ArrayXcd> all(z.data(), static_cast<Eigen::Index>(z.size()));
+  const Eigen::ArrayXd window = hann_window(all.size());
+  const Eigen::ArrayXcd windowed = window * (all - all.mean());
+  const double weight = window.sum();
   for (const double f : frequencies) {
     const Complex step = std::polar(1.0, -kTurn * f * h);
     Complex turn = 1.0, sum = 0.0;
@@ -72,7 +67,7 @@ Cascade cascade(const Trajectory& run, std::size_t rows, std::size_t frequencies
     if (*at - half < t.front() || *at + half > t.back()) continue;
     const auto dense = std::upper_bound(t.begin(), t.end(), *at + half) -
                        std::lower_bound(t.begin(), t.end(), *at - half);
-    if (static_cast<double>(dense) < kRowsForATurn * Cascade::kTurns) continue;
+    if (static_cast<double>(dense) < kRowsOfATurn * Cascade::kTurns) continue;
     out.t.push_back(*at);
     out.speed.push_back(speed);
     const double h = 2.0 * half / static_cast<double>(kSamples);

@@ -1,5 +1,18 @@
-// Eigen's Fourier transforms, by FFTW; its plans do not depend on what a measurement gave.
+// Eigen's Fourier transforms, by FFTW; its plans do not depend on what a measurement gave. And the
+// window that spectra of a stretch are taken under.
 #pragma once
 
 #define EIGEN_FFTW_DEFAULT
+#include <Eigen/Core>
+#include <numbers>
 #include <unsupported/Eigen/FFT>
+
+namespace rotorub {
+
+// Hann's: w_n = (1 - cos(2 pi n / size)) / 2, n = 0 ... size - 1.
+inline Eigen::ArrayXd hann_window(Eigen::Index size) {
+  const Eigen::ArrayXd n = Eigen::ArrayXd::LinSpaced(size, 0.0, static_cast<double>(size - 1));
+  return 0.5 - 0.5 * (2.0 * std::numbers::pi / static_cast<double>(size) * n).cos();
+}
+
+}  // namespace rotorub

@@ -18,10 +18,7 @@ using Complex = std::complex<double>;
 class Transform {
  public:
   explicit Transform(std::size_t size)
-      : size_(static_cast<Eigen::Index>(size)),
-        window_(0.5 - 0.5 * (2.0 * std::numbers::pi / static_cast<double>(size) *
-                             Eigen::ArrayXd::LinSpaced(size_, 0.0, static_cast<double>(size_ - 1)))
-                                .cos()) {}
+      : size_(static_cast<Eigen::Index>(size)), window_(hann_window(size_)) {}
 
   // Hz, in the order of the amplitudes.
   std::vector<double> frequencies(double h) const {

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <numbers>
 
+#include "compare/metrics/fourier.h"
 #include "compare/metrics/rows.h"
 
 namespace rotorub {
@@ -11,8 +12,7 @@ namespace {
 
 using Complex = std::complex<double>;
 constexpr double kSpinTurn = 2.0 * std::numbers::pi;
-constexpr std::size_t kSteps = 32;       // of a turn
-constexpr std::size_t kRowsOfATurn = 6;  // by their velocities rows have twice the information
+constexpr std::size_t kSteps = 32;  // of a turn
 
 // Of the rows from the first that turns on.
 struct Turning {
@@ -69,20 +69,18 @@ OrderTrack order_track(const Trajectory& run, std::size_t most) {
   constexpr std::size_t kHop = kSteps / 4;
   const std::size_t stretches = (turns - OrderTrack::kTurns) * kSteps / kHop + 1;
   const std::size_t every = (stretches + most - 1) / most;
+  const Eigen::ArrayXd window = hann_window(static_cast<Eigen::Index>(length));
+  const double weight = window.sum();
   for (std::size_t first = 0; first < stretches; first += every) {
     std::array<Complex, OrderTrack::kOrders> forward{}, backward{};
-    double weight = 0.0;
     for (std::size_t n = 0; n < length; ++n) {
       const std::size_t i = first * kHop + n;
-      const double w =
-          0.5 - 0.5 * std::cos(kSpinTurn * static_cast<double>(n) / static_cast<double>(length));
-      const Complex z = w * Complex(x[i], y[i]);
+      const Complex z = window[static_cast<Eigen::Index>(n)] * Complex(x[i], y[i]);
       for (std::size_t k = 0; k < forward.size(); ++k) {
         const double phi = turn.sense * angles[i] * static_cast<double>(k + 1);
         forward[k] += z * std::polar(1.0, -phi);
         backward[k] += z * std::polar(1.0, phi);
       }
-      weight += w;
     }
     const std::size_t middle = first * kHop + length / 2;
     track.t.push_back(times[middle]);

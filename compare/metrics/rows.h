@@ -22,6 +22,10 @@ std::vector<std::complex<double>> linear(std::span<const double> rows,
 std::vector<double> cubic(std::span<const double> rows, std::span<const double> y,
                           std::span<const double> rate, std::span<const double> t);
 
+// What a turn of the spin takes to be told from its orders: by their velocities rows have twice the
+// information.
+inline constexpr std::size_t kRowsOfATurn = 6;
+
 // count times from `from` to `to`, both included.
 std::vector<double> even_times(double from, double to, std::size_t count);
 

@@ -100,7 +100,7 @@ json cell_values(const StabilityCell& cell) {
       case Outcome::kOk:
         return {"fine", "good"};
       case Outcome::kChatter:
-        return {"chatter", ""};
+        return {"bouncing", ""};
       case Outcome::kWrongAttractor:
         return {"wrong", "bad"};
       case Outcome::kDiverged:

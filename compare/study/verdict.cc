@@ -57,7 +57,7 @@ std::string contact_sentence(const Side& native, const Side& other) {
   const double b = other.metrics.lasting_fraction;
   if (b < a - kOftenEnough) {
     return fmt::format(
-        "{} chatters: in lasting contact {} of the time instead of {}, with a force scatter of "
+        "{} bounces: in lasting contact {} of the time instead of {}, with a force scatter of "
         "{:.0f} % of the mean (rigid law: {:.0f} %)",
         other.label, time_share(b), time_share(a), percent(scatter(other.metrics)),
         percent(scatter(native.metrics)));

@@ -40,7 +40,7 @@ SceneBench made_bench() {
   map.steps = {1e-4, 1e-5};
   map.stiffnesses = {1e6};
   map.frictions = {0.15};
-  map.cells = {{"mujoco-cone", 0.15, 1e-4, 1e6, {Outcome::kChatter, "it chatters"}},
+  map.cells = {{"mujoco-cone", 0.15, 1e-4, 1e6, {Outcome::kChatter, "it bounces"}},
                {"mujoco-cone", 0.15, 1e-5, 1e6, {}}};
   b.stability = map;
   return b;
@@ -142,7 +142,7 @@ TEST(BenchPage, IsSelfContainedAndEscaped) {
   EXPECT_TRUE(page.ends_with("</html>\n"));
   for (const char* part :
        {"data-plot=\"precision\"", "data-plot=\"step\"", "data-plot=\"limit\"",
-        "it &lt;flew&gt; away", "made-up processor", "chatter", "0.4987", "no impact", "K 1e6"}) {
+        "it &lt;flew&gt; away", "made-up processor", "bouncing", "0.4987", "no impact", "K 1e6"}) {
     EXPECT_NE(page.find(part), std::string::npos) << part;
   }
   for (const char* part : {"src=\"http", "href=\"http", "@import", "it <flew> away", "NaN"}) {

@@ -55,7 +55,7 @@ TEST(StabilityMapLong, HasACellForEveryStepStiffnessAndFriction) {
     }
     cone_fine += c.engine == "mujoco-cone" && c.judgement.outcome == Outcome::kOk ? 1 : 0;
   }
-  EXPECT_EQ(cone_fine, 0) << "a rub that lasts chatters with the friction cone";
+  EXPECT_EQ(cone_fine, 0) << "a rub that lasts bounces with the friction cone";
 }
 
 }  // namespace

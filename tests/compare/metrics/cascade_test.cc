@@ -7,26 +7,22 @@
 #include <complex>
 #include <numbers>
 
+#include "tests/support/orbit_run.h"
+
 namespace rotorub {
 namespace {
 
 // From 20 to 80 Hz in 4 s; whirl of 20 um forward at 50 Hz and of 4 um backward at 90 Hz.
 Trajectory ringing(int rows) {
   constexpr double kTwoPi = 2.0 * std::numbers::pi;
-  std::vector<double> t, x, y, vx, vy, speed;
-  for (int i = 0; i <= rows; ++i) {
-    t.push_back(4.0 * i / rows);
-    const std::complex<double> i_(0.0, 1.0);
-    const auto forward = 20e-6 * std::polar(1.0, kTwoPi * 50.0 * t.back()),
-               backward = 4e-6 * std::polar(1.0, -kTwoPi * 90.0 * t.back() + 0.4);
-    const auto z = forward + backward + 7e-6, v = kTwoPi * i_ * (50.0 * forward - 90.0 * backward);
-    x.push_back(z.real()), y.push_back(z.imag()), vx.push_back(v.real()), vy.push_back(v.imag());
-    speed.push_back(kTwoPi * (20.0 + 15.0 * t.back()));
-  }
-  Trajectory run;
-  run.series = {{"t", "s", t},           {"rotor_x", "m", x},     {"rotor_y", "m", y},
-                {"rotor_vx", "m/s", vx}, {"rotor_vy", "m/s", vy}, {"spin_speed", "rad/s", speed}};
-  return run;
+  const std::complex<double> i(0.0, 1.0);
+  return test::orbit_run(4.0, static_cast<std::size_t>(rows) + 1, [&](double t) {
+    const auto forward = 20e-6 * std::polar(1.0, kTwoPi * 50.0 * t),
+               backward = 4e-6 * std::polar(1.0, -kTwoPi * 90.0 * t + 0.4);
+    const double speed = kTwoPi * (20.0 + 15.0 * t);
+    return test::OrbitRow{forward + backward + 7e-6,
+                          kTwoPi * i * (50.0 * forward - 90.0 * backward), 0.0, speed};
+  });
 }
 
 TEST(Cascade, HasUprightRidgesWhereNaturalFrequenciesRing) {

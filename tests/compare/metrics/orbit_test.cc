@@ -7,6 +7,7 @@
 
 #include "compare/metrics/orbit.h"
 #include "tests/support/native_run.h"
+#include "tests/support/orbit_run.h"
 
 namespace rotorub {
 namespace {
@@ -110,20 +111,12 @@ TEST(EvenOrbit, IsCubicBetweenRows) {
 // A circle of radius 1 by `whirl` turns a turn of the spin, in the rows of a run of 1 s at `spin`
 // Hz.
 Trajectory circling(double spin, double whirl, std::size_t rows = 20001) {
-  Trajectory t;
-  std::vector<double> time, angle, x, y, vx, vy;
-  const double rate = kFullTurn * spin * whirl;
-  for (std::size_t i = 0; i < rows; ++i) {
-    time.push_back(static_cast<double>(i) / static_cast<double>(rows - 1));
-    angle.push_back(kFullTurn * spin * time.back() + 0.5);
-    x.push_back(std::cos(whirl * angle.back()));
-    y.push_back(std::sin(whirl * angle.back()));
-    vx.push_back(-rate * y.back());
-    vy.push_back(rate * x.back());
-  }
-  t.series = {{"t", "s", time},        {"rotor_x", "m", x},     {"rotor_y", "m", y},
-              {"rotor_vx", "m/s", vx}, {"rotor_vy", "m/s", vy}, {"spin_angle", "rad", angle}};
-  return t;
+  const std::complex<double> rate(0.0, kFullTurn * spin * whirl);
+  return test::orbit_run(1.0, rows, [&](double t) {
+    const double angle = kFullTurn * spin * t + 0.5;
+    const auto place = std::polar(1.0, whirl * angle);
+    return test::OrbitRow{place, rate * place, angle, kFullTurn * spin};
+  });
 }
 
 TEST(Poincare, OfASynchronousMotionIsAPoint) {

@@ -7,6 +7,8 @@
 #include <complex>
 #include <numbers>
 
+#include "tests/support/orbit_run.h"
+
 namespace rotorub {
 namespace {
 
@@ -17,28 +19,15 @@ constexpr double kWholeTurn = 2.0 * std::numbers::pi;
 Trajectory run_up(double from, double to, std::size_t rows, double offset = 0.4) {
   const Complex r1 = std::polar(20e-6, 0.5), back = std::polar(6e-6, -1.0),
                 r2 = std::polar(3e-6, 2.0), r3 = 2e-6, still(5e-6, -9e-6);
-  std::vector<double> t, x, y, vx, vy, angle, speed;
-  for (std::size_t i = 0; i < rows; ++i) {
-    const double s = static_cast<double>(i) / static_cast<double>(rows - 1);
-    const double phi = offset + kWholeTurn * (from * s + 0.5 * (to - from) * s * s),
-                 omega = kWholeTurn * (from + (to - from) * s);
+  return test::orbit_run(1.0, rows, [&](double t) {
+    const double phi = offset + kWholeTurn * (from * t + 0.5 * (to - from) * t * t),
+                 omega = kWholeTurn * (from + (to - from) * t);
     const auto turn = [&](double k) { return std::polar(1.0, k * phi); };
     const Complex z = still + r1 * turn(1) + back * turn(-1) + r2 * turn(2) + r3 * turn(3);
     const Complex v = Complex(0.0, omega) *
                       (r1 * turn(1) - back * turn(-1) + 2.0 * r2 * turn(2) + 3.0 * r3 * turn(3));
-    t.push_back(s);
-    x.push_back(z.real()), y.push_back(z.imag()), vx.push_back(v.real()), vy.push_back(v.imag());
-    angle.push_back(phi), speed.push_back(omega);
-  }
-  Trajectory run;
-  run.series = {{"t", "s", t},
-                {"rotor_x", "m", x},
-                {"rotor_y", "m", y},
-                {"rotor_vx", "m/s", vx},
-                {"rotor_vy", "m/s", vy},
-                {"spin_angle", "rad", angle},
-                {"spin_speed", "rad/s", speed}};
-  return run;
+    return test::OrbitRow{z, v, phi, omega};
+  });
 }
 
 TEST(OrderTrack, HasTheVectorsOfARunUp) {

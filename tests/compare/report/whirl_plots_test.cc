@@ -3,11 +3,13 @@
 
 #include <algorithm>
 #include <cmath>
+#include <complex>
 #include <nlohmann/json.hpp>
 #include <numbers>
 
 #include "compare/report/run_up_plots.h"
 #include "compare/report/whirl_plots.h"
+#include "tests/support/orbit_run.h"
 
 namespace rotorub {
 namespace {
@@ -17,25 +19,14 @@ constexpr double kTurn = 2.0 * std::numbers::pi;
 
 // 1 s at 40 Hz: a backward whirl of 20 um at 100 Hz beside a synchronous one of 5 um.
 Trajectory whirling(double spin = 40.0, std::size_t rows = 4001) {
-  std::vector<double> t, x, y, vx, vy, angle;
-  for (std::size_t i = 0; i < rows; ++i) {
-    t.push_back(static_cast<double>(i) / static_cast<double>(rows - 1));
-    const double back = -kTurn * 100.0 * t.back(), with = kTurn * spin * t.back();
-    x.push_back(20e-6 * std::cos(back) + 5e-6 * std::cos(with));
-    y.push_back(20e-6 * std::sin(back) + 5e-6 * std::sin(with));
-    vx.push_back(kTurn * (100.0 * 20e-6 * std::sin(back) - spin * 5e-6 * std::sin(with)));
-    vy.push_back(kTurn * (-100.0 * 20e-6 * std::cos(back) + spin * 5e-6 * std::cos(with)));
-    angle.push_back(with);
-  }
-  Trajectory run;
-  run.series = {{"t", "s", t},
-                {"rotor_x", "m", x},
-                {"rotor_y", "m", y},
-                {"rotor_vx", "m/s", vx},
-                {"rotor_vy", "m/s", vy},
-                {"spin_angle", "rad", angle},
-                {"spin_speed", "rad/s", std::vector<double>(rows, kTurn * spin)}};
-  return run;
+  return test::orbit_run(1.0, rows, [&](double t) {
+    const double with = kTurn * spin * t;
+    const auto back = 20e-6 * std::polar(1.0, -kTurn * 100.0 * t),
+               forward = 5e-6 * std::polar(1.0, with);
+    const std::complex<double> rate(0.0, kTurn);
+    return test::OrbitRow{back + forward, rate * (spin * forward - 100.0 * back), with,
+                          kTurn * spin};
+  });
 }
 
 TEST(WhirlPlots, TheSpectrumPeaksAtTheWhirl) {
@@ -85,23 +76,11 @@ TEST(WhirlPlots, TheResidualIsTheDistance) {
 
 // 1x of a run-up from 20 to 60 Hz: 5 um, whose phase is that of the mark.
 TEST(WhirlPlots, ARunUpHasItsOrders) {
-  std::vector<double> t, x, y, vx, vy, angle, speed;
-  for (std::size_t i = 0; i <= 4000; ++i) {
-    t.push_back(static_cast<double>(i) / 4000.0);
-    const double phi = kTurn * (20.0 + 20.0 * t.back()) * t.back(),
-                 omega = kTurn * (20.0 + 40.0 * t.back());
-    x.push_back(5e-6 * std::cos(phi - 2.0)), y.push_back(5e-6 * std::sin(phi - 2.0));
-    vx.push_back(-omega * y.back()), vy.push_back(omega * x.back());
-    angle.push_back(phi), speed.push_back(omega);
-  }
-  Trajectory run;
-  run.series = {{"t", "s", t},
-                {"rotor_x", "m", x},
-                {"rotor_y", "m", y},
-                {"rotor_vx", "m/s", vx},
-                {"rotor_vy", "m/s", vy},
-                {"spin_angle", "rad", angle},
-                {"spin_speed", "rad/s", speed}};
+  Trajectory run = test::orbit_run(1.0, 4001, [](double t) {
+    const double phi = kTurn * (20.0 + 20.0 * t) * t, omega = kTurn * (20.0 + 40.0 * t);
+    const auto place = 5e-6 * std::polar(1.0, phi - 2.0);
+    return test::OrbitRow{place, std::complex<double>(0.0, omega) * place, phi, omega};
+  });
   ASSERT_TRUE(changes_speed(run));
   const json orders = whirl_data(run, nullptr, 320.0).at("orders");
   ASSERT_EQ(orders.at("t").size(), 145u) << "40 turns, four in a stretch, a quarter between two";

@@ -83,7 +83,7 @@ TEST(SceneComparison, CoulombIsNearerThanConeAndConeChatters) {
   EXPECT_EQ(difference("cone").trust, Trust::kNo);
   const auto& why = difference("cone").reasons;
   EXPECT_TRUE(std::any_of(why.begin(), why.end(), [](const std::string& reason) {
-    return reason.find("cone chatters") != std::string::npos;
+    return reason.find("cone bounces") != std::string::npos;
   }));
 }
 
@@ -143,7 +143,7 @@ TEST(SceneComparison, TableNamesEverySideFigureAndVerdict) {
   const std::string table = comparison_table(short_comparison());
   for (const char* text :
        {"bench_ring", "native", "rigid", "coulomb", "cone", "mean normal force, N",
-        "lasting contact, %", "total impulse, N s", "OUTSIDE", "cone chatters", "trusted",
+        "lasting contact, %", "total impulse, N s", "OUTSIDE", "cone bounces", "trusted",
         "us a step", "MuJoCo alone? (cone)", "with the corrected cone? (cone-coulomb)",
         "with the rigid law? (rigid)", "Exit code: by rigid"}) {
     EXPECT_NE(table.find(text), std::string::npos) << text;

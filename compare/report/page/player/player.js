@@ -97,7 +97,7 @@ export class Player {
     const all = (of) => Math.max(...this.shown.map((run) => most(run, of)));
     this.scales = {force: first((run) => run.forces.usual), impulse: first((run) => run.largestImpulse),
       control: all((run) => run.largest('control')), current: all((run) => run.largest('current'))};
-    // Those of the first run that has any: a contact that chatters would slow down the whole film.
+    // Those of the first run that has any: a contact that bounces would slow down the whole film.
     const hits = this.shown.map((run) => run.contacts.flatMap((at) => at.hardImpacts)).find((times) => times.length) || [];
     this.clock.hard = [...new Set(hits)].sort((a, b) => a - b);
     this.pictures = !this.touches ? [] : scene.contacts.map((contact, c) => ({

@@ -1,0 +1,44 @@
+// A run whose rotor goes a way that is made by hand.
+#pragma once
+
+#include <complex>
+#include <cstddef>
+#include <utility>
+#include <vector>
+
+#include "native_model/trajectory/trajectory.h"
+
+namespace rotorub::test {
+
+// At one instant.
+struct OrbitRow {
+  std::complex<double> place, rate;  // x + i y, m, and m/s
+  double angle = 0.0, speed = 0.0;   // of the spin, rad and rad/s
+};
+
+// `rows` of them, evenly from 0 to `end`, s. at(t): the OrbitRow at t.
+template <class At>
+Trajectory orbit_run(double end, std::size_t rows, At at) {
+  std::vector<double> t, x, y, vx, vy, angle, speed;
+  for (std::size_t i = 0; i < rows; ++i) {
+    t.push_back(end * static_cast<double>(i) / static_cast<double>(rows - 1));
+    const OrbitRow row = at(t.back());
+    x.push_back(row.place.real());
+    y.push_back(row.place.imag());
+    vx.push_back(row.rate.real());
+    vy.push_back(row.rate.imag());
+    angle.push_back(row.angle);
+    speed.push_back(row.speed);
+  }
+  Trajectory run;
+  run.series = {{"t", "s", std::move(t)},
+                {"rotor_x", "m", std::move(x)},
+                {"rotor_y", "m", std::move(y)},
+                {"rotor_vx", "m/s", std::move(vx)},
+                {"rotor_vy", "m/s", std::move(vy)},
+                {"spin_angle", "rad", std::move(angle)},
+                {"spin_speed", "rad/s", std::move(speed)}};
+  return run;
+}
+
+}  // namespace rotorub::test
