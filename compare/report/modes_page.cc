@@ -23,7 +23,11 @@ namespace {
 
 using nlohmann::json;
 
-std::string rpm_text(double speed) { return fmt::format("{:.5g} rpm", speed * kRpm); }
+// Five digits, never as a power of ten.
+std::string rpm_text(double speed) {
+  const double rpm = speed * kRpm;
+  return std::abs(rpm) < 1e5 ? fmt::format("{:.5g} rpm", rpm) : fmt::format("{:.0f} rpm", rpm);
+}
 
 std::string damping_text(double ratio) {
   constexpr double kRoundOff = 1e-10;  // an undamped mode

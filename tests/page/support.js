@@ -38,7 +38,7 @@ async function open(browser, file, {width = 1200, height = 1000, colorScheme = '
   page.on('pageerror', (error) => page.said.push(`error: ${error.stack}`));
   page.on('request', (request) => { if (!/^(file|data|blob):/.test(request.url())) page.said.push(`request: ${request.url()}`); });
   await page.goto(`file://${path.join(folder, file)}`);
-  await page.waitForFunction(() => window.Plotly && document.querySelector('.plot.drawn, .player'));
+  await page.waitForFunction(() => window.Plotly && document.querySelector('.plot .main-svg, .player'));
   await page.waitForFunction(`(page.players || []).every((p, k) => k > 0 || !p || p.firstDrawn)`);
   return page;
 }
