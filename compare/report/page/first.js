@@ -59,7 +59,7 @@ export function showFirst(plot, scene, runs, show) {
   }
   const name = figure.words.other === 'cone' ? 'MuJoCo alone' : figure.words.other;
   const sample = (label, text) => `<span class="key-of"><i class="swatch side-${label}"></i>${text}</span>`;
-  place.querySelector('figcaption').innerHTML = `<b>Where they part</b>, from ${short(1e3 * figure.words.from)} ms on: ` +
+  place.querySelector('figcaption').innerHTML = `<b>Where they part</b>, shown from ${short(1e3 * figure.words.from)} ms on: ` +
     `${sample(native(runs), 'native')} ${sample(figure.words.other, name)} — gap (0: contact), and normal force`;
   show(plot, figure);
 }
