@@ -3,7 +3,6 @@
 #include <Eigen/Core>
 #include <cassert>
 #include <cmath>
-#include <numbers>
 
 #include "compare/metrics/fourier.h"
 #include "compare/metrics/rows.h"
