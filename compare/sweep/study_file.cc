@@ -168,11 +168,10 @@ bool Study::varies(const std::string& key) const {
 std::string study_identity(const std::string& text) {
   Diagnostics none;
   auto root = scene::parse_toml(text, "", none);
-  const auto apart = [](const auto& entry) {
+  if (!root) return text;
+  std::erase_if(root->entries, [](const auto& entry) {
     return entry.first == "statistics" || entry.first == "optimise";
-  };
-  if (!root || std::none_of(root->entries.begin(), root->entries.end(), apart)) return text;
-  std::erase_if(root->entries, apart);
+  });
   return scene::write_toml(*root);
 }
 

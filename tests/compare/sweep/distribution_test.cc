@@ -14,7 +14,7 @@ namespace {
 using test::of_ring;
 using test::StudyFolder;
 
-constexpr double kRoundOff = 1e-13;  // relative
+constexpr double kShareError = 1e-13;  // relative
 
 double normal_share(double z) { return 0.5 * std::erfc(-z / std::sqrt(2.0)); }
 
@@ -29,11 +29,11 @@ Distribution of(DistributionKind kind, double centre, double width) {
 TEST(Distribution, QuantilesAreTheInversesOfTheShares) {
   for (const double share : {1e-6, 0.05, 0.3, 0.5, 0.9, 1.0 - 1e-6}) {
     const double z = quantile(of(DistributionKind::kNormal, 0.0, 1.0), share);
-    EXPECT_NEAR(normal_share(z), share, kRoundOff) << share;
+    EXPECT_NEAR(normal_share(z), share, kShareError) << share;
     EXPECT_NEAR(quantile(of(DistributionKind::kNormal, 3.0, 0.5), share), 3.0 + 0.5 * z,
-                kRoundOff * 5.0);
+                kShareError * 5.0);
     const double log = quantile(of(DistributionKind::kLognormal, 2.0, 0.3), share);
-    EXPECT_NEAR(log, 2.0 * std::exp(0.3 * z), kRoundOff * log);
+    EXPECT_NEAR(log, 2.0 * std::exp(0.3 * z), kShareError * log);
     const double weibull = quantile(of(DistributionKind::kWeibull, 4.0, 2.0), share);
     EXPECT_NEAR(weibull, 4.0 * std::sqrt(-std::log1p(-share)), 1e-9 * weibull);
   }
@@ -44,8 +44,8 @@ TEST(Distribution, ATriangleIsTwoParabolas) {
   Distribution d = of(DistributionKind::kTriangular, 2.0, 1.0);
   d.from = 1.0;
   d.to = 5.0;
-  EXPECT_NEAR(quantile(d, 0.09), 1.6, kRoundOff);
-  EXPECT_NEAR(quantile(d, 0.25), 2.0, kRoundOff);
+  EXPECT_NEAR(quantile(d, 0.09), 1.6, kShareError);
+  EXPECT_NEAR(quantile(d, 0.25), 2.0, kShareError);
   EXPECT_NEAR(quantile(d, 0.97), 4.4, 1e-12);
 }
 
@@ -56,7 +56,7 @@ TEST(Distribution, EndsCutAndScaleUp) {
   d.to = 2.0;
   const double a = normal_share(-0.5), b = normal_share(2.0);
   for (const double share : {0.01, 0.4, 0.99})
-    EXPECT_NEAR((normal_share(quantile(d, share)) - a) / (b - a), share, kRoundOff);
+    EXPECT_NEAR((normal_share(quantile(d, share)) - a) / (b - a), share, kShareError);
   EXPECT_GE(quantile(d, 0.0), -0.5);
   EXPECT_LE(quantile(d, 1.0), 2.0);
 }

@@ -45,7 +45,9 @@ TEST(QuantileOf, ItsBoundsAreTheTightestThatHold) {
       EXPECT_LE(below(l), tail);
       EXPECT_GT(below(l + 1), tail);
       const int u = e.high ? static_cast<int>(*e.high) : n + 1;
-      if (e.high) EXPECT_GE(below(u), 1.0 - tail);
+      if (e.high) {
+        EXPECT_GE(below(u), 1.0 - tail);
+      }
       EXPECT_LT(below(u - 1), 1.0 - tail);
     }
   }
