@@ -44,20 +44,6 @@ void read_section(const Trajectory& run, BranchPoint& out) {
   out.period = section_period(out.places, Bifurcation::kTolerance * size, Bifurcation::kMostPeriod);
 }
 
-// A stretch of a turn, of a fixed step of whole steps.
-std::optional<double> exponent_of(const Study& study, const Before& at, double turn,
-                                  const std::atomic<bool>* interrupt) {
-  LyapunovParameters parameters;
-  parameters.integrator = study.integrator;
-  parameters.interrupt = interrupt;
-  const auto integrator = study.integrator.value_or(at.scene.run.integrator);
-  const double step = at.scene.run.step;
-  parameters.stretch = integrator == scene::Integrator::kEvent
-                           ? turn
-                           : step * std::max(1.0, std::round(turn / step));
-  return largest_lyapunov(continued(at.scene, at.scene, at.run), parameters).exponent;
-}
-
 class Branch {
  public:
   Branch(const PointScenes& scenes, bool follows, bool exponents,
@@ -95,7 +81,11 @@ class Branch {
       throw std::runtime_error(run.message.empty() ? to_string(run.status) : run.message);
     read_section(run, out);
     before_ = Before{scene, std::move(run)};
-    if (exponents_) out.exponent = exponent_of(scenes_.study(), *before_, turn, interrupt_);
+    if (!exponents_) return;
+    LyapunovParameters parameters;
+    parameters.integrator = scenes_.study().integrator;
+    parameters.interrupt = interrupt_;
+    out.exponent = lyapunov_after(before_->scene, before_->run, parameters).exponent;
   }
 
   const PointScenes& scenes_;
