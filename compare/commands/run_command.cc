@@ -10,12 +10,16 @@
 #include <memory>
 #include <nlohmann/json.hpp>
 #include <numbers>
+#include <optional>
 
 #include "compare/base/format.h"
 #include "compare/base/json.h"
 #include "compare/commands/command.h"
+#include "compare/commands/measured_options.h"
 #include "compare/commands/terminal.h"
 #include "compare/engine/engine.h"
+#include "compare/measured/measured_run.h"
+#include "compare/measured/output.h"
 #include "compare/metrics/above_modes.h"
 #include "compare/run_files/run_directory.h"
 #include "compare/run_files/summary.h"
@@ -28,7 +32,7 @@
 namespace rotorub {
 namespace {
 
-struct RunArguments : CommonOptions {
+struct RunArguments : CommonOptions, MeasuredArguments {
   std::string scene, engine = "native", integrator, contact, folder, format = "csv";
 };
 
@@ -94,8 +98,21 @@ void write_shadow(const std::filesystem::path& folder, const scene::Scene& scene
   say_failure(scene, "shadow: ", trajectory);
 }
 
+// The record beside the run; none: nothing was measured.
+std::optional<MeasuredRun> laid_in(const MeasuredInput& measured, const scene::Scene& scene,
+                                   const RunArguments& options, const Trajectory& trajectory) {
+  if (!measured.record || trajectory.status == Status::kInterrupted) return std::nullopt;
+  const std::string label = options.engine == "native" ? "native" : trajectory.contact_model;
+  try {
+    return lay_in(*measured.record, measured.alignment, scene, {{label, &trajectory}});
+  } catch (const MeasuredError& error) {
+    throw UsageError(fmt::format("{}: {}", scene::printable(measured.record->file), error.what()));
+  }
+}
+
 int run(const RunArguments& options) {
   const hdf5::ImageOf hdf5 = hdf5_of(options.format);
+  const MeasuredInput measured = measured_of(options);
   const scene::Scene scene = read_scene(options.scene, options);
   const auto engine = engine_of(options, scene);
   const std::filesystem::path folder =
@@ -111,11 +128,15 @@ int run(const RunArguments& options) {
   bar.clear();
   write_run(folder, scene, trajectory, hdf5);
 
+  const auto beside = laid_in(measured, scene, options, trajectory);
   if (options.json) {
-    std::cout << json_text(summary_json(scene, trajectory));
+    nlohmann::json said = summary_json(scene, trajectory);
+    if (beside) said["measured"] = measured_json(*beside);
+    std::cout << json_text(said);
   } else if (!options.quiet) {
-    fmt::print("{}{}{}written to {}\n", run_table(scene, trajectory, palette_of(stdout)),
-               truncation_note(scene), whirl_note(scene, trajectory), folder.string());
+    fmt::print("{}{}{}{}written to {}\n", run_table(scene, trajectory, palette_of(stdout)),
+               truncation_note(scene), whirl_note(scene, trajectory),
+               beside ? measured_table(*beside) : "", folder.string());
   }
   say_failure(scene, "", trajectory);
   const bool stopped = trajectory.status == Status::kInterrupted;
@@ -149,6 +170,7 @@ Command add_run_command(CLI::App& program) {
   add_run_options(*app, *options);
   add_value(*app, "-o,--output", options->folder, "DIR",
             "Folder of the results (default: runs/<scene>-<engine>)");
+  add_measured_options(*app, *options, "laid beside this one");
   add_format_option(*app, options->format);
   add_controller_option(*app, *options);
   add_common_options(*app, *options);
