@@ -24,6 +24,9 @@ to = 0.6
 count = 2
 [run]
 end = "11 ms"
+[optimise]
+minimise = "impacts"
+evaluations = 2
 """
 
 # Command lines, one after the other in one folder; together they name every option of every command. What each does
@@ -36,6 +39,7 @@ TRIED = [
     f"run {DROP} --engine native --integrator verlet --step 20us --end 12ms --output r1 --json",
     f"run {DROP} --engine mujoco --contact cone --end 12ms -o r2 --quiet --format hdf5",
     f"run {PAPER} --controller {OWN} {SAMPLED} --end 2ms -q -o r3",
+    f"run {RING} --end 20ms --lyapunov -o r6 -q",
     f"run {DROP} --allow-library --end 2ms -q -o r5", f"check {DROP} --set run.end=11ms -q --allow-library -o k3",
     f"compare {DROP} --allow-library --twins 0 --no-modes-ladder --no-video --step 20us --end 1ms -o c6 -q",
     f"bench {DROP} --allow-library --engines native-verlet --steps 100us --repeats 1 --end 1ms -q -o b3",
@@ -47,6 +51,7 @@ TRIED = [
     f"compare {DROP} --tune --twins 0 --no-video --end 12ms --step 20us -o c3 --quiet",
     f"modes {RING} --speed 3000rpm -o m.html --up-to 100Hz -q --set contact.friction=0.2",
     f"modes {RING} --rub-map --speeds 40Hz:60Hz:2 --frictions 0.1:0.2:2 --json",
+    f"modes {RING} --rub-map --across contact.clearance=0.2mm:1mm:2 --up stator.stiffness=1e5:2e5:2 -q",
     f"modes {RING} --feedback-map --feedbacks 0:1000:2 --speeds 50Hz:51Hz:2 --output f --quiet",
     f"modes {RING} --state-space",
     f"mjcf {RING} --mujoco 3.12 -o ring.xml --set contact.friction=0.2 --json",
@@ -63,7 +68,9 @@ TRIED = [
     "sweep study.toml -o s2 --shard 2/2 --set contact.friction=0.1 -q",
     "sweep study.toml -o s3 --merge s1 s2 --set contact.friction=0.1 --quiet",
     "sweep study.toml -o s4 --slurm --tasks 2 --quiet",
-    "sweep study.toml -o s6 --bifurcation -q",
+    "sweep study.toml -o s6 --bifurcation -q", "sweep study.toml -o s6 --point 0 --point 1 -q",
+    "optimise study.toml -o o1 --json", "optimise study.toml --output o2 --quiet --set contact.friction=0.1",
+    f"optimise paper.toml -o o3 --controller {OWN} {SAMPLED} -q", "optimise study.toml -o o4 -q --allow-library",
     f"sweep paper.toml -o s5 --controller {OWN} {SAMPLED} -q",
     f"check {DROP} --set run.end=11ms --json", f"check {DROP} --set run.end=11ms --quiet --output k1",
     f"check {DROP} --set run.end=11ms -q -o k2",
