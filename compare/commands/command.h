@@ -104,6 +104,7 @@ Command add_sweep_command(CLI::App& program);
 Command add_optimise_command(CLI::App& program);
 Command add_check_command(CLI::App& program);
 Command add_tune_command(CLI::App& program);
+Command add_identify_command(CLI::App& program);
 // The manual of the program itself: added last.
 Command add_manual_command(CLI::App& program);
 

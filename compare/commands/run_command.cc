@@ -15,8 +15,11 @@
 #include "compare/base/format.h"
 #include "compare/base/json.h"
 #include "compare/commands/command.h"
+#include "compare/commands/measured_options.h"
 #include "compare/commands/terminal.h"
 #include "compare/engine/engine.h"
+#include "compare/measured/measured_run.h"
+#include "compare/measured/output.h"
 #include "compare/metrics/above_modes.h"
 #include "compare/run_files/run_directory.h"
 #include "compare/run_files/summary.h"
@@ -32,7 +35,7 @@ namespace {
 
 constexpr const char* kLyapunovFile = "lyapunov.json";
 
-struct RunArguments : CommonOptions {
+struct RunArguments : CommonOptions, MeasuredArguments {
   std::string scene, engine = "native", integrator, contact, folder, format = "csv";
   bool lyapunov = false;
 };
@@ -126,10 +129,23 @@ std::string lyapunov_text(const Lyapunov& found) {
                                  : "neighbouring runs come together"));
 }
 
+// The record beside the run; none: nothing was measured.
+std::optional<MeasuredRun> laid_in(const MeasuredInput& measured, const scene::Scene& scene,
+                                   const RunArguments& options, const Trajectory& trajectory) {
+  if (!measured.record || trajectory.status == Status::kInterrupted) return std::nullopt;
+  const std::string label = options.engine == "native" ? "native" : trajectory.contact_model;
+  try {
+    return lay_in(*measured.record, measured.alignment, scene, {{label, &trajectory}});
+  } catch (const MeasuredError& error) {
+    throw UsageError(fmt::format("{}: {}", scene::printable(measured.record->file), error.what()));
+  }
+}
+
 int run(const RunArguments& options) {
   const hdf5::ImageOf hdf5 = hdf5_of(options.format);
   if (options.lyapunov && options.engine != "native")
     throw UsageError("--lyapunov belongs to --engine native");
+  const MeasuredInput measured = measured_of(options);
   const scene::Scene scene = read_scene(options.scene, options);
   const auto engine = engine_of(options, scene);
   const std::filesystem::path folder =
@@ -151,14 +167,17 @@ int run(const RunArguments& options) {
     write_whole(folder / kLyapunovFile, json_text(lyapunov_json(*lyapunov)));
   }
 
+  const auto beside = laid_in(measured, scene, options, trajectory);
   if (options.json) {
-    nlohmann::json summary = summary_json(scene, trajectory);
-    if (lyapunov) summary["lyapunov"] = lyapunov_json(*lyapunov);
-    std::cout << json_text(summary);
+    nlohmann::json said = summary_json(scene, trajectory);
+    if (lyapunov) said["lyapunov"] = lyapunov_json(*lyapunov);
+    if (beside) said["measured"] = measured_json(*beside);
+    std::cout << json_text(said);
   } else if (!options.quiet) {
-    fmt::print("{}{}{}{}written to {}\n", run_table(scene, trajectory, palette_of(stdout)),
+    fmt::print("{}{}{}{}{}written to {}\n", run_table(scene, trajectory, palette_of(stdout)),
                truncation_note(scene), whirl_note(scene, trajectory),
-               lyapunov ? lyapunov_text(*lyapunov) : "", folder.string());
+               lyapunov ? lyapunov_text(*lyapunov) : "", beside ? measured_table(*beside) : "",
+               folder.string());
   }
   say_failure(scene, "", trajectory);
   const bool stopped = trajectory.status == Status::kInterrupted;
@@ -192,6 +211,7 @@ Command add_run_command(CLI::App& program) {
   add_run_options(*app, *options);
   add_value(*app, "-o,--output", options->folder, "DIR",
             "Folder of the results (default: runs/<scene>-<engine>)");
+  add_measured_options(*app, *options, "laid beside this one");
   add_format_option(*app, options->format);
   app->add_flag("--lyapunov", options->lyapunov,
                 "Also the largest Lyapunov exponent of what the native run has come to, over 100 "

@@ -30,12 +30,10 @@ double turn_of(const scene::Scene& scene) { return kWholeTurn / std::abs(scene.r
 
 Trajectory run_of(const Study& study, const scene::Scene& scene, double turn,
                   const std::atomic<bool>* interrupt) {
-  constexpr double kRowsOfATurn = 48.0;
   const double end = scene.run.end, part = std::min(0.5 * end, (Bifurcation::kTurns + 0.5) * turn);
-  const auto rows = static_cast<std::size_t>(std::ceil(kRowsOfATurn * part / turn)) + 2;
   RunRequest request;
   request.interrupt = interrupt;
-  request.output_times = even_times(end - part, end, rows);
+  request.output_times = {{end - part, end}};
   return engine_of(study, scene)->run(scene, request);
 }
 

@@ -121,6 +121,7 @@ void Observer::watch(const Motion& from, SmoothStep& step, Constraint& constrain
     if (!held.empty()) constraint.to_circles(t, row_.data(), from.v(), held);
     recorder_->row(snapshot(t, row_.data()));
   }
+  follow_mark(from, step, constraint, held, now);
   bins_until(now, pressing.empty(), [&](std::span<const double> times, double* impulses) {
     std::fill_n(impulses, times.size(), normal_impulse(from));
     for (const int i : pressing) step.add_increments(i, times, impulses);
@@ -144,6 +145,26 @@ void Observer::follow(std::size_t k, const Motion& from, SmoothStep& step, doubl
   FullPasses& passes = of_contacts_[k].passes;
   passes.follow(start, from.t);
   passes.follow(middle(), from.t + 0.5 * last * step.length());
+}
+
+// Of a prescribed spin without the dense output, until there is a mark.
+void Observer::follow_mark(const Motion& from, SmoothStep& step, Constraint& constraint,
+                           const ContactList<Constraint::Closed>& held, double now) {
+  const Model& m = *model_;
+  const double last = std::min(1.0, (now - from.t) / step.length());
+  const double* end = last < 1.0 && m.layout.spin ? step.at(last) : step.end();
+  Keyphasor& keyphasor = recorder_->keyphasor();
+  keyphasor.follow(spin_angle(m, now, end), [&](double mark) {
+    const auto time = [&](double share) { return from.t + share * (now - from.t); };
+    const auto angle = [&](double share) {
+      step.dense(share * last, row_.data());
+      return spin_angle(m, time(share), row_.data());
+    };
+    const auto rate = [&](double) { return (now - from.t) * spin_speed(m, row_.data() + m.nq()); };
+    const double t = time(share_at(mark, angle, rate));
+    if (!held.empty()) constraint.to_circles(t, row_.data(), from.v(), held);
+    return keyphasor_pass(m, t, row_.data(), row_.data() + m.nq());
+  });
 }
 
 void Observer::watch_press(std::size_t k, SmoothStep& step, double last) {
@@ -199,19 +220,34 @@ void Observer::watch(const Motion& from, const FiniteImpact& impact, std::size_t
   const double duration = impact.duration(phase);
   const double *v0 = impact.from(phase), *v1 = impact.to(phase);
   const Eigen::Vector2d force = impact.phase_force(phase);
-  // At its end the next phase begins, unless the run ends within.
-  const bool cut = now < from.t + duration;
-  for (double t = recorder_->next_time(); cut ? t <= now : t < now; t = recorder_->next_time()) {
-    const double passed = t - from.t, share = passed / duration;
+  const auto state_at = [&](double passed) {
+    const double share = passed / duration;
     for (int i = 0; i < from.nq; ++i) {
       row_[static_cast<std::size_t>(i)] = from.q()[i] + passed * v1[i];
       row_[static_cast<std::size_t>(from.nq + i)] = v0[i] + share * (v1[i] - v0[i]);
     }
+  };
+  // At its end the next phase begins, unless the run ends within.
+  const bool cut = now < from.t + duration;
+  for (double t = recorder_->next_time(); cut ? t <= now : t < now; t = recorder_->next_time()) {
+    state_at(t - from.t);
     Snapshot s = snapshot(t, row_.data());
     s.normal_force = force.x();
     s.friction_force = force.y();
     recorder_->row(s);
   }
+  const auto angle = [&](double share) {
+    const double passed = share * (now - from.t);
+    state_at(passed);
+    return spin_angle(*model_, from.t + passed, row_.data());
+  };
+  const double start = angle(0.0), end = angle(1.0);
+  recorder_->keyphasor().follow(end, [&](double mark) {
+    const double share = (mark - start) / (end - start);
+    angle(share);
+    return keyphasor_pass(*model_, std::lerp(from.t, now, share), row_.data(),
+                          row_.data() + from.nq);
+  });
   bins_until(now, false, [&](std::span<const double> times, double* impulses) {
     for (const double t : times)
       *impulses++ = from.integral(kNormalImpulse) + force.x() * (t - from.t);

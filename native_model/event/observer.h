@@ -48,6 +48,8 @@ class Observer {
   double contact_work(const Motion& motion) const;    // J, on the coordinates, of the same
   double held_speed(std::size_t contact) const;       // m/s, of a surface whose speed is prescribed
   void follow(std::size_t contact, const Motion& from, SmoothStep& step, double last);
+  void follow_mark(const Motion& from, SmoothStep& step, Constraint& constraint,
+                   const ContactList<Constraint::Closed>& held, double now);
   void watch_press(std::size_t contact, SmoothStep& step, double last);
   template <class F>
   void bins_until(double now, bool flies, F&& impulses_at);
