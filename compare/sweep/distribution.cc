@@ -8,6 +8,7 @@
 #include <boost/math/distributions/normal.hpp>
 #include <boost/math/distributions/triangular.hpp>
 #include <boost/math/distributions/weibull.hpp>
+#include <boost/math/policies/policy.hpp>
 #include <cmath>
 
 #include "native_model/scene/text.h"
@@ -29,6 +30,10 @@ constexpr Parameters kParameters[] = {{"", "", false},
                                       {"median", "log_deviation", false},
                                       {"mode", "", false},
                                       {"scale", "shape", false}};
+
+// In double throughout: the functions behind are the build's own (RotorubMath.cmake), and a study's
+// points the same on every machine.
+using Policy = boost::math::policies::policy<boost::math::policies::promote_double<false>>;
 
 template <typename Law>
 double truncated(const Law& law, const Distribution& d, double share) {
@@ -56,13 +61,14 @@ double quantile(const Distribution& d, double share) {
   using namespace boost::math;
   switch (d.kind) {
     case DistributionKind::kNormal:
-      return truncated(normal(d.centre, d.width), d, share);
+      return truncated(normal_distribution<double, Policy>(d.centre, d.width), d, share);
     case DistributionKind::kLognormal:
-      return truncated(lognormal(std::log(d.centre), d.width), d, share);
+      return truncated(lognormal_distribution<double, Policy>(std::log(d.centre), d.width), d,
+                       share);
     case DistributionKind::kTriangular:
-      return truncated(triangular(d.from, d.centre, d.to), d, share);
+      return truncated(triangular_distribution<double, Policy>(d.from, d.centre, d.to), d, share);
     case DistributionKind::kWeibull:
-      return truncated(weibull(d.width, d.centre), d, share);
+      return truncated(weibull_distribution<double, Policy>(d.width, d.centre), d, share);
     case DistributionKind::kUniform:
       break;
   }

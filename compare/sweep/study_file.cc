@@ -60,8 +60,8 @@ void read_sample(const TomlNode& node, const std::filesystem::path& folder, Stud
   for (const char* key : {"runs", "seed"}) {
     if (table.has(key))
       table.fail(key,
-                 "belongs to points that are drawn: kind = \"latin_hypercube\", "
-                 "\"random\" or \"sobol\"");
+                 "belongs to kind = \"random\", \"latin_hypercube\" or \"sobol\", whose points are "
+                 "drawn");
   }
 }
 

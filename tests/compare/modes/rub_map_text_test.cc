@@ -148,17 +148,17 @@ TEST_F(RubMapOfTheWhip, AsJson) {
 // Over other keys each point is a scene of its own; over speed and friction it is the map of old.
 TEST_F(RubMapOfTheWhip, OverAnyTwoKeys) {
   const scene::Variants scenes(std::string(ROTORUB_MJCF_DIR) + "/bench_whip.toml");
-  const RubKeyMap same = rub_key_map(scenes, {kSpeedKey, "rad/s", map.speeds},
-                                     {kFrictionKey, "", map.frictions});
+  const RubKeyMap same =
+      rub_key_map(scenes, {kSpeedKey, "rad/s", map.speeds}, {kFrictionKey, "", map.frictions});
   EXPECT_EQ(rub_map_json(same), rub_map_json(map));
 
   const RubKeyMap other = rub_key_map(scenes, {"contact.clearance", "m", {-1.0, 2e-4, 1e-3}},
                                       {kFrictionKey, "", {0.2, 0.25}});
   EXPECT_FALSE(other.at(0, 0)) << "no clearance is below 0";
   EXPECT_NE(other.refused.find("contact.clearance"), std::string::npos) << other.refused;
-  const scene::Scene one =
-      scene::read_scene(std::string(ROTORUB_MJCF_DIR) + "/bench_whip.toml",
-                        std::vector<std::string>{"contact.clearance=1e-3", "contact.friction=0.25"});
+  const scene::Scene one = scene::read_scene(
+      std::string(ROTORUB_MJCF_DIR) + "/bench_whip.toml",
+      std::vector<std::string>{"contact.clearance=1e-3", "contact.friction=0.25"});
   const rub::RubSystem system = rub::rub_system(one);
   EXPECT_EQ(rub_point_json(*other.at(2, 1)),
             rub_point_json(rub::RubStudy(system).at(system.friction)));
