@@ -1,7 +1,9 @@
 #include "native_model/run/stepwise_run.h"
 
+#include <Eigen/Core>
 #include <algorithm>
 #include <cmath>
+#include <optional>
 
 #include "native_model/contact/impact.h"
 #include "native_model/control/magnetic_library.h"

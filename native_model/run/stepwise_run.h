@@ -4,10 +4,10 @@
 // stop.
 #pragma once
 
-#include <Eigen/Core>
+#include <cstddef>
 #include <memory>
-#include <optional>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "native_model/event/driver.h"

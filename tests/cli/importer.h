@@ -6,12 +6,16 @@
 #include <gtest/gtest.h>
 #include <zip.h>
 
+#include <cstddef>
 #include <cstdint>
 #include <filesystem>
 #include <fstream>
+#include <iterator>
 #include <map>
 #include <regex>
+#include <stdexcept>
 #include <string>
+#include <utility>
 #include <vector>
 
 namespace rotorub::test {

@@ -1,9 +1,11 @@
 #include <gtest/gtest.h>
 
-#include <bit>
+#include <algorithm>
 #include <cmath>
 #include <map>
+#include <memory>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "native_model/control/library_file.h"
@@ -11,6 +13,7 @@
 #include "native_model/run/stepwise_run.h"
 #include "native_model/scene/diagnostic.h"
 #include "native_model/trajectory/columns.h"
+#include "tests/support/levitated_shaft.h"
 #include "tests/support/native_run.h"
 
 namespace rotorub {
@@ -158,6 +161,66 @@ TEST(Stepwise, InputsAreTheForcesAndCommandsOfARun) {
     EXPECT_NEAR(output(plant, name), run.column(name).back(), 1e-13) << name;
     EXPECT_GT(std::abs(run.column(name).back() - without.column(name).back()), 1e-6) << name;
   }
+}
+
+// One law in the scene, a sample late, and outside of it, where a command is taken at the next
+// sample: the deflection and its difference to the last sample's, of each port.
+TEST(Stepwise, MagneticBearingsTakeTheirCurrentsFromOutside) {
+  constexpr double kGain = 22e3, kDifference = 2e5, kSample = 1e-4;
+  const std::string bearings = R"(
+[[magnetic_bearing]]
+station = 0.05
+negative_stiffness = 3e4
+[magnetic_bearing.control]
+kind = "shared"
+proportional = 22e3
+force_per_current = 40.0
+current_limit = 3.0
+[[magnetic_bearing]]
+station = 0.55
+sensor_station = 0.53
+negative_stiffness = 3e4
+[magnetic_bearing.control]
+kind = "shared"
+proportional = 22e3
+force_per_current = 40.0
+current_limit = 3.0
+[magnetic_control]
+sample_time = 1e-4
+)";
+  const scene::Scene inside = test::held_shaft(bearings + R"(delay = 1e-4
+state_matrix = [0,0,0,0, 0,0,0,0, 0,0,0,0, 0,0,0,0]
+input_matrix = [1,0,0,0, 0,1,0,0, 0,0,1,0, 0,0,0,1]
+output_matrix = [-2e5,0,0,0, 0,-2e5,0,0, 0,0,-2e5,0, 0,0,0,-2e5]
+feedthrough = [2.22e5,0,0,0, 0,2.22e5,0,0, 0,0,2.22e5,0, 0,0,0,2.22e5]
+)",
+                                               {"run.end=0.02", "run.output_step=1e-4"}),
+                     outside = test::held_shaft(
+                         bearings + "kind = \"library\"\nlibrary = \"nowhere.so\"\n",
+                         {"run.end=0.02"});
+  const Trajectory run = test::run_event(inside);
+  ASSERT_EQ(run.status, Status::kOk) << run.message;
+  set_scene_libraries(SceneLibraries::kLeftOut);
+  StepwiseRun plant(outside);
+  set_scene_libraries(SceneLibraries::kAsked);
+  const std::vector<std::string> ports{"bearing_%_x", "bearing_%_y", "bearing2_%_x",
+                                       "bearing2_%_y"};
+  const auto named = [](std::string port, const char* what) {
+    return port.replace(port.find('%'), 1, what);
+  };
+  std::map<std::string, double> last;
+  for (std::size_t k = 0; k < 200; ++k) {
+    for (const char* name : {"rotor_x", "rotor_y", "bearing2_current_y"})
+      ASSERT_NEAR(output(plant, name), run.column(name)[k], 1e-12) << name << k;
+    for (const std::string& port : ports) {
+      const double seen = output(plant, named(port, "sensor"));
+      plant.set_input(input(plant, named(port, "command")),
+                      -(kGain + kDifference) * seen + kDifference * last[port]);
+      last[port] = seen;
+    }
+    ASSERT_TRUE(plant.advance(static_cast<double>(k + 1) * kSample)) << plant.message();
+  }
+  EXPECT_GT(std::abs(run.column("bearing2_current_y").back()), 0.1) << "it has something to hold";
 }
 
 TEST(Stepwise, StopsAtEventsBeforeAndAfterThem) {
