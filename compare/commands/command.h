@@ -95,6 +95,7 @@ Command add_run_command(CLI::App& program);
 Command add_compare_command(CLI::App& program);
 Command add_modes_command(CLI::App& program);
 Command add_mjcf_command(CLI::App& program);
+Command add_fmu_command(CLI::App& program);
 Command add_render_command(CLI::App& program);
 Command add_plot_command(CLI::App& program);
 Command add_init_command(CLI::App& program);
