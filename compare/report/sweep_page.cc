@@ -144,7 +144,7 @@ json statistics_of(sweep::Store& store, const sweep::Study& study) {
     const ShownUnit unit = shown_unit(row.unit);
     const auto text = [&](std::optional<double> value) {
       if (!value) return std::string();
-      return share ? percent_text(*value) : short_number(unit.per_si * *value);
+      return share ? fmt::format("{:.3g} %", 100.0 * *value) : short_number(unit.per_si * *value);
     };
     bounds = bounds || row.estimate.low || row.estimate.high;
     rows.push_back({{"group", row.group},
