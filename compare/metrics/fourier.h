@@ -1,5 +1,5 @@
-// Eigen's Fourier transforms, by FFTW; its plans do not depend on what a measurement gave. In a page
-// (report/live) by what Eigen brings along. And the window that spectra of a stretch are taken
+// Eigen's Fourier transforms, by FFTW; its plans do not depend on what a measurement gave. In a
+// page (report/live) by what Eigen brings along. And the window that spectra of a stretch are taken
 // under.
 #pragma once
 

@@ -122,8 +122,8 @@ std::string report_page(const std::vector<PageScene>& scenes, const Beside& besi
 std::string run_page(const StoredRun& run, const std::optional<StoredRun>& shadow) {
   json live = json::object();
   const json plots = live_part(shown_runs(run, shadow), live);
-  json values = live_frame({run.scene.name, "one run", run.scene.name},
-                           {{"scenes", json::array({plots})}});
+  json values =
+      live_frame({run.scene.name, "one run", run.scene.name}, {{"scenes", json::array({plots})}});
   values.update(live);
   values["id"] = "run";
   values["engine"] = engine_text(run.trajectory);

@@ -84,9 +84,9 @@ json plot_data(const ShownRuns& shown) {
   for (const ShownRun& run : shown.runs) limit = std::max(limit, spectrum_reach(*run.trajectory));
   for (const ShownRun& run : shown.runs) {
     const Trajectory* first = shown.runs.front().trajectory;
-    json& side = sides.emplace_back(
-        run_data(scene, run.label, *run.trajectory, run.trajectory == first ? nullptr : first,
-                 machine ? &*machine : nullptr, limit));
+    json& side = sides.emplace_back(run_data(scene, run.label, *run.trajectory,
+                                             run.trajectory == first ? nullptr : first,
+                                             machine ? &*machine : nullptr, limit));
     json force = sampled_force(shown, sides.size() - 1);
     if (!force.is_null()) side["tracks"]["force"] = std::move(force);
   }

@@ -1,5 +1,5 @@
-// A run as the page's scripts have it, whoever made it: the program, or the native model in the page
-// itself (compare/live).
+// A run as the page's scripts have it, whoever made it: the program, or the native model in the
+// page itself (compare/live).
 #pragma once
 
 #include <nlohmann/json_fwd.hpp>

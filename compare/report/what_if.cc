@@ -140,7 +140,7 @@ json slider(const TomlNode& root, const Place& place, const Key& key, double val
           {"meaning", key.meaning}};
 }
 
-json sliders_of(const TomlNode& root) {
+json all_sliders(const TomlNode& root) {
   json sliders = json::array();
   for (const Offer& offer : offers()) {
     const Table* table = scene::find_table(offer.table);
@@ -162,17 +162,18 @@ json sliders_of(const TomlNode& root) {
 
 }  // namespace
 
-std::string native_module() {
-  return base64(scene::regular_file_text(module_file(kNativeModule)));
+std::string native_module() { return base64(scene::regular_file_text(module_file(kNativeModule))); }
+
+json sliders_of(const scene::Scene& scene) {
+  std::vector<scene::Diagnostic> diagnostics;
+  if (scene.text.empty() || !libraries_of(scene).empty()) return json::array();
+  const std::optional<TomlNode> root = scene::parse_toml(scene.text, scene.name, diagnostics);
+  return root && diagnostics.empty() ? all_sliders(*root) : json::array();
 }
 
 json what_if_data(const scene::Scene& scene) {
-  std::vector<scene::Diagnostic> diagnostics;
-  if (module_file(kNativeModule).empty() || scene.text.empty() || !libraries_of(scene).empty())
-    return nullptr;
-  const std::optional<TomlNode> root = scene::parse_toml(scene.text, scene.name, diagnostics);
-  if (!root || !diagnostics.empty()) return nullptr;
-  const json sliders = sliders_of(*root);
+  if (module_file(kNativeModule).empty()) return nullptr;
+  const json sliders = sliders_of(scene);
   if (sliders.empty()) return nullptr;
   return {{"text", scene.text}, {"name", scene.name + ".toml"}, {"sliders", sliders}};
 }

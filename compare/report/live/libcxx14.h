@@ -1,5 +1,6 @@
-// What libstdc++ 12 has and the libc++ 14 of Debian 12's emscripten lacks, as far as the native model
-// asks for it. Included before every file (CMakeLists.txt here). Goes when emscripten does better.
+// What libstdc++ 12 has and the libc++ 14 of Debian 12's emscripten lacks, as far as the native
+// model asks for it. Included before every file (CMakeLists.txt here). Goes when emscripten does
+// better.
 #pragma once
 
 #include <algorithm>
@@ -13,7 +14,8 @@
 
 namespace std {
 
-// Of decimal numbers. strtod is right to the last bit; it would also take "0x1p3", "inf" and blanks.
+// Of decimal numbers. strtod is right to the last bit; it would also take "0x1p3", "inf" and
+// blanks.
 inline from_chars_result from_chars(const char* first, const char* last, double& value) {
   const string_view text(first, static_cast<size_t>(last - first));
   const string number(text.substr(0, text.find_first_not_of("0123456789.eE+-")));
@@ -43,10 +45,10 @@ inline to_chars_result to_chars(char* first, char* last, double value) {
 
 namespace ranges {
 
-#define ROTORUB_RANGE_ALGORITHM(name)                                           \
-  template <class Range, class Act>                                             \
-  auto name(Range&& range, Act act) {                                           \
-    return std::name(std::begin(range), std::end(range),                        \
+#define ROTORUB_RANGE_ALGORITHM(name)                                               \
+  template <class Range, class Act>                                                 \
+  auto name(Range&& range, Act act) {                                               \
+    return std::name(std::begin(range), std::end(range),                            \
                      [&act](auto&& element) { return std::invoke(act, element); }); \
   }
 ROTORUB_RANGE_ALGORITHM(all_of)

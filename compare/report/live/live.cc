@@ -1,5 +1,5 @@
-// The native model in a page: a scene's text and changes to it in, the run as the page's scripts have it out. Compiled
-// to WebAssembly (CMakeLists.txt here), called by page/live_worker.js.
+// The native model in a page: a scene's text and changes to it in, the run as the page's scripts
+// have it out. Compiled to WebAssembly (CMakeLists.txt here), called by page/live_worker.js.
 
 #include <array>
 #include <exception>
