@@ -46,7 +46,9 @@ TEST(LargestLyapunov, AfterARunIsThatOfItsScene) {
     ASSERT_TRUE(found.exponent) << found.refused;
     EXPECT_NEAR(*found.exponent, -6.0, 0.3);
     EXPECT_NEAR(found.stretch, 2.0 * std::numbers::pi / 200.0, 0.5e-4);
-    if (integrator == scene::Integrator::kVerlet) EXPECT_NEAR(found.stretch / 1e-4, 314.0, 1e-9);
+    if (integrator == scene::Integrator::kVerlet) {
+      EXPECT_NEAR(found.stretch / 1e-4, 314.0, 1e-9);
+    }
   }
   s.rotor.speed = 0.0;
   EXPECT_NE(lyapunov_after(s, run_native(s, {})).refused.find("no turns"), std::string::npos);

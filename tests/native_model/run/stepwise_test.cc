@@ -97,7 +97,7 @@ INSTANTIATE_TEST_SUITE_P(
                     std::pair("compliant_ring", "0.05"), std::pair("amb_machine", "0.05"),
                     std::pair("touchdown", "0.05"), std::pair("earthquake", "0.1"),
                     std::pair("blade_loss", "0.05")),
-    [](const auto& info) { return std::string(info.param.first); });
+    [](const auto& scene) { return std::string(scene.param.first); });
 
 TEST(Stepwise, ASavedStateGoesOnAsTheFirstTime) {
   for (const char* name : {"paper_passive", "paper_sliding_sampled", "two_catchers"}) {
