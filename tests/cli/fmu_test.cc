@@ -84,7 +84,7 @@ TEST_P(FmuOfScene, GivesTheBitsOfARunAndStepsBackByASavedState) {
 INSTANTIATE_TEST_SUITE_P(Scenes, FmuOfScene,
                          testing::Values("paper_passive", "paper_sliding_sampled", "two_catchers",
                                          "amb_machine"),
-                         [](const auto& info) { return std::string(info.param); });
+                         [](const auto& scene) { return std::string(scene.param); });
 
 TEST(Fmu, ReturnsAtEventsToAnImporterThatHandlesThem) {
   const Folder folder;
@@ -295,8 +295,9 @@ TEST(Fmu, OfVersionTwoGivesTheSameNumbers) {
   void* instance = function("fmi2Instantiate", Instantiate{})(
       "plant", 1, two.attribute("guid").c_str(), location.c_str(), &callbacks, 0, 0);
   ASSERT_NE(instance, nullptr);
-  using Setup = int (*)(void*, int, double, double, int, double);
-  ASSERT_EQ(function("fmi2SetupExperiment", Setup{})(instance, 0, 0.0, 0.0, 1, 0.05), kFmiOK);
+  using SetUpExperiment = int (*)(void*, int, double, double, int, double);
+  ASSERT_EQ(function("fmi2SetupExperiment", SetUpExperiment{})(instance, 0, 0.0, 0.0, 1, 0.05),
+            kFmiOK);
   for (const char* name : {"fmi2EnterInitializationMode", "fmi2ExitInitializationMode"})
     ASSERT_EQ(function(name, OfInstance{})(instance), kFmiOK);
   // The description of 2.0 writes a variable as an element around its type; in the same order.
