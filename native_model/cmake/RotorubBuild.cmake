@@ -31,6 +31,9 @@ endif()
 # functions of one library (RotorubMath). No errno, so that square roots of several numbers at once are one
 # instruction.
 add_compile_options(-ffp-contract=off -fno-math-errno)
+# Eigen would split products of matrices by the sizes of this processor's caches, and sum in another order on the
+# next: by its own defaults instead (tests/native_model/numerics/cache_sizes_test.cc).
+add_compile_definitions(EIGEN_NO_CPUID)
 
 # Code for the processor's own instruction set stands beside that for any. With sanitizers every function carries
 # their calls: the least processor's alone.
