@@ -4,10 +4,10 @@
 
 #include <algorithm>
 #include <boost/algorithm/string/trim.hpp>
-#include <boost/tokenizer.hpp>
 #include <charconv>
 #include <cmath>
 
+#include "compare/base/separated.h"
 #include "native_model/scene/diagnostic.h"
 #include "native_model/scene/reader.h"
 #include "native_model/scene/text.h"
@@ -21,25 +21,6 @@ using Fields = std::vector<std::string>;
 
 constexpr double kLargestValue = 1e60;  // SI; sums of squares stay finite
 constexpr std::string_view kTime = "t";
-
-// Without blanks and double quotes around them. A separator in quotes is none.
-Fields fields_of(std::string_view line, char separator) {
-  using Separator = boost::escaped_list_separator<char>;
-  const std::string text(line);
-  const Separator parts("", std::string(1, separator), "\"");
-  Fields fields;
-  for (const std::string& field : boost::tokenizer<Separator>(text, parts)) {
-    fields.push_back(boost::trim_copy(field));
-  }
-  return fields;
-}
-
-char separator_of(std::string_view header) {
-  for (const char separator : {'\t', ';'}) {
-    if (fields_of(header, separator).size() > 1) return separator;
-  }
-  return ',';
-}
 
 const Measurable* measurable(std::string_view name) {
   for (const Measurable& m : measurables()) {

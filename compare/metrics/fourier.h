@@ -1,8 +1,11 @@
-// Eigen's Fourier transforms, by FFTW; its plans do not depend on what a measurement gave. And the
-// window that spectra of a stretch are taken under.
+// Eigen's Fourier transforms, by FFTW; its plans do not depend on what a measurement gave. In a
+// page (report/live) by what Eigen brings along. And the window that spectra of a stretch are taken
+// under.
 #pragma once
 
+#ifndef __EMSCRIPTEN__
 #define EIGEN_FFTW_DEFAULT
+#endif
 #include <Eigen/Core>
 #include <numbers>
 #include <unsupported/Eigen/FFT>

@@ -14,6 +14,7 @@ std::string_view plotly_js();
 // Scripts, each a bundle (RotorubEmbed.cmake): of pages with a scene's runs, and of all others.
 std::string_view report_js();
 std::string_view still_js();
+std::string_view native_worker_js();  // runs the native model in a page (what_if.h)
 // The pages' templates (page_frame.h).
 std::string_view report_html();
 std::string_view run_html();
@@ -29,6 +30,7 @@ std::string_view map_html();        // one figure of a map, chosen by the reader
 std::string_view figures_html();    // meaning and unit of each
 std::string_view plots_html();      // a scene's plots and what is shown of them
 std::string_view player_html();     // a scene's live player
+std::string_view what_if_html();    // sliders of its values
 std::string_view transport_html();  // time of player and plots
 std::string_view glossary_html();   // what the words mean
 std::string_view rotor_html();      // Campbell diagram and whirl shapes of a scene

@@ -13,7 +13,8 @@ inline constexpr const char* kMeasured = "measured";  // its label, and its colo
 // As the other sides of plot_data(), with {"measured": true, "start", "holes", "absent"}: tracks
 // only of what is measured, straight between samples and no more than 50,000 of them; holes: of
 // each track, where the record has none ([from, to], s), which the plots leave open; absent: a
-// sentence on what the player cannot show. Without shown.measured null. limit: shown_frequency().
+// sentence on what the player cannot show. Without shown.measured null. limit: Hz, of its
+// spectrum.
 nlohmann::json measured_side(const ShownRuns& shown, double limit);
 
 // The track of the contact's force of the k-th run averaged over the record's samples, as

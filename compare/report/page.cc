@@ -13,6 +13,7 @@
 #include "compare/report/page_values.h"
 #include "compare/report/plot_points.h"
 #include "compare/report/plots.h"
+#include "compare/report/what_if.h"
 #include "native_model/scene/reader.h"
 
 namespace rotorub {
@@ -28,7 +29,22 @@ json live_part(const ShownRuns& shown, json& values) {
   values["rotor"] = std::move(rotor.values);
   json data = plot_data(shown);
   data["rotor"] = std::move(rotor.data);
+  data["what_if"] = what_if_data(*shown.scene);
+  values["what_if"] = data["what_if"].is_null() ? json::array() : json::array({data["what_if"]});
   return data;
+}
+
+// The page's frame; where a scene has sliders also what they move.
+json live_frame(const PageHead& head, const json& data) {
+  json values = page_frame(head, data, Pictures::kPlotsAndRig);
+  for (const json& scene : data.at("scenes")) {
+    if (scene.at("what_if").is_null()) continue;
+    values["has_module"] = true;
+    values["native_module"] = native_module();
+    values["native_worker"] = native_worker_js();
+    break;
+  }
+  return values;
 }
 
 std::string engine_text(const Trajectory& t) {
@@ -84,14 +100,13 @@ std::string report_page(const std::vector<PageScene>& scenes, const Beside& besi
   const double tolerance = scenes.empty() ? 0.0 : scenes.front().comparison->tolerance;
   const CompareMode mode =
       scenes.empty() ? CompareMode::kLockstep : scenes.front().comparison->mode;
-  json values = page_frame(
+  json values = live_frame(
       {fmt::format("{}", fmt::join(names, ", ")), fmt::format("{} comparison", to_string(mode)),
        "Can MuJoCo's contact forces be trusted?"},
       {{"scenes", plots},
        {"trade", trade_data(comparisons)},
        {"benches", beside.benches},
-       {"maps", beside.maps}},
-      Pictures::kPlotsAndRig);
+       {"maps", beside.maps}});
   values.update(beside.values);
   values["has_benches"] = !beside.benches.empty();
   values["has_maps"] = !beside.maps.empty();
@@ -107,8 +122,8 @@ std::string report_page(const std::vector<PageScene>& scenes, const Beside& besi
 std::string run_page(const StoredRun& run, const std::optional<StoredRun>& shadow) {
   json live = json::object();
   const json plots = live_part(shown_runs(run, shadow), live);
-  json values = page_frame({run.scene.name, "one run", run.scene.name}, {{"scenes", {plots}}},
-                           Pictures::kPlotsAndRig);
+  json values =
+      live_frame({run.scene.name, "one run", run.scene.name}, {{"scenes", json::array({plots})}});
   values.update(live);
   values["id"] = "run";
   values["engine"] = engine_text(run.trajectory);

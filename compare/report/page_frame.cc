@@ -113,6 +113,8 @@ json page_frame(const PageHead& head, const json& data, Pictures pictures) {
           {"css", std::move(css)},
           // Its script starts plotly once the player is drawn.
           {"has_player", live},
+          // Who has what to run in the page says so (page.cc).
+          {"has_module", false},
           {"plotly", plotly_js()},
           // "</" would end the script element that holds the data.
           {"data", boost::replace_all_copy(data.dump(), "</", "<\\/")},
@@ -133,6 +135,7 @@ std::string fill_page(std::string_view html, const json& values) {
                         {"figures", figures_html()},
                         {"plots", plots_html()},
                         {"player", player_html()},
+                        {"what_if", what_if_html()},
                         {"transport", transport_html()},
                         {"glossary", glossary_html()},
                         {"rotor", rotor_html()},

@@ -5,12 +5,12 @@
 #include <nlohmann/json.hpp>
 #include <numbers>
 
-#include "compare/report/contact_plots.h"
 #include "compare/report/measured_side.h"
 #include "compare/report/pack/packed_run.h"
 #include "compare/report/plot_kinds.h"
 #include "compare/report/plot_points.h"
 #include "compare/report/rig_values.h"
+#include "compare/report/run_data.h"
 #include "compare/report/whirl_plots.h"
 
 namespace rotorub {
@@ -65,52 +65,6 @@ std::vector<Window> plot_windows(const ShownRuns& shown) {
   return windows;
 }
 
-// The impacts of one contact. friction: its mu.
-json impact_data(const Trajectory& run, std::size_t contact, double friction) {
-  Values t, normal, tangential, before, after, slip, share;
-  for (const Impact& impact : counted_impacts(run, contact)) {
-    if (impact.normal_impulse <= 0.0) continue;
-    t.push_back(impact.t);
-    normal.push_back(1e3 * impact.normal_impulse);
-    tangential.push_back(1e3 * std::abs(impact.friction_impulse));
-    before.push_back(impact.gap_rate_before);
-    after.push_back(impact.gap_rate_after);
-    slip.push_back(impact.slip_after);
-    share.push_back(friction > 0.0 ? impact.friction_impulse / (friction * impact.normal_impulse)
-                                   : 0.0);
-  }
-  const auto kept = thin(normal, 0, normal.size(), kPlotBuckets);
-  return {{"t", picked(t, kept, 8)},
-          {"y", picked(normal, kept, 5)},
-          {"friction", picked(tangential, kept, 5)},
-          {"before", picked(before, kept, 5)},
-          {"after", picked(after, kept, 5)},
-          {"slip", picked(slip, kept, 5)},
-          {"share", picked(share, kept, 5)}};
-}
-
-// A run as the scripts have it: of each contact its impacts.
-json side_data(const ShownRuns& shown, const ShownRun& run,
-               const std::optional<renders::Machine>& machine, double limit) {
-  const scene::Scene& scene = *shown.scene;
-  const Trajectory* first = shown.runs.front().trajectory;
-  json impacts = json::array(), contacts = json::array();
-  for (std::size_t k = 0; k < scene.auxiliary.size(); ++k) {
-    contacts.push_back(contact_distribution(*run.trajectory, k));
-    const auto& contact = scene.auxiliary[k].contact;
-    impacts.push_back(
-        impact_data(*run.trajectory, k, contact ? contact->friction.sticking() : 0.0));
-  }
-  return {{"label", run.label},
-          {"end", run.trajectory->end},
-          {"status", to_string(run.trajectory->status)},
-          {"tracks",
-           packed_run_json(machine ? pack_run(scene, *machine, *run.trajectory) : PackedRun())},
-          {"whirl", whirl_data(*run.trajectory, first == run.trajectory ? nullptr : first, limit)},
-          {"impacts", impacts},
-          {"distribution", contacts}};
-}
-
 // The motor's characteristic about the speeds that the first run goes through.
 json motor_data(const scene::Scene& scene, const Trajectory& run) {
   const Values& speed = run.column("spin_speed");
@@ -126,9 +80,13 @@ json plot_data(const ShownRuns& shown) {
   const scene::Scene& scene = *shown.scene;
   const std::optional<renders::Machine> machine = drawn_machine(shown);
   json sides = json::array();
-  const double limit = shown_frequency(shown);
+  double limit = 0.0;  // Hz, of all spectra
+  for (const ShownRun& run : shown.runs) limit = std::max(limit, spectrum_reach(*run.trajectory));
   for (const ShownRun& run : shown.runs) {
-    json& side = sides.emplace_back(side_data(shown, run, machine, limit));
+    const Trajectory* first = shown.runs.front().trajectory;
+    json& side = sides.emplace_back(run_data(scene, run.label, *run.trajectory,
+                                             run.trajectory == first ? nullptr : first,
+                                             machine ? &*machine : nullptr, limit));
     json force = sampled_force(shown, sides.size() - 1);
     if (!force.is_null()) side["tracks"]["force"] = std::move(force);
   }

@@ -30,8 +30,6 @@ ShownRuns shown_runs(const SceneComparison& comparison);
 // Of a run's folder, with its shadow where it has one.
 ShownRuns shown_runs(const StoredRun& run, const std::optional<StoredRun>& shadow);
 
-inline constexpr std::size_t kPlotBuckets = 600;  // of a run's impacts: 1200 points
-
 // For the scripts: windows, runs as tracks (pack/packed_run.h), impacts on their laws, the drawn
 // rig.
 nlohmann::json plot_data(const ShownRuns& shown);

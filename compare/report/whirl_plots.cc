@@ -126,13 +126,8 @@ double mean_spin(const Trajectory& run) {
   return (angle.back() - angle.front()) / (2.0 * std::numbers::pi * (t.back() - t.front()));
 }
 
-double shown_frequency(const ShownRuns& shown) {
-  double limit = 1.0;
-  for (const ShownRun& run : shown.runs) {
-    if (run.trajectory->rows() < 2) continue;
-    limit = std::max(limit, 8.0 / turn_of(*run.trajectory));
-  }
-  return limit;
+double spectrum_reach(const Trajectory& run) {
+  return run.rows() < 2 ? 1.0 : std::max(1.0, 8.0 / turn_of(run));
 }
 
 json distance_data(const Values& t, const Values& distance) {

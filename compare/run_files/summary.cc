@@ -160,6 +160,7 @@ ordered_json run_columns_json(const Trajectory& trajectory) {
   return {{"series.csv", series},
           {"impacts.csv", columns_json(impact_columns(trajectory.contacts > 1))},
           {"events.csv", columns_json(event_columns(trajectory.contacts > 1))},
+          {"keyphasor.csv", columns_json(keyphasor_columns())},
           {"summary.json", columns_json(summary_keys())}};
 }
 

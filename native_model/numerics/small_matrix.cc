@@ -10,7 +10,7 @@ namespace {
 template <int W, int kVectors, class Store>
 ROTORUB_INLINE int blocks_of_rows(int from, const double* columns, int rows, int count,
                                   const double* in, Store store) {
-  using Vector = lanes::Raw<W>::Value;
+  using Vector = typename lanes::Raw<W>::Value;
   constexpr int kBlock = W * kVectors;
   for (; from + kBlock <= rows; from += kBlock) {
     Vector sums[kVectors] = {};
@@ -42,7 +42,7 @@ ROTORUB_INLINE void each_block(const double* columns, int rows, int count, const
 template <int W>
 ROTORUB_INLINE void combine_blocks(const double* columns, int rows, const WeightedColumn* sum,
                                    int count, double factor, const double* start, double* out) {
-  using Vector = lanes::Raw<W>::Value;
+  using Vector = typename lanes::Raw<W>::Value;
   constexpr int kVectors = 8 / W;
   for (int i = 0; i < rows; i += 8) {
     Vector sums[kVectors] = {};

@@ -155,7 +155,9 @@ template <class M>
 struct CoordinateArray {
   using Type = lanes::Array<typename M::Scalar>;
   using Scratch = Type&;
-  static Type make(const M& m) { return Type(static_cast<std::size_t>(m.layout.nq()), {}); }
+  static Type make(const M& m) {
+    return Type(static_cast<std::size_t>(m.layout.nq()), typename M::Scalar{});
+  }
 };
 template <class M, class L>
 struct CoordinateArray<Sized<M, L>> {

@@ -4,6 +4,7 @@ import {Clock} from './player/clock.js';
 import {Player} from './player/player.js';
 import {runOf} from './player/run.js';
 import {ScenePlots} from './plots.js';
+import {WhatIf} from './what_if.js';
 
 export class LiveScene {
   constructor(element, scene) {
@@ -20,6 +21,8 @@ export class LiveScene {
     }, () => this.told());
     this.address = new AddressWriter(element.id);
     this.player = null;
+    const asked = element.querySelector('.what-if');
+    if (asked) this.whatIf = new WhatIf(asked, scene.what_if, (answer) => this.join(answer));
     const live = element.querySelector('.live'), moving = this.runs.filter((run) => run.has('rotor'));
     if (scene.rig && moving.length) this.player = new Player(live, scene, moving, this.clock, this.runs.filter((run) => !run.has('rotor')));
     else for (const part of live.querySelectorAll('.player, .transport')) part.remove();
@@ -31,6 +34,15 @@ export class LiveScene {
     this.plots.restore(linked);
     if (linked.t !== undefined) this.clock.t = Math.min(to, Math.max(from, linked.t));
     element.scrollIntoView();
+  }
+  // A run that was computed here, in the place of the one before; contacts: what it has of its own of each.
+  join({side, contacts}) {
+    const {sides} = this.scene, at = sides.findIndex(({label}) => label === side.label), k = at < 0 ? sides.length : at;
+    sides[k] = side;
+    this.runs[k] = runOf(side, {contacts: this.scene.contacts.map((contact, c) => ({...contact, ...contacts[c]}))});
+    this.plots.join(side.label);
+    this.player?.join(this.runs[k]);
+    this.drawAll();
   }
   // The reader has sought a time, zoomed or hidden a run: not before the page is drawn.
   told() {

@@ -1,7 +1,7 @@
 // The plots of one scene, from its runs' tracks: sampled anew for every window, linked in time and legend, under the
 // cursor of the scene's clock. Each is drawn when it comes near the screen.
 import {inTurn, isPrinting, show, whenNear} from './page.js';
-import {css} from './style.js';
+import {css, nameOf} from './style.js';
 import {sceneFigure} from './traces.js';
 
 export class ScenePlots {
@@ -172,6 +172,18 @@ export class ScenePlots {
     button.setAttribute('aria-pressed', String(!this.hidden.has(side)));
     this.drawAll();
     this.changed();
+  }
+
+  // One more run: in the legend too.
+  join(label) {
+    const legend = this.element.querySelector('.legend');
+    if (legend.querySelector(`[data-side="${label}"]`)) return;
+    const button = legend.lastElementChild.cloneNode(true);
+    button.dataset.side = label;
+    button.innerHTML = `<i class="swatch side-${label}"></i>${nameOf(label)}`;
+    button.setAttribute('aria-pressed', 'true');
+    button.addEventListener('click', () => this.toggle(button));
+    legend.append(button);
   }
 
   // As a link says, before anything is drawn; of what the scene has.

@@ -32,11 +32,14 @@ export function shade(share, palette) {
 }
 export const scaleOfColours = (palette) => palette.map((color, k) => [k / (palette.length - 1), color]);
 
+// A run's label, and in full what is to be said of it once.
+export const nameOf = (label) => label === 'recomputed' ? 'native, recomputed here' : label;
+
 // How a run is told from the others: its colour, and as a second cue dash, width and mark. Native is in front.
 const dashes = {native: 'solid', rigid: 'dash', coulomb: 'dashdot', cone: 'dot', 'cone-coulomb': 'longdashdot', 'cone-default': 'dot',
-  shadow: 'dash', measured: 'longdash'};
+  shadow: 'dash', measured: 'longdash', recomputed: 'solid'};
 const symbols = {native: 'circle', rigid: 'circle-open', coulomb: 'square-open', cone: 'triangle-up-open', 'cone-coulomb': 'triangle-down-open',
-  'cone-default': 'star-open', shadow: 'diamond-open', measured: 'x-open'};
+  'cone-default': 'star-open', shadow: 'diamond-open', measured: 'x-open', recomputed: 'hexagon-open'};
 export const isFront = (label) => label === 'native';
 export const line = (label, front = isFront(label)) =>
   ({color: css(`--${label}`), width: front ? 2.4 : 1.4, dash: dashes[label] || 'dot', simplify: false});

@@ -135,14 +135,15 @@ export function heightFor(traces) {
 }
 
 function turnsPlot({contact, runs}, key, range, hidden) {
-  const r = 1e6 * contact.clearance;
-  const circle = {type: 'circle', x0: -r, x1: r, y0: -r, y1: r, line: {color: css('--soft'), width: 1, dash: 'dash'}};
+  // One, but for a run that was computed with another.
+  const radii = [...new Set([contact, ...runs].map(({clearance}) => 1e6 * clearance))].filter((r) => r > 0);
+  const circles = radii.map((r) => ({type: 'circle', x0: -r, x1: r, y0: -r, y1: r, line: {color: css('--soft'), width: 1, dash: 'dash'}}));
   const square = {automargin: false, constrain: 'domain'};
   const orbit = key === 'orbit', lines = orbit ? orbitTraces(runs, range) : relativeTraces(runs, range);
   const marked = behindFirst(runs).filter((run) => run.has('rotor') && run.has('spin') && (orbit || run.has('gap')));
   const marks = orbitMarks(marked, range, hidden, orbit ? (run, t) => micro(run.pose(t).rotor) : relativePlace);
   return {data: [...lines, ...marks.data],
-    layout: layout({hovermode: 'closest', annotations: marks.annotations, shapes: key === 'relative' && r > 0 ? [circle] : [],
+    layout: layout({hovermode: 'closest', annotations: marks.annotations, shapes: key === 'relative' ? circles : [],
       xaxis: titled('x / µm', square), yaxis: titled('y / µm', {...square, scaleanchor: 'x'})})};
 }
 function timePlot(view, key, over, range) {

@@ -3,6 +3,7 @@
 // is shown.
 import {besideNative} from '../first.js';
 import {isPrinting} from '../page.js';
+import {nameOf} from '../style.js';
 import {showReadings} from './readings.js';
 import {Rig} from './rig.js';
 import {Section} from './section.js';
@@ -22,13 +23,39 @@ export class Player {
     this.touches = scene.contacts[0].touches;
     const places = [...this.element.querySelectorAll('.player-run')];
     this.chosen = runs.length > 1 ? [0, besideNative(runs)] : [0];
-    for (const place of places.slice(this.chosen.length)) place.remove();
-    this.element.classList.toggle('alone', this.chosen.length < 2);
     if (!this.touches) for (const part of this.element.querySelectorAll('.section, .unrolled-figure')) part.remove();
-    // What a run has of each contact: canvas, readings, mode.
-    this.places = places.slice(0, this.chosen.length).map((place) => ({place, feet: [...place.querySelectorAll('.run-foot')].map((foot) =>
-      ({section: foot.querySelector('canvas.section'), list: foot.querySelector('.readings'), mode: (foot.querySelector('.mode') || place.querySelector('.mode'))}))}));
+    this.places = [];
+    this.spare = places.slice(this.chosen.length);  // of a run that comes later
+    for (const place of this.spare) place.remove();
+    for (const place of places.slice(0, this.chosen.length)) this.take(place);
     this.listen();
+    this.choose();
+  }
+  // One more side of the player. What a run has there of each contact: canvas, readings, mode.
+  take(place) {
+    const k = this.places.push({place, feet: [...place.querySelectorAll('.run-foot')].map((foot) =>
+      ({section: foot.querySelector('canvas.section'), list: foot.querySelector('.readings'), mode: (foot.querySelector('.mode') || place.querySelector('.mode'))}))}) - 1;
+    const select = place.querySelector('select');
+    this.runs.forEach((run, r) => { select.add(new Option(nameOf(run.label), r, false, r === this.chosen[k])); });
+    select.addEventListener('change', () => { this.chosen[k] = Number(select.value); this.choose(); });
+    this.turnBy(place.querySelector('canvas.rig'));
+  }
+  // A run that was computed here, shown beside the first; in the place of the one before, wherever that is shown.
+  join(run) {
+    const before = this.runs.findIndex(({label}) => label === run.label);
+    if (before < 0) {
+      const at = this.runs.push(run) - 1;
+      for (const {place} of this.places) place.querySelector('select').add(new Option(nameOf(run.label), at));
+      this.chosen[1] = at;
+      if (this.spare.length) {
+        const place = this.spare.shift();
+        this.places[0].place.after(place);
+        this.take(place);
+      }
+      this.places[1].place.querySelector('select').value = at;
+    } else {
+      this.runs[before] = run;
+    }
     this.choose();
   }
 
@@ -36,12 +63,6 @@ export class Player {
   shownAt(contact) { return this.shown.map((run) => run.contacts[contact]); }
 
   listen() {
-    this.places.forEach(({place}, k) => {
-      const select = place.querySelector('select');
-      this.runs.forEach((run, r) => { select.add(new Option(run.label, r, false, r === this.chosen[k])); });
-      select.addEventListener('change', () => { this.chosen[k] = Number(select.value); this.choose(); });
-      this.turnBy(place.querySelector('canvas.rig'));
-    });
     const on = (name, event, act) => this.transport.querySelector(name).addEventListener(event, act);
     on('.play', 'click', () => this.clock.play());
     on('.to-start', 'click', () => this.clock.seek(this.clock.from));
@@ -57,7 +78,6 @@ export class Player {
     };
     this.element.addEventListener('keydown', keys);
     this.transport.addEventListener('keydown', keys);
-    this.transport.querySelector('.outline-choice').hidden = this.chosen.length < 2 || !this.touches;
     Object.assign(this.transport.querySelector('.seek'), {min: this.clock.from, max: this.clock.to});
     const pace = this.transport.querySelector('.pace'), wanted = kFilm / (this.clock.to - this.clock.from);
     const first = kPaces.find((p) => p >= wanted) || kPaces[kPaces.length - 1];
@@ -92,7 +112,10 @@ export class Player {
 
   // Other runs, other scales: forces and impulses in full are those of the first run that has any, at all its contacts.
   choose() {
-    const {scene} = this, most = (run, of) => Math.max(0, ...run.contacts.map(of));
+    const {scene} = this, alone = this.chosen.length < 2;
+    this.element.classList.toggle('alone', alone);
+    this.transport.querySelector('.outline-choice').hidden = alone || !this.touches;
+    const most = (run, of) => Math.max(0, ...run.contacts.map(of));
     const first = (of) => this.shown.map((run) => most(run, of)).find((value) => value > 0) || 0;
     const all = (of) => Math.max(...this.shown.map((run) => most(run, of)));
     this.scales = {force: first((run) => run.forces.usual), impulse: first((run) => run.largestImpulse),
@@ -100,9 +123,12 @@ export class Player {
     // Those of the first run that has any: a contact that bounces would slow down the whole film.
     const hits = this.shown.map((run) => run.contacts.flatMap((at) => at.hardImpacts)).find((times) => times.length) || [];
     this.clock.hard = [...new Set(hits)].sort((a, b) => a - b);
-    this.pictures = !this.touches ? [] : scene.contacts.map((contact, c) => ({
-      sections: this.places.map(({feet}) => new Section(feet[c].section, contact, this.scales)),
-      unrolled: new Unrolled(this.element.querySelectorAll('canvas.unrolled')[c], contact, this.shownAt(c))}));
+    // The widest clearance of those that are shown sets the size of all.
+    this.pictures = !this.touches ? [] : scene.contacts.map((of, c) => {
+      const contact = {...of, clearance: Math.max(...this.shownAt(c).map(({clearance}) => clearance))};
+      return {sections: this.places.map(({feet}) => new Section(feet[c].section, contact, this.scales)),
+        unrolled: new Unrolled(this.element.querySelectorAll('canvas.unrolled')[c], contact, this.shownAt(c))};
+    });
     this.places.forEach(({place}, k) => { place.querySelector('.swatch').className = `swatch side-${this.shown[k].label}`; });
     this.note();
     this.draw();

@@ -29,6 +29,7 @@ export class Section {
 
   draw(run, pose, other, span) {
     const l = this.layout(), {ctx} = l;
+    l.bore = this.bore(l, run);
     this.drawn = {t: pose.t, touching: pose.mode !== null && pose.mode !== 'free', arrows: [], stems: 0, outline: Boolean(other)};
     if (!run.within(pose.t)) return;  // a record without samples here: nothing is known, nothing is drawn
     Object.assign(this.drawn, {rotor: true, ring: run.ringKnown});
@@ -46,11 +47,11 @@ export class Section {
     if (pose.current) this.currents(l, pose);
     this.axisNames(l, pose);
     ctx.restore();
-    this.legend(l);
+    this.legend(l, run);
   }
 
   at(l, place) { return [l.magnified * place[0], l.magnified * place[1]]; }
-  bore(l) { return l.radius + l.magnified * this.contact.clearance; }
+  bore(l, {clearance}) { return l.radius + l.magnified * clearance; }
 
   axes(l, pose) {
     const [x, y] = this.at(l, pose.ring);
@@ -74,7 +75,7 @@ export class Section {
   }
 
   ring(l, pose) {
-    const {ctx} = l, place = this.at(l, pose.ring), bore = this.bore(l), outer = bore + kRingWidth * l.radius;
+    const {ctx} = l, place = this.at(l, pose.ring), bore = l.bore, outer = bore + kRingWidth * l.radius;
     sector(ctx, place, bore, outer, 0, Math.PI, css('--ring'));
     circle(ctx, place, bore, css('--ring-edge'), 1.5);
     circle(ctx, place, outer, css('--ring-edge'), 1);
@@ -91,7 +92,7 @@ export class Section {
   outline(l, run, pose) {
     const color = css(`--${run.label}`), [x, y] = this.at(l, pose.rotor);
     circle(l.ctx, [x, y], l.radius, color, 1.5, [7, 4]);
-    if (run.has('ring')) circle(l.ctx, this.at(l, pose.ring), this.bore(l), color, 1, [2, 4]);
+    if (run.has('ring')) circle(l.ctx, this.at(l, pose.ring), this.bore(l, run), color, 1, [2, 4]);
     l.ctx.fillStyle = color;
     l.ctx.fillRect(x - 3, y - 3, 6, 6);
   }
@@ -101,7 +102,7 @@ export class Section {
     const {ctx} = l, points = run.trail(t, span, kTrailPoints), now = points[points.length - 1], color = css(`--${run.label}`);
     const inRing = (p) => this.at(l, [0, 1].map((c) => p.rotor[c] - p.ring[c] + now.ring[c]));
     // Where the rotor's centre may go.
-    if (run.ringKnown) circle(ctx, this.at(l, now.ring), l.magnified * this.contact.clearance, css('--soft'), 1, [4, 4]);
+    if (run.ringKnown) circle(ctx, this.at(l, now.ring), l.magnified * run.clearance, css('--soft'), 1, [4, 4]);
     fading(ctx, points.map(inRing), color, 2);
     const pulses = run.pulses(points[0].t, t);
     for (const pulse of pulses) circle(ctx, inRing(run.pose(pulse)), 4.5, css('--ink'), 1.5);
@@ -111,7 +112,7 @@ export class Section {
 
   // Impacts of the trail's time: from the bore outwards, fading.
   stems(l, run, pose, span) {
-    const {ctx} = l, bore = this.bore(l), [x, y] = this.at(l, pose.ring), color = css('--impact');
+    const {ctx} = l, bore = l.bore, [x, y] = this.at(l, pose.ring), color = css('--impact');
     for (const impact of run.impactsBetween(pose.t - span, pose.t)) {
       const share = Math.min(1, impact.normal / this.scales.impulse), way = [Math.cos(impact.angle), Math.sin(impact.angle)];
       const [from, to] = [bore, bore + share * kRingWidth * l.radius].map((reach) => [x + reach * way[0], y + reach * way[1]]);
@@ -124,7 +125,7 @@ export class Section {
   }
 
   forces(l, pose) {
-    const [x, y] = this.at(l, pose.ring), bore = this.bore(l);
+    const [x, y] = this.at(l, pose.ring), bore = l.bore;
     if (pose.control) this.arrow(l, 'control', [x, y], pose.control, this.scales.control, css('--control'));
     if (!this.drawn.touching) return;
     const touch = [x + bore * pose.e[0], y + bore * pose.e[1]], across = [-pose.e[1], pose.e[0]];
@@ -135,7 +136,7 @@ export class Section {
 
   // Coil currents beside the ring, on the actuators' axes (1, 1) and (-1, 1): outwards positive.
   currents(l, pose) {
-    const [x, y] = this.at(l, pose.ring), half = 0.16 * l.radius, middle = this.bore(l) + (kRingWidth + 0.1) * l.radius + half;
+    const [x, y] = this.at(l, pose.ring), half = 0.16 * l.radius, middle = l.bore + (kRingWidth + 0.1) * l.radius + half;
     this.drawn.currents = pose.current.map((current, k) => {
       const c = (k === 0 ? 1 : -1) * Math.SQRT1_2, s = Math.SQRT1_2, reach = Math.sign(current) * half * Math.min(1, Math.abs(current) / this.scales.current);
       const piece = (from, to, width, color) => stroke(l.ctx, [[x + from * c, y + from * s], [x + to * c, y + to * s]], color, width);
@@ -164,9 +165,9 @@ export class Section {
   clipped(ctx, [x, y], [c, s], color) { this.head(ctx, [x + 9 * c, y + 9 * s], [c, s], 10, color); }
 
   // What a length of the picture stands for.
-  legend(l) {
+  legend(l, {clearance}) {
     const {ctx, height} = l, {force, impulse} = this.scales;
-    const gap = l.magnified * this.contact.clearance;
+    const gap = l.magnified * clearance;
     const row = (k, pixels, color, words) => {
       const y = height - 10 - 15 * k;
       ctx.font = font(11);
@@ -176,7 +177,7 @@ export class Section {
       ctx.fillText(words, 14 + pixels, y);
     };
     let k = 0;
-    row(k++, gap, css('--soft'), `${units.length(this.contact.clearance)} clearance`);
+    row(k++, gap, css('--soft'), `${units.length(clearance)} clearance`);
     if (force > 0) row(k++, 0.3 * kForceReach * l.radius, css('--normal-force'), `${units.force(0.3 * force)} force`);
     if (impulse > 0) row(k++, kRingWidth * l.radius, css('--impact'), `${units.impulse(impulse)} impact`);
   }

@@ -50,7 +50,7 @@ export class Unrolled {
     ctx.clip();
     shown.forEach(({run, pose}, k) => {
       const color = css(`--${run.label}`);
-      this.surface(l, pose, color, k);
+      this.surface(l, run, pose, color, k);
       this.trail(l, run, pose.t, span, color);
       this.impacts(l, run, pose.t, span, color);
     });
@@ -88,10 +88,10 @@ export class Unrolled {
     ctx.textAlign = 'left';
   }
 
-  surface(l, pose, color, k) {
+  surface(l, run, pose, color, k) {
     const angles = Array.from({length: kPoints}, (_, i) => -Math.PI + 2 * Math.PI * i / (kPoints - 1));
     l.ctx.globalAlpha = 0.75;
-    stroke(l.ctx, angles.map((theta) => [l.x(theta), l.y(gapAt(this.contact.clearance, pose, theta))]), color, 1.2, k === 0 ? [] : [6, 4]);
+    stroke(l.ctx, angles.map((theta) => [l.x(theta), l.y(gapAt(run.clearance, pose, theta))]), color, 1.2, k === 0 ? [] : [6, 4]);
     l.ctx.globalAlpha = 1;
   }
 
