@@ -99,10 +99,11 @@ int rotorub_main(int argc, char** argv) {
   program.set_version_flag("--version", version_line());
   program.require_subcommand(1);
   const std::vector<Command> commands{
-      add_init_command(program),  add_run_command(program),   add_compare_command(program),
-      add_modes_command(program), add_mjcf_command(program),  add_render_command(program),
-      add_bench_command(program), add_sweep_command(program), add_check_command(program),
-      add_tune_command(program),  add_plot_command(program),  add_schema_command(program),
+      add_init_command(program),     add_run_command(program),   add_compare_command(program),
+      add_modes_command(program),    add_mjcf_command(program),  add_fmu_command(program),
+      add_render_command(program),   add_bench_command(program), add_sweep_command(program),
+      add_optimise_command(program), add_check_command(program), add_tune_command(program),
+      add_identify_command(program), add_plot_command(program),  add_schema_command(program),
       add_manual_command(program)};
   program.footer("rotorub help COMMAND tells the options of a command.");
   std::vector<std::string> names;

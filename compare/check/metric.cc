@@ -99,8 +99,8 @@ void check_name(const std::string& metric) {
   } else if (const auto residual = after(metric, "residual.")) {
     number_of(residuals_json({}), *residual, metric);
   } else {
-    const json numbers = run_numbers_json({});
-    if (numbers.contains(metric)) return;
+    const json numbers = metrics_json({});
+    if (numbers.contains(metric) && !numbers[metric].is_structured()) return;
     refuse(metric,
            numbers_of(numbers) +
                ", error.<column>, end.<column>, largest.<column>, residual.<name>, count.<event>");
@@ -130,7 +130,7 @@ double measure(const std::string& metric, const scene::Scene& scene, const Traje
   if (const auto name = after(metric, "residual.")) {
     return number_of(residuals(scene, trajectory), *name, metric);
   }
-  return number_of(run_numbers_json(trajectory), metric, metric);
+  return number_of(run_numbers_json(scene, trajectory), metric, metric);
 }
 
 }  // namespace rotorub::check

@@ -95,14 +95,17 @@ Command add_run_command(CLI::App& program);
 Command add_compare_command(CLI::App& program);
 Command add_modes_command(CLI::App& program);
 Command add_mjcf_command(CLI::App& program);
+Command add_fmu_command(CLI::App& program);
 Command add_render_command(CLI::App& program);
 Command add_plot_command(CLI::App& program);
 Command add_init_command(CLI::App& program);
 Command add_schema_command(CLI::App& program);
 Command add_bench_command(CLI::App& program);
 Command add_sweep_command(CLI::App& program);
+Command add_optimise_command(CLI::App& program);
 Command add_check_command(CLI::App& program);
 Command add_tune_command(CLI::App& program);
+Command add_identify_command(CLI::App& program);
 // The manual of the program itself: added last.
 Command add_manual_command(CLI::App& program);
 

@@ -12,9 +12,9 @@
 #include "compare/base/json.h"
 #include "compare/commands/command.h"
 #include "compare/commands/compare_output.h"
+#include "compare/commands/measured_options.h"
 #include "compare/commands/terminal.h"
 #include "compare/commands/tune_command.h"
-#include "compare/measured/reader.h"
 #include "compare/own/own_machine.h"
 #include "compare/study/json.h"
 #include "compare/study/table.h"
@@ -27,10 +27,9 @@
 namespace rotorub {
 namespace {
 
-struct CompareArguments : CommonOptions {
+struct CompareArguments : CommonOptions, MeasuredArguments {
   std::vector<std::string> scenes, with;
   std::string mode = "lockstep", tolerance = "1%", contact, folder = "runs/compare", format = "csv";
-  std::string measured, measured_shift, measured_angle;  // empty: none, found
   int twins = kDefaultTwins;
   bool no_video = false, modes_ladder = true, tune = false;
 };
@@ -81,29 +80,12 @@ std::vector<Subject> read_subjects(const CompareArguments& options) {
   return subjects;
 }
 
-// What a record is laid in by.
-struct MeasuredInput {
-  std::shared_ptr<const MeasuredRecord> record;  // null: none
-  AlignmentOptions alignment;
-};
-
-MeasuredInput measured_of(const CompareArguments& options) {
-  MeasuredInput input;
-  if (options.measured.empty()) {
-    if (options.measured_shift.empty() && options.measured_angle.empty()) return input;
-    throw UsageError(
-        "--measured-shift and --measured-angle: of what --measured names, and it names nothing");
-  }
-  if (options.scenes.size() > 1) {
+MeasuredInput one_measured(const CompareArguments& options) {
+  if (!options.measured.empty() && options.scenes.size() > 1) {
     throw UsageError(fmt::format("--measured: one scene is accepted with it, {} are given",
                                  options.scenes.size()));
   }
-  if (const std::string& shift = options.measured_shift; !shift.empty())
-    input.alignment.shift = quantity_of("--measured-shift", shift, scene::kTime);
-  if (const std::string& angle = options.measured_angle; !angle.empty())
-    input.alignment.angle = quantity_of("--measured-angle", angle, scene::kAngle);
-  input.record = std::make_shared<const MeasuredRecord>(read_measured(options.measured));
-  return input;
+  return measured_of(options);
 }
 
 // The pages' scenes, filmed or not: films are worth having, but no reason to lose the figures.
@@ -226,7 +208,7 @@ int compare(const CompareArguments& options) {
   const double tolerance = tolerance_of(options.tolerance);
   const hdf5::ImageOf hdf5 = hdf5_of(options.format);
   const auto subjects = read_subjects(options);
-  const MeasuredInput measured = measured_of(options);
+  const MeasuredInput measured = one_measured(options);
   const Beside beside = beside_of(options);
   check_output(options.folder, Output::kFolder);
   ProgressBar bar(options.quiet);
@@ -288,15 +270,7 @@ Command add_compare_command(CLI::App& program) {
       ->expected(1)
       ->take_all()
       ->allow_extra_args(false);
-  add_value(*app, "--measured", options->measured, "CSV",
-            "A measured run of the one scene, laid beside its runs: a table with a header, t and "
-            "any of rotor, ring, gap, force, current, each with its unit, as `t [ms], rotor_x "
-            "[um]` (compare/README.md)");
-  add_value(*app, "--measured-shift", options->measured_shift, "TIME",
-            "Time added to the record's, as 12.5ms (default: found by least squares)");
-  add_value(*app, "--measured-angle", options->measured_angle, "ANGLE",
-            "Angle of the sensors' x axis in the scene, from x to y, as 30deg (default: found "
-            "where x and y are measured)");
+  add_measured_options(*app, *options, "laid beside its runs");
   add_format_option(*app, options->format);
   app->add_flag("--tune", options->tune,
                 "Finds the fastest setting that can be trusted for each scene (rotorub tune), and "

@@ -20,7 +20,7 @@ namespace {
 
 struct InitArguments {
   std::string name = "rotor", form = "geometry", file;
-  std::string speed, length, diameter, disc_mass, clearance, friction;
+  std::string speed, length, diameter, disc_mass, clearance, friction, unbalance;
   bool force = false, json = false, quiet = false;
 };
 
@@ -45,15 +45,25 @@ void take(StarterValue& target, const char* option, const std::string& text,
 
 Starter starter_of(const InitArguments& options) {
   Starter starter;
-  starter.form = options.form == "modal" ? StarterForm::kModal
-                 : options.form == "rig" ? StarterForm::kRig
-                                         : StarterForm::kGeometry;
+  for (const StarterFormWord& each : kStarterForms) {
+    if (options.form == each.word) starter.form = each.form;
+  }
   take(starter.speed, "--speed", options.speed, scene::kSpin);
   take(starter.length, "--length", options.length, scene::kLength);
   take(starter.diameter, "--diameter", options.diameter, scene::kLength);
   take(starter.disc_mass, "--disc-mass", options.disc_mass, scene::kMass);
   take(starter.clearance, "--clearance", options.clearance, scene::kLength);
   take(starter.friction, "--friction", options.friction, scene::kPure, true);
+  if (!options.unbalance.empty()) {
+    if (!loses_mass(starter.form)) {
+      throw UsageError(
+          fmt::format("--unbalance: a machine of the form {} loses no mass; accepted "
+                      "with geometry, modal, overhung and vertical",
+                      options.form));
+    }
+    starter.unbalance = StarterValue{"72 g mm", 0.0};
+    take(*starter.unbalance, "--unbalance", options.unbalance, scene::kStaticMoment);
+  }
   if (starter.diameter.value > starter.length.value / 5.0) {
     throw UsageError(fmt::format(
         "--diameter {}: a shaft of {} is a beam up to a fifth of its length in diameter",
@@ -113,10 +123,14 @@ Command add_init_command(CLI::App& program) {
   CLI::App* app =
       program.add_subcommand("init", "Write a commented scene to begin with, which runs at once");
   app->add_option("NAME", options->name, "Name of the scene (default: rotor)");
+  std::vector<std::string> forms;
+  for (const StarterFormWord& each : kStarterForms) forms.emplace_back(each.word);
   app->add_option("--form", options->form,
-                  "geometry (shaft, disc, bearings; loses a blade), modal (the same as one mode) "
-                  "or rig (with torsion, motor, exciter, actuator)")
-      ->check(CLI::IsMember({"geometry", "modal", "rig"}))
+                  "geometry (shaft, disc, bearings; loses a blade), modal (the same as one mode), "
+                  "rig (with torsion, motor, exciter, actuator), controller (the rig with one at "
+                  "work), overhung (the disc beyond the bearings), vertical (hung from above) or "
+                  "two-catchers (magnetic bearings that fail)")
+      ->check(CLI::IsMember(forms))
       ->capture_default_str();
   const Starter standard;
   const auto size = [&](const char* option, std::string& target, const char* type,
@@ -129,6 +143,9 @@ Command add_init_command(CLI::App& program) {
   size("--disc-mass", options->disc_mass, "MASS", "Of the disc", standard.disc_mass);
   size("--clearance", options->clearance, "LENGTH", "Radial", standard.clearance);
   size("--friction", options->friction, "NUMBER", "Coefficient", standard.friction);
+  add_value(*app, "--unbalance", options->unbalance, "MASS LENGTH",
+            "Of the piece that is lost, as \"72 g mm\", \"0.1 oz in\" (default: a free orbit of "
+            "two clearances)");
   add_value(*app, "-o,--output", options->file, "FILE.toml",
             "File, or - for standard output (default: NAME.toml)");
   app->add_flag("--force", options->force, "Write over a file that is there");

@@ -16,12 +16,15 @@
 #include "compare/commands/command.h"
 #include "compare/commands/terminal.h"
 #include "compare/modes/rotor_analysis.h"
+#include "compare/modes/rub_key_map.h"
 #include "compare/modes/rub_map_text.h"
 #include "compare/report/linear_maps.h"
 #include "compare/report/modes_page.h"
+#include "compare/sweep/study_reader.h"
 #include "native_model/control/library.h"
 #include "native_model/rotor/refusal.h"
 #include "native_model/rub/rub_map.h"
+#include "native_model/scene/overrides.h"
 #include "native_model/scene/units.h"
 #include "native_model/system/linear_plant.h"
 #include "native_model/system/model.h"
@@ -36,6 +39,7 @@ struct ModesArguments : CommonOptions {
   bool rub_map = false, feedback_map = false, state_space = false;
   std::string map_feedbacks;
   std::string map_speeds, map_frictions;  // FROM:TO:COUNT; empty: not given
+  std::string across, up;                 // KEY=FROM:TO:COUNT, likewise
 };
 
 // ---------------------------------------------------------------- values as FROM:TO:COUNT
@@ -131,29 +135,47 @@ MapRanges map_ranges(const ModesArguments& options) {
   return ranges;
 }
 
+void say_progress(ProgressBar& bar, double share, const char* what) {
+  if (interrupted()) throw Interrupted();
+  bar.show(share, what);
+}
+
+// --across, --up: any key that takes one number. Empty: the axis of old.
+MapAxis axis_of(const char* option, const std::string& text, MapAxis standard) {
+  if (text.empty()) return standard;
+  const std::string key = scene::override_key(text);
+  if (text.find('=') == std::string::npos)
+    throw UsageError(fmt::format("{} {}: accepted is KEY=FROM:TO:COUNT", option, text));
+  std::string reason;
+  const scene::Key* found = sweep::scene_key(key, reason);
+  if (reason.empty() && !sweep::takes_number(key, found))
+    reason = "`" + key + "` is not one number";
+  if (!reason.empty()) throw UsageError(fmt::format("{} {}: {}", option, text, reason));
+  const scene::Quantity& quantity = found->quantity;
+  return {key, quantity.unit == "1" ? "" : std::string(quantity.unit),
+          range_values(option, text.substr(text.find('=') + 1), quantity)};
+}
+
 // By default about the scene's own speed, as wide as a terminal.
-rub::RubMap rub_map_of(const ModesArguments& options, const scene::Scene& scene, MapRanges ranges) {
+RubKeyMap rub_map_of(const ModesArguments& options, const scene::Scene& scene, MapRanges ranges) {
   constexpr int kSpeeds = 60, kFrictions = 20;
-  if (ranges.speeds.empty()) {
+  if (ranges.speeds.empty() && options.across.empty()) {
     const double speed = std::abs(scene.rotor.speed);
     if (speed == 0.0) throw UsageError("--rub-map: the scene's rotor is at rest; give --speeds");
     ranges.speeds = even_values(0.2 * speed, 2.0 * speed, kSpeeds);
   }
   if (ranges.frictions.empty()) ranges.frictions = even_values(0.025, 0.5, kFrictions);
   ProgressBar bar(options.quiet);
-  rub::RubMap map = with_place(scene, [&] {
-    return rub::rub_map(rub::rub_system(scene), ranges.speeds, ranges.frictions, [&](double share) {
-      if (interrupted()) throw Interrupted();
-      bar.show(share, "lasting rubs");
-    });
+  const auto progress = [&](double share) { say_progress(bar, share, "lasting rubs"); };
+  if (!options.across.empty() || !options.up.empty()) {
+    const MapAxis across = axis_of("--across", options.across, {kSpeedKey, "rad/s", ranges.speeds});
+    const MapAxis up = axis_of("--up", options.up, {kFrictionKey, "", ranges.frictions});
+    if (across.key == up.key) throw UsageError("--rub-map: " + up.key + " is on both axes");
+    return rub_key_map(scene::Variants(options.scene, overrides_of(options)), across, up, progress);
+  }
+  return with_place(scene, [&] {
+    return rub::rub_map(rub::rub_system(scene), ranges.speeds, ranges.frictions, progress);
   });
-  bar.clear();
-  return map;
-}
-
-void say_progress(ProgressBar& bar, double share, const char* what) {
-  if (interrupted()) throw Interrupted();
-  bar.show(share, what);
 }
 
 // rotorub modes --feedback-map: by default from half to twice the scene's speed, k up to a ring's
@@ -215,7 +237,7 @@ int modes(const ModesArguments& options) {
   MapRanges ranges = map_ranges(options);
   const scene::Scene scene = read_scene(options.scene, options);
   const RotorAnalysis analysis = analyse_rotor(scene, speeds);
-  std::optional<rub::RubMap> map;
+  std::optional<RubKeyMap> map;
   if (options.rub_map) map = rub_map_of(options, scene, std::move(ranges));
   if (!options.output.empty()) {
     if (map) {
@@ -255,9 +277,10 @@ Command add_modes_command(CLI::App& program) {
   add_value(*app, "--up-to", options->up_to, "SPEED",
             "Highest spin speed of the Campbell diagram (default: to show what matters)")
       ->needs(page);
-  CLI::Option* map = app->add_flag("--rub-map", options->rub_map,
-                                   "A map over spin speed and friction: which lasting rubs are "
-                                   "stable. Each load keeps its ratio to the spin");
+  CLI::Option* map =
+      app->add_flag("--rub-map", options->rub_map,
+                    "A map over spin speed and friction, or any two keys: which lasting rubs are "
+                    "stable. Each load keeps its ratio to the spin");
   add_value(
       *app, "--speeds", options->map_speeds, "FROM:TO:COUNT",
       "Spin speeds of the map, e.g. 10Hz:100Hz:40 (default: 60 from 0.2 to 2 times rotor.speed)");
@@ -275,6 +298,13 @@ Command add_modes_command(CLI::App& program) {
   feedback->excludes(map);
   add_value(*app, "--frictions", options->map_frictions, "FROM:TO:COUNT",
             "Coefficients of friction of the map (default: 0.025:0.5:20)")
+      ->needs(map);
+  add_value(*app, "--across", options->across, "KEY=FROM:TO:COUNT",
+            "Any key of the scene across the rub map, in the place of the spin speed, e.g. "
+            "contact.clearance=0.2mm:1mm:40")
+      ->needs(map);
+  add_value(*app, "--up", options->up, "KEY=FROM:TO:COUNT",
+            "Any key up, in the place of the friction, e.g. stator.stiffness=1e4:1e6:20")
       ->needs(map);
   add_common_options(*app, *options);
   return {app, [options] {

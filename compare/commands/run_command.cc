@@ -10,17 +10,22 @@
 #include <memory>
 #include <nlohmann/json.hpp>
 #include <numbers>
+#include <optional>
 
 #include "compare/base/format.h"
 #include "compare/base/json.h"
 #include "compare/commands/command.h"
+#include "compare/commands/measured_options.h"
 #include "compare/commands/terminal.h"
 #include "compare/engine/engine.h"
+#include "compare/measured/measured_run.h"
+#include "compare/measured/output.h"
 #include "compare/metrics/above_modes.h"
 #include "compare/run_files/run_directory.h"
 #include "compare/run_files/summary.h"
 #include "compare/study/table.h"
 #include "native_model/rotor/mode_truncation.h"
+#include "native_model/run/lyapunov.h"
 #include "native_model/scene/scene.h"
 #include "native_model/scene/text.h"
 #include "native_model/trajectory/output.h"
@@ -28,8 +33,11 @@
 namespace rotorub {
 namespace {
 
-struct RunArguments : CommonOptions {
+constexpr const char* kLyapunovFile = "lyapunov.json";
+
+struct RunArguments : CommonOptions, MeasuredArguments {
   std::string scene, engine = "native", integrator, contact, folder, format = "csv";
+  bool lyapunov = false;
 };
 
 std::unique_ptr<Engine> engine_of(const RunArguments& options, const scene::Scene& scene) {
@@ -94,8 +102,50 @@ void write_shadow(const std::filesystem::path& folder, const scene::Scene& scene
   say_failure(scene, "shadow: ", trajectory);
 }
 
+// --lyapunov: how fast neighbours of what the run has come to part.
+Lyapunov lyapunov_of(const RunArguments& options, const scene::Scene& scene,
+                     const Trajectory& trajectory) {
+  LyapunovParameters parameters;
+  parameters.integrator = integrator_named(options.integrator);
+  parameters.interrupt = &interrupted();
+  const Lyapunov found = lyapunov_after(scene, trajectory, parameters);
+  if (interrupted()) throw Interrupted();
+  return found;
+}
+
+nlohmann::json lyapunov_json(const Lyapunov& found) {
+  if (!found.exponent) return {{"exponent", nullptr}, {"refused", found.refused}};
+  return {{"exponent", *found.exponent}, {"stretch", found.stretch}, {"refused", nullptr}};
+}
+
+std::string lyapunov_text(const Lyapunov& found) {
+  const std::string what = "largest Lyapunov exponent: ";
+  if (!found.exponent) return wrapped("  ", what + "none, " + found.refused);
+  return wrapped("  ",
+                 fmt::format("{}{} 1/s: {}", what, short_number(*found.exponent),
+                             *found.exponent > 0.0
+                                 ? "neighbouring runs part, which is chaos where it is clearly "
+                                   "above 0"
+                                 : "neighbouring runs come together"));
+}
+
+// The record beside the run; none: nothing was measured.
+std::optional<MeasuredRun> laid_in(const MeasuredInput& measured, const scene::Scene& scene,
+                                   const RunArguments& options, const Trajectory& trajectory) {
+  if (!measured.record || trajectory.status == Status::kInterrupted) return std::nullopt;
+  const std::string label = options.engine == "native" ? "native" : trajectory.contact_model;
+  try {
+    return lay_in(*measured.record, measured.alignment, scene, {{label, &trajectory}});
+  } catch (const MeasuredError& error) {
+    throw UsageError(fmt::format("{}: {}", scene::printable(measured.record->file), error.what()));
+  }
+}
+
 int run(const RunArguments& options) {
   const hdf5::ImageOf hdf5 = hdf5_of(options.format);
+  if (options.lyapunov && options.engine != "native")
+    throw UsageError("--lyapunov belongs to --engine native");
+  const MeasuredInput measured = measured_of(options);
   const scene::Scene scene = read_scene(options.scene, options);
   const auto engine = engine_of(options, scene);
   const std::filesystem::path folder =
@@ -111,11 +161,23 @@ int run(const RunArguments& options) {
   bar.clear();
   write_run(folder, scene, trajectory, hdf5);
 
+  std::optional<Lyapunov> lyapunov;
+  if (options.lyapunov) {
+    lyapunov = lyapunov_of(options, scene, trajectory);
+    write_whole(folder / kLyapunovFile, json_text(lyapunov_json(*lyapunov)));
+  }
+
+  const auto beside = laid_in(measured, scene, options, trajectory);
   if (options.json) {
-    std::cout << json_text(summary_json(scene, trajectory));
+    nlohmann::json said = summary_json(scene, trajectory);
+    if (lyapunov) said["lyapunov"] = lyapunov_json(*lyapunov);
+    if (beside) said["measured"] = measured_json(*beside);
+    std::cout << json_text(said);
   } else if (!options.quiet) {
-    fmt::print("{}{}{}written to {}\n", run_table(scene, trajectory, palette_of(stdout)),
-               truncation_note(scene), whirl_note(scene, trajectory), folder.string());
+    fmt::print("{}{}{}{}{}written to {}\n", run_table(scene, trajectory, palette_of(stdout)),
+               truncation_note(scene), whirl_note(scene, trajectory),
+               lyapunov ? lyapunov_text(*lyapunov) : "", beside ? measured_table(*beside) : "",
+               folder.string());
   }
   say_failure(scene, "", trajectory);
   const bool stopped = trajectory.status == Status::kInterrupted;
@@ -149,7 +211,11 @@ Command add_run_command(CLI::App& program) {
   add_run_options(*app, *options);
   add_value(*app, "-o,--output", options->folder, "DIR",
             "Folder of the results (default: runs/<scene>-<engine>)");
+  add_measured_options(*app, *options, "laid beside this one");
   add_format_option(*app, options->format);
+  app->add_flag("--lyapunov", options->lyapunov,
+                "Also the largest Lyapunov exponent of what the native run has come to, over 100 "
+                "turns from its end on");
   add_controller_option(*app, *options);
   add_common_options(*app, *options);
   return {app, [options] { return run(*options); }};

@@ -11,16 +11,11 @@
 #include <nlohmann/json.hpp>
 #include <thread>
 
-#include "compare/base/columns.h"
 #include "compare/base/json.h"
 #include "compare/commands/command.h"
+#include "compare/commands/sweep_output.h"
 #include "compare/commands/terminal.h"
-#include "compare/report/bifurcation_plot.h"
-#include "compare/report/sweep_page.h"
 #include "compare/sweep/bifurcation.h"
-#include "compare/sweep/folder.h"
-#include "compare/sweep/point_result.h"
-#include "compare/sweep/shard.h"
 #include "compare/sweep/sweep_run.h"
 #include "native_model/trajectory/output.h"
 
@@ -29,25 +24,6 @@ namespace {
 
 using std::filesystem::path;
 
-struct SweepArguments : CommonOptions {
-  std::string study, folder, shard;
-  int jobs = 0, tasks = 0;  // 0: not given
-  bool slurm = false, bifurcation = false;
-  std::vector<std::string> merge;
-};
-
-// A study that has been read, and where its results go.
-struct Sweep {
-  sweep::Study study;
-  std::unique_ptr<sweep::PointScenes> scenes;
-  path folder;
-  int jobs = 1;
-
-  sweep::Store store(const sweep::Shard& shard) const {
-    return {folder / shard.file(), study, sweep::identity_of(*scenes), shard};
-  }
-};
-
 void check_arguments(const SweepArguments& options) {
   const int modes =
       (options.shard.empty() ? 0 : 1) + (options.slurm ? 1 : 0) + (options.merge.empty() ? 0 : 1);
@@ -55,19 +31,11 @@ void check_arguments(const SweepArguments& options) {
   if (options.bifurcation && (!options.shard.empty() || options.slurm))
     throw UsageError(
         "--bifurcation follows a motion from value to value: not with --shard or --slurm");
+  if (!options.points.empty() && (modes > 0 || options.bifurcation))
+    throw UsageError(
+        "--point runs single points: not with --shard, --slurm, --merge or "
+        "--bifurcation");
   if (options.tasks > 0 && !options.slurm) throw UsageError("--tasks belongs to --slurm");
-}
-
-void say(const SweepArguments& options, const std::string& text) {
-  if (!options.quiet && !options.json) fmt::print("{}\n", text);
-}
-
-std::string counts_text(const std::map<std::string, std::int64_t>& counts) {
-  std::string text;
-  for (const auto& [status, count] : counts) {
-    text += fmt::format("{}{} {}", text.empty() ? "" : ", ", count, status);
-  }
-  return text.empty() ? "none" : text;
 }
 
 void print_json(const Sweep& sweep, sweep::Store& store, const sweep::Shard& shard, bool complete) {
@@ -79,32 +47,6 @@ void print_json(const Sweep& sweep, sweep::Store& store, const sweep::Shard& sha
                           {"shard", fmt::format("{}/{}", shard.number, shard.count)},
                           {"complete", complete},
                           {"folder", sweep.folder.string()}});
-}
-
-// With --bifurcation: the diagram, which is kept beside the page; else null.
-nlohmann::json bifurcation_of(const SweepArguments& options, const Sweep& sweep) {
-  if (!options.bifurcation) return nullptr;
-  ProgressBar bar(options.quiet);
-  const auto diagram = sweep::bifurcation(
-      *sweep.scenes, &interrupted(), [&](double share) { bar.show(share, "bifurcation diagram"); });
-  bar.clear();
-  if (!diagram) throw Interrupted();
-  nlohmann::json data = bifurcation_data(sweep.study, sweep.scenes->sample(), *diagram);
-  write_whole(sweep.folder / sweep::kBifurcationFile, data.dump());
-  return data;
-}
-
-// All points are there: the table and the page.
-void write_results(const SweepArguments& options, const Sweep& sweep, sweep::Store& store) {
-  sweep::write_csv(store, sweep.folder / sweep::kCsvFile);
-  write_whole(sweep.folder / kColumnsFile, columns_text(sweep::sweep_columns_json(sweep.study)));
-  const nlohmann::json kept = sweep_json(*sweep.scenes, store, sweep.study);
-  write_whole(sweep.folder / sweep::kDataFile, kept.dump());
-  write_whole(sweep.folder / sweep::kPageFile,
-              sweep_page(*sweep.scenes, store, sweep.study, kept, bifurcation_of(options, sweep)));
-  say(options, fmt::format("{} points: {}\nwritten to {} ({}, results.sqlite, {})", store.count(),
-                           counts_text(store.count_by_status()), sweep.folder.string(),
-                           sweep::kCsvFile, sweep::kPageFile));
 }
 
 std::string duration_text(double seconds) {
@@ -272,6 +214,7 @@ int sweep_study(const SweepArguments& options) {
   sweep.jobs = options.jobs > 0 ? options.jobs : std::max(1, processors);
   try {
     sweep::keep_study(sweep.folder, *sweep.scenes);
+    if (!options.points.empty()) return keep_points(options, sweep);
     if (!options.merge.empty()) return merge(options, sweep);
     return options.slurm ? submit_to_slurm(options, sweep) : run_points(options, sweep);
   } catch (const sweep::StoreMismatch& error) {
@@ -295,6 +238,13 @@ Command add_sweep_command(CLI::App& program) {
   app->add_option("--tasks", options->tasks, "Tasks of the array job (default: 16)")
       ->check(CLI::Range(1, sweep::kMostShards));
   add_value(*app, "--merge", options->merge, "DIR...", "Join the results of these folders' shards");
+  add_value(*app, "--point", options->points, "N",
+            "Runs this point alone, as `rotorub run`, and keeps it in DIR/point-N with its page; "
+            "may be repeated")
+      ->expected(1)
+      ->take_all()
+      ->allow_extra_args(false)
+      ->check(CLI::Range(std::int64_t{0}, sweep::kMostPoints));
   app->add_flag("--bifurcation", options->bifurcation,
                 "Also a bifurcation diagram over the one key, up and down, each value from where "
                 "the one before it ended, with periods and Lyapunov exponents");

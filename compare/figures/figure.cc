@@ -96,7 +96,7 @@ const Figure kFigures[] = {
     {{"window_impulse", "largest impulse", "N s", 1.0,
       "Largest normal impulse within 20 of the scene's steps, of which a soft contact makes an "
       "impact; what a rigid law has within them."},
-     {kRel, kPeak},
+     {.scale = kRel, .judged = kPeak, .by_step = true},
      of<&Metrics::window_impulse>},
     {{"hard_impacts", "hard impacts", "", 1.0,
       "Impacts (soft contact: contact episodes) faster than 1 % of the fastest: of an accumulation "
@@ -116,12 +116,12 @@ const Figure kFigures[] = {
     {{"force_deviation", "force scatter", "N", 1.0,
       "Standard deviation of the step-averaged normal force from first touch; impacts make it grow "
       "as the step shrinks."},
-     {kRel, kNo},
+     {.scale = kRel, .judged = kNo, .by_step = true},
      of<&Metrics::force_deviation>},
     {{"peak_force", "impulse / step, max", "N", 1.0,
       "Largest impulse of one step, divided by the step: no force of a rigid law, whose impact has "
       "an impulse and no force; it grows as the step shrinks."},
-     {kRel, kNo},
+     {.scale = kRel, .judged = kNo, .by_step = true},
      of<&Metrics::peak_force>},
     {{"impacts", "impacts", "", 1.0,
       "Impacts that close faster than 0.1 mm/s (soft contact: contact episodes)."},
@@ -138,7 +138,7 @@ const Figure kFigures[] = {
      of<&Metrics::rms_penetration>},
     {{"whirl_penetration", "one step's depth", "µm", 1e6,
       "(v_t dt)^2 / (2 delta_0): what one step along the tangent costs a whirling rotor."},
-     {kRel, kNo, 0.0, false, false},
+     {kRel, kNo, 0.0, false, false, true},
      of<&Metrics::whirl_penetration>},
     {{"energy_residual", "energy balance", "ppm", 1e6,
       "|change of energy - work of all loads| over the largest energy met (of a contact at the "
@@ -183,6 +183,10 @@ std::string_view figure_si_unit(const FigureText& figure) {
 }
 
 std::span<const Figure> figures() { return kFigures; }
+
+bool has_figure(const Metrics& metrics, const Figure& figure) {
+  return std::isfinite(figure.value(metrics)) && !(figure.by_step && metrics.step == 0.0);
+}
 
 const Figure& figure(const std::string& key) {
   const auto found = std::find_if(std::begin(kFigures), std::end(kFigures),

@@ -50,6 +50,7 @@ struct ComparisonRule {
   double resolution = 0.0;
   bool split = true;       // converges with the step: split into model gap and step error
   bool comparable = true;  // means the same for a soft and for a rigid contact: has a difference
+  bool by_step = false;    // of impulses within steps: no figure of a run whose steps are its own
 
   bool is_judged() const { return judged != Judged::kNo; }
 };
@@ -59,6 +60,8 @@ struct Figure : FigureText, ComparisonRule {
 };
 
 std::span<const Figure> figures();
+// Whether a run by itself, beside no other, has the figure.
+bool has_figure(const Metrics& metrics, const Figure& figure);
 // Asserts that the key is one of the list.
 const Figure& figure(const std::string& key);
 

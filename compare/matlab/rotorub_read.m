@@ -6,6 +6,7 @@ function run = rotorub_read(folder)
 %   run.series.gap                   columns of series.csv; run.series.mode: a cell array of words
 %   run.impacts.normal_impulse       impacts.csv
 %   run.events.event                 events.csv, a cell array of words
+%   run.keyphasor.rotor_x            keyphasor.csv: the places once a turn
 %   run.units.series.gap             'm'; run.meanings.series.gap: what it is, and its sign
 %   run.summary.mean_force           summary.json
 %   run.scene                        text of scene.toml, '' for a machine of one's own
@@ -18,6 +19,10 @@ function run = rotorub_read(folder)
   run.series = read_table(fullfile(folder, 'series.csv'), {'free', 'slide', 'stick'});
   run.impacts = read_table(fullfile(folder, 'impacts.csv'), {});
   run.events = read_table(fullfile(folder, 'events.csv'), {'impact', 'slide', 'stick', 'lift_off', 'reverse'});
+  run.keyphasor = struct();  % a run of an earlier version has none
+  if exist(fullfile(folder, 'keyphasor.csv'), 'file') == 2
+    run.keyphasor = read_table(fullfile(folder, 'keyphasor.csv'), {});
+  end
   run.summary = jsondecode(fileread(fullfile(folder, 'summary.json')));
   run.scene = '';
   if exist(fullfile(folder, 'scene.toml'), 'file') == 2
@@ -56,13 +61,16 @@ end
 
 % Units and meanings by file and column; empty for a folder of an earlier version.
 function [units, meanings] = read_columns(file)
-  units = struct('series', struct(), 'impacts', struct(), 'events', struct());
+  units = struct('series', struct(), 'impacts', struct(), 'events', struct(), 'keyphasor', struct());
   meanings = units;
   if exist(file, 'file') ~= 2
     return
   end
   files = jsondecode(fileread(file));
-  for table = {'series', 'impacts', 'events'}
+  for table = {'series', 'impacts', 'events', 'keyphasor'}
+    if ~isfield(files, [table{1} '_csv'])
+      continue
+    end
     columns = files.([table{1} '_csv']);
     for k = 1:numel(columns)
       units.(table{1}).(columns(k).name) = columns(k).unit;

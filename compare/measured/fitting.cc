@@ -2,6 +2,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
+#include <map>
 
 #include "compare/metrics/fourier.h"
 #include "compare/metrics/rows.h"
@@ -247,6 +249,17 @@ Fit Fitting::at(double shift) const {
   return fit;
 }
 
+double Fitting::rms(const Channel& channel, const Fit& fit) const {
+  const VectorXcd left = fit.left();
+  double square = 0.0, count = 0.0;
+  for (const Part& p : parts_) {
+    if (p.channel != &channel) continue;
+    square += left.segment(p.first, p.count).squaredNorm();
+    count += static_cast<double>(p.count);
+  }
+  return count > 0.0 ? std::sqrt(square / count) : 0.0;
+}
+
 double Fitting::refined(double shift, double h) const {
   const auto left = [&](double by) { return at(by).left().squaredNorm(); };
   const double middle = shift;
@@ -279,7 +292,37 @@ Fitting::Effects Fitting::effects(const Fit& fit, double shift) const {
   return g;
 }
 
+std::pair<double, double> Fitting::span() const {
+  constexpr double kInfinity = std::numeric_limits<double>::infinity();
+  std::pair<double, double> all{kInfinity, -kInfinity};
+  for (const Part& p : parts_) {
+    if (p.count == 0) continue;
+    all = {std::min(all.first, p.times.t.front()), std::max(all.second, p.times.t.back())};
+  }
+  return all;
+}
+
+// Of the sums of `pull` over stretches of `length` (s) the sum of squares, as of independent ones;
+// 0: fewer than kLeastBlocks.
+double Fitting::block_scatter(const VectorXd& pull, double length) const {
+  const double start = span().first;
+  std::map<Index, double> sums;  // of all channels: those of one instant are no independent ones
+  for (const Part& p : parts_) {
+    for (Index k = 0; k < p.count; ++k) {
+      const double t = p.times.t[static_cast<std::size_t>(k)];
+      sums[std::llround(std::floor((t - start) / length))] += pull[p.first + k];
+    }
+  }
+  if (sums.size() < kLeastBlocks) return 0.0;
+  double square = 0.0;
+  for (const auto& [block, sum] : sums) square += sum * sum;
+  const auto count = static_cast<double>(sums.size());
+  return square * count / (count - 1.0);
+}
+
 std::optional<double> Fitting::error(const VectorXcd& f, const Fit& fit) const {
+  constexpr double kSure = 3.0;  // standard deviations of a scatter of white noise
+  if (!(f.squaredNorm() > 0.0)) return std::nullopt;
   const VectorXcd left = fit.left();
   double scatter = 0.0;
   for (const Part& p : parts_) {
@@ -288,7 +331,17 @@ std::optional<double> Fitting::error(const VectorXcd& f, const Fit& fit) const {
         left.segment(p.first, p.count).squaredNorm() / static_cast<double>(numbers);
     scatter += noise * f.segment(p.first, p.count).squaredNorm();
   }
-  if (!(f.squaredNorm() > 0.0)) return std::nullopt;
+  const VectorXd pull = f.conjugate().cwiseProduct(left).real();
+  const double white = scatter;
+  const auto [begin, end] = span();
+  for (double intervals = 2.0;; intervals *= 2.0) {
+    const double length = intervals * interval_;
+    const double blocks = block_scatter(pull, length);
+    if (blocks == 0.0) break;
+    const double count = std::max(1.0, (end - begin) / length);
+    if (blocks > white * (1.0 + kSure * std::sqrt(2.0 / count)))
+      scatter = std::max(scatter, blocks);
+  }
   return std::sqrt(scatter) / f.squaredNorm();
 }
 

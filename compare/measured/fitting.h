@@ -5,6 +5,7 @@
 #include <Eigen/Core>
 #include <optional>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "compare/measured/record.h"
@@ -78,6 +79,9 @@ class Fitting {
   std::size_t values() const { return static_cast<std::size_t>(record_.size() + pairs_); }
   Fit at(double shift) const;
 
+  // Rms of what is left of a channel, over its scale.
+  double rms(const Channel& channel, const Fit& fit) const;
+
   // The shift within h (s, of the search's grid) of `shift` that leaves least: first coarse where
   // the grid is wider than the record's interval, then where the slope of what is left is 0.
   double refined(double shift, double h) const;
@@ -91,9 +95,14 @@ class Fitting {
   };
   Effects effects(const Fit& fit, double shift) const;
 
-  // Standard deviation of an estimate sum(f r) / sum(f f), where r, what is left, is white with a
-  // variance of its own in each channel. None where f is nothing.
+  // Standard deviation of an estimate sum(f r) / sum(f f), r what is left. None where f is nothing.
+  // Of r as white noise, with a variance of its own in each channel; where the sums of f r over
+  // stretches of 2, 4, ... intervals, kLeastBlocks of them or more, scatter by more than white
+  // noise does, that of the independent stretches: what a bootstrap by such blocks comes to
+  // (H. Kuensch, "The jackknife and the bootstrap for general stationary observations", Ann. Stat.
+  // 17, 1989). What a wrong model leaves is not white.
   std::optional<double> error(const Eigen::VectorXcd& f, const Fit& fit) const;
+  static constexpr std::size_t kLeastBlocks = 8;
 
  private:
   struct Part {
@@ -102,6 +111,8 @@ class Fitting {
     Eigen::Index first, count;
   };
   void add(const Channel& channel, double from, double to);
+  std::pair<double, double> span() const;  // s, of the record's clock, of the samples fitted
+  double block_scatter(const Eigen::VectorXd& pull, double length) const;
   Eigen::VectorXcd run_at(double shift) const;
   Eigen::VectorXcd rate_at(double shift) const;  // 1/s, by central differences
 

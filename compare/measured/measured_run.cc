@@ -70,12 +70,12 @@ class LayingIn {
     if (!record_.has_units) remark("the header has no unit: all is taken in SI");
   }
 
-  // A unit that is wrong by a prefix: an orbit a thousand times that of the run, or a thousandth. A
-  // model that is right to a factor of 30 is still one to be compared.
+  // A unit that is wrong by a prefix, or forgotten: a place a thousand times that of the run, or a
+  // thousandth. A model that is right to a factor of 30 is still one to be compared.
   void refuse_other_units(const Trajectory& native) const {
     constexpr double kFar = 100.0;
     for (const MeasuredColumn& c : record_.columns) {
-      if (!c.what->name.starts_with("rotor_")) continue;
+      if (c.what->unit() != "m") continue;
       const auto largest = [](const std::vector<double>& y) {
         return ArrayXd::Map(y.data(), static_cast<Eigen::Index>(y.size())).abs().maxCoeff();
       };

@@ -20,23 +20,6 @@ const char* word_of(AngleFrom from) {
   return kWords[static_cast<int>(from)];
 }
 
-json alignment_json(const Alignment& a) {
-  json next = nullptr;
-  if (a.next) next = {{"shift", a.next->shift}, {"correlation", a.next->correlation}};
-  return {{"shift", a.shift},
-          {"shift_from", a.shift_found ? "found" : "given"},
-          {"shift_error", number_or_null(a.shift_error)},
-          {"angle", a.angle},
-          {"angle_from", word_of(a.angle_from)},
-          {"angle_error", number_or_null(a.angle_error)},
-          {"turn_for_shift", number_or_null(a.turn_for_shift)},
-          {"by", a.by},
-          {"correlation", number_or_null(a.correlation)},
-          {"residual", number_or_null(a.residual)},
-          {"next", next},
-          {"ambiguous", a.ambiguous()}};
-}
-
 std::vector<ColumnMeaning> make_measured_keys() {
   static std::deque<std::string> names;  // that the keys point to
   std::vector<ColumnMeaning> keys = {
@@ -113,6 +96,23 @@ WrittenUnit written_unit(const Measurable& what) {
 }
 
 }  // namespace
+
+json alignment_json(const Alignment& a) {
+  json next = nullptr;
+  if (a.next) next = {{"shift", a.next->shift}, {"correlation", a.next->correlation}};
+  return {{"shift", a.shift},
+          {"shift_from", a.shift_found ? "found" : "given"},
+          {"shift_error", number_or_null(a.shift_error)},
+          {"angle", a.angle},
+          {"angle_from", word_of(a.angle_from)},
+          {"angle_error", number_or_null(a.angle_error)},
+          {"turn_for_shift", number_or_null(a.turn_for_shift)},
+          {"by", a.by},
+          {"correlation", number_or_null(a.correlation)},
+          {"residual", number_or_null(a.residual)},
+          {"next", next},
+          {"ambiguous", a.ambiguous()}};
+}
 
 json measured_json(const MeasuredRun& run) {
   json columns = json::object(), figures = json::object();

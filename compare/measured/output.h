@@ -13,6 +13,9 @@ namespace rotorub {
 // {"file", "samples", "interval", "alignment", "columns", "figures", "remarks"}, SI.
 nlohmann::json measured_json(const MeasuredRun& run);
 
+// Of it "alignment".
+nlohmann::json alignment_json(const Alignment& alignment);
+
 // Its keys, for columns.json and documents.
 std::span<const ColumnMeaning> measured_keys();
 

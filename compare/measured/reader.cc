@@ -4,10 +4,10 @@
 
 #include <algorithm>
 #include <boost/algorithm/string/trim.hpp>
-#include <boost/tokenizer.hpp>
 #include <charconv>
 #include <cmath>
 
+#include "compare/base/separated.h"
 #include "native_model/scene/diagnostic.h"
 #include "native_model/scene/reader.h"
 #include "native_model/scene/text.h"
@@ -21,25 +21,6 @@ using Fields = std::vector<std::string>;
 
 constexpr double kLargestValue = 1e60;  // SI; sums of squares stay finite
 constexpr std::string_view kTime = "t";
-
-// Without blanks and double quotes around them. A separator in quotes is none.
-Fields fields_of(std::string_view line, char separator) {
-  using Separator = boost::escaped_list_separator<char>;
-  const std::string text(line);
-  const Separator parts("", std::string(1, separator), "\"");
-  Fields fields;
-  for (const std::string& field : boost::tokenizer<Separator>(text, parts)) {
-    fields.push_back(boost::trim_copy(field));
-  }
-  return fields;
-}
-
-char separator_of(std::string_view header) {
-  for (const char separator : {'\t', ';'}) {
-    if (fields_of(header, separator).size() > 1) return separator;
-  }
-  return ',';
-}
 
 const Measurable* measurable(std::string_view name) {
   for (const Measurable& m : measurables()) {
@@ -98,7 +79,8 @@ struct Head {
 // One file in the reading.
 class MeasuredFile {
  public:
-  MeasuredFile(std::string_view text, const std::string& file) : text_(text) {
+  MeasuredFile(std::string_view text, const std::string& file, const std::vector<ColumnName>& names)
+      : text_(text), names_(names) {
     record_.file = file;
   }
 
@@ -161,7 +143,11 @@ class MeasuredFile {
   }
 
   void take_header(const Fields& fields, int line) {
-    for (const std::string& field : fields) heads_.emplace_back(field);
+    for (const std::string& field : fields) {
+      heads_.emplace_back(meant(field));
+      heads_.back().text = field;
+    }
+    check_names(fields, line);
     const auto any = [&](auto is) { return std::any_of(heads_.begin(), heads_.end(), is); };
     record_.has_units = any([](const Head& h) { return h.has_unit; });
     for (std::size_t k = 0; k < heads_.size(); ++k) {
@@ -182,11 +168,42 @@ class MeasuredFile {
       throw scene::SceneError(std::move(wrong_));  // what fields are is not known
   }
 
+  static bool is_called(const std::string& field, const ColumnName& name) {
+    return field == name.in_file || Head(field).name == name.in_file;
+  }
+
+  // What a column of the file is: name and unit.
+  std::string meant(const std::string& field) const {
+    for (const ColumnName& name : names_) {
+      if (!is_called(field, name)) continue;
+      const bool has_unit = Head(name.meant).has_unit;
+      const std::size_t unit = field.find_first_of("[(");
+      return has_unit || unit == std::string::npos ? name.meant
+                                                   : name.meant + " " + field.substr(unit);
+    }
+    return field;
+  }
+
+  // A name that was told, of a column that is not there or means nothing.
+  void check_names(const Fields& fields, int line) {
+    for (const ColumnName& name : names_) {
+      const Head head(name.meant);
+      if (!head.read()) refuse(line, printable(name.meant), unknown_reason(head.name));
+      if (std::any_of(fields.begin(), fields.end(),
+                      [&](const std::string& field) { return is_called(field, name); }))
+        continue;
+      refuse(line, printable(name.in_file),
+             fmt::format("no such column; the header has {}",
+                         printable(fmt::format("{}", fmt::join(fields, ", ")))));
+    }
+  }
+
   // What is wrong with a column, or nothing; then its factor is known.
   std::string fault_of(std::size_t k) {
     Head& head = heads_[k];
     if (head.name.empty()) return "has no name; accepted are " + accepted_names();
-    if (!head.read()) return is_own_column(head.name) ? "" : unknown_reason(head.name);
+    if (!head.read())
+      return is_own_column(head.name) || !names_.empty() ? "" : unknown_reason(head.name);
     for (std::size_t before = 0; before < k; ++before) {
       if (heads_[before].read() && heads_[before].what == head.what) {
         return "stands twice in the header; accepted is once";
@@ -275,6 +292,7 @@ class MeasuredFile {
   }
 
   std::string_view text_;
+  const std::vector<ColumnName>& names_;
   MeasuredRecord record_;
   std::vector<Head> heads_;
   char separator_ = ',';
@@ -284,11 +302,13 @@ class MeasuredFile {
 
 }  // namespace
 
-MeasuredRecord parse_measured(std::string_view text, const std::string& file) {
-  return MeasuredFile(text, file).read();
+MeasuredRecord parse_measured(std::string_view text, const std::string& file,
+                              const std::vector<ColumnName>& names) {
+  return MeasuredFile(text, file, names).read();
 }
 
-MeasuredRecord read_measured(const std::filesystem::path& file) {
+MeasuredRecord read_measured(const std::filesystem::path& file,
+                             const std::vector<ColumnName>& names) {
   std::string text;
   try {
     text = scene::regular_file_text(file);
@@ -297,7 +317,7 @@ MeasuredRecord read_measured(const std::filesystem::path& file) {
     throw scene::SceneError(
         {{file.string(), 0, "", reason + "; accepted is a text file with a header"}});
   }
-  return parse_measured(text, file.string());
+  return parse_measured(text, file.string(), names);
 }
 
 }  // namespace rotorub

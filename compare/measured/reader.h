@@ -14,16 +14,28 @@
 #pragma once
 
 #include <filesystem>
+#include <string>
 #include <string_view>
+#include <vector>
 
 #include "compare/measured/record.h"
 
 namespace rotorub {
 
+// What a column of a file with names of its own is: {"CH1 X", "rotor_x [mil]"}; without a unit the
+// one that stands behind the file's name.
+struct ColumnName {
+  std::string in_file, meant;
+};
+
+// With such names, columns that neither they nor the product knows are left out.
+//
 // Throws scene::SceneError with all that is wrong (file, line, column, reason, what is accepted),
 // the first kMostFaults of it. Clipped samples are not recognised yet: mark_clipped().
-MeasuredRecord read_measured(const std::filesystem::path& file);
-MeasuredRecord parse_measured(std::string_view text, const std::string& file);
+MeasuredRecord read_measured(const std::filesystem::path& file,
+                             const std::vector<ColumnName>& names = {});
+MeasuredRecord parse_measured(std::string_view text, const std::string& file,
+                              const std::vector<ColumnName>& names = {});
 
 inline constexpr std::size_t kMostFaults = 20;
 

@@ -3,7 +3,6 @@
 #include <Eigen/Core>
 #include <cassert>
 #include <cmath>
-#include <numbers>
 
 #include "compare/metrics/fourier.h"
 #include "compare/metrics/rows.h"
@@ -87,17 +86,11 @@ std::vector<Complex> even_orbit(const Trajectory& run, double from, double to, s
 }
 
 std::vector<Complex> poincare_points(const Trajectory& run, double from) {
-  constexpr double kTurn = 2.0 * std::numbers::pi;
-  const std::vector<double>&t = run.column("t"), &angle = run.column("spin_angle");
-  std::vector<double> passed;  // s
-  for (std::size_t i = 1; i < t.size(); ++i) {
-    const double before = std::floor(angle[i - 1] / kTurn), after = std::floor(angle[i] / kTurn);
-    if (before == after || t[i - 1] < from) continue;
-    // The last multiple that is passed: rows stand closer than a turn.
-    const double mark = kTurn * (after > before ? after : before);
-    passed.push_back(std::lerp(t[i - 1], t[i], (mark - angle[i - 1]) / (angle[i] - angle[i - 1])));
+  std::vector<Complex> points;
+  for (const KeyphasorPass& pass : run.keyphasor) {
+    if (pass.t >= from) points.emplace_back(pass.x, pass.y);
   }
-  return orbit_at(run, passed);
+  return points;
 }
 
 int section_period(const std::vector<Complex>& places, double tolerance, int most) {

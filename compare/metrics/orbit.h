@@ -40,9 +40,8 @@ std::vector<std::complex<double>> even_orbit(const Trajectory& run, double from,
 
 // The rotor's places once a turn of its spin: a point for a synchronous motion, k points for one
 // that repeats after k turns, a closed curve for two frequencies, a cloud for chaos (Poincare
-// section at the keyphasor). x + i y of it at the contact, m, whenever spin_angle passes a multiple
-// of 2 pi, either way, from `from` (s) on. Cubic between rows, by its velocities; empty for a rotor
-// at rest.
+// section at the keyphasor). x + i y of it at the contact, m, of the passes from `from` (s) on;
+// empty for a rotor at rest.
 std::vector<std::complex<double>> poincare_points(const Trajectory& run, double from);
 
 // After how many turns such places come back to themselves, all of them within `tolerance` (m): 1

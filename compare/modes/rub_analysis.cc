@@ -138,9 +138,17 @@ std::string driven_text(const RubAnalysis& analysis) {
   return text;
 }
 
-RubAnalyses rubs_of_contact(const scene::Scene& scene, const std::vector<double>& speeds) {
+// Takes away what no rub stands under, and says so.
+std::string leave_out(scene::Scene& scene) {
+  if (!scene.gravity || scene.gravity->acceleration.isZero(0.0)) return "";
+  scene.gravity.reset();
+  return "the weight, which points one way: under it a rub beats about what stands here";
+}
+
+RubAnalyses rubs_of_contact(scene::Scene scene, const std::vector<double>& speeds) {
   RubAnalyses all;
   if (!scene.first().contact) return all;
+  const std::string left_out = leave_out(scene);
   try {
     with_place(scene, [&] {
       const rub::RubSystem system = rub::rub_system(scene);
@@ -163,7 +171,7 @@ RubAnalyses rubs_of_contact(const scene::Scene& scene, const std::vector<double>
         }
         all.at.push_back({std::move(point), std::move(driven), rolling,
                           whirls(rub::ring_eigenvalues(turning)),
-                          whirls(rub::joined_eigenvalues(turning))});
+                          whirls(rub::joined_eigenvalues(turning)), left_out});
       }
     });
   } catch (const scene::SceneError& error) {
@@ -180,11 +188,7 @@ std::vector<RubAnalyses> analyse_rubs(const scene::Scene& scene,
   if (scene.auxiliary.size() == 1) return {rubs_of_contact(scene, speeds)};
   std::vector<RubAnalyses> all;
   for (std::size_t k = 0; k < scene.auxiliary.size(); ++k) {
-    scene::Scene alone = with_bearing_alone(scene, k);
-    alone.initial =
-        {};  // the start is no matter of a steady rub, and may be outside of one ring alone
-    if (alone.first().stator) alone.first().stator->position.setZero();
-    all.push_back(rubs_of_contact(alone, speeds));
+    all.push_back(rubs_of_contact(with_bearing_alone(scene, k), speeds));
     all.back().contact = scene.name_of(k);
   }
   return all;
@@ -230,6 +234,7 @@ json rub_point_json(const RubPoint& point) {
 
 json rub_json(const RubAnalysis& analysis) {
   json result = rub_point_json(analysis.point);
+  result["left_out"] = analysis.left_out.empty() ? json(nullptr) : json(analysis.left_out);
   result["ring"] = whirls_json(analysis.ring);
   result["joined"] = whirls_json(analysis.joined);
   if (analysis.driven.empty() && analysis.rolling.empty()) return result;
@@ -259,6 +264,7 @@ std::string rub_table(const RubAnalysis& analysis) {
   text += fmt::format("  {:<10}{:>14}{:>14}{:>12}{:>14}{:>14}\n", "rub", "whirl rad/s", "force / N",
                       "friction", "growth 1/s", "at rad/s");
   for (const StandingRub& r : point.rubs) text += rub_row(r.rub, r.stability);
+  if (!analysis.left_out.empty()) text += wrapped("  left out: ", analysis.left_out);
   if (point.rubs.empty()) text += "  none\n";
   text += wrapped("  ", orbit_text(point)) + wrapped("  ", rolling_text(point));
   text += "  attractors: " + attractors_text(point.attractors()) + "\n";

@@ -20,6 +20,7 @@ struct RubAnalysis {
   std::vector<rub::DrivenRolling> rolling;  // at the speeds that the motor keeps, not the one here
   std::vector<WhirlMode> ring;              // alone; a fixed ring: none
   std::vector<WhirlMode> joined;  // rotor centre held to the ring's, as in rolling contact
+  std::string left_out;           // of the scene, as a sentence; empty: nothing
 };
 
 struct RubAnalyses {
@@ -46,7 +47,8 @@ std::string attractors_text(unsigned attractors);
 // [[rad/s, rad/s or null]]}, with "speed" and "friction" (a number, or where it depends on the slip
 // {"static", "kinetic", "stribeck_speed", "viscous"}).
 nlohmann::json rub_point_json(const rub::RubPoint& point);
-// The same with "ring" and "joined": [{"frequency", "damping_ratio"}]. With torsion, or a [drive]
+// The same with "left_out" (a sentence, or null), "ring" and "joined": [{"frequency",
+// "damping_ratio"}]. With torsion, or a [drive]
 // whose torque depends on the speed alone, also "driven": [{"growth_rate", "frequency", "stable"}],
 // the rubs where these give way, and "driven_rolling": [{"speed": rad/s, "torque": N m, "whirl",
 // "normal_force", "friction", "growth_rate", "frequency", "stable"}].

@@ -30,6 +30,13 @@ nlohmann::json rows_of(const Eigen::MatrixXd& matrix) {
   return rows;
 }
 
+// As on the pages: of rad/s Hz.
+double axis_scale(const MapAxis& axis) { return axis.unit == "rad/s" ? kHz : 1.0; }
+std::string axis_title(const MapAxis& axis) {
+  if (axis.unit.empty()) return axis.key;
+  return fmt::format("{} / {}", axis.key, axis.unit == "rad/s" ? "Hz" : axis.unit);
+}
+
 std::vector<std::string> state_names(const LinearPlant& plant) {
   const std::size_t modes = (plant.coordinates.size() - 2) / 2;
   std::vector<std::string> names;
@@ -46,38 +53,53 @@ std::vector<std::string> state_names(const LinearPlant& plant) {
 
 }  // namespace
 
-json rub_map_json(const rub::RubMap& map) {
+json rub_map_json(const RubKeyMap& map) {
   json points = json::array();
-  for (const rub::RubPoint& point : map.points) points.push_back(rub_point_json(point));
-  return {{"speeds", map.speeds}, {"frictions", map.frictions}, {"points", points}};
+  for (const auto& point : map.points)
+    points.push_back(point ? rub_point_json(*point) : json(nullptr));
+  if (map.of_speed_and_friction())
+    return {{"speeds", map.across.values}, {"frictions", map.up.values}, {"points", points}};
+  const auto axis = [](const MapAxis& of) -> json {
+    return {{"key", of.key}, {"unit", of.unit}, {"values", of.values}};
+  };
+  return {{"across", axis(map.across)}, {"up", axis(map.up)}, {"points", points}};
 }
 
-std::string rub_map_picture(const std::string& name, const rub::RubMap& map) {
+std::string rub_map_picture(const std::string& name, const RubKeyMap& map) {
   std::string text = fmt::format("{}: what is stable, by the rubs' eigenvalues\n\n", name);
   std::array<int, 16> met{};
-  for (std::size_t f = map.frictions.size(); f-- > 0;) {
-    text += fmt::format("{:>9.4g} |", map.frictions[f]);
-    for (std::size_t s = 0; s < map.speeds.size(); ++s) {
-      const unsigned attractors = map.at(s, f).attractors();
-      ++met[attractors];
-      text += kLetters[attractors];
+  const std::size_t columns = map.across.values.size();
+  const bool common = map.of_speed_and_friction();
+  if (!common) text += fmt::format("{}\n", axis_title(map.up));
+  for (std::size_t u = map.up.values.size(); u-- > 0;) {
+    text += fmt::format("{:>9.4g} |", map.up.values[u] * axis_scale(map.up));
+    for (std::size_t a = 0; a < columns; ++a) {
+      const auto& point = map.at(a, u);
+      if (point) ++met[point->attractors()];
+      text += point ? kLetters[point->attractors()] : ' ';
     }
     text += "\n";
   }
-  const std::string low = fmt::format("{:.4g} Hz", map.speeds.front() * kHz);
-  const std::string high = fmt::format("{:.4g} Hz", map.speeds.back() * kHz);
-  const std::size_t wide = std::max(map.speeds.size(), low.size() + high.size() + 2);
-  text += fmt::format(" friction +{}\n{:>11}{}{:>{}}\n\n", std::string(map.speeds.size(), '-'), "",
-                      low, high, wide - low.size());
+  const auto end = [&](double value) {
+    return fmt::format("{:.4g}{}", value * axis_scale(map.across), common ? " Hz" : "");
+  };
+  const std::string low = end(map.across.values.front()), high = end(map.across.values.back());
+  const std::size_t wide = std::max(columns, low.size() + high.size() + 2);
+  text += fmt::format("{:>10}+{}\n{:>11}{}{:>{}}\n", common ? "friction " : "",
+                      std::string(columns, '-'), "", low, high, wide - low.size());
+  text += common ? "\n" : fmt::format("{:>11}{}\n\n", "", axis_title(map.across));
   for (unsigned k = 0; k < met.size(); ++k) {
     if (met[k] == 0) continue;
     text += fmt::format("  {}  {:<60}{:>6.1f} %\n", kLetters[k], attractors_text(k),
                         100.0 * met[k] / static_cast<double>(map.points.size()));
   }
+  if (!map.refused.empty()) text += "\n" + wrapped("", "Blank: refused, " + map.refused);
   return text + "\n" +
-         wrapped("",
-                 "Across: spin speed, held, the loads in their ratio to it. Stable against "
-                 "what is small, the contact kept; a bounce may lead elsewhere.");
+         wrapped("", fmt::format("{}Stable against what is small, the contact kept; a bounce may "
+                                 "lead elsewhere.",
+                                 common ? "Across: spin speed, held, the loads in their ratio to "
+                                          "it. "
+                                        : "The spin is held. "));
 }
 
 nlohmann::json state_space_json(const scene::Scene& scene, const LinearPlant& plant) {

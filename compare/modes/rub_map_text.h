@@ -5,6 +5,7 @@
 #include <nlohmann/json_fwd.hpp>
 #include <string>
 
+#include "compare/modes/rub_key_map.h"
 #include "native_model/control/quadratic.h"
 #include "native_model/rub/rub_map.h"
 #include "native_model/scene/scene.h"
@@ -12,11 +13,12 @@
 namespace rotorub {
 
 // {"speeds": [rad/s], "frictions": [], "points": [...]}: rub_point_json of each, the friction
-// fastest.
-nlohmann::json rub_map_json(const rub::RubMap& map);
+// fastest. Of other keys "across" and "up": {"key", "unit", "values"} in the place of the two; a
+// point that is refused is null.
+nlohmann::json rub_map_json(const RubKeyMap& map);
 
-// Spin speed across, friction up, a letter for what may coexist, and their meaning.
-std::string rub_map_picture(const std::string& name, const rub::RubMap& map);
+// The first key across, the second up, a letter for what may coexist, and their meaning.
+std::string rub_map_picture(const std::string& name, const RubKeyMap& map);
 
 // {"speed", "states": [names], "inputs", "outputs", "A", "B", "C"}: rows of numbers, SI.
 nlohmann::json state_space_json(const scene::Scene& scene, const LinearPlant& plant);

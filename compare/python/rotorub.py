@@ -4,6 +4,7 @@
     run["gap"], run.units["gap"]        # a column of series.csv, "m"
     run.impacts["normal_impulse"]       # impacts.csv
     run.events["event"]                 # events.csv
+    run.keyphasor["rotor_x"]            # keyphasor.csv: the places once a turn
     run.scene["contact"]["friction"]    # scene.toml
     run.summary["mean_force"]           # summary.json
 
@@ -24,13 +25,13 @@ except ImportError:
 
 __all__ = ["read", "read_compare", "read_hdf5", "read_sweep", "run", "Run", "Sweep"]
 
-_TABLES = ("series", "impacts", "events")
+_TABLES = ("series", "impacts", "events", "keyphasor")
 _WORDS = ("mode", "event", "status", "reason", "attractor")  # columns that hold words
 _HDF5 = "run.h5"
 
 
 class Run:
-    """A run. `series`, `impacts` and `events` are dicts of arrays by column name; run["gap"] is run.series["gap"].
+    """A run. `series`, `impacts`, `events` and `keyphasor` are dicts of arrays by column name; run["gap"] is run.series["gap"].
 
     `units` and `meanings` are those of the series; `columns["impacts.csv"]["normal_impulse"]["unit"]` of any file.
     `scene` is a dict (None where Python has no tomllib, or where the run is of an own MJCF), `scene_text` its text.
@@ -38,7 +39,7 @@ class Run:
 
     def __init__(self, folder, tables, columns, scene_text, summary):
         self.folder = folder
-        self.series, self.impacts, self.events = (tables[name] for name in _TABLES)
+        self.series, self.impacts, self.events, self.keyphasor = (tables[name] for name in _TABLES)
         self.columns = columns
         self.scene_text = scene_text
         self.scene = tomllib.loads(scene_text) if tomllib and scene_text is not None else None
@@ -90,7 +91,9 @@ def read(folder):
         return read_hdf5(folder / _HDF5)
     if not (folder / "summary.json").exists():
         raise FileNotFoundError(f"{folder}: no run: summary.json is missing")
-    tables = {name: _table(folder / f"{name}.csv") for name in _TABLES}
+    files = {name: folder / f"{name}.csv" for name in _TABLES}
+    # A run of an earlier version has no keyphasor.csv.
+    tables = {name: _table(file) if name != "keyphasor" or file.exists() else {} for name, file in files.items()}
     scene = folder / "scene.toml"
     return Run(
         folder,

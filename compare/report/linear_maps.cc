@@ -14,6 +14,7 @@
 #include "compare/report/assets.h"
 #include "compare/report/page_frame.h"
 #include "compare/report/plot_points.h"
+#include "compare/report/sweep_page.h"
 
 namespace rotorub {
 namespace {
@@ -22,7 +23,6 @@ using nlohmann::json;
 using rub::FeedbackMap;
 using rub::FeedbackPoint;
 using rub::RubKind;
-using rub::RubMap;
 using rub::RubPoint;
 using rub::StandingRub;
 
@@ -41,27 +41,29 @@ json figures_json(const MapFigure<Point> (&figures)[count]) {
   });
 }
 
-// A grid over the spin speed and the second key, whose values are shown as they are.
-template <class Point, std::size_t count, class Map>
-json map_plots(const Map& map, const char* second, const char* unit,
-               const std::vector<double>& values, const MapFigure<Point> (&figures)[count]) {
-  const auto key = [](const char* name, const char* of, json shown) -> json {
-    return {{"name", name}, {"unit", of}, {"even", true}, {"log", false}, {"values", shown}};
-  };
+// A key of a map, its values as they are shown.
+json map_key(const std::string& name, const std::string& unit, json values) {
+  return {{"name", name}, {"unit", unit}, {"even", true}, {"log", false}, {"values", values}};
+}
+
+// A grid, the second key fastest. point(i, j): null where there is none.
+template <class Point, std::size_t count, class PointAt>
+json map_plots(const json& first, const json& second, const MapFigure<Point> (&figures)[count],
+               const PointAt& point) {
   json columns(count, json::array()), places = {json::array(), json::array()};
   json status = json::array();
-  for (std::size_t i = 0; i < map.speeds.size(); ++i) {
-    for (std::size_t j = 0; j < values.size(); ++j) {
+  for (std::size_t i = 0; i < first["values"].size(); ++i) {
+    for (std::size_t j = 0; j < second["values"].size(); ++j) {
       places[0].push_back(i);
       places[1].push_back(j);
       status.push_back(0);
-      for (std::size_t k = 0; k < count; ++k) columns[k].push_back(figures[k].value(map.at(i, j)));
+      const Point* here = point(i, j);
+      for (std::size_t k = 0; k < count; ++k)
+        columns[k].push_back(here ? figures[k].value(*here) : json(nullptr));
     }
   }
   return {{"kind", "grid"},
-          {"keys",
-           {key("spin speed", "Hz", rounded_list(map.speeds, kHz)),
-            key(second, unit, rounded_list(values))}},
+          {"keys", {first, second}},
           {"figures", figures_json(figures)},
           {"values", places},
           {"columns", columns},
@@ -81,7 +83,7 @@ std::string map_page(const scene::Scene& scene, const MapPage& map, const json& 
                      const json& plots, const json& rule) {
   json values = page_frame({scene.name, map.topic, map.heading}, {{"maps", {plots}}});
   values["lead"] = map.lead;
-  values["option"] = map.option;
+  values["command"] = "modes " + map.option;
   values["maps"] = figure_choices(map.maps);
   values["cards"] = cards;
   values["figures"] = plots.at("figures");
@@ -131,9 +133,10 @@ constexpr MapFigure<RubPoint> kRubFigures[] = {
 };
 
 // How much of the map each attractor holds, and how much has none.
-json cards_of(const RubMap& map) {
+json cards_of(const RubKeyMap& map) {
   std::array<int, 16> met{};
-  for (const RubPoint& point : map.points) ++met[point.attractors()];
+  for (const auto& point : map.points)
+    if (point) ++met[point->attractors()];
   const auto share = [&](int count) {
     return fmt::format("{:.3g} %", 100.0 * count / static_cast<double>(map.points.size()));
   };
@@ -227,24 +230,42 @@ json figure_choices(const std::vector<std::string>& first) {
   return maps;
 }
 
-json rub_map_plots(const RubMap& map) {
-  return map_plots(map, "friction", "", map.frictions, kRubFigures);
+json rub_map_plots(const RubKeyMap& map) {
+  const auto key = [](const MapAxis& axis) {
+    const ShownUnit unit = shown_unit(axis.unit);
+    const std::string name = axis.key == kSpeedKey      ? "spin speed"
+                             : axis.key == kFrictionKey ? "friction"
+                                                        : axis.key;
+    return map_key(name, unit.name, rounded_list(axis.values, unit.per_si));
+  };
+  return map_plots(key(map.across), key(map.up), kRubFigures,
+                   [&](std::size_t i, std::size_t j) -> const RubPoint* {
+                     return map.at(i, j) ? &*map.at(i, j) : nullptr;
+                   });
 }
 
 json feedback_map_plots(const FeedbackMap& map) {
-  return map_plots(map, "feedback k", "N s/m", map.feedbacks, kFeedbackFigures);
+  return map_plots(map_key("spin speed", "Hz", rounded_list(map.speeds, kHz)),
+                   map_key("feedback k", "N s/m", rounded_list(map.feedbacks)), kFeedbackFigures,
+                   [&](std::size_t i, std::size_t j) { return &map.at(i, j); });
 }
 
-std::string rub_map_page(const scene::Scene& scene, const RubMap& map) {
+std::string rub_map_page(const scene::Scene& scene, const RubKeyMap& map) {
+  const std::string axes = map.of_speed_and_friction()
+                               ? "spin speed and friction"
+                               : fmt::format("{} and {}", map.across.key, map.up.key);
   return map_page(
       scene,
       {"lasting rubs",
        "Which rubs last, and where?",
-       "Steady rubs of rotor and ring over spin speed and friction, each judged by the eigenvalues "
-       "of its small perturbations with contact kept. The spin is held, and each load keeps its "
-       "ratio to it. Where several are stable, the start decides; where only rolling is, a rotor "
-       "that does not roll bounces. A stable rub may still be out of reach: these maps know "
-       "nothing of impacts.",
+       fmt::format(
+           "Steady rubs of rotor and ring over {}, each judged by the eigenvalues of its small "
+           "perturbations with contact kept. The spin is held, and where it changes each load "
+           "keeps "
+           "its ratio to it. Where several are stable, the start decides; where only rolling is, a "
+           "rotor that does not roll bounces. A stable rub may still be out of reach: these maps "
+           "know nothing of impacts.{}",
+           axes, map.refused.empty() ? "" : " Blank: refused, " + map.refused + "."),
        "--rub-map",
        {kLinearAttractors, kLinearGrowth}},
       cards_of(map), rub_map_plots(map), nullptr);

@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include "compare/modes/rub_key_map.h"
 #include "native_model/rub/rub_map.h"
 #include "native_model/scene/scene.h"
 
@@ -23,16 +24,16 @@ std::vector<nlohmann::json> rub_values(const rub::RubPoint& point);
 // The maps of a page, as page/map.html takes them: the figure that each shows first.
 nlohmann::json figure_choices(const std::vector<std::string>& first);
 
-// The page of `rotorub modes --rub-map`: over spin speed and friction what is stable, how fast it
+// The page of `rotorub modes --rub-map`: over two keys what is stable, how fast it
 // decays or grows, and how hard it presses.
-std::string rub_map_page(const scene::Scene& scene, const rub::RubMap& map);
+std::string rub_map_page(const scene::Scene& scene, const RubKeyMap& map);
 // The page of `rotorub modes --feedback-map`: over spin speed and cross-coupled feedback k how fast
 // the forced rub decays and how hard it presses, and the rule k(Omega) as a table and as a scene's
 // keys.
 std::string feedback_map_page(const scene::Scene& scene, const rub::FeedbackMap& map);
 
 // What the pages' script draws: as sweep_plots (sweep_page.h), a grid, the second key fastest.
-nlohmann::json rub_map_plots(const rub::RubMap& map);
+nlohmann::json rub_map_plots(const RubKeyMap& map);
 nlohmann::json feedback_map_plots(const rub::FeedbackMap& map);
 
 }  // namespace rotorub

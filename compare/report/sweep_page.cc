@@ -7,11 +7,13 @@
 #include <nlohmann/json.hpp>
 #include <optional>
 
+#include "compare/base/format.h"
 #include "compare/base/units.h"
 #include "compare/report/assets.h"
 #include "compare/report/linear_maps.h"
 #include "compare/report/page_frame.h"
 #include "compare/report/plot_points.h"
+#include "compare/sweep/group_statistics.h"
 #include "compare/sweep/linear_map.h"
 
 namespace rotorub {
@@ -126,6 +128,45 @@ json cards_of(sweep::Store& store) {
            peak ? fmt::format("point {}", peak_point) : "")};
 }
 
+json runs_json(const PointRuns& runs, std::int64_t points) {
+  json kept = json::object();
+  for (const auto& [point, link] : runs.kept) kept[std::to_string(point)] = link;
+  return {{"command", runs.command}, {"kept", kept}, {"points", points}};
+}
+
+// The rows of statistics.csv, in the units of the page.
+json statistics_of(sweep::Store& store, const sweep::Study& study) {
+  const sweep::Statistics& asked = *study.statistics;
+  json rows = json::array();
+  bool bounds = false;
+  for (const sweep::StatisticsRow& row : sweep::group_statistics(store, study)) {
+    const bool share = row.statistic.starts_with("share ");
+    const ShownUnit unit = shown_unit(row.unit);
+    const auto text = [&](std::optional<double> value) {
+      if (!value) return std::string();
+      return share ? fmt::format("{:.3g} %", 100.0 * *value) : short_number(unit.per_si * *value);
+    };
+    bounds = bounds || row.estimate.low || row.estimate.high;
+    rows.push_back({{"group", row.group},
+                    {"figure", row.figure},
+                    {"unit", unit.name},
+                    {"statistic", row.statistic},
+                    {"value", text(row.estimate.value)},
+                    {"low", text(row.estimate.low)},
+                    {"high", text(row.estimate.high)},
+                    {"count", row.count}});
+  }
+  const auto by = list_of(asked.by, [&](std::size_t k) -> json {
+    return {{"key", study.vary[k].key}, {"unit", study.vary[k].unit}};
+  });
+  return {{"by", by},
+          {"rows", rows},
+          {"note", bounds ? fmt::format("What is estimated lies between from and to with a "
+                                        "confidence of {}, of points that are independent.",
+                                        percent_text(asked.confidence))
+                          : "Bounds need independent points, as kind = \"random\" draws them."}};
+}
+
 // The linear map's figures beside those of the runs. Row i of the plots of a whole grid is point i.
 void add_linear(const sweep::LinearMap& map, json& plots) {
   const json figures = rub_figures();
@@ -199,8 +240,10 @@ json sweep_json(const sweep::PointScenes& scenes, sweep::Store& store, const swe
 }
 
 std::string sweep_page(const sweep::PointScenes& scenes, sweep::Store& store,
-                       const sweep::Study& study, const json& kept, const json& bifurcation) {
-  const json& plots = kept.at("plots");
+                       const sweep::Study& study, const json& kept, const PointRuns& runs,
+                       const json& bifurcation) {
+  json plots = kept.at("plots");
+  plots["runs"] = runs_json(runs, scenes.sample().size());
   json data{{"maps", {plots}}};
   if (!bifurcation.is_null()) data["bifurcation"] = bifurcation;
   json values = page_frame({kept.at("name"), "sweep", "What does it do, and where?"}, data);
@@ -214,6 +257,7 @@ std::string sweep_page(const sweep::PointScenes& scenes, sweep::Store& store,
   values["keys"] = list_of(study.vary, [](const Vary& vary) -> json {
     return {{"key", vary.key}, {"unit", vary.unit}};
   });
+  values["statistics"] = study.statistics ? statistics_of(store, study) : json(nullptr);
   values["failures"] = failures(store, study.vary.size());
   values["figures"] = plots.at("figures");
   values["study"] = study.text;

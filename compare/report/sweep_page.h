@@ -2,6 +2,7 @@
 // cells for a grid, marks for other points; for one key a curve.
 #pragma once
 
+#include <map>
 #include <nlohmann/json.hpp>
 #include <string>
 #include <string_view>
@@ -11,11 +12,17 @@
 
 namespace rotorub {
 
+// What the page of a sweep leads to: the runs of single points.
+struct PointRuns {
+  std::string command;  // that runs a point, but for the number of it; for a shell
+  std::map<std::int64_t, std::string> kept;  // link to the page of each run that was kept
+};
+
 // The store holds all points; kept: sweep_json of the same; bifurcation: bifurcation_data
 // (bifurcation_plot.h), null: none.
 std::string sweep_page(const sweep::PointScenes& scenes, sweep::Store& store,
                        const sweep::Study& study, const nlohmann::json& kept,
-                       const nlohmann::json& bifurcation = nullptr);
+                       const PointRuns& runs = {}, const nlohmann::json& bifurcation = nullptr);
 
 // A unit as the page writes it: of rad/s Hz.
 struct ShownUnit {

@@ -61,6 +61,17 @@ Table events_of(const Trajectory& t, std::vector<double>& times, std::vector<dou
   return table;
 }
 
+Table keyphasor_of(const Trajectory& t, std::array<std::vector<double>, 4>& values) {
+  Table table{"keyphasor", {}};
+  for (const KeyphasorPass& pass : t.keyphasor) {
+    const double row[] = {pass.t, pass.x, pass.y, pass.spin_speed};
+    for (std::size_t k = 0; k < values.size(); ++k) values[k].push_back(row[k]);
+  }
+  for (const ColumnMeaning& c : keyphasor_columns())
+    table.columns.push_back(column_of(c, values[table.columns.size()]));
+  return table;
+}
+
 // What depends on the machine's speed is no result.
 void add_attributes(const nlohmann::json& object, const std::string& prefix,
                     std::vector<Attribute>& all) {
@@ -90,8 +101,10 @@ std::string run_file(ImageOf image_of, const scene::Scene& scene, const std::str
   add_attributes(summary_json(scene, t), "", content.attributes);
   content.attributes.push_back({"scene_text", scene_text});
   std::array<std::vector<double>, 9> impacts;
+  std::array<std::vector<double>, 4> passes;
   std::vector<double> times, contacts;
-  content.tables = {series_of(t), impacts_of(t, impacts), events_of(t, times, contacts)};
+  content.tables = {series_of(t), impacts_of(t, impacts), events_of(t, times, contacts),
+                    keyphasor_of(t, passes)};
   return image_of(content);
 }
 

@@ -1,4 +1,4 @@
-// run.h5: a run in one HDF5 file. Groups `series`, `impacts`, `events`, a dataset a column with the
+// run.h5: a run in one HDF5 file. Groups `series`, `impacts`, `events`, `keyphasor`, a dataset a column with the
 // attributes `unit` and `meaning`; attributes of the file: what summary.json says, but for times
 // taken, and the scene as `scene_text`.
 #pragma once

@@ -27,6 +27,7 @@ using std::filesystem::path;
 constexpr const char* kSeries = "series.csv";
 constexpr const char* kImpacts = "impacts.csv";
 constexpr const char* kEvents = "events.csv";
+constexpr const char* kKeyphasor = "keyphasor.csv";
 constexpr const char* kScene = "scene.toml";
 constexpr const char* kOwnModel = "model.xml";  // of a machine of the user's own
 constexpr const char* kSummary = "summary.json";
@@ -103,12 +104,22 @@ void read_series(const path& file, Trajectory& trajectory) {
   }
 }
 
+void expect_columns(const path& file, int line, std::size_t there, std::size_t expected) {
+  if (there == expected) return;
+  throw BrokenRun(fmt::format("{}:{}: not {} columns", file.string(), line, expected));
+}
+
+void read_keyphasor(const path& file, Trajectory& trajectory) {
+  read_csv(file, [&](const auto& fields, int line) {
+    expect_columns(file, line, fields.size(), keyphasor_columns().size());
+    const auto value = [&](std::size_t k) { return number_of(fields[k], file, line); };
+    trajectory.keyphasor.push_back({value(0), value(1), value(2), value(3)});
+  });
+}
+
 void read_impacts(const path& file, Trajectory& trajectory) {
   read_csv(file, [&](const auto& fields, int line) {
-    const std::size_t expected = impact_columns(trajectory.contacts > 1).size();
-    if (fields.size() != expected) {
-      throw BrokenRun(fmt::format("{}:{}: not {} columns", file.string(), line, expected));
-    }
+    expect_columns(file, line, fields.size(), impact_columns(trajectory.contacts > 1).size());
     const auto value = [&](std::size_t k) { return number_of(fields[k], file, line); };
     trajectory.impacts.push_back(
         {value(0), value(1), value(2), value(3), value(4), value(5), value(6), value(7)});
@@ -178,6 +189,7 @@ void write_run(const path& folder, const scene::Scene& scene, const Trajectory& 
   write_series(trajectory, folder / kSeries);
   write_impacts(trajectory, folder / kImpacts);
   write_events(trajectory, folder / kEvents);
+  write_keyphasor(trajectory, folder / kKeyphasor);
   const std::string scene_text = text_to_keep(scene);
   write_whole(folder / (scene.rotor.assembled ? kOwnModel : kScene), scene_text);
   if (hdf5) write_whole(folder / kHdf5, hdf5::run_file(hdf5, scene, scene_text, trajectory));
@@ -211,6 +223,8 @@ StoredRun read_run(const path& folder) {
   t.contacts = run.scene.auxiliary.size();
   read_series(folder / kSeries, t);
   read_impacts(folder / kImpacts, t);
+  // A run of an earlier version has none.
+  if (std::filesystem::exists(folder / kKeyphasor)) read_keyphasor(folder / kKeyphasor, t);
   return run;
 }
 

@@ -1,5 +1,5 @@
-// The folder of a run: series.csv, impacts.csv, events.csv, columns.json (what their columns are),
-// scene.toml and summary.json.
+// The folder of a run: series.csv, impacts.csv, events.csv, keyphasor.csv, columns.json (what their
+// columns are), scene.toml and summary.json.
 #pragma once
 
 #include <filesystem>

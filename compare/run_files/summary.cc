@@ -1,6 +1,7 @@
 #include "compare/run_files/summary.h"
 
 #include <algorithm>
+#include <iterator>
 #include <nlohmann/json.hpp>
 
 #include "compare/base/columns.h"
@@ -18,12 +19,11 @@ namespace {
 using nlohmann::json;
 using nlohmann::ordered_json;
 
+constexpr const char* kRingSpeed = "ring_speed";  // of a metric it would be a mean
 constexpr std::string_view kSeveral = "several contacts";
 constexpr std::string_view kGeometry = "geometry form with a contact, else null";
 
-// A row without a meaning: it is that of the metric.
-constexpr ColumnMeaning metric(std::string_view key) { return {key, "", "", ""}; }
-
+// Beside the metrics.
 constexpr ColumnMeaning kSummaryKeys[] = {
     {"program", "", "rotorub", ""},
     {"version", "", "of the program", ""},
@@ -33,20 +33,6 @@ constexpr ColumnMeaning kSummaryKeys[] = {
     {"engine", "", "native or mujoco", ""},
     {"integrator", "", "of the engine", ""},
     {"contact_model", "", "rigid, coulomb, cone or cone-coulomb", ""},
-    metric("step"),
-    metric("steps"),
-    metric("end"),
-    metric("wall_s"),
-    metric("us_per_step"),
-    metric("max_penetration"),
-    metric("contact_fraction"),
-    metric("mean_force"),
-    metric("impulse_total"),
-    metric("impacts"),
-    metric("energy_residual"),
-    metric("forward_passes"),
-    metric("backward_passes"),
-    metric("whirl_time"),
     {"contact_mass.kept", "kg", "mass that an impact meets, of the modes kept", kGeometry},
     {"contact_mass.mesh", "kg", "the same of all modes of the mesh", kGeometry},
     {"contact_mass.kept_modes", "", "number of modes kept", kGeometry},
@@ -59,7 +45,7 @@ constexpr ColumnMeaning kSummaryKeys[] = {
      "share of the time in contact whose whirl is faster than these", kGeometry},
     {"above_modes.friction_share", "", "share of the friction work there", kGeometry},
     {"above_modes.fastest_whirl", "rad/s", "fastest whirl in contact, forward positive", kGeometry},
-    {"ring_speed", "rad/s", "speed of the ring's own spin at the end, positive as the rotor's",
+    {kRingSpeed, "rad/s", "speed of the ring's own spin at the end, positive as the rotor's",
      "a ring that turns"},
     {"contacts[].name", "", "of the contact", kSeveral},
     {"contacts[].first_touch", "s", "time of its first contact; null: never", kSeveral},
@@ -119,21 +105,21 @@ json above_modes_json(const std::optional<AboveModes>& above) {
 
 }  // namespace
 
-json run_numbers_json(const Trajectory& trajectory) {
-  const Metrics m = totals(trajectory);
-  json all = json::object();
-  for (const ColumnMeaning& k : kSummaryKeys) {
-    if (k.meaning.empty()) all[k.name] = metric_value(m, k.name);
+json run_numbers_json(const scene::Scene& scene, const Trajectory& trajectory) {
+  const Metrics m = metrics(trajectory, contact_facts(scene));
+  json all = metrics_json(m);
+  for (const Figure& f : figures()) {
+    if (!has_figure(m, f)) all[f.key] = nullptr;
   }
   // rad/s, at the end, of a ring that turns.
-  if (trajectory.has("ring_speed") && trajectory.rows() > 0) {
-    all["ring_speed"] = trajectory.column("ring_speed").back();
+  if (trajectory.has(kRingSpeed) && trajectory.rows() > 0) {
+    all[kRingSpeed] = trajectory.column(kRingSpeed).back();
   }
   return all;
 }
 
 json summary_json(const scene::Scene& scene, const Trajectory& trajectory) {
-  json all = run_numbers_json(trajectory);
+  json all = run_numbers_json(scene, trajectory);
   all.update({{"program", "rotorub"},
               {"version", program_version()},
               {"mujoco_version", mujoco_version()},
@@ -154,8 +140,13 @@ json summary_json(const scene::Scene& scene, const Trajectory& trajectory) {
 std::span<const ColumnMeaning> summary_keys() {
   static const std::vector<ColumnMeaning> keys = [] {
     std::vector<ColumnMeaning> all(std::begin(kSummaryKeys), std::end(kSummaryKeys));
-    for (ColumnMeaning& k : all)
-      if (k.meaning.empty()) k = metric_key(k.name);
+    std::copy_if(metric_keys().begin(), metric_keys().end(), std::back_inserter(all),
+                 [](const ColumnMeaning& k) { return k.name != kRingSpeed; });
+    for (const Figure& f : figures()) {
+      const auto key =
+          std::find_if(all.begin(), all.end(), [&](const auto& k) { return k.name == f.key; });
+      if (f.by_step) key->present = "a fixed step, else null";
+    }
     return all;
   }();
   return keys;
@@ -169,6 +160,7 @@ ordered_json run_columns_json(const Trajectory& trajectory) {
   return {{"series.csv", series},
           {"impacts.csv", columns_json(impact_columns(trajectory.contacts > 1))},
           {"events.csv", columns_json(event_columns(trajectory.contacts > 1))},
+          {"keyphasor.csv", columns_json(keyphasor_columns())},
           {"summary.json", columns_json(summary_keys())}};
 }
 

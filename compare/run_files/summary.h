@@ -13,8 +13,9 @@ namespace rotorub {
 // As the contract names its keys. A number that is not finite becomes null.
 nlohmann::json summary_json(const scene::Scene& scene, const Trajectory& trajectory);
 
-// Of it the numbers that need no scene, and with that no eigenproblem of its rotor.
-nlohmann::json run_numbers_json(const Trajectory& trajectory);
+// Of it what the motion shows, as the terminal has it: metrics_json with null for what a run by
+// itself does not have (has_figure). No eigenproblem of the rotor.
+nlohmann::json run_numbers_json(const scene::Scene& scene, const Trajectory& trajectory);
 
 // Its keys; "above_modes.contact_share": within another.
 std::span<const ColumnMeaning> summary_keys();

@@ -1,5 +1,6 @@
 #include "compare/starter/starter.h"
 
+#include <Eigen/Core>
 #include <algorithm>
 #include <cmath>
 #include <cstdlib>
@@ -30,6 +31,29 @@ double rounded_down(double value) {
   return rounded(decade * (lead >= 5.0 ? 5.0 : lead >= 2.0 ? 2.0 : 1.0), 1);
 }
 
+// As shares of the shaft's length.
+struct Stations {
+  double first_bearing, last_bearing, contact, disc;
+};
+
+Stations stations_of(StarterForm form) {
+  if (form == StarterForm::kOverhung) return {0.05, 0.65, 0.8, 0.95};
+  if (form == StarterForm::kVertical) return {0.05, 0.55, 0.8, 0.95};
+  if (form == StarterForm::kTwoCatchers) return {0.2, 0.8, 0.1, 0.5};
+  return {0.05, 0.95, 0.4, 0.5};
+}
+
+// Each magnetic bearing bears a tenth of the shaft's stiffness, damped to 0.3 of the critical; its
+// current works against a negative stiffness half as large.
+void size_magnets(double shaft_stiffness, StarterSizes& s) {
+  const double net = 0.1 * shaft_stiffness, mass = 0.5 * s.modal_mass;
+  s.negative_stiffness = rounded(0.5 * net, 2);
+  s.force_per_current = rounded(mass * 9.81, 2);
+  s.proportional = rounded((net + s.negative_stiffness) / s.force_per_current, 2);
+  s.integral = rounded(0.1 * net * std::sqrt(net / mass) / s.force_per_current, 2);
+  s.derivative = rounded(0.6 * std::sqrt(net * mass) / s.force_per_current, 2);
+}
+
 StarterSizes sizes_of(const Starter& starter) {
   const double L = starter.length.value, d = starter.diameter.value, m = starter.disc_mass.value;
   const double omega = starter.speed.value, turn = 2.0 * pi / omega;
@@ -40,11 +64,13 @@ StarterSizes sizes_of(const Starter& starter) {
   // Shaft and bearings.
   const double shaft_stiffness = 48.0 * kYoung * pi * std::pow(d, 4) / 64.0 / std::pow(L, 3);
   s.bearing_stiffness = rounded(80.0 * shaft_stiffness, 1);
-  s.first_bearing = rounded(0.05 * L, 4);
-  s.last_bearing = rounded(0.95 * L, 4);
-  s.contact_station = rounded(0.4 * L, 4);
-  s.disc_station = rounded(0.5 * L, 4);
+  const Stations at = stations_of(starter.form);
+  s.first_bearing = rounded(at.first_bearing * L, 4);
+  s.last_bearing = rounded(at.last_bearing * L, 4);
+  s.contact_station = rounded(at.contact * L, 4);
+  s.disc_station = rounded(at.disc * L, 4);
   s.exciter_station = rounded(0.7 * L, 4);
+  s.second_contact = rounded((1.0 - at.contact) * L, 4);
 
   // A steel disc a third as wide as its radius, but never smaller than the shaft.
   const double R = std::max(std::cbrt(3.0 * m / (pi * kDensity)), 0.75 * d);
@@ -65,6 +91,7 @@ StarterSizes sizes_of(const Starter& starter) {
   s.modal_mass = rounded(m + 17.0 / 35.0 * shaft_mass, 4);
   s.modal_stiffness = rounded(shaft_stiffness, 4);
   s.modal_damping = rounded(2.0 * 0.01 * std::sqrt(s.modal_mass * s.modal_stiffness), 3);
+  size_magnets(shaft_stiffness, s);
 
   // The ring: three quarters of the disc's mass, its own frequency a little above the speed,
   // damping ratio 0.27.
@@ -83,13 +110,14 @@ scene::Scene read_back(const Starter& starter, const StarterSizes& sizes) {
   return scene::parse_scene(starter_text(starter, sizes), starter.file);
 }
 
-// m: how far the contact point of the free orbit is from the centre at t = 0.
-double orbit(const Starter& starter, StarterSizes sizes) {
-  sizes.on = 0.0;  // all of the load acts from the beginning
+// m: where the contact point of the free orbit is at t = 0.
+Eigen::Vector2d on_orbit(const Starter& starter, StarterSizes sizes) {
+  // All of the load acts from the beginning; magnets that fail do so later.
+  if (starter.form != StarterForm::kTwoCatchers) sizes.on = 0.0;
   const Model model = make_model(read_back(starter, sizes));
   const int n = model.layout.modes;
-  return std::hypot(model.first().shape.x.dot(model.q0.segment(model.layout.x(), n)),
-                    model.first().shape.y.dot(model.q0.segment(model.layout.y(), n)));
+  return {model.first().shape.x.dot(model.q0.segment(model.layout.x(), n)),
+          model.first().shape.y.dot(model.q0.segment(model.layout.y(), n))};
 }
 
 // rad/s
@@ -114,9 +142,11 @@ std::string starter_scene(const Starter& starter) {
   const double clearance = starter.clearance.value, mass = starter.disc_mass.value;
   const auto answer = [&](double unbalance, double load) {
     StarterSizes probe = sizes;
+    probe.eccentricity = probe.load = 0.0;
+    const Eigen::Vector2d sag = on_orbit(starter, probe);
     probe.eccentricity = unbalance;
     probe.load = load;
-    const double size = orbit(starter, probe);
+    const double size = (on_orbit(starter, probe) - sag).norm();
     if (!(size > 0.0) || !std::isfinite(size))
       refuse(starter, "no load moves this rotor at the contact");
     return size;
@@ -124,11 +154,15 @@ std::string starter_scene(const Starter& starter) {
   const double small = kSmall * clearance;
   const double by_eccentricity = answer(small, 0.0) / small;
   sizes.eccentricity = rounded(0.1 * clearance / by_eccentricity, 2);
-  const bool rig = starter.form == StarterForm::kRig;
-  const double small_load = rig ? small * sizes.modal_stiffness : small * mass;
-  const double by_load = answer(0.0, small_load) / small_load;
-  sizes.load = rounded((rig ? 4.0 : 2.0) * clearance / by_load, 2);
-  sizes.force_limit = rounded(4.0 * sizes.load, 2);
+  if (starter.form != StarterForm::kTwoCatchers) {
+    const bool rig = is_rig(starter.form);
+    const double small_load = rig ? small * sizes.modal_stiffness : small * mass;
+    const double by_load = answer(0.0, small_load) / small_load;
+    sizes.load = starter.unbalance ? starter.unbalance->value
+                                   : rounded((rig ? 4.0 : 2.0) * clearance / by_load, 2);
+    sizes.load_orbit = sizes.load * by_load / clearance;
+    sizes.force_limit = rounded(4.0 * sizes.load, 2);
+  }
   sizes.step = std::min(
       sizes.step,
       rounded_down(2.0 * pi / highest_frequency(make_model(read_back(starter, sizes))) / 38.0));

@@ -2,6 +2,8 @@
 
 #include <fmt/format.h>
 
+#include <optional>
+
 #include "native_model/scene/text.h"
 
 namespace rotorub {
@@ -36,15 +38,38 @@ std::string value(const char* key, double number_, const std::string& comment) {
   return value(key, number(number_), comment);
 }
 
+const char* what_it_is(StarterForm form) {
+  switch (form) {
+    case StarterForm::kModal:
+      return "A Jeffcott rotor, by its one mode: it loses a part of a blade and rubs in its "
+             "auxiliary bearing.";
+    case StarterForm::kRig:
+      return "A test rig: a shaft with a disc, driven by a motor; a magnetic exciter drives it "
+             "into its auxiliary\n# bearing, whose ring an actuator can move.";
+    case StarterForm::kController:
+      return "A test rig: a shaft with a disc, driven by a motor; a magnetic exciter drives it "
+             "towards its auxiliary\n# bearing, whose ring a sliding-mode controller brings to "
+             "meet it.";
+    case StarterForm::kOverhung:
+      return "A shaft with a disc beyond the second of its two bearings, a pump's or a fan's "
+             "wheel: it loses a part of\n# a blade and rubs in an auxiliary bearing beside the "
+             "disc. The ring stands about the shaft as it sags, so\n# that its weight is left "
+             "out.";
+    case StarterForm::kVertical:
+      return "A vertical shaft, hung from two bearings at its upper end (z = 0), with an impeller "
+             "at its lower one: it\n# loses a part of a blade and rubs in the guide bearing above "
+             "that. The weight pulls along the shaft and bends\n# nothing: there is no [gravity].";
+    case StarterForm::kTwoCatchers:
+      return "A shaft with a disc in two magnetic bearings. They fail, and it drops into two "
+             "auxiliary bearings.";
+    case StarterForm::kGeometry:
+      break;
+  }
+  return "A shaft with a disc on two bearings: it loses a part of a blade and rubs in its "
+         "auxiliary bearing.";
+}
+
 std::string head(const Starter& starter) {
-  const std::string what =
-      starter.form == StarterForm::kRig ? "A test rig: a shaft with a disc, driven by a motor; a "
-                                          "magnetic exciter drives it into its auxiliary\n"
-                                          "# bearing, whose ring an actuator can move."
-      : starter.form == StarterForm::kModal ? "A Jeffcott rotor, by its one mode: it loses a part "
-                                              "of a blade and rubs in its auxiliary bearing."
-                                            : "A shaft with a disc on two bearings: it loses a "
-                                              "part of a blade and rubs in its auxiliary bearing.";
   return fmt::format(
       "# {0}\n"
       "# Written by `rotorub init`; every value is there to be changed. Plain numbers are in SI, a "
@@ -59,7 +84,7 @@ std::string head(const Starter& starter) {
       "#\n"
       "# `rotorub schema` prints all tables and keys as a JSON schema, with which an editor "
       "completes and checks.\n\n",
-      what, scene::printable(starter.file));
+      what_it_is(starter.form), scene::printable(starter.file));
 }
 
 std::string run_table(const StarterSizes& s) {
@@ -69,8 +94,41 @@ std::string run_table(const StarterSizes& s) {
          "\n";
 }
 
+std::string sleeve(double station, const StarterSizes& s) {
+  return "\n[[rotor.disc]]                # the sleeve at the contact: without a mass a rigid "
+         "impact has no limit\n" +
+         value("z", station, "m") + value("mass", s.sleeve_mass, "kg") +
+         value("Jt", s.sleeve_Jt, "") + value("Jp", s.sleeve_Jp, "");
+}
+
+std::string journal(double station, const StarterSizes& s, bool first) {
+  return "\n[[rotor.bearing]]\n" + value("z", station, "m") +
+         value("stiffness", s.bearing_stiffness,
+               first ? "N/m; [x, y] where the planes differ" : "N/m") +
+         (first
+              ? "# damping = 100                # N s/m; oil films: cross_stiffness, table_speed; "
+                "out of line: offset\n"
+              : "");
+}
+
+std::string magnet(double station, const StarterSizes& s) {
+  return "\n[[magnetic_bearing]]          # of each axis: current = -proportional x - integral of "
+         "x "
+         "- derivative x'\n" +
+         value("station", station, "m") +
+         value("negative_stiffness", s.negative_stiffness, "N/m, of the bias") +
+         "[magnetic_bearing.control]\n" + value("force_per_current", s.force_per_current, "N/A") +
+         value("proportional", s.proportional, "A/m") +
+         value("integral", s.integral, "A/(m s), which carries the weight") +
+         value("derivative", s.derivative, "A s/m") +
+         value("fails_at", s.on, "s: no force from then on");
+}
+
+std::string weight() { return "\n[gravity]\n" + value("acceleration", "[0.0, -9.81]", "m/s^2"); }
+
 std::string shaft(const Starter& starter, const StarterSizes& s) {
-  const bool rig = starter.form == StarterForm::kRig;
+  const bool rig = is_rig(starter.form);
+  const bool levitates = starter.form == StarterForm::kTwoCatchers;
   return "[rotor]\n" +
          value("speed", written(starter.speed),
                rig ? "of the spin at t = 0" : "of the spin; held, as there is no [drive]") +
@@ -89,16 +147,11 @@ std::string shaft(const Starter& starter, const StarterSizes& s) {
          value("eccentricity", s.eccentricity, "m: an orbit of a tenth of the clearance") +
          "# unbalance = \"30 g mm\"      # in place of eccentricity; or balance_grade = \"G "
          "6.3\"\n" +
-         "\n[[rotor.disc]]                # the sleeve at the contact: without a mass a rigid "
-         "impact has no limit\n" +
-         value("z", s.contact_station, "m") + value("mass", s.sleeve_mass, "kg") +
-         value("Jt", s.sleeve_Jt, "") + value("Jp", s.sleeve_Jp, "") + "\n[[rotor.bearing]]\n" +
-         value("z", s.first_bearing, "m") +
-         value("stiffness", s.bearing_stiffness, "N/m; [x, y] where the planes differ") +
-         "# damping = 100                # N s/m; oil films: cross_stiffness, table_speed; out of "
-         "line: offset\n" +
-         "\n[[rotor.bearing]]\n" + value("z", s.last_bearing, "m") +
-         value("stiffness", s.bearing_stiffness, "N/m") + "\n";
+         sleeve(s.contact_station, s) +
+         (levitates ? sleeve(s.second_contact, s) + magnet(s.first_bearing, s) +
+                          magnet(s.last_bearing, s) + weight()
+                    : journal(s.first_bearing, s, true) + journal(s.last_bearing, s, false)) +
+         "\n";
 }
 
 std::string one_mode(const Starter& starter, const StarterSizes& s) {
@@ -130,49 +183,76 @@ std::string motor(const Starter& starter, const StarterSizes& s) {
 
 std::string load(const Starter& starter, const StarterSizes& s) {
   const bool modal = starter.form == StarterForm::kModal;
-  if (starter.form == StarterForm::kRig) {
+  if (is_rig(starter.form)) {
     return "[[force]]                     # the magnetic exciter: a free orbit of four "
            "clearances\n" +
            value("kind", "\"rotating\"", "") + value("amplitude", s.load, "N") +
            value("frequency", written(starter.speed), "negative: backward") +
            value("on", s.on, "s") + value("station", s.exciter_station, "m") + "\n";
   }
-  return "[[force]]                     # the blade: a free orbit of two clearances\n" +
+  const std::string moment = starter.unbalance ? written(*starter.unbalance) : number(s.load);
+  return fmt::format("[[force]]                     # the blade: a free orbit of {} clearances\n",
+                     scene::number_text(s.load_orbit, 2)) +
          value("kind", "\"unbalance\"", "") +
-         value("static_moment", s.load, "kg m, of the mass that is missing from then on") +
+         value("static_moment", moment, "mass times radius of what is missing from then on, kg m") +
          value("on", s.on, "s, when it goes") +
          (modal ? "" : value("station", s.disc_station, "m")) + "\n";
 }
 
-std::string bearing(const Starter& starter, const StarterSizes& s) {
-  const bool modal = starter.form == StarterForm::kModal;
-  return "[contact]\n" + (modal ? "" : value("station", s.contact_station, "m")) +
+// parent: of the ring's table, "" or "contact.".
+std::string bearing(const Starter& starter, const StarterSizes& s, const char* head,
+                    const char* parent, std::optional<double> station) {
+  return head + (station ? value("station", *station, "m") : "") +
          value("radius", s.radius, "m, of the rotor there") +
          value("clearance", written(starter.clearance), "radial") +
          value("friction", written(starter.friction), "Coulomb") +
          value("restitution", "0.5", "of an impact: 0 plastic, 1 elastic") +
-         "\n[stator]                      # the ring of the auxiliary bearing; without this table "
-         "it is fixed\n" +
+         fmt::format(
+             "\n{:<30}# the ring of the auxiliary bearing; without this table it is fixed\n",
+             fmt::format("[{}stator]", parent)) +
          value("mass", s.ring_mass, "kg") + value("damping", s.ring_damping, "N s/m") +
          value("stiffness", s.ring_stiffness, "N/m") + "\n";
 }
 
-// What can move the ring, ready to be switched on.
-std::string active_ring(const StarterSizes& s) {
-  return "[actuator]\n" +
-         value("force_limit", s.force_limit, "N, on each of the two axes at 45 degrees") +
-         "\n# A sliding-mode controller brings the ring to the rotor before it strikes. To switch "
-         "it on, uncomment:\n" +
-         "#[controller]\n#kind = \"sliding\"\n" + value("#on", s.on, "s") +
-         value("#gap_time", "\"8 ms\"", "in which the gap is closed") +
-         value("#preload", "\"10 N\"", "that the lasting contact then carries") + "\n";
+std::string bearings(const Starter& starter, const StarterSizes& s) {
+  if (starter.form == StarterForm::kModal) return bearing(starter, s, "[contact]\n", "", {});
+  if (starter.form != StarterForm::kTwoCatchers)
+    return bearing(starter, s, "[contact]\n", "", s.contact_station);
+  return bearing(starter, s, "[[contact]]\nname = \"first\"\n", "contact.", s.contact_station) +
+         bearing(starter, s, "[[contact]]\nname = \"second\"\n", "contact.", s.second_contact);
 }
 
-std::string rules(const Starter& starter) {
-  return "[[check]]                     # rules of `rotorub check`, on every native engine\n" +
-         value("metric", "\"impacts\"", "") + value("min", "1", "") +
-         value("why", "\"The load is large enough for the rotor to touch.\"", "") +
-         "\n[[check]]\n" + value("metric", "\"max_penetration\"", "") +
+// What can move the ring, at work or ready to be switched on.
+std::string active_ring(const Starter& starter, const StarterSizes& s) {
+  const bool works = starter.form == StarterForm::kController;
+  const std::string mark = works ? "" : "#";
+  const auto key = [&](const char* name, const auto& text, const char* comment) {
+    return value((mark + name).c_str(), text, comment);
+  };
+  return "[actuator]\n" +
+         value("force_limit", s.force_limit, "N, on each of the two axes at 45 degrees") +
+         (works ? "\n"
+                : "\n# A sliding-mode controller brings the ring to the rotor before it "
+                  "strikes. To switch it on, uncomment:\n") +
+         mark + "[controller]\n" +
+         key("kind", "\"sliding\"", works ? "brings the ring to the rotor before it strikes" : "") +
+         key("on", s.on, "s") + key("gap_time", "\"8 ms\"", "in which the gap is closed") +
+         key("preload", "\"10 N\"", "that the lasting contact then carries") + "\n";
+}
+
+std::string rules(const Starter& starter, const StarterSizes& s) {
+  const bool falls = starter.form == StarterForm::kTwoCatchers;
+  const std::string touches =
+      "[[check]]                     # rules of `rotorub check`, on every native engine\n" +
+      value("metric", "\"impacts\"", "") + value("min", "1", "") +
+      value("why",
+            falls ? "\"A rotor that nothing holds falls into its auxiliary bearings.\""
+                  : "\"The load is large enough for the rotor to touch.\"",
+            "") +
+      "\n";
+  // An orbit within the clearance may touch on its way or not.
+  return (falls || s.load_orbit > 1.0 ? touches : "") + "[[check]]\n" +
+         value("metric", "\"max_penetration\"", "") +
          value("max", number(starter.clearance.value), "m") +
          value("why", "\"A rigid contact lets nothing in, at a finite step only a little.\"", "");
 }
@@ -194,14 +274,15 @@ std::string without_empty_comments(const std::string& text) {
 }  // namespace
 
 std::string starter_text(const Starter& starter, const StarterSizes& sizes) {
-  const bool rig = starter.form == StarterForm::kRig;
+  const bool rig = is_rig(starter.form);
   std::string text = head(starter) + run_table(sizes);
   text += starter.form == StarterForm::kModal ? one_mode(starter, sizes) : shaft(starter, sizes);
   if (rig) text += motor(starter, sizes);
-  text += load(starter, sizes) + bearing(starter, sizes);
-  if (rig && sizes.force_limit > 0.0) text += active_ring(sizes);
+  if (starter.form != StarterForm::kTwoCatchers) text += load(starter, sizes);
+  text += bearings(starter, sizes);
+  if (rig && sizes.force_limit > 0.0) text += active_ring(starter, sizes);
   text += "[initial]\n" + value("steady", "true", "on the orbit of what acts at t = 0") + "\n";
-  text += rules(starter);
+  text += rules(starter, sizes);
   return without_empty_comments(text);
 }
 

@@ -270,7 +270,7 @@ std::string run_table(const scene::Scene& scene, const Trajectory& t, const Pale
   // Without a touch a figure of contact is 0, and its row says nothing.
   for (const Figure& f : figures()) {
     const double value = f.value(m);
-    if (!std::isnan(value) && (m.first_touch || value != 0.0)) {
+    if (has_figure(m, f) && (m.first_touch || value != 0.0)) {
       add(figure_label(f), figure_value(f, value));
     }
   }

@@ -30,12 +30,10 @@ double turn_of(const scene::Scene& scene) { return kWholeTurn / std::abs(scene.r
 
 Trajectory run_of(const Study& study, const scene::Scene& scene, double turn,
                   const std::atomic<bool>* interrupt) {
-  constexpr double kRowsOfATurn = 48.0;
   const double end = scene.run.end, part = std::min(0.5 * end, (Bifurcation::kTurns + 0.5) * turn);
-  const auto rows = static_cast<std::size_t>(std::ceil(kRowsOfATurn * part / turn)) + 2;
   RunRequest request;
   request.interrupt = interrupt;
-  request.output_times = even_times(end - part, end, rows);
+  request.output_times = {{end - part, end}};
   return engine_of(study, scene)->run(scene, request);
 }
 
@@ -44,20 +42,6 @@ void read_section(const Trajectory& run, BranchPoint& out) {
   double size = 0.0;
   for (const auto& place : out.places) size = std::max(size, std::abs(place));
   out.period = section_period(out.places, Bifurcation::kTolerance * size, Bifurcation::kMostPeriod);
-}
-
-// A stretch of a turn, of a fixed step of whole steps.
-std::optional<double> exponent_of(const Study& study, const Before& at, double turn,
-                                  const std::atomic<bool>* interrupt) {
-  LyapunovParameters parameters;
-  parameters.integrator = study.integrator;
-  parameters.interrupt = interrupt;
-  const auto integrator = study.integrator.value_or(at.scene.run.integrator);
-  const double step = at.scene.run.step;
-  parameters.stretch = integrator == scene::Integrator::kEvent
-                           ? turn
-                           : step * std::max(1.0, std::round(turn / step));
-  return largest_lyapunov(continued(at.scene, at.scene, at.run), parameters).exponent;
 }
 
 class Branch {
@@ -97,7 +81,11 @@ class Branch {
       throw std::runtime_error(run.message.empty() ? to_string(run.status) : run.message);
     read_section(run, out);
     before_ = Before{scene, std::move(run)};
-    if (exponents_) out.exponent = exponent_of(scenes_.study(), *before_, turn, interrupt_);
+    if (!exponents_) return;
+    LyapunovParameters parameters;
+    parameters.integrator = scenes_.study().integrator;
+    parameters.interrupt = interrupt_;
+    out.exponent = lyapunov_after(before_->scene, before_->run, parameters).exponent;
   }
 
   const PointScenes& scenes_;

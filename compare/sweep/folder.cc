@@ -11,17 +11,10 @@ namespace rotorub::sweep {
 namespace {
 
 bool is_other(const std::filesystem::path& file, const std::string& text) {
-  return std::filesystem::exists(file) && scene::file_text(file) != text;
-}
-
-void append_text(std::string& line, const std::string& text) {
-  if (text.find_first_of(",\"\r\n") == std::string::npos) {
-    line += text;
-    return;
-  }
-  line += '"';
-  for (const char c : text) line.append(c == '"' ? 2 : 1, c);
-  line += '"';
+  if (!std::filesystem::exists(file)) return false;
+  const std::string there = scene::file_text(file);
+  if (file.filename() != kStudyFile) return there != text;
+  return study_identity(there) != study_identity(text);
 }
 
 void append_number(std::string& line, double value) {
@@ -34,7 +27,7 @@ void append_number(std::string& line, double value) {
 void append_field(std::string& line, const Statement& row, int column) {
   if (row.is_nothing(column)) return;
   if (row.is_text(column)) {
-    append_text(line, row.text(column));
+    line += csv_field(row.text(column));
   } else if (row.is_whole(column)) {
     line += std::to_string(row.whole(column));
   } else {
@@ -44,15 +37,23 @@ void append_field(std::string& line, const Statement& row, int column) {
 
 }  // namespace
 
+std::string csv_field(const std::string& text) {
+  if (text.find_first_of(",\"\r\n") == std::string::npos) return text;
+  std::string quoted = "\"";
+  for (const char c : text) quoted.append(c == '"' ? 2 : 1, c);
+  return quoted + '"';
+}
+
 StudyIdentity identity_of(const PointScenes& scenes) {
-  const std::string all = scenes.study().text + '\0' + scenes.scene_text();
+  const std::string all = scenes.study().identity + '\0' + scenes.scene_text();
   return {scene::text_hash(all), scenes.sample().size()};
 }
 
 void keep_study(const std::filesystem::path& folder, const PointScenes& scenes) {
   std::filesystem::create_directories(folder);
-  const std::pair<const char*, const std::string&> files[] = {{kStudyFile, scenes.study().text},
-                                                              {kSceneFile, scenes.scene_text()}};
+  std::vector<std::pair<const char*, const std::string&>> files{{kStudyFile, scenes.study().text},
+                                                                {kSceneFile, scenes.scene_text()}};
+  if (!scenes.study().points.empty()) files.emplace_back(kPointsFile, scenes.study().points);
   for (const auto& [name, text] : files) {
     if (is_other(folder / name, text) && !result_files(folder).empty()) {
       throw StoreMismatch((folder / name).string() +
@@ -70,7 +71,7 @@ void write_csv(Store& store, const std::filesystem::path& file) {
   std::string line;
   for (const std::string& name : store.names()) {
     if (!line.empty()) line += ',';
-    append_text(line, name);
+    line += csv_field(name);
   }
   out << line << '\n';
   store.each([&](const Statement& row) {

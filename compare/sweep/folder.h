@@ -11,7 +11,9 @@ namespace rotorub::sweep {
 
 inline constexpr const char* kStudyFile = "study.toml";
 inline constexpr const char* kSceneFile = "scene.toml";
+inline constexpr const char* kPointsFile = "points.csv";  // of a list that has them in a file
 inline constexpr const char* kCsvFile = "results.csv";
+inline constexpr const char* kStatisticsFile = "statistics.csv";  // where [statistics] asks for it
 inline constexpr const char* kPageFile = "sweep.html";
 inline constexpr const char* kBifurcationFile = "bifurcation.json";
 inline constexpr const char* kDataFile =
@@ -22,6 +24,9 @@ StudyIdentity identity_of(const PointScenes& scenes);
 // Makes the folder and keeps study and scene in it, with the overrides of the command line. Throws
 // StoreMismatch where there are results of another study.
 void keep_study(const std::filesystem::path& folder, const PointScenes& scenes);
+
+// In double quotes where it has commas, quotes or line breaks (RFC 4180).
+std::string csv_field(const std::string& text);
 
 // The rows of a store as text, in the study's order: a header line, then one line a point, 17
 // significant digits; fields with commas, quotes or line breaks in double quotes (RFC 4180),

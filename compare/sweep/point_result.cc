@@ -5,6 +5,7 @@
 
 #include "compare/base/columns.h"
 #include "compare/figures/figure.h"
+#include "compare/sweep/group_statistics.h"
 
 namespace rotorub::sweep {
 namespace {
@@ -70,7 +71,9 @@ nlohmann::ordered_json sweep_columns_json(const Study& study) {
   for (const Vary& vary : study.vary) all.push_back(column_json(vary.key, vary.unit, kVaried));
   for (const ColumnMeaning& column : kOutcome) add(column);
   for (const ResultColumn& column : result_columns()) add(column);
-  return {{"results.csv", all}};
+  nlohmann::ordered_json files{{"results.csv", all}};
+  if (study.statistics) files["statistics.csv"] = statistics_columns_json(study);
+  return files;
 }
 
 std::string sweep_columns_markdown() {

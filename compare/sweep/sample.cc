@@ -54,10 +54,28 @@ Value number(double value) { return {fmt::format("{}", value), value}; }
 // In [0, 1): the upper 53 bits.
 double unit(std::uint64_t bits) { return static_cast<double>(bits >> 11u) * 0x1p-53; }
 
+// A whole number in digits, however large.
+Value whole_number(double value) { return {fmt::format("{:.0f}", value), value}; }
+
 Value grid_value(const Vary& vary, std::int64_t i) {
   if (!vary.values.empty()) return vary.values[static_cast<std::size_t>(i)];
-  if (vary.count == 1) return number(vary.from);
-  return number(between(vary, static_cast<double>(i) / static_cast<double>(vary.count - 1)));
+  if (vary.count == 1) return vary.whole ? whole_number(vary.from) : number(vary.from);
+  const double value = between(vary, static_cast<double>(i) / static_cast<double>(vary.count - 1));
+  return vary.whole ? whole_number(std::round(value)) : number(value);
+}
+
+// The place of a share among `count` of the same size.
+std::int64_t place_of(double share, double count) {
+  return static_cast<std::int64_t>(std::min(std::floor(share * count), count - 1.0));
+}
+
+Value drawn_value(const Vary& vary, double share) {
+  if (!vary.values.empty())
+    return vary.values[static_cast<std::size_t>(place_of(share, static_cast<double>(vary.count)))];
+  if (vary.whole)
+    return whole_number(vary.from +
+                        static_cast<double>(place_of(share, vary.to - vary.from + 1.0)));
+  return number(vary.distribution ? quantile(*vary.distribution, share) : between(vary, share));
 }
 
 std::vector<std::string> joined(const std::vector<std::string>& a, std::span<const std::string> b) {
@@ -91,20 +109,39 @@ Sample::Sample(const Study& study) : study_(&study) {
         orders_.emplace_back(static_cast<std::uint64_t>(size_), mixed(study.seed, k, 0));
       }
       break;
+    case SampleKind::kSobol:
+      sobol_.emplace(study.vary.size());
+      [[fallthrough]];
+    case SampleKind::kRandom:
+      size_ = study.runs;
+      break;
   }
 }
 
-Value Sample::cell_value(std::size_t k, std::int64_t index) const {
+std::vector<double> Sample::shares(std::int64_t index) const {
   const auto place = static_cast<std::uint64_t>(index);
-  const auto cell = static_cast<double>(orders_[k].at(place));
-  const double inside = unit(mixed(mixed(study_->seed, k, 1), place, 0));
-  return number(between(study_->vary[k], (cell + inside) / static_cast<double>(size_)));
+  const std::uint64_t seed = study_->seed;
+  std::vector<double> all;
+  const auto coordinates = sobol_ ? sobol_->at(index) : std::vector<std::uint64_t>();
+  for (std::size_t k = 0; k < study_->vary.size(); ++k) {
+    if (study_->kind == SampleKind::kSobol) {
+      all.push_back(unit(coordinates[k] ^ mixed(seed, k, 3)));
+    } else if (study_->kind == SampleKind::kRandom) {
+      all.push_back(unit(mixed(mixed(seed, k, 2), place, 0)));
+    } else {
+      const auto cell = static_cast<double>(orders_[k].at(place));
+      const double inside = unit(mixed(mixed(seed, k, 1), place, 0));
+      all.push_back((cell + inside) / static_cast<double>(size_));
+    }
+  }
+  return all;
 }
 
 std::vector<Value> Sample::at(std::int64_t index) const {
   assert(index >= 0 && index < size_);
   const std::size_t keys = study_->vary.size();
   std::vector<Value> values(keys);
+  const auto drawn = is_drawn(study_->kind) ? shares(index) : std::vector<double>();
   std::int64_t rest = index;
   for (std::size_t k = keys; k-- > 0;) {
     const Vary& vary = study_->vary[k];
@@ -116,9 +153,8 @@ std::vector<Value> Sample::at(std::int64_t index) const {
       case SampleKind::kList:
         values[k] = vary.values[static_cast<std::size_t>(index)];
         break;
-      case SampleKind::kLatinHypercube:
-        values[k] = cell_value(k, index);
-        break;
+      default:
+        values[k] = drawn_value(vary, drawn[k]);
     }
   }
   return values;
@@ -128,7 +164,7 @@ PointScenes::PointScenes(const Study& study, std::span<const std::string> overri
     : study_(&study), sample_(study), variants_(study.scene, joined(study.overrides, overrides)) {
   std::vector<scene::Diagnostic> twice;
   for (const std::string& text : overrides) {
-    const std::string key = text.substr(0, text.find_last_not_of(" \t", text.find('=') - 1) + 1);
+    const std::string key = scene::override_key(text);
     if (!study.varies(key)) continue;
     twice.push_back({scene::kOverrideFile, 0, key, "varies in the study; set another key"});
   }
@@ -136,6 +172,10 @@ PointScenes::PointScenes(const Study& study, std::span<const std::string> overri
 }
 
 scene::Scene PointScenes::at(std::int64_t index) const {
+  return scene_at(index, study_->engine == EngineKind::kMujoco);
+}
+
+scene::Scene PointScenes::scene_at(std::int64_t index, bool with_text) const {
   const std::vector<Value> values = sample_.at(index);
   std::vector<std::string> changes;
   for (std::size_t k = 0; k < values.size(); ++k) {
@@ -143,7 +183,7 @@ scene::Scene PointScenes::at(std::int64_t index) const {
     changes.push_back(vary.key + "=" + values[k].text);
     for (const std::string& key : vary.also) changes.push_back(key + "=" + values[k].text);
   }
-  return variants_.scene(changes, study_->engine == EngineKind::kMujoco);
+  return variants_.scene(changes, with_text);
 }
 
 void PointScenes::check() const {

@@ -3,10 +3,12 @@
 #pragma once
 
 #include <cstdint>
+#include <optional>
 #include <span>
 #include <string>
 #include <vector>
 
+#include "compare/sweep/sobol.h"
 #include "compare/sweep/study_file.h"
 #include "native_model/scene/reader.h"
 
@@ -41,7 +43,12 @@ class Permutation {
 //   latin_hypercube  as drawn: each range is cut into `runs` equal cells (of the logarithm, with
 //                    spacing = "log"); point i lies in cell P_k(i) of key k, P_k a random order, at
 //                    a random place within it
-//   list             as written
+//   list             as written, or as the rows of its file
+//   random           each key by itself, by SplitMix64
+//   sobol            Sobol's sequence from its origin on, each key with the bits of the seed
+//                    turned (a digital shift: what makes the points even stays)
+// Of a drawn point each key has a share in [0, 1), and with it the place in its values, its whole
+// numbers, its distribution or its range.
 class Sample {
  public:
   explicit Sample(const Study& study);
@@ -50,11 +57,12 @@ class Sample {
   std::vector<Value> at(std::int64_t index) const;
 
  private:
-  Value cell_value(std::size_t k, std::int64_t index) const;
+  std::vector<double> shares(std::int64_t index) const;  // of a drawn point
 
   const Study* study_;
   std::int64_t size_ = 0;
   std::vector<Permutation> orders_;  // of a Latin hypercube
+  std::optional<Sobol> sobol_;
 };
 
 // The value `share` in [0, 1] of the way; exactly `from` and `to` at the ends.
@@ -73,12 +81,16 @@ class PointScenes {
 
   // Thread safe. Throws scene::SceneError.
   scene::Scene at(std::int64_t index) const;
+  // With its text, also of a native study: a scene that is kept.
+  scene::Scene whole_at(std::int64_t index) const { return scene_at(index, true); }
 
   // Throws scene::SceneError where the first, the middle and the last point are all refused: a
   // study that nothing can come of.
   void check() const;
 
  private:
+  scene::Scene scene_at(std::int64_t index, bool with_text) const;
+
   const Study* study_;
   Sample sample_;
   scene::Variants variants_;

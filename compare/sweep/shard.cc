@@ -58,7 +58,8 @@ std::pair<std::string, int> output_of(const std::string& command) {
   return {text, WIFEXITED(status) ? WEXITSTATUS(status) : 128};
 }
 
-// "'it'\''s'", "$'two\x0alines'": one word of bash, on one line.
+}  // namespace
+
 std::string shell_word(const std::string& text) {
   const auto control = [](char c) { return static_cast<unsigned char>(c) < 0x20 || c == 0x7f; };
   if (std::none_of(text.begin(), text.end(), control)) {
@@ -77,8 +78,6 @@ std::string shell_word(const std::string& text) {
   }
   return word + "'";
 }
-
-}  // namespace
 
 std::string slurm_script(const SlurmJob& job) {
   std::string command =

@@ -45,6 +45,9 @@ struct SlurmJob {
 
 inline constexpr const char* kSlurmFile = "sweep.sbatch";
 
+// A text as one word of bash, on one line: "'it'\\''s'", "$'two\\x0alines'".
+std::string shell_word(const std::string& text);
+
 // The script: it can be submitted again for some tasks, as by sbatch --array=3 sweep.sbatch.
 std::string slurm_script(const SlurmJob& job);
 

@@ -153,4 +153,14 @@ const scene::Key* scene_key(std::string_view path, std::string& reason) {
   return nullptr;
 }
 
+std::string number_text(double value) { return fmt::format("{}", value); }
+
+bool takes_number(std::string_view path, const scene::Key* key) {
+  using scene::ValueType;
+  if (key == nullptr) return false;
+  const bool element = path.ends_with(']');
+  return key->type == ValueType::kNumber || key->type == ValueType::kPlanes ||
+         (element && (key->type == ValueType::kList || key->type == ValueType::kVector));
+}
+
 }  // namespace rotorub::sweep

@@ -56,4 +56,11 @@ class StudyTable {
 // nothing of a scene (`reason` then says what is accepted).
 const scene::Key* scene_key(std::string_view path, std::string& reason);
 
+// Shortest text that reads back to the same bits.
+std::string number_text(double value);
+
+// Whether one number is a value of the key at the path: of both planes, or of an element of a list
+// too. key: may be null.
+bool takes_number(std::string_view path, const scene::Key* key);
+
 }  // namespace rotorub::sweep

@@ -23,10 +23,14 @@ set(CPACK_DEBIAN_PACKAGE_SUGGESTS "cmake, bash-completion, libmujoco-samples")
 set(CPACK_OUTPUT_FILE_PREFIX "${PROJECT_BINARY_DIR}/package")
 include(CPack)
 
+set(parts rotorub rotorub_mujoco rotorub_fmu rotorub_manual rotorub_native_model rotorub_mjcf rotorub_plugin)
+if(TARGET rotorub_native)
+  list(APPEND parts rotorub_native)
+endif()
 add_custom_target(
   deb
   COMMAND "${CMAKE_CPACK_COMMAND}" -G DEB
-  DEPENDS rotorub rotorub_mujoco rotorub_manual rotorub_native_model rotorub_mjcf rotorub_plugin
+  DEPENDS ${parts}
   WORKING_DIRECTORY "${PROJECT_BINARY_DIR}"
   COMMENT "Packing ${PROJECT_BINARY_DIR}/package/*.deb"
   VERBATIM)

@@ -32,6 +32,8 @@ find_package(CLI11 2.1 REQUIRED)
 find_path(ROTORUB_MUSTACHE_INCLUDE kainjow/mustache.hpp REQUIRED)
 find_package(SQLite3 3.40 REQUIRED)
 pkg_check_modules(fftw3 REQUIRED IMPORTED_TARGET fftw3)
+pkg_check_modules(nlopt REQUIRED IMPORTED_TARGET nlopt_cxx)
+pkg_check_modules(libzip REQUIRED IMPORTED_TARGET libzip)
 
 # tests
 if(ROTORUB_BUILD_TESTS)

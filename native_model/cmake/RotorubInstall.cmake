@@ -29,7 +29,7 @@ configure_package_config_file(
   "${CMAKE_CURRENT_LIST_DIR}/rotorubConfig.cmake.in" "${PROJECT_BINARY_DIR}/rotorubConfig.cmake"
   INSTALL_DESTINATION "${ROTORUB_PACKAGE_DIR}")
 write_basic_package_version_file("${PROJECT_BINARY_DIR}/rotorubConfigVersion.cmake"
-                                 COMPATIBILITY SameMinorVersion)
+                                 COMPATIBILITY SameMajorVersion)
 install(
   FILES "${PROJECT_BINARY_DIR}/rotorubConfig.cmake"
         "${PROJECT_BINARY_DIR}/rotorubConfigVersion.cmake"

@@ -2,8 +2,11 @@
 // (rotorub/controller.h: rotorub_magnetic_controller).
 #pragma once
 
+#include <memory>
 #include <optional>
 #include <span>
+#include <utility>
+#include <vector>
 
 #include "native_model/control/library_law.h"
 
@@ -15,6 +18,9 @@ class MagneticLibrary {
   // libraries are left out it commands nothing. Throws scene::SceneError at
   // magnetic_control.library or magnetic_control.config, as LibraryController.
   MagneticLibrary(const scene::Scene& scene, std::span<const std::size_t> bearings);
+  // In its place currents that others give, A, of each port: those at the sample are asked for.
+  explicit MagneticLibrary(std::shared_ptr<const std::vector<double>> told)
+      : ports_(told->size()), told_(std::move(told)) {}
 
   // Its state is coordinates of the model; an MJCF that is written without opening the library has
   // room for the most.
@@ -29,6 +35,7 @@ class MagneticLibrary {
 
  private:
   std::size_t ports_;
+  std::shared_ptr<const std::vector<double>> told_;
   std::optional<LibraryLaw<rotorub_magnetic_controller>> law_;
 };
 

@@ -35,16 +35,11 @@ EventIntegrator::EventIntegrator(const Model& model, const EventParameters& para
 EventIntegrator::Result EventIntegrator::run(const State& start, double end, Recorder& recorder,
                                              const std::function<void(double)>& progress,
                                              const std::atomic<bool>* interrupt) {
-  end_ = end;
-  begin(start, recorder);
+  begin(start, end, recorder);
   std::int64_t ticks = 0;
-  while (motion_.t < end_ && result_.status == Status::kOk) {
-    const double limit = schedule_.next(motion_.t);
-    advance(limit);
-    if (result_.status != Status::kOk) break;
-    if (motion_.t >= limit && motion_.t < end_) arrive_at_break();  // also one within an impact
-    observer_.arrive(motion_);
-    if ((ticks++ & 0xff) != 0) continue;
+  while (look_ahead()) {
+    pass();
+    if (result_.status != Status::kOk || (ticks++ & 0xff) != 0) continue;
     if (progress) progress(motion_.t / end_);
     if (interrupt && interrupt->load(std::memory_order_relaxed)) {
       fail(Status::kInterrupted, "interrupted");
@@ -57,7 +52,9 @@ EventIntegrator::Result EventIntegrator::run(const State& start, double end, Rec
   return result_;
 }
 
-void EventIntegrator::begin(const State& start, Recorder& recorder) {
+void EventIntegrator::begin(const State& start, double end, Recorder& recorder) {
+  end_ = end;
+  ahead_ = {};
   result_ = {};
   schedule_.begin(start.t, end_);
   motion_.begin(start);
@@ -82,23 +79,37 @@ void EventIntegrator::begin(const State& start, Recorder& recorder) {
   step_.restart(motion_);
 }
 
-// One step, up to `limit` or to the event in it, and what happens there.
-void EventIntegrator::advance(double limit) {
-  if (!step_.advance(motion_, limit)) return fail_step();
+// One step, up to a break or to the event in it.
+bool EventIntegrator::look_ahead() {
+  if (ahead_.known) return true;
+  if (motion_.t >= end_ || result_.status != Status::kOk) return false;
+  ahead_ = {};
+  ahead_.limit = schedule_.next(motion_.t);
+  if (!step_.advance(motion_, ahead_.limit)) {
+    fail_step();
+    return false;
+  }
   ++result_.steps;
   if (const auto why = stiffness_.look(step_.end_time(), end_, step_)) {
-    return fail(Status::kStepTooLarge, *why);
+    fail(Status::kStepTooLarge, *why);
+    return false;
   }
+  ahead_.event = find_event();
+  ahead_.loss = locate_loss(*model_, step_, ahead_.event ? ahead_.event->theta : 1.0);
+  const auto theta = ahead_.theta();
+  ahead_.end = theta ? std::min(step_.end_time(), step_.time(*theta)) : step_.end_time();
+  ahead_.known = true;
+  return true;
+}
 
-  std::optional<Found> event = find_event();
-  if (const auto loss = locate_loss(*model_, step_, event ? event->theta : 1.0)) {
-    return lose(*loss);
-  }
-  const double now =
-      event ? std::min(step_.end_time(), step_.time(event->theta)) : step_.end_time();
-  move_to(now, event ? std::optional(event->theta) : std::nullopt);
-  if (event) {
-    phase_.has_margins(event->contact) ? margin_reached(event->contact) : impact(event->contact);
+// The stretch, and what happens at its end.
+void EventIntegrator::pass() {
+  ahead_.known = false;
+  move_to(ahead_.end, ahead_.theta());
+  if (ahead_.loss) return lose();
+  if (ahead_.event) {
+    const std::size_t contact = ahead_.event->contact;
+    phase_.has_margins(contact) ? margin_reached(contact) : impact(contact);
     step_.restart(motion_);
     count_event();
   } else {
@@ -106,6 +117,10 @@ void EventIntegrator::advance(double limit) {
   }
   step_.meet(motion_);
   observer_.meet_energy(motion_);
+  if (result_.status != Status::kOk) return;
+  if (motion_.t >= ahead_.limit && motion_.t < end_)
+    arrive_at_break();  // also one within an impact
+  observer_.arrive(motion_);
 }
 
 // By the step, or a part of it.
@@ -126,8 +141,7 @@ void EventIntegrator::move_to(double now, std::optional<double> theta) {
 }
 
 // Rotor or ring leaves its range.
-void EventIntegrator::lose(double theta) {
-  move_to(std::min(step_.end_time(), step_.time(theta)), theta);
+void EventIntegrator::lose() {
   const auto reason = out_of_range(*model_, motion_.q());
   fail(Status::kOutOfRange, reason.value_or("rotor or ring left its range"));
   step_.meet(motion_);

@@ -9,6 +9,7 @@
 
 #include <atomic>
 #include <functional>
+#include <memory>
 #include <optional>
 #include <string>
 #include <vector>
@@ -39,23 +40,57 @@ class EventIntegrator {
              const std::function<void(double)>& progress = {},
              const std::atomic<bool>* interrupt = nullptr);
 
+  // The same a stretch at a time (run/stepwise_run.h): what is passed in whole is what run() does,
+  // to the bit. A stretch is known before it is passed: a step, up to the event in it.
+  void begin(const State& start, double end, Recorder& recorder);
+  // Knows the stretch that comes; false: there is none, at the end or for what status() says.
+  bool look_ahead();
+  double now() const { return motion_.t; }           // s
+  double stretch_end() const { return ahead_.end; }  // s
+  bool ends_in_event() const { return ahead_.event.has_value(); }
+  // At a time within the stretch, before the event at its end; now. Valid until the next call.
+  Snapshot within(double t);
+  Snapshot here();
+  // N s, normal, of a contact up to one of these, with its impacts.
+  double normal_impulse(const Snapshot& at, std::size_t contact) const {
+    return observer_.normal_impulse(at, contact);
+  }
+  void pass();
+  // Only up to t (s), where `jump` changes loads or held commands.
+  void cut(double t, const std::function<void()>& jump);
+  // The end lies later, s; now it is a break like any other.
+  void put_off_end(double end);
+  const Result& result() const { return result_; }
+
+  // All that moves but the recorder, for this integrator alone.
+  struct Moving;
+  std::shared_ptr<const Moving> save() const;
+  void restore(const Moving& saved);
+
  private:
-  void begin(const State& start, Recorder& recorder);
   void begin_on_circles();
   void begin_in_walls();
-  void advance(double limit);
   void arrive_at_break();
   void book_switches();
   void sample_controllers();
   void controller_failed(const std::string& why);
   void move_to(double now, std::optional<double> theta);
-  void lose(double theta);
+  void lose();
 
   // Contact. What is said of a list of contacts is what is known of their velocities.
   using Closed = ContactList<Constraint::Closed>;
   struct Found {
     double theta;  // within the step
     std::size_t contact;
+  };
+  struct Ahead {
+    bool known = false;
+    double limit = 0.0, end = 0.0;  // s, of the step, of the stretch
+    std::optional<Found> event{};
+    std::optional<double> loss{};  // within the step: rotor or ring leaves its range
+    std::optional<double> theta() const {
+      return loss ? loss : event ? std::optional(event->theta) : std::nullopt;
+    }
   };
   std::optional<Found> find_event();
   Closed on_circles() const;
@@ -89,6 +124,7 @@ class EventIntegrator {
   Observer observer_;
   EventImpact impacts_;
 
+  Ahead ahead_;
   Result result_;
   std::vector<SampledCommand> sampled_;  // of each auxiliary bearing
   double end_ = 0.0;                     // s

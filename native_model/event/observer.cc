@@ -51,6 +51,29 @@ Snapshot Observer::snapshot(double t, const double* y) {
   return {snapshot_of(0, t, y), t, y, y + model_->nq(), others_};
 }
 
+// Rigid contacts that press: they are on their circles.
+ContactList<Constraint::Closed> Observer::held() const {
+  ContactList<Constraint::Closed> all;
+  for (std::size_t k = 0; k < phase_->contacts(); ++k) {
+    if (phase_->in_contact(k) && !model_->auxiliary[k].gives())
+      all.push_back({k, Constraint::Velocity::kKept});
+  }
+  return all;
+}
+
+Snapshot Observer::within(const Motion& from, SmoothStep& step, Constraint& constraint, double t) {
+  step.dense((t - from.t) / step.length(), row_.data());
+  const auto closed = held();
+  if (!closed.empty()) constraint.to_circles(t, row_.data(), from.v(), closed);
+  return snapshot(t, row_.data());
+}
+
+// The integrals follow the velocities.
+double Observer::normal_impulse(const Snapshot& at, std::size_t contact) const {
+  return at.q[2 * model_->nq() + integral_index(kNormalImpulse, contact)] +
+         of_contacts_[contact].impulse_total;
+}
+
 double Observer::normal_impulse(const Motion& motion) const {
   double sum = motion.integral(kNormalImpulse);
   for (std::size_t k = 1; k < of_contacts_.size(); ++k) sum += motion.integral(kNormalImpulse, k);
@@ -100,8 +123,7 @@ void Observer::bins_until(double now, bool flies, F&& impulses_at) {
 
 void Observer::watch(const Motion& from, SmoothStep& step, Constraint& constraint, double now) {
   const auto theta = [&](double t) { return (t - from.t) / step.length(); };
-  ContactList<Constraint::Closed> held;  // on their circles
-  ContactList<int> pressing;             // where their impulses are in y
+  ContactList<int> pressing;  // where their impulses are in y
   for (std::size_t k = 0; k < phase_->contacts(); ++k) {
     const ContactStatistics& own = of_contacts_[k];
     if (phase_->in_contact(k) || own.contact_time > 0.0 || own.impulse_total > 0.0) {
@@ -110,17 +132,11 @@ void Observer::watch(const Motion& from, SmoothStep& step, Constraint& constrain
     if (!phase_->in_contact(k)) continue;
     pressing.push_back(from.index(kNormalImpulse, k));
     of_contacts_[k].contact_time += now - from.t;
-    if (model_->auxiliary[k].gives()) {
-      watch_press(k, step, std::min(1.0, theta(now)));
-    } else {
-      held.push_back({k, Constraint::Velocity::kKept});
-    }
+    if (model_->auxiliary[k].gives()) watch_press(k, step, std::min(1.0, theta(now)));
   }
-  for (double t = recorder_->next_time(); t < now; t = recorder_->next_time()) {
-    step.dense(theta(t), row_.data());
-    if (!held.empty()) constraint.to_circles(t, row_.data(), from.v(), held);
-    recorder_->row(snapshot(t, row_.data()));
-  }
+  for (double t = recorder_->next_time(); t < now; t = recorder_->next_time())
+    recorder_->row(within(from, step, constraint, t));
+  follow_mark(from, step, constraint, now);
   bins_until(now, pressing.empty(), [&](std::span<const double> times, double* impulses) {
     std::fill_n(impulses, times.size(), normal_impulse(from));
     for (const int i : pressing) step.add_increments(i, times, impulses);
@@ -144,6 +160,26 @@ void Observer::follow(std::size_t k, const Motion& from, SmoothStep& step, doubl
   FullPasses& passes = of_contacts_[k].passes;
   passes.follow(start, from.t);
   passes.follow(middle(), from.t + 0.5 * last * step.length());
+}
+
+// Of a prescribed spin without the dense output, until there is a mark.
+void Observer::follow_mark(const Motion& from, SmoothStep& step, Constraint& constraint,
+                           double now) {
+  const Model& m = *model_;
+  const double last = std::min(1.0, (now - from.t) / step.length());
+  const double* end = last < 1.0 && m.layout.spin ? step.at(last) : step.end();
+  Keyphasor& keyphasor = recorder_->keyphasor();
+  keyphasor.follow(spin_angle(m, now, end), [&](double mark) {
+    const auto time = [&](double share) { return from.t + share * (now - from.t); };
+    const auto angle = [&](double share) {
+      step.dense(share * last, row_.data());
+      return spin_angle(m, time(share), row_.data());
+    };
+    const auto rate = [&](double) { return (now - from.t) * spin_speed(m, row_.data() + m.nq()); };
+    const double t = time(share_at(mark, angle, rate));
+    const Snapshot then = within(from, step, constraint, t);
+    return keyphasor_pass(m, t, then.q, then.v);
+  });
 }
 
 void Observer::watch_press(std::size_t k, SmoothStep& step, double last) {
@@ -199,19 +235,34 @@ void Observer::watch(const Motion& from, const FiniteImpact& impact, std::size_t
   const double duration = impact.duration(phase);
   const double *v0 = impact.from(phase), *v1 = impact.to(phase);
   const Eigen::Vector2d force = impact.phase_force(phase);
-  // At its end the next phase begins, unless the run ends within.
-  const bool cut = now < from.t + duration;
-  for (double t = recorder_->next_time(); cut ? t <= now : t < now; t = recorder_->next_time()) {
-    const double passed = t - from.t, share = passed / duration;
+  const auto state_at = [&](double passed) {
+    const double share = passed / duration;
     for (int i = 0; i < from.nq; ++i) {
       row_[static_cast<std::size_t>(i)] = from.q()[i] + passed * v1[i];
       row_[static_cast<std::size_t>(from.nq + i)] = v0[i] + share * (v1[i] - v0[i]);
     }
+  };
+  // At its end the next phase begins, unless the run ends within.
+  const bool cut = now < from.t + duration;
+  for (double t = recorder_->next_time(); cut ? t <= now : t < now; t = recorder_->next_time()) {
+    state_at(t - from.t);
     Snapshot s = snapshot(t, row_.data());
     s.normal_force = force.x();
     s.friction_force = force.y();
     recorder_->row(s);
   }
+  const auto angle = [&](double share) {
+    const double passed = share * (now - from.t);
+    state_at(passed);
+    return spin_angle(*model_, from.t + passed, row_.data());
+  };
+  const double start = angle(0.0), end = angle(1.0);
+  recorder_->keyphasor().follow(end, [&](double mark) {
+    const double share = (mark - start) / (end - start);
+    angle(share);
+    return keyphasor_pass(*model_, std::lerp(from.t, now, share), row_.data(),
+                          row_.data() + from.nq);
+  });
   bins_until(now, false, [&](std::span<const double> times, double* impulses) {
     for (const double t : times)
       *impulses++ = from.integral(kNormalImpulse) + force.x() * (t - from.t);

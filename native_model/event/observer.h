@@ -24,6 +24,11 @@ class Observer {
   void watch(const Motion& from, const FiniteImpact& impact, std::size_t phase, double now);
   // Where it has arrived.
   void arrive(const Motion& motion);
+  // What is known at a time within a step, and where it has arrived. Valid until the next call.
+  Snapshot within(const Motion& from, SmoothStep& step, Constraint& constraint, double t);
+  Snapshot snapshot(double t, const double* y);
+  // N s, normal, of a contact up to one of these, with its impacts.
+  double normal_impulse(const Snapshot& at, std::size_t contact) const;
   // A contact that gives begins to press, and no longer does: an impact is all that it does
   // between.
   void press(const Motion& motion, const ClosedContact& at);
@@ -42,12 +47,13 @@ class Observer {
   void finish(const Motion& end);
 
  private:
-  Snapshot snapshot(double t, const double* y);
+  ContactList<Constraint::Closed> held() const;
   ContactSnapshot snapshot_of(std::size_t contact, double t, const double* y) const;
   double normal_impulse(const Motion& motion) const;  // N s, of lasting contact, of all
   double contact_work(const Motion& motion) const;    // J, on the coordinates, of the same
   double held_speed(std::size_t contact) const;       // m/s, of a surface whose speed is prescribed
   void follow(std::size_t contact, const Motion& from, SmoothStep& step, double last);
+  void follow_mark(const Motion& from, SmoothStep& step, Constraint& constraint, double now);
   void watch_press(std::size_t contact, SmoothStep& step, double last);
   template <class F>
   void bins_until(double now, bool flies, F&& impulses_at);

@@ -7,7 +7,7 @@
 
 namespace rotorub {
 
-void Schedule::begin(double start, double end) {
+void Schedule::find_breaks(double start, double end) {
   const Model& m = *model_;
   breaks_ = {end};
   const auto add = [&](double t) {
@@ -37,6 +37,11 @@ void Schedule::begin(double start, double end) {
   }
   std::sort(breaks_.begin(), breaks_.end());
   breaks_.erase(std::unique(breaks_.begin(), breaks_.end()), breaks_.end());
+}
+
+void Schedule::begin(double start, double end) {
+  const Model& m = *model_;
+  find_breaks(start, end);
   next_feedback_.clear();
   for (const SampledFeedback& s : m.samplers) {
     next_feedback_.push_back(std::ceil(start / s.sample_time - 1e-9));

@@ -14,6 +14,8 @@ class Schedule {
   explicit Schedule(const Model& model) : model_(&model) {}
 
   void begin(double start, double end);  // s
+  // Of a run that goes on beyond its end: samples are taken as they were to be.
+  void find_breaks(double start, double end);
   // The first instant after t.
   double next(double t) const;
   // Once at each t reached: is the controller of this auxiliary bearing to be sampled now?

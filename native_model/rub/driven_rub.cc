@@ -124,7 +124,7 @@ int free_angles(const DriveTrain& train, const RubSystem& s, const SteadyRub& ru
 }  // namespace
 
 DriveTrain drive_train(const scene::Scene& scene) {
-  const Model m = make_model(scene);
+  const Model m = model_without_start(scene);
   if (m.drive_follows()) {
     throw scene::SceneError(
         scene::placed(scene, {{"", 0, "drive.kind",

@@ -10,6 +10,7 @@
 #include "native_model/scene/diagnostic.h"
 #include "native_model/scene/record.h"
 #include "native_model/scene/text.h"
+#include "native_model/system/free_motion.h"
 #include "native_model/system/model.h"
 #include "native_model/system/model_checks.h"
 
@@ -159,9 +160,15 @@ void add_loads(const Model& model, RubSystem& system) {
 
 }  // namespace
 
+Model model_without_start(const scene::Scene& scene) {
+  scene::Scene middle = without_start(scene);
+  middle.initial.spin_angle = scene.initial.spin_angle;
+  return make_model(middle);
+}
+
 RubSystem rub_system(const scene::Scene& scene) {
   check(scene);
-  const Model model = make_model(scene);
+  const Model model = model_without_start(scene);
   if (!same_planes(model)) {
     refuse(scene, scene.rotor.modal ? "rotor.modal" : "rotor.bearing",
            "both planes must be alike; these bearings or modes differ");

@@ -21,6 +21,7 @@
 #include <vector>
 
 #include "native_model/scene/scene.h"
+#include "native_model/system/model.h"
 
 namespace rotorub::rub {
 
@@ -54,6 +55,10 @@ struct RubSystem {
   Eigen::VectorXcd unbalance;        // kg m, n: load unbalance Omega^2 at frequency Omega
   Eigen::Index modes() const { return mass.size(); }
 };
+
+// In the middle of the ring, whatever start the scene gives but the spin's angle, which the loads
+// turn from. Throws scene::SceneError as make_model does.
+Model model_without_start(const scene::Scene& scene);
 
 // Throws scene::SceneError as make_model does, and where no whirl can be steady or the equations
 // above do not hold: no contact, a ring that turns, planes that differ, constant loads, a

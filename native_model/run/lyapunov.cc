@@ -1,6 +1,7 @@
 #include "native_model/run/lyapunov.h"
 
 #include <Eigen/Core>
+#include <algorithm>
 #include <cmath>
 #include <numbers>
 #include <vector>
@@ -107,7 +108,23 @@ Lyapunov largest_lyapunov(const scene::Scene& start, const LyapunovParameters& p
       line /= distance;
       one = std::move(*next);
     }
-    return {sum / (p.stretches * p.stretch), {}};
+    return {sum / (p.stretches * p.stretch), {}, p.stretch};
+  } catch (const scene::SceneError& error) {
+    return {std::nullopt, error.diagnostics().front().reason};
+  }
+}
+
+Lyapunov lyapunov_after(const scene::Scene& scene, const Trajectory& run, LyapunovParameters p) {
+  if (run.status != Status::kOk) return {std::nullopt, "the run does not end well"};
+  if (scene.rotor.speed == 0.0) return {std::nullopt, "a rotor at rest has no turns"};
+  const std::string why = not_continued(scene);
+  if (!why.empty()) return {std::nullopt, why};
+  const double turn = 2.0 * std::numbers::pi / std::abs(scene.rotor.speed);
+  const double step = scene.run.step;
+  const bool event = p.integrator.value_or(scene.run.integrator) == scene::Integrator::kEvent;
+  p.stretch = event ? turn : step * std::max(1.0, std::round(turn / step));
+  try {
+    return largest_lyapunov(continued(scene, scene, run), p);
   } catch (const scene::SceneError& error) {
     return {std::nullopt, error.diagnostics().front().reason};
   }

@@ -13,6 +13,7 @@
 #include <string>
 
 #include "native_model/scene/scene.h"
+#include "native_model/trajectory/trajectory.h"
 
 namespace rotorub {
 
@@ -28,9 +29,15 @@ struct LyapunovParameters {
 struct Lyapunov {
   std::optional<double> exponent;  // 1/s
   std::string refused;             // why there is none, without a full stop
+  double stretch = 0.0;            // s, that was taken
 };
 
 // From the scene's start on: of an attractor, a start on it.
 Lyapunov largest_lyapunov(const scene::Scene& scene, const LyapunovParameters& parameters);
+
+// Of what a run has come to: from where `run`, of the scene, ended. A stretch is a turn, of a fixed
+// step the whole steps nearest to it; parameters.stretch is not read.
+Lyapunov lyapunov_after(const scene::Scene& scene, const Trajectory& run,
+                        LyapunovParameters parameters = {});
 
 }  // namespace rotorub

@@ -240,6 +240,10 @@ std::string apply_to_each(TomlNode& root, std::vector<Step> steps, std::string_v
 
 }  // namespace
 
+std::string override_key(const std::string& text) {
+  return text.substr(0, text.find_last_not_of(" \t", text.find('=') - 1) + 1);
+}
+
 void apply_overrides(TomlNode& root, std::span<const std::string> overrides,
                      std::vector<Diagnostic>& diagnostics) {
   for (const std::string& override_text : overrides) {

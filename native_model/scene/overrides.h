@@ -18,6 +18,9 @@ namespace rotorub::scene {
 
 inline constexpr const char* kOverrideFile = "--set";  // stands for the file in diagnostics
 
+// "contact.friction" of "contact.friction = 0.2".
+std::string override_key(const std::string& text);
+
 // Applies them to the tree, in order. What cannot be applied goes to `diagnostics`; whether the key
 // exists and the value fits is found out by the reader.
 void apply_overrides(TomlNode& root, std::span<const std::string> overrides,

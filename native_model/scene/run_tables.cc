@@ -44,6 +44,11 @@ Table initial() {
       {key<&Scene::initial, &Initial::steady>("steady", kPure, "", kStandard,
                                               "on the steady free orbit; not beside x, y, vx, vy, "
                                               "stator and stator_velocity (A steady start)"),
+       word<&Scene::initial, &Initial::rub>(
+           "rub", {"none", "synchronous", "whip", "rolling"}, kStandard,
+           "on that lasting rub of `rotorub modes`: in step with its load, against the spin "
+           "slipping, against it without slip; beside what steady shuts out, or steady, `none` "
+           "alone (A start on a rub)"),
        key<&Scene::initial, &Initial::x>("x", kLength, "", "0", modal),
        key<&Scene::initial, &Initial::y>("y", kLength, "", "0", modal),
        key<&Scene::initial, &Initial::vx>("vx", kVelocity, "", "0", modal),
@@ -121,13 +126,24 @@ void check_initial_lists(const Checker& check) {
   torsion_list("initial.torsion_speed", initial.torsion_speed);
 }
 
-// All of the start that bends or moves the ring is given by `steady`.
-void check_steady(const Checker& check) {
-  if (!check.scene.initial.steady) return;
+// All of the start that bends or moves the ring is given by `steady`, or by `rub`.
+void check_given_start(const Checker& check) {
+  const Initial& initial = check.scene.initial;
+  const bool rubs = initial.rub != StartingRub::kNone;
+  if (!initial.steady && !rubs) return;
+  const std::string by = rubs ? "initial.rub" : "initial.steady";
   for (const char* key : {"initial.x", "initial.y", "initial.vx", "initial.vy", "initial.stator",
                           "initial.stator_velocity"}) {
     if (!check.given(key)) continue;
-    check.fail(key, "not beside initial.steady, which gives it; accepted: one of the two");
+    check.fail(key, "not beside " + by + ", which gives it; accepted: one of the two");
+  }
+  for (const char* key : {"stator.position", "stator.velocity"}) {
+    if (rubs && check.given(key))
+      check.fail(key, "not beside initial.rub, which gives it; accepted: one of the two");
+  }
+  if (initial.steady && rubs) {
+    check.fail("initial.steady",
+               "the free orbit is no rub; not beside initial.rub; accepted: one of the two");
   }
 }
 
@@ -249,7 +265,7 @@ void check_gap_at_start(const Checker& check) {
 
 void check_start(const Checker& check) {
   check_initial_lists(check);
-  check_steady(check);
+  check_given_start(check);
   check_mujoco(check);
 }
 

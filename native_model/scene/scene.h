@@ -213,10 +213,14 @@ struct Base {
   double ramp = 0.0;                                   // s, >= 0
 };
 
+// The lasting rub that a run starts on (rub/rub_start.h).
+enum class StartingRub { kNone, kSynchronous, kWhip, kRolling };
+
 // Missing lists mean 0. Modal coordinates at t = 0. steady: on the steady free orbit
-// (system/steady_orbit.h); the lists then are added to it.
+// (system/steady_orbit.h); the lists then are added to it, or to the rub.
 struct Initial {
   bool steady = false;
+  StartingRub rub = StartingRub::kNone;
   std::vector<double> x, y, vx, vy;            // m, m/s
   double spin_angle = 0.0;                     // rad
   std::vector<double> torsion, torsion_speed;  // rad, rad/s

@@ -270,10 +270,10 @@ Key planes(std::string_view name, const Quantity& quantity, std::string_view ran
 }
 
 // One of `words`, which stand in the order of the member's enum.
-template <auto Member>
+template <auto... Member>
 Key word(std::string_view name, std::vector<std::string_view> words, std::string_view fallback,
          std::string_view meaning, std::vector<std::string_view> kinds = {}) {
-  Key result = key<Member>(name, kPure, {}, fallback, meaning, std::move(kinds));
+  Key result = key<Member...>(name, kPure, {}, fallback, meaning, std::move(kinds));
   result.words = std::move(words);
   result.standard = "`" + std::string(result.words[std::stoul(result.standard)]) + "`";
   if (fallback == kStandard) result.fallback = result.standard;

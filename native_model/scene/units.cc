@@ -46,6 +46,7 @@ constexpr auto kUnits = std::to_array<NamedUnit>({
     {"nm", {1.0, 1e9, kLengthDimension}},
     {"in", {254.0, 1e4, kLengthDimension}},
     {"mil", {254.0, 1e7, kLengthDimension}},
+    {"mils", {254.0, 1e7, kLengthDimension}},
     {"ft", {3048.0, 1e4, kLengthDimension}},
     {"s", {1.0, 1.0, kTimeDimension}},
     {"ms", {1.0, 1e3, kTimeDimension}},

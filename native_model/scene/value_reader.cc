@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numbers>
 #include <string>
 
 #include "native_model/scene/table_reader.h"
@@ -20,6 +21,13 @@ std::string got(const TomlNode& node) {
   if (node.kind == Kind::kInteger) return ", got " + std::to_string(node.integer);
   if (node.kind == Kind::kFloat) return ", got " + number_text(node.number);
   return ", got " + std::string(kind_name(node.kind));
+}
+
+// Turns per minute as a name plate has them, and of no machine in rad/s but by chance.
+bool reads_as_rpm(double speed) {
+  const double size = std::abs(speed);
+  return size >= 1000.0 && size <= 60000.0 &&
+         (std::fmod(size, 60.0) == 0.0 || std::fmod(size, 100.0) == 0.0);
 }
 
 // The value of one key. Each reader is false, with the reason kept, for what cannot be used.
@@ -80,10 +88,24 @@ struct ValueReader {
     if (!std::isfinite(number)) return fail(node, path, "not finite: " + expected + got(node));
     if (!key.range.contains(number))
       return fail(node, path, "out of range: " + expected + got(node));
+    note_speed(node, path, number);
     if (std::abs(number) <= kLargestNumber) return true;
     return fail(
         node, path,
         "too large: " + expected + ", of a size up to " + number_text(kLargestNumber) + got(node));
+  }
+
+  // Accepted, but a speed without a unit may be another than was meant.
+  void note_speed(const TomlNode& node, const std::string& path, double number) const {
+    const bool turns = key.quantity.name == kSpin.name && key.name.ends_with("speed");
+    if (!turns || key.type != ValueType::kNumber || node.kind == Kind::kString) return;
+    if (!reads_as_rpm(number)) return;
+    const std::string plain = number_text(number);
+    notes.push_back(path + " = " + plain + " without a unit is in rad/s, " +
+                    number_text(number * 30.0 / std::numbers::pi, 5) +
+                    " rpm; for turns per minute "
+                    "write \"" +
+                    plain + " rpm\"");
   }
 
   bool read_whole(const TomlNode& node, const std::string& path, Value& value) const {

@@ -7,6 +7,7 @@
 
 #include "native_model/dynamics/dynamics.h"
 #include "native_model/dynamics/equations.h"
+#include "native_model/rub/rub_start.h"
 #include "native_model/scene/record.h"
 #include "native_model/system/magnetic_bearings.h"
 #include "native_model/system/model_checks.h"
@@ -265,6 +266,7 @@ Model make_model(const scene::Scene& scene) {
   for (std::size_t k = 0; k < scene.auxiliary.size(); ++k) check_initial_ring(scene, k);
   fill_initial(scene, model);
   if (scene.initial.steady) add_steady_orbit(scene, model);
+  if (scene.initial.rub != scene::StartingRub::kNone) rub::add_rub_start(scene, model);
   for (std::size_t k = 0; k < scene.auxiliary.size(); ++k) check_initial_gap(scene, model, k);
   if (model.drive) model.drive_angle = equations::at_motor(model, model.q0.data());
   for (std::size_t k = 0; k < scene.auxiliary.size(); ++k) fill_control(scene, k, model);

@@ -193,8 +193,10 @@ void add_steady_orbit(const scene::Scene& scene, Model& m) {
         m.auxiliary.size() > 1 ? scene::list_element("contact", k) : std::string("contact");
     refuse_steady(
         scene, "the steady free orbit touches: it comes to " + scene::number_text(largest) +
-                   " m from the middle of the ring; accepted: less than " + key + ".clearance = " +
-                   scene::number_text(clearance) + " m, or false and a start of your own");
+                   " m from the middle of the ring; accepted: less than " + key +
+                   ".clearance = " + scene::number_text(clearance) +
+                   " m, a start on the rub in its place (initial.rub = \"synchronous\"), or false "
+                   "and a start of your own");
   }
 }
 

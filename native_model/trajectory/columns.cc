@@ -99,6 +99,13 @@ const ColumnMeaning kEvents[] = {
     {kContactColumn, "", "number of the contact, from 1", "several contacts"},
 };
 
+const ColumnMeaning kKeyphasor[] = {
+    {"t", "s", "time at which the mark on the shaft passes: spin_angle is a multiple of 2 pi", ""},
+    {"rotor_x", "m", "as in the series, at the first contact", ""},
+    {"rotor_y", "m", "the same", ""},
+    {"spin_speed", "rad/s", "as in the series; negative: the mark comes from the other side", ""},
+};
+
 constexpr std::string_view kNumber = "<n>", kName = "<name>";
 
 // "torsion_speed_2" is torsion_speed_<n>.
@@ -225,6 +232,8 @@ std::span<const ColumnMeaning> impact_columns(bool several) {
 std::span<const ColumnMeaning> event_columns(bool several) {
   return std::span(kEvents).first(std::size(kEvents) - (several ? 0 : 1));
 }
+
+std::span<const ColumnMeaning> keyphasor_columns() { return kKeyphasor; }
 
 std::string column_of_contact(std::size_t contact, std::string_view name) {
   if (contact == 0) return std::string(name);

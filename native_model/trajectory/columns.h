@@ -26,6 +26,7 @@ std::span<const ColumnMeaning> series_columns();  // in the order of the file
 // Where there are several contacts the last tells which.
 std::span<const ColumnMeaning> impact_columns(bool several = true);
 std::span<const ColumnMeaning> event_columns(bool several = true);
+std::span<const ColumnMeaning> keyphasor_columns();
 
 // The column of one of several contacts, from 0: that of the first as it is, "gap" of the second
 // "contact2_gap".

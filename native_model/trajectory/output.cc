@@ -102,6 +102,15 @@ void write_events(const Trajectory& trajectory, const std::filesystem::path& fil
   write_whole(file, text);
 }
 
+void write_keyphasor(const Trajectory& trajectory, const std::filesystem::path& file) {
+  std::string text = header(keyphasor_columns());
+  for (const KeyphasorPass& pass : trajectory.keyphasor) {
+    append_row(text, {pass.t, pass.x, pass.y, pass.spin_speed});
+    text += '\n';
+  }
+  write_whole(file, text);
+}
+
 void write_whole(const std::filesystem::path& file, const std::string& text) {
   std::error_code none;
   // What a link leads to is written, not put in the place of the link; nor is a device or a pipe,

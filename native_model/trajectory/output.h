@@ -1,5 +1,5 @@
-// The files of a run (contract: series.csv, impacts.csv, events.csv, summary.json), 17 significant
-// digits, each written aside and renamed.
+// The files of a run (contract: series.csv, impacts.csv, events.csv, summary.json; keyphasor.csv),
+// 17 significant digits, each written aside and renamed.
 #pragma once
 
 #include <filesystem>
@@ -13,6 +13,7 @@ namespace rotorub {
 void write_series(const Trajectory& trajectory, const std::filesystem::path& file);
 void write_impacts(const Trajectory& trajectory, const std::filesystem::path& file);
 void write_events(const Trajectory& trajectory, const std::filesystem::path& file);
+void write_keyphasor(const Trajectory& trajectory, const std::filesystem::path& file);
 // A file cannot be made where it was asked for: there is no such folder, or it may not be written
 // to.
 class UnwritablePlace : public std::runtime_error {

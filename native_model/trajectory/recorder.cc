@@ -32,6 +32,11 @@ std::vector<double> output_times(const scene::Run& run) {
   return times;
 }
 
+KeyphasorPass keyphasor_pass(const Model& model, double t, const double* q, const double* v) {
+  const Eigen::Vector2d at = rotor_point(model, q);
+  return {t, at.x(), at.y(), spin_speed(model, v)};
+}
+
 Recorder::Recorder(const Model& model, std::vector<double> times, double window)
     : model_(&model),
       times_(std::move(times)),
@@ -76,6 +81,7 @@ void Recorder::begin(const Snapshot& start) {
   keep(start, point);
   if (model_->first().contact) statistics_.least_gap = point.gap;
   last_slip_ = point.slip;
+  keyphasor_.begin(spin_angle(*model_, start.t, start.q));
   look_at_energy();
   statistics_.energy_start = statistics_.energy_end;
   while (next_time() <= start.t) row(start);
@@ -140,6 +146,7 @@ void Recorder::advance(const Snapshot& now, const ContactPoint& point, bool impa
   const double h = now.t - last_t_;
   const std::size_t row = next_;
   rows_until(now, impact);
+  passes_until(now, impact);
   statistics_.external_work += switching_work(*model_, last_t_, now.t, now.q, now.v);
   if (model_->first().contact) count_gap(point, h);
   keep(now, point);
@@ -153,6 +160,7 @@ void Recorder::step(const Snapshot& now, double normal_impulse, double friction_
   const double h = now.t - last_t_;
   const ContactPoint point = contact_point(*model_, now.q, now.v);
   rows_until(now, impact != nullptr);
+  passes_until(now, impact != nullptr);
 
   Statistics& s = statistics_;
   if (normal_impulse > 0.0) {
@@ -171,6 +179,33 @@ void Recorder::step(const Snapshot& now, double normal_impulse, double friction_
   last_slip_ = point.slip;
 }
 
+// The state at a share of the step, an impact's linear.
+void Recorder::interpolate(const Snapshot& now, double s, bool impact) {
+  const double h = now.t - last_t_, s2 = s * s, s3 = s2 * s;
+  for (std::size_t i = 0; i < q_.size(); ++i) {
+    const double q0 = last_q_[i], q1 = now.q[i], v0 = last_v_[i], v1 = now.v[i];
+    q_[i] = impact ? q0 + s * (q1 - q0)
+                   : (2 * s3 - 3 * s2 + 1) * q0 + (s3 - 2 * s2 + s) * h * v0 +
+                         (3 * s2 - 2 * s3) * q1 + (s3 - s2) * h * v1;
+    v_[i] = v0 + s * (v1 - v0);
+  }
+}
+
+void Recorder::passes_until(const Snapshot& now, bool impact) {
+  const double end = spin_angle(*model_, now.t, now.q), h = now.t - last_t_;
+  keyphasor_.follow(end, [&](double mark) {
+    const auto time = [&](double s) { return last_t_ + s * h; };
+    const auto angle = [&](double s) {
+      interpolate(now, s, impact);
+      return spin_angle(*model_, time(s), q_.data());
+    };
+    const auto rate = [&](double) { return h * spin_speed(*model_, v_.data()); };
+    const double s = share_at(mark, angle, rate);
+    interpolate(now, s, impact);
+    return keyphasor_pass(*model_, time(s), q_.data(), v_.data());
+  });
+}
+
 // Rows in (last, now]: at the step's own time its state to the bit, else interpolated.
 void Recorder::rows_until(const Snapshot& now, bool impact) {
   const double h = now.t - last_t_;
@@ -183,14 +218,7 @@ void Recorder::rows_until(const Snapshot& now, bool impact) {
       row(exact);
       continue;
     }
-    const double s2 = s * s, s3 = s2 * s;
-    for (std::size_t i = 0; i < q_.size(); ++i) {
-      const double q0 = last_q_[i], q1 = now.q[i], v0 = last_v_[i], v1 = now.v[i];
-      q_[i] = impact ? q0 + s * (q1 - q0)
-                     : (2 * s3 - 3 * s2 + 1) * q0 + (s3 - 2 * s2 + s) * h * v0 +
-                           (3 * s2 - 2 * s3) * q1 + (s3 - s2) * h * v1;
-      v_[i] = v0 + s * (v1 - v0);
-    }
+    interpolate(now, s, impact);
     Snapshot between = now;
     between.t = t;
     between.q = q_.data();
@@ -242,6 +270,7 @@ Trajectory Recorder::finish(double end) {
   std::ranges::stable_sort(events_, {}, &Event::t);
   t.impacts = std::move(impacts_);
   t.events = std::move(events_);
+  t.keyphasor = keyphasor_.take();
   t.statistics = statistics_;
   return t;
 }

@@ -12,6 +12,7 @@
 
 #include "native_model/contact/kinematics.h"
 #include "native_model/trajectory/columns.h"
+#include "native_model/trajectory/keyphasor.h"
 #include "native_model/trajectory/trajectory.h"
 
 namespace rotorub {
@@ -67,6 +68,9 @@ class ImpulseWindow {
 // without doubles: output_times and the end stand for a multiple within 1e-9 of the spacing.
 std::vector<double> output_times(const scene::Run& run);
 
+// What there is to tell of a state in which the mark passes.
+KeyphasorPass keyphasor_pass(const Model& model, double t, const double* q, const double* v);
+
 // What a step of an engine that knows its own works did.
 struct StepFigures {
   double h = 0.0;               // s, what the impulses are for
@@ -120,6 +124,7 @@ class Recorder {
   double next_time() const;
   void row(const Snapshot& exact);
   Statistics& statistics() { return statistics_; }
+  Keyphasor& keyphasor() { return keyphasor_; }
   // Of an engine that counts the contact itself: its impulse about the time t.
   void watch_impulse(double t, double impulse) { window_.add(t, impulse); }
   double window() const { return window_.width(); }
@@ -135,6 +140,8 @@ class Recorder {
                      bool impact);
   void count_gap(const ContactPoint& point, double h);
   void rows_until(const Snapshot& now, bool impact);
+  void interpolate(const Snapshot& now, double share, bool impact);  // to q_, v_
+  void passes_until(const Snapshot& now, bool impact);
 
   const Model* model_;
   std::vector<double> times_;
@@ -154,6 +161,7 @@ class Recorder {
   std::vector<Event> events_;
   Statistics statistics_;
   ImpulseWindow window_;
+  Keyphasor keyphasor_;
 };
 
 }  // namespace rotorub

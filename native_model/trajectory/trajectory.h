@@ -13,6 +13,7 @@
 #include "native_model/numerics/status.h"
 #include "native_model/system/model.h"
 #include "native_model/trajectory/full_passes.h"
+#include "native_model/trajectory/keyphasor.h"
 
 namespace rotorub {
 
@@ -97,6 +98,7 @@ struct Trajectory {
   std::vector<Column> series;
   std::vector<Impact> impacts;
   std::vector<Event> events;
+  std::vector<KeyphasorPass> keyphasor;
   Statistics statistics;
   Status status = Status::kOk;
   std::string message;

@@ -108,8 +108,8 @@ Case of_study(Random& random, const fs::path& folder) {
 
 // The files of a run, as somebody's editor left them.
 Case of_run_folder(Random& random, const fs::path& folder) {
-  constexpr std::array kFiles{"series.csv", "impacts.csv", "events.csv", "summary.json",
-                              "scene.toml"};
+  constexpr std::array kFiles{"series.csv",    "impacts.csv",  "events.csv",
+                              "keyphasor.csv", "summary.json", "scene.toml"};
   static const std::string& ring = shipped().texts[0];
   write(folder / kScene, ring);
   bounded_run(folder, {ROTORUB_BINARY, "run", kScene, "-o", "kept", "--end", "2ms", "--quiet"});

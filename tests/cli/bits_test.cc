@@ -35,7 +35,7 @@ TEST(CliBits, AreThoseOfAnOlderProcessor) {
     };
     run("new", {});
     run("old", kOldProcessor);
-    for (const char* file : {"series.csv", "impacts.csv", "events.csv"}) {
+    for (const char* file : {"series.csv", "impacts.csv", "events.csv", "keyphasor.csv"}) {
       EXPECT_TRUE(folder.text(std::string("new/") + file) ==
                   folder.text(std::string("old/") + file))
           << c.scene << ", " << c.integrator << ": " << file;

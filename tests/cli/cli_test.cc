@@ -44,17 +44,19 @@ TEST(CliRun, WritesTheContractsFiles) {
   for (const std::string engine : {"native", "mujoco"}) {
     const Folder folder;
     const Outcome done = folder.done({"run", shipped("bench_ring"), "--engine", engine, "--end",
-                                      "0.02", "--set", "run.integrator=midpoint", "-o", "out"});
+                                      "0.03", "--set", "run.integrator=midpoint", "-o", "out"});
     EXPECT_EQ(done.err, "");
     EXPECT_EQ(folder.files(),
               (std::vector<std::string>{"out/columns.json", "out/events.csv", "out/impacts.csv",
-                                        "out/scene.toml", "out/series.csv", "out/summary.json"}));
+                                        "out/keyphasor.csv", "out/scene.toml", "out/series.csv",
+                                        "out/summary.json"}));
     EXPECT_EQ(first_line(folder.text("out/series.csv")), kSeries);
     EXPECT_EQ(first_line(folder.text("out/impacts.csv")),
               "t,normal_impulse,friction_impulse,gap_rate_before,gap_rate_after,slip_before,"
               "slip_after,energy_change");
     EXPECT_EQ(first_line(folder.text("out/events.csv")), "t,event");
-    for (const char* file : {"out/series.csv", "out/impacts.csv", "out/events.csv"}) {
+    for (const char* file :
+         {"out/series.csv", "out/impacts.csv", "out/events.csv", "out/keyphasor.csv"}) {
       const std::string text = folder.text(file);
       EXPECT_FALSE(contains(text, "nan")) << file;
       EXPECT_FALSE(contains(text, ",,")) << file;
@@ -65,7 +67,7 @@ TEST(CliRun, WritesTheContractsFiles) {
     EXPECT_EQ(summary.at("engine"), engine);
     EXPECT_EQ(summary.at("status"), "ok");
     EXPECT_EQ(summary.at("step"), 1e-5);
-    EXPECT_EQ(summary.at("steps"), 2000);
+    EXPECT_EQ(summary.at("steps"), 3000);
     EXPECT_EQ(summary.at("scene"), "bench_ring");
   }
 }

@@ -69,6 +69,88 @@ TEST(CliMeasured, IsLaidBesideTheRuns) {
   EXPECT_TRUE(contains(told.out, "+90.000° as given")) << told.out;
 }
 
+// Beside one run alone, without MuJoCo; and two probes that stand where the sensors' axes do.
+TEST(CliMeasured, IsLaidBesideOneRun) {
+  const Folder folder;
+  write_measurement(folder, "rig.csv");
+  const std::vector<std::string> call{
+      "run", shipped("bench_ring"), "--end",  "0.05", "--set", "run.output_step=50us", "-o",
+      "out", "--measured",          "rig.csv"};
+  const std::string table = folder.done(call).out;
+  EXPECT_TRUE(contains(table, "measured: rig.csv, 1001 samples")) << table;
+  EXPECT_TRUE(contains(table, "sensors' x axis at +90.000°")) << table;
+  std::vector<std::string> probes = call;
+  probes.insert(probes.end(), {"--measured-probes", "90deg,180deg", "--json"});
+  const json measured = folder.json_of(probes).at("measured");
+  EXPECT_NEAR(measured.at("alignment").at("shift").get<double>(), -0.25, 1e-6);
+  EXPECT_EQ(measured.at("alignment").at("angle_from"), "given");
+  EXPECT_LT(measured.at("columns").at("rotor_x").at("runs").at("native").at("share").get<double>(),
+            1e-3);
+}
+
+// A logger's own names of the columns.
+TEST(CliMeasured, TakesTheColumnsByTheFilesNames) {
+  const Folder folder;
+  write_measurement(folder, "rig.csv");
+  std::string text = folder.text("rig.csv");
+  const std::string header = "t [ms];rotor_x [mm];rotor_y [mm]";
+  text.replace(text.find(header), header.size(), "Time;Probe A;Probe B");
+  std::ofstream(folder.path() / "log.csv") << text;
+  const std::vector<std::string> call{"run",    shipped("bench_ring"),  "--end",  "0.05",
+                                      "--set",  "run.output_step=50us", "-o",     "out",
+                                      "--json", "--measured",           "log.csv"};
+  EXPECT_EQ(folder.run(call).code, 2);
+  std::vector<std::string> named = call;
+  for (const char* name : {"Time = t [ms]", "Probe A = rotor_x [mm]", "Probe B=rotor_y [mm]"})
+    named.insert(named.end(), {"--measured-column", name});
+  const json measured = folder.json_of(named).at("measured");
+  EXPECT_NEAR(measured.at("alignment").at("shift").get<double>(), -0.25, 1e-6);
+}
+
+// The friction of a run, found from its own series.
+TEST(CliIdentify, FindsWhatTheRunHad) {
+  const Folder folder;
+  folder.done({"run", shipped("bench_ring"), "--end", "0.05", "--set", "run.output_step=50us",
+               "--set", "contact.friction=0.23", "-o", "rig", "-q"});
+  const std::vector<std::string> call{"identify",
+                                      shipped("bench_ring"),
+                                      "--end",
+                                      "0.05",
+                                      "--measured",
+                                      "rig/series.csv",
+                                      "--measured-shift",
+                                      "0s",
+                                      "--fit",
+                                      "contact.friction=0.05:0.4",
+                                      "-o",
+                                      "found.toml"};
+  const std::string table = folder.done(call).out;
+  EXPECT_TRUE(contains(table, "contact.friction")) << table;
+  EXPECT_TRUE(contains(table, "written to found.toml")) << table;
+  std::vector<std::string> as_json = call;
+  as_json.push_back("--json");
+  const json found = folder.json_of(as_json).at("parameters")[0];
+  EXPECT_NEAR(found.at("value").get<double>(), 0.23, 1e-4);
+  EXPECT_TRUE(contains(folder.text("found.toml"), "friction = 0.2"));
+  folder.done({"run", "found.toml", "-o", "again", "-q"});
+}
+
+TEST(CliIdentify, RefusalsSayWhatIsAccepted) {
+  const Folder folder;
+  folder.done({"run", shipped("bench_ring"), "--end", "0.05", "-o", "rig", "-q"});
+  const auto refused = [&](const std::string& fit) {
+    const Outcome done = folder.run(
+        {"identify", shipped("bench_ring"), "--measured", "rig/series.csv", "--fit", fit});
+    EXPECT_EQ(done.code, 2) << fit;
+    return done.err;
+  };
+  EXPECT_TRUE(contains(refused("contact.friction"), "is no range of a key"));
+  EXPECT_TRUE(contains(refused("contact.friction=0.4:0.05"), "its range is empty"));
+  EXPECT_TRUE(contains(refused("contact.frction=0.05:0.4"), "did you mean `contact.friction`?"));
+  EXPECT_TRUE(contains(refused("contact.clearance=1 N:2 N"), "expected a length"));
+  EXPECT_TRUE(contains(refused("run.integrator=0:1"), "no number"));
+}
+
 // What nobody measured is nowhere.
 TEST(CliMeasured, IsInNoPageWithoutOne) {
   const Folder folder;

@@ -18,7 +18,7 @@ TEST(CliShadow, MujocoRunsWriteItsFiles) {
   EXPECT_EQ(summary.at("engine"), "native");
   EXPECT_EQ(summary.at("integrator"), "midpoint");
   EXPECT_EQ(summary.at("step"), json::parse(run.out).at("step"));
-  for (const char* file : {"series.csv", "impacts.csv", "events.csv"}) {
+  for (const char* file : {"series.csv", "impacts.csv", "events.csv", "keyphasor.csv"}) {
     EXPECT_TRUE(folder.has(std::string("out/shadow/") + file)) << file;
   }
   // What a native run writes.

@@ -69,6 +69,61 @@ TEST(Sweep, KeepsABifurcationDiagram) {
   EXPECT_NE(folder.text("out/sweep.html").find("data-plot=\"bifurcation\""), std::string::npos);
 }
 
+// The run of a point is the run of its scene, and the page leads there.
+TEST(Sweep, KeepsTheRunOfAPoint) {
+  const Folder folder;
+  write_study(folder, "study.toml", study(3, 2, "integrator = \"event\"\nend = \"20 ms\"\n"));
+  folder.done({"sweep", "study.toml", "-o", "out", "-q"});
+  const auto kept = [&] {
+    const std::string page = folder.text("out/sweep.html");
+    const std::size_t at = page.find("\"kept\":");
+    return page.substr(at, page.find('}', at) + 1 - at);
+  };
+  EXPECT_EQ(kept(), "\"kept\":{}");
+  EXPECT_NE(folder.text("out/sweep.html").find("rotorub sweep 'study.toml' -o 'out'"),
+            std::string::npos);
+  const json said = folder.json_of(
+      {"sweep", "study.toml", "-o", "out", "--point", "4", "--point", "1", "--json"});
+  EXPECT_EQ(said.at("points")[0].at("folder"), "out/point-4");
+  EXPECT_EQ(said.at("points")[1].at("status"), "ok");
+  EXPECT_EQ(kept(), "\"kept\":{\"1\":\"point-1/plot.html\",\"4\":\"point-4/plot.html\"}");
+  EXPECT_TRUE(folder.has("out/point-4/plot.html"));
+  folder.done({"run", "out/point-4/scene.toml", "-o", "again", "-q"});
+  EXPECT_EQ(folder.text("again/series.csv"), folder.text("out/point-4/series.csv"));
+  const Outcome beyond = folder.run({"sweep", "study.toml", "-o", "out", "--point", "6"});
+  EXPECT_EQ(beyond.code, 2);
+  EXPECT_NE(beyond.err.find("accepted are 0 to 5"), std::string::npos) << beyond.err;
+}
+
+TEST(Sweep, TakesPointsFromAFile) {
+  const Folder folder;
+  std::ofstream(folder.path() / "points.csv")
+      << "# of two machines\nname;friction;clearance [um]\n\nfirst;0.1;450\nsecond;0.2;510\n";
+  const std::string text = "scene = \"" + shipped("bench_ring") +
+                           "\"\n[sample]\nkind = \"list\"\nfile = \"points.csv\"\n"
+                           "[[vary]]\nkey = \"contact.friction\"\ncolumn = \"friction\"\n"
+                           "[[vary]]\nkey = \"contact.clearance\"\ncolumn = \"clearance\"\n"
+                           "[run]\nend = \"5 ms\"\n";
+  write_study(folder, "study.toml", text);
+  folder.done({"sweep", "study.toml", "-o", "out", "-q"});
+  const std::string table = folder.text("out/results.csv");
+  EXPECT_NE(table.find("\n1,0.20000000000000001,0.00051"), std::string::npos) << table;
+  EXPECT_TRUE(folder.has("out/points.csv"));
+  // Other points are another study.
+  std::ofstream(folder.path() / "points.csv") << "friction,clearance\n0.1,5e-4\n0.3,5e-4\n";
+  EXPECT_EQ(folder.run({"sweep", "study.toml", "-o", "out", "-q"}).code, 2);
+  std::ofstream(folder.path() / "points.csv") << "friction,clearance\n0.1,5e-4\n0.3,much\n0.1\n";
+  Outcome bad = folder.run({"sweep", "study.toml", "-o", "bad"});
+  EXPECT_EQ(bad.code, 2);
+  EXPECT_NE(bad.err.find("1 fields where the header has 2"), std::string::npos) << bad.err;
+  std::ofstream(folder.path() / "points.csv") << "mu,clearance\n0.1,5e-4\n0.3,much\n";
+  bad = folder.run({"sweep", "study.toml", "-o", "bad"});
+  EXPECT_EQ(bad.code, 2);
+  EXPECT_NE(bad.err.find("no column `friction`; accepted: mu, clearance"), std::string::npos)
+      << bad.err;
+  EXPECT_NE(bad.err.find("points.csv:3:"), std::string::npos) << bad.err;
+}
+
 TEST(Sweep, DoesNotDependOnTheThreads) {
   const Folder folder;
   for (const char* run :

@@ -2,7 +2,7 @@
 % refuses `damaged`. Prints "all is well" at its end.
 function reader_test(folder, damaged)
   run = rotorub_read(folder);
-  for table = {'series', 'impacts', 'events'}
+  for table = {'series', 'impacts', 'events', 'keyphasor'}
     columns = run.(table{1});
     names = fieldnames(columns);
     lines = strsplit(strtrim(fileread(fullfile(folder, [table{1} '.csv']))), "\n");

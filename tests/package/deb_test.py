@@ -12,6 +12,7 @@ from product import BUILD, InAFolder
 EXPECTED = """
 usr/bin/rotorub
 usr/lib/librotorub_mujoco.so
+usr/lib/librotorub_fmu.so
 usr/lib/librotorub_native_model.a
 usr/lib/cmake/rotorub/rotorubConfig.cmake
 usr/include/rotorub/controller.h
@@ -24,6 +25,10 @@ usr/share/bash-completion/completions/rotorub
 usr/lib/python3/dist-packages/rotorub.py
 usr/lib/python3/dist-packages/rotorub_native.so
 usr/share/rotorub/matlab/rotorub_read.m
+usr/share/rotorub/mjcf/examples/own_controller.toml
+usr/share/rotorub/native_model/control/examples/own_controller.c
+usr/share/rotorub/native_model/control/examples/python_controller.c
+usr/share/rotorub/native_model/control/examples/tracking_law.py
 usr/share/doc/rotorub/README.md
 usr/share/doc/rotorub/native_model/docs/theory.md
 usr/share/doc/rotorub/mjcf/README.md
@@ -55,7 +60,7 @@ class DebianPackage(InAFolder):
         # What the program needs of Debian, found by what it is linked with; and no development package.
         depends = self.tool("dpkg-deb", "-f", package, "Depends")
         for library in ("libmujoco2.2.2", "libc6", "libstdc++6", "libsqlite3-0", "libosmesa6", "libcairo2",
-                        "libfreetype6", "libfftw3-double3"):
+                        "libfreetype6", "libfftw3-double3", "libzip4"):
             self.assertIn(library, depends)
         for other in ("-dev", "siconos", "libode"):  # what is for building, and the peers of `rotorub bench`
             self.assertNotIn(other, depends)
@@ -81,6 +86,7 @@ class DebianPackage(InAFolder):
         self.rotorub("init", "there", program=program)
         self.rotorub("run", "there.toml", "-q", "-o", "out", program=program)
         self.rotorub("run", "there.toml", "-q", "--engine", "mujoco", "--end", "10ms", "-o", "out", program=program)
+        self.rotorub("fmu", "there.toml", "-o", "there.fmu", program=program)
         self.rotorub("modes", root / "usr/share/rotorub/mjcf/bench_whip.toml", program=program)
         self.tool("dpkg-deb", "--info", package)
 

@@ -71,8 +71,15 @@ class Documents(unittest.TestCase):
 
     def test_the_top_level_is_the_products(self):
         shown = {entry.name for entry in SOURCE.iterdir() if entry.name[0] != "." and entry.name not in NO_SOURCE}
-        self.assertEqual(shown, {"CMakeLists.txt", "CMakePresets.json", "LICENSE", "README.md", "compare", "mjcf",
+        self.assertEqual(shown, {"CHANGELOG.md", "CITATION.cff", "CMakeLists.txt", "CMakePresets.json", "LICENSE", "README.md", "compare", "mjcf",
                                  "native_model", "plugin", "renders", "tests"})
+
+    def test_the_version_is_one(self):
+        version = re.search(r"^  VERSION (\S+)$", (SOURCE / "CMakeLists.txt").read_text(), re.M)[1]
+        newest = re.search(r"^## (\S+), (\S+)$", (SOURCE / "CHANGELOG.md").read_text(), re.M).groups()
+        citation = (SOURCE / "CITATION.cff").read_text()
+        cited = tuple(re.search(rf'^{key}: "?([^"\n]+)"?$', citation, re.M)[1] for key in ("version", "date-released"))
+        self.assertEqual((version, newest), (newest[0], cited))
 
     def test_every_folder_has_a_readme(self):
         for entry in SOURCE.iterdir():

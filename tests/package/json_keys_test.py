@@ -41,6 +41,12 @@ class JsonKeys(InAFolder):
                                 "native-event,native-verlet", "--tolerances", "1e-9", "--repeats", "1", "--json"),
                    "bench", "study")
 
+    def test_identify(self):
+        self.rotorub("run", SCENES / "bench_ring.toml", "--end", "20ms", "--set", "run.output_step=50us", "-o", "rig")
+        printed = self.rotorub("identify", SCENES / "bench_ring.toml", "--end", "20ms", "--measured", "rig/series.csv",
+                               "--measured-shift", "0s", "--fit", "contact.friction=0.05:0.4", "--json")
+        self.check(printed, "", "study")
+
     def test_check(self):
         self.check(self.rotorub("check", SCENES / "hard" / "attractor_free.toml", "--json"), "check")
 

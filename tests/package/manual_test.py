@@ -24,6 +24,9 @@ to = 0.6
 count = 2
 [run]
 end = "11 ms"
+[optimise]
+minimise = "impacts"
+evaluations = 2
 """
 
 # Command lines, one after the other in one folder; together they name every option of every command. What each does
@@ -36,6 +39,7 @@ TRIED = [
     f"run {DROP} --engine native --integrator verlet --step 20us --end 12ms --output r1 --json",
     f"run {DROP} --engine mujoco --contact cone --end 12ms -o r2 --quiet --format hdf5",
     f"run {PAPER} --controller {OWN} {SAMPLED} --end 2ms -q -o r3",
+    f"run {RING} --end 20ms --lyapunov -o r6 -q",
     f"run {DROP} --allow-library --end 2ms -q -o r5", f"check {DROP} --set run.end=11ms -q --allow-library -o k3",
     f"compare {DROP} --allow-library --twins 0 --no-modes-ladder --no-video --step 20us --end 1ms -o c6 -q",
     f"bench {DROP} --allow-library --engines native-verlet --steps 100us --repeats 1 --end 1ms -q -o b3",
@@ -47,10 +51,12 @@ TRIED = [
     f"compare {DROP} --tune --twins 0 --no-video --end 12ms --step 20us -o c3 --quiet",
     f"modes {RING} --speed 3000rpm -o m.html --up-to 100Hz -q --set contact.friction=0.2",
     f"modes {RING} --rub-map --speeds 40Hz:60Hz:2 --frictions 0.1:0.2:2 --json",
+    f"modes {RING} --rub-map --across contact.clearance=0.2mm:1mm:2 --up stator.stiffness=1e5:2e5:2 -q",
     f"modes {RING} --feedback-map --feedbacks 0:1000:2 --speeds 50Hz:51Hz:2 --output f --quiet",
     f"modes {RING} --state-space",
     f"mjcf {RING} --mujoco 3.12 -o ring.xml --set contact.friction=0.2 --json",
     f"mjcf {RING} --output r.xml --quiet", f"mjcf {RING} -q",
+    f"fmu {RING} --set contact.friction=0.2 -o plant.fmu --json", f"fmu {RING} --fmi 2.0 --output plant2.fmu --quiet", f"fmu {RING} -q",
     "render r1 --png --at 10.5ms --size 320x240 --view axis --title Drop -o p.png --json",
     "render r1 --beside r1 --gif --from 9ms --to 10ms --slow 200 --fps 5 --size 320x240 --output two.gif --quiet",
     f"render {DROP} --png --step 20us --end 12ms --size 320x240 --set contact.restitution=0.6 -q -o q.png",
@@ -63,7 +69,9 @@ TRIED = [
     "sweep study.toml -o s2 --shard 2/2 --set contact.friction=0.1 -q",
     "sweep study.toml -o s3 --merge s1 s2 --set contact.friction=0.1 --quiet",
     "sweep study.toml -o s4 --slurm --tasks 2 --quiet",
-    "sweep study.toml -o s6 --bifurcation -q",
+    "sweep study.toml -o s6 --bifurcation -q", "sweep study.toml -o s6 --point 0 --point 1 -q",
+    "optimise study.toml -o o1 --json", "optimise study.toml --output o2 --quiet --set contact.friction=0.1",
+    f"optimise paper.toml -o o3 --controller {OWN} {SAMPLED} -q", "optimise study.toml -o o4 -q --allow-library",
     f"sweep paper.toml -o s5 --controller {OWN} {SAMPLED} -q",
     f"check {DROP} --set run.end=11ms --json", f"check {DROP} --set run.end=11ms --quiet --output k1",
     f"check {DROP} --set run.end=11ms -q -o k2",

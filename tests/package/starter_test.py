@@ -8,7 +8,8 @@ import unittest
 
 from product import InAFolder
 
-FORMS = ["geometry", "modal", "rig"]
+FORMS = ["geometry", "modal", "rig", "controller", "overhung", "vertical", "two-catchers"]
+LOSE_MASS = ["geometry", "modal", "overhung", "vertical"]
 # Sizes of a watch's and a turbine's order, above and below the first critical speed.
 MACHINES = {
     "small": ["--speed", "1 kHz", "--length", "60 mm", "--diameter", "3 mm", "--disc-mass", "10 g",
@@ -46,7 +47,8 @@ class Starter(InAFolder):
     def test_its_mjcf_loads(self):
         for form in FORMS:
             self.rotorub("init", form, "--form", form)
-            for contact in ("rigid", "cone"):
+            # MuJoCo's cone knows one contact of a modal chain.
+            for contact in ("rigid", "coulomb" if form == "two-catchers" else "cone"):
                 summary = self.summary(f"{form}.toml", "--engine", "mujoco", "--contact", contact, "--end", "20ms")
                 self.assertEqual(summary["status"], "ok", f"{form} {contact}")
 
@@ -72,8 +74,11 @@ class Starter(InAFolder):
         for form in FORMS:
             scene = tomllib.loads(self.rotorub("init", "-o", "-", "--form", form, *words))
             self.assertEqual(scene["rotor"]["speed"], "61 Hz")
-            self.assertEqual(scene["contact"]["clearance"], "0.4 mm")
-            self.assertEqual(scene["contact"]["friction"], "25 %")
+            contacts = scene["contact"] if isinstance(scene["contact"], list) else [scene["contact"]]
+            self.assertEqual(len(contacts), 2 if form == "two-catchers" else 1)
+            for contact in contacts:
+                self.assertEqual(contact["clearance"], "0.4 mm")
+                self.assertEqual(contact["friction"], "25 %")
             if form == "modal":
                 # 48 E I / L^3, and the disc with 17/35 of the shaft.
                 self.assertAlmostEqual(scene["rotor"]["modal"]["stiffness"][0] / 280537, 1, places=3)
@@ -97,6 +102,25 @@ class Starter(InAFolder):
                 hardest[name] = max(float(row["normal_impulse"]) for row in csv.DictReader(impacts))
         self.assertLess(hardest["active"], 0.5 * hardest["passive"])
 
+    def test_the_controller_form_is_the_rig_with_it_switched_on(self):
+        rig, active = (tomllib.loads(self.rotorub("init", "-o", "-", "--form", form)) for form in ("rig", "controller"))
+        self.assertEqual(active.pop("controller")["kind"], "sliding")
+        self.assertEqual(active, rig)
+
+    def test_an_unbalance_that_is_known_takes_the_place_of_the_one_that_is_sized(self):
+        for form in LOSE_MASS:
+            text = self.rotorub("init", "-o", "-", "--form", form, "--unbalance", "0.5 oz in")
+            blade = tomllib.loads(text)["force"][-1]
+            self.assertEqual((blade["kind"], blade["static_moment"]), ("unbalance", "0.5 oz in"))
+        for form in set(FORMS) - set(LOSE_MASS):
+            self.rotorub("init", "-o", "-", "--form", form, "--unbalance", "30 g mm", code=2)
+            self.assertIn("loses no mass", self.said)
+
+    def test_an_unbalance_that_does_not_touch_has_no_rule_that_it_does(self):
+        self.rotorub("init", "light", "--unbalance", "1 g mm")
+        self.assertEqual(self.summary("light.toml")["impacts"], 0)
+        self.rotorub("check", "light.toml")
+
     def test_nothing_is_written_over(self):
         self.rotorub("init", "mine")
         file = self.folder / "mine.toml"
@@ -112,7 +136,7 @@ class Starter(InAFolder):
     def test_what_makes_no_machine_is_refused(self):
         for words in (["--speed", "0"], ["--speed", "-50 Hz"], ["--length", "2 kg"], ["--friction", "-0.1"],
                       ["--diameter", "0.5 m"], ["--clearance", "1 m"], ["--disc-mass", "nan"], ["--length", "1e9"],
-                      ["-o", "nowhere/rotor.toml"]):
+                      ["--unbalance", "30 g"], ["--unbalance", "0"], ["-o", "nowhere/rotor.toml"]):
             self.rotorub("init", *words, code=2)
             self.assertNotEqual(self.said, "")
         self.assertEqual(list(self.folder.iterdir()), [])

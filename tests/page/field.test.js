@@ -105,3 +105,56 @@ end = "1 s"
   assert.deepEqual(page.said, []);
   await page.close();
 });
+
+test('a click on a point of a sweep shows how to run it, and then leads to its run', async () => {
+  fs.writeFileSync(path.join(folder, 'points.toml'), `scene = "${scene('bench_ring')}"
+[sample]
+kind = "grid"
+[[vary]]
+key = "contact.friction"
+from = 0.1
+to = 0.3
+count = 3
+[[vary]]
+key = "contact.restitution"
+from = 0.2
+to = 0.8
+count = 2
+[statistics]
+by = ["contact.friction"]
+[run]
+integrator = "event"
+end = "20 ms"
+`);
+  rotorub(['sweep', 'points.toml', '-o', 'points', '-q']);
+  let page = await open(browser, 'points/sweep.html');
+  // The cell in the middle at the top: friction 0.2, restitution 0.8.
+  const click = async () => {
+    const box = await page.evaluate(() => {
+      const plot = document.querySelector('.map-set .plot'), {xaxis, yaxis} = plot._fullLayout, place = plot.getBoundingClientRect();
+      const [trace] = plot.data;
+      return {x: place.left + xaxis._offset + xaxis.d2p(trace.x[3]), y: place.top + yaxis._offset + yaxis.d2p(trace.y[3])};
+    });
+    await page.mouse.move(box.x - 3, box.y);
+    await page.mouse.move(box.x, box.y);
+    await page.mouse.click(box.x, box.y);
+    await page.waitForFunction(() => document.querySelector('.chosen-point p'));
+  };
+  await click();
+  assert.equal(await page.locator('.chosen-point .command').textContent(), "rotorub sweep 'points.toml' -o 'points' --point 3");
+  assert.match(await page.locator('.chosen-point').textContent(), /contact.friction 0.2 .*contact.restitution 0.8 .*status ok/);
+  const lines = fs.readFileSync(path.join(folder, 'points/statistics.csv'), 'utf8').trim().split('\n').length;
+  assert.equal(await page.locator('.statistics tbody tr').count(), lines - 1);
+  await page.close();
+  rotorub(['sweep', 'points.toml', '-o', 'points', '--point', '3', '-q']);
+  page = await open(browser, 'points/sweep.html');
+  await page.locator('.chosen-point input').fill('9');
+  await page.locator('.chosen-point input').press('Enter');
+  assert.match(await page.locator('.chosen-point').textContent(), /Points are 0 to 5/);
+  await click();
+  await page.locator('.chosen-point a').click();
+  await page.waitForFunction(() => document.title.includes('bench_ring') && document.querySelector('.player'));
+  assert.match(page.url(), /points\/point-3\/plot.html$/);
+  assert.deepEqual(page.said, []);
+  await page.close();
+});

@@ -22,7 +22,7 @@ class Hdf5(InFolder):
     def test_it_holds_the_tables(self):
         tables, own = rotorub.read(self.folder / "run"), rotorub.read_hdf5(self.file)
         self.assertGreater(len(tables.impacts["t"]), 0)
-        for name in ("series", "impacts", "events"):
+        for name in ("series", "impacts", "events", "keyphasor"):
             written = getattr(tables, name)
             self.assertEqual(list(getattr(own, name)), list(written))
             for column, values in getattr(own, name).items():
@@ -46,7 +46,7 @@ class Hdf5(InFolder):
 
     def test_it_is_read_where_the_tables_are_gone(self):
         shutil.copytree(self.folder / "run", self.folder / "alone")
-        for name in ("series.csv", "impacts.csv", "events.csv"):
+        for name in ("series.csv", "impacts.csv", "events.csv", "keyphasor.csv"):
             (self.folder / "alone" / name).unlink()
         numpy.testing.assert_array_equal(rotorub.read(self.folder / "alone")["gap"], rotorub.read(self.folder / "run")["gap"])
 

@@ -23,7 +23,7 @@ class Reader(InFolder):
 
     def test_every_number_is_the_files(self):
         for name, table in (("series.csv", self.run_.series), ("impacts.csv", self.run_.impacts),
-                            ("events.csv", self.run_.events)):
+                            ("events.csv", self.run_.events), ("keyphasor.csv", self.run_.keyphasor)):
             rows = self.rows(name)
             self.assertGreater(len(rows), 0, name)
             self.assertEqual(list(table), list(rows[0]), name)

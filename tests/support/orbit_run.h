@@ -16,6 +16,18 @@ struct OrbitRow {
   double angle = 0.0, speed = 0.0;   // of the spin, rad and rad/s
 };
 
+// Where the mark passes between two rows, by halving.
+template <class At>
+KeyphasorPass pass_between(double low, double high, double mark, At at) {
+  const bool rises = at(high).angle > at(low).angle;
+  for (int i = 0; i < 60; ++i) {
+    const double middle = 0.5 * (low + high);
+    ((at(middle).angle > mark) == rises ? high : low) = middle;
+  }
+  const OrbitRow row = at(high);
+  return {high, row.place.real(), row.place.imag(), row.speed};
+}
+
 // `rows` of them, evenly from 0 to `end`, s. at(t): the OrbitRow at t.
 template <class At>
 Trajectory orbit_run(double end, std::size_t rows, At at) {
@@ -31,6 +43,12 @@ Trajectory orbit_run(double end, std::size_t rows, At at) {
     speed.push_back(row.speed);
   }
   Trajectory run;
+  Keyphasor keyphasor;
+  for (std::size_t i = 0; i < rows; ++i) {
+    if (i == 0) keyphasor.begin(angle[0]);
+    keyphasor.follow(angle[i], [&](double mark) { return pass_between(t[i - 1], t[i], mark, at); });
+  }
+  run.keyphasor = keyphasor.take();
   run.series = {{"t", "s", std::move(t)},
                 {"rotor_x", "m", std::move(x)},
                 {"rotor_y", "m", std::move(y)},

@@ -136,6 +136,16 @@ py::dict events_dict(const Trajectory& t) {
   return all;
 }
 
+py::dict keyphasor_dict(const Trajectory& t) {
+  static constexpr double KeyphasorPass::*kMembers[] = {
+      &KeyphasorPass::t, &KeyphasorPass::x, &KeyphasorPass::y, &KeyphasorPass::spin_speed};
+  py::dict all;
+  std::size_t k = 0;
+  for (const ColumnMeaning& column : keyphasor_columns())
+    all[py::str(std::string(column.name))] = column_of(t.keyphasor, kMembers[k++]);
+  return all;
+}
+
 }  // namespace
 
 std::vector<std::string> overrides_of(const py::object& changes) {
@@ -188,6 +198,7 @@ py::dict run_dict(const scene::Scene& scene, const Trajectory& t) {
   all["series"] = series_dict(t);
   all["impacts"] = impacts_dict(t);
   all["events"] = events_dict(t);
+  all["keyphasor"] = keyphasor_dict(t);
   all["columns"] = parsed_json(by_name.dump());
   all["scene_text"] = scene.text;
   all["summary"] = parsed_json(json_text(summary_json(scene, t)));

@@ -2,6 +2,7 @@
 // picture of one pixel a cell, with marks that cannot be seen for the pointer; other points are marks of their own; one
 // key is a curve. A figure may be "linear": computed for every point, whether its run succeeded or not; and "signed":
 // its colours part at 0.
+import {chosenPoint} from './chosen_point.js';
 import {show} from './page.js';
 import {colourOfWord, colourScale, keyScale} from './scales.js';
 import {axes, css, layout, legendAbove, scaleOfColours, short} from './style.js';
@@ -26,6 +27,20 @@ export function mapsOf(element, data) {
     const what = columns[f][i] === null && isFailed(f, i) ? statuses[status[i]] :
       `${figures[f].name} = ${columns[f][i] === null ? 'none' : shown(columns[f][i])} ${figures[f].unit}`;
     return [`<b>${what}</b>`, ...lines].join('<br>');
+  }
+
+  // Of a sweep's own page: a click on a point, or its number, leads to its run.
+  const every = data.every || 1, place = element.querySelector('.chosen-point');
+  const choosePoint = place && data.runs ? chosenPoint(place, data.runs, (point) => {
+    const i = point / every;
+    if (!Number.isInteger(i)) return [];
+    return [...keys.map((key, k) => [key.name, `${shown(valueAt(k, i))} ${key.unit}`]), ['status', statuses[status[i]]]];
+  }) : null;
+  function showPoints(plot, points, figure) {
+    show(plot, figure);
+    if (!choosePoint) return;
+    plot.removeAllListeners('plotly_click');
+    plot.on('plotly_click', ({points: [first]}) => { if (first.curveNumber === 0) choosePoint(points[first.pointNumber] * every); });
   }
 
   // Points of the maps: of a grid those whose other keys have the chosen values.
@@ -79,7 +94,7 @@ export function mapsOf(element, data) {
     const trace = {type: 'scatter', mode: 'markers', x: at(x, choice.x), y: at(y, choice.y), marker, showlegend: false,
       text: points.map((i) => words(i, f)), hovertemplate: '%{text}<extra></extra>'};
     const entries = legendOf(colour, anyFailed);
-    show(plot, {data: [trace, ...entries], layout: layout({hovermode: 'closest', hoverdistance: grid ? -1 : 20, showlegend: entries.length > 0,
+    showPoints(plot, points, {data: [trace, ...entries], layout: layout({hovermode: 'closest', hoverdistance: grid ? -1 : 20, showlegend: entries.length > 0,
       legend: legendAbove(),
       margin: {l: 64, r: 24, t: 30, b: 48}, images: grid ? [picture(points, f, colour, x, y)] : [],
       xaxis: axisOf(choice.x, grid ? [x.from, x.to] : null), yaxis: axisOf(choice.y, grid ? [y.from, y.to] : null)})});
@@ -91,7 +106,7 @@ export function mapsOf(element, data) {
       x: points.map((i) => x.at(grid ? values[0][i] : i)), y: points.map((i) => columns[f][i]),
       text: points.map((i) => words(i, f)), hovertemplate: '%{text}<extra></extra>', line: {color: css('--native'), width: 1.5},
       marker: {color: css('--native'), size: 6}};
-    show(plot, {data: [trace], layout: layout({hovermode: 'closest', margin: {l: 64, r: 24, t: 10, b: 48}, xaxis: axisOf(0),
+    showPoints(plot, points, {data: [trace], layout: layout({hovermode: 'closest', margin: {l: 64, r: 24, t: 10, b: 48}, xaxis: axisOf(0),
       yaxis: axes({title: {text: figures[f].name + (figures[f].unit ? ` / ${figures[f].unit}` : '')}})})});
   }
 

@@ -8,7 +8,7 @@
  * takes all else: u = -ring_damping R(phi) d/dt (R(-phi) q_f) Rates come from filters, as no
  * velocity is measured:  dx/dt ~ bandwidth (x - x_filtered).
  *
- *   cc -shared -fPIC -I <prefix>/include/rotorub own_controller.c -o own_controller.so -lm
+ *   cc -shared -fPIC -I <prefix>/include own_controller.c -o own_controller.so -lm
  */
 #include <math.h>
 #include <stdio.h>

@@ -1,14 +1,14 @@
-/* A controller written in Python: [controller.config] names a module, in the folder `path`, with
+/* A controller written in Python. [controller.config] names a module, in the folder `path`, with
  *
- *   def create(setup):            # a dict: sample_time, clearance, config, ...; returns what
- * step() is given def state_size(law): ...      # numbers of the state; may be absent: 0 def
- * step(law, now, state):    # now: a dict; state: a memoryview of floats, to be changed in place
- *       return ux, uy             # N, the force on the ring
+ * - create(setup): setup a dict of sample_time, clearance, config, ...; what it returns is the law;
+ * - state_size(law): numbers of its state; may be absent, then 0;
+ * - step(law, now, state): now a dict of the measurement, state a memoryview of floats, to be
+ *   changed in place; returns (ux, uy), N, the force on the ring.
  *
- * Every step takes the interpreter's lock: it is right on several threads, and no faster than on
- * one.
+ * An exception ends the run with its words and where it was raised. Every step takes the
+ * interpreter's lock: it is right on several threads, and no faster than on one.
  *
- *   cc -shared -fPIC -I <prefix>/include/rotorub $(pkg-config --cflags python3-embed) \
+ *   cc -shared -fPIC -I <prefix>/include $(pkg-config --cflags python3-embed) \
  *     python_controller.c -o python_controller.so $(pkg-config --libs python3-embed) */
 #define PY_SSIZE_T_CLEAN
 #include <Python.h>
@@ -23,7 +23,46 @@ typedef struct {
   Py_ssize_t size;
 } law;
 
-/* The pending exception in words. */
+/* One of a traceback's frames as ", FUNCTION (FILE:LINE)" behind the reason. */
+static void add_frame(PyObject* trace, char* reason, size_t room) {
+  PyObject *frame = PyObject_GetAttrString(trace, "tb_frame"),
+           *line = PyObject_GetAttrString(trace, "tb_lineno"),
+           *code = frame != NULL ? PyObject_GetAttrString(frame, "f_code") : NULL,
+           *file = code != NULL ? PyObject_GetAttrString(code, "co_filename") : NULL,
+           *name = code != NULL ? PyObject_GetAttrString(code, "co_name") : NULL;
+  if (line != NULL && file != NULL && name != NULL) {
+    const size_t used = strlen(reason);
+    PyObject* text = PyUnicode_FromFormat(", in %U (%U:%S)", name, file, line);
+    const char* words = text != NULL ? PyUnicode_AsUTF8(text) : NULL;
+    if (words != NULL) snprintf(reason + used, room - used, "%s", words);
+    Py_XDECREF(text);
+  }
+  Py_XDECREF(name);
+  Py_XDECREF(file);
+  Py_XDECREF(code);
+  Py_XDECREF(line);
+  Py_XDECREF(frame);
+}
+
+/* The frames of a traceback, of a deep one the innermost. */
+static void add_frames(PyObject* trace, char* reason, size_t room) {
+  enum { MOST = 3 };
+  PyObject* frames[MOST] = {NULL};
+  size_t depth = 0;
+  for (PyObject* at = trace; at != NULL && at != Py_None; ++depth) {
+    Py_XDECREF(frames[depth % MOST]);
+    Py_INCREF(at);
+    frames[depth % MOST] = at;
+    PyObject* next = PyObject_GetAttrString(at, "tb_next");
+    Py_XDECREF(next); /* the frame before holds it */
+    at = next;
+  }
+  for (size_t i = depth > MOST ? depth - MOST : 0; i < depth; ++i)
+    add_frame(frames[i % MOST], reason, room);
+  for (size_t i = 0; i < MOST; ++i) Py_XDECREF(frames[i]);
+}
+
+/* The pending exception in words, with the places in the user's files that it came through. */
 static int failed(char* reason, size_t room) {
   PyObject *type, *value, *trace;
   PyErr_Fetch(&type, &value, &trace);
@@ -32,6 +71,7 @@ static int failed(char* reason, size_t room) {
   const char* words = text != NULL ? PyUnicode_AsUTF8(text) : NULL;
   snprintf(reason, room, "%s: %s", type != NULL ? ((PyTypeObject*)type)->tp_name : "Python",
            words != NULL ? words : "it failed");
+  add_frames(trace, reason, room);
   Py_XDECREF(text);
   Py_XDECREF(type);
   Py_XDECREF(value);
@@ -154,6 +194,11 @@ static int step(const void* self, const rotorub_measurement* now, double* state,
   PyObject* told = view != NULL && shown != NULL
                        ? PyObject_CallFunctionObjArgs(l->step, l->law, shown, view, NULL)
                        : NULL;
+  if (told != NULL && !PyTuple_Check(told)) {
+    PyErr_Format(PyExc_TypeError, "step() returns %.100s; accepted are two numbers, ux and uy",
+                 Py_TYPE(told)->tp_name);
+    Py_CLEAR(told);
+  }
   const int good = told != NULL && PyArg_ParseTuple(told, "dd", &command[0], &command[1]);
   const int bad = good ? 0 : failed(reason, room);
   Py_XDECREF(told);

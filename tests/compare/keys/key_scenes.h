@@ -109,6 +109,7 @@ inline std::vector<KeyScene> key_scenes() {
 
   // Starts.
   modal("steady", {"initial={steady=true}", "force[0].amplitude=12.0"});
+  modal("on a rub", {"initial={rub='synchronous'}"});
   modal("sticking impacts", {"rotor.speed=0.5", "contact.friction=0.9"});
   modal("driven torsion",
         {"rotor.torsion={inertia=[4e-4],stiffness=[60.0],damping=[0.01],drive_shape=[-0.5]}",

@@ -111,6 +111,33 @@ TEST(Alignment, StatesTheErrorThatNoiseMakes) {
   EXPECT_LT(angle, kHigh);
 }
 
+// A model that is wrong leaves what is not noise, and is laid in wrongly by more than noise would:
+// stated is what stretches of the record scatter by.
+TEST(Alignment, StatesTheErrorThatAWrongModelMakes) {
+  double most = 0.0;
+  for (const char* wrong : {"contact.friction=0.33", "contact.friction=0.27",
+                            "contact.restitution=0.4", "stator.stiffness=1.2e5"}) {
+    Sensors sensors;
+    sensors.shift = 20e-3;
+    sensors.angle = 12.0 * kDegree;
+    sensors.noise = 1e-6;
+    NativeOptions options;
+    options.integrator = scene::Integrator::kEvent;
+    options.output_times = instants(sensors);
+    scene::Scene machine = shipped("paper_passive", {"run.end=0.15", "run.step=1e-5", wrong});
+    MeasuredRecord record = record_of(run_native(machine, options), sensors);
+    const Alignment a = align(record, SampledRun(native()), {});
+    ASSERT_TRUE(a.shift_error && a.angle_error) << wrong;
+    const double off_shift = std::abs(a.shift - sensors.shift) / *a.shift_error;
+    const double off_angle = std::abs(a.angle - sensors.angle) / *a.angle_error;
+    EXPECT_LT(off_shift, 4.0) << wrong << ": " << a.shift << " +- " << *a.shift_error;
+    EXPECT_LT(off_angle, 4.0) << wrong << ": " << a.angle / kDegree << " +- "
+                              << *a.angle_error / kDegree;
+    most = std::max({most, off_shift, off_angle});
+  }
+  EXPECT_GT(most, 0.1) << "something is off";
+}
+
 // What is beyond the limit is left out, and does not pull: with the clipped samples in, the fit is
 // off by more.
 TEST(Alignment, ClippedSamplesDoNotPull) {

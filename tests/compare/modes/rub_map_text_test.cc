@@ -145,6 +145,34 @@ TEST_F(RubMapOfTheWhip, AsJson) {
   EXPECT_EQ(all["points"][5].at("friction"), 0.25);
 }
 
+// Over other keys each point is a scene of its own; over speed and friction it is the map of old.
+TEST_F(RubMapOfTheWhip, OverAnyTwoKeys) {
+  const scene::Variants scenes(std::string(ROTORUB_MJCF_DIR) + "/bench_whip.toml");
+  const RubKeyMap same =
+      rub_key_map(scenes, {kSpeedKey, "rad/s", map.speeds}, {kFrictionKey, "", map.frictions});
+  EXPECT_EQ(rub_map_json(same), rub_map_json(map));
+
+  const RubKeyMap other = rub_key_map(scenes, {"contact.clearance", "m", {-1.0, 2e-4, 1e-3}},
+                                      {kFrictionKey, "", {0.2, 0.25}});
+  EXPECT_FALSE(other.at(0, 0)) << "no clearance is below 0";
+  EXPECT_NE(other.refused.find("contact.clearance"), std::string::npos) << other.refused;
+  const scene::Scene one = scene::read_scene(
+      std::string(ROTORUB_MJCF_DIR) + "/bench_whip.toml",
+      std::vector<std::string>{"contact.clearance=1e-3", "contact.friction=0.25"});
+  const rub::RubSystem system = rub::rub_system(one);
+  EXPECT_EQ(rub_point_json(*other.at(2, 1)),
+            rub_point_json(rub::RubStudy(system).at(system.friction)));
+  const json all = rub_map_json(other);
+  EXPECT_EQ(all.at("across").at("key"), "contact.clearance");
+  EXPECT_TRUE(all.at("points")[0].is_null());
+  const std::string picture = rub_map_picture("whip", other);
+  EXPECT_NE(picture.find("contact.clearance / m"), std::string::npos) << picture;
+  EXPECT_NE(picture.find("Blank: refused"), std::string::npos) << picture;
+  EXPECT_EQ(rub_map_plots(other)["keys"][0].at("name"), "contact.clearance");
+  EXPECT_NE(rub_map_page(scene, other).find("over contact.clearance and contact.friction"),
+            std::string::npos);
+}
+
 TEST_F(RubMapOfTheWhip, AsAPage) {
   const json plots = rub_map_plots(map);
   EXPECT_EQ(plots.at("kind"), "grid");

@@ -8,15 +8,12 @@
 
 #include "compare/report/what_if.h"
 #include "native_model/scene/reader.h"
+#include "tests/support/native_run.h"
 
 namespace rotorub {
 namespace {
 
 using nlohmann::json;
-
-scene::Scene shipped(const std::string& name, const std::vector<std::string>& changes = {}) {
-  return scene::read_scene(std::string(ROTORUB_MJCF_DIR) + "/" + name + ".toml", changes);
-}
 
 json slider(const json& sliders, const std::string& key) {
   for (const json& s : sliders)
@@ -26,7 +23,7 @@ json slider(const json& sliders, const std::string& key) {
 }
 
 TEST(WhatIf, SlidersStandAtTheScenesValuesInUnitsAsPeopleReadThem) {
-  const json sliders = sliders_of(shipped("paper_sliding"));
+  const json sliders = sliders_of(test::shipped("paper_sliding"));
   const auto is = [&](const char* key, double value, const char* unit, double low, double high) {
     const json s = slider(sliders, key);
     EXPECT_EQ(s.at("unit"), unit) << key;
@@ -46,24 +43,24 @@ TEST(WhatIf, SlidersStandAtTheScenesValuesInUnitsAsPeopleReadThem) {
 
 TEST(WhatIf, TheSpeedTakesWithItWhatKeepsStep) {
   const json also = {"drive.speed", "force[0].frequency"};
-  EXPECT_EQ(slider(sliders_of(shipped("paper_passive")), "rotor.speed").at("also"), also);
+  EXPECT_EQ(slider(sliders_of(test::shipped("paper_passive")), "rotor.speed").at("also"), also);
   const json apart = {"force[0].frequency"};
-  const auto scene = shipped("paper_passive", {"drive.speed=49 Hz"});
+  const auto scene = test::shipped("paper_passive", {"drive.speed=49 Hz"});
   EXPECT_EQ(slider(sliders_of(scene), "rotor.speed").at("also"), apart);
 }
 
 TEST(WhatIf, EachOfSeveralContactsHasItsOwn) {
-  const json sliders = sliders_of(shipped("two_catchers"));
+  const json sliders = sliders_of(test::shipped("two_catchers"));
   EXPECT_FALSE(slider(sliders, "contact[0].clearance").empty());
   EXPECT_FALSE(slider(sliders, "contact[1].clearance").empty());
 }
 
 TEST(WhatIf, ALibraryOfTheUsersIsNotRunInAPage) {
-  scene::Scene scene = shipped("paper_sliding");
+  scene::Scene scene = test::shipped("paper_sliding");
   scene.auxiliary.front().controller->kind = scene::ControllerKind::kLibrary;
   scene.auxiliary.front().controller->library = "own.so";
   EXPECT_TRUE(sliders_of(scene).empty());
-  scene = shipped("paper_sliding");
+  scene = test::shipped("paper_sliding");
   scene.text.clear();
   EXPECT_TRUE(sliders_of(scene).empty());
 }

@@ -34,6 +34,7 @@ std::string columns_markdown() {
       {"series.csv", series_columns()},
       {"impacts.csv", impact_columns()},
       {"events.csv", event_columns()},
+      {"keyphasor.csv", keyphasor_columns()},
       {"summary.json", summary_keys()},
       {"compare.json: metrics of a run", metric_keys()},
       {"compare.json: a measured run", measured_keys()}};

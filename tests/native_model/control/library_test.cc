@@ -321,17 +321,36 @@ TEST(PythonController, AnExceptionEndsTheRunWithItsWords) {
   std::ofstream(folder / "broken_law.py") << R"(
 def create(setup):
     return None
+def limited(t):
+    if t >= 0.002: raise ValueError("no more")
 def step(law, now, state):
-    if now["t"] >= 0.002:
-        raise ValueError("no more")
+    limited(now["t"])
     return 1.0, 2.0
 )";
   const Trajectory t = run_native(read(
       "python_controller.so", "module = \"broken_law\"\npath = \"" + folder.string() + "\"\n"));
   EXPECT_EQ(t.status, Status::kControllerFailed);
-  expect_said(t.message, {"python_controller", "0.002", "ValueError: no more"});
+  // Its words, and the lines of the file that it came through.
+  const std::string file = (folder / "broken_law.py").string();
+  expect_said(t.message, {"python_controller", "0.002", "ValueError: no more",
+                          "in step (" + file + ":7)", "in limited (" + file + ":5)"});
   expect_said(refusal(read("python_controller.so", "module = \"no_such_law\"\n")),
               {"controller.config", "no_such_law"});
+}
+
+TEST(PythonController, MustReturnTwoNumbers) {
+  if (!fs::exists(kLibraries / "python_controller.so")) GTEST_SKIP() << "no Python to embed";
+  const fs::path folder = testing::TempDir();
+  std::ofstream(folder / "silent_law.py") << R"(
+def create(setup):
+    return None
+def step(law, now, state):
+    pass
+)";
+  const Trajectory t = run_native(read(
+      "python_controller.so", "module = \"silent_law\"\npath = \"" + folder.string() + "\"\n"));
+  EXPECT_EQ(t.status, Status::kControllerFailed);
+  expect_said(t.message, {"step() returns NoneType", "two numbers, ux and uy"});
 }
 
 }  // namespace

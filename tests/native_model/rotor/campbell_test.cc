@@ -2,9 +2,11 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
 #include <numbers>
+#include <vector>
 
 #include "native_model/rotor/modal_rotor.h"
 #include "tests/native_model/rotor/rotors.h"
@@ -43,6 +45,28 @@ TEST(Campbell, FriswellRotorAt4000Rpm) {
     const double digits = j == 5 ? 5e-3 : 5e-4;  // half a unit of the last digit printed
     EXPECT_NEAR(spectrum.modes[j].frequency, oracle::kFriswellAt4000Rpm[j], digits);
     EXPECT_NEAR(spectrum.modes[j].damping_ratio, 0.0, 1e-11);
+  }
+}
+
+// Of another program's documentation, to what shear makes of it; of elements without shear, to all
+// their digits.
+TEST(Campbell, RossExample) {
+  const WhirlSystem system = whirl_system(scene_of(oracle::ross_rotor(6)));
+  const auto rising = [&](double speed) {
+    std::vector<double> all;
+    for (const auto& mode : whirl_spectrum(system, speed).modes)
+      all.push_back(std::abs(mode.frequency));
+    std::sort(all.begin(), all.end());
+    return all;
+  };
+  const std::vector<double> at_rest = rising(0.0), turning = rising(100.0);
+  for (std::size_t j = 0; j < oracle::kRossAtRest.size(); ++j) {
+    const double shear = at_rest[j] / oracle::kRossAtRest[j] - 1.0;
+    EXPECT_NEAR(shear, j == 0 ? 5.5e-4 : 6.0e-4, 0.5e-4) << j;
+  }
+  for (std::size_t j = 0; j < oracle::kUnshearedRossAtRest.size(); ++j) {
+    EXPECT_NEAR(at_rest[j] / oracle::kUnshearedRossAtRest[j], 1.0, 2e-8) << j;
+    EXPECT_NEAR(turning[j] / oracle::kUnshearedRossAt100[j], 1.0, 2e-8) << j;
   }
 }
 

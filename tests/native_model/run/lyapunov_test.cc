@@ -34,6 +34,26 @@ TEST(LargestLyapunov, OfALinearRotorIsItsDecay) {
   EXPECT_NEAR(*found.exponent, -6.0, 0.3);
 }
 
+// From where a run has come to, its own turn as the stretch: of a fixed step whole steps of it.
+TEST(LargestLyapunov, AfterARunIsThatOfItsScene) {
+  scene::Scene s =
+      test::make_scene({.mass = 2.0, .damping = 24.0, .stiffness = 2e5, .speed = 200.0});
+  test::add_rotating_force(s, 20.0, 200.0);
+  s.run.step = 1e-4;
+  for (const auto integrator : {scene::Integrator::kEvent, scene::Integrator::kVerlet}) {
+    s.run.integrator = integrator;
+    const Lyapunov found = lyapunov_after(s, run_native(s, {}));
+    ASSERT_TRUE(found.exponent) << found.refused;
+    EXPECT_NEAR(*found.exponent, -6.0, 0.3);
+    EXPECT_NEAR(found.stretch, 2.0 * std::numbers::pi / 200.0, 0.5e-4);
+    if (integrator == scene::Integrator::kVerlet) {
+      EXPECT_NEAR(found.stretch / 1e-4, 314.0, 1e-9);
+    }
+  }
+  s.rotor.speed = 0.0;
+  EXPECT_NE(lyapunov_after(s, run_native(s, {})).refused.find("no turns"), std::string::npos);
+}
+
 // Rotating damping d_i at Omega feeds forward whirl: the root of s^2 + (d + d_i)/m s + (k - i Omega
 // d_i)/m with the greater real part.
 TEST(LargestLyapunov, OfAnUnstableRotorIsItsGrowth) {

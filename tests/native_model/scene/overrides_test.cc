@@ -50,6 +50,21 @@ TEST(Overrides, TakeWordsOfTheLastReleaseWithANote) {
   EXPECT_TRUE(with({"run.integrator=euler"}).notes.empty());
 }
 
+// A name plate's speed without its unit is taken in rad/s, with a word on it.
+TEST(Overrides, ASpeedThatReadsAsTurnsPerMinuteIsNoted) {
+  const Scene plain = with({"rotor.speed=3600"});
+  EXPECT_EQ(plain.rotor.speed, 3600.0);
+  ASSERT_EQ(plain.notes.size(), 1u);
+  EXPECT_EQ(plain.notes[0],
+            "rotor.speed = 3600 without a unit is in rad/s, 34377 rpm; for turns per minute write "
+            "\"3600 rpm\"");
+  for (const char* meant : {"rotor.speed=3600 rpm", "rotor.speed=3600 rad/s", "rotor.speed=314",
+                            "rotor.speed=1570.8", "rotor.speed=100000.0", "rotor.speed=0"}) {
+    EXPECT_TRUE(with({meant}).notes.empty()) << meant;
+  }
+  EXPECT_EQ(with({"rotor.speed=-1500"}).notes.size(), 1u);
+}
+
 TEST(Overrides, ReachElementsMakeTablesAndAppend) {
   EXPECT_EQ(with({"force[0].amplitude=200 N"}).forces[0].amplitude, 200.0);
   EXPECT_EQ(with({"force.0.amplitude=200"}).forces[0].amplitude, 200.0);

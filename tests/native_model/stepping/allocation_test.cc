@@ -85,16 +85,16 @@ TEST_F(Allocation, NoneInAStepOfSeveralContacts) {
   }
 }
 
-// A run of `event` allocates where it begins and where its lists of impacts and events grow, which
-// doubles them: a number that does not depend on the steps. A run of four times the length, with
-// its events, may allocate for those doublings only.
+// A run of `event` allocates where it begins and where its lists (impacts, events, the keyphasor's
+// passes) grow, which doubles them: a number that does not depend on the steps. A run of four times
+// the length, with its events, may allocate for those doublings only.
 TEST_F(Allocation, NoneInAStepOrEventOfEvent) {
   for (const char* name : kScenes) {
     SCOPED_TRACE(name);
     const Model model = make_model(soon_active(name));
     struct Run {
       std::int64_t allocations, steps;
-      std::size_t impacts, events;
+      std::size_t impacts, events, passes;
     };
     const auto run = [&](double end) {
       EventIntegrator integrator(model);
@@ -105,7 +105,7 @@ TEST_F(Allocation, NoneInAStepOrEventOfEvent) {
       const std::int64_t count = allocations - before;
       EXPECT_EQ(result.status, Status::kOk) << result.message;
       const Trajectory t = recorder.finish(end);
-      return Run{count, result.steps, t.impacts.size(), t.events.size()};
+      return Run{count, result.steps, t.impacts.size(), t.events.size(), t.keyphasor.size()};
     };
     const auto doublings = [](std::size_t n) {
       std::int64_t count = 0;
@@ -114,7 +114,9 @@ TEST_F(Allocation, NoneInAStepOrEventOfEvent) {
     };
     const Run brief = run(0.02), whole = run(0.08);
     EXPECT_GT(whole.steps, brief.steps + 20);
-    const auto grown = [&](const Run& r) { return doublings(r.impacts) + doublings(r.events); };
+    const auto grown = [&](const Run& r) {
+      return doublings(r.impacts) + doublings(r.events) + doublings(r.passes);
+    };
     EXPECT_LE(whole.allocations - grown(whole), brief.allocations - grown(brief))
         << whole.steps << " steps, " << whole.events << " events";
     EXPECT_LT(whole.allocations, 60);

@@ -86,8 +86,13 @@ TEST(Model, ModalFormIsCopied) {
 
 TEST(Model, InitialStateIsTheScenes) {
   scene::Scene s = test::machine_scene(true);
-  s.initial = {false,      {1e-4, -2e-4}, {3e-5, 0.0},  {0.1, 0.2},
-               {0.3, 0.4}, 0.7,           {0.01, 0.02}, {1.5, -2.5}};
+  s.initial = {.x = {1e-4, -2e-4},
+               .y = {3e-5, 0.0},
+               .vx = {0.1, 0.2},
+               .vy = {0.3, 0.4},
+               .spin_angle = 0.7,
+               .torsion = {0.01, 0.02},
+               .torsion_speed = {1.5, -2.5}};
   s.first().stator->position = {1e-5, -3e-5};
   s.first().stator->velocity = {0.02, 0.03};
   const State state = initial_state(make_model(s));

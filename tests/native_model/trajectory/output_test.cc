@@ -137,6 +137,10 @@ TEST_F(OutputTest, ImpactsAndEvents) {
   EXPECT_EQ(content(folder_ / "impacts.csv"),
             "t,normal_impulse,friction_impulse,gap_rate_before,gap_rate_after,slip_before,"
             "slip_after,energy_change\n0.25,2,-0.5,-1,0.5,15,14,-0.125\n");
+  t.keyphasor = {{0.5, 0.25, -0.125, 314.0}};
+  write_keyphasor(t, folder_ / "keyphasor.csv");
+  EXPECT_EQ(content(folder_ / "keyphasor.csv"),
+            "t,rotor_x,rotor_y,spin_speed\n0.5,0.25,-0.125,314\n");
   EXPECT_EQ(content(folder_ / "events.csv"),
             "t,event\n0.25,impact\n0.5,slide\n0.75,stick\n1,lift_off\n");
 }

@@ -48,6 +48,14 @@ scene::RotorGeometry friswell_rotor() {
   return rotor;
 }
 
+scene::RotorGeometry ross_rotor(int modes) {
+  scene::RotorGeometry rotor = friswell_rotor();
+  rotor.modes = modes;
+  rotor.discs[1] = bored_disc(1.0, 0.28, 0.05, 0.07, rotor.rho);
+  for (auto& bearing : rotor.bearings) bearing.stiffness = {1e6, 0.8e6};
+  return rotor;
+}
+
 double RayleighShaft::area() const {
   return std::numbers::pi / 4.0 * (diameter * diameter - inner_diameter * inner_diameter);
 }

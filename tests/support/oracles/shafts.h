@@ -23,6 +23,22 @@ inline constexpr std::array kFriswellAt4000Rpm{-85.442, 87.855,   -252.105,
 // rad/s, first elastic torsion mode of the free rotor.
 inline constexpr double kFriswellTorsion = 650.407;
 
+// Published: `rotor_example` of ROSS (github.com/petrobras/ross), two discs on a shaft of 1.5 m in
+// anisotropic bearings. ROSS's elements have shear, ours have none: by finite elements written
+// apart from both (cubic, six and 48 of them) shear lowers the first two frequencies of this rotor
+// by 0.055 and 0.060 %, six elements instead of 48 raise them by 1e-6.
+//
+// Undamped, `modes` bending modes kept.
+scene::RotorGeometry ross_rotor(int modes);
+
+// rad/s at rest, as the documentation of its run_modal prints them.
+inline constexpr std::array kRossAtRest{91.79655318, 96.28899977};
+// rad/s, of the 48 elements without shear: at rest, and at 100 rad/s by rising value.
+inline constexpr std::array kUnshearedRossAtRest{91.84910011612376, 96.34979187194821,
+                                                 274.9098408794061, 296.94572351643455};
+inline constexpr std::array kUnshearedRossAt100{91.83928941144944, 96.35685378683472,
+                                                274.40120718422025, 297.443042039183};
+
 // Exact: a uniform spinning Rayleigh shaft (bending with rotary inertia and gyroscopic moments) on
 // two rigid pins. With lambda = n pi / L, r^2 = I / A:
 //

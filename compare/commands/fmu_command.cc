@@ -1,0 +1,91 @@
+// rotorub fmu: a scene as a plant for other programs, after the Functional Mock-up Interface.
+
+#include <fmt/format.h>
+
+#include <CLI/CLI.hpp>
+#include <iostream>
+#include <memory>
+#include <nlohmann/json.hpp>
+
+#include "compare/base/json.h"
+#include "compare/base/module_file.h"
+#include "compare/commands/command.h"
+#include "compare/fmu/archive.h"
+#include "compare/fmu/description.h"
+#include "compare/fmu/names.h"
+#include "native_model/control/library.h"
+#include "native_model/scene/reader.h"
+#include "native_model/trajectory/output.h"
+
+namespace rotorub {
+namespace {
+
+struct FmuArguments : CommonOptions {
+  std::string scene, file, version = "3.0";
+};
+
+// The plant, with its functions of FMI.
+std::string binary() {
+  const std::filesystem::path file = module_file("librotorub_fmu.so");
+  if (file.empty())
+    throw std::runtime_error("librotorub_fmu.so is missing: it belongs into lib beside bin");
+  return scene::regular_file_text(file);
+}
+
+std::vector<fmi::ArchiveFile> files_of(const scene::Scene& scene, const StepwiseRun& run,
+                                       fmi::Version version) {
+  return {{"modelDescription.xml", model_description(scene, run, version)},
+          {std::string("resources/") + fmi::kSceneFile, scene.text},
+          {fmi::binary_path(scene, version), binary()}};
+}
+
+nlohmann::ordered_json ports_json(const std::vector<StepwiseRun::Port>& ports) {
+  nlohmann::ordered_json all = nlohmann::ordered_json::array();
+  for (const StepwiseRun::Port& port : ports)
+    all.push_back({{"name", port.name}, {"unit", port.unit}, {"meaning", port.meaning}});
+  return all;
+}
+
+int write_fmu(const FmuArguments& options) {
+  const scene::Scene scene = read_scene(options.scene, options);
+  const std::filesystem::path file = options.file.empty() ? scene.name + ".fmu" : options.file;
+  check_output(file, Output::kFile);
+  const StepwiseRun run(scene);
+  const fmi::Version version = options.version == "2.0" ? fmi::Version::k2 : fmi::Version::k3;
+  write_whole(file, fmi::archive(files_of(scene, run, version)));
+  if (options.json) {
+    std::cout << json_text({{"scene", scene.name},
+                            {"scene_hash", scene::scene_hash(scene)},
+                            {"file", file.string()},
+                            {"fmi_version", options.version},
+                            {"inputs", ports_json(run.inputs())},
+                            {"outputs", ports_json(run.outputs())}});
+  } else if (!options.quiet) {
+    std::string inputs;
+    for (const StepwiseRun::Port& port : run.inputs())
+      inputs += fmt::format("{}{} ({})", inputs.empty() ? "" : ", ", port.name, port.unit);
+    fmt::print("FMI {}, co-simulation; {} outputs; inputs: {}\nwritten to {}\n", options.version,
+               run.outputs().size(), inputs, file.string());
+  }
+  return kDone;
+}
+
+}  // namespace
+
+Command add_fmu_command(CLI::App& program) {
+  auto options = std::make_shared<FmuArguments>();
+  CLI::App* app = program.add_subcommand(
+      "fmu", "Write a scene as a plant for Simulink, Modelica or FMPy (FMI, co-simulation)");
+  app->add_option("SCENE", options->scene, "Scene file (.toml)")->required();
+  add_value(*app, "-o,--output", options->file, "FILE.fmu", "File (default: SCENE.fmu)");
+  app->add_option("--fmi", options->version, "Version of the interface, 3.0 or 2.0")
+      ->check(CLI::IsMember({"3.0", "2.0"}))
+      ->capture_default_str();
+  add_common_options(*app, *options);
+  return {app, [options] {
+            set_scene_libraries(SceneLibraries::kLeftOut);
+            return write_fmu(*options);
+          }};
+}
+
+}  // namespace rotorub

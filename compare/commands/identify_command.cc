@@ -1,0 +1,125 @@
+// rotorub identify: values of a scene from a measured run.
+
+#include <fmt/format.h>
+
+#include <CLI/CLI.hpp>
+#include <cstdio>
+#include <iostream>
+#include <memory>
+#include <nlohmann/json.hpp>
+
+#include "compare/base/json.h"
+#include "compare/commands/command.h"
+#include "compare/commands/measured_options.h"
+#include "compare/commands/terminal.h"
+#include "compare/identify/identify.h"
+#include "compare/identify/output.h"
+#include "compare/sweep/study_reader.h"
+#include "native_model/scene/schema.h"
+#include "native_model/scene/text.h"
+#include "native_model/trajectory/output.h"
+
+namespace rotorub {
+namespace {
+
+struct IdentifyArguments : CommonOptions, MeasuredArguments {
+  std::string scene, file;
+  std::vector<std::string> fit;
+};
+
+constexpr std::size_t kMostValues = 12;  // of one record
+
+// "contact.friction=0.05:0.4"
+identify::Wanted wanted_of(const std::string& text) {
+  const auto refuse = [&](const std::string& why) {
+    throw UsageError(
+        fmt::format("--fit {}: {}; accepted is a key of the scene and its range, as "
+                    "contact.friction=0.05:0.4 or contact.clearance=0.3mm:0.6mm",
+                    scene::printable(text), why));
+  };
+  const std::size_t equals = text.find('='), colon = text.find(':', equals);
+  if (equals == std::string::npos || colon == std::string::npos) refuse("is no range of a key");
+  identify::Wanted wanted;
+  wanted.key = scene::trimmed(text.substr(0, equals));
+  std::string reason;
+  const scene::Key* key = sweep::scene_key(wanted.key, reason);
+  if (!reason.empty()) throw UsageError(fmt::format("--fit {}", reason));
+  const bool is_number =
+      key && key->type != scene::ValueType::kWord && key->type != scene::ValueType::kFlag &&
+      key->type != scene::ValueType::kText && key->type != scene::ValueType::kWhole;
+  if (!is_number) refuse("that is no number");
+  const auto end = [&](const std::string& number) {
+    const auto parsed = scene::parse_quantity(number, key->quantity);
+    if (!parsed.error.empty()) refuse(parsed.error);
+    return parsed.value;
+  };
+  wanted.from = end(text.substr(equals + 1, colon - equals - 1));
+  wanted.to = end(text.substr(colon + 1));
+  if (key->quantity.unit != "1") wanted.unit = key->quantity.unit;
+  if (!(wanted.from < wanted.to)) refuse("its range is empty");
+  return wanted;
+}
+
+int run_identify(const IdentifyArguments& options) {
+  identify::Parameters parameters;
+  for (const std::string& text : options.fit) parameters.wanted.push_back(wanted_of(text));
+  if (parameters.wanted.size() > kMostValues) {
+    throw UsageError(fmt::format("--fit: {} values; accepted are at most {}",
+                                 parameters.wanted.size(), kMostValues));
+  }
+  const identify::ReadScene read = [&](const std::vector<std::string>& further) {
+    CommonOptions with = options;
+    with.overrides.insert(with.overrides.end(), further.begin(), further.end());
+    return read_scene(options.scene, with);
+  };
+  read({});  // says what is wrong with the scene before the record is read
+  const MeasuredInput measured = measured_of(options);
+  check_output(options.file, Output::kFile);
+  parameters.alignment = measured.alignment;
+  parameters.interrupt = &interrupted();
+  ProgressBar bar(options.quiet);
+  parameters.progress = [&](double share) { bar.show(share, "identify"); };
+
+  identify::Result result;
+  try {
+    result = identify::identify(read, *measured.record, parameters);
+  } catch (const MeasuredError& error) {
+    throw UsageError(fmt::format("{}: {}", scene::printable(measured.record->file), error.what()));
+  }
+  bar.clear();
+  if (result.interrupted) throw Interrupted();
+  if (!options.file.empty()) write_whole(options.file, read(result.overrides).text);
+  if (options.json) {
+    std::cout << json_text(identify::identify_json(measured.record->file, result));
+  } else if (!options.quiet) {
+    fmt::print("{}", identify::identify_table(measured.record->file, result));
+    if (!options.file.empty()) fmt::print("written to {}\n", options.file);
+  }
+  return kDone;
+}
+
+}  // namespace
+
+Command add_identify_command(CLI::App& program) {
+  auto options = std::make_shared<IdentifyArguments>();
+  CLI::App* app = program.add_subcommand(
+      "identify", "Values of a scene from a measured run, and how well it tells them");
+  app->add_option("SCENE", options->scene, "Scene file (.toml)")->required();
+  add_value(
+      *app, "--fit", options->fit, "KEY=FROM:TO",
+      "A value that is looked for and its range, as contact.friction=0.05:0.4; may be repeated")
+      ->expected(1)
+      ->take_all()
+      ->allow_extra_args(false)
+      ->required();
+  add_measured_options(*app, *options, "which tells the values");
+  app->get_option("--measured")->required();
+  add_value(*app, "-o,--output", options->file, "FILE.toml",
+            "Writes the scene with the values found there");
+  add_run_options(*app, *options);
+  add_controller_option(*app, *options);
+  add_common_options(*app, *options);
+  return {app, [options] { return run_identify(*options); }};
+}
+
+}  // namespace rotorub

@@ -1,0 +1,106 @@
+#include "compare/commands/measured_options.h"
+
+#include <fmt/format.h>
+
+#include <CLI/CLI.hpp>
+#include <boost/algorithm/string/trim.hpp>
+
+#include "compare/commands/command.h"
+#include "compare/measured/probes.h"
+#include "compare/measured/reader.h"
+#include "native_model/scene/text.h"
+
+namespace rotorub {
+namespace {
+
+// "CH1 X = rotor_x [mil]"; the file's name may hold an equals sign, what it means does not.
+std::vector<ColumnName> names_of(const std::vector<std::string>& texts) {
+  std::vector<ColumnName> names;
+  for (const std::string& text : texts) {
+    const std::size_t at = text.rfind('=');
+    ColumnName name;
+    if (at != std::string::npos)
+      name = {boost::trim_copy(text.substr(0, at)), boost::trim_copy(text.substr(at + 1))};
+    if (name.in_file.empty() || name.meant.empty()) {
+      throw UsageError(fmt::format(
+          "--measured-column {}: accepted is the file's name of a column, =, and what it is, as "
+          "\"CH1 X = rotor_x [mil]\"",
+          scene::printable(text)));
+    }
+    names.push_back(std::move(name));
+  }
+  return names;
+}
+
+// "45deg,135deg"
+void turn_probes(const std::string& text, MeasuredRecord& record) {
+  const std::string accepted = "the directions of two probes in the scene, as 45deg,135deg";
+  const std::size_t comma = text.find(',');
+  if (comma == std::string::npos)
+    throw UsageError(
+        fmt::format("--measured-probes {}: accepted are {}", scene::printable(text), accepted));
+  const auto angle = [&](const std::string& part) {
+    return quantity_of("--measured-probes", part, scene::kAngle, accepted);
+  };
+  const double first = angle(text.substr(0, comma)), second = angle(text.substr(comma + 1));
+  try {
+    resolve_probes(record, first, second);
+  } catch (const MeasuredError& error) {
+    throw UsageError(fmt::format("--measured-probes: {}", error.what()));
+  }
+}
+
+}  // namespace
+
+MeasuredInput measured_of(const MeasuredArguments& options) {
+  MeasuredInput input;
+  if (options.measured.empty()) {
+    if (options.measured_shift.empty() && options.measured_angle.empty() &&
+        options.measured_probes.empty() && options.measured_columns.empty())
+      return input;
+    throw UsageError(
+        "--measured-shift, --measured-angle, --measured-probes and --measured-column: of what "
+        "--measured names, and it names nothing");
+  }
+  if (!options.measured_probes.empty() && !options.measured_angle.empty()) {
+    throw UsageError(
+        "--measured-probes beside --measured-angle: the directions of the probes are their frame; "
+        "accepted is one of the two");
+  }
+  if (const std::string& shift = options.measured_shift; !shift.empty())
+    input.alignment.shift = quantity_of("--measured-shift", shift, scene::kTime);
+  if (const std::string& angle = options.measured_angle; !angle.empty())
+    input.alignment.angle = quantity_of("--measured-angle", angle, scene::kAngle);
+  auto record = std::make_shared<MeasuredRecord>(
+      read_measured(options.measured, names_of(options.measured_columns)));
+  if (!options.measured_probes.empty()) {
+    turn_probes(options.measured_probes, *record);
+    input.alignment.angle = 0.0;
+  }
+  input.record = std::move(record);
+  return input;
+}
+
+void add_measured_options(CLI::App& command, MeasuredArguments& arguments, const char* beside) {
+  add_value(command, "--measured", arguments.measured, "CSV",
+            fmt::format("A measured run of the one scene, {}: a table with a header, t and any of "
+                        "rotor, ring, gap, force, current, each with its unit, as `t [ms], "
+                        "rotor_x [um]` (compare/README.md)",
+                        beside));
+  add_value(command, "--measured-column", arguments.measured_columns, "NAME=COLUMN",
+            "What a column of a file with names of its own is, as \"CH1 X = rotor_x [mil]\"; may "
+            "be repeated; columns without such a name are left out")
+      ->expected(1)
+      ->take_all()
+      ->allow_extra_args(false);
+  add_value(command, "--measured-probes", arguments.measured_probes, "ANGLE,ANGLE",
+            "Directions in the scene, from x to y, that rotor_x and rotor_y are measured along, as "
+            "45deg,135deg (default: x and y of a frame)");
+  add_value(command, "--measured-shift", arguments.measured_shift, "TIME",
+            "Time added to the record's, as 12.5ms (default: found by least squares)");
+  add_value(command, "--measured-angle", arguments.measured_angle, "ANGLE",
+            "Angle of the sensors' x axis in the scene, from x to y, as 30deg (default: found "
+            "where x and y are measured)");
+}
+
+}  // namespace rotorub

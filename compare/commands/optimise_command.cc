@@ -1,0 +1,108 @@
+// rotorub optimise: the values of a study's keys for which a figure is best.
+
+#include <fmt/format.h>
+
+#include <CLI/CLI.hpp>
+#include <filesystem>
+#include <iostream>
+#include <memory>
+#include <nlohmann/json.hpp>
+
+#include "compare/base/columns.h"
+#include "compare/base/format.h"
+#include "compare/base/json.h"
+#include "compare/commands/command.h"
+#include "compare/commands/terminal.h"
+#include "compare/optimise/goal.h"
+#include "compare/optimise/optimiser.h"
+#include "compare/optimise/output.h"
+#include "compare/report/optimum_page.h"
+#include "native_model/scene/overrides.h"
+#include "native_model/trajectory/output.h"
+
+namespace rotorub {
+namespace {
+
+using std::filesystem::path;
+
+struct OptimiseArguments : CommonOptions {
+  std::string study, folder;
+};
+
+std::vector<std::string> all_overrides(const OptimiseArguments& options,
+                                       const optimise::Task& task) {
+  std::vector<std::string> all = task.study.overrides;
+  for (const std::string& text : overrides_of(options)) {
+    const std::string key = scene::override_key(text);
+    if (task.study.varies(key))
+      throw UsageError(fmt::format("--set {}: varies in the study; set another key", key));
+    all.push_back(text);
+  }
+  return all;
+}
+
+void write_files(const path& folder, const optimise::Task& task, const optimise::Optimum& optimum,
+                 const std::string& best) {
+  const std::string name = task.study.scene.stem().string();
+  std::filesystem::create_directories(folder);
+  write_whole(folder / "study.toml", task.study.text);
+  write_whole(folder / "evaluations.csv", optimise::evaluations_csv(task, optimum));
+  write_whole(folder / kColumnsFile, columns_text(optimise::evaluations_columns_json(task)));
+  write_whole(folder / "optimum.json", optimise::optimum_json(task, optimum).dump(2) + "\n");
+  if (!best.empty()) write_whole(folder / "best.toml", best);
+  write_whole(folder / "optimum.html", optimum_page(name, task, optimum, best));
+}
+
+int run_optimise(const OptimiseArguments& options) {
+  const optimise::Task task = optimise::read_task(options.study);
+  const scene::Variants variants(task.study.scene, all_overrides(options, task));
+  const path folder =
+      options.folder.empty() ? path("runs") / path(options.study).stem() : path(options.folder);
+  check_output(folder, Output::kFolder);
+  ProgressBar bar(options.quiet);
+  optimise::OptimiserOptions how;
+  how.interrupt = &interrupted();
+  how.progress = [&](const optimise::Optimum& so_far) {
+    const auto count = so_far.evaluations.size();
+    bar.show(
+        static_cast<double>(count) / task.goal.evaluations,
+        fmt::format(
+            "{} evaluations{}", count,
+            so_far.best ? ", best " + short_number(*so_far.evaluations[*so_far.best].figure) : ""));
+  };
+  const optimise::Optimum optimum = optimise::optimise(task, variants, how);
+  bar.clear();
+  if (optimum.ending == optimise::Ending::kInterrupted && optimum.evaluations.empty())
+    throw Interrupted();
+  const std::string best =
+      optimum.best
+          ? optimise::scene_of(task, variants, optimum.evaluations[*optimum.best].values, true).text
+          : "";
+  write_files(folder, task, optimum, best);
+  if (options.json) {
+    std::cout << optimise::optimum_json(task, optimum).dump(2) << "\n";
+  } else if (!options.quiet) {
+    fmt::print("{}written to {} ({}evaluations.csv, optimum.html)\n",
+               optimise::optimum_text(task.study.scene.stem().string(), task, optimum),
+               folder.string(), best.empty() ? "" : "best.toml, ");
+  }
+  if (optimum.ending == optimise::Ending::kInterrupted) throw Interrupted();
+  return optimum.best ? kDone : kFailed;
+}
+
+}  // namespace
+
+Command add_optimise_command(CLI::App& program) {
+  auto options = std::make_shared<OptimiseArguments>();
+  CLI::App* app = program.add_subcommand(
+      "optimise", "The gains or the design for which any figure is best, within constraints");
+  app->add_option("STUDY", options->study, "Study file (.toml) with a table [optimise]")
+      ->required();
+  add_value(*app, "-o,--output", options->folder, "DIR",
+            "Folder of the results (default: runs/<study>)");
+  add_controller_option(*app, *options);
+  add_common_options(*app, *options);
+  return {app, [options] { return run_optimise(*options); }};
+}
+
+}  // namespace rotorub

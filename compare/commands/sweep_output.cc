@@ -1,0 +1,140 @@
+#include "compare/commands/sweep_output.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cinttypes>
+#include <cstdio>
+#include <fstream>
+#include <iostream>
+#include <nlohmann/json.hpp>
+
+#include "compare/base/columns.h"
+#include "compare/base/json.h"
+#include "compare/commands/terminal.h"
+#include "compare/report/bifurcation_plot.h"
+#include "compare/report/page.h"
+#include "compare/report/sweep_page.h"
+#include "compare/sweep/bifurcation.h"
+#include "compare/sweep/group_statistics.h"
+#include "compare/sweep/point_result.h"
+#include "compare/sweep/point_run.h"
+#include "native_model/trajectory/output.h"
+
+namespace rotorub {
+namespace {
+
+using std::filesystem::path;
+
+// With --bifurcation: the diagram, which is kept beside the page; else one that was kept, or null.
+nlohmann::json bifurcation_of(const SweepArguments& options, const Sweep& sweep) {
+  const path file = sweep.folder / sweep::kBifurcationFile;
+  if (!options.bifurcation) {
+    if (!std::filesystem::exists(file)) return nullptr;
+    nlohmann::json data = nlohmann::json::parse(std::ifstream(file), nullptr, false);
+    return data.is_object() ? data : nullptr;
+  }
+  ProgressBar bar(options.quiet);
+  const auto diagram = sweep::bifurcation(
+      *sweep.scenes, &interrupted(), [&](double share) { bar.show(share, "bifurcation diagram"); });
+  bar.clear();
+  if (!diagram) throw Interrupted();
+  nlohmann::json data = bifurcation_data(sweep.study, sweep.scenes->sample(), *diagram);
+  write_whole(file, data.dump());
+  return data;
+}
+
+constexpr const char* kPointFolder = "point-";
+constexpr const char* kRunPage = "plot.html";
+
+// The way from the page to the run of a point.
+PointRuns point_runs(const SweepArguments& options, const Sweep& sweep) {
+  PointRuns runs{fmt::format("rotorub sweep {} -o {}", sweep::shell_word(options.study),
+                             sweep::shell_word(sweep.folder.string())),
+                 {}};
+  if (options.allow_library || !options.controller.empty()) runs.command += " --allow-library";
+  for (const std::string& text : overrides_of(options))
+    runs.command += " --set " + sweep::shell_word(text);
+  for (const auto& entry : std::filesystem::directory_iterator(sweep.folder)) {
+    const std::string name = entry.path().filename().string();
+    std::int64_t point = 0;
+    if (std::sscanf(name.c_str(), "point-%" SCNd64, &point) == 1 &&
+        std::filesystem::exists(entry.path() / kRunPage))
+      runs.kept[point] = name + "/" + kRunPage;
+  }
+  return runs;
+}
+
+}  // namespace
+
+void say(const SweepArguments& options, const std::string& text) {
+  if (!options.quiet && !options.json) fmt::print("{}\n", text);
+}
+
+std::string counts_text(const std::map<std::string, std::int64_t>& counts) {
+  std::string text;
+  for (const auto& [status, count] : counts) {
+    text += fmt::format("{}{} {}", text.empty() ? "" : ", ", count, status);
+  }
+  return text.empty() ? "none" : text;
+}
+
+void write_results(const SweepArguments& options, const Sweep& sweep, sweep::Store& store) {
+  sweep::write_csv(store, sweep.folder / sweep::kCsvFile);
+  write_whole(sweep.folder / kColumnsFile, columns_text(sweep::sweep_columns_json(sweep.study)));
+  const nlohmann::json kept = sweep_json(*sweep.scenes, store, sweep.study);
+  write_whole(sweep.folder / sweep::kDataFile, kept.dump());
+  if (sweep.study.statistics) {
+    sweep::write_statistics(sweep::group_statistics(store, sweep.study), sweep.study,
+                            sweep.folder / sweep::kStatisticsFile);
+  }
+  write_whole(sweep.folder / sweep::kPageFile,
+              sweep_page(*sweep.scenes, store, sweep.study, kept, point_runs(options, sweep),
+                         bifurcation_of(options, sweep)));
+  say(options, fmt::format("{} points: {}\nwritten to {} ({}, results.sqlite, {})", store.count(),
+                           counts_text(store.count_by_status()), sweep.folder.string(),
+                           sweep::kCsvFile, sweep::kPageFile));
+}
+
+// rotorub sweep STUDY.toml -o DIR --point N: the point's run as `rotorub run` keeps it, with its
+// page.
+int keep_points(const SweepArguments& options, const Sweep& sweep) {
+  const std::int64_t last = sweep.scenes->sample().size() - 1;
+  for (const std::int64_t point : options.points) {
+    if (point > last)
+      throw UsageError(fmt::format("--point {}: accepted are 0 to {}", point, last));
+  }
+  int code = kDone;
+  nlohmann::json all = nlohmann::json::array();
+  for (const std::int64_t point : options.points) {
+    const std::string name = fmt::format("{}{}", kPointFolder, point);
+    StoredRun kept{sweep.scenes->whole_at(point), {}};
+    ProgressBar bar(options.quiet || options.json);
+    RunRequest request;
+    request.interrupt = &interrupted();
+    request.progress = [&](double share) { bar.show(share, name); };
+    kept.trajectory = sweep::engine_of(sweep.study, kept.scene)->run(kept.scene, request);
+    bar.clear();
+    const path folder = sweep.folder / name;
+    write_run(folder, kept.scene, kept.trajectory);
+    write_whole(folder / kRunPage, run_page(kept, std::nullopt));
+    all.push_back({{"point", point},
+                   {"status", to_string(kept.trajectory.status)},
+                   {"folder", folder.string()}});
+    say(options, fmt::format("point {}: {}\nwritten to {} ({})", point,
+                             to_string(kept.trajectory.status), folder.string(), kRunPage));
+    say_failure(kept.scene, name + ": ", kept.trajectory);
+    code = std::max(code, exit_code_of(kept.trajectory.status));
+  }
+  if (options.json) std::cout << json_text({{"points", all}});
+  // The page leads to what is there now.
+  if (std::filesystem::exists(sweep.folder / sweep::kPageFile)) {
+    SweepArguments silent = options;
+    silent.quiet = true;
+    sweep::Store store = sweep.store({});
+    if (store.count() == last + 1) write_results(silent, sweep, store);
+  }
+  return code;
+}
+
+}  // namespace rotorub

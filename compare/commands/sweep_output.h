@@ -1,0 +1,51 @@
+// What `rotorub sweep` leaves in its folder once all points are there, and the runs of single
+// points.
+#pragma once
+
+#include <cstdint>
+#include <filesystem>
+#include <map>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "compare/commands/command.h"
+#include "compare/sweep/folder.h"
+#include "compare/sweep/sample.h"
+#include "compare/sweep/shard.h"
+#include "compare/sweep/store.h"
+
+namespace rotorub {
+
+struct SweepArguments : CommonOptions {
+  std::string study, folder, shard;
+  int jobs = 0, tasks = 0;  // 0: not given
+  bool slurm = false, bifurcation = false;
+  std::vector<std::string> merge;
+  std::vector<std::int64_t> points;  // whose runs are kept
+};
+
+// A study that has been read, and where its results go.
+struct Sweep {
+  sweep::Study study;
+  std::unique_ptr<sweep::PointScenes> scenes;
+  std::filesystem::path folder;
+  int jobs = 1;
+
+  sweep::Store store(const sweep::Shard& shard) const {
+    return {folder / shard.file(), study, sweep::identity_of(*scenes), shard};
+  }
+};
+
+// On standard output, unless it is to be quiet or JSON's.
+void say(const SweepArguments& options, const std::string& text);
+// "12 ok, 1 diverged"
+std::string counts_text(const std::map<std::string, std::int64_t>& counts);
+
+// All points are there: the tables and the page.
+void write_results(const SweepArguments& options, const Sweep& sweep, sweep::Store& store);
+
+// The runs of --point, each in a folder of its own with its page; the exit code.
+int keep_points(const SweepArguments& options, const Sweep& sweep);
+
+}  // namespace rotorub

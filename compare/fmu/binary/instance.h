@@ -1,0 +1,74 @@
+// An instance of the plant as FMI sees it, whichever version asks: values by their references,
+// time, and saved states. fmi3.cc and fmi2.cc are its two faces.
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <filesystem>
+#include <functional>
+#include <memory>
+#include <string>
+
+#include "native_model/run/stepwise_run.h"
+
+namespace rotorub::fmi {
+
+// Of both versions (FMI 3.0, 2.2.3; FMI 2.0.4, 2.1.3).
+enum Status { kOK = 0, kWarning = 1, kDiscard = 2, kError = 3, kFatal = 4 };
+
+using ValueReference = std::uint32_t;
+using Log = std::function<void(Status, const std::string&)>;
+
+class Instance {
+ public:
+  // resources: the folder of that name of the unpacked FMU; token: what its modelDescription.xml
+  // names, which is refused where the two are of different scenes. Throws std::exception.
+  Instance(const std::filesystem::path& resources, const std::string& token, Log log);
+
+  // `action` with what it throws as an error that is logged.
+  template <class Action>
+  Status guarded(Action action) {
+    try {
+      return action();
+    } catch (const std::exception& error) {
+      return refuse(error.what());
+    }
+  }
+  Status refuse(const std::string& why) const {
+    log_(kError, why);
+    return kError;
+  }
+
+  // Each reference is of a variable of that type: whole numbers, or others.
+  template <class Number>
+  Status get(const ValueReference* of, std::size_t count, Number* values);
+  Status set(const ValueReference* of, std::size_t count, const double* values);
+
+  Status enter_initialization(double start, bool has_stop, double stop);
+  Status exit_initialization();
+  Status reset();
+  // From `from` over `length`, s; events: it may return at one, which then waits.
+  Status do_step(double from, double length, bool events);
+  Status pass_event();
+  double time() const { return run_.time(); }
+  bool event_waits() const { return run_.event_waits(); }
+
+  // *state: null, or one that is replaced.
+  Status save(void** state) const;
+  Status restore(const void* state);
+  static void forget(void** state);
+
+  bool event_mode = false, early_return = false;  // what the importer can do
+
+ private:
+  bool begin_anew();
+
+  Log log_;
+  scene::Scene scene_;
+  StepwiseRun run_;
+  double stop_;                // s
+  bool initializing_ = false;  // inputs are still those of the start
+  bool changed_ = false;
+};
+
+}  // namespace rotorub::fmi

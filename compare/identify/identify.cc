@@ -1,0 +1,259 @@
+#include "compare/identify/identify.h"
+
+#include <Eigen/Cholesky>
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <nlopt.hpp>
+
+#include "compare/identify/residuals.h"
+
+namespace rotorub::identify {
+namespace {
+
+using Eigen::Index;
+using Eigen::MatrixXd;
+using Eigen::VectorXcd;
+using Eigen::VectorXd;
+
+constexpr double kEdge = 1e-3;  // of a range
+constexpr int kSearch = 60;     // runs of the first search, for each unknown
+constexpr int kDescent = 150;   // the same of a descent at most
+constexpr int kSteps = 12;      // of Gauss and Newton at most
+
+// The sum of squares as NLopt asks for it, and the best point that it met.
+class Descent {
+ public:
+  Descent(Residuals& residuals, const Parameters& parameters, int most)
+      : residuals_(residuals), parameters_(parameters), most_(most) {}
+
+  double square(const std::vector<double>& x) {
+    if (stopped()) throw nlopt::forced_stop();
+    const auto point = residuals_.at(x);
+    if (parameters_.progress) {
+      parameters_.progress(std::min(1.0, static_cast<double>(residuals_.runs()) / most_));
+    }
+    if (!point) return kNoRun;
+    const double square = point->square();
+    if (square < best_square) {
+      best_square = square;
+      best = x;
+    }
+    return square;
+  }
+
+  void search(int runs) { run(nlopt::GN_DIRECT_L, runs, middle(), 0.0); }
+
+  // From a point, with first steps of `reach` in the unit ranges.
+  void descend(const std::vector<double>& from, double reach, int runs) {
+    run(nlopt::LN_BOBYQA, runs, from, reach);
+  }
+
+  bool stopped() const {
+    return parameters_.interrupt && parameters_.interrupt->load(std::memory_order_relaxed);
+  }
+  std::vector<double> middle() const { return std::vector<double>(residuals_.unknowns(), 0.5); }
+
+  std::vector<double> best;
+  double best_square = std::numeric_limits<double>::infinity();
+
+ private:
+  // Where there is no run: beyond any sum of squares, and finite for the method's arithmetic.
+  static constexpr double kNoRun = 1e12;
+
+  void run(nlopt::algorithm method, int runs, std::vector<double> x, double reach) {
+    nlopt::opt search(method, static_cast<unsigned>(x.size()));
+    search.set_lower_bounds(0.0);
+    search.set_upper_bounds(1.0);
+    search.set_maxeval(runs);
+    search.set_xtol_abs(1e-9);
+    search.set_min_objective([](const std::vector<double>& at, std::vector<double>&,
+                                void* self) { return static_cast<Descent*>(self)->square(at); },
+                             this);
+    if (reach > 0.0) search.set_initial_step(reach);
+    double least = 0.0;
+    try {
+      search.optimize(x, least);
+    } catch (const nlopt::roundoff_limited&) {  // as near as it comes
+    } catch (const nlopt::forced_stop&) {
+    }
+  }
+
+  Residuals& residuals_;
+  const Parameters& parameters_;
+  int most_;
+};
+
+// What is left at a point, and its derivatives by the unknowns: central differences, one-sided at
+// an edge. None where a run beside it fails.
+struct Linearised {
+  Residuals::Point point;
+  Eigen::MatrixXcd slopes;  // values x unknowns
+};
+
+std::optional<Linearised> linearised(Residuals& residuals, const std::vector<double>& x) {
+  constexpr double kNudge = 1e-5;  // of a range
+  auto point = residuals.at(x);
+  if (!point) return std::nullopt;
+  Linearised all{std::move(*point), {}};
+  all.slopes.resize(all.point.fit.record.size(), static_cast<Index>(x.size()));
+  for (std::size_t k = 0; k < x.size(); ++k) {
+    std::vector<double> before = x, after = x;
+    before[k] = std::max(0.0, x[k] - kNudge);
+    after[k] = std::min(1.0, x[k] + kNudge);
+    const auto low = residuals.at(before), high = residuals.at(after);
+    if (!low || !high) return std::nullopt;
+    all.slopes.col(static_cast<Index>(k)) =
+        (high->fit.left() - low->fit.left()) / (after[k] - before[k]);
+  }
+  return all;
+}
+
+MatrixXd normal_matrix(const Eigen::MatrixXcd& slopes) {
+  return (slopes.adjoint() * slopes).real();
+}
+
+// Which unknowns the record says nothing of: what is left does not depend on them.
+std::vector<bool> silent(const MatrixXd& normal) {
+  const double most = normal.diagonal().maxCoeff();
+  std::vector<bool> all;
+  for (const double d : normal.diagonal()) all.push_back(!(d > 1e-18 * most));
+  return all;
+}
+
+// (J^T J)^-1 of those that the record tells of, 0 elsewhere; scaled, so that units do not matter.
+// Empty where it is singular to round-off.
+std::optional<MatrixXd> inverse_normal(MatrixXd normal) {
+  constexpr double kSingular = 1e-12;
+  const std::vector<bool> none = silent(normal);
+  VectorXd scale(normal.rows());
+  for (Index k = 0; k < scale.size(); ++k) {
+    const bool out = none[static_cast<std::size_t>(k)];
+    scale[k] = out ? 0.0 : 1.0 / std::sqrt(normal(k, k));
+  }
+  normal = (scale.asDiagonal() * normal * scale.asDiagonal()).eval();
+  for (Index k = 0; k < scale.size(); ++k) {
+    if (scale[k] == 0.0) normal(k, k) = 1.0;
+  }
+  const Eigen::LDLT<MatrixXd> factors(normal);
+  if (!(factors.rcond() > kSingular)) return std::nullopt;
+  const MatrixXd inverse = factors.solve(MatrixXd::Identity(normal.rows(), normal.cols()));
+  return scale.asDiagonal() * inverse * scale.asDiagonal();
+}
+
+// Gauss's and Newton's steps from the best point, each halved until it helps.
+void polish(Residuals& residuals, Descent& descent) {
+  for (int step = 0; step < kSteps && !descent.stopped(); ++step) {
+    const auto at = linearised(residuals, descent.best);
+    if (!at) return;
+    const auto inverse = inverse_normal(normal_matrix(at->slopes));
+    if (!inverse) return;
+    const VectorXd change = -*inverse * (at->slopes.adjoint() * at->point.fit.left()).real();
+    const std::vector<double> from = descent.best;
+    const double before = descent.best_square;
+    for (double share = 1.0; share > 1e-3 && descent.best_square >= before; share *= 0.5) {
+      std::vector<double> next = from;
+      for (std::size_t k = 0; k < next.size(); ++k) {
+        next[k] = std::clamp(next[k] + share * change[static_cast<Index>(k)], 0.0, 1.0);
+      }
+      descent.square(next);
+    }
+    if (!(descent.best_square < before * (1.0 - 1e-12))) return;
+  }
+}
+
+// Deviations and correlations, in the unknowns of the search.
+struct Known {
+  std::vector<std::optional<double>> error;
+  MatrixXd correlation;
+};
+
+Known known(const Linearised& at) {
+  const auto n = static_cast<std::size_t>(at.slopes.cols());
+  Known all{std::vector<std::optional<double>>(n),
+            MatrixXd::Identity(at.slopes.cols(), at.slopes.cols())};
+  const MatrixXd normal = normal_matrix(at.slopes);
+  const auto inverse = inverse_normal(normal);
+  if (!inverse) return all;
+  const std::vector<bool> none = silent(normal);
+  for (std::size_t k = 0; k < n; ++k) {
+    if (none[k]) continue;
+    const auto i = static_cast<Index>(k);
+    // Of an estimate sum(f r) / sum(f f) with f = J (J^T J)^-1 e_k, over its own square.
+    const VectorXcd f = at.slopes * inverse->col(i);
+    if (const auto error = at.point.fitting->error(f, at.point.fit))
+      all.error[k] = *error * f.squaredNorm();
+  }
+  for (Index i = 0; i < normal.rows(); ++i) {
+    for (Index j = 0; j < normal.rows(); ++j) {
+      const double size = std::sqrt((*inverse)(i, i) * (*inverse)(j, j));
+      all.correlation(i, j) = size > 0.0 ? (*inverse)(i, j) / size : i == j ? 1.0 : 0.0;
+    }
+  }
+  return all;
+}
+
+// The alignment at the end, which was fitted with the values.
+Alignment alignment_at(const Residuals& residuals, const std::vector<double>& x,
+                       const Residuals::Point& point) {
+  Alignment a = residuals.as_it_stood();
+  a.shift = residuals.shift(x);
+  a.angle = point.fit.angle;
+  a.correlation = point.fit.correlation();
+  if (point.fit.run.norm() > 0.0) a.residual = point.fit.left().norm() / point.fit.run.norm();
+  a.shift_error = a.angle_error = std::nullopt;
+  a.next = std::nullopt;
+  return a;
+}
+
+}  // namespace
+
+double Found::low() const { return std::max(wanted.from, value - kSure * error.value_or(0.0)); }
+double Found::high() const { return std::min(wanted.to, value + kSure * error.value_or(0.0)); }
+
+Result identify(const ReadScene& read, MeasuredRecord record, const Parameters& parameters) {
+  Residuals residuals(read, std::move(record), parameters);
+  Result result;
+  result.left_before = residuals.as_it_stood().residual.value_or(0.0);
+  result.samples = residuals.samples();
+
+  const int unknowns = static_cast<int>(residuals.unknowns());
+  const int most = (kSearch + 3 * kDescent) * unknowns;
+  Descent first(residuals, parameters, most);
+  first.search(kSearch * unknowns);
+  if (first.best.empty() && !first.stopped())
+    throw MeasuredError("no run within the ranges comes to its end");
+  if (!first.best.empty())
+    first.descend(std::vector<double>(first.best), 0.05, kDescent * unknowns);
+
+  // Again, each channel by what is left of it.
+  Descent second(residuals, parameters, most);
+  if (!first.stopped()) {
+    if (const auto point = residuals.at(first.best)) residuals.weigh(*point);
+    second.square(first.best);
+    second.descend(first.best, 0.01, kDescent * unknowns);
+    polish(residuals, second);
+  }
+  result.runs = residuals.runs();
+  result.interrupted = second.stopped();
+  if (result.interrupted) return result;
+
+  const auto at = linearised(residuals, second.best);
+  if (!at) throw MeasuredError("a run beside the values found does not come to its end");
+  const Known how = known(*at);
+  const auto n = static_cast<Index>(parameters.wanted.size());
+  for (std::size_t k = 0; k < parameters.wanted.size(); ++k) {
+    const double x = second.best[k];
+    Found found{parameters.wanted[k], residuals.value(k, x), how.error[k],
+                x < kEdge || x > 1.0 - kEdge};
+    if (found.error) *found.error *= residuals.slope(k, x);
+    result.found.push_back(std::move(found));
+  }
+  result.correlation = how.correlation.topLeftCorner(n, n);
+  result.alignment = alignment_at(residuals, second.best, at->point);
+  result.overrides = residuals.overrides(second.best);
+  result.runs = residuals.runs();
+  return result;
+}
+
+}  // namespace rotorub::identify

@@ -1,0 +1,98 @@
+#include "compare/identify/output.h"
+
+#include <fmt/format.h>
+
+#include <cmath>
+#include <nlohmann/json.hpp>
+
+#include "compare/base/format.h"
+#include "compare/base/json.h"
+#include "compare/measured/output.h"
+
+namespace rotorub::identify {
+namespace {
+
+using Eigen::Index;
+using nlohmann::json;
+
+constexpr double kAlike = 0.95;  // a correlation from which two values are hardly told apart
+
+std::string named(const Wanted& w) {
+  return w.unit.empty() ? w.key : fmt::format("{}, {}", w.key, w.unit);
+}
+
+std::string row(const Found& f) {
+  const std::string within =
+      f.error ? fmt::format("± {}", short_number(Found::kSure * *f.error)) : "not told";
+  return fmt::format("  {:<34}{:>12.6g}  {:<14}{:.4g} to {:.4g}\n", named(f.wanted), f.value,
+                     within, f.wanted.from, f.wanted.to);
+}
+
+std::string doubts(const Result& r) {
+  std::string text;
+  for (const Found& f : r.found) {
+    if (f.at_edge) {
+      text += wrapped("  - ", fmt::format("{} is at the edge of its range: what is best may lie "
+                                          "beyond",
+                                          f.wanted.key));
+    }
+    if (!f.error) {
+      text += wrapped("  - ", fmt::format("{}: nothing that the record shows depends on it alone",
+                                          f.wanted.key));
+    }
+  }
+  for (Index i = 0; i < r.correlation.rows(); ++i) {
+    for (Index j = i + 1; j < r.correlation.cols(); ++j) {
+      if (std::abs(r.correlation(i, j)) < kAlike) continue;
+      text += wrapped("  - ", fmt::format("{} and {} are hardly told apart: correlation {:+.3f}",
+                                          r.found[static_cast<std::size_t>(i)].wanted.key,
+                                          r.found[static_cast<std::size_t>(j)].wanted.key,
+                                          r.correlation(i, j)));
+    }
+  }
+  return text;
+}
+
+}  // namespace
+
+json identify_json(const std::string& measured, const Result& r) {
+  json parameters = json::array(), correlation = json::array();
+  for (const Found& f : r.found) {
+    parameters.push_back({{"key", f.wanted.key},
+                          {"unit", f.wanted.unit},
+                          {"value", f.value},
+                          {"error", number_or_null(f.error)},
+                          {"low", f.error ? json(f.low()) : json()},
+                          {"high", f.error ? json(f.high()) : json()},
+                          {"from", f.wanted.from},
+                          {"to", f.wanted.to},
+                          {"at_edge", f.at_edge}});
+  }
+  for (Index i = 0; i < r.correlation.rows(); ++i) {
+    const Eigen::VectorXd of = r.correlation.row(i);
+    correlation.push_back(std::vector<double>(of.begin(), of.end()));
+  }
+  return {{"measured", measured},
+          {"samples", r.samples},
+          {"runs", r.runs},
+          {"parameters", parameters},
+          {"correlation", correlation},
+          {"alignment", alignment_json(r.alignment)},
+          {"left_before", r.left_before},
+          {"left", number_or_null(r.alignment.residual)}};
+}
+
+std::string identify_table(const std::string& measured, const Result& r) {
+  std::string text = wrapped("", fmt::format("identified from {}: {} samples, {} native runs",
+                                             measured, r.samples, r.runs));
+  text += fmt::format("  {:<34}{:>12}  {:<14}{}\n", "", "value", "95 %", "looked for in");
+  for (const Found& f : r.found) text += row(f);
+  text += doubts(r);
+  text +=
+      wrapped("  ", fmt::format("left of the record: {:.3g} % of the run's rms, {:.3g} % of the "
+                                "scene as it stood",
+                                100.0 * r.alignment.residual.value_or(0.0), 100.0 * r.left_before));
+  return text + wrapped("  ", alignment_text(r.alignment));
+}
+
+}  // namespace rotorub::identify

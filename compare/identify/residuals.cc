@@ -1,0 +1,128 @@
+#include "compare/identify/residuals.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "compare/engine/engine.h"
+#include "native_model/scene/diagnostic.h"
+
+namespace rotorub::identify {
+namespace {
+
+// Samples that the run covers whatever shift within the room is tried.
+void keep(MeasuredRecord& record, double from, double to) {
+  std::vector<std::size_t> kept;
+  for (std::size_t i = 0; i < record.t.size(); ++i) {
+    if (record.t[i] >= from && record.t[i] <= to) kept.push_back(i);
+  }
+  const auto of = [&](auto& all) {
+    for (std::size_t k = 0; k < kept.size(); ++k) all[k] = all[kept[k]];
+    all.resize(kept.size());
+  };
+  of(record.t);
+  for (MeasuredColumn& c : record.columns) {
+    of(c.value);
+    of(c.sample);
+  }
+  if (kept.size() >= kLeastSamples) return;
+  throw MeasuredError(
+      fmt::format("{} samples of the record lie on the run, {} or more are accepted", kept.size(),
+                  kLeastSamples));
+}
+
+}  // namespace
+
+Residuals::Residuals(const ReadScene& read, MeasuredRecord record, const Parameters& parameters)
+    : read_(read),
+      wanted_(parameters.wanted),
+      record_(std::move(record)),
+      interrupt_(parameters.interrupt),
+      angle_(parameters.alignment.angle),
+      shift_held_(parameters.alignment.shift.has_value()) {
+  mark_clipped(record_);
+  const scene::Scene scene = read_({});
+  RunRequest request;
+  request.interrupt = interrupt_;
+  const Trajectory run = native_engine(scene.run.integrator)->run(scene, request);
+  ++runs_;
+  if (run.rows() < 2)
+    throw MeasuredError("the native run has no two rows to lay the record beside");
+  const SampledRun sampled(run);
+  before_ = align(record_, sampled, parameters.alignment);
+  if (before_.angle_from == AngleFrom::kCircle) angle_ = 0.0;
+  middle_ = before_.shift;
+  // A wrong model is laid in with a wrong shift.
+  if (!shift_held_) room_ = std::max(4.0 * record_.interval, 0.01 * record_.duration());
+  const double inside = room_ + record_.interval;  // a force is averaged over its sample
+  keep(record_, -middle_ + inside, scene.run.end - middle_ - inside);
+  channels_ = channels_of(record_, sampled, angle_.value_or(0.0));
+  if (channels_.empty())
+    throw MeasuredError("nothing that both the record and the native run move in");
+}
+
+double Residuals::value(std::size_t k, double x) const {
+  const Wanted& w = wanted_[k];
+  if (is_logarithmic(w)) return w.from * std::pow(w.to / w.from, x);
+  return w.from + (w.to - w.from) * x;
+}
+
+double Residuals::slope(std::size_t k, double x) const {
+  const Wanted& w = wanted_[k];
+  return is_logarithmic(w) ? value(k, x) * std::log(w.to / w.from) : w.to - w.from;
+}
+
+double Residuals::shift(const std::vector<double>& x) const {
+  return shift_held_ ? middle_ : middle_ + room_ * (2.0 * x.back() - 1.0);
+}
+
+std::vector<std::string> Residuals::overrides(const std::vector<double>& x) const {
+  std::vector<std::string> all;
+  for (std::size_t k = 0; k < wanted_.size(); ++k) {
+    all.push_back(fmt::format("{}={:.17g}", wanted_[k].key, value(k, x[k])));
+  }
+  return all;
+}
+
+// Rows at the samples themselves: nothing between rows is made up.
+Trajectory Residuals::run(const scene::Scene& scene, double shift) {
+  RunRequest request;
+  request.interrupt = interrupt_;
+  std::vector<double> rows;
+  for (const double t : record_.t) rows.push_back(t + shift);
+  rows.insert(rows.begin(), std::max(0.0, rows.front() - record_.interval));
+  rows.push_back(std::min(scene.run.end, rows.back() + record_.interval));
+  request.output_times = std::move(rows);
+  ++runs_;
+  return native_engine(scene.run.integrator)->run(scene, request);
+}
+
+std::optional<Residuals::Point> Residuals::at(const std::vector<double>& x) {
+  Point point;
+  const double by = shift(x);
+  try {
+    point.run = std::make_unique<Trajectory>(run(read_(overrides(x)), by));
+  } catch (const scene::SceneError&) {
+    return std::nullopt;  // a start outside of so small a clearance, say
+  }
+  if (point.run->status != Status::kOk) return std::nullopt;
+  point.sampled = std::make_unique<SampledRun>(*point.run);
+  point.fitting =
+      std::make_unique<Fitting>(*point.sampled, channels_, record_.interval, by, 0.0, angle_);
+  point.fit = point.fitting->at(by);
+  return point;
+}
+
+void Residuals::weigh(const Point& point) {
+  constexpr double kLeast = 1e-6;  // of the run's deviation: of a record without noise
+  std::vector<double> left;
+  for (const Channel& channel : channels_) left.push_back(point.fitting->rms(channel, point.fit));
+  for (std::size_t k = 0; k < channels_.size(); ++k) {
+    const double by = std::max(left[k], kLeast);
+    channels_[k].scale *= by;
+    channels_[k].value /= by;
+  }
+}
+
+}  // namespace rotorub::identify

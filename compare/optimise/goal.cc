@@ -1,0 +1,107 @@
+#include "compare/optimise/goal.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <stdexcept>
+
+#include "compare/sweep/study_reader.h"
+#include "native_model/scene/diagnostic.h"
+
+namespace rotorub::optimise {
+namespace {
+
+using scene::TomlNode;
+using sweep::StudyTable;
+using Diagnostics = std::vector<scene::Diagnostic>;
+
+std::optional<FigurePath> figure_of(const StudyTable& table, const char* key) {
+  const auto text = table.text(key);
+  if (!text) return std::nullopt;
+  try {
+    return parse_figure(*text);
+  } catch (const std::invalid_argument& error) {
+    table.fail(key, error.what());
+    return std::nullopt;
+  }
+}
+
+// A limit, in SI: which unit a figure has, its text does not say.
+void read_constraint(const StudyTable& table, Goal& goal) {
+  const auto figure = figure_of(table, "figure");
+  if (!table.has("figure")) table.missing("figure", "a figure, as those of `minimise`");
+  if (table.has("min") == table.has("max")) {
+    table.fail(table.has("min") ? "max" : "figure",
+               table.has("min") ? "beside `min`; a constraint of its own takes it"
+                                : "expected a limit beside it, `min` or `max`, in SI");
+    return;
+  }
+  const bool is_max = table.has("max");
+  const auto limit = table.number(is_max ? "max" : "min", scene::kPure);
+  if (figure && limit) goal.constraints.push_back({*figure, *limit, is_max});
+}
+
+Goal read_goal(const TomlNode& node, Diagnostics& diagnostics) {
+  const StudyTable table(
+      node, "optimise",
+      {"minimise", "maximise", "algorithm", "evaluations", "tolerance", "constraint"}, diagnostics);
+  constexpr std::array<std::string_view, 5> kAlgorithms{"cobyla", "bobyqa", "nelder_mead",
+                                                        "subplex", "direct"};
+  Goal goal;
+  goal.maximise = table.has("maximise");
+  if (goal.maximise == table.has("minimise"))
+    table.fail("minimise", "expected a figure as `minimise` or as `maximise`, one of the two");
+  if (const auto figure = figure_of(table, goal.maximise ? "maximise" : "minimise"))
+    goal.figure = *figure;
+  goal.algorithm = table.word<Algorithm>("algorithm", kAlgorithms).value_or(goal.algorithm);
+  goal.evaluations =
+      static_cast<int>(table.whole("evaluations", 1, 1'000'000).value_or(goal.evaluations));
+  goal.tolerance = table.number("tolerance", scene::kPure).value_or(goal.tolerance);
+  if (!(goal.tolerance > 0.0 && goal.tolerance < 1.0))
+    table.fail("tolerance", "expected a share of the keys' ranges, above 0 and below 1");
+  const TomlNode* list = table.find("constraint");
+  if (list == nullptr) return goal;
+  if (list->kind != TomlNode::Kind::kArray) {
+    table.fail("constraint", "expected tables [[optimise.constraint]]");
+    return goal;
+  }
+  for (std::size_t k = 0; k < list->items.size(); ++k) {
+    if (list->items[k].kind != TomlNode::Kind::kTable) {
+      table.fail("constraint", "expected tables [[optimise.constraint]]");
+      continue;
+    }
+    read_constraint(StudyTable(list->items[k], fmt::format("optimise.constraint[{}]", k),
+                               {"figure", "min", "max"}, diagnostics),
+                    goal);
+  }
+  const bool takes = goal.algorithm == Algorithm::kCobyla || goal.algorithm == Algorithm::kDirect;
+  if (!takes && !goal.constraints.empty())
+    table.fail("algorithm", "knows no constraints; accepted with them: cobyla, direct");
+  return goal;
+}
+
+}  // namespace
+
+bool Goal::needs(Source source) const {
+  return figure.source == source ||
+         std::any_of(constraints.begin(), constraints.end(),
+                     [&](const Constraint& c) { return c.figure.source == source; });
+}
+
+Task read_task(const std::filesystem::path& file) {
+  Task task{sweep::read_study(file, sweep::StudyUse::kOptimise), {}};
+  Diagnostics diagnostics;
+  const auto root = scene::parse_toml(task.study.text, file.string(), diagnostics);
+  const TomlNode* node = root ? root->find("optimise") : nullptr;
+  if (node == nullptr || node->kind != TomlNode::Kind::kTable) {
+    diagnostics.push_back({file.string(), node ? node->line : 0, "optimise",
+                           "missing: expected a table [optimise] with `minimise` or `maximise`"});
+  } else {
+    task.goal = read_goal(*node, diagnostics);
+  }
+  if (!diagnostics.empty()) throw scene::SceneError(std::move(diagnostics));
+  return task;
+}
+
+}  // namespace rotorub::optimise

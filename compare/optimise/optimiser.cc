@@ -1,0 +1,264 @@
+#include "compare/optimise/optimiser.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+#include <nlohmann/json.hpp>
+#include <nlopt.hpp>
+#include <stdexcept>
+
+#include "compare/engine/engine.h"
+#include "compare/figures/figure.h"
+#include "compare/metrics/metrics.h"
+#include "compare/modes/rotor_analysis.h"
+#include "compare/run_files/summary.h"
+#include "compare/sweep/point_run.h"
+#include "compare/sweep/sample.h"
+#include "native_model/scene/diagnostic.h"
+
+namespace rotorub::optimise {
+namespace {
+
+using nlohmann::json;
+
+struct Stopped {};  // by the user
+
+// Share of the way from `from` to `to`, of a key's start.
+double start_share(const sweep::Vary& vary) {
+  if (!vary.start) return 0.5;
+  if (vary.spacing == sweep::Spacing::kLinear)
+    return (*vary.start - vary.from) / (vary.to - vary.from);
+  return std::log(*vary.start / vary.from) / std::log(vary.to / vary.from);
+}
+
+class Search {
+ public:
+  Search(const Task& task, const scene::Variants& variants, const OptimiserOptions& options)
+      : task_(task), variants_(variants), options_(options) {}
+
+  Optimum run() {
+    std::vector<double> at;
+    for (const sweep::Vary& vary : task_.study.vary) at.push_back(start_share(vary));
+    const int all = task_.goal.evaluations;
+    // A start that is refused is a mistake of the study.
+    scene_of(task_, variants_, values_of(at), false);
+    if (task_.goal.algorithm != Algorithm::kDirect) {
+      constexpr nlopt::algorithm kAlgorithms[] = {nlopt::LN_COBYLA, nlopt::LN_BOBYQA,
+                                                  nlopt::LN_NELDERMEAD, nlopt::LN_SBPLX};
+      search(kAlgorithms[static_cast<int>(task_.goal.algorithm)], at, all);
+      return std::move(out_);
+    }
+    const bool constrained = !task_.goal.constraints.empty();
+    search(constrained ? nlopt::GN_ORIG_DIRECT_L : nlopt::GN_DIRECT_L, at, std::max(1, all / 2));
+    if (out_.best) at = shares_[*out_.best];
+    if (out_.ending != Ending::kInterrupted) search(nlopt::LN_COBYLA, at, all);
+    return std::move(out_);
+  }
+
+ private:
+  // Up to so many evaluations in all.
+  void search(nlopt::algorithm algorithm, std::vector<double> at, int most) {
+    constexpr double kFirstStep = 0.1;  // share of a range
+    const std::size_t keys = at.size();
+    if (static_cast<int>(out_.evaluations.size()) >= most) {
+      out_.ending = Ending::kEvaluations;
+      return;
+    }
+    most_ = most;
+    nlopt::opt nlopt(algorithm, static_cast<unsigned>(keys));
+    nlopt.set_lower_bounds(std::vector<double>(keys, 0.0));
+    nlopt.set_upper_bounds(std::vector<double>(keys, 1.0));
+    nlopt.set_min_objective(&Search::objective, this);
+    calls_.clear();
+    for (std::size_t k = 0; k < task_.goal.constraints.size(); ++k) calls_.push_back({this, k});
+    for (Call& call : calls_)
+      nlopt.add_inequality_constraint(&Search::constraint, &call, Optimum::kFeasible);
+    nlopt.set_xtol_abs(task_.goal.tolerance);
+    nlopt.set_initial_step(kFirstStep);
+    double least = 0.0;
+    try {
+      nlopt.optimize(at, least);
+      out_.ending = Ending::kConverged;
+    } catch (const nlopt::forced_stop&) {
+      out_.ending = interrupted_ ? Ending::kInterrupted : Ending::kEvaluations;
+    } catch (const nlopt::roundoff_limited&) {
+      out_.ending = Ending::kRoundoff;
+    }
+  }
+
+  struct Call {
+    Search* search;
+    std::size_t constraint;
+  };
+  static double objective(const std::vector<double>& x, std::vector<double>&, void* data) {
+    auto& search = *static_cast<Search*>(data);
+    const Evaluation& e = search.at(x);
+    return e.figure ? search.sign() * *e.figure : search.penalty();
+  }
+  static double constraint(const std::vector<double>& x, std::vector<double>&, void* data) {
+    const auto& call = *static_cast<Call*>(data);
+    const Evaluation& e = call.search->at(x);
+    return e.constraints[call.constraint]
+               ? call.search->excess(call.constraint, *e.constraints[call.constraint])
+               : 1.0;
+  }
+
+  double sign() const { return task_.goal.maximise ? -1.0 : 1.0; }
+  // Above 0: broken, as a share of the limit.
+  double excess(std::size_t k, double value) const {
+    const Constraint& c = task_.goal.constraints[k];
+    const double size = c.limit == 0.0 ? 1.0 : std::abs(c.limit);
+    return (c.is_max ? value - c.limit : c.limit - value) / size;
+  }
+  // What no run has, worse than all that any run had, and finite: linear models go through it.
+  double penalty() const {
+    double low = 0.0, high = 0.0;
+    bool any = false;
+    for (const Evaluation& e : out_.evaluations) {
+      if (!e.figure) continue;
+      const double value = sign() * *e.figure;
+      low = any ? std::min(low, value) : value;
+      high = any ? std::max(high, value) : value;
+      any = true;
+    }
+    return any ? high + (high - low) + 0.1 * std::abs(high) : 1.0;
+  }
+
+  std::vector<double> values_of(const std::vector<double>& shares) const {
+    std::vector<double> values;
+    for (std::size_t k = 0; k < shares.size(); ++k)
+      values.push_back(sweep::between(task_.study.vary[k], shares[k]));
+    return values;
+  }
+
+  // NLopt asks for the goal and for each constraint by itself: each point is run once.
+  const Evaluation& at(const std::vector<double>& shares) {
+    if (const auto found = known_.find(shares); found != known_.end())
+      return out_.evaluations[found->second];
+    if (static_cast<int>(out_.evaluations.size()) >= most_) throw nlopt::forced_stop();
+    try {
+      out_.evaluations.push_back(evaluate(values_of(shares)));
+    } catch (const Stopped&) {
+      interrupted_ = true;
+      throw nlopt::forced_stop();  // the only way out through NLopt
+    }
+    known_[shares] = shares_.size();
+    shares_.push_back(shares);
+    keep_best();
+    if (options_.progress) options_.progress(out_);
+    return out_.evaluations.back();
+  }
+
+  void keep_best() {
+    const Evaluation& last = out_.evaluations.back();
+    if (!last.figure || last.violation > Optimum::kFeasible) return;
+    if (!out_.best || sign() * *last.figure < sign() * *out_.evaluations[*out_.best].figure)
+      out_.best = out_.evaluations.size() - 1;
+  }
+
+  // Of the run: its figures, with what its summary has besides.
+  json run_json(const scene::Scene& scene, Evaluation& out) const {
+    RunRequest request;
+    request.interrupt = options_.interrupt;
+    const Trajectory run = sweep::engine_of(task_.study, scene)->run(scene, request);
+    if (run.status == Status::kInterrupted) throw Stopped();
+    if (run.status != Status::kOk) {
+      out.status = rotorub::to_string(run.status);
+      out.reason = run.message;
+      return nullptr;
+    }
+    json all = summary_json(scene, run);
+    all.update(metrics_json(metrics(run, contact_facts(scene))));
+    return all;
+  }
+
+  Evaluation evaluate(const std::vector<double>& values) const {
+    if (options_.interrupt && *options_.interrupt) throw Stopped();
+    Evaluation out;
+    out.values = values;
+    out.status = "ok";
+    out.constraints.resize(task_.goal.constraints.size());
+    const Goal& goal = task_.goal;
+    const bool mujoco = task_.study.engine == sweep::EngineKind::kMujoco;
+    try {
+      const scene::Scene scene = scene_of(task_, variants_, values, mujoco);
+      json run, modes;
+      if (goal.needs(Source::kModes)) modes = modes_json(analyse_rotor(scene, {}));
+      if (goal.needs(Source::kRun)) run = run_json(scene, out);
+      if (!out.ok()) return out;
+      const auto value = [&](const FigurePath& figure, bool largest) {
+        const auto found =
+            figure_value(figure, figure.source == Source::kRun ? run : modes, largest);
+        if (!found) {
+          out.status = sweep::kRefused;
+          out.reason = "has no number `" + figure.text + "`";
+        }
+        return found;
+      };
+      out.figure = value(goal.figure, !goal.maximise);
+      for (std::size_t k = 0; k < goal.constraints.size(); ++k) {
+        out.constraints[k] = value(goal.constraints[k].figure, goal.constraints[k].is_max);
+        if (out.constraints[k])
+          out.violation = std::max(out.violation, excess(k, *out.constraints[k]));
+      }
+    } catch (const scene::SceneError& error) {
+      out.status = sweep::kRefused;
+      out.reason = sweep::reason_of(error);
+    } catch (const std::invalid_argument& error) {
+      out.status = sweep::kRefused;
+      out.reason = error.what();
+    } catch (const std::runtime_error& error) {
+      out.status = sweep::kRefused;
+      out.reason = error.what();
+    }
+    if (!out.ok()) out.figure.reset();
+    return out;
+  }
+
+  const Task& task_;
+  const scene::Variants& variants_;
+  const OptimiserOptions& options_;
+  Optimum out_;
+  std::map<std::vector<double>, std::size_t> known_;  // by the shares of the keys
+  std::vector<std::vector<double>> shares_;           // of each evaluation
+  std::vector<Call> calls_;
+  int most_ = 0;
+  bool interrupted_ = false;
+};
+
+}  // namespace
+
+const char* to_string(Ending ending) {
+  switch (ending) {
+    case Ending::kConverged:
+      return "converged";
+    case Ending::kEvaluations:
+      return "evaluations used up";
+    case Ending::kRoundoff:
+      return "ended by round-off";
+    case Ending::kInterrupted:
+      break;
+  }
+  return "interrupted";
+}
+
+scene::Scene scene_of(const Task& task, const scene::Variants& variants,
+                      const std::vector<double>& values, bool with_text) {
+  std::vector<std::string> changes;
+  for (std::size_t k = 0; k < values.size(); ++k) {
+    const sweep::Vary& vary = task.study.vary[k];
+    changes.push_back(fmt::format("{}={}", vary.key, values[k]));
+    for (const std::string& key : vary.also)
+      changes.push_back(fmt::format("{}={}", key, values[k]));
+  }
+  return variants.scene(changes, with_text);
+}
+
+Optimum optimise(const Task& task, const scene::Variants& variants,
+                 const OptimiserOptions& options) {
+  return Search(task, variants, options).run();
+}
+
+}  // namespace rotorub::optimise

@@ -1,0 +1,111 @@
+#include "compare/optimise/output.h"
+
+#include <fmt/format.h>
+
+#include <nlohmann/json.hpp>
+
+#include "compare/base/columns.h"
+#include "compare/base/format.h"
+#include "compare/sweep/folder.h"
+#include "native_model/scene/text.h"
+
+namespace rotorub::optimise {
+namespace {
+
+using nlohmann::ordered_json;
+
+const char* goal_word(const Goal& goal) { return goal.maximise ? "maximise" : "minimise"; }
+
+std::string field(const std::optional<double>& value) {
+  return value ? fmt::format("{:.17g}", *value) : std::string();
+}
+
+}  // namespace
+
+std::string constraint_text(const Constraint& c) {
+  return fmt::format("{} {} {}", c.figure.text, c.is_max ? "<=" : ">=", short_number(c.limit));
+}
+
+ordered_json optimum_json(const Task& task, const Optimum& optimum) {
+  ordered_json all{{"figure", task.goal.figure.text},
+                   {"goal", goal_word(task.goal)},
+                   {"ending", to_string(optimum.ending)},
+                   {"evaluations", optimum.evaluations.size()},
+                   {"best", nullptr}};
+  if (!optimum.best) return all;
+  const Evaluation& best = optimum.evaluations[*optimum.best];
+  auto values = ordered_json::object();
+  for (std::size_t k = 0; k < best.values.size(); ++k)
+    values[task.study.vary[k].key] = best.values[k];
+  auto constraints = ordered_json::array();
+  for (std::size_t k = 0; k < best.constraints.size(); ++k) {
+    const Constraint& c = task.goal.constraints[k];
+    constraints.push_back({{"figure", c.figure.text},
+                           {c.is_max ? "max" : "min", c.limit},
+                           {"value", *best.constraints[k]}});
+  }
+  all["best"] = {{"evaluation", *optimum.best},
+                 {"values", values},
+                 {"figure", *best.figure},
+                 {"constraints", constraints}};
+  return all;
+}
+
+std::string evaluations_csv(const Task& task, const Optimum& optimum) {
+  std::string text = "evaluation";
+  for (const sweep::Vary& vary : task.study.vary) text += "," + sweep::csv_field(vary.key);
+  text += "," + sweep::csv_field(task.goal.figure.text);
+  for (const Constraint& c : task.goal.constraints) text += "," + sweep::csv_field(c.figure.text);
+  text += ",violation,status,reason\n";
+  for (std::size_t i = 0; i < optimum.evaluations.size(); ++i) {
+    const Evaluation& e = optimum.evaluations[i];
+    text += std::to_string(i);
+    for (const double value : e.values) text += "," + field(value);
+    text += "," + field(e.figure);
+    for (const auto& value : e.constraints) text += "," + field(value);
+    text += fmt::format(",{:.17g},{},{}\n", e.violation, e.status, sweep::csv_field(e.reason));
+  }
+  return text;
+}
+
+ordered_json evaluations_columns_json(const Task& task) {
+  auto all = ordered_json::array();
+  all.push_back(column_json("evaluation", "", "number in the order of the search, from 0"));
+  for (const sweep::Vary& vary : task.study.vary)
+    all.push_back(column_json(vary.key, vary.unit, "value of the key"));
+  all.push_back(column_json(task.goal.figure.text, "SI", "figure that the study optimises"));
+  for (const Constraint& c : task.goal.constraints)
+    all.push_back(column_json(c.figure.text, "SI", "figure of a constraint"));
+  all.push_back(column_json("violation", "",
+                            "most by which a constraint is broken, as a share of its limit"));
+  all.push_back(column_json("status", "", "ok, of a run, or refused"));
+  all.push_back(column_json("reason", "", "why it is not ok"));
+  return {{"evaluations.csv", all}};
+}
+
+std::string optimum_text(const std::string& name, const Task& task, const Optimum& optimum) {
+  std::string text = fmt::format("{}: {} {}\n", scene::printable(name), goal_word(task.goal),
+                                 scene::printable(task.goal.figure.text));
+  text +=
+      fmt::format("  {} evaluations, {}\n", optimum.evaluations.size(), to_string(optimum.ending));
+  if (!optimum.best) {
+    const Evaluation* last = optimum.evaluations.empty() ? nullptr : &optimum.evaluations.back();
+    text += "  none of them runs and keeps the constraints";
+    return text + (last && !last->ok() ? ": " + last->reason : "") + "\n";
+  }
+  const Evaluation& best = optimum.evaluations[*optimum.best];
+  for (std::size_t k = 0; k < best.values.size(); ++k) {
+    const sweep::Vary& vary = task.study.vary[k];
+    const bool edge = best.values[k] == vary.from || best.values[k] == vary.to;
+    text += fmt::format("  {:<40} {} {}{}\n", vary.key, short_number(best.values[k]), vary.unit,
+                        edge ? "  (an end of its range)" : "");
+  }
+  text += fmt::format("  {:<40} {}\n", task.goal.figure.text, short_number(*best.figure));
+  for (std::size_t k = 0; k < best.constraints.size(); ++k) {
+    text += fmt::format("  {:<40} {}\n", constraint_text(task.goal.constraints[k]),
+                        short_number(*best.constraints[k]));
+  }
+  return text;
+}
+
+}  // namespace rotorub::optimise

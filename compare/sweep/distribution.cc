@@ -1,0 +1,118 @@
+#include "compare/sweep/distribution.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <boost/math/distributions/lognormal.hpp>
+#include <boost/math/distributions/normal.hpp>
+#include <boost/math/distributions/triangular.hpp>
+#include <boost/math/distributions/weibull.hpp>
+#include <boost/math/policies/policy.hpp>
+#include <cmath>
+
+#include "native_model/scene/text.h"
+
+namespace rotorub::sweep {
+namespace {
+
+constexpr std::array<std::string_view, 5> kKinds{"uniform", "normal", "lognormal", "triangular",
+                                                 "weibull"};
+
+// What each is called in a study, in the order of the kinds; empty: it has none.
+struct Parameters {
+  const char* centre;
+  const char* width;
+  bool width_in_unit;
+};
+constexpr Parameters kParameters[] = {{"", "", false},
+                                      {"mean", "deviation", true},
+                                      {"median", "log_deviation", false},
+                                      {"mode", "", false},
+                                      {"scale", "shape", false}};
+
+// In double throughout: the functions behind are the build's own (RotorubMath.cmake), and a study's
+// points the same on every machine.
+using Policy = boost::math::policies::policy<boost::math::policies::promote_double<false>>;
+
+template <typename Law>
+double truncated(const Law& law, const Distribution& d, double share) {
+  const double low = std::isfinite(d.from) && d.from > support(law).first ? cdf(law, d.from) : 0.0;
+  const double high = std::isfinite(d.to) ? cdf(law, d.to) : 1.0;
+  constexpr double kLeast = 0x1p-53;
+  const double inside = std::clamp(low + share * (high - low), kLeast, 1.0 - kLeast);
+  return std::clamp(quantile(law, inside), d.from, d.to);
+}
+
+void check_ends(const StudyTable& table, const Distribution& d) {
+  if (!(d.from < d.to)) return table.fail("to", "expected a value above `from`");
+  if (d.kind == DistributionKind::kTriangular && (d.centre < d.from || d.centre > d.to))
+    return table.fail("mode", "expected a value between `from` and `to`");
+  const bool positive =
+      d.kind == DistributionKind::kLognormal || d.kind == DistributionKind::kWeibull;
+  if (positive && !(d.centre > 0.0))
+    return table.fail(kParameters[static_cast<int>(d.kind)].centre, "expected a value above 0");
+  if (positive && !(d.to > 0.0)) table.fail("to", "expected a value above 0");
+}
+
+}  // namespace
+
+double quantile(const Distribution& d, double share) {
+  using namespace boost::math;
+  switch (d.kind) {
+    case DistributionKind::kNormal:
+      return truncated(normal_distribution<double, Policy>(d.centre, d.width), d, share);
+    case DistributionKind::kLognormal:
+      return truncated(lognormal_distribution<double, Policy>(std::log(d.centre), d.width), d,
+                       share);
+    case DistributionKind::kTriangular:
+      return truncated(triangular_distribution<double, Policy>(d.from, d.centre, d.to), d, share);
+    case DistributionKind::kWeibull:
+      return truncated(weibull_distribution<double, Policy>(d.width, d.centre), d, share);
+    case DistributionKind::kUniform:
+      break;
+  }
+  return std::clamp(d.from + share * (d.to - d.from), d.from, d.to);
+}
+
+std::string distribution_words() { return "one of " + scene::join(kKinds); }
+
+std::optional<Distribution> read_distribution(const StudyTable& table,
+                                              const scene::Quantity& quantity) {
+  const auto kind = table.word<DistributionKind>("distribution", kKinds);
+  if (!kind) return std::nullopt;
+  Distribution d;
+  d.kind = *kind;
+  bool whole = true;
+  const auto read = [&](const char* key, const scene::Quantity& of, double& value, bool needed) {
+    if (needed && !table.has(key)) {
+      table.missing(key, fmt::format("{}, of distribution = \"{}\"", of.name,
+                                     kKinds[static_cast<std::size_t>(d.kind)]));
+    }
+    const auto given = table.number(key, of);
+    whole = whole && (given || (!needed && !table.has(key)));
+    if (given) value = *given;
+  };
+  for (std::size_t k = 0; k < kKinds.size(); ++k) {
+    const Parameters& p = kParameters[k];
+    const bool own = k == static_cast<std::size_t>(d.kind);
+    for (const char* key : {p.centre, p.width}) {
+      if (!own && *key != '\0' && table.has(key))
+        table.fail(key, fmt::format("belongs to distribution = \"{}\"", kKinds[k]));
+    }
+    if (!own) continue;
+    if (*p.centre != '\0') read(p.centre, quantity, d.centre, true);
+    if (*p.width == '\0') continue;
+    read(p.width, p.width_in_unit ? quantity : scene::kPure, d.width, true);
+    if (whole && !(d.width > 0.0)) table.fail(p.width, "expected a number above 0");
+    whole = whole && d.width > 0.0;
+  }
+  const bool bounded =
+      d.kind == DistributionKind::kUniform || d.kind == DistributionKind::kTriangular;
+  read("from", quantity, d.from, bounded);
+  read("to", quantity, d.to, bounded);
+  if (whole) check_ends(table, d);
+  return whole ? std::optional(d) : std::nullopt;
+}
+
+}  // namespace rotorub::sweep

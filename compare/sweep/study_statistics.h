@@ -1,0 +1,24 @@
+// What a study asks to be said of groups of its points: its table [statistics].
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "native_model/scene/toml_source.h"
+
+namespace rotorub::sweep {
+
+struct Study;
+
+struct Statistics {
+  std::vector<std::string> figures{"status", "attractor", "peak_force"};  // columns of the results
+  std::vector<std::size_t> by;  // places in Study::vary; a group: one value of each
+  std::vector<double> quantiles{0.05, 0.5, 0.95};  // in (0, 1)
+  double confidence = 0.95;                        // of the bounds, in (0, 1)
+};
+
+// After the varied keys of the study have been read. What is wrong goes to the diagnostics.
+Statistics read_statistics(const scene::TomlNode& node, const Study& study,
+                           std::vector<scene::Diagnostic>& diagnostics);
+
+}  // namespace rotorub::sweep

@@ -1,0 +1,207 @@
+#include "compare/sweep/study_vary.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+#include "compare/sweep/study_reader.h"
+#include "native_model/scene/schema.h"
+#include "native_model/scene/text.h"
+
+namespace rotorub::sweep {
+namespace {
+
+using scene::TomlNode;
+using Kind = TomlNode::Kind;
+
+// The value as it would stand behind `key =`.
+std::string toml_text(const TomlNode& value) {
+  TomlNode table;
+  table.entries.emplace_back("v", value);
+  std::string text = scene::write_toml(table);
+  text.erase(0, text.find('=') + 2);
+  while (!text.empty() && text.back() == '\n') text.pop_back();
+  return text;
+}
+
+// Why a value cannot stand in one field of a row, and behind `key =`; empty: it can.
+std::string unfit(const TomlNode& node) {
+  if (node.kind == Kind::kTable)
+    return "expected a value, got a table; a [[vary]] for each of its keys varies them";
+  if (node.kind == Kind::kDate) return "expected a value of a scene, got a date or time";
+  const bool broken = std::any_of(node.text.begin(), node.text.end(),
+                                  [](unsigned char c) { return c < 0x20 || c == 0x7f; });
+  if (broken) return "expected a text on one line, without control characters";
+  for (const TomlNode& item : node.items) {
+    if (std::string reason = unfit(item); !reason.empty()) return reason;
+  }
+  return {};
+}
+
+Value value_of(const StudyTable& table, const TomlNode& node, const std::string& name,
+               const std::string& path, const scene::Key* key) {
+  const bool number = (takes_number(path, key) && node.kind != Kind::kArray) ||
+                      (key != nullptr && key->type == scene::ValueType::kWhole);
+  if (!number && key != nullptr && !key->words.empty())
+    say_old_word(table.path_of(name), node.text);
+  if (!number) return {node.kind == Kind::kString ? node.text : toml_text(node), std::nullopt};
+  const auto value = table.number(node, name, key->quantity);
+  return {value ? number_text(*value) : "", value};
+}
+
+void read_values(const StudyTable& table, const TomlNode& node, const scene::Key* key, Vary& vary) {
+  for (const char* other : {"from", "to", "count", "spacing"}) {
+    if (!table.has(other)) continue;
+    table.fail(other, "beside `values`, which says the same; give one of them");
+  }
+  if (node.kind != Kind::kArray || node.items.empty()) {
+    table.fail("values", "expected a list of one value or more");
+    return;
+  }
+  for (std::size_t i = 0; i < node.items.size(); ++i) {
+    const std::string name = "values[" + std::to_string(i) + "]";
+    if (const std::string reason = unfit(node.items[i]); !reason.empty())
+      table.fail("values", name + ": " + reason);
+    vary.values.push_back(value_of(table, node.items[i], name, vary.key, key));
+  }
+  vary.count = static_cast<std::int64_t>(vary.values.size());
+}
+
+// Whole numbers: of a grid all of them, or `count` that are evenly spaced.
+void read_whole_range(const StudyTable& table, SampleKind kind, Vary& vary) {
+  constexpr auto kMost = static_cast<std::int64_t>(1) << 53;
+  for (const char* end : {"from", "to"})
+    if (!table.has(end)) table.missing(end, "a whole number, or `values`");
+  for (const char* other : {"spacing", "distribution"})
+    if (table.has(other)) table.fail(other, "is not of whole numbers: `from` and `to` give all");
+  const auto from = table.whole("from", -kMost, kMost), to = table.whole("to", -kMost, kMost);
+  vary.whole = true;
+  if (!from || !to) return;
+  vary.from = static_cast<double>(*from);
+  vary.to = static_cast<double>(*to);
+  if (*to < *from) return table.fail("to", "expected a whole number no less than `from`");
+  if (kind != SampleKind::kGrid) return;
+  vary.count = table.whole("count", 1, kMostPoints).value_or(*to - *from + 1);
+  if (vary.count > 1 ? (*to - *from) % (vary.count - 1) != 0 || *to == *from : *to != *from) {
+    table.fail("count", fmt::format("{} evenly spaced values from {} to {} are not all whole; "
+                                    "without `count` each whole number is one",
+                                    vary.count, *from, *to));
+  }
+}
+
+void read_range(const StudyTable& table, const scene::Key* key, SampleKind kind, Vary& vary) {
+  if (kind != SampleKind::kGrid && table.has("count"))
+    table.fail("count", "belongs to a grid; drawn points are as many as [sample] runs");
+  if (key != nullptr && key->type == scene::ValueType::kWhole)
+    return read_whole_range(table, kind, vary);
+  if (!takes_number(vary.key, key)) {
+    table.missing("values", "a list of values: " + vary.key +
+                                " is not one number, so that there is nothing between from and to");
+    return;
+  }
+  if (table.has("distribution")) {
+    if (kind == SampleKind::kGrid)
+      return table.fail("distribution", "belongs to points that are drawn, not to a grid");
+    if (table.has("spacing")) table.fail("spacing", "beside `distribution`; give one of them");
+    vary.distribution = read_distribution(table, key->quantity);
+    return;
+  }
+  for (const char* end : {"from", "to"}) {
+    if (!table.has(end)) table.missing(end, std::string(key->quantity.name) + ", or `values`");
+  }
+  const auto from = table.number("from", key->quantity), to = table.number("to", key->quantity);
+  constexpr std::array<std::string_view, 2> kSpacings{"linear", "log"};
+  vary.spacing = table.word<Spacing>("spacing", kSpacings).value_or(Spacing::kLinear);
+  if (from && to) {
+    vary.from = *from;
+    vary.to = *to;
+    if (vary.spacing == Spacing::kLog && !(vary.from > 0.0 && vary.to > 0.0)) {
+      table.fail("spacing", "log needs `from` and `to` above 0");
+    }
+    if (!std::isfinite(vary.to - vary.from)) table.fail("to", "too far from `from`");
+    vary.start = table.number("start", key->quantity);
+    if (vary.start && !(*vary.start >= vary.from && *vary.start <= vary.to))
+      table.fail("start", "expected a value between `from` and `to`");
+  }
+  if (kind == SampleKind::kGrid) {
+    if (!table.has("count")) table.missing("count", "how many values of the grid, 1 or more");
+    vary.count = table.whole("count", 1, kMostPoints).value_or(1);
+  }
+}
+
+void read_also(const StudyTable& table, Vary& vary) {
+  const TomlNode* also = table.find("also");
+  if (also == nullptr) return;
+  if (also->kind != Kind::kArray) return table.fail("also", "expected a list of keys");
+  for (const TomlNode& item : also->items) {
+    std::string reason = item.kind == Kind::kString ? "" : "expected a key, as \"drive.speed\"";
+    if (reason.empty()) scene_key(item.text, reason);
+    if (reason.empty() && item.text == vary.key) reason = "`" + vary.key + "` is the key itself";
+    if (!reason.empty()) table.fail("also", reason);
+    vary.also.push_back(item.text);
+  }
+}
+
+// From the list's file.
+void read_column(const StudyTable& table, const PointsFile& points, const scene::Key* key,
+                 Vary& vary) {
+  const std::string name = table.text("column").value_or(vary.key);
+  const auto cells = points.column(name);
+  if (!cells) {
+    table.fail(table.has("column") ? "column" : "key",
+               fmt::format("{} has no column `{}`; accepted: {}", points.file().string(),
+                           scene::printable(name), scene::join(points.names())));
+    return;
+  }
+  for (std::size_t i = 0; i < cells->size(); ++i)
+    vary.values.push_back(value_of(table, (*cells)[i], vary.key, vary.key, key));
+  vary.count = static_cast<std::int64_t>(vary.values.size());
+}
+
+}  // namespace
+
+Vary read_vary(const TomlNode& node, const std::string& path, SampleKind kind,
+               const PointsFile& points, std::vector<scene::Diagnostic>& diagnostics) {
+  const StudyTable table(
+      node, path,
+      {"key", "also", "values", "from", "to", "count", "spacing", "column", "distribution", "mean",
+       "deviation", "median", "log_deviation", "mode", "scale", "shape", "start"},
+      diagnostics);
+  Vary vary;
+  const auto name = table.text("key");
+  if (!name) {
+    if (!table.has("key")) table.missing("key", "a key of the scene, as contact.friction");
+    return vary;
+  }
+  vary.key = *name;
+  std::string reason;
+  const scene::Key* key = scene_key(vary.key, reason);
+  if (!reason.empty()) {
+    table.fail("key", reason);
+    return vary;
+  }
+  if (key != nullptr && key->quantity.unit != "1") vary.unit = key->quantity.unit;
+  read_also(table, vary);
+  const TomlNode* values = table.find("values");
+  if (table.has("column") && (points.empty() || values != nullptr))
+    table.fail("column",
+               points.empty() ? "needs the points' file: [sample] file" : "beside `values`");
+  if (!table.has("distribution")) {
+    for (const char* parameter : kDistributionKeys)
+      if (table.has(parameter)) table.missing("distribution", distribution_words());
+  }
+  if (values == nullptr && !points.empty()) {
+    read_column(table, points, key, vary);
+  } else if (kind == SampleKind::kList && values == nullptr) {
+    table.missing("values", "a list: in a list of points each [[vary]] gives all its values");
+  } else if (values != nullptr) {
+    read_values(table, *values, key, vary);
+  } else {
+    read_range(table, key, kind, vary);
+  }
+  return vary;
+}
+
+}  // namespace rotorub::sweep

@@ -1,0 +1,324 @@
+// rotorub fmu: the plant in an importer that knows nothing of rotorub but the archive.
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <sstream>
+
+#include "tests/cli/importer.h"
+#include "tests/cli/program.h"
+
+namespace rotorub::test {
+namespace {
+
+// The rows of series.csv by column; modes as the plant's numbers.
+std::map<std::string, std::vector<double>> series_in(const Folder& folder,
+                                                     const std::string& file) {
+  std::istringstream lines(folder.text(file));
+  std::map<std::string, std::vector<double>> series;
+  std::vector<std::string> names;
+  std::string line, word;
+  for (int row = 0; std::getline(lines, line); ++row) {
+    std::istringstream words(line);
+    for (std::size_t k = 0; std::getline(words, word, ','); ++k) {
+      if (row == 0) {
+        names.push_back(word);
+        continue;
+      }
+      const std::map<std::string, double> modes{{"free", 0.0}, {"slide", 1.0}, {"stick", 2.0}};
+      series[names[k]].push_back(modes.contains(word) ? modes.at(word) : std::stod(word));
+    }
+  }
+  return series;
+}
+
+// Steps of a power of two, whose multiples are exact.
+constexpr double kStep = 0x1p-11;
+
+class FmuOfScene : public testing::TestWithParam<const char*> {};
+
+TEST_P(FmuOfScene, GivesTheBitsOfARunAndStepsBackByASavedState) {
+  const Folder folder;
+  const std::string scene = shipped(GetParam());
+  const std::vector<std::string> sets{"--set", "run.end=0.0625", "--set",
+                                      "run.output_step=0.00048828125"};
+  folder.done(with({"run", scene, "--integrator", "event", "-q", "-o", "out"}, sets));
+  const auto series = series_in(folder, "out/series.csv");
+  folder.done(with({"fmu", scene, "-q", "-o", "plant.fmu"}, sets));
+  const UnpackedFmu fmu(folder.path() / "plant.fmu", folder.path() / "unpacked");
+  Plant plant(fmu);
+  ASSERT_TRUE(static_cast<bool>(plant)) << plant.said;
+  ASSERT_EQ(plant.initialize(0.0, true, 0.0625), kFmiOK) << plant.said;
+
+  constexpr std::size_t kSaved = 37;
+  const std::size_t rows = series.at("t").size();
+  ASSERT_EQ(rows, 129u);
+  const auto expect_rows = [&](std::size_t from) {
+    for (std::size_t row = from; row < rows; ++row) {
+      if (row > 0) {
+        const Plant::Step did = plant.step(static_cast<double>(row - 1) * kStep, kStep);
+        ASSERT_EQ(did.status, kFmiOK) << plant.said;
+        EXPECT_FALSE(did.event || did.ends || did.early);
+        EXPECT_EQ(did.time, series.at("t")[row]);
+      }
+      for (const auto& [name, column] : series) {
+        if (name == "t") continue;
+        ASSERT_EQ(plant.get(name), column[row]) << name << ", row " << row;
+      }
+      if (row == kSaved && from == 0) {
+        ASSERT_EQ(plant.of_state("GetFMUState"), kFmiOK);
+      }
+    }
+  };
+  expect_rows(0);
+  for (int again = 0; again < 2; ++again) {
+    ASSERT_EQ(plant.set_state(), kFmiOK);
+    expect_rows(kSaved + 1);
+  }
+  EXPECT_EQ(plant.of_state("FreeFMUState"), kFmiOK);
+  EXPECT_EQ(plant.state, nullptr);
+  // Anew from the start.
+  ASSERT_EQ(plant.call("Reset"), kFmiOK);
+  ASSERT_EQ(plant.initialize(0.0, false, 0.0), kFmiOK);
+  expect_rows(0);
+}
+INSTANTIATE_TEST_SUITE_P(Scenes, FmuOfScene,
+                         testing::Values("paper_passive", "paper_sliding_sampled", "two_catchers",
+                                         "amb_machine"),
+                         [](const auto& scene) { return std::string(scene.param); });
+
+TEST(Fmu, ReturnsAtEventsToAnImporterThatHandlesThem) {
+  const Folder folder;
+  folder.done({"run", shipped("bench_drop"), "--end", "0.0625", "-q", "-o", "out"});
+  const auto impacts = series_in(folder, "out/impacts.csv");
+  folder.done({"fmu", shipped("bench_drop"), "--set", "run.end=0.0625", "-q", "-o", "plant.fmu"});
+  const UnpackedFmu fmu(folder.path() / "plant.fmu", folder.path() / "unpacked");
+  Plant plant(fmu, true);
+  ASSERT_EQ(plant.initialize(0.0, true, 0.0625), kFmiOK);
+  std::size_t met = 0;
+  for (double t = 0.0; t < 0.0625 && met < 5;) {
+    const Plant::Step did = plant.step(t, 0.0625 - t);
+    ASSERT_EQ(did.status, kFmiOK) << plant.said;
+    t = did.time;
+    if (!did.event) continue;
+    EXPECT_TRUE(did.early);
+    EXPECT_EQ(t, impacts.at("t")[met]);
+    EXPECT_NEAR(plant.get("gap_rate"), impacts.at("gap_rate_before")[met], 1e-12);
+    ASSERT_EQ(plant.pass_event(), kFmiOK);
+    EXPECT_NEAR(plant.get("gap_rate"), impacts.at("gap_rate_after")[met], 1e-12);
+    EXPECT_EQ(plant.get("impacts"), static_cast<double>(++met));
+  }
+  EXPECT_EQ(met, 5u);
+}
+
+// A law outside, step by step: what it commands arrives, within the actuator's limit.
+TEST(Fmu, TakesTheCommandOfALawOutside) {
+  const Folder folder;
+  folder.done({"fmu", shipped("paper_passive"), "--set", "actuator.force_limit=50", "-q", "-o",
+               "plant.fmu"});
+  const UnpackedFmu fmu(folder.path() / "plant.fmu", folder.path() / "unpacked");
+  Plant plant(fmu);
+  ASSERT_EQ(plant.initialize(0.0, false, 0.0), kFmiOK) << plant.said;
+  // m, root of the mean square of the ring's deflection, half of it in the rub from 106 ms on.
+  const auto moved = [&](double stiffness) {
+    constexpr double kSample = 0x1p-12;
+    double sum = 0.0;
+    for (int k = 0; k < 900; ++k) {
+      EXPECT_EQ(plant.step(kSample * k, kSample).status, kFmiOK) << plant.said;
+      for (const char* axis : {"x", "y"}) {
+        EXPECT_LE(std::abs(plant.get(std::string("control_") + axis)), 50.0 * std::sqrt(2.0));
+        const double at = plant.get(std::string("stator_") + axis);
+        sum += at * at;
+        EXPECT_EQ(plant.set(std::string("command_") + axis, -stiffness * at), kFmiOK);
+      }
+    }
+    return std::sqrt(sum / 900.0);
+  };
+  const double free = moved(0.0);
+  ASSERT_EQ(plant.call("Reset"), kFmiOK);
+  ASSERT_EQ(plant.initialize(0.0, false, 0.0), kFmiOK);
+  const double held = moved(5e4);
+  EXPECT_GT(free, 1e-5);
+  EXPECT_LT(held, 0.9 * free) << "a stiffer ring moves less";
+}
+
+// Every function that the standard declares; and what cannot be done has a word.
+TEST(Fmu, HasEveryFunctionAndRefusesWithAWord) {
+  const Folder folder;
+  folder.done({"fmu", shipped("bench_ring"), "-q", "-o", "plant.fmu"});
+  const UnpackedFmu fmu(folder.path() / "plant.fmu", folder.path() / "unpacked");
+  Plant plant(fmu);
+  for (const char* name : {"GetVersion",
+                           "SetDebugLogging",
+                           "InstantiateModelExchange",
+                           "InstantiateCoSimulation",
+                           "InstantiateScheduledExecution",
+                           "FreeInstance",
+                           "EnterInitializationMode",
+                           "ExitInitializationMode",
+                           "EnterEventMode",
+                           "Terminate",
+                           "Reset",
+                           "GetFloat32",
+                           "GetFloat64",
+                           "GetInt8",
+                           "GetUInt8",
+                           "GetInt16",
+                           "GetUInt16",
+                           "GetInt32",
+                           "GetUInt32",
+                           "GetInt64",
+                           "GetUInt64",
+                           "GetBoolean",
+                           "GetString",
+                           "GetBinary",
+                           "GetClock",
+                           "SetFloat32",
+                           "SetFloat64",
+                           "SetInt8",
+                           "SetUInt8",
+                           "SetInt16",
+                           "SetUInt16",
+                           "SetInt32",
+                           "SetUInt32",
+                           "SetInt64",
+                           "SetUInt64",
+                           "SetBoolean",
+                           "SetString",
+                           "SetBinary",
+                           "SetClock",
+                           "GetNumberOfVariableDependencies",
+                           "GetVariableDependencies",
+                           "GetFMUState",
+                           "SetFMUState",
+                           "FreeFMUState",
+                           "SerializedFMUStateSize",
+                           "SerializeFMUState",
+                           "DeserializeFMUState",
+                           "GetDirectionalDerivative",
+                           "GetAdjointDerivative",
+                           "EnterConfigurationMode",
+                           "ExitConfigurationMode",
+                           "GetIntervalDecimal",
+                           "GetIntervalFraction",
+                           "GetShiftDecimal",
+                           "GetShiftFraction",
+                           "SetIntervalDecimal",
+                           "SetIntervalFraction",
+                           "SetShiftDecimal",
+                           "SetShiftFraction",
+                           "EvaluateDiscreteStates",
+                           "UpdateDiscreteStates",
+                           "EnterContinuousTimeMode",
+                           "CompletedIntegratorStep",
+                           "SetTime",
+                           "SetContinuousStates",
+                           "GetContinuousStateDerivatives",
+                           "GetEventIndicators",
+                           "GetContinuousStates",
+                           "GetNominalsOfContinuousStates",
+                           "GetNumberOfEventIndicators",
+                           "GetNumberOfContinuousStates",
+                           "EnterStepMode",
+                           "GetOutputDerivatives",
+                           "DoStep",
+                           "ActivateModelPartition"}) {
+    plant.function<void*>(name);
+  }
+  const auto refuses = [&](int status, const char* word) {
+    EXPECT_EQ(status, kFmiError);
+    EXPECT_TRUE(contains(plant.said, word)) << plant.said;
+    plant.said.clear();
+  };
+  EXPECT_STREQ(plant.function<const char* (*)()>("GetVersion")(), "3.0");
+  refuses(plant.initialize(1.0, false, 0.0), "begins at t = 0");
+  ASSERT_EQ(plant.initialize(0.0, false, 0.0), kFmiOK);
+  refuses(plant.step(0.5, 1e-3).status, "the plant is at t = 0");
+  refuses(plant.step(0.0, 0.0).status, "above 0");
+  refuses(plant.set("load_x", std::nan("")), "not finite");
+  refuses(plant.call("EnterEventMode"), "eventModeUsed");
+  refuses(plant.call("EnterConfigurationMode"), "does not offer");
+}
+
+TEST(Fmu, BelongsToTheSceneThatItsDescriptionNames) {
+  const Folder folder;
+  folder.done({"fmu", shipped("bench_ring"), "-q", "-o", "plant.fmu"});
+  const UnpackedFmu fmu(folder.path() / "plant.fmu", folder.path() / "unpacked");
+  std::ofstream(folder.path() / "unpacked/resources/scene.toml", std::ios::app) << "# another\n";
+  Plant plant(fmu);
+  EXPECT_FALSE(static_cast<bool>(plant));
+  EXPECT_TRUE(contains(plant.said, "is of another scene")) << plant.said;
+}
+
+TEST(Fmu, IsAnArchiveOfTheSameBytesEveryTime) {
+  const Folder folder;
+  const json said = folder.json_of({"fmu", shipped("bench_ring"), "--json"});
+  EXPECT_EQ(said.at("file"), "bench_ring.fmu");
+  EXPECT_EQ(said.at("fmi_version"), "3.0");
+  EXPECT_EQ(said.at("inputs")[0].at("name"), "command_x");
+  folder.done({"fmu", shipped("bench_ring"), "-q", "-o", "again.fmu"});
+  EXPECT_EQ(folder.text("bench_ring.fmu"), folder.text("again.fmu"));
+  expect_whole_files(folder);
+  const Outcome refused = folder.run({"fmu", shipped("finite_impacts"), "-o", "none.fmu"});
+  EXPECT_EQ(refused.code, 2);
+  EXPECT_TRUE(contains(refused.err, "contact.compression_time")) << refused.err;
+  EXPECT_FALSE(folder.has("none.fmu"));
+}
+
+// The same plant through the functions of FMI 2.0.
+TEST(Fmu, OfVersionTwoGivesTheSameNumbers) {
+  const Folder folder;
+  for (const char* version : {"3.0", "2.0"}) {
+    folder.done({"fmu", shipped("paper_passive"), "--fmi", version, "-q", "-o",
+                 std::string(version) + ".fmu"});
+  }
+  const UnpackedFmu three(folder.path() / "3.0.fmu", folder.path() / "3"),
+      two(folder.path() / "2.0.fmu", folder.path() / "the second");
+  Plant plant(three);
+  ASSERT_EQ(plant.initialize(0.0, true, 0.05), kFmiOK);
+
+  void* library = dlopen(two.binary().c_str(), RTLD_NOW | RTLD_LOCAL);
+  ASSERT_NE(library, nullptr);
+  const auto function = [&]<class F>(const char* name, F) {
+    return reinterpret_cast<F>(dlsym(library, name));
+  };
+  using OfInstance = int (*)(void*);
+  const struct {
+    void (*log)(void*, const char*, int, const char*, const char*, ...);
+    void* (*allocate)(std::size_t, std::size_t);
+    void (*release)(void*);
+    void (*finished)(void*, int);
+    void* environment;
+  } callbacks{nullptr, calloc, free, nullptr, nullptr};
+  std::string location = "file://" + two.resources();
+  location.replace(location.find(' '), 1, "%20");
+  using Instantiate = void* (*)(const char*, int, const char*, const char*, const void*, int, int);
+  void* instance = function("fmi2Instantiate", Instantiate{})(
+      "plant", 1, two.attribute("guid").c_str(), location.c_str(), &callbacks, 0, 0);
+  ASSERT_NE(instance, nullptr);
+  using SetUpExperiment = int (*)(void*, int, double, double, int, double);
+  ASSERT_EQ(function("fmi2SetupExperiment", SetUpExperiment{})(instance, 0, 0.0, 0.0, 1, 0.05),
+            kFmiOK);
+  for (const char* name : {"fmi2EnterInitializationMode", "fmi2ExitInitializationMode"})
+    ASSERT_EQ(function(name, OfInstance{})(instance), kFmiOK);
+  // The description of 2.0 writes a variable as an element around its type; in the same order.
+  for (const auto& [name, output] : three.outputs)
+    EXPECT_TRUE(contains(two.description(), "name=\"" + name + "\" valueReference=\"" +
+                                                std::to_string(output.reference) + "\""));
+  for (int k = 0; k < 50; ++k) {
+    ASSERT_EQ(plant.step(1e-3 * k, 1e-3).status, kFmiOK);
+    using DoStep = int (*)(void*, double, double, int);
+    ASSERT_EQ(function("fmi2DoStep", DoStep{})(instance, 1e-3 * k, 1e-3, 1), kFmiOK);
+    for (const auto& [name, output] : three.outputs) {
+      if (output.whole) continue;
+      double value = 0.0;
+      using GetReal = int (*)(void*, const Reference*, std::size_t, double*);
+      ASSERT_EQ(function("fmi2GetReal", GetReal{})(instance, &output.reference, 1, &value), kFmiOK);
+      ASSERT_EQ(value, plant.get(name)) << name;
+    }
+  }
+  function("fmi2FreeInstance", static_cast<void (*)(void*)>(nullptr))(instance);
+  dlclose(library);
+}
+
+}  // namespace
+}  // namespace rotorub::test

@@ -1,0 +1,74 @@
+// rotorub optimise: what it leaves, and what it says where it finds nothing.
+#include "tests/cli/program.h"
+
+namespace rotorub::test {
+namespace {
+
+std::string study(const std::string& goal) {
+  return "scene = \"" + shipped("bench_ring") +
+         "\"\n[[vary]]\nkey = \"stator.damping\"\nfrom = 20\nto = 2000\nspacing = \"log\"\n"
+         "[run]\nintegrator = \"verlet\"\nstep = \"50 us\"\nend = \"0.1 s\"\n[optimise]\n" +
+         goal;
+}
+
+void write(const Folder& folder, const std::string& text) {
+  std::ofstream(folder.path() / "study.toml") << text;
+}
+
+TEST(Optimise, LeavesTheBestSceneAndItsWay) {
+  const Folder folder;
+  write(folder, study("minimise = \"peak_impulse\"\nevaluations = 12\n"));
+  const json found = folder.json_of({"optimise", "study.toml", "-o", "out", "--json"});
+  EXPECT_EQ(folder.files(),
+            (std::vector<std::string>{"out/best.toml", "out/columns.json", "out/evaluations.csv",
+                                      "out/optimum.html", "out/optimum.json", "out/study.toml",
+                                      "study.toml"}));
+  EXPECT_LE(found.at("evaluations"), 12);
+  EXPECT_EQ(found, folder.json_in("out/optimum.json"));
+  // The best scene is the one whose figure that is.
+  folder.done({"run", "out/best.toml", "--integrator", "verlet", "-o", "best", "-q"});
+  double largest = 0.0;
+  std::istringstream impacts(folder.text("best/impacts.csv"));
+  std::string line;
+  std::getline(impacts, line);
+  while (std::getline(impacts, line))
+    largest = std::max(largest, std::stod(line.substr(line.find(',') + 1)));
+  EXPECT_DOUBLE_EQ(largest, found.at("best").at("figure").get<double>());
+  EXPECT_NE(folder.text("out/optimum.html").find("Which values are best?"), std::string::npos);
+  // The same again, to the last byte.
+  const std::string way = folder.text("out/evaluations.csv");
+  folder.done({"optimise", "study.toml", "-o", "again", "-q"});
+  EXPECT_EQ(folder.text("again/evaluations.csv"), way);
+}
+
+TEST(Optimise, SaysWhereThereIsNothing) {
+  const Folder folder;
+  write(folder, study("minimise = \"peak_impulse\"\nevaluations = 5\n"
+                      "[[optimise.constraint]]\nfigure = \"impacts\"\nmax = -1\n"));
+  const Outcome none = folder.run({"optimise", "study.toml", "-o", "out"});
+  EXPECT_EQ(none.code, 3);
+  EXPECT_NE(none.out.find("none of them runs and keeps the constraints"), std::string::npos);
+  EXPECT_FALSE(folder.has("out/best.toml"));
+  write(folder, study("minimise = \"peak_impulse\"\n"));
+  const Outcome set = folder.run({"optimise", "study.toml", "--set", "stator.damping=100"});
+  EXPECT_EQ(set.code, 2);
+  EXPECT_NE(set.err.find("varies in the study"), std::string::npos) << set.err;
+}
+
+// A study for both: the sweep takes no notice of the goal, nor does what it has stored.
+TEST(Optimise, AStudyMayBeASweepToo) {
+  const Folder folder;
+  const std::string text = study("minimise = \"peak_impulse\"\nevaluations = 3\n");
+  const std::size_t spacing = text.find("spacing");
+  write(folder, text.substr(0, spacing) + "count = 3\n" + text.substr(spacing) +
+                    "[sample]\nkind = \"grid\"\n");
+  folder.done({"sweep", "study.toml", "-o", "map", "-q"});
+  folder.done({"optimise", "study.toml", "-o", "out", "-q"});
+  write(folder, text);
+  const Outcome none = folder.run({"sweep", "study.toml", "-o", "none"});
+  EXPECT_EQ(none.code, 2);
+  EXPECT_NE(none.err.find("sample.kind: missing"), std::string::npos) << none.err;
+}
+
+}  // namespace
+}  // namespace rotorub::test

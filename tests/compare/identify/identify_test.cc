@@ -1,0 +1,175 @@
+// Values that are known, found again from records of twins with noise.
+#include "compare/identify/identify.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <string>
+#include <vector>
+
+#include "native_model/scene/diagnostic.h"
+#include "tests/compare/measurement.h"
+#include "tests/support/native_run.h"
+
+namespace rotorub::identify {
+namespace {
+
+// Thrown at an elastic ring under a turning load: some impacts, then a rub.
+constexpr const char* kThrownAtTheRing = R"(
+[run]
+end = 0.06
+[rotor]
+speed = 310.0
+[rotor.modal]
+mass = [2.0]
+stiffness = [2e5]
+damping = [40.0]
+[contact]
+radius = 0.02
+clearance = 0.5e-3
+friction = 0.2
+restitution = 0.4
+[stator]
+mass = 1.5
+damping = 300.0
+stiffness = 2e5
+[[force]]
+kind = "rotating"
+amplitude = 180.0
+frequency = 290.0
+phase = 0.4
+[initial]
+x = [0.2e-3]
+y = [-0.1e-3]
+vx = [0.25]
+vy = [0.05]
+)";
+
+// The scene as the engineer has it, whose values are not those of the machine.
+ReadScene scene_with(const std::vector<std::string>& always = {}) {
+  return [always](const std::vector<std::string>& further) {
+    std::vector<std::string> all = always;
+    all.insert(all.end(), further.begin(), further.end());
+    return scene::parse_scene(kThrownAtTheRing, "thrown.toml", all);
+  };
+}
+
+// What sensors saw of a machine with these values.
+MeasuredRecord record_with(const std::vector<std::string>& machine, const test::Sensors& sensors) {
+  NativeOptions options;
+  options.integrator = scene::Integrator::kEvent;
+  options.output_times = test::instants(sensors);
+  return test::record_of(run_native(scene_with(machine)({}), options), sensors);
+}
+
+test::Sensors sensors(unsigned seed, double noise = 2e-6) {
+  return {.from = 1e-3,
+          .to = 0.059,
+          .rate = 20e3,
+          .shift = 0.4e-3,
+          .angle = 0.3,
+          .noise = noise,
+          .seed = seed};
+}
+
+Parameters looking_for(std::vector<Wanted> wanted) {
+  Parameters parameters;
+  parameters.wanted = std::move(wanted);
+  return parameters;
+}
+
+double pull(const Found& f, double truth) { return (f.value - truth) / f.error.value(); }
+
+// Friction, restitution, clearance and the ring's mount at once.
+const std::vector<std::string> kMachine{"contact.friction=0.23", "contact.restitution=0.52",
+                                        "contact.clearance=0.47e-3", "stator.stiffness=2.4e5"};
+const std::vector<double> kTruth{0.23, 0.52, 0.47e-3, 2.4e5};
+std::vector<Wanted> wanted() {
+  return {{"contact.friction", "", 0.1, 0.4},
+          {"contact.restitution", "", 0.2, 0.8},
+          {"contact.clearance", "m", 0.4e-3, 0.6e-3},
+          {"stator.stiffness", "N/m", 1e5, 4e5}};
+}
+
+TEST(Identify, WithoutNoiseFindsTheValuesThemselves) {
+  const Result r =
+      identify(scene_with(), record_with(kMachine, sensors(1, 0.0)), looking_for(wanted()));
+  ASSERT_EQ(r.found.size(), 4u);
+  for (std::size_t k = 0; k < 4; ++k) {
+    EXPECT_NEAR(r.found[k].value / kTruth[k], 1.0, 1e-5) << r.found[k].wanted.key;
+    EXPECT_FALSE(r.found[k].at_edge);
+  }
+  EXPECT_NEAR(r.alignment.shift, 0.4e-3, 1e-9);
+  EXPECT_NEAR(r.alignment.angle, 0.3, 1e-6);
+  EXPECT_LT(r.alignment.residual.value(), 1e-5);
+  EXPECT_GT(r.left_before, 0.02) << "the scene as it stood is another machine";
+}
+
+// Over records of different noise the error that is stated is the one that is made: its squares
+// follow chi^2, of which 99.9 % lie between the bounds; and 95 % intervals hold the truth.
+TEST(IdentifyLong, StatesTheErrorsThatNoiseMakes) {
+  constexpr int kSeeds = 20;
+  std::vector<double> square(4, 0.0);
+  int inside = 0;
+  for (unsigned seed = 1; seed <= kSeeds; ++seed) {
+    const Result r =
+        identify(scene_with(), record_with(kMachine, sensors(seed)), looking_for(wanted()));
+    for (std::size_t k = 0; k < 4; ++k) {
+      square[k] += std::pow(pull(r.found[k], kTruth[k]), 2);
+      inside += r.found[k].low() <= kTruth[k] && kTruth[k] <= r.found[k].high() ? 1 : 0;
+      EXPECT_LT(r.found[k].error.value(), 0.05 * kTruth[k]) << r.found[k].wanted.key;
+    }
+  }
+  for (std::size_t k = 0; k < 4; ++k) {
+    EXPECT_GT(square[k], 5.4) << "0.1 % of chi^2 with 20: too cautious, " << wanted()[k].key;
+    EXPECT_LT(square[k], 45.3) << "99.9 %: too sure, " << wanted()[k].key;
+  }
+  EXPECT_GE(inside, 69) << "of 80, of which 76 are expected";
+}
+
+// A contact that gives: its stiffness from the depth of what it shows.
+TEST(Identify, FindsTheStiffnessOfAContact) {
+  const std::vector<std::string> soft{"contact.compliance={stiffness=5e6,hunt_crossley=0.7}"};
+  std::vector<std::string> machine = soft;
+  machine.push_back("contact.compliance.stiffness=3.3e6");
+  machine.push_back("contact.friction=0.25");
+  const Result r = identify(scene_with(soft), record_with(machine, sensors(3)),
+                            looking_for({{"contact.compliance.stiffness", "N/m", 1e6, 2e7},
+                                         {"contact.friction", "", 0.1, 0.4}}));
+  EXPECT_LT(std::abs(pull(r.found[0], 3.3e6)), 4.0) << r.found[0].value;
+  EXPECT_LT(std::abs(pull(r.found[1], 0.25)), 4.0) << r.found[1].value;
+  EXPECT_LT(r.found[0].error.value(), 0.05 * 3.3e6);
+}
+
+// What nothing depends on has no error, and what lies beyond its range says so.
+TEST(Identify, SaysWhatTheRecordDoesNotTell) {
+  const MeasuredRecord record = record_with({"contact.friction=0.3"}, sensors(5));
+  const Result r = identify(
+      scene_with({"gravity={acceleration=[0.0,0.0]}"}), record,
+      looking_for({{"contact.friction", "", 0.1, 0.25}, {"initial.spin_angle", "rad", 0.1, 3.0}}));
+  EXPECT_TRUE(r.found[0].at_edge);
+  EXPECT_NEAR(r.found[0].value, 0.25, 1e-3);
+  EXPECT_FALSE(r.found[1].error);
+}
+
+TEST(Identify, IsTheSameEveryTime) {
+  const MeasuredRecord record = record_with(kMachine, sensors(2));
+  const Parameters parameters = looking_for({{"contact.friction", "", 0.1, 0.4}});
+  const Result first = identify(scene_with(), record, parameters);
+  const Result second = identify(scene_with(), record, parameters);
+  EXPECT_EQ(first.found[0].value, second.found[0].value);
+  EXPECT_EQ(first.found[0].error, second.found[0].error);
+  EXPECT_EQ(first.runs, second.runs);
+}
+
+TEST(Identify, RefusesARecordOfNothingLikeIt) {
+  test::Sensors late = sensors(1);
+  late.shift = 0.0;
+  const MeasuredRecord record = record_with(kMachine, late);
+  Parameters parameters = looking_for({{"contact.friction", "", 0.1, 0.4}});
+  parameters.alignment.shift = 5.0;
+  EXPECT_THROW(identify(scene_with(), record, parameters), MeasuredError);
+}
+
+}  // namespace
+}  // namespace rotorub::identify

@@ -1,0 +1,72 @@
+// One summary: what the terminal says of a run is what its summary.json and Python have.
+#include "compare/study/table.h"
+
+#include <gtest/gtest.h>
+
+#include <nlohmann/json.hpp>
+#include <string>
+
+#include "compare/base/format.h"
+#include "compare/figures/figure.h"
+#include "compare/run_files/summary.h"
+#include "tests/support/native_run.h"
+
+namespace rotorub {
+namespace {
+
+// The value in the table's line of a label; empty: it has no such line.
+std::string told(const std::string& table, const std::string& label) {
+  const std::size_t at = table.find("\n  " + label + " ");
+  if (at == std::string::npos) return "";
+  const std::string line = table.substr(at + 1, table.find('\n', at + 1) - at - 1);
+  return line.substr(line.find_last_of(' ') + 1);
+}
+
+TEST(RunTable, HasTheFiguresOfTheSummary) {
+  const scene::Scene scene = test::shipped("bench_ring", {"run.end=0.1"});
+  for (const auto integrator : {scene::Integrator::kEvent, scene::Integrator::kVerlet}) {
+    const Trajectory run = test::run_with(scene, integrator);
+    const nlohmann::json summary = summary_json(scene, run);
+    const std::string table = run_table(scene, run);
+    int lines = 0;
+    for (const Figure& f : figures()) {
+      const std::string value = told(table, figure_label(f));
+      const nlohmann::json& number = summary.at(f.key);
+      if (value.empty()) {
+        EXPECT_TRUE(number.is_null() || number == 0.0) << f.key;
+        continue;
+      }
+      EXPECT_EQ(value, figure_value(f, number.get<double>())) << f.key;
+      ++lines;
+    }
+    EXPECT_GT(lines, 10);
+    EXPECT_EQ(told(table, "first touch, ms"),
+              short_number(1e3 * summary.at("first_touch").get<double>()));
+    EXPECT_NE(table.find(summary.at("settled").at("attractor").get<std::string>()),
+              std::string::npos);
+  }
+}
+
+// `event` has steps of its own: nothing that a step of the user's makes is a figure of it.
+TEST(RunTable, OfStepsOfItsOwnHasNoFigureOfTheStep) {
+  for (const char* step : {"run.step=1e-5", "run.step=1e-4"}) {
+    const scene::Scene scene = test::shipped("bench_ring", {"run.end=0.05", step});
+    const Trajectory run = test::run_event(scene);
+    static std::string before;
+    std::string table = run_table(scene, run);
+    table.resize(table.find("\n  steps"));
+    if (!before.empty()) {
+      EXPECT_EQ(table, before);
+    }
+    before = table;
+    EXPECT_EQ(told(table, "impulse / step, max, N"), "");
+    EXPECT_TRUE(summary_json(scene, run).at("peak_force").is_null());
+  }
+  const scene::Scene scene = test::shipped("bench_ring", {"run.end=0.05"});
+  const Trajectory fixed = test::run_with(scene, scene::Integrator::kVerlet);
+  EXPECT_NE(told(run_table(scene, fixed), "impulse / step, max, N"), "");
+  EXPECT_GT(summary_json(scene, fixed).at("peak_force").get<double>(), 0.0);
+}
+
+}  // namespace
+}  // namespace rotorub
