@@ -13,6 +13,19 @@ function(rotorub_embed target name file)
   target_sources(${target} PRIVATE "${unit}")
 endfunction()
 
+# rotorub_embed_packed(<target> <name> <file>)
+#
+# The same, the file as gzip packs it: what a page unpacks when it needs it.
+function(rotorub_embed_packed target name file)
+  set(packed "${CMAKE_CURRENT_BINARY_DIR}/${name}.gz")
+  add_custom_command(
+    OUTPUT "${packed}"
+    COMMAND gzip -9nc "${file}" > "${packed}"
+    DEPENDS "${file}"
+    VERBATIM)
+  rotorub_embed(${target} ${name} "${packed}")
+endfunction()
+
 # rotorub_bundle(<target> <name> <entry>)
 #
 # Embeds a script with all modules that it imports, bundled and shortened by esbuild for a plain <script>: a page that

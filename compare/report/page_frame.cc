@@ -11,6 +11,7 @@
 
 #include "compare/base/version.h"
 #include "compare/report/assets.h"
+#include "compare/report/plot_points.h"
 
 namespace rotorub {
 namespace {
@@ -111,11 +112,11 @@ json page_frame(const PageHead& head, const json& data, Pictures pictures) {
           {"heading", head.heading},
           {"version", program_version()},
           {"css", std::move(css)},
-          // Its script starts plotly once the player is drawn.
+          // Its script unpacks and starts plotly once the player is drawn.
           {"has_player", live},
           // Who has what to run in the page says so (page.cc).
           {"has_module", false},
-          {"plotly", plotly_js()},
+          {"plotly", live ? base64(packed_plotly_js()) : std::string(plotly_js())},
           // "</" would end the script element that holds the data.
           {"data", boost::replace_all_copy(data.dump(), "</", "<\\/")},
           {"scripts", live ? report_js() : still_js()}};

@@ -1,5 +1,6 @@
 // What the scripts of all pages share: the page's data, the drawing of a plot, and the light or dark theme.
 import {foldParts} from './fold.js';
+import {unpacked} from './packed.js';
 import {offerFiles} from './save.js';
 import {forgetColours} from './style.js';
 
@@ -71,9 +72,9 @@ export function whenNear(element, act) {
 
 // Plotly comes last and takes a third of a second: the player is there before it. `ready` follows.
 export function withPlotly(ready) {
-  requestAnimationFrame(() => setTimeout(() => {
+  requestAnimationFrame(() => setTimeout(async () => {
     const script = document.createElement('script');
-    script.textContent = document.getElementById('plotly').textContent;
+    script.textContent = await unpacked('plotly').text();
     document.head.append(script);
     ready();
   }, 50));

@@ -1,19 +1,14 @@
 // "What if": sliders of a scene's values. With what they say the native model, in a worker, computes the run again.
+import {unpacked} from './packed.js';
 import {short} from './style.js';
 
 const kRest = 150;    // ms without a move: then it is computed
 const kDigits = 3;    // of what a slider says
 
-const contentOf = (id) => document.getElementById(id).textContent.trim();
-
 // The module out of the page, once for all scenes.
 let compiled;
 function nativeModule() {
-  compiled ||= (async () => {
-    const bytes = Uint8Array.from(atob(contentOf('native-module')), (c) => c.charCodeAt(0));
-    const plain = new Blob([bytes]).stream().pipeThrough(new DecompressionStream('gzip'));
-    return WebAssembly.compile(await new Response(plain).arrayBuffer());
-  })();
+  compiled ||= unpacked('native-module').arrayBuffer().then((bytes) => WebAssembly.compile(bytes));
   return compiled;
 }
 
@@ -68,7 +63,7 @@ export class WhatIf {
     try {
       const module = await nativeModule();
       if (job !== this.job) return;
-      this.worker = new Worker(URL.createObjectURL(new Blob([contentOf('native-worker')], {type: 'text/javascript'})));
+      this.worker = new Worker(URL.createObjectURL(new Blob([document.getElementById('native-worker').textContent], {type: 'text/javascript'})));
       this.worker.onmessage = ({data}) => this.take(data, changes);
       this.worker.onerror = ({message}) => this.take({refused: message}, changes);
       this.worker.postMessage({module, text: this.asked.text, name: this.asked.name, changes});
