@@ -30,8 +30,8 @@ std::vector<std::unique_ptr<Engine>> every_engine() {
 TEST(KeyphasorOfEveryEngine, IsARowAtItsInstant) {
   const std::vector<scene::Scene> scenes{
       test::shipped("bench_ring", {"run.end=0.05"}),  // held spin, contact
-      test::shipped("run_up", {"run.end=0.3"}),       // a spin that rises
-      test::shipped("bench_rig", {"run.end=0.12"}),   // free, through impacts and a rub
+      test::shipped("run_up", {"run.end=0.1"}),       // a spin that rises
+      test::shipped("bench_rig", {"run.end=0.06"}),   // free, through impacts and a rub
   };
   for (const scene::Scene& scene : scenes) {
     for (const auto& engine : every_engine()) {
