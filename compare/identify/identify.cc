@@ -29,12 +29,11 @@ class Descent {
 
   double square(const std::vector<double>& x) {
     if (stopped()) throw nlopt::forced_stop();
-    const auto point = residuals_.at(x);
+    const double square = laid_in_ ? left_at(x) : left_anywhere(x);
     if (parameters_.progress) {
       parameters_.progress(std::min(1.0, static_cast<double>(residuals_.runs()) / most_));
     }
-    if (!point) return kNoRun;
-    const double square = point->square();
+    if (square == kNoRun) return square;
     if (square < best_square) {
       best_square = square;
       best = x;
@@ -42,7 +41,12 @@ class Descent {
     return square;
   }
 
-  void search(int runs) { run(nlopt::GN_DIRECT_L, runs, middle(), 0.0); }
+  // Of the values alone, each run with the record wherever it lies best on it.
+  void search(int runs) {
+    laid_in_ = false;
+    run(nlopt::GN_DIRECT_L, runs, std::vector<double>(residuals_.values(), 0.5), 0.0);
+    laid_in_ = true;
+  }
 
   // From a point, with first steps of `reach` in the unit ranges.
   void descend(const std::vector<double>& from, double reach, int runs) {
@@ -52,7 +56,6 @@ class Descent {
   bool stopped() const {
     return parameters_.interrupt && parameters_.interrupt->load(std::memory_order_relaxed);
   }
-  std::vector<double> middle() const { return std::vector<double>(residuals_.unknowns(), 0.5); }
 
   std::vector<double> best;
   double best_square = std::numeric_limits<double>::infinity();
@@ -60,6 +63,15 @@ class Descent {
  private:
   // Where there is no run: beyond any sum of squares, and finite for the method's arithmetic.
   static constexpr double kNoRun = 1e12;
+
+  double left_at(const std::vector<double>& x) {
+    const auto point = residuals_.at(x);
+    return point ? point->square() : kNoRun;
+  }
+  double left_anywhere(const std::vector<double>& values) {
+    const auto laid = residuals_.aligned(values);
+    return laid && laid->residual ? *laid->residual : kNoRun;
+  }
 
   void run(nlopt::algorithm method, int runs, std::vector<double> x, double reach) {
     nlopt::opt search(method, static_cast<unsigned>(x.size()));
@@ -82,6 +94,7 @@ class Descent {
   Residuals& residuals_;
   const Parameters& parameters_;
   int most_;
+  bool laid_in_ = true;
 };
 
 // What is left at a point, and its derivatives by the unknowns: central differences, one-sided at
@@ -196,7 +209,7 @@ Known known(const Linearised& at) {
 // The alignment at the end, which was fitted with the values.
 Alignment alignment_at(const Residuals& residuals, const std::vector<double>& x,
                        const Residuals::Point& point) {
-  Alignment a = residuals.as_it_stood();
+  Alignment a = residuals.laid();
   a.shift = residuals.shift(x);
   a.angle = point.fit.angle;
   a.correlation = point.fit.correlation();
@@ -214,21 +227,30 @@ double Found::high() const { return std::min(wanted.to, value + kSure * error.va
 Result identify(const ReadScene& read, MeasuredRecord record, const Parameters& parameters) {
   Residuals residuals(read, std::move(record), parameters);
   Result result;
-  result.left_before = residuals.as_it_stood().residual.value_or(0.0);
-  result.samples = residuals.samples();
+  if (const auto before = residuals.aligned_as_it_stands()) result.left_before = before->residual;
 
   const int unknowns = static_cast<int>(residuals.unknowns());
   const int most = (kSearch + 3 * kDescent) * unknowns;
+  Descent everywhere(residuals, parameters, most);
+  everywhere.search(kSearch * static_cast<int>(residuals.values()));
+  result.interrupted = everywhere.stopped();
+  if (result.interrupted) return result;
+  if (everywhere.best.empty()) {
+    throw MeasuredError(
+        "the record lies on no run within the ranges: other units, another motion, or chaos; "
+        "--measured-shift lays it in where it is given");
+  }
+  residuals.lay_in(everywhere.best);
+  result.samples = residuals.samples();
+  std::vector<double> start = everywhere.best;
+  start.resize(residuals.unknowns(), 0.5);
   Descent first(residuals, parameters, most);
-  first.search(kSearch * unknowns);
-  if (first.best.empty() && !first.stopped())
-    throw MeasuredError("no run within the ranges comes to its end");
-  if (!first.best.empty())
-    first.descend(std::vector<double>(first.best), 0.05, kDescent * unknowns);
+  first.square(start);
+  first.descend(start, 0.05, kDescent * unknowns);
 
   // Again, each channel by what is left of it.
   Descent second(residuals, parameters, most);
-  if (!first.stopped()) {
+  if (!first.stopped() && !first.best.empty()) {
     if (const auto point = residuals.at(first.best)) residuals.weigh(*point);
     second.square(first.best);
     second.descend(first.best, 0.01, kDescent * unknowns);

@@ -56,8 +56,10 @@ struct Result {
   std::vector<Found> found;
   Eigen::MatrixXd correlation;  // of what was found, n x n; 0 beside one that has no error
   Alignment alignment;          // of the scene with these values
-  double left_before = 0.0;     // rms of what is left over the run's, of the scene as it stood
-  std::size_t samples = 0;      // of the record, fitted
+  // Rms of what is left over the run's, of the scene as it stood; none: the record lay nowhere on
+  // it.
+  std::optional<double> left_before;
+  std::size_t samples = 0;  // of the record, fitted
   int runs = 0;
   bool interrupted = false;
   std::vector<std::string> overrides;  // "contact.friction=0.18", ...

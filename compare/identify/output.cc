@@ -78,7 +78,7 @@ json identify_json(const std::string& measured, const Result& r) {
           {"parameters", parameters},
           {"correlation", correlation},
           {"alignment", alignment_json(r.alignment)},
-          {"left_before", r.left_before},
+          {"left_before", number_or_null(r.left_before)},
           {"left", number_or_null(r.alignment.residual)}};
 }
 
@@ -88,10 +88,11 @@ std::string identify_table(const std::string& measured, const Result& r) {
   text += fmt::format("  {:<34}{:>12}  {:<14}{}\n", "", "value", "95 %", "looked for in");
   for (const Found& f : r.found) text += row(f);
   text += doubts(r);
-  text +=
-      wrapped("  ", fmt::format("left of the record: {:.3g} % of the run's rms, {:.3g} % of the "
-                                "scene as it stood",
-                                100.0 * r.alignment.residual.value_or(0.0), 100.0 * r.left_before));
+  const std::string before =
+      r.left_before ? fmt::format("{:.3g} % of the scene as it stood", 100.0 * *r.left_before)
+                    : "it lay nowhere on the scene as it stood";
+  text += wrapped("  ", fmt::format("left of the record: {:.3g} % of the run's rms, {}",
+                                    100.0 * r.alignment.residual.value_or(0.0), before));
   return text + wrapped("  ", alignment_text(r.alignment));
 }
 

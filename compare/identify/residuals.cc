@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "compare/engine/engine.h"
+#include "compare/metrics/rows.h"
 #include "native_model/scene/diagnostic.h"
 
 namespace rotorub::identify {
@@ -38,23 +39,43 @@ Residuals::Residuals(const ReadScene& read, MeasuredRecord record, const Paramet
     : read_(read),
       wanted_(parameters.wanted),
       record_(std::move(record)),
-      interrupt_(parameters.interrupt),
-      angle_(parameters.alignment.angle),
-      shift_held_(parameters.alignment.shift.has_value()) {
+      options_(parameters.alignment),
+      interrupt_(parameters.interrupt) {
   mark_clipped(record_);
-  const scene::Scene scene = read_({});
-  RunRequest request;
-  request.interrupt = interrupt_;
-  const Trajectory run = native_engine(scene.run.integrator)->run(scene, request);
-  ++runs_;
-  if (run.rows() < 2)
-    throw MeasuredError("the native run has no two rows to lay the record beside");
+}
+
+// Rows as far apart as the samples: wherever the record may lie on it.
+Trajectory Residuals::even_run(const scene::Scene& scene) {
+  const auto count = static_cast<std::size_t>(scene.run.end / record_.interval) + 2;
+  return run(scene, even_times(0.0, scene.run.end, count));
+}
+
+std::optional<Alignment> Residuals::aligned_on(const std::vector<std::string>& overrides) {
+  try {
+    const Trajectory run = even_run(read_(overrides));
+    if (run.status != Status::kOk) return std::nullopt;
+    return align(record_, SampledRun(run), options_);
+  } catch (const scene::SceneError&) {
+    return std::nullopt;  // a start outside of so small a clearance, say
+  } catch (const MeasuredError&) {
+    return std::nullopt;
+  }
+}
+
+std::optional<Alignment> Residuals::aligned(const std::vector<double>& values) {
+  return aligned_on(overrides(values));
+}
+
+std::optional<Alignment> Residuals::aligned_as_it_stands() { return aligned_on({}); }
+
+void Residuals::lay_in(const std::vector<double>& values) {
+  const scene::Scene scene = read_(overrides(values));
+  const Trajectory run = even_run(scene);
   const SampledRun sampled(run);
-  before_ = align(record_, sampled, parameters.alignment);
-  if (before_.angle_from == AngleFrom::kCircle) angle_ = 0.0;
-  middle_ = before_.shift;
-  // A wrong model is laid in with a wrong shift.
-  if (!shift_held_) room_ = std::max(4.0 * record_.interval, 0.01 * record_.duration());
+  laid_ = align(record_, sampled, options_);
+  angle_ = laid_.angle_from == AngleFrom::kCircle ? std::optional(0.0) : options_.angle;
+  middle_ = laid_.shift;
+  if (!options_.shift) room_ = std::max(4.0 * record_.interval, 0.01 * record_.duration());
   const double inside = room_ + record_.interval;  // a force is averaged over its sample
   keep(record_, -middle_ + inside, scene.run.end - middle_ - inside);
   channels_ = channels_of(record_, sampled, angle_.value_or(0.0));
@@ -74,7 +95,7 @@ double Residuals::slope(std::size_t k, double x) const {
 }
 
 double Residuals::shift(const std::vector<double>& x) const {
-  return shift_held_ ? middle_ : middle_ + room_ * (2.0 * x.back() - 1.0);
+  return options_.shift ? middle_ : middle_ + room_ * (2.0 * x.back() - 1.0);
 }
 
 std::vector<std::string> Residuals::overrides(const std::vector<double>& x) const {
@@ -85,14 +106,9 @@ std::vector<std::string> Residuals::overrides(const std::vector<double>& x) cons
   return all;
 }
 
-// Rows at the samples themselves: nothing between rows is made up.
-Trajectory Residuals::run(const scene::Scene& scene, double shift) {
+Trajectory Residuals::run(const scene::Scene& scene, std::vector<double> rows) {
   RunRequest request;
   request.interrupt = interrupt_;
-  std::vector<double> rows;
-  for (const double t : record_.t) rows.push_back(t + shift);
-  rows.insert(rows.begin(), std::max(0.0, rows.front() - record_.interval));
-  rows.push_back(std::min(scene.run.end, rows.back() + record_.interval));
   request.output_times = std::move(rows);
   ++runs_;
   return native_engine(scene.run.integrator)->run(scene, request);
@@ -102,7 +118,12 @@ std::optional<Residuals::Point> Residuals::at(const std::vector<double>& x) {
   Point point;
   const double by = shift(x);
   try {
-    point.run = std::make_unique<Trajectory>(run(read_(overrides(x)), by));
+    const scene::Scene scene = read_(overrides(x));
+    // Rows at the samples themselves: nothing between rows is made up.
+    std::vector<double> rows{std::max(0.0, record_.t.front() + by - record_.interval)};
+    for (const double t : record_.t) rows.push_back(t + by);
+    rows.push_back(std::min(scene.run.end, rows.back() + record_.interval));
+    point.run = std::make_unique<Trajectory>(run(scene, std::move(rows)));
   } catch (const scene::SceneError&) {
     return std::nullopt;  // a start outside of so small a clearance, say
   }

@@ -14,12 +14,20 @@ namespace rotorub::identify {
 
 class Residuals {
  public:
-  // Lays the record beside the scene as it stands.
   Residuals(const ReadScene& read, MeasuredRecord record, const Parameters& parameters);
 
   // Unknowns in [0, 1]: of each value its place in its range, in the logarithm where that spans a
-  // decade or more; then that of the shift, where it is not given.
-  std::size_t unknowns() const { return wanted_.size() + (shift_held_ ? 0 : 1); }
+  // decade or more; then, once the record is laid in, that of the shift, where it is not given.
+  std::size_t values() const { return wanted_.size(); }
+  std::size_t unknowns() const { return wanted_.size() + (options_.shift ? 0 : 1); }
+
+  // The record laid on the run of these values, or of the scene as it stands, wherever it lies best
+  // there: a wrong model has it at a wrong shift. None where it lies nowhere, or there is no run.
+  std::optional<Alignment> aligned(const std::vector<double>& values);
+  std::optional<Alignment> aligned_as_it_stands();
+  // From here on the shift is looked for about that of these values. Throws MeasuredError where
+  // the record does not lie on their run.
+  void lay_in(const std::vector<double>& values);
   double value(std::size_t k, double x) const;       // SI
   double slope(std::size_t k, double x) const;       // d value / dx
   double shift(const std::vector<double>& x) const;  // s
@@ -39,23 +47,25 @@ class Residuals {
   // Weighs each channel by what is left of it at a point.
   void weigh(const Point& point);
 
-  const Alignment& as_it_stood() const { return before_; }
+  const Alignment& laid() const { return laid_; }
   std::size_t samples() const { return record_.t.size(); }
   const MeasuredRecord& record() const { return record_; }
   int runs() const { return runs_; }
 
  private:
-  Trajectory run(const scene::Scene& scene, double shift);
+  Trajectory run(const scene::Scene& scene, std::vector<double> rows);
+  Trajectory even_run(const scene::Scene& scene);
+  std::optional<Alignment> aligned_on(const std::vector<std::string>& overrides);
   bool is_logarithmic(const Wanted& w) const { return w.from > 0.0 && w.to >= 10.0 * w.from; }
 
   const ReadScene& read_;
   std::vector<Wanted> wanted_;
   MeasuredRecord record_;  // those that stay on the run at every shift looked at
+  AlignmentOptions options_;
   const std::atomic<bool>* interrupt_;
-  Alignment before_;
+  Alignment laid_;
   std::vector<Channel> channels_;
   std::optional<double> angle_;
-  bool shift_held_ = false;
   double middle_ = 0.0, room_ = 0.0;  // s, of the shift
   int runs_ = 0;
 };

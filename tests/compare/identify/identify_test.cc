@@ -102,7 +102,7 @@ TEST(Identify, WithoutNoiseFindsTheValuesThemselves) {
   EXPECT_NEAR(r.alignment.shift, 0.4e-3, 1e-9);
   EXPECT_NEAR(r.alignment.angle, 0.3, 1e-6);
   EXPECT_LT(r.alignment.residual.value(), 1e-5);
-  EXPECT_GT(r.left_before, 0.02) << "the scene as it stood is another machine";
+  EXPECT_GT(r.left_before.value(), 0.02) << "the scene as it stood is another machine";
 }
 
 // Over records of different noise the error that is stated is the one that is made: its squares
