@@ -125,13 +125,13 @@ Command add_init_command(CLI::App& program) {
   app->add_option("NAME", options->name, "Name of the scene (default: rotor)");
   std::vector<std::string> forms;
   for (const StarterFormWord& each : kStarterForms) forms.emplace_back(each.word);
-  app->add_option("--form", options->form,
-                  "geometry (shaft, disc, bearings; loses a blade), modal (the same as one mode), "
-                  "rig (with torsion, motor, exciter, actuator), controller (the rig with one at "
-                  "work), overhung (the disc beyond the bearings), vertical (hung from above) or "
-                  "two-catchers (magnetic bearings that fail)")
-      ->check(CLI::IsMember(forms))
-      ->capture_default_str();
+  app->add_option(
+         "--form", options->form,
+         "geometry (default: shaft, disc, bearings; loses a blade), modal (the same as one mode), "
+         "rig (with torsion, motor, exciter, actuator), controller (the rig with one at "
+         "work), overhung (the disc beyond the bearings), vertical (hung from above) or "
+         "two-catchers (magnetic bearings that fail)")
+      ->check(CLI::IsMember(forms));
   const Starter standard;
   const auto size = [&](const char* option, std::string& target, const char* type,
                         const char* words, const StarterValue& value) {

@@ -1,6 +1,6 @@
-// run.h5: a run in one HDF5 file. Groups `series`, `impacts`, `events`, `keyphasor`, a dataset a column with the
-// attributes `unit` and `meaning`; attributes of the file: what summary.json says, but for times
-// taken, and the scene as `scene_text`.
+// run.h5: a run in one HDF5 file. Groups `series`, `impacts`, `events`, `keyphasor`, a dataset a
+// column with the attributes `unit` and `meaning`; attributes of the file: what summary.json says,
+// but for times taken, and the scene as `scene_text`.
 #pragma once
 
 #include <string>

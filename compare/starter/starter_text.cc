@@ -190,7 +190,9 @@ std::string load(const Starter& starter, const StarterSizes& s) {
            value("frequency", written(starter.speed), "negative: backward") +
            value("on", s.on, "s") + value("station", s.exciter_station, "m") + "\n";
   }
-  const std::string moment = starter.unbalance ? written(*starter.unbalance) : number(s.load);
+  const std::string moment = starter.unbalance && s.load == starter.unbalance->value
+                                 ? written(*starter.unbalance)
+                                 : number(s.load);
   return fmt::format("[[force]]                     # the blade: a free orbit of {} clearances\n",
                      scene::number_text(s.load_orbit, 2)) +
          value("kind", "\"unbalance\"", "") +

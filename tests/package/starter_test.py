@@ -63,6 +63,10 @@ class Starter(InAFolder):
     def test_machines_of_other_sizes_touch_too(self):
         for name, words in MACHINES.items():
             for form in FORMS:
+                if (name, form) == ("slippery", "two-catchers"):  # as soft as its speed is low: it lies in its catchers
+                    self.rotorub("init", name, "--form", form, "--force", *words, code=2)
+                    self.assertIn("the steady free orbit touches", self.said)
+                    continue
                 self.rotorub("init", name, "--form", form, "--force", *words)
                 summary = self.summary(f"{name}.toml")
                 self.assertEqual(summary["status"], "ok", f"{name} {form}")

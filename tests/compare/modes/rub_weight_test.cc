@@ -32,9 +32,9 @@ TEST(RubsUnderWeight, AreToldWithoutItAndSaySo) {
 // A ring that sags less than the rotor: the force beats, and over whole turns the mean force is
 // that of the analysis.
 TEST(RubsUnderWeight, ARunsMeanForceIsTheAnalyses) {
-  scene::Scene lies = test::shipped(
-      "bench_annular_elastic", {"run.end=1.0", "run.output_step=1e-4", "stator.stiffness=3e5",
-                                "gravity={acceleration=[0.0,-9.81]}"});
+  scene::Scene lies = test::shipped("bench_annular_elastic",
+                                    {"run.end=1.0", "run.output_step=1e-4", "stator.stiffness=3e5",
+                                     "gravity={acceleration=[0.0,-9.81]}"});
   const rub::StandingRub* rub = analysed(lies).point.leading(rub::RubKind::kForced);
   ASSERT_TRUE(rub && rub->stability.stable);
   const double expected = rub->rub.normal_force;
