@@ -31,11 +31,13 @@ evaluations = 2
 
 # Command lines, one after the other in one folder; together they name every option of every command. What each does
 # is the matter of the tests of its command; here it must be taken, and end as it should.
+COLUMNS = "--measured-column t=t --measured-column rotor_x=rotor_x --measured-column rotor_y=rotor_y" \
+          " --measured-probes 0deg,90deg"
 TRIED = [
     "--help", "-h", "--version",
     "init a --form modal --speed 60Hz --length 0.5 --diameter 20mm --disc-mass 3kg --clearance 0.3mm --friction 0.2 -q",
     "init a --force --quiet",
-    "init a --force --json", "init b -q --output c.toml", "init -h", "init --help", "init d -o -",
+    "init a --force --json", "init b -q --output c.toml", "init e --unbalance 4e-4 -q", "init -h", "init --help", "init d -o -",
     f"run {DROP} --engine native --integrator verlet --step 20us --end 12ms --output r1 --json",
     f"run {DROP} --engine mujoco --contact cone --end 12ms -o r2 --quiet --format hdf5",
     f"run {PAPER} --controller {OWN} {SAMPLED} --end 2ms -q -o r3",
@@ -77,6 +79,15 @@ TRIED = [
     f"check {DROP} --set run.end=11ms -q -o k2",
     f"compare {DROP} --with k1 --twins 0 --no-modes-ladder --no-video --end 11ms --step 20us -o c4 -q",
     f"run {RING} --integrator event --end 20ms -q -o r4",
+    f"run {RING} --integrator event --end 20ms -q -o r7 --measured r4/series.csv --measured-shift 0ms --measured-angle 0deg",
+    f"run {RING} --integrator event --end 20ms -q -o r8 --measured r4/series.csv {COLUMNS}",
+    f"identify {RING} --measured r4/series.csv --fit contact.friction=0.1:0.2 --measured-shift 0ms --measured-angle 0deg "
+    "--end 20ms --step 10us --set contact.restitution=0.5 -o found.toml --json",
+    f"identify {RING} --measured r4/series.csv {COLUMNS} --fit contact.friction=0.1:0.2 --end 20ms --allow-library "
+    "--output found2.toml --quiet",
+    f"identify {PAPER} --controller {OWN} {SAMPLED} --measured r3/series.csv --fit rotor.speed=300:320 --measured-shift 0ms "
+    "--end 2ms -q",
+    f"compare {RING} --measured r4/series.csv {COLUMNS} --twins 0 --no-modes-ladder --no-video --end 20ms -q -o report7",
     f"compare {RING} --measured r4/series.csv --measured-shift 0ms --measured-angle 0deg --twins 0 --no-modes-ladder --no-video "
     "--end 20ms -o c5 -q",
     f"tune {DROP} --tolerance 1% --steps 50us,20us --twins 0 --end 12ms -o tuned.toml --json",
