@@ -25,19 +25,23 @@ class Keyphasor {
     passes_.clear();
   }
   // From the angle of the last call to this one, either way: place(mark) gives the KeyphasorPass of
-  // each mark on the way, rad, in the order in which they pass; one at the end has passed.
+  // each mark on the way, rad, in the order in which they pass; one at the end has passed. A step
+  // of more turns than kMostTurns tells none.
   template <class Place>
   void follow(double angle, Place place) {
     const double sense = angle < last_ ? -1.0 : 1.0;
-    const double end = std::floor(sense * angle / kTurn);
-    for (double turn = std::floor(sense * last_ / kTurn) + 1.0; turn <= end; ++turn)
-      passes_.push_back(place(sense * turn * kTurn));
+    const double begin = std::floor(sense * last_ / kTurn);
+    const double turns = std::floor(sense * angle / kTurn) - begin;
     last_ = angle;
+    if (!(turns <= kMostTurns)) return;
+    for (int k = 1; k <= static_cast<int>(turns); ++k)
+      passes_.push_back(place(sense * (begin + k) * kTurn));
   }
   std::vector<KeyphasorPass> take() { return std::exchange(passes_, {}); }
 
  private:
   static constexpr double kTurn = 2.0 * std::numbers::pi;
+  static constexpr double kMostTurns = 64.0;
 
   double last_ = 0.0;  // rad
   std::vector<KeyphasorPass> passes_;

@@ -71,5 +71,16 @@ TEST(KeyphasorOfEveryEngine, OfAHeldSpinIsOnTime) {
   }
 }
 
+// A speed that is a slip of the pen is no reason to count for ever.
+TEST(KeyphasorOfEveryEngine, OfASpeedBeyondAllMeasureHasNone) {
+  Keyphasor keyphasor;
+  keyphasor.begin(0.0);
+  const auto place = [](double mark) { return KeyphasorPass{mark, 0.0, 0.0, 1.0}; };
+  for (const double angle : {1e9, 1e30, -1e300, 0.0}) keyphasor.follow(angle, place);
+  EXPECT_TRUE(keyphasor.take().empty());
+  keyphasor.follow(20.0 * std::numbers::pi, place);
+  EXPECT_EQ(keyphasor.take().size(), 10u);
+}
+
 }  // namespace
 }  // namespace rotorub
