@@ -41,7 +41,7 @@ class Keyphasor {
 
  private:
   static constexpr double kTurn = 2.0 * std::numbers::pi;
-  static constexpr double kMostTurns = 64.0;
+  static constexpr double kMostTurns = 4.0;
 
   double last_ = 0.0;  // rad
   std::vector<KeyphasorPass> passes_;

@@ -78,8 +78,8 @@ TEST(KeyphasorOfEveryEngine, OfASpeedBeyondAllMeasureHasNone) {
   const auto place = [](double mark) { return KeyphasorPass{mark, 0.0, 0.0, 1.0}; };
   for (const double angle : {1e9, 1e30, -1e300, 0.0}) keyphasor.follow(angle, place);
   EXPECT_TRUE(keyphasor.take().empty());
-  keyphasor.follow(20.0 * std::numbers::pi, place);
-  EXPECT_EQ(keyphasor.take().size(), 10u);
+  keyphasor.follow(6.0 * std::numbers::pi, place);
+  EXPECT_EQ(keyphasor.take().size(), 3u);
 }
 
 }  // namespace
