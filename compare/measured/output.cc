@@ -29,7 +29,9 @@ std::vector<ColumnMeaning> make_measured_keys() {
       {"alignment.shift", "s", "added to the record's times it gives the scene's", ""},
       {"alignment.shift_from", "", "found or given", ""},
       {"alignment.shift_error", "s",
-       "standard deviation, if what is left is white noise; null: given", ""},
+       "standard deviation: of white noise, or of stretches of the record that scatter by more; "
+       "null: given",
+       ""},
       {"alignment.angle", "rad", "of the sensors' x axis in the scene, from x to y positive", ""},
       {"alignment.angle_from", "",
        "found, given, no pair (no x with its y is measured: 0) or circle (it cannot be "
