@@ -31,11 +31,17 @@ struct CompareArguments : CommonOptions, MeasuredArguments {
   std::vector<std::string> scenes, with;
   std::string mode = "lockstep", tolerance = "1%", contact, folder = "runs/compare", format = "csv";
   int twins = kDefaultTwins;
-  bool no_video = false, modes_ladder = true, tune = false;
+  bool no_video = false, all_films = false, modes_ladder = true, tune = false;
 };
 
-// Share of the time that films take, for the progress bar.
-constexpr double kFilmShare = 0.5;
+// Share of the time that the films take, for the progress bar.
+constexpr double kFilmShare = 0.15;  // one film a scene, and
+constexpr double kEveryFilmShare = 0.5;
+
+double film_share(const CompareArguments& options) {
+  if (options.no_video) return 0.0;
+  return options.all_films ? kEveryFilmShare : kFilmShare;
+}
 
 constexpr std::string_view kPluginLead = "rotorub: ";  // of what the plugin refuses
 
@@ -98,7 +104,7 @@ std::vector<PageScene> pages_of(const CompareArguments& options,
     for (PageScene& page : pages) page.no_films = "switched off by --no-video.";
     return pages;
   }
-  auto films = write_films(options.folder, comparisons, interrupted(), progress);
+  auto films = write_films(options.folder, comparisons, options.all_films, interrupted(), progress);
   for (std::size_t k = 0; k < pages.size(); ++k) {
     pages[k].films = std::move(films[k].films);
     if (films[k].failure.empty() || interrupted()) continue;
@@ -162,7 +168,7 @@ std::vector<SceneComparison> compare_all(const CompareArguments& options, double
                                          const MeasuredInput& measured, hdf5::ImageOf hdf5,
                                          ProgressBar& bar) {
   std::vector<SceneComparison> comparisons;
-  const double work = options.no_video ? 1.0 : 1.0 - kFilmShare;
+  const double work = 1.0 - film_share(options);
   for (std::size_t k = 0; k < subjects.size() && !interrupted(); ++k) {
     const scene::Scene& scene = subjects[k].scene;
     CompareOptions how;
@@ -215,7 +221,7 @@ int compare(const CompareArguments& options) {
 
   const auto comparisons = compare_all(options, tolerance, subjects, measured, hdf5, bar);
   auto pages = pages_of(options, comparisons, [&](double share) {
-    bar.show(1.0 - kFilmShare + kFilmShare * share, "films");
+    bar.show(1.0 - film_share(options) * (1.0 - share), "films");
   });
   bar.clear();
   find_settings(options, tolerance, subjects, bar, pages);
@@ -275,7 +281,9 @@ Command add_compare_command(CLI::App& program) {
   app->add_flag("--tune", options->tune,
                 "Finds the fastest setting that can be trusted for each scene (rotorub tune), and "
                 "shows it beside the verdicts");
-  app->add_flag("--no-video", options->no_video, "Leave the films out");
+  app->add_flag("--all-films", options->all_films,
+                "A film of every run (default: of MuJoCo alone beside the native run)")
+      ->excludes(app->add_flag("--no-video", options->no_video, "Leave the films out"));
   add_run_options(*app, *options);
   add_controller_option(*app, *options);
   add_common_options(*app, *options);

@@ -9,6 +9,7 @@
 #include "compare/base/json.h"
 #include "compare/commands/command.h"
 #include "compare/run_files/run_directory.h"
+#include "compare/study/answer.h"
 #include "compare/study/json.h"
 #include "native_model/trajectory/output.h"
 #include "native_model/trajectory/recorder.h"
@@ -68,14 +69,24 @@ struct Job {
   std::filesystem::path file;
 };
 
+// The first answer that a newcomer reads, MuJoCo alone, which has the native run beside it, or what
+// of the runs ended well; `every`: all of these.
+std::vector<std::size_t> filmed(const SceneComparison& c, bool every) {
+  std::vector<std::size_t> sides;
+  if (every) sides.push_back(0);
+  for (const std::size_t k : reading_order(c)) sides.push_back(k + 1);
+  if (!every) sides.push_back(0);
+  std::erase_if(sides, [&](std::size_t k) { return c.sides[k].trajectory.status != Status::kOk; });
+  if (!every && sides.size() > 1) sides.resize(1);
+  return sides;
+}
+
 std::vector<Job> jobs_of(const std::filesystem::path& folder,
-                         const std::vector<SceneComparison>& comparisons) {
+                         const std::vector<SceneComparison>& comparisons, bool every) {
   std::vector<Job> jobs;
   for (const SceneComparison& c : comparisons) {
-    for (std::size_t k = 0; k < c.sides.size(); ++k) {
-      if (c.sides[k].trajectory.status != Status::kOk) continue;
+    for (const std::size_t k : filmed(c, every))
       jobs.push_back({&c, k, folder / c.scene.name / (c.sides[k].label + ".mp4")});
-    }
   }
   return jobs;
 }
@@ -107,11 +118,11 @@ Film make(const Job& job, const std::function<void(double)>& progress) {
 }  // namespace
 
 std::vector<SceneFilms> write_films(const std::filesystem::path& folder,
-                                    const std::vector<SceneComparison>& comparisons,
+                                    const std::vector<SceneComparison>& comparisons, bool every,
                                     const std::atomic<bool>& interrupt,
                                     const std::function<void(double)>& progress) {
   std::vector<SceneFilms> all(comparisons.size());
-  const std::vector<Job> jobs = jobs_of(folder, comparisons);
+  const std::vector<Job> jobs = jobs_of(folder, comparisons, every);
   for (std::size_t k = 0; k < jobs.size() && !interrupt; ++k) {
     SceneFilms& scene = all[static_cast<std::size_t>(jobs[k].comparison - comparisons.data())];
     try {

@@ -26,15 +26,15 @@ void write_report(const std::filesystem::path& folder,
 
 // Of a comparison.
 struct SceneFilms {
-  std::vector<Film> films;  // as the sides; runs that did not end well have none
+  std::vector<Film> films;  // runs that did not end well have none
   std::string failure;      // of the first film that could not be made; empty: none
 };
 
-// <folder>/<scene>/<run>.mp4 for every run of every comparison, each whole or not at all: the
-// native run by itself, MuJoCo's beside the native one with one camera, clock and scale. An
+// <folder>/<scene>/<run>.mp4, each whole or not at all: of every comparison MuJoCo alone beside the
+// native run, with one camera, clock and scale; `every`: of each run, the native one by itself. An
 // interrupt ends them. progress: share done.
 std::vector<SceneFilms> write_films(const std::filesystem::path& folder,
-                                    const std::vector<SceneComparison>& comparisons,
+                                    const std::vector<SceneComparison>& comparisons, bool every,
                                     const std::atomic<bool>& interrupt,
                                     const std::function<void(double)>& progress);
 

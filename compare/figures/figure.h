@@ -105,6 +105,8 @@ std::span<const ColumnMeaning> metric_keys();
 
 // One of them; "settled.from": within another. Assert that the key is one of the list.
 const ColumnMeaning& metric_key(std::string_view key);
+// Whether it is a time that the computing took: no result, and never the same twice.
+bool is_timing(std::string_view key);
 nlohmann::json metric_value(const Metrics& metrics, std::string_view key);
 
 }  // namespace rotorub

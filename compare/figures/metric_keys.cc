@@ -19,6 +19,7 @@ using nlohmann::json;
 struct MetricKey {
   const char *key, *unit, *meaning;
   json (*value)(const Metrics&);
+  bool is_timing = false;
 };
 json figure_json(const Figure& figure, const Metrics& m) {
   const double value = figure.value(m);
@@ -45,8 +46,8 @@ const MetricKey kMetricKeys[] = {
     {"end", "s", "time reached", read<&Metrics::end>},
     {"step", "s", "fixed step; 0 for event", read<&Metrics::step>},
     {"steps", "", "number of steps taken", read<&Metrics::steps>},
-    {"wall_s", "s", "time of the integration; no result", read<&Metrics::wall_s>},
-    {"us_per_step", "us", "the same for a step; no result", read<&Metrics::us_per_step>},
+    {"wall_s", "s", "time of the integration; no result", read<&Metrics::wall_s>, true},
+    {"us_per_step", "us", "the same for a step; no result", read<&Metrics::us_per_step>, true},
     {"first_touch", "s",
      "time of the first contact, of an ensemble's the beginning of its step; null: never",
      read_or_null<&Metrics::first_touch>},
@@ -64,7 +65,7 @@ const MetricKey kMetricKeys[] = {
     {"backward_passes", "", "the same against it", count_or_null<&Metrics::backward_passes>},
     {"whirl_time", "s", "that these took", read_or_null<&Metrics::whirl_time>},
     {"real_time_factor", "", "simulated time over time taken; no result",
-     read<&Metrics::real_time_factor>},
+     read<&Metrics::real_time_factor>, true},
     {"settled.attractor", "",
      "what the last fifth of the run is: no contact, bouncing, resting, synchronous rub, forward "
      "rub, backward whip, rolling or unknown",
@@ -101,6 +102,11 @@ const ColumnMeaning& metric_key(std::string_view key) {
       std::find_if(keys.begin(), keys.end(), [&](const ColumnMeaning& k) { return k.name == key; });
   assert(found != keys.end());
   return *found;
+}
+
+bool is_timing(std::string_view key) {
+  return std::any_of(std::begin(kMetricKeys), std::end(kMetricKeys),
+                     [&](const MetricKey& k) { return k.is_timing && k.key == key; });
 }
 
 json metric_value(const Metrics& m, std::string_view key) {

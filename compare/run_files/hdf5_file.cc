@@ -5,6 +5,7 @@
 #include <array>
 #include <nlohmann/json.hpp>
 
+#include "compare/figures/figure.h"
 #include "compare/run_files/summary.h"
 #include "native_model/trajectory/columns.h"
 
@@ -72,11 +73,10 @@ Table keyphasor_of(const Trajectory& t, std::array<std::vector<double>, 4>& valu
   return table;
 }
 
-// What depends on the machine's speed is no result.
 void add_attributes(const nlohmann::json& object, const std::string& prefix,
                     std::vector<Attribute>& all) {
   for (const auto& [key, value] : object.items()) {
-    if (key == "wall_s" || key == "us_per_step" || value.is_null()) continue;
+    if (is_timing(key) || value.is_null()) continue;
     if (value.is_object()) {
       add_attributes(value, prefix + key + ".", all);
     } else if (value.is_array()) {  // of objects, counted from 0 as in `contact[1].friction`

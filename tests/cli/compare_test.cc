@@ -141,20 +141,30 @@ TEST(CliCompare, LeavesSeriesJsonAndReport) {
   expect_whole_files(folder);
 }
 
-// With films: files beside the page, MuJoCo's beside the native run, which it links to; none is
-// inside.
+// Files beside the page, which links to them; none is inside. One answers: MuJoCo alone beside the
+// native run.
 TEST(CliCompareLong, TheReportLinksTheFilms) {
-  const Folder folder;
-  const Outcome done = folder.run({"compare", shipped("bench_ring"), "--end", "0.02", "-o", "out"});
-  ASSERT_LE(done.code, 1) << done.err;
-  const std::string page = folder.text("out/report.html");
-  for (const std::string side : {"native", "coulomb", "cone"}) {
-    const std::string film = "bench_ring/" + side + ".mp4";
-    EXPECT_TRUE(contains(folder.text("out/" + film), "ftyp"));
-    EXPECT_TRUE(contains(page, "href=\"" + film + "\"")) << side;
+  const std::vector<std::string> sides{"native", "rigid", "coulomb", "cone", "cone-coulomb"};
+  for (const bool every : {false, true}) {
+    const Folder folder;
+    std::vector<std::string> arguments{"compare", shipped("bench_ring"), "--end", "0.02", "-o",
+                                       "out"};
+    if (every) arguments.push_back("--all-films");
+    const Outcome done = folder.run(arguments);
+    ASSERT_LE(done.code, 1) << done.err;
+    const std::string page = folder.text("out/report.html");
+    for (const std::string& side : sides) {
+      const std::string film = "bench_ring/" + side + ".mp4";
+      const bool made = every || side == "cone";
+      EXPECT_EQ(folder.has("out/" + film), made) << film;
+      EXPECT_EQ(contains(page, "href=\"" + film + "\""), made) << film;
+      if (made) {
+        EXPECT_TRUE(contains(folder.text("out/" + film), "ftyp"));
+      }
+    }
+    EXPECT_FALSE(contains(page, "data:video"));
+    expect_whole_files(folder);
   }
-  EXPECT_FALSE(contains(page, "data:video"));
-  expect_whole_files(folder);
 }
 
 // Beside the verdicts; without --tune the page says how it is found.

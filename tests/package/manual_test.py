@@ -44,6 +44,7 @@ TRIED = [
     f"run {RING} --end 20ms --lyapunov -o r6 -q",
     f"run {DROP} --allow-library --end 2ms -q -o r5", f"check {DROP} --set run.end=11ms -q --allow-library -o k3",
     f"compare {DROP} --allow-library --twins 0 --no-modes-ladder --no-video --step 20us --end 1ms -o c6 -q",
+    f"compare {DROP} --all-films --twins 0 --no-modes-ladder --step 20us --end 1ms -o c7 -q",
     f"bench {DROP} --allow-library --engines native-verlet --steps 100us --repeats 1 --end 1ms -q -o b3",
     "sweep study.toml -o s6 --jobs 1 -q --allow-library",
     f"tune {DROP} --allow-library --steps 20us --twins 0 --end 12ms -q -o tuned3.toml",
