@@ -1,6 +1,7 @@
 #include "renders/stage.h"
 
 #include <GL/osmesa.h>
+#include <dlfcn.h>
 #include <fmt/format.h>
 
 #include <cassert>
@@ -60,6 +61,38 @@ std::string stage_mjcf(const StageOptions& options, std::span<const Mesh> meshes
   return out + "  </worldbody>\n</mujoco>\n";
 }
 
+// Mesa brings LLVM along: 400,000 places to be relocated, which every start of a program linked
+// with it would pay for. It is loaded where a picture is made; for all to see, since MuJoCo looks
+// OpenGL's functions up in the process.
+struct Mesa {
+  decltype(&OSMesaCreateContextExt) create;
+  decltype(&OSMesaDestroyContext) destroy;
+  decltype(&OSMesaMakeCurrent) make_current;
+};
+
+// Throws std::runtime_error.
+const Mesa& mesa() {
+  static const Mesa found = [] {
+    void* const library = dlopen("libOSMesa.so.8", RTLD_NOW | RTLD_GLOBAL);
+    if (library == nullptr) {
+      throw std::runtime_error(
+          fmt::format("off-screen rendering: {} (Debian: libosmesa6)", dlerror()));
+    }
+    const auto symbol = [&]<class Function>(Function*& function, const char* name) {
+      function = reinterpret_cast<Function*>(dlsym(library, name));
+      if (function == nullptr) {
+        throw std::runtime_error(fmt::format("off-screen rendering: {}", dlerror()));
+      }
+    };
+    Mesa all{};
+    symbol(all.create, "OSMesaCreateContextExt");
+    symbol(all.destroy, "OSMesaDestroyContext");
+    symbol(all.make_current, "OSMesaMakeCurrent");
+    return all;
+  }();
+  return found;
+}
+
 mjModel* load(const std::string& mjcf) {
   char error[1000] = "";
   mjModel* model = plugin::load_text(mjcf, error, sizeof error);
@@ -78,7 +111,7 @@ MujocoErrors::MujocoErrors() : previous_(mju_user_error) {
 }
 
 GlContext::GlContext(int width, int height)
-    : context_(OSMesaCreateContextExt(OSMESA_RGBA, kDepthBits, kStencilBits, 0, nullptr)),
+    : context_(mesa().create(OSMESA_RGBA, kDepthBits, kStencilBits, 0, nullptr)),
       width_(width),
       height_(height),
       window_(4 * static_cast<std::size_t>(width) * static_cast<std::size_t>(height)) {
@@ -88,18 +121,18 @@ GlContext::GlContext(int width, int height)
   try {
     make_current();
   } catch (...) {
-    OSMesaDestroyContext(context_);
+    mesa().destroy(context_);
     throw;
   }
 }
 
 GlContext::~GlContext() {
-  OSMesaMakeCurrent(nullptr, nullptr, 0, 0, 0);
-  OSMesaDestroyContext(context_);
+  mesa().make_current(nullptr, nullptr, 0, 0, 0);
+  mesa().destroy(context_);
 }
 
 void GlContext::make_current() {
-  if (!OSMesaMakeCurrent(context_, window_.data(), GL_UNSIGNED_BYTE, width_, height_)) {
+  if (!mesa().make_current(context_, window_.data(), GL_UNSIGNED_BYTE, width_, height_)) {
     throw std::runtime_error(fmt::format(
         "off-screen rendering: OSMesa refuses a picture of {} x {} pixels", width_, height_));
   }

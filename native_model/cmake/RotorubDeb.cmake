@@ -17,6 +17,7 @@ set(CPACK_COMPONENTS_ALL Unspecified)
 set(CPACK_COMPONENTS_GROUPING ALL_COMPONENTS_IN_ONE)
 # What the program and the plugin are linked with, by dpkg-shlibdeps (dpkg-dev, file).
 set(CPACK_DEBIAN_PACKAGE_SHLIBDEPS ON)
+set(CPACK_DEBIAN_PACKAGE_DEPENDS libosmesa6)  # what it loads itself (renders/stage.cc)
 # Films are coded by ffmpeg; find_package(rotorub) needs Eigen and MuJoCo.
 set(CPACK_DEBIAN_PACKAGE_RECOMMENDS "ffmpeg, libeigen3-dev, libmujoco-dev, libgl-dev")
 set(CPACK_DEBIAN_PACKAGE_SUGGESTS "cmake, bash-completion, libmujoco-samples")

@@ -21,7 +21,7 @@ include(RotorubMujoco)
 
 # renders
 find_package(PkgConfig REQUIRED)
-pkg_check_modules(OSMESA REQUIRED IMPORTED_TARGET osmesa)
+pkg_check_modules(OSMESA REQUIRED osmesa)
 pkg_check_modules(FREETYPE REQUIRED IMPORTED_TARGET freetype2)
 pkg_check_modules(CAIRO REQUIRED IMPORTED_TARGET cairo-ft)
 find_path(ROTORUB_FONTS DejaVuSans.ttf PATHS /usr/share/fonts/truetype/dejavu NO_DEFAULT_PATH REQUIRED)

@@ -44,7 +44,6 @@ TRIED = [
     f"run {RING} --end 20ms --lyapunov -o r6 -q",
     f"run {DROP} --allow-library --end 2ms -q -o r5", f"check {DROP} --set run.end=11ms -q --allow-library -o k3",
     f"compare {DROP} --allow-library --twins 0 --no-modes-ladder --no-video --step 20us --end 1ms -o c6 -q",
-    f"compare {DROP} --all-films --twins 0 --no-modes-ladder --step 20us --end 1ms -o c7 -q",
     f"bench {DROP} --allow-library --engines native-verlet --steps 100us --repeats 1 --end 1ms -q -o b3",
     "sweep study.toml -o s6 --jobs 1 -q --allow-library",
     f"tune {DROP} --allow-library --steps 20us --twins 0 --end 12ms -q -o tuned3.toml",
@@ -97,8 +96,8 @@ TRIED = [
     "plot r1 -o plot.html --json", "plot r1 --output plot2.html --quiet", "plot r1 -q",
     "schema -o s.json", "schema --output s.json", "manual bash -o m.bash", "manual man --output m.1",
 ]
-# No scene: what is asked is refused, and the option with it.
-REFUSED = ["plot r1 --set contact.friction=0.2"]
+# Refused: no scene, so that the option is with it; films of all runs and none.
+REFUSED = ["plot r1 --set contact.friction=0.2", f"compare {DROP} --all-films --no-video"]
 # What may end with 1: outside the tolerance, or no setting that can be trusted.
 MAY_DIFFER = ("compare", "tune")
 
