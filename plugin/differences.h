@@ -22,7 +22,7 @@
 
 namespace rotorub::plugin {
 
-struct Transition {
+struct Transition {                           // of one step; row by row
   int states = 0, controls = 0, sensors = 0;  // n, nu, ns
   std::vector<double> A, B, C, D;
 };

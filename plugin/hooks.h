@@ -17,7 +17,7 @@
 
 namespace rotorub::plugin {
 
-class Hooks {
+class Hooks {  // MuJoCo's callbacks are the plugin's while one lives
  public:
   Hooks();
   ~Hooks();

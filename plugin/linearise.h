@@ -16,7 +16,7 @@
 
 namespace rotorub::plugin {
 
-struct LinearSystem {
+struct LinearSystem {          // in continuous time
   Eigen::MatrixXd A, B, C, D;  // n x n (1/s), n x nu, ns x n, ns x nu; n = 2 nv + na
   Eigen::MatrixXd held;        // n x n: the projection onto what the contact holds; 0 in flight
 };

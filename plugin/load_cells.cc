@@ -13,6 +13,7 @@
 #include "plugin/config_cache.h"
 #include "plugin/contact/contact_space.h"
 #include "plugin/contact/relative_motion.h"
+#include "plugin/contact_force.h"
 #include "plugin/message.h"
 #include "plugin/mujoco_versions.h"
 #include "plugin/user_data.h"

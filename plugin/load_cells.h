@@ -24,11 +24,6 @@ void map_load_cells(const mjModel* m, Config& config);
 // After MuJoCo's own sensors of the pass in which the contact was solved.
 void fill_load_cells(const Config& config, const mjModel* m, mjData* d);
 
-// As mj_contactForce (`plain`), with the plugin's forces: along the contact's frame, on geom 2, N.
-// The preloaded library answers mj_contactForce so.
-void contact_force(const mjModel* m, const mjData* d, int id, mjtNum result[6],
-                   void (*plain)(const mjModel*, const mjData*, int, mjtNum*) = mj_contactForce);
-
 // Of the contact whose memory is at `data`, in its axes: the normal of its force in this pass,
 // which of a blow is not that of the state, and the friction on the rotor along the ring's axis, N.
 // Of `rigid`, and where that is.

@@ -16,6 +16,7 @@
 #include "plugin/actuators.h"
 #include "plugin/callbacks.h"
 #include "plugin/config_cache.h"
+#include "plugin/contact_force.h"
 #include "plugin/differences.h"
 #include "plugin/inverse.h"
 #include "plugin/load_cells.h"

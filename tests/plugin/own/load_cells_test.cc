@@ -8,6 +8,7 @@
 
 #include "mjcf/names.h"
 #include "mjcf/writer.h"
+#include "plugin/contact_force.h"
 #include "plugin/hooks.h"
 #include "plugin/load_cells.h"
 #include "tests/plugin/own/machine.h"
