@@ -7,7 +7,7 @@
 
 namespace rotorub {
 
-struct MujocoVersion {
+struct MujocoVersion {  // of a release of MuJoCo; from 2.2 on
   int major = 2, minor = 2, patch = 2;
   auto operator<=>(const MujocoVersion&) const = default;
 };

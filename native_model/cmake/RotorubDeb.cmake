@@ -13,7 +13,7 @@ set(CPACK_DEBIAN_PACKAGE_DESCRIPTION
 into MuJoCo's programs, the scenes, and libraries, headers and CMake package for programs and controllers of one's own.")
 # One package, of all but the peers of `rotorub bench`.
 set(CPACK_DEB_COMPONENT_INSTALL ON)
-set(CPACK_COMPONENTS_ALL Unspecified)
+set(CPACK_COMPONENTS_ALL Unspecified headers)
 set(CPACK_COMPONENTS_GROUPING ALL_COMPONENTS_IN_ONE)
 # What the program and the plugin are linked with, by dpkg-shlibdeps (dpkg-dev, file).
 set(CPACK_DEBIAN_PACKAGE_SHLIBDEPS ON)

@@ -1,6 +1,6 @@
 # install() and the CMake package `rotorub`:
 #   find_package(rotorub)  ->  rotorub::native_model, rotorub::mjcf, rotorub::plugin (the MuJoCo C++ API)
-# The headers keep their paths below include/rotorub: #include "native_model/scene/scene.h".
+# Which headers: RotorubHeaders.
 
 include(CMakePackageConfigHelpers)
 
@@ -11,15 +11,8 @@ foreach(part native_model mjcf plugin)
   add_library(rotorub::${part} ALIAS rotorub_${part})
   install(TARGETS rotorub_${part} EXPORT rotorubTargets ARCHIVE DESTINATION
                                                                 "${CMAKE_INSTALL_LIBDIR}")
-  install(
-    DIRECTORY "${PROJECT_SOURCE_DIR}/${part}"
-    DESTINATION include/rotorub
-    FILES_MATCHING
-    PATTERN "*.h"
-    PATTERN "cmake" EXCLUDE)
 endforeach()
-# What a controller of one's own includes: <rotorub/controller.h>.
-install(FILES "${PROJECT_SOURCE_DIR}/native_model/control/abi/rotorub/controller.h" DESTINATION include/rotorub)
+include(RotorubHeaders)
 install(
   EXPORT rotorubTargets
   NAMESPACE rotorub::

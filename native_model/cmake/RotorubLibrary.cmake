@@ -19,7 +19,7 @@ function(rotorub_library name)
   endif()
   add_library(${name} STATIC ${sources})
   target_include_directories(${name} PUBLIC "$<BUILD_INTERFACE:${PROJECT_SOURCE_DIR}>"
-                                            "$<INSTALL_INTERFACE:include/rotorub>")
+                                            "$<INSTALL_INTERFACE:include;include/rotorub;include/rotorub/internal>")
   target_compile_features(${name} PUBLIC cxx_std_20)
   target_link_libraries(
     ${name}

@@ -19,7 +19,7 @@
 
 namespace rotorub {
 
-struct ImpactLaw {
+struct ImpactLaw {  // of one contact
   FrictionLaw friction{};
   double restitution = 0.0;             // eps_N in [0, 1]
   double tangential_restitution = 0.0;  // eps_T in [0, 1]
@@ -67,7 +67,7 @@ struct ContactSet {
 // Of the expansion that follows a compression of L_NC, L_TC, with this mu.
 ContactSet expansion_set(const ImpactLaw& law, double mu, double normal, double friction);
 
-struct ImpactResult {
+struct ImpactResult {  // after compression and after expansion
   Status status = Status::kOk;
   double normal_compression = 0.0, friction_compression = 0.0;  // N s, L_NC, L_TC
   double normal_expansion = 0.0, friction_expansion = 0.0;      // N s, L_NE, L_TE

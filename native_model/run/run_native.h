@@ -14,9 +14,9 @@
 
 namespace rotorub {
 
-struct NativeOptions {
-  std::optional<scene::Integrator> integrator;      // default: the scene's
-  std::optional<double> step;                       // s, default: the scene's
+struct NativeOptions {                          // what a run may do otherwise than its scene says
+  std::optional<scene::Integrator> integrator;  // default: the scene's
+  std::optional<double> step;                   // s, default: the scene's
   std::optional<std::vector<double>> output_times;  // s, default: the scene's
   std::function<void(double)> progress;             // fraction done, called now and then
   const std::atomic<bool>* interrupt = nullptr;     // set to true: stop, keep what there is

@@ -94,7 +94,7 @@ struct Stator {
   }
 };
 
-enum class ActuatorKind { kIdeal, kElectromagnet, kTable };
+enum class ActuatorKind { kIdeal, kElectromagnet, kTable };  // its force law
 
 // Two axes at 45 degrees, a_1 = (1, 1)/sqrt 2, a_2 = (-1, 1)/sqrt 2.
 struct Actuator {
@@ -160,9 +160,9 @@ struct Trigger {
   bool touch = false;                   // rotor and ring have touched
 };
 
-enum class BoundaryLayer { kConstant, kAdaptive };
+enum class BoundaryLayer { kConstant, kAdaptive };  // of sliding mode: its width
 
-struct Controller {
+struct Controller {  // what commands the ring
   ControllerKind kind = ControllerKind::kPassive;
   double on = 0.0;           // s, switch-on time; with a trigger from when on that is looked for
   double sample_time = 0.0;  // s, >= 0; 0: continuous

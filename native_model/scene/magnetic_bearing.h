@@ -19,7 +19,7 @@ struct ControlMatrices {
   std::vector<double> state, input, output, feedthrough;  // A, B, C, D; D: A/m
 };
 
-enum class ControlForm { kPid, kTransferFunction, kStateSpace, kShared };
+enum class ControlForm { kPid, kTransferFunction, kStateSpace, kShared };  // its law
 
 // On each of x and y; `shared`: what [magnetic_control] asks for.
 struct BearingControl {
@@ -47,7 +47,7 @@ struct BearingControl {
   bool works() const { return works_from < fails_at || returns_at < kNever; }
 };
 
-enum class SharedLaw { kMatrices, kLibrary };
+enum class SharedLaw { kMatrices, kLibrary };  // the scene's matrices, or the user's library
 
 // One law for all bearings of form `shared`, in the order of the scene, two ports of each: x, y.
 struct SharedControl {
@@ -70,7 +70,7 @@ struct Amplifier {
   double resistance = 0.0;                                         // Ohm, >= 0
 };
 
-enum class MagnetKind { kLinear, kElectromagnet };
+enum class MagnetKind { kLinear, kElectromagnet };  // the force over current and gap
 
 // linear: adds the force + negative_stiffness * deflection at its station, and what `control` does;
 // electromagnet: two magnets that pull against each other on each axis (bearing/opposed_magnets.h),

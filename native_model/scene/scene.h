@@ -30,7 +30,7 @@ class Record;
 // ---------------------------------------------------------------- [run]
 enum class Integrator { kEvent, kMidpoint, kVerlet, kEuler };
 
-struct Run {
+struct Run {                                   // how long, how finely, and what is written
   double end = 1.0;                            // s, > 0
   double step = 1e-5;                          // s, > 0: fixed step of `midpoint` and of MuJoCo
   Integrator integrator = Integrator::kEvent;  // of the native engine
@@ -61,7 +61,7 @@ struct ShaftSection {
   }
 };
 
-struct Disc {
+struct Disc {                 // a rigid disc on the shaft
   double z = 0.0;             // m, station
   double mass = 0.0;          // kg, >= 0
   double Jt = 0.0;            // kg m^2, >= 0, diametral
@@ -137,7 +137,7 @@ struct Torsion {
   std::vector<double> drive_shape;  // 1, mode value at the motor, default 0
 };
 
-struct Rotor {
+struct Rotor {                            // the shaft with what sits on it
   double speed = 0.0;                     // rad/s, Omega at t = 0; constant without [drive]
   std::optional<RotorGeometry> geometry;  // exactly one of geometry and modal
   std::optional<RotorModal> modal;
@@ -150,7 +150,7 @@ struct Rotor {
 // ---------------------------------------------------------------- [drive]
 enum class DriveKind { kFree, kLinear, kKloss, kTable, kSpeedControlled };
 
-struct Drive {
+struct Drive {  // what turns the shaft: its torque over speed and time
   DriveKind kind = DriveKind::kFree;
   double gain = 0.0;                 // linear, speed_controlled: N m s, >= 0; bearing/drive.h
   double speed = 0.0;                // the same: rad/s
@@ -226,12 +226,12 @@ struct Initial {
   std::vector<double> torsion, torsion_speed;  // rad, rad/s
 };
 
-enum class MujocoRotor { kModal, kSegments };
-enum class ContactModel { kRigid, kCoulomb, kCone, kConeCoulomb };
-enum class MujocoIntegrator { kEuler, kImplicit, kRk4 };
-enum class MujocoSolver { kNewton, kCg, kPgs };
+enum class MujocoRotor { kModal, kSegments };                       // modes, or rigid pieces
+enum class ContactModel { kRigid, kCoulomb, kCone, kConeCoulomb };  // kContactModels
+enum class MujocoIntegrator { kEuler, kImplicit, kRk4 };            // MuJoCo's own
+enum class MujocoSolver { kNewton, kCg, kPgs };                     // MuJoCo's own
 
-struct Mujoco {
+struct Mujoco {  // how the scene is put into MuJoCo, and solved there
   MujocoRotor rotor = MujocoRotor::kModal;
   int segments = 16;  // of the segment rotor, [2, 200]
   ContactModel contact = ContactModel::kRigid;
@@ -257,7 +257,7 @@ inline constexpr std::array kContactModels{ContactWord{ContactModel::kRigid, "ri
                                            ContactWord{ContactModel::kCone, "cone"},
                                            ContactWord{ContactModel::kConeCoulomb, "cone-coulomb"}};
 
-constexpr const char* to_string(ContactModel model) {
+constexpr const char* to_string(ContactModel model) {  // its word
   return kContactModels[static_cast<std::size_t>(model)].word;
 }
 

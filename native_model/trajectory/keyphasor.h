@@ -17,7 +17,7 @@ struct KeyphasorPass {
   double spin_speed = 0.0;  // rad/s; negative: the mark comes from the other side
 };
 
-class Keyphasor {
+class Keyphasor {  // collects the passings of a run
  public:
   // angle: rad. A mark at which the rotor starts has not passed.
   void begin(double angle) {

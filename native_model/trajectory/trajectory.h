@@ -17,7 +17,7 @@
 
 namespace rotorub {
 
-const char* to_string(Mode mode);
+const char* to_string(Mode mode);  // "free", "slide", "stick"
 
 // One column of the series. `mode` holds the number of the Mode.
 struct Column {
@@ -35,7 +35,7 @@ struct Event {
   int contact = 0;  // which of several, from 0
 };
 
-const char* to_string(Status status);
+const char* to_string(Status status);  // "ok", "diverged", ...: as in summary.json
 
 // Of one of several contacts.
 struct ContactStatistics {
@@ -84,11 +84,11 @@ struct Statistics : ContactStatistics {
   double energy_residual() const;           // |E_end - E_start - works| / scale, 0 for a scale of 0
 };
 
-class MissingColumn : public std::runtime_error {
+class MissingColumn : public std::runtime_error {  // what() names it
   using std::runtime_error::runtime_error;
 };
 
-struct Trajectory {
+struct Trajectory {                               // what a run gives; series: columns of one length
   std::string engine, integrator, contact_model;  // contact_model: "rigid", "coulomb", "cone"
   double step = 0.0;                              // s; `event`: 0
   std::size_t contacts = 1;                       // auxiliary bearings of the model

@@ -9,7 +9,7 @@ execute_process(
 execute_process(COMMAND "${CMAKE_COMMAND}" --build "${WORK_DIR}/build" COMMAND_ERROR_IS_FATAL ANY)
 execute_process(COMMAND "${WORK_DIR}/build/outside"
                         "${WORK_DIR}/prefix/share/rotorub/mjcf/bench_ring.toml"
-                        COMMAND_ERROR_IS_FATAL ANY)
+                        "${WORK_DIR}/outside.xml" COMMAND_ERROR_IS_FATAL ANY)
 
 # The example of native_model/examples/README.md: the first impacts of bench_ring are published.
 execute_process(

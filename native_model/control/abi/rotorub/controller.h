@@ -77,6 +77,7 @@ typedef struct rotorub_setup {
   const rotorub_entry* config;
 } rotorub_setup;
 
+/* What the library gives: what it tells, and its functions. */
 typedef struct rotorub_controller {
   uint32_t abi;     /* ROTORUB_CONTROLLER_ABI */
   uint32_t command; /* ROTORUB_FORCE or ROTORUB_CURRENT */
@@ -111,6 +112,7 @@ typedef const rotorub_controller* (*rotorub_controller_get_function)(void);
 /* Of the structures below. */
 #define ROTORUB_MAGNETIC_CONTROLLER_ABI 1
 
+/* A bearing that the law commands. */
 typedef struct rotorub_magnetic_bearing {
   double force_per_current;  /* N/A, k_i, of two magnets about the middle */
   double negative_stiffness; /* N/m, k_s, likewise */
@@ -145,10 +147,10 @@ typedef struct rotorub_magnetic_measurement {
   double spin_speed; /* rad/s */
 } rotorub_magnetic_measurement;
 
+/* What the library gives; functions without a comment are as those of rotorub_controller. */
 typedef struct rotorub_magnetic_controller {
   uint32_t abi; /* ROTORUB_MAGNETIC_CONTROLLER_ABI */
   const char* name;
-  /* As those of rotorub_controller. */
   int (*create)(const rotorub_magnetic_setup* setup, void** self, char* reason, size_t room);
   void (*destroy)(void* self);
   size_t (*state_size)(const void* self);
@@ -158,6 +160,7 @@ typedef struct rotorub_magnetic_controller {
               double* current, char* reason, size_t room);
 } rotorub_magnetic_controller;
 
+/* The symbol of the library, as rotorub_controller_get. */
 const rotorub_magnetic_controller* rotorub_magnetic_controller_get(void);
 typedef const rotorub_magnetic_controller* (*rotorub_magnetic_controller_get_function)(void);
 #define ROTORUB_MAGNETIC_CONTROLLER_SYMBOL "rotorub_magnetic_controller_get"
