@@ -73,6 +73,21 @@ class Figures(InAFolder):
             self.assertEqual(force, f"{summary['mean_force']:.0f}", name)
             self.assertAlmostEqual(float(contact), 100.0 * summary["contact_fraction"], delta=0.1)
 
+    def test_the_passive_bearing_beside_the_laws(self):
+        summary = self.run_of("paper_passive", options=("--integrator", "verlet", "--step", "5us"))
+        told = re.search(r"the passive bearing has (\d+) impacts, the largest of ([\d.]+) N s, an rms gap rate of ([\d.]+) mm/s, "
+                         r"a mean force of (\d+) N, and contact for (\d+) % of", FINDINGS).groups()
+        self.assertEqual(told, (f"{summary['hits']}", f"{summary['largest']:.3f}", f"{1e3 * summary['gap_rate_rms']:.1f}",
+                                f"{summary['mean_force']:.0f}", f"{100.0 * summary['contact_fraction']:.0f}"))
+
+    def test_impacts_over_the_modes_kept(self):
+        text = (SOURCE / "native_model/docs/modes_kept.md").read_text()
+        counts = dict(re.findall(r"([\d,]+) with (\d+)(?: modes)?[,)]", text.split("the number of impacts (")[1].split("because")[0]))
+        self.assertEqual(sorted(counts.values()), ["12", "2", "8"])
+        for count, modes in counts.items():
+            summary = self.run_of("paper_passive", f"rotor.modes={modes}", options=("--integrator", "event"))
+            self.assertEqual(count, f"{summary['hits']:,}", modes)
+
     # ------------------------------------------------------------ compare/README.md: a run as a measurement
     def test_another_integrators_run_as_a_record(self):
         scene = SCENES / "paper_passive.toml"
