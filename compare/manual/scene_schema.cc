@@ -61,7 +61,7 @@ json value_schema(const Key& key) {
   return true;
 }
 
-// "of the shaft, from 0. A length in m (m, mm, um), > 0. Required."
+// "length of the shaft, which begins at 0. A length in m (m, mm, um), > 0. Required."
 std::string described(const Key& key) {
   std::string text(key.meaning.empty() ? key.quantity.name : key.meaning);
   const bool measured =

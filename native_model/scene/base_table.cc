@@ -7,27 +7,30 @@
 namespace rotorub::scene {
 
 Table base_table() {
-  return {
-      "base",
-      "The base accelerates: an earthquake, a ship. All coordinates are relative to it; every "
-      "mass is loaded by minus its acceleration, as by a weight. A table, lines of a spectrum, "
-      "or both (Motion of the base).",
-      "it rests",
-      [](Scene& scene) -> void* { return &scene.base.emplace(); },
-      {key<&Base::time>("time", kTime, "", "no table", "of the samples, ascending, two or more"),
-       key<&Base::acceleration_x>("acceleration_x", kAcceleration, "", "0",
-                                  "one for each time, linear between them, 0 outside"),
-       key<&Base::acceleration_y>("acceleration_y", kAcceleration, "", "0", "likewise"),
-       key<&Base::frequency>("frequency", kSpin, ">= 0", "no lines", "of each line"),
-       key<&Base::amplitude>("amplitude", kAcceleration, "", "needed by `frequency`",
-                             "of each line A cos(w t + `phase`), t absolute"),
-       key<&Base::phase>("phase", kAngle, "", "all 0", "of each line; not beside `seed`"),
-       key<&Base::seed>("seed", kPure, ">= 0", "none",
-                        "gives the lines random phases, always the same"),
-       key<&Base::direction>("direction", kAngle, "", kStandard, "of the lines, from x to y"),
-       key<&Base::on>("on", kTime, "", kStandard, "acts from here"),
-       key<&Base::off>("off", kTime, "", "never", "acts up to here, not before `on`"),
-       key<&Base::ramp>("ramp", kTime, ">= 0", kStandard, "rise from 0 after `on`")}};
+  return {"base",
+          "The base accelerates: an earthquake, a ship. All coordinates are relative to it; every "
+          "mass is loaded by minus its acceleration, as by a weight. A table, lines of a spectrum, "
+          "or both (Motion of the base).",
+          "it rests",
+          [](Scene& scene) -> void* { return &scene.base.emplace(); },
+          {key<&Base::time>("time", kTime, "", "no table",
+                            "times of the samples, ascending, two or more"),
+           key<&Base::acceleration_x>("acceleration_x", kAcceleration, "", "0",
+                                      "acceleration at each time, linear in between, 0 outside"),
+           key<&Base::acceleration_y>("acceleration_y", kAcceleration, "", "0", "likewise"),
+           key<&Base::frequency>("frequency", kSpin, ">= 0", "no lines",
+                                 "frequency of each line of a spectrum"),
+           key<&Base::amplitude>("amplitude", kAcceleration, "", "needed by `frequency`",
+                                 "amplitude A of each line, A cos(w t + `phase`), t absolute"),
+           key<&Base::phase>("phase", kAngle, "", "all 0", "phase of each line; not beside `seed`"),
+           key<&Base::seed>("seed", kPure, ">= 0", "none",
+                            "gives the lines random phases, always the same"),
+           key<&Base::direction>("direction", kAngle, "", kStandard,
+                                 "direction of the lines, from x to y"),
+           key<&Base::on>("on", kTime, "", kStandard, "time from which it acts"),
+           key<&Base::off>("off", kTime, "", "never", "time up to which it acts, not before `on`"),
+           key<&Base::ramp>("ramp", kTime, ">= 0", kStandard,
+                            "time in which it rises from 0 after `on`")}};
 }
 
 void check_base(const Checker& check) {

@@ -21,7 +21,7 @@ Table contact() {
             return &scene.auxiliary.back();
           },
           {key<&AuxiliaryBearing::contact, &Contact::radius>("radius", kLength, "> 0", kRequired,
-                                                             "of the rotor at the contact"),
+                                                             "radius of the rotor at the contact"),
            key<&AuxiliaryBearing::contact, &Contact::clearance>("clearance", kLength, "> 0",
                                                                 kRequired, "delta_0, radial"),
            key<&AuxiliaryBearing::contact, &Contact::friction, &FrictionLaw::coefficient>(
@@ -29,22 +29,24 @@ Table contact() {
            key<&AuxiliaryBearing::contact, &Contact::restitution>(
                "restitution", kPure, "in [0, 1]",
                "none: to be given, but where `contact.compliance` has a damping of its own",
-               "eps_N, normal"),
+               "eps_N, normal restitution"),
            key<&AuxiliaryBearing::contact, &Contact::tangential_restitution>(
-               "tangential_restitution", kPure, "in [0, 1]", kStandard, "eps_T"),
-           key<&AuxiliaryBearing::contact, &Contact::compression_time>("compression_time", kTime,
-                                                                       ">= 0", kStandard, "tau_C"),
-           key<&AuxiliaryBearing::contact, &Contact::expansion_time>("expansion_time", kTime,
-                                                                     ">= 0", kStandard, "tau_E"),
+               "tangential_restitution", kPure, "in [0, 1]", kStandard,
+               "eps_T, tangential restitution"),
+           key<&AuxiliaryBearing::contact, &Contact::compression_time>(
+               "compression_time", kTime, ">= 0", kStandard,
+               "tau_C, time that the compression of an impact takes"),
+           key<&AuxiliaryBearing::contact, &Contact::expansion_time>(
+               "expansion_time", kTime, ">= 0", kStandard, "tau_E, time that its expansion takes"),
            key<&AuxiliaryBearing::contact, &Contact::station>("station", kLength, ">= 0", kRequired,
-                                                              "along the shaft")
+                                                              "place along the shaft")
                .or_called("z")
                .in(Form::kGeometry),
            key<&AuxiliaryBearing::contact, &Contact::offset>(
                "offset", kLength, "", kStandard,
                "of the ring's middle at rest from the line of the shaft at rest"),
            key<&AuxiliaryBearing::name>("name", kPure, "", "its number, from 1",
-                                        "of this bearing, unique; in messages and pictures"),
+                                        "name of this bearing in messages and pictures; unique"),
            key<&AuxiliaryBearing::contact, &Contact::shape>(
                "shape", kPure, "", "all 1",
                "value of each bending mode at the station; 1 of the first contact, where the modes "
@@ -65,11 +67,14 @@ Table compliance() {
       "of N, and sticks without giving.",
       "the contact is rigid",
       [](Scene& scene) -> void* { return &scene.auxiliary.back().contact->compliance.emplace(); },
-      {key<&Compliance::stiffness>("stiffness", kContactStiffness, "> 0", kRequired, "k"),
-       key<&Compliance::exponent>("exponent", kPure, "in [1, 2]", kStandard,
-                                  "n; 1: line contact, 1.5: Hertz's point contact"),
+      {key<&Compliance::stiffness>("stiffness", kContactStiffness, "> 0", kRequired,
+                                   "k, stiffness of the contact"),
+       key<&Compliance::exponent>(
+           "exponent", kPure, "in [1, 2]", kStandard,
+           "n, exponent of the depth; 1: line contact, 1.5: Hertz's point contact"),
        key<&Compliance::hunt_crossley>("hunt_crossley", kTimePerLength, ">= 0",
-                                       "that of `restitution`", "a"),
+                                       "that of `restitution`",
+                                       "a, the damping of Hunt and Crossley"),
        key<&Compliance::damping>("damping", kDamping, ">= 0", "none",
                                  "c of N = k p + c p', instead of a; with `exponent` = 1 alone")}};
 }
@@ -89,9 +94,9 @@ Table friction() {
       "mu is the same at every slip",
       [](Scene& scene) -> void* { return &scene.auxiliary.back().contact->friction; },
       {key<&FrictionLaw::coefficient>("kinetic", kPure, ">= 0", kRequired, "of fast sliding"), rest,
-       key<&FrictionLaw::stribeck_speed>("stribeck_speed", kVelocity, "> 0",
-                                         "needed where static > kinetic",
-                                         "at which 63 % of what is beyond kinetic has gone"),
+       key<&FrictionLaw::stribeck_speed>(
+           "stribeck_speed", kVelocity, "> 0", "needed where static > kinetic",
+           "slip at which 63 % of what static has beyond kinetic is gone"),
        key<&FrictionLaw::viscous>("viscous", kSlowness, ">= 0", kStandard,
                                   "by how much mu grows with the slip")}};
 }

@@ -23,28 +23,33 @@ Table drive() {
            key<&Drive::gain>("gain", kAngularDamping, ">= 0", kRequired, "torque per speed",
                              {"linear", "speed_controlled"}),
            key<&Drive::speed>("speed", kSpin, "", kRequired,
-                              "at which the torque is 0; the speed to be kept",
+                              "speed at which the torque is 0; the speed to be kept",
                               {"linear", "speed_controlled"}),
            key<&Drive::integral_gain>("integral_gain", kAngularStiffness, ">= 0", kStandard,
-                                      "torque per angle left behind", {"speed_controlled"}),
-           key<&Drive::torque_limit>("torque_limit", kTorque, "> 0", "none", "of the torque's size",
-                                     {"speed_controlled"}),
-           key<&Drive::acceleration>("acceleration", kAngularAcceleration, "> 0", "`speed` at once",
-                                     "of the reference, up or down, from `rotor.speed` at t = 0",
-                                     {"speed_controlled"}),
-           key<&Drive::breakdown_torque>("breakdown_torque", kTorque, "> 0", kRequired, "T_b",
-                                         {"kloss"}),
-           key<&Drive::breakdown_slip>("breakdown_slip", kPure, "> 0", kRequired, "s_b", {"kloss"}),
+                                      "torque per angle by which the motor is behind",
+                                      {"speed_controlled"}),
+           key<&Drive::torque_limit>("torque_limit", kTorque, "> 0", "none",
+                                     "largest size of the torque", {"speed_controlled"}),
+           key<&Drive::acceleration>(
+               "acceleration", kAngularAcceleration, "> 0", "`speed` at once",
+               "how fast the reference changes, up or down, from `rotor.speed` at t = 0",
+               {"speed_controlled"}),
+           key<&Drive::breakdown_torque>("breakdown_torque", kTorque, "> 0", kRequired,
+                                         "T_b, the largest torque", {"kloss"}),
+           key<&Drive::breakdown_slip>("breakdown_slip", kPure, "> 0", kRequired,
+                                       "s_b, the slip at that torque", {"kloss"}),
            key<&Drive::synchronous_speed>("synchronous_speed", kSpin, "> 0", kRequired,
-                                          "at which the torque is 0", {"kloss"}),
-           key<&Drive::table_speed>("table_speed", kSpin, "", kRequired, "ascending, two or more",
-                                    {"table"}),
-           key<&Drive::table_torque>("table_torque", kTorque, "", kRequired, "one for each speed",
-                                     {"table"}),
-           key<&Drive::station>("station", kLength, ">= 0", kStandard, "of the motor")
+                                          "speed at which the torque is 0", {"kloss"}),
+           key<&Drive::table_speed>("table_speed", kSpin, "", kRequired,
+                                    "speeds, ascending, two or more", {"table"}),
+           key<&Drive::table_torque>("table_torque", kTorque, "", kRequired,
+                                     "torques, one for each speed", {"table"}),
+           key<&Drive::station>("station", kLength, ">= 0", kStandard,
+                                "place of the motor along the shaft")
                .or_called("z")
                .in(Form::kGeometry),
-           key<&Drive::inertia>("inertia", kInertia, ">= 0", kStandard, "of the motor's rotor")
+           key<&Drive::inertia>("inertia", kInertia, ">= 0", kStandard,
+                                "moment of inertia of the motor's rotor")
                .in(Form::kGeometry)}};
 }
 
@@ -62,29 +67,32 @@ Table force() {
            "a torque on the spin; turning ever faster, from `frequency` at `on` to `frequency_end` "
            "at `off`; a half-sine of `vector` from `on` to `off`; a mass that is out of the axis "
            "from `on` for ever, as a disc's eccentricity: a blade is lost"),
-       key<&Force::amplitude>("amplitude", kForce, "", kRequired, "size; turned by pi if negative",
+       key<&Force::amplitude>("amplitude", kForce, "", kRequired,
+                              "size of the force; turned by pi if negative",
                               {"rotating", "synchronous", "chirp"}),
-       key<&Force::frequency>("frequency", kSpin, "", kRequired, "negative: backward",
+       key<&Force::frequency>("frequency", kSpin, "", kRequired,
+                              "speed at which the force turns; negative: backward",
                               {"rotating", "chirp"}),
-       key<&Force::frequency_end>("frequency_end", kSpin, "", kRequired, "at `off`, linear in time",
-                                  {"chirp"}),
+       key<&Force::frequency_end>("frequency_end", kSpin, "", kRequired,
+                                  "frequency at `off`; it changes linearly in time", {"chirp"}),
        key<&Force::static_moment>("static_moment", kStaticMoment, ">= 0", kRequired,
                                   "mass times eccentricity", {"unbalance"}),
        key<&Force::phase>("phase", kAngle, "", kStandard,
                           "direction from the x axis at t = 0, of a chirp at `on`; from the "
                           "rotor's own x axis where it turns with the spin",
                           {"rotating", "synchronous", "chirp", "unbalance"}),
-       key<&Force::vector>("vector", kForce, "", kRequired, "fixed in space; of a pulse its peak",
-                           {"constant", "pulse"}),
-       key<&Force::on>("on", kTime, "", kStandard, "acts from here"),
+       key<&Force::vector>("vector", kForce, "", kRequired,
+                           "the force, fixed in space; of a pulse its peak", {"constant", "pulse"}),
+       key<&Force::on>("on", kTime, "", kStandard, "time from which it acts"),
        key<&Force::off>("off", kTime, "", "never",
-                        "acts up to here, not before `on`; chirp and pulse need it",
+                        "time up to which it acts, not before `on`; chirp and pulse need it",
                         {"rotating", "constant", "synchronous", "chirp", "pulse"}),
-       key<&Force::ramp>("ramp", kTime, ">= 0", kStandard, "rise from 0 after `on`",
+       key<&Force::ramp>("ramp", kTime, ">= 0", kStandard,
+                         "time in which it rises from 0 after `on`",
                          {"rotating", "constant", "synchronous", "chirp"}),
        key<&Force::shape>("shape", kPure, "", "all 1", "value of each bending mode at the station")
            .in(Form::kModal),
-       key<&Force::station>("station", kLength, ">= 0", kRequired, "along the shaft")
+       key<&Force::station>("station", kLength, ">= 0", kRequired, "place along the shaft")
            .or_called("z")
            .in(Form::kGeometry)}}
       .as_list();

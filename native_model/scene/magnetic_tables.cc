@@ -31,7 +31,8 @@ Table magnetic_bearing() {
            key<&MagneticBearing::shape>("shape", kPure, "", "all 1",
                                         "value of each bending mode at the station")
                .in(Form::kModal),
-           key<&MagneticBearing::station>("station", kLength, ">= 0", kRequired, "along the shaft")
+           key<&MagneticBearing::station>("station", kLength, ">= 0", kRequired,
+                                          "place along the shaft")
                .or_called("z")
                .in(Form::kGeometry),
            key<&MagneticBearing::sensor_shape>("sensor_shape", kPure, "", "`shape`",

@@ -49,7 +49,8 @@ Table rotor() {
       [](Scene& scene) -> void* { return &scene.rotor; },
       {key<&Rotor::speed>("speed", kSpin, "", kStandard,
                           "spin speed at t = 0, positive about +z; held without [drive]"),
-       shaft<&RotorGeometry::length>("length", kLength, "> 0", kRequired, "of the shaft, from 0"),
+       shaft<&RotorGeometry::length>("length", kLength, "> 0", kRequired,
+                                     "length of the shaft, which begins at 0"),
        shaft<&RotorGeometry::E>("E", kPressure, "> 0", kRequired, "Young's modulus"),
        shaft<&RotorGeometry::nu>("nu", kPure, "in (-1, 0.5]",
                                  "0.3; with [rotor.torsion] it or `G` is required",
@@ -92,25 +93,26 @@ Table section() {
 }
 
 Table modal() {
-  return Table{"rotor.modal",
-               "The shaft by its bending modes, each scaled to 1 at the contact station. Lists of "
-               "one length, one value a mode; the plane y may differ (`mass_y`, ...).",
-               "the geometry form",
-               [](Scene& scene) -> void* { return &scene.rotor.modal.emplace(); },
-               {key<&RotorModal::mass>("mass", kMass, "> 0", kRequired, ""),
-                key<&RotorModal::mass_y>("mass_y", kMass, "> 0", "`mass`", "in the plane y"),
-                key<&RotorModal::stiffness>("stiffness", kStiffness, ">= 0", kRequired, ""),
-                key<&RotorModal::stiffness_y>("stiffness_y", kStiffness, ">= 0", "`stiffness`",
-                                              "in the plane y"),
-                key<&RotorModal::damping>("damping", kDamping, ">= 0", "0", "external"),
-                key<&RotorModal::damping_y>("damping_y", kDamping, ">= 0", "`damping`",
-                                            "external, in the plane y"),
-                key<&RotorModal::internal_damping>("internal_damping", kDamping, ">= 0", "0",
-                                                   "turns with the shaft"),
-                key<&RotorModal::gyroscopic>("gyroscopic", kMass, "", "0",
-                                             "g: the force -Omega g vy on x, +Omega g vx on y"),
-                key<&RotorModal::inertia>("inertia", kInertia, ">= 0", kStandard,
-                                          "of the rigid spin; required with [drive]")}}
+  return Table{
+      "rotor.modal",
+      "The shaft by its bending modes, each scaled to 1 at the contact station. Lists of "
+      "one length, one value a mode; the plane y may differ (`mass_y`, ...).",
+      "the geometry form",
+      [](Scene& scene) -> void* { return &scene.rotor.modal.emplace(); },
+      {key<&RotorModal::mass>("mass", kMass, "> 0", kRequired, "modal masses"),
+       key<&RotorModal::mass_y>("mass_y", kMass, "> 0", "`mass`", "modal masses in the plane y"),
+       key<&RotorModal::stiffness>("stiffness", kStiffness, ">= 0", kRequired, "modal stiffnesses"),
+       key<&RotorModal::stiffness_y>("stiffness_y", kStiffness, ">= 0", "`stiffness`",
+                                     "modal stiffnesses in the plane y"),
+       key<&RotorModal::damping>("damping", kDamping, ">= 0", "0", "external damping of the modes"),
+       key<&RotorModal::damping_y>("damping_y", kDamping, ">= 0", "`damping`",
+                                   "external damping in the plane y"),
+       key<&RotorModal::internal_damping>("internal_damping", kDamping, ">= 0", "0",
+                                          "damping that turns with the shaft"),
+       key<&RotorModal::gyroscopic>("gyroscopic", kMass, "", "0",
+                                    "g: the force -Omega g vy on x, +Omega g vx on y"),
+       key<&RotorModal::inertia>("inertia", kInertia, ">= 0", kStandard,
+                                 "moment of inertia of the rigid spin; required with [drive]")}}
       .in(Form::kModal);
 }
 
@@ -124,12 +126,15 @@ Table torsion() {
       {key<&Torsion::modes>("modes", kPure, "in [1, 1000]", kRequired, "torsion modes kept")
            .in(Form::kGeometry),
        key<&Torsion::damping_ratio>("damping_ratio", kPure, ">= 0", "`rotor.damping_ratio`",
-                                    "of each torsion mode")
+                                    "damping of each torsion mode")
            .in(Form::kGeometry),
-       key<&Torsion::inertia>("inertia", kInertia, "> 0", kRequired, "").in(Form::kModal),
-       key<&Torsion::stiffness>("stiffness", kAngularStiffness, "> 0", kRequired, "")
+       key<&Torsion::inertia>("inertia", kInertia, "> 0", kRequired, "modal moments of inertia")
            .in(Form::kModal),
-       key<&Torsion::damping>("damping", kAngularDamping, ">= 0", "0", "").in(Form::kModal),
+       key<&Torsion::stiffness>("stiffness", kAngularStiffness, "> 0", kRequired,
+                                "modal torsional stiffnesses")
+           .in(Form::kModal),
+       key<&Torsion::damping>("damping", kAngularDamping, ">= 0", "0", "modal torsional damping")
+           .in(Form::kModal),
        key<&Torsion::drive_shape>("drive_shape", kPure, "", "0", "value of each mode at the motor")
            .in(Form::kModal)}};
 }

@@ -18,7 +18,7 @@ Table gravity() {
           "none",
           [](Scene& scene) -> void* { return &scene.gravity.emplace(); },
           {key<&Gravity::acceleration>("acceleration", kAcceleration, "", kRequired,
-                                       "as of a falling body"),
+                                       "acceleration of a falling body, as [0, -9.81]"),
            key<&Gravity::participation>("participation", kMass, "", "the modal mass",
                                         "load of each bending mode per unit acceleration")
                .in(Form::kModal)}};
@@ -35,7 +35,8 @@ Key start_of_ring(std::string_view name, const Quantity& quantity, std::string_v
 }
 
 Table initial() {
-  const std::string_view modal = "bending modes, one value a mode";
+  constexpr std::string_view kPlaces = "place of each bending mode, one value a mode";
+  constexpr std::string_view kSpeeds = "speed of each bending mode, one value a mode";
   return {
       "initial",
       "State at t = 0. The spin speed is `rotor.speed`.",
@@ -49,15 +50,16 @@ Table initial() {
            "on that lasting rub of `rotorub modes`: in step with its load, against the spin "
            "slipping, against it without slip; beside what steady shuts out, or steady, `none` "
            "alone (A start on a rub)"),
-       key<&Scene::initial, &Initial::x>("x", kLength, "", "0", modal),
-       key<&Scene::initial, &Initial::y>("y", kLength, "", "0", modal),
-       key<&Scene::initial, &Initial::vx>("vx", kVelocity, "", "0", modal),
-       key<&Scene::initial, &Initial::vy>("vy", kVelocity, "", "0", modal),
+       key<&Scene::initial, &Initial::x>("x", kLength, "", "0", kPlaces),
+       key<&Scene::initial, &Initial::y>("y", kLength, "", "0", kPlaces),
+       key<&Scene::initial, &Initial::vx>("vx", kVelocity, "", "0", kSpeeds),
+       key<&Scene::initial, &Initial::vy>("vy", kVelocity, "", "0", kSpeeds),
        key<&Scene::initial, &Initial::spin_angle>("spin_angle", kAngle, "", kStandard,
-                                                  "of the rotor's own x axis"),
-       key<&Scene::initial, &Initial::torsion>("torsion", kAngle, "", "0", "torsion modes"),
+                                                  "angle of the rotor's own x axis"),
+       key<&Scene::initial, &Initial::torsion>("torsion", kAngle, "", "0",
+                                               "angles of the torsion modes"),
        key<&Scene::initial, &Initial::torsion_speed>("torsion_speed", kSpin, "", "0",
-                                                     "torsion modes"),
+                                                     "speeds of the torsion modes"),
        start_of_ring<&Stator::position>("stator", kLength, "position of the ring; needs [stator]"),
        start_of_ring<&Stator::velocity>("stator_velocity", kVelocity,
                                         "of the ring; needs [stator]")}};
@@ -80,7 +82,7 @@ Table mujoco() {
            "the plugin; MuJoCo's own friction cone; the same with its normal reference corrected "
            "for sliding, so that it obeys Coulomb's law"),
        word<&Mujoco::integrator>("integrator", {"euler", "implicit", "rk4"}, kStandard,
-                                 "of MuJoCo"),
+                                 "MuJoCo's integrator"),
        word<&Mujoco::solver>("solver", {"newton", "cg", "pgs"}, kStandard,
                              "MuJoCo's constraint solver"),
        key<&Mujoco::solref_stiffness>(
@@ -200,7 +202,7 @@ Table run_table() {
       {key<&Run::end>("end", kTime, "> 0", kStandard, "end of the run, which starts at 0"),
        key<&Run::step>("step", kTime, "> 0", kStandard, "step of `midpoint` and of MuJoCo"),
        word<&Run::integrator>("integrator", {"event", "midpoint", "verlet", "euler"}, kStandard,
-                              "of the native engine"),
+                              "integrator of the native engine"),
        key<&Run::output_step>("output_step", kTime, "> 0", "`end` / 1000",
                               "spacing of the rows of the series"),
        key<&Run::output_times>("output_times", kTime, ">= 0", "none",

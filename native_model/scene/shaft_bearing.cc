@@ -69,10 +69,12 @@ Table shaft_bearing_table() {
       "coefficients of an oil film.",
       "none",
       [](Scene& scene) -> void* { return &geometry_of(scene).bearings.emplace_back(); },
-      {key<&ShaftBearing::z>("z", kLength, ">= 0", kRequired, "along the shaft")
+      {key<&ShaftBearing::z>("z", kLength, ">= 0", kRequired, "place along the shaft")
            .or_called("station"),
-       planes<&ShaftBearing::stiffness>("stiffness", kStiffness, ">= 0", "by `table_kxx`", ""),
-       planes<&ShaftBearing::damping>("damping", kDamping, ">= 0", kStandard, ""),
+       planes<&ShaftBearing::stiffness>("stiffness", kStiffness, ">= 0", "by `table_kxx`",
+                                        "stiffness of the bearing"),
+       planes<&ShaftBearing::damping>("damping", kDamping, ">= 0", kStandard,
+                                      "damping of the bearing"),
        key<&ShaftBearing::cross_stiffness>(
            "cross_stiffness", kStiffness, "", kStandard,
            "[k_xy, k_yx], across the planes: -k_xy y on x, -k_yx x on y"),
@@ -85,14 +87,14 @@ Table shaft_bearing_table() {
            "ascending, two or more: the coefficients follow the speed, by a smooth curve through "
            "the points, held beyond the ends"),
        key<&ShaftBearing::table_kxx>("table_kxx", kStiffness, "", "needed with `table_speed`",
-                                     "one for each speed"),
-       key<&ShaftBearing::table_kxy>("table_kxy", kStiffness, "", "0", "alike"),
-       key<&ShaftBearing::table_kyx>("table_kyx", kStiffness, "", "0", "alike"),
-       key<&ShaftBearing::table_kyy>("table_kyy", kStiffness, "", "`table_kxx`", "alike"),
-       key<&ShaftBearing::table_cxx>("table_cxx", kDamping, "", "0", "alike"),
-       key<&ShaftBearing::table_cxy>("table_cxy", kDamping, "", "0", "alike"),
-       key<&ShaftBearing::table_cyx>("table_cyx", kDamping, "", "0", "alike"),
-       key<&ShaftBearing::table_cyy>("table_cyy", kDamping, "", "`table_cxx`", "alike")}}
+                                     "k_xx, one value for each speed"),
+       key<&ShaftBearing::table_kxy>("table_kxy", kStiffness, "", "0", "k_xy, likewise"),
+       key<&ShaftBearing::table_kyx>("table_kyx", kStiffness, "", "0", "k_yx, likewise"),
+       key<&ShaftBearing::table_kyy>("table_kyy", kStiffness, "", "`table_kxx`", "k_yy, likewise"),
+       key<&ShaftBearing::table_cxx>("table_cxx", kDamping, "", "0", "c_xx, likewise"),
+       key<&ShaftBearing::table_cxy>("table_cxy", kDamping, "", "0", "c_xy, likewise"),
+       key<&ShaftBearing::table_cyx>("table_cyx", kDamping, "", "0", "c_yx, likewise"),
+       key<&ShaftBearing::table_cyy>("table_cyy", kDamping, "", "`table_cxx`", "c_yy, likewise")}}
       .as_list()
       .in(Form::kGeometry);
 }
