@@ -105,7 +105,7 @@ int rotorub_main(int argc, char** argv) {
       add_optimise_command(program), add_check_command(program), add_tune_command(program),
       add_identify_command(program), add_plot_command(program),  add_schema_command(program),
       add_manual_command(program)};
-  program.footer("rotorub help COMMAND tells the options of a command.");
+  program.footer("`rotorub help COMMAND` lists the options of a command.");
   std::vector<std::string> names;
   for (const Command& command : commands) names.push_back(command.app->get_name());
   std::vector<std::string> arguments = with_help({argv + 1, argv + argc});

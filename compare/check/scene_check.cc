@@ -71,7 +71,8 @@ std::vector<Verdict> measured(const scene::Scene& scene, const std::vector<scene
     if (rule.metric.empty()) continue;
     if (needs_reference(rule.metric) && reference == nullptr) {
       verdicts.push_back(
-          violated(rule.metric.c_str(), "`event` did not come to the end: nothing to measure by"));
+          violated(rule.metric.c_str(),
+                   "`event` did not reach the end, so there is nothing to measure against"));
       continue;
     }
     verdicts.push_back(limited(rule.metric, measure(rule.metric, scene, trajectory, reference),
@@ -158,7 +159,7 @@ Case judge(const scene::Scene& scene, const CheckEngine& engine,
     verdicts.push_back({Outcome::kPass, kToItsEnd, {}, {}, ""});
     if (expects_refusal(rules)) {
       verdicts.back() =
-          violated(kRefusal, "it ran to its end, and its file says that it is refused");
+          violated(kRefusal, "it ran to its end, but its file says that it is refused");
     }
     for (Verdict& v : law_verdicts(*run, contact_facts(scene), engine.exact_rows)) {
       verdicts.push_back(std::move(v));

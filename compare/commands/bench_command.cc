@@ -113,7 +113,7 @@ int run_bench(const BenchArguments& options) {
 Command add_bench_command(CLI::App& program) {
   auto options = std::make_shared<BenchArguments>();
   CLI::App* app = program.add_subcommand(
-      "bench", "Speed against error: every engine on a ladder of steps, timed in turns");
+      "bench", "Measure speed against error: every engine over a series of steps");
   app->add_option("SCENE", options->scenes, "Scene files (.toml)")->required();
   add_value(*app, "--engines", options->engines, "LIST",
             "Engines or families (native, mujoco, peer), separated by commas (default: all)");
@@ -122,11 +122,11 @@ Command add_bench_command(CLI::App& program) {
       "Fixed steps, separated by commas, e.g. 100us,10us (default: 1-2-5 from 200 us to 1 us)");
   add_value(*app, "--tolerances", options->tolerances, "LIST",
             "Tolerances of `event`, separated by commas (default: decades from 1e-4 to 1e-12)");
-  add_value(*app, "--repeats", options->repeats, "N", "Timed runs of each point")
+  add_value(*app, "--repeats", options->repeats, "N", "Number of timed runs of each point")
       ->capture_default_str();
   add_value(*app, "-o,--output", options->folder, "DIR",
-            "Writes bench.json and the page bench.html there, with stability map and restitution "
-            "table (hundreds of runs more)");
+            "Write bench.json and the page bench.html to this folder, with stability map and "
+            "restitution table (hundreds of further runs)");
   add_value(*app, "--end", options->end, "TIME", "End of the run, e.g. 0.5s (run.end)");
   add_controller_option(*app, *options);
   add_common_options(*app, *options);

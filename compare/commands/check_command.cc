@@ -130,12 +130,12 @@ int run_check(const CheckArguments& options) {
 Command add_check_command(CLI::App& program) {
   auto options = std::make_shared<CheckArguments>();
   CLI::App* app = program.add_subcommand(
-      "check", "Scenes against the pass rules in their files ([[check]]), on every engine");
+      "check", "Run scenes on every engine and check the rules in their files ([[check]])");
   app->add_option("SCENE", options->places, "Scene files (.toml), or folders of them")
       ->required()
       ->type_name("SCENE|DIR");
   add_value(*app, "-o,--output", options->folder, "DIR",
-            "Writes check.json there, as --json prints it, for `compare --with`");
+            "Write check.json, as --json prints it, to this folder, for `compare --with`");
   add_allow_library_option(*app, *options);
   add_common_options(*app, *options);
   return {app, [options] { return run_check(*options); }};

@@ -68,7 +68,7 @@ void add_run_options(CLI::App& command, CommonOptions& options) {
 
 void add_controller_option(CLI::App& command, CommonOptions& options) {
   add_value(command, "--controller", options.controller, "FILE.so",
-            "Your own controller, a shared library, in the place of the scene's")
+            "Your own controller, a shared library, instead of the scene's")
       ->check(CLI::ExistingFile)
       ->check(refuse_source)
       ->each([](const std::string& file) { allow_library(std::filesystem::absolute(file)); });
@@ -82,13 +82,14 @@ void add_allow_library_option(CLI::App& command, CommonOptions& options) {
         options.allow_library = true;
         set_scene_libraries(SceneLibraries::kAllowed);
       },
-      "Open the library that the scene names as its controller: code that you trust");
+      "Open the library that the scene names as its controller, if you trust its code");
 }
 
 void add_format_option(CLI::App& command, std::string& format) {
   command
-      .add_option("--format", format,
-                  "Of the series: csv, or hdf5: a file run.h5 beside the tables of every run")
+      .add_option(
+          "--format", format,
+          "Format of the series: csv, or hdf5, which adds a file run.h5 to the tables of every run")
       ->check(CLI::IsMember({"csv", "hdf5"}))
       ->capture_default_str();
 }
@@ -154,14 +155,14 @@ void read_each(const std::vector<std::string>& files,
 
 OwnRun own_run(const CommonOptions& options) {
   if (!options.controller.empty()) {
-    throw UsageError(fmt::format(
-        "--controller {}: of a scene; a machine of your own is driven by what its .xml and the "
-        "program around it command, and is compared here as it stands",
-        options.controller));
+    throw UsageError(
+        fmt::format("--controller {}: is for scenes; a machine of your own is driven by what its "
+                    ".xml and the program around it command, and is compared here as it stands",
+                    options.controller));
   }
   if (!options.overrides.empty()) {
     throw UsageError(
-        fmt::format("--set {}: of a scene; a machine of your own has its values in its .xml",
+        fmt::format("--set {}: is for scenes; a machine of your own has its values in its .xml",
                     options.overrides.front()));
   }
   const auto time = [](const char* flag, const std::string& text) {

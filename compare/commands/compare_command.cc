@@ -251,39 +251,40 @@ Command add_compare_command(CLI::App& program) {
                   "MuJoCo's state at every onset of contact and predicts it)")
       ->check(CLI::IsMember({"lockstep", "replay", "resync"}))
       ->capture_default_str();
-  add_value(
-      *app, "--tolerance", options->tolerance, "SHARE",
-      "On the judged figures, as 1% or 0.01: averages (mean normal force, lasting contact, total "
-      "impulse, friction work, whirl, spin, ring speed, control force; least gap where nothing "
-      "touches) and single moments (largest impact or impulse, hard impacts, rms gap rate)")
+  add_value(*app, "--tolerance", options->tolerance, "SHARE",
+            "Largest difference that passes, as 1% or 0.01. Judged are averages (mean normal "
+            "force, lasting contact, total impulse, friction work, whirl, spin, ring speed, "
+            "control force; least gap where nothing touches) and single moments (largest impact or "
+            "impulse, hard impacts, rms gap rate)")
       ->capture_default_str();
   app->add_option("--contact", options->contact,
-                  "Whose verdict is the exit code; all are shown (default: rigid; coulomb where a "
-                  "contact gives)")
+                  "Contact model whose verdict sets the exit code; all are shown (default: rigid, "
+                  "or coulomb where a contact gives)")
       ->check(CLI::IsMember(scene::contact_words<std::vector<std::string>>()));
   add_value(*app, "--twins", options->twins, "N",
-            "Runs a few units in the last place apart, of native and, where these scatter, of the "
-            "contact model that decides: how well a difference is known")
+            "Number of further runs that start a few units in the last place apart, native and, "
+            "where these scatter, with the contact model that decides: they tell how well a "
+            "difference is known")
       ->capture_default_str();
   app->add_flag("--modes-ladder,!--no-modes-ladder", options->modes_ladder,
-                "The error of the bending modes kept, by native runs with up to twice as many "
-                "(default: on; geometry form only)");
+                "Estimate the error of the bending modes kept, by native runs with up to twice as "
+                "many (default: on; geometry form only)");
   add_value(*app, "-o,--output", options->folder, "DIR", "Folder of the results")
       ->capture_default_str();
   add_value(*app, "--with", options->with, "DIR",
-            "Folder of results that the report shows too: of bench, check or sweep with -o, or a "
-            "folder of such folders; may be repeated")
+            "Also show the results in this folder in the report: what bench, check or sweep wrote "
+            "with -o, or a folder of such folders; may be repeated")
       ->expected(1)
       ->take_all()
       ->allow_extra_args(false);
-  add_measured_options(*app, *options, "laid beside its runs");
+  add_measured_options(*app, *options, "to show beside its runs");
   add_format_option(*app, options->format);
   app->add_flag("--tune", options->tune,
-                "Finds the fastest setting that can be trusted for each scene (rotorub tune), and "
-                "shows it beside the verdicts");
+                "Also find the fastest setting that can be trusted for each scene (rotorub tune), "
+                "and show it beside the verdicts");
   app->add_flag("--all-films", options->all_films,
-                "A film of every run (default: of MuJoCo alone beside the native run)")
-      ->excludes(app->add_flag("--no-video", options->no_video, "Leave the films out"));
+                "Make a film of every run (default: of MuJoCo alone beside the native run)")
+      ->excludes(app->add_flag("--no-video", options->no_video, "Make no films"));
   add_run_options(*app, *options);
   add_controller_option(*app, *options);
   add_common_options(*app, *options);

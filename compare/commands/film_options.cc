@@ -87,21 +87,23 @@ void add_film_options(CLI::App& command, FilmArguments& arguments) {
     command.add_option(flag, value, help)->type_name(type);
   };
   add("-o,--output", arguments.file, "FILE", "File: .mp4, .gif or .png (default: <scene>.mp4)");
-  add("--from", arguments.from, "TIME", "Begin there (default: shortly before the first touch)");
-  add("--to", arguments.to, "TIME", "End there (default: the end of the run)");
+  add("--from", arguments.from, "TIME",
+      "Time at which the film begins (default: shortly before the first touch)");
+  add("--to", arguments.to, "TIME", "Time at which it ends (default: the end of the run)");
   add("--slow", arguments.slow, "N",
-      "Seconds of film for a second of the run, the same throughout (default: what gives 12 s, "
-      "--gif 6 s, slower at impacts)");
-  add("--size", arguments.size, "WxH", "Pixels (default: 1280x720; --gif 640x360)");
-  add("--fps", arguments.fps, "N", "Frames a second, 1 to 120 (default: 60; --gif 25)");
-  add("--view", arguments.view, "VIEW", "rig (default), axis, close-up or unrolled");
-  add("--title", arguments.title, "TEXT", "Written over the picture (default: the scene's name)");
+      "Seconds of film per second of the run, the same throughout (default: a film of 12 s, --gif "
+      "6 s, that slows down at impacts)");
+  add("--size", arguments.size, "WxH", "Size in pixels (default: 1280x720; --gif 640x360)");
+  add("--fps", arguments.fps, "N", "Frames per second, 1 to 120 (default: 60; --gif 25)");
+  add("--view", arguments.view, "VIEW", "What is shown: rig (default), axis, close-up or unrolled");
+  add("--title", arguments.title, "TEXT", "Title over the picture (default: the scene's name)");
   add("--beside", arguments.beside, "RUN_DIR",
-      "A second run of the same scene, to the right, with one camera, clock and scale");
+      "Folder of a second run of the same scene, shown to the right with the same camera, clock "
+      "and scale");
   add("--at", arguments.at, "TIME",
-      "Time of the picture of --png (default: the hardest impact, or the middle)");
-  command.add_flag("--gif", arguments.gif, "An animated GIF");
-  command.add_flag("--png", arguments.png, "One picture");
+      "Time that --png shows (default: the hardest impact, or the middle)");
+  command.add_flag("--gif", arguments.gif, "Make an animated GIF");
+  command.add_flag("--png", arguments.png, "Make one picture");
 }
 
 FilmRequest film_request(const FilmArguments& arguments) {

@@ -103,19 +103,18 @@ int run_identify(const IdentifyArguments& options) {
 Command add_identify_command(CLI::App& program) {
   auto options = std::make_shared<IdentifyArguments>();
   CLI::App* app = program.add_subcommand(
-      "identify", "Values of a scene from a measured run, and how well it tells them");
+      "identify", "Find values of a scene from a measured run, with their confidence");
   app->add_option("SCENE", options->scene, "Scene file (.toml)")->required();
-  add_value(
-      *app, "--fit", options->fit, "KEY=FROM:TO",
-      "A value that is looked for and its range, as contact.friction=0.05:0.4; may be repeated")
+  add_value(*app, "--fit", options->fit, "KEY=FROM:TO",
+            "Key to fit and the range to search, as contact.friction=0.05:0.4; may be repeated")
       ->expected(1)
       ->take_all()
       ->allow_extra_args(false)
       ->required();
-  add_measured_options(*app, *options, "which tells the values");
+  add_measured_options(*app, *options, "from which the values are found");
   app->get_option("--measured")->required();
   add_value(*app, "-o,--output", options->file, "FILE.toml",
-            "Writes the scene with the values found there");
+            "Write the scene with the values found to this file");
   add_run_options(*app, *options);
   add_controller_option(*app, *options);
   add_common_options(*app, *options);

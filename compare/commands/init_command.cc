@@ -121,35 +121,36 @@ int write_starter(const InitArguments& options) {
 Command add_init_command(CLI::App& program) {
   auto options = std::make_shared<InitArguments>();
   CLI::App* app =
-      program.add_subcommand("init", "Write a commented scene to begin with, which runs at once");
+      program.add_subcommand("init", "Write a commented scene to start from, which runs as it is");
   app->add_option("NAME", options->name, "Name of the scene (default: rotor)");
   std::vector<std::string> forms;
   for (const StarterFormWord& each : kStarterForms) forms.emplace_back(each.word);
   app->add_option(
          "--form", options->form,
-         "geometry (default: shaft, disc, bearings; loses a blade), modal (the same as one mode), "
-         "rig (with torsion, motor, exciter, actuator), controller (the rig with one at "
-         "work), overhung (the disc beyond the bearings), vertical (hung from above) or "
-         "two-catchers (magnetic bearings that fail)")
+         "Kind of machine: geometry (default: shaft, disc, bearings; loses a blade), modal (the "
+         "same as one mode), rig (with torsion, motor, exciter, actuator), controller (the rig "
+         "with a controller at work), overhung (the disc beyond the bearings), vertical (hung from "
+         "above) or two-catchers (magnetic bearings that fail)")
       ->check(CLI::IsMember(forms));
   const Starter standard;
   const auto size = [&](const char* option, std::string& target, const char* type,
                         const char* words, const StarterValue& value) {
     add_value(*app, option, target, type, fmt::format("{} (default: {})", words, value.text));
   };
-  size("--speed", options->speed, "SPEED", "Of the spin", standard.speed);
-  size("--length", options->length, "LENGTH", "Of the shaft", standard.length);
-  size("--diameter", options->diameter, "LENGTH", "Of the shaft", standard.diameter);
-  size("--disc-mass", options->disc_mass, "MASS", "Of the disc", standard.disc_mass);
-  size("--clearance", options->clearance, "LENGTH", "Radial", standard.clearance);
-  size("--friction", options->friction, "NUMBER", "Coefficient", standard.friction);
+  size("--speed", options->speed, "SPEED", "Spin speed", standard.speed);
+  size("--length", options->length, "LENGTH", "Length of the shaft", standard.length);
+  size("--diameter", options->diameter, "LENGTH", "Diameter of the shaft", standard.diameter);
+  size("--disc-mass", options->disc_mass, "MASS", "Mass of the disc", standard.disc_mass);
+  size("--clearance", options->clearance, "LENGTH", "Radial clearance of the auxiliary bearing",
+       standard.clearance);
+  size("--friction", options->friction, "NUMBER", "Coefficient of friction", standard.friction);
   add_value(*app, "--unbalance", options->unbalance, "MASS LENGTH",
-            "Of the piece that is lost, as \"72 g mm\", \"0.1 oz in\" (default: a free orbit of "
-            "two clearances)");
+            "Unbalance of the piece that is lost, as \"72 g mm\" or \"0.1 oz in\" (default: what "
+            "makes a free orbit of two clearances)");
   add_value(*app, "-o,--output", options->file, "FILE.toml",
             "File, or - for standard output (default: NAME.toml)");
-  app->add_flag("--force", options->force, "Write over a file that is there");
-  app->add_flag("--json", options->json, "Print where it went as JSON, and nothing else");
+  app->add_flag("--force", options->force, "Overwrite a file that exists");
+  app->add_flag("--json", options->json, "Print the name of the file as JSON, and nothing else");
   app->add_flag("--quiet,-q", options->quiet, "Print nothing but errors");
   return {app, [options] { return write_starter(*options); }};
 }

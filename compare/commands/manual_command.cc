@@ -86,9 +86,9 @@ int write_manual(const CLI::App& program, const ManualArguments& options) {
 
 Command add_schema_command(CLI::App& program) {
   auto file = std::make_shared<std::string>();
-  CLI::App* app = program.add_subcommand(
-      "schema",
-      "The tables and keys of a scene as a JSON schema, with which an editor completes and checks");
+  CLI::App* app = program.add_subcommand("schema",
+                                         "Print the tables and keys of a scene as a JSON schema, "
+                                         "with which an editor completes and checks scenes");
   add_value(*app, "-o,--output", *file, "FILE.json", "File (default: standard output)");
   return {app, [file] {
             write_or_print(*file, scene_schema());
@@ -98,8 +98,9 @@ Command add_schema_command(CLI::App& program) {
 
 Command add_manual_command(CLI::App& program) {
   auto options = std::make_shared<ManualArguments>();
-  CLI::App* app = program.add_subcommand("manual", "The manual page, or the completion of bash");
-  app->add_option("KIND", options->kind, "man: the manual page; bash: the completion")
+  CLI::App* app =
+      program.add_subcommand("manual", "Print the manual page, or the completion for Bash");
+  app->add_option("KIND", options->kind, "man: the manual page; bash: the completion for Bash")
       ->check(CLI::IsMember({"man", "bash"}))
       ->capture_default_str();
   add_value(*app, "-o,--output", options->file, "FILE", "File (default: standard output)");

@@ -59,8 +59,8 @@ MeasuredInput measured_of(const MeasuredArguments& options) {
         options.measured_probes.empty() && options.measured_columns.empty())
       return input;
     throw UsageError(
-        "--measured-shift, --measured-angle, --measured-probes and --measured-column: of what "
-        "--measured names, and it names nothing");
+        "--measured-shift, --measured-angle, --measured-probes and --measured-column belong to "
+        "--measured, which is not given");
   }
   if (!options.measured_probes.empty() && !options.measured_angle.empty()) {
     throw UsageError(
@@ -82,22 +82,23 @@ MeasuredInput measured_of(const MeasuredArguments& options) {
 }
 
 void add_measured_options(CLI::App& command, MeasuredArguments& arguments, const char* beside) {
-  add_value(command, "--measured", arguments.measured, "CSV",
-            fmt::format("A measured run of the one scene, {}: a table with a header, t and any of "
-                        "rotor, ring, gap, force, current, each with its unit, as `t [ms], "
-                        "rotor_x [um]` (compare/README.md)",
-                        beside));
+  add_value(
+      command, "--measured", arguments.measured, "CSV",
+      fmt::format(
+          "A measured run of this scene, {}: a CSV file with a header, t and any of rotor, ring, "
+          "gap, force, current, each with its unit, as `t [ms], rotor_x [um]` (compare/README.md)",
+          beside));
   add_value(command, "--measured-column", arguments.measured_columns, "NAME=COLUMN",
-            "What a column of a file with names of its own is, as \"CH1 X = rotor_x [mil]\"; may "
-            "be repeated; columns without such a name are left out")
+            "What a column is, in a file with other names, as \"CH1 X = rotor_x [mil]\"; may be "
+            "repeated; columns that are not named so are left out")
       ->expected(1)
       ->take_all()
       ->allow_extra_args(false);
   add_value(command, "--measured-probes", arguments.measured_probes, "ANGLE,ANGLE",
-            "Directions in the scene, from x to y, that rotor_x and rotor_y are measured along, as "
-            "45deg,135deg (default: x and y of a frame)");
+            "Directions along which the probes measure rotor_x and rotor_y, from the scene's x to "
+            "its y, as 45deg,135deg (default: x and y of one frame)");
   add_value(command, "--measured-shift", arguments.measured_shift, "TIME",
-            "Time added to the record's, as 12.5ms (default: found by least squares)");
+            "Time to add to that of the record, as 12.5ms (default: found by least squares)");
   add_value(command, "--measured-angle", arguments.measured_angle, "ANGLE",
             "Angle of the sensors' x axis in the scene, from x to y, as 30deg (default: found "
             "where x and y are measured)");

@@ -54,7 +54,7 @@ Command add_mjcf_command(CLI::App& program) {
   app->add_option("SCENE", options->scene, "Scene file (.toml)")->required();
   add_value(*app, "-o,--output", options->file, "FILE", "File (default: standard output)");
   add_value(*app, "--mujoco", options->mujoco, "VERSION",
-            "MuJoCo that shall read it (default: " + to_string(built_for()) + ")");
+            "Version of MuJoCo that is to read it (default: " + to_string(built_for()) + ")");
   add_common_options(*app, *options);
   return {app, [options] {
             set_scene_libraries(SceneLibraries::kLeftOut);

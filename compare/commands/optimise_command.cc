@@ -95,7 +95,7 @@ int run_optimise(const OptimiseArguments& options) {
 Command add_optimise_command(CLI::App& program) {
   auto options = std::make_shared<OptimiseArguments>();
   CLI::App* app = program.add_subcommand(
-      "optimise", "The gains or the design for which any figure is best, within constraints");
+      "optimise", "Find the gains or the design for which a figure is best, within constraints");
   app->add_option("STUDY", options->study, "Study file (.toml) with a table [optimise]")
       ->required();
   add_value(*app, "-o,--output", options->folder, "DIR",

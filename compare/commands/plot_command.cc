@@ -63,7 +63,7 @@ int plot(const PlotArguments& options) {
 
 Command add_plot_command(CLI::App& program) {
   auto options = std::make_shared<PlotArguments>();
-  CLI::App* app = program.add_subcommand("plot", "The page of a run: plots and a live player");
+  CLI::App* app = program.add_subcommand("plot", "Write the page of a run: its plots and a player");
   app->add_option("RUN_DIR", options->folder, "Folder of a run, as `rotorub run -o DIR` wrote it")
       ->required();
   add_value(*app, "-o,--output", options->file, "FILE.html", "File (default: RUN_DIR/plot.html)");

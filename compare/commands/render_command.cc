@@ -176,7 +176,7 @@ int render_film(const RenderArguments& options) {
 Command add_render_command(CLI::App& program) {
   auto options = std::make_shared<RenderArguments>();
   CLI::App* app = program.add_subcommand(
-      "render", "Film or picture of a scene (native engine), or of a run's folder");
+      "render", "Make a film or a picture of a scene (native engine), or of a run's folder");
   app->add_option("SCENE|RUN_DIR", options->source, "Scene file (.toml), or folder of a run")
       ->required();
   add_film_options(*app, options->film);

@@ -191,7 +191,8 @@ int run(const RunArguments& options) {
 
 Command add_run_command(CLI::App& program) {
   auto options = std::make_shared<RunArguments>();
-  CLI::App* app = program.add_subcommand("run", "Run one scene and write its series");
+  CLI::App* app =
+      program.add_subcommand("run", "Run a scene; write its time series, impacts and summary");
   const auto today = [](const std::string& word) {
     const std::string current(scene::current_word(word));
     if (current != word)
@@ -199,23 +200,25 @@ Command add_run_command(CLI::App& program) {
     return current;
   };
   app->add_option("SCENE", options->scene, "Scene file (.toml)")->required();
-  app->add_option("--engine", options->engine, "native or mujoco")
+  app->add_option("--engine", options->engine, "Engine that runs the scene: native or mujoco")
       ->check(CLI::IsMember({"native", "mujoco"}))
       ->capture_default_str();
-  app->add_option("--integrator", options->integrator,
-                  "Of the native engine: event, verlet, midpoint or euler")
+  app->add_option(
+         "--integrator", options->integrator,
+         "Integrator of the native engine: event, verlet, midpoint or euler (default: the scene's)")
       ->transform(today)
       ->check(CLI::IsMember({"event", "verlet", "midpoint", "euler"}));
-  app->add_option("--contact", options->contact, "Of MuJoCo: how it solves the contact")
+  app->add_option("--contact", options->contact,
+                  "How MuJoCo solves the contact (default: the scene's)")
       ->check(CLI::IsMember(scene::contact_words<std::vector<std::string>>()));
   add_run_options(*app, *options);
   add_value(*app, "-o,--output", options->folder, "DIR",
             "Folder of the results (default: runs/<scene>-<engine>)");
-  add_measured_options(*app, *options, "laid beside this one");
+  add_measured_options(*app, *options, "to show beside this one");
   add_format_option(*app, options->format);
   app->add_flag("--lyapunov", options->lyapunov,
-                "Also the largest Lyapunov exponent of what the native run has come to, over 100 "
-                "turns from its end on");
+                "Also find the largest Lyapunov exponent of the motion at the end of the native "
+                "run (above 0: chaos), over 100 further turns of the shaft");
   add_controller_option(*app, *options);
   add_common_options(*app, *options);
   return {app, [options] { return run(*options); }};

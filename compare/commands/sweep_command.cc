@@ -227,27 +227,28 @@ int sweep_study(const SweepArguments& options) {
 Command add_sweep_command(CLI::App& program) {
   auto options = std::make_shared<SweepArguments>();
   CLI::App* app = program.add_subcommand(
-      "sweep", "A scene over a grid, a Latin hypercube or a list of values; goes on where it was");
+      "sweep",
+      "Run a scene over a grid, a list or random points of its values; resume where it stopped");
   app->add_option("STUDY", options->study, "Study file (.toml)")->required();
   add_value(*app, "-o,--output", options->folder, "DIR",
             "Folder of the results (default: runs/<study>)");
-  app->add_option("--jobs", options->jobs, "Threads (default: as many as processors)")
+  app->add_option("--jobs", options->jobs, "Number of threads (default: one for each processor)")
       ->check(CLI::Range(1, 4096));
-  add_value(*app, "--shard", options->shard, "i/n", "Part i of n alone, in a file of its own");
+  add_value(*app, "--shard", options->shard, "i/n", "Run only part i of n, into a file of its own");
   app->add_flag("--slurm", options->slurm, "Write and submit an array job, each task a shard");
-  app->add_option("--tasks", options->tasks, "Tasks of the array job (default: 16)")
+  app->add_option("--tasks", options->tasks, "Number of tasks of the array job (default: 16)")
       ->check(CLI::Range(1, sweep::kMostShards));
-  add_value(*app, "--merge", options->merge, "DIR...", "Join the results of these folders' shards");
+  add_value(*app, "--merge", options->merge, "DIR...", "Join the shards in these folders");
   add_value(*app, "--point", options->points, "N",
-            "Runs this point alone, as `rotorub run`, and keeps it in DIR/point-N with its page; "
-            "may be repeated")
+            "Run only this point, as `rotorub run`, and keep it in DIR/point-N with its page; may "
+            "be repeated")
       ->expected(1)
       ->take_all()
       ->allow_extra_args(false)
       ->check(CLI::Range(std::int64_t{0}, sweep::kMostPoints));
   app->add_flag("--bifurcation", options->bifurcation,
-                "Also a bifurcation diagram over the one key, up and down, each value from where "
-                "the one before it ended, with periods and Lyapunov exponents");
+                "Also draw a bifurcation diagram over the one key, up and down: each value starts "
+                "where the one before it ended; with periods and Lyapunov exponents");
   add_controller_option(*app, *options);
   add_common_options(*app, *options);
   return {app, [options] { return sweep_study(*options); }};

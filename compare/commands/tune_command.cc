@@ -117,20 +117,19 @@ std::string setting_sentence(const tune::TuneResult& result) {
 Command add_tune_command(CLI::App& program) {
   auto options = std::make_shared<TuneArguments>();
   CLI::App* app = program.add_subcommand(
-      "tune", "The fastest setting of MuJoCo whose contact forces can be trusted");
+      "tune", "Find the fastest setting of MuJoCo whose contact forces can be trusted");
   app->add_option("SCENE", options->scene, "Scene file (.toml)")->required();
   add_value(*app, "--tolerance", options->tolerance, "SHARE",
-            "On the judged figures, as 1% or 0.01")
+            "Largest difference of a judged figure that passes, as 1% or 0.01")
       ->capture_default_str();
-  add_value(
-      *app, "--steps", options->steps, "LIST",
-      "Steps that are tried, e.g. 100us,10us (default: 1-2-5 from 1 ms to 1 us, and the scene's)");
-  add_value(
-      *app, "--twins", options->twins, "N",
-      "Native runs a few units in the last place apart, whose spread tells what can be decided")
+  add_value(*app, "--steps", options->steps, "LIST",
+            "Steps to try, e.g. 100us,10us (default: 1-2-5 from 1 ms to 1 us, and the scene's)");
+  add_value(*app, "--twins", options->twins, "N",
+            "Number of native runs that start a few units in the last place apart; their scatter "
+            "tells what can be decided")
       ->capture_default_str();
   add_value(*app, "-o,--output", options->file, "FILE.toml",
-            "Writes the scene with the trusted setting there");
+            "Write the scene with that setting to this file");
   add_value(*app, "--end", options->end, "TIME", "End of the run, e.g. 0.5s (run.end)");
   add_controller_option(*app, *options);
   add_common_options(*app, *options);

@@ -43,8 +43,8 @@ const Figure kFigures[] = {
      {kRel, kAverage},
      of<&Metrics::mean_force>},
     {{"lasting_fraction", "lasting contact", "%", 100.0,
-      "Share of the time from first touch in lasting contact: without the steps of impacts, and "
-      "without what of a soft contact is shorter than 20 of the scene's steps."},
+      "Share of the time from first touch in lasting contact: without the steps in which impacts "
+      "occur and, with a soft contact, without episodes shorter than 20 of the scene's steps."},
      {kPts, kAverage},
      of<&Metrics::lasting_fraction>},
     {{"impulse_total", "total impulse", "N s", 1.0,
@@ -94,18 +94,19 @@ const Figure kFigures[] = {
      {kRel, kPeak},
      of<&Metrics::impact_impulse>},
     {{"window_impulse", "largest impulse", "N s", 1.0,
-      "Largest normal impulse within 20 of the scene's steps, of which a soft contact makes an "
-      "impact; what a rigid law has within them."},
+      "Largest normal impulse within 20 of the scene's steps, over which a soft contact spreads an "
+      "impact; of a rigid law, all that it has within that time."},
      {.scale = kRel, .judged = kPeak, .by_step = true},
      of<&Metrics::window_impulse>},
     {{"hard_impacts", "hard impacts", "", 1.0,
-      "Impacts (soft contact: contact episodes) faster than 1 % of the fastest: of an accumulation "
-      "those that every useful step tells apart. Of less than 100, one more or less is 1 %."},
+      "Impacts (with a soft contact, contact episodes) faster than 1 % of the fastest: those that "
+      "every useful step tells apart, even in an accumulation. Of fewer than 100, one more or less "
+      "counts as 1 %."},
      {kRel, kPeak, 100.0, false},
      of<&Metrics::hard_impacts>},
     {{"gap_rate_rms", "rms gap rate", "mm/s", 1e3,
-      "How restless the contact is: rms of the speed of the gap from first touch. Differences are "
-      "relative to 1 mm/s where it is less."},
+      "How restless the contact is: rms of the gap rate from first touch. Differences are relative "
+      "to 1 mm/s where it is less."},
      {kRel, kPeak, kGapRateResolution},
      of<&Metrics::gap_rate_rms>},
     {{"contact_fraction", "contact, impacts too", "%", 100.0,

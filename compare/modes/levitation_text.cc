@@ -61,7 +61,7 @@ LoopSheet pole_sheet(const Levitation& levitation) {
     sheet.notes.push_back(
         fmt::format("and {} faster ones, in the output of --json", poles.size() - kRows));
   if (!levitation.stable())
-    sheet.notes.push_back("it is unstable: sensitivities are of no loop that stands");
+    sheet.notes.push_back("it is unstable, so there are no sensitivities of a working loop");
   return sheet;
 }
 

@@ -96,7 +96,7 @@ std::string plane_table(const std::vector<Station>& stations, const PlaneShapes&
 
 std::string shapes_table(const RotorAnalysis& analysis) {
   if (!analysis.shapes) {
-    return "mode shapes: none, the scene gives its modes without a shaft; each is 1 at the "
+    return "mode shapes: none, as the scene gives its modes without a shaft; each is 1 at the "
            "contact\n";
   }
   const ModeShapes& shapes = *analysis.shapes;

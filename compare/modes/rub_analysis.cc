@@ -96,7 +96,7 @@ json friction_json(const FrictionLaw& law) {
 }
 
 std::string orbit_text(const RubPoint& point) {
-  if (!point.orbit) return "free orbit: none, loads of several frequencies draw no circle";
+  if (!point.orbit) return "free orbit: none, as loads of several frequencies make no circle";
   const double share = *point.orbit / point.clearance;
   std::string text = fmt::format("free orbit: {:.4g} of the clearance", share);
   if (!(share < 1.0)) return text + ", so there is none";
@@ -111,7 +111,7 @@ std::string rolling_text(const RubPoint& point) {
     text += std::isfinite(to) ? fmt::format("{:.7g} to {:.7g} rad/s", from, to)
                               : fmt::format("above {:.7g} rad/s", from);
   }
-  if (text.empty()) return "friction is nowhere enough for backward rolling";
+  if (text.empty()) return "friction is not enough for backward rolling at any speed";
   return "friction is enough for backward rolling: " + text;
 }
 
@@ -142,7 +142,8 @@ std::string driven_text(const RubAnalysis& analysis) {
 std::string leave_out(scene::Scene& scene) {
   if (!scene.gravity || scene.gravity->acceleration.isZero(0.0)) return "";
   scene.gravity.reset();
-  return "the weight, which points one way: under it a rub beats about what stands here";
+  return "the weight, whose direction is fixed: with it a rub oscillates about the values given "
+         "here";
 }
 
 RubAnalyses rubs_of_contact(scene::Scene scene, const std::vector<double>& speeds) {

@@ -66,7 +66,7 @@ json rub_map_json(const RubKeyMap& map) {
 }
 
 std::string rub_map_picture(const std::string& name, const RubKeyMap& map) {
-  std::string text = fmt::format("{}: what is stable, by the rubs' eigenvalues\n\n", name);
+  std::string text = fmt::format("{}: which rubs are stable, by their eigenvalues\n\n", name);
   std::array<int, 16> met{};
   const std::size_t columns = map.across.values.size();
   const bool common = map.of_speed_and_friction();
@@ -95,10 +95,10 @@ std::string rub_map_picture(const std::string& name, const RubKeyMap& map) {
   }
   if (!map.refused.empty()) text += "\n" + wrapped("", "Blank: refused, " + map.refused);
   return text + "\n" +
-         wrapped("", fmt::format("{}Stable against what is small, the contact kept; a bounce may "
-                                 "lead elsewhere.",
-                                 common ? "Across: spin speed, held, the loads in their ratio to "
-                                          "it. "
+         wrapped("", fmt::format("{}Stable means: against small disturbances that keep the "
+                                 "contact; a bounce may lead elsewhere.",
+                                 common ? "Horizontally: the spin speed, which is held; the "
+                                          "frequencies of the loads keep their ratio to it. "
                                         : "The spin is held. "));
 }
 

@@ -32,7 +32,7 @@ std::string plain_reason(const SceneComparison& c, const Side& other, const Side
   const std::vector<JudgedFigure> judged = d.judged(), off = outside(judged);
   if (off.empty()) {
     return d.trust == Trust::kUndecidable
-               ? "the motion does not repeat itself to " + percent_text(c.tolerance)
+               ? "the motion does not repeat to within " + percent_text(c.tolerance)
                : "";
   }
   const auto average = std::find_if(off.begin(), off.end(), [](const JudgedFigure& f) {
@@ -54,19 +54,19 @@ std::string question_of(const std::string& label) {
 std::string evidence_of(const SceneComparison& c, const Side& side) {
   if (side.label != to_string(scene::ContactModel::kRigid)) return "";
   if (c.own || c.scene.mujoco.rotor == scene::MujocoRotor::kSegments) {
-    return "rigid shares the contact law with native, the rotor it does not: what agrees is "
-           "evidence of the rotor.";
+    return "rigid has the contact law of native, but not its rotor: agreement is evidence for the "
+           "rotor.";
   }
-  return "rigid shares law and step with native verlet: agreement says that it was put in right. "
-         "That it is right, closed forms, Siconos, ODE and MuJoCo's own rotor say "
-         "(compare/docs/findings.md, Evidence).";
+  return "rigid has the law and the step of native verlet: agreement shows only that they were put "
+         "into MuJoCo correctly. Closed forms, Siconos, ODE and MuJoCo's own rotor show that they "
+         "are right (compare/docs/findings.md, Evidence).";
 }
 
 std::string what_it_did(const SceneComparison& c, const SideDifference& d) {
   const std::string tolerance = percent_text(c.tolerance);
   if (d.trust == Trust::kYes) return "which agrees within " + tolerance;
   if (d.trust != Trust::kUndecidable) return "which is outside " + tolerance;
-  return "of which nothing can be decided at " + tolerance + ": not taken for agreement";
+  return "for which nothing can be decided at " + tolerance + "; this does not count as agreement";
 }
 
 void take(LargestError& largest, const Figure& figure, std::optional<double> share) {
@@ -124,7 +124,7 @@ std::string answer_sentence(const SceneComparison& c) {
 std::string whose_verdict(const SceneComparison& c) {
   for (std::size_t k = 0; k < c.differences.size(); ++k) {
     if (!c.differences[k].decides) continue;
-    return fmt::format("Exit code: by {} (--contact), {}.", c.sides[k + 1].label,
+    return fmt::format("The exit code is that of {} (--contact), {}.", c.sides[k + 1].label,
                        what_it_did(c, c.differences[k]));
   }
   return "";

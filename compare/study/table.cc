@@ -75,7 +75,9 @@ std::string difference_lines(const SceneComparison& c) {
     text += line(c, marked(f, f.label), "", c.shadow.side ? in_column(c.shadow.figures[i]) : "",
                  [&](std::size_t k) { return in_column(c.differences[k - 1].figures[i]); });
   }
-  return text + wrapped("    ", "of shares of time: in percentage points, without a unit");
+  return text +
+         wrapped("    ",
+                 "Differences of shares of time are in percentage points, shown without a unit.");
 }
 
 // Where twins scatter: half of the confidence interval of each difference, and what that many twins
@@ -102,10 +104,11 @@ std::string interval_lines(const SceneComparison& c) {
     return fmt::format("{} run{}", twins + 1, twins == 0 ? "" : "s");
   };
   return text +
-         wrapped("  ± ", fmt::format("95 % of the difference of means: {} of native, {} of {}, one "
-                                     "of the others; a difference as large as said below would be "
-                                     "detected in 4 of 5 comparisons",
-                                     runs(c.twins), runs(c.decider_twins), c.sides[1].label));
+         wrapped("  ± ",
+                 fmt::format("95 % confidence interval of the difference of means, from {} of "
+                             "native, {} of {} and one of each other. A difference as large as the "
+                             "row below would be detected in 4 of 5 comparisons.",
+                             runs(c.twins), runs(c.decider_twins), c.sides[1].label));
 }
 
 // Replay: what the differences of each contact model are from.
@@ -136,11 +139,10 @@ std::string shadow_note(const SceneComparison& c) {
                                        c.shadow.side->trajectory.integrator);
   if (!c.shadow.driven) {
     return what +
-           ": what it is off by is the step's, what MuJoCo is off beyond it the contact "
-           "model's";
+           ": its error is due to the step, and the rest of MuJoCo's error to the contact model";
   }
   return what + ", driven by the commands of " + c.sides[1].label +
-         ": what it is off by is the step's, and what the open loop makes of it";
+         ": its error is due to the step, and to what the open loop makes of it";
 }
 
 std::string split_lines(const SceneComparison& c) {
@@ -161,7 +163,7 @@ std::string split_lines(const SceneComparison& c) {
     }
   }
   if (unsure)
-    text += "  ? does not converge as the step shrinks: whose part it is cannot be determined\n";
+    text += "  ? does not converge as the step shrinks, so the cause cannot be determined\n";
   return text;
 }
 
@@ -209,10 +211,10 @@ std::string comparison_table(const SceneComparison& c, const Palette& palette) {
     text += value_lines(c) + "\n" + reference_lines(c) + difference_lines(c);
     text += wrapped(
         "  * ",
-        fmt::format(
-            "judged at {}; decided where the difference is within it, or beyond it, with its ±{}",
-            percent_text(c.tolerance),
-            c.natives.empty() ? "" : ", no less than the open loop drifts by"));
+        fmt::format("judged at {}: decided where the difference with all of its ± lies within "
+                    "that, or beyond it{}",
+                    percent_text(c.tolerance),
+                    c.natives.empty() ? "" : ", and is no less than the drift of the open loop"));
     text += interval_lines(c);
     text += wrapped("  ", shadow_note(c));
     text += wrapped("  settles to: ", settled_line(c)) + "\n";

@@ -69,7 +69,7 @@ std::string difference_text(const JudgedFigure& f) {
   if (f.is_absent()) return "–";
   if (std::abs(f.native) < f.figure->resolution && f.native != f.other) {
     const std::string unit = *f.figure->unit ? std::string(" ") + f.figure->unit : std::string();
-    return fmt::format("{}{} for {}", figure_value(*f.figure, f.other), unit,
+    return fmt::format("{}{} instead of {}", figure_value(*f.figure, f.other), unit,
                        figure_value(*f.figure, f.native));
   }
   const std::string text = deviation_text(*f.figure, f.deviation);

@@ -88,8 +88,9 @@ std::string split_sentence(const FigureDifference& f, double tolerance) {
   const std::string what = fmt::format("{} ({})", f.figure->label, difference_text(f));
   if (!s.valid) {
     if (std::abs(f.deviation) <= tolerance) return {};
-    return fmt::format("how much of the difference in {} is the step's cannot be determined: {}",
-                       what, s.reason);
+    return fmt::format(
+        "how much of the difference in {} is due to the step cannot be determined: {}", what,
+        s.reason);
   }
   const double gap = std::abs(s.model_gap);
   const double step = std::abs(s.step_error - s.native_step_error);
@@ -97,17 +98,18 @@ std::string split_sentence(const FigureDifference& f, double tolerance) {
   const char* unit = f.figure->scale == Scale::kPoints ? "points" : f.figure->unit;
   if (gap > kDominates * step) {
     return fmt::format(
-        "the difference in {} is the contact model's: {:+.3g} {} remain as the step goes to 0, a "
-        "smaller step does not help",
+        "the difference in {} is due to the contact model: {:+.3g} {} remain as the step goes to "
+        "0, so a smaller step does not help",
         what, s.model_gap * per_unit, unit);
   }
   if (step > kDominates * gap) {
-    return fmt::format("the difference in {} is the step's: {:+.3g} of {:+.3g} {} vanish with it",
-                       what, (s.step_error - s.native_step_error) * per_unit,
-                       s.difference * per_unit, unit);
+    return fmt::format(
+        "the difference in {} is due to the step: {:+.3g} of {:+.3g} {} vanish with it", what,
+        (s.step_error - s.native_step_error) * per_unit, s.difference * per_unit, unit);
   }
   return fmt::format(
-      "the difference in {} is the contact model's ({:+.3g} {}) and the step's ({:+.3g} {}) alike",
+      "the difference in {} is due to both the contact model ({:+.3g} {}) and the step ({:+.3g} "
+      "{})",
       what, s.model_gap * per_unit, unit, (s.step_error - s.native_step_error) * per_unit, unit);
 }
 
@@ -130,7 +132,7 @@ std::string twins_sentence(const SceneComparison& c, const SideDifference& d) {
   const int others = d.decides ? c.decider_twins + 1 : 1;
   return fmt::format(
       "the motion is chaotic: {} native runs that start a few units in the last place apart differ "
-      "by up to {}{}; {} native and {} MuJoCo run{} tell a difference to what stands behind its ±",
+      "by up to {}{}; {} native and {} MuJoCo run{} determine a difference to within its ±",
       c.twins + 1, apart,
       c.twin.time ? fmt::format(" and part at t = {:.4g} s", *c.twin.time) : std::string(),
       c.twins + 1, others, others == 1 ? "" : "s");
@@ -206,13 +208,13 @@ std::string headline(const SceneComparison& comparison, const Side& other,
           other.label, tolerance);
     case Trust::kUndecidable:
       return fmt::format(
-          "MuJoCo's {} contact: the motion does not repeat itself to {:.3g} %, nothing can be "
-          "decided at it.",
+          "MuJoCo's {} contact: the motion does not repeat to within {:.3g} %, so nothing can be "
+          "decided at this tolerance.",
           other.label, tolerance);
     case Trust::kAveragesOnly:
       return fmt::format(
-          "MuJoCo's {} contact: its averages can be trusted within {:.3g} %, its single impacts "
-          "cannot: {} {}.",
+          "MuJoCo's {} contact: its averages can be trusted within {:.3g} %, but not its single "
+          "impacts: {} {}.",
           other.label, tolerance, off.figure->label, difference_text(off));
     case Trust::kNo:
       break;

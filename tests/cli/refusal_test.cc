@@ -77,7 +77,7 @@ TEST(CliRefusal, OfAModelOrASourceSaysWhatToGive) {
   }
   std::ofstream(folder.path() / "mine.so") << "\n";
   expect_refused(folder, {"compare", "own.xml", "--controller", "mine.so"},
-                 {"--controller mine.so: of a scene"});
+                 {"--controller mine.so: is for scenes"});
 }
 
 TEST(CliRefusal, OfMoreSamplesThanCanBeTaken) {

@@ -193,8 +193,8 @@ PYBIND11_MODULE(rotorub_native, module) {
              "events (arrays by column), columns (units and meanings), scene_text and summary.\n"
              "\n"
              "overrides: {\"contact.friction\": 0.2}; step, end: seconds, or a string with a unit; "
-             "output_times: rows of the series, s, ascending; allow_library: the library that the "
-             "scene names as its controller is opened, code that you trust.");
+             "output_times: rows of the series, s, ascending; allow_library: open the library that "
+             "the scene names as its controller, if you trust its code.");
   module.def("sweep", &own::sweep_points, py::arg("scene"), py::arg("points"),
              py::arg("overrides") = none, py::kw_only(), py::arg("integrator") = none,
              py::arg("step") = none, py::arg("end") = none, py::arg("allow_library") = false,

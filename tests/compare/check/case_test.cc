@@ -114,7 +114,8 @@ TEST(CheckCase, AnErrorNeedsItsReference) {
   const std::vector<Rule> rules{at_most("error.rotor_x", 1e-9)};
   const Attempt run = ran();
   EXPECT_EQ(judged(native(), rules, run, &*run.trajectory).outcome(), Outcome::kPass);
-  EXPECT_EQ(judged(native(), rules, run).outcome(), Outcome::kViolates) << "nothing to measure by";
+  EXPECT_EQ(judged(native(), rules, run).outcome(), Outcome::kViolates)
+      << "nothing to measure against";
 }
 
 TEST(CheckCase, MujocoDecidesNothing) {

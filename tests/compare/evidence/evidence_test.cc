@@ -121,7 +121,7 @@ std::optional<Apart> rigid_and_verlet() {
 // is a line more
 const Pair kPairs[] = {
     {"`rigid` and `verlet`",
-     "model, law and step: says that it was put in right",
+     "model, law and step: shows that it was put in correctly",
      "`bench_ring`",
      rigid_and_verlet,
      {1e-13, 1e-13}},

@@ -145,7 +145,7 @@ TEST(SceneComparison, TableNamesEverySideFigureAndVerdict) {
        {"bench_ring", "native", "rigid", "coulomb", "cone", "mean normal force, N",
         "lasting contact, %", "total impulse, N s", "OUTSIDE", "cone bounces", "trusted",
         "us a step", "MuJoCo alone? (cone)", "with the corrected cone? (cone-coulomb)",
-        "with the rigid law? (rigid)", "Exit code: by rigid"}) {
+        "with the rigid law? (rigid)", "The exit code is that of rigid"}) {
     EXPECT_NE(table.find(text), std::string::npos) << text;
   }
 }
@@ -180,8 +180,8 @@ TEST(SceneComparison, BeginsWithOneRowAContactModel) {
   const std::string text = json_text(comparisons_json({c}));
   EXPECT_EQ(text.find("\"answer\""), text.find('"')) << text.substr(0, 100);
   const std::string page = report_page({{&c, {}, "none in this test."}});
-  EXPECT_NE(table.find("rigid shares law and step with native verlet"), std::string::npos);
-  EXPECT_NE(page.find("rigid shares law and step with native verlet"), std::string::npos);
+  EXPECT_NE(table.find("rigid has the law and the step of native verlet"), std::string::npos);
+  EXPECT_NE(page.find("rigid has the law and the step of native verlet"), std::string::npos);
   for (const char* contact : {"rigid", "coulomb", "cone", "cone-coulomb"}) {
     EXPECT_LT(page.find(std::string("class=\"side-") + contact + "\">"),
               page.find("class=\"lead\""));

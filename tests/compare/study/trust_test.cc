@@ -63,7 +63,7 @@ TEST(FigureVerdict, ASmallGapRateIsJudgedByItsResolution) {
 TEST(FigureVerdict, ASmallGapRateIsWrittenAsItIs) {
   const JudgedFigure f = judged(figure("gap_rate_rms"), 0.196e-3, 0.157e-3, kPercent);
   EXPECT_EQ(f.verdict, FigureVerdict::kOutside);
-  EXPECT_EQ(difference_text(f), "0.1570 mm/s for 0.1960");
+  EXPECT_EQ(difference_text(f), "0.1570 mm/s instead of 0.1960");
 }
 
 TEST(FigureVerdict, SmallCountsAreJudgedAbsolutely) {
