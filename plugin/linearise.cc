@@ -4,12 +4,15 @@
 
 #include <cmath>
 #include <complex>
+#include <memory>
 #include <optional>
 #include <stdexcept>
 #include <string>
 
 #include "native_model/numerics/eigenvalues.h"
 #include "native_model/numerics/matrix_functions.h"
+#include "plugin/config_cache.h"
+#include "plugin/contact/verlet.h"
 #include "plugin/differences.h"
 
 namespace rotorub::plugin {
@@ -54,9 +57,21 @@ void refuse_fast(const MatrixXd& a) {
   }
 }
 
+bool begins_with_half_a_kick(const mjModel* m, const mjData* d) {
+  const Config* config = find_config_checked(m, d);
+  return config && config->takes_native_steps() && begins_anew(*config, m, d);
+}
+
 }  // namespace
 
 LinearSystem linearise(const mjModel* m, const mjData* d, double eps) {
+  const std::unique_ptr<mjData, void (*)(mjData*)> next(
+      begins_with_half_a_kick(m, d) ? mj_makeData(m) : nullptr, mj_deleteData);
+  if (next) {
+    mj_copyData(next.get(), m, d);
+    mj_step(m, next.get());
+    d = next.get();
+  }
   const Transition t = transition(m, d, eps);
   constexpr double kHeld = 0.5;  // of a step; what moves at all keeps nearly 1
   const MatrixXd step = matrix(t.A, t.states, t.states);

@@ -7,7 +7,8 @@
 // onto what the contact leaves free, A maps it into that, and what would open or close the gap has
 // no future (its eigenvalues are 0). A controller is designed on it as on any plant; it holds until
 // contact is made or lost. Rates are those of MuJoCo's qvel: with `rigid` of a generated model half
-// a step before qpos.
+// a step before qpos. Its first step from a state that was set is half a kick: of such a state the
+// step after that one is told.
 #pragma once
 
 #include <mujoco/mujoco.h>

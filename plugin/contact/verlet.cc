@@ -115,28 +115,35 @@ bool remembers(const Config& config, const double* slot, const Coordinates& stat
   return true;
 }
 
-// The slot of this pass, made ready.
-double* slot_of_pass(const Config& config, const mjModel* m, const mjData* d, double* entry,
-                     Worker& worker, const Coordinates& state) {
-  const double h = m->opt.timestep;
-  const std::size_t size = worker.slot();
-  double* before = entry + kVerletSingle + config.model.nq();
-  double* after = before + size;
-  const auto slots = static_cast<double>(size);
-  const bool same_step = entry[kVerletBegun] == slots && entry[kVerletStep] == h;
+// What of the memory is of the state as it is.
+enum class Known { kNothing, kPass, kStepBefore };
+
+Known known_of(const Config& config, const mjModel* m, const mjData* d, std::size_t size,
+               const Coordinates& state) {
+  const double h = m->opt.timestep, *entry = d->userdata + config.verlet_data;
+  const double* before = entry + kVerletSingle + config.model.nq();
+  const bool begun = entry[kVerletBegun] == static_cast<double>(size) && entry[kVerletStep] == h;
   const double passed = d->time - entry[kVerletTime];
-  entry[kVerletTime] = d->time;
-  entry[kVerletStep] = h;
   // A state that is nudged has the memory of the one it was.
   const auto known = [&](const double* slot) {
     return differentiating() || remembers(config, slot, state);
   };
-  if (same_step && passed == 0.0 && known(before)) return before;
-  if (same_step && std::abs(passed - h) <= 1e-6 * h && known(after)) {
-    std::copy_n(after, size, before);
-    return before;
-  }
-  entry[kVerletBegun] = slots;
+  if (begun && passed == 0.0 && known(before)) return Known::kPass;
+  if (begun && std::abs(passed - h) <= 1e-6 * h && known(before + size)) return Known::kStepBefore;
+  return Known::kNothing;
+}
+
+// The slot of this pass, made ready.
+double* slot_of_pass(const Config& config, const mjModel* m, const mjData* d, double* entry,
+                     Worker& worker, const Coordinates& state) {
+  const std::size_t size = worker.slot();
+  double* before = entry + kVerletSingle + config.model.nq();
+  const Known known = known_of(config, m, d, size, state);
+  entry[kVerletTime] = d->time;
+  entry[kVerletStep] = m->opt.timestep;
+  if (known == Known::kStepBefore) std::copy_n(before + size, size, before);
+  if (known != Known::kNothing) return before;
+  entry[kVerletBegun] = static_cast<double>(size);
   worker.begin(d->time, state.q(), state.v());
   worker.save(before);
   return before;
@@ -253,6 +260,17 @@ void note_place(const Config& config, const mjData* d, const Coordinates& state,
   if (there.norm() > kNoNormal) note_contact(d, 0, there.normalized());
 }
 
+// MuJoCo then calls no mjcb_passive; the native step has its loads all the same.
+void warn_of_disabled_passive(const mjModel* m) {
+  if (!passive_disabled(m)) return;
+  static std::atomic<bool> warned = false;
+  if (warned.exchange(true)) return;
+  warn(
+      "rotorub: <flag passive=\"disable\">: springs and dampers of the joints are off; with "
+      "contact model `rigid` the scene's other loads still act (excitation, unbalance, gyroscopic, "
+      "weight)");
+}
+
 }  // namespace
 
 int verlet_data_size(const Model& model) {
@@ -274,20 +292,12 @@ const double* velocities_of_pass(const Config& config, const mjData* d) {
   return d->userdata + config.verlet_data + kVerletSingle;
 }
 
-namespace {
-
-// MuJoCo then calls no mjcb_passive; the native step has its loads all the same.
-void warn_of_disabled_passive(const mjModel* m) {
-  if (!passive_disabled(m)) return;
-  static std::atomic<bool> warned = false;
-  if (warned.exchange(true)) return;
-  warn(
-      "rotorub: <flag passive=\"disable\">: springs and dampers of the joints are off; with "
-      "contact model `rigid` the scene's other loads still act (excitation, unbalance, gyroscopic, "
-      "weight)");
+bool begins_anew(const Config& config, const mjModel* m, const mjData* d) {
+  const Worker& worker = worker_of(config, m);
+  const Known known = known_of(config, m, d, worker.slot(), Coordinates(config, d));
+  const double* pass = d->userdata + config.verlet_data + kVerletSingle + config.model.nq();
+  return known == Known::kNothing || (known == Known::kPass && pass[worker.counter] == 0.0);
 }
-
-}  // namespace
 
 void apply_verlet(const Config& config, const mjModel* m, mjData* d, const Coordinates& state) {
   warn_of_disabled_passive(m);

@@ -27,6 +27,9 @@ int verlet_loop_data(const Config& config);
 // the contact. Called in mjcb_control. mju_error for RK4.
 void apply_verlet(const Config& config, const mjModel* m, mjData* d, const Coordinates& state);
 
+// Whether the step that comes is the first from a state that was set: half a kick.
+bool begins_anew(const Config& config, const mjModel* m, const mjData* d);
+
 // J, of a native step on the coordinates: of the contact, and of all forces but springs and
 // contact.
 struct StepWorks {

@@ -107,6 +107,23 @@ TEST_F(LinearRub, InFlightIsTheFreeMachine) {
   EXPECT_NEAR(system.B(nv + ring, 2), 0.0, 1e-6);
 }
 
+// A state that was just set and one a step later have one linear system in flight, although the
+// first step of `rigid` is half a kick.
+TEST_F(LinearRub, OfAStateThatWasJustSet) {
+  const plugin::Hooks hooks;
+  scene::Scene scene = shipped("bench_ring");
+  const ModelPointer m = load(mjcf(scene));
+  const DataPointer d = start(m.get());
+  const plugin::LinearSystem fresh = plugin::linearise(m.get(), d.get(), 1e-7);
+  mj_forward(m.get(), d.get());
+  const plugin::LinearSystem passed = plugin::linearise(m.get(), d.get(), 1e-7);
+  for (int k = 0; k < 3; ++k) mj_step(m.get(), d.get());
+  const plugin::LinearSystem later = plugin::linearise(m.get(), d.get(), 1e-7);
+  const double size = later.A.norm();
+  EXPECT_LT((fresh.A - later.A).norm(), 1e-6 * size);
+  EXPECT_LT((passed.A - later.A).norm(), 1e-6 * size);
+}
+
 // In lasting contact: no state moves the gap, and nothing that is held goes on.
 TEST_F(LinearRub, HoldsTheGap) {
   const plugin::Hooks hooks;
