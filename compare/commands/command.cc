@@ -40,15 +40,6 @@ std::string refuse_source(const std::string& file) {
       file);
 }
 
-// Of a command that takes scenes alone.
-void refuse_mujoco_model(const std::string& file) {
-  if (std::filesystem::path(file).extension() != ".xml") return;
-  throw scene::SceneError(
-      {{file, 0, "",
-        "a MuJoCo model: accepted is a scene, .toml. `rotorub compare` takes a machine of your own "
-        "as .xml, and `rotorub mjcf SCENE.toml` writes a scene's model"}});
-}
-
 }  // namespace
 
 void add_common_options(CLI::App& command, CommonOptions& options) {
@@ -113,7 +104,6 @@ std::vector<std::string> overrides_of(const CommonOptions& options) {
 }
 
 scene::Scene read_scene(const std::string& file, const CommonOptions& options) {
-  refuse_mujoco_model(file);
   std::vector<std::string> overrides = overrides_of(options);
   if (!options.step.empty()) overrides.push_back("run.step=" + options.step);
   if (!options.end.empty()) overrides.push_back("run.end=" + options.end);
