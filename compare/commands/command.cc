@@ -40,15 +40,6 @@ std::string refuse_source(const std::string& file) {
       file);
 }
 
-// Of a command that takes scenes alone.
-void refuse_mujoco_model(const std::string& file) {
-  if (std::filesystem::path(file).extension() != ".xml") return;
-  throw scene::SceneError(
-      {{file, 0, "",
-        "a MuJoCo model: accepted is a scene, .toml. `rotorub compare` takes a machine of your own "
-        "as .xml, and `rotorub mjcf SCENE.toml` writes a scene's model"}});
-}
-
 }  // namespace
 
 void add_common_options(CLI::App& command, CommonOptions& options) {
@@ -113,7 +104,6 @@ std::vector<std::string> overrides_of(const CommonOptions& options) {
 }
 
 scene::Scene read_scene(const std::string& file, const CommonOptions& options) {
-  refuse_mujoco_model(file);
   std::vector<std::string> overrides = overrides_of(options);
   if (!options.step.empty()) overrides.push_back("run.step=" + options.step);
   if (!options.end.empty()) overrides.push_back("run.end=" + options.end);
@@ -154,16 +144,13 @@ void read_each(const std::vector<std::string>& files,
 }
 
 OwnRun own_run(const CommonOptions& options) {
-  if (!options.controller.empty()) {
+  for (const std::string& text : options.overrides) {
+    if (scene::override_key(text).starts_with("controller.")) continue;
     throw UsageError(
-        fmt::format("--controller {}: is for scenes; a machine of your own is driven by what its "
-                    ".xml and the program around it command, and is compared here as it stands",
-                    options.controller));
-  }
-  if (!options.overrides.empty()) {
-    throw UsageError(
-        fmt::format("--set {}: is for scenes; a machine of your own has its values in its .xml",
-                    options.overrides.front()));
+        fmt::format("--set {}: is for scenes; a machine of your own has its values in its .xml; "
+                    "accepted for it: keys of the controller on its ring, as "
+                    "controller.sample_time",
+                    text));
   }
   const auto time = [](const char* flag, const std::string& text) {
     const std::string accepted = "a time above 0, as 10us or 0.5s";
@@ -173,6 +160,7 @@ OwnRun own_run(const CommonOptions& options) {
     return value;
   };
   OwnRun run;
+  run.control = overrides_of(options);
   if (!options.step.empty()) run.step = time("--step", options.step);
   if (!options.end.empty()) run.end = time("--end", options.end);
   return run;

@@ -69,8 +69,8 @@ scene::Scene read_scene(const std::string& file, const CommonOptions& options);
 void read_each(const std::vector<std::string>& files,
                const std::function<void(const std::string&)>& read);
 
-// --step and --end for a machine of the user's own; throws UsageError for --set, which it has no
-// keys for.
+// --step, --end, --controller and --set for a machine of the user's own; throws UsageError for a
+// key that is not of its controller.
 OwnRun own_run(const CommonOptions& options);
 
 // What an option was given, as "10us", in SI. Throws UsageError with the option, the text, and what

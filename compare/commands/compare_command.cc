@@ -18,6 +18,7 @@
 #include "compare/own/own_machine.h"
 #include "compare/study/json.h"
 #include "compare/study/table.h"
+#include "native_model/scene/overrides.h"
 #include "native_model/scene/reader.h"
 #include "native_model/scene/scene.h"
 #include "native_model/scene/text.h"
@@ -61,7 +62,10 @@ Subject read_subject(const std::string& file, const CompareArguments& options) {
     return {own->scene(), own};
   } catch (const scene::SceneError& error) {
     std::vector<scene::Diagnostic> wrong = error.diagnostics();
-    for (scene::Diagnostic& d : wrong) d.file = file;
+    for (scene::Diagnostic& d : wrong) {
+      const bool law = d.key.starts_with("controller");
+      d.file = !law ? file : options.controller.empty() ? scene::kOverrideFile : "--controller";
+    }
     throw scene::SceneError(wrong);
   } catch (const std::runtime_error& error) {
     std::string reason = error.what();

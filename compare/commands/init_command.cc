@@ -83,6 +83,12 @@ std::filesystem::path starter_file(const InitArguments& options) {
   std::filesystem::path file = options.file.empty() ? options.name : options.file;
   if (!file.has_filename())
     throw UsageError("init: accepted is the name of a scene, as rotor or rotor.toml");
+  if (file.extension() == ".xml") {
+    throw UsageError(
+        fmt::format("{}: accepted is the name of a scene, as rotor or rotor.toml; `rotorub mjcf "
+                    "SCENE.toml -o {}` writes its MuJoCo model",
+                    file.string(), file.string()));
+  }
   if (file.extension() != ".toml") file += ".toml";
   std::error_code none;
   if (std::filesystem::is_directory(file, none))

@@ -21,6 +21,7 @@ ChunkedRun::ChunkedRun(const MujocoSetup& setup, bool commands)
       config_(*setup.config),
       model_(*setup.model),
       read_(setup.read),
+      control_(setup.control),
       commands_(commands),
       data_(make_start(m_)),
       results_(kChunk) {
@@ -48,6 +49,7 @@ std::size_t ChunkedRun::advance(std::size_t wanted) {
     }
     r.actuator = plugin::actuator_state(config_, m_, data_.get());
     if (commands_) r.command = plugin::command_of_pass(config_, m_, data_.get());
+    if (control_) r.command = r.actuator.force = commanded_;
     const auto failing = std::find_if(r.forces.begin(), r.forces.end(),
                                       [](const auto& f) { return f.status != Status::kOk; });
     if (failing != r.forces.end()) {
@@ -68,8 +70,13 @@ std::size_t ChunkedRun::advance(std::size_t wanted) {
 bool ChunkedRun::step() {
   const TellWorks told(&works_);
   try {
+    if (control_) commanded_ = control_(data_.get());
     mj_step(m_, data_.get());
     return true;
+  } catch (const ControllerError& error) {
+    error_ = error.what();
+    contact_status_ = Status::kControllerFailed;
+    return false;
   } catch (const MujocoError& error) {
     error_ = error.what();
     const auto controller = static_cast<double>(Status::kControllerFailed);

@@ -62,6 +62,8 @@ class ChunkedRun {
   const plugin::Config& config_;
   const Model& model_;
   const ReadState& read_;
+  const std::function<Eigen::Vector2d(mjData*)>& control_;
+  Eigen::Vector2d commanded_{0.0, 0.0};  // by it, N
   bool commands_;
   MujocoData data_;
   std::vector<StepResult> results_;

@@ -48,6 +48,9 @@ struct MujocoSetup {
   ReadState read;
   std::string refusal;          // of the step; empty: none
   std::shared_ptr<void> keeps;  // what of m is not its own
+  // Before each step: sets ctrl, and returns the force on the ring, N; empty: the plugin does, or
+  // nobody. Throws ControllerError.
+  std::function<Eigen::Vector2d(mjData*)> control;
 };
 
 // scene: its start, [run], contact model and name are those of the run.

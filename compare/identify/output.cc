@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
 #include <nlohmann/json.hpp>
 
@@ -21,10 +22,17 @@ std::string named(const Wanted& w) {
   return w.unit.empty() ? w.key : fmt::format("{}, {}", w.key, w.unit);
 }
 
-std::string row(const Found& f) {
+// Of the column of names, which no name fills.
+std::size_t width_of_names(const Result& r) {
+  std::size_t width = 34;
+  for (const Found& f : r.found) width = std::max(width, named(f.wanted).size() + 2);
+  return width;
+}
+
+std::string row(const Found& f, std::size_t width) {
   const std::string within =
       f.error ? fmt::format("± {}", short_number(Found::kSure * *f.error)) : "not told";
-  return fmt::format("  {:<34}{:>12.6g}  {:<14}{:.4g} to {:.4g}\n", named(f.wanted), f.value,
+  return fmt::format("  {:<{}}{:>12.6g}  {:<14}{:.4g} to {:.4g}\n", named(f.wanted), width, f.value,
                      within, f.wanted.from, f.wanted.to);
 }
 
@@ -85,8 +93,9 @@ json identify_json(const std::string& measured, const Result& r) {
 std::string identify_table(const std::string& measured, const Result& r) {
   std::string text = wrapped("", fmt::format("identified from {}: {} samples, {} native runs",
                                              measured, r.samples, r.runs));
-  text += fmt::format("  {:<34}{:>12}  {:<14}{}\n", "", "value", "95 %", "looked for in");
-  for (const Found& f : r.found) text += row(f);
+  const std::size_t width = width_of_names(r);
+  text += fmt::format("  {:<{}}{:>12}  {:<14}{}\n", "", width, "value", "95 %", "looked for in");
+  for (const Found& f : r.found) text += row(f, width);
   text += doubts(r);
   const std::string before =
       r.left_before ? fmt::format("{:.3g} % of the scene as it stood", 100.0 * *r.left_before)

@@ -68,9 +68,11 @@ std::string growth_text(double growth) {
 }
 
 std::string rub_row(const rub::SteadyRub& rub, const rub::Stability& s) {
-  return fmt::format("  {:<10}{:>14.7g}{:>14.7g}{:>12.5g}{:>14}{:>14.6g}  {}\n",
+  const std::string ring =
+      rub.ring_speed == 0.0 ? "" : fmt::format(", ring at {:.6g} rad/s", rub.ring_speed);
+  return fmt::format("  {:<10}{:>14.7g}{:>14.7g}{:>12.5g}{:>14}{:>14.6g}  {}{}\n",
                      rub::to_string(rub.kind), rub.whirl, rub.normal_force, rub.friction,
-                     growth_text(s.growth), s.frequency, s.stable ? "stable" : "unstable");
+                     growth_text(s.growth), s.frequency, s.stable ? "stable" : "unstable", ring);
 }
 
 json stability_json(const rub::Stability& s) {
@@ -217,7 +219,9 @@ json rub_point_json(const RubPoint& point) {
   json rubs = json::array(), ranges = json::array(), attractors = json::array();
   for (const StandingRub& r : point.rubs) {
     rubs.push_back(steady_json(r.rub, r.stability));
-    rubs.back().update({{"kind", rub::to_string(r.rub.kind)}, {"slip", r.rub.slip}});
+    rubs.back().update({{"kind", rub::to_string(r.rub.kind)},
+                        {"slip", r.rub.slip},
+                        {"ring_speed", r.rub.ring_speed}});
   }
   for (const auto& [from, to] : point.rolling_ranges) ranges.push_back({from, number_or_null(to)});
   for (const unsigned bit :

@@ -1,6 +1,10 @@
 #include "compare/own/own_machine.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
+#include <cmath>
+#include <numbers>
 #include <stdexcept>
 #include <utility>
 
@@ -143,12 +147,38 @@ OwnMachine::OwnMachine(const std::filesystem::path& file, const OwnRun& run) : f
     throw std::runtime_error(
         "names pairs to be corrected for sliding, but no rub, which has a twin");
   contact_ = config.contact;
-  plugin::NativeTwin twin = plugin::make_native_twin(m.get(), config, make_start(m.get()).get());
-  scene_ = std::move(twin.scene);
-  limits_ = std::move(twin.limits);
+  if (!run.control.empty()) {
+    controller_ = controller_of(run.control, m->opt.timestep);
+    actuators_ = ring_actuators(m.get(), config);
+  }
+  plugin::NativeTwin made = twin(m.get(), config);
+  scene_ = std::move(made.scene);
+  limits_ = std::move(made.limits);
   scene_.name = file.stem().string();
   scene_.text = text_of(file);
   scene_.run.end = run.end;
+  if (controller_) make_model(scene_);  // what is wrong with its law is said here
+}
+
+plugin::NativeTwin OwnMachine::twin(const mjModel* m, const plugin::Config& config) const {
+  const MujocoData start = make_start(m);
+  for (const int control : actuators_.control) {
+    if (control >= 0) start->ctrl[control] = 0.0;
+  }
+  plugin::NativeTwin made = plugin::make_native_twin(m, config, start.get());
+  if (controller_) {
+    made.scene.folder = file_.parent_path().string();
+    made.scene.first().controller = controller_;
+    const double limit = actuators_.force_limit;
+    made.scene.first().actuator.emplace().force_limit = limit;
+    if (std::isfinite(limit)) {
+      made.limits.push_back(fmt::format(
+          "of what the ctrlranges of the ring's motors allow the controller has, on both "
+          "sides, |F_x| + |F_y| <= {:.6g} N: native actuators stand at 45 degrees",
+          limit * std::numbers::sqrt2));
+    }
+  }
+  return made;
 }
 
 MujocoSetup OwnMachine::setup(scene::ContactModel contact, double step) const {
@@ -164,10 +194,13 @@ MujocoSetup OwnMachine::setup(scene::ContactModel contact, double step) const {
     setup.keeps = say_contact(m, to_string(contact));
   }
   setup.config = std::make_unique<const plugin::Config>(plugin::make_config(m));
-  auto twin = std::make_shared<plugin::NativeTwin>(
-      plugin::make_native_twin(m, *setup.config, make_start(m).get()));
-  setup.model = std::make_shared<const Model>(make_model(twin->scene));
-  setup.read = [twin, m](const mjData* d, double* q, double* v) { twin->read(m, d, q, v); };
+  auto made = std::make_shared<plugin::NativeTwin>(twin(m, *setup.config));
+  setup.model = std::make_shared<const Model>(make_model(made->scene));
+  setup.read = [made, m](const mjData* d, double* q, double* v) { made->read(m, d, q, v); };
+  if (controller_) {
+    auto control = std::make_shared<RingControl>(setup.model, setup.read, actuators_);
+    setup.control = [control](mjData* d) { return (*control)(d); };
+  }
   setup.refusal = step_refusal(*setup.model, step);
   return setup;
 }

@@ -4,25 +4,32 @@
 
 #include <filesystem>
 #include <memory>
+#include <optional>
 #include <string>
 #include <vector>
 
 #include "compare/engine/engine.h"
 #include "compare/engine/mujoco_engine.h"
+#include "compare/own/ring_control.h"
 #include "native_model/scene/scene.h"
+#include "plugin/twin/native_twin.h"
 
 namespace rotorub {
 
 struct OwnRun {
   std::optional<double> step;  // s, > 0; default: the model's <option timestep>
   double end = 1.0;            // s, > 0
+  // Of a [controller] on the ring, "controller.key=value" (scene/overrides.h); empty: ctrl stays as
+  // the start has it.
+  std::vector<std::string> control{};
 };
 
 class OwnMachine {
  public:
   // Starts from the keyframe "start", or "test", or else qpos0. Throws plugin::ConfigError for what
   // the plugin refuses or has no twin, std::runtime_error with MuJoCo's message for what MuJoCo
-  // cannot read, scene::SceneError for a start outside the ring.
+  // cannot read, or where no actuators take a controller's commands (ring_control.h),
+  // scene::SceneError for a start outside the ring, or at "controller".
   explicit OwnMachine(const std::filesystem::path& file, const OwnRun& run = {});
 
   // The twin, named after the file; its text is the file's.
@@ -37,8 +44,13 @@ class OwnMachine {
   MujocoSetup setup(scene::ContactModel contact, double step) const;
 
  private:
+  // Of the model as it starts; its controller, if it has one, is put in.
+  plugin::NativeTwin twin(const mjModel* m, const plugin::Config& config) const;
+
   std::filesystem::path file_;
   scene::ContactModel contact_ = scene::ContactModel::kRigid;
+  std::optional<scene::Controller> controller_;
+  RingActuators actuators_;  // that it commands
   scene::Scene scene_;
   std::vector<std::string> limits_;
 };

@@ -159,13 +159,14 @@ nlohmann::json summary_of(const path& file) {
   }
 }
 
-// A library stands beside the scene, not beside its results.
+// A library stands beside the scene, not beside its results; no text of a machine of one's own,
+// which no record tells of, names one.
 std::string text_to_keep(const scene::Scene& scene) {
   std::vector<std::string> places;
   for (const NamedLibrary& library : libraries_of(scene)) {
     places.push_back(library.key + "=" + library_path(scene, library).string());
   }
-  if (places.empty()) return scene.text;
+  if (places.empty() || !scene.record) return scene.text;
   return scene::parse_scene(scene.text, scene.name + ".toml", places).text;
 }
 

@@ -44,13 +44,20 @@ Stations stations_of(StarterForm form) {
 }
 
 // Each magnetic bearing bears a tenth of the shaft's stiffness, damped to 0.3 of the critical; its
-// current works against a negative stiffness half as large.
-void size_magnets(double shaft_stiffness, StarterSizes& s) {
+// current works against a negative stiffness half as large. Gyroscopics turn the tilting of a fast
+// rotor into a slow precession, k d / (d^2 + (J_p Omega)^2) of which is damped away and k_i / k fed
+// in by the integral: half of that at most.
+void size_magnets(const Starter& starter, double shaft_stiffness, StarterSizes& s) {
   const double net = 0.1 * shaft_stiffness, mass = 0.5 * s.modal_mass;
+  const double arm = 0.5 * (s.last_bearing - s.first_bearing), tilt = 2.0 * net * arm * arm,
+               damping = 1.2 * std::sqrt(net * mass) * arm * arm,
+               spin = (s.disc_Jp + 2.0 * s.sleeve_Jp) * starter.speed.value;
+  const double damped = tilt * damping / (damping * damping + spin * spin);
   s.negative_stiffness = rounded(0.5 * net, 2);
   s.force_per_current = rounded(mass * 9.81, 2);
   s.proportional = rounded((net + s.negative_stiffness) / s.force_per_current, 2);
-  s.integral = rounded(0.1 * net * std::sqrt(net / mass) / s.force_per_current, 2);
+  s.integral =
+      rounded(net * std::min(0.1 * std::sqrt(net / mass), 0.5 * damped) / s.force_per_current, 2);
   s.derivative = rounded(0.6 * std::sqrt(net * mass) / s.force_per_current, 2);
 }
 
@@ -91,12 +98,19 @@ StarterSizes sizes_of(const Starter& starter) {
   s.modal_mass = rounded(m + 17.0 / 35.0 * shaft_mass, 4);
   s.modal_stiffness = rounded(shaft_stiffness, 4);
   s.modal_damping = rounded(2.0 * 0.01 * std::sqrt(s.modal_mass * s.modal_stiffness), 3);
-  size_magnets(shaft_stiffness, s);
+  size_magnets(starter, shaft_stiffness, s);
 
   // The ring: three quarters of the disc's mass, its own frequency a little above the speed,
   // damping ratio 0.27.
   s.ring_mass = rounded(0.75 * m, 3);
   s.ring_stiffness = rounded(1.35 * s.ring_mass * omega * omega, 2);
+  if (starter.form == StarterForm::kTwoCatchers) {
+    // Nor does its own weight, which the others have not, lower it by more than this.
+    constexpr double kSag = 0.2;  // of the clearance
+    const double weight = 9.81 * s.ring_mass;
+    s.ring_stiffness =
+        std::max(s.ring_stiffness, rounded(weight / (kSag * starter.clearance.value), 2));
+  }
   s.ring_damping = rounded(0.54 * std::sqrt(s.ring_mass * s.ring_stiffness), 2);
 
   // The motor: half the disc's inertia, and a gain that keeps the speed within half a turn.

@@ -19,18 +19,20 @@ bool in_step(const RubSystem& s, const SteadyRub& rub) {
   return rub.kind == RubKind::kForced && std::abs(rub.whirl - s.speed) <= 1e-9 * std::abs(s.speed);
 }
 
-// The coordinates of an enlarged perturbation: n modes of both planes, then the ring, spin and
-// torsion.
+// The coordinates of an enlarged perturbation: n modes of both planes, then the ring, spin, torsion
+// and the ring's turning.
 struct Places {
-  Index modes, half, phi, theta, all;
-  bool spin;
+  Index modes, half, phi, theta, chi, all;
+  bool spin, ring_turns;
   Places(const RubSystem& s, const DriveTrain& t)
       : modes(s.modes()),
         half(modes + (s.ring ? 1 : 0)),
         phi(2 * half),
         theta(phi + (t.motor ? 1 : 0)),
-        all(theta + t.modes()),
-        spin(t.motor.has_value()) {}
+        chi(theta + t.modes()),
+        all(chi + (s.ring_turns() ? 1 : 0)),
+        spin(t.motor.has_value()),
+        ring_turns(s.ring_turns()) {}
 };
 
 // Column `column` of the rows of a, Re and Im.
@@ -55,18 +57,23 @@ Perturbation enlarged(const Perturbation& small, Index all) {
           grown(small.push, all, m), grown(small.constraint, m, all)};
 }
 
-// Spin and torsion by themselves: inertias, torsion's springs and dampers, the motor's slope.
-void add_train(Perturbation& p, const Places& at, const DriveTrain& train, double speed) {
+// Spin, torsion and the ring's turning by themselves: inertias, springs and dampers, the motor's
+// slope.
+void add_train(Perturbation& p, const Places& at, const RubSystem& s, const DriveTrain& train) {
   const Index k = train.modes();
   p.mass.diagonal().segment(at.theta, k) = train.torsion_inertia;
   p.rates.diagonal().segment(at.theta, k) = train.torsion_damping;
   p.springs.diagonal().segment(at.theta, k) = train.torsion_stiffness;
+  if (at.ring_turns) {
+    p.mass(at.chi, at.chi) = s.ring->inertia;
+    p.rates(at.chi, at.chi) = s.ring->drag;
+  }
   if (!at.spin) return;
   p.mass(at.phi, at.phi) = train.inertia;
   Eigen::VectorXd motor = Eigen::VectorXd::Zero(at.all);
   motor[at.phi] = 1.0;
-  motor.tail(k) = train.at_motor;
-  p.rates -= train.motor->slope(speed) * motor * motor.transpose();
+  motor.segment(at.theta, k) = train.at_motor;
+  p.rates -= train.motor->slope(s.speed) * motor * motor.transpose();
 }
 
 // What the spin does to bending, and unbalance to the spin.
@@ -94,8 +101,9 @@ void add_friction(Perturbation& p, const Places& at, const RubSystem& s, const D
                   const SteadyRub& rub) {
   Eigen::VectorXd lever = Eigen::VectorXd::Zero(at.all);
   if (at.spin) lever[at.phi] = s.radius;
-  lever.tail(train.modes()) = s.radius * train.at_contact;
-  if (rub.kind != RubKind::kRolling) {
+  lever.segment(at.theta, train.modes()) = s.radius * train.at_contact;
+  if (at.ring_turns) lever[at.chi] = -s.ring_radius();
+  if (!rub.rolls()) {
     p.push.col(0) += rub.friction * lever;
     // What the slip changes by, beside what perturbation() has.
     Eigen::VectorXd bending = Eigen::VectorXd::Zero(at.all);
@@ -110,15 +118,16 @@ void add_friction(Perturbation& p, const Places& at, const RubSystem& s, const D
   p.push.col(1) += lever;
 }
 
-// Directions and angles that may be any.
+// Directions and angles that may be any; of a ring that turns its own, which rolling ties to them.
 int free_angles(const DriveTrain& train, const RubSystem& s, const SteadyRub& rub) {
+  const int ring = s.ring_turns() ? 1 : 0;
   if (rub.kind == RubKind::kRolling)
-    return train.motor ? 1 : 0;  // both together; held, theta brings it back
-  if (rub.kind == RubKind::kWhip) return train.motor ? 2 : 1;
+    return (train.motor ? 1 : 0) + ring;  // both together; held, theta brings it back
+  if (rub.kind == RubKind::kWhip) return (train.motor ? 2 : 1) + ring;
   // Of loads that turn with the spin everything may be turned together, of others the spin alone;
   // of both nothing.
   const bool with_spin = !s.unbalance.isZero(0.0) || !train.locked.isZero(0.0);
-  return train.motor && !(with_spin && train.fixed) ? 1 : 0;
+  return (train.motor && !(with_spin && train.fixed) ? 1 : 0) + (rub.rolls() ? 0 : ring);
 }
 
 }  // namespace
@@ -158,7 +167,7 @@ std::vector<Complex> driven_eigenvalues(const RubSystem& s, const DriveTrain& tr
   assert(rub.kind != RubKind::kForced || s.unbalance.isZero(0.0) || in_step(s, rub));
   const Places at(s, train);
   Perturbation p = enlarged(perturbation(s, rub), at.all);
-  add_train(p, at, train, s.speed);
+  add_train(p, at, s, train);
   if (at.spin) add_spin(p, at, s, train, rub);
   add_friction(p, at, s, train, rub);
   std::vector<Complex> values = eigenvalues(p);
@@ -178,7 +187,7 @@ double torque_taken(const RubSystem& s, const SteadyRub& rub) {
 std::vector<DrivenRolling> driven_rolling(const RubSystem& system, const DriveTrain& train,
                                           double top) {
   std::vector<DrivenRolling> all;
-  if (!train.motor || top == 0.0) return all;
+  if (!train.motor || top == 0.0 || system.ring_turns()) return all;
   const double ratio = system.radius / system.clearance, sense = std::copysign(1.0, top);
   const auto whirl = [&](double speed) { return -ratio * speed; };
   const auto h = [&](double speed) { return compliance(at_speed(system, speed), whirl(speed)); };

@@ -13,6 +13,9 @@
 //   sliding: p = tau l
 //   rolling: Im(c^T a - b) + r (phi + c_t.theta) = 0, p what that asks for, along e_t
 //
+// A ring that turns, by chi beside its steady turning: J_f chi'' + drag chi' - R p = 0, and -R chi
+// in the constraint.
+//
 // So while it slides torsion has no way back to bending, and the spin has one through U, f, G and N
 // alone. Rolling is one constraint of both: the whirl is locked to the spin, nu = -r Omega /
 // delta_0.
@@ -67,8 +70,8 @@ struct DrivenRolling {
   Stability stability;  // with the spin free
 };
 
-// 0 < |Omega| <= |top|, rad/s, of the sense of top, by rising size; none without a motor. Throws
-// RotorNotSolvable.
+// 0 < |Omega| <= |top|, rad/s, of the sense of top, by rising size; none without a motor, nor on a
+// ring that turns, which rolls at any whirl. Throws RotorNotSolvable.
 std::vector<DrivenRolling> driven_rolling(const RubSystem& system, const DriveTrain& train,
                                           double top);
 

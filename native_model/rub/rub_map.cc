@@ -5,6 +5,8 @@
 #include <cmath>
 #include <utility>
 
+#include "native_model/rub/driven_rub.h"
+
 namespace rotorub::rub {
 namespace {
 
@@ -84,14 +86,18 @@ RubPoint RubStudy::at(const FrictionLaw& friction) const {
                  {},
                  backward_.rolling_ranges(friction.sticking())};
   const auto add = [&](SteadyRub rub) {
-    const Stability stability = stability_of(rub_eigenvalues(system, rub));
+    const Stability stability = stability_of(
+        system.ring_turns() ? driven_eigenvalues(system, {}, rub) : rub_eigenvalues(system, rub));
     point.rubs.push_back({std::move(rub), stability});
   };
   if (loads_.size() == 1) {
     for (SteadyRub& rub : forced_rubs(system, loads_.front())) add(std::move(rub));
   }
   for (SteadyRub& whip : backward_.whips(friction)) add(std::move(whip));
-  if (auto rolling = backward_.rolling(friction.sticking())) add(std::move(*rolling));
+  if (!system.ring_turns()) {
+    if (auto rolling = backward_.rolling(friction.sticking())) add(std::move(*rolling));
+  }
+  for (SteadyRub& rolling : backward_.rolling_on_ring(friction.sticking())) add(std::move(rolling));
   return point;
 }
 

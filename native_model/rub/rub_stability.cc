@@ -82,7 +82,7 @@ Eigen::MatrixXd complement(const Eigen::MatrixXd& directions) {
 }
 
 double slip_damping(const RubSystem& s, const SteadyRub& rub) {
-  return rub.kind == RubKind::kRolling ? 0.0 : rub.normal_force * s.friction.slope(rub.slip);
+  return rub.rolls() ? 0.0 : rub.normal_force * s.friction.slope(rub.slip);
 }
 
 Perturbation perturbation(const RubSystem& s, const SteadyRub& rub) {
@@ -91,7 +91,7 @@ Perturbation perturbation(const RubSystem& s, const SteadyRub& rub) {
   Perturbation p{
       Eigen::MatrixXd::Zero(2 * n, 2 * n), real_form(j.rates), real_form(j.springs), {}, {}};
   p.mass.diagonal() << j.mass, j.mass;
-  if (rub.kind == RubKind::kRolling) {  // c^T a = b, and the force points anywhere
+  if (rub.rolls()) {  // c^T a = b, and the force points anywhere
     p.constraint = Eigen::MatrixXd::Zero(2, 2 * n);
     p.constraint.row(0).head(n) = j.normal;
     p.constraint.row(1).tail(n) = j.normal;

@@ -39,7 +39,7 @@ struct Perturbation {
   Eigen::MatrixXd constraint;            // C, m x N
 };
 
-// N s/m, lambda dmu/d|v|; of rolling 0.
+// N s/m, lambda dmu/d|v|; where it rolls 0.
 double slip_damping(const RubSystem& system, const SteadyRub& rub);
 
 // Of rotor and ring, the spin held: N = 2 (n + 1), of a fixed ring 2 n.

@@ -96,6 +96,10 @@ void twist(const SteadyRub& rub, Model& m) {
 }  // namespace
 
 void add_rub_start(const scene::Scene& scene, Model& m) {
+  if (const auto& ring = scene.first().stator; ring && ring->spin && ring->spin->speed != 0.0) {
+    scene::refuse_at(scene, "stator.spin.speed",
+                     "the ring turns as the rub has it; accepted beside initial.rub: 0 (left out)");
+  }
   const RubSystem system = rub_system(at_start(scene));
   const SteadyRub rub = rub_of(scene, system);
   const Complex direction = std::polar(1.0, rub.direction);
@@ -106,6 +110,7 @@ void add_rub_start(const scene::Scene& scene, Model& m) {
   if (m.first().moves()) {
     put(direction * rub.ring, rub.whirl, m, m.first().ring, m.first().ring + 1);
   }
+  if (m.first().turns()) m.v0[m.first().ring_angle] = rub.ring_speed;
   if (l.torsion > 0 && scene.initial.torsion.empty()) twist(rub, m);
 }
 

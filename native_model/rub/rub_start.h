@@ -8,8 +8,9 @@
 // where they act in full at t = 0, the controller where it is on then; what comes later finds the
 // rotor on the rub. Whip and rolling leave the loads out, which make them beat.
 //
-// With a drive the rub is that of the speed held. Torsion rests under the motor's torque T and the
-// friction's: K_k theta_k = d_k T - c_k r tau lambda (unless the scene gives it).
+// A ring that turns does so at the rub's speed. With a drive the rub is that of the speed held.
+// Torsion rests under the motor's torque T and the friction's: K_k theta_k = d_k T - c_k r tau
+// lambda (unless the scene gives it).
 #pragma once
 
 #include "native_model/scene/scene.h"

@@ -83,12 +83,12 @@ void check(const scene::Scene& scene) {
         "what is known is the rub of a rigid contact; accepted: none");
   if (first.stator) {
     const char* planes = "both planes must be alike, give one number for x and y";
-    check(first.stator->spin.has_value(), "stator.spin",
-          "its speed would have to be found with the rub, sliding or rolling; accepted is a ring "
-          "that does not turn");
+    check(first.stator->spin && !first.contact->friction.is_constant(), "contact.friction",
+          "the speed of a ring that turns is known for one coefficient; accepted: a number, or no "
+          "stator.spin");
     check(!first.stator->on_springs_alone(), "stator",
           "the analysis has the ring on its spring and damper to the base alone; accepted: no "
-          "mount, dry_friction, squeeze_film or ball_bearing");
+          "mount, dry_friction, squeeze_film or ball_bearing, and of a ring that turns drag alone");
     check(differ(first.stator->mass), "stator.mass", planes);
     check(differ(first.stator->damping), "stator.damping", planes);
     check(differ(first.stator->stiffness), "stator.stiffness", planes);
@@ -191,7 +191,11 @@ RubSystem rub_system(const scene::Scene& scene) {
   system.friction = model.first().contact->friction;
   if (model.layout.stator) {
     const int k = model.layout.ring();
-    system.ring = Ring{model.mass[k], model.damping[k], model.stiffness[k], 0.0};
+    system.ring = Ring{model.mass[k], model.damping[k], model.stiffness[k]};
+    if (const auto& spin = scene.first().stator->spin) {
+      system.ring->inertia = spin->inertia;
+      system.ring->drag = spin->drag;
+    }
     if (scene.first().controller && crosses(*scene.first().controller)) {
       const double gain = CrossCoupled(*scene.first().controller).gain(system.speed);
       system.ring->coupling = std::copysign(gain, system.speed);

@@ -6,8 +6,8 @@
 //   M_f z'' + (D_f + i k) z' + K_f z = lambda (1 + i tau) e^{i psi}         (a fixed ring: z = 0)
 //   c^T r - z = delta_0 e^{i psi} in contact
 // D: external damping with the bearings', N: rotating damping, K with a magnetic bearing's negative
-// stiffness; tau = mu(|slip|) sign(slip), slip = r Omega + delta_0 psi'. f: loads that turn, each
-// at one speed.
+// stiffness; tau = mu(|slip|) sign(slip), slip = r Omega + delta_0 psi' - R Omega_f. f: loads that
+// turn, each at one speed. A ring that turns: J Omega_f' = R tau lambda - drag Omega_f.
 //
 // What is left out: the drive's yielding and torsion (the spin is held; driven_rub.h has both),
 // when a force switches on and off (each acts for ever), the actuator's limits. A passive
@@ -32,6 +32,8 @@ struct Ring {
   double mass, damping, stiffness;  // kg > 0, N s/m >= 0, N/m >= 0
   // N s/m, either sign: k sign(Omega) of cross-coupled feedback, the force -i k z'.
   double coupling = 0.0;
+  // kg m^2 > 0 and N m s >= 0, of one that turns: its surface moves at R Omega_f, R = r + delta_0.
+  double inertia = 0.0, drag = 0.0;
   Complex rate() const { return {damping, coupling}; }  // of z'
 };
 
@@ -54,6 +56,8 @@ struct RubSystem {
   std::vector<RotatingLoad> forces;  // as the scene states them
   Eigen::VectorXcd unbalance;        // kg m, n: load unbalance Omega^2 at frequency Omega
   Eigen::Index modes() const { return mass.size(); }
+  bool ring_turns() const { return ring && ring->inertia > 0.0; }
+  double ring_radius() const { return radius + clearance; }  // m, R
 };
 
 // In the middle of the ring, whatever start the scene gives but the spin's angle, which the loads
@@ -61,8 +65,8 @@ struct RubSystem {
 Model model_without_start(const scene::Scene& scene);
 
 // Throws scene::SceneError as make_model does, and where no whirl can be steady or the equations
-// above do not hold: no contact, a ring that turns, planes that differ, constant loads, a
-// controller other than these, magnets.
+// above do not hold: no contact, planes that differ, constant loads, a controller other than these,
+// magnets, a ring that turns beside friction that depends on the slip.
 RubSystem rub_system(const scene::Scene& scene);
 
 // At another spin speed: every force keeps its ratio to the spin (one in step with it, as an

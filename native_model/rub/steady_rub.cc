@@ -25,6 +25,33 @@ void place(const RubSystem& s, const Eigen::VectorXcd& load, SteadyRub& rub) {
   rub.ring = s.ring ? push / ring_stiffness(s, rub.whirl) : Complex();
 }
 
+// Of a rub that slides as it would on a ring at rest: the speed that friction keeps the ring at,
+// and the slip that is left. False: none is, the ring would catch up.
+bool turn_ring(const RubSystem& s, SteadyRub& rub) {
+  if (!s.ring_turns()) return true;
+  if (s.ring->drag == 0.0) return false;
+  const double before = rub.slip;
+  rub.ring_speed = s.ring_radius() * rub.friction * rub.normal_force / s.ring->drag;
+  rub.slip -= s.ring_radius() * rub.ring_speed;
+  return rub.slip * before > 0.0;
+}
+
+// lambda >= 0 of |offset + lambda h| = reach, N; offset and reach in m. The larger first.
+std::vector<double> forces_to(const Complex& offset, const Complex& h, double reach) {
+  const double square = std::norm(h), half = (std::conj(offset) * h).real();
+  // (delta_0 - |a|)(delta_0 + |a|): no digits are lost where the free orbit grazes.
+  const double bent = std::abs(offset), constant = (bent - reach) * (bent + reach);
+  const double discriminant = half * half - square * constant;
+  if (!(discriminant >= 0.0) || !(square > 0.0)) return {};
+  // The root without cancellation first; the other by the product of both.
+  const double sum = -half - std::copysign(std::sqrt(discriminant), half);
+  const double first = sum / square, second = sum != 0.0 ? constant / sum : 0.0;
+  std::vector<double> forces{std::max(first, second), std::min(first, second)};
+  if (forces[0] == forces[1]) forces.pop_back();
+  std::erase_if(forces, [](double force) { return !(force >= 0.0); });
+  return forces;
+}
+
 Complex at_contact(const RubSystem& s, const RotatingLoad& load) {
   return s.contact.cast<Complex>().dot(response(s, load.frequency, load.load));
 }
@@ -74,22 +101,25 @@ std::vector<SteadyRub> forced_rubs(const RubSystem& s, const RotatingLoad& load)
   const Complex a = at_contact(s, load);
   const Complex compliant = compliance(s, load.frequency);
   if (slip == 0.0 || !finite(a) || !finite(compliant)) return rubs;
-  const double tau = s.friction.at(slip) * sign(slip);
-  const Complex h = Complex(1.0, tau) * compliant;
-  const double square = std::norm(h), half = s.clearance * h.real();
-  // (delta_0 - |a|)(delta_0 + |a|): no digits are lost where the free orbit grazes.
-  const double constant = (s.clearance - std::abs(a)) * (s.clearance + std::abs(a));
-  const double discriminant = half * half - square * constant;
-  if (!(discriminant >= 0.0) || !(square > 0.0)) return rubs;
-  // The root without cancellation first; the other by the product of both.
-  const double sum = -half - std::copysign(std::sqrt(discriminant), half);
-  const double first = sum / square, second = sum != 0.0 ? constant / sum : 0.0;
-  for (const double force : {std::max(first, second), std::min(first, second)}) {
-    if (!(force >= 0.0) || (!rubs.empty() && force == rubs.front().normal_force)) continue;
-    const double direction = std::arg(a) - std::arg(s.clearance + force * h);
-    SteadyRub rub{RubKind::kForced, load.frequency, force, tau, slip, direction, {}, {}};
-    place(s, std::polar(1.0, -direction) * load.load, rub);
+  const auto add = [&](SteadyRub rub, const Complex& bent) {
+    rub.direction = std::arg(a) - std::arg(bent);
+    place(s, std::polar(1.0, -rub.direction) * load.load, rub);
     rubs.push_back(std::move(rub));
+  };
+  const double nu = load.frequency, tau = s.friction.at(slip) * sign(slip);
+  const Complex h = Complex(1.0, tau) * compliant;
+  for (const double force : forces_to(s.clearance, h, std::abs(a))) {
+    SteadyRub rub{RubKind::kForced, nu, force, tau, slip, 0.0, {}, {}};
+    if (turn_ring(s, rub)) add(std::move(rub), s.clearance + force * h);
+  }
+  if (!s.ring_turns()) return rubs;
+  const double ring_speed = slip / s.ring_radius(),
+               kappa = s.ring->drag * ring_speed / s.ring_radius();
+  const Complex offset = s.clearance + kI * kappa * compliant;
+  for (const double force : forces_to(offset, compliant, std::abs(a))) {
+    if (!(force > 0.0) || std::abs(kappa) > s.friction.sticking() * force) continue;
+    add({RubKind::kForced, nu, force, kappa / force, 0.0, 0.0, {}, {}, ring_speed},
+        offset + force * compliant);
   }
   return rubs;
 }
@@ -197,7 +227,29 @@ double BackwardCompliance::rolling_pace() const {
 std::vector<SteadyRub> BackwardCompliance::whips(const FrictionLaw& friction) const {
   std::vector<SteadyRub> all;
   for (const double nu : edges(friction)) {
-    if (nu < rolling_pace()) all.push_back(standing(RubKind::kWhip, nu));
+    if (!(nu < rolling_pace())) continue;
+    SteadyRub rub = standing(RubKind::kWhip, nu);
+    if (turn_ring(system_, rub)) all.push_back(std::move(rub));
+  }
+  return all;
+}
+
+std::vector<SteadyRub> BackwardCompliance::rolling_on_ring(double mu) const {
+  std::vector<SteadyRub> all;
+  if (sense_ == 0.0 || !system_.ring_turns()) return all;
+  const double R = system_.ring_radius();
+  const auto ring_speed = [&](double nu) { return system_.clearance * (rolling_pace() - nu) / R; };
+  // N m, what friction gives the ring beyond what its drag takes.
+  const auto balance = [&](double nu) {
+    const Complex h = at(nu);
+    return R * system_.clearance * h.imag() / std::norm(h) - system_.ring->drag * ring_speed(nu);
+  };
+  std::vector<double> nu = nu_, values;
+  sample_with_extremes(balance, nu, values);
+  for (const double found : roots(balance, nu, values)) {
+    SteadyRub rub = standing(RubKind::kRolling, found);
+    rub.ring_speed = sense_ * ring_speed(found);
+    if (std::abs(rub.friction) <= mu) all.push_back(std::move(rub));
   }
   return all;
 }

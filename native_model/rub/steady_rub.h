@@ -11,6 +11,13 @@
 //   rolling   no load, nu = -r Omega / delta_0, no slip: tau = -Im H / Re H, |tau| <= mu(0), Re H <
 //   0
 //
+// Where the ring turns, friction and drag keep its speed, R tau lambda = drag Omega_f: sliding as
+// above, lambda being the same at any slip of that sign, or, of each kind, rolling on the ring:
+// R Omega_f = r Omega + delta_0 nu at any nu, |tau| <= mu, and with kappa = drag Omega_f / R
+//
+//   forced    |delta_0 + (lambda + i kappa) H| = |a|
+//   rolling   kappa = delta_0 Im H / |H|^2, which nu solves
+//
 // Whip and rolling leave the load out: it makes them beat. Existence is not stability
 // (rub_stability.h).
 #pragma once
@@ -29,16 +36,19 @@ const char* to_string(RubKind kind);  // "forced", "whip", "rolling"
 
 struct SteadyRub {
   RubKind kind;
-  double whirl;            // rad/s, nu, backward negative
-  double normal_force;     // N, lambda >= 0
-  double friction;         // tau, signed: of the force on the ring, along e_t
-  double slip;             // m/s, r Omega + delta_0 nu
-  double direction;        // rad, psi at t = 0; of whip and rolling 0, as any may be
-  Eigen::VectorXcd rotor;  // m, n modes, in the turning frame with e_r as the real axis
-  Complex ring;            // m, likewise
+  double whirl;             // rad/s, nu, backward negative
+  double normal_force;      // N, lambda >= 0
+  double friction;          // tau, signed: of the force on the ring, along e_t
+  double slip;              // m/s, r Omega + delta_0 nu - R Omega_f; 0 where it rolls
+  double direction;         // rad, psi at t = 0; of whip and rolling 0, as any may be
+  Eigen::VectorXcd rotor;   // m, n modes, in the turning frame with e_r as the real axis
+  Complex ring;             // m, likewise
+  double ring_speed = 0.0;  // rad/s, Omega_f
+  bool rolls() const { return slip == 0.0; }
 };
 
-// By falling normal force; at most two. None where the slip is 0.
+// By falling normal force; at most two, and two rolling on a ring that turns. None where the slip
+// on a ring at rest is 0.
 std::vector<SteadyRub> forced_rubs(const RubSystem& system, const RotatingLoad& load);
 
 // |a|, m: the free orbit at the contact. Infinite at an undamped resonance.
@@ -72,7 +82,9 @@ class BackwardCompliance {
   std::vector<std::pair<double, double>> rolling_ranges(double mu) const;
   // Slipping whips, slower than rolling, by rising |nu|.
   std::vector<SteadyRub> whips(const FrictionLaw& friction) const;
-  // Rolling at the spin's own pace, if friction mu is enough.
+  // On a ring that turns, at whirls at which its drag is what friction gives; by rising |nu|.
+  std::vector<SteadyRub> rolling_on_ring(double mu) const;
+  // Of a ring that does not: at the spin's own pace, if friction mu is enough.
   std::optional<SteadyRub> rolling(double mu) const;
 
  private:

@@ -152,6 +152,16 @@ std::string hint(std::string_view line) {
              : "; a word stands in quotes";
 }
 
+// XML, as models of MuJoCo are, begins with "<", and no TOML does.
+constexpr const char* kNotXml =
+    "a MuJoCo model (XML): accepted is TOML, a scene or a study of one. `rotorub compare` takes a "
+    "machine of your own as .xml, and `rotorub mjcf SCENE.toml` writes a scene's model";
+
+bool is_xml(std::string_view text) {
+  const std::size_t first = text.find_first_not_of(" \t\r\n");
+  return first != std::string_view::npos && text[first] == '<';
+}
+
 // Takes the fault in the line at `index` out of `lines` and says where it was. False: not possible.
 bool mend(std::vector<std::string>& lines, std::size_t index, bool duplicate,
           Diagnostic& diagnostic) {
@@ -220,6 +230,10 @@ std::string_view kind_name(TomlNode::Kind kind) {
 
 std::optional<TomlNode> parse_toml(std::string_view text, const std::string& file,
                                    std::vector<Diagnostic>& diagnostics) {
+  if (is_xml(text)) {
+    diagnostics.push_back({file, 0, {}, kNotXml});
+    return std::nullopt;
+  }
   std::vector<std::string> lines = lines_of(text);
   for (int attempt = 0; attempt < kMostSyntaxErrors; ++attempt) {
     std::string remaining;

@@ -61,6 +61,40 @@ TEST(CliController, WhatCannotBeLoadedIsExit2) {
   EXPECT_TRUE(contains(other.err, "controller.library")) << other.err;
 }
 
+// A machine of the user's own with a law of the user's own, the case of who designs one.
+TEST(CliController, CommandsTheRingOfAMachineOfTheUsersOwn) {
+  const Folder folder;
+  const auto compared = [&](const std::vector<std::string>& more) {
+    std::vector<std::string> all{
+        "compare",      std::string(ROTORUB_MJCF_DIR) + "/examples/own_model.xml",
+        "--controller", kLibraries + "/own_controller.so",
+        "--set",        "controller.sample_time=50us",
+        "--set",        "controller.config.stiffness=2e5",
+        "--end",        "10 ms",
+        "--twins",      "0",
+        "--no-video",   "-o",
+        "out",          "--json"};
+    all.insert(all.end(), more.begin(), more.end());
+    return folder.run(all);
+  };
+  const Outcome done = compared({});
+  ASSERT_LE(done.code, 1) << done.err;
+  const json said = json::parse(done.out).at("scenes")[0];
+  EXPECT_NE(said.at("own_model").at("left_out").dump().find("|F_x| + |F_y|"), std::string::npos);
+  for (const char* side : {"native", "rigid", "cone"}) {
+    const std::string series = folder.text(std::string("out/own_model/") + side + "/series.csv");
+    EXPECT_TRUE(contains(first_line(series), ",control_x,control_y")) << side;
+  }
+  const Outcome other = compared({"--set", "contact.friction=0.2"});
+  EXPECT_EQ(other.code, 2);
+  EXPECT_TRUE(contains(other.err, "--set contact.friction=0.2: is for scenes")) << other.err;
+  const Outcome refused = compared({"--set", "controller.config.gain=1"});
+  EXPECT_EQ(refused.code, 2);
+  EXPECT_TRUE(
+      contains(refused.err, "--controller: controller.config: own_controller refuses: gain"))
+      << refused.err;
+}
+
 // ------------------------------------------------------------------ a scene, or results, from
 // elsewhere
 class CliForeignLibrary : public testing::Test {

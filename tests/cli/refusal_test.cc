@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 
 #include <fstream>
+#include <map>
 #include <string>
 #include <vector>
 
@@ -58,26 +59,69 @@ TEST(CliRefusal, OfMoreRowsThanMemoryHolds) {
   }
 }
 
+// The words behind a command, and "own.xml" in the place of what it takes.
+const std::map<std::string, Arguments> kGivenAModel{
+    {"run", {"own.xml"}},
+    {"bench", {"own.xml"}},
+    {"modes", {"own.xml"}},
+    {"mjcf", {"own.xml"}},
+    {"fmu", {"own.xml"}},
+    {"render", {"own.xml"}},
+    {"sweep", {"own.xml"}},
+    {"optimise", {"own.xml"}},
+    {"check", {"own.xml"}},
+    {"tune", {"own.xml"}},
+    {"identify", {"own.xml", "--measured", "own.xml", "--fit", "contact.friction=0.1:0.2"}}};
+
 // What a newcomer gives in the place of a scene or of a library: told what to give instead.
-TEST(CliRefusal, OfAModelOrASourceSaysWhatToGive) {
+TEST(CliRefusal, OfAModelSaysWhatToGiveInEveryCommand) {
   const Folder folder;
-  std::ofstream(folder.path() / "own.xml") << "<mujoco/>\n";
-  for (const std::string command : {"run", "modes", "tune"}) {
-    SCOPED_TRACE(command);
-    const Outcome refused = folder.run({command, "own.xml"});
-    EXPECT_EQ(refused.code, 2) << refused.err;
-    EXPECT_NE(refused.err.find("own.xml: a MuJoCo model: accepted is a scene, .toml"),
-              std::string::npos)
-        << refused.err;
+  std::ofstream(folder.path() / "own.xml") << "<!-- mine -->\n<mujoco/>\n";
+  for (const auto& [command, words] : kGivenAModel) {
+    const Outcome refused = folder.run(with({command}, words));
+    EXPECT_EQ(refused.code, 2) << command;
+    EXPECT_EQ(refused.out, "") << command;
+    EXPECT_TRUE(contains(
+        refused.err, "own.xml: a MuJoCo model (XML): accepted is TOML, a scene or a study of one"))
+        << command << ": " << refused.err;
+    EXPECT_TRUE(contains(refused.err, "rotorub compare")) << refused.err;
   }
+  expect_refused(folder, {"plot", "own.xml"}, {"own.xml: is no folder; accepted is what"});
+  const Outcome init = folder.run({"init", "own.xml"});
+  EXPECT_EQ(init.code, 2);
+  EXPECT_TRUE(contains(init.err, "own.xml: accepted is the name of a scene")) << init.err;
+  EXPECT_FALSE(folder.has("own.xml.toml"));
+  // A study of one, in both of what runs studies.
+  std::ofstream(folder.path() / "study.toml")
+      << "scene = \"own.xml\"\n[sample]\nkind = \"grid\"\n[[vary]]\nkey = "
+         "\"contact.friction\"\nfrom = 0.1\nto = 0.2\ncount = 2\n[optimise]\nminimise = "
+         "\"impacts\"\n";
+  for (const std::string command : {"sweep", "optimise"}) {
+    const Outcome refused = folder.run({command, "study.toml", "-o", "out"});
+    EXPECT_EQ(refused.code, 2);
+    EXPECT_TRUE(contains(refused.err, "own.xml: a MuJoCo model (XML)")) << refused.err;
+  }
+  // No command is forgotten: `compare` takes it, and two take no file.
+  std::string all = folder.run({"nosuch"}).err;
+  all.erase(0, all.find("accepted are ") + 13);
+  for (const std::string other : {"compare", "plot", "init", "schema", "manual"}) {
+    ASSERT_TRUE(contains(all, other)) << all;
+    all.erase(all.find(other), other.size());
+  }
+  for (const auto& [command, words] : kGivenAModel) {
+    ASSERT_TRUE(contains(all, command)) << all;
+    all.erase(all.find(command), command.size());
+  }
+  EXPECT_EQ(all.find_first_of("bcdefghijklmpqstuvwxyz"), std::string::npos) << all;
+}
+
+TEST(CliRefusal, OfASourceSaysHowToBuildIt) {
+  const Folder folder;
   for (const std::string source : {"mine.c", "mine.cpp", "mine.py"}) {
     std::ofstream(folder.path() / source) << "\n";
     expect_refused(folder, {"run", shipped("paper_sliding"), "--controller", source},
                    {source + " is ", source.ends_with(".py") ? "shared library" : "-shared"});
   }
-  std::ofstream(folder.path() / "mine.so") << "\n";
-  expect_refused(folder, {"compare", "own.xml", "--controller", "mine.so"},
-                 {"--controller mine.so: is for scenes"});
 }
 
 TEST(CliRefusal, OfMoreSamplesThanCanBeTaken) {

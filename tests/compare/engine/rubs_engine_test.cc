@@ -5,7 +5,10 @@
 // into the rolling attractor that is there as well.
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
+#include <complex>
+#include <numbers>
 #include <string>
 #include <vector>
 
@@ -14,6 +17,7 @@
 #include "native_model/oracles/annular_rub.h"
 #include "tests/support/mujoco_fixture.h"
 #include "tests/support/mujoco_run.h"
+#include "tests/support/order.h"
 #include "tests/support/whip.h"
 
 namespace rotorub::test {
@@ -139,6 +143,46 @@ TEST(FrictionReference, KeepsTheContactBelowItsBorder) {
   }
   EXPECT_NEAR(border(shipped("bench_ring"), 1e-5), 19.7, 0.1);
   EXPECT_NEAR(border(shipped("bench_whip"), 1e-5), 20.4, 0.1);
+}
+
+// [initial] rub: MuJoCo starts on the rub of `modes` and stays on its circle, the nearer the finer
+// its step is: `rigid`, the cone corrected, and, with a friction reference, which alone makes it
+// keep a rub, the cone; of its error there is a part that no step takes away.
+TEST(RubStartEngine, StaysOnTheRubThatItStartsOn) {
+  struct Start {
+    const char *scene, *rub;
+  };
+  constexpr double kTurns = 8.0;
+  for (const Start start : {Start{"bench_ring", "synchronous"}, Start{"bench_whip", "whip"}}) {
+    for (const auto contact : {scene::ContactModel::kRigid, scene::ContactModel::kCone,
+                               scene::ContactModel::kConeCoulomb}) {
+      SCOPED_TRACE(std::string(start.scene) + " " + to_string(contact));
+      Convergence found;
+      for (const double step : {8e-5, 4e-5, 2e-5, 1e-5}) {
+        std::vector<std::string> set{std::string("initial={rub='") + start.rub + "'}"};
+        if (contact == scene::ContactModel::kCone) set.push_back("mujoco.friction_reference=1");
+        scene::Scene scene = shipped(start.scene, set);
+        scene.run.end = kTurns * 2.0 * std::numbers::pi / std::abs(exact(scene).whirl);
+        scene.run.output_step = scene.run.end / 400.0;
+        const Trajectory t = mujoco_run(scene, contact, step);
+        EXPECT_GT(t.contact_fraction(), 1.0 - 1e-9);
+        const std::complex<double> place(t.column("rotor_x")[0], t.column("rotor_y")[0]),
+            velocity(t.column("rotor_vx")[0], t.column("rotor_vy")[0]), rate = velocity / place;
+        EXPECT_NEAR(rate.real(), 0.0, 1e-9 * std::abs(rate)) << "a circle";
+        EXPECT_NEAR(rate.imag(), exact(scene).whirl, 1e-6 * std::abs(rate));
+        found.steps.push_back(step);
+        found.errors.push_back(
+            orbit_error(t, [&](double time) { return place * std::exp(rate * time); }));
+      }
+      EXPECT_TRUE(std::is_sorted(found.errors.rbegin(), found.errors.rend())) << found.text();
+      const bool vanishes = contact != scene::ContactModel::kCone;
+      const double clearance = shipped(start.scene).first().contact->clearance;
+      EXPECT_LT(found.errors.back(), (vanishes ? 0.02 : 0.03) * clearance) << found.text();
+      if (vanishes) {
+        EXPECT_GT(found.order(), 0.8) << found.text();
+      }
+    }
+  }
 }
 
 Trajectory whip(scene::ContactModel contact, double end) {

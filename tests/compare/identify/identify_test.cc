@@ -4,9 +4,11 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <sstream>
 #include <string>
 #include <vector>
 
+#include "compare/identify/output.h"
 #include "native_model/scene/diagnostic.h"
 #include "tests/compare/measurement.h"
 #include "tests/support/native_run.h"
@@ -169,6 +171,30 @@ TEST(Identify, RefusesARecordOfNothingLikeIt) {
   Parameters parameters = looking_for({{"contact.friction", "", 0.1, 0.4}});
   parameters.alignment.shift = 5.0;
   EXPECT_THROW(identify(scene_with(), record, parameters), MeasuredError);
+}
+
+// Columns stand one below the other however long a key is.
+TEST(Identify, ATableOfLongKeysIsATable) {
+  Result r;
+  Found f;
+  f.value = f.wanted.from = 1.0;
+  f.wanted.to = 2.0;
+  f.error = 0.1;
+  for (const auto& [key, unit] : {std::pair{"contact.friction", ""},
+                                  {"contact.offset[1]", "m"},
+                                  {"contact[1].stator.mount.friction_stiffness", "N/m^1.5"}}) {
+    f.wanted.key = key;
+    f.wanted.unit = unit;
+    r.found.push_back(f);
+  }
+  r.alignment.residual = 0.0;
+  std::istringstream table(identify_table("record.csv", r));
+  std::vector<std::size_t> ends;  // of the values, which stand to the right
+  for (std::string line; std::getline(table, line);) {
+    if (line.find("  value  ") != line.npos) ends.push_back(line.find("value") + 5);
+    if (line.find(" ± ") != line.npos) ends.push_back(line.find("  ±"));
+  }
+  EXPECT_EQ(ends, std::vector<std::size_t>(4, ends.at(0)));
 }
 
 }  // namespace

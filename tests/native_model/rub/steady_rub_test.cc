@@ -299,9 +299,15 @@ TEST(RubSystem, RefusesWhatDoesNotTurn) {
        [](scene::Scene& s) {
          s.gravity = scene::Gravity{{0.0, -9.81}, {}};
        }},
-      {"stator.spin",
+      {"stator",
        [](scene::Scene& s) {
          s.first().stator->spin = {1e-4, 0.0, 0.0};
+         s.first().stator->spin->dry_drag = 0.1;
+       }},
+      {"contact.friction",
+       [](scene::Scene& s) {
+         s.first().stator->spin = {1e-4, 0.0, 0.0};
+         s.first().contact->friction = test::falling();
        }},
       {"contact", [](scene::Scene& s) { s.first().contact.reset(); }}};
   for (const auto& [key, change] : changes) {
