@@ -11,6 +11,7 @@
 #include "compare/base/json.h"
 #include "compare/commands/command.h"
 #include "compare/starter/starter.h"
+#include "compare/starter/starter_laws.h"
 #include "native_model/scene/text.h"
 #include "native_model/scene/units.h"
 #include "native_model/trajectory/output.h"
@@ -103,21 +104,53 @@ std::filesystem::path starter_file(const InitArguments& options) {
   return file;
 }
 
+// Beside the scene: rotor_controller for rotor.toml.
+std::filesystem::path laws_folder(const InitArguments& options, const std::filesystem::path& file) {
+  auto folder = file.parent_path() / (file.stem().string() + "_controller");
+  if (!options.force && std::filesystem::exists(folder)) {
+    throw UsageError(fmt::format("{}: is there already; --force writes over what it holds",
+                                 scene::printable(folder.string())));
+  }
+  return folder;
+}
+
+void write_laws(const std::filesystem::path& folder) {
+  for (const StarterFile& law : starter_laws()) {
+    const auto file = folder / law.name;
+    std::filesystem::create_directories(file.parent_path());
+    write_whole(file, std::string(law.text));
+  }
+}
+
 int write_starter(const InitArguments& options) {
   Starter starter = starter_of(options);
   const std::filesystem::path file = starter_file(options);
   starter.file = file.empty() ? options.name + (options.name.ends_with(".toml") ? "" : ".toml")
                               : file.filename().string();
   const std::string text = starter_scene(starter);
-  if (!file.empty()) write_whole(file, text);
+  std::filesystem::path laws;
+  if (!file.empty()) {
+    if (starter.form == StarterForm::kController) laws = laws_folder(options, file);
+    write_whole(file, text);
+    if (!laws.empty()) write_laws(laws);
+  }
   if (options.json) {
     nlohmann::json said{{"form", options.form}};
     said[file.empty() ? "scene" : "file"] = file.empty() ? text : file.string();
+    if (!laws.empty()) said["controller"] = laws.string();
     std::cout << json_text(said);
   } else if (file.empty()) {
     std::cout << text;
   } else if (!options.quiet) {
-    fmt::print("written to {0}\ntry: rotorub run {0}\n", scene::printable(file.string(), 1000));
+    const std::string scene = scene::printable(file.string(), 1000);
+    fmt::print("written to {0}\ntry: rotorub run {0}\n", scene);
+    if (!laws.empty()) {
+      fmt::print(
+          "your own controller, to begin with in C, C++ and Python: {0}\n"
+          "try: cc -shared -fPIC -I {0} {0}/follow.c -o follow.so\n"
+          "     rotorub run {1} --controller follow.so --set controller.sample_time=50us\n",
+          scene::printable(laws.string(), 1000), scene);
+    }
   }
   return kDone;
 }
@@ -135,7 +168,8 @@ Command add_init_command(CLI::App& program) {
          "--form", options->form,
          "Kind of machine: geometry (default: shaft, disc, bearings; loses a blade), modal (the "
          "same as one mode), rig (with torsion, motor, exciter, actuator), controller (the rig "
-         "with a controller at work), overhung (the disc beyond the bearings), vertical (hung from "
+         "with a controller at work, and one of your own to begin with in C, C++ and Python), "
+         "overhung (the disc beyond the bearings), vertical (hung from "
          "above) or two-catchers (magnetic bearings that fail)")
       ->check(CLI::IsMember(forms));
   const Starter standard;

@@ -3,6 +3,8 @@
 import csv
 import json
 import pathlib
+import re
+import subprocess
 import tomllib
 import unittest
 
@@ -122,6 +124,30 @@ class Starter(InAFolder):
         rig, active = (tomllib.loads(self.rotorub("init", "-o", "-", "--form", form)) for form in ("rig", "controller"))
         self.assertEqual(active.pop("controller")["kind"], "sliding")
         self.assertEqual(active, rig)
+
+    # The three are one law, so that the runs are one run.
+    def test_the_controller_form_has_a_law_in_three_languages(self):
+        said = self.rotorub("init", "laws", "--form", "controller")
+        folder = self.folder / "laws_controller"
+        built = {}
+        for source in ("follow.c", "follow.cc", "python_controller.c"):
+            text = (folder / ("follow.py" if source.startswith("python") else source)).read_text()
+            command = re.search(r"^\W*(c(?:c|\+\+) (?:.*\\\n)*.*)$", text, re.MULTILINE)[1].replace("\\\n", " ")
+            command = re.sub(r"-o \S+", f"-o ../{source}.so", command)
+            subprocess.run(["bash", "-euc", command], cwd=folder, check=True)
+            own = ["--set", "controller.config.module=follow", "--set", f"controller.config.path={folder}"]
+            self.rotorub("run", "laws.toml", "--controller", f"{source}.so", "--set", "controller.sample_time=50us",
+                         "--end", "0.15", "-q", "-o", source, *(own if source.startswith("python") else []))
+            built[source] = (self.folder / source / "series.csv").read_text()
+        self.assertEqual(len(set(built.values())), 1)
+        self.assertNotIn(",0,0\n", built["follow.c"].splitlines()[-1] + "\n")
+        # What is printed is what works.
+        commands = [line.removeprefix("try:").strip() for line in said.splitlines()[-2:]]
+        for command in commands:
+            subprocess.run(["bash", "-euc", command.replace("rotorub ", f"{PROGRAM} ", 1) if command.startswith("rotorub") else command],
+                           cwd=self.folder, check=True, stdout=subprocess.DEVNULL)
+        with self.assertRaises(AssertionError):
+            self.rotorub("init", "laws2", "--form", "controller", "-o", "laws.toml")
 
     def test_an_unbalance_that_is_known_takes_the_place_of_the_one_that_is_sized(self):
         for form in LOSE_MASS:

@@ -1,0 +1,46 @@
+// A controller to begin with: the ring follows the rotor, by a spring and a damper between their
+// centres. In this folder:
+//
+//   c++ -std=c++20 -shared -fPIC -Wall -I . follow.cc -o follow.so
+//
+// and beside the scene, whose path stands for SCENE:
+//
+//   rotorub run SCENE.toml --controller follow.so --set controller.sample_time=50us
+#include <rotorub/controller.h>
+
+namespace {
+
+// What create() makes, and step() is given.
+struct Follow {
+  double stiffness = 4e5;  // N/m
+  double damping = 400.0;  // N s/m
+};
+
+int create(const rotorub_setup*, void** self, char*, size_t) {
+  *self = new Follow;
+  return 0;
+}
+void destroy(void* self) { delete static_cast<Follow*>(self); }
+
+// command: N, the force on the ring along x and y. What is thrown ends the run with its words.
+int step(const void* self, const rotorub_measurement* now, double*, double command[2], char*,
+         size_t) {
+  const Follow& law = *static_cast<const Follow*>(self);
+  for (int axis = 0; axis < 2; ++axis) {
+    command[axis] = law.stiffness * (now->rotor[axis] - now->stator[axis]) +
+                    law.damping * (now->rotor_velocity[axis] - now->stator_velocity[axis]);
+  }
+  return 0;
+}
+
+}  // namespace
+
+extern "C" const rotorub_controller* rotorub_controller_get() {
+  static const rotorub_controller controller{.abi = ROTORUB_CONTROLLER_ABI,
+                                             .command = ROTORUB_FORCE,
+                                             .name = "follow",
+                                             .create = create,
+                                             .destroy = destroy,
+                                             .step = step};
+  return &controller;
+}
