@@ -8,60 +8,10 @@
 #include <utility>
 
 #include "native_model/dynamics/closed_loop.h"
-#include "native_model/numerics/eigenvalues.h"
-#include "native_model/numerics/matrix_functions.h"
-#include "native_model/system/sampled_feedback.h"
+#include "native_model/system/linear_loop.h"
 
 namespace rotorub {
 namespace {
-
-// Working for ever, or never.
-Model always_working(Model model) {
-  for (StationFeedback& f : model.feedbacks) {
-    const bool ever =
-        f.works.fails > std::max(0.0, f.works.from) || f.works.returns < scene::kNever;
-    f.works = {-scene::kNever, ever ? scene::kNever : -scene::kNever, scene::kNever};
-  }
-  return with_linear_feedback(without_offsets(std::move(model)));
-}
-
-bool by_library(const SampledFeedback& s) { return s.library != nullptr; }
-
-// Why there are no poles; empty: there are.
-std::string refusal_of(const Model& m) {
-  if (std::ranges::any_of(m.samplers, by_library)) {
-    return "a library asks for the currents of magnetic bearings (magnetic_control.library), and "
-           "what law it has is not known here";
-  }
-  for (const SampledFeedback& s : m.samplers) {
-    if (s.sample_time != m.samplers.front().sample_time)
-      return "its controls have different sample times";
-  }
-  return {};
-}
-
-void find_poles(const LinearLoop& loop, Levitation& out) {
-  const bool samples = loop.every > 0.0;
-  // Of one sample, from before it to before the next: S first, then e^{A T}.
-  const auto values =
-      real_eigenvalues(samples ? matrix_exp(loop.form.a * loop.every) * loop.sample : loop.form.a);
-  if (!values) {
-    out.poles_refused = "the eigenvalues do not converge";
-    return;
-  }
-  if (!samples) {
-    out.poles = *values;
-    return;
-  }
-  constexpr double kNothing = 1e-6;  // z of what has ended within a sample, but for round-off
-  for (const std::complex<double>& z : *values) {
-    if (std::abs(z) > kNothing) out.poles.push_back(std::log(z) / loop.every);
-  }
-  std::sort(out.poles.begin(), out.poles.end(),
-            [](const std::complex<double>& a, const std::complex<double>& b) {
-              return a.real() != b.real() ? a.real() > b.real() : a.imag() < b.imag();
-            });
-}
 
 // Where |S| is looked at, rad/s, ascending: evenly over the decades of the poles, and about each.
 std::vector<double> frequencies(const Model& m, const std::vector<std::complex<double>>& poles) {
@@ -216,12 +166,15 @@ Levitation levitation(const Model& model, double speed) {
   const LoopResponse response(model, speed);
   if (response.ports() == 0) return out;
   const Model m = always_working(model);
-  out.poles_refused = refusal_of(m);
-  if (std::ranges::any_of(m.samplers, by_library)) return out;
+  out.poles_refused = loop_refusal(m);
+  if (std::ranges::any_of(m.samplers, [](const auto& s) { return s.library != nullptr; }))
+    return out;
   if (!m.samplers.empty()) out.sample_time = m.samplers.front().sample_time;
   if (out.poles_refused.empty()) {
     const LinearLoop loop = linear_loop(m, speed);
-    find_poles(loop, out);
+    const auto poles = loop_poles(loop);
+    if (poles) out.poles = *poles;
+    if (!poles) out.poles_refused = "the eigenvalues do not converge";
     if (out.stable()) {
       out.steps = step_responses(m, loop, out.poles);
       out.unbalance = response.unbalance();
@@ -252,9 +205,9 @@ Levitation levitation(const Model& model, double speed) {
 
 std::optional<Eigen::VectorXd> unbalance_response(const Model& model, double speed) {
   const Model m = always_working(model);
-  Levitation found;
-  if (refusal_of(m).empty()) find_poles(linear_loop(m, speed), found);
-  if (!found.stable()) return std::nullopt;
+  if (!loop_refusal(m).empty()) return std::nullopt;
+  const auto poles = loop_poles(linear_loop(m, speed));
+  if (!poles || poles->empty() || !(poles->front().real() < 0.0)) return std::nullopt;
   return LoopResponse(model, speed).unbalance();
 }
 
