@@ -219,7 +219,8 @@ Campbell campbell_of(const scene::Scene& scene, RotorAnalysis analysis, std::opt
 std::string modes_page(const scene::Scene& scene, const Campbell& campbell) {
   const RotorAnalysis& analysis = campbell.analysis;
   json data{{"rotor", modes_plots(scene, campbell)}};
-  data["rotor"]["stiffness"] = stiffness_data(scene);
+  const std::vector<StiffnessMap> maps = stiffness_maps(scene);
+  data["rotor"]["stiffness"] = stiffness_data(maps);
   const json loops = loop_values(analysis), unbalance = unbalance_plot(scene, campbell);
   if (!loops.empty()) {
     data["loops"] = loop_plots(analysis);
@@ -239,7 +240,7 @@ std::string modes_page(const scene::Scene& scene, const Campbell& campbell) {
   add_bode_place(data.at("rotor").at("bode"), "data-of=\"rotor\"", values);
   values["peaks"] = peak_rows(data.at("rotor").at("bode"));
   values["has_peaks"] = !values["peaks"].empty();
-  values["has_stiffness"] = !data.at("rotor").at("stiffness").is_null();
+  values["stiffness_maps"] = stiffness_values(scene, maps);
   values["spectra"] = list_of(analysis.spectra, spectrum_values);
   values["critical"] = critical_values(analysis.critical_speeds);
   values["stability"] = stability_text(analysis);

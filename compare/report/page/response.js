@@ -109,16 +109,22 @@ export function polarFigure({bode}) {
     xaxis: titled('along the mark / µm', square), yaxis: titled('ahead in the sense of spin / µm', {...square, scaleanchor: 'x'})})};
 }
 
-export function stiffnessFigure({stiffness, campbell}) {
-  const {own, curves} = stiffness, lines = curves.map((y, k) => ({x: stiffness.stiffness, y, name: `critical speed ${k + 1}`, type: 'scatter', mode: 'lines',
-    line: {color: css(`--mode-${(k % 6) + 1}`), width: 2, simplify: false}, ...(k < 6 ? {} : {visible: 'legendonly'}),
-    hovertemplate: `%{x:.3g} N/m: %{y:.5g} rpm<extra>critical speed ${k + 1}</extra>`}));
+export function stiffnessFigure({stiffness, campbell}, index) {
+  const {stiffness: x, own, of, curves, ring} = stiffness[index];
+  const line = (y, name, style, more) => ({x, y, name, type: 'scatter', mode: 'lines', line: {width: 2, simplify: false, ...style},
+    hovertemplate: `%{x:.3g} N/m: %{y:.5g} rpm<extra>${name}</extra>`, ...more});
+  const color = (k) => css(`--mode-${(k % 6) + 1}`);
+  const lines = [...curves.map((y, k) => line(y, `critical speed ${k + 1}`, {color: color(k)}, k < 6 ? {} : {visible: 'legendonly'})),
+    ...ring.map((y, k) => line(y, `ring alone${ring.length > 1 ? ` ${k + 1}` : ''}`, {color: css('--ink'), dash: 'dash', width: 1.6}))];
+  // The rotor alone, beside it held to a ring.
+  const rotor = ring.length ? campbell.critical.map((y) => ({type: 'line', xref: 'paper', x0: 0, x1: 1, y0: y, y1: y, layer: 'below',
+    line: {color: css('--line'), width: 1.4, dash: 'longdash'}})) : [];
   const along = campbell.running > 0 ? [{type: 'line', xref: 'paper', x0: 0, x1: 1, y0: campbell.running, y1: campbell.running, layer: 'below',
     line: {color: css('--soft'), width: 1.2, dash: 'dot'}}] : [];
   const note = (extra) => ({showarrow: false, bgcolor: css('--paper'), font: {color: css('--soft'), size: 12}, ...extra});
-  return {data: lines, layout: layout({shapes: [{...across(own, '--soft', 'dash'), layer: 'below'}, ...along], hovermode: 'closest', showlegend: true, legend: legend(),
+  return {data: lines, layout: layout({shapes: [{...across(own, '--soft', 'dash'), layer: 'below'}, ...rotor, ...along], hovermode: 'closest', showlegend: true, legend: legend(),
     annotations: [note({x: Math.log10(own), y: 0, yref: 'paper', yanchor: 'bottom', xanchor: 'left', xshift: 5, text: 'as in the scene'}),
       ...(along.length ? [note({xref: 'paper', x: 1, xanchor: 'right', bgcolor: undefined, y: Math.log10(campbell.running), yanchor: 'bottom', text: "scene's speed"})] : [])],
-    margin: {l: 72, r: 24, t: 30, b: 44}, xaxis: titled('stiffness of a bearing / (N/m)', {type: 'log', exponentformat: 'power', dtick: 1}),
+    margin: {l: 72, r: 24, t: 30, b: 44}, xaxis: titled(`${of} / (N/m)`, {type: 'log', exponentformat: 'power', dtick: 1}),
     yaxis: valueAxis({title: {text: 'critical speed / rpm', standoff: 8}, type: 'log', exponentformat: 'none', separatethousands: true})})};
 }

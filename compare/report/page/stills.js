@@ -13,7 +13,7 @@ const figures = {
   bifurcation: () => bifurcationFigure(data.bifurcation),
   unbalance: () => unbalanceFigure(data.unbalance),
   bench: (plot) => precision(data.benches[plot.dataset.index], plot.dataset.plot),
-  rotor: (plot) => rotorFigure(data.rotor, plot.dataset.plot, plot.clientWidth),
+  rotor: (plot) => rotorFigure(data.rotor, plot.dataset.plot, plot.clientWidth, plot.dataset.index),
 };
 
 // Gives the function that draws all that is near the screen anew.

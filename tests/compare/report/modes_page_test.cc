@@ -167,7 +167,7 @@ TEST(ModesPage, HoldsAllItNeeds) {
   EXPECT_EQ(page.find("@import"), std::string::npos);
   EXPECT_EQ(page.find("{{"), std::string::npos) << "every name of the template filled";
   json expected{{"rotor", plots_of(friswell())}};
-  expected["rotor"]["stiffness"] = stiffness_data(friswell());
+  expected["rotor"]["stiffness"] = stiffness_data(stiffness_maps(friswell()));
   EXPECT_EQ(json::parse(part(page, "type=\"application/json\">", "</script>")), expected);
 }
 
