@@ -202,6 +202,7 @@ void add_bode_place(const json& bode, const char* place, json& values) {
   values["bode_place"] = place;
   values["has_bode"] = !bode.is_null();
   values["bode_forces"] = !bode.is_null() && bode.at("forces").get<bool>();
+  values["bode_limit"] = !bode.is_null() && !bode.at("limit").is_null();
 }
 
 }  // namespace
@@ -221,11 +222,8 @@ std::string modes_page(const scene::Scene& scene, const Campbell& campbell) {
   json data{{"rotor", modes_plots(scene, campbell)}};
   const std::vector<StiffnessMap> maps = stiffness_maps(scene);
   data["rotor"]["stiffness"] = stiffness_data(maps);
-  const json loops = loop_values(analysis), unbalance = unbalance_plot(scene, campbell);
-  if (!loops.empty()) {
-    data["loops"] = loop_plots(analysis);
-    data["unbalance"] = unbalance;
-  }
+  const json loops = loop_values(analysis);
+  if (!loops.empty()) data["loops"] = loop_plots(analysis);
   json values = page_frame({scene.name, "whirl of the free rotor",
                             "Where does it whirl, and where does it stay stable?"},
                            data);
@@ -248,7 +246,6 @@ std::string modes_page(const scene::Scene& scene, const Campbell& campbell) {
   values["torsion"] = torsion_values(analysis.torsion);
   values["loops"] = loops;
   values["has_loops"] = !loops.empty();
-  values["has_unbalance"] = !unbalance.is_null();
   values["text"] = scene.text;
   return fill_page(modes_html(), values);
 }
@@ -259,7 +256,8 @@ RotorSection rotor_section(const scene::Scene& scene) {
   section.values = {{"has_campbell", false}, {"has_shapes", false},
                     {"beyond", ""},          {"speed", rpm_text(std::abs(scene.rotor.speed))},
                     {"has_bode", false},     {"bode_forces", false},
-                    {"bode_place", ""},      {"refusal", ""}};
+                    {"bode_limit", false},   {"bode_place", ""},
+                    {"refusal", ""}};
   try {
     const Campbell campbell = campbell_of(scene, analyse_free_rotor(scene, {}));
     section.data = modes_plots(scene, campbell);

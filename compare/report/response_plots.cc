@@ -11,6 +11,7 @@
 #include <vector>
 
 #include "compare/base/units.h"
+#include "compare/modes/rotor_analysis.h"
 #include "compare/report/plot_points.h"
 #include "native_model/system/synchronous_response.h"
 
@@ -56,7 +57,6 @@ json curve_json(const ProbeResponse& probe, const std::vector<double>& speed, bo
           {"peaks", peaks}};
 }
 
-}  // namespace
 // Of StiffnessMap::Of.
 struct MapWords {
   const char *title, *axis, *reading;
@@ -96,16 +96,25 @@ json speed_curves(const std::vector<std::vector<double>>& speeds) {
   return curves;
 }
 
+}  // namespace
 
 json bode_data(const scene::Scene& scene, double top) {
   const auto response = synchronous_response(scene, top);
   if (!response) return nullptr;
+  const bool held = std::ranges::any_of(scene.magnetic_bearings, [](const auto& bearing) {
+    return bearing.control && bearing.control->works();
+  });
+  // Half of what it allows from peak to peak.
+  const auto limit = [](double speed) {
+    return rounded(0.5 * kMicronsOfMetre * vibration_limit(speed), kResponseDigits);
+  };
   return {{"speed", rounded_list(response->speed, kRpm)},
           {"running", rounded(std::abs(scene.rotor.speed) * kRpm)},
           {"forces", response->forces},
           {"clearance", scene.first().contact
                             ? json(rounded(kMicronsOfMetre * scene.first().contact->clearance))
                             : json()},
+          {"limit", held ? list_of(response->speed, limit) : json()},
           {"curves", list_of(response->probes, [&](const ProbeResponse& probe) {
              return curve_json(probe, response->speed, response->same_planes);
            })}};

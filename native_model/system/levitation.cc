@@ -8,6 +8,7 @@
 #include <utility>
 
 #include "native_model/dynamics/closed_loop.h"
+#include "native_model/system/free_motion.h"
 #include "native_model/system/linear_loop.h"
 
 namespace rotorub {
@@ -58,14 +59,21 @@ std::pair<double, double> peak_between(const F& f, double low, double high) {
   return fa > fb ? std::pair(a, fa) : std::pair(b, fb);
 }
 
+// m, peak to peak, of each sensor's axis under the unbalances that act from the start.
+Eigen::VectorXd moved(Model m, const LinearLoop& loop, double speed, const Eigen::MatrixXd& seen) {
+  std::erase_if(m.unbalances, [](const DiscUnbalance& u) { return u.on > 0.0; });
+  if (speed == 0.0) return Eigen::VectorXd::Zero(seen.cols());
+  const Eigen::VectorXcd q = loop_amplitude(m, loop, std::abs(speed), unbalance_load(m, speed));
+  return 2.0 * (seen.transpose() * q).cwiseAbs();
+}
+
 }  // namespace
 
 char sensitivity_zone(double peak) {
   return peak < 3.0 ? 'A' : peak < 4.0 ? 'B' : peak < 5.0 ? 'C' : 'D';
 }
 
-LoopResponse::LoopResponse(const Model& model, double speed)
-    : model_(always_working(model)), speed_(speed) {
+LoopResponse::LoopResponse(const Model& model, double speed) : model_(always_working(model)) {
   Model open = model_;
   for (StationFeedback& f : open.feedbacks) f.law.proportional = f.law.derivative = 0.0;
   const LinearParts parts = linear_parts(open, speed);
@@ -141,22 +149,6 @@ Eigen::MatrixXcd LoopResponse::return_difference(double w) const {
   return Eigen::MatrixXcd::Identity(ports(), ports()) + g * controls(w);
 }
 
-Eigen::VectorXd LoopResponse::unbalance() const {
-  if (speed_ == 0.0) return Eigen::VectorXd::Zero(ports());
-  const Eigen::Index n = model_.layout.modes;
-  const double w = std::abs(speed_);
-  // m e Omega^2 (cos, sin)(Omega t + phase) as the real part of force e^{i w t}.
-  Eigen::VectorXcd force = Eigen::VectorXcd::Zero(2 * n);
-  for (const DiscUnbalance& u : model_.unbalances) {
-    if (u.on > 0.0) continue;
-    const double sense = speed_ < 0.0 ? -1.0 : 1.0;
-    const std::complex<double> x = std::polar(u.static_moment * w * w, sense * u.phase);
-    force.head(n) += x * u.shape.x;
-    force.tail(n) += std::complex<double>(0.0, -sense) * x * u.shape.y;
-  }
-  return 2.0 * (sensitivity(w) * open(w, force)).cwiseAbs();
-}
-
 Eigen::MatrixXcd LoopResponse::sensitivity(double w) const {
   return return_difference(w).partialPivLu().inverse();
 }
@@ -177,7 +169,7 @@ Levitation levitation(const Model& model, double speed) {
     if (!poles) out.poles_refused = "the eigenvalues do not converge";
     if (out.stable()) {
       out.steps = step_responses(m, loop, out.poles);
-      out.unbalance = response.unbalance();
+      out.unbalance = moved(m, loop, speed, response.seen());
     }
   }
   const std::vector<double> at = frequencies(m, out.poles);
@@ -201,14 +193,6 @@ Levitation levitation(const Model& model, double speed) {
   out.frequencies = at;
   out.sensitivities = sizes;
   return out;
-}
-
-std::optional<Eigen::VectorXd> unbalance_response(const Model& model, double speed) {
-  const Model m = always_working(model);
-  if (!loop_refusal(m).empty()) return std::nullopt;
-  const auto poles = loop_poles(linear_loop(m, speed));
-  if (!poles || poles->empty() || !(poles->front().real() < 0.0)) return std::nullopt;
-  return LoopResponse(model, speed).unbalance();
 }
 
 }  // namespace rotorub

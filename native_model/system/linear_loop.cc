@@ -1,5 +1,6 @@
 #include "native_model/system/linear_loop.h"
 
+#include <Eigen/LU>
 #include <algorithm>
 #include <cmath>
 #include <utility>
@@ -59,6 +60,29 @@ std::optional<std::vector<std::complex<double>>> loop_poles(const LinearLoop& lo
               return a.real() != b.real() ? a.real() > b.real() : a.imag() < b.imag();
             });
   return poles;
+}
+
+Eigen::VectorXcd loop_amplitude(const Model& m, const LinearLoop& loop, double w,
+                                const Eigen::VectorXcd& f) {
+  const Eigen::Index bending = f.size(), states = loop.form.a.rows();
+  const auto minus = [&](std::complex<double> of_one,
+                         const Eigen::MatrixXd& a) -> Eigen::MatrixXcd {
+    return of_one * Eigen::MatrixXcd::Identity(states, states) - a.cast<std::complex<double>>();
+  };
+  Eigen::VectorXcd load = Eigen::VectorXcd::Zero(states);
+  load.segment(bending, bending) =
+      f.cwiseQuotient(m.mass.head(bending).cwiseProduct(loop.form.unit.segment(bending, bending)));
+  const Eigen::PartialPivLU<Eigen::MatrixXcd> turned(
+      minus(std::complex<double>(0.0, w), loop.form.a));
+  Eigen::VectorXcd mean = turned.solve(load);
+  if (loop.every > 0.0) {
+    const std::complex<double> z = std::polar(1.0, w * loop.every);
+    const Eigen::MatrixXd over = matrix_exp(loop.form.a * loop.every);
+    const Eigen::VectorXcd before =
+        minus(z, over * loop.sample).partialPivLu().solve(minus(z, over) * mean);
+    mean -= turned.solve(before - loop.sample * before) / loop.every;
+  }
+  return loop.form.unit.head(bending).cwiseProduct(mean.head(bending));
 }
 
 }  // namespace rotorub

@@ -35,4 +35,17 @@ LinearLoop linear_loop(const Model& model, double speed);
 // samples.
 std::optional<std::vector<std::complex<double>>> loop_poles(const LinearLoop& loop);
 
+// Q (m, 2 n) of the steady answer q = Re(Q e^{i w t}) to the force Re(f e^{i w t}) on the modes, w
+// > 0 (rad/s), f: N, 2 n; of a stable loop. A sampled control answers at w + 2 pi k / T, too, k any
+// whole number: Q is the part at w. Exact: from before one sample to before the next x goes once
+// around, and between them X = x e^{-i w t} obeys X' = (A - i w) X + B f, so that with P = (i w -
+// A)^-1 B f
+//
+//   (e^{i w T} - e^{A T} S) x = (e^{i w T} - e^{A T}) P,   mean of X = P - (i w - A)^-1 (1 - S) x /
+//   T
+//
+// Not finite where the loop without its samples has an undamped resonance.
+Eigen::VectorXcd loop_amplitude(const Model& model, const LinearLoop& loop, double w,
+                                const Eigen::VectorXcd& f);
+
 }  // namespace rotorub

@@ -33,9 +33,9 @@ export function letteredPeaks(curves, top) {
 const factorOf = ({factor}) => (factor === null ? 'no amplification factor' : `AF ${number(factor, 3)}${factor < kDamped ? ', critically damped' : ''}`);
 
 // From the highest peak five decades down at most.
-function decadesOf(curves, clearance) {
+function decadesOf(curves, limits) {
   const all = curves.flatMap(({amplitude}) => amplitude).filter((a) => a > 0), sizes = all.length ? all : [1];
-  const high = Math.log10(Math.max(clearance ?? 0, ...sizes)), low = Math.log10(sizes.reduce((least, a) => Math.min(least, a), Infinity));
+  const high = Math.log10(Math.max(...limits, ...sizes)), low = Math.log10(sizes.reduce((least, a) => Math.min(least, a), Infinity));
   return [Math.max(low, high - 5), high + 0.4];
 }
 
@@ -50,7 +50,7 @@ function quarters(curves) {
 }
 
 export function bodeFigure({bode, campbell}) {
-  const {speed, running, curves, clearance} = bode, first = shownFirst(curves), style = styleOf(curves, first), top = speed[speed.length - 1];
+  const {speed, running, curves, clearance, limit} = bode, first = shownFirst(curves), style = styleOf(curves, first), top = speed[speed.length - 1];
   const visibility = (curve) => (first.has(curve) ? {} : {visible: 'legendonly'}), shown = [...first];
   const line = (curve, y, more) => ({x: speed, y, name: nameOf(curve), legendgroup: nameOf(curve), type: 'scatter', mode: 'lines',
     line: style(curve), customdata: facts(speed, curve), hovertemplate: `${hover}<extra>${nameOf(curve)}</extra>`, ...visibility(curve), ...more});
@@ -67,12 +67,14 @@ export function bodeFigure({bode, campbell}) {
     letters.push({xref: 'paper', x: 0, xanchor: 'left', y: Math.log10(clearance), yanchor: 'bottom', text: 'clearance at the contact', showarrow: false,
       font: {color: css('--bad'), size: 12}});
   }
-  return {data: [...curves.map((curve) => line(curve, curve.amplitude)), ...rings,
+  const allowed = limit ? [{x: speed, y: limit, name: 'limit of API 617', type: 'scatter', mode: 'lines', line: {color: css('--bad'), width: 1.6, dash: 'dashdot'},
+    hovertemplate: '%{x:.5g} rpm: %{y:.4g} µm<extra>limit of API 617</extra>'}] : [];
+  return {data: [...curves.map((curve) => line(curve, curve.amplitude)), ...rings, ...allowed,
     ...curves.map((curve) => line(curve, curve.phase, {yaxis: 'y2', showlegend: false}))],
   layout: layout({shapes: marks.map((mark) => ({...mark, layer: 'below'})), annotations: letters, hovermode: 'closest', showlegend: true, legend: legend(),
     margin: {l: 64, r: 24, t: 30, b: 44},
     xaxis: axes({title: {text: 'spin speed / rpm', standoff: 6}, range: [0, top], anchor: 'y2', exponentformat: 'none', separatethousands: true, nticks: 8}),
-    yaxis: valueAxis({title: {text: 'amplitude / µm', standoff: 8}, type: 'log', exponentformat: 'power', domain: [0.4, 1], range: decadesOf(shown, clearance)}),
+    yaxis: valueAxis({title: {text: 'amplitude / µm', standoff: 8}, type: 'log', exponentformat: 'power', domain: [0.4, 1], range: decadesOf(shown, [clearance ?? 0, ...(limit ?? [])])}),
     yaxis2: valueAxis({title: {text: 'phase / °', standoff: 8}, domain: [0, 0.34], dtick: quarters(shown)})})};
 }
 
