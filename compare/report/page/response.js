@@ -6,13 +6,15 @@ import {axes, css, layout, legendAbove as legend, number, titled} from './style.
 const rpm = (speed) => `${number(speed, 4)} rpm`;
 const nameOf = ({name, plane}) => (plane ? `${name}, ${plane}` : name);
 
-// Curves that are shown first: the contacts, and of the other stations the few that move most; of the plane x alone.
+// Curves that are shown first: the contacts, what magnetic bearings' sensors see, and of the other stations the few that move
+// most; of the plane x alone.
 const kFirst = 5;
 export function shownFirst(curves) {
   const most = ({amplitude}) => Math.max(...amplitude), inX = curves.filter(({plane}) => plane !== 'y');
-  const contacts = inX.filter(({name}) => name.startsWith('contact'));
-  const others = inX.filter((curve) => !contacts.includes(curve) && !curve.name.startsWith('bearing')).sort((a, b) => most(b) - most(a));
-  return new Set([...contacts, ...others].slice(0, Math.max(kFirst, contacts.length)));
+  const named = (word) => inX.filter(({name}) => name.startsWith(word)), sensors = named('sensor');
+  const always = [...named('contact'), ...(sensors.length ? sensors : named('magnetic bearing'))];
+  const others = inX.filter((curve) => !always.includes(curve) && !curve.name.startsWith('bearing')).sort((a, b) => most(b) - most(a));
+  return new Set([...always, ...others].slice(0, Math.max(kFirst, always.length)));
 }
 
 // Colour the station, those shown first before the others; dashes the plane y.
@@ -120,7 +122,7 @@ export function stiffnessFigure({stiffness, campbell}, index) {
     ...ring.map((y, k) => line(y, `ring alone${ring.length > 1 ? ` ${k + 1}` : ''}`, {color: css('--ink'), dash: 'dash', width: 1.6}))];
   // The rotor alone, beside it held to a ring.
   const rotor = ring.length ? campbell.critical.map((y) => ({type: 'line', xref: 'paper', x0: 0, x1: 1, y0: y, y1: y, layer: 'below',
-    line: {color: css('--line'), width: 1.4, dash: 'longdash'}})) : [];
+    line: {color: css('--soft'), width: 1, dash: 'longdash'}})) : [];
   const along = campbell.running > 0 ? [{type: 'line', xref: 'paper', x0: 0, x1: 1, y0: campbell.running, y1: campbell.running, layer: 'below',
     line: {color: css('--soft'), width: 1.2, dash: 'dot'}}] : [];
   const note = (extra) => ({showarrow: false, bgcolor: css('--paper'), font: {color: css('--soft'), size: 12}, ...extra});
