@@ -71,7 +71,8 @@ constexpr MapWords kMapWords[] = {
      "undamped critical speeds were the springs of the magnetic bearings' controls less the "
      "magnets' pull, all in one proportion, softer or stiffer. A flat curve belongs to the shaft, "
      "a "
-     "rising one to the magnets; where a curve meets the scene's speed, unbalance resonates"},
+     "rising one to the magnets; where a curve meets the scene's speed, unbalance resonates; no "
+     "line where the magnets do not bear the rotor"},
     {"Critical speed map of the ring", "stiffness of the ring's spring",
      "undamped critical speeds of the rotor with its centre held to the ring's, as in a "
      "synchronous rub, were the spring that carries the ring softer or stiffer. Where a solid "
