@@ -1,10 +1,14 @@
 #include "compare/metrics/attractor.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <array>
 #include <cmath>
 #include <numbers>
 #include <type_traits>
+
+#include "compare/metrics/orbit.h"
 
 namespace rotorub {
 namespace {
@@ -59,6 +63,23 @@ Attractor permanent(const Settled& s, double slip, double span) {
   return synchronous ? Attractor::kSynchronousRub : Attractor::kForwardRub;
 }
 
+// How a bounce comes back to itself. times: of its impacts, s, ascending.
+void find_period(const Trajectory& run, const std::vector<double>& times, Settled& s) {
+  s.turns = section_period(poincare_points(run, s.from));
+  if (s.turns == 0) return;
+  std::vector<double> passes;
+  for (const KeyphasorPass& pass : run.keyphasor) {
+    if (pass.t >= s.from) passes.push_back(pass.t);
+  }
+  const auto turns = static_cast<std::size_t>(s.turns), periods = (passes.size() - 1) / turns;
+  const double begin = passes[passes.size() - 1 - periods * turns], end = passes.back();
+  const auto met = std::ranges::count_if(times, [&](double t) { return t > begin && t <= end; });
+  // One at the mark itself may fall on either side of it, at both ends.
+  const double each = static_cast<double>(met) / static_cast<double>(periods);
+  if (std::abs(std::round(each) * static_cast<double>(periods) - static_cast<double>(met)) <= 1.0)
+    s.bounces = static_cast<int>(std::round(each));
+}
+
 }  // namespace
 
 const char* to_string(Attractor attractor) {
@@ -67,6 +88,18 @@ const char* to_string(Attractor attractor) {
 
 const char* explanation(Attractor attractor) {
   return kNames.at(static_cast<std::size_t>(attractor)).explanation;
+}
+
+std::string described(const Settled& s) {
+  const std::string name = to_string(s.attractor);
+  if (s.turns == 0) return name;
+  const std::string every = s.turns == 1 ? "every turn" : fmt::format("every {} turns", s.turns);
+  if (s.bounces == 0) return fmt::format("{}, the same {}", name, every);
+  return fmt::format("{} {} {}", name,
+                     s.bounces == 1   ? "once"
+                     : s.bounces == 2 ? "twice"
+                                      : fmt::format("{} times", s.bounces),
+                     every);
 }
 
 bool has_ended(const LastPart& part) {
@@ -123,7 +156,9 @@ Settled settled(const Trajectory& trajectory) {
     if (impact.t >= part.from && counts(impact)) part.impact_times.push_back(impact.t);
   }
   part.impacts = part.impact_times.size();
-  return settled(part);
+  Settled s = settled(part);
+  if (s.attractor == Attractor::kBouncing) find_period(trajectory, part.impact_times, s);
+  return s;
 }
 
 }  // namespace rotorub

@@ -1,6 +1,7 @@
 // What a run has settled to: a name for its last part, by stated definitions.
 #pragma once
 
+#include <string>
 #include <vector>
 
 #include "compare/metrics/relative_motion.h"
@@ -31,7 +32,12 @@ struct Settled {
   double whirl_frequency = 0.0;  // rad/s, signed
   double spin_speed = 0.0;       // rad/s, mean
   std::size_t impacts = 0;       // counted ones
+  // Of bouncing: after how many turns of the spin it comes back to itself (section_period), 0: none
+  // or too few turns to tell; and its counted impacts in so many turns, 0: not as many each time.
+  int turns = 0, bounces = 0;
 };
+// to_string of it; of bouncing that comes back to itself also how: "bouncing once every turn".
+std::string described(const Settled& settled);
 
 inline constexpr double kSettledShare = 0.2;
 inline constexpr double kPermanentContact = 0.99;

@@ -1,6 +1,7 @@
 #include "compare/metrics/orbit.h"
 
 #include <Eigen/Core>
+#include <algorithm>
 #include <cassert>
 #include <cmath>
 
@@ -93,13 +94,15 @@ std::vector<Complex> poincare_points(const Trajectory& run, double from) {
   return points;
 }
 
-int section_period(const std::vector<Complex>& places, double tolerance, int most) {
-  for (int turns = 1; turns <= most; ++turns) {
+int section_period(const std::vector<Complex>& places, double tolerance) {
+  double size = 0.0;
+  for (const Complex& place : places) size = std::max(size, std::abs(place));
+  for (int turns = 1; turns <= kMostPeriod; ++turns) {
     const auto apart = static_cast<std::size_t>(turns);
     if (places.size() < 2 * apart + 2) return 0;
     bool back = true;
     for (std::size_t k = apart; back && k < places.size(); ++k)
-      back = std::abs(places[k] - places[k - apart]) <= tolerance;
+      back = std::abs(places[k] - places[k - apart]) <= tolerance * size;
     if (back) return turns;
   }
   return 0;

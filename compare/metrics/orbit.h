@@ -44,9 +44,10 @@ std::vector<std::complex<double>> even_orbit(const Trajectory& run, double from,
 // empty for a rotor at rest.
 std::vector<std::complex<double>> poincare_points(const Trajectory& run, double from);
 
-// After how many turns such places come back to themselves, all of them within `tolerance` (m): 1
-// of a synchronous motion; 0: after none up to `most`, or too few places to tell, fewer than twice
-// as many and two.
-int section_period(const std::vector<std::complex<double>>& places, double tolerance, int most);
+// After how many turns such places come back to themselves, all of them within `tolerance` of the
+// largest distance from 0: 1 of a synchronous motion; 0: after none up to kMostPeriod, or too few
+// places to tell, fewer than twice as many and two.
+inline constexpr int kMostPeriod = 16;
+int section_period(const std::vector<std::complex<double>>& places, double tolerance = 1e-3);
 
 }  // namespace rotorub

@@ -8,10 +8,8 @@ namespace rotorub {
 // Style of every page, and of pages with a scene's runs.
 std::string_view report_css();
 std::string_view player_css();
-// plotly.js-basic (minified, UTF-8, version and licence in its first lines), as it goes into the
-// <script> element of a page.
-std::string_view plotly_js();
-std::string_view packed_plotly_js();  // gzip
+// plotly.js-basic (minified, UTF-8, version and licence in its first lines), gzip.
+std::string_view packed_plotly_js();
 // Scripts, each a bundle (RotorubEmbed.cmake): of pages with a scene's runs, and of all others.
 std::string_view report_js();
 std::string_view still_js();

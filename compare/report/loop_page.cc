@@ -13,8 +13,6 @@
 #include "compare/base/units.h"
 #include "compare/modes/levitation_text.h"
 #include "compare/report/plot_points.h"
-#include "native_model/system/free_motion.h"
-#include "native_model/system/model.h"
 
 namespace rotorub {
 namespace {
@@ -133,40 +131,6 @@ json loop_plots(const RotorAnalysis& analysis) {
     if (has_loop(levitation)) loops.push_back(plots_of(levitation));
   }
   return loops;
-}
-
-json unbalance_plot(const scene::Scene& scene, const Campbell& campbell) {
-  constexpr int kSpeeds = 200;
-  const RotorAnalysis& analysis = campbell.analysis;
-  if (analysis.levitations.empty() || analysis.levitations.front().loops.empty()) return nullptr;
-  const scene::Scene free = without_start(scene);
-  const Model model = make_model(free);
-  if (model.unbalances.empty()) return nullptr;
-  json speeds = json::array(), limit = json::array(), curves = json::array();
-  for (const LoopSensitivity& loop : analysis.levitations.front().loops)
-    curves.push_back({{"name", name_of(loop)}, {"y", json::array()}});
-  // Where it runs, not as far as the diagram's highest critical speed.
-  const double speed_now = std::abs(scene.rotor.speed);
-  const double top = speed_now > 0.0 ? std::min(campbell.range, 2.0 * speed_now) : campbell.range;
-  const double sense = scene.rotor.speed < 0.0 ? -1.0 : 1.0;
-  std::vector<double> at = even_speeds(top, kSpeeds);
-  at.erase(at.begin());
-  if (speed_now > 0.0) at.push_back(speed_now);
-  std::sort(at.begin(), at.end());
-  for (const double size : at) {
-    const double speed = sense * size;
-    const auto moved = unbalance_response(model, speed);
-    speeds.push_back(rounded(size * kRpm));
-    limit.push_back(rounded(kMicrons * vibration_limit(speed)));
-    for (std::size_t i = 0; i < curves.size(); ++i) {
-      curves[i]["y"].push_back(
-          moved ? json(rounded(kMicrons * (*moved)[static_cast<Eigen::Index>(i)])) : json(nullptr));
-    }
-  }
-  return {{"speed", speeds},
-          {"running", rounded(std::abs(scene.rotor.speed) * kRpm)},
-          {"curves", curves},
-          {"limit", limit}};
 }
 
 }  // namespace rotorub

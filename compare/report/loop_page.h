@@ -4,7 +4,7 @@
 
 #include <nlohmann/json_fwd.hpp>
 
-#include "compare/report/modes_page.h"
+#include "compare/modes/rotor_analysis.h"
 
 namespace rotorub {
 
@@ -16,11 +16,5 @@ nlohmann::json loop_values(const RotorAnalysis& analysis);
 // Of the same: {"sensitivity": [{"name", "f": Hz, "y": dB, "peak": [Hz, dB]}], "step": [{"name",
 // "t": ms, "y": um/N, "peak": [t, y] or null, "settled": [t, y], "steady"}]}.
 nlohmann::json loop_plots(const RotorAnalysis& analysis);
-
-// {"speed": rpm, "running": rpm, "curves": [{"name", "y": um peak to peak, null where the loop is
-// unstable}], "limit": [um], of API 617}, to twice the scene's
-// speed or the diagram's end, what is less; null without magnetic
-// bearings that control or without unbalance.
-nlohmann::json unbalance_plot(const scene::Scene& scene, const Campbell& campbell);
 
 }  // namespace rotorub

@@ -202,6 +202,7 @@ void add_bode_place(const json& bode, const char* place, json& values) {
   values["bode_place"] = place;
   values["has_bode"] = !bode.is_null();
   values["bode_forces"] = !bode.is_null() && bode.at("forces").get<bool>();
+  values["bode_limit"] = !bode.is_null() && !bode.at("limit").is_null();
 }
 
 }  // namespace
@@ -219,12 +220,10 @@ Campbell campbell_of(const scene::Scene& scene, RotorAnalysis analysis, std::opt
 std::string modes_page(const scene::Scene& scene, const Campbell& campbell) {
   const RotorAnalysis& analysis = campbell.analysis;
   json data{{"rotor", modes_plots(scene, campbell)}};
-  data["rotor"]["stiffness"] = stiffness_data(scene);
-  const json loops = loop_values(analysis), unbalance = unbalance_plot(scene, campbell);
-  if (!loops.empty()) {
-    data["loops"] = loop_plots(analysis);
-    data["unbalance"] = unbalance;
-  }
+  const std::vector<StiffnessMap> maps = stiffness_maps(scene);
+  data["rotor"]["stiffness"] = stiffness_data(maps);
+  const json loops = loop_values(analysis);
+  if (!loops.empty()) data["loops"] = loop_plots(analysis);
   json values = page_frame({scene.name, "whirl of the free rotor",
                             "Where does it whirl, and where does it stay stable?"},
                            data);
@@ -239,7 +238,7 @@ std::string modes_page(const scene::Scene& scene, const Campbell& campbell) {
   add_bode_place(data.at("rotor").at("bode"), "data-of=\"rotor\"", values);
   values["peaks"] = peak_rows(data.at("rotor").at("bode"));
   values["has_peaks"] = !values["peaks"].empty();
-  values["has_stiffness"] = !data.at("rotor").at("stiffness").is_null();
+  values["stiffness_maps"] = stiffness_values(scene, maps);
   values["spectra"] = list_of(analysis.spectra, spectrum_values);
   values["critical"] = critical_values(analysis.critical_speeds);
   values["stability"] = stability_text(analysis);
@@ -247,7 +246,6 @@ std::string modes_page(const scene::Scene& scene, const Campbell& campbell) {
   values["torsion"] = torsion_values(analysis.torsion);
   values["loops"] = loops;
   values["has_loops"] = !loops.empty();
-  values["has_unbalance"] = !unbalance.is_null();
   values["text"] = scene.text;
   return fill_page(modes_html(), values);
 }
@@ -258,7 +256,8 @@ RotorSection rotor_section(const scene::Scene& scene) {
   section.values = {{"has_campbell", false}, {"has_shapes", false},
                     {"beyond", ""},          {"speed", rpm_text(std::abs(scene.rotor.speed))},
                     {"has_bode", false},     {"bode_forces", false},
-                    {"bode_place", ""},      {"refusal", ""}};
+                    {"bode_limit", false},   {"bode_place", ""},
+                    {"refusal", ""}};
   try {
     const Campbell campbell = campbell_of(scene, analyse_free_rotor(scene, {}));
     section.data = modes_plots(scene, campbell);

@@ -112,11 +112,10 @@ json page_frame(const PageHead& head, const json& data, Pictures pictures) {
           {"heading", head.heading},
           {"version", program_version()},
           {"css", std::move(css)},
-          // Its script unpacks and starts plotly once the player is drawn.
-          {"has_player", live},
           // Who has what to run in the page says so (page.cc).
           {"has_module", false},
-          {"plotly", live ? base64(packed_plotly_js()) : std::string(plotly_js())},
+          // The page's script unpacks and starts it once the page is drawn.
+          {"plotly", base64(packed_plotly_js())},
           // "</" would end the script element that holds the data.
           {"data", boost::replace_all_copy(data.dump(), "</", "<\\/")},
           {"scripts", live ? report_js() : still_js()}};

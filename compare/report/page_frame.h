@@ -20,7 +20,7 @@ enum class Pictures { kPlots, kPlotsAndRig };
 
 // Template values of the page's frame: those of its head, "version", "css" and the script elements:
 // plotly, `data`, and the page's own. The scripts look in the data for "scenes" (live, plots.h),
-// "trade", "rotor" (modes_page.h), "loops", "unbalance" (loop_page.h), "benches" (bench_page.h) and
+// "trade", "rotor" (modes_page.h), "loops" (loop_page.h), "benches" (bench_page.h) and
 // "maps" (sweep_page.h), each where the page has a place for it.
 nlohmann::json page_frame(const PageHead& head, const nlohmann::json& data,
                           Pictures pictures = Pictures::kPlots);

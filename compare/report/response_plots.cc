@@ -11,8 +11,8 @@
 #include <vector>
 
 #include "compare/base/units.h"
+#include "compare/modes/rotor_analysis.h"
 #include "compare/report/plot_points.h"
-#include "native_model/rotor/stiffness_map.h"
 #include "native_model/system/synchronous_response.h"
 
 namespace rotorub {
@@ -57,17 +57,65 @@ json curve_json(const ProbeResponse& probe, const std::vector<double>& speed, bo
           {"peaks", peaks}};
 }
 
+// Of StiffnessMap::Of.
+struct MapWords {
+  const char *title, *axis, *reading;
+};
+constexpr MapWords kMapWords[] = {
+    {"Critical speed map", "stiffness of a bearing",
+     "undamped critical speeds were the bearings' springs, all in one proportion, softer or "
+     "stiffer. A flat curve belongs to the shaft, a rising one to the bearings; where a curve "
+     "meets "
+     "the scene's speed, unbalance resonates"},
+    {"Critical speed map of the magnets", "stiffness of a magnetic bearing",
+     "undamped critical speeds were the springs of the magnetic bearings' controls less the "
+     "magnets' pull, all in one proportion, softer or stiffer. A flat curve belongs to the shaft, "
+     "a "
+     "rising one to the magnets; where a curve meets the scene's speed, unbalance resonates; no "
+     "line where the magnets do not bear the rotor"},
+    {"Critical speed map of the ring", "stiffness of the ring's spring",
+     "undamped critical speeds of the rotor with its centre held to the ring's, as in a "
+     "synchronous rub, were the spring that carries the ring softer or stiffer. Where a solid "
+     "curve "
+     "meets the scene's speed, a rub resonates; dashed: the ring alone, √(k/m); long dashes: the "
+     "rotor alone"},
+    {"Critical speed map of the ring's mount", "stiffness of the mount",
+     "the same were the mount of the ring softer or stiffer: where a solid curve meets the scene's "
+     "speed, a rub resonates; dashed: ring and mount alone; long dashes: the rotor alone"},
+};
+
+// [[rpm]] of the k-th speed of each list; null where there is none.
+json speed_curves(const std::vector<std::vector<double>>& speeds) {
+  std::size_t most = 0;
+  for (const auto& at : speeds) most = std::max(most, at.size());
+  json curves = json::array();
+  for (std::size_t k = 0; k < most; ++k) {
+    curves.push_back(list_of(speeds, [&](const std::vector<double>& at) {
+      return k < at.size() ? json(rounded(kRpm * at[k])) : json();
+    }));
+  }
+  return curves;
+}
+
 }  // namespace
 
 json bode_data(const scene::Scene& scene, double top) {
   const auto response = synchronous_response(scene, top);
   if (!response) return nullptr;
+  const bool held = std::ranges::any_of(scene.magnetic_bearings, [](const auto& bearing) {
+    return bearing.control && bearing.control->works();
+  });
+  // Half of what it allows from peak to peak.
+  const auto limit = [](double speed) {
+    return rounded(0.5 * kMicronsOfMetre * vibration_limit(speed), kResponseDigits);
+  };
   return {{"speed", rounded_list(response->speed, kRpm)},
           {"running", rounded(std::abs(scene.rotor.speed) * kRpm)},
           {"forces", response->forces},
           {"clearance", scene.first().contact
                             ? json(rounded(kMicronsOfMetre * scene.first().contact->clearance))
                             : json()},
+          {"limit", held ? list_of(response->speed, limit) : json()},
           {"curves", list_of(response->probes, [&](const ProbeResponse& probe) {
              return curve_json(probe, response->speed, response->same_planes);
            })}};
@@ -118,19 +166,27 @@ json peak_rows(const json& bode) {
   return rows;
 }
 
-json stiffness_data(const scene::Scene& scene) {
-  const auto map = stiffness_map(scene);
-  if (!map) return nullptr;
-  std::size_t most = 0;
-  for (const auto& speeds : map->critical) most = std::max(most, speeds.size());
-  json curves = json::array();
-  for (std::size_t k = 0; k < most; ++k) {
-    curves.push_back(list_of(map->critical, [&](const std::vector<double>& speeds) {
-      return k < speeds.size() ? json(rounded(kRpm * speeds[k])) : json();
-    }));
-  }
-  return {
-      {"stiffness", rounded_list(map->stiffness)}, {"own", rounded(map->own)}, {"curves", curves}};
+json stiffness_data(const std::vector<StiffnessMap>& maps) {
+  return list_of(maps, [](const StiffnessMap& map) -> json {
+    return {{"stiffness", rounded_list(map.stiffness)},
+            {"own", rounded(map.own)},
+            {"of", kMapWords[static_cast<std::size_t>(map.of)].axis},
+            {"curves", speed_curves(map.critical)},
+            {"ring", speed_curves(map.ring)}};
+  });
+}
+
+json stiffness_values(const scene::Scene& scene, const std::vector<StiffnessMap>& maps) {
+  int index = 0;
+  return list_of(maps, [&](const StiffnessMap& map) -> json {
+    const MapWords& words = kMapWords[static_cast<std::size_t>(map.of)];
+    const bool one_of_several = !map.ring.empty() && scene.auxiliary.size() > 1;
+    return {
+        {"index", index++},
+        {"title", one_of_several ? fmt::format("{}, {}", words.title, scene.name_of(map.contact))
+                                 : words.title},
+        {"words", words.reading}};
+  });
 }
 
 }  // namespace rotorub

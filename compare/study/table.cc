@@ -245,7 +245,7 @@ std::string rub_answer(const Metrics& m) {
   if (last == Attractor::kNoContact) {
     text += ", and no contact any more at its end";
   } else if (last != Attractor::kUnknown) {
-    text += fmt::format(", {} in the last fifth of the run", to_string(last));
+    text += fmt::format(", {} in the last fifth of the run", described(m.settled));
   }
   return text + fmt::format("; mean normal force {} N", short_number(m.mean_force));
 }

@@ -39,9 +39,7 @@ Trajectory run_of(const Study& study, const scene::Scene& scene, double turn,
 
 void read_section(const Trajectory& run, BranchPoint& out) {
   out.places = poincare_points(run, run.column("t").front());
-  double size = 0.0;
-  for (const auto& place : out.places) size = std::max(size, std::abs(place));
-  out.period = section_period(out.places, Bifurcation::kTolerance * size, Bifurcation::kMostPeriod);
+  out.period = section_period(out.places);
 }
 
 class Branch {

@@ -22,15 +22,14 @@ struct BranchPoint {
   // m, x + i y of the rotor at the contact whenever its mark passes +x (metrics/orbit.h), over the
   // last half of the run and no more than kTurns.
   std::vector<std::complex<double>> places{};
-  int period = 0;                    // turns; 0: none up to kMostPeriod
+  int period = 0;                    // turns, section_period
   std::optional<double> exponent{};  // 1/s, the largest of Lyapunov (run/lyapunov.h); up alone
 };
 
 struct Bifurcation {
-  static constexpr int kTurns = 64, kMostPeriod = 16;
-  static constexpr double kTolerance = 1e-3;  // of a period, over the largest distance from 0
-  std::vector<BranchPoint> up, down;          // in the order in which they ran
-  std::string not_continued;  // why every value begins at its own start; empty: they do not
+  static constexpr int kTurns = 64;
+  std::vector<BranchPoint> up, down;  // in the order in which they ran
+  std::string not_continued;          // why every value begins at its own start; empty: they do not
 };
 
 // Why a study has none: more than one key, words in the place of numbers, MuJoCo. Empty: it has

@@ -197,6 +197,7 @@ WhirlSystem leading(const WhirlSystem& system, Eigen::Index n) {
     *matrix = block(*matrix);
   }
   for (WhirlFilm& film : part.films) film.station = film.station.head(n).eval();
+  for (ModeShape& at : part.contacts) at = {at.x.head(n).eval(), at.y.head(n).eval()};
   return part;
 }
 

@@ -55,10 +55,6 @@ double taper_parts(const scene::ShaftSection& section, double from, double to) {
       {1.0, parts(section.outer_at(from), section.outer_at(to)), parts(wall(from), wall(to))});
 }
 
-std::string numbered(const char* name, std::size_t index, std::size_t count) {
-  return count == 1 ? std::string(name) : std::string(name) + " " + std::to_string(index + 1);
-}
-
 // P_0 .. P_{count-1} by (n + 1) P_{n+1} = (2 n + 1) xi P_n - n P_{n-1}.
 Eigen::VectorXd legendre(int count, double xi) {
   Eigen::VectorXd p(count);
@@ -100,6 +96,10 @@ Eigen::MatrixXd inertia_integral(const std::vector<ShaftElement>& mesh, int firs
 }
 
 }  // namespace
+
+std::string numbered(const char* name, std::size_t index, std::size_t count) {
+  return count == 1 ? std::string(name) : std::string(name) + " " + std::to_string(index + 1);
+}
 
 std::vector<Station> stations_of(const scene::Scene& scene) {
   std::vector<Station> stations;

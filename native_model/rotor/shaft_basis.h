@@ -20,6 +20,9 @@ struct Station {
   double z;          // m
 };
 
+// "disc 2", of index 1 among several; "disc" of one alone.
+std::string numbered(const char* name, std::size_t index, std::size_t count);
+
 // Of a rotor in geometry form: bearings, discs, contacts, drive, magnetic bearing, forces.
 std::vector<Station> stations_of(const scene::Scene& scene);
 

@@ -1,9 +1,13 @@
-// The critical speed map: undamped critical speeds over the stiffness of the bearings, as API 684
-// asks for it. Soft bearings: a nearly rigid rotor bounces and rocks; stiff ones: the shaft bends
-// between nodes at them.
+// Critical speed maps: undamped critical speeds over the stiffness of what holds the rotor, as API
+// 684 asks for them. Soft bearings: a nearly rigid rotor bounces and rocks; stiff ones: the shaft
+// bends between nodes at them. And over the stiffness of what carries the ring of an auxiliary
+// bearing, against which the rotor whirls in a synchronous rub: with c the values of the rotor's
+// coordinates at the contact, m and k of the ring,
+//
+//   (K + k c c^T) u = Omega^2 (M - G + m c c^T) u,   the ring alone: Omega^2 = k / m.
 #pragma once
 
-#include <optional>
+#include <cstddef>
 #include <vector>
 
 #include "native_model/scene/scene.h"
@@ -11,15 +15,23 @@
 namespace rotorub {
 
 struct StiffnessMap {
-  std::vector<double> stiffness;  // N/m, ascending, of the first bearing that has any, in x
+  // What is softer or stiffer, all else as it is: the springs of all bearings of the shaft in
+  // proportion; those of all magnetic bearings (k_i P - k_s); a ring's spring; its mount's.
+  enum class Of { kBearings, kMagnets, kRing, kMount };
+  Of of = Of::kBearings;
+  std::size_t contact = 0;        // the ring's, among the scene's auxiliary bearings
+  std::vector<double> stiffness;  // N/m, ascending, of the first that has any, in x
   double own = 0.0;               // N/m, what the scene gives it
-  // rad/s, ascending, at each stiffness (campbell.h: critical_speeds); none where they cannot be
-  // found.
+  // rad/s, ascending, at each stiffness (campbell.h: critical_speeds), of the rotor; over a ring's
+  // or a mount's of both, the rotor's centre held to the ring's. None where they cannot be found,
+  // or the magnets do not bear the rotor.
   std::vector<std::vector<double>> critical;
+  std::vector<std::vector<double>> ring;  // the same of the ring alone; empty: not over its own
 };
 
-// The springs of all bearings of the shaft in proportion, from a thousandth to a thousand times
-// their own. Empty: the modal form, no bearing with a spring, springs that follow the speed.
-std::optional<StiffnessMap> stiffness_map(const scene::Scene& scene);
+// Each from a thousandth to a thousand times the scene's own stiffness. None: of bearings without a
+// spring, or whose springs follow the speed; of a ring that is fixed, or that no spring of its own
+// (or of a passive controller) carries in both planes, but balls or dry friction do.
+std::vector<StiffnessMap> stiffness_maps(const scene::Scene& scene);
 
 }  // namespace rotorub

@@ -5,7 +5,6 @@
 #include <complex>
 #include <utility>
 
-#include "native_model/rotor/modal_rotor.h"
 #include "native_model/rotor/refusal.h"
 #include "native_model/rotor/rotor_modes.h"
 
@@ -108,6 +107,10 @@ WhirlSystem geometry_system(const scene::Scene& scene) {
                           s = values_at(bearing.sensor_station.value_or(bearing.station));
     add_magnets(scene, bearing, {u, u}, {s, s}, system);
   }
+  for (const scene::AuxiliaryBearing& at : scene.auxiliary) {
+    const Eigen::VectorXd u = values_at(at.contact ? at.contact->station : 0.0);
+    system.contacts.push_back({u, u});
+  }
   return system;
 }
 
@@ -131,6 +134,9 @@ WhirlSystem modal_system(const scene::Scene& scene) {
   system.internal_xx = scaled(sx, rotor.internal_xx, sx);
   system.internal_xy = scaled(sx, rotor.internal_xy, sy);
   system.internal_yy = scaled(sy, rotor.internal_yy, sy);
+  for (const ModeShape& c : rotor.contacts) {
+    system.contacts.push_back({c.x.cwiseProduct(sx), c.y.cwiseProduct(sy)});
+  }
   for (std::size_t k = 0; k < scene.magnetic_bearings.size(); ++k) {
     const ModeShape& u = rotor.magnets[k].station;
     const ModeShape s = rotor.magnets[k].sensor.value_or(u);

@@ -14,6 +14,7 @@
 #include <vector>
 
 #include "native_model/bearing/bearing_film.h"
+#include "native_model/rotor/modal_rotor.h"
 #include "native_model/scene/scene.h"
 
 namespace rotorub {
@@ -31,6 +32,7 @@ struct WhirlSystem {
   Eigen::MatrixXd gyroscopic;                             // 1, n x n
   Eigen::MatrixXd internal_xx, internal_xy, internal_yy;  // 1/s, n x n
   std::vector<WhirlFilm> films;
+  std::vector<ModeShape> contacts;  // n each: values of the coordinates at each auxiliary bearing
   int kept = 0;            // modes of interest in each plane: those with the lowest frequencies
   bool isotropic = false;  // both planes the same: one complex equation in x + i y
   Eigen::Index size() const { return stiffness_x.rows(); }

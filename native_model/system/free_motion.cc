@@ -13,6 +13,7 @@
 #include "native_model/dynamics/loads.h"
 #include "native_model/scene/record.h"
 #include "native_model/scene/text.h"
+#include "native_model/system/linear_loop.h"
 
 namespace rotorub {
 namespace {
@@ -251,16 +252,38 @@ Eigen::Vector2d current_amplitude(const Model& m, const StationFeedback& feedbac
   return {of(feedback.seen().x, 0), of(feedback.seen().y, 1)};
 }
 
-void refuse_samples(const scene::Scene& scene, const Model& m) {
+// The sampled feedback that works at t = 0; nothing: none does.
+const StationFeedback* sampled(const Model& m) {
   for (const SampledFeedback& s : m.samplers) {
     for (const std::size_t k : s.bearings) {
-      if (!m.feedbacks[k].works.at(0.0)) continue;
-      refuse_steady(scene,
-                    "the control of " +
-                        scene::magnetic_bearing_path(scene.record.get(), m.feedbacks[k].number) +
-                        " is sampled, and no orbit is steady between its samples; accepted: false");
+      if (m.feedbacks[k].works.at(0.0)) return &m.feedbacks[k];
     }
   }
+  return nullptr;
+}
+
+void refuse_samples(const scene::Scene& scene, const Model& m) {
+  if (const StationFeedback* feedback = sampled(m)) {
+    refuse_steady(scene, "the control of " +
+                             scene::magnetic_bearing_path(scene.record.get(), feedback->number) +
+                             " is sampled, and no orbit is steady between its samples; accepted: "
+                             "false");
+  }
+}
+
+// Of sampled feedbacks, which work for ever.
+Eigen::VectorXcd sampled_amplitude(const scene::Scene& scene, const Model& m, const Load& load) {
+  const std::string why = loop_refusal(m), at = " at " + scene::number_text(m.speed) + " rad/s";
+  if (!why.empty()) refuse_steady(scene, why);
+  const LinearLoop loop = linear_loop(m, m.speed);
+  const auto poles = loop_poles(loop);
+  if (!poles) refuse_steady(scene, "the eigenvalues of the free rotor do not converge");
+  if (poles->empty() || poles->front().real() >= 0.0)
+    refuse_steady(scene, "the free rotor is unstable" + at + "; accepted: a stable one");
+  if (load.load.isZero(0.0)) return load.load;
+  Eigen::VectorXcd q = loop_amplitude(m, loop, load.frequency, load.load);
+  if (!q.allFinite()) refuse_steady(scene, "the rotor has a resonance without damping" + at);
+  return q;
 }
 
 }  // namespace
@@ -305,14 +328,20 @@ FreeMotion free_motion(const scene::Scene& scene, const Model& m) {
   return motion;
 }
 
-Eigen::VectorXcd unbalance_amplitude(const scene::Scene& scene, const Model& m) {
-  refuse_samples(scene, m);
-  check_stability(scene, m);
+Eigen::VectorXcd unbalance_load(const Model& m, double speed) {
   Loads loads(m.layout.modes);
   for (const DiscUnbalance& u : m.unbalances)
-    loads.turn(m.speed, u.shape, u.static_moment * m.speed * m.speed, u.phase);
+    loads.turn(speed, u.shape, u.static_moment * speed * speed, u.phase);
   if (loads.all().empty()) return Eigen::VectorXcd::Zero(2 * m.layout.modes);
-  return answer(scene, m, bending(m), loads.all().front()).q;
+  return loads.all().front().load;
+}
+
+Eigen::VectorXcd unbalance_amplitude(const scene::Scene& scene, const Model& m) {
+  const Load load{std::abs(m.speed), unbalance_load(m, m.speed)};
+  if (sampled(m)) return sampled_amplitude(scene, m, load);
+  check_stability(scene, m);
+  if (load.load.isZero(0.0)) return load.load;
+  return answer(scene, m, bending(m), load).q;
 }
 
 }  // namespace rotorub

@@ -41,8 +41,11 @@ struct FreeMotion {
 // At the speed model.speed. Throws scene::SceneError, key initial.steady, where there is none.
 FreeMotion free_motion(const scene::Scene& scene, const Model& model);
 
-// Of the unbalances alone, whenever they come to act: Q of q = Re(Q e^{i |Omega| t}), m, 2 n,
-// against the mark on the rotor, which lies at +x at t = 0. Throws as free_motion.
+// Of the unbalances alone, whenever they come to act: N, 2 n, of Re(f e^{i |Omega| t}) on the
+// modes, against the mark on the rotor, which lies at +x at t = 0. speed: Omega, rad/s.
+Eigen::VectorXcd unbalance_load(const Model& m, double speed);
+// Q of the steady answer q = Re(Q e^{i |Omega| t}) to it, m, 2 n, at the speed m.speed; of sampled
+// controls their part at Omega (linear_loop.h). Throws as free_motion.
 Eigen::VectorXcd unbalance_amplitude(const scene::Scene& scene, const Model& m);
 
 // The scene at rest in the middle of its rings, whatever start it gives: for an analysis that asks

@@ -8,60 +8,11 @@
 #include <utility>
 
 #include "native_model/dynamics/closed_loop.h"
-#include "native_model/numerics/eigenvalues.h"
-#include "native_model/numerics/matrix_functions.h"
-#include "native_model/system/sampled_feedback.h"
+#include "native_model/system/free_motion.h"
+#include "native_model/system/linear_loop.h"
 
 namespace rotorub {
 namespace {
-
-// Working for ever, or never.
-Model always_working(Model model) {
-  for (StationFeedback& f : model.feedbacks) {
-    const bool ever =
-        f.works.fails > std::max(0.0, f.works.from) || f.works.returns < scene::kNever;
-    f.works = {-scene::kNever, ever ? scene::kNever : -scene::kNever, scene::kNever};
-  }
-  return with_linear_feedback(without_offsets(std::move(model)));
-}
-
-bool by_library(const SampledFeedback& s) { return s.library != nullptr; }
-
-// Why there are no poles; empty: there are.
-std::string refusal_of(const Model& m) {
-  if (std::ranges::any_of(m.samplers, by_library)) {
-    return "a library asks for the currents of magnetic bearings (magnetic_control.library), and "
-           "what law it has is not known here";
-  }
-  for (const SampledFeedback& s : m.samplers) {
-    if (s.sample_time != m.samplers.front().sample_time)
-      return "its controls have different sample times";
-  }
-  return {};
-}
-
-void find_poles(const LinearLoop& loop, Levitation& out) {
-  const bool samples = loop.every > 0.0;
-  // Of one sample, from before it to before the next: S first, then e^{A T}.
-  const auto values =
-      real_eigenvalues(samples ? matrix_exp(loop.form.a * loop.every) * loop.sample : loop.form.a);
-  if (!values) {
-    out.poles_refused = "the eigenvalues do not converge";
-    return;
-  }
-  if (!samples) {
-    out.poles = *values;
-    return;
-  }
-  constexpr double kNothing = 1e-6;  // z of what has ended within a sample, but for round-off
-  for (const std::complex<double>& z : *values) {
-    if (std::abs(z) > kNothing) out.poles.push_back(std::log(z) / loop.every);
-  }
-  std::sort(out.poles.begin(), out.poles.end(),
-            [](const std::complex<double>& a, const std::complex<double>& b) {
-              return a.real() != b.real() ? a.real() > b.real() : a.imag() < b.imag();
-            });
-}
 
 // Where |S| is looked at, rad/s, ascending: evenly over the decades of the poles, and about each.
 std::vector<double> frequencies(const Model& m, const std::vector<std::complex<double>>& poles) {
@@ -108,14 +59,21 @@ std::pair<double, double> peak_between(const F& f, double low, double high) {
   return fa > fb ? std::pair(a, fa) : std::pair(b, fb);
 }
 
+// m, peak to peak, of each sensor's axis under the unbalances that act from the start.
+Eigen::VectorXd moved(Model m, const LinearLoop& loop, double speed, const Eigen::MatrixXd& seen) {
+  std::erase_if(m.unbalances, [](const DiscUnbalance& u) { return u.on > 0.0; });
+  if (speed == 0.0) return Eigen::VectorXd::Zero(seen.cols());
+  const Eigen::VectorXcd q = loop_amplitude(m, loop, std::abs(speed), unbalance_load(m, speed));
+  return 2.0 * (seen.transpose() * q).cwiseAbs();
+}
+
 }  // namespace
 
 char sensitivity_zone(double peak) {
   return peak < 3.0 ? 'A' : peak < 4.0 ? 'B' : peak < 5.0 ? 'C' : 'D';
 }
 
-LoopResponse::LoopResponse(const Model& model, double speed)
-    : model_(always_working(model)), speed_(speed) {
+LoopResponse::LoopResponse(const Model& model, double speed) : model_(always_working(model)) {
   Model open = model_;
   for (StationFeedback& f : open.feedbacks) f.law.proportional = f.law.derivative = 0.0;
   const LinearParts parts = linear_parts(open, speed);
@@ -191,22 +149,6 @@ Eigen::MatrixXcd LoopResponse::return_difference(double w) const {
   return Eigen::MatrixXcd::Identity(ports(), ports()) + g * controls(w);
 }
 
-Eigen::VectorXd LoopResponse::unbalance() const {
-  if (speed_ == 0.0) return Eigen::VectorXd::Zero(ports());
-  const Eigen::Index n = model_.layout.modes;
-  const double w = std::abs(speed_);
-  // m e Omega^2 (cos, sin)(Omega t + phase) as the real part of force e^{i w t}.
-  Eigen::VectorXcd force = Eigen::VectorXcd::Zero(2 * n);
-  for (const DiscUnbalance& u : model_.unbalances) {
-    if (u.on > 0.0) continue;
-    const double sense = speed_ < 0.0 ? -1.0 : 1.0;
-    const std::complex<double> x = std::polar(u.static_moment * w * w, sense * u.phase);
-    force.head(n) += x * u.shape.x;
-    force.tail(n) += std::complex<double>(0.0, -sense) * x * u.shape.y;
-  }
-  return 2.0 * (sensitivity(w) * open(w, force)).cwiseAbs();
-}
-
 Eigen::MatrixXcd LoopResponse::sensitivity(double w) const {
   return return_difference(w).partialPivLu().inverse();
 }
@@ -216,15 +158,18 @@ Levitation levitation(const Model& model, double speed) {
   const LoopResponse response(model, speed);
   if (response.ports() == 0) return out;
   const Model m = always_working(model);
-  out.poles_refused = refusal_of(m);
-  if (std::ranges::any_of(m.samplers, by_library)) return out;
+  out.poles_refused = loop_refusal(m);
+  if (std::ranges::any_of(m.samplers, [](const auto& s) { return s.library != nullptr; }))
+    return out;
   if (!m.samplers.empty()) out.sample_time = m.samplers.front().sample_time;
   if (out.poles_refused.empty()) {
     const LinearLoop loop = linear_loop(m, speed);
-    find_poles(loop, out);
+    const auto poles = loop_poles(loop);
+    if (poles) out.poles = *poles;
+    if (!poles) out.poles_refused = "the eigenvalues do not converge";
     if (out.stable()) {
       out.steps = step_responses(m, loop, out.poles);
-      out.unbalance = response.unbalance();
+      out.unbalance = moved(m, loop, speed, response.seen());
     }
   }
   const std::vector<double> at = frequencies(m, out.poles);
@@ -248,14 +193,6 @@ Levitation levitation(const Model& model, double speed) {
   out.frequencies = at;
   out.sensitivities = sizes;
   return out;
-}
-
-std::optional<Eigen::VectorXd> unbalance_response(const Model& model, double speed) {
-  const Model m = always_working(model);
-  Levitation found;
-  if (refusal_of(m).empty()) find_poles(linear_loop(m, speed), found);
-  if (!found.stable()) return std::nullopt;
-  return LoopResponse(model, speed).unbalance();
 }
 
 }  // namespace rotorub

@@ -33,17 +33,15 @@ struct LoopSensitivity {
 char sensitivity_zone(double peak);
 
 struct Levitation {
-  // 1/s, by falling real part. Of a sampled loop ln z / T of those of its step of one sample, T;
-  // without those at z = 0, whose motion ends within a few samples.
-  std::vector<std::complex<double>> poles;
-  double sample_time = 0.0;   // s, T; 0: continuous
-  std::string poles_refused;  // why there are none
+  std::vector<std::complex<double>> poles;  // loop_poles
+  double sample_time = 0.0;                 // s, T; 0: continuous
+  std::string poles_refused;                // why there are none
   std::vector<LoopSensitivity> loops;
   // |S| at some frequencies, rad/s, ascending: loops x frequencies.
   std::vector<double> frequencies;
   Eigen::MatrixXd sensitivities;
   // Of a loop that is stable, as the loops: of a step of force, and m, peak to peak, how far each
-  // sensor's axis moves under the unbalance.
+  // sensor's axis moves under the unbalances that act from the start (linear_loop.h).
   std::vector<StepResponse> steps;
   Eigen::VectorXd unbalance;
   bool stable() const { return poles_refused.empty() && !poles.empty() && poles[0].real() < 0.0; }
@@ -52,9 +50,6 @@ struct Levitation {
 // At the spin speed `speed` (rad/s). Without feedbacks that work: no loops.
 Levitation levitation(const Model& model, double speed);
 
-// Levitation::unbalance alone; empty: the loop is unstable, or has no poles that are known.
-std::optional<Eigen::VectorXd> unbalance_response(const Model& model, double speed);
-
 // S at a frequency (rad/s, > 0), two ports of each feedback that works, x before y: p x p.
 class LoopResponse {
  public:
@@ -62,17 +57,15 @@ class LoopResponse {
   Eigen::MatrixXcd sensitivity(double frequency) const;
   // 1 + G H.
   Eigen::MatrixXcd return_difference(double frequency) const;
-  // m, peak to peak, of each port's sensor under the unbalances that act from the start.
-  Eigen::VectorXd unbalance() const;
   Eigen::Index ports() const { return into_.cols(); }
-  std::size_t bearing(Eigen::Index port) const;  // among the scene's
+  std::size_t bearing(Eigen::Index port) const;          // among the scene's
+  const Eigen::MatrixXd& seen() const { return seen_; }  // 2 n x p, of the modes at each sensor
 
  private:
   Eigen::MatrixXcd controls(double frequency) const;
   Eigen::MatrixXcd open(double frequency, const Eigen::MatrixXcd& force) const;
 
   Model model_;
-  double speed_;                      // rad/s
   std::vector<std::size_t> working_;  // among the model's feedbacks
   Eigen::VectorXd mass_;              // of bending, as in LinearParts
   Eigen::MatrixXd damping_, stiffness_;

@@ -7,7 +7,6 @@
 #include <limits>
 
 #include "native_model/numerics/matrix_functions.h"
-#include "native_model/system/sampled_feedback.h"
 
 namespace rotorub {
 namespace {
@@ -180,20 +179,6 @@ StepResponse read(const Flow& flow, const Grid& grid, Eigen::Index port,
 }
 
 }  // namespace
-
-LinearLoop linear_loop(const Model& m, double speed) {
-  LinearLoop loop{closed_loop(m, speed).first_order(), 0.0, {}};
-  if (m.samplers.empty()) return loop;
-  loop.every = m.samplers.front().sample_time;
-  const Eigen::Index bending = 2 * m.layout.modes, kept = m.layout.integrals;
-  const Eigen::MatrixXd taken = linear_sample(m);
-  Eigen::MatrixXd sample = Eigen::MatrixXd::Identity(2 * bending + kept, 2 * bending + kept);
-  sample.bottomLeftCorner(kept, bending) = taken.leftCols(bending);
-  sample.bottomRightCorner(kept, kept) = taken.rightCols(kept);
-  const Eigen::VectorXd inverse = loop.form.unit.cwiseInverse();
-  loop.sample = inverse.asDiagonal() * sample * loop.form.unit.asDiagonal();
-  return loop;
-}
 
 std::vector<StepResponse> step_responses(const Model& m, const LinearLoop& loop,
                                          const std::vector<std::complex<double>>& poles) {

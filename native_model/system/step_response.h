@@ -15,20 +15,10 @@
 #include <optional>
 #include <vector>
 
-#include "native_model/dynamics/closed_loop.h"
+#include "native_model/system/linear_loop.h"
 #include "native_model/system/model.h"
 
 namespace rotorub {
-
-// The loop with all that its controls remember, at a held spin speed.
-struct LinearLoop {
-  FirstOrderForm form;
-  double every = 0.0;      // s, between samples; 0: continuous
-  Eigen::MatrixXd sample;  // S in the form's units; empty: continuous
-};
-// The model's samplers all have one sample time, and what works at t = 0 works for ever (the
-// caller's word).
-LinearLoop linear_loop(const Model& model, double speed);
 
 struct StepResponse {
   double steady = 0.0;               // m/N, what stays; 0 where that is round-off

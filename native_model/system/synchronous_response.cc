@@ -10,6 +10,7 @@
 #include "native_model/rotor/mode_shapes.h"
 #include "native_model/scene/diagnostic.h"
 #include "native_model/system/free_motion.h"
+#include "native_model/system/linear_loop.h"
 #include "native_model/system/model.h"
 
 namespace rotorub {
@@ -48,8 +49,12 @@ std::vector<Probe> probes_of(const scene::Scene& scene, const Model& model, int 
   }
   for (std::size_t k = 0; k < model.auxiliary.size(); ++k) {
     const ModeShape& shape = model.auxiliary[k].shape;
-    const std::string name = scene.name_of(k);
-    add(name.empty() ? "contact" : "contact " + name, shape.x, shape.y);
+    add(scene.auxiliary.size() > 1 ? "contact " + scene.name_of(k) : "contact", shape.x, shape.y);
+  }
+  const std::size_t magnets = scene.magnetic_bearings.size();
+  for (const StationFeedback& f : model.feedbacks) {
+    add(numbered("magnetic bearing", f.number, magnets), f.shape.x, f.shape.y);
+    if (f.sensor) add(numbered("sensor", f.number, magnets), f.sensor->x, f.sensor->y);
   }
   return probes;
 }
@@ -196,16 +201,20 @@ std::optional<double> required_margin(double amplification, bool above) {
 std::optional<SynchronousResponse> synchronous_response(const scene::Scene& scene, double top) {
   constexpr int kSpeeds = 80, kHalvings = 9;
   const scene::Scene free = without_start(scene);
-  Model model = make_model(free);
+  Model model = always_working(make_model(free));
   SynchronousResponse out;
   out.forces = add_forces(scene, model);
   if (model.unbalances.empty()) return std::nullopt;
   out.same_planes = whirl_system(scene).isotropic;
   Response response(free, model, probes_of(scene, model, out.same_planes ? 1 : 2));
 
+  std::vector<double> at = even_speeds(top, kSpeeds + 1);
+  at.front() = std::abs(scene.rotor.speed);
+  std::sort(at.begin(), at.end());
   std::vector<SpeedPoint> samples;
-  for (int k = 1; k <= kSpeeds; ++k) {
-    const double speed = top * k / kSpeeds;
+  for (const double speed : at) {
+    if (speed == 0.0 || speed > top || (!samples.empty() && speed == samples.back().speed))
+      continue;
     SpeedPoint next{speed, response.at(speed)};
     if (samples.empty()) {
       samples.push_back(std::move(next));

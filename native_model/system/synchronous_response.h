@@ -49,8 +49,10 @@ struct SynchronousResponse {
 };
 
 // Up to `top` (rad/s), so closely that straight lines between the speeds are right to 0.3 % of
-// every probe. Empty: nothing turns with the spin, or what would be unknown (sampled magnets).
-// Stations: discs, bearings, contacts, magnetic bearings; of the modal form the contacts.
+// every probe, the scene's own among them. Magnetic bearings work as in levitation.h. Empty:
+// nothing turns with the spin, or their law is not known, or there is nothing steady at any speed.
+// Stations: discs, bearings, contacts, magnetic bearings and their sensors; of the modal form the
+// last three.
 std::optional<SynchronousResponse> synchronous_response(const scene::Scene& scene, double top);
 
 }  // namespace rotorub

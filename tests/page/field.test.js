@@ -83,6 +83,35 @@ test('the critical speed map crosses the critical speeds at the stiffness of the
   await page.close();
 });
 
+test('the critical speed map of a ring has the ring alone, and the rotor held to it', async () => {
+  rotorub(['modes', scene('bench_ring'), '-o', 'ring', '-q']);
+  const page = await open(browser, 'ring/modes.html');
+  const map = await drawn(page, 'stiffness'), alone = map.traces.find((t) => t.name === 'ring alone'), held = map.traces.filter((t) => t.name !== 'ring alone');
+  const at = alone.x.findIndex((x) => Math.abs(x / 1e5 - 1) < 1e-6);
+  assert.ok(Math.abs(alone.y[at] / (Math.sqrt(1e5 / 1) * 30 / Math.PI) - 1) < 1e-5, `${alone.y[at]} rpm of 1 kg on 0.1 N/µm`);
+  assert.equal(held.length, 1, 'of one bending mode');
+  held[0].y.forEach((n, k) => {
+    const exact = Math.sqrt((2e5 + held[0].x[k]) / (2 + 1)) * 30 / Math.PI;
+    assert.ok(Math.abs(n / exact - 1) < 1e-4, `${n} is not ${exact} rpm`);
+  });
+  assert.match(await page.locator('figure:has(.plot[data-plot="stiffness"]) figcaption').textContent(), /Critical speed map of the ring — .*a rub resonates/);
+  assert.deepEqual(page.said, []);
+  await page.close();
+});
+
+test('words and tables are painted before plotly is unpacked', async () => {
+  const page = await browser.newPage({viewport: {width: 1200, height: 1000}});
+  await page.addInitScript(() => {
+    let plotly;
+    Object.defineProperty(window, 'Plotly', {get: () => plotly, set(given) { plotly = given; window.plotlyAt = performance.now(); }});
+  });
+  await page.goto(`file://${path.join(folder, 'ring/modes.html')}`);
+  await page.waitForFunction(() => document.querySelector('.plot .main-svg'));
+  const {painted, plotly} = await page.evaluate(() => ({painted: performance.getEntriesByName('first-contentful-paint')[0].startTime, plotly: window.plotlyAt}));
+  assert.ok(painted < plotly, `${painted} and ${plotly} ms`);
+  await page.close();
+});
+
 test('a bifurcation diagram in the page of a sweep shows two motions side by side', async () => {
   fs.writeFileSync(path.join(folder, 'study.toml'), `scene = "${scene('bench_annular_elastic')}"
 [sample]

@@ -1,4 +1,4 @@
-// The page of `rotorub modes` of a machine in magnetic bearings, in Chromium: closed loop, zones, step, unbalance.
+// The page of `rotorub modes` of a machine in magnetic bearings, in Chromium: closed loop, zones, step, unbalance, the latter in one plot.
 import {after, before, test} from 'node:test';
 import {assert, launch, open, rotorub, scene} from './support.js';
 
@@ -16,7 +16,7 @@ const near = (a, b, share, words) => assert.ok(Math.abs(a - b) <= share * Math.a
 const names = () => loop.loops.map(({bearing, axis}) => `bearing ${bearing} ${axis}`);
 
 async function drawn(key) {
-  const selector = `.loops .plot[data-plot="${key}"]`;
+  const selector = `.plot[data-plot="${key}"]`;
   await page.evaluate((s) => document.querySelector(s).scrollIntoView({block: 'center', behavior: 'instant'}), selector);
   await page.waitForFunction((s) => (document.querySelector(s)._fullData || []).length > 0, selector);
   return page.evaluate((s) => {
@@ -56,15 +56,13 @@ test('the step of force, its most, when it has settled and what stays', async ()
   }
 });
 
-test('the unbalance response goes through what the terminal says at the speed of the scene', async () => {
-  const plot = await drawn('unbalance');
-  assert.deepEqual(lines(plot).map((t) => t.name), [...names(), 'limit of API 617']);
-  const [running] = plot.shapes.map((s) => s.x0);
-  for (const [k, curve] of lines(plot).slice(0, -1).entries()) {
-    const at = curve.x.findIndex((n) => n >= running - 1e-3);
-    near(curve.y[at], 1e6 * loop.loops[k].unbalance, 1e-4, curve.name);
-    near(curve.x[at], running, 1e-5, 'at its speed');
-  }
+test('Bode is the one plot of the unbalance response, with what the terminal says at the speed of the scene', async () => {
+  assert.equal(await page.locator('.plot[data-plot="unbalance"]').count(), 0);
+  const {shapes, traces} = await drawn('bode'), running = shapes.find((s) => s.line.dash === 'dot').x0;
+  const curve = (name) => traces.find((t) => t.name === name && t.mode === 'lines');
+  const at = curve('sensor 1').x.findIndex((n) => Math.abs(n / running - 1) < 1e-6);
+  for (const {bearing, unbalance} of loop.loops) near(2 * curve(`sensor ${bearing}`).y[at], 1e6 * unbalance, 1e-4, `sensor ${bearing}`);
+  near(curve('limit of API 617').y[at], 12.7, 1e-4, 'half of 25.4 µm');
 });
 
 // Every cell of the page's tables is printed by the terminal, in the same order.

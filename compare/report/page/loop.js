@@ -1,5 +1,5 @@
 // The closed loop of magnetic bearings as plotly takes it, from what loop_page.h gives: sensitivities with the zones of
-// ISO 14839-3, answers to a step of force, and the unbalance response.
+// ISO 14839-3, and answers to a step of force.
 import {axes, css, layout, legendAbove as legend, titled} from './style.js';
 
 // Colour the bearing, dashes the axis y, which often lies on x.
@@ -47,16 +47,3 @@ function stepFigure({step}) {
 
 const figures = {sensitivity: sensitivityFigure, step: stepFigure};
 export const loopFigure = (loop, key) => figures[key](loop);
-
-// Peak to peak against the spin speed.
-export function unbalanceFigure({speed, running, curves, limit}) {
-  const high = 1.15 * Math.max(...curves.flatMap(({y}) => y.filter((v) => v !== null)), limit[limit.length - 1]);
-  const shapes = running > 0 ? [{type: 'line', x0: running, x1: running, yref: 'paper', y0: 0, y1: 1,
-    line: {color: css('--soft'), width: 1.2, dash: 'dot'}}] : [];
-  const data = [...curves.map(({name, y}) => lineOf(name, speed, y, '%{x:.5g} rpm: %{y:.4g} µm')),
-    {...lineOf('bearing 1 limit', speed, limit, '%{x:.5g} rpm: %{y:.4g} µm'), name: 'limit of API 617',
-      legendgroup: 'limit', line: {color: css('--bad'), width: 1.6, dash: 'dashdot'}}];
-  return {data, layout: layout({shapes, hovermode: 'closest', showlegend: true, legend: legend(), margin: room,
-    xaxis: titled('spin speed / rpm', {range: [0, speed[speed.length - 1]], exponentformat: 'none', separatethousands: true}),
-    yaxis: titled('deflection, peak to peak / µm', {range: [0, high]})})};
-}

@@ -70,7 +70,7 @@ export function whenNear(element, act) {
   new IntersectionObserver((entries) => act(entries[entries.length - 1].isIntersecting), {rootMargin: '400px 0px'}).observe(element);
 }
 
-// Plotly comes last and takes a third of a second: the player is there before it. `ready` follows.
+// Plotly comes last and takes a third of a second: words, tables and the player are there before it. `ready` follows.
 export function withPlotly(ready) {
   requestAnimationFrame(() => setTimeout(async () => {
     const script = document.createElement('script');

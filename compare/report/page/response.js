@@ -6,13 +6,15 @@ import {axes, css, layout, legendAbove as legend, number, titled} from './style.
 const rpm = (speed) => `${number(speed, 4)} rpm`;
 const nameOf = ({name, plane}) => (plane ? `${name}, ${plane}` : name);
 
-// Curves that are shown first: the contacts, and of the other stations the few that move most; of the plane x alone.
+// Curves that are shown first: the contacts, what magnetic bearings' sensors see, and of the other stations the few that move
+// most; of the plane x alone.
 const kFirst = 5;
 export function shownFirst(curves) {
   const most = ({amplitude}) => Math.max(...amplitude), inX = curves.filter(({plane}) => plane !== 'y');
-  const contacts = inX.filter(({name}) => name.startsWith('contact'));
-  const others = inX.filter((curve) => !contacts.includes(curve) && !curve.name.startsWith('bearing')).sort((a, b) => most(b) - most(a));
-  return new Set([...contacts, ...others].slice(0, Math.max(kFirst, contacts.length)));
+  const named = (word) => inX.filter(({name}) => name.startsWith(word)), sensors = named('sensor');
+  const always = [...named('contact'), ...(sensors.length ? sensors : named('magnetic bearing'))];
+  const others = inX.filter((curve) => !always.includes(curve) && !curve.name.startsWith('bearing')).sort((a, b) => most(b) - most(a));
+  return new Set([...always, ...others].slice(0, Math.max(kFirst, always.length)));
 }
 
 // Colour the station, those shown first before the others; dashes the plane y.
@@ -33,9 +35,9 @@ export function letteredPeaks(curves, top) {
 const factorOf = ({factor}) => (factor === null ? 'no amplification factor' : `AF ${number(factor, 3)}${factor < kDamped ? ', critically damped' : ''}`);
 
 // From the highest peak five decades down at most.
-function decadesOf(curves, clearance) {
+function decadesOf(curves, limits) {
   const all = curves.flatMap(({amplitude}) => amplitude).filter((a) => a > 0), sizes = all.length ? all : [1];
-  const high = Math.log10(Math.max(clearance ?? 0, ...sizes)), low = Math.log10(sizes.reduce((least, a) => Math.min(least, a), Infinity));
+  const high = Math.log10(Math.max(...limits, ...sizes)), low = Math.log10(sizes.reduce((least, a) => Math.min(least, a), Infinity));
   return [Math.max(low, high - 5), high + 0.4];
 }
 
@@ -50,7 +52,7 @@ function quarters(curves) {
 }
 
 export function bodeFigure({bode, campbell}) {
-  const {speed, running, curves, clearance} = bode, first = shownFirst(curves), style = styleOf(curves, first), top = speed[speed.length - 1];
+  const {speed, running, curves, clearance, limit} = bode, first = shownFirst(curves), style = styleOf(curves, first), top = speed[speed.length - 1];
   const visibility = (curve) => (first.has(curve) ? {} : {visible: 'legendonly'}), shown = [...first];
   const line = (curve, y, more) => ({x: speed, y, name: nameOf(curve), legendgroup: nameOf(curve), type: 'scatter', mode: 'lines',
     line: style(curve), customdata: facts(speed, curve), hovertemplate: `${hover}<extra>${nameOf(curve)}</extra>`, ...visibility(curve), ...more});
@@ -67,12 +69,14 @@ export function bodeFigure({bode, campbell}) {
     letters.push({xref: 'paper', x: 0, xanchor: 'left', y: Math.log10(clearance), yanchor: 'bottom', text: 'clearance at the contact', showarrow: false,
       font: {color: css('--bad'), size: 12}});
   }
-  return {data: [...curves.map((curve) => line(curve, curve.amplitude)), ...rings,
+  const allowed = limit ? [{x: speed, y: limit, name: 'limit of API 617', type: 'scatter', mode: 'lines', line: {color: css('--bad'), width: 1.6, dash: 'dashdot'},
+    hovertemplate: '%{x:.5g} rpm: %{y:.4g} µm<extra>limit of API 617</extra>'}] : [];
+  return {data: [...curves.map((curve) => line(curve, curve.amplitude)), ...rings, ...allowed,
     ...curves.map((curve) => line(curve, curve.phase, {yaxis: 'y2', showlegend: false}))],
   layout: layout({shapes: marks.map((mark) => ({...mark, layer: 'below'})), annotations: letters, hovermode: 'closest', showlegend: true, legend: legend(),
     margin: {l: 64, r: 24, t: 30, b: 44},
     xaxis: axes({title: {text: 'spin speed / rpm', standoff: 6}, range: [0, top], anchor: 'y2', exponentformat: 'none', separatethousands: true, nticks: 8}),
-    yaxis: valueAxis({title: {text: 'amplitude / µm', standoff: 8}, type: 'log', exponentformat: 'power', domain: [0.4, 1], range: decadesOf(shown, clearance)}),
+    yaxis: valueAxis({title: {text: 'amplitude / µm', standoff: 8}, type: 'log', exponentformat: 'power', domain: [0.4, 1], range: decadesOf(shown, [clearance ?? 0, ...(limit ?? [])])}),
     yaxis2: valueAxis({title: {text: 'phase / °', standoff: 8}, domain: [0, 0.34], dtick: quarters(shown)})})};
 }
 
@@ -109,16 +113,22 @@ export function polarFigure({bode}) {
     xaxis: titled('along the mark / µm', square), yaxis: titled('ahead in the sense of spin / µm', {...square, scaleanchor: 'x'})})};
 }
 
-export function stiffnessFigure({stiffness, campbell}) {
-  const {own, curves} = stiffness, lines = curves.map((y, k) => ({x: stiffness.stiffness, y, name: `critical speed ${k + 1}`, type: 'scatter', mode: 'lines',
-    line: {color: css(`--mode-${(k % 6) + 1}`), width: 2, simplify: false}, ...(k < 6 ? {} : {visible: 'legendonly'}),
-    hovertemplate: `%{x:.3g} N/m: %{y:.5g} rpm<extra>critical speed ${k + 1}</extra>`}));
+export function stiffnessFigure({stiffness, campbell}, index) {
+  const {stiffness: x, own, of, curves, ring} = stiffness[index];
+  const line = (y, name, style, more) => ({x, y, name, type: 'scatter', mode: 'lines', line: {width: 2, simplify: false, ...style},
+    hovertemplate: `%{x:.3g} N/m: %{y:.5g} rpm<extra>${name}</extra>`, ...more});
+  const color = (k) => css(`--mode-${(k % 6) + 1}`);
+  const lines = [...curves.map((y, k) => line(y, `critical speed ${k + 1}`, {color: color(k)}, k < 6 ? {} : {visible: 'legendonly'})),
+    ...ring.map((y, k) => line(y, `ring alone${ring.length > 1 ? ` ${k + 1}` : ''}`, {color: css('--ink'), dash: 'dash', width: 1.6}))];
+  // The rotor alone, beside it held to a ring.
+  const rotor = ring.length ? campbell.critical.map((y) => ({type: 'line', xref: 'paper', x0: 0, x1: 1, y0: y, y1: y, layer: 'below',
+    line: {color: css('--soft'), width: 1, dash: 'longdash'}})) : [];
   const along = campbell.running > 0 ? [{type: 'line', xref: 'paper', x0: 0, x1: 1, y0: campbell.running, y1: campbell.running, layer: 'below',
     line: {color: css('--soft'), width: 1.2, dash: 'dot'}}] : [];
   const note = (extra) => ({showarrow: false, bgcolor: css('--paper'), font: {color: css('--soft'), size: 12}, ...extra});
-  return {data: lines, layout: layout({shapes: [{...across(own, '--soft', 'dash'), layer: 'below'}, ...along], hovermode: 'closest', showlegend: true, legend: legend(),
+  return {data: lines, layout: layout({shapes: [{...across(own, '--soft', 'dash'), layer: 'below'}, ...rotor, ...along], hovermode: 'closest', showlegend: true, legend: legend(),
     annotations: [note({x: Math.log10(own), y: 0, yref: 'paper', yanchor: 'bottom', xanchor: 'left', xshift: 5, text: 'as in the scene'}),
       ...(along.length ? [note({xref: 'paper', x: 1, xanchor: 'right', bgcolor: undefined, y: Math.log10(campbell.running), yanchor: 'bottom', text: "scene's speed"})] : [])],
-    margin: {l: 72, r: 24, t: 30, b: 44}, xaxis: titled('stiffness of a bearing / (N/m)', {type: 'log', exponentformat: 'power', dtick: 1}),
+    margin: {l: 72, r: 24, t: 30, b: 44}, xaxis: titled(`${of} / (N/m)`, {type: 'log', exponentformat: 'power', dtick: 1}),
     yaxis: valueAxis({title: {text: 'critical speed / rpm', standoff: 8}, type: 'log', exponentformat: 'none', separatethousands: true})})};
 }

@@ -82,12 +82,12 @@ function shaftFigure(shapes, lines, width) {
 }
 
 const figures = {campbell: campbellFigure, damping: dampingFigure, decrement: decrementFigure,
-  bode: bodeFigure, polar: polarFigure, stiffness: stiffnessFigure,
+  bode: bodeFigure, polar: polarFigure, stiffness: (rotor, _width, index) => stiffnessFigure(rotor, index),
   shapes: ({shapes}, width) => shaftFigure(shapes, restTraces(shapes), width),
   whirl_shapes: ({shapes}, width) => shaftFigure(shapes, whirlTraces(shapes), width)};
-// width: px, of the plot. What the reader has switched off stays off when the page is drawn again.
-export function rotorFigure(rotor, key, width) {
-  const figure = figures[key](rotor, width);
+// width: px, of the plot; index: of a map of several. What the reader has switched off stays off when the page is drawn again.
+export function rotorFigure(rotor, key, width, index) {
+  const figure = figures[key](rotor, width, index);
   figure.layout.uirevision = key;
   return figure;
 }

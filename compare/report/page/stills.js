@@ -1,7 +1,7 @@
 // Figures that no clock moves: of a bench, maps of a sweep or of a linear analysis, the free rotor, the closed loop of
 // magnetic bearings, a bifurcation diagram. Each is drawn when it comes near the screen. On pages of their own, and beside the comparison in the report.
 import {bifurcationFigure} from './bifurcation.js';
-import {loopFigure, unbalanceFigure} from './loop.js';
+import {loopFigure} from './loop.js';
 import {mapsOf} from './maps.js';
 import {data, inTurn, isPrinting, show, whenNear} from './page.js';
 import {precision} from './precision.js';
@@ -11,9 +11,8 @@ import {rotorFigure} from './rotor.js';
 const figures = {
   loop: (plot) => loopFigure(data.loops[plot.dataset.index], plot.dataset.plot),
   bifurcation: () => bifurcationFigure(data.bifurcation),
-  unbalance: () => unbalanceFigure(data.unbalance),
   bench: (plot) => precision(data.benches[plot.dataset.index], plot.dataset.plot),
-  rotor: (plot) => rotorFigure(data.rotor, plot.dataset.plot, plot.clientWidth),
+  rotor: (plot) => rotorFigure(data.rotor, plot.dataset.plot, plot.clientWidth, plot.dataset.index),
 };
 
 // Gives the function that draws all that is near the screen anew.

@@ -157,12 +157,12 @@ TEST(SectionPeriod, CountsTheTurnsUntilPlacesComeBack) {
     thrice.push_back(circle(2.0, 1.0 / 3.0, k));
     golden.push_back(circle(2.0, 0.61803398875, k));
   }
-  EXPECT_EQ(section_period(once, 1e-9, 16), 1);
-  EXPECT_EQ(section_period(thrice, 1e-9, 16), 3);
-  EXPECT_EQ(section_period(golden, 1e-3, 16), 0) << "two frequencies never come back";
-  EXPECT_EQ(section_period({thrice.begin(), thrice.begin() + 5}, 1e-9, 16), 0) << "too few to tell";
+  EXPECT_EQ(section_period(once, 1e-9), 1);
+  EXPECT_EQ(section_period(thrice, 1e-9), 3);
+  EXPECT_EQ(section_period(golden), 0) << "two frequencies never come back";
+  EXPECT_EQ(section_period({thrice.begin(), thrice.begin() + 5}, 1e-9), 0) << "too few to tell";
   once.back() += 1e-3;
-  EXPECT_EQ(section_period(once, 1e-9, 16), 0);
+  EXPECT_EQ(section_period(once, 1e-9), 0);
 }
 
 }  // namespace

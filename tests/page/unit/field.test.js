@@ -91,6 +91,9 @@ test('of many stations the contacts are shown first, and those that move most', 
   assert.deepEqual([...shownFirst(few)].map(({name, plane}) => name + plane), ['contactx', 'disc 1x']);
   const many = [...Array.from({length: 8}, (_, k) => curve(`disc ${k}`, k)), curve('contact a', 0), curve('contact b', 0)];
   assert.deepEqual([...shownFirst(many)].map(({name}) => name), ['contact a', 'contact b', 'disc 7', 'disc 6', 'disc 5']);
+  const held = [...many, curve('magnetic bearing 1', 9), curve('sensor 1', 0)];
+  assert.deepEqual([...shownFirst(held)].map(({name}) => name), ['contact a', 'contact b', 'sensor 1', 'magnetic bearing 1', 'disc 7']);
+  assert.ok([...shownFirst(held.filter(({name}) => name !== 'sensor 1'))].some(({name}) => name === 'magnetic bearing 1'), 'it sees there');
 });
 
 test('cells of a cascade are amplitudes again', () => {
