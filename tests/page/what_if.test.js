@@ -74,7 +74,8 @@ test('another clearance is drawn as such, beside the scene’s', async () => {
   const circles = await page.evaluate(async () => {
     const place = document.querySelector('.plot[data-plot="relative"]');
     place.scrollIntoView({block: 'center', behavior: 'instant'});
-    for (let n = 0; n < 100 && !place.layout; ++n) await new Promise((go) => { setTimeout(go, 50); });
+    // Drawn before, it is drawn again once it is in sight.
+    for (let n = 0; n < 100 && !(place.layout?.shapes.length > 1); ++n) await new Promise((go) => { setTimeout(go, 50); });
     return place.layout.shapes.map((shape) => 1e-6 * shape.x1);
   });
   assert.deepEqual(circles.map((r) => r.toPrecision(6)), [native, again].map((r) => r.toPrecision(6)));
