@@ -1,10 +1,12 @@
-// What libstdc++ 12 has and the libc++ 14 of Debian 12's emscripten lacks, as far as the native
-// model asks for it. Included before every file (CMakeLists.txt here). Goes when emscripten does
-// better.
+// What libstdc++ 12 has and the libc++ 14 of Debian 12's emscripten lacks or does with other bits,
+// as far as the native model asks for it. Included before every file (CMakeLists.txt here). Goes
+// when emscripten does better.
 #pragma once
 
 #include <algorithm>
 #include <charconv>
+#include <cmath>
+#include <complex>
 #include <cstdio>
 #include <cstdlib>
 #include <functional>
@@ -41,6 +43,20 @@ inline to_chars_result to_chars(char* first, char* last, double value) {
     const to_chars_result done = to_chars(first, last, value, chars_format::general, digits);
     if (digits == 17 || done.ec != errc() || strtod(first, nullptr) == value) return done;
   }
+}
+
+// R. L. Smith's division (Communications of the ACM 5, 1962), as libgcc has it but near the ends of
+// the range of doubles; libc++ scales by powers of two and rounds otherwise. A specialisation, since
+// its own operator/= would not find an overload.
+template <>
+inline complex<double> operator/(const complex<double>& z, const complex<double>& w) {
+  const double a = z.real(), b = z.imag(), c = w.real(), d = w.imag();
+  if (abs(c) < abs(d)) {
+    const double ratio = c / d, whole = c * ratio + d;
+    return {(a * ratio + b) / whole, (b * ratio - a) / whole};
+  }
+  const double ratio = d / c, whole = d * ratio + c;
+  return {(b * ratio + a) / whole, (b - a * ratio) / whole};
 }
 
 namespace ranges {
