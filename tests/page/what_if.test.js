@@ -112,3 +112,13 @@ test('a program without the module writes pages without sliders, and says nothin
   assert.equal(await plain.locator('.what-if, #native-module').count(), 0);
   assert.deepEqual(plain.said, []);
 });
+
+test('the report of the two scenes of the paper holds the module in less than 6 MB', async () => {
+  rotorub(['compare', scene('paper_sliding'), scene('paper_passive'), '--quiet', '-o', 'paper'], [0, 1]);
+  const {size} = fs.statSync(path.join(folder, 'paper/report.html'));
+  assert.ok(size < 6e6, `${size} bytes`);
+  const report = await open(browser, 'paper/report.html');
+  assert.equal(await report.locator('.scene .sliders').count(), 2);
+  assert.deepEqual(report.said, []);
+  await report.close();
+});

@@ -9,6 +9,7 @@
 #include "native_model/scene/reader.h"
 #include "native_model/system/levitation.h"
 #include "native_model/system/synchronous_response.h"
+#include "tests/native_model/levitation/two_bearings.h"
 #include "tests/support/native_run.h"
 
 namespace rotorub {
@@ -16,56 +17,29 @@ namespace {
 
 using Phasor = std::complex<double>;
 
-// Two modes of a turning rotor, planes that differ, and two bearings with all that a loop may have.
-constexpr const char* kSampled = R"(
-[rotor]
-speed = SPEED
-[rotor.modal]
-mass = [2.0, 0.7]
-stiffness = [1e5, 9e5]
+// Of planes that differ.
+constexpr const char* kModal = R"(
 stiffness_y = [1.3e5, 9e5]
 damping = [300.0, 200.0]
-gyroscopic = [0.05, 0.02]
-[contact]
-clearance = 1e-3
-radius = 0.05
-friction = 0.1
-restitution = 0.5
-[[magnetic_bearing]]
-shape = [1.0, 1.0]
-sensor_shape = [0.9, 0.8]
-negative_stiffness = 3e4
-[magnetic_bearing.control]
-force_per_current = 40.0
-proportional = 3000.0
-integral = 3e4
-derivative = 4.0
-derivative_lag = 2e-4
-sample_time = SAMPLE
-delay = SAMPLE
-[magnetic_bearing.amplifier]
-bandwidth = 8000.0
-[[magnetic_bearing]]
-shape = [0.5, -0.6]
-negative_stiffness = 2e4
-[magnetic_bearing.control]
-force_per_current = 60.0
-proportional = 1500.0
-derivative = 1.0
+)";
+constexpr const char* kUnbalance = R"(
 [[force]]
 kind = "unbalance"
 static_moment = 1e-5
 phase = 0.4
 shape = [0.8, -0.5]
 [run]
-end = END
-output_step = ROW
 )";
 
-std::string put(std::string text, const std::string& word, double value) {
-  for (std::size_t at; (at = text.find(word)) != std::string::npos;)
-    text.replace(at, word.size(), std::to_string(value * 1e9) + "e-9");
-  return text;
+std::string line(const char* key, double value) {
+  return key + (" = " + std::to_string(value * 1e9)) + "e-9\n";
+}
+
+// samples: lines of the first bearing's control; run: of [run].
+scene::Scene sampled(double speed, const std::string& samples, const std::string& run) {
+  const std::string law = "integral = 3e4\nderivative_lag = 2e-4\n" + samples;
+  return scene::parse_scene(
+      test::two_bearings(std::to_string(speed), kModal, law, kUnbalance + run), "sampled.toml", {});
 }
 
 // Samples a whole number of times a turn, so that the motion repeats once a turn; rows a whole
@@ -78,10 +52,8 @@ struct Turns {
   double sample() const { return turn() / samples; }
   double row() const { return sample() / kRows; }
   scene::Scene scene() const {
-    std::string text = put(kSampled, "SPEED", speed);
-    text = put(text, "SAMPLE", sample());
-    text = put(text, "END", kOfRun * turn());
-    return scene::parse_scene(put(text, "ROW", row()), "sampled.toml", {});
+    return sampled(speed, line("sample_time", sample()) + line("delay", sample()),
+                   line("end", kOfRun * turn()) + line("output_step", row()));
   }
 };
 
@@ -141,11 +113,8 @@ TEST(SampledUnbalance, HasTheFiguresOfTheLoopAtItsSensors) {
 // no delay in the limit that is not in both.
 TEST(SampledUnbalance, ApproachesTheContinuousLaw) {
   const auto at = [](const std::string& law) {
-    std::string text = put(put(put(kSampled, "SPEED", 600.0), "END", 0.1), "ROW", 1e-4);
-    const std::size_t from = text.find("sample_time"),
-                      to = text.find("[magnetic_bearing.amplifier]");
-    text.replace(from, to - from, law);
-    const auto response = synchronous_response(scene::parse_scene(text, "law.toml", {}), 600.0);
+    const scene::Scene s = sampled(600.0, law, "end = 0.1\noutput_step = 1e-4\n");
+    const auto response = synchronous_response(s, 600.0);
     return response.value().probes.front().deflection.back();
   };
   const Phasor exact = at("");

@@ -10,6 +10,7 @@
 
 #include "native_model/scene/reader.h"
 #include "native_model/system/levitation.h"
+#include "tests/native_model/levitation/two_bearings.h"
 #include "tests/support/jeffcott.h"
 #include "tests/support/native_run.h"
 
@@ -120,51 +121,18 @@ TEST(StepResponse, AnIntegratorLetsNothingStay) {
   }
 }
 
-// Two modes of a turning rotor and two bearings with all that a loop may have; a tenth of a newton
-// at the first of them, which stands at the contact.
-constexpr const char* kTwoBearings = R"(
-[rotor]
-speed = 200.0
-[rotor.modal]
-mass = [2.0, 0.7]
-stiffness = [1e5, 9e5]
-damping = [30.0, 20.0]
-gyroscopic = [0.05, 0.02]
-[contact]
-clearance = 1e-3
-radius = 0.05
-friction = 0.1
-restitution = 0.5
-[[magnetic_bearing]]
-shape = [1.0, 1.0]
-sensor_shape = [0.9, 0.8]
-negative_stiffness = 3e4
-[magnetic_bearing.control]
-force_per_current = 40.0
-proportional = 3000.0
-derivative = 4.0
-LAW
-[magnetic_bearing.amplifier]
-bandwidth = 8000.0
-[[magnetic_bearing]]
-shape = [0.5, -0.6]
-negative_stiffness = 2e4
-[magnetic_bearing.control]
-force_per_current = 60.0
-proportional = 1500.0
-derivative = 1.0
+// Every row of a run at an instant of the curve, and the figures of its rows.
+void expect_the_run(const std::string& law, double every) {
+  // A tenth of a newton at the first bearing, which stands at the contact.
+  constexpr const char* kPush = R"(
 [[force]]
 kind = "constant"
 vector = [0.1, 0.0]
 [run]
 end = 0.06
 )";
-
-// Every row of a run at an instant of the curve, and the figures of its rows.
-void expect_the_run(const std::string& law, double every) {
-  std::string text = kTwoBearings;
-  text.replace(text.find("LAW"), 3, law);
-  scene::Scene s = scene::parse_scene(text, "step.toml", {});
+  scene::Scene s = scene::parse_scene(
+      test::two_bearings("200.0", "damping = [30.0, 20.0]", law, kPush), "step.toml", {});
   const Levitation all = levitation(make_model(s), 200.0);
   ASSERT_TRUE(all.stable());
   const StepResponse& step = all.steps.at(0);
