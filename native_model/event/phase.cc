@@ -219,8 +219,7 @@ void Phase::derivative(double t, const double* y, double* dy) {
   if (closed_.size() == 1) press_one(closed_[0], a);
   if (closed_.size() > 1) press_several(t, q, a);
   for (const ClosedContact& c : closed_) integrate(c, integrals);
-  if ((!in_contact(0) || m.first().gives()) && m.first().contact &&
-      std::isfinite(at_[0].first_touch)) {
+  if ((!in_contact(0) || m.first().gives()) && m.first().contact && touched_) {
     const eq::Pair<double> d = eq::separation(m, q), rate = eq::relative(m, v);
     const double square = d.x * d.x + d.y * d.y, along = d.x * rate.x + d.y * rate.y;
     if (square > kNoNormal * kNoNormal) integrals[kGapRateSquare] = along * along / square;

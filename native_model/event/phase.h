@@ -13,6 +13,7 @@
 
 #include <Eigen/Core>
 #include <algorithm>
+#include <cmath>
 #include <limits>
 #include <optional>
 #include <span>
@@ -104,8 +105,13 @@ class Phase {
   using Outputs = std::array<double, kMostOutputs>;
   void show(std::size_t contact, const Outputs& outputs) { at_[contact].outputs = outputs; }
   const Outputs& outputs(std::size_t contact) const { return at_[contact].outputs; }
-  // The rates of the gap are summed up from here on, s.
-  void first_touch(std::size_t contact, double t) { at_[contact].first_touch = t; }
+  // The rates of the first contact's gap are summed up from the first of all on, s; infinite: not
+  // yet.
+  void first_touch(std::size_t contact, double t) {
+    at_[contact].first_touch = t;
+    touched_ =
+        std::ranges::any_of(at_, [](const auto& at) { return std::isfinite(at.first_touch); });
+  }
   double first_touch(std::size_t contact) const { return at_[contact].first_touch; }
 
   // y' = f(t, y). Multipliers and margins (infinite in free flight) are those of the last call. No
@@ -144,6 +150,7 @@ class Phase {
 
   const Model* model_;
   std::vector<AtContact> at_;  // of each auxiliary bearing
+  bool touched_ = false;       // one of them, so far
   bool is_actuated_ = false;   // a ring at least
   std::vector<Eigen::Vector2d> commands_;
   ContactList<ClosedContact> closed_;  // now
