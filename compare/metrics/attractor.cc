@@ -20,7 +20,7 @@ struct AttractorName {
 constexpr std::array kNames{
     AttractorName{"no contact", "nothing touches at the end of the run"},
     AttractorName{"bouncing", "contact comes and goes in the last fifth of the run"},
-    AttractorName{"resting", "permanent contact at one place of the ring"},
+    AttractorName{"resting", "permanent contact at one place of the ring, or rocking about it"},
     AttractorName{"synchronous rub",
                   "permanent contact that whirls forward with the spin (full annular rub)"},
     AttractorName{"forward rub", "permanent contact that whirls forward, but not with the spin"},
@@ -52,10 +52,11 @@ double relative_slip(const LastPart& part) {
   return *middle;
 }
 
-// span: s, of the rows looked at.
-Attractor permanent(const Settled& s, double slip, double span) {
+// Rows that are looked at go round by `net`, forth and back by `all`, rad.
+Attractor permanent(const Settled& s, double slip, double net, double all) {
   constexpr double kTurn = 2.0 * std::numbers::pi;
-  if (std::abs(s.whirl_frequency) * span < kRestingTurn * kTurn) return Attractor::kResting;
+  if (std::abs(net) < kRestingTurn * kTurn || std::abs(net) < kRockingShare * all)
+    return Attractor::kResting;
   if (slip < kRollingTolerance) return Attractor::kRolling;
   if (s.whirl_frequency * (s.spin_speed < 0.0 ? -1.0 : 1.0) < 0.0) return Attractor::kBackwardWhip;
   const bool synchronous =
@@ -134,7 +135,8 @@ Settled settled(const LastPart& part) {
   } else if (s.contact_share < kPermanentContact) {
     s.attractor = Attractor::kBouncing;
   } else {
-    s.attractor = permanent(s, relative_slip(part), part.points.back().t - part.points.front().t);
+    const Turned turned = turned_by(part.points, {0, rows});
+    s.attractor = permanent(s, relative_slip(part), turned.net, turned.all);
   }
   return s;
 }

@@ -14,7 +14,8 @@ namespace rotorub {
 enum class Attractor {
   kNoContact,       // no row in contact and no counted impact, or none any more (has_ended)
   kBouncing,        // contact in fewer than 99 % of the rows, in whatever order it comes and goes
-  kResting,         // else, less than 1 % of a turn about the ring: rests on it
+  kResting,         // else, about the ring by less than 1 % of a turn, or by less than half of
+                    // its way forth and back: rests or rocks on it
   kSynchronousRub,  // else, whirl with the spin, within 2 % of the mean spin speed: full annular
                     // rub
   kForwardRub,      // else, whirl with the spin at another frequency
@@ -42,6 +43,7 @@ std::string described(const Settled& settled);
 inline constexpr double kSettledShare = 0.2;
 inline constexpr double kPermanentContact = 0.99;
 inline constexpr double kRestingTurn = 0.01;
+inline constexpr double kRockingShare = 0.5;
 inline constexpr double kSynchronousTolerance = 0.02;
 inline constexpr double kRollingTolerance = 0.01;
 

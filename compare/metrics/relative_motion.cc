@@ -47,26 +47,34 @@ std::vector<RelativePoint> relative_motion(const Trajectory& trajectory, std::si
 
 RowRange rows_between(const std::vector<RelativePoint>& points, double from, double to) {
   const auto begin = points.begin();
-  const auto first = std::lower_bound(begin, points.end(), from,
+  // A row at an end counts, whichever way its time was rounded.
+  const double round_off = 1e-12 * std::max(std::abs(from), std::abs(to));
+  const auto first = std::lower_bound(begin, points.end(), from - round_off,
                                       [](const RelativePoint& p, double t) { return p.t < t; });
-  const auto last = std::upper_bound(first, points.end(), to,
+  const auto last = std::upper_bound(first, points.end(), to + round_off,
                                      [](double t, const RelativePoint& p) { return t < p.t; });
   return {static_cast<std::size_t>(first - begin), static_cast<std::size_t>(last - begin)};
 }
 
-double whirl_frequency(const std::vector<RelativePoint>& points, RowRange range) {
-  if (range.size() < 2) return 0.0;
+Turned turned_by(const std::vector<RelativePoint>& points, RowRange range) {
   constexpr double kTurn = 2.0 * std::numbers::pi;
-  double total = 0.0;
+  Turned turned;
   for (std::size_t i = range.first + 1; i < range.last; ++i) {
     const RelativePoint& a = points[i - 1];
     const RelativePoint& b = points[i];
     const double expected = 0.5 * (a.angle_rate + b.angle_rate) * (b.t - a.t);
     const double seen = b.angle - a.angle;
-    total += seen + kTurn * std::round((expected - seen) / kTurn);
+    const double angle = seen + kTurn * std::round((expected - seen) / kTurn);
+    turned.net += angle;
+    turned.all += std::abs(angle);
   }
+  return turned;
+}
+
+double whirl_frequency(const std::vector<RelativePoint>& points, RowRange range) {
+  if (range.size() < 2) return 0.0;
   const double span = points[range.last - 1].t - points[range.first].t;
-  return span > 0.0 ? total / span : 0.0;
+  return span > 0.0 ? turned_by(points, range).net / span : 0.0;
 }
 
 }  // namespace rotorub

@@ -30,10 +30,16 @@ struct RowRange {
 };
 RowRange rows_between(const std::vector<RelativePoint>& points, double from, double to);
 
-// Mean whirl frequency d(angle)/dt over the rows of a range, rad/s, forward (along +z) positive;
-// 0 for fewer than two rows. The angle is unwrapped with the help of its rate, so that rows may be
-// further apart than half a turn: the whole turns between two rows are those that come nearest to
-// the mean of the two rates.
+// How far the rows of a range go round, rad. The angle is unwrapped with the help of its rate, so
+// that rows may be further apart than half a turn: the whole turns between two rows are those that
+// come nearest to the mean of the two rates.
+struct Turned {
+  double net = 0.0;  // forward (along +z) positive
+  double all = 0.0;  // forth and back, >= |net|
+};
+Turned turned_by(const std::vector<RelativePoint>& points, RowRange range);
+
+// Mean whirl frequency d(angle)/dt of these rows, rad/s, forward positive; 0 for fewer than two.
 double whirl_frequency(const std::vector<RelativePoint>& points, RowRange range);
 
 }  // namespace rotorub

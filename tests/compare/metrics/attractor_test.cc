@@ -41,6 +41,28 @@ TEST(Attractor, IsNamedByTheWhirlOfAPermanentContact) {
   }
 }
 
+// Wherever the run is stopped, what rocks about its lowest place rests there: its mean whirl is
+// that of the swing it is in.
+TEST(Attractor, RestsWhereItRocks) {
+  for (const double end : {0.83, 0.91, 1.0, 1.04}) {
+    const Whirl w;
+    const Settled s = settled(hand_made(1000, end / 1000.0, [&](double t) {
+      constexpr double kSwing = 0.4, kRate = 40.0;  // rad, rad/s
+      const double angle = kSwing * std::sin(kRate * t),
+                   rate = kSwing * kRate * std::cos(kRate * t);
+      Row row = sliding(w, 0.0);
+      row.x = w.clearance * std::cos(angle);
+      row.y = w.clearance * std::sin(angle);
+      row.vx = -row.y * rate;
+      row.vy = row.x * rate;
+      row.slip = w.radius * w.spin_speed + w.clearance * rate;
+      return row;
+    }));
+    EXPECT_EQ(s.attractor, Attractor::kResting) << end;
+    EXPECT_NE(s.whirl_frequency, 0.0);
+  }
+}
+
 TEST(Attractor, BouncesWhereContactComesAndGoes) {
   const Whirl w;
   const auto half = hand_made(1000, 1e-3, [&](double t) {

@@ -46,6 +46,17 @@ TEST(RelativeMotion, RowsBetweenTakesBothEnds) {
   EXPECT_EQ(rows_between(points, 7.0, 9.0).size(), 0U);
 }
 
+// A time's last bits depend on how it was counted, and what a run is judged by must not.
+TEST(RelativeMotion, RowsBetweenTakesARowAtItsBeginningHoweverRounded) {
+  auto points = relative_motion(hand_made(11, 0.5, [](double) { return test::Row{}; }));
+  for (const double t : {std::nextafter(1.0, 0.0), 1.0, std::nextafter(1.0, 2.0)}) {
+    points[2].t = t;
+    EXPECT_EQ(rows_between(points, 1.0, 2.0).first, 2U);
+    points[4].t = 1.0 + t;
+    EXPECT_EQ(rows_between(points, 1.0, 2.0).last, 5U);
+  }
+}
+
 TEST(WhirlFrequency, IsSigned) {
   for (const double frequency : {250.0, -250.0}) {
     Whirl w;
