@@ -76,7 +76,8 @@ FigureLimit figure_limit(const Figure& figure, const std::vector<int>& modes,
 
   const double noise = std::max(tolerance, spread);
   const double off = share_of(figure, values[0], values[0] - values[k]);
-  if (std::abs(changes[k - 1]) <= noise && std::abs(changes[k - 2]) <= noise) {
+  const double last_two = std::abs(changes[k - 1] + changes[k - 2]);
+  if (std::max({std::abs(changes[k - 1]), std::abs(changes[k - 2]), last_two}) <= noise) {
     result.convergence = Convergence::kConverged;
     result.left = 0.0;
     result.error = off;
@@ -160,7 +161,7 @@ std::string model_error_table(const ModelError& error, const std::string& lead) 
     text += "\n";
     if (f.convergence == Convergence::kTrend) {
       left += fmt::format("{}{} {}", left.empty() ? "" : ", ", f.figure->label,
-                          deviation_text(*f.figure, -*f.left));
+                          deviation_text(*f.figure, *f.left));
     }
   }
   if (left.empty()) return text;

@@ -22,7 +22,8 @@ namespace rotorub {
 // go as 1/n (the mobility of a beam's station that carries a mass), so that beyond the last rung
 //   left = d_k n_{k-1} / (n_k - n_{k-1})
 // is to be expected. With e the larger of tolerance and spread of twins:
-//   converged       the last two changes are within e: chance and tolerance explain them
+//   converged       the last two changes are within e, each and together: chance and tolerance
+//                   explain them
 //   trend           otherwise, where the changes shrink, and what is left is less than half the
 //                   value
 //   no limit seen   otherwise

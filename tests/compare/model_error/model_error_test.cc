@@ -73,6 +73,22 @@ TEST(FigureLimit, SharesOfTimeGoByPoints) {
   EXPECT_NEAR(of("contact_fraction", value).error.value(), 0.006, 1e-12);
 }
 
+// Less than a point each time, but always that way: no end of it is in sight.
+TEST(FigureLimit, WhatDriftsByLittleAtEachStepIsNotConverged) {
+  const auto value = [](int n) { return 0.5677 - 0.0023 * (n - 12); };
+  EXPECT_EQ(of("contact_fraction", value).convergence, Convergence::kNoLimit);
+}
+
+// A figure that falls falls on beyond the last count, and the line says so.
+TEST(FigureLimit, WhatIsToComeHasTheSignOfTheLimitLessTheLastValue) {
+  ModelError error;
+  error.modes = kModes;
+  error.figures = {of("peak_force", [](int n) { return 1.0 + 3.0 / n; })};
+  EXPECT_NE(model_error_table(error, "").find("to come beyond 24 modes: peak force -10 %"),
+            std::string::npos)
+      << model_error_table(error, "");
+}
+
 TEST(FigureLimit, NothingAtAllIsConverged) {
   EXPECT_EQ(of("hard_impacts", [](int) { return 0.0; }).convergence, Convergence::kConverged);
   const FigureLimit from_nothing = of("hard_impacts", [](int n) { return n - 12.0; });
