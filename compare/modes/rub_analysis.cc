@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <Eigen/LU>
 #include <algorithm>
 #include <cmath>
 #include <nlohmann/json.hpp>
@@ -12,7 +13,9 @@
 #include "compare/base/json.h"
 #include "compare/base/units.h"
 #include "compare/modes/rotor_analysis.h"
+#include "native_model/dynamics/linear_parts.h"
 #include "native_model/rotor/refusal.h"
+#include "native_model/system/free_motion.h"
 
 namespace rotorub {
 namespace {
@@ -140,9 +143,26 @@ std::string driven_text(const RubAnalysis& analysis) {
   return text;
 }
 
-// Takes away what no rub stands under, and says so.
+// m at the contact, by which the weight pulls the rotor out of the middle; not finite where nothing
+// holds it.
+double sag(const Model& m) {
+  const auto n = static_cast<Eigen::Index>(m.layout.modes);
+  const Eigen::VectorXd q =
+      linear_parts(m, m.speed).stiffness.partialPivLu().solve(m.weight.head(2 * n));
+  return std::hypot(m.first().shape.x.dot(q.head(n)), m.first().shape.y.dot(q.tail(n)));
+}
+
+// Takes away what no rub stands under, and says so. About a middle that the weight has left for
+// good there is no rub: a rotor that only rings hold lies in them.
 std::string leave_out(scene::Scene& scene) {
+  constexpr double kHeld = 1e3;  // clearances
   if (!scene.gravity || scene.gravity->acceleration.isZero(0.0)) return "";
+  const Model m = make_model(without_start(scene));
+  if (m.weight.size() > 0 && !(sag(m) < kHeld * m.first().contact->clearance)) {
+    scene::refuse_at(scene, "gravity",
+                     "no lasting rub can be analysed: nothing but rings holds the rotor against "
+                     "its weight; accepted: bearings that do, or no [gravity] (a vertical rotor)");
+  }
   scene.gravity.reset();
   return "the weight, whose direction is fixed: with it a rub oscillates about the values given "
          "here";
@@ -151,8 +171,8 @@ std::string leave_out(scene::Scene& scene) {
 RubAnalyses rubs_of_contact(scene::Scene scene, const std::vector<double>& speeds) {
   RubAnalyses all;
   if (!scene.first().contact) return all;
-  const std::string left_out = leave_out(scene);
   try {
+    const std::string left_out = leave_out(scene);
     with_place(scene, [&] {
       const rub::RubSystem system = rub::rub_system(scene);
       const auto train = train_of(scene);

@@ -29,6 +29,21 @@ TEST(RubsUnderWeight, AreToldWithoutItAndSaySo) {
   EXPECT_TRUE(rub_json(without).at("left_out").is_null());
 }
 
+TEST(RubsUnderWeight, AreNoneWhereNothingButTheRingHoldsTheRotor) {
+  const std::string unheld = "rotor.modal.stiffness=[0.0]",
+                    lies = "gravity={acceleration=[0.0,-9.81]}";
+  const auto of = [](const std::vector<std::string>& changes) {
+    const scene::Scene s = test::shipped("bench_annular_elastic", changes);
+    return analyse_rubs(s, {s.rotor.speed}).front();
+  };
+  const RubAnalyses none = of({unheld, lies});
+  EXPECT_TRUE(none.at.empty());
+  EXPECT_NE(none.refused.find("gravity: no lasting rub can be analysed: nothing but rings"),
+            std::string::npos)
+      << none.refused;
+  EXPECT_EQ(of({unheld}).refused, "") << "upright it whirls in its ring";
+}
+
 // A ring that sags less than the rotor: the force beats, and over whole turns the mean force is
 // that of the analysis.
 TEST(RubsUnderWeight, ARunsMeanForceIsTheAnalyses) {
