@@ -114,11 +114,11 @@ std::filesystem::path laws_folder(const InitArguments& options, const std::files
   return folder;
 }
 
-void write_laws(const std::filesystem::path& folder) {
-  for (const StarterFile& law : starter_laws()) {
+void write_laws(const std::filesystem::path& folder, const std::string& scene) {
+  for (const StarterFile& law : starter_laws(scene)) {
     const auto file = folder / law.name;
     std::filesystem::create_directories(file.parent_path());
-    write_whole(file, std::string(law.text));
+    write_whole(file, law.text);
   }
 }
 
@@ -132,7 +132,7 @@ int write_starter(const InitArguments& options) {
   if (!file.empty()) {
     if (starter.form == StarterForm::kController) laws = laws_folder(options, file);
     write_whole(file, text);
-    if (!laws.empty()) write_laws(laws);
+    if (!laws.empty()) write_laws(laws, starter.file);
   }
   if (options.json) {
     nlohmann::json said{{"form", options.form}};

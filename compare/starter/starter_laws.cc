@@ -5,16 +5,22 @@ namespace rotorub {
 // Embedded (compare/CMakeLists.txt).
 std::string_view follow_c();
 std::string_view follow_cc();
-std::string_view follow_py();
+std::string_view follow_law_py();
 std::string_view python_controller_c();
 std::string_view controller_h();
 
-std::array<StarterFile, 5> starter_laws() {
-  return {{{"follow.c", follow_c()},
-           {"follow.cc", follow_cc()},
-           {"follow.py", follow_py()},
-           {"python_controller.c", python_controller_c()},
-           {"rotorub/controller.h", controller_h()}}};
+std::vector<StarterFile> starter_laws(std::string_view scene) {
+  constexpr std::string_view kScene = "SCENE.toml";
+  std::vector<StarterFile> files{{"follow.c", std::string(follow_c())},
+                                 {"follow.cc", std::string(follow_cc())},
+                                 {"follow_law.py", std::string(follow_law_py())},
+                                 {"python_controller.c", std::string(python_controller_c())},
+                                 {"rotorub/controller.h", std::string(controller_h())}};
+  for (StarterFile& file : files) {
+    const std::size_t at = file.text.find(kScene);
+    if (at != std::string::npos) file.text.replace(at, kScene.size(), scene);
+  }
+  return files;
 }
 
 }  // namespace rotorub

@@ -130,17 +130,18 @@ class Starter(InAFolder):
         said = self.rotorub("init", "laws", "--form", "controller")
         folder = self.folder / "laws_controller"
         built = {}
-        for source in ("follow.c", "follow.cc", "python_controller.c"):
-            text = (folder / ("follow.py" if source.startswith("python") else source)).read_text()
-            command = re.search(r"^\W*(c(?:c|\+\+) (?:.*\\\n)*.*)$", text, re.MULTILINE)[1].replace("\\\n", " ")
-            command = re.sub(r"-o \S+", f"-o ../{source}.so", command)
-            subprocess.run(["bash", "-euc", command], cwd=folder, check=True)
-            own = ["--set", "controller.config.module=follow", "--set", f"controller.config.path={folder}"]
-            self.rotorub("run", "laws.toml", "--controller", f"{source}.so", "--set", "controller.sample_time=50us",
-                         "--end", "0.15", "-q", "-o", source, *(own if source.startswith("python") else []))
-            built[source] = (self.folder / source / "series.csv").read_text()
+        # As a reader of their heads does: in this folder, one after the other, and nothing tidied up between.
+        for source in ("follow.c", "follow.cc", "follow_law.py"):
+            text = (folder / source).read_text()
+            commands = [re.sub(r"\\\n[\s*/]*", " ", line) for line in
+                        re.findall(r"^\W*((?:c(?:c|\+\+)|rotorub) (?:.*\\\n)*.*?)(?: \*/)?$", text, re.MULTILINE)]
+            self.assertEqual([command.split()[0] for command in commands][1:], ["rotorub"], commands)
+            run = re.sub("^rotorub ", f"{BINARY} ", commands[1]) + f" --end 0.15 -q -o ../{source}_run"
+            for command in (commands[0], run):
+                subprocess.run(["bash", "-euc", command], cwd=folder, check=True)
+            built[source] = (self.folder / f"{source}_run" / "series.csv").read_text()
         self.assertEqual(len(set(built.values())), 1)
-        summary = json.loads((self.folder / "follow.c" / "summary.json").read_text())
+        summary = json.loads((self.folder / "follow.c_run" / "summary.json").read_text())
         self.assertGreater(summary["control_force"], 1.0)
         # What is printed works; what is there is not written over.
         for command in (line.removeprefix("try:").strip() for line in said.splitlines()[-2:]):

@@ -3,9 +3,9 @@
  *
  *   cc -shared -fPIC -Wall -I . follow.c -o follow.so
  *
- * and beside the scene, whose path stands for SCENE:
+ * and then
  *
- *   rotorub run SCENE.toml --controller follow.so --set controller.sample_time=50us */
+ *   rotorub run ../SCENE.toml --controller ./follow.so --set controller.sample_time=50us */
 #include <rotorub/controller.h>
 
 static int create(const rotorub_setup* setup, void** self, char* reason, size_t room) {

@@ -3,9 +3,9 @@
 //
 //   c++ -std=c++20 -shared -fPIC -Wall -I . follow.cc -o follow.so
 //
-// and beside the scene, whose path stands for SCENE:
+// and then
 //
-//   rotorub run SCENE.toml --controller follow.so --set controller.sample_time=50us
+//   rotorub run ../SCENE.toml --controller ./follow.so --set controller.sample_time=50us
 #include <rotorub/controller.h>
 
 namespace {

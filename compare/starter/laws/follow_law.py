@@ -5,10 +5,12 @@ Its shim is compiled once, in this folder (Debian: python3-dev, pkg-config):
   cc -shared -fPIC -I . $(pkg-config --cflags python3-embed) python_controller.c -o python_controller.so \
     $(pkg-config --libs python3-embed)
 
-and beside the scene, SCENE its path and FOLDER this one's:
+and then
 
-  rotorub run SCENE.toml --controller python_controller.so --set controller.sample_time=50us \
-    --set controller.config.module=follow --set controller.config.path=FOLDER
+  rotorub run ../SCENE.toml --controller ./python_controller.so --set controller.sample_time=50us \
+    --set controller.config.module=follow_law --set controller.config.path=.
+
+The module has another name than follow.c, since Python would take follow.so for it.
 """
 
 STIFFNESS = 4e5  # N/m
