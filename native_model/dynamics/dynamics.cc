@@ -47,7 +47,9 @@ double motor_torque(const Model& m, double t, const double* q, const double* v) 
 
 Eigen::Vector2d bearing_current(const Model& m, const StationFeedback& bearing, double t,
                                 const double* q, const double* v) {
-  if (!bearing.works.at(t)) return {0.0, 0.0};
+  // Out of work only an amplifier's coil still has a current, which decays.
+  if (!bearing.works.at(t))
+    return vector(eq::feedback_state(m, bearing.states.current, v, eq::Pair<double>{0.0, 0.0}));
   const int n = m.layout.modes;
   const eq::Pair<double> seen = eq::at_station(n, bearing.seen(), q);
   const eq::Pair<double> rate = eq::at_station(n, bearing.seen(), v);

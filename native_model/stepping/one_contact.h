@@ -176,7 +176,9 @@ class OneContact {
     if (!impacted) with_impacts_ = now;
     add_to_lane(with_impacts_.normal, lane, impact.normal_impulse);
     add_to_lane(with_impacts_.friction, lane, impact.friction_impulse);
-    impacts[static_cast<std::size_t>(lane)].add(impact);
+    // After an impact without restitution the gap closes by round-off, which is no second one.
+    constexpr double kLeastRate = 1e-9;  // m/s
+    if (impact.gap_rate_before < -kLeastRate) impacts[static_cast<std::size_t>(lane)].add(impact);
     impacted = true;
   }
   void set_lasting(int lane, bool lasts) {

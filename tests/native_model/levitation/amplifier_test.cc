@@ -209,7 +209,13 @@ TEST(MagneticAmplifier, WorksFromOnToFailureAndFromItsReturn) {
                                              : moved(true, t - kReturns, returns);
     return {0.0, y[0]};
   };
-  EXPECT_LT(test::orbit_error(run_event(s), exact), 1e-13);
+  const Trajectory run = run_event(s);
+  EXPECT_LT(test::orbit_error(run, exact), 1e-13);
+  // The coil's current, at work and as it decays.
+  const std::vector<double>& current = run.column("bearing_current_y");
+  EXPECT_NEAR(current[20], moved(true, 0.02 - kOn, on)[4], 1e-9);
+  EXPECT_NEAR(current[22], moved(false, 0.022 - kFails, fails)[4], 1e-9);
+  EXPECT_GT(std::abs(current[22]), 1e-3);
   for (const auto integrator : {scene::Integrator::kMidpoint, scene::Integrator::kVerlet}) {
     test::Convergence c;
     for (const double step : {1e-4, 5e-5, 2.5e-5, 1e-5, 5e-6}) {

@@ -183,6 +183,59 @@ TEST(Verlet, FollowsImpactsThatTakeTime) {
   EXPECT_TRUE(within);
 }
 
+// Without restitution what closes after an impact closes by round-off, and is no second one.
+TEST(Verlet, AnImpactWithoutRestitutionIsOne) {
+  const scene::Scene s = scene::parse_scene(R"(
+[run]
+end = 0.0035
+[rotor]
+speed = 135.9243135162401
+[rotor.modal]
+mass = [2.4330058397627643]
+stiffness = [3244762.5815690733]
+stiffness_y = [3123111.251252408]
+damping = [112.38879879846574]
+damping_y = [317.95159890414146]
+inertia = 0.0022061069834187633
+[drive]
+kind = "linear"
+gain = 0.6639817011246621
+speed = 257.8798404972367
+[contact]
+radius = 0.05569039072105968
+clearance = 0.00020753171530015478
+friction = 1.2904713403250547
+restitution = 0.0
+offset = [-2.0086521895142388e-05, 4.320342088882578e-05]
+[[force]]
+kind = "rotating"
+amplitude = 205.16844816551227
+phase = -2.5108107689208694
+frequency = -24.16170443220176
+[[force]]
+kind = "chirp"
+amplitude = 205.16844816551227
+phase = 2.884959769521245
+frequency = 406.7459228909388
+frequency_end = -921.9933401421716
+on = 0.002141703404162607
+off = 0.029145276681986975
+[initial]
+x = [3.61474832090198e-05]
+y = [4.006187084584459e-05]
+vx = [0.026385343035084385]
+vy = [0.06152817293590768]
+)",
+                                            "slack");
+  const std::size_t exact = test::run_event(s).impacts.size();
+  ASSERT_GE(exact, 1u);
+  for (const double step : {8e-6, 4e-6, 2e-6, 1e-6, 5e-7}) {
+    const Trajectory t = run_with(s, scene::Integrator::kVerlet, step);
+    ASSERT_EQ(t.status, Status::kOk) << t.message;
+    EXPECT_EQ(t.impacts.size(), exact) << step;
+  }
+}
+
 // ---------------------------------------------------------------- at rest
 // A rotor that rests under its weight: its loads are in balance, and what round-off leaves of them
 // is no motion. Perfectly balanced, held by a magnetic bearing: every step is iterated.
