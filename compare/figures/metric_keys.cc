@@ -112,7 +112,8 @@ bool is_timing(std::string_view key) {
 json metric_value(const Metrics& m, std::string_view key) {
   for (const MetricKey& k : kMetricKeys)
     if (k.key == key) return k.value(m);
-  return figure_json(figure(std::string(key)), m);
+  const Figure& f = figure(std::string(key));
+  return has_figure(m, f) ? figure_json(f, m) : json(nullptr);
 }
 
 json metrics_json(const Metrics& m) {

@@ -6,6 +6,7 @@
 #include <array>
 #include <stdexcept>
 
+#include "compare/run_files/summary.h"
 #include "compare/sweep/study_reader.h"
 #include "native_model/scene/diagnostic.h"
 
@@ -16,11 +17,29 @@ using scene::TomlNode;
 using sweep::StudyTable;
 using Diagnostics = std::vector<scene::Diagnostic>;
 
+// Of a run's figures the first part is known before any run; a mistyped one would cost them all.
+void check_name(const FigurePath& path) {
+  if (path.source != Source::kRun) return;
+  std::vector<std::string_view> known{"contacts", "residuals"};  // and what is in them
+  for (const ColumnMeaning& key : summary_keys())
+    known.push_back(key.name.substr(0, key.name.find('.')));
+  if (std::ranges::find(known, path.parts.front()) != known.end()) return;
+  const std::string_view meant = scene::nearest(path.parts.front(), known);
+  throw std::invalid_argument(
+      fmt::format("a run has no figure `{}`{}; accepted: the keys of its summary.json, or `modes.` "
+                  "and a number "
+                  "of `rotorub modes --json`",
+                  scene::printable(path.text),
+                  meant.empty() ? "" : fmt::format(", did you mean `{}`?", meant)));
+}
+
 std::optional<FigurePath> figure_of(const StudyTable& table, const char* key) {
   const auto text = table.text(key);
   if (!text) return std::nullopt;
   try {
-    return parse_figure(*text);
+    const FigurePath path = parse_figure(*text);
+    check_name(path);
+    return path;
   } catch (const std::invalid_argument& error) {
     table.fail(key, error.what());
     return std::nullopt;

@@ -169,9 +169,7 @@ class Search {
       out.reason = run.message;
       return nullptr;
     }
-    json all = summary_json(scene, run);
-    all.update(metrics_json(metrics(run, contact_facts(scene))));
-    return all;
+    return summary_json(scene, run);
   }
 
   Evaluation evaluate(const std::vector<double>& values) const {

@@ -108,11 +108,11 @@ json cards_of(sweep::Store& store) {
   const auto at = [&](const char* name) {
     return static_cast<int>(std::find(names.begin(), names.end(), name) - names.begin());
   };
-  const int force = at("peak_force"), attractor = at("attractor");
+  const int impulse = at("peak_impulse"), attractor = at("attractor");
   store.each([&](const Statement& row) {
     if (!row.is_nothing(attractor)) ++attractors[row.text(attractor)];
-    if (row.is_nothing(force) || (peak && *peak >= row.number(force))) return;
-    peak = row.number(force);
+    if (row.is_nothing(impulse) || (peak && *peak >= row.number(impulse))) return;
+    peak = row.number(impulse);
     peak_point = row.whole(0);
   });
   for (const auto& [name, count] : attractors) kinds.push_back(fmt::format("{} {}", count, name));
@@ -124,7 +124,7 @@ json cards_of(sweep::Store& store) {
            attractors.size() == 1 ? "the same everywhere"
                                   : fmt::format("{} kinds", attractors.size()),
            joined(kinds)),
-      card("Largest peak force", "", peak ? fmt::format("{:.4g} N", *peak) : "none",
+      card("Largest impact", "", peak ? fmt::format("{:.4g} N s", *peak) : "none",
            peak ? fmt::format("point {}", peak_point) : "")};
 }
 
@@ -232,8 +232,8 @@ json sweep_json(const sweep::PointScenes& scenes, sweep::Store& store, const swe
   return {{"name", study.scene.stem().string()},
           {"cards", cards_of(store)},
           {"maps", has_linear ? figure_choices(
-                                    {"attractor", "peak_force", kLinearAttractors, kLinearGrowth})
-                              : figure_choices({"attractor", "peak_force"})},
+                                    {"attractor", "peak_impulse", kLinearAttractors, kLinearGrowth})
+                              : figure_choices({"attractor", "peak_impulse"})},
           {"linear", has_linear},
           {"linear_refused", linear.refused},
           {"plots", std::move(plots)}};

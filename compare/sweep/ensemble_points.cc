@@ -75,6 +75,7 @@ struct Seen {
 Metrics figures_of(const EnsembleRun& run, const Group& group, Seen& seen) {
   Metrics f;
   f.end = group.end;
+  f.step = group.step;
   f.steps = steps_of(group);
   if (run.first_touch >= 0.0) f.first_touch = run.first_touch;
   f.impacts = static_cast<std::size_t>(run.impacts);

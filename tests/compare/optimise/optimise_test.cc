@@ -189,6 +189,9 @@ TEST_F(Optimise, SaysWhatIsWrong) {
       {"[[vary]]\nkey = \"contact.friction\"\nvalues = [1, 2]\n" + goal, "takes a range"},
       {"[[vary]]\nkey = \"contact.friction\"\nfrom = 0.1\nto = 0.2\nstart = 0.3\n" + goal,
        "between `from` and `to`"},
+      {"[[vary]]\nkey = \"contact.friction\"\nfrom = 0.1\nto = 0.2\n[optimise]\nminimise = "
+       "\"mean_farce\"\n",
+       "a run has no figure `mean_farce`, did you mean `mean_force`?"},
   };
   for (const auto& c : cases) {
     const std::string said = refusal(c.text);

@@ -311,6 +311,22 @@ TEST(PointScenes, OfHighFriction) {
   EXPECT_EQ(point.rotor.torsion->modes, 4);
 }
 
+// As in the summary of a run: `event` has no step whose impulse a force could be of.
+TEST(ResultColumns, HaveAPeakForceOfAFixedStepAlone) {
+  const Made made(frictions("[0.1]"));
+  const auto column = std::ranges::find_if(
+      result_columns(), [](const ResultColumn& c) { return c.name == "peak_force"; });
+  ASSERT_NE(column, result_columns().end());
+  for (const auto& [integrator, has] :
+       {std::pair{scene::Integrator::kEvent, false}, std::pair{scene::Integrator::kVerlet, true}}) {
+    const auto one = run_single(0, made.scenes.at(0), *native_engine(integrator), kGoOn);
+    ASSERT_TRUE(one && one->ok());
+    EXPECT_EQ(column->value(*one->figures).is_number(), has);
+  }
+  const auto many = run_ensembles(all_points(made.scenes), scene::Integrator::kVerlet, kGoOn);
+  EXPECT_TRUE(column->value(*many.at(0).figures).is_number());
+}
+
 TEST(ResultColumns, AreInTheReadme) {
   const std::string readme =
       scene::file_text(std::string(ROTORUB_SOURCE_DIR) + "/compare/sweep/README.md");
