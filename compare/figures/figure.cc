@@ -70,7 +70,7 @@ const Figure kFigures[] = {
      {kRel, kAverage, 1.0},
      of<&Metrics::ring_speed>},
     {{"control_force", "control force, rms", "N", 1.0,
-      "What the controller asks of the actuator, over the whole run."},
+      "Of the actuator's force on the ring, within its limits, over the whole run."},
      {kRel, kAverage, 0.1},
      of<&Metrics::control_force>},
     {{"near_miss", "least gap", "µm", 1e6,

@@ -52,7 +52,7 @@ std::optional<double> mean_of_free(const Trajectory& trajectory, const char* nam
   return count > 0 ? std::optional(sum / static_cast<double>(count)) : std::nullopt;
 }
 
-std::optional<double> rms_command(const Trajectory& trajectory) {
+std::optional<double> rms_control(const Trajectory& trajectory) {
   if (!trajectory.has("control_x") || trajectory.rows() == 0) return std::nullopt;
   const auto &x = trajectory.column("control_x"), &y = trajectory.column("control_y");
   double square = 0.0;
@@ -133,7 +133,7 @@ Metrics metrics(const Trajectory& trajectory, const std::vector<ContactFacts>& c
   m.settled = settled(trajectory);
   m.spin_speed = mean_of_free(trajectory, "spin_speed", m.settled.from);
   m.ring_speed = mean_of_free(trajectory, "ring_speed", m.settled.from);
-  m.control_force = rms_command(trajectory);
+  m.control_force = rms_control(trajectory);
   if (!contacts.empty()) {
     m.whirl_penetration = whirl_penetration(trajectory, contacts.front().clearance);
     m.residuals = largest_residuals(trajectory, contacts);

@@ -66,8 +66,7 @@ json resync_rows(const SceneComparison& c) {
   return rows;
 }
 
-const char* tone(Trust trust) {
-  const Tone tone = tone_of(trust);
+const char* name_of(Tone tone) {
   return tone == Tone::kGood ? "good" : tone == Tone::kBad ? "bad" : "part";
 }
 const char* mark(Trust trust) {
@@ -88,8 +87,9 @@ json verdict_values(const SceneComparison& c) {
   json all = json::array();
   for (const std::size_t k : reading_order(c)) {
     const SideDifference& d = c.differences[k];
-    all.push_back({{"tone", tone(d.trust)},
-                   {"mark", mark(d.trust)},
+    const bool told = showing(c, k + 1) == Showing::kForces;
+    all.push_back({{"tone", name_of(told ? tone_of(d.trust) : Tone::kPart)},
+                   {"mark", told ? mark(d.trust) : "–"},
                    {"headline", headline(c, c.sides[k + 1], d)},
                    {"has_reasons", !d.reasons.empty()},
                    {"reasons", d.reasons}});
@@ -102,12 +102,12 @@ bool knows_modes(const SceneComparison& c) {
 }
 
 json error_values(const char* of, const LargestError& error) {
-  if (!error.figure) return {{"of", of}, {"value", "–"}, {"label", ""}, {"note", "cannot be told"}};
+  if (!error.figure) return {{"of", of}, {"value", "–"}, {"label", ""}, {"note", "not known"}};
   return {{"of", of},
           {"value", deviation_text(*error.figure, error.share)},
           {"label", error.figure->label},
-          {"note", error.untold > 0 ? fmt::format("of {} more it cannot be told", error.untold)
-                                    : std::string()}};
+          {"note",
+           error.untold > 0 ? fmt::format("({} more not known)", error.untold) : std::string()}};
 }
 
 // One row a contact model, none smaller than another. A column of errors of which nothing is known
@@ -124,9 +124,9 @@ json answer_values(const SceneComparison& c) {
             {"plain", row.plain},
             {"contact", row.contact},
             {"question", row.question},
-            {"tone", tone(row.trust)},
-            {"mark", mark(row.trust)},
-            {"trusted", to_string(row.trust)},
+            {"tone", name_of(row.tone)},
+            {"mark", row.trusted == to_string(row.trust) ? mark(row.trust) : "–"},
+            {"trusted", row.trusted},
             {"why", row.why},
             {"cost", row.us_per_step > 0.0 ? fmt::format("{:.3g} µs", row.us_per_step) : "–"},
             {"decides", row.decides},
@@ -141,8 +141,8 @@ json clause_values(const SceneComparison& c) {
   for (const std::size_t k : sentence_rows(c)) {
     const AnswerRow& row = rows[k];
     clauses.push_back({{"question", row.question},
-                       {"tone", tone(row.trust)},
-                       {"trusted", to_string(row.trust)},
+                       {"tone", name_of(row.tone)},
+                       {"trusted", row.trusted},
                        {"plain", row.plain},
                        {"more", true}});
   }
@@ -223,6 +223,7 @@ json scene_values(const SceneComparison& c) {
   return {{"name", c.scene.name},
           {"has_measured", !measured.is_null()},
           {"measured", measured.is_null() ? json::array() : json::array({measured})},
+          {"cone_note", cone_note(c)},
           {"mode_note", mode_note(c)},
           {"own_notes", own_notes(c)},
           {"by_figures", c.mode != CompareMode::kResync},

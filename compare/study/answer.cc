@@ -21,7 +21,8 @@ std::string reason(const SceneComparison& c, const Side& other, const SideDiffer
   }
   if (d.resync) return why(*d.resync, c.tolerance);
   const bool untouched = !native.metrics.first_touch && !other.metrics.first_touch;
-  return (untouched ? "nothing touches; " : "") + why(d.judged(), c.tolerance);
+  return (untouched ? "nothing touches, so there is no contact force to judge; " : "") +
+         why(d.judged(), c.tolerance);
 }
 
 // What is off most: where averages are not to be trusted, one of these first.
@@ -62,6 +63,12 @@ std::string evidence_of(const SceneComparison& c, const Side& side) {
          "are right (compare/docs/findings.md, Evidence).";
 }
 
+std::string word_of(Showing showing, Trust trust) {
+  return showing == Showing::kForces    ? to_string(trust)
+         : showing == Showing::kNothing ? "no contact"
+                                        : "not known";
+}
+
 std::string what_it_did(const SceneComparison& c, const SideDifference& d) {
   const std::string tolerance = percent_text(c.tolerance);
   if (d.trust == Trust::kYes) return "which agrees within " + tolerance;
@@ -80,12 +87,24 @@ void take(LargestError& largest, const Figure& figure, std::optional<double> sha
 
 }  // namespace
 
+Showing showing(const SceneComparison& c, std::size_t side) {
+  const Side &native = c.reference(side), &other = c.sides[side];
+  if (native.trajectory.status != Status::kOk ||
+      other.trajectory.status == Status::kControllerFailed) {
+    return Showing::kFailed;
+  }
+  const bool touches = native.metrics.first_touch || other.metrics.first_touch;
+  return touches || other.trajectory.status != Status::kOk ? Showing::kForces : Showing::kNothing;
+}
+
 std::vector<AnswerRow> answer(const SceneComparison& c) {
   std::vector<AnswerRow> rows;
   for (std::size_t k = 0; k < c.differences.size(); ++k) {
     const Side& side = c.sides[k + 1];
     const SideDifference& d = c.differences[k];
-    rows.push_back({side.label, question_of(side.label), d.trust, reason(c, side, d),
+    const Showing shows = showing(c, k + 1);
+    rows.push_back({side.label, question_of(side.label), d.trust, word_of(shows, d.trust),
+                    shows == Showing::kForces ? tone_of(d.trust) : Tone::kPart, reason(c, side, d),
                     plain_reason(c, side, d), side.timing.median, d.decides, evidence_of(c, side)});
   }
   return rows;
@@ -115,13 +134,14 @@ std::string answer_sentence(const SceneComparison& c) {
   std::string text;
   for (const std::size_t k : sentence_rows(c)) {
     const AnswerRow& row = rows[k];
-    text += fmt::format("{}{}: {}{}", text.empty() ? "" : "; ", row.question, to_string(row.trust),
+    text += fmt::format("{}{}: {}{}", text.empty() ? "" : "; ", row.question, row.trusted,
                         row.plain.empty() ? "" : " (" + row.plain + ")");
   }
   return text + ".";
 }
 
 std::string whose_verdict(const SceneComparison& c) {
+  if (c.status() != Status::kOk) return "The exit code is 3: a run did not come to its end.";
   for (std::size_t k = 0; k < c.differences.size(); ++k) {
     if (!c.differences[k].decides) continue;
     return fmt::format("The exit code is that of {} (--contact), {}.", c.sides[k + 1].label,
@@ -139,6 +159,19 @@ std::vector<std::string> own_notes(const SceneComparison& c) {
                                         : "It leaves out:")};
   for (const std::string& limit : c.twin_limits) notes.push_back(limit + ".");
   return notes;
+}
+
+std::string cone_note(const SceneComparison& c) {
+  const bool shown =
+      std::ranges::any_of(c.sides, [](const Side& side) { return side.label.starts_with("cone"); });
+  if (shown || c.scene.gives()) return "";
+  const bool falls = std::ranges::any_of(c.scene.auxiliary, [](const auto& bearing) {
+    return bearing.contact && !bearing.contact->friction.is_constant();
+  });
+  return std::string("MuJoCo alone is not shown: its cone ") +
+         (falls ? "has one coefficient for all slips, and here friction depends on the slip."
+                : "knows one contact of the modal chain; with mujoco.rotor = \"segments\" it has "
+                  "all of them.");
 }
 
 std::string mode_note(const SceneComparison& c) {

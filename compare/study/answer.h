@@ -10,10 +10,21 @@
 
 namespace rotorub {
 
+// Whether a contact model has shown forces that can be judged. The exit code and `Trust` do not
+// ask.
+enum class Showing {
+  kForces,
+  kNothing,  // nothing touches: there is no contact force
+  kFailed    // the native run or the controller failed, which is no fault of the contact model
+};
+Showing showing(const SceneComparison& comparison, std::size_t side);
+
 struct AnswerRow {
   std::string contact;   // "rigid"
   std::string question;  // what that is, to somebody new: "with the rigid law"
   Trust trust = Trust::kNo;
+  std::string trusted;       // the verdict in a word or two, or that there is none
+  Tone tone = Tone::kBad;    // of it
   std::string why;           // half a sentence
   std::string plain;         // the same to somebody new, two figures at most; empty: none is off
   double us_per_step = 0.0;  // median; 0: not timed
@@ -43,6 +54,10 @@ std::string whose_verdict(const SceneComparison& comparison);
 // Of a machine of the user's own: what the native side is, and what it leaves out of the machine,
 // sentences; else none.
 std::vector<std::string> own_notes(const SceneComparison& comparison);
+
+// Why MuJoCo's own cone is not among the contact models, a sentence; empty: it is, or has no part
+// in a contact that gives.
+std::string cone_note(const SceneComparison& comparison);
 
 // How the two sides are coupled, a sentence; empty in lockstep.
 std::string mode_note(const SceneComparison& comparison);

@@ -177,17 +177,17 @@ std::string answer_lines(const SceneComparison& c, const Palette& palette) {
   for (const std::size_t k : order) {
     const AnswerRow& row = rows[k];
     const std::string cost = row.us_per_step > 0.0 ? short_number(row.us_per_step) : "-";
-    const std::string line = fmt::format("{} {:<{}}{:<{}}{}\n", row.decides ? ">" : " ",
-                                         row.question + "? (" + row.contact + ")", kQuestion,
-                                         to_string(row.trust), kTrust, cost);
-    text += palette.paint_first(tone_of(row.trust), line, to_string(row.trust)) +
-            wrapped("      ", row.why);
+    const std::string line =
+        fmt::format("{} {:<{}}{:<{}}{}\n", row.decides ? ">" : " ",
+                    row.question + "? (" + row.contact + ")", kQuestion, row.trusted, kTrust, cost);
+    text += palette.paint_first(row.tone, line, row.trusted) + wrapped("      ", row.why);
   }
   text += wrapped("  > ", whose_verdict(c));
   for (const AnswerRow& row : rows) {
     if (!row.evidence.empty()) text += wrapped("    ", row.evidence);
   }
-  if (const std::string note = mode_note(c); !note.empty()) text += wrapped("    ", note);
+  for (const std::string& note : {cone_note(c), mode_note(c)})
+    if (!note.empty()) text += wrapped("    ", note);
   const std::vector<std::string> notes = own_notes(c);
   for (std::size_t k = 0; k < notes.size(); ++k)
     text += wrapped(k == 0 ? "    " : "    - ", notes[k]);
@@ -197,6 +197,7 @@ std::string answer_lines(const SceneComparison& c, const Palette& palette) {
 // Before the headline of a contact model, as Trust; all of one width.
 constexpr const char* kLeads[] = {"  within       ", "  AVERAGES     ", "  OUTSIDE      ",
                                   "  undecidable  "};
+constexpr const char* kNoLead = "  not judged   ";
 
 }  // namespace
 
@@ -224,15 +225,18 @@ std::string comparison_table(const SceneComparison& c, const Palette& palette) {
   if (c.measured) text += "\n" + measured_table(*c.measured);
   for (const std::size_t k : reading_order(c)) {
     const SideDifference& d = c.differences[k];
-    const char* lead = kLeads[static_cast<int>(d.trust)];
-    text += "\n" + palette.paint_first(tone_of(d.trust),
+    const bool told = showing(c, k + 1) == Showing::kForces;
+    const char* lead = told ? kLeads[static_cast<int>(d.trust)] : kNoLead;
+    text += "\n" + palette.paint_first(told ? tone_of(d.trust) : Tone::kPart,
                                        wrapped(lead, headline(c, c.sides[k + 1], d)), lead);
     for (const std::string& reason : d.reasons) text += wrapped("               - ", reason);
   }
   return text;
 }
 
-std::string rub_answer(const Metrics& m) {
+std::string rub_answer(const Metrics& m, std::optional<double> cut) {
+  if (!m.first_touch && cut)
+    return fmt::format("not until {} ms, where the run was cut short", short_number(1e3 * *cut));
   if (!m.first_touch) {
     if (!m.least_gap) return "no, rotor and ring do not touch";
     return fmt::format("no, the rotor stays {} µm clear of the ring",
@@ -264,7 +268,9 @@ std::string run_table(const scene::Scene& scene, const Trajectory& t, const Pale
                       scene.drive ? " at its start" : "");
   if (!t.message.empty()) text += wrapped("  ", t.message);
   for (const std::string& doubt : doubts(scene)) text += wrapped("  warning: ", doubt);
-  if (!contact_facts(scene).empty()) text += wrapped("  rubs: ", rub_answer(m));
+  if (!contact_facts(scene).empty())
+    text += wrapped("  rubs: ",
+                    rub_answer(m, t.status == Status::kOk ? std::optional<double>() : t.end));
   const auto add = [&](const std::string& label, const std::string& value) {
     text += fmt::format("  {:<{}}{:>{}}\n", label, kLabel, value, kValue);
   };

@@ -1,6 +1,7 @@
 // A comparison as text for the terminal.
 #pragma once
 
+#include <optional>
 #include <string>
 
 #include "compare/base/palette.h"
@@ -14,8 +15,8 @@ namespace rotorub {
 std::string comparison_table(const SceneComparison& comparison, const Palette& palette = Palette());
 
 // Whether rotor and ring touch in a run, from when on, how hard, and what becomes of it: the rest
-// of a sentence that begins with "rubs: ".
-std::string rub_answer(const Metrics& metrics);
+// of a sentence that begins with "rubs: ". cut: s, where a run ended that was to go on.
+std::string rub_answer(const Metrics& metrics, std::optional<double> cut = {});
 
 // What `run` says of one run: that answer, then its figures.
 std::string run_table(const scene::Scene& scene, const Trajectory& trajectory,

@@ -187,6 +187,16 @@ std::string headline(const SceneComparison& comparison, const Side& other,
                      const SideDifference& difference) {
   const double tolerance = percent(comparison.tolerance);
   const Side& native = comparison.sides.front();
+  if (native.trajectory.status != Status::kOk) {
+    return fmt::format(
+        "The native run did not reach the end of the run: there is nothing to "
+        "compare MuJoCo's {} contact with.",
+        other.label);
+  }
+  if (other.trajectory.status == Status::kControllerFailed) {
+    return fmt::format("The controller failed beside MuJoCo's {} contact: nothing is judged.",
+                       other.label);
+  }
   if (other.trajectory.status != Status::kOk) {
     return fmt::format("MuJoCo's {} contact did not reach the end of the run.", other.label);
   }

@@ -301,6 +301,8 @@ TEST(SceneComparison, NoContactIsNoPraise) {
   const std::string said = headline(c, c.sides[1], c.differences[0]);
   EXPECT_EQ(said.find("trusted"), std::string::npos) << said;
   EXPECT_NE(said.find("Nothing touches"), std::string::npos) << said;
+  for (const AnswerRow& row : answer(c)) EXPECT_EQ(row.trusted, "no contact") << row.why;
+  EXPECT_EQ(answer_sentence(c).find("yes"), std::string::npos) << answer_sentence(c);
 }
 
 // One unit in the last place of the clearance survives the first sums, whatever the start.

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "compare/study/answer.h"
+#include "compare/study/verdict.h"
 
 namespace rotorub {
 namespace {
@@ -165,6 +166,38 @@ SceneComparison made_by_hand() {
   }
   c.differences.push_back(d);
   return c;
+}
+
+// A controller that fails, or a native run that does, says nothing of a contact model.
+TEST(AnswerRow, BlamesNoContactModelForAnotherPartsFailure) {
+  for (const std::size_t failed : {0u, 1u}) {
+    SceneComparison c = made_by_hand();
+    for (Side& side : c.sides) side.metrics.first_touch = 0.1;
+    EXPECT_EQ(answer(c)[0].trusted, to_string(c.differences[0].trust));
+    c.sides[failed].trajectory.status = Status::kControllerFailed;
+    c.sides[failed].trajectory.message = "no law";
+    c.differences[0].trust = Trust::kNo;
+    EXPECT_EQ(answer(c)[0].trusted, "not known");
+    EXPECT_NE(answer(c)[0].why.find("no law"), std::string::npos);
+    EXPECT_EQ(whose_verdict(c), "The exit code is 3: a run did not come to its end.");
+    EXPECT_EQ(headline(c, c.sides[1], c.differences[0]).find("outside"), std::string::npos);
+  }
+  // A contact that fails by itself is its own fault.
+  SceneComparison c = made_by_hand();
+  c.sides[1].trajectory.status = Status::kOutOfRange;
+  c.differences[0].trust = Trust::kNo;
+  EXPECT_EQ(answer(c)[0].trusted, "no");
+}
+
+// Of several contacts the modal chain has no cone, which a reader looks for first.
+TEST(AnswerRow, SaysWhyMujocoAloneIsNotAmongThem) {
+  SceneComparison c = made_by_hand();
+  c.scene.auxiliary.resize(2);
+  for (scene::AuxiliaryBearing& at : c.scene.auxiliary) at.contact.emplace();
+  EXPECT_NE(cone_note(c).find("MuJoCo alone is not shown: its cone knows one contact"),
+            std::string::npos);
+  c.sides[1].label = "cone";
+  EXPECT_EQ(cone_note(c), "");
 }
 
 TEST(ThreeErrors, AreThoseOfTheFigureThatIsFurthestOff) {
