@@ -62,15 +62,15 @@ MujocoModel load_mjcf(const std::string& document) {
   return loaded([&](char* error, int size) { return plugin::load_text(document, error, size); });
 }
 
+int start_keyframe(const mjModel* m) {
+  const int key = mj_name2id(m, mjOBJ_KEY, mjcf_names::kStartKey);
+  return key >= 0 ? key : mj_name2id(m, mjOBJ_KEY, mjcf_names::kTestKey);
+}
+
 MujocoData make_start(const mjModel* m) {
   MujocoData data(mj_makeData(m));
   if (!data) throw std::runtime_error("MuJoCo: no memory for mjData");
-  for (const char* name : {mjcf_names::kStartKey, mjcf_names::kTestKey}) {
-    const int key = mj_name2id(m, mjOBJ_KEY, name);
-    if (key < 0) continue;
-    mj_resetDataKeyframe(m, data.get(), key);
-    break;
-  }
+  if (const int key = start_keyframe(m); key >= 0) mj_resetDataKeyframe(m, data.get(), key);
   return data;
 }
 

@@ -43,7 +43,10 @@ MujocoModel load_mjcf(const std::string& document);
 // The same of a file, with what it includes.
 MujocoModel load_mjcf_file(const std::filesystem::path& file);
 
-// An mjData in the start of the run: keyframe "start", or "test", or else mj_resetData's.
+// The keyframe that a run starts from: "start", or else "test"; -1: none is called so.
+int start_keyframe(const mjModel* m);
+
+// An mjData in the start of the run: that keyframe, or else mj_resetData's.
 MujocoData make_start(const mjModel* m);
 
 }  // namespace rotorub

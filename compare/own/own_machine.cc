@@ -18,6 +18,7 @@
 #include "native_model/system/model.h"
 #include "native_model/system/model_checks.h"
 #include "native_model/trajectory/recorder.h"
+#include "plugin/options.h"
 #include "plugin/own/own_names.h"
 #include "plugin/twin/native_twin.h"
 
@@ -146,6 +147,10 @@ OwnMachine::OwnMachine(const std::filesystem::path& file, const OwnRun& run) : f
   if (config.pairs.empty())
     throw std::runtime_error(
         "names pairs to be corrected for sliding, but no rub, which has a twin");
+  for (const char* why :
+       {plugin::refused_options(config, m.get()), plugin::refused_integrator(config, m.get())}) {
+    if (why) throw plugin::ConfigError(why);
+  }
   contact_ = config.contact;
   if (!run.control.empty()) {
     controller_ = controller_of(run.control, m->opt.timestep);
@@ -154,6 +159,11 @@ OwnMachine::OwnMachine(const std::filesystem::path& file, const OwnRun& run) : f
   plugin::NativeTwin made = twin(m.get(), config);
   scene_ = std::move(made.scene);
   limits_ = std::move(made.limits);
+  if (m->nkey > 0 && start_keyframe(m.get()) < 0) {
+    limits_.push_back(
+        "the model's keyframes: none is called \"start\" or \"test\", so that both sides begin at "
+        "qpos0");
+  }
   scene_.name = file.stem().string();
   scene_.text = text_of(file);
   scene_.run.end = run.end;

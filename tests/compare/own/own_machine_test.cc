@@ -80,6 +80,30 @@ TEST(OwnMachine, ConvergesToItsTwinInARingThatTurns) {
   EXPECT_LT(error[1], 5e-6);
 }
 
+// A keyframe of another name starts nothing, and that is said.
+TEST(OwnMachine, SaysThatItsKeyframesAreNoStart) {
+  test::Machine x;
+  x.constraints = R"(<keyframe><key name="begin" qpos="5e-4 0 0 0 0"/></keyframe>)";
+  const std::string file = ::testing::TempDir() + "/other_key.xml";
+  std::ofstream(file) << test::document(x);
+  const OwnMachine machine(file, until(0.02));
+  ASSERT_EQ(machine.limits().size(), 1U);
+  EXPECT_NE(machine.limits()[0].find("keyframes: none is called"), std::string::npos);
+}
+
+TEST(OwnMachine, RefusesAnIntegratorBeforeAnyRun) {
+  test::Machine x;
+  x.option = "integrator=\"RK4\"";
+  const std::string file = ::testing::TempDir() + "/rk4.xml";
+  std::ofstream(file) << test::document(x);
+  try {
+    const OwnMachine machine(file, until(0.02));
+    FAIL() << "taken";
+  } catch (const plugin::ConfigError& error) {
+    EXPECT_NE(std::string(error.what()).find("integrator=\"RK4\""), std::string::npos);
+  }
+}
+
 // Two rings: MuJoCo's `rigid` solves both contacts at once, and so does the twin.
 TEST(OwnMachine, HasTheImpulsesOfEachOfTwoRings) {
   test::TwoRings x;
