@@ -55,6 +55,16 @@ scene::Scene at_start(scene::Scene scene) {
   return scene;
 }
 
+// What `modes` counts and a start does not.
+std::string begins_later(const scene::Scene& scene) {
+  std::string later;
+  for (std::size_t k = 0; k < scene.forces.size(); ++k) {
+    if (scene.forces[k].on <= 0.0) continue;
+    later += (later.empty() ? "" : ", ") + scene::list_element("force", k);
+  }
+  return later.empty() ? "" : " under what acts at t = 0 (" + later + " begins later)";
+}
+
 SteadyRub rub_of(const scene::Scene& scene, const RubSystem& system) {
   const RubKind kind = kind_of(scene.initial.rub);
   if (kind == RubKind::kForced && rotating_loads(system).size() > 1) {
@@ -70,7 +80,7 @@ SteadyRub rub_of(const scene::Scene& scene, const RubSystem& system) {
   }
   scene::refuse_at(scene, kKey,
                    "there is no " + name_of(kind) + " at " + scene::number_text(system.speed) +
-                       " rad/s; accepted: " +
+                       " rad/s" + begins_later(scene) + "; accepted: " +
                        (others.empty() ? "" : "a rub that there is (" + others + "), or ") +
                        "none");
 }

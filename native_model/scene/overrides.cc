@@ -91,8 +91,10 @@ TomlNode* descend(TomlNode& node, const Step& step, Kind kind_if_made, std::stri
       return nullptr;
     }
     if (step.index > node.items.size()) {
-      reason = "has " + std::to_string(node.items.size()) +
-               " elements, counted from 0; the next is [" + std::to_string(node.items.size()) + "]";
+      const std::size_t count = node.items.size();
+      reason = "is no element: the list has " + std::to_string(count) +
+               (count == 1 ? " element" : " elements") + ", counted from 0; the next is [" +
+               std::to_string(count) + "]";
       return nullptr;
     }
     if (step.index == node.items.size()) node.items.push_back(empty_node(kind_if_made));

@@ -258,6 +258,9 @@ std::optional<TomlNode> parse_toml(std::string_view text, const std::string& fil
     }
     const std::size_t fault =
         std::clamp<std::size_t>(parsed.error().source().begin.line, 1, lines.size());
+    if (description.starts_with("unescaped control characters")) {
+      description = "a string does not end on its line; accepted: with a quote at its end";
+    }
     const bool duplicate = description.find("redefine") != std::string::npos;
     description = printable(description, kLongestDescription);
     Diagnostic diagnostic{

@@ -187,7 +187,7 @@ void check_pair(const mjModel* m, const PairName& name, const ContactPair& p) {
                    m->names + m->name_geomadr[p.ring_geom]));
   }
   const std::string element = pair_element(m, p);
-  if (p.pair < 0) refuse(element, "missing");
+  if (p.pair < 0) refuse(element, "missing; accepted: one <pair> of the two geoms");
   const double kept_out = m->pair_gap[p.pair] - m->pair_margin[p.pair];
   if (p.law == scene::ContactModel::kRigid) {
     refuse_mocap(m, p.rotor_geom);
@@ -221,7 +221,8 @@ ContactPair make_pair(const mjModel* m, const PairName& name) {
     return value_or(m, name.of(key), otherwise, range);
   };
   if (!own_number(m, name.of(names::kOwnClearance))) {
-    refuse(message("<custom><numeric name=\"{}\">", name.of(names::kOwnClearance)), "missing");
+    refuse(message("<custom><numeric name=\"{}\">", name.of(names::kOwnClearance)),
+           "missing; accepted: the radial clearance in m, > 0");
   }
   ContactParameters& c = p.contact;
   c.clearance = number(names::kOwnClearance, 0.0, kLength);

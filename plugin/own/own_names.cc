@@ -155,6 +155,19 @@ const mjtNum* own_number(const mjModel* m, const std::string& name) {
   return id < 0 ? nullptr : m->numeric_data + m->numeric_adr[id];
 }
 
+namespace {
+
+std::vector<std::string_view> geom_names(const mjModel* m) {
+  std::vector<std::string_view> names;
+  for (int k = 0; k < m->ngeom; ++k) {
+    const std::string_view name = m->names + m->name_geomadr[k];
+    if (!name.empty()) names.push_back(name);
+  }
+  return names;
+}
+
+}  // namespace
+
 int own_geom(const mjModel* m, const PairName& pair, const char* text) {
   const std::string element = text_element(pair.of(text).c_str());
   const char* said = custom_text(m, pair.of(text));
@@ -168,7 +181,11 @@ int own_geom(const mjModel* m, const PairName& pair, const char* text) {
                    said, pair.of(said), pair.of(said)));
   }
   if (id < 0) id = literal;
-  if (id < 0) refuse(element, message("no geom is called \"{}\"", said));
+  if (id < 0) {
+    const std::string_view meant = scene::nearest(said, geom_names(m));
+    refuse(element, message("no geom is called \"{}\"{}", said,
+                            meant.empty() ? "" : message(", did you mean \"{}\"?", meant)));
+  }
   const int type = m->geom_type[id];
   if (type < mjGEOM_SPHERE || type > mjGEOM_BOX) {
     refuse(message("<geom name=\"{}\">", m->names + m->name_geomadr[id]),

@@ -215,6 +215,13 @@ TEST(RubStartRefusal, SaysWhichRubsThereAre) {
   expect_refused(gentle, "initial.rub", "accepted: none");
 }
 
+// `modes` counts what acts from later on, a start does not.
+TEST(RubStartRefusal, SaysWhatBeginsLater) {
+  scene::Scene s = on("bench_annular_elastic", "synchronous");
+  s.forces[0].on = 0.1;
+  expect_refused(s, "initial.rub", "under what acts at t = 0 (force[0] begins later)");
+}
+
 TEST(RubStartRefusal, LoadsOfSeveralFrequencies) {
   scene::Scene s = on("bench_annular_elastic", "synchronous");
   test::add_rotating_force(s, 40.0, 200.0);

@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "native_model/scene/reader.h"
+#include "tests/native_model/scene/refusals.h"
 #include "tests/native_model/scene/scene_samples.h"
 
 namespace rotorub::scene {
@@ -42,6 +43,14 @@ TEST(Reader, RefusesAKeyThatIsTooDeep) {
                 "a key of more than 1000 dots; accepted: up to 1000");
     }
   }
+}
+
+TEST(Reader, SaysThatAStringHasNoEnd) {
+  const std::vector<Diagnostic> found = refusal("[controller]\nkind = \"passive\ngain = 1\n");
+  ASSERT_FALSE(found.empty());
+  EXPECT_EQ(found[0].line, 2);
+  EXPECT_NE(found[0].reason.find("a string does not end on its line"), std::string::npos)
+      << found[0].reason;
 }
 
 TEST(Reader, FillsEveryFieldOfTheContractsExample) {

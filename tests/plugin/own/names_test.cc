@@ -106,6 +106,11 @@ TEST_F(OwnNames, WhatATextSaysMayBeTheAttachedName) {
                  "no geom is called \"disk\"");
 }
 
+TEST_F(OwnNames, AMisspeltGeomIsRefusedWithTheOneThatIsMeant) {
+  expect_refused(replaced(document(Machine{}), "data=\"disc\"", "data=\"disk\""),
+                 "no geom is called \"disk\", did you mean \"disc\"?");
+}
+
 TEST_F(OwnNames, MisspeltNamesOfAFurtherContactAreRefused) {
   const std::string good = document(TwoRings{});
   expect_refused(replaced(good, "rotorub_friction_2", "rotorub_friction_3"),
