@@ -46,8 +46,8 @@ inline to_chars_result to_chars(char* first, char* last, double value) {
 }
 
 // R. L. Smith's division (Communications of the ACM 5, 1962), as libgcc has it but near the ends of
-// the range of doubles; libc++ scales by powers of two and rounds otherwise. A specialisation, since
-// its own operator/= would not find an overload.
+// the range of doubles; libc++ scales by powers of two and rounds otherwise. A specialisation,
+// since its own operator/= would not find an overload.
 template <>
 inline complex<double> operator/(const complex<double>& z, const complex<double>& w) {
   const double a = z.real(), b = z.imag(), c = w.real(), d = w.imag();
