@@ -45,11 +45,20 @@ std::vector<ColumnMeaning> make_measured_keys() {
        "of them with the native run, means taken off; -1 to 1; null: none moves", ""},
       {"alignment.residual", "",
        "rms of what is left of them over the run's deviation from its mean", ""},
+      {"alignment.gain", "", "rms of the record over the run's, of the same; null: none moves", ""},
       {"alignment.next", "", "shift and correlation of the next best beyond a valley; null: none",
        ""},
       {"alignment.ambiguous", "",
        "whether it leaves less than twice what the best leaves, or less than 5 %: sqrt(1 - "
-       "correlation^2)",
+       "correlation^2), and the same of the likeness, 2 gain / (1 + gain^2) correlation",
+       ""},
+      {"alignment.other_size", "",
+       "shift, correlation and gain where record and run are more alike but for their size; null: "
+       "nowhere, or little is left",
+       ""},
+      {"alignment.mirrored", "",
+       "shift, angle, residual and the flag to say so, where the record with y turned round leaves "
+       "less than half; else null",
        ""},
       {"columns.<name>.good", "", "samples on the run that are compared", ""},
       {"columns.<name>.missing", "", "samples on the run without a value", ""},
@@ -100,8 +109,19 @@ WrittenUnit written_unit(const Measurable& what) {
 }  // namespace
 
 json alignment_json(const Alignment& a) {
-  json next = nullptr;
+  json next = nullptr, other = nullptr, mirrored = nullptr;
   if (a.next) next = {{"shift", a.next->shift}, {"correlation", a.next->correlation}};
+  if (a.other_size) {
+    other = {{"shift", a.other_size->shift},
+             {"correlation", a.other_size->correlation},
+             {"gain", a.other_size->gain}};
+  }
+  if (a.mirrored) {
+    mirrored = {{"shift", a.mirrored->shift},
+                {"angle", a.mirrored->angle},
+                {"residual", a.mirrored->residual},
+                {"flag", a.mirrored->flag}};
+  }
   return {{"shift", a.shift},
           {"shift_from", a.shift_found ? "found" : "given"},
           {"shift_error", number_or_null(a.shift_error)},
@@ -112,8 +132,11 @@ json alignment_json(const Alignment& a) {
           {"by", a.by},
           {"correlation", number_or_null(a.correlation)},
           {"residual", number_or_null(a.residual)},
+          {"gain", number_or_null(a.gain)},
           {"next", next},
-          {"ambiguous", a.ambiguous()}};
+          {"ambiguous", a.ambiguous()},
+          {"other_size", other},
+          {"mirrored", mirrored}};
 }
 
 json measured_json(const MeasuredRun& run) {
