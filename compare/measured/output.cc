@@ -64,8 +64,9 @@ std::vector<ColumnMeaning> make_measured_keys() {
       {"columns.<name>.missing", "", "samples on the run without a value", ""},
       {"columns.<name>.clipped", "", "samples at the sensor's limit", ""},
       {"columns.<name>.runs.<run>.rms", "as the column",
-       "root mean square of record less run, in the sensors' frame", ""},
-      {"columns.<name>.runs.<run>.offset", "as the column", "mean of record less run", ""},
+       "root mean square of record less run about its mean, in the sensors' frame", ""},
+      {"columns.<name>.runs.<run>.offset", "as the column",
+       "mean of record less run: a sensor's zero, or a bias of the model", ""},
       {"columns.<name>.runs.<run>.share", "",
        "that rms over the run's deviation from its mean; null: the run does not move", ""},
       {"figures.<name>.measured", "as the figure",
@@ -195,9 +196,11 @@ std::string measured_table(const MeasuredRun& run) {
     add("    " + figure_label(f), measured_value(f),
         [&](std::size_t r) { return figure_value(f, f.runs[r]); });
   }
-  add("  record less run, rms", "", heading);
+  // The offset is the native run's: about it the rms is taken, as no sensor's zero is known.
+  add("  record less run, rms", "offset", heading);
   for (const ColumnFit& c : run.columns) {
-    add(fmt::format("    {}, {}", c.what->name, residual_unit(*c.what)), "",
+    add(fmt::format("    {}, {}", c.what->name, residual_unit(*c.what)),
+        residual_text(*c.what, c.runs.front().offset),
         [&](std::size_t r) { return residual_text(*c.what, c.runs[r].rms); });
     add("      of its deviation", "", [&](std::size_t r) { return share_text(c.runs[r]); });
   }
