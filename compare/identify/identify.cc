@@ -282,7 +282,7 @@ Result identify(const ReadScene& read, MeasuredRecord record, const Parameters& 
   result.alignment = alignment_at(residuals, second.best, at->point);
   // By the measure that was minimised: the same samples, weights and run beneath it.
   if (const auto before = residuals.as_it_stands(); before && result.alignment.residual) {
-    result.left_before = *result.alignment.residual * before->rms() / at->point.rms();
+    result.left_before = before->rms() / at->point.run_rms();
   }
   result.overrides = residuals.overrides(second.best);
   result.runs = residuals.runs();

@@ -112,6 +112,10 @@ double Residuals::Point::rms() const {
   return std::sqrt(square() / static_cast<double>(std::max<std::size_t>(fitting->values(), 1)));
 }
 
+double Residuals::Point::run_rms() const {
+  return fit.run.norm() / std::sqrt(static_cast<double>(fitting->values()));
+}
+
 std::optional<Residuals::Point> Residuals::at(const std::vector<double>& x) {
   return point_at(overrides(x), shift(x));
 }
@@ -143,11 +147,13 @@ std::optional<Residuals::Point> Residuals::point_at(const std::vector<std::strin
 
 std::optional<Residuals::Point> Residuals::as_it_stands() {
   constexpr int kSteps = 4;
+  AlignmentOptions options = options_;
+  if (angle_) options.angle = angle_;  // of a circle: 0, as it is here
   double by = middle_;
   try {
     const Trajectory run = even_run(read_({}));
     if (run.status != Status::kOk) return std::nullopt;
-    by = align(record_, SampledRun(run), options_).shift;
+    by = align(record_, SampledRun(run), options).shift;
   } catch (const MeasuredError&) {
     return std::nullopt;
   }

@@ -40,7 +40,8 @@ class Residuals {
     double shift = 0.0;  // s
     Fit fit;
     double square() const { return fit.left().squaredNorm(); }
-    double rms() const;  // of what is left, over the weights
+    double rms() const;      // of what is left, over the weights
+    double run_rms() const;  // of the run, about its means
   };
   // None: no such scene, or its run did not come to its end.
   std::optional<Point> at(const std::vector<double>& x);

@@ -31,7 +31,7 @@ struct Mirrored {
   double shift = 0.0;  // s
   double angle = 0.0;  // rad, of the sensors' x axis; y is a quarter turn back from it
   double residual = 0.0;
-  std::string flag;  // that says so: "--measured-probes 20deg,-70deg"
+  std::string flag;  // that says so: "--measured-probes=20deg,-70deg"
 };
 
 struct Alignment {
@@ -41,7 +41,7 @@ struct Alignment {
   AngleFrom angle_from = AngleFrom::kFound;
   // "rotor", "gap": what it was found by; empty: both are given and nothing moves.
   std::vector<std::string> by;
-  std::optional<double> correlation;  // [-1, 1], see fitting.h; none where `by` is empty
+  std::optional<double> correlation;  // [-1, 1], see lag_search.h; none where `by` is empty
   // Share: rms of what is left over the run's deviation, means taken off.
   std::optional<double> residual;
   std::optional<double> gain;  // rms of the record over the run's; as the residual
