@@ -214,6 +214,8 @@ Alignment alignment_at(const Residuals& residuals, const std::vector<double>& x,
   a.angle = point.fit.angle;
   a.correlation = point.fit.correlation();
   if (point.fit.run.norm() > 0.0) a.residual = point.fit.left().norm() / point.fit.run.norm();
+  a.gain = point.fit.gain();
+  a.other_size = std::nullopt;
   a.shift_error = a.angle_error = std::nullopt;
   a.next = std::nullopt;
   return a;
@@ -221,13 +223,18 @@ Alignment alignment_at(const Residuals& residuals, const std::vector<double>& x,
 
 }  // namespace
 
+bool Result::no_better() const {
+  constexpr double kRoundOff = 1e-6;
+  return left_before && alignment.residual &&
+         *left_before < *alignment.residual * (1.0 - kRoundOff);
+}
+
 double Found::low() const { return std::max(wanted.from, value - kSure * error.value_or(0.0)); }
 double Found::high() const { return std::min(wanted.to, value + kSure * error.value_or(0.0)); }
 
 Result identify(const ReadScene& read, MeasuredRecord record, const Parameters& parameters) {
   Residuals residuals(read, std::move(record), parameters);
   Result result;
-  if (const auto before = residuals.aligned_as_it_stands()) result.left_before = before->residual;
 
   const int unknowns = static_cast<int>(residuals.unknowns());
   const int most = (kSearch + 3 * kDescent) * unknowns;
@@ -273,6 +280,10 @@ Result identify(const ReadScene& read, MeasuredRecord record, const Parameters& 
   }
   result.correlation = how.correlation.topLeftCorner(n, n);
   result.alignment = alignment_at(residuals, second.best, at->point);
+  // By the measure that was minimised: the same samples, weights and run beneath it.
+  if (const auto before = residuals.as_it_stands(); before && result.alignment.residual) {
+    result.left_before = before->rms() / at->point.run_rms();
+  }
   result.overrides = residuals.overrides(second.best);
   result.runs = residuals.runs();
   return result;

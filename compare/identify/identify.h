@@ -56,9 +56,11 @@ struct Result {
   std::vector<Found> found;
   Eigen::MatrixXd correlation;  // of what was found, n x n; 0 beside one that has no error
   Alignment alignment;          // of the scene with these values
-  // Rms of what is left over the run's, of the scene as it stood; none: the record lay nowhere on
-  // it.
+  // What the scene as it stood leaves, by the measure of alignment.residual: the samples that were
+  // fitted, each channel by its weight, over the rms of the run found. None: the record lay nowhere
+  // on it.
   std::optional<double> left_before;
+  bool no_better() const;   // the scene as it stood leaves less
   std::size_t samples = 0;  // of the record, fitted
   int runs = 0;
   bool interrupted = false;

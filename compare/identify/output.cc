@@ -38,6 +38,11 @@ std::string row(const Found& f, std::size_t width) {
 
 std::string doubts(const Result& r) {
   std::string text;
+  if (r.no_better()) {
+    text += wrapped("  - ",
+                    "the scene as it stood leaves less than these values: they are no best of all, "
+                    "or its own lie outside of the ranges; other ranges may find better ones");
+  }
   for (const Found& f : r.found) {
     if (f.at_edge) {
       text += wrapped("  - ", fmt::format("{} is at the edge of its range: what is best may lie "

@@ -50,23 +50,17 @@ Trajectory Residuals::even_run(const scene::Scene& scene) {
   return run(scene, even_times(0.0, scene.run.end, count));
 }
 
-std::optional<Alignment> Residuals::aligned_on(const std::vector<std::string>& overrides) {
+std::optional<Alignment> Residuals::aligned(const std::vector<double>& values) {
   try {
-    const Trajectory run = even_run(read_(overrides));
+    const Trajectory run = even_run(read_(overrides(values)));
     if (run.status != Status::kOk) return std::nullopt;
-    return align(record_, SampledRun(run), options_);
+    return best_alignment(record_, SampledRun(run), options_);
   } catch (const scene::SceneError&) {
     return std::nullopt;  // a start outside of so small a clearance, say
   } catch (const MeasuredError&) {
     return std::nullopt;
   }
 }
-
-std::optional<Alignment> Residuals::aligned(const std::vector<double>& values) {
-  return aligned_on(overrides(values));
-}
-
-std::optional<Alignment> Residuals::aligned_as_it_stands() { return aligned_on({}); }
 
 void Residuals::lay_in(const std::vector<double>& values) {
   const scene::Scene scene = read_(overrides(values));
@@ -114,25 +108,69 @@ Trajectory Residuals::run(const scene::Scene& scene, std::vector<double> rows) {
   return native_engine(scene.run.integrator)->run(scene, request);
 }
 
+double Residuals::Point::rms() const {
+  return std::sqrt(square() / static_cast<double>(std::max<std::size_t>(fitting->values(), 1)));
+}
+
+double Residuals::Point::run_rms() const {
+  return fit.run.norm() / std::sqrt(static_cast<double>(fitting->values()));
+}
+
 std::optional<Residuals::Point> Residuals::at(const std::vector<double>& x) {
+  return point_at(overrides(x), shift(x));
+}
+
+std::optional<Residuals::Point> Residuals::point_at(const std::vector<std::string>& overrides,
+                                                    double by) {
   Point point;
-  const double by = shift(x);
   try {
-    const scene::Scene scene = read_(overrides(x));
+    const scene::Scene scene = read_(overrides);
     // Rows at the samples themselves: nothing between rows is made up.
     std::vector<double> rows{std::max(0.0, record_.t.front() + by - record_.interval)};
-    for (const double t : record_.t) rows.push_back(t + by);
-    rows.push_back(std::min(scene.run.end, rows.back() + record_.interval));
+    for (const double t : record_.t) {
+      if (t + by > rows.back() && t + by <= scene.run.end) rows.push_back(t + by);
+    }
+    const double after = std::min(scene.run.end, rows.back() + record_.interval);
+    if (after > rows.back()) rows.push_back(after);
     point.run = std::make_unique<Trajectory>(run(scene, std::move(rows)));
   } catch (const scene::SceneError&) {
     return std::nullopt;  // a start outside of so small a clearance, say
   }
-  if (point.run->status != Status::kOk) return std::nullopt;
+  if (point.run->status != Status::kOk || point.run->rows() < 2) return std::nullopt;
   point.sampled = std::make_unique<SampledRun>(*point.run);
   point.fitting =
       std::make_unique<Fitting>(*point.sampled, channels_, record_.interval, by, 0.0, angle_);
+  point.shift = by;
   point.fit = point.fitting->at(by);
   return point;
+}
+
+std::optional<Residuals::Point> Residuals::as_it_stands() {
+  constexpr int kSteps = 4;
+  AlignmentOptions options = options_;
+  if (angle_) options.angle = angle_;  // of a circle: 0, as it is here
+  double by = middle_;
+  try {
+    const Trajectory run = even_run(read_({}));
+    if (run.status != Status::kOk) return std::nullopt;
+    by = align(record_, SampledRun(run), options).shift;
+  } catch (const MeasuredError&) {
+    return std::nullopt;
+  }
+  std::optional<Point> best = point_at({}, by);
+  if (options_.shift) return best;
+  // Gauss's steps: the rows between samples have laid it in only nearly.
+  for (int step = 0; step < kSteps && best; ++step) {
+    const Fitting::Effects g = best->fitting->effects(best->fit, best->shift);
+    const Eigen::VectorXcd alone = g.ee > 0.0 ? Eigen::VectorXcd(g.d - g.de / g.ee * g.e) : g.d;
+    if (!(alone.squaredNorm() > 0.0)) break;
+    const double change = alone.dot(best->fit.left()).real() / alone.squaredNorm();
+    if (!(std::abs(change) < record_.interval)) break;
+    auto next = point_at({}, best->shift + change);
+    if (!next || !(next->rms() < best->rms())) break;
+    best = std::move(next);
+  }
+  return best;
 }
 
 void Residuals::weigh(const Point& point) {

@@ -21,10 +21,9 @@ class Residuals {
   std::size_t values() const { return wanted_.size(); }
   std::size_t unknowns() const { return wanted_.size() + (options_.shift ? 0 : 1); }
 
-  // The record laid on the run of these values, or of the scene as it stands, wherever it lies best
-  // there: a wrong model has it at a wrong shift. None where it lies nowhere, or there is no run.
+  // The record laid on the run of these values wherever it lies best there, however badly: a wrong
+  // model has it at a wrong shift. None where there is no run, or no samples in common.
   std::optional<Alignment> aligned(const std::vector<double>& values);
-  std::optional<Alignment> aligned_as_it_stands();
   // From here on the shift is looked for about that of these values. Throws MeasuredError where
   // the record does not lie on their run.
   void lay_in(const std::vector<double>& values);
@@ -38,11 +37,17 @@ class Residuals {
     std::unique_ptr<Trajectory> run;
     std::unique_ptr<SampledRun> sampled;
     std::unique_ptr<Fitting> fitting;
+    double shift = 0.0;  // s
     Fit fit;
     double square() const { return fit.left().squaredNorm(); }
+    double rms() const;      // of what is left, over the weights
+    double run_rms() const;  // of the run, about its means
   };
   // None: no such scene, or its run did not come to its end.
   std::optional<Point> at(const std::vector<double>& x);
+  // Of the scene as it stands, by the same samples and weights, at the shift that leaves least
+  // there. None too where the record lies nowhere on its run.
+  std::optional<Point> as_it_stands();
 
   // Weighs each channel by what is left of it at a point.
   void weigh(const Point& point);
@@ -55,7 +60,7 @@ class Residuals {
  private:
   Trajectory run(const scene::Scene& scene, std::vector<double> rows);
   Trajectory even_run(const scene::Scene& scene);
-  std::optional<Alignment> aligned_on(const std::vector<std::string>& overrides);
+  std::optional<Point> point_at(const std::vector<std::string>& overrides, double shift);
   bool is_logarithmic(const Wanted& w) const { return w.from > 0.0 && w.to >= 10.0 * w.from; }
 
   const ReadScene& read_;

@@ -9,15 +9,24 @@
 namespace rotorub {
 namespace {
 
-constexpr double kDegree = std::numbers::pi / 180.0;
+constexpr double kNothing = 1e-6;  // of the run's rms
 
 std::string span_text(double from, double to) {
   return fmt::format("{:.6g} to {:.6g} s", from, to);
 }
 
-std::string channels_text(const std::vector<std::string>& by) {
-  if (by.size() < 2) return fmt::format("{}", fmt::join(by, ""));
-  return fmt::format("{} and {}", fmt::join(by.begin(), by.end() - 1, ", "), by.back());
+double left_by(double likeness) { return std::sqrt(std::max(0.0, 1.0 - likeness * likeness)); }
+
+bool nearly_as_well(double next, double best) {
+  return left_by(next) < std::max(kTwice * left_by(best), kNextToNothing);
+}
+
+// Where what was found leaves much, a shift that is more alike but for the size.
+bool is_better_shape(const Alignment& a) {
+  constexpr double kMuch = 0.5;
+  if (!a.other_size || a.residual.value_or(0.0) < kMuch) return false;
+  const double own = left_by(*a.correlation);
+  return own > kNextToNothing && kTwice * left_by(a.other_size->correlation) < own;
 }
 
 // One search with the angle free or held.
@@ -28,42 +37,43 @@ struct Search {
 
   struct Found {
     Alignment alignment;
-    double own_effect = 0.0;  // of the shift, that no turn explains, as a share
-    std::size_t values = 0;   // real numbers fitted
+    bool tells_angle = false;  // where it was free
   };
 
   Found with(std::optional<double> shift, std::optional<double> angle) const {
     Found found;
     Alignment& a = found.alignment;
     a.shift_found = !shift;
-    a.shift = shift ? *shift : best_shift(angle, a.next);
+    a.shift = shift ? *shift : best_shift(angle, a);
     const Fitting fitting(run, channels, record.interval, a.shift, 0.0, angle);
     const Fit fit = fitting.at(a.shift);
     a.angle = fit.angle;
     a.correlation = fit.correlation();
-    if (fit.run.norm() > 0.0) a.residual = fit.left().norm() / fit.run.norm();
+    if (fit.run.norm() > 0.0) {
+      a.residual = fit.left().norm() / fit.run.norm();
+      a.gain = fit.gain();
+    }
+    if (!is_better_shape(a)) a.other_size = std::nullopt;
     const Fitting::Effects g = fitting.effects(fit, a.shift);
     const double across = g.ee > 0.0 ? g.de / g.ee : 0.0;
-    found.own_effect = g.dd > 0.0 ? (g.dd - across * g.de) / g.dd : 0.0;
-    found.values = fitting.values();
-    if (!shift && !angle && found.own_effect < kNearCircle) a.turn_for_shift = -across;
+    const double own_effect = g.dd > 0.0 ? (g.dd - across * g.de) / g.dd : 0.0;
+    if (!shift && !angle && own_effect < kNearCircle) a.turn_for_shift = -across;
     if (!shift) a.shift_error = fitting.error(g.d - across * g.e, fit);
     const double along = shift || !(g.dd > 0.0) ? 0.0 : g.de / g.dd;
-    if (!angle) a.angle_error = fitting.error(g.e - along * g.d, fit);
+    if (angle) return found;
+    const Eigen::VectorXcd turn = g.e - along * g.d;
+    a.angle_error = fitting.error(turn, fit);
+    // Without noise what is left is what lies between the run's rows, and so is the curvature.
+    const double rows = kNothing * fit.run.norm() / std::max(turn.norm(), 1e-300);
+    found.tells_angle = a.angle_error && std::hypot(*a.angle_error, rows) < kAngleTold;
     return found;
   }
 
-  double best_shift(std::optional<double> angle, std::optional<LagScore>& next) const {
+  double best_shift(std::optional<double> angle, Alignment& a) const {
     const BestLags lags = best_lags(record, run, channels, angle);
     const LagScore& best = lags.best;
-    if (best.correlation < kLeastCorrelation) {
-      throw MeasuredError(fmt::format(
-          "no shift makes the record like the native run: the best, {:+.6g} s, has a correlation "
-          "of {:.2f} in {}, {} or more is accepted; another scene than was measured, other units, "
-          "or chaos; --measured-shift lays it in where it is given",
-          best.shift, best.correlation, channels_text(names()), kLeastCorrelation));
-    }
-    next = lags.next;
+    a.next = lags.next;
+    a.other_size = lags.most_correlated;
     const double room = std::max(lags.apart, record.interval);
     const Fitting wide(run, channels, record.interval, best.shift, room, angle);
     return wide.values() < kLeastSamples ? best.shift : wide.refined(best.shift, lags.apart);
@@ -89,32 +99,73 @@ void check_overlap(const MeasuredRecord& record, const SampledRun& run, double s
                   span_text(run.start(), run.end()), on, kLeastSamples));
 }
 
-// The free angle leaves no less than an angle of 0 does, but for what it takes up of noise: of
-// white noise one more unknown takes chi^2 of one degree of freedom; and next to nothing is
-// nothing.
-bool no_better(const Search::Found& free, const Alignment& held) {
-  constexpr double kSure = 25.0;     // of chi^2: five standard deviations
-  constexpr double kNothing = 1e-6;  // of the run's rms
-  if (!free.alignment.residual || !held.residual || *held.residual < kNothing) return true;
-  const double least = *free.alignment.residual * *free.alignment.residual,
-               with_0 = *held.residual * *held.residual;
-  return with_0 - least <=
-         kSure * least / static_cast<double>(std::max<std::size_t>(free.values, 1));
+// What is wrong with an alignment that was found, and what is accepted; empty: nothing.
+std::string doubt(const Alignment& a) {
+  if (!a.correlation) return {};
+  if (*a.correlation < kLeastCorrelation) {
+    return fmt::format(
+        "no shift makes the record like the native run: the best, {:+.6g} s, has a correlation "
+        "of {:.2f} in {}, {} or more is accepted; another scene than was measured, other units, "
+        "or chaos",
+        a.shift, *a.correlation, channels_text(a.by), kLeastCorrelation);
+  }
+  if (!a.residual || *a.residual <= kMostLeft * std::min(1.0, *a.gain)) return {};
+  return fmt::format(
+      "no shift makes the record like the native run: the best, {:+.6g} s, has a correlation of "
+      "{:.2f} in {}, and leaves {:.3g} % of the run's rms, as the record moves {:.3g} times as "
+      "far as the run; accepted is what leaves {:.0f} % or less of what either of them moves; "
+      "another scene than was measured, or other units",
+      a.shift, *a.correlation, channels_text(a.by), 100.0 * *a.residual, *a.gain,
+      100.0 * kMostLeft);
 }
 
-double left_by(double correlation) {
-  return std::sqrt(std::max(0.0, 1.0 - correlation * correlation));
+std::optional<Alignment> taken(const MeasuredRecord& record, const SampledRun& run,
+                               const AlignmentOptions& options) {
+  try {
+    return best_alignment(record, run, options);
+  } catch (const MeasuredError&) {
+    return std::nullopt;
+  }
+}
+
+// The record with y of each pair turned round, if it leaves less than half of `left` so.
+std::optional<Mirrored> mirrored(MeasuredRecord record, const SampledRun& run,
+                                 std::optional<double> shift, double left) {
+  bool pair = false;
+  for (MeasuredColumn& y : record.columns) {
+    if (y.what->axis != Axis::kY || !record.find((y.what - 1)->name)) continue;
+    pair = true;
+    for (double& value : y.value) value = -value;
+  }
+  if (!pair) return std::nullopt;
+  const auto a = taken(record, run, {shift, std::nullopt});
+  if (!a || !doubt(*a).empty() || !a->residual || kTwice * *a->residual > left) return std::nullopt;
+  const auto degrees = [&](double probe) {
+    const double turn = std::remainder(a->angle - probe, 2.0 * std::numbers::pi);
+    return std::round(1e4 * turn * 180.0 / std::numbers::pi) / 1e4 + 0.0;  // no -0
+  };
+  return Mirrored{a->shift, a->angle, *a->residual,
+                  fmt::format("--measured-probes={:g}deg,{:g}deg", degrees(record.probe_x),
+                              degrees(record.probe_y))};
+}
+
+// An angle of 0 leaves as little as a free one, but for what noise allows.
+bool no_better(const Alignment& free, const Alignment& held) {
+  if (!free.residual || !held.residual) return true;
+  return *held.residual <= std::max(kTwice * *free.residual, kNothing);
 }
 
 }  // namespace
 
 bool Alignment::ambiguous() const {
   if (!next || !correlation) return false;
-  return left_by(next->correlation) < std::max(kTwice * left_by(*correlation), kNextToNothing);
+  const LagScore own{shift, *correlation, gain.value_or(1.0)};
+  return nearly_as_well(next->correlation, own.correlation) &&
+         nearly_as_well(next->likeness(), own.likeness());
 }
 
-Alignment align(const MeasuredRecord& record, const SampledRun& run,
-                const AlignmentOptions& options) {
+Alignment best_alignment(const MeasuredRecord& record, const SampledRun& run,
+                         const AlignmentOptions& options) {
   if (options.shift) check_overlap(record, run, *options.shift);
   const std::vector<Channel> channels = channels_of(record, run, options.angle.value_or(0.0));
   const bool pair =
@@ -140,9 +191,9 @@ Alignment align(const MeasuredRecord& record, const SampledRun& run,
   found.angle_from = options.angle ? AngleFrom::kGiven
                      : pair        ? AngleFrom::kFound
                                    : AngleFrom::kNoPair;
-  if (finds_angle && !options.shift && free.own_effect < kLeastOwnEffect) {
+  if (finds_angle && !options.shift && !free.tells_angle) {
     Alignment held = search.with(options.shift, 0.0).alignment;
-    if (no_better(free, held)) {
+    if (no_better(free.alignment, held)) {
       found = std::move(held);
       found.angle_from = AngleFrom::kCircle;
     }
@@ -152,52 +203,22 @@ Alignment align(const MeasuredRecord& record, const SampledRun& run,
   return found;
 }
 
-std::string alignment_text(const Alignment& a) {
-  // Without the sign of a zero that rounding makes.
-  const auto rounded_to = [](double value, double unit) {
-    return std::round(value / unit) * unit + 0.0;
-  };
-  const auto error = [](const std::optional<double>& e, double unit, const char* name) {
-    return e ? fmt::format(" ± {:.3g}{}", *e / unit, name) : std::string();
-  };
-  std::string text =
-      fmt::format("shift {:+.6f} ms{}{}", rounded_to(1e3 * a.shift, 1e-6),
-                  a.shift_found ? "" : " as given", error(a.shift_error, 1e-6, " µs"));
-  text += fmt::format(", sensors' x axis at {:+.3f}°", rounded_to(a.angle / kDegree, 1e-3));
-  switch (a.angle_from) {
-    case AngleFrom::kGiven:
-      text += " as given";
-      break;
-    case AngleFrom::kFound:
-      text += error(a.angle_error, kDegree, "°");
-      break;
-    case AngleFrom::kNoPair:
-      text += " taken: no x with its y is measured";
-      break;
-    case AngleFrom::kCircle:
-      text +=
-          " taken: the motion is a circle, in which a turn of the frame looks like a shift "
-          "(--measured-angle tells it)";
-      break;
+Alignment align(const MeasuredRecord& record, const SampledRun& run,
+                const AlignmentOptions& options) {
+  Alignment found = best_alignment(record, run, options);
+  const std::string reason = doubt(found);
+  if (found.residual && *found.residual > kNextToNothing) {
+    double left = *found.residual;
+    // An angle that was given wrongly is no mirror.
+    const auto free = options.angle ? taken(record, run, {options.shift, {}}) : std::nullopt;
+    if (free && free->residual) left = std::min(left, *free->residual);
+    found.mirrored = mirrored(record, run, options.shift, left);
   }
-  if (a.by.empty()) return text + "; nothing moves in both: nothing says how well it fits";
-  text +=
-      fmt::format("; by {}: correlation {:.4f}", channels_text(a.by), a.correlation.value_or(0.0));
-  if (a.residual) text += fmt::format(", left {:.3g} % of the run's rms", 100.0 * *a.residual);
-  if (a.turn_for_shift) {
-    text += fmt::format(
-        "; so near to a circle that {:+.3g}° of the angle make up for 10 µs of the shift: tell one "
-        "of them, if it is known",
-        1e-5 * *a.turn_for_shift / kDegree);
-  }
-  if (a.ambiguous()) {
-    text += fmt::format("; ambiguous: {:+.6f} ms fits nearly as well (correlation {:.4f})",
-                        1e3 * a.next->shift, a.next->correlation);
-  } else if (a.next) {
-    text += fmt::format("; next best {:+.3f} ms (correlation {:.3f})", 1e3 * a.next->shift,
-                        a.next->correlation);
-  }
-  return text;
+  if (reason.empty() || options.shift) return found;
+  std::string told = reason + "; ";
+  if (found.other_size) told += other_size_text(*found.other_size) + "; ";
+  if (found.mirrored) told += mirrored_text(*found.mirrored) + "; ";
+  throw MeasuredError(told + "--measured-shift lays it in where it is given");
 }
 
 }  // namespace rotorub

@@ -5,20 +5,16 @@
 #include <limits>
 #include <map>
 
-#include "compare/metrics/fourier.h"
 #include "compare/metrics/rows.h"
 #include "native_model/numerics/root.h"
 
 namespace rotorub {
 namespace {
 
-using Eigen::ArrayXcd;
-using Eigen::ArrayXd;
 using Eigen::Index;
 using Eigen::VectorXcd;
 using Eigen::VectorXd;
 
-constexpr double kMostGrid = 1 << 19;        // instants of record and run together
 constexpr std::size_t kMostFitted = 200000;  // samples of a channel: more tell no more
 constexpr double kExact = 1e-9;              // intervals of the record, of a shift
 constexpr double kApart = 0.01;              // intervals of the record, of central differences
@@ -41,72 +37,6 @@ void take_record(const MeasuredColumn& x, const MeasuredColumn* y, const SampleT
     values.emplace_back(x.value[i], y ? y->value[i] : 0.0);
   }
   channel.value = Eigen::Map<const VectorXcd>(values.data(), static_cast<Index>(values.size()));
-}
-
-struct Grid {
-  double h;                 // s
-  Index record, run, size;  // instants; size: of the transforms
-};
-
-Grid grid_of(const MeasuredRecord& record, const SampledRun& run) {
-  const double length = run.end() - run.start();
-  const double h = std::max(record.interval, (record.duration() + length) / (kMostGrid - 2.0));
-  const auto instants = [&](double time) { return static_cast<Index>(time / h + 1e-6) + 1; };
-  Grid grid{h, instants(record.duration()), instants(length), 1};
-  while (grid.size < grid.record + grid.run) grid.size *= 2;
-  return grid;
-}
-
-// The record on the grid, each sample at the instant nearest to it, and whether it is there: 1, or
-// 0 in a hole.
-void lay_on_grid(const MeasuredRecord& record, const Channel& channel, const Grid& grid,
-                 ArrayXcd& value, ArrayXcd& there) {
-  value = there = ArrayXcd::Zero(grid.size);
-  for (Index k = 0; k < channel.value.size(); ++k) {
-    const double at = (channel.times.t[static_cast<std::size_t>(k)] - record.t.front()) / grid.h;
-    const Index i = std::min<Index>(std::llround(at), grid.record - 1);
-    value[i] = channel.value[k];
-    there[i] = 1.0;
-  }
-}
-
-// Sums over the samples in common at each lag, of one channel or of several.
-struct LagSums {
-  ArrayXd record, run, both, overlap;
-  ArrayXcd turned;  // of pairs whose angle is free
-  explicit LagSums(Index size)
-      : record(ArrayXd::Zero(size)), run(record), both(record), overlap(record), turned(record) {}
-};
-
-void add_channel(const MeasuredRecord& record, const SampledRun& run, const Channel& channel,
-                 const Grid& grid, std::optional<double> angle, LagSums& sums) {
-  Eigen::FFT<double> fourier;
-  const auto spectrum = [&](const VectorXcd& z) { return VectorXcd(fourier.fwd(z)); };
-  // sum_j conj(a_j) b_{j + l} at l, negative l from the end; of spectra.
-  const auto correlated = [&](const VectorXcd& a, const VectorXcd& b) {
-    const VectorXcd product = a.conjugate().cwiseProduct(b);
-    return ArrayXcd(VectorXcd(fourier.inv(product)));
-  };
-
-  ArrayXcd m, w, s = ArrayXcd::Zero(grid.size), v = s;
-  lay_on_grid(record, channel, grid, m, w);
-  const double end = run.start() + static_cast<double>(grid.run - 1) * grid.h;
-  const auto t = even_times(run.start(), end, static_cast<std::size_t>(grid.run));
-  s.head(grid.run) = channel.of(run, sample_times(t, grid.h)).array();
-  v.head(grid.run) = 1.0;
-
-  const auto M = spectrum(m), W = spectrum(w), S = spectrum(s), V = spectrum(v);
-  const ArrayXd count = correlated(W, V).real(), n = count.max(1.0);
-  const ArrayXcd sum_m = correlated(M, V), sum_s = correlated(W, S);  // sum_m: of conjugates
-  sums.overlap = sums.overlap.max(count);
-  sums.record += (correlated(spectrum(m.abs2()), V).real() - sum_m.abs2() / n).max(0.0);
-  sums.run += (correlated(W, spectrum(s.abs2())).real() - sum_s.abs2() / n).max(0.0);
-  const ArrayXcd both = correlated(M, S) - sum_m * sum_s / n;
-  if (channel.pair && !angle) {
-    sums.turned += both;
-  } else {
-    sums.both += (both * std::polar(1.0, channel.pair ? -*angle : 0.0)).real();
-  }
 }
 
 }  // namespace
@@ -153,59 +83,21 @@ std::vector<Channel> channels_of(const MeasuredRecord& record, const SampledRun&
   return {};
 }
 
-BestLags best_lags(const MeasuredRecord& record, const SampledRun& run,
-                   const std::vector<Channel>& channels, std::optional<double> angle) {
-  const Grid grid = grid_of(record, run);
-  LagSums sums(grid.size);
-  for (const Channel& channel : channels) add_channel(record, run, channel, grid, angle, sums);
-  const double least =
-      std::max(kLeastOverlap * sums.overlap.maxCoeff(), static_cast<double>(kLeastSamples));
-  std::vector<LagScore> scores;  // ascending in shift
-  for (Index lag = 1 - grid.record; lag < grid.run; ++lag) {
-    const Index l = lag < 0 ? lag + grid.size : lag;
-    const double size = std::sqrt(sums.record[l] * sums.run[l]);
-    if (sums.overlap[l] < least || !(size > 0.0)) continue;
-    const double correlation = (std::abs(sums.turned[l]) + sums.both[l]) / size;
-    scores.push_back({run.start() - record.t.front() + static_cast<double>(lag) * grid.h,
-                      std::clamp(correlation, -1.0, 1.0)});
-  }
-  if (scores.empty()) {
-    throw MeasuredError("record and run have too few samples in common, whatever the shift");
-  }
-
-  const auto less = [](const LagScore& a, const LagScore& b) {
-    return a.correlation < b.correlation;
-  };
-  const auto best = std::max_element(scores.begin(), scores.end(), less);
-  const auto in_valley = [&](const LagScore& s) {
-    return s.correlation < kValley * best->correlation;
-  };
-  const auto after = std::find_if(best, scores.end(), in_valley);
-  const auto before =
-      std::find_if(std::make_reverse_iterator(best), scores.rend(), in_valley).base();
-  // A slope up to the valley's edge is no peak.
-  const auto is_peak = [&](auto at) {
-    return (at == scores.begin() || !less(*at, *(at - 1))) &&
-           (at + 1 == scores.end() || !less(*at, *(at + 1)));
-  };
-  BestLags found{*best, {}, grid.h};
-  for (auto at = scores.begin(); at != scores.end(); ++at) {
-    if (at == before) at = after;
-    if (at == scores.end()) break;
-    if (is_peak(at) && (!found.next || less(*found.next, *at))) found.next = *at;
-  }
-  return found;
-}
-
 double Fit::correlation() const {
   const double size = record.norm() * run.norm();
   return size > 0.0 ? record.dot(run).real() / size : 0.0;
 }
 
+double Fit::gain() const {
+  const double size = run.norm();
+  return size > 0.0 ? record.norm() / size : 0.0;
+}
+
 Fitting::Fitting(const SampledRun& run, const std::vector<Channel>& channels, double interval,
                  double shift, double room, std::optional<double> angle)
     : run_(run), interval_(interval), angle_(angle) {
-  const double inside = room - 1e-6 * interval;
+  // Room for the derivatives too: beyond its ends the run stands still, which no turn does.
+  const double inside = std::max(room, kApart * interval) - 1e-6 * interval;
   const double from = run.start() + inside - shift, to = run.end() - inside - shift;
   for (const bool pairs : {true, false}) {
     for (const Channel& channel : channels) {
@@ -277,7 +169,7 @@ double Fitting::refined(double shift, double h) const {
 }
 
 VectorXcd Fitting::rate_at(double shift) const {
-  const double h = kApart * interval_;
+  const double h = 0.999 * kApart * interval_;  // within the run, see Fitting()
   return (run_at(shift + h) - run_at(shift - h)) / (2.0 * h);
 }
 
@@ -285,7 +177,12 @@ Fitting::Effects Fitting::effects(const Fit& fit, double shift) const {
   Effects g;
   g.d = rate_at(shift);
   g.e = VectorXcd::Zero(g.d.size());
-  if (!angle_) g.e.head(pairs_) = std::complex<double>(0.0, -1.0) * fit.record.head(pairs_);
+  const auto s = fit.run.head(pairs_), m = fit.record.head(pairs_);
+  const double square = s.squaredNorm();
+  if (!angle_ && square > 0.0) {
+    const double explained = s.dot(m).real() / square;
+    g.e.head(pairs_) = std::complex<double>(0.0, -explained) * s;
+  }
   g.dd = g.d.squaredNorm();
   g.de = g.d.dot(g.e).real();
   g.ee = g.e.squaredNorm();

@@ -1,5 +1,4 @@
-// How well a record lies on a run: by which signals, at every shift of an even grid, and between
-// its instants at the shift that leaves least.
+// How well a record lies on a run: by which signals, and at the shift that leaves least.
 #pragma once
 
 #include <Eigen/Core>
@@ -32,32 +31,6 @@ struct Channel {
 // is none. angle: of the sensors' frame, rad, 0 where it is not given.
 std::vector<Channel> channels_of(const MeasuredRecord& record, const SampledRun& run, double angle);
 
-// What is known of a shift. With m the record's values, s the run's at the same instants, each less
-// its mean over the samples that both have and over the scale of its channel, and sums over samples
-// and channels,
-//
-//   correlation = Re sum conj(e^{i A} m) s  /  sqrt(sum |m|^2  sum |s|^2),
-//
-// A = arg sum conj(m) s over the pairs, or as given.
-struct LagScore {
-  double shift = 0.0;        // s, added to the record's times
-  double correlation = 0.0;  // [-1, 1]
-};
-
-// Of all shifts on an even grid at which record and run have at least kLeastOverlap of the shorter
-// one's samples in common, whatever the clock's zero: the best, and the best other peak that a
-// valley parts from it (correlations below kValley of the best). By Fourier transforms, of values
-// with holes (D. Padfield, "Masked object registration in the Fourier domain", IEEE Trans. Image
-// Process. 21, 2012). Throws MeasuredError where there is no such shift.
-struct BestLags {
-  LagScore best;
-  std::optional<LagScore> next;
-  double apart = 0.0;  // s, of the grid: the record's interval, more where that would be too many
-};
-inline constexpr double kLeastOverlap = 0.5, kValley = 0.9;
-BestLags best_lags(const MeasuredRecord& record, const SampledRun& run,
-                   const std::vector<Channel>& channels, std::optional<double> angle);
-
 // At a shift: the run's values and the record's, turned into the scene, each less its mean; of all
 // channels, pairs first, over their scales.
 struct Fit {
@@ -66,6 +39,8 @@ struct Fit {
 
   Eigen::VectorXcd left() const { return record - run; }
   double correlation() const;  // 0 where one of them does not move
+  // rms of the record over the run's; 0 where the run does not move.
+  double gain() const;
 };
 
 // The samples that stay on the run while the shift is varied by `room` (s) about `shift`. angle:
@@ -88,7 +63,8 @@ class Fitting {
 
   // What the shift (s) and the angle do to what is left: derivatives, d by central differences, e
   // of a turn of the frame by a, which moves m by i a m: what is left grows as if the run went back
-  // by that. e is 0 where the angle is held.
+  // by that. Of m what the run explains, g s: the noise in m would look like a motion of its own,
+  // by which a turn differs from a shift. e is 0 where the angle is held.
   struct Effects {
     Eigen::VectorXcd d, e;
     double dd, de, ee;  // products

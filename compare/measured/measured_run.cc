@@ -146,7 +146,8 @@ class LayingIn {
       run[k] = values[i];
       left[k++] = c.value[i] - values[i];
     }
-    ColumnResidual r{std::sqrt(left.square().mean()), left.mean(), {}};
+    const double offset = left.mean();
+    ColumnResidual r{std::sqrt((left - offset).square().mean()), offset, {}};
     const double deviation = std::sqrt((run - run.mean()).square().mean());
     if (deviation > 0.0) r.share = r.rms / deviation;
     return r;

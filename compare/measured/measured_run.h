@@ -28,7 +28,7 @@ struct MeasuredFigure : FigureText {
 
 // What is left of a column against one run, over its good samples. SI, in the frame of the sensors.
 struct ColumnResidual {
-  double rms = 0.0;     // of record - run
+  double rms = 0.0;     // of record - run about its mean
   double offset = 0.0;  // mean of record - run: a sensor's zero, or a bias of the model
   // rms over the run's deviation from its mean; none where the run does not move.
   std::optional<double> share;

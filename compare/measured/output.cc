@@ -45,18 +45,28 @@ std::vector<ColumnMeaning> make_measured_keys() {
        "of them with the native run, means taken off; -1 to 1; null: none moves", ""},
       {"alignment.residual", "",
        "rms of what is left of them over the run's deviation from its mean", ""},
+      {"alignment.gain", "", "rms of the record over the run's, of the same; null: none moves", ""},
       {"alignment.next", "", "shift and correlation of the next best beyond a valley; null: none",
        ""},
       {"alignment.ambiguous", "",
        "whether it leaves less than twice what the best leaves, or less than 5 %: sqrt(1 - "
-       "correlation^2)",
+       "correlation^2), and the same of the likeness, 2 gain / (1 + gain^2) correlation",
+       ""},
+      {"alignment.other_size", "",
+       "shift, correlation and gain where record and run are more alike but for their size; null: "
+       "nowhere, or little is left",
+       ""},
+      {"alignment.mirrored", "",
+       "shift, angle, residual and the flag to say so, where the record with y turned round leaves "
+       "less than half; else null",
        ""},
       {"columns.<name>.good", "", "samples on the run that are compared", ""},
       {"columns.<name>.missing", "", "samples on the run without a value", ""},
       {"columns.<name>.clipped", "", "samples at the sensor's limit", ""},
       {"columns.<name>.runs.<run>.rms", "as the column",
-       "root mean square of record less run, in the sensors' frame", ""},
-      {"columns.<name>.runs.<run>.offset", "as the column", "mean of record less run", ""},
+       "root mean square of record less run about its mean, in the sensors' frame", ""},
+      {"columns.<name>.runs.<run>.offset", "as the column",
+       "mean of record less run: a sensor's zero, or a bias of the model", ""},
       {"columns.<name>.runs.<run>.share", "",
        "that rms over the run's deviation from its mean; null: the run does not move", ""},
       {"figures.<name>.measured", "as the figure",
@@ -100,8 +110,19 @@ WrittenUnit written_unit(const Measurable& what) {
 }  // namespace
 
 json alignment_json(const Alignment& a) {
-  json next = nullptr;
+  json next = nullptr, other = nullptr, mirrored = nullptr;
   if (a.next) next = {{"shift", a.next->shift}, {"correlation", a.next->correlation}};
+  if (a.other_size) {
+    other = {{"shift", a.other_size->shift},
+             {"correlation", a.other_size->correlation},
+             {"gain", a.other_size->gain}};
+  }
+  if (a.mirrored) {
+    mirrored = {{"shift", a.mirrored->shift},
+                {"angle", a.mirrored->angle},
+                {"residual", a.mirrored->residual},
+                {"flag", a.mirrored->flag}};
+  }
   return {{"shift", a.shift},
           {"shift_from", a.shift_found ? "found" : "given"},
           {"shift_error", number_or_null(a.shift_error)},
@@ -112,8 +133,11 @@ json alignment_json(const Alignment& a) {
           {"by", a.by},
           {"correlation", number_or_null(a.correlation)},
           {"residual", number_or_null(a.residual)},
+          {"gain", number_or_null(a.gain)},
           {"next", next},
-          {"ambiguous", a.ambiguous()}};
+          {"ambiguous", a.ambiguous()},
+          {"other_size", other},
+          {"mirrored", mirrored}};
 }
 
 json measured_json(const MeasuredRun& run) {
@@ -172,9 +196,11 @@ std::string measured_table(const MeasuredRun& run) {
     add("    " + figure_label(f), measured_value(f),
         [&](std::size_t r) { return figure_value(f, f.runs[r]); });
   }
-  add("  record less run, rms", "", heading);
+  // The offset is the native run's: about it the rms is taken, as no sensor's zero is known.
+  add("  record less run, rms", "offset", heading);
   for (const ColumnFit& c : run.columns) {
-    add(fmt::format("    {}, {}", c.what->name, residual_unit(*c.what)), "",
+    add(fmt::format("    {}, {}", c.what->name, residual_unit(*c.what)),
+        residual_text(*c.what, c.runs.front().offset),
         [&](std::size_t r) { return residual_text(*c.what, c.runs[r].rms); });
     add("      of its deviation", "", [&](std::size_t r) { return share_text(c.runs[r]); });
   }

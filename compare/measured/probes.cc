@@ -42,6 +42,8 @@ void resolve_probes(MeasuredRecord& record, double first, double second) {
   directions << std::cos(first), std::sin(first), std::cos(second), std::sin(second);
   const Eigen::Matrix2d places = directions.inverse();
   mark_clipped(record);
+  record.probe_x = first;
+  record.probe_y = second;
   int pairs = 0;
   for (const char* what : {"rotor", "ring"}) {
     MeasuredColumn* const x = column(record, fmt::format("{}_x", what));

@@ -52,6 +52,13 @@ std::string unknown_reason(std::string_view name) {
                      near.empty() ? "" : fmt::format(", did you mean {}?", near), accepted_names());
 }
 
+// Of a column of the file: mostly a name of the logger's own.
+std::string foreign_reason(std::string_view name) {
+  const std::string_view example = name == "time" || name == "Time" ? "t [ms]" : "rotor_x [um]";
+  return fmt::format("{}; --measured-column \"{} = {}\" says what a column of another name is",
+                     unknown_reason(name), printable(std::string(name)), example);
+}
+
 // A column by its header: "rotor_x [um]" is a name and a unit; without brackets a name alone.
 struct Head {
   std::string text, name, unit;
@@ -159,7 +166,9 @@ class MeasuredFile {
       if (!head.read()) record_.left_out.push_back(head.text);
     }
     if (!any([](const Head& h) { return h.is_time(); })) {
-      refuse(line, "t", "no such column in the header: a record needs its times, as t [ms]");
+      refuse(line, "t",
+             "no such column in the header: a record needs its times, as t [ms]; --measured-column "
+             "\"Time = t [ms]\" says which column of another name they are");
     }
     if (record_.columns.empty() && wrong_.empty()) {
       refuse(line, "", "nothing measured beside t; accepted are " + accepted_names());
@@ -203,7 +212,7 @@ class MeasuredFile {
     Head& head = heads_[k];
     if (head.name.empty()) return "has no name; accepted are " + accepted_names();
     if (!head.read())
-      return is_own_column(head.name) || !names_.empty() ? "" : unknown_reason(head.name);
+      return is_own_column(head.name) || !names_.empty() ? "" : foreign_reason(head.name);
     for (std::size_t before = 0; before < k; ++before) {
       if (heads_[before].read() && heads_[before].what == head.what) {
         return "stands twice in the header; accepted is once";

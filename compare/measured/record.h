@@ -3,6 +3,7 @@
 #pragma once
 
 #include <cstdint>
+#include <numbers>
 #include <span>
 #include <stdexcept>
 #include <string>
@@ -54,6 +55,8 @@ struct MeasuredRecord {
   std::vector<std::string> left_out;  // columns of the product's own series that are not compared
   bool has_units = true;              // false: no column has one, and all is taken in SI
   double interval = 0.0;              // s, between samples: the median
+  // rad: directions that x and y were read along, in the frame that they are in now (probes.h).
+  double probe_x = 0.0, probe_y = 0.5 * std::numbers::pi;
 
   const MeasuredColumn* find(std::string_view name) const;  // null: none
   double duration() const { return t.back() - t.front(); }  // s

@@ -129,6 +129,29 @@ TEST(IdentifyLong, StatesTheErrorsThatNoiseMakes) {
   EXPECT_GE(inside, 69) << "of 80, of which 76 are expected";
 }
 
+// What is left before and after is one measure: a machine that is the scene as it stands leaves no
+// less before the fit than after it, whatever part of the record lies on the run.
+TEST(Identify, LeavesNoMoreThanTheSceneAsItStood) {
+  for (const double noise : {2e-6, 20e-6}) {
+    const Result r = identify(scene_with({"run.end=0.04"}), record_with({}, sensors(4, noise)),
+                              looking_for({{"contact.friction", "", 0.05, 0.4}}));
+    ASSERT_TRUE(r.left_before);
+    EXPECT_LE(r.alignment.residual.value(), *r.left_before * (1.0 + 1e-9)) << noise;
+    EXPECT_GT(r.alignment.residual.value(), 0.9 * *r.left_before) << "friction explains no noise";
+    EXPECT_LT(std::abs(pull(r.found[0], 0.2)), 4.0) << r.found[0].value;
+    EXPECT_FALSE(r.no_better());
+  }
+}
+
+// And where a fit is worse than its start, it says so: of a range that excludes the truth.
+TEST(Identify, SaysWhenTheSceneAsItStoodIsBetter) {
+  const Result r = identify(scene_with(), record_with({}, sensors(4)),
+                            looking_for({{"contact.friction", "", 0.3, 0.4}}));
+  EXPECT_TRUE(r.no_better());
+  EXPECT_NE(identify_table("record.csv", r).find("the scene as it stood leaves less"),
+            std::string::npos);
+}
+
 // A contact that gives: its stiffness from the depth of what it shows.
 TEST(Identify, FindsTheStiffnessOfAContact) {
   const std::vector<std::string> soft{"contact.compliance={stiffness=5e6,hunt_crossley=0.7}"};

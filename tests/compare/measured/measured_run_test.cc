@@ -309,7 +309,7 @@ void collect_keys(const nlohmann::json& object, const std::string& prefix,
     if (prefix == "figures.") {
       keys.insert(name);
       keys.insert("figures.<name>.bound");
-    } else if (value.is_object() && name != "alignment.next") {
+    } else if (value.is_object() && prefix != "alignment.") {
       collect_keys(value, name + ".", keys);
     } else {
       keys.insert(name);

@@ -61,6 +61,15 @@ TEST(ColumnNames, AreThoseOfTheFile) {
 TEST(ColumnNames, OfNoColumnAreRefused) {
   const std::string text = logged(0.0, 1.0);
   EXPECT_NE(reason_of(text, {}).find("no such column"), std::string::npos);
+  EXPECT_NE(reason_of(text, {}).find("--measured-column \"Time = t [ms]\" says what"),
+            std::string::npos)
+      << reason_of(text, {});
+  EXPECT_NE(
+      reason_of("t [ms],Probe A\n0,1\n", {}).find("--measured-column \"Probe A = rotor_x [um]\""),
+      std::string::npos);
+  EXPECT_EQ(reason_of(text, {{"Time", "t"}, {"CH1 Probe", "rotor_z"}}).find("--measured-column"),
+            std::string::npos)
+      << "which was used";
   EXPECT_NE(reason_of(text, {{"Time", "t"}, {"CH3", "rotor_x"}}).find("the header has Time (ms)"),
             std::string::npos);
   EXPECT_NE(reason_of(text, {{"Time", "t"}, {"CH1 Probe", "rotor_z"}}).find("did you mean rotor_"),

@@ -28,5 +28,35 @@ TEST(MeasuredTable, KeepsItsColumnsApart) {
       << text;
 }
 
+// A sensor's zero is not known: what is left is free of it, and it has a column of its own.
+TEST(MeasuredTable, AnOffsetIsNoResidual) {
+  const scene::Scene scene =
+      shipped("paper_passive",
+              {"run.end=0.1", "run.step=1e-5", "run.output_step=1e-4", "initial.steady=false"});
+  Sensors sensors;
+  sensors.from = 0.01;
+  sensors.to = 0.09;
+  NativeOptions options;
+  options.integrator = scene::Integrator::kEvent;
+  options.output_times = instants(sensors);
+  const Trajectory run = run_native(scene, options);
+  MeasuredRecord record = record_of(run, sensors);
+  for (MeasuredColumn& c : record.columns) {
+    const double zero = c.what->name == "rotor_x"   ? 76.2e-6
+                        : c.what->name == "rotor_y" ? -50.8e-6
+                                                    : 0.0;
+    for (double& value : c.value) value += zero;
+  }
+  const MeasuredRun m = lay_in(record, {}, scene, {{"native", &run}});
+  const ColumnResidual& x = m.columns.front().runs.front();
+  EXPECT_NEAR(x.offset, 76.2e-6, 1e-9);
+  EXPECT_LT(x.rms, 1e-9);
+  EXPECT_LT(x.share.value(), 1e-5);
+  const std::string text = measured_table(m);
+  EXPECT_NE(text.find("record less run, rms          offset  native\n"), std::string::npos) << text;
+  EXPECT_NE(text.find("rotor_x, µm                  76.20 "), std::string::npos) << text;
+  EXPECT_NE(text.find("rotor_y, µm                 -50.80 "), std::string::npos) << text;
+}
+
 }  // namespace
 }  // namespace rotorub::test
