@@ -47,7 +47,8 @@ struct Metrics {
   Settled settled;
   // Where they are free: over the last fifth of the run, rad/s.
   std::optional<double> spin_speed, ring_speed;
-  std::optional<double> control_force;  // N, rms of what acts on the ring over the run; none: no actuator
+  std::optional<double>
+      control_force;  // N, rms of what acts on the ring over the run; none: no actuator
   Residuals residuals;
   double end = 0.0;   // s, time reached
   double step = 0.0;  // s; `event`: 0

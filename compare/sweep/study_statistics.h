@@ -11,7 +11,8 @@ namespace rotorub::sweep {
 struct Study;
 
 struct Statistics {
-  std::vector<std::string> figures{"status", "attractor", "peak_impulse"};  // columns of the results
+  std::vector<std::string> figures{"status", "attractor",
+                                   "peak_impulse"};  // columns of the results
   std::vector<std::size_t> by;  // places in Study::vary; a group: one value of each
   std::vector<double> quantiles{0.05, 0.5, 0.95};  // in (0, 1)
   double confidence = 0.95;                        // of the bounds, in (0, 1)

@@ -84,8 +84,9 @@ TEST(FigureLimit, WhatIsToComeHasTheSignOfTheLimitLessTheLastValue) {
   ModelError error;
   error.modes = kModes;
   error.figures = {of("peak_force", [](int n) { return 1.0 + 3.0 / n; })};
-  EXPECT_NE(model_error_table(error, "").find("to come beyond 24 modes: peak force -10 %"),
-            std::string::npos)
+  EXPECT_NE(
+      model_error_table(error, "").find("to come beyond 24 modes: impulse / step, max -10.00 %"),
+      std::string::npos)
       << model_error_table(error, "");
 }
 
