@@ -61,8 +61,7 @@ std::string alignment_text(const Alignment& a) {
     case AngleFrom::kCircle:
       text +=
           " taken: the motion is a circle to within what is left, in which a turn of the frame "
-          "looks "
-          "like a shift (--measured-angle tells it)";
+          "looks like a shift (--measured-angle tells it)";
       break;
   }
   if (a.by.empty()) return text + "; nothing moves in both: nothing says how well it fits";

@@ -6,6 +6,7 @@
 
 #include "compare/metrics/relative_motion.h"
 #include "native_model/rotor/campbell.h"
+#include "native_model/rotor/refusal.h"
 #include "native_model/rotor/whirl_system.h"
 
 namespace rotorub {
@@ -39,7 +40,8 @@ struct Share {
 
 std::optional<ModeBand> mode_band(const scene::Scene& scene) {
   if (!scene.first().contact || !scene.rotor.geometry) return {};
-  const WhirlSpectrum spectrum = whirl_spectrum(whirl_system(scene), scene.rotor.speed);
+  const WhirlSpectrum spectrum =
+      with_place(scene, [&] { return whirl_spectrum(whirl_system(scene), scene.rotor.speed); });
   ModeBand band;
   for (const WhirlMode& mode : spectrum.modes) {
     band.forward = std::max(band.forward, mode.frequency);

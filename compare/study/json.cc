@@ -118,7 +118,7 @@ json answer_json(const SceneComparison& comparison) {
     rows.push_back({{"scene", comparison.scene.name},
                     {"contact", row.contact},
                     {"question", row.question},
-                    {"trusted", to_string(row.trust)},
+                    {"trusted", row.trusted},
                     {"why", row.why},
                     {"us_per_step", row.us_per_step > 0.0 ? json(row.us_per_step) : json(nullptr)},
                     {"decides_exit_code", row.decides},

@@ -79,6 +79,18 @@ TEST(AboveModes, IsAskedOfShaftsAlone) {
   EXPECT_FALSE(mode_band(test::shipped("bench_whip")).has_value());
 }
 
+// A shaft of nearly no mass: what cannot be solved is refused at its place in the scene.
+TEST(AboveModes, RefusesAShaftThatCannotBeSolved) {
+  try {
+    mode_band(test::shipped("paper_sliding", {"rotor.rho=1e-9"}));
+    FAIL() << "solved";
+  } catch (const scene::SceneError& error) {
+    EXPECT_EQ(error.diagnostics().front().key, "rotor");
+    EXPECT_NE(error.diagnostics().front().reason.find("too many orders of magnitude apart"),
+              std::string::npos);
+  }
+}
+
 // A shaft with one mode in a stiff ring, thrown into backward whirl: friction drives it beyond the
 // mode. With eight modes the same whirl is within them.
 TEST(AboveModes, AWhipOutrunsTheOneModeOfItsShaft) {
