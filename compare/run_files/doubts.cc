@@ -5,15 +5,37 @@
 #include <cmath>
 
 namespace rotorub {
+namespace {
+
+// A law that the run does not see.
+void doubt_control(const scene::Controller& law, double end, const std::string& where,
+                   std::vector<std::string>& all) {
+  if (law.kind == scene::ControllerKind::kPassive) return;
+  if (law.on >= end) {
+    all.push_back(
+        fmt::format("{}controller.on = {:.6g} s: the run ends at {:.6g} s, and the law "
+                    "never acts",
+                    where, law.on, end));
+  } else if (law.sample_time >= end) {
+    all.push_back(
+        fmt::format("{}controller.sample_time = {:.6g} s: the run ends at {:.6g} s, and "
+                    "the law acts once at most",
+                    where, law.sample_time, end));
+  }
+}
+
+}  // namespace
 
 std::vector<std::string> doubts(const scene::Scene& scene) {
   std::vector<std::string> all;
   const double speed = std::abs(scene.rotor.speed);
   for (std::size_t k = 0; k < scene.auxiliary.size(); ++k) {
     const auto& contact = scene.auxiliary[k].contact;
-    if (!contact) continue;
     const std::string where =
         scene.auxiliary.size() > 1 ? fmt::format("{}: ", scene.name_of(k)) : std::string();
+    if (const auto& law = scene.auxiliary[k].controller)
+      doubt_control(*law, scene.run.end, where, all);
+    if (!contact) continue;
     if (contact->clearance > kMostClearance * contact->radius) {
       all.push_back(fmt::format(
           "{}contact.clearance = {:.4g} m is {:.3g} times the rotor's radius there; clearances are "

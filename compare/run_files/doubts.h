@@ -1,4 +1,5 @@
-// Values that a scene may have and that are hardly meant: a unit forgotten, a zero too many.
+// Values that a scene may have and that are hardly meant: a unit forgotten, a zero too many, a law
+// that never acts.
 // Nothing is refused for them.
 #pragma once
 

@@ -12,7 +12,7 @@ const char* status_reason(Status status) {
       return "the contact laws have several solutions (frictional jamming, Painleve)";
     case Status::kStepTooLarge:
       return "the equations of one step do not converge: the step is too large for the loads that "
-             "depend on the spin";
+             "depend on the spin, or for the whirl of a contact";
     case Status::kInterrupted:
       return "interrupted";
     default:

@@ -82,6 +82,15 @@ CoupledSolution SeveralContacts::solve_on_circles(std::span<const std::size_t> l
   return s;
 }
 
+// A step in which a contact turns so far that its normals have no one solution, whatever the law.
+bool SeveralContacts::whirls_too_far(std::span<const std::size_t> lasting) const {
+  constexpr double kMostTurn = 0.5;  // rad
+  return std::ranges::any_of(lasting, [&](std::size_t i) {
+    const Eigen::Vector2d &e = places[i].e_r, w = places[i].start.head<2>();
+    return h_ * std::abs(e.x() * w.y() - e.y() * w.x()) > kMostTurn * law(i).clearance;
+  });
+}
+
 // Impulses of the contacts that last; false: the laws have none. Friction follows the slip of the
 // middle, and so does its mu; where that changes its sign within the step, it is the mean of its
 // two values by the time that each holds.
@@ -108,7 +117,7 @@ bool SeveralContacts::press(State& x, std::span<const std::size_t> lasting) {
   for (bool settled = false; !settled;) {
     s = solve_on_circles(lasting, std::span(friction).first(n));
     if (s.solutions != 1) {
-      x.fail(0, status_of(s.solutions));
+      x.fail(0, whirls_too_far(lasting) ? Status::kStepTooLarge : status_of(s.solutions));
       return false;
     }
     settled = true;

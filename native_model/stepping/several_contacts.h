@@ -67,6 +67,7 @@ class SeveralContacts : public ContactColumns {
     double ratio = 0.0;
   };
   bool press(State& x, std::span<const std::size_t> lasting);
+  bool whirls_too_far(std::span<const std::size_t> lasting) const;
   CoupledSolution solve_on_circles(std::span<const std::size_t> lasting,
                                    std::span<const Friction> friction) const;
   void note_lasting();

@@ -32,5 +32,21 @@ TEST(Doubts, NameWhatIsHardlyMeantWithItsKey) {
   EXPECT_EQ(of("0.0", "clearance = 0.4\nfriction = 15.0\n").size(), 2U);
 }
 
+TEST(Doubts, NameALawThatNeverActs) {
+  const auto of = [](const std::string& law) {
+    return doubts(scene_with("\"50 Hz\"",
+                             "clearance = \"0.5 mm\"\nfriction = 0.15\n[stator]\nmass = 1.0\n"
+                             "stiffness = 1e5\ndamping = 100.0\n[controller]\nkind = \"pd\"\n" +
+                                 law));
+  };
+  EXPECT_TRUE(of("on = 0.05\nsample_time = 1e-4\n").empty());
+  const auto late = of("on = 0.1\n");
+  ASSERT_EQ(late.size(), 1U);
+  EXPECT_TRUE(late[0].starts_with("controller.on = 0.1 s")) << late[0];
+  const auto seldom = of("sample_time = 10.0\n");
+  ASSERT_EQ(seldom.size(), 1U);
+  EXPECT_TRUE(seldom[0].starts_with("controller.sample_time = 10 s")) << seldom[0];
+}
+
 }  // namespace
 }  // namespace rotorub
