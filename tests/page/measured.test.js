@@ -2,7 +2,7 @@
 import {after, before, test} from 'node:test';
 import fs from 'node:fs';
 import path from 'node:path';
-import {assert, bring, folder, launch, open, rotorub, scene, seek, series, state} from './support.js';
+import {assert, bring, eventually, folder, launch, open, rotorub, scene, seek, series, state} from './support.js';
 
 const kShift = 0.125;      // s, added to the scene's times
 const kHole = [0.02, 0.03];  // s, of the scene: nothing is recorded
@@ -90,7 +90,11 @@ test('is a run of the player, with what its record has', async () => {
   const row = rows.find((r) => Math.abs(r.t - 0.04) < 1e-6);
   await bring(page, '.player');
   await seek(page, 0.04);
-  const s = await state(page);
+  const s = await eventually(async () => {
+    const now = await state(page);
+    assert.equal(now.sections[1].rotor, true);
+    return now;
+  });
   assert.deepEqual(s.runs, ['native', 'measured']);
   const pose = s.poses[1];
   for (const [k, name] of ['rotor_x', 'rotor_y'].entries()) assert.ok(Math.abs(pose.rotor[k] - row[name]) < 1.1e-6, name);
@@ -111,7 +115,7 @@ test('shows nothing where nothing was recorded', async () => {
   const place = page.locator('.player-run').nth(1);
   for (const t of [0.025, 0.001]) {
     await seek(page, t);
-    assert.equal(await place.locator('.mode').textContent(), 'no samples here');
+    await eventually(async () => assert.equal(await place.locator('.mode').textContent(), 'no samples here'));
     assert.equal(await place.locator('.readings div').count(), 0);
     assert.ok(!(await state(page)).sections[1].rotor);
   }
@@ -149,7 +153,7 @@ test('without a rotor is in the plots alone, and says so', async () => {
 test('can be put away, and is silent', async () => {
   await page.evaluate(() => document.querySelector('.legend-item[data-side="measured"]').click());
   await drawn(page, 'gap');
-  const visible = await page.evaluate(() => document.querySelector('.plot[data-plot="gap"]').data.find((t) => t.name === 'measured').visible);
-  assert.equal(visible, 'legendonly');
+  const visible = () => page.evaluate(() => document.querySelector('.plot[data-plot="gap"]').data.find((t) => t.name === 'measured').visible);
+  await eventually(async () => assert.equal(await visible(), 'legendonly'));
   assert.deepEqual(page.said, []);
 });

@@ -1,6 +1,6 @@
 // The report in Chromium: two scenes, four runs each.
 import {after, before, test} from 'node:test';
-import {assert, bring, launch, open, rotorub, scene, seek, series, state} from './support.js';
+import {assert, bring, eventually, launch, open, rotorub, scene, seek, series, state} from './support.js';
 
 let browser, page;
 before(async () => {
@@ -214,9 +214,9 @@ test('hides a run', async () => {
     && p.closest('.scene').dataset.scene === '0').flatMap((p) => p.data.filter((d) => d.name === 'cone').map((d) => d.visible)));
   await button.click();
   assert.equal(await button.getAttribute('aria-pressed'), 'false');
-  assert.deepEqual([...new Set(await visible())], ['legendonly']);
+  await eventually(async () => assert.deepEqual([...new Set(await visible())], ['legendonly']));
   await button.click();
-  assert.deepEqual([...new Set(await visible())], [true]);
+  await eventually(async () => assert.deepEqual([...new Set(await visible())], [true]));
 });
 
 test('the waterfall is of the first run shown, and the spectrum has every run', async () => {
@@ -295,6 +295,7 @@ test('a plot that comes back to the screen is at the time of now', async () => {
   await seek(page, 0.077, 0);
   await bring(page, '.plot[data-plot="gap"]', 0);
   await page.waitForFunction(() => Number(document.querySelector('.plot[data-plot="gap"]').dataset.cursor) === 0.077);
-  const {cursors} = await shownTimes(0);
-  for (const c of cursors) near(c.t, 0.077, 1.5 * c.pixel);
+  await eventually(async () => {
+    for (const c of (await shownTimes(0)).cursors) near(c.t, 0.077, 1.5 * c.pixel);
+  });
 });

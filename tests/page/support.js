@@ -50,7 +50,22 @@ async function bring(page, selector, k = 0) {
     .scrollIntoView({block: 'center', behavior: 'instant'}), [selector, k]);
   await page.waitForTimeout(150);
 }
-const seek = (page, t, k = 0) => page.evaluate(`page.players[${k}].clock.seek(${t})`);
+// And waits until the frames after it are drawn: on a busy machine they are not at once.
+const seek = (page, t, k = 0) => page.evaluate(async ([i, at]) => {
+  window.page.players[i].clock.seek(at);
+  for (let frame = 0; frame < 3; ++frame) await new Promise((drawn) => { requestAnimationFrame(drawn); });
+}, [k, t]);
+// What is drawn a plot a frame comes to hold within some seconds.
+async function eventually(check) {
+  for (const end = Date.now() + 10000; ;) {
+    try {
+      return await check();
+    } catch (error) {
+      if (Date.now() > end) throw error;
+      await new Promise((go) => { setTimeout(go, 50); });
+    }
+  }
+}
 
 // Rows of a run's series.csv as objects.
 function series(file) {
@@ -59,4 +74,4 @@ function series(file) {
   return lines.map((line) => Object.fromEntries(line.split(',').map((field, k) => [names[k], field])));
 }
 
-export {assert, bring, folder, launch, open, rotorub, scene, seek, series, state, top};
+export {assert, bring, eventually, folder, launch, open, rotorub, scene, seek, series, state, top};
