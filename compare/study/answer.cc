@@ -9,6 +9,7 @@
 #include <numeric>
 
 #include "compare/base/format.h"
+#include "compare/study/comparison_runs.h"
 #include "compare/study/resync_text.h"
 
 namespace rotorub {
@@ -162,16 +163,8 @@ std::vector<std::string> own_notes(const SceneComparison& c) {
 }
 
 std::string cone_note(const SceneComparison& c) {
-  const bool shown =
-      std::ranges::any_of(c.sides, [](const Side& side) { return side.label.starts_with("cone"); });
-  if (shown || c.scene.gives()) return "";
-  const bool falls = std::ranges::any_of(c.scene.auxiliary, [](const auto& bearing) {
-    return bearing.contact && !bearing.contact->friction.is_constant();
-  });
-  return std::string("MuJoCo alone is not shown: its cone ") +
-         (falls ? "has one coefficient for all slips, and here friction depends on the slip."
-                : "knows one contact of the modal chain; with mujoco.rotor = \"segments\" it has "
-                  "all of them.");
+  const std::string why = c.scene.gives() ? "" : cone_refusal(c.scene, c.own);
+  return why.empty() ? "" : "MuJoCo alone is not shown: its cone " + why + ".";
 }
 
 std::string mode_note(const SceneComparison& c) {

@@ -46,6 +46,17 @@ std::shared_ptr<const CommandRecord> commands_of(const Trajectory& t, double ste
 
 }  // namespace
 
+std::string cone_refusal(const scene::Scene& scene, bool own) {
+  const bool falls = std::ranges::any_of(scene.auxiliary, [](const auto& bearing) {
+    return bearing.contact && !bearing.contact->friction.is_constant();
+  });
+  if (falls) return "has one coefficient for all slips, and here friction depends on the slip";
+  if (own || scene.auxiliary.size() < 2 || scene.mujoco.rotor == scene::MujocoRotor::kSegments)
+    return "";
+  return "knows one contact of the modal chain; with mujoco.rotor = \"segments\" it has all of "
+         "them";
+}
+
 std::vector<Contestant> contestants(const scene::Scene& scene, const CompareOptions& options) {
   const scene::ContactModel decides = options.contact;
   const auto mujoco = [&](scene::ContactModel contact) {
@@ -54,14 +65,7 @@ std::vector<Contestant> contestants(const scene::Scene& scene, const CompareOpti
   std::vector<Contestant> all;
   all.push_back({"native", native_engine(scene.run.integrator), kNativeWork});
   all.push_back({to_string(decides), mujoco(decides), kMujocoWork});
-  // The modal chain has its further contacts by rigid and coulomb alone, and friction that depends
-  // on the slip every rotor.
-  const auto falls = [](const scene::AuxiliaryBearing& bearing) {
-    return bearing.contact && !bearing.contact->friction.is_constant();
-  };
-  const bool has_cones = std::none_of(scene.auxiliary.begin(), scene.auxiliary.end(), falls) &&
-                         (options.own || scene.auxiliary.size() < 2 ||
-                          scene.mujoco.rotor == scene::MujocoRotor::kSegments);
+  const bool has_cones = cone_refusal(scene, options.own != nullptr).empty();
   for (const auto& [contact, word] : scene::kContactModels) {
     if (contact == decides || (scene::is_cone(contact) && !has_cones)) continue;
     const bool rigid = contact == scene::ContactModel::kRigid;

@@ -26,6 +26,10 @@ struct Contestant {
 inline constexpr double kNativeWork = 1.0;
 inline constexpr double kLadderWork = 20.0;  // of the ladder of modes, in these units
 
+// Why MuJoCo's cone cannot be run, the rest of a sentence that begins with "its cone"; empty: it
+// can. own: a machine of the user's own, whose pairs may be any number.
+std::string cone_refusal(const scene::Scene& scene, bool own);
+
 // Native, then MuJoCo with the contact model that decides, then with the others.
 std::vector<Contestant> contestants(const scene::Scene& scene, const CompareOptions& options);
 

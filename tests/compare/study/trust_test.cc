@@ -196,7 +196,7 @@ TEST(AnswerRow, SaysWhyMujocoAloneIsNotAmongThem) {
   for (scene::AuxiliaryBearing& at : c.scene.auxiliary) at.contact.emplace();
   EXPECT_NE(cone_note(c).find("MuJoCo alone is not shown: its cone knows one contact"),
             std::string::npos);
-  c.sides[1].label = "cone";
+  c.scene.mujoco.rotor = scene::MujocoRotor::kSegments;
   EXPECT_EQ(cone_note(c), "");
 }
 
