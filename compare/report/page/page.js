@@ -70,12 +70,22 @@ export function whenNear(element, act) {
   new IntersectionObserver((entries) => act(entries[entries.length - 1].isIntersecting), {rootMargin: '400px 0px'}).observe(element);
 }
 
+// Once the browser has told that it painted words; or, where it never does (a hidden tab, paper), after two seconds.
+function painted() {
+  return new Promise((go) => {
+    setTimeout(go, 2000);
+    const observer = new PerformanceObserver((list) => {
+      if (list.getEntriesByName('first-contentful-paint').length) go();
+    });
+    observer.observe({type: 'paint', buffered: true});
+  });
+}
+
 // Plotly comes last and takes a third of a second: words, tables and the player are there before it. `ready` follows.
-export function withPlotly(ready) {
-  requestAnimationFrame(() => setTimeout(async () => {
-    const script = document.createElement('script');
-    script.textContent = await unpacked('plotly').text();
-    document.head.append(script);
-    ready();
-  }, 50));
+export async function withPlotly(ready) {
+  await painted();
+  const script = document.createElement('script');
+  script.textContent = await unpacked('plotly').text();
+  document.head.append(script);
+  ready();
 }
