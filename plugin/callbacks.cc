@@ -5,6 +5,7 @@
 
 #include "plugin/actuators.h"
 #include "plugin/mujoco_versions.h"
+#include "plugin/own/instances.h"
 #include "plugin/passes.h"
 #include "plugin/places.h"
 
@@ -107,6 +108,7 @@ void install_callbacks() {
     place.take();
   });
   active = true;
+  register_contact_plugin();
 }
 
 void restore_callbacks() {

@@ -122,8 +122,8 @@ ContactPair map_contact(const mjModel* m, const Config& config, std::size_t k, i
   }
   p.data = data;
   p.sensors = contact_sensors(m, {}, names::of_bearing(k, {}));
-  if (const mjtNum* reference = own_number(m, names::kOwnFrictionReference)) {
-    p.friction_reference = *reference;
+  if (const auto reference = own_number(m, names::kOwnFrictionReference)) {
+    p.friction_reference = reference->values[0];
   }
   p.in_world = true;
   p.on_chain = !config.segments;
@@ -284,10 +284,10 @@ const char* custom_text(const mjModel* m, std::string_view name) {
 
 scene::ContactModel contact_model(const mjModel* m, const std::string& text_name,
                                   scene::ContactModel otherwise) {
-  const char* text = custom_text(m, text_name);
+  const char* text = own_text(m, text_name);
   if (!text) return otherwise;
   if (const auto model = scene::contact_model(text)) return *model;
-  refuse(text_element(text_name.c_str()),
+  refuse(own_element(m, text_name),
          message("\"{}\"; accepted: {}", text,
                  scene::join(scene::contact_words<std::vector<std::string_view>>())));
 }

@@ -9,12 +9,14 @@
 #include <iterator>
 #include <memory>
 #include <mutex>
+#include <span>
 #include <string>
 #include <string_view>
 #include <unordered_map>
 
 #include "plugin/model_parameters.h"
 #include "plugin/mujoco_versions.h"
+#include "plugin/own/instances.h"
 #include "plugin/own/own_config.h"
 #include "plugin/thread_memory.h"
 #include "plugin/user_data.h"
@@ -25,12 +27,28 @@ namespace {
 // Calls action(bytes, count) for each part until it says false.
 template <typename Action>
 bool for_each_part(const mjModel* m, Action action) {
-  const int sizes[] = {count(m->nq),        count(m->nv),     count(m->nu),
-                       count(m->njnt),      count(m->ngeom),  count(m->nsensor),
-                       count(m->ntextdata), count(m->nnames), count(m->nnumericdata),
-                       count(m->nuserdata), count(m->npair),  count(m->nmocap),
-                       count(m->nbody),     count(m->na),     count(m->ntext),
-                       count(m->nnumeric),  count(m->neq),    count(m->ntendon)};
+  const std::span<const int> instances = plugin_slots(m);
+  const std::string_view attributes = plugin_attributes(m);
+  const int sizes[] = {count(m->nq),
+                       count(m->nv),
+                       count(m->nu),
+                       count(m->njnt),
+                       count(m->ngeom),
+                       count(m->nsensor),
+                       count(m->ntextdata),
+                       count(m->nnames),
+                       count(m->nnumericdata),
+                       count(m->nuserdata),
+                       count(m->npair),
+                       count(m->nmocap),
+                       count(m->nbody),
+                       count(m->na),
+                       count(m->ntext),
+                       count(m->nnumeric),
+                       count(m->neq),
+                       count(m->ntendon),
+                       count(instances.size()),
+                       count(attributes.size())};
   const auto part = [&action](const auto* data, auto n) {
     return n == 0 ||
            action(reinterpret_cast<const char*>(data), sizeof *data * static_cast<std::size_t>(n));
@@ -38,6 +56,8 @@ bool for_each_part(const mjModel* m, Action action) {
   // clang-format off
   return part(sizes, static_cast<int>(std::size(sizes))) &&
          part(m->text_data, m->ntextdata) && part(m->text_adr, m->ntext) &&
+         part(instances.data(), instances.size()) &&
+         part(attributes.data(), attributes.size()) &&
          part(m->numeric_data, m->nnumericdata) && part(m->numeric_adr, m->nnumeric) &&
          part(m->names, m->nnames) && part(m->name_textadr, m->ntext) &&
          part(m->name_numericadr, m->nnumeric) && part(m->name_bodyadr, m->nbody) &&
@@ -213,7 +233,7 @@ bool is_still_foreign(Known& known, const mjModel* m, const mjData* d, bool chec
   if (known.compared == d && known.time == d->time) return true;
   known.compared = d;
   known.time = d->time;
-  return known.names == custom_names(m);
+  return known.names == custom_names(m) && !has_instances(m);
 }
 
 // mju_error may leave by longjmp (it does while a model is compiled): nothing with a destructor
@@ -239,7 +259,7 @@ bool is_marked(const mjModel* m, const mjData* d, const Config& config) {
 }
 
 const Config* find(const mjModel* m, const mjData* d, bool check) {
-  if (m->ntext == 0 && m->nnumeric == 0) return nullptr;
+  if (m->ntext == 0 && m->nnumeric == 0 && !has_instances(m)) return nullptr;
   if (Known* known = recent.find(m)) {
     if (!known->config) {
       if (is_still_foreign(*known, m, d, check)) return nullptr;

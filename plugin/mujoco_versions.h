@@ -9,6 +9,7 @@
 #include <memory>
 #include <span>
 #include <string>
+#include <string_view>
 #include <tuple>
 #include <type_traits>
 
@@ -225,6 +226,23 @@ bool has_engine_actuators(const Model* m) {
     }
   }
   return false;
+}
+// Of their instances: which plugin, and all that their configs say.
+template <typename Model>
+std::span<const int> plugin_slots(const Model* m) {
+  if constexpr (requires { m->npluginattr; }) {
+    return {m->plugin, static_cast<std::size_t>(m->nplugin)};
+  } else {
+    return {};
+  }
+}
+template <typename Model>
+std::string_view plugin_attributes(const Model* m) {
+  if constexpr (requires { m->npluginattr; }) {
+    return {m->plugin_attr, static_cast<std::size_t>(m->npluginattr)};
+  } else {
+    return {};
+  }
 }
 template <typename Model, typename Data>
 std::span<mjtNum> plugin_state(const Model* m, Data* d) {

@@ -29,12 +29,11 @@ constexpr Range kCoefficient{0.0, 1e300, false, ">= 0"};
 constexpr Range kShare{0.0, 1.0, false, "between 0 and 1"};
 
 double value_or(const mjModel* m, const std::string& name, double otherwise, const Range& range) {
-  const mjtNum* given = own_number(m, name);
-  const double value = given ? *given : otherwise;
+  const std::optional<OwnNumber> given = own_number(m, name);
+  const double value = given ? given->values[0] : otherwise;
   const bool below = range.open_below ? !(value > range.low) : !(value >= range.low);
   if (below || !(value <= range.high)) {
-    refuse(message("<custom><numeric name=\"{}\">", name),
-           message("{}; accepted: {}", value, range.text));
+    refuse(own_element(m, name), message("{}; accepted: {}", value, range.text));
   }
   return value;
 }
@@ -42,15 +41,15 @@ double value_or(const mjModel* m, const std::string& name, double otherwise, con
 // mu, or static, kinetic, Stribeck speed and viscous part, as [contact.friction] of a scene.
 FrictionLaw own_friction(const mjModel* m, const std::string& name) {
   FrictionLaw law = value_or(m, name, 0.0, kCoefficient);
-  const int id = mj_name2id(m, mjOBJ_NUMERIC, name.c_str());
-  if (id < 0 || m->numeric_size[id] < 4) return law;
-  const mjtNum* given = own_number(m, name);
+  const std::optional<OwnNumber> said = own_number(m, name);
+  if (!said || said->size == 1) return law;
+  const std::array<mjtNum, 4>& given = said->values;  // too few of them: no Stribeck speed
   law.coefficient = given[1];
   law.excess = given[0] - given[1];
   law.stribeck_speed = given[2];
   law.viscous = given[3];
   if (!(given[1] >= 0.0 && law.excess >= 0.0 && given[2] > 0.0 && given[3] >= 0.0)) {
-    refuse(message("<custom><numeric name=\"{}\">", name),
+    refuse(own_element(m, name),
            message("{} {} {} {}; accepted: a number, or static, kinetic >= 0 and at most static, "
                    "Stribeck speed > 0, viscous >= 0",
                    given[0], given[1], given[2], given[3]));
@@ -79,12 +78,11 @@ void check_series(const mjModel* m, const PairName& name) {
   const PairName first{name.prefix, ""};
   for (const char* key : {names::kOwnFriction, names::kOwnRestitution, names::kOwnTangential}) {
     if (own_number(m, name.of(key)) || !own_number(m, first.of(key))) continue;
-    refuse(message("<custom><numeric name=\"{}\">", name.of(key)),
+    refuse(own_element(m, name.of(key)),
            message("missing, but {} is given; accepted: a number for each contact", first.of(key)));
   }
-  if (!custom_text(m, name.of(names::kContactText)) &&
-      custom_text(m, first.of(names::kContactText))) {
-    refuse(text_element(name.of(names::kContactText).c_str()),
+  if (!own_text(m, name.of(names::kContactText)) && own_text(m, first.of(names::kContactText))) {
+    refuse(own_element(m, name.of(names::kContactText)),
            message("missing, but {} is given; accepted: a contact model for each contact",
                    first.of(names::kContactText)));
   }
@@ -104,7 +102,7 @@ std::string pair_element(const mjModel* m, const ContactPair& pair) {
 void check_bounce(const mjModel* m, const PairName& name, const ContactPair& p) {
   constexpr double kScatter = 0.03;  // what MuJoCo's steps make of it is not finer
   if (p.contact.tangential_restitution > 0.0) {
-    refuse(message("<custom><numeric name=\"{}\">", name.of(names::kOwnTangential)),
+    refuse(own_element(m, name.of(names::kOwnTangential)),
            "contact models coulomb and cone have none; accepted: 0, or contact model rigid");
   }
   if (!own_number(m, name.of(names::kOwnRestitution))) return;
@@ -133,7 +131,7 @@ void check_cone(const mjModel* m, const PairName& name, const ContactPair& p) {
         "contact model cone: the force is found by MuJoCo's solver; accepted: needstage=\"acc\"");
   }
   if (!p.contact.friction.is_constant()) {
-    refuse(message("<custom><numeric name=\"{}\">", name.of(names::kOwnFriction)),
+    refuse(own_element(m, name.of(names::kOwnFriction)),
            "contact models cone and cone-coulomb have one coefficient for all slips; accepted: a "
            "number, or contact model rigid or coulomb");
   }
@@ -214,14 +212,14 @@ ContactPair make_pair(const mjModel* m, const PairName& name) {
   p.rotor_geom = own_geom(m, name, names::kOwnRotorGeom);
   p.ring_geom = own_geom(m, name, names::kOwnRingGeom);
   if (p.rotor_geom == p.ring_geom) {
-    refuse(text_element(name.of(names::kOwnRingGeom).c_str()), "is the rotor's geom");
+    refuse(own_element(m, name.of(names::kOwnRingGeom)), "is the rotor's geom");
   }
   check_series(m, name);
   const auto number = [&](const char* key, double otherwise, const Range& range) {
     return value_or(m, name.of(key), otherwise, range);
   };
   if (!own_number(m, name.of(names::kOwnClearance))) {
-    refuse(message("<custom><numeric name=\"{}\">", name.of(names::kOwnClearance)),
+    refuse(own_element(m, name.of(names::kOwnClearance)),
            "missing; accepted: the radial clearance in m, > 0");
   }
   ContactParameters& c = p.contact;
@@ -232,7 +230,7 @@ ContactPair make_pair(const mjModel* m, const PairName& name) {
   c.tangential_restitution = number(names::kOwnTangential, 0.0, kShare);
   p.friction_reference = number(names::kOwnFrictionReference, 0.0, kCoefficient);
   if (p.friction_reference > 0.0 && p.law != scene::ContactModel::kCone) {
-    refuse(message("<custom><numeric name=\"{}\">", name.of(names::kOwnFrictionReference)),
+    refuse(own_element(m, name.of(names::kOwnFrictionReference)),
            message("contact model {} has none; accepted: contact model cone",
                    scene::to_string(p.law)));
   }
@@ -261,12 +259,12 @@ bool share_tree(const mjModel* m, const ContactPair& a, const ContactPair& b) {
 void check_beside(const mjModel* m, const ContactPair& a, const ContactPair& b,
                   const PairName& name) {
   if (a.pair == b.pair) {
-    refuse(text_element(name.of(names::kOwnRotorGeom).c_str()),
+    refuse(own_element(m, name.of(names::kOwnRotorGeom)),
            message("{} has a contact already; accepted: one for two geoms", pair_element(m, b)));
   }
   const auto solved_here = [](const ContactPair& p) { return !scene::is_cone(p.law); };
   if (a.law != b.law && solved_here(a) && solved_here(b) && share_tree(m, a, b)) {
-    refuse(text_element(name.of(names::kContactText).c_str()),
+    refuse(own_element(m, name.of(names::kContactText)),
            message("is another than that of {}, which moves with it: the two are one problem; "
                    "accepted: one contact model for both",
                    pair_element(m, a)));

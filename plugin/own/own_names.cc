@@ -1,26 +1,43 @@
 #include "plugin/own/own_names.h"
 
 #include <algorithm>
+#include <charconv>
 #include <cmath>
 #include <span>
 #include <string_view>
 
-#include "mjcf/names.h"
 #include "native_model/scene/diagnostic.h"
 #include "plugin/message.h"
+#include "plugin/own/instances.h"
 
 namespace rotorub::plugin {
 namespace {
 
 namespace names = mjcf_names;
 
-constexpr const char* kTexts[] = {names::kContactText, names::kOwnRotorGeom, names::kOwnRingGeom};
-constexpr const char* kNumbers[] = {names::kOwnClearance,  names::kOwnRadius,
-                                    names::kOwnFriction,   names::kOwnRestitution,
-                                    names::kOwnTangential, names::kOwnFrictionReference,
-                                    names::kOwnWidth,      names::kOwnUserData};
-
 bool is_ours(std::string_view name) { return name.find(names::kOwnMark) != name.npos; }
+
+bool is_number(const InstanceWord& word) {
+  return std::find(kOwnNumbers.begin(), kOwnNumbers.end(), word.key) != kOwnNumbers.end();
+}
+
+// As many numbers as the text says.
+OwnNumber parse(const InstanceWord& word) {
+  OwnNumber number;
+  const int most = std::string_view(names::kOwnFriction) == word.key ? 4 : 1;
+  const std::string_view text = word.value;
+  const char *at = text.data(), *const end = at + text.size();
+  for (bool good = true; good;) {
+    while (at != end && *at == ' ') ++at;
+    if (at == end && number.size > 0) return number;
+    if (number.size == most) break;
+    double& value = number.values[static_cast<std::size_t>(number.size++)];
+    const auto [stop, problem] = std::from_chars(at, end, value);
+    good = problem == std::errc{} && std::isfinite(value) && (stop == end || *stop == ' ');
+    at = stop;
+  }
+  refuse(word.element, message("\"{}\"; accepted: a number without a unit", word.value));
+}
 
 // Calls action(name) for each name of ours.
 template <typename Action>
@@ -29,12 +46,18 @@ void for_each_text(const mjModel* m, Action action) {
     const std::string name = m->names + m->name_textadr[i];
     if (is_ours(name)) action(name);
   }
+  for (const InstanceWord& word : instance_words(m)) {
+    if (!is_number(word)) action(word.name());
+  }
 }
 template <typename Action>
 void for_each_number(const mjModel* m, Action action) {
   for (int i = 0; i < m->nnumeric; ++i) {
     const std::string name = m->names + m->name_numericadr[i];
     if (is_ours(name)) action(name, m->numeric_data[m->numeric_adr[i]]);
+  }
+  for (const InstanceWord& word : instance_words(m)) {
+    if (is_number(word)) action(word.name(), parse(word).values[0]);
   }
 }
 
@@ -55,9 +78,14 @@ std::vector<std::string> all_of(std::span<const char* const> keys,
   return all;
 }
 
+std::string element_of(const mjModel* m, const char* kind, const std::string& name) {
+  const std::string element = instance_element(m, name);
+  return element.empty() ? message("<custom><{} name=\"{}\">", kind, name) : element;
+}
+
 // Nothing of ours may be misspelt: it would count as not given.
-void check(const std::string& name, std::span<const char* const> keys, const char* kind,
-           const std::vector<PairName>& pairs) {
+void check(const mjModel* m, const std::string& name, std::span<const char* const> keys,
+           const char* kind, const std::vector<PairName>& pairs) {
   for (const char* key : keys) {
     PairName pair;
     if (!is_key(name, key, pair)) continue;
@@ -68,7 +96,7 @@ void check(const std::string& name, std::span<const char* const> keys, const cha
   const std::vector<std::string_view> views(known.begin(), known.end());
   const std::string_view meant = scene::nearest(name, views);
   refuse(
-      message("<custom><{} name=\"{}\">", kind, name),
+      element_of(m, kind, name),
       message("unknown{}; accepted: {}",
               meant.empty() ? "" : message(", did you mean \"{}\"?", meant), scene::join(views)));
 }
@@ -77,18 +105,30 @@ void check_names(const mjModel* m, const std::vector<PairName>& pairs) {
   for_each_text(m, [&](const std::string& name) {
     PairName of;
     if (is_key(name, names::kSceneText, of)) {
-      refuse(text_element(name.c_str()),
+      refuse(own_element(m, name),
              "a scene stands alone, with its own names; accepted in an attached model: geoms and "
              "numbers (plugin/README.md, a model of your own)");
     }
     if (is_key(name, names::kOwnConeCoulombPair, of)) return;  // of any ending
-    check(name, kTexts, "text", pairs);
+    check(m, name, kOwnTexts, "text", pairs);
   });
   for_each_number(
-      m, [&](const std::string& name, mjtNum) { check(name, kNumbers, "numeric", pairs); });
+      m, [&](const std::string& name, mjtNum) { check(m, name, kOwnNumbers, "numeric", pairs); });
 }
 
-bool is_number(const std::string& suffix) {
+void refuse_said_twice(const mjModel* m, const std::vector<InstanceWord>& words) {
+  for (auto word = words.begin(); word != words.end(); ++word) {
+    const std::string name = word->name();
+    if (custom_text(m, name) || mj_name2id(m, mjOBJ_NUMERIC, name.c_str()) >= 0) {
+      refuse(word->element, message("{} is in <custom> too; accepted: one of them", name));
+    }
+    for (auto other = words.begin(); other != word; ++other) {
+      if (other->name() == name) refuse(word->element, "is of the contact of " + other->element);
+    }
+  }
+}
+
+bool is_numbering(const std::string& suffix) {
   return suffix.find_first_of("0123456789") != suffix.npos &&
          suffix.find_first_not_of("_-0123456789") == suffix.npos;
 }
@@ -97,19 +137,25 @@ bool is_number(const std::string& suffix) {
 
 bool has_own_names(const mjModel* m) {
   const auto ours = [m](int address) { return is_ours(m->names + address); };
-  return std::any_of(m->name_textadr, m->name_textadr + m->ntext, ours) ||
+  return has_instances(m) || std::any_of(m->name_textadr, m->name_textadr + m->ntext, ours) ||
          std::any_of(m->name_numericadr, m->name_numericadr + m->nnumeric, ours);
 }
 
 std::vector<PairName> own_pair_names(const mjModel* m) {
   std::vector<PairName> pairs;
-  for_each_text(m, [&pairs](const std::string& name) {
+  const auto add = [&pairs](const PairName& pair) {
+    if (std::find(pairs.begin(), pairs.end(), pair) == pairs.end()) pairs.push_back(pair);
+  };
+  for_each_text(m, [&add](const std::string& name) {
     for (const char* key : {names::kOwnRotorGeom, names::kOwnRingGeom}) {
-      PairName pair;
-      if (!is_key(name, key, pair)) continue;
-      if (std::find(pairs.begin(), pairs.end(), pair) == pairs.end()) pairs.push_back(pair);
+      if (PairName pair; is_key(name, key, pair)) add(pair);
     }
   });
+  const std::vector<InstanceWord> words = instance_words(m);
+  refuse_said_twice(m, words);
+  for (const InstanceWord& word : words) {
+    if (std::string_view(names::kOwnConeCoulombPair) != word.key) add(word.contact);
+  }
   check_names(m, pairs.empty() ? std::vector<PairName>{{}} : pairs);
   if (pairs.empty() && corrected_pairs(m).empty())
     pairs.emplace_back();  // other names of ours: its geoms are missing
@@ -117,16 +163,18 @@ std::vector<PairName> own_pair_names(const mjModel* m) {
 }
 
 void refuse_own_names(const mjModel* m) {
-  for_each_text(m, [](const std::string& name) {
+  if (has_instances(m)) {
+    refuse("<extension>", "has a contact beside that of the scene's text; accepted: one of them");
+  }
+  for_each_text(m, [m](const std::string& name) {
     if (name == names::kSceneText || name == names::kContactText) return;
-    check(name, kTexts, "text", {{}});
-    refuse(text_element(name.c_str()), "beside a scene's text; accepted: one");
+    check(m, name, kOwnTexts, "text", {{}});
+    refuse(own_element(m, name), "beside a scene's text; accepted: one");
   });
-  for_each_number(m, [](const std::string& name, mjtNum) {
+  for_each_number(m, [m](const std::string& name, mjtNum) {
     if (name == names::kOwnFrictionReference) return;
-    check(name, kNumbers, "numeric", {{}});
-    refuse(message("<custom><numeric name=\"{}\">", name),
-           "the scene's text has its own; accepted: the value in the scene");
+    check(m, name, kOwnNumbers, "numeric", {{}});
+    refuse(own_element(m, name), "the scene's text has its own; accepted: the value in the scene");
   });
 }
 
@@ -135,13 +183,13 @@ std::vector<int> corrected_pairs(const mjModel* m) {
   for_each_text(m, [&](const std::string& name) {
     PairName of;
     if (!is_key(name, names::kOwnConeCoulombPair, of)) return;
-    const char* said = custom_text(m, name);
+    const char* said = own_text(m, name);
     int pair = mj_name2id(m, mjOBJ_PAIR, (of.prefix + said).c_str());
     if (pair < 0) pair = mj_name2id(m, mjOBJ_PAIR, said);
-    if (pair < 0) refuse(text_element(name.c_str()), message("no <pair> is called \"{}\"", said));
+    if (pair < 0) refuse(own_element(m, name), message("no <pair> is called \"{}\"", said));
     if (m->pair_dim[pair] < 3) {
       refuse(
-          text_element(name.c_str()),
+          own_element(m, name),
           message("<pair name=\"{}\"> has no friction to correct; accepted: condim=\"3\" or more",
                   said));
     }
@@ -150,9 +198,31 @@ std::vector<int> corrected_pairs(const mjModel* m) {
   return pairs;
 }
 
-const mjtNum* own_number(const mjModel* m, const std::string& name) {
-  const int id = mj_name2id(m, mjOBJ_NUMERIC, name.c_str());
-  return id < 0 ? nullptr : m->numeric_data + m->numeric_adr[id];
+const char* own_text(const mjModel* m, const std::string& name) {
+  if (const char* text = custom_text(m, name)) return text;
+  for (const InstanceWord& word : instance_words(m)) {
+    if (word.name() == name) return word.value;
+  }
+  return nullptr;
+}
+
+std::optional<OwnNumber> own_number(const mjModel* m, const std::string& name) {
+  if (const int id = mj_name2id(m, mjOBJ_NUMERIC, name.c_str()); id >= 0) {
+    OwnNumber number;
+    number.size = std::min(m->numeric_size[id], static_cast<int>(number.values.size()));
+    std::copy_n(m->numeric_data + m->numeric_adr[id], number.size, number.values.begin());
+    return number;
+  }
+  for (const InstanceWord& word : instance_words(m)) {
+    if (word.name() == name) return parse(word);
+  }
+  return std::nullopt;
+}
+
+std::string own_element(const mjModel* m, const std::string& name) {
+  const bool number = std::any_of(kOwnNumbers.begin(), kOwnNumbers.end(),
+                                  [&](const char* key) { return name.find(key) != name.npos; });
+  return element_of(m, number ? "numeric" : "text", name);
 }
 
 namespace {
@@ -169,12 +239,12 @@ std::vector<std::string_view> geom_names(const mjModel* m) {
 }  // namespace
 
 int own_geom(const mjModel* m, const PairName& pair, const char* text) {
-  const std::string element = text_element(pair.of(text).c_str());
-  const char* said = custom_text(m, pair.of(text));
+  const std::string element = own_element(m, pair.of(text));
+  const char* said = own_text(m, pair.of(text));
   if (!said) refuse(element, "missing, but another name of its contact is there");
   const int literal = mj_name2id(m, mjOBJ_GEOM, said);
   int id = mj_name2id(m, mjOBJ_GEOM, pair.of(said).c_str());
-  if (id >= 0 && literal >= 0 && id != literal && is_number(pair.suffix)) {
+  if (id >= 0 && literal >= 0 && id != literal && is_numbering(pair.suffix)) {
     refuse(element,
            message("both geoms, \"{}\" and \"{}\", are there: which is meant? Accepted: \"{}\", "
                    "or a number with no geom that ends with it",
@@ -200,7 +270,7 @@ int own_memory(const mjModel* m) {
   for_each_number(m, [&](const std::string& name, mjtNum value) {
     PairName of;
     if (!is_key(name, names::kOwnUserData, of)) return;
-    const std::string element = message("<custom><numeric name=\"{}\">", name);
+    const std::string element = own_element(m, name);
     if (!(value >= 0.0) || value != std::floor(value) || value > 1e9) {
       refuse(element, message("{}; accepted: an index, 0, 1, 2, ...", value));
     }

@@ -4,23 +4,35 @@
 //   rotorub_rotor_geom_2    a further one, "_2" in all its names; any ending will do
 //   left_rotorub_rotor_geom one of a model that was attached with the prefix "left_" (mjSpec,
 //                           dm_control)
-// MuJoCo's sensors are named alike: gap, gap_2, left_gap.
+// MuJoCo's sensors are named alike: gap, gap_2, left_gap. What instances of an engine plugin say
+// (instances.h) counts as said under these names.
 #pragma once
 
 #include <mujoco/mujoco.h>
 
+#include <array>
+#include <optional>
 #include <string>
 #include <vector>
 
+#include "mjcf/names.h"
+
 namespace rotorub::plugin {
+
+inline constexpr std::array kOwnTexts{mjcf_names::kContactText, mjcf_names::kOwnRotorGeom,
+                                      mjcf_names::kOwnRingGeom};
+inline constexpr std::array kOwnNumbers{
+    mjcf_names::kOwnClearance,   mjcf_names::kOwnRadius,     mjcf_names::kOwnFriction,
+    mjcf_names::kOwnRestitution, mjcf_names::kOwnTangential, mjcf_names::kOwnFrictionReference,
+    mjcf_names::kOwnWidth,       mjcf_names::kOwnUserData};
 
 struct PairName {
   std::string prefix, suffix;
-  std::string of(const char* name) const { return prefix + name + suffix; }
+  std::string of(const std::string& name) const { return prefix + name + suffix; }
   bool operator==(const PairName&) const = default;
 };
 
-// A name in <custom> has the mark rotorub_ in it.
+// A name in <custom> has the mark rotorub_ in it, or there is an instance.
 bool has_own_names(const mjModel* m);
 
 // The contacts whose geoms are named, in the order of the file. Throws ConfigError for a name that
@@ -34,8 +46,17 @@ void refuse_own_names(const mjModel* m);
 // ConfigError.
 std::vector<int> corrected_pairs(const mjModel* m);
 
-// The number of that name, or null.
-const mjtNum* own_number(const mjModel* m, const std::string& name);
+// What is said under a name: null and empty where nothing is. Throws ConfigError where an instance
+// says no numbers.
+const char* own_text(const mjModel* m, const std::string& name);
+struct OwnNumber {
+  std::array<mjtNum, 4> values{};
+  int size = 0;
+};
+std::optional<OwnNumber> own_number(const mjModel* m, const std::string& name);
+
+// Where that is said, or would be: <custom><numeric name="rotorub_clearance">.
+std::string own_element(const mjModel* m, const std::string& name);
 
 // The geom that the text says: by the name that it got when it was attached, or as it stands.
 // Throws ConfigError.

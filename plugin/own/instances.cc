@@ -1,0 +1,163 @@
+#include "plugin/own/instances.h"
+
+#include <algorithm>
+#include <array>
+#include <string_view>
+
+#include "mjcf/names.h"
+#include "plugin/callbacks.h"
+#include "plugin/config.h"
+#include "plugin/message.h"
+#include "plugin/mujoco_versions.h"
+#include "plugin/own/own_names.h"
+
+namespace rotorub::plugin {
+
+#if mjVERSION_HEADER >= 235
+namespace {
+
+namespace names = mjcf_names;
+
+constexpr const char* kPlugin = "rotorub.contact";
+constexpr std::string_view kMark = "contact";  // in the name of every instance
+
+// The names of <custom>, and the same as keys.
+constexpr auto kNames = [] {
+  std::array<const char*, kOwnTexts.size() + kOwnNumbers.size() + 1> all{};
+  std::copy(kOwnTexts.begin(), kOwnTexts.end(), all.begin());
+  std::copy(kOwnNumbers.begin(), kOwnNumbers.end(), all.begin() + kOwnTexts.size());
+  all.back() = names::kOwnConeCoulombPair;
+  return all;
+}();
+constexpr auto kKeys = [] {
+  auto keys = kNames;
+  for (const char*& key : keys) key += std::string_view(names::kOwnMark).size();
+  return keys;
+}();
+
+// MuJoCo's number of the plugin, or -1.
+int slot() {
+  static const int known = [] {
+    int at = -1;
+    mjp_getPlugin(kPlugin, &at);
+    return at;
+  }();
+  return known;
+}
+
+// mju_error may leave by longjmp: nothing with a destructor lives in the frame that calls it.
+thread_local char raised_text[1000];
+
+// Whether the model can be read; else why, in raised_text.
+bool can_be_read(const mjModel* m) {
+  try {
+    if (!callbacks_active()) {
+      refuse(message("<extension><plugin plugin=\"{}\">", kPlugin),
+             "the plugin's callbacks are not installed; accepted: a plugin::Hooks that lives as "
+             "long as the data");
+    }
+    make_config(m);
+    return true;
+  } catch (const std::exception& error) {
+    std::snprintf(raised_text, sizeof raised_text, "%s", error.what());
+    return false;
+  }
+}
+
+// Of mj_makeData, and of the compiler: the model is refused when it is loaded.
+int check_instance(const mjModel* m, mjData*, int) {
+  if (can_be_read(m)) return 0;
+  raise_error(raised_text);
+  return -1;
+}
+
+// Calls action(instance, name).
+template <typename Action>
+void for_each_instance(const mjModel* m, Action action) {
+  for (int i = 0; i < count(m->nplugin); ++i) {
+    if (m->plugin[i] == slot()) action(i, std::string(m->names + m->name_pluginadr[i]));
+  }
+}
+
+std::string element(const std::string& instance) {
+  return message("<instance name=\"{}\">", instance);
+}
+std::string config(const std::string& instance, const char* key) {
+  return element(instance) + message("<config key=\"{}\">", key);
+}
+
+// MuJoCo drops an instance that nothing refers to when it attaches a model to another, and says
+// nothing.
+void check_reference(const mjModel* m, int i, const std::string& name) {
+  if (std::find(m->body_plugin, m->body_plugin + m->nbody, i) != m->body_plugin + m->nbody) return;
+  refuse(element(name),
+         message("no body has it; accepted: <plugin instance=\"{}\"/> in the rotor's body", name));
+}
+
+// An instance that stands in its body has no name: it is the first contact's.
+PairName contact_of(const std::string& name) {
+  if (name.empty()) return {};
+  const std::size_t at = name.find(kMark);
+  if (at == name.npos) {
+    refuse(element(name),
+           "its name tells the contact and its sensors; accepted: contact, "
+           "contact_2, left_contact and the like");
+  }
+  return {name.substr(0, at), name.substr(at + kMark.size())};
+}
+
+}  // namespace
+
+void register_contact_plugin() {
+  if (mjp_getPlugin(kPlugin, nullptr)) return;  // another copy of this library has done it
+  mjpPlugin plugin;
+  mjp_defaultPlugin(&plugin);
+  plugin.name = kPlugin;
+  plugin.nattribute = static_cast<int>(kKeys.size());
+  plugin.attributes = kKeys.data();
+  // Of the capabilities that MuJoCo has, the one that asks nothing else of the model. All that is
+  // done is done in the callbacks.
+  plugin.capabilityflags = mjPLUGIN_PASSIVE;
+  plugin.nstate = [](const mjModel*, int) { return 0; };
+  plugin.init = check_instance;
+  plugin.reset = [](const mjModel*, mjtNum*, void*, int) {};
+  plugin.compute = [](const mjModel*, mjData*, int, int) {};
+  mjp_registerPlugin(&plugin);
+}
+
+bool has_instances(const mjModel* m) {
+  return m->nplugin > 0 &&
+         std::find(m->plugin, m->plugin + m->nplugin, slot()) != m->plugin + m->nplugin;
+}
+
+std::vector<InstanceWord> instance_words(const mjModel* m) {
+  std::vector<InstanceWord> words;
+  for_each_instance(m, [&](int i, const std::string& instance) {
+    const PairName contact = contact_of(instance);
+    check_reference(m, i, instance);
+    for (std::size_t k = 0; k < kKeys.size(); ++k) {
+      const char* value = mj_getPluginConfig(m, i, kKeys[k]);
+      if (value && *value) words.push_back({contact, kNames[k], value, config(instance, kKeys[k])});
+    }
+  });
+  return words;
+}
+
+std::string instance_element(const mjModel* m, const std::string& name) {
+  std::string found;
+  for_each_instance(m, [&](int, const std::string& instance) {
+    const PairName contact = contact_of(instance);
+    for (std::size_t k = 0; k < kKeys.size(); ++k) {
+      if (contact.of(kNames[k]) == name) found = config(instance, kKeys[k]);
+    }
+  });
+  return found;
+}
+#else
+void register_contact_plugin() {}
+bool has_instances(const mjModel*) { return false; }
+std::vector<InstanceWord> instance_words(const mjModel*) { return {}; }
+std::string instance_element(const mjModel*, const std::string&) { return {}; }
+#endif
+
+}  // namespace rotorub::plugin
