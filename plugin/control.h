@@ -20,6 +20,16 @@ void write_command(const Config& config, const mjModel* m, mjData* d, const Coor
 // (kContactStatus).
 void controller_failed(mjData* d, const std::string& why);
 
+// While one lives in this thread such a failure is not told: MuJoCo's compiler, which takes a pass
+// of its own, would refuse the model; a run finds it again in its first step and has a status.
+class WhileCompiling {
+ public:
+  WhileCompiling();
+  ~WhileCompiling();
+  WhileCompiling(const WhileCompiling&) = delete;
+  WhileCompiling& operator=(const WhileCompiling&) = delete;
+};
+
 // Force of the actuators on the ring, of the forward pass done last, and the currents now.
 ActuatorState actuator_state(const Config& config, const mjModel* m, const mjData* d);
 

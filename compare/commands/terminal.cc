@@ -18,7 +18,6 @@ namespace {
 using namespace std::chrono_literals;
 constexpr auto kPatience = 2s;  // shorter work shows nothing
 constexpr auto kRefresh = 100ms;
-constexpr auto kLine = 30s;  // off a terminal
 constexpr int kWidth = 28;
 
 std::string_view variable(const char* name) {
@@ -54,24 +53,18 @@ std::string progress_bar(double share, double seconds, const std::string& what, 
 }
 
 ProgressBar::ProgressBar(bool quiet)
-    : enabled_(!quiet), terminal_(is_terminal(stderr)), start_(Clock::now()), last_(start_) {}
+    : enabled_(!quiet && is_terminal(stderr)), start_(Clock::now()), last_(start_) {}
 
 ProgressBar::~ProgressBar() { clear(); }
 
 void ProgressBar::show(double share, const std::string& what) {
   if (!enabled_) return;
   const auto now = Clock::now();
-  if (now - last_ < (terminal_ ? Clock::duration(kRefresh) : Clock::duration(kLine))) return;
-  if (now - start_ < kPatience) return;
+  if (now - last_ < kRefresh || now - start_ < kPatience) return;
   last_ = now;
   const double passed = std::chrono::duration<double>(now - start_).count();
-  if (terminal_) {
-    fmt::print(stderr, "\r\033[K{}", progress_bar(share, passed, what, columns_of(stderr)));
-    drawn_ = true;
-  } else {
-    fmt::print(stderr, "rotorub: {:.0f} % after {:.0f} s: {}\n",
-               100.0 * std::clamp(share, 0.0, 1.0), passed, scene::printable(what));
-  }
+  fmt::print(stderr, "\r\033[K{}", progress_bar(share, passed, what, columns_of(stderr)));
+  drawn_ = true;
   std::fflush(stderr);
 }
 

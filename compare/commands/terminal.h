@@ -12,8 +12,8 @@ namespace rotorub {
 // Colours on a terminal that has them, unless NO_COLOR is set to something (no-color.org).
 Palette palette_of(std::FILE* stream);
 
-// How far a long piece of work is, on standard error: on a terminal a bar, from two seconds on;
-// elsewhere a line every half minute, so that a log of hours tells what they went into.
+// How far a long piece of work is, on standard error: a bar from two seconds on, on a terminal
+// only.
 class ProgressBar {
  public:
   explicit ProgressBar(bool quiet);
@@ -28,7 +28,7 @@ class ProgressBar {
 
  private:
   using Clock = std::chrono::steady_clock;
-  bool enabled_, terminal_;
+  bool enabled_;
   bool drawn_ = false;
   Clock::time_point start_, last_;
 };

@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "mjcf/names.h"
+#include "plugin/control.h"
 #include "plugin/mujoco_versions.h"
 
 namespace rotorub {
@@ -27,6 +28,7 @@ MujocoModel loaded(Load load) {
   // MuJoCo's parser and compiler share state between threads.
   static std::mutex mutex;
   const std::lock_guard<std::mutex> lock(mutex);
+  const plugin::WhileCompiling compiling;
   char error[1000] = "";
   MujocoModel model(load(error, static_cast<int>(sizeof error)));
   if (!model) throw std::runtime_error(std::string("MuJoCo: ") + error);

@@ -148,10 +148,9 @@ Impact MujocoRecord::step_contact(std::int64_t k, std::size_t contact, const dou
                    work = 0.5 * friction * slips;
       recorder_.count_at(contact, t, step_, normal, friction, work);
       if (contact > 0) {
-        const auto before = std::span(r.forces).first(contact);
-        const bool counted = std::ranges::any_of(
-            before, [](const plugin::ContactForces& of) { return of.normal > 0.0; });
-        recorder_.count_beside(t, step_, normal, friction, work, counted);
+        double before = 0.0;
+        for (std::size_t i = 0; i < contact; ++i) before += step_ * r.forces[i].normal;
+        recorder_.count_beside(t, step_, normal, friction, work, before);
       }
     }
     recorder_.watch_gap(contact, after.gap);

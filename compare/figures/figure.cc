@@ -39,7 +39,8 @@ double of(const Metrics& m) {
 
 const Figure kFigures[] = {
     {{"mean_force", "mean normal force", "N", 1.0,
-      "Normal impulse over the time from first touch, divided by that time."},
+      "Normal impulse over the time from first touch, divided by that time; of several contacts "
+      "all together."},
      {kRel, kAverage},
      of<&Metrics::mean_force>},
     {{"lasting_fraction", "lasting contact", "%", 100.0,

@@ -9,6 +9,7 @@
 #include <type_traits>
 
 #include "compare/metrics/orbit.h"
+#include "compare/metrics/rows.h"
 
 namespace rotorub {
 namespace {
@@ -26,16 +27,11 @@ constexpr std::array kNames{
     AttractorName{"forward rub", "permanent contact that whirls forward, but not with the spin"},
     AttractorName{"backward whip",
                   "permanent contact that whirls backward and slips (dry-friction whip)"},
-    AttractorName{"rolling", "permanent contact that rolls in the ring without slip"},
-    AttractorName{"unknown", "too few rows to tell"}};
+    AttractorName{"rolling",
+                  "permanent contact that whirls backward and rolls in the ring without slip"},
+    AttractorName{"unknown", "too few rows to tell, or too far apart: take a smaller output_step"}};
 
 constexpr std::size_t kFewestRows = 20;
-
-double mean(const std::vector<double>& values) {
-  double sum = 0.0;
-  for (const double value : values) sum += value;
-  return sum / static_cast<double>(values.size());
-}
 
 // Median of |slip| over the largest of |whirl speed| and |r Omega| = |slip - whirl speed|.
 double relative_slip(const LastPart& part) {
@@ -55,10 +51,12 @@ double relative_slip(const LastPart& part) {
 // Rows that are looked at go round by `net`, forth and back by `all`, rad.
 Attractor permanent(const Settled& s, double slip, double net, double all) {
   constexpr double kTurn = 2.0 * std::numbers::pi;
+  if (std::isnan(s.whirl_frequency)) return Attractor::kUnknown;
   if (std::abs(net) < kRestingTurn * kTurn || std::abs(net) < kRockingShare * all)
     return Attractor::kResting;
-  if (slip < kRollingTolerance) return Attractor::kRolling;
-  if (s.whirl_frequency * (s.spin_speed < 0.0 ? -1.0 : 1.0) < 0.0) return Attractor::kBackwardWhip;
+  // With a ring that turns along a rub rolls forward, too.
+  if (s.whirl_frequency * (s.spin_speed < 0.0 ? -1.0 : 1.0) < 0.0)
+    return slip < kRollingTolerance ? Attractor::kRolling : Attractor::kBackwardWhip;
   const bool synchronous =
       std::abs(s.whirl_frequency - s.spin_speed) <= kSynchronousTolerance * std::abs(s.spin_speed);
   return synchronous ? Attractor::kSynchronousRub : Attractor::kForwardRub;
@@ -120,15 +118,15 @@ bool has_ended(const LastPart& part) {
 Settled settled(const LastPart& part) {
   Settled s;
   s.from = part.from;
+  s.impacts = part.impacts;
+  s.spin_speed = part.spin_speed;
   const std::size_t rows = part.points.size();
   if (rows < kFewestRows) return s;
 
   std::size_t touching = 0;
   for (const double force : part.normal_force) touching += force > 0.0 ? 1 : 0;
   s.contact_share = static_cast<double>(touching) / static_cast<double>(rows);
-  s.impacts = part.impacts;
   s.whirl_frequency = whirl_frequency(part.points, {0, rows});
-  s.spin_speed = mean(part.spin_speed);
 
   if (has_ended(part)) {
     s.attractor = Attractor::kNoContact;
@@ -153,7 +151,8 @@ Settled settled(const Trajectory& trajectory) {
   part.points = rows(points);
   part.normal_force = rows(trajectory.column("normal_force"));
   part.slip = rows(trajectory.column("slip"));
-  part.spin_speed = rows(trajectory.column("spin_speed"));
+  if (trajectory.rows() > 1)
+    part.spin_speed = mean_speed(trajectory, "spin_angle", "spin_speed", part.from);
   for (const Impact& impact : trajectory.impacts) {
     if (impact.t >= part.from && counts(impact)) part.impact_times.push_back(impact.t);
   }

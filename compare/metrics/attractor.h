@@ -1,6 +1,7 @@
 // What a run has settled to: a name for its last part, by stated definitions.
 #pragma once
 
+#include <limits>
 #include <string>
 #include <vector>
 
@@ -20,19 +21,20 @@ enum class Attractor {
                     // rub
   kForwardRub,      // else, whirl with the spin at another frequency
   kBackwardWhip,    // else, whirl against the spin that slips: dry-friction whip
-  kRolling,         // contact, and the slip under 1 % of the surface speed: rolls in the ring
-  kUnknown          // too few rows (under 20)
+  kRolling,         // the same with a slip under 1 % of the surface speed: rolls in the ring
+  kUnknown          // too few rows (under 20), or too far apart to tell a whirl
 };
 const char* to_string(Attractor attractor);    // one or two words
 const char* explanation(Attractor attractor);  // the definition, in a sentence
 
 struct Settled {
   Attractor attractor = Attractor::kUnknown;
-  double from = 0.0;             // s, where the last part begins
-  double contact_share = 0.0;    // in [0, 1]
-  double whirl_frequency = 0.0;  // rad/s, signed
-  double spin_speed = 0.0;       // rad/s, mean
-  std::size_t impacts = 0;       // counted ones
+  double from = 0.0;  // s, where the last part begins
+  // Not a number where there are too few rows to tell.
+  double contact_share = std::numeric_limits<double>::quiet_NaN();    // in [0, 1]
+  double whirl_frequency = std::numeric_limits<double>::quiet_NaN();  // rad/s, signed
+  double spin_speed = std::numeric_limits<double>::quiet_NaN();       // rad/s, mean
+  std::size_t impacts = 0;                                            // counted ones
   // Of bouncing: after how many turns of the spin it comes back to itself (section_period), 0: none
   // or too few turns to tell; and its counted impacts in so many turns, 0: not as many each time.
   int turns = 0, bounces = 0;
@@ -51,8 +53,9 @@ inline constexpr double kRollingTolerance = 0.01;
 struct LastPart {
   double from = 0.0;  // s
   std::vector<RelativePoint> points;
-  std::vector<double> normal_force, slip, spin_speed;  // N, m/s, rad/s
-  std::size_t impacts = 0;                             // counted ones
+  std::vector<double> normal_force, slip;  // N, m/s
+  double spin_speed = 0.0;                 // rad/s, mean
+  std::size_t impacts = 0;                 // counted ones
   std::vector<double> impact_times;  // s, ascending, of these, or of the rows that saw them first
 };
 

@@ -36,20 +36,14 @@ void gather_forces(const Trajectory& trajectory, Metrics& m) {
   m.rms_penetration = std::sqrt(s.penetration_square / span);
 }
 
-// Mean of a column over the last part of the run, where it is not held.
-std::optional<double> mean_of_free(const Trajectory& trajectory, const char* name, double from) {
-  if (!trajectory.has(name)) return std::nullopt;
-  const auto &times = trajectory.column("t"), &values = trajectory.column(name);
-  const auto [least, most] = std::minmax_element(values.begin(), values.end());
-  if (values.empty() || *least == *most) return std::nullopt;
-  double sum = 0.0;
-  std::size_t count = 0;
-  for (std::size_t i = 0; i < values.size(); ++i) {
-    if (times[i] < from) continue;
-    sum += values[i];
-    ++count;
-  }
-  return count > 0 ? std::optional(sum / static_cast<double>(count)) : std::nullopt;
+// Over the last part of the run, of a speed that is not held.
+std::optional<double> free_speed(const Trajectory& run, const char* angle, const char* speed,
+                                 double from) {
+  if (!run.has(speed) || run.rows() < 2) return std::nullopt;
+  const auto [least, most] =
+      std::minmax_element(run.column(speed).begin(), run.column(speed).end());
+  if (*least == *most) return std::nullopt;
+  return mean_speed(run, angle, speed, from);
 }
 
 std::optional<double> rms_control(const Trajectory& trajectory) {
@@ -122,17 +116,31 @@ Metrics totals(const Trajectory& trajectory) {
   return m;
 }
 
+namespace {
+
+// N, of the contacts that give; what the ring of a catcher has to bear.
+double largest_force(const Statistics& s, const std::vector<ContactFacts>& contacts) {
+  if (s.contacts.empty()) return s.peak_force;
+  double largest = 0.0;
+  for (std::size_t k = 0; k < s.contacts.size(); ++k) {
+    if (contacts[k].gives) largest = std::max(largest, s.contacts[k].peak_force);
+  }
+  return largest;
+}
+
+}  // namespace
+
 Metrics metrics(const Trajectory& trajectory, const std::vector<ContactFacts>& contacts) {
   Metrics m = totals(trajectory);
   if (std::any_of(contacts.begin(), contacts.end(),
                   [](const ContactFacts& c) { return c.gives; })) {
-    m.contact_peak = trajectory.statistics.peak_force;
+    m.contact_peak = largest_force(trajectory.statistics, contacts);
     m.contact_depth = m.max_penetration;
     m.contact_time = trajectory.statistics.contact_time;
   }
   m.settled = settled(trajectory);
-  m.spin_speed = mean_of_free(trajectory, "spin_speed", m.settled.from);
-  m.ring_speed = mean_of_free(trajectory, "ring_speed", m.settled.from);
+  m.spin_speed = free_speed(trajectory, "spin_angle", "spin_speed", m.settled.from);
+  m.ring_speed = free_speed(trajectory, "ring_angle", "ring_speed", m.settled.from);
   m.control_force = rms_control(trajectory);
   if (!contacts.empty()) {
     m.whirl_penetration = whirl_penetration(trajectory, contacts.front().clearance);

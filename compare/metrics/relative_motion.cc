@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <numbers>
 
 #include "native_model/trajectory/columns.h"
@@ -67,14 +68,18 @@ Turned turned_by(const std::vector<RelativePoint>& points, RowRange range) {
     const double angle = seen + kTurn * std::round((expected - seen) / kTurn);
     turned.net += angle;
     turned.all += std::abs(angle);
+    turned.doubt += std::abs(angle - expected);
   }
+  if (range.size() > 1) turned.doubt /= static_cast<double>(range.size() - 1);
   return turned;
 }
 
 double whirl_frequency(const std::vector<RelativePoint>& points, RowRange range) {
   if (range.size() < 2) return 0.0;
   const double span = points[range.last - 1].t - points[range.first].t;
-  return span > 0.0 ? turned_by(points, range).net / span : 0.0;
+  if (span <= 0.0) return 0.0;
+  const Turned turned = turned_by(points, range);
+  return turned.doubt < kGuessed ? turned.net / span : std::numeric_limits<double>::quiet_NaN();
 }
 
 }  // namespace rotorub

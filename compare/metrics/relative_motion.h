@@ -2,6 +2,7 @@
 // velocities of a series, row by row, by code that no engine shares.
 #pragma once
 
+#include <numbers>
 #include <vector>
 
 #include "native_model/trajectory/trajectory.h"
@@ -36,10 +37,17 @@ RowRange rows_between(const std::vector<RelativePoint>& points, double from, dou
 struct Turned {
   double net = 0.0;  // forward (along +z) positive
   double all = 0.0;  // forth and back, >= |net|
+  // What the mean of the two rates is off by, mean of its size: pi / 2 where the whole turns are
+  // guessed.
+  double doubt = 0.0;
 };
+// Of rows so far apart, for the motion between them, how often it goes round cannot be told.
+inline constexpr double kGuessed = 0.25 * std::numbers::pi;
+
 Turned turned_by(const std::vector<RelativePoint>& points, RowRange range);
 
-// Mean whirl frequency d(angle)/dt of these rows, rad/s, forward positive; 0 for fewer than two.
+// Mean whirl frequency d(angle)/dt of these rows, rad/s, forward positive; 0 for fewer than two,
+// not a number where it cannot be told.
 double whirl_frequency(const std::vector<RelativePoint>& points, RowRange range);
 
 }  // namespace rotorub

@@ -1,6 +1,7 @@
 #include "compare/metrics/rows.h"
 
 #include <algorithm>
+#include <array>
 #include <cassert>
 #include <cmath>
 
@@ -60,6 +61,14 @@ std::vector<double> cubic(std::span<const double> rows, std::span<const double> 
              s * s * ((3.0 - 2.0 * s) * y[row + 1] - r * h * rate[row + 1]);
   });
   return out;
+}
+
+double mean_speed(const Trajectory& run, const char* angle, const char* speed, double from) {
+  const std::vector<double>& t = run.column("t");
+  const double begin = std::clamp(from, t.front(), t[t.size() - 2]);
+  const std::vector<double> ends =
+      cubic(t, run.column(angle), run.column(speed), std::array{begin, t.back()});
+  return (ends[1] - ends[0]) / (t.back() - begin);
 }
 
 std::vector<double> even_times(double from, double to, std::size_t count) {

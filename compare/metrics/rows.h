@@ -22,6 +22,10 @@ std::vector<std::complex<double>> linear(std::span<const double> rows,
 std::vector<double> cubic(std::span<const double> rows, std::span<const double> y,
                           std::span<const double> rate, std::span<const double> t);
 
+// rad/s: the mean of a speed from `from` (s) to the last row, by the angle that it turns. Both are
+// columns of the run, which has two rows or more.
+double mean_speed(const Trajectory& run, const char* angle, const char* speed, double from);
+
 // What a turn of the spin takes to be told from its orders: by their velocities rows have twice the
 // information.
 inline constexpr std::size_t kRowsOfATurn = 6;

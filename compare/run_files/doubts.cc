@@ -24,6 +24,46 @@ void doubt_control(const scene::Controller& law, double end, const std::string& 
   }
 }
 
+// An instant far beyond the end, where milliseconds were meant.
+void doubt_instants(const scene::Scene& scene, std::vector<std::string>& all) {
+  const double end = scene.run.end;
+  const auto look_at = [&](const std::string& key, double instant, const char* what) {
+    if (instant < kLateInstant * end || instant >= scene::kNever) return;
+    all.push_back(
+        fmt::format("{} = {:.6g} s: the run ends at {:.6g} s, and {} (a number without "
+                    "a unit is in seconds: \"20 ms\")",
+                    key, instant, end, what));
+  };
+  for (std::size_t i = 0; i < scene.forces.size(); ++i) {
+    const std::string force = fmt::format("force[{}].", i);
+    look_at(force + "on", scene.forces[i].on, "the force never acts");
+    look_at(force + "off", scene.forces[i].off, "the force acts to the end");
+  }
+  for (std::size_t i = 0; i < scene.magnetic_bearings.size(); ++i) {
+    const auto& control = scene.magnetic_bearings[i].control;
+    if (!control) continue;
+    const std::string bearing = scene.magnetic_bearings.size() > 1
+                                    ? fmt::format("magnetic_bearing[{}].control.", i)
+                                    : std::string("magnetic_bearing.control.");
+    look_at(bearing + "on", control->works_from, "the bearing never works");
+    look_at(bearing + "fails_at", control->fails_at, "the bearing does not fail");
+    look_at(bearing + "returns_at", control->returns_at, "the bearing does not return");
+  }
+}
+
+void doubt_tables(const scene::RotorGeometry& shaft, double speed, std::vector<std::string>& all) {
+  for (std::size_t i = 0; i < shaft.bearings.size(); ++i) {
+    const std::vector<double>& table = shaft.bearings[i].table_speed;
+    if (table.empty() || (std::abs(speed) >= table.front() && std::abs(speed) <= table.back()))
+      continue;
+    all.push_back(fmt::format(
+        "rotor.bearing[{}].table_speed runs from {:.6g} to {:.6g} rad/s, and the rotor turns at "
+        "{:.6g} rad/s: the nearer end of the table holds there (a number without a unit is in "
+        "rad/s: \"4000 rpm\")",
+        i, table.front(), table.back(), speed));
+  }
+}
+
 }  // namespace
 
 std::vector<std::string> doubts(const scene::Scene& scene) {
@@ -53,7 +93,9 @@ std::vector<std::string> doubts(const scene::Scene& scene) {
                                 contact->friction.sticking()));
     }
   }
+  doubt_instants(scene, all);
   if (!scene.rotor.geometry) return all;
+  if (speed > 0.0) doubt_tables(*scene.rotor.geometry, scene.rotor.speed, all);
   if (scene.rotor.geometry->E < kSoftestShaft) {
     all.push_back(fmt::format("rotor.E = {:.4g} Pa is softer than any metal (steel: \"210 GPa\")",
                               scene.rotor.geometry->E));

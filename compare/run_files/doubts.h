@@ -17,6 +17,7 @@ inline constexpr double kFastestSurface = 1000.0;  // m/s
 inline constexpr double kMostFriction = 2.0;
 inline constexpr double kSoftestShaft = 1e8;       // Pa
 inline constexpr double kMostEccentricity = 0.01;  // m
+inline constexpr double kLateInstant = 10.0;       // of the run: a run may be cut short
 
 // A sentence each, with key and value; none: nothing is in doubt.
 std::vector<std::string> doubts(const scene::Scene& scene);

@@ -179,7 +179,9 @@ std::vector<std::string> reasons(const SceneComparison& comparison, std::size_t 
   add(penetration_sentence(comparison, other));
   add(twins_sentence(comparison, difference));
   add(open_loop_sentence(comparison, difference));
-  if (off.figure->split) add(split_sentence(off, comparison.tolerance));
+  // Without a contact none of its models can be the cause.
+  const bool touches = native.metrics.first_touch || other.metrics.first_touch;
+  if (touches && off.figure->split) add(split_sentence(off, comparison.tolerance));
   return all;
 }
 

@@ -48,8 +48,9 @@ std::vector<std::int64_t> rows_of(const Group& group) {
 // What the looks at a run gather.
 struct Seen {
   LastPart part;
-  std::int64_t impacts_before = -1;  // the last part; -1: not there yet
-  bool lost = false;                 // out of range, or no longer finite
+  std::int64_t impacts_before = -1;       // the last part; -1: not there yet
+  bool lost = false;                      // out of range, or no longer finite
+  double first_angle = 0.0, angle = 0.0;  // rad, of the spin, at the first look and the last
 
   void look(const EnsembleLook& look, const Model& model, double step) {
     const ContactPoint p = contact_point(model, look.q, look.v);
@@ -62,7 +63,8 @@ struct Seen {
     part.points.push_back(point);
     part.normal_force.push_back(look.normal_force);
     part.slip.push_back(p.slip);
-    part.spin_speed.push_back(spin_speed(model, look.v));
+    angle = spin_angle(model, point.t, look.q);
+    if (part.points.size() == 1) first_angle = angle;
     if (impacts_before < 0) impacts_before = look.impacts;
     const auto impacts = static_cast<std::size_t>(look.impacts - impacts_before);
     if (impacts > part.impacts) part.impact_times.push_back(point.t);
@@ -88,6 +90,9 @@ Metrics figures_of(const EnsembleRun& run, const Group& group, Seen& seen) {
   f.max_penetration = run.max_penetration;
   f.energy_residual = std::numeric_limits<double>::quiet_NaN();
   seen.part.from = (1.0 - kSettledShare) * group.end;
+  if (const auto& points = seen.part.points; points.size() > 1) {
+    seen.part.spin_speed = (seen.angle - seen.first_angle) / (points.back().t - points.front().t);
+  }
   f.settled = settled(seen.part);
   return f;
 }

@@ -95,9 +95,18 @@ std::optional<double> locate_margin(std::size_t contact, SmoothStep& step, Mode 
       f_lo = f_hi;
       continue;
     }
-    constexpr double kNow = std::numeric_limits<double>::min();  // it began on its margin
-    if (f_lo <= 0.0) return std::max(lo, kNow);
-    return std::max(root(margin, lo, hi, f_lo, f_hi).first, kNow);
+    constexpr double kNow = std::numeric_limits<double>::min();
+    if (f_lo > 0.0) return std::max(root(margin, lo, hi, f_lo, f_hi).first, kNow);
+    // It began on a margin: not that one need be the one that is crossed.
+    const auto force = [&](double theta) { return step.margins(contact, theta).force; };
+    const auto cone = [&](double theta) { return step.margins(contact, theta).cone; };
+    const auto crossing = [&](const auto& one, double scale) {
+      const double one_lo = one(lo), one_hi = one(hi);
+      if (one_hi >= none * scale) return kInfinity;
+      return one_lo <= 0.0 ? lo : root(one, lo, hi, one_lo, one_hi).first;
+    };
+    const double first = std::min(crossing(force, scales.force), crossing(cone, scales.cone(mode)));
+    return std::max(first, kNow);
   }
   return {};
 }

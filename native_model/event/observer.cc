@@ -184,7 +184,9 @@ void Observer::follow_mark(const Motion& from, SmoothStep& step, Constraint& con
 
 void Observer::watch_press(std::size_t k, SmoothStep& step, double last) {
   Statistics& s = recorder_->statistics();
-  s.peak_force = locate_largest_force(k, step, last, s.peak_force);
+  double& peak = of_contacts_[k].peak_force;
+  peak = locate_largest_force(k, step, last, peak);
+  if (of_contacts_.size() == 1) s.peak_force = std::max(s.peak_force, peak);
   // Gauss and Legendre's rule of three points.
   constexpr double kNodes[] = {0.1127016653792583, 0.5, 0.8872983346207417};
   constexpr double kWeights[] = {5.0 / 18.0, 8.0 / 18.0, 5.0 / 18.0};

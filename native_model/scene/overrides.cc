@@ -197,7 +197,9 @@ std::string apply(TomlNode& root, const std::vector<Step>& steps, std::string_vi
     if (removing && !steps[i].is_index && node->kind == Kind::kTable && !node->find(steps[i].key)) {
       return {};
     }
+    const bool no_list = steps[i].is_index && node->kind != Kind::kArray;
     node = descend(*node, steps[i], steps[i + 1].is_index ? Kind::kArray : Kind::kTable, reason);
+    if (no_list) return "cannot be set: " + path + " " + reason;
     path += steps[i].is_index ? "[" + std::to_string(steps[i].index) + "]"
                               : (path.empty() ? "" : ".") + steps[i].key;
     if (node == nullptr) return "cannot be set: " + path + " " + reason;
@@ -222,14 +224,16 @@ std::string apply(TomlNode& root, const std::vector<Step>& steps, std::string_vi
   return {};
 }
 
-// contact.friction of several contacts is that of all of them, and so of magnetic bearings.
+// contact.friction of several contacts is that of all of them, and so of magnetic bearings. One
+// table is a list of one: contact[0].friction is its friction.
 std::string apply_to_each(TomlNode& root, std::vector<Step> steps, std::string_view text) {
   const std::string& key = steps.front().key;
-  TomlNode* list =
-      (key == "contact" || key == "magnetic_bearing") && steps.size() > 1 && !steps[1].is_index
-          ? root.find(key)
-          : nullptr;
-  if (list == nullptr || list->kind != Kind::kArray || list->items.empty())
+  TomlNode* list = (key == "contact" || key == "magnetic_bearing") && steps.size() > 1
+                       ? root.find(key)
+                       : nullptr;
+  const bool one = list != nullptr && list->kind == Kind::kTable;
+  if (one && steps[1].is_index && steps[1].index == 0) steps.erase(steps.begin() + 1);
+  if (list == nullptr || steps[1].is_index || list->kind != Kind::kArray || list->items.empty())
     return apply(root, steps, text);
   steps.insert(steps.begin() + 1, Step{{}, 0, true});
   std::string reason;

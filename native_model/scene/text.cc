@@ -77,7 +77,7 @@ std::string_view current_word(std::string_view word) {
 
 std::string old_word_note(std::string_view where, std::string_view old_word) {
   return std::string(where) + ": \"" + std::string(old_word) + "\" is called \"" +
-         std::string(current_word(old_word)) + "\" now; the old word is accepted until 0.3";
+         std::string(current_word(old_word)) + "\" now; the old word is accepted too";
 }
 
 }  // namespace rotorub::scene

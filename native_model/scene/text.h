@@ -28,7 +28,7 @@ std::string printable(std::string_view text, std::size_t most = kQuotedLength);
 // 0.3 with a note; a word that has no other is its own.
 std::string_view current_word(std::string_view word);
 
-// "run.integrator: "paper" is called "midpoint" now; the old word is accepted until 0.3"
+// "run.integrator: "paper" is called "midpoint" now; the old word is accepted too"
 std::string old_word_note(std::string_view where, std::string_view old_word);
 
 }  // namespace rotorub::scene

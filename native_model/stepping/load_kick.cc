@@ -62,25 +62,99 @@ void LoadKick<M>::find_samples(const State& x, double t, double begin) {
   sampled_now_ = false;
   double q[kMaxCoordinates], v[kMaxCoordinates], after[kMaxCoordinates];
   const int first = x.m.layout.integral(), count = x.m.layout.integrals;
+  const double share = begin == t ? 1.0 : 0.5;  // of the kick that comes after the sample
   for (int lane = 0; lane < kLanes; ++lane) {
+    const Model& m = lane_model(x.m, lane);
     read_lane(x, x.seen, lane, q);
     read_lane(x, x.start, lane, v);
     std::copy_n(v, x.nq(), after);
-    sampled_now_ |= take_samples(lane_model(x.m, lane), t, x.h, q, after);
+    sampled_now_ |= take_samples(m, t, x.h, q, after);
     for (int i = 0; i < count; ++i) {
       const double mass = lanes::get(x.m.mass.data()[first + i], lane);
-      const double jump = (begin == t ? 2.0 : 1.0) * (after[first + i] - v[first + i]);
+      const double jump = 2.0 * share * (after[first + i] - v[first + i]);
       lanes::set(sampled_[static_cast<std::size_t>(i)], lane, mass * jump / x.h);
+    }
+    for (std::size_t k = 0; k < m.feedbacks.size(); ++k) {
+      const int at = m.feedbacks[k].states.command;
+      if (at == kAbsent) continue;
+      SampledCommand& c = commands_[k];
+      const auto note = [&](int i, T& early, T& mean, T& late) {
+        lanes::set(early, lane, v[i]);
+        lanes::set(mean, lane, v[i] + share * (after[i] - v[i]));
+        lanes::set(late, lane, after[i]);
+      };
+      note(at, c.before.x, c.mean.x, c.after.x);
+      note(at + 1, c.before.y, c.mean.y, c.after.y);
     }
   }
 }
 
 template <class M>
-void LoadKick<M>::find_working(const M& m, const T& begin, const T& end) {
+void LoadKick<M>::add_samples(const M& m, T* f) const {
+  for (int i = 0; i < m.layout.integrals; ++i) {
+    f[m.layout.integral() + i] += sampled_[static_cast<std::size_t>(i)];
+  }
   for (std::size_t k = 0; k < m.feedbacks.size(); ++k) {
+    const auto& bearing = m.feedbacks[k];
+    const SampledCommand& c = commands_[k];
+    if (bearing.states.command == kAbsent) continue;
+    if (const int at = bearing.states.current; at != kAbsent) {
+      f[at] += m.mass[static_cast<std::size_t>(at)] * c.rate.x;
+      f[at + 1] += m.mass[static_cast<std::size_t>(at) + 1] * c.rate.y;
+    } else {
+      equations::add_station_force<T>(m.layout.modes, bearing.shape, c.force.x, c.force.y, f);
+    }
+  }
+}
+
+template <class M>
+void LoadKick<M>::find_working(const State& x, const T& begin, const T& end) {
+  for (std::size_t k = 0; k < x.m.feedbacks.size(); ++k) {
     for (int lane = 0; lane < kLanes; ++lane) {
-      const WorkingTimes& works = lane_model(m, lane).feedbacks[k].works;
+      const WorkingTimes& works = lane_model(x.m, lane).feedbacks[k].works;
       lanes::set(working_[k], lane, works.share(lanes::get(begin, lane), lanes::get(end, lane)));
+    }
+  }
+  if (sampled_now_) find_switched(x, begin, end);
+}
+
+template <class M>
+void LoadKick<M>::find_switched(const State& x, const T& begin, const T& end) {
+  double q[kMaxCoordinates];
+  for (int lane = 0; lane < kLanes; ++lane) {
+    const Model& m = lane_model(x.m, lane);
+    read_lane(x, x.seen, lane, q);
+    const double from = lanes::get(begin, lane), to = lanes::get(end, lane);
+    const double sample = std::clamp(instant_, from, to);
+    for (std::size_t k = 0; k < m.feedbacks.size(); ++k) {
+      const StationFeedback& bearing = m.feedbacks[k];
+      if (bearing.states.command == kAbsent) continue;
+      const MagneticFeedback<double>& law = bearing.law;
+      const double share = lanes::get(working_[k], lane);
+      const double early = bearing.works.share(from, sample) * (sample - from) / (to - from);
+      const double late = share - early;
+      SampledCommand& c = commands_[k];
+      const auto r = equations::at_station(m.layout.modes, bearing.shape, q);
+      const auto beyond_mean = [&](const T& of_before, const T& of_mean, const T& of_after,
+                                   double place, int current, T& force, T& rate) {
+        const double before = lanes::get(of_before, lane), mean = lanes::get(of_mean, lane),
+                     after = lanes::get(of_after, lane);
+        if (current == kAbsent) {
+          lanes::set(force, lane,
+                     law.force(early, place, before) + law.force(late, place, after) -
+                         law.force(share, place, mean) - law.held * place);
+          return;
+        }
+        const double i = lanes::get(x.start[static_cast<std::size_t>(current)], lane);
+        const auto load = [&](double asked) { return law.amplifier.load(asked, i); };
+        lanes::set(
+            rate, lane,
+            (early * load(before) + late * load(after) - share * load(mean)) / law.amplifier.lag);
+      };
+      const int at = bearing.states.current;
+      beyond_mean(c.before.x, c.mean.x, c.after.x, r.x, at, c.force.x, c.rate.x);
+      beyond_mean(c.before.y, c.mean.y, c.after.y, r.y, at == kAbsent ? at : at + 1, c.force.y,
+                  c.rate.y);
     }
   }
 }
@@ -88,7 +162,9 @@ void LoadKick<M>::find_working(const M& m, const T& begin, const T& end) {
 #define ROTORUB_DEFINE(...)                                                             \
   template void LoadKick<__VA_ARGS__>::add_actuators(const State&, const T*, T*) const; \
   template void LoadKick<__VA_ARGS__>::find_samples(const State&, double, double);      \
-  template void LoadKick<__VA_ARGS__>::find_working(const __VA_ARGS__&, const T&, const T&);
+  template void LoadKick<__VA_ARGS__>::add_samples(const __VA_ARGS__&, T*) const;       \
+  template void LoadKick<__VA_ARGS__>::find_working(const State&, const T&, const T&);  \
+  template void LoadKick<__VA_ARGS__>::find_switched(const State&, const T&, const T&);
 ROTORUB_ALL_MODELS(ROTORUB_DEFINE)
 #undef ROTORUB_DEFINE
 

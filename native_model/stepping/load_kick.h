@@ -243,7 +243,7 @@ class LoadKick {
     const T h = lanes::all<T>(x.h);
     const T* q = x.seen.data();
     const double t = instant_;
-    if (!m.feedbacks.empty()) find_working(m, begin, end);
+    if (!m.feedbacks.empty()) find_working(x, begin, end);
     if (loads_.synchronous()) loads_.turn_with(equations::spin_angle(m, t, q));
     if (!m.unbalances.empty()) {
       angles_.fill(m, t, q, begin, end);
@@ -291,9 +291,7 @@ class LoadKick {
     equations::add_supports(m, q, v, x.start.data(), x.kick * x.h, f);
     if constexpr (kAll) equations::add_gyroscopic(m, omega, v, f);
     loads_.add(m, f);
-    for (int i = 0; sampled_now_ && i < m.layout.integrals; ++i) {
-      f[m.layout.integral() + i] += sampled_[static_cast<std::size_t>(i)];
-    }
+    if (sampled_now_) add_samples(m, f);
     if (!m.unbalances.empty() && (kAll || !coupled())) {
       equations::add_unbalance(m, angles_, omega, f);
     }
@@ -314,7 +312,9 @@ class LoadKick {
   // What samplers remember jumps at t, in the middle of the kick, or where a first one begins: the
   // mean of the kick's velocities then has half of the jump, or all.
   ROTORUB_SLOW void find_samples(const State& x, double t, double begin);
-  ROTORUB_SLOW void find_working(const M& m, const T& begin, const T& end);
+  ROTORUB_SLOW void add_samples(const M& m, T* f) const;
+  ROTORUB_SLOW void find_working(const State& x, const T& begin, const T& end);
+  ROTORUB_SLOW void find_switched(const State& x, const T& begin, const T& end);
 
   bool iterates_ = false, magnetic_ = false, several_ = false, commanded_ = false;
   VelocityMatrix<T> matrix_;
@@ -323,6 +323,14 @@ class LoadKick {
   std::size_t eccentric_ = 0;
   bool samples_ = false, sampled_now_ = false;
   lanes::Array<T> sampled_;  // N, what makes the jumps of the feedbacks' states
+  // Of one on each axis.
+  struct SampledCommand {
+    equations::Pair<T> before{}, mean{}, after{};  // A, as the equations see them: the mean
+    // What the command before the sample and that after it do, each for the time that the bearing
+    // works, beyond the mean command in the mean time: N, and A/s of an amplifier.
+    equations::Pair<T> force{}, rate{};
+  };
+  std::array<SampledCommand, scene::kMaxMagneticBearings> commands_{};
   Coordinates f_, change_;
   Coordinates seen_end_;  // the step's end of which the last round had the forces
   // Of a deflection q_i the least energy that a step can tell is (1e-15 h k_i)^2/m_i q_i^2.

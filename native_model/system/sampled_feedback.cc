@@ -11,6 +11,8 @@ namespace rotorub {
 
 namespace {
 
+constexpr double kSampleRoundOff = 1e-9;  // of a sample time
+
 double product(const Eigen::MatrixXd& matrix, int row, const double* of) {
   double total = 0.0;
   for (Eigen::Index j = 0; j < matrix.cols(); ++j) total += matrix(row, j) * of[j];
@@ -57,11 +59,17 @@ void take_sample(const Model& m, const SampledFeedback& s, double t, const doubl
   const int n = static_cast<int>(law.states()), ports = static_cast<int>(law.ports());
   const int queue = ports * s.delay;
   double *state = v + s.state, *held = v + s.command;
+  // Steps and sums of them miss a sample's instant k T, and k T what a scene says of it, by
+  // round-off.
+  const double instant = std::round(t / s.sample_time) * s.sample_time;
+  const auto works = [&](std::size_t k, double time) {
+    return m.feedbacks[k].works.at(time + kSampleRoundOff * s.sample_time);
+  };
   const auto works_at = [&](double time) {
     return std::any_of(s.bearings.begin(), s.bearings.end(),
-                       [&](std::size_t k) { return m.feedbacks[k].works.at(time); });
+                       [&](std::size_t k) { return works(k, time); });
   };
-  if (!works_at(t)) {
+  if (!works_at(instant)) {
     std::fill_n(state, n, 0.0);
     std::fill_n(held, queue + ports, 0.0);
     return;
@@ -74,7 +82,7 @@ void take_sample(const Model& m, const SampledFeedback& s, double t, const doubl
   }
   double x[kMaxCoordinates];
   std::copy_n(state, n, x);
-  const double before = t - s.sample_time;
+  const double before = instant - s.sample_time;
   const bool begins = before < -0.5 * s.sample_time || !works_at(before);
   if (begins) {
     for (int i = 0; i < n; ++i) x[i] = product(law.start, i, sample.seen);
@@ -82,8 +90,8 @@ void take_sample(const Model& m, const SampledFeedback& s, double t, const doubl
   }
   s.library ? ask_library(m, s, t, q, v, sample, x) : ask_matrices(law, sample, x);
   for (int i = 0; i < ports; ++i) {
-    const StationFeedback& bearing = m.feedbacks[s.bearings[static_cast<std::size_t>(i / 2)]];
-    sample.given[i] = bearing.works.at(t) ? bearing.law.limited(sample.asked[i]) : 0.0;
+    const std::size_t k = s.bearings[static_cast<std::size_t>(i / 2)];
+    sample.given[i] = works(k, instant) ? m.feedbacks[k].law.limited(sample.asked[i]) : 0.0;
   }
   for (int i = 0; i < n; ++i) {
     for (int j = 0; j < ports; ++j) x[i] += law.back(i, j) * (sample.asked[j] - sample.given[j]);

@@ -15,6 +15,7 @@ void ContactEpisodes::step(const SoftStep& s) {
     const double share = fall > 0.0 && s.t > 0.0 ? std::clamp(-s.before.gap / fall, 0.0, 1.0) : 0.0;
     impact_ = Impact{};
     impact_.contact = contact_;
+    begin_ = s.t;
     lasted_ = 0.0;
     impact_.t = s.t - share * s.h;
     const ContactPoint& approach = s.approach ? *s.approach : s.before;
@@ -44,7 +45,7 @@ void ContactEpisodes::step(const SoftStep& s) {
 void ContactEpisodes::finish() {
   if (open_) {
     recorder_->add(impact_);
-    if (lasted_ <= recorder_->window()) recorder_->statistics().impact_time += lasted_;
+    recorder_->count_episode(begin_, lasted_);
   }
   open_ = false;
 }

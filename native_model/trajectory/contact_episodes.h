@@ -33,8 +33,8 @@ class ContactEpisodes {
   bool open_ = false;
   Impact impact_;
   Mode mode_ = Mode::kFree;
-  double last_gap_ = 0.0;  // m, one step earlier
-  double lasted_ = 0.0;    // s, of the episode
+  double last_gap_ = 0.0;              // m, one step earlier
+  double begin_ = 0.0, lasted_ = 0.0;  // s, of the episode
 };
 
 }  // namespace rotorub

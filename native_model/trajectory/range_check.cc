@@ -11,6 +11,8 @@ namespace {
 
 std::string text(double value) { return scene::number_text(value, 3); }
 
+constexpr double kNowhere = 1e5;  // m
+
 }  // namespace
 
 std::optional<std::string> out_of_range(const Model& m, const double* q,
@@ -47,6 +49,13 @@ std::optional<std::string> out_of_range(const Model& m, const double* q,
       return "the rotor is " + text(std::sqrt(square) - clearance) + " m deep in the " + ring() +
              ", with a clearance of " + text(clearance) + " m";
     }
+  }
+  if (m.first().contact) return {};
+  for (int i = 0; i < 2 * m.layout.modes; ++i) {
+    if (std::abs(q[i]) < kNowhere) continue;
+    return "a bending mode is " + text(q[i]) +
+           " m from its middle, and goes on: no ring is there, and what else holds the rotor does "
+           "not suffice";
   }
   return {};
 }

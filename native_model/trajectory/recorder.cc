@@ -9,6 +9,20 @@
 #include "native_model/trajectory/columns.h"
 
 namespace rotorub {
+namespace {
+
+// s, of all that one of the times covers; sorts them.
+double length_of_union(std::vector<Recorder::Span>& times) {
+  std::ranges::sort(times, {}, &Recorder::Span::begin);
+  double length = 0.0, reached = -std::numeric_limits<double>::infinity();
+  for (const Recorder::Span& of : times) {
+    length += std::max(0.0, of.end - std::max(of.begin, reached));
+    reached = std::max(reached, of.end);
+  }
+  return length;
+}
+
+}  // namespace
 
 std::vector<double> output_times(const scene::Run& run) {
   std::vector<double> times = run.output_times;
@@ -110,13 +124,18 @@ void Recorder::count_at(std::size_t contact, double begin, double h, double norm
   ContactStatistics& own = statistics_.contacts[contact];
   own.touch(begin);
   own.contact_time += h;
+  own.peak_force = std::max(own.peak_force, normal_impulse / h);
   own.add(normal_impulse, friction_impulse, friction_work);
 }
 
 void Recorder::count_beside(double begin, double h, double normal_impulse, double friction_impulse,
-                            double friction_work, bool both) {
-  statistics_.touch(begin);
-  if (!both) statistics_.contact_time += h;
+                            double friction_work, double before) {
+  Statistics& s = statistics_;
+  s.touch(begin);
+  if (before == 0.0) s.contact_time += h;
+  const double earlier = before / h, force = earlier + normal_impulse / h;
+  s.force_square += (force * force - earlier * earlier) * h;
+  s.peak_force = std::max(s.peak_force, force);
   window_.add(begin, normal_impulse);
   statistics_.add(normal_impulse, friction_impulse, friction_work);
 }
@@ -245,6 +264,12 @@ void Recorder::row(const Snapshot& now) {
   ++next_;
 }
 
+void Recorder::count_episode(double begin, double lasted) {
+  const bool several = !statistics_.contacts.empty(), lasts = lasted > window();
+  if (several) soft_times_.push_back({begin, lasts ? begin + lasted : begin});
+  if (!several && !lasts) statistics_.impact_time += lasted;
+}
+
 Trajectory Recorder::finish(double end) {
   if (steps_ > 0) look_at_energy();
   statistics_.energy_scale = std::max(statistics_.energy_scale, resting_);
@@ -255,6 +280,9 @@ Trajectory Recorder::finish(double end) {
     if (own.first_touch >= 0.0) own.least_gap = std::min(own.least_gap, 0.0);
   }
   if (!statistics_.contacts.empty()) {
+    if (!soft_times_.empty())
+      statistics_.impact_time =
+          std::max(0.0, statistics_.contact_time - length_of_union(soft_times_));
     statistics_.passes =
         std::ranges::max(statistics_.contacts, {}, [](const ContactStatistics& own) {
           return own.passes.forward() + own.passes.backward();

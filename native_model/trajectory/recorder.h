@@ -91,6 +91,9 @@ struct StepBalance {
 
 class Recorder {
  public:
+  struct Span {
+    double begin, end;  // s
+  };
   // `times`: the rows wanted, ascending. `window`: s, see ImpulseWindow.
   Recorder(const Model& model, std::vector<double> times, double window = 0.0);
 
@@ -115,10 +118,13 @@ class Recorder {
   void count_at(std::size_t contact, double begin, double h, double normal_impulse,
                 double friction_impulse, double friction_work);
   void watch_gap(std::size_t contact, double gap);
-  // In the figures of all what a further contact did over a step that step() counts; `both`: one
-  // before it pressed too.
+  // In the figures of all what a further contact did over a step that step() counts; `before`: the
+  // normal impulse of those before it.
   void count_beside(double begin, double h, double normal_impulse, double friction_impulse,
-                    double friction_work, bool both);
+                    double friction_work, double before);
+  // A soft contact from `begin` on that lasted so long, s: an impact within the window, else
+  // lasting contact. Beside that of another contact an impact takes no time of its own.
+  void count_episode(double begin, double lasted);
   // For engines with dense output of their own: the next wanted time (infinity: none left), a row
   // at exactly that time, and the statistics.
   double next_time() const;
@@ -157,6 +163,7 @@ class Recorder {
   double last_slip_ = 0.0;  // m/s
   std::vector<Column> columns_;
   std::vector<double> least_gaps_;  // m, of the rows, of each contact
+  std::vector<Span> soft_times_;    // of several soft contacts, that last; empty ones are impacts
   std::vector<Impact> impacts_;
   std::vector<Event> events_;
   Statistics statistics_;

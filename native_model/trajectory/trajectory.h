@@ -47,7 +47,9 @@ struct ContactStatistics {
   // m, of rows and ends of steps; infinity: no contact
   double least_gap = std::numeric_limits<double>::infinity();
   double max_penetration = 0.0;  // m
-  FullPasses passes;             // of the rotor around the ring from the first touch on
+  // N, largest impulse of a step / step, or force of one that gives
+  double peak_force = 0.0;
+  FullPasses passes;  // of the rotor around the ring from the first touch on
 
   // Impulses (N s) and the work of friction (J).
   void add(double normal, double friction, double work) {
@@ -65,14 +67,13 @@ struct ContactStatistics {
 };
 
 // Figures gathered over every step, whatever the spacing of the series; its own contact's are those
-// of all, the time that in which some contact has a normal force, and the passes those of the one
-// with the most.
+// of all, the time that in which some contact has a normal force, the peak that of the sum of their
+// forces, and the passes those of the one with the most.
 struct Statistics : ContactStatistics {
   // s of contact_time that are impacts: their steps, or soft contacts shorter than the window
   double impact_time = 0.0;
   double penetration_square = 0.0;  // m^2 s, integral of penetration^2
   double force_square = 0.0;        // N^2 s, integral of (impulse of the step / step)^2 in contact
-  double peak_force = 0.0;          // N, largest impulse of a step / step
   double window_impulse = 0.0;      // N s, largest normal impulse within the window (recorder.h)
   double gap_rate_square = 0.0;     // m^2/s, integral of gap_rate^2 from first touch
   double energy_start = 0.0;        // J

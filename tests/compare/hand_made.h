@@ -30,6 +30,7 @@ inline Trajectory hand_made(std::size_t rows, double spacing,
       if (column.name == name) column.values[i] = value;
     }
   };
+  double turned = 0.0;  // rad
   for (std::size_t i = 0; i < rows; ++i) {
     const double t = static_cast<double>(i) * spacing;
     const Row r = row(t);
@@ -38,6 +39,8 @@ inline Trajectory hand_made(std::size_t rows, double spacing,
     put("rotor_y", i, r.y);
     put("rotor_vx", i, r.vx);
     put("rotor_vy", i, r.vy);
+    turned += i == 0 ? 0.0 : 0.5 * spacing * (r.spin_speed + row(t - spacing).spin_speed);
+    put("spin_angle", i, turned);
     put("spin_speed", i, r.spin_speed);
     put("gap", i, r.gap);
     put("slip", i, r.slip);

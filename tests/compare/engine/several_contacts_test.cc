@@ -10,6 +10,7 @@
 #include "mjcf/writer.h"
 #include "native_model/scene/reader.h"
 #include "native_model/scene/scene.h"
+#include "native_model/trajectory/recorder.h"
 #include "tests/support/mujoco_run.h"
 #include "tests/support/native_run.h"
 
@@ -63,6 +64,44 @@ INSTANTIATE_TEST_SUITE_P(, SeveralInMujoco,
                            std::erase(name, '-');
                            return name;
                          });
+
+// Scatter, peak and lasting contact are those of all contacts: an end that chatters does not end
+// the other one's rub.
+TEST(SeveralContactsInMujoco, FiguresAreThoseOfAllContacts) {
+  for (const auto contact : {scene::ContactModel::kRigid, scene::ContactModel::kCoulomb}) {
+    scene::Scene scene = two_catchers();
+    scene.run.output_step = scene.run.step;  // a row each step
+    const Trajectory t = test::mujoco_run(scene, contact, scene.run.step);
+    ASSERT_EQ(t.status, Status::kOk) << t.message;
+    const auto &first = t.column("normal_force"), &second = t.column("contact2_normal_force");
+    const double h = scene.run.step, window = kWindowSteps * h;
+    double square = 0.0, peak = 0.0, lasting = 0.0;
+    std::vector<bool> lasts(first.size(), false);
+    for (const auto* force : {&first, &second}) {
+      for (std::size_t i = 0, from = 0; i <= force->size(); ++i) {
+        if (i < force->size() && (*force)[i] > 0.0) continue;
+        if (static_cast<double>(i - from) * h > window)
+          std::fill(lasts.begin() + static_cast<std::ptrdiff_t>(from),
+                    lasts.begin() + static_cast<std::ptrdiff_t>(i), true);
+        from = i + 1;
+      }
+    }
+    for (std::size_t i = 0; i < first.size(); ++i) {
+      square += (first[i] + second[i]) * (first[i] + second[i]) * h;
+      peak = std::max(peak, first[i] + second[i]);
+      lasting += lasts[i] ? h : 0.0;
+    }
+    const Statistics& s = t.statistics;
+    // Rows have no force at an impact.
+    EXPECT_GE(s.peak_force, 0.999 * peak);
+    EXPECT_GE(s.force_square, 0.99 * square);
+    if (contact == scene::ContactModel::kRigid) continue;
+    EXPECT_NEAR(s.peak_force, peak, 0.01 * peak);
+    EXPECT_NEAR(s.force_square, square, 0.02 * square);
+    EXPECT_NEAR(s.contact_time - s.impact_time, lasting, 0.02 * t.end);
+    EXPECT_GT(lasting, 0.2 * t.end);
+  }
+}
 
 TEST(SeveralContactsInMujoco, RigidRecordsTheImpactsOfEach) {
   const Trajectory t = in_mujoco(scene::ContactModel::kRigid, 1e-5);

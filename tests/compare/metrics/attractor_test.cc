@@ -119,5 +119,48 @@ TEST(Attractor, TooFewRowsAreUnknown) {
             Attractor::kUnknown);
 }
 
+// On a ring that turns along a synchronous rub has no slip: it is a synchronous rub.
+TEST(Attractor, RollingIsBackward) {
+  for (const double sign : {1.0, -1.0}) {
+    const Whirl w{.frequency = sign * 300.0, .spin_speed = sign * 300.0};
+    const Settled s = settled(hand_made(1000, 1e-3, [&](double t) {
+      Row row = sliding(w, t);
+      row.slip = 0.0;
+      row.friction = 0.0;
+      return row;
+    }));
+    EXPECT_EQ(s.attractor, Attractor::kSynchronousRub);
+  }
+}
+
+// An orbit that is longer than it is wide, in rows of many turns each: its rate at two rows does
+// not tell how often it went round between them.
+TEST(Attractor, RowsTooFarApartTellNoWhirl) {
+  const auto of = [](double spacing) {
+    return settled(hand_made(1000, spacing, [](double t) {
+      constexpr double kRate = 1204.0;
+      Row row = sliding({.frequency = kRate, .spin_speed = kRate}, t);
+      row.x *= 3.0;
+      row.vx *= 3.0;
+      return row;
+    }));
+  };
+  const Settled fine = of(1e-4), coarse = of(0.0613);
+  EXPECT_EQ(fine.attractor, Attractor::kSynchronousRub);
+  EXPECT_NEAR(fine.whirl_frequency, 1204.0, 2.0);
+  EXPECT_EQ(coarse.attractor, Attractor::kUnknown);
+  EXPECT_TRUE(std::isnan(coarse.whirl_frequency));
+  EXPECT_NEAR(coarse.spin_speed, 1204.0, 1e-6);
+}
+
+// Too few rows: nothing is known, which is not 0; the spin is, by its angle.
+TEST(Attractor, FewRowsTellNothing) {
+  const Settled s = settled(hand_made(50, 1e-3, [](double t) { return sliding({}, t); }));
+  EXPECT_EQ(s.attractor, Attractor::kUnknown);
+  EXPECT_TRUE(std::isnan(s.whirl_frequency));
+  EXPECT_TRUE(std::isnan(s.contact_share));
+  EXPECT_NEAR(s.spin_speed, 300.0, 1e-9);
+}
+
 }  // namespace
 }  // namespace rotorub

@@ -48,5 +48,40 @@ TEST(Doubts, NameALawThatNeverActs) {
   EXPECT_TRUE(seldom[0].starts_with("controller.sample_time = 10 s")) << seldom[0];
 }
 
+// Seconds where milliseconds were meant: "no contact" would be a false all-clear.
+TEST(Doubts, NameAnInstantFarBeyondTheEnd) {
+  const auto of = [](const std::string& loads) {
+    return doubts(scene_with("\"50 Hz\"", "clearance = \"0.5 mm\"\nfriction = 0.15\n" + loads));
+  };
+  const std::string force = "[[force]]\nkind = \"constant\"\nvector = [1.0, 0.0]\n";
+  EXPECT_TRUE(of(force + "on = 0.2\n").empty()) << "a run that is cut short";
+  const auto late = of(force + "on = 20.0\n");
+  ASSERT_EQ(late.size(), 1U);
+  EXPECT_TRUE(late[0].starts_with("force[0].on = 20 s: the run ends at 0.1 s")) << late[0];
+  const auto fails =
+      of("[magnetic_bearing]\n[magnetic_bearing.control]\nforce_per_current = "
+         "100.0\nproportional = 4000.0\nderivative = 3.0\nfails_at = 20.0\n");
+  ASSERT_EQ(fails.size(), 1U);
+  EXPECT_TRUE(fails[0].starts_with("magnetic_bearing.control.fails_at = 20 s")) << fails[0];
+}
+
+// 4000 rpm taken for rad/s: 1204 rad/s lie below the whole table.
+TEST(Doubts, NameATableThatTheSpeedIsOutsideOf) {
+  const auto of = [](const std::string& speeds) {
+    return doubts(scene::parse_scene(
+        "[run]\nend = 0.1\n[rotor]\nspeed = 1204.0\nlength = 1.0\nE = 2.1e11\nrho = 7850.0\n"
+        "nu = 0.3\nmodes = 2\n[[rotor.section]]\nfrom = 0.0\nto = 1.0\ndiameter = 0.06\n"
+        "[[rotor.bearing]]\nz = 0.1\nstiffness = 1e7\n[[rotor.bearing]]\nz = 0.9\n"
+        "table_speed = " +
+            speeds + "\ntable_kxx = [1e7, 2e7]\n",
+        "made.toml"));
+  };
+  EXPECT_TRUE(of("[\"4000 rpm\", \"14000 rpm\"]").empty());
+  const auto below = of("[4000.0, 14000.0]");
+  ASSERT_EQ(below.size(), 1U);
+  EXPECT_TRUE(below[0].starts_with("rotor.bearing[1].table_speed runs from 4000 to 14000 rad/s"))
+      << below[0];
+}
+
 }  // namespace
 }  // namespace rotorub

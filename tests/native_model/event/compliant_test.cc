@@ -1,6 +1,7 @@
 // Contacts that give, by `event`, against closed forms and a program written from the equations.
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <complex>
 #include <numbers>
@@ -184,6 +185,48 @@ TEST(CompliantContact, ASpringAndADamperLetGoInTheWall) {
                        (std::numbers::pi - std::atan2(2.0 * zeta * root, 1.0 - 2.0 * zeta * zeta))),
               1e-10);
   EXPECT_GT(t.statistics.peak_force, c * v);  // it begins with the damper's force
+}
+
+// With little damping it lets go a hair before the wall is left, in less time than a step takes.
+TEST(CompliantContact, ALightDamperLetsGoNextToTheSurface) {
+  const double m = 2.0, v = 0.3;
+  for (const double k : {1e6, 1e7, 1e8, 1e9}) {
+    for (const double c : {0.01, 0.1, 1.0, 3.0, 30.0, 300.0}) {
+      scene::Scene s = thrown({}, {.stiffness = k, .damping = c}, v);
+      s.run.end = 4e-3;
+      const Trajectory t = run_event(s);
+      ASSERT_EQ(t.status, Status::kOk) << k << " " << c << " " << t.message;
+      ASSERT_GE(t.impacts.size(), 1u);
+      const double zeta = 0.5 * c / std::sqrt(k * m), root = std::sqrt(1.0 - zeta * zeta);
+      const double turn = std::numbers::pi - std::atan2(2.0 * zeta * root, 1.0 - 2.0 * zeta * zeta);
+      EXPECT_NEAR(t.impacts[0].gap_rate_after / v, std::exp(-zeta / root * turn), 1e-9)
+          << k << " " << c;
+      // A whole rub: impacts, sliding, slip that stops and begins.
+      const Trajectory rub = run_event(test::shipped(
+          "bench_ring", {"run.end=0.02", "contact.compliance.stiffness=" + std::to_string(k),
+                         "contact.compliance.damping=" + std::to_string(c)}));
+      EXPECT_EQ(rub.status, Status::kOk) << k << " " << c << " " << rub.message;
+      EXPECT_LT(rub.statistics.energy_residual(), 1e-9) << k << " " << c;
+    }
+  }
+}
+
+// What a catcher has to bear is the force of its own contact, not that of both.
+TEST(CompliantContact, ThePeakIsOfOneContact) {
+  const scene::Scene s = test::shipped("two_catchers", {"run.end=0.02", "run.output_step=1e-5",
+                                                        "contact[0].compliance.stiffness=1e8",
+                                                        "contact[1].compliance.stiffness=1e7"});
+  for (const auto integrator : {scene::Integrator::kEvent, scene::Integrator::kVerlet}) {
+    const Trajectory t = test::run_with(s, integrator, 1e-6);
+    ASSERT_EQ(t.status, Status::kOk) << t.message;
+    for (std::size_t k = 0; k < 2; ++k) {
+      const auto& force = t.column(k == 0 ? "normal_force" : "contact2_normal_force");
+      const double seen = *std::max_element(force.begin(), force.end());
+      const double peak = t.statistics.contacts[k].peak_force;
+      EXPECT_GE(peak, 0.999 * seen) << k;
+      EXPECT_LE(peak, 1.05 * seen) << k;
+    }
+  }
 }
 
 // A rigid contact and one that gives on one shaft: `event` alone has both. The balance closes, and

@@ -43,9 +43,8 @@ TEST(Overrides, TakeWordsOfTheLastReleaseWithANote) {
   const Scene midpoint = with({"run.integrator=paper"});
   EXPECT_EQ(midpoint.run.integrator, Integrator::kMidpoint);
   ASSERT_EQ(midpoint.notes.size(), 1u);
-  EXPECT_EQ(
-      midpoint.notes[0],
-      "run.integrator: \"paper\" is called \"midpoint\" now; the old word is accepted until 0.3");
+  EXPECT_EQ(midpoint.notes[0],
+            "run.integrator: \"paper\" is called \"midpoint\" now; the old word is accepted too");
   EXPECT_EQ(with({"run.integrator=literal"}).run.integrator, Integrator::kEuler);
   EXPECT_TRUE(with({"run.integrator=euler"}).notes.empty());
 }
@@ -130,7 +129,7 @@ TEST(Overrides, AreRefusedLikeAFile) {
       {"force.amplitude=1", "force.amplitude", "name an element"},
       {"force[7].amplitude=1", "force[7].amplitude",
        "the list has 2 elements, counted from 0; the next is [2]"},
-      {"contact[0].friction=1", "contact[0].friction", "a table and has no element"},
+      {"contact[1].friction=1", "contact[1].friction", "contact is a table and has no element"},
       {"contact.friction=none", "contact.friction", "missing"},
       {"rotor=none", "rotor", "cannot be removed"},
       {"contact.friction", "", "expected table.key=value"},
@@ -155,6 +154,13 @@ TEST(Overrides, AreRefusedLikeAFile) {
         taken_away && wrong.key != std::string("rotor");  // a whole table has no line
     EXPECT_EQ(found[0].line > 0, in_file) << wrong.text;
   }
+}
+
+// [contact] is a list of one.
+TEST(Overrides, ATableIsAListOfOne) {
+  const Scene s = with({"contact[0].friction=0.07", "contact[0].restitution=0.2"});
+  EXPECT_EQ(s.first().contact->friction.coefficient, 0.07);
+  EXPECT_EQ(s.first().contact->restitution, 0.2);
 }
 
 }  // namespace
