@@ -14,6 +14,7 @@
 #include <thread>
 #include <vector>
 
+#include "native_model/scene/text.h"
 #include "renders/frame.h"
 #include "renders/stage.h"
 #include "renders/video.h"
@@ -173,9 +174,10 @@ PictureResult render_still(const scene::Scene& scene, const Trajectory& trajecto
   painter.alone();
   const Framing& framing = painter.framing();
   if (t && !(*t >= framing.from && *t <= framing.to)) {
-    throw std::invalid_argument(
-        fmt::format("render: a picture at {} s: accepted is a time of what is shown, {} s to {} s",
-                    *t, framing.from, framing.to));
+    const double first = asked.from ? framing.from : playback.start();
+    throw std::invalid_argument(fmt::format(
+        "render: no picture at {} s; accepted is a time from {} s to {} s", scene::number_text(*t),
+        scene::number_text(first), scene::number_text(framing.to)));
   }
   const double shown = t.value_or(hardest_impact(playback, framing));
   painter.paint(shown).write(file);

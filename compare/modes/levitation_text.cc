@@ -117,7 +117,7 @@ LoopSheet step_sheet(const Levitation& levitation) {
                      });
   if (std::ranges::any_of(levitation.steps, [](const auto& s) { return !s.overshoot; }))
     sheet.notes.push_back(
-        "without an overshoot: it comes back, and settles within 2 % of its largest deflection");
+        "overshoot -: it goes back to about 0, and has settled within 2 % of its largest value");
   return sheet;
 }
 

@@ -63,25 +63,22 @@ struct MapWords {
 };
 constexpr MapWords kMapWords[] = {
     {"Critical speed map", "stiffness of a bearing",
-     "undamped critical speeds were the bearings' springs, all in one proportion, softer or "
-     "stiffer. A flat curve belongs to the shaft, a rising one to the bearings; where a curve "
-     "meets "
-     "the scene's speed, unbalance resonates"},
+     "how the undamped critical speeds change if the springs of all bearings become softer or "
+     "stiffer in one proportion. A flat curve belongs to the shaft, a rising one to the bearings; "
+     "where a curve meets the scene's speed, unbalance resonates"},
     {"Critical speed map of the magnets", "stiffness of a magnetic bearing",
-     "undamped critical speeds were the springs of the magnetic bearings' controls less the "
-     "magnets' pull, all in one proportion, softer or stiffer. A flat curve belongs to the shaft, "
-     "a "
-     "rising one to the magnets; where a curve meets the scene's speed, unbalance resonates; no "
-     "line where the magnets do not bear the rotor"},
+     "how the undamped critical speeds change if all magnetic bearings become softer or stiffer in "
+     "one proportion; their stiffness is that of the control less the magnets' pull. A flat curve "
+     "belongs to the shaft, a rising one to the magnets; where a curve meets the scene's speed, "
+     "unbalance resonates; no line where the magnets do not bear the rotor"},
     {"Critical speed map of the ring", "stiffness of the ring's spring",
-     "undamped critical speeds of the rotor with its centre held to the ring's, as in a "
-     "synchronous rub, were the spring that carries the ring softer or stiffer. Where a solid "
-     "curve "
-     "meets the scene's speed, a rub resonates; dashed: the ring alone, √(k/m); long dashes: the "
-     "rotor alone"},
+     "how the undamped critical speeds of the rotor with its centre held to the ring's, as in a "
+     "synchronous rub, change if the spring that carries the ring becomes softer or stiffer. Where "
+     "a solid curve meets the scene's speed, a rub resonates; dashed: the ring alone, √(k/m); long "
+     "dashes: the rotor alone"},
     {"Critical speed map of the ring's mount", "stiffness of the mount",
-     "the same were the mount of the ring softer or stiffer: where a solid curve meets the scene's "
-     "speed, a rub resonates; dashed: ring and mount alone; long dashes: the rotor alone"},
+     "the same if the mount of the ring becomes softer or stiffer. Where a solid curve meets the "
+     "scene's speed, a rub resonates; dashed: ring and mount alone; long dashes: the rotor alone"},
 };
 
 // [[rpm]] of the k-th speed of each list; null where there is none.

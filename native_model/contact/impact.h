@@ -117,8 +117,9 @@ struct Impact {
   double normal_impulse = 0.0, friction_impulse = 0.0;  // N s
   double gap_rate_before = 0.0, gap_rate_after = 0.0;   // m/s
   double slip_before = 0.0, slip_after = 0.0;           // m/s
-  double energy_change = 0.0;                           // J, of the system, <= 0
-  int contact = 0;                                      // which of several, from 0
+  // J, of the system by this contact; over those of one instant the sum is <= 0.
+  double energy_change = 0.0;
+  int contact = 0;  // which of several, from 0
 };
 inline constexpr double kCountedGapRate = -1e-4;  // m/s: an impact counts below this
 inline bool counts(const Impact& impact) { return impact.gap_rate_before < kCountedGapRate; }

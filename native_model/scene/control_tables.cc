@@ -67,7 +67,7 @@ Table controller() {
            "damping of the emulated damper; of the tracking error; of the ring beside the feedback",
            {"passive", "pd", "cross_coupled", "two_phase"}),
        key<&Controller::feedback>("feedback", kDamping, ">= 0", kRequired,
-                                  "k, one value or one for each speed",
+                                  "k, a list: `[200]`, or one value for each speed",
                                   {"cross_coupled", "two_phase"}),
        key<&Controller::feedback_speed>("feedback_speed", kSpin, ">= 0", "one value at every speed",
                                         "speeds of those values, ascending; linear in between",

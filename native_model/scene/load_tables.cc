@@ -42,8 +42,11 @@ Table drive() {
                                           "speed at which the torque is 0", {"kloss"}),
            key<&Drive::table_speed>("table_speed", kSpin, "", kRequired,
                                     "speeds, ascending, two or more", {"table"}),
-           key<&Drive::table_torque>("table_torque", kTorque, "", kRequired,
-                                     "torques, one for each speed", {"table"}),
+           key<&Drive::table_torque>(
+               "table_torque", kTorque, "", kRequired,
+               "torques, one for each speed; in between a monotone cubic (Fritsch-Carlson: mean "
+               "secants as slopes at inner points, secants at the ends), held beyond the ends",
+               {"table"}),
            key<&Drive::station>("station", kLength, ">= 0", kStandard,
                                 "place of the motor along the shaft")
                .or_called("z")

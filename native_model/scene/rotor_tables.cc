@@ -68,7 +68,8 @@ Table rotor() {
                                             "external damping of each bending mode"),
        shaft<&RotorGeometry::internal_damping_ratio>(
            "internal_damping_ratio", kPure, ">= 0", kStandard,
-           "damping of each bending mode that turns with the shaft")}};
+           "damping of each bending mode that turns with the shaft; of the modes of the mesh on "
+           "the bearings' mean stiffness (k_x + k_y)/2, in both planes")}};
 }
 
 Table section() {

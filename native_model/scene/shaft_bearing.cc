@@ -84,8 +84,8 @@ Table shaft_bearing_table() {
                                   "where it stands off the line of the others: its alignment"),
        key<&ShaftBearing::table_speed>(
            "table_speed", kSpin, "", "`stiffness` and the others at every speed",
-           "ascending, two or more: the coefficients follow the speed, by a smooth curve through "
-           "the points, held beyond the ends"),
+           "ascending, two or more: the coefficients follow the speed, between the points by a "
+           "monotone cubic (Fritsch-Carlson), held beyond the ends"),
        key<&ShaftBearing::table_kxx>("table_kxx", kStiffness, "", "needed with `table_speed`",
                                      "k_xx, one value for each speed"),
        key<&ShaftBearing::table_kxy>("table_kxy", kStiffness, "", "0", "k_xy, likewise"),

@@ -222,6 +222,53 @@ class UnitParser {
   std::string error_;
 };
 
+// Words that are no units, and what they are meant as.
+struct Meant {
+  std::string_view word, unit;
+};
+constexpr auto kMeant = std::to_array<Meant>({
+    {"lbs", "lb"},
+    {"lbm", "lb"},
+    {"inch", "in"},
+    {"oz-in", "oz in"},
+    {"ozin", "oz in"},
+    {"lb-in", "lb in"},
+    {"in-lb", "in lb"},
+    {"lb-ft", "lb ft"},
+    {"ft-lb", "ft lb"},
+    {"N-m", "N m"},
+    {"g-mm", "g mm"},
+});
+
+// Of those; and "in3" is in^3.
+std::string meant_word(std::string_view word) {
+  for (const Meant& meant : kMeant) {
+    if (meant.word == word) return std::string(meant.unit);
+  }
+  const bool powered = word.size() > 1 && (word.back() == '2' || word.back() == '3');
+  if (!powered) return std::string(word);
+  return std::string(word.substr(0, word.size() - 1)) + "^" + word.back();
+}
+
+std::string pound_as_force(std::string_view word) {
+  return word == "lb" ? "lbf" : std::string(word);
+}
+
+// `unit` with change(word) for each of its words, whatever stands between them kept.
+template <class Change>
+std::string with_words(std::string_view unit, const Change& change) {
+  std::string text;
+  while (!unit.empty()) {
+    const std::size_t length = std::min(unit.find_first_of(" \t*/^()"), unit.size());
+    if (length > 0) text += change(unit.substr(0, length));
+    unit.remove_prefix(length);
+    if (unit.empty()) break;
+    text += unit.front();
+    unit.remove_prefix(1);
+  }
+  return text;
+}
+
 // Angles are free beside other dimensions (N m/rad is N m); a quantity of dimension 1 is either an
 // angle or a pure number.
 bool fits(const Dimension& unit, const Dimension& key) {
@@ -230,6 +277,25 @@ bool fits(const Dimension& unit, const Dimension& key) {
   const bool dimensionless =
       key.metre == 0 && key.kilogram == 0 && key.second == 0 && key.ampere == 0;
   return same && (!dimensionless || unit.radian == key.radian);
+}
+
+bool is_unit_of(const Quantity& quantity, std::string_view text) {
+  UnitParser parser(text);
+  const Unit unit = parser.parse();
+  return parser.error().empty() && fits(unit.dimension, quantity.dimension);
+}
+
+// What may be meant by a number and a unit that is none of `quantity`, as the end of a message.
+// Empty: not known.
+std::string hint(std::string_view number, std::string_view unit, const Quantity& quantity) {
+  const auto perhaps = [&](const std::string& meant) {
+    return ": perhaps \"" + printable(std::string(number) + meant) + "\"";
+  };
+  const std::string spelt = with_words(unit, meant_word);
+  if (is_unit_of(quantity, spelt)) return perhaps(spelt);
+  const std::string forced = with_words(spelt, pound_as_force);
+  if (is_unit_of(quantity, forced)) return perhaps(forced) + ", as lb is a mass and lbf a force";
+  return {};
 }
 
 }  // namespace
@@ -251,14 +317,18 @@ ParsedQuantity parse_quantity(std::string_view text, const Quantity& quantity) {
   const auto [end, status] = std::from_chars(rest.data(), rest.data() + rest.size(), number);
   if (status == std::errc::invalid_argument) return {0.0, expected};
   if (status != std::errc()) return {0.0, expected + ": out of the range of a double"};
-  rest.remove_prefix(static_cast<std::size_t>(end - rest.data()));
+  const std::string_view written = rest.substr(0, static_cast<std::size_t>(end - rest.data()));
+  rest.remove_prefix(written.size());
 
   // The unit.
   if (trimmed(rest).empty()) return {number, {}};
   UnitParser parser(rest);
   const Unit unit = parser.parse();
-  if (!parser.error().empty()) return {0.0, expected + ": " + parser.error()};
-  if (!fits(unit.dimension, quantity.dimension)) return {0.0, expected};
+  if (!parser.error().empty() || !fits(unit.dimension, quantity.dimension)) {
+    const std::string meant = hint(written, rest, quantity);
+    if (!meant.empty()) return {0.0, expected + meant};
+    return {0.0, parser.error().empty() ? expected : expected + ": " + parser.error()};
+  }
   const double value = number * unit.times / unit.over;
   if (!std::isfinite(value)) return {0.0, expected + ": out of the range of a double"};
   return {value, {}};

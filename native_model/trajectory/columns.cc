@@ -38,7 +38,10 @@ const ColumnMeaning kSeries[] = {
      "gdot_T, speed of the rotor's surface over the ring's along e_t = e_z x e_r, e_r from the "
      "ring's centre to the rotor's; positive for forward spin without whirl",
      ""},
-    {"normal_force", "N", "of lasting contact, never negative; impacts are in impacts.csv", ""},
+    {"normal_force", "N",
+     "of lasting contact, never negative; impacts are in impacts.csv; `event`: at a sample or a "
+     "switch, that after it",
+     ""},
     {"friction_force", "N", "on the rotor along e_t; sliding: -friction normal_force sign(slip)",
      ""},
     {"mode", "", "of the contact: free, slide or stick", ""},
@@ -48,7 +51,9 @@ const ColumnMeaning kSeries[] = {
     {"vy_<n>", "m/s", "rate of that coordinate along y", ""},
     {"torsion_<n>", "rad", "coordinate of a torsion mode, beyond the spin angle", "torsion"},
     {"torsion_speed_<n>", "rad/s", "its rate", "torsion"},
-    {"control_x", "N", "force of the actuator on the ring along x, as acts",
+    {"control_x", "N",
+     "force of the actuator on the ring along x, as acts; `event`: at a sample or a switch, that "
+     "after it",
      "an actuator that is commanded, or magnets"},
     {"control_y", "N", "the same along y", "an actuator that is commanded, or magnets"},
     {"current_<n>", "A", "current of the actuator's first and second axis, beyond the bias",
@@ -84,7 +89,11 @@ const ColumnMeaning kImpacts[] = {
     {"gap_rate_after", "m/s", "positive: leaving", ""},
     {"slip_before", "m/s", "as slip in the series", ""},
     {"slip_after", "m/s", "as slip in the series", ""},
-    {"energy_change", "J", "of the whole system, never positive", ""},
+    {"energy_change", "J",
+     "of the whole system, by this contact: over the rows of one t the sum is the system's, never "
+     "positive; an episode of MuJoCo's soft contacts (coulomb, cone, cone-coulomb) may gain (about "
+     "1e-4 J), as may an impact that takes time",
+     ""},
     {kContactColumn, "",
      "number of the contact, from 1; an impact in which several take part is a row of each",
      "several contacts"},

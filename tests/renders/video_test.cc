@@ -238,6 +238,27 @@ TEST(Video, StillBeforeWhatAFilmShowsByDefault) {
   EXPECT_EQ(render_still(ring_scene(), late, 0.02, short_film(), folder / "still.png").t, 0.02);
 }
 
+// In figures that are read at a glance, and from the beginning of the run, not of a film.
+TEST(Video, StillBeyondTheRunIsToldItsTimes) {
+  const Folder folder;
+  const Trajectory late = made_run(101, [](double t) {
+    return Row{.rotor_x = kClearance, .normal_force = t > 0.0495 ? 5.0 : 0.0};
+  });
+  const auto refusal = [&](std::optional<double> from) -> std::string {
+    RenderOptions options = short_film();
+    options.from = from;
+    try {
+      render_still(ring_scene(), late, 1.0 / 3.0, options, folder / "no.png");
+    } catch (const std::invalid_argument& error) {
+      return error.what();
+    }
+    return {};
+  };
+  EXPECT_EQ(refusal({}), "render: no picture at 0.333333 s; accepted is a time from 0 s to 0.1 s");
+  EXPECT_EQ(refusal(0.07 / 3.0),
+            "render: no picture at 0.333333 s; accepted is a time from 0.0233333 s to 0.1 s");
+}
+
 TEST(Video, StillOfARun) {
   const Folder folder;
   const auto still =

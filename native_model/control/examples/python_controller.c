@@ -62,8 +62,29 @@ static void add_frames(PyObject* trace, char* reason, size_t room) {
   for (size_t i = 0; i < MOST; ++i) Py_XDECREF(frames[i]);
 }
 
-/* The pending exception in words, with the places in the user's files that it came through. */
-static int failed(char* reason, size_t room) {
+/* Behind a KeyError the keys of what the law is given, unless the one it asks for is there. */
+static void add_keys(PyObject* type, PyObject* value, const char* name, PyObject* given,
+                     char* reason, size_t room) {
+  if (given == NULL || value == NULL || !PyErr_GivenExceptionMatches(type, PyExc_KeyError)) return;
+  PyObject *arguments = PyObject_GetAttrString(value, "args"),
+           *key = arguments != NULL ? PySequence_GetItem(arguments, 0) : NULL,
+           *comma = PyUnicode_FromString(", "),
+           *keys = comma != NULL ? PyUnicode_Join(comma, given) : NULL;
+  if (keys != NULL && key != NULL && PyUnicode_Check(key) && PyDict_Contains(given, key) == 0) {
+    const size_t used = strlen(reason);
+    const char* words = PyUnicode_AsUTF8(keys);
+    if (words != NULL) snprintf(reason + used, room - used, "; %s has the keys %s", name, words);
+  }
+  PyErr_Clear();
+  Py_XDECREF(keys);
+  Py_XDECREF(comma);
+  Py_XDECREF(key);
+  Py_XDECREF(arguments);
+}
+
+/* The pending exception in words, with the places in the user's files that it came through. given:
+ * the dict that the law is called with as `name`, or NULL. */
+static int failed(const char* name, PyObject* given, char* reason, size_t room) {
   PyObject *type, *value, *trace;
   PyErr_Fetch(&type, &value, &trace);
   PyErr_NormalizeException(&type, &value, &trace);
@@ -72,6 +93,7 @@ static int failed(char* reason, size_t room) {
   snprintf(reason, room, "%s: %s", type != NULL ? ((PyTypeObject*)type)->tp_name : "Python",
            words != NULL ? words : "it failed");
   add_frames(trace, reason, room);
+  add_keys(type, value, name, given, reason, room);
   Py_XDECREF(text);
   Py_XDECREF(type);
   Py_XDECREF(value);
@@ -110,7 +132,22 @@ static const char* text_of(const rotorub_setup* setup, const char* key) {
   return NULL;
 }
 
-static int load(const rotorub_setup* setup, law* l) {
+/* A function of the user's module; NULL, with an exception that names it: there is none. */
+static PyObject* function_of(PyObject* module, const char* name, const char* arguments) {
+  PyObject* function = PyObject_GetAttrString(module, name);
+  if (function != NULL && PyCallable_Check(function)) return function;
+  Py_XDECREF(function);
+  PyErr_Clear();
+  PyObject* file = PyModule_GetFilenameObject(module);
+  if (file == NULL) PyErr_Clear();
+  PyErr_Format(PyExc_AttributeError, "%V has no function %s(%s)", file, "the module", name,
+               arguments);
+  Py_XDECREF(file);
+  return NULL;
+}
+
+/* told: what create() is called with, to be released by the caller. */
+static int load(const rotorub_setup* setup, law* l, PyObject** told) {
   const char *path = text_of(setup, "path"), *name = text_of(setup, "module");
   if (name == NULL) {
     PyErr_SetString(PyExc_ValueError, "controller.config needs module = \"NAME\"");
@@ -125,22 +162,23 @@ static int load(const rotorub_setup* setup, law* l) {
   PyObject* module = PyImport_ImportModule(name);
   if (module == NULL) return 1;
   PyObject* config = config_of(setup);
-  PyObject* told = Py_BuildValue(
-      "{s:d,s:d,s:I,s:(dd),s:(dd),s:(dd),s:O}", "sample_time", setup->sample_time, "clearance",
-      setup->clearance, "measured", setup->measured, "stator_mass", setup->stator_mass[0],
-      setup->stator_mass[1], "stator_damping", setup->stator_damping[0], setup->stator_damping[1],
-      "stator_stiffness", setup->stator_stiffness[0], setup->stator_stiffness[1], "config", config);
+  *told = Py_BuildValue("{s:d,s:d,s:I,s:(dd),s:(dd),s:(dd),s:O}", "sample_time", setup->sample_time,
+                        "clearance", setup->clearance, "measured", setup->measured, "stator_mass",
+                        setup->stator_mass[0], setup->stator_mass[1], "stator_damping",
+                        setup->stator_damping[0], setup->stator_damping[1], "stator_stiffness",
+                        setup->stator_stiffness[0], setup->stator_stiffness[1], "config", config);
   Py_XDECREF(config);
-  if (told != NULL) l->law = PyObject_CallMethod(module, "create", "O", told);
-  Py_XDECREF(told);
-  l->step = PyObject_GetAttrString(module, "step");
+  PyObject* begin = *told != NULL ? function_of(module, "create", "setup") : NULL;
+  if (begin != NULL) l->step = function_of(module, "step", "law, now, state");
+  if (l->step != NULL) l->law = PyObject_CallFunctionObjArgs(begin, *told, NULL);
+  Py_XDECREF(begin);
   if (l->law != NULL && PyObject_HasAttrString(module, "state_size")) {
     PyObject* size = PyObject_CallMethod(module, "state_size", "O", l->law);
     l->size = size != NULL ? PyNumber_AsSsize_t(size, PyExc_OverflowError) : -1;
     Py_XDECREF(size);
   }
   Py_DECREF(module);
-  return l->law == NULL || l->step == NULL || l->size < 0;
+  return l->law == NULL || l->size < 0;
 }
 
 static void destroy(void* self) {
@@ -158,7 +196,9 @@ static int create(const rotorub_setup* setup, void** self, char* reason, size_t 
   law* l = calloc(1, sizeof *l);
   if (l == NULL) return 1;
   const PyGILState_STATE lock = PyGILState_Ensure();
-  const int bad = load(setup, l) != 0 ? failed(reason, room) : 0;
+  PyObject* told = NULL;
+  const int bad = load(setup, l, &told) != 0 ? failed("setup", told, reason, room) : 0;
+  Py_XDECREF(told);
   PyGILState_Release(lock);
   if (bad) {
     destroy(l);
@@ -198,9 +238,13 @@ static int step(const void* self, const rotorub_measurement* now, double* state,
     PyErr_Format(PyExc_TypeError, "step() returns %.100s; accepted are two numbers, ux and uy",
                  Py_TYPE(told)->tp_name);
     Py_CLEAR(told);
+  } else if (told != NULL && PyTuple_Size(told) != 2) {
+    PyErr_Format(PyExc_TypeError, "step() returns %zd numbers; accepted are two, ux and uy",
+                 PyTuple_Size(told));
+    Py_CLEAR(told);
   }
   const int good = told != NULL && PyArg_ParseTuple(told, "dd", &command[0], &command[1]);
-  const int bad = good ? 0 : failed(reason, room);
+  const int bad = good ? 0 : failed("now", shown, reason, room);
   Py_XDECREF(told);
   Py_XDECREF(shown);
   /* Whoever kept the view must not write to the array later. */

@@ -353,5 +353,38 @@ def step(law, now, state):
   expect_said(t.message, {"step() returns NoneType", "two numbers, ux and uy"});
 }
 
+// What is said of the first mistakes with a law in Python: the function, the number of values, the
+// keys.
+TEST(PythonController, NamesWhatIsMissing) {
+  if (!fs::exists(kLibraries / "python_controller.so")) GTEST_SKIP() << "no Python to embed";
+  const fs::path folder = testing::TempDir();
+  const std::string create = "def create(setup):\n    return None\n",
+                    step = "def step(law, now, state):\n    ";
+  // All before the first is imported: Python remembers what is in a folder.
+  const std::pair<const char*, std::string> laws[] = {
+      {"law_without_create", step + "return 0.0, 0.0\n"},
+      {"law_without_step", create},
+      {"law_of_no_gain",
+       "def create(setup):\n    return setup['gain']\n" + step + "return 0.0, 0.0\n"},
+      {"law_of_three", create + step + "return 0.0, 0.0, 0.0\n"},
+      {"law_of_no_key", create + step + "return now['rotor_x'], 0.0\n"}};
+  for (const auto& [name, text] : laws) std::ofstream(folder / (name + std::string(".py"))) << text;
+  const auto law = [&](const std::string& name) {
+    return read("python_controller.so",
+                "module = \"" + name + "\"\npath = \"" + folder.string() + "\"\n");
+  };
+
+  expect_said(refusal(law("law_without_create")),
+              {"law_without_create.py has no function create(setup)"});
+  expect_said(refusal(law("law_without_step")),
+              {"law_without_step.py has no function step(law, now, state)"});
+  expect_said(refusal(law("law_of_no_gain")),
+              {"KeyError: 'gain'", "in create", "setup has the keys sample_time", "config"});
+  expect_said(run_native(law("law_of_three")).message,
+              {"step() returns 3 numbers", "two, ux and uy"});
+  expect_said(run_native(law("law_of_no_key")).message,
+              {"KeyError: 'rotor_x'", "in step", "now has the keys t, sample, rotor, "});
+}
+
 }  // namespace
 }  // namespace rotorub

@@ -135,5 +135,32 @@ TEST(Units, RefuseWhatDoesNotFitAndSayWhatWould) {
   }
 }
 
+// Engineers write pounds for a force, and US units in other spellings: what is accepted is said.
+TEST(Units, SayWhatIsMeantByAnotherSpelling) {
+  const std::vector<Bad> cases = {
+      {"200000 lb/in", kStiffness, "perhaps \"200000 lbf/in\", as lb is a mass and lbf a force"},
+      {"5 lbs", kForce, "perhaps \"5 lbf\", as lb is a mass"},
+      {"3lb-in", kTorque, "perhaps \"3lbf in\", as lb is a mass"},
+      {"30e6 lb/in2", kPressure, "perhaps \"30e6 lbf/in^2\", as lb is a mass"},
+      {"0.1 oz-in", kStaticMoment, "perhaps \"0.1 oz in\""},
+      {"0.1 ozin", kStaticMoment, "perhaps \"0.1 oz in\""},
+      {"0.283 lb/in3", kDensity, "perhaps \"0.283 lb/in^3\""},
+      {"7850 kg/m3", kDensity, "perhaps \"7850 kg/m^3\""},
+      {"1800 kg (mm2)", kInertia, "perhaps \"1800 kg (mm^2)\""},
+  };
+  for (const Bad& bad : cases) {
+    const ParsedQuantity parsed = parse_quantity(bad.text, bad.quantity);
+    EXPECT_NE(parsed.error.find(bad.reason), std::string::npos)
+        << "'" << bad.text << "' gave '" << parsed.error << "'";
+    EXPECT_EQ(parsed.value, 0.0) << bad.text;
+  }
+  // What would not fit either is not proposed.
+  for (const char* text : {"5 lb", "5 lb/in3", "5 oz-in", "5 x2", "5 2"}) {
+    const std::string error = parse_quantity(text, kLength).error;
+    EXPECT_NE(error, "") << text;
+    EXPECT_EQ(error.find("perhaps"), std::string::npos) << error;
+  }
+}
+
 }  // namespace
 }  // namespace rotorub::scene
