@@ -19,6 +19,26 @@ bool feedback_switches(const Model& m) {
   });
 }
 
+// At a limit of its amplifier the mean of a coil's rates, under the command before a jump and that
+// after it, is not its rate under the mean command.
+void add_jump(const Model& m, std::size_t bearing, const CommandJump& jump,
+              const Eigen::Vector2d& asked, const double* v, double* f) {
+  constexpr double kRoundOff = 1e-9;
+  if (jump.share == 0.0 || bearing >= m.auxiliary.size()) return;
+  const AuxiliaryBearing& at = m.auxiliary[bearing];
+  if (at.coil == kAbsent) return;
+  const double early = jump.share, late = 1.0 - early;
+  const Eigen::Vector2d mean = early * jump.before + late * jump.after;
+  // A part of the kick has one of the two.
+  if ((asked - mean).norm() > kRoundOff * (jump.after - jump.before).norm()) return;
+  for (int i = 0; i < 2; ++i) {
+    const auto load = [&](double command) {
+      return coil_load(*at.magnets, command, v[at.coil + i]);
+    };
+    f[at.coil + i] += early * load(jump.before[i]) + late * load(jump.after[i]) - load(asked[i]);
+  }
+}
+
 }  // namespace
 
 bool beyond_matrix(const std::vector<const Model*>& models) {
@@ -52,7 +72,15 @@ void LoadKick<M>::add_actuators(const State& x, const T* v, T* f) const {
     for (std::size_t b = 0; b < command.size(); ++b) {
       asked[b] = {lanes::get(command[b].x, lane), lanes::get(command[b].y, lane)};
     }
-    rotorub::add_actuators(lane_model(x.m, lane), run_q, run_v, asked, run_f);
+    const Model& m = lane_model(x.m, lane);
+    rotorub::add_actuators(m, run_q, run_v, asked, run_f);
+    for (std::size_t i = 0; i < jumps.size(); ++i) {
+      if (kLanes == 1) {
+        add_jump(m, i, jumps[i], asked[i], run_v, run_f);
+      } else if (static_cast<int>(i) == lane) {
+        add_jump(m, 0, jumps[i], asked[0], run_v, run_f);
+      }
+    }
     for (int i = 0; i < nq; ++i) lanes::set(f[i], lane, run_f[i]);
   }
 }

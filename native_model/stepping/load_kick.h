@@ -13,12 +13,14 @@
 #include <algorithm>
 #include <array>
 #include <cstdint>
+#include <span>
 #include <utility>
 #include <vector>
 
 #include "native_model/contact/most_contacts.h"
 #include "native_model/dynamics/dynamics.h"
 #include "native_model/dynamics/feedback_equations.h"
+#include "native_model/stepping/fixed_step.h"
 #include "native_model/stepping/lane_model.h"
 #include "native_model/stepping/step_state.h"
 #include "native_model/stepping/stepped_loads.h"
@@ -75,7 +77,8 @@ class LoadKick {
   }
 
   StepCommands<T> command{};
-  const T* applied = nullptr;  // nq further loads, or none
+  const T* applied = nullptr;            // nq further loads, or none
+  std::span<const CommandJump> jumps{};  // of which `command` has the means: VerletStep::jumps
 
   // A force that comes without a controller acts from here on.
   void drive_first_ring() { commanded_ = true; }
@@ -323,11 +326,10 @@ class LoadKick {
   std::size_t eccentric_ = 0;
   bool samples_ = false, sampled_now_ = false;
   lanes::Array<T> sampled_;  // N, what makes the jumps of the feedbacks' states
-  // Of one on each axis.
-  struct SampledCommand {
+  struct SampledCommand {    // on each axis
     equations::Pair<T> before{}, mean{}, after{};  // A, as the equations see them: the mean
-    // What the command before the sample and that after it do, each for the time that the bearing
-    // works, beyond the mean command in the mean time: N, and A/s of an amplifier.
+    // What the two commands do while the bearing works beyond the mean command in the mean time:
+    // N, and A/s of an amplifier.
     equations::Pair<T> force{}, rate{};
   };
   std::array<SampledCommand, scene::kMaxMagneticBearings> commands_{};

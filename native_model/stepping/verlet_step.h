@@ -143,6 +143,7 @@ struct VerletStep {
   void jump(std::size_t of, const CommandJump& command) {
     jumps[of] = command;
     command_jumps = command_jumps || command.share > 0.0;
+    if (command_jumps) loads.jumps = jumps;
   }
 
   // m/s, of t_k, of lanes whose contact lasted over step k; of the others any number.
@@ -235,6 +236,7 @@ struct VerletStep {
   void forget_jumps() {
     for (CommandJump& command : jumps) command = {};
     command_jumps = false;
+    loads.jumps = {};
   }
   ROTORUB_SLOW void split(double begin, double end);
   void take_part(const Lasting& was, const T& begin, const T& end);

@@ -110,6 +110,19 @@ TEST(VerletJump, AControllerSwitchedOnOpensTheContact) {
   expect_order_two("controller={kind='passive',stiffness=1e5,sample_time=4e-3,on=AT}", {kRing});
 }
 
+// The mean of a coil's rates before and after the jump, at its limit, is not the rate under the
+// mean command.
+TEST(VerletJump, AControllerSwitchedOnFindsItsCoilsAtTheirLimit) {
+  const std::string coils =
+      "actuator={kind='electromagnet',force_constant=8e-6,bias_current=2.0,air_gap=2e-3,"
+      "stiffness=4e3,current_limit=1.5,";
+  for (const char* limit : {"coil_lag=2e-4,current_rate_limit=100.0}",
+                            "inductance=0.05,resistance=1.0,coil_lag=2e-4,voltage_limit=5.0}"}) {
+    expect_order_two("controller={kind='passive',stiffness=1e5,damping=10.0,on=AT}",
+                     {kRing, coils + limit, "force[0].vector=[300.0,0.0]"});
+  }
+}
+
 // Where round-off alone decides in which step it is: at both neighbours of a step's begin and end.
 TEST(VerletJump, AtTheEdgeOfAStep) {
   const double step = 1e-5;
