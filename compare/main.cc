@@ -1,5 +1,7 @@
 // The program `rotorub`: subcommands, and how errors become exit codes.
 
+#include <fmt/format.h>
+
 #include <CLI/CLI.hpp>
 #include <algorithm>
 #include <csignal>
@@ -59,6 +61,20 @@ int with_whole_output(int code) {
   return code == kDone || code == kOutside ? kFailed : code;
 }
 
+// A variable of a script that is not set, and "-o=DIR", which would name a folder "=DIR". Empty:
+// there is none.
+std::string empty_value(const CLI::App& command) {
+  for (const CLI::Option* option : command.get_options()) {
+    for (const std::string& value : option->results()) {
+      if (value.empty()) return option->get_name() + ": its value is empty";
+      if (value.starts_with('='))
+        return fmt::format("{0} {1}: accepted is {0} {2}", option->get_name(), value,
+                           value.substr(1));
+    }
+  }
+  return {};
+}
+
 int run(const Action& action) {
   try {
     return action();
@@ -78,7 +94,9 @@ int run(const Action& action) {
   } catch (const std::invalid_argument& error) {
     return failed(kBadInput, error.what());
   } catch (const std::filesystem::filesystem_error& error) {
-    return failed(kBadInput, error.path1().string() + ": " + error.code().message());
+    const std::string place = error.path1().string();
+    return failed(kBadInput,
+                  (place.empty() ? "the current folder" : place) + ": " + error.code().message());
   } catch (const std::bad_alloc&) {
     return failed(kFailed,
                   "there is not enough memory for this: a shorter run, fewer rows or a smaller "
@@ -117,6 +135,11 @@ int rotorub_main(int argc, char** argv) {
     program.parse(std::move(arguments));
   } catch (const CLI::ParseError& error) {
     return parser_exit(program, error);
+  }
+  for (const Command& command : commands) {
+    if (!command.app->parsed()) continue;
+    if (const std::string wrong = empty_value(*command.app); !wrong.empty())
+      return failed(kBadInput, wrong);
   }
   catch_interrupts();
   // A file beyond `ulimit -f` then fails to be written, which is reported.

@@ -30,10 +30,11 @@ json residuals(const scene::Scene& scene, const Trajectory& trajectory) {
   return residuals_json(largest_residuals(trajectory, contact_facts(scene)));
 }
 
+// null: a run may have none.
 std::string numbers_of(const json& object) {
   std::string names;
   for (const auto& [key, value] : object.items()) {
-    if (value.is_number()) names += (names.empty() ? "" : ", ") + key;
+    if (value.is_number() || value.is_null()) names += (names.empty() ? "" : ", ") + key;
   }
   return names;
 }

@@ -204,8 +204,12 @@ scene::ContactModel contact_model_of(const std::string& name) {
 
 void say_failure(const scene::Scene& scene, const std::string& what, const Trajectory& trajectory) {
   if (trajectory.status == Status::kOk) return;
-  fmt::print(stderr, "rotorub: {}: {}{} at t = {:.9g} s: {}\n", scene::printable(scene.name), what,
-             to_string(trajectory.status), trajectory.end, trajectory.message);
+  // A reason that names its own time is not told another.
+  const bool dated = trajectory.message.find("at t = ") != std::string::npos;
+  fmt::print(stderr, "rotorub: {}: {}{}{}: {}\n", scene::printable(scene.name), what,
+             to_string(trajectory.status),
+             dated ? std::string() : fmt::format(" at t = {:.9g} s", trajectory.end),
+             trajectory.message);
 }
 
 void check_output(const std::filesystem::path& place, Output what) {

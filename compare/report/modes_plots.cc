@@ -157,13 +157,15 @@ double campbell_range(const scene::Scene& scene, const RotorAnalysis& analysis) 
   for (const WhirlSpectrum& spectrum : analysis.spectra) {
     shown = std::max(shown, std::abs(spectrum.speed));
   }
-  for (double speed : analysis.critical_speeds) {
-    if (shown == 0.0 || speed <= kFar * shown) shown = std::max(shown, speed);
-  }
+  const std::vector<double>& critical = analysis.critical_speeds;
   const std::optional<double> threshold = analysis.stability_threshold;
-  if (threshold && (shown == 0.0 || *threshold <= kFar * shown)) {
-    shown = std::max(shown, *threshold);
+  if (shown == 0.0) shown = critical.empty() ? threshold.value_or(0.0) : critical.front();
+  // Of the machine's own speeds: a ladder of critical speeds would lead on and on.
+  const double far = kFar * shown;
+  for (double speed : critical) {
+    if (speed <= far) shown = std::max(shown, speed);
   }
+  if (threshold && *threshold <= far) shown = std::max(shown, *threshold);
   // Nothing turns and nothing is critical: as far as the highest frequency.
   if (shown == 0.0) shown = std::abs(analysis.spectra.front().modes.back().frequency);
   return kMargin * (shown > 0.0 ? shown : 1.0);

@@ -25,8 +25,9 @@ namespace {
 
 namespace fs = std::filesystem;
 
-// 17 significant digits: reads back to the same bits.
+// 17 significant digits: reads back to the same bits. Nobody means a zero with a sign.
 void append(std::string& text, double value) {
+  if (value == 0.0) value = 0.0;
   char buffer[40];
   const auto end =
       std::to_chars(buffer, buffer + sizeof buffer, value, std::chars_format::general, 17);

@@ -287,5 +287,32 @@ TEST(CliRun, AFileWithANameThatIsNoText) {
   EXPECT_EQ(json::parse(done.out).at("status"), "ok");
 }
 
+// A script's variable that is not set does not write elsewhere, nor run for minutes.
+TEST(CliRefusal, OfValuesThatAreEmpty) {
+  const Folder folder;
+  const std::string ring = shipped("bench_ring");
+  for (const Arguments& arguments :
+       {Arguments{"run", ring, "-o", ""}, Arguments{"run", ""},
+        Arguments{"bench", ring, "--steps", ""}, Arguments{"mjcf", ring, "--mujoco", ""},
+        Arguments{"run", ring, "-o=out"}}) {
+    const Outcome refused = folder.run(arguments);
+    EXPECT_EQ(refused.code, 2) << testing::PrintToString(arguments) << refused.err;
+    EXPECT_FALSE(folder.has("runs"));
+    EXPECT_FALSE(folder.has("=out"));
+  }
+  EXPECT_NE(folder.run({"run", ring, "-o", ""}).err.find("its value is empty"), std::string::npos);
+}
+
+// Of what `event` does not use nothing is asked.
+TEST(CliRefusal, NotOfAStepThatEventHasNot) {
+  const Folder folder;
+  for (const Arguments& engine : {Arguments{}, Arguments{"--engine", "mujoco"}}) {
+    Arguments arguments{"run", shipped("bench_ring"), "--end", "1us", "-o", "short"};
+    arguments.insert(arguments.end(), engine.begin(), engine.end());
+    const Outcome done = folder.run(arguments);
+    EXPECT_EQ(done.code, 0) << done.err;
+  }
+}
+
 }  // namespace
 }  // namespace rotorub::test

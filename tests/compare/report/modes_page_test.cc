@@ -293,6 +293,16 @@ TEST(CampbellRange, ShowsWhatMattersAndNoMore) {
   EXPECT_GT(campbell_range(s, analyse_rotor(s, {})), 0.0);
 }
 
+// Critical speeds a little apart each do not lead on to speeds at which no machine runs.
+TEST(CampbellRange, StaysNearTheMachinesSpeed) {
+  scene::Scene s = jeffcott();
+  RotorAnalysis analysis = analyse_rotor(s, {});
+  const double speed = s.rotor.speed;
+  analysis.critical_speeds = {0.7 * speed, 2.5 * speed, 9.0 * speed, 30.0 * speed};
+  EXPECT_GT(campbell_range(s, analysis), 2.5 * speed);
+  EXPECT_LT(campbell_range(s, analysis), 3.0 * speed);
+}
+
 scene::Scene shipped(const std::string& name) {
   return scene::read_scene(std::string(ROTORUB_MJCF_DIR) + "/" + name + ".toml");
 }
