@@ -2,10 +2,13 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <nlohmann/json.hpp>
+#include <string_view>
 
 #include "compare/base/columns.h"
 #include "compare/base/format.h"
+#include "compare/figures/figure.h"
 #include "compare/sweep/folder.h"
 #include "native_model/scene/text.h"
 
@@ -18,6 +21,29 @@ const char* goal_word(const Goal& goal) { return goal.maximise ? "maximise" : "m
 
 std::string field(const std::optional<double>& value) {
   return value ? fmt::format("{:.17g}", *value) : std::string();
+}
+
+// Of the figure in SI; empty: of modes, whose figures have no list, or a number.
+std::string unit_of(const FigurePath& figure) {
+  if (figure.source != Source::kRun) return {};
+  const auto keys = metric_keys();
+  const auto key = std::ranges::find(keys, std::string_view(figure.text), &ColumnMeaning::name);
+  return key == keys.end() || key->unit.empty() ? std::string() : " " + std::string(key->unit);
+}
+
+std::string nothing_text(const Optimum& optimum) {
+  const Evaluation* nearest = nullptr;
+  for (const Evaluation& e : optimum.evaluations) {
+    if (e.ok() && (!nearest || e.violation < nearest->violation)) nearest = &e;
+  }
+  if (!nearest) {
+    const bool any = !optimum.evaluations.empty();
+    return "  none of them runs" + (any ? ": " + optimum.evaluations.back().reason : "") + "\n";
+  }
+  return fmt::format(
+      "  none of them keeps the constraints; the nearest, evaluation {}, breaks one by "
+      "{:.3g} % of its limit\n",
+      nearest - optimum.evaluations.data(), 100.0 * nearest->violation);
 }
 
 }  // namespace
@@ -88,11 +114,7 @@ std::string optimum_text(const std::string& name, const Task& task, const Optimu
                                  scene::printable(task.goal.figure.text));
   text +=
       fmt::format("  {} evaluations, {}\n", optimum.evaluations.size(), to_string(optimum.ending));
-  if (!optimum.best) {
-    const Evaluation* last = optimum.evaluations.empty() ? nullptr : &optimum.evaluations.back();
-    text += "  none of them runs and keeps the constraints";
-    return text + (last && !last->ok() ? ": " + last->reason : "") + "\n";
-  }
+  if (!optimum.best) return text + nothing_text(optimum);
   const Evaluation& best = optimum.evaluations[*optimum.best];
   for (std::size_t k = 0; k < best.values.size(); ++k) {
     const sweep::Vary& vary = task.study.vary[k];
@@ -100,10 +122,12 @@ std::string optimum_text(const std::string& name, const Task& task, const Optimu
     text += fmt::format("  {:<40} {} {}{}\n", vary.key, short_number(best.values[k]), vary.unit,
                         edge ? "  (an end of its range)" : "");
   }
-  text += fmt::format("  {:<40} {}\n", task.goal.figure.text, short_number(*best.figure));
+  text += fmt::format("  {:<40} {}{}\n", task.goal.figure.text, short_number(*best.figure),
+                      unit_of(task.goal.figure));
   for (std::size_t k = 0; k < best.constraints.size(); ++k) {
-    text += fmt::format("  {:<40} {}\n", constraint_text(task.goal.constraints[k]),
-                        short_number(*best.constraints[k]));
+    const Constraint& c = task.goal.constraints[k];
+    text += fmt::format("  {:<40} {}{}\n", constraint_text(c), short_number(*best.constraints[k]),
+                        unit_of(c.figure));
   }
   return text;
 }
