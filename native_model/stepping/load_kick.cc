@@ -167,6 +167,9 @@ void LoadKick<M>::find_switched(const State& x, const T& begin, const T& end) {
                                    double place, int current, T& force, T& rate) {
         const double before = lanes::get(of_before, lane), mean = lanes::get(of_mean, lane),
                      after = lanes::get(of_after, lane);
+        lanes::set(force, lane, 0.0);
+        lanes::set(rate, lane, 0.0);
+        if (before == after) return;  // of another lane's sample
         if (current == kAbsent) {
           lanes::set(force, lane,
                      law.force(early, place, before) + law.force(late, place, after) -

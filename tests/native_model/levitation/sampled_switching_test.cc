@@ -1,0 +1,91 @@
+// Sampled controls of magnetic bearings that are switched at one of their samples.
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <complex>
+#include <string>
+#include <vector>
+
+#include "native_model/scene/reader.h"
+#include "tests/support/native_run.h"
+#include "tests/support/order.h"
+
+namespace rotorub {
+namespace {
+
+using test::run_event;
+using test::run_with;
+
+scene::Scene switched_scene(const std::string& control, const std::string& further = "") {
+  const std::string text = R"(
+[run]
+end = 0.06
+step = 1e-5
+output_step = 0.77e-3
+[rotor]
+speed = 0.0
+[rotor.modal]
+mass = [2.0]
+stiffness = [1e4]
+damping = [10.0]
+[magnetic_bearing]
+)" + further + R"(
+[magnetic_bearing.control]
+sample_time = 1e-3
+proportional = 2e3
+derivative = 2.0
+)" + (further.find("electromagnet") == further.npos ? "force_per_current = 100.0\n" : "") +
+                           control + R"(
+[initial]
+x = [1e-4]
+)";
+  return scene::parse_scene(text, "switched.toml", {});
+}
+double between(const scene::Scene& s, scene::Integrator integrator, double step) {
+  const Trajectory exact = run_event(s);
+  return test::orbit_error(run_with(s, integrator, step), [&](double t) {
+    const std::vector<double>& times = exact.column("t");
+    const auto at = static_cast<std::size_t>(
+        std::lower_bound(times.begin(), times.end(), t - 1e-9) - times.begin());
+    return std::complex<double>(exact.column("rotor_x")[at], exact.column("rotor_y")[at]);
+  });
+}
+
+// k T, and k T less T, meet what a scene says of them to round-off alone.
+TEST(SampledMagneticSwitching, SwitchedOnAtASampleItRemembersFromThere) {
+  for (int k = 1; k <= 30; ++k) {
+    const std::string at = std::to_string(k) + "e-3";
+    for (const std::string& when : {"on = " + at, "fails_at = 1e-4\nreturns_at = " + at}) {
+      const scene::Scene s = switched_scene(when, "negative_stiffness = 1e5");
+      EXPECT_LT(between(s, scene::Integrator::kMidpoint, 1e-5), 2e-9) << when;
+    }
+  }
+}
+
+// What is sampled and switched at the same instant counts before it and after it apart.
+TEST(SampledMagneticSwitching, SwitchedAtASampleTheOrderIsTwo) {
+  const std::string linear = "negative_stiffness = 1e5\n";
+  for (const std::string& further :
+       {linear, linear + "amplifier = { bandwidth = 3000.0 }\n",
+        linear + "amplifier = { bandwidth = 3000.0, voltage_limit = 4.0, inductance = 0.05 }\n",
+        std::string("kind = \"electromagnet\"\nforce_constant = 8e-6\nbias_current = 2.0\n"
+                    "air_gap = 6e-4\n")}) {
+    for (const char* when :
+         {"on = 10e-3", "fails_at = 10e-3", "fails_at = 10e-3\nreturns_at = 14e-3",
+          "delay = 1e-3\nfails_at = 10e-3\nreturns_at = 13e-3"}) {
+      scene::Scene s = switched_scene(when, further);
+      s.run.end = 0.03;
+      test::Convergence c;
+      for (const double step : {1e-5, 5e-6, 2.5e-6}) {
+        c.steps.push_back(step);
+        c.errors.push_back(between(s, scene::Integrator::kVerlet, step));
+      }
+      // A limit begins and ends anywhere within a step.
+      const double least = further.find("limit") == further.npos ? 1.9 : 1.6;
+      EXPECT_GT(c.order(), least) << further << when << "\n" << c.text();
+    }
+  }
+}
+
+}  // namespace
+}  // namespace rotorub
