@@ -50,9 +50,8 @@ void add_response(const scene::Scene& scene, const std::vector<double>& speeds,
   const scene::Scene free = without_start(scene);
   const Model model = make_model(free);
   for (double speed : speeds) analysis.levitations.push_back(levitation(model, speed));
-  if (!scene.first().contact) return;
-  analysis.clearance = scene.first().contact->clearance;
-  for (double speed : speeds) analysis.orbits.push_back(free_orbit(free, model, speed));
+  analysis.contacts = contact_places(scene);
+  for (double speed : speeds) analysis.responses.push_back(free_response(free, model, speed));
 }
 
 using nlohmann::json;
@@ -183,65 +182,30 @@ std::string stability_text(const RotorAnalysis& analysis) {
                      analysis.stability_bound * kRpm);
 }
 
-double vibration_limit(double speed) {
-  const double rpm = std::abs(speed) * kRpm;
-  return rpm > 0.0 ? 25.4e-6 * std::min(1.0, std::sqrt(12000.0 / rpm))
-                   : std::numeric_limits<double>::infinity();
-}
-
-std::string vibration_text(const FreeOrbit& orbit, double speed) {
-  constexpr double kMicro = 1e6;
-  const double limit = vibration_limit(speed);
-  if (!std::isfinite(limit) || orbit.vibration == 0.0) return "";
-  return fmt::format("  vibration there: {:.5g} um peak to peak, {} the {:.4g} um of API 617\n",
-                     kMicro * orbit.vibration, orbit.vibration <= limit ? "within" : "beyond",
-                     kMicro * limit);
-}
-
-json response_json(const RotorAnalysis& analysis, std::size_t at) {
-  const FreeOrbit& orbit = analysis.orbits[at];
-  if (!orbit.largest)
-    return {{"orbit", nullptr},
-            {"least_gap", nullptr},
-            {"vibration", nullptr},
-            {"vibration_limit", nullptr},
-            {"refused", orbit.refused}};
-  const double limit = vibration_limit(analysis.spectra[at].speed);
-  return {{"orbit", *orbit.largest},
-          {"least_gap", analysis.clearance - *orbit.largest},
-          {"vibration", orbit.vibration},
-          {"vibration_limit", std::isfinite(limit) ? json(limit) : json(nullptr)},
-          {"refused", nullptr}};
-}
-
-std::string response_text(const RotorAnalysis& analysis, std::size_t at) {
-  constexpr double kMicro = 1e6;
-  const FreeOrbit& orbit = analysis.orbits[at];
-  if (!orbit.largest) return fmt::format("  response at the contact: none, {}\n", orbit.refused);
-  const double gap = analysis.clearance - *orbit.largest;
-  const std::string sentence = fmt::format(
-      "response at the contact: {:.5g} um from the middle of the ring, {}", kMicro * *orbit.largest,
-      gap > 0.0 ? fmt::format("least gap {:.5g} um", kMicro * gap)
-                : fmt::format("it touches: {:.5g} um beyond the clearance", -kMicro * gap));
-  return wrapped("  ", sentence) + vibration_text(orbit, analysis.spectra[at].speed);
-}
-
 json modes_json(const RotorAnalysis& analysis) {
   json spectra = json::array();
   for (const WhirlSpectrum& spectrum : analysis.spectra) {
     const RubAnalyses& rubs = analysis.rubs.front();
     const std::size_t at = spectra.size();
+    const auto response = [&](std::size_t bearing) -> json {
+      const auto place = std::ranges::find(analysis.contacts, bearing, &ContactPlace::bearing);
+      if (place == analysis.contacts.end()) return nullptr;
+      return response_json(*place, analysis.responses[at], spectrum.speed);
+    };
     spectra.push_back(
         {{"speed", spectrum.speed},
          {"modes", whirls_json(spectrum.modes)},
          {"rub", rubs.at.empty() ? json(nullptr) : rub_json(rubs.at[at])},
-         {"response", analysis.orbits.empty() ? json(nullptr) : response_json(analysis, at)},
+         {"response", response(0)},
+         {"notes", analysis.responses.empty() ? json::array() : json(analysis.responses[at].notes)},
          {"levitation", analysis.levitations.empty() ? json(nullptr)
                                                      : levitation_json(analysis.levitations[at])}});
-    for (const RubAnalyses& of : analysis.rubs) {
+    for (std::size_t k = 0; k < analysis.rubs.size(); ++k) {
+      const RubAnalyses& of = analysis.rubs[k];
       if (of.contact.empty()) break;  // there is one
       spectra.back()["contacts"].push_back(
           {{"name", of.contact},
+           {"response", response(k)},
            {"rub", of.at.empty() ? json(nullptr) : rub_json(of.at[at])},
            {"rub_refused", of.refused.empty() ? json(nullptr) : json(of.refused)}});
     }
@@ -266,7 +230,8 @@ std::string modes_table(const std::string& name, const RotorAnalysis& analysis) 
   std::string text = fmt::format("{}: whirl of the free rotor\n", name);
   for (std::size_t i = 0; i < analysis.spectra.size(); ++i) {
     text += "\n" + spectrum_table(analysis.spectra[i]);
-    if (!analysis.orbits.empty()) text += response_text(analysis, i);
+    if (!analysis.responses.empty())
+      text += response_text(analysis.contacts, analysis.responses[i], analysis.spectra[i].speed);
     if (!analysis.levitations.empty()) {
       text += levitation_table(analysis.spectra[i].speed, analysis.levitations[i]);
     }

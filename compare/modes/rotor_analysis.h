@@ -7,6 +7,7 @@
 #include <string>
 #include <vector>
 
+#include "compare/modes/response_text.h"
 #include "compare/modes/rub_analysis.h"
 #include "native_model/rotor/campbell.h"
 #include "native_model/rotor/mode_shapes.h"
@@ -14,7 +15,6 @@
 #include "native_model/rotor/whirl_system.h"
 #include "native_model/scene/scene.h"
 #include "native_model/system/levitation.h"
-#include "native_model/system/steady_orbit.h"
 
 namespace rotorub {
 
@@ -28,8 +28,10 @@ struct RotorAnalysis {
   std::vector<WhirlShape> whirl_shapes;       // at the scene's own speed; geometry form only
   std::vector<WhirlMode> torsion;
   std::vector<RubAnalyses> rubs;  // of each contact, at the same speeds as the spectra
-  std::vector<FreeOrbit> orbits;  // at the same speeds, of the modes kept; none without a contact
-  double clearance = 0.0;         // m, of the contact
+  std::vector<ContactPlace> contacts;
+  // At the same speeds, of the modes kept; none without a contact or magnetic bearings that
+  // control.
+  std::vector<FreeResponse> responses;
   // At the same speeds, of the modes kept; without magnetic bearings that control none.
   std::vector<Levitation> levitations;
   std::optional<ContactMass> contact_mass;  // geometry form with a contact only
@@ -48,10 +50,6 @@ const char* sense_of(const WhirlMode& mode, double speed);
 // speed.
 std::string stability_text(const RotorAnalysis& analysis);
 
-// m, peak to peak, of API 617: 25.4 um sqrt(12000 rpm / speed), and no more than 25.4 um; speed:
-// rad/s, either sign. For a rotor at rest infinity.
-double vibration_limit(double speed);
-
 // As JSON (public contract):
 // {"speeds": [{"speed", "modes": [{"frequency", "damping_ratio"}]}], "critical_speeds": [],
 // "stability_threshold": null, "stability_bound"}: rad/s; forward whirl positive, backward
@@ -61,12 +59,10 @@ double vibration_limit(double speed);
 // And "torsion": [{"frequency", "damping_ratio"}], "mode_shapes": {"z": m, "stations": [{"kind",
 // "name", "z"}], "same_planes", "x", "y": [{"frequency": rad/s at rest, undamped, "shape": along z,
 // "at_stations"}]}; modes scaled as the coordinates of a run are (mode_shapes.h). Modal form:
-// "mode_shapes" is null. With a [contact] each speed has "response": {"orbit": m or null, how far
-// the free rotor's centre goes from the ring's under unbalance, weight and forces
-// (system/steady_orbit.h), "least_gap": m, < 0 where it would touch, or null, "vibration": m, peak
-// to peak, "vibration_limit": m, that of API 617 at this speed, null at rest, "refused": why there
-// is no such orbit, or null}, and "rub": rub_analysis.h; where its rubs cannot be analysed it is
-// null, and "rub_refused" says why. "levitation": levitation_text.h.
+// "mode_shapes" is null. With a [contact] each speed has "response", that of the first one
+// (response_text.h), and "rub": rub_analysis.h; where its rubs cannot be analysed it is null, and
+// "rub_refused" says why. Of several "contacts" has the same of each with its "name". "notes":
+// sentences on where the response does not hold. "levitation": levitation_text.h.
 nlohmann::json modes_json(const RotorAnalysis& analysis);
 
 // The same for people, with Hz and rpm; ends with a line break. Of the shapes, the values at the

@@ -119,6 +119,21 @@ json running_card(const scene::Scene& scene, const RotorAnalysis& analysis) {
               nearest_text(analysis.critical_speeds, speed));
 }
 
+// How near the free rotor comes, at each contact, and where that is not to be trusted.
+void add_response_cards(const RotorAnalysis& analysis, json& cards) {
+  if (analysis.responses.empty()) return;
+  const FreeResponse& response = analysis.responses.front();
+  const double speed = analysis.spectra.front().speed;
+  const std::string at = ", " + rpm_text(std::abs(speed));
+  for (const ContactPlace& place : analysis.contacts) {
+    const ResponseWords words = response_words(place, response, speed);
+    const std::string title = place.name.empty() ? "Free orbit" : "Free orbit at " + place.name;
+    cards.push_back(card(title + at, words.touches ? "bad" : "", words.headline, words.text));
+  }
+  for (const std::string& note : response.notes)
+    cards.push_back(card("Magnetic bearing" + at, "bad", "beyond its current limit", note));
+}
+
 // What a touch may lead to, of each contact.
 void add_rub_cards(const RotorAnalysis& analysis, json& cards) {
   for (const RubAnalyses& rubs : analysis.rubs) {
@@ -230,6 +245,7 @@ std::string modes_page(const scene::Scene& scene, const Campbell& campbell) {
   values["hash"] = scene::scene_hash(scene);
   values["cards"] = json::array(
       {running_card(scene, analysis), critical_card(analysis), stability_card(scene, analysis)});
+  add_response_cards(analysis, values["cards"]);
   add_rub_cards(analysis, values["cards"]);
   values["top"] = rpm_text(campbell.range);
   values["beyond"] = beyond_text(analysis, campbell.range);

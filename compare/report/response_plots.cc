@@ -102,6 +102,12 @@ json bode_data(const scene::Scene& scene, double top) {
   const bool held = std::ranges::any_of(scene.magnetic_bearings, [](const auto& bearing) {
     return bearing.control && bearing.control->works();
   });
+  // The one that is touched first, where stations move alike.
+  const std::vector<ContactPlace> contacts = contact_places(scene);
+  const auto least = std::ranges::min_element(contacts, {}, &ContactPlace::clearance);
+  const bool several = contacts.size() > 1,
+             alike = std::ranges::all_of(
+                 contacts, [&](const auto&at) { return at.clearance == least->clearance; });
   // Half of what it allows from peak to peak.
   const auto limit = [](double speed) {
     return rounded(0.5 * kMicronsOfMetre * vibration_limit(speed), kResponseDigits);
@@ -109,9 +115,10 @@ json bode_data(const scene::Scene& scene, double top) {
   return {{"speed", rounded_list(response->speed, kRpm)},
           {"running", rounded(std::abs(scene.rotor.speed) * kRpm)},
           {"forces", response->forces},
-          {"clearance", scene.first().contact
-                            ? json(rounded(kMicronsOfMetre * scene.first().contact->clearance))
-                            : json()},
+          {"clearance",
+           least == contacts.end() ? json() : json(rounded(kMicronsOfMetre * least->clearance))},
+          {"clearance_of", alike ? "clearance at the contact" + std::string(several ? "s" : "")
+                                 : "least clearance, at contact " + least->name},
           {"limit", held ? list_of(response->speed, limit) : json()},
           {"curves", list_of(response->probes, [&](const ProbeResponse& probe) {
              return curve_json(probe, response->speed, response->same_planes);

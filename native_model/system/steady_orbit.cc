@@ -14,15 +14,15 @@
 namespace rotorub {
 namespace {
 
-// The orbit is that of the linear law: the sum of all frequencies' amplitudes keeps the limit.
-void check_current(const scene::Scene& scene, const StationFeedback& feedback, double most) {
-  if (!feedback.works.at(0.0) || most <= feedback.law.current_limit) return;
+// What an orbit asks of a bearing beyond its limit, to go after a subject; empty: it keeps the
+// limit. The orbit is that of the linear law: the sum of all frequencies' amplitudes keeps the
+// limit.
+std::string beyond_limit(const scene::Scene& scene, const StationFeedback& feedback, double most) {
+  if (!feedback.works.at(0.0) || most <= feedback.law.current_limit) return {};
   const std::string path = scene::magnetic_bearing_path(scene.record.get(), feedback.number);
-  refuse_steady(scene,
-                "the steady free orbit asks the magnetic bearing for up to " +
-                    scene::number_text(most) + " A, beyond " + path +
-                    ".control.current_limit = " + scene::number_text(feedback.law.current_limit) +
-                    " A, where its law is not linear; accepted: a larger limit, or false");
+  return " asks the magnetic bearing for up to " + scene::number_text(most) + " A, beyond " + path +
+         ".control.current_limit = " + scene::number_text(feedback.law.current_limit) +
+         " A, where its law is not linear";
 }
 
 // Where a ring under `weight` (N) comes to rest on its balls and its spring, m: where its energy is
@@ -170,7 +170,9 @@ void add_steady_orbit(const scene::Scene& scene, Model& m) {
   m.v0.head(2 * l.modes) += motion.v;
   m.v0.segment(l.integral(), l.integrals) += motion.stored;
   for (std::size_t k = 0; k < m.feedbacks.size(); ++k) {
-    check_current(scene, m.feedbacks[k], motion.current[k].maxCoeff());
+    const std::string beyond = beyond_limit(scene, m.feedbacks[k], motion.current[k].maxCoeff());
+    if (beyond.empty()) continue;
+    refuse_steady(scene, "the steady free orbit" + beyond + "; accepted: a larger limit, or false");
   }
   for (std::size_t k = 0; k < m.auxiliary.size(); ++k) {
     const AuxiliaryBearing& at = m.auxiliary[k];
@@ -200,7 +202,7 @@ void add_steady_orbit(const scene::Scene& scene, Model& m) {
   }
 }
 
-FreeOrbit free_orbit(const scene::Scene& scene, Model m, double speed) {
+FreeResponse free_response(const scene::Scene& scene, Model m, double speed) {
   m.speed = speed;
   // The model's forces are the scene's but for unbalances (model.cc); what turns with a spin that
   // is held rotates there.
@@ -210,23 +212,50 @@ FreeOrbit free_orbit(const scene::Scene& scene, Model m, double speed) {
     if (given.kind == scene::ForceKind::kSynchronous) force->frequency = speed;
     ++force;
   }
-  try {
-    const Eigen::Vector2d ring = ring_at_rest(scene, m, m.first()).ring;
-    FreeOrbit free{0.0, {}};
-    for (const double t : changes(m)) {
-      OrbitSize orbit = free_motion(scene, with_loads_of(m, t)).orbits.front();
-      orbit.centre = -ring - m.first().ring_offset;
-      free.largest = std::max(*free.largest, orbit.largest());
-      // About its mean an orbit goes as far to the one side as to the other.
-      orbit.centre.setZero();
-      std::erase_if(orbit.parts, [](const OrbitPart& part) { return part.frequency == 0.0; });
-      free.vibration = std::max(free.vibration, 2.0 * orbit.largest());
-    }
-    return free;
-  } catch (const scene::SceneError& error) {
+  const auto none = [](const scene::SceneError& error) -> FreeOrbit {
     const std::string& why = error.diagnostics().front().reason;
     return {std::nullopt, why.substr(0, why.find("; accepted"))};
+  };
+  FreeResponse response;
+  std::vector<Eigen::Vector2d> middles;
+  for (const AuxiliaryBearing& at : m.auxiliary) {
+    // One ring that nothing holds leaves the others their orbits.
+    try {
+      middles.emplace_back(ring_at_rest(scene, m, at).ring + at.ring_offset);
+      response.orbits.push_back({0.0, {}});
+    } catch (const scene::SceneError& error) {
+      middles.emplace_back(0.0, 0.0);
+      response.orbits.push_back(none(error));
+    }
   }
+  std::vector<double> currents(m.feedbacks.size());
+  try {
+    for (const double t : changes(m)) {
+      FreeMotion motion = free_motion(scene, with_loads_of(m, t));
+      for (std::size_t k = 0; k < currents.size(); ++k)
+        currents[k] = std::max(currents[k], motion.current[k].maxCoeff());
+      for (std::size_t k = 0; k < middles.size(); ++k) {
+        FreeOrbit& free = response.orbits[k];
+        if (!free.largest) continue;
+        OrbitSize& orbit = motion.orbits[k];
+        orbit.centre = -middles[k];
+        free.largest = std::max(*free.largest, orbit.largest());
+        // About its mean an orbit goes as far to the one side as to the other.
+        orbit.centre.setZero();
+        std::erase_if(orbit.parts, [](const OrbitPart& part) { return part.frequency == 0.0; });
+        free.vibration = std::max(free.vibration, 2.0 * orbit.largest());
+      }
+    }
+  } catch (const scene::SceneError& error) {
+    response.orbits.assign(m.auxiliary.size(), none(error));
+    return response;
+  }
+  for (std::size_t k = 0; k < currents.size(); ++k) {
+    const std::string beyond = beyond_limit(scene, m.feedbacks[k], currents[k]);
+    if (!beyond.empty())
+      response.notes.push_back("the response" + beyond + ": a run will differ from it");
+  }
+  return response;
 }
 
 }  // namespace rotorub

@@ -19,6 +19,7 @@
 
 #include <optional>
 #include <string>
+#include <vector>
 
 #include "native_model/scene/scene.h"
 #include "native_model/system/model.h"
@@ -31,15 +32,22 @@ namespace rotorub {
 // away, a ramp or pulse under way; or where it touches, with its size.
 void add_steady_orbit(const scene::Scene& scene, Model& model);
 
-// How far the rotor's centre goes from the ring's at the contact on that orbit, at another spin
-// speed (rad/s, either sign), whether it would touch or not: the response to unbalance and all else
-// that acts, of all sets of loads that come to act together in full the one that takes it furthest.
-// A pulse passes and counts for nothing.
+// How far the rotor's centre goes from the ring's at a contact on that orbit, whether it would
+// touch or not, of all sets of loads that come to act together in full by the one that takes it
+// furthest. A pulse passes and counts for nothing.
 struct FreeOrbit {
   std::optional<double> largest;  // m; empty: there is no such orbit
   std::string refused;            // why, without a full stop
   double vibration = 0.0;         // m, peak to peak: the most that the centre moves about its mean
 };
-FreeOrbit free_orbit(const scene::Scene& scene, Model model, double speed);
+
+// The response to unbalance and all else that acts at another spin speed (rad/s, either sign).
+struct FreeResponse {
+  std::vector<FreeOrbit> orbits;  // at each auxiliary bearing
+  // Where a magnetic bearing is asked for more than its current limit, and the law that the
+  // response is of does not hold: a sentence each, without a full stop.
+  std::vector<std::string> notes;
+};
+FreeResponse free_response(const scene::Scene& scene, Model model, double speed);
 
 }  // namespace rotorub

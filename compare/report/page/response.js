@@ -66,7 +66,7 @@ export function bodeFigure({bode, campbell}) {
     ...campbell.critical.filter((n) => n <= top).map((n) => across(n, '--line', 'longdash')),
     ...(clearance ? [{type: 'line', xref: 'paper', x0: 0, x1: 1, y0: clearance, y1: clearance, line: {color: css('--bad'), width: 1.2, dash: 'dash'}}] : [])];
   if (clearance) {
-    letters.push({xref: 'paper', x: 0, xanchor: 'left', y: Math.log10(clearance), yanchor: 'bottom', text: 'clearance at the contact', showarrow: false,
+    letters.push({xref: 'paper', x: 0, xanchor: 'left', y: Math.log10(clearance), yanchor: 'bottom', text: bode.clearance_of, showarrow: false,
       font: {color: css('--bad'), size: 12}});
   }
   const allowed = limit ? [{x: speed, y: limit, name: 'limit of API 617', type: 'scatter', mode: 'lines', line: {color: css('--bad'), width: 1.6, dash: 'dashdot'},

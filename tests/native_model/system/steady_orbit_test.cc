@@ -60,7 +60,7 @@ TEST(SteadyOrbit, TheLeastGapIsThatOfTheRun) {
   s.forces = {blade};
   s.first().contact = scene::Contact{.radius = 0.02, .clearance = 0.5e-3, .offset = {1e-5, 0.0}};
   const Model model = make_model(s);
-  const FreeOrbit orbit = free_orbit(s, model, 250.0);
+  const FreeOrbit orbit = free_response(s, model, 250.0).orbits.front();
   ASSERT_TRUE(orbit.largest);
   for (const auto integrator :
        {scene::Integrator::kEvent, scene::Integrator::kVerlet, scene::Integrator::kMidpoint}) {
@@ -94,7 +94,7 @@ TEST(SteadyOrbit, TheResponseKnowsWhatComesOnLater) {
   after.off = scene::kNever;
   s.forces = {turning, after};
   const double exact = 30.0 / std::abs(Complex(2e5 - 2.0 * 200.0 * 200.0, 40.0 * 200.0));
-  const FreeOrbit orbit = free_orbit(s, make_model(s), 250.0);
+  const FreeOrbit orbit = free_response(s, make_model(s), 250.0).orbits.front();
   ASSERT_TRUE(orbit.largest) << orbit.refused;
   EXPECT_NEAR(*orbit.largest, exact, 1e-9 * exact);
 }
@@ -115,13 +115,13 @@ TEST(SteadyOrbit, AtAnotherSpeed) {
   for (const double speed : {100.0, -250.0, 316.0, 700.0}) {
     const Complex load = 4e-5 * speed * speed + 3.0 * std::polar(1.0, 1.0);
     const double exact = std::abs(load / Complex(2e5 - 2.0 * speed * speed, 40.0 * speed));
-    const FreeOrbit orbit = free_orbit(s, model, speed);
+    const FreeOrbit orbit = free_response(s, model, speed).orbits.front();
     ASSERT_TRUE(orbit.largest) << orbit.refused;
     EXPECT_NEAR(*orbit.largest, exact, 1e-6 * exact) << speed;
   }
   scene::Scene unstable = s;
   unstable.rotor.modal->internal_damping = {200.0};
-  const FreeOrbit none = free_orbit(unstable, make_model(unstable), 2000.0);
+  const FreeOrbit none = free_response(unstable, make_model(unstable), 2000.0).orbits.front();
   EXPECT_FALSE(none.largest);
   EXPECT_NE(none.refused.find("unstable"), std::string::npos) << none.refused;
   EXPECT_EQ(none.refused.find("accepted"), std::string::npos);

@@ -121,7 +121,7 @@ TEST(SynchronousResponse, AgreesWithTheFreeOrbit) {
   ASSERT_TRUE(response);
   EXPECT_FALSE(response->same_planes);
   ASSERT_EQ(response->probes.size(), 2u);
-  const FreeOrbit orbit = free_orbit(s, make_model(s), 150.0);
+  const FreeOrbit orbit = free_response(s, make_model(s), 150.0).orbits.front();
   // The larger half-axis of the ellipse that both probes see.
   const Phasor x = response->probes[0].deflection.back(),
                y = response->probes[1].deflection.back() * Phasor(0.0, -1.0);

@@ -1,0 +1,43 @@
+// The response of the free rotor at each contact, as `rotorub modes` says it: how far its centre
+// goes under unbalance, weight and forces, and what is left of the clearance there.
+#pragma once
+
+#include <nlohmann/json_fwd.hpp>
+#include <string>
+#include <vector>
+
+#include "native_model/scene/scene.h"
+#include "native_model/system/steady_orbit.h"
+
+namespace rotorub {
+
+// A contact beside which the response is told.
+struct ContactPlace {
+  std::size_t bearing = 0;  // among the scene's auxiliary bearings
+  std::string name;         // empty: there is one alone
+  double clearance = 0.0;   // m
+};
+std::vector<ContactPlace> contact_places(const scene::Scene& scene);
+
+// m, peak to peak, of API 617: 25.4 um sqrt(12000 rpm / speed), and no more than 25.4 um; speed:
+// rad/s, either sign. For a rotor at rest infinity.
+double vibration_limit(double speed);
+
+// {"orbit": m or null, how far the rotor's centre goes from the ring's (system/steady_orbit.h),
+// "least_gap": m, < 0 where it would touch, or null, "vibration": m, peak to peak,
+// "vibration_limit": m, that of API 617 at this speed, null at rest, "refused": why there is no
+// such orbit, or null}. speed: rad/s.
+nlohmann::json response_json(const ContactPlace& place, const FreeResponse& response, double speed);
+
+// For people: of each contact, then the notes; ends with a line break, or is empty.
+std::string response_text(const std::vector<ContactPlace>& places, const FreeResponse& response,
+                          double speed);
+
+// For the page's cards: what is left of the clearance, and the orbit.
+struct ResponseWords {
+  bool touches = false;
+  std::string headline, text;
+};
+ResponseWords response_words(const ContactPlace& place, const FreeResponse& response, double speed);
+
+}  // namespace rotorub
