@@ -140,14 +140,14 @@ TEST(Attractor, RowsTooFarApartTellNoWhirl) {
     return settled(hand_made(1000, spacing, [](double t) {
       constexpr double kRate = 1204.0;
       Row row = sliding({.frequency = kRate, .spin_speed = kRate}, t);
-      row.x *= 3.0;
-      row.vx *= 3.0;
+      row.x *= 1.5;
+      row.vx *= 1.5;
       return row;
     }));
   };
-  const Settled fine = of(1e-4), coarse = of(0.0613);
+  const Settled fine = of(1e-3), coarse = of(0.0613);
   EXPECT_EQ(fine.attractor, Attractor::kSynchronousRub);
-  EXPECT_NEAR(fine.whirl_frequency, 1204.0, 2.0);
+  EXPECT_NEAR(fine.whirl_frequency, 1204.0, 5.0);
   EXPECT_EQ(coarse.attractor, Attractor::kUnknown);
   EXPECT_TRUE(std::isnan(coarse.whirl_frequency));
   EXPECT_NEAR(coarse.spin_speed, 1204.0, 1e-6);

@@ -59,8 +59,8 @@ TEST(Doubts, NameAnInstantFarBeyondTheEnd) {
   ASSERT_EQ(late.size(), 1U);
   EXPECT_TRUE(late[0].starts_with("force[0].on = 20 s: the run ends at 0.1 s")) << late[0];
   const auto fails =
-      of("[magnetic_bearing]\n[magnetic_bearing.control]\nforce_per_current = "
-         "100.0\nproportional = 4000.0\nderivative = 3.0\nfails_at = 20.0\n");
+      of("[magnetic_bearing]\nnegative_stiffness = 1e4\n[magnetic_bearing.control]\n"
+         "force_per_current = 100.0\nproportional = 4000.0\nderivative = 3.0\nfails_at = 20.0\n");
   ASSERT_EQ(fails.size(), 1U);
   EXPECT_TRUE(fails[0].starts_with("magnetic_bearing.control.fails_at = 20 s")) << fails[0];
 }
