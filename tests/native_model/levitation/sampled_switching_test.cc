@@ -68,7 +68,7 @@ TEST(SampledMagneticSwitching, SwitchedAtASampleTheOrderIsTwo) {
   for (const std::string& further :
        {linear, linear + "amplifier = { bandwidth = 3000.0 }\n",
         linear + "amplifier = { bandwidth = 3000.0, voltage_limit = 4.0, inductance = 0.05 }\n",
-        std::string("kind = \"electromagnet\"\nforce_constant = 8e-6\nbias_current = 2.0\n"
+        std::string("kind = \"electromagnet\"\nforce_constant = 8e-6\nbias_current = 1.0\n"
                     "air_gap = 6e-4\n")}) {
     for (const char* when :
          {"on = 10e-3", "fails_at = 10e-3", "fails_at = 10e-3\nreturns_at = 14e-3",
