@@ -66,7 +66,7 @@ int with_whole_output(int code) {
 std::string empty_value(const CLI::App& command) {
   for (const CLI::Option* option : command.get_options()) {
     for (const std::string& value : option->results()) {
-      if (value.empty()) return option->get_name() + ": its value is empty";
+      if (value.empty() || value == "=") return option->get_name() + ": its value is empty";
       if (value.starts_with('='))
         return fmt::format("{0} {1}: accepted is {0} {2}", option->get_name(), value,
                            value.substr(1));

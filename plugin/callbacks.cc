@@ -107,8 +107,8 @@ void install_callbacks() {
     place.link_with(Collision<mjfCollision>::kTable.data());
     place.take();
   });
-  active = true;
   register_contact_plugin();
+  active = true;
 }
 
 void restore_callbacks() {

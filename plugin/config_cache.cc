@@ -233,7 +233,7 @@ bool is_still_foreign(Known& known, const mjModel* m, const mjData* d, bool chec
   if (known.compared == d && known.time == d->time) return true;
   known.compared = d;
   known.time = d->time;
-  return known.names == custom_names(m) && !has_instances(m);
+  return !has_instances(m) && known.names == custom_names(m);
 }
 
 // mju_error may leave by longjmp (it does while a model is compiled): nothing with a destructor

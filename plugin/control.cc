@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 #include "native_model/bearing/actuator.h"
 #include "native_model/control/control_loop.h"
@@ -77,8 +78,8 @@ double asked_current(const mjModel* m, const mjData* d, int actuator) {
 
 }  // namespace
 
-WhileCompiling::WhileCompiling() { compiling = true; }
-WhileCompiling::~WhileCompiling() { compiling = false; }
+WhileCompiling::WhileCompiling() : outer_(std::exchange(compiling, true)) {}
+WhileCompiling::~WhileCompiling() { compiling = outer_; }
 
 void controller_failed(mjData* d, const std::string& why) {
   if (compiling) return;

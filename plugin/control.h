@@ -28,6 +28,9 @@ class WhileCompiling {
   ~WhileCompiling();
   WhileCompiling(const WhileCompiling&) = delete;
   WhileCompiling& operator=(const WhileCompiling&) = delete;
+
+ private:
+  bool outer_;
 };
 
 // Force of the actuators on the ring, of the forward pass done last, and the currents now.

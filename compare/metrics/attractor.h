@@ -53,9 +53,9 @@ inline constexpr double kRollingTolerance = 0.01;
 struct LastPart {
   double from = 0.0;  // s
   std::vector<RelativePoint> points;
-  std::vector<double> normal_force, slip;  // N, m/s
-  double spin_speed = 0.0;                 // rad/s, mean
-  std::size_t impacts = 0;                 // counted ones
+  std::vector<double> normal_force, slip;                        // N, m/s
+  double spin_speed = std::numeric_limits<double>::quiet_NaN();  // rad/s, mean
+  std::size_t impacts = 0;                                       // counted ones
   std::vector<double> impact_times;  // s, ascending, of these, or of the rows that saw them first
 };
 

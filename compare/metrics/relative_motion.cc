@@ -79,7 +79,7 @@ double whirl_frequency(const std::vector<RelativePoint>& points, RowRange range)
   const double span = points[range.last - 1].t - points[range.first].t;
   if (span <= 0.0) return 0.0;
   const Turned turned = turned_by(points, range);
-  return turned.doubt < kGuessed ? turned.net / span : std::numeric_limits<double>::quiet_NaN();
+  return turned.doubt < kMostDoubt ? turned.net / span : std::numeric_limits<double>::quiet_NaN();
 }
 
 }  // namespace rotorub

@@ -41,8 +41,8 @@ struct Turned {
   // guessed.
   double doubt = 0.0;
 };
-// Of rows so far apart, for the motion between them, how often it goes round cannot be told.
-inline constexpr double kGuessed = 0.25 * std::numbers::pi;
+// From this `doubt` on rows are too far apart to tell the whole turns between them.
+inline constexpr double kMostDoubt = 0.25 * std::numbers::pi;
 
 Turned turned_by(const std::vector<RelativePoint>& points, RowRange range);
 

@@ -4,6 +4,8 @@
 
 #include <cmath>
 
+#include "native_model/scene/record.h"
+
 namespace rotorub {
 namespace {
 
@@ -42,9 +44,7 @@ void doubt_instants(const scene::Scene& scene, std::vector<std::string>& all) {
   for (std::size_t i = 0; i < scene.magnetic_bearings.size(); ++i) {
     const auto& control = scene.magnetic_bearings[i].control;
     if (!control) continue;
-    const std::string bearing = scene.magnetic_bearings.size() > 1
-                                    ? fmt::format("magnetic_bearing[{}].control.", i)
-                                    : std::string("magnetic_bearing.control.");
+    const std::string bearing = scene::magnetic_bearing_path(scene.record.get(), i) + ".control.";
     look_at(bearing + "on", control->works_from, "the bearing never works");
     look_at(bearing + "fails_at", control->fails_at, "the bearing does not fail");
     look_at(bearing + "returns_at", control->returns_at, "the bearing does not return");
@@ -54,8 +54,7 @@ void doubt_instants(const scene::Scene& scene, std::vector<std::string>& all) {
 void doubt_tables(const scene::RotorGeometry& shaft, double speed, std::vector<std::string>& all) {
   for (std::size_t i = 0; i < shaft.bearings.size(); ++i) {
     const std::vector<double>& table = shaft.bearings[i].table_speed;
-    if (table.empty() || (std::abs(speed) >= table.front() && std::abs(speed) <= table.back()))
-      continue;
+    if (table.empty() || (speed >= table.front() && speed <= table.back())) continue;
     all.push_back(fmt::format(
         "rotor.bearing[{}].table_speed runs from {:.6g} to {:.6g} rad/s, and the rotor turns at "
         "{:.6g} rad/s: the nearer end of the table holds there (a number without a unit is in "

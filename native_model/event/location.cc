@@ -106,7 +106,7 @@ std::optional<double> locate_margin(std::size_t contact, SmoothStep& step, Mode 
       return one_lo <= 0.0 ? lo : root(one, lo, hi, one_lo, one_hi).first;
     };
     const double first = std::min(crossing(force, scales.force), crossing(cone, scales.cone(mode)));
-    return std::max(first, kNow);
+    return std::max(std::isfinite(first) ? first : lo, kNow);
   }
   return {};
 }

@@ -18,6 +18,7 @@ Observer::Observer(const Model& model, const EventParameters& parameters, Phase&
       slope_(row_),
       of_contacts_(model.auxiliary.size()),
       touches_(model.auxiliary.size()),
+      all_give_(std::ranges::all_of(model.auxiliary, &AuxiliaryBearing::gives)),
       others_(model.auxiliary.size() - 1) {}
 
 void Observer::begin(const Motion& start, Recorder& recorder) {
@@ -226,9 +227,12 @@ void Observer::release(const Motion& motion, const ClosedContact& at) {
   impact.energy_change =
       motion.integral(kContactWork, k) - touch.work + held_speed(k) * impact.friction_impulse;
   recorder_->add(impact);
-  // As of MuJoCo's soft contacts (trajectory/contact_episodes.h).
   const double lasted = motion.t - impact.t;
-  if (lasted <= recorder_->window()) recorder_->statistics().impact_time += lasted;
+  if (all_give_) {
+    recorder_->count_episode(impact.t, lasted);
+  } else if (lasted <= recorder_->window()) {  // beside a rigid contact
+    recorder_->statistics().impact_time += lasted;
+  }
   touch.open = false;
 }
 

@@ -73,6 +73,7 @@ class Observer {
     double normal = 0.0, friction = 0.0, work = 0.0;  // the integrals where it began
   };
   std::vector<Touch> touches_;
+  bool all_give_ = false;  // every contact
   std::vector<ContactSnapshot> others_;
   double contact_time_ = 0.0;                       // s
   double impact_work_ = 0.0;                        // J, on the coordinates

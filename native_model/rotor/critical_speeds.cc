@@ -178,7 +178,7 @@ std::vector<double> critical_speeds(const WhirlSystem& system, double sense) {
     }
   }
   for (const double speed : at(points.back())) {
-    if (speed > points.back()) all_found.push_back(speed);
+    if (speed >= points.back()) all_found.push_back(speed);
   }
   std::sort(all_found.begin(), all_found.end());
   return all_found;

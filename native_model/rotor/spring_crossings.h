@@ -39,7 +39,7 @@ class SpringCrossings {
   // through 0 once for each v where v^T K v / s^2 falls, 2 K > s K'.
   bool once_between(double a, double b) const;
 
-  // The crossings of the `most` lowest curves in (a, b], to `accuracy` (absolute), ascending.
+  // The crossings of the `most` lowest curves in [a, b), to `accuracy` (absolute), ascending.
   std::vector<double> between(double a, double b, Eigen::Index most, double accuracy) const;
 
  private:

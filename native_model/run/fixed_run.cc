@@ -111,7 +111,7 @@ class FixedRun {
       }
       add_impacts(done.impacts);
       const Reached now = reach(time(k + 1), stepper_->q(), stepper_->v());
-      count_lasting(done, time(k), 1.0);
+      count_lasting(done, time(k), 1.0, step_);
       count_impacts(done.impacts, done.impact_work, step_, time(k));
       advance(now, done, step_, !done.impacts.empty());
       tick(k);
@@ -145,14 +145,14 @@ class FixedRun {
       // Of a step half is done before t_k, half after; all of the first, half one after.
       const Reached now = reach(t, stepper_->last_q(), velocity_.data());
       if (k > 0) {
-        count_lasting(done, t, 0.5);
+        count_lasting(done, t, 0.5, 0.5 * step_);
         if (!hits.impacts.empty()) {
           count_impacts(hits.impacts, hits.work, hits.lasts > 0.0 ? hits.lasts : step_,
                         hits.impacts.front().t);
         }
         advance(now, done, kick, !hits.impacts.empty());
       }
-      if (k < steps_) count_lasting(done, t, k == 0 ? 1.0 : 0.5);
+      if (k < steps_) count_lasting(done, t, k == 0 ? 1.0 : 0.5, 0.5 * step_);
       hits.keep(done);
       if (k < steps_) add_impacts(done.impacts);
       tick(k);
@@ -196,10 +196,10 @@ class FixedRun {
     if (episodes_.empty()) note_modes(0.0, done);
   }
 
-  // The share of what lasting contact and the loads did over a step, from `begin` on.
-  void count_lasting(const FixedStep& done, double begin, double share) {
+  // The share of what lasting contact and the loads did in a step, from `begin` on for `lasts`, s.
+  void count_lasting(const FixedStep& done, double begin, double share, double lasts) {
     StepFigures f;
-    f.h = share * step_;
+    f.h = lasts;
     f.contact_work = share * (done.contact_work - done.impact_work);
     f.external_work = share * done.external_work;
     for (std::size_t i = 0; i < contacts_; ++i) {
@@ -249,8 +249,9 @@ class FixedRun {
     for (std::size_t i = 0; contacts_ > 1 && i < contacts_; ++i) {
       recorder_.watch_gap(i, points_[i].gap);
     }
-    const bool inside = contacts_ == 1 && recorder_.penetration() == 0.0 && !model_.first().magnets;
-    if (inside) return;
+    const AuxiliaryBearing& first = model_.first();
+    const bool inside = first.contact && contacts_ == 1 && recorder_.penetration() == 0.0;
+    if (inside && !first.magnets) return;
     if (const auto why = out_of_range(model_, now.q)) fail(Status::kOutOfRange, now.t, *why);
   }
   void note_episodes(double t, const FixedStep& done, double kick) {

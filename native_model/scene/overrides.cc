@@ -233,8 +233,8 @@ std::string apply_to_each(TomlNode& root, std::vector<Step> steps, std::string_v
                        : nullptr;
   const bool one = list != nullptr && list->kind == Kind::kTable;
   if (one && steps[1].is_index && steps[1].index == 0) steps.erase(steps.begin() + 1);
-  if (list == nullptr || steps[1].is_index || list->kind != Kind::kArray || list->items.empty())
-    return apply(root, steps, text);
+  const bool each = list != nullptr && list->kind == Kind::kArray && !list->items.empty();
+  if (!each || steps[1].is_index) return apply(root, steps, text);
   steps.insert(steps.begin() + 1, Step{{}, 0, true});
   std::string reason;
   for (std::size_t i = 0; i < list->items.size() && reason.empty(); ++i) {

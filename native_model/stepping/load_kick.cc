@@ -105,7 +105,7 @@ void LoadKick<M>::find_samples(const State& x, double t, double begin) {
     for (std::size_t k = 0; k < m.feedbacks.size(); ++k) {
       const int at = m.feedbacks[k].states.command;
       if (at == kAbsent) continue;
-      SampledCommand& c = commands_[k];
+      KickCommand& c = commands_[k];
       const auto note = [&](int i, T& early, T& mean, T& late) {
         lanes::set(early, lane, v[i]);
         lanes::set(mean, lane, v[i] + share * (after[i] - v[i]));
@@ -124,7 +124,7 @@ void LoadKick<M>::add_samples(const M& m, T* f) const {
   }
   for (std::size_t k = 0; k < m.feedbacks.size(); ++k) {
     const auto& bearing = m.feedbacks[k];
-    const SampledCommand& c = commands_[k];
+    const KickCommand& c = commands_[k];
     if (bearing.states.command == kAbsent) continue;
     if (const int at = bearing.states.current; at != kAbsent) {
       f[at] += m.mass[static_cast<std::size_t>(at)] * c.rate.x;
@@ -161,7 +161,7 @@ void LoadKick<M>::find_switched(const State& x, const T& begin, const T& end) {
       const double share = lanes::get(working_[k], lane);
       const double early = bearing.works.share(from, sample) * (sample - from) / (to - from);
       const double late = share - early;
-      SampledCommand& c = commands_[k];
+      KickCommand& c = commands_[k];
       const auto r = equations::at_station(m.layout.modes, bearing.shape, q);
       const auto beyond_mean = [&](const T& of_before, const T& of_mean, const T& of_after,
                                    double place, int current, T& force, T& rate) {

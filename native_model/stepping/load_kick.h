@@ -326,13 +326,13 @@ class LoadKick {
   std::size_t eccentric_ = 0;
   bool samples_ = false, sampled_now_ = false;
   lanes::Array<T> sampled_;  // N, what makes the jumps of the feedbacks' states
-  struct SampledCommand {    // on each axis
+  struct KickCommand {       // on each axis
     equations::Pair<T> before{}, mean{}, after{};  // A, as the equations see them: the mean
-    // What the two commands do while the bearing works beyond the mean command in the mean time:
-    // N, and A/s of an amplifier.
+    // What the commands before and after the sample do, each over its share of the working time,
+    // less what the mean command does over all of it: N, and A/s of an amplifier.
     equations::Pair<T> force{}, rate{};
   };
-  std::array<SampledCommand, scene::kMaxMagneticBearings> commands_{};
+  std::array<KickCommand, scene::kMaxMagneticBearings> commands_{};
   Coordinates f_, change_;
   Coordinates seen_end_;  // the step's end of which the last round had the forces
   // Of a deflection q_i the least energy that a step can tell is (1e-15 h k_i)^2/m_i q_i^2.

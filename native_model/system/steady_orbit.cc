@@ -253,7 +253,7 @@ FreeResponse free_response(const scene::Scene& scene, Model m, double speed) {
   for (std::size_t k = 0; k < currents.size(); ++k) {
     const std::string beyond = beyond_limit(scene, m.feedbacks[k], currents[k]);
     if (!beyond.empty())
-      response.notes.push_back("the response" + beyond + ": a run will differ from it");
+      response.notes.push_back("the response" + beyond + ": a run will differ from this response");
   }
   return response;
 }

@@ -52,10 +52,9 @@ std::optional<std::string> out_of_range(const Model& m, const double* q,
   }
   if (m.first().contact) return {};
   for (int i = 0; i < 2 * m.layout.modes; ++i) {
-    if (std::abs(q[i]) < kNowhere) continue;
-    return "a bending mode is " + text(q[i]) +
-           " m from its middle, and goes on: no ring is there, and what else holds the rotor does "
-           "not suffice";
+    if (!(std::abs(q[i]) >= kNowhere)) continue;
+    return "the rotor has left: a bending mode is at " + text(q[i]) +
+           " m, there is no ring, and nothing else holds it";
   }
   return {};
 }

@@ -265,8 +265,9 @@ void Recorder::row(const Snapshot& now) {
 }
 
 void Recorder::count_episode(double begin, double lasted) {
-  const bool several = !statistics_.contacts.empty(), lasts = lasted > window();
-  if (several) soft_times_.push_back({begin, lasts ? begin + lasted : begin});
+  const bool several = model_->auxiliary.size() > 1, lasts = lasted > window();
+  soft_ = soft_ || several;
+  if (several && lasts) lasting_.push_back({begin, begin + lasted});
   if (!several && !lasts) statistics_.impact_time += lasted;
 }
 
@@ -280,9 +281,8 @@ Trajectory Recorder::finish(double end) {
     if (own.first_touch >= 0.0) own.least_gap = std::min(own.least_gap, 0.0);
   }
   if (!statistics_.contacts.empty()) {
-    if (!soft_times_.empty())
-      statistics_.impact_time =
-          std::max(0.0, statistics_.contact_time - length_of_union(soft_times_));
+    if (soft_)
+      statistics_.impact_time = std::max(0.0, statistics_.contact_time - length_of_union(lasting_));
     statistics_.passes =
         std::ranges::max(statistics_.contacts, {}, [](const ContactStatistics& own) {
           return own.passes.forward() + own.passes.backward();

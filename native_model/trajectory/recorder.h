@@ -163,7 +163,8 @@ class Recorder {
   double last_slip_ = 0.0;  // m/s
   std::vector<Column> columns_;
   std::vector<double> least_gaps_;  // m, of the rows, of each contact
-  std::vector<Span> soft_times_;    // of several soft contacts, that last; empty ones are impacts
+  bool soft_ = false;               // several soft contacts have touched
+  std::vector<Span> lasting_;       // of these, those that last
   std::vector<Impact> impacts_;
   std::vector<Event> events_;
   Statistics statistics_;

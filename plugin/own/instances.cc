@@ -2,6 +2,8 @@
 
 #include <algorithm>
 #include <array>
+#include <atomic>
+#include <cstdio>
 #include <string_view>
 
 #include "mjcf/names.h"
@@ -37,12 +39,10 @@ constexpr auto kKeys = [] {
 
 // MuJoCo's number of the plugin, or -1.
 int slot() {
-  static const int known = [] {
-    int at = -1;
-    mjp_getPlugin(kPlugin, &at);
-    return at;
-  }();
-  return known;
+  static std::atomic<int> known = -1;
+  int at = known.load(std::memory_order_relaxed);
+  if (at < 0 && mjp_getPlugin(kPlugin, &at)) known.store(at, std::memory_order_relaxed);
+  return at;
 }
 
 // mju_error may leave by longjmp: nothing with a destructor lives in the frame that calls it.
@@ -90,14 +90,17 @@ std::string config(const std::string& instance, const char* key) {
 // nothing.
 void check_reference(const mjModel* m, int i, const std::string& name) {
   if (std::find(m->body_plugin, m->body_plugin + m->nbody, i) != m->body_plugin + m->nbody) return;
-  refuse(element(name),
-         message("no body has it; accepted: <plugin instance=\"{}\"/> in the rotor's body", name));
+  refuse(
+      element(name),
+      message("no body has it; accepted: <plugin instance=\"{}\"/> in the body of its rotor or of "
+              "its ring; a body has one",
+              name));
 }
 
 // An instance that stands in its body has no name: it is the first contact's.
 PairName contact_of(const std::string& name) {
   if (name.empty()) return {};
-  const std::size_t at = name.find(kMark);
+  const std::size_t at = name.rfind(kMark);  // a prefix may have the word, too
   if (at == name.npos) {
     refuse(element(name),
            "its name tells the contact and its sensors; accepted: contact, "

@@ -1,12 +1,12 @@
-// The same contacts without names in <custom>, by the engine plugins that MuJoCo has from 2.3 on:
+// The same contacts without names in <custom>, by the engine plugins that MuJoCo has from 2.3.5 on:
 //   <extension><plugin plugin="rotorub.contact">
 //     <instance name="contact_2"><config key="clearance" value="5e-4"/></instance>
 //   </plugin></extension>
 //   <body name="rotor"><plugin instance="contact_2"/> ...
-// A key is a name of own_names.h without its rotorub_. The instance's name holds the word "contact"
-// where those have the key: left_contact_2 is the contact of left_rotorub_clearance_2. MuJoCo
+// A key is a name of own_names.h without its rotorub_. The instance's name has the word "contact"
+// in the place of the key: left_contact_2 is the contact of left_rotorub_clearance_2. MuJoCo
 // refuses a key that it does not know when it loads the model, and a model whose plugin is not
-// there; a value that does not fit is refused then too. Before 2.3 no model has any.
+// there; a value that does not fit is refused then too. Before 2.3.5 no model has any.
 #pragma once
 
 #include <mujoco/mujoco.h>

@@ -36,7 +36,8 @@ OwnNumber parse(const InstanceWord& word) {
     good = problem == std::errc{} && std::isfinite(value) && (stop == end || *stop == ' ');
     at = stop;
   }
-  refuse(word.element, message("\"{}\"; accepted: a number without a unit", word.value));
+  refuse(word.element, message("\"{}\"; accepted: {} without a unit", word.value,
+                               most == 1 ? "a number" : "one number or four"));
 }
 
 // Calls action(name) for each name of ours.
@@ -123,7 +124,9 @@ void refuse_said_twice(const mjModel* m, const std::vector<InstanceWord>& words)
       refuse(word->element, message("{} is in <custom> too; accepted: one of them", name));
     }
     for (auto other = words.begin(); other != word; ++other) {
-      if (other->name() == name) refuse(word->element, "is of the contact of " + other->element);
+      if (other->name() != name) continue;
+      refuse(word->element,
+             message("says what {} says; accepted: one instance for each contact", other->element));
     }
   }
 }

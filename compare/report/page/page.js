@@ -74,8 +74,11 @@ export function whenNear(element, act) {
 function painted() {
   return new Promise((go) => {
     setTimeout(go, 2000);
+    if (!window.PerformanceObserver) return;
     const observer = new PerformanceObserver((list) => {
-      if (list.getEntriesByName('first-contentful-paint').length) go();
+      if (!list.getEntriesByName('first-contentful-paint').length) return;
+      observer.disconnect();
+      go();
     });
     observer.observe({type: 'paint', buffered: true});
   });

@@ -299,5 +299,18 @@ TEST(CompliantContact, TendsToTheRigidLaw) {
   }
 }
 
+// Lasting contact is that of any contact, in `event` as in fixed steps: a short touch of one beside
+// the rub of another takes nothing away from it.
+TEST(CompliantContact, LastingContactIsOfAnyContact) {
+  const scene::Scene s = test::shipped(
+      "two_catchers", {"run.end=0.05", "run.output_step=1e-3", "contact.compliance.stiffness=3e7"});
+  const auto lasting = [&](scene::Integrator integrator) {
+    const Trajectory t = test::run_with(s, integrator, 2e-6);
+    EXPECT_EQ(t.status, Status::kOk) << t.message;
+    return t.statistics.contact_time - t.statistics.impact_time;
+  };
+  EXPECT_NEAR(lasting(scene::Integrator::kEvent), lasting(scene::Integrator::kVerlet), 5e-4);
+}
+
 }  // namespace
 }  // namespace rotorub

@@ -142,5 +142,21 @@ TEST(HardExploded, RestitutionZeroIsAnImpactAndNotAForce) {
   }
 }
 
+// A rotor that no ring stops and that nothing holds is gone, and the run says so.
+TEST(HardExploded, ARotorThatNothingHoldsLeaves) {
+  const scene::Scene scene = scene::parse_scene(
+      "[run]\nend = 3.0\nstep = 1e-3\n[rotor]\nspeed = 0.0\n[rotor.modal]\nmass = [2.0]\n"
+      "stiffness = [0.0]\ndamping = [0.0]\n[[force]]\nkind = \"constant\"\n"
+      "vector = [1e6, 0.0]\n",
+      "gone.toml", {});
+  for (const auto integrator :
+       {scene::Integrator::kEvent, scene::Integrator::kMidpoint, scene::Integrator::kVerlet}) {
+    const Trajectory t = run_with(scene, integrator, 1e-3);
+    EXPECT_EQ(t.status, Status::kOutOfRange) << static_cast<int>(integrator);
+    EXPECT_NE(t.message.find("the rotor has left"), std::string::npos) << t.message;
+    EXPECT_NEAR(t.end, std::sqrt(2.0 * 1e5 / 5e5), 2e-3);
+  }
+}
+
 }  // namespace
 }  // namespace rotorub

@@ -163,5 +163,12 @@ TEST(Overrides, ATableIsAListOfOne) {
   EXPECT_EQ(s.first().contact->restitution, 0.2);
 }
 
+// As a whole, too.
+TEST(Overrides, ATableIsSetAndRemovedAsAListOfOne) {
+  EXPECT_FALSE(with({"contact[0]=none", "stator=none", "actuator=none", "controller=none"})
+                   .first()
+                   .contact.has_value());
+}
+
 }  // namespace
 }  // namespace rotorub::scene
