@@ -156,11 +156,15 @@ void EventIntegrator::decide_all(const Closed& closed_here) {
     const ContactPoint& p = closed[i].point;
     const double surface =
         std::abs(p.whirl_speed()) + model_->auxiliary[k].contact->radius * std::abs(p.spin);
-    const bool rigid = !model_->auxiliary[k].gives();
-    const double none = closed_here[i].velocity != Velocity::kStuck ? kNoSlip
-                        : rigid                                     ? kInfinity
-                                                                    : kDrift;
-    const bool stops = std::abs(p.slip) <= none * surface;
+    const bool stuck = closed_here[i].velocity == Velocity::kStuck;
+    double none = kNoSlip * surface;
+    if (stuck && model_->auxiliary[k].gives()) {
+      // Of a shaft that does not turn the slip is the whole speed: its scale is that of the step.
+      none = kDrift * std::max(surface, step_.largest_contact_speed(k));
+    } else if (stuck) {
+      none = kInfinity;
+    }
+    const bool stops = std::abs(p.slip) <= none;
     slips.push_back(stops ? 0.0 : p.slip);
     friction.push_back(model_->auxiliary[k].contact->friction.at(slips[i]));
     pressing.push_back(phase_.pressing(closed[i]));

@@ -13,7 +13,7 @@ namespace {
 
 // s, of all that one of the times covers; sorts them.
 double length_of_union(std::vector<Recorder::Span>& times) {
-  std::ranges::sort(times, {}, &Recorder::Span::begin);
+  std::ranges::stable_sort(times, {}, &Recorder::Span::begin);
   double length = 0.0, reached = -std::numeric_limits<double>::infinity();
   for (const Recorder::Span& of : times) {
     length += std::max(0.0, of.end - std::max(of.begin, reached));

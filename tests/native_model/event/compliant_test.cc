@@ -312,5 +312,29 @@ TEST(CompliantContact, LastingContactIsOfAnyContact) {
   EXPECT_NEAR(lasting(scene::Integrator::kEvent), lasting(scene::Integrator::kVerlet), 5e-4);
 }
 
+// A shaft that does not turn has no speed but its slip: where that comes to rest it sticks.
+TEST(CompliantContact, SlipComesToRestOnAShaftThatDoesNotTurn) {
+  for (const char* law : {"{stiffness=1.6e6,damping=0.22}", "{stiffness=1.6e6,hunt_crossley=0.5}",
+                          "{stiffness=1.6e6}"}) {
+    const auto of = [&](const std::string& speed) {
+      return run_event(test::shipped(
+          "bench_ring",
+          {"drive=none", "force=none", "stator=none", "rotor.speed=" + speed,
+           "contact.clearance=0.3mm", "contact.friction=0.41", "gravity={acceleration=[8.7,-60.0]}",
+           "initial.vx=[0.078]", "run.end=0.05", std::string("contact.compliance=") + law}));
+    };
+    const Trajectory still = of("0.0"), turning = of("1e-5");
+    ASSERT_EQ(still.status, Status::kOk) << law << " " << still.message;
+    ASSERT_EQ(turning.status, Status::kOk) << law << " " << turning.message;
+    EXPECT_LT(test::trajectory_error(still, turning), 1e-7) << law;
+    const auto sticks = [](const Trajectory& t) {
+      return std::ranges::count_if(t.events,
+                                   [](const Event& e) { return e.kind == EventKind::kStick; });
+    };
+    EXPECT_GT(sticks(still), 0) << law;
+    EXPECT_EQ(sticks(still), sticks(turning)) << law;
+  }
+}
+
 }  // namespace
 }  // namespace rotorub
