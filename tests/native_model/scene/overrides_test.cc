@@ -164,10 +164,10 @@ TEST(Overrides, ATableIsAListOfOne) {
 }
 
 // As a whole, too.
-TEST(Overrides, ATableIsSetAndRemovedAsAListOfOne) {
-  EXPECT_FALSE(with({"contact[0]=none", "stator=none", "actuator=none", "controller=none"})
-                   .first()
-                   .contact.has_value());
+TEST(Overrides, ATableIsSetAsAListOfOne) {
+  const Scene s = with({"contact[0]={radius=0.02,clearance=3e-4,friction=0.1,restitution=0.4}"});
+  EXPECT_EQ(s.first().contact->clearance, 3e-4);
+  EXPECT_EQ(s.first().contact->restitution, 0.4);
 }
 
 }  // namespace
