@@ -107,8 +107,37 @@ TEST(MujocoEngine, InterruptKeepsWhatThereIs) {
 }
 
 TEST(MujocoEngine, DivergenceIsAStatus) {
-  // A magnetic bearing stronger than the shaft: exponential growth past MuJoCo's bound.
+  // A spin without bounds: past MuJoCo's own.
   const scene::Scene scene = parsed(R"(
+[run]
+end = 5.0
+step = 1e-4
+[rotor]
+speed = 0.0
+[rotor.modal]
+mass = [1.0]
+stiffness = [1e2]
+damping = [0.0]
+inertia = 1e-3
+[drive]
+kind = "linear"
+gain = 5e-6
+speed = 1e12
+[initial]
+x = [1e-3]
+)");
+  const Trajectory t = run_mujoco(scene);
+  EXPECT_EQ(t.status, Status::kDiverged);
+  EXPECT_NE(t.message.find(" at t = "), std::string::npos) << t.message;
+  EXPECT_GT(t.rows(), 10u);
+  for (const double value : t.column("rotor_x")) EXPECT_TRUE(std::isfinite(value));
+  // The process goes on: the next run is as good as ever.
+  EXPECT_EQ(run_mujoco(shipped("bench_drop")).status, Status::kOk);
+}
+
+// A magnetic bearing stronger than the shaft: exponential growth, and no ring to stop it.
+TEST(MujocoEngine, ARotorThatNothingHoldsIsOutOfRange) {
+  const Trajectory t = run_mujoco(parsed(R"(
 [run]
 end = 5.0
 step = 1e-4
@@ -122,14 +151,9 @@ damping = [0.0]
 negative_stiffness = 1e4
 [initial]
 x = [1e-3]
-)");
-  const Trajectory t = run_mujoco(scene);
-  EXPECT_EQ(t.status, Status::kDiverged);
-  EXPECT_NE(t.message.find(" at t = "), std::string::npos) << t.message;
-  EXPECT_GT(t.rows(), 10u);
-  for (const double value : t.column("rotor_x")) EXPECT_TRUE(std::isfinite(value));
-  // The process goes on: the next run is as good as ever.
-  EXPECT_EQ(run_mujoco(shipped("bench_drop")).status, Status::kOk);
+)"));
+  EXPECT_EQ(t.status, Status::kOutOfRange);
+  EXPECT_NE(t.message.find("the rotor has left"), std::string::npos) << t.message;
 }
 
 TEST(MujocoEngine, StepBeyondStabilityIsRefused) {
