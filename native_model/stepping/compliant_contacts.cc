@@ -9,6 +9,7 @@
 namespace rotorub {
 namespace {
 
+constexpr int kTurns = 3;     // of the direction of slip, by the velocity that the step ends with
 constexpr int kRounds = 100;  // of contacts that act on each other through damping and friction
 
 // The part of a straight path of half a step in which it is in the wall. p: m, its depths.
@@ -38,19 +39,19 @@ void CompliantContacts::begin(const State& x) {
   }
 }
 
-// w_0 and w_1 of the step, which lasts `before` and `after` (s) its place, and the a of a touch.
-void CompliantContacts::meet_wall(std::size_t i, double before, double after) {
+// w_0 and w_1 of the step, and the a of a touch.
+void CompliantContacts::meet_wall(std::size_t i) {
   const Place& at = places[i];
   const CompliantLaw& law_of = law(i).compliance;
-  const double clearance = law(i).clearance, length = before + after;
-  const Eigen::Vector2d first = at.d - before * at.start.head<2>(),
-                        last = at.d + after * at.free.head<2>();
+  const double clearance = law(i).clearance, length = before_ + after_;
+  const Eigen::Vector2d first = at.d - before_ * at.start.head<2>(),
+                        last = at.d + after_ * at.free.head<2>();
   const double depth = at.d.norm() - clearance;
   Contact& c = of_[i];
   c.spring = c.damper = 0.0;
-  const InWall one = before > 0.0 ? in_wall(first.norm() - clearance, depth) : InWall{},
+  const InWall one = before_ > 0.0 ? in_wall(first.norm() - clearance, depth) : InWall{},
                two = in_wall(depth, last.norm() - clearance);
-  const double in_one = before * (one.to - one.from), in_two = after * (two.to - two.from);
+  const double in_one = before_ * (one.to - one.from), in_two = after_ * (two.to - two.from);
   if (in_one + in_two == 0.0) {
     c.touches = false;
     return;
@@ -58,7 +59,7 @@ void CompliantContacts::meet_wall(std::size_t i, double before, double after) {
   if (!c.touches) {
     // Where the path enters the wall, with the velocity of that instant.
     const bool early = in_one > 0.0;
-    const double since = early ? before * one.from : before + after * two.from;
+    const double since = early ? before_ * one.from : before_ + after_ * two.from;
     const Eigen::Vector2d there =
         early ? first + one.from * (at.d - first) : at.d + two.from * (last - at.d);
     const Eigen::Vector2d velocity =
@@ -72,12 +73,36 @@ void CompliantContacts::meet_wall(std::size_t i, double before, double after) {
   c.damper = c.hunt_crossley * c.spring + law_of.damping * (in_one + in_two);
 }
 
-void CompliantContacts::press_one(std::size_t i, const Eigen::Vector3d& end, const Delassus& g) {
+// Slip at an end of the step is along the circle where the centre is then: half a step away from
+// the place that the step sees the whirl has turned it, by which a contact that sticks while it is
+// pressed in would slip at a rate of the order of h.
+void CompliantContacts::press_one(std::size_t i, const Eigen::Vector3d& end) {
+  const Place& at = places[i];
+  const double radius = law(i).radius;
+  const Eigen::Matrix3d own = admittance(i, i);
+  const Eigen::Vector3d normal = own * contact_load(at.e_r, radius, 1.0, 0.0),
+                        friction = own * contact_load(at.e_r, radius, 0.0, 1.0);
+  const auto rates_at = [&](const Eigen::Vector2d& centre, const Eigen::Vector3d& rates) {
+    const Eigen::Vector2d e_r = centre.normalized();
+    return Eigen::Vector2d(rates_along(at.e_r, radius, rates).x(),
+                           rates_along(e_r, radius, rates).y());
+  };
+  const Eigen::Vector2d first = at.d - before_ * at.start.head<2>(),
+                        before = rates_at(first, at.start);
+  Eigen::Vector3d last = end;
+  for (int turn = 0; turn < kTurns; ++turn) {
+    const Eigen::Vector2d there = at.d + after_ * last.head<2>();
+    const Eigen::Vector2d n = rates_at(there, normal), t = rates_at(there, friction);
+    find_impulses(i, before, rates_at(there, end), {n.x(), t.x(), n.y(), t.y()});
+    last = end + of_[i].normal * normal + of_[i].friction * friction;
+  }
+}
+
+void CompliantContacts::find_impulses(std::size_t i, const Eigen::Vector2d& before,
+                                      const Eigen::Vector2d& after, const PlanarMatrix<double>& g) {
   const Place& at = places[i];
   Contact& c = of_[i];
   const double radius = law(i).radius;
-  const Eigen::Vector2d before = rates_along(at.e_r, radius, at.start),
-                        after = rates_along(at.e_r, radius, end);
   const double half = 0.5 * c.damper, bare = c.spring - half * (before.x() + after.x());
   // With T = t + ratio P.
   const auto normal = [&](double t, double ratio) {
@@ -134,7 +159,7 @@ bool CompliantContacts::press(State& x) {
       }
       const Delassus g = delassus(admittance(i, i), places[i].e_r, law(i).radius);
       const double was = of_[i].normal, rubbed = of_[i].friction;
-      press_one(i, end, g);
+      press_one(i, end);
       moved = std::max({moved, std::abs(of_[i].normal - was), std::abs(of_[i].friction - rubbed)});
       largest = std::max(largest, of_[i].normal);
       // h^2 k' g_NN, k' = n N / p: above 4 the step's leapfrog goes its own way.
@@ -152,12 +177,13 @@ bool CompliantContacts::press(State& x) {
 
 bool CompliantContacts::go_on(State& x, Loads& loads, double /*unsettled*/) {
   look(x);
-  const double after = 0.5 * h_, before = x.kick < 1.0 ? 0.0 : after;
+  after_ = 0.5 * h_;
+  before_ = x.kick < 1.0 ? 0.0 : after_;
   bool pressing = false;
   for (std::size_t i = 0; i < count(); ++i) {
     const double delta = places[i].d.norm();
     if (delta > kNoNormal) places[i].e_r = places[i].d / delta;
-    meet_wall(i, before, after);
+    meet_wall(i);
     pressing = pressing || of_[i].touches;
   }
   if (pressing) {

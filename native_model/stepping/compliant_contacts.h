@@ -41,12 +41,17 @@ class CompliantContacts : public ContactColumns {
     // Of the step: w_0 (N s) and w_1 (N s^2/m); its impulses, N s.
     double spring = 0.0, damper = 0.0, normal = 0.0, friction = 0.0;
   };
-  void meet_wall(std::size_t i, double before, double after);
+  void meet_wall(std::size_t i);
   bool press(State& x);
   // Of the contact at the rates (ddot, spin) that it would end with but for its own impulses.
-  void press_one(std::size_t i, const Eigen::Vector3d& end, const Delassus& g);
+  void press_one(std::size_t i, const Eigen::Vector3d& end);
+  // before, after: (gap rate, slip) at the step's ends, but for its own impulses, which add what
+  // the matrix tells.
+  void find_impulses(std::size_t i, const Eigen::Vector2d& before, const Eigen::Vector2d& after,
+                     const PlanarMatrix<double>& a);
 
   std::array<Contact, kMaxContacts> of_{};
+  double before_ = 0.0, after_ = 0.0;             // s, of the step, of the place that it sees
   std::array<double, kMaxContacts> last_sign_{};  // of the slip, of the step before
 };
 

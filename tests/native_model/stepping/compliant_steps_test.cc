@@ -1,6 +1,7 @@
 // Contacts that give, in fixed steps: against `event`, at second order through every touch.
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <string>
 #include <vector>
@@ -65,6 +66,42 @@ TEST(CompliantSteps, AreOfSecondOrderThroughEveryTouch) {
       EXPECT_GT(order, 1.9) << law.name << (scheme == Integrator::kVerlet ? " verlet" : " midpoint")
                             << " " << errors[0] << " " << errors[1] << " " << errors[2] << " "
                             << errors[3];
+    }
+  }
+}
+
+// A rotor that rolls in the wall, to and fro at its bottom, while it is pressed in and out.
+scene::Scene rolling(const Compliance& compliance) {
+  scene::Scene s = thrown(compliance, 0.9);
+  s.rotor.speed = 0.0;
+  s.initial = {};
+  test::add_constant_force(s, {150.0, -400.0});
+  test::add_rotating_force(s, 60.0, 700.0);
+  s.run.end = 0.04;
+  return s;
+}
+
+// Slip was measured along the circle where the step sees the centre, half a step from where it is
+// 0: of first order from where the contact sticks on.
+TEST(CompliantSteps, KeepTheirOrderWhileTheyStick) {
+  for (const Law& law : kLaws) {
+    const scene::Scene s = rolling(law.compliance);
+    const Trajectory exact = run_event(s);
+    ASSERT_EQ(exact.status, Status::kOk) << law.name << exact.message;
+    const std::vector<double>& modes = exact.column("mode");
+    const auto stuck = std::ranges::count(modes, static_cast<double>(Mode::kStick));
+    ASSERT_GE(stuck, std::ssize(modes) / 4) << law.name;
+    for (const Integrator scheme : {Integrator::kVerlet, Integrator::kMidpoint}) {
+      test::Convergence errors;
+      for (const double h : {1e-5, 5e-6, 2.5e-6, 1.25e-6, 6.25e-7}) {
+        const Trajectory t = run_with(s, scheme, h);
+        ASSERT_EQ(t.status, Status::kOk) << law.name << t.message;
+        errors.steps.push_back(h);
+        errors.errors.push_back(test::trajectory_error(t, exact, s.first().contact->radius));
+      }
+      EXPECT_GT(errors.order(), 1.6)
+          << law.name << (scheme == Integrator::kVerlet ? " verlet " : " midpoint ")
+          << errors.text();
     }
   }
 }
