@@ -50,6 +50,25 @@ void EventIntegrator::press_on(std::size_t k) {
   decide(touching);
 }
 
+void EventIntegrator::release(const ClosedContact& at) {
+  observer_.release(motion_, at);
+  const ContactParameters& contact = *model_->auxiliary[at.index].contact;
+  const double spring = contact.compliance.margin(-at.point.gap, 0.0, 0.0, contact.clearance);
+  ContactState free = in_flight(Departure::kRebound);
+  free.in_wall = spring > kInWall * margin_scales(at.index).force;
+  change_to(at.index, free);
+}
+
+// An impact at another contact may throw the shaft off a wall faster than its damper lets it press.
+bool EventIntegrator::no_longer_presses(std::size_t k) {
+  if (!model_->auxiliary[k].gives()) return false;
+  const ClosedContact at{k, contact_point(*model_, motion_.q(), motion_.v(), k)};
+  const double none = kOpen * margin_scales(k).force;
+  if (at.point.gap_rate <= 0.0 || *phase_.pressing(at) >= -none) return false;
+  release(at);
+  return true;
+}
+
 void EventIntegrator::press_margin_reached(std::size_t k) {
   step_.evaluate(motion_);
   const ContactState was = phase_.state(k);
@@ -57,9 +76,9 @@ void EventIntegrator::press_margin_reached(std::size_t k) {
   const MarginScales scales = margin_scales(k);
   const Multipliers force = phase_.multipliers(k);
   const ClosedContact at{k, contact_point(*model_, motion_.q(), motion_.v(), k)};
-  const ContactParameters& contact = *model_->auxiliary[k].contact;
   // Where slip and force end together it opens.
-  const bool opens = margins.force <= kOpen * scales.force && at.point.gap_rate >= 0.0;
+  const bool opens =
+      margins.force <= parameters_.no_force * scales.force && at.point.gap_rate >= 0.0;
   const PhaseEnd end = opens ? PhaseEnd::kOpens : end_of_phase(was.mode, margins, scales);
   if (was.in_wall) {
     if (end == PhaseEnd::kOpens) return change_to(k, in_flight(Departure::kRebound));
@@ -67,13 +86,8 @@ void EventIntegrator::press_margin_reached(std::size_t k) {
     return press_on(k);
   }
   switch (end) {
-    case PhaseEnd::kOpens: {
-      observer_.release(motion_, at);
-      const double spring = contact.compliance.margin(-at.point.gap, 0.0, 0.0, contact.clearance);
-      ContactState free = in_flight(Departure::kRebound);
-      free.in_wall = spring > kInWall * scales.force;
-      return change_to(k, free);
-    }
+    case PhaseEnd::kOpens:
+      return release(at);
     case PhaseEnd::kSlipStops: {
       Closed stopped;
       stopped.push_back({k, Constraint::Velocity::kStuck});

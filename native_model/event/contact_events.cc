@@ -105,7 +105,12 @@ void EventIntegrator::margin_reached(std::size_t contact) {
   const Mode mode = phase_.state(contact).mode;
   step_.evaluate(motion_);
   const Multipliers force = phase_.multipliers(contact);
-  const PhaseEnd end = end_of_phase(mode, phase_.margins(contact), margin_scales(contact));
+  const MarginScales scales = margin_scales(contact);
+  // Where force and friction end together, as at every opening of a shaft that does not turn, it
+  // opens: round-off alone would let it slip or stick.
+  const PhaseEnd end = force.normal <= parameters_.no_force * scales.force
+                           ? PhaseEnd::kOpens
+                           : end_of_phase(mode, phase_.margins(contact), scales);
   const bool slides_off = mode == Mode::kSlide && end == PhaseEnd::kOpens;
   Closed closed = in_contact();
   for (Constraint::Closed& c : closed) {
@@ -129,13 +134,13 @@ void EventIntegrator::margin_reached(std::size_t contact) {
   }
 }
 
-// What contacts on their circles with gap rate 0 do from here on, and all that give and press.
+// What contacts on their circles with gap rate 0 do from here on, and all others that last.
 void EventIntegrator::decide(const Closed& resting) {
   Closed all_closed = resting;
   for (std::size_t k = 0; k < phase_.contacts(); ++k) {
-    if (!model_->auxiliary[k].gives() || !phase_.in_contact(k)) continue;
+    if (!phase_.in_contact(k)) continue;
     const auto is_named = [k](const Constraint::Closed& c) { return c.contact == k; };
-    if (std::any_of(resting.begin(), resting.end(), is_named)) continue;
+    if (std::any_of(resting.begin(), resting.end(), is_named) || no_longer_presses(k)) continue;
     all_closed.push_back({k, velocity_of(phase_.state(k).mode)});
   }
   decide_all(all_closed);
@@ -167,7 +172,10 @@ void EventIntegrator::decide_all(const Closed& closed_here) {
     const bool stops = std::abs(p.slip) <= none;
     slips.push_back(stops ? 0.0 : p.slip);
     friction.push_back(model_->auxiliary[k].contact->friction.at(slips[i]));
-    pressing.push_back(phase_.pressing(closed[i]));
+    std::optional<double> known = phase_.pressing(closed[i]);
+    // Where it touches the depth is round-off, of either sign.
+    if (known) known = std::max(*known, 0.0);
+    pressing.push_back(known);
   }
   const ContactDecisions decided = select_contact_modes(all.g, all.b, all.scale, slips, friction,
                                                         parameters_.no_force, pressing);

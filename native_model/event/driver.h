@@ -101,6 +101,8 @@ class EventIntegrator {
   void press(std::size_t contact, double speed);
   void press_on(std::size_t contact);
   void press_margin_reached(std::size_t contact);
+  void release(const ClosedContact& at);
+  bool no_longer_presses(std::size_t contact);
   void decide(const Closed& resting);
   void decide_all(const Closed& closed_here);
   void change_to(std::size_t contact, const ContactState& next);

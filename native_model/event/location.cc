@@ -87,6 +87,7 @@ std::optional<double> locate_margin(std::size_t contact, SmoothStep& step, Mode 
     return std::min(m.force / scales.force, m.cone / scales.cone(mode));
   };
   constexpr int kSamples = 16;
+  constexpr double kInstant = 1e-12;  // of the step
   double lo = 0.0, f_lo = margin(0.0);
   for (int k = 1; k <= kSamples; ++k) {
     const double hi = static_cast<double>(k) / kSamples, f_hi = margin(hi);
@@ -103,7 +104,16 @@ std::optional<double> locate_margin(std::size_t contact, SmoothStep& step, Mode 
     const auto crossing = [&](const auto& one, double scale) {
       const double one_lo = one(lo), one_hi = one(hi);
       if (one_hi >= none * scale) return kInfinity;
-      return one_lo <= 0.0 ? lo : root(one, lo, hi, one_lo, one_hi).first;
+      if (one_lo > 0.0) return root(one, lo, hi, one_lo, one_hi).first;
+      // It may rise from there before it falls, if only for an instant.
+      double later = hi, f_later = one_hi;
+      for (double theta = 0.5 * (lo + hi); theta - lo > kInstant; theta = 0.5 * (lo + theta)) {
+        const double f = one(theta);
+        if (f > 0.0) return root(one, theta, later, f, f_later).first;
+        later = theta;
+        f_later = f;
+      }
+      return lo;
     };
     const double first = std::min(crossing(force, scales.force), crossing(cone, scales.cone(mode)));
     return std::max(std::isfinite(first) ? first : lo, kNow);

@@ -144,6 +144,7 @@ class Dop853 {
   // is padded to whole blocks, with zeros.
   static constexpr int kBlock = 8;
   static constexpr int kNone = -1;
+  static constexpr double kRunsAway = 1e12;  // tolerances: next to all that moves
 
   double* stage(int s) { return stages_.data() + static_cast<std::ptrdiff_t>(s) * padded_; }
   const double* stage(int s) const {
@@ -193,10 +194,12 @@ class Dop853 {
       largest3 = std::max(largest3, std::abs(e3) / tolerance[i]);
     }
     if (largest5 == 0.0) return 0.0;
-    const double blend = std::abs(step_) * largest5 * largest5 /
-                         std::sqrt(largest5 * largest5 + 0.01 * largest3 * largest3);
-    // Squares of what has grown beyond all bounds are infinite, and their ratio no number.
-    return std::isnan(blend) ? std::numeric_limits<double>::infinity() : blend;
+    // Stages of a nonlinear force that run away square from one to the next. Then e3 is the square
+    // of e5, and their blend a small number.
+    const double size = std::abs(step_) * std::max(largest5, largest3);
+    if (!(size < kRunsAway)) return std::numeric_limits<double>::infinity();
+    return std::abs(step_) * largest5 * largest5 /
+           std::sqrt(largest5 * largest5 + 0.01 * largest3 * largest3);
   }
 
   int size_, padded_;
