@@ -188,7 +188,7 @@ class Dop853 {
     for (int i = 0; i < size_; ++i) {
       const double e5 = fifth_[static_cast<std::size_t>(i)];
       const double e3 = third_[static_cast<std::size_t>(i)];
-      if (!std::isfinite(e5)) return std::numeric_limits<double>::infinity();
+      if (!std::isfinite(e5) || !std::isfinite(e3)) return std::numeric_limits<double>::infinity();
       if (std::isinf(tolerance[i])) continue;
       largest5 = std::max(largest5, std::abs(e5) / tolerance[i]);
       largest3 = std::max(largest3, std::abs(e3) / tolerance[i]);
