@@ -7,6 +7,7 @@
 
 #include "mjcf/names.h"
 #include "native_model/dynamics/dynamics.h"
+#include "native_model/scene/scene.h"
 
 namespace rotorub {
 namespace {

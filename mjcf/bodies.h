@@ -6,7 +6,7 @@
 
 #include "mjcf/mujoco_version.h"
 #include "mjcf/xml.h"
-#include "native_model/scene/scene.h"
+#include "native_model/scene/forward.h"
 #include "native_model/system/model.h"
 
 namespace rotorub {

@@ -12,7 +12,7 @@
 
 #include "mjcf/xml.h"
 #include "native_model/rotor/segment_chain.h"
-#include "native_model/scene/scene.h"
+#include "native_model/scene/forward.h"
 #include "native_model/system/model.h"
 
 namespace rotorub {

@@ -11,7 +11,8 @@
 
 #include "mjcf/mujoco_version.h"
 #include "native_model/contact/friction.h"
-#include "native_model/scene/scene.h"
+#include "native_model/scene/forward.h"
+#include "native_model/scene/mujoco.h"
 
 namespace rotorub {
 

@@ -13,7 +13,7 @@
 #include <string>
 
 #include "mjcf/mujoco_version.h"
-#include "native_model/scene/scene.h"
+#include "native_model/scene/forward.h"
 #include "native_model/system/model.h"
 
 namespace rotorub {

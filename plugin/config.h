@@ -11,6 +11,7 @@
 #include <string_view>
 #include <vector>
 
+#include "native_model/scene/mujoco.h"
 #include "native_model/system/model.h"
 #include "plugin/segments.h"
 

@@ -1,6 +1,6 @@
 #include "plugin/linearise.h"
 
-#include <Eigen/LU>
+#include <Eigen/Core>
 
 #include <cmath>
 #include <complex>
@@ -10,6 +10,7 @@
 #include <string>
 
 #include "native_model/numerics/eigenvalues.h"
+#include "native_model/numerics/linear_solve.h"
 #include "native_model/numerics/matrix_functions.h"
 #include "plugin/config_cache.h"
 #include "plugin/contact/verlet.h"
@@ -29,10 +30,10 @@ MatrixXd matrix(const std::vector<double>& values, int rows, int columns) {
 // transform) / 2, the sign by Newton's iteration.
 MatrixXd projection_within(const MatrixXd& a, double radius) {
   const MatrixXd one = MatrixXd::Identity(a.rows(), a.cols());
-  MatrixXd x = (a + radius * one).partialPivLu().solve(a - radius * one);
+  MatrixXd x = lu_solve(MatrixXd(a + radius * one), MatrixXd(a - radius * one));
   constexpr int kRounds = 100;
   for (int k = 0; k < kRounds; ++k) {
-    const MatrixXd next = 0.5 * (x + x.inverse());
+    const MatrixXd next = 0.5 * (x + lu_inverse(x));
     const double change = (next - x).norm();
     x = next;
     if (change <= 1e-14 * x.norm()) break;
@@ -92,7 +93,7 @@ LinearSystem linearise(const mjModel* m, const mjData* d, double eps) {
     term = term * x / (j + 1.0);
     phi += term;
   }
-  out.B = phi.partialPivLu().solve((one - out.held) * matrix(t.B, t.states, t.controls)) / h;
+  out.B = lu_solve(phi, MatrixXd((one - out.held) * matrix(t.B, t.states, t.controls))) / h;
   out.C = matrix(t.C, t.sensors, t.states) * (one - out.held);
   out.D = matrix(t.D, t.sensors, t.controls);
   return out;

@@ -6,6 +6,7 @@
 
 #include "mjcf/names.h"
 #include "native_model/dynamics/dynamics.h"
+#include "native_model/scene/scene.h"
 #include "plugin/generated_rotor.h"
 #include "plugin/message.h"
 #include "plugin/mujoco_versions.h"

@@ -1,11 +1,13 @@
 #include "plugin/segments.h"
 
-#include <Eigen/QR>
+#include <Eigen/Core>
 #include <algorithm>
 
 #include "mjcf/names.h"
 #include "native_model/dynamics/dynamics.h"
 #include "native_model/dynamics/loads.h"
+#include "native_model/numerics/linear_solve.h"
+#include "native_model/scene/scene.h"
 #include "native_model/stepping/step_limit.h"
 #include "native_model/system/sampled_feedback.h"
 #include "plugin/config.h"
@@ -63,7 +65,7 @@ void complete(const Eigen::MatrixXd& shapes, const Eigen::VectorXd& stiffness,
       stiffness.cwiseMax(kLeast * std::max(stiffness.maxCoeff(), 1.0)).cwiseInverse();
   const Eigen::MatrixXd spread = soft.asDiagonal() * shapes.transpose();
   const Eigen::MatrixXd moves = shapes * spread;
-  const Eigen::VectorXd change = spread * moves.completeOrthogonalDecomposition().solve(missing);
+  const Eigen::VectorXd change = spread * least_squares(moves, missing);
   Eigen::Map<Eigen::VectorXd>(q, change.size()) += change;
 }
 

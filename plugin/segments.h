@@ -10,7 +10,7 @@
 #include <vector>
 
 #include "native_model/rotor/segment_chain.h"
-#include "native_model/scene/scene.h"
+#include "native_model/scene/forward.h"
 #include "native_model/system/model.h"
 
 namespace rotorub::plugin {

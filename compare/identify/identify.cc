@@ -1,12 +1,13 @@
 #include "compare/identify/identify.h"
 
-#include <Eigen/Cholesky>
+#include <Eigen/Core>
 #include <algorithm>
 #include <cmath>
 #include <limits>
 #include <nlopt.hpp>
 
 #include "compare/identify/residuals.h"
+#include "native_model/numerics/linear_solve.h"
 
 namespace rotorub::identify {
 namespace {
@@ -148,10 +149,9 @@ std::optional<MatrixXd> inverse_normal(MatrixXd normal) {
   for (Index k = 0; k < scale.size(); ++k) {
     if (scale[k] == 0.0) normal(k, k) = 1.0;
   }
-  const Eigen::LDLT<MatrixXd> factors(normal);
-  if (!(factors.rcond() > kSingular)) return std::nullopt;
-  const MatrixXd inverse = factors.solve(MatrixXd::Identity(normal.rows(), normal.cols()));
-  return scale.asDiagonal() * inverse * scale.asDiagonal();
+  const ConditionedInverse found = ldlt_inverse(normal);
+  if (!(found.reciprocal_condition > kSingular)) return std::nullopt;
+  return scale.asDiagonal() * found.inverse * scale.asDiagonal();
 }
 
 // Gauss's and Newton's steps from the best point, each halved until it helps.

@@ -2,7 +2,7 @@
 
 #include <fmt/format.h>
 
-#include <Eigen/LU>
+#include <Eigen/Core>
 #include <algorithm>
 #include <cmath>
 #include <nlohmann/json.hpp>
@@ -14,6 +14,7 @@
 #include "compare/base/units.h"
 #include "compare/modes/rotor_analysis.h"
 #include "native_model/dynamics/linear_parts.h"
+#include "native_model/numerics/linear_solve.h"
 #include "native_model/rotor/refusal.h"
 #include "native_model/system/free_motion.h"
 
@@ -148,7 +149,7 @@ std::string driven_text(const RubAnalysis& analysis) {
 double sag(const Model& m) {
   const auto n = static_cast<Eigen::Index>(m.layout.modes);
   const Eigen::VectorXd q =
-      linear_parts(m, m.speed).stiffness.partialPivLu().solve(m.weight.head(2 * n));
+      lu_solve(linear_parts(m, m.speed).stiffness, Eigen::VectorXd(m.weight.head(2 * n)));
   return std::hypot(m.first().shape.x.dot(q.head(n)), m.first().shape.y.dot(q.tail(n)));
 }
 

@@ -105,9 +105,10 @@ bool finite(const EnsembleRun& run) {
 }
 
 // Alone, for the words of its failure. What its bits alone do not show is reported by the ensemble.
-std::optional<PointResult> run_again(const PointScene& point, scene::Integrator integrator,
-                                     Status status, const std::atomic<bool>& interrupt) {
-  auto result = run_single(point.point, point.scene, *native_engine(integrator), interrupt);
+std::optional<PointResult> run_again(const PointScene& point, Status status,
+                                     const std::atomic<bool>& interrupt) {
+  const auto engine = native_engine(scene::Integrator::kVerlet);
+  auto result = run_single(point.point, point.scene, *engine, interrupt);
   if (!result || !result->ok()) return result;
   result->status = to_string(status);
   result->reason = "seen in the ensemble alone";
@@ -115,7 +116,7 @@ std::optional<PointResult> run_again(const PointScene& point, scene::Integrator 
   return result;
 }
 
-void run_group(const Group& group, scene::Integrator integrator, const std::atomic<bool>& interrupt,
+void run_group(const Group& group, const std::atomic<bool>& interrupt,
                std::vector<PointResult>& out) {
   std::vector<Seen> seen(group.points.size());
   EnsembleWatch watch;
@@ -124,7 +125,7 @@ void run_group(const Group& group, scene::Integrator integrator, const std::atom
   watch.look = [&](const EnsembleLook& look) {
     seen[look.run].look(look, group.models[look.run], group.step);
   };
-  Ensemble ensemble(group.models, group.step, integrator);
+  Ensemble ensemble(group.models, group.step);
   const std::vector<EnsembleRun> runs = ensemble.run(steps_of(group), watch);
   for (std::size_t i = 0; i < runs.size(); ++i) {
     const PointScene& point = *group.points[i];
@@ -137,7 +138,7 @@ void run_group(const Group& group, scene::Integrator integrator, const std::atom
       result.point = point.point;
       result.figures = figures_of(runs[i], group, seen[i]);
       out.push_back(std::move(result));
-    } else if (auto result = run_again(point, integrator, status, interrupt)) {
+    } else if (auto result = run_again(point, status, interrupt)) {
       out.push_back(std::move(*result));
     }
   }
@@ -145,18 +146,15 @@ void run_group(const Group& group, scene::Integrator integrator, const std::atom
 
 }  // namespace
 
-bool has_ensemble(scene::Integrator integrator) {
-  return integrator == scene::Integrator::kMidpoint || integrator == scene::Integrator::kVerlet;
-}
+bool has_ensemble(scene::Integrator integrator) { return integrator == scene::Integrator::kVerlet; }
 
 std::vector<PointResult> run_ensembles(const std::vector<PointScene>& points,
-                                       scene::Integrator integrator,
                                        const std::atomic<bool>& interrupt) {
   std::vector<PointResult> out;
   std::vector<Group> groups;
   for (const PointScene& point : points) {
     if (!point.scene.fits_lanes()) {
-      const auto engine = native_engine(integrator);
+      const auto engine = native_engine(scene::Integrator::kVerlet);
       if (auto result = run_single(point.point, point.scene, *engine, interrupt)) {
         out.push_back(std::move(*result));
       }
@@ -165,9 +163,7 @@ std::vector<PointResult> run_ensembles(const std::vector<PointScene>& points,
     try {
       Model model = make_model(point.scene);
       check_steps(point.scene, point.scene.run.step);
-      refuse_finite_impacts(point.scene, integrator == scene::Integrator::kVerlet
-                                             ? FiniteImpacts::kUnsampled
-                                             : FiniteImpacts::kNone);
+      refuse_finite_impacts(point.scene, FiniteImpacts::kUnsampled);
       auto group = std::find_if(groups.begin(), groups.end(),
                                 [&](const Group& g) { return g.takes(point, model); });
       if (group == groups.end()) {
@@ -180,7 +176,7 @@ std::vector<PointResult> run_ensembles(const std::vector<PointScene>& points,
       out.push_back(refused(point.point, reason_of(error)));
     }
   }
-  for (const Group& group : groups) run_group(group, integrator, interrupt, out);
+  for (const Group& group : groups) run_group(group, interrupt, out);
   return out;
 }
 

@@ -1,4 +1,4 @@
-// Points of the fixed steps `midpoint` and `verlet`, many at once in the vector registers of a core
+// Points of the fixed step `verlet`, many at once in the vector registers of a core
 // (native_model/stepping/ensemble.h). A point's figures do not depend on which points it is run
 // with.
 #pragma once
@@ -22,7 +22,6 @@ bool has_ensemble(scene::Integrator integrator);
 // parts, another step or end) come in ensembles of their own; one of several contacts is run alone.
 // One that fails is run again alone, so that its row says when and why.
 std::vector<PointResult> run_ensembles(const std::vector<PointScene>& points,
-                                       scene::Integrator integrator,
                                        const std::atomic<bool>& interrupt);
 
 }  // namespace rotorub::sweep

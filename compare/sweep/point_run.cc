@@ -1,7 +1,6 @@
 #include "compare/sweep/point_run.h"
 
 #include <algorithm>
-#include <map>
 #include <numeric>
 #include <stdexcept>
 #include <utility>
@@ -71,14 +70,14 @@ std::vector<PointResult> run_batch(const Study& study, const std::vector<std::in
                                    const SceneOfPoint& scene_at,
                                    const std::atomic<bool>& interrupt) {
   std::vector<PointResult> out;
-  std::map<scene::Integrator, std::vector<PointScene>> together;
+  std::vector<PointScene> together;
   for (const std::int64_t point : points) {
     if (interrupt) return {};
     try {
       PointScene made{point, scene_at(point)};
       const auto integrator = study.integrator.value_or(made.scene.run.integrator);
       if (may_share_registers(study) && has_ensemble(integrator)) {
-        together[integrator].push_back(std::move(made));
+        together.push_back(std::move(made));
       } else if (auto result =
                      run_single(point, made.scene, *engine_of(study, made.scene), interrupt)) {
         out.push_back(std::move(*result));
@@ -87,11 +86,7 @@ std::vector<PointResult> run_batch(const Study& study, const std::vector<std::in
       out.push_back(refused(point, reason_of(error)));
     }
   }
-  for (const auto& [integrator, members] : together) {
-    for (PointResult& result : run_ensembles(members, integrator, interrupt)) {
-      out.push_back(std::move(result));
-    }
-  }
+  for (PointResult& result : run_ensembles(together, interrupt)) out.push_back(std::move(result));
   return out;
 }
 

@@ -16,7 +16,7 @@
 
 #include "native_model/numerics/lanes.h"
 #include "native_model/numerics/monotone_cubic.h"
-#include "native_model/scene/scene.h"
+#include "native_model/scene/rotor.h"
 
 namespace rotorub {
 

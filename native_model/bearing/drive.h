@@ -2,7 +2,7 @@
 #pragma once
 
 #include "native_model/numerics/monotone_cubic.h"
-#include "native_model/scene/scene.h"
+#include "native_model/scene/drive.h"
 
 namespace rotorub {
 

@@ -7,6 +7,11 @@ set(ROTORUB_PUBLIC_HEADERS
     # A scene, and a native run of it.
     native_model/scene/reader.h
     native_model/scene/scene.h
+    native_model/scene/run.h
+    native_model/scene/rotor.h
+    native_model/scene/drive.h
+    native_model/scene/loads.h
+    native_model/scene/mujoco.h
     native_model/scene/auxiliary_bearing.h
     native_model/scene/magnetic_bearing.h
     native_model/scene/diagnostic.h
@@ -15,6 +20,8 @@ set(ROTORUB_PUBLIC_HEADERS
     native_model/trajectory/keyphasor.h
     native_model/trajectory/full_passes.h
     native_model/contact/impact.h
+    native_model/contact/contact_parameters.h
+    native_model/contact/impact_record.h
     native_model/numerics/status.h
     # MuJoCo's model of a scene.
     mjcf/writer.h

@@ -11,39 +11,13 @@
 
 #include <Eigen/Core>
 
-#include "native_model/contact/compliance.h"
-#include "native_model/contact/friction.h"
+#include "native_model/contact/contact_parameters.h"
+#include "native_model/contact/impact_record.h"
 #include "native_model/contact/kinematics.h"
 #include "native_model/contact/planar_contact.h"
 #include "native_model/numerics/status.h"
 
 namespace rotorub {
-
-struct ImpactLaw {  // of one contact
-  FrictionLaw friction{};
-  double restitution = 0.0;             // eps_N in [0, 1]
-  double tangential_restitution = 0.0;  // eps_T in [0, 1]
-};
-
-// The constants of one contact.
-struct ContactParameters {
-  double radius, clearance;  // m
-  FrictionLaw friction;
-  double restitution;                       // eps_N
-  double tangential_restitution;            // eps_T
-  double compression_time, expansion_time;  // s
-  CompliantLaw compliance{};                // rigid where there is none
-
-  bool gives() const { return compliance.gives(); }
-
-  ImpactLaw law() const { return {friction, restitution, tangential_restitution}; }
-  double impact_time() const { return compression_time + expansion_time; }  // s
-  // R / r. The surfaces meet at r e_r from the rotor's centre, which is at R e_r from the ring's,
-  // R = r + delta_0: so fast a ring that turns passes there, and with this lever friction turns it.
-  // With r in its place angular momentum would be lost: the force's moments about one point,
-  // delta_0 + r on the rotor and -R on the ring, add up to 0.
-  double surface_ratio() const { return (radius + clearance) / radius; }
-};
 
 // Where the impulses of one contact may lie: L_N >= n, L_T in [low(L_N), high(L_N)]. n = 0 and no
 // side is Coulomb's, of a compression; the expansion has another.
@@ -108,21 +82,6 @@ inline ImpulseWork impulse_work(double normal, double friction, const Eigen::Vec
                                 const Eigen::Vector2d& after) {
   return {0.5 * normal * (before.x() + after.x()), 0.5 * friction * (before.y() + after.y())};
 }
-
-// What is known of an impact, or with a soft contact of an episode of contact. Impulses on the
-// rotor: normal >= 0, tangential signed along e_t. Speeds: gap rate (negative closing) and slip
-// gdot_T.
-struct Impact {
-  double t = 0.0;                                       // s
-  double normal_impulse = 0.0, friction_impulse = 0.0;  // N s
-  double gap_rate_before = 0.0, gap_rate_after = 0.0;   // m/s
-  double slip_before = 0.0, slip_after = 0.0;           // m/s
-  // J, of the system by this contact; over those of one instant the sum is <= 0.
-  double energy_change = 0.0;
-  int contact = 0;  // which of several, from 0
-};
-inline constexpr double kCountedGapRate = -1e-4;  // m/s: an impact counts below this
-inline bool counts(const Impact& impact) { return impact.gap_rate_before < kCountedGapRate; }
 
 // What follows an impact: flight, or lasting contact. Decided once, for every engine.
 //

@@ -10,7 +10,7 @@
 #include <optional>
 
 #include "native_model/control/controller.h"
-#include "native_model/scene/scene.h"
+#include "native_model/scene/auxiliary_bearing.h"
 
 namespace rotorub {
 

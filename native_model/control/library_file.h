@@ -9,7 +9,7 @@
 #include <string>
 #include <vector>
 
-#include "native_model/scene/scene.h"
+#include "native_model/scene/forward.h"
 
 namespace rotorub {
 

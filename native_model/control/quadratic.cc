@@ -1,11 +1,12 @@
 #include "native_model/control/quadratic.h"
 
-#include <Eigen/Cholesky>
+#include <Eigen/Core>
 #include <cassert>
 #include <cmath>
 #include <vector>
 
 #include "native_model/bearing/actuator.h"
+#include "native_model/numerics/linear_solve.h"
 #include "native_model/numerics/matrix_functions.h"
 #include "native_model/scene/record.h"
 
@@ -63,7 +64,7 @@ QuadraticDesign quadratic_design(const scene::Scene& scene, const LinearPlant& p
   if (!spread)
     scene::refuse_at(scene, "controller.kind", "the positions do not show a mode that grows");
   const Eigen::MatrixXd inner = y * *spread * y.transpose() + errors;
-  d.filter = inner.llt().solve(y * *spread).transpose();
+  d.filter = Cholesky(inner).solve(Eigen::MatrixXd(y * *spread)).transpose();
   return d;
 }
 

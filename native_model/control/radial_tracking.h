@@ -7,6 +7,7 @@
 #include <optional>
 
 #include "native_model/control/controller.h"
+#include "native_model/scene/auxiliary_bearing.h"
 
 namespace rotorub {
 

@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "native_model/control/controller.h"
+#include "native_model/scene/auxiliary_bearing.h"
 
 namespace rotorub {
 

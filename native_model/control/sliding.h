@@ -31,6 +31,7 @@
 
 #include "native_model/control/controller.h"
 #include "native_model/control/ring_feedback.h"
+#include "native_model/scene/auxiliary_bearing.h"
 
 namespace rotorub {
 

@@ -1,9 +1,10 @@
 #include "native_model/numerics/matrix_functions.h"
 
-#include <Eigen/Cholesky>
-#include <Eigen/LU>
+#include <Eigen/Core>
 #include <cmath>
 #include <unsupported/Eigen/MatrixFunctions>
+
+#include "native_model/numerics/linear_solve.h"
 
 namespace rotorub {
 
@@ -21,11 +22,11 @@ std::optional<Eigen::MatrixXd> solve_riccati(const Eigen::MatrixXd& a, const Eig
   constexpr int kMostRounds = 60;  // A^(2^60): an eigenvalue 1e-17 from the circle
   const Eigen::Index n = a.rows();
   const Eigen::MatrixXd one = Eigen::MatrixXd::Identity(n, n);
-  Eigen::MatrixXd ak = a, g = b * r.llt().solve(b.transpose()), h = q;
+  Eigen::MatrixXd ak = a, g = b * Cholesky(r).solve(Eigen::MatrixXd(b.transpose())), h = q;
   for (int round = 0; round < kMostRounds; ++round) {
-    const Eigen::PartialPivLU<Eigen::MatrixXd> w(one + g * h);
-    const Eigen::MatrixXd wa = w.solve(ak);  // (1 + G H)^-1 A
-    const Eigen::MatrixXd wg = w.solve(g);   // (1 + G H)^-1 G
+    const Eigen::MatrixXd w = one + g * h;
+    const Eigen::MatrixXd wa = lu_solve(w, ak);  // (1 + G H)^-1 A
+    const Eigen::MatrixXd wg = lu_solve(w, g);   // (1 + G H)^-1 G
     const Eigen::MatrixXd grown_h = h + ak.transpose() * h * wa;
     const Eigen::MatrixXd grown_g = g + ak * wg * ak.transpose();
     const double change = (grown_h - h).norm();
@@ -40,7 +41,7 @@ std::optional<Eigen::MatrixXd> solve_riccati(const Eigen::MatrixXd& a, const Eig
 
 Eigen::MatrixXd riccati_gain(const Eigen::MatrixXd& a, const Eigen::MatrixXd& b,
                              const Eigen::MatrixXd& r, const Eigen::MatrixXd& p) {
-  return (r + b.transpose() * p * b).llt().solve(b.transpose() * p * a);
+  return Cholesky(r + b.transpose() * p * b).solve(Eigen::MatrixXd(b.transpose() * p * a));
 }
 
 }  // namespace rotorub

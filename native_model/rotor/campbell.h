@@ -15,7 +15,7 @@
 #include <vector>
 
 #include "native_model/rotor/whirl_system.h"
-#include "native_model/scene/scene.h"
+
 
 namespace rotorub {
 

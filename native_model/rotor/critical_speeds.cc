@@ -1,7 +1,6 @@
 // Critical speeds: Campbell's diagram where a whirl goes in step with the spin.
 
-#include <Eigen/Cholesky>
-#include <Eigen/LU>
+#include <Eigen/Core>
 #include <algorithm>
 #include <cmath>
 #include <complex>
@@ -10,6 +9,7 @@
 #include <optional>
 
 #include "native_model/numerics/eigenvalues.h"
+#include "native_model/numerics/linear_solve.h"
 #include "native_model/numerics/root.h"
 #include "native_model/rotor/campbell.h"
 #include "native_model/rotor/refusal.h"
@@ -22,14 +22,14 @@ namespace {
 // and not necessarily definite.
 std::vector<double> synchronous_speeds(const Eigen::MatrixXd& K, const Eigen::MatrixXd& A) {
   std::vector<double> inverse_squares;
-  if (K == K.transpose() && Eigen::LLT<Eigen::MatrixXd>(K).info() == Eigen::Success) {
+  if (K == K.transpose() && Cholesky(K).positive()) {
     const Eigen::VectorXd values = found_by(symmetric_eigenvalues(A, K));
     inverse_squares.assign(values.begin(), values.end());
   } else {
     // Magnets stronger than the shaft, or that sense elsewhere: K^-1 A, whose real eigenvalues
     // count.
     constexpr double kReal = 1e-9;
-    for (const std::complex<double>& mu : found_by(real_eigenvalues(K.fullPivLu().solve(A)))) {
+    for (const std::complex<double>& mu : found_by(real_eigenvalues(full_lu_solve(K, A)))) {
       if (std::abs(mu.imag()) <= kReal * std::abs(mu)) inverse_squares.push_back(mu.real());
     }
   }

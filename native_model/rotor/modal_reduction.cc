@@ -1,9 +1,12 @@
 #include "native_model/rotor/modal_reduction.h"
 
-#include <Eigen/Cholesky>
+#include <Eigen/Core>
 #include <cassert>
 #include <cmath>
 #include <cstddef>
+
+#include "native_model/numerics/linear_solve.h"
+#include "native_model/scene/scene.h"
 
 namespace rotorub {
 namespace {
@@ -100,9 +103,8 @@ struct RankOnes {
   Eigen::VectorXd size;
 };
 RankOnes rank_ones(const Eigen::MatrixXd& damping) {
-  const Eigen::LDLT<Eigen::MatrixXd> factors(damping);
-  const Eigen::MatrixXd lower = factors.matrixL();
-  return {factors.transpositionsP().transpose() * lower, factors.vectorD().cwiseMax(0.0)};
+  const LdltFactors factors = ldlt_factors(damping);
+  return {factors.lower, factors.d.cwiseMax(0.0)};
 }
 
 // Damping of the shaft's own modes, which are not those of the coordinates: as dashpots.

@@ -8,7 +8,7 @@
 
 #include "native_model/rotor/modal_rotor.h"
 #include "native_model/rotor/rotor_modes.h"
-#include "native_model/scene/scene.h"
+#include "native_model/scene/forward.h"
 
 namespace rotorub {
 

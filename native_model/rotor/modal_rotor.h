@@ -16,7 +16,7 @@
 #include <vector>
 
 #include "native_model/bearing/bearing_film.h"
-#include "native_model/scene/scene.h"
+#include "native_model/scene/forward.h"
 
 namespace rotorub {
 

@@ -9,7 +9,7 @@
 #include "native_model/rotor/campbell.h"
 #include "native_model/rotor/modal_rotor.h"
 #include "native_model/rotor/shaft_basis.h"
-#include "native_model/scene/scene.h"
+#include "native_model/scene/forward.h"
 
 namespace rotorub {
 

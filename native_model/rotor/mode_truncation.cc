@@ -1,6 +1,6 @@
 #include "native_model/rotor/mode_truncation.h"
 
-#include <Eigen/Cholesky>
+#include <Eigen/Core>
 #include <algorithm>
 #include <array>
 #include <cstdio>
@@ -9,8 +9,10 @@
 #include <string>
 #include <vector>
 
+#include "native_model/numerics/linear_solve.h"
 #include "native_model/rotor/rotor_modes.h"
 #include "native_model/scene/diagnostic.h"
+#include "native_model/scene/scene.h"
 
 namespace rotorub {
 
@@ -23,7 +25,7 @@ std::optional<ContactMass> contact_mass(const scene::Scene& scene) {
   };
   ContactMass mass;
   mass.kept = std::min(of_kept(modes.x), of_kept(modes.y));
-  mass.mesh = 1.0 / u.dot(modes.ritz.mass.llt().solve(u.transpose()));
+  mass.mesh = 1.0 / u.dot(Cholesky(modes.ritz.mass).solve(Eigen::VectorXd(u)));
   mass.kept_modes = modes.kept;
   mass.mesh_modes = static_cast<int>(u.size());
   return mass;

@@ -5,7 +5,7 @@
 #include <optional>
 
 #include "native_model/rotor/rotor_modes.h"
-#include "native_model/scene/scene.h"
+#include "native_model/scene/forward.h"
 
 namespace rotorub {
 

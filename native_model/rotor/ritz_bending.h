@@ -11,7 +11,7 @@
 #include <vector>
 
 #include "native_model/rotor/shaft_basis.h"
-#include "native_model/scene/scene.h"
+#include "native_model/scene/rotor.h"
 
 namespace rotorub {
 

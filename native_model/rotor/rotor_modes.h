@@ -6,7 +6,9 @@
 #include <optional>
 
 #include "native_model/rotor/ritz_bending.h"
-#include "native_model/scene/scene.h"
+#include "native_model/scene/forward.h"
+#include "native_model/scene/magnetic_bearing.h"
+#include "native_model/scene/rotor.h"
 
 namespace rotorub {
 

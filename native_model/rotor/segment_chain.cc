@@ -9,6 +9,7 @@
 #include "native_model/rotor/powers.h"
 #include "native_model/rotor/shaft_basis.h"
 #include "native_model/scene/diagnostic.h"
+#include "native_model/scene/scene.h"
 
 namespace rotorub {
 namespace {

@@ -17,7 +17,7 @@
 #include <Eigen/Core>
 #include <vector>
 
-#include "native_model/scene/scene.h"
+#include "native_model/scene/forward.h"
 
 namespace rotorub {
 

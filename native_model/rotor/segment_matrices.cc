@@ -6,6 +6,7 @@
 #include "native_model/rotor/rotor_modes.h"
 #include "native_model/rotor/segment_chain.h"
 #include "native_model/scene/diagnostic.h"
+#include "native_model/scene/scene.h"
 
 namespace rotorub {
 namespace {

@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "native_model/scene/diagnostic.h"
+#include "native_model/scene/scene.h"
 
 namespace rotorub {
 namespace {

@@ -7,7 +7,8 @@
 #include <string>
 #include <vector>
 
-#include "native_model/scene/scene.h"
+#include "native_model/scene/forward.h"
+#include "native_model/scene/rotor.h"
 
 namespace rotorub {
 

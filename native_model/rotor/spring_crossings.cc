@@ -1,12 +1,13 @@
 #include "native_model/rotor/spring_crossings.h"
 
-#include <Eigen/Cholesky>
+#include <Eigen/Core>
 #include <algorithm>
 #include <cmath>
 #include <limits>
 #include <utility>
 
 #include "native_model/numerics/eigenvalues.h"
+#include "native_model/numerics/linear_solve.h"
 #include "native_model/rotor/refusal.h"
 
 namespace rotorub {
@@ -15,10 +16,7 @@ std::optional<SpringCrossings> SpringCrossings::of(const Eigen::MatrixXd& stiffn
                                                    const Eigen::MatrixXd& inertia,
                                                    const Eigen::MatrixXd& shapes, Springs springs,
                                                    double reference) {
-  if (stiffness != stiffness.transpose() ||
-      Eigen::LLT<Eigen::MatrixXd>(stiffness).info() != Eigen::Success) {
-    return {};
-  }
+  if (stiffness != stiffness.transpose() || !Cholesky(stiffness).positive()) return {};
   const SymmetricModes modes = found_by(symmetric_modes(inertia, stiffness));
   SpringCrossings crossings;
   crossings.mu_ = modes.values.array();

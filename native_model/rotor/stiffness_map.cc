@@ -1,12 +1,13 @@
 #include "native_model/rotor/stiffness_map.h"
 
-#include <Eigen/Cholesky>
+#include <Eigen/Core>
 #include <algorithm>
 #include <array>
 #include <cmath>
 #include <utility>
 
 #include "native_model/numerics/eigenvalues.h"
+#include "native_model/numerics/linear_solve.h"
 #include "native_model/rotor/campbell.h"
 #include "native_model/rotor/refusal.h"
 #include "native_model/rotor/whirl_system.h"
@@ -128,10 +129,10 @@ RingPlanes ring_planes(const scene::AuxiliaryBearing& at, double ring, double mo
 // critical_speeds looks at. films: with planes of the same masses alone.
 WhirlSystem of_unit_mass(const RingPlanes& planes, const Eigen::MatrixXd& gyroscopic, int kept,
                          bool isotropic) {
-  const Eigen::LLT<Eigen::MatrixXd> x(planes[0].mass), y(planes[1].mass);
-  const auto scaled = [](const auto& left, const Eigen::MatrixXd& a, const auto& right) {
-    const Eigen::MatrixXd half = left.matrixL().solve(a);
-    const Eigen::MatrixXd whole = right.matrixL().solve(half.transpose()).transpose();
+  const Cholesky x(planes[0].mass), y(planes[1].mass);
+  const auto scaled = [](const Cholesky& left, const Eigen::MatrixXd& a, const Cholesky& right) {
+    const Eigen::MatrixXd half = left.solve_lower(a);
+    const Eigen::MatrixXd whole = right.solve_lower(Eigen::MatrixXd(half.transpose())).transpose();
     return a == a.transpose() && &left == &right
                ? Eigen::MatrixXd(0.5 * (whole + whole.transpose()))
                : whole;
@@ -179,11 +180,11 @@ WhirlSystem joined(const WhirlSystem& rotor, const ModeShape& contact, const Rin
   WhirlSystem system =
       of_unit_mass(both, widened(rotor.gyroscopic), rotor.kept + static_cast<int>(behind),
                    rotor.isotropic && same(ring) && contact.x == contact.y);
-  const Eigen::LLT<Eigen::MatrixXd> mass(both[0].mass);
+  const Cholesky mass(both[0].mass);
   for (const WhirlFilm& film : rotor.films) {
     Eigen::VectorXd station = Eigen::VectorXd::Zero(n + behind);
     station.head(n) = film.station;
-    system.films.push_back({mass.matrixL().solve(station), film.law});
+    system.films.push_back({mass.solve_lower(station), film.law});
   }
   return system;
 }

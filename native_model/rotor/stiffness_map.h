@@ -10,7 +10,7 @@
 #include <cstddef>
 #include <vector>
 
-#include "native_model/scene/scene.h"
+#include "native_model/scene/forward.h"
 
 namespace rotorub {
 

@@ -15,7 +15,7 @@
 
 #include "native_model/bearing/bearing_film.h"
 #include "native_model/rotor/modal_rotor.h"
-#include "native_model/scene/scene.h"
+#include "native_model/scene/forward.h"
 
 namespace rotorub {
 

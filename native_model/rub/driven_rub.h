@@ -29,7 +29,7 @@
 #include "native_model/rub/rub_stability.h"
 #include "native_model/rub/rub_system.h"
 #include "native_model/rub/steady_rub.h"
-#include "native_model/scene/scene.h"
+#include "native_model/scene/forward.h"
 
 namespace rotorub::rub {
 

@@ -1,13 +1,12 @@
 #include "native_model/rub/rub_stability.h"
 
-#include <Eigen/Cholesky>
-#include <Eigen/LU>
-#include <Eigen/QR>
+#include <Eigen/Core>
 #include <algorithm>
 #include <cmath>
 #include <limits>
 
 #include "native_model/numerics/eigenvalues.h"
+#include "native_model/numerics/linear_solve.h"
 #include "native_model/rotor/refusal.h"
 
 namespace rotorub::rub {
@@ -64,22 +63,15 @@ constexpr const char* kNotFound = "no eigenvalues of its rub can be found";
 std::vector<Complex> quadratic(const Eigen::MatrixXd& M, const Eigen::MatrixXcd& B,
                                const Eigen::MatrixXcd& C) {
   if (M.rows() == 0) return {};
-  const Eigen::LLT<Eigen::MatrixXd> root(M);
-  if (root.info() != Eigen::Success) throw RotorNotSolvable(kNotFound);
-  const Eigen::MatrixXcd inverse =
-      root.matrixL().solve(Eigen::MatrixXd::Identity(M.rows(), M.rows())).cast<Complex>();
+  const Cholesky root(M);
+  if (!root.positive()) throw RotorNotSolvable(kNotFound);
+  const Eigen::MatrixXcd inverse = root.lower_inverse().cast<Complex>();
   const Eigen::MatrixXcd b = inverse * B * inverse.transpose(),
                          c = inverse * C * inverse.transpose();
   return found_by(complex_eigenvalues(first_order_form(b, c, frequency_scale(c))), kNotFound);
 }
 
 }  // namespace
-
-Eigen::MatrixXd complement(const Eigen::MatrixXd& directions) {
-  const Eigen::Index n = directions.rows();
-  const Eigen::HouseholderQR<Eigen::MatrixXd> qr(directions);
-  return qr.householderQ() * Eigen::MatrixXd::Identity(n, n).rightCols(n - directions.cols());
-}
 
 double slip_damping(const RubSystem& s, const SteadyRub& rub) {
   return rub.rolls() ? 0.0 : rub.normal_force * s.friction.slope(rub.slip);
@@ -110,22 +102,20 @@ Perturbation perturbation(const RubSystem& s, const SteadyRub& rub) {
 }
 
 std::vector<Complex> eigenvalues(const Perturbation& p) {
-  const Eigen::Index n = p.mass.rows();
   // Coordinates of unit mass, y = root^-T u.
-  const Eigen::LLT<Eigen::MatrixXd> root(p.mass);
-  if (root.info() != Eigen::Success) throw RotorNotSolvable(kNotFound);
-  const Eigen::MatrixXd scale = root.matrixL().solve(Eigen::MatrixXd::Identity(n, n));
+  const Cholesky root(p.mass);
+  if (!root.positive()) throw RotorNotSolvable(kNotFound);
+  const Eigen::MatrixXd scale = root.lower_inverse();
   const Eigen::MatrixXd K = scale * p.springs * scale.transpose();
   const Eigen::MatrixXd B = scale * p.rates * scale.transpose();
   const Eigen::MatrixXd F = scale * p.push, C = p.constraint * scale.transpose();
 
   // On the constraint: u = Z w, and l = -(C F)^-1 C (K u + B u').
-  const Eigen::MatrixXd Z = complement(C.transpose());
+  const Eigen::MatrixXd Z = orthogonal_complement(C.transpose());
   const Eigen::MatrixXd met = C * F;
   // Unbalance makes friction move the normal: beyond some friction the force would pull (Painleve).
-  if (!(met.determinant() > 0.0)) throw RotorNotSolvable(kNotFound);
-  const Eigen::MatrixXd along =
-      Z.transpose() - (Z.transpose() * F) * Eigen::MatrixXd(met.inverse()) * C;
+  if (!(lu_determinant(met) > 0.0)) throw RotorNotSolvable(kNotFound);
+  const Eigen::MatrixXd along = Z.transpose() - (Z.transpose() * F) * lu_inverse(met) * C;
   const Eigen::MatrixXd rates = along * B * Z, springs = along * K * Z;
   return found_by(real_eigenvalues(first_order_form(rates, springs, frequency_scale(springs))),
                   kNotFound);
@@ -158,7 +148,7 @@ std::vector<Complex> joined_eigenvalues(const RubSystem& s) {
                      rotor_springs(s) + s.ring->stiffness * cc.cast<Complex>());
   }
   if (c.isZero(0.0)) return free_eigenvalues(s);
-  const Eigen::MatrixXd Z = complement(c);  // c^T a = 0
+  const Eigen::MatrixXd Z = orthogonal_complement(c);  // c^T a = 0
   const Eigen::MatrixXcd z = Z.cast<Complex>();
   return quadratic(Z.transpose() * M * Z, z.transpose() * rotor_rates(s) * z,
                    z.transpose() * rotor_springs(s) * z);

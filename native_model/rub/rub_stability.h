@@ -52,9 +52,6 @@ std::vector<Complex> eigenvalues(const Perturbation& p);
 // The `count` values nearest to 0, of what may point anywhere.
 void leave_out_smallest(std::vector<Complex>& values, int count);
 
-// Orthonormal, n x (n - m): what is normal to the m independent columns of `directions`, n x m.
-Eigen::MatrixXd complement(const Eigen::MatrixXd& directions);
-
 // All three: rad/s as s of e^{s t}, by falling real part; of a complex system each is one whirl, Im
 // s > 0 forward. Throw RotorNotSolvable (rotor/refusal.h) where the iteration does not converge.
 std::vector<Complex> free_eigenvalues(const RubSystem& system);  // rotor without contact, 2 n

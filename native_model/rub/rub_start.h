@@ -13,7 +13,7 @@
 // lambda (unless the scene gives it).
 #pragma once
 
-#include "native_model/scene/scene.h"
+#include "native_model/scene/forward.h"
 #include "native_model/system/model.h"
 
 namespace rotorub::rub {

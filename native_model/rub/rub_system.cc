@@ -1,12 +1,13 @@
 #include "native_model/rub/rub_system.h"
 
-#include <Eigen/LU>
+#include <Eigen/Core>
 #include <cassert>
 #include <cmath>
 #include <string>
 
 #include "native_model/control/ring_feedback.h"
 #include "native_model/dynamics/linear_parts.h"
+#include "native_model/numerics/linear_solve.h"
 #include "native_model/scene/diagnostic.h"
 #include "native_model/scene/record.h"
 #include "native_model/scene/text.h"
@@ -245,7 +246,7 @@ Eigen::MatrixXcd dynamic_stiffness(const RubSystem& s, double nu) {
 }
 
 Eigen::VectorXcd response(const RubSystem& s, double nu, const Eigen::VectorXcd& load) {
-  return dynamic_stiffness(s, nu).partialPivLu().solve(load);
+  return lu_solve(dynamic_stiffness(s, nu), load);
 }
 
 Complex ring_stiffness(const RubSystem& s, double nu) {

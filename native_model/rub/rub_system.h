@@ -20,7 +20,7 @@
 #include <optional>
 #include <vector>
 
-#include "native_model/scene/scene.h"
+#include "native_model/scene/forward.h"
 #include "native_model/system/model.h"
 
 namespace rotorub::rub {

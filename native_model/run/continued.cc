@@ -5,6 +5,7 @@
 #include <numbers>
 #include <vector>
 
+#include "native_model/scene/scene.h"
 #include "native_model/trajectory/columns.h"
 
 namespace rotorub {

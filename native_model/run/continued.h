@@ -4,7 +4,7 @@
 
 #include <string>
 
-#include "native_model/scene/scene.h"
+#include "native_model/scene/forward.h"
 #include "native_model/trajectory/trajectory.h"
 
 namespace rotorub {

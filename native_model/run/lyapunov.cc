@@ -9,6 +9,7 @@
 #include "native_model/run/continued.h"
 #include "native_model/run/run_native.h"
 #include "native_model/scene/diagnostic.h"
+#include "native_model/scene/scene.h"
 #include "native_model/system/model.h"
 
 namespace rotorub {

@@ -12,7 +12,8 @@
 #include <optional>
 #include <string>
 
-#include "native_model/scene/scene.h"
+#include "native_model/scene/forward.h"
+#include "native_model/scene/run.h"
 #include "native_model/trajectory/trajectory.h"
 
 namespace rotorub {

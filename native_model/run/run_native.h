@@ -9,7 +9,8 @@
 
 #include "native_model/control/command_record.h"
 #include "native_model/event/parameters.h"
-#include "native_model/scene/scene.h"
+#include "native_model/scene/forward.h"
+#include "native_model/scene/run.h"
 #include "native_model/trajectory/trajectory.h"
 
 namespace rotorub {

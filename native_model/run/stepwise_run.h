@@ -11,7 +11,7 @@
 #include <vector>
 
 #include "native_model/event/driver.h"
-#include "native_model/scene/scene.h"
+#include "native_model/scene/forward.h"
 
 namespace rotorub {
 

@@ -14,15 +14,17 @@
 namespace rotorub {
 namespace {
 
-// The runs of one group of lanes, by a step of the model's size.
-template <class Step, class M, int W>
+// The runs of one group of lanes.
+template <int W>
 class LaneGroup {
  public:
+  using M = Lanes<W>;
+  using Step = VerletStep<M>;
   using T = typename Step::T;
 
   LaneGroup(std::vector<const Model*> runs, double h)
       : models_(std::move(runs)),
-        model_(Lanes<W>(models_)),
+        model_(models_),
         work_{Step(model_, models_, h), {}},
         h_(h),
         v_(static_cast<std::size_t>(model_.layout.nq()), T{}) {
@@ -53,7 +55,7 @@ class LaneGroup {
         v[i] = v_[i][l];
       }
       double force = k > 0 && !hit(lane) ? work_.step.contact.normal_impulse()[l] / h_ : 0.0;
-      if constexpr (kLeaps) force += work_.step.impact_force(l, k).x();
+      force += work_.step.impact_force(l, k).x();
       watch.look({first + lane, k, q, v, force, work_.totals.impacts[l]});
     }
   }
@@ -83,19 +85,17 @@ class LaneGroup {
         r.v.push_back(v_[i][l]);
       }
     }
-    if (kLeaps && !watch.stopped()) count_half_step(steps, out);
+    if (!watch.stopped()) count_half_step(steps, out);
   }
 
  private:
-  static constexpr bool kLeaps = requires(const Step& s) { s.was_first; };
-
   bool hit(std::size_t lane) const {
     return work_.step.contact.impacted && work_.step.contact.impacts[lane].count > 0;
   }
 
   void find_velocities(std::int64_t k) {
     std::copy_n(work_.step.x.v.begin(), v_.size(), v_.begin());
-    if constexpr (kLeaps) velocities_now(work_.step, k, v_.data());
+    velocities_now(work_.step, k, v_.data());
   }
 
   // The commands of step k, by the controller of each run, which sees its own run only.
@@ -121,9 +121,7 @@ class LaneGroup {
         v[i] = v_[i][l];
         a[i] = k == 0 ? 0.0 : 2.0 / h_ * (v[i] - x.v[i][l]);
       }
-      if constexpr (!kLeaps) {
-        tell(lane, hold.at(t, q, v));
-      } else if (hold.listens(end)) {
+      if (hold.listens(end)) {
         tell(lane, hold.mean(k == 0 ? t : t - 0.5 * h_, t, end, q, v, a));
         work_.step.jump(lane, hold.jump());
       }
@@ -131,8 +129,7 @@ class LaneGroup {
     }
   }
 
-  // The steps of `verlet` lie about the t_k: of the one about the end half counts, as in
-  // run/fixed_run.cc.
+  // The steps lie about the t_k: of the one about the end half counts, as in run/fixed_run.cc.
   void count_half_step(std::int64_t steps, std::span<EnsembleRun> out) {
     work_.totals = {};
     command(steps);
@@ -149,13 +146,13 @@ class LaneGroup {
 
   std::vector<const Model*> models_;
   M model_;
-  LaneWork<Step, W> work_;
+  LaneWork<W> work_;
   double h_;
   lanes::Array<T> v_;
   std::vector<ZeroOrderHold> holds_;  // of each lane, where there are controllers
 };
 
-template <class Step, class M, int W>
+template <int W>
 void run_groups(const std::vector<Model>& models, double step, std::int64_t steps,
                 const EnsembleWatch& watch, std::vector<EnsembleRun>& out) {
   constexpr std::size_t kWidth = W;
@@ -166,7 +163,7 @@ void run_groups(const std::vector<Model>& models, double step, std::int64_t step
       runs[lane] = &models[begin + lane < models.size() ? begin + lane : begin];
     }
     const std::size_t wanted = std::min(kWidth, models.size() - begin);
-    LaneGroup<Step, M, W> group(std::move(runs), step);
+    LaneGroup<W> group(std::move(runs), step);
     std::int64_t k = 0;
     for (const std::int64_t at : watch.steps) {
       group.advance_to(k, at, watch);
@@ -177,29 +174,6 @@ void run_groups(const std::vector<Model>& models, double step, std::int64_t step
     group.advance_to(k, steps, watch);
     group.report(steps, watch, {&out[begin], wanted});
   }
-}
-
-template <class M, int W>
-void run_sized(const std::vector<Model>& models, double step, scene::Integrator integrator,
-               std::int64_t steps, const EnsembleWatch& watch, std::vector<EnsembleRun>& out) {
-  if (integrator == scene::Integrator::kVerlet) {
-    run_groups<VerletStep<M>, M, W>(models, step, steps, watch, out);
-  } else {
-    run_groups<MidpointStep<M>, M, W>(models, step, steps, watch, out);
-  }
-}
-
-template <int W>
-void run_all(const std::vector<Model>& models, double step, scene::Integrator integrator,
-             std::int64_t steps, const EnsembleWatch& watch, std::vector<EnsembleRun>& out) {
-  if (models.empty()) return;
-#define ROTORUB_SIZE(L, unused)                                                           \
-  if (L::fits(models.front().layout)) {                                                   \
-    return run_sized<Sized<Lanes<W>, L>, W>(models, step, integrator, steps, watch, out); \
-  }
-  ROTORUB_SMALL_LAYOUTS(ROTORUB_SIZE, )
-#undef ROTORUB_SIZE
-  run_sized<Lanes<W>, W>(models, step, integrator, steps, watch, out);
 }
 
 }  // namespace
@@ -222,10 +196,8 @@ double EnsembleRun::mean_force(double end) const {
   return first_touch < 0.0 || end <= first_touch ? 0.0 : impulse_total / (end - first_touch);
 }
 
-Ensemble::Ensemble(std::vector<Model> models, double step, scene::Integrator integrator,
-                   InstructionSet set)
-    : models_(std::move(models)), step_(step), integrator_(integrator), set_(set) {
-  assert(integrator == scene::Integrator::kMidpoint || integrator == scene::Integrator::kVerlet);
+Ensemble::Ensemble(std::vector<Model> models, double step, InstructionSet set)
+    : models_(std::move(models)), step_(step), set_(set) {
   assert(set <= best_instruction_set());
   for (std::size_t i = 0; i < models_.size(); ++i) {
     if (!same_structure(models_.front(), models_[i])) {
@@ -247,27 +219,28 @@ Ensemble::Ensemble(std::vector<Model> models, double step, scene::Integrator int
     const auto& c = models_[i].first().contact;
     const bool sampled = !models_[i].samplers.empty() ||
                          (models_[i].first().controller && models_[i].first().sample_time > 0.0);
-    if ((integrator == scene::Integrator::kMidpoint || sampled) && c && c->impact_time() > 0.0) {
+    if (sampled && c && c->impact_time() > 0.0) {
       throw std::invalid_argument("run " + std::to_string(i) +
                                   " of the ensemble has impacts that take time, which need the "
-                                  "integrator event, or verlet without a sampled controller");
+                                  "integrator event where a controller is sampled");
     }
   }
 }
 
 std::vector<EnsembleRun> Ensemble::run(std::int64_t steps, const EnsembleWatch& watch) {
   std::vector<EnsembleRun> out(models_.size());
+  if (models_.empty()) return out;
   switch (set_) {
 #if defined(ROTORUB_EACH_TARGET)
     case InstructionSet::kAvx512:
-      run_all<8>(models_, step_, integrator_, steps, watch, out);
+      run_groups<8>(models_, step_, steps, watch, out);
       break;
     case InstructionSet::kAvx2:
-      run_all<4>(models_, step_, integrator_, steps, watch, out);
+      run_groups<4>(models_, step_, steps, watch, out);
       break;
 #endif
     default:
-      run_all<2>(models_, step_, integrator_, steps, watch, out);
+      run_groups<2>(models_, step_, steps, watch, out);
   }
   return out;
 }

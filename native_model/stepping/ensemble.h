@@ -1,4 +1,4 @@
-// Many runs of one scene at once in fixed steps, for sweeps: as many as fit into the vector
+// Many runs of one scene at once by `verlet`, for sweeps: as many as fit into the vector
 // registers of one core, each with values of its own. A run's bits are those of the run alone, on
 // every instruction set.
 #pragma once
@@ -19,7 +19,7 @@ struct EnsembleRun {
   double first_touch = -1.0;  // s, begin of the step; -1: never touched
   double contact_steps =
       0.0;  // with a normal impulse; an impact that takes time: those of its duration
-  // `verlet`: the end lies in the middle of a step in lasting contact, half of which counts.
+  // The end lies in the middle of a step in lasting contact, half of which counts.
   bool ends_in_contact = false;
   std::int64_t impacts = 0;      // with gap_rate_before < kCountedGapRate
   double impulse_total = 0.0;    // N s
@@ -54,11 +54,8 @@ InstructionSet best_instruction_set();  // of this processor
 class Ensemble {
  public:
   // All of the same structure (stepping/lane_model.h); throws std::invalid_argument naming the
-  // first that is not. Models are copied. step: s, > 0. integrator: kMidpoint or kVerlet. `set`:
-  // not beyond best_instruction_set().
-  Ensemble(std::vector<Model> models, double step,
-           scene::Integrator integrator = scene::Integrator::kMidpoint,
-           InstructionSet set = best_instruction_set());
+  // first that is not. Models are copied. step: s, > 0. `set`: not beyond best_instruction_set().
+  Ensemble(std::vector<Model> models, double step, InstructionSet set = best_instruction_set());
 
   // All runs from t = 0 over `steps` steps; controllers are evaluated run by run.
   std::vector<EnsembleRun> run(std::int64_t steps, const EnsembleWatch& watch = {});
@@ -66,7 +63,6 @@ class Ensemble {
  private:
   std::vector<Model> models_;
   double step_;
-  scene::Integrator integrator_;
   InstructionSet set_;
 };
 

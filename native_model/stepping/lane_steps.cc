@@ -8,11 +8,12 @@ namespace rotorub {
 namespace {
 
 constexpr int W = ROTORUB_LANES;
+using Step = VerletStep<Lanes<W>>;
+using T = Step::T;
 static_assert(alignof(Eigen::Vector2d) == 16, "laid out as elsewhere");
 
 // Of the lanes with impacts in this step; their friction works by its own slips.
-template <class Step>
-ROTORUB_INLINE void count_impacts(const Step& step, LaneTotals<W>& totals, typename Step::T& work) {
+ROTORUB_INLINE void count_impacts(const Step& step, LaneTotals<W>& totals, T& work) {
   for (int lane = 0; lane < W; ++lane) {
     const auto l = static_cast<std::size_t>(lane);
     const ImpactList& list = step.contact.impacts[l];
@@ -28,8 +29,7 @@ ROTORUB_INLINE void count_impacts(const Step& step, LaneTotals<W>& totals, typen
 }
 
 // Impacts that take time are in contact that long, with the force of their mean.
-template <class Step>
-ROTORUB_INLINE void spread(const Step& step, typename Step::T& steps, typename Step::T& impulse) {
+ROTORUB_INLINE void spread(const Step& step, T& steps, T& impulse) {
   for (int lane = 0; lane < W; ++lane) {
     if (!(step.impact_time[lane] > 0.0)) continue;
     const double taken = step.impact_time[lane] / step.x.h;
@@ -38,9 +38,7 @@ ROTORUB_INLINE void spread(const Step& step, typename Step::T& steps, typename S
   }
 }
 
-template <class Step>
-ROTORUB_INLINE void advance_one(LaneWork<Step, W>& work, std::int64_t k) {
-  using T = lanes::Lane<W>;
+ROTORUB_INLINE void advance_one(LaneWork<W>& work, std::int64_t k) {
   const T zero{}, one = lanes::all<T>(1.0);
   Step& step = work.step;
   LaneTotals<W>& totals = work.totals;
@@ -54,9 +52,7 @@ ROTORUB_INLINE void advance_one(LaneWork<Step, W>& work, std::int64_t k) {
   T steps = lanes::select(touched, one, zero);
   totals.impulse_total += impulse;
   T peak = impulse;
-  if constexpr (requires { step.impact_time; }) {
-    if (step.contact.impacted) spread(step, steps, peak);
-  }
+  if (step.contact.impacted) spread(step, steps, peak);
   totals.contact_steps += steps;
   totals.peak_impulse = lanes::larger(totals.peak_impulse, peak);
   totals.farthest = lanes::larger(totals.farthest, step.contact.square_of_relative(step.x));
@@ -65,26 +61,16 @@ ROTORUB_INLINE void advance_one(LaneWork<Step, W>& work, std::int64_t k) {
   totals.friction_work += friction_work;
 }
 
-template <class Step>
-ROTORUB_INLINE void advance_all(LaneWork<Step, W>& group, std::int64_t from, std::int64_t count) {
+}  // namespace
+
+template <>
+void advance<W>(LaneWork<W>& group, std::int64_t from, std::int64_t count) {
   for (std::int64_t k = from; k < from + count; ++k) advance_one(group, k);
 }
 
-}  // namespace
-
-#define ROTORUB_DEFINE(...)                                                                 \
-  void advance(LaneWork<MidpointStep<__VA_ARGS__>, W>& group, std::int64_t from,            \
-               std::int64_t count) {                                                        \
-    advance_all(group, from, count);                                                        \
-  }                                                                                         \
-  void advance(LaneWork<VerletStep<__VA_ARGS__>, W>& group, std::int64_t from,              \
-               std::int64_t count) {                                                        \
-    advance_all(group, from, count);                                                        \
-  }                                                                                         \
-  void velocities_now(VerletStep<__VA_ARGS__>& step, std::int64_t k, lanes::Lane<W>* now) { \
-    step.velocity_now(k, now);                                                              \
-  }
-ROTORUB_LANE_MODELS(ROTORUB_DEFINE, W)
-#undef ROTORUB_DEFINE
+template <>
+void velocities_now<W>(Step& step, std::int64_t k, T* now) {
+  step.velocity_now(k, now);
+}
 
 }  // namespace rotorub

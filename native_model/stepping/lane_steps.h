@@ -5,7 +5,6 @@
 
 #include <cstdint>
 
-#include "native_model/stepping/midpoint_step.h"
 #include "native_model/stepping/verlet_step.h"
 
 namespace rotorub {
@@ -22,23 +21,17 @@ struct LaneTotals {
 };
 
 // One group of lanes.
-template <class Step, int W>
+template <int W>
 struct LaneWork {
-  Step step;
+  VerletStep<Lanes<W>> step;
   LaneTotals<W> totals;
 };
 
-// `advance`: steps [from, from + count) of the group. `velocities_now`: VerletStep::velocity_now.
-#define ROTORUB_LANE_STEPS(...)                                                               \
-  void advance(LaneWork<MidpointStep<__VA_ARGS__>, MidpointStep<__VA_ARGS__>::kLanes>& group, \
-               std::int64_t from, std::int64_t count);                                        \
-  void advance(LaneWork<VerletStep<__VA_ARGS__>, VerletStep<__VA_ARGS__>::kLanes>& group,     \
-               std::int64_t from, std::int64_t count);                                        \
-  void velocities_now(VerletStep<__VA_ARGS__>& step, std::int64_t k,                          \
-                      VerletStep<__VA_ARGS__>::T* now);
-ROTORUB_LANE_MODELS(ROTORUB_LANE_STEPS, 2)
-ROTORUB_LANE_MODELS(ROTORUB_LANE_STEPS, 4)
-ROTORUB_LANE_MODELS(ROTORUB_LANE_STEPS, 8)
-#undef ROTORUB_LANE_STEPS
+// Steps [from, from + count) of the group.
+template <int W>
+void advance(LaneWork<W>& group, std::int64_t from, std::int64_t count);
+// VerletStep::velocity_now, nq values.
+template <int W>
+void velocities_now(VerletStep<Lanes<W>>& step, std::int64_t k, lanes::Lane<W>* now);
 
 }  // namespace rotorub

@@ -133,7 +133,7 @@ void MidpointStep<Model, SeveralContacts>::collide(const bool&, std::int64_t k) 
 
 #define ROTORUB_DEFINE(...) \
   template void MidpointStep<__VA_ARGS__>::collide(const Mask&, std::int64_t);
-ROTORUB_ALL_MODELS(ROTORUB_DEFINE)
+ROTORUB_DEFINE(Model)
 #undef ROTORUB_DEFINE
 
 }  // namespace rotorub

@@ -1,6 +1,6 @@
 #include "native_model/stepping/step_limit.h"
 
-#include <Eigen/Eigenvalues>
+#include <Eigen/Core>
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
@@ -112,10 +112,10 @@ StepLimit step_limit(const Model& m) {
   for (const AuxiliaryBearing& at : m.auxiliary) {
     // Of another exponent the stiffness follows the depth, and the step is held to it as it goes.
     if (!at.gives() || at.contact->compliance.exponent != 1.0) continue;
-    const double mobility = at.admittance.topLeftCorner<2, 2>()
-                                .selfadjointView<Eigen::Lower>()
-                                .eigenvalues()
-                                .maxCoeff();
+    const Eigen::Matrix3d& a = at.admittance;
+    // The larger eigenvalue of its 2 x 2 corner.
+    const double mobility =
+        0.5 * (a(0, 0) + a(1, 1)) + std::hypot(0.5 * (a(0, 0) - a(1, 1)), a(1, 0));
     take(at.contact->compliance.stiffness * mobility / lightest, 0.0, "the contact's stiffness");
   }
   return limit;

@@ -3,6 +3,7 @@
 #include <cassert>
 #include <type_traits>
 
+#include "native_model/scene/run.h"
 #include "native_model/stepping/euler.h"
 #include "native_model/stepping/midpoint_step.h"
 #include "native_model/stepping/verlet_step.h"
@@ -103,25 +104,26 @@ class StepperWith final : public KeptStepper {
   Step step_;
 };
 
-template <template <class, class> class Scheme>
-std::unique_ptr<KeptStepper> of_size(const Model& model, double h) {
-#define ROTORUB_SIZE(L, unused)                                                  \
-  if (L::fits(model.layout)) {                                                   \
-    using M = Sized<Model, L>;                                                   \
-    return std::make_unique<StepperWith<Scheme<M, OneContact<M>>, M>>(model, h); \
-  }
-  ROTORUB_SMALL_LAYOUTS(ROTORUB_SIZE, )
-#undef ROTORUB_SIZE
-  return std::make_unique<StepperWith<Scheme<Model, OneContact<Model>>, Model>>(model, h);
+template <class M, template <class, class> class Scheme, class Contacts>
+std::unique_ptr<KeptStepper> stepper_with(const Model& model, double h) {
+  return std::make_unique<StepperWith<Scheme<M, Contacts>, M>>(model, h);
 }
 
 template <template <class, class> class Scheme>
 std::unique_ptr<KeptStepper> with_contacts(const Model& model, double h) {
-  if (model.gives()) {
-    return std::make_unique<StepperWith<Scheme<Model, CompliantContacts>, Model>>(model, h);
+  if (model.gives()) return stepper_with<Model, Scheme, CompliantContacts>(model, h);
+  if (model.auxiliary.size() > 1) return stepper_with<Model, Scheme, SeveralContacts>(model, h);
+  return stepper_with<Model, Scheme, OneContact<Model>>(model, h);
+}
+
+// The step of a small layout, where there is one.
+std::unique_ptr<KeptStepper> verlet_stepper(const Model& model, double h) {
+  using M = DrivenJeffcott;
+  const bool one_rigid = model.auxiliary.size() == 1 && !model.gives();
+  if (one_rigid && DrivenJeffcottInRing::fits(model.layout)) {
+    return stepper_with<M, VerletStep, OneContact<M>>(model, h);
   }
-  if (model.auxiliary.size() == 1) return of_size<Scheme>(model, h);
-  return std::make_unique<StepperWith<Scheme<Model, SeveralContacts>, Model>>(model, h);
+  return with_contacts<VerletStep>(model, h);
 }
 
 }  // namespace
@@ -130,7 +132,7 @@ std::unique_ptr<KeptStepper> make_kept_stepper(scene::Integrator integrator, con
                                                double step, const State& start) {
   assert(step > 0.0 && integrator != scene::Integrator::kEuler);
   auto stepper = integrator == scene::Integrator::kVerlet
-                     ? with_contacts<VerletStep>(model, step)
+                     ? verlet_stepper(model, step)
                      : with_contacts<MidpointStep>(model, step);
   stepper->begin(start.t, start.q.data(), start.v.data());
   return stepper;

@@ -1,9 +1,10 @@
 #include "native_model/stepping/velocity_matrix.h"
 
-#include <Eigen/LU>
+#include <Eigen/Core>
 #include <algorithm>
 
 #include "native_model/dynamics/linear_parts.h"
+#include "native_model/numerics/linear_solve.h"
 #include "native_model/stepping/lane_model.h"
 
 namespace rotorub {
@@ -60,10 +61,11 @@ VelocityMatrix<T>::VelocityMatrix(const std::vector<const Model*>& models, doubl
     const Eigen::VectorXd inverse = a.diagonal().cwiseInverse();
     put_lane(inverse_, inverse, lane);
     put_lane(step_, Eigen::VectorXd(h * inverse), lane);
-    const Eigen::MatrixXd bend = a.topLeftCorner(bending, bending).inverse();
+    const Eigen::MatrixXd bend = lu_inverse(Eigen::MatrixXd(a.topLeftCorner(bending, bending)));
     if (dense_bending_) put_matrix(bending_, bend, lane);
     if (!l.spin) continue;
-    const Eigen::MatrixXd turn = a.block(l.phi(), l.phi(), spins, spins).inverse();
+    const Eigen::MatrixXd turn =
+        lu_inverse(Eigen::MatrixXd(a.block(l.phi(), l.phi(), spins, spins)));
     if (dense_spin_) put_matrix(spin_, turn, lane);
     if (!coupled_) continue;
     put_matrix(spin_column_, turn.leftCols(1), lane);

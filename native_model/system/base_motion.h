@@ -10,7 +10,7 @@
 #include <Eigen/Core>
 #include <vector>
 
-#include "native_model/scene/scene.h"
+#include "native_model/scene/loads.h"
 
 namespace rotorub {
 

@@ -1,6 +1,6 @@
 #include "native_model/system/free_motion.h"
 
-#include <Eigen/LU>
+#include <Eigen/Core>
 #include <algorithm>
 #include <cmath>
 #include <complex>
@@ -11,6 +11,7 @@
 #include "native_model/dynamics/closed_loop.h"
 #include "native_model/dynamics/linear_parts.h"
 #include "native_model/dynamics/loads.h"
+#include "native_model/numerics/linear_solve.h"
 #include "native_model/scene/record.h"
 #include "native_model/scene/text.h"
 #include "native_model/system/linear_loop.h"
@@ -216,23 +217,22 @@ Answer answer(const scene::Scene& scene, const Model& m, const Bending& b, const
     // F = k_i j: i nu F / (k_i I) - sensor^T q = 0.
     z(n + k, n + k) = Phasor(0.0, -nu / (b.force_per_current[k] * b.integral[k] * unit * unit));
   }
-  const Eigen::PartialPivLU<Eigen::MatrixXcd> lu(z);
+  Eigen::VectorXcd right = Eigen::VectorXcd::Zero(n + stored);
+  right.head(n) = scale.asDiagonal() * load.load;
+  const ConditionedSolution solved = lu_solve_conditioned(z, right);
   // Against the scale, not against z itself: both planes may be in resonance.
   const double size = z.cwiseAbs().colwise().sum().maxCoeff();
-  if (!(lu.rcond() * size > kSingular)) {
+  if (!(solved.reciprocal_condition * size > kSingular)) {
     refuse_steady(scene, nu == 0.0
                              ? "nothing holds the rotor against a constant force or its weight"
                              : "a force turns at " + scene::number_text(nu) +
                                    " rad/s, where the free rotor has a resonance without "
                                    "damping: its orbit has no bound");
   }
-  Eigen::VectorXcd right = Eigen::VectorXcd::Zero(n + stored);
-  right.head(n) = scale.asDiagonal() * load.load;
-  const Eigen::VectorXcd solved = lu.solve(right);
-  Answer answer{scale.asDiagonal() * solved.head(n), Eigen::VectorXcd::Zero(m.layout.integrals)};
+  Answer answer{scale.asDiagonal() * solved.x.head(n), Eigen::VectorXcd::Zero(m.layout.integrals)};
   for (Eigen::Index k = 0; k < stored; ++k) {
     answer.stored[b.stored[static_cast<std::size_t>(k)]] =
-        solved[n + k] / (unit * b.force_per_current[k]);
+        solved.x[n + k] / (unit * b.force_per_current[k]);
   }
   follow(m, nu, answer);
   return answer;

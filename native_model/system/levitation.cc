@@ -1,6 +1,6 @@
 #include "native_model/system/levitation.h"
 
-#include <Eigen/LU>
+#include <Eigen/Core>
 #include <algorithm>
 #include <cmath>
 #include <numbers>
@@ -8,6 +8,7 @@
 #include <utility>
 
 #include "native_model/dynamics/closed_loop.h"
+#include "native_model/numerics/linear_solve.h"
 #include "native_model/system/free_motion.h"
 #include "native_model/system/linear_loop.h"
 
@@ -120,7 +121,7 @@ Eigen::MatrixXcd LoopResponse::controls(double w) const {
       const Eigen::MatrixXcd inner = z * Eigen::MatrixXcd::Identity(law.states(), law.states()) -
                                      law.a.cast<std::complex<double>>();
       answer += law.c.cast<std::complex<double>>() *
-                inner.partialPivLu().solve(law.b.cast<std::complex<double>>());
+                lu_solve(inner, Eigen::MatrixXcd(law.b.cast<std::complex<double>>()));
     }
     answer *= (1.0 - 1.0 / z) / turn * std::exp(-turn * static_cast<double>(s.delay));
     for (Eigen::Index i = 0; i < law.ports(); ++i) {
@@ -141,7 +142,7 @@ Eigen::MatrixXcd LoopResponse::open(double w, const Eigen::MatrixXcd& force) con
   Eigen::MatrixXcd z = stiffness_.cast<std::complex<double>>() +
                        std::complex<double>(0.0, w) * damping_.cast<std::complex<double>>();
   z.diagonal() -= (w * w * mass_).cast<std::complex<double>>();
-  return seen_.transpose().cast<std::complex<double>>() * z.partialPivLu().solve(force);
+  return seen_.transpose().cast<std::complex<double>>() * lu_solve(z, force);
 }
 
 Eigen::MatrixXcd LoopResponse::return_difference(double w) const {
@@ -150,7 +151,7 @@ Eigen::MatrixXcd LoopResponse::return_difference(double w) const {
 }
 
 Eigen::MatrixXcd LoopResponse::sensitivity(double w) const {
-  return return_difference(w).partialPivLu().inverse();
+  return lu_inverse(return_difference(w));
 }
 
 Levitation levitation(const Model& model, double speed) {

@@ -1,11 +1,12 @@
 #include "native_model/system/linear_loop.h"
 
-#include <Eigen/LU>
+#include <Eigen/Core>
 #include <algorithm>
 #include <cmath>
 #include <utility>
 
 #include "native_model/numerics/eigenvalues.h"
+#include "native_model/numerics/linear_solve.h"
 #include "native_model/numerics/matrix_functions.h"
 #include "native_model/system/sampled_feedback.h"
 
@@ -72,15 +73,14 @@ Eigen::VectorXcd loop_amplitude(const Model& m, const LinearLoop& loop, double w
   Eigen::VectorXcd load = Eigen::VectorXcd::Zero(states);
   load.segment(bending, bending) =
       f.cwiseQuotient(m.mass.head(bending).cwiseProduct(loop.form.unit.segment(bending, bending)));
-  const Eigen::PartialPivLU<Eigen::MatrixXcd> turned(
-      minus(std::complex<double>(0.0, w), loop.form.a));
-  Eigen::VectorXcd mean = turned.solve(load);
+  const Eigen::MatrixXcd turned = minus(std::complex<double>(0.0, w), loop.form.a);
+  Eigen::VectorXcd mean = lu_solve(turned, load);
   if (loop.every > 0.0) {
     const std::complex<double> z = std::polar(1.0, w * loop.every);
     const Eigen::MatrixXd over = matrix_exp(loop.form.a * loop.every);
     const Eigen::VectorXcd before =
-        minus(z, over * loop.sample).partialPivLu().solve(minus(z, over) * mean);
-    mean -= turned.solve(before - loop.sample * before) / loop.every;
+        lu_solve(minus(z, over * loop.sample), Eigen::VectorXcd(minus(z, over) * mean));
+    mean -= lu_solve(turned, Eigen::VectorXcd(before - loop.sample * before)) / loop.every;
   }
   return loop.form.unit.head(bending).cwiseProduct(mean.head(bending));
 }

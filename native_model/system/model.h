@@ -23,14 +23,16 @@
 #include "native_model/bearing/drive.h"
 #include "native_model/bearing/magnetic_feedback.h"
 #include "native_model/bearing/ring_support.h"
-#include "native_model/contact/impact.h"
+#include "native_model/contact/contact_parameters.h"
 #include "native_model/control/command_record.h"
 #include "native_model/control/control_loop.h"
 #include "native_model/control/controller.h"
 #include "native_model/control/linear_controller.h"
 #include "native_model/dynamics/mode_matrix.h"
 #include "native_model/rotor/modal_rotor.h"
-#include "native_model/scene/scene.h"
+#include "native_model/scene/forward.h"
+#include "native_model/scene/loads.h"
+#include "native_model/scene/magnetic_bearing.h"
 #include "native_model/system/base_motion.h"
 
 namespace rotorub {

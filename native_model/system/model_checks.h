@@ -6,7 +6,8 @@
 #include <optional>
 #include <vector>
 
-#include "native_model/scene/scene.h"
+#include "native_model/scene/forward.h"
+#include "native_model/scene/run.h"
 #include "native_model/system/model.h"
 
 namespace rotorub {

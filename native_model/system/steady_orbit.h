@@ -21,7 +21,7 @@
 #include <string>
 #include <vector>
 
-#include "native_model/scene/scene.h"
+#include "native_model/scene/forward.h"
 #include "native_model/system/model.h"
 
 namespace rotorub {

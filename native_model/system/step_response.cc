@@ -1,11 +1,12 @@
 #include "native_model/system/step_response.h"
 
-#include <Eigen/LU>
+#include <Eigen/Core>
 #include <algorithm>
 #include <cmath>
 #include <cstdint>
 #include <limits>
 
+#include "native_model/numerics/linear_solve.h"
 #include "native_model/numerics/matrix_functions.h"
 
 namespace rotorub {
@@ -198,9 +199,9 @@ std::vector<StepResponse> step_responses(const Model& m, const LinearLoop& loop,
   const Grid grid = grid_of(flow, ports.deflection, octaves);
   // What stays: x = M x + g.
   const Eigen::Index n = loop.form.a.rows(), p = ports.input.cols();
-  const Eigen::MatrixXd stays = (Eigen::MatrixXd::Identity(n, n) - flow.map(0).topLeftCorner(n, n))
-                                    .partialPivLu()
-                                    .solve(flow.map(0).topRightCorner(n, p));
+  const Eigen::MatrixXd stays =
+      lu_solve(Eigen::MatrixXd::Identity(n, n) - flow.map(0).topLeftCorner(n, n),
+               Eigen::MatrixXd(flow.map(0).topRightCorner(n, p)));
   std::vector<StepResponse> all;
   for (Eigen::Index port = 0; port < p; ++port) {
     const auto widened = [&](const Eigen::MatrixXd& rows) {

@@ -6,6 +6,7 @@
 #include <limits>
 
 #include "native_model/dynamics/dynamics.h"
+#include "native_model/scene/run.h"
 #include "native_model/trajectory/columns.h"
 
 namespace rotorub {

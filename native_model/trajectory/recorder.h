@@ -11,6 +11,7 @@
 #include <vector>
 
 #include "native_model/contact/kinematics.h"
+#include "native_model/scene/run.h"
 #include "native_model/trajectory/columns.h"
 #include "native_model/trajectory/keyphasor.h"
 #include "native_model/trajectory/trajectory.h"

@@ -8,7 +8,7 @@
 #include <string>
 #include <vector>
 
-#include "native_model/contact/impact.h"
+#include "native_model/contact/impact_record.h"
 #include "native_model/contact/planar_contact.h"
 #include "native_model/numerics/status.h"
 #include "native_model/system/model.h"

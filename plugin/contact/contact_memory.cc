@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "native_model/scene/mujoco.h"
 #include "plugin/user_data.h"
 
 namespace rotorub::plugin {

@@ -5,6 +5,7 @@
 
 #include "native_model/contact/coupled_law.h"
 #include "native_model/contact/kinematics.h"
+#include "native_model/scene/mujoco.h"
 #include "plugin/actuators.h"
 #include "plugin/contact/constraint_probe.h"
 #include "plugin/contact/contact_memory.h"

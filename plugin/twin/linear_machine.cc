@@ -1,11 +1,12 @@
 #include "plugin/twin/linear_machine.h"
 
-#include <Eigen/Cholesky>
+#include <Eigen/Core>
 #include <algorithm>
 #include <array>
 #include <cmath>
 #include <numbers>
 
+#include "native_model/numerics/linear_solve.h"
 #include "plugin/message.h"
 #include "plugin/mujoco_versions.h"
 #include "plugin/twin/probe.h"
@@ -133,11 +134,10 @@ void fill_bent(const ContactPair& pair, const LinearContact& contact, Turned& tu
   const VectorXd rest = VectorXd::Zero(machine.force.size());
   const MatrixXd relative = contact.rotor - contact.ring;
   const VectorXd scale = machine.mass.diagonal().cwiseSqrt().cwiseInverse();
-  const Eigen::LDLT<MatrixXd> factor(machine.mass);
   probe.pose(rest);
   const MatrixXd mass = probe.mass();
   for (int k = 0; k < 2; ++k) {
-    VectorXd q = factor.solve(relative.row(k).transpose());
+    VectorXd q = ldlt_solve(machine.mass, relative.row(k).transpose());
     const double moved = relative.row(k).dot(q);
     if (!(moved > 0.0)) continue;
     q *= clearance / moved;

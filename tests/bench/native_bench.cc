@@ -52,8 +52,7 @@ void fixed_steps(benchmark::State& state, const Model& model) {
   state.counters["per_step"] = per(state.iterations() * steps);
 }
 
-void ensemble_steps(benchmark::State& state, const Model& model, scene::Integrator integrator,
-                    InstructionSet set) {
+void ensemble_steps(benchmark::State& state, const Model& model, InstructionSet set) {
   constexpr std::size_t kRuns = 64;
   const std::int64_t steps = std::lround(0.1 / kStep);
   std::vector<Model> models(kRuns, model);
@@ -61,7 +60,7 @@ void ensemble_steps(benchmark::State& state, const Model& model, scene::Integrat
     if (models[i].first().contact)
       models[i].first().contact->friction.coefficient *= 1.0 + 0.01 * static_cast<double>(i);
   }
-  Ensemble ensemble(models, kStep, integrator, set);
+  Ensemble ensemble(models, kStep, set);
   for (auto _ : state) benchmark::DoNotOptimize(ensemble.run(steps));
   state.counters["per_run_and_step"] =
       per(state.iterations() * steps * static_cast<std::int64_t>(kRuns));
@@ -91,12 +90,8 @@ void register_all() {
     for (const auto set :
          {InstructionSet::kBaseline, InstructionSet::kAvx2, InstructionSet::kAvx512}) {
       if (set > best_instruction_set()) continue;
-      for (const auto integrator : {scene::Integrator::kMidpoint, scene::Integrator::kVerlet}) {
-        const std::string scheme =
-            integrator == scene::Integrator::kMidpoint ? "midpoint" : "verlet";
-        add("ensemble/" + scheme + "/" + sets[static_cast<int>(set)] + "/" + name,
-            [=](benchmark::State& s) { ensemble_steps(s, model, integrator, set); });
-      }
+      add(std::string("ensemble/verlet/") + sets[static_cast<int>(set)] + "/" + name,
+          [=](benchmark::State& s) { ensemble_steps(s, model, set); });
     }
   }
   for (const bench::Part& part : bench::parts()) {

@@ -7,6 +7,7 @@
 #include <limits>
 #include <random>
 
+#include "native_model/scene/scene.h"
 #include "native_model/system/model.h"
 
 namespace rotorub::test {

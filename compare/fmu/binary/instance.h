@@ -10,6 +10,7 @@
 #include <string>
 
 #include "native_model/run/stepwise_run.h"
+#include "native_model/scene/scene.h"
 
 namespace rotorub::fmi {
 

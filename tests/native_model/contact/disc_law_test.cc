@@ -83,7 +83,7 @@ TEST(DiscLaw, OneContactMeetsTheLaws) {
   std::mt19937 random(1);
   std::uniform_real_distribution<double> unit(0.0, 1.0);
   int sliding = 0, sticking = 0, several = 0, none = 0;
-  for (int k = 0; k < 20000; ++k) {
+  for (int k = 0; k < 4000; ++k) {
     const ContactMatrix a = random_bodies(random, 1, 4);
     ContactVector b = random_motion(random, 1);
     // Fast slip, slow slip, and none in one direction.
@@ -100,16 +100,16 @@ TEST(DiscLaw, OneContactMeetsTheLaws) {
     EXPECT_LE(s.p.tail<2>().norm(), sets[0].friction * s.p[0] * (1.0 + 1e-12)) << k;
   }
   EXPECT_EQ(none, 0);
-  EXPECT_LT(several, 1000);  // great mu alone
-  EXPECT_GT(sliding, 5000);
-  EXPECT_GT(sticking, 1000);
+  EXPECT_LT(several, 200);  // great mu alone
+  EXPECT_GT(sliding, 1000);
+  EXPECT_GT(sticking, 200);
 }
 
 // Where mu |G_NT| < G_NN by far, the motion is one.
 TEST(DiscLaw, OneSolutionWhereFrictionIsModerate) {
   std::mt19937 random(2);
   std::uniform_real_distribution<double> unit(0.0, 1.0);
-  for (int k = 0; k < 20000; ++k) {
+  for (int k = 0; k < 4000; ++k) {
     const ContactMatrix a = random_bodies(random, 1, 6);
     std::vector<DiscSet> sets(1);
     const double steepest = a(0, 0) / std::hypot(a(0, 1), a(0, 2));
@@ -124,7 +124,7 @@ TEST(DiscLaw, WithoutAnAxisItIsThePlanarLaw) {
   std::mt19937 random(3);
   std::uniform_real_distribution<double> unit(0.0, 1.0);
   int compared = 0;
-  for (int k = 0; k < 10000; ++k) {
+  for (int k = 0; k < 2000; ++k) {
     ContactMatrix a = random_bodies(random, 1, 4);
     ContactVector b = random_motion(random, 1);
     a.row(2).setZero();
@@ -149,7 +149,7 @@ TEST(DiscLaw, ExpansionMeetsItsSet) {
   std::mt19937 random(4);
   std::uniform_real_distribution<double> unit(0.0, 1.0);
   int held = 0;
-  for (int k = 0; k < 20000; ++k) {
+  for (int k = 0; k < 4000; ++k) {
     const ContactMatrix a = random_bodies(random, 1, 4);
     const std::vector<ImpactLaw> laws(1, ImpactLaw{unit(random), unit(random), unit(random)});
     const CoupledSolution c = solve_compression(a, random_motion(random, 1), laws);
@@ -161,7 +161,7 @@ TEST(DiscLaw, ExpansionMeetsItsSet) {
     EXPECT_LT(off_the_laws(a, c.y, {set}, e.p), 1e-10) << k;
     held += e.p.segment<2>(1).dot(set.side) < set.floor + 1e-9 ? 1 : 0;
   }
-  EXPECT_GT(held, 1000);  // on the chord
+  EXPECT_GT(held, 200);  // on the chord
 }
 
 // Impulses on the rotor give work p . (y_before + y_after) / 2. One contact and several, with

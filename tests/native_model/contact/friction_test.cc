@@ -93,7 +93,7 @@ TEST(FallingFriction, ImpactsFollowTheirSlip) {
   std::mt19937 random(11);
   std::uniform_real_distribution<double> unit(0.0, 1.0);
   int slides = 0, sticks = 0;
-  for (int k = 0; k < 3000; ++k) {
+  for (int k = 0; k < 600; ++k) {
     const double nn = 0.2 + unit(random), tt = 0.2 + 3.0 * unit(random);
     const double nt = 0.3 * (unit(random) - 0.5) * std::sqrt(nn * tt);
     FrictionLaw law = 0.4 * unit(random);
@@ -117,8 +117,8 @@ TEST(FallingFriction, ImpactsFollowTheirSlip) {
           << k;
     }
   }
-  EXPECT_GT(slides, 1000);
-  EXPECT_GT(sticks, 200);
+  EXPECT_GT(slides, 200);
+  EXPECT_GT(sticks, 40);
 }
 
 // Where friction falls steeply, the same impact may leave sliding or sticking: the slip is the

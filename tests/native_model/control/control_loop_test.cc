@@ -2,6 +2,7 @@
 // state.
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <vector>
 
@@ -234,6 +235,30 @@ TEST(Sensors, NoiseIsNormalIndependentAndAlwaysTheSame) {
   EXPECT_EQ(a[5].rotor_velocity, truth(5).rotor_velocity) << "no noise of its own";
   s.seed = 2;
   EXPECT_NE(shown(s, 1).front().rotor, a.front().rotor);
+}
+
+TEST(Sensors, EveryChannelHasANoiseOfItsOwn) {
+  scene::Sensors s;
+  s.position_noise = 2e-6;
+  s.velocity_noise = 3e-3;
+  s.current_noise = 0.02;
+  const Measurement m = shown(s, 1).front(), wanted = truth(0);
+  std::vector<double> errors;
+  const auto add = [&errors](const Eigen::Vector2d& error, double sigma) {
+    for (const double e : error) errors.push_back(std::abs(e) / sigma);
+  };
+  add(m.rotor - wanted.rotor, s.position_noise);
+  add(m.stator - wanted.stator, s.position_noise);
+  add(m.rotor_velocity - wanted.rotor_velocity, s.velocity_noise);
+  add(m.stator_velocity - wanted.stator_velocity, s.velocity_noise);
+  add(m.current - wanted.current, s.current_noise);
+  std::ranges::sort(errors);
+  EXPECT_GT(errors.front(), 1e-3);
+  EXPECT_LT(errors.back(), 5.0) << "standard deviations";
+  for (std::size_t i = 0; i + 1 < errors.size(); ++i) EXPECT_GT(errors[i + 1] - errors[i], 1e-9);
+  EXPECT_EQ(m.spin_angle, wanted.spin_angle);
+  EXPECT_EQ(m.spin_speed, wanted.spin_speed);
+  EXPECT_EQ(m.rotor_acceleration, wanted.rotor_acceleration);
 }
 
 TEST(Sensors, DelayIsOfWholeSamplesAndTheFirstStandsForAllBefore) {

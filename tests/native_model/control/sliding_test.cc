@@ -8,6 +8,7 @@
 
 #include "native_model/control/radial_tracking.h"
 #include "native_model/control/sliding.h"
+#include "native_model/scene/auxiliary_bearing.h"
 #include "tests/support/runge_kutta.h"
 
 namespace rotorub {

@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "native_model/dynamics/dynamics.h"
+#include "native_model/scene/scene.h"
 #include "native_model/system/actuation.h"
 #include "tests/support/machine.h"
 #include "tests/support/runge_kutta.h"

@@ -6,6 +6,7 @@
 
 #include "native_model/dynamics/dynamics.h"
 #include "native_model/rotor/whirl_system.h"
+#include "native_model/scene/scene.h"
 #include "tests/support/machine.h"
 
 namespace rotorub {

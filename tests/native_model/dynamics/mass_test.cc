@@ -2,11 +2,13 @@
 // from the kinetic energy.
 #include <gtest/gtest.h>
 
-#include <Eigen/Cholesky>
+#include <Eigen/Core>
 #include <cmath>
 #include <numbers>
 
 #include "native_model/dynamics/dynamics.h"
+#include "native_model/numerics/linear_solve.h"
+#include "native_model/scene/scene.h"
 #include "native_model/system/model_checks.h"
 #include "tests/support/machine.h"
 
@@ -43,7 +45,7 @@ TEST(SolveMass, WithUnbalanceOnAFreeSpinAgainstDense) {
     const State s = test::random_state(m, seed);
     const Eigen::MatrixXd mass = test::mass_matrix(m, s);
     const Eigen::VectorXd f = random_vector(m.nq(), 100 + seed);
-    const Eigen::VectorXd exact = mass.llt().solve(f);
+    const Eigen::VectorXd exact = Cholesky(mass).solve(f);
     Eigen::VectorXd a(m.nq()), in_place = f;
     solve_mass(m, s.t, s.q.data(), f.data(), a.data());
     EXPECT_LT((a - exact).norm(), kDense * exact.norm());
@@ -62,7 +64,7 @@ TEST(UnbalanceInertia, IsTheLargestOfATurn) {
   State s = test::random_state(m, 1);
   const int phi = m.layout.phi();
   double largest = 0.0, least = 1e300;
-  constexpr int kSteps = 3600;
+  constexpr int kSteps = 1440;
   for (int i = 0; i < kSteps; ++i) {
     s.q[phi] = 2.0 * std::numbers::pi * i / kSteps;
     const Eigen::MatrixXd mass = test::mass_matrix(m, s);
@@ -73,7 +75,7 @@ TEST(UnbalanceInertia, IsTheLargestOfATurn) {
     least = std::min(least, taken);
   }
   EXPECT_LT(least, 0.99 * largest) << "anisotropic: it changes over a turn";
-  EXPECT_NEAR(unbalance_inertia(m), largest, 1e-5 * largest);  // of a grid of 0.1 degrees
+  EXPECT_NEAR(unbalance_inertia(m), largest, 1e-5 * largest);  // of a grid of 0.25 degrees
   EXPECT_GE(unbalance_inertia(m), largest * (1.0 - 1e-14));
   EXPECT_EQ(unbalance_inertia(test::machine(false)), 0.0);
 }
@@ -84,7 +86,7 @@ TEST(SolveMass, AnotherDiagonalTakesThePlaceOfTheMasses) {
   const Eigen::VectorXd diagonal = m.mass + 1e-3 * m.damping;
   Eigen::MatrixXd mass = test::mass_matrix(m, s);
   mass.diagonal() += diagonal - m.mass;
-  const Eigen::VectorXd f = random_vector(m.nq(), 5), exact = mass.llt().solve(f);
+  const Eigen::VectorXd f = random_vector(m.nq(), 5), exact = Cholesky(mass).solve(f);
   Eigen::VectorXd a(m.nq());
   solve_mass(m, diagonal.data(), s.t, s.q.data(), f.data(), a.data());
   EXPECT_LT((a - exact).norm(), kDense * exact.norm());
@@ -107,7 +109,8 @@ TEST(ContactAdmittance, WithUnbalanceOnAFreeSpinAgainstDense) {
   for (unsigned seed = 0; seed < 20; ++seed) {
     const State s = test::random_state(m, seed);
     const Eigen::MatrixXd j = contact_jacobian(m, s);
-    const Eigen::Matrix3d exact = j * test::mass_matrix(m, s).llt().solve(j.transpose());
+    const Eigen::Matrix3d exact =
+        j * Cholesky(test::mass_matrix(m, s)).solve(Eigen::MatrixXd(j.transpose()));
     const Eigen::Matrix3d a = contact_admittance(m, s.t, s.q.data());
     // Entries differ by orders of magnitude (1/kg beside 1/(kg m^2)): scaled by the diagonal.
     const Eigen::Vector3d scale = exact.diagonal().cwiseSqrt().cwiseInverse();

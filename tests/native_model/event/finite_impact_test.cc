@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <numbers>
 
 #include "tests/native_model/hard/rules.h"
 #include "tests/support/jeffcott.h"
@@ -109,6 +110,29 @@ TEST(FiniteImpact, MayOutlastTheRun) {
     ASSERT_EQ(t.impacts.size(), 1u);
     EXPECT_NEAR(t.impacts[0].normal_impulse, c.impulse, 1e-12);
     EXPECT_LT(t.statistics.energy_residual(), kLoadedBalance);
+  }
+}
+
+// The mark on the shaft passes the probe during a phase of the impact, a quarter of the phase in.
+TEST(FiniteImpact, TheMarkPassesWithinIt) {
+  const double v = 0.3, eps = 0.5, delta = 0.5e-3, touch = delta / v;
+  struct Case {
+    double time, x;
+  };
+  for (const Case& c : {Case{touch + 0.25 * kTauC, delta},
+                        Case{touch + kTauC + 0.25 * kTauE, delta - 0.25 * kTauE * eps * v}}) {
+    SCOPED_TRACE(c.time);
+    const double speed = 2.0 * std::numbers::pi / c.time;
+    scene::Scene scene =
+        with_times(make_scene({.clearance = delta, .restitution = eps, .speed = speed}));
+    scene.initial.vx = {v};
+    scene.run.end = 1.5 * c.time;
+    const Trajectory t = test::run_event(scene);
+    ASSERT_EQ(t.status, Status::kOk) << t.message;
+    ASSERT_EQ(t.keyphasor.size(), 1u);
+    EXPECT_NEAR(t.keyphasor[0].t, c.time, 1e-15);
+    EXPECT_NEAR(t.keyphasor[0].x, c.x, 1e-15);
+    EXPECT_EQ(t.keyphasor[0].spin_speed, speed);
   }
 }
 

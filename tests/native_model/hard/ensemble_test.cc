@@ -1,14 +1,16 @@
-// Eight runs at once are eight runs: the same bits as alone, whatever the parts of the scene.
+// Runs in the lanes of an ensemble have the bits of a run alone, whatever the parts of the scene.
 #include "native_model/stepping/ensemble.h"
 
 #include <gtest/gtest.h>
 
 #include <functional>
 #include <limits>
+#include <string>
+#include <vector>
 
 #include "native_model/dynamics/dynamics.h"
+#include "native_model/run/step_commands.h"
 #include "native_model/stepping/stepper.h"
-#include "native_model/stepping/zero_order_hold.h"
 #include "tests/native_model/hard/rules.h"
 #include "tests/support/machine.h"
 
@@ -16,37 +18,41 @@ namespace rotorub {
 namespace {
 
 struct Single {
-  Eigen::VectorXd q, v;
+  std::vector<double> q, v;
   double impulse = 0.0, first_touch = -1.0;
-  std::int64_t contact_steps = 0;
+  double contact_steps = 0.0;
   Status status = Status::kOk;
 };
 
-// The run alone, with its own loop: a command each step, or held between samples.
+// The run alone, with its own loop. Its steps lie about the t_k: half of the one about the end
+// counts.
 Single alone(const Model& model, double step, std::int64_t steps) {
-  MidpointStepper stepper(model, step);
+  const auto stepper = make_stepper(scene::Integrator::kVerlet, model, step);
+  StepCommands commands(model, *stepper, step);
   Single out;
-  ZeroOrderHold hold(model);
-  for (std::int64_t k = 0; k < steps; ++k) {
-    const double t = static_cast<double>(k) * step;
-    const Eigen::Vector2d u = hold.at(t, stepper.q(), stepper.v());
-    const FixedStep done = stepper.step(k, u);
+  for (std::int64_t k = 0; k <= steps; ++k) {
+    if (k == steps) {
+      out.q.assign(stepper->q(), stepper->q() + model.nq());
+      out.v.resize(out.q.size());
+      stepper->velocity_now(k, commands.of_step(), out.v.data());
+    }
+    commands.mean_about(k);
+    const FixedStep done = stepper->step(k, commands.of_step(), false);
     if (done.status != Status::kOk) {
       out.status = done.status;
       break;
     }
-    if (done.normal_impulse > 0.0) {
-      if (out.first_touch < 0.0) out.first_touch = t;
-      ++out.contact_steps;
-    }
-    out.impulse += done.normal_impulse;
+    const bool last = k == steps;
+    if (!(done.normal_impulse > 0.0) || (last && !done.impacts.empty())) continue;
+    out.impulse += last ? 0.5 * done.normal_impulse : done.normal_impulse;
+    if (last) continue;
+    if (out.first_touch < 0.0) out.first_touch = static_cast<double>(k) * step;
+    ++out.contact_steps;
   }
-  out.q = Eigen::Map<const Eigen::VectorXd>(stepper.q(), model.nq());
-  out.v = Eigen::Map<const Eigen::VectorXd>(stepper.v(), model.nq());
   return out;
 }
 
-// 11 runs: a full group of lanes and a part of one, each with values of its own.
+// 11 runs: full groups of lanes and a part of one, each with values of its own.
 void expect_same_bits(const std::function<Model(int)>& make, std::int64_t steps = 3000) {
   constexpr int kRuns = 11;
   const double step = 1e-5;
@@ -57,53 +63,29 @@ void expect_same_bits(const std::function<Model(int)>& make, std::int64_t steps 
       models.back().first().contact->friction.coefficient = 0.02 + 0.05 * i;
     models.back().q0[0] += 1e-6 * i;
   }
-  const std::vector<EnsembleRun> runs = Ensemble(models, step).run(steps);
-  ASSERT_EQ(runs.size(), models.size());
-  // Every instruction set that the machine has, and verlet beside: the same bits.
-  for (const auto integrator : {scene::Integrator::kMidpoint, scene::Integrator::kVerlet}) {
-    std::vector<EnsembleRun> least;
-    for (const auto set :
-         {InstructionSet::kBaseline, InstructionSet::kAvx2, InstructionSet::kAvx512}) {
-      if (set > best_instruction_set()) continue;
-      const std::vector<EnsembleRun> all = Ensemble(models, step, integrator, set).run(steps);
-      if (least.empty()) least = all;
-      for (std::size_t i = 0; i < all.size(); ++i) {
-        ASSERT_EQ(all[i].status, least[i].status) << i;
-        ASSERT_EQ(all[i].q, least[i].q) << "run " << i << ", set " << static_cast<int>(set);
-        ASSERT_EQ(all[i].v, least[i].v) << "run " << i << ", set " << static_cast<int>(set);
-        ASSERT_EQ(all[i].impulse_total, least[i].impulse_total) << i;
-      }
-      if (integrator != scene::Integrator::kVerlet || models[0].first().controller) continue;
-      for (std::size_t i = 0; i < all.size(); ++i) {
-        VerletStepper stepper(models[i], step);
-        Status status = Status::kOk;
-        for (std::int64_t k = 0; k < steps && status == Status::kOk; ++k) {
-          status = stepper.step(k).status;
-        }
-        ASSERT_EQ(all[i].status, status) << i;
-        const std::vector<double> q(stepper.q(), stepper.q() + models[i].nq());
-        ASSERT_EQ(all[i].q, q) << "verlet alone, run " << i;
-      }
-    }
-  }
+  std::vector<Single> singles;
   int touched = 0;
-  for (int i = 0; i < kRuns; ++i) {
-    SCOPED_TRACE(i);
-    const auto at = static_cast<std::size_t>(i);
-    const Single single = alone(models[at], step, steps);
-    ASSERT_EQ(runs[at].status, single.status);
-    for (int k = 0; k < models[at].nq(); ++k) {
-      const auto c = static_cast<std::size_t>(k);
-      ASSERT_EQ(runs[at].q[c], single.q[k]) << "coordinate " << k;
-      ASSERT_EQ(runs[at].v[c], single.v[k]) << "speed " << k;
-    }
-    EXPECT_EQ(runs[at].impulse_total, single.impulse);
-    EXPECT_EQ(runs[at].first_touch, single.first_touch);
-    EXPECT_EQ(runs[at].contact_steps, single.contact_steps);
-    touched += single.first_touch >= 0.0 ? 1 : 0;
+  for (const Model& model : models) {
+    singles.push_back(alone(model, step, steps));
+    touched += singles.back().first_touch >= 0.0 ? 1 : 0;
   }
   if (models[0].first().contact) {
     EXPECT_GT(touched, 0);
+  }
+  for (const auto set :
+       {InstructionSet::kBaseline, InstructionSet::kAvx2, InstructionSet::kAvx512}) {
+    if (set > best_instruction_set()) continue;
+    const std::vector<EnsembleRun> runs = Ensemble(models, step, set).run(steps);
+    ASSERT_EQ(runs.size(), models.size());
+    for (std::size_t i = 0; i < runs.size(); ++i) {
+      SCOPED_TRACE("run " + std::to_string(i) + ", set " + std::to_string(static_cast<int>(set)));
+      ASSERT_EQ(runs[i].status, singles[i].status);
+      ASSERT_EQ(runs[i].q, singles[i].q);
+      ASSERT_EQ(runs[i].v, singles[i].v);
+      EXPECT_EQ(runs[i].impulse_total, singles[i].impulse);
+      EXPECT_EQ(runs[i].first_touch, singles[i].first_touch);
+      EXPECT_EQ(runs[i].contact_steps, singles[i].contact_steps);
+    }
   }
 }
 

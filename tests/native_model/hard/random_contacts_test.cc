@@ -72,11 +72,10 @@ class RandomShafts {
   test::RandomScenes random_;
 };
 
-TEST(HardRandomContactsLong, EventSettlesEveryOne) {
-  constexpr int kScenes = 150;
+void expect_event_settles(int scenes) {
   RandomShafts shafts(17);
   int touched = 0;
-  for (int k = 0; k < kScenes; ++k) {
+  for (int k = 0; k < scenes; ++k) {
     const scene::Scene s = shafts.next();
     const Trajectory t = test::run_event(s);
     SCOPED_TRACE("scene " + std::to_string(k));
@@ -87,8 +86,12 @@ TEST(HardRandomContactsLong, EventSettlesEveryOne) {
     for (const double y : t.column("rotor_y")) ASSERT_TRUE(std::isfinite(y));
     touched += t.statistics.first_touch >= 0.0 ? 1 : 0;
   }
-  EXPECT_GT(touched, kScenes / 2) << "the scenes must reach the rings";
+  EXPECT_GT(touched, scenes / 2) << "the scenes must reach the rings";
 }
+
+TEST(HardRandomContactsLong, EventSettlesEveryOne) { expect_event_settles(30); }
+
+TEST(HardRandomContactsNightly, EventSettlesEveryOne) { expect_event_settles(600); }
 
 }  // namespace
 }  // namespace rotorub

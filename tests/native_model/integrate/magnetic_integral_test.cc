@@ -7,13 +7,14 @@
 #include <complex>
 
 #include "native_model/numerics/eigenvalues.h"
+#include "native_model/numerics/linear_solve.h"
 #include "native_model/scene/diagnostic.h"
 #include "native_model/system/model.h"
 #include "tests/support/jeffcott.h"
 #include "tests/support/native_run.h"
 #include "tests/support/order.h"
 
-#include <Eigen/LU>
+#include <Eigen/Core>
 
 namespace rotorub {
 namespace {
@@ -48,7 +49,7 @@ class LinearMotion {
         -kSpring / kHung, -kPerAmpere * kD / kHung, -kPerAmpere / kHung,  //
         kI, 0.0, 0.0;
     modes_ = real_modes(a).value();
-    share_ = modes_.vectors.partialPivLu().solve(Eigen::Vector3cd(r, rate, 0.0));
+    share_ = lu_solve(modes_.vectors, Eigen::VectorXcd(Eigen::Vector3cd(r, rate, 0.0)));
   }
   double at(double t) const {
     Complex sum = 0.0;

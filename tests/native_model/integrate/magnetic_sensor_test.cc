@@ -1,14 +1,15 @@
 // A magnetic bearing whose sensor stands elsewhere: against the matrix of its linear law.
 #include <gtest/gtest.h>
 
-#include <Eigen/Eigenvalues>
-#include <Eigen/LU>
+#include <Eigen/Core>
 #include <algorithm>
 #include <cmath>
 #include <complex>
 #include <string>
 #include <vector>
 
+#include "native_model/numerics/eigenvalues.h"
+#include "native_model/numerics/linear_solve.h"
 #include "native_model/rotor/campbell.h"
 #include "native_model/scene/reader.h"
 #include "tests/support/native_run.h"
@@ -84,8 +85,7 @@ Eigen::MatrixXd closed_loop(double integral) {
 
 TEST(MagneticSensor, ElsewhereGivesTheEigenvaluesOfItsMatrix) {
   const scene::Scene s = sensed_elsewhere({});
-  const Eigen::VectorXcd exact =
-      Eigen::EigenSolver<Eigen::MatrixXd>(closed_loop(0.0)).eigenvalues();
+  const Eigen::VectorXcd exact = real_modes(closed_loop(0.0)).value().values;
   const std::vector<std::complex<double>> found = whirl_eigenvalues(whirl_system(s), 200.0);
   ASSERT_GE(found.size(), 4u);
   for (const std::complex<double>& value : found) {
@@ -100,18 +100,18 @@ TEST(MagneticSensor, ElsewhereMovesTheRotorAsItsMatrixDoes) {
     const scene::Scene s =
         sensed_elsewhere({"magnetic_bearing.control.integral=" + std::to_string(integral)});
     const Eigen::MatrixXd a = closed_loop(integral);
-    const Eigen::EigenSolver<Eigen::MatrixXd> modes(a);
+    const EigenModes modes = real_modes(a).value();
     Eigen::VectorXd start = Eigen::VectorXd::Zero(a.rows());
     start[0] = 1e-4;
     start[1] = -2e-5;
     start[6] = 0.05;
     start[7] = 0.02;
     const Eigen::VectorXcd shares =
-        modes.eigenvectors().fullPivLu().solve(start.cast<std::complex<double>>());
+        lu_solve(modes.vectors, Eigen::VectorXcd(start.cast<std::complex<double>>()));
     const Trajectory event = run_event(s);
     const auto exact = [&](double t) {
-      const Eigen::VectorXcd decay = (modes.eigenvalues() * t).array().exp();
-      return Eigen::VectorXd((modes.eigenvectors() * shares.cwiseProduct(decay)).real());
+      const Eigen::VectorXcd decay = (modes.values * t).array().exp();
+      return Eigen::VectorXd((modes.vectors * shares.cwiseProduct(decay)).real());
     };
     const auto error = [&](const Trajectory& t) {
       double most = 0.0;

@@ -2,7 +2,7 @@
 // exact answers.
 #include <gtest/gtest.h>
 
-#include <Eigen/LU>
+#include <Eigen/Core>
 #include <algorithm>
 #include <cmath>
 #include <complex>
@@ -11,6 +11,7 @@
 #include <vector>
 
 #include "native_model/numerics/eigenvalues.h"
+#include "native_model/numerics/linear_solve.h"
 #include "native_model/scene/reader.h"
 #include "native_model/system/model.h"
 #include "tests/support/jeffcott.h"
@@ -63,7 +64,7 @@ class LinearMotion {
  public:
   LinearMotion(const Eigen::MatrixXd& a, const Eigen::VectorXd& start)
       : modes_(real_modes(a).value()),
-        share_(modes_.vectors.partialPivLu().solve(start.cast<Complex>())) {}
+        share_(lu_solve(modes_.vectors, Eigen::VectorXcd(start.cast<Complex>()))) {}
   Eigen::VectorXd at(double t) const {
     return (modes_.vectors * (modes_.values * t).array().exp().matrix().cwiseProduct(share_))
         .real();

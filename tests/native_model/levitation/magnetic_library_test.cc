@@ -225,8 +225,7 @@ TEST(MagneticLibrary, IsNotOpenedUnaskedNorByWhatShowsAScene) {
 }
 
 TEST(MagneticLibrary, RunsByItself) {
-  EXPECT_THROW(Ensemble({make_model(read(by_library()))}, 1e-5, Integrator::kVerlet),
-               std::invalid_argument);
+  EXPECT_THROW(Ensemble({make_model(read(by_library()))}, 1e-5), std::invalid_argument);
   EXPECT_FALSE(read(by_library()).fits_lanes()) << "a sweep runs it one by one";
   EXPECT_TRUE(read(kMatrices).fits_lanes());
 }

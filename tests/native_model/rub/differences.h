@@ -13,6 +13,7 @@
 
 #include "native_model/dynamics/dynamics.h"
 #include "native_model/numerics/eigenvalues.h"
+#include "native_model/numerics/linear_solve.h"
 #include "native_model/rub/rub_stability.h"
 #include "native_model/rub/steady_rub.h"
 #include "native_model/system/model.h"
@@ -121,7 +122,7 @@ inline std::vector<rub::Complex> by_differences(const Model& model, const rub::S
   jacobian.topRows(nq) *= kRate;
   gradient.leftCols(nq) /= kRate;
   gradient.rowwise().normalize();
-  const Eigen::MatrixXd along = rub::complement(gradient.transpose());
+  const Eigen::MatrixXd along = orthogonal_complement(gradient.transpose());
   return real_eigenvalues(along.transpose() * jacobian * along).value();
 }
 

@@ -148,8 +148,7 @@ TEST(VerletJump, LanesHaveTheBitsOfTheRunAlone) {
     scenes.push_back(pressed(jumping("force[0].off=AT", {kRing}, kInstant + 0.37e-5 * k)));
     models.push_back(make_model(scenes.back()));
   }
-  const std::vector<EnsembleRun> runs =
-      Ensemble(models, 1e-5, scene::Integrator::kVerlet).run(3000);
+  const std::vector<EnsembleRun> runs = Ensemble(models, 1e-5).run(3000);
   for (std::size_t k = 0; k < scenes.size(); ++k) {
     const Trajectory t = test::run_with(scenes[k], scene::Integrator::kVerlet, 1e-5);
     EXPECT_EQ(runs[k].q[0], t.column("x_1").back()) << k;

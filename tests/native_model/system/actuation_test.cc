@@ -1,5 +1,6 @@
 // The actuator between the controller's wish and the ring.
 #include "native_model/system/actuation.h"
+#include "native_model/scene/scene.h"
 
 #include <gtest/gtest.h>
 

@@ -1,12 +1,13 @@
 #include "tests/support/oracles/elastic_whip.h"
 
-#include <Eigen/LU>
+#include <Eigen/Core>
 #include <algorithm>
 #include <cmath>
 #include <limits>
 #include <stdexcept>
 
 #include "native_model/numerics/eigenvalues.h"
+#include "native_model/numerics/linear_solve.h"
 
 namespace rotorub::oracle {
 namespace {
@@ -196,7 +197,8 @@ std::vector<Complex> ElasticWhip::eigenvalues(double nu) const {
   // Forces and accelerations by size, so that the solve has numbers of one order.
   const double force = rotor.mass * nu * nu;
   unknown.col(3) *= force;
-  const Eigen::Matrix<double, 4, 5> rates = -unknown.fullPivLu().solve(known);
+  const Eigen::Matrix<double, 4, 5> rates =
+      -lu_solve(Eigen::MatrixXd(unknown), Eigen::MatrixXd(known));
   Eigen::MatrixXd jacobian = Eigen::MatrixXd::Zero(5, 5);
   jacobian(0, 2) = jacobian(1, 3) = 1.0;
   jacobian.bottomRows(3) = rates.topRows<3>();

@@ -1,0 +1,20 @@
+// [run] of a scene (scene.h).
+#pragma once
+
+#include <optional>
+#include <vector>
+
+namespace rotorub::scene {
+
+enum class Integrator { kEvent, kMidpoint, kVerlet, kEuler };
+
+struct Run {                                   // how long, how finely, and what is written
+  double end = 1.0;                            // s, > 0
+  double step = 1e-5;                          // s, > 0: fixed step of `midpoint` and of MuJoCo
+  Integrator integrator = Integrator::kEvent;  // of the native engine
+  std::optional<double> output_step;           // s, > 0; default end / 1000
+  std::vector<double> output_times;            // s, in [0, end], ascending after reading
+  double series_step() const { return output_step.value_or(end / 1000.0); }
+};
+
+}  // namespace rotorub::scene
