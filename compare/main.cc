@@ -1,21 +1,17 @@
-// The program `rotorub`: subcommands, and how errors become exit codes.
+// The program `rotorub`: its commands, and how errors become exit codes.
 
-#include <fmt/format.h>
-
-#include <CLI/CLI.hpp>
-#include <algorithm>
 #include <csignal>
 #include <cstdio>
 #include <filesystem>
 #include <iostream>
 #include <new>
-#include <sstream>
+#include <stdexcept>
 #include <string>
 #include <vector>
 
-#include "compare/base/version.h"
 #include "compare/commands/command.h"
 #include "compare/commands/command_line.h"
+#include "compare/commands/terminal.h"
 #include "compare/engine/engine.h"
 #include "compare/run_files/run_directory.h"
 #include "native_model/scene/diagnostic.h"
@@ -26,28 +22,8 @@ namespace {
 
 using namespace rotorub;
 
-// Line by line, each as a terminal can show it: a message may quote what the user wrote.
-std::string shown(const std::string& message) {
-  constexpr std::size_t kLongestLine = 1000;  // bytes
-  std::istringstream lines(message);
-  std::string text;
-  for (std::string line; std::getline(lines, line);) {
-    text += (text.empty() ? "" : "\n") + scene::printable(line, kLongestLine);
-  }
-  return text;
-}
-
 int failed(int code, const std::string& message) {
-  std::cerr << "rotorub: " << shown(message) << "\n";
-  return code;
-}
-
-// The parser's own words: help and version on standard output, mistakes on standard error.
-int parser_exit(const CLI::App& program, const CLI::ParseError& error) {
-  std::ostringstream out, err;
-  const int code = program.exit(error, out, err) == 0 ? kDone : kBadInput;
-  std::cout << out.str();
-  if (!err.str().empty()) std::cerr << shown(err.str()) << "\n";
+  std::cerr << "rotorub: " << printable_lines(message) << "\n";
   return code;
 }
 
@@ -59,20 +35,6 @@ int with_whole_output(int code) {
   if (streamed && flushed) return code;
   failed(kFailed, "standard output could not be written to its end");
   return code == kDone || code == kOutside ? kFailed : code;
-}
-
-// A variable of a script that is not set, and "-o=DIR", which would name a folder "=DIR". Empty:
-// there is none.
-std::string empty_value(const CLI::App& command) {
-  for (const CLI::Option* option : command.get_options()) {
-    for (const std::string& value : option->results()) {
-      if (value.empty() || value == "=") return option->get_name() + ": its value is empty";
-      if (value.starts_with('='))
-        return fmt::format("{0} {1}: accepted is {0} {2}", option->get_name(), value,
-                           value.substr(1));
-    }
-  }
-  return {};
 }
 
 int run(const Action& action) {
@@ -108,14 +70,9 @@ int run(const Action& action) {
   }
 }
 
-int rotorub_main(int argc, char** argv) {
-  CLI::App program(
-      "A flexible rotor rubbing in an active auxiliary bearing, in MuJoCo and in a "
-      "native rigid-contact model",
-      "rotorub");
-  set_help_format(program);  // before its commands: they take it over
-  program.set_version_flag("--version", version_line());
-  program.require_subcommand(1);
+int rotorub_main(const std::vector<std::string>& arguments) {
+  CommandLine line;
+  CLI::App& program = line.program();
   const std::vector<Command> commands{
       add_init_command(program),     add_run_command(program),   add_compare_command(program),
       add_modes_command(program),    add_mjcf_command(program),  add_fmu_command(program),
@@ -123,37 +80,20 @@ int rotorub_main(int argc, char** argv) {
       add_optimise_command(program), add_check_command(program), add_tune_command(program),
       add_identify_command(program), add_plot_command(program),  add_schema_command(program),
       add_manual_command(program)};
-  program.footer("`rotorub help COMMAND` lists the options of a command.");
-  std::vector<std::string> names;
-  for (const Command& command : commands) names.push_back(command.app->get_name());
-  std::vector<std::string> arguments = with_help({argv + 1, argv + argc});
-  if (const std::string wrong = unknown_command(arguments, names); !wrong.empty()) {
-    return failed(kBadInput, wrong);
-  }
-  std::reverse(arguments.begin(), arguments.end());  // as the parser takes them
-  try {
-    program.parse(std::move(arguments));
-  } catch (const CLI::ParseError& error) {
-    return parser_exit(program, error);
-  }
-  for (const Command& command : commands) {
-    if (!command.app->parsed()) continue;
-    if (const std::string wrong = empty_value(*command.app); !wrong.empty())
-      return failed(kBadInput, wrong);
-  }
-  catch_interrupts();
-  // A file beyond `ulimit -f` then fails to be written, which is reported.
-  std::signal(SIGXFSZ, SIG_IGN);
-  for (const Command& command : commands) {
-    if (command.app->parsed()) return run(command.action);
-  }
-  return kBadInput;
+  return run([&]() -> int {
+    const CommandLine::Request request = line.parse(commands, arguments);
+    if (!request.command) return request.code;
+    catch_interrupts();
+    // A file beyond `ulimit -f` then fails to be written, which is reported.
+    std::signal(SIGXFSZ, SIG_IGN);
+    return request.command->action();
+  });
 }
 
 }  // namespace
 
 // An interruption is reported as a shell reports the signal: 130 (SIGINT), 143 (SIGTERM).
 int main(int argc, char** argv) {
-  const int code = with_whole_output(rotorub_main(argc, argv));
+  const int code = with_whole_output(rotorub_main({argv + 1, argv + argc}));
   return code == kStopped && interrupting_signal() > 0 ? 128 + interrupting_signal() : code;
 }

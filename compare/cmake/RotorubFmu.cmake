@@ -4,6 +4,7 @@
 file(GLOB sources CONFIGURE_DEPENDS "fmu/binary/*.cc")
 add_library(rotorub_fmu MODULE ${sources})
 target_link_libraries(rotorub_fmu PRIVATE rotorub_native_model rotorub_warnings)
+rotorub_optimise(rotorub_fmu)
 set(shown "${CMAKE_CURRENT_SOURCE_DIR}/fmu/binary/exports.map")
 target_link_options(rotorub_fmu PRIVATE "LINKER:--version-script,${shown}")
 if(NOT ROTORUB_SANITIZE)

@@ -2,7 +2,6 @@
 
 #include <fmt/format.h>
 
-#include <CLI/CLI.hpp>
 #include <cstdio>
 #include <filesystem>
 #include <iostream>
@@ -14,6 +13,7 @@
 #include "compare/bench/scene_bench.h"
 #include "compare/bench/soft_contact.h"
 #include "compare/commands/command.h"
+#include "compare/commands/options.h"
 #include "compare/commands/terminal.h"
 #include "compare/report/bench_page.h"
 #include "compare/report/beside.h"
@@ -112,25 +112,25 @@ int run_bench(const BenchArguments& options) {
 
 Command add_bench_command(CLI::App& program) {
   auto options = std::make_shared<BenchArguments>();
-  CLI::App* app = program.add_subcommand(
-      "bench", "Measure speed against error: every engine over a series of steps");
-  app->add_option("SCENE", options->scenes, "Scene files (.toml)")->required();
-  add_value(*app, "--engines", options->engines, "LIST",
+  CLI::App& app = add_command(program, "bench",
+                              "Measure speed against error: every engine over a series of steps");
+  add_option(app, "SCENE", options->scenes, "Scene files (.toml)").required();
+  add_value(app, "--engines", options->engines, "LIST",
             "Engines or families (native, mujoco, peer), separated by commas (default: all)");
   add_value(
-      *app, "--steps", options->steps, "LIST",
+      app, "--steps", options->steps, "LIST",
       "Fixed steps, separated by commas, e.g. 100us,10us (default: 1-2-5 from 200 us to 1 us)");
-  add_value(*app, "--tolerances", options->tolerances, "LIST",
+  add_value(app, "--tolerances", options->tolerances, "LIST",
             "Tolerances of `event`, separated by commas (default: decades from 1e-4 to 1e-12)");
-  add_value(*app, "--repeats", options->repeats, "N", "Number of timed runs of each point")
-      ->capture_default_str();
-  add_value(*app, "-o,--output", options->folder, "DIR",
+  add_value(app, "--repeats", options->repeats, "N", "Number of timed runs of each point")
+      .shows_default();
+  add_value(app, "-o,--output", options->folder, "DIR",
             "Write bench.json and the page bench.html to this folder, with stability map and "
             "restitution table (hundreds of further runs)");
-  add_value(*app, "--end", options->end, "TIME", "End of the run, e.g. 0.5s (run.end)");
-  add_controller_option(*app, *options);
-  add_common_options(*app, *options);
-  return {app, [options] { return run_bench(*options); }};
+  add_value(app, "--end", options->end, "TIME", "End of the run, e.g. 0.5s (run.end)");
+  add_controller_option(app, *options);
+  add_common_options(app, *options);
+  return {&app, [options] { return run_bench(*options); }};
 }
 
 }  // namespace rotorub

@@ -2,7 +2,6 @@
 
 #include <fmt/format.h>
 
-#include <CLI/CLI.hpp>
 #include <algorithm>
 #include <filesystem>
 #include <iostream>
@@ -14,6 +13,7 @@
 #include "compare/check/output.h"
 #include "compare/check/scene_check.h"
 #include "compare/commands/command.h"
+#include "compare/commands/options.h"
 #include "compare/commands/terminal.h"
 #include "compare/report/beside.h"
 #include "native_model/control/library.h"
@@ -129,16 +129,17 @@ int run_check(const CheckArguments& options) {
 
 Command add_check_command(CLI::App& program) {
   auto options = std::make_shared<CheckArguments>();
-  CLI::App* app = program.add_subcommand(
-      "check", "Run scenes on every engine and check the rules in their files ([[check]])");
-  app->add_option("SCENE", options->places, "Scene files (.toml), or folders of them")
-      ->required()
-      ->type_name("SCENE|DIR");
-  add_value(*app, "-o,--output", options->folder, "DIR",
+  CLI::App& app =
+      add_command(program, "check",
+                  "Run scenes on every engine and check the rules in their files ([[check]])");
+  add_option(app, "SCENE", options->places, "Scene files (.toml), or folders of them")
+      .required()
+      .type("SCENE|DIR");
+  add_value(app, "-o,--output", options->folder, "DIR",
             "Write check.json, as --json prints it, to this folder, for `compare --with`");
-  add_allow_library_option(*app, *options);
-  add_common_options(*app, *options);
-  return {app, [options] { return run_check(*options); }};
+  add_allow_library_option(app, *options);
+  add_common_options(app, *options);
+  return {&app, [options] { return run_check(*options); }};
 }
 
 }  // namespace rotorub

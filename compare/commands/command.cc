@@ -3,7 +3,6 @@
 #include <fmt/format.h>
 #include <unistd.h>
 
-#include <CLI/CLI.hpp>
 #include <cassert>
 #include <csignal>
 #include <filesystem>
@@ -11,6 +10,7 @@
 #include <set>
 #include <stdexcept>
 
+#include "compare/commands/options.h"
 #include "native_model/control/library.h"
 #include "native_model/scene/diagnostic.h"
 #include "native_model/scene/overrides.h"
@@ -45,11 +45,9 @@ std::string refuse_source(const std::string& file) {
 void add_common_options(CLI::App& command, CommonOptions& options) {
   add_value(command, "--set", options.overrides, "TABLE.KEY=VALUE",
             "Override a value of the scene, e.g. contact.friction=0.2; may be repeated")
-      ->expected(1)
-      ->take_all()
-      ->allow_extra_args(false);
-  command.add_flag("--json", options.json, "Print the summary as JSON, and nothing else");
-  command.add_flag("--quiet,-q", options.quiet, "Print nothing but errors");
+      .repeats();
+  add_flag(command, "--json", options.json, "Print the summary as JSON, and nothing else");
+  add_flag(command, "--quiet,-q", options.quiet, "Print nothing but errors");
 }
 
 void add_run_options(CLI::App& command, CommonOptions& options) {
@@ -60,15 +58,15 @@ void add_run_options(CLI::App& command, CommonOptions& options) {
 void add_controller_option(CLI::App& command, CommonOptions& options) {
   add_value(command, "--controller", options.controller, "FILE.so",
             "Your own controller, a shared library, instead of the scene's")
-      ->check(CLI::ExistingFile)
-      ->check(refuse_source)
-      ->each([](const std::string& file) { allow_library(std::filesystem::absolute(file)); });
+      .existing_file()
+      .check(refuse_source)
+      .each([](const std::string& file) { allow_library(std::filesystem::absolute(file)); });
   add_allow_library_option(command, options);
 }
 
 void add_allow_library_option(CLI::App& command, CommonOptions& options) {
-  command.add_flag_callback(
-      "--allow-library",
+  add_flag_callback(
+      command, "--allow-library",
       [&options] {
         options.allow_library = true;
         set_scene_libraries(SceneLibraries::kAllowed);
@@ -77,12 +75,11 @@ void add_allow_library_option(CLI::App& command, CommonOptions& options) {
 }
 
 void add_format_option(CLI::App& command, std::string& format) {
-  command
-      .add_option(
-          "--format", format,
-          "Format of the series: csv, or hdf5, which adds a file run.h5 to the tables of every run")
-      ->check(CLI::IsMember({"csv", "hdf5"}))
-      ->capture_default_str();
+  add_option(
+      command, "--format", format,
+      "Format of the series: csv, or hdf5, which adds a file run.h5 to the tables of every run")
+      .one_of({"csv", "hdf5"})
+      .shows_default();
 }
 
 hdf5::ImageOf hdf5_of(const std::string& format) {

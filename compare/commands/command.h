@@ -42,12 +42,6 @@ struct CommonOptions {
   bool json = false, quiet = false;
 };
 
-// An option with a value, which help calls `type`.
-template <typename App, typename Value>
-auto* add_value(App& command, const char* option, Value& value, const char* type,
-                const std::string& words) {
-  return command.add_option(option, value, words)->type_name(type);
-}
 // --set, --json, --quiet, and --step and --end.
 void add_common_options(CLI::App& command, CommonOptions& options);
 void add_run_options(CLI::App& command, CommonOptions& options);

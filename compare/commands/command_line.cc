@@ -4,10 +4,15 @@
 
 #include <CLI/CLI.hpp>
 #include <algorithm>
+#include <iostream>
 #include <memory>
+#include <sstream>
 #include <string_view>
+#include <utility>
 
 #include "compare/base/format.h"
+#include "compare/base/version.h"
+#include "compare/commands/terminal.h"
 #include "native_model/scene/diagnostic.h"
 #include "native_model/scene/text.h"
 
@@ -51,9 +56,30 @@ std::string_view meant(std::string_view word, const std::vector<std::string_view
   return begun == commands.end() ? std::string_view() : *begun;
 }
 
-}  // namespace
+// A variable of a script that is not set, and "-o=DIR", which would name a folder "=DIR". Empty:
+// there is none.
+std::string empty_value(const CLI::App& command) {
+  for (const CLI::Option* option : command.get_options()) {
+    for (const std::string& value : option->results()) {
+      if (value.empty() || value == "=") return option->get_name() + ": its value is empty";
+      if (value.starts_with('='))
+        return fmt::format("{0} {1}: accepted is {0} {2}", option->get_name(), value,
+                           value.substr(1));
+    }
+  }
+  return {};
+}
 
-void set_help_format(CLI::App& program) { program.formatter(std::make_shared<HelpFormat>()); }
+// The parser's own words: help and version on standard output, mistakes on standard error.
+int parser_exit(const CLI::App& program, const CLI::ParseError& error) {
+  std::ostringstream out, err;
+  const int code = program.exit(error, out, err) == 0 ? kDone : kBadInput;
+  std::cout << out.str();
+  if (!err.str().empty()) std::cerr << printable_lines(err.str()) << "\n";
+  return code;
+}
+
+}  // namespace
 
 std::vector<std::string> with_help(std::vector<std::string> arguments) {
   if (arguments.empty() || arguments[0] != "help") return arguments;
@@ -74,6 +100,42 @@ std::string unknown_command(const std::vector<std::string>& arguments,
   const std::string_view near = meant(word, words);
   return fmt::format("{}: no such command{}; accepted are {}", scene::printable(word),
                      near.empty() ? "" : fmt::format(", did you mean {}?", near), all);
+}
+
+CommandLine::CommandLine()
+    : program_(std::make_unique<CLI::App>(
+          "A flexible rotor rubbing in an active auxiliary bearing, in MuJoCo and in a "
+          "native rigid-contact model",
+          "rotorub")) {
+  program_->formatter(std::make_shared<HelpFormat>());  // before its commands: they take it over
+  program_->set_version_flag("--version", version_line());
+  program_->require_subcommand(1);
+}
+
+CommandLine::~CommandLine() = default;
+
+CommandLine::Request CommandLine::parse(const std::vector<Command>& commands,
+                                        std::vector<std::string> arguments) {
+  // After its commands: they would take it over.
+  program_->footer("`rotorub help COMMAND` lists the options of a command.");
+  std::vector<std::string> names;
+  for (const Command& command : commands) names.push_back(command.app->get_name());
+  arguments = with_help(std::move(arguments));
+  if (const std::string wrong = unknown_command(arguments, names); !wrong.empty())
+    throw UsageError(wrong);
+  std::reverse(arguments.begin(), arguments.end());  // as the parser takes them
+  try {
+    program_->parse(std::move(arguments));
+  } catch (const CLI::ParseError& error) {
+    return {nullptr, parser_exit(*program_, error)};
+  }
+  for (const Command& command : commands) {
+    if (!command.app->parsed()) continue;
+    if (const std::string wrong = empty_value(*command.app); !wrong.empty())
+      throw UsageError(wrong);
+    return {&command, kDone};
+  }
+  return {};
 }
 
 }  // namespace rotorub

@@ -2,7 +2,6 @@
 
 #include <fmt/format.h>
 
-#include <CLI/CLI.hpp>
 #include <cstdio>
 #include <filesystem>
 #include <iostream>
@@ -13,6 +12,7 @@
 #include "compare/commands/command.h"
 #include "compare/commands/compare_output.h"
 #include "compare/commands/measured_options.h"
+#include "compare/commands/options.h"
 #include "compare/commands/terminal.h"
 #include "compare/commands/tune_command.h"
 #include "compare/own/own_machine.h"
@@ -243,56 +243,54 @@ int compare(const CompareArguments& options) {
 
 Command add_compare_command(CLI::App& program) {
   auto options = std::make_shared<CompareArguments>();
-  CLI::App* app = program.add_subcommand(
-      "compare", "Run scenes in MuJoCo and in the native model and say how far apart they are");
-  app->add_option("SCENE", options->scenes,
-                  "Scene files (.toml), or machines of your own (.xml): MJCF that names its rub "
-                  "(plugin/README.md)")
-      ->required();
-  app->add_option("--mode", options->mode,
-                  "How the two sides are coupled: lockstep (each closes its own loop), replay "
-                  "(native under the commands that MuJoCo used), resync (native restarts from "
-                  "MuJoCo's state at every onset of contact and predicts it)")
-      ->check(CLI::IsMember({"lockstep", "replay", "resync"}))
-      ->capture_default_str();
-  add_value(*app, "--tolerance", options->tolerance, "SHARE",
+  CLI::App& app =
+      add_command(program, "compare",
+                  "Run scenes in MuJoCo and in the native model and say how far apart they are");
+  add_option(app, "SCENE", options->scenes,
+             "Scene files (.toml), or machines of your own (.xml): MJCF that names its rub "
+             "(plugin/README.md)")
+      .required();
+  add_option(app, "--mode", options->mode,
+             "How the two sides are coupled: lockstep (each closes its own loop), replay "
+             "(native under the commands that MuJoCo used), resync (native restarts from "
+             "MuJoCo's state at every onset of contact and predicts it)")
+      .one_of({"lockstep", "replay", "resync"})
+      .shows_default();
+  add_value(app, "--tolerance", options->tolerance, "SHARE",
             "Largest difference that passes, as 1% or 0.01. Judged are averages (mean normal "
             "force, lasting contact, total impulse, friction work, whirl, spin, ring speed, "
             "control force; least gap where nothing touches) and single moments (largest impact or "
             "impulse, hard impacts, rms gap rate)")
-      ->capture_default_str();
-  app->add_option("--contact", options->contact,
-                  "Contact model whose verdict sets the exit code; all are shown (default: rigid, "
-                  "or coulomb where a contact gives)")
-      ->check(CLI::IsMember(scene::contact_words<std::vector<std::string>>()));
-  add_value(*app, "--twins", options->twins, "N",
+      .shows_default();
+  add_option(app, "--contact", options->contact,
+             "Contact model whose verdict sets the exit code; all are shown (default: rigid, "
+             "or coulomb where a contact gives)")
+      .one_of(scene::contact_words<std::vector<std::string>>());
+  add_value(app, "--twins", options->twins, "N",
             "Number of further runs that start a few units in the last place apart, native and, "
             "where these scatter, with the contact model that decides: they tell how well a "
             "difference is known")
-      ->capture_default_str();
-  app->add_flag("--modes-ladder,!--no-modes-ladder", options->modes_ladder,
-                "Estimate the error of the bending modes kept, by native runs with up to twice as "
-                "many (default: on; geometry form only)");
-  add_value(*app, "-o,--output", options->folder, "DIR", "Folder of the results")
-      ->capture_default_str();
-  add_value(*app, "--with", options->with, "DIR",
+      .shows_default();
+  add_flag(app, "--modes-ladder,!--no-modes-ladder", options->modes_ladder,
+           "Estimate the error of the bending modes kept, by native runs with up to twice as "
+           "many (default: on; geometry form only)");
+  add_value(app, "-o,--output", options->folder, "DIR", "Folder of the results").shows_default();
+  add_value(app, "--with", options->with, "DIR",
             "Also show the results in this folder in the report: what bench, check or sweep wrote "
             "with -o, or a folder of such folders; may be repeated")
-      ->expected(1)
-      ->take_all()
-      ->allow_extra_args(false);
-  add_measured_options(*app, *options, "to show beside its runs");
-  add_format_option(*app, options->format);
-  app->add_flag("--tune", options->tune,
-                "Also find the fastest setting that can be trusted for each scene (rotorub tune), "
-                "and show it beside the verdicts");
-  app->add_flag("--all-films", options->all_films,
-                "Make a film of every run (default: of MuJoCo alone beside the native run)")
-      ->excludes(app->add_flag("--no-video", options->no_video, "Make no films"));
-  add_run_options(*app, *options);
-  add_controller_option(*app, *options);
-  add_common_options(*app, *options);
-  return {app, [options] { return compare(*options); }};
+      .repeats();
+  add_measured_options(app, *options, "to show beside its runs");
+  add_format_option(app, options->format);
+  add_flag(app, "--tune", options->tune,
+           "Also find the fastest setting that can be trusted for each scene (rotorub tune), "
+           "and show it beside the verdicts");
+  add_flag(app, "--all-films", options->all_films,
+           "Make a film of every run (default: of MuJoCo alone beside the native run)")
+      .excludes(add_flag(app, "--no-video", options->no_video, "Make no films"));
+  add_run_options(app, *options);
+  add_controller_option(app, *options);
+  add_common_options(app, *options);
+  return {&app, [options] { return compare(*options); }};
 }
 
 }  // namespace rotorub

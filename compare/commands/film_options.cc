@@ -2,11 +2,11 @@
 
 #include <fmt/format.h>
 
-#include <CLI/CLI.hpp>
 #include <charconv>
 #include <filesystem>
 
 #include "compare/commands/command.h"
+#include "compare/commands/options.h"
 #include "native_model/scene/units.h"
 
 namespace rotorub {
@@ -84,7 +84,7 @@ void check_picture(const FilmArguments& arguments, FilmFormat format) {
 
 void add_film_options(CLI::App& command, FilmArguments& arguments) {
   const auto add = [&](const char* flag, std::string& value, const char* type, const char* help) {
-    command.add_option(flag, value, help)->type_name(type);
+    add_value(command, flag, value, type, help);
   };
   add("-o,--output", arguments.file, "FILE", "File: .mp4, .gif or .png (default: <scene>.mp4)");
   add("--from", arguments.from, "TIME",
@@ -102,8 +102,8 @@ void add_film_options(CLI::App& command, FilmArguments& arguments) {
       "and scale");
   add("--at", arguments.at, "TIME",
       "Time that --png shows (default: the hardest impact, or the middle)");
-  command.add_flag("--gif", arguments.gif, "Make an animated GIF");
-  command.add_flag("--png", arguments.png, "Make one picture");
+  add_flag(command, "--gif", arguments.gif, "Make an animated GIF");
+  add_flag(command, "--png", arguments.png, "Make one picture");
 }
 
 FilmRequest film_request(const FilmArguments& arguments) {

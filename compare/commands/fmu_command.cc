@@ -2,7 +2,6 @@
 
 #include <fmt/format.h>
 
-#include <CLI/CLI.hpp>
 #include <iostream>
 #include <memory>
 #include <nlohmann/json.hpp>
@@ -10,6 +9,7 @@
 #include "compare/base/json.h"
 #include "compare/base/module_file.h"
 #include "compare/commands/command.h"
+#include "compare/commands/options.h"
 #include "compare/fmu/archive.h"
 #include "compare/fmu/description.h"
 #include "compare/fmu/names.h"
@@ -74,15 +74,16 @@ int write_fmu(const FmuArguments& options) {
 
 Command add_fmu_command(CLI::App& program) {
   auto options = std::make_shared<FmuArguments>();
-  CLI::App* app = program.add_subcommand(
-      "fmu", "Write a scene as a plant for Simulink, Modelica or FMPy (FMI, co-simulation)");
-  app->add_option("SCENE", options->scene, "Scene file (.toml)")->required();
-  add_value(*app, "-o,--output", options->file, "FILE.fmu", "File (default: SCENE.fmu)");
-  app->add_option("--fmi", options->version, "Version of the interface, 3.0 or 2.0")
-      ->check(CLI::IsMember({"3.0", "2.0"}))
-      ->capture_default_str();
-  add_common_options(*app, *options);
-  return {app, [options] {
+  CLI::App& app =
+      add_command(program, "fmu",
+                  "Write a scene as a plant for Simulink, Modelica or FMPy (FMI, co-simulation)");
+  add_option(app, "SCENE", options->scene, "Scene file (.toml)").required();
+  add_value(app, "-o,--output", options->file, "FILE.fmu", "File (default: SCENE.fmu)");
+  add_option(app, "--fmi", options->version, "Version of the interface, 3.0 or 2.0")
+      .one_of({"3.0", "2.0"})
+      .shows_default();
+  add_common_options(app, *options);
+  return {&app, [options] {
             set_scene_libraries(SceneLibraries::kLeftOut);
             return write_fmu(*options);
           }};

@@ -2,7 +2,6 @@
 
 #include <fmt/format.h>
 
-#include <CLI/CLI.hpp>
 #include <cstdio>
 #include <iostream>
 #include <memory>
@@ -11,6 +10,7 @@
 #include "compare/base/json.h"
 #include "compare/commands/command.h"
 #include "compare/commands/measured_options.h"
+#include "compare/commands/options.h"
 #include "compare/commands/terminal.h"
 #include "compare/identify/identify.h"
 #include "compare/identify/output.h"
@@ -102,23 +102,21 @@ int run_identify(const IdentifyArguments& options) {
 
 Command add_identify_command(CLI::App& program) {
   auto options = std::make_shared<IdentifyArguments>();
-  CLI::App* app = program.add_subcommand(
-      "identify", "Find values of a scene from a measured run, with their confidence");
-  app->add_option("SCENE", options->scene, "Scene file (.toml)")->required();
-  add_value(*app, "--fit", options->fit, "KEY=FROM:TO",
+  CLI::App& app = add_command(program, "identify",
+                              "Find values of a scene from a measured run, with their confidence");
+  add_option(app, "SCENE", options->scene, "Scene file (.toml)").required();
+  add_value(app, "--fit", options->fit, "KEY=FROM:TO",
             "Key to fit and the range to search, as contact.friction=0.05:0.4; may be repeated")
-      ->expected(1)
-      ->take_all()
-      ->allow_extra_args(false)
-      ->required();
-  add_measured_options(*app, *options, "from which the values are found");
-  app->get_option("--measured")->required();
-  add_value(*app, "-o,--output", options->file, "FILE.toml",
+      .repeats()
+      .required();
+  add_measured_options(app, *options, "from which the values are found");
+  get_option(app, "--measured").required();
+  add_value(app, "-o,--output", options->file, "FILE.toml",
             "Write the scene with the values found to this file");
-  add_run_options(*app, *options);
-  add_controller_option(*app, *options);
-  add_common_options(*app, *options);
-  return {app, [options] { return run_identify(*options); }};
+  add_run_options(app, *options);
+  add_controller_option(app, *options);
+  add_common_options(app, *options);
+  return {&app, [options] { return run_identify(*options); }};
 }
 
 }  // namespace rotorub

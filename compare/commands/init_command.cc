@@ -2,7 +2,6 @@
 
 #include <fmt/format.h>
 
-#include <CLI/CLI.hpp>
 #include <filesystem>
 #include <iostream>
 #include <memory>
@@ -10,6 +9,7 @@
 
 #include "compare/base/json.h"
 #include "compare/commands/command.h"
+#include "compare/commands/options.h"
 #include "compare/starter/starter.h"
 #include "compare/starter/starter_laws.h"
 #include "native_model/scene/text.h"
@@ -159,23 +159,23 @@ int write_starter(const InitArguments& options) {
 
 Command add_init_command(CLI::App& program) {
   auto options = std::make_shared<InitArguments>();
-  CLI::App* app =
-      program.add_subcommand("init", "Write a commented scene to start from, which runs as it is");
-  app->add_option("NAME", options->name, "Name of the scene (default: rotor)");
+  CLI::App& app =
+      add_command(program, "init", "Write a commented scene to start from, which runs as it is");
+  add_option(app, "NAME", options->name, "Name of the scene (default: rotor)");
   std::vector<std::string> forms;
   for (const StarterFormWord& each : kStarterForms) forms.emplace_back(each.word);
-  app->add_option(
-         "--form", options->form,
-         "Kind of machine: geometry (default: shaft, disc, bearings; loses a blade), modal (the "
-         "same as one mode), rig (with torsion, motor, exciter, actuator), controller (the rig "
-         "with a controller at work, and one of your own to begin with in C, C++ and Python), "
-         "overhung (the disc beyond the bearings), vertical (hung from "
-         "above) or two-catchers (magnetic bearings that fail)")
-      ->check(CLI::IsMember(forms));
+  add_option(
+      app, "--form", options->form,
+      "Kind of machine: geometry (default: shaft, disc, bearings; loses a blade), modal (the "
+      "same as one mode), rig (with torsion, motor, exciter, actuator), controller (the rig "
+      "with a controller at work, and one of your own to begin with in C, C++ and Python), "
+      "overhung (the disc beyond the bearings), vertical (hung from "
+      "above) or two-catchers (magnetic bearings that fail)")
+      .one_of(forms);
   const Starter standard;
   const auto size = [&](const char* option, std::string& target, const char* type,
                         const char* words, const StarterValue& value) {
-    add_value(*app, option, target, type, fmt::format("{} (default: {})", words, value.text));
+    add_value(app, option, target, type, fmt::format("{} (default: {})", words, value.text));
   };
   size("--speed", options->speed, "SPEED", "Spin speed", standard.speed);
   size("--length", options->length, "LENGTH", "Length of the shaft", standard.length);
@@ -184,15 +184,15 @@ Command add_init_command(CLI::App& program) {
   size("--clearance", options->clearance, "LENGTH", "Radial clearance of the auxiliary bearing",
        standard.clearance);
   size("--friction", options->friction, "NUMBER", "Coefficient of friction", standard.friction);
-  add_value(*app, "--unbalance", options->unbalance, "MASS LENGTH",
+  add_value(app, "--unbalance", options->unbalance, "MASS LENGTH",
             "Unbalance of the piece that is lost, as \"72 g mm\" or \"0.1 oz in\" (default: what "
             "makes a free orbit of two clearances)");
-  add_value(*app, "-o,--output", options->file, "FILE.toml",
+  add_value(app, "-o,--output", options->file, "FILE.toml",
             "File, or - for standard output (default: NAME.toml)");
-  app->add_flag("--force", options->force, "Overwrite a file that exists");
-  app->add_flag("--json", options->json, "Print the name of the file as JSON, and nothing else");
-  app->add_flag("--quiet,-q", options->quiet, "Print nothing but errors");
-  return {app, [options] { return write_starter(*options); }};
+  add_flag(app, "--force", options->force, "Overwrite a file that exists");
+  add_flag(app, "--json", options->json, "Print the name of the file as JSON, and nothing else");
+  add_flag(app, "--quiet,-q", options->quiet, "Print nothing but errors");
+  return {&app, [options] { return write_starter(*options); }};
 }
 
 }  // namespace rotorub

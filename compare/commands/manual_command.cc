@@ -1,12 +1,12 @@
 // rotorub manual: the program's own manual page and completion, from the parser's description of
 // it.
 
-#include <CLI/CLI.hpp>
 #include <memory>
 #include <string>
 
-#include "compare/base/version.h"
 #include "compare/commands/command.h"
+#include "compare/commands/options.h"
+#include "compare/commands/parser_text.h"
 #include "compare/manual/program_text.h"
 #include "compare/manual/scene_schema.h"
 
@@ -17,67 +17,8 @@ struct ManualArguments {
   std::string kind = "man", file;
 };
 
-// A type as the parser has it is "TEXT:{native,mujoco}": the value's name, and what it is checked
-// for.
-void set_type(OptionText& option, const std::string& type) {
-  const std::size_t colon = type.find(':');
-  option.value = type.substr(0, colon);
-  const std::size_t open = type.find('{');
-  if (open == std::string::npos) return;
-  std::string word;
-  for (std::size_t i = open + 1; i < type.size(); ++i) {
-    if (type[i] != ',' && type[i] != '}') {
-      word += type[i];
-      continue;
-    }
-    option.words.push_back(word);
-    word.clear();
-    if (type[i] == '}') break;
-  }
-}
-
-OptionText text_of(const CLI::Option& option) {
-  OptionText text;
-  text.positional = option.get_positional();
-  if (text.positional) {
-    text.names.push_back(option.get_name(true));
-  } else {
-    for (const std::string& name : option.get_snames()) text.names.push_back("-" + name);
-    for (const std::string& name : option.get_lnames()) text.names.push_back("--" + name);
-  }
-  const bool flag = option.get_type_size() == 0;
-  if (!flag) set_type(text, option.get_type_name());
-  if (!flag) text.standard = option.get_default_str();
-  text.description = option.get_description();
-  text.required = option.get_required();
-  return text;
-}
-
-std::vector<OptionText> options_of(const CLI::App& app) {
-  std::vector<OptionText> positionals, options;
-  for (const CLI::Option* option : app.get_options()) {
-    OptionText text = text_of(*option);
-    (text.positional ? positionals : options).push_back(std::move(text));
-  }
-  positionals.insert(positionals.end(), options.begin(), options.end());
-  return positionals;
-}
-
-ProgramText text_of(const CLI::App& program) {
-  ProgramText text{program.get_name(),
-                   program.get_description(),
-                   "rotorub " + program_version(),
-                   options_of(program),
-                   {}};
-  for (const CLI::App* command : program.get_subcommands([](const CLI::App*) { return true; })) {
-    text.commands.push_back(
-        {command->get_name(), command->get_description(), options_of(*command)});
-  }
-  return text;
-}
-
 int write_manual(const CLI::App& program, const ManualArguments& options) {
-  const ProgramText words = text_of(program);
+  const ProgramText words = program_text(program);
   write_or_print(options.file, options.kind == "bash" ? bash_completion(words) : man_page(words));
   return kDone;
 }
@@ -86,11 +27,11 @@ int write_manual(const CLI::App& program, const ManualArguments& options) {
 
 Command add_schema_command(CLI::App& program) {
   auto file = std::make_shared<std::string>();
-  CLI::App* app = program.add_subcommand("schema",
-                                         "Print the tables and keys of a scene as a JSON schema, "
-                                         "with which an editor completes and checks scenes");
-  add_value(*app, "-o,--output", *file, "FILE.json", "File (default: standard output)");
-  return {app, [file] {
+  CLI::App& app = add_command(program, "schema",
+                              "Print the tables and keys of a scene as a JSON schema, "
+                              "with which an editor completes and checks scenes");
+  add_value(app, "-o,--output", *file, "FILE.json", "File (default: standard output)");
+  return {&app, [file] {
             write_or_print(*file, scene_schema());
             return kDone;
           }};
@@ -98,13 +39,13 @@ Command add_schema_command(CLI::App& program) {
 
 Command add_manual_command(CLI::App& program) {
   auto options = std::make_shared<ManualArguments>();
-  CLI::App* app =
-      program.add_subcommand("manual", "Print the manual page, or the completion for Bash");
-  app->add_option("KIND", options->kind, "man: the manual page; bash: the completion for Bash")
-      ->check(CLI::IsMember({"man", "bash"}))
-      ->capture_default_str();
-  add_value(*app, "-o,--output", options->file, "FILE", "File (default: standard output)");
-  return {app, [options, &program] { return write_manual(program, *options); }};
+  CLI::App& app =
+      add_command(program, "manual", "Print the manual page, or the completion for Bash");
+  add_option(app, "KIND", options->kind, "man: the manual page; bash: the completion for Bash")
+      .one_of({"man", "bash"})
+      .shows_default();
+  add_value(app, "-o,--output", options->file, "FILE", "File (default: standard output)");
+  return {&app, [options, &program] { return write_manual(program, *options); }};
 }
 
 }  // namespace rotorub

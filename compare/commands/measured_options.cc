@@ -2,10 +2,10 @@
 
 #include <fmt/format.h>
 
-#include <CLI/CLI.hpp>
 #include <boost/algorithm/string/trim.hpp>
 
 #include "compare/commands/command.h"
+#include "compare/commands/options.h"
 #include "compare/measured/probes.h"
 #include "compare/measured/reader.h"
 #include "native_model/scene/text.h"
@@ -91,9 +91,7 @@ void add_measured_options(CLI::App& command, MeasuredArguments& arguments, const
   add_value(command, "--measured-column", arguments.measured_columns, "NAME=COLUMN",
             "What a column is, in a file with other names, as \"CH1 X = rotor_x [mil]\"; may be "
             "repeated; columns that are not named so are left out")
-      ->expected(1)
-      ->take_all()
-      ->allow_extra_args(false);
+      .repeats();
   add_value(command, "--measured-probes", arguments.measured_probes, "ANGLE,ANGLE",
             "Directions along which the probes measure rotor_x and rotor_y, from the scene's x to "
             "its y, as 45deg,135deg (default: x and y of one frame)");

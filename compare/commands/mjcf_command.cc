@@ -2,13 +2,13 @@
 
 #include <fmt/format.h>
 
-#include <CLI/CLI.hpp>
 #include <iostream>
 #include <memory>
 #include <nlohmann/json.hpp>
 
 #include "compare/base/json.h"
 #include "compare/commands/command.h"
+#include "compare/commands/options.h"
 #include "mjcf/writer.h"
 #include "native_model/control/library.h"
 #include "native_model/scene/reader.h"
@@ -50,13 +50,13 @@ int write_mjcf(const MjcfArguments& options) {
 
 Command add_mjcf_command(CLI::App& program) {
   auto options = std::make_shared<MjcfArguments>();
-  CLI::App* app = program.add_subcommand("mjcf", "Write a scene as MuJoCo's XML");
-  app->add_option("SCENE", options->scene, "Scene file (.toml)")->required();
-  add_value(*app, "-o,--output", options->file, "FILE", "File (default: standard output)");
-  add_value(*app, "--mujoco", options->mujoco, "VERSION",
+  CLI::App& app = add_command(program, "mjcf", "Write a scene as MuJoCo's XML");
+  add_option(app, "SCENE", options->scene, "Scene file (.toml)").required();
+  add_value(app, "-o,--output", options->file, "FILE", "File (default: standard output)");
+  add_value(app, "--mujoco", options->mujoco, "VERSION",
             "Version of MuJoCo that is to read it (default: " + to_string(built_for()) + ")");
-  add_common_options(*app, *options);
-  return {app, [options] {
+  add_common_options(app, *options);
+  return {&app, [options] {
             set_scene_libraries(SceneLibraries::kLeftOut);
             return write_mjcf(*options);
           }};

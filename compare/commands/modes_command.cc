@@ -3,7 +3,6 @@
 
 #include <fmt/format.h>
 
-#include <CLI/CLI.hpp>
 #include <charconv>
 #include <cmath>
 #include <filesystem>
@@ -14,6 +13,7 @@
 
 #include "compare/base/json.h"
 #include "compare/commands/command.h"
+#include "compare/commands/options.h"
 #include "compare/commands/terminal.h"
 #include "compare/modes/rotor_analysis.h"
 #include "compare/modes/rub_key_map.h"
@@ -262,52 +262,50 @@ int modes(const ModesArguments& options) {
 
 Command add_modes_command(CLI::App& program) {
   auto options = std::make_shared<ModesArguments>();
-  CLI::App* app = program.add_subcommand(
-      "modes", "Find whirl frequencies, critical speeds, mode shapes and lasting rubs");
-  app->add_option("SCENE", options->scene, "Scene file (.toml)")->required();
-  add_value(*app, "--speed", options->speeds, "SPEED",
+  CLI::App& app = add_command(
+      program, "modes", "Find whirl frequencies, critical speeds, mode shapes and lasting rubs");
+  add_option(app, "SCENE", options->scene, "Scene file (.toml)").required();
+  add_value(app, "--speed", options->speeds, "SPEED",
             "Spin speed, e.g. \"4000 rpm\"; may be repeated (default: rotor.speed)")
-      ->expected(1)
-      ->take_all()
-      ->allow_extra_args(false);
-  CLI::Option* page = add_value(
-      *app, "-o,--output", options->output, "DIR|FILE.html",
+      .repeats();
+  const Option page = add_value(
+      app, "-o,--output", options->output, "DIR|FILE.html",
       "Write a page with Campbell diagram and mode shapes, or the page of a map: to a file that "
       "ends in .html, or into a folder as modes.html, rub_map.html or feedback_map.html");
-  add_value(*app, "--up-to", options->up_to, "SPEED",
+  add_value(app, "--up-to", options->up_to, "SPEED",
             "Highest spin speed of the Campbell diagram (default: chosen to show what matters)")
-      ->needs(page);
-  CLI::Option* map =
-      app->add_flag("--rub-map", options->rub_map,
-                    "Map which lasting rubs are stable, over spin speed and friction or any two "
-                    "keys. The frequency of each load keeps its ratio to the spin speed");
+      .needs(page);
+  const Option map =
+      add_flag(app, "--rub-map", options->rub_map,
+               "Map which lasting rubs are stable, over spin speed and friction or any two "
+               "keys. The frequency of each load keeps its ratio to the spin speed");
   add_value(
-      *app, "--speeds", options->map_speeds, "FROM:TO:COUNT",
+      app, "--speeds", options->map_speeds, "FROM:TO:COUNT",
       "Spin speeds of the map, e.g. 10Hz:100Hz:40 (default: 60 from 0.2 to 2 times rotor.speed)");
-  CLI::Option* feedback = app->add_flag("--feedback-map", options->feedback_map,
-                                        "Find which cross-coupled feedback of the ring makes the "
-                                        "forced rub stable: a rule for k(Omega)");
-  add_value(*app, "--feedbacks", options->map_feedbacks, "FROM:TO:COUNT",
+  const Option feedback = add_flag(app, "--feedback-map", options->feedback_map,
+                                   "Find which cross-coupled feedback of the ring makes the "
+                                   "forced rub stable: a rule for k(Omega)");
+  add_value(app, "--feedbacks", options->map_feedbacks, "FROM:TO:COUNT",
             "Values of k of that map, e.g. 0:4000:81, N s/m")
-      ->needs(feedback);
-  app->add_flag("--state-space", options->state_space,
-                "Print the plant of a controller as JSON: A, B and C of rotor and ring without "
-                "contact, from the force on the ring to their positions")
-      ->excludes(feedback)
-      ->excludes(map);
-  feedback->excludes(map);
-  add_value(*app, "--frictions", options->map_frictions, "FROM:TO:COUNT",
+      .needs(feedback);
+  add_flag(app, "--state-space", options->state_space,
+           "Print the plant of a controller as JSON: A, B and C of rotor and ring without "
+           "contact, from the force on the ring to their positions")
+      .excludes(feedback)
+      .excludes(map);
+  feedback.excludes(map);
+  add_value(app, "--frictions", options->map_frictions, "FROM:TO:COUNT",
             "Coefficients of friction of the map (default: 0.025:0.5:20)")
-      ->needs(map);
-  add_value(*app, "--across", options->across, "KEY=FROM:TO:COUNT",
+      .needs(map);
+  add_value(app, "--across", options->across, "KEY=FROM:TO:COUNT",
             "Key on the horizontal axis of the rub map instead of the spin speed, e.g. "
             "contact.clearance=0.2mm:1mm:40")
-      ->needs(map);
-  add_value(*app, "--up", options->up, "KEY=FROM:TO:COUNT",
+      .needs(map);
+  add_value(app, "--up", options->up, "KEY=FROM:TO:COUNT",
             "Key on its vertical axis instead of the friction, e.g. stator.stiffness=1e4:1e6:20")
-      ->needs(map);
-  add_common_options(*app, *options);
-  return {app, [options] {
+      .needs(map);
+  add_common_options(app, *options);
+  return {&app, [options] {
             set_scene_libraries(SceneLibraries::kLeftOut);
             if (!options->output.empty()) check_output(page_file(*options), Output::kFile);
             return modes(*options);

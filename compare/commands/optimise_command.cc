@@ -2,7 +2,6 @@
 
 #include <fmt/format.h>
 
-#include <CLI/CLI.hpp>
 #include <filesystem>
 #include <iostream>
 #include <memory>
@@ -12,6 +11,7 @@
 #include "compare/base/format.h"
 #include "compare/base/json.h"
 #include "compare/commands/command.h"
+#include "compare/commands/options.h"
 #include "compare/commands/terminal.h"
 #include "compare/optimise/goal.h"
 #include "compare/optimise/optimiser.h"
@@ -94,15 +94,15 @@ int run_optimise(const OptimiseArguments& options) {
 
 Command add_optimise_command(CLI::App& program) {
   auto options = std::make_shared<OptimiseArguments>();
-  CLI::App* app = program.add_subcommand(
-      "optimise", "Find the gains or the design for which a figure is best, within constraints");
-  app->add_option("STUDY", options->study, "Study file (.toml) with a table [optimise]")
-      ->required();
-  add_value(*app, "-o,--output", options->folder, "DIR",
+  CLI::App& app =
+      add_command(program, "optimise",
+                  "Find the gains or the design for which a figure is best, within constraints");
+  add_option(app, "STUDY", options->study, "Study file (.toml) with a table [optimise]").required();
+  add_value(app, "-o,--output", options->folder, "DIR",
             "Folder of the results (default: runs/<study>)");
-  add_controller_option(*app, *options);
-  add_common_options(*app, *options);
-  return {app, [options] { return run_optimise(*options); }};
+  add_controller_option(app, *options);
+  add_common_options(app, *options);
+  return {&app, [options] { return run_optimise(*options); }};
 }
 
 }  // namespace rotorub

@@ -2,7 +2,6 @@
 
 #include <fmt/format.h>
 
-#include <CLI/CLI.hpp>
 #include <filesystem>
 #include <iostream>
 #include <memory>
@@ -10,6 +9,7 @@
 
 #include "compare/base/json.h"
 #include "compare/commands/command.h"
+#include "compare/commands/options.h"
 #include "compare/report/page.h"
 #include "compare/run_files/run_directory.h"
 #include "native_model/control/library.h"
@@ -63,12 +63,12 @@ int plot(const PlotArguments& options) {
 
 Command add_plot_command(CLI::App& program) {
   auto options = std::make_shared<PlotArguments>();
-  CLI::App* app = program.add_subcommand("plot", "Write the page of a run: its plots and a player");
-  app->add_option("RUN_DIR", options->folder, "Folder of a run, as `rotorub run -o DIR` wrote it")
-      ->required();
-  add_value(*app, "-o,--output", options->file, "FILE.html", "File (default: RUN_DIR/plot.html)");
-  add_common_options(*app, *options);
-  return {app, [options] {
+  CLI::App& app = add_command(program, "plot", "Write the page of a run: its plots and a player");
+  add_option(app, "RUN_DIR", options->folder, "Folder of a run, as `rotorub run -o DIR` wrote it")
+      .required();
+  add_value(app, "-o,--output", options->file, "FILE.html", "File (default: RUN_DIR/plot.html)");
+  add_common_options(app, *options);
+  return {&app, [options] {
             set_scene_libraries(SceneLibraries::kLeftOut);
             return plot(*options);
           }};

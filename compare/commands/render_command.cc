@@ -2,7 +2,6 @@
 
 #include <fmt/format.h>
 
-#include <CLI/CLI.hpp>
 #include <filesystem>
 #include <iostream>
 #include <memory>
@@ -12,6 +11,7 @@
 #include "compare/base/json.h"
 #include "compare/commands/command.h"
 #include "compare/commands/film_options.h"
+#include "compare/commands/options.h"
 #include "compare/commands/terminal.h"
 #include "compare/engine/engine.h"
 #include "compare/run_files/run_directory.h"
@@ -175,14 +175,15 @@ int render_film(const RenderArguments& options) {
 
 Command add_render_command(CLI::App& program) {
   auto options = std::make_shared<RenderArguments>();
-  CLI::App* app = program.add_subcommand(
-      "render", "Make a film or a picture of a scene (native engine), or of a run's folder");
-  app->add_option("SCENE|RUN_DIR", options->source, "Scene file (.toml), or folder of a run")
-      ->required();
-  add_film_options(*app, options->film);
-  add_run_options(*app, *options);
-  add_common_options(*app, *options);
-  return {app, [options] {
+  CLI::App& app =
+      add_command(program, "render",
+                  "Make a film or a picture of a scene (native engine), or of a run's folder");
+  add_option(app, "SCENE|RUN_DIR", options->source, "Scene file (.toml), or folder of a run")
+      .required();
+  add_film_options(app, options->film);
+  add_run_options(app, *options);
+  add_common_options(app, *options);
+  return {&app, [options] {
             set_scene_libraries(SceneLibraries::kLeftOut);
             return render_film(*options);
           }};

@@ -2,7 +2,6 @@
 
 #include <fmt/format.h>
 
-#include <CLI/CLI.hpp>
 #include <cmath>
 #include <cstdio>
 #include <filesystem>
@@ -16,6 +15,7 @@
 #include "compare/base/json.h"
 #include "compare/commands/command.h"
 #include "compare/commands/measured_options.h"
+#include "compare/commands/options.h"
 #include "compare/commands/terminal.h"
 #include "compare/engine/engine.h"
 #include "compare/measured/measured_run.h"
@@ -191,37 +191,37 @@ int run(const RunArguments& options) {
 
 Command add_run_command(CLI::App& program) {
   auto options = std::make_shared<RunArguments>();
-  CLI::App* app =
-      program.add_subcommand("run", "Run a scene; write its time series, impacts and summary");
+  CLI::App& app =
+      add_command(program, "run", "Run a scene; write its time series, impacts and summary");
   const auto today = [](const std::string& word) {
     const std::string current(scene::current_word(word));
     if (current != word)
       fmt::print(stderr, "note: {}\n", scene::old_word_note("--integrator", word));
     return current;
   };
-  app->add_option("SCENE", options->scene, "Scene file (.toml)")->required();
-  app->add_option("--engine", options->engine, "Engine that runs the scene: native or mujoco")
-      ->check(CLI::IsMember({"native", "mujoco"}))
-      ->capture_default_str();
-  app->add_option(
-         "--integrator", options->integrator,
-         "Integrator of the native engine: event, verlet, midpoint or euler (default: the scene's)")
-      ->transform(today)
-      ->check(CLI::IsMember({"event", "verlet", "midpoint", "euler"}));
-  app->add_option("--contact", options->contact,
-                  "How MuJoCo solves the contact (default: the scene's)")
-      ->check(CLI::IsMember(scene::contact_words<std::vector<std::string>>()));
-  add_run_options(*app, *options);
-  add_value(*app, "-o,--output", options->folder, "DIR",
+  add_option(app, "SCENE", options->scene, "Scene file (.toml)").required();
+  add_option(app, "--engine", options->engine, "Engine that runs the scene: native or mujoco")
+      .one_of({"native", "mujoco"})
+      .shows_default();
+  add_option(
+      app, "--integrator", options->integrator,
+      "Integrator of the native engine: event, verlet, midpoint or euler (default: the scene's)")
+      .transform(today)
+      .one_of({"event", "verlet", "midpoint", "euler"});
+  add_option(app, "--contact", options->contact,
+             "How MuJoCo solves the contact (default: the scene's)")
+      .one_of(scene::contact_words<std::vector<std::string>>());
+  add_run_options(app, *options);
+  add_value(app, "-o,--output", options->folder, "DIR",
             "Folder of the results (default: runs/<scene>-<engine>)");
-  add_measured_options(*app, *options, "to show beside this one");
-  add_format_option(*app, options->format);
-  app->add_flag("--lyapunov", options->lyapunov,
-                "Also find the largest Lyapunov exponent of the motion at the end of the native "
-                "run (above 0: chaos), over 100 further turns of the shaft");
-  add_controller_option(*app, *options);
-  add_common_options(*app, *options);
-  return {app, [options] { return run(*options); }};
+  add_measured_options(app, *options, "to show beside this one");
+  add_format_option(app, options->format);
+  add_flag(app, "--lyapunov", options->lyapunov,
+           "Also find the largest Lyapunov exponent of the motion at the end of the native "
+           "run (above 0: chaos), over 100 further turns of the shaft");
+  add_controller_option(app, *options);
+  add_common_options(app, *options);
+  return {&app, [options] { return run(*options); }};
 }
 
 }  // namespace rotorub

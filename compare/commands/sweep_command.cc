@@ -2,9 +2,7 @@
 
 #include <fmt/format.h>
 
-#include <CLI/CLI.hpp>
 #include <algorithm>
-#include <chrono>
 #include <filesystem>
 #include <iostream>
 #include <memory>
@@ -13,8 +11,9 @@
 
 #include "compare/base/json.h"
 #include "compare/commands/command.h"
+#include "compare/commands/options.h"
 #include "compare/commands/sweep_output.h"
-#include "compare/commands/terminal.h"
+#include "compare/commands/sweep_progress.h"
 #include "compare/sweep/bifurcation.h"
 #include "compare/sweep/sweep_run.h"
 #include "native_model/trajectory/output.h"
@@ -49,33 +48,18 @@ void print_json(const Sweep& sweep, sweep::Store& store, const sweep::Shard& sha
                           {"folder", sweep.folder.string()}});
 }
 
-std::string duration_text(double seconds) {
-  if (seconds < 120.0) return fmt::format("{:.0f} s", seconds);
-  if (seconds < 7200.0) return fmt::format("{:.0f} min", seconds / 60.0);
-  return fmt::format("{:.1f} h", seconds / 3600.0);
-}
-
 int run_points(const SweepArguments& options, const Sweep& sweep) {
   const sweep::Shard shard =
       options.shard.empty() ? sweep::Shard{} : sweep::parse_shard(options.shard);
   sweep::Store store = sweep.store(shard);
-  ProgressBar bar(options.quiet);
+  SweepProgressReport report(options.quiet, shard, sweep.jobs);
   sweep::SweepOptions run;
   run.jobs = sweep.jobs;
   run.shard = shard;
   run.interrupt = &interrupted();
-  const auto start = std::chrono::steady_clock::now();
-  run.progress = [&](std::int64_t stored, std::int64_t of, std::int64_t now) {
-    const double passed =
-        std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
-    const double each = now > 0 ? passed / static_cast<double>(now) : 0.0;
-    const std::string left =
-        now > 0 ? duration_text(each * static_cast<double>(of - stored)) + " left" : "";
-    bar.show(of > 0 ? static_cast<double>(stored) / static_cast<double>(of) : 1.0,
-             fmt::format("{} of {} points  {}", stored, of, left));
-  };
+  run.progress = [&](const sweep::SweepProgress& progress) { report.show(progress); };
   const bool complete = sweep::run_sweep(*sweep.scenes, store, run);
-  bar.clear();
+  report.clear();
   if (!complete) {
     if (options.json) print_json(sweep, store, shard, false);
     say(options, fmt::format("{} points are stored in {}; run it again to go on", store.count(),
@@ -226,32 +210,30 @@ int sweep_study(const SweepArguments& options) {
 
 Command add_sweep_command(CLI::App& program) {
   auto options = std::make_shared<SweepArguments>();
-  CLI::App* app = program.add_subcommand(
-      "sweep",
+  CLI::App& app = add_command(
+      program, "sweep",
       "Run a scene over a grid, a list or random points of its values; resume where it stopped");
-  app->add_option("STUDY", options->study, "Study file (.toml)")->required();
-  add_value(*app, "-o,--output", options->folder, "DIR",
+  add_option(app, "STUDY", options->study, "Study file (.toml)").required();
+  add_value(app, "-o,--output", options->folder, "DIR",
             "Folder of the results (default: runs/<study>)");
-  app->add_option("--jobs", options->jobs, "Number of threads (default: one for each processor)")
-      ->check(CLI::Range(1, 4096));
-  add_value(*app, "--shard", options->shard, "i/n", "Run only part i of n, into a file of its own");
-  app->add_flag("--slurm", options->slurm, "Write and submit an array job, each task a shard");
-  app->add_option("--tasks", options->tasks, "Number of tasks of the array job (default: 16)")
-      ->check(CLI::Range(1, sweep::kMostShards));
-  add_value(*app, "--merge", options->merge, "DIR...", "Join the shards in these folders");
-  add_value(*app, "--point", options->points, "N",
+  add_option(app, "--jobs", options->jobs, "Number of threads (default: one for each processor)")
+      .between(1, 4096);
+  add_value(app, "--shard", options->shard, "i/n", "Run only part i of n, into a file of its own");
+  add_flag(app, "--slurm", options->slurm, "Write and submit an array job, each task a shard");
+  add_option(app, "--tasks", options->tasks, "Number of tasks of the array job (default: 16)")
+      .between(1, sweep::kMostShards);
+  add_value(app, "--merge", options->merge, "DIR...", "Join the shards in these folders");
+  add_value(app, "--point", options->points, "N",
             "Run only this point, as `rotorub run`, and keep it in DIR/point-N with its page; may "
             "be repeated")
-      ->expected(1)
-      ->take_all()
-      ->allow_extra_args(false)
-      ->check(CLI::Range(std::int64_t{0}, sweep::kMostPoints));
-  app->add_flag("--bifurcation", options->bifurcation,
-                "Also draw a bifurcation diagram over the one key, up and down: each value starts "
-                "where the one before it ended; with periods and Lyapunov exponents");
-  add_controller_option(*app, *options);
-  add_common_options(*app, *options);
-  return {app, [options] { return sweep_study(*options); }};
+      .repeats()
+      .between(0, sweep::kMostPoints);
+  add_flag(app, "--bifurcation", options->bifurcation,
+           "Also draw a bifurcation diagram over the one key, up and down: each value starts "
+           "where the one before it ended; with periods and Lyapunov exponents");
+  add_controller_option(app, *options);
+  add_common_options(app, *options);
+  return {&app, [options] { return sweep_study(*options); }};
 }
 
 }  // namespace rotorub

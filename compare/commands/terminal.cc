@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <cstdio>
 #include <cstdlib>
+#include <sstream>
 #include <string_view>
 
 #include "compare/base/format.h"
@@ -38,6 +39,16 @@ int columns_of(std::FILE* stream) {
 
 Palette palette_of(std::FILE* stream) {
   return Palette(is_terminal(stream) && variable("NO_COLOR").empty() && variable("TERM") != "dumb");
+}
+
+std::string printable_lines(const std::string& message) {
+  constexpr std::size_t kLongestLine = 1000;  // bytes
+  std::istringstream lines(message);
+  std::string text;
+  for (std::string line; std::getline(lines, line);) {
+    text += (text.empty() ? "" : "\n") + scene::printable(line, kLongestLine);
+  }
+  return text;
 }
 
 std::string progress_bar(double share, double seconds, const std::string& what, int columns) {

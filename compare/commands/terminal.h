@@ -12,6 +12,10 @@ namespace rotorub {
 // Colours on a terminal that has them, unless NO_COLOR is set to something (no-color.org).
 Palette palette_of(std::FILE* stream);
 
+// The message line by line, each as a terminal can show it: a message may quote what the user
+// wrote.
+std::string printable_lines(const std::string& message);
+
 // How far a long piece of work is, on standard error: a bar from two seconds on, on a terminal
 // only.
 class ProgressBar {

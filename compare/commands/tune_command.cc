@@ -2,7 +2,6 @@
 
 #include <fmt/format.h>
 
-#include <CLI/CLI.hpp>
 #include <algorithm>
 #include <cstdio>
 #include <functional>
@@ -14,6 +13,7 @@
 #include "compare/base/json.h"
 #include "compare/bench/engines.h"
 #include "compare/commands/command.h"
+#include "compare/commands/options.h"
 #include "compare/commands/terminal.h"
 #include "compare/commands/tune_command.h"
 #include "compare/study/scene_comparison.h"
@@ -116,24 +116,24 @@ std::string setting_sentence(const tune::TuneResult& result) {
 
 Command add_tune_command(CLI::App& program) {
   auto options = std::make_shared<TuneArguments>();
-  CLI::App* app = program.add_subcommand(
-      "tune", "Find the fastest setting of MuJoCo whose contact forces can be trusted");
-  app->add_option("SCENE", options->scene, "Scene file (.toml)")->required();
-  add_value(*app, "--tolerance", options->tolerance, "SHARE",
+  CLI::App& app = add_command(
+      program, "tune", "Find the fastest setting of MuJoCo whose contact forces can be trusted");
+  add_option(app, "SCENE", options->scene, "Scene file (.toml)").required();
+  add_value(app, "--tolerance", options->tolerance, "SHARE",
             "Largest difference of a judged figure that passes, as 1% or 0.01")
-      ->capture_default_str();
-  add_value(*app, "--steps", options->steps, "LIST",
+      .shows_default();
+  add_value(app, "--steps", options->steps, "LIST",
             "Steps to try, e.g. 100us,10us (default: 1-2-5 from 1 ms to 1 us, and the scene's)");
-  add_value(*app, "--twins", options->twins, "N",
+  add_value(app, "--twins", options->twins, "N",
             "Number of native runs that start a few units in the last place apart; their scatter "
             "tells what can be decided")
-      ->capture_default_str();
-  add_value(*app, "-o,--output", options->file, "FILE.toml",
+      .shows_default();
+  add_value(app, "-o,--output", options->file, "FILE.toml",
             "Write the scene with that setting to this file");
-  add_value(*app, "--end", options->end, "TIME", "End of the run, e.g. 0.5s (run.end)");
-  add_controller_option(*app, *options);
-  add_common_options(*app, *options);
-  return {app, [options] { return run_tune(*options); }};
+  add_value(app, "--end", options->end, "TIME", "End of the run, e.g. 0.5s (run.end)");
+  add_controller_option(app, *options);
+  add_common_options(app, *options);
+  return {&app, [options] { return run_tune(*options); }};
 }
 
 }  // namespace rotorub

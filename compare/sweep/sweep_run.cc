@@ -1,8 +1,10 @@
 #include "compare/sweep/sweep_run.h"
 
 #include <algorithm>
+#include <array>
 #include <chrono>
 #include <condition_variable>
+#include <deque>
 #include <exception>
 #include <functional>
 #include <iterator>
@@ -21,34 +23,63 @@ using namespace std::chrono_literals;
 constexpr auto kStoreEvery = 100ms;         // a transaction waits for the disk
 constexpr std::size_t kMostWaiting = 4096;  // results that wait for the store
 
-using Results = std::vector<PointResult>;
+// Where the first batches lie: any first few of these places, sixteenths, are spread evenly.
+constexpr std::int64_t kPlaces = 16;
+constexpr std::array<std::int64_t, kPlaces> kFirst{8, 4, 12, 2, 10, 6, 14, 1,
+                                                   9, 5, 13, 3, 11, 7, 15, 0};
 
-// The batches of the shard, handed out in order.
+using Points = std::vector<std::int64_t>;
+
+// Results of points, and the time that their threads took for them.
+struct Results {
+  std::vector<PointResult> points;
+  double busy = 0.0;  // s, summed over the threads
+};
+
+using Clock = std::chrono::steady_clock;
+
+double seconds_since(Clock::time_point start) {
+  return std::chrono::duration<double>(Clock::now() - start).count();
+}
+
+// The batches of the shard: first some that are spread over it, then the others in order.
 class Work {
  public:
   Work(const Batches& batches, const Shard& shard, std::vector<bool> done)
-      : batches_(batches), shard_(shard), done_(std::move(done)), next_(shard.number - 1) {}
+      : batches_(batches), shard_(shard), done_(std::move(done)), next_(shard.number - 1) {
+    const std::int64_t own = (batches.count() - shard.number + shard.count) / shard.count;
+    for (const std::int64_t place : kFirst) {
+      if (own > 0) take(next_ + own * place / kPlaces * shard.count);
+    }
+  }
 
   // The points of the next batch that are still to do; nothing: no batch is left.
-  std::optional<std::vector<std::int64_t>> next() {
+  std::optional<Points> next() {
     const std::lock_guard<std::mutex> lock(mutex_);
-    for (; next_ < batches_.count(); next_ += shard_.count) {
-      std::vector<std::int64_t> points;
-      for (std::int64_t p = batches_.begin(next_); p < batches_.end(next_); ++p) {
-        if (!done_[static_cast<std::size_t>(p)]) points.push_back(p);
-      }
-      if (points.empty()) continue;
-      next_ += shard_.count;
-      return points;
-    }
-    return std::nullopt;
+    for (; first_.empty() && next_ < batches_.count(); next_ += shard_.count) take(next_);
+    if (first_.empty()) return std::nullopt;
+    Points points = std::move(first_.front());
+    first_.pop_front();
+    return points;
   }
 
  private:
+  // Puts what is to do of a batch at the end of `first_`.
+  void take(std::int64_t batch) {
+    Points points;
+    for (std::int64_t p = batches_.begin(batch); p < batches_.end(batch); ++p) {
+      if (done_[static_cast<std::size_t>(p)]) continue;
+      done_[static_cast<std::size_t>(p)] = true;
+      points.push_back(p);
+    }
+    if (!points.empty()) first_.push_back(std::move(points));
+  }
+
   std::mutex mutex_;
   Batches batches_;
   Shard shard_;
-  std::vector<bool> done_;
+  std::vector<bool> done_;  // stored, or handed out
+  std::deque<Points> first_;
   std::int64_t next_;
 };
 
@@ -72,7 +103,7 @@ class Workers {
   Results take(std::chrono::milliseconds patience, bool& ended) {
     std::unique_lock<std::mutex> lock(mutex_);
     news_.wait_for(lock, patience,
-                   [&] { return running_ == 0 || waiting_.size() >= kMostWaiting; });
+                   [&] { return running_ == 0 || waiting_.points.size() >= kMostWaiting; });
     ended = running_ == 0;
     room_.notify_all();
     return std::exchange(waiting_, {});
@@ -102,8 +133,9 @@ class Workers {
   }
   void put(Results results) {
     std::unique_lock<std::mutex> lock(mutex_);
-    room_.wait(lock, [&] { return waiting_.size() < kMostWaiting || stop_; });
-    std::move(results.begin(), results.end(), std::back_inserter(waiting_));
+    room_.wait(lock, [&] { return waiting_.points.size() < kMostWaiting || stop_; });
+    std::move(results.points.begin(), results.points.end(), std::back_inserter(waiting_.points));
+    waiting_.busy += results.busy;
     news_.notify_one();
   }
 
@@ -117,6 +149,16 @@ class Workers {
   std::vector<std::jthread> threads_;  // the last member: joined before the others go
 };
 
+// s, as the points took so far on average. Threads share whole batches.
+std::optional<double> time_left(const SweepProgress& at, double busy, std::int64_t batch,
+                                int jobs) {
+  const std::int64_t left = at.of - at.stored, batches = (left + batch - 1) / batch;
+  if (left == 0) return 0.0;
+  if (at.now == 0) return std::nullopt;
+  const auto threads = static_cast<double>(std::min<std::int64_t>(jobs, batches));
+  return busy / static_cast<double>(at.now) * static_cast<double>(left) / threads;
+}
+
 }  // namespace
 
 Batches batches_of(const PointScenes& scenes) {
@@ -126,8 +168,9 @@ Batches batches_of(const PointScenes& scenes) {
 bool run_sweep(const PointScenes& scenes, Store& store, const SweepOptions& options) {
   const Batches batches = batches_of(scenes);
   std::vector<bool> done = store.done();
-  const std::int64_t of = batches.points_of(options.shard);
-  std::int64_t stored = std::count(done.begin(), done.end(), true), now = 0;
+  SweepProgress at;
+  at.of = batches.points_of(options.shard);
+  at.stored = std::count(done.begin(), done.end(), true);
   Work work(batches, options.shard, std::move(done));
   std::atomic<bool> stop{false};
   std::optional<MujocoInPlace> mujoco;
@@ -139,19 +182,25 @@ bool run_sweep(const PointScenes& scenes, Store& store, const SweepOptions& opti
       [&]() -> std::optional<Results> {
         const auto points = work.next();
         if (!points) return std::nullopt;
-        return run_batch(scenes.study(), *points, scene_at, stop);
+        const auto start = Clock::now();
+        auto results = run_batch(scenes.study(), *points, scene_at, stop);
+        return Results{std::move(results), seconds_since(start)};
       },
       stop);
+  double busy = 0.0;
   for (bool ended = false; !ended;) {
     if (options.interrupt && *options.interrupt) stop = true;
     const Results results = workers.take(kStoreEvery, ended);
-    if (!results.empty()) store.add(results, scenes.sample());
-    stored += static_cast<std::int64_t>(results.size());
-    now += static_cast<std::int64_t>(results.size());
-    if (options.progress) options.progress(stored, of, now);
+    if (!results.points.empty()) store.add(results.points, scenes.sample());
+    const auto count = static_cast<std::int64_t>(results.points.size());
+    at.stored += count;
+    at.now += count;
+    busy += results.busy;
+    at.left = time_left(at, busy, batches.size, options.jobs);
+    if (options.progress) options.progress(at);
   }
   workers.rethrow();
-  return stored == of;
+  return at.stored == at.of;
 }
 
 }  // namespace rotorub::sweep

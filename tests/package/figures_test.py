@@ -137,7 +137,7 @@ class Figures(InAFolder):
     # ------------------------------------------------------------ the map over speed and friction, coarse
     def test_the_speed_map(self):
         study = (SCENES / "studies" / "speed_friction.toml").read_text()
-        coarse = study.replace("count = 61", "count = 13").replace("count = 31", "count = 7")
+        coarse = study.replace("count = 25", "count = 13").replace("count = 31", "count = 7")
         self.assertNotEqual(coarse, study)
         coarse = coarse.replace('"../paper_passive.toml"', f'"{SCENES / "paper_passive.toml"}"')
         (self.folder / "study.toml").write_text(coarse)

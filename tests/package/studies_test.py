@@ -3,6 +3,8 @@
 import csv
 import json
 import math
+import re
+import tomllib
 
 import scipy.integrate
 import scipy.stats
@@ -12,7 +14,42 @@ from product import SOURCE, InAFolder
 STUDIES = SOURCE / "mjcf" / "studies"
 
 
+# Points of each sweep, and the most evaluations of each search, whose CPU time was measured: see the head of the study.
+SIZES = {"design_sobol": 512, "drop": 115, "high_friction": 75, "lead_time": 61, "measured_points": 8, "noise_seeds": 160,
+         "optimise_levitation": 25, "optimise_ring": 120, "robustness_cross_coupled": 200, "robustness_passive": 200,
+         "robustness_sliding": 200, "robustness_two_phase": 200, "speed_bifurcation": 91, "speed_friction": 775, "tolerances": 1000}
+LONGEST = 60  # CPU seconds, as told in the head
+
+
+def size_of(study):
+    """How many points a sweep of the study runs, or an optimisation at most."""
+    if "optimise" in study:
+        return study["optimise"]["evaluations"]
+    sample = study["sample"]
+    if sample["kind"] == "list":
+        lines = (STUDIES / sample["file"]).read_text().splitlines()
+        return sum(bool(line) and line[0] != "#" for line in lines) - 1  # without the header
+    if sample["kind"] != "grid":
+        return sample["runs"]
+    return math.prod(len(vary["values"]) if "values" in vary else vary.get("count") or vary["to"] - vary["from"] + 1
+                     for vary in study["vary"])
+
+
 class Studies(InAFolder):
+    def test_each_study_tells_its_size_and_its_time(self):
+        """Whoever enlarges a study has to measure it anew: its size stands here and, with its time, in its head."""
+        files = sorted(STUDIES.glob("*.toml"))
+        self.assertEqual([file.stem for file in files], sorted(SIZES))
+        for file in files:
+            text = file.read_text()
+            size = size_of(tomllib.loads(text))
+            self.assertEqual(size, SIZES[file.stem], file.stem)
+            head = " ".join(line.removeprefix("# ") for line in text.split("\n\n")[0].splitlines())
+            told = re.search(r"(\d+) (?:points|evaluations)(?: and their diagram)? take (?:about|less than) (\d+) CPU seconds?\b", head)
+            self.assertTrue(told, f"{file.name}: the head tells no time")
+            self.assertEqual(int(told[1]), size, file.stem)
+            self.assertLess(int(told[2]), LONGEST, file.stem)
+
     def table(self, file):
         with open(self.folder / file) as lines:
             return list(csv.DictReader(lines))
@@ -89,7 +126,7 @@ class Studies(InAFolder):
         self.assertAlmostEqual(other["best"]["figure"], best["figure"], delta=1e-4 * best["figure"])
 
     def test_optimise_levitation(self):
-        found, rows = self.optimise("optimise_levitation", ("evaluations = 40", "evaluations = 8"))
+        found, rows = self.optimise("optimise_levitation", ("evaluations = 25", "evaluations = 8"))
         best = found["best"]
         self.assertLessEqual(best["constraints"][0]["value"], 3.0 * (1.0 + 1e-6))
         modes = json.loads(self.rotorub("modes", f"{self.folder}/optimise_levitation/best.toml", "--json"))

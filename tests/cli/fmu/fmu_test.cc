@@ -4,7 +4,7 @@
 #include <cmath>
 #include <sstream>
 
-#include "tests/cli/importer.h"
+#include "tests/cli/fmu/importer.h"
 #include "tests/cli/program.h"
 
 namespace rotorub::test {

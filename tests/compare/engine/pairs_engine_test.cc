@@ -47,12 +47,10 @@ double least_order(const Pair& pair) {
   return kRigidOrder;
 }
 
-class LongPairsEngine : public ::testing::TestWithParam<std::string> {};
-
-TEST_P(LongPairsEngine, RigidIsOfSecondOrder) {
+void expect_second_order(const std::vector<Pair>& pairs) {
   std::string table;
   bool short_of_order = false;
-  for (const Pair& pair : pairs_from(GetParam())) {
+  for (const Pair& pair : pairs) {
     const scene::Scene scene = pair.scene();
     const auto has = [&pair](const std::string& name) {
       return std::any_of(pair.parts.begin(), pair.parts.end(),
@@ -78,6 +76,18 @@ TEST_P(LongPairsEngine, RigidIsOfSecondOrder) {
   EXPECT_FALSE(short_of_order) << "least order " << kRigidOrder << '\n' << table;
 }
 
+class LongPairsEngine : public ::testing::TestWithParam<std::string> {};
+TEST_P(LongPairsEngine, RigidIsOfSecondOrder) {
+  expect_second_order(pairs_from(GetParam(), Pairs::kEveryFourth));
+}
+
+class NightlyPairsEngine : public ::testing::TestWithParam<std::string> {};
+TEST_P(NightlyPairsEngine, RigidIsOfSecondOrder) {
+  expect_second_order(pairs_from(GetParam(), Pairs::kAll));
+}
+
+INSTANTIATE_TEST_SUITE_P(From, NightlyPairsEngine, ::testing::ValuesIn(part_names()),
+                         [](const auto& part) { return part.param; });
 INSTANTIATE_TEST_SUITE_P(From, LongPairsEngine, ::testing::ValuesIn(part_names()),
                          [](const auto& part) { return part.param; });
 

@@ -109,7 +109,7 @@ TEST(Identify, WithoutNoiseFindsTheValuesThemselves) {
 
 // Over records of different noise the error that is stated is the one that is made: its squares
 // follow chi^2, of which 99.9 % lie between the bounds; and 95 % intervals hold the truth.
-TEST(IdentifyLong, StatesTheErrorsThatNoiseMakes) {
+TEST(IdentifyNightly, StatesTheErrorsThatNoiseMakes) {
   constexpr int kSeeds = 20;
   std::vector<double> square(4, 0.0);
   int inside = 0;

@@ -1,0 +1,69 @@
+// The commands and options of the program, as its parser takes them. Only options.cc,
+// command_line.cc and parser_text.cc include the parser, CLI11: it takes more than ten seconds to
+// compile.
+#pragma once
+
+#include <cstdint>
+#include <functional>
+#include <string>
+#include <vector>
+
+namespace CLI {
+class App;
+class Option;
+}  // namespace CLI
+
+namespace rotorub {
+
+// An option that has been added to a command. Each function says more about it and returns it, so
+// that the calls can be chained.
+class Option {
+ public:
+  explicit Option(CLI::Option& option) : option_(&option) {}
+
+  Option required() const;
+  Option type(const std::string& name) const;  // what the help calls its value, "TIME"
+  Option shows_default() const;                // the help shows the value that it has now
+  Option repeats() const;  // may be given several times, with one value each time
+
+  Option needs(const Option& other) const;
+  Option excludes(const Option& other) const;
+
+  // What is accepted. Checks run in the order in which they were added.
+  Option one_of(const std::vector<std::string>& words) const;
+  Option between(std::int64_t least, std::int64_t most) const;  // both ends are accepted
+  Option existing_file() const;
+  // The check returns what is wrong with the text, or an empty string.
+  Option check(const std::function<std::string(const std::string&)>& what_is_wrong) const;
+
+  // The text that is checked and stored in place of the text that was given.
+  Option transform(const std::function<std::string(const std::string&)>& replacement) const;
+  // Called with each value that has passed the checks added before.
+  Option each(const std::function<void(const std::string&)>& action) const;
+
+ private:
+  CLI::Option* option_;
+};
+
+CLI::App& add_command(CLI::App& program, const char* name, const std::string& words);
+
+// `names`: "-o,--output", or "SCENE" for a positional. `value` is what the option has where it is
+// not given; it must live until the command has run. Value is a std::string, an int, or a
+// std::vector of std::string or std::int64_t.
+template <typename Value>
+Option add_option(CLI::App& command, const char* names, Value& value, const std::string& words);
+// The same, where the help calls the value `type`.
+template <typename Value>
+Option add_value(CLI::App& command, const char* names, Value& value, const char* type,
+                 const std::string& words) {
+  return add_option(command, names, value, words).type(type);
+}
+// An option without a value; "!--no-NAME" sets false.
+Option add_flag(CLI::App& command, const char* names, bool& value, const std::string& words);
+Option add_flag_callback(CLI::App& command, const char* names, const std::function<void()>& action,
+                         const std::string& words);
+
+// One that was added before, "--measured".
+Option get_option(CLI::App& command, const char* name);
+
+}  // namespace rotorub

@@ -1,0 +1,74 @@
+#include "compare/commands/parser_text.h"
+
+#include <CLI/CLI.hpp>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "compare/base/version.h"
+
+namespace rotorub {
+namespace {
+
+// A type as the parser has it is "TEXT:{native,mujoco}": the value's name, and what it is checked
+// for.
+void set_type(OptionText& option, const std::string& type) {
+  const std::size_t colon = type.find(':');
+  option.value = type.substr(0, colon);
+  const std::size_t open = type.find('{');
+  if (open == std::string::npos) return;
+  std::string word;
+  for (std::size_t i = open + 1; i < type.size(); ++i) {
+    if (type[i] != ',' && type[i] != '}') {
+      word += type[i];
+      continue;
+    }
+    option.words.push_back(word);
+    word.clear();
+    if (type[i] == '}') break;
+  }
+}
+
+OptionText text_of(const CLI::Option& option) {
+  OptionText text;
+  text.positional = option.get_positional();
+  if (text.positional) {
+    text.names.push_back(option.get_name(true));
+  } else {
+    for (const std::string& name : option.get_snames()) text.names.push_back("-" + name);
+    for (const std::string& name : option.get_lnames()) text.names.push_back("--" + name);
+  }
+  const bool flag = option.get_type_size() == 0;
+  if (!flag) set_type(text, option.get_type_name());
+  if (!flag) text.standard = option.get_default_str();
+  text.description = option.get_description();
+  text.required = option.get_required();
+  return text;
+}
+
+std::vector<OptionText> options_of(const CLI::App& app) {
+  std::vector<OptionText> positionals, options;
+  for (const CLI::Option* option : app.get_options()) {
+    OptionText text = text_of(*option);
+    (text.positional ? positionals : options).push_back(std::move(text));
+  }
+  positionals.insert(positionals.end(), options.begin(), options.end());
+  return positionals;
+}
+
+}  // namespace
+
+ProgramText program_text(const CLI::App& program) {
+  ProgramText text{program.get_name(),
+                   program.get_description(),
+                   "rotorub " + program_version(),
+                   options_of(program),
+                   {}};
+  for (const CLI::App* command : program.get_subcommands([](const CLI::App*) { return true; })) {
+    text.commands.push_back(
+        {command->get_name(), command->get_description(), options_of(*command)});
+  }
+  return text;
+}
+
+}  // namespace rotorub
