@@ -83,6 +83,9 @@ endfunction()
 # rotorub_link_optimised_first(<program> <library>...): the linker keeps the first copy that it meets of an inline function
 # or a template; these libraries come before everything else, so that a program has their copies, compiled with -O3.
 function(rotorub_link_optimised_first program)
+  if(ROTORUB_SANITIZE)
+    return()
+  endif()
   foreach(library IN LISTS ARGN)
     target_link_options(${program} PRIVATE "LINKER:--whole-archive,$<TARGET_FILE:${library}>,--no-whole-archive")
   endforeach()

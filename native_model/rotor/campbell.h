@@ -16,7 +16,6 @@
 
 #include "native_model/rotor/whirl_system.h"
 
-
 namespace rotorub {
 
 // s of the mode x + i y ~ e^{s t} (forward: Im s > 0, backward: Im s < 0), and q' of it: isotropic

@@ -6,6 +6,7 @@
 
 namespace rotorub::scene {
 
+// The law of the motor's torque.
 enum class DriveKind { kFree, kLinear, kKloss, kTable, kSpeedControlled };
 
 struct Drive {  // what turns the shaft: its torque over speed and time

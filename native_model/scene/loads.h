@@ -10,6 +10,7 @@
 
 namespace rotorub::scene {
 
+// How a force varies in time; its formulas are at Force.
 enum class ForceKind { kRotating, kConstant, kSynchronous, kChirp, kPulse, kUnbalance };
 
 // Acts for on <= t < off, rising linearly from 0 over [on, on + ramp]. amplitude (cos a, sin a):

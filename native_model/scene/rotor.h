@@ -15,7 +15,7 @@ struct ModalRotor;  // rotor/modal_rotor.h
 
 namespace rotorub::scene {
 
-struct ShaftSection {
+struct ShaftSection {           // a cylinder or a cone of the shaft
   double from = 0.0;            // m, axial range [from, to] of the section
   double to = 0.0;              // m
   double diameter = 0.0;        // m, > 0, outer

@@ -6,6 +6,7 @@
 
 namespace rotorub::scene {
 
+// Of the native engine.
 enum class Integrator { kEvent, kMidpoint, kVerlet, kEuler };
 
 struct Run {                                   // how long, how finely, and what is written

@@ -38,6 +38,7 @@ struct Initial {
   std::vector<double> torsion, torsion_speed;  // rad, rad/s
 };
 
+// Everything that a scene states.
 struct Scene {
   std::string name;  // file name without folder and ending
   std::string text;  // TOML with overrides applied; what the MJCF carries and the hash is of

@@ -12,6 +12,10 @@ set(ROTORUB_TEST_DEFINITIONS
     # To stand before ROTORUB_PLUGIN in LD_PRELOAD; empty without sanitizers.
     ROTORUB_SANITIZER_RUNTIME="${ROTORUB_SANITIZER_RUNTIME}")
 
+# What tests compile runs for seconds: neither optimised nor with debug information, which takes half the time to compile
+# and to link. What they call is the product's.
+set(ROTORUB_TEST_OPTIONS $<$<CONFIG:Release>:-O0;-g0;-U_FORTIFY_SOURCE>)
+
 # rotorub_test_support(): fixtures, comparisons and tolerances that several areas share (tests/support).
 function(rotorub_test_support)
   file(GLOB sources CONFIGURE_DEPENDS "support/*.cc" "support/oracles/*.cc")
@@ -24,15 +28,16 @@ function(rotorub_test_support)
   target_compile_definitions(rotorub_test_support PRIVATE ${ROTORUB_TEST_DEFINITIONS})
   # Linked into programs alone, and compiled as they are, so that they can have its precompiled header.
   set_target_properties(rotorub_test_support PROPERTIES POSITION_INDEPENDENT_CODE OFF)
-  target_compile_options(rotorub_test_support PRIVATE -fPIE)
+  target_compile_options(rotorub_test_support PRIVATE -fPIE ${ROTORUB_TEST_OPTIONS})
   target_precompile_headers(rotorub_test_support PRIVATE ${ROTORUB_PRECOMPILED} <filesystem>
                             <gtest/gtest.h>)
 endfunction()
 
-# rotorub_tests(<area> [LINK <target>...] [START <target>...]): the test programs of tests/<area>, linked with
-# the targets of LINK. `ninja tests_<area>` builds them, and what they start or preload (START).
+# rotorub_tests(<area> [LINK <target>...] [ALONE <folder>...] [START <target>...]): the test programs of tests/<area>,
+# linked with the targets of LINK; those of the folders of ALONE only with the library rotorub_<area>_<folder>, so that a
+# build with sanitizers needs no more. `ninja tests_<area>` builds them, and what they start or preload (START).
 function(rotorub_tests area)
-  cmake_parse_arguments(ARG "" "" "LINK;START" ${ARGN})
+  cmake_parse_arguments(ARG "" "" "LINK;ALONE;START" ${ARGN})
   file(
     GLOB_RECURSE sources CONFIGURE_DEPENDS
     RELATIVE "${CMAKE_CURRENT_SOURCE_DIR}"
@@ -51,9 +56,15 @@ function(rotorub_tests area)
     list(FILTER units INCLUDE REGEX "^${folder}/[^/]+$")
     string(REPLACE "/" "_" name "test_${folder}")
     add_executable(${name} ${units})
-    target_link_libraries(${name} PRIVATE ${ARG_LINK} rotorub_test_support GTest::gtest_main
-                                          rotorub_warnings)
+    set(linked ${ARG_LINK})
+    cmake_path(GET folder FILENAME last)
+    if(last IN_LIST ARG_ALONE)
+      set(linked rotorub_${area}_${last})
+    endif()
+    target_link_libraries(${name} PRIVATE ${linked} rotorub_test_support GTest::gtest_main rotorub_warnings)
     target_compile_definitions(${name} PRIVATE ${ROTORUB_TEST_DEFINITIONS})
+    target_compile_options(${name} PRIVATE ${ROTORUB_TEST_OPTIONS})
+    rotorub_link_optimised_first(${name} rotorub_native_model)
     target_precompile_headers(${name} REUSE_FROM rotorub_test_support)
     rotorub_unity(${name})
     add_dependencies(tests_${area} ${name})

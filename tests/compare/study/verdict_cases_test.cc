@@ -85,7 +85,7 @@ TEST(VerdictCases, AShadowThatStoppedIsNotShown) {
 // Chaos: runs on both sides tell what one of them could not.
 TEST(VerdictCasesLong, TwinsOnBothSidesTellTheDifference) {
   const SceneComparison c =
-      compare_scene(shipped("paper_passive", {"run.step=2e-5", "run.end=0.3"}), quick(6));
+      compare_scene(shipped("paper_passive", {"run.step=2e-5", "run.end=0.5"}), quick(6));
   EXPECT_EQ(c.decider_twins, 6);
   double widest = 0.0;
   for (const FigureDifference& f : c.differences[0].figures) {
