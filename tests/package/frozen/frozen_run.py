@@ -20,6 +20,10 @@ LEFT_OUT = re.compile(r"wall_s|us_per_step|real_time_factor|program|version|mujo
 COUNT = re.compile(r"(.*\.)?(impacts|forward_passes|backward_passes)|hard_impacts|impact_rows|events\..*")
 RESIDUAL = re.compile(r"energy_residual|residuals\.(?!force_scale).*")
 LENGTH = re.compile(r"(.*\.)?(max_penetration|rms_penetration|whirl_penetration|least_gap|near_miss|contact_depth)")
+# Another impact, or another row, may decide them in a chaotic run.
+EXTREME = re.compile(r"(.*\.)?(peak_impulse|peak_force|impact_impulse|window_impulse|contact_peak|contact_depth|max_penetration|least_gap|"
+                     r"whirl_penetration|fastest_whirl)")
+SHARE = re.compile(r"settled\.contact_share|above_modes\..*_share")
 # Columns of the last row that are the state, and the forces of the contact.
 STATE = re.compile(r"(contact\d_)?(rotor_v?[xy]|stator_v?[xy]|ring_(angle|speed)|housing_v?[xy]|normal_force|friction_force|mode|"
                    r"control_.*|current_\d)|spin_(angle|speed)|v?[xy]_\d+|torsion(_speed)?_\d+|(bearing\d_)?bearing_current_[xy]|bearing\d_current_[xy]")

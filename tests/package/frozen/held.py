@@ -12,6 +12,9 @@ REGULAR = 1e-4  # of the scale: a value that is held this closely is held tightl
 CHAOTIC = 0.02  # of the scale: a final state that scatters by more is not held
 BOUND = 3.0  # a residual may grow by this factor
 ROUND_OFF = 1e-10  # and by this much
+CHAOTIC_BOUND, CHAOTIC_ROUND_OFF = 10.0, 1e-6  # the same in a chaotic run
+EXTREME = 0.5  # of its value: the least that the largest or least value of a chaotic run may be off
+SHARE = 0.02  # the least that a share of a chaotic run's rows may be off
 ZERO = 1e-12  # what this does not exceed counts as zero
 
 
@@ -117,10 +120,16 @@ def held_count(samples, regular):
     return Held("near", held.value, max(2.0 + 0.5 * (max(samples) - min(samples)), held.width))
 
 
-def held_bound(samples):
+def held_bound(samples, regular):
     if any(not isinstance(x, (int, float)) or not math.isfinite(x) for x in samples):
         return held_word(samples)
-    return Held("below", BOUND * max(samples) + ROUND_OFF)
+    factor, floor = (BOUND, ROUND_OFF) if regular else (CHAOTIC_BOUND, CHAOTIC_ROUND_OFF)
+    return Held("below", factor * max(samples) + floor)
+
+
+def at_least(held, width):
+    """With at least this width."""
+    return Held("near", held.value, max(held.width, width)) if held.kind == "near" else held
 
 
 def held_word(samples):
