@@ -64,7 +64,7 @@ class Frozen(unittest.TestCase):
             faults += [f"{case[0]} {case[1]} {line}" for line in wrong]
         self.assertEqual(faults, [], f"{len(faults)} deviations:\n" + "\n".join(faults))
 
-    @unittest.skipUnless(EVERYTHING, "takes three minutes of CPU time")
+    @unittest.skipUnless(EVERYTHING, "takes four minutes of CPU time")
     def test_the_verdicts_of_the_main_job(self):
         faults = verdicts.faults(BINARY, SOURCE / "mjcf", TABLES / "verdicts.csv")
         self.assertEqual(faults, [], f"{len(faults)} deviations:\n" + "\n".join(faults))
