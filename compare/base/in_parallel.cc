@@ -8,7 +8,7 @@
 
 namespace rotorub {
 
-void in_parallel(std::size_t count, const std::atomic<bool>* interrupt,
+void in_parallel(std::size_t count, Jobs jobs, const std::atomic<bool>* interrupt,
                  const std::function<void(double)>& progress,
                  const std::function<void(std::size_t)>& work) {
   std::atomic<std::size_t> next{0};
@@ -35,7 +35,9 @@ void in_parallel(std::size_t count, const std::atomic<bool>* interrupt,
       next = count;
     }
   };
-  const std::size_t threads = std::clamp<std::size_t>(std::thread::hardware_concurrency(), 1, 16);
+  const std::size_t threads =
+      jobs > 0 ? static_cast<std::size_t>(jobs)
+               : std::clamp<std::size_t>(std::thread::hardware_concurrency(), 1, 16);
   std::vector<std::thread> others;
   for (std::size_t k = 1; k < std::min(threads, count); ++k) others.emplace_back(take);
   take();

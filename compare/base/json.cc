@@ -1,7 +1,11 @@
 #include "compare/base/json.h"
 
 #include <cmath>
-#include <nlohmann/json.hpp>
+
+#include "compare/base/json_library.h"
+
+template class nlohmann::basic_json<>;
+template class nlohmann::basic_json<nlohmann::ordered_map>;
 
 namespace rotorub {
 

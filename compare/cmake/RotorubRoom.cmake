@@ -24,7 +24,8 @@ function(rotorub_room room)
     PUBLIC rotorub_native_model nlohmann_json::nlohmann_json ${used} ${ARG_LINK}
     PRIVATE fmt::fmt)
   if(room STREQUAL "base")
-    target_precompile_headers(${name} PRIVATE ${ROTORUB_PRECOMPILED} <filesystem> <fmt/format.h> <nlohmann/json.hpp>)
+    target_precompile_headers(${name} PRIVATE ${ROTORUB_PRECOMPILED} <filesystem> <fmt/format.h>
+                               "${PROJECT_SOURCE_DIR}/compare/base/json_library.h")
   else()
     target_precompile_headers(${name} REUSE_FROM rotorub_compare_base)
   endif()

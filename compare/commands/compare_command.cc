@@ -31,7 +31,7 @@ namespace {
 struct CompareArguments : CommonOptions, MeasuredArguments {
   std::vector<std::string> scenes, with;
   std::string mode = "lockstep", tolerance = "1%", contact, folder = "runs/compare", format = "csv";
-  int twins = kDefaultTwins;
+  int twins = kDefaultTwins, jobs = 0;
   bool no_video = false, all_films = false, modes_ladder = true, tune = false;
 };
 
@@ -183,6 +183,7 @@ std::vector<SceneComparison> compare_all(const CompareArguments& options, double
                   : scene.gives()          ? scene::ContactModel::kCoulomb
                                            : kDefaultContact;
     how.twins = options.twins;
+    how.jobs = options.jobs;
     how.modes_ladder = options.modes_ladder;
     how.measured = measured.record;
     how.alignment = measured.alignment;
@@ -267,13 +268,16 @@ Command add_compare_command(CLI::App& program) {
              "or coulomb where a contact gives)")
       .one_of(scene::contact_words<std::vector<std::string>>());
   add_value(app, "--twins", options->twins, "N",
-            "Number of further runs that start a few units in the last place apart, native and, "
-            "where these scatter, with the contact model that decides: they tell how well a "
-            "difference is known")
+            "Most further runs that start a few units in the last place apart, native and, where "
+            "these scatter, with the contact model that decides: they tell how well a difference "
+            "is known, and end as soon as that is well enough for the verdict")
       .shows_default();
   add_flag(app, "--modes-ladder,!--no-modes-ladder", options->modes_ladder,
            "Estimate the error of the bending modes kept, by native runs with up to twice as "
            "many (default: on; geometry form only)");
+  add_option(app, "--jobs", options->jobs,
+             "Number of threads (default: one for each processor); no result depends on it")
+      .between(1, 4096);
   add_value(app, "-o,--output", options->folder, "DIR", "Folder of the results").shows_default();
   add_value(app, "--with", options->with, "DIR",
             "Also show the results in this folder in the report: what bench, check or sweep wrote "

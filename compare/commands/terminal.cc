@@ -19,6 +19,7 @@ namespace {
 using namespace std::chrono_literals;
 constexpr auto kPatience = 2s;  // shorter work shows nothing
 constexpr auto kRefresh = 100ms;
+constexpr auto kLineEvery = 5s;
 constexpr int kWidth = 28;
 
 std::string_view variable(const char* name) {
@@ -64,18 +65,32 @@ std::string progress_bar(double share, double seconds, const std::string& what, 
 }
 
 ProgressBar::ProgressBar(bool quiet)
-    : enabled_(!quiet && is_terminal(stderr)), start_(Clock::now()), last_(start_) {}
+    : on_terminal_(!quiet && is_terminal(stderr)),
+      lines_(!quiet && !on_terminal_ && variable("ROTORUB_PROGRESS") == "lines"),
+      start_(Clock::now()),
+      last_(start_) {}
 
 ProgressBar::~ProgressBar() { clear(); }
 
 void ProgressBar::show(double share, const std::string& what) {
-  if (!enabled_) return;
+  if (lines_) show_line(share, what);
+  if (!on_terminal_) return;
   const auto now = Clock::now();
   if (now - last_ < kRefresh || now - start_ < kPatience) return;
   last_ = now;
   const double passed = std::chrono::duration<double>(now - start_).count();
   fmt::print(stderr, "\r\033[K{}", progress_bar(share, passed, what, columns_of(stderr)));
   drawn_ = true;
+  std::fflush(stderr);
+}
+
+void ProgressBar::show_line(double share, const std::string& what) {
+  const auto now = Clock::now();
+  if (wrote_line_ && now - last_ < kLineEvery) return;
+  wrote_line_ = true;
+  last_ = now;
+  fmt::print(stderr, "{:3.0f} %  {}\n", 100.0 * std::clamp(share, 0.0, 1.0),
+             scene::printable(what, kTerminalWidth));
   std::fflush(stderr);
 }
 

@@ -16,8 +16,9 @@ Palette palette_of(std::FILE* stream);
 // wrote.
 std::string printable_lines(const std::string& message);
 
-// How far a long piece of work is, on standard error: a bar from two seconds on, on a terminal
-// only.
+// How far a long piece of work is, on standard error: on a terminal a bar, from two seconds on;
+// elsewhere nothing, or with ROTORUB_PROGRESS=lines in the environment a line at once and every
+// five seconds.
 class ProgressBar {
  public:
   explicit ProgressBar(bool quiet);
@@ -32,7 +33,10 @@ class ProgressBar {
 
  private:
   using Clock = std::chrono::steady_clock;
-  bool enabled_;
+  void show_line(double share, const std::string& what);
+
+  bool on_terminal_, lines_;
+  bool wrote_line_ = false;
   bool drawn_ = false;
   Clock::time_point start_, last_;
 };

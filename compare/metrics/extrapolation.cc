@@ -2,6 +2,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
+#include <utility>
 
 namespace rotorub {
 
@@ -38,6 +40,16 @@ Extrapolation extrapolate(const std::array<double, 3>& values) {
   e.valid = true;
   e.limit = values[2] + second / (std::exp2(e.order) - 1.0);
   e.uncertainty = std::abs(e.limit - values[2]);
+  return e;
+}
+
+Extrapolation limit_of_two(double whole, double half, std::string reason) {
+  Extrapolation e;
+  e.values = {whole, half, std::numeric_limits<double>::quiet_NaN()};
+  e.limit = half;
+  e.uncertainty = std::abs(half - whole);
+  e.valid = reason.empty();
+  e.reason = std::move(reason);
   return e;
 }
 

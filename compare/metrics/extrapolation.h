@@ -1,4 +1,5 @@
-// The value that a figure tends to as the step goes to 0, from runs at dt, dt/2 and dt/4.
+// The value that a figure tends to as the step goes to 0, from runs at dt, dt/2 and, where that
+// tells more, dt/4.
 #pragma once
 
 #include <array>
@@ -9,7 +10,7 @@ namespace rotorub {
 // Richardson extrapolation with the order taken from the data: with d1 = q(dt/2) - q(dt) and
 // d2 = q(dt/4) - q(dt/2), order p = log2(d1/d2) and limit = q(dt/4) + d2 / (2^p - 1).
 struct Extrapolation {
-  std::array<double, 3> values{};  // at dt, dt/2, dt/4
+  std::array<double, 3> values{};  // at dt, dt/2, dt/4; the last is NaN where it was not run
   bool valid = false;              // monotone, order in [0.5, 4]; or no difference at all
   double limit = 0.0;              // where not valid: the value at dt/4, for what it is worth
   double order = 0.0;              // p; 0 where there is none
@@ -23,6 +24,11 @@ inline constexpr double kLowestOrder = 0.5, kHighestOrder = 4.0;
 inline constexpr double kRoundOff = 1e-12;
 
 Extrapolation extrapolate(const std::array<double, 3>& values);
+
+// From runs at dt and dt/2 alone. The limit is the value at dt/2, uncertain by the change between
+// the two: as much as is left for a figure of first order. reason: why that is no limit; empty: it
+// is.
+Extrapolation limit_of_two(double whole, double half, std::string reason);
 
 // A difference in two: what the contact model does, and what the step does,
 //

@@ -116,14 +116,15 @@ ModelError model_error(const scene::Scene& scene, const ModelErrorParameters& pa
   std::vector<Metrics> found(rungs);
   std::vector<std::string> failures(rungs);
   // The dearest first.
-  in_parallel(rungs, parameters.interrupt, parameters.progress, [&](std::size_t k) {
-    const std::size_t rung = rungs - 1 - k;
-    try {
-      found[rung] = run_with(scene, error.modes[rung], parameters);
-    } catch (const std::exception& failure) {
-      failures[rung] = failure.what();
-    }
-  });
+  in_parallel(rungs, parameters.jobs, parameters.interrupt, parameters.progress,
+              [&](std::size_t k) {
+                const std::size_t rung = rungs - 1 - k;
+                try {
+                  found[rung] = run_with(scene, error.modes[rung], parameters);
+                } catch (const std::exception& failure) {
+                  failures[rung] = failure.what();
+                }
+              });
   if (parameters.interrupt && parameters.interrupt->load()) error.reason = "interrupted";
   for (std::size_t k = 0; k < rungs && error.reason.empty(); ++k) {
     if (failures[k].empty()) continue;

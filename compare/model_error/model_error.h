@@ -10,6 +10,7 @@
 #include <string>
 #include <vector>
 
+#include "compare/base/in_parallel.h"
 #include "compare/figures/figure.h"
 #include "native_model/scene/scene.h"
 
@@ -51,9 +52,10 @@ FigureLimit figure_limit(const Figure& figure, const std::vector<int>& modes,
 std::vector<int> mode_ladder(int modes);
 
 struct ModelErrorParameters {
-  double tolerance = 0.01;               // share: on the judged figures
-  std::vector<double> spread;            // of twins, as figures(); empty: 0
-  double step = 0.0;                     // s, that forces are averaged over; 0: the scene's
+  double tolerance = 0.01;     // share: on the judged figures
+  std::vector<double> spread;  // of twins, as figures(); empty: 0
+  double step = 0.0;           // s, that forces are averaged over; 0: the scene's
+  Jobs jobs = 0;
   std::function<void(double)> progress;  // share done; may be empty
   const std::atomic<bool>* interrupt = nullptr;
 };
@@ -64,7 +66,7 @@ struct ModelError {
   std::string reason;                // why nothing is known; empty: it is
 };
 
-// The rungs run on all processors; the result does not depend on how many there are.
+// The rungs run on several processors; the result does not depend on how many there are.
 ModelError model_error(const scene::Scene& scene, const ModelErrorParameters& parameters);
 
 // "modes kept: 12, 16, 20, 24" and a line a figure, for the terminal; `lead` before each line.

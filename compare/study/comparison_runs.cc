@@ -88,10 +88,25 @@ std::function<void(double)> Runner::part(double work, const std::string& what) {
 
 Trajectory Runner::run(const Engine& engine, RunRequest request, double work,
                        const std::string& what) {
+  return run(scene_, engine, std::move(request), work, what);
+}
+
+Trajectory Runner::timed(const Contestant& who, double end,
+                         std::shared_ptr<const CommandRecord> commands) {
+  scene::Scene shorter = scene_;
+  shorter.run.end = end;
+  RunRequest request;
+  request.output_times = std::vector<double>{end};
+  request.commands = std::move(commands);
+  return run(shorter, *who.engine, std::move(request), who.work, "timing " + who.label);
+}
+
+Trajectory Runner::run(const scene::Scene& scene, const Engine& engine, RunRequest request,
+                       double work, const std::string& what) {
   request.interrupt = options_.interrupt;
   request.progress = part(work, what);
   if (request.progress) request.progress(0.0);
-  Trajectory trajectory = engine.run(scene_, request);
+  Trajectory trajectory = engine.run(scene, request);
   if (request.progress) request.progress(1.0);
   return trajectory;
 }
@@ -107,14 +122,11 @@ Side Runner::shown(const Contestant& who, RunRequest request) {
 }
 
 Twins Runner::twins(const Contestant& who, const Trajectory& original, double threshold,
-                    const std::vector<double>& times, std::shared_ptr<const CommandRecord> commands,
-                    int count) {
-  TwinParameters parameters;
-  parameters.count = count;
-  parameters.output_times = times;
-  parameters.commands = std::move(commands);
+                    TwinParameters parameters) {
+  parameters.count = options_.twins;
+  parameters.jobs = options_.jobs;
   parameters.interrupt = options_.interrupt;
-  parameters.progress = part(count * who.work, who.label + " twins");
+  parameters.progress = part(parameters.count * who.work, who.label + " twins");
   return run_twins(*who.engine, scene_, original, threshold, parameters);
 }
 
@@ -122,6 +134,7 @@ ModelError Runner::model_error(const Repeatability& repeats) {
   ModelErrorParameters parameters;
   parameters.tolerance = options_.tolerance;
   parameters.spread = single_run_intervals(repeats.samples);
+  parameters.jobs = options_.jobs;
   parameters.interrupt = options_.interrupt;
   parameters.progress = part(kLadderWork, "more modes");
   return rotorub::model_error(scene_, parameters);
@@ -136,14 +149,61 @@ Rung run_rung(Runner& runner, const Contestant& who, std::size_t rung, RunReques
           t.status == Status::kOk ? "" : "a run at a smaller step did not end well: " + t.message};
 }
 
-void set_limits(const Ladder& ladder, Side& side) {
-  if (side.trajectory.status != Status::kOk) return leave_limits("the run did not end well", side);
-  for (std::size_t rung = 1; rung < kRungs; ++rung) {
-    if (!ladder[rung].failed.empty()) return leave_limits(ladder[rung].failed, side);
+namespace {
+
+// What half the step does to a figure.
+enum class StepChange { kAbsent, kSmall, kScatter, kLarge };
+
+StepChange step_change(std::size_t k, const Metrics& whole, const Metrics& half,
+                       const StepTest& test) {
+  constexpr double kSmallPart = 0.05;
+  const Figure& f = figures()[k];
+  const double native = f.value(test.native), at_whole = f.value(whole);
+  const double change = std::abs(share_of(f, native, f.value(half) - at_whole));
+  if (std::isnan(change)) return StepChange::kAbsent;
+  const double apart = std::abs(deviation(f, native, at_whole));
+  if (change <= kSmallPart * std::max(test.tolerance, apart)) return StepChange::kSmall;
+  return change <= test.scatter[k] ? StepChange::kScatter : StepChange::kLarge;
+}
+
+std::string reason_for_no_limit(StepChange change) {
+  switch (change) {
+    case StepChange::kAbsent:
+      return "a run has no finite value";
+    case StepChange::kSmall:
+      return "";
+    case StepChange::kScatter:
+      return "half the step changes the figure by no more than it scatters";
+    case StepChange::kLarge:
+      break;
   }
-  for (const Figure& f : figures()) {
-    side.limits.push_back(extrapolate(
-        {f.value(side.metrics), f.value(ladder[1].metrics), f.value(ladder[2].metrics)}));
+  return "no judged figure needed a run at a quarter of the step";
+}
+
+}  // namespace
+
+bool needs_quarter(const Side& side, const Rung& half, const StepTest& test) {
+  if (!half.failed.empty()) return false;
+  for (std::size_t k = 0; k < figures().size(); ++k) {
+    if (!figures()[k].is_judged() || !figures()[k].split) continue;
+    if (step_change(k, side.metrics, half.metrics, test) == StepChange::kLarge) return true;
+  }
+  return false;
+}
+
+void set_limits(const Ladder& ladder, const StepTest& test, Side& side) {
+  if (side.trajectory.status != Status::kOk) return leave_limits("the run did not end well", side);
+  const Rung &half = ladder[1], &quarter = ladder[2];
+  if (!half.failed.empty()) return leave_limits(half.failed, side);
+  const bool two = !needs_quarter(side, half, test);
+  if (!two && !quarter.failed.empty()) return leave_limits(quarter.failed, side);
+  for (std::size_t k = 0; k < figures().size(); ++k) {
+    const Figure& f = figures()[k];
+    const double at_whole = f.value(side.metrics), at_half = f.value(half.metrics);
+    side.limits.push_back(
+        two ? limit_of_two(at_whole, at_half,
+                           reason_for_no_limit(step_change(k, side.metrics, half.metrics, test)))
+            : extrapolate({at_whole, at_half, f.value(quarter.metrics)}));
   }
 }
 
@@ -157,16 +217,48 @@ void leave_limits(const std::string& reason, Side& side) {
   }
 }
 
+double timed_end(const scene::Run& run, const std::vector<Side>& sides) {
+  constexpr int kParts = 8;
+  // A step in contact costs up to twice one in flight: the mean is then right to a tenth.
+  constexpr double kAbout = 0.1, kFewestSteps = 10000.0;
+  // Of the time up to each part of the run.
+  const auto contact_shares = [&](const Trajectory& t) {
+    const auto &time = t.column("t"), &force = t.column("normal_force");
+    std::vector<double> shares(kParts + 1);
+    std::size_t row = 0, touching = 0;
+    for (int part = 1; part <= kParts; ++part) {
+      for (; row < time.size() && time[row] <= run.end * part / kParts; ++row) {
+        touching += force[row] != 0.0;
+      }
+      shares[static_cast<std::size_t>(part)] =
+          static_cast<double>(touching) / static_cast<double>(std::max<std::size_t>(row, 1));
+    }
+    return shares;
+  };
+  std::vector<std::vector<double>> of_sides;
+  for (const Side& side : sides) {
+    if (side.trajectory.status == Status::kOk && side.trajectory.has("normal_force")) {
+      of_sides.push_back(contact_shares(side.trajectory));
+    }
+  }
+  for (int part = 1; part < kParts; ++part) {
+    const double end = run.end * part / kParts;
+    if (end < kFewestSteps * run.step) continue;
+    if (std::ranges::all_of(of_sides, [&](const std::vector<double>& shares) {
+          return std::abs(shares[static_cast<std::size_t>(part)] - shares.back()) <= kAbout;
+        }))
+      return end;
+  }
+  return run.end;
+}
+
 void time_runs(Runner& runner, const std::vector<Contestant>& all, int repeats,
                std::shared_ptr<const CommandRecord> commands, std::vector<Side>& sides) {
+  const double end = timed_end(runner.scene().run, sides);
   for (int pass = 0; pass < repeats; ++pass) {
     for (std::size_t k = 0; k < all.size(); ++k) {
       if (runner.interrupted() || sides[k].trajectory.status != Status::kOk) continue;
-      RunRequest request;
-      request.output_times = std::vector<double>{runner.scene().run.end};
-      if (k == 0) request.commands = commands;
-      const Trajectory t =
-          runner.run(*all[k].engine, request, all[k].work, "timing " + all[k].label);
+      const Trajectory t = runner.timed(all[k], end, k == 0 ? commands : nullptr);
       if (t.steps > 0 && t.status == Status::kOk) {
         sides[k].timing.us_per_step.push_back(1e6 * t.wall_s / static_cast<double>(t.steps));
       }

@@ -44,10 +44,12 @@ class Runner {
   Trajectory run(const Engine& engine, RunRequest request, double work, const std::string& what);
   // A run with the rows that plots and residuals need, and its figures.
   Side shown(const Contestant& who, RunRequest request);
-  // `commands`: null, or what the native runs are driven by.
+  // Of `parameters` those that every comparison has are filled in.
   Twins twins(const Contestant& who, const Trajectory& original, double threshold,
-              const std::vector<double>& times, std::shared_ptr<const CommandRecord> commands,
-              int count);
+              TwinParameters parameters);
+  // For the time alone: as far as `end` (s), with no row but the last.
+  Trajectory timed(const Contestant& who, double end,
+                   std::shared_ptr<const CommandRecord> commands);
   // What the modes kept leave out; the twins' spread is what no more modes can tell.
   ModelError model_error(const Repeatability& repeats);
   // For work beside runs: tells its share, 1 at the end.
@@ -56,6 +58,9 @@ class Runner {
   const scene::Scene& scene() const { return scene_; }
 
  private:
+  Trajectory run(const scene::Scene& scene, const Engine& engine, RunRequest request, double work,
+                 const std::string& what);
+
   const scene::Scene& scene_;
   const CompareOptions& options_;
   double total_;
@@ -73,10 +78,26 @@ using Ladder = std::array<Rung, kRungs>;  // [0] is not used: the side has its f
 
 // A run at a part of the scene's step, with what else it is asked for.
 Rung run_rung(Runner& runner, const Contestant& who, std::size_t rung, RunRequest request);
-// Fills side.limits: the figures at dt, dt/2 and dt/4 and what they tend to.
-void set_limits(const Ladder& ladder, Side& side);
+
+// What a change of a figure with the step is held against.
+struct StepTest {
+  const Metrics& native;        // at the scene's step
+  double tolerance;             // of the comparison, a share
+  std::vector<double> scatter;  // as figures(), shares (single_run_intervals)
+};
+// Whether a run at a quarter of the step tells more than the one at half of it did: not where every
+// judged figure changed by next to nothing, beside the tolerance or beside what MuJoCo and native
+// differ by, or by no more than it scatters.
+bool needs_quarter(const Side& side, const Rung& half, const StepTest& test);
+// Fills side.limits: the figures at dt, dt/2 and dt/4 and what they tend to; where the last was not
+// needed, by the first two.
+void set_limits(const Ladder& ladder, const StepTest& test, Side& side);
 // Fills them where nothing was run at smaller steps.
 void leave_limits(const std::string& reason, Side& side);
+
+// The time up to which runs are timed: the least of an eighth, two eighths, ... of the run up to
+// which the share of contact is about that of the whole, in the run of every side.
+double timed_end(const scene::Run& run, const std::vector<Side>& sides);
 
 // Passes for time alone, engines in turn so that a slow spell of the machine meets all of them.
 // `commands`: of the native side.

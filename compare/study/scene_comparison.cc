@@ -5,6 +5,8 @@
 #include <algorithm>
 #include <cassert>
 #include <cmath>
+#include <functional>
+#include <numeric>
 
 #include "compare/base/in_parallel.h"
 #include "compare/engine/mujoco_engine.h"
@@ -86,7 +88,6 @@ class Comparison {
     }
     result_.commands = has_commands(scene);
     result_.tolerance = options.tolerance;
-    result_.twins = resyncs() ? 0 : options.twins;
     for (std::size_t k = 0; k < all_.size(); ++k) onsets_.emplace_back(model_);
   }
 
@@ -120,7 +121,7 @@ class Comparison {
   void show() {
     result_.sides.resize(all_.size());
     if (replays()) result_.natives.resize(all_.size() - 2);
-    in_parallel(all_.size(), nullptr, {}, [&](std::size_t k) {
+    in_parallel(all_.size(), options_.jobs, nullptr, {}, [&](std::size_t k) {
       if (k == 0) return replays() ? void() : show_native(1);
       if (runner_.interrupted()) return;
       RunRequest request;
@@ -177,50 +178,102 @@ class Comparison {
     return driven_by == 1 ? result_.sides[0] : result_.natives[driven_by - 2];
   }
 
-  // Smaller steps, twins, contact by contact, and clean times.
+  // Twins, smaller steps, contact by contact, and clean times.
   void look_closer() {
+    result_.twin.threshold = divergence_threshold(result_.scene, result_.sides[0].trajectory);
     if (resyncs()) {
-      for (std::size_t k = 0; k < all_.size(); ++k) {
-        leave_limits("resync makes no runs at smaller steps", result_.sides[k]);
+      for (Side& side : result_.sides) {
+        leave_limits("resync makes no runs at smaller steps", side);
       }
       predict_onsets();
     } else {
+      run_twins_of_both();
       climb();
-    }
-    result_.twin.threshold = divergence_threshold(result_.scene, result_.sides[0].trajectory);
-    twins_ = runner_.twins(all_[0], result_.sides[0].trajectory, result_.twin.threshold, times_,
-                           replayed_commands(1), result_.twins);
-    result_.twin = first_to_part(twins_, result_.twin);
-    if (!runner_.interrupted() && decider_may_have_twins()) {
-      result_.decider_twins = result_.twins;
-      decider_twins_ = runner_.twins(all_[1], result_.sides[1].trajectory, result_.twin.threshold,
-                                     times_, {}, result_.twins);
     }
     if (replays() && !runner_.interrupted()) replay_floor_ = replay_floor(runner_, result_.scene);
     time_runs(runner_, all_, options_.timing_repeats, replayed_commands(1), result_.sides);
   }
 
-  // The dearest first.
+  // As many as the verdicts need: the native ones for all sides, and those of the run that decides.
+  void run_twins_of_both() {
+    TwinParameters parameters;
+    parameters.output_times = times_;
+    parameters.commands = replayed_commands(1);
+    parameters.enough = [this](const Twins& natives) {
+      if (natives.metrics.empty()) return false;
+      for (std::size_t k = 1; k < result_.sides.size(); ++k) {
+        if (!is_settled(k, natives, {})) return false;
+      }
+      return true;
+    };
+    twins_ =
+        runner_.twins(all_[0], result_.sides[0].trajectory, result_.twin.threshold, parameters);
+    result_.twins = static_cast<int>(twins_.metrics.size());
+    result_.twin = first_to_part(twins_, result_.twin);
+    if (runner_.interrupted() || !decider_may_have_twins()) return;
+    parameters.commands = nullptr;
+    parameters.enough = [this](const Twins& others) { return is_settled(1, twins_, others); };
+    decider_twins_ =
+        runner_.twins(all_[1], result_.sides[1].trajectory, result_.twin.threshold, parameters);
+    result_.decider_twins = static_cast<int>(decider_twins_.metrics.size());
+  }
+
+  // Whether further twins would change no verdict of a side.
+  bool is_settled(std::size_t side, const Twins& natives, const Twins& others) const {
+    const Side &native = result_.reference(side), &other = result_.sides[side];
+    if (native.trajectory.status != Status::kOk || other.trajectory.status != Status::kOk)
+      return true;
+    return std::ranges::all_of(figures(), [&](const Figure& f) {
+      return rotorub::is_settled(
+          judged(f, figure_sample(f, native.metrics, natives.metrics),
+                 figure_sample(f, other.metrics, others.metrics), options_.tolerance),
+          options_.tolerance);
+    });
+  }
+
+  std::vector<std::size_t> dearest_first() const {
+    std::vector<std::size_t> order(all_.size());
+    std::iota(order.begin(), order.end(), std::size_t{0});
+    std::ranges::sort(order, std::greater{},
+                      [this](std::size_t k) { return result_.sides[k].trajectory.wall_s; });
+    return order;
+  }
+
+  // Every run at half the step, then those at a quarter that tell more.
   void climb() {
     std::vector<Ladder> ladders(all_.size()), native_ladders(all_.size());
-    in_parallel(2 * all_.size(), options_.interrupt, {}, [&](std::size_t job) {
-      const std::size_t k = job % all_.size(), rung = job < all_.size() ? 2 : 1;
-      if (!all_[k].climbs || (replays() && k == 0)) return;
-      if (result_.sides[k].trajectory.status != Status::kOk) return;
-      RunRequest request;
-      request.output_times = times_;
-      if (replays()) request.watch = tapes_[k][rung].watch();
-      ladders[k][rung] = run_rung(runner_, all_[k], rung, request);
-      if (!replays() || native_side(k).trajectory.status != Status::kOk) return;
-      // Driven by the commands of the side's own run there.
-      request.watch = {};
-      request.commands = commands(k, rung);
-      native_ladders[k][rung] = run_rung(runner_, all_[0], rung, request);
-    });
+    const auto test = [this](std::size_t side) {
+      const Side& native = result_.reference(side);
+      return StepTest{native.metrics, options_.tolerance,
+                      single_run_intervals(repeats(native).samples)};
+    };
+    const auto is_needed = [&](std::size_t k, std::size_t rung) {
+      if (!all_[k].climbs || (replays() && k == 0)) return false;
+      if (result_.sides[k].trajectory.status != Status::kOk) return false;
+      if (rung == 1) return true;
+      return needs_quarter(result_.sides[k], ladders[k][1], test(k)) ||
+             (replays() && needs_quarter(native_side(k), native_ladders[k][1], test(k)));
+    };
+    const std::vector<std::size_t> order = dearest_first();
+    for (std::size_t rung = 1; rung < kRungs; ++rung) {
+      in_parallel(all_.size(), options_.jobs, options_.interrupt, {}, [&](std::size_t job) {
+        const std::size_t k = order[job];
+        if (!is_needed(k, rung)) return;
+        RunRequest request;
+        request.output_times = times_;
+        if (replays()) request.watch = tapes_[k][rung].watch();
+        ladders[k][rung] = run_rung(runner_, all_[k], rung, request);
+        if (!replays() || native_side(k).trajectory.status != Status::kOk) return;
+        // Driven by the commands of the side's own run there.
+        request.watch = {};
+        request.commands = commands(k, rung);
+        native_ladders[k][rung] = run_rung(runner_, all_[0], rung, request);
+      });
+    }
     if (runner_.interrupted()) return;
     const auto climbed = [&](std::size_t k, const Ladder& ladder, Side& side) {
       if (!all_[k].climbs) return leave_limits("it is shown at the scene's step alone", side);
-      set_limits(ladder, side);
+      set_limits(ladder, test(k), side);
     };
     for (std::size_t k = replays() ? 1 : 0; k < all_.size(); ++k) {
       climbed(k, ladders[k], result_.sides[k]);

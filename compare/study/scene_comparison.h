@@ -45,10 +45,11 @@ struct CompareOptions {
   CompareMode mode = CompareMode::kLockstep;
   double tolerance = 0.01;                        // share: on the judged figures
   scene::ContactModel contact = kDefaultContact;  // whose verdict is that of the comparison
-  int twins = kDefaultTwins;                      // >= 0, of the native run
-  bool modes_ladder = true;  // the error of the modes kept, where the rotor is in geometry form
-  int timing_repeats = 3;    // >= 1, of runs that record nothing, engines taken in turn
-  std::size_t impacts = 8;   // first impacts listed
+  int twins = kDefaultTwins;  // >= 0, of the native run: at most, as many as the verdict needs
+  int jobs = 0;               // threads; 0: one a processor. The result does not depend on it
+  bool modes_ladder = true;   // the error of the modes kept, where the rotor is in geometry form
+  int timing_repeats = 3;     // >= 1, of runs that record nothing, engines taken in turn
+  std::size_t impacts = 8;    // first impacts listed
   // The scene is the twin of a machine of the user's own: MuJoCo runs that one.
   std::shared_ptr<const OwnMachine> own;
   std::size_t rows = kRows;  // recorded at most: every step, or every so many of them
@@ -113,7 +114,7 @@ struct SceneComparison {
   CompareMode mode = CompareMode::kLockstep;
   bool commands = false;  // a controller commands the actuator: else replay equals lockstep
   double tolerance = 0.0;
-  int twins = 0;            // of the native run
+  int twins = 0;            // of the native run, as many as were needed
   int decider_twins = 0;    // of the MuJoCo run that decides: none where the motion repeats itself
   std::vector<Side> sides;  // native first
   // Replay with commands: sides[0] is driven by those of sides[1], and these by those of sides[2],

@@ -65,6 +65,11 @@ JudgedFigure judged(const Figure& figure, double native, double other, double to
 
 bool JudgedFigure::is_absent() const { return std::isnan(native) || std::isnan(other); }
 
+bool is_settled(const JudgedFigure& figure, double tolerance) {
+  if (figure.verdict == FigureVerdict::kNotJudged) return true;
+  return figure.interval <= 0.5 * std::abs(std::abs(figure.deviation) - tolerance);
+}
+
 std::string difference_text(const JudgedFigure& f) {
   if (f.is_absent()) return "–";
   if (std::abs(f.native) < f.figure->resolution && f.native != f.other) {

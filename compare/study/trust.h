@@ -42,6 +42,10 @@ JudgedFigure judged(const Figure& figure, const FigureSample& native, const Figu
 JudgedFigure judged(const Figure& figure, double native, double other,
                     double tolerance);  // without twins
 
+// Whether further twins would not change the verdict: the interval is less than half of the
+// distance from the tolerance, or the figure is not judged.
+bool is_settled(const JudgedFigure& figure, double tolerance);
+
 // The deviation, with half of its interval where there is one, "-0.70 % ± 1.10 %"; the values
 // themselves where the native one is below what a share is taken of: "0.157 mm/s for 0.196".
 std::string difference_text(const JudgedFigure& figure);

@@ -3,16 +3,14 @@
 #include <algorithm>
 #include <cmath>
 
-#include "compare/base/in_parallel.h"
-
 namespace rotorub {
 
 int twin_ulps(int index) { return (index % 2 == 0 ? 1 : -1) * (index / 2 + 1); }
 
 Twins run_twins(const Engine& engine, const scene::Scene& scene, const Trajectory& original,
                 double threshold, const TwinParameters& parameters) {
-  const auto count = static_cast<std::size_t>(parameters.count);
-  Twins twins{std::vector<Metrics>(count), std::vector<Divergence>(count)};
+  const auto most = static_cast<std::size_t>(parameters.count);
+  Twins twins;
 
   // Each twin writes to its own place.
   const auto run = [&](std::size_t k) {
@@ -27,8 +25,25 @@ Twins run_twins(const Engine& engine, const scene::Scene& scene, const Trajector
     twins.divergences[k] = divergence(original, t, threshold);
   };
 
-  in_parallel(count, parameters.interrupt, parameters.progress, run);
-  if (parameters.interrupt && parameters.interrupt->load()) return {};
+  const auto tell = [&](double count) {
+    if (parameters.progress) parameters.progress(count / std::max(1.0, parameters.count * 1.0));
+  };
+  std::size_t first = 0;
+  while (first < most && !(parameters.enough && parameters.enough(twins))) {
+    const std::size_t count =
+        parameters.enough ? std::min<std::size_t>(kTwinBatch, most - first) : most - first;
+    twins.metrics.resize(first + count);
+    twins.divergences.resize(first + count);
+    in_parallel(
+        count, parameters.jobs, parameters.interrupt,
+        [&](double share) {
+          tell(static_cast<double>(first) + share * static_cast<double>(count));
+        },
+        [&](std::size_t k) { run(first + k); });
+    if (parameters.interrupt && parameters.interrupt->load()) return {};
+    first += count;
+  }
+  tell(parameters.count);
   return twins;
 }
 

@@ -7,6 +7,7 @@
 #include <optional>
 #include <vector>
 
+#include "compare/base/in_parallel.h"
 #include "compare/engine/engine.h"
 #include "compare/figures/figure_sample.h"
 #include "compare/metrics/divergence.h"
@@ -14,8 +15,17 @@
 
 namespace rotorub {
 
+struct Twins {
+  std::vector<Metrics> metrics;  // one a twin, in the order of the starts
+  // Of each from the run whose twins they are, where that has rows; in the same order.
+  std::vector<Divergence> divergences;
+};
+
 struct TwinParameters {
-  int count = 20;                    // >= 0; starts +1, -1, +2, -2, ... ulps away
+  int count = 20;  // >= 0, at most; starts +1, -1, +2, -2, ... ulps away
+  // Asked before every kTwinBatch of them: whether no more are needed. Empty: all are run.
+  std::function<bool(const Twins&)> enough;
+  Jobs jobs = 0;
   std::optional<double> step;        // s; none: the scene's
   std::vector<double> output_times;  // s, rows: of `divergence`, and of what figures need rows
   std::shared_ptr<const CommandRecord> commands;  // that drive them all; null: none
@@ -23,17 +33,13 @@ struct TwinParameters {
   const std::atomic<bool>* interrupt = nullptr;
 };
 
-struct Twins {
-  std::vector<Metrics> metrics;  // one a twin, in the order of the starts
-  // Of each from `original`, where that has rows; in the same order.
-  std::vector<Divergence> divergences;
-};
+inline constexpr int kTwinBatch = 4;
 
 // +1, -1, +2, -2, ...
 int twin_ulps(int index);
 
-// They run on all processors: of MuJoCo while a MujocoInPlace lives. The result does not depend on
-// how many there are. An interrupt leaves both lists empty. `threshold`: m, beyond which two runs
+// They run in several threads: of MuJoCo while a MujocoInPlace lives. The result does not depend on
+// the number of jobs. An interrupt leaves both lists empty. `threshold`: m, beyond which two runs
 // have parted.
 Twins run_twins(const Engine& engine, const scene::Scene& scene, const Trajectory& original,
                 double threshold, const TwinParameters& parameters);

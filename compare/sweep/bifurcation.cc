@@ -129,7 +129,7 @@ std::optional<Bifurcation> bifurcation(const PointScenes& scenes,
   std::mutex mutex;
   std::size_t done = 0;
   const double all = 2.0 * static_cast<double>(order.size());
-  in_parallel(2, interrupt, {}, [&](std::size_t k) {
+  in_parallel(2, 0, interrupt, {}, [&](std::size_t k) {
     Branch branch(scenes, follows, follows && k == 0, interrupt);
     auto& points = k == 0 ? out.up : out.down;
     std::vector<std::int64_t> own = order;

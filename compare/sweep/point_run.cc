@@ -104,7 +104,7 @@ std::vector<PointResult> run_points(const Study& study, std::int64_t count,
   for (PointResult& result : all) result.status.clear();
   const std::int64_t size = batch_size(study);
   in_parallel(
-      static_cast<std::size_t>((count + size - 1) / size), &interrupt, {}, [&](std::size_t k) {
+      static_cast<std::size_t>((count + size - 1) / size), 0, &interrupt, {}, [&](std::size_t k) {
         const std::int64_t begin = static_cast<std::int64_t>(k) * size;
         std::vector<std::int64_t> points(static_cast<std::size_t>(std::min(size, count - begin)));
         std::iota(points.begin(), points.end(), begin);

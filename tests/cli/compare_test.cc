@@ -188,6 +188,47 @@ TEST(CliCompareLong, TheSettingToUseStandsBesideTheVerdicts) {
       << "as tune itself says: " << setting;
 }
 
+// A JSON without what the clock says.
+json without_times(const json& all) {
+  if (!all.is_structured()) return all;
+  json kept = all;
+  if (kept.is_object()) {
+    for (const char* key : {"timing", "wall_s", "us_per_step", "real_time_factor"}) kept.erase(key);
+  }
+  for (auto& value : kept) value = without_times(value);
+  return kept;
+}
+
+// Chaotic, so that twins are many and runs at smaller steps go on: the same with one thread and
+// two.
+TEST(CliCompareLong, NoResultDependsOnTheNumberOfJobs) {
+  const Folder folder;
+  for (const char* jobs : {"1", "2"}) {
+    const Outcome outcome =
+        folder.run({"compare", shipped("bench_billiard"), "--end", "0.3", "--set", "run.step=5e-5",
+                    "--no-video", "--jobs", jobs, "-o", std::string("out") + jobs});
+    ASSERT_LE(outcome.code, 1) << outcome.err;
+  }
+  EXPECT_EQ(without_times(folder.json_in("out1/compare.json")),
+            without_times(folder.json_in("out2/compare.json")));
+  std::size_t compared = 0;
+  for (const std::string& file : folder.files()) {
+    if (!file.starts_with("out1/") || !file.ends_with(".csv")) continue;
+    EXPECT_EQ(folder.text(file), folder.text("out2" + file.substr(4))) << file;
+    ++compared;
+  }
+  EXPECT_GE(compared, 6U);
+}
+
+TEST(CliCompare, WritesItsProgressInLinesWhereAsked) {
+  const Folder folder;
+  const std::vector<std::string> words{
+      "compare", shipped("bench_ring"), "--end", "0.01", "--no-video", "--twins", "1", "-o", "out"};
+  EXPECT_EQ(folder.run(words).err, "");
+  const Outcome lines = folder.run(words, {{{"ROTORUB_PROGRESS", "lines"}}});
+  EXPECT_TRUE(lines.err.starts_with("  0 %  bench_ring: ")) << lines.err;
+}
+
 TEST(CliCompareLong, AnInterruptIs130) {
   const Folder folder;
   Program program(folder.path(), {"compare", shipped("bench_ring"), "--end", "1000", "-o", "out"});

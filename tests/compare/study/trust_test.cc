@@ -42,6 +42,15 @@ TEST(FigureVerdict, ToleranceAndIntervalDecide) {
   }
 }
 
+TEST(FigureVerdict, IsSettledWhereTheIntervalIsFarFromTheTolerance) {
+  EXPECT_TRUE(is_settled(made("mean_force", 0.0), kPercent));
+  EXPECT_TRUE(is_settled(made("mean_force", 0.002, 0.0039), kPercent));
+  EXPECT_FALSE(is_settled(made("mean_force", 0.002, 0.0041), kPercent)) << "within, but just so";
+  EXPECT_FALSE(is_settled(made("mean_force", -0.03, 0.011), kPercent)) << "outside, but just so";
+  EXPECT_TRUE(is_settled(made("mean_force", -0.5, 0.1), kPercent));
+  EXPECT_TRUE(is_settled(made("force_deviation", 0.01, 0.1), kPercent)) << "is not judged";
+}
+
 TEST(FigureVerdict, WhatIsNoNumberIsOutside) {
   const double infinite = std::numeric_limits<double>::infinity();
   EXPECT_EQ(judged(figure("mean_force"), 1.0, infinite, kPercent).verdict, FigureVerdict::kOutside);

@@ -54,11 +54,30 @@ TEST_F(TwinRuns, OfMujocoAreTheRunsOfTheirStarts) {
   }
 }
 
+// One batch after the other, until they are enough; the same however many threads run them.
+TEST_F(TwinRuns, EndWhereTheyAreEnough) {
+  const Trajectory original = event_->run(scene_, {});
+  TwinParameters parameters;
+  parameters.count = 11;
+  parameters.output_times = {0.02};
+  const auto count = [&](std::size_t enough, Jobs jobs) {
+    parameters.jobs = jobs;
+    parameters.enough = [enough](const Twins& so_far) { return so_far.metrics.size() >= enough; };
+    return run_twins(*event_, scene_, original, 1e-6, parameters).metrics.size();
+  };
+  for (const Jobs jobs : {1, 2, 3}) {
+    EXPECT_EQ(count(0, jobs), 0U);
+    EXPECT_EQ(count(1, jobs), 4U);
+    EXPECT_EQ(count(5, jobs), 8U);
+    EXPECT_EQ(count(100, jobs), 11U);
+  }
+}
+
 // Whichever thread meets it first.
 TEST(InParallel, ThrowsTheFirstFailure) {
   for (int repeat = 0; repeat < 20; ++repeat) {
     try {
-      in_parallel(8, nullptr, {}, [](std::size_t k) {
+      in_parallel(8, 0, nullptr, {}, [](std::size_t k) {
         if (k >= 1) throw std::runtime_error(std::to_string(k));
       });
       ADD_FAILURE();
