@@ -23,12 +23,26 @@ std::vector<double> speeds_of(const scene::Scene& scene, const std::vector<doubl
   return asked.empty() ? std::vector<double>{scene.rotor.speed} : asked;
 }
 
+// What lies beyond so many times the highest speed asked for, or the lowest critical one, no
+// machine reaches, and a mesh of beams does not tell.
+constexpr double kCriticalMultiple = 20.0;
+
+void add_critical_speeds(double sense, const std::vector<double>& speeds, RotorAnalysis& analysis) {
+  std::vector<double>& critical = analysis.critical_speeds;
+  critical = critical_speeds(analysis.system, sense);
+  double reference = critical.empty() ? 0.0 : critical.front();
+  for (const double speed : speeds) reference = std::max(reference, std::abs(speed));
+  analysis.critical_bound = kCriticalMultiple * reference;
+  std::erase_if(critical, [&](double speed) { return speed > analysis.critical_bound; });
+  analysis.critical_senses = critical_senses(analysis.system, critical, sense);
+}
+
 RotorAnalysis analysis_of(const scene::Scene& scene, const std::vector<double>& speeds) {
   RotorAnalysis analysis;
   analysis.system = whirl_system(scene);
   const double sense = scene.rotor.speed < 0.0 ? -1.0 : 1.0;
-  analysis.critical_speeds = critical_speeds(analysis.system, sense);
-  analysis.stability_threshold = stability_threshold(analysis.system, sense);
+  add_critical_speeds(sense, speeds, analysis);
+  analysis.unstable = unstable_ranges(analysis.system, sense);
   analysis.stability_bound = stability_bound(analysis.system);
   analysis.shapes = mode_shapes(scene);
   if (analysis.shapes) {
@@ -36,6 +50,7 @@ RotorAnalysis analysis_of(const scene::Scene& scene, const std::vector<double>& 
         whirl_shapes(scene, analysis.system, scene.rotor.speed, *analysis.shapes);
   }
   analysis.contact_mass = contact_mass(scene);
+  analysis.motor_is_held = !scene.drive;
   if (scene.rotor.torsion) analysis.torsion = torsion_frequencies(modal_rotor(scene));
   for (double speed : speeds) analysis.spectra.push_back(whirl_spectrum(analysis.system, speed));
   return analysis;
@@ -108,9 +123,29 @@ std::string shapes_table(const RotorAnalysis& analysis) {
          fmt::format("\n{}, plane y\n", title) + plane_table(shapes.stations, shapes.y);
 }
 
+// Those that unbalance excites: of planes that are alike it cannot drive backward whirl.
+std::string critical_table(const RotorAnalysis& analysis) {
+  std::string text =
+      fmt::format("\ncritical speeds that unbalance excites, undamped, up to {:.5g} rpm\n",
+                  analysis.critical_bound * kRpm);
+  const double sense = analysis.spectra.front().speed < 0.0 ? -1.0 : 1.0;
+  const double table_end = table_speeds(analysis.system, sense).back();
+  for (std::size_t k = 0; k < analysis.critical_speeds.size(); ++k) {
+    const double speed = analysis.critical_speeds[k];
+    text += fmt::format("  {:.7g} rad/s ({:.7g} rpm), {}{}\n", speed, speed * kRpm,
+                        to_string(analysis.critical_senses[k]),
+                        table_end > 0.0 && speed > table_end
+                            ? ": beyond the bearings' tables, with their last values"
+                            : "");
+  }
+  if (analysis.critical_speeds.empty()) text += "  none\n";
+  return text;
+}
+
 std::string torsion_table(const RotorAnalysis& analysis) {
   if (analysis.torsion.empty()) return "";
-  std::string text = "\ntorsion, elastic modes\n";
+  std::string text = fmt::format("\ntorsion, elastic modes{}\n",
+                                 analysis.motor_is_held ? ", the motor's end held" : "");
   for (const WhirlMode& mode : analysis.torsion) text += mode_row("torsion", mode);
   return text;
 }
@@ -172,10 +207,22 @@ const char* sense_of(const WhirlMode& mode, double speed) {
   return (mode.frequency > 0.0) == (speed >= 0.0) ? "forward" : "backward";
 }
 
+bool is_unstable(const RotorAnalysis& analysis, double speed) {
+  return std::ranges::any_of(analysis.unstable, [speed](const UnstableRange& range) {
+    return speed > range.from && speed < range.to;
+  });
+}
+
 std::string stability_text(const RotorAnalysis& analysis) {
-  if (analysis.stability_threshold) {
-    return fmt::format("unstable above {:.7g} rad/s ({:.7g} rpm)", *analysis.stability_threshold,
-                       *analysis.stability_threshold * kRpm);
+  if (!analysis.unstable.empty()) {
+    std::vector<std::string> ranges;
+    for (const auto& [from, to] : analysis.unstable) {
+      ranges.push_back(std::isinf(to)
+                           ? fmt::format("above {:.7g} rad/s ({:.7g} rpm)", from, from * kRpm)
+                           : fmt::format("from {:.7g} to {:.7g} rad/s ({:.7g} to {:.7g} rpm)", from,
+                                         to, from * kRpm, to * kRpm));
+    }
+    return fmt::format("unstable {}", fmt::join(ranges, " and "));
   }
   if (std::isinf(analysis.stability_bound)) return "no whirl grows at any speed";
   return fmt::format("no whirl grows up to {:.5g} rad/s ({:.5g} rpm)", analysis.stability_bound,
@@ -219,7 +266,17 @@ json modes_json(const RotorAnalysis& analysis) {
               {"mode_shapes", shapes_json(analysis.shapes)},
               {"rub_refused", nullptr}};
   if (!analysis.rubs.front().refused.empty()) result["rub_refused"] = analysis.rubs.front().refused;
-  if (analysis.stability_threshold) result["stability_threshold"] = *analysis.stability_threshold;
+  if (const auto threshold = analysis.stability_threshold())
+    result["stability_threshold"] = *threshold;
+  result["unstable_ranges"] = json::array();
+  for (const auto& [from, to] : analysis.unstable) {
+    result["unstable_ranges"].push_back({from, number_or_null(to)});
+  }
+  result["critical"] = json::array();
+  for (std::size_t k = 0; k < analysis.critical_speeds.size(); ++k) {
+    result["critical"].push_back({{"speed", analysis.critical_speeds[k]},
+                                  {"whirl", to_string(analysis.critical_senses[k])}});
+  }
   if (std::isfinite(analysis.stability_bound)) {
     result["stability_bound"] = analysis.stability_bound;
   }
@@ -238,12 +295,7 @@ std::string modes_table(const std::string& name, const RotorAnalysis& analysis) 
   }
   text += torsion_table(analysis);
 
-  text += fmt::format("\ncritical speeds, undamped, {}\n",
-                      analysis.system.isotropic ? "forward whirl" : "whirl of either sense");
-  for (double speed : analysis.critical_speeds) {
-    text += fmt::format("  {:.7g} rad/s ({:.7g} rpm)\n", speed, speed * kRpm);
-  }
-  if (analysis.critical_speeds.empty()) text += "  none\n";
+  text += critical_table(analysis);
 
   text += "\n" + stability_text(analysis) + "\n" + contact_mass_text(analysis.contact_mass);
   text += "\n" + shapes_table(analysis);

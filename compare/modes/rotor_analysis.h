@@ -20,13 +20,20 @@ namespace rotorub {
 
 struct RotorAnalysis {
   WhirlSystem system;
-  std::vector<WhirlSpectrum> spectra;   // at the speeds asked for
-  std::vector<double> critical_speeds;  // rad/s, ascending; sizes, of a spin of the scene's sense
-  std::optional<double> stability_threshold;  // rad/s, likewise
-  double stability_bound = 0.0;               // rad/s, may be infinite (campbell.h)
-  std::optional<ModeShapes> shapes;           // geometry form only
-  std::vector<WhirlShape> whirl_shapes;       // at the scene's own speed; geometry form only
+  std::vector<WhirlSpectrum> spectra;  // at the speeds asked for
+  // rad/s, ascending; sizes, of a spin of the scene's sense, up to critical_bound.
+  std::vector<double> critical_speeds;
+  std::vector<WhirlSense> critical_senses;  // of each
+  double critical_bound = 0.0;              // rad/s, beyond which none is listed
+  std::vector<UnstableRange> unstable;      // rad/s, likewise
+  double stability_bound = 0.0;             // rad/s, may be infinite (campbell.h)
+  std::optional<double> stability_threshold() const {
+    return unstable.empty() ? std::nullopt : std::optional(unstable.front().from);
+  }
+  std::optional<ModeShapes> shapes;      // geometry form only
+  std::vector<WhirlShape> whirl_shapes;  // at the scene's own speed; geometry form only
   std::vector<WhirlMode> torsion;
+  bool motor_is_held = false;     // in torsion: there is no drive
   std::vector<RubAnalyses> rubs;  // of each contact, at the same speeds as the spectra
   std::vector<ContactPlace> contacts;
   // At the same speeds, of the modes kept; none without a contact or magnetic bearings that
@@ -46,15 +53,18 @@ RotorAnalysis analyse_free_rotor(const scene::Scene& scene, const std::vector<do
 // "forward", "backward", "overdamped", or "rigid" for s = 0: forward with the spin, and at rest
 // from x to y.
 const char* sense_of(const WhirlMode& mode, double speed);
-// One sentence without a full stop: "unstable above ...", "no whirl grows up to ...", or at any
-// speed.
+// Whether a whirl grows at this speed (rad/s, its size).
+bool is_unstable(const RotorAnalysis& analysis, double speed);
+// One sentence without a full stop: "unstable from ... to ... and above ...", "no whirl grows up to
+// ...", or at any speed.
 std::string stability_text(const RotorAnalysis& analysis);
 
 // As JSON (public contract):
 // {"speeds": [{"speed", "modes": [{"frequency", "damping_ratio"}]}], "critical_speeds": [],
-// "stability_threshold": null, "stability_bound"}: rad/s; forward whirl positive, backward
+// "critical": [{"speed", "whirl": "forward", "backward" or "planar"}], "stability_threshold": null,
+// "unstable_ranges": [[from, to]], "stability_bound"}: rad/s; forward whirl positive, backward
 // negative; modes by rising absolute frequency. No threshold up to the bound: null; a bound of
-// null: nothing can grow at any speed.
+// null: nothing can grow at any speed; `to` is null where a whirl grows up to the bound.
 //
 // And "torsion": [{"frequency", "damping_ratio"}], "mode_shapes": {"z": m, "stations": [{"kind",
 // "name", "z"}], "same_planes", "x", "y": [{"frequency": rad/s at rest, undamped, "shape": along z,

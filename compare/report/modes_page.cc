@@ -48,10 +48,12 @@ json spectrum_values(const WhirlSpectrum& spectrum) {
            })}};
 }
 
-json critical_values(const std::vector<double>& speeds) {
-  int number = 0;
-  return list_of(speeds, [&](double speed) -> json {
+json critical_values(const RotorAnalysis& analysis) {
+  std::size_t number = 0;
+  return list_of(analysis.critical_speeds, [&](double speed) -> json {
+    const char* whirl = to_string(analysis.critical_senses[number]);
     return {{"number", ++number},
+            {"whirl", whirl},
             {"rpm", fmt::format("{:.6g}", speed * kRpm)},
             {"hertz", fmt::format("{:.6g}", speed * kHz)},
             {"radians", fmt::format("{:.7g}", speed)}};
@@ -88,26 +90,30 @@ json critical_card(const RotorAnalysis& analysis) {
 }
 
 bool runs_unstable(const scene::Scene& scene, const RotorAnalysis& analysis) {
-  return analysis.stability_threshold &&
-         std::abs(scene.rotor.speed) > *analysis.stability_threshold;
+  return is_unstable(analysis, std::abs(scene.rotor.speed));
 }
 
 json stability_card(const scene::Scene& scene, const RotorAnalysis& analysis) {
-  const bool at_rest = analysis.stability_threshold == 0.0;
+  const std::vector<UnstableRange>& ranges = analysis.unstable;
+  const bool at_rest = !ranges.empty() && ranges.front().from == 0.0;
   std::string headline = "stable at any speed",
               text = "while it touches nothing: nothing in the rotor can make a whirl grow";
-  if (analysis.stability_threshold) {
+  if (!ranges.empty()) {
+    const auto& [from, to] = ranges.front();
     headline = at_rest ? "unstable at rest"
-                       : fmt::format("unstable above {}", rpm_text(*analysis.stability_threshold));
+               : std::isinf(to)
+                   ? fmt::format("unstable above {}", rpm_text(from))
+                   : fmt::format("unstable from {} to {}", rpm_text(from), rpm_text(to));
     text = at_rest ? "the negative stiffness is stronger than the shaft and its bearings"
-                   : "beyond it rotating damping feeds a whirl";
+                   : "there rotating damping or a bearing's cross stiffness feeds a whirl";
+    if (ranges.size() > 1)
+      text +=
+          fmt::format("; {} more range{} below", ranges.size() - 1, ranges.size() > 2 ? "s" : "");
   } else if (std::isfinite(analysis.stability_bound)) {
     headline = fmt::format("stable up to {}", rpm_text(analysis.stability_bound));
     text = "where the search ends: 20 times the highest frequency";
   }
-  const char* tone = runs_unstable(scene, analysis) ? "bad"
-                     : analysis.stability_threshold ? ""
-                                                    : "good";
+  const char* tone = runs_unstable(scene, analysis) ? "bad" : !ranges.empty() ? "" : "good";
   return card("Free whirl", tone, headline, text);
 }
 
@@ -205,9 +211,10 @@ std::string beyond_text(const RotorAnalysis& analysis, double range) {
     text = fmt::format("Beyond the diagram: {} critical speed{}, {:.0f} rpm.", rpm.size(),
                        rpm.size() > 1 ? "s" : "", fmt::join(rpm, ", "));
   }
-  if (analysis.stability_threshold && *analysis.stability_threshold > range) {
+  const auto threshold = analysis.stability_threshold();
+  if (threshold && *threshold > range) {
     text += fmt::format("{}The threshold of stability, {}, lies beyond the diagram.",
-                        text.empty() ? "" : " ", rpm_text(*analysis.stability_threshold));
+                        text.empty() ? "" : " ", rpm_text(*threshold));
   }
   return text;
 }
@@ -256,7 +263,7 @@ std::string modes_page(const scene::Scene& scene, const Campbell& campbell) {
   values["has_peaks"] = !values["peaks"].empty();
   values["stiffness_maps"] = stiffness_values(scene, maps);
   values["spectra"] = list_of(analysis.spectra, spectrum_values);
-  values["critical"] = critical_values(analysis.critical_speeds);
+  values["critical"] = critical_values(analysis);
   values["stability"] = stability_text(analysis);
   values["has_torsion"] = !analysis.torsion.empty();
   values["torsion"] = torsion_values(analysis.torsion);

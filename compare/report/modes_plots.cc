@@ -62,7 +62,7 @@ json campbell_json(const scene::Scene& scene, const Campbell& campbell) {
   for (const WhirlBranch& branch : campbell.branches) add_pieces(branch, pieces);
   for (const double speed : analysis.critical_speeds)
     if (speed <= campbell.range) critical.push_back(shown(speed * kRpm));
-  const std::optional<double>& threshold = analysis.stability_threshold;
+  const std::optional<double> threshold = analysis.stability_threshold();
   return {{"top", shown(campbell.range * kRpm)},
           {"torsion", list_of(analysis.torsion,
                               [](const WhirlMode& mode) { return shown(mode.frequency * kHz); })},
@@ -158,7 +158,7 @@ double campbell_range(const scene::Scene& scene, const RotorAnalysis& analysis) 
     shown = std::max(shown, std::abs(spectrum.speed));
   }
   const std::vector<double>& critical = analysis.critical_speeds;
-  const std::optional<double> threshold = analysis.stability_threshold;
+  const std::optional<double> threshold = analysis.stability_threshold();
   if (shown == 0.0) shown = critical.empty() ? threshold.value_or(0.0) : critical.front();
   // Of the machine's own speeds: a ladder of critical speeds would lead on and on.
   const double far = kFar * shown;

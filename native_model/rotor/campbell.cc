@@ -239,7 +239,8 @@ WhirlSpectrum whirl_spectrum(const WhirlSystem& system, double speed) {
   WhirlSpectrum spectrum{speed, {}};
   for (const std::complex<double>& s : values) {
     const double size = std::abs(s);
-    spectrum.modes.push_back({s.imag(), size > 0.0 ? (0.0 - s.real()) / size : 0.0});
+    // 0 and not -0 where a mode is overdamped.
+    spectrum.modes.push_back({s.imag() + 0.0, size > 0.0 ? (0.0 - s.real()) / size : 0.0});
   }
   return spectrum;
 }

@@ -69,19 +69,32 @@ WhirlSpectrum whirl_spectrum(const WhirlSystem& system, double speed);
 // Undamped critical speeds (rad/s, ascending): whirl in step with the spin, K u = Omega^2 (1 - G)
 // u. Isotropic planes: forward whirl alone, since unbalance cannot excite the other, at most
 // `kept`; anisotropic: forward and backward, at most 2 `kept`. A rotor with a flat enough disc has
-// fewer. Of bearings the springs k_xx and k_yy count, where they follow the speed those at the
-// critical speed itself: it may cross its own curve at none or several. sense: of the spin, +1 or
-// -1, of which the sizes are given. (critical_speeds.cc)
+// fewer. Of bearings the springs k_xx, k_yy and (k_xy + k_yx) / 2 count, which conserve energy;
+// where they follow the speed, those at the critical speed itself: it may cross its own curve at
+// none or several. What k_xy and k_yx differ by drives whirl, as dampers do, and counts as little
+// as these. sense: of the spin, +1 or -1, of which the sizes are given. (critical_speeds.cc)
 std::vector<double> critical_speeds(const WhirlSystem& system, double sense = 1.0);
 
-// The lowest size of the spin speed (rad/s, >= 0) above which a kept mode grows, right to 1e-9
-// relative; 0 where one grows at rest; sense: of the spin, +1 or -1. Empty where none grows up to
-// stability_bound. Windows of instability are looked for at every speed of the bearings' tables,
-// where whirls cross, and between: an interval is halved until no mode's damping can come to 0
-// inside, as its course there tells. (stability.cc)
+// The sense of the orbit at each of these critical speeds; planar where nothing couples the planes.
+enum class WhirlSense { kForward, kBackward, kPlanar };
+const char* to_string(WhirlSense sense);  // "forward", "backward", "planar"
+std::vector<WhirlSense> critical_senses(const WhirlSystem& system,
+                                        const std::vector<double>& speeds, double sense = 1.0);
+
+// Sizes of the spin speed (rad/s, >= 0) between which a kept mode grows, right to 1e-9 relative.
+struct UnstableRange {
+  double from;  // 0 where one grows at rest
+  double to;    // infinite where one grows up to stability_bound
+};
+// Ascending and apart; sense: of the spin, +1 or -1. Ranges of instability are looked for at every
+// speed of the bearings' tables, where whirls cross, and between: an interval is halved until no
+// mode's damping can come to 0 inside, as its course there tells. A stable range within an unstable
+// one is found where it is wider than an eighth of its speed. (stability.cc)
+std::vector<UnstableRange> unstable_ranges(const WhirlSystem& system, double sense = 1.0);
+// Where the first of them begins; empty where there is none.
 std::optional<double> stability_threshold(const WhirlSystem& system, double sense = 1.0);
 
-// Up to where stability_threshold looks, rad/s: 20 times the highest kept frequency at rest, and
+// Up to where unstable_ranges looks, rad/s: 20 times the highest kept frequency at rest, and
 // all of the bearings' tables. Infinite where nothing can grow: no internal damping, no film, and
 // no magnetic bearing too strong.
 double stability_bound(const WhirlSystem& system);

@@ -146,6 +146,20 @@ class StabilitySearch {
     });
   }
 
+ public:
+  // The first speed in (a, b] at which none grows; one does at a. Looked at are the thirds.
+  std::optional<std::pair<double, Sample>> first_recovery(const Sample& a, const Sample& b) const {
+    constexpr int kParts = 3;
+    Sample grows = a;
+    for (int part = 1; part <= kParts; ++part) {
+      Sample next = part < kParts ? at(a.speed + part * (b.speed - a.speed) / kParts) : b;
+      if (!next.grows()) return std::pair(crossing(next, grows), std::move(next));
+      grows = std::move(next);
+    }
+    return std::nullopt;
+  }
+
+ private:
   // Zero of growth between a stable and an unstable speed, from the unstable side.
   double crossing(const Sample& before, const Sample& after) const {
     constexpr double kAccuracy = 1e-10;
@@ -153,7 +167,7 @@ class StabilitySearch {
     const double none = before.growth > -kGrows ? kGrows : 0.0;
     const auto excess = [&](double speed) { return at(speed).growth - none; };
     return root(excess, before.speed, after.speed, before.growth - none, after.growth - none,
-                kAccuracy * after.speed)
+                kAccuracy * std::max(before.speed, after.speed))
         .second;
   }
 
@@ -172,14 +186,16 @@ double stability_bound(const WhirlSystem& system) {
   return bound;
 }
 
-std::optional<double> stability_threshold(const WhirlSystem& system, double sense) {
+std::vector<UnstableRange> unstable_ranges(const WhirlSystem& system, double sense) {
   const double bound = stability_bound(system);
-  if (std::isinf(bound)) return std::nullopt;
+  if (std::isinf(bound)) return {};
   constexpr double kStep = 1.5;
   constexpr double kFirst = 0.1;  // of the lowest frequency
   const StabilitySearch search(system, sense);
+  constexpr double kEver = std::numeric_limits<double>::infinity();
+  std::vector<UnstableRange> ranges;
   Sample before = search.at(0.0);
-  if (before.grows()) return 0.0;
+  if (before.grows()) ranges.push_back({0.0, kEver});
 
   double lowest = bound;
   for (const Complex& s : before.s) lowest = std::min(lowest, std::abs(s));
@@ -189,11 +205,28 @@ std::optional<double> stability_threshold(const WhirlSystem& system, double sens
   std::sort(speeds.begin(), speeds.end());
   for (const double speed : speeds) {
     if (speed <= before.speed) continue;
-    Sample next = search.at(speed);
-    if (const auto found = search.first_growth(before, next)) return found;
-    before = std::move(next);
+    const Sample next = search.at(speed);
+    while (before.speed < speed) {
+      if (!ranges.empty() && std::isinf(ranges.back().to)) {
+        auto found = search.first_recovery(before, next);
+        if (!found) break;
+        ranges.back().to = found->first;
+        before = std::move(found->second);
+      } else {
+        const std::optional<double> found = search.first_growth(before, next);
+        if (!found) break;
+        ranges.push_back({*found, kEver});
+        before = search.at(*found);
+      }
+    }
+    before = next;
   }
-  return std::nullopt;
+  return ranges;
+}
+
+std::optional<double> stability_threshold(const WhirlSystem& system, double sense) {
+  const std::vector<UnstableRange> ranges = unstable_ranges(system, sense);
+  return ranges.empty() ? std::nullopt : std::optional(ranges.front().from);
 }
 
 }  // namespace rotorub

@@ -36,17 +36,11 @@ StiffnessMap map_over(StiffnessMap map, const At& at) {
 }
 
 // ------------------------------------------------------------------ what holds the rotor
-// The springs, those of magnets that sense elsewhere too, bear the rotor at rest in both planes.
-bool stands(WhirlSystem system) {
-  for (const WhirlFilm& film : system.films) {
-    const BearingCoefficients<double> c = film.law.at(0.0);
-    system.stiffness_x += c[0] * film.station * film.station.transpose();
-    system.stiffness_y += c[3] * film.station * film.station.transpose();
-  }
-  return std::ranges::all_of(std::array{&system.stiffness_x, &system.stiffness_y}, [](auto* k) {
-    const auto values = real_eigenvalues(*k);
-    return values && std::ranges::all_of(*values, [](auto s) { return s.real() > 0.0; });
-  });
+// The springs, those of magnets that sense elsewhere and across the planes too, bear the rotor at
+// rest.
+bool stands(const WhirlSystem& system) {
+  const auto values = real_eigenvalues(planes_matrices(system, 0.0).stiffness);
+  return values && std::ranges::all_of(*values, [](auto s) { return s.real() > 0.0; });
 }
 
 // harder(scene, factor).
@@ -71,8 +65,10 @@ void add_bearings(const scene::Scene& scene, std::vector<StiffnessMap>& maps) {
   if (first == bearings.end()) return;
   maps.push_back(map_of_scenes(StiffnessMap::Of::kBearings, first->stiffness.x(), scene,
                                [](scene::Scene& held, double factor) {
-                                 for (auto& b : held.rotor.geometry->bearings)
+                                 for (auto& b : held.rotor.geometry->bearings) {
                                    b.stiffness *= factor;
+                                   b.cross_stiffness *= factor;
+                                 }
                                }));
 }
 
