@@ -14,6 +14,7 @@
 #include "plugin/config_cache.h"
 #include "plugin/contact/verlet.h"
 #include "plugin/generated_rotor.h"
+#include "plugin/later_attributes.h"
 #include "plugin/load_cells.h"
 #include "plugin/message.h"
 #include "plugin/model_parameters.h"
@@ -123,6 +124,7 @@ ContactPair map_contact(const mjModel* m, const Config& config, std::size_t k, i
   p.data = data;
   p.sensors = contact_sensors(m, {}, names::of_bearing(k, {}));
   if (const auto reference = own_number(m, names::kOwnFrictionReference)) {
+    check_one_value(m, names::kOwnFrictionReference, *reference);
     p.friction_reference = reference->values[0];
   }
   p.in_world = true;
@@ -269,6 +271,7 @@ Config generated_config(const mjModel* m) {
   config.control_force = sensor_address(m, names::kControlForce, 2);
   config.current = sensor_address(m, names::kCurrent, 2);
   map_structure(m, config);
+  check_generated_attributes(m, config);
   take_parameters(m, config);
   return config;
 }

@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <bit>
 #include <cstdint>
-#include <cstdio>
 #include <cstring>
 #include <functional>
 #include <iterator>
@@ -14,6 +13,7 @@
 #include <string_view>
 #include <unordered_map>
 
+#include "plugin/message.h"
 #include "plugin/model_parameters.h"
 #include "plugin/mujoco_versions.h"
 #include "plugin/own/instances.h"
@@ -247,7 +247,7 @@ const Config* look_up(const mjModel* m) {
       return known->config.get();
     return recent.add(m, {registry().find_or_make(m), {}}).config.get();
   } catch (const std::exception& error) {
-    std::snprintf(raised_text, sizeof raised_text, "%s", error.what());
+    copy_lines(error.what(), raised_text);
   }
   return nullptr;
 }

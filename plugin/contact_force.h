@@ -1,5 +1,5 @@
-// MuJoCo's report of a contact's force, with the plugin's forces in it: alone it has 0 for `rigid`
-// and no friction for `coulomb` (load_cells.h).
+// MuJoCo's reports of a contact's force, with the plugin's forces in them: alone they have 0 for
+// `rigid` and no friction for `coulomb` (load_cells.h).
 #pragma once
 
 #include <mujoco/mujoco.h>
@@ -10,5 +10,10 @@ namespace rotorub::plugin {
 // The preloaded library answers mj_contactForce so.
 void contact_force(const mjModel* m, const mjData* d, int id, mjtNum result[6],
                    void (*plain)(const mjModel*, const mjData*, int, mjtNum*) = mj_contactForce);
+
+// As mj_rnePostConstraint (`plain`), with the plugin's forces in cfrc_ext and cfrc_int, after
+// mj_forward or mj_step. The preloaded library answers mj_rnePostConstraint so.
+void rne_post_constraint(const mjModel* m, mjData* d,
+                         void (*plain)(const mjModel*, mjData*) = mj_rnePostConstraint);
 
 }  // namespace rotorub::plugin

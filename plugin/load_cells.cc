@@ -101,6 +101,7 @@ struct ContactForce {
   ContactPlace place;
   Eigen::Vector2d e_r{0.0, 0.0};
   double normal = 0.0, friction = 0.0, axial = 0.0;  // N, on the rotor along -e_r, e_t and the axis
+  bool is_zero() const { return normal == 0.0 && friction == 0.0 && axial == 0.0; }
 };
 
 // since: s, that may have passed since its pass.
@@ -202,23 +203,31 @@ void map_load_cells(const mjModel* m, Config& config) {
   }
 }
 
+namespace {
+
+// On rotor and ring as J^T has it (contact/contact_space.h): at the rotor's centre, and at the
+// point of the ring's axis beside it.
+void add_wrenches(const ContactPair& pair, const ContactForce& f, const mjModel* m, mjData* d) {
+  const Eigen::Vector3d load = contact_load(f.e_r, pair.contact.radius, f.normal, f.friction);
+  const Eigen::Vector3d along = f.axial * axial_column(f.e_r, pair.contact.radius);
+  const Eigen::Vector3d force(load.x(), load.y(), along.x()),
+      torque(along.y(), along.z(), load.z());
+  add_wrench(m, d, m->geom_bodyid[pair.rotor_geom], d->geom_xpos + 3 * pair.rotor_geom,
+             f.place.axes, force, torque);
+  add_wrench(m, d, m->geom_bodyid[pair.ring_geom], f.place.ring_point, f.place.axes, -force,
+             -f.place.ring_spin * torque);
+}
+
+}  // namespace
+
 void fill_load_cells(const Config& config, const mjModel* m, mjData* d) {
   if (!config.cells) return;
   bool any = false;
   for (const ContactPair& pair : config.pairs) {
     const ContactForce f = force_of(pair, d, 0.0);
-    if (f.normal == 0.0 && f.friction == 0.0 && f.axial == 0.0) continue;
+    if (f.is_zero()) continue;
     any = true;
-    // As J^T has it (contact/contact_space.h): on the rotor at its centre, on the ring at the point
-    // of its axis beside it.
-    const Eigen::Vector3d load = contact_load(f.e_r, pair.contact.radius, f.normal, f.friction);
-    const Eigen::Vector3d along = f.axial * axial_column(f.e_r, pair.contact.radius);
-    const Eigen::Vector3d force(load.x(), load.y(), along.x()),
-        torque(along.y(), along.z(), load.z());
-    add_wrench(m, d, m->geom_bodyid[pair.rotor_geom], d->geom_xpos + 3 * pair.rotor_geom,
-               f.place.axes, force, torque);
-    add_wrench(m, d, m->geom_bodyid[pair.ring_geom], f.place.ring_point, f.place.axes, -force,
-               -f.place.ring_spin * torque);
+    add_wrenches(pair, f, m, d);
     for (int i = 0; i < m->nsensor; ++i) {
       if (m->sensor_type[i] == mjSENS_TOUCH && feels(m, i, pair)) add_touch(pair, f, m, d, i);
     }
@@ -226,6 +235,27 @@ void fill_load_cells(const Config& config, const mjModel* m, mjData* d) {
   for (int i = 0; any && i < m->nsensor; ++i) {
     if (is_force(m->sensor_type[i]) && !has_history(m, i)) fill_force(m, d, i);
   }
+}
+
+namespace {
+
+// MuJoCo's sensors would take what is there for its own, and fill_load_cells add to it again.
+template <typename Data>
+void forget_rne(Data* d) {
+  if constexpr (requires { d->flg_rnepost; }) d->flg_rnepost = 0;
+}
+
+}  // namespace
+
+void rne_post_constraint(const mjModel* m, mjData* d, void (*plain)(const mjModel*, mjData*)) {
+  plain(m, d);
+  const Config* config = callbacks_active() ? find_config(m, d) : nullptr;
+  if (!config) return;
+  for (const ContactPair& pair : config->pairs) {
+    const ContactForce f = force_of(pair, d, m->opt.timestep);  // that of mj_step may be taken
+    if (!f.is_zero()) add_wrenches(pair, f, m, d);
+  }
+  forget_rne(d);
 }
 
 void contact_force(const mjModel* m, const mjData* d, int id, mjtNum result[6],

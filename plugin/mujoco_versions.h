@@ -181,6 +181,13 @@ inline double damped_step(const mjModel* m) {
   return m->opt.timestep;
 }
 
+// How many coefficients a polynomial of stiffness or damping has beyond the first.
+#ifdef mjNPOLY
+inline constexpr int kPolynomial = mjNPOLY;
+#else
+inline constexpr int kPolynomial = 0;
+#endif
+
 // --- Actuators: one control and one force each, but for those of 3.11 with several ---
 
 template <typename Model>
@@ -250,6 +257,44 @@ std::span<mjtNum> plugin_state(const Model* m, Data* d) {
     return {d->plugin_state, static_cast<std::size_t>(m->npluginstate)};
   } else {
     return {};
+  }
+}
+
+// Adds the passive forces of engine plugins to qfrc_passive, as mj_passive does after mjcb_passive.
+inline void add_plugin_forces(const mjModel* m, mjData* d) {
+#if mjVERSION_HEADER >= 235
+  for (int i = 0; i < count(m->nplugin); ++i) {
+    const mjpPlugin* plugin = mjp_getPluginAtSlot(m->plugin[i]);
+    if (plugin && (plugin->capabilityflags & mjPLUGIN_PASSIVE) && plugin->compute)
+      plugin->compute(m, d, i, mjPLUGIN_PASSIVE);
+  }
+#else
+  static_cast<void>(m), static_cast<void>(d);
+#endif
+}
+
+// --- The solver ---
+
+// How much the last iteration of the solve done last still changed, where it was stopped by
+// <option iterations> above its tolerance; else 0. With several islands the largest of them.
+template <typename Model, typename Data>
+double unconverged(const Model* m, const Data* d) {
+  const auto island = [&](const auto* iterations, int n) {
+    if (n < m->opt.iterations || n < 1 || n > mjNSOLVER) return 0.0;
+    const double change = iterations[n - 1].improvement;
+    return m->opt.tolerance > 0.0 && change > m->opt.tolerance ? change : 0.0;
+  };
+  if constexpr (requires { d->solver_niter; }) {
+    double most = 0.0;
+    constexpr int kRoom = sizeof d->solver_niter / sizeof d->solver_niter[0];
+    const int islands = count(d->nisland) < kRoom ? count(d->nisland) : kRoom;
+    for (int k = 0; k == 0 || k < islands; ++k) {
+      const double left = island(d->solver + k * mjNSOLVER, d->solver_niter[k]);
+      most = left > most ? left : most;
+    }
+    return most;
+  } else {
+    return island(d->solver, d->solver_iter);
   }
 }
 

@@ -1,7 +1,10 @@
 #include "plugin/options.h"
 
 #include <algorithm>
+#include <cstdio>
+#include <string>
 
+#include "plugin/later_attributes.h"
 #include "plugin/mujoco_versions.h"
 
 namespace rotorub::plugin {
@@ -19,9 +22,26 @@ bool may_fall_asleep(const Config& config, const mjModel* m) {
                      [m](int dof) { return dof >= 0 && tree_may_sleep(m, m->dof_bodyid[dof]); });
 }
 
+// What is returned stays until the thread's next refusal of a surface.
+const char* refused_surfaces(const Config& config, const mjModel* m) {
+  static thread_local char text[500];
+  for (const ContactPair& pair : config.pairs) {
+    const std::string why = refused_surface(m, pair);
+    if (why.empty()) continue;
+    std::snprintf(text, sizeof text, "%s", why.c_str());
+    return text;
+  }
+  return nullptr;
+}
+
 }  // namespace
 
 const char* refused_options(const Config& config, const mjModel* m) {
+  if (const char* why = refused_surfaces(config, m)) return why;
+  if (bearing_is_disabled(m, config)) {
+    return "rotorub: <option actuatorgroupdisable>: disables an actuator of the bearing, whose "
+           "force the plugin computes; accepted: another group for the bearing's actuators";
+  }
   if (may_fall_asleep(config, m)) {
     return "rotorub: <flag sleep=\"enable\"/>: rotor or ring would sleep under the plugin's loads; "
            "accepted: sleep=\"never\" on the bodies that carry them, or \"disable\"";

@@ -18,7 +18,9 @@
 #include "plugin/segments.h"
 #include "plugin/sensors.h"
 #include "plugin/shadow.h"
+#include "plugin/solver_watch.h"
 #include "plugin/user_data.h"
+#include "plugin/written_state.h"
 
 namespace rotorub::plugin {
 namespace {
@@ -149,15 +151,43 @@ void act_or_refuse(const Config& config, const mjModel* m, mjData* d) {
     raise_error(why);
     return;
   }
+  watch_solver(config, m, d);
+  forget_written_contacts(config, m, d);
   act(config, m, d);
+  remember_places(config, m, d);
+  note_solved_contacts(config, m, d);
   seal_block(config, d);
   mark_active(config, d, (!config.has_contact() || contact_enabled(m)) && !has_escaped(config, d));
 }
+
+// Passive forces of engine plugins, which MuJoCo adds after mjcb_passive: in qfrc_passive while
+// this lives, and out of it again for MuJoCo to add them.
+class PluginForces {
+ public:
+  PluginForces(const mjModel* m, mjData* d)
+      : d_(d), nv_(count(m->nv)), room_(d), force_(room_.numbers(nv_)) {
+    std::copy_n(d->qfrc_passive, nv_, force_);
+    add_plugin_forces(m, d);
+    for (int i = 0; i < nv_; ++i) force_[i] = d->qfrc_passive[i] - force_[i];
+  }
+  ~PluginForces() {
+    for (int i = 0; i < nv_; ++i) d_->qfrc_passive[i] -= force_[i];
+  }
+  PluginForces(const PluginForces&) = delete;
+  PluginForces& operator=(const PluginForces&) = delete;
+
+ private:
+  mjData* d_;
+  int nv_;
+  StackFrame room_;
+  mjtNum* force_;
+};
 
 // Where MuJoCo leaves out mjcb_control, mjcb_passive is the last that is called: with what the
 // velocity stage computes after it, done before.
 void act_without_control(const Config& config, const mjModel* m, mjData* d) {
   begin_actuators(d);
+  const PluginForces others(m, d);
   mj_rne(m, d, 0, d->qfrc_bias);
   KeptReferences references(m, d);
   act_or_refuse(config, m, d);

@@ -120,6 +120,16 @@ ROTORUB_EXPORT void mj_contactForce(const mjModel* m, const mjData* d, int id, m
   }
 }
 
+// MuJoCo's sensors have the plugin's forces from load_cells.h.
+ROTORUB_EXPORT void mj_rnePostConstraint(const mjModel* m, mjData* d) {
+  static const auto rne = original<Pass>("mj_rnePostConstraint");
+  if (in_sensors) {
+    rne(m, d);
+  } else {
+    rotorub::plugin::rne_post_constraint(m, d, rne);
+  }
+}
+
 // The plugin calls this one too, preloaded or not: MuJoCo's own is where mj_forward is.
 ROTORUB_EXPORT void mj_fwdActuation(const mjModel* m, mjData* d) {
   static const auto actuation = [] {

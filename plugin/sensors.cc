@@ -8,6 +8,7 @@
 #include "plugin/contact/verlet.h"
 #include "plugin/control.h"
 #include "plugin/generated_rotor.h"
+#include "plugin/later_attributes.h"
 #include "plugin/message.h"
 #include "plugin/mujoco_versions.h"
 #include "plugin/shadow.h"
@@ -155,6 +156,7 @@ int sensor_address(const mjModel* m, const std::string& name, int dim) {
   if (m->sensor_dim[id] != dim) {
     refuse(message("<user name=\"{}\">", name), message("accepted dim: {}", dim));
   }
+  check_sensor_attributes(m, id);
   return m->sensor_adr[id];
 }
 

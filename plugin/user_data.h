@@ -27,9 +27,9 @@ enum UserDataEntry : int {
   // and of `rigid` (contact/contact_memory.h):
   kNormalForce,    // N, mean over the step that the pass is for
   kContactTime,    // s, of the pass that the next three are of
-  kContactBefore,  // 1: contact lasted over the step before
-  kContactNow,     // 1: it lasts over this one
-  kContactStatus,  // number of the Status of the contact laws
+  kContactBefore,  // m, between the centres of a contact that lasted over the step before; 0: none
+  kContactNow,     // m, of one that lasts over this one
+  kContactStatus,  // Status of the contact laws, EscapeGuard's bits, and those of solver_watch.cc
   kImpact,         // 1: the step's impulses are an impact's, with
   kGapRateBefore,  // m/s
   kGapRateAfter,
@@ -40,9 +40,11 @@ enum UserDataEntry : int {
 };
 static_assert(kUserDataSingle == mjcf_names::kUserDataSingle);
 
-// Of a contact that gives, in the places of what `rigid` alone keeps: 1 while it is in the wall,
-// and the a of its touch, s/m.
-inline constexpr int kTouches = kContactNow, kTouchDamping = kContactTime;
+// Of a compliant contact, in the places of what `rigid` alone keeps: its state
+// (contact/contact_memory.cc), 0 after a reset, and the a of its touch, s/m; time and gap of the
+// pass that these are of, s and m.
+inline constexpr int kTouches = kContactNow, kTouchDamping = kContactTime,
+                     kTouchTime = kGapRateBefore, kTouchGap = kContactBefore;
 
 // Whether loads and contact were in the pass.
 inline constexpr double kActed = 0.0, kNotActed = -1.0;

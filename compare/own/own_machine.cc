@@ -7,6 +7,7 @@
 #include <numbers>
 #include <stdexcept>
 #include <utility>
+#include <vector>
 
 #include "compare/engine/mujoco_model.h"
 #include "mjcf/mujoco_version.h"
@@ -18,6 +19,7 @@
 #include "native_model/system/model.h"
 #include "native_model/system/model_checks.h"
 #include "native_model/trajectory/recorder.h"
+#include "plugin/message.h"
 #include "plugin/options.h"
 #include "plugin/own/own_names.h"
 #include "plugin/twin/native_twin.h"
@@ -35,6 +37,10 @@ std::string text_of(const std::filesystem::path& file) {
   }
 }
 
+constexpr const char* kNoContactText =
+    "missing; add it with data=\"rigid\", the model that the file now has without saying so: the "
+    "comparison puts the other contact models in its place";
+
 // The models' texts rotorub_contact, which are of the length that the file gave them: all texts are
 // put where more have room. The owner of what is returned must outlive the model.
 std::shared_ptr<void> say_contact(mjModel* m, const char* word) {
@@ -49,10 +55,7 @@ std::shared_ptr<void> say_contact(mjModel* m, const char* word) {
   for (const plugin::PairName& pair : plugin::own_pair_names(m)) {
     const std::string name = pair.of(names::kContactText);
     const int id = mj_name2id(m, mjOBJ_TEXT, name.c_str());
-    if (id < 0) {
-      throw std::runtime_error("<custom><text name=\"" + name +
-                               "\">: missing; it is needed for another contact model than rigid");
-    }
+    if (id < 0) plugin::refuse(plugin::text_element(name.c_str()), kNoContactText);
     const auto at = static_cast<std::size_t>(id);
     texts->address[at] = static_cast<int>(texts->data.size());
     texts->size[at] = static_cast<int>(std::strlen(word)) + 1;
@@ -95,10 +98,50 @@ void set_pair(mjModel* m, const plugin::ContactPair& own, scene::ContactModel co
   m->pair_gap[at] = pair.gap;
 }
 
+// MuJoCo's refusal of a word that it does not know, or of a text without data, says neither that a
+// later release may know the word nor what to write.
+std::string load_advice(const std::string& error) {
+  const auto says = [&error](const char* words) { return error.find(words) != error.npos; };
+  if (says("'text'") && (says("data") || says("text field"))) {
+    return "; add data=\"...\": of rotorub_contact rigid, coulomb, cone or cone-coulomb, of "
+           "rotorub_rotor_geom and rotorub_ring_geom the name of a geom";
+  }
+  if (says("Schema violation") || says("nrecognized") || says("invalid keyword")) {
+    return fmt::format(
+        "; this rotorub reads MJCF with MuJoCo {}, which does not know words of later releases{}: "
+        "take the word out, or build rotorub for your release with -DMUJOCO_DIR (plugin/README.md, "
+        "Newer MuJoCo)",
+        to_string(built_for()), says("implicitfast") ? " (implicitfast is known since 2.3.3)" : "");
+  }
+  return {};
+}
+
+// MuJoCo's defaults. The plugin takes no solref that bounces otherwise than its names say, so that
+// they say what this one does.
+void set_default_solref(mjModel* m, const plugin::Config& config) {
+  const auto set = [m](const std::string& name, double value) {
+    const int id = mj_name2id(m, mjOBJ_NUMERIC, name.c_str());
+    if (id >= 0) m->numeric_data[m->numeric_adr[id]] = value;
+  };
+  for (const plugin::PairName& pair : plugin::own_pair_names(m)) {
+    set(pair.of(names::kOwnRestitution), soft_restitution(1.0));
+    set(pair.of(names::kOwnFrictionReference), 0.0);
+  }
+  for (const plugin::ContactPair& pair : config.pairs) {
+    m->pair_solref[mjNREF * pair.pair] = 0.02;
+    m->pair_solref[mjNREF * pair.pair + 1] = 1.0;
+  }
+}
+
 // As the file has it, its load cells asked for late, where a linked program can correct them
 // (plugin/load_cells.h).
 MujocoModel load_machine(const std::filesystem::path& file) {
-  MujocoModel m = load_mjcf_file(file);
+  MujocoModel m;
+  try {
+    m = load_mjcf_file(file);
+  } catch (const std::runtime_error& error) {
+    throw std::runtime_error(error.what() + load_advice(error.what()));
+  }
   const bool cells = std::any_of(m->sensor_type, m->sensor_type + m->nsensor, [](int type) {
     return type == mjSENS_FORCE || type == mjSENS_TORQUE || type == mjSENS_TOUCH;
   });
@@ -106,11 +149,99 @@ MujocoModel load_machine(const std::filesystem::path& file) {
   return m;
 }
 
+// A run starts from the keyframe "start" or "test". Other keyframes would be left out of it.
+void check_keyframes(const mjModel* m) {
+  if (m->nkey == 0 || start_keyframe(m) >= 0) return;
+  std::string found;
+  for (int i = 0; i < m->nkey; ++i) {
+    const char* name = mj_id2name(m, mjOBJ_KEY, i);
+    found += fmt::format("{}\"{}\"", i == 0 ? "" : ", ", name ? name : "");
+  }
+  plugin::refuse("<keyframe>",
+                 fmt::format("has {}, and a run starts from the key that is called \"{}\" or "
+                             "\"{}\"; accepted: one of these two names, or no keyframe, to start "
+                             "at qpos0",
+                             found, names::kStartKey, names::kTestKey));
+}
+
+void check_contact_texts(const mjModel* m) {
+  for (const plugin::PairName& pair : plugin::own_pair_names(m)) {
+    const std::string name = pair.of(names::kContactText);
+    if (!plugin::own_text(m, name)) plugin::refuse(plugin::own_element(m, name), kNoContactText);
+  }
+}
+
+// The degrees of freedom that move a geom.
+std::vector<int> dofs_of(const mjModel* m, int geom) {
+  std::vector<int> dofs;
+  for (int body = m->geom_bodyid[geom]; body > 0; body = m->body_parentid[body]) {
+    for (int k = 0; k < m->body_dofnum[body]; ++k) dofs.push_back(m->body_dofadr[body] + k);
+  }
+  return dofs;
+}
+
+// The twin has no constraints: a rotor that is driven, or a ring that is held, by an equality would
+// be another machine there.
+void check_equalities(const mjModel* m, const plugin::Config& config) {
+  if (m->neq == 0) return;
+  const MujocoData start = make_start(m);
+  mj_fwdPosition(m, start.get());
+  std::vector<mjtNum> rate(static_cast<std::size_t>(m->nv)),
+      rows(static_cast<std::size_t>(start->nefc));
+  for (const plugin::ContactPair& pair : config.pairs) {
+    for (const int geom : {pair.rotor_geom, pair.ring_geom}) {
+      for (const int dof : dofs_of(m, geom)) {
+        std::fill(rate.begin(), rate.end(), 0.0);
+        rate[static_cast<std::size_t>(dof)] = 1.0;
+        mj_mulJacVec(m, start.get(), rows.data(), rate.data());
+        for (int i = 0; i < start->nefc; ++i) {
+          if (start->efc_type[i] != mjCNSTR_EQUALITY || rows[static_cast<std::size_t>(i)] == 0.0)
+            continue;
+          const char* name = mj_id2name(m, mjOBJ_EQUALITY, start->efc_id[i]);
+          plugin::refuse(
+              fmt::format("<equality> \"{}\"", name ? name : ""),
+              fmt::format("acts on {}, which moves geom \"{}\": the native twin has no "
+                          "constraints and would be another machine; accepted in a comparison: "
+                          "the drive or the support on the joint itself (a motor, a stiffness), "
+                          "no joint instead of a weld",
+                          plugin::joint_of_dof(m, dof), m->names + m->name_geomadr[geom]));
+        }
+      }
+    }
+  }
+}
+
+bool is_round(int type) {
+  return type == mjGEOM_SPHERE || type == mjGEOM_CAPSULE || type == mjGEOM_CYLINDER;
+}
+
+// A clearance unlike the drawn one may be a mistake.
+void add_drawn_clearances(const mjModel* m, const plugin::Config& config,
+                          std::vector<std::string>& limits) {
+  constexpr double kAlike = 0.01;
+  for (const plugin::ContactPair& pair : config.pairs) {
+    const int rotor = pair.rotor_geom, ring = pair.ring_geom;
+    if (!is_round(m->geom_type[rotor]) || !is_round(m->geom_type[ring])) continue;
+    const double drawn = m->geom_size[3 * ring] - m->geom_size[3 * rotor];
+    const double clearance = pair.contact.clearance;
+    if (std::abs(drawn - clearance) <= kAlike * clearance) continue;
+    limits.push_back(fmt::format(
+        "the drawn shapes of geoms \"{}\" and \"{}\", whose radii differ by {:.6g} m: on both "
+        "sides "
+        "the clearance is {:.6g} m",
+        m->names + m->name_geomadr[rotor], m->names + m->name_geomadr[ring], drawn, clearance));
+  }
+}
+
 class OwnEngine final : public Engine {
  public:
-  OwnEngine(std::shared_ptr<const OwnMachine> machine, scene::ContactModel contact)
-      : machine_(std::move(machine)), contact_(contact) {}
-  std::string name() const override { return std::string("mujoco-") + to_string(contact_); }
+  OwnEngine(std::shared_ptr<const OwnMachine> machine, scene::ContactModel contact,
+            OwnSolref solref)
+      : machine_(std::move(machine)), contact_(contact), solref_(solref) {}
+  std::string name() const override {
+    return std::string("mujoco-") + to_string(contact_) +
+           (solref_ == OwnSolref::kDefault ? "-default" : "");
+  }
 
   Trajectory run(const scene::Scene& given, const RunRequest& request) const override {
     if (request.perturbation_ulps != 0) {
@@ -121,12 +252,13 @@ class OwnEngine final : public Engine {
     check_steps(scene, scene.run.step);
     MujocoOptions options{request};
     options.window = kWindowSteps * given.run.step;
-    return finite(run_mujoco(scene, machine_->setup(contact_, scene.run.step), options));
+    return finite(run_mujoco(scene, machine_->setup(contact_, scene.run.step, solref_), options));
   }
 
  private:
   std::shared_ptr<const OwnMachine> machine_;
   scene::ContactModel contact_;
+  OwnSolref solref_;
 };
 
 }  // namespace
@@ -143,14 +275,24 @@ OwnMachine::OwnMachine(const std::filesystem::path& file, const OwnRun& run) : f
         "names no rub; accepted: geoms of rotor and ring in <custom>, as in "
         "mjcf/examples/own_model.xml (plugin/README.md)");
   }
-  const plugin::Config config = plugin::make_config(m.get());
-  if (config.pairs.empty())
+  plugin::Refusals refusals;
+  plugin::Config config;
+  const bool read = refusals.attempt([&] { config = plugin::make_config(m.get()); });
+  if (read && config.pairs.empty())
     throw std::runtime_error(
         "names pairs to be corrected for sliding, but no rub, which has a twin");
-  for (const char* why :
-       {plugin::refused_options(config, m.get()), plugin::refused_integrator(config, m.get())}) {
-    if (why) throw plugin::ConfigError(why);
+  refusals.attempt([&] { check_keyframes(m.get()); });
+  refusals.attempt([&] { check_contact_texts(m.get()); });
+  if (read) {
+    for (const char* why :
+         {plugin::refused_options(config, m.get()), plugin::refused_integrator(config, m.get())}) {
+      refusals.attempt([&] {
+        if (why) throw plugin::ConfigError(why);
+      });
+    }
+    refusals.attempt([&] { check_equalities(m.get(), config); });
   }
+  refusals.raise();
   contact_ = config.contact;
   if (!run.control.empty()) {
     controller_ = controller_of(run.control, m->opt.timestep);
@@ -159,11 +301,7 @@ OwnMachine::OwnMachine(const std::filesystem::path& file, const OwnRun& run) : f
   plugin::NativeTwin made = twin(m.get(), config);
   scene_ = std::move(made.scene);
   limits_ = std::move(made.limits);
-  if (m->nkey > 0 && start_keyframe(m.get()) < 0) {
-    limits_.push_back(
-        "the model's keyframes: none is called \"start\" or \"test\", so that both sides begin at "
-        "qpos0");
-  }
+  add_drawn_clearances(m.get(), config, limits_);
   scene_.name = file.stem().string();
   scene_.text = text_of(file);
   scene_.run.end = run.end;
@@ -191,7 +329,7 @@ plugin::NativeTwin OwnMachine::twin(const mjModel* m, const plugin::Config& conf
   return made;
 }
 
-MujocoSetup OwnMachine::setup(scene::ContactModel contact, double step) const {
+MujocoSetup OwnMachine::setup(scene::ContactModel contact, double step, OwnSolref solref) const {
   const MujocoMessages messages;
   MujocoSetup setup;
   setup.m = load_machine(file_);
@@ -205,6 +343,10 @@ MujocoSetup OwnMachine::setup(scene::ContactModel contact, double step) const {
   }
   setup.config = std::make_unique<const plugin::Config>(plugin::make_config(m));
   auto made = std::make_shared<plugin::NativeTwin>(twin(m, *setup.config));
+  if (solref == OwnSolref::kDefault) {
+    set_default_solref(m, *setup.config);
+    setup.config = std::make_unique<const plugin::Config>(plugin::make_config(m));
+  }
   setup.model = std::make_shared<const Model>(make_model(made->scene));
   setup.read = [made, m](const mjData* d, double* q, double* v) { made->read(m, d, q, v); };
   if (controller_) {
@@ -215,9 +357,16 @@ MujocoSetup OwnMachine::setup(scene::ContactModel contact, double step) const {
   return setup;
 }
 
+std::string OwnMachine::solref_text(scene::ContactModel contact, double step,
+                                    OwnSolref solref) const {
+  const MujocoSetup made = setup(contact, step, solref);
+  const mjtNum* pair = made.m->pair_solref + mjNREF * made.config->pairs.front().pair;
+  return fmt::format("{:.4g} {:.4g}", pair[0], pair[1]);
+}
+
 std::unique_ptr<Engine> own_engine(std::shared_ptr<const OwnMachine> machine,
-                                   scene::ContactModel contact) {
-  return std::make_unique<OwnEngine>(std::move(machine), contact);
+                                   scene::ContactModel contact, OwnSolref solref) {
+  return std::make_unique<OwnEngine>(std::move(machine), contact, solref);
 }
 
 }  // namespace rotorub

@@ -24,10 +24,17 @@ struct OwnRun {
   std::vector<std::string> control{};
 };
 
+// Which solref the pairs of an own model have in a run.
+enum class OwnSolref {
+  kChosen,  // the file's with its own contact model; with another, one that suits step and
+            // restitution
+  kDefault  // MuJoCo's default
+};
+
 class OwnMachine {
  public:
-  // Starts from the keyframe "start", or "test", or else qpos0. Throws plugin::ConfigError for what
-  // the plugin refuses or has no twin, std::runtime_error with MuJoCo's message for what MuJoCo
+  // Starts from the keyframe "start" or "test", or from qpos0 if there is no keyframe. Throws
+  // plugin::ConfigError, with all that is wrong, for what the plugin refuses or has no twin, std::runtime_error with MuJoCo's message for what MuJoCo
   // cannot read, or where no actuators take a controller's commands (ring_control.h),
   // scene::SceneError for a start outside the ring, or at "controller".
   explicit OwnMachine(const std::filesystem::path& file, const OwnRun& run = {});
@@ -41,7 +48,10 @@ class OwnMachine {
 
   // The user's model with one of the contact models. Its own: as the file has it. Another: the
   // pairs are set as a generated file's would be (mjcf/soft_contact.h).
-  MujocoSetup setup(scene::ContactModel contact, double step) const;
+  MujocoSetup setup(scene::ContactModel contact, double step,
+                    OwnSolref solref = OwnSolref::kChosen) const;
+  // The solref of the first pair there, as the attribute has it: "0.02 1", "-4e+08 -9000".
+  std::string solref_text(scene::ContactModel contact, double step, OwnSolref solref) const;
 
  private:
   // Of the model as it starts; its controller, if it has one, is put in.
@@ -57,6 +67,7 @@ class OwnMachine {
 
 // MuJoCo on the user's model; scenes given to it must be the machine's, but for run and start.
 std::unique_ptr<Engine> own_engine(std::shared_ptr<const OwnMachine> machine,
-                                   scene::ContactModel contact);
+                                   scene::ContactModel contact,
+                                   OwnSolref solref = OwnSolref::kChosen);
 
 }  // namespace rotorub

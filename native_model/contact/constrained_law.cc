@@ -121,12 +121,56 @@ ConstrainedContact iterate(ContactResponse& response, ContactVector p, ContactVe
   return best;
 }
 
+// The constraints' response to impulses alone, from the rates before them.
+class SuddenResponse final : public ContactResponse {
+ public:
+  SuddenResponse(ContactResponse& response, const ContactVector& before)
+      : response_(response), before_(before) {}
+  ContactVector at(const ContactVector& p) override { return before_ + response_.sudden(p); }
+  double accuracy() const override { return response_.accuracy(); }
+
+ private:
+  ContactResponse& response_;
+  const ContactVector& before_;
+};
+
 ConstrainedContact closed(ContactResponse& response, const ContactVector& free,
                           std::span<const ImpactLaw> laws, Slopes& line) {
   return iterate(response, ContactVector::Zero(free.size()), free, rows_of(free, laws), line,
                  [&](const ContactMatrix& a, const ContactVector& b) {
                    return solve_compression(a, b, laws);
                  });
+}
+
+// False: the step leaves each gap as open as the impact did, or closes it by no more than
+// round-off.
+bool closes_again(const ContactVector& y, const ContactVector& free, double accuracy,
+                  Eigen::Index rows) {
+  const double tolerance = kRelative * free.norm() + accuracy;
+  for (Eigen::Index k = 0; k < y.size(); k += rows) {
+    if (y[k] < -tolerance) return true;
+  }
+  return false;
+}
+
+// The impact, and the contact that lasts over the rest of the step.
+ConstrainedContact closed_again(ContactResponse& response, const ConstrainedContact& impact,
+                                const ContactMatrix& expected, std::span<const ImpactLaw> laws) {
+  const auto beyond = [&](const ContactMatrix& a, const ContactVector& b) {
+    CoupledSolution s = solve_compression(a, b + a * impact.p, laws);
+    if (s.solutions == 1) s.p += impact.p;
+    return s;
+  };
+  Slopes line(expected, laws);
+  const Eigen::Index rows = rows_of(impact.p, laws);
+  ConstrainedContact c = iterate(response, impact.p, impact.y, rows, line, beyond);
+  c.converged = c.converged && impact.converged;
+  c.after = impact.after;
+  for (std::size_t k = 0; k < laws.size(); ++k) {
+    const Eigen::Index normal = rows * static_cast<Eigen::Index>(k);
+    c.lasts[k] = c.p[normal] > impact.p[normal];
+  }
+  return c;
 }
 
 }  // namespace
@@ -142,7 +186,8 @@ ConstrainedContact solve_constrained_impact(ContactResponse& response, const Con
                                             const ContactMatrix& expected,
                                             std::span<const ImpactLaw> laws) {
   Slopes line(expected, laws);
-  const ConstrainedContact c = closed(response, free, laws, line);
+  SuddenResponse sudden(response, free);
+  const ConstrainedContact c = closed(sudden, free, laws, line);
   if (!c.solved) return c;
   const auto expansion = [&](const ContactMatrix& a, const ContactVector& b) {
     CoupledSolution s = solve_expansion(a, b + a * c.p, laws, c.p);
@@ -150,9 +195,14 @@ ConstrainedContact solve_constrained_impact(ContactResponse& response, const Con
     s.sticks = {};  // that of an impact is not given
     return s;
   };
-  ConstrainedContact e = iterate(response, c.p, c.y, rows_of(free, laws), line, expansion);
+  const Eigen::Index rows = rows_of(free, laws);
+  ConstrainedContact e = iterate(sudden, c.p, c.y, rows, line, expansion);
   e.converged = e.converged && c.converged;
-  return e;
+  if (!e.solved) return e;
+  e.after = e.y;
+  e.y = response.at(e.p);
+  if (!closes_again(e.y, free, response.accuracy(), rows)) return e;
+  return closed_again(response, e, expected, laws);
 }
 
 }  // namespace rotorub

@@ -23,6 +23,9 @@ class PlanarResponse final : public ContactResponse {
   ContactVector at(const ContactVector& p) override {
     return rates(step_.end(contact_load(e_r_, radius_, p[0], p[1]), impact_));
   }
+  ContactVector sudden(const ContactVector& p) override {
+    return rates_along(e_r_, radius_, step_.sudden(contact_load(e_r_, radius_, p[0], p[1])));
+  }
   double accuracy() const override { return step_.accuracy(); }
 
  private:
@@ -102,8 +105,8 @@ void held_contact(bool impact, const RigidStep& step, const ContactParameters& c
   const ConstrainedContact s =
       (impact ? solve_constrained_impact : solve_constrained)(response, free, expected, {&law, 1});
   if (!take(s, out)) return;
-  if (impact) return set_impact(free, s.y, out);
-  out.mode = mode_of(out.normal, s.sticks[0]);
+  if (impact) set_impact(free, s.after, out);
+  if (!impact || s.lasts[0]) out.mode = mode_of(out.normal, s.sticks[0]);
 }
 
 }  // namespace

@@ -33,6 +33,8 @@ class StepResponse {
  public:
   virtual ~StepResponse() = default;
   virtual Eigen::Vector3d end(const Eigen::Vector3d& load, bool impact) = 0;
+  // The change of the rates by an impulse in no time (constrained_law.h).
+  virtual Eigen::Vector3d sudden(const Eigen::Vector3d& load) = 0;
   virtual double accuracy() const = 0;  // m/s, how far it may be off
 };
 
@@ -40,7 +42,7 @@ struct RigidResult {
   Status status = Status::kOk;    // kNoSolution, kAmbiguous: no impulse is given
   bool converged = true;          // false: beside constraints, the least error found (kNoSolution)
   bool impact = false;            // by Poisson's law; else lasting contact or none
-  Mode mode = Mode::kFree;        // of lasting contact
+  Mode mode = Mode::kFree;        // of contact that lasts at the end, after an impact too
   Eigen::Vector2d e_r{1.0, 0.0};  // normal of the impulses
   double normal = 0.0;            // N s, >= 0
   double friction = 0.0;          // N s, on the rotor along e_t

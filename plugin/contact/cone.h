@@ -15,7 +15,7 @@ namespace rotorub::plugin {
 // surface_speed: m/s, r Omega of the spin that is held. Of a contact with friction rows.
 void add_held_slip(double surface_speed, const mjModel* m, mjData* d, const mjContact& contact);
 
-// aref = -B_t v of the friction rows, B_t in 1/s.
+// aref = -B_t v of the friction rows, of torsion and rolling too, B_t in 1/s.
 void set_friction_reference(const mjModel* m, mjData* d, const mjContact& contact,
                             double reference);
 
@@ -37,6 +37,11 @@ void set_friction_reference(const mjModel* m, mjData* d, const mjContact& contac
 // contact is seen from its margin on, with the gap itself in a_ref, and presses where the step
 // would close it.
 //
+// A third is that the friction rows slow the slip by B, that of the restitution, which is small
+// where e is near 1: in an oblique impact they ask for less than mu N. With the normal reference
+// corrected a large B_t lifts nothing, so the friction rows have B_t = 1 / h, whatever B is: what
+// slips stops within a step.
+//
 // |z| is not known before the solution. Contacts that nothing else is coupled to are solved here
 // under Coulomb's law (disc_law.h), exactly; beside constraints of others, with torsional or
 // rolling friction and with MuJoCo's pyramids, whose norm is max |z_i|, MuJoCo's solver is asked
@@ -48,8 +53,11 @@ struct SlidingContact {
   std::optional<double> curvature{};   // m/s^2, v_t^2 / delta >= 0; none: it is not known
 };
 
-// Called in mjcb_control; shifts the contacts' normal references. Contacts without tangential rows
-// are left alone.
+// 1/s, B_t of the friction rows of what is corrected.
+inline double corrected_friction_reference(const mjModel* m) { return 1.0 / m->opt.timestep; }
+
+// Called in mjcb_control, when the references of the friction rows are set; shifts the contacts'
+// normal references. Contacts without tangential rows are left alone.
 void correct_cones(const mjModel* m, mjData* d, std::span<const SlidingContact> contacts);
 
 }  // namespace rotorub::plugin

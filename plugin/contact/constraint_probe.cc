@@ -55,6 +55,71 @@ std::string row_name(const mjModel* m, const mjData* d, int row) {
   }
 }
 
+// The friction losses as MuJoCo's solver reads them where it solves islands apart, since 3.3; null:
+// it does not.
+template <typename Data>
+mjtNum* losses_of_islands(const Data* d) {
+  if constexpr (requires { d->iefc_frictionloss; }) {
+    return d->nisland > 0 ? d->iefc_frictionloss : nullptr;
+  } else {
+    return nullptr;
+  }
+}
+
+// The rows' response to a load in no time is homogeneous: twice the load, twice the answer. What
+// they ask for at the state itself is left out, and so are friction losses. A limit or a contact
+// that yields to no acceleration below its negative reference (it opens already) still does. Put
+// back at the end of the scope.
+class SuddenRows {
+ public:
+  explicit SuddenRows(mjData* d)
+      : d_(d),
+        room_(d),
+        reference_(kept(d->efc_aref)),
+        loss_(kept(d->efc_frictionloss)),
+        losses_of_islands_(losses_of_islands(d)),
+        island_loss_(losses_of_islands_ ? kept(losses_of_islands_) : nullptr) {
+    for (int row = 0; row < d->nefc; ++row) {
+      const bool one_sided = is_one_sided(row);
+      d->efc_aref[row] = one_sided ? std::min(d->efc_aref[row], 0.0) : 0.0;
+    }
+    std::fill_n(d->efc_frictionloss, d->nefc, 0.0);
+    if (losses_of_islands_) std::fill_n(losses_of_islands_, d->nefc, 0.0);
+  }
+  ~SuddenRows() {
+    std::copy_n(reference_, d_->nefc, d_->efc_aref);
+    std::copy_n(loss_, d_->nefc, d_->efc_frictionloss);
+    if (losses_of_islands_) std::copy_n(island_loss_, d_->nefc, losses_of_islands_);
+  }
+  SuddenRows(const SuddenRows&) = delete;
+  SuddenRows& operator=(const SuddenRows&) = delete;
+
+ private:
+  const mjtNum* kept(const mjtNum* from) {
+    mjtNum* copy = room_.numbers(d_->nefc);
+    std::copy_n(from, d_->nefc, copy);
+    return copy;
+  }
+  bool is_one_sided(int row) const {
+    switch (d_->efc_type[row]) {
+      case mjCNSTR_EQUALITY:
+      case mjCNSTR_FRICTION_DOF:
+      case mjCNSTR_FRICTION_TENDON:
+        return false;
+      case mjCNSTR_CONTACT_ELLIPTIC:
+        return d_->contact[d_->efc_id[row]].efc_address == row;  // its normal
+      default:
+        return true;
+    }
+  }
+
+  mjData* d_;
+  StackFrame room_;
+  const mjtNum *reference_, *loss_;
+  mjtNum* losses_of_islands_;  // null: this MuJoCo has none
+  const mjtNum* island_loss_;
+};
+
 }  // namespace
 
 bool constraints_couple(const mjModel* m, mjData* d, const ContactSpace& space,
@@ -107,6 +172,11 @@ void ConstraintProbe::run() {
   mj_solveM(m_, d_, d_->qacc_smooth, d_->qfrc_smooth, 1);
   mj_fwdConstraint(m_, d_);
   mju_add(total_, d_->qfrc_smooth, d_->qfrc_constraint, count(m_->nv));
+}
+
+void ConstraintProbe::run_sudden() {
+  const SuddenRows rows(d_);
+  run();
 }
 
 Eigen::Vector3d ConstraintProbe::acceleration(const ContactSpace& space) {

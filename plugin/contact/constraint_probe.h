@@ -9,6 +9,7 @@
 
 #include <Eigen/Core>
 
+#include <algorithm>
 #include <span>
 
 #include "native_model/contact/rigid_law.h"
@@ -41,6 +42,14 @@ class ConstraintProbe {
     add(d_->qfrc_smooth);
     run();
   }
+  // Tries them as impulses alone, in no time: without the loads of the step and without forces of
+  // the rows that have a bound. qacc is then the change by them.
+  template <typename Add>
+  void solve_sudden(Add add) {
+    std::fill_n(d_->qfrc_smooth, count(m_->nv), 0.0);
+    add(d_->qfrc_smooth);
+    run_sudden();
+  }
   // Of the last trial, in contact space, over the Euler step.
   Eigen::Vector3d acceleration(const ContactSpace& space);
   double accuracy() const;  // m/s^2, of the solver's tolerance
@@ -51,6 +60,7 @@ class ConstraintProbe {
  private:
   void reset();
   void run();
+  void run_sudden();
 
   const mjModel* m_;
   mjData* d_;
@@ -70,6 +80,10 @@ class ProbedStep final : public StepResponse {
   Eigen::Vector3d end(const Eigen::Vector3d& load, bool impact) override {
     probe_.solve([&](mjtNum* force) { space_.add(load / h_, impact, force); });
     return start_ + h_ * probe_.acceleration(space_);
+  }
+  Eigen::Vector3d sudden(const Eigen::Vector3d& load) override {
+    probe_.solve_sudden([&](mjtNum* force) { space_.add(load / h_, true, force); });
+    return h_ * probe_.acceleration(space_);
   }
   double accuracy() const override { return h_ * probe_.accuracy(); }
 

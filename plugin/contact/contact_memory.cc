@@ -4,6 +4,8 @@
 #include <cmath>
 
 #include "native_model/scene/mujoco.h"
+#include "plugin/contact/contact_space.h"
+#include "plugin/contact/relative_motion.h"
 #include "plugin/user_data.h"
 
 namespace rotorub::plugin {
@@ -32,6 +34,22 @@ bool within_cone(const mjModel* m, const mjData* d, const mjContact& contact, co
   const mjtNum* edges = d->efc_force + contact.efc_address;
   if (mj_isPyramidal(m)) return *std::min_element(edges, edges + 4) > 0.0;
   return std::hypot(force[1], force[2]) < (1.0 - 1e-6) * contact.friction[0] * force[0];
+}
+
+// States of a compliant contact, in kTouches.
+constexpr double kUnknown = 0.0, kInWall = 1.0, kOpen = 2.0;
+
+// Whether the motion from the pass before does not lead to this one.
+bool is_written(const ContactPair& pair, const ContactPoint& point, const mjModel* m,
+                const mjData* d) {
+  constexpr double kMoved = 0.01;  // of the clearance, beyond what the speed explains
+  const mjtNum* entry = d->userdata + pair.data;
+  if (entry[kTouches] == kUnknown) return true;
+  const double h = m->opt.timestep, passed = std::abs(d->time - entry[kTouchTime]);
+  const double rounding = 4.0 * std::numeric_limits<double>::epsilon() * std::abs(d->time);
+  if (passed > (1.0 + 1e-6) * h + rounding) return true;
+  const double speed = std::hypot(point.gap_rate, point.whirl_speed());
+  return std::abs(point.gap - entry[kTouchGap]) > 2.0 * h * speed + kMoved * pair.contact.clearance;
 }
 
 // Of a soft contact. Where `told`, it is known before MuJoCo's solver, which then finds the same.
@@ -78,15 +96,40 @@ ContactForces contact_forces(const ContactPair& pair, const mjModel* m, const mj
   return soft_forces(m, pair.law, contact, entry, pair.law == scene::ContactModel::kCoulomb, d);
 }
 
-double compliant_force(const ContactPair& pair, const ContactPoint& point, mjtNum* entry) {
+double compliant_force(const ContactPair& pair, const ContactPoint& point, const mjModel* m,
+                       mjData* d) {
   const CompliantLaw& law = pair.contact.compliance;
-  if (point.gap >= 0.0) {
-    entry[kTouches] = 0.0;
-    return 0.0;
+  mjtNum* entry = d->userdata + pair.data;
+  const double clearance = pair.contact.clearance;
+  if (is_written(pair, point, m, d)) {
+    const bool closed = CompliantLaw::begins_closed(point.gap, point.gap_rate, clearance);
+    entry[kTouches] = closed ? kInWall : kOpen;
+    entry[kTouchDamping] = law.a_of_start();
+  } else if (point.gap > CompliantLaw::kOnCircle * clearance) {
+    entry[kTouches] = kOpen;
+  } else if (point.gap < 0.0 && entry[kTouches] == kOpen) {
+    entry[kTouches] = kInWall;
+    entry[kTouchDamping] = law.a_of_touch(-point.gap_rate);
   }
-  if (entry[kTouches] == 0.0) entry[kTouchDamping] = law.a_of_touch(-point.gap_rate);
-  entry[kTouches] = 1.0;
+  entry[kTouchTime] = d->time;
+  entry[kTouchGap] = point.gap;
+  if (point.gap >= 0.0) return 0.0;
   return std::max(0.0, law.force(-point.gap, -point.gap_rate, entry[kTouchDamping]));
+}
+
+void pass_without_contact(const ContactPair& pair, const mjModel* m, mjData* d) {
+  mjtNum* entry = d->userdata + pair.data;
+  const double clearance = pair.contact.clearance, gap = clearance - position_of(pair, d).norm(),
+               round_off = CompliantLaw::kOnCircle * clearance;
+  if (std::abs(gap) <= round_off) {
+    compliant_force(pair, contact_point_of(pair, m, d), m, d);
+    return;
+  }
+  // In the wall and yet no contact, as where contacts are disabled: it begins closed once it is
+  // one.
+  entry[kTouches] = gap > 0.0 ? kOpen : kUnknown;
+  entry[kTouchTime] = d->time;
+  entry[kTouchGap] = gap;
 }
 
 }  // namespace rotorub::plugin

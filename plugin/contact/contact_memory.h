@@ -138,8 +138,13 @@ struct ContactForces {
 ContactForces contact_forces(const Config& config, const mjModel* m, const mjData* d);
 ContactForces contact_forces(const ContactPair& pair, const mjModel* m, const mjData* d);
 
-// N, of a contact that gives, at a point of it; entry: of the contact, where the a of its touch is
-// kept while it lasts.
-double compliant_force(const ContactPair& pair, const ContactPoint& point, mjtNum* entry);
+// N, of a compliant contact, at its point in this pass. mjData.userdata keeps the a of its touch
+// while it lasts. A contact that begins closed (CompliantLaw::begins_closed) has had no touch: that
+// is so in the first pass after a reset or a keyframe, and where the state was written, which shows
+// by the time or by a rotor elsewhere than its motion could bring it.
+double compliant_force(const ContactPair& pair, const ContactPoint& point, const mjModel* m,
+                       mjData* d);
+// In the place of that in a pass in which MuJoCo does not have the contact.
+void pass_without_contact(const ContactPair& pair, const mjModel* m, mjData* d);
 
 }  // namespace rotorub::plugin

@@ -75,7 +75,7 @@ Reference reference_of(const ContactPair& pair, const mjModel* m, const mjData* 
 
 // row: of MuJoCo's solver.
 TouchingPair touching_pair(const ContactPair& pair, const ContactSpaces::Made& at, const mjModel* m,
-                           const mjData* d, int row) {
+                           mjData* d, int row) {
   const auto& [place, space, axial] = at;
   const double h = m->opt.timestep;
   Eigen::Vector3d rates = space->rates(d->qvel);
@@ -92,7 +92,7 @@ TouchingPair touching_pair(const ContactPair& pair, const ContactSpaces::Made& a
   const Reference r = reference_of(pair, m, d, row);
   const double reference = -r.damping * (p.gap_rate + 0.5 * h * s.curvature) - r.stiffness * p.gap;
   if (pair.contact.gives()) {
-    s.pressing = compliant_force(pair, p, d->userdata + pair.data);
+    s.pressing = compliant_force(pair, p, m, d);
   }
   s.base = {-s.curvature - reference,
             p.slip / h + whirl / p.delta * p.gap_rate + p.e_t().dot(turning),
@@ -310,7 +310,7 @@ void apply_coulomb(const Config& config, const mjModel* m, mjData* d) {
     const mjContact* contact = find_contact(pair, d);
     const bool seen = pair.beside ? is_seen_beside(config, pair, m, d) : contact != nullptr;
     if (!seen) entry[kMode] = 0.0;
-    if (!seen && pair.contact.gives()) entry[kTouches] = 0.0;
+    if (!seen && pair.contact.gives()) pass_without_contact(pair, m, d);
     if (!seen || pair.law != scene::ContactModel::kCoulomb) continue;
     if (contacts.count == 0) {
       compute_actuators(m, d);

@@ -14,6 +14,9 @@ class CoupledContacts::Response final : public ContactResponse {
     contacts_.find_ends();
     return contacts_.rates(subset_);
   }
+  ContactVector sudden(const ContactVector& p) override {
+    return contacts_.sudden_change(subset_, p);
+  }
   double accuracy() const override { return contacts_.h_ * contacts_.probe_->accuracy(); }
 
  private:
@@ -96,6 +99,26 @@ ContactVector CoupledContacts::rates(const ContactSubset& s) const {
   return y;
 }
 
+ContactVector CoupledContacts::sudden_change(const ContactSubset& s, const ContactVector& p) {
+  put(s, p);
+  probe_->solve_sudden([this](mjtNum* to) {
+    for (const Closing& c : std::span(contacts_).first(size())) {
+      if (!c.closed || c.sudden.isZero(0.0)) continue;
+      c.rows.for_each_load(
+          c.sudden / h_, [&](const ContactSpace& at, const auto& load) { at.add(load, true, to); });
+    }
+  });
+  const auto change = [this](const ContactSpace& at) -> Eigen::Vector3d {
+    return h_ * probe_->acceleration(at);
+  };
+  ContactVector y(rows_ * static_cast<Eigen::Index>(s.count));
+  for (std::size_t k = 0; k < s.count; ++k) {
+    const Eigen::Index row = rows_ * static_cast<Eigen::Index>(k);
+    y.segment(row, rows_) = contacts_[s.index[k]].rows.along(change).head(rows_);
+  }
+  return y;
+}
+
 ContactMatrix CoupledContacts::matrix(const ContactSubset& s) const {
   std::array<const ContactRows*, kMaxContacts> all{};
   for (std::size_t k = 0; k < s.count; ++k) all[k] = &contacts_[s.index[k]].rows;
@@ -115,33 +138,35 @@ void CoupledContacts::set_status(const ContactSubset& s, Status status) {
   for (std::size_t k = 0; k < s.count; ++k) contacts_[s.index[k]].result.status = status;
 }
 
-bool CoupledContacts::solve(const ContactSubset& s, std::array<bool, kMaxContacts>& sticks) {
+bool CoupledContacts::solve(const ContactSubset& s, SubsetSolution& out) {
   const ContactMatrix a = matrix(s);
   const ContactVector free = rates(s);
   std::array<ImpactLaw, kMaxContacts> all{};
   for (std::size_t k = 0; k < s.count; ++k) all[k] = members_[s.index[k]]->pair->contact.law();
   const std::span<const ImpactLaw> laws(all.data(), s.count);
-  if (probe_) return solve_held(s, a, free, laws, sticks);
+  if (probe_) return solve_held(s, a, free, laws, out);
   const CoupledSolution found =
       s.impact ? solve_coupled_impact(a, free, laws) : solve_compression(a, free, laws);
   if (found.solutions != 1) {
     set_status(s, status_of(found.solutions));
     return false;
   }
-  sticks = found.sticks;
+  out.sticks = found.sticks;
   put(s, found.p);
   return true;
 }
 
 bool CoupledContacts::solve_held(const ContactSubset& s, const ContactMatrix& a,
                                  const ContactVector& free, std::span<const ImpactLaw> laws,
-                                 std::array<bool, kMaxContacts>& sticks) {
+                                 SubsetSolution& out) {
   Response response(*this, s);
   const ConstrainedContact found = s.impact ? solve_constrained_impact(response, free, a, laws)
                                             : solve_constrained(response, free, a, laws);
   converged_ = converged_ && found.converged;
   if (!found.solved || !found.converged) set_status(s, Status::kNoSolution);
-  sticks = found.sticks;
+  out.sticks = found.sticks;
+  out.lasts = found.lasts;
+  if (s.impact) out.after = found.after;
   put(s, found.solved ? found.p : ContactVector::Zero(free.size()));
   return found.solved;
 }

@@ -41,6 +41,14 @@ struct ContactSubset {
   std::array<double, kMaxContacts> offset{};  // m/s, of the normal law
 };
 
+// What was found for a subset beside its impulses; the two that follow, of impacts beside
+// constraints (constrained_law.h).
+struct SubsetSolution {
+  std::array<bool, kMaxContacts> sticks{};
+  std::array<bool, kMaxContacts> lasts{};
+  ContactVector after;  // empty: the rates at the end of the step
+};
+
 class CoupledContacts {
  public:
   // All open, without impulses. probe: null where no constraint moves with the members.
@@ -59,9 +67,9 @@ class CoupledContacts {
   void find_ends();
   // (gap rate + offset, slip, and that along the axis) of a subset.
   ContactVector rates(const ContactSubset& s) const;
-  // Puts the impulses of the subset; which of them stick. False: no solution, or several, which is
-  // then the status of their results.
-  bool solve(const ContactSubset& s, std::array<bool, kMaxContacts>& sticks);
+  // Puts the impulses of the subset. False: no solution, or several, which is then the status of
+  // their results.
+  bool solve(const ContactSubset& s, SubsetSolution& out);
   // What was found of a step without a solution is its status.
   void give_none();
 
@@ -73,10 +81,12 @@ class CoupledContacts {
 
   ContactMatrix matrix(const ContactSubset& s) const;
   void put(const ContactSubset& s, const ContactVector& p);
+  // The change of a subset's rates by impulses of it that act in no time.
+  ContactVector sudden_change(const ContactSubset& s, const ContactVector& p);
   // Rates at the end of the step in one space, `start` those at its beginning.
   Eigen::Vector3d end_of(const ContactSpace& at, const Eigen::Vector3d& start) const;
   bool solve_held(const ContactSubset& s, const ContactMatrix& a, const ContactVector& free,
-                  std::span<const ImpactLaw> laws, std::array<bool, kMaxContacts>& sticks);
+                  std::span<const ImpactLaw> laws, SubsetSolution& out);
   void set_status(const ContactSubset& s, Status status);
 
   mjData* d_;

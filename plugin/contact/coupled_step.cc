@@ -83,12 +83,12 @@ class CoupledStep {
       lasting.index[lasting.count++] = i;
     }
     if (lasting.count == 0) return true;
-    std::array<bool, kMaxContacts> sticks{};
-    if (!contacts_.solve(lasting, sticks)) return false;
+    SubsetSolution found;
+    if (!contacts_.solve(lasting, found)) return false;
     contacts_.find_ends();
     for (std::size_t k = 0; k < lasting.count; ++k) {
       Closing& c = contacts_[lasting.index[k]];
-      c.result.mode = mode_of(c.lasting.x(), sticks[k]);
+      c.result.mode = mode_of(c.lasting.x(), found.sticks[k]);
     }
     return true;
   }
@@ -111,10 +111,10 @@ class CoupledStep {
 
   bool solve_impacts(const ContactSubset& s) {
     const ContactVector before = contacts_.rates(s);
-    std::array<bool, kMaxContacts> sticks{};
-    if (!contacts_.solve(s, sticks)) return false;
+    SubsetSolution found;
+    if (!contacts_.solve(s, found)) return false;
     contacts_.find_ends();
-    const ContactVector after = contacts_.rates(s);
+    const ContactVector after = found.after.size() > 0 ? found.after : contacts_.rates(s);
     for (std::size_t k = 0; k < s.count; ++k) {
       Closing& c = contacts_[s.index[k]];
       if (!(c.sudden.x() > 0.0)) continue;
@@ -122,10 +122,10 @@ class CoupledStep {
       // A lasting contact that the blow has not opened lasts.
       const double changed = std::abs(after[row]) + before.cwiseAbs().maxCoeff();
       if (!c.impact && after[row] <= 1e-9 * changed) {
-        c.result.mode = mode_of(c.sudden.x(), sticks[k]);
+        c.result.mode = mode_of(c.sudden.x(), found.sticks[k]);
         continue;
       }
-      c.result.mode = Mode::kFree;
+      c.result.mode = found.lasts[k] ? mode_of(c.sudden.x(), found.sticks[k]) : Mode::kFree;
       c.result.impact = true;
       c.result.gap_rate_before = before[row] - s.offset[k];
       c.result.slip_before = before[row + 1];

@@ -3,8 +3,9 @@
 //
 // A step has two parts. First contacts that last, (12)-(13), together over the step. Then the
 // impacts, in no time, with the velocities that those leave: (15)-(19) for all closed contacts at a
-// time, a lasting one takes part in a blow elsewhere on its shaft. A ring into which the others'
-// impulses drive the rotor is closed too.
+// time, a lasting one takes part in a blow elsewhere on its shaft. Beside constraints the forces of
+// the step may then close a gap again (constrained_law.h). A ring into which the others' impulses
+// drive the rotor is closed too.
 #pragma once
 
 #include <mujoco/mujoco.h>

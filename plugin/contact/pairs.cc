@@ -28,7 +28,7 @@ void for_each_solved(const mjData* d, int geom1, int geom2, Action action) {
 // allows: a_ref = -v (1 - d) / (d h).
 void give_way(const ContactPair& pair, const mjModel* m, mjData* d, const mjContact& contact) {
   const ContactPoint point = contact_point_of(pair, m, d);
-  const double force = compliant_force(pair, point, d->userdata + pair.data);
+  const double force = compliant_force(pair, point, m, d);
   const int row = contact.efc_address;
   const double impedance = m->pair_solimp[mjNIMP * pair.pair];
   if (contact.dim >= 3)
@@ -40,6 +40,7 @@ void apply_cones(const Config& config, const mjModel* m, mjData* d) {
   std::vector<SlidingContact> corrected;
   for (const int pair : config.corrected_pairs) {
     for_each_solved(d, m->pair_geom1[pair], m->pair_geom2[pair], [&](const mjContact& c) {
+      if (c.dim >= 3) set_friction_reference(m, d, c, corrected_friction_reference(m));
       corrected.push_back({&c, {}});
     });
   }
@@ -52,6 +53,7 @@ void apply_cones(const Config& config, const mjModel* m, mjData* d) {
         give_way(pair, m, d, c);
         corrected.push_back({&c, {}});
       } else if (pair.law == scene::ContactModel::kConeCoulomb) {
+        if (c.dim >= 3) set_friction_reference(m, d, c, corrected_friction_reference(m));
         const ContactPoint point = contact_point_of(pair, m, d);
         corrected.push_back({&c, point.whirl_speed() * point.whirl_speed() / point.delta});
       } else if (pair.friction_reference > 0.0 && c.dim >= 3) {

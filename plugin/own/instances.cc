@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <array>
 #include <atomic>
-#include <cstdio>
 #include <string_view>
 
 #include "mjcf/names.h"
@@ -59,7 +58,7 @@ bool can_be_read(const mjModel* m) {
     make_config(m);
     return true;
   } catch (const std::exception& error) {
-    std::snprintf(raised_text, sizeof raised_text, "%s", error.what());
+    copy_lines(error.what(), raised_text);
     return false;
   }
 }

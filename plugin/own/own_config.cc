@@ -2,13 +2,17 @@
 
 #include <algorithm>
 #include <cmath>
+#include <optional>
 #include <string>
+#include <vector>
 
+#include "mjcf/mujoco_version.h"
 #include "mjcf/names.h"
 #include "mjcf/soft_contact.h"
 #include "native_model/contact/coupled_law.h"
 #include "native_model/scene/scene.h"
 #include "plugin/contact/relative_motion.h"
+#include "plugin/later_attributes.h"
 #include "plugin/message.h"
 #include "plugin/mujoco_versions.h"
 #include "plugin/own/own_names.h"
@@ -30,6 +34,7 @@ constexpr Range kShare{0.0, 1.0, false, "between 0 and 1"};
 
 double value_or(const mjModel* m, const std::string& name, double otherwise, const Range& range) {
   const std::optional<OwnNumber> given = own_number(m, name);
+  if (given) check_one_value(m, name, *given);
   const double value = given ? given->values[0] : otherwise;
   const bool below = range.open_below ? !(value > range.low) : !(value >= range.low);
   if (below || !(value <= range.high)) {
@@ -40,10 +45,15 @@ double value_or(const mjModel* m, const std::string& name, double otherwise, con
 
 // mu, or static, kinetic, Stribeck speed and viscous part, as [contact.friction] of a scene.
 FrictionLaw own_friction(const mjModel* m, const std::string& name) {
-  FrictionLaw law = value_or(m, name, 0.0, kCoefficient);
   const std::optional<OwnNumber> said = own_number(m, name);
-  if (!said || said->size == 1) return law;
-  const std::array<mjtNum, 4>& given = said->values;  // too few of them: no Stribeck speed
+  if (!said || said->size == 1) return value_or(m, name, 0.0, kCoefficient);
+  if (said->size != 4) {
+    refuse(own_element(m, name),
+           message("{} numbers; accepted: one, or four: static, kinetic, Stribeck speed, viscous",
+                   said->size));
+  }
+  const std::array<mjtNum, 4>& given = said->values;
+  FrictionLaw law = given[0];
   law.coefficient = given[1];
   law.excess = given[0] - given[1];
   law.stribeck_speed = given[2];
@@ -73,19 +83,22 @@ double half_length(const mjModel* m, int geom, double otherwise) {
 
 // Of numbered contacts each has all that the first has: 0 is not taken for a number that may have
 // been meant for all.
-void check_series(const mjModel* m, const PairName& name) {
+void check_series(const mjModel* m, const PairName& name, Refusals& refusals) {
   if (name.suffix.empty()) return;
   const PairName first{name.prefix, ""};
+  const auto missing = [&](const char* key, const char* accepted) {
+    refusals.attempt([&] {
+      refuse(own_element(m, name.of(key)),
+             message("missing, but {} is given; accepted: {}", first.of(key), accepted));
+    });
+  };
   for (const char* key : {names::kOwnFriction, names::kOwnRestitution, names::kOwnTangential}) {
-    if (own_number(m, name.of(key)) || !own_number(m, first.of(key))) continue;
-    refuse(own_element(m, name.of(key)),
-           message("missing, but {} is given; accepted: a number for each contact", first.of(key)));
+    if (!own_number(m, name.of(key)) && own_number(m, first.of(key)))
+      missing(key, "a number for each contact");
   }
-  if (!own_text(m, name.of(names::kContactText)) && own_text(m, first.of(names::kContactText))) {
-    refuse(own_element(m, name.of(names::kContactText)),
-           message("missing, but {} is given; accepted: a contact model for each contact",
-                   first.of(names::kContactText)));
-  }
+  const char* model = names::kContactText;
+  if (!own_text(m, name.of(model)) && own_text(m, first.of(model)))
+    missing(model, "a contact model for each contact");
 }
 
 // What the <pair> of a user's own model must say, so that MuJoCo's solver does the contact law's
@@ -119,38 +132,44 @@ void check_bounce(const mjModel* m, const PairName& name, const ContactPair& p) 
                  met, name.of(names::kOwnRestitution), wanted, -soft.stiffness, -soft.damping));
 }
 
-void check_cone(const mjModel* m, const PairName& name, const ContactPair& p) {
+void check_cone(const mjModel* m, const PairName& name, const ContactPair& p, Refusals& refusals) {
   for (const char* force : {names::kNormalForce, names::kFrictionForce, names::kNormalForceScaled,
                             names::kFrictionForceScaled}) {
     const std::string sensor = name.of(force);
     const int id = mj_name2id(m, mjOBJ_SENSOR, sensor.c_str());
     if (id < 0 || m->sensor_type[id] != mjSENS_USER || m->sensor_needstage[id] == mjSTAGE_ACC)
       continue;
-    refuse(
-        message("<user name=\"{}\">", sensor),
-        "contact model cone: the force is found by MuJoCo's solver; accepted: needstage=\"acc\"");
+    refusals.attempt([&] {
+      refuse(
+          message("<user name=\"{}\">", sensor),
+          "contact model cone: the force is found by MuJoCo's solver; accepted: needstage=\"acc\"");
+    });
   }
-  if (!p.contact.friction.is_constant()) {
+  refusals.attempt([&] {
+    if (p.contact.friction.is_constant()) return;
     refuse(own_element(m, name.of(names::kOwnFriction)),
            "contact models cone and cone-coulomb have one coefficient for all slips; accepted: a "
            "number, or contact model rigid or coulomb");
-  }
+  });
   const double mu = p.contact.friction.coefficient, given = m->pair_friction[5 * p.pair];
-  if (mu > 0.0 && m->pair_dim[p.pair] < 3) {
+  refusals.attempt([&] {
+    if (!(mu > 0.0) || m->pair_dim[p.pair] >= 3) return;
     refuse(pair_element(m, p), "contact model cone with friction: accepted: condim=\"3\" or more");
-  }
-  if (m->pair_dim[p.pair] >= 3 && std::abs(given - mu) > 1e-9 + mjMINMU) {
+  });
+  refusals.attempt([&] {
+    if (m->pair_dim[p.pair] < 3 || std::abs(given - mu) <= 1e-9 + mjMINMU) return;
     refuse(pair_element(m, p), message("friction is {}, {} is {}; accepted: one value in both",
                                        given, name.of(names::kOwnFriction), mu));
-  }
+  });
   const double along = m->pair_friction[5 * p.pair + 1];
-  if (p.axial && std::abs(along - mu) > 1e-9 + mjMINMU) {
+  refusals.attempt([&] {
+    if (!p.axial || std::abs(along - mu) <= 1e-9 + mjMINMU) return;
     refuse(
         pair_element(m, p),
         message("friction along the axis, the second value, is {}, {} is {}; accepted: one value "
                 "in all three",
                 along, name.of(names::kOwnFriction), mu));
-  }
+  });
 }
 
 // A mocap body moves by its place alone: no velocity tells an impact of it.
@@ -176,72 +195,136 @@ void refuse_other_friction(const mjModel* m, const PairName& name, const Contact
                  name.of(names::kOwnFriction), mu));
 }
 
-// MuJoCo must not solve beside `rigid`, nor add friction beside `coulomb`.
-void check_pair(const mjModel* m, const PairName& name, const ContactPair& p) {
-  if (lies_across(m, p)) {
-    refuse(message("<geom name=\"{}\">", m->names + m->name_geomadr[p.rotor_geom]),
-           message("its axis stands across that of its ring, geom \"{}\", in qpos0; accepted: "
-                   "tilted by less than 60 degrees",
-                   m->names + m->name_geomadr[p.ring_geom]));
+// The <pair> as a generated file would have it.
+std::string pair_to_add(const mjModel* m, const ContactPair& p) {
+  const ContactParameters& c = p.contact;
+  const rotorub::ContactPair pair = contact_pair(
+      p.law, c.clearance, c.friction, soft_contact(c.restitution, m->opt.timestep), built_for());
+  std::string text = message("<pair geom1=\"{}\" geom2=\"{}\" condim=\"{}\"",
+                             m->names + m->name_geomadr[p.rotor_geom],
+                             m->names + m->name_geomadr[p.ring_geom], pair.condim);
+  text += message(" margin=\"{}\" gap=\"{}\"", pair.margin, pair.gap);
+  if (pair.condim > 1) text += message(" friction=\"{} {} 0 0 0\"", pair.friction, pair.friction);
+  if (p.law != scene::ContactModel::kRigid) {
+    text += message(" solref=\"{} {}\" solimp=\"{} {} 0.001\"", -pair.soft.stiffness,
+                    -pair.soft.damping, pair.soft.impedance, pair.soft.impedance);
   }
-  const std::string element = pair_element(m, p);
-  if (p.pair < 0) refuse(element, "missing; accepted: one <pair> of the two geoms");
-  const double kept_out = m->pair_gap[p.pair] - m->pair_margin[p.pair];
-  if (p.law == scene::ContactModel::kRigid) {
-    refuse_mocap(m, p.rotor_geom);
-    refuse_mocap(m, p.ring_geom);
-    refuse_other_friction(m, name, p);
-    if (kept_out >= 10.0 * p.contact.clearance) return;
-    refuse(
-        element,
-        "contact model rigid keeps the contact from MuJoCo's solver: accepted: gap above margin by "
-        "at least ten clearances");
-  }
-  if (m->pair_gap[p.pair] != 0.0) refuse(element, "accepted: gap=\"0\"");
-  if (p.law == scene::ContactModel::kCoulomb) {
-    if (m->pair_dim[p.pair] != 1) refuse(element, "contact model coulomb: accepted: condim=\"1\"");
-  } else {
-    check_cone(m, name, p);
-  }
-  check_bounce(m, name, p);
+  return text + "/>";
 }
 
-ContactPair make_pair(const mjModel* m, const PairName& name) {
-  ContactPair p;
-  p.law = contact_model(m, name.of(names::kContactText), scene::ContactModel::kRigid);
-  p.rotor_geom = own_geom(m, name, names::kOwnRotorGeom);
-  p.ring_geom = own_geom(m, name, names::kOwnRingGeom);
+// MuJoCo must not solve beside `rigid`, nor add friction beside `coulomb`.
+void check_pair(const mjModel* m, const PairName& name, const ContactPair& p, Refusals& refusals) {
+  const std::string element = pair_element(m, p);
+  const auto check = [&refusals](auto action) { refusals.attempt(action); };
+  if (p.pair < 0) {
+    check([&] { refuse(element, message("missing; add {} in <contact>", pair_to_add(m, p))); });
+    return;
+  }
+  check([&] {
+    const auto same = [&](int i) {
+      return are_geoms(p.rotor_geom, p.ring_geom, m->pair_geom1[i], m->pair_geom2[i]);
+    };
+    int pairs = 0;
+    for (int i = 0; i < m->npair; ++i) pairs += same(i) ? 1 : 0;
+    if (pairs > 1) refuse(element, message("is there {} times; accepted: once", pairs));
+  });
+  check([&] {
+    const std::string surface = refused_surface(m, p);
+    if (!surface.empty()) throw ConfigError(surface);
+  });
+  if (p.law == scene::ContactModel::kRigid) {
+    check([&] { refuse_mocap(m, p.rotor_geom); });
+    check([&] { refuse_mocap(m, p.ring_geom); });
+    check([&] { refuse_other_friction(m, name, p); });
+    check([&] {
+      const double kept_out = m->pair_gap[p.pair] - m->pair_margin[p.pair];
+      if (kept_out >= 10.0 * p.contact.clearance) return;
+      refuse(element,
+             "contact model rigid keeps the contact from MuJoCo's solver: accepted: gap above "
+             "margin by at least ten clearances");
+    });
+    return;
+  }
+  check([&] {
+    if (m->pair_gap[p.pair] != 0.0) refuse(element, "accepted: gap=\"0\"");
+  });
+  if (p.law == scene::ContactModel::kCoulomb) {
+    check([&] {
+      if (m->pair_dim[p.pair] != 1)
+        refuse(element, "contact model coulomb: accepted: condim=\"1\"");
+    });
+  } else {
+    check_cone(m, name, p, refusals);
+  }
+  check([&] { check_bounce(m, name, p); });
+}
+
+// A body, or bodies without a joint between them.
+void check_bodies(const mjModel* m, const PairName& name, const ContactPair& p) {
+  const int rotor = m->geom_bodyid[p.rotor_geom], ring = m->geom_bodyid[p.ring_geom];
   if (p.rotor_geom == p.ring_geom) {
     refuse(own_element(m, name.of(names::kOwnRingGeom)), "is the rotor's geom");
   }
-  check_series(m, name);
-  const auto number = [&](const char* key, double otherwise, const Range& range) {
-    return value_or(m, name.of(key), otherwise, range);
+  if (m->body_weldid[rotor] != m->body_weldid[ring]) return;
+  refuse(own_element(m, name.of(names::kOwnRingGeom)),
+         message("geom \"{}\" cannot move against the rotor's, \"{}\": {}; accepted: bodies with "
+                 "a joint between them",
+                 m->names + m->name_geomadr[p.ring_geom], m->names + m->name_geomadr[p.rotor_geom],
+                 rotor == ring ? "both are on one body" : "no joint is between their bodies"));
+}
+
+void check_across(const mjModel* m, const ContactPair& p) {
+  if (!lies_across(m, p)) return;
+  refuse(message("<geom name=\"{}\">", m->names + m->name_geomadr[p.rotor_geom]),
+         message("its axis stands across that of its ring, geom \"{}\", in qpos0; accepted: "
+                 "tilted by less than 60 degrees",
+                 m->names + m->name_geomadr[p.ring_geom]));
+}
+
+// What <custom> says of one contact; nothing of it where its geoms are not there. All that is wrong
+// goes to the refusals.
+std::optional<ContactPair> make_pair(const mjModel* m, const PairName& name, Refusals& refusals) {
+  ContactPair p;
+  const auto check = [&refusals](auto action) { return refusals.attempt(action); };
+  const bool known = check(
+      [&] { p.law = contact_model(m, name.of(names::kContactText), scene::ContactModel::kRigid); });
+  const bool rotor = check([&] { p.rotor_geom = own_geom(m, name, names::kOwnRotorGeom); });
+  const bool ring = check([&] { p.ring_geom = own_geom(m, name, names::kOwnRingGeom); });
+  check_series(m, name, refusals);
+  bool numbers = true;
+  const auto number = [&](double& value, const char* key, double otherwise, const Range& range) {
+    if (!check([&] { value = value_or(m, name.of(key), otherwise, range); })) numbers = false;
   };
-  if (!own_number(m, name.of(names::kOwnClearance))) {
+  ContactParameters& c = p.contact;
+  numbers = check([&] {
+    if (own_number(m, name.of(names::kOwnClearance))) return;
     refuse(own_element(m, name.of(names::kOwnClearance)),
            "missing; accepted: the radial clearance in m, > 0");
-  }
-  ContactParameters& c = p.contact;
-  c.clearance = number(names::kOwnClearance, 0.0, kLength);
-  c.radius = number(names::kOwnRadius, m->geom_size[3 * p.rotor_geom], kLength);
-  c.friction = own_friction(m, name.of(names::kOwnFriction));
-  c.restitution = number(names::kOwnRestitution, 0.0, kShare);
-  c.tangential_restitution = number(names::kOwnTangential, 0.0, kShare);
-  p.friction_reference = number(names::kOwnFrictionReference, 0.0, kCoefficient);
-  if (p.friction_reference > 0.0 && p.law != scene::ContactModel::kCone) {
+  });
+  if (numbers) number(c.clearance, names::kOwnClearance, 0.0, kLength);
+  const double drawn = rotor ? m->geom_size[3 * p.rotor_geom] : 1.0;
+  number(c.radius, names::kOwnRadius, drawn, kLength);
+  if (!check([&] { c.friction = own_friction(m, name.of(names::kOwnFriction)); })) numbers = false;
+  number(c.restitution, names::kOwnRestitution, 0.0, kShare);
+  number(c.tangential_restitution, names::kOwnTangential, 0.0, kShare);
+  number(p.friction_reference, names::kOwnFrictionReference, 0.0, kCoefficient);
+  double width = 0.0;
+  if (own_number(m, name.of(names::kOwnWidth))) number(width, names::kOwnWidth, 0.0, kLength);
+  check([&] {
+    if (!known || !(p.friction_reference > 0.0) || p.law == scene::ContactModel::kCone) return;
     refuse(own_element(m, name.of(names::kOwnFrictionReference)),
            message("contact model {} has none; accepted: contact model cone",
                    scene::to_string(p.law)));
-  }
+  });
+  check([&] { p.sensors = contact_sensors(m, name.prefix, name.suffix); });
+  if (!rotor || !ring || !check([&] { check_bodies(m, name, p); })) return std::nullopt;
+  check([&] { check_across(m, p); });
   p.pair = find_pair(m, p.rotor_geom, p.ring_geom);
-  p.reach = half_length(m, p.rotor_geom, 0.0) + (own_number(m, name.of(names::kOwnWidth))
-                                                     ? 0.5 * number(names::kOwnWidth, 0.0, kLength)
-                                                     : half_length(m, p.ring_geom, 1e300));
+  p.reach = half_length(m, p.rotor_geom, 0.0) +
+            (width > 0.0 ? 0.5 * width : half_length(m, p.ring_geom, 1e300));
   p.read = own_numbers(m, p);
-  p.sensors = contact_sensors(m, name.prefix, name.suffix);
   p.axial = slides_along_axis(m, p);
-  check_pair(m, name, p);
+  if (known && numbers) check_pair(m, name, p, refusals);
   return p;
 }
 
@@ -271,6 +354,18 @@ void check_beside(const mjModel* m, const ContactPair& a, const ContactPair& b,
   }
 }
 
+// A rub has its own law: `rotorub_contact` says which.
+void check_corrected(const mjModel* m, const Config& config) {
+  for (const ContactPair& p : config.pairs) {
+    const auto& corrected = config.corrected_pairs;
+    if (std::find(corrected.begin(), corrected.end(), p.pair) == corrected.end()) continue;
+    refuse(pair_element(m, p),
+           message("is a rub of contact model {}, and named to be corrected for sliding; accepted: "
+                   "rotorub_contact \"cone-coulomb\", which corrects it",
+                   scene::to_string(p.law)));
+  }
+}
+
 }  // namespace
 
 std::array<mjtNum, 8> own_numbers(const mjModel* m, const ContactPair& pair) {
@@ -290,30 +385,39 @@ bool same_motion(const Config& config, const mjModel* m) {
 
 void map_own_contacts(const mjModel* m, Config& config) {
   config.own = true;
-  config.memory = own_memory(m);
-  for (const PairName& name : own_pair_names(m)) {
-    ContactPair p = make_pair(m, name);
-    for (const ContactPair& other : config.pairs) check_beside(m, other, p, name);
-    p.data = config.memory + kPairEntries * static_cast<int>(config.pairs.size());
-    config.pairs.push_back(p);
+  Refusals refusals;
+  refusals.attempt([&] { config.memory = own_memory(m); });
+  const std::vector<PairName> found = own_pair_names(m, refusals);
+  for (const PairName& name : found) {
+    std::optional<ContactPair> p = make_pair(m, name, refusals);
+    if (!p) continue;
+    for (const ContactPair& other : config.pairs)
+      refusals.attempt([&] { check_beside(m, other, *p, name); });
+    p->data = config.memory + kPairEntries * static_cast<int>(config.pairs.size());
+    config.pairs.push_back(*p);
   }
-  config.corrected_pairs = corrected_pairs(m);
-  if (!config.pairs.empty()) {
-    config.model.first().contact = config.pairs.front().contact;
-    config.contact = config.pairs.front().law;
-  }
-  if (config.pairs.size() > kMaxContacts) {
-    refuse("<custom>", message("{} contacts; accepted: up to {} in a model",
-                               static_cast<int>(config.pairs.size()), kMaxContacts));
-  }
-  config.memory_size =
-      kUserDataSingle + kPairEntries * std::max(static_cast<int>(config.pairs.size()) - 1, 0);
-  const int needed = config.memory + config.memory_size;
-  if (m->nuserdata < needed) {
+  refusals.attempt([&] {
+    config.corrected_pairs = corrected_pairs(m);
+    check_corrected(m, config);
+  });
+  const int contacts = static_cast<int>(found.size());
+  refusals.attempt([&] {
+    if (contacts <= static_cast<int>(kMaxContacts)) return;
+    refuse("<custom>",
+           message("{} contacts; accepted: up to {} in a model", contacts, kMaxContacts));
+  });
+  config.memory_size = kUserDataSingle + kPairEntries * std::max(contacts - 1, 0);
+  refusals.attempt([&] {
+    const int needed = config.memory + config.memory_size;
+    if (m->nuserdata >= needed) return;
     refuse(message("<size nuserdata=\"{}\">", count(m->nuserdata)),
            message("at least {} needed, for {} from index {} on", needed, config.memory_size,
                    config.memory));
-  }
+  });
+  refusals.raise();
+  if (config.pairs.empty()) return;
+  config.model.first().contact = config.pairs.front().contact;
+  config.contact = config.pairs.front().law;
 }
 
 }  // namespace rotorub::plugin

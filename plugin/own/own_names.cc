@@ -7,6 +7,7 @@
 #include <string_view>
 
 #include "native_model/scene/diagnostic.h"
+#include "plugin/config.h"
 #include "plugin/message.h"
 #include "plugin/own/instances.h"
 
@@ -96,25 +97,27 @@ void check(const mjModel* m, const std::string& name, std::span<const char* cons
   const std::vector<std::string> known = all_of(keys, pairs);
   const std::vector<std::string_view> views(known.begin(), known.end());
   const std::string_view meant = scene::nearest(name, views);
-  refuse(
-      element_of(m, kind, name),
-      message("unknown{}; accepted: {}",
-              meant.empty() ? "" : message(", did you mean \"{}\"?", meant), scene::join(views)));
+  if (!meant.empty())
+    refuse(element_of(m, kind, name), message("unknown; did you mean \"{}\"?", meant));
+  refuse(element_of(m, kind, name), message("unknown; accepted: {}", scene::join(views)));
 }
 
-void check_names(const mjModel* m, const std::vector<PairName>& pairs) {
+void check_names(const mjModel* m, const std::vector<PairName>& pairs, Refusals& refusals) {
   for_each_text(m, [&](const std::string& name) {
-    PairName of;
-    if (is_key(name, names::kSceneText, of)) {
-      refuse(own_element(m, name),
-             "a scene stands alone, with its own names; accepted in an attached model: geoms and "
-             "numbers (plugin/README.md, a model of your own)");
-    }
-    if (is_key(name, names::kOwnConeCoulombPair, of)) return;  // of any ending
-    check(m, name, kOwnTexts, "text", pairs);
+    refusals.attempt([&] {
+      PairName of;
+      if (is_key(name, names::kSceneText, of)) {
+        refuse(own_element(m, name),
+               "a scene stands alone, with its own names; accepted in an attached model: geoms and "
+               "numbers (plugin/README.md, a model of your own)");
+      }
+      if (is_key(name, names::kOwnConeCoulombPair, of)) return;  // of any ending
+      check(m, name, kOwnTexts, "text", pairs);
+    });
   });
-  for_each_number(
-      m, [&](const std::string& name, mjtNum) { check(m, name, kOwnNumbers, "numeric", pairs); });
+  for_each_number(m, [&](const std::string& name, mjtNum) {
+    refusals.attempt([&] { check(m, name, kOwnNumbers, "numeric", pairs); });
+  });
 }
 
 void refuse_said_twice(const mjModel* m, const std::vector<InstanceWord>& words) {
@@ -131,6 +134,26 @@ void refuse_said_twice(const mjModel* m, const std::vector<InstanceWord>& words)
   }
 }
 
+bool names_corrected_pair(const mjModel* m) {
+  bool any = false;
+  for_each_text(m, [&any](const std::string& name) {
+    PairName of;
+    any = any || is_key(name, names::kOwnConeCoulombPair, of);
+  });
+  return any;
+}
+
+// Two <pair>s of the same geoms are two contacts for MuJoCo, and which of them a name means nobody
+// can say.
+bool has_twin(const mjModel* m, int pair) {
+  int same = 0;
+  for (int i = 0; i < m->npair; ++i) {
+    if (are_geoms(m->pair_geom1[i], m->pair_geom2[i], m->pair_geom1[pair], m->pair_geom2[pair]))
+      ++same;
+  }
+  return same > 1;
+}
+
 bool is_numbering(const std::string& suffix) {
   return suffix.find_first_of("0123456789") != suffix.npos &&
          suffix.find_first_not_of("_-0123456789") == suffix.npos;
@@ -145,6 +168,13 @@ bool has_own_names(const mjModel* m) {
 }
 
 std::vector<PairName> own_pair_names(const mjModel* m) {
+  Refusals refusals;
+  std::vector<PairName> pairs = own_pair_names(m, refusals);
+  refusals.raise();
+  return pairs;
+}
+
+std::vector<PairName> own_pair_names(const mjModel* m, Refusals& refusals) {
   std::vector<PairName> pairs;
   const auto add = [&pairs](const PairName& pair) {
     if (std::find(pairs.begin(), pairs.end(), pair) == pairs.end()) pairs.push_back(pair);
@@ -155,12 +185,12 @@ std::vector<PairName> own_pair_names(const mjModel* m) {
     }
   });
   const std::vector<InstanceWord> words = instance_words(m);
-  refuse_said_twice(m, words);
+  refusals.attempt([&] { refuse_said_twice(m, words); });
   for (const InstanceWord& word : words) {
     if (std::string_view(names::kOwnConeCoulombPair) != word.key) add(word.contact);
   }
-  check_names(m, pairs.empty() ? std::vector<PairName>{{}} : pairs);
-  if (pairs.empty() && corrected_pairs(m).empty())
+  check_names(m, pairs.empty() ? std::vector<PairName>{{}} : pairs, refusals);
+  if (pairs.empty() && !names_corrected_pair(m))
     pairs.emplace_back();  // other names of ours: its geoms are missing
   return pairs;
 }
@@ -196,6 +226,17 @@ std::vector<int> corrected_pairs(const mjModel* m) {
           message("<pair name=\"{}\"> has no friction to correct; accepted: condim=\"3\" or more",
                   said));
     }
+    if (std::find(pairs.begin(), pairs.end(), pair) != pairs.end()) {
+      refuse(own_element(m, name),
+             message("<pair name=\"{}\"> is named twice and would be corrected twice; accepted: "
+                     "once",
+                     said));
+    }
+    if (has_twin(m, pair)) {
+      refuse(own_element(m, name),
+             message("another <pair> has the geoms of \"{}\"; accepted: one <pair> of two geoms",
+                     said));
+    }
     pairs.push_back(pair);
   });
   return pairs;
@@ -212,14 +253,21 @@ const char* own_text(const mjModel* m, const std::string& name) {
 std::optional<OwnNumber> own_number(const mjModel* m, const std::string& name) {
   if (const int id = mj_name2id(m, mjOBJ_NUMERIC, name.c_str()); id >= 0) {
     OwnNumber number;
-    number.size = std::min(m->numeric_size[id], static_cast<int>(number.values.size()));
-    std::copy_n(m->numeric_data + m->numeric_adr[id], number.size, number.values.begin());
+    number.size = m->numeric_size[id];
+    std::copy_n(m->numeric_data + m->numeric_adr[id],
+                std::min(number.size, static_cast<int>(number.values.size())),
+                number.values.begin());
     return number;
   }
   for (const InstanceWord& word : instance_words(m)) {
     if (word.name() == name) return parse(word);
   }
   return std::nullopt;
+}
+
+void check_one_value(const mjModel* m, const std::string& name, const OwnNumber& number) {
+  if (number.size == 1) return;
+  refuse(own_element(m, name), message("{} numbers; accepted: one", number.size));
 }
 
 std::string own_element(const mjModel* m, const std::string& name) {
@@ -274,6 +322,7 @@ int own_memory(const mjModel* m) {
     PairName of;
     if (!is_key(name, names::kOwnUserData, of)) return;
     const std::string element = own_element(m, name);
+    if (const auto number = own_number(m, name)) check_one_value(m, name, *number);
     if (!(value >= 0.0) || value != std::floor(value) || value > 1e9) {
       refuse(element, message("{}; accepted: an index, 0, 1, 2, ...", value));
     }

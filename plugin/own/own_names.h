@@ -16,6 +16,7 @@
 #include <vector>
 
 #include "mjcf/names.h"
+#include "plugin/message.h"
 
 namespace rotorub::plugin {
 
@@ -35,9 +36,10 @@ struct PairName {
 // A name in <custom> has the mark rotorub_ in it, or there is an instance.
 bool has_own_names(const mjModel* m);
 
-// The contacts whose geoms are named, in the order of the file. Throws ConfigError for a name that
-// is of none of them.
+// The contacts whose geoms are named, in the order of the file. Throws ConfigError for names that
+// are of none of them, or adds them to the refusals.
 std::vector<PairName> own_pair_names(const mjModel* m);
+std::vector<PairName> own_pair_names(const mjModel* m, Refusals& refusals);
 
 // Of a model with a scene's text: those that it may not have beside it. Throws ConfigError.
 void refuse_own_names(const mjModel* m);
@@ -51,9 +53,11 @@ std::vector<int> corrected_pairs(const mjModel* m);
 const char* own_text(const mjModel* m, const std::string& name);
 struct OwnNumber {
   std::array<mjtNum, 4> values{};
-  int size = 0;
+  int size = 0;  // how many were given, even if more than there is room for
 };
 std::optional<OwnNumber> own_number(const mjModel* m, const std::string& name);
+// Throws ConfigError where several numbers were given for one.
+void check_one_value(const mjModel* m, const std::string& name, const OwnNumber& number);
 
 // Where that is said, or would be: <custom><numeric name="rotorub_clearance">.
 std::string own_element(const mjModel* m, const std::string& name);

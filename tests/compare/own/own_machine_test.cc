@@ -4,9 +4,11 @@
 #include <gtest/gtest.h>
 
 #include <fstream>
+#include <numbers>
 #include <string>
 
 #include "compare/study/scene_comparison.h"
+#include "mjcf/mujoco_version.h"
 #include "native_model/run/run_native.h"
 #include "plugin/config.h"
 #include "tests/plugin/own/machine.h"
@@ -62,7 +64,12 @@ TEST(OwnMachine, ConvergesToItsTwinInARingThatTurns) {
   const std::string file = ::testing::TempDir() + "/turning_ring.xml";
   std::ofstream(file) << test::document(x);
   const auto machine = std::make_shared<const OwnMachine>(file, until(0.02));
-  EXPECT_TRUE(machine->limits().empty());
+  // The ring is drawn with 60 mm around a rotor of 50 mm.
+  ASSERT_EQ(machine->limits().size(), 1U);
+  EXPECT_EQ(
+      machine->limits()[0],
+      "the drawn shapes of geoms \"disc\" and \"bore\", whose radii differ by 0.01 m: on both "
+      "sides the clearance is 0.0005 m");
   NativeOptions options;
   options.integrator = scene::Integrator::kEvent;
   const Trajectory native = run_native(machine->scene(), options);
@@ -80,15 +87,76 @@ TEST(OwnMachine, ConvergesToItsTwinInARingThatTurns) {
   EXPECT_LT(error[1], 5e-6);
 }
 
-// A keyframe of another name starts nothing, and that is said.
-TEST(OwnMachine, SaysThatItsKeyframesAreNoStart) {
+std::string refusal_of(const std::string& name, const std::string& document) {
+  const std::string file = ::testing::TempDir() + "/" + name + ".xml";
+  std::ofstream(file) << document;
+  try {
+    const OwnMachine machine(file, until(0.02));
+  } catch (const std::runtime_error& error) {
+    return error.what();
+  }
+  return "";
+}
+
+// A keyframe of another name would start nothing.
+TEST(OwnMachine, RefusesAKeyframeThatIsNoStart) {
   test::Machine x;
   x.constraints = R"(<keyframe><key name="begin" qpos="5e-4 0 0 0 0"/></keyframe>)";
-  const std::string file = ::testing::TempDir() + "/other_key.xml";
-  std::ofstream(file) << test::document(x);
-  const OwnMachine machine(file, until(0.02));
-  ASSERT_EQ(machine.limits().size(), 1U);
-  EXPECT_NE(machine.limits()[0].find("keyframes: none is called"), std::string::npos);
+  const std::string why = refusal_of("other_key", test::document(x));
+  EXPECT_NE(why.find("<keyframe>: has \"begin\", and a run starts from the key that is called"),
+            std::string::npos)
+      << why;
+}
+
+TEST(OwnMachine, SaysAllThatIsWrongAtOnce) {
+  test::Machine x;
+  x.option = "integrator=\"RK4\"";
+  x.constraints = R"(<keyframe><key name="begin" qpos="5e-4 0 0 0 0"/></keyframe>)";
+  std::string text = test::document(x);
+  text = test::replaced(text, "<text name=\"rotorub_contact\" data=\"rigid\"/>", "");
+  const std::string why = refusal_of("all", text);
+  for (const char* named : {"integrator=\"RK4\"", "<keyframe>", "add it with data=\"rigid\""})
+    EXPECT_NE(why.find(named), std::string::npos) << why;
+  text = test::replaced(text, "nuserdata=\"32\"", "nuserdata=\"2\"");
+  text = test::replaced(text, "gap=\"1\"", "gap=\"0\"");
+  const std::string more = refusal_of("more", text);
+  for (const char* named : {"nuserdata", "gap above margin", "<keyframe>", "data=\"rigid\""})
+    EXPECT_NE(more.find(named), std::string::npos) << more;
+}
+
+TEST(OwnMachine, NamesItsMujocoForAWordThatItDoesNotKnow) {
+  test::Machine x;
+  x.option = "integrator=\"explicit\"";
+  const std::string why = refusal_of("word", test::document(x));
+  EXPECT_NE(why.find("reads MJCF with MuJoCo " + to_string(built_for())), std::string::npos) << why;
+  x.option = "tempo=\"3\"";
+  const std::string other = refusal_of("attribute", test::document(x));
+  EXPECT_NE(other.find("reads MJCF with MuJoCo"), std::string::npos) << other;
+}
+
+TEST(OwnMachine, SaysWhatATextWithoutDataNeeds) {
+  const std::string text = test::replaced(test::document(test::Machine{}),
+                                          "<text name=\"rotorub_contact\" data=\"rigid\"/>",
+                                          "<text name=\"rotorub_contact\"/>");
+  const std::string why = refusal_of("no_data", text);
+  EXPECT_NE(why.find("add data=\"...\""), std::string::npos) << why;
+}
+
+// Driven by a gear, or held by a weld: in the twin it would coast, or float.
+TEST(OwnMachine, RefusesADriveOrASupportByAnEquality) {
+  test::Machine x;
+  x.bodies = R"(<body name="motor"><joint name="shaft2" type="hinge" axis="0 0 1"/>
+      <inertial pos="0 0 0" mass="1" diaginertia="1e-3 1e-3 1e-3"/></body>)";
+  x.constraints =
+      R"(<equality><joint name="gears" joint1="spin" joint2="shaft2" polycoef="0 2 0 0 0"/></equality>)";
+  const std::string gear = refusal_of("gear", test::document(x));
+  EXPECT_NE(gear.find("<equality> \"gears\": acts on <joint name=\"spin\">"), std::string::npos)
+      << gear;
+  EXPECT_NE(refusal_of("weld", test::document(test::welded())).find("moves geom \"bore\""),
+            std::string::npos);
+  // One that holds neither is left out and said, as before.
+  x.constraints = R"(<equality><joint name="brake" joint1="shaft2"/></equality>)";
+  EXPECT_EQ(refusal_of("brake", test::document(x)), "");
 }
 
 TEST(OwnMachine, RefusesAnIntegratorBeforeAnyRun) {
@@ -163,10 +231,33 @@ TEST(OwnMachine, IsComparedLikeAScene) {
   const SceneComparison c = compare_scene(options.own->scene(), options);
   EXPECT_EQ(c.status(), Status::kOk);
   EXPECT_TRUE(c.own);
-  ASSERT_EQ(c.sides.size(), 5U);
+  ASSERT_EQ(c.sides.size(), 6U);
   EXPECT_EQ(c.sides[1].engine, "mujoco-rigid");
   ASSERT_TRUE(c.sides[0].metrics.first_touch && c.sides[1].metrics.first_touch);
   EXPECT_NEAR(*c.sides[1].metrics.first_touch, *c.sides[0].metrics.first_touch, 2e-5);
+}
+
+// MuJoCo alone as anyone has it: its default solref, whatever restitution the file wants. It is
+// critically damped with 50 1/s: met at v the ring gives way by v / (50 e).
+TEST(OwnMachine, IsComparedWithMujocosDefaultToo) {
+  constexpr double kSpeed = 0.01;  // m/s
+  test::Machine x;
+  x.constraints =
+      R"(<keyframe><key name="start" qpos="4.9e-4 0 0 0 0" qvel="0.01 0 0 0 0"/></keyframe>)";
+  const std::string file = ::testing::TempDir() + "/default_solref.xml";
+  std::ofstream(file) << test::document(x);
+  const auto machine = std::make_shared<const OwnMachine>(file, until(0.05));
+  constexpr auto kCone = scene::ContactModel::kCone;
+  EXPECT_EQ(machine->solref_text(kCone, 1e-5, OwnSolref::kDefault), "0.02 1");
+  EXPECT_EQ(machine->solref_text(kCone, 1e-5, OwnSolref::kChosen), "-4e+08 -1.021e+04");
+  const auto engine = own_engine(machine, kCone, OwnSolref::kDefault);
+  EXPECT_EQ(engine->name(), "mujoco-cone-default");
+  RunRequest request;
+  request.step = 1e-5;
+  const Trajectory soft = engine->run(machine->scene(), request);
+  ASSERT_EQ(soft.status, Status::kOk) << soft.message;
+  const double depth = kSpeed / (50.0 * std::numbers::e);
+  EXPECT_NEAR(soft.statistics.max_penetration, depth, 2e-3 * depth);
 }
 
 TEST(OwnMachine, TakesNeitherCommandsNorAnotherStart) {

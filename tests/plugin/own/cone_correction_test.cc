@@ -101,6 +101,15 @@ TEST_F(ConeCorrection, WhatSlidesBrakesWithMuG) {
   }
 }
 
+// A pair that is named twice would be corrected twice.
+TEST_F(ConeCorrection, APairIsNamedOnce) {
+  Slide s;
+  s.custom += R"(<text name="rotorub_cone_coulomb_pair_2" data="sliding"/>)";
+  std::string why;
+  EXPECT_EQ(try_load(document(s), why), nullptr);
+  EXPECT_NE(why.find("named twice"), std::string::npos) << why;
+}
+
 // The ellipse is round. The pyramid is MuJoCo's: along its edge it brakes with mu / sqrt 2.
 TEST_F(ConeCorrection, AcrossTheAxesToo) {
   const ModelPointer m = load(document({}));

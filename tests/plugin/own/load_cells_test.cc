@@ -91,6 +91,33 @@ TEST_F(LoadCells, BelowARingThatStands) {
   }
 }
 
+// What bodies hand on to each other, asked for by hand in a model without any cell: of a ring that
+// stands on the world, cfrc_ext is the rub on it and cfrc_int what it hands on.
+TEST_F(LoadCells, AreNotNeededForTheForcesBetweenBodies) {
+  for (const char* contact : {"rigid", "coulomb"}) {
+    Machine x;
+    x.contact = contact;
+    x.friction = 0.2;
+    x.ring_moves = false;
+    const ModelPointer m = load(document(x));
+    const DataPointer d = start(m.get());
+    d->qpos[0] = 5e-4;
+    d->qvel[2] = 10.0;
+    for (int k = 0; k < 300; ++k) {
+      d->qfrc_applied[0] = 100.0;
+      mj_step(m.get(), d.get());
+    }
+    plugin::rne_post_constraint(m.get(), d.get());
+    const int ring = mj_name2id(m.get(), mjOBJ_BODY, "ring");
+    for (int i = 0; i < 2; ++i) {
+      const double rub = d->qfrc_applied[i] - kDiscMass * d->qacc[i];
+      EXPECT_NEAR(d->cfrc_ext[6 * ring + 3 + i], rub, 1e-6) << contact << i;
+      EXPECT_NEAR(d->cfrc_int[6 * ring + 3 + i], -rub, 1e-6) << contact << i;
+    }
+    EXPECT_GT(d->cfrc_ext[6 * ring + 3], 50.0) << contact;
+  }
+}
+
 // Friction along the axis is in them too.
 TEST_F(LoadCells, BelowARingThatARotorSlidesThrough) {
   for (const char* contact : {"rigid", "coulomb"}) {

@@ -12,7 +12,7 @@
 namespace rotorub::test {
 namespace {
 
-constexpr double kPairStep = 1e-5, kPairSpeed = 0.3, kEps = 0.5, kShaft = 2.0;
+constexpr double kPairStep = 1e-5, kPairSpeed = 0.3, kPairEps = 0.5, kShaft = 2.0;
 enum ShaftCoordinate { kShaftX, kShaftY, kTiltX, kTiltY, kShaftSpin };
 
 class Pairs : public MujocoTest {
@@ -50,9 +50,9 @@ TEST_F(Pairs, ACentralHitDoesNotTilt) {
     d->qpos[kShaftX] = 4.99e-4;
     d->qvel[kShaftX] = kPairSpeed;
     mj_step(m.get(), d.get());
-    EXPECT_NEAR(d->qvel[kShaftX], -kEps * kPairSpeed, 1e-12);
+    EXPECT_NEAR(d->qvel[kShaftX], -kPairEps * kPairSpeed, 1e-12);
     for (int i = 1; i < m->nv; ++i) EXPECT_NEAR(d->qvel[i], 0.0, 1e-12) << i;
-    const double each = 0.5 * (1.0 + kEps) * kPairSpeed * kShaft / kPairStep;
+    const double each = 0.5 * (1.0 + kPairEps) * kPairSpeed * kShaft / kPairStep;
     EXPECT_NEAR(sensor(m.get(), d.get(), "normal_force"), each, 1e-9 * each);
     EXPECT_NEAR(sensor(m.get(), d.get(), "normal_force_2"), each, 1e-9 * each);
   }
@@ -102,7 +102,7 @@ TEST_F(Pairs, ABlowAtOneEndIsThatOfOneRing) {
   d->qpos[kShaftX] = 4.99e-4;
   d->qvel[kShaftX] = kPairSpeed;
   mj_step(m.get(), d.get());
-  const double impulse = (1.0 + kEps) * kPairSpeed / (1.0 / kShaft + 0.01 / 0.02);
+  const double impulse = (1.0 + kPairEps) * kPairSpeed / (1.0 / kShaft + 0.01 / 0.02);
   EXPECT_NEAR(d->qvel[kShaftX], kPairSpeed - impulse / kShaft, 1e-9);
   EXPECT_NEAR(std::abs(d->qvel[kTiltY]), 0.1 * impulse / 0.02, 1e-9);
   EXPECT_EQ(sensor(m.get(), d.get(), "normal_force_2"), 0.0);
@@ -183,7 +183,7 @@ TEST_F(Pairs, ConstraintsAreSolvedTogetherWithBoth) {
   d->qvel[kShaftX] = d->qvel[kShaftSpin + 1 + 4] = kPairSpeed;
   mj_step(m.get(), d.get());
   const double whole = kShaft + 200.0;
-  const double impulse = (1.0 + kEps) * kPairSpeed / (1.0 / whole + 1.0 / 2.0);
+  const double impulse = (1.0 + kPairEps) * kPairSpeed / (1.0 / whole + 1.0 / 2.0);
   EXPECT_NEAR(d->qvel[kShaftX], kPairSpeed - impulse / whole, 3e-4 * kPairSpeed);
   EXPECT_NEAR(d->qvel[kShaftSpin + 1], impulse / 2.0, 3e-4 * kPairSpeed);
   EXPECT_NEAR(d->qvel[kShaftSpin + 3], impulse / 2.0, 3e-4 * kPairSpeed);

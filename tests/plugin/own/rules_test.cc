@@ -143,6 +143,85 @@ TEST_F(OwnRules, AWrittenStateReboundsAsAFreshOne) {
   }
 }
 
+// Contact lasted in the step before, and the state is written at the same time: 1 to 100 nm before
+// the wall it is a blow of 2 kg on 1 kg with its restitution, v' = v (2 - e) / 3 for the rotor and
+// v 2 (1 + e) / 3 for the ring.
+TEST_F(OwnRules, AStateThatIsWrittenBeforeTheWallHasItsImpact) {
+  const ModelPointer m = load(document(Machine{}));
+  for (const double gap : {1e-9, 1e-8, 1e-7}) {
+    for (const bool forward : {false, true}) {
+      const DataPointer d = start(m.get());
+      d->qpos[0] = 5e-4 + 1e-8;
+      d->qfrc_applied[0] = 30.0;
+      for (int i = 0; i < 20; ++i) mj_step(m.get(), d.get());
+      ASSERT_GT(sensor(m.get(), d.get(), names::kNormalForce), 1.0);
+      if (forward) mj_forward(m.get(), d.get());
+      d->qfrc_applied[0] = 0.0;
+      mju_copy(d->qpos, m->qpos0, m->nq);
+      mju_zero(d->qvel, m->nv);
+      d->qpos[0] = 5e-4 - gap;
+      d->qvel[0] = 0.3;
+      for (int i = 0; i < 3; ++i) mj_step(m.get(), d.get());
+      EXPECT_NEAR(d->qvel[0], 0.3 * (2.0 - kEps) / 3.0, 1e-9) << gap << forward;
+      EXPECT_NEAR(d->qvel[3], 0.3 * 2.0 * (1.0 + kEps) / 3.0, 1e-9) << gap << forward;
+    }
+  }
+}
+
+TEST_F(OwnRules, SeveralNumbersForOneAreRefused) {
+  const std::string good = document(Machine{});
+  expect_refused(replaced(good, "data=\"5e-4\"", "data=\"5e-4 1e-3\""),
+                 "<custom><numeric name=\"rotorub_clearance\">: 2 numbers; accepted: one");
+  for (const char* friction : {"0.3 0.1", "0.3 0.1 3", "0.3 0.1 3 0 7"}) {
+    expect_refused(replaced(good, "data=\"0.000000\"", std::string("data=\"") + friction + "\""),
+                   "numbers; accepted: one, or four");
+  }
+  Machine x;
+  x.custom = "<numeric name=\"rotorub_userdata\" data=\"0 1\"/>";
+  expect_refused(document(x), "rotorub_userdata");
+}
+
+TEST_F(OwnRules, ARotorThatCannotMoveInItsRingIsRefused) {
+  Machine x;
+  x.bodies = R"(<geom name="wall" type="cylinder" size="0.06 0.01"/>
+                <body><geom name="shelf" type="cylinder" size="0.06 0.01" mass="1"/></body>)";
+  const std::string text = document(x);
+  const auto ring = [&](const std::string& name) {
+    return replaced(replaced(text, "geom2=\"bore\"", "geom2=\"" + name + "\""),
+                    "ring_geom\" data=\"bore\"", "ring_geom\" data=\"" + name + "\"");
+  };
+  load(ring("wall"));
+  const std::string twin = "<geom name=\"disc\"";
+  expect_refused(
+      replaced(ring("hub"), twin, "<geom name=\"hub\" type=\"sphere\" size=\"0.06\"/>" + twin),
+      "both are on one body");
+  const std::string fixed =
+      replaced(ring("wall"), "rotor_geom\" data=\"disc\"", "rotor_geom\" data=\"shelf\"");
+  expect_refused(fixed, "no joint is between their bodies");
+}
+
+TEST_F(OwnRules, TwoPairsOfTheSameGeomsAreRefused) {
+  Machine x;
+  x.pairs = "<pair geom1=\"bore\" geom2=\"disc\" condim=\"1\" margin=\"5e-6\" gap=\"1\"/>";
+  std::string why;
+  EXPECT_EQ(try_load(document(x), why), nullptr) << "MuJoCo or the plugin";
+}
+
+// A first model has its mistakes told together, and a missing pair is spelt out.
+TEST_F(OwnRules, AllThatIsWrongIsSaidAtOnce) {
+  std::string bad = replaced(document(Machine{}), "nuserdata=\"32\"", "nuserdata=\"2\"");
+  bad = replaced(bad, "data=\"0.500000\"", "data=\"1.5\"");
+  bad = replaced(bad, "gap=\"1\"", "gap=\"0\"");
+  bad = replaced(bad, "rotorub_friction", "rotorub_fricton");
+  expect_refused(bad, "rotorub_fricton");
+  expect_refused(bad, "1.5; accepted: between 0 and 1");
+  expect_refused(bad, "at least 21 needed");
+  const std::string pair =
+      "<pair geom1=\"disc\" geom2=\"bore\" condim=\"1\" margin=\"5e-6\" gap=\"1\"/>";
+  expect_refused(replaced(document(Machine{}), pair, ""),
+                 "missing; add <pair geom1=\"disc\" geom2=\"bore\" condim=\"1\" margin=\"");
+}
+
 // The force is there at the stage that the sensor asks for, or the sensor is refused.
 TEST_F(OwnRules, ForcesAreToldAtTheStageThatIsAsked) {
   for (const char* contact : {"rigid", "coulomb"}) {

@@ -1,0 +1,51 @@
+#include "plugin/solver_watch.h"
+
+#include <algorithm>
+
+#include "plugin/message.h"
+#include "plugin/mujoco_versions.h"
+#include "plugin/user_data.h"
+
+namespace rotorub::plugin {
+namespace {
+
+// In kContactStatus of the first block, above the bits of EscapeGuard.
+enum { kInSolver = 128, kSolverWasTold = 256 };
+
+int bits(const mjtNum& entry) { return static_cast<int>(entry); }
+
+bool solves(const Config& config, const mjModel* m, const mjContact& c) {
+  if (c.efc_address < 0) return false;
+  const auto is = [&c](int geom1, int geom2) { return are_geoms(geom1, geom2, c.geom1, c.geom2); };
+  return std::any_of(config.pairs.begin(), config.pairs.end(),
+                     [&](const ContactPair& p) { return is(p.rotor_geom, p.ring_geom); }) ||
+         std::any_of(config.corrected_pairs.begin(), config.corrected_pairs.end(),
+                     [&](int p) { return is(m->pair_geom1[p], m->pair_geom2[p]); });
+}
+
+}  // namespace
+
+void watch_solver(const Config& config, const mjModel* m, mjData* d) {
+  mjtNum& entry = d->userdata[config.memory + kContactStatus];
+  if (!(bits(entry) & kInSolver) || (bits(entry) & kSolverWasTold)) return;
+  // MuJoCo's default tolerance: with a smaller one the solver may stop at round-off.
+  constexpr double kMatters = 1e-8;
+  const double left = unconverged(m, d);
+  if (!(left > kMatters)) return;
+  entry = bits(entry) | kSolverWasTold;
+  warn(message("rotorub: MuJoCo's solver stopped at iterations=\"{}\" in a step with a contact of "
+               "the plugin at t = {} s, {} above its tolerance of {}: the contact's force is wrong "
+               "there; accepted: more iterations, or solver=\"Newton\"",
+               m->opt.iterations, d->time, left, m->opt.tolerance)
+           .c_str());
+}
+
+void note_solved_contacts(const Config& config, const mjModel* m, mjData* d) {
+  mjtNum& entry = d->userdata[config.memory + kContactStatus];
+  const bool any = (config.has_soft() || !config.corrected_pairs.empty()) &&
+                   std::any_of(d->contact, d->contact + d->ncon,
+                               [&](const mjContact& c) { return solves(config, m, c); });
+  if (any != ((bits(entry) & kInSolver) != 0)) entry = bits(entry) ^ kInSolver;
+}
+
+}  // namespace rotorub::plugin
