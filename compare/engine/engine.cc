@@ -51,11 +51,10 @@ class DefaultConeEngine final : public Engine {
  public:
   std::string name() const override { return "mujoco-cone-default"; }
   Trajectory run(const scene::Scene& given, const RunRequest& request) const override {
-    constexpr double kTimeConstant = 0.02;  // s
     scene::Scene scene = given;
     scene.mujoco.friction_reference = 0.0;
-    scene.mujoco.solref_stiffness = 1.0 / (kTimeConstant * kTimeConstant);
-    scene.mujoco.solref_damping = 2.0 / kTimeConstant;
+    scene.mujoco.solref_stiffness = kDefaultStiffness;
+    scene.mujoco.solref_damping = kDefaultDamping;
     return MujocoEngine(scene::ContactModel::kCone).run(scene, request);
   }
 };

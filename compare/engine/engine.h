@@ -71,8 +71,10 @@ Trajectory finite(Trajectory trajectory);
 std::unique_ptr<Engine> native_engine(scene::Integrator integrator);
 // Throws NotOffered.
 std::unique_ptr<Engine> mujoco_engine(scene::ContactModel contact);
-// MuJoCo's cone with its default solref (time constant 20 ms, damping ratio 1), whatever the scene
-// says.
+// MuJoCo's default solref "0.02 1" (time constant 20 ms, damping ratio 1), as K and B.
+inline constexpr double kDefaultStiffness = 2500.0;  // 1/s^2
+inline constexpr double kDefaultDamping = 100.0;     // 1/s
+// MuJoCo's cone with its default solref, whatever the scene says.
 std::unique_ptr<Engine> default_cone_engine();
 
 const char* to_string(scene::Integrator integrator);

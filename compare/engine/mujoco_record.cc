@@ -192,7 +192,8 @@ void MujocoRecord::native_step(std::int64_t k, const double* q, const double* v,
 std::optional<std::string> MujocoRecord::lost(const double* q) const {
   const bool inside = model_.first().contact && contacts_.size() == 1;
   if (inside && recorder_.penetration() == 0.0 && !model_.first().magnets) return {};
-  if (rigid_ || !model_.first().contact) return out_of_range(model_, q);
+  // A law that the scene gives ends where it does natively.
+  if (rigid_ || !model_.first().contact || model_.gives()) return out_of_range(model_, q);
   // A soft ring holds as deep as it is thick, which no one says; no ring holds what is through it.
   return out_of_range(model_, q,
                       std::max(model_.first().contact->clearance, model_.first().contact->radius));

@@ -186,6 +186,11 @@ scene::Scene read_kept_scene(const path& file, const std::string& name) {
 void write_run(const path& folder, const scene::Scene& scene, const Trajectory& trajectory,
                hdf5::ImageOf hdf5) {
   std::filesystem::create_directories(folder);
+  // What an earlier run left and this one does not write would be taken for this one's.
+  if (std::filesystem::exists(folder / kSummary)) {
+    for (const char* file : {scene.rotor.assembled ? kScene : kOwnModel, kRunPage, kLyapunovFile})
+      std::filesystem::remove(folder / file);
+  }
   for (const char* file : {kSummary, kHdf5}) std::filesystem::remove(folder / file);
   write_series(trajectory, folder / kSeries);
   write_impacts(trajectory, folder / kImpacts);

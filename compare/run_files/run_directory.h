@@ -13,9 +13,13 @@
 
 namespace rotorub {
 
+// What `plot` and `run --lyapunov` add to the folder.
+inline constexpr const char* kRunPage = "plot.html";
+inline constexpr const char* kLyapunovFile = "lyapunov.json";
+
 // Makes the folder where it is missing and writes the files, each whole or not at all;
-// summary.json comes last, so that it is never beside the series of another run. Throws
-// std::runtime_error naming the file.
+// summary.json comes last, so that it is never beside the series of another run. What an earlier
+// run left in the folder is removed. Throws std::runtime_error naming the file.
 // hdf5: writes run.h5 too (compare/run_files/hdf5_file.h); null: does not.
 void write_run(const std::filesystem::path& folder, const scene::Scene& scene,
                const Trajectory& trajectory, hdf5::ImageOf hdf5 = nullptr);

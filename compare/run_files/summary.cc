@@ -66,7 +66,7 @@ constexpr ColumnMeaning kSummaryKeys[] = {
      "interrupted",
      ""},
     {"message", "", "why it is not ok", ""},
-    {"warnings", "", "sentences: values of the scene that are hardly meant", ""},
+    {"warnings", "", "sentences: values of the scene that are hardly meant, or energy that does not add up", ""},
 };
 
 // Of each contact, where there are several.
@@ -132,7 +132,7 @@ json summary_json(const scene::Scene& scene, const Trajectory& trajectory) {
               {"above_modes", above_modes_json(above_modes(scene, trajectory))},
               {"status", to_string(trajectory.status)},
               {"message", trajectory.message},
-              {"warnings", doubts(scene)}});
+              {"warnings", doubts(scene, trajectory)}});
   if (trajectory.contacts > 1) all["contacts"] = contacts_json(scene, trajectory);
   return all;
 }

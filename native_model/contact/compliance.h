@@ -12,7 +12,7 @@
 //
 // a v is one number for each e: 0 for e = 1, and 1/e for small e. It has a limit, as e = 0 has
 // none, and v a least one, as a would grow without bound for a touch that grazes. A contact that
-// begins at rest has no such a.
+// begins closed has a = 0: it is loaded, not struck, and no touch has a speed (begins_closed).
 //
 // Friction is Coulomb's of this N, sticking without any give.
 #pragma once
@@ -54,6 +54,18 @@ struct CompliantLaw {
         rebound(of.by_restitution() ? rebound_of(restitution) : 0.0) {}
 
   bool gives() const { return stiffness > 0.0; }
+
+  // Whether a contact is closed in a state that no motion led to (a start, a reset, a keyframe, a
+  // state that is written): in the wall, whatever its speed, or at rest on the circle. gap,
+  // clearance: m; gap_rate: m/s.
+  static constexpr double kOnCircle = 1e-12;  // of the clearance: a gap that counts as 0
+  static constexpr double kAtRest = 1e-9;     // m/s: a gap rate that counts as 0
+  static bool begins_closed(double gap, double gap_rate, double clearance) {
+    const double round_off = kOnCircle * clearance;
+    return gap < -round_off || (gap <= round_off && std::abs(gap_rate) <= kAtRest);
+  }
+  // s/m, of a contact that begins closed: the a that is given, or 0.
+  double a_of_start() const { return hunt_crossley; }
   // s/m, of a touch at this speed, m/s.
   double a_of_touch(double speed) const {
     if (rebound == 0.0 || speed <= 0.0) return hunt_crossley;

@@ -50,6 +50,23 @@ class CoupledProblem {
   int size() const { return n_; }
   double rate() const { return rate_; }  // m/s, what is there to be changed
 
+  // The cases of a solution with every contact that it leaves on its circle closed: where contacts
+  // share their forces in more ways than one, what is then found is the least of them, whatever the
+  // order of the contacts.
+  Cases all_closed(const Cases& cases, const CoupledSolution& s) const {
+    const double rates =
+        kCaseRoundOff * (rate_ + s.p.cwiseAbs().maxCoeff() * a_.cwiseAbs().maxCoeff());
+    Cases closed = cases;
+    for (int i = 0; i < n_; ++i) {
+      Case& c = closed[static_cast<std::size_t>(i)];
+      if (set(i).pressed || !c.at_least || s.y[2 * i] > rates) continue;
+      const double slip = s.y[2 * i + 1];
+      c = {false, slip > rates ? Bound::kLow : slip < -rates ? Bound::kHigh : Bound::kStick};
+      if (!distinct(c, set(i))) c.friction = Bound::kLow;
+    }
+    return closed;
+  }
+
   // The impulses of these cases; false where they are not in the sets.
   bool meets(const Cases& cases, CoupledSolution& out) const {
     out.p = impulses(cases);
@@ -196,6 +213,11 @@ CoupledSolution by_sweeps(const ContactMatrix& a, const ContactVector& b,
     cases = found;
     if (known && k % 8 != 0) continue;  // the same cases were no solution
     if (problem.meets(cases, out)) {
+      CoupledSolution shared;
+      if (problem.meets(problem.all_closed(cases, out), shared) &&
+          shared.p.squaredNorm() < out.p.squaredNorm()) {
+        out = shared;
+      }
       out.solutions = 1;
       return out;
     }

@@ -11,37 +11,53 @@ constexpr double kInWall = 1e-9;  // of the largest spring force: a depth that i
 
 }  // namespace
 
-// A start in the wall is a contact that begins at rest, one on the circle a touch.
+// A contact that begins closed has no touch; one that closes on the circle has one.
 void EventIntegrator::begin_in_walls() {
   for (std::size_t k = 0; k < phase_.contacts(); ++k) {
     if (!model_->auxiliary[k].gives()) continue;
     const ContactPoint p = contact_point(*model_, motion_.q(), motion_.v(), k);
-    const double round_off = 1e-12 * model_->auxiliary[k].contact->clearance;
-    if (p.gap < -round_off) {
-      press(k, 0.0);
-    } else if (p.gap <= round_off && p.gap_rate <= 0.0) {
-      press(k, -p.gap_rate);
+    const ContactParameters& contact = *model_->auxiliary[k].contact;
+    if (CompliantLaw::begins_closed(p.gap, p.gap_rate, contact.clearance)) {
+      press(k, contact.compliance.a_of_start());
+    } else if (p.gap <= CompliantLaw::kOnCircle * contact.clearance && p.gap_rate < 0.0) {
+      press(k, contact.compliance.a_of_touch(-p.gap_rate));
     }
   }
 }
 
-// From here on the contact presses, by the a of a touch at this speed, m/s. Its friction is decided
-// with that of all others.
-void EventIntegrator::press(std::size_t k, double speed) {
+// From here on the contact presses, by this a, s/m. Its friction is decided with that of all
+// others.
+void EventIntegrator::press(std::size_t k, double hunt_crossley) {
   first_touch(k);
-  ContactState state;
-  state.hunt_crossley = model_->auxiliary[k].contact->compliance.a_of_touch(speed);
-  state.in_wall = true;
-  phase_.set(k, state);
+  const ClosedContact touch{k, contact_point(*model_, motion_.q(), motion_.v(), k)};
   // One that touches without speed may part again at once.
-  ClosedContact touch{k, {}};
-  const Phase::Accelerations free =
-      phase_.accelerations(motion_.t, motion_.y.data(), std::span(&touch, 1));
-  if (touch.point.gap >= 0.0 && touch.point.gap_rate >= 0.0 && free.b[0] >= 0.0) {
+  if (touch.point.gap >= 0.0 && touch.point.gap_rate >= 0.0 && parting_acceleration(k) >= 0.0) {
     return phase_.set(k, in_flight(Departure::kParting));
   }
+  ContactState state;
+  state.hunt_crossley = hunt_crossley;
+  state.in_wall = true;
+  phase_.set(k, state);
   observer_.press(motion_, touch);
   press_on(k);
+}
+
+// m/s^2, gddot_N of a contact that does not press, under the loads and the forces of all others.
+double EventIntegrator::parting_acceleration(std::size_t k) {
+  step_.evaluate(motion_);
+  ContactList<ClosedContact> closed;
+  closed.push_back({k, {}});
+  for (std::size_t j = 0; j < phase_.contacts(); ++j) {
+    if (j != k && phase_.in_contact(j)) closed.push_back({j, {}});
+  }
+  const Phase::Accelerations all = phase_.accelerations(motion_.t, motion_.y.data(), closed);
+  double acceleration = all.b[0];
+  for (std::size_t i = 1; i < closed.size(); ++i) {
+    const auto at = static_cast<Eigen::Index>(2 * i);
+    const Multipliers& force = phase_.multipliers(closed[i].index);
+    acceleration += all.g(0, at) * force.normal + all.g(0, at + 1) * force.friction;
+  }
+  return acceleration;
 }
 
 void EventIntegrator::press_on(std::size_t k) {

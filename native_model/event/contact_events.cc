@@ -40,7 +40,7 @@ EventIntegrator::Closed EventIntegrator::on_circles() const {
     const auto& contact = model_->auxiliary[k].contact;
     if (!contact || contact->gives()) continue;
     const double gap = contact_point(*model_, motion_.q(), motion_.v(), k).gap;
-    if (phase_.in_contact(k) || gap <= kOnCircle * contact->clearance)
+    if (phase_.in_contact(k) || phase_.state(k).held || gap <= kOnCircle * contact->clearance)
       closed.push_back({k, Velocity::kKept});
   }
   return closed;
@@ -66,7 +66,8 @@ void EventIntegrator::begin_on_circles() {
 
 void EventIntegrator::impact(std::size_t contact) {
   if (model_->auxiliary[contact].gives()) {
-    return press(contact, -contact_point(*model_, motion_.q(), motion_.v(), contact).gap_rate);
+    const double speed = -contact_point(*model_, motion_.q(), motion_.v(), contact).gap_rate;
+    return press(contact, model_->auxiliary[contact].contact->compliance.a_of_touch(speed));
   }
   first_touch(contact);
   Closed closed = on_circles();
@@ -99,6 +100,14 @@ void EventIntegrator::impact(std::size_t contact) {
   decide(resting);
 }
 
+// What others held on its circle is pressed against it again, without a blow.
+void EventIntegrator::rejoin(std::size_t contact) {
+  Closed closed = in_contact();
+  closed.push_back({contact, Velocity::kAlong});
+  project(closed);
+  decide(closed);
+}
+
 // Lasting contact ends, or its friction changes.
 void EventIntegrator::margin_reached(std::size_t contact) {
   if (model_->auxiliary[contact].gives()) return press_margin_reached(contact);
@@ -125,7 +134,10 @@ void EventIntegrator::margin_reached(std::size_t contact) {
   project(closed);
   switch (end) {
     case PhaseEnd::kOpens:
-      for (const std::size_t k : opening) change_to(k, in_flight(Departure::kLiftOff));
+      for (const std::size_t k : opening) {
+        change_to(k, opening.size() < closed.size() ? held_by_others(Departure::kLiftOff)
+                                                    : in_flight(Departure::kLiftOff));
+      }
       return;
     case PhaseEnd::kSlipStops:
       return decide(closed);
@@ -138,7 +150,7 @@ void EventIntegrator::margin_reached(std::size_t contact) {
 void EventIntegrator::decide(const Closed& resting) {
   Closed all_closed = resting;
   for (std::size_t k = 0; k < phase_.contacts(); ++k) {
-    if (!phase_.in_contact(k)) continue;
+    if (!phase_.in_contact(k) && !phase_.state(k).held) continue;
     const auto is_named = [k](const Constraint::Closed& c) { return c.contact == k; };
     if (std::any_of(resting.begin(), resting.end(), is_named) || no_longer_presses(k)) continue;
     all_closed.push_back({k, velocity_of(phase_.state(k).mode)});

@@ -9,6 +9,8 @@ namespace rotorub {
 namespace {
 
 constexpr ContactState kParts = in_flight(Departure::kParting);
+// Of the accelerations in question: a gap that opens no faster is held.
+constexpr double kHeld = 1e-8;
 
 // Of one that slides the case is known: it parts, or it slides on.
 ContactDecisions sliding_alone(const Delassus& g, double normal, double slip, double mu) {
@@ -65,7 +67,8 @@ ContactDecisions select_contact_modes(const ContactMatrix& g, const ContactVecto
   for (std::size_t i = 0; i < slips.size(); ++i) {
     const auto at = static_cast<Eigen::Index>(2 * i);
     if (!(s.p[at] > 0.0) && !sets[i].pressed) {
-      decided.next.push_back(kParts);
+      const bool held = slips.size() > 1 && s.y[at] <= kHeld * scale[static_cast<Eigen::Index>(i)];
+      decided.next.push_back(held ? held_by_others(Departure::kParting) : kParts);
     } else if (sets[i].slides != 0.0) {
       decided.next.push_back({Mode::kSlide, sets[i].slides});
     } else if (s.sticks[i] ||

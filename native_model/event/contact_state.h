@@ -20,12 +20,18 @@ struct ContactState {
   Mode mode = Mode::kFree;
   double slip_sign = 1.0;                    // sliding only: sign of gdot_T
   Departure departure = Departure::kInside;  // free only: how the flight began
+  // Free only: it carries nothing, and yet others that are closed keep it on its circle, as three
+  // rings a rotor of two degrees of freedom in a plane. Its gap is then 0 but for round-off, whose
+  // sign is no touch.
+  bool held = false;
   // Of a contact that gives: a of this touch, s/m; free only: still in the wall, which no longer
   // presses.
   double hunt_crossley = 0.0;
   bool in_wall = false;
 };
 constexpr ContactState in_flight(Departure how) { return {Mode::kFree, 1.0, how}; }
+// One that opens beside closed ones, which may hold it.
+constexpr ContactState held_by_others(Departure how) { return {Mode::kFree, 1.0, how, true}; }
 
 struct ContactDecisions {
   Status status = Status::kOk;  // else the laws have no solution, or several (Painleve)

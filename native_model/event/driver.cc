@@ -73,8 +73,8 @@ void EventIntegrator::begin(const State& start, double end, Recorder& recorder) 
   last_event_ = -1.0;
   booked_ = start.t;
   sample_controllers();
-  begin_on_circles();
   begin_in_walls();
+  begin_on_circles();
   observer_.started(motion_);
   step_.restart(motion_);
 }
@@ -109,7 +109,11 @@ void EventIntegrator::pass() {
   if (ahead_.loss) return lose();
   if (ahead_.event) {
     const std::size_t contact = ahead_.event->contact;
-    phase_.has_margins(contact) ? margin_reached(contact) : impact(contact);
+    if (ahead_.event->rejoins) {
+      rejoin(contact);
+    } else {
+      phase_.has_margins(contact) ? margin_reached(contact) : impact(contact);
+    }
     step_.restart(motion_);
     count_event();
   } else {
@@ -134,10 +138,16 @@ void EventIntegrator::move_to(double now, std::optional<double> theta) {
   // How a flight began matters no more once it has.
   if (now > motion_.t) {
     for (std::size_t k = 0; k < phase_.contacts(); ++k) {
-      if (!phase_.has_margins(k)) phase_.set(k, {});
+      if (!phase_.has_margins(k) && !still_held(k)) phase_.set(k, {});
     }
   }
   motion_.t = now;
+}
+
+bool EventIntegrator::still_held(std::size_t k) const {
+  if (!phase_.state(k).held) return false;
+  const double clearance = model_->auxiliary[k].contact->clearance;
+  return contact_point(*model_, motion_.q(), motion_.v(), k).gap <= kHeldGap * clearance;
 }
 
 // Rotor or ring leaves its range.
@@ -154,13 +164,19 @@ std::optional<EventIntegrator::Found> EventIntegrator::find_event() {
   for (std::size_t k = 0; k < phase_.contacts(); ++k) {
     if (!model_->auxiliary[k].contact) continue;
     std::optional<double> theta;
-    if (phase_.has_margins(k)) {
+    bool rejoins = false;
+    if (phase_.state(k).held) {
+      if (const auto end = locate_held_end(*model_, k, step_, motion_)) {
+        theta = end->theta;
+        rejoins = !end->flew;
+      }
+    } else if (phase_.has_margins(k)) {
       force_scale_[k] = std::max(force_scale_[k], std::abs(phase_.margins(k).force));
       theta = locate_margin(k, step_, phase_.state(k).mode, margin_scales(k), parameters_);
     } else {
       theta = locate_contact(*model_, k, step_, motion_, phase_.state(k).departure);
     }
-    if (theta && (!first || *theta < first->theta)) first = Found{*theta, k};
+    if (theta && (!first || *theta < first->theta)) first = Found{*theta, k, rejoins};
   }
   return first;
 }

@@ -75,6 +75,7 @@ class EventIntegrator {
   void sample_controllers();
   void controller_failed(const std::string& why);
   void move_to(double now, std::optional<double> theta);
+  bool still_held(std::size_t contact) const;
   void lose();
 
   // Contact. What is said of a list of contacts is what is known of their velocities.
@@ -82,6 +83,7 @@ class EventIntegrator {
   struct Found {
     double theta;  // within the step
     std::size_t contact;
+    bool rejoins = false;  // it was held on its circle, and is pressed again
   };
   struct Ahead {
     bool known = false;
@@ -97,8 +99,10 @@ class EventIntegrator {
   Closed in_contact() const;
   void impact(std::size_t contact);
   void margin_reached(std::size_t contact);
+  void rejoin(std::size_t contact);
   // Of contacts that give.
-  void press(std::size_t contact, double speed);
+  void press(std::size_t contact, double hunt_crossley);
+  double parting_acceleration(std::size_t contact);
   void press_on(std::size_t contact);
   void press_margin_reached(std::size_t contact);
   void release(const ClosedContact& at);

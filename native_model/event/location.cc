@@ -32,18 +32,21 @@ Path path_from_nested(const std::array<Eigen::Vector2d, kPathDegree>& f) {
   return p;
 }
 
-// The dense output makes d(theta) a polynomial and F(theta) = |d|^2 - delta_0^2 another: its first
-// theta in (0, 1] with F >= 0, to round-off. `d`: centre at the start. Roots there that are known
-// are divided out.
-std::optional<double> first_contact(const Path& path, const Eigen::Vector2d& d, double clearance,
-                                    Departure departure) {
-  // F = |d + Delta d|^2 - delta_0^2, the part of the start without cancellation.
+// The dense output makes d(theta) a polynomial and F(theta) = |d + Delta d|^2 - delta_0^2 another,
+// the part of the start without cancellation. `d`: centre at the start.
+Polynomial outside(const Path& path, const Eigen::Vector2d& d, double clearance) {
   Polynomial f{2 * kPathDegree, {}};
   f.a[0] = (d.norm() - clearance) * (d.norm() + clearance);
   for (std::size_t i = 1; i <= kPathDegree; ++i) {
     f.a[i] += 2.0 * d.dot(path[i]);
     for (std::size_t j = 1; j <= kPathDegree; ++j) f.a[i + j] += path[i].dot(path[j]);
   }
+  return f;
+}
+
+// The first theta in (0, 1] with F >= 0, to round-off. Roots at the start that are known are
+// divided out.
+std::optional<double> first_contact(Polynomial f, Departure departure) {
   const int known = static_cast<int>(departure);
   std::copy(f.a.begin() + known, f.a.end(), f.a.begin());
   f.degree -= known;
@@ -51,25 +54,48 @@ std::optional<double> first_contact(const Path& path, const Eigen::Vector2d& d, 
       f, departure == Departure::kInside ? RootStart::kBelowZero : RootStart::kAnywhere);
 }
 
+// Of velocities, and of what the step adds to coordinates.
+Eigen::Vector2d centre(const Model& m, std::size_t contact, const double* at) {
+  return rotor_point(m, at, contact) - stator_point(m, at, contact);
+}
+
+Path path_of(const Model& m, std::size_t contact, SmoothStep& step) {
+  std::array<Eigen::Vector2d, kPathDegree> nested;
+  for (int k = 0; k < kPathDegree; ++k)
+    nested[static_cast<std::size_t>(k)] = centre(m, contact, step.term(k));
+  return path_from_nested(nested);
+}
+
 }  // namespace
 
 std::optional<double> locate_contact(const Model& m, std::size_t contact, SmoothStep& step,
                                      const Motion& start, Departure departure) {
   const double clearance = m.auxiliary[contact].contact->clearance;
-  // Of velocities, and of what the step adds to coordinates.
-  const auto centre = [&m, contact](const double* at) -> Eigen::Vector2d {
-    return rotor_point(m, at, contact) - stator_point(m, at, contact);
-  };
   const Eigen::Vector2d d0 = separation(m, start.q(), contact),
                         d1 = separation(m, step.end(), contact);
   // Out of reach: no further than the larger end plus what the speeds, twice over, could add.
-  const double speed = std::max(centre(start.v()).norm(), centre(step.end() + m.nq()).norm());
+  const double speed = std::max(centre(m, contact, start.v()).norm(),
+                                centre(m, contact, step.end() + m.nq()).norm());
   const double reach = std::max(d0.norm(), d1.norm()) + 2.0 * speed * step.length();
   if (reach < clearance) return {};
 
-  std::array<Eigen::Vector2d, kPathDegree> nested;
-  for (int k = 0; k < kPathDegree; ++k) nested[static_cast<std::size_t>(k)] = centre(step.term(k));
-  return first_contact(path_from_nested(nested), d0, clearance, departure);
+  return first_contact(outside(path_of(m, contact, step), d0, clearance), departure);
+}
+
+std::optional<HeldEnd> locate_held_end(const Model& m, std::size_t contact, SmoothStep& step,
+                                       const Motion& start) {
+  const double clearance = m.auxiliary[contact].contact->clearance;
+  const Eigen::Vector2d d = separation(m, start.q(), contact);
+  const Polynomial f = outside(path_of(m, contact, step), d, clearance);
+  const double round_off = 2.0 * kHeldGap * clearance * clearance;
+  Polynomial closed = f, open = f;
+  closed.a[0] -= round_off;
+  for (double& a : open.a) a = -a;
+  open.a[0] -= round_off;
+  const auto closes = first_crossing(closed, RootStart::kBelowZero);
+  if (!closes) return {};
+  const auto opens = first_crossing(open, RootStart::kBelowZero);
+  return HeldEnd{*closes, opens && *opens < *closes};
 }
 
 std::optional<double> locate_margin(std::size_t contact, SmoothStep& step, Mode mode,

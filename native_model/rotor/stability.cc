@@ -166,9 +166,11 @@ class StabilitySearch {
     // Beside a mode without damping: where one leaves round-off.
     const double none = before.growth > -kGrows ? kGrows : 0.0;
     const auto excess = [&](double speed) { return at(speed).growth - none; };
-    return root(excess, before.speed, after.speed, before.growth - none, after.growth - none,
-                kAccuracy * std::max(before.speed, after.speed))
-        .second;
+    const bool rising = before.speed < after.speed;
+    const Sample &low = rising ? before : after, &high = rising ? after : before;
+    const auto [below, above] = root(excess, low.speed, high.speed, low.growth - none,
+                                     high.growth - none, kAccuracy * high.speed);
+    return rising ? above : below;
   }
 
   const WhirlSystem& system_;
@@ -186,7 +188,10 @@ double stability_bound(const WhirlSystem& system) {
   return bound;
 }
 
-std::vector<UnstableRange> unstable_ranges(const WhirlSystem& system, double sense) {
+namespace {
+
+// Of a threshold the first range begins alone.
+std::vector<UnstableRange> ranges_of(const WhirlSystem& system, double sense, bool first_alone) {
   const double bound = stability_bound(system);
   if (std::isinf(bound)) return {};
   constexpr double kStep = 1.5;
@@ -196,6 +201,7 @@ std::vector<UnstableRange> unstable_ranges(const WhirlSystem& system, double sen
   std::vector<UnstableRange> ranges;
   Sample before = search.at(0.0);
   if (before.grows()) ranges.push_back({0.0, kEver});
+  if (first_alone && !ranges.empty()) return ranges;
 
   double lowest = bound;
   for (const Complex& s : before.s) lowest = std::min(lowest, std::abs(s));
@@ -216,6 +222,7 @@ std::vector<UnstableRange> unstable_ranges(const WhirlSystem& system, double sen
         const std::optional<double> found = search.first_growth(before, next);
         if (!found) break;
         ranges.push_back({*found, kEver});
+        if (first_alone) return ranges;
         before = search.at(*found);
       }
     }
@@ -224,8 +231,14 @@ std::vector<UnstableRange> unstable_ranges(const WhirlSystem& system, double sen
   return ranges;
 }
 
+}  // namespace
+
+std::vector<UnstableRange> unstable_ranges(const WhirlSystem& system, double sense) {
+  return ranges_of(system, sense, false);
+}
+
 std::optional<double> stability_threshold(const WhirlSystem& system, double sense) {
-  const std::vector<UnstableRange> ranges = unstable_ranges(system, sense);
+  const std::vector<UnstableRange> ranges = ranges_of(system, sense, true);
   return ranges.empty() ? std::nullopt : std::optional(ranges.front().from);
 }
 

@@ -7,6 +7,16 @@
 namespace rotorub::scene {
 namespace {
 
+// The eight coefficients of a bearing as ROSS names them; one sentence for all of a bearing.
+bool is_ross_coefficient(std::string_view name) {
+  return name.size() == 3 && (name[0] == 'k' || name[0] == 'c') &&
+         (name[1] == 'x' || name[1] == 'y') && (name[2] == 'x' || name[2] == 'y');
+}
+constexpr const char* kRossBearing =
+    "unknown key; what ROSS calls kxx, kyy is stiffness = [kxx, kyy], cxx, cyy is damping = [cxx, "
+    "cyy], kxy, kyx is cross_stiffness = [kxy, kyx], and cxy, cyx is cross_damping = [cxy, cyx]; "
+    "over the speed they are table_kxx, ... beside table_speed";
+
 using Kind = TomlNode::Kind;
 
 constexpr const char* kGeometryForm = "the geometry form ([rotor] with length, E, rho, ...)";
@@ -309,8 +319,14 @@ void TableReader::refuse_unknown(const TomlNode& node, std::string_view table_pa
     if (!below.empty() && below.find('.') == std::string_view::npos && !table.for_key)
       known.push_back(below);
   }
+  bool said_ross = false;
   for (const auto& [name, value] : node.entries) {
     if (std::find(known.begin(), known.end(), name) != known.end()) continue;
+    if (table_path == "rotor.bearing" && is_ross_coefficient(name)) {
+      if (!said_ross) fail(value, child_path(path, name), kRossBearing);
+      said_ross = true;
+      continue;
+    }
     const bool is_table =
         value.kind == Kind::kTable || (value.kind == Kind::kArray && !value.items.empty() &&
                                        value.items.front().kind == Kind::kTable);

@@ -3,8 +3,10 @@
 #include <algorithm>
 #include <array>
 #include <boost/locale/utf.hpp>
+#include <cmath>
 #include <cstdint>
 #include <cstdio>
+#include <numbers>
 #include <utility>
 
 namespace rotorub::scene {
@@ -13,6 +15,18 @@ std::string number_text(double number, int digits) {
   std::array<char, 40> buffer{};
   std::snprintf(buffer.data(), buffer.size(), "%.*g", digits, number);
   return buffer.data();
+}
+
+std::string unitless_speed_note(std::string_view where, double speed) {
+  // No machine turns at such a number of rad/s but by chance.
+  const double size = std::abs(speed);
+  const bool reads_as_rpm = size >= 1000.0 && size <= 60000.0 &&
+                            (std::fmod(size, 60.0) == 0.0 || std::fmod(size, 100.0) == 0.0);
+  if (!reads_as_rpm) return {};
+  const std::string plain = number_text(speed);
+  return std::string(where) + " = " + plain + " without a unit is in rad/s, " +
+         number_text(speed * 30.0 / std::numbers::pi, 5) + " rpm; for turns per minute write \"" +
+         plain + " rpm\"";
 }
 
 std::string list_element(const std::string& list, std::size_t index) {

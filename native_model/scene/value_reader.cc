@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numbers>
 #include <string>
 
 #include "native_model/scene/table_reader.h"
@@ -21,13 +20,6 @@ std::string got(const TomlNode& node) {
   if (node.kind == Kind::kInteger) return ", got " + std::to_string(node.integer);
   if (node.kind == Kind::kFloat) return ", got " + number_text(node.number);
   return ", got " + std::string(kind_name(node.kind));
-}
-
-// Turns per minute as a name plate has them, and of no machine in rad/s but by chance.
-bool reads_as_rpm(double speed) {
-  const double size = std::abs(speed);
-  return size >= 1000.0 && size <= 60000.0 &&
-         (std::fmod(size, 60.0) == 0.0 || std::fmod(size, 100.0) == 0.0);
 }
 
 // The value of one key. Each reader is false, with the reason kept, for what cannot be used.
@@ -63,6 +55,9 @@ struct ValueReader {
         return read_list(node, path, value.list);
       case ValueType::kText:
         if (node.kind != Kind::kString || node.text.empty()) return refuse(node, path);
+        // It is shown on terminals.
+        if (printable(node.text, node.text.size()) != node.text)
+          return fail(node, path, "expected text without control characters" + got(node));
         value.text = node.text;
         return true;
     }
@@ -99,13 +94,8 @@ struct ValueReader {
   void note_speed(const TomlNode& node, const std::string& path, double number) const {
     const bool turns = key.quantity.name == kSpin.name && key.name.ends_with("speed");
     if (!turns || key.type != ValueType::kNumber || node.kind == Kind::kString) return;
-    if (!reads_as_rpm(number)) return;
-    const std::string plain = number_text(number);
-    notes.push_back(path + " = " + plain + " without a unit is in rad/s, " +
-                    number_text(number * 30.0 / std::numbers::pi, 5) +
-                    " rpm; for turns per minute "
-                    "write \"" +
-                    plain + " rpm\"");
+    if (const std::string note = unitless_speed_note(path, number); !note.empty())
+      notes.push_back(note);
   }
 
   bool read_whole(const TomlNode& node, const std::string& path, Value& value) const {

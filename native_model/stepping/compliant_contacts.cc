@@ -29,23 +29,23 @@ InWall in_wall(double first, double last) {
 
 }  // namespace
 
-// A start in the wall is a contact that begins at rest.
 void CompliantContacts::begin(const State& x) {
   of_ = {};
   for (std::size_t i = 0; i < count(); ++i) {
-    const double depth = separation(m_, x.q.data(), i).norm() - law(i).clearance;
-    of_[i].touches = depth > 0.0;
-    of_[i].hunt_crossley = law(i).compliance.a_of_touch(0.0);
+    const ContactPoint p = contact_point(m_, x.q.data(), x.v.data(), i);
+    of_[i].touches = CompliantLaw::begins_closed(p.gap, p.gap_rate, law(i).clearance);
+    of_[i].hunt_crossley = law(i).compliance.a_of_start();
   }
 }
 
-// w_0 and w_1 of the step, and the a of a touch.
-void CompliantContacts::meet_wall(std::size_t i) {
+// w_0 and w_1 of the step, and the a of a touch. free: (ddot, spin) at the step's end, without the
+// contact's own force.
+void CompliantContacts::meet_wall(std::size_t i, const Eigen::Vector3d& free) {
   const Place& at = places[i];
   const CompliantLaw& law_of = law(i).compliance;
   const double clearance = law(i).clearance, length = before_ + after_;
   const Eigen::Vector2d first = at.d - before_ * at.start.head<2>(),
-                        last = at.d + after_ * at.free.head<2>();
+                        last = at.d + after_ * free.head<2>();
   const double depth = at.d.norm() - clearance;
   Contact& c = of_[i];
   c.spring = c.damper = 0.0;
@@ -63,7 +63,7 @@ void CompliantContacts::meet_wall(std::size_t i) {
     const Eigen::Vector2d there =
         early ? first + one.from * (at.d - first) : at.d + two.from * (last - at.d);
     const Eigen::Vector2d velocity =
-        at.start.head<2>() + since / length * (at.free - at.start).head<2>();
+        at.start.head<2>() + since / length * (free - at.start).head<2>();
     c.hunt_crossley = law_of.a_of_touch(there.normalized().dot(velocity));
     c.touches = true;
   }
@@ -162,10 +162,14 @@ bool CompliantContacts::press(State& x) {
       press_one(i, end);
       moved = std::max({moved, std::abs(of_[i].normal - was), std::abs(of_[i].friction - rubbed)});
       largest = std::max(largest, of_[i].normal);
-      // h^2 k' g_NN, k' = n N / p: above 4 the step's leapfrog goes its own way.
+      // h^2 k' g_NN, k' = n N / p: above 4 the step's leapfrog goes its own way. With the damper
+      // a N of a law that is given, (h^2 k' + 2 h a N) g_NN: the mean of the rates at both ends
+      // throws them to and fro.
       const double depth = places[i].d.norm() - law(i).clearance;
-      const double slope = law(i).compliance.exponent * law(i).compliance.spring(depth);
-      if (depth > 0.0 && h_ * h_ * slope * g.nn > 4.0 * depth) {
+      const double spring = law(i).compliance.spring(depth);
+      const double slope = law(i).compliance.exponent * spring;
+      const double damper = law(i).compliance.hunt_crossley * spring;
+      if (depth > 0.0 && h_ * (h_ * slope + 2.0 * depth * damper) * g.nn > 4.0 * depth) {
         x.fail(0, Status::kStepTooLarge);
         return false;
       }
@@ -175,18 +179,47 @@ bool CompliantContacts::press(State& x) {
   return true;
 }
 
+std::size_t CompliantContacts::touching() const {
+  return static_cast<std::size_t>(std::ranges::count_if(
+      std::span(of_).first(count()), [](const Contact& c) { return c.touches; }));
+}
+
+// Whether and how fast a contact touches is found on the path under the forces of those that
+// already press: without them the speed, and the a of the whole touch with it, is off by a term of
+// the order of h. False as press().
+bool CompliantContacts::meet_walls(State& x, Loads& loads) {
+  std::array<bool, kMaxContacts> pressed{};
+  for (std::size_t i = 0; i < count(); ++i) {
+    const double delta = places[i].d.norm();
+    if (delta > kNoNormal) places[i].e_r = places[i].d / delta;
+    pressed[i] = of_[i].touches;
+    if (pressed[i]) meet_wall(i, places[i].free);
+  }
+  const bool beside = touching() > 0 && touching() < count();
+  if (beside) {
+    if (loads.coupled()) respond(x, loads);
+    if (!press(x)) return false;
+  }
+  for (std::size_t i = 0; i < count(); ++i) {
+    if (of_[i].touches) continue;
+    Eigen::Vector3d free = places[i].free;
+    for (std::size_t j = 0; j < count() && beside; ++j) {
+      if (!(of_[j].normal > 0.0)) continue;
+      free += admittance(i, j) *
+              contact_load(places[j].e_r, law(j).radius, of_[j].normal, of_[j].friction);
+    }
+    of_[i].touches = pressed[i];  // one that has left may be pressed back in
+    meet_wall(i, free);
+  }
+  return true;
+}
+
 bool CompliantContacts::go_on(State& x, Loads& loads, double /*unsettled*/) {
   look(x);
   after_ = 0.5 * h_;
   before_ = x.kick < 1.0 ? 0.0 : after_;
-  bool pressing = false;
-  for (std::size_t i = 0; i < count(); ++i) {
-    const double delta = places[i].d.norm();
-    if (delta > kNoNormal) places[i].e_r = places[i].d / delta;
-    meet_wall(i);
-    pressing = pressing || of_[i].touches;
-  }
-  if (pressing) {
+  if (!meet_walls(x, loads)) return false;
+  if (touching() > 0) {
     if (loads.coupled()) respond(x, loads);
     if (loads.iterates()) loads.begin_iteration(1.0);
     for (bool settled = false;;) {

@@ -41,7 +41,9 @@ class CompliantContacts : public ContactColumns {
     // Of the step: w_0 (N s) and w_1 (N s^2/m); its impulses, N s.
     double spring = 0.0, damper = 0.0, normal = 0.0, friction = 0.0;
   };
-  void meet_wall(std::size_t i);
+  void meet_wall(std::size_t i, const Eigen::Vector3d& free);
+  bool meet_walls(State& x, Loads& loads);
+  std::size_t touching() const;
   bool press(State& x);
   // Of the contact at the rates (ddot, spin) that it would end with but for its own impulses.
   void press_one(std::size_t i, const Eigen::Vector3d& end);

@@ -88,7 +88,9 @@ StepLimit step_limit(const Model& m) {
   for (int k = 0; k < l.stator; ++k) {
     const int i = l.ring() + k;
     take(m.stiffness[i] / m.mass[i], 0.0, "the ring on its spring");
-    if (!m.first().controller || m.first().sample_time > 0.0) continue;
+    if (!m.first().controller) continue;
+    // A sampled law's too: one that is too strong for a step is so for its samples, which are no
+    // closer, and its answer is the step's.
     const Controller::Gains gains = m.first().controller->ring_gains();
     take((m.stiffness[i] + gains.stiffness) / m.mass[i], gains.damping / m.mass[i],
          "the controller's gains on the ring");
@@ -116,7 +118,10 @@ StepLimit step_limit(const Model& m) {
     // The larger eigenvalue of its 2 x 2 corner.
     const double mobility =
         0.5 * (a(0, 0) + a(1, 1)) + std::hypot(0.5 * (a(0, 0) - a(1, 1)), a(1, 0));
-    take(at.contact->compliance.stiffness * mobility / lightest, 0.0, "the contact's stiffness");
+    const CompliantLaw& law = at.contact->compliance;
+    take(law.stiffness * mobility / lightest, 0.0, "the contact's stiffness");
+    take(law.stiffness * mobility / lightest, law.damping * mobility / lightest,
+         "the contact's damping");
   }
   return limit;
 }

@@ -7,6 +7,7 @@
 #include "native_model/bearing/coil.h"
 #include "native_model/control/control_loop.h"
 #include "native_model/dynamics/dynamics.h"
+#include "native_model/system/sampled_feedback.h"
 
 namespace rotorub {
 namespace {
@@ -73,6 +74,12 @@ Eigen::Vector2d control_sample(const Model& m, double t, const double* q, const 
   const AuxiliaryBearing& at = m.auxiliary[k];
   if (t < at.control_on) return {0.0, 0.0};
   Measurement now = measure(m, k, t, q, v);
+  double begun[kMaxCoordinates];
+  if (!m.samplers.empty()) {
+    std::copy_n(v, m.nq(), begun);
+    begin_samples(m, t, q, begun);
+    now.v = begun;
+  }
   now.sample = static_cast<std::int64_t>(sample_index(t, at.sample_time));
   now.current = current;
   return commanded(m, k, q, at.loop->sample(now, memory));

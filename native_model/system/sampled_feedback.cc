@@ -52,6 +52,40 @@ void ask_library(const Model& m, const SampledFeedback& s, double t, const doubl
   s.library->step(now, x, sample.asked);
 }
 
+// s, k T: steps and sums of them miss it, and k T what a scene says of it, by round-off.
+double instant_of(const SampledFeedback& s, double t) {
+  return std::round(t / s.sample_time) * s.sample_time;
+}
+
+bool bearing_works(const Model& m, const SampledFeedback& s, std::size_t bearing, double time) {
+  return m.feedbacks[bearing].works.at(time + kSampleRoundOff * s.sample_time);
+}
+bool works_at(const Model& m, const SampledFeedback& s, double time) {
+  return std::any_of(s.bearings.begin(), s.bearings.end(),
+                     [&](std::size_t k) { return bearing_works(m, s, k, time); });
+}
+
+// Whether the sample at an instant, at which it works, is the first, or the first after it was off.
+bool begins_at(const Model& m, const SampledFeedback& s, double instant) {
+  const double before = instant - s.sample_time;
+  return before < -0.5 * s.sample_time || !works_at(m, s, before);
+}
+
+// m, what the sensors show, one number for each port.
+void read_sensors(const Model& m, const SampledFeedback& s, const double* q, double* seen) {
+  for (std::size_t k = 0; k < s.bearings.size(); ++k) {
+    const auto at = equations::at_station(m.layout.modes, m.feedbacks[s.bearings[k]].seen(), q);
+    seen[2 * k] = at.x;
+    seen[2 * k + 1] = at.y;
+  }
+}
+
+// x = X y.
+void start_law(const SampledFeedback& s, const double* seen, double* x) {
+  for (int i = 0; i < static_cast<int>(s.law.states()); ++i) x[i] = product(s.law.start, i, seen);
+  if (s.library) s.library->start(x);
+}
+
 }  // namespace
 
 void take_sample(const Model& m, const SampledFeedback& s, double t, const double* q, double* v) {
@@ -59,39 +93,23 @@ void take_sample(const Model& m, const SampledFeedback& s, double t, const doubl
   const int n = static_cast<int>(law.states()), ports = static_cast<int>(law.ports());
   const int queue = ports * s.delay;
   double *state = v + s.state, *held = v + s.command;
-  // Steps and sums of them miss a sample's instant k T, and k T what a scene says of it, by
-  // round-off.
-  const double instant = std::round(t / s.sample_time) * s.sample_time;
-  const auto works = [&](std::size_t k, double time) {
-    return m.feedbacks[k].works.at(time + kSampleRoundOff * s.sample_time);
-  };
-  const auto works_at = [&](double time) {
-    return std::any_of(s.bearings.begin(), s.bearings.end(),
-                       [&](std::size_t k) { return works(k, time); });
-  };
-  if (!works_at(instant)) {
+  const double instant = instant_of(s, t);
+  if (!works_at(m, s, instant)) {
     std::fill_n(state, n, 0.0);
     std::fill_n(held, queue + ports, 0.0);
     return;
   }
   Sample sample;
-  for (std::size_t k = 0; k < s.bearings.size(); ++k) {
-    const auto seen = equations::at_station(m.layout.modes, m.feedbacks[s.bearings[k]].seen(), q);
-    sample.seen[2 * k] = seen.x;
-    sample.seen[2 * k + 1] = seen.y;
-  }
+  read_sensors(m, s, q, sample.seen);
   double x[kMaxCoordinates];
   std::copy_n(state, n, x);
-  const double before = instant - s.sample_time;
-  const bool begins = before < -0.5 * s.sample_time || !works_at(before);
-  if (begins) {
-    for (int i = 0; i < n; ++i) x[i] = product(law.start, i, sample.seen);
-    if (s.library) s.library->start(x);
-  }
+  const bool begins = begins_at(m, s, instant);
+  if (begins) start_law(s, sample.seen, x);
   s.library ? ask_library(m, s, t, q, v, sample, x) : ask_matrices(law, sample, x);
   for (int i = 0; i < ports; ++i) {
     const std::size_t k = s.bearings[static_cast<std::size_t>(i / 2)];
-    sample.given[i] = works(k, instant) ? m.feedbacks[k].law.limited(sample.asked[i]) : 0.0;
+    sample.given[i] =
+        bearing_works(m, s, k, instant) ? m.feedbacks[k].law.limited(sample.asked[i]) : 0.0;
   }
   for (int i = 0; i < n; ++i) {
     for (int j = 0; j < ports; ++j) x[i] += law.back(i, j) * (sample.asked[j] - sample.given[j]);
@@ -100,6 +118,19 @@ void take_sample(const Model& m, const SampledFeedback& s, double t, const doubl
   std::copy_n(x, n, state);
   std::copy(held + ports, held + ports + queue, held);
   std::copy_n(sample.given, ports, held + queue);
+}
+
+void begin_samples(const Model& m, double t, const double* q, double* v) {
+  constexpr double kDue = 1e-6;  // of a sample time, by which sums of steps miss a sample
+  for (const SampledFeedback& s : m.samplers) {
+    const double instant = instant_of(s, t);
+    if (std::abs(t - instant) > kDue * s.sample_time) continue;
+    if (!works_at(m, s, instant) || !begins_at(m, s, instant)) continue;
+    double seen[kMaxPorts];
+    read_sensors(m, s, q, seen);
+    start_law(s, seen, v + s.state);
+    std::fill_n(v + s.command, static_cast<int>(s.law.ports()) * (1 + s.delay), 0.0);
+  }
 }
 
 Eigen::MatrixXd linear_sample(const Model& m) {

@@ -16,6 +16,11 @@ namespace rotorub {
 void take_sample(const Model& model, const SampledFeedback& sampled, double t, const double* q,
                  double* v);
 
+// Of the controls whose first sample, or first after they were off, is that at t (s): v <- what
+// they remember as they take it. Who reads the whole state at that instant, before the samples are
+// taken, sees there what the design of a law takes for the memory before a sample.
+void begin_samples(const Model& model, double t, const double* q, double* v);
+
 // One sample of all samplers without limits, at once, some time after the first, as a matrix: what
 // the feedbacks' states are after it, of q's bending (2 n) and those before it.
 Eigen::MatrixXd linear_sample(const Model& model);

@@ -25,21 +25,12 @@ namespace {
 
 namespace fs = std::filesystem;
 
-// 17 significant digits: reads back to the same bits. Nobody means a zero with a sign.
-void append(std::string& text, double value) {
-  if (value == 0.0) value = 0.0;
-  char buffer[40];
-  const auto end =
-      std::to_chars(buffer, buffer + sizeof buffer, value, std::chars_format::general, 17);
-  text.append(buffer, end.ptr);
-}
-
 void append_row(std::string& text, std::initializer_list<double> values) {
   bool first = true;
   for (double value : values) {
     if (!first) text += ',';
     first = false;
-    append(text, value);
+    append_number(text, value);
   }
 }
 
@@ -55,6 +46,13 @@ std::string last_column(bool several, int contact) {
 }
 
 }  // namespace
+
+void append_number(std::string& text, double value) {
+  if (value == 0.0) value = 0.0;
+  char buffer[40];
+  const auto end = std::to_chars(buffer, buffer + sizeof buffer, value, std::chars_format::general);
+  text.append(buffer, end.ptr);
+}
 
 void write_series(const Trajectory& trajectory, const std::filesystem::path& file) {
   std::string text;
@@ -72,7 +70,7 @@ void write_series(const Trajectory& trajectory, const std::filesystem::path& fil
       if (contact_of_column(column.name).second == "mode") {
         text += to_string(static_cast<Mode>(static_cast<int>(column.values[row])));
       } else {
-        append(text, column.values[row]);
+        append_number(text, column.values[row]);
       }
     }
     text += '\n';
@@ -95,7 +93,7 @@ void write_events(const Trajectory& trajectory, const std::filesystem::path& fil
   const bool several = trajectory.contacts > 1;
   std::string text = header(event_columns(several));
   for (const Event& e : trajectory.events) {
-    append(text, e.t);
+    append_number(text, e.t);
     text += ',';
     text += to_string(e.kind);
     text += last_column(several, e.contact);
@@ -211,9 +209,13 @@ void check_writable(const fs::path& folder) {
   std::error_code none;
   fs::path there = fs::absolute(folder.empty() ? "." : folder);
   while (!fs::exists(there, none) && there.has_relative_path()) there = there.parent_path();
-  const bool is_folder = fs::is_directory(there, none);
-  if (is_folder && access(there.c_str(), W_OK | X_OK) == 0) return;
-  const int error = is_folder ? errno : ENOTDIR;
+  int error = ENOTDIR;
+  if (fs::is_directory(there, none)) {
+    // Tried out: what the modes of a folder allow its file system may still refuse.
+    const fs::path probe = part_of(there / "rotorub");
+    error = errno;
+    if (fs::remove(probe, none)) return;
+  }
   throw fs::filesystem_error("cannot write to", folder,
                              std::error_code(error, std::generic_category()));
 }

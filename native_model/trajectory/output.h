@@ -1,5 +1,5 @@
 // The files of a run (contract: series.csv, impacts.csv, events.csv, summary.json; keyphasor.csv),
-// 17 significant digits, each written aside and renamed.
+// each written aside and renamed.
 #pragma once
 
 #include <filesystem>
@@ -9,6 +9,10 @@
 #include "native_model/trajectory/trajectory.h"
 
 namespace rotorub {
+
+// The number as all CSV files have it: the shortest decimal that reads back to the same bits, 17
+// significant digits at most, "0.0003", "1e-09". A zero has no sign.
+void append_number(std::string& text, double value);
 
 void write_series(const Trajectory& trajectory, const std::filesystem::path& file);
 void write_impacts(const Trajectory& trajectory, const std::filesystem::path& file);
@@ -30,9 +34,9 @@ void write_whole(const std::filesystem::path& file, const std::string& text);
 // ended processes of this machine left of the same file is removed.
 std::filesystem::path part_of(const std::filesystem::path& file);
 
-// That files can be made there: the folder, or the nearest one above it that exists, is one and
-// lets itself be written to. Throws std::filesystem::filesystem_error, so that hours of computing
-// do not end with it.
+// That files can be made there, by making one: the folder, or the nearest one above it that exists,
+// is one and lets itself be written to. Throws std::filesystem::filesystem_error, so that hours of
+// computing do not end with it.
 void check_writable(const std::filesystem::path& folder);
 
 }  // namespace rotorub

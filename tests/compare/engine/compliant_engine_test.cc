@@ -91,6 +91,20 @@ TEST(CompliantInMujoco, SeveralContacts) {
   }
 }
 
+// A law that the scene gives ends a run where it does natively: deeper than the clearance.
+TEST(CompliantInMujoco, TooSoftAContactIsOutOfRangeAsNatively) {
+  const scene::Scene scene = test::shipped(
+      "bench_ring", {"contact.compliance.stiffness=1", "run.end=0.1", "run.step=1e-5"});
+  const Trajectory exact = test::run_event(scene);
+  ASSERT_EQ(exact.status, Status::kOutOfRange) << exact.message;
+  for (const ContactModel contact : {ContactModel::kCoulomb, ContactModel::kConeCoulomb}) {
+    const Trajectory t = in_mujoco(scene, contact, 1e-5);
+    EXPECT_EQ(t.status, Status::kOutOfRange) << t.message;
+    EXPECT_NE(t.message.find("deep in the ring"), std::string::npos) << t.message;
+    EXPECT_NEAR(t.end, exact.end, 1e-4);
+  }
+}
+
 TEST(CompliantInMujoco, OthersRefuseIt) {
   const scene::Scene scene = ring({"contact.compliance.stiffness=1e7"});
   EXPECT_EQ(scene.mujoco.contact, ContactModel::kCoulomb);

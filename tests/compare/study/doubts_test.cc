@@ -83,5 +83,20 @@ TEST(Doubts, NameATableThatTheSpeedIsOutsideOf) {
       << below[0];
 }
 
+TEST(Doubts, NameEnergyThatDoesNotAddUp) {
+  const auto scene = scene_with("\"50 Hz\"", "clearance = \"0.5 mm\"\nfriction = 0.15\n");
+  Trajectory run;
+  run.engine = "native";
+  run.step = 1e-5;
+  run.statistics.energy_scale = 2.0;
+  run.statistics.energy_end = 0.01;
+  EXPECT_TRUE(doubts(scene, run).empty()) << "0.5 %";
+  run.statistics.energy_end = 0.1;
+  ASSERT_EQ(doubts(scene, run).size(), 1U);
+  EXPECT_TRUE(doubts(scene, run)[0].starts_with("energy balance")) << doubts(scene, run)[0];
+  run.engine = "mujoco";
+  EXPECT_TRUE(doubts(scene, run).empty()) << "its soft contacts have an energy of their own";
+}
+
 }  // namespace
 }  // namespace rotorub

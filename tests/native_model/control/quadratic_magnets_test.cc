@@ -81,6 +81,35 @@ TEST(QuadraticWithMagnets, ARunIsTheClosedLoopOfTheDesign) {
   }
 }
 
+// A sampled derivative begins with what its sensor shows first, so that it is 0 there: the first
+// command knows it, and so does that of a bearing that is switched on later. It took 0 for what the
+// sensor had shown.
+TEST(QuadraticWithMagnets, TheFirstCommandKnowsWhatASampledDerivativeBeginsWith) {
+  scene::Scene s = levitated(test::hung_rotors()[1], "lqr");
+  Recursion exact(s);
+  const LinearPlant& p = exact.design.plant;
+  // Of each axis the integral, then what the sensor showed at the sample before; shape (0.8, 0.3).
+  const double shown = 0.8 * s.initial.x[0] + 0.3 * s.initial.x[1];
+  const auto at = std::ranges::find(p.memory_names, "control_2") - p.memory_names.begin();
+  ASSERT_LT(at, std::ssize(p.memory_names));
+  exact.x[2 * p.half() + at] = shown;
+  const Eigen::Vector2d first = -exact.design.gain * exact.x;
+  ASSERT_GT(first.norm(), 1.0);
+  for (const auto integrator : {scene::Integrator::kEvent, scene::Integrator::kVerlet,
+                                scene::Integrator::kMidpoint, scene::Integrator::kEuler}) {
+    const Trajectory t = test::run_with(s, integrator, 1e-5);
+    ASSERT_EQ(t.status, Status::kOk) << t.message;
+    EXPECT_NEAR(t.column("control_x")[0], first.x(), 1e-9 * first.norm());
+    EXPECT_NEAR(t.column("control_y")[0], first.y(), 1e-9 * first.norm());
+  }
+  const Trajectory t = test::run_event(s);
+  for (std::size_t k = 0; k < 200; ++k, exact.step()) {
+    const Eigen::VectorXd y = p.c * exact.x;
+    ASSERT_NEAR(t.column("rotor_x")[k], y[0], 2e-12) << k;
+    ASSERT_NEAR(t.column("stator_x")[k], y[2], 2e-12) << k;
+  }
+}
+
 TEST(QuadraticWithMagnets, FixedStepsComeToTheSame) {
   for (const Hanging& loop : test::hung_rotors()) {
     for (const std::string kind : {"lqr", "lqg"}) {

@@ -14,6 +14,8 @@
 namespace rotorub::test {
 namespace {
 
+scene::Scene scene_of(const std::string& text) { return scene::parse_scene(text, "made.toml"); }
+
 constexpr double kRpm = 30.0 / std::numbers::pi;
 
 // "[1, 2]", to the last bit.
@@ -45,7 +47,7 @@ struct Bearing {
 };
 
 WhirlSystem shaft(const std::string& bearing) {
-  return whirl_system(parsed(R"(
+  return whirl_system(scene_of(R"(
 [run]
 end = 0.1
 step = 1e-5
@@ -73,7 +75,7 @@ thickness = 0.07
 [[rotor.bearing]]
 z = 0.0
 )" + bearing + "[[rotor.bearing]]\nz = 1.5\n" +
-                             bearing));
+                               bearing));
 }
 
 TEST(CrossStiffness, CriticalSpeedsAreThoseOfThePrincipalAxes) {

@@ -149,6 +149,26 @@ TEST(StabilityThreshold, FindsTheWindowsOfATable) {
       << "too weak a cross-coupling";
 }
 
+TEST(UnstableRanges, EndWhereTheRotorIsStableAgain) {
+  for (const double at : {420.0, 1723.0}) {
+    const double width = 0.02 * at;
+    const WhirlSystem system = whirl_system(with_window(at, width, 5e6));
+    const auto growth = [&](double speed) {
+      double most = -1.0;
+      for (const WhirlMode& mode : whirl_spectrum(system, speed).modes)
+        most = std::max(most, -mode.damping_ratio);
+      return most;
+    };
+    const std::vector<UnstableRange> ranges = unstable_ranges(system);
+    ASSERT_EQ(ranges.size(), 1U) << at;
+    EXPECT_EQ(ranges[0].from, *stability_threshold(system));
+    EXPECT_GT(ranges[0].to, at);
+    EXPECT_LT(ranges[0].to, at + width);
+    EXPECT_GT(growth(ranges[0].to * (1.0 - 1e-7)), 0.0);
+    EXPECT_LT(growth(ranges[0].to * (1.0 + 1e-7)), 0.0);
+  }
+}
+
 // Of unit mass, stable while c omega > k: between two points of the table k is ahead of c, at each
 // of them it is not.
 TEST(StabilityThreshold, FindsAWindowBetweenTwoPointsOfATable) {

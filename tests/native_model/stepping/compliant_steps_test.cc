@@ -106,6 +106,35 @@ TEST(CompliantSteps, KeepTheirOrderWhileTheyStick) {
   }
 }
 
+// The second contact is touched while the first presses: the speed of that touch, and with it the
+// damping by the restitution, was taken from the path without the first one's force, an error of
+// the order of the step.
+TEST(CompliantSteps, KeepTheirOrderWhereOneIsTouchedWhileAnotherPresses) {
+  scene::Scene s = make_scene({.mass = 2.0, .stiffness = 2e5, .restitution = 0.4});
+  s.auxiliary.push_back(s.first());
+  s.auxiliary[1].contact->shape = {1.0};
+  s.auxiliary[0].contact->clearance = 2e-4;
+  s.auxiliary[1].contact->clearance = 1.9e-4;
+  s.auxiliary[0].contact->compliance = Compliance{.stiffness = 2e7};
+  s.auxiliary[1].contact->compliance = Compliance{.stiffness = 3e7};
+  test::add_constant_force(s, {300.0, 0.0});
+  s.run.end = 4e-3;
+  const Trajectory exact = run_event(s);
+  ASSERT_EQ(exact.status, Status::kOk) << exact.message;
+  ASSERT_GE(exact.impacts.size(), 2u);
+  for (const Integrator scheme : {Integrator::kVerlet, Integrator::kMidpoint}) {
+    test::Convergence errors;
+    for (const double h : {8e-6, 4e-6, 2e-6, 1e-6, 5e-7}) {
+      const Trajectory t = run_with(s, scheme, h);
+      ASSERT_EQ(t.status, Status::kOk) << t.message;
+      errors.steps.push_back(h);
+      errors.errors.push_back(test::rotor_error(t, exact));
+    }
+    EXPECT_GT(errors.order(), 1.8)
+        << (scheme == Integrator::kVerlet ? "verlet " : "midpoint ") << errors.text();
+  }
+}
+
 TEST(CompliantSteps, GiveTheFiguresOfEvent) {
   for (const Law& law : kLaws) {
     const scene::Scene s = thrown(law.compliance, law.friction);

@@ -118,6 +118,14 @@ TEST_F(OutputTest, SeriesReadsBackToTheSameBits) {
   EXPECT_EQ(content(folder_ / "series.csv").find(' '), std::string::npos);
 }
 
+TEST_F(OutputTest, NumbersAreTheShortestThatReadBack) {
+  Trajectory t;
+  t.series = {{"t", "s", {0.0003, 0.1, 0.1 + 0.2, 1e-9, 2.5e7, -0.0, 12345.0}}};
+  write_series(t, folder_ / "series.csv");
+  EXPECT_EQ(content(folder_ / "series.csv"),
+            "t\n0.0003\n0.1\n0.30000000000000004\n1e-09\n2.5e+07\n0\n12345\n");
+}
+
 TEST_F(OutputTest, ModesAreWords) {
   Trajectory t;
   t.series = {{"mode", "", {0.0, 1.0, 2.0}}};
