@@ -2,6 +2,7 @@
 
 #include <csignal>
 #include <cstdio>
+#include <cstdlib>
 #include <filesystem>
 #include <iostream>
 #include <new>
@@ -25,6 +26,19 @@ using namespace rotorub;
 int failed(int code, const std::string& message) {
   std::cerr << "rotorub: " << printable_lines(message) << "\n";
   return code;
+}
+
+// A controller's library may call exit(). The program's own exit codes say what was done, and
+// nothing was.
+bool at_work = false;
+void end_of_process() {
+  if (!at_work) return;
+  std::fputs(
+      "rotorub: code that was loaded, as a controller's library, has ended the program by exit(); "
+      "the results are not complete. A law reports a failure by its return value "
+      "(rotorub/controller.h)\n",
+      stderr);
+  std::_Exit(kFailed);
 }
 
 // What was printed has arrived, or the program has not done what it was asked to. `code`: what it
@@ -94,6 +108,9 @@ int rotorub_main(const std::vector<std::string>& arguments) {
 
 // An interruption is reported as a shell reports the signal: 130 (SIGINT), 143 (SIGTERM).
 int main(int argc, char** argv) {
+  std::atexit(end_of_process);
+  at_work = true;
   const int code = with_whole_output(rotorub_main({argv + 1, argv + argc}));
+  at_work = false;
   return code == kStopped && interrupting_signal() > 0 ? 128 + interrupting_signal() : code;
 }

@@ -98,6 +98,42 @@ int spawn(std::vector<std::string> arguments, int in, int log, int out, pid_t& c
   return error;
 }
 
+// Whether the boxes of an mp4 fill the file, index and frames among them.
+bool is_whole_mp4(std::ifstream& in, std::uintmax_t size) {
+  constexpr std::uintmax_t kHead = 8;
+  const auto number = [&in](int bytes) {
+    std::uintmax_t value = 0;
+    for (int k = 0; k < bytes; ++k) value = value << 8U | static_cast<unsigned char>(in.get());
+    return value;
+  };
+  bool index = false, frames = false;
+  std::uintmax_t at = 0;
+  while (at + kHead <= size) {
+    in.seekg(static_cast<std::streamoff>(at));
+    std::uintmax_t box = number(4);
+    std::string kind(4, ' ');
+    in.read(kind.data(), 4);
+    if (box == 1) box = number(8);  // 64 bits wide
+    if (!in || box < kHead || box > size - at) return false;
+    index = index || kind == "moov";
+    frames = frames || kind == "mdat";
+    at += box;
+  }
+  return at == size && index && frames;
+}
+
+// Whether the film is all there: on a full disk ffmpeg may end as if it were.
+bool is_whole(const std::filesystem::path& file, bool gif) {
+  std::error_code none;
+  const std::uintmax_t size = std::filesystem::file_size(file, none);
+  std::ifstream in(file, std::ios::binary);
+  if (none || !in || size == 0) return false;
+  if (!gif) return is_whole_mp4(in, size);
+  constexpr int kTrailer = 0x3b;
+  in.seekg(-1, std::ios::end);
+  return in.get() == kTrailer;
+}
+
 std::string read_log(int log) {
   std::string text(static_cast<std::size_t>(std::max<off_t>(lseek(log, 0, SEEK_END), 0)), ' ');
   if (pread(log, text.data(), text.size(), 0) < 0) return "";
@@ -149,6 +185,7 @@ VideoFile::VideoFile(double patience, const std::filesystem::path& file, int wid
 VideoFile::VideoFile(const std::filesystem::path& file, int width, int height,
                      const Encoding& encoding)
     : VideoFile(encoding.patience, file, width, height) {
+  gif_ = encoding.gif;
   assert(width > 0 && height > 0 && (encoding.gif || (width % 2 == 0 && height % 2 == 0)));
   int ends[2] = {-1, -1};
   // A socket rather than a pipe: a reader that has gone is an error of send(), not a signal.
@@ -204,6 +241,7 @@ void VideoFile::finish() {
   const int status = wait();
   if (!WIFEXITED(status)) fail(fmt::format("ffmpeg was ended by signal {}", WTERMSIG(status)));
   if (WEXITSTATUS(status) != 0) fail(fmt::format("ffmpeg failed ({})", WEXITSTATUS(status)));
+  if (!is_whole(part_, gif_)) fail("ffmpeg left it incomplete (is the disk full?)");
   std::error_code error;
   std::filesystem::rename(part_, file_, error);
   if (error) fail(error.message());

@@ -32,7 +32,8 @@ class VideoFile {
 
   // One more frame, of the size given above.
   void add(const Picture& frame);
-  // Waits for ffmpeg, checks its exit status and puts the file in its place.
+  // Waits for ffmpeg, checks its exit status and that the film is whole, and puts the file in its
+  // place.
   void finish();
 
  private:
@@ -46,6 +47,7 @@ class VideoFile {
 
   std::filesystem::path file_, part_;
   int width_, height_;
+  bool gif_ = false;
   double patience_ = kPatience;
   bool finished_ = false;
   pid_t encoder_ = -1;

@@ -10,6 +10,7 @@
 #include "compare/bench/work_precision.h"
 #include "compare/figures/figure.h"
 #include "native_model/scene/reader.h"
+#include "native_model/scene/text.h"
 
 namespace rotorub::bench {
 namespace {
@@ -209,7 +210,7 @@ std::string bench_table(const SceneBench& bench) {
       "{:.4g} s; errors against {} (its own: {:.1e} m), levels as shares of the clearance {:.3g} "
       "mm",
       bench.scene.run.end, bench.reference.source, bench.reference.error, 1e3 * clearance);
-  std::string text = wrapped(bench.scene.name + ": ", head, 2) +
+  std::string text = wrapped(scene::printable(bench.scene.name) + ": ", head, 2) +
                      fmt::format("\n  {:<7}{:<{}}{:<24}{:>13}   {}\n", "level", "fastest", kEngine,
                                  "setting", "median", "others");
   for (const Level& level : bench.levels) {

@@ -47,7 +47,7 @@ std::string notes(const std::vector<Case>& cases, Outcome outcome) {
     for (const Case& c : cases) {
       if (c.outcome() != outcome || c.native != native) continue;
       if (text.empty()) text = fmt::format("\n{}:\n", word(outcome));
-      text += wrapped(fmt::format("  {}, {}: ", cut(c.scene), c.engine),
+      text += wrapped(fmt::format("  {}, {}: ", cut(scene::printable(c.scene)), c.engine),
                       scene::printable(c.deciding.reason, kMostReason), kIndent);
     }
   }

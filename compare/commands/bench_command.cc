@@ -23,6 +23,8 @@
 namespace rotorub {
 namespace {
 
+constexpr const char* kBenchPage = "bench.html";
+
 struct BenchArguments : CommonOptions {
   std::vector<std::string> scenes;
   std::string engines, steps, tolerances, folder;
@@ -67,16 +69,16 @@ void write_results(const BenchArguments& options, const bench::Machine& machine,
                    const std::vector<bench::RestitutionRow>& restitution) {
   const std::filesystem::path folder(options.folder);
   write_whole(folder / kBenchFile, json_text(bench::bench_json(machine, benches, restitution)));
-  write_whole(folder / "bench.html", bench_page(machine, benches, restitution));
+  write_whole(folder / kBenchPage, bench_page(machine, benches, restitution));
   if (!options.json && !options.quiet) {
-    fmt::print("\nwritten to {}: bench.html, bench.json\n", options.folder);
+    fmt::print("\nwritten to {}: bench.html, bench.json\n", printable_path(options.folder));
   }
 }
 
 int run_bench(const BenchArguments& options) {
   const bench::BenchParameters parameters = bench_parameters(options);
   check_scenes(options);
-  check_output(options.folder, Output::kFolder);
+  check_output(options.folder, Output::kFolder, {kBenchFile, kBenchPage});
   if (!options.quiet && options.engines.empty()) fmt::print(stderr, "{}", bench::missing_text());
   ProgressBar bar(options.quiet);
   const auto count = static_cast<double>(options.scenes.size());

@@ -11,6 +11,7 @@
 #include <stdexcept>
 
 #include "compare/commands/options.h"
+#include "compare/commands/terminal.h"
 #include "native_model/control/library.h"
 #include "native_model/scene/diagnostic.h"
 #include "native_model/scene/overrides.h"
@@ -121,7 +122,8 @@ scene::Scene read_scene(const std::string& file, const CommonOptions& options) {
     // A study or a ladder reads its scene again and again.
     static std::set<std::string> said;
     for (const std::string& note : scene.notes) {
-      if (said.insert(file + note).second) fmt::print(stderr, "note: {}: {}\n", file, note);
+      if (said.insert(file + note).second)
+        fmt::print(stderr, "note: {}: {}\n", printable_path(file), note);
     }
   }
   return scene;
@@ -172,6 +174,14 @@ double quantity_of(const std::string& option, const std::string& text,
                                accepted.empty() ? parsed.error : accepted));
 }
 
+void note_unitless_speed(const std::string& option, const std::string& text) {
+  const std::string_view plain = scene::trimmed(text);
+  if (plain.find_first_not_of("0123456789.eE+-") != std::string_view::npos) return;
+  const std::string note =
+      scene::unitless_speed_note(option, scene::parse_quantity(plain, scene::kSpin).value);
+  if (!note.empty()) fmt::print(stderr, "note: {}\n", note);
+}
+
 double tolerance_of(const std::string& text) {
   const std::string accepted = "a share of 0 or more, as 1% or 0.01";
   const double value = quantity_of("--tolerance", text, scene::kPure, accepted);
@@ -209,10 +219,15 @@ void say_failure(const scene::Scene& scene, const std::string& what, const Traje
              trajectory.message);
 }
 
-void check_output(const std::filesystem::path& place, Output what) {
+void check_output(const std::filesystem::path& place, Output what,
+                  std::initializer_list<const char*> files) {
   namespace fs = std::filesystem;
   if (place.empty()) return;
-  if (what == Output::kFolder) return check_writable(place);
+  if (what == Output::kFolder) {
+    check_writable(place);
+    for (const char* file : files) check_output(place / file, Output::kFile);
+    return;
+  }
   std::error_code none;
   if (fs::is_directory(place, none))
     throw UsageError(

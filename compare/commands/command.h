@@ -4,6 +4,7 @@
 #include <atomic>
 #include <filesystem>
 #include <functional>
+#include <initializer_list>
 #include <stdexcept>
 #include <string>
 #include <vector>
@@ -71,6 +72,8 @@ OwnRun own_run(const CommonOptions& options);
 // is accepted; empty: what is wrong with it as such a quantity.
 double quantity_of(const std::string& option, const std::string& text,
                    const scene::Quantity& quantity, const std::string& accepted = {});
+// A note on standard error where the text is a speed without a unit that reads as turns per minute.
+void note_unitless_speed(const std::string& option, const std::string& text);
 // A tolerance as a user writes it: "1%" or 0.01; a bare number of 1 or more is refused, as it may
 // mean either. Throws UsageError.
 double tolerance_of(const std::string& text);
@@ -103,10 +106,12 @@ Command add_identify_command(CLI::App& program);
 // The manual of the program itself: added last.
 Command add_manual_command(CLI::App& program);
 
-// What -o names can be written there, which is said before the work: a folder, or a file. Throws
-// UsageError or std::filesystem::filesystem_error. Empty: nothing is to be written.
+// What -o names can be written there, which is said before the work: a folder and these files in
+// it, or a file. Throws UsageError or std::filesystem::filesystem_error. Empty: nothing is to be
+// written.
 enum class Output { kFolder, kFile };
-void check_output(const std::filesystem::path& place, Output what);
+void check_output(const std::filesystem::path& place, Output what,
+                  std::initializer_list<const char*> files = {});
 // To the file, or without one to standard output.
 void write_or_print(const std::string& file, const std::string& text);
 // The exit code for the status of a run.

@@ -113,7 +113,8 @@ std::vector<PageScene> pages_of(const CompareArguments& options,
     pages[k].films = std::move(films[k].films);
     if (films[k].failure.empty() || interrupted()) continue;
     pages[k].no_films = films[k].failure;
-    fmt::print(stderr, "rotorub: {}: no film: {}\n", comparisons[k].scene.name, films[k].failure);
+    fmt::print(stderr, "rotorub: {}: no film: {}\n", scene::printable(comparisons[k].scene.name),
+               printable_lines(films[k].failure));
   }
   return pages;
 }
@@ -138,7 +139,8 @@ void find_settings(const CompareArguments& options, double tolerance,
                                }));
     bar.clear();
     if (!options.json && !options.quiet) {
-      fmt::print("\n{}: setting to use: {}\n", subject.scene.name, pages[k].setting);
+      fmt::print("\n{}: setting to use: {}\n", scene::printable(subject.scene.name),
+                 pages[k].setting);
     }
   }
 }
@@ -221,7 +223,7 @@ int compare(const CompareArguments& options) {
   const auto subjects = read_subjects(options);
   const MeasuredInput measured = one_measured(options);
   const Beside beside = beside_of(options);
-  check_output(options.folder, Output::kFolder);
+  check_output(options.folder, Output::kFolder, {"compare.json", "report.html"});
   ProgressBar bar(options.quiet);
 
   const auto comparisons = compare_all(options, tolerance, subjects, measured, hdf5, bar);
@@ -235,7 +237,7 @@ int compare(const CompareArguments& options) {
   if (options.json) {
     std::cout << json_text(comparisons_json(comparisons));
   } else if (!options.quiet && !pages.empty()) {
-    fmt::print("\nreport: {}/report.html\n", options.folder);
+    fmt::print("\nreport: {}/report.html\n", printable_path(options.folder));
   }
   return exit_code(comparisons);
 }

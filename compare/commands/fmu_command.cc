@@ -10,6 +10,7 @@
 #include "compare/base/module_file.h"
 #include "compare/commands/command.h"
 #include "compare/commands/options.h"
+#include "compare/commands/terminal.h"
 #include "compare/fmu/archive.h"
 #include "compare/fmu/description.h"
 #include "compare/fmu/names.h"
@@ -65,7 +66,7 @@ int write_fmu(const FmuArguments& options) {
     for (const StepwiseRun::Port& port : run.inputs())
       inputs += fmt::format("{}{} ({})", inputs.empty() ? "" : ", ", port.name, port.unit);
     fmt::print("FMI {}, co-simulation; {} outputs; inputs: {}\nwritten to {}\n", options.version,
-               run.outputs().size(), inputs, file.string());
+               run.outputs().size(), inputs, printable_path(file));
   }
   return kDone;
 }

@@ -93,7 +93,7 @@ int run_identify(const IdentifyArguments& options) {
     std::cout << json_text(identify::identify_json(measured.record->file, result));
   } else if (!options.quiet) {
     fmt::print("{}", identify::identify_table(measured.record->file, result));
-    if (!options.file.empty()) fmt::print("written to {}\n", options.file);
+    if (!options.file.empty()) fmt::print("written to {}\n", printable_path(options.file));
   }
   return kDone;
 }

@@ -124,6 +124,7 @@ void write_laws(const std::filesystem::path& folder, const std::string& scene) {
 
 int write_starter(const InitArguments& options) {
   Starter starter = starter_of(options);
+  if (!options.quiet) note_unitless_speed("--speed", options.speed);
   const std::filesystem::path file = starter_file(options);
   starter.file = file.empty() ? options.name + (options.name.ends_with(".toml") ? "" : ".toml")
                               : file.filename().string();

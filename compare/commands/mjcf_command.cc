@@ -9,6 +9,7 @@
 #include "compare/base/json.h"
 #include "compare/commands/command.h"
 #include "compare/commands/options.h"
+#include "compare/commands/terminal.h"
 #include "mjcf/writer.h"
 #include "native_model/control/library.h"
 #include "native_model/scene/reader.h"
@@ -41,7 +42,7 @@ int write_mjcf(const MjcfArguments& options) {
     std::cout << json_text(
         {{"scene", scene.name}, {"scene_hash", scene::scene_hash(scene)}, {"file", options.file}});
   } else if (!options.quiet) {
-    fmt::print("written to {}\n", options.file);
+    fmt::print("written to {}\n", printable_path(options.file));
   }
   return kDone;
 }

@@ -25,6 +25,7 @@
 #include "native_model/rotor/refusal.h"
 #include "native_model/rub/rub_map.h"
 #include "native_model/scene/overrides.h"
+#include "native_model/scene/text.h"
 #include "native_model/scene/units.h"
 #include "native_model/system/linear_plant.h"
 #include "native_model/system/model.h"
@@ -92,6 +93,17 @@ std::optional<double> range_of(const ModesArguments& options) {
         fmt::format("--up-to {}: accepted is a spin speed above 0, as 9000 rpm", options.up_to));
   }
   return range;
+}
+
+// A speed without a unit may be another than was meant.
+void note_speeds(const ModesArguments& options) {
+  for (const std::string& text : options.speeds) note_unitless_speed("--speed", text);
+  note_unitless_speed("--up-to", options.up_to);
+  const std::string& range = options.map_speeds;
+  const std::size_t first = range.find(':');
+  if (first == std::string::npos) return;
+  note_unitless_speed("--speeds", range.substr(0, first));
+  note_unitless_speed("--speeds", range.substr(first + 1, range.rfind(':') - first - 1));
 }
 
 // A folder, or the page itself.
@@ -204,8 +216,9 @@ int show_feedback(const ModesArguments& options) {
   if (options.json) {
     std::cout << json_text({{"feedback_map", feedback_map_json(map)}});
   } else if (!options.quiet) {
-    std::cout << feedback_map_table(scene.name, map);
-    if (!options.output.empty()) fmt::print("\nwritten to {}\n", page_file(options).string());
+    std::cout << feedback_map_table(scene::printable(scene.name), map);
+    if (!options.output.empty())
+      fmt::print("\nwritten to {}\n", printable_path(page_file(options)));
   }
   return kDone;
 }
@@ -228,6 +241,7 @@ int modes(const ModesArguments& options) {
   if (!options.map_speeds.empty() && !options.rub_map && !options.feedback_map) {
     throw UsageError("--speeds: belongs to --rub-map or --feedback-map");
   }
+  if (!options.quiet) note_speeds(options);
   if (options.state_space) return show_state_space(options);
   if (options.feedback_map) return show_feedback(options);
   std::vector<double> speeds;
@@ -252,8 +266,10 @@ int modes(const ModesArguments& options) {
     if (map) result["rub_map"] = rub_map_json(*map);
     std::cout << json_text(result);
   } else if (!options.quiet) {
-    std::cout << (map ? rub_map_picture(scene.name, *map) : modes_table(scene.name, analysis));
-    if (!options.output.empty()) fmt::print("\nwritten to {}\n", page_file(options).string());
+    std::cout << (map ? rub_map_picture(scene::printable(scene.name), *map)
+                      : modes_table(scene::printable(scene.name), analysis));
+    if (!options.output.empty())
+      fmt::print("\nwritten to {}\n", printable_path(page_file(options)));
   }
   return kDone;
 }

@@ -83,8 +83,8 @@ int run_optimise(const OptimiseArguments& options) {
     std::cout << optimise::optimum_json(task, optimum).dump(2) << "\n";
   } else if (!options.quiet) {
     fmt::print("{}written to {} ({}evaluations.csv, optimum.html)\n",
-               optimise::optimum_text(task.study.scene.stem().string(), task, optimum),
-               folder.string(), best.empty() ? "" : "best.toml, ");
+               optimise::optimum_text(printable_path(task.study.scene.stem()), task, optimum),
+               printable_path(folder), best.empty() ? "" : "best.toml, ");
   }
   if (optimum.ending == optimise::Ending::kInterrupted) throw Interrupted();
   return optimum.best ? kDone : kFailed;

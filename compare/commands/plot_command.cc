@@ -10,6 +10,7 @@
 #include "compare/base/json.h"
 #include "compare/commands/command.h"
 #include "compare/commands/options.h"
+#include "compare/commands/terminal.h"
 #include "compare/report/page.h"
 #include "compare/run_files/run_directory.h"
 #include "native_model/control/library.h"
@@ -42,7 +43,7 @@ int plot(const PlotArguments& options) {
   if (shadow)
     check_series(shadow->trajectory, options.folder + "/" + kShadowFolder + "/series.csv");
   const std::filesystem::path file = options.file.empty()
-                                         ? std::filesystem::path(options.folder) / "plot.html"
+                                         ? std::filesystem::path(options.folder) / kRunPage
                                          : std::filesystem::path(options.file);
   check_output(file, Output::kFile);
   write_whole(file, run_page(run, shadow));
@@ -54,7 +55,7 @@ int plot(const PlotArguments& options) {
                             {"shadow", shadow.has_value()}});
   } else if (!options.quiet) {
     fmt::print("{}: {} rows{}\nwritten to {}\n", scene::printable(run.scene.name),
-               run.trajectory.rows(), shadow ? ", with its shadow" : "", file.string());
+               run.trajectory.rows(), shadow ? ", with its shadow" : "", printable_path(file));
   }
   return kDone;
 }

@@ -68,9 +68,10 @@ StoredRun stored(const RenderArguments& options) {
   }
   StoredRun run = stored_run(options.source);
   if (run.trajectory.status != Status::kOk) {
-    fmt::print(stderr, "rotorub: {}: ended at {:.6g} s of {:.6g} s: {}{}{}\n", options.source,
-               run.trajectory.end, run.scene.run.end, to_string(run.trajectory.status),
-               run.trajectory.message.empty() ? "" : ", ", run.trajectory.message);
+    fmt::print(stderr, "rotorub: {}: ended at {:.6g} s of {:.6g} s: {}{}{}\n",
+               printable_path(options.source), run.trajectory.end, run.scene.run.end,
+               to_string(run.trajectory.status), run.trajectory.message.empty() ? "" : ", ",
+               run.trajectory.message);
   }
   return run;
 }
@@ -134,9 +135,9 @@ void tell(const RenderArguments& options, const FilmRequest& request, const Stor
                 {"shadow", shadow}});
     std::cout << json_text(all);
   } else if (!options.quiet) {
-    fmt::print("{}: {}, displacements magnified {:.3g} times{}\nwritten to {}\n", run.scene.name,
-               made.words, made.framing.magnification, shadow ? ", its shadow as a ghost" : "",
-               file);
+    fmt::print("{}: {}, displacements magnified {:.3g} times{}\nwritten to {}\n",
+               scene::printable(run.scene.name), made.words, made.framing.magnification,
+               shadow ? ", its shadow as a ghost" : "", printable_path(file));
   }
 }
 

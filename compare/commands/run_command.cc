@@ -33,8 +33,6 @@
 namespace rotorub {
 namespace {
 
-constexpr const char* kLyapunovFile = "lyapunov.json";
-
 struct RunArguments : CommonOptions, MeasuredArguments {
   std::string scene, engine = "native", integrator, contact, folder, format = "csv";
   bool lyapunov = false;
@@ -98,7 +96,7 @@ void write_shadow(const std::filesystem::path& folder, const scene::Scene& scene
   const Trajectory trajectory = native_engine(scene::Integrator::kMidpoint)->run(scene, request);
   bar.clear();
   write_run(folder / kShadowFolder, scene, trajectory, hdf5);
-  if (!quiet) fmt::print("its shadow written to {}\n", (folder / kShadowFolder).string());
+  if (!quiet) fmt::print("its shadow written to {}\n", printable_path(folder / kShadowFolder));
   say_failure(scene, "shadow: ", trajectory);
 }
 
@@ -177,7 +175,7 @@ int run(const RunArguments& options) {
     fmt::print("{}{}{}{}{}written to {}\n", run_table(scene, trajectory, palette_of(stdout)),
                truncation_note(scene), whirl_note(scene, trajectory),
                lyapunov ? lyapunov_text(*lyapunov) : "", beside ? measured_table(*beside) : "",
-               folder.string());
+               printable_path(folder));
   }
   say_failure(scene, "", trajectory);
   const bool stopped = trajectory.status == Status::kInterrupted;

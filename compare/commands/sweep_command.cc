@@ -14,6 +14,7 @@
 #include "compare/commands/options.h"
 #include "compare/commands/sweep_output.h"
 #include "compare/commands/sweep_progress.h"
+#include "compare/commands/terminal.h"
 #include "compare/sweep/bifurcation.h"
 #include "compare/sweep/sweep_run.h"
 #include "native_model/trajectory/output.h"
@@ -155,8 +156,9 @@ int submit_to_slurm(const SweepArguments& options, const Sweep& sweep) {
   const path script = job.folder / sweep::kSlurmFile;
   write_whole(script, sweep::slurm_script(job));
   const std::vector<int> open = open_shards(sweep, job.tasks);
-  const std::string join = fmt::format("rotorub sweep {} -o {} --merge {}", options.study,
-                                       sweep.folder.string(), sweep.folder.string());
+  const std::string folder = sweep::shell_word(sweep.folder.string());
+  const std::string join = fmt::format("rotorub sweep {} -o {} --merge {}",
+                                       sweep::shell_word(options.study), folder, folder);
   if (open.empty()) {
     if (options.json) std::cout << json_text({{"job", nullptr}, {"tasks", open}});
     say(options, "every shard is done or running; join them:\n  " + join);
@@ -167,7 +169,7 @@ int submit_to_slurm(const SweepArguments& options, const Sweep& sweep) {
     std::cout << json_text({{"job", number}, {"tasks", open}, {"script", script.string()}});
   }
   say(options, fmt::format("submitted {} as job {}, {} of {} tasks; when it is done:\n  {}",
-                           script.string(), number, open.size(), job.tasks, join));
+                           printable_path(script), number, open.size(), job.tasks, join));
   return kDone;
 }
 
@@ -176,7 +178,7 @@ void say_old_words(const Sweep& sweep) {
   try {
     for (const std::string& note : sweep.scenes->at(0).notes) {
       if (!sweep.study.varies(note.substr(0, note.find(':'))))
-        fmt::print(stderr, "note: {}: {}\n", sweep.study.scene.string(), note);
+        fmt::print(stderr, "note: {}: {}\n", printable_path(sweep.study.scene), note);
     }
   } catch (const scene::SceneError&) {  // a point that is refused has its row
   }

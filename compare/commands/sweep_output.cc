@@ -15,6 +15,7 @@
 #include "compare/report/bifurcation_plot.h"
 #include "compare/report/page.h"
 #include "compare/report/sweep_page.h"
+#include "compare/run_files/run_directory.h"
 #include "compare/sweep/bifurcation.h"
 #include "compare/sweep/group_statistics.h"
 #include "compare/sweep/point_result.h"
@@ -45,7 +46,6 @@ nlohmann::json bifurcation_of(const SweepArguments& options, const Sweep& sweep)
 }
 
 constexpr const char* kPointFolder = "point-";
-constexpr const char* kRunPage = "plot.html";
 
 // The way from the page to the run of a point.
 PointRuns point_runs(const SweepArguments& options, const Sweep& sweep) {
@@ -92,7 +92,7 @@ void write_results(const SweepArguments& options, const Sweep& sweep, sweep::Sto
               sweep_page(*sweep.scenes, store, sweep.study, kept, point_runs(options, sweep),
                          bifurcation_of(options, sweep)));
   say(options, fmt::format("{} points: {}\nwritten to {} ({}, results.sqlite, {})", store.count(),
-                           counts_text(store.count_by_status()), sweep.folder.string(),
+                           counts_text(store.count_by_status()), printable_path(sweep.folder),
                            sweep::kCsvFile, sweep::kPageFile));
 }
 
@@ -122,7 +122,7 @@ int keep_points(const SweepArguments& options, const Sweep& sweep) {
                    {"status", to_string(kept.trajectory.status)},
                    {"folder", folder.string()}});
     say(options, fmt::format("point {}: {}\nwritten to {} ({})", point,
-                             to_string(kept.trajectory.status), folder.string(), kRunPage));
+                             to_string(kept.trajectory.status), printable_path(folder), kRunPage));
     say_failure(kept.scene, name + ": ", kept.trajectory);
     code = std::max(code, exit_code_of(kept.trajectory.status));
   }

@@ -52,6 +52,11 @@ std::string printable_lines(const std::string& message) {
   return text;
 }
 
+std::string printable_path(const std::filesystem::path& path) {
+  constexpr std::size_t kLongestPath = 4096;  // bytes, as PATH_MAX
+  return scene::printable(path.string(), kLongestPath);
+}
+
 std::string progress_bar(double share, double seconds, const std::string& what, int columns) {
   share = std::clamp(share, 0.0, 1.0);
   const auto full = static_cast<std::size_t>(share * kWidth);

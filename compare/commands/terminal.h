@@ -3,6 +3,7 @@
 
 #include <chrono>
 #include <cstdio>
+#include <filesystem>
 #include <string>
 
 #include "compare/base/palette.h"
@@ -15,6 +16,8 @@ Palette palette_of(std::FILE* stream);
 // The message line by line, each as a terminal can show it: a message may quote what the user
 // wrote.
 std::string printable_lines(const std::string& message);
+// The same of a file or a folder that the user named, whole.
+std::string printable_path(const std::filesystem::path& path);
 
 // How far a long piece of work is, on standard error: on a terminal a bar, from two seconds on;
 // elsewhere nothing, or with ROTORUB_PROGRESS=lines in the environment a line at once and every

@@ -44,7 +44,8 @@ struct TuneArguments : CommonOptions {
 // The scene with the trusted setting; says what it did, or why it did nothing.
 void write_tuned(const TuneArguments& options, const tune::TuneResult& result) {
   if (!result.choice.trusted) {
-    fmt::print(stderr, "rotorub: {} is not written: no setting can be trusted\n", options.file);
+    fmt::print(stderr, "rotorub: {} is not written: no setting can be trusted\n",
+               printable_path(options.file));
     return;
   }
   const auto& setting = result.settings[*result.choice.trusted].setting;
@@ -52,8 +53,8 @@ void write_tuned(const TuneArguments& options, const tune::TuneResult& result) {
   write_whole(options.file, tuned.text);
   if (options.json || options.quiet) return;
   fmt::print("\nwritten{}; its own comparison:\n  rotorub compare {} --contact {}\n",
-             tuned.comments_kept ? "" : " (anew: comments could not be kept)", options.file,
-             to_string(setting.contact));
+             tuned.comments_kept ? "" : " (anew: comments could not be kept)",
+             printable_path(options.file), to_string(setting.contact));
 }
 
 int run_tune(const TuneArguments& options) {

@@ -23,6 +23,7 @@ using nlohmann::json;
 constexpr double kGapRateResolution = 1e-3;
 constexpr auto kRel = Scale::kRelative;
 constexpr auto kPts = Scale::kPoints;
+constexpr auto kCount = Scale::kCount;
 constexpr auto kNo = Judged::kNo;
 constexpr auto kAverage = Judged::kAverage;
 constexpr auto kPeak = Judged::kPeak;
@@ -101,9 +102,9 @@ const Figure kFigures[] = {
      of<&Metrics::window_impulse>},
     {{"hard_impacts", "hard impacts", "", 1.0,
       "Impacts (with a soft contact, contact episodes) faster than 1 % of the fastest: those that "
-      "every useful step tells apart, even in an accumulation. Of fewer than 100, one more or less "
-      "counts as 1 %."},
-     {kRel, kPeak, 100.0, false},
+      "every useful step tells apart, even in an accumulation. One more or less decides only among "
+      "so many that it is within the tolerance."},
+     {kCount, kPeak, 1.0, false},
      of<&Metrics::hard_impacts>},
     {{"gap_rate_rms", "rms gap rate", "mm/s", 1e3,
       "How restless the contact is: rms of the gap rate from first touch. Differences are relative "
@@ -127,7 +128,7 @@ const Figure kFigures[] = {
      of<&Metrics::peak_force>},
     {{"impacts", "impacts", "", 1.0,
       "Impacts that close faster than 0.1 mm/s (soft contact: contact episodes)."},
-     {kRel, kNo},
+     {kCount, kNo, 1.0},
      of<&Metrics::impacts>},
     {{"max_penetration", "penetration, max", "µm", 1e6,
       "How deep the rotor sank into the ring; a rigid contact allows what one step of flight "

@@ -31,7 +31,9 @@ std::string_view figure_si_unit(const FigureText& figure);  // of JSON; "": a nu
 // How the difference of two values is judged and written.
 enum class Scale {
   kRelative,  // difference / value of the native side
-  kPoints     // difference itself: shares of time, in points
+  kPoints,    // difference itself: shares of time, in points
+  kCount      // of a whole number: as kRelative, but a difference of one does not decide, and small
+              // counts are written as they are (trust.h)
 };
 
 // Whether the tolerance is on a figure, and what it tells.
@@ -45,8 +47,8 @@ enum class Judged {
 struct ComparisonRule {
   Scale scale;
   Judged judged;
-  // SI, kRelative: a difference is relative to the native value, or to this where that is smaller.
-  // Of a count: one more or less among up to so many is 1 / resolution.
+  // SI, not of points: a difference is relative to the native value, or to this where that is
+  // smaller.
   double resolution = 0.0;
   bool split = true;       // converges with the step: split into model gap and step error
   bool comparable = true;  // means the same for a soft and for a rigid contact: has a difference

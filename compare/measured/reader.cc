@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <boost/algorithm/string/predicate.hpp>
 #include <boost/algorithm/string/trim.hpp>
 #include <charconv>
 #include <cmath>
@@ -52,11 +53,32 @@ std::string unknown_reason(std::string_view name) {
                      near.empty() ? "" : fmt::format(", did you mean {}?", near), accepted_names());
 }
 
+// "mil" of "mil pp": of a unit with a word on how an amplitude is counted; else empty.
+std::string_view counted_unit(std::string_view unit) {
+  constexpr std::string_view kCounts[] = {"pp",       "p-p",  "pk-pk", "peak-peak", "peak to peak",
+                                          "pk to pk", "0-pk", "0-p",   "pk",        "rms"};
+  for (const std::string_view count : kCounts) {
+    if (boost::iends_with(unit, " " + std::string(count)))
+      return scene::trimmed(unit.substr(0, unit.size() - count.size()));
+  }
+  return {};
+}
+
+// What a column with a name of the logger's own may be: CH1 Y is mostly a y.
+std::string example_of(std::string_view name, std::string_view unit) {
+  const std::string_view plain = counted_unit(unit).empty() ? unit : counted_unit(unit);
+  const bool is_length =
+      !plain.empty() &&
+      scene::parse_quantity("1 " + std::string(plain), scene::kLength).error.empty();
+  return fmt::format("--measured-column \"{} = {} [{}]\"", printable(std::string(name)),
+                     boost::iends_with(name, "y") ? "rotor_y" : "rotor_x",
+                     is_length ? plain : std::string_view("um"));
+}
+
 // Of a column of the file: mostly a name of the logger's own.
-std::string foreign_reason(std::string_view name) {
-  const std::string_view example = name == "time" || name == "Time" ? "t [ms]" : "rotor_x [um]";
-  return fmt::format("{}; --measured-column \"{} = {}\" says what a column of another name is",
-                     unknown_reason(name), printable(std::string(name)), example);
+std::string foreign_reason(std::string_view name, std::string_view unit) {
+  return fmt::format("{}; {} says what a column of another name is", unknown_reason(name),
+                     example_of(name, unit));
 }
 
 // A column by its header: "rotor_x [um]" is a name and a unit; without brackets a name alone.
@@ -79,6 +101,7 @@ struct Head {
       if (closed) unit.pop_back();
       boost::trim(unit);
     }
+    if (boost::iequals(name, "time")) name = kTime;
     what = measurable(name);
   }
 };
@@ -93,6 +116,7 @@ class MeasuredFile {
 
   MeasuredRecord read() {
     check_encoding();
+    find_header();
     int line = 0;
     for (std::size_t at = 0; at < text_.size() && wrong_.size() < kMostFaults;) {
       const std::size_t end = std::min(text_.find('\n', at), text_.size());
@@ -134,9 +158,35 @@ class MeasuredFile {
     throw scene::SceneError(std::move(wrong_));
   }
 
-  void take_line(std::string_view line, int number) {
+  static bool is_passed_over(std::string_view line) {
     const std::size_t begin = line.find_first_not_of(" \t\r");
-    if (begin == std::string_view::npos || line[begin] == '#') return;
+    return begin == std::string_view::npos || line[begin] == '#';
+  }
+
+  // The first line with a column of times: what an instrument writes before it is passed over.
+  // Where none has one, the first line is the header, and what is wrong with it is said.
+  void find_header() {
+    constexpr int kMostBefore = 200;  // lines
+    int line = 0;
+    for (std::size_t at = 0; at < text_.size() && line < kMostBefore;) {
+      const std::size_t end = std::min(text_.find('\n', at), text_.size());
+      const std::string_view text = text_.substr(at, end - at);
+      ++line;
+      at = end + 1;
+      if (is_passed_over(text)) continue;
+      const Fields fields = fields_of(text, separator_of(text));
+      const bool has_times =
+          fields.size() > 1 && std::ranges::any_of(fields, [&](const std::string& field) {
+            return Head(meant(field)).is_time();
+          });
+      if (!has_times) continue;
+      header_line_ = line;
+      return;
+    }
+  }
+
+  void take_line(std::string_view line, int number) {
+    if (is_passed_over(line) || number < header_line_) return;
     if (heads_.empty()) separator_ = separator_of(line);
     const Fields fields = fields_of(line, separator_);
     if (heads_.empty()) {
@@ -150,9 +200,16 @@ class MeasuredFile {
   }
 
   void take_header(const Fields& fields, int line) {
+    const bool time_is_told = std::ranges::any_of(
+        names_, [](const ColumnName& name) { return Head(name.meant).is_time(); });
     for (const std::string& field : fields) {
-      heads_.emplace_back(meant(field));
-      heads_.back().text = field;
+      Head head(meant(field));
+      head.text = field;
+      // A further Time beside the column that was named as t.
+      if (time_is_told && head.is_time() && meant(field) == field &&
+          boost::istarts_with(field, "time"))
+        head.name = field;
+      heads_.push_back(std::move(head));
     }
     check_names(fields, line);
     const auto any = [&](auto is) { return std::any_of(heads_.begin(), heads_.end(), is); };
@@ -178,7 +235,8 @@ class MeasuredFile {
   }
 
   static bool is_called(const std::string& field, const ColumnName& name) {
-    return field == name.in_file || Head(field).name == name.in_file;
+    const std::string plain = boost::trim_copy(field.substr(0, field.find_first_of("[(")));
+    return field == name.in_file || plain == name.in_file;
   }
 
   // What a column of the file is: name and unit.
@@ -212,7 +270,8 @@ class MeasuredFile {
     Head& head = heads_[k];
     if (head.name.empty()) return "has no name; accepted are " + accepted_names();
     if (!head.read())
-      return is_own_column(head.name) || !names_.empty() ? "" : foreign_reason(head.name);
+      return is_own_column(head.name) || !names_.empty() ? ""
+                                                         : foreign_reason(head.name, head.unit);
     for (std::size_t before = 0; before < k; ++before) {
       if (heads_[before].read() && heads_[before].what == head.what) {
         return "stands twice in the header; accepted is once";
@@ -230,6 +289,14 @@ class MeasuredFile {
     }
     if (head.unit.empty()) {
       return fmt::format("its brackets hold no unit; accepted are {}", quantity.examples);
+    }
+    if (!counted_unit(head.unit).empty()) {
+      const std::string own = head.text.substr(0, head.text.find_first_of("[("));
+      return fmt::format(
+          "`{}` is the unit of an amplitude, and a record needs the value at each instant; if the "
+          "column holds these, --measured-column \"{} = {} [{}]\" says so",
+          printable(head.unit), printable(boost::trim_copy(own)), head.name,
+          printable(std::string(counted_unit(head.unit))));
     }
     const auto one = scene::parse_quantity(fmt::format("1 {}", head.unit), quantity);
     if (!one.error.empty()) return one.error;
@@ -304,6 +371,7 @@ class MeasuredFile {
   const std::vector<ColumnName>& names_;
   MeasuredRecord record_;
   std::vector<Head> heads_;
+  int header_line_ = 0;  // from 1; 0: the first that is not passed over
   char separator_ = ',';
   char decimal_ = '\0';  // mark of the file's numbers, once one has it
   std::vector<scene::Diagnostic> wrong_;

@@ -4,9 +4,11 @@
 //   0.00,   12.1,         -3.0,         0.4
 //
 // - Separated by commas, semicolons or tabs (what the header has), UTF-8 with or without a mark at
-//   its start, lines ended by LF or CRLF; names and numbers may stand in double quotes. Empty lines
-//   and those that begin with # are passed over.
-// - Columns: `t`, and of measurables() any, each once, in any order. A unit in [ ] or ( ) behind
+//   its start, lines ended by LF or CRLF; names and numbers may stand in double quotes. Empty
+//   lines, those that begin with #, and what an instrument writes before the header are passed
+//   over.
+// - Columns: `t` (or `time`, `Time`), and of measurables() any, each once, in any order. A unit in
+// [ ] or ( ) behind
 //   each name, as in a scene; in a header without any unit all is SI: the product's own series.csv.
 //   Other columns of that series are left out; any other name is refused.
 // - Decimal point; with semicolons or tabs a decimal comma too, one of the two in a file.

@@ -14,11 +14,13 @@ namespace {
 
 using Complex = std::complex<double>;
 
-// The transform of one length, under a Hann window.
+// The transform of one length, under a Hann window, with zeros behind it up to `finer` times that.
 class Transform {
  public:
-  explicit Transform(std::size_t size)
-      : size_(static_cast<Eigen::Index>(size)), window_(hann_window(size_)) {}
+  explicit Transform(std::size_t values, std::size_t finer = 1)
+      : values_(static_cast<Eigen::Index>(values)),
+        size_(static_cast<Eigen::Index>(finer * values)),
+        window_(hann_window(values_)) {}
 
   // Hz, in the order of the amplitudes.
   std::vector<double> frequencies(double h) const {
@@ -29,8 +31,9 @@ class Transform {
     return all;
   }
   void append(std::span<const Complex> z, std::vector<double>& amplitude) {
-    const Eigen::Map<const Eigen::ArrayXcd> all(z.data(), size_);
-    const Eigen::VectorXcd windowed = window_ * (all - all.mean());
+    const Eigen::Map<const Eigen::ArrayXcd> all(z.data(), values_);
+    Eigen::VectorXcd windowed = Eigen::VectorXcd::Zero(size_);
+    windowed.head(values_) = window_ * (all - all.mean());
     fourier_.fwd(spectrum_, windowed);
     const Eigen::ArrayXd size = spectrum_.array().abs() / window_.sum();
     const auto first = size.begin() + (size_ - size_ / 2);  // the negative ones first
@@ -39,7 +42,7 @@ class Transform {
   }
 
  private:
-  Eigen::Index size_;
+  Eigen::Index values_, size_;
   Eigen::ArrayXd window_;
   Eigen::FFT<double> fourier_;
   Eigen::VectorXcd spectrum_;
@@ -47,9 +50,9 @@ class Transform {
 
 }  // namespace
 
-FullSpectrum full_spectrum(std::span<const Complex> z, double h) {
-  assert(z.size() >= 2 && h > 0.0);
-  Transform transform(z.size());
+FullSpectrum full_spectrum(std::span<const Complex> z, double h, std::size_t finer) {
+  assert(z.size() >= 2 && h > 0.0 && finer >= 1);
+  Transform transform(z.size(), finer);
   FullSpectrum spectrum{transform.frequencies(h), {}};
   transform.append(z, spectrum.amplitude);
   return spectrum;

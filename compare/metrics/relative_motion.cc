@@ -10,6 +10,8 @@
 namespace rotorub {
 namespace {
 
+constexpr double kNoOrbit = 1e-12;  // m, what round-off leaves of a rotor in the ring's centre
+
 RelativePoint polar(double t, double x, double y, double vx, double vy) {
   RelativePoint point;
   point.t = t;
@@ -78,6 +80,10 @@ double whirl_frequency(const std::vector<RelativePoint>& points, RowRange range)
   if (range.size() < 2) return 0.0;
   const double span = points[range.last - 1].t - points[range.first].t;
   if (span <= 0.0) return 0.0;
+  double largest = 0.0;
+  for (std::size_t i = range.first; i < range.last; ++i)
+    largest = std::max(largest, points[i].delta);
+  if (largest < kNoOrbit) return 0.0;
   const Turned turned = turned_by(points, range);
   return turned.doubt < kMostDoubt ? turned.net / span : std::numeric_limits<double>::quiet_NaN();
 }

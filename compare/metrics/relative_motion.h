@@ -46,8 +46,9 @@ inline constexpr double kMostDoubt = 0.25 * std::numbers::pi;
 
 Turned turned_by(const std::vector<RelativePoint>& points, RowRange range);
 
-// Mean whirl frequency d(angle)/dt of these rows, rad/s, forward positive; 0 for fewer than two,
-// not a number where it cannot be told.
+// Mean whirl frequency d(angle)/dt of these rows, rad/s, forward positive; 0 for fewer than two
+// and where the rotor stays in the ring's centre but for round-off (1e-12 m), not a number where it
+// cannot be told.
 double whirl_frequency(const std::vector<RelativePoint>& points, RowRange range);
 
 }  // namespace rotorub

@@ -32,9 +32,9 @@ std::string contact_text(const ContactPlace& place, const FreeOrbit& orbit, doub
   if (!orbit.largest) return fmt::format("  {}: none, {}\n", where, orbit.refused);
   const double gap = place.clearance - *orbit.largest;
   const std::string sentence = fmt::format(
-      "{}: {:.5g} um from the middle of the ring, {}", where, kMicrons * *orbit.largest,
-      gap > 0.0 ? fmt::format("least gap {:.5g} um", kMicrons * gap)
-                : fmt::format("it touches: {:.5g} um beyond the clearance", -kMicrons * gap));
+      "{}: {:.4g} um from the middle of the ring, {}", where, kMicrons * *orbit.largest,
+      gap > 0.0 ? fmt::format("least gap {:.4g} um", kMicrons * gap)
+                : fmt::format("it touches: {:.4g} um beyond the clearance", -kMicrons * gap));
   const std::string vibration = vibration_sentence(orbit, speed, "um");
   return wrapped("  ", sentence) +
          (vibration.empty() ? "" : fmt::format("  vibration there: {}\n", vibration));

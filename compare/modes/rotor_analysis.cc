@@ -56,6 +56,38 @@ RotorAnalysis analysis_of(const scene::Scene& scene, const std::vector<double>& 
   return analysis;
 }
 
+// Where twice as many modes move the response by more than this, it is said.
+constexpr double kModesMatter = 0.005;
+
+// What the modes left out would change in the response at the contacts.
+void note_modes_left_out(scene::Scene free, int modes, const std::vector<double>& speeds,
+                         RotorAnalysis& analysis) {
+  if (!free.rotor.geometry) return;
+  scene::RotorGeometry& geometry = *free.rotor.geometry;
+  geometry.modes = 2 * modes;
+  geometry.auto_modes = false;
+  geometry.max_frequency.reset();
+  std::optional<Model> model;
+  try {
+    model = make_model(free);
+  } catch (const scene::SceneError&) {
+    return;  // the mesh has not so many
+  }
+  for (std::size_t k = 0; k < speeds.size(); ++k) {
+    const FreeResponse finer = free_response(free, *model, speeds[k]);
+    FreeResponse& response = analysis.responses[k];
+    for (const ContactPlace& place : analysis.contacts) {
+      const auto few = response.orbits[place.bearing].largest,
+                 many = finer.orbits[place.bearing].largest;
+      if (!few || !many || std::abs(*many - *few) <= kModesMatter * *many) continue;
+      response.notes.push_back(fmt::format(
+          "the response{} is that of the {} modes kept; with {} modes it is {:.3g} um ({:+.2g} %)",
+          place.name.empty() ? "" : " at contact " + place.name, modes, 2 * modes, 1e6 * *many,
+          100.0 * (*many / *few - 1.0)));
+    }
+  }
+}
+
 void add_response(const scene::Scene& scene, const std::vector<double>& speeds,
                   RotorAnalysis& analysis) {
   const bool controls =
@@ -67,6 +99,7 @@ void add_response(const scene::Scene& scene, const std::vector<double>& speeds,
   for (double speed : speeds) analysis.levitations.push_back(levitation(model, speed));
   analysis.contacts = contact_places(scene);
   for (double speed : speeds) analysis.responses.push_back(free_response(free, model, speed));
+  note_modes_left_out(free, model.layout.modes, speeds, analysis);
 }
 
 using nlohmann::json;

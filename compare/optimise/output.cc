@@ -10,7 +10,9 @@
 #include "compare/base/format.h"
 #include "compare/figures/figure.h"
 #include "compare/sweep/folder.h"
+#include "compare/sweep/sample.h"
 #include "native_model/scene/text.h"
+#include "native_model/trajectory/output.h"
 
 namespace rotorub::optimise {
 namespace {
@@ -20,7 +22,9 @@ using nlohmann::ordered_json;
 const char* goal_word(const Goal& goal) { return goal.maximise ? "maximise" : "minimise"; }
 
 std::string field(const std::optional<double>& value) {
-  return value ? fmt::format("{:.17g}", *value) : std::string();
+  std::string text;
+  if (value) append_number(text, *value);
+  return text;
 }
 
 // Of the figure in SI; empty: of modes, whose figures have no list, or a number.
@@ -29,6 +33,19 @@ std::string unit_of(const FigurePath& figure) {
   const auto keys = metric_keys();
   const auto key = std::ranges::find(keys, std::string_view(figure.text), &ColumnMeaning::name);
   return key == keys.end() || key->unit.empty() ? std::string() : " " + std::string(key->unit);
+}
+
+enum class End { kNone, kLower, kUpper };
+
+// The end of its range that a key's value has come to: the search ends some tolerances away.
+End end_of(const Task& task, std::size_t key, double value) {
+  const sweep::Vary& vary = task.study.vary[key];
+  const double near = std::clamp(10.0 * task.goal.tolerance, 1e-9, 0.01);
+  const bool rises = vary.to > vary.from;
+  const double from = sweep::between(vary, near), to = sweep::between(vary, 1.0 - near);
+  if (rises ? value <= from : value >= from) return rises ? End::kLower : End::kUpper;
+  if (rises ? value >= to : value <= to) return rises ? End::kUpper : End::kLower;
+  return End::kNone;
 }
 
 std::string nothing_text(const Optimum& optimum) {
@@ -48,6 +65,19 @@ std::string nothing_text(const Optimum& optimum) {
 
 }  // namespace
 
+std::string edge_text(const Task& task, const Optimum& optimum) {
+  std::string text;
+  if (!optimum.best) return text;
+  const Evaluation& best = optimum.evaluations[*optimum.best];
+  for (std::size_t k = 0; k < best.values.size(); ++k) {
+    const End end = end_of(task, k, best.values[k]);
+    if (end == End::kNone) continue;
+    text += fmt::format("{}{} end of the range of {}", text.empty() ? "at the " : " and the ",
+                        end == End::kLower ? "lower" : "upper", task.study.vary[k].key);
+  }
+  return text.empty() ? text : text + ": a wider range may hold better values";
+}
+
 std::string constraint_text(const Constraint& c) {
   return fmt::format("{} {} {}", c.figure.text, c.is_max ? "<=" : ">=", short_number(c.limit));
 }
@@ -63,6 +93,7 @@ ordered_json optimum_json(const Task& task, const Optimum& optimum) {
   auto values = ordered_json::object();
   for (std::size_t k = 0; k < best.values.size(); ++k)
     values[task.study.vary[k].key] = best.values[k];
+  const std::string edge = edge_text(task, optimum);
   auto constraints = ordered_json::array();
   for (std::size_t k = 0; k < best.constraints.size(); ++k) {
     const Constraint& c = task.goal.constraints[k];
@@ -72,6 +103,7 @@ ordered_json optimum_json(const Task& task, const Optimum& optimum) {
   }
   all["best"] = {{"evaluation", *optimum.best},
                  {"values", values},
+                 {"edge", edge.empty() ? ordered_json(nullptr) : ordered_json(edge)},
                  {"figure", *best.figure},
                  {"constraints", constraints}};
   return all;
@@ -89,7 +121,7 @@ std::string evaluations_csv(const Task& task, const Optimum& optimum) {
     for (const double value : e.values) text += "," + field(value);
     text += "," + field(e.figure);
     for (const auto& value : e.constraints) text += "," + field(value);
-    text += fmt::format(",{:.17g},{},{}\n", e.violation, e.status, sweep::csv_field(e.reason));
+    text += fmt::format(",{},{},{}\n", field(e.violation), e.status, sweep::csv_field(e.reason));
   }
   return text;
 }
@@ -112,15 +144,16 @@ ordered_json evaluations_columns_json(const Task& task) {
 std::string optimum_text(const std::string& name, const Task& task, const Optimum& optimum) {
   std::string text = fmt::format("{}: {} {}\n", scene::printable(name), goal_word(task.goal),
                                  scene::printable(task.goal.figure.text));
-  text +=
-      fmt::format("  {} evaluations, {}\n", optimum.evaluations.size(), to_string(optimum.ending));
+  const std::string edge = edge_text(task, optimum);
+  text += wrapped("  ", fmt::format("{} evaluations, {}{}{}", optimum.evaluations.size(),
+                                    to_string(optimum.ending), edge.empty() ? "" : ", ", edge));
   if (!optimum.best) return text + nothing_text(optimum);
   const Evaluation& best = optimum.evaluations[*optimum.best];
   for (std::size_t k = 0; k < best.values.size(); ++k) {
     const sweep::Vary& vary = task.study.vary[k];
-    const bool edge = best.values[k] == vary.from || best.values[k] == vary.to;
+    const bool at_end = end_of(task, k, best.values[k]) != End::kNone;
     text += fmt::format("  {:<40} {} {}{}\n", vary.key, short_number(best.values[k]), vary.unit,
-                        edge ? "  (an end of its range)" : "");
+                        at_end ? "  (an end of its range)" : "");
   }
   text += fmt::format("  {:<40} {}{}\n", task.goal.figure.text, short_number(*best.figure),
                       unit_of(task.goal.figure));

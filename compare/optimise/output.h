@@ -9,8 +9,8 @@
 namespace rotorub::optimise {
 
 // {"figure", "goal" (minimise, maximise), "ending", "evaluations", "best": {"evaluation", "values":
-// {key: SI}, "figure", "constraints": [{"figure", "min" or "max", "value"}]}, or null: no
-// evaluation keeps the constraints}.
+// {key: SI}, "edge" (edge_text(), or null), "figure", "constraints": [{"figure", "min" or "max",
+// "value"}]}, or null: no evaluation keeps the constraints}.
 nlohmann::ordered_json optimum_json(const Task& task, const Optimum& optimum);
 
 // evaluations.csv: a header line, then one line an evaluation, in their order, SI; and its columns,
@@ -20,6 +20,10 @@ nlohmann::ordered_json evaluations_columns_json(const Task& task);
 
 // For people; ends with a line break.
 std::string optimum_text(const std::string& name, const Task& task, const Optimum& optimum);
+
+// Where the best lies at an end of ranges: "at the upper end of the range of stator.damping: a
+// wider range may hold better values"; else empty.
+std::string edge_text(const Task& task, const Optimum& optimum);
 
 // "least_gap >= 0.0001"
 std::string constraint_text(const Constraint& constraint);

@@ -1,6 +1,8 @@
 #include "compare/report/contact_plots.h"
 
+#include <algorithm>
 #include <nlohmann/json.hpp>
+#include <string>
 #include <vector>
 
 #include "compare/base/units.h"
@@ -8,12 +10,29 @@
 #include "compare/report/pack/packed_run.h"
 #include "compare/report/plot_points.h"
 #include "native_model/trajectory/columns.h"
+#include "native_model/trajectory/recorder.h"
 
 namespace rotorub {
 
 using nlohmann::json;
 
-json contact_distribution(const Trajectory& run, std::size_t contact) {
+namespace {
+
+// Whether an episode of a soft contact goes on beyond what counts as an impact: it is a rub then,
+// and its impulse that of all the time.
+bool is_lasting(const Trajectory& run, const std::string& column, double begin) {
+  const std::string& model = run.contact_model;
+  if (model == "rigid" || model == "compliant" || !run.has(column)) return false;
+  const auto &t = run.column("t"), &force = run.column(column);
+  auto row = static_cast<std::size_t>(std::upper_bound(t.begin(), t.end(), begin) - t.begin());
+  double last = begin;
+  for (; row < t.size() && force[row] > 0.0; ++row) last = t[row];
+  return last - begin > kWindowSteps * run.step;
+}
+
+}  // namespace
+
+json contact_distribution(const Trajectory& run, std::size_t contact, bool gives) {
   constexpr std::size_t kParts = 60, kMost = 150;
   json force = nullptr, impulse = nullptr;
   const std::string column = column_of_contact(contact, "normal_force");
@@ -24,7 +43,8 @@ json contact_distribution(const Trajectory& run, std::size_t contact) {
   }
   std::vector<double> all;
   for (const Impact& impact : counted_impacts(run, contact))
-    if (impact.normal_impulse > 0.0) all.push_back(impact.normal_impulse);
+    if (impact.normal_impulse > 0.0 && (gives || !is_lasting(run, column, impact.t)))
+      all.push_back(impact.normal_impulse);
   if (!all.empty()) {
     const Exceedance curve = exceedance(std::move(all), kMost);
     impulse = {{"value", rounded_list(curve.value, kMilli, 5)}, {"count", curve.count}};

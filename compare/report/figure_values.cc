@@ -84,7 +84,7 @@ json split_rows(const SceneComparison& c, bool valid) {
                       {"model_gap", figure_value(f, d.split.model_gap)},
                       {"step_error", figure_value(f, d.split.step_error)},
                       {"native_step_error", figure_value(f, d.split.native_step_error)},
-                      {"floor", size_text(f, d.interval)},
+                      {"floor", size_text(d, d.interval)},
                       {"tone", valid ? "" : "unsure"},
                       {"note", valid ? fmt::format("± {}", figure_value(f, d.split.uncertainty))
                                      : d.split.reason}});

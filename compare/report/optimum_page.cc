@@ -62,7 +62,9 @@ json plots_of(const Task& task, const Optimum& optimum) {
 }
 
 json cards_of(const Task& task, const Optimum& optimum) {
-  const std::string count = fmt::format("{} evaluations", optimum.evaluations.size());
+  const std::string edge = optimise::edge_text(task, optimum);
+  const std::string count = fmt::format("{} evaluations{}{}", optimum.evaluations.size(),
+                                        edge.empty() ? "" : "; the best is ", edge);
   json cards = {card("Search", optimum.best ? "good" : "bad", to_string(optimum.ending), count)};
   if (!optimum.best) return cards;
   const Evaluation& best = optimum.evaluations[*optimum.best];

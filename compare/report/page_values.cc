@@ -225,6 +225,7 @@ json scene_values(const SceneComparison& c) {
           {"measured", measured.is_null() ? json::array() : json::array({measured})},
           {"cone_note", cone_note(c)},
           {"mode_note", mode_note(c)},
+          {"solref_note", solref_note(c)},
           {"own_notes", own_notes(c)},
           {"by_figures", c.mode != CompareMode::kResync},
           {"resyncs", c.mode == CompareMode::kResync},

@@ -96,8 +96,57 @@ json speed_curves(const std::vector<std::vector<double>>& speeds) {
 
 }  // namespace
 
+namespace {
+
+// On the speeds of another response, between its own by straight lines.
+ProbeResponse on_speeds(const SynchronousResponse& response, const ProbeResponse& probe,
+                        const std::vector<double>& speeds) {
+  ProbeResponse out = probe;
+  out.deflection.clear();
+  const std::vector<double>& own = response.speed;
+  for (const double speed : speeds) {
+    const auto next =
+        std::clamp<std::ptrdiff_t>(std::upper_bound(own.begin(), own.end(), speed) - own.begin(), 1,
+                                   static_cast<std::ptrdiff_t>(own.size()) - 1);
+    const auto k = static_cast<std::size_t>(next);
+    const double share = (speed - own[k - 1]) / (own[k] - own[k - 1]);
+    out.deflection.push_back(share <= 0.0   ? probe.deflection[k - 1]
+                             : share >= 1.0 ? probe.deflection[k]
+                                            : (1.0 - share) * probe.deflection[k - 1] +
+                                                  share * probe.deflection[k]);
+  }
+  return out;
+}
+
+// Where unbalance comes later, as of a lost blade: the response without it and with it.
+std::optional<SynchronousResponse> response_of(const scene::Scene& scene, double top) {
+  const auto comes_later = [](const scene::Force& f) {
+    return f.kind == scene::ForceKind::kUnbalance && f.on > 0.0 && f.static_moment > 0.0;
+  };
+  auto after = synchronous_response(scene, top);
+  if (!after || std::ranges::none_of(scene.forces, comes_later)) return after;
+  scene::Scene intact = scene;
+  std::erase_if(intact.forces, comes_later);
+  const auto before = synchronous_response(intact, top);
+  if (!before || before->speed.size() < 2) return after;
+  const std::size_t probes = std::min(before->probes.size(), after->probes.size());
+  std::vector<ProbeResponse> both;
+  for (std::size_t k = 0; k < probes; ++k) {
+    both.push_back(on_speeds(*before, before->probes[k], after->speed));
+    both.back().name += ", before the loss";
+  }
+  for (ProbeResponse& probe : after->probes) {
+    both.push_back(std::move(probe));
+    both.back().name += ", after it";
+  }
+  after->probes = std::move(both);
+  return after;
+}
+
+}  // namespace
+
 json bode_data(const scene::Scene& scene, double top) {
-  const auto response = synchronous_response(scene, top);
+  const auto response = response_of(scene, top);
   if (!response) return nullptr;
   const bool held = std::ranges::any_of(scene.magnetic_bearings, [](const auto& bearing) {
     return bearing.control && bearing.control->works();

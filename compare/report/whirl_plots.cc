@@ -18,6 +18,7 @@ using Values = std::vector<double>;
 
 constexpr double kMicro = 1e6;
 constexpr std::size_t kMostSamples = 1 << 14;
+constexpr std::size_t kMostFrequencies = 1 << 17;
 constexpr std::size_t kSpectrumBuckets = 400;  // twice as many points: peaks survive
 constexpr std::size_t kColumns = 240;          // of a waterfall: frequencies
 
@@ -136,7 +137,8 @@ json distance_data(const Values& t, const Values& distance) {
 }
 
 json spectrum_data(const std::vector<std::complex<double>>& z, double h, double limit) {
-  const FullSpectrum s = full_spectrum(z, h);
+  const std::size_t finer = std::clamp<std::size_t>(kMostFrequencies / z.size(), 1, 32);
+  const FullSpectrum s = full_spectrum(z, h, finer);
   const auto first = std::lower_bound(s.frequency.begin(), s.frequency.end(), -limit);
   const auto last = std::upper_bound(first, s.frequency.end(), limit);
   Values y(s.amplitude.size());

@@ -168,6 +168,11 @@ std::string starter_scene(const Starter& starter) {
   const double small = kSmall * clearance;
   const double by_eccentricity = answer(small, 0.0) / small;
   sizes.eccentricity = rounded(0.1 * clearance / by_eccentricity, 2);
+  // No machine of such an orbit may be out of balance beyond what is usual.
+  const double usual =
+      kBalanceQuality / starter.speed.value * (starter.form == StarterForm::kModal ? mass : 1.0);
+  sizes.is_graded = sizes.eccentricity > usual;
+  if (sizes.is_graded) sizes.eccentricity = rounded(usual, 2);
   if (starter.form != StarterForm::kTwoCatchers) {
     const bool rig = is_rig(starter.form);
     const double small_load = rig ? small * sizes.modal_stiffness : small * mass;

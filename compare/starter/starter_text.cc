@@ -144,9 +144,13 @@ std::string shaft(const Starter& starter, const StarterSizes& s) {
          value("mass", written(starter.disc_mass), "") +
          value("Jt", s.disc_Jt, "kg m^2, about a diameter") +
          value("Jp", s.disc_Jp, "kg m^2, about the shaft") +
-         value("eccentricity", s.eccentricity, "m: an orbit of a tenth of the clearance") +
-         "# unbalance = \"30 g mm\"      # in place of eccentricity; or balance_grade = \"G "
-         "6.3\"\n" +
+         (s.is_graded
+              ? value("balance_grade", fmt::format("\"{}\"", kBalanceGrade),
+                      "of ISO 21940-11, for fans and pumps: mm/s, eccentricity times speed") +
+                    "# unbalance = \"30 g mm\"      # in its place; or eccentricity, in m\n"
+              : value("eccentricity", s.eccentricity, "m: an orbit of a tenth of the clearance") +
+                    "# unbalance = \"30 g mm\"      # in place of eccentricity; or balance_grade = "
+                    "\"G 6.3\"\n") +
          sleeve(s.contact_station, s) +
          (levitates ? sleeve(s.second_contact, s) + magnet(s.first_bearing, s) +
                           magnet(s.last_bearing, s) + weight()
@@ -169,7 +173,9 @@ std::string one_mode(const Starter& starter, const StarterSizes& s) {
          "\n" + "[[force]]                     # the residual unbalance\n" +
          value("kind", "\"unbalance\"", "") +
          value("static_moment", s.eccentricity,
-               "kg m, mass times eccentricity: an orbit of a tenth of the clearance") +
+               s.is_graded
+                   ? fmt::format("kg m, mass times eccentricity: {} of ISO 21940-11", kBalanceGrade)
+                   : "kg m, mass times eccentricity: an orbit of a tenth of the clearance") +
          "\n";
 }
 

@@ -17,7 +17,9 @@ struct StarterSizes {
   // Magnetic bearings: N/m, N/A, A/m, A/(m s), A s/m.
   double negative_stiffness = 0.0, force_per_current = 0.0, proportional = 0.0, integral = 0.0,
          derivative = 0.0;
-  double disc_Jt = 0.0, disc_Jp = 0.0, eccentricity = 0.0;
+  double disc_Jt = 0.0, disc_Jp = 0.0;
+  double eccentricity = 0.0;  // m; kg m of the modal form
+  bool is_graded = false;     // it is that of kBalanceGrade
   double radius = 0.0, sleeve_mass = 0.0, sleeve_Jt = 0.0, sleeve_Jp = 0.0;
   double modal_mass = 0.0, modal_stiffness = 0.0, modal_damping = 0.0;
   double ring_mass = 0.0, ring_stiffness = 0.0, ring_damping = 0.0;
@@ -26,6 +28,10 @@ struct StarterSizes {
   double load_orbit = 0.0;   // in clearances, of the free rotor under the load
   double force_limit = 0.0;  // N, on each axis of the actuator; 0: none
 };
+
+// ISO 21940-11, of fans and pumps: eccentricity times spin speed, m/s.
+inline constexpr double kBalanceQuality = 6.3e-3;
+inline constexpr const char* kBalanceGrade = "G 6.3";
 
 std::string starter_text(const Starter& starter, const StarterSizes& sizes);
 

@@ -167,6 +167,17 @@ std::string cone_note(const SceneComparison& c) {
   return why.empty() ? "" : "MuJoCo alone is not shown: its cone " + why + ".";
 }
 
+std::string solref_note(const SceneComparison& c) {
+  std::string all;
+  for (const std::size_t k : reading_order(c)) {
+    const Side& side = c.sides[k + 1];
+    if (side.solref.empty()) continue;
+    all += fmt::format("{}\"{}\" ({}{})", all.empty() ? "" : ", ", side.solref, side.label,
+                       side.label == "cone-default" ? ", MuJoCo's default" : "");
+  }
+  return all.empty() ? "" : "The soft contacts use solref " + all + ".";
+}
+
 std::string mode_note(const SceneComparison& c) {
   if (c.mode == CompareMode::kReplay && !c.commands) {
     return "Replay equals lockstep here: no controller commands the actuator.";

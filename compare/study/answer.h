@@ -59,6 +59,9 @@ std::vector<std::string> own_notes(const SceneComparison& comparison);
 // in a contact that gives.
 std::string cone_note(const SceneComparison& comparison);
 
+// The solref of MuJoCo's soft contacts, a sentence; empty where none has one.
+std::string solref_note(const SceneComparison& comparison);
+
 // How the two sides are coupled, a sentence; empty in lockstep.
 std::string mode_note(const SceneComparison& comparison);
 

@@ -53,6 +53,7 @@ json side_json(const scene::Scene& scene, const Side& side) {
     if (figures()[k].split) limits[figures()[k].key] = side.limits[k];
   }
   return {{"engine", side.engine},
+          {"solref", side.solref.empty() ? json(nullptr) : json(side.solref)},
           {"summary", summary_json(scene, side.trajectory)},
           {"metrics", metrics_json(side.metrics)},
           {"step_to_zero", limits},

@@ -14,6 +14,7 @@
 #include "compare/study/resync_text.h"
 #include "compare/study/verdict.h"
 #include "native_model/scene/reader.h"
+#include "native_model/scene/text.h"
 
 namespace rotorub {
 namespace {
@@ -27,7 +28,7 @@ bool has_column(const Side& side) { return !heading(side).empty(); }
 // Points have no unit in a column: the line below the differences says so.
 std::string in_column(const std::string& text) { return text.substr(0, text.find(" points")); }
 std::string in_column(const JudgedFigure& f) {
-  return f.is_absent() ? "–" : in_column(deviation_text(*f.figure, f.deviation));
+  return f.is_absent() ? "–" : in_column(deviation_text(f));
 }
 
 // A line of texts below the columns: of native, of its shadow where there is one, and of each
@@ -77,7 +78,8 @@ std::string difference_lines(const SceneComparison& c) {
   }
   return text +
          wrapped("    ",
-                 "Differences of shares of time are in percentage points, shown without a unit.");
+                 "Differences without a unit are percentage points of shares of time, and whole "
+                 "numbers of counts below 100.");
 }
 
 // Where twins scatter: half of the confidence interval of each difference, and what that many twins
@@ -93,7 +95,8 @@ std::string interval_lines(const SceneComparison& c) {
     if (!f.is_judged() || !scatters) continue;
     const auto add = [&](const std::string& label, double FigureDifference::*size) {
       text += line(c, label, "", "", [&](std::size_t k) {
-        return in_column(size_text(f, c.differences[k - 1].figures[i].*size));
+        const FigureDifference& d = c.differences[k - 1].figures[i];
+        return in_column(size_text(d, d.*size));
       });
     };
     add(fmt::format("  ± {}", f.label), &FigureDifference::interval);
@@ -186,7 +189,7 @@ std::string answer_lines(const SceneComparison& c, const Palette& palette) {
   for (const AnswerRow& row : rows) {
     if (!row.evidence.empty()) text += wrapped("    ", row.evidence);
   }
-  for (const std::string& note : {cone_note(c), mode_note(c)})
+  for (const std::string& note : {cone_note(c), solref_note(c), mode_note(c)})
     if (!note.empty()) text += wrapped("    ", note);
   const std::vector<std::string> notes = own_notes(c);
   for (std::size_t k = 0; k < notes.size(); ++k)
@@ -202,9 +205,10 @@ constexpr const char* kNoLead = "  not judged   ";
 }  // namespace
 
 std::string comparison_table(const SceneComparison& c, const Palette& palette) {
-  std::string text = fmt::format("{}: {}, step {}, {} simulated, scene {}\n", c.scene.name,
-                                 to_string(c.mode), time_text(c.scene.run.step),
-                                 time_text(c.scene.run.end), scene::scene_hash(c.scene));
+  std::string text =
+      fmt::format("{}: {}, step {}, {} simulated, scene {}\n", scene::printable(c.scene.name),
+                  to_string(c.mode), time_text(c.scene.run.step), time_text(c.scene.run.end),
+                  scene::scene_hash(c.scene));
   text += answer_lines(c, palette) + "\n";
   if (c.mode == CompareMode::kResync) {
     text += resync_table(c);
@@ -258,7 +262,7 @@ std::string run_table(const scene::Scene& scene, const Trajectory& t, const Pale
   const Metrics m = metrics(t, contact_facts(scene));
   const std::string step = t.step > 0.0 ? "step " + time_text(t.step) : "steps of its own";
   std::string text = fmt::format(
-      "{}: {}\n  {} {}, contact {}, {}, {} of {} simulated\n", scene.name,
+      "{}: {}\n  {} {}, contact {}, {}, {} of {} simulated\n", scene::printable(scene.name),
       palette.paint(t.status == Status::kOk ? Tone::kGood : Tone::kBad, to_string(t.status)),
       t.engine, t.integrator, t.contact_model, step, time_text(t.end), time_text(scene.run.end));
   // In both units: 3600 without one is rad/s, whatever was meant.
@@ -267,7 +271,7 @@ std::string run_table(const scene::Scene& scene, const Trajectory& t, const Pale
                       short_number(speed * 30.0 / std::numbers::pi),
                       scene.drive ? " at its start" : "");
   if (!t.message.empty()) text += wrapped("  ", t.message);
-  for (const std::string& doubt : doubts(scene)) text += wrapped("  warning: ", doubt);
+  for (const std::string& doubt : doubts(scene, t)) text += wrapped("  warning: ", doubt);
   if (!contact_facts(scene).empty())
     text += wrapped("  rubs: ",
                     rub_answer(m, t.status == Status::kOk ? std::optional<double>() : t.end));

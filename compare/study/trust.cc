@@ -49,6 +49,7 @@ JudgedFigure judged(const Figure& figure, const FigureSample& native, const Figu
   const Interval c = interval(native, other);
   f.interval = std::max(floor, share_of(figure, native.mean, c.half));
   f.least_told = std::max(f.interval, share_of(figure, native.mean, c.least_told));
+  if (figure.scale != Scale::kPoints) f.whole = std::max(std::abs(native.mean), figure.resolution);
   const bool nothing = native.mean == 0.0 && other.mean == 0.0;
   if (!figure.is_judged() || f.is_absent() || nothing) return f;
   const double d = std::abs(f.deviation);
@@ -56,6 +57,11 @@ JudgedFigure judged(const Figure& figure, const FigureSample& native, const Figu
   f.verdict = d + f.interval <= tolerance      ? FigureVerdict::kWithin
               : !(d - f.interval <= tolerance) ? FigureVerdict::kOutside
                                                : FigureVerdict::kUndecidable;
+  if (figure.scale == Scale::kCount && f.verdict == FigureVerdict::kOutside &&
+      std::abs(other.mean - native.mean) <= 1.0) {
+    f.verdict = FigureVerdict::kUndecidable;
+    f.least_told = std::max(f.least_told, share_of(figure, native.mean, 2.0));
+  }
   return f;
 }
 
@@ -65,20 +71,34 @@ JudgedFigure judged(const Figure& figure, double native, double other, double to
 
 bool JudgedFigure::is_absent() const { return std::isnan(native) || std::isnan(other); }
 
+bool JudgedFigure::is_small_count() const {
+  constexpr double kSmall = 100.0;
+  return figure->scale == Scale::kCount && std::abs(native) < kSmall;
+}
+
 bool is_settled(const JudgedFigure& figure, double tolerance) {
   if (figure.verdict == FigureVerdict::kNotJudged) return true;
   return figure.interval <= 0.5 * std::abs(std::abs(figure.deviation) - tolerance);
 }
 
+std::string deviation_text(const JudgedFigure& f) {
+  if (!f.is_small_count()) return deviation_text(*f.figure, f.deviation);
+  return f.deviation == 0.0 ? "0" : fmt::format("{:+.3g}", f.deviation * f.whole);
+}
+
+std::string size_text(const JudgedFigure& f, double size) {
+  return f.is_small_count() ? fmt::format("{:.2g}", size * f.whole) : size_text(*f.figure, size);
+}
+
 std::string difference_text(const JudgedFigure& f) {
   if (f.is_absent()) return "–";
-  if (std::abs(f.native) < f.figure->resolution && f.native != f.other) {
+  if ((f.is_small_count() || std::abs(f.native) < f.figure->resolution) && f.native != f.other) {
     const std::string unit = *f.figure->unit ? std::string(" ") + f.figure->unit : std::string();
     return fmt::format("{}{} instead of {}", figure_value(*f.figure, f.other), unit,
                        figure_value(*f.figure, f.native));
   }
-  const std::string text = deviation_text(*f.figure, f.deviation);
-  return f.interval >= 5e-5 ? text + " ± " + size_text(*f.figure, f.interval) : text;
+  const std::string text = deviation_text(f);
+  return f.interval >= 5e-5 ? text + " ± " + size_text(f, f.interval) : text;
 }
 
 namespace {
@@ -95,7 +115,8 @@ std::string plain_difference(const JudgedFigure& f) {
   constexpr double kTimes = 2.0;  // from there on as a factor
   const Figure& figure = *f.figure;
   const double ratio = std::abs(f.other / f.native);
-  const bool small = std::abs(f.native) < figure.resolution || f.native == 0.0;
+  const bool small =
+      f.is_small_count() || std::abs(f.native) < figure.resolution || f.native == 0.0;
   if (figure.scale == Scale::kPoints || small || f.other == 0.0) {
     const auto value = [&](double v) {
       const double shown = figure.per_unit * v;
@@ -155,8 +176,9 @@ std::string why(const std::vector<JudgedFigure>& figures, double tolerance) {
   add("within", listed(those(figures, FigureVerdict::kWithin),
                        [](const JudgedFigure& f) { return f.figure->label; }));
   add("undecidable at", listed(undecidable(figures), [](const JudgedFigure& f) {
-        return fmt::format("{} {} ({} would be detected)", f.figure->label, difference_text(f),
-                           size_text(*f.figure, f.least_told));
+        return fmt::format(
+            "{} {} ({} would be detected)", f.figure->label, difference_text(f),
+            size_text(f, f.least_told) + (f.is_small_count() ? " more or fewer" : ""));
       }));
   return text;
 }

@@ -7,7 +7,8 @@
 //   |d| - c > e    outside
 //   else           undecidable at e: the motion does not repeat itself that well
 // What is undecidable does not decide. Without scatter c is 0. A figure that one of the runs has
-// not, or that is 0 in both, is not judged.
+// not, or that is 0 in both, is not judged. Counts that differ by no more than one are never
+// outside: 1 instead of 2 is undecidable, 600 instead of 601 within 1 %.
 #pragma once
 
 #include <string>
@@ -31,9 +32,12 @@ struct JudgedFigure {
   // The least deviation that so many twins tell (figure_sample.h), and no less than c: what drifts
   // without scatter hides it too.
   double least_told = 0.0;
+  double whole = 1.0;  // SI, what a share is of: the native mean, or the figure's resolution
   FigureVerdict verdict = FigureVerdict::kNotJudged;
 
   bool is_absent() const;  // from one of the runs, or both
+  // A count below 100: its differences are written as counts.
+  bool is_small_count() const;
 };
 
 // floor: of c, on the figure's scale.
@@ -46,8 +50,13 @@ JudgedFigure judged(const Figure& figure, double native, double other,
 // distance from the tolerance, or the figure is not judged.
 bool is_settled(const JudgedFigure& figure, double tolerance);
 
+// As of a figure (figure.h), but of a small count in counts: "+12", "3.2".
+std::string deviation_text(const JudgedFigure& figure);
+std::string size_text(const JudgedFigure& figure, double size);
+
 // The deviation, with half of its interval where there is one, "-0.70 % ± 1.10 %"; the values
-// themselves where the native one is below what a share is taken of: "0.157 mm/s for 0.196".
+// themselves where the native one is below what a share is taken of, and of small counts: "0.157
+// mm/s instead of 0.196", "42 instead of 30".
 std::string difference_text(const JudgedFigure& figure);
 
 // The same to somebody new: "rms gap rate 16 times as large", "lasting contact 0 % instead of 99

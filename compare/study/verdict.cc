@@ -119,7 +119,7 @@ std::string scattered(const SceneComparison& c, const SideDifference& d, Scatter
   std::string apart;
   for (const FigureDifference& f : d.figures) {
     if (!f.figure->is_judged() || scatter(f) <= c.tolerance) continue;
-    apart += fmt::format("{}{} in {}", apart.empty() ? "" : ", ", size_text(*f.figure, scatter(f)),
+    apart += fmt::format("{}{} in {}", apart.empty() ? "" : ", ", size_text(f, scatter(f)),
                          f.figure->label);
   }
   return apart;

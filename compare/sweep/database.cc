@@ -26,6 +26,10 @@ Database::Database(const std::filesystem::path& file, Mode mode) : file_(file.st
   const int code = sqlite3_open_v2(file_.c_str(), &opened, flags, nullptr);
   database_.reset(opened);
   if (code != SQLITE_OK) fail(code);
+  // A file may come from anywhere: what it has beside tables is never run.
+  for (const int part : {SQLITE_DBCONFIG_ENABLE_TRIGGER, SQLITE_DBCONFIG_ENABLE_VIEW})
+    sqlite3_db_config(opened, part, 0, nullptr);
+  sqlite3_db_config(opened, SQLITE_DBCONFIG_DEFENSIVE, 1, nullptr);
   if (mode == Mode::kRead) return;
   // A rollback journal, synced: what is committed outlives the process and the machine, also on the
   // network's file systems, where a write-ahead log does not work.

@@ -1,6 +1,5 @@
 #include "compare/sweep/folder.h"
 
-#include <charconv>
 #include <fstream>
 #include <stdexcept>
 
@@ -15,13 +14,6 @@ bool is_other(const std::filesystem::path& file, const std::string& text) {
   const std::string there = scene::file_text(file);
   if (file.filename() != kStudyFile) return there != text;
   return study_identity(there) != study_identity(text);
-}
-
-void append_number(std::string& line, double value) {
-  char digits[40];
-  const auto end =
-      std::to_chars(digits, digits + sizeof digits, value, std::chars_format::general, 17);
-  line.append(digits, end.ptr);
 }
 
 void append_field(std::string& line, const Statement& row, int column) {

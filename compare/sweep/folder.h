@@ -28,8 +28,8 @@ void keep_study(const std::filesystem::path& folder, const PointScenes& scenes);
 // In double quotes where it has commas, quotes or line breaks (RFC 4180).
 std::string csv_field(const std::string& text);
 
-// The rows of a store as text, in the study's order: a header line, then one line a point, 17
-// significant digits; fields with commas, quotes or line breaks in double quotes (RFC 4180),
+// The rows of a store as text, in the study's order: a header line, then one line a point;
+// fields with commas, quotes or line breaks in double quotes (RFC 4180),
 // nothing where there is no value. Whole or not at all.
 void write_csv(Store& store, const std::filesystem::path& file);
 

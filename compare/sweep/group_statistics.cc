@@ -103,14 +103,16 @@ void write_statistics(const std::vector<StatisticsRow>& rows, const Study& study
   std::string text;
   for (const std::size_t k : study.statistics->by) text += csv_field(study.vary[k].key) + ",";
   text += "figure,statistic,value,low,high,count\n";
-  const auto bound = [](const std::optional<double>& x) {
-    return x ? fmt::format("{:.17g}", *x) : std::string();
+  const auto number = [](const std::optional<double>& x) {
+    std::string digits;
+    if (x) append_number(digits, *x);
+    return digits;
   };
   for (const StatisticsRow& row : rows) {
     for (const std::string& value : row.group) text += csv_field(value) + ",";
-    text += fmt::format("{},{},{:.17g},{},{},{}\n", row.figure, csv_field(row.statistic),
-                        row.estimate.value, bound(row.estimate.low), bound(row.estimate.high),
-                        row.count);
+    text += fmt::format("{},{},{},{},{},{}\n", row.figure, csv_field(row.statistic),
+                        number(row.estimate.value), number(row.estimate.low),
+                        number(row.estimate.high), row.count);
   }
   write_whole(file, text);
 }

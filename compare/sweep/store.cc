@@ -7,6 +7,7 @@
 #include <nlohmann/json.hpp>
 
 #include "compare/base/version.h"
+#include "native_model/scene/text.h"
 
 namespace rotorub::sweep {
 namespace {
@@ -71,6 +72,15 @@ void Store::make_tables() {
 }
 
 void Store::check(const std::string& schema, const std::string& file) {
+  // Tables that stand there as they were made; SQLite's own index is of no text.
+  Statement foreign(database_, "SELECT type, name FROM " + schema +
+                                   ".sqlite_master WHERE sql IS NOT NULL AND NOT (type = 'table' "
+                                   "AND name IN ('meta', 'points') AND sql LIKE 'CREATE TABLE %')");
+  if (foreign.step()) {
+    throw StoreMismatch(fmt::format(
+        "{}: holds the {} `{}`, which no sweep writes; accepted are the tables meta and points",
+        file, scene::printable(foreign.text(0)), scene::printable(foreign.text(1))));
+  }
   const auto meta = read_meta(database_, schema);
   const auto value = [&](const char* key) {
     const auto found = meta.find(key);
@@ -102,7 +112,16 @@ std::vector<std::string> Store::names() const {
 std::vector<bool> Store::done() {
   std::vector<bool> all(static_cast<std::size_t>(identity_.points), false);
   Statement rows(database_, "SELECT point FROM points");
-  while (rows.step()) all.at(static_cast<std::size_t>(rows.whole(0))) = true;
+  while (rows.step()) {
+    const std::int64_t point = rows.whole(0);
+    if (point < 0 || point >= identity_.points) {
+      throw StoreMismatch(
+          fmt::format("the results kept hold point {}, where the study has points 0 to {}; give "
+                      "another folder with -o, or remove them",
+                      point, identity_.points - 1));
+    }
+    all[static_cast<std::size_t>(point)] = true;
+  }
   return all;
 }
 

@@ -135,6 +135,8 @@ const scene::Key* scene_key(std::string_view path, std::string& reason) {
       dot == std::string::npos ? nullptr : scene::find_table(plain.substr(0, dot));
   if (table != nullptr) {
     if (const scene::Key* key = table->find(plain.substr(dot + 1))) return key;
+    static const scene::Key any_number{};
+    if (table->store_any != nullptr) return &any_number;
   }
   if (scene::find_table(plain) != nullptr) return nullptr;
   std::vector<std::string> all;

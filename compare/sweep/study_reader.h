@@ -53,7 +53,8 @@ class StudyTable {
 };
 
 // The key of a scene that a path such as "force[0].amplitude" leads to; nullptr: a whole table, or
-// nothing of a scene (`reason` then says what is accepted).
+// nothing of a scene (`reason` then says what is accepted). In [controller.config], which takes any
+// name, a number without a unit and without a name.
 const scene::Key* scene_key(std::string_view path, std::string& reason);
 
 // Shortest text that reads back to the same bits.

@@ -42,8 +42,10 @@ std::string unfit(const TomlNode& node) {
 
 Value value_of(const StudyTable& table, const TomlNode& node, const std::string& name,
                const std::string& path, const scene::Key* key) {
-  const bool number = (takes_number(path, key) && node.kind != Kind::kArray) ||
-                      (key != nullptr && key->type == scene::ValueType::kWhole);
+  // The user's own law may take a text.
+  const bool text = key != nullptr && key->name.empty() && node.kind == Kind::kString;
+  const bool number = !text && ((takes_number(path, key) && node.kind != Kind::kArray) ||
+                                (key != nullptr && key->type == scene::ValueType::kWhole));
   if (!number && key != nullptr && !key->words.empty())
     say_old_word(table.path_of(name), node.text);
   if (!number) return {node.kind == Kind::kString ? node.text : toml_text(node), std::nullopt};

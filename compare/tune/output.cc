@@ -11,6 +11,7 @@
 #include "compare/figures/figure.h"
 #include "compare/model_error/model_error.h"
 #include "native_model/scene/reader.h"
+#include "native_model/scene/text.h"
 
 namespace rotorub::tune {
 namespace {
@@ -115,10 +116,10 @@ std::string error_lines(const TuneResult& r) {
   std::string lines =
       "\n" + line("errors", {"this setting", "contact model", "step", "modes kept"});
   for (const JudgedFigure& f : r.settings[*r.choice.trusted].figures) {
-    lines += line(f.figure->label, {deviation_text(*f.figure, f.deviation),
-                                    part_text(r.errors, *f.figure, &SplitShares::contact),
-                                    part_text(r.errors, *f.figure, &SplitShares::step),
-                                    mode_text(r.model_error, *f.figure)});
+    lines += line(
+        f.figure->label,
+        {deviation_text(f), part_text(r.errors, *f.figure, &SplitShares::contact),
+         part_text(r.errors, *f.figure, &SplitShares::step), mode_text(r.model_error, *f.figure)});
   }
   if (!r.errors.reason.empty()) lines += wrapped("  not known: ", r.errors.reason);
   return lines + "\n" + model_error_table(r.model_error, "  ");
@@ -151,8 +152,9 @@ json tune_json(const TuneResult& r) {
 
 std::string tune_table(const TuneResult& r, const Palette& palette) {
   const auto& all = r.settings;
-  std::string lines = fmt::format("{}: {} settings of MuJoCo judged at {}\n", r.scene.name,
-                                  all.size(), percent_text(r.tolerance));
+  std::string lines =
+      fmt::format("{}: {} settings of MuJoCo judged at {}\n", scene::printable(r.scene.name),
+                  all.size(), percent_text(r.tolerance));
   if (!r.choice.trusted) {
     lines += "  " + palette.paint(Tone::kBad, "none can be trusted") + "\n";
     if (r.choice.nearest) lines += setting_lines("nearest", all[*r.choice.nearest], r.tolerance);

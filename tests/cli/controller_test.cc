@@ -51,6 +51,41 @@ TEST(CliController, AFailureIsExit3WithNameAndTime) {
   }
 }
 
+// Its exit code would say that all was done.
+TEST(CliController, OneThatCallsExitIsExit3) {
+  const Folder folder;
+  const Outcome done = folder.run(
+      run_with("faulty_controller.so", {"--set", "controller.config.fault=exit", "--set",
+                                        "controller.config.at=0.002", "--set", "controller.on=0"}));
+  EXPECT_EQ(done.code, 3) << done.err;
+  EXPECT_TRUE(contains(done.err, "has ended the program by exit()")) << done.err;
+  EXPECT_FALSE(folder.has("out/summary.json"));
+}
+
+// Gains of one's own law are keys like any other.
+TEST(CliController, AGainIsVariedInASweepAndAnOptimisation) {
+  const Folder folder;
+  std::ofstream(folder.path() / "study.toml")
+      << "scene = \"" << shipped("paper_sliding") << "\"\n"
+      << "[[vary]]\nkey = \"controller.config.stiffness\"\nfrom = 1e4\nto = 2e5\ncount = 2\n"
+         "[sample]\nkind = \"grid\"\n[run]\nintegrator = \"verlet\"\n"
+         "[optimise]\nminimise = \"control_force\"\nevaluations = 4\n";
+  const auto with_law = [](const std::vector<std::string>& call) {
+    return with(call, {"--controller", kLibraries + "/own_controller.so", "--set",
+                       "controller.sample_time=50us", "--set", "controller.on=0", "--set",
+                       "rotor.modes=2", "--set", "run.end=5ms", "-q"});
+  };
+  folder.done(with_law({"sweep", "study.toml", "-o", "map"}));
+  const std::string table = folder.text("map/results.csv");
+  EXPECT_TRUE(contains(table, "\n0,10000,ok")) << table;
+  EXPECT_TRUE(contains(table, "\n1,200000,ok")) << table;
+  folder.done(with_law({"optimise", "study.toml", "-o", "best"}));
+  EXPECT_TRUE(folder.json_in("best/optimum.json")
+                  .at("best")
+                  .at("values")
+                  .contains("controller.config.stiffness"));
+}
+
 TEST(CliController, WhatCannotBeLoadedIsExit2) {
   const Folder folder;
   const Outcome none = folder.run({"run", shipped("paper_sliding"), "--controller", "nowhere.so"});

@@ -2,6 +2,7 @@
 
 import csv
 import json
+import math
 import pathlib
 import re
 import subprocess
@@ -35,6 +36,22 @@ class Starter(InAFolder):
                 self.assertEqual(summary["status"], "ok", form)
                 self.assertGreater(summary["impacts"], 0, form)
                 self.assertGreater(summary["contact_fraction"], 0.1, form)
+
+    def test_the_balance_is_no_worse_than_g_6_3(self):
+        """ISO 21940-11 has 6.3 mm/s for fans and pumps; an orbit of a tenth of a wide clearance would need G 94 and more."""
+        for form in FORMS:
+            for words in ([], ["--speed", "1500 rpm"], ["--speed", "9000 rpm", "--clearance", "1 mm"]):
+                self.rotorub("init", "balanced", "--form", form, "--force", *words)
+                scene = tomllib.loads((pathlib.Path(self.folder) / "balanced.toml").read_text())
+                value, _, unit = str(scene["rotor"]["speed"]).partition(" ")
+                speed = float(value) * {"Hz": 2 * math.pi, "rpm": math.pi / 30}[unit]
+                if form == "modal":
+                    eccentricity = scene["force"][0]["static_moment"] / 2.0  # of a disc of 2 kg
+                else:
+                    disc = scene["rotor"]["disc"][0]
+                    eccentricity = disc.get("eccentricity", 0.0)
+                    self.assertTrue(eccentricity or disc["balance_grade"] == "G 6.3", form)
+                self.assertLess(speed * eccentricity, 6.3e-3 * 1.05, f"{form} {words}")
 
     def test_the_words_in_comments_are_words(self):
         self.rotorub("init", "words")

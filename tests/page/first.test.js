@@ -34,10 +34,19 @@ test('the picture shows native and MuJoCo alone apart', async () => {
     const [from, to] = plot._fullLayout.xaxis.range;
     const all = Array.from({length: 200}, (_, k) => from + (to - from) * (k + 1) / 202);
     return {names: gaps.map((trace) => trace.name).sort(), most: Math.max(...all.map((t) => Math.abs(at(gaps[0], t) - at(gaps[1], t)))),
-      forces: plot.data.filter((trace) => trace.yaxis === 'y2').length};
+      impulses: plot.data.filter((trace) => trace.yaxis === 'y2').map((trace) => ({name: trace.name, mode: trace.mode,
+        largest: Math.max(...trace.y.filter((y) => y !== null))})),
+      told: page.data.scenes[0].runs.map((run) => ({label: run.label, points: run.impacts[0]})), from, to};
   });
   assert.deepEqual(apart.names, ['cone', 'native']);
-  assert.equal(apart.forces, 2);
+  // Impacts of both in one style, each with the impulse that it has.
+  assert.deepEqual(apart.impulses.map(({name}) => name), ['native', 'cone']);
+  for (const {name, mode, largest} of apart.impulses) {
+    const {t, y} = apart.told.find(({label}) => label === name).points;
+    const within = y.filter((_, k) => t[k] >= apart.from && t[k] <= apart.to);
+    assert.equal(mode, 'lines+markers');
+    assert.equal(largest, within.length ? Math.max(...within) : -Infinity, name);
+  }
   assert.ok(apart.most > 5, `${apart.most} um, a hundredth of the clearance`);
   assert.deepEqual((await state(page)).runs, ['native', 'cone']);
   await page.close();

@@ -1,7 +1,9 @@
 #include "renders/video.h"
 
 #include <gtest/gtest.h>
+#include <sys/resource.h>
 
+#include <csignal>
 #include <cstdio>
 #include <cstdlib>
 #include <fstream>
@@ -153,6 +155,43 @@ TEST(Video, EncoderThatFailsAtTheEndIsNoticed) {
   VideoFile video(folder / "film.mp4", 64, 64, {});
   for (int i = 0; i < 3; ++i) video.add(grey(64, 64));
   expect_thrown<std::runtime_error>([&] { video.finish(); }, "disc full");
+  EXPECT_FALSE(std::filesystem::exists(folder / "film.mp4"));
+}
+
+// On a full disk ffmpeg may end as if all had been written. A limit on the size of files stands for
+// the disk; the encoder inherits it, and the signal that it ignores.
+TEST(Video, AFilmOnAFullDiskIsNotWritten) {
+  for (const bool gif : {false, true}) {
+    const Folder folder;
+    Encoding encoding;
+    encoding.gif = gif;
+    rlimit before{};
+    ASSERT_EQ(::getrlimit(RLIMIT_FSIZE, &before), 0);
+    const auto handler = std::signal(SIGXFSZ, SIG_IGN);
+    const rlimit small{600, before.rlim_max};
+    ASSERT_EQ(::setrlimit(RLIMIT_FSIZE, &small), 0);
+    const std::string file = gif ? "film.gif" : "film.mp4";
+    EXPECT_THROW(
+        {
+          VideoFile video(folder / file, 64, 64, encoding);
+          for (int i = 0; i < 30; ++i) video.add(grey(64, 64));
+          video.finish();
+        },
+        std::runtime_error);
+    ::setrlimit(RLIMIT_FSIZE, &before);
+    std::signal(SIGXFSZ, handler);
+    EXPECT_EQ(folder.entries(), 0u) << file;
+  }
+}
+
+// One that says nothing and leaves half of a film: its first box reaches beyond the file.
+TEST(Video, AFilmThatIsNotWholeIsNotWritten) {
+  const Folder folder;
+  const Path path =
+      stand_in(folder, "/bin/cat > /dev/null\nprintf '\\000\\000\\020\\000ftypisom' > /dev/fd/3\n");
+  VideoFile video(folder / "film.mp4", 64, 64, {});
+  video.add(grey(64, 64));
+  expect_thrown<std::runtime_error>([&] { video.finish(); }, "incomplete");
   EXPECT_FALSE(std::filesystem::exists(folder / "film.mp4"));
 }
 

@@ -3,12 +3,14 @@
 //
 // R of the plane: kMirrored (x, y) -> (x, -y), which turns all rotation round; kTurned (x, y) ->
 // (-y, x). Both are exact in floating point, and both map the actuator's axes at 45 degrees onto
-// each other.
+// each other. kAskew turns by an angle that is no part of a right one: then a machine that has axes
+// of its own which no key can turn is not_expressible().
 #pragma once
 
 #include <Eigen/Core>
 
 #include <algorithm>
+#include <cmath>
 #include <cstdio>
 #include <numbers>
 #include <string>
@@ -18,13 +20,13 @@
 
 namespace rotorub::test {
 
-enum class Symmetry { kMirrored, kTurned };
+enum class Symmetry { kMirrored, kTurned, kAskew };
 
 class Transformed {
  public:
   // Of the scene as it was read.
   Transformed(const scene::Scene& scene, Symmetry symmetry)
-      : mirrored_(symmetry == Symmetry::kMirrored) {
+      : mirrored_(symmetry == Symmetry::kMirrored), askew_(symmetry == Symmetry::kAskew) {
     rotor(scene.rotor);
     if (scene.drive) drive(*scene.drive);
     for (std::size_t k = 0; k < scene.forces.size(); ++k)
@@ -36,10 +38,22 @@ class Transformed {
     if (scene.gravity) vector("gravity.acceleration", scene.gravity->acceleration);
     if (scene.base) base(*scene.base);
     initial(scene);
+    for (const scene::AuxiliaryBearing& at_ring : scene.auxiliary) {
+      if (at_ring.actuator) no_key("an actuator's axes are at 45 degrees");
+      const auto& ring = at_ring.stator;
+      if (ring && ring->dry_friction) no_key("a ring's dry friction is along its axes");
+    }
+    if (!scene.magnetic_bearings.empty()) no_key("magnetic bearings act along the axes");
   }
 
   const std::vector<std::string>& overrides() const { return overrides_; }
+  // Why the keys cannot say the machine turned by kAskew; empty: they can.
+  const std::string& not_expressible() const { return not_expressible_; }
   Eigen::Vector2d of(const Eigen::Vector2d& v) const {
+    if (askew_) {
+      const double c = std::cos(kAngle), s = std::sin(kAngle);
+      return {c * v.x() - s * v.y(), s * v.x() + c * v.y()};
+    }
     return mirrored_ ? Eigen::Vector2d(v.x(), -v.y()) : Eigen::Vector2d(-v.y(), v.x());
   }
   double sense() const { return mirrored_ ? -1.0 : 1.0; }
@@ -66,18 +80,27 @@ class Transformed {
   void vector(const std::string& key, const Eigen::Vector2d& v) {
     if (!v.isZero(0.0)) set(key, text({of(v).x(), of(v).y()}));
   }
+  void no_key(const std::string& why) {
+    if (askew_ && not_expressible_.empty()) not_expressible_ = why;
+  }
   // Of the two planes: they change places where the machine is turned.
   void planes(const std::string& key, const Eigen::Vector2d& v) {
+    if (askew_) {
+      if (v.x() != v.y()) no_key(key + " is along the axes");
+      return;
+    }
     if (!mirrored_ && v.x() != v.y()) set(key, text({v.y(), v.x()}));
   }
   // The direction of an angle in the plane.
   double direction(double angle) const {
+    if (askew_) return angle + kAngle;
     return mirrored_ ? -angle : angle + 0.5 * std::numbers::pi;
   }
 
   void rotor(const scene::Rotor& rotor) {
     number("rotor.speed", sense() * rotor.speed);
-    if (const auto& modal = rotor.modal; modal && !mirrored_ && !modal->mass_y.empty()) {
+    if (rotor.modal && askew_ && !rotor.modal->mass_y.empty()) no_key("modes of each plane");
+    if (const auto& modal = rotor.modal; modal && !mirrored_ && !askew_ && !modal->mass_y.empty()) {
       for (const auto& [name, x, y] :
            {std::tuple{"mass", &modal->mass, &modal->mass_y},
             std::tuple{"stiffness", &modal->stiffness, &modal->stiffness_y},
@@ -97,9 +120,19 @@ class Transformed {
     }
   }
   void bearing(const scene::ShaftBearing& b, const std::string& at) {
+    vector(at + "offset", b.offset);
+    if (askew_) {
+      if (b.follows_speed()) {
+        turned_table(at + "table_k", b.table_kxx, b.table_kxy, b.table_kyx, b.table_kyy);
+        turned_table(at + "table_c", b.table_cxx, b.table_cxy, b.table_cyx, b.table_cyy);
+      } else {
+        turned(at, "stiffness", b.stiffness, b.cross_stiffness);
+        turned(at, "damping", b.damping, b.cross_damping);
+      }
+      return;
+    }
     planes(at + "stiffness", b.stiffness);
     planes(at + "damping", b.damping);
-    vector(at + "offset", b.offset);
     // R K R': the cross terms change their sign, and places where it is turned.
     const auto cross = [&](const std::string& key, const Eigen::Vector2d& c) {
       if (!c.isZero(0.0))
@@ -107,6 +140,36 @@ class Transformed {
     };
     cross("cross_stiffness", b.cross_stiffness);
     cross("cross_damping", b.cross_damping);
+  }
+  // R K R' of [xx, yy] and [xy, yx].
+  void turned(const std::string& at, const std::string& key, const Eigen::Vector2d& own,
+              const Eigen::Vector2d& cross) {
+    if (own.x() == own.y() && cross.x() == -cross.y()) return;
+    const Eigen::Matrix2d turned = turned_matrix(own.x(), cross.x(), cross.y(), own.y());
+    set(at + key, text({turned(0, 0), turned(1, 1)}));
+    set(at + "cross_" + key, text({turned(0, 1), turned(1, 0)}));
+  }
+  static Eigen::Matrix2d turned_matrix(double xx, double xy, double yx, double yy) {
+    Eigen::Matrix2d R, K;
+    R << std::cos(kAngle), -std::sin(kAngle), std::sin(kAngle), std::cos(kAngle);
+    K << xx, xy, yx, yy;
+    return R * K * R.transpose();
+  }
+  void turned_table(const std::string& at, const std::vector<double>& xx,
+                    const std::vector<double>& xy, const std::vector<double>& yx,
+                    const std::vector<double>& yy) {
+    if (xx.empty()) return;
+    std::vector<double> turned[4];
+    for (std::size_t k = 0; k < xx.size(); ++k) {
+      const auto or_none = [k](const std::vector<double>& list) {
+        return list.empty() ? 0.0 : list[k];
+      };
+      const Eigen::Matrix2d m =
+          turned_matrix(xx[k], or_none(xy), or_none(yx), yy.empty() ? xx[k] : yy[k]);
+      for (int entry = 0; entry < 4; ++entry) turned[entry].push_back(m(entry / 2, entry % 2));
+    }
+    const char* names[4] = {"xx", "xy", "yx", "yy"};
+    for (int entry = 0; entry < 4; ++entry) set(at + names[entry], text(turned[entry]));
   }
   void drive(const scene::Drive& drive) {
     number("drive.speed", sense() * drive.speed);
@@ -178,7 +241,9 @@ class Transformed {
     turned_round("torsion_speed", initial.torsion_speed);
   }
 
-  bool mirrored_;
+  static constexpr double kAngle = 0.65;  // rad
+  bool mirrored_, askew_;
+  std::string not_expressible_;
   std::vector<std::string> overrides_;
 };
 

@@ -1,6 +1,6 @@
 // The picture beneath a comparison's answer: native beside MuJoCo alone, where the two part.
 import {timeTraces} from './traces.js';
-import {axes, layout, short} from './style.js';
+import {axes, css, layout, line, short, symbol} from './style.js';
 
 const kLooks = 4000;      // instants of the run at which the two are compared
 const kApart = 0.01;      // of the clearance, or
@@ -32,7 +32,20 @@ export function partingWindow(native, other, {from, to}, clearance, usualForce, 
   return [first, Math.min(to, first + (kTurns + 0.5) * turn)];
 }
 
-// {data, layout, words}, or null where there is nothing to be seen. Gap above, normal force below.
+// The impulse of each impact in [from, to], a stem: of a soft contact that of an episode, so that an impact that takes
+// steps and one that takes none are drawn alike.
+export function impulseTrace(run, [from, to]) {
+  const x = [], y = [];
+  run.points.t.forEach((t, k) => {
+    if (t < from || t > to) return;
+    x.push(t, t, null);
+    y.push(0, run.points.y[k], null);
+  });
+  return {x, y, name: run.label, meta: run.label, type: 'scatter', mode: 'lines+markers', opacity: 0.8, line: line(run.label),
+    marker: {color: css(`--${run.label}`), size: 5, symbol: symbol(run.label)}, hovertemplate: `%{y:.4g} mN s<extra>${run.label}</extra>`};
+}
+
+// {data, layout, words}, or null where there is nothing to be seen. Gap above, impulses below.
 export function firstFigure(scene, runs) {
   const native = runs[0], other = runs[besideNative(runs, ['cone', 'cone-default'])];
   if (!other || other === native || !native.has('gap') || !scene.contacts[0].touches) return null;
@@ -41,12 +54,12 @@ export function firstFigure(scene, runs) {
   const range = partingWindow(native, other, whole, scene.contacts[0].clearance, native.forces.usual, turn);
   if (!range) return null;
   const pair = [native, other];
-  const gaps = timeTraces(pair, 'gap', range), forces = timeTraces(pair, 'normal_force', range).map((trace) => ({...trace, yaxis: 'y2'}));
-  const below = forces.length > 0;
-  return {data: [...gaps, ...forces], layout: layout({hovermode: 'x unified',
+  const gaps = timeTraces(pair, 'gap', range), impulses = pair.map((run) => ({...impulseTrace(run, range), yaxis: 'y2'}));
+  const below = impulses.some((trace) => trace.x.length > 0);
+  return {data: [...gaps, ...(below ? impulses : [])], layout: layout({hovermode: 'x unified',
     xaxis: axes({title: {text: 't / s', standoff: 6}, range: range.slice(), hoverformat: '.6f', anchor: below ? 'y2' : 'y'}),
     yaxis: axes({title: {text: 'gap / µm', standoff: 4}, domain: [below ? 0.54 : 0, 1]}),
-    ...(below ? {yaxis2: axes({title: {text: 'force / N', standoff: 4}, domain: [0, 0.46]})} : {})}),
+    ...(below ? {yaxis2: axes({title: {text: 'impulse / mN s', standoff: 4}, domain: [0, 0.46]})} : {})}),
   words: {other: other.label, from: range[0]}};
 }
 
@@ -60,7 +73,7 @@ export function showFirst(plot, scene, runs, show) {
   const name = figure.words.other === 'cone' ? 'MuJoCo alone' : figure.words.other;
   const sample = (label, text) => `<span class="key-of"><i class="swatch side-${label}"></i>${text}</span>`;
   place.querySelector('figcaption').innerHTML = `<b>Where they part</b>, shown from ${short(1e3 * figure.words.from)} ms on: ` +
-    `${sample(native(runs), 'native')} ${sample(figure.words.other, name)} — gap (0: contact), and normal force`;
+    `${sample(native(runs), 'native')} ${sample(figure.words.other, name)} — gap (0: contact), and impulse of each impact`;
   show(plot, figure);
 }
 const native = (runs) => runs[0].label;

@@ -46,12 +46,23 @@ function waterfall(scene, _range, hidden) {
     xaxis: titled('backward   ←   whirl / Hz   →   forward', {range: w.f.slice()}), yaxis: titled('t / s', {range: [bottom, top]})})};
 }
 
+// [range of x, range of y] about points, no narrower than a tenth of how far they lie from the middle: places that are the
+// same but for a thousandth are one place, not a cloud. Null: nothing to show.
+export function ranges(points) {
+  if (!points.length) return null;
+  const low = [0, 1].map((c) => Math.min(...points.map((p) => p[c]))), high = [0, 1].map((c) => Math.max(...points.map((p) => p[c])));
+  const width = Math.max(1.1 * (high[0] - low[0]), 1.1 * (high[1] - low[1]), 0.1 * Math.max(...points.map((p) => Math.hypot(...p))));
+  return width > 0 ? [0, 1].map((c) => [0.5 * (low[c] + high[c] - width), 0.5 * (low[c] + high[c] + width)]) : null;
+}
+
 function poincare(scene) {
+  const points = have(scene, 'poincare').flatMap(({whirl: {poincare: {x, y}}}) => x.map((v, k) => [v, y[k]]));
+  const [x, y] = ranges(points) || [null, null];
   return {data: have(scene, 'poincare').map((side) => ({...trace(side, side.whirl.poincare.x, side.whirl.poincare.y), mode: 'markers',
     marker: {color: css(`--${side.label}`), size: side.label === 'native' ? 7 : 8, symbol: symbol(side.label), opacity: 0.8},
     hovertemplate: `(%{x:.5g}, %{y:.5g}) µm<extra>${side.label}</extra>`})),
-  layout: layout({hovermode: 'closest', xaxis: titled('x / µm', {automargin: false, constrain: 'domain'}),
-    yaxis: titled('y / µm', {automargin: false, constrain: 'domain', scaleanchor: 'x'})})};
+  layout: layout({hovermode: 'closest', xaxis: titled('x / µm', {automargin: false, constrain: 'domain', ...(x ? {range: x} : {})}),
+    yaxis: titled('y / µm', {automargin: false, constrain: 'domain', scaleanchor: 'x', ...(y ? {range: y} : {})})})};
 }
 
 function residual(scene, range) {

@@ -61,7 +61,7 @@ TEST(ColumnNames, AreThoseOfTheFile) {
 TEST(ColumnNames, OfNoColumnAreRefused) {
   const std::string text = logged(0.0, 1.0);
   EXPECT_NE(reason_of(text, {}).find("no such column"), std::string::npos);
-  EXPECT_NE(reason_of(text, {}).find("--measured-column \"Time = t [ms]\" says what"),
+  EXPECT_NE(reason_of(text, {}).find("--measured-column \"CH1 Probe = rotor_x [mils]\" says what"),
             std::string::npos)
       << reason_of(text, {});
   EXPECT_NE(

@@ -170,6 +170,29 @@ TEST(MeasuredReader, TakesTheWaysOfOtherPrograms) {
       2e-6);
 }
 
+TEST(MeasuredReader, PassesOverWhatAnInstrumentWritesBeforeTheHeader) {
+  const std::string before = "Model,DPO2024\nSerial;C000\n\n\"Record length\",20,points\n";
+  const MeasuredRecord r =
+      parse_measured(before + with_lines("Time [ms],gap [um]", "0,2"), "a.csv");
+  EXPECT_DOUBLE_EQ(r.t[3], 3e-3);
+  EXPECT_DOUBLE_EQ(r.find("gap")->value[0], 2e-6);
+  // Lines are counted from the file's first.
+  try {
+    parse_measured(before + with_lines("Time [ms],gap [um]", "0,x"), "a.csv");
+    ADD_FAILURE() << "is taken";
+  } catch (const scene::SceneError& error) {
+    EXPECT_EQ(error.diagnostics().front().line, 6);
+  }
+}
+
+TEST(MeasuredReader, TakesTheTimesThatItIsTold) {
+  std::string text = "Time [s],Clock,gap [um]\n";
+  for (int k = 0; k < 20; ++k) text += "12," + std::to_string(k) + ",1\n";
+  const MeasuredRecord r = parse_measured(text, "a.csv", {{"Clock", "t [ms]"}, {"gap", "gap"}});
+  EXPECT_DOUBLE_EQ(r.t[2], 2e-3);
+  EXPECT_EQ(r.left_out, std::vector<std::string>{"Time [s]"});
+}
+
 // Its columns have no units; what is not compared is named, what is none of its is refused.
 TEST(MeasuredReader, TakesTheProductsOwnSeriesInSi) {
   std::string text = "t,rotor_x,stator_y,gap_rate,mode,x_1,torsion_speed_2\n";
@@ -195,7 +218,7 @@ TEST(MeasuredReader, RefusesWithLineColumnReasonAndWhatIsAccepted) {
   const std::vector<Refused> all = {
       {"empty file", "", 0, "", "is empty", "a header and a line a sample"},
       {"comments alone", "# nothing\n", 0, "", "is empty", "accepted"},
-      {"no time", with_lines("time [s],gap [um]", "0,1"), 1, "time", "no such column",
+      {"no time", with_lines("clock [s],gap [um]", "0,1"), 1, "clock", "no such column",
        "accepted are t, rotor_x"},
       {"unknown column", with_lines("t [s],rotorx [um]", "0,1"), 1, "rotorx",
        "did you mean rotor_x?", "accepted are t, rotor_x"},
@@ -210,6 +233,10 @@ TEST(MeasuredReader, RefusesWithLineColumnReasonAndWhatIsAccepted) {
        "rotor_x [um]"},
       {"words behind the unit", with_lines("t [s],gap [mm] p-p", "0,1"), 1, "gap", "not closed",
        "rotor_x [um]"},
+      {"peak to peak", with_lines("t [s],gap (mil pp)", "0,1"), 1, "gap",
+       "`mil pp` is the unit of an amplitude", "--measured-column \"gap = gap [mil]\""},
+      {"a logger's y", with_lines("t [s],CH1 Y (mil pp)", "0,1"), 1, "CH1 Y", "no such column",
+       "--measured-column \"CH1 Y = rotor_y [mil]\""},
       {"empty unit", with_lines("t [s],gap []", "0,1"), 1, "gap", "no unit", "m, mm, um"},
       {"one without a unit", with_lines("t [s],gap", "0,1"), 1, "gap",
        "has no unit, which other columns have", "gap [m]"},

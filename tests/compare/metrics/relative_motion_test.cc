@@ -76,6 +76,15 @@ TEST(WhirlFrequency, CountsTurnsBetweenFarRows) {
   EXPECT_NEAR(whirl_frequency(points, {0, 100}), w.frequency, 1e-6);
 }
 
+// A machine at rest: the ulps that twins start with turn round at its natural frequency.
+TEST(WhirlFrequency, OfAMachineAtRestIsZero) {
+  Whirl w;
+  w.clearance = 1e-19;
+  const auto points =
+      relative_motion(hand_made(200, 1e-4, [&](double t) { return sliding(w, t); }));
+  EXPECT_EQ(whirl_frequency(points, {0, 200}), 0.0);
+}
+
 TEST(WhirlFrequency, NeedsTwoRows) {
   const auto points = relative_motion(hand_made(3, 1.0, [](double) { return test::Row{}; }));
   EXPECT_EQ(whirl_frequency(points, {1, 2}), 0.0);

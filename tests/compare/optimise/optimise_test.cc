@@ -159,6 +159,23 @@ max = 1e6
   EXPECT_LT(std::abs(optimum.evaluations[*optimum.best].values[0]), 5e-3);
 }
 
+// The orbit shrinks all the way as the damping rises.
+TEST_F(Optimise, SaysThatTheBestIsAtTheEndOfARange) {
+  const Task t =
+      task(std::string(kDamping) + "[optimise]\nminimise = \"modes.speeds.0.response.orbit\"\n");
+  const Optimum optimum = found(t);
+  ASSERT_TRUE(optimum.best);
+  EXPECT_NEAR(optimum.evaluations[*optimum.best].values[0], 4000.0, 4.0);
+  const std::string says = "at the upper end of the range of rotor.modal.damping[0]";
+  EXPECT_EQ(edge_text(t, optimum), says + ": a wider range may hold better values");
+  EXPECT_EQ(optimum_json(t, optimum).at("best").at("edge"), edge_text(t, optimum));
+  EXPECT_NE(optimum_text("x", t, optimum).find("(an end of its range)"), std::string::npos);
+  EXPECT_NE(optimum_page("x", t, optimum, "").find(says), std::string::npos);
+  const Task middle = task(std::string(kDamping) +
+                           "[optimise]\nminimise = \"modes.speeds.0.rub.free_growth_rate\"\n");
+  EXPECT_EQ(edge_text(middle, found(middle)), "");
+}
+
 TEST_F(Optimise, SaysWhereNothingKeepsTheConstraints) {
   const Task t = task(std::string(kDamping) +
                       "[optimise]\nmaximise = \"least_gap\"\nevaluations = 15\n"

@@ -45,6 +45,21 @@ TEST(WhirlPlots, TheSpectrumPeaksAtTheWhirl) {
   EXPECT_LE(*peak, 20.01);
 }
 
+// A circle of 617.7 um at 60 Hz, which lies between the frequencies that 0.27 s tell apart.
+TEST(WhirlPlots, TheSpectrumHasTheSizeAndTheFrequencyOfACircle) {
+  const Trajectory run = test::orbit_run(0.54, 4001, [](double t) {
+    const auto z = 617.7e-6 * std::polar(1.0, kTurn * 60.0 * t);
+    return test::OrbitRow{z, std::complex<double>(0.0, kTurn * 60.0) * z, kTurn * 60.0 * t,
+                          kTurn * 60.0};
+  });
+  const json spectrum = whirl_data(run, nullptr, 480.0).at("spectrum");
+  const auto f = spectrum.at("f").get<std::vector<double>>(),
+             y = spectrum.at("y").get<std::vector<double>>();
+  const auto peak = std::max_element(y.begin(), y.end());
+  EXPECT_NEAR(f[static_cast<std::size_t>(peak - y.begin())], 60.0, 0.1);
+  EXPECT_NEAR(*peak, 617.7, 0.5);
+}
+
 TEST(WhirlPlots, TheWaterfallHasNoEmptyColumns) {
   const json w = whirl_data(whirling(), nullptr, 320.0).at("waterfall");
   const auto columns = w.at("columns").get<int>(), rows = w.at("rows").get<int>();

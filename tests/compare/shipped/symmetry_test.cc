@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <cmath>
 #include <optional>
+#include <set>
 #include <string>
 #include <tuple>
 #include <vector>
@@ -37,6 +38,19 @@ double distance(const Trajectory& a, const Trajectory& image, const Transformed&
   return most;
 }
 
+// Machines with axes that no key turns: an actuator at 45 degrees, magnetic bearings, a ring or
+// modes with values of their own in x and y.
+const std::set<std::string>& scenes_with_axes() {
+  static const std::set<std::string> names{};
+  return names;
+}
+
+const char* word(Symmetry symmetry) {
+  return symmetry == Symmetry::kMirrored ? ", mirrored"
+         : symmetry == Symmetry::kTurned ? ", turned"
+                                         : ", turned askew";
+}
+
 class LongSymmetry : public ::testing::TestWithParam<std::string> {};
 
 // To round-off, as far as a twin that starts some units in the last place aside stays beside it.
@@ -51,8 +65,12 @@ TEST_P(LongSymmetry, EveryEngineSeesTheSameMachine) {
                                        std::to_string(std::min(whole->run.end, 0.115))};
   const double clearance = whole->first().contact->clearance,
                radius = whole->first().contact->radius;
-  for (const Symmetry symmetry : {Symmetry::kMirrored, Symmetry::kTurned}) {
+  for (const Symmetry symmetry : {Symmetry::kMirrored, Symmetry::kTurned, Symmetry::kAskew}) {
     const Transformed by(*whole, symmetry);
+    if (!by.not_expressible().empty()) {
+      EXPECT_TRUE(scenes_with_axes().contains(GetParam().substr(1))) << by.not_expressible();
+      continue;
+    }
     std::vector<std::string> overrides = plain;
     overrides.insert(overrides.end(), by.overrides().begin(), by.overrides().end());
     if (by.sense() < 0.0 && whole->drive && whole->drive->kind == scene::DriveKind::kKloss) {
@@ -62,15 +80,20 @@ TEST_P(LongSymmetry, EveryEngineSeesTheSameMachine) {
     }
     for (const NamedEngine& e : engines()) {
       const auto a = run(e, GetParam(), plain), image = run(e, GetParam(), overrides);
-      const std::string what =
-          e.engine->name() + " " + e.override_ + (by.sense() < 0.0 ? ", mirrored" : ", turned");
+      const std::string what = e.engine->name() + " " + e.override_ + word(symmetry);
       ASSERT_EQ(a.has_value(), image.has_value()) << what;
       if (!a) continue;
       EXPECT_EQ(a->status, image->status) << what << ": " << a->message << " | " << image->message;
       if (a->status != Status::kOk) continue;
       const double apart = distance(*a, *image, by, radius);
       const double arc = radius * std::abs(a->column("spin_angle").back());  // its round-off counts
-      const auto bound = [&](double of) { return e.floor * clearance + 100.0 * of + 1e-14 * arc; };
+      // Turned askew every number of the scene is rounded anew, and event's error norm is of other
+      // axes.
+      const bool askew = symmetry == Symmetry::kAskew;
+      const double floor = askew ? std::max(e.floor, kSolver) : e.floor;
+      const auto bound = [&](double of) {
+        return floor * clearance + (askew ? 1e4 : 100.0) * of + 1e-14 * arc;
+      };
       double scatter = 0.0;
       // One twin may by chance stay near where others do not: where it does, those of the image are
       // asked too.

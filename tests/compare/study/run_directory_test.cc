@@ -46,6 +46,22 @@ TEST_F(RunDirectory, ReadsBackTheSameBits) {
   EXPECT_EQ(stored.trajectory.step, run_.step);
 }
 
+// A page of the run before, beside the series of this one, would show another motion.
+TEST_F(RunDirectory, RemovesWhatWasMadeOfAnEarlierRun) {
+  write_run(folder_, scene_, run_);
+  for (const char* file : {kRunPage, kLyapunovFile, "run.h5", "notes.txt"})
+    std::ofstream(folder_ / file) << "of the first run";
+  write_run(folder_, scene_, run_);
+  for (const char* file : {kRunPage, kLyapunovFile, "run.h5"})
+    EXPECT_FALSE(std::filesystem::exists(folder_ / file)) << file;
+  EXPECT_TRUE(std::filesystem::exists(folder_ / "notes.txt")) << "is the user's";
+  // A folder that is none of a run may have a page of that name.
+  std::filesystem::create_directories(own_ / "other");
+  std::ofstream(own_ / "other" / kRunPage) << "mine";
+  write_run(own_ / "other", scene_, run_);
+  EXPECT_TRUE(std::filesystem::exists(own_ / "other" / kRunPage));
+}
+
 TEST_F(RunDirectory, NamesFileAndLineOfDamage) {
   write_run(folder_, scene_, run_);
   std::ofstream(folder_ / "series.csv", std::ios::app) << "1,2,nonsense\n";

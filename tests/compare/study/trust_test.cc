@@ -76,14 +76,32 @@ TEST(FigureVerdict, ASmallGapRateIsWrittenAsItIs) {
   EXPECT_EQ(difference_text(f), "0.1570 mm/s instead of 0.1960");
 }
 
-TEST(FigureVerdict, SmallCountsAreJudgedAbsolutely) {
+TEST(FigureVerdict, OneMoreOrLessOfACountIsNotOutside) {
   const Figure& hard = figure("hard_impacts");
-  EXPECT_EQ(judged(hard, 0.0, 1.0, kPercent).verdict, FigureVerdict::kWithin)
-      << "a soft start counts one";
-  EXPECT_EQ(judged(hard, 6.0, 7.0, kPercent).verdict, FigureVerdict::kWithin);
-  EXPECT_EQ(judged(hard, 6.0, 3.0, kPercent).verdict, FigureVerdict::kOutside);
-  EXPECT_EQ(judged(hard, 600.0, 605.0, kPercent).verdict, FigureVerdict::kWithin);
-  EXPECT_EQ(judged(hard, 600.0, 610.0, kPercent).verdict, FigureVerdict::kOutside);
+  const auto verdict = [&](double native, double other) {
+    return judged(hard, native, other, kPercent).verdict;
+  };
+  EXPECT_EQ(verdict(0.0, 0.0), FigureVerdict::kNotJudged);
+  EXPECT_EQ(verdict(0.0, 1.0), FigureVerdict::kUndecidable) << "a soft start counts one";
+  EXPECT_EQ(verdict(2.0, 1.0), FigureVerdict::kUndecidable) << "half of them, but one";
+  EXPECT_EQ(verdict(6.0, 6.0), FigureVerdict::kWithin);
+  EXPECT_EQ(verdict(6.0, 3.0), FigureVerdict::kOutside);
+  EXPECT_EQ(verdict(0.0, 2.0), FigureVerdict::kOutside);
+  EXPECT_EQ(verdict(600.0, 601.0), FigureVerdict::kWithin);
+  EXPECT_EQ(verdict(600.0, 605.0), FigureVerdict::kWithin);
+  EXPECT_EQ(verdict(600.0, 610.0), FigureVerdict::kOutside);
+}
+
+TEST(FigureVerdict, SmallCountsAreWrittenAsCounts) {
+  const Figure& hard = figure("hard_impacts");
+  const JudgedFigure more = judged(hard, 30.0, 42.0, kPercent);
+  EXPECT_DOUBLE_EQ(more.deviation, 0.4) << "of 30, not of 100";
+  EXPECT_EQ(difference_text(more), "42 instead of 30");
+  EXPECT_EQ(deviation_text(more), "+12");
+  EXPECT_EQ(why({judged(hard, 2.0, 1.0, kPercent)}, kPercent),
+            "undecidable at 1 %: hard impacts 1 instead of 2 (2 more or fewer would be detected)");
+  EXPECT_EQ(difference_text(judged(hard, 600.0, 610.0, kPercent)), "+1.67 %");
+  EXPECT_EQ(difference_text(judged(hard, 6.0, 6.0, kPercent)), "0");
 }
 
 TEST(FigureVerdict, ANearMissIsJudged) {
@@ -207,6 +225,21 @@ TEST(AnswerRow, SaysWhyMujocoAloneIsNotAmongThem) {
             std::string::npos);
   c.scene.mujoco.rotor = scene::MujocoRotor::kSegments;
   EXPECT_EQ(cone_note(c), "");
+}
+
+// Whoever reads that MuJoCo alone bounces asks with which solref.
+TEST(AnswerRow, SaysTheSolrefOfTheSoftContacts) {
+  SceneComparison c = made_by_hand();
+  EXPECT_EQ(solref_note(c), "");
+  c.sides[1].label = "cone";
+  c.sides[1].solref = "-2e+08 -1e+04";
+  Side& by_default = c.sides.emplace_back();
+  by_default.label = "cone-default";
+  by_default.solref = "0.02 1";
+  c.differences.push_back(c.differences[0]);
+  EXPECT_EQ(solref_note(c),
+            "The soft contacts use solref \"-2e+08 -1e+04\" (cone), \"0.02 1\" (cone-default, "
+            "MuJoCo's default).");
 }
 
 TEST(ThreeErrors, AreThoseOfTheFigureThatIsFurthestOff) {

@@ -36,6 +36,25 @@ integrator = "verlet"
   EXPECT_EQ(study.engine, EngineKind::kNative);
 }
 
+// [controller.config] takes any name, a number or a text.
+TEST(Study, TakesTheNamesOfTheUsersLaw) {
+  const StudyFolder folder;
+  const Study study = folder.study(of_ring() + R"([sample]
+kind = "list"
+[[vary]]
+key = "controller.config.stiffness"
+values = [1e5, 2e5]
+[[vary]]
+key = "contact[0].controller.config.law"
+values = ["soft", "hard"]
+)");
+  EXPECT_EQ(study.vary[0].values[1].number, 2e5);
+  EXPECT_EQ(study.vary[1].values[1].text, "hard");
+  EXPECT_EQ(study.vary[0].unit, "");
+  const std::string range = "[[vary]]\nkey = \"controller.config.gain\"\nfrom = 0\nto = 1\n";
+  EXPECT_EQ(folder.refusal(of_ring() + "[sample]\nkind = \"grid\"\n" + range + "count = 3\n"), "");
+}
+
 TEST(Study, QuantitiesAreInTheUnitOfTheirKey) {
   const StudyFolder folder;
   const Study study = folder.study(of_ring() + R"([sample]

@@ -1,0 +1,102 @@
+// What the program says of names and numbers as a user wrote them.
+#include <fstream>
+
+#include "tests/cli/program.h"
+
+namespace rotorub::test {
+namespace {
+
+const std::string kEscape = "\x1b[31m";
+
+// A name of a file may hold what a terminal obeys.
+TEST(CliSpoken, NoEscapeSequenceOfANameIsEchoed) {
+  const Folder folder;
+  const std::string scene = "a" + kEscape + ".toml", out = "out" + kEscape;
+  std::filesystem::copy_file(shipped("bench_ring"), folder.path() / scene);
+  for (const std::vector<std::string>& call :
+       std::vector<std::vector<std::string>>{{"run", scene, "--end", "1 ms", "-o", out},
+                                             {"modes", scene, "-o", out + ".html"},
+                                             {"mjcf", scene, "-o", out + ".xml"},
+                                             {"plot", out},
+                                             {"compare", scene, "--end", "1 ms", "--twins", "0",
+                                              "--no-video", "--no-modes-ladder", "-o", out + "2"},
+                                             {"run", scene, "--set", "contact.friction=-1"}}) {
+    const Outcome done = folder.run(call);
+    EXPECT_LT(done.code, 3) << done.err;
+    EXPECT_FALSE(contains(done.out, "\x1b")) << call.front() << done.out;
+    EXPECT_FALSE(contains(done.err, "\x1b")) << call.front() << done.err;
+  }
+  // Nor one in a text of a scene.
+  const Outcome text =
+      folder.run({"run", shipped("bench_ring"), "--set", "contact={name=\"a\\u001b[31m\"}"});
+  EXPECT_EQ(text.code, 2);
+  EXPECT_FALSE(contains(text.err, "\x1b")) << text.err;
+}
+
+// The command to join the shards is one to paste.
+TEST(CliSpoken, TheHintOfSlurmIsQuoted) {
+  const Folder folder;
+  std::ofstream(folder.path() / "my study.toml")
+      << "scene = \"" << shipped("bench_ring")
+      << "\"\n[sample]\nkind = \"grid\"\n[[vary]]\nkey = \"contact.friction\"\nvalues = [0.1]\n"
+         "[run]\nend = \"1 ms\"\n";
+  std::filesystem::create_directory(folder.path() / "bin");
+  std::ofstream(folder.path() / "bin/sbatch") << "#!/bin/sh\necho 7\n";
+  std::filesystem::permissions(folder.path() / "bin/sbatch", std::filesystem::perms::owner_all);
+  Surroundings around;
+  around.environment.emplace_back("PATH", (folder.path() / "bin").string() + ":/usr/bin:/bin");
+  const Outcome sent =
+      folder.done({"sweep", "my study.toml", "-o", "out of $it", "--slurm"}, around);
+  EXPECT_TRUE(
+      contains(sent.out, "rotorub sweep 'my study.toml' -o 'out of $it' --merge 'out of $it'"))
+      << sent.out;
+}
+
+TEST(CliSpoken, ASpeedWithoutAUnitIsNoted) {
+  const Folder folder;
+  const std::string note =
+      "note: --speed = 3600 without a unit is in rad/s, 34377 rpm; for turns per minute write "
+      "\"3600 rpm\"";
+  const std::vector<std::string> modes{"modes", shipped("bench_ring"), "--speed"};
+  EXPECT_TRUE(contains(folder.done(with(modes, {"3600"})).err, note));
+  EXPECT_TRUE(contains(folder.done({"init", "fast", "--speed", "3600"}).err, note));
+  for (const char* meant : {"3600 rpm", "314.159", "3601"}) {
+    EXPECT_FALSE(contains(folder.done(with(modes, {meant})).err, "without a unit")) << meant;
+  }
+}
+
+// One sentence for all of a bearing's coefficients.
+TEST(CliSpoken, NamesOfRossAreTranslated) {
+  const Folder folder;
+  folder.done({"init", "ross", "-q"});
+  std::string text = folder.text("ross.toml");
+  const std::string ours = "stiffness = ";
+  text.insert(text.find(ours, text.find("[[rotor.bearing]]")), "kxx = 1e7\nkyy = 1e7\ncxx = 100\n");
+  std::ofstream(folder.path() / "ross.toml") << text;
+  const Outcome refused = folder.run({"run", "ross.toml"});
+  EXPECT_EQ(refused.code, 2);
+  const std::string said = "what ROSS calls kxx, kyy is stiffness = [kxx, kyy]";
+  EXPECT_TRUE(contains(refused.err, "rotor.bearing[0].kxx: unknown key; " + said)) << refused.err;
+  EXPECT_EQ(refused.err.find(said), refused.err.rfind(said)) << refused.err;
+}
+
+// What cannot be written is found before the work.
+TEST(CliSpoken, OutputsAreTriedOutFirst) {
+  const Folder folder;
+  std::filesystem::create_directories(folder.path() / "out/bench.json");
+  const Outcome bench = folder.run({"bench", shipped("bench_ring"), "-o", "out"});
+  EXPECT_EQ(bench.code, 2);
+  EXPECT_TRUE(contains(bench.err, "bench.json: is a folder")) << bench.err;
+  EXPECT_EQ(bench.out, "");
+  // A file system that takes no files, whoever asks.
+  for (const std::vector<std::string>& call : std::vector<std::vector<std::string>>{
+           {"tune", shipped("bench_ring"), "-o", "/proc/tuned.toml"},
+           {"bench", shipped("bench_ring"), "-o", "/proc/bench"}}) {
+    const Outcome refused = folder.run(call);
+    EXPECT_EQ(refused.code, 2) << refused.err;
+    EXPECT_EQ(refused.out, "");
+  }
+}
+
+}  // namespace
+}  // namespace rotorub::test
