@@ -34,9 +34,10 @@ enum class OwnSolref {
 class OwnMachine {
  public:
   // Starts from the keyframe "start" or "test", or from qpos0 if there is no keyframe. Throws
-  // plugin::ConfigError, with all that is wrong, for what the plugin refuses or has no twin, std::runtime_error with MuJoCo's message for what MuJoCo
-  // cannot read, or where no actuators take a controller's commands (ring_control.h),
-  // scene::SceneError for a start outside the ring, or at "controller".
+  // plugin::ConfigError, with all that is wrong, for what the plugin refuses or has no twin,
+  // std::runtime_error with MuJoCo's message for what MuJoCo cannot read, or where no actuators
+  // take a controller's commands (ring_control.h), scene::SceneError for a start outside the ring,
+  // or at "controller".
   explicit OwnMachine(const std::filesystem::path& file, const OwnRun& run = {});
 
   // The twin, named after the file; its text is the file's.

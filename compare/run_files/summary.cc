@@ -66,7 +66,8 @@ constexpr ColumnMeaning kSummaryKeys[] = {
      "interrupted",
      ""},
     {"message", "", "why it is not ok", ""},
-    {"warnings", "", "sentences: values of the scene that are hardly meant, or energy that does not add up", ""},
+    {"warnings", "",
+     "sentences: values of the scene that are hardly meant, or energy that does not add up", ""},
 };
 
 // Of each contact, where there are several.

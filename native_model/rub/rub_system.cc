@@ -161,11 +161,7 @@ void add_loads(const Model& model, RubSystem& system) {
 
 }  // namespace
 
-Model model_without_start(const scene::Scene& scene) {
-  scene::Scene middle = without_start(scene);
-  middle.initial.spin_angle = scene.initial.spin_angle;
-  return make_model(middle);
-}
+Model model_without_start(const scene::Scene& scene) { return make_model(without_start(scene)); }
 
 RubSystem rub_system(const scene::Scene& scene) {
   check(scene);

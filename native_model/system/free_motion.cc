@@ -289,7 +289,11 @@ Eigen::VectorXcd sampled_amplitude(const scene::Scene& scene, const Model& m, co
 }  // namespace
 
 scene::Scene without_start(scene::Scene scene) {
+  // How the shaft is turned at t = 0 is no motion: forces with a phase of their own meet the
+  // unbalance by it.
+  const double spin_angle = scene.initial.spin_angle;
   scene.initial = {};
+  scene.initial.spin_angle = spin_angle;
   for (scene::AuxiliaryBearing& at : scene.auxiliary) {
     if (at.stator) at.stator->position = at.stator->velocity = {0.0, 0.0};
   }

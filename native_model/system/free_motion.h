@@ -48,8 +48,8 @@ Eigen::VectorXcd unbalance_load(const Model& m, double speed);
 // controls their part at Omega (linear_loop.h). Throws as free_motion.
 Eigen::VectorXcd unbalance_amplitude(const scene::Scene& scene, const Model& m);
 
-// The scene at rest in the middle of its rings, whatever start it gives: for an analysis that asks
-// for none.
+// The scene at rest in the middle of its rings, whatever start it gives, but for the angle of the
+// spin: for an analysis that asks for none.
 scene::Scene without_start(scene::Scene scene);
 
 [[noreturn]] void refuse_steady(const scene::Scene& scene, const std::string& why);

@@ -134,7 +134,7 @@ class Documents(unittest.TestCase):
 
     def test_tables_of_figures_have_their_command(self):
         """Beside each table of results stands what makes it: in the lines of its section before it, or just below."""
-        command = re.compile(r"rotorub (run|compare|modes|bench|tune|sweep|check)\b|compare/run|ninja -C build rotorub_\w+")
+        command = re.compile(r"rotorub (run|compare|modes|bench|tune|sweep|check)\b|compare/run|ninja -C build rotorub_\w+|build/bin/test_\w+")
         tables = 0
         for name in WITH_FIGURES:
             lines = (SOURCE / name).read_text().splitlines()

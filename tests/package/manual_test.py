@@ -43,7 +43,7 @@ TRIED = [
     f"run {PAPER} --controller {OWN} {SAMPLED} --end 2ms -q -o r3",
     f"run {RING} --end 20ms --lyapunov -o r6 -q",
     f"run {DROP} --allow-library --end 2ms -q -o r5", f"check {DROP} --set run.end=11ms -q --allow-library -o k3",
-    f"compare {DROP} --allow-library --twins 0 --no-modes-ladder --no-video --step 20us --end 1ms -o c6 -q",
+    f"compare {DROP} --allow-library --twins 0 --jobs 2 --no-modes-ladder --no-video --step 20us --end 1ms -o c6 -q",
     f"bench {DROP} --allow-library --engines native-verlet --steps 100us --repeats 1 --end 1ms -q -o b3",
     "sweep study.toml -o s6 --jobs 1 -q --allow-library",
     f"tune {DROP} --allow-library --steps 20us --twins 0 --end 12ms -q -o tuned3.toml",

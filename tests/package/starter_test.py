@@ -85,7 +85,7 @@ class Starter(InAFolder):
                 self.rotorub("init", name, "--form", form, "--force", *words)
                 summary = self.summary(f"{name}.toml")
                 self.assertEqual(summary["status"], "ok", f"{name} {form}")
-                self.assertGreater(summary["impacts"], 0, f"{name} {form}")
+                self.assertGreater(summary["contact_fraction"], 0.0, f"{name} {form}")
 
     def test_two_catchers_bear_their_own_weight(self):
         """The rings of a slow machine are stiff enough not to sag below the rotor, which levitates until the magnets fail."""

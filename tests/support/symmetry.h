@@ -99,7 +99,11 @@ class Transformed {
 
   void rotor(const scene::Rotor& rotor) {
     number("rotor.speed", sense() * rotor.speed);
-    if (rotor.modal && askew_ && !rotor.modal->mass_y.empty()) no_key("modes of each plane");
+    if (const auto& modal = rotor.modal;
+        modal && (modal->mass != modal->mass_y || modal->stiffness != modal->stiffness_y ||
+                  modal->damping != modal->damping_y)) {
+      no_key("its modes differ in x and y");
+    }
     if (const auto& modal = rotor.modal; modal && !mirrored_ && !askew_ && !modal->mass_y.empty()) {
       for (const auto& [name, x, y] :
            {std::tuple{"mass", &modal->mass, &modal->mass_y},

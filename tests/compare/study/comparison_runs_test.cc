@@ -36,8 +36,8 @@ TEST(TimedEnd, IsAnEighthWhereContactIsAsFrequentThere) {
   EXPECT_DOUBLE_EQ(timed_end(run_of(1e-6), {pressing(0.0, kEnd), pressing(2e-3, kEnd)}), 0.1);
 }
 
-// In contact for half of the run: up to 0.6 s for a third of the time, up to 0.7 s for 43 %. Or for a
-// twentieth of it, early: up to 0.2 s for a fifth, up to 0.3 s for 13 %.
+// In contact for half of the run: up to 0.6 s for a third of the time, up to 0.7 s for 43 %. Or for
+// a twentieth of it, early: up to 0.2 s for a fifth, up to 0.3 s for 13 %.
 TEST(TimedEnd, TakesInWhatIsUnlikeTheStart) {
   EXPECT_DOUBLE_EQ(timed_end(run_of(1e-6), {pressing(0.4, kEnd)}), 0.7);
   EXPECT_DOUBLE_EQ(timed_end(run_of(1e-6), {pressing(0.05, 0.09), pressing(0.02, 0.06)}), 0.3);

@@ -58,8 +58,7 @@ TEST_F(StoreTest, RowsComeInTheOrderOfTheStudyToTheLastBit) {
             "forward_passes,backward_passes,whirl_time");
   EXPECT_NE(text.find("\n0,0.1,ok,,0,0,,0,0,1e-300,"), std::string::npos) << text;
   EXPECT_NE(text.find(",0.3333333333333333,"), std::string::npos);
-  EXPECT_NE(text.find("\n2,0.3,diverged,\"a \"\"comma\"\", and more\",,,"),
-            std::string::npos);
+  EXPECT_NE(text.find("\n2,0.3,diverged,\"a \"\"comma\"\", and more\",,,"), std::string::npos);
 }
 
 TEST_F(StoreTest, APointIsThereOnce) {

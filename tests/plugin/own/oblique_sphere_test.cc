@@ -88,7 +88,7 @@ class ObliqueSphere : public MujocoTest {
             EXPECT_NEAR(after.spin, exact.spin_after(), kLever * exact.spin_after());
             EXPECT_NEAR(after.tangential, exact.tangential_speed_after(),
                         kLever * exact.tangential_speed_after());
-            EXPECT_NEAR(after.across, 0.0, 1e-9);
+            EXPECT_NEAR(after.across, 0.0, 1e-6);  // m/s, of the solver's tolerance
           }
         }
       }
