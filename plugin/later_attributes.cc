@@ -43,9 +43,17 @@ std::string adhesion(const Model* m, const ContactPair& pair) {
     if (pair.pair >= 0 && m->pair_adhesion[pair.pair] != 0.0) {
       return message(
           "rotorub: <pair geom1=\"{}\" geom2=\"{}\" adhesion=\"{}\">: contact model {} only "
-          "pushes (a pair without the attribute has its geoms' adhesion); accepted: 0, or {}",
+          "pushes; accepted: 0, or {}",
           m->names + m->name_geomadr[pair.rotor_geom], m->names + m->name_geomadr[pair.ring_geom],
           m->pair_adhesion[pair.pair], scene::to_string(pair.law), instead());
+    }
+    for (const int geom : {pair.rotor_geom, pair.ring_geom}) {
+      if (m->geom_adhesion[geom] == 0.0) continue;
+      return message(
+          "rotorub: <geom name=\"{}\" adhesion=\"{}\">: contact model {} only pushes; accepted: 0, "
+          "or {}",
+          m->names + m->name_geomadr[geom], m->geom_adhesion[geom], scene::to_string(pair.law),
+          instead());
     }
   }
   return {};

@@ -80,13 +80,6 @@ TEST_F(LaterAttributes, AGeneratedRingRefusesThemToo) {
   expect_refused(with(text, "<body name=\"ring\"", "gravcomp=\"1\""), "gravcomp=\"1\"");
 }
 
-// A sensor with a history would have the values of other passes, which the plugin writes over.
-TEST_F(LaterAttributes, OurSensorsHaveNoHistory) {
-  expect_refused(with(document(Machine{}), "<user name=\"slip\"",
-                      "nsample=\"4\" delay=\"2e-5\" interp=\"zoh\""),
-                 "<user name=\"slip\">: has nsample");
-}
-
 // A belt at 10 m/s takes a box along with mu g, as a box that slides on a floor is braked.
 TEST_F(LaterAttributes, APairThatIsCorrectedKnowsItsBelt) {
   const ModelPointer m = load(R"(<mujoco><option timestep="1e-3" cone="elliptic"/>
