@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <nlohmann/json.hpp>
 
+#include "compare/report/contact_plots.h"
 #include "compare/report/pack/packed_run.h"
 #include "compare/report/run_up_plots.h"
 #include "compare/report/whirl_plots.h"
@@ -42,7 +43,8 @@ bool has_measured_place(const ShownRuns& s, const Trajectory&, std::size_t) {
   return s.measured && s.measured->laid.find("rotor_x") && s.measured->laid.find("rotor_y");
 }
 bool strikes(const ShownRuns& s, const Trajectory& t, std::size_t contact) {
-  return touches(s, t, contact) && !counted_impacts(t, contact).empty();
+  return touches(s, t, contact) &&
+         !contact_distribution(t, contact, s.scene->gives()).at("impulse").is_null();
 }
 bool presses(const ShownRuns& s, const Trajectory& t, std::size_t contact) {
   if (!touches(s, t, contact) || !has(t, contact, "normal_force")) return false;
