@@ -28,14 +28,14 @@ int failed(int code, const std::string& message) {
   return code;
 }
 
-// A controller's library may call exit(). The program's own exit codes say what was done, and
-// nothing was.
+// A controller's library may call exit(). Its exit code must not pass for one of rotorub's, because
+// the work was not finished.
 bool at_work = false;
 void end_of_process() {
   if (!at_work) return;
   std::fputs(
-      "rotorub: code that was loaded, as a controller's library, has ended the program by exit(); "
-      "the results are not complete. A law reports a failure by its return value "
+      "rotorub: a loaded library, such as a controller's, ended the program by calling exit(); the "
+      "results are incomplete. A controller must report a failure by its return value "
       "(rotorub/controller.h)\n",
       stderr);
   std::_Exit(kFailed);

@@ -29,8 +29,8 @@ std::string moving_surface(const Model* m, const ContactPair& pair) {
     for (const int geom : {pair.rotor_geom, pair.ring_geom}) {
       if (!any(m->geom_surfacevel + 6 * geom, 6)) continue;
       return message(
-          "rotorub: <geom name=\"{}\" surfacevel=\"...\">: contact model {} does not see a surface "
-          "that moves on its geom; accepted: 0, a joint that turns the geom's body, or {}",
+          "rotorub: <geom name=\"{}\" surfacevel=\"...\">: contact model {} does not support a "
+          "surface that moves; accepted: 0, a joint that turns the geom's body, or {}",
           m->names + m->name_geomadr[geom], scene::to_string(pair.law), instead());
     }
   }
@@ -42,16 +42,16 @@ std::string adhesion(const Model* m, const ContactPair& pair) {
   if constexpr (requires { m->pair_adhesion; }) {
     if (pair.pair >= 0 && m->pair_adhesion[pair.pair] != 0.0) {
       return message(
-          "rotorub: <pair geom1=\"{}\" geom2=\"{}\" adhesion=\"{}\">: contact model {} only "
-          "pushes; accepted: 0, or {}",
+          "rotorub: <pair geom1=\"{}\" geom2=\"{}\" adhesion=\"{}\">: contact model {} does "
+          "not support adhesion; accepted: 0, or {}",
           m->names + m->name_geomadr[pair.rotor_geom], m->names + m->name_geomadr[pair.ring_geom],
           m->pair_adhesion[pair.pair], scene::to_string(pair.law), instead());
     }
     for (const int geom : {pair.rotor_geom, pair.ring_geom}) {
       if (m->geom_adhesion[geom] == 0.0) continue;
       return message(
-          "rotorub: <geom name=\"{}\" adhesion=\"{}\">: contact model {} only pushes; accepted: 0, "
-          "or {}",
+          "rotorub: <geom name=\"{}\" adhesion=\"{}\">: contact model {} does not support "
+          "adhesion; accepted: 0, or {}",
           m->names + m->name_geomadr[geom], m->geom_adhesion[geom], scene::to_string(pair.law),
           instead());
     }

@@ -40,9 +40,9 @@ enum UserDataEntry : int {
 };
 static_assert(kUserDataSingle == mjcf_names::kUserDataSingle);
 
-// Of a compliant contact, in the places of what `rigid` alone keeps: its state
-// (contact/contact_memory.cc), 0 after a reset, and the a of its touch, s/m; time and gap of the
-// pass that these are of, s and m.
+// A compliant contact uses entries that only `rigid` needs otherwise: its state (0 after a reset;
+// contact/contact_memory.cc), the a of its touch (s/m), and the time (s) and gap (m) of the pass
+// that these belong to.
 inline constexpr int kTouches = kContactNow, kTouchDamping = kContactTime,
                      kTouchTime = kGapRateBefore, kTouchGap = kContactBefore;
 

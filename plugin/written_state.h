@@ -16,10 +16,10 @@
 
 namespace rotorub::plugin {
 
-// Before the contacts are solved: what lasted does not last into a written state.
+// Before the contacts are solved: a written state ends every lasting contact.
 void forget_written_contacts(const Config& config, const mjModel* m, mjData* d);
 
-// After that: where the contacts are that last.
+// After the contacts are solved: remembers the place of each lasting contact.
 void remember_places(const Config& config, const mjModel* m, mjData* d);
 
 }  // namespace rotorub::plugin

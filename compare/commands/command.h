@@ -106,9 +106,9 @@ Command add_identify_command(CLI::App& program);
 // The manual of the program itself: added last.
 Command add_manual_command(CLI::App& program);
 
-// What -o names can be written there, which is said before the work: a folder and these files in
-// it, or a file. Throws UsageError or std::filesystem::filesystem_error. Empty: nothing is to be
-// written.
+// Checks before the work starts that the output of -o can be written: a file, or a folder with
+// these files in it. Throws UsageError or std::filesystem::filesystem_error. Does nothing if
+// `place` is empty.
 enum class Output { kFolder, kFile };
 void check_output(const std::filesystem::path& place, Output what,
                   std::initializer_list<const char*> files = {});

@@ -270,15 +270,15 @@ Command add_compare_command(CLI::App& program) {
              "or coulomb where a contact gives)")
       .one_of(scene::contact_words<std::vector<std::string>>());
   add_value(app, "--twins", options->twins, "N",
-            "Most further runs that start a few units in the last place apart, native and, where "
-            "these scatter, with the contact model that decides: they tell how well a difference "
-            "is known, and end as soon as that is well enough for the verdict")
+            "Maximum number of twins: further runs whose starts differ by a few units in the last "
+            "place. They show how precisely a difference is known, and end as soon as the verdict "
+            "is settled. If the native runs scatter, the contact model that decides gets twins too")
       .shows_default();
   add_flag(app, "--modes-ladder,!--no-modes-ladder", options->modes_ladder,
            "Estimate the error of the bending modes kept, by native runs with up to twice as "
            "many (default: on; geometry form only)");
   add_option(app, "--jobs", options->jobs,
-             "Number of threads (default: one for each processor); no result depends on it")
+             "Number of threads (default: one for each processor); it does not affect the results")
       .between(1, 4096);
   add_value(app, "-o,--output", options->folder, "DIR", "Folder of the results").shows_default();
   add_value(app, "--with", options->with, "DIR",

@@ -64,7 +64,8 @@ std::string_view counted_unit(std::string_view unit) {
   return {};
 }
 
-// What a column with a name of the logger's own may be: CH1 Y is mostly a y.
+// An example of --measured-column for a column that has a name of the logger's own. A name that
+// ends with y, as CH1 Y, is taken for rotor_y.
 std::string example_of(std::string_view name, std::string_view unit) {
   const std::string_view plain = counted_unit(unit).empty() ? unit : counted_unit(unit);
   const bool is_length =
@@ -77,8 +78,8 @@ std::string example_of(std::string_view name, std::string_view unit) {
 
 // Of a column of the file: mostly a name of the logger's own.
 std::string foreign_reason(std::string_view name, std::string_view unit) {
-  return fmt::format("{}; {} says what a column of another name is", unknown_reason(name),
-                     example_of(name, unit));
+  return fmt::format("{}; to read a column that has another name, give for example {}",
+                     unknown_reason(name), example_of(name, unit));
 }
 
 // A column by its header: "rotor_x [um]" is a name and a unit; without brackets a name alone.
@@ -293,8 +294,8 @@ class MeasuredFile {
     if (!counted_unit(head.unit).empty()) {
       const std::string own = head.text.substr(0, head.text.find_first_of("[("));
       return fmt::format(
-          "`{}` is the unit of an amplitude, and a record needs the value at each instant; if the "
-          "column holds these, --measured-column \"{} = {} [{}]\" says so",
+          "`{}` is the unit of an amplitude, but a record needs the value at each instant; if the "
+          "column does hold instantaneous values, give --measured-column \"{} = {} [{}]\"",
           printable(head.unit), printable(boost::trim_copy(own)), head.name,
           printable(std::string(counted_unit(head.unit))));
     }

@@ -5,12 +5,12 @@
 //
 // - Separated by commas, semicolons or tabs (what the header has), UTF-8 with or without a mark at
 //   its start, lines ended by LF or CRLF; names and numbers may stand in double quotes. Empty
-//   lines, those that begin with #, and what an instrument writes before the header are passed
-//   over.
-// - Columns: `t` (or `time`, `Time`), and of measurables() any, each once, in any order. A unit in
-// [ ] or ( ) behind
-//   each name, as in a scene; in a header without any unit all is SI: the product's own series.csv.
-//   Other columns of that series are left out; any other name is refused.
+//   lines, lines that begin with #, and what an instrument writes before the header are skipped.
+// - Columns: `t` (or `time`, `Time`) and any of measurables(), each at most once, in any order.
+// Each
+//   name is followed by a unit in [ ] or ( ), as in a scene; in a header without any unit all is
+//   SI: the product's own series.csv. Other columns of that series are left out; any other name is
+//   refused.
 // - Decimal point; with semicolons or tabs a decimal comma too, one of the two in a file.
 // - An empty field is a gap in the record; t has none, and ascends strictly.
 #pragma once

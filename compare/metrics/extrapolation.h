@@ -25,9 +25,9 @@ inline constexpr double kRoundOff = 1e-12;
 
 Extrapolation extrapolate(const std::array<double, 3>& values);
 
-// From runs at dt and dt/2 alone. The limit is the value at dt/2, uncertain by the change between
-// the two: as much as is left for a figure of first order. reason: why that is no limit; empty: it
-// is.
+// From runs at dt and dt/2 only. The limit is the value at dt/2; its uncertainty is the change
+// between the two, which is the remaining error of a figure of first order. reason: why this is not
+// a limit; empty if it is.
 Extrapolation limit_of_two(double whole, double half, std::string reason);
 
 // A difference in two: what the contact model does, and what the step does,

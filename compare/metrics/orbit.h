@@ -21,8 +21,9 @@ struct FullSpectrum {
   std::vector<double> frequency;  // Hz, ascending, both signs
   std::vector<double> amplitude;  // as z: m
 };
-// z: two values or more; h > 0. finer: >= 1, so many frequencies where the values alone tell one
-// (by zeros behind them), so that a peak between those is not too low: by 16 % at 1, 0.02 % at 32.
+// z: two values or more; h > 0. finer >= 1: zeros are added behind z to give so many times as many
+// frequencies, so that a peak between two of them is underestimated less: by 16 % at 1, by 0.02 %
+// at 32.
 FullSpectrum full_spectrum(std::span<const std::complex<double>> z, double h,
                            std::size_t finer = 1);
 

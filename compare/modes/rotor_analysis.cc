@@ -23,8 +23,9 @@ std::vector<double> speeds_of(const scene::Scene& scene, const std::vector<doubl
   return asked.empty() ? std::vector<double>{scene.rotor.speed} : asked;
 }
 
-// What lies beyond so many times the highest speed asked for, or the lowest critical one, no
-// machine reaches, and a mesh of beams does not tell.
+// Critical speeds above this multiple of the highest speed asked for (or of the lowest critical
+// speed, if that is higher) are not listed: no machine reaches them, and a mesh of beams cannot
+// resolve them.
 constexpr double kCriticalMultiple = 20.0;
 
 void add_critical_speeds(double sense, const std::vector<double>& speeds, RotorAnalysis& analysis) {
@@ -35,6 +36,7 @@ void add_critical_speeds(double sense, const std::vector<double>& speeds, RotorA
   analysis.critical_bound = kCriticalMultiple * reference;
   std::erase_if(critical, [&](double speed) { return speed > analysis.critical_bound; });
   analysis.critical_senses = critical_senses(analysis.system, critical, sense);
+  analysis.table_end = table_speeds(analysis.system, sense).back();
 }
 
 RotorAnalysis analysis_of(const scene::Scene& scene, const std::vector<double>& speeds) {
@@ -56,10 +58,10 @@ RotorAnalysis analysis_of(const scene::Scene& scene, const std::vector<double>& 
   return analysis;
 }
 
-// Where twice as many modes move the response by more than this, it is said.
+// A note is added if twice as many modes change the response by more than this share.
 constexpr double kModesMatter = 0.005;
 
-// What the modes left out would change in the response at the contacts.
+// Notes how much the omitted modes would change the response at the contacts.
 void note_modes_left_out(scene::Scene free, int modes, const std::vector<double>& speeds,
                          RotorAnalysis& analysis) {
   if (!free.rotor.geometry) return;
@@ -161,14 +163,12 @@ std::string critical_table(const RotorAnalysis& analysis) {
   std::string text =
       fmt::format("\ncritical speeds that unbalance excites, undamped, up to {:.5g} rpm\n",
                   analysis.critical_bound * kRpm);
-  const double sense = analysis.spectra.front().speed < 0.0 ? -1.0 : 1.0;
-  const double table_end = table_speeds(analysis.system, sense).back();
   for (std::size_t k = 0; k < analysis.critical_speeds.size(); ++k) {
     const double speed = analysis.critical_speeds[k];
     text += fmt::format("  {:.7g} rad/s ({:.7g} rpm), {}{}\n", speed, speed * kRpm,
                         to_string(analysis.critical_senses[k]),
-                        table_end > 0.0 && speed > table_end
-                            ? ": beyond the bearings' tables, with their last values"
+                        analysis.table_end > 0.0 && speed > analysis.table_end
+                            ? " (beyond the bearings' tables, so their last values are used)"
                             : "");
   }
   if (analysis.critical_speeds.empty()) text += "  none\n";
@@ -178,7 +178,7 @@ std::string critical_table(const RotorAnalysis& analysis) {
 std::string torsion_table(const RotorAnalysis& analysis) {
   if (analysis.torsion.empty()) return "";
   std::string text = fmt::format("\ntorsion, elastic modes{}\n",
-                                 analysis.motor_is_held ? ", the motor's end held" : "");
+                                 analysis.motor_is_held ? ", with the motor's end held" : "");
   for (const WhirlMode& mode : analysis.torsion) text += mode_row("torsion", mode);
   return text;
 }
@@ -242,7 +242,7 @@ const char* sense_of(const WhirlMode& mode, double speed) {
 
 bool is_unstable(const RotorAnalysis& analysis, double speed) {
   return std::ranges::any_of(analysis.unstable, [speed](const UnstableRange& range) {
-    return speed > range.from && speed < range.to;
+    return (speed > range.from || range.from == 0.0) && speed < range.to;
   });
 }
 

@@ -25,8 +25,9 @@ struct RotorAnalysis {
   std::vector<double> critical_speeds;
   std::vector<WhirlSense> critical_senses;  // of each
   double critical_bound = 0.0;              // rad/s, beyond which none is listed
-  std::vector<UnstableRange> unstable;      // rad/s, likewise
-  double stability_bound = 0.0;             // rad/s, may be infinite (campbell.h)
+  double table_end = 0.0;               // rad/s, where the bearings' tables end; 0: there are none
+  std::vector<UnstableRange> unstable;  // rad/s, likewise
+  double stability_bound = 0.0;         // rad/s, may be infinite (campbell.h)
   std::optional<double> stability_threshold() const {
     return unstable.empty() ? std::nullopt : std::optional(unstable.front().from);
   }

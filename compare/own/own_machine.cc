@@ -38,8 +38,8 @@ std::string text_of(const std::filesystem::path& file) {
 }
 
 constexpr const char* kNoContactText =
-    "missing; add it with data=\"rigid\", the model that the file now has without saying so: the "
-    "comparison puts the other contact models in its place";
+    "missing; add it with data=\"rigid\", the default that the file uses now, so that the "
+    "comparison can replace it by the other contact models";
 
 // The models' texts rotorub_contact, which are of the length that the file gave them: all texts are
 // put where more have room. The owner of what is returned must outlive the model.
@@ -103,13 +103,14 @@ void set_pair(mjModel* m, const plugin::ContactPair& own, scene::ContactModel co
 std::string load_advice(const std::string& error) {
   const auto says = [&error](const char* words) { return error.find(words) != error.npos; };
   if (says("'text'") && (says("data") || says("text field"))) {
-    return "; add data=\"...\": of rotorub_contact rigid, coulomb, cone or cone-coulomb, of "
-           "rotorub_rotor_geom and rotorub_ring_geom the name of a geom";
+    return "; add data=\"...\": rigid, coulomb, cone or cone-coulomb for rotorub_contact, and the "
+           "name of a geom for rotorub_rotor_geom and rotorub_ring_geom";
   }
   if (says("Schema violation") || says("nrecognized") || says("invalid keyword")) {
     return fmt::format(
-        "; this rotorub reads MJCF with MuJoCo {}, which does not know words of later releases{}: "
-        "take the word out, or build rotorub for your release with -DMUJOCO_DIR (plugin/README.md, "
+        "; this rotorub reads MJCF with MuJoCo {}, which does not know the words of later "
+        "releases{}: remove the word, or build rotorub for your release with -DMUJOCO_DIR "
+        "(plugin/README.md, "
         "Newer MuJoCo)",
         to_string(built_for()), says("implicitfast") ? " (implicitfast is known since 2.3.3)" : "");
   }
@@ -157,11 +158,12 @@ void check_keyframes(const mjModel* m) {
     const char* name = mj_id2name(m, mjOBJ_KEY, i);
     found += fmt::format("{}\"{}\"", i == 0 ? "" : ", ", name ? name : "");
   }
-  plugin::refuse("<keyframe>",
-                 fmt::format("has {}, and a run starts from the key that is called \"{}\" or "
-                             "\"{}\"; accepted: one of these two names, or no keyframe, to start "
-                             "at qpos0",
-                             found, names::kStartKey, names::kTestKey));
+  plugin::refuse(
+      "<keyframe>",
+      fmt::format("has only {}, but a run starts from the key \"{}\" or \"{}\"; accepted: a "
+                  "key with one of these names, or no keyframe at all (the run then "
+                  "starts at qpos0)",
+                  found, names::kStartKey, names::kTestKey));
 }
 
 void check_contact_texts(const mjModel* m) {
@@ -201,9 +203,9 @@ void check_equalities(const mjModel* m, const plugin::Config& config) {
           plugin::refuse(
               fmt::format("<equality> \"{}\"", name ? name : ""),
               fmt::format("acts on {}, which moves geom \"{}\": the native twin has no "
-                          "constraints and would be another machine; accepted in a comparison: "
-                          "the drive or the support on the joint itself (a motor, a stiffness), "
-                          "no joint instead of a weld",
+                          "constraints, so it would be a different machine; accepted in a "
+                          "comparison: a motor or a stiffness on the joint itself in place of the "
+                          "equality, or a body without that joint in place of a weld",
                           plugin::joint_of_dof(m, dof), m->names + m->name_geomadr[geom]));
         }
       }
@@ -226,9 +228,8 @@ void add_drawn_clearances(const mjModel* m, const plugin::Config& config,
     const double clearance = pair.contact.clearance;
     if (std::abs(drawn - clearance) <= kAlike * clearance) continue;
     limits.push_back(fmt::format(
-        "the drawn shapes of geoms \"{}\" and \"{}\", whose radii differ by {:.6g} m: on both "
-        "sides "
-        "the clearance is {:.6g} m",
+        "the drawn shapes of geoms \"{}\" and \"{}\": their radii differ by {:.6g} m, but both "
+        "sides use the clearance of {:.6g} m",
         m->names + m->name_geomadr[rotor], m->names + m->name_geomadr[ring], drawn, clearance));
   }
 }

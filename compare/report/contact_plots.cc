@@ -18,8 +18,8 @@ using nlohmann::json;
 
 namespace {
 
-// Whether an episode of a soft contact goes on beyond what counts as an impact: it is a rub then,
-// and its impulse that of all the time.
+// Whether an episode of a soft contact lasts longer than an impact. It is then a rub, and its
+// impulse is the sum over the whole rub.
 bool is_lasting(const Trajectory& run, const std::string& column, double begin) {
   const std::string& model = run.contact_model;
   if (model == "rigid" || model == "compliant" || !run.has(column)) return false;

@@ -98,7 +98,7 @@ json speed_curves(const std::vector<std::vector<double>>& speeds) {
 
 namespace {
 
-// On the speeds of another response, between its own by straight lines.
+// Interpolates the response linearly at the speeds of another one.
 ProbeResponse on_speeds(const SynchronousResponse& response, const ProbeResponse& probe,
                         const std::vector<double>& speeds) {
   ProbeResponse out = probe;

@@ -113,8 +113,9 @@ std::vector<std::string> doubts(const scene::Scene& scene, const Trajectory& run
   const double off = run.statistics.energy_residual();
   if (run.engine == "native" && run.status == Status::kOk && off > kMostEnergyError) {
     all.push_back(fmt::format(
-        "energy balance: works and energy differ by {:.2g} % of the largest energy met. The step "
-        "of {:.3g} s is too long for this motion: halve run.step until this is gone, or run event",
+        "energy balance: the work done and the change of energy differ by {:.2g} % of the largest "
+        "energy. The step of {:.3g} s is too long for this motion: halve run.step until this "
+        "warning disappears, or use run.integrator = \"event\"",
         100.0 * off, run.step));
   }
   return all;

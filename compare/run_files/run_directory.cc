@@ -186,7 +186,7 @@ scene::Scene read_kept_scene(const path& file, const std::string& name) {
 void write_run(const path& folder, const scene::Scene& scene, const Trajectory& trajectory,
                hdf5::ImageOf hdf5) {
   std::filesystem::create_directories(folder);
-  // What an earlier run left and this one does not write would be taken for this one's.
+  // Files of an earlier run that this run does not write would be taken for results of this run.
   if (std::filesystem::exists(folder / kSummary)) {
     for (const char* file : {scene.rotor.assembled ? kScene : kOwnModel, kRunPage, kLyapunovFile})
       std::filesystem::remove(folder / file);

@@ -13,7 +13,7 @@
 
 namespace rotorub {
 
-// What `plot` and `run --lyapunov` add to the folder.
+// The files that `plot` and `run --lyapunov` add to the folder.
 inline constexpr const char* kRunPage = "plot.html";
 inline constexpr const char* kLyapunovFile = "lyapunov.json";
 

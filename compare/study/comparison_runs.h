@@ -80,24 +80,24 @@ using Ladder = std::array<Rung, kRungs>;  // [0] is not used: the side has its f
 // A run at a part of the scene's step, with what else it is asked for.
 Rung run_rung(Runner& runner, const Contestant& who, std::size_t rung, RunRequest request);
 
-// What a change of a figure with the step is held against.
+// What decides whether the change of a figure with the step matters.
 struct StepTest {
   const Metrics& native;        // at the scene's step
   double tolerance;             // of the comparison, a share
   std::vector<double> scatter;  // as figures(), shares (single_run_intervals)
 };
-// Whether a run at a quarter of the step tells more than the one at half of it did: not where every
-// judged figure changed by next to nothing, beside the tolerance or beside what MuJoCo and native
-// differ by, or by no more than it scatters.
+// Whether a run at a quarter of the step is worth its time. It is not if the change from the whole
+// to half the step is, for every judged figure, within its scatter, or negligible beside the
+// tolerance or beside the difference between MuJoCo and native.
 bool needs_quarter(const Side& side, const Rung& half, const StepTest& test);
-// Fills side.limits: the figures at dt, dt/2 and dt/4 and what they tend to; where the last was not
-// needed, by the first two.
+// Fills side.limits: the figures at dt, dt/2 and dt/4 and their limits. If dt/4 was not needed, the
+// limits come from the first two.
 void set_limits(const Ladder& ladder, const StepTest& test, Side& side);
 // Fills them where nothing was run at smaller steps.
 void leave_limits(const std::string& reason, Side& side);
 
-// The time up to which runs are timed: the least of an eighth, two eighths, ... of the run up to
-// which the share of contact is about that of the whole, in the run of every side.
+// The end of the timed runs: the smallest multiple of an eighth of the run up to which the share of
+// contact is, for every side, about the same as over the whole run.
 double timed_end(const scene::Run& run, const std::vector<Side>& sides);
 
 // Passes for time alone, engines in turn so that a slow spell of the machine meets all of them.

@@ -273,6 +273,8 @@ class Comparison {
     if (runner_.interrupted()) return;
     const auto climbed = [&](std::size_t k, const Ladder& ladder, Side& side) {
       if (!all_[k].climbs) return leave_limits("it is shown at the scene's step alone", side);
+      if (result_.sides[k].trajectory.status != Status::kOk)
+        return leave_limits("the run did not end well", side);
       set_limits(ladder, test(k), side);
     };
     for (std::size_t k = replays() ? 1 : 0; k < all_.size(); ++k) {

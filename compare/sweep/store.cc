@@ -72,7 +72,7 @@ void Store::make_tables() {
 }
 
 void Store::check(const std::string& schema, const std::string& file) {
-  // Tables that stand there as they were made; SQLite's own index is of no text.
+  // Finds everything but our two tables. SQLite's own indices have no SQL text and are allowed.
   Statement foreign(database_, "SELECT type, name FROM " + schema +
                                    ".sqlite_master WHERE sql IS NOT NULL AND NOT (type = 'table' "
                                    "AND name IN ('meta', 'points') AND sql LIKE 'CREATE TABLE %')");
@@ -116,8 +116,8 @@ std::vector<bool> Store::done() {
     const std::int64_t point = rows.whole(0);
     if (point < 0 || point >= identity_.points) {
       throw StoreMismatch(
-          fmt::format("the results kept hold point {}, where the study has points 0 to {}; give "
-                      "another folder with -o, or remove them",
+          fmt::format("the stored results contain point {}, but the points of this study are 0 to "
+                      "{}; give another folder with -o, or remove the stored results",
                       point, identity_.points - 1));
     }
     all[static_cast<std::size_t>(point)] = true;

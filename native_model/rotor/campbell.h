@@ -69,10 +69,11 @@ WhirlSpectrum whirl_spectrum(const WhirlSystem& system, double speed);
 // Undamped critical speeds (rad/s, ascending): whirl in step with the spin, K u = Omega^2 (1 - G)
 // u. Isotropic planes: forward whirl alone, since unbalance cannot excite the other, at most
 // `kept`; anisotropic: forward and backward, at most 2 `kept`. A rotor with a flat enough disc has
-// fewer. Of bearings the springs k_xx, k_yy and (k_xy + k_yx) / 2 count, which conserve energy;
-// where they follow the speed, those at the critical speed itself: it may cross its own curve at
-// none or several. What k_xy and k_yx differ by drives whirl, as dampers do, and counts as little
-// as these. sense: of the spin, +1 or -1, of which the sizes are given. (critical_speeds.cc)
+// fewer. Of the bearings only the stiffness that conserves energy is used: k_xx, k_yy and
+// (k_xy + k_yx) / 2. If it depends on the speed, its value at the critical speed is used, so a mode
+// may have no critical speed or several. The rest, (k_xy - k_yx) / 2, drives whirl; it is left out,
+// as dampers are. sense: direction of the spin, +1 or -1; the speeds are absolute values.
+// (critical_speeds.cc)
 std::vector<double> critical_speeds(const WhirlSystem& system, double sense = 1.0);
 
 // The sense of the orbit at each of these critical speeds; planar where nothing couples the planes.
@@ -86,10 +87,10 @@ struct UnstableRange {
   double from;  // 0 where one grows at rest
   double to;    // infinite where one grows up to stability_bound
 };
-// Ascending and apart; sense: of the spin, +1 or -1. Ranges of instability are looked for at every
-// speed of the bearings' tables, where whirls cross, and between: an interval is halved until no
-// mode's damping can come to 0 inside, as its course there tells. A stable range within an unstable
-// one is found where it is wider than an eighth of its speed. (stability.cc)
+// Ascending, without overlap. sense: direction of the spin, +1 or -1. The search looks at every
+// speed of the bearings' tables, at speeds where whirls cross, and between these: it halves an
+// interval until its samples show that no mode's damping passes 0 inside. A stable range within an
+// unstable one is found if it is wider than an eighth of its speed. (stability.cc)
 std::vector<UnstableRange> unstable_ranges(const WhirlSystem& system, double sense = 1.0);
 // Where the first of them begins; empty where there is none.
 std::optional<double> stability_threshold(const WhirlSystem& system, double sense = 1.0);

@@ -153,7 +153,10 @@ class StabilitySearch {
     Sample grows = a;
     for (int part = 1; part <= kParts; ++part) {
       Sample next = part < kParts ? at(a.speed + part * (b.speed - a.speed) / kParts) : b;
-      if (!next.grows()) return std::pair(crossing(next, grows), std::move(next));
+      if (!next.grows()) {
+        const bool clear = grows.growth > std::max(kGrows, next.growth);
+        return std::pair(clear ? crossing(next, grows) : grows.speed, std::move(next));
+      }
       grows = std::move(next);
     }
     return std::nullopt;
@@ -190,7 +193,7 @@ double stability_bound(const WhirlSystem& system) {
 
 namespace {
 
-// Of a threshold the first range begins alone.
+// first_alone: only where the first range begins, for the threshold.
 std::vector<UnstableRange> ranges_of(const WhirlSystem& system, double sense, bool first_alone) {
   const double bound = stability_bound(system);
   if (std::isinf(bound)) return {};

@@ -64,8 +64,8 @@ Table compliance() {
       "while that is above 0. a is `hunt_crossley`; or, where neither it nor `damping` is given, "
       "that of `restitution` for the speed of each touch, by which free masses rebound so: ln[(1 + "
       "a v)/(1 - a e v)] = a v (1 + e), e at least 0.01 and v at least 0.1 mm/s. Friction is that "
-      "of N, and sticks without giving. A contact that begins closed has had no touch: there a is "
-      "0 until it opens.",
+      "of N, and sticks without giving. A contact that begins closed was not struck: the a of "
+      "`restitution` is 0 there until it opens.",
       "the contact is rigid",
       [](Scene& scene) -> void* { return &scene.auxiliary.back().contact->compliance.emplace(); },
       {key<&Compliance::stiffness>("stiffness", kContactStiffness, "> 0", kRequired,

@@ -13,9 +13,10 @@ bool is_ross_coefficient(std::string_view name) {
          (name[1] == 'x' || name[1] == 'y') && (name[2] == 'x' || name[2] == 'y');
 }
 constexpr const char* kRossBearing =
-    "unknown key; what ROSS calls kxx, kyy is stiffness = [kxx, kyy], cxx, cyy is damping = [cxx, "
-    "cyy], kxy, kyx is cross_stiffness = [kxy, kyx], and cxy, cyx is cross_damping = [cxy, cyx]; "
-    "over the speed they are table_kxx, ... beside table_speed";
+    "unknown key; in place of the names of ROSS write stiffness = [kxx, kyy], damping = [cxx, "
+    "cyy], "
+    "cross_stiffness = [kxy, kyx] and cross_damping = [cxy, cyx]; coefficients that depend on the "
+    "speed are table_kxx, ... together with table_speed";
 
 using Kind = TomlNode::Kind;
 

@@ -16,8 +16,8 @@ std::string list_element(const std::string& list, std::size_t index);
 // Without the spaces and tabs around it.
 std::string_view trimmed(std::string_view text);
 
-// "--speed = 3600 without a unit is in rad/s, 34377 rpm; for turns per minute write "3600 rpm"": of
-// a speed in rad/s that reads as turns per minute on a name plate; else empty.
+// "--speed = 3600 has no unit, so it is read as rad/s (34377 rpm); if you mean rpm, write "3600
+// rpm"" for a speed in rad/s that reads as rpm on a name plate; else empty.
 std::string unitless_speed_note(std::string_view where, double speed);
 
 inline constexpr std::size_t kQuotedLength = 60;  // of a value quoted in a message, bytes

@@ -162,9 +162,9 @@ bool CompliantContacts::press(State& x) {
       press_one(i, end);
       moved = std::max({moved, std::abs(of_[i].normal - was), std::abs(of_[i].friction - rubbed)});
       largest = std::max(largest, of_[i].normal);
-      // h^2 k' g_NN, k' = n N / p: above 4 the step's leapfrog goes its own way. With the damper
-      // a N of a law that is given, (h^2 k' + 2 h a N) g_NN: the mean of the rates at both ends
-      // throws them to and fro.
+      // The leapfrog is stable up to h^2 k' g_NN = 4, with k' = n N / p. If the law states its
+      // damping a, (h^2 k' + 2 h a N) g_NN counts instead, because the mean of the rates at both
+      // ends oscillates beyond it.
       const double depth = places[i].d.norm() - law(i).clearance;
       const double spring = law(i).compliance.spring(depth);
       const double slope = law(i).compliance.exponent * spring;

@@ -89,8 +89,8 @@ StepLimit step_limit(const Model& m) {
     const int i = l.ring() + k;
     take(m.stiffness[i] / m.mass[i], 0.0, "the ring on its spring");
     if (!m.first().controller) continue;
-    // A sampled law's too: one that is too strong for a step is so for its samples, which are no
-    // closer, and its answer is the step's.
+    // This holds for a sampled law too: a gain that is too large for the step is too large for its
+    // samples, which are at least a step apart.
     const Controller::Gains gains = m.first().controller->ring_gains();
     take((m.stiffness[i] + gains.stiffness) / m.mass[i], gains.damping / m.mass[i],
          "the controller's gains on the ring");

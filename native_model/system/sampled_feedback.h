@@ -16,9 +16,9 @@ namespace rotorub {
 void take_sample(const Model& model, const SampledFeedback& sampled, double t, const double* q,
                  double* v);
 
-// Of the controls whose first sample, or first after they were off, is that at t (s): v <- what
-// they remember as they take it. Who reads the whole state at that instant, before the samples are
-// taken, sees there what the design of a law takes for the memory before a sample.
+// For each control that takes its first sample at t (s), or its first after it was off: sets v to
+// the memory that the control has at that sample. A reader of the whole state at this instant,
+// before the samples are taken, then sees the memory that the design of a law assumes.
 void begin_samples(const Model& model, double t, const double* q, double* v);
 
 // One sample of all samplers without limits, at once, some time after the first, as a matrix: what

@@ -34,9 +34,9 @@ void write_whole(const std::filesystem::path& file, const std::string& text);
 // ended processes of this machine left of the same file is removed.
 std::filesystem::path part_of(const std::filesystem::path& file);
 
-// That files can be made there, by making one: the folder, or the nearest one above it that exists,
-// is one and lets itself be written to. Throws std::filesystem::filesystem_error, so that hours of
-// computing do not end with it.
+// Checks that files can be created in the folder, or in the nearest existing one above it, by
+// creating one. Throws std::filesystem::filesystem_error, so that a run of hours does not fail only
+// when it writes its results.
 void check_writable(const std::filesystem::path& folder);
 
 }  // namespace rotorub

@@ -138,13 +138,13 @@ struct ContactForces {
 ContactForces contact_forces(const Config& config, const mjModel* m, const mjData* d);
 ContactForces contact_forces(const ContactPair& pair, const mjModel* m, const mjData* d);
 
-// N, of a compliant contact, at its point in this pass. mjData.userdata keeps the a of its touch
-// while it lasts. A contact that begins closed (CompliantLaw::begins_closed) has had no touch: that
-// is so in the first pass after a reset or a keyframe, and where the state was written, which shows
-// by the time or by a rotor elsewhere than its motion could bring it.
+// Normal force of a compliant contact in this pass, N. mjData.userdata keeps the a of its touch
+// while the touch lasts. A contact that begins closed (CompliantLaw::begins_closed) has no touch:
+// in the first pass after a reset or a keyframe, and after a program wrote the state. A written
+// state is recognised by its time, or by a rotor that its motion could not have brought there.
 double compliant_force(const ContactPair& pair, const ContactPoint& point, const mjModel* m,
                        mjData* d);
-// In the place of that in a pass in which MuJoCo does not have the contact.
+// Called instead of compliant_force in a pass in which MuJoCo does not have the contact.
 void pass_without_contact(const ContactPair& pair, const mjModel* m, mjData* d);
 
 }  // namespace rotorub::plugin

@@ -200,12 +200,14 @@ class ForceResponse final : public ContactResponse {
 
 // Once, not every step.
 void note_status(const Touching& t, bool converged, const mjModel* m, mjData* d) {
-  const auto warned = [d](const TouchingPair* s) { return s->entry(d)[kContactStatus] != 0.0; };
+  const auto warned = [d](const TouchingPair* s) {
+    return EscapeGuard(s->entry(d)).status() != Status::kOk;
+  };
   const bool known =
       std::any_of(t.at.begin(), t.at.begin() + static_cast<std::ptrdiff_t>(t.count), warned);
   if (!converged && !known) warn_unsolved(m, d, *t.at[0]->plane);
   for (std::size_t k = 0; k < t.count; ++k) {
-    t.at[k]->entry(d)[kContactStatus] = converged ? 0.0 : static_cast<double>(Status::kNoSolution);
+    EscapeGuard(t.at[k]->entry(d)).set_status(converged ? Status::kOk : Status::kNoSolution);
   }
 }
 

@@ -240,8 +240,8 @@ void check_pair(const mjModel* m, const PairName& name, const ContactPair& p, Re
       const double kept_out = m->pair_gap[p.pair] - m->pair_margin[p.pair];
       if (kept_out >= 10.0 * p.contact.clearance) return;
       refuse(element,
-             "contact model rigid keeps the contact from MuJoCo's solver: accepted: gap above "
-             "margin by at least ten clearances");
+             "gap is too small: with contact model rigid MuJoCo's solver must not see the contact; "
+             "accepted: gap above margin by at least ten clearances");
     });
     return;
   }
@@ -266,11 +266,12 @@ void check_bodies(const mjModel* m, const PairName& name, const ContactPair& p) 
     refuse(own_element(m, name.of(names::kOwnRingGeom)), "is the rotor's geom");
   }
   if (m->body_weldid[rotor] != m->body_weldid[ring]) return;
-  refuse(own_element(m, name.of(names::kOwnRingGeom)),
-         message("geom \"{}\" cannot move against the rotor's, \"{}\": {}; accepted: bodies with "
-                 "a joint between them",
-                 m->names + m->name_geomadr[p.ring_geom], m->names + m->name_geomadr[p.rotor_geom],
-                 rotor == ring ? "both are on one body" : "no joint is between their bodies"));
+  refuse(
+      own_element(m, name.of(names::kOwnRingGeom)),
+      message("geom \"{}\" cannot move against the rotor's, \"{}\": {}; accepted: bodies with "
+              "a joint between them",
+              m->names + m->name_geomadr[p.ring_geom], m->names + m->name_geomadr[p.rotor_geom],
+              rotor == ring ? "both are on one body" : "there is no joint between their bodies"));
 }
 
 void check_across(const mjModel* m, const ContactPair& p) {
@@ -360,8 +361,9 @@ void check_corrected(const mjModel* m, const Config& config) {
     const auto& corrected = config.corrected_pairs;
     if (std::find(corrected.begin(), corrected.end(), p.pair) == corrected.end()) continue;
     refuse(pair_element(m, p),
-           message("is a rub of contact model {}, and named to be corrected for sliding; accepted: "
-                   "rotorub_contact \"cone-coulomb\", which corrects it",
+           message("belongs to a contact of contact model {}, but is also listed in "
+                   "rotorub_cone_coulomb_pair; accepted: rotorub_contact \"cone-coulomb\", which "
+                   "includes this correction",
                    scene::to_string(p.law)));
   }
 }

@@ -143,8 +143,7 @@ bool names_corrected_pair(const mjModel* m) {
   return any;
 }
 
-// Two <pair>s of the same geoms are two contacts for MuJoCo, and which of them a name means nobody
-// can say.
+// MuJoCo treats two <pair>s of the same geoms as two contacts, so a name would be ambiguous.
 bool has_twin(const mjModel* m, int pair) {
   int same = 0;
   for (int i = 0; i < m->npair; ++i) {
@@ -233,9 +232,11 @@ std::vector<int> corrected_pairs(const mjModel* m) {
                      said));
     }
     if (has_twin(m, pair)) {
-      refuse(own_element(m, name),
-             message("another <pair> has the geoms of \"{}\"; accepted: one <pair> of two geoms",
-                     said));
+      refuse(
+          own_element(m, name),
+          message("another <pair> has the same two geoms as \"{}\"; accepted: one <pair> for two "
+                  "geoms",
+                  said));
     }
     pairs.push_back(pair);
   });

@@ -58,7 +58,7 @@ TEST(CliController, OneThatCallsExitIsExit3) {
       run_with("faulty_controller.so", {"--set", "controller.config.fault=exit", "--set",
                                         "controller.config.at=0.002", "--set", "controller.on=0"}));
   EXPECT_EQ(done.code, 3) << done.err;
-  EXPECT_TRUE(contains(done.err, "has ended the program by exit()")) << done.err;
+  EXPECT_TRUE(contains(done.err, "ended the program by calling exit()")) << done.err;
   EXPECT_FALSE(folder.has("out/summary.json"));
 }
 

@@ -55,13 +55,14 @@ TEST(CliSpoken, TheHintOfSlurmIsQuoted) {
 TEST(CliSpoken, ASpeedWithoutAUnitIsNoted) {
   const Folder folder;
   const std::string note =
-      "note: --speed = 3600 without a unit is in rad/s, 34377 rpm; for turns per minute write "
+      "note: --speed = 3600 has no unit, so it is read as rad/s (34377 rpm); if you mean rpm, "
+      "write "
       "\"3600 rpm\"";
   const std::vector<std::string> modes{"modes", shipped("bench_ring"), "--speed"};
   EXPECT_TRUE(contains(folder.done(with(modes, {"3600"})).err, note));
   EXPECT_TRUE(contains(folder.done({"init", "fast", "--speed", "3600"}).err, note));
   for (const char* meant : {"3600 rpm", "314.159", "3601"}) {
-    EXPECT_FALSE(contains(folder.done(with(modes, {meant})).err, "without a unit")) << meant;
+    EXPECT_FALSE(contains(folder.done(with(modes, {meant})).err, "has no unit")) << meant;
   }
 }
 
@@ -75,7 +76,7 @@ TEST(CliSpoken, NamesOfRossAreTranslated) {
   std::ofstream(folder.path() / "ross.toml") << text;
   const Outcome refused = folder.run({"run", "ross.toml"});
   EXPECT_EQ(refused.code, 2);
-  const std::string said = "what ROSS calls kxx, kyy is stiffness = [kxx, kyy]";
+  const std::string said = "in place of the names of ROSS write stiffness = [kxx, kyy]";
   EXPECT_TRUE(contains(refused.err, "rotor.bearing[0].kxx: unknown key; " + said)) << refused.err;
   EXPECT_EQ(refused.err.find(said), refused.err.rfind(said)) << refused.err;
 }

@@ -32,8 +32,8 @@ export function partingWindow(native, other, {from, to}, clearance, usualForce, 
   return [first, Math.min(to, first + (kTurns + 0.5) * turn)];
 }
 
-// The impulse of each impact in [from, to], a stem: of a soft contact that of an episode, so that an impact that takes
-// steps and one that takes none are drawn alike.
+// Draws the impulse of each impact in [from, to] as a stem. For a soft contact it is the impulse of a contact episode, so
+// impacts that take several steps are drawn like those that take none.
 export function impulseTrace(run, [from, to]) {
   const x = [], y = [];
   run.points.t.forEach((t, k) => {

@@ -61,8 +61,9 @@ TEST(ColumnNames, AreThoseOfTheFile) {
 TEST(ColumnNames, OfNoColumnAreRefused) {
   const std::string text = logged(0.0, 1.0);
   EXPECT_NE(reason_of(text, {}).find("no such column"), std::string::npos);
-  EXPECT_NE(reason_of(text, {}).find("--measured-column \"CH1 Probe = rotor_x [mils]\" says what"),
-            std::string::npos)
+  EXPECT_NE(
+      reason_of(text, {}).find("give for example --measured-column \"CH1 Probe = rotor_x [mils]\""),
+      std::string::npos)
       << reason_of(text, {});
   EXPECT_NE(
       reason_of("t [ms],Probe A\n0,1\n", {}).find("--measured-column \"Probe A = rotor_x [um]\""),

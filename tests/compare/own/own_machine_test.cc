@@ -68,8 +68,8 @@ TEST(OwnMachine, ConvergesToItsTwinInARingThatTurns) {
   ASSERT_EQ(machine->limits().size(), 1U);
   EXPECT_EQ(
       machine->limits()[0],
-      "the drawn shapes of geoms \"disc\" and \"bore\", whose radii differ by 0.01 m: on both "
-      "sides the clearance is 0.0005 m");
+      "the drawn shapes of geoms \"disc\" and \"bore\": their radii differ by 0.01 m, but both "
+      "sides use the clearance of 0.0005 m");
   NativeOptions options;
   options.integrator = scene::Integrator::kEvent;
   const Trajectory native = run_native(machine->scene(), options);
@@ -103,7 +103,7 @@ TEST(OwnMachine, RefusesAKeyframeThatIsNoStart) {
   test::Machine x;
   x.constraints = R"(<keyframe><key name="begin" qpos="5e-4 0 0 0 0"/></keyframe>)";
   const std::string why = refusal_of("other_key", test::document(x));
-  EXPECT_NE(why.find("<keyframe>: has \"begin\", and a run starts from the key that is called"),
+  EXPECT_NE(why.find("<keyframe>: has only \"begin\", but a run starts from the key"),
             std::string::npos)
       << why;
 }

@@ -55,8 +55,8 @@ TEST(Overrides, ASpeedThatReadsAsTurnsPerMinuteIsNoted) {
   EXPECT_EQ(plain.rotor.speed, 3600.0);
   ASSERT_EQ(plain.notes.size(), 1u);
   EXPECT_EQ(plain.notes[0],
-            "rotor.speed = 3600 without a unit is in rad/s, 34377 rpm; for turns per minute write "
-            "\"3600 rpm\"");
+            "rotor.speed = 3600 has no unit, so it is read as rad/s (34377 rpm); if you mean rpm, "
+            "write \"3600 rpm\"");
   for (const char* meant : {"rotor.speed=3600 rpm", "rotor.speed=3600 rad/s", "rotor.speed=314",
                             "rotor.speed=1570.8", "rotor.speed=100000.0", "rotor.speed=0"}) {
     EXPECT_TRUE(with({meant}).notes.empty()) << meant;

@@ -197,7 +197,7 @@ TEST_F(OwnRules, ARotorThatCannotMoveInItsRingIsRefused) {
       "both are on one body");
   const std::string fixed =
       replaced(ring("wall"), "rotor_geom\" data=\"disc\"", "rotor_geom\" data=\"shelf\"");
-  expect_refused(fixed, "no joint is between their bodies");
+  expect_refused(fixed, "there is no joint between their bodies");
 }
 
 TEST_F(OwnRules, TwoPairsOfTheSameGeomsAreRefused) {
