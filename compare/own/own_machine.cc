@@ -358,6 +358,11 @@ MujocoSetup OwnMachine::setup(scene::ContactModel contact, double step, OwnSolre
   return setup;
 }
 
+std::vector<Omission> OwnMachine::omissions(scene::ContactModel contact,
+                                            const std::atomic<bool>* interrupt) const {
+  return measure_omissions(setup(contact, scene_.run.step), scene_.run.end, interrupt);
+}
+
 std::string OwnMachine::solref_text(scene::ContactModel contact, double step,
                                     OwnSolref solref) const {
   const MujocoSetup made = setup(contact, step, solref);

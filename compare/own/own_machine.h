@@ -2,6 +2,7 @@
 // native twin (plugin/twin/native_twin.h), to be compared like a scene.
 #pragma once
 
+#include <atomic>
 #include <filesystem>
 #include <memory>
 #include <optional>
@@ -10,6 +11,7 @@
 
 #include "compare/engine/engine.h"
 #include "compare/engine/mujoco_engine.h"
+#include "compare/own/omissions.h"
 #include "compare/own/ring_control.h"
 #include "native_model/scene/scene.h"
 #include "plugin/twin/native_twin.h"
@@ -42,8 +44,11 @@ class OwnMachine {
 
   // The twin, named after the file; its text is the file's.
   const scene::Scene& scene() const { return scene_; }
-  // What the twin leaves out, sentences.
+  // What the twin is known to leave out before any run, sentences.
   const std::vector<std::string>& limits() const { return limits_; }
+  // What it leaves out in a run of the machine with this contact model, as long as the scene's.
+  std::vector<Omission> omissions(scene::ContactModel contact,
+                                  const std::atomic<bool>* interrupt = nullptr) const;
   // The contact model that the file asks for.
   scene::ContactModel contact() const { return contact_; }
 

@@ -70,6 +70,13 @@ SideDifference side_difference(const Side& native, const Side& other, const Repe
   return d;
 }
 
+void leave_undecided(SideDifference& d) {
+  for (FigureDifference& f : d.figures) {
+    if (f.verdict != FigureVerdict::kNotJudged) f.verdict = FigureVerdict::kUndecidable;
+  }
+  d.trust = Trust::kUndecidable;
+}
+
 // A comparison in the making.
 class Comparison {
  public:
@@ -93,6 +100,7 @@ class Comparison {
 
   SceneComparison run() {
     show();
+    if (!runner_.interrupted()) measure_omissions();
     if (!runner_.interrupted()) look_closer();
     if (options_.modes_ladder && !resyncs() && !runner_.interrupted()) {
       result_.model_error = runner_.model_error(repeats(result_.sides[0]));
@@ -153,6 +161,23 @@ class Comparison {
     } catch (const MeasuredError&) {
       // Of a run that did not reach its end that is what there is to say.
       if (result_.sides.front().trajectory.status == Status::kOk) throw;
+    }
+  }
+
+  // What the twin of a machine of the user's own leaves out, beside the contact force.
+  void measure_omissions() {
+    constexpr double kSaid = 1e-4;  // share from which on something is said
+    const Side &native = result_.sides[0], &decider = result_.sides[1];
+    if (!options_.own || decider.trajectory.status != Status::kOk) return;
+    const double touching = decider.metrics.mean_force;
+    const double force = touching > 0.0 ? touching : native.metrics.mean_force;
+    if (!(force > 0.0)) return;
+    double largest = options_.tolerance;
+    for (const Omission& o : options_.own->omissions(options_.contact, options_.interrupt)) {
+      if (o.share(force) > kSaid) result_.twin_limits.push_back(o.sentence(force));
+      if (o.share(force) <= largest) continue;
+      largest = o.share(force);
+      result_.omission = o.sentence(force);
     }
   }
 
@@ -327,6 +352,9 @@ class Comparison {
         d.resync = std::move(resyncs_[k - 1]);
         if (result_.sides[k].trajectory.status == Status::kOk) d.trust = d.resync->trust;
       }
+      const bool ended_well =
+          native.trajectory.status == Status::kOk && other.trajectory.status == Status::kOk;
+      if (ended_well && !result_.omission.empty()) leave_undecided(d);
       d.reasons = reasons(result_, k, d);
       result_.differences.push_back(std::move(d));
     }

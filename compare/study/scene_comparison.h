@@ -112,6 +112,9 @@ struct SceneComparison {
   scene::Scene scene;
   bool own = false;                      // the twin of a machine of the user's own
   std::vector<std::string> twin_limits;  // what it leaves out, sentences
+  // The largest of them where it is above the tolerance: then no difference is due to the contact
+  // for certain, and every verdict is undecidable. Else empty.
+  std::string omission;
   CompareMode mode = CompareMode::kLockstep;
   bool commands = false;  // a controller commands the actuator: else replay equals lockstep
   double tolerance = 0.0;

@@ -168,6 +168,8 @@ std::vector<std::string> reasons(const SceneComparison& comparison, std::size_t 
   add(native.early_end());
   add(other.early_end());
   if (other.trajectory.status == Status::kOk) add(other.trajectory.message);
+  add(comparison.omission);
+  if (!comparison.omission.empty()) return all;
   if (difference.resync) {
     for (std::string& reason : resync_reasons(other.label, *difference.resync)) add(reason);
     return all;
@@ -201,6 +203,10 @@ std::string headline(const SceneComparison& comparison, const Side& other,
   }
   if (other.trajectory.status != Status::kOk) {
     return fmt::format("MuJoCo's {} contact did not reach the end of the run.", other.label);
+  }
+  if (!comparison.omission.empty()) {
+    return fmt::format("MuJoCo's {} contact: nothing can be decided within {:.3g} %, because {}.",
+                       other.label, tolerance, comparison.omission);
   }
   if (difference.resync) {
     return resync_headline(other.label, *difference.resync, comparison.tolerance);

@@ -12,9 +12,10 @@
 #include "compare/own/own_machine.h"
 #include "native_model/control/library_file.h"
 #include "native_model/run/run_native.h"
-#include "native_model/scene/diagnostic.h"
 #include "tests/plugin/own/machine.h"
 #include "tests/support/order.h"
+#include "tests/support/said.h"
+#include "tests/support/temporary_folder.h"
 
 namespace rotorub {
 namespace {
@@ -107,8 +108,8 @@ TEST(RingControl, CommandsForcesWhateverTheGear) {
       R"(<motor name="push_x" joint="ring_x" gear="-4" ctrllimited="true" ctrlrange="-150 150"/>)");
   text = test::replaced(text, R"(<key name="start" qvel="0 0 300 0 0" ctrl="320 0 0"/>)",
                         R"(<key name="start" qvel="0 0 300 0 0" ctrl="320 25 0"/>)");
-  const std::string file = ::testing::TempDir() + "/geared.xml";
-  std::ofstream(file) << text;
+  const test::TemporaryFolder folder;
+  const std::string file = folder.write("geared.xml", text);
   const Trajectory plain = mujoco_of(machine_with(example(), 0.02), 1e-5);
   const auto geared = machine_with(example(), 0.02, file);
   EXPECT_LT(test::rotor_error(mujoco_of(geared, 1e-5), plain), 1e-12);
@@ -141,14 +142,9 @@ TEST(RingControl, AFailureIsTheRuns) {
 }
 
 std::string refused(const test::Machine& x, const std::vector<std::string>& control) {
-  const std::string file = ::testing::TempDir() + "/driven.xml";
-  std::ofstream(file) << test::document(x);
-  try {
-    machine_with(control, 0.01, file);
-  } catch (const std::runtime_error& error) {
-    return error.what();
-  }
-  return "";
+  const test::TemporaryFolder folder;
+  const std::string file = folder.write("driven.xml", test::document(x));
+  return test::message_of([&] { machine_with(control, 0.01, file); });
 }
 
 TEST(RingControl, RefusesActuatorsThatTakeNoForce) {
@@ -161,8 +157,7 @@ TEST(RingControl, RefusesActuatorsThatTakeNoForce) {
                     y = R"(<motor name="b" joint="ring_y"/>)";
   EXPECT_EQ(refused(with(x + y), example()), "");
   const auto expect = [&](const std::string& actuators, const std::string& part) {
-    const std::string said = refused(with(actuators), example());
-    EXPECT_NE(said.find(part), std::string::npos) << actuators << ": " << said;
+    EXPECT_TRUE(test::contains(refused(with(actuators), example()), part)) << actuators;
   };
   expect("", "no actuator pushes the ring along x");
   expect(x, "no actuator pushes the ring along y");
@@ -174,17 +169,14 @@ TEST(RingControl, RefusesActuatorsThatTakeNoForce) {
          "actuator \"c\": has a state");
   test::Machine fixed = with(R"(<motor name="a" joint="rotor_x"/>)");
   fixed.ring_moves = false;
-  EXPECT_NE(refused(fixed, example()).find("no actuator pushes the ring along x"),
-            std::string::npos);
+  EXPECT_TRUE(test::contains(refused(fixed, example()), "no actuator pushes the ring along x"));
   test::Machine tied = with(R"(<motor name="a" tendon="t"/>)" + y);
   tied.constraints += R"(<tendon><fixed name="t"><joint joint="ring_x" coef="1"/>
       <joint joint="rotor_x" coef="-1"/></fixed></tendon>)";
-  EXPECT_NE(refused(tied, example()).find("actuator \"a\": pushes more than the ring"),
-            std::string::npos)
-      << refused(tied, example());
-  EXPECT_NE(refused(with(x + y), law_of("own_controller.so", {"controller.config.gain=1"}))
-                .find("controller.config"),
-            std::string::npos);
+  EXPECT_TRUE(
+      test::contains(refused(tied, example()), "actuator \"a\": pushes more than the ring"));
+  const auto law = law_of("own_controller.so", {"controller.config.gain=1"});
+  EXPECT_TRUE(test::contains(refused(with(x + y), law), "controller.config"));
 }
 
 }  // namespace
