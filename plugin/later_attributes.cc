@@ -1,6 +1,7 @@
 #include "plugin/later_attributes.h"
 
 #include <algorithm>
+#include <cstdio>
 #include <iterator>
 #include <vector>
 
@@ -15,45 +16,61 @@ namespace {
   return std::any_of(values, values + n, [](mjtNum x) { return x != 0.0; });
 }
 
+// A message has one form: the element, the attribute and the release that brought it, what is wrong
+// with it here, and what to do.
+struct Attribute {
+  const char* name;
+  const char* since;  // of MuJoCo
+};
+
+std::string problem(const std::string& element, const Attribute& attribute,
+                    const std::string& wrong, const std::string& remedy) {
+  return message("rotorub: {}: the attribute {}, new in MuJoCo {}, {}; {}", element, attribute.name,
+                 attribute.since, wrong, remedy);
+}
+
+constexpr Attribute kStiffnessPolynomial{"stiffness with several numbers", "3.7"};
+
+[[noreturn]] void refuse_attribute(const std::string& element, const Attribute& attribute,
+                                   const std::string& wrong, const std::string& remedy) {
+  throw ConfigError(problem(element, attribute, wrong, remedy));
+}
+
 // MuJoCo's solver alone finds the force, from its own references.
 bool is_mujocos_alone(const ContactPair& pair) {
   return pair.law == scene::ContactModel::kCone && pair.friction_reference == 0.0 &&
          !pair.contact.gives();
 }
 
-std::string instead() { return "contact model cone (without a friction reference)"; }
+std::string unsupported_by(const ContactPair& pair) {
+  return message("is not supported by contact model {}", scene::to_string(pair.law));
+}
+constexpr const char* kOrCone = "or use contact model cone without a friction reference";
 
 template <typename Model>
 std::string moving_surface(const Model* m, const ContactPair& pair) {
   if constexpr (requires { m->geom_surfacevel; }) {
     for (const int geom : {pair.rotor_geom, pair.ring_geom}) {
       if (!any(m->geom_surfacevel + 6 * geom, 6)) continue;
-      return message(
-          "rotorub: <geom name=\"{}\" surfacevel=\"...\">: contact model {} does not support a "
-          "surface that moves; accepted: 0, a joint that turns the geom's body, or {}",
-          m->names + m->name_geomadr[geom], scene::to_string(pair.law), instead());
+      return problem(
+          message("<geom name=\"{}\">", m->names + m->name_geomadr[geom]), {"surfacevel", "3.11"},
+          unsupported_by(pair),
+          message("remove it, turn the body of the geom with a joint instead, {}", kOrCone));
     }
   }
   return {};
 }
 
+// The attribute of a geom acts in no contact of ours: they are all of a <pair>, and there MuJoCo
+// takes the attribute of the <pair> alone.
 template <typename Model>
 std::string adhesion(const Model* m, const ContactPair& pair) {
   if constexpr (requires { m->pair_adhesion; }) {
     if (pair.pair >= 0 && m->pair_adhesion[pair.pair] != 0.0) {
-      return message(
-          "rotorub: <pair geom1=\"{}\" geom2=\"{}\" adhesion=\"{}\">: contact model {} does "
-          "not support adhesion; accepted: 0, or {}",
-          m->names + m->name_geomadr[pair.rotor_geom], m->names + m->name_geomadr[pair.ring_geom],
-          m->pair_adhesion[pair.pair], scene::to_string(pair.law), instead());
-    }
-    for (const int geom : {pair.rotor_geom, pair.ring_geom}) {
-      if (m->geom_adhesion[geom] == 0.0) continue;
-      return message(
-          "rotorub: <geom name=\"{}\" adhesion=\"{}\">: contact model {} does not support "
-          "adhesion; accepted: 0, or {}",
-          m->names + m->name_geomadr[geom], m->geom_adhesion[geom], scene::to_string(pair.law),
-          instead());
+      return problem(
+          message("<pair geom1=\"{}\" geom2=\"{}\">", m->names + m->name_geomadr[pair.rotor_geom],
+                  m->names + m->name_geomadr[pair.ring_geom]),
+          {"adhesion", "3.11"}, unsupported_by(pair), message("remove it, {}", kOrCone));
     }
   }
   return {};
@@ -62,12 +79,15 @@ std::string adhesion(const Model* m, const ContactPair& pair) {
 template <typename Model>
 void check_sensor(const Model* m, int sensor) {
   if constexpr (requires { m->sensor_history; }) {
-    const bool delayed = m->sensor_history[2 * sensor] > 0 || m->sensor_delay[sensor] > 0.0 ||
-                         m->sensor_interval[2 * sensor] > 0.0;
-    if (!delayed) return;
-    refuse(message("<user name=\"{}\">", m->names + m->name_sensoradr[sensor]),
-           "has nsample, delay or interval, but the plugin writes its value of every pass; "
-           "accepted: none of the three");
+    const auto check = [m, sensor](bool given, const char* attribute) {
+      if (!given) return;
+      refuse_attribute(message("<user name=\"{}\">", m->names + m->name_sensoradr[sensor]),
+                       {attribute, "3.5"},
+                       "is not supported for a sensor whose value the plugin writes", "remove it");
+    };
+    check(m->sensor_delay[sensor] > 0.0, "delay");
+    check(m->sensor_interval[2 * sensor] > 0.0, "interval");
+    check(m->sensor_history[2 * sensor] > 0, "nsample");
   }
 }
 
@@ -102,15 +122,20 @@ class GeneratedParts {
   const std::vector<int>& dofs_;
 };
 
+constexpr const char* kOnGenerated = "is not supported on a generated rotor or its ring";
+constexpr const char* kLimitInScene = "remove it, and limit the actuators in the scene instead";
+constexpr const char* kNoArmature =
+    "remove it, and set the armature of the joints instead, which are the masses of their modes";
+constexpr const char* kOneNumber = "give one number";
+
 template <typename Model>
 void check_gravity(const Model* m, const GeneratedParts& parts) {
   if constexpr (requires { m->body_gravcomp; }) {
     for (int i = 0; i < m->nbody; ++i) {
       if (m->body_gravcomp[i] == 0.0 || !parts.has_body(i)) continue;
-      refuse(body_element(m, i),
-             message("gravcomp=\"{}\", but the plugin applies the weight of a generated rotor and "
-                     "of its ring; accepted: 0, and [gravity] in the scene",
-                     m->body_gravcomp[i]));
+      refuse_attribute(body_element(m, i), {"gravcomp", "2.3.1"},
+                       message("{}, whose weight the plugin applies", kOnGenerated),
+                       "remove it, and set [gravity] in the scene instead");
     }
   }
 }
@@ -118,46 +143,33 @@ void check_gravity(const Model* m, const GeneratedParts& parts) {
 template <typename Model>
 void check_joints(const Model* m, const GeneratedParts& parts) {
   for (int i = 0; i < m->njnt; ++i) {
-    if (!parts.has_joint(i)) continue;
-    if constexpr (requires { m->jnt_actfrclimited; }) {
-      if (m->jnt_actfrclimited[i]) {
-        refuse(joint_element(m, i),
-               "has an actuatorfrcrange, which the plugin's actuators do not know; accepted: "
-               "none, and the limit in the scene");
-      }
-    }
-    if constexpr (requires { m->jnt_stiffnesspoly; }) {
-      if (any(m->jnt_stiffnesspoly + kPolynomial * i, kPolynomial)) {
-        refuse(joint_element(m, i),
-               "its stiffness is a polynomial, that of a mode is a number; accepted: one number");
-      }
-    }
+    const auto check = [&](bool given, const Attribute& attribute, const char* remedy) {
+      if (given && parts.has_joint(i))
+        refuse_attribute(joint_element(m, i), attribute, kOnGenerated, remedy);
+    };
+    if constexpr (requires { m->jnt_actfrclimited; })
+      check(m->jnt_actfrclimited[i], {"actuatorfrcrange", "2.3.7"}, kLimitInScene);
+    if constexpr (requires { m->jnt_stiffnesspoly; })
+      check(any(m->jnt_stiffnesspoly + kPolynomial * i, kPolynomial), kStiffnessPolynomial,
+            kOneNumber);
   }
 }
 
 template <typename Model>
 void check_tendons(const Model* m, const GeneratedParts& parts) {
   for (int i = 0; i < m->ntendon; ++i) {
-    const std::string element = message("<fixed name=\"{}\">", m->names + m->name_tendonadr[i]);
-    if constexpr (requires { m->tendon_armature; }) {
-      if (m->tendon_armature[i] != 0.0 && parts.has_tendon(i)) {
-        refuse(element,
-               message("armature=\"{}\" couples the modes of a generated rotor; accepted: 0",
-                       m->tendon_armature[i]));
-      }
-    }
-    if constexpr (requires { m->tendon_actfrclimited; }) {
-      if (m->tendon_actfrclimited[i] && parts.has_tendon(i)) {
-        refuse(element,
-               "has an actuatorfrcrange, which the plugin's actuators do not know; accepted: "
-               "none, and the limit in the scene");
-      }
-    }
-    if constexpr (requires { m->tendon_stiffnesspoly; }) {
-      if (any(m->tendon_stiffnesspoly + kPolynomial * i, kPolynomial) && parts.has_tendon(i)) {
-        refuse(element, "its stiffness is a polynomial; accepted on a generated rotor: one number");
-      }
-    }
+    const auto check = [&](bool given, const Attribute& attribute, const char* remedy) {
+      if (!given || !parts.has_tendon(i)) return;
+      refuse_attribute(message("<fixed name=\"{}\">", m->names + m->name_tendonadr[i]), attribute,
+                       kOnGenerated, remedy);
+    };
+    if constexpr (requires { m->tendon_armature; })
+      check(m->tendon_armature[i] != 0.0, {"armature", "3.3.1"}, kNoArmature);
+    if constexpr (requires { m->tendon_actfrclimited; })
+      check(m->tendon_actfrclimited[i], {"actuatorfrcrange", "3.3.1"}, kLimitInScene);
+    if constexpr (requires { m->tendon_stiffnesspoly; })
+      check(any(m->tendon_stiffnesspoly + kPolynomial * i, kPolynomial), kStiffnessPolynomial,
+            kOneNumber);
   }
 }
 
@@ -171,10 +183,7 @@ void check_actuators(const Model* m, const GeneratedParts& parts) {
   if constexpr (requires { m->actuator_armature; }) {
     for (int i = 0; i < actuator_count(m); ++i) {
       if (m->actuator_armature[i] == 0.0 || !parts.has_transmission(i)) continue;
-      refuse(actuator_element(m, i),
-             message("armature=\"{}\" on a generated rotor; accepted: 0, and the armature of the "
-                     "joint, which is the mass of its mode",
-                     m->actuator_armature[i]));
+      refuse_attribute(actuator_element(m, i), {"armature", "3.7"}, kOnGenerated, kNoArmature);
     }
   }
 }
@@ -187,19 +196,21 @@ bool commands_bearing(const Config& config) {
 
 template <typename Model>
 void check_bearing(const Model* m, const Config& config) {
+  const auto check = [m](int actuator, bool given, const Attribute& attribute, const char* remedy) {
+    if (!given) return;
+    refuse_attribute(
+        actuator_element(m, actuator), attribute,
+        "is not supported on an actuator of the bearing, whose force the plugin computes", remedy);
+  };
   for (const int i : config.actuator) {
     if (i < 0) continue;
     if constexpr (requires { m->actuator_history; }) {
-      if (m->actuator_history[2 * i] > 0 || m->actuator_delay[i] > 0.0) {
-        refuse(actuator_element(m, i),
-               "has nsample or delay, which the plugin's control does not know; accepted: "
-               "neither, and the delay in the scene");
-      }
+      constexpr const char* kDelayInScene = "remove it, and set the delay in the scene instead";
+      check(i, m->actuator_delay[i] > 0.0, {"delay", "3.5"}, kDelayInScene);
+      check(i, m->actuator_history[2 * i] > 0, {"nsample", "3.5"}, kDelayInScene);
     }
     if constexpr (requires { m->actuator_actearly; }) {
-      if (m->actuator_actearly[i]) {
-        refuse(actuator_element(m, i), "actearly=\"true\"; accepted: \"false\"");
-      }
+      check(i, m->actuator_actearly[i], {"actearly", "3.0"}, "remove it");
     }
   }
 }
@@ -221,19 +232,38 @@ std::string refused_surface(const mjModel* m, const ContactPair& pair) {
   return moving.empty() ? adhesion(m, pair) : moving;
 }
 
-void check_sensor_attributes(const mjModel* m, int sensor) { check_sensor(m, sensor); }
+namespace {
 
-void check_generated_attributes(const mjModel* m, const Config& config) {
+void check_surfaces(const mjModel* m, const Config& config) {
   for (const ContactPair& pair : config.pairs) {
     const std::string surface = refused_surface(m, pair);
     if (!surface.empty()) throw ConfigError(surface);
   }
+}
+
+}  // namespace
+
+void check_sensor_attributes(const mjModel* m, int sensor) { check_sensor(m, sensor); }
+
+void check_generated_attributes(const mjModel* m, const Config& config) {
+  check_surfaces(m, config);
   const GeneratedParts parts(m, config);
   check_gravity(m, parts);
   check_joints(m, parts);
   check_tendons(m, parts);
   check_actuators(m, parts);
   if (commands_bearing(config)) check_bearing(m, config);
+}
+
+const char* refused_attributes(const Config& config, const mjModel* m) {
+  static thread_local char text[500];
+  try {
+    config.own ? check_surfaces(m, config) : check_generated_attributes(m, config);
+  } catch (const ConfigError& error) {
+    std::snprintf(text, sizeof text, "%s", error.what());
+    return text;
+  }
+  return nullptr;
 }
 
 bool bearing_is_disabled(const mjModel* m, const Config& config) {

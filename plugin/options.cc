@@ -1,8 +1,6 @@
 #include "plugin/options.h"
 
 #include <algorithm>
-#include <cstdio>
-#include <string>
 
 #include "plugin/later_attributes.h"
 #include "plugin/mujoco_versions.h"
@@ -22,22 +20,10 @@ bool may_fall_asleep(const Config& config, const mjModel* m) {
                      [m](int dof) { return dof >= 0 && tree_may_sleep(m, m->dof_bodyid[dof]); });
 }
 
-// What is returned stays until the thread's next refusal of a surface.
-const char* refused_surfaces(const Config& config, const mjModel* m) {
-  static thread_local char text[500];
-  for (const ContactPair& pair : config.pairs) {
-    const std::string why = refused_surface(m, pair);
-    if (why.empty()) continue;
-    std::snprintf(text, sizeof text, "%s", why.c_str());
-    return text;
-  }
-  return nullptr;
-}
-
 }  // namespace
 
 const char* refused_options(const Config& config, const mjModel* m) {
-  if (const char* why = refused_surfaces(config, m)) return why;
+  if (const char* why = refused_attributes(config, m)) return why;
   if (bearing_is_disabled(m, config)) {
     return "rotorub: <option actuatorgroupdisable>: disables an actuator of the bearing, whose "
            "force the plugin computes; accepted: another group for the bearing's actuators";

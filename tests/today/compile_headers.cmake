@@ -1,44 +1,62 @@
-# cmake -DCOMPILER=... -DSOURCE_DIR=... -DMUJOCO=<include folder> "-DINCLUDES=<other libraries' include folders>" -DWORK_DIR=... -P compile_headers.cmake
-# Reads every source that may include mujoco.h with the headers of one MuJoCo, without making code: the files of a
-# folder as one unit, as they are built (RotorubUnity).
-file(GLOB_RECURSE sources "${SOURCE_DIR}/plugin/*.cc" "${SOURCE_DIR}/compare/engine/*.cc" "${SOURCE_DIR}/renders/*.cc")
-list(LENGTH sources count)
-if(count LESS 50)
-  message(FATAL_ERROR "only ${count} sources below ${SOURCE_DIR}")
+# cmake -DCOMPILER=... -DSOURCE_DIR=... -DMUJOCO=<include folder> "-DINCLUDES=<other libraries' include folders>" -DWORK_DIR=...
+#   -DEVERY=<ON or OFF> -P compile_headers.cmake
+# Reads the headers that use MuJoCo, and the sources that depend on its version, with the headers of one MuJoCo, without
+# making code; EVERY=ON: every source that may include mujoco.h. The files of a folder are one unit, as they are built
+# (RotorubUnity).
+set(sources "")
+set(headers "")
+foreach(room plugin compare/engine renders)
+  file(GLOB_RECURSE found "${SOURCE_DIR}/${room}/*.cc")
+  list(APPEND sources ${found})
+  file(GLOB_RECURSE found "${SOURCE_DIR}/${room}/*.h")
+  list(APPEND headers ${found})
+endforeach()
+
+# Sets `out` to the files of the list that have a line like this.
+function(files_with out regex)
+  set(found "")
+  foreach(file IN LISTS ARGN)
+    file(STRINGS "${file}" lines REGEX "${regex}" LIMIT_COUNT 1)
+    if(lines)
+      list(APPEND found "${file}")
+    endif()
+  endforeach()
+  set(${out} "${found}" PARENT_SCOPE)
+endfunction()
+files_with(headers "#include [<\"](mujoco/|plugin/mujoco_)" ${headers})
+set(least 50)
+if(NOT EVERY)
+  files_with(sources "mjVERSION_HEADER|requires ?[({]" ${sources})
+  set(least 5)
 endif()
+list(LENGTH sources source_count)
+list(LENGTH headers header_count)
+if(source_count LESS least OR header_count LESS 25)
+  message(FATAL_ERROR "only ${source_count} sources and ${header_count} headers below ${SOURCE_DIR}")
+endif()
+
 set(units "")
-foreach(source IN LISTS sources)
-  cmake_path(GET source PARENT_PATH folder)
+file(REMOVE_RECURSE "${WORK_DIR}")
+foreach(file IN LISTS headers sources)
+  cmake_path(GET file PARENT_PATH folder)
   cmake_path(RELATIVE_PATH folder BASE_DIRECTORY "${SOURCE_DIR}")
   string(MAKE_C_IDENTIFIER "${folder}" folder)
+  if(file MATCHES "\\.h$")
+    set(folder headers)
+  endif()
+  file(APPEND "${WORK_DIR}/${folder}.cc" "#include \"${file}\"\n")
   list(APPEND units "${WORK_DIR}/${folder}.cc")
-  string(APPEND text_${folder} "#include \"${source}\"\n")
 endforeach()
 list(REMOVE_DUPLICATES units)
-file(REMOVE_RECURSE "${WORK_DIR}")
-foreach(unit IN LISTS units)
-  cmake_path(GET unit STEM folder)
-  file(WRITE "${unit}" "${text_${folder}}")
-endforeach()
 
 set(flags -std=c++20 -Wall -Wextra -Wconversion -Wformat=2 -Werror -I "${SOURCE_DIR}")
 foreach(include IN LISTS INCLUDES MUJOCO)
   list(APPEND flags -isystem "${include}")
 endforeach()
-
-# What all of them read, once.
-file(WRITE "${WORK_DIR}/all.h" "#include <Eigen/Dense>\n#include <algorithm>\n#include <functional>\n#include <memory>\n"
-                               "#include <sstream>\n#include <vector>\n#include <mujoco/mujoco.h>\n"
-                               "#include \"plugin/config.h\"\n#include \"plugin/mujoco_versions.h\"\n")
-execute_process(COMMAND "${COMPILER}" ${flags} -x c++-header "${WORK_DIR}/all.h" -o "${WORK_DIR}/all.h.gch"
-                        COMMAND_ERROR_IS_FATAL ANY)
-
 # Two at a time, by xargs.
 list(JOIN units "\n" names)
-execute_process(
-  COMMAND sh -c "printf '%s\\n' \"$0\" | xargs -P 2 -n 1 \"$@\"" "${names}" "${COMPILER}" ${flags}
-          -fsyntax-only -include "${WORK_DIR}/all.h"
-  RESULT_VARIABLE failed)
+execute_process(COMMAND sh -c "printf '%s\\n' \"$0\" | xargs -P 2 -n 1 \"$@\"" "${names}" "${COMPILER}" ${flags} -fsyntax-only
+                RESULT_VARIABLE failed)
 if(failed)
   message(FATAL_ERROR "does not compile against ${MUJOCO}")
 endif()

@@ -8,6 +8,7 @@
 
 #include "mjcf/names.h"
 #include "mjcf/writer.h"
+#include "plugin/config.h"
 #include "plugin/hooks.h"
 #include "tests/plugin/own/machine.h"
 #include "tests/support/mujoco_fixture.h"
@@ -45,39 +46,142 @@ TEST_F(LaterAttributes, ASurfaceThatMovesIsRefused) {
     for (const char* geom : {"disc", "bore"}) {
       const std::string name = std::string("<geom name=\"") + geom + "\"";
       expect_refused(with(document(x), name, "surfacevel=\"0 0 0 0 0 600\""),
-                     name + " surfacevel=\"...\">");
+                     name +
+                         ">: the attribute surfacevel, new in MuJoCo 3.11, is not supported by "
+                         "contact model " +
+                         contact + "; remove it, turn the body");
     }
   }
   load(with(cone(), "<geom name=\"bore\"", "surfacevel=\"0 0 0 0 0 600\""));
 }
 
-TEST_F(LaterAttributes, AdhesionIsRefused) {
+TEST_F(LaterAttributes, AdhesionOfAPairIsRefused) {
   for (const char* contact : {"rigid", "coulomb"}) {
     Machine x;
     x.contact = contact;
-    const std::string text = document(x);
-    expect_refused(with(text, "geom2=\"bore\"", "adhesion=\"20\""), "adhesion=\"20\"");
-    expect_refused(with(text, "<geom name=\"bore\"", "adhesion=\"20\""), "adhesion=\"20\"");
+    expect_refused(with(document(x), "geom2=\"bore\"", "adhesion=\"20\""),
+                   "<pair geom1=\"disc\" geom2=\"bore\">: the attribute adhesion, new in MuJoCo "
+                   "3.11, is not supported by contact model " +
+                       std::string(contact) + "; remove");
   }
   load(with(cone(), "geom2=\"bore\"", "adhesion=\"20\""));
 }
 
-// Edited in mjModel, they are found in the next pass.
-TEST_F(LaterAttributes, AnEditIsRefusedInTheNextPass) {
-  for (const bool surface : {true, false}) {
-    const ModelPointer m = load(document(Machine{}));
-    const DataPointer d = start(m.get());
-    mj_step(m.get(), d.get());
-    (surface ? m->geom_surfacevel[5] : m->pair_adhesion[0]) = 20.0;
-    EXPECT_THROW(mj_step(m.get(), d.get()), std::runtime_error) << surface;
+// In a contact of a <pair> MuJoCo takes the adhesion of the <pair> alone: that of a geom is for its
+// other contacts, and changes no bit of ours.
+TEST_F(LaterAttributes, AdhesionOfAGeomActsInNoPair) {
+  for (const char* contact : {"rigid", "coulomb", "cone"}) {
+    Machine x;
+    x.contact = contact;
+    const std::string plain = contact == std::string("cone") ? cone() : document(x);
+    const auto run = [](const std::string& text) {
+      const ModelPointer m = load(text);
+      const DataPointer d = start(m.get());
+      d->qvel[0] = 0.1;
+      int touched = 0;
+      for (int k = 0; k < 2000; ++k) {
+        mj_step(m.get(), d.get());
+        touched += sensor(m.get(), d.get(), names::kNormalForce) > 0.0 ? 1 : 0;
+        for (int i = 0; i < d->ncon; ++i) EXPECT_EQ(d->contact[i].adhesion, 0.0);
+      }
+      EXPECT_GT(touched, 0);
+      return state_bits(m.get(), d.get());
+    };
+    std::string sticky = plain;
+    for (const char* geom : {"<geom name=\"disc\"", "<geom name=\"bore\""})
+      sticky = with(sticky, geom, "adhesion=\"20\"");
+    EXPECT_EQ(run(sticky), run(plain)) << contact;
   }
 }
 
-TEST_F(LaterAttributes, AGeneratedRingRefusesThemToo) {
-  const std::string text = mjcf(shipped("bench_ring"));
-  const std::string ring = std::string("name=\"") + names::kRingContact + "\"";
-  expect_refused(with(text, ring, "surfacevel=\"0 0 0 0 0 600\""), "surfacevel");
-  expect_refused(with(text, "<body name=\"ring\"", "gravcomp=\"1\""), "gravcomp=\"1\"");
+// Edited in mjModel, they are found in the next pass.
+TEST_F(LaterAttributes, AnEditIsRefusedInTheNextPass) {
+  const auto expect_refusal = [](const std::string& text, auto edit) {
+    const ModelPointer m = load(text);
+    const DataPointer d = start(m.get());
+    mj_step(m.get(), d.get());
+    edit(m.get());
+    EXPECT_THROW(mj_step(m.get(), d.get()), std::runtime_error);
+  };
+  const std::string own = document(Machine{}), generated = mjcf(shipped("bench_ring"));
+  expect_refusal(own, [](mjModel* m) { m->geom_surfacevel[5] = 20.0; });
+  expect_refusal(own, [](mjModel* m) { m->pair_adhesion[0] = 20.0; });
+  expect_refusal(generated, [](mjModel* m) { m->pair_adhesion[0] = 20.0; });
+  expect_refusal(generated, [](mjModel* m) { m->jnt_actfrclimited[0] = 1; });
+}
+
+// Each message names the element, the attribute, its release and what to do. A model without them
+// that was loaded before, and differs in nothing else, hides none of them.
+TEST_F(LaterAttributes, AGeneratedModelNamesEach) {
+  const std::string text = mjcf(shipped("paper_sliding"));
+  const ModelPointer plain = load(text);
+  const std::string ring = std::string("<geom name=\"") + names::kRingContact + "\"",
+                    unsupported = "is not supported on a generated rotor or its ring";
+  struct Case {
+    std::string element, attribute, message;
+  };
+  const Case cases[] = {
+      {ring, "surfacevel=\"0 0 0 0 0 600\"",
+       ">: the attribute surfacevel, new in MuJoCo 3.11, is not supported by contact model"},
+      {"<body name=\"ring\"", "gravcomp=\"1\"",
+       ">: the attribute gravcomp, new in MuJoCo 2.3.1, " + unsupported +
+           ", whose weight the plugin applies; remove it, and set [gravity]"},
+      {"<joint name=\"ring_x\"", "actuatorfrcrange=\"-1 1\"",
+       ">: the attribute actuatorfrcrange, new in MuJoCo 2.3.7, " + unsupported +
+           "; remove it, and limit"},
+      {"<fixed name=\"axis_1\"", "armature=\"1\"",
+       ">: the attribute armature, new in MuJoCo 3.3.1, " + unsupported + "; remove it, and set"},
+      {"<fixed name=\"axis_1\"", "actuatorfrcrange=\"-1 1\" actuatorfrclimited=\"true\"",
+       ">: the attribute actuatorfrcrange, new in MuJoCo 3.3.1, " + unsupported},
+      {"<fixed name=\"axis_1\"", "stiffness=\"1 1\"",
+       ">: the attribute stiffness with several numbers, new in MuJoCo 3.7, " + unsupported +
+           "; give one number"},
+      {"<motor name=\"actuator_1\"", "armature=\"1\"",
+       "<actuator name=\"actuator_1\">: the attribute armature, new in MuJoCo 3.7, " + unsupported +
+           "; remove it, and set"},
+      {"<motor name=\"actuator_1\"", "nsample=\"2\" delay=\"1e-5\"",
+       "<actuator name=\"actuator_1\">: the attribute delay, new in MuJoCo 3.5, is not supported "
+       "on an actuator of the bearing, whose force the plugin computes; remove it, and set"},
+  };
+  for (const Case& c : cases) {
+    const std::string named = c.message.front() == '>' ? c.element + c.message : c.message;
+    expect_refused(with(text, c.element, c.attribute), named);
+  }
+  const std::string spring = "armature=\"1.5\" stiffness=\"200000";
+  expect_refused(replaced(text, spring, spring + " 1"),
+                 "<joint name=\"ring_x\">: the attribute stiffness with several numbers, new in "
+                 "MuJoCo 3.7, " +
+                     unsupported + "; give one number");
+}
+
+// What MJCF does not offer on these elements can be set by mjSpec.
+TEST_F(LaterAttributes, WhatMjSpecCanSetIsNamedToo) {
+  const auto refusal = [](auto edit) -> std::string {
+    const ModelPointer m = load(mjcf(shipped("paper_sliding")));
+    edit(m.get());
+    try {
+      plugin::make_config(m.get());
+    } catch (const plugin::ConfigError& error) {
+      return error.what();
+    }
+    return "";
+  };
+  const std::string gap = "rotorub: <user name=\"gap\">: the attribute ",
+                    written =
+                        ", new in MuJoCo 3.5, is not supported for a sensor whose value the "
+                        "plugin writes; remove it";
+  const auto sensor = [](const mjModel* m) { return mj_name2id(m, mjOBJ_SENSOR, "gap"); };
+  EXPECT_EQ(refusal([&](mjModel* m) { m->sensor_delay[sensor(m)] = 1e-4; }),
+            gap + "delay" + written);
+  EXPECT_EQ(refusal([&](mjModel* m) { m->sensor_interval[2 * sensor(m)] = 1e-4; }),
+            gap + "interval" + written);
+  EXPECT_EQ(refusal([&](mjModel* m) { m->sensor_history[2 * sensor(m)] = 2; }),
+            gap + "nsample" + written);
+  EXPECT_EQ(
+      refusal([](mjModel* m) { m->actuator_actearly[0] = 1; }),
+      "rotorub: <actuator name=\"actuator_1\">: the attribute actearly, new in MuJoCo 3.0, is "
+      "not supported on an actuator of the bearing, whose force the plugin computes; remove "
+      "it");
 }
 
 // A belt at 10 m/s takes a box along with mu g, as a box that slides on a floor is braked.

@@ -2,7 +2,6 @@
 #pragma once
 
 #include <gtest/gtest.h>
-#include <unistd.h>
 
 #include <bit>
 #include <cstdint>
@@ -14,6 +13,7 @@
 #include <vector>
 
 #include "native_model/trajectory/output.h"
+#include "tests/support/temporary_folder.h"
 
 namespace rotorub::test {
 
@@ -27,15 +27,6 @@ struct Testspeed {
 
 class TestspeedTest : public ::testing::Test {
  protected:
-  TestspeedTest() {
-    const auto* info = ::testing::UnitTest::GetInstance()->current_test_info();
-    std::string name = std::string(info->test_suite_name()) + "_" + info->name();
-    for (char& c : name) c = c == '/' ? '_' : c;
-    folder_ = std::filesystem::temp_directory_path() / (name + "_" + std::to_string(::getpid()));
-    std::filesystem::create_directories(folder_);
-  }
-  ~TestspeedTest() override { std::filesystem::remove_all(folder_); }
-
   // Final states of the rollouts, a vector (time, qpos, qvel) each.
   std::vector<std::vector<double>> run(const std::string& document, int steps,
                                        const Testspeed& how = {}) {
@@ -57,7 +48,7 @@ class TestspeedTest : public ::testing::Test {
                   " " + xml.string()
             : "mujoco-testspeed " + xml.string() + " " + n + " " + t + " 0";
     const std::string command =
-        "cd " + folder_.string() + " && ROTORUB_FINAL_STATE_FILE=" + states.string() +
+        "cd " + folder_.path().string() + " && ROTORUB_FINAL_STATE_FILE=" + states.string() +
         " LD_PRELOAD=" + preload + " " + program + " > out.txt 2>&1 < /dev/null";
     status_ = std::system(command.c_str());
     std::vector<std::vector<double>> all;
@@ -81,7 +72,7 @@ class TestspeedTest : public ::testing::Test {
     return all.empty() ? std::vector<double>{} : all.back();
   }
 
-  std::filesystem::path folder_;
+  const TemporaryFolder folder_;
   std::string said_;
   int status_ = 0;
 };

@@ -5,7 +5,6 @@
 #include <array>
 #include <vector>
 
-#include "mjcf/names.h"
 #include "mjcf/writer.h"
 #include "plugin/hooks.h"
 #include "plugin/inverse.h"

@@ -4,7 +4,6 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <random>
 #include <string>
 #include <vector>
 
@@ -57,40 +56,6 @@ TEST_F(Axial, ATurnedMachineMovesAlike) {
   const std::vector<double> upright = end("1 0 0 0"), turned = end("0.5 -0.7 0.3 0.41");
   for (std::size_t i = 0; i < upright.size(); ++i) {
     EXPECT_NEAR(turned[i], upright[i], 1e-9 * (1.0 + std::abs(upright[i]))) << i;
-  }
-}
-
-// A ball that bounces about, with tangential restitution and without.
-TEST_F(Axial, NoEnergyIsGained) {
-  std::mt19937 random(7);
-  std::normal_distribution<double> normal;
-  for (const double tangential : {0.0, 0.8}) {
-    Lift x;
-    x.joints = "<freejoint/>";
-    x.inertia = 2e-3;
-    x.friction = 0.4;
-    x.restitution = 0.9;
-    x.tangential = tangential;
-    const ModelPointer m = load(document(x));
-    for (int k = 0; k < 20; ++k) {
-      const DataPointer d = start(m.get());
-      for (int i = 0; i < 3; ++i) d->qvel[i] = normal(random);
-      for (int i = 3; i < 6; ++i) d->qvel[i] = 30.0 * normal(random);
-      const auto energy = [&] {
-        double sum = 0.0;
-        for (int i = 0; i < 6; ++i)
-          sum += 0.5 * (i < 3 ? kLiftMass : x.inertia) * d->qvel[i] * d->qvel[i];
-        return sum;
-      };
-      double before = energy();
-      const double first = before;
-      for (int i = 0; i < 1000; ++i) {
-        mj_step(m.get(), d.get());
-        ASSERT_LE(energy(), before * (1.0 + 1e-12)) << k << " " << i;
-        before = energy();
-      }
-      EXPECT_LT(before, first);
-    }
   }
 }
 

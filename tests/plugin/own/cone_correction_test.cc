@@ -10,7 +10,6 @@
 #include <string>
 #include <vector>
 
-#include "plugin/hooks.h"
 #include "tests/support/mujoco_fixture.h"
 
 namespace rotorub::test {
@@ -43,7 +42,7 @@ std::string document(const Slide& s) {
          "</custom></mujoco>";
 }
 
-class ConeCorrection : public MujocoTest {
+class ConeCorrection : public HookedTest {
  protected:
   struct Motion {
     double lost = 0.0;     // m/s, of the speed
@@ -71,7 +70,6 @@ class ConeCorrection : public MujocoTest {
     out.across = d->qvel[1] * std::cos(angle) - d->qvel[0] * std::sin(angle);
     return out;
   }
-  plugin::Hooks hooks_;
 };
 
 TEST_F(ConeCorrection, WithoutItMujocosDefaultsLoseTheContact) {
@@ -99,15 +97,6 @@ TEST_F(ConeCorrection, WhatSlidesBrakesWithMuG) {
       }
     }
   }
-}
-
-// A pair that is named twice would be corrected twice.
-TEST_F(ConeCorrection, APairIsNamedOnce) {
-  Slide s;
-  s.custom += R"(<text name="rotorub_cone_coulomb_pair_2" data="sliding"/>)";
-  std::string why;
-  EXPECT_EQ(try_load(document(s), why), nullptr);
-  EXPECT_NE(why.find("named twice"), std::string::npos) << why;
 }
 
 // The ellipse is round. The pyramid is MuJoCo's: along its edge it brakes with mu / sqrt 2.
@@ -232,14 +221,15 @@ TEST_F(ConeCorrection, LeavesOtherContactsAlone) {
 
 TEST_F(ConeCorrection, RefusesWhatIsNoPairWithFriction) {
   Slide s;
-  std::string error;
   s.custom = R"(<text name="rotorub_cone_coulomb_pair" data="slidin"/>)";
-  EXPECT_FALSE(try_load(document(s), error));
-  EXPECT_NE(error.find("no <pair> is called \"slidin\""), std::string::npos) << error;
+  expect_refused(document(s), "no <pair> is called \"slidin\"");
   s = {};
   s.condim = 1;
-  EXPECT_FALSE(try_load(document(s), error));
-  EXPECT_NE(error.find("condim"), std::string::npos) << error;
+  expect_refused(document(s), "condim");
+  // One that is named twice would be corrected twice.
+  s = {};
+  s.custom += R"(<text name="rotorub_cone_coulomb_pair_2" data="sliding"/>)";
+  expect_refused(document(s), "named twice");
 }
 
 // The example, a program without any of ours: plugin/README.md has its table.

@@ -6,7 +6,6 @@
 
 #include "mjcf/writer.h"
 #include "plugin/contact/contact_memory.h"
-#include "plugin/hooks.h"
 #include "tests/plugin/own/machine.h"
 #include "tests/support/mujoco_fixture.h"
 
@@ -20,13 +19,12 @@ void count_escape(const char* text) {
   last_escape = text;
 }
 
-class Escape : public MujocoTest {
+class Escape : public HookedTest {
  protected:
   Escape() {
     mju_user_warning = count_escape;
     escapes = 0;
   }
-  plugin::Hooks hooks_;
 };
 
 TEST(EscapeGuard, TellsOnceAndKnowsStarts) {

@@ -6,7 +6,6 @@
 
 #include "mjcf/names.h"
 #include "mjcf/writer.h"
-#include "plugin/hooks.h"
 #include "plugin/user_data.h"
 #include "tests/support/mujoco_document.h"
 #include "tests/support/mujoco_fixture.h"
@@ -16,10 +15,7 @@ namespace {
 
 namespace names = mjcf_names;
 
-class HeldGenerated : public MujocoTest {
- protected:
-  plugin::Hooks hooks_;
-};
+using HeldGenerated = HookedTest;
 
 // A disc of 2 kg at 0.3 m/s against a ring of 1 kg, without springs.
 const std::string kFlight = R"(

@@ -5,7 +5,6 @@
 #include <cmath>
 #include <string>
 
-#include "plugin/hooks.h"
 #include "tests/plugin/own/machine.h"
 #include "tests/support/mujoco_fixture.h"
 
@@ -14,7 +13,7 @@ namespace {
 
 constexpr double kClearance = 5e-4;
 
-class GuidedRotor : public MujocoTest {
+class GuidedRotor : public HookedTest {
  protected:
   enum { kX, kSpin };
   // In a ring that stands still, with or without a spin.
@@ -28,8 +27,6 @@ class GuidedRotor : public MujocoTest {
         replaced(document(x), R"(<joint name="rotor_y" type="slide" axis="0 1 0"/>)", "");
     return replaced(text, R"(<joint name="spin" type="hinge" axis="0 0 1" />)", spin);
   }
-
-  plugin::Hooks hooks_;
 };
 
 // Nothing there can slip: G_TT = 0.

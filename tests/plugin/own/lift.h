@@ -6,7 +6,6 @@
 #include <cmath>
 #include <string>
 
-#include "plugin/hooks.h"
 #include "tests/plugin/own/machine.h"
 #include "tests/plugin/own/two_rings.h"
 #include "tests/support/mujoco_fixture.h"
@@ -78,7 +77,7 @@ inline Lift held_across() {
   return x;
 }
 
-class Axial : public MujocoTest {
+class Axial : public HookedTest {
  protected:
   // Coordinates and speeds of Lift's joints.
   static double& of(const mjModel* m, mjtNum* all, const char* joint) {
@@ -98,7 +97,6 @@ class Axial : public MujocoTest {
     const long steps = std::lround(time / m->opt.timestep);
     for (long i = 0; i < steps; ++i) mj_step(m, d);
   }
-  plugin::Hooks hooks_;
 };
 
 }  // namespace rotorub::test

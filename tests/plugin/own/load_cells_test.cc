@@ -9,12 +9,12 @@
 #include "mjcf/names.h"
 #include "mjcf/writer.h"
 #include "plugin/contact_force.h"
-#include "plugin/hooks.h"
 #include "plugin/load_cells.h"
 #include "tests/plugin/own/machine.h"
 #include "tests/plugin/own/two_rings.h"
 #include "tests/plugin/scenes.h"
 #include "tests/support/mujoco_fixture.h"
+#include "tests/support/said.h"
 
 namespace rotorub::test {
 namespace {
@@ -26,7 +26,7 @@ const std::string kCells = R"(<sensor>
     <touch name="pad" site="pad"/>)";
 const std::string kSites = R"(<site name="cell"/><site name="pad" type="box" size="1 1 1"/>)";
 
-class LoadCells : public MujocoTest {
+class LoadCells : public HookedTest {
  protected:
   // The machine of machine.h with cells below ring and rotor.
   static std::string with_cells(Machine x) {
@@ -54,8 +54,6 @@ class LoadCells : public MujocoTest {
     }
     EXPECT_GT(touched, 100);
   }
-
-  plugin::Hooks hooks_;
 };
 
 // On a ring that stands: m a = applied + F, and the cell holds what the ring is pressed with, F.
@@ -255,16 +253,13 @@ TEST_F(LoadCells, AreRefusedWhereNothingIsCalledAfterThem) {
   std::string text =
       replaced(document(x), "<sensor>", "<sensor><force name=\"cell\" site=\"cell\"/>");
   for (int i = 0; i < 2; ++i) text = replaced(text, "needstage=\"acc\"", "needstage=\"vel\"");
-  std::string error;
-  EXPECT_FALSE(try_load(text, error));
-  EXPECT_NE(error.find("<sensor name=\"cell\">"), std::string::npos) << error;
-  EXPECT_NE(error.find("accepted"), std::string::npos) << error;
+  EXPECT_TRUE(contains(load_refusal(text), {"<sensor name=\"cell\">", "accepted"}));
   // One that carries neither rotor nor ring is MuJoCo's own matter.
   x.ring_geoms = "";
   x.bodies = R"(<body name="aside"><site name="cell"/><geom size="0.01"/></body>)";
   text = replaced(document(x), "<sensor>", "<sensor><force name=\"cell\" site=\"cell\"/>");
   for (int i = 0; i < 2; ++i) text = replaced(text, "needstage=\"acc\"", "needstage=\"vel\"");
-  EXPECT_TRUE(try_load(text, error)) << error;
+  load(text);
 }
 
 #if mjVERSION_HEADER >= 335
@@ -273,12 +268,9 @@ TEST_F(LoadCells, ContactSensorsAreRefused) {
   const auto with = [&](const std::string& sensor) {
     return replaced(document(x), "<sensor>", "<sensor>" + sensor);
   };
-  std::string error;
-  EXPECT_FALSE(
-      try_load(with("<contact name=\"pad\" geom1=\"disc\" data=\"found force\"/>"), error));
-  EXPECT_NE(error.find("<sensor name=\"pad\">"), std::string::npos) << error;
-  EXPECT_TRUE(try_load(with("<contact name=\"pad\" geom1=\"disc\" data=\"found dist\"/>"), error))
-      << error;
+  expect_refused(with("<contact name=\"pad\" geom1=\"disc\" data=\"found force\"/>"),
+                 "<sensor name=\"pad\">");
+  load(with("<contact name=\"pad\" geom1=\"disc\" data=\"found dist\"/>"));
 }
 #endif
 

@@ -7,7 +7,6 @@
 #include <vector>
 
 #include "mjcf/soft_contact.h"
-#include "plugin/hooks.h"
 #include "tests/support/mujoco_fixture.h"
 #include "tests/support/oracles/oblique_impact.h"
 
@@ -16,7 +15,7 @@ namespace {
 
 using oracle::ObliqueImpact;
 
-class ObliqueSphere : public MujocoTest {
+class ObliqueSphere : public HookedTest {
  protected:
   static constexpr double kStep = 1e-6;  // s
 
@@ -94,8 +93,6 @@ class ObliqueSphere : public MujocoTest {
       }
     }
   }
-
-  plugin::Hooks hooks_;
 };
 
 TEST_F(ObliqueSphere, TheFigureOfTheBenchmark) {

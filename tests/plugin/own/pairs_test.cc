@@ -5,7 +5,6 @@
 #include <random>
 #include <vector>
 
-#include "plugin/hooks.h"
 #include "tests/plugin/own/two_rings.h"
 #include "tests/support/mujoco_fixture.h"
 
@@ -15,7 +14,7 @@ namespace {
 constexpr double kPairStep = 1e-5, kPairSpeed = 0.3, kPairEps = 0.5, kShaft = 2.0;
 enum ShaftCoordinate { kShaftX, kShaftY, kTiltX, kTiltY, kShaftSpin };
 
-class Pairs : public MujocoTest {
+class Pairs : public HookedTest {
  protected:
   // Of the velocities, at the pose that they are of, and at that which the last step began with.
   static double energy(const mjModel* m, mjData* d) {
@@ -36,7 +35,6 @@ class Pairs : public MujocoTest {
     const mjtNum* b = d->geom_xpos + 3 * mj_name2id(m, mjOBJ_GEOM, ring);
     return std::hypot(a[0] - b[0], a[1] - b[1]) - clearance;
   }
-  plugin::Hooks hooks_;
 };
 
 // A central hit: each ring takes half, nothing tilts. With tilt the impulses are unique; without
@@ -218,35 +216,6 @@ TEST_F(Pairs, ALastingContactTakesPartInABlow) {
   EXPECT_LT(depth(m.get(), d.get(), "disc", "ring", 5e-4), 1e-9);
   EXPECT_LT(depth(m.get(), d.get(), "far", "holder", 5e-4), 1e-9);
   EXPECT_GT(sensor(m.get(), d.get(), "normal_force_2"), 100.0);
-}
-
-// Repeated passes, resets and copies: the memory of each contact is its own.
-TEST_F(Pairs, ResetAndCopyGiveTheSameBits) {
-  TwoRings x;
-  x.friction = 0.15;
-  x.ring_mass = 1.0;
-  x.clearance[1] = 4e-4;
-  const ModelPointer m = load(document(x));
-  const auto begin = [&](mjData* d) {
-    d->qvel[kShaftX] = kPairSpeed;
-    d->qvel[kTiltY] = 1.0;
-    d->qvel[kShaftSpin] = 100.0;
-    d->qfrc_applied[kShaftX] = 100.0;
-  };
-  const DataPointer d = start(m.get());
-  begin(d.get());
-  for (int k = 0; k < 800; ++k) mj_step(m.get(), d.get());
-  const DataPointer copy(mj_copyData(nullptr, m.get(), d.get()));
-  for (int k = 0; k < 800; ++k) mj_step(m.get(), d.get());
-  for (int k = 0; k < 800; ++k) {
-    mj_forward(m.get(), copy.get());
-    mj_step(m.get(), copy.get());
-  }
-  EXPECT_EQ(state_of(m.get(), d.get()), state_of(m.get(), copy.get()));
-  mj_resetData(m.get(), copy.get());
-  begin(copy.get());
-  for (int k = 0; k < 1600; ++k) mj_step(m.get(), copy.get());
-  EXPECT_EQ(state_of(m.get(), d.get()), state_of(m.get(), copy.get()));
 }
 
 }  // namespace

@@ -4,12 +4,10 @@
 // ring brakes it afterwards. A disc that 100 N press onto a ring that 1000 N hold comes to rest.
 #include <gtest/gtest.h>
 
-#include <functional>
 #include <string>
 #include <vector>
 
 #include "mjcf/names.h"
-#include "plugin/hooks.h"
 #include "plugin/user_data.h"
 #include "tests/plugin/own/machine.h"
 #include "tests/plugin/own/two_rings.h"
@@ -18,7 +16,7 @@
 namespace rotorub::test {
 namespace {
 
-class SaturatingRows : public MujocoTest {
+class SaturatingRows : public HookedTest {
  protected:
   static constexpr double kTime = 1e-5, kDisc = 2.0, kBand = 1.0;  // s, kg, kg
   static constexpr double kHeld = 1000.0, kPush = 100.0;           // N
@@ -84,8 +82,6 @@ class SaturatingRows : public MujocoTest {
     d->qfrc_applied[kBandY] = held.pressed_y;
     return d;
   }
-
-  plugin::Hooks hooks_;
 };
 
 // From 0.05 m/s on what holds the ring, 0.01 m/s a step, does not close the gap again.

@@ -3,7 +3,6 @@
 
 #include <string>
 
-#include "plugin/hooks.h"
 #include "tests/plugin/own/machine.h"
 #include "tests/support/mujoco_fixture.h"
 
@@ -17,7 +16,7 @@ void count_solver_warning(const char* text) {
   last_solver_warning = text;
 }
 
-class SolverLimit : public MujocoTest {
+class SolverLimit : public HookedTest {
  protected:
   SolverLimit() {
     mju_user_warning = count_solver_warning;
@@ -43,7 +42,6 @@ class SolverLimit : public MujocoTest {
     }
     return solver_warnings;
   }
-  plugin::Hooks hooks_;
 };
 
 TEST_F(SolverLimit, IsSaidOnce) {

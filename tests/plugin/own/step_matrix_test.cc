@@ -5,9 +5,10 @@
 #include <algorithm>
 #include <cmath>
 #include <string>
+#include <utility>
+#include <vector>
 
 #include "mjcf/writer.h"
-#include "plugin/hooks.h"
 #include "tests/plugin/own/machine.h"
 #include "tests/plugin/own/two_rings.h"
 #include "tests/plugin/scenes.h"
@@ -16,7 +17,7 @@
 namespace rotorub::test {
 namespace {
 
-class StepMatrix : public MujocoTest {
+class StepMatrix : public HookedTest {
  protected:
   // Of the first blow, along x: the closing rate of ring and rotor after the step over that which
   // the step without a contact has.
@@ -43,43 +44,46 @@ class StepMatrix : public MujocoTest {
                          "timestep=\"1e-5\" integrator=\"" + std::string(integrator) + "\""));
   }
 
-  static void expect_restitution(const std::string& text, const char* integrator,
-                                 const char* what) {
-    const ModelPointer m = stepped(text, integrator);
-    for (const double step : {1e-5, 1e-4}) {
-      EXPECT_NEAR(rebound(m.get(), step, 0, 3), kEps, 1e-9)
-          << what << " " << integrator << " " << step;
-    }
-  }
-
   static std::string with_actuator(const std::string& actuator) {
     Machine x;
     x.constraints = "<actuator>" + actuator + "</actuator>";
     return document(x);
   }
-
-  plugin::Hooks hooks_;
 };
 
-TEST_F(StepMatrix, ABlowBesideAServoHasItsRestitution) {
-  for (const char* servo :
-       {R"(<velocity name="servo" joint="ring_x" kv="2e4"/>)",
-        R"(<general name="servo" joint="rotor_x" biastype="affine" biasprm="0 0 -2e4"/>)"}) {
-    expect_restitution(with_actuator(servo), "implicit", servo);
+TEST_F(StepMatrix, ABlowHasItsRestitution) {
+  const std::string ring_servo = with_actuator(R"(<velocity joint="ring_x" kv="2e4"/>)");
+  Machine tendon, fluid, damper;
+  tendon.constraints = R"(<tendon><fixed damping="5e3"><joint joint="ring_x" coef="1"/>
+                          <joint joint="ring_y" coef="0.5"/></fixed></tendon>)";
+  fluid.option = "viscosity=\"5e3\"";
+  damper.ring_joint = "damping=\"2e4\"";
+  std::vector<std::pair<const char*, std::string>> cases{
+      {"implicit", ring_servo},
+      {"implicit",
+       with_actuator(R"(<general joint="rotor_x" biastype="affine" biasprm="0 0 -2e4"/>)")},
+      {"implicit", document(tendon)},
+      {"implicit", document(fluid)},
+      {"implicit", document(damper)}};
+#if mjVERSION_HEADER >= 233
+  cases.emplace_back("implicitfast", ring_servo);
+  cases.emplace_back("implicitfast", with_actuator(R"(<velocity joint="rotor_x" kv="2e4"/>)"));
+#endif
+#if mjVERSION_HEADER >= 3007000
+  // Dampers may be polynomials, and actuators.
+  damper.ring_joint = "damping=\"2e3 1e5 1e6\"";
+  const std::string actuator =
+      with_actuator(R"(<motor joint="ring_x" gear="2" damping="2e4 1e3 0"/>)");
+  cases.emplace_back("Euler", document(damper));
+  cases.emplace_back("implicit", document(damper));
+  cases.emplace_back("Euler", actuator);
+  cases.emplace_back("implicitfast", actuator);
+#endif
+  for (const auto& [integrator, text] : cases) {
+    const ModelPointer m = stepped(text, integrator);
+    for (const double step : {1e-5, 1e-4})
+      EXPECT_NEAR(rebound(m.get(), step, 0, 3), kEps, 1e-9) << integrator << step << text;
   }
-}
-
-TEST_F(StepMatrix, ABlowBesideADampedTendonHasItsRestitution) {
-  Machine x;
-  x.constraints = R"(<tendon><fixed name="damper" damping="5e3"><joint joint="ring_x" coef="1"/>
-                     <joint joint="ring_y" coef="0.5"/></fixed></tendon>)";
-  expect_restitution(document(x), "implicit", "tendon");
-}
-
-TEST_F(StepMatrix, ABlowInAFluidHasItsRestitution) {
-  Machine x;
-  x.option = "viscosity=\"5e3\"";
-  expect_restitution(document(x), "implicit", "fluid");
 }
 
 // A shaft that turns fast about an axis that is none of its principal ones, in fixed rings: the
@@ -104,9 +108,7 @@ TEST_F(StepMatrix, ABlowOfAGyroscopeHasItsRestitution) {
 TEST_F(StepMatrix, ABlowWithoutDampersHasItsRestitution) {
   Machine x;
   x.ring_joint = "damping=\"2e4\"";
-  const std::string text = document(x);
-  expect_restitution(text, "implicit", "damper");
-  const ModelPointer m = stepped(text, "implicit");
+  const ModelPointer m = stepped(document(x), "implicit");
 #if mjVERSION_HEADER >= 336
   m->opt.disableflags |= mjDSBL_SPRING | mjDSBL_DAMPER;
 #else
@@ -114,27 +116,6 @@ TEST_F(StepMatrix, ABlowWithoutDampersHasItsRestitution) {
 #endif
   EXPECT_NEAR(rebound(m.get(), 1e-4, 0, 3), kEps, 1e-9);
 }
-
-#if mjVERSION_HEADER >= 233
-TEST_F(StepMatrix, ImplicitfastIsAnotherMatrix) {
-  for (const char* servo : {R"(<velocity name="servo" joint="ring_x" kv="2e4"/>)",
-                            R"(<velocity name="servo" joint="rotor_x" kv="2e4"/>)"}) {
-    expect_restitution(with_actuator(servo), "implicitfast", servo);
-  }
-}
-#endif
-#if mjVERSION_HEADER >= 3007000
-TEST_F(StepMatrix, DampersOfEulerMayBePolynomialsAndActuators) {
-  Machine x;
-  x.ring_joint = "damping=\"2e3 1e5 1e6\"";
-  expect_restitution(document(x), "Euler", "polynomial");
-  expect_restitution(document(x), "implicit", "polynomial");
-  const std::string actuator =
-      with_actuator(R"(<motor name="push" joint="ring_x" gear="2" damping="2e4 1e3 0"/>)");
-  expect_restitution(actuator, "Euler", "actuator");
-  expect_restitution(actuator, "implicitfast", "actuator");
-}
-#endif
 
 // A lasting contact is held as well: pressed with 500 N, beside a servo that pulls the ring away.
 TEST_F(StepMatrix, ARubBesideAServoIsHeld) {

@@ -6,7 +6,6 @@
 #include <cmath>
 #include <numbers>
 
-#include "plugin/hooks.h"
 #include "tests/plugin/own/two_rings.h"
 #include "tests/support/mujoco_fixture.h"
 
@@ -15,7 +14,7 @@ namespace {
 
 constexpr double kTiltRadius = 0.05, kTiltClearance = 5e-4;
 
-class Tilt : public MujocoTest {
+class Tilt : public HookedTest {
  protected:
   // Gap of a rotor's two edges, `half` to either side of its centre, in an endless cylinder: the
   // least distance of any of their points.
@@ -37,7 +36,6 @@ class Tilt : public MujocoTest {
     }
     return kTiltRadius + kTiltClearance - farthest;
   }
-  plugin::Hooks hooks_;
 };
 
 // Thin: our gap is the smaller, by no more than r theta^2 / 2 (25 nm at 1 mrad, 2.5 um at 10 mrad).

@@ -7,8 +7,6 @@
 #include <string>
 
 #include "mjcf/names.h"
-#include "native_model/run/run_native.h"
-#include "plugin/hooks.h"
 #include "tests/plugin/own/machine.h"
 #include "tests/support/mujoco_fixture.h"
 
@@ -48,7 +46,7 @@ x = [5e-4]
 vy = [0.4]
 )";
 
-class OwnTurningRing : public MujocoTest {
+class OwnTurningRing : public HookedTest {
  protected:
   // Held at its centre, so that it can do nothing but turn, around a rotor whose spin hardly
   // changes.
@@ -83,8 +81,6 @@ class OwnTurningRing : public MujocoTest {
     d->qvel[5] = kRingSpeed;
     return d;
   }
-
-  plugin::Hooks hooks_;
 };
 
 // ---------------------------------------------------------------- held at its centre
@@ -119,30 +115,6 @@ TEST_F(OwnTurningRing, IsSpunUpByTheRub) {
     EXPECT_NEAR(sensor(m.get(), d.get(), "slip"),
                 d->qvel[kY] + kTurningRadius * d->qvel[kSpin] - kBore * d->qvel[kRing], 1e-3)
         << contact;
-  }
-}
-
-// A ring that turns by itself, without friction, changes nothing: neither force nor place.
-TEST_F(OwnTurningRing, WithoutFrictionItMayTurnAsItLikes) {
-  for (const char* contact : {"rigid", "coulomb"}) {
-    for (const double speed : {0.0, 314.0, -3000.0}) {
-      const ModelPointer m = held(contact, 0.0, 0.0);
-      const DataPointer d = start(m.get());
-      d->qpos[kX] = kTurningClearance;
-      d->qvel[kRing] = speed;
-      double lowest = 1e9, highest = 0.0;
-      for (int k = 0; k < 3000; ++k) {
-        d->qfrc_applied[kX] = 20.0;
-        mj_step(m.get(), d.get());
-        if (k < 500) continue;
-        lowest = std::min(lowest, sensor(m.get(), d.get(), "normal_force"));
-        highest = std::max(highest, sensor(m.get(), d.get(), "normal_force"));
-      }
-      EXPECT_NEAR(lowest, 20.0, 0.05) << contact << speed;
-      EXPECT_NEAR(highest, 20.0, 0.05) << contact << speed;
-      EXPECT_NEAR(std::hypot(d->qpos[kX], d->qpos[kY]), kTurningClearance, 5e-8)
-          << contact << speed;
-    }
   }
 }
 
@@ -185,9 +157,7 @@ TEST_F(OwnTurningRing, WithoutFrictionItsTurningGivesTheRotorNoForce) {
 
 // Of first order, as own models are.
 TEST_F(OwnTurningRing, FollowsTheNativeAnswer) {
-  NativeOptions options;
-  options.integrator = scene::Integrator::kEvent;
-  const Trajectory native = run_native(parsed(kScene), options);
+  const Trajectory native = run_event(parsed(kScene));
   ASSERT_EQ(native.status, Status::kOk);
   const auto last = [&](const char* column) { return native.column(column).back(); };
   ASSERT_GT(std::abs(last("ring_speed") - kRingSpeed), 5.0) << "friction does something";
@@ -206,25 +176,6 @@ TEST_F(OwnTurningRing, FollowsTheNativeAnswer) {
     const double coarse = error(1e-5), fine = error(2.5e-6);
     EXPECT_LT(fine, 0.3 * coarse);
     EXPECT_LT(fine, 1e-2 * kTurningClearance);
-  }
-}
-
-// What friction gives the one it takes from the other, at one point: the bore's radius is its lever
-// there, to the gap of the step's begin.
-TEST_F(OwnTurningRing, FrictionsMomentsBalance) {
-  const ModelPointer m = floating("rigid", kMu);
-  const DataPointer d = begin(m.get());
-  const double inertia = 1e-3, drag = 2e-3;
-  for (int k = 0; k < 500; ++k) {
-    const double spin = d->qvel[2], ring = d->qvel[5], h = m->opt.timestep;
-    const double delta = std::hypot(d->qpos[0] - d->qpos[3], d->qpos[1] - d->qpos[4]);
-    EXPECT_NEAR(delta, kTurningClearance, 1e-3 * kTurningClearance);
-    mj_step(m.get(), d.get());
-    const double friction = sensor(m.get(), d.get(), mjcf_names::kFrictionForce);
-    EXPECT_NEAR(inertia * (d->qvel[2] - spin) / h, kTurningRadius * friction, 1e-9);
-    // MuJoCo's joint damping is that of the step's end.
-    EXPECT_NEAR(inertia * (d->qvel[5] - ring) / h + drag * d->qvel[5],
-                -(kTurningRadius + delta) * friction, 1e-9);
   }
 }
 
