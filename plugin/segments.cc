@@ -154,7 +154,7 @@ Model bending_loads(const scene::Scene& scene, const Model& model, const Segment
   }
   for (const scene::MagneticBearing& bearing : scene.magnetic_bearings) {
     const double k = bearing.pull();
-    if (!bearing.control) loads.springs.push_back({shape(bearing.station), {-k, -k}});
+    if (bearing.is_spring()) loads.springs.push_back({shape(bearing.station), {-k, -k}});
   }
   for (StationFeedback feedback : model.feedbacks) {
     const scene::MagneticBearing& bearing = scene.magnetic_bearings[feedback.number];

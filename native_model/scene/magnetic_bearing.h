@@ -2,6 +2,7 @@
 // law: bearing/magnetic_feedback.h.
 #pragma once
 
+#include <algorithm>
 #include <cstddef>
 #include <limits>
 #include <optional>
@@ -89,6 +90,8 @@ struct MagneticBearing {
   double bias_current = 0.0;    // electromagnet: A, i_0 > 0
   double air_gap = 0.0;         // electromagnet: m, s_0 > 0
 
+  // A constant negative stiffness, and nothing else.
+  bool is_spring() const { return !control && kind == MagnetKind::kLinear; }
   bool senses_elsewhere() const { return sensor_station || !sensor_shape.empty(); }
   // N/m, k_s, and with a control N/A, k_i: of an electromagnet about the middle.
   double pull() const {
@@ -101,10 +104,8 @@ struct MagneticBearing {
   }
   // A, of the control's current.
   double current_limit() const {
-    if (kind == MagnetKind::kLinear || control->current_limit < bias_current) {
-      return control->current_limit;
-    }
-    return bias_current;
+    if (kind == MagnetKind::kLinear) return control->current_limit;
+    return control ? std::min(control->current_limit, bias_current) : bias_current;
   }
 };
 inline constexpr std::size_t kMaxMagneticBearings = 8;

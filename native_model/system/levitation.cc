@@ -82,7 +82,8 @@ LoopResponse::LoopResponse(const Model& model, double speed) : model_(always_wor
   damping_ = parts.damping;
   stiffness_ = parts.stiffness;
   for (std::size_t k = 0; k < model_.feedbacks.size(); ++k) {
-    if (model_.feedbacks[k].works.at(0.0)) working_.push_back(k);
+    const StationFeedback& f = model_.feedbacks[k];
+    if (f.controlled && f.works.at(0.0)) working_.push_back(k);
   }
   const Eigen::Index n = model_.layout.modes, p = 2 * static_cast<Eigen::Index>(working_.size());
   into_ = seen_ = Eigen::MatrixXd::Zero(2 * n, p);

@@ -50,8 +50,8 @@ void add_magnetic_bearing(const scene::Scene& scene, std::size_t number, const M
                           int& next, Model& model) {
   const scene::MagneticBearing& bearing = scene.magnetic_bearings[number];
   const double k = bearing.pull();
-  if (!bearing.control) return model.springs.push_back({shapes.station, {-k, -k}});
-  const scene::BearingControl& c = *bearing.control;
+  if (bearing.is_spring()) return model.springs.push_back({shapes.station, {-k, -k}});
+  const scene::BearingControl c = bearing.control.value_or(scene::BearingControl{});
   StationFeedback feedback{
       .shape = shapes.station,
       .law = {.negative_stiffness = k,
@@ -63,7 +63,8 @@ void add_magnetic_bearing(const scene::Scene& scene, std::size_t number, const M
               .derivative_lag = c.derivative_lag},
       .works = {c.works_from > 0.0 ? c.works_from : -scene::kNever, c.fails_at, c.returns_at},
       .sensor = shapes.sensor,
-      .number = number};
+      .number = number,
+      .controlled = bearing.control.has_value()};
   if (bearing.kind == scene::MagnetKind::kElectromagnet) {
     feedback.law.opposed = true;
     feedback.law.magnets = {bearing.force_constant, bearing.bias_current, bearing.air_gap};

@@ -125,6 +125,7 @@ struct StationFeedback {
   FeedbackStates states{};
   std::optional<ModeShape> sensor{};  // where the law sees the deflection; absent: at `shape`
   std::size_t number = 0;             // among the scene's magnetic bearings
+  bool controlled = true;             // false: its magnets have their bias current alone
   const ModeShape& seen() const { return sensor ? *sensor : shape; }
 };
 

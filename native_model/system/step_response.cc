@@ -92,7 +92,7 @@ Ports ports_of(const Model& m, const FirstOrderForm& form) {
   const Eigen::Index n = m.layout.modes, states = form.a.rows();
   std::vector<const StationFeedback*> working;
   for (const StationFeedback& f : m.feedbacks) {
-    if (f.works.at(0.0)) working.push_back(&f);
+    if (f.controlled && f.works.at(0.0)) working.push_back(&f);
   }
   const auto p = 2 * static_cast<Eigen::Index>(working.size());
   Ports ports{Eigen::MatrixXd::Zero(states, p), Eigen::MatrixXd::Zero(p, states),

@@ -222,6 +222,7 @@ void for_each_column(const Model& m, const Visit& visit) {
           [](const Row& r) { return motor_torque(r.m, r.time, r.now.q, r.now.v); });
   }
   for (const StationFeedback& bearing : m.feedbacks) {
+    if (!bearing.controlled) continue;
     const auto current = [&](const Row& r) {
       return bearing_current(r.m, bearing, r.time, r.now.q, r.now.v);
     };

@@ -3,7 +3,6 @@
 #include <gtest/gtest.h>
 
 #include <Eigen/Core>
-#include <algorithm>
 #include <cmath>
 #include <complex>
 #include <numbers>
@@ -14,15 +13,14 @@
 #include "native_model/numerics/linear_solve.h"
 #include "native_model/scene/reader.h"
 #include "native_model/system/model.h"
+#include "tests/support/fixed_steps.h"
 #include "tests/support/jeffcott.h"
-#include "tests/support/native_run.h"
-#include "tests/support/order.h"
+#include "tests/support/said.h"
 
 namespace rotorub {
 namespace {
 
 using test::run_event;
-using test::run_with;
 
 using Complex = std::complex<double>;
 
@@ -90,15 +88,9 @@ TEST(MagneticAmplifier, LinearLoopIsAMatrixExponential) {
     EXPECT_NEAR(t.column("bearing_current_x")[k], x.at(time)[4], 1e-9) << k;
     EXPECT_NEAR(t.column("bearing_current_y")[k], y.at(time)[4], 1e-9) << k;
   }
-  for (const auto integrator : {scene::Integrator::kMidpoint, scene::Integrator::kVerlet}) {
-    test::Convergence c;
-    for (const double step : {1e-4, 5e-5, 2e-5, 1e-5, 5e-6}) {
-      c.steps.push_back(step);
-      c.errors.push_back(test::orbit_error(run_with(s, integrator, step), exact));
-    }
-    EXPECT_GT(c.order(), 1.95) << static_cast<int>(integrator) << " " << c.text();
-    EXPECT_LT(c.errors.back(), 1e-8) << c.text();
-  }
+  test::expect_order_of_steps(
+      s, {1e-4, 5e-5, 2e-5, 1e-5, 5e-6}, 1.95,
+      [&](const Trajectory& run) { return test::orbit_error(run, exact); }, 1e-8);
 }
 
 // The dynamic stiffness -m w^2 - k_s + k_i H_a (P + i w D H_d + I / (i w)), H = 1 / (1 + i w T).
@@ -145,14 +137,8 @@ TEST(MagneticAmplifier, TheVoltageBoundsTheRateOfTheCurrent) {
   const Trajectory t = run_event(s);
   EXPECT_LT(test::orbit_error(t, exact), 1e-15);
   EXPECT_NEAR(t.column("bearing_current_x").back(), kVolts / kHenry * s.run.end, 1e-12);
-  for (const auto integrator : {scene::Integrator::kMidpoint, scene::Integrator::kVerlet}) {
-    test::Convergence c;
-    for (const double step : {1e-4, 5e-5, 2.5e-5, 1.25e-5}) {
-      c.steps.push_back(step);
-      c.errors.push_back(test::orbit_error(run_with(s, integrator, step), exact));
-    }
-    EXPECT_GT(c.order(), 1.95) << static_cast<int>(integrator) << " " << c.text();
-  }
+  test::expect_order_of_steps(s, {1e-4, 5e-5, 2.5e-5, 1.25e-5}, 1.95,
+                              [&](const Trajectory& run) { return test::orbit_error(run, exact); });
   // With a resistance it ends at U / R.
   s.magnetic_bearings[0].amplifier->resistance = 50.0;
   s.run.end = 5e-3;
@@ -217,15 +203,9 @@ TEST(MagneticAmplifier, WorksFromOnToFailureAndFromItsReturn) {
   EXPECT_NEAR(current[20], moved(true, 0.02 - kOn, on)[4], 1e-9);
   EXPECT_NEAR(current[22], moved(false, 0.022 - kFails, fails)[4], 1e-9);
   EXPECT_GT(std::abs(current[22]), 1e-3);
-  for (const auto integrator : {scene::Integrator::kMidpoint, scene::Integrator::kVerlet}) {
-    test::Convergence c;
-    for (const double step : {1e-4, 5e-5, 2.5e-5, 1e-5, 5e-6}) {
-      c.steps.push_back(step);
-      c.errors.push_back(test::orbit_error(run_with(s, integrator, step), exact));
-    }
-    EXPECT_GT(c.order(), 1.85) << static_cast<int>(integrator) << " " << c.text();
-    EXPECT_LT(c.errors.back(), 1e-8) << c.text();
-  }
+  test::expect_order_of_steps(
+      s, {1e-4, 5e-5, 2.5e-5, 1e-5, 5e-6}, 1.85,
+      [&](const Trajectory& t) { return test::orbit_error(t, exact); }, 1e-8);
 }
 
 // ---------------------------------------------------------------- what is refused
@@ -246,13 +226,9 @@ bandwidth = "1.5 kHz"
 )";
   const scene::Scene good = scene::parse_scene(text, "good.toml", {});
   EXPECT_NEAR(good.magnetic_bearings[0].amplifier->bandwidth, 3000.0 * std::numbers::pi, 1e-9);
-  const auto reason = [&](const std::vector<std::string>& overrides) -> std::string {
-    try {
-      scene::parse_scene(text, "bad.toml", overrides);
-    } catch (const scene::SceneError& error) {
-      return error.what();
-    }
-    return "";
+  const auto reason = [&](const std::vector<std::string>& overrides) {
+    return test::message_of<scene::SceneError>(
+        [&] { scene::parse_scene(text, "bad.toml", overrides); });
   };
   const std::string magnets =
       "magnetic_bearing={kind=\"electromagnet\",force_constant=1e-6,"

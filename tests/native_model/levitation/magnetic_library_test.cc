@@ -12,6 +12,7 @@
 #include "native_model/system/levitation.h"
 #include "tests/support/native_run.h"
 #include "tests/support/refusal.h"
+#include "tests/support/said.h"
 
 namespace rotorub {
 namespace {
@@ -147,11 +148,9 @@ TEST(MagneticLibrary, IsToldItsBearings) {
   const std::string said =
       to_string(test::refusal(read(kDelay + by_library("fault = \"create\"\n"))));
   // k_i = 4 k_m i_0/s_0^2, k_s = 4 k_m i_0^2/s_0^3.
-  EXPECT_NE(said.find("magnetic refuses: 1 4 0.0002 0.0002: 80 160000 2 1e-05 2 0.001 inf"),
-            std::string::npos)
-      << said;
-  EXPECT_NE(said.find("magnetic_control.config"), std::string::npos) << said;
-  EXPECT_NE(said.find("magnets.toml:"), std::string::npos) << said;
+  EXPECT_TRUE(
+      test::contains(said, {"magnetic refuses: 1 4 0.0002 0.0002: 80 160000 2 1e-05 2 0.001 inf",
+                            "magnetic_control.config", "magnets.toml:"}));
 }
 
 TEST(MagneticLibrary, AFailureEndsTheRunWithNameAndTime) {
@@ -168,8 +167,8 @@ TEST(MagneticLibrary, AFailureEndsTheRunWithNameAndTime) {
                                                "\"\nat = " + std::to_string(at) + "\n"));
         const Trajectory t = test::run_with(s, integrator);
         EXPECT_EQ(t.status, Status::kControllerFailed) << t.integrator << " " << t.message;
-        for (const char* word : {"controller magnetic", at > 0.0 ? "0.004" : "0.000", fault.word})
-          EXPECT_NE(t.message.find(word), std::string::npos) << t.message;
+        EXPECT_TRUE(test::contains(
+            t.message, {"controller magnetic", at > 0.0 ? "0.004" : "0.000", fault.word}));
         EXPECT_NEAR(t.end, at, 1.1e-5) << t.integrator;
         EXPECT_GE(t.rows(), 1u);
       }
@@ -191,37 +190,33 @@ TEST(MagneticLibrary, RefusalsNameKeyAndReason) {
        {"magnetic_control.library", "a state of 65 numbers; accepted: up to 64"}}};
   for (const auto& c : cases) {
     const std::string said = to_string(test::refusal(read(c.control)));
-    for (const std::string& word : c.words)
-      EXPECT_NE(said.find(word), std::string::npos) << word << ": " << said;
+    for (const std::string& word : c.words) EXPECT_TRUE(test::contains(said, word));
   }
   const auto parsed = [](const std::string& control) -> std::string {
     const auto wrong = test::refusals([&] { read(control); });
     return wrong.empty() ? "" : to_string(wrong.front());
   };
-  EXPECT_NE(parsed("kind = \"library\"\n").find("magnetic_control.library"), std::string::npos);
+  EXPECT_TRUE(test::contains(parsed("kind = \"library\"\n"), "magnetic_control.library"));
   EXPECT_NE(parsed(by_library() + "[rotor.torsion]\n[magnetic_control]\n"), "");
-  EXPECT_NE(parsed("kind = \"library\"\nlibrary = \"a.so\"\nfeedthrough = [1]\n")
-                .find("belongs to kind = \"matrices\""),
-            std::string::npos);
-  EXPECT_NE(parsed(kMatrices + "[magnetic_control.config]\nx = 1\n")
-                .find("belongs to kind = \"library\""),
-            std::string::npos);
+  EXPECT_TRUE(test::contains(parsed("kind = \"library\"\nlibrary = \"a.so\"\nfeedthrough = [1]\n"),
+                             "belongs to kind = \"matrices\""));
+  EXPECT_TRUE(test::contains(parsed(kMatrices + "[magnetic_control.config]\nx = 1\n"),
+                             "belongs to kind = \"library\""));
 }
 
 TEST(MagneticLibrary, IsNotOpenedUnaskedNorByWhatShowsAScene) {
   const scene::Scene s = read(by_library());
   set_scene_libraries(SceneLibraries::kAsked);
-  const std::string said = to_string(test::refusal(s));
-  EXPECT_NE(said.find("--allow-library"), std::string::npos) << said;
+  EXPECT_TRUE(test::contains(to_string(test::refusal(s)), "--allow-library"));
   scene::Scene in_model = s;
   in_model.folder.reset();
-  EXPECT_NE(to_string(test::refusal(in_model)).find("ROTORUB_CONTROLLER_PATH"), std::string::npos);
+  EXPECT_TRUE(test::contains(to_string(test::refusal(in_model)), "ROTORUB_CONTROLLER_PATH"));
   set_scene_libraries(SceneLibraries::kLeftOut);
   const Model shown = make_model(read(by_library("", "nowhere.so")));
   set_scene_libraries(SceneLibraries::kAllowed);
   const Levitation levitation = rotorub::levitation(shown, 200.0);
   EXPECT_TRUE(levitation.loops.empty());
-  EXPECT_NE(levitation.poles_refused.find("magnetic_control.library"), std::string::npos);
+  EXPECT_TRUE(test::contains(levitation.poles_refused, "magnetic_control.library"));
 }
 
 TEST(MagneticLibrary, RunsByItself) {

@@ -5,11 +5,10 @@
 #include <cmath>
 #include <vector>
 
-#include "native_model/stepping/ensemble.h"
 #include "native_model/system/model.h"
+#include "tests/support/fixed_steps.h"
 #include "tests/support/jeffcott.h"
-#include "tests/support/native_run.h"
-#include "tests/support/order.h"
+#include "tests/support/lanes.h"
 
 namespace rotorub {
 namespace {
@@ -62,14 +61,8 @@ TEST(OpposedMagnets, HaveAPotentialAtTheirBias) {
   }
   EXPECT_LT(least, -0.9 * kStart);
   EXPECT_LT(t.statistics.energy_residual(), 1e-9);
-  for (const auto integrator : {scene::Integrator::kMidpoint, scene::Integrator::kVerlet}) {
-    test::Convergence c;
-    for (const double step : {4e-5, 2e-5, 1e-5, 5e-6}) {
-      c.steps.push_back(step);
-      c.errors.push_back(test::rotor_error(run_with(s, integrator, step), t));
-    }
-    EXPECT_GT(c.order(), 1.95) << static_cast<int>(integrator) << " " << c.text();
-  }
+  test::expect_order_of_steps(s, {4e-5, 2e-5, 1e-5, 5e-6}, 1.95,
+                              [&](const Trajectory& run) { return test::rotor_error(run, t); });
 }
 
 // About the middle it is k_s r + k_i i, k_i = 4 k_m i_0 / s_0^2, k_s = k_i i_0 / s_0, to the third
@@ -119,8 +112,6 @@ TEST(OpposedMagnets, CarryAWeightWhereTheirForceDoes) {
 
 // Lanes beside each other, each with its own magnets and amplifier, are the runs alone.
 TEST(OpposedMagnets, LanesAreTheRunsAlone) {
-  constexpr double kStep = 1e-5;
-  constexpr int kSteps = 1000;
   std::vector<Model> models;
   for (int k = 0; k < 4; ++k) {
     scene::Scene s = opposed(0.0);
@@ -133,14 +124,7 @@ TEST(OpposedMagnets, LanesAreTheRunsAlone) {
     s.initial.x = {3e-4};
     models.push_back(make_model(s));
   }
-  const std::vector<EnsembleRun> runs = Ensemble(models, kStep).run(kSteps);
-  for (std::size_t k = 0; k < models.size(); ++k) {
-    const EnsembleRun alone = Ensemble({models[k]}, kStep).run(kSteps).front();
-    ASSERT_EQ(runs[k].status, Status::kOk);
-    EXPECT_EQ(runs[k].q, alone.q) << k;
-    EXPECT_EQ(runs[k].v, alone.v) << k;
-  }
-  EXPECT_NE(runs[0].q, runs[1].q);
+  test::expect_lanes_are_runs(models, 1e-5, 1000);
 }
 
 }  // namespace

@@ -13,9 +13,8 @@
 #include "native_model/numerics/matrix_functions.h"
 #include "native_model/scene/reader.h"
 #include "native_model/system/model.h"
+#include "tests/support/fixed_steps.h"
 #include "tests/support/jeffcott.h"
-#include "tests/support/native_run.h"
-#include "tests/support/order.h"
 
 namespace rotorub {
 namespace {
@@ -119,15 +118,9 @@ void expect_product(const scene::Scene& s, const HeldLoop& x, const HeldLoop& y)
   ASSERT_EQ(t.status, Status::kOk) << t.message;
   EXPECT_LT(test::orbit_error(t, exact), 1e-13);
   EXPECT_LT(t.statistics.energy_residual(), 1e-9);
-  for (const auto integrator : {scene::Integrator::kMidpoint, scene::Integrator::kVerlet}) {
-    test::Convergence c;
-    for (const double step : {1e-4, 5e-5, 2.5e-5, 1e-5, 5e-6}) {
-      c.steps.push_back(step);
-      c.errors.push_back(test::orbit_error(run_with(s, integrator, step), exact));
-    }
-    EXPECT_GT(c.order(), 1.9) << static_cast<int>(integrator) << " " << c.text();
-    EXPECT_LT(c.errors.back(), 1e-8) << c.text();
-  }
+  test::expect_order_of_steps(
+      s, {1e-4, 5e-5, 2.5e-5, 1e-5, 5e-6}, 1.9,
+      [&](const Trajectory& run) { return test::orbit_error(run, exact); }, 1e-8);
 }
 
 TEST(SampledMagneticControl, PidIsAProductOfMatrices) {
@@ -287,14 +280,8 @@ vy = [0.05, 0.02]
   const Trajectory t = run_event(s);
   ASSERT_EQ(t.status, Status::kOk) << t.message;
   EXPECT_LT(test::orbit_error(t, exact), 1e-13);
-  for (const auto integrator : {scene::Integrator::kMidpoint, scene::Integrator::kVerlet}) {
-    test::Convergence c;
-    for (const double h : {1e-4, 5e-5, 2.5e-5, 1e-5, 5e-6}) {
-      c.steps.push_back(h);
-      c.errors.push_back(test::orbit_error(run_with(s, integrator, h), exact));
-    }
-    EXPECT_GT(c.order(), 1.9) << static_cast<int>(integrator) << " " << c.text();
-  }
+  test::expect_order_of_steps(s, {1e-4, 5e-5, 2.5e-5, 1e-5, 5e-6}, 1.9,
+                              [&](const Trajectory& run) { return test::orbit_error(run, exact); });
 }
 
 // Off, it asks for nothing and forgets; on again it begins as at its first sample, without a kick

@@ -6,10 +6,11 @@
 
 #include "native_model/scene/diagnostic.h"
 #include "native_model/scene/reader.h"
-#include "native_model/stepping/ensemble.h"
 #include "native_model/system/model.h"
 #include "tests/support/jeffcott.h"
+#include "tests/support/lanes.h"
 #include "tests/support/native_run.h"
+#include "tests/support/said.h"
 
 namespace rotorub {
 namespace {
@@ -27,7 +28,6 @@ scene::Scene every_tenth() {
 }
 
 TEST(SampledMagneticControl, LanesAreTheRunsAlone) {
-  constexpr double kStep = 2.5e-5;
   std::vector<Model> models;
   for (int k = 0; k < 4; ++k) {
     scene::Scene s = every_tenth();
@@ -37,20 +37,13 @@ TEST(SampledMagneticControl, LanesAreTheRunsAlone) {
     s.magnetic_bearings[0].control->derivative = 2.0 + 0.2 * k;
     models.push_back(make_model(s));
   }
-  const std::vector<EnsembleRun> runs = Ensemble(models, kStep).run(1000);
-  for (std::size_t k = 0; k < models.size(); ++k) {
-    const EnsembleRun alone = Ensemble({models[k]}, kStep).run(1000).front();
-    ASSERT_EQ(runs[k].status, Status::kOk);
-    EXPECT_EQ(runs[k].q, alone.q) << k;
-    EXPECT_EQ(runs[k].v, alone.v) << k;
-  }
-  EXPECT_NE(runs[0].q, runs[1].q);
+  test::expect_lanes_are_runs(models, 2.5e-5, 1000);
 }
 
 TEST(SampledMagneticControl, StepsMeetItsSamples) {
   const Trajectory t = run_with(every_tenth(), scene::Integrator::kVerlet, 3e-5);
   EXPECT_EQ(t.status, Status::kStepTooLarge);
-  EXPECT_NE(t.message.find("does not meet the samples"), std::string::npos) << t.message;
+  EXPECT_TRUE(test::contains(t.message, "does not meet the samples"));
   scene::Scene s = every_tenth();
   s.initial.steady = true;
   EXPECT_THROW(make_model(s), scene::SceneError);
@@ -67,16 +60,12 @@ stiffness = [1e5]
 negative_stiffness = 3e4
 control = {force_per_current = 40.0, proportional = 3000.0, sample_time = "0.1 ms"}
 )";
-  const auto reason = [&](const std::string& control, const std::string& shared) -> std::string {
+  const auto reason = [&](const std::string& control, const std::string& shared) {
     std::vector<std::string> overrides{"magnetic_bearing[0].control={force_per_current=40.0," +
                                        control + "}"};
     if (!shared.empty()) overrides.push_back("magnetic_control={" + shared + "}");
-    try {
-      scene::parse_scene(text, "bad.toml", overrides);
-    } catch (const scene::SceneError& error) {
-      return error.what();
-    }
-    return "";
+    return test::message_of<scene::SceneError>(
+        [&] { scene::parse_scene(text, "bad.toml", overrides); });
   };
   const std::string four = "input_matrix=[1,0],output_matrix=[1,0],feedthrough=[3e3,0,0,3e3]";
   EXPECT_EQ(reason("kind='shared'", "sample_time=1e-4,state_matrix=[0.5]," + four), "");
@@ -109,8 +98,7 @@ control = {force_per_current = 40.0, proportional = 3000.0, sample_time = "0.1 m
        "", "derivative"},
   };
   for (const auto& c : cases) {
-    const std::string why = reason(c.control, c.shared);
-    EXPECT_NE(why.find(c.expected), std::string::npos) << c.control << "\n" << why;
+    EXPECT_TRUE(test::contains(reason(c.control, c.shared), c.expected)) << c.control;
   }
 }
 

@@ -75,11 +75,9 @@ TEST(SampledMagneticSwitching, SwitchedAtASampleTheOrderIsTwo) {
           "delay = 1e-3\nfails_at = 10e-3\nreturns_at = 13e-3"}) {
       scene::Scene s = switched_scene(when, further);
       s.run.end = 0.03;
-      test::Convergence c;
-      for (const double step : {1e-5, 5e-6, 2.5e-6}) {
-        c.steps.push_back(step);
-        c.errors.push_back(between(s, scene::Integrator::kVerlet, step));
-      }
+      const test::Convergence c = test::convergence({1e-5, 5e-6, 2.5e-6}, [&](double step) {
+        return between(s, scene::Integrator::kVerlet, step);
+      });
       // A limit begins and ends anywhere within a step.
       const double least = further.find("limit") == further.npos ? 1.9 : 1.6;
       EXPECT_GT(c.order(), least) << further << when << "\n" << c.text();
