@@ -28,7 +28,7 @@ Table contact() {
                "friction", kPure, ">= 0", kRequired, "mu; or the table `[contact.friction]`"),
            key<&AuxiliaryBearing::contact, &Contact::restitution>(
                "restitution", kPure, "in [0, 1]",
-               "none: to be given, but where `contact.compliance` has a damping of its own",
+               "required, unless `contact.compliance` gives `hunt_crossley` or `damping`",
                "eps_N, normal restitution"),
            key<&AuxiliaryBearing::contact, &Contact::tangential_restitution>(
                "tangential_restitution", kPure, "in [0, 1]", kStandard,
@@ -60,24 +60,28 @@ Table contact() {
 Table compliance() {
   return {
       "contact.compliance",
-      "The contact gives: of a depth p it presses with N = `stiffness` p^`exponent` (1 + a p'), "
-      "while that is above 0. a is `hunt_crossley`; or, where neither it nor `damping` is given, "
-      "that of `restitution` for the speed of each touch, by which free masses rebound so: ln[(1 + "
-      "a v)/(1 - a e v)] = a v (1 + e), e at least 0.01 and v at least 0.1 mm/s. Friction is that "
-      "of N, and sticks without giving. A contact that begins closed was not struck: the a of "
-      "`restitution` is 0 there until it opens.",
+      "Makes the contact compliant: at the penetration p the normal force is N = `stiffness` "
+      "p^`exponent` (1 + a p') while that is positive, and 0 otherwise. `hunt_crossley` sets a. "
+      "If neither `hunt_crossley` nor `damping` is given, each touch has its own a, with which "
+      "two free masses that touch at the speed v rebound with the `restitution` e of the contact: "
+      "ln[(1 + a v)/(1 - a e v)] = a v (1 + e). An e below 0.01 counts as 0.01, and a v below 0.1 "
+      "mm/s as 0.1 mm/s. Friction follows Coulomb's law with this N; a contact that sticks does "
+      "not yield along the surface. A contact that is closed at the start was not struck: unless "
+      "`hunt_crossley` is given, its a is 0 until it opens.",
       "the contact is rigid",
       [](Scene& scene) -> void* { return &scene.auxiliary.back().contact->compliance.emplace(); },
       {key<&Compliance::stiffness>("stiffness", kContactStiffness, "> 0", kRequired,
-                                   "k, stiffness of the contact"),
+                                   "stiffness k of the contact"),
        key<&Compliance::exponent>(
            "exponent", kPure, "in [1, 2]", kStandard,
-           "n, exponent of the depth; 1: line contact, 1.5: Hertz's point contact"),
+           "exponent n of the penetration: 1 for a line contact, 1.5 for Hertz's point contact"),
        key<&Compliance::hunt_crossley>("hunt_crossley", kTimePerLength, ">= 0",
-                                       "that of `restitution`",
-                                       "a, the damping of Hunt and Crossley"),
-       key<&Compliance::damping>("damping", kDamping, ">= 0", "none",
-                                 "c of N = k p + c p', instead of a; with `exponent` = 1 alone")}};
+                                       "from `restitution`",
+                                       "coefficient a of the damping by Hunt and Crossley"),
+       key<&Compliance::damping>(
+           "damping", kDamping, ">= 0", "none",
+           "coefficient c of a linear damper, N = k p + c p', which replaces a; only with "
+           "`exponent` = 1")}};
 }
 
 // static is kept as what it is beyond kinetic, which stands before it.

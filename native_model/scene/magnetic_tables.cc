@@ -26,8 +26,11 @@ Table magnetic_bearing() {
                                                  kRequired, "k_m", {"electromagnet"}),
            key<&MagneticBearing::bias_current>("bias_current", kCurrent, "> 0", kRequired,
                                                "i_0, in both magnets", {"electromagnet"}),
-           key<&MagneticBearing::air_gap>("air_gap", kLength, "> 0", kRequired,
-                                          "s_0, of each magnet at r = 0", {"electromagnet"}),
+           key<&MagneticBearing::air_gap>(
+               "air_gap", kLength, "> 0", kRequired,
+               "s_0, of each magnet at r = 0; the cores do not stop the rotor, and beyond 99 % of "
+               "the gap the magnets pull as at 99 %",
+               {"electromagnet"}),
            key<&MagneticBearing::shape>("shape", kPure, "", "all 1",
                                         "value of each bending mode at the station")
                .in(Form::kModal),
@@ -76,9 +79,11 @@ Table bearing_control() {
                "sample_time", kTime, ">= 0", "0; of other kinds than `pid` required",
                "the current asked for is held between samples; 0: continuous",
                {"pid", "transfer_function", "state_space"}),
-           key<&BearingControl::delay>("delay", kTime, ">= 0", kStandard,
-                                       "from the sample to its current; whole samples",
-                                       {"pid", "transfer_function", "state_space"}),
+           key<&BearingControl::delay>(
+               "delay", kTime, ">= 0", kStandard,
+               "time from a sample to its current, a whole number of samples; at the start, and "
+               "whenever the bearing is switched on, the current is 0 until it has passed",
+               {"pid", "transfer_function", "state_space"}),
            key<&BearingControl::numerator>("numerator", kCurrentPerLength, "", kRequired,
                                            "of H: of powers of 1/z, from the 0th",
                                            {"transfer_function"}),
@@ -96,12 +101,14 @@ Table bearing_control() {
                                                "none; of an electromagnet `bias_current`, the most",
                                                "of the current's size on each axis"),
            key<&BearingControl::works_from>("on", kTime, ">= 0", kStandard,
-                                            "up to here neither current nor negative stiffness"),
+                                            "switches the bearing on; before this time it has "
+                                            "neither current nor negative stiffness"),
            key<&BearingControl::fails_at>("fails_at", kTime, ">= 0", "never",
-                                          "from here on neither current nor negative stiffness"),
+                                          "switches the bearing off; from this time on it has "
+                                          "neither current nor negative stiffness"),
            key<&BearingControl::returns_at>(
                "returns_at", kTime, ">= 0", "never",
-               "it works again from here on, for ever; after `fails_at`")}};
+               "switches the bearing on again, for the rest of the run; after `fails_at`")}};
 }
 
 Table magnetic_control() {
@@ -115,8 +122,10 @@ Table magnetic_control() {
                                       "i = -(C x + D r), x' = A x + B r; one of your own"),
            key<&SharedControl::sample_time>("sample_time", kTime, "> 0", kRequired,
                                             "the currents asked for are held between samples"),
-           key<&SharedControl::delay>("delay", kTime, ">= 0", kStandard,
-                                      "from the sample to its currents; whole samples"),
+           key<&SharedControl::delay>(
+               "delay", kTime, ">= 0", kStandard,
+               "time from a sample to its currents, a whole number of samples; at the start, and "
+               "whenever a bearing is switched on, its current is 0 until it has passed"),
            key<&SharedControl::matrices, &ControlMatrices::state>(
                "state_matrix", kPure, "", kRequired, "A, n times n", {"matrices"}),
            key<&SharedControl::matrices, &ControlMatrices::input>(

@@ -88,7 +88,9 @@ Table mujoco() {
        key<&Mujoco::solref_stiffness>(
            "solref_stiffness", kRateSquared, "> 0",
            "chosen from the step, and for the cones from the scene's speeds",
-           "K of the soft contact (direct solref)"),
+           "K of the soft contact (direct solref). The default of coulomb is up to (0.2/step)^2, "
+           "so a bounce takes some 16 steps however short they are, and the impulses of an impact "
+           "stay a few per cent off; they converge if K is the same at every step"),
        key<&Mujoco::solref_damping>("solref_damping", kRate, "> 0",
                                     "that which bounces with contact.restitution",
                                     "B of the soft contact (direct solref)"),
