@@ -94,6 +94,21 @@ function(rotorub_link_optimised_first program)
   endforeach()
 endfunction()
 
+# rotorub_debug_beside(<target>): a release moves the debug information of a program or library into the file
+# <target file>.debug beside it, where debuggers look for it.
+function(rotorub_debug_beside target)
+  if(ROTORUB_SANITIZE OR CMAKE_BUILD_TYPE STREQUAL "Debug")
+    return()
+  endif()
+  set(file "$<TARGET_FILE:${target}>")
+  add_custom_command(
+    TARGET ${target}
+    POST_BUILD
+    COMMAND "${CMAKE_OBJCOPY}" --only-keep-debug "${file}" "${file}.debug"
+    COMMAND "${CMAKE_OBJCOPY}" --strip-debug "--add-gnu-debuglink=${file}.debug" "${file}"
+    VERBATIM)
+endfunction()
+
 # Every target links this privately: warnings are errors.
 add_library(rotorub_warnings INTERFACE)
 target_compile_options(

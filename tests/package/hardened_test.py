@@ -30,6 +30,13 @@ class Hardened(unittest.TestCase):
         self.assertIn("libmujoco", linked)
         self.assertNotIn("OSMesa", linked)
 
+    # Loaded into foreign processes: small, with its debug information in a file beside it.
+    def test_the_plugin_has_its_debug_information_beside_it(self):
+        plugin = FILES[1]
+        self.assertLess(plugin.stat().st_size, 10e6)
+        self.assertIn(".gnu_debuglink", readelf("-S", plugin))
+        self.assertIn(".debug_line", readelf("-S", plugin.with_name(plugin.name + ".debug")))
+
 
 if __name__ == "__main__":
     unittest.main()
