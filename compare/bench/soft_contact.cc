@@ -29,8 +29,6 @@ friction = 0.0
 [initial]
 vy = [-0.5]
 )";
-// 1/s^2, MuJoCo's default solref: time constant 0.02 s, damping ratio 1.
-constexpr double kDefaultStiffness = 2500.0;
 
 struct Contender {
   std::string name, setting;
@@ -48,7 +46,7 @@ std::vector<Contender> contenders() {
       {"mujoco-coulomb", calibrated, coulomb, kCalibratedStiffness},
       {"mujoco-cone", calibrated, mujoco_engine(scene::ContactModel::kCone), kCalibratedStiffness},
       {"mujoco-coulomb", "stiff as the step", coulomb},
-      {"mujoco-coulomb", "default solref", coulomb, kDefaultStiffness, false}};
+      {"mujoco-coulomb", "default solref", coulomb, DefaultSolref::kStiffness, false}};
   for (const peers::Peer& peer : peers::all_peers()) {
     if (peer.variants.empty() || peer.name == "penalty-per-axis") continue;
     // The first is the softest: the most steps a bounce.
@@ -60,7 +58,8 @@ std::vector<Contender> contenders() {
 RestitutionRow row(const Contender& contender, double asked, const std::atomic<bool>* interrupt) {
   RestitutionRow r{asked, contender.name, contender.setting, 0.0, ""};
   // The default is a contact of its own damping: that of zeta = 1, whatever is asked.
-  const double given = contender.knows_the_asked ? asked : soft_restitution(1.0);
+  const double given =
+      contender.knows_the_asked ? asked : soft_restitution(DefaultSolref::kDampingRatio);
   std::vector<std::string> overrides{fmt::format("contact.restitution={:.17g}", given)};
   if (contender.stiffness > 0.0) {
     overrides.push_back(fmt::format("mujoco.solref_stiffness={:g}", contender.stiffness));
@@ -85,8 +84,7 @@ RestitutionRow row(const Contender& contender, double asked, const std::atomic<b
 }
 
 constexpr double kSteps[] = {2e-4, 1e-4, 5e-5, 2e-5, 1e-5, 5e-6};
-// 1/s^2; MuJoCo's default solref of 20 ms has 2,500.
-constexpr double kStiffnesses[] = {2.5e3, 1e5, 1e6, 1e7, 1e8, 1e9};
+constexpr double kStiffnesses[] = {DefaultSolref::kStiffness, 1e5, 1e6, 1e7, 1e8, 1e9};
 
 Judgement judged_run(const Engine& engine, const scene::Scene& scene, double step,
                      const Settled& goal, const std::atomic<bool>* interrupt) {

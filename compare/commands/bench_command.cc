@@ -78,7 +78,7 @@ void write_results(const BenchArguments& options, const bench::Machine& machine,
 int run_bench(const BenchArguments& options) {
   const bench::BenchParameters parameters = bench_parameters(options);
   check_scenes(options);
-  check_output(options.folder, Output::kFolder, {kBenchFile, kBenchPage});
+  check_output_folder(options.folder, {kBenchFile, kBenchPage});
   if (!options.quiet && options.engines.empty()) fmt::print(stderr, "{}", bench::missing_text());
   ProgressBar bar(options.quiet);
   const auto count = static_cast<double>(options.scenes.size());

@@ -90,7 +90,7 @@ std::vector<CheckedScene> checked_scenes(const CheckArguments& options) {
 }
 
 int run_check(const CheckArguments& options) {
-  check_output(options.folder, Output::kFolder);
+  check_output_folder(options.folder, {kCheckFile});
   const std::vector<CheckedScene> scenes = checked_scenes(options);
   ProgressBar bar(options.quiet);
   std::vector<check::Case> cases;

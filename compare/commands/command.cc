@@ -4,11 +4,14 @@
 #include <unistd.h>
 
 #include <cassert>
+#include <cerrno>
 #include <csignal>
 #include <filesystem>
 #include <iostream>
+#include <optional>
 #include <set>
 #include <stdexcept>
+#include <system_error>
 
 #include "compare/commands/options.h"
 #include "compare/commands/terminal.h"
@@ -219,27 +222,63 @@ void say_failure(const scene::Scene& scene, const std::string& what, const Traje
              trajectory.message);
 }
 
-void check_output(const std::filesystem::path& place, Output what,
-                  std::initializer_list<const char*> files) {
-  namespace fs = std::filesystem;
-  if (place.empty()) return;
-  if (what == Output::kFolder) {
-    check_writable(place);
-    for (const char* file : files) check_output(place / file, Output::kFile);
-    return;
-  }
+namespace {
+
+namespace fs = std::filesystem;
+
+[[noreturn]] void refuse_place(const fs::path& place, const std::string& reason) {
+  throw UsageError(fmt::format("cannot write to {}: {}", place.string(), reason));
+}
+
+// The folder, or the nearest one above it that exists, takes new files.
+void check_folder(const fs::path& folder) {
   std::error_code none;
-  if (fs::is_directory(place, none))
-    throw UsageError(
-        fmt::format("{}: is a folder; accepted is the name of a file", place.string()));
-  const bool device = fs::exists(place, none) && !fs::is_regular_file(place, none);
-  if (!device) check_writable(place.parent_path());
+  fs::path there = fs::absolute(folder.empty() ? "." : folder);
+  while (!fs::exists(fs::symlink_status(there, none)) && there.has_relative_path())
+    there = there.parent_path();
+  if (!fs::is_directory(there, none))
+    refuse_place(folder, there.filename().string() + " is not a folder");
+  try {
+    check_writable(folder);
+  } catch (const fs::filesystem_error& error) {
+    refuse_place(folder.empty() ? there : folder, error.code().message());
+  }
+}
+
+// The folder in which the file is written aside before it gets its name (write_whole); nothing for
+// a device or a pipe, which is written as it is.
+std::optional<fs::path> folder_of_output(const fs::path& file) {
+  std::error_code none;
+  if (!file.has_filename() || fs::is_directory(file, none)) {
+    throw UsageError(fmt::format("{}: is a folder; accepted is the name of a file", file.string()));
+  }
+  if (!fs::exists(file, none)) return file.parent_path();
+  if (access(file.c_str(), W_OK) != 0) refuse_place(file, std::generic_category().message(errno));
+  if (!fs::is_regular_file(file, none)) return std::nullopt;
+  return fs::canonical(file, none).parent_path();
+}
+
+}  // namespace
+
+void check_output_file(const fs::path& file) {
+  if (file.empty()) return;
+  if (const auto folder = folder_of_output(file)) check_folder(*folder);
+}
+
+void check_output_folder(const fs::path& folder, const std::vector<std::string>& files) {
+  if (folder.empty()) return;
+  std::set<fs::path> folders{folder};
+  for (const std::string& file : files) {
+    if (const auto written = folder_of_output(folder / file)) folders.insert(*written);
+  }
+  for (const fs::path& written : folders) check_folder(written);
 }
 
 void write_or_print(const std::string& file, const std::string& text) {
   if (file.empty()) {
     std::cout << text;
   } else {
+    check_output_file(file);
     write_whole(file, text);
   }
 }

@@ -4,7 +4,6 @@
 #include <atomic>
 #include <filesystem>
 #include <functional>
-#include <initializer_list>
 #include <stdexcept>
 #include <string>
 #include <vector>
@@ -106,12 +105,14 @@ Command add_identify_command(CLI::App& program);
 // The manual of the program itself: added last.
 Command add_manual_command(CLI::App& program);
 
-// Checks before the work starts that the output of -o can be written: a file, or a folder with
-// these files in it. Throws UsageError or std::filesystem::filesystem_error. Does nothing if
-// `place` is empty.
-enum class Output { kFolder, kFile };
-void check_output(const std::filesystem::path& place, Output what,
-                  std::initializer_list<const char*> files = {});
+// Every command calls one of these with what -o names, or with its default, before its work starts,
+// so that hours of work are not lost. They throw UsageError with the place and the reason: a folder
+// that cannot be created or takes no new files, a file in the place of a folder, a folder in the
+// place of a file, or a file that is there and read-only. They do nothing if the name is empty.
+void check_output_file(const std::filesystem::path& file);
+// files: the names of all that the command may write there, which may have folders of their own.
+void check_output_folder(const std::filesystem::path& folder,
+                         const std::vector<std::string>& files);
 // To the file, or without one to standard output.
 void write_or_print(const std::string& file, const std::string& text);
 // The exit code for the status of a run.

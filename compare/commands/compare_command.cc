@@ -223,7 +223,9 @@ int compare(const CompareArguments& options) {
   const auto subjects = read_subjects(options);
   const MeasuredInput measured = one_measured(options);
   const Beside beside = beside_of(options);
-  check_output(options.folder, Output::kFolder, {"compare.json", "report.html"});
+  for (const Subject& subject : subjects)
+    check_output_folder(options.folder,
+                        compare_files(options.folder, subject.scene, subject.own != nullptr));
   ProgressBar bar(options.quiet);
 
   const auto comparisons = compare_all(options, tolerance, subjects, measured, hdf5, bar);

@@ -4,6 +4,7 @@
 
 #include <cctype>
 #include <nlohmann/json.hpp>
+#include <utility>
 
 #include "compare/base/columns.h"
 #include "compare/base/json.h"
@@ -18,6 +19,33 @@
 namespace rotorub {
 
 using std::filesystem::path;
+
+namespace {
+
+constexpr const char* kCompareFile = "compare.json";
+constexpr const char* kReportFile = "report.html";
+
+path film_of(const scene::Scene& scene, const std::string& run) {
+  return path(scene.name) / (run + ".mp4");
+}
+
+}  // namespace
+
+std::vector<std::string> compare_files(const path& folder, const scene::Scene& scene,
+                                       bool own_machine) {
+  std::vector<std::string> files{kCompareFile, kColumnsFile, kReportFile};
+  auto runs = scene::contact_words<std::vector<std::string>>();
+  runs.emplace_back(kConeDefault);
+  const std::size_t contacts = runs.size();
+  for (std::size_t k = 0; k < contacts; ++k) runs.push_back("native-" + runs[k]);  // of a replay
+  runs.insert(runs.end(), {"native", kShadowFolder});
+  for (const std::string& run : runs) {
+    files.push_back(film_of(scene, run).string());
+    for (std::string& file : run_files(folder, (path(scene.name) / run).string(), own_machine))
+      files.push_back(std::move(file));
+  }
+  return files;
+}
 
 void write_runs(const path& folder, const SceneComparison& comparison, hdf5::ImageOf hdf5) {
   const auto times = output_times(comparison.scene.run);
@@ -35,9 +63,9 @@ void write_runs(const path& folder, const SceneComparison& comparison, hdf5::Ima
 
 void write_report(const path& folder, const std::vector<SceneComparison>& comparisons,
                   const std::vector<PageScene>& pages, const Beside& beside) {
-  write_whole(folder / "compare.json", json_text(comparisons_json(comparisons)));
+  write_whole(folder / kCompareFile, json_text(comparisons_json(comparisons)));
   write_whole(folder / kColumnsFile, columns_text(compare_columns_json()));
-  if (!pages.empty()) write_whole(folder / "report.html", report_page(pages, beside));
+  if (!pages.empty()) write_whole(folder / kReportFile, report_page(pages, beside));
 }
 
 namespace {
@@ -86,7 +114,7 @@ std::vector<Job> jobs_of(const std::filesystem::path& folder,
   std::vector<Job> jobs;
   for (const SceneComparison& c : comparisons) {
     for (const std::size_t k : filmed(c, every))
-      jobs.push_back({&c, k, folder / c.scene.name / (c.sides[k].label + ".mp4")});
+      jobs.push_back({&c, k, folder / film_of(c.scene, c.sides[k].label)});
   }
   return jobs;
 }

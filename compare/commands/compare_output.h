@@ -13,6 +13,10 @@
 
 namespace rotorub {
 
+// All that a comparison of the scene may leave in the folder, as names within it.
+std::vector<std::string> compare_files(const std::filesystem::path& folder,
+                                       const scene::Scene& scene, bool own_machine);
+
 // <folder>/<scene>/<run>/ for each run, its shadow, and in replay native-<contact> under the
 // commands of each contact model but the first: series and summary, rows at the scene's output
 // times. hdf5: as for write_run.

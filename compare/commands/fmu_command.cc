@@ -50,7 +50,7 @@ nlohmann::ordered_json ports_json(const std::vector<StepwiseRun::Port>& ports) {
 int write_fmu(const FmuArguments& options) {
   const scene::Scene scene = read_scene(options.scene, options);
   const std::filesystem::path file = options.file.empty() ? scene.name + ".fmu" : options.file;
-  check_output(file, Output::kFile);
+  check_output_file(file);
   const StepwiseRun run(scene);
   const fmi::Version version = options.version == "2.0" ? fmi::Version::k2 : fmi::Version::k3;
   write_whole(file, fmi::archive(files_of(scene, run, version)));

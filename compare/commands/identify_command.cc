@@ -74,7 +74,7 @@ int run_identify(const IdentifyArguments& options) {
   };
   read({});  // says what is wrong with the scene before the record is read
   const MeasuredInput measured = measured_of(options);
-  check_output(options.file, Output::kFile);
+  check_output_file(options.file);
   parameters.alignment = measured.alignment;
   parameters.interrupt = &interrupted();
   ProgressBar bar(options.quiet);

@@ -114,12 +114,17 @@ std::filesystem::path laws_folder(const InitArguments& options, const std::files
   return folder;
 }
 
-void write_laws(const std::filesystem::path& folder, const std::string& scene) {
-  for (const StarterFile& law : starter_laws(scene)) {
-    const auto file = folder / law.name;
-    std::filesystem::create_directories(file.parent_path());
-    write_whole(file, law.text);
-  }
+// The scene, and the laws where there is a folder for them.
+void write_files(const std::filesystem::path& file, const std::string& text,
+                 const std::filesystem::path& laws_folder) {
+  std::vector<StarterFile> laws;
+  if (!laws_folder.empty()) laws = starter_laws(file.filename().string());
+  std::vector<std::string> names;
+  for (const StarterFile& law : laws) names.emplace_back(law.name);
+  check_output_file(file);
+  check_output_folder(laws_folder, names);
+  write_whole(file, text);
+  for (const StarterFile& law : laws) write_whole(laws_folder / law.name, law.text);
 }
 
 int write_starter(const InitArguments& options) {
@@ -132,8 +137,7 @@ int write_starter(const InitArguments& options) {
   std::filesystem::path laws;
   if (!file.empty()) {
     if (starter.form == StarterForm::kController) laws = laws_folder(options, file);
-    write_whole(file, text);
-    if (!laws.empty()) write_laws(laws, starter.file);
+    write_files(file, text, laws);
   }
   if (options.json) {
     nlohmann::json said{{"form", options.form}};

@@ -23,7 +23,7 @@ struct MjcfArguments : CommonOptions {
 };
 
 int write_mjcf(const MjcfArguments& options) {
-  check_output(options.file, Output::kFile);
+  check_output_file(options.file);
   const scene::Scene scene = read_scene(options.scene, options);
   const MujocoVersion target =
       options.mujoco.empty() ? built_for() : read_mujoco_version(options.mujoco);

@@ -323,7 +323,7 @@ Command add_modes_command(CLI::App& program) {
   add_common_options(app, *options);
   return {&app, [options] {
             set_scene_libraries(SceneLibraries::kLeftOut);
-            if (!options->output.empty()) check_output(page_file(*options), Output::kFile);
+            if (!options->output.empty()) check_output_file(page_file(*options));
             return modes(*options);
           }};
 }

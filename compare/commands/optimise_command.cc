@@ -41,16 +41,20 @@ std::vector<std::string> all_overrides(const OptimiseArguments& options,
   return all;
 }
 
+constexpr const char *kStudyFile = "study.toml", *kEvaluationsFile = "evaluations.csv",
+                     *kOptimumFile = "optimum.json", *kBestFile = "best.toml",
+                     *kPageFile = "optimum.html";
+
 void write_files(const path& folder, const optimise::Task& task, const optimise::Optimum& optimum,
                  const std::string& best) {
   const std::string name = task.study.scene.stem().string();
   std::filesystem::create_directories(folder);
-  write_whole(folder / "study.toml", task.study.text);
-  write_whole(folder / "evaluations.csv", optimise::evaluations_csv(task, optimum));
+  write_whole(folder / kStudyFile, task.study.text);
+  write_whole(folder / kEvaluationsFile, optimise::evaluations_csv(task, optimum));
   write_whole(folder / kColumnsFile, columns_text(optimise::evaluations_columns_json(task)));
-  write_whole(folder / "optimum.json", optimise::optimum_json(task, optimum).dump(2) + "\n");
-  if (!best.empty()) write_whole(folder / "best.toml", best);
-  write_whole(folder / "optimum.html", optimum_page(name, task, optimum, best));
+  write_whole(folder / kOptimumFile, optimise::optimum_json(task, optimum).dump(2) + "\n");
+  if (!best.empty()) write_whole(folder / kBestFile, best);
+  write_whole(folder / kPageFile, optimum_page(name, task, optimum, best));
 }
 
 int run_optimise(const OptimiseArguments& options) {
@@ -58,7 +62,8 @@ int run_optimise(const OptimiseArguments& options) {
   const scene::Variants variants(task.study.scene, all_overrides(options, task));
   const path folder =
       options.folder.empty() ? path("runs") / path(options.study).stem() : path(options.folder);
-  check_output(folder, Output::kFolder);
+  check_output_folder(
+      folder, {kStudyFile, kEvaluationsFile, kColumnsFile, kOptimumFile, kBestFile, kPageFile});
   ProgressBar bar(options.quiet);
   optimise::OptimiserOptions how;
   how.interrupt = &interrupted();

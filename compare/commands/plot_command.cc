@@ -45,7 +45,7 @@ int plot(const PlotArguments& options) {
   const std::filesystem::path file = options.file.empty()
                                          ? std::filesystem::path(options.folder) / kRunPage
                                          : std::filesystem::path(options.file);
-  check_output(file, Output::kFile);
+  check_output_file(file);
   write_whole(file, run_page(run, shadow));
   if (options.json) {
     std::cout << json_text({{"scene", run.scene.name},

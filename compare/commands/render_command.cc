@@ -42,23 +42,24 @@ void check_window(const scene::Scene& scene, const renders::RenderOptions& film)
   }
 }
 
-StoredRun run_for_film(const RenderArguments& options, const renders::RenderOptions& film,
-                       ProgressBar& bar) {
-  StoredRun run;
-  run.scene = read_scene(options.source, options);
-  if (const auto libraries = libraries_of(run.scene); !libraries.empty()) {
+scene::Scene scene_for_film(const RenderArguments& options, const renders::RenderOptions& film) {
+  scene::Scene scene = read_scene(options.source, options);
+  if (const auto libraries = libraries_of(scene); !libraries.empty()) {
     throw UsageError(
         fmt::format("{}: its controller is a library, {}, which render does not open; run it "
                     "first, rotorub run {} --allow-library -o DIR, and render DIR",
                     options.source, libraries.front().file, options.source));
   }
-  check_window(run.scene, film);
+  check_window(scene, film);
+  return scene;
+}
+
+Trajectory run_for_film(const scene::Scene& scene, ProgressBar& bar) {
   RunRequest request;
-  request.output_times = dense_times(run.scene.run, kFilmRows);
+  request.output_times = dense_times(scene.run, kFilmRows);
   request.interrupt = &interrupted();
   request.progress = [&](double share) { bar.show(0.1 * share, "native"); };
-  run.trajectory = native_engine(run.scene.run.integrator)->run(run.scene, request);
-  return run;
+  return native_engine(scene.run.integrator)->run(scene, request);
 }
 
 StoredRun stored(const RenderArguments& options) {
@@ -143,10 +144,14 @@ void tell(const RenderArguments& options, const FilmRequest& request, const Stor
 
 int render_film(const RenderArguments& options) {
   FilmRequest request = film_request(options.film);
-  check_output(request.file.empty() ? "film" : request.file, Output::kFile);
-  ProgressBar bar(options.quiet);
   const bool is_run = std::filesystem::is_directory(options.source);
-  const StoredRun run = is_run ? stored(options) : run_for_film(options, request.options, bar);
+  StoredRun run =
+      is_run ? stored(options) : StoredRun{scene_for_film(options, request.options), {}};
+  const std::string file =
+      request.file.empty() ? run.scene.name + renders::extension(request.format) : request.file;
+  check_output_file(file);
+  ProgressBar bar(options.quiet);
+  if (!is_run) run.trajectory = run_for_film(run.scene, bar);
   const int code = is_run ? static_cast<int>(kDone) : exit_code_of(run.trajectory.status);
   if (code != kDone) {
     fmt::print(stderr, "rotorub: {}: {}: {}\n", scene::printable(run.scene.name),
@@ -154,8 +159,6 @@ int render_film(const RenderArguments& options) {
     return code;
   }
 
-  const std::string file =
-      request.file.empty() ? run.scene.name + renders::extension(request.format) : request.file;
   const std::optional<StoredRun> shadow =
       is_run ? read_shadow(options.source, run) : std::optional<StoredRun>();
   if (shadow) request.options.shadow = &shadow->trajectory;

@@ -10,6 +10,9 @@
 #include <nlohmann/json.hpp>
 #include <numbers>
 #include <optional>
+#include <string>
+#include <utility>
+#include <vector>
 
 #include "compare/base/format.h"
 #include "compare/base/json.h"
@@ -84,6 +87,10 @@ std::string whirl_note(const scene::Scene& scene, const Trajectory& trajectory) 
   return wrapped("  note: ", sentence, 2);
 }
 
+bool writes_shadow(const RunArguments& options, const scene::Scene& scene) {
+  return options.engine == "mujoco" && scene.mujoco.shadow;
+}
+
 // The native model that ran alongside in the plugin: nobody but a controller of the scene commands
 // the actuator in such a run, so that a run of its own at the same step comes to the same bits
 // (tests/plugin/shadow_test.cc). (Magnets that no controller commands are the exception: in the
@@ -139,6 +146,16 @@ std::optional<MeasuredRun> laid_in(const MeasuredInput& measured, const scene::S
   }
 }
 
+std::vector<std::string> output_files(const RunArguments& options, const scene::Scene& scene,
+                                      const std::filesystem::path& folder) {
+  std::vector<std::string> files = run_files(folder);
+  if (options.lyapunov) files.emplace_back(kLyapunovFile);
+  if (writes_shadow(options, scene)) {
+    for (std::string& file : run_files(folder, kShadowFolder)) files.push_back(std::move(file));
+  }
+  return files;
+}
+
 int run(const RunArguments& options) {
   const hdf5::ImageOf hdf5 = hdf5_of(options.format);
   if (options.lyapunov && options.engine != "native")
@@ -149,7 +166,7 @@ int run(const RunArguments& options) {
   const std::filesystem::path folder =
       options.folder.empty() ? std::filesystem::path("runs") / (scene.name + "-" + engine->name())
                              : std::filesystem::path(options.folder);
-  check_output(folder, Output::kFolder);
+  check_output_folder(folder, output_files(options, scene, folder));
 
   ProgressBar bar(options.quiet);
   RunRequest request;
@@ -179,7 +196,7 @@ int run(const RunArguments& options) {
   }
   say_failure(scene, "", trajectory);
   const bool stopped = trajectory.status == Status::kInterrupted;
-  if (options.engine == "mujoco" && scene.mujoco.shadow && !stopped) {
+  if (writes_shadow(options, scene) && !stopped) {
     write_shadow(folder, scene, bar, options.quiet || options.json, hdf5);
   }
   return exit_code_of(trajectory.status);

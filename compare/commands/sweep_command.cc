@@ -194,7 +194,7 @@ int sweep_study(const SweepArguments& options) {
   sweep.scenes->check();
   sweep.folder =
       options.folder.empty() ? path("runs") / path(options.study).stem() : path(options.folder);
-  check_output(sweep.folder, Output::kFolder);
+  check_output_folder(sweep.folder, sweep_files(options, sweep));
   if (!options.quiet) say_old_words(sweep);
   const int processors = static_cast<int>(std::thread::hardware_concurrency());
   sweep.jobs = options.jobs > 0 ? options.jobs : std::max(1, processors);

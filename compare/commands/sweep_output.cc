@@ -45,7 +45,7 @@ nlohmann::json bifurcation_of(const SweepArguments& options, const Sweep& sweep)
   return data;
 }
 
-constexpr const char* kPointFolder = "point-";
+std::string point_folder(std::int64_t point) { return fmt::format("point-{}", point); }
 
 // The way from the page to the run of a point.
 PointRuns point_runs(const SweepArguments& options, const Sweep& sweep) {
@@ -79,6 +79,24 @@ std::string counts_text(const std::map<std::string, std::int64_t>& counts) {
   return text.empty() ? "none" : text;
 }
 
+std::vector<std::string> sweep_files(const SweepArguments& options, const Sweep& sweep) {
+  std::vector<std::string> files{sweep::kStudyFile, sweep::kSceneFile};
+  if (!sweep.study.points.empty()) files.emplace_back(sweep::kPointsFile);
+  if (options.slurm) files.emplace_back(sweep::kSlurmFile);
+  if (!options.shard.empty()) files.push_back(sweep::parse_shard(options.shard).file());
+  for (const std::int64_t point : options.points) {
+    const std::string folder = point_folder(point);
+    for (std::string& file : run_files(sweep.folder, folder)) files.push_back(std::move(file));
+    files.push_back(folder + "/" + kRunPage);
+  }
+  if (options.slurm || !options.shard.empty()) return files;
+  files.insert(files.end(), {sweep::Shard{}.file(), sweep::kCsvFile, kColumnsFile, sweep::kDataFile,
+                             sweep::kPageFile});
+  if (sweep.study.statistics) files.emplace_back(sweep::kStatisticsFile);
+  if (options.bifurcation) files.emplace_back(sweep::kBifurcationFile);
+  return files;
+}
+
 void write_results(const SweepArguments& options, const Sweep& sweep, sweep::Store& store) {
   sweep::write_csv(store, sweep.folder / sweep::kCsvFile);
   write_whole(sweep.folder / kColumnsFile, columns_text(sweep::sweep_columns_json(sweep.study)));
@@ -107,7 +125,7 @@ int keep_points(const SweepArguments& options, const Sweep& sweep) {
   int code = kDone;
   nlohmann::json all = nlohmann::json::array();
   for (const std::int64_t point : options.points) {
-    const std::string name = fmt::format("{}{}", kPointFolder, point);
+    const std::string name = point_folder(point);
     StoredRun kept{sweep.scenes->whole_at(point), {}};
     ProgressBar bar(options.quiet || options.json);
     RunRequest request;

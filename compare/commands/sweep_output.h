@@ -42,6 +42,9 @@ void say(const SweepArguments& options, const std::string& text);
 // "12 ok, 1 diverged"
 std::string counts_text(const std::map<std::string, std::int64_t>& counts);
 
+// All that the command may write to its folder.
+std::vector<std::string> sweep_files(const SweepArguments& options, const Sweep& sweep);
+
 // All points are there: the tables and the page.
 void write_results(const SweepArguments& options, const Sweep& sweep, sweep::Store& store);
 

@@ -66,7 +66,7 @@ int run_tune(const TuneArguments& options) {
         "{}: without a contact there is nothing to tune; accepted is a scene with [contact]",
         options.scene));
   }
-  check_output(options.file, Output::kFile);
+  check_output_file(options.file);
   ProgressBar bar(options.quiet);
   const tune::TuneResult result =
       tuned(options.scene, scene, options, tolerance, options.twins, options.steps,

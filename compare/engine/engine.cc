@@ -1,5 +1,7 @@
 #include "compare/engine/engine.h"
 
+#include <fmt/format.h>
+
 #include <cmath>
 #include <string>
 #include <utility>
@@ -49,13 +51,17 @@ class MujocoEngine final : public Engine {
 
 class DefaultConeEngine final : public Engine {
  public:
-  std::string name() const override { return "mujoco-cone-default"; }
+  std::string name() const override { return std::string("mujoco-") + kConeDefault; }
   Trajectory run(const scene::Scene& given, const RunRequest& request) const override {
     scene::Scene scene = given;
     scene.mujoco.friction_reference = 0.0;
-    scene.mujoco.solref_stiffness = kDefaultStiffness;
-    scene.mujoco.solref_damping = kDefaultDamping;
-    return MujocoEngine(scene::ContactModel::kCone).run(scene, request);
+    scene.mujoco.solref_stiffness = DefaultSolref::kStiffness;
+    scene.mujoco.solref_damping = DefaultSolref::kDamping;
+    Trajectory done = MujocoEngine(scene::ContactModel::kCone).run(scene, request);
+    if (request.solref) {
+      *request.solref = solref_text(DefaultSolref::kTimeConstant, DefaultSolref::kDampingRatio);
+    }
+    return done;
   }
 };
 
@@ -91,6 +97,10 @@ std::unique_ptr<Engine> mujoco_engine(scene::ContactModel contact) {
 }
 
 std::unique_ptr<Engine> default_cone_engine() { return std::make_unique<DefaultConeEngine>(); }
+
+std::string solref_text(double first, double second) {
+  return fmt::format("{:.4g} {:.4g}", first, second);
+}
 
 const char* to_string(scene::Integrator integrator) {
   switch (integrator) {

@@ -48,6 +48,9 @@ struct RunRequest {
   // Commands of another run in the place of the scene's controller; native engines alone.
   std::shared_ptr<const CommandRecord> commands;
   StepWatch watch;  // called after every step; MuJoCo's engines alone
+  // MuJoCo's engines write the solref of the first contact here, as the attribute has it ("0.02
+  // 1"), if its force comes from one: that of a rigid or a compliant contact does not.
+  std::string* solref = nullptr;
 };
 
 class Engine {
@@ -71,10 +74,20 @@ Trajectory finite(Trajectory trajectory);
 std::unique_ptr<Engine> native_engine(scene::Integrator integrator);
 // Throws NotOffered.
 std::unique_ptr<Engine> mujoco_engine(scene::ContactModel contact);
-// MuJoCo's default solref "0.02 1" (time constant 20 ms, damping ratio 1), as K and B.
-inline constexpr double kDefaultStiffness = 2500.0;  // 1/s^2
-inline constexpr double kDefaultDamping = 100.0;     // 1/s
-// MuJoCo's cone with its default solref, whatever the scene says.
+// MuJoCo's default solref, whose two numbers are a time constant and a damping ratio.
+struct DefaultSolref {
+  static constexpr double kTimeConstant = 0.02;  // s
+  static constexpr double kDampingRatio = 1.0;
+  // The same as K and B of a direct solref.
+  static constexpr double kDamping = 2.0 / kTimeConstant;  // 1/s
+  static constexpr double kStiffness =
+      1.0 / (kTimeConstant * kTimeConstant * kDampingRatio * kDampingRatio);  // 1/s^2
+};
+// "0.02 1"
+std::string solref_text(double first, double second);
+
+// The label of MuJoCo's cone with its default solref, whatever the scene says.
+inline constexpr const char* kConeDefault = "cone-default";
 std::unique_ptr<Engine> default_cone_engine();
 
 const char* to_string(scene::Integrator integrator);

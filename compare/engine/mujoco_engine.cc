@@ -33,6 +33,10 @@ scene::Scene with_options(const scene::Scene& scene, const MujocoOptions& option
   return own;
 }
 
+bool takes_solref(const scene::Scene& scene, const plugin::Config& config) {
+  return config.has_contact() && config.contact != scene::ContactModel::kRigid && !scene.gives();
+}
+
 const char* contact_reason(Status status) {
   return status == Status::kNoSolution ? "the contact laws have no solution (Painleve)"
                                        : "the contact laws have several solutions (Painleve)";
@@ -77,6 +81,10 @@ Trajectory run_mujoco(const scene::Scene& scene, const MujocoSetup& setup,
   check_run_size(scene, model, std::nullopt,
                  options.output_times ? &*options.output_times : nullptr);
 
+  if (options.solref && takes_solref(scene, config)) {
+    const mjtNum* solref = setup.m->pair_solref + mjNREF * config.pairs.front().pair;
+    *options.solref = solref_text(solref[0], solref[1]);
+  }
   ChunkedRun run(setup, static_cast<bool>(options.watch));
   WatchFeed feed(model, step, options.watch);
   feed.begin(run.start_q(), run.start_v());

@@ -26,9 +26,23 @@ std::string vibration_sentence(const FreeOrbit& orbit, double speed, const char*
                      orbit.vibration <= limit ? "within" : "beyond", kMicrons * limit, micron);
 }
 
-std::string contact_text(const ContactPlace& place, const FreeOrbit& orbit, double speed) {
-  const std::string where =
-      place.name.empty() ? "response at the contact" : "response at contact " + place.name;
+// An orbit at a contact, and when it is the rotor's: ", before the loss".
+struct TimedOrbit {
+  const FreeOrbit& orbit;
+  const char* when;
+};
+
+std::vector<TimedOrbit> orbits_at(const ContactPlace& place, const RotorResponse& response) {
+  const FreeOrbit& last = response.all.orbits[place.bearing];
+  if (!response.before_loss) return {{last, ""}};
+  return {{response.before_loss->orbits[place.bearing], ", before the loss"},
+          {last, ", after the loss"}};
+}
+
+std::string contact_text(const ContactPlace& place, const TimedOrbit& at, double speed) {
+  const FreeOrbit& orbit = at.orbit;
+  const std::string where = fmt::format(
+      "response at {}{}", place.name.empty() ? "the contact" : "contact " + place.name, at.when);
   if (!orbit.largest) return fmt::format("  {}: none, {}\n", where, orbit.refused);
   const double gap = place.clearance - *orbit.largest;
   const std::string sentence = fmt::format(
@@ -38,6 +52,37 @@ std::string contact_text(const ContactPlace& place, const FreeOrbit& orbit, doub
   const std::string vibration = vibration_sentence(orbit, speed, "um");
   return wrapped("  ", sentence) +
          (vibration.empty() ? "" : fmt::format("  vibration there: {}\n", vibration));
+}
+
+json orbit_json(const ContactPlace& place, const FreeOrbit& orbit, double speed) {
+  if (!orbit.largest)
+    return {{"orbit", nullptr},
+            {"least_gap", nullptr},
+            {"vibration", nullptr},
+            {"vibration_limit", nullptr},
+            {"refused", orbit.refused}};
+  const double limit = vibration_limit(speed);
+  return {{"orbit", *orbit.largest},
+          {"least_gap", place.clearance - *orbit.largest},
+          {"vibration", orbit.vibration},
+          {"vibration_limit", std::isfinite(limit) ? json(limit) : json(nullptr)},
+          {"refused", nullptr}};
+}
+
+ResponseWords orbit_words(const ContactPlace& place, const TimedOrbit& at, double speed) {
+  const std::string title =
+      fmt::format("Free orbit{}{}", place.name.empty() ? "" : " at " + place.name, at.when);
+  const FreeOrbit& orbit = at.orbit;
+  if (!orbit.largest) return {false, title, "none", orbit.refused};
+  const double gap = place.clearance - *orbit.largest;
+  ResponseWords words{!(gap > 0.0), title,
+                      gap > 0.0 ? fmt::format("least gap {:.4g} µm", kMicrons * gap)
+                                : fmt::format("touches, {:.4g} µm beyond", -kMicrons * gap),
+                      fmt::format("{:.4g} µm from the middle of the ring, clearance {:.4g} µm",
+                                  kMicrons * *orbit.largest, kMicrons * place.clearance)};
+  const std::string vibration = vibration_sentence(orbit, speed, "µm");
+  if (!vibration.empty()) words.text += "; vibration " + vibration;
+  return words;
 }
 
 }  // namespace
@@ -58,43 +103,45 @@ double vibration_limit(double speed) {
                    : std::numeric_limits<double>::infinity();
 }
 
-json response_json(const ContactPlace& place, const FreeResponse& response, double speed) {
-  const FreeOrbit& orbit = response.orbits[place.bearing];
-  if (!orbit.largest)
-    return {{"orbit", nullptr},
-            {"least_gap", nullptr},
-            {"vibration", nullptr},
-            {"vibration_limit", nullptr},
-            {"refused", orbit.refused}};
-  const double limit = vibration_limit(speed);
-  return {{"orbit", *orbit.largest},
-          {"least_gap", place.clearance - *orbit.largest},
-          {"vibration", orbit.vibration},
-          {"vibration_limit", std::isfinite(limit) ? json(limit) : json(nullptr)},
-          {"refused", nullptr}};
+std::optional<scene::Scene> before_loss(const scene::Scene& scene) {
+  const auto comes_later = [](const scene::Force& f) {
+    return f.kind == scene::ForceKind::kUnbalance && f.on > 0.0 && f.static_moment > 0.0;
+  };
+  if (std::ranges::none_of(scene.forces, comes_later)) return std::nullopt;
+  scene::Scene before = scene;
+  std::erase_if(before.forces, comes_later);
+  return before;
 }
 
-std::string response_text(const std::vector<ContactPlace>& places, const FreeResponse& response,
+std::vector<std::string> RotorResponse::notes() const {
+  std::vector<std::string> notes = all.notes;
+  notes.insert(notes.end(), few_modes.begin(), few_modes.end());
+  return notes;
+}
+
+json response_json(const ContactPlace& place, const RotorResponse& response, double speed) {
+  json result = orbit_json(place, response.all.orbits[place.bearing], speed);
+  const auto& before = response.before_loss;
+  result["before_loss"] =
+      before ? orbit_json(place, before->orbits[place.bearing], speed) : json(nullptr);
+  return result;
+}
+
+std::string response_text(const std::vector<ContactPlace>& places, const RotorResponse& response,
                           double speed) {
   std::string text;
-  for (const ContactPlace& place : places)
-    text += contact_text(place, response.orbits[place.bearing], speed);
-  for (const std::string& note : response.notes) text += wrapped("  ", "note: " + note);
+  for (const ContactPlace& place : places) {
+    for (const TimedOrbit& at : orbits_at(place, response)) text += contact_text(place, at, speed);
+  }
+  for (const std::string& note : response.notes()) text += wrapped("  ", "note: " + note);
   return text;
 }
 
-ResponseWords response_words(const ContactPlace& place, const FreeResponse& response,
-                             double speed) {
-  const FreeOrbit& orbit = response.orbits[place.bearing];
-  if (!orbit.largest) return {false, "none", orbit.refused};
-  const double gap = place.clearance - *orbit.largest;
-  ResponseWords words{!(gap > 0.0),
-                      gap > 0.0 ? fmt::format("least gap {:.4g} µm", kMicrons * gap)
-                                : fmt::format("touches, {:.4g} µm beyond", -kMicrons * gap),
-                      fmt::format("{:.4g} µm from the middle of the ring, clearance {:.4g} µm",
-                                  kMicrons * *orbit.largest, kMicrons * place.clearance)};
-  const std::string vibration = vibration_sentence(orbit, speed, "µm");
-  if (!vibration.empty()) words.text += "; vibration " + vibration;
+std::vector<ResponseWords> response_words(const ContactPlace& place, const RotorResponse& response,
+                                          double speed) {
+  std::vector<ResponseWords> words;
+  for (const TimedOrbit& at : orbits_at(place, response))
+    words.push_back(orbit_words(place, at, speed));
   return words;
 }
 

@@ -77,17 +77,28 @@ void note_modes_left_out(scene::Scene free, int modes, const std::vector<double>
   }
   for (std::size_t k = 0; k < speeds.size(); ++k) {
     const FreeResponse finer = free_response(free, *model, speeds[k]);
-    FreeResponse& response = analysis.responses[k];
+    RotorResponse& response = analysis.responses[k];
     for (const ContactPlace& place : analysis.contacts) {
-      const auto few = response.orbits[place.bearing].largest,
+      const auto few = response.all.orbits[place.bearing].largest,
                  many = finer.orbits[place.bearing].largest;
       if (!few || !many || std::abs(*many - *few) <= kModesMatter * *many) continue;
-      response.notes.push_back(fmt::format(
+      response.few_modes.push_back(fmt::format(
           "the response{} is that of the {} modes kept; with {} modes it is {:.3g} um ({:+.2g} %)",
           place.name.empty() ? "" : " at contact " + place.name, modes, 2 * modes, 1e6 * *many,
           100.0 * (*many / *few - 1.0)));
     }
   }
+}
+
+// The machine in operation: a magnetic bearing that works at some time works at all times, as in
+// the list of whirl frequencies.
+scene::Scene in_operation(scene::Scene scene) {
+  for (scene::MagneticBearing& bearing : scene.magnetic_bearings) {
+    if (!bearing.control || !bearing.control->works()) continue;
+    bearing.control->works_from = 0.0;
+    bearing.control->fails_at = bearing.control->returns_at = scene::kNever;
+  }
+  return scene;
 }
 
 void add_response(const scene::Scene& scene, const std::vector<double>& speeds,
@@ -96,11 +107,17 @@ void add_response(const scene::Scene& scene, const std::vector<double>& speeds,
       std::ranges::any_of(scene.magnetic_bearings,
                           [](const scene::MagneticBearing& b) { return b.control.has_value(); });
   if (!scene.first().contact && !controls) return;
-  const scene::Scene free = without_start(scene);
+  const scene::Scene free = in_operation(without_start(scene));
   const Model model = make_model(free);
   for (double speed : speeds) analysis.levitations.push_back(levitation(model, speed));
   analysis.contacts = contact_places(scene);
-  for (double speed : speeds) analysis.responses.push_back(free_response(free, model, speed));
+  for (double speed : speeds)
+    analysis.responses.push_back({free_response(free, model, speed), std::nullopt, {}});
+  if (const auto before = before_loss(free)) {
+    const Model intact = make_model(*before);
+    for (std::size_t k = 0; k < speeds.size(); ++k)
+      analysis.responses[k].before_loss = free_response(*before, intact, speeds[k]);
+  }
   note_modes_left_out(free, model.layout.modes, speeds, analysis);
 }
 
@@ -277,7 +294,8 @@ json modes_json(const RotorAnalysis& analysis) {
          {"modes", whirls_json(spectrum.modes)},
          {"rub", rubs.at.empty() ? json(nullptr) : rub_json(rubs.at[at])},
          {"response", response(0)},
-         {"notes", analysis.responses.empty() ? json::array() : json(analysis.responses[at].notes)},
+         {"notes",
+          analysis.responses.empty() ? json::array() : json(analysis.responses[at].notes())},
          {"levitation", analysis.levitations.empty() ? json(nullptr)
                                                      : levitation_json(analysis.levitations[at])}});
     for (std::size_t k = 0; k < analysis.rubs.size(); ++k) {

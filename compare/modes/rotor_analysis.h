@@ -39,7 +39,7 @@ struct RotorAnalysis {
   std::vector<ContactPlace> contacts;
   // At the same speeds, of the modes kept; none without a contact or magnetic bearings that
   // control.
-  std::vector<FreeResponse> responses;
+  std::vector<RotorResponse> responses;
   // At the same speeds, of the modes kept; without magnetic bearings that control none.
   std::vector<Levitation> levitations;
   std::optional<ContactMass> contact_mass;  // geometry form with a contact only

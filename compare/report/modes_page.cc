@@ -128,16 +128,19 @@ json running_card(const scene::Scene& scene, const RotorAnalysis& analysis) {
 // How near the free rotor comes, at each contact, and where that is not to be trusted.
 void add_response_cards(const RotorAnalysis& analysis, json& cards) {
   if (analysis.responses.empty()) return;
-  const FreeResponse& response = analysis.responses.front();
+  const RotorResponse& response = analysis.responses.front();
   const double speed = analysis.spectra.front().speed;
   const std::string at = ", " + rpm_text(std::abs(speed));
   for (const ContactPlace& place : analysis.contacts) {
-    const ResponseWords words = response_words(place, response, speed);
-    const std::string title = place.name.empty() ? "Free orbit" : "Free orbit at " + place.name;
-    cards.push_back(card(title + at, words.touches ? "bad" : "", words.headline, words.text));
+    for (const ResponseWords& words : response_words(place, response, speed)) {
+      cards.push_back(
+          card(words.title + at, words.touches ? "bad" : "", words.headline, words.text));
+    }
   }
-  for (const std::string& note : response.notes)
+  for (const std::string& note : response.all.notes)
     cards.push_back(card("Magnetic bearing" + at, "bad", "beyond its current limit", note));
+  for (const std::string& note : response.few_modes)
+    cards.push_back(card("Modes kept" + at, "", "more modes change the response", note));
 }
 
 // What a touch may lead to, of each contact.

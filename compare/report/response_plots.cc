@@ -120,14 +120,10 @@ ProbeResponse on_speeds(const SynchronousResponse& response, const ProbeResponse
 
 // Where unbalance comes later, as of a lost blade: the response without it and with it.
 std::optional<SynchronousResponse> response_of(const scene::Scene& scene, double top) {
-  const auto comes_later = [](const scene::Force& f) {
-    return f.kind == scene::ForceKind::kUnbalance && f.on > 0.0 && f.static_moment > 0.0;
-  };
   auto after = synchronous_response(scene, top);
-  if (!after || std::ranges::none_of(scene.forces, comes_later)) return after;
-  scene::Scene intact = scene;
-  std::erase_if(intact.forces, comes_later);
-  const auto before = synchronous_response(intact, top);
+  const auto intact = before_loss(scene);
+  if (!after || !intact) return after;
+  const auto before = synchronous_response(*intact, top);
   if (!before || before->speed.size() < 2) return after;
   const std::size_t probes = std::min(before->probes.size(), after->probes.size());
   std::vector<ProbeResponse> both;

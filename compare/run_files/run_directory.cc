@@ -181,23 +181,39 @@ scene::Scene read_kept_scene(const path& file, const std::string& name) {
   }
 }
 
+bool is_own_machine(const scene::Scene& scene) { return scene.rotor.assembled != nullptr; }
+const char* scene_file(bool own_machine) { return own_machine ? kOwnModel : kScene; }
+
+// Files of an earlier run that this run does not write would be taken for results of this run.
+std::vector<const char*> obsolete_files(const path& folder, bool own_machine) {
+  if (!std::filesystem::exists(folder / kSummary)) return {};
+  return {scene_file(!own_machine), kRunPage, kLyapunovFile};
+}
+
 }  // namespace
+
+std::vector<std::string> run_files(const path& folder, const std::string& below, bool own_machine) {
+  std::vector<const char*> names = obsolete_files(folder / below, own_machine);
+  names.insert(names.end(), {kSeries, kImpacts, kEvents, kKeyphasor, scene_file(own_machine), kHdf5,
+                             kColumnsFile, kSummary});
+  std::vector<std::string> files;
+  for (const char* name : names) files.push_back((path(below) / name).string());
+  return files;
+}
 
 void write_run(const path& folder, const scene::Scene& scene, const Trajectory& trajectory,
                hdf5::ImageOf hdf5) {
   std::filesystem::create_directories(folder);
-  // Files of an earlier run that this run does not write would be taken for results of this run.
-  if (std::filesystem::exists(folder / kSummary)) {
-    for (const char* file : {scene.rotor.assembled ? kScene : kOwnModel, kRunPage, kLyapunovFile})
-      std::filesystem::remove(folder / file);
-  }
+  const bool own_machine = is_own_machine(scene);
+  for (const char* file : obsolete_files(folder, own_machine))
+    std::filesystem::remove(folder / file);
   for (const char* file : {kSummary, kHdf5}) std::filesystem::remove(folder / file);
   write_series(trajectory, folder / kSeries);
   write_impacts(trajectory, folder / kImpacts);
   write_events(trajectory, folder / kEvents);
   write_keyphasor(trajectory, folder / kKeyphasor);
   const std::string scene_text = text_to_keep(scene);
-  write_whole(folder / (scene.rotor.assembled ? kOwnModel : kScene), scene_text);
+  write_whole(folder / scene_file(own_machine), scene_text);
   if (hdf5) write_whole(folder / kHdf5, hdf5::run_file(hdf5, scene, scene_text, trajectory));
   write_whole(folder / kColumnsFile, columns_text(run_columns_json(trajectory)));
   write_whole(folder / kSummary, json_text(summary_json(scene, trajectory)));

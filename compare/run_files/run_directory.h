@@ -6,6 +6,7 @@
 #include <optional>
 #include <stdexcept>
 #include <string>
+#include <vector>
 
 #include "compare/hdf5/module.h"
 #include "native_model/scene/scene.h"
@@ -23,6 +24,10 @@ inline constexpr const char* kLyapunovFile = "lyapunov.json";
 // hdf5: writes run.h5 too (compare/run_files/hdf5_file.h); null: does not.
 void write_run(const std::filesystem::path& folder, const scene::Scene& scene,
                const Trajectory& trajectory, hdf5::ImageOf hdf5 = nullptr);
+// The files in folder / below that write_run writes there or removes, as names within `folder`.
+// own_machine: the run is one of a machine of the user's own.
+std::vector<std::string> run_files(const std::filesystem::path& folder,
+                                   const std::string& below = "", bool own_machine = false);
 
 // A folder that is not that of a run, or whose files have been changed since. what() names file and
 // line.

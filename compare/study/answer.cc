@@ -20,6 +20,8 @@ std::string reason(const SceneComparison& c, const Side& other, const SideDiffer
   for (const Side* side : {&native, &other}) {
     if (side->trajectory.status != Status::kOk) return side->early_end();
   }
+  if (!c.omission.empty())
+    return c.omission + ", so no difference can be attributed to the contact";
   if (d.resync) return why(*d.resync, c.tolerance);
   const bool untouched = !native.metrics.first_touch && !other.metrics.first_touch;
   return (untouched ? "nothing touches, so there is no contact force to judge; " : "") +
@@ -31,6 +33,7 @@ std::string plain_reason(const SceneComparison& c, const Side& other, const Side
   const Side& native = c.sides.front();
   if (d.resync || native.trajectory.status != Status::kOk || other.trajectory.status != Status::kOk)
     return reason(c, other, d);
+  if (!c.omission.empty()) return c.omission;
   const std::vector<JudgedFigure> judged = d.judged(), off = outside(judged);
   if (off.empty()) {
     return d.trust == Trust::kUndecidable
@@ -112,7 +115,7 @@ std::vector<AnswerRow> answer(const SceneComparison& c) {
 }
 
 std::vector<std::size_t> reading_order(const SceneComparison& c) {
-  constexpr std::array kOrder{"cone", "cone-default", "cone-coulomb", "coulomb", "rigid"};
+  constexpr std::array kOrder{"cone", kConeDefault, "cone-coulomb", "coulomb", "rigid"};
   const auto place = [&](std::size_t difference) {
     const auto found = std::find(kOrder.begin(), kOrder.end(), c.sides[difference + 1].label);
     return found - kOrder.begin();
@@ -173,7 +176,7 @@ std::string solref_note(const SceneComparison& c) {
     const Side& side = c.sides[k + 1];
     if (side.solref.empty()) continue;
     all += fmt::format("{}\"{}\" ({}{})", all.empty() ? "" : ", ", side.solref, side.label,
-                       side.label == "cone-default" ? ", MuJoCo's default" : "");
+                       side.label == kConeDefault ? ", MuJoCo's default" : "");
   }
   return all.empty() ? "" : "The soft contacts use solref " + all + ".";
 }

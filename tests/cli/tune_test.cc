@@ -38,12 +38,9 @@ TEST(CliTune, FindsASettingWhoseOwnComparisonPasses) {
 TEST(CliTune, JudgesAsCompareDoes) {
   const Folder folder;
   const std::vector<std::string> shared{shipped("bench_ring"), "--end", "50ms", "--twins", "0"};
-  std::vector<std::string> words{"tune", "--steps", "50us", "--tolerance", "100%", "--json"};
-  words.insert(words.end(), shared.begin(), shared.end());
-  const json all = json::parse(folder.run(words).out);
-  words = {"compare", "--step", "50us", "--no-video", "--quiet", "-o", "out"};
-  words.insert(words.end(), shared.begin(), shared.end());
-  folder.run(words);
+  const json all = json::parse(
+      folder.run(with({"tune", "--steps", "50us", "--tolerance", "100%", "--json"}, shared)).out);
+  folder.run(with({"compare", "--step", "50us", "--no-video", "--quiet", "-o", "out"}, shared));
   const json sides = folder.json_in("out/compare.json")["scenes"][0]["differences"];
   int seen = 0;
   for (const json& s : all["settings"]) {
@@ -65,26 +62,19 @@ TEST(CliTune, SaysWhatCannotBeTrusted) {
   const Outcome none = folder.run({"tune", shipped("bench_ring"), "--end", "20ms", "--steps",
                                    "200us", "--tolerance", "0", "--twins", "0", "-o", "no.toml"});
   EXPECT_EQ(none.code, 1) << none.out;
-  EXPECT_TRUE(contains(none.out, "none can be trusted")) << none.out;
-  EXPECT_TRUE(contains(none.err, "not written")) << none.err;
+  EXPECT_TRUE(contains(none.out, "none can be trusted"));
+  EXPECT_TRUE(contains(none.err, "not written"));
   EXPECT_FALSE(folder.has("no.toml"));
 }
 
 TEST(CliTune, RefusesWithWhatIsAccepted) {
   const Folder folder;
-  const auto refusal = [&](const std::vector<std::string>& more) {
-    std::vector<std::string> all{"tune", shipped("bench_ring")};
-    all.insert(all.end(), more.begin(), more.end());
-    const Outcome refused = folder.run(all);
-    EXPECT_EQ(refused.code, 2);
-    EXPECT_EQ(refused.out, "");
-    return refused.err;
-  };
-  EXPECT_TRUE(contains(refusal({"--set", "contact=none"}), "[contact]"));
-  EXPECT_TRUE(contains(refusal({"--steps", "3 kg"}), "--steps"));
-  EXPECT_TRUE(contains(refusal({"--twins", "-2"}), "0 to"));
-  EXPECT_TRUE(contains(refusal({"--tolerance", "2"}), "2%"));
-  EXPECT_EQ(folder.run({"tune", "nowhere.toml"}).code, 2);
+  const std::vector<std::string> tune{"tune", shipped("bench_ring")};
+  folder.refuses(with(tune, {"--set", "contact=none"}), {"[contact]"});
+  folder.refuses(with(tune, {"--steps", "3 kg"}), {"--steps"});
+  folder.refuses(with(tune, {"--twins", "-2"}), {"0 to"});
+  folder.refuses(with(tune, {"--tolerance", "2"}), {"2%"});
+  folder.refuses({"tune", "nowhere.toml"});
 }
 
 }  // namespace

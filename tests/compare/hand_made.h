@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cmath>
+#include <complex>
 #include <functional>
 #include <string>
 
@@ -50,6 +51,22 @@ inline Trajectory hand_made(std::size_t rows, double spacing,
   trajectory.end = static_cast<double>(rows - 1) * spacing;
   trajectory.step = spacing;
   return trajectory;
+}
+
+// A rotor that goes the way place(t) = x + i y, m; its velocity is a difference.
+inline Trajectory moving(std::size_t rows, double spacing,
+                         const std::function<std::complex<double>(double)>& place) {
+  return hand_made(rows, spacing, [&](double t) {
+    constexpr double kStep = 1e-7;  // s
+    const std::complex<double> z = place(t),
+                               v = (place(t + kStep) - place(t - kStep)) / (2.0 * kStep);
+    Row row;
+    row.x = z.real();
+    row.y = z.imag();
+    row.vx = v.real();
+    row.vy = v.imag();
+    return row;
+  });
 }
 
 struct Whirl {

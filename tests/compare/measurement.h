@@ -12,6 +12,7 @@
 
 #include "compare/measured/reader.h"
 #include "native_model/trajectory/trajectory.h"
+#include "tests/support/native_run.h"
 
 namespace rotorub::test {
 
@@ -24,6 +25,20 @@ struct Sensors {
   double limit = 0.0;             // m, of the rotor's sensors; 0: none
   unsigned seed = 1;
 };
+
+// The passive rig from rest, as a steady circle has no instant of its own.
+inline scene::Scene short_rig() {
+  return shipped("paper_passive",
+                 {"run.end=0.1", "run.step=1e-5", "run.output_step=1e-4", "initial.steady=false"});
+}
+
+// Rows of the reference integrator at these times.
+inline Trajectory run_at(const scene::Scene& scene, const std::vector<double>& times) {
+  NativeOptions options;
+  options.integrator = scene::Integrator::kEvent;
+  options.output_times = times;
+  return run_native(scene, options);
+}
 
 // The scene's times of the samples.
 inline std::vector<double> instants(const Sensors& sensors) {

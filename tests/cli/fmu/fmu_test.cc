@@ -148,86 +148,28 @@ TEST(Fmu, HasEveryFunctionAndRefusesWithAWord) {
   folder.done({"fmu", shipped("bench_ring"), "-q", "-o", "plant.fmu"});
   const UnpackedFmu fmu(folder.path() / "plant.fmu", folder.path() / "unpacked");
   Plant plant(fmu);
-  for (const char* name : {"GetVersion",
-                           "SetDebugLogging",
-                           "InstantiateModelExchange",
-                           "InstantiateCoSimulation",
-                           "InstantiateScheduledExecution",
-                           "FreeInstance",
-                           "EnterInitializationMode",
-                           "ExitInitializationMode",
-                           "EnterEventMode",
-                           "Terminate",
-                           "Reset",
-                           "GetFloat32",
-                           "GetFloat64",
-                           "GetInt8",
-                           "GetUInt8",
-                           "GetInt16",
-                           "GetUInt16",
-                           "GetInt32",
-                           "GetUInt32",
-                           "GetInt64",
-                           "GetUInt64",
-                           "GetBoolean",
-                           "GetString",
-                           "GetBinary",
-                           "GetClock",
-                           "SetFloat32",
-                           "SetFloat64",
-                           "SetInt8",
-                           "SetUInt8",
-                           "SetInt16",
-                           "SetUInt16",
-                           "SetInt32",
-                           "SetUInt32",
-                           "SetInt64",
-                           "SetUInt64",
-                           "SetBoolean",
-                           "SetString",
-                           "SetBinary",
-                           "SetClock",
-                           "GetNumberOfVariableDependencies",
-                           "GetVariableDependencies",
-                           "GetFMUState",
-                           "SetFMUState",
-                           "FreeFMUState",
-                           "SerializedFMUStateSize",
-                           "SerializeFMUState",
-                           "DeserializeFMUState",
-                           "GetDirectionalDerivative",
-                           "GetAdjointDerivative",
-                           "EnterConfigurationMode",
-                           "ExitConfigurationMode",
-                           "GetIntervalDecimal",
-                           "GetIntervalFraction",
-                           "GetShiftDecimal",
-                           "GetShiftFraction",
-                           "SetIntervalDecimal",
-                           "SetIntervalFraction",
-                           "SetShiftDecimal",
-                           "SetShiftFraction",
-                           "EvaluateDiscreteStates",
-                           "UpdateDiscreteStates",
-                           "EnterContinuousTimeMode",
-                           "CompletedIntegratorStep",
-                           "SetTime",
-                           "SetContinuousStates",
-                           "GetContinuousStateDerivatives",
-                           "GetEventIndicators",
-                           "GetContinuousStates",
-                           "GetNominalsOfContinuousStates",
-                           "GetNumberOfEventIndicators",
-                           "GetNumberOfContinuousStates",
-                           "EnterStepMode",
-                           "GetOutputDerivatives",
-                           "DoStep",
-                           "ActivateModelPartition"}) {
+  std::istringstream names(
+      R"(GetVersion SetDebugLogging InstantiateModelExchange InstantiateCoSimulation
+InstantiateScheduledExecution FreeInstance EnterInitializationMode ExitInitializationMode
+EnterEventMode Terminate Reset GetFloat32 GetFloat64 GetInt8 GetUInt8 GetInt16 GetUInt16
+GetInt32 GetUInt32 GetInt64 GetUInt64 GetBoolean GetString GetBinary GetClock SetFloat32
+SetFloat64 SetInt8 SetUInt8 SetInt16 SetUInt16 SetInt32 SetUInt32 SetInt64 SetUInt64
+SetBoolean SetString SetBinary SetClock GetNumberOfVariableDependencies
+GetVariableDependencies GetFMUState SetFMUState FreeFMUState SerializedFMUStateSize
+SerializeFMUState DeserializeFMUState GetDirectionalDerivative GetAdjointDerivative
+EnterConfigurationMode ExitConfigurationMode GetIntervalDecimal GetIntervalFraction
+GetShiftDecimal GetShiftFraction SetIntervalDecimal SetIntervalFraction SetShiftDecimal
+SetShiftFraction EvaluateDiscreteStates UpdateDiscreteStates EnterContinuousTimeMode
+CompletedIntegratorStep SetTime SetContinuousStates GetContinuousStateDerivatives
+GetEventIndicators GetContinuousStates GetNominalsOfContinuousStates
+GetNumberOfEventIndicators GetNumberOfContinuousStates EnterStepMode GetOutputDerivatives
+DoStep ActivateModelPartition)");
+  for (std::string name; names >> name;) {
     plant.function<void*>(name);
   }
   const auto refuses = [&](int status, const char* word) {
     EXPECT_EQ(status, kFmiError);
-    EXPECT_TRUE(contains(plant.said, word)) << plant.said;
+    EXPECT_TRUE(contains(plant.said, word));
     plant.said.clear();
   };
   EXPECT_STREQ(plant.function<const char* (*)()>("GetVersion")(), "3.0");
@@ -247,7 +189,7 @@ TEST(Fmu, BelongsToTheSceneThatItsDescriptionNames) {
   std::ofstream(folder.path() / "unpacked/resources/scene.toml", std::ios::app) << "# another\n";
   Plant plant(fmu);
   EXPECT_FALSE(static_cast<bool>(plant));
-  EXPECT_TRUE(contains(plant.said, "is of another scene")) << plant.said;
+  EXPECT_TRUE(contains(plant.said, "is of another scene"));
 }
 
 TEST(Fmu, IsAnArchiveOfTheSameBytesEveryTime) {
@@ -259,9 +201,8 @@ TEST(Fmu, IsAnArchiveOfTheSameBytesEveryTime) {
   folder.done({"fmu", shipped("bench_ring"), "-q", "-o", "again.fmu"});
   EXPECT_EQ(folder.text("bench_ring.fmu"), folder.text("again.fmu"));
   expect_whole_files(folder);
-  const Outcome refused = folder.run({"fmu", shipped("finite_impacts"), "-o", "none.fmu"});
-  EXPECT_EQ(refused.code, 2);
-  EXPECT_TRUE(contains(refused.err, "contact.compression_time")) << refused.err;
+  folder.refuses({"fmu", shipped("finite_impacts"), "-o", "none.fmu"},
+                 {"contact.compression_time"});
   EXPECT_FALSE(folder.has("none.fmu"));
 }
 

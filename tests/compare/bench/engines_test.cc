@@ -5,19 +5,12 @@
 #include <algorithm>
 
 #include "native_model/scene/reader.h"
+#include "tests/support/said.h"
 
 namespace rotorub::bench {
 namespace {
 
-template <class Call>
-std::string refusal(const Call& call) {
-  try {
-    call();
-  } catch (const std::invalid_argument& error) {
-    return error.what();
-  }
-  return "";
-}
+using test::message_of;
 
 TEST(Ladder, ReadsTimesInAnyUnit) {
   EXPECT_EQ(parse_steps("1e-6, 100us,10 us, 1e-5"), (std::vector<double>{1e-4, 1e-5, 1e-6}));
@@ -26,11 +19,13 @@ TEST(Ladder, ReadsTimesInAnyUnit) {
 
 TEST(Ladder, SaysWhichEntryIsWrong) {
   for (const char* list : {"", "10us,", "10us,,1us", "0", "-1us", "3 kg", "nan"}) {
-    const std::string why = refusal([&] { parse_steps(list); });
+    const std::string why = message_of<std::invalid_argument>([&] { parse_steps(list); });
     EXPECT_NE(why.find("--steps"), std::string::npos) << "`" << list << "`: " << why;
   }
-  EXPECT_NE(refusal([] { parse_steps("10us,-1us"); }).find("`-1us`"), std::string::npos);
-  EXPECT_NE(refusal([] { parse_tolerances("1"); }).find("(0, 1)"), std::string::npos);
+  EXPECT_NE(message_of<std::invalid_argument>([] { parse_steps("10us,-1us"); }).find("`-1us`"),
+            std::string::npos);
+  EXPECT_NE(message_of<std::invalid_argument>([] { parse_tolerances("1"); }).find("(0, 1)"),
+            std::string::npos);
 }
 
 TEST(BenchEngines, AreChosenByNameOrFamily) {
@@ -47,7 +42,8 @@ TEST(BenchEngines, AreChosenByNameOrFamily) {
   for (const char* name : {"native-event", "native-midpoint", "penalty", "penalty-per-axis"}) {
     EXPECT_NE(std::find(all.begin(), all.end(), name), all.end()) << name;
   }
-  const std::string why = refusal([] { chosen_engines("native,bullet"); });
+  const std::string why =
+      message_of<std::invalid_argument>([] { chosen_engines("native,bullet"); });
   EXPECT_NE(why.find("`bullet`"), std::string::npos) << why;
   EXPECT_NE(why.find("mujoco-rigid"), std::string::npos) << "what is accepted: " << why;
 }

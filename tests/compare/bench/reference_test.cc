@@ -121,17 +121,5 @@ TEST(CommonTimes, AreEndsOfStepsOfTheWholeLadder) {
   EXPECT_EQ(common_times(run, {2e-4}).size(), 1001u) << "five rows are too few";
 }
 
-TEST(PositionDistance, IsTheLargestOfAllRows) {
-  const scene::Scene scene = shipped("bench_drop");
-  const Trajectory t = event_engine(event_parameters(1e-9))->run(scene, {});
-  Trajectory off = t;
-  EXPECT_EQ(position_distance(t, off), 0.0);
-  for (Column& c : off.series) {
-    if (c.name == "stator_x") c.values[3] += 4e-6;
-    if (c.name == "stator_y") c.values[3] += 3e-6;
-  }
-  EXPECT_NEAR(position_distance(t, off), 5e-6, 1e-18);
-}
-
 }  // namespace
 }  // namespace rotorub::bench

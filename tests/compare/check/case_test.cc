@@ -7,8 +7,6 @@
 #include <sstream>
 
 #include "compare/check/output.h"
-#include "native_model/scene/diagnostic.h"
-#include "native_model/scene/reader.h"
 #include "tests/compare/hand_made.h"
 
 namespace rotorub::check {
@@ -118,12 +116,6 @@ TEST(CheckCase, AnErrorNeedsItsReference) {
       << "nothing to measure against";
 }
 
-TEST(CheckCase, MujocoDecidesNothing) {
-  const Case c = judged(mujoco(), {at_most("end.rotor_x", 1e-6)}, ran());
-  EXPECT_EQ(c.outcome(), Outcome::kViolates);
-  EXPECT_TRUE(holds({c}));
-}
-
 TEST(CheckEngines, RulesAreOfTheirEngine) {
   const std::vector<Rule> all{at_most("steps", 1.0),
                               at_most("steps", 2.0, RuleEngine::kNativeEvent),
@@ -160,32 +152,6 @@ TEST(CheckOutput, FitsEightyColumnsAndSaysAll) {
   EXPECT_EQ(all[0]["outcome"], "pass");
   EXPECT_EQ(all[5]["outcome"], "violates");
   EXPECT_EQ(all[5]["limit"], 1e-9);
-}
-
-// A metric that does not exist is found before anything is run, where it stands.
-TEST(CheckScene, RefusesAnUnknownMetricAtItsLine) {
-  const scene::Scene scene = scene::parse_scene(R"([run]
-end = 0.1
-[rotor]
-speed = 0.0
-[rotor.modal]
-mass = [2.0]
-stiffness = [2e5]
-[[check]]
-metric = "penetration"
-max = 1.0
-why = "a misspelt name must not pass"
-)",
-                                                "s.toml");
-  try {
-    rules_of(scene);
-    FAIL() << "accepted";
-  } catch (const scene::SceneError& error) {
-    ASSERT_EQ(error.diagnostics().size(), 1u);
-    EXPECT_EQ(error.diagnostics()[0].line, 9);
-    EXPECT_EQ(error.diagnostics()[0].key, "check[0].metric");
-    EXPECT_NE(error.diagnostics()[0].reason.find("max_penetration"), std::string::npos);
-  }
 }
 
 }  // namespace

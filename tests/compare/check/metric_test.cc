@@ -7,6 +7,7 @@
 
 #include "compare/check/verdict.h"
 #include "tests/compare/hand_made.h"
+#include "tests/support/said.h"
 
 namespace rotorub::check {
 namespace {
@@ -61,13 +62,8 @@ TEST(CheckMetric, ReadsResidualsFromTheRows) {
 }
 
 TEST(CheckMetric, RefusesWhatIsNotThereWithWhatIs) {
-  const auto said = [](const std::string& metric) -> std::string {
-    try {
-      check_name(metric);
-    } catch (const NoSuchMetric& error) {
-      return error.what();
-    }
-    return "";
+  const auto said = [](const std::string& metric) {
+    return test::message_of<NoSuchMetric>([&] { check_name(metric); });
   };
   for (const char* good : {"energy_residual", "impacts", "error.rotor_x", "end.torsion_1",
                            "largest.gap", "residual.cone", "count.reverse"}) {

@@ -3,10 +3,9 @@
 
 #include <cmath>
 
-#include "compare/engine/mujoco_engine.h"
 #include "native_model/run/run_native.h"
-#include "tests/support/mujoco_fixture.h"
 #include "tests/support/mujoco_run.h"
+#include "tests/support/native_run.h"
 
 namespace rotorub::test {
 namespace {
@@ -46,23 +45,6 @@ TEST(MagnetsEngine, TheVoltageLimitIsTheSameOnBothSides) {
   double most = 0.0;
   for (const double i : native.column("current_1")) most = std::max(most, std::abs(i));
   EXPECT_NEAR(t.column("current_1").back(), native.column("current_1").back(), 1e-3 * most);
-}
-
-// With a lagging coil the current starts at 0 whatever is asked for.
-TEST(MagnetsEngine, WritesForcesAndCurrents) {
-  const scene::Scene scene = shipped("paper_magnetic", {"run.end=1e-3", "actuator.coil_lag=1e-4",
-                                                        "controller.on=0", "run.output_step=1e-5"});
-  const Trajectory t = run_mujoco(scene), native = run_native(scene);
-  for (const Trajectory* run : {&t, &native}) {
-    EXPECT_EQ(run->column("current_1").front(), 0.0);
-    EXPECT_EQ(run->column("control_x").front(), 0.0);
-    EXPECT_GT(std::abs(run->column("current_1").back()) + std::abs(run->column("control_x").back()),
-              0.0);
-  }
-  for (const char* name : {"current_1", "current_2"}) {
-    EXPECT_NEAR(t.column(name).back(), native.column(name).back(),
-                0.02 * std::abs(native.column(name).back()) + 1e-6);
-  }
 }
 
 }  // namespace

@@ -15,53 +15,6 @@ namespace {
 
 // Not MujocoTest: the engine sets its own handlers.
 
-// bench_ring: two independent solvers agree to 1e-13 on these (design of the scene,
-// bench_ring.toml).
-constexpr double kRingX = 5.15768981628e-4, kRingY = -2.036936721118e-3;  // m, at 0.5 s
-constexpr double kRingForce = 121.7020407;                                // N
-
-constexpr scene::ContactModel kCoulomb = scene::ContactModel::kCoulomb;
-
-TEST(MujocoEngine, CoulombFollowsTheRingBench) {
-  const Trajectory t = mujoco_run(shipped("bench_ring"), kCoulomb);
-  EXPECT_EQ(t.engine, "mujoco");
-  EXPECT_EQ(t.contact_model, "coulomb");
-  EXPECT_EQ(t.steps, 50000);
-  EXPECT_EQ(t.column("t").back(), 0.5);
-  EXPECT_GT(t.wall_s, 0.0);
-  EXPECT_LT(std::hypot(t.column("rotor_x").back() - kRingX, t.column("rotor_y").back() - kRingY),
-            2e-5);
-  EXPECT_NEAR(t.column("normal_force").back(), kRingForce, 1e-3 * kRingForce);
-  EXPECT_GT(t.contact_fraction(), 0.97);
-  ASSERT_GE(t.impacts.size(), 2u);
-  EXPECT_NEAR(t.impacts[0].t, 4.0601e-3, 2e-5);
-  EXPECT_NEAR(t.impacts[1].t, 7.5981e-3, 1e-4);
-}
-
-TEST(MujocoEngine, CoulombIsOfFirstOrder) {
-  const auto error = [](double step) {
-    const Trajectory t = mujoco_run(shipped("bench_ring"), kCoulomb, step);
-    return std::hypot(t.column("rotor_x").back() - kRingX, t.column("rotor_y").back() - kRingY);
-  };
-  const double coarse = error(4e-5), fine = error(1e-5);
-  EXPECT_LT(fine, 0.35 * coarse);
-}
-
-TEST(MujocoEngine, SlidingControlAgreesWithNative) {
-  const scene::Scene scene = shipped("paper_sliding", {"rotor.modes=2"});
-  const Trajectory mujoco = mujoco_run(scene), native = run_native(scene);
-  EXPECT_NEAR(mujoco.mean_force(), native.mean_force(), 0.02 * native.mean_force());
-  EXPECT_NEAR(mujoco.contact_fraction(), native.contact_fraction(), 0.02);
-}
-
-// MuJoCo's own contact: shown, whatever it gives. It must run, touch, and not gain energy wildly.
-TEST(MujocoEngine, ConeRunsAndIsWorse) {
-  const Trajectory cone = mujoco_run(shipped("bench_ring"), scene::ContactModel::kCone);
-  EXPECT_EQ(cone.contact_model, "cone");
-  EXPECT_GT(cone.statistics.impulse_total, 0.0);
-  EXPECT_LT(cone.contact_fraction(), 0.9) << "a permanent rub chatters";
-}
-
 TEST(MujocoEngine, SeriesHasTheNativeColumns) {
   const scene::Scene scene = shipped("paper_sliding", {"run.end=0.002"});
   const Trajectory mujoco = run_mujoco(scene), native = run_native(scene);
@@ -82,7 +35,7 @@ TEST(MujocoEngine, AskedTimesArePrintedExactly) {
 }
 
 TEST(MujocoEngine, EpisodesHaveTheImpulseOfTheRun) {
-  const Trajectory t = mujoco_run(shipped("bench_drop"), kCoulomb);
+  const Trajectory t = mujoco_run(shipped("bench_drop"), scene::ContactModel::kCoulomb);
   double sum = 0.0;
   for (const Impact& impact : t.impacts) {
     sum += impact.normal_impulse;
@@ -201,9 +154,7 @@ TEST(MujocoEngine, TheBalanceOfRigidIsThatOfVerlet) {
       "controller={kind=\"passive\",stiffness=1e5,damping=100.0,sample_time=1e-3}", "run.end=0.1"};
   for (const std::vector<std::string>& overrides : {finite, held}) {
     const scene::Scene scene = shipped("bench_ring", overrides);
-    NativeOptions verlet;
-    verlet.integrator = scene::Integrator::kVerlet;
-    const double native = run_native(scene, verlet).statistics.energy_residual();
+    const double native = run_with(scene, scene::Integrator::kVerlet).statistics.energy_residual();
     const Trajectory t = mujoco_run(scene);
     EXPECT_LT(native, 1e-6);
     EXPECT_NEAR(t.statistics.energy_residual(), native, 1e-9);
@@ -219,9 +170,7 @@ TEST(MujocoEngine, RigidIsVerletWhereLoadsAndCommandsJumpInContact) {
         "bench_ring", {"drive=none", "rotor.speed=300.0", "initial.x=[0.5e-3]", "stator.mass=20.0",
                        "force[0]={kind=\"constant\",vector=[100.0,0.0]}",
                        "rotor.modal.stiffness=[2e4]", "run.end=30ms", jump});
-    NativeOptions verlet;
-    verlet.integrator = scene::Integrator::kVerlet;
-    const Trajectory native = run_native(scene, verlet), t = run_mujoco(scene);
+    const Trajectory native = run_with(scene, scene::Integrator::kVerlet), t = run_mujoco(scene);
     ASSERT_EQ(t.status, Status::kOk) << t.message;
     ASSERT_LT(t.statistics.contact_time, 0.0299) << "it opens";
     EXPECT_NEAR(t.column("rotor_x").back(), native.column("rotor_x").back(), 1e-12);

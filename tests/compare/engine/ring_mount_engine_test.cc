@@ -23,18 +23,6 @@ const std::vector<std::string> kMounted{
     "run.end=0.08",
     "run.output_step=1e-3"};
 
-TEST(RingMountInMujoco, RigidOnTheChainIsTheNativeStep) {
-  const scene::Scene s = shipped("bench_ring", kMounted);
-  const Trajectory native = run_with(s, scene::Integrator::kVerlet, 1e-5);
-  ASSERT_EQ(native.status, Status::kOk) << native.message;
-  ASSERT_FALSE(native.impacts.empty());
-  const Trajectory t = mujoco_run(s, ContactModel::kRigid, 1e-5);
-  EXPECT_LT(trajectory_error(t, native, 0.05), 1e-10);
-  for (const char* column : {"housing_x", "housing_y"}) {
-    EXPECT_NEAR(t.column(column).back(), native.column(column).back(), 1e-10);
-  }
-}
-
 // MuJoCo's own step has the force of each instant.
 TEST(RingMountInMujoco, CoulombConvergesToTheSame) {
   const scene::Scene s = shipped("bench_ring", kMounted);

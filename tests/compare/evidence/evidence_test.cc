@@ -41,11 +41,6 @@ void PrintTo(const Pair& pair, std::ostream* out) { *out << pair.name; }
 
 constexpr double kStep = 1e-5;
 
-Trajectory mujoco(const scene::Scene& scene, scene::ContactModel contact) {
-  const Trajectory t = mujoco_run(scene, contact);
-  return t;
-}
-
 Apart between(const Trajectory& a, const Trajectory& b, double clearance) {
   return {bench::position_distance(a, b) / clearance,
           std::abs(a.mean_force() / b.mean_force() - 1.0)};
@@ -75,7 +70,7 @@ std::optional<Apart> peer_on_the_ring(const std::string& name) {
 }
 
 auto mujoco_on_the_ring(scene::ContactModel contact) {
-  return [contact]() { return on_the_ring(mujoco(ring(), contact)); };
+  return [contact]() { return on_the_ring(mujoco_run(ring(), contact)); };
 }
 
 // The same where the ring gives, at its scene's step of 2 us.
@@ -83,7 +78,7 @@ auto mujoco_on_the_giving_ring(scene::ContactModel contact) {
   return [contact]() {
     const scene::Scene scene = shipped("compliant_ring");
     return std::optional(
-        between(mujoco(scene, contact), run_event(scene), scene.first().contact->clearance));
+        between(mujoco_run(scene, contact), run_event(scene), scene.first().contact->clearance));
   };
 }
 
@@ -104,7 +99,8 @@ std::optional<Apart> segments_and_event() {
   const scene::Scene scene = shipped(
       "paper_passive", {"mujoco={rotor=\"segments\", segments=20}", "run.step=5e-6", "run.end=0.3",
                         "contact.friction=0.1", "rotor.modes=5", "rotor.torsion.modes=3"});
-  const Trajectory bodies = mujoco(scene, scene::ContactModel::kRigid), native = run_event(scene);
+  const Trajectory bodies = mujoco_run(scene, scene::ContactModel::kRigid),
+                   native = run_event(scene);
   const double size = std::hypot(native.column("rotor_x").back(), native.column("rotor_y").back());
   const double other = std::hypot(bodies.column("rotor_x").back(), bodies.column("rotor_y").back());
   return Apart{std::abs(other - size) / scene.first().contact->clearance,
@@ -113,7 +109,7 @@ std::optional<Apart> segments_and_event() {
 
 std::optional<Apart> rigid_and_verlet() {
   const Trajectory native = run_with(ring(), scene::Integrator::kVerlet, kStep);
-  return between(mujoco(ring(), scene::ContactModel::kRigid), native,
+  return between(mujoco_run(ring(), scene::ContactModel::kRigid), native,
                  ring().first().contact->clearance);
 }
 

@@ -1,7 +1,6 @@
 #include "compare/measured/measured_run.h"
 
 #include <gtest/gtest.h>
-#include <unistd.h>
 
 #include <cmath>
 #include <nlohmann/json.hpp>
@@ -15,15 +14,10 @@
 #include "tests/compare/hand_made.h"
 #include "tests/compare/measurement.h"
 #include "tests/support/native_run.h"
+#include "tests/support/temporary_folder.h"
 
 namespace rotorub::test {
 namespace {
-
-// From rest: a steady circle has no instant of its own.
-scene::Scene short_rig() {
-  return shipped("paper_passive",
-                 {"run.end=0.1", "run.step=1e-5", "run.output_step=1e-4", "initial.steady=false"});
-}
 
 const MeasuredFigure& figure_of(const MeasuredRun& run, const std::string& key) {
   for (const MeasuredFigure& f : run.figures) {
@@ -38,42 +32,14 @@ const ColumnFit& column_of(const MeasuredRun& run, const std::string& name) {
   throw std::out_of_range(name);
 }
 
-// A unit that is wrong by a prefix is asked for, not compared.
-TEST(MeasuredRun, AThousandTimesTheOrbitIsAnotherUnit) {
-  const scene::Scene scene = short_rig();
-  const Trajectory run = run_event(scene);
-  for (const double factor : {1e3, 1e-3}) {
-    Trajectory other = run;
-    for (Column& c : other.series) {
-      if (!c.name.starts_with("rotor_x") && !c.name.starts_with("rotor_y")) continue;
-      for (double& x : c.values) x *= factor;
-    }
-    const auto file =
-        std::filesystem::temp_directory_path() / fmt::format("rotorub-other-unit-{}.csv", getpid());
-    write_series(other, file);
-    const MeasuredRecord record = read_measured(file);
-    std::filesystem::remove(file);
-    try {
-      lay_in(record, {}, scene, {{"native", &run}});
-      ADD_FAILURE() << factor;
-    } catch (const MeasuredError& error) {
-      EXPECT_NE(std::string(error.what()).find("is its unit right?"), std::string::npos)
-          << error.what();
-    }
-  }
-}
-
 // The run's own series.csv as the measurement: the file's numbers read back to the same bits, so
 // that what is left is round-off of the fit.
 TEST(MeasuredRun, ARunsOwnSeriesLeavesNothing) {
   const scene::Scene scene = short_rig();
   const Trajectory run = run_event(scene);
-  const auto file =
-      std::filesystem::temp_directory_path() / fmt::format("rotorub-own-series-{}.csv", getpid());
-  write_series(run, file);
-  const MeasuredRecord record = read_measured(file);
-  std::filesystem::remove(file);
-  const MeasuredRun m = lay_in(record, {}, scene, {{"native", &run}});
+  const TemporaryFolder folder;
+  write_series(run, folder / "series.csv");
+  const MeasuredRun m = lay_in(read_measured(folder / "series.csv"), {}, scene, {{"native", &run}});
   EXPECT_NEAR(m.alignment.shift, 0.0, 1e-12);
   EXPECT_NEAR(m.alignment.angle, 0.0, 1e-12);
   ASSERT_GE(m.columns.size(), 6u);
@@ -138,11 +104,8 @@ TEST(MeasuredRun, FiguresAreThoseOfTheMotion) {
 }
 
 TEST(MeasuredRun, AnAxisAloneHasItsRms) {
-  const Trajectory run = hand_made(10001, 1e-5, [](double t) {
-    Row row;
-    row.x = 30e-6 + 100e-6 * std::sin(2.0 * std::numbers::pi * 50.0 * t);
-    row.vx = 100e-6 * 2.0 * std::numbers::pi * 50.0 * std::cos(2.0 * std::numbers::pi * 50.0 * t);
-    return row;
+  const Trajectory run = moving(10001, 1e-5, [](double t) {
+    return 30e-6 + 100e-6 * std::sin(2.0 * std::numbers::pi * 50.0 * t);
   });
   std::string text = "t [s],rotor_x [um]\n";
   for (int k = 0; k < 1600; ++k)
@@ -211,12 +174,9 @@ TEST(MeasuredRun, AForceIsAveragedOverItsSample) {
 // over rows.
 TEST(MeasuredRun, NoMomentumIsLostBetweenSamples) {
   const scene::Scene scene = short_rig();
-  NativeOptions options;
-  options.integrator = scene::Integrator::kEvent;
-  options.output_times = std::vector<double>();
-  for (int k = 0; k <= 20000; ++k) options.output_times->push_back(k * 5e-6);
-  const Trajectory run = run_native(scene, options);
-  std::vector<double> t;
+  std::vector<double> rows, t;
+  for (int k = 0; k <= 20000; ++k) rows.push_back(k * 5e-6);
+  const Trajectory run = run_at(scene, rows);
   for (int k = 0; k < 2000; ++k) t.push_back(25e-6 + k * 50e-6);
   const Measurable* force = nullptr;
   for (const Measurable& m : measurables()) force = m.name == kContactForce ? &m : force;
@@ -229,18 +189,10 @@ TEST(MeasuredRun, NoMomentumIsLostBetweenSamples) {
 // samples.
 TEST(MeasuredRun, HoldsEveryRunAtTheSameSamples) {
   const scene::Scene scene = short_rig();
-  Sensors sensors;
-  sensors.to = 0.095;
-  sensors.shift = 2.5e-3;
-  sensors.angle = 0.4;
-  sensors.noise = 4e-6;
-  NativeOptions options;
-  options.integrator = scene::Integrator::kEvent;
-  options.output_times = instants(sensors);
-  const Trajectory seen = run_native(scene, options);
-  options.output_times->clear();
-  for (int k = 0; k <= 10000; ++k) options.output_times->push_back(k * 1e-5);
-  const Trajectory native = run_native(scene, options);
+  const Sensors sensors{.to = 0.095, .shift = 2.5e-3, .angle = 0.4, .noise = 4e-6};
+  std::vector<double> rows;
+  for (int k = 0; k <= 10000; ++k) rows.push_back(k * 1e-5);
+  const Trajectory seen = run_at(scene, instants(sensors)), native = run_at(scene, rows);
   const MeasuredRun m =
       lay_in(record_of(seen, sensors), {}, scene, {{"native", &native}, {"again", &native}});
   EXPECT_EQ(m.labels, (std::vector<std::string>{"native", "again"}));
@@ -283,14 +235,7 @@ TEST(MeasuredRun, SaysWhatItLeavesOut) {
 // A frequency beyond the sample rate is none: it is left out, with the reason.
 TEST(MeasuredRun, AFrequencyNeedsASampleRate) {
   const double w = 2.0 * std::numbers::pi * 300.0;
-  const Trajectory run = hand_made(20001, 1e-5, [&](double t) {
-    Row row;
-    row.x = 1e-4 * std::cos(w * t);
-    row.y = 1e-4 * std::sin(w * t);
-    row.vx = -w * row.y;
-    row.vy = w * row.x;
-    return row;
-  });
+  const Trajectory run = moving(20001, 1e-5, [&](double t) { return std::polar(1e-4, w * t); });
   std::string text = "t [ms], rotor_x [um], rotor_y [um]\n";
   for (int k = 0; k < 80; ++k)
     text += fmt::format("{},{},{}\n", 2.0 * k, 100.0 * std::cos(w * 2e-3 * k),
@@ -321,15 +266,9 @@ void collect_keys(const nlohmann::json& object, const std::string& prefix,
 TEST(MeasuredRun, KeysAreDocumented) {
   const scene::Scene scene = short_rig();
   const Trajectory run = run_event(scene);
-  Sensors sensors;
-  sensors.from = 0.01;
-  sensors.to = 0.09;
-  sensors.rate = 1e4;
-  NativeOptions options;
-  options.integrator = scene::Integrator::kEvent;
-  options.output_times = instants(sensors);
+  const Sensors sensors{.to = 0.09, .rate = 1e4};
   const MeasuredRun m =
-      lay_in(record_of(run_native(scene, options), sensors), {}, scene, {{"native", &run}});
+      lay_in(record_of(run_at(scene, instants(sensors)), sensors), {}, scene, {{"native", &run}});
   std::set<std::string> found, documented;
   collect_keys(measured_json(m), "", found);
   for (const ColumnMeaning& key : measured_keys()) documented.insert(std::string(key.name));

@@ -11,32 +11,21 @@
 #include "compare/measured/probes.h"
 #include "tests/compare/measurement.h"
 #include "tests/support/native_run.h"
+#include "tests/support/said.h"
 
 namespace rotorub::test {
 namespace {
 
 // From rest into a rub: no turn is like another.
 const Trajectory& passive_run() {
-  static const Trajectory run = [] {
-    NativeOptions options;
-    options.integrator = scene::Integrator::kEvent;
-    Sensors all;
-    all.from = 0.0;
-    all.to = 0.12;
-    all.rate = 50e3;
-    options.output_times = instants(all);
-    return run_native(shipped("paper_passive", {"run.end=0.12", "run.step=1e-5"}), options);
-  }();
+  static const Trajectory run = run_at(shipped("paper_passive", {"run.end=0.12", "run.step=1e-5"}),
+                                       instants({.from = 0.0, .to = 0.12, .rate = 50e3}));
   return run;
 }
 
 // What right sensors saw of its rotor and ring, in a frame turned by `angle`.
 MeasuredRecord right_record(double angle) {
-  Sensors sensors;
-  sensors.rate = 50e3;
-  sensors.shift = -0.7;
-  sensors.angle = angle;
-  MeasuredRecord record = record_of(passive_run(), sensors);
+  MeasuredRecord record = record_of(passive_run(), {.rate = 50e3, .shift = -0.7, .angle = angle});
   std::erase_if(record.columns,
                 [](const MeasuredColumn& c) { return c.what->axis == Axis::kNone; });
   return record;
@@ -59,12 +48,8 @@ void exchange(MeasuredRecord& record) {
 }
 
 std::string why_refused(const MeasuredRecord& record, std::optional<double> angle = {}) {
-  try {
-    align(record, SampledRun(passive_run()), {.shift = {}, .angle = angle});
-  } catch (const MeasuredError& error) {
-    return error.what();
-  }
-  return {};
+  return message_of<MeasuredError>(
+      [&] { align(record, SampledRun(passive_run()), {.shift = {}, .angle = angle}); });
 }
 
 // The two directions of "--measured-probes=20deg,-70deg", rad.

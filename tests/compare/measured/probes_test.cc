@@ -10,7 +10,7 @@
 #include <vector>
 
 #include "compare/measured/reader.h"
-#include "native_model/scene/diagnostic.h"
+#include "tests/support/refusal.h"
 
 namespace rotorub {
 namespace {
@@ -37,12 +37,8 @@ const std::vector<ColumnName> kNames{
     {"Time", "t"}, {"CH1 Probe", "rotor_x"}, {"CH2 Probe", "rotor_y [mil]"}};
 
 std::string reason_of(const std::string& text, const std::vector<ColumnName>& names) {
-  try {
-    parse_measured(text, "log.csv", names);
-  } catch (const scene::SceneError& error) {
-    return error.diagnostics().front().key + ": " + error.diagnostics().front().reason;
-  }
-  return "";
+  const auto refused = test::refusals([&] { parse_measured(text, "log.csv", names); });
+  return refused.empty() ? "" : to_string(refused.front());
 }
 
 TEST(ColumnNames, AreThoseOfTheFile) {

@@ -10,18 +10,12 @@ namespace {
 
 // All that a comparison runs beside a record, in 80 columns that do not run together.
 TEST(MeasuredTable, KeepsItsColumnsApart) {
-  // From rest: a steady circle has no instant of its own.
-  const scene::Scene scene =
-      shipped("paper_passive",
-              {"run.end=0.1", "run.step=1e-5", "run.output_step=1e-4", "initial.steady=false"});
+  const scene::Scene scene = short_rig();
   const Trajectory run = run_event(scene);
   std::vector<RunToHold> runs;
   for (const char* label : {"native", "rigid", "coulomb", "cone", "cone-coulomb", "cone-default"})
     runs.push_back({label, &run});
-  Sensors sensors;
-  sensors.from = 0.01;
-  sensors.to = 0.09;
-  sensors.noise = 1e-6;
+  const Sensors sensors{.to = 0.09, .noise = 1e-6};
   const std::string text = measured_table(lay_in(record_of(run, sensors), {}, scene, runs));
   EXPECT_LE(widest_line(text), 80u);
   EXPECT_NE(text.find("measured  native   rigid coulomb    cone  cone-c\n"), std::string::npos)
@@ -30,16 +24,9 @@ TEST(MeasuredTable, KeepsItsColumnsApart) {
 
 // A sensor's zero is not known: what is left is free of it, and it has a column of its own.
 TEST(MeasuredTable, AnOffsetIsNoResidual) {
-  const scene::Scene scene =
-      shipped("paper_passive",
-              {"run.end=0.1", "run.step=1e-5", "run.output_step=1e-4", "initial.steady=false"});
-  Sensors sensors;
-  sensors.from = 0.01;
-  sensors.to = 0.09;
-  NativeOptions options;
-  options.integrator = scene::Integrator::kEvent;
-  options.output_times = instants(sensors);
-  const Trajectory run = run_native(scene, options);
+  const scene::Scene scene = short_rig();
+  const Sensors sensors{.to = 0.09};
+  const Trajectory run = run_at(scene, instants(sensors));
   MeasuredRecord record = record_of(run, sensors);
   for (MeasuredColumn& c : record.columns) {
     const double zero = c.what->name == "rotor_x"   ? 76.2e-6

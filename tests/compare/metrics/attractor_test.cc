@@ -114,11 +114,6 @@ TEST(Attractor, WhatHasEndedIsNoContact) {
   EXPECT_EQ(settled(t).attractor, Attractor::kBouncing);
 }
 
-TEST(Attractor, TooFewRowsAreUnknown) {
-  EXPECT_EQ(settled(hand_made(10, 1e-3, [](double) { return Row{}; })).attractor,
-            Attractor::kUnknown);
-}
-
 // On a ring that turns along a synchronous rub has no slip: it is a synchronous rub.
 TEST(Attractor, RollingIsBackward) {
   for (const double sign : {1.0, -1.0}) {

@@ -71,17 +71,8 @@ TEST(Metrics, TheLeastGapOfATouchIsNone) {
 }
 
 // A disc that leaves along the tangent at v_t = omega delta_0 is (v_t dt)^2 / (2 delta_0) beyond
-// the ring after dt.
-TEST(Metrics, PredictsThePenetrationOfOneStep) {
-  const Metrics m = metrics(half_touched(), {kFacts});
-  const double way = kWhirl.frequency * kWhirl.clearance * 1e-3;
-  EXPECT_NEAR(m.whirl_penetration, way * way / (2.0 * kWhirl.clearance), 1e-18);
-  // To second order that is what the geometry says.
-  const double exact = std::hypot(kWhirl.clearance, way) - kWhirl.clearance;
-  EXPECT_NEAR(m.whirl_penetration, exact, 0.03 * exact);
-}
-
-// Flights between the touches, ten times as fast along the ring, have no part in it.
+// the ring after dt. Flights between the touches, ten times as fast along the ring, have no part in
+// it.
 TEST(Metrics, TheStepsPenetrationIsThatOfTheRowsInContact) {
   const Trajectory t = hand_made(1001, 1e-3, [](double time) {
     test::Row row = sliding(kWhirl, time);

@@ -48,17 +48,6 @@ TEST(FullSpectrum, TellsForwardFromBackwardWhirl) {
   EXPECT_NEAR(at(s, 0.0), 0.0, 1e-12) << "the mean is where it is, no whirl";
 }
 
-// An ellipse of half axes a, b: a forward circle of (a + b)/2 and a backward one of (a - b)/2.
-TEST(FullSpectrum, TakesAnEllipseApart) {
-  const FullSpectrum s = full_spectrum(sampled([](double t) {
-                                         return Complex(3.0 * std::cos(kFullTurn * 40.0 * t),
-                                                        1.0 * std::sin(kFullTurn * 40.0 * t));
-                                       }),
-                                       kSampling);
-  EXPECT_NEAR(at(s, 40.0), 2.0, 1e-12);
-  EXPECT_NEAR(at(s, -40.0), 1.0, 1e-12);
-}
-
 TEST(FullSpectrum, LosesLittleBetweenItsFrequencies) {
   const FullSpectrum s =
       full_spectrum(sampled([](double t) { return circle(1.0, 60.5, t); }), kSampling);

@@ -57,49 +57,38 @@ TEST(ContactResiduals, AnImpactThatTakesTimeHasItsOwnLaw) {
   EXPECT_NEAR(contact_residuals(t, facts).complementarity, 0.1, 1e-3);
 }
 
-TEST(ContactResiduals, SeesPenetration) {
-  const Residuals r = with([](Row& row) {
-    row.x *= 1.1;
-    row.y *= 1.1;
+// At a share of the clearance from the ring's centre, whatever the column `gap` says.
+void move_to(double share, Row& row) {
+  row.x *= share;
+  row.y *= share;
+}
+
+// One fault has one residual: 5 N of pull, friction twice as large, a quarter of it, or one that
+// drives. Slow slip may have any friction in the cone.
+TEST(ContactResiduals, EachFaultHasItsOwn) {
+  struct Fault {
+    double Residuals::*seen;
+    double size;
+    void (*spoil)(Row&);
+  };
+  const auto inside = [](Row& row) { move_to(0.5, row); };
+  const auto outside = [](Row& row) {
+    move_to(1.1, row);
     row.gap = -0.1 * kRub.clearance;
-  });
-  EXPECT_NEAR(r.penetration, 0.1, kResidual);
-  EXPECT_LE(r.gap_error, kResidual);
-}
-
-TEST(ContactResiduals, SeesAPull) {
-  EXPECT_NEAR(with([](Row& row) { row.normal = -5.0; }).adhesion, 5.0 / kRub.normal, kResidual);
-}
-
-TEST(ContactResiduals, SeesForceWithoutTouch) {
-  const Residuals r = with([](Row& row) {
-    row.x *= 0.5;
-    row.y *= 0.5;
-  });
-  EXPECT_NEAR(r.complementarity, 0.5, kResidual);
-  EXPECT_NEAR(r.gap_error, 0.5, kResidual);  // the column says 0, the positions half the clearance
-}
-
-TEST(ContactResiduals, SeesFrictionBeyondTheCone) {
-  EXPECT_NEAR(with([](Row& row) { row.friction *= 2.0; }).cone, kRub.friction, kResidual);
-}
-
-TEST(ContactResiduals, SeesSlidingWithTooLittleFriction) {
-  const Residuals r = with([](Row& row) { row.friction *= 0.25; });
-  EXPECT_NEAR(r.sliding, 0.75 * kRub.friction, kResidual);
-  EXPECT_LE(r.cone, kResidual);
-}
-
-TEST(ContactResiduals, SeesFrictionThatDrives) {
-  EXPECT_NEAR(with([](Row& row) { row.friction = -row.friction; }).power, kRub.friction, kResidual);
-}
-
-TEST(ContactResiduals, SlowSlipMayHaveAnyFrictionInTheCone) {
-  const Residuals r = with([](Row& row) {
-    row.slip = 1e-6;
-    row.friction = 0.0;
-  });
-  EXPECT_LE(r.sliding, kResidual);
+  };
+  const double mu = kRub.friction;
+  for (const Fault& fault :
+       {Fault{&Residuals::adhesion, 5.0 / kRub.normal, [](Row& row) { row.normal = -5.0; }},
+        Fault{&Residuals::cone, mu, [](Row& row) { row.friction *= 2.0; }},
+        Fault{&Residuals::cone, 0.0, [](Row& row) { row.friction *= 0.25; }},
+        Fault{&Residuals::sliding, 0.75 * mu, [](Row& row) { row.friction *= 0.25; }},
+        Fault{&Residuals::sliding, 0.0, [](Row& row) { row.slip = 1e-6, row.friction = 0.0; }},
+        Fault{&Residuals::power, mu, [](Row& row) { row.friction = -row.friction; }},
+        Fault{&Residuals::penetration, 0.1, outside}, Fault{&Residuals::gap_error, 0.0, outside},
+        Fault{&Residuals::complementarity, 0.5, inside},
+        Fault{&Residuals::gap_error, 0.5, inside}}) {
+    EXPECT_NEAR(with(fault.spoil).*fault.seen, fault.size, kResidual);
+  }
 }
 
 TEST(ContactResiduals, WithoutContactForcesAreScaledByOneNewton) {

@@ -127,5 +127,41 @@ current_limit = {}
   EXPECT_NE(note.find("where its law is not linear"), std::string::npos) << note;
 }
 
+// A bearing that is switched on late holds the rotor as one that always works: the list of whirl
+// frequencies has it, too.
+TEST(ResponseText, IsOfTheMachineInOperation) {
+  const auto orbit = [](const std::string& works) {
+    const std::string scene = std::string(R"(
+[run]
+end = 0.01
+[rotor]
+speed = 250.0
+[rotor.modal]
+mass = [2.0]
+stiffness = [0.0]
+[gravity]
+acceleration = [0.0, -9.81]
+[magnetic_bearing]
+negative_stiffness = 1e5
+[magnetic_bearing.control]
+force_per_current = 100.0
+proportional = 3e3
+derivative = 2.0
+)") + works + R"(
+[contact]
+radius = 0.02
+clearance = 0.5e-3
+friction = 0.1
+restitution = 0.3
+)";
+    return modes_json(analysis_of(scene.c_str()))["speeds"][0]["response"]["orbit"];
+  };
+  const json always = orbit("");
+  EXPECT_NEAR(always.get<double>(), 2.0 * 9.81 / 2e5, kExact * always.get<double>());
+  EXPECT_EQ(orbit("on = 0.001"), always);
+  EXPECT_EQ(orbit("fails_at = 0.002\nreturns_at = 0.004"), always);
+  EXPECT_EQ(orbit("on = 0.01\nfails_at = 0.01"), nullptr) << "it never works";
+}
+
 }  // namespace
 }  // namespace rotorub

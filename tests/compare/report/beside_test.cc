@@ -3,13 +3,14 @@
 #include <gtest/gtest.h>
 
 #include <filesystem>
-#include <fstream>
 
 #include "compare/bench/output.h"
 #include "compare/report/page.h"
 #include "native_model/scene/reader.h"
 #include "tests/compare/bench/made_points.h"
 #include "tests/compare/hand_made.h"
+#include "tests/support/said.h"
+#include "tests/support/temporary_folder.h"
 
 namespace rotorub {
 namespace {
@@ -18,24 +19,11 @@ using nlohmann::json;
 
 class BesideFolder : public testing::Test {
  protected:
-  BesideFolder() : top(std::filesystem::path(testing::TempDir()) / "rotorub_beside") {
-    std::filesystem::remove_all(top);
-  }
-  ~BesideFolder() override { std::filesystem::remove_all(top); }
-  void put(const std::string& file, const std::string& text) const {
-    std::filesystem::create_directories((top / file).parent_path());
-    std::ofstream(top / file) << text;
-  }
-  Beside read() const { return read_beside({top.string()}); }
+  Beside read() const { return read_beside({top.path().string()}); }
   std::string refusal() const {
-    try {
-      read();
-    } catch (const std::runtime_error& error) {
-      return error.what();
-    }
-    return "";
+    return test::message_of([&] { read(); });
   }
-  std::filesystem::path top;
+  const test::TemporaryFolder top;
 };
 
 json kept_bench() {
@@ -62,13 +50,13 @@ const char* const kMap =
 
 // The folders of a folder, in order of name: one section each.
 TEST_F(BesideFolder, FindsWhatTheCommandsLeft) {
-  put("a/bench.json", kept_bench().dump());
-  put("b/check.json", R"({"cases": [
+  top.write("a/bench.json", kept_bench().dump());
+  top.write("b/check.json", R"({"cases": [
     {"scene": "one", "engine": "native-event", "outcome": "pass", "rule": "", "value": null, "limit": null, "reason": ""},
     {"scene": "one", "engine": "mujoco-cone", "outcome": "violates", "rule": "", "value": 2, "limit": 1, "reason": "2 > 1"},
     {"scene": "two", "engine": "native-event", "outcome": "refused", "rule": "", "value": null, "limit": null, "reason": "no"}]})");
-  put("c/sweep.json", kMap);
-  put("d/series.csv", "t");
+  top.write("c/sweep.json", kMap);
+  top.write("d/series.csv", "t");
   const Beside beside = read();
   ASSERT_EQ(beside.benches.size(), 1u);
   const json& series = beside.benches[0].at("series");
@@ -95,19 +83,19 @@ TEST_F(BesideFolder, FindsWhatTheCommandsLeft) {
 
 TEST_F(BesideFolder, RefusesWhatTheyDidNot) {
   EXPECT_NE(refusal().find("no bench.json, check.json or sweep.json"), std::string::npos);
-  put("x/bench.json", "{");
+  top.write("x/bench.json", "{");
   EXPECT_NE(refusal().find("x/bench.json"), std::string::npos) << refusal();
   EXPECT_NE(refusal().find("rotorub bench -o DIR"), std::string::npos) << refusal();
-  put("x/bench.json",
-      R"({"machine": {"processor": "p", "instructions": "i"}, "scenes": [{"scene": 1}]})");
+  top.write("x/bench.json",
+            R"({"machine": {"processor": "p", "instructions": "i"}, "scenes": [{"scene": 1}]})");
   EXPECT_NE(refusal().find("x/bench.json"), std::string::npos) << refusal();
   std::filesystem::remove(top / "x/bench.json");
   // A list that is shorter than the others would be drawn beside wrong points.
   std::string cut = kMap;
   cut.replace(cut.find("[3, 4]"), 6, "[3]");
-  put("x/sweep.json", cut);
+  top.write("x/sweep.json", cut);
   EXPECT_NE(refusal().find("x/sweep.json"), std::string::npos) << refusal();
-  put("x/sweep.json", kMap);
+  top.write("x/sweep.json", kMap);
   EXPECT_EQ(refusal(), "");
 }
 
@@ -117,7 +105,7 @@ TEST_F(BesideFolder, StandsInTheReportWhereItWasGiven) {
   for (const char* id : {"precision", "cases", "maps"}) {
     EXPECT_EQ(without.find(std::string("href=\"#") + id), std::string::npos) << id;
   }
-  put("sweep.json", kMap);
+  top.write("sweep.json", kMap);
   const std::string page = report_page({}, read());
   EXPECT_NE(page.find("href=\"#maps\""), std::string::npos);
   EXPECT_NE(page.find("id=\"maps\""), std::string::npos);

@@ -11,7 +11,7 @@
 #include "compare/report/plot_points.h"
 #include "compare/report/response_plots.h"
 #include "native_model/rotor/campbell.h"
-#include "native_model/scene/reader.h"
+#include "tests/support/native_run.h"
 #include "tests/support/oracles/shafts.h"
 
 namespace rotorub {
@@ -91,6 +91,12 @@ TEST(ModesPlots, MarkCriticalSpeedsWithinTheDiagram) {
   }
 }
 
+double highest(const json& mode) {
+  double most = 0.0;
+  for (const json& value : mode.at("shape")) most = std::max(most, std::abs(value.get<double>()));
+  return most;
+}
+
 TEST(ModesPlots, DrawTorsionAndTheWhirlAtTheScenesSpeed) {
   scene::Scene s = friswell();
   EXPECT_EQ(plots_of(s)["campbell"].at("torsion"), json::array()) << "none without [rotor.torsion]";
@@ -107,10 +113,7 @@ TEST(ModesPlots, DrawTorsionAndTheWhirlAtTheScenesSpeed) {
   const json& whirl = plots["shapes"].at("whirl");
   ASSERT_EQ(whirl.size(), 6u);
   for (const json& mode : whirl) {
-    double highest = 0.0;
-    for (const json& value : mode.at("shape"))
-      highest = std::max(highest, std::abs(value.get<double>()));
-    EXPECT_EQ(highest, 1.0) << mode.at("sense") << mode.at("number");
+    EXPECT_EQ(highest(mode), 1.0) << mode.at("sense") << mode.at("number");
   }
   EXPECT_EQ(whirl[4].at("number"), 3);
   EXPECT_EQ(whirl[5].at("number"), 3);
@@ -147,12 +150,8 @@ TEST(ModesPlots, DrawModesOneHigh) {
   EXPECT_EQ(shapes["modes"][0].at("plane"), "x");
   EXPECT_EQ(shapes["modes"][5].at("plane"), "y");
   for (const json& mode : shapes["modes"]) {
-    double highest = 0.0;
     ASSERT_EQ(mode.at("shape").size(), shapes.at("z").size());
-    for (const json& value : mode["shape"]) {
-      highest = std::max(highest, std::abs(value.get<double>()));
-    }
-    EXPECT_EQ(highest, 1.0);
+    EXPECT_EQ(highest(mode), 1.0);
   }
   EXPECT_TRUE(plots_of(jeffcott()).at("shapes").is_null());
 }
@@ -209,19 +208,22 @@ TEST(ModesPlots, DrawTheResponseToUnbalance) {
   EXPECT_EQ(page_of(s).find("count as the unbalance"), std::string::npos);
 }
 
-// A free rotor that is stable at any speed may whip once it touches: the page says so beside it.
-TEST(ModesPage, SaysWhatATouchMayLeadTo) {
-  scene::Scene s = jeffcott();
-  EXPECT_EQ(page_of(s).find("Once it touches"), std::string::npos) << "there is nothing to touch";
+void add_ring(scene::Scene& s, double stiffness) {
   auto& bearing = s.first();
   bearing.contact.emplace();
   bearing.contact->radius = 50e-3;
   bearing.contact->clearance = 0.5e-3;
-  bearing.contact->friction.coefficient = 0.2;
-  auto& ring = bearing.stator.emplace();
-  ring.mass = {1.0, 1.0};
-  ring.stiffness = {1e6, 1e6};
-  ring.damping = {200.0, 200.0};
+  bearing.stator.emplace().mass = {1.0, 1.0};
+  bearing.stator->stiffness = {stiffness, stiffness};
+}
+
+// A free rotor that is stable at any speed may whip once it touches: the page says so beside it.
+TEST(ModesPage, SaysWhatATouchMayLeadTo) {
+  scene::Scene s = jeffcott();
+  EXPECT_EQ(page_of(s).find("Once it touches"), std::string::npos) << "there is nothing to touch";
+  add_ring(s, 1e6);
+  s.first().contact->friction.coefficient = 0.2;
+  s.first().stator->damping = {200.0, 200.0};
   const RotorAnalysis analysis = analyse_rotor(s, {});
   ASSERT_EQ(analysis.rubs.size(), 1u);
   ASSERT_EQ(analysis.rubs[0].refused, "");
@@ -236,14 +238,9 @@ TEST(ModesPage, SaysWhatATouchMayLeadTo) {
 // A start of rotor and ring that only go together, as of mjcf/bench_annular_elastic.toml.
 TEST(ModesPage, AsksForNoStart) {
   scene::Scene s = jeffcott();
-  auto& bearing = s.first();
-  bearing.contact.emplace();
-  bearing.contact->radius = 50e-3;
-  bearing.contact->clearance = 0.5e-3;
-  bearing.stator.emplace().mass = {1.0, 1.0};
-  bearing.stator->stiffness = {1e5, 1e5};
+  add_ring(s, 1e5);
   s.initial.x = {2e-3};
-  bearing.stator->position = {1.8e-3, 0.0};
+  s.first().stator->position = {1.8e-3, 0.0};
   EXPECT_NE(page_of(s).find("stable at any speed"), std::string::npos);
 }
 
@@ -303,13 +300,9 @@ TEST(CampbellRange, StaysNearTheMachinesSpeed) {
   EXPECT_LT(campbell_range(s, analysis), 3.0 * speed);
 }
 
-scene::Scene shipped(const std::string& name) {
-  return scene::read_scene(std::string(ROTORUB_MJCF_DIR) + "/" + name + ".toml");
-}
-
 // What the model says at the scene's speed, and no shape without a shaft.
 TEST(RotorSection, IsOfTheScenesSpeed) {
-  const scene::Scene s = shipped("paper_passive");
+  const scene::Scene s = test::shipped("paper_passive");
   const RotorSection section = rotor_section(s);
   ASSERT_EQ(section.values.at("has_campbell"), true);
   EXPECT_EQ(section.values.at("has_shapes"), true);
@@ -329,7 +322,7 @@ TEST(RotorSection, IsOfTheScenesSpeed) {
 }
 
 TEST(RotorSection, OfAModalFormHasADiagramAlone) {
-  const RotorSection section = rotor_section(shipped("bench_ring"));
+  const RotorSection section = rotor_section(test::shipped("bench_ring"));
   EXPECT_EQ(section.values.at("has_campbell"), true);
   EXPECT_EQ(section.values.at("has_shapes"), false);
   EXPECT_TRUE(section.data.at("shapes").is_null());
@@ -338,7 +331,7 @@ TEST(RotorSection, OfAModalFormHasADiagramAlone) {
 
 // A rotor without eigenvalues to show still has its page, with the reason.
 TEST(RotorSection, SaysWhyThereIsNone) {
-  scene::Scene s = shipped("bench_ring");
+  scene::Scene s = test::shipped("bench_ring");
   s.rotor.modal->mass = {1e-300};
   s.rotor.modal->stiffness = {1e300};
   const RotorSection section = rotor_section(s);

@@ -14,18 +14,6 @@ std::vector<double> wave(std::size_t n) {
   return y;
 }
 
-TEST(Thin, KeepsASingleSpike) {
-  for (const std::size_t at : {0UL, 1UL, 12345UL, 49999UL}) {
-    auto y = wave(50000);
-    y[at] = 100.0;
-    const auto kept = thin(y, 0, y.size(), 200);
-    EXPECT_TRUE(std::binary_search(kept.begin(), kept.end(), at)) << at;
-    y[at] = -100.0;
-    const auto low = thin(y, 0, y.size(), 200);
-    EXPECT_TRUE(std::binary_search(low.begin(), low.end(), at)) << at;
-  }
-}
-
 TEST(Thin, IsShortAscendingAndHasBothEnds) {
   const auto y = wave(50000);
   const auto kept = thin(y, 0, y.size(), 200);
@@ -42,11 +30,14 @@ TEST(Thin, KeepsTheEnvelope) {
   const auto kept = thin(y, 0, y.size(), 100);
   for (std::size_t k = 0; k < 100; ++k) {
     const auto begin = y.begin() + static_cast<std::ptrdiff_t>(100 * k);
-    double high = -2.0;
+    double high = -2.0, low = 2.0;
     for (const std::size_t i : kept) {
-      if (i >= 100 * k && i < 100 * (k + 1)) high = std::max(high, y[i]);
+      if (i < 100 * k || i >= 100 * (k + 1)) continue;
+      high = std::max(high, y[i]);
+      low = std::min(low, y[i]);
     }
     EXPECT_EQ(high, *std::max_element(begin, begin + 100));
+    EXPECT_EQ(low, *std::min_element(begin, begin + 100));
   }
 }
 

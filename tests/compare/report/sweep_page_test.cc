@@ -13,12 +13,8 @@ namespace {
 using nlohmann::json;
 using sweep::PointResult;
 
-const char* const kFrictions = R"([sample]
-kind = "list"
-[[vary]]
-key = "contact.friction"
-values = [0.1, 0.2, 0.3, 0.4, 0.5, 0.6]
-)";
+const std::string kFrictions =
+    test::sampled("list", {{"contact.friction", "[0.1, 0.2, 0.3, 0.4, 0.5, 0.6]"}});
 
 class SweepPage : public testing::Test {
  protected:

@@ -52,18 +52,9 @@ Samples circle(double w, double spacing, std::size_t n, double start) {
 }
 
 TEST(WholeNumbers, ComeBack) {
-  const std::vector<std::int64_t> numbers = {0,
-                                             63,
-                                             -64,
-                                             64,
-                                             -65,
-                                             8191,
-                                             8192,
-                                             -1,
-                                             std::int64_t{1} << 40,
-                                             5,
-                                             std::numeric_limits<std::int64_t>::max() / 2,
-                                             std::numeric_limits<std::int64_t>::min() / 2};
+  using Limits = std::numeric_limits<std::int64_t>;
+  std::vector<std::int64_t> numbers{0, 63, -64, 64, -65, 8191, 8192, -1, 1LL << 40, 5};
+  numbers.insert(numbers.end(), {Limits::max() / 2, Limits::min() / 2});
   std::string bytes = "x";
   put_column(numbers, bytes);
   put_column({7}, bytes);

@@ -11,13 +11,17 @@
 #include "compare/report/plots.h"
 #include "compare/report/rig_values.h"
 #include "compare/study/scene_comparison.h"
-#include "native_model/scene/reader.h"
+#include "tests/support/native_run.h"
 
 namespace rotorub {
 namespace {
 
-scene::Scene figure_scene(const std::string& name, std::vector<std::string> overrides = {}) {
-  return scene::read_scene(std::string(ROTORUB_MJCF_DIR) + "/" + name + ".toml", overrides);
+SceneComparison ring_compared(const std::vector<std::string>& overrides) {
+  CompareOptions options;
+  options.timing_repeats = 1;
+  options.twins = 1;
+  options.modes_ladder = false;
+  return compare_scene(test::shipped("bench_ring", overrides), options);
 }
 
 Side made_side(const std::vector<Column>& series, double end) {
@@ -45,7 +49,7 @@ TEST(Trade, IsOfTheLastFifth) {
 }
 
 TEST(Characteristics, AreTheLawsOwn) {
-  const scene::Scene magnetic = figure_scene("paper_magnetic");
+  const scene::Scene magnetic = test::shipped("paper_magnetic");
   const nlohmann::json curves = actuator_curves(magnetic, 0);
   ASSERT_EQ(curves.size(), 5U);
   // F(0, i) = 4 k_m i_0 i / s_0^2 in the middle, exactly linear there.
@@ -55,22 +59,18 @@ TEST(Characteristics, AreTheLawsOwn) {
     EXPECT_NEAR(curves[2]["y"][k].get<double>(), slope * i, 1e-3) << i;
   }
   EXPECT_EQ(curves[2]["x"].back(), 3.0);
-  EXPECT_TRUE(actuator_curves(figure_scene("paper_passive"), 0).empty());
+  EXPECT_TRUE(actuator_curves(test::shipped("paper_passive"), 0).empty());
   const nlohmann::json motor = motor_curve(magnetic, 300.0, 320.0);
   const double target = 100.0 * std::numbers::pi;
   EXPECT_NEAR(motor["y"].front().get<double>(), 0.5 * (target - 300.0), 1e-4);
   EXPECT_NEAR(motor["x"].back().get<double>(), 320.0 * 30.0 / std::numbers::pi, 0.01);
-  EXPECT_TRUE(motor_curve(figure_scene("run_up"), 300.0, 320.0).is_null())
+  EXPECT_TRUE(motor_curve(test::shipped("run_up"), 300.0, 320.0).is_null())
       << "it follows its reference";
 }
 
 // Of a run that slides through all its impacts each lies on Coulomb's law and on Poisson's.
 TEST(ImpactPlots, LieOnTheLawsThatTheyAreOf) {
-  CompareOptions options;
-  options.timing_repeats = 1;
-  options.twins = 1;
-  options.modes_ladder = false;
-  const SceneComparison c = compare_scene(figure_scene("bench_ring", {"run.end=0.012"}), options);
+  const SceneComparison c = ring_compared({"run.end=0.012"});
   EXPECT_FALSE(c.uncontrolled) << "no controller";
   const nlohmann::json impacts = plot_data(shown_runs(c))["sides"][0]["impacts"][0];
   ASSERT_GE(impacts["t"].size(), 4U);
@@ -93,15 +93,9 @@ TEST(ImpactPlots, LieOnTheLawsThatTheyAreOf) {
 
 // The run without control is the passive bearing's: nothing is commanded.
 TEST(ImpactPlots, ShowTheRunWithoutControl) {
-  CompareOptions options;
-  options.timing_repeats = 1;
-  options.twins = 1;
-  options.modes_ladder = false;
   const SceneComparison c =
-      compare_scene(figure_scene("bench_ring", {"run.end=0.006", "controller.kind=passive",
-                                                "controller.stiffness=5e4",
-                                                "controller.damping=100", "controller.on=0.005"}),
-                    options);
+      ring_compared({"run.end=0.006", "controller.kind=passive", "controller.stiffness=5e4",
+                     "controller.damping=100", "controller.on=0.005"});
   ASSERT_TRUE(c.uncontrolled);
   EXPECT_FALSE(c.uncontrolled->has("control_x") &&
                c.uncontrolled->column("control_x").back() != 0.0);

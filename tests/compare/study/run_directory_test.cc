@@ -2,11 +2,12 @@
 
 #include <gtest/gtest.h>
 
-#include <cstdlib>
 #include <fstream>
 
 #include "compare/engine/engine.h"
 #include "tests/support/native_run.h"
+#include "tests/support/said.h"
+#include "tests/support/temporary_folder.h"
 
 namespace rotorub {
 namespace {
@@ -17,14 +18,8 @@ class RunDirectory : public testing::Test {
     scene_ = test::shipped("bench_ring", {"run.end=0.02"});
     run_ = native_engine(scene::Integrator::kMidpoint)->run(scene_, {});
   }
-  ~RunDirectory() override { std::filesystem::remove_all(own_); }
-
-  // Tests run beside each other: each has a place of its own.
-  static std::filesystem::path make_place() {
-    std::string name = testing::TempDir() + "/rotorub_run_directory_XXXXXX";
-    return mkdtemp(name.data());
-  }
-  const std::filesystem::path own_ = make_place(), folder_ = own_ / "run";
+  const test::TemporaryFolder own_;
+  const std::filesystem::path folder_ = own_ / "run";
   scene::Scene scene_;
   Trajectory run_;
 };
@@ -56,21 +51,15 @@ TEST_F(RunDirectory, RemovesWhatWasMadeOfAnEarlierRun) {
     EXPECT_FALSE(std::filesystem::exists(folder_ / file)) << file;
   EXPECT_TRUE(std::filesystem::exists(folder_ / "notes.txt")) << "is the user's";
   // A folder that is none of a run may have a page of that name.
-  std::filesystem::create_directories(own_ / "other");
-  std::ofstream(own_ / "other" / kRunPage) << "mine";
+  const auto page = own_.write(std::filesystem::path("other") / kRunPage, "mine");
   write_run(own_ / "other", scene_, run_);
-  EXPECT_TRUE(std::filesystem::exists(own_ / "other" / kRunPage));
+  EXPECT_TRUE(std::filesystem::exists(page));
 }
 
 TEST_F(RunDirectory, NamesFileAndLineOfDamage) {
   write_run(folder_, scene_, run_);
   std::ofstream(folder_ / "series.csv", std::ios::app) << "1,2,nonsense\n";
-  try {
-    read_run(folder_);
-    FAIL() << "damage was not seen";
-  } catch (const std::runtime_error& error) {
-    EXPECT_NE(std::string(error.what()).find("series.csv:"), std::string::npos) << error.what();
-  }
+  EXPECT_TRUE(test::contains(test::message_of([&] { read_run(folder_); }), "series.csv:"));
 }
 
 // The shadow belongs to a MuJoCo run of its own scene.

@@ -57,10 +57,6 @@ TEST(FigureVerdict, WhatIsNoNumberIsOutside) {
   EXPECT_EQ(judged(figure("window_impulse"), 0.0, 1.0, kPercent).verdict, FigureVerdict::kOutside);
 }
 
-TEST(FigureVerdict, OthersAreNotJudged) {
-  EXPECT_EQ(made("force_deviation", 5.0).verdict, FigureVerdict::kNotJudged);
-}
-
 // A gap that all but rests has a rate that no ratio is worth looking at.
 TEST(FigureVerdict, ASmallGapRateIsJudgedByItsResolution) {
   const Figure& rate = figure("gap_rate_rms");

@@ -28,31 +28,6 @@ TEST(QuantileOf, TheMedianLiesBetweenTheEnds) {
   EXPECT_EQ(quantile_of(first(6), 0.5, 0.95).low, 1.0) << "1/64";
 }
 
-// The bound below is wrong with C(n, k) p^k (1 - p)^(n - k) summed up to k = l - 1.
-TEST(QuantileOf, ItsBoundsAreTheTightestThatHold) {
-  for (const int n : {20, 59, 200}) {
-    for (const double p : {0.05, 0.5, 0.9}) {
-      const double tail = 0.05;
-      const auto below = [&](int l) {  // P(B <= l - 1)
-        double sum = 0.0;
-        for (int k = 0; k < l; ++k)
-          sum += std::exp(std::lgamma(n + 1.0) - std::lgamma(k + 1.0) - std::lgamma(n - k + 1.0) +
-                          k * std::log(p) + (n - k) * std::log1p(-p));
-        return sum;
-      };
-      const Estimate e = quantile_of(first(n), p, 1.0 - 2.0 * tail);
-      const int l = e.low ? static_cast<int>(*e.low) : 0;
-      EXPECT_LE(below(l), tail);
-      EXPECT_GT(below(l + 1), tail);
-      const int u = e.high ? static_cast<int>(*e.high) : n + 1;
-      if (e.high) {
-        EXPECT_GE(below(u), 1.0 - tail);
-      }
-      EXPECT_LT(below(u - 1), 1.0 - tail);
-    }
-  }
-}
-
 TEST(QuantileOf, LiesLinearlyBetweenTwoValues) {
   const std::vector<double> two{10.0, 20.0};
   EXPECT_DOUBLE_EQ(quantile_of(two, 0.25, 0.9).value, 12.5);

@@ -1,6 +1,4 @@
 // Points as ensembles and by themselves.
-#include <fmt/format.h>
-
 #include <algorithm>
 #include <atomic>
 #include <cmath>
@@ -12,21 +10,20 @@
 #include "compare/sweep/ensemble_points.h"
 #include "compare/sweep/point_run.h"
 #include "compare/sweep/sample.h"
-#include "native_model/scene/reader.h"
 #include "tests/compare/sweep/studies.h"
 
 namespace rotorub::sweep {
 namespace {
 
+using test::lasting;
 using test::of_ring;
+using test::sampled;
 using test::StudyFolder;
 
 const std::atomic<bool> kGoOn{false};
 
 std::string frictions(const std::string& values) {
-  return of_ring() +
-         "[sample]\nkind = \"grid\"\n[[vary]]\nkey = \"contact.friction\"\nvalues = " + values +
-         "\n[run]\nend = \"60 ms\"\nstep = \"20 us\"\n";
+  return of_ring() + sampled("grid", {{"contact.friction", values}}) + lasting("60 ms", "20 us");
 }
 
 // A study in a folder of its own, and its points.
@@ -109,17 +106,9 @@ TEST(EnsemblePoints, AreTheRunsOfTheEngine) {
 
 // Points of several contacts are in no lane, and in every figure the run alone.
 TEST(EnsemblePoints, OfSeveralContactsAreTheirRuns) {
-  const Made made("scene = \"" + std::string(ROTORUB_SOURCE_DIR) +
-                  R"(/tests/native_model/event/two_rings/rub.toml"
-[sample]
-kind = "grid"
-[[vary]]
-key = "contact.friction"
-values = [0.05, 0.2]
-[run]
-end = "30 ms"
-step = "20 us"
-)");
+  const Made made(
+      "scene = \"" ROTORUB_SOURCE_DIR "/tests/native_model/event/two_rings/rub.toml\"\n" +
+      sampled("grid", {{"contact.friction", "[0.05, 0.2]"}}) + lasting("30 ms", "20 us"));
   std::vector<double> work;
   expect_runs(made.scenes, [&](const PointResult& many, const PointResult& one) {
     EXPECT_GT(many.figures->impacts, 0);
@@ -135,24 +124,12 @@ step = "20 us"
 // round-off itself.
 TEST(EnsemblePoints, HaveTheImpactsFrictionAndDepthOfARun) {
   constexpr double kRoundOff = 1e-11, kDepth = 1e-15;  // relative; m
-  const Made made(of_ring() + R"([sample]
-kind = "list"
-[[vary]]
-key = "contact.friction"
-values = [0.1, 0.15, 0.3, 0.6, 0.15]
-[[vary]]
-key = "contact.restitution"
-values = [0.5, 0.9, 0.0, 0.5, 0.5]
-[[vary]]
-key = "contact.radius"
-values = [0.05, 0.05, 0.05, 0.002, 0.05]
-[[vary]]
-key = "force[0].amplitude"
-values = [150, 150, 300, 150, 1]
-[run]
-end = "60 ms"
-step = "20 us"
-)");
+  const Made made(of_ring() +
+                  sampled("list", {{"contact.friction", "[0.1, 0.15, 0.3, 0.6, 0.15]"},
+                                   {"contact.restitution", "[0.5, 0.9, 0.0, 0.5, 0.5]"},
+                                   {"contact.radius", "[0.05, 0.05, 0.05, 0.002, 0.05]"},
+                                   {"force[0].amplitude", "[150, 150, 300, 150, 1]"}}) +
+                  lasting("60 ms", "20 us"));
   expect_runs(made.scenes, [&](const PointResult& many, const PointResult& one) {
     const Metrics &a = *many.figures, &b = *one.figures;
     EXPECT_NEAR(a.peak_impulse, b.peak_impulse, kRoundOff * b.peak_impulse);
@@ -163,7 +140,6 @@ step = "20 us"
   });
 }
 
-// They are in contact as long as they take, with the force of that time.
 // What an ensemble does not keep is had by running one by one, and nothing else changes.
 TEST(EnsemblePoints, AStudyMayAskForEveryFigure) {
   const auto results = [](const std::string& figures) {
@@ -183,20 +159,13 @@ TEST(EnsemblePoints, AStudyMayAskForEveryFigure) {
   }
 }
 
+// They are in contact as long as they take, with the force of that time.
 TEST(EnsemblePoints, ImpactsThatTakeTimeHaveTheirDuration) {
   constexpr double kRoundOff = 1e-11;  // relative
-  const Made made(of_ring() + R"([sample]
-kind = "list"
-[[vary]]
-key = "contact.compression_time"
-values = ["20 us", "1 ms", "3 us"]
-[[vary]]
-key = "contact.expansion_time"
-values = ["14 us", "0.5 ms", "2 us"]
-[run]
-end = "20 ms"
-step = "10 us"
-)");
+  const Made made(of_ring() +
+                  sampled("list", {{"contact.compression_time", R"(["20 us", "1 ms", "3 us"])"},
+                                   {"contact.expansion_time", R"(["14 us", "0.5 ms", "2 us"])"}}) +
+                  lasting("20 ms", "10 us"));
   expect_runs(made.scenes, [&](const PointResult& many, const PointResult& one) {
     const Metrics &a = *many.figures, &b = *one.figures;
     EXPECT_NEAR(a.peak_force, b.peak_force, kRoundOff * b.peak_force);
@@ -208,18 +177,11 @@ step = "10 us"
 }
 
 TEST(EnsemblePoints, OtherPartsStepsAndEndsComeApart) {
-  const Made made(of_ring() + R"([sample]
-kind = "list"
-[[vary]]
-key = "run.step"
-values = ["20 us", "20 us", "40 us", "20 us"]
-[[vary]]
-key = "run.end"
-values = ["20 ms", "20 ms", "20 ms", "30 ms"]
-[[vary]]
-key = "gravity"
-values = ["none", "{acceleration = [0, -9.81]}", "none", "none"]
-)");
+  const Made made(
+      of_ring() +
+      sampled("list", {{"run.step", R"(["20 us", "20 us", "40 us", "20 us"])"},
+                       {"run.end", R"(["20 ms", "20 ms", "20 ms", "30 ms"])"},
+                       {"gravity", R"(["none", "{acceleration = [0, -9.81]}", "none", "none"])"}}));
   const auto results = ordered(run_ensembles(all_points(made.scenes), kGoOn));
   ASSERT_EQ(results.size(), 4u);
   for (const PointResult& result : results) ASSERT_TRUE(result.ok()) << result.reason;
@@ -230,14 +192,8 @@ values = ["none", "{acceleration = [0, -9.81]}", "none", "none"]
 }
 
 TEST(EnsemblePoints, FailuresSayWhatARunSays) {
-  const Made made(of_ring() + R"([sample]
-kind = "list"
-[[vary]]
-key = "run.step"
-values = ["20 us", "10 ms"]
-[run]
-end = "20 ms"
-)");
+  const Made made(of_ring() + sampled("list", {{"run.step", R"(["20 us", "10 ms"])"}}) +
+                  "[run]\nend = \"20 ms\"\n");
   const auto points = all_points(made.scenes);
   const auto results = ordered(run_ensembles(points, kGoOn));
   EXPECT_TRUE(results[0].ok());
@@ -271,22 +227,18 @@ values = ["40 Hz", 12.5]
   EXPECT_THROW(PointScenes(made.study, twice), scene::SceneError);
 }
 
-TEST(PointScenes, OfTheShippedStudy) {
-  const Study study = read_study(std::string(ROTORUB_MJCF_DIR) + "/studies/speed_friction.toml");
-  const PointScenes scenes(study, {});
-  EXPECT_EQ(scenes.sample().size(), 25 * 31);
-  EXPECT_NO_THROW(scenes.check());
-  const scene::Scene last = scenes.at(scenes.sample().size() - 1);
+TEST(PointScenes, OfTheShippedStudies) {
+  const auto point_of = [](const std::string& name, std::int64_t size, std::int64_t index) {
+    const Study study = read_study(std::string(ROTORUB_MJCF_DIR) + "/studies/" + name);
+    const PointScenes scenes(study, {});
+    EXPECT_EQ(scenes.sample().size(), size);
+    EXPECT_NO_THROW(scenes.check());
+    return scenes.at(index);
+  };
+  const scene::Scene last = point_of("speed_friction.toml", 25 * 31, 25 * 31 - 1);
   EXPECT_EQ(last.rotor.speed, last.drive->speed);
   EXPECT_EQ(last.rotor.speed, last.forces[0].frequency);
-}
-
-TEST(PointScenes, OfHighFriction) {
-  const Study study = read_study(std::string(ROTORUB_MJCF_DIR) + "/studies/high_friction.toml");
-  const PointScenes scenes(study, {});
-  EXPECT_EQ(scenes.sample().size(), 5 * 15);
-  EXPECT_NO_THROW(scenes.check());
-  const scene::Scene point = scenes.at(2 * 15 + 14);
+  const scene::Scene point = point_of("high_friction.toml", 5 * 15, 2 * 15 + 14);
   EXPECT_DOUBLE_EQ(point.drive->gain, 1.0);
   EXPECT_DOUBLE_EQ(point.first().contact->friction.coefficient, 1.5);
   EXPECT_EQ(point.rotor.torsion->modes, 4);
@@ -306,15 +258,6 @@ TEST(ResultColumns, HaveAPeakForceOfAFixedStepAlone) {
   }
   const auto many = run_ensembles(all_points(made.scenes), kGoOn);
   EXPECT_TRUE(column->value(*many.at(0).figures).is_number());
-}
-
-TEST(ResultColumns, AreInTheReadme) {
-  const std::string readme =
-      scene::file_text(std::string(ROTORUB_SOURCE_DIR) + "/compare/sweep/README.md");
-  for (const ResultColumn& column : result_columns()) {
-    EXPECT_NE(readme.find(fmt::format("| `{}` | {}", column.name, column.unit)), std::string::npos)
-        << column.name;
-  }
 }
 
 TEST(PointScenes, AStudyThatNothingCanComeOfIsRefused) {

@@ -5,12 +5,10 @@
 namespace rotorub::sweep {
 namespace {
 
+using test::contains;
 using test::of_ring;
+using test::sampled;
 using test::StudyFolder;
-
-bool has(const std::string& text, const std::string& part) {
-  return text.find(part) != std::string::npos;
-}
 
 TEST(Study, OfTheContract) {
   const StudyFolder folder;
@@ -39,15 +37,9 @@ integrator = "verlet"
 // [controller.config] takes any name, a number or a text.
 TEST(Study, TakesTheNamesOfTheUsersLaw) {
   const StudyFolder folder;
-  const Study study = folder.study(of_ring() + R"([sample]
-kind = "list"
-[[vary]]
-key = "controller.config.stiffness"
-values = [1e5, 2e5]
-[[vary]]
-key = "contact[0].controller.config.law"
-values = ["soft", "hard"]
-)");
+  const Study study = folder.study(
+      of_ring() + sampled("list", {{"controller.config.stiffness", "[1e5, 2e5]"},
+                                   {"contact[0].controller.config.law", R"(["soft", "hard"])"}}));
   EXPECT_EQ(study.vary[0].values[1].number, 2e5);
   EXPECT_EQ(study.vary[1].values[1].text, "hard");
   EXPECT_EQ(study.vary[0].unit, "");
@@ -57,18 +49,10 @@ values = ["soft", "hard"]
 
 TEST(Study, QuantitiesAreInTheUnitOfTheirKey) {
   const StudyFolder folder;
-  const Study study = folder.study(of_ring() + R"([sample]
-kind = "list"
-[[vary]]
-key = "force[0].amplitude"
-values = ["0.1 kN", 150]
-[[vary]]
-key = "run.integrator"
-values = ["event", "paper"]
-[[vary]]
-key = "stator.stiffness"
-values = [[1e5, 2e5], 1e5]
-)");
+  const Study study =
+      folder.study(of_ring() + sampled("list", {{"force[0].amplitude", R"(["0.1 kN", 150])"},
+                                                {"run.integrator", R"(["event", "paper"])"},
+                                                {"stator.stiffness", "[[1e5, 2e5], 1e5]"}}));
   EXPECT_EQ(study.vary[0].values[0].number, 100.0);
   EXPECT_EQ(study.vary[0].values[0].text, "100");
   EXPECT_EQ(study.vary[0].unit, "N");
@@ -101,7 +85,17 @@ end = -1
         "study.toml:6: vary[0].key:", "did you mean `contact.friction`?",
         "study.toml:10: vary[1].values[1]:", "50 mm", "1 values where", "run.integrator varies",
         "did you mean `step`?", "run.end: expected a time above 0"}) {
-    EXPECT_TRUE(has(text, part)) << part << "\n" << text;
+    EXPECT_TRUE(contains(text, part));
+  }
+}
+
+// They could stand neither behind `key =` nor on one line of the results.
+TEST(Study, TablesAndBrokenLinesAreNoValues) {
+  const StudyFolder folder;
+  for (const char* values : {"[{a = 1}, 0.1]", "[[{a = 1}]]", "[1979-05-27]", "[\"a\\nb\"]"}) {
+    for (const char* key : {"controller.kind", "initial.x", "stator"})
+      EXPECT_TRUE(contains(folder.refusal(of_ring() + sampled("grid", {{key, values}})),
+                           "study.toml:6: vary[0].values: values[0]: expected a "));
   }
 }
 
@@ -139,7 +133,7 @@ TEST(Study, Refused) {
        "run.integrator: belongs to engine"},
   };
   for (const auto& c : cases) {
-    EXPECT_TRUE(has(folder.refusal(c.text), c.says)) << c.says << "\n" << folder.refusal(c.text);
+    EXPECT_TRUE(contains(folder.refusal(c.text), c.says));
   }
 }
 

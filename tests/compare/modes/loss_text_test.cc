@@ -1,0 +1,77 @@
+// The response of a rotor that loses a blade is told before and after the loss.
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <complex>
+#include <nlohmann/json.hpp>
+
+#include "compare/modes/rotor_analysis.h"
+#include "compare/report/modes_page.h"
+#include "native_model/scene/reader.h"
+#include "tests/support/said.h"
+
+namespace rotorub {
+namespace {
+
+using nlohmann::json;
+using test::contains;
+
+// One mode of 2 kg, 2e5 N/m and 40 N s/m at 250 rad/s, 0.1 kg mm of unbalance, and 0.4 kg mm more
+// from 20 ms on.
+constexpr const char* kScene = R"(
+[run]
+end = 0.1
+[rotor]
+speed = 250.0
+[rotor.modal]
+mass = [2.0]
+stiffness = [2e5]
+damping = [40.0]
+[[force]]
+kind = "unbalance"
+static_moment = 1e-4
+[[force]]
+kind = "unbalance"
+static_moment = 4e-4
+on = 0.02
+[contact]
+radius = 0.02
+clearance = 0.3e-3
+friction = 0.1
+restitution = 0.3
+)";
+// m, of an unbalance in kg m.
+double deflection(double unbalance) {
+  constexpr double kSpeed = 250.0;
+  const std::complex<double> stiffness(2e5 - 2.0 * kSpeed * kSpeed, 40.0 * kSpeed);
+  return unbalance * kSpeed * kSpeed / std::abs(stiffness);
+}
+
+TEST(LossText, HasTheResponseBeforeAndAfter) {
+  const scene::Scene scene = scene::parse_scene(kScene, "scene.toml", {});
+  const RotorAnalysis analysis = analyse_rotor(scene, {});
+  const json response = modes_json(analysis)["speeds"][0]["response"];
+  EXPECT_NEAR(response["orbit"].get<double>(), deflection(5e-4), 1e-9 * deflection(5e-4));
+  const json before = response["before_loss"];
+  EXPECT_NEAR(before["orbit"].get<double>(), deflection(1e-4), 1e-9 * deflection(1e-4));
+  EXPECT_NEAR(before["least_gap"].get<double>(), 0.3e-3 - deflection(1e-4), 1e-12);
+
+  const std::string table = modes_table("blade", analysis);
+  EXPECT_TRUE(contains(table, {"response at the contact, before the loss: 82.6 um", "least gap",
+                               "response at the contact, after the loss: 413 um", "it touches"}));
+
+  EXPECT_TRUE(contains(
+      modes_page(scene, campbell_of(scene, analysis)),
+      {"Free orbit, before the loss, 2387.3 rpm", "Free orbit, after the loss, 2387.3 rpm"}));
+}
+
+TEST(LossText, IsOneResponseWhereNothingIsLost) {
+  const std::vector<std::string> at_once{"force[1].on=0.0"};
+  const scene::Scene scene = scene::parse_scene(kScene, "scene.toml", at_once);
+  const RotorAnalysis analysis = analyse_rotor(scene, {});
+  EXPECT_EQ(modes_json(analysis)["speeds"][0]["response"]["before_loss"], nullptr);
+  EXPECT_TRUE(contains(modes_table("whole", analysis), "response at the contact: 413 um"));
+}
+
+}  // namespace
+}  // namespace rotorub
