@@ -9,6 +9,7 @@
 
 #include "native_model/scene/text.h"
 #include "tests/bad_input/cases.h"
+#include "tests/support/temporary_folder.h"
 
 namespace {
 
@@ -48,14 +49,13 @@ int main(int argc, char** argv) {
     if (word == "--runs") runs = std::strtoull(argv[i + 1], nullptr, 10);
     if (word == "--keep") keep = argv[i + 1];
   }
-  std::string name = (fs::temp_directory_path() / "rotorub_bad_input_XXXXXX").string();
-  const fs::path top = keep.empty() ? fs::path(mkdtemp(name.data())) : fs::path(keep);
+  const TemporaryFolder temporary;
+  const fs::path top = keep.empty() ? temporary.path() : fs::path(keep);
   std::uint64_t failed = 0;
   for (std::uint64_t number = first; number < first + runs; ++number) {
     if (!try_case(number, top / "case")) ++failed;
     if (keep.empty()) fs::remove_all(top / "case");
   }
-  if (keep.empty()) fs::remove_all(top);
   std::cout << runs << " cases, " << failed << " went wrong\n";
   return failed == 0 ? 0 : 1;
 }

@@ -9,10 +9,10 @@ import unittest
 
 from product import BUILD, InAFolder, SOURCE
 
-# What is added to a command, so that a test can wait for it: fewer pictures, a shorter comparison without films.
+# What is added to a command, so that a test can wait for it: fewer pictures, a shorter and coarser comparison without films.
 QUICKER = {
     "render": ["--size", "320x240", "--slow", "40"],
-    "compare": ["--end", "112ms", "--twins", "2", "--no-video", "--no-modes-ladder"],
+    "compare": ["--end", "112ms", "--step", "20us", "--twins", "2", "--no-video", "--no-modes-ladder"],
 }
 
 

@@ -1,11 +1,12 @@
 """The description in an FMU is what an importer needs: whole, consistent, and of the binary beside it."""
 
+import itertools
 import re
 import unittest
 import xml.etree.ElementTree as xml
 import zipfile
 
-from product import SOURCE, InAFolder
+from product import SOURCE, InAFolder, third
 
 SCENES = ["paper_sliding", "two_catchers", "amb_machine", "paper_magnetic", "bench_drop"]
 
@@ -55,15 +56,10 @@ class Description(InAFolder):
             self.assertEqual(listed, outputs)
         self.assertGreater(float(root.find("DefaultExperiment").get("stopTime")), 0.0)
 
-    def test_of_fmi_3(self):
-        for scene in SCENES:
-            with self.subTest(scene):
-                self.check(scene, "3.0")
-
-    def test_of_fmi_2(self):
-        for scene in SCENES:
-            with self.subTest(scene):
-                self.check(scene, "2.0")
+    def test_of_both_versions(self):
+        for scene, version in third(itertools.product(SCENES, ("3.0", "2.0"))):
+            with self.subTest(scene, version=version):
+                self.check(scene, version)
 
 
 if __name__ == "__main__":

@@ -1,14 +1,13 @@
 """What a rewrite must not change: every scene by every engine as it was recorded (tests/package/frozen/record).
 
-Each day the cheap cases run. With ROTORUB_FROZEN=all in the environment every case does, and the comparison of the main job.
+Each day the cheap cases run; nightly every case does, and the comparison of the main job.
 """
 
 import csv
-import os
 import sys
 import unittest
 
-from product import BINARY, SOURCE
+from product import BINARY, NIGHTLY, SOURCE, nightly
 
 TABLES = SOURCE / "tests" / "package" / "frozen"
 sys.path.insert(0, str(TABLES))
@@ -17,7 +16,6 @@ import frozen_run  # noqa: E402
 import held  # noqa: E402
 import verdicts  # noqa: E402
 
-EVERYTHING = os.environ.get("ROTORUB_FROZEN") == "all"
 SCENES = frozen_run.scenes(SOURCE)
 
 
@@ -54,7 +52,7 @@ class Frozen(unittest.TestCase):
         figures, states = (held.read_cells(TABLES / f"{name}.csv") for name in ("figures", "states"))
         faults = []
         for row in outcomes():
-            if not EVERYTHING and row["runs"] != "daily":
+            if not NIGHTLY and row["runs"] != "daily":
                 continue
             case = row["scene"], row["engine"]
             outcome = frozen_run.run(BINARY, SCENES[row["scene"]], row["engine"])
@@ -64,7 +62,7 @@ class Frozen(unittest.TestCase):
             faults += [f"{case[0]} {case[1]} {line}" for line in wrong]
         self.assertEqual(faults, [], f"{len(faults)} deviations:\n" + "\n".join(faults))
 
-    @unittest.skipUnless(EVERYTHING, "takes four minutes of CPU time")
+    @nightly  # takes four minutes of CPU time
     def test_the_verdicts_of_the_main_job(self):
         faults = verdicts.faults(BINARY, SOURCE / "mjcf", TABLES / "verdicts.csv")
         self.assertEqual(faults, [], f"{len(faults)} deviations:\n" + "\n".join(faults))

@@ -9,6 +9,13 @@ import unittest
 SOURCE = pathlib.Path(os.environ["ROTORUB_SOURCE_DIR"])
 BUILD = pathlib.Path(os.environ["ROTORUB_BUILD_DIR"])
 BINARY = BUILD / "bin" / "rotorub"
+NIGHTLY = os.environ.get("ROTORUB_NIGHTLY") == "1"
+nightly = unittest.skipUnless(NIGHTLY, "runs nightly")
+
+
+def third(cases):
+    """Every day the first of each three cases, nightly all of them."""
+    return list(cases)[:: 1 if NIGHTLY else 3]
 
 
 def shipped():

@@ -1,10 +1,13 @@
-"""The table of the README, and the first two of compare/docs/findings.md, computed anew by the command that stands beside them."""
+"""The table of the README, and the first two of compare/docs/findings.md, computed anew by the command that stands beside them.
+
+Every day the figures of the rig under control are computed; nightly also those of the passive rig, and the words in the row "trusted".
+"""
 
 import json
 import re
 import unittest
 
-from product import SOURCE, InAFolder
+from product import NIGHTLY, SOURCE, InAFolder, nightly
 
 SIDES = "native", "rigid", "cone-coulomb", "cone"
 ALL_SIDES = "native", "rigid", "coulomb", "cone-coulomb", "cone"
@@ -35,9 +38,11 @@ def findings(scene):
 
 class Table(InAFolder):
     def found(self, scene):
-        """What compare says of the scene, without twins: figures of single runs do not depend on them."""
+        """What compare says of the scene, without twins, because figures of single runs do not depend on them. The runs at smaller
+        steps decide the words alone: each day a resynchronised comparison does without them."""
+        mode = "lockstep" if NIGHTLY else "resync"
         said = self.rotorub("compare", SOURCE / "mjcf" / f"{scene}.toml", "--twins", "0", "--no-video", "--no-modes-ladder",
-                            "--json", "-o", "out", code=(0, 1), timeout=600)
+                            "--mode", mode, "--json", "-o", "out", code=(0, 1), timeout=600)
         return json.loads(said)["scenes"][0]
 
     def check(self, told, scene):
@@ -71,9 +76,12 @@ class Table(InAFolder):
         told, scene = table()["under control"], self.found("paper_sliding")
         self.check(told, scene)
         self.check_findings("paper_sliding", scene)
+        if not NIGHTLY:
+            return
         for side, cell in zip(SIDES[1:], told["trusted"][1:], strict=True):
             self.assertEqual(cell, scene["differences"][side]["trusted"], side)
 
+    @nightly
     def test_passive(self):
         told, scene = table()["passive"], self.found("paper_passive")
         self.check(told, scene)

@@ -126,7 +126,7 @@ class Studies(InAFolder):
         self.assertAlmostEqual(other["best"]["figure"], best["figure"], delta=1e-4 * best["figure"])
 
     def test_optimise_levitation(self):
-        found, rows = self.optimise("optimise_levitation", ("evaluations = 25", "evaluations = 8"))
+        found, rows = self.optimise("optimise_levitation", ("evaluations = 25", "evaluations = 3"))
         best = found["best"]
         self.assertLessEqual(best["constraints"][0]["value"], 3.0 * (1.0 + 1e-6))
         modes = json.loads(self.rotorub("modes", f"{self.folder}/optimise_levitation/best.toml", "--json"))

@@ -20,9 +20,11 @@ before(async () => {
 });
 after(() => browser?.close());
 
-for (const file of ['report.html', 'ring/plot.html', 'touchdown/modes.html', 'whip/modes.html', 'sweep/sweep.html', 'bench/bench.html']) {
-  for (const colorScheme of ['light', 'dark']) {
-    test(`${file}, ${colorScheme}`, async () => {
+// Each day every kind of page in one theme, in turn, so that both themes are looked at; nightly in both.
+const nightly = process.env.ROTORUB_NIGHTLY === '1';
+for (const [k, file] of ['report.html', 'ring/plot.html', 'touchdown/modes.html', 'whip/modes.html', 'sweep/sweep.html', 'bench/bench.html'].entries()) {
+  for (const [theme, colorScheme] of ['light', 'dark'].entries()) {
+    test(`${file}, ${colorScheme}`, {skip: !nightly && k % 2 !== theme}, async () => {
       const page = await open(browser, file, {colorScheme});
       await page.evaluate(async () => {
         for (const fold of document.querySelectorAll('details')) fold.open = true;

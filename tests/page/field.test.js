@@ -59,9 +59,8 @@ test('a run-up goes through the peak of its Bode plot, a little later, and the d
 });
 
 test('the critical speed map crosses the critical speeds at the stiffness of the scene', async () => {
-  const args = ['modes', scene('run_up'), '-o', 'modes'];
-  rotorub([...args, '-q']);
-  const critical = JSON.parse(rotorub([...args, '--json'])).critical_speeds.map((w) => w * 30 / Math.PI);
+  rotorub(['modes', scene('run_up'), '-o', 'modes', '-q']);
+  const critical = JSON.parse(rotorub(['modes', scene('run_up'), '--json'])).critical_speeds.map((w) => w * 30 / Math.PI);
   const page = await open(browser, 'modes/modes.html');
   const map = await drawn(page, 'stiffness');
   assert.ok(map.traces.length >= 4);

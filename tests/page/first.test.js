@@ -2,15 +2,15 @@
 import {after, before, test} from 'node:test';
 import {assert, launch, open, rotorub, scene, state} from './support.js';
 
-let browser;
+let browser, page;
 before(async () => {
   rotorub(['compare', scene('bench_ring'), '--end', '0.16', '--twins', '0', '--no-video', '--quiet', '-o', '.'], [0, 1]);
   browser = await launch();
+  page = await open(browser, 'report.html');
 });
 after(() => browser?.close());
 
 test('answers in a sentence, MuJoCo alone first', async () => {
-  const page = await open(browser, 'report.html');
   const sentence = (await page.locator('.sentence').first().textContent()).replace(/\s+/g, ' ');
   assert.match(sentence, /^MuJoCo alone: (no|averages only) \(.+\); with the corrected cone: .+; with the rigid law: yes\.$/);
   const rows = await page.locator('.answer tbody th').allTextContents();
@@ -20,12 +20,9 @@ test('answers in a sentence, MuJoCo alone first', async () => {
   await page.waitForFunction(() => document.querySelector('.first .plot.drawn'));
   const bottom = await page.evaluate(() => document.querySelector('.first').getBoundingClientRect().bottom);
   assert.ok(bottom < 1000, `${bottom} px`);
-  assert.deepEqual(page.said, []);
-  await page.close();
 });
 
 test('the picture shows native and MuJoCo alone apart', async () => {
-  const page = await open(browser, 'report.html');
   await page.waitForFunction(() => document.querySelector('.first .plot.drawn'));
   const apart = await page.evaluate(() => {
     const plot = document.querySelector('.first .plot');
@@ -47,37 +44,34 @@ test('the picture shows native and MuJoCo alone apart', async () => {
   }
   assert.ok(apart.most > 5, `${apart.most} um, a hundredth of the clearance`);
   assert.deepEqual((await state(page)).runs, ['native', 'cone']);
-  await page.close();
 });
 
-test('a small screen has cards, folded parts, and a short page', async () => {
-  const page = await open(browser, 'report.html', {width: 390, height: 844});
-  const looks = await page.evaluate(() => ({height: document.documentElement.scrollHeight, width: document.documentElement.scrollWidth,
+test('the verdicts have room at 1400 px', async () => {
+  await page.setViewportSize({width: 1400, height: 1000});
+  const wide = await page.evaluate(() => [...document.querySelectorAll('.answer')].map((e) => e.scrollWidth - e.clientWidth));
+  assert.ok(wide.length > 0 && wide.every((over) => over <= 0), `${wide}`);
+  await page.setViewportSize({width: 1200, height: 1000});
+});
+
+test('a small screen has cards, folded parts, and a short page on which nothing is cut off', async () => {
+  const phone = await open(browser, 'report.html', {width: 390, height: 844});
+  const looks = await phone.evaluate(() => ({height: document.documentElement.scrollHeight, width: document.documentElement.scrollWidth,
     open: document.querySelectorAll('details.later[open]').length, card: getComputedStyle(document.querySelector('.answer tbody tr')).display}));
   assert.ok(looks.height < 12200, `${looks.height} px`); // with the solrefs of the soft contacts
   assert.ok(looks.width <= 390);
   assert.equal(looks.open, 0);
   assert.equal(looks.card, 'block');
-  await page.evaluate(() => { location.hash = 'scene-1-figures'; });
-  await page.waitForFunction(() => document.getElementById('scene-1-figures').open);
-  await page.close();
-});
-
-test('on paper: the answer, every table and every plot once, no player', async () => {
-  const page = await open(browser, 'report.html');
-  await page.emulateMedia({media: 'print'});
-  await page.evaluate(() => dispatchEvent(new Event('beforeprint')));
-  const shown = (selector) => page.evaluate((s) => [...document.querySelectorAll(s)].filter((e) => e.getBoundingClientRect().height > 0).length, selector);
-  assert.equal(await shown('.player, .transport, .glossary'), 0);
-  assert.equal(await shown('.plot.drawn'), await page.locator('.plot').count());
-  const pdf = await page.pdf({format: 'A4'});
-  const pages = (pdf.toString('latin1').match(/\/Type\s*\/Page\b/g) || []).length;
-  assert.ok(pages <= 9, `${pages} pages`);
-  await page.close();
+  const wide = await phone.evaluate(() => [...document.querySelectorAll('.player canvas, .plot, .transport > *')].filter((e) => {
+    const box = e.getBoundingClientRect();
+    return box.width > 0 && (box.left < -0.5 || box.right > 390.5);
+  }).map((e) => e.className));
+  assert.deepEqual(wide, []);
+  await phone.evaluate(() => { location.hash = 'scene-1-figures'; });
+  await phone.waitForFunction(() => document.getElementById('scene-1-figures').open);
+  await phone.close();
 });
 
 test('plots, rig and tables are reached and used by keyboard', async () => {
-  const page = await open(browser, 'report.html');
   const gap = page.locator('.plot[data-plot="gap"]');
   await gap.scrollIntoViewIfNeeded();
   await page.waitForFunction(() => document.querySelector('.plot[data-plot="gap"].drawn'));
@@ -100,5 +94,34 @@ test('plots, rig and tables are reached and used by keyboard', async () => {
   await page.keyboard.press('ArrowLeft');
   assert.notEqual(await look(), still);
   assert.equal((await state(page)).time, at, 'it turns, and time stands');
-  await page.close();
+  assert.deepEqual(page.said, []);
+});
+
+test('on paper: the answer, every table and every plot once in its place, no player; and the screen comes back', async () => {
+  const paper = await open(browser, 'report.html', {colorScheme: 'dark'});
+  const background = () => paper.evaluate(() => getComputedStyle(document.body).backgroundColor);
+  const dark = await background();
+  await paper.emulateMedia({media: 'print'});
+  await paper.evaluate(() => dispatchEvent(new Event('beforeprint')));
+  const looks = await paper.evaluate(() => {
+    const plots = [...document.querySelectorAll('.plot')];
+    const out = plots.filter((p) => {
+      const place = p.getBoundingClientRect(), picture = p.querySelector('.main-svg').getBoundingClientRect();
+      return picture.right > place.right + 1 || picture.bottom > place.bottom + 1;
+    }).map((p) => p.dataset.plot);
+    const boxes = [...document.querySelectorAll('.plot-grid figure')].map((f) => f.getBoundingClientRect());
+    const over = boxes.some((a, i) => boxes.some((b, j) => j > i && a.left < b.right - 1 && b.left < a.right - 1 && a.top < b.bottom - 1 && b.top < a.bottom - 1));
+    const shown = (selector) => [...document.querySelectorAll(selector)].filter((e) => e.getBoundingClientRect().height > 0).length;
+    return {missing: plots.length - shown('.plot.drawn'), out, over, player: shown('.player, .transport, .glossary'), theme: document.documentElement.dataset.theme};
+  });
+  assert.deepEqual(looks, {missing: 0, out: [], over: false, player: 0, theme: 'light'});
+  const pdf = await paper.pdf({format: 'A4'});
+  assert.equal(pdf.subarray(0, 5).toString(), '%PDF-');
+  const pages = (pdf.toString('latin1').match(/\/Type\s*\/Page\b/g) || []).length;
+  assert.ok(pages >= 3 && pages <= 9, `${pages} pages`);
+  await paper.evaluate(() => dispatchEvent(new Event('afterprint')));
+  await paper.emulateMedia({media: 'screen'});
+  assert.equal(await background(), dark);
+  assert.deepEqual(paper.said, []);
+  await paper.close();
 });

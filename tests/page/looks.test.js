@@ -1,4 +1,4 @@
-// How the page looks: light and dark, narrow, on paper, without WebGL; one run, and runs that lack parts.
+// How the page of a run looks: light and dark, without WebGL, and where the scene lacks parts.
 import fs from 'node:fs';
 import path from 'node:path';
 import {after, before, test} from 'node:test';
@@ -6,7 +6,6 @@ import {assert, bring, folder, launch, open, rotorub, scene, seek, state} from '
 
 let browser;
 before(async () => {
-  rotorub(['compare', scene('bench_ring'), '--end', '0.02', '--twins', '0', '--no-video', '--quiet', '-o', '.'], [0, 1]);
   rotorub(['run', scene('bench_ring'), '--end', '0.05', '--quiet', '-o', 'ring']);
   rotorub(['run', scene('bench_billiard'), '--quiet', '-o', 'billiard']);
   fs.writeFileSync(path.join(folder, 'free.toml'), '[run]\nend = 0.05\n[rotor]\nspeed = "50 Hz"\n[rotor.modal]\n' +
@@ -81,51 +80,6 @@ test('light and dark have colours of their own', async () => {
     await page.close();
   }
   for (const [k, light] of looks[0].entries()) assert.notEqual(light, looks[1][k]);
-});
-
-test('400 px are enough', async () => {
-  const page = await open(browser, 'report.html', {width: 400, height: 800});
-  assert.ok(await page.evaluate(() => document.scrollingElement.scrollWidth) <= 400);
-  const wide = await page.evaluate(() => [...document.querySelectorAll('.player canvas, .plot, .transport > *')].filter((e) => {
-    const box = e.getBoundingClientRect();
-    return box.width > 0 && (box.left < -0.5 || box.right > 400.5);
-  }).map((e) => e.className));
-  assert.deepEqual(wide, []);
-  await page.close();
-});
-
-test('the verdicts have room at 1400 px', async () => {
-  const page = await open(browser, 'report.html', {width: 1400});
-  const wide = await page.evaluate(() => [...document.querySelectorAll('.answer')].map((e) => e.scrollWidth - e.clientWidth));
-  assert.ok(wide.length > 0 && wide.every((over) => over <= 0), `${wide}`);
-  await page.close();
-});
-
-test('prints: pictures have their places, and the screen comes back', async () => {
-  const page = await open(browser, 'report.html', {colorScheme: 'dark'});
-  const dark = await page.evaluate(() => getComputedStyle(document.body).backgroundColor);
-  await page.emulateMedia({media: 'print'});
-  await page.evaluate(() => dispatchEvent(new Event('beforeprint')));
-  const looks = await page.evaluate(() => {
-    const plots = [...document.querySelectorAll('.plot[data-plot]')];
-    const out = plots.filter((p) => {
-      const place = p.getBoundingClientRect(), picture = p.querySelector('.main-svg').getBoundingClientRect();
-      return picture.right > place.right + 1 || picture.bottom > place.bottom + 1;
-    }).map((p) => p.dataset.plot);
-    const boxes = [...document.querySelectorAll('.plot-grid figure')].map((f) => f.getBoundingClientRect());
-    const over = boxes.some((a, i) => boxes.some((b, j) => j > i && a.left < b.right - 1 && b.left < a.right - 1 && a.top < b.bottom - 1 && b.top < a.bottom - 1));
-    return {drawn: plots.every((p) => p.classList.contains('drawn')), out, over, theme: document.documentElement.dataset.theme};
-  });
-  assert.deepEqual(looks, {drawn: true, out: [], over: false, theme: 'light'});
-  await page.evaluate(() => dispatchEvent(new Event('afterprint')));
-  await page.emulateMedia({media: 'screen'});
-  assert.equal(await page.evaluate(() => getComputedStyle(document.body).backgroundColor), dark);
-  const pdf = await page.pdf({format: 'A4'});
-  assert.equal(pdf.subarray(0, 5).toString(), '%PDF-');
-  const pages = (pdf.toString('latin1').match(/\/Type\s*\/Page\b/g) || []).length;
-  assert.ok(pages >= 3 && pages < 40, `${pages} pages`);
-  assert.deepEqual(page.said, []);
-  await page.close();
 });
 
 test('shows of a run what its scene has', async () => {

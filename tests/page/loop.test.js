@@ -4,9 +4,8 @@ import {assert, launch, open, rotorub, scene} from './support.js';
 
 let browser, page, loop, text;
 before(async () => {
-  const args = ['modes', scene('relevitation'), '-o', 'loop'];
-  text = String(rotorub(args));
-  loop = JSON.parse(rotorub([...args, '--json'])).speeds[0].levitation;
+  text = String(rotorub(['modes', scene('relevitation'), '-o', 'loop']));
+  loop = JSON.parse(rotorub(['modes', scene('relevitation'), '--json'])).speeds[0].levitation;
   browser = await launch();
   page = await open(browser, 'loop/modes.html');
 });

@@ -10,16 +10,12 @@
 #include "native_model/numerics/matrix_functions.h"
 #include "native_model/scene/diagnostic.h"
 #include "native_model/scene/reader.h"
-#include "plugin/hooks.h"
 #include "tests/support/mujoco_fixture.h"
 
 namespace rotorub::test {
 namespace {
 
-class BearingCurrentsTest : public MujocoTest {
- protected:
-  plugin::Hooks hooks_;
-};
+using BearingCurrentsTest = HookedTest;
 
 constexpr const char* kHeld = R"(
 [run]

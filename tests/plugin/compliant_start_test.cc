@@ -9,7 +9,6 @@
 
 #include "mjcf/names.h"
 #include "mjcf/writer.h"
-#include "plugin/hooks.h"
 #include "tests/support/mujoco_fixture.h"
 
 namespace rotorub::test {
@@ -42,7 +41,7 @@ contact = ")" +
          contact + "\"\n[initial]\n" + start + "\n";
 }
 
-class CompliantStart : public MujocoTest, public testing::WithParamInterface<const char*> {
+class CompliantStart : public HookedTest, public testing::WithParamInterface<const char*> {
  protected:
   // m/s, with which the rotor flies after 1.5 ms; half a period on the spring is 1 ms.
   static double speed_after(const mjModel* m, mjData* d) {
@@ -50,7 +49,6 @@ class CompliantStart : public MujocoTest, public testing::WithParamInterface<con
     EXPECT_GT(sensor(m, d, mjcf_names::kGap), 0.0);
     return std::hypot(d->qvel[0], d->qvel[1]);
   }
-  plugin::Hooks hooks_;
 };
 
 TEST_P(CompliantStart, InTheWallItKeepsItsEnergy) {

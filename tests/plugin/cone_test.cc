@@ -6,8 +6,6 @@
 
 #include "mjcf/names.h"
 #include "mjcf/writer.h"
-#include "plugin/hooks.h"
-#include "tests/plugin/scenes.h"
 #include "tests/support/mujoco_fixture.h"
 
 namespace rotorub::test {
@@ -15,12 +13,11 @@ namespace {
 
 namespace names = mjcf_names;
 
-class ConeContact : public MujocoTest {
+class ConeContact : public HookedTest {
  protected:
   static scene::Scene scene(const std::string& text) {
     return parsed(text, {"mujoco.contact=cone"});
   }
-  plugin::Hooks hooks_;
 };
 
 TEST_F(ConeContact, FrictionOpposesTheSlipAndKeepsToTheCone) {

@@ -5,63 +5,37 @@
 #include <set>
 #include <string>
 
-#include "mjcf/names.h"
 #include "mjcf/writer.h"
-#include "plugin/config_cache.h"
-#include "plugin/hooks.h"
 #include "plugin/user_data.h"
-#include "tests/plugin/scenes.h"
+#include "tests/support/mujoco_document.h"
 #include "tests/support/mujoco_fixture.h"
+#include "tests/support/said.h"
 
 namespace rotorub::test {
 namespace {
 
-class ConfigTest : public MujocoTest {
- protected:
-  // MuJoCo's message when it loads the document with `from` replaced by `to`.
-  static std::string refusal(std::string document, const std::string& from, const std::string& to) {
-    const std::size_t at = document.find(from);
-    EXPECT_NE(at, std::string::npos) << from;
-    document.replace(at, from.size(), to);
-    std::string error;
-    const ModelPointer m = try_load(document, error);
-    EXPECT_EQ(m, nullptr) << to;
-    return error;
-  }
-  static void expect_in(const std::string& part, const std::string& whole) {
-    EXPECT_NE(whole.find(part), std::string::npos) << whole;
-  }
-  plugin::Hooks hooks_;
-};
+using ConfigTest = HookedTest;
 
 TEST_F(ConfigTest, BadSceneTextIsRefusedAtLoadWithElementLineAndKey) {
   const std::string document = mjcf(shipped("bench_ring"));
-  const std::string error = refusal(document, "clearance = ", "clearanse = ");
-  expect_in("rotorub_scene", error);
-  expect_in("contact.clearanse", error);
-  expect_in("rotorub_scene", refusal(document, "[rotor]&#10;", "[rotor&#10;"));
+  EXPECT_TRUE(contains(load_refusal(replaced(document, "clearance = ", "clearanse = ")),
+                       {"rotorub_scene", "contact.clearanse"}));
+  expect_refused(replaced(document, "[rotor]&#10;", "[rotor&#10;"), "rotorub_scene");
 }
 
 TEST_F(ConfigTest, MissingElementsAreNamed) {
   const std::string document = mjcf(shipped("bench_ring"));
-  expect_in("<joint name=\"spin\">", refusal(document, "name=\"spin\"", "name=\"turn\""));
+  expect_refused(replaced(document, "name=\"spin\"", "name=\"turn\""), "<joint name=\"spin\">");
   const std::size_t begin = document.find("nuserdata=");
   const std::string size = document.substr(begin, document.find('"', begin + 11) + 1 - begin);
-  expect_in("nuserdata", refusal(document, size, "nuserdata=\"3\""));
-  const std::string contact = "name=\"rotorub_contact\" data=\"rigid\"";
-  const std::string sticky = "name=\"rotorub_contact\" data=\"sticky\"";
-  expect_in("rotorub_contact", refusal(document, contact, sticky));
-  expect_in("rigid, coulomb, cone", refusal(document, contact, sticky));
-}
-
-TEST_F(ConfigTest, WrongSensorDimensionIsNamed) {
-  const std::string document = mjcf(shipped("bench_ring"));
-  const std::string from =
+  expect_refused(replaced(document, size, "nuserdata=\"3\""), "nuserdata");
+  const std::string contact = "name=\"rotorub_contact\" data=\"";
+  EXPECT_TRUE(contains(load_refusal(replaced(document, contact + "rigid", contact + "sticky")),
+                       {"rotorub_contact", "rigid, coulomb, cone"}));
+  const std::string gap =
       "<user name=\"gap\" objtype=\"body\" objname=\"rotor\" datatype=\"real\" "
-      "needstage=\"pos\" dim=\"1\"/>";
-  std::string to = from;
-  to.replace(to.find("dim=\"1\""), 7, "dim=\"3\"");
-  expect_in("<user name=\"gap\">", refusal(mjcf(shipped("bench_ring")), from, to));
+      "needstage=\"pos\" dim=\"";
+  expect_refused(replaced(document, gap + "1", gap + "3"), "<user name=\"gap\">");
 }
 
 // Sensors are for viewers: a user may take them out, or put the joints elsewhere.
@@ -72,32 +46,6 @@ TEST_F(ConfigTest, OptionalElementsMayGo) {
   const ModelPointer m = load(document);
   EXPECT_EQ(m->nsensor, 0);
   EXPECT_EQ(state_after(m.get(), 1000), state_after(load(mjcf(shipped("bench_ring"))).get(), 1000));
-}
-
-TEST_F(ConfigTest, ReadsTheMapOfTheJoints) {
-  const ModelPointer m = load(mjcf(shipped("paper_sliding")));
-  const plugin::Config config = plugin::make_config(m.get());
-  EXPECT_TRUE(config.same_order);
-  EXPECT_GE(config.pairs.front().rotor_geom, 0);
-  EXPECT_GE(config.pairs.front().ring_geom, 0);
-  EXPECT_GE(config.actuator[1], 0);
-  EXPECT_TRUE(plugin::has_fingerprint(m.get(), config.fingerprint));
-}
-
-// Two models with different scenes, step by step in turn on one thread.
-TEST_F(ConfigTest, ModelsInTurnKeepTheirOwnScenes) {
-  const ModelPointer a = load(mjcf(shipped("bench_ring")));
-  const ModelPointer b = load(mjcf(shipped("bench_ring", {"contact.friction=0.05"})));
-  const std::vector<double> alone_a = state_after(a.get(), 3000);
-  const std::vector<double> alone_b = state_after(b.get(), 3000);
-  EXPECT_NE(alone_a, alone_b);
-  const DataPointer da = start(a.get()), db = start(b.get());
-  for (int k = 0; k < 3000; ++k) {
-    mj_step(a.get(), da.get());
-    mj_step(b.get(), db.get());
-  }
-  EXPECT_EQ(state_of(a.get(), da.get()), alone_a);
-  EXPECT_EQ(state_of(b.get(), db.get()), alone_b);
 }
 
 // More models than a thread remembers.

@@ -6,18 +6,13 @@
 
 #include "mjcf/names.h"
 #include "mjcf/writer.h"
-#include "native_model/dynamics/dynamics.h"
 #include "native_model/system/actuation.h"
-#include "plugin/hooks.h"
 #include "tests/support/mujoco_fixture.h"
 
 namespace rotorub::test {
 namespace {
 
-class ControlTest : public MujocoTest {
- protected:
-  plugin::Hooks hooks_;
-};
+using ControlTest = HookedTest;
 
 Eigen::Vector2d force_on_ring(const mjModel* m, const mjData* d) {
   const int id = mj_name2id(m, mjOBJ_SENSOR, mjcf_names::kControlForce);
@@ -45,27 +40,6 @@ TEST_F(ControlTest, NothingBeforeItIsOn) {
   d->ctrl[0] = 5.0;  // the controller's, not the user's
   mj_forward(m.get(), d.get());
   EXPECT_EQ(force_on_ring(m.get(), d.get()).norm(), 0.0);
-}
-
-TEST_F(ControlTest, HeldBetweenSamples) {
-  const double sample = 2e-4;
-  const ModelPointer m = load(
-      mjcf(shipped("paper_sliding", {"controller.on=0.0", "controller.sample_time=2e-4",
-                                     "force[0].on=0.0", "initial.steady=false", "rotor.modes=2"})));
-  const DataPointer d = start(m.get());
-  int changes = 0;
-  Eigen::Vector2d last(NAN, NAN);
-  for (int k = 0; k < 1000; ++k) {
-    mj_step(m.get(), d.get());
-    const Eigen::Vector2d now = force_on_ring(m.get(), d.get());
-    if (k > 0 && now != last) {
-      ++changes;
-      // The command of step k was taken at k h: a multiple of the sample time.
-      EXPECT_EQ(k % static_cast<int>(std::lround(sample / m->opt.timestep)), 0) << k;
-    }
-    last = now;
-  }
-  EXPECT_EQ(changes, 49);
 }
 
 TEST_F(ControlTest, PassiveBearingObeysTheUser) {

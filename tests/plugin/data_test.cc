@@ -1,11 +1,9 @@
-// All state is in mjData: resets, copies and threads behave.
+// All state is in mjData: threads get the same bits. (Resets and copies: torture_test.cc.)
 #include <gtest/gtest.h>
 
 #include <thread>
 
 #include "mjcf/writer.h"
-#include "plugin/hooks.h"
-#include "plugin/user_data.h"
 #include "tests/support/mujoco_fixture.h"
 
 namespace rotorub::test {
@@ -18,59 +16,20 @@ scene::Scene controlled() {
                   "initial.steady=false", "contact.clearance=0.1 mm", "rotor.modes=2"});
 }
 
-class DataTest : public MujocoTest, public ::testing::WithParamInterface<const char*> {
- protected:
-  DataTest() : model_(load(mjcf(scene()))) {}
-  static scene::Scene scene() {
-    return std::string(GetParam()) == "controlled" ? controlled() : shipped(GetParam());
-  }
-  void steps(mjData* d, int count) const {
-    for (int k = 0; k < count; ++k) mj_step(model_.get(), d);
-  }
-  plugin::Hooks hooks_;
-  ModelPointer model_;
-};
-
-constexpr int kDataSteps = 4000;
-
-TEST_P(DataTest, ResetStartsAnew) {
-  const DataPointer d = start(model_.get());
-  steps(d.get(), kDataSteps);
-  const std::vector<double> first = state_of(model_.get(), d.get());
-  mj_resetDataKeyframe(model_.get(), d.get(), 0);
-  steps(d.get(), kDataSteps);
-  EXPECT_EQ(state_of(model_.get(), d.get()), first);
-}
-
-TEST_P(DataTest, CopyGoesOnAlike) {
-  const DataPointer d = start(model_.get());
-  steps(d.get(), kDataSteps);
-  const DataPointer copy(mj_makeData(model_.get()));
-  mj_copyData(copy.get(), model_.get(), d.get());
-  steps(d.get(), kDataSteps);
-  steps(copy.get(), kDataSteps);
-  EXPECT_EQ(state_of(model_.get(), copy.get()), state_of(model_.get(), d.get()));
-}
+class DataTest : public HookedTest, public ::testing::WithParamInterface<const char*> {};
 
 TEST_P(DataTest, ThreadsGetTheSameBits) {
-  const std::vector<double> alone = state_after(model_.get(), kDataSteps);
+  constexpr int kSteps = 4000;
+  const std::string name = GetParam();
+  const ModelPointer m = load(mjcf(name == "controlled" ? controlled() : shipped(name)));
+  const std::vector<double> alone = state_after(m.get(), kSteps);
   std::vector<double> results[4];
   std::vector<std::thread> threads;
   for (auto& result : results) {
-    threads.emplace_back([&] { result = state_after(model_.get(), kDataSteps); });
+    threads.emplace_back([&] { result = state_after(m.get(), kSteps); });
   }
   for (std::thread& thread : threads) thread.join();
   for (const auto& result : results) EXPECT_EQ(result, alone);
-}
-
-TEST_P(DataTest, StepInTwoHalvesIsTheSame) {
-  const std::vector<double> whole = state_after(model_.get(), kDataSteps);
-  const DataPointer d = start(model_.get());
-  for (int k = 0; k < kDataSteps; ++k) {
-    mj_step1(model_.get(), d.get());
-    mj_step2(model_.get(), d.get());
-  }
-  EXPECT_EQ(state_of(model_.get(), d.get()), whole);
 }
 
 INSTANTIATE_TEST_SUITE_P(Scenes, DataTest,

@@ -1,5 +1,5 @@
-// The step linearised: against the closed form of the modal step in flight, MuJoCo's own
-// differences where those hold, and the constraint in lasting contact.
+// The step linearised: against the closed form of the modal step in flight, and MuJoCo's own
+// differences where those hold. (In lasting contact: linear_rub_test.cc.)
 #include "plugin/differences.h"
 
 #include <gtest/gtest.h>
@@ -8,13 +8,12 @@
 
 #include "mjcf/names.h"
 #include "mjcf/writer.h"
-#include "plugin/hooks.h"
 #include "tests/support/mujoco_fixture.h"
 
 namespace rotorub::test {
 namespace {
 
-class Differences : public MujocoTest {
+class Differences : public HookedTest {
  protected:
   static DataPointer after(const mjModel* m, int steps) {
     DataPointer d = start(m);
@@ -27,7 +26,6 @@ class Differences : public MujocoTest {
   static int dof(const mjModel* m, const std::string& joint) {
     return m->jnt_dofadr[mj_name2id(m, mjOBJ_JOINT, joint.c_str())];
   }
-  plugin::Hooks hooks_;
 };
 
 // Rotor of bench_ring: v' = ((1 - h d/2m) v - h k/m x) / (1 + h d/2m), x' = x + h v'.
@@ -52,32 +50,9 @@ TEST_F(Differences, InFlightTheModalStep) {
   }
 }
 
-// In a lasting rub the step ends on the circle, whatever it began with: no nudge is in the gap.
-TEST_F(Differences, InContactTheGapStays) {
-  const ModelPointer m = load(mjcf(shipped("bench_ring")));
-  const DataPointer d = after(m.get(), 3000);
-  ASSERT_GT(sensor(m.get(), d.get(), mjcf_names::kNormalForce), 10.0);
-  const plugin::Transition t = plugin::transition(m.get(), d.get(), 1e-10);
-  mj_step(m.get(), d.get());
-  const int rx = dof(m.get(), mjcf_names::bending_joint('x', 1));
-  const int ry = dof(m.get(), mjcf_names::bending_joint('y', 1));
-  const int sx = dof(m.get(), mjcf_names::kRingX), sy = dof(m.get(), mjcf_names::kRingY);
-  const double ex = d->qpos[rx] - d->qpos[sx], ey = d->qpos[ry] - d->qpos[sy];
-  const double delta = std::hypot(ex, ey);
-  for (int j = 0; j < t.states; ++j) {
-    const double normal = ex * (at(t, rx, j) - at(t, sx, j)) + ey * (at(t, ry, j) - at(t, sy, j));
-    const double along = std::abs(at(t, rx, j)) + std::abs(at(t, ry, j));
-    EXPECT_LT(std::abs(normal / delta), 1e-5 * (along + 1.0)) << "column " << j;
-  }
-}
-
 // A model of the user's own has no load of its own time: there MuJoCo's differences hold.
 TEST_F(Differences, OfAnOwnModelAreMujocos) {
-  char error[1000] = "";
-  const ModelPointer m(
-      mj_loadXML((std::string(ROTORUB_SOURCE_DIR) + "/mjcf/examples/own_model.xml").c_str(),
-                 nullptr, error, 1000));
-  ASSERT_TRUE(m) << error;
+  const ModelPointer m = load(own_model_example());
   const DataPointer d = after(m.get(), 100);
   const plugin::Transition t = plugin::transition(m.get(), d.get(), 1e-6);
   std::vector<double> A(t.A.size()), B(t.B.size()), C(t.C.size()), D(t.D.size());

@@ -3,12 +3,11 @@
 
 #include <algorithm>
 #include <cmath>
-#include <complex>
 #include <numbers>
 
 #include "mjcf/names.h"
 #include "mjcf/writer.h"
-#include "plugin/hooks.h"
+#include "native_model/oracles/annular_rub.h"
 #include "tests/plugin/scenes.h"
 #include "tests/support/mujoco_fixture.h"
 
@@ -49,7 +48,7 @@ NormalForce normal_force(const scene::Scene& scene, int steps) {
   return out;
 }
 
-class ExactRub : public MujocoTest, public testing::WithParamInterface<const char*> {
+class ExactRub : public HookedTest, public testing::WithParamInterface<const char*> {
  protected:
   static scene::Scene rub(const std::string& text, std::vector<std::string> overrides = {}) {
     overrides.push_back(std::string("mujoco.contact=") + GetParam());
@@ -62,16 +61,14 @@ class ExactRub : public MujocoTest, public testing::WithParamInterface<const cha
     EXPECT_LT(found.deviation, kScatter * exact);
     EXPECT_EQ(found.steps_in_contact, 20000);
   }
-  plugin::Hooks hooks_;
 };
 
-// On a rigid ring.
+// Of kAnnularRub, and of it on kElasticRing.
+constexpr double kWhirlSpeed = 100.0 * std::numbers::pi;  // rad/s
+constexpr oracle::Support kRubRotor{2.0, 40.0, 3e5}, kRubRing{1.0, 200.0, 4e5};
+
 double rigid_ring_force() {
-  const double m = 2.0, k = 3e5, c = 40.0, mu = 0.2, amplitude = 200.0, delta = 0.5e-3;
-  const double om = 100.0 * std::numbers::pi;
-  const double a = (k - m * om * om) * delta, b = c * om * delta, p = a + mu * b;
-  return (-p + std::sqrt(p * p - (1 + mu * mu) * (a * a + b * b - amplitude * amplitude))) /
-         (1 + mu * mu);
+  return oracle::annular_rub(kRubRotor, 0.5e-3, 0.2, 200.0, kWhirlSpeed).value().force;
 }
 
 TEST_P(ExactRub, OnARigidRing) {
@@ -83,15 +80,9 @@ TEST_P(ExactRub, OnARigidRing) {
 }
 
 TEST_P(ExactRub, OnAnElasticRing) {
-  using Stiffness = std::complex<double>;
-  const double om = 100.0 * std::numbers::pi, mu = 0.2, u = 200.0, delta = 0.5e-3;
-  const Stiffness rotor(3e5 - 2.0 * om * om, 40.0 * om), stator(4e5 - om * om, 200.0 * om);
-  const Stiffness h = Stiffness(1.0, mu) * (1.0 / rotor + 1.0 / stator);
-  const double a = std::norm(h), b = delta * h.real();
-  const double constant = delta * delta - u * u / std::norm(rotor);
-  const double exact = (-b + std::sqrt(b * b - a * constant)) / a;
-  ASSERT_GT(exact, 0.0);
-  expect_steady(rub(kAnnularRub + kElasticRing), exact);
+  const auto exact = oracle::annular_rub(kRubRotor, kRubRing, 0.5e-3, 0.2, 200.0, kWhirlSpeed);
+  ASSERT_TRUE(exact);
+  expect_steady(rub(kAnnularRub + kElasticRing), exact->force);
 }
 
 TEST_P(ExactRub, TheErrorFallsWithTheStep) {

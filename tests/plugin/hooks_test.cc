@@ -108,29 +108,6 @@ TEST_F(HooksTest, GivesBackToWhoWroteOverThem) {
   }
 }
 
-// A callback that hook_calls whoever was there before him, and one that was set back by him.
-TEST_F(HooksTest, WhatWasThereBeforeMayBeSetBack) {
-  const ModelPointer m = load(mjcf(parsed(kAnnularRub)));
-  const plugin::Hooks hooks;
-  const std::vector<double> plain = state_after(m.get(), 300);
-  const mjfGeneric ours = mjcb_control;
-  for (int round = 0; round < 20; ++round) {
-    mjcb_control = count_control;
-    hook_calls = 0;
-    EXPECT_EQ(state_after(m.get(), 300), plain);
-    EXPECT_EQ(hook_calls, 300);
-    mjcb_control = ours;
-    EXPECT_EQ(state_after(m.get(), 300), plain);
-    EXPECT_EQ(hook_calls, 300) << "round " << round;
-    below = mjcb_control;
-    mjcb_control = in_front;
-    EXPECT_EQ(state_after(m.get(), 300), plain);
-    EXPECT_EQ(mjcb_control, &in_front) << "he hook_calls ours, and stays in front";
-    EXPECT_EQ(hook_calls, 600);
-    mjcb_control = below;
-  }
-}
-
 // A double pendulum over a floor, with an actuator and MuJoCo's own contacts.
 constexpr const char* kForeign = R"(<mujoco>
   <option timestep="0.002"/><size nuserdata="21"/>
@@ -160,13 +137,6 @@ TEST_F(HooksTest, RotorThatNeverTouchesRunsBitForBitAsWithout) {
   EXPECT_NE(without[0], 1e-3) << "it must have moved";
   const plugin::Hooks hooks;
   EXPECT_EQ(state_after(m.get(), 10000), without);
-}
-
-TEST_F(HooksTest, TouchingRotorDoesNot) {
-  const ModelPointer m = load(mjcf(parsed(kAnnularRub)));
-  const std::vector<double> without = state_after(m.get(), 2000);
-  const plugin::Hooks hooks;
-  EXPECT_NE(state_after(m.get(), 2000), without);
 }
 
 }  // namespace

@@ -13,14 +13,13 @@
 #include "native_model/numerics/eigenvalues.h"
 #include "native_model/rub/rub_stability.h"
 #include "plugin/differences.h"
-#include "plugin/hooks.h"
 #include "plugin/linearise.h"
 #include "tests/support/mujoco_fixture.h"
 
 namespace rotorub::test {
 namespace {
 
-using LinearRub = MujocoTest;
+using LinearRub = HookedTest;
 using Complex = std::complex<double>;
 
 bool by_imaginary(const Complex& a, const Complex& b) {
@@ -49,7 +48,6 @@ Eigen::MatrixXd frame_turn(const mjModel* m, double angle) {
 }
 
 TEST_F(LinearRub, HasTheEigenvaluesOfTheNativeTheory) {
-  const plugin::Hooks hooks;
   const scene::Scene scene = shipped("bench_annular_elastic");
   const ModelPointer m = load(mjcf(scene));
   const double h = m->opt.timestep;
@@ -89,11 +87,7 @@ TEST_F(LinearRub, HasTheEigenvaluesOfTheNativeTheory) {
 
 // In flight: the free rotor and ring, M a = -K x - D v, to the error of a step of first order.
 TEST_F(LinearRub, InFlightIsTheFreeMachine) {
-  const plugin::Hooks hooks;
-  char error[1000] = "";
-  const ModelPointer m(mj_loadXML(
-      (std::string(ROTORUB_MJCF_DIR) + "/examples/own_model.xml").c_str(), nullptr, error, 1000));
-  ASSERT_TRUE(m) << error;
+  const ModelPointer m = load(own_model_example());
   const DataPointer d = start(m.get());
   const plugin::LinearSystem system = plugin::linearise(m.get(), d.get(), 1e-6);
   EXPECT_TRUE(system.held.isZero(0.0));
@@ -110,7 +104,6 @@ TEST_F(LinearRub, InFlightIsTheFreeMachine) {
 // A state that was just set and one a step later have one linear system in flight, although the
 // first step of `rigid` is half a kick.
 TEST_F(LinearRub, OfAStateThatWasJustSet) {
-  const plugin::Hooks hooks;
   scene::Scene scene = shipped("bench_ring");
   const ModelPointer m = load(mjcf(scene));
   const DataPointer d = start(m.get());
@@ -126,7 +119,6 @@ TEST_F(LinearRub, OfAStateThatWasJustSet) {
 
 // In lasting contact: no state moves the gap, and nothing that is held goes on.
 TEST_F(LinearRub, HoldsTheGap) {
-  const plugin::Hooks hooks;
   const ModelPointer m = load(mjcf(shipped("bench_annular_elastic")));
   const DataPointer d = start(m.get());
   for (int k = 0; k < 200; ++k) mj_step(m.get(), d.get());

@@ -10,7 +10,9 @@
 #include "mjcf/writer.h"
 #include "native_model/bearing/actuator.h"
 #include "plugin/hooks.h"
+#include "tests/support/mujoco_document.h"
 #include "tests/support/mujoco_fixture.h"
+#include "tests/support/said.h"
 
 namespace rotorub::test {
 namespace {
@@ -19,10 +21,7 @@ namespace {
 const Electromagnet kLaw({416.7e-6, 3.0, 5e-3, 0.0});
 constexpr double kLimit = 3.0;  // A
 
-class MagnetsTest : public MujocoTest {
- protected:
-  plugin::Hooks hooks_;
-};
+using MagnetsTest = HookedTest;
 
 // No controller: ctrl is the user's.
 scene::Scene by_hand(const std::vector<std::string>& more = {}) {
@@ -99,15 +98,10 @@ TEST_F(MagnetsTest, RateOfTheCurrentIsLimited) {
 }
 
 TEST_F(MagnetsTest, EditedActuatorsAreRefused) {
-  std::string document = mjcf(by_hand()), error;
-  document.replace(document.find("gaintype=\"user\""), 15, "gaintype=\"fixed\"");
-  EXPECT_EQ(try_load(document, error), nullptr);
-  EXPECT_NE(error.find("<general name=\"actuator_1\">"), std::string::npos) << error;
-  EXPECT_NE(error.find("gaintype=\"user\""), std::string::npos) << error;
-  document = mjcf(by_hand());
-  document.replace(document.find("name=\"actuator_2\""), 17, "name=\"other\"");
-  EXPECT_EQ(try_load(document, error), nullptr);
-  EXPECT_NE(error.find("actuator_2"), std::string::npos) << error;
+  const std::string document = mjcf(by_hand());
+  EXPECT_TRUE(contains(load_refusal(replaced(document, "gaintype=\"user\"", "gaintype=\"fixed\"")),
+                       {"<general name=\"actuator_1\">", "gaintype=\"user\""}));
+  expect_refused(replaced(document, "name=\"actuator_2\"", "name=\"other\""), "actuator_2");
 }
 
 mjtNum seven(const mjModel*, const mjData*, int) { return 7.0; }

@@ -2,17 +2,15 @@
 // of a linked run.
 #include <gtest/gtest.h>
 
-#include <cstdlib>
 #include <filesystem>
 #include <fstream>
 #include <sstream>
-
-#include <unistd.h>
 
 #include "mjcf/writer.h"
 #include "native_model/trajectory/output.h"
 #include "plugin/hooks.h"
 #include "tests/support/mujoco_fixture.h"
+#include "tests/support/temporary_folder.h"
 
 namespace rotorub::test {
 namespace {
@@ -21,15 +19,6 @@ namespace fs = std::filesystem;
 
 class Preload : public MujocoTest, public ::testing::WithParamInterface<const char*> {
  protected:
-  Preload() {
-    std::string name = ::testing::UnitTest::GetInstance()->current_test_info()->name();
-    for (char& c : name) c = c == '/' ? '_' : c;
-    folder_ =
-        fs::temp_directory_path() / ("rotorub_preload_" + name + "_" + std::to_string(::getpid()));
-    fs::create_directories(folder_);
-  }
-  ~Preload() override { fs::remove_all(folder_); }
-
   // Final states of mujoco-testspeed, as lines of hexadecimal bits; `plugin`: with ours preloaded.
   std::vector<std::string> testspeed(const std::string& document, int steps, int threads,
                                      bool plugin) const {
@@ -43,11 +32,11 @@ class Preload : public MujocoTest, public ::testing::WithParamInterface<const ch
     if (plugin) libraries += std::string(ROTORUB_PLUGIN) + ":";
     libraries += keeper.string();
     // No control noise. Leaks of the foreign program are not ours to judge.
-    const std::string command = "cd " + folder_.string() + " && ASAN_OPTIONS=detect_leaks=0 " +
-                                "ROTORUB_FINAL_STATE_FILE=" + states.string() +
-                                " LD_PRELOAD=" + libraries + " mujoco-testspeed " + xml.string() +
-                                " " + std::to_string(steps) + " " + std::to_string(threads) +
-                                " 0 > out.txt 2>&1";
+    const std::string command =
+        "cd " + folder_.path().string() + " && ASAN_OPTIONS=detect_leaks=0 " +
+        "ROTORUB_FINAL_STATE_FILE=" + states.string() + " LD_PRELOAD=" + libraries +
+        " mujoco-testspeed " + xml.string() + " " + std::to_string(steps) + " " +
+        std::to_string(threads) + " 0 > out.txt 2>&1";
     EXPECT_EQ(std::system(command.c_str()), 0) << command;
     std::vector<std::string> lines;
     std::ifstream in(states);
@@ -72,18 +61,15 @@ class Preload : public MujocoTest, public ::testing::WithParamInterface<const ch
     return state_bits(m.get(), d.get());
   }
 
-  fs::path folder_;
+  const TemporaryFolder folder_;
 };
 
 // A shipped scene's, one with the native model alongside, or the example that is written by hand.
 std::string document_of(const std::string& name) {
   if (name == "shadow") return mjcf(shipped("bench_ring", {"mujoco.shadow=true"}));
   if (name != "own_model") return mjcf(shipped(name));
-  std::ifstream in(fs::path(ROTORUB_SOURCE_DIR) / "mjcf/examples/own_model.xml");
-  std::stringstream text;
-  text << in.rdbuf();
   // Without its motor the rotor would not reach the ring: it is thrown at it.
-  std::string document = text.str();
+  std::string document = own_model_example();
   const std::string start = "qvel=\"0 0 300", thrown = "qvel=\"1 0 300";
   for (std::size_t at = document.find(start); at != std::string::npos; at = document.find(start)) {
     document.replace(at, start.size(), thrown);
@@ -91,21 +77,13 @@ std::string document_of(const std::string& name) {
   return document;
 }
 
-constexpr int kTestspeedSteps = 20000;
-
+// On one thread and on two.
 TEST_P(Preload, TestspeedGivesTheBitsOfALinkedRun) {
-  const std::string document = document_of(GetParam());
-  const std::string wanted = linked(document, kTestspeedSteps);
-  const std::vector<std::string> one = testspeed(document, kTestspeedSteps, 1, true);
-  EXPECT_EQ(one.back(), wanted);
-  EXPECT_NE(testspeed(document, kTestspeedSteps, 1, false).back(), wanted)
-      << "the plugin did nothing";
-}
-
-TEST_P(Preload, TwoThreadsGiveTheBitsOfOne) {
-  const std::string document = document_of(GetParam());
-  const std::string wanted = linked(document, kTestspeedSteps);
-  const std::vector<std::string> two = testspeed(document, kTestspeedSteps, 2, true);
+  constexpr int kSteps = 20000;
+  const std::string document = document_of(GetParam()), wanted = linked(document, kSteps);
+  EXPECT_EQ(testspeed(document, kSteps, 1, true).back(), wanted);
+  EXPECT_NE(testspeed(document, kSteps, 1, false).back(), wanted) << "the plugin did nothing";
+  const std::vector<std::string> two = testspeed(document, kSteps, 2, true);
   ASSERT_GE(two.size(), 2u);
   EXPECT_EQ(two[two.size() - 1], wanted);
   EXPECT_EQ(two[two.size() - 2], wanted);

@@ -2,17 +2,15 @@
 // step, and get the bits of a linked run. Their exit codes say nothing.
 #include <gtest/gtest.h>
 
-#include <cstdlib>
 #include <filesystem>
 #include <fstream>
 #include <sstream>
-
-#include <unistd.h>
 
 #include "mjcf/writer.h"
 #include "native_model/trajectory/output.h"
 #include "plugin/hooks.h"
 #include "tests/support/mujoco_fixture.h"
+#include "tests/support/temporary_folder.h"
 
 namespace rotorub::test {
 namespace {
@@ -23,12 +21,6 @@ constexpr int kProgramSteps = 3000;
 
 class Programs : public MujocoTest {
  protected:
-  Programs() {
-    folder_ = fs::temp_directory_path() / ("rotorub_programs_" + std::to_string(::getpid()));
-    fs::create_directories(folder_);
-  }
-  ~Programs() override { fs::remove_all(folder_); }
-
   // The line that an mjData of the program leaves after kProgramSteps steps from time 0
   // (step_log.cc).
   std::string logged(const std::string& document, const std::string& program,
@@ -40,12 +32,12 @@ class Programs : public MujocoTest {
     EXPECT_TRUE(fs::exists(logger)) << logger;
     const std::string libraries =
         (plugin ? std::string(ROTORUB_PLUGIN) + ":" : std::string()) + logger.string();
-    const std::string command = "cd " + folder_.string() + " && TMPDIR=" + folder_.string() + " " +
-                                ROTORUB_SOURCE_DIR + "/tests/support/until_logged " + log.string() +
-                                " env LD_PRELOAD=" + libraries +
-                                " ROTORUB_STEP_LOG_FILE=" + log.string() +
-                                " ROTORUB_STEP_LOG_AT=" + std::to_string(kProgramSteps) + " " +
-                                program + " " + xml.string() + " " + arguments + " > out.txt 2>&1";
+    const std::string command =
+        "cd " + folder_.path().string() + " && TMPDIR=" + folder_.path().string() + " " +
+        ROTORUB_SOURCE_DIR + "/tests/support/until_logged " + log.string() +
+        " env LD_PRELOAD=" + libraries + " ROTORUB_STEP_LOG_FILE=" + log.string() +
+        " ROTORUB_STEP_LOG_AT=" + std::to_string(kProgramSteps) + " " + program + " " +
+        xml.string() + " " + arguments + " > out.txt 2>&1";
     EXPECT_EQ(std::system(command.c_str()), 0) << command;
     std::ifstream in(log);
     std::string line;
@@ -70,7 +62,7 @@ class Programs : public MujocoTest {
   // graphics driver's.
   static bool sanitized() { return std::string(ROTORUB_SANITIZER_RUNTIME) != ""; }
 
-  fs::path folder_;
+  const TemporaryFolder folder_;
 };
 
 TEST_F(Programs, SimulateStepsWithThePlugin) {

@@ -7,7 +7,6 @@
 #include "mjcf/names.h"
 #include "mjcf/writer.h"
 #include "native_model/dynamics/dynamics.h"
-#include "plugin/hooks.h"
 #include "tests/plugin/scenes.h"
 #include "tests/support/mujoco_fixture.h"
 
@@ -16,10 +15,7 @@ namespace {
 
 namespace names = mjcf_names;
 
-class RigidContact : public MujocoTest {
- protected:
-  plugin::Hooks hooks_;
-};
+using RigidContact = HookedTest;
 
 scene::Scene rigid(const std::string& text, std::vector<std::string> overrides = {}) {
   overrides.push_back("mujoco.contact=rigid");
@@ -74,20 +70,6 @@ TEST_F(RigidContact, IsSeenByMujocoButNotSolvedByIt) {
   EXPECT_NEAR(std::hypot(d->contact[0].pos[0], d->contact[0].pos[1]), 0.05 + 0.5e-3, 1e-9);
 }
 
-TEST_F(RigidContact, StepsAreTheSameAfterASecondForward) {
-  for (const char* name : {"bench_ring", "bench_billiard"}) {
-    const ModelPointer m = load(mjcf(rigid_bench(name)));
-    const DataPointer once = start(m.get()), twice = start(m.get());
-    for (int k = 0; k < 5000; ++k) {
-      mj_step(m.get(), once.get());
-      mj_forward(m.get(), twice.get());
-      mj_forwardSkip(m.get(), twice.get(), mjSTAGE_VEL, 0);
-      mj_step(m.get(), twice.get());
-    }
-    EXPECT_EQ(state_of(m.get(), once.get()), state_of(m.get(), twice.get())) << name;
-  }
-}
-
 // A load of the user's own counts, and stays as it was.
 TEST_F(RigidContact, LeavesTheUsersForcesAlone) {
   const ModelPointer m = load(mjcf(rigid(kBrake)));
@@ -98,32 +80,6 @@ TEST_F(RigidContact, LeavesTheUsersForcesAlone) {
   for (int k = 0; k < 10000; ++k) mj_step(m.get(), d.get());
   EXPECT_EQ(d->qfrc_applied[y], -50.0);
   EXPECT_NEAR(sensor(m.get(), d.get(), names::kNormalForce), 175.0, 1.75);
-}
-
-TEST_F(RigidContact, RefusesRungeKutta) {
-  const ModelPointer m = load(mjcf(rigid_bench("bench_ring")));
-  const DataPointer d = start(m.get());
-  m->opt.integrator = mjINT_RK4;
-  try {
-    mj_step(m.get(), d.get());
-    FAIL();
-  } catch (const std::exception& error) {
-    EXPECT_NE(std::string(error.what()).find("RK4"), std::string::npos);
-    EXPECT_NE(std::string(error.what()).find("Euler, implicit"), std::string::npos);
-  }
-}
-
-// A start outside the wall comes back in and does not fly off.
-TEST_F(RigidContact, TakesADepthBackGently) {
-  const ModelPointer m = load(mjcf(rigid(kNeverTouches)));
-  const DataPointer d = start(m.get());
-  d->qpos[0] = 5.1e-3;
-  d->qpos[1] = 0.0;
-  d->qvel[0] = d->qvel[1] = 0.0;
-  const double elastic = 0.5 * 2e5 * 5.1e-3 * 5.1e-3;
-  for (int k = 0; k < 100; ++k) mj_step(m.get(), d.get());
-  EXPECT_GT(sensor(m.get(), d.get(), names::kGap), -1e-9);
-  EXPECT_LT(mju_dot(d->qvel, d->qvel, 2), 4.2e2 * elastic);
 }
 
 }  // namespace

@@ -63,7 +63,7 @@ x = [1e-3]
 vy = [0.2]
 )";
 
-// A synchronous full annular rub on a rigid ring; the closed form stands in coulomb_test.cc.
+// A synchronous full annular rub on a rigid ring; the closed form stands in exact_rub_test.cc.
 inline const std::string kAnnularRub = R"(
 [run]
 end = 1.0

@@ -7,7 +7,6 @@
 
 #include "native_model/run/run_native.h"
 #include "plugin/config.h"
-#include "plugin/hooks.h"
 #include "plugin/shadow.h"
 #include "plugin/user_data.h"
 #include "tests/support/mujoco_fixture.h"
@@ -45,9 +44,6 @@ inline Trajectory every_step(const scene::Scene& scene, int steps) {
   return run_native(own, options);
 }
 
-class Shadow : public MujocoTest {
- protected:
-  plugin::Hooks hooks_;
-};
+using Shadow = HookedTest;
 
 }  // namespace rotorub::test

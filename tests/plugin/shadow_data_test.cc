@@ -8,8 +8,8 @@
 #include "mjcf/names.h"
 #include "mjcf/writer.h"
 #include "native_model/trajectory/trajectory.h"
-#include "plugin/hooks.h"
 #include "tests/plugin/shadow.h"
+#include "tests/support/said.h"
 
 namespace rotorub::test {
 namespace {
@@ -19,7 +19,7 @@ namespace names = mjcf_names;
 constexpr int kShadowSteps = 3000;
 
 // Its controller is sampled and on from the start: everything that is remembered is in use.
-class ShadowData : public MujocoTest {
+class ShadowData : public HookedTest {
  protected:
   ShadowData()
       : model_(
@@ -37,32 +37,9 @@ class ShadowData : public MujocoTest {
     return shadow(d.get());
   }
 
-  plugin::Hooks hooks_;
   ModelPointer model_;
   plugin::Config config_;
 };
-
-TEST_F(ShadowData, ResetStartsAnew) {
-  const DataPointer d = start(model_.get());
-  steps(d.get(), kShadowSteps);
-  const std::vector<double> first = shadow(d.get());
-  mj_resetDataKeyframe(model_.get(), d.get(), 0);
-  EXPECT_EQ(entry(config_, d.get(), plugin::kShadowBegun), 0.0);
-  steps(d.get(), kShadowSteps);
-  EXPECT_EQ(shadow(d.get()), first);
-}
-
-TEST_F(ShadowData, CopyGoesOnAlikeInAnotherThread) {
-  const DataPointer d = start(model_.get());
-  steps(d.get(), kShadowSteps);
-  const DataPointer copy(mj_makeData(model_.get()));
-  mj_copyData(copy.get(), model_.get(), d.get());
-  std::thread other([&] { steps(copy.get(), kShadowSteps); });
-  steps(d.get(), kShadowSteps);
-  other.join();
-  EXPECT_EQ(shadow(copy.get()), shadow(d.get()));
-  EXPECT_EQ(shadow(d.get()), shadow_after(2 * kShadowSteps));
-}
 
 TEST_F(ShadowData, ThreadsGetTheSameBits) {
   const std::vector<double> alone = shadow_after(kShadowSteps);
@@ -134,11 +111,8 @@ TEST_F(ShadowData, ANewStepStartsAnew) {
 }
 
 TEST_F(ShadowData, AStepThatIsTooLargeIsRefusedByItsKey) {
-  std::string error;
-  EXPECT_EQ(try_load(mjcf(shadowed("bench_ring", {"run.step=0.05"})), error), nullptr);
-  EXPECT_NE(error.find("mujoco.shadow"), std::string::npos) << error;
-  EXPECT_NE(error.find("the limit of the stiffest bending mode"), std::string::npos) << error;
-  EXPECT_NE(error.find("run.step"), std::string::npos) << error;
+  EXPECT_TRUE(contains(load_refusal(mjcf(shadowed("bench_ring", {"run.step=0.05"}))),
+                       {"mujoco.shadow", "the limit of the stiffest bending mode", "run.step"}));
 }
 
 int warnings = 0;

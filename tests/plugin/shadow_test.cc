@@ -10,7 +10,6 @@
 #include "mjcf/names.h"
 #include "mjcf/writer.h"
 #include "native_model/dynamics/dynamics.h"
-#include "native_model/run/run_native.h"
 #include "native_model/stepping/stepper.h"
 #include "tests/plugin/shadow.h"
 
@@ -134,37 +133,6 @@ TEST_F(Shadow, LeavesMujocosMotionToTheBit) {
     }
     EXPECT_TRUE(touched || std::string(machine.name) == "bench_drop");
   }
-}
-
-// Both of first order against one truth: the difference falls with the step.
-TEST_F(Shadow, AgreesWithRigidToFirstOrder) {
-  const auto apart = [](const char* step) {
-    const scene::Scene scene = shadowed("bench_ring", {std::string("run.step=") + step});
-    const ModelPointer m = load(mjcf(scene));
-    const DataPointer d = start(m.get());
-    struct {
-      double position = 0.0, force = 0.0;
-    } out;
-    const int steps = static_cast<int>(std::lround(0.1 / scene.run.step));
-    for (int k = 0; k < steps; ++k) {
-      mj_step(m.get(), d.get());
-      const Eigen::Vector2d own = point(m.get(), d.get(), names::kRotorPosition);
-      const Eigen::Vector2d its = point(m.get(), d.get(), names::kShadowRotor);
-      out.position = std::max(out.position, (own - its).norm());
-      if (k * scene.run.step < 0.05) continue;  // settled: sliding contact
-      const double f = sensor(m.get(), d.get(), names::kNormalForce);
-      out.force =
-          std::max(out.force, std::abs(f - sensor(m.get(), d.get(), names::kShadowNormalForce)));
-    }
-    return out;
-  };
-  const auto coarse = apart("1e-4"), fine = apart("1e-5");
-  std::printf("rotor apart %.2e m at 1e-4, %.2e at 1e-5; lasting force %.2e, %.2e N\n",
-              coarse.position, fine.position, coarse.force, fine.force);
-  EXPECT_LT(fine.position, 2e-5) << "of 2 mm";
-  EXPECT_GT(fine.position, 1e-9) << "two different integrators";
-  EXPECT_LT(fine.position, 0.2 * coarse.position);
-  EXPECT_LT(fine.force, 0.2 * coarse.force);
 }
 
 // The segment rotor is another model: its shadow starts where its modes are and stays near.

@@ -96,7 +96,7 @@ struct Life {
   int steps = 0;  // from the start
 };
 
-class TortureTest : public MujocoTest {
+class TortureTest : public HookedTest {
  protected:
   TortureTest() {
     for (const std::string& document : documents()) plain_.emplace_back(document);
@@ -174,7 +174,6 @@ class TortureTest : public MujocoTest {
     }
   }
 
-  plugin::Hooks hooks_;
   std::mt19937 random_{20240229};
   std::vector<PlainRun> plain_;
   std::vector<Life> runs_;
@@ -186,16 +185,6 @@ TEST_F(TortureTest, ResetsCopiesAndReloadsLeaveTheBits) {
     if (k % 4 == 0) expect_plain(any());
   }
   for (const Life& run : runs_) expect_plain(run);
-}
-
-// The single actions a thousand times each: a leak or a stale cache shows here.
-TEST_F(TortureTest, AThousandResets) {
-  for (int k = 0; k < 1000 && !HasFailure(); ++k) {
-    Life& run = any();
-    restart(run);
-    step(run, 1 + below(20));
-    expect_plain(run);
-  }
 }
 
 // Callbacks of others, put in front of ours and below, taken away in any order.

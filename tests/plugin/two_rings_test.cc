@@ -9,8 +9,7 @@
 #include "mjcf/writer.h"
 #include "native_model/dynamics/dynamics.h"
 #include "plugin/generated_rotor.h"
-#include "plugin/hooks.h"
-#include "tests/plugin/scenes.h"
+#include "tests/support/mujoco_document.h"
 #include "tests/support/mujoco_fixture.h"
 #include "tests/support/native_run.h"
 #include "tests/support/two_rings.h"
@@ -35,7 +34,6 @@ struct Outcome {
 };
 
 Outcome in_mujoco(const scene::Scene& scene) {
-  const plugin::Hooks hooks;
   const ModelPointer m = load(mjcf(scene));
   const DataPointer d = start(m.get());
   const plugin::Config config = plugin::make_config(m.get());
@@ -92,7 +90,7 @@ Errors errors(const std::string& name, const std::string& contact, double step) 
   return e;
 }
 
-class TwoRingsInMujoco : public MujocoTest, public testing::WithParamInterface<const char*> {};
+class TwoRingsInMujoco : public HookedTest, public testing::WithParamInterface<const char*> {};
 
 TEST_P(TwoRingsInMujoco, RigidAgreesToTheOrderOfTheStep) {
   const Errors coarse = errors(GetParam(), "rigid", 5e-5), fine = errors(GetParam(), "rigid", 5e-6);
@@ -117,13 +115,12 @@ INSTANTIATE_TEST_SUITE_P(, TwoRingsInMujoco,
                                          "cylindrical"),
                          [](const auto& of) { return std::string(of.param); });
 
-class SeveralOnTheChain : public MujocoTest {};
+using SeveralOnTheChain = HookedTest;
 
 // One contact may be held by nothing but the other's force.
 TEST_F(SeveralOnTheChain, OnePressesTheOther) {
   for (const char* contact : {"rigid", "coulomb"}) {
     const std::vector<std::string> overrides{std::string("mujoco.contact=\"") + contact + "\""};
-    const plugin::Hooks hooks;
     const ModelPointer m = load(mjcf(lever_in_two_rings(overrides)));
     const DataPointer d = start(m.get());
     const auto force = [&](std::size_t i) {
@@ -162,7 +159,6 @@ TEST_F(SeveralOnTheChain, KnowTheUnbalanceOfAFreeSpin) {
 
 // The plugin puts the geoms of the second contact where the modes move the rotor, a step late.
 TEST_F(SeveralOnTheChain, HaveTheirGeomsWhereTheModesAre) {
-  const plugin::Hooks hooks;
   const ModelPointer m = load(mjcf(two_rings("conical", "rigid", 1e-5)));
   const DataPointer d = start(m.get());
   const plugin::Config config = plugin::make_config(m.get());
@@ -182,32 +178,17 @@ TEST_F(SeveralOnTheChain, HaveTheirGeomsWhereTheModesAre) {
   EXPECT_GT(before.norm(), 1e-4);
 }
 
-std::string refusal(const std::string& document) {
-  const ModelPointer m = load(document);
-  try {
-    plugin::make_config(m.get());
-  } catch (const plugin::ConfigError& error) {
-    return error.what();
-  }
-  return "taken";
-}
-
 TEST_F(SeveralOnTheChain, AreRefusedWhereTheirRowsAreNotKnown) {
   const std::string document = mjcf(two_rings("conical", "rigid", 1e-5));
-  EXPECT_EQ(refusal(document), "taken");
-  const auto with = [&](const std::string& from, const std::string& to) {
-    std::string text = document;
-    text.replace(text.find(from), from.size(), to);
-    return refusal(text);
-  };
-  const std::string cone =
-      with("name=\"rotorub_contact\" data=\"rigid\"", "name=\"rotorub_contact\" data=\"cone\"");
-  EXPECT_NE(cone.find("mujoco.rotor = \"segments\""), std::string::npos) << cone;
-  const std::string limit =
-      with("<joint name=\"x_1\"", "<joint limited=\"true\" range=\"-1 1\" name=\"x_1\"");
-  EXPECT_NE(limit.find("<joint name=\"x_1\" limited>"), std::string::npos) << limit;
-  const std::string fixed = with("<body name=\"rotor_2\" mocap=\"true\"", "<body name=\"rotor_2\"");
-  EXPECT_NE(fixed.find("mocap=\"true\""), std::string::npos) << fixed;
+  load(document);
+  const std::string contact = "name=\"rotorub_contact\" data=\"";
+  expect_refused(replaced(document, contact + "rigid", contact + "cone"),
+                 "mujoco.rotor = \"segments\"");
+  expect_refused(replaced(document, "<joint name=\"x_1\"",
+                          "<joint limited=\"true\" range=\"-1 1\" name=\"x_1\""),
+                 "<joint name=\"x_1\" limited>");
+  const std::string rotor = "<body name=\"rotor_2\"";
+  expect_refused(replaced(document, rotor + " mocap=\"true\"", rotor), "mocap=\"true\"");
 }
 
 }  // namespace

@@ -7,14 +7,13 @@
 #include <fstream>
 #include <sstream>
 
-#include <unistd.h>
-
 #include "mjcf/names.h"
 #include "mjcf/writer.h"
 #include "native_model/trajectory/output.h"
 #include "tests/plugin/own/two_rings.h"
 #include "tests/support/mujoco_document.h"
 #include "tests/support/mujoco_fixture.h"
+#include "tests/support/temporary_folder.h"
 
 namespace rotorub::test {
 namespace {
@@ -30,11 +29,7 @@ struct Line {
 
 class Program : public MujocoTest {
  protected:
-  explicit Program(bool linked) : linked_(linked) {
-    folder_ = fs::temp_directory_path() / ("rotorub_user_" + std::to_string(::getpid()));
-    fs::create_directories(folder_);
-  }
-  ~Program() override { fs::remove_all(folder_); }
+  explicit Program(bool linked) : linked_(linked) {}
 
   // The program's lines for a case.
   std::string said(const std::string& document, const std::string& what,
@@ -46,7 +41,7 @@ class Program : public MujocoTest {
     EXPECT_TRUE(fs::exists(program)) << program;
     std::string libraries = ROTORUB_SANITIZER_RUNTIME;
     if (!linked_) libraries += (libraries.empty() ? "" : ":") + std::string(ROTORUB_PLUGIN);
-    const std::string command = "cd " + folder_.string() +
+    const std::string command = "cd " + folder_.path().string() +
                                 " && ASAN_OPTIONS=detect_leaks=0 LD_PRELOAD=" + libraries + " " +
                                 program.string() + " " + xml.string() + " " + what + " " +
                                 std::to_string(steps) + " " + mjcf_names::kRotorContact + " " +
@@ -70,7 +65,7 @@ class Program : public MujocoTest {
   }
 
   bool linked_;
-  fs::path folder_;
+  const TemporaryFolder folder_;
 };
 
 class UserCallbacks : public Program, public ::testing::WithParamInterface<bool> {

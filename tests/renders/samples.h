@@ -2,7 +2,6 @@
 #pragma once
 
 #include <gtest/gtest.h>
-#include <unistd.h>
 
 #include <algorithm>
 #include <cmath>
@@ -13,6 +12,8 @@
 #include "native_model/scene/reader.h"
 #include "native_model/trajectory/trajectory.h"
 #include "renders/sheet.h"
+#include "tests/support/said.h"
+#include "tests/support/temporary_folder.h"
 
 namespace rotorub::renders {
 
@@ -110,6 +111,13 @@ inline Trajectory resting_run(const Row& row) {
   return made_run(11, [&row](double) { return row; });
 }
 
+// In touch with the ring from the middle on.
+inline Trajectory late_touch() {
+  return made_run(101, [](double t) {
+    return Row{.rotor_x = kClearance, .normal_force = t > 0.0495 ? 5.0 : 0.0};
+  });
+}
+
 // A whirl in touch with the ring, forwards at 20 Hz.
 inline Trajectory whirling_run() {
   return made_run(401, [](double t) {
@@ -124,28 +132,11 @@ inline Trajectory whirling_run() {
   });
 }
 
-// An empty folder of its own for one test, removed with all that is in it.
-class Folder {
+class Folder : public test::TemporaryFolder {
  public:
-  Folder() {
-    const auto* test = ::testing::UnitTest::GetInstance()->current_test_info();
-    path_ = std::filesystem::temp_directory_path() /
-            ("rotorub-" + std::string(test->test_suite_name()) + "-" + test->name() + "-" +
-             std::to_string(::getpid()));
-    std::filesystem::create_directories(path_);
-  }
-  ~Folder() {
-    std::error_code ignored;
-    std::filesystem::remove_all(path_, ignored);
-  }
-  std::filesystem::path operator/(const std::string& name) const { return path_ / name; }
-  const std::filesystem::path& path() const { return path_; }
   std::size_t entries() const {
-    return static_cast<std::size_t>(std::distance(std::filesystem::directory_iterator(path_), {}));
+    return static_cast<std::size_t>(std::distance(std::filesystem::directory_iterator(path()), {}));
   }
-
- private:
-  std::filesystem::path path_;
 };
 
 inline bool same(const Picture& a, const Picture& b) {
@@ -155,12 +146,7 @@ inline bool same(const Picture& a, const Picture& b) {
 // `act` throws an Error whose words hold `word`.
 template <class Error, class Act>
 void expect_thrown(Act act, const std::string& word) {
-  try {
-    act();
-    ADD_FAILURE() << "nothing was thrown that names " << word;
-  } catch (const Error& error) {
-    EXPECT_NE(std::string(error.what()).find(word), std::string::npos) << error.what();
-  }
+  EXPECT_TRUE(test::contains(test::message_of<Error>(act), word));
 }
 
 using Test = std::function<bool(int red, int green, int blue)>;

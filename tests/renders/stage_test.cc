@@ -105,20 +105,19 @@ double volume(const Mesh& mesh) {
 // Area of the regular polygon that stands for a circle of radius 1, per radian.
 double polygon(double step) { return 0.5 * std::sin(step) / step; }
 
+// A whole ring, a part of one between flat ends, and a disc.
 TEST(Mesh, RingEnclosesItsVolume) {
-  const Mesh ring = ring_mesh("ring", {0.3, 0.5, 0.1, 0.0, 2.0 * kPi, 64});
-  const double expected = 0.2 * (0.25 - 0.09) * 2.0 * kPi * polygon(2.0 * kPi / 64);
-  EXPECT_NEAR(volume(ring), expected, 1e-12);
-}
-
-TEST(Mesh, PartOfARingIsClosedByFlatEnds) {
-  const Mesh part = ring_mesh("part", {0.3, 0.5, 0.1, 0.4, 2.4, 20});
-  EXPECT_NEAR(volume(part), 0.2 * (0.25 - 0.09) * 2.0 * polygon(0.1), 1e-12);
-}
-
-TEST(Mesh, RingWithoutABoreIsADisc) {
-  const Mesh disc = ring_mesh("disc", {0.0, 0.5, 0.1, 0.0, 2.0 * kPi, 48});
-  EXPECT_NEAR(volume(disc), 0.2 * 0.25 * 2.0 * kPi * polygon(2.0 * kPi / 48), 1e-12);
+  struct Case {
+    double bore, from, to;
+    int pieces;
+  };
+  for (const Case& c :
+       {Case{0.3, 0.0, 2.0 * kPi, 64}, {0.3, 0.4, 2.4, 20}, {0.0, 0.0, 2.0 * kPi, 48}}) {
+    const Mesh mesh = ring_mesh("ring", {c.bore, 0.5, 0.1, c.from, c.to, c.pieces});
+    const double angle = c.to - c.from;
+    EXPECT_NEAR(volume(mesh), 0.2 * (0.25 - c.bore * c.bore) * angle * polygon(angle / c.pieces),
+                1e-12);
+  }
 }
 
 TEST(Mesh, NormalsPointOutwardsAndHaveLengthOne) {

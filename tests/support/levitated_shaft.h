@@ -7,6 +7,7 @@
 #include "native_model/scene/diagnostic.h"
 #include "native_model/scene/reader.h"
 #include "native_model/system/model.h"
+#include "tests/support/said.h"
 
 namespace rotorub::test {
 
@@ -50,12 +51,7 @@ inline scene::Scene held_shaft(const std::string& bearings,
 
 // Why there is no model of it; empty: there is one.
 inline std::string model_refusal(const scene::Scene& scene) {
-  try {
-    make_model(scene);
-  } catch (const scene::SceneError& error) {
-    return error.what();
-  }
-  return "";
+  return message_of<scene::SceneError>([&] { make_model(scene); });
 }
 
 }  // namespace rotorub::test

@@ -11,6 +11,7 @@
 #include "native_model/scene/reader.h"
 #include "plugin/mujoco_versions.h"
 #include "tests/support/mujoco_document.h"
+#include "tests/support/said.h"
 
 namespace rotorub::test {
 namespace {
@@ -46,6 +47,15 @@ ModelPointer load(const std::string& document) {
     throw std::runtime_error(error);
   }
   return model;
+}
+
+std::string load_refusal(const std::string& document) {
+  std::string error;
+  return try_load(document, error) ? "" : error;
+}
+
+void expect_refused(const std::string& document, std::string_view named) {
+  EXPECT_TRUE(contains(load_refusal(document), named));
 }
 
 DataPointer start(const mjModel* m) {
@@ -96,6 +106,10 @@ std::vector<std::string> shipped_names() {
   }
   std::sort(names.begin(), names.end());
   return names;
+}
+
+std::string own_model_example() {
+  return scene::file_text(ROTORUB_MJCF_DIR "/examples/own_model.xml");
 }
 
 }  // namespace rotorub::test

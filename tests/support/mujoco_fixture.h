@@ -6,9 +6,11 @@
 
 #include <memory>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "native_model/scene/scene.h"
+#include "plugin/hooks.h"
 #include "tests/support/native_run.h"
 
 namespace rotorub::test {
@@ -24,6 +26,9 @@ using DataPointer = std::unique_ptr<mjData, MujocoDelete>;
 ModelPointer try_load(const std::string& document, std::string& error);
 // A refusal fails the test and throws.
 ModelPointer load(const std::string& document);
+// MuJoCo's message where the document is refused; empty: it is loaded.
+std::string load_refusal(const std::string& document);
+void expect_refused(const std::string& document, std::string_view named);
 
 // mjData at the keyframe "start", or mj_resetData's where there is none.
 DataPointer start(const mjModel* m);
@@ -39,6 +44,7 @@ double sensor(const mjModel* m, const mjData* d, const char* name);
 // A scene written in the test; a shipped one: native_run.h.
 scene::Scene parsed(const std::string& text, const std::vector<std::string>& overrides = {});
 std::vector<std::string> shipped_names();  // every mjcf/*.toml, without ending
+std::string own_model_example();           // the text of mjcf/examples/own_model.xml
 
 class MujocoTest : public ::testing::Test {
  protected:
@@ -48,6 +54,11 @@ class MujocoTest : public ::testing::Test {
  private:
   void (*previous_error_)(const char*);
   void (*previous_warning_)(const char*);
+};
+
+// With the plugin's callbacks.
+class HookedTest : public MujocoTest {
+  plugin::Hooks hooks_;
 };
 
 }  // namespace rotorub::test

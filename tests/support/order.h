@@ -97,4 +97,13 @@ struct Convergence {
   }
 };
 
+// What error(step) is at each of the steps.
+template <class Error>
+Convergence convergence(const std::vector<double>& steps, const Error& error) {
+  Convergence c;
+  c.steps = steps;
+  for (const double step : steps) c.errors.push_back(error(step));
+  return c;
+}
+
 }  // namespace rotorub::test

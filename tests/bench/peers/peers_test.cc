@@ -12,6 +12,7 @@
 #include "tests/bench/peers/penalty.h"
 #include "tests/bench/peers/planar_scene.h"
 #include "tests/support/native_run.h"
+#include "tests/support/said.h"
 
 namespace rotorub::peers {
 namespace {
@@ -29,6 +30,16 @@ bool required() {
   return value && std::string(value) == "1";
 }
 
+double error_of(const PeerVariant& variant, const scene::Scene& scene, double step) {
+  RunRequest request;
+  request.output_times = bench::common_times(scene.run, {1e-4, 1e-5});
+  const bench::Reference r = bench::make_reference(scene, request);
+  request.step = step;
+  const Trajectory t = variant.engine->run(scene, request);
+  EXPECT_EQ(t.status, Status::kOk) << variant.setting << ": " << t.message;
+  return bench::position_distance(t, r.trajectory);
+}
+
 class EveryPeer : public testing::TestWithParam<std::string> {
  protected:
   void SetUp() override {
@@ -39,13 +50,7 @@ class EveryPeer : public testing::TestWithParam<std::string> {
   }
   const Engine& engine() const { return *peer(GetParam()).variants.front().engine; }
   double error(const scene::Scene& scene, double step) const {
-    RunRequest request;
-    request.output_times = bench::common_times(scene.run, {1e-4, 1e-5});
-    const bench::Reference r = bench::make_reference(scene, request);
-    request.step = step;
-    const Trajectory t = engine().run(scene, request);
-    EXPECT_EQ(t.status, Status::kOk) << t.message;
-    return bench::position_distance(t, r.trajectory);
+    return error_of(peer(GetParam()).variants.front(), scene, step);
   }
 };
 
@@ -103,12 +108,8 @@ TEST_P(EveryPeer, RefusesWhatItCannotHold) {
         Case{"bench_ring", "stator.dry_friction={force=9.0,presliding=1e-5}", "spring"},
         Case{"bench_ring", "contact.compliance.stiffness=1e7", "gives"},
         Case{"bench_ring", "gravity.acceleration=[0.0,-9.81]", "gravity"}}) {
-    try {
-      engine().run(shipped(c.scene, {c.override}), {});
-      ADD_FAILURE() << c.part << " was taken";
-    } catch (const std::runtime_error& error) {
-      EXPECT_NE(std::string(error.what()).find(c.part), std::string::npos) << error.what();
-    }
+    EXPECT_TRUE(test::contains(
+        test::message_of([&] { engine().run(shipped(c.scene, {c.override}), {}); }), c.part));
   }
 }
 
@@ -122,23 +123,12 @@ TEST(ModulePeer, SaysWhatIsMissing) {
   EXPECT_NE(none.missing.find("libnothing-dev"), std::string::npos) << none.missing;
 }
 
-// ---------------------------------------------------------------- the penalty law's settings
-double variant_error(const PeerVariant& variant, const scene::Scene& scene, double step) {
-  RunRequest request;
-  request.output_times = bench::common_times(scene.run, {1e-4, 1e-5});
-  const bench::Reference r = bench::make_reference(scene, request);
-  request.step = step;
-  const Trajectory t = variant.engine->run(scene, request);
-  EXPECT_EQ(t.status, Status::kOk) << variant.setting << ": " << t.message;
-  return bench::position_distance(t, r.trajectory);
-}
-
 // Every one of them, up to two steps a bounce and the implicit ones, goes to the rigid contact.
 TEST(PenaltyVariants, AllConverge) {
   const scene::Scene scene = shipped("bench_annular_rigid", {"run.end=0.05"});
   ASSERT_EQ(peer("penalty").variants.size(), 6u);
   for (const PeerVariant& v : peer("penalty").variants) {
-    const double coarse = variant_error(v, scene, 1e-4), fine = variant_error(v, scene, 1e-5);
+    const double coarse = error_of(v, scene, 1e-4), fine = error_of(v, scene, 1e-5);
     EXPECT_LT(fine, 0.3 * coarse) << v.setting;
   }
 }
@@ -147,8 +137,7 @@ TEST(PenaltyVariants, AllConverge) {
 TEST(PenaltyVariants, AStifferLawIsTheBetterOneInALastingRub) {
   const scene::Scene scene = shipped("bench_annular_rigid", {"run.end=0.05"});
   const auto& all = peer("penalty").variants;
-  const double soft = variant_error(all[0], scene, 2e-5),
-               stiff = variant_error(all[3], scene, 2e-5);
+  const double soft = error_of(all[0], scene, 2e-5), stiff = error_of(all[3], scene, 2e-5);
   EXPECT_LT(stiff, 0.1 * soft);
 }
 
@@ -247,23 +236,11 @@ TEST(PenaltyForce, PerAxisFrictionIsNotTangential) {
 }
 
 // ---------------------------------------------------------------- what is handed over
-TEST(PlanarSystem, HoldsTheNumbersOfTheScene) {
-  const PlanarSystem s = planar_system(shipped("bench_ring"));
-  EXPECT_EQ(s.rotor.mass, (Pair{2.0, 2.0}));
-  EXPECT_EQ(s.rotor.damping, (Pair{40.0, 40.0}));
-  EXPECT_TRUE(s.ring_moves);
-  EXPECT_EQ(s.ring.stiffness, (Pair{1e5, 1e5}));
-  EXPECT_TRUE(s.spin_is_free);
-  EXPECT_EQ(s.inertia, 1e-3);
-  EXPECT_EQ(s.drive_gain, 0.5);
-  EXPECT_EQ(s.restitution, 0.5);
-  const double w = 100.0 * 3.141592653589793;
-  EXPECT_NEAR(s.load(0.003)[0], 150.0 * std::cos(w * 0.003), 1e-9);
-  EXPECT_NEAR(s.load(0.003)[1], 150.0 * std::sin(w * 0.003), 1e-9);
-
+// Its other numbers show in the runs above.
+TEST(PlanarSystem, HasTheStartOfTheScene) {
   const PlanarSystem held = planar_system(shipped("bench_whip"));
   EXPECT_FALSE(held.spin_is_free);
-  EXPECT_NEAR(held.speed, w, 1e-9);
+  EXPECT_NEAR(held.speed, 100.0 * 3.141592653589793, 1e-9);
   EXPECT_EQ(held.ring_velocity[0], 0.020349360147386315);
 }
 

@@ -24,15 +24,6 @@ TEST(Electromagnet, ForceByHand) {
   EXPECT_NEAR(law.force(1e-3, 1.0), 4e-4 * 1e6 * (1.0 - 1.0 / 9.0) - 20.0, 1e-12);
 }
 
-TEST(Electromagnet, SlopesInTheMiddle) {
-  const Electromagnet law(kMagnet);
-  const double per_ampere = 4.0 * 4e-4 * 3.0 / 25e-6;
-  const double per_metre = 4.0 * 4e-4 * 9.0 / 125e-9 - 2e4;
-  EXPECT_NEAR(law.gain(0.0, 0.0), per_ampere, 1e-12 * per_ampere);
-  const double s = 1e-8;
-  EXPECT_NEAR((law.force(s, 0.0) - law.force(-s, 0.0)) / (2.0 * s), per_metre, 1e-8 * per_metre);
-}
-
 TEST(Electromagnet, GainAndBiasMakeTheForce) {
   const Electromagnet law(kMagnet);
   std::mt19937_64 random(1);
@@ -111,17 +102,6 @@ double largest_error(const ForceTable& table, double (*f)(double, double)) {
     most = std::max(most, std::abs(table.force(s, i) - f(s, i)));
   }
   return most;
-}
-
-TEST(ForceTable, GoesThroughItsPoints) {
-  const ForceGrid g = grid(6, of_magnet);
-  const ForceTable table(g);
-  for (std::size_t a = 0; a < g.position.size(); ++a) {
-    for (std::size_t b = 0; b < g.current.size(); ++b) {
-      EXPECT_NEAR(table.force(g.position[a], g.current[b]), g.force[a * g.current.size() + b],
-                  1e-9);
-    }
-  }
 }
 
 TEST(ForceTable, IsExactForCubics) {

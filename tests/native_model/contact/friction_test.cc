@@ -17,16 +17,6 @@
 namespace rotorub {
 namespace {
 
-TEST(Friction, ANumberIsCoulombsLaw) {
-  const FrictionLaw law = 0.3;
-  for (const double slip : {-20.0, -1e-9, 0.0, 0.4, 5.0}) EXPECT_EQ(law.at(slip), 0.3);
-  EXPECT_EQ(law.sticking(), 0.3);
-  EXPECT_TRUE(law.is_constant());
-  EXPECT_FALSE(law.none());
-  EXPECT_TRUE(FrictionLaw{}.none());
-  EXPECT_EQ(law.constant("a cone"), 0.3);
-}
-
 // The law of a bearing of bronze, say: falls within 0.1 m/s, and grows by a hundredth a m/s.
 FrictionLaw falling(double viscous = 0.01) {
   FrictionLaw law = 0.15;

@@ -22,15 +22,6 @@ ImpactResidual residual(const Delassus& g, double gap_rate, double slip, const I
                           law.friction.coefficient, law.restitution, law.tangential_restitution});
 }
 
-TEST(Impact, StickByHand) {
-  // G = diag(1, 2): compression takes L_NC = 1, L_TC = -0.1 and expansion half of each (eps_T = 1).
-  const ImpactResult r = solve_impact({1.0, 0.0, 0.0, 2.0}, -1.0, 0.2, {0.5, 0.5, 1.0});
-  EXPECT_DOUBLE_EQ(r.normal_compression, 1.0);
-  EXPECT_DOUBLE_EQ(r.friction_compression, -0.1);
-  EXPECT_DOUBLE_EQ(r.gap_rate, 0.5);
-  EXPECT_DOUBLE_EQ(r.slip, -0.1);
-}
-
 TEST(Impact, PlanarOracleSweep) {
   for (const double mu : {0.0, 0.1, 0.3, 1.0, 10.0}) {
     for (const double eps_n : {0.0, 0.3, 1.0}) {

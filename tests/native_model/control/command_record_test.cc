@@ -3,13 +3,13 @@
 
 #include <gtest/gtest.h>
 
-#include <cmath>
-
-#include "native_model/run/run_native.h"
-#include "native_model/scene/reader.h"
+#include "tests/support/native_run.h"
+#include "tests/support/order.h"
 
 namespace rotorub {
 namespace {
+
+using test::trajectory_error;
 
 constexpr double kSample = 1e-3;  // s, of the sampled controller below
 
@@ -18,7 +18,7 @@ scene::Scene sampled(const std::vector<std::string>& more = {}) {
                                      "controller.stiffness=5e4", "controller.damping=100",
                                      "controller.sample_time=1e-3"};
   overrides.insert(overrides.end(), more.begin(), more.end());
-  return scene::read_scene(std::string(ROTORUB_MJCF_DIR) + "/bench_ring.toml", overrides);
+  return test::shipped("bench_ring", overrides);
 }
 
 Trajectory run(const scene::Scene& scene, scene::Integrator integrator,
@@ -43,16 +43,6 @@ std::shared_ptr<const CommandRecord> told(const scene::Scene& scene, const char*
     record->add(static_cast<double>(k) * kSample, {t.column(x)[k], t.column(y)[k]});
   }
   return record;
-}
-
-double furthest(const Trajectory& a, const Trajectory& b) {
-  double most = 0.0;
-  for (const char* name : {"rotor_x", "rotor_y", "stator_x", "stator_y"}) {
-    for (std::size_t i = 0; i < a.rows(); ++i) {
-      most = std::max(most, std::abs(a.column(name)[i] - b.column(name)[i]));
-    }
-  }
-  return most;
 }
 
 TEST(CommandRecord, HoldsFromPieceToPiece) {
@@ -89,12 +79,12 @@ TEST(Replay, IsTheClosedLoopsTrajectory) {
   const Trajectory closed = run(scene, scene::Integrator::kEvent);
   const Trajectory open = run(scene, scene::Integrator::kEvent, commands);
   ASSERT_GT(closed.impacts.size(), 3U);
-  EXPECT_LT(furthest(closed, open), 1e-12);
+  EXPECT_LT(trajectory_error(closed, open), 1e-12);
   EXPECT_EQ(closed.impacts.size(), open.impacts.size());
   // Without them it is another motion.
-  EXPECT_GT(
-      furthest(closed, run(scene, scene::Integrator::kEvent, std::make_shared<CommandRecord>())),
-      1e-5);
+  EXPECT_GT(trajectory_error(
+                closed, run(scene, scene::Integrator::kEvent, std::make_shared<CommandRecord>())),
+            1e-5);
 }
 
 // With magnets it is currents that are told; the forces follow from the ring's own place.
@@ -104,7 +94,7 @@ TEST(Replay, GivesMagnetsTheirCurrents) {
   const auto commands = told(scene, "current_1", "current_2");
   const Trajectory closed = run(scene, scene::Integrator::kEvent);
   const Trajectory open = run(scene, scene::Integrator::kEvent, commands);
-  EXPECT_LT(furthest(closed, open), 1e-12);
+  EXPECT_LT(trajectory_error(closed, open), 1e-12);
 }
 
 // The fixed steps take the mean over theirs, and keep their orders: 2 and 1. (At this step jumps
@@ -116,8 +106,8 @@ TEST(Replay, DrivesTheFixedStepsToo) {
   const auto gain = [&](scene::Integrator integrator) {
     scene::Scene finer = scene;
     finer.run.step = 0.5 * scene.run.step;
-    return furthest(reference, run(scene, integrator, commands)) /
-           furthest(reference, run(finer, integrator, commands));
+    return trajectory_error(reference, run(scene, integrator, commands)) /
+           trajectory_error(reference, run(finer, integrator, commands));
   };
   EXPECT_NEAR(gain(scene::Integrator::kVerlet), 4.0, 0.5);
   EXPECT_NEAR(gain(scene::Integrator::kMidpoint), 2.0, 0.3);

@@ -65,19 +65,6 @@ TEST(ControlLoop, WithoutATriggerItRunsAtOnceAndKeepsItsState) {
   EXPECT_DOUBLE_EQ(run.law->seen.gap_rate, -0.1);
 }
 
-TEST(ControlLoop, TheStateIsTheCallersAlone) {
-  Trial run(std::nullopt);
-  std::vector<double> other = run.memory;
-  run.loop.sample(approach(0, 0.1), run.memory.data());
-  const std::vector<double> copy = run.memory;
-  const Eigen::Vector2d next = run.loop.sample(approach(1, 0.1), run.memory.data());
-  run.memory = copy;
-  EXPECT_EQ(run.loop.sample(approach(1, 0.1), run.memory.data()), next)
-      << "put back, it does it again";
-  EXPECT_EQ(run.loop.sample(approach(1, 0.1), other.data()).x(), 11.0)
-      << "another array, another run";
-}
-
 // The gap is 499 um - 10 um k at 0.1 m/s.
 TEST(ControlLoop, TriggersByGap) {
   scene::Trigger trigger;
@@ -173,16 +160,6 @@ std::vector<Measurement> shown(const scene::Sensors& settings, int samples) {
   std::vector<Measurement> all;
   for (int k = 0; k < samples; ++k) all.push_back(sensors.measure(truth(k), memory.data()));
   return all;
-}
-
-TEST(Sensors, ShowTheTruthAndRememberNothingByDefault) {
-  EXPECT_EQ(Sensors({}, kSensorSample).memory_size(), 0u);
-  const Measurement m = shown({}, 3).back(), wanted = truth(2);
-  EXPECT_EQ(m.rotor, wanted.rotor);
-  EXPECT_EQ(m.stator_velocity, wanted.stator_velocity);
-  EXPECT_EQ(m.spin_angle, wanted.spin_angle);
-  EXPECT_EQ(m.current, wanted.current);
-  EXPECT_EQ(m.rotor_acceleration, wanted.rotor_acceleration);
 }
 
 TEST(Sensors, WhatIsNotMeasuredIsZeroAndSaidSo) {

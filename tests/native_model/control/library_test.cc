@@ -6,7 +6,6 @@
 
 #include <cstdlib>
 #include <filesystem>
-#include <fstream>
 #include <string>
 #include <vector>
 
@@ -14,6 +13,8 @@
 #include "native_model/scene/reader.h"
 #include "native_model/system/actuation.h"
 #include "tests/support/refusal.h"
+#include "tests/support/said.h"
+#include "tests/support/temporary_folder.h"
 
 #ifdef __SANITIZE_ADDRESS__
 // What an interpreter keeps to its end is no leak of ours.
@@ -78,9 +79,7 @@ std::string refusal(const scene::Scene& scene) {
 }
 
 void expect_said(const std::string& said, const std::vector<std::string>& words) {
-  for (const std::string& word : words) {
-    EXPECT_NE(said.find(word), std::string::npos) << "'" << word << "' in: " << said;
-  }
+  for (const std::string& word : words) EXPECT_TRUE(test::contains(said, word));
 }
 
 TEST(Library, TellsItsStateAndIsAskedOnceASample) {
@@ -116,8 +115,8 @@ TEST(Library, EveryIntegratorGivesTheSameCommands) {
 
 TEST(Library, RefusalsNameKeyAndReason) {
   expect_said(refusal(read("nowhere.so")), {"controller.library", "not found", "nowhere.so"});
-  const fs::path none = fs::path(testing::TempDir()) / "no_library.so";
-  std::ofstream(none) << "not a library";
+  const test::TemporaryFolder folder;
+  const fs::path none = folder.write("no_library.so", "not a library");
   expect_said(refusal(read(none.string())), {"controller.library", "no_library.so"});
   expect_said(refusal(read("other_abi_controller.so")),
               {"controller.library", "4711", "accepted: 1"});
@@ -149,39 +148,32 @@ TEST(Library, IsRefusedWithoutASampleTimeAndConfigByOtherKinds) {
               {"controller.config", "belongs to kind = \"library\""});
 }
 
-// Of every integrator: the run ends at the sample that failed, with the name, the time, and what it
-// has.
-void expect_end(const std::string& fault, const std::string& word) {
-  for (const auto integrator :
-       {scene::Integrator::kEvent, scene::Integrator::kMidpoint, scene::Integrator::kVerlet}) {
-    scene::Scene s = read("faulty_controller.so", "fault = \"" + fault + "\"\nat = 0.004");
-    s.run.integrator = integrator;
-    const Trajectory t = run_native(s);
-    EXPECT_EQ(t.status, Status::kControllerFailed) << t.integrator;
-    EXPECT_STREQ(to_string(t.status), "controller_failed");
-    expect_said(t.message, {"faulty", "0.004", word});
-    EXPECT_NEAR(t.end, 0.004, 1.1e-5) << t.integrator;
-    for (const auto& column : t.series) {
-      for (const double x : column.values) ASSERT_TRUE(std::isfinite(x)) << column.name;
+// Of every integrator: the run ends at the sample that failed, also the first, with the name, the
+// time, and what it has.
+TEST(Library, AFailureEndsTheRunWithNameAndTime) {
+  const std::pair<std::string, const char*> faults[] = {{"step", "the encoder is lost"},
+                                                        {"nan", "not finite"},
+                                                        {"nan state", "state is not finite"},
+                                                        {"throw", "thrown in step"},
+                                                        {"throw a number", "threw"}};
+  for (const auto& [fault, word] : faults) {
+    for (const double at : {0.0, 0.004}) {
+      for (const auto integrator :
+           {scene::Integrator::kEvent, scene::Integrator::kMidpoint, scene::Integrator::kVerlet}) {
+        scene::Scene s =
+            read("faulty_controller.so", "fault = \"" + fault + "\"\nat = " + std::to_string(at));
+        s.run.integrator = integrator;
+        const Trajectory t = run_native(s);
+        EXPECT_EQ(t.status, Status::kControllerFailed) << t.integrator;
+        expect_said(t.message, {"faulty", at > 0.0 ? "0.004" : "0.000", word});
+        EXPECT_NEAR(t.end, at, 1.1e-5) << t.integrator;
+        for (const auto& column : t.series) {
+          for (const double x : column.values) ASSERT_TRUE(std::isfinite(x)) << column.name;
+        }
+      }
     }
   }
-}
-
-TEST(Library, AReportedFailureEndsTheRun) { expect_end("step", "the encoder is lost"); }
-TEST(Library, ACommandThatIsNoNumberEndsTheRun) { expect_end("nan", "not finite"); }
-TEST(Library, AStateThatIsNoNumberEndsTheRun) { expect_end("nan state", "state is not finite"); }
-TEST(Library, AThrownErrorEndsTheRun) { expect_end("throw", "thrown in step"); }
-TEST(Library, AThrownNumberEndsTheRun) { expect_end("throw a number", "threw"); }
-
-TEST(Library, FailureAtTheFirstSampleIsARunToo) {
-  for (const auto integrator :
-       {scene::Integrator::kEvent, scene::Integrator::kMidpoint, scene::Integrator::kVerlet}) {
-    scene::Scene s = read("faulty_controller.so", "fault = \"step\"");
-    s.run.integrator = integrator;
-    const Trajectory t = run_native(s);
-    EXPECT_EQ(t.status, Status::kControllerFailed) << t.integrator;
-    EXPECT_EQ(t.end, 0.0) << t.integrator;
-  }
+  EXPECT_STREQ(to_string(Status::kControllerFailed), "controller_failed");
 }
 
 // ------------------------------------------------------------------ where it may come from
@@ -216,12 +208,9 @@ TEST(LibraryPath, IsLookedUpInTheFoldersOfTheVariable) {
 }
 
 TEST(LibraryPath, OfASceneIsBesideIt) {
-  const fs::path folder = fs::path(testing::TempDir()) / "beside";
-  fs::create_directories(folder);
-  fs::copy_file(kLibraries / "faulty_controller.so", folder / "mine.so",
-                fs::copy_options::overwrite_existing);
-  std::ofstream(folder / "own.toml") << text("mine.so");
-  EXPECT_EQ(refusal(scene::read_scene(folder / "own.toml")), "");
+  const test::TemporaryFolder folder;
+  fs::copy_file(kLibraries / "faulty_controller.so", folder / "mine.so");
+  EXPECT_EQ(refusal(scene::read_scene(folder.write("own.toml", text("mine.so")))), "");
 }
 
 // ------------------------------------------------------------------ what may be opened
@@ -252,12 +241,12 @@ TEST_F(LibraryGate, OrItsFolder) {
   const Environment path("ROTORUB_CONTROLLER_PATH", "/nowhere:" + kLibraries.string() + "/");
   EXPECT_EQ(refusal(read("faulty_controller.so")), "");
   scene::Scene elsewhere = read("faulty_controller.so");
-  elsewhere.folder = testing::TempDir();
+  const test::TemporaryFolder folder;
+  elsewhere.folder = folder.path();
   EXPECT_EQ(refusal(elsewhere), "") << "found there too";
-  const fs::path below = fs::path(testing::TempDir()) / "gate" / "below";
+  const fs::path below = folder / "gate" / "below";
   fs::create_directories(below);
-  fs::copy_file(kLibraries / "faulty_controller.so", below / "mine.so",
-                fs::copy_options::overwrite_existing);
+  fs::copy_file(kLibraries / "faulty_controller.so", below / "mine.so");
   scene::Scene above = read("below/../below/mine.so");
   above.folder = below.parent_path().string();
   EXPECT_NE(refusal(above), "") << "not in that folder";
@@ -293,8 +282,21 @@ TEST(OwnController, RefusesAWordThatItDoesNotKnow) {
               {"positions"});
 }
 
-TEST(PythonController, CommandsWhatItsLawSays) {
-  if (!fs::exists(kLibraries / "python_controller.so")) GTEST_SKIP() << "no Python to embed";
+class PythonController : public testing::Test {
+ protected:
+  void SetUp() override {
+    if (!fs::exists(kLibraries / "python_controller.so")) GTEST_SKIP() << "no Python to embed";
+  }
+  // Of a module in this test's folder.
+  scene::Scene law(const std::string& name) const {
+    return read("python_controller.so",
+                "module = \"" + name + "\"\npath = \"" + folder_.path().string() + "\"\n");
+  }
+
+  const test::TemporaryFolder folder_;
+};
+
+TEST_F(PythonController, CommandsWhatItsLawSays) {
   const std::string examples = std::string(ROTORUB_SOURCE_DIR) + "/native_model/control/examples";
   const Model m =
       make_model(read("python_controller.so", "module = \"tracking_law\"\npath = \"" + examples +
@@ -315,10 +317,8 @@ TEST(PythonController, CommandsWhatItsLawSays) {
   }
 }
 
-TEST(PythonController, AnExceptionEndsTheRunWithItsWords) {
-  if (!fs::exists(kLibraries / "python_controller.so")) GTEST_SKIP() << "no Python to embed";
-  const fs::path folder = testing::TempDir();
-  std::ofstream(folder / "broken_law.py") << R"(
+TEST_F(PythonController, AnExceptionEndsTheRunWithItsWords) {
+  folder_.write("broken_law.py", R"(
 def create(setup):
     return None
 def limited(t):
@@ -326,38 +326,20 @@ def limited(t):
 def step(law, now, state):
     limited(now["t"])
     return 1.0, 2.0
-)";
-  const Trajectory t = run_native(read(
-      "python_controller.so", "module = \"broken_law\"\npath = \"" + folder.string() + "\"\n"));
+)");
+  const Trajectory t = run_native(law("broken_law"));
   EXPECT_EQ(t.status, Status::kControllerFailed);
   // Its words, and the lines of the file that it came through.
-  const std::string file = (folder / "broken_law.py").string();
+  const std::string file = (folder_ / "broken_law.py").string();
   expect_said(t.message, {"python_controller", "0.002", "ValueError: no more",
                           "in step (" + file + ":7)", "in limited (" + file + ":5)"});
   expect_said(refusal(read("python_controller.so", "module = \"no_such_law\"\n")),
               {"controller.config", "no_such_law"});
 }
 
-TEST(PythonController, MustReturnTwoNumbers) {
-  if (!fs::exists(kLibraries / "python_controller.so")) GTEST_SKIP() << "no Python to embed";
-  const fs::path folder = testing::TempDir();
-  std::ofstream(folder / "silent_law.py") << R"(
-def create(setup):
-    return None
-def step(law, now, state):
-    pass
-)";
-  const Trajectory t = run_native(read(
-      "python_controller.so", "module = \"silent_law\"\npath = \"" + folder.string() + "\"\n"));
-  EXPECT_EQ(t.status, Status::kControllerFailed);
-  expect_said(t.message, {"step() returns NoneType", "two numbers, ux and uy"});
-}
-
 // What is said of the first mistakes with a law in Python: the function, the number of values, the
 // keys.
-TEST(PythonController, NamesWhatIsMissing) {
-  if (!fs::exists(kLibraries / "python_controller.so")) GTEST_SKIP() << "no Python to embed";
-  const fs::path folder = testing::TempDir();
+TEST_F(PythonController, NamesWhatIsMissing) {
   const std::string create = "def create(setup):\n    return None\n",
                     step = "def step(law, now, state):\n    ";
   // All before the first is imported: Python remembers what is in a folder.
@@ -366,13 +348,10 @@ TEST(PythonController, NamesWhatIsMissing) {
       {"law_without_step", create},
       {"law_of_no_gain",
        "def create(setup):\n    return setup['gain']\n" + step + "return 0.0, 0.0\n"},
+      {"law_of_nothing", create + step + "pass\n"},
       {"law_of_three", create + step + "return 0.0, 0.0, 0.0\n"},
       {"law_of_no_key", create + step + "return now['rotor_x'], 0.0\n"}};
-  for (const auto& [name, text] : laws) std::ofstream(folder / (name + std::string(".py"))) << text;
-  const auto law = [&](const std::string& name) {
-    return read("python_controller.so",
-                "module = \"" + name + "\"\npath = \"" + folder.string() + "\"\n");
-  };
+  for (const auto& [name, text] : laws) folder_.write(name + std::string(".py"), text);
 
   expect_said(refusal(law("law_without_create")),
               {"law_without_create.py has no function create(setup)"});
@@ -380,6 +359,8 @@ TEST(PythonController, NamesWhatIsMissing) {
               {"law_without_step.py has no function step(law, now, state)"});
   expect_said(refusal(law("law_of_no_gain")),
               {"KeyError: 'gain'", "in create", "setup has the keys sample_time", "config"});
+  expect_said(run_native(law("law_of_nothing")).message,
+              {"step() returns NoneType", "two numbers, ux and uy"});
   expect_said(run_native(law("law_of_three")).message,
               {"step() returns 3 numbers", "two, ux and uy"});
   expect_said(run_native(law("law_of_no_key")).message,

@@ -3,13 +3,11 @@
 #include <gtest/gtest.h>
 
 #include <Eigen/Core>
-#include <algorithm>
 #include <cmath>
 #include <complex>
 
 #include "native_model/control/ring_feedback.h"
 #include "native_model/dynamics/dynamics.h"
-#include "native_model/numerics/matrix_functions.h"
 #include "native_model/rub/rub_stability.h"
 #include "native_model/run/run_native.h"
 #include "native_model/system/linear_plant.h"
@@ -166,30 +164,6 @@ TEST(Lqr, ARunIsItsClosedLoop) {
   }
 }
 
-// Plant and estimate: the run from an estimate of 0 is the recursion of both.
-TEST(Lqg, ARunIsItsClosedLoopAndTheEstimateComesToTheState) {
-  scene::Scene s = quadratic_scene(scene::ControllerKind::kLqg);
-  s.run.end = 0.05;
-  s.initial.x = {1e-4, 2e-5};
-  s.first().stator->position = {-1e-4, 5e-5};
-  const Model m = make_model(s);
-  const QuadraticDesign d = quadratic_design(s, plant_of(m, 0, s.rotor.speed));
-  Eigen::VectorXd x(12), guess = Eigen::VectorXd::Zero(12);
-  x << m.q0, m.v0;
-  double furthest = 0.0;
-  const Trajectory t = run_native(s);
-  ASSERT_EQ(t.status, Status::kOk) << t.message;
-  for (std::size_t k = 0; k < 500; ++k) {
-    ASSERT_NEAR(t.column("stator_x")[k], x[4], 1e-12) << k;
-    guess += d.filter * (d.plant.c * x - d.plant.c * guess);
-    const Eigen::Vector2d u = -d.gain * guess;
-    x = (d.plant.a * x + d.plant.b * u).eval();
-    guess = (d.plant.a * guess + d.plant.b * u).eval();
-    furthest = std::max(furthest, (x - guess).norm());
-  }
-  EXPECT_LT((x - guess).norm(), 0.05 * furthest);
-}
-
 // A ring whose middle is off the rotor's line goes to the rotor and stays about it, held against
 // its springs.
 TEST(LqrLqg, StandAboutTheRotorWhereTheRingIsOffset) {
@@ -204,25 +178,6 @@ TEST(LqrLqg, StandAboutTheRotorWhereTheRingIsOffset) {
     EXPECT_NEAR(t.column("control_x").back(), -2e5 * 2e-4, 1e-3);
     EXPECT_NEAR(t.column("control_y").back(), 2e5 * 1e-4, 1e-3);
   }
-}
-
-TEST(Lqr, KeepsTheRingAboutTheRotor) {
-  scene::Scene s = quadratic_scene(scene::ControllerKind::kLqr);
-  s.run.end = 0.5;
-  s.forces.push_back({});
-  s.forces.back().amplitude = 50.0;
-  s.forces.back().frequency = s.rotor.speed;
-
-  const auto least = [](const scene::Scene& scene) {
-    const Trajectory t = run_native(scene);
-    EXPECT_EQ(t.status, Status::kOk) << t.message;
-    const auto& gap = t.column("gap");
-    return *std::min_element(gap.end() - 1000, gap.end());
-  };
-  scene::Scene none = s;
-  none.first().controller->kind = scene::ControllerKind::kPassive;
-  const double without = 0.01 - least(none), with = 0.01 - least(s);
-  EXPECT_LT(with, 0.7 * without) << "rotor and ring move apart less";
 }
 
 }  // namespace

@@ -4,10 +4,8 @@
 
 #include <Eigen/Core>
 #include <Eigen/LU>
-#include <Eigen/QR>
 #include <algorithm>
 #include <cmath>
-#include <complex>
 #include <string>
 #include <vector>
 
@@ -18,6 +16,7 @@
 #include "tests/support/hung_rotors.h"
 #include "tests/support/native_run.h"
 #include "tests/support/order.h"
+#include "tests/support/said.h"
 
 namespace rotorub {
 namespace {
@@ -122,65 +121,23 @@ TEST(QuadraticWithMagnets, FixedStepsComeToTheSame) {
       for (const auto& [integrator, order] : {std::pair(scene::Integrator::kVerlet, reads),
                                               std::pair(scene::Integrator::kMidpoint, 1.8),
                                               std::pair(scene::Integrator::kEuler, 0.8)}) {
-        test::Convergence c;
-        for (const double step : {2.5e-5, 1.25e-5, 6.25e-6, 3.125e-6}) {
+        const auto error = [&](double step) {
           const Trajectory t = test::run_with(s, integrator, step);
-          ASSERT_EQ(t.status, Status::kOk) << t.message;
+          EXPECT_EQ(t.status, Status::kOk) << t.message;
           double most = 0.0;
           for (std::size_t k = 0; k < t.rows(); ++k)
             most = std::max(most, std::abs(t.column("stator_x")[k] - exact.column("stator_x")[k]));
-          c.steps.push_back(step);
-          c.errors.push_back(most);
-        }
+          return most;
+        };
+        const auto c = test::convergence({2.5e-5, 1.25e-5, 6.25e-6, 3.125e-6}, error);
         EXPECT_GT(c.order(), order) << static_cast<int>(integrator) << ": " << c.text();
       }
     }
   }
 }
 
-// The slowest whirls of the loop that the design promises are what is left of a run.
-TEST(QuadraticWithMagnets, ARunDecaysAsThePromisedEigenvalues) {
-  for (const Hanging& loop : test::hung_rotors()) {
-    SCOPED_TRACE(loop.name);
-    scene::Scene s = levitated(loop, "lqg");
-    s.run.end = 0.6;
-    const QuadraticDesign d = design_of(s);
-    auto ring = real_eigenvalues(d.plant.a - d.plant.b * d.gain).value();
-    const auto estimate = real_eigenvalues(d.plant.a - d.plant.a * d.filter * d.plant.c).value();
-    const auto slowest = [](const std::vector<std::complex<double>>& all) {
-      return *std::ranges::max_element(all, {}, [](const auto& z) { return std::abs(z); });
-    };
-    for (const auto& all : {ring, estimate}) EXPECT_LT(std::abs(slowest(all)), 1.0);
-    const Trajectory t = test::run_event(s);
-    ASSERT_EQ(t.status, Status::kOk) << t.message;
-    // x + i y is a sum of a few whirls z^k, of which some samples each make a recurrence (Prony):
-    // y_{k+n} = c_{n-1} y_{k+n-1} + .. + c_0 y_k; its roots are theirs.
-    constexpr Eigen::Index kOrder = 8, kFitted = 500;
-    constexpr int kApart = 7, kFrom = 300;
-    Eigen::VectorXcd y(kFitted + kOrder);
-    for (Eigen::Index k = 0; k < y.size(); ++k) {
-      const auto row = static_cast<std::size_t>(kFrom + k * kApart);
-      y[k] = {t.column("rotor_x")[row], t.column("rotor_y")[row]};
-    }
-    Eigen::MatrixXcd left(kFitted, kOrder);
-    for (Eigen::Index n = 0; n < kOrder; ++n) left.col(n) = y.segment(n, kFitted);
-    Eigen::MatrixXcd companion = Eigen::MatrixXcd::Zero(kOrder, kOrder);
-    companion.topRightCorner(kOrder - 1, kOrder - 1).setIdentity();
-    companion.bottomRows(1) = left.colPivHouseholderQr().solve(y.tail(kFitted)).transpose();
-    const auto met = complex_eigenvalues(companion).value();
-    std::ranges::sort(ring, std::greater(), [](const auto& z) { return std::abs(z); });
-    for (std::size_t i = 0; i < 4; ++i) {
-      double apart = 1.0;
-      for (const std::complex<double>& z : {ring[i], std::conj(ring[i])}) {
-        for (const std::complex<double>& one : met)
-          apart = std::min(apart, std::abs(std::pow(z, kApart) - one));
-      }
-      EXPECT_LT(apart, 1e-7) << ring[i];
-    }
-  }
-}
-
-// P = A' P A - A' P B (R + B' P B)^-1 B' P A + Q, by no code of the solver's.
+// P = A' P A - A' P B (R + B' P B)^-1 B' P A + Q, by no code of the solver's; what is released and
+// what is guessed decay.
 TEST(QuadraticWithMagnets, GainsSolveTheRiccatiEquation) {
   for (const Hanging& loop : test::hung_rotors()) {
     SCOPED_TRACE(loop.name);
@@ -198,6 +155,10 @@ TEST(QuadraticWithMagnets, GainsSolveTheRiccatiEquation) {
                                  a.transpose() * p * b * inner.inverse() * b.transpose() * p * a;
     EXPECT_LT(rest.norm(), 1e-10 * p.norm());
     EXPECT_LT((d.gain - inner.inverse() * b.transpose() * p * a).norm(), 1e-9 * d.gain.norm());
+    for (const Eigen::MatrixXd& closed : {(a - b * d.gain).eval(), (a - a * d.filter * c).eval()}) {
+      const auto poles = real_eigenvalues(closed).value();
+      for (const auto& z : poles) EXPECT_LT(std::abs(z), 1.0);
+    }
   }
 }
 
@@ -223,26 +184,22 @@ TEST(QuadraticWithMagnets, FastAmplifiersAndSamplesGiveTheGainsWithoutThem) {
   const Hanging plain{"", "derivative = 2.0", "", "derivative = 1.0"};
   const QuadraticDesign old = design_of(levitated(plain, "lqr"));
   EXPECT_EQ(old.gain.cols(), 12);
-  test::Convergence amplifiers, samples;
-  for (const double lag : {2e-5, 1e-5, 5e-6, 2.5e-6}) {
+  const auto amplifiers = test::convergence({2e-5, 1e-5, 5e-6, 2.5e-6}, [&](double lag) {
     Hanging late = plain;
     late.amplifier = "amplifier = {bandwidth = " + std::to_string(1.0 / lag) + "}";
-    amplifiers.steps.push_back(lag);
-    amplifiers.errors.push_back(
-        distance(design_of(levitated(late, "lqr")), old, first_of(old, 3000.0, 2.0)));
-  }
+    return distance(design_of(levitated(late, "lqr")), old, first_of(old, 3000.0, 2.0));
+  });
   EXPECT_NEAR(amplifiers.order(), 1.0, 0.1) << amplifiers.text();
   const Hanging stiff{"", "derivative = 0.0", "", "derivative = 1.0"};
   const QuadraticDesign asked = design_of(levitated(stiff, "lqg"));
-  for (const int parts : {10, 20, 40, 80}) {
+  const auto samples = test::convergence({10e-6, 5e-6, 2.5e-6, 1.25e-6}, [&](double every) {
     Hanging held = stiff;
-    held.first += ", sample_time = " + std::to_string(100.0 / parts) + "e-6";
+    held.first += ", sample_time = " + std::to_string(1e6 * every) + "e-6";
     QuadraticDesign d = design_of(levitated(held, "lqg"));
     // Of its memory the command alone: a law without derivative and integral acts by nothing else.
     d.gain = d.gain.leftCols(14).eval();
-    samples.steps.push_back(1e-4 / parts);
-    samples.errors.push_back(distance(d, asked, first_of(asked, 3000.0, 0.0)));
-  }
+    return distance(d, asked, first_of(asked, 3000.0, 0.0));
+  });
   EXPECT_NEAR(samples.order(), 1.0, 0.1) << samples.text();
 }
 
@@ -261,24 +218,18 @@ TEST(QuadraticWithMagnets, ThePlantNamesWhatTheBearingsRemember) {
 }
 
 TEST(QuadraticWithMagnets, RefusesSamplesThatDoNotMeetItsOwn) {
-  const auto why = [](const Hanging& loop, const std::string& kind) -> std::string {
-    try {
-      make_model(levitated(loop, kind));
-    } catch (const scene::SceneError& error) {
-      return error.what();
-    }
-    return "";
+  const auto why = [](const Hanging& loop, const std::string& kind) {
+    return test::message_of<scene::SceneError>([&] { make_model(levitated(loop, kind)); });
   };
   const Hanging sampled = test::hung_rotors()[1];
   EXPECT_EQ(why(sampled, "lqr"), "");
   EXPECT_EQ(why(sampled, "lqg"), "");
   Hanging beside = sampled;
   beside.first = "derivative = 2.0, sample_time = 0.7e-4";
-  EXPECT_NE(why(beside, "lqg").find("no whole multiple"), std::string::npos) << why(beside, "lqg");
+  EXPECT_TRUE(test::contains(why(beside, "lqg"), "no whole multiple"));
   beside.first = "derivative = 2.0, sample_time = 1e-4";
   beside.second = "derivative = 1.0, sample_time = 5e-5";
-  EXPECT_NE(why(beside, "lqg").find("another sample time"), std::string::npos)
-      << why(beside, "lqg");
+  EXPECT_TRUE(test::contains(why(beside, "lqg"), "another sample time"));
 }
 
 }  // namespace

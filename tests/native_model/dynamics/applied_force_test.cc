@@ -1,12 +1,10 @@
-// Forces in time: constant and rotating, on, off and ramp, and the station's mode values.
+// Forces in time: constant and rotating, on, off and ramp.
 #include <gtest/gtest.h>
 
 #include <cmath>
 #include <limits>
 
-#include "native_model/dynamics/dynamics.h"
-#include "native_model/system/actuation.h"
-#include "tests/support/jeffcott.h"
+#include "native_model/system/model.h"
 
 namespace rotorub {
 namespace {
@@ -70,19 +68,6 @@ TEST(AppliedForce, OfTheKindsThatFollowAndPass) {
   EXPECT_NEAR(f.at(0.2, 4.0).x(), 9.0, 1e-14);
   EXPECT_NEAR(f.at(0.15, 4.0).y(), 9.0 * std::sqrt(0.5), 1e-14);
   EXPECT_NEAR(f.at(std::nextafter(0.3, 0.0), 4.0).y(), 0.0, 1e-13);
-}
-
-TEST(AppliedForce, EntersThroughTheModeValuesOfItsStation) {
-  scene::Scene s = test::make_scene({});
-  s.rotor.modal->mass = {2.0, 0.8};
-  s.rotor.modal->stiffness = s.rotor.modal->damping = {0.0, 0.0};
-  test::add_constant_force(s, {10.0, 5.0});
-  s.forces[0].shape = {1.0, -0.5};
-  test::add_constant_force(s, {1.0, 0.0});  // no shape: 1 throughout
-  const Model m = make_model(s);
-  Eigen::Vector4d f, none = Eigen::Vector4d::Zero();
-  smooth_force(m, 0.0, none.data(), none.data(), {0.0, 0.0}, f.data());
-  EXPECT_EQ(f, Eigen::Vector4d(11.0, -4.0, 5.0, -2.5));
 }
 
 }  // namespace

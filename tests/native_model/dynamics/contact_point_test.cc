@@ -1,4 +1,4 @@
-// The contact of the assembled system: signs against numerical derivatives, loads against virtual
+// The contact of the assembled system: rates against numerical derivatives, loads against virtual
 // power, and the controller's way to the ring.
 #include <gtest/gtest.h>
 
@@ -43,30 +43,6 @@ TEST(ContactPoint, RatesAreTheDerivatives) {
   }
 }
 
-TEST(ContactPoint, SignsByHand) {
-  // Ring at (1, 0) mm, rotor at (1.3, 0) mm: the normal is +x, 0.2 mm are left of 0.5.
-  scene::Scene s = test::make_scene({.speed = 100.0});
-  test::add_ring(s, 1.0, 0.0, 0.0);
-  const Model m = make_model(s);
-  const Eigen::Vector4d q{1.3e-3, 0.0, 1.0e-3, 0.0}, v{0.4, 0.2, 0.1, -0.1};
-  const ContactPoint p = contact_point(m, q.data(), v.data());
-  EXPECT_EQ(p.e_r, Eigen::Vector2d(1.0, 0.0));
-  EXPECT_EQ(p.e_t(), Eigen::Vector2d(0.0, 1.0));
-  EXPECT_NEAR(p.gap, 0.2e-3, 1e-18);
-  EXPECT_DOUBLE_EQ(p.gap_rate, -(0.4 - 0.1)) << "outward is closing";
-  EXPECT_DOUBLE_EQ(p.slip, 0.2 + 0.1 + 0.05 * 100.0);
-}
-
-TEST(ContactPoint, CentresTogetherHaveNoNormal) {
-  const Model m = make_model(test::make_scene({.speed = 100.0}));
-  const Eigen::Vector2d q{0.0, 0.0}, v{0.3, -0.4};
-  const ContactPoint p = contact_point(m, q.data(), v.data());
-  EXPECT_FALSE(p.has_normal);
-  EXPECT_EQ(p.gap, 0.5e-3);
-  EXPECT_EQ(p.gap_rate, 0.0);
-  EXPECT_EQ(p.slip, 0.05 * 100.0);
-}
-
 TEST(ContactLoad, DoesTheVirtualPowerOfGapRateAndSlip) {
   for (const bool drive : {true, false}) {
     const Model m = test::machine(drive);
@@ -86,34 +62,6 @@ TEST(ContactLoad, DoesTheVirtualPowerOfGapRateAndSlip) {
       EXPECT_NEAR(power(0.0, 2.0), 2.0 * (p.slip - held), 1e-10) << "W_T^T v = gdot_T";
     }
   }
-}
-
-TEST(ContactLoad, IsAddedAndActsOnTheRingInReverse) {
-  const Model m = test::machine(true);
-  const Layout& l = m.layout;
-  Eigen::VectorXd f = Eigen::VectorXd::Constant(m.nq(), 10.0);
-  add_contact_load(m, {3.0, -4.0, 0.5}, f.data());
-  EXPECT_EQ(f.segment<2>(l.ring()), Eigen::Vector2d(7.0, 14.0));
-  EXPECT_EQ(f.segment<2>(l.x()), Eigen::Vector2d(13.0, 13.0));
-  EXPECT_EQ(f.segment<2>(l.y()), Eigen::Vector2d(6.0, 6.0));
-  EXPECT_EQ(f[l.phi()], 10.5);
-}
-
-TEST(Actuator, LimitsEachOfItsAxesAt45Degrees) {
-  const double h = std::sqrt(0.5);
-  const Eigen::Vector2d a1{h, h}, a2{-h, h};
-  const auto near = [](const Eigen::Vector2d& a, const Eigen::Vector2d& b) {
-    return (a - b).norm() < 1e-12;
-  };
-  EXPECT_TRUE(near(limited(900.0 * a1, 600.0), 600.0 * a1));
-  EXPECT_TRUE(near(limited(-900.0 * a2, 600.0), -600.0 * a2));
-  EXPECT_TRUE(near(limited(900.0 * a1 + 100.0 * a2, 600.0), 600.0 * a1 + 100.0 * a2))
-      << "an axis at its limit leaves the other alone";
-  // Along x both axes share: more than the limit of one is possible.
-  EXPECT_TRUE(near(limited({800.0, 0.0}, 600.0), {800.0, 0.0}));
-  EXPECT_TRUE(near(limited({1e9, 0.0}, 600.0), {600.0 * std::sqrt(2.0), 0.0}));
-  const double none = std::numeric_limits<double>::infinity();
-  EXPECT_TRUE(near(limited({123.0, -45.0}, none), {123.0, -45.0}));
 }
 
 // Keeps what it was shown and asks for a fixed force.
@@ -163,12 +111,6 @@ TEST(ControlForce, ShowsTheLawTheStateAndTheContactFreeAcceleration) {
       (test::runge_kutta(rate, s.t, h, y) - test::runge_kutta(rate, s.t, -h, y)).tail(n) / (2 * h);
   const Eigen::Vector2d a = rotor_point(m, dv.data());
   EXPECT_LT((seen.rotor_acceleration - a).norm(), 1e-5 * a.norm());
-}
-
-TEST(ControlForce, APassiveBearingHasNone) {
-  const Model m = test::machine(true);
-  const State s = test::random_state(m, 61);
-  EXPECT_EQ(control_command(m, s.t, s.q.data(), s.v.data()), Eigen::Vector2d(0.0, 0.0));
 }
 
 }  // namespace

@@ -92,16 +92,6 @@ TEST(SolveMass, AnotherDiagonalTakesThePlaceOfTheMasses) {
   EXPECT_LT((a - exact).norm(), kDense * exact.norm());
 }
 
-TEST(SolveMass, IsDiagonalWhereTheSpinIsHeld) {
-  const Model m = test::machine(false);
-  ASSERT_FALSE(m.coupled_mass());
-  const State s = test::random_state(m, 6);
-  const Eigen::VectorXd f = random_vector(m.nq(), 7);
-  Eigen::VectorXd a(m.nq());
-  solve_mass(m, s.t, s.q.data(), f.data(), a.data());
-  EXPECT_EQ(a, f.cwiseQuotient(m.mass));
-}
-
 TEST(ContactAdmittance, WithUnbalanceOnAFreeSpinAgainstDense) {
   Model m = test::machine(true);
   m.first().shape.x[0] = m.first().shape.y[1] = 0.0;  // modes with a node at the contact
@@ -133,15 +123,6 @@ TEST(ContactAdmittance, IsConstantWithoutThatCoupling) {
     const double torsion = 1.0 / 4e-4 + 1.0 / 1e-4;
     EXPECT_DOUBLE_EQ(m.first().admittance(2, 2), torsion + (drive ? 1.0 / 1e-3 : 0.0));
   }
-}
-
-TEST(ContactAdmittance, AFixedRingDoesNotYield) {
-  scene::Scene s = test::machine_scene(false);
-  s.first().stator.reset();
-  s.rotor.torsion.reset();
-  const Model m = make_model(s);
-  const Eigen::Vector3d expected{1.0 / 2.0 + 1.0 / 0.8, 1.0 / 2.2 + 1.0 / 0.7, 0.0};
-  EXPECT_EQ(m.first().admittance, Eigen::Matrix3d(expected.asDiagonal()));
 }
 
 TEST(ModeMatrix, CostsWhatItIsAndAgreesWithDense) {

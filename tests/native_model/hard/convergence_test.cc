@@ -33,26 +33,6 @@ void expect_first_order(const scene::Scene& scene) {
   EXPECT_GT(fine, coarse / 3000.0) << "a faithful first-order scheme: " << coarse << ' ' << fine;
 }
 
-TEST(HardConvergence, BenchRing) {
-  scene::Scene scene = test::shipped("bench_ring");
-  scene.run.end = 0.05;
-  expect_first_order(scene);
-}
-
-TEST(HardConvergence, HeldSpinOnAStiffRing) {
-  scene::Scene scene = test::make_scene({.mass = 1.5,
-                                         .damping = 100.0,
-                                         .stiffness = 3e5,
-                                         .friction = 0.1,
-                                         .restitution = 0.3,
-                                         .speed = 250.0});
-  scene.name = "held_spin";
-  test::add_ring(scene, 2.0, 600.0, 1e6);
-  test::add_rotating_force(scene, 260.0, 300.0);
-  scene.run.end = 0.04;
-  expect_first_order(scene);
-}
-
 TEST(HardConvergence, TwoModesWithTorsionAndGyroscopics) {
   scene::Scene scene = test::shipped("bench_ring");
   scene.name = "two_modes";
@@ -67,23 +47,6 @@ TEST(HardConvergence, TwoModesWithTorsionAndGyroscopics) {
   scene.forces[0].shape = {1.0, 0.3};
   scene.forces[0].ramp = 0.01;
   scene.run.end = 0.03;
-  expect_first_order(scene);
-}
-
-TEST(HardConvergence, GravityInAnAnisotropicRing) {
-  scene::Scene scene = test::make_scene({.mass = 2.0,
-                                         .damping = 50.0,
-                                         .stiffness = 2e4,
-                                         .friction = 0.2,
-                                         .restitution = 0.3,
-                                         .speed = 40.0});
-  scene.name = "anisotropic";
-  test::add_ring(scene, 1.0, 300.0, 2e5);
-  scene.first().stator->mass.y() = 1.4;
-  scene.first().stator->stiffness.y() = 3e5;
-  scene.gravity = scene::Gravity{{0.0, -9.81}, {}};
-  test::add_constant_force(scene, {20.0, 0.0});
-  scene.run.end = 0.06;
   expect_first_order(scene);
 }
 

@@ -89,15 +89,6 @@ void expect_same_bits(const std::function<Model(int)>& make, std::int64_t steps 
   }
 }
 
-TEST(HardEnsemble, SpinFreeAndHeld) {
-  expect_same_bits([](int) { return make_model(test::shipped("bench_ring")); });
-  expect_same_bits([](int) {
-    scene::Scene scene = test::shipped("bench_ring");
-    scene.drive.reset();
-    return make_model(scene);
-  });
-}
-
 // Friction that falls with slip in every other run, beside a number in the others.
 TEST(HardEnsemble, FallingFriction) {
   expect_same_bits([](int i) {
@@ -169,17 +160,6 @@ TEST(HardEnsemble, MotorsThatAreNotLinear) {
     scene.drive->breakdown_torque = 1.0 + 0.1 * i;
     scene.drive->breakdown_slip = 0.2;
     scene.drive->synchronous_speed = 330.0;
-    return make_model(scene);
-  });
-}
-
-TEST(HardEnsemble, SwitchedForcesAndTorsion) {
-  expect_same_bits([](int i) {
-    scene::Scene scene = test::shipped("bench_ring");
-    scene.rotor.torsion = scene::Torsion{0, 0.0, {1e-4}, {60.0}, {0.01}, {-0.5}};
-    scene.forces[0].on = 1e-3;
-    scene.forces[0].off = 0.02 + 1e-4 * i;
-    scene.forces[0].ramp = 1e-3;
     return make_model(scene);
   });
 }

@@ -7,30 +7,20 @@
 #include "native_model/scene/reader.h"
 #include "tests/native_model/hard/rules.h"
 #include "tests/support/native_run.h"
+#include "tests/support/order.h"
 
 namespace rotorub {
 namespace {
 
+using test::rotor_error;
 using test::run_with;
-
-scene::Scene with(const std::string& name, const std::vector<std::string>& overrides) {
-  return scene::read_scene(std::string(ROTORUB_SOURCE_DIR) + "/mjcf/" + name + ".toml", overrides);
-}
-
-double error(const Trajectory& a, const Trajectory& b) {
-  double most = 0.0;
-  for (std::size_t k = 0; k < a.rows(); ++k) {
-    most = std::max(most, std::hypot(a.column("rotor_x")[k] - b.column("rotor_x")[k],
-                                     a.column("rotor_y")[k] - b.column("rotor_y")[k]));
-  }
-  return most;
-}
+using test::shipped;
 
 constexpr scene::Integrator kFixed[] = {scene::Integrator::kMidpoint, scene::Integrator::kVerlet};
 
 TEST(HardExploded, AnEmulatedSpringBeyondTheStepIsRefusedWithTheLimit) {
   const scene::Scene scene =
-      with("bench_ring", {"controller={kind=\"passive\",stiffness=1e14}", "run.end=10ms"});
+      shipped("bench_ring", {"controller={kind=\"passive\",stiffness=1e14}", "run.end=10ms"});
   for (const scene::Integrator integrator : kFixed) {
     const Trajectory t = run_with(scene, integrator);
     EXPECT_EQ(t.status, Status::kStepTooLarge);
@@ -40,43 +30,43 @@ TEST(HardExploded, AnEmulatedSpringBeyondTheStepIsRefusedWithTheLimit) {
   }
   // 2 / sqrt((1e9 + 1e5) / 1 kg) = 63 us.
   const scene::Scene stiff =
-      with("bench_ring", {"controller={kind=\"passive\",stiffness=1e9}", "run.end=10ms"});
+      shipped("bench_ring", {"controller={kind=\"passive\",stiffness=1e9}", "run.end=10ms"});
   EXPECT_EQ(run_with(stiff, scene::Integrator::kMidpoint, 1e-4).status, Status::kStepTooLarge);
   const Trajectory exact = test::run_event(stiff);
   ASSERT_EQ(exact.status, Status::kOk) << exact.message;
-  EXPECT_LT(error(exact, run_with(stiff, scene::Integrator::kVerlet, 1e-6)), 1e-5);
+  EXPECT_LT(rotor_error(exact, run_with(stiff, scene::Integrator::kVerlet, 1e-6)), 1e-5);
 }
 
 TEST(HardExploded, RotatingDampingOfAnySizeIsImplicit) {
-  const scene::Scene scene = with("bench_ring", {"rotor.modal.internal_damping=[4.05e5]",
-                                                 "contact.clearance=5mm", "run.end=0.1"});
+  const scene::Scene scene = shipped("bench_ring", {"rotor.modal.internal_damping=[4.05e5]",
+                                                    "contact.clearance=5mm", "run.end=0.1"});
   const Trajectory exact = test::run_event(scene);
   ASSERT_EQ(exact.status, Status::kOk) << exact.message;
   for (const scene::Integrator integrator : kFixed) {
     const Trajectory t = run_with(scene, integrator);
     ASSERT_EQ(t.status, Status::kOk) << t.message;
     EXPECT_EQ(t.statistics.impulse_total, exact.statistics.impulse_total);
-    EXPECT_LT(error(exact, t), 1e-6);
+    EXPECT_LT(rotor_error(exact, t), 1e-6);
   }
 }
 
 TEST(HardExploded, AStrongDriveOnTorsionIsImplicit) {
   const scene::Scene scene =
-      with("bench_ring",
-           {"rotor.torsion={inertia=[4e-4],stiffness=[60.0],damping=[0.01],drive_shape=[-1.0]}",
-            "drive.gain=100.0", "run.end=20ms"});
+      shipped("bench_ring",
+              {"rotor.torsion={inertia=[4e-4],stiffness=[60.0],damping=[0.01],drive_shape=[-1.0]}",
+               "drive.gain=100.0", "run.end=20ms"});
   const Trajectory exact = test::run_event(scene);
   ASSERT_EQ(exact.status, Status::kOk) << exact.message;
   for (const scene::Integrator integrator : kFixed) {
     const Trajectory t = run_with(scene, integrator);
     ASSERT_EQ(t.status, Status::kOk) << t.message;
-    EXPECT_LT(error(exact, t), 1e-5);
+    EXPECT_LT(rotor_error(exact, t), 1e-5);
   }
 }
 
 TEST(HardExploded, AFlightThroughTheRingEndsOrIsHeld) {
   const scene::Scene scene =
-      with("bench_billiard", {"initial.vx=[300.0]", "initial.vy=[400.0]", "run.end=10ms"});
+      shipped("bench_billiard", {"initial.vx=[300.0]", "initial.vy=[400.0]", "run.end=10ms"});
   for (const scene::Integrator integrator : kFixed) {
     const Trajectory t = run_with(scene, integrator);
     test::expect_refused_or_finite(t);
@@ -89,10 +79,10 @@ TEST(HardExploded, AFlightThroughTheRingEndsOrIsHeld) {
 }
 
 TEST(HardExploded, AnUnstableMagnetLeavesItsAirGap) {
-  const scene::Scene scene =
-      with("bench_ring",
-           {R"(actuator={kind="electromagnet",force_constant=1e-4,bias_current=3.0,air_gap=1e-3})",
-            "stator.stiffness=1e3", "initial.stator=[1e-5,0]", "run.end=0.2"});
+  const scene::Scene scene = shipped(
+      "bench_ring",
+      {R"(actuator={kind="electromagnet",force_constant=1e-4,bias_current=3.0,air_gap=1e-3})",
+       "stator.stiffness=1e3", "initial.stator=[1e-5,0]", "run.end=0.2"});
   for (const scene::Integrator integrator :
        {scene::Integrator::kEvent, scene::Integrator::kMidpoint, scene::Integrator::kVerlet}) {
     const Trajectory t = run_with(scene, integrator);
@@ -107,15 +97,16 @@ TEST(HardExploded, AnUnstableMagnetLeavesItsAirGap) {
 // rest.
 TEST(HardExploded, ABalanceThatDoesNotCloseEndsNoRun) {
   const scene::Scene stiff =
-      with("bench_ring", {"drive.gain=10.0", "rotor.modal.inertia=1e-5", "run.end=0.1"});
-  EXPECT_LT(error(test::run_event(stiff), run_with(stiff, scene::Integrator::kVerlet, 1e-5)), 1e-8);
+      shipped("bench_ring", {"drive.gain=10.0", "rotor.modal.inertia=1e-5", "run.end=0.1"});
+  EXPECT_LT(rotor_error(test::run_event(stiff), run_with(stiff, scene::Integrator::kVerlet, 1e-5)),
+            1e-8);
 
-  const scene::Scene rows =
-      with("bench_ring", {"contact.compression_time=1e-3", "contact.expansion_time=5e-4",
-                          "drive=none", "rotor.speed=0.0", "run.end=20ms", "run.output_step=20us"});
+  const scene::Scene rows = shipped(
+      "bench_ring", {"contact.compression_time=1e-3", "contact.expansion_time=5e-4", "drive=none",
+                     "rotor.speed=0.0", "run.end=20ms", "run.output_step=20us"});
   EXPECT_EQ(run_with(rows, scene::Integrator::kVerlet, 1e-5).status, Status::kOk);
 
-  const scene::Scene resting = with("bench_drop", {"initial.y=[-0.0005]"});
+  const scene::Scene resting = shipped("bench_drop", {"initial.y=[-0.0005]"});
   for (const scene::Integrator integrator :
        {scene::Integrator::kEvent, scene::Integrator::kMidpoint, scene::Integrator::kVerlet}) {
     const Trajectory t = run_with(resting, integrator);
@@ -127,7 +118,7 @@ TEST(HardExploded, ABalanceThatDoesNotCloseEndsNoRun) {
 
 // The impact is one row; the force of lasting contact does not grow as the step falls.
 TEST(HardExploded, RestitutionZeroIsAnImpactAndNotAForce) {
-  const scene::Scene scene = with("bench_ring", {"contact.restitution=0"});
+  const scene::Scene scene = shipped("bench_ring", {"contact.restitution=0"});
   const Trajectory exact = test::run_event(scene);
   ASSERT_EQ(exact.impacts.size(), 1u);
   const double force = test::largest(exact.column("normal_force"));

@@ -136,29 +136,6 @@ TEST(HardCentre, NextToNoClearance) {
   }
 }
 
-// A flight of many clearances within one step comes back inside in that step.
-TEST(HardLongStep, SpeedTimesStepBeyondTheClearance) {
-  for (const double step : {1e-4, 1e-3, 1e-2}) {
-    SCOPED_TRACE(step);
-    scene::Scene scene =
-        make_scene({.mass = 2.0, .friction = 0.3, .restitution = 0.5, .speed = 300.0});
-    scene.initial.vx = {5.0};  // 5 m/s: one to a hundred clearances a step
-    scene.initial.vy = {1.0};
-    scene.run.end = 0.5;
-    const Trajectory t = test::run_paper(scene, step);
-    test::expect_refused_or_finite(t);
-    if (t.status != Status::kOk) continue;
-    test::expect_dissipative_impacts(scene, t);
-    // Kinetic energy may come from the spin alone: slip r Omega + ..., never over the larger of the
-    // start and rolling at it.
-    const double most = std::max(5.2, 0.05 * 300.0);
-    for (std::size_t k = 0; k < t.rows(); ++k) {
-      EXPECT_LE(std::hypot(t.column("rotor_vx")[k], t.column("rotor_vy")[k]), 1.01 * most);
-    }
-    EXPECT_LE(t.statistics.max_penetration, most * step);
-  }
-}
-
 // Finite compression and expansion times: the clock goes on by them, the path tends to that of the
 // instantaneous law, in both integrators alike.
 TEST(HardFiniteImpact, AdvancesTheClockAndTendsToTheInstantaneousLaw) {

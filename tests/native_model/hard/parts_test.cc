@@ -1,5 +1,5 @@
-// Each part of a machine at its hard end: held spin, torsion, gravity, a magnetic bearing past the
-// shaft's stiffness, internal damping past its threshold, contact that pushes itself in.
+// Each part of a machine at its hard end: torsion, a magnetic bearing past the shaft's stiffness,
+// contact that pushes itself in.
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -17,17 +17,6 @@ bool has_mode(const Trajectory& t, Mode mode) {
     if (static_cast<Mode>(x) == mode) return true;
   }
   return false;
-}
-
-// A held spin is an infinite inertia: the motor gives what friction takes, and the balance closes.
-TEST(HardParts, HeldSpinWithFriction) {
-  scene::Scene scene = test::shipped("bench_ring");
-  scene.drive.reset();
-  scene.run.end = 0.1;
-  const Trajectory t = test::sound_event(scene);
-  for (const double speed : t.column("spin_speed")) EXPECT_EQ(speed, scene.rotor.speed);
-  EXPECT_LT(t.statistics.friction_work, 0.0);
-  test::sound_paper(scene);
 }
 
 // The shaft winds up between the motor and a contact that sticks, slips and sticks.
@@ -59,18 +48,6 @@ TEST(HardParts, TorsionInSticking) {
   }
 }
 
-TEST(HardParts, GravityAtRestInTheRing) {
-  scene::Scene scene = make_scene(
-      {.mass = 2.0, .damping = 5.0, .stiffness = 1e3, .friction = 0.4, .restitution = 0.5});
-  scene.gravity = scene::Gravity{{0.0, -9.81}, {}};
-  scene.run.end = 0.3;
-  const double force = 2.0 * 9.81 - 1e3 * 0.5e-3;  // weight less the shaft's spring
-  const Trajectory t = test::sound_event(scene);
-  EXPECT_NEAR(t.column("normal_force").back(), force, 1e-10 * force);
-  const Trajectory p = test::sound_paper(scene, 1e-5, 1.0);
-  EXPECT_NEAR(p.column("normal_force").back(), force, 1e-6 * force);
-}
-
 // Past the shaft's stiffness the centre is a saddle, and the ring is what holds the rotor.
 TEST(HardParts, MagneticBearingPastTheStiffness) {
   for (const double part : {0.5, 0.999, 1.5}) {
@@ -89,46 +66,6 @@ TEST(HardParts, MagneticBearingPastTheStiffness) {
     }
     const Trajectory p = test::sound_paper(scene);
   }
-}
-
-// Rotating damping feeds the forward whirl above Omega = omega (1 + d_e / d_i), and not below it,
-// in both integrators.
-TEST(HardParts, InternalDampingThreshold) {
-  const double omega = std::sqrt(1e5), external = 8.0, internal = 20.0;
-  const double threshold = omega * (1.0 + external / internal);
-  for (const double factor : {0.98, 1.02}) {
-    scene::Scene scene = make_scene({.mass = 2.0,
-                                     .damping = external,
-                                     .stiffness = 2e5,
-                                     .clearance = 1.0,
-                                     .speed = factor * threshold});
-    scene.rotor.modal->internal_damping = {internal};
-    scene.initial.x = {1e-4};
-    scene.initial.vy = {omega * 1e-4};
-    scene.run.end = 2.0;
-    for (const Trajectory& t : {test::run_event(scene), test::run_paper(scene, 1e-4)}) {
-      const double end = std::hypot(t.column("rotor_x").back(), t.column("rotor_y").back());
-      EXPECT_EQ(end > 1e-4, factor > 1.0) << t.integrator << ' ' << end;
-    }
-  }
-}
-
-// Past the threshold the whirl grows until the ring catches it.
-TEST(HardParts, InternalDampingCaughtByTheRing) {
-  scene::Scene scene = make_scene({.mass = 2.0,
-                                   .damping = 8.0,
-                                   .stiffness = 2e5,
-                                   .friction = 0.1,
-                                   .restitution = 0.5,
-                                   .speed = 900.0});
-  scene.rotor.modal->internal_damping = {60.0};
-  test::add_ring(scene, 1.0, 200.0, 1e5);
-  scene.initial.x = {1e-5};
-  scene.run.end = 1.0;
-  const Trajectory t = test::sound_event(scene);
-  EXPECT_GT(t.statistics.first_touch, 0.0);
-  const Trajectory p = test::sound_paper(scene);
-  EXPECT_GT(p.statistics.first_touch, 0.0);
 }
 
 // Masses that differ between x and y couple N and T. Under mu > (a_x + a_y) / |a_x - a_y| sliding

@@ -7,8 +7,6 @@
 namespace rotorub {
 namespace {
 
-constexpr int kScenes = 200;
-
 // Sliding that pushes itself in needs mu |G_NT| >= G_NN.
 bool may_jam(const scene::Scene& s) { return s.first().contact->friction.coefficient > 0.5; }
 
@@ -35,32 +33,6 @@ void expect_event_keeps_every_rule(int count) {
 TEST(HardRandom, EventKeepsEveryRule) { expect_event_keeps_every_rule(50); }
 
 TEST(HardRandomNightly, EventKeepsEveryRule) { expect_event_keeps_every_rule(1000); }
-
-TEST(HardRandom, MidpointKeepsEveryRule) {
-  test::RandomScenes scenes(21);
-  int solved = 0;
-  for (int k = 0; k < kScenes; ++k) {
-    const scene::Scene scene = scenes.next();
-    const Trajectory t = test::run_paper(scene, 1e-5);
-    SCOPED_TRACE("scene " + std::to_string(k));
-    if (t.status != Status::kOk) {
-      // A flight of more than the clearance in a step may end outside, with a word.
-      EXPECT_TRUE(
-          t.status == Status::kOutOfRange ||
-          (may_jam(scene) && (t.status == Status::kNoSolution || t.status == Status::kAmbiguous)))
-          << t.message;
-      test::expect_refused_or_finite(t);
-      continue;
-    }
-    const double speed =
-        2.0 *
-        std::max({1.0, test::largest(t.column("rotor_vx")), test::largest(t.column("rotor_vy")),
-                  test::largest(t.column("stator_vx")), test::largest(t.column("stator_vy"))});
-    test::expect_sound_paper(scene, t, 1e-5, speed);
-    ++solved;
-  }
-  EXPECT_GT(solved, kScenes * 9 / 10);
-}
 
 }  // namespace
 }  // namespace rotorub

@@ -1,5 +1,5 @@
 // Lasting contact where it is hard: friction from little to absurd, spin and mass far from the
-// usual, whip that turns into rolling, more than one attractor, stick-slip, a motor that stalls.
+// usual, more than one attractor, stick-slip.
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -7,7 +7,6 @@
 
 #include "native_model/oracles/annular_rub.h"
 #include "tests/native_model/hard/rules.h"
-#include "tests/support/oracles/elastic_whip.h"
 
 namespace rotorub {
 namespace {
@@ -138,36 +137,6 @@ TEST(HardStickSlip, NoChangeOfSignEveryStep) {
   EXPECT_LT(flips, slips / 4);
 }
 
-TEST(HardWhip, BackwardUntilItRolls) {
-  const Jeffcott j{.mass = 2.0,
-                   .damping = 5.0,
-                   .stiffness = 2e5,
-                   .radius = 0.02,
-                   .friction = 0.3,
-                   .speed = 200.0};
-  const oracle::BackwardWhip exact{j.mass, j.damping, j.stiffness, j.friction, j.clearance};
-  const double start = 1.2 * exact.growth_threshold();
-  scene::Scene scene = make_scene(j);
-  scene.initial.x = {j.clearance};
-  scene.initial.vy = {-start * j.clearance};
-  scene.run.end = 1.2 * exact.blow_up(start);
-  const double rolling = j.speed * j.radius / j.clearance;
-  const auto nu = [&](const Trajectory& t) {
-    const std::size_t k = t.rows() - 1;
-    return -(t.column("rotor_x")[k] * t.column("rotor_vy")[k] -
-             t.column("rotor_y")[k] * t.column("rotor_vx")[k]) /
-           (j.clearance * j.clearance);
-  };
-  const Trajectory t = test::sound_event(scene);
-  EXPECT_NEAR(nu(t), rolling, 1e-9 * rolling);
-  EXPECT_EQ(static_cast<Mode>(t.column("mode").back()), Mode::kStick);
-  const double step = 1e-6;
-  const Trajectory p = test::run_paper(scene, step);
-  test::expect_sound_paper(scene, p, step, 2.0 * j.speed * j.radius);
-  EXPECT_NEAR(nu(p), rolling, 1e-3 * rolling);
-  EXPECT_EQ(static_cast<Mode>(p.column("mode").back()), Mode::kStick);
-}
-
 // Free flight, forward rub and backward whip live side by side. Each start goes to its own
 // attractor, whatever the step.
 TEST(HardAttractors, TheSameFromTheSameStart) {
@@ -220,49 +189,6 @@ TEST(HardAttractors, TheSameFromTheSameStart) {
                 reference.column("normal_force").back() > 0.0);
     }
   }
-}
-
-// An induction motor that cannot pull an unbalanced rotor through its resonance stays there.
-TEST(HardRunUp, StallsAtTheResonance) {
-  double resonance = 0.0;
-  const auto speed_after = [&](double torque, bool event) {
-    scene::Scene scene;
-    scene.name = "run_up";
-    scene::RotorGeometry g;
-    g.length = 0.6;
-    g.E = 2.1e11;
-    g.nu = 0.3;
-    g.rho = 7850.0;
-    g.modes = 1;
-    g.damping_ratio = 0.005;
-    g.sections = {{0.0, 0.6, 0.012, 0.0}};
-    g.discs = {{0.3, 2.0, 1.8e-3, 3.6e-3, 400e-6, 0.0}};
-    g.bearings = {{0.03, {2e7, 2e7}, {0.0, 0.0}}, {0.57, {2e7, 2e7}, {0.0, 0.0}}};
-    g.G = g.E / 2.6;
-    scene.rotor.geometry = g;
-    scene::Drive drive;
-    drive.kind = scene::DriveKind::kKloss;
-    drive.breakdown_torque = torque;
-    drive.breakdown_slip = 0.3;
-    drive.synchronous_speed = 600.0;
-    drive.inertia = 2e-3;
-    scene.drive = drive;
-    scene.run.end = 20.0;  // at 16 rad/s^2 it takes 10 s to the resonance
-    scene.run.output_step = 0.1;
-    const Trajectory t = event ? test::run_event(scene) : test::run_paper(scene, 1e-4);
-    EXPECT_EQ(t.status, Status::kOk) << t.message;
-    test::expect_finite(t);
-    if (event) {
-      EXPECT_LT(t.statistics.energy_residual(), test::kEnergy);
-    }
-    const Model m = make_model(scene);
-    resonance = std::sqrt(m.stiffness[0] / m.mass[0]);
-    return t.column("spin_speed").back();
-  };
-  const double weak = speed_after(0.15, true), strong = speed_after(1.5, true);
-  EXPECT_NEAR(weak, resonance, 0.1 * resonance);
-  EXPECT_GT(strong, 1.8 * resonance);
-  EXPECT_NEAR(speed_after(0.15, false), weak, 0.03 * weak);
 }
 
 }  // namespace

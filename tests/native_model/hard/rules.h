@@ -107,9 +107,9 @@ inline void expect_sound_event(const scene::Scene& scene, const Trajectory& t) {
   }
 }
 
-// Of a run of `midpoint`: its complementarity is of the midpoints (see midpoint_laws_test.cc); at
-// the rows the depth is bounded by what the curvature of the ring leaves in one step and by one
-// step of flight at first touch. fastest: m/s, relative speed that the scene cannot exceed.
+// Of a run of `midpoint`: its complementarity is of the midpoints; at the rows the depth is bounded
+// by what the curvature of the ring leaves in one step and by one step of flight at first touch.
+// fastest: m/s, relative speed that the scene cannot exceed.
 inline void expect_sound_paper(const scene::Scene& scene, const Trajectory& t, double step,
                                double fastest) {
   ASSERT_EQ(t.status, Status::kOk) << t.message;

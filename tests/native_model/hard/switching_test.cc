@@ -108,39 +108,5 @@ TEST(HardSwitching, SaturatedActuator) {
   }
 }
 
-// A sampled command is a staircase with its jumps at the samples, the same in both integrators.
-TEST(HardSwitching, SampledCommandsAtTheSameInstants) {
-  scene::Scene scene = test::shipped_rig("paper_sliding");
-  scene.run.end = 0.106;  // before the first touch: both integrators are on the same path
-  scene.first().controller->on = 0.1;
-  scene.first().controller->sample_time = 1e-4;
-  scene.run.output_times.clear();
-  // Two instants within each sample, none on its edge.
-  for (int k = 0; k < 60; ++k) {
-    scene.run.output_times.push_back(0.1 + 1e-4 * k + 2e-5);
-    scene.run.output_times.push_back(0.1 + 1e-4 * k + 8e-5);
-  }
-  scene.run.output_step = scene.run.end;
-  const Trajectory t = test::run_event(scene), p = test::run_paper(scene, 1e-6);
-  test::expect_sound_event(scene, t);
-  ASSERT_EQ(p.status, Status::kOk);
-  ASSERT_EQ(t.rows(), 122u);  // with the start and the end
-  ASSERT_EQ(p.rows(), t.rows());
-  for (const char* axis : {"control_x", "control_y"}) {
-    const auto &event = t.column(axis), &paper = p.column(axis);
-    const double scale = test::largest(event);
-    ASSERT_GT(scale, 0.0);
-    for (std::size_t k = 1; k + 1 < t.rows(); k += 2) {
-      EXPECT_EQ(event[k], event[k + 1]) << "held at " << t.column("t")[k];
-      EXPECT_EQ(paper[k], paper[k + 1]) << "held at " << t.column("t")[k];
-      // A command taken a sample late would differ by tens of percent.
-      EXPECT_NEAR(paper[k], event[k], 0.01 * scale) << t.column("t")[k];
-      if (k > 2) {
-        EXPECT_NE(event[k], event[k - 1]) << "sampled anew at " << t.column("t")[k];
-      }
-    }
-  }
-}
-
 }  // namespace
 }  // namespace rotorub

@@ -1,12 +1,8 @@
-// Backward whip on an elastic ring by whole runs: where it settles, how its perturbations grow, and
-// on which side of a watershed a start lies.
+// Backward whip on an elastic ring by whole runs: where it settles, and on which side of a
+// watershed a start lies.
 #include <gtest/gtest.h>
 
-#include <Eigen/Cholesky>
-#include <cmath>
-#include <complex>
 #include <numbers>
-#include <vector>
 
 #include "tests/native_model/hard/rules.h"
 #include "tests/support/native_run.h"
@@ -57,63 +53,6 @@ TEST(HardWhip, PassesAreTheTurnsOfTheWhirl) {
     EXPECT_NEAR(passes.time(), 1.0, 0.02);
   }
 }
-
-// ---------------------------------------------------------------- growth
-// Rate, 1/s, of the amplitude at `frequency` (rad/s) in x: amplitudes by least squares in windows
-// of a quarter of a second, and a line through their logarithms. The first second is left to the
-// faster perturbations.
-double growth_rate(const std::vector<double>& t, const std::vector<double>& x, double frequency) {
-  constexpr double kWindow = 0.25, kFrom = 1.0;
-  std::vector<double> middle, logarithm;
-  std::size_t first = 0;
-  while (t[first] < kFrom) ++first;
-  while (first < t.size()) {
-    std::size_t end = first;
-    while (end < t.size() && t[end] < t[first] + kWindow) ++end;
-    const auto n = static_cast<Eigen::Index>(end - first);
-    if (n < 100) break;
-    Eigen::MatrixXd basis(n, 3);
-    Eigen::VectorXd value(n);
-    for (Eigen::Index i = 0; i < n; ++i) {
-      const std::size_t k = first + static_cast<std::size_t>(i);
-      basis.row(i) << 1.0, std::cos(frequency * t[k]), std::sin(frequency * t[k]);
-      value[i] = x[k];
-    }
-    const Eigen::Matrix3d normal = basis.transpose() * basis;
-    const Eigen::Vector3d right = basis.transpose() * value, fit = normal.ldlt().solve(right);
-    middle.push_back(t[first] + 0.5 * kWindow);
-    logarithm.push_back(0.5 * std::log(fit.tail<2>().squaredNorm()));
-    first = end;
-  }
-  Eigen::MatrixXd line(middle.size(), 2);
-  line.col(0).setOnes();
-  line.col(1) = Eigen::Map<Eigen::VectorXd>(middle.data(), line.rows());
-  const Eigen::VectorXd y = Eigen::Map<Eigen::VectorXd>(logarithm.data(), line.rows());
-  const Eigen::Matrix2d normal = line.transpose() * line;
-  const Eigen::Vector2d right = line.transpose() * y, fit = normal.ldlt().solve(right);
-  return fit[1];
-}
-
-// Within 2 % of the eigenvalue, judged over 5 s: over 1 s decay and growth look alike.
-void expect_growth(double mu) {
-  SCOPED_TRACE(mu);
-  scene::Scene scene = test::shipped("bench_whip");
-  scene.first().contact->friction = mu;
-  const ElasticWhip whip = test::whip_of(scene);
-  const double nu = whip.slipping_whips(mu)[1];
-  const std::complex<double> first = whip.eigenvalues(nu).front();
-  ASSERT_NE(first.imag(), 0.0);
-  // Off the whip by too little to be anything but linear, even after 5 s of growth.
-  scene = test::whirling(scene, nu * (1.0 + 1e-5));
-  scene.run.end = 5.0;
-  scene.run.output_step = 1e-3;
-  const Trajectory t = test::sound_event(scene);
-  const double rate = growth_rate(t.column("t"), t.column("normal_force"), std::abs(first.imag()));
-  EXPECT_NEAR(rate, first.real(), 0.02 * std::abs(first.real()));
-}
-
-TEST(HardWhip, DecaysBelowTheHopfBorder) { expect_growth(0.241); }
-TEST(HardWhip, GrowsAboveTheHopfBorder) { expect_growth(0.244); }
 
 // ---------------------------------------------------------------- the watershed
 // On the softer ring there is no stable whip: below the edge the rotor lifts off, above it friction

@@ -1,18 +1,17 @@
 // A magnetic bearing that holds the rotor by a feedback of its own, against exact answers: its
-// linear law, its current at the limit, the fall once it has failed.
+// current at the limit, its integrator, the fall once it has failed.
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <complex>
 #include <vector>
 
-#include "native_model/rotor/campbell.h"
-#include "native_model/stepping/ensemble.h"
+#include "native_model/scene/diagnostic.h"
 #include "native_model/system/model.h"
+#include "tests/support/fixed_steps.h"
 #include "tests/support/jeffcott.h"
-#include "tests/support/native_run.h"
-#include "tests/support/order.h"
 
 namespace rotorub {
 namespace {
@@ -37,45 +36,6 @@ scene::Scene levitated() {
   s.run.end = 0.05;
   s.run.output_step = 1e-3;
   return s;
-}
-
-// `event` to `share` of `size`; fixed steps of order 2. (Where the force has a kink, what a step
-// makes of it depends on where in the step it falls: neighbours scatter.)
-template <class Exact>
-void expect_motion(const scene::Scene& s, double size, double share, double order,
-                   const Exact& exact) {
-  const Trajectory reference = run_event(s);
-  EXPECT_LT(test::orbit_error(reference, exact), share * size);
-  EXPECT_LT(reference.statistics.energy_residual(), 1e-9);
-  for (const auto integrator : {scene::Integrator::kMidpoint, scene::Integrator::kVerlet}) {
-    test::Convergence c;
-    for (const double step : {2e-4, 1e-4, 5e-5, 2e-5, 1e-5, 5e-6, 2e-6}) {
-      c.steps.push_back(step);
-      c.errors.push_back(test::orbit_error(run_with(s, integrator, step), exact));
-    }
-    EXPECT_GT(c.order(), order) << static_cast<int>(integrator) << " " << c.text();
-    EXPECT_LT(c.errors.back(), 1e-3 * size) << c.text();
-  }
-}
-
-// m z'' + k_i D z' + (k_i P - k_s) z = 0.
-TEST(MagneticFeedback, LinearLawIsASpringAndADamper) {
-  scene::Scene s = levitated();
-  s.initial.x = {1e-4};
-  s.initial.vy = {0.03};
-  const double delta = 0.5 * kForce * kDerivative / kHeld;
-  const double omega = std::sqrt(kNet / kHeld - delta * delta);
-  const Complex z0 = 1e-4, v0{0.0, 0.03};
-  expect_motion(s, 1e-4, 1e-9, 1.95, [&](double t) {
-    return std::exp(-delta * t) *
-           (z0 * std::cos(omega * t) + (v0 + delta * z0) / omega * std::sin(omega * t));
-  });
-  // The same poles in `modes`.
-  const WhirlSpectrum spectrum = whirl_spectrum(whirl_system(s), 0.0);
-  for (const auto& mode : spectrum.modes) {
-    EXPECT_NEAR(std::abs(mode.frequency), omega, 1e-9 * omega);
-    EXPECT_NEAR(mode.damping_ratio, delta / std::sqrt(kNet / kHeld), 1e-9);
-  }
 }
 
 // The current as the linear law has it, and its force at the limit.
@@ -130,29 +90,13 @@ TEST(MagneticFeedback, AtTheLimitTheForceIsConstant) {
   // Into the linear range: the current has a kink there, no jump.
   s.run.end = 0.006;
   ASSERT_LT(reached, 0.9 * s.run.end);
-  expect_motion(s, kStart, 1e-9, 1.85, exact);
-}
-
-// With a damper the limit depends on the velocity too: a fixed step iterates, and is of order 2.
-TEST(MagneticFeedback, FixedStepsAreOfSecondOrderThroughLimitAndFailure) {
-  scene::Scene s = levitated();
-  s.first().contact.reset();
-  s.initial.x = {3e-4};
-  s.initial.vy = {0.1};
-  s.magnetic_bearings[0].control->current_limit = 0.4;
-  s.magnetic_bearings[0].control->fails_at = 0.0312345678;
-  const Trajectory reference = run_event(s);
-  EXPECT_LT(reference.statistics.energy_residual(), 1e-10);
-  for (const auto integrator : {scene::Integrator::kMidpoint, scene::Integrator::kVerlet}) {
-    test::Convergence c;
-    for (const double step : {2e-4, 1e-4, 5e-5, 2.5e-5, 1e-5}) {
-      const Trajectory t = run_with(s, integrator, step);
-      c.steps.push_back(step);
-      c.errors.push_back(test::rotor_error(t, reference));
-    }
-    EXPECT_GT(c.order(), 1.85) << static_cast<int>(integrator) << " " << c.text();
-    EXPECT_LT(run_with(s, integrator).statistics.energy_residual(), 1e-5);
-  }
+  const Trajectory t = run_event(s);
+  EXPECT_LT(test::orbit_error(t, exact), 1e-9 * kStart);
+  EXPECT_LT(t.statistics.energy_residual(), 1e-9);
+  // What a step makes of the kink depends on where in the step it falls: neighbours scatter.
+  test::expect_order_of_steps(
+      s, {2e-4, 1e-4, 5e-5, 2e-5, 1e-5, 5e-6, 2e-6}, 1.85,
+      [&](const Trajectory& run) { return test::orbit_error(run, exact); }, 1e-3 * kStart);
 }
 
 // It fails: from where it hung the rotor falls freely, to the ring.
@@ -185,35 +129,64 @@ TEST(MagneticFeedback, FailsAndTheRotorFalls) {
   }
 }
 
-// Lanes beside each other have a limit and an instant of failure each; their bits are the run's
-// alone.
-TEST(MagneticFeedback, LanesAreTheRunsAlone) {
-  constexpr double kStep = 1e-5;
-  constexpr int kSteps = 2000;
-  std::vector<Model> models;
-  std::vector<Eigen::Vector2d> ends;
-  for (int k = 0; k < 4; ++k) {
-    scene::Scene s = levitated();
-    s.initial.x = {3e-4};
-    s.initial.vy = {0.1};
-    s.magnetic_bearings[0].control->current_limit = 0.3 + 0.1 * k;
-    s.magnetic_bearings[0].control->fails_at = 0.01 + 1.2345e-3 * k;
-    s.magnetic_bearings[0].control->integral = 1e4 + 2e4 * k;
-    models.push_back(make_model(s));
-    s.run.end = kSteps * kStep;
-    const Trajectory t = run_with(s, scene::Integrator::kVerlet, kStep);
-    ends.emplace_back(t.column("rotor_x").back(), t.column("rotor_y").back());
+// Stable by Hurwitz while k_i D (k_i P - k_s) > m k_i I.
+TEST(MagneticIntegral, TooMuchOfItHasNoSteadyOrbit) {
+  scene::Scene s = levitated();
+  s.gravity = scene::Gravity{{0.0, -9.81}, {}};
+  s.initial.steady = true;
+  const double border = kDerivative * kNet / kHeld;
+  s.magnetic_bearings[0].control->integral = 0.999 * border;
+  EXPECT_NO_THROW(make_model(s));
+  s.magnetic_bearings[0].control->integral = 1.001 * border;
+  EXPECT_THROW(make_model(s), scene::SceneError);
+}
+
+// Against classical Runge-Kutta steps of its three equations, written down here once more.
+TEST(MagneticIntegral, TheLimitTakesBackWhatItCutsOff) {
+  static constexpr double kLimit = 0.3, kIntegral = 6e4;     // A, A/(m s)
+  constexpr double kPush = 25.0, kOff = 0.05, kStep = 1e-6;  // N, s, s
+  scene::Scene s = levitated();
+  s.first().contact.reset();
+  s.run.end = 0.1;
+  s.magnetic_bearings[0].negative_stiffness = 0.0;
+  s.magnetic_bearings[0].control->integral = kIntegral;
+  s.magnetic_bearings[0].control->current_limit = kLimit;
+  s.forces = {
+      {.kind = scene::ForceKind::kConstant, .vector = {kPush, 0.0}, .off = kOff, .shape = {1.0}}};
+  ASSERT_GT(kPush, kForce * kLimit);  // it is pushed away
+  using Axis = std::array<double, 3>;
+  const auto slope = [](const Axis& y, double force) {
+    const double asked = -(kProportional * y[0] + kDerivative * y[1] + y[2]),
+                 i = std::clamp(asked, -kLimit, kLimit);
+    return Axis{y[1], (force + kForce * i) / kHeld,
+                kIntegral * y[0] + (asked - i) * kIntegral / kProportional};
+  };
+  Axis y{};
+  std::vector<double> exact{0.0};
+  const auto moved = [](const Axis& from, const Axis& by, double h) {
+    return Axis{from[0] + h * by[0], from[1] + h * by[1], from[2] + h * by[2]};
+  };
+  double held = 0.0;
+  for (int k = 0; k < 100'000; ++k) {
+    const double force = k * kStep < kOff - 0.5 * kStep ? kPush : 0.0;
+    const Axis a = slope(y, force), b = slope(moved(y, a, 0.5 * kStep), force);
+    const Axis c = slope(moved(y, b, 0.5 * kStep), force), d = slope(moved(y, c, kStep), force);
+    for (int i = 0; i < 3; ++i) y[i] += kStep / 6.0 * (a[i] + 2.0 * b[i] + 2.0 * c[i] + d[i]);
+    held = std::max(held, y[2]);
+    if ((k + 1) % 1000 == 0) exact.push_back(y[0]);
   }
-  const std::vector<EnsembleRun> runs = Ensemble(models, kStep).run(kSteps);
-  for (std::size_t k = 0; k < models.size(); ++k) {
-    const EnsembleRun alone = Ensemble({models[k]}, kStep).run(kSteps).front();
-    ASSERT_EQ(runs[k].status, Status::kOk);
-    EXPECT_EQ(runs[k].q, alone.q) << k;
-    EXPECT_EQ(runs[k].v, alone.v) << k;
-    EXPECT_NEAR(runs[k].q[0], ends[k].x(), 1e-15) << k;
-    EXPECT_NEAR(runs[k].q[1], ends[k].y(), 1e-15) << k;
+  EXPECT_LT(std::abs(held), 3.0 * kLimit);  // it does not wind up
+  const Trajectory t = run_event(s);
+  ASSERT_EQ(t.rows(), exact.size());
+  double size = 0.0;
+  for (const double x : exact) size = std::max(size, std::abs(x));
+  ASSERT_GT(size, 1e-5);
+  for (std::size_t k = 0; k < exact.size(); ++k)
+    EXPECT_NEAR(t.column("rotor_x")[k], exact[k], 1e-8 * size) << k;
+  for (const auto integrator : {scene::Integrator::kMidpoint, scene::Integrator::kVerlet}) {
+    const Trajectory stepped = run_with(s, integrator, 1e-5);
+    EXPECT_LT(test::rotor_error(stepped, t), 1e-4 * size) << static_cast<int>(integrator);
   }
-  EXPECT_NE(runs[0].q, runs[1].q);
 }
 
 }  // namespace

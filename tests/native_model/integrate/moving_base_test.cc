@@ -71,23 +71,6 @@ TEST(MovingBase, ALineIsTwoForcesOnARotorInAFixedRing) {
   EXPECT_LT(a.statistics.energy_residual(), 1e-10) << "what the base does is booked";
 }
 
-TEST(MovingBase, AQuakeIsBookedAndMetByEveryStep) {
-  for (const Part& part : pair_parts()) {
-    if (part.group != "base") continue;
-    const scene::Scene scene = shaft(part.geometry);
-    const Trajectory exact = run_event(scene);
-    EXPECT_LT(exact.statistics.energy_residual(), 1e-9) << part.name;
-    std::vector<double> errors;
-    for (const double step : {1e-5, 5e-6, 2.5e-6}) {
-      const Trajectory t = run_with(scene, scene::Integrator::kVerlet, step);
-      EXPECT_LT(t.statistics.energy_residual(), 1e-3) << part.name;
-      errors.push_back(std::abs(t.column("rotor_x").back() - exact.column("rotor_x").back()) +
-                       std::abs(t.column("rotor_y").back() - exact.column("rotor_y").back()));
-    }
-    EXPECT_LT(errors[2], 0.15 * errors[0] + 1e-11) << part.name << ": of order 2";
-  }
-}
-
 // The machine of kBaseModal without its force, in coordinates that stand still: springs, dampers
 // and the impact act between each body and a base that is at
 //

@@ -5,8 +5,6 @@
 #include <cmath>
 #include <complex>
 
-#include "native_model/run/run_native.h"
-#include "native_model/scene/reader.h"
 #include "native_model/stepping/step_limit.h"
 #include "tests/support/jeffcott.h"
 #include "tests/support/native_run.h"
@@ -125,28 +123,6 @@ TEST(SpeedControl, LimitsTheStep) {
   const StepLimit limit = step_limit(make_model(s));
   EXPECT_DOUBLE_EQ(limit.step, 2.0 / std::sqrt(1e10 / kInertia));
   EXPECT_NE(std::string(limit.of).find("integral_gain"), std::string::npos);
-}
-
-TEST(SpeedControl, ReadsItsKeysWithTheirUnits) {
-  const scene::Scene s = scene::parse_scene(R"([rotor]
-[rotor.modal]
-mass = [2.0]
-stiffness = [2e5]
-inertia = 1e-2
-[drive]
-kind = "speed_controlled"
-gain = "0.5 N m s/rad"
-speed = "75 Hz"
-integral_gain = 2.0
-torque_limit = "3 N m"
-acceleration = "60 rpm/s"
-)",
-                                            "s.toml");
-  EXPECT_EQ(s.drive->kind, scene::DriveKind::kSpeedControlled);
-  EXPECT_DOUBLE_EQ(s.drive->speed, 150.0 * std::acos(-1.0));
-  EXPECT_EQ(s.drive->integral_gain, 2.0);
-  EXPECT_EQ(s.drive->torque_limit, 3.0);
-  EXPECT_DOUBLE_EQ(s.drive->acceleration, 2.0 * std::acos(-1.0));
 }
 
 }  // namespace

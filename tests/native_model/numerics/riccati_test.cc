@@ -55,24 +55,6 @@ TEST(Riccati, RandomSystemsHaveNoResidualAndDecay) {
   }
 }
 
-// The chain of one mass: the gain that is known for a double integrator with cheap control is
-// deadbeat.
-TEST(Riccati, CheapControlOfADoubleIntegratorIsDeadbeat) {
-  MatrixXd a(2, 2), b(2, 1);
-  a << 1.0, 1.0, 0.0, 1.0;
-  b << 0.5, 1.0;
-  const MatrixXd r = MatrixXd::Constant(1, 1, 1e-12);
-  MatrixXd q = MatrixXd::Zero(2, 2);
-  q << 1.0, 0.5, 0.5, 0.25;  // of the output x + v/2, which the next command reaches
-  const auto p = solve_riccati(a, b, q, r);
-  ASSERT_TRUE(p);
-  const auto values = real_eigenvalues(a - b * riccati_gain(a, b, r, *p));
-  ASSERT_TRUE(values);
-  double least = 1.0;
-  for (const auto& value : *values) least = std::min(least, std::abs(value));
-  EXPECT_LT(least, 1e-5);
-}
-
 TEST(Riccati, AnUnreachableModeThatGrowsHasNoSolution) {
   MatrixXd a = MatrixXd::Identity(2, 2), b(2, 1);
   a(1, 1) = 1.1;

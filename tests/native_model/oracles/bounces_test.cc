@@ -72,27 +72,6 @@ TEST(Billiard, ThroughTheCentreGoesToAndFro) {
   }
 }
 
-TEST(Billiard, ARegularPolygonComesBack) {
-  // Angle of incidence 45 degrees: a square.
-  const double r = 1.0;
-  const Eigen::Vector2d start{0.0, -std::sqrt(0.5)};
-  const Billiard exact(r, start, {1.0, 0.0});
-  EXPECT_NEAR(exact.chord_time(), std::sqrt(2.0), 1e-14);
-  const double round = 4.0 * std::sqrt(2.0);
-  EXPECT_LT((exact.position(round) - start).norm(), 1e-14);
-  EXPECT_EQ(exact.impacts_until(round), 4);
-}
-
-TEST(Billiard, KeepsSpeedAndAngularMomentum) {
-  const Billiard exact(0.5e-3, {1e-4, 0.0}, {0.3, 0.4});
-  for (double t = 0.0; t < 1.0; t += 0.0137) {
-    const Eigen::Vector2d p = exact.position(t), v = exact.velocity(t);
-    EXPECT_NEAR(v.norm(), 0.5, 1e-14);
-    EXPECT_NEAR(p.x() * v.y() - p.y() * v.x(), 4e-5, 1e-16);
-    EXPECT_LE(p.norm(), 0.5e-3 * (1.0 + 1e-12));
-  }
-}
-
 // Bounces one after another: speed at the ground from the fall, then e times that.
 TEST(Drop, ImpactTimesAreTheSumOfFlights) {
   const Drop drop{0.5e-3, 9.81, 0.5};

@@ -5,7 +5,6 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
-#include <cmath>
 #include <random>
 
 namespace rotorub::oracle {
@@ -41,42 +40,6 @@ TEST(PlanarImpact, WithoutTangentialRestitutionIsRouths) {
   }
   EXPECT_GT(stuck, 100);
   EXPECT_GT(slid, 100);
-}
-
-double energy(const PlanarImpact& p, double normal, double slip) {
-  return 0.5 * (normal * normal / p.g_nn + slip * slip / p.g_tt);
-}
-
-TEST(PlanarImpact, NeverGainsEnergyAndLosesNoneWhereBothRestitutionsAreOne) {
-  std::mt19937_64 random(6);
-  std::uniform_real_distribution<double> unit(0.0, 1.0);
-  for (int k = 0; k < 2000; ++k) {
-    PlanarImpact p{0.2 + unit(random), 0.2 + unit(random), 2.0 * unit(random), unit(random),
-                   unit(random)};
-    const double normal = -0.1 - unit(random);
-    // Slips that stick, so that the tangential restitution acts.
-    const double slip =
-        0.999 * p.friction * p.g_tt * p.compression(normal) * (2.0 * unit(random) - 1.0);
-    ASSERT_TRUE(p.sticks(normal, slip));
-    const double before = energy(p, normal, slip);
-    ASSERT_LE(energy(p, p.normal_after(normal), p.slip_after(normal, slip)), before);
-    p.restitution = p.tangential_restitution = 1.0;
-    ASSERT_NEAR(energy(p, p.normal_after(normal), p.slip_after(normal, slip)), before,
-                1e-14 * before);
-    ASSERT_DOUBLE_EQ(p.slip_after(normal, slip), -slip) << "springs back whole";
-  }
-}
-
-TEST(PlanarImpact, StickingEndsWhereFrictionIsUsedUp) {
-  const PlanarImpact p{0.5, 2.0, 0.25, 0.5, 0.0};
-  // Compression 1 / 0.5 = 2 N s; friction stops up to 0.25 * 2 * 2 = 1 m/s of slip in it.
-  EXPECT_EQ(p.compression(-1.0), 2.0);
-  EXPECT_TRUE(p.sticks(-1.0, 1.0));
-  EXPECT_FALSE(p.sticks(-1.0, std::nextafter(1.0, 2.0)));
-  EXPECT_TRUE(p.sticks(-1.0, -1.0));
-  EXPECT_NEAR(p.slip_after(-1.0, 1.4), 0.0, 1e-15) << "stopped in the expansion";
-  EXPECT_NEAR(p.slip_after(-1.0, -3.0), -1.5, 1e-15);
-  EXPECT_EQ(p.normal_after(-1.0), 0.5);
 }
 
 }  // namespace

@@ -10,10 +10,10 @@
 
 #include "native_model/dynamics/dynamics.h"
 #include "native_model/rotor/campbell.h"
-#include "native_model/run/run_native.h"
 #include "native_model/scene/diagnostic.h"
-#include "native_model/scene/reader.h"
 #include "native_model/system/model.h"
+#include "tests/support/native_run.h"
+#include "tests/support/said.h"
 
 namespace rotorub {
 namespace {
@@ -129,10 +129,7 @@ TEST(BearingFilm, ARunWhirlsAsTheEigenvalue) {
   s.initial.vy[at] = (1e-4 * forward).imag();
   for (const scene::Integrator integrator :
        {scene::Integrator::kEvent, scene::Integrator::kVerlet}) {
-    NativeOptions options;
-    options.integrator = integrator;
-    options.step = 1e-5;
-    const Trajectory t = run_native(s, options);
+    const Trajectory t = test::run_with(s, integrator);
     ASSERT_EQ(t.status, Status::kOk) << t.message;
     const std::string n = std::to_string(moves + 1);
     const Complex end(t.column("x_" + n).back(), t.column("y_" + n).back());
@@ -255,20 +252,13 @@ TEST(BearingFilm, BearingsOffTheLineCarryTheRotorThere) {
 }
 
 std::string refusal(const std::vector<std::string>& overrides) {
-  try {
-    rigid(overrides);
-  } catch (const scene::SceneError& error) {
-    return error.what();
-  }
-  return {};
+  return test::message_of<scene::SceneError>([&] { rigid(overrides); });
 }
 
 TEST(BearingFilm, SlipsAreRefusedByName) {
   const auto expect = [](const std::string& bearing, const std::string& key,
                          const std::string& why) {
-    const std::string said = refusal({"rotor.bearing[0]=" + bearing});
-    EXPECT_NE(said.find(key), std::string::npos) << said;
-    EXPECT_NE(said.find(why), std::string::npos) << said;
+    EXPECT_TRUE(test::contains(refusal({"rotor.bearing[0]=" + bearing}), {key, why}));
   };
   expect("{z=0.0}", "rotor.bearing[0].stiffness", "missing: expected a stiffness in N/m");
   expect("{z=0.0,table_speed=[1.0,2.0]}", "rotor.bearing[0].table_kxx", "missing");
@@ -282,9 +272,9 @@ TEST(BearingFilm, SlipsAreRefusedByName) {
          "two speeds or more");
   expect("{z=0.0,table_speed=[1.0,2.0],table_kxx=[1.0,2.0,3.0]}", "rotor.bearing[0].table_kxx",
          "expected 2 value(s)");
-  const std::string segments =
-      refusal({"rotor.bearing[0].cross_stiffness=[1.0,0.0]", "mujoco.rotor=\"segments\""});
-  EXPECT_NE(segments.find("cross_stiffness"), std::string::npos) << segments;
+  EXPECT_TRUE(test::contains(
+      refusal({"rotor.bearing[0].cross_stiffness=[1.0,0.0]", "mujoco.rotor=\"segments\""}),
+      "cross_stiffness"));
 }
 
 }  // namespace

@@ -10,9 +10,10 @@
 #include "native_model/numerics/linear_solve.h"
 #include "native_model/rotor/mode_truncation.h"
 #include "native_model/scene/diagnostic.h"
-#include "native_model/scene/reader.h"
 #include "native_model/system/model.h"
 #include "tests/native_model/rotor/rotors.h"
+#include "tests/support/native_run.h"
+#include "tests/support/said.h"
 
 namespace rotorub {
 namespace {
@@ -73,16 +74,10 @@ TEST(AutoModes, IsTheLeastNumberThatDoes) {
 }
 
 TEST(AutoModes, RefusesAStationWithoutMassAndSaysWhy) {
-  try {
-    make_model(automatic(rig(0.0), 0.01));
-    FAIL() << "accepted";
-  } catch (const scene::SceneError& error) {
-    const std::string text = error.what();
-    for (const char* part : {"rotor.modes", "up to 50", "effective mass at the contact", "sleeve",
-                             "Accepted: a modes_tolerance well above"}) {
-      EXPECT_NE(text.find(part), std::string::npos) << part << ": " << text;
-    }
-  }
+  EXPECT_TRUE(test::contains(
+      test::message_of<scene::SceneError>([] { make_model(automatic(rig(0.0), 0.01)); }),
+      {"rotor.modes", "up to 50", "effective mass at the contact", "sleeve",
+       "Accepted: a modes_tolerance well above"}));
 }
 
 // Static flexibilities alone have a limit on any shaft.
@@ -98,40 +93,32 @@ TEST(AutoModes, NeedsNoSleeveWithoutAContact) {
 
 // The effective mass at the contact: known for a shaft that is all sleeve, and falling with the
 // modes.
-
-scene::Scene shipped_rig(const std::vector<std::string>& overrides = {}) {
-  return scene::read_scene(std::string(ROTORUB_SOURCE_DIR) + "/mjcf/paper_passive.toml", overrides);
-}
-
-ContactMass of(const scene::Scene& scene) { return contact_mass(scene).value(); }
-
 TEST(ContactMass, FallsWithTheModesWithoutASleeve) {
   double last = 1e9;
   for (const char* modes : {"rotor.modes=1", "rotor.modes=2", "rotor.modes=8", "rotor.modes=20"}) {
-    const ContactMass mass = of(shipped_rig({modes}));
+    const ContactMass mass = contact_mass(test::shipped("paper_passive", {modes})).value();
     EXPECT_LT(mass.kept, 0.9 * last) << modes;
     EXPECT_LT(mass.mesh, mass.kept) << "all modes are softer";
     EXPECT_GT(mass.mesh, 0.0);
     last = mass.kept;
   }
-  EXPECT_TRUE(of(shipped_rig({"rotor.modes=2"})).truncated());
+  EXPECT_TRUE(contact_mass(test::shipped("paper_passive", {"rotor.modes=2"}))->truncated());
 }
 
 // A sleeve of 50 kg is what an impact meets, whatever the modes, once one of them is its own.
 TEST(ContactMass, OfAHeavySleeveIsTheSleeve) {
   const scene::Scene scene =
-      shipped_rig({"rotor.disc[1]={z=0.24,mass=50.0,Jt=1e-2,Jp=2e-2,eccentricity=0.0,phase=0.0}",
-                   "rotor.modes=12"});
-  const ContactMass mass = of(scene);
+      test::shipped("paper_passive",
+                    {"rotor.disc[1]={z=0.24,mass=50.0,Jt=1e-2,Jp=2e-2,eccentricity=0.0,phase=0.0}",
+                     "rotor.modes=12"});
+  const ContactMass mass = contact_mass(scene).value();
   EXPECT_NEAR(mass.mesh, 50.0, 1.0);
   EXPECT_NEAR(mass.kept, mass.mesh, 0.02 * mass.mesh);
   EXPECT_FALSE(mass.truncated());
 }
 
 TEST(ContactMass, IsNotAskedOfModalData) {
-  EXPECT_FALSE(
-      contact_mass(scene::read_scene(std::string(ROTORUB_SOURCE_DIR) + "/mjcf/bench_ring.toml"))
-          .has_value());
+  EXPECT_FALSE(contact_mass(test::shipped("bench_ring")));
 }
 
 }  // namespace

@@ -62,15 +62,6 @@ TEST(StiffnessMap, GoesFromTheRigidRotorToTheShaftOnPins) {
     EXPECT_GT(map->critical[k][0], map->critical[k - 1][0]) << "a stiffer spring";
 }
 
-TEST(StiffnessMap, HasTheScenesCriticalSpeedsAtItsOwnStiffness) {
-  const scene::Scene s = on_two_bearings(1e6);
-  const auto map = map_of(Of::kBearings, s);
-  ASSERT_TRUE(map);
-  const std::size_t middle = map->stiffness.size() / 2;
-  EXPECT_EQ(map->stiffness[middle], 1e6);
-  EXPECT_EQ(map->critical[middle], critical_speeds(whirl_system(s)));
-}
-
 TEST(StiffnessMap, NeedsSpringsThatDoNotFollowTheSpeed) {
   EXPECT_FALSE(map_of(Of::kBearings, on_two_bearings(0.0))) << "no springs";
   scene::Scene s = on_two_bearings(1e6);

@@ -30,10 +30,6 @@ void expect_all_of_the_spectra(const WhirlSystem& system, const std::vector<doub
   }
 }
 
-TEST(WhirlBranches, EvenSpeedsReachBothEnds) {
-  EXPECT_EQ(even_speeds(10.0, 3), (std::vector<double>{0.0, 5.0, 10.0}));
-}
-
 TEST(WhirlBranches, FollowEveryModeOfAShaft) {
   const WhirlSystem system = whirl_system(test::reference_rig());
   const std::vector<double> speeds = even_speeds(2000.0, 41);

@@ -58,10 +58,7 @@ TEST(TurningRingRub, IsWhatARunOfVerletSettlesOn) {
     ASSERT_TRUE(found);
     EXPECT_TRUE(found->stability.stable) << found->stability.growth;
     EXPECT_EQ(found->rub.rolls(), c.rolls);
-    NativeOptions options;
-    options.integrator = scene::Integrator::kVerlet;
-    options.step = 2e-5;
-    expect_ends_in(run_native(s, options), found->rub, 1e-4);
+    expect_ends_in(test::run_with(s, scene::Integrator::kVerlet, 2e-5), found->rub, 1e-4);
   }
 }
 

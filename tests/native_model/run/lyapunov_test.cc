@@ -23,18 +23,9 @@ LyapunovParameters of_event(double stretch) {
   return p;
 }
 
-// m x'' + d x' + k x = 0: -d / 2 m, whatever drives it.
-TEST(LargestLyapunov, OfALinearRotorIsItsDecay) {
-  scene::Scene s =
-      test::make_scene({.mass = 2.0, .damping = 24.0, .stiffness = 2e5, .speed = 200.0});
-  test::add_rotating_force(s, 20.0, 200.0);
-  const Lyapunov found = largest_lyapunov(s, of_event(2.0 * std::numbers::pi / 200.0));
-  ASSERT_TRUE(found.exponent) << found.refused;
-  // The line swings between place and speed: over 80 stretches by e at most, 2 s are 80 stretches.
-  EXPECT_NEAR(*found.exponent, -6.0, 0.3);
-}
-
-// From where a run has come to, its own turn as the stretch: of a fixed step whole steps of it.
+// m x'' + d x' + k x = 0: -d / 2 m, whatever drives it. From where a run has come to, its own turn
+// as the stretch: of a fixed step whole steps of it. The line swings between place and speed: over
+// 80 stretches by e at most.
 TEST(LargestLyapunov, AfterARunIsThatOfItsScene) {
   scene::Scene s =
       test::make_scene({.mass = 2.0, .damping = 24.0, .stiffness = 2e5, .speed = 200.0});

@@ -6,6 +6,7 @@
 
 #include "native_model/scene/reader.h"
 #include "tests/native_model/scene/scene_samples.h"
+#include "tests/support/refusal.h"
 
 namespace rotorub::scene {
 namespace {
@@ -15,12 +16,7 @@ Scene with(const std::vector<std::string>& overrides) {
 }
 
 std::vector<Diagnostic> override_refusal(const std::vector<std::string>& overrides) {
-  try {
-    with(overrides);
-  } catch (const SceneError& error) {
-    return error.diagnostics();
-  }
-  return {};
+  return test::refusals([&] { with(overrides); });
 }
 
 TEST(Overrides, TakeTomlWordsAndUnits) {
@@ -156,18 +152,15 @@ TEST(Overrides, AreRefusedLikeAFile) {
   }
 }
 
-// [contact] is a list of one.
+// [contact] is a list of one: key by key, and as a whole.
 TEST(Overrides, ATableIsAListOfOne) {
   const Scene s = with({"contact[0].friction=0.07", "contact[0].restitution=0.2"});
   EXPECT_EQ(s.first().contact->friction.coefficient, 0.07);
   EXPECT_EQ(s.first().contact->restitution, 0.2);
-}
-
-// As a whole, too.
-TEST(Overrides, ATableIsSetAsAListOfOne) {
-  const Scene s = with({"contact[0]={radius=0.02,clearance=3e-4,friction=0.1,restitution=0.4}"});
-  EXPECT_EQ(s.first().contact->clearance, 3e-4);
-  EXPECT_EQ(s.first().contact->restitution, 0.4);
+  const Scene whole =
+      with({"contact[0]={radius=0.02,clearance=3e-4,friction=0.1,restitution=0.4}"});
+  EXPECT_EQ(whole.first().contact->clearance, 3e-4);
+  EXPECT_EQ(whole.first().contact->restitution, 0.4);
 }
 
 }  // namespace

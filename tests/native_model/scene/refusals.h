@@ -9,16 +9,13 @@
 
 #include "native_model/scene/reader.h"
 #include "tests/native_model/scene/scene_samples.h"
+#include "tests/support/refusal.h"
+#include "tests/support/said.h"
 
 namespace rotorub::scene {
 
 inline std::vector<Diagnostic> refusal(const std::string& text) {
-  try {
-    parse_scene(text, "s.toml");
-  } catch (const SceneError& error) {
-    return error.diagnostics();
-  }
-  return {};
+  return test::refusals([&] { parse_scene(text, "s.toml"); });
 }
 
 inline std::string replaced(std::string_view sample, const std::string& from,
@@ -44,8 +41,7 @@ inline void expect_refused(const std::vector<Wrong>& cases) {
     EXPECT_EQ(found[0].file, "s.toml") << wrong.why;
     EXPECT_EQ(found[0].line, wrong.line) << wrong.why;
     EXPECT_EQ(found[0].key, wrong.key) << wrong.why;
-    EXPECT_NE(found[0].reason.find(wrong.reason), std::string::npos)
-        << wrong.why << " gave: " << found[0].reason;
+    EXPECT_TRUE(test::contains(found[0].reason, wrong.reason)) << wrong.why;
   }
 }
 

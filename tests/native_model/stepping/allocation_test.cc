@@ -6,14 +6,13 @@
 #include <string>
 
 #include "native_model/bearing/actuator.h"
-#include "native_model/dynamics/dynamics.h"
 #include "native_model/event/driver.h"
 #include "native_model/scene/reader.h"
 #include "native_model/stepping/ensemble.h"
 #include "native_model/stepping/stepper.h"
-#include "native_model/system/actuation.h"
 #include "native_model/trajectory/recorder.h"
 #include "tests/support/counted_new.h"
+#include "tests/support/native_run.h"
 
 namespace rotorub {
 namespace {
@@ -34,8 +33,7 @@ class Allocation : public testing::Test {
 
 // Every kind of work in a step: free flight, impacts, sliding, torsion, unbalance, control.
 scene::Scene soon_active(const std::string& name) {
-  scene::Scene scene =
-      scene::read_scene(std::string(ROTORUB_SOURCE_DIR) + "/mjcf/" + name + ".toml");
+  scene::Scene scene = test::shipped(name);
   if (name.starts_with("paper")) {
     scene.forces[0].on = 0.0;
     scene.initial.steady = false;
@@ -47,24 +45,6 @@ scene::Scene soon_active(const std::string& name) {
 
 constexpr const char* kScenes[] = {"bench_ring",    "bench_billiard", "bench_drop",
                                    "paper_passive", "paper_sliding",  "paper_magnetic"};
-
-TEST_F(Allocation, NoneInAStepOfPaper) {
-  for (const char* name : kScenes) {
-    SCOPED_TRACE(name);
-    const Model model = make_model(soon_active(name));
-    MidpointStepper stepper(model, 1e-5);
-    Eigen::Vector2d u{0.0, 0.0};
-    bool touched = false;
-    const std::int64_t before = allocations;
-    for (std::int64_t k = 0; k < 5000; ++k) {
-      u = control_command(model, 1e-5 * static_cast<double>(k), stepper.q(), stepper.v());
-      touched |= stepper.step(k, u).normal_impulse > 0.0;
-    }
-    const std::int64_t count = allocations - before;
-    EXPECT_EQ(count, 0);
-    EXPECT_TRUE(touched);
-  }
-}
 
 TEST_F(Allocation, NoneInAStepOfSeveralContacts) {
   const Model model = make_model(scene::read_scene(

@@ -9,9 +9,8 @@
 #include "native_model/contact/compliance.h"
 #include "native_model/stepping/ensemble.h"
 #include "native_model/stepping/step_limit.h"
+#include "tests/support/fixed_steps.h"
 #include "tests/support/jeffcott.h"
-#include "tests/support/native_run.h"
-#include "tests/support/order.h"
 #include "tests/support/refusal.h"
 
 namespace rotorub {
@@ -91,18 +90,11 @@ TEST(CompliantSteps, KeepTheirOrderWhileTheyStick) {
     const std::vector<double>& modes = exact.column("mode");
     const auto stuck = std::ranges::count(modes, static_cast<double>(Mode::kStick));
     ASSERT_GE(stuck, std::ssize(modes) / 4) << law.name;
-    for (const Integrator scheme : {Integrator::kVerlet, Integrator::kMidpoint}) {
-      test::Convergence errors;
-      for (const double h : {1e-5, 5e-6, 2.5e-6, 1.25e-6, 6.25e-7}) {
-        const Trajectory t = run_with(s, scheme, h);
-        ASSERT_EQ(t.status, Status::kOk) << law.name << t.message;
-        errors.steps.push_back(h);
-        errors.errors.push_back(test::trajectory_error(t, exact, s.first().contact->radius));
-      }
-      EXPECT_GT(errors.order(), 1.6)
-          << law.name << (scheme == Integrator::kVerlet ? " verlet " : " midpoint ")
-          << errors.text();
-    }
+    SCOPED_TRACE(law.name);
+    test::expect_order_of_steps(
+        s, {1e-5, 5e-6, 2.5e-6, 1.25e-6, 6.25e-7}, 1.6, [&](const Trajectory& t) {
+          return test::trajectory_error(t, exact, s.first().contact->radius);
+        });
   }
 }
 
@@ -122,17 +114,8 @@ TEST(CompliantSteps, KeepTheirOrderWhereOneIsTouchedWhileAnotherPresses) {
   const Trajectory exact = run_event(s);
   ASSERT_EQ(exact.status, Status::kOk) << exact.message;
   ASSERT_GE(exact.impacts.size(), 2u);
-  for (const Integrator scheme : {Integrator::kVerlet, Integrator::kMidpoint}) {
-    test::Convergence errors;
-    for (const double h : {8e-6, 4e-6, 2e-6, 1e-6, 5e-7}) {
-      const Trajectory t = run_with(s, scheme, h);
-      ASSERT_EQ(t.status, Status::kOk) << t.message;
-      errors.steps.push_back(h);
-      errors.errors.push_back(test::rotor_error(t, exact));
-    }
-    EXPECT_GT(errors.order(), 1.8)
-        << (scheme == Integrator::kVerlet ? "verlet " : "midpoint ") << errors.text();
-  }
+  test::expect_order_of_steps(s, {8e-6, 4e-6, 2e-6, 1e-6, 5e-7}, 1.8,
+                              [&](const Trajectory& t) { return test::rotor_error(t, exact); });
 }
 
 TEST(CompliantSteps, GiveTheFiguresOfEvent) {

@@ -1,4 +1,4 @@
-// What a scene becomes: layout, the parts that are absent, and what only the modes can refuse.
+// What a scene becomes: its start, and what only the modes can refuse.
 #include "native_model/system/model.h"
 
 #include <gtest/gtest.h>
@@ -27,63 +27,6 @@ void expect_refusal(const scene::Scene& scene, const std::string& key, const std
       << "says what would be taken: " << d.reason;
 }
 
-TEST(Layout, APartThatIsAbsentHasNoCoordinate) {
-  scene::Scene s = make_scene({});
-  EXPECT_EQ(make_model(s).nq(), 2) << "two planes of one mode, and nothing else";
-  test::add_ring(s, 1.0, 0.0, 0.0);
-  EXPECT_EQ(make_model(s).nq(), 4);
-  s.rotor.modal->inertia = 1e-3;
-  s.drive = scene::Drive{};
-  EXPECT_EQ(make_model(s).nq(), 5);
-  scene::Torsion torsion;
-  torsion.inertia = torsion.stiffness = {1.0, 2.0};
-  s.rotor.torsion = torsion;
-  const Layout l = make_model(s).layout;
-  EXPECT_EQ(l.nq(), 7);
-  EXPECT_EQ(l.x(), 0);
-  EXPECT_EQ(l.y(), 1);
-  EXPECT_EQ(l.phi(), 2);
-  EXPECT_EQ(l.theta(), 3);
-  EXPECT_EQ(l.ring(), 5);
-  s.drive.reset();
-  const Layout held = make_model(s).layout;
-  EXPECT_EQ(held.spin, 0) << "a prescribed speed is no degree of freedom";
-  EXPECT_EQ(held.nq(), 6);
-}
-
-TEST(Model, AbsentPartsLeaveNothingToCompute) {
-  const Model m = make_model(make_scene({}));
-  EXPECT_TRUE(m.gyroscopic.absent());
-  EXPECT_TRUE(m.internal_xx.absent());
-  EXPECT_TRUE(m.dampers.empty());
-  EXPECT_TRUE(m.springs.empty());
-  EXPECT_TRUE(m.forces.empty());
-  EXPECT_TRUE(m.unbalances.empty());
-  EXPECT_EQ(m.weight.size(), 0);
-  EXPECT_FALSE(m.drive);
-  EXPECT_FALSE(m.lines);
-  EXPECT_FALSE(m.first().controller);
-  EXPECT_FALSE(m.coupled_mass());
-  scene::Scene s = make_scene({});
-  s.first().contact.reset();
-  EXPECT_FALSE(make_model(s).first().contact);
-}
-
-TEST(Model, ModalFormIsCopied) {
-  const Model m = make_model(test::machine_scene(true));
-  Eigen::VectorXd mass(9), stiffness(9);
-  mass << 2.0, 0.8, 2.2, 0.7, 1e-3, 4e-4, 1e-4, 1.5, 1.2;
-  stiffness << 2.0e5, 3.0e6, 1.6e5, 2.5e6, 0.0, 60.0, 90.0, 1.0e5, 1.4e5;
-  EXPECT_EQ(m.mass, mass);
-  EXPECT_EQ(m.stiffness, stiffness);
-  EXPECT_EQ(m.first().shape.x, Eigen::Vector2d(1.0, 1.0));
-  EXPECT_EQ(m.first().torsion_shape, Eigen::Vector2d(1.0, 1.0));
-  EXPECT_EQ(m.drive_shape, Eigen::Vector2d(0.3, -0.5));
-  EXPECT_EQ(m.first().contact->friction.coefficient, 0.2);
-  EXPECT_EQ(m.springs.at(0).stiffness, Eigen::Vector2d(-3e4, -3e4));
-  EXPECT_EQ(m.gyroscopic.kind(), ModeMatrix::Kind::kDiagonal);
-}
-
 TEST(Model, InitialStateIsTheScenes) {
   scene::Scene s = test::machine_scene(true);
   s.initial = {.x = {1e-4, -2e-4},
@@ -102,24 +45,6 @@ TEST(Model, InitialStateIsTheScenes) {
   EXPECT_EQ(state.t, 0.0);
   EXPECT_EQ(state.q, q);
   EXPECT_EQ(state.v, v);
-}
-
-TEST(Model, GeometryFormBringsTheShaftsOwnTerms) {
-  scene::Scene s = test::reference_rig();
-  s.rotor.speed = 314.0;
-  s.rotor.geometry->bearings[0].damping = {50.0, 60.0};
-  s.rotor.geometry->internal_damping_ratio = 0.002;
-  const Model m = make_model(s);
-  EXPECT_EQ(m.nq(), 6);
-  EXPECT_FALSE(m.gyroscopic.absent());
-  EXPECT_FALSE(m.internal_xy.absent());
-  EXPECT_EQ(m.dampers.size(), 1u) << "the other bearing has none";
-  ASSERT_EQ(m.unbalances.size(), 1u);
-  EXPECT_DOUBLE_EQ(m.unbalances[0].static_moment, 2.0 * 20e-6);
-  EXPECT_TRUE(m.lines);
-  EXPECT_EQ(m.first().shape.x, Eigen::Vector3d(1.0, 1.0, 1.0)) << "scaled to 1 at the contact";
-  s.rotor.geometry->discs[0].eccentricity = 0.0;
-  EXPECT_TRUE(make_model(s).unbalances.empty());
 }
 
 TEST(ModelRefusal, AStartOutsideTheRing) {

@@ -5,10 +5,10 @@
 #include <vector>
 
 #include "native_model/rub/rub_system.h"
-#include "native_model/run/run_native.h"
 #include "native_model/scene/diagnostic.h"
 #include "native_model/scene/reader.h"
 #include "native_model/system/model.h"
+#include "tests/support/native_run.h"
 #include "tests/support/refusal.h"
 #include "tests/support/thrown.h"
 
@@ -16,10 +16,7 @@ namespace rotorub {
 namespace {
 
 Trajectory thrown(scene::Integrator integrator, const std::vector<std::string>& overrides) {
-  NativeOptions options;
-  options.integrator = integrator;
-  options.step = 1e-5;
-  return run_native(scene::parse_scene(test::kThrown, "thrown.toml", overrides), options);
+  return test::run_with(scene::parse_scene(test::kThrown, "thrown.toml", overrides), integrator);
 }
 
 TEST(RingOffset, AMachineMovedIsTheSameMachine) {

@@ -13,6 +13,7 @@
 #include "native_model/system/actuation.h"
 #include "tests/native_model/system/steady_scenes.h"
 #include "tests/support/jeffcott.h"
+#include "tests/support/native_run.h"
 
 namespace rotorub {
 namespace {
@@ -64,10 +65,7 @@ TEST(SteadyOrbit, TheLeastGapIsThatOfTheRun) {
   ASSERT_TRUE(orbit.largest);
   for (const auto integrator :
        {scene::Integrator::kEvent, scene::Integrator::kVerlet, scene::Integrator::kMidpoint}) {
-    NativeOptions options;
-    options.integrator = integrator;
-    options.step = 1e-6;
-    const double gap = run_native(s, options).statistics.least_gap;
+    const double gap = test::run_with(s, integrator, 1e-6).statistics.least_gap;
     // Between two rows of a run by `event`, whose steps are a radian or so, the rotor comes nearer
     // by orbit (nu dt)^2 / 8 at most.
     EXPECT_GT(gap, 0.5e-3 - *orbit.largest - 1e-10);
@@ -177,14 +175,6 @@ TEST(SteadyOrbit, RingBetweenItsMagnetsIsAtRest) {
   EXPECT_NEAR(f[ring + 1], 0.0, 1e-12 * 150.0);
   const double linear = 20.0 / s.first().stator->stiffness.x();
   EXPECT_GT(std::abs(m.q0[ring] - linear), 0.01 * linear) << "the magnets count";
-}
-
-TEST(SteadyOrbit, RingInTheMiddleOfItsMagnetsWithoutALoad) {
-  scene::Scene s = magnetic_ring();
-  s.first().stator->stiffness *= 100.0;
-  const Model m = make_model(s);
-  EXPECT_EQ(m.q0[m.layout.ring()], 0.0);
-  EXPECT_EQ(m.q0[m.layout.ring() + 1], 0.0);
 }
 
 // T(Omega) winds the free-free shaft: none of its modes accelerates.

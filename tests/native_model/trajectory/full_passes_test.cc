@@ -32,13 +32,6 @@ TEST(FullPasses, OfAWhirl) {
   }
 }
 
-TEST(FullPasses, RockingIsNone) {
-  const FullPasses p =
-      followed(1.0, 1e-3, [](double t) { return -1.57 + 2.9 * std::sin(kTurn * 5.0 * t); });
-  EXPECT_EQ(p.forward() + p.backward(), 0);
-  EXPECT_EQ(p.time(), 0.0);
-}
-
 // Rocks for 1 s, then goes backward three times in 0.3 s, comes back to rock.
 TEST(FullPasses, BetweenRocking) {
   const FullPasses p = followed(2.5, 1e-3, [](double t) {

@@ -2,11 +2,8 @@
 #include <gtest/gtest.h>
 
 #include "native_model/dynamics/dynamics.h"
-#include "native_model/system/actuation.h"
 #include "native_model/trajectory/recorder.h"
 #include "tests/support/jeffcott.h"
-#include "tests/support/machine.h"
-#include "tests/support/runge_kutta.h"
 #include "tests/support/trapezoid_balance.h"
 
 namespace rotorub {
@@ -42,20 +39,6 @@ class Feed {
   test::TrapezoidBalance balance_;
   ContactPoint last_;
 };
-
-TEST(Statistics, NoContactNoFigures) {
-  const Model m = make_model(test::make_scene({}));
-  Feed feed(m);
-  feed.begin({0.0, 0.0}, {0.1, 0.0});
-  feed.step(1e-3, {1e-4, 0.0}, {0.1, 0.0});
-  const Trajectory t = feed.finish(1e-3);
-  EXPECT_EQ(t.statistics.first_touch, -1.0);
-  EXPECT_EQ(t.statistics.contact_time, 0.0);
-  EXPECT_EQ(t.statistics.impulse_total, 0.0);
-  EXPECT_EQ(t.contact_fraction(), 0.0);
-  EXPECT_EQ(t.mean_force(), 0.0);
-  EXPECT_EQ(t.statistics.energy_residual(), 0.0) << "free flight";
-}
 
 TEST(Statistics, ContactIsCountedFromFirstTouch) {
   const Model m = make_model(test::make_scene({.speed = 100.0}));
@@ -105,20 +88,6 @@ TEST(Statistics, AnImpactBesideLastingContactTakesNoTimeOfItsOwn) {
   EXPECT_EQ(s.impulse_total, 8.0);
 }
 
-TEST(Statistics, ImpactsAndEventsAreInTheOrderOfTime) {
-  const Model m = make_model(test::make_scene({}));
-  Recorder recorder(m, {});
-  for (const double t : {2.0, 1.0}) {
-    Impact impact;
-    impact.t = t;
-    recorder.add(impact);
-    recorder.add(Event{t, EventKind::kImpact});
-  }
-  const Trajectory t = recorder.finish(3.0);
-  EXPECT_EQ(t.impacts.front().t, 1.0);
-  EXPECT_EQ(t.events.front().t, 1.0);
-}
-
 TEST(Statistics, PenetrationIsTheDeepestMet) {
   const Model m = make_model(test::make_scene({}));
   Feed feed(m);
@@ -159,54 +128,6 @@ TEST(Statistics, FrictionFromAHeldShaftFeedsTheOrbitAndIsBalanced) {
   EXPECT_NEAR(s.contact_work, s.energy_end, kRoundOff) << "what reaches the coordinates";
   EXPECT_DOUBLE_EQ(s.friction_work, -0.1 * (5.0 + 4.95) / 2) << "what friction does in all";
   EXPECT_NEAR(s.energy_residual(), 0.0, kRoundOff);
-}
-
-// The residual of the whole machine along a Runge-Kutta solution, at a step.
-double residual_along(const Model& m, int steps) {
-  const int n = m.nq();
-  State s = test::random_state(m, 9);
-  s.t = 0.0;
-  const auto rate = [&](double t, const Eigen::VectorXd& y) {
-    Eigen::VectorXd dy(2 * n);
-    dy.head(n) = y.tail(n);
-    smooth_force(m, t, y.data(), y.data() + n, {0.0, 0.0}, dy.data() + n);
-    solve_mass(m, t, y.data(), dy.data() + n, dy.data() + n);
-    return dy;
-  };
-  Eigen::VectorXd y(2 * n);
-  y << s.q, s.v;
-  Recorder recorder(m, {});
-  test::TrapezoidBalance balance(m);
-  const Snapshot start{{}, 0.0, y.data(), y.data() + n};
-  recorder.begin(start);
-  balance.begin(start);
-  const double h = 0.02 / steps;
-  for (int k = 0; k < steps; ++k) {
-    y = test::runge_kutta(rate, k * h, h, y);
-    const Snapshot now{{}, (k + 1) * h, y.data(), y.data() + n};
-    recorder.step(now, 0.0, 0.0, nullptr, balance.step(now, 0.0, 0.0, nullptr));
-  }
-  return recorder.finish(0.02).statistics.energy_residual();
-}
-
-TEST(Statistics, EnergyResidualVanishesWithTheStepOnATrueSolution) {
-  for (const bool drive : {true, false}) {
-    const Model m = test::machine(drive);
-    const double coarse = residual_along(m, 1000), fine = residual_along(m, 4000);
-    EXPECT_LT(coarse, 1e-4) << "the trapezoidal rule over the work, at 20 us";
-    EXPECT_LT(fine, coarse / 12.0) << "second order";
-  }
-}
-
-TEST(Statistics, ResidualOfNothingIsNothing) {
-  EXPECT_EQ(Statistics{}.energy_residual(), 0.0);
-  Statistics s;
-  s.energy_scale = 4.0;
-  s.energy_start = 1.0;
-  s.energy_end = 4.0;
-  s.external_work = 2.0;
-  s.contact_work = -1.0;
-  EXPECT_EQ(s.energy_residual(), 0.5);
 }
 
 }  // namespace

@@ -4,16 +4,13 @@
 
 #include <gtest/gtest.h>
 
-#include <fstream>
-#include <sstream>
-
 #include "native_model/dynamics/dynamics.h"
-#include "native_model/run/run_native.h"
 #include "native_model/system/model.h"
 #include "tests/plugin/own/machine.h"
 #include "tests/plugin/own/two_rings.h"
 #include "tests/plugin/twin/twins.h"
 #include "tests/support/mujoco_fixture.h"
+#include "tests/support/said.h"
 
 namespace rotorub::test {
 namespace {
@@ -23,10 +20,7 @@ using plugin::NativeTwin;
 using NativeTwinTest = MujocoTest;
 
 TEST_F(NativeTwinTest, HasTheNumbersOfTheSceneThatSaysTheSame) {
-  std::ifstream in(std::string(ROTORUB_MJCF_DIR) + "/examples/own_model.xml");
-  std::ostringstream text;
-  text << in.rdbuf();
-  const NativeTwin twin = twin_of(text.str());
+  const NativeTwin twin = twin_of(own_model_example());
   EXPECT_TRUE(twin.limits.empty()) << twin.limits.front();
   const Model model = make_model(twin.scene);
   ASSERT_EQ(model.layout.modes, 1);
@@ -61,8 +55,7 @@ TEST_F(NativeTwinTest, SaysWhatItLeavesOut) {
       </body>)"));
   std::string all;
   for (const std::string& limit : swinging.limits) all += limit + "\n";
-  EXPECT_NE(all.find("\"a\"> is limited"), std::string::npos) << all;
-  EXPECT_NE(all.find("\"b\"> loses 0.1"), std::string::npos) << all;
+  EXPECT_TRUE(contains(all, {"\"a\"> is limited", "\"b\"> loses 0.1"}));
   const NativeTwin tilting_far = twin_of(machine(
       R"(<body name="arm" pos="0 0 0.098">
       <joint name="a" type="hinge" axis="0 1 0" stiffness="50"/>
@@ -70,52 +63,38 @@ TEST_F(NativeTwinTest, SaysWhatItLeavesOut) {
       <inertial pos="0 0 0.05" mass="2" diaginertia="1e-3 1e-3 1e-3"/>
       <geom name="disc" type="cylinder" size="0.05 0.01" pos="0 0 0.002" contype="0" conaffinity="0" mass="0"/>
       </body>)"));
-  const std::string friction = R"(<numeric name="rotorub_friction" data="0.15"/>)";
   const NativeTwin lifted = twin_of(machine(R"(<body name="shaft">
       <joint type="slide" axis="1 0 0"/><joint type="slide" axis="0 1 0"/><joint name="lift" type="slide" axis="0 0 1"/>
       <inertial pos="0 0 0.1" mass="2" diaginertia="1e-3 1e-3 1e-3"/>)" +
                                             kDisc + "</body>"));
   ASSERT_EQ(lifted.limits.size(), 2u);
-  EXPECT_NE(lifted.limits[0].find("\"lift\"> moves nothing in the contact's plane"),
-            std::string::npos);
-  EXPECT_NE(lifted.limits[1].find("friction along the ring's axis"), std::string::npos);
+  EXPECT_TRUE(contains(lifted.limits[0], "\"lift\"> moves nothing in the contact's plane"));
+  EXPECT_TRUE(contains(lifted.limits[1], "friction along the ring's axis"));
   ASSERT_FALSE(tilting_far.limits.empty());
-  EXPECT_NE(tilting_far.limits[0].find("not small"), std::string::npos) << tilting_far.limits[0];
+  EXPECT_TRUE(contains(tilting_far.limits[0], "not small"));
 }
 
 TEST_F(NativeTwinTest, RefusesByTheJointsName) {
-  const std::string slides =
-      R"(<joint name="x" type="slide" axis="1 0 0"/><joint name="y" type="slide" axis="0 1 0"/>)";
-  const auto body = [&](const std::string& joints) {
-    return "<body name=\"shaft\">" + joints +
-           R"(<inertial pos="0 0 0.1" mass="2" diaginertia="1e-3 2e-3 3e-3"/>)" + kDisc + "</body>";
+  const auto joint = [](const std::string& name, const std::string& axis,
+                        const std::string& type = "slide") {
+    return "<joint name=\"" + name + "\" type=\"" + type + "\" axis=\"" + axis + "\"/>";
   };
-  const std::string ring = R"(<joint name="ring_x" type="slide" axis="1 0 0"/>)";
-  EXPECT_NE(twin_refusal(machine(body(slides), ring)).find("ring_x"), std::string::npos);
-  EXPECT_NE(
-      twin_refusal(
-          machine(body(
-              R"(<joint name="skew" type="slide" axis="1 1 0"/><joint name="y" type="slide" axis="0 1 0"/>)")))
-          .find("skew"),
-      std::string::npos);
-  EXPECT_NE(twin_refusal(machine(body(R"(<joint name="free" type="free"/>)"))).find("free"),
-            std::string::npos);
-  EXPECT_NE(twin_refusal(machine(body(slides), R"(<joint name="turn" type="hinge" axis="0 0 1"/>)"))
-                .find("turn"),
-            std::string::npos);
-  EXPECT_NE(
-      twin_refusal(machine(body(R"(<joint name="x" type="slide" axis="1 0 0"/>)"))).find("along y"),
-      std::string::npos);
-  EXPECT_NE(
-      twin_refusal(
-          machine(body(slides + R"(<joint name="spin" type="hinge" axis="0 0 1" stiffness="3"/>)")))
-          .find("spin"),
-      std::string::npos);
+  const std::string x = joint("x", "1 0 0"), y = joint("y", "0 1 0");
+  const auto expect = [](const std::string& rotor, const std::string& ring, const char* named) {
+    const std::string body = "<body name=\"shaft\">" + rotor +
+                             R"(<inertial pos="0 0 0.1" mass="2" diaginertia="1e-3 2e-3 3e-3"/>)" +
+                             kDisc + "</body>";
+    EXPECT_TRUE(contains(twin_refusal(machine(body, ring)), named));
+  };
+  expect(x + y, joint("ring_x", "1 0 0"), "ring_x");
+  expect(x + y, joint("turn", "0 0 1", "hinge"), "turn");
+  expect(joint("skew", "1 1 0") + y, "", "skew");
+  expect(R"(<joint name="free" type="free"/>)", "", "free");
+  expect(x, "", "along y");
+  expect(x + y + R"(<joint name="spin" type="hinge" axis="0 0 1" stiffness="3"/>)", "", "spin");
   // Before the slides it carries their axes round: the rotor's springs would turn with it.
-  const std::string early =
-      twin_refusal(machine(body(R"(<joint name="early" type="hinge" axis="0 0 1"/>)" + slides)));
-  EXPECT_NE(early.find("\"early\">: turns the axis of <joint name=\"x\">"), std::string::npos)
-      << early;
+  expect(joint("early", "0 0 1", "hinge") + x + y, "",
+         "\"early\">: turns the axis of <joint name=\"x\">");
 }
 
 // Each contact has its own mode shapes, ring and parameters.
@@ -140,11 +119,8 @@ TEST_F(NativeTwinTest, HasEachContactAtItsStation) {
 
 // Rings beside the line of the rotor: each contact's zero is its ring's centre.
 TEST_F(NativeTwinTest, HasRingsOffTheLine) {
-  const std::string holder = R"(<body name="holder" pos="0 0 0.1">)";
-  std::string text = document(TwoRings{});
-  const std::size_t at = text.find(holder);
-  ASSERT_NE(at, std::string::npos);
-  text.replace(at, holder.size(), R"(<body name="holder" pos="1e-4 -2e-4 0.1">)");
+  const std::string text = replaced(document(TwoRings{}), R"(<body name="holder" pos="0 0 0.1">)",
+                                    R"(<body name="holder" pos="1e-4 -2e-4 0.1">)");
   const Model model = make_model(twin_of(text).scene);
   const double* q = model.q0.data();
   EXPECT_NEAR(separation(model, q, 0).norm(), 0.0, 1e-15);
@@ -157,21 +133,20 @@ TEST_F(NativeTwinTest, RefusesContactsThatHaveNoPlaceBesideTheFirst) {
   const std::string plain = document(x);
   ASSERT_EQ(twin_refusal(plain), "");
   // A ring that is turned over sees the rotor turn the other way.
-  const std::string turned = twin_refusal(
-      replaced(plain, R"(<body name="holder" )", R"(<body name="holder" euler="180 0 0" )"));
-  EXPECT_NE(turned.find("<geom name=\"holder\">: its z axis"), std::string::npos) << turned;
+  EXPECT_TRUE(contains(twin_refusal(replaced(plain, R"(<body name="holder" )",
+                                             R"(<body name="holder" euler="180 0 0" )")),
+                       "<geom name=\"holder\">: its z axis"));
   // One housing for both.
   const std::string housing =
       replaced(replaced(plain, R"(</body><body name="holder" pos="0 0 0.1")",
                         R"(<body name="holder" pos="0 0 0.2")"),
                "</worldbody>", "</body></worldbody>");
-  EXPECT_NE(twin_refusal(housing).find("moves two rings"), std::string::npos)
-      << twin_refusal(housing);
+  EXPECT_TRUE(contains(twin_refusal(housing), "moves two rings"));
   // The scene's gravity is one.
   const std::string pushed =
       replaced(plain, R"(<body name="holder" pos="0 0 0.1"><joint )",
                R"(<body name="holder" pos="0 0 0.1"><joint stiffness="1e5" springref="1e-5" )");
-  EXPECT_NE(twin_refusal(pushed).find("another load"), std::string::npos) << twin_refusal(pushed);
+  EXPECT_TRUE(contains(twin_refusal(pushed), "another load"));
   x.friction = 0.15;
   std::string cone =
       replaced(replaced(document(x), R"(name="rotorub_contact_2" data="rigid")",
@@ -182,8 +157,7 @@ TEST_F(NativeTwinTest, RefusesContactsThatHaveNoPlaceBesideTheFirst) {
   for (std::size_t at; (at = cone.find(early)) != cone.npos;) {
     cone.replace(at, early.size(), "needstage=\"acc\"");
   }
-  EXPECT_NE(twin_refusal(cone).find("contacts by rigid and cone"), std::string::npos)
-      << twin_refusal(cone);
+  EXPECT_TRUE(contains(twin_refusal(cone), "contacts by rigid and cone"));
 }
 
 }  // namespace

@@ -5,6 +5,7 @@
 
 #include "plugin/twin/native_twin.h"
 #include "tests/support/mujoco_fixture.h"
+#include "tests/support/said.h"
 
 namespace rotorub::test {
 
@@ -18,12 +19,7 @@ inline plugin::NativeTwin twin_of(const std::string& document) {
 
 // Empty: there is one.
 inline std::string twin_refusal(const std::string& document) {
-  try {
-    twin_of(document);
-  } catch (const plugin::ConfigError& error) {
-    return error.what();
-  }
-  return "";
+  return message_of<plugin::ConfigError>([&] { twin_of(document); });
 }
 
 // A rotor that can bend and tilt in a ring; `rotor` and `ring` are what a test says of their

@@ -1,0 +1,30 @@
+// The order of the fixed-step schemes on a scene whose motion is known.
+#pragma once
+
+#include <gtest/gtest.h>
+
+#include <limits>
+#include <vector>
+
+#include "tests/support/native_run.h"
+#include "tests/support/order.h"
+
+namespace rotorub::test {
+
+// error(run): how far a run is from the known motion, m. The finest step errs by less than `last`.
+template <class Error>
+void expect_order_of_steps(const scene::Scene& scene, const std::vector<double>& steps,
+                           double order, const Error& error,
+                           double last = std::numeric_limits<double>::infinity()) {
+  for (const auto integrator : {scene::Integrator::kMidpoint, scene::Integrator::kVerlet}) {
+    const Convergence c = convergence(steps, [&](double step) {
+      const Trajectory run = run_with(scene, integrator, step);
+      EXPECT_EQ(run.status, Status::kOk) << run.message;
+      return error(run);
+    });
+    EXPECT_GT(c.order(), order) << static_cast<int>(integrator) << ' ' << c.text();
+    EXPECT_LT(c.errors.back(), last) << static_cast<int>(integrator) << ' ' << c.text();
+  }
+}
+
+}  // namespace rotorub::test
