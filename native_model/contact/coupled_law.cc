@@ -21,11 +21,14 @@ constexpr double kSingular = 1e-12;      // pivots below this share of the large
 // Of the rates: motions that differ by less are one. Where contacts share their forces in more ways
 // than one, the stations of a symmetric shaft are alike to what its modes are worth.
 constexpr double kSameMotion = 1e-6;
+constexpr double kGive = 1e-7;   // of the largest of a: what each contact gives in softened()
+constexpr int kMostRounds = 50;  // of cases that follow each other
 
 enum class Bound { kLow, kHigh, kStick };
 struct Case {
   bool at_least = true;  // L_N = n; else y_N = 0
   Bound friction = Bound::kLow;
+  bool operator==(const Case&) const = default;
 };
 using Cases = std::array<Case, kMaxContacts>;
 
@@ -67,6 +70,26 @@ class CoupledProblem {
     return closed;
   }
 
+  // Those that p would have next (the projections on the sets, p - y by the contact's own
+  // mobility).
+  Cases cases_of(const ContactVector& p) const {
+    const ContactVector y = a_ * p + b_;
+    const auto next = [&](Eigen::Index row) {
+      return a_(row, row) > 0.0 ? p[row] - y[row] / a_(row, row) : p[row];
+    };
+    Cases cases{};
+    for (int i = 0; i < n_; ++i) {
+      const double friction = next(2 * i + 1);
+      Case& c = cases[static_cast<std::size_t>(i)];
+      c.at_least = set(i).pressed || next(2 * i) <= set(i).least_normal;
+      c.friction = friction < set(i).low(p[2 * i])    ? Bound::kLow
+                   : friction > set(i).high(p[2 * i]) ? Bound::kHigh
+                                                      : Bound::kStick;
+      if (!distinct(c, set(i))) c.friction = Bound::kLow;
+    }
+    return cases;
+  }
+
   // The impulses of these cases; false where they are not in the sets.
   bool meets(const Cases& cases, CoupledSolution& out) const {
     out.p = impulses(cases);
@@ -82,7 +105,6 @@ class CoupledProblem {
     return true;
   }
 
- private:
   ContactVector impulses(const Cases& cases) const {
     CaseSystem s(2 * n_);
     for (int i = 0; i < n_; ++i) {
@@ -106,6 +128,7 @@ class CoupledProblem {
     return s.solve(a_, b_);
   }
 
+ private:
   static bool in_set(const Case& c, const ContactSet& set, int i, CoupledSolution& s, double rates,
                      double impulses) {
     double &normal = s.p[2 * i], &friction = s.p[2 * i + 1];
@@ -158,26 +181,66 @@ void for_each_combination(const CoupledProblem& problem, Cases& cases, int from,
   }
 }
 
-CoupledSolution by_cases(const CoupledProblem& problem) {
+// of: the cases of the solution.
+CoupledSolution by_cases(const CoupledProblem& problem, Cases& of) {
   CoupledSolution best, tried;
   const auto action = [&](const Cases& cases) {
     if (!problem.meets(cases, tried)) return;
-    if (best.solutions == 0) {
+    const bool first = best.solutions == 0;
+    const bool same =
+        !first && (best.y - tried.y).cwiseAbs().maxCoeff() <= kSameMotion * problem.rate();
+    tried.solutions = best.solutions + (same ? 0 : 1);
+    if (first || (same && tried.p.squaredNorm() < (1.0 - kSameMotion) * best.p.squaredNorm())) {
       best = tried;
-      best.solutions = 1;
-      return;
+      of = cases;
     }
-    if ((best.y - tried.y).cwiseAbs().maxCoeff() > kSameMotion * problem.rate()) {
-      ++best.solutions;
-    } else if (tried.p.squaredNorm() < (1.0 - kSameMotion) * best.p.squaredNorm()) {
-      const int solutions = best.solutions;
-      best = tried;
-      best.solutions = solutions;
-    }
+    best.solutions = tried.solutions;
   };
   Cases cases{};
   for_each_combination(problem, cases, 0, action);
   return best;
+}
+
+// Contacts that all give a little share their impulses in one way only.
+ContactMatrix softened(const ContactMatrix& a) {
+  ContactMatrix soft = a;
+  soft.diagonal().array() += kGive * a.cwiseAbs().maxCoeff();
+  return soft;
+}
+
+// Where bodies share impulses in more ways than one, and friction makes several motions of them:
+// the one that contacts have which give alike. `several`: those that are there.
+CoupledSolution shared_alike(const ContactMatrix& a, const ContactVector& b,
+                             std::span<const ContactSet> sets, const CoupledProblem& problem,
+                             const CoupledSolution& several) {
+  const ContactMatrix soft = softened(a);
+  Cases cases{};
+  CoupledSolution shared;
+  if (by_cases(CoupledProblem(soft, b, sets), cases).solutions != 1) return several;
+  if (!problem.meets(cases, shared)) return several;
+  shared.solutions = 1;
+  return shared;
+}
+
+// The cases of contacts that give a little, each round's from the impulses of the last, until they
+// no longer change: what is then found is exact, and the same in any order.
+CoupledSolution by_rounds(const ContactMatrix& a, const ContactVector& b,
+                          std::span<const ContactSet> sets, const CoupledProblem& problem) {
+  const ContactMatrix soft = softened(a);
+  const CoupledProblem giving(soft, b, sets);
+  CoupledSolution out;
+  Cases cases = giving.cases_of(ContactVector::Zero(b.size()));
+  for (int k = 0; k < kMostRounds; ++k) {
+    const ContactVector p = giving.impulses(cases);
+    if (!p.allFinite()) return {};
+    const Cases next = giving.cases_of(p);
+    if (next == cases) {
+      out.solutions = problem.meets(cases, out) ? 1 : 0;
+      return out;
+    }
+    cases = next;
+  }
+  return {};
 }
 
 // Each contact by itself, in turn, until their cases fit together (projected Gauss-Seidel): what is
@@ -195,7 +258,8 @@ CoupledSolution by_sweeps(const ContactMatrix& a, const ContactVector& b,
       const ContactVector rest =
           b.segment(2 * i, 2) + a.middleRows(2 * i, 2) * p - own * p.segment(2 * i, 2);
       const std::span<const ContactSet> set = sets.subspan(static_cast<std::size_t>(i), 1);
-      const CoupledSolution s = by_cases(CoupledProblem(own, rest, set));
+      Cases of{};
+      const CoupledSolution s = by_cases(CoupledProblem(own, rest, set), of);
       if (s.solutions == 0) return {};
       p.segment(2 * i, 2) = s.p;
       Case& c = found[static_cast<std::size_t>(i)];
@@ -205,11 +269,7 @@ CoupledSolution by_sweeps(const ContactMatrix& a, const ContactVector& b,
                                                   : Bound::kHigh;
       if (!distinct(c, set[0])) c.friction = Bound::kLow;
     }
-    const bool known =
-        k > 0 && std::equal(found.begin(), found.begin() + n, cases.begin(),
-                            [](const Case& x, const Case& y) {
-                              return x.at_least == y.at_least && x.friction == y.friction;
-                            });
+    const bool known = k > 0 && found == cases;
     cases = found;
     if (known && k % 8 != 0) continue;  // the same cases were no solution
     if (problem.meets(cases, out)) {
@@ -274,10 +334,15 @@ CoupledSolution solve_coupled(const ContactMatrix& a, const ContactVector& b,
   assert(a.rows() == b.size() && b.size() == 2 * static_cast<Eigen::Index>(sets.size()));
   if (is_plain(a, sets)) return one_plain(a, b, sets[0]);
   const CoupledProblem problem(a, b, sets);
-  if (problem.size() <= kMostTried) return by_cases(problem);
+  Cases of{};
+  if (problem.size() <= kMostTried) {
+    const CoupledSolution s = by_cases(problem, of);
+    return s.solutions > 1 ? shared_alike(a, b, sets, problem, s) : s;
+  }
+  if (const CoupledSolution s = by_rounds(a, b, sets, problem); s.solutions > 0) return s;
   const CoupledSolution swept = by_sweeps(a, b, sets, problem);
   if (swept.solutions > 0 || problem.size() > kMostTriedBlind) return swept;
-  return by_cases(problem);
+  return by_cases(problem, of);
 }
 
 CoupledSolution solve_compression(const ContactMatrix& a, const ContactVector& b,

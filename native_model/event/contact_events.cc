@@ -6,6 +6,7 @@
 
 #include "native_model/dynamics/dynamics.h"
 #include "native_model/event/driver.h"
+#include "native_model/event/location.h"
 
 namespace rotorub {
 namespace {
@@ -13,7 +14,7 @@ namespace {
 using Velocity = Constraint::Velocity;
 
 constexpr double kOnCircle = 1e-12;  // of the clearance: a gap that counts as 0
-constexpr double kNoSlip = 1e-12;    // of the speeds that it is the sum of: a slip that counts as 0
+constexpr double kNoSpeed = 1e-12;   // of the speeds: a gap rate or slip that counts as 0
 constexpr double kDrift = 1e-9;      // of them: what is left of 0 while a contact that gives sticks
 constexpr double kNoForce = 1e-12;   // of the largest force: one that counts as 0
 
@@ -46,15 +47,14 @@ EventIntegrator::Closed EventIntegrator::on_circles() const {
   return closed;
 }
 
-// A start on the circle: moving outward it is an impact, at rest lasting contact.
-void EventIntegrator::begin_on_circles() {
-  Closed touching, resting;
-  for (const ClosedContact& c : closed_points(*model_, motion_.q(), motion_.v(), on_circles())) {
+// Contacts on their circles, as at a start: moving outward it is an impact, at rest lasting
+// contact.
+void EventIntegrator::begin_on_circles(const Closed& touching) {
+  Closed resting;
+  for (const ClosedContact& c : closed_points(*model_, motion_.q(), motion_.v(), touching)) {
     if (c.point.gap_rate < 0.0) return impact(c.index);
-    const bool rests = c.point.gap_rate <= parameters_.zeno_velocity_threshold;
-    touching.push_back({c.index, rests ? Velocity::kAlong : Velocity::kKept});
-    if (rests) {
-      resting.push_back({c.index, Velocity::kAlong});
+    if (c.point.gap_rate <= parameters_.zeno_velocity_threshold) {
+      resting.push_back({c.index, Velocity::kKept});
     } else {
       phase_.set(c.index, in_flight(Departure::kRebound));
     }
@@ -80,7 +80,7 @@ void EventIntegrator::impact(std::size_t contact) {
   const auto touching = closed_points(*model_, motion_.q(), motion_.v(), closed);
   if (std::none_of(touching.begin(), touching.end(),
                    [](const ClosedContact& c) { return c.point.gap_rate < 0.0; })) {
-    return begin_on_circles();  // it grazes
+    return begin_on_circles(closed);  // it grazes
   }
   const EventImpact::Outcome outcome = impacts_.run(motion_, touching, end_);
   if (outcome.status != Status::kOk) {
@@ -93,6 +93,8 @@ void EventIntegrator::impact(std::size_t contact) {
     if (after.struck) first_touch(after.contact);
     if (after.rests) {
       resting.push_back({after.contact, after.stuck ? Velocity::kStuck : Velocity::kAlong});
+    } else if (outcome.is_last) {
+      resting.push_back({after.contact, Velocity::kKept});
     } else {
       change_to(after.contact, in_flight(after.departure));
     }
@@ -102,10 +104,9 @@ void EventIntegrator::impact(std::size_t contact) {
 
 // What others held on its circle is pressed against it again, without a blow.
 void EventIntegrator::rejoin(std::size_t contact) {
-  Closed closed = in_contact();
-  closed.push_back({contact, Velocity::kAlong});
-  project(closed);
-  decide(closed);
+  Closed closing;
+  closing.push_back({contact, Velocity::kKept});
+  decide(closing);
 }
 
 // Lasting contact ends, or its friction changes.
@@ -146,14 +147,15 @@ void EventIntegrator::margin_reached(std::size_t contact) {
   }
 }
 
-// What contacts on their circles with gap rate 0 do from here on, and all others that last.
+// What these contacts on their circles do from here on, and all others that last or are held.
 void EventIntegrator::decide(const Closed& resting) {
   Closed all_closed = resting;
   for (std::size_t k = 0; k < phase_.contacts(); ++k) {
     if (!phase_.in_contact(k) && !phase_.state(k).held) continue;
     const auto is_named = [k](const Constraint::Closed& c) { return c.contact == k; };
     if (std::any_of(resting.begin(), resting.end(), is_named) || no_longer_presses(k)) continue;
-    all_closed.push_back({k, velocity_of(phase_.state(k).mode)});
+    all_closed.push_back(
+        {k, phase_.in_contact(k) ? velocity_of(phase_.state(k).mode) : Velocity::kKept});
   }
   decide_all(all_closed);
 }
@@ -162,26 +164,22 @@ void EventIntegrator::decide_all(const Closed& closed_here) {
   if (closed_here.empty()) return;
   ContactList<ClosedContact> closed;
   for (const Constraint::Closed& c : closed_here) closed.push_back({c.contact, {}});
-  const Phase::Accelerations all = phase_.accelerations(motion_.t, motion_.y.data(), closed);
+  Phase::Accelerations all = phase_.accelerations(motion_.t, motion_.y.data(), closed);
   ContactList<double> slips, friction;
   ContactList<std::optional<double>> pressing;
+  bool settles = false;
   for (std::size_t i = 0; i < closed.size(); ++i) {
     const auto at = static_cast<Eigen::Index>(i);
     const std::size_t k = closed[i].index;
-    force_scale_[k] = std::max(force_scale_[k], all.scale[at] / all.g(2 * at, 2 * at));
-    // Two contacts at one place stop at once, the one that is located and its twin.
     const ContactPoint& p = closed[i].point;
-    const double surface =
-        std::abs(p.whirl_speed()) + model_->auxiliary[k].contact->radius * std::abs(p.spin);
-    const bool stuck = closed_here[i].velocity == Velocity::kStuck;
-    double none = kNoSlip * surface;
-    if (stuck && model_->auxiliary[k].gives()) {
-      // Of a shaft that does not turn the slip is the whole speed: its scale is that of the step.
-      none = kDrift * std::max(surface, step_.largest_contact_speed(k));
-    } else if (stuck) {
-      none = kInfinity;
+    const bool gives = model_->auxiliary[k].gives();
+    force_scale_[k] = std::max(force_scale_[k], all.scale[at] / all.g(2 * at, 2 * at));
+    if (closed_here[i].velocity == Velocity::kKept && !gives) {
+      settles = true;
+      if (!is_no_gap_rate(p)) all.b[2 * at] += p.gap_rate / parameters_.shortest_flight;
     }
-    const bool stops = std::abs(p.slip) <= none;
+    const bool stuck = closed_here[i].velocity == Velocity::kStuck;
+    const bool stops = stuck && !gives ? true : is_no_slip(k, p, stuck ? kDrift : kNoSpeed);
     slips.push_back(stops ? 0.0 : p.slip);
     friction.push_back(model_->auxiliary[k].contact->friction.at(slips[i]));
     std::optional<double> known = phase_.pressing(closed[i]);
@@ -193,6 +191,37 @@ void EventIntegrator::decide_all(const Closed& closed_here) {
                                                         parameters_.no_force, pressing);
   if (decided.status != Status::kOk) return fail(decided.status, decided.reason);
   for (std::size_t i = 0; i < closed.size(); ++i) change_to(closed[i].index, decided.next[i]);
+  if (settles) settle(closed_here);
+}
+
+// Those of them that press are at rest on their circles; the others fly, or are held where they
+// are.
+void EventIntegrator::settle(const Closed& decided) {
+  project(in_contact());
+  for (const ClosedContact& c : closed_points(*model_, motion_.q(), motion_.v(), decided)) {
+    const AuxiliaryBearing& bearing = model_->auxiliary[c.index];
+    if (phase_.in_contact(c.index) || bearing.gives()) continue;
+    ContactState state = phase_.state(c.index);
+    if (c.point.gap > kHeldGap * bearing.contact->clearance) {
+      state = in_flight(Departure::kInside);
+    } else if (c.point.gap_rate > 0.0 && !is_no_gap_rate(c.point)) {
+      state = in_flight(Departure::kRebound);
+    }
+    state.held_gap = std::min(0.0, c.point.gap);
+    phase_.set(c.index, state);
+  }
+}
+
+bool EventIntegrator::is_no_gap_rate(const ContactPoint& p) const {
+  return std::abs(p.gap_rate) <= kNoSpeed * std::max(p.dv.norm(), step_.largest_speed());
+}
+
+// share: of the speeds. Of a shaft that does not turn the slip is the whole speed: its scale is
+// that of the run.
+bool EventIntegrator::is_no_slip(std::size_t k, const ContactPoint& p, double share) const {
+  const double surface =
+      std::abs(p.whirl_speed()) + model_->auxiliary[k].contact->radius * std::abs(p.spin);
+  return std::abs(p.slip) <= share * std::max(surface, step_.largest_contact_speed(k));
 }
 
 void EventIntegrator::change_to(std::size_t k, const ContactState& next) {

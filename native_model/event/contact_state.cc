@@ -76,7 +76,10 @@ ContactDecisions select_contact_modes(const ContactMatrix& g, const ContactVecto
       // What begins to press without slip sticks until friction has its say.
       decided.next.push_back({Mode::kStick, 0.0});
     } else {
-      decided.next.push_back({Mode::kSlide, s.y[at + 1] > 0.0 ? 1.0 : -1.0});
+      // Against its friction: beside contacts that stick its slip is round-off.
+      const double friction = s.p[at + 1];
+      const double sign = friction != 0.0 ? -friction : s.y[at + 1];
+      decided.next.push_back({Mode::kSlide, sign > 0.0 ? 1.0 : -1.0});
     }
   }
   return decided;

@@ -24,6 +24,7 @@ struct ContactState {
   // rings a rotor of two degrees of freedom in a plane. Its gap is then 0 but for round-off, whose
   // sign is no touch.
   bool held = false;
+  double held_gap = 0.0;  // m, <= 0, the gap at which it is held
   // Of a contact that gives: a of this touch, s/m; free only: still in the wall, which no longer
   // presses.
   double hunt_crossley = 0.0;

@@ -74,7 +74,7 @@ void EventIntegrator::begin(const State& start, double end, Recorder& recorder) 
   booked_ = start.t;
   sample_controllers();
   begin_in_walls();
-  begin_on_circles();
+  begin_on_circles(on_circles());
   observer_.started(motion_);
   step_.restart(motion_);
 }
@@ -166,7 +166,7 @@ std::optional<EventIntegrator::Found> EventIntegrator::find_event() {
     std::optional<double> theta;
     bool rejoins = false;
     if (phase_.state(k).held) {
-      if (const auto end = locate_held_end(*model_, k, step_, motion_)) {
+      if (const auto end = locate_held_end(*model_, k, step_, motion_, phase_.state(k).held_gap)) {
         theta = end->theta;
         rejoins = !end->flew;
       }

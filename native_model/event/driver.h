@@ -68,7 +68,6 @@ class EventIntegrator {
   void restore(const Moving& saved);
 
  private:
-  void begin_on_circles();
   void begin_in_walls();
   void arrive_at_break();
   void book_switches();
@@ -78,7 +77,8 @@ class EventIntegrator {
   bool still_held(std::size_t contact) const;
   void lose();
 
-  // Contact. What is said of a list of contacts is what is known of their velocities.
+  // Contact. A list of contacts says what is known of their velocities: of one that is kept, which
+  // is about to come to rest, nothing.
   using Closed = ContactList<Constraint::Closed>;
   struct Found {
     double theta;  // within the step
@@ -97,6 +97,7 @@ class EventIntegrator {
   std::optional<Found> find_event();
   Closed on_circles() const;
   Closed in_contact() const;
+  void begin_on_circles(const Closed& touching);
   void impact(std::size_t contact);
   void margin_reached(std::size_t contact);
   void rejoin(std::size_t contact);
@@ -109,6 +110,9 @@ class EventIntegrator {
   bool no_longer_presses(std::size_t contact);
   void decide(const Closed& resting);
   void decide_all(const Closed& closed_here);
+  void settle(const Closed& decided);
+  bool is_no_gap_rate(const ContactPoint& point) const;
+  bool is_no_slip(std::size_t contact, const ContactPoint& point, double share) const;
   void change_to(std::size_t contact, const ContactState& next);
   void first_touch(std::size_t contact);
   void project(const Closed& closed);

@@ -55,12 +55,13 @@ EventImpact::Outcome EventImpact::at_once(Motion& motion, std::span<const Closed
   }
   // Where an accumulation ends no contact rebounds: neither the one that closes nor those that it
   // would knock open.
-  if (undone || approach < parameters_->zeno_velocity_threshold) {
+  const bool is_last = approach < parameters_->zeno_velocity_threshold;
+  if (undone || is_last) {
     for (ImpactLaw& law : laws) law = {law.friction, 0.0, 0.0};
   }
   const CoupledSolution solved =
       solve_coupled_impact(delassus(*model_, motion.t, motion.q(), closed), before, laws);
-  Outcome out{status_of(solved.solutions)};
+  Outcome out{status_of(solved.solutions), {}, is_last};
   if (out.status != Status::kOk) return out;
   ContactList<Constraint::Closed> resting;
   for (std::size_t i = 0; i < closed.size(); ++i) {

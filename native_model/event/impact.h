@@ -27,6 +27,7 @@ class EventImpact {
   struct Outcome {
     Status status = Status::kOk;
     ContactList<After> contacts{};
+    bool is_last = false;  // an accumulation ends here
   };
   // At contacts on their circles, `closed` with their points; at least one of them closes. Changes
   // the motion, whose clock goes on, at most to `end` (s), where it takes its times; tells the

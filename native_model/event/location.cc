@@ -83,13 +83,13 @@ std::optional<double> locate_contact(const Model& m, std::size_t contact, Smooth
 }
 
 std::optional<HeldEnd> locate_held_end(const Model& m, std::size_t contact, SmoothStep& step,
-                                       const Motion& start) {
+                                       const Motion& start, double held_gap) {
   const double clearance = m.auxiliary[contact].contact->clearance;
   const Eigen::Vector2d d = separation(m, start.q(), contact);
   const Polynomial f = outside(path_of(m, contact, step), d, clearance);
   const double round_off = 2.0 * kHeldGap * clearance * clearance;
   Polynomial closed = f, open = f;
-  closed.a[0] -= round_off;
+  closed.a[0] -= round_off - held_gap * (2.0 * clearance - held_gap);
   for (double& a : open.a) a = -a;
   open.a[0] -= round_off;
   const auto closes = first_crossing(closed, RootStart::kBelowZero);

@@ -12,16 +12,16 @@ namespace rotorub {
 std::optional<double> locate_contact(const Model& model, std::size_t contact, SmoothStep& step,
                                      const Motion& start, Departure departure);
 
-// A contact that others hold on its circle (ContactState::held): where its gap is closed by more
-// than round-off, and whether it had opened before by more than that, so that it comes from a
-// flight.
+// A contact that others hold on its circle (ContactState::held): where its gap has closed by more
+// than round-off from `held_gap` (m) on, and whether it had opened before by more than that, so
+// that it comes from a flight.
 inline constexpr double kHeldGap = 1e-11;  // of the clearance, of either sign
 struct HeldEnd {
   double theta;
   bool flew;
 };
 std::optional<HeldEnd> locate_held_end(const Model& model, std::size_t contact, SmoothStep& step,
-                                       const Motion& start);
+                                       const Motion& start, double held_gap);
 
 // Lasting contact: the first of its margins that is crossed.
 std::optional<double> locate_margin(std::size_t contact, SmoothStep& step, Mode mode,

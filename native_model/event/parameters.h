@@ -11,6 +11,10 @@ struct EventParameters {
   // m/s: an impact that closes slower takes no rebound, which ends an accumulation (Zeno). The
   // flights left out last less than 2e-9 m/s over the acceleration, and move 1e-18 m^2/s^2 over it.
   double zeno_velocity_threshold = 1e-9;
+  // s: what closes so slowly and opens another contact, as a rotor that rocks between two rings,
+  // leaves both closed where the other's flight would be shorter than this: an accumulation of
+  // impacts that no restitution ends.
+  double shortest_flight = 1e-10;
   // Share of the accelerations that meet at the contact under which their sum counts as 0. On an
   // orbit as wide as the clearance that sum is 0, and `tolerance` leaves a few times itself of it.
   double no_force = 1e-10;

@@ -94,14 +94,14 @@ void Phase::set_margins(const ClosedContact& c, double normal, double friction) 
   AtContact& at = at_[c.index];
   const ContactParameters& contact = *model_->auxiliary[c.index].contact;
   at.multipliers = {normal, friction};
-  at.margins = {normal, at.state.mode == Mode::kSlide
-                            ? at.state.slip_sign * c.point.slip
-                            : contact.friction.sticking() * normal - std::abs(friction)};
+  const bool slides = at.state.mode == Mode::kSlide;
+  at.margins = {normal, slides ? at.state.slip_sign * c.point.slip
+                               : contact.friction.sticking() * normal - std::abs(friction)};
+  // Without friction it does not matter which way it slides.
+  if (contact.friction.none() && (slides || contact.gives())) at.margins.cone = kInfinity;
   if (!contact.gives()) return;
   at.margins.force = contact.compliance.margin(-c.point.gap, -c.point.gap_rate,
                                                at.state.hunt_crossley, contact.clearance);
-  // Without friction it does not matter which way it slides.
-  if (contact.friction.none()) at.margins.cone = kInfinity;
 }
 
 void Phase::set_margins_in_wall(std::size_t k, const double* q, const double* v) {

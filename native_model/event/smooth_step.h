@@ -24,7 +24,8 @@ class SmoothStep {
   // Tolerances are relative to the largest of each kind met so far: displacements, speeds, angles,
   // spin; of currents to their limit.
   void meet(const Motion& motion);
-  double largest_contact_speed(std::size_t contact) const;  // m/s
+  double largest_speed() const { return speed_; }           // m/s
+  double largest_contact_speed(std::size_t contact) const;  // m/s, with its surface
   // After a jump of the state or of the loads.
   void restart(const Motion& motion);
 
