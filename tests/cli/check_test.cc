@@ -108,7 +108,7 @@ TEST(CliCheck, AViolatedRuleGivesOneAndSaysByHowMuch) {
 TEST(CliCheck, ARefusalThatDoesNotComeIsAViolation) {
   const Folder folder;
   write(folder, "drop.toml",
-        "[[check]]\nengine = \"native-midpoint\"\nexpect = \"refused\"\nwhy = \"w\"\n");
+        "[[check]]\nengine = \"native-verlet\"\nexpect = \"refused\"\nwhy = \"w\"\n");
   EXPECT_EQ(folder.run({"check", "drop.toml"}).code, 1);
   folder.done({"check", "drop.toml", "--set", "check=none"});
 }

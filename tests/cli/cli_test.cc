@@ -44,7 +44,7 @@ TEST(CliRun, WritesTheContractsFiles) {
   for (const std::string engine : {"native", "mujoco"}) {
     const Folder folder;
     const Outcome done = folder.done({"run", shipped("bench_ring"), "--engine", engine, "--end",
-                                      "0.03", "--set", "run.integrator=midpoint", "-o", "out"});
+                                      "0.03", "--set", "run.integrator=verlet", "-o", "out"});
     EXPECT_EQ(done.err, "");
     EXPECT_EQ(folder.files(),
               (std::vector<std::string>{"out/columns.json", "out/events.csv", "out/impacts.csv",
@@ -88,15 +88,15 @@ TEST(CliRun, QuietSaysNothing) {
 
 TEST(CliRun, SaysWhereTheDefaultFolderIs) {
   const Folder folder;
-  const Outcome done = folder.done({"run", shipped("bench_drop"), "--integrator", "midpoint"});
-  EXPECT_TRUE(folder.has("runs/bench_drop-native-midpoint/summary.json"));
-  EXPECT_TRUE(contains(done.out, "runs/bench_drop-native-midpoint"));
+  const Outcome done = folder.done({"run", shipped("bench_drop"), "--integrator", "verlet"});
+  EXPECT_TRUE(folder.has("runs/bench_drop-native-verlet/summary.json"));
+  EXPECT_TRUE(contains(done.out, "runs/bench_drop-native-verlet"));
 }
 
 TEST(CliRun, StepAndEndTakeUnits) {
   const Folder folder;
   const json summary = folder.json_of({"run", shipped("bench_drop"), "--step", "20us", "--end",
-                                       "10 ms", "--integrator", "midpoint", "--json", "-o", "out"});
+                                       "10 ms", "--integrator", "verlet", "--json", "-o", "out"});
   EXPECT_DOUBLE_EQ(summary.at("step").get<double>(), 2e-5);
   EXPECT_EQ(summary.at("steps"), 500);
   EXPECT_EQ(folder.run({"run", shipped("bench_drop"), "--step", "20 kg", "-o", "no"}).code, 2);
@@ -141,7 +141,7 @@ TEST(CliRun, OptionsOfTheOtherEngineAreRefused) {
   const Folder folder;
   EXPECT_EQ(folder.run({"run", shipped("bench_drop"), "--contact", "cone"}).code, 2);
   EXPECT_EQ(
-      folder.run({"run", shipped("bench_drop"), "--engine", "mujoco", "--integrator", "midpoint"})
+      folder.run({"run", shipped("bench_drop"), "--engine", "mujoco", "--integrator", "verlet"})
           .code,
       2);
   EXPECT_TRUE(folder.files().empty());
@@ -156,7 +156,7 @@ TEST(CliRun, AFolderThatCannotBeMadeIsBadInput) {
 // A step beyond the stability of the fastest mode cannot work: exit code 3, said so.
 TEST(CliRun, ARunThatCannotBeSolvedIsThree) {
   const Folder folder;
-  const Outcome failed = folder.run({"run", shipped("bench_ring"), "--integrator", "midpoint",
+  const Outcome failed = folder.run({"run", shipped("bench_ring"), "--integrator", "verlet",
                                      "--step", "0.1", "--end", "1", "-o", "out"});
   EXPECT_EQ(failed.code, 3);
   EXPECT_NE(failed.err, "");
@@ -166,7 +166,7 @@ TEST(CliRun, ARunThatCannotBeSolvedIsThree) {
 // Ctrl-C: what there is is kept, whole; exit code 130.
 TEST(CliRun, AnInterruptKeepsPartialResults) {
   const Folder folder;
-  Program program(folder.path(), {"run", shipped("bench_ring"), "--integrator", "midpoint", "--end",
+  Program program(folder.path(), {"run", shipped("bench_ring"), "--integrator", "verlet", "--end",
                                   "1e5", "--set", "run.output_step=0.1", "-o", "out"});
   std::this_thread::sleep_for(std::chrono::seconds(1));
   program.interrupt();

@@ -99,7 +99,7 @@ using Arguments = std::vector<std::string>;
 // Every command that writes, to `place`; those that compute long are to refuse before it.
 std::vector<Arguments> writers(const std::string& place) {
   const std::string ring = shipped("bench_ring");
-  return {{"run", ring, "--end", "1e4", "--integrator", "midpoint", "-o", place},
+  return {{"run", ring, "--end", "1e4", "--integrator", "verlet", "-o", place},
           {"run", ring, "--engine", "mujoco", "--end", "1e4", "-o", place},
           {"compare", ring, "--end", "1e3", "-o", place},
           {"bench", ring, "-o", place},

@@ -168,7 +168,7 @@ inertia = 2e-3
   const scene::Scene scene = parsed(text);
   const Model model = make_model(scene);
   NativeOptions options;
-  options.integrator = scene::Integrator::kMidpoint;
+  options.integrator = scene::Integrator::kVerlet;
   const Trajectory native = run_native(scene, options);
   const ModelPointer m = load(mjcf(scene));
   const DataPointer d = start(m.get());

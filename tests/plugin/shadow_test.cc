@@ -19,25 +19,21 @@ namespace {
 
 namespace names = mjcf_names;
 
-// The row's state in the native layout.
+// The row's coordinates in the native layout. (The velocities that the shadow keeps are those of
+// half a step before.)
 std::vector<double> row(const Trajectory& t, const Model& model, std::size_t k) {
-  std::vector<double> state;
+  std::vector<double> q;
   const Layout& l = model.layout;
-  const auto put = [&](const std::string& name) { state.push_back(t.column(name)[k]); };
-  for (const char* dot : {"", "v"}) {
-    const bool rate = *dot != '\0';
-    for (const char* plane : {"x_", "y_"}) {
-      for (int i = 1; i <= l.modes; ++i) put(dot + std::string(plane) + std::to_string(i));
-    }
-    if (l.spin) put(rate ? "spin_speed" : "spin_angle");
-    for (int i = 1; i <= l.torsion; ++i) {
-      put((rate ? "torsion_speed_" : "torsion_") + std::to_string(i));
-    }
-    for (const char* axis : {"x", "y"}) {
-      if (l.stator) put((rate ? "stator_v" : "stator_") + std::string(axis));
-    }
+  const auto put = [&](const std::string& name) { q.push_back(t.column(name)[k]); };
+  for (const char* plane : {"x_", "y_"}) {
+    for (int i = 1; i <= l.modes; ++i) put(plane + std::to_string(i));
   }
-  return state;
+  if (l.spin) put("spin_angle");
+  for (int i = 1; i <= l.torsion; ++i) put("torsion_" + std::to_string(i));
+  for (const char* axis : {"x", "y"}) {
+    if (l.stator) put("stator_" + std::string(axis));
+  }
+  return q;
 }
 
 // What is tested depends on no number of modes.
@@ -65,24 +61,28 @@ TEST_P(ShadowBits, AreThoseOfANativeRun) {
   int in_contact = 0;
   for (std::size_t k = 0; k <= static_cast<std::size_t>(steps); ++k) {
     mj_step(m.get(), d.get());  // the sensors are those of k h, before the step
-    ASSERT_EQ(shadow_of(config, d.get()), row(native, config.model, k)) << "step " << k;
+    ASSERT_EQ(shadow_coordinates(config, d.get()), row(native, config.model, k)) << "step " << k;
     ASSERT_EQ(sensor(m.get(), d.get(), names::kShadowGap), native.column("gap")[k]);
     ASSERT_EQ(point(m.get(), d.get(), names::kShadowRotor).x(), native.column("rotor_x")[k]);
     ASSERT_EQ(point(m.get(), d.get(), names::kShadowRotor).y(), native.column("rotor_y")[k]);
     if (config.model.layout.stator) {
       ASSERT_EQ(point(m.get(), d.get(), names::kShadowStator).y(), native.column("stator_y")[k]);
     }
+    // Forces are those of the step that has ended, which a row has at its begin.
+    if (k == 0) continue;
     const double force = sensor(m.get(), d.get(), names::kShadowNormalForce);
-    const double lasting = native.column("normal_force")[k];
-    impulse += h * force;
+    const double lasting = native.column("normal_force")[k - 1];
+    impulse += (k == 1 ? 0.5 * h : h) * force;
     if (!(lasting > 0.0)) continue;  // an impact's impulse is in no row
     ++in_contact;
     ASSERT_DOUBLE_EQ(force, lasting) << k;
     ASSERT_DOUBLE_EQ(sensor(m.get(), d.get(), names::kShadowFrictionForce),
-                     native.column("friction_force")[k]);
+                     native.column("friction_force")[k - 1]);
   }
   EXPECT_GT(native.impacts.size(), 0u);
   EXPECT_GT(in_contact, 100) << "the rub itself is compared";
+  // Of the kick about the end half is within the run.
+  impulse += 0.5 * h * native.column("normal_force").back();
   EXPECT_NEAR(impulse, native.statistics.impulse_total, 1e-12 * impulse) << "impacts included";
 }
 
@@ -136,35 +136,41 @@ TEST_F(Shadow, LeavesMujocosMotionToTheBit) {
   }
 }
 
-// Both of first order against one truth: the difference falls with the step.
-TEST_F(Shadow, AgreesWithRigidToFirstOrder) {
+// `rigid` takes the shadow's own steps, by MuJoCo's arithmetic: no evidence, but put in correctly.
+TEST_F(Shadow, AgreesWithRigidToRoundOff) {
+  const scene::Scene scene = shadowed("bench_ring");
+  const ModelPointer m = load(mjcf(scene));
+  const DataPointer d = start(m.get());
+  const int steps = static_cast<int>(std::lround(0.1 / scene.run.step));
+  double apart = 0.0;
+  for (int k = 0; k < steps; ++k) {
+    mj_step(m.get(), d.get());
+    const Eigen::Vector2d own = point(m.get(), d.get(), names::kRotorPosition);
+    apart = std::max(apart, (own - point(m.get(), d.get(), names::kShadowRotor)).norm());
+  }
+  EXPECT_LT(apart, 1e-11) << "of 2 mm";
+}
+
+// With `coulomb` MuJoCo's step is another program, of first order: the difference falls with it.
+TEST_F(Shadow, AgreesWithCoulombToFirstOrder) {
   const auto apart = [](const char* step) {
-    const scene::Scene scene = shadowed("bench_ring", {std::string("run.step=") + step});
+    const scene::Scene scene =
+        shadowed("bench_ring", {std::string("run.step=") + step, "mujoco.contact=coulomb"});
     const ModelPointer m = load(mjcf(scene));
     const DataPointer d = start(m.get());
-    struct {
-      double position = 0.0, force = 0.0;
-    } out;
+    double position = 0.0;
     const int steps = static_cast<int>(std::lround(0.1 / scene.run.step));
     for (int k = 0; k < steps; ++k) {
       mj_step(m.get(), d.get());
       const Eigen::Vector2d own = point(m.get(), d.get(), names::kRotorPosition);
-      const Eigen::Vector2d its = point(m.get(), d.get(), names::kShadowRotor);
-      out.position = std::max(out.position, (own - its).norm());
-      if (k * scene.run.step < 0.05) continue;  // settled: sliding contact
-      const double f = sensor(m.get(), d.get(), names::kNormalForce);
-      out.force =
-          std::max(out.force, std::abs(f - sensor(m.get(), d.get(), names::kShadowNormalForce)));
+      position = std::max(position, (own - point(m.get(), d.get(), names::kShadowRotor)).norm());
     }
-    return out;
+    return position;
   };
-  const auto coarse = apart("1e-4"), fine = apart("1e-5");
-  std::printf("rotor apart %.2e m at 1e-4, %.2e at 1e-5; lasting force %.2e, %.2e N\n",
-              coarse.position, fine.position, coarse.force, fine.force);
-  EXPECT_LT(fine.position, 2e-5) << "of 2 mm";
-  EXPECT_GT(fine.position, 1e-9) << "two different integrators";
-  EXPECT_LT(fine.position, 0.2 * coarse.position);
-  EXPECT_LT(fine.force, 0.2 * coarse.force);
+  const double coarse = apart("1e-4"), fine = apart("1e-5");
+  EXPECT_LT(fine, 2e-5) << "of 2 mm";
+  EXPECT_GT(fine, 1e-9) << "two different integrators";
+  EXPECT_LT(fine, 0.2 * coarse);
 }
 
 // The segment rotor is another model: its shadow starts where its modes are and stays near.
@@ -175,7 +181,7 @@ TEST_F(Shadow, RunsBesideSegments) {
   const ModelPointer m = load(mjcf(scene));
   const plugin::Config config = plugin::make_config(m.get());
   const DataPointer d = start(m.get());
-  MidpointStepper native(config.model, scene.run.step);
+  VerletStepper native(config.model, scene.run.step);
   double apart = 0.0, size = 0.0;
   bool touched = false;
   for (int k = 0; k < 3000; ++k) {
@@ -201,7 +207,7 @@ TEST_F(Shadow, StepsOnceAStepOfRungeKutta) {
   m->opt.integrator = mjINT_RK4;
   const plugin::Config config = plugin::make_config(m.get());
   const DataPointer d = start(m.get());
-  MidpointStepper native(config.model, scene.run.step);
+  VerletStepper native(config.model, scene.run.step);
   for (int k = 0; k < 1500; ++k) {
     mj_step(m.get(), d.get());
     native.step(k);

@@ -101,7 +101,7 @@ void expect_hold(scene::Integrator integrator) {
   for (std::size_t row = 0; row < 40; ++row) EXPECT_EQ(x[row], 0.0) << "before it is on";
 }
 
-TEST(SampledController, MidpointHoldsBetweenSamples) { expect_hold(scene::Integrator::kMidpoint); }
+TEST(SampledController, VerletHoldsBetweenSamples) { expect_hold(scene::Integrator::kVerlet); }
 TEST(SampledController, EventHoldsBetweenSamples) { expect_hold(scene::Integrator::kEvent); }
 
 // The time of the first row with a command.
@@ -113,10 +113,10 @@ double first_command(const Trajectory& t) {
 
 TEST(SampledController, BothIntegratorsStartAtTheSameInstant) {
   // Switched on between two samples.
-  scene::Scene paper = sampled_scene(scene::Integrator::kMidpoint),
+  scene::Scene verlet = sampled_scene(scene::Integrator::kVerlet),
                event = sampled_scene(scene::Integrator::kEvent);
-  paper.first().controller->on = event.first().controller->on = 0.0043;
-  EXPECT_NEAR(first_command(run_native(paper)), first_command(run_native(event)), 1.01e-4);
+  verlet.first().controller->on = event.first().controller->on = 0.0043;
+  EXPECT_NEAR(first_command(run_native(verlet)), first_command(run_native(event)), 1.01e-4);
 }
 
 TEST(SlidingController, LastingContactCarriesThePreload) {

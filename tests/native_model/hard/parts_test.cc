@@ -27,7 +27,7 @@ TEST(HardParts, HeldSpinWithFriction) {
   const Trajectory t = test::sound_event(scene);
   for (const double speed : t.column("spin_speed")) EXPECT_EQ(speed, scene.rotor.speed);
   EXPECT_LT(t.statistics.friction_work, 0.0);
-  test::sound_paper(scene);
+  test::sound_verlet(scene);
 }
 
 // The shaft winds up between the motor and a contact that sticks, slips and sticks.
@@ -54,7 +54,7 @@ TEST(HardParts, TorsionInSticking) {
     const Trajectory t = test::sound_event(scene);
     EXPECT_TRUE(has_mode(t, Mode::kStick));
     EXPECT_GT(test::largest(t.column("torsion_1")), 1e-4);
-    const Trajectory p = test::sound_paper(scene);
+    const Trajectory p = test::sound_verlet(scene);
     EXPECT_TRUE(has_mode(p, Mode::kStick));
   }
 }
@@ -67,7 +67,7 @@ TEST(HardParts, GravityAtRestInTheRing) {
   const double force = 2.0 * 9.81 - 1e3 * 0.5e-3;  // weight less the shaft's spring
   const Trajectory t = test::sound_event(scene);
   EXPECT_NEAR(t.column("normal_force").back(), force, 1e-10 * force);
-  const Trajectory p = test::sound_paper(scene, 1e-5, 1.0);
+  const Trajectory p = test::sound_verlet(scene, 1e-5, 1.0);
   EXPECT_NEAR(p.column("normal_force").back(), force, 1e-6 * force);
 }
 
@@ -87,7 +87,7 @@ TEST(HardParts, MagneticBearingPastTheStiffness) {
     } else {
       EXPECT_GT(t.statistics.first_touch, 0.0);
     }
-    const Trajectory p = test::sound_paper(scene);
+    const Trajectory p = test::sound_verlet(scene);
   }
 }
 
@@ -106,7 +106,7 @@ TEST(HardParts, InternalDampingThreshold) {
     scene.initial.x = {1e-4};
     scene.initial.vy = {omega * 1e-4};
     scene.run.end = 2.0;
-    for (const Trajectory& t : {test::run_event(scene), test::run_paper(scene, 1e-4)}) {
+    for (const Trajectory& t : {test::run_event(scene), test::run_verlet(scene, 1e-4)}) {
       const double end = std::hypot(t.column("rotor_x").back(), t.column("rotor_y").back());
       EXPECT_EQ(end > 1e-4, factor > 1.0) << t.integrator << ' ' << end;
     }
@@ -127,13 +127,13 @@ TEST(HardParts, InternalDampingCaughtByTheRing) {
   scene.run.end = 1.0;
   const Trajectory t = test::sound_event(scene);
   EXPECT_GT(t.statistics.first_touch, 0.0);
-  const Trajectory p = test::sound_paper(scene);
+  const Trajectory p = test::sound_verlet(scene);
   EXPECT_GT(p.statistics.first_touch, 0.0);
 }
 
 // Masses that differ between x and y couple N and T. Under mu > (a_x + a_y) / |a_x - a_y| sliding
 // one way has no force, or more than one: `event` says so. On impulses there always is a solution
-// (the slip is stopped at once), and `midpoint` takes it. Never NaN.
+// (the slip is stopped at once), and `verlet` takes it. Never NaN.
 TEST(HardPainleve, SaidOnForcesSolvedOnImpulses) {
   int said = 0, solved = 0;
   for (const double mu : {0.5, 1.1, 1.5, 3.0, 10.0}) {
@@ -154,7 +154,7 @@ TEST(HardPainleve, SaidOnForcesSolvedOnImpulses) {
         test::add_constant_force(scene, {push, push});
         scene.run.end = 0.02;
         const bool can_jam = mu > (1.0 / 0.2 + 1.0 / 2.0) / (1.0 / 0.2 - 1.0 / 2.0);
-        const Trajectory t = test::run_event(scene), p = test::run_paper(scene, 1e-5);
+        const Trajectory t = test::run_event(scene), p = test::run_verlet(scene, 1e-5);
         for (const Trajectory* run : {&t, &p}) {
           test::expect_refused_or_finite(*run);
           test::expect_dissipative_impacts(scene, *run);

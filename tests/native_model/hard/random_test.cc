@@ -36,12 +36,12 @@ TEST(HardRandom, EventKeepsEveryRule) { expect_event_keeps_every_rule(50); }
 
 TEST(HardRandomNightly, EventKeepsEveryRule) { expect_event_keeps_every_rule(1000); }
 
-TEST(HardRandom, MidpointKeepsEveryRule) {
+TEST(HardRandom, VerletKeepsEveryRule) {
   test::RandomScenes scenes(21);
   int solved = 0;
   for (int k = 0; k < kScenes; ++k) {
     const scene::Scene scene = scenes.next();
-    const Trajectory t = test::run_paper(scene, 1e-5);
+    const Trajectory t = test::run_verlet(scene, 1e-5);
     SCOPED_TRACE("scene " + std::to_string(k));
     if (t.status != Status::kOk) {
       // A flight of more than the clearance in a step may end outside, with a word.
@@ -56,7 +56,7 @@ TEST(HardRandom, MidpointKeepsEveryRule) {
         2.0 *
         std::max({1.0, test::largest(t.column("rotor_vx")), test::largest(t.column("rotor_vy")),
                   test::largest(t.column("stator_vx")), test::largest(t.column("stator_vy"))});
-    test::expect_sound_paper(scene, t, 1e-5, speed);
+    test::expect_sound_verlet(scene, t, 1e-5, speed);
     ++solved;
   }
   EXPECT_GT(solved, kScenes * 9 / 10);

@@ -29,8 +29,8 @@ double fastest(const Trajectory& t) {
 
 void expect_both_sound(const scene::Scene& scene, double step) {
   test::sound_event(scene);
-  const Trajectory p = test::run_paper(scene, step);
-  test::expect_sound_paper(scene, p, step, fastest(p));
+  const Trajectory p = test::run_verlet(scene, step);
+  test::expect_sound_verlet(scene, p, step, fastest(p));
 }
 
 TEST(HardFriction, FromATenthToTen) {
@@ -85,14 +85,14 @@ TEST(HardStiffModes, RefusedOrSolved) {
   scene.forces[0].shape = {1.0, 1.0};
   scene.rotor.modal->damping_y = scene.rotor.modal->damping;
   for (const double step : {1e-5, 2.01e-6}) {
-    const Trajectory t = test::run_paper(scene, step);
+    const Trajectory t = test::run_verlet(scene, step);
     EXPECT_EQ(t.status, Status::kStepTooLarge);
     EXPECT_NE(t.message.find("the limit of"), std::string::npos) << t.message;
     EXPECT_EQ(t.steps, 0);
     test::expect_finite(t);
   }
-  const Trajectory p = test::run_paper(scene, 1e-6);
-  test::expect_sound_paper(scene, p, 1e-6, fastest(p));
+  const Trajectory p = test::run_verlet(scene, 1e-6);
+  test::expect_sound_verlet(scene, p, 1e-6, fastest(p));
   const Trajectory t = test::sound_event(scene);
   EXPECT_LT(std::hypot(p.column("rotor_x").back() - t.column("rotor_x").back(),
                        p.column("rotor_y").back() - t.column("rotor_y").back()),
@@ -124,7 +124,7 @@ TEST(HardStickSlip, NoChangeOfSignEveryStep) {
   const auto sticks = count(t, EventKind::kStick, 0.05);
   EXPECT_GT(sticks, 8);
   EXPECT_LT(sticks, 100);
-  const Trajectory p = test::sound_paper(scene);
+  const Trajectory p = test::sound_verlet(scene);
   EXPECT_NEAR(static_cast<double>(count(p, EventKind::kStick, 0.05)), static_cast<double>(sticks),
               0.3 * static_cast<double>(sticks) + 4.0);
   // While it slips the sign does not alternate row by row.
@@ -162,8 +162,8 @@ TEST(HardWhip, BackwardUntilItRolls) {
   EXPECT_NEAR(nu(t), rolling, 1e-9 * rolling);
   EXPECT_EQ(static_cast<Mode>(t.column("mode").back()), Mode::kStick);
   const double step = 1e-6;
-  const Trajectory p = test::run_paper(scene, step);
-  test::expect_sound_paper(scene, p, step, 2.0 * j.speed * j.radius);
+  const Trajectory p = test::run_verlet(scene, step);
+  test::expect_sound_verlet(scene, p, step, 2.0 * j.speed * j.radius);
   EXPECT_NEAR(nu(p), rolling, 1e-3 * rolling);
   EXPECT_EQ(static_cast<Mode>(p.column("mode").back()), Mode::kStick);
 }
@@ -213,8 +213,8 @@ TEST(HardAttractors, TheSameFromTheSameStart) {
     const double speed = whirl(reference);
     EXPECT_EQ(reference.contact_fraction(), start == 0.0 ? 0.0 : 1.0);
     for (const double step : {1e-5, 3e-6, 1e-6}) {
-      const Trajectory t = test::run_paper(from, step);
-      test::expect_sound_paper(from, t, step, fastest(t));
+      const Trajectory t = test::run_verlet(from, step);
+      test::expect_sound_verlet(from, t, step, fastest(t));
       EXPECT_NEAR(whirl(t), speed, 0.02 * std::abs(speed)) << step;
       EXPECT_EQ(t.column("normal_force").back() > 0.0,
                 reference.column("normal_force").back() > 0.0);
@@ -249,7 +249,7 @@ TEST(HardRunUp, StallsAtTheResonance) {
     scene.drive = drive;
     scene.run.end = 20.0;  // at 16 rad/s^2 it takes 10 s to the resonance
     scene.run.output_step = 0.1;
-    const Trajectory t = event ? test::run_event(scene) : test::run_paper(scene, 1e-4);
+    const Trajectory t = event ? test::run_event(scene) : test::run_verlet(scene, 1e-4);
     EXPECT_EQ(t.status, Status::kOk) << t.message;
     test::expect_finite(t);
     if (event) {

@@ -47,15 +47,13 @@ void expect_motion(const scene::Scene& s, double size, double share, double orde
   const Trajectory reference = run_event(s);
   EXPECT_LT(test::orbit_error(reference, exact), share * size);
   EXPECT_LT(reference.statistics.energy_residual(), 1e-9);
-  for (const auto integrator : {scene::Integrator::kMidpoint, scene::Integrator::kVerlet}) {
-    test::Convergence c;
-    for (const double step : {2e-4, 1e-4, 5e-5, 2e-5, 1e-5, 5e-6, 2e-6}) {
-      c.steps.push_back(step);
-      c.errors.push_back(test::orbit_error(run_with(s, integrator, step), exact));
-    }
-    EXPECT_GT(c.order(), order) << static_cast<int>(integrator) << " " << c.text();
-    EXPECT_LT(c.errors.back(), 1e-3 * size) << c.text();
+  test::Convergence c;
+  for (const double step : {2e-4, 1e-4, 5e-5, 2e-5, 1e-5, 5e-6, 2e-6}) {
+    c.steps.push_back(step);
+    c.errors.push_back(test::orbit_error(run_with(s, scene::Integrator::kVerlet, step), exact));
   }
+  EXPECT_GT(c.order(), order) << " " << c.text();
+  EXPECT_LT(c.errors.back(), 1e-3 * size) << c.text();
 }
 
 // m z'' + k_i D z' + (k_i P - k_s) z = 0.
@@ -122,8 +120,7 @@ TEST(MagneticFeedback, AtTheLimitTheForceIsConstant) {
   s.run.output_step = 1e-4;
   s.run.end = 0.005;
   ASSERT_LT(s.run.end, reached);
-  for (const auto integrator :
-       {scene::Integrator::kEvent, scene::Integrator::kMidpoint, scene::Integrator::kVerlet}) {
+  for (const auto integrator : {scene::Integrator::kEvent, scene::Integrator::kVerlet}) {
     EXPECT_LT(test::orbit_error(run_with(s, integrator), exact), 1e-12 * kStart)
         << static_cast<int>(integrator);
   }
@@ -143,16 +140,14 @@ TEST(MagneticFeedback, FixedStepsAreOfSecondOrderThroughLimitAndFailure) {
   s.magnetic_bearings[0].control->fails_at = 0.0312345678;
   const Trajectory reference = run_event(s);
   EXPECT_LT(reference.statistics.energy_residual(), 1e-10);
-  for (const auto integrator : {scene::Integrator::kMidpoint, scene::Integrator::kVerlet}) {
-    test::Convergence c;
-    for (const double step : {2e-4, 1e-4, 5e-5, 2.5e-5, 1e-5}) {
-      const Trajectory t = run_with(s, integrator, step);
-      c.steps.push_back(step);
-      c.errors.push_back(test::rotor_error(t, reference));
-    }
-    EXPECT_GT(c.order(), 1.85) << static_cast<int>(integrator) << " " << c.text();
-    EXPECT_LT(run_with(s, integrator).statistics.energy_residual(), 1e-5);
+  test::Convergence c;
+  for (const double step : {2e-4, 1e-4, 5e-5, 2.5e-5, 1e-5}) {
+    const Trajectory t = run_with(s, scene::Integrator::kVerlet, step);
+    c.steps.push_back(step);
+    c.errors.push_back(test::rotor_error(t, reference));
   }
+  EXPECT_GT(c.order(), 1.85) << " " << c.text();
+  EXPECT_LT(run_with(s, scene::Integrator::kVerlet).statistics.energy_residual(), 1e-5);
 }
 
 // It fails: from where it hung the rotor falls freely, to the ring.
@@ -178,11 +173,9 @@ TEST(MagneticFeedback, FailsAndTheRotorFalls) {
   EXPECT_NEAR(t.impacts[0].t, touch, 1e-9 * touch);
   EXPECT_NEAR(t.impacts[0].gap_rate_before, -std::sqrt(2.0 * kGravity * fall), 1e-9);
   EXPECT_LT(t.statistics.energy_residual(), 1e-9);
-  for (const auto integrator : {scene::Integrator::kMidpoint, scene::Integrator::kVerlet}) {
-    const Trajectory stepped = run_with(s, integrator);
-    ASSERT_FALSE(stepped.impacts.empty());
-    EXPECT_NEAR(stepped.impacts[0].t, touch, 1e-5) << static_cast<int>(integrator);
-  }
+  const Trajectory stepped = run_with(s, scene::Integrator::kVerlet);
+  ASSERT_FALSE(stepped.impacts.empty());
+  EXPECT_NEAR(stepped.impacts[0].t, touch, 1e-5);
 }
 
 // Lanes beside each other have a limit and an instant of failure each; their bits are the run's

@@ -119,15 +119,13 @@ void expect_product(const scene::Scene& s, const HeldLoop& x, const HeldLoop& y)
   ASSERT_EQ(t.status, Status::kOk) << t.message;
   EXPECT_LT(test::orbit_error(t, exact), 1e-13);
   EXPECT_LT(t.statistics.energy_residual(), 1e-9);
-  for (const auto integrator : {scene::Integrator::kMidpoint, scene::Integrator::kVerlet}) {
-    test::Convergence c;
-    for (const double step : {1e-4, 5e-5, 2.5e-5, 1e-5, 5e-6}) {
-      c.steps.push_back(step);
-      c.errors.push_back(test::orbit_error(run_with(s, integrator, step), exact));
-    }
-    EXPECT_GT(c.order(), 1.9) << static_cast<int>(integrator) << " " << c.text();
-    EXPECT_LT(c.errors.back(), 1e-8) << c.text();
+  test::Convergence c;
+  for (const double step : {1e-4, 5e-5, 2.5e-5, 1e-5, 5e-6}) {
+    c.steps.push_back(step);
+    c.errors.push_back(test::orbit_error(run_with(s, scene::Integrator::kVerlet, step), exact));
   }
+  EXPECT_GT(c.order(), 1.9) << " " << c.text();
+  EXPECT_LT(c.errors.back(), 1e-8) << c.text();
 }
 
 TEST(SampledMagneticControl, PidIsAProductOfMatrices) {
@@ -287,14 +285,12 @@ vy = [0.05, 0.02]
   const Trajectory t = run_event(s);
   ASSERT_EQ(t.status, Status::kOk) << t.message;
   EXPECT_LT(test::orbit_error(t, exact), 1e-13);
-  for (const auto integrator : {scene::Integrator::kMidpoint, scene::Integrator::kVerlet}) {
-    test::Convergence c;
-    for (const double h : {1e-4, 5e-5, 2.5e-5, 1e-5, 5e-6}) {
-      c.steps.push_back(h);
-      c.errors.push_back(test::orbit_error(run_with(s, integrator, h), exact));
-    }
-    EXPECT_GT(c.order(), 1.9) << static_cast<int>(integrator) << " " << c.text();
+  test::Convergence c;
+  for (const double h : {1e-4, 5e-5, 2.5e-5, 1e-5, 5e-6}) {
+    c.steps.push_back(h);
+    c.errors.push_back(test::orbit_error(run_with(s, scene::Integrator::kVerlet, h), exact));
   }
+  EXPECT_GT(c.order(), 1.9) << " " << c.text();
 }
 
 // Off, it asks for nothing and forgets; on again it begins as at its first sample, without a kick
@@ -335,9 +331,7 @@ TEST(SampledMagneticControl, BeginsAnewWhenItReturns) {
     return {0.0, second.place(since)};
   };
   EXPECT_LT(test::orbit_error(run_event(s), exact), 1e-12);
-  for (const auto integrator : {scene::Integrator::kMidpoint, scene::Integrator::kVerlet}) {
-    EXPECT_LT(test::orbit_error(run_with(s, integrator, 2.5e-6), exact), 2e-9);
-  }
+  EXPECT_LT(test::orbit_error(run_with(s, scene::Integrator::kVerlet, 2.5e-6), exact), 2e-9);
 }
 
 }  // namespace
