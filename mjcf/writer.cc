@@ -130,7 +130,7 @@ class Document {
     if (scene_.mujoco.shadow) {
       const Model whole = make_model(scene_);
       user_data += names::shadow_data_size(ZeroOrderHold::memory_size(whole),
-                                           MidpointStepper::memory_size(whole));
+                                           VerletStepper::memory_size(whole));
     }
     const std::size_t further = scene_.auxiliary.size() - 1;
     user_data += names::kPairEntries * static_cast<int>(further);

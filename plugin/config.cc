@@ -203,7 +203,7 @@ int map_memory(const mjModel* m, const scene::Scene& scene, Config& config) {
   if (config.shadow) {
     config.shadow->data = needed;
     needed += names::shadow_data_size(ZeroOrderHold::memory_size(config.shadow->model),
-                                      MidpointStepper::memory_size(config.shadow->model));
+                                      VerletStepper::memory_size(config.shadow->model));
   }
   const int further = needed;
   needed += kPairEntries * static_cast<int>(scene.auxiliary.size() - 1);

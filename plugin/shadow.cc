@@ -27,11 +27,11 @@ namespace {
 // goes back there.
 struct Worker {
   Worker(const Config& config, double h)
-      : model(config.shadow->model), stepper(model, h), command(model) {}
+      : model(config.shadow->model), stepper(model, h), hold(model) {}
 
   const Model model;
-  MidpointStepper stepper;
-  ZeroOrderHold command;
+  VerletStepper stepper;
+  ZeroOrderHold hold;
 };
 
 double* hold_memory(double* entry) { return entry + kShadowSingle; }
@@ -102,25 +102,39 @@ void begin(const Config& config, const mjModel* m, mjData* d, double* entry) {
 
 constexpr const char* kFailed = "rotorub: shadow: its controller failed: it stands still";
 
+// The mean command of its own controller about t, where step k begins.
+Eigen::Vector2d own_command(Worker& worker, std::int64_t k, double t, double h) {
+  ZeroOrderHold& hold = worker.hold;
+  VerletStepper& stepper = worker.stepper;
+  const double end = t + 0.5 * h;
+  if (!hold.listens(end)) return hold.held();
+  double v[kMaxCoordinates], a[kMaxCoordinates] = {};
+  stepper.velocity_now(k, hold.held(), v);
+  for (int i = 0; k > 0 && i < worker.model.nq(); ++i) a[i] = 2.0 / h * (v[i] - stepper.v()[i]);
+  const Eigen::Vector2d u = hold.mean(k == 0 ? t : t - 0.5 * h, t, end, stepper.q(), v, a);
+  stepper.jump(hold.jump());
+  return u;
+}
+
 void step(const Config& config, const mjModel* m, mjData* d, double* entry) {
   const double h = m->opt.timestep;
   Worker& worker = thread_worker<Worker>(config, h);
   worker.stepper.restore(entry + stepper_begin(config));
-  const double t = entry[kShadowOrigin] + entry[kShadowSteps] * h;
+  const auto k = static_cast<std::int64_t>(entry[kShadowSteps]);
 
   Eigen::Vector2d u = actuator_state(config, m, d).force;
   if (worker.model.first().controller) {
-    worker.command.restore(hold_memory(entry));
-    u = worker.command.at(t, worker.stepper.q(), worker.stepper.v());
-    worker.command.save(hold_memory(entry));
-    if (!worker.command.failure().empty()) {
+    worker.hold.restore(hold_memory(entry));
+    u = own_command(worker, k, entry[kShadowOrigin] + entry[kShadowSteps] * h, h);
+    worker.hold.save(hold_memory(entry));
+    if (!worker.hold.failure().empty()) {
       stop(entry, Status::kControllerFailed, kFailed);
       return;
     }
   }
   FixedStep done;
   try {
-    done = worker.stepper.step(static_cast<std::int64_t>(entry[kShadowSteps]), u);
+    done = worker.stepper.step(k, u);
   } catch (const ControllerError&) {
     stop(entry, Status::kControllerFailed, kFailed);
     return;
@@ -135,8 +149,9 @@ void step(const Config& config, const mjModel* m, mjData* d, double* entry) {
   }
   worker.stepper.save(entry + stepper_begin(config));
   entry[kShadowSteps] += 1.0;
-  entry[kShadowNormal] = done.normal_impulse / h;
-  entry[kShadowFriction] = done.friction_impulse / h;
+  const double kick = worker.stepper.last_kick() * h;
+  entry[kShadowNormal] = done.normal_impulse / kick;
+  entry[kShadowFriction] = done.friction_impulse / kick;
   move_ghosts(config, d);
 }
 
@@ -165,7 +180,7 @@ void advance_shadow(const Config& config, const mjModel* m, mjData* d) {
 }
 
 const double* shadow_state(const Config& config, const mjData* d) {
-  return MidpointStepper::saved_q(d->userdata + config.shadow->data + stepper_begin(config));
+  return VerletStepper::saved_q(d->userdata + config.shadow->data + stepper_begin(config));
 }
 
 namespace names = mjcf_names;

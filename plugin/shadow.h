@@ -1,5 +1,6 @@
-// The shadow: the native model, run alongside by the stepping of `midpoint`, one step a MuJoCo
-// step. It starts from MuJoCo's state and then knows nothing of MuJoCo but the commands: a
+// The shadow: the native model, run alongside by the stepping of `verlet`, one step a MuJoCo step.
+// With `rigid` on a modal chain MuJoCo takes the same steps, so that their agreement is no
+// evidence. It starts from MuJoCo's state and then knows nothing of MuJoCo but the commands: a
 // controller of the scene closes its own loop; without one, the shadow is given the force that
 // MuJoCo's actuators exerted on the ring over the step. What it has goes to user sensors and ghost
 // bodies; MuJoCo's motion never depends on it.
@@ -25,7 +26,8 @@ namespace rotorub::plugin {
 // with one mju_warning.
 void advance_shadow(const Config& config, const mjModel* m, mjData* d);
 
-// Where it is, for those who look on: coordinates of the shadow's model, then as many velocities.
+// Where it is, for those who look on: coordinates of the shadow's model, then as many velocities,
+// which are those of half a step before.
 const double* shadow_state(const Config& config, const mjData* d);
 
 // Fills the addresses of sensors and ghosts; `model` is the scene's. Throws ConfigError for a step

@@ -98,8 +98,6 @@ std::vector<BenchEngine> make_engines() {
        {{"", nullptr, {}}}},
       fixed_step(scene::Integrator::kVerlet,
                  "set-valued Poisson/Coulomb law, second-order fixed step through impacts"),
-      fixed_step(scene::Integrator::kMidpoint,
-                 "set-valued Poisson/Coulomb law, first-order time stepping (Chavez, Ulbrich)"),
       mujoco(scene::ContactModel::kRigid, "the same law solved by the plugin in MuJoCo's step"),
       mujoco(scene::ContactModel::kCoulomb,
              "MuJoCo's soft normal contact, Coulomb friction by the plugin"),

@@ -125,7 +125,6 @@ std::optional<Trajectory> reference_of(const scene::Scene& scene, const RunReque
 const std::vector<CheckEngine>& check_engines() {
   static const std::vector<CheckEngine> all{
       native(scene::Integrator::kEvent, RuleEngine::kNativeEvent),
-      native(scene::Integrator::kMidpoint, RuleEngine::kNativeMidpoint),
       native(scene::Integrator::kVerlet, RuleEngine::kNativeVerlet),
       mujoco(scene::ContactModel::kRigid, RuleEngine::kMujocoRigid),
       mujoco(scene::ContactModel::kCoulomb, RuleEngine::kMujocoCoulomb),

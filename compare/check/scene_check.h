@@ -23,8 +23,8 @@ struct CheckEngine {
   std::shared_ptr<const Engine> engine;
 };
 
-// native-event, native-midpoint, native-verlet, and MuJoCo with each contact model. (`euler`
-// is a baseline that is there to be wrong by its step, and is not checked.)
+// native-event, native-verlet, and MuJoCo with each contact model. (`euler` is a baseline that is
+// there to be wrong by its step, and is not checked.)
 const std::vector<CheckEngine>& check_engines();
 
 // The rules for this engine. Of MuJoCo, where the scene has none for it: those for every native

@@ -100,7 +100,7 @@ void write_shadow(const std::filesystem::path& folder, const scene::Scene& scene
   RunRequest request;
   request.interrupt = &interrupted();
   request.progress = [&](double share) { bar.show(share, kShadowFolder); };
-  const Trajectory trajectory = native_engine(scene::Integrator::kMidpoint)->run(scene, request);
+  const Trajectory trajectory = native_engine(scene::Integrator::kVerlet)->run(scene, request);
   bar.clear();
   write_run(folder / kShadowFolder, scene, trajectory, hdf5);
   if (!quiet) fmt::print("its shadow written to {}\n", printable_path(folder / kShadowFolder));
@@ -218,11 +218,10 @@ Command add_run_command(CLI::App& program) {
   add_option(app, "--engine", options->engine, "Engine that runs the scene: native or mujoco")
       .one_of({"native", "mujoco"})
       .shows_default();
-  add_option(
-      app, "--integrator", options->integrator,
-      "Integrator of the native engine: event, verlet, midpoint or euler (default: the scene's)")
+  add_option(app, "--integrator", options->integrator,
+             "Integrator of the native engine: event, verlet or euler (default: the scene's)")
       .transform(today)
-      .one_of({"event", "verlet", "midpoint", "euler"});
+      .one_of({"event", "verlet", "euler"});
   add_option(app, "--contact", options->contact,
              "How MuJoCo solves the contact (default: the scene's)")
       .one_of(scene::contact_words<std::vector<std::string>>());

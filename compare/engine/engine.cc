@@ -106,8 +106,6 @@ const char* to_string(scene::Integrator integrator) {
   switch (integrator) {
     case scene::Integrator::kEvent:
       return "event";
-    case scene::Integrator::kMidpoint:
-      return "midpoint";
     case scene::Integrator::kVerlet:
       return "verlet";
     case scene::Integrator::kEuler:
@@ -118,7 +116,7 @@ const char* to_string(scene::Integrator integrator) {
 
 std::optional<scene::Integrator> integrator_named(std::string_view name) {
   using enum scene::Integrator;
-  for (const scene::Integrator one : {kEvent, kMidpoint, kVerlet, kEuler}) {
+  for (const scene::Integrator one : {kEvent, kVerlet, kEuler}) {
     if (name == to_string(one)) return one;
   }
   return std::nullopt;

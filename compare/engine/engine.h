@@ -56,7 +56,7 @@ struct RunRequest {
 class Engine {
  public:
   virtual ~Engine() = default;
-  // For columns and folders: "native-midpoint", "mujoco-coulomb".
+  // For columns and folders: "native-verlet", "mujoco-coulomb".
   virtual std::string name() const = 0;
   // Failing numerics are a status of the result; scenes that the engine cannot run at all throw
   // std::runtime_error.

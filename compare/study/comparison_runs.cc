@@ -314,16 +314,13 @@ ShadowColumn shadow_column(Runner& runner, const Side& native,
   column.driven = commands != nullptr;
   RunRequest request;
   request.commands = std::move(commands);
-  // Impacts that take time are verlet's alone.
-  for (const auto integrator : {scene::Integrator::kMidpoint, scene::Integrator::kVerlet}) {
-    try {
-      column.side = runner.shown({"shadow", native_engine(integrator), kNativeWork}, request);
-      break;
-    } catch (const scene::SceneError& error) {
-      column.absent = error.what();
-    }
+  try {
+    column.side =
+        runner.shown({"shadow", native_engine(scene::Integrator::kVerlet), kNativeWork}, request);
+  } catch (const scene::SceneError& error) {
+    column.absent = error.what();
+    return column;
   }
-  if (!column.side) return column;
   if (column.side->trajectory.status != Status::kOk) {
     const Trajectory& t = column.side->trajectory;
     column.absent = fmt::format("it ended early ({}): {}", to_string(t.status), t.message);

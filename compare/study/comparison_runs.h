@@ -131,10 +131,11 @@ class CommandTape {
 // verlet does not run the scene, or where coils lag, whose commands a run does not keep.
 std::vector<double> replay_floor(Runner& runner, const scene::Scene& scene);
 
-// The native stepper at MuJoCo's step, beside the reference and MuJoCo: what it is off by is the
-// step's doing, what MuJoCo is off beyond it the contact model's.
+// The native stepper at MuJoCo's step, beside the reference and MuJoCo: its error comes from the
+// step, any further error of MuJoCo from the contact model. `rigid` of a modal chain takes this
+// very step in MuJoCo, so that its agreement with the shadow is no evidence.
 //
-// It is the plugin's shadow (plugin/shadow.h): the stepping of `midpoint`, from the same start, one
+// It is the plugin's shadow (plugin/shadow.h): the stepping of `verlet`, from the same start, one
 // step a MuJoCo step. Where a controller commands the actuator, it is driven by the commands that
 // MuJoCo's were given in the run that decides; the plugin's own shadow closes its own loop there.
 // `native`: the column that it stands beside. `commands`: null without a controller.

@@ -71,7 +71,7 @@ struct Timing {
 // then the other contact models.
 struct Side {
   std::string label;      // "native", "coulomb", "cone"
-  std::string engine;     // "native-midpoint", "mujoco-coulomb"
+  std::string engine;     // "native-verlet", "mujoco-coulomb"
   std::string solref;     // of MuJoCo's contact at the comparison's step, "0.02 1"; empty: no part
   Trajectory trajectory;  // rows dense enough for plots, with the scene's output times
   Metrics metrics;

@@ -128,7 +128,7 @@ void read_run(const TomlNode& node, Study& study, Diagnostics& diagnostics) {
   const StudyTable table(node, "run", {"engine", "integrator", "contact", "figures", "step", "end"},
                          diagnostics);
   constexpr std::array<std::string_view, 2> kEngines{"native", "mujoco"};
-  constexpr std::array<std::string_view, 4> kIntegrators{"event", "midpoint", "verlet", "euler"};
+  constexpr std::array<std::string_view, 3> kIntegrators{"event", "verlet", "euler"};
   constexpr std::array<std::string_view, 2> kFigures{"ensemble", "all"};
   static const auto kContacts = scene::contact_words<std::vector<std::string_view>>();
   study.engine = table.word<EngineKind>("engine", kEngines).value_or(EngineKind::kNative);

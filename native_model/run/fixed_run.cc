@@ -316,9 +316,7 @@ class FixedRun {
 
 Trajectory run_fixed(scene::Integrator integrator, const Model& model, const scene::Run& run,
                      double step, const NativeOptions& options) {
-  const char* name = integrator == scene::Integrator::kVerlet     ? "verlet"
-                     : integrator == scene::Integrator::kMidpoint ? "midpoint"
-                                                                  : "euler";
+  const char* name = integrator == scene::Integrator::kVerlet ? "verlet" : "euler";
   return FixedRun(integrator, model, run, step, options).go(name);
 }
 

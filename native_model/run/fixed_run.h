@@ -6,11 +6,11 @@
 
 namespace rotorub {
 
-// integrator: kMidpoint, kEuler or kVerlet; step: s, > 0.
 inline const char* native_contact_model(const Model& model) {
   return model.gives() ? "compliant" : "rigid";
 }
 
+// integrator: kEuler or kVerlet; step: s, > 0.
 Trajectory run_fixed(scene::Integrator integrator, const Model& model, const scene::Run& run,
                      double step, const NativeOptions& options);
 

@@ -19,8 +19,8 @@ Table rule_table() {
            "a key of the summary, `error.<column>`, `end.<column>`, `largest.<column>`, "
            "`residual.<name>` or `count.<event>`; with `min`, `max` or both"),
        word<&Rule::engine>("engine",
-                           {"native", "native-event", "native-midpoint", "native-verlet", "mujoco",
-                            "mujoco-rigid", "mujoco-coulomb", "mujoco-cone", "mujoco-cone-coulomb"},
+                           {"native", "native-event", "native-verlet", "mujoco", "mujoco-rigid",
+                            "mujoco-coulomb", "mujoco-cone", "mujoco-cone-coulomb"},
                            kStandard, "whose runs; `native` and `mujoco`: every one of them"),
        key<&Rule::min>("min", kPure, "", "no limit", "least value that passes, SI"),
        key<&Rule::max>("max", kPure, "", "no limit", "largest value that passes, SI"),

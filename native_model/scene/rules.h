@@ -16,7 +16,6 @@ namespace rotorub::scene {
 enum class RuleEngine {
   kNative,
   kNativeEvent,
-  kNativeMidpoint,
   kNativeVerlet,
   kMujoco,
   kMujocoRigid,

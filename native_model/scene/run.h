@@ -7,11 +7,11 @@
 namespace rotorub::scene {
 
 // Of the native engine.
-enum class Integrator { kEvent, kMidpoint, kVerlet, kEuler };
+enum class Integrator { kEvent, kVerlet, kEuler };
 
 struct Run {                                   // how long, how finely, and what is written
   double end = 1.0;                            // s, > 0
-  double step = 1e-5;                          // s, > 0: fixed step of `midpoint` and of MuJoCo
+  double step = 1e-5;                          // s, > 0: fixed step of `verlet`, `euler` and MuJoCo
   Integrator integrator = Integrator::kEvent;  // of the native engine
   std::optional<double> output_step;           // s, > 0; default end / 1000
   std::vector<double> output_times;            // s, in [0, end], ascending after reading

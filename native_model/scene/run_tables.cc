@@ -204,7 +204,7 @@ Table run_table() {
       {key<&Run::end>("end", kTime, "> 0", kStandard, "end of the run, which starts at 0"),
        key<&Run::step>("step", kTime, "> 0", kStandard,
                        "of MuJoCo and of the integrators with a fixed step (`event` has none)"),
-       word<&Run::integrator>("integrator", {"event", "midpoint", "verlet", "euler"}, kStandard,
+       word<&Run::integrator>("integrator", {"event", "verlet", "euler"}, kStandard,
                               "integrator of the native engine"),
        key<&Run::output_step>("output_step", kTime, "> 0", "`end` / 1000",
                               "spacing of the rows of the series"),

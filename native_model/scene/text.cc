@@ -7,7 +7,6 @@
 #include <cstdint>
 #include <cstdio>
 #include <numbers>
-#include <utility>
 
 namespace rotorub::scene {
 
@@ -80,18 +79,38 @@ std::string printable(std::string_view text, std::size_t most) {
   return result;
 }
 
-std::string_view current_word(std::string_view word) {
-  constexpr std::array<std::pair<std::string_view, std::string_view>, 3> kRenamed{
-      {{"paper", "midpoint"}, {"literal", "euler"}, {"native-paper", "native-midpoint"}}};
-  for (const auto& [old_word, today] : kRenamed) {
-    if (word == old_word) return today;
+namespace {
+
+struct OldWord {
+  std::string_view word, today;
+  bool removed = false;  // not renamed: something else runs in its place
+};
+constexpr OldWord kOldWords[] = {{"literal", "euler"},
+                                 {"midpoint", "verlet", true},
+                                 {"paper", "verlet", true},
+                                 {"native-midpoint", "native-verlet", true},
+                                 {"native-paper", "native-verlet", true}};
+
+const OldWord* old_word_named(std::string_view word) {
+  for (const OldWord& old : kOldWords) {
+    if (word == old.word) return &old;
   }
-  return word;
+  return nullptr;
+}
+
+}  // namespace
+
+std::string_view current_word(std::string_view word) {
+  const OldWord* old = old_word_named(word);
+  return old ? old->today : word;
 }
 
 std::string old_word_note(std::string_view where, std::string_view old_word) {
-  return std::string(where) + ": \"" + std::string(old_word) + "\" is called \"" +
-         std::string(current_word(old_word)) + "\" now; the old word is accepted too";
+  const OldWord* old = old_word_named(old_word);
+  const std::string today = "\"" + std::string(current_word(old_word)) + "\"";
+  return std::string(where) + ": \"" + std::string(old_word) + "\" " +
+         (old && old->removed ? "was removed and runs " + today : "is called " + today + " now") +
+         "; the word is accepted until version 0.4";
 }
 
 }  // namespace rotorub::scene

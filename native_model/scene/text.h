@@ -28,11 +28,13 @@ inline constexpr std::size_t kQuotedLength = 60;  // of a value quoted in a mess
 // characters, and ended with "...".
 std::string printable(std::string_view text, std::size_t most = kQuotedLength);
 
-// Today's name of a word that scenes, options and studies took in the last release, accepted until
-// 0.3 with a note; a word that has no other is its own.
+// What a word stands for that scenes, options and studies took in earlier releases, accepted until
+// version 0.4 with a note: today's name, or what runs in the place of `midpoint`. Any other word
+// stands for itself.
 std::string_view current_word(std::string_view word);
 
-// "run.integrator: "paper" is called "midpoint" now; the old word is accepted too"
+// "run.integrator: "midpoint" was removed and runs "verlet"; the word is accepted until version
+// 0.4", or that it has another name now.
 std::string old_word_note(std::string_view where, std::string_view old_word);
 
 }  // namespace rotorub::scene

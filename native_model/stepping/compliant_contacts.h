@@ -19,8 +19,7 @@ class CompliantContacts : public ContactColumns {
   struct Lasting {};
   Lasting now;
 
-  CompliantContacts(State& x, Loads& loads, const std::vector<const Model*>& models,
-                    bool /*located*/)
+  CompliantContacts(State& x, Loads& loads, const std::vector<const Model*>& models)
       : ContactColumns(x, loads, models) {}
 
   static constexpr bool lasts() { return false; }
@@ -28,7 +27,6 @@ class CompliantContacts : public ContactColumns {
   void begin(const State& x);
   bool go_on(State& x, Loads& loads, double unsettled = 0.0);
   void hold_on(State& x, Loads& loads);
-  void back_to_circle(State&, Loads&) {}
   const double* end_without_impacts(const State& x) const { return x.after.data(); }
   void tell(FixedStep& out, double sign_before) const;
   double lasting_work(const State& x) const { return work_of_lasting(x.after.data()); }

@@ -1,7 +1,7 @@
 // The time stepping of the paper to the letter, as a baseline: (10) an explicit Euler step of the
 // velocities, (11) q+ = q + h v+, (12)-(13) contact with the gap of q+ and the slip of v+
 // linearised about q, Poisson's law (15)-(19) where a contact closes. All loads, damping included,
-// are explicit. First order. `midpoint` (midpoint_step.h) is its better relative.
+// are explicit. First order.
 #pragma once
 
 #include <Eigen/Core>

@@ -9,7 +9,7 @@ namespace rotorub {
 template <class M>
 void OneContact<M>::begin(const State& x) {
   now = {};
-  if (!exists_ || !located_) return;
+  if (!exists_) return;
   for (int lane = 0; lane < kLanes; ++lane) {
     double q[kMaxCoordinates], v[kMaxCoordinates];
     read_lane(x, x.q, lane, q);

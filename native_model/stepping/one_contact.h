@@ -1,8 +1,8 @@
 // The contact in a fixed step, of one run or of many that have one contact or none: where the
 // straight path of a step leaves the circle, lasting contact goes on or an impact begins. Lasting
 // contact ends the step on the circle (contact/step_contact.h): sliding on as in the step before
-// in all lanes at once, anything else lane by lane. Impacts are the schemes' own
-// (midpoint_step.h, verlet_step.h). Several contacts: several_contacts.h.
+// in all lanes at once, anything else lane by lane. Impacts: verlet_step.h. Several contacts:
+// several_contacts.h.
 #pragma once
 
 #include <algorithm>
@@ -32,9 +32,8 @@ class OneContact {
     T normal_at_end{}, friction_at_end{};
   };
 
-  // `located`: impacts are located in their step.
-  OneContact(State& x, LoadKick<M>& loads, const std::vector<const Model*>& models, bool located)
-      : located_(located), response_(x.m), ended_(State::make(x.m)) {
+  OneContact(State& x, LoadKick<M>& loads, const std::vector<const Model*>& models)
+      : response_(x.m), ended_(State::make(x.m)) {
     exists_ = models.front()->first().contact.has_value();
     if (!exists_) return;
     for (int lane = 0; lane < kLanes; ++lane) {
@@ -66,8 +65,7 @@ class OneContact {
     for (ImpactList& list : impacts) list.count = 0;
     impacted = false;
   }
-  // A state has been written: what stands on the circle and does not close is lasting contact. (A
-  // step that does not locate its impacts finds that itself.)
+  // A state has been written: what stands on the circle and does not close is lasting contact.
   void begin(const State& x);
 
   // 1 where x.free may come to go_on() unsettled: beside lanes in lasting contact, which iterate it
@@ -125,24 +123,6 @@ class OneContact {
                    now.normal_at_end, now.friction_at_end, now.lasts > T{});
   }
 
-  // x.seen well outside the ring (a flight of more than the clearance within half a step) goes back
-  // to the circle, by the least change in the norm of A. Left to lasting contact, the depth would
-  // come back as speed.
-  ROTORUB_INLINE void back_to_circle(State& x, LoadKick<M>& loads) {
-    const Centre d = equations::separation(x.m, x.seen.data());
-    const T square = d.x * d.x + d.y * d.y, c = clearance_;
-    const Mask outside = square > c * c * lanes::all<T>(1.02);
-    if (!lanes::any(outside)) return;
-    response_.couple(x, loads);
-    const T one = lanes::all<T>(1.0);
-    const T delta = lanes::select(outside, lanes::square_root(square), one);
-    const T ex = d.x / delta, ey = d.y / delta;
-    const auto& a = response_.admittance;
-    const T nn = ex * (a[0][0] * ex + a[0][1] * ey) + ey * (a[1][0] * ex + a[1][1] * ey);
-    response_.push(x, loads, x.seen.data(), x.seen.data(), {ex, ey}, (delta - c) / nn, T{},
-                   outside);
-  }
-
   // Of two parts of a step, `first` for `share` of it and this one for `rest`, the lasting contact
   // of the whole in the lanes of `other`; in those that only go on as they `were`, that of the mean
   // loads.
@@ -195,17 +175,8 @@ class OneContact {
   ROTORUB_INLINE T slip_of(const Centre& w, const T& spin) const {
     return normal_.x * w.y - normal_.y * w.x + radius_ * spin;
   }
-  // m/s, as the step ended; 0 at the centre, where there is no direction.
-  ROTORUB_INLINE T slip_at_end(const State& x) const {
-    const T *q = x.q.data(), *v = x.v.data();
-    const Centre d = equations::separation(x.m, q), w = equations::relative(x.m, v);
-    const T zero{}, one = lanes::all<T>(1.0), square = d.x * d.x + d.y * d.y;
-    const T delta = lanes::square_root(lanes::select(square > zero, square, one));
-    return (d.x * w.y - d.y * w.x) / delta + radius_ * equations::contact_spin(x.m, v);
-  }
-
   // ------------------------------------------------------------------ one run
-  // What outlives a step, of midpoint and verlet; and the forces, of verlet.
+  // What outlives a step, and the forces.
   template <class Action>
   void for_each_kept(Action action) {
     action(now.lasts);
@@ -308,7 +279,7 @@ class OneContact {
   }
   ROTORUB_SLOW void press_lane(int lane, State& x, const Centre& d, const Centre& w);
 
-  bool exists_ = false, located_;
+  bool exists_ = false;
   T clearance_{}, radius_{};
   // mu. Where it depends on the slip not a number, with which nothing slides on: such a lane is
   // solved by itself.

@@ -7,11 +7,8 @@
 #include "native_model/dynamics/dynamics.h"
 
 namespace rotorub {
-SeveralContacts::SeveralContacts(State& x, Loads& loads, const std::vector<const Model*>& models,
-                                 bool located)
-    : ContactColumns(x, loads, models),
-      located_(located),
-      without_impacts_(static_cast<std::size_t>(x.nq())) {
+SeveralContacts::SeveralContacts(State& x, Loads& loads, const std::vector<const Model*>& models)
+    : ContactColumns(x, loads, models), without_impacts_(static_cast<std::size_t>(x.nq())) {
   impacts.reserve(count() * count() * StepImpacts::kMost);
 }
 
@@ -220,34 +217,6 @@ void SeveralContacts::hold_on(State& x, Loads& loads) {
     places[i].e_r = separation(m_, x.seen.data(), i).normalized();
     push(i, c.normal_at_end, c.friction_at_end, x.free);
   }
-}
-
-// By the least change that closes all of them.
-void SeveralContacts::back_to_circle(State& x, Loads& loads) {
-  std::array<std::size_t, kMaxContacts> outside{};
-  Eigen::Index n = 0;
-  for (std::size_t i = 0; i < count(); ++i) {
-    const Eigen::Vector2d d = separation(m_, x.seen.data(), i);
-    if (!(d.squaredNorm() > 1.02 * law(i).clearance * law(i).clearance)) continue;
-    places[i].d = d;
-    places[i].e_r = d.normalized();
-    outside[static_cast<std::size_t>(n++)] = i;
-  }
-  if (n == 0) return;
-  if (loads.coupled()) respond(x, loads);
-  const auto contact = [&](Eigen::Index i) { return outside[static_cast<std::size_t>(i)]; };
-  ContactMatrix g(n, n);
-  ContactVector depth(n);
-  for (Eigen::Index i = 0; i < n; ++i) {
-    const Place& c = places[contact(i)];
-    depth[i] = c.d.norm() - law(contact(i)).clearance;
-    for (Eigen::Index j = 0; j < n; ++j) {
-      const Eigen::Matrix3d a = admittance(contact(i), contact(j));
-      g(i, j) = c.e_r.dot(a.topLeftCorner<2, 2>() * places[contact(j)].e_r);
-    }
-  }
-  const ContactVector normals = shared_solution(g, depth);
-  for (Eigen::Index i = 0; i < n; ++i) push(contact(i), normals[i], 0.0, x.seen);
 }
 
 bool SeveralContacts::alike(const Lasting& part, const Lasting& was) const {

@@ -24,20 +24,18 @@ class SeveralContacts : public ContactColumns {
     };
     std::array<Of, kMaxContacts> of{};
   };
-  SeveralContacts(State& x, Loads& loads, const std::vector<const Model*>& models, bool located);
+  SeveralContacts(State& x, Loads& loads, const std::vector<const Model*>& models);
 
   Lasting now;
   std::vector<Impact> impacts;  // of the step, in order
 
   bool lasts() const { return lasted(now) > 0.0; }
-  bool located() const { return located_; }
 
   // As OneContact's. go_on: an impact may have come.
   void forget_last();
   void begin(const State& x);
   bool go_on(State& x, Loads& loads, double unsettled = 0.0);
   void hold_on(State& x, Loads& loads);
-  void back_to_circle(State& x, Loads& loads);
   bool alike(const Lasting& part, const Lasting& was) const;
   void join_parts(bool other, double share, double rest, const Lasting& first, const Lasting& mean);
   Lasting second_part(const Lasting& was, const Lasting& first) const;
@@ -72,7 +70,6 @@ class SeveralContacts : public ContactColumns {
                                    std::span<const Friction> friction) const;
   void note_lasting();
 
-  bool located_;
   Columns without_impacts_;                       // velocities at the step's end
   std::array<double, kMaxContacts> last_sign_{};  // of the slip, before the step
 };

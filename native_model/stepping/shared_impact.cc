@@ -33,8 +33,7 @@ void SharedImpact::join(std::size_t contact, bool closed, const Eigen::Vector2d&
 
 bool SharedImpact::rebounds(std::size_t i, double h, double approach) const {
   const double restitution = contacts_->law(of_[i].index).restitution;
-  if (contacts_->located()) return flight_outlives(h, restitution * approach, pressed_[i]);
-  return rebound_outlives_steps(h, restitution, approach, pressed_[i]);
+  return flight_outlives(h, restitution * approach, pressed_[i]);
 }
 
 Status SharedImpact::strike(const StepState<Model>& x, double t, double at, const double* q,
@@ -56,11 +55,9 @@ Status SharedImpact::strike(const StepState<Model>& x, double t, double at, cons
   }
   const auto solved = [&] { return solve_coupled_impact(g_, before, std::span(laws_).first(n)); };
   CoupledSolution s = solved();
-  // One that it knocks open too little for a flight stays. Steps, as of an impact that is located
-  // or not (native_model/contact/impact.h).
-  const double least_flight = (contacts_->located() ? 1.0 : 2.0) * x.h;
+  // One that it knocks open too little for a flight stays.
   const auto stays = [&](std::size_t i) {
-    return closed_[i] && !flight_outlives(least_flight, s.y[row(i)], pressed_[i]);
+    return closed_[i] && !flight_outlives(x.h, s.y[row(i)], pressed_[i]);
   };
   bool again = false;
   for (std::size_t i = 0; i < n && s.solutions == 1; ++i) {

@@ -5,7 +5,6 @@
 
 #include "native_model/scene/run.h"
 #include "native_model/stepping/euler.h"
-#include "native_model/stepping/midpoint_step.h"
 #include "native_model/stepping/verlet_step.h"
 
 namespace rotorub {
@@ -128,12 +127,10 @@ std::unique_ptr<KeptStepper> verlet_stepper(const Model& model, double h) {
 
 }  // namespace
 
-std::unique_ptr<KeptStepper> make_kept_stepper(scene::Integrator integrator, const Model& model,
-                                               double step, const State& start) {
-  assert(step > 0.0 && integrator != scene::Integrator::kEuler);
-  auto stepper = integrator == scene::Integrator::kVerlet
-                     ? verlet_stepper(model, step)
-                     : with_contacts<MidpointStep>(model, step);
+std::unique_ptr<KeptStepper> make_kept_stepper(const Model& model, double step,
+                                               const State& start) {
+  assert(step > 0.0);
+  auto stepper = verlet_stepper(model, step);
   stepper->begin(start.t, start.q.data(), start.v.data());
   return stepper;
 }
@@ -141,7 +138,7 @@ std::unique_ptr<KeptStepper> make_kept_stepper(scene::Integrator integrator, con
 std::unique_ptr<FixedStepper> make_stepper(scene::Integrator integrator, const Model& model,
                                            double step) {
   if (integrator == scene::Integrator::kEuler) return std::make_unique<EulerStepper>(model, step);
-  return make_kept_stepper(integrator, model, step, initial_state(model));
+  return make_kept_stepper(model, step, initial_state(model));
 }
 
 }  // namespace rotorub

@@ -1,6 +1,4 @@
-// One run of a model in fixed steps, by one of three schemes of the same equations:
-// - midpoint: the loads at the middle of the step, impacts not located; first order
-//   (midpoint_step.h);
+// One run of a model in fixed steps, by one of two schemes of the same equations:
 // - verlet: leapfrog with located impacts, second order (verlet_step.h);
 // - euler: the paper's own, first order (euler.h).
 #pragma once
@@ -65,24 +63,25 @@ class KeptStepper : public FixedStepper {
   virtual double last_kick() const = 0;
 };
 
-std::unique_ptr<KeptStepper> make_kept_stepper(scene::Integrator integrator, const Model& model,
-                                               double step, const State& start);
+// By `verlet`, from the state at its own time. The model must outlive it. step: s, > 0.
+std::unique_ptr<KeptStepper> make_kept_stepper(const Model& model, double step, const State& start);
 
-// The same by the name of its scheme, for a single actuator. The model must outlive it.
-template <scene::Integrator kScheme>
-class StepperOf {
+// The same for a single actuator. The command of step k is its mean over (t_k - step/2, t_k +
+// step/2); forces of the result are those about t_k, impacts those between t_k and t_{k+1}.
+class VerletStepper {
  public:
   // From the model's initial state, or from another, at its own time. step: s, > 0.
-  StepperOf(const Model& model, double step) : StepperOf(model, step, initial_state(model)) {}
-  StepperOf(const Model& model, double step, const State& start)
-      : stepper_(make_kept_stepper(kScheme, model, step, start)) {}
+  VerletStepper(const Model& model, double step)
+      : VerletStepper(model, step, initial_state(model)) {}
+  VerletStepper(const Model& model, double step, const State& start)
+      : stepper_(make_kept_stepper(model, step, start)) {}
 
   FixedStep step(std::int64_t k, const Eigen::Vector2d& u = {0.0, 0.0}, bool works = false) {
     return stepper_->step(k, std::span(&u, 1), works);
   }
   const double* q() const { return stepper_->q(); }
   const double* v() const { return stepper_->v(); }
-  // Of a leapfrog, of t_{k+1/2}: what the next impact does to it is not in it.
+  // Of t_{k+1/2}: what the next impact does to it is not in it.
   const double* v_half() const { return stepper_->v(); }
   const double* last_q() const { return stepper_->last_q(); }
   void last_velocity(double* v) const { stepper_->last_velocity(v); }
@@ -97,7 +96,7 @@ class StepperOf {
   void apply(const double* loads) { stepper_->apply(loads); }
 
   static std::size_t memory_size(const Model& model) {
-    return StepperOf(model, 1.0).stepper_->memory_size();
+    return VerletStepper(model, 1.0).stepper_->memory_size();
   }
   void save(double* to) const { stepper_->save(to); }
   void restore(const double* from) { stepper_->restore(from); }
@@ -110,11 +109,5 @@ class StepperOf {
  private:
   std::unique_ptr<KeptStepper> stepper_;
 };
-
-// The command is held over a step.
-using MidpointStepper = StepperOf<scene::Integrator::kMidpoint>;
-// The command of step k is its mean over (t_k - step/2, t_k + step/2); forces of the result are
-// those about t_k, impacts those between t_k and t_{k+1}.
-using VerletStepper = StepperOf<scene::Integrator::kVerlet>;
 
 }  // namespace rotorub

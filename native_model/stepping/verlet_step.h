@@ -39,7 +39,7 @@ struct VerletStep {
   VerletStep(const M& m, const std::vector<const Model*>& models, double h)
       : x(m, h),
         loads(m, models, h),
-        contact(x, loads, models, true),
+        contact(x, loads, models),
         late(x.q),
         mean_after(x.q),
         part_sum(x.q) {

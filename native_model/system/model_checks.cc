@@ -224,7 +224,7 @@ void refuse_compliance(const scene::Scene& scene, scene::Integrator integrator) 
     if (integrator == scene::Integrator::kEuler && gives) {
       scene::refuse_at(with_bearing_alone(scene, k), "contact.compliance",
                        "`euler` knows rigid contacts alone; accepted here: none, or the integrator "
-                       "event, verlet or midpoint");
+                       "event or verlet");
     }
     if (!gives) {
       scene::refuse_at(with_bearing_alone(scene, k), "contact",

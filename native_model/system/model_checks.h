@@ -27,13 +27,12 @@ void check_spin_inertia(const scene::Scene& scene, const Model& model);
 void check_initial_lists(const scene::Scene& scene, const Layout& layout);
 // A mode with a node at the contact moves the contact point by nothing: that is known only now.
 void check_initial_gap(const scene::Scene& scene, const Model& model, std::size_t bearing);
-// `midpoint`, `euler` and MuJoCo's own step solve an impact in no time. `verlet` knows impacts that
+// `euler` and MuJoCo's own step solve an impact in no time. `verlet` knows impacts that
 // take time (kUnsampled), but not samples of a controller within one: loads and command are held
 // over it.
 enum class FiniteImpacts { kNone, kUnsampled };
 void refuse_finite_impacts(const scene::Scene& scene, FiniteImpacts accepted);
-// `euler` knows rigid contacts alone; `verlet` and `midpoint` contacts of which all are rigid or
-// all give.
+// `euler` knows rigid contacts alone; `verlet` contacts of which all are rigid or all give.
 void refuse_compliance(const scene::Scene& scene, scene::Integrator integrator);
 // In MuJoCo `coulomb` and `cone-coulomb` know contacts that give, if all of them do. (MuJoCo's own
 // cone is lifted by the slip, so far that a soft one never presses.)

@@ -52,7 +52,7 @@ Command of_scene(Random& random) {
       {Words{"run", kScene, "-o", "out"} + kShort, {0, 2, 3}, kScene},
       {Words{"run", kScene, "-o", "out", "--integrator", "event"} + kShort, {0, 2, 3}, kScene},
       {Words{"run", kScene, "-o", "out", "--integrator", "verlet"} + kShort, {0, 2, 3}, kScene},
-      {Words{"run", kScene, "-o", "out", "--integrator", "midpoint", "--json"} + kShort,
+      {Words{"run", kScene, "-o", "out", "--integrator", "verlet", "--json"} + kShort,
        {0, 2, 3},
        kScene},
       {Words{"run", kScene, "-o", "out", "--integrator", "euler"} + kShort, {0, 2, 3}, kScene},

@@ -1,4 +1,4 @@
-// The native integrators: whole runs of `event`, a step of `midpoint`, an ensemble per run and
+// The native integrators: whole runs of `event`, a step of `verlet`, an ensemble per run and
 // step, what each part of a machine costs, and what a mode costs. Run with --benchmark_repetitions
 // and take the medians; README.md has a table.
 #include <benchmark/benchmark.h>
@@ -83,7 +83,6 @@ void register_all() {
     if (name.starts_with("paper"))
       scene.forces[0].on = 0.0, scene.initial.steady = false;  // contact within 0.1 s
     const Model model = make_model(scene);
-    add("midpoint/" + name, [=](benchmark::State& s) { fixed_steps<MidpointStepper>(s, model); });
     add("verlet/" + name, [=](benchmark::State& s) { fixed_steps<VerletStepper>(s, model); });
     if (name == "paper_sliding") continue;  // as paper_passive, without its controller
     const char* sets[] = {"least", "avx2", "avx512"};
@@ -96,15 +95,15 @@ void register_all() {
   }
   for (const bench::Part& part : bench::parts()) {
     const Model model = part.make();
-    add(std::string("parts/midpoint/") + part.name,
-        [=](benchmark::State& s) { fixed_steps<MidpointStepper>(s, model); });
+    add(std::string("parts/verlet/") + part.name,
+        [=](benchmark::State& s) { fixed_steps<VerletStepper>(s, model); });
     add(std::string("parts/event/") + part.name,
         [=](benchmark::State& s) { event_run(s, model, 0.1); });
   }
   for (const int n : {2, 4, 8, 16, 32, 64}) {
     const Model model = make_model(bench::with_modes(n));
-    add("modes/midpoint/" + std::to_string(n),
-        [=](benchmark::State& s) { fixed_steps<MidpointStepper>(s, model); });
+    add("modes/verlet/" + std::to_string(n),
+        [=](benchmark::State& s) { fixed_steps<VerletStepper>(s, model); });
     add("modes/event/" + std::to_string(n), [=](benchmark::State& s) { event_run(s, model, 0.1); });
   }
 }

@@ -24,8 +24,8 @@ struct Case {
 
 TEST(CliBits, AreThoseOfAnOlderProcessor) {
   for (const Case& c :
-       {Case{"bench_ring", "event", "0.5"}, Case{"bench_ring", "midpoint", "0.1"},
-        Case{"paper_passive", "event", "50ms"}, Case{"paper_passive", "midpoint", "20ms"}}) {
+       {Case{"bench_ring", "event", "0.5"}, Case{"bench_ring", "verlet", "0.1"},
+        Case{"paper_passive", "event", "50ms"}, Case{"paper_passive", "verlet", "20ms"}}) {
     const Folder folder;
     const auto run = [&](const std::string& to, const Surroundings& on) {
       const Outcome done = folder.done(

@@ -38,7 +38,7 @@ TEST(CliRun, WritesTheContractsFiles) {
   for (const std::string engine : {"native", "mujoco"}) {
     const Folder folder;
     const Outcome done = folder.done({"run", shipped("bench_ring"), "--engine", engine, "--end",
-                                      "0.03", "--set", "run.integrator=midpoint", "-o", "out"});
+                                      "0.03", "--set", "run.integrator=verlet", "-o", "out"});
     EXPECT_EQ(done.err, "");
     EXPECT_EQ(folder.files(),
               (std::vector<std::string>{"out/columns.json", "out/events.csv", "out/impacts.csv",
@@ -82,15 +82,15 @@ TEST(CliRun, QuietSaysNothing) {
 
 TEST(CliRun, SaysWhereTheDefaultFolderIs) {
   const Folder folder;
-  const Outcome done = folder.done({"run", shipped("bench_drop"), "--integrator", "midpoint"});
-  EXPECT_TRUE(folder.has("runs/bench_drop-native-midpoint/summary.json"));
-  EXPECT_TRUE(contains(done.out, "runs/bench_drop-native-midpoint"));
+  const Outcome done = folder.done({"run", shipped("bench_drop"), "--integrator", "verlet"});
+  EXPECT_TRUE(folder.has("runs/bench_drop-native-verlet/summary.json"));
+  EXPECT_TRUE(contains(done.out, "runs/bench_drop-native-verlet"));
 }
 
 TEST(CliRun, StepAndEndTakeUnits) {
   const Folder folder;
   const json summary = folder.json_of({"run", shipped("bench_drop"), "--step", "20us", "--end",
-                                       "10 ms", "--integrator", "midpoint", "--json", "-o", "out"});
+                                       "10 ms", "--integrator", "verlet", "--json", "-o", "out"});
   EXPECT_DOUBLE_EQ(summary.at("step").get<double>(), 2e-5);
   EXPECT_EQ(summary.at("steps"), 500);
   folder.refuses({"run", shipped("bench_drop"), "--step", "20 kg", "-o", "no"});
@@ -127,14 +127,14 @@ TEST(CliRun, ABadSceneIsRefusedWithAllErrors) {
 TEST(CliRun, OptionsOfTheOtherEngineAreRefused) {
   const Folder folder;
   folder.refuses({"run", shipped("bench_drop"), "--contact", "cone"});
-  folder.refuses({"run", shipped("bench_drop"), "--engine", "mujoco", "--integrator", "midpoint"});
+  folder.refuses({"run", shipped("bench_drop"), "--engine", "mujoco", "--integrator", "verlet"});
   EXPECT_TRUE(folder.files().empty());
 }
 
 // A step beyond the stability of the fastest mode cannot work: exit code 3, said so.
 TEST(CliRun, ARunThatCannotBeSolvedIsThree) {
   const Folder folder;
-  const Outcome failed = folder.run({"run", shipped("bench_ring"), "--integrator", "midpoint",
+  const Outcome failed = folder.run({"run", shipped("bench_ring"), "--integrator", "verlet",
                                      "--step", "0.1", "--end", "1", "-o", "out"});
   EXPECT_EQ(failed.code, 3);
   EXPECT_NE(failed.err, "");

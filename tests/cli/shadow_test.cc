@@ -16,13 +16,13 @@ TEST(CliShadow, MujocoRunsWriteItsFiles) {
   EXPECT_EQ(json::parse(run.out).at("engine"), "mujoco") << "one summary, and nothing else";
   const json summary = folder.json_in("out/shadow/summary.json");
   EXPECT_EQ(summary.at("engine"), "native");
-  EXPECT_EQ(summary.at("integrator"), "midpoint");
+  EXPECT_EQ(summary.at("integrator"), "verlet");
   EXPECT_EQ(summary.at("step"), json::parse(run.out).at("step"));
   for (const char* file : {"series.csv", "impacts.csv", "events.csv", "keyphasor.csv"}) {
     EXPECT_TRUE(folder.has(std::string("out/shadow/") + file)) << file;
   }
   // What a native run writes.
-  folder.done({"run", shipped("bench_ring"), "--integrator", "midpoint", "--end", "20ms", "--quiet",
+  folder.done({"run", shipped("bench_ring"), "--integrator", "verlet", "--end", "20ms", "--quiet",
                "-o", "native"});
   EXPECT_EQ(folder.text("out/shadow/series.csv"), folder.text("native/series.csv"));
   EXPECT_EQ(folder.text("out/shadow/impacts.csv"), folder.text("native/impacts.csv"));

@@ -14,7 +14,7 @@ namespace {
 using namespace std::chrono_literals;
 
 const std::vector<std::string> kLongRun{
-    "run",   shipped("bench_ring"), "--integrator", "midpoint", "--end", "1e5",
+    "run",   shipped("bench_ring"), "--integrator", "verlet", "--end", "1e5",
     "--set", "run.output_step=0.1", "-o",           "out"};
 
 // As a shell tells them: 128 and the signal.

@@ -77,7 +77,7 @@ class Findings(InAFolder):
                                        ",".join(step for _, step in columns), "--repeats", "1", "--json"))
         errors = {(point["engine"], f"{1e6 * point['step']:.0f}us"): point["position_error"] for point in said["scenes"][0]["points"]
                   if point["step"] and point["setting"] != "implicit"}
-        for name, engine in (("native `verlet`", "native-verlet"), ("native `midpoint`", "native-midpoint"),
+        for name, engine in (("native `verlet`", "native-verlet"),
                              ("MuJoCo `rigid`, which takes the same step", "mujoco-rigid")):
             [cells] = table[name]
             for k, step in columns:

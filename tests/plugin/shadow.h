@@ -18,10 +18,14 @@ inline scene::Scene shadowed(const std::string& name, std::vector<std::string> o
   return shipped(name, overrides);
 }
 
-// Coordinates, then velocities, of the time before the last mj_step.
+// Coordinates of the time before the last mj_step, then velocities of half a step before it.
 inline std::vector<double> shadow_of(const plugin::Config& config, const mjData* d) {
   const double* q = plugin::shadow_state(config, d);
   return {q, q + 2 * config.model.nq()};
+}
+inline std::vector<double> shadow_coordinates(const plugin::Config& config, const mjData* d) {
+  const double* q = plugin::shadow_state(config, d);
+  return {q, q + config.model.nq()};
 }
 
 inline double entry(const plugin::Config& config, const mjData* d, plugin::ShadowEntry which) {
@@ -33,10 +37,10 @@ inline Eigen::Vector2d point(const mjModel* m, const mjData* d, const char* name
   return {p[0], p[1]};
 }
 
-// A native run of `midpoint` with a row at every step.
+// A native run of `verlet` with a row at every step.
 inline Trajectory every_step(const scene::Scene& scene, int steps) {
   NativeOptions options;
-  options.integrator = scene::Integrator::kMidpoint;
+  options.integrator = scene::Integrator::kVerlet;
   options.output_times.emplace();
   for (int k = 0; k <= steps; ++k) options.output_times->push_back(k * scene.run.step);
   scene::Scene own = scene;

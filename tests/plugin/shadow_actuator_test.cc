@@ -22,7 +22,7 @@ TEST_F(Shadow, PassiveBearingFollowsTheUsersCommands) {
   const ModelPointer m = load(mjcf(scene));
   const plugin::Config config = plugin::make_config(m.get());
   const DataPointer d = start(m.get());
-  MidpointStepper native(config.model, scene.run.step);
+  VerletStepper native(config.model, scene.run.step);
   double moved = 0.0;
   for (int k = 0; k < 3000; ++k) {
     const double a = 300.0 * std::sin(0.01 * k), b = k < 1500 ? 0.0 : 2e9;  // b: to the limit

@@ -1,4 +1,4 @@
-// The order of the fixed-step schemes on a scene whose motion is known.
+// The order of `verlet` on a scene whose motion is known.
 #pragma once
 
 #include <gtest/gtest.h>
@@ -16,15 +16,13 @@ template <class Error>
 void expect_order_of_steps(const scene::Scene& scene, const std::vector<double>& steps,
                            double order, const Error& error,
                            double last = std::numeric_limits<double>::infinity()) {
-  for (const auto integrator : {scene::Integrator::kMidpoint, scene::Integrator::kVerlet}) {
-    const Convergence c = convergence(steps, [&](double step) {
-      const Trajectory run = run_with(scene, integrator, step);
-      EXPECT_EQ(run.status, Status::kOk) << run.message;
-      return error(run);
-    });
-    EXPECT_GT(c.order(), order) << static_cast<int>(integrator) << ' ' << c.text();
-    EXPECT_LT(c.errors.back(), last) << static_cast<int>(integrator) << ' ' << c.text();
-  }
+  const Convergence c = convergence(steps, [&](double step) {
+    const Trajectory run = run_verlet(scene, step);
+    EXPECT_EQ(run.status, Status::kOk) << run.message;
+    return error(run);
+  });
+  EXPECT_GT(c.order(), order) << c.text();
+  EXPECT_LT(c.errors.back(), last) << c.text();
 }
 
 }  // namespace rotorub::test

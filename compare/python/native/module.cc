@@ -31,8 +31,7 @@ using Words = std::vector<std::string>;
 std::optional<scene::Integrator> integrator_of(const std::optional<std::string>& name) {
   if (!name) return std::nullopt;
   if (const auto one = integrator_named(scene::current_word(*name))) return one;
-  throw py::value_error(
-      fmt::format("integrator: {}; accepted are event, verlet, midpoint, euler", *name));
+  throw py::value_error(fmt::format("integrator: {}; accepted are event, verlet, euler", *name));
 }
 
 // What a call sets beside its overrides: seconds, or a string with a unit.

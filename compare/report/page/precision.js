@@ -2,10 +2,10 @@
 import {axes, css, layout, short} from './style.js';
 
 // One colour a family's engine, one dash a setting.
-const colors = {'native-event': '--native', 'native-verlet': '--good', 'native-midpoint': '--mode-5',
+const colors = {'native-event': '--native', 'native-verlet': '--good',
   'mujoco-rigid': '--rigid', 'mujoco-coulomb': '--coulomb', 'mujoco-cone': '--cone',
   'mujoco-cone-coulomb': '--cone-coulomb'};
-const spare = ['--mode-1', '--mode-2', '--mode-3', '--mode-4', '--mode-6', '--soft'];
+const spare = ['--mode-1', '--mode-2', '--mode-3', '--mode-4', '--mode-5', '--mode-6', '--soft'];
 const dashes = ['solid', 'dash', 'dot', 'dashdot'];
 const symbols = {native: 'circle', mujoco: 'square', peer: 'diamond'};
 

@@ -119,7 +119,7 @@ TEST(CheckCase, AnErrorNeedsItsReference) {
 TEST(CheckEngines, RulesAreOfTheirEngine) {
   const std::vector<Rule> all{at_most("steps", 1.0),
                               at_most("steps", 2.0, RuleEngine::kNativeEvent),
-                              at_most("steps", 3.0, RuleEngine::kNativeMidpoint),
+                              at_most("steps", 3.0, RuleEngine::kNativeVerlet),
                               at_most("steps", 4.0, RuleEngine::kMujocoRigid)};
   const auto limits = [&](RuleEngine word) {
     std::vector<double> found;
@@ -127,7 +127,7 @@ TEST(CheckEngines, RulesAreOfTheirEngine) {
     return found;
   };
   EXPECT_EQ(limits(RuleEngine::kNativeEvent), (std::vector<double>{1.0, 2.0}));
-  EXPECT_EQ(limits(RuleEngine::kNativeVerlet), (std::vector<double>{1.0}));
+  EXPECT_EQ(limits(RuleEngine::kNativeVerlet), (std::vector<double>{1.0, 3.0}));
   EXPECT_EQ(limits(RuleEngine::kMujocoRigid), (std::vector<double>{4.0}));
   EXPECT_EQ(limits(RuleEngine::kMujocoCone), (std::vector<double>{1.0})) << "none of its own";
 }

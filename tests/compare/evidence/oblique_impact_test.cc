@@ -90,7 +90,6 @@ auto by_mujoco(scene::ContactModel contact) {
 const BlowModel kBlowModels[] = {
     {"native `event`", "the law", run_event, {1e-12, 1e-12, 1e-12}},
     {"native `verlet`", "the law", by_native(scene::Integrator::kVerlet), {1e-12, 1e-12, 1e-12}},
-    {"native `midpoint`", "the law", by_native(scene::Integrator::kMidpoint), {1e-5, 1e-5, 1e-5}},
     {"native `euler`", "the law", by_native(scene::Integrator::kEuler), {1e-5, 1e-5, 1e-5}},
     {"MuJoCo `rigid`", "the law", by_mujoco(scene::ContactModel::kRigid), {1e-10, 1e-10, 1e-10}},
     {"MuJoCo `coulomb`",

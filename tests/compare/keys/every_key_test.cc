@@ -70,8 +70,7 @@ std::string name_of(const scene::Table& table, const scene::Key& key) {
 std::vector<NamedEngine> all_engines() {
   using scene::Integrator;
   std::vector<NamedEngine> all;
-  for (const Integrator i :
-       {Integrator::kEvent, Integrator::kVerlet, Integrator::kMidpoint, Integrator::kEuler})
+  for (const Integrator i : {Integrator::kEvent, Integrator::kVerlet, Integrator::kEuler})
     all.push_back({native_engine(i), false, false});
   for (const auto& [model, word] : scene::kContactModels)
     all.push_back({mujoco_engine(model), true, model != scene::ContactModel::kRigid});

@@ -27,8 +27,7 @@ inline std::vector<NamedEngine> engines() {
   using scene::ContactModel;
   using scene::Integrator;
   std::vector<NamedEngine> all;
-  for (const Integrator i :
-       {Integrator::kEvent, Integrator::kVerlet, Integrator::kMidpoint, Integrator::kEuler}) {
+  for (const Integrator i : {Integrator::kEvent, Integrator::kVerlet, Integrator::kEuler}) {
     all.push_back({native_engine(i), "", kRoundOff});
   }
   all.push_back({mujoco_engine(ContactModel::kRigid), "", kRoundOff});

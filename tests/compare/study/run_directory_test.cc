@@ -16,7 +16,7 @@ class RunDirectory : public testing::Test {
  protected:
   RunDirectory() {
     scene_ = test::shipped("bench_ring", {"run.end=0.02"});
-    run_ = native_engine(scene::Integrator::kMidpoint)->run(scene_, {});
+    run_ = native_engine(scene::Integrator::kVerlet)->run(scene_, {});
   }
   const test::TemporaryFolder own_;
   const std::filesystem::path folder_ = own_ / "run";

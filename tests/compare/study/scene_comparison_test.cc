@@ -205,7 +205,7 @@ TEST(SceneComparison, AnInterruptKeepsWhatThereIs) {
   CompareOptions options;
   options.interrupt = &stop;
   const SceneComparison c = compare_scene(
-      test::shipped("bench_ring", {"run.end=0.06", "run.integrator=midpoint"}), options);
+      test::shipped("bench_ring", {"run.end=0.06", "run.integrator=verlet"}), options);
   EXPECT_TRUE(c.interrupted);
   ASSERT_EQ(c.sides.size(), 1U);
   EXPECT_EQ(c.sides[0].trajectory.status, Status::kInterrupted);

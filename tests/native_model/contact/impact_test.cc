@@ -161,10 +161,11 @@ TEST(Rebound, AnAccumulationEndsInLastingContact) {
     const char* step;
     double late;  // of the time in contact
   };
-  constexpr Case kCases[] = {{"verlet", "1e-4", 0.07},   {"verlet", "2e-5", 0.02},
-                             {"midpoint", "1e-4", 0.12}, {"midpoint", "2e-5", 0.08},
-                             {"midpoint", "5e-6", 0.06}, {"euler", "1e-4", 0.12},
-                             {"euler", "2e-5", 0.08},    {"literal", "5e-6", 0.06}};
+  constexpr Case kCases[] = {{"verlet", "1e-4", 0.07},
+                             {"verlet", "2e-5", 0.02},
+                             {"euler", "1e-4", 0.12},
+                             {"euler", "2e-5", 0.08},
+                             {"euler", "5e-6", 0.06}};
   for (const char* restitution : {"0.1", "0.5", "0.6", "0.7", "0.8", "0.9"}) {
     const auto run = [&](const char* integrator, const char* step) {
       const std::vector<std::string> changes{"run.end=0.25",

@@ -94,8 +94,8 @@ TEST(QuadraticWithMagnets, TheFirstCommandKnowsWhatASampledDerivativeBeginsWith)
   exact.x[2 * p.half() + at] = shown;
   const Eigen::Vector2d first = -exact.design.gain * exact.x;
   ASSERT_GT(first.norm(), 1.0);
-  for (const auto integrator : {scene::Integrator::kEvent, scene::Integrator::kVerlet,
-                                scene::Integrator::kMidpoint, scene::Integrator::kEuler}) {
+  for (const auto integrator :
+       {scene::Integrator::kEvent, scene::Integrator::kVerlet, scene::Integrator::kEuler}) {
     const Trajectory t = test::run_with(s, integrator, 1e-5);
     ASSERT_EQ(t.status, Status::kOk) << t.message;
     EXPECT_NEAR(t.column("control_x")[0], first.x(), 1e-9 * first.norm());
@@ -119,7 +119,6 @@ TEST(QuadraticWithMagnets, FixedStepsComeToTheSame) {
       // force of the magnets jumps there.
       const double reads = loop.sampled && kind == "lqr" ? 0.9 : 1.8;
       for (const auto& [integrator, order] : {std::pair(scene::Integrator::kVerlet, reads),
-                                              std::pair(scene::Integrator::kMidpoint, 1.8),
                                               std::pair(scene::Integrator::kEuler, 0.8)}) {
         const auto error = [&](double step) {
           const Trajectory t = test::run_with(s, integrator, step);

@@ -81,8 +81,7 @@ TEST(FallingFriction, EachSchemeKeepsItsOrder) {
   const scene::Scene s = spinning_down(40.0);
   const Trajectory reference = test::run_event(s);
   for (const auto& [integrator, least] :
-       {std::pair{scene::Integrator::kVerlet, 1.9}, std::pair{scene::Integrator::kMidpoint, 0.9},
-        std::pair{scene::Integrator::kEuler, 0.9}}) {
+       {std::pair{scene::Integrator::kVerlet, 1.9}, std::pair{scene::Integrator::kEuler, 0.9}}) {
     test::Convergence c;
     for (const double step : {1e-4, 5e-5, 2.5e-5, 1.25e-5, 6.25e-6}) {
       const Trajectory t = test::run_with(s, integrator, step);
@@ -111,8 +110,7 @@ TEST(FallingFriction, SticksUpToStatic) {
     EXPECT_EQ(t.events[0].kind, EventKind::kStick);
     EXPECT_EQ(t.events[1].kind, EventKind::kSlide);
     EXPECT_NEAR(t.events[1].t, 0.1 * mu(0.0), 1e-12);
-    for (const scene::Integrator i :
-         {scene::Integrator::kVerlet, scene::Integrator::kMidpoint, scene::Integrator::kEuler}) {
+    for (const scene::Integrator i : {scene::Integrator::kVerlet, scene::Integrator::kEuler}) {
       const Trajectory fixed = test::run_with(s, i, 1e-5);
       ASSERT_EQ(fixed.status, Status::kOk) << fixed.message;
       ASSERT_FALSE(fixed.events.empty());
@@ -138,8 +136,7 @@ TEST(FallingFriction, ReversesInEveryScheme) {
             0);
   EXPECT_EQ(exact.column("mode").back(), static_cast<double>(Mode::kStick));
   for (const auto& [integrator, least] :
-       {std::pair{scene::Integrator::kVerlet, 1.8}, std::pair{scene::Integrator::kMidpoint, 0.9},
-        std::pair{scene::Integrator::kEuler, 0.9}}) {
+       {std::pair{scene::Integrator::kVerlet, 1.8}, std::pair{scene::Integrator::kEuler, 0.9}}) {
     test::Convergence c;
     for (const double step : {5e-5, 2.5e-5, 1.25e-5, 6.25e-6, 3.125e-6}) {
       c.steps.push_back(step);
@@ -157,8 +154,7 @@ TEST(FallingFriction, ATinyStribeckSpeedIsNoHarm) {
     s.run.end = 0.1;
     const Trajectory t = test::run_event(s);
     EXPECT_EQ(t.status, Status::kOk) << stribeck << ": " << t.message;
-    for (const scene::Integrator i :
-         {scene::Integrator::kVerlet, scene::Integrator::kMidpoint, scene::Integrator::kEuler}) {
+    for (const scene::Integrator i : {scene::Integrator::kVerlet, scene::Integrator::kEuler}) {
       const Trajectory fixed = test::run_with(s, i, 1e-5);
       EXPECT_EQ(fixed.status, Status::kOk) << fixed.integrator << ": " << fixed.message;
     }

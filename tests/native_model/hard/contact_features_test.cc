@@ -101,7 +101,6 @@ class LongFeature : public ::testing::TestWithParam<std::string> {
   }
 };
 
-TEST_P(LongFeature, MidpointIsOfFirstOrder) { expect_order(Integrator::kMidpoint, kMidpointOrder); }
 TEST_P(LongFeature, VerletIsOfSecondOrder) {
   // The force jumps within the step of a reversal, and of the first sticking, which is found to the
   // share of a step.

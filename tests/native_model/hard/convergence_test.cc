@@ -1,4 +1,4 @@
-// `midpoint` tends to `event` at first order: a tenth of the step, a tenth of the error.
+// `euler` tends to `event` at first order: a tenth of the step, a tenth of the error.
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -24,9 +24,12 @@ void expect_first_order(const scene::Scene& scene) {
   SCOPED_TRACE(scene.name);
   const Trajectory exact = test::sound_event(scene);
   EXPECT_GT(exact.statistics.first_touch, 0.0);
-  const double coarse = distance(test::run_paper(scene, 2e-5), exact);
-  const double middle = distance(test::run_paper(scene, 2e-6), exact);
-  const double fine = distance(test::run_paper(scene, 2e-7), exact);
+  const auto at = [&](double step) {
+    return distance(test::run_with(scene, scene::Integrator::kEuler, step), exact);
+  };
+  const double coarse = at(2e-5);
+  const double middle = at(2e-6);
+  const double fine = at(2e-7);
   EXPECT_LT(middle, coarse / 3.0);
   EXPECT_LT(fine, middle / 3.0);
   EXPECT_LT(fine, coarse / 30.0) << coarse << ' ' << middle << ' ' << fine;

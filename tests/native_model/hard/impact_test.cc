@@ -32,7 +32,7 @@ TEST(HardZeno, ClosesAtTheExactTime) {
     EXPECT_NEAR(t.column("normal_force").back(), 19.62, 1e-9);
 
     const double step = 1e-5;
-    const Trajectory p = test::sound_paper(scene, step, 0.11);
+    const Trajectory p = test::sound_verlet(scene, step, 0.11);
     // A rebound is up to a step late, which draws the end out; by now the bounces are all but over.
     EXPECT_LT(p.column("gap").back(), 0.03 * 0.5e-3);
     EXPECT_LT(std::abs(p.column("rotor_vy").back()), 0.1 * std::sqrt(2.0 * 9.81 * 0.5e-3));
@@ -49,7 +49,7 @@ TEST(HardZeno, OnAMovingRingWithFriction) {
     scene.run.end = 0.1;
     const Trajectory t = test::sound_event(scene);
     EXPECT_GT(rebounds(t), 4);
-    test::sound_paper(scene);
+    test::sound_verlet(scene);
   }
 }
 
@@ -72,7 +72,7 @@ TEST(HardGrazing, NothingIsMissedAndNothingInvented) {
     if (std::abs(x) >= 1e-12) {
       EXPECT_EQ(touched, x > 0.0);
     }
-    test::sound_paper(scene);
+    test::sound_verlet(scene);
   }
 }
 
@@ -111,7 +111,7 @@ TEST(HardCentre, AtRestAndPushedThroughIt) {
       EXPECT_EQ(t.column("gap")[0], 0.5e-3);
       EXPECT_EQ(t.column("gap_rate")[0], 0.0);
       EXPECT_EQ(t.column("slip")[0], 0.05 * 300.0);
-      test::sound_paper(scene);
+      test::sound_verlet(scene);
     }
   }
 }
@@ -130,7 +130,7 @@ TEST(HardCentre, NextToNoClearance) {
     test::add_rotating_force(scene, 100.0, 300.0);
     scene.run.end = 0.01;
     test::sound_event(scene);
-    const Trajectory p = test::run_paper(scene, 1e-6);
+    const Trajectory p = test::run_verlet(scene, 1e-6);
     test::expect_refused_or_finite(p);
     EXPECT_LE(p.statistics.max_penetration, 1e-6 * 0.1);
   }
@@ -172,7 +172,7 @@ TEST(HardFiniteImpact, AdvancesTheClockAndTendsToTheInstantaneousLaw) {
     EXPECT_LT(error, 2.0 * tau) << "a flight of some m/s over tau";
     last_event = error;
     // A fixed step that took it as an impact of a step would tend to another model.
-    EXPECT_THROW(test::run_paper(scene, 1e-6), scene::SceneError);
+    EXPECT_THROW(test::run_with(scene, scene::Integrator::kEuler, 1e-6), scene::SceneError);
   }
 }
 

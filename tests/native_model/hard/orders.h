@@ -24,8 +24,7 @@ using scene::Integrator;
 // steps. 1 ms, where the rows and the samples are, is a whole number of each.
 inline constexpr int kStepsInAMillisecond[] = {20,  25,  30,  40,  60,   90,   135,
                                                200, 300, 450, 680, 1000, 1400, 2000};
-inline constexpr double kMidpointOrder = 0.8;  // 1, less the scatter of impacts within their steps
-inline constexpr double kVerletOrder = 1.7;    // 2, likewise
+inline constexpr double kVerletOrder = 1.7;  // 2, less the scatter of impacts within their steps
 // m: `event` and 30,000 steps of round-off come to 1e-14; what is judged stands well above, and is
 // five errors at least.
 inline constexpr double kFloor = 1e-13;
@@ -46,13 +45,11 @@ struct Refusal {
   const char* with;  // null: with anything
   const char* message;
 };
-inline constexpr const char* kTakesTime = "an impact that takes time needs the integrator event";
 // A sample of a controller that falls into an impact: loads and command are held over it.
 inline constexpr const char* kSampled =
     "under a controller with a sample_time, needs the integrator event";
-inline constexpr std::array<Refusal, 3> kRefused{
-    {{Integrator::kMidpoint, "finite_impacts", nullptr, kTakesTime},
-     {Integrator::kVerlet, "finite_impacts", "sampled_support", kSampled},
+inline constexpr std::array<Refusal, 2> kRefused{
+    {{Integrator::kVerlet, "finite_impacts", "sampled_support", kSampled},
      {Integrator::kVerlet, "finite_impacts", "sampled_magnets", kSampled}}};
 
 // Where a scheme was measured short of that; the bound is set from what was measured.
@@ -61,13 +58,9 @@ struct Kink {
   const char *one, *other;
   double order;
 };
-inline constexpr std::array<Kink, 3> kKinks{{
+inline constexpr std::array<Kink, 1> kKinks{{
     // Errors scatter by a factor of 30 between neighbouring steps: 1.66.
     {Integrator::kVerlet, "anisotropic_rotor", "switched_load", 1.5},
-    // Flat over the five coarsest steps (0.62 over all), 0.93 over those below.
-    {Integrator::kMidpoint, "anisotropic_rotor", "lost_blade", 0.55},
-    // Flat over the two coarsest and about the middle steps: 0.74 over all.
-    {Integrator::kMidpoint, "bearing_offset", "lost_blade", 0.65},
 }};
 
 inline double least_order(Integrator integrator, const std::vector<Part>& parts, double least) {

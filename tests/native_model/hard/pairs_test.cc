@@ -54,10 +54,6 @@ class NightlyPairs : public ::testing::TestWithParam<std::string> {
   std::vector<Pair> pairs() const { return pairs_from(GetParam(), Pairs::kAll); }
 };
 
-TEST_P(NightlyPairs, MidpointIsOfFirstOrder) {
-  expect_order(pairs(), Integrator::kMidpoint, kMidpointOrder);
-}
-
 TEST_P(NightlyPairs, VerletIsOfSecondOrder) {
   expect_order(pairs(), Integrator::kVerlet, kVerletOrder);
 }

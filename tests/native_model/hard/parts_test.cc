@@ -43,7 +43,7 @@ TEST(HardParts, TorsionInSticking) {
     const Trajectory t = test::sound_event(scene);
     EXPECT_TRUE(has_mode(t, Mode::kStick));
     EXPECT_GT(test::largest(t.column("torsion_1")), 1e-4);
-    const Trajectory p = test::sound_paper(scene);
+    const Trajectory p = test::sound_verlet(scene);
     EXPECT_TRUE(has_mode(p, Mode::kStick));
   }
 }
@@ -64,13 +64,13 @@ TEST(HardParts, MagneticBearingPastTheStiffness) {
     } else {
       EXPECT_GT(t.statistics.first_touch, 0.0);
     }
-    const Trajectory p = test::sound_paper(scene);
+    const Trajectory p = test::sound_verlet(scene);
   }
 }
 
 // Masses that differ between x and y couple N and T. Under mu > (a_x + a_y) / |a_x - a_y| sliding
 // one way has no force, or more than one: `event` says so. On impulses there always is a solution
-// (the slip is stopped at once), and `midpoint` takes it. Never NaN.
+// (the slip is stopped at once), and `verlet` takes it. Never NaN.
 TEST(HardPainleve, SaidOnForcesSolvedOnImpulses) {
   int said = 0, solved = 0;
   for (const double mu : {0.5, 1.1, 1.5, 3.0, 10.0}) {
@@ -91,7 +91,7 @@ TEST(HardPainleve, SaidOnForcesSolvedOnImpulses) {
         test::add_constant_force(scene, {push, push});
         scene.run.end = 0.02;
         const bool can_jam = mu > (1.0 / 0.2 + 1.0 / 2.0) / (1.0 / 0.2 - 1.0 / 2.0);
-        const Trajectory t = test::run_event(scene), p = test::run_paper(scene, 1e-5);
+        const Trajectory t = test::run_event(scene), p = test::run_verlet(scene, 1e-5);
         for (const Trajectory* run : {&t, &p}) {
           test::expect_refused_or_finite(*run);
           test::expect_dissipative_impacts(scene, *run);

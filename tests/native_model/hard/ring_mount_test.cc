@@ -98,9 +98,7 @@ double housing_error(const Trajectory& t) {
 TEST(RingMount, RingAndHousingAreAMatrixExponential) {
   const scene::Scene s = scene_of(kHoused);
   EXPECT_LT(housing_error(test::sound_event(s)), 1e-12);
-  for (const Integrator integrator : {Integrator::kVerlet, Integrator::kMidpoint}) {
-    EXPECT_GT(order_of(integrator, s, housing_error), 1.9);
-  }
+  EXPECT_GT(order_of(Integrator::kVerlet, s, housing_error), 1.9);
   EXPECT_GT(order_of(Integrator::kEuler, s, housing_error, 2e-6), 0.9);
 }
 
@@ -232,9 +230,7 @@ TEST(RingMount, DryFrictionBrakes) {
   const Trajectory event = test::sound_event(s);
   EXPECT_LT(braking_error(event), 1e-10);
   EXPECT_LT(event.statistics.energy_residual(), 1e-9);
-  for (const Integrator integrator : {Integrator::kVerlet, Integrator::kMidpoint}) {
-    EXPECT_GT(order_of(integrator, s, braking_error), 1.9);
-  }
+  EXPECT_GT(order_of(Integrator::kVerlet, s, braking_error), 1.9);
 }
 
 // On a spring each half swing is shorter by 2 F / k, for a presliding distance that goes to 0.

@@ -28,8 +28,8 @@ double fastest(const Trajectory& t) {
 
 void expect_both_sound(const scene::Scene& scene, double step) {
   test::sound_event(scene);
-  const Trajectory p = test::run_paper(scene, step);
-  test::expect_sound_paper(scene, p, step, fastest(p));
+  const Trajectory p = test::run_verlet(scene, step);
+  test::expect_sound_verlet(scene, p, step, fastest(p));
 }
 
 TEST(HardFriction, FromATenthToTen) {
@@ -84,14 +84,14 @@ TEST(HardStiffModes, RefusedOrSolved) {
   scene.forces[0].shape = {1.0, 1.0};
   scene.rotor.modal->damping_y = scene.rotor.modal->damping;
   for (const double step : {1e-5, 2.01e-6}) {
-    const Trajectory t = test::run_paper(scene, step);
+    const Trajectory t = test::run_verlet(scene, step);
     EXPECT_EQ(t.status, Status::kStepTooLarge);
     EXPECT_NE(t.message.find("the limit of"), std::string::npos) << t.message;
     EXPECT_EQ(t.steps, 0);
     test::expect_finite(t);
   }
-  const Trajectory p = test::run_paper(scene, 1e-6);
-  test::expect_sound_paper(scene, p, 1e-6, fastest(p));
+  const Trajectory p = test::run_verlet(scene, 1e-6);
+  test::expect_sound_verlet(scene, p, 1e-6, fastest(p));
   const Trajectory t = test::sound_event(scene);
   EXPECT_LT(std::hypot(p.column("rotor_x").back() - t.column("rotor_x").back(),
                        p.column("rotor_y").back() - t.column("rotor_y").back()),
@@ -123,7 +123,7 @@ TEST(HardStickSlip, NoChangeOfSignEveryStep) {
   const auto sticks = count(t, EventKind::kStick, 0.05);
   EXPECT_GT(sticks, 8);
   EXPECT_LT(sticks, 100);
-  const Trajectory p = test::sound_paper(scene);
+  const Trajectory p = test::sound_verlet(scene);
   EXPECT_NEAR(static_cast<double>(count(p, EventKind::kStick, 0.05)), static_cast<double>(sticks),
               0.3 * static_cast<double>(sticks) + 4.0);
   // While it slips the sign does not alternate row by row.
@@ -182,8 +182,8 @@ TEST(HardAttractors, TheSameFromTheSameStart) {
     const double speed = whirl(reference);
     EXPECT_EQ(reference.contact_fraction(), start == 0.0 ? 0.0 : 1.0);
     for (const double step : {1e-5, 3e-6, 1e-6}) {
-      const Trajectory t = test::run_paper(from, step);
-      test::expect_sound_paper(from, t, step, fastest(t));
+      const Trajectory t = test::run_verlet(from, step);
+      test::expect_sound_verlet(from, t, step, fastest(t));
       EXPECT_NEAR(whirl(t), speed, 0.02 * std::abs(speed)) << step;
       EXPECT_EQ(t.column("normal_force").back() > 0.0,
                 reference.column("normal_force").back() > 0.0);

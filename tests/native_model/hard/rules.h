@@ -21,8 +21,8 @@ inline constexpr double kLaws = 1e-10;   // scaled residual of complementarity a
 inline constexpr double kEnergy = 1e-9;  // energy residual of `event`: tolerance x steps, with room
 inline constexpr double kRoundOff = 1e-12;
 
-inline Trajectory run_paper(const scene::Scene& scene, double step) {
-  return run_with(scene, scene::Integrator::kMidpoint, step);
+inline Trajectory run_verlet(const scene::Scene& scene, double step) {
+  return run_with(scene, scene::Integrator::kVerlet, step);
 }
 
 // One of the reference rig, with so few modes that a test is quick.
@@ -107,11 +107,10 @@ inline void expect_sound_event(const scene::Scene& scene, const Trajectory& t) {
   }
 }
 
-// Of a run of `midpoint`: its complementarity is of the midpoints; at the rows the depth is bounded
-// by what the curvature of the ring leaves in one step and by one step of flight at first touch.
-// fastest: m/s, relative speed that the scene cannot exceed.
-inline void expect_sound_paper(const scene::Scene& scene, const Trajectory& t, double step,
-                               double fastest) {
+// A run of `verlet`: it is never deeper in the ring than one step of flight. fastest: m/s, relative
+// speed that the scene cannot exceed.
+inline void expect_sound_verlet(const scene::Scene& scene, const Trajectory& t, double step,
+                                double fastest) {
   ASSERT_EQ(t.status, Status::kOk) << t.message;
   expect_finite(t);
   ASSERT_DOUBLE_EQ(t.column("t").back(), scene.run.end);
@@ -127,9 +126,10 @@ inline Trajectory sound_event(const scene::Scene& scene) {
   expect_sound_event(scene, t);
   return t;
 }
-inline Trajectory sound_paper(const scene::Scene& scene, double step = 1e-5, double fastest = 2.0) {
-  Trajectory t = run_paper(scene, step);
-  expect_sound_paper(scene, t, step, fastest);
+inline Trajectory sound_verlet(const scene::Scene& scene, double step = 1e-5,
+                               double fastest = 2.0) {
+  Trajectory t = run_verlet(scene, step);
+  expect_sound_verlet(scene, t, step, fastest);
   return t;
 }
 

@@ -48,7 +48,7 @@ TEST(HardSwitching, InContactOffOnAndRamp) {
     scene.forces[1].ramp = ramp;
     const Trajectory t = test::sound_event(scene);
     EXPECT_GT(t.contact_fraction(), 0.2);
-    const Trajectory p = test::sound_paper(scene, 1e-6, 2.0);
+    const Trajectory p = test::sound_verlet(scene, 1e-6, 2.0);
     EXPECT_NEAR(p.column("rotor_x").back(), t.column("rotor_x").back(), 2e-5);
     EXPECT_NEAR(p.statistics.impulse_total, t.statistics.impulse_total,
                 0.01 * t.statistics.impulse_total);
@@ -87,7 +87,7 @@ TEST(HardSwitching, ControlFourMillisecondsBeforeContact) {
   scene.first().controller->on = touch - 0.004;
   const Trajectory t = test::sound_event(scene);
   EXPECT_GT(t.statistics.first_touch, scene.first().controller->on);
-  const Trajectory p = test::sound_paper(scene, 1e-5, 5.0);
+  const Trajectory p = test::sound_verlet(scene, 1e-5, 5.0);
   EXPECT_NEAR(p.statistics.first_touch, t.statistics.first_touch, 5e-5);
 }
 
@@ -104,7 +104,7 @@ TEST(HardSwitching, SaturatedActuator) {
       most = std::max({most, std::abs(x + y) / std::sqrt(2.0), std::abs(y - x) / std::sqrt(2.0)});
     }
     EXPECT_NEAR(most, limit, 1e-9 * limit) << "it saturates, and not beyond";
-    test::sound_paper(scene, 1e-5, 5.0);
+    test::sound_verlet(scene, 1e-5, 5.0);
   }
 }
 

@@ -133,12 +133,10 @@ TEST(Excitation, APulseWithinAStepHasItsMomentum) {
   s.forces = {force_of(ForceKind::kPulse, 0.0123456, 0.0123456 + 1e-6)};
   s.forces[0].vector *= 1e4;
   const double momentum = 2.0 / std::numbers::pi * 1e-6 * 2e6;
-  for (const auto integrator : {scene::Integrator::kMidpoint, scene::Integrator::kVerlet}) {
-    scene::Scene brief = s;
-    brief.run.end = 0.0125;
-    const Trajectory t = run(brief, integrator, 1e-4);
-    EXPECT_NEAR(t.column("rotor_vx").back(), momentum / kMass, 0.03 * momentum / kMass);
-  }
+  scene::Scene brief = s;
+  brief.run.end = 0.0125;
+  const Trajectory t = run(brief, scene::Integrator::kVerlet, 1e-4);
+  EXPECT_NEAR(t.column("rotor_vx").back(), momentum / kMass, 0.03 * momentum / kMass);
 }
 
 TEST(Excitation, LostBladeAtAHeldSpeed) {

@@ -79,8 +79,8 @@ force_per_current = 100.0
 x = [1e-4]
 )",
                                               "late.toml", {});
-    for (const auto integrator : {scene::Integrator::kEvent, scene::Integrator::kVerlet,
-                                  scene::Integrator::kMidpoint, scene::Integrator::kEuler}) {
+    for (const auto integrator :
+         {scene::Integrator::kEvent, scene::Integrator::kVerlet, scene::Integrator::kEuler}) {
       const Trajectory t = test::run_with(s, integrator);
       ASSERT_EQ(t.status, Status::kOk) << t.message;
       const std::vector<double>&time = t.column("t"), &current = t.column("bearing_current_x");

@@ -18,8 +18,7 @@ namespace rotorub {
 namespace {
 
 using scene::Integrator;
-constexpr Integrator kAll[] = {Integrator::kEvent, Integrator::kVerlet, Integrator::kMidpoint,
-                               Integrator::kEuler};
+constexpr Integrator kAll[] = {Integrator::kEvent, Integrator::kVerlet, Integrator::kEuler};
 
 // The libraries of these tests are the tests' own.
 class TrustingMagnets : public testing::Environment {

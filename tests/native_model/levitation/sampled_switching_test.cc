@@ -57,7 +57,7 @@ TEST(SampledMagneticSwitching, SwitchedOnAtASampleItRemembersFromThere) {
     const std::string at = std::to_string(k) + "e-3";
     for (const std::string& when : {"on = " + at, "fails_at = 1e-4\nreturns_at = " + at}) {
       const scene::Scene s = switched_scene(when, "negative_stiffness = 1e5");
-      EXPECT_LT(between(s, scene::Integrator::kMidpoint, 1e-5), 2e-9) << when;
+      EXPECT_LT(between(s, scene::Integrator::kVerlet, 1e-5), 2e-9) << when;
     }
   }
 }

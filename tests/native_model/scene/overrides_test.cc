@@ -26,7 +26,7 @@ TEST(Overrides, TakeTomlWordsAndUnits) {
   EXPECT_EQ(with({"run.end=100ms"}).run.end, 0.1);
   EXPECT_EQ(with({"run.end=\"100 ms\"", "run.output_times=[]"}).run.output_times.size(), 0u);
   EXPECT_EQ(with({"rotor.speed=60 Hz"}).rotor.speed, 120.0 * std::numbers::pi);
-  EXPECT_EQ(with({"run.integrator=midpoint"}).run.integrator, Integrator::kMidpoint);
+  EXPECT_EQ(with({"run.integrator=verlet"}).run.integrator, Integrator::kVerlet);
   EXPECT_TRUE(with({"mujoco.shadow=true"}).mujoco.shadow);
   EXPECT_FALSE(with({"mujoco.shadow=true", "mujoco.shadow=false"}).mujoco.shadow);
   EXPECT_EQ(with({"stator.mass=[1,2]"}).first().stator->mass, PlanePair(1.0, 2.0));
@@ -36,12 +36,20 @@ TEST(Overrides, TakeTomlWordsAndUnits) {
 }
 
 TEST(Overrides, TakeWordsOfTheLastReleaseWithANote) {
-  const Scene midpoint = with({"run.integrator=paper"});
-  EXPECT_EQ(midpoint.run.integrator, Integrator::kMidpoint);
-  ASSERT_EQ(midpoint.notes.size(), 1u);
-  EXPECT_EQ(midpoint.notes[0],
-            "run.integrator: \"paper\" is called \"midpoint\" now; the old word is accepted too");
-  EXPECT_EQ(with({"run.integrator=literal"}).run.integrator, Integrator::kEuler);
+  for (const std::string word : {"midpoint", "paper"}) {
+    const Scene removed = with({"run.integrator=" + word});
+    EXPECT_EQ(removed.run.integrator, Integrator::kVerlet);
+    ASSERT_EQ(removed.notes.size(), 1u);
+    EXPECT_EQ(removed.notes[0], "run.integrator: \"" + word +
+                                    "\" was removed and runs \"verlet\"; the word is accepted "
+                                    "until version 0.4");
+  }
+  const Scene renamed = with({"run.integrator=literal"});
+  EXPECT_EQ(renamed.run.integrator, Integrator::kEuler);
+  ASSERT_EQ(renamed.notes.size(), 1u);
+  EXPECT_EQ(renamed.notes[0],
+            "run.integrator: \"literal\" is called \"euler\" now; the word is accepted until "
+            "version 0.4");
   EXPECT_TRUE(with({"run.integrator=euler"}).notes.empty());
 }
 

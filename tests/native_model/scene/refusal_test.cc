@@ -43,7 +43,7 @@ TEST(Refusal, NamesWrongTypesAndUnits) {
        "a whole number"},
       {"unknown word", full("\"linear\"", "\"linaer\""), 22, "drive.kind",
        "did you mean \"linear\"?"},
-      {"number for a word", full("\"event\"", "3"), 4, "run.integrator", "\"event\", \"midpoint\""},
+      {"number for a word", full("\"event\"", "3"), 4, "run.integrator", "\"event\", \"verlet\""},
       {"word for a flag", modal_and("[mujoco]\nshadow = \"yes\"\n"), 12, "mujoco.shadow",
        "expected true or false, got \"yes\""},
       {"number for a flag", modal_and("[mujoco]\nshadow = 1\n"), 12, "mujoco.shadow",

@@ -16,14 +16,14 @@ std::string with(const std::string& rule) {
 }
 
 TEST(Rules, AreReadFromTheTextOfTheScene) {
-  const Scene scene = parse_scene(with("metric = \"error.rotor_x\"\nengine = \"native-midpoint\"\n"
+  const Scene scene = parse_scene(with("metric = \"error.rotor_x\"\nengine = \"native-verlet\"\n"
                                        "min = 1\nmax = 2.5\nwhy = \"first\"\n"
                                        "[[check]]\nexpect = \"refused\"\nwhy = \"second\"\n"),
                                   "s.toml");
   const std::vector<Rule> rules = read_rules(scene);
   ASSERT_EQ(rules.size(), 2u);
   EXPECT_EQ(rules[0].metric, "error.rotor_x");
-  EXPECT_EQ(rules[0].engine, RuleEngine::kNativeMidpoint);
+  EXPECT_EQ(rules[0].engine, RuleEngine::kNativeVerlet);
   EXPECT_EQ(rules[0].min, 1.0);
   EXPECT_EQ(rules[0].max, 2.5);
   EXPECT_EQ(rules[0].expect, Expect::kPass);
@@ -59,8 +59,8 @@ TEST(Rules, ContradictionsAreRefusedWithTheirPlace) {
            {"metric = \"steps\"\nmin = 2\nmax = 1\nwhy = \"w\"\n", "check[0].max", "below `min`"},
            {"metric = \"steps\"\nmax = 1\nexpect = \"refused\"\nwhy = \"w\"\n", "check[0].metric",
             "there is none"},
-           {"metric = \"steps\"\nmax = 1\nengine = \"native-midpoints\"\nwhy = \"w\"\n",
-            "check[0].engine", "did you mean \"native-midpoint\""},
+           {"metric = \"steps\"\nmax = 1\nengine = \"native-verlets\"\nwhy = \"w\"\n",
+            "check[0].engine", "did you mean \"native-verlet\""},
            {"metric = 3\nmax = 1\nwhy = \"w\"\n", "check[0].metric", "a text in quotes"},
            {"metric = \"steps\"\nmax = \"1 mm\"\nwhy = \"w\"\n", "check[0].max", "pure number"},
            {"metrik = \"steps\"\nexpect = \"pass\"\nwhy = \"w\"\n", "check[0].metrik",

@@ -54,18 +54,15 @@ TEST(CompliantSteps, AreOfSecondOrderThroughEveryTouch) {
     const Trajectory exact = run_event(s);
     ASSERT_EQ(exact.status, Status::kOk) << law.name << exact.message;
     ASSERT_GE(exact.impacts.size(), 2u) << law.name;
-    for (const Integrator scheme : {Integrator::kVerlet, Integrator::kMidpoint}) {
-      std::vector<double> errors;
-      for (const double h : {4e-6, 2e-6, 1e-6, 5e-7}) {
-        const Trajectory t = run_with(s, scheme, h);
-        ASSERT_EQ(t.status, Status::kOk) << law.name << t.message;
-        errors.push_back(test::trajectory_error(t, exact, s.first().contact->radius));
-      }
-      const double order = std::log2(errors.front() / errors.back()) / 3.0;
-      EXPECT_GT(order, 1.9) << law.name << (scheme == Integrator::kVerlet ? " verlet" : " midpoint")
-                            << " " << errors[0] << " " << errors[1] << " " << errors[2] << " "
-                            << errors[3];
+    std::vector<double> errors;
+    for (const double h : {4e-6, 2e-6, 1e-6, 5e-7}) {
+      const Trajectory t = run_with(s, Integrator::kVerlet, h);
+      ASSERT_EQ(t.status, Status::kOk) << law.name << t.message;
+      errors.push_back(test::trajectory_error(t, exact, s.first().contact->radius));
     }
+    const double order = std::log2(errors.front() / errors.back()) / 3.0;
+    EXPECT_GT(order, 1.9) << law.name << " " << errors[0] << " " << errors[1] << " " << errors[2]
+                          << " " << errors[3];
   }
 }
 
