@@ -1,15 +1,13 @@
-// Points as ensembles and by themselves.
+// Points of a study, each its own run.
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <atomic>
-#include <cmath>
 #include <memory>
 #include <nlohmann/json.hpp>
 #include <span>
 
 #include "compare/engine/engine.h"
-#include "compare/sweep/ensemble_points.h"
 #include "compare/sweep/point_run.h"
 #include "compare/sweep/sample.h"
 #include "native_model/scene/reader.h"
@@ -38,32 +36,13 @@ struct Made {
       : study(folder.study(text)), scenes(study, set) {}
 };
 
-std::vector<PointScene> all_points(const PointScenes& scenes) {
-  std::vector<PointScene> points;
-  for (std::int64_t i = 0; i < scenes.sample().size(); ++i) points.push_back({i, scenes.at(i)});
-  return points;
-}
-
-std::vector<PointResult> ordered(std::vector<PointResult> results) {
-  std::sort(results.begin(), results.end(),
-            [](const PointResult& a, const PointResult& b) { return a.point < b.point; });
-  return results;
+std::vector<PointResult> all_points(const Made& made, const std::atomic<bool>& interrupt = kGoOn) {
+  return run_points(
+      made.study, made.scenes.sample().size(), [&](std::int64_t k) { return made.scenes.at(k); },
+      interrupt);
 }
 
 std::unique_ptr<Engine> verlet() { return native_engine(scene::Integrator::kVerlet); }
-
-// check(many, one): each point of an ensemble, and its run alone.
-template <typename Check>
-void expect_runs(const PointScenes& scenes, const Check& check) {
-  const auto together = run_ensembles(all_points(scenes), kGoOn);
-  ASSERT_EQ(together.size(), static_cast<std::size_t>(scenes.sample().size()));
-  for (const PointResult& many : together) {
-    SCOPED_TRACE(many.point);
-    const auto one = run_single(many.point, scenes.at(many.point), *verlet(), kGoOn);
-    ASSERT_TRUE(one && one->ok() && many.ok()) << many.reason;
-    check(many, *one);
-  }
-}
 
 // Every column, bit for bit.
 void expect_same(const PointResult& a, const PointResult& b) {
@@ -76,39 +55,23 @@ void expect_same(const PointResult& a, const PointResult& b) {
   }
 }
 
-TEST(EnsemblePoints, APointAmongOthersIsThePointAlone) {
-  const Made made(frictions("[0.05, 0.1, 0.15, 0.2, 0.25, 0.3, 0.4, 0.5, 0.6]"));
-  const auto points = all_points(made.scenes);
-  const auto together = ordered(run_ensembles(points, kGoOn));
-  ASSERT_EQ(together.size(), points.size());
-  for (std::size_t i = 0; i < points.size(); ++i) {
-    const auto alone = run_ensembles({points[i]}, kGoOn);
-    ASSERT_EQ(alone.size(), 1u);
-    expect_same(together[i], alone[0]);
+// Whatever threads ran it, a point is the run alone.
+TEST(Points, APointAmongOthersIsThePointAlone) {
+  const Made made(frictions("[0.05, 0.1, 0.15, 0.2, 0.25, 0.3, 0.4, 0.5, 0.6]") +
+                  "integrator = \"verlet\"\n");
+  const std::vector<PointResult> together = all_points(made);
+  ASSERT_EQ(together.size(), 9u);
+  for (const PointResult& many : together) {
+    SCOPED_TRACE(many.point);
+    const auto alone = run_single(many.point, made.scenes.at(many.point), *verlet(), kGoOn);
+    ASSERT_TRUE(alone);
+    expect_same(many, *alone);
+    EXPECT_GT(many.figures->energy_residual, 0.0);
+    EXPECT_LT(many.figures->energy_residual, 1e-3);
   }
 }
 
-// `rotorub run` adds each impulse in two halves, and its time in contact is a sum of times where
-// the ensemble counts steps: these figures agree to round-off. The first touch of an ensemble is
-// the begin of its step.
-TEST(EnsemblePoints, AreTheRunsOfTheEngine) {
-  constexpr double kRoundOff = 1e-12;  // relative, of sums over 3000 steps
-  const Made made(frictions("[0.1, 0.3]"));
-  expect_runs(made.scenes, [&](const PointResult& many, const PointResult& one) {
-    const Metrics &a = *many.figures, &b = *one.figures;
-    EXPECT_EQ(a.steps, b.steps);
-    EXPECT_EQ(a.impacts, b.impacts);
-    EXPECT_EQ(a.settled.attractor, b.settled.attractor);
-    EXPECT_NEAR(a.settled.whirl_frequency, b.settled.whirl_frequency, 1e-6);
-    EXPECT_NEAR(a.impulse_total, b.impulse_total, kRoundOff * b.impulse_total);
-    EXPECT_NEAR(a.peak_force, b.peak_force, kRoundOff * b.peak_force);
-    EXPECT_LE(*a.first_touch, *b.first_touch);
-    EXPECT_NEAR(*a.first_touch, *b.first_touch, 20e-6);
-  });
-}
-
-// Points of several contacts are in no lane, and in every figure the run alone.
-TEST(EnsemblePoints, OfSeveralContactsAreTheirRuns) {
+TEST(Points, OfSeveralContactsAreTheirRuns) {
   const Made made("scene = \"" + std::string(ROTORUB_SOURCE_DIR) +
                   R"(/tests/native_model/event/two_rings/rub.toml"
 [sample]
@@ -117,97 +80,20 @@ kind = "grid"
 key = "contact.friction"
 values = [0.05, 0.2]
 [run]
+integrator = "verlet"
 end = "30 ms"
 step = "20 us"
 )");
-  std::vector<double> work;
-  expect_runs(made.scenes, [&](const PointResult& many, const PointResult& one) {
-    EXPECT_GT(many.figures->impacts, 0);
-    expect_same(many, one);
-    work.push_back(many.figures->friction_work);
-  });
-  ASSERT_EQ(work.size(), 2u);
-  EXPECT_NE(work[0], work[1]);
-}
-
-// What a run watches of its impacts, its friction and its depth, of points that bounce, slide and
-// stick. Sums over some thousand steps agree to round-off; the depth of lasting contact is
-// round-off itself.
-TEST(EnsemblePoints, HaveTheImpactsFrictionAndDepthOfARun) {
-  constexpr double kRoundOff = 1e-11, kDepth = 1e-15;  // relative; m
-  const Made made(of_ring() + R"([sample]
-kind = "list"
-[[vary]]
-key = "contact.friction"
-values = [0.1, 0.15, 0.3, 0.6, 0.15]
-[[vary]]
-key = "contact.restitution"
-values = [0.5, 0.9, 0.0, 0.5, 0.5]
-[[vary]]
-key = "contact.radius"
-values = [0.05, 0.05, 0.05, 0.002, 0.05]
-[[vary]]
-key = "force[0].amplitude"
-values = [150, 150, 300, 150, 1]
-[run]
-end = "60 ms"
-step = "20 us"
-)");
-  expect_runs(made.scenes, [&](const PointResult& many, const PointResult& one) {
-    const Metrics &a = *many.figures, &b = *one.figures;
-    EXPECT_NEAR(a.peak_impulse, b.peak_impulse, kRoundOff * b.peak_impulse);
-    EXPECT_NEAR(a.friction_work, b.friction_work, kRoundOff * std::abs(b.friction_work));
-    EXPECT_NEAR(a.max_penetration, b.max_penetration, kRoundOff * b.max_penetration + kDepth);
-    EXPECT_EQ(a.peak_impulse > 0.0, many.point != 4) << "1 N never touches";
-    EXPECT_EQ(a.friction_work < 0.0, many.point != 4);
-  });
-}
-
-// They are in contact as long as they take, with the force of that time.
-// What an ensemble does not keep is had by running one by one, and nothing else changes.
-TEST(EnsemblePoints, AStudyMayAskForEveryFigure) {
-  const auto results = [](const std::string& figures) {
-    const Made made(frictions("[0.05, 0.15]") + "integrator = \"verlet\"\n" + figures);
-    const std::vector<std::int64_t> points{0, 1};
-    return ordered(run_batch(
-        made.study, points, [&](std::int64_t k) { return made.scenes.at(k); }, kGoOn));
-  };
-  const auto few = results("figures = \"ensemble\"\n"), all = results("figures = \"all\"\n");
-  ASSERT_EQ(few.size(), all.size());
-  for (std::size_t k = 0; k < all.size(); ++k) {
-    EXPECT_TRUE(std::isnan(few[k].figures->energy_residual));
-    EXPECT_GT(all[k].figures->energy_residual, 0.0);
-    EXPECT_LT(all[k].figures->energy_residual, 1e-3);
-    EXPECT_NEAR(all[k].figures->impulse_total, few[k].figures->impulse_total,
-                1e-9 * few[k].figures->impulse_total);
+  const std::vector<PointResult> points = all_points(made);
+  ASSERT_EQ(points.size(), 2u);
+  for (const PointResult& point : points) {
+    ASSERT_TRUE(point.ok()) << point.reason;
+    EXPECT_GT(point.figures->impacts, 0);
   }
+  EXPECT_NE(points[0].figures->friction_work, points[1].figures->friction_work);
 }
 
-TEST(EnsemblePoints, ImpactsThatTakeTimeHaveTheirDuration) {
-  constexpr double kRoundOff = 1e-11;  // relative
-  const Made made(of_ring() + R"([sample]
-kind = "list"
-[[vary]]
-key = "contact.compression_time"
-values = ["20 us", "1 ms", "3 us"]
-[[vary]]
-key = "contact.expansion_time"
-values = ["14 us", "0.5 ms", "2 us"]
-[run]
-end = "20 ms"
-step = "10 us"
-)");
-  expect_runs(made.scenes, [&](const PointResult& many, const PointResult& one) {
-    const Metrics &a = *many.figures, &b = *one.figures;
-    EXPECT_NEAR(a.peak_force, b.peak_force, kRoundOff * b.peak_force);
-    EXPECT_NEAR(a.impulse_total, b.impulse_total, kRoundOff * b.impulse_total);
-    // The first touch of an ensemble is the beginning of its step.
-    EXPECT_NEAR(a.contact_fraction, b.contact_fraction, 2e-3 * b.contact_fraction);
-    EXPECT_EQ(a.settled.contact_share, b.settled.contact_share);
-  });
-}
-
-TEST(EnsemblePoints, OtherPartsStepsAndEndsComeApart) {
+TEST(Points, MayDifferInPartsStepsAndEnds) {
   const Made made(of_ring() + R"([sample]
 kind = "list"
 [[vary]]
@@ -219,8 +105,10 @@ values = ["20 ms", "20 ms", "20 ms", "30 ms"]
 [[vary]]
 key = "gravity"
 values = ["none", "{acceleration = [0, -9.81]}", "none", "none"]
+[run]
+integrator = "verlet"
 )");
-  const auto results = ordered(run_ensembles(all_points(made.scenes), kGoOn));
+  const auto results = all_points(made);
   ASSERT_EQ(results.size(), 4u);
   for (const PointResult& result : results) ASSERT_TRUE(result.ok()) << result.reason;
   EXPECT_EQ(results[0].figures->steps, 1000);
@@ -229,28 +117,39 @@ values = ["none", "{acceleration = [0, -9.81]}", "none", "none"]
   EXPECT_EQ(results[3].figures->end, 0.03);
 }
 
-TEST(EnsemblePoints, FailuresSayWhatARunSays) {
+TEST(Points, FailuresSayWhatARunSays) {
   const Made made(of_ring() + R"([sample]
 kind = "list"
 [[vary]]
 key = "run.step"
 values = ["20 us", "10 ms"]
 [run]
+integrator = "verlet"
 end = "20 ms"
 )");
-  const auto points = all_points(made.scenes);
-  const auto results = ordered(run_ensembles(points, kGoOn));
+  const auto results = all_points(made);
   EXPECT_TRUE(results[0].ok());
   EXPECT_EQ(results[1].status, "step_too_large");
-  const auto alone = run_single(1, points[1].scene, *verlet(), kGoOn);
+  const auto alone = run_single(1, made.scenes.at(1), *verlet(), kGoOn);
   EXPECT_EQ(results[1].reason, alone->reason);
   EXPECT_FALSE(alone->reason.empty());
 }
 
-TEST(EnsemblePoints, InterruptedTheyAreNoResults) {
-  const Made made(frictions("[0.1, 0.2]"));
+TEST(Points, InterruptedTheyAreNoResults) {
   const std::atomic<bool> stop{true};
-  EXPECT_TRUE(run_ensembles(all_points(made.scenes), stop).empty());
+  for (const PointResult& point : all_points(Made(frictions("[0.1, 0.2]")), stop)) {
+    EXPECT_EQ(point.status, "");
+  }
+}
+
+// The key chose between runs side by side, with few figures, and runs one by one.
+TEST(Points, AStudyMaySayWhichFiguresAreKeptAsBefore) {
+  testing::internal::CaptureStderr();
+  const Made made(frictions("[0.1]") + "figures = \"ensemble\"\n");
+  const std::string said = testing::internal::GetCapturedStderr();
+  EXPECT_NE(said.find("note: run.figures: every point has all figures now"), std::string::npos)
+      << said;
+  EXPECT_TRUE(all_points(made).at(0).ok());
 }
 
 TEST(PointScenes, AreThoseOfSet) {
@@ -304,8 +203,6 @@ TEST(ResultColumns, HaveAPeakForceOfAFixedStepAlone) {
     ASSERT_TRUE(one && one->ok());
     EXPECT_EQ(column->value(*one->figures).is_number(), has);
   }
-  const auto many = run_ensembles(all_points(made.scenes), kGoOn);
-  EXPECT_TRUE(column->value(*many.at(0).figures).is_number());
 }
 
 TEST(ResultColumns, AreInTheReadme) {

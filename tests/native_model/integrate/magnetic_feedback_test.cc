@@ -8,7 +8,6 @@
 #include <vector>
 
 #include "native_model/rotor/campbell.h"
-#include "native_model/stepping/ensemble.h"
 #include "native_model/system/model.h"
 #include "tests/support/jeffcott.h"
 #include "tests/support/native_run.h"
@@ -176,37 +175,6 @@ TEST(MagneticFeedback, FailsAndTheRotorFalls) {
   const Trajectory stepped = run_with(s, scene::Integrator::kVerlet);
   ASSERT_FALSE(stepped.impacts.empty());
   EXPECT_NEAR(stepped.impacts[0].t, touch, 1e-5);
-}
-
-// Lanes beside each other have a limit and an instant of failure each; their bits are the run's
-// alone.
-TEST(MagneticFeedback, LanesAreTheRunsAlone) {
-  constexpr double kStep = 1e-5;
-  constexpr int kSteps = 2000;
-  std::vector<Model> models;
-  std::vector<Eigen::Vector2d> ends;
-  for (int k = 0; k < 4; ++k) {
-    scene::Scene s = levitated();
-    s.initial.x = {3e-4};
-    s.initial.vy = {0.1};
-    s.magnetic_bearings[0].control->current_limit = 0.3 + 0.1 * k;
-    s.magnetic_bearings[0].control->fails_at = 0.01 + 1.2345e-3 * k;
-    s.magnetic_bearings[0].control->integral = 1e4 + 2e4 * k;
-    models.push_back(make_model(s));
-    s.run.end = kSteps * kStep;
-    const Trajectory t = run_with(s, scene::Integrator::kVerlet, kStep);
-    ends.emplace_back(t.column("rotor_x").back(), t.column("rotor_y").back());
-  }
-  const std::vector<EnsembleRun> runs = Ensemble(models, kStep).run(kSteps);
-  for (std::size_t k = 0; k < models.size(); ++k) {
-    const EnsembleRun alone = Ensemble({models[k]}, kStep).run(kSteps).front();
-    ASSERT_EQ(runs[k].status, Status::kOk);
-    EXPECT_EQ(runs[k].q, alone.q) << k;
-    EXPECT_EQ(runs[k].v, alone.v) << k;
-    EXPECT_NEAR(runs[k].q[0], ends[k].x(), 1e-15) << k;
-    EXPECT_NEAR(runs[k].q[1], ends[k].y(), 1e-15) << k;
-  }
-  EXPECT_NE(runs[0].q, runs[1].q);
 }
 
 }  // namespace

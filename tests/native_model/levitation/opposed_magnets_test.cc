@@ -5,7 +5,6 @@
 #include <cmath>
 #include <vector>
 
-#include "native_model/stepping/ensemble.h"
 #include "native_model/system/model.h"
 #include "tests/support/jeffcott.h"
 #include "tests/support/native_run.h"
@@ -112,32 +111,6 @@ TEST(OpposedMagnets, CarryAWeightWhereTheirForceDoes) {
     EXPECT_NEAR(run_with(s, integrator).column("rotor_y").back(), low, 1e-11)
         << static_cast<int>(integrator);
   }
-}
-
-// Lanes beside each other, each with its own magnets and amplifier, are the runs alone.
-TEST(OpposedMagnets, LanesAreTheRunsAlone) {
-  constexpr double kStep = 1e-5;
-  constexpr int kSteps = 1000;
-  std::vector<Model> models;
-  for (int k = 0; k < 4; ++k) {
-    scene::Scene s = opposed(0.0);
-    s.magnetic_bearings[0].force_constant *= 1.0 + 0.1 * k;
-    s.magnetic_bearings[0].control = scene::BearingControl{.proportional = 9000.0 + 100.0 * k,
-                                                           .derivative = 3.0 + k,
-                                                           .derivative_lag = 1e-4 + 1e-5 * k};
-    s.magnetic_bearings[0].amplifier = scene::Amplifier{
-        .bandwidth = 6000.0 + 500.0 * k, .voltage_limit = 40.0 + k, .inductance = 0.02};
-    s.initial.x = {3e-4};
-    models.push_back(make_model(s));
-  }
-  const std::vector<EnsembleRun> runs = Ensemble(models, kStep).run(kSteps);
-  for (std::size_t k = 0; k < models.size(); ++k) {
-    const EnsembleRun alone = Ensemble({models[k]}, kStep).run(kSteps).front();
-    ASSERT_EQ(runs[k].status, Status::kOk);
-    EXPECT_EQ(runs[k].q, alone.q) << k;
-    EXPECT_EQ(runs[k].v, alone.v) << k;
-  }
-  EXPECT_NE(runs[0].q, runs[1].q);
 }
 
 }  // namespace

@@ -6,7 +6,6 @@
 
 #include "native_model/scene/diagnostic.h"
 #include "native_model/scene/reader.h"
-#include "native_model/stepping/ensemble.h"
 #include "native_model/system/model.h"
 #include "tests/support/jeffcott.h"
 #include "tests/support/native_run.h"
@@ -24,27 +23,6 @@ scene::Scene every_tenth() {
       .force_per_current = 80.0, .proportional = 4000.0, .derivative = 2.0, .sample_time = 1e-4};
   s.run.end = 0.01;
   return s;
-}
-
-TEST(SampledMagneticControl, LanesAreTheRunsAlone) {
-  constexpr double kStep = 2.5e-5;
-  std::vector<Model> models;
-  for (int k = 0; k < 4; ++k) {
-    scene::Scene s = every_tenth();
-    s.initial.x = {1e-4};
-    s.initial.vy = {0.03};
-    s.magnetic_bearings[0].control->sample_time = (1 + k) * 5e-5;
-    s.magnetic_bearings[0].control->derivative = 2.0 + 0.2 * k;
-    models.push_back(make_model(s));
-  }
-  const std::vector<EnsembleRun> runs = Ensemble(models, kStep).run(1000);
-  for (std::size_t k = 0; k < models.size(); ++k) {
-    const EnsembleRun alone = Ensemble({models[k]}, kStep).run(1000).front();
-    ASSERT_EQ(runs[k].status, Status::kOk);
-    EXPECT_EQ(runs[k].q, alone.q) << k;
-    EXPECT_EQ(runs[k].v, alone.v) << k;
-  }
-  EXPECT_NE(runs[0].q, runs[1].q);
 }
 
 TEST(SampledMagneticControl, StepsMeetItsSamples) {

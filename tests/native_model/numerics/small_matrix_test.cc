@@ -57,30 +57,5 @@ TEST(SmallMatrix, SumsInTheOrderOfColumns) {
   }
 }
 
-// Runs side by side: of each lane the bits of its run.
-TEST(SmallMatrix, LanesAreRunsSideBySide) {
-  using Lane = lanes::Lane<2>;
-  for (const Case& of : cases()) {
-    SCOPED_TRACE(of.rows);
-    const auto pair = [](const std::vector<double>& x) {
-      lanes::Array<Lane> out;
-      for (const double one : x) {
-        Lane lane;
-        lanes::set(lane, 0, one);
-        lanes::set(lane, 1, -2.0 * one);
-        out.push_back(lane);
-      }
-      return out;
-    };
-    const auto columns = pair(of.columns), in = pair(of.in);
-    auto out = pair(of.out);
-    small_matrix::multiply(columns.data(), of.rows, of.count, in.data(), out.data());
-    for (int i = 0; i < of.rows; ++i) {
-      EXPECT_EQ(lanes::get(out[static_cast<std::size_t>(i)], 0), row(of, i));
-      EXPECT_EQ(lanes::get(out[static_cast<std::size_t>(i)], 1), 4.0 * row(of, i));
-    }
-  }
-}
-
 }  // namespace
 }  // namespace rotorub
