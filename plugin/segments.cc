@@ -280,7 +280,7 @@ void add_segment_loads(const Config& config, const mjModel* m, mjData* d) {
   equations::add_linear_loads(bending, omega, working.data(), q.data(), v.data(), f.data());
   equations::add_forces(bending, d->time, q.data(), f.data());
   // Blades that are lost; MuJoCo's bodies keep their masses.
-  equations::DiscAngles<double> angles;
+  equations::DiscAngles angles;
   angles.fill(bending, d->time, q.data());
   equations::add_unbalance(bending, angles, equations::spin_speed(bending, v.data()), f.data());
   scatter(s.x, f.segment(l.x(), l.modes), d->qfrc_passive);

@@ -109,11 +109,10 @@ int merge(const SweepArguments& options, const Sweep& sweep) {
 
 // Shards that have points left. One that is locked is running.
 std::vector<int> open_shards(const Sweep& sweep, int tasks) {
-  const sweep::Batches batches = sweep::batches_of(*sweep.scenes);
   std::vector<int> open;
   for (int task = 1; task <= tasks; ++task) {
     const sweep::Shard shard{task, tasks};
-    const std::int64_t of = batches.points_of(shard);
+    const std::int64_t of = shard.points_of(sweep.scenes->sample().size());
     bool left = of > 0;
     if (left && std::filesystem::exists(sweep.folder / shard.file())) {
       try {
@@ -128,13 +127,13 @@ std::vector<int> open_shards(const Sweep& sweep, int tasks) {
   return open;
 }
 
-// As asked for, or as the shards that are there; never more than there are batches.
+// As asked for, or as the shards that are there; never more than there are points.
 int tasks_of(const SweepArguments& options, const Sweep& sweep) {
   constexpr int kDefaultTasks = 16;
-  const auto batches = std::max<std::int64_t>(sweep::batches_of(*sweep.scenes).count(), 1);
+  const std::int64_t points = std::max<std::int64_t>(sweep.scenes->sample().size(), 1);
   const int earlier = sweep::shards_in(sweep.folder);
   const int wanted = options.tasks > 0 ? options.tasks : earlier > 0 ? earlier : kDefaultTasks;
-  const int tasks = static_cast<int>(std::min<std::int64_t>(wanted, batches));
+  const int tasks = static_cast<int>(std::min<std::int64_t>(wanted, points));
   if (earlier > 0 && earlier != tasks) {
     throw UsageError(
         fmt::format("--tasks {}: {} holds results of {} shards, and other shards would run points "

@@ -48,8 +48,7 @@ const MetricKey kMetricKeys[] = {
     {"steps", "", "number of steps taken", read<&Metrics::steps>},
     {"wall_s", "s", "time of the integration; no result", read<&Metrics::wall_s>, true},
     {"us_per_step", "us", "the same for a step; no result", read<&Metrics::us_per_step>, true},
-    {"first_touch", "s",
-     "time of the first contact, of an ensemble's the beginning of its step; null: never",
+    {"first_touch", "s", "time of the first contact; null: never",
      read_or_null<&Metrics::first_touch>},
     {"least_gap", "m",
      "smallest gap of all rows and ends of steps; 0 or, by penetration, less where it touched; "
@@ -60,7 +59,7 @@ const MetricKey kMetricKeys[] = {
     {"forward_passes", "",
      "turns of the rotor all around its ring from the first touch on, along +z; of several "
      "contacts "
-     "where they are most; null: of an ensemble",
+     "where they are most",
      count_or_null<&Metrics::forward_passes>},
     {"backward_passes", "", "the same against it", count_or_null<&Metrics::backward_passes>},
     {"whirl_time", "s", "that these took", read_or_null<&Metrics::whirl_time>},

@@ -18,8 +18,7 @@ struct PointResult {
   std::int64_t point = 0;     // index in the study's order
   std::string status = "ok";  // as of a run, or "refused": no scene, or one that cannot run
   std::string reason;         // empty: ok
-  // Nothing: not ok. Of them what result_columns() reads; an ensemble keeps no balance of the
-  // energy.
+  // Nothing: not ok. Of them what result_columns() reads.
   std::optional<Metrics> figures;
 
   bool ok() const { return figures.has_value(); }

@@ -1,22 +1,20 @@
 #include "compare/sweep/point_run.h"
 
-#include <algorithm>
-#include <numeric>
 #include <stdexcept>
 #include <utility>
 
 #include "compare/base/in_parallel.h"
-#include "compare/sweep/ensemble_points.h"
 #include "compare/sweep/sample.h"
 
 namespace rotorub::sweep {
 namespace {
 
-constexpr std::int64_t kEnsemblePoints = 32;  // of a batch: whole groups on every instruction set
-
-// Whether points may run side by side, by the integrators that have ensembles.
-bool may_share_registers(const Study& study) {
-  return study.engine == EngineKind::kNative && !study.all_figures;
+PointResult refused(std::int64_t point, std::string reason) {
+  PointResult result;
+  result.point = point;
+  result.status = kRefused;
+  result.reason = std::move(reason);
+  return result;
 }
 
 }  // namespace
@@ -26,14 +24,6 @@ std::unique_ptr<Engine> engine_of(const Study& study, const scene::Scene& scene)
     return mujoco_engine(study.contact.value_or(scene.mujoco.contact));
   }
   return native_engine(study.integrator.value_or(scene.run.integrator));
-}
-
-PointResult refused(std::int64_t point, std::string reason) {
-  PointResult result;
-  result.point = point;
-  result.status = kRefused;
-  result.reason = std::move(reason);
-  return result;
 }
 
 std::optional<PointResult> run_single(std::int64_t point, const scene::Scene& scene,
@@ -66,35 +56,16 @@ std::optional<PointResult> run_single(std::int64_t point, const scene::Scene& sc
   }
 }
 
-std::vector<PointResult> run_batch(const Study& study, const std::vector<std::int64_t>& points,
-                                   const SceneOfPoint& scene_at,
-                                   const std::atomic<bool>& interrupt) {
-  std::vector<PointResult> out;
-  std::vector<PointScene> together;
-  for (const std::int64_t point : points) {
-    if (interrupt) return {};
-    try {
-      PointScene made{point, scene_at(point)};
-      const auto integrator = study.integrator.value_or(made.scene.run.integrator);
-      if (may_share_registers(study) && has_ensemble(integrator)) {
-        together.push_back(std::move(made));
-      } else if (auto result =
-                     run_single(point, made.scene, *engine_of(study, made.scene), interrupt)) {
-        out.push_back(std::move(*result));
-      }
-    } catch (const scene::SceneError& error) {
-      out.push_back(refused(point, reason_of(error)));
-    }
+std::optional<PointResult> run_point(const Study& study, std::int64_t point,
+                                     const SceneOfPoint& scene_at,
+                                     const std::atomic<bool>& interrupt) {
+  if (interrupt) return std::nullopt;
+  try {
+    const scene::Scene scene = scene_at(point);
+    return run_single(point, scene, *engine_of(study, scene), interrupt);
+  } catch (const scene::SceneError& error) {
+    return refused(point, reason_of(error));
   }
-  for (PointResult& result : run_ensembles(together, interrupt)) out.push_back(std::move(result));
-  return out;
-}
-
-std::int64_t batch_size(const Study& study) {
-  // Where each point says its integrator, any of them may be one with ensembles.
-  const bool together =
-      may_share_registers(study) && (!study.integrator || has_ensemble(*study.integrator));
-  return together ? kEnsemblePoints : 1;
 }
 
 std::vector<PointResult> run_points(const Study& study, std::int64_t count,
@@ -102,16 +73,10 @@ std::vector<PointResult> run_points(const Study& study, std::int64_t count,
                                     const std::atomic<bool>& interrupt) {
   std::vector<PointResult> all(static_cast<std::size_t>(count));
   for (PointResult& result : all) result.status.clear();
-  const std::int64_t size = batch_size(study);
-  in_parallel(
-      static_cast<std::size_t>((count + size - 1) / size), 0, &interrupt, {}, [&](std::size_t k) {
-        const std::int64_t begin = static_cast<std::int64_t>(k) * size;
-        std::vector<std::int64_t> points(static_cast<std::size_t>(std::min(size, count - begin)));
-        std::iota(points.begin(), points.end(), begin);
-        for (PointResult& result : run_batch(study, points, scene_at, interrupt)) {
-          all[static_cast<std::size_t>(result.point)] = std::move(result);
-        }
-      });
+  in_parallel(all.size(), 0, &interrupt, {}, [&](std::size_t k) {
+    auto result = run_point(study, static_cast<std::int64_t>(k), scene_at, interrupt);
+    if (result) all[k] = std::move(*result);
+  });
   return all;
 }
 

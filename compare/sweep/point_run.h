@@ -1,4 +1,4 @@
-// Points of a study, each run by itself by any engine, or many at once.
+// Points of a study, each run by itself by any engine.
 #pragma once
 
 #include <atomic>
@@ -21,19 +21,13 @@ std::unique_ptr<Engine> engine_of(const Study& study, const scene::Scene& scene)
 std::optional<PointResult> run_single(std::int64_t point, const scene::Scene& scene,
                                       const Engine& engine, const std::atomic<bool>& interrupt);
 
-PointResult refused(std::int64_t point, std::string reason);
-
 using SceneOfPoint =
     std::function<scene::Scene(std::int64_t point)>;  // thread safe; throws scene::SceneError
 
-// Some points of a study at once: those that can go into ensembles do, the others run by
-// themselves. Results in no order; after an interrupt some are missing.
-std::vector<PointResult> run_batch(const Study& study, const std::vector<std::int64_t>& points,
-                                   const SceneOfPoint& scene_at,
-                                   const std::atomic<bool>& interrupt);
-
-// Points that are run together: enough to fill ensembles, or one.
-std::int64_t batch_size(const Study& study);
+// The same of a point of a study, whose values may make no scene either.
+std::optional<PointResult> run_point(const Study& study, std::int64_t point,
+                                     const SceneOfPoint& scene_at,
+                                     const std::atomic<bool>& interrupt);
 
 // All points of a native study from 0 to count - 1, on all processors, in their order; `interrupt`:
 // those that are missing then have no status.

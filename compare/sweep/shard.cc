@@ -33,14 +33,6 @@ Shard parse_shard(const std::string& text) {
   return shard;
 }
 
-std::int64_t Batches::points_of(const Shard& shard) const {
-  const std::int64_t batches = count(), n = shard.count;
-  if (batches < shard.number) return 0;
-  const std::int64_t mine = (batches - shard.number) / n + 1;
-  const bool has_last = shard.has(batches - 1);
-  return mine * size - (has_last ? batches * size - points : 0);
-}
-
 namespace {
 
 // A command of the shell: what it prints, and its exit code.

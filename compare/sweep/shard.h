@@ -1,5 +1,4 @@
-// A part of a study's points: shard i of n has every n-th batch. Which points are in a batch
-// depends on the study alone.
+// A part of a study's points: shard i of n has every n-th.
 #pragma once
 
 #include <cstdint>
@@ -13,7 +12,8 @@ struct Shard {
   int number = 1, count = 1;  // number in [1, count]
 
   bool whole() const { return count == 1; }
-  bool has(std::int64_t batch) const { return batch % count == number - 1; }
+  // How many of a study's points it has.
+  std::int64_t points_of(std::int64_t all) const { return (all - number + count) / count; }
   std::string file() const;  // of its results: results.sqlite, or results.2-of-4.sqlite
 };
 
@@ -21,17 +21,6 @@ inline constexpr int kMostShards = 10000;
 
 // "2/4". Throws std::invalid_argument with what is accepted.
 Shard parse_shard(const std::string& text);
-
-// Points of each batch: `size` of them, the last one the rest.
-struct Batches {
-  std::int64_t points = 0, size = 1;
-  std::int64_t count() const { return (points + size - 1) / size; }
-  std::int64_t begin(std::int64_t batch) const { return batch * size; }
-  std::int64_t end(std::int64_t batch) const {
-    return points < (batch + 1) * size ? points : (batch + 1) * size;
-  }
-  std::int64_t points_of(const Shard& shard) const;
-};
 
 // A sweep beyond one machine: an array job of Slurm, each of whose tasks runs a shard.
 struct SlurmJob {

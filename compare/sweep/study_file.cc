@@ -122,19 +122,20 @@ void check_size(const Study& study, const TomlNode& root, Diagnostics& diagnosti
                                      static_cast<double>(kMostPoints))});
 }
 
-enum class FiguresKept { kEnsemble, kAll };
-
 void read_run(const TomlNode& node, Study& study, Diagnostics& diagnostics) {
   const StudyTable table(node, "run", {"engine", "integrator", "contact", "figures", "step", "end"},
                          diagnostics);
   constexpr std::array<std::string_view, 2> kEngines{"native", "mujoco"};
   constexpr std::array<std::string_view, 3> kIntegrators{"event", "verlet", "euler"};
-  constexpr std::array<std::string_view, 2> kFigures{"ensemble", "all"};
   static const auto kContacts = scene::contact_words<std::vector<std::string_view>>();
   study.engine = table.word<EngineKind>("engine", kEngines).value_or(EngineKind::kNative);
   study.integrator = table.word<scene::Integrator>("integrator", kIntegrators);
   study.contact = table.word<scene::ContactModel>("contact", kContacts);
-  study.all_figures = table.word<FiguresKept>("figures", kFigures) == FiguresKept::kAll;
+  if (table.has("figures")) {
+    fmt::print(stderr,
+               "note: {}: every point has all figures now; the key is accepted until version 0.4\n",
+               table.path_of("figures"));
+  }
   if (study.integrator) {
     if (study.engine == EngineKind::kMujoco) {
       table.fail("integrator", "belongs to engine = \"native\"; MuJoCo's is mujoco.integrator");

@@ -54,9 +54,7 @@ struct Study {
   EngineKind engine = EngineKind::kNative;
   std::optional<scene::Integrator> integrator;  // default: that of the point's scene
   std::optional<scene::ContactModel> contact;   // of MuJoCo; default: that of the point's scene
-  // Points run one by one, so that none of their columns is empty that a run could fill.
-  bool all_figures = false;
-  std::vector<std::string> overrides;  // run.step and run.end, where the study gives them
+  std::vector<std::string> overrides;           // run.step and run.end, where the study gives them
   std::optional<Statistics> statistics;
   std::string points;    // text of the list's file; empty: none
   std::string text;      // of the file

@@ -23,12 +23,10 @@ using namespace std::chrono_literals;
 constexpr auto kStoreEvery = 100ms;         // a transaction waits for the disk
 constexpr std::size_t kMostWaiting = 4096;  // results that wait for the store
 
-// Where the first batches lie: any first few of these places, sixteenths, are spread evenly.
+// Where the first points lie: any first few of these places, sixteenths, are spread evenly.
 constexpr std::int64_t kPlaces = 16;
 constexpr std::array<std::int64_t, kPlaces> kFirst{8, 4, 12, 2, 10, 6, 14, 1,
                                                    9, 5, 13, 3, 11, 7, 15, 0};
-
-using Points = std::vector<std::int64_t>;
 
 // Results of points, and the time that their threads took for them.
 struct Results {
@@ -42,44 +40,40 @@ double seconds_since(Clock::time_point start) {
   return std::chrono::duration<double>(Clock::now() - start).count();
 }
 
-// The batches of the shard: first some that are spread over it, then the others in order.
+// The points of the shard: first some that are spread over it, then the others in order.
 class Work {
  public:
-  Work(const Batches& batches, const Shard& shard, std::vector<bool> done)
-      : batches_(batches), shard_(shard), done_(std::move(done)), next_(shard.number - 1) {
-    const std::int64_t own = (batches.count() - shard.number + shard.count) / shard.count;
+  Work(std::int64_t points, const Shard& shard, std::vector<bool> done)
+      : points_(points), shard_(shard), done_(std::move(done)), next_(shard.number - 1) {
+    const std::int64_t own = shard.points_of(points);
     for (const std::int64_t place : kFirst) {
       if (own > 0) take(next_ + own * place / kPlaces * shard.count);
     }
   }
 
-  // The points of the next batch that are still to do; nothing: no batch is left.
-  std::optional<Points> next() {
+  // The next point that is still to do; nothing: none is left.
+  std::optional<std::int64_t> next() {
     const std::lock_guard<std::mutex> lock(mutex_);
-    for (; first_.empty() && next_ < batches_.count(); next_ += shard_.count) take(next_);
+    for (; first_.empty() && next_ < points_; next_ += shard_.count) take(next_);
     if (first_.empty()) return std::nullopt;
-    Points points = std::move(first_.front());
+    const std::int64_t point = first_.front();
     first_.pop_front();
-    return points;
+    return point;
   }
 
  private:
-  // Puts what is to do of a batch at the end of `first_`.
-  void take(std::int64_t batch) {
-    Points points;
-    for (std::int64_t p = batches_.begin(batch); p < batches_.end(batch); ++p) {
-      if (done_[static_cast<std::size_t>(p)]) continue;
-      done_[static_cast<std::size_t>(p)] = true;
-      points.push_back(p);
-    }
-    if (!points.empty()) first_.push_back(std::move(points));
+  // Puts a point that is still to do at the end of `first_`.
+  void take(std::int64_t point) {
+    if (done_[static_cast<std::size_t>(point)]) return;
+    done_[static_cast<std::size_t>(point)] = true;
+    first_.push_back(point);
   }
 
   std::mutex mutex_;
-  Batches batches_;
+  std::int64_t points_;
   Shard shard_;
   std::vector<bool> done_;  // stored, or handed out
-  std::deque<Points> first_;
+  std::deque<std::int64_t> first_;
   std::int64_t next_;
 };
 
@@ -149,29 +143,24 @@ class Workers {
   std::vector<std::jthread> threads_;  // the last member: joined before the others go
 };
 
-// s, as the points took so far on average. Threads share whole batches.
-std::optional<double> time_left(const SweepProgress& at, double busy, std::int64_t batch,
-                                int jobs) {
-  const std::int64_t left = at.of - at.stored, batches = (left + batch - 1) / batch;
+// s, as the points took so far on average.
+std::optional<double> time_left(const SweepProgress& at, double busy, int jobs) {
+  const std::int64_t left = at.of - at.stored;
   if (left == 0) return 0.0;
   if (at.now == 0) return std::nullopt;
-  const auto threads = static_cast<double>(std::min<std::int64_t>(jobs, batches));
+  const auto threads = static_cast<double>(std::min<std::int64_t>(jobs, left));
   return busy / static_cast<double>(at.now) * static_cast<double>(left) / threads;
 }
 
 }  // namespace
 
-Batches batches_of(const PointScenes& scenes) {
-  return {scenes.sample().size(), batch_size(scenes.study())};
-}
-
 bool run_sweep(const PointScenes& scenes, Store& store, const SweepOptions& options) {
-  const Batches batches = batches_of(scenes);
+  const std::int64_t points = scenes.sample().size();
   std::vector<bool> done = store.done();
   SweepProgress at;
-  at.of = batches.points_of(options.shard);
+  at.of = options.shard.points_of(points);
   at.stored = std::count(done.begin(), done.end(), true);
-  Work work(batches, options.shard, std::move(done));
+  Work work(points, options.shard, std::move(done));
   std::atomic<bool> stop{false};
   std::optional<MujocoInPlace> mujoco;
   if (scenes.study().engine == EngineKind::kMujoco) mujoco.emplace();
@@ -180,11 +169,15 @@ bool run_sweep(const PointScenes& scenes, Store& store, const SweepOptions& opti
   Workers workers(
       options.jobs,
       [&]() -> std::optional<Results> {
-        const auto points = work.next();
-        if (!points) return std::nullopt;
+        const auto point = work.next();
+        if (!point) return std::nullopt;
         const auto start = Clock::now();
-        auto results = run_batch(scenes.study(), *points, scene_at, stop);
-        return Results{std::move(results), seconds_since(start)};
+        Results results;
+        if (auto result = run_point(scenes.study(), *point, scene_at, stop)) {
+          results.points.push_back(std::move(*result));
+        }
+        results.busy = seconds_since(start);
+        return results;
       },
       stop);
   double busy = 0.0;
@@ -196,7 +189,7 @@ bool run_sweep(const PointScenes& scenes, Store& store, const SweepOptions& opti
     at.stored += count;
     at.now += count;
     busy += results.busy;
-    at.left = time_left(at, busy, batches.size, options.jobs);
+    at.left = time_left(at, busy, options.jobs);
     if (options.progress) options.progress(at);
   }
   workers.rethrow();

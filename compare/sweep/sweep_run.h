@@ -27,10 +27,7 @@ struct SweepOptions {
   std::function<void(const SweepProgress&)> progress;
 };
 
-// Points that are run, and handed on, at a time: enough to fill ensembles, or one.
-Batches batches_of(const PointScenes& scenes);
-
-// What is stored at a time is whole: a transaction holds full results of points. Some batches that
+// What is stored at a time is whole: a transaction holds full results of points. Some points that
 // are spread over the shard run first, because they tell how long all take; the order changes no
 // result. False: interrupted.
 bool run_sweep(const PointScenes& scenes, Store& store, const SweepOptions& options);

@@ -58,10 +58,10 @@ class Electromagnet final : public ForceLaw {
   double reach() const override { return p_.air_gap; }
 
  private:
-  using Gaps = OpposedMagnets<double>::Gaps;
+  using Gaps = OpposedMagnets::Gaps;
 
   Parameters p_;
-  OpposedMagnets<double> magnets_;
+  OpposedMagnets magnets_;
 };
 
 // F(s, i) of a magnetic actuator from measured or computed values on a grid, by a bicubic spline

@@ -22,33 +22,32 @@ CoefficientTable::CoefficientTable(const std::vector<double>& speed,
                            [this](double at_speed) { return rotorub::isotropic(at(at_speed)); });
 }
 
-BearingCoefficients<double> CoefficientTable::at(double speed) const {
-  BearingCoefficients<double> all{};
+BearingCoefficients CoefficientTable::at(double speed) const {
+  BearingCoefficients all{};
   for (std::size_t k = 0; k < all.size(); ++k) {
     if (given_[k]) all[k] = curves_[k].value(speed);
   }
   return all;
 }
 
-bool isotropic(const BearingCoefficients<double>& c) {
+bool isotropic(const BearingCoefficients& c) {
   return c[0] == c[3] && c[1] == -c[2] && c[4] == c[7] && c[5] == -c[6];
 }
 
-BearingCoefficients<double> largest(const BearingFilm<double>& film) {
-  BearingCoefficients<double> most{};
-  if (film.follows()) most = film.tables.front()->largest();
+BearingCoefficients largest(const BearingFilm& film) {
+  BearingCoefficients most{};
+  if (film.follows()) most = film.table->largest();
   for (std::size_t k = 0; k < most.size(); ++k) most[k] += std::abs(film.constant[k]);
   return most;
 }
 
-std::optional<BearingFilm<double>> film_of(const scene::ShaftBearing& b) {
+std::optional<BearingFilm> film_of(const scene::ShaftBearing& b) {
   if (!b.follows_speed() && !b.crosses()) return {};
-  BearingFilm<double> film;
+  BearingFilm film;
   film.offset_x = b.offset.x();
   film.offset_y = b.offset.y();
   if (b.follows_speed()) {
-    film.tables.push_back(
-        std::make_shared<CoefficientTable>(b.table_speed, scene::coefficient_lists(b)));
+    film.table = std::make_shared<CoefficientTable>(b.table_speed, scene::coefficient_lists(b));
     film.constant = {b.stiffness.x(), 0.0, 0.0, b.stiffness.y(),
                      b.damping.x(),   0.0, 0.0, b.damping.y()};
   } else {

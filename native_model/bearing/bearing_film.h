@@ -10,19 +10,18 @@
 
 #include <Eigen/Core>
 #include <array>
+#include <cstddef>
 #include <memory>
 #include <optional>
 #include <vector>
 
-#include "native_model/numerics/lanes.h"
 #include "native_model/numerics/monotone_cubic.h"
 #include "native_model/scene/rotor.h"
 
 namespace rotorub {
 
 // k_xx, k_xy, k_yx, k_yy in N/m, then c alike in N s/m.
-template <class T>
-using BearingCoefficients = std::array<T, 8>;
+using BearingCoefficients = std::array<double, 8>;
 
 // The coefficients over the speed of rotation, held beyond the ends.
 class CoefficientTable {
@@ -30,9 +29,9 @@ class CoefficientTable {
   // speed: rad/s, ascending, two or more; of each coefficient as many values, or none: 0.
   CoefficientTable(const std::vector<double>& speed,
                    const std::array<std::vector<double>, 8>& values);
-  BearingCoefficients<double> at(double speed) const;
+  BearingCoefficients at(double speed) const;
   // For each the largest size that it has at any speed.
-  BearingCoefficients<double> largest() const { return largest_; }
+  BearingCoefficients largest() const { return largest_; }
   const std::vector<double>& speeds() const { return speeds_; }
   // At every speed the same in every direction: k_xx = k_yy, k_xy = -k_yx.
   bool isotropic() const { return isotropic_; }
@@ -41,44 +40,33 @@ class CoefficientTable {
   std::vector<double> speeds_;
   std::array<MonotoneCubic, 8> curves_;
   std::array<bool, 8> given_{};
-  BearingCoefficients<double> largest_{};
+  BearingCoefficients largest_{};
   bool isotropic_ = false;
 };
 
-bool isotropic(const BearingCoefficients<double>& coefficients);
+bool isotropic(const BearingCoefficients& coefficients);
 
-template <class T>
 struct BearingFilm {
   // Beside a table what the model's springs and dashpots have, to be taken off; else the
   // coefficients.
-  BearingCoefficients<T> constant{};
-  // One a lane, or none: constant coefficients.
-  std::vector<std::shared_ptr<const CoefficientTable>> tables;
-  T offset_x{}, offset_y{};  // m, o
+  BearingCoefficients constant{};
+  std::shared_ptr<const CoefficientTable> table;  // null: constant coefficients
+  double offset_x = 0.0, offset_y = 0.0;          // m, o
 
-  bool follows() const { return !tables.empty(); }
-  ROTORUB_INLINE BearingCoefficients<T> at(const T& speed) const {
-    return follows() ? of_tables(speed) : constant;
-  }
-
- private:
-  ROTORUB_SLOW BearingCoefficients<T> of_tables(const T& speed) const {
-    BearingCoefficients<T> all{};
-    for (int lane = 0; lane < lanes::kWidth<T>; ++lane) {
-      const BearingCoefficients<double> of =
-          tables[static_cast<std::size_t>(lane)]->at(lanes::get(speed, lane));
-      for (std::size_t k = 0; k < all.size(); ++k) lanes::set(all[k], lane, of[k]);
-    }
+  bool follows() const { return table != nullptr; }
+  BearingCoefficients at(double speed) const {
+    if (!table) return constant;
+    BearingCoefficients all = table->at(speed);
     for (std::size_t k = 0; k < all.size(); ++k) all[k] -= constant[k];
     return all;
   }
 };
 
 // For each coefficient the largest size at any speed.
-BearingCoefficients<double> largest(const BearingFilm<double>& film);
+BearingCoefficients largest(const BearingFilm& film);
 
 // What the bearing does beyond the springs and dashpots that `stiffness` and `damping` are, off
 // whose middle it stands by its offset; none where that is nothing.
-std::optional<BearingFilm<double>> film_of(const scene::ShaftBearing& bearing);
+std::optional<BearingFilm> film_of(const scene::ShaftBearing& bearing);
 
 }  // namespace rotorub

@@ -3,28 +3,27 @@
 //   lag di/dt = a - i,   |di/dt| <= rate_limit,   |L di/dt + R i| <= voltage_limit.
 #pragma once
 
-#include "native_model/numerics/lanes.h"
+#include <algorithm>
 
 namespace rotorub {
 
-template <class T>
 struct Coil {
-  T lag{};                                        // s, > 0
-  T rate_limit{};                                 // A/s, > 0, infinity: none
-  T voltage_limit{}, inductance{}, resistance{};  // V, > 0, infinity: none; H, > 0; Ohm, >= 0
+  double lag = 0.0;            // s, > 0
+  double rate_limit = 0.0;     // A/s, > 0, infinity: none
+  double voltage_limit = 0.0;  // V, > 0, infinity: none
+  double inductance = 0.0;     // H, > 0
+  double resistance = 0.0;     // Ohm, >= 0
 
   // A: `asked`, brought so near to the present current that its rate, load - current over the lag,
   // keeps within the limit and needs no more than the voltage.
-  ROTORUB_INLINE T load(const T& asked, const T& current) const {
+  double load(double asked, double current) const {
     // di/dt of the whole voltage: (+-U - R i) / L.
-    const T drop = resistance * current;
-    const T falls = (-voltage_limit - drop) / inductance,
-            rises = (voltage_limit - drop) / inductance;
-    const T fall = lanes::larger(-rate_limit, falls);
-    const T rise = lanes::select(rate_limit < rises, rate_limit, rises);
-    const T least = current + lag * fall, most = current + lag * rise;
-    const T raised = lanes::select(asked < least, least, asked);
-    return lanes::select(raised > most, most, raised);
+    const double drop = resistance * current;
+    const double falls = (-voltage_limit - drop) / inductance;
+    const double rises = (voltage_limit - drop) / inductance;
+    const double fall = std::max(falls, -rate_limit), rise = std::min(rises, rate_limit);
+    const double least = current + lag * fall, most = current + lag * rise;
+    return std::min(std::max(asked, least), most);
   }
 };
 

@@ -15,11 +15,11 @@
 // all time (the modes' stiffness, the stored energy), and here what F is beyond it.
 #pragma once
 
+#include <algorithm>
 #include <array>
 
 #include "native_model/bearing/coil.h"
 #include "native_model/bearing/opposed_magnets.h"
-#include "native_model/numerics/lanes.h"
 
 namespace rotorub {
 
@@ -28,9 +28,9 @@ struct WorkingTimes {
   double from, fails, returns;
 
   std::array<double, 3> all() const { return {from, fails, returns}; }
-  ROTORUB_INLINE bool at(double t) const { return t >= returns || (t >= from && t < fails); }
+  bool at(double t) const { return t >= returns || (t >= from && t < fails); }
   // The share of the time from begin to end for which it works; of an instant 0 or 1.
-  ROTORUB_INLINE double share(double begin, double end) const {
+  double share(double begin, double end) const {
     if (!(end > begin)) return at(begin) ? 1.0 : 0.0;
     const auto within = [&](double on, double off) {
       const double first = on > begin ? on : begin, last = off < end ? off : end;
@@ -41,37 +41,38 @@ struct WorkingTimes {
   }
 };
 
-template <class T>
 struct MagneticFeedback {
-  T negative_stiffness{};          // N/m, k_s >= 0; of two magnets that about the middle
-  T force_per_current{};           // N/A, k_i > 0; likewise
-  T proportional{}, derivative{};  // A/m, A s/m, P, D >= 0
-  T current_limit{};               // A, > 0, infinity: none
-  T held{};                        // N/m: a spring that others have for it, taken back here
-  T integral{};                    // A/(m s), I >= 0; with P = 0 only 0
-  T derivative_lag{};              // s, T_d >= 0
-  Coil<T> amplifier{};
+  double negative_stiffness = 0.0;  // N/m, k_s >= 0; of two magnets that about the middle
+  double force_per_current = 0.0;   // N/A, k_i > 0; likewise
+  double proportional = 0.0;        // A/m, P >= 0
+  double derivative = 0.0;          // A s/m, D >= 0
+  double current_limit = 0.0;       // A, > 0, infinity: none
+  double held = 0.0;                // N/m: a spring that others have for it, taken back here
+  double integral = 0.0;            // A/(m s), I >= 0; with P = 0 only 0
+  double derivative_lag = 0.0;      // s, T_d >= 0
+  Coil amplifier{};
   bool opposed = false;  // F(r, i) of `magnets`
-  OpposedMagnets<T> magnets{};
+  OpposedMagnets magnets{};
 
-  T stiffness() const { return force_per_current * proportional - negative_stiffness; }  // N/m
-  T damping() const { return force_per_current * derivative; }                           // N s/m
+  double stiffness() const {  // N/m
+    return force_per_current * proportional - negative_stiffness;
+  }
+  double damping() const { return force_per_current * derivative; }  // N s/m
 
   // u and c, A, while it works; seen, rate: s, d; stored: j.
-  ROTORUB_INLINE T asked(const T& seen, const T& rate, const T& stored) const {
+  double asked(double seen, double rate, double stored) const {
     return -(proportional * seen + derivative * rate + stored);
   }
-  ROTORUB_INLINE T limited(const T& asked) const {
-    const T capped = lanes::select(asked > current_limit, current_limit, asked);
-    return lanes::select(capped < -current_limit, -current_limit, capped);
+  double limited(double asked) const {
+    return std::max(std::min(asked, current_limit), -current_limit);
   }
   // N, what it does beyond the spring `held`, working for `share` of the time, in [0, 1].
-  ROTORUB_INLINE T force(const T& share, const T& r, const T& current) const {
+  double force(double share, double r, double current) const {
     if (opposed) return held * r + share * magnets.force(r, current);
     return held * r + share * (negative_stiffness * r + force_per_current * current);
   }
   // j', A/s; with an integrator only.
-  ROTORUB_INLINE T stored_rate(const T& share, const T& seen, const T& asked) const {
+  double stored_rate(double share, double seen, double asked) const {
     return share * integral * (seen + (asked - limited(asked)) / proportional);
   }
 };

@@ -8,36 +8,34 @@
 // modelled: beyond kReach of the air gap the magnets pull as they do there.
 #pragma once
 
-#include "native_model/numerics/lanes.h"
+#include <algorithm>
 
 namespace rotorub {
 
-template <class T>
 struct OpposedMagnets {
-  T force_constant{};  // N m^2/A^2, k_m > 0
-  T bias_current{};    // A, i_0 > 0
-  T air_gap{};         // m, s_0 > 0
+  double force_constant = 0.0;  // N m^2/A^2, k_m > 0
+  double bias_current = 0.0;    // A, i_0 > 0
+  double air_gap = 0.0;         // m, s_0 > 0
 
   static constexpr double kReach = 0.99;
 
   // 1/(s_0 - s)^2 and 1/(s_0 + s)^2.
   struct Gaps {
-    T pulling, opposing;
+    double pulling, opposing;
   };
-  ROTORUB_INLINE Gaps gaps(const T& s) const {
-    const T reach = lanes::all<T>(kReach) * air_gap, one = lanes::all<T>(1.0);
-    const T capped = lanes::select(s > reach, reach, s);
-    const T at = lanes::select(capped < -reach, -reach, capped);
-    const T near = air_gap - at, far = air_gap + at;
-    return {one / (near * near), one / (far * far)};
+  Gaps gaps(double s) const {
+    const double reach = kReach * air_gap;
+    const double at = std::max(std::min(s, reach), -reach);
+    const double near = air_gap - at, far = air_gap + at;
+    return {1.0 / (near * near), 1.0 / (far * far)};
   }
   // N, of each magnet in the middle.
-  ROTORUB_INLINE T force_at_bias() const {
+  double force_at_bias() const {
     return force_constant * bias_current * bias_current / (air_gap * air_gap);
   }
-  ROTORUB_INLINE T force(const T& s, const T& i) const {
+  double force(double s, double i) const {
     const Gaps g = gaps(s);
-    const T pull = bias_current + i, oppose = bias_current - i;
+    const double pull = bias_current + i, oppose = bias_current - i;
     return force_constant * (g.pulling * pull * pull - g.opposing * oppose * oppose);
   }
 };

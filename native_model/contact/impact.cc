@@ -9,7 +9,7 @@ namespace rotorub {
 
 namespace {
 
-using Point = PlanarImpulse<double>;
+using Point = PlanarImpulse;
 
 struct Expansion {
   Delassus a;
@@ -91,7 +91,7 @@ ImpactResult compress(const ImpactPhase& phase, const ImpactLaw& law) {
   r.status = status_of(c.solutions);
   r.normal_compression = c.normal;
   r.friction_compression = c.friction;
-  const PlanarImpulse<double> l{c.normal, c.friction};
+  const PlanarImpulse l{c.normal, c.friction};
   r.gap_rate_compression = gap_rate_after(phase.matrix, phase.gap_rate, l);
   r.slip_compression = slip_after(phase.matrix, phase.slip, l);
   // What the case says is zero is zero, not round-off.

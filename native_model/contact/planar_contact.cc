@@ -21,7 +21,7 @@ Sliding sliding(const Delassus& a, double b_n, double b_t, double mu_sign) {
 CoulombSolution enumerate(const Delassus& a, double b_n, double b_t, double mu) {
   CoulombSolution found;
   found.solutions = 0;
-  const auto take = [&found](ContactCase c, PlanarImpulse<double> l) {
+  const auto take = [&found](ContactCase c, PlanarImpulse l) {
     if (!std::isfinite(l.normal)) return;
     if (found.solutions++ == 0) {
       found.contact_case = c;
@@ -30,7 +30,7 @@ CoulombSolution enumerate(const Delassus& a, double b_n, double b_t, double mu) 
     }
   };
   if (b_n >= 0.0) take(ContactCase::kOpen, {0.0, 0.0});
-  const PlanarImpulse<double> stuck = stick(a, b_n, b_t);
+  const PlanarImpulse stuck = stick(a, b_n, b_t);
   if (stuck.normal > 0.0 && std::abs(stuck.friction) <= mu * stuck.normal) {
     take(ContactCase::kStick, stuck);
   }
@@ -69,7 +69,7 @@ CoulombSolution solve_coulomb(const Delassus& a, double b_n, double b_t, double 
     return s;
   }
   s.contact_case = ContactCase::kStick;
-  const PlanarImpulse<double> stuck = stick(a, b_n, b_t);
+  const PlanarImpulse stuck = stick(a, b_n, b_t);
   s.normal = stuck.normal;
   s.friction = stuck.friction;
   return s;

@@ -3,8 +3,7 @@
 //   y_N = a_nn L_N + a_nt L_T + b_N          y, b: gap rate and slip (or accelerations, or gaps)
 //   y_T = a_tn L_N + a_tt L_T + b_T          L: impulses (or forces)
 //
-// With a = W^T M^-1 W, L in N s: y in m/s. The templates have no branch and nothing but + - * /, so
-// that T may be double or a vector of independent contacts.
+// With a = W^T M^-1 W, L in N s: y in m/s.
 #pragma once
 
 #include <cstdint>
@@ -15,54 +14,39 @@ namespace rotorub {
 
 // The matrix a, 1/kg: Delassus's, G = W^T M^-1 W, where nt = tn; with finite impact times it is not
 // symmetric.
-template <class T>
-struct PlanarMatrix {
-  T nn, nt, tn, tt;
+struct Delassus {
+  double nn, nt, tn, tt;
 };
-using Delassus = PlanarMatrix<double>;
 
-template <class T>
 struct PlanarImpulse {
-  T normal, friction;  // L_N, L_T
+  double normal, friction;  // L_N, L_T
 };
 
 // Sticking: y_N = 0 and y_T = 0.
-template <class T>
-[[gnu::always_inline]] inline PlanarImpulse<T> stick(const PlanarMatrix<T>& a, const T& b_n,
-                                                     const T& b_t) {
-  const T determinant = a.nn * a.tt - a.nt * a.tn;
+inline PlanarImpulse stick(const Delassus& a, double b_n, double b_t) {
+  const double determinant = a.nn * a.tt - a.nt * a.tn;
   return {(b_t * a.nt - b_n * a.tt) / determinant, (b_n * a.tn - b_t * a.nn) / determinant};
 }
 
 // What the normal row carries of a normal impulse that brings its friction L_T = -mu_sign L_N
 // along, mu_sign = mu sign(slip). At 0 and below sliding pushes itself in (Painleve).
-template <class T>
-[[gnu::always_inline]] inline T carried(const PlanarMatrix<T>& a, const T& mu_sign) {
-  return a.nn - mu_sign * a.nt;
-}
+inline double carried(const Delassus& a, double mu_sign) { return a.nn - mu_sign * a.nt; }
 
 // Sliding: L_N from y_N = 0 with L_T = -mu_sign L_N.
-template <class T>
-[[gnu::always_inline]] inline T slide(const PlanarMatrix<T>& a, const T& b_n, const T& mu_sign) {
+inline double slide(const Delassus& a, double b_n, double mu_sign) {
   return -b_n / carried(a, mu_sign);
 }
 
 // The slip y_T that such a normal impulse leaves.
-template <class T>
-[[gnu::always_inline]] inline T slip_after_slide(const PlanarMatrix<T>& a, const T& b_t,
-                                                 const T& mu_sign, const T& normal) {
+inline double slip_after_slide(const Delassus& a, double b_t, double mu_sign, double normal) {
   return b_t + (a.tn - mu_sign * a.tt) * normal;
 }
 
 // y_N and y_T after any impulse.
-template <class T>
-[[gnu::always_inline]] inline T gap_rate_after(const PlanarMatrix<T>& a, const T& b_n,
-                                               const PlanarImpulse<T>& l) {
+inline double gap_rate_after(const Delassus& a, double b_n, const PlanarImpulse& l) {
   return a.nn * l.normal + a.nt * l.friction + b_n;
 }
-template <class T>
-[[gnu::always_inline]] inline T slip_after(const PlanarMatrix<T>& a, const T& b_t,
-                                           const PlanarImpulse<T>& l) {
+inline double slip_after(const Delassus& a, double b_t, const PlanarImpulse& l) {
   return a.tn * l.normal + a.tt * l.friction + b_t;
 }
 

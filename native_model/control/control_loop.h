@@ -1,6 +1,6 @@
 // A sampled controller as it is run: sensors, trigger, law. It takes its command at k T, which is
 // held until (k + 1) T. All that it remembers is a plain array that the caller owns (a fixed step's
-// hold, mjData.userdata, an ensemble's lane).
+// hold, mjData.userdata).
 #pragma once
 
 #include <Eigen/Core>

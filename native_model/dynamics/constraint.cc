@@ -97,9 +97,9 @@ void Constraint::project_one(double t, double* q, double* v, const Closed& close
   const ContactPoint p = contact_point(*model_, q, v, k);
   const Delassus g =
       delassus(contact_admittance(*model_, t, q, k), p.e_r, model_->auxiliary[k].contact->radius);
-  const PlanarImpulse<double> l = closed.velocity == Velocity::kStuck
-                                      ? stick(g, p.gap_rate, p.slip)
-                                      : PlanarImpulse<double>{-p.gap_rate / g.nn, 0.0};
+  const PlanarImpulse l = closed.velocity == Velocity::kStuck
+                              ? stick(g, p.gap_rate, p.slip)
+                              : PlanarImpulse{-p.gap_rate / g.nn, 0.0};
   apply(t, q, v, p.e_r, l.normal, l.friction, k);
 }
 

@@ -12,9 +12,9 @@ namespace {
 
 namespace eq = equations;
 
-using Angles = eq::DiscAngles<double>;
+using Angles = eq::DiscAngles;
 
-Eigen::Vector2d vector(const eq::Pair<double>& p) { return {p.x, p.y}; }
+Eigen::Vector2d vector(const eq::Pair& p) { return {p.x, p.y}; }
 
 Eigen::Vector2d at_station(const Layout& l, const ModeShape& shape, const double* q) {
   return vector(eq::at_station(l.modes, shape, q));
@@ -49,10 +49,10 @@ Eigen::Vector2d bearing_current(const Model& m, const StationFeedback& bearing, 
                                 const double* q, const double* v) {
   // Out of work only an amplifier's coil still has a current, which decays.
   if (!bearing.works.at(t))
-    return vector(eq::feedback_state(m, bearing.states.current, v, eq::Pair<double>{0.0, 0.0}));
+    return vector(eq::feedback_state(m, bearing.states.current, v, eq::Pair{0.0, 0.0}));
   const int n = m.layout.modes;
-  const eq::Pair<double> seen = eq::at_station(n, bearing.seen(), q);
-  const eq::Pair<double> rate = eq::at_station(n, bearing.seen(), v);
+  const eq::Pair seen = eq::at_station(n, bearing.seen(), q);
+  const eq::Pair rate = eq::at_station(n, bearing.seen(), v);
   return vector(eq::bearing_current(m, bearing, seen, rate, v).current);
 }
 
@@ -114,9 +114,14 @@ ContactPoint contact_point(const Model& m, const double* q, const double* v, std
   const AuxiliaryBearing& at = m.auxiliary[k];
   const double radius = at.contact ? at.contact->radius : 0.0;
   const double clearance = at.contact ? at.contact->clearance : 0.0;
-  const eq::Pair<double> d = eq::separation(m, at, q), rate = eq::relative(m, at, v);
+  const eq::Pair d = eq::separation(m, at, q), rate = eq::relative(m, at, v);
   return contact_kinematics({d.x, d.y}, {rate.x, rate.y}, eq::contact_spin(m, at, v), radius,
                             clearance);
+}
+
+Eigen::Vector3d contact_rates(const Model& m, const double* v, std::size_t k) {
+  const eq::Pair w = eq::relative(m, m.auxiliary[k], v);
+  return {w.x, w.y, eq::contact_spin(m, m.auxiliary[k], v)};
 }
 
 Eigen::Vector3d contact_acceleration(const Model& m, const double* a, std::size_t k) {

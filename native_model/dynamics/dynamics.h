@@ -11,7 +11,6 @@
 namespace rotorub {
 
 namespace equations {
-template <class T>
 struct DiscAngles;  // equations.h
 }
 
@@ -31,7 +30,7 @@ Eigen::Vector2d bearing_current(const Model& model, const StationFeedback& beari
 // f(t, q, v), nq values: all loads but the contact's and the actuator's.
 void unactuated_force(const Model& model, double t, const double* q, const double* v, double* f);
 // The same for callers who know where the eccentric discs point.
-void unactuated_force(const Model& model, double t, const equations::DiscAngles<double>& angles,
+void unactuated_force(const Model& model, double t, const equations::DiscAngles& angles,
                       const double* q, const double* v, double* f);
 
 // The part of f that a diagonal spring-damper chain does not have by itself: f without
@@ -57,6 +56,8 @@ Eigen::Vector2d separation(const Model& model, const double* q, std::size_t cont
 ContactPoint contact_point(const Model& model, const double* q, const double* v,
                            std::size_t contact = 0);
 
+// (ddot, contact_spin) of the velocities v.
+Eigen::Vector3d contact_rates(const Model& model, const double* v, std::size_t contact = 0);
 // (ddot', contact_spin') of the generalized accelerations a.
 Eigen::Vector3d contact_acceleration(const Model& model, const double* a, std::size_t contact = 0);
 
@@ -99,7 +100,7 @@ void step_bristles(const Model& model, const double* v, const double* from, doub
 double coupling_power(const Model& model, const double* q, const double* v);
 // What external_power has beyond (f + stiffness q) . v, for callers that hold f already.
 double extra_power(const Model& model, double t, const double* q, const double* v);
-double extra_power(const Model& model, const equations::DiscAngles<double>& angles, const double* q,
+double extra_power(const Model& model, const equations::DiscAngles& angles, const double* q,
                    const double* v);
 
 }  // namespace rotorub

@@ -14,19 +14,19 @@ InverseMass::InverseMass(const Model& model, const double* diagonal) : model_(&m
 InverseMass::InverseMass(const Model& model, const double* diagonal, double t, const double* q)
     : InverseMass(model, diagonal) {
   if (!model.coupled_mass()) return;
-  eq::DiscAngles<double> angles;
+  eq::DiscAngles angles;
   angles.fill(model, t, q);
   couple(angles);
 }
 
-void InverseMass::couple(const eq::DiscAngles<double>& at) {
+void InverseMass::couple(const eq::DiscAngles& at) {
   const Model& m = *model_;
   if (!m.coupled_mass()) return;
   const int n = m.layout.modes;
   double b[kMaxCoordinates];
   eq::spin_coupling(m, at, b, b + n);
   for (int k = 0; k < 2 * n; ++k) w_[k] = -inverse_[k] * b[k];
-  spin_ = 1.0 / (inertia_ + lanes::sum<double>(2 * n, [&](int k) { return w_[k] * b[k]; }));
+  spin_ = 1.0 / (inertia_ + sum(2 * n, [&](int k) { return w_[k] * b[k]; }));
 }
 
 void InverseMass::solve(const double* f, double* a) const {
@@ -37,7 +37,7 @@ void InverseMass::solve(const double* f, double* a) const {
     return;
   }
   const int bending = 2 * l.modes, phi = l.phi();
-  const double torque = f[phi] + lanes::sum<double>(bending, [&](int k) { return w_[k] * f[k]; });
+  const double torque = f[phi] + sum(bending, [&](int k) { return w_[k] * f[k]; });
   const double turned = torque * spin_;
   for (int i = 0; i < nq; ++i) a[i] = inverse_[i] * f[i];
   for (int k = 0; k < bending; ++k) a[k] += w_[k] * turned;
@@ -101,7 +101,7 @@ Eigen::Matrix3d InverseMass::uncoupled_admittance(std::size_t i, std::size_t j) 
 Eigen::Vector3d InverseMass::coupling_at(std::size_t contact) const {
   if (!model_->coupled_mass()) return {0.0, 0.0, 0.0};
   const int n = model_->layout.modes;
-  const eq::Pair<double> bent = eq::at_station(n, model_->auxiliary[contact].shape, w_);
+  const eq::Pair bent = eq::at_station(n, model_->auxiliary[contact].shape, w_);
   return {bent.x, bent.y, 1.0};
 }
 

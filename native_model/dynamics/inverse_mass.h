@@ -23,7 +23,7 @@ class InverseMass {
   InverseMass(const Model& model, const double* diagonal, double t, const double* q);
 
   // Where the discs point; nothing to do where none are coupled.
-  void couple(const equations::DiscAngles<double>& at);
+  void couple(const equations::DiscAngles& at);
 
   // a = M^-1 f, nq values; may be in place.
   void solve(const double* f, double* a) const;

@@ -2,8 +2,7 @@
 
 namespace rotorub {
 
-template <>
-ModeMatrix::BasicModeMatrix(const Eigen::MatrixXd& matrix) {
+ModeMatrix::ModeMatrix(const Eigen::MatrixXd& matrix) {
   if (matrix.size() == 0 || (matrix.array() == 0.0).all()) return;
   const Eigen::MatrixXd off = matrix - Eigen::MatrixXd(matrix.diagonal().asDiagonal());
   if ((off.array() == 0.0).all()) {
@@ -11,12 +10,14 @@ ModeMatrix::BasicModeMatrix(const Eigen::MatrixXd& matrix) {
     columns_.assign(matrix.diagonal().begin(), matrix.diagonal().end());
     return;
   }
+  kind_ = Kind::kFull;
   const auto columns = matrix.reshaped();
-  *this =
-      ModeMatrix(Kind::kFull, {columns.begin(), columns.end()}, static_cast<int>(matrix.rows()));
+  columns_.assign(columns.begin(), columns.end());
+  if (matrix == matrix.transpose()) return;
+  const auto rows = matrix.reshaped<Eigen::RowMajor>();
+  rows_.assign(rows.begin(), rows.end());
 }
 
-template <>
 Eigen::MatrixXd ModeMatrix::dense(int n) const {
   switch (kind_) {
     case Kind::kAbsent:

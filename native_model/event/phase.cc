@@ -128,7 +128,7 @@ void Phase::press_one(const ClosedContact& c, double* a) {
       delassus(inverse_mass_.admittance(at.admittance, coupling), c.point.e_r, radius);
   const Eigen::Vector2d b = unloaded(c);
   const std::optional<double> known = pressing(c);
-  PlanarImpulse<double> force{0.0, 0.0};
+  PlanarImpulse force{0.0, 0.0};
   if (at.state.mode != Mode::kStick) {
     const double friction = mu_sign(c);
     force.normal = known ? *known : slide(g, b[0], friction);
@@ -211,8 +211,8 @@ void Phase::derivative(double t, const double* y, double* dy) {
 
   std::fill_n(integrals, integral_count(m), 0.0);
   const double *f = f_.data(), *stiffness = m.stiffness.data();
-  const double power = lanes::sum<double>(
-      m.layout.mechanical(), [=](int i) { return (f[i] + stiffness[i] * q[i]) * v[i]; });
+  const double power =
+      sum(m.layout.mechanical(), [=](int i) { return (f[i] + stiffness[i] * q[i]) * v[i]; });
   integrals[kExternalWork] = power + extra_power(m, angles_, q, v);
 
   find_closed(q, v);
@@ -220,7 +220,7 @@ void Phase::derivative(double t, const double* y, double* dy) {
   if (closed_.size() > 1) press_several(t, q, a);
   for (const ClosedContact& c : closed_) integrate(c, integrals);
   if ((!in_contact(0) || m.first().gives()) && m.first().contact && touched_) {
-    const eq::Pair<double> d = eq::separation(m, q), rate = eq::relative(m, v);
+    const eq::Pair d = eq::separation(m, q), rate = eq::relative(m, v);
     const double square = d.x * d.x + d.y * d.y, along = d.x * rate.x + d.y * rate.y;
     if (square > kNoNormal * kNoNormal) integrals[kGapRateSquare] = along * along / square;
   }

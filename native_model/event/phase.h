@@ -154,7 +154,7 @@ class Phase {
   bool is_actuated_ = false;   // a ring at least
   std::vector<Eigen::Vector2d> commands_;
   ContactList<ClosedContact> closed_;  // now
-  equations::DiscAngles<double> angles_;
+  equations::DiscAngles angles_;
   InverseMass inverse_mass_;
   Eigen::VectorXd f_, a_;  // loads and accelerations, without contact
 };

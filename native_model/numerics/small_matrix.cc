@@ -3,14 +3,29 @@
 #include <cassert>
 #include <type_traits>
 
+#include "native_model/numerics/loops.h"
+
 namespace rotorub::small_matrix {
 namespace {
+
+// GCC's vectors of W doubles.
+template <int W>
+struct Raw;
+#define ROTORUB_RAW(W)                                                        \
+  template <>                                                                 \
+  struct Raw<W> {                                                             \
+    typedef double Value __attribute__((vector_size(8 * W), aligned(8 * W))); \
+  }
+ROTORUB_RAW(2);
+ROTORUB_RAW(4);
+ROTORUB_RAW(8);
+#undef ROTORUB_RAW
 
 // Rows from, from + 1, ... in blocks of kVectors registers of W numbers; gives the first row left.
 template <int W, int kVectors, class Store>
 ROTORUB_INLINE int blocks_of_rows(int from, const double* columns, int rows, int count,
                                   const double* in, Store store) {
-  using Vector = typename lanes::Raw<W>::Value;
+  using Vector = typename Raw<W>::Value;
   constexpr int kBlock = W * kVectors;
   for (; from + kBlock <= rows; from += kBlock) {
     Vector sums[kVectors] = {};
@@ -42,7 +57,7 @@ ROTORUB_INLINE void each_block(const double* columns, int rows, int count, const
 template <int W>
 ROTORUB_INLINE void combine_blocks(const double* columns, int rows, const WeightedColumn* sum,
                                    int count, double factor, const double* start, double* out) {
-  using Vector = typename lanes::Raw<W>::Value;
+  using Vector = typename Raw<W>::Value;
   constexpr int kVectors = 8 / W;
   for (int i = 0; i < rows; i += 8) {
     Vector sums[kVectors] = {};

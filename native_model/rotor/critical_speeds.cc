@@ -65,7 +65,7 @@ struct Springs {
   double x, y, diagonal;
 };
 Springs springs_of(const WhirlFilm& film, double speed) {
-  const BearingCoefficients<double> c = film.law.at(speed);
+  const BearingCoefficients c = film.law.at(speed);
   const double across = 0.5 * (c[1] + c[2]);
   return {c[0] - across, c[3] - across, 2.0 * across};
 }
@@ -74,7 +74,7 @@ Springs springs_of(const WhirlFilm& film, double speed) {
 bool crosses(const WhirlSystem& system) {
   return std::ranges::any_of(system.films, [&](const WhirlFilm& film) {
     std::vector<double> speeds{0.0};
-    if (film.law.follows()) speeds = film.law.tables.front()->speeds();
+    if (film.law.follows()) speeds = film.law.table->speeds();
     return std::ranges::any_of(
         speeds, [&](double speed) { return springs_of(film, speed).diagonal != 0.0; });
   });
@@ -172,7 +172,7 @@ std::vector<double> table_speeds(const WhirlSystem& system, double sense) {
   std::vector<double> speeds{0.0};
   for (const WhirlFilm& film : system.films) {
     if (!film.law.follows()) continue;
-    for (const double speed : film.law.tables.front()->speeds()) {
+    for (const double speed : film.law.table->speeds()) {
       if (sense * speed > 0.0) speeds.push_back(sense * speed);
     }
   }

@@ -40,7 +40,7 @@ struct StationDamper {
 // What else a bearing does there.
 struct StationFilm {
   ModeShape shape;
-  BearingFilm<double> law;
+  BearingFilm law;
 };
 
 struct DiscUnbalance {

@@ -17,7 +17,7 @@ bool same_planes(const WhirlSystem& s) {
          s.gyroscopic == s.gyroscopic.transpose() &&
          std::all_of(s.films.begin(), s.films.end(), [](const WhirlFilm& film) {
            return isotropic(film.law.constant) &&
-                  (!film.law.follows() || film.law.tables.front()->isotropic());
+                  (!film.law.follows() || film.law.table->isotropic());
          });
 }
 
@@ -157,7 +157,7 @@ WhirlMatrices isotropic_matrices(const WhirlSystem& system, double speed) {
       (system.damping_x + system.internal_xx).cast<Complex>() - turn * system.gyroscopic,
       system.stiffness_x.cast<Complex>() - turn * system.internal_xx};
   for (const WhirlFilm& film : system.films) {
-    const BearingCoefficients<double> c = film.law.at(speed);
+    const BearingCoefficients c = film.law.at(speed);
     const Eigen::MatrixXcd uu = (film.station * film.station.transpose()).cast<Complex>();
     m.stiffness += Complex(c[0], -c[1]) * uu;
     m.damping += Complex(c[4], -c[5]) * uu;
@@ -173,7 +173,7 @@ PlanesMatrices planes_matrices(const WhirlSystem& system, double speed) {
   m.stiffness << system.stiffness_x, speed * system.internal_xy,
       -speed * system.internal_xy.transpose(), system.stiffness_y;
   for (const WhirlFilm& film : system.films) {
-    const BearingCoefficients<double> c = film.law.at(speed);
+    const BearingCoefficients c = film.law.at(speed);
     const Eigen::MatrixXd uu = film.station * film.station.transpose();
     for (int row = 0; row < 2; ++row) {
       for (int column = 0; column < 2; ++column) {

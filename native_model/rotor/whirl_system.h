@@ -23,7 +23,7 @@ namespace rotorub {
 // u u^T k_xx(Omega) to the rows of x and columns of x, u u^T k_xy(Omega) to those of x and y, ...
 struct WhirlFilm {
   Eigen::VectorXd station;  // n, u
-  BearingFilm<double> law;
+  BearingFilm law;
 };
 
 struct WhirlSystem {

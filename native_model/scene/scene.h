@@ -65,12 +65,6 @@ struct Scene {
       return at.contact && at.contact->compliance;
     });
   }
-  // An ensemble takes it as one of many side by side (stepping/ensemble.h).
-  bool fits_lanes() const {
-    const std::optional<Stator>& ring = first().stator;
-    return auxiliary.size() == 1 && !gives() && (!ring || ring->on_springs_alone()) &&
-           !(magnetic_control && magnetic_control->by_library());
-  }
   // Which one of the file's list the first is: 0 but for with_bearing_alone.
   std::size_t first_index = 0;
   std::optional<Gravity> gravity;

@@ -29,7 +29,7 @@ InWall in_wall(double first, double last) {
 
 }  // namespace
 
-void CompliantContacts::begin(const State& x) {
+void CompliantContacts::begin(const StepState& x) {
   of_ = {};
   for (std::size_t i = 0; i < count(); ++i) {
     const ContactPoint p = contact_point(m_, x.q.data(), x.v.data(), i);
@@ -99,7 +99,7 @@ void CompliantContacts::press_one(std::size_t i, const Eigen::Vector3d& end) {
 }
 
 void CompliantContacts::find_impulses(std::size_t i, const Eigen::Vector2d& before,
-                                      const Eigen::Vector2d& after, const PlanarMatrix<double>& g) {
+                                      const Eigen::Vector2d& after, const Delassus& g) {
   const Place& at = places[i];
   Contact& c = of_[i];
   const double radius = law(i).radius;
@@ -142,7 +142,7 @@ void CompliantContacts::find_impulses(std::size_t i, const Eigen::Vector2d& befo
 }
 
 // The impulses of all; false where the spring turns faster than the step can follow.
-bool CompliantContacts::press(State& x) {
+bool CompliantContacts::press(StepState& x) {
   ContactList<std::size_t> pressing;
   for (std::size_t i = 0; i < count(); ++i) {
     of_[i].normal = of_[i].friction = 0.0;
@@ -170,7 +170,7 @@ bool CompliantContacts::press(State& x) {
       const double slope = law(i).compliance.exponent * spring;
       const double damper = law(i).compliance.hunt_crossley * spring;
       if (depth > 0.0 && h_ * (h_ * slope + 2.0 * depth * damper) * g.nn > 4.0 * depth) {
-        x.fail(0, Status::kStepTooLarge);
+        x.fail(Status::kStepTooLarge);
         return false;
       }
     }
@@ -187,7 +187,7 @@ std::size_t CompliantContacts::touching() const {
 // Whether and how fast a contact touches is found on the path under the forces of those that
 // already press: without them the speed, and the a of the whole touch with it, is off by a term of
 // the order of h. False as press().
-bool CompliantContacts::meet_walls(State& x, Loads& loads) {
+bool CompliantContacts::meet_walls(StepState& x, LoadKick& loads) {
   std::array<bool, kMaxContacts> pressed{};
   for (std::size_t i = 0; i < count(); ++i) {
     const double delta = places[i].d.norm();
@@ -197,7 +197,7 @@ bool CompliantContacts::meet_walls(State& x, Loads& loads) {
   }
   const bool beside = touching() > 0 && touching() < count();
   if (beside) {
-    if (loads.coupled()) respond(x, loads);
+    if (loads.coupled()) respond(loads);
     if (!press(x)) return false;
   }
   for (std::size_t i = 0; i < count(); ++i) {
@@ -214,14 +214,14 @@ bool CompliantContacts::meet_walls(State& x, Loads& loads) {
   return true;
 }
 
-bool CompliantContacts::go_on(State& x, Loads& loads, double /*unsettled*/) {
+bool CompliantContacts::go_on(StepState& x, LoadKick& loads, bool /*unsettled*/) {
   look(x);
   after_ = 0.5 * h_;
   before_ = x.kick < 1.0 ? 0.0 : after_;
   if (!meet_walls(x, loads)) return false;
   if (touching() > 0) {
-    if (loads.coupled()) respond(x, loads);
-    if (loads.iterates()) loads.begin_iteration(1.0);
+    if (loads.coupled()) respond(loads);
+    if (loads.iterates()) loads.begin_iteration();
     for (bool settled = false;;) {
       if (!press(x)) return false;
       x.after = x.free;
@@ -249,8 +249,8 @@ bool CompliantContacts::go_on(State& x, Loads& loads, double /*unsettled*/) {
 }
 
 // With the forces of the last step.
-void CompliantContacts::hold_on(State& x, Loads& loads) {
-  if (loads.coupled()) respond(x, loads);
+void CompliantContacts::hold_on(StepState& x, LoadKick& loads) {
+  if (loads.coupled()) respond(loads);
   for (std::size_t i = 0; i < count(); ++i) {
     const Eigen::Vector2d d = separation(m_, x.seen.data(), i);
     if (!(done[i].normal_impulse > 0.0) || !(d.norm() > law(i).clearance)) continue;

@@ -19,17 +19,16 @@ class CompliantContacts : public ContactColumns {
   struct Lasting {};
   Lasting now;
 
-  CompliantContacts(State& x, Loads& loads, const std::vector<const Model*>& models)
-      : ContactColumns(x, loads, models) {}
+  CompliantContacts(StepState& x, LoadKick& loads) : ContactColumns(x, loads) {}
 
   static constexpr bool lasts() { return false; }
   void forget_last() {}
-  void begin(const State& x);
-  bool go_on(State& x, Loads& loads, double unsettled = 0.0);
-  void hold_on(State& x, Loads& loads);
-  const double* end_without_impacts(const State& x) const { return x.after.data(); }
+  void begin(const StepState& x);
+  bool go_on(StepState& x, LoadKick& loads, bool unsettled = false);
+  void hold_on(StepState& x, LoadKick& loads);
+  const double* end_without_impacts(const StepState& x) const { return x.after.data(); }
   void tell(FixedStep& out, double sign_before) const;
-  double lasting_work(const State& x) const { return work_of_lasting(x.after.data()); }
+  double lasting_work(const StepState& x) const { return work_of_lasting(x.after.data()); }
 
  private:
   struct Contact {
@@ -40,15 +39,15 @@ class CompliantContacts : public ContactColumns {
     double spring = 0.0, damper = 0.0, normal = 0.0, friction = 0.0;
   };
   void meet_wall(std::size_t i, const Eigen::Vector3d& free);
-  bool meet_walls(State& x, Loads& loads);
+  bool meet_walls(StepState& x, LoadKick& loads);
   std::size_t touching() const;
-  bool press(State& x);
+  bool press(StepState& x);
   // Of the contact at the rates (ddot, spin) that it would end with but for its own impulses.
   void press_one(std::size_t i, const Eigen::Vector3d& end);
   // before, after: (gap rate, slip) at the step's ends, but for its own impulses, which add what
   // the matrix tells.
   void find_impulses(std::size_t i, const Eigen::Vector2d& before, const Eigen::Vector2d& after,
-                     const PlanarMatrix<double>& a);
+                     const Delassus& a);
 
   std::array<Contact, kMaxContacts> of_{};
   double before_ = 0.0, after_ = 0.0;             // s, of the step, of the place that it sees

@@ -1,28 +1,21 @@
 #include "native_model/stepping/contact_columns.h"
 
-#include "native_model/dynamics/dynamics.h"
-
 namespace rotorub {
 
-ContactColumns::ContactColumns(State& x, Loads& loads, const std::vector<const Model*>& models)
-    : done(models.front()->auxiliary.size()),
+ContactColumns::ContactColumns(const StepState& x, LoadKick& loads)
+    : done(x.m.auxiliary.size()),
       m_(x.m),
       h_(x.h),
       response_(3 * done.size(), Columns(static_cast<std::size_t>(x.nq()))) {
   for (std::size_t k = 0; k < response_.size(); ++k) {
     const auto axis = static_cast<Eigen::Index>(k % 3);
     add_contact_load(m_, Eigen::Vector3d::Unit(axis), response_[k].data(), k / 3);
-    loads.solve_uncoupled(x, response_[k].data());
+    loads.solve_uncoupled(response_[k].data());
   }
   if (loads.coupled()) uncoupled_ = response_;
 }
 
-Eigen::Vector3d ContactColumns::rates(std::size_t i, const double* v) const {
-  const auto w = equations::relative(m_, m_.auxiliary[i], v);
-  return {w.x, w.y, equations::contact_spin(m_, m_.auxiliary[i], v)};
-}
-
-void ContactColumns::look(const State& x) {
+void ContactColumns::look(const StepState& x) {
   for (std::size_t i = 0; i < count(); ++i) {
     places[i].d = separation(m_, x.seen.data(), i);
     places[i].start = rates(i, x.start.data());
@@ -30,10 +23,10 @@ void ContactColumns::look(const State& x) {
   }
 }
 
-void ContactColumns::respond(const State& x, Loads& loads) {
+void ContactColumns::respond(LoadKick& loads) {
   for (std::size_t k = 0; k < uncoupled_.size(); ++k) {
     std::ranges::copy(uncoupled_[k], response_[k].begin());
-    loads.couple(x, response_[k].data());
+    loads.couple(response_[k].data());
   }
 }
 

@@ -9,6 +9,7 @@
 
 #include "native_model/contact/kinematics.h"
 #include "native_model/contact/most_contacts.h"
+#include "native_model/dynamics/dynamics.h"
 #include "native_model/stepping/fixed_step.h"
 #include "native_model/stepping/load_kick.h"
 
@@ -16,9 +17,7 @@ namespace rotorub {
 
 class ContactColumns {
  public:
-  using State = StepState<Model>;
-  using Loads = LoadKick<Model>;
-  using Columns = State::Coordinates;  // nq values
+  using Columns = StepState::Coordinates;  // nq values
 
   static constexpr double kNoSlip = 1e-10;  // of the surface's speed: a slip that counts as 0
 
@@ -28,34 +27,35 @@ class ContactColumns {
         start{0.0, 0.0, 0.0};  // (ddot, spin) of x.free and x.start
   };
 
-  ContactColumns(State& x, Loads& loads, const std::vector<const Model*>& models);
+  ContactColumns(const StepState& x, LoadKick& loads);
 
   std::array<Place, kMaxContacts> places{};
   // What the step did at each contact.
   std::vector<ContactStep> done;
 
   static constexpr bool exists() { return true; }
-  static constexpr double settles() { return 0.0; }  // go_on() wants x.free settled
-  static constexpr bool held_open = false;           // no impact takes time
+  static constexpr bool settles() { return false; }  // go_on() wants x.free settled
   std::size_t count() const { return done.size(); }
   const Model& model() const { return m_; }
   const ContactParameters& law(std::size_t i) const { return *m_.auxiliary[i].contact; }
-  double slip_sign() const { return 0.0; }                      // each its own
-  Eigen::Vector3d rates(std::size_t i, const double* v) const;  // (ddot, spin)
+  double slip_sign() const { return 0.0; }                       // each its own
+  Eigen::Vector3d rates(std::size_t i, const double* v) const {  // (ddot, spin)
+    return contact_rates(m_, v, i);
+  }
   // to += A^-1 J^T p, p the impulses of a contact.
   void push(std::size_t i, double normal, double friction, std::span<double> to) const;
 
   // Nobody keeps the memory of several.
   template <class Action>
-  void for_each_kept(Action) {}
+  void for_each_kept(Action&) {}
   template <class Action>
-  void for_each_force_kept(Action) {}
+  void for_each_force_kept(Action&) {}
 
  protected:
   // Of the step's beginning, at the coordinates that it sees.
-  void look(const State& x);
+  void look(const StepState& x);
   // The columns A^-1 J^T of every contact.
-  void respond(const State& x, Loads& loads);
+  void respond(LoadKick& loads);
   Eigen::Matrix3d admittance(std::size_t i, std::size_t j) const;
   double slip(std::size_t i, const Eigen::Vector3d& velocity) const {
     return rates_along(places[i].e_r, law(i).radius, velocity).y();

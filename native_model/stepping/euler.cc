@@ -13,8 +13,7 @@ namespace {
 
 // (ddot, spin); of accelerations the first two alone.
 Eigen::Vector3d rates(const Model& m, const Eigen::VectorXd& v, std::size_t contact) {
-  const Eigen::Vector2d d = rotor_point(m, v.data(), contact) - stator_point(m, v.data(), contact);
-  return {d.x(), d.y(), contact_spin(m, v.data(), contact)};
+  return contact_rates(m, v.data(), contact);
 }
 
 }  // namespace

@@ -2,31 +2,67 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
+#include "native_model/dynamics/dynamics.h"
+#include "native_model/dynamics/feedback_equations.h"
+#include "native_model/dynamics/loads.h"
 #include "native_model/system/actuation.h"
+#include "native_model/system/sampled_feedback.h"
 
 namespace rotorub {
 namespace {
 
+namespace eq = equations;
+
 // What a magnetic bearing does leaves its linear law, of which the damper is in the matrix.
-bool feedback_switches(const Model& m) {
-  return std::any_of(m.feedbacks.begin(), m.feedbacks.end(), [](const StationFeedback& bearing) {
-    const MagneticFeedback<double>& law = bearing.law;
-    const bool constant = std::ranges::all_of(
-        bearing.works.all(), [](double t) { return t <= 0.0 || t >= scene::kNever; });
-    if (law.damping() == 0.0 || (constant && !bearing.works.at(0.0))) return false;
-    return std::isfinite(law.current_limit) || law.opposed || !constant;
-  });
+bool feedback_switches(const StationFeedback& bearing) {
+  const MagneticFeedback& law = bearing.law;
+  const bool constant = std::ranges::all_of(
+      bearing.works.all(), [](double t) { return t <= 0.0 || t >= scene::kNever; });
+  if (law.damping() == 0.0 || (constant && !bearing.works.at(0.0))) return false;
+  return std::isfinite(law.current_limit) || law.opposed || !constant;
+}
+
+// A load depends on velocities beyond what the matrix has of it.
+bool beyond_matrix(const Model& m) {
+  const Layout& l = m.layout;
+  const bool turns = l.spin && (!m.gyroscopic.absent() || !m.internal_xx.absent() ||
+                                !m.internal_yy.absent() || m.coupled_mass());
+  const bool curve = m.drive && m.drive->kind() != scene::DriveKind::kLinear &&
+                     m.drive->kind() != scene::DriveKind::kFree;
+  // Bearings follow the spin, where that is free.
+  const bool follows = l.spin && std::ranges::any_of(m.films, [](const StationFilm& film) {
+                         return film.law.follows();
+                       });
+  return turns || curve || follows || std::ranges::any_of(m.feedbacks, feedback_switches) ||
+         l.integrals > 0 || l.coils > 0 || !m.supports.empty();
+}
+
+bool has_parts(const Model& m) {
+  return !(m.internal_xx.absent() && m.internal_yy.absent() && m.gyroscopic.absent() &&
+           m.dampers.empty() && m.films.empty() && m.springs.empty() && m.feedbacks.empty() &&
+           m.supports.empty());
+}
+
+// Of bending coordinate i.
+double mode_value(const ModeShape& shape, int n, int i) {
+  return i < n ? shape.x[i] : shape.y[i - n];
+}
+
+// N/m, of coordinate i on a spring at a station: what a magnetic bearing's law takes back.
+double held_by(const StationSpring& spring, int n, int i) {
+  if (i >= 2 * n) return 0.0;
+  const double u = mode_value(spring.shape, n, i);
+  return std::max(0.0, i < n ? spring.stiffness.x() : spring.stiffness.y()) * u * u;
 }
 
 // At a limit of its amplifier the mean of a coil's rates, under the command before a jump and that
 // after it, is not its rate under the mean command.
-void add_jump(const Model& m, std::size_t bearing, const CommandJump& jump,
-              const Eigen::Vector2d& asked, const double* v, double* f) {
+void add_jump(const AuxiliaryBearing& at, const CommandJump& jump, const Eigen::Vector2d& asked,
+              const double* v, double* f) {
   constexpr double kRoundOff = 1e-9;
-  if (jump.share == 0.0 || bearing >= m.auxiliary.size()) return;
-  const AuxiliaryBearing& at = m.auxiliary[bearing];
-  if (at.coil == kAbsent) return;
+  if (jump.share == 0.0 || at.coil == kAbsent) return;
   const double early = jump.share, late = 1.0 - early;
   const Eigen::Vector2d mean = early * jump.before + late * jump.after;
   // A part of the kick has one of the two.
@@ -39,164 +75,277 @@ void add_jump(const Model& m, std::size_t bearing, const CommandJump& jump,
   }
 }
 
+// J, twice the energy of the velocities v(i).
+template <class Velocity>
+double energy_of(int nq, const double* mass, Velocity v) {
+  return sum(nq, [=](int i) {
+    const double rate = v(i);
+    return mass[i] * rate * rate;
+  });
+}
+
 }  // namespace
 
-bool beyond_matrix(const std::vector<const Model*>& models) {
-  const Model& m = *models.front();
-  const Layout& l = m.layout;
-  const bool turns = l.spin && (!m.gyroscopic.absent() || !m.internal_xx.absent() ||
-                                !m.internal_yy.absent() || m.coupled_mass());
-  const bool curve = m.drive && m.drive->kind() != scene::DriveKind::kLinear &&
-                     m.drive->kind() != scene::DriveKind::kFree;
-  // Bearings follow the spin, where that is free.
-  const bool follows = l.spin && std::ranges::any_of(m.films, [](const StationFilm& film) {
-                         return film.law.follows();
-                       });
-  const bool switches =
-      std::ranges::any_of(models, [](const Model* of) { return feedback_switches(*of); });
-  return turns || curve || follows || switches || l.integrals > 0 || l.coils > 0 ||
-         !m.supports.empty();
+LoadKick::LoadKick(const Model& m, double h)
+    : m_(m),
+      matrix_(m, h),
+      loads_(m, h),
+      iterates_(beyond_matrix(m)),
+      commanded_(m.first().moves() && m.first().commanded()),
+      parts_(has_parts(m)),
+      rings_by_actuators_(m.first().magnets || m.auxiliary.size() > 1),
+      samples_(!m.samplers.empty()),
+      sampled_(samples_ ? static_cast<std::size_t>(m.layout.integrals) : 0),
+      f_(static_cast<std::size_t>(m.nq())),
+      change_(f_),
+      seen_end_(f_),
+      round_off_(f_) {
+  command.fill(Eigen::Vector2d(0.0, 0.0));
+  if (iterates_) find_round_off(h);
 }
 
-template <class M>
-void LoadKick<M>::add_actuators(const State& x, const T* v, T* f) const {
-  double run_q[kMaxCoordinates], run_v[kMaxCoordinates], run_f[kMaxCoordinates];
-  std::array<Eigen::Vector2d, kMaxContacts> asked;
+void LoadKick::find_round_off(double h) {
+  const int n = m_.layout.modes;
+  for (int i = 0; i < m_.nq(); ++i) {
+    double held = m_.stiffness[i];
+    for (const StationSpring& spring : m_.springs) held += held_by(spring, n, i);
+    const double sprung = 1e-15 * h * held;
+    round_off_[static_cast<std::size_t>(i)] = sprung * sprung / m_.mass[i];
+    for (const StationFeedback& bearing : m_.feedbacks) {
+      if (!bearing.law.opposed || i >= 2 * n) continue;
+      // Two magnets pull against each other, each with its force at the bias.
+      const double pull =
+          2e-15 * h * bearing.law.magnets.force_at_bias() * mode_value(bearing.shape, n, i);
+      magnets_round_off_ += pull * pull / m_.mass[i];
+    }
+  }
+}
+
+// ------------------------------------------------------------------ the loads
+// F(x.seen, v), all loads but the contacts'; those of [[force]] as advanced last. kWorking: without
+// what energy holds and what does no work (springs, gyroscopics, unbalance of a free spin).
+ROTORUB_INLINE void LoadKick::force(const StepState& x, const double* v, double* f, Of of) {
+  const double* q = x.seen.data();
+  const double omega = eq::spin_speed(m_, v);
+  const bool all = of == Of::kAll;
+  if (all) {
+    eq::diagonal_force(m_, q, v, f);
+  } else {
+    eq::damping_force(m_, v, f);
+  }
+  if (parts_) add_parts(x, v, omega, all, f);
+  loads_.add(f);
+  if (sampled_now_) add_samples(f);
+  if (!m_.unbalances.empty() && (all || !coupled())) eq::add_unbalance(m_, angles_, omega, f);
+  eq::add_drive(m_, instant_, q, v, f);
+  if (applied) {
+    for (int i = 0; i < x.nq(); ++i) f[i] += applied[i];
+  }
+  if (rings_by_actuators_) {
+    add_ring_forces(x, v, f);
+  } else if (commanded_ && m_.layout.stator) {
+    f[m_.layout.ring()] += command[0].x();
+    f[m_.layout.ring() + 1] += command[0].y();
+  }
+}
+
+// What few models have between the diagonals and the loads of [[force]].
+void LoadKick::add_parts(const StepState& x, const double* v, double omega, bool all,
+                         double* f) const {
+  const double* q = x.seen.data();
+  eq::add_rotating_damping(m_, q, v, omega, f);
+  eq::add_dampers(m_, v, f);
+  eq::add_films(m_, omega, q, v, f);
+  if (all) eq::add_springs(m_, q, f);
+  eq::add_feedbacks(m_, working_.data(), q, v, f);
+  eq::add_supports(m_, q, v, x.start.data(), x.kick * x.h, f);
+  if (all) eq::add_gyroscopic(m_, omega, v, f);
+}
+
+void LoadKick::add_ring_forces(const StepState& x, const double* v, double* f) const {
+  add_actuators(m_, x.seen.data(), v, command, f);
+  const std::size_t count = std::min(jumps.size(), m_.auxiliary.size());
+  for (std::size_t i = 0; i < count; ++i) add_jump(m_.auxiliary[i], jumps[i], command[i], v, f);
+}
+
+// ------------------------------------------------------------------ the kick
+void LoadKick::free_velocity(StepState& x, std::int64_t k, double begin, double t, bool later) {
+  instant_ = t;
+  const double end = t + 0.5 * x.h;
+  loads_.advance(k, t, begin, end);
+  if (samples_) find_samples(x, t, begin);
+  weighed_free_velocity(x, begin, end, later);
+}
+
+void LoadKick::free_velocity_of_part(StepState& x, double begin, double end) {
+  const double kick = std::exchange(x.kick, 1.0);
+  loads_.weigh(begin, end);
+  weighed_free_velocity(x, begin, end, false);
+  x.kick = kick;
+}
+
+// With the loads as weighed last; begin..end: of all others that are switched.
+void LoadKick::weighed_free_velocity(StepState& x, double begin, double end, bool later) {
   const int nq = x.nq();
-  for (int lane = 0; lane < kLanes; ++lane) {
-    read_lane(x, x.seen, lane, run_q);
-    for (int i = 0; i < nq; ++i) {
-      run_v[i] = lanes::get(v[i], lane);
-      run_f[i] = lanes::get(f[i], lane);
-    }
-    for (std::size_t b = 0; b < command.size(); ++b) {
-      asked[b] = {lanes::get(command[b].x, lane), lanes::get(command[b].y, lane)};
-    }
-    const Model& m = lane_model(x.m, lane);
-    rotorub::add_actuators(m, run_q, run_v, asked, run_f);
-    for (std::size_t i = 0; i < jumps.size(); ++i) {
-      if (kLanes == 1) {
-        add_jump(m, i, jumps[i], asked[i], run_v, run_f);
-      } else if (static_cast<int>(i) == lane) {
-        add_jump(m, 0, jumps[i], asked[0], run_v, run_f);
-      }
-    }
-    for (int i = 0; i < nq; ++i) lanes::set(f[i], lane, run_f[i]);
+  const double h = x.h;
+  const double *q = x.seen.data(), *start = x.start.data();
+  double *free = x.free.data(), *after = x.after.data(), *f = f_.data();
+  if (!m_.feedbacks.empty()) find_working(x, begin, end);
+  if (loads_.synchronous()) loads_.turn_with(eq::spin_angle(m_, instant_, q));
+  if (!m_.unbalances.empty()) {
+    angles_.fill(m_, instant_, q, begin, end);
+    if (coupled()) matrix_.couple_at(angles_);
   }
+  force(x, start, f);
+  if (const double* step = matrix_.diagonal_step()) {
+    ROTORUB_APART for (int i = 0; i < nq; ++i) free[i] = after[i] = start[i] + step[i] * f[i];
+  } else {
+    ROTORUB_APART for (int i = 0; i < nq; ++i) f[i] = h * f[i];
+    matrix_.solve(f);
+    ROTORUB_APART for (int i = 0; i < nq; ++i) free[i] = after[i] = start[i] + f[i];
+  }
+  if (!iterates_) return;
+  std::copy_n(start, nq, seen_end_.begin());
+  if (!later) settle(x);
 }
 
-template <class M>
-void LoadKick<M>::find_samples(const State& x, double t, double begin) {
-  sampled_now_ = false;
-  double q[kMaxCoordinates], v[kMaxCoordinates], after[kMaxCoordinates];
-  const int first = x.m.layout.integral(), count = x.m.layout.integrals;
+double LoadKick::external_work(const StepState& x, const double* end) {
+  double *f = f_.data(), *v = change_.data();
+  for (int i = 0; i < x.nq(); ++i) v[i] = 0.5 * (x.start[static_cast<std::size_t>(i)] + end[i]);
+  force(x, v, f, Of::kWorking);
+  double work = -coupling_power(m_, x.seen.data(), v);
+  for (int i = 0; i < m_.layout.mechanical(); ++i) work += f[i] * v[i];
+  return x.h * work;
+}
+
+// ------------------------------------------------------------------ the iteration
+void LoadKick::settle(StepState& x) {
+  begin_iteration();
+  while (improve(x, x.free.data())) {
+  }
+  std::copy(x.free.begin(), x.free.end(), x.after.begin());
+}
+
+bool LoadKick::improve(StepState& x, const double* end) {
+  constexpr int kMostRounds = 20;
+  const int nq = x.nq(), n = m_.layout.modes, phi = m_.layout.phi();
+  const double h = x.kick * x.h;
+  const double *start = x.start.data(), *mass = m_.mass.data();
+  double *f = f_.data(), *change = change_.data(), *free = x.free.data(), *seen = seen_end_.data();
+  ROTORUB_APART for (int i = 0; i < nq; ++i) change[i] = 0.5 * (start[i] + end[i]);
+  force(x, change, f);
+  const double before = energy_of(nq, mass, [=](int i) { return end[i] - seen[i]; });
+  ROTORUB_APART for (int i = 0; i < nq; ++i) {
+    seen[i] = end[i];
+    change[i] = end[i] - start[i];
+    f[i] = h * f[i] - mass[i] * change[i];
+  }
+  if (coupled()) {
+    const double* b = matrix_.coupling();
+    ROTORUB_APART for (int k = 0; k < 2 * n; ++k) f[k] -= b[k] * change[phi];
+    f[phi] -= sum(2 * n, [=](int k) { return b[k] * change[k]; });
+  }
+  matrix_.solve(f);
+  ROTORUB_APART for (int i = 0; i < nq; ++i) f[i] = start[i] + change[i] + f[i];
+  const double moved = energy_of(nq, mass, [=](int i) { return f[i] - free[i]; });
+  const double size = energy_of(nq, mass, [=](int i) { return change[i]; });
+  ROTORUB_APART for (int i = 0; i < nq; ++i) free[i] = f[i];
+  // To 1e-10 of the change: what is left is what the round moved times the rate of convergence,
+  // moved / before.
+  const bool goes_on = moved * moved > 1e-20 * size * before && moved > noise(x, end);
+  if (!goes_on || ++rounds_ < kMostRounds) return goes_on;
+  x.fail(Status::kStepTooLarge);
+  return false;
+}
+
+// J, what a round moves by round-off: of the velocities or, of a rotor that rests under its load,
+// of the forces in balance.
+double LoadKick::noise(const StepState& x, const double* end) const {
+  const double *mass = m_.mass.data(), *q = x.seen.data();
+  double least = magnets_round_off_;
+  for (int i = 0; i < x.nq(); ++i) {
+    const double whole = mass[i] * end[i] * end[i];
+    least += 1e-30 * whole + round_off_[static_cast<std::size_t>(i)] * q[i] * q[i];
+  }
+  return least;
+}
+
+// ------------------------------------------------------------------ magnetic bearings
+// What samplers remember jumps at t, in the middle of the kick, or where a first one begins: the
+// mean of the kick's velocities then has half of the jump, or all.
+void LoadKick::find_samples(const StepState& x, double t, double begin) {
+  double after[kMaxCoordinates];
+  const double* v = x.start.data();
+  const int first = m_.layout.integral();
   const double share = begin == t ? 1.0 : 0.5;  // of the kick that comes after the sample
-  for (int lane = 0; lane < kLanes; ++lane) {
-    const Model& m = lane_model(x.m, lane);
-    read_lane(x, x.seen, lane, q);
-    read_lane(x, x.start, lane, v);
-    std::copy_n(v, x.nq(), after);
-    sampled_now_ |= take_samples(m, t, x.h, q, after);
-    for (int i = 0; i < count; ++i) {
-      const double mass = lanes::get(x.m.mass.data()[first + i], lane);
-      const double jump = 2.0 * share * (after[first + i] - v[first + i]);
-      lanes::set(sampled_[static_cast<std::size_t>(i)], lane, mass * jump / x.h);
-    }
-    for (std::size_t k = 0; k < m.feedbacks.size(); ++k) {
-      const int at = m.feedbacks[k].states.command;
-      if (at == kAbsent) continue;
-      KickCommand& c = commands_[k];
-      const auto note = [&](int i, T& early, T& mean, T& late) {
-        lanes::set(early, lane, v[i]);
-        lanes::set(mean, lane, v[i] + share * (after[i] - v[i]));
-        lanes::set(late, lane, after[i]);
-      };
-      note(at, c.before.x, c.mean.x, c.after.x);
-      note(at + 1, c.before.y, c.mean.y, c.after.y);
+  std::copy_n(v, x.nq(), after);
+  sampled_now_ = take_samples(m_, t, x.h, x.seen.data(), after);
+  for (int i = 0; i < m_.layout.integrals; ++i) {
+    const double jump = 2.0 * share * (after[first + i] - v[first + i]);
+    sampled_[static_cast<std::size_t>(i)] = m_.mass[first + i] * jump / x.h;
+  }
+  for (std::size_t k = 0; k < m_.feedbacks.size(); ++k) {
+    const int at = m_.feedbacks[k].states.command;
+    if (at == kAbsent) continue;
+    for (int axis = 0; axis < 2; ++axis) {
+      AxisCommand& c = commands_[k][static_cast<std::size_t>(axis)];
+      c.before = v[at + axis];
+      c.after = after[at + axis];
+      c.mean = c.before + share * (c.after - c.before);
     }
   }
 }
 
-template <class M>
-void LoadKick<M>::add_samples(const M& m, T* f) const {
-  for (int i = 0; i < m.layout.integrals; ++i) {
-    f[m.layout.integral() + i] += sampled_[static_cast<std::size_t>(i)];
+void LoadKick::add_samples(double* f) const {
+  for (int i = 0; i < m_.layout.integrals; ++i) {
+    f[m_.layout.integral() + i] += sampled_[static_cast<std::size_t>(i)];
   }
-  for (std::size_t k = 0; k < m.feedbacks.size(); ++k) {
-    const auto& bearing = m.feedbacks[k];
-    const KickCommand& c = commands_[k];
+  for (std::size_t k = 0; k < m_.feedbacks.size(); ++k) {
+    const StationFeedback& bearing = m_.feedbacks[k];
+    const auto& [x, y] = commands_[k];
     if (bearing.states.command == kAbsent) continue;
     if (const int at = bearing.states.current; at != kAbsent) {
-      f[at] += m.mass[static_cast<std::size_t>(at)] * c.rate.x;
-      f[at + 1] += m.mass[static_cast<std::size_t>(at) + 1] * c.rate.y;
+      f[at] += m_.mass[at] * x.rate;
+      f[at + 1] += m_.mass[at + 1] * y.rate;
     } else {
-      equations::add_station_force<T>(m.layout.modes, bearing.shape, c.force.x, c.force.y, f);
+      eq::add_station_force(m_.layout.modes, bearing.shape, x.force, y.force, f);
     }
   }
 }
 
-template <class M>
-void LoadKick<M>::find_working(const State& x, const T& begin, const T& end) {
-  for (std::size_t k = 0; k < x.m.feedbacks.size(); ++k) {
-    for (int lane = 0; lane < kLanes; ++lane) {
-      const WorkingTimes& works = lane_model(x.m, lane).feedbacks[k].works;
-      lanes::set(working_[k], lane, works.share(lanes::get(begin, lane), lanes::get(end, lane)));
-    }
+void LoadKick::find_working(const StepState& x, double begin, double end) {
+  for (std::size_t k = 0; k < m_.feedbacks.size(); ++k) {
+    working_[k] = m_.feedbacks[k].works.share(begin, end);
   }
   if (sampled_now_) find_switched(x, begin, end);
 }
 
-template <class M>
-void LoadKick<M>::find_switched(const State& x, const T& begin, const T& end) {
-  double q[kMaxCoordinates];
-  for (int lane = 0; lane < kLanes; ++lane) {
-    const Model& m = lane_model(x.m, lane);
-    read_lane(x, x.seen, lane, q);
-    const double from = lanes::get(begin, lane), to = lanes::get(end, lane);
-    const double sample = std::clamp(instant_, from, to);
-    for (std::size_t k = 0; k < m.feedbacks.size(); ++k) {
-      const StationFeedback& bearing = m.feedbacks[k];
-      if (bearing.states.command == kAbsent) continue;
-      const MagneticFeedback<double>& law = bearing.law;
-      const double share = lanes::get(working_[k], lane);
-      const double early = bearing.works.share(from, sample) * (sample - from) / (to - from);
-      const double late = share - early;
-      KickCommand& c = commands_[k];
-      const auto r = equations::at_station(m.layout.modes, bearing.shape, q);
-      const auto beyond_mean = [&](const T& of_before, const T& of_mean, const T& of_after,
-                                   double place, int current, T& force, T& rate) {
-        const double before = lanes::get(of_before, lane), mean = lanes::get(of_mean, lane),
-                     after = lanes::get(of_after, lane);
-        lanes::set(force, lane, 0.0);
-        lanes::set(rate, lane, 0.0);
-        if (before == after) return;  // of another lane's sample
-        if (current == kAbsent) {
-          lanes::set(force, lane,
-                     law.force(early, place, before) + law.force(late, place, after) -
-                         law.force(share, place, mean) - law.held * place);
-          return;
-        }
-        const double i = lanes::get(x.start[static_cast<std::size_t>(current)], lane);
-        const auto load = [&](double asked) { return law.amplifier.load(asked, i); };
-        lanes::set(
-            rate, lane,
-            (early * load(before) + late * load(after) - share * load(mean)) / law.amplifier.lag);
-      };
-      const int at = bearing.states.current;
-      beyond_mean(c.before.x, c.mean.x, c.after.x, r.x, at, c.force.x, c.rate.x);
-      beyond_mean(c.before.y, c.mean.y, c.after.y, r.y, at == kAbsent ? at : at + 1, c.force.y,
-                  c.rate.y);
+void LoadKick::find_switched(const StepState& x, double begin, double end) {
+  const double sample = std::clamp(instant_, begin, end);
+  for (std::size_t k = 0; k < m_.feedbacks.size(); ++k) {
+    const StationFeedback& bearing = m_.feedbacks[k];
+    if (bearing.states.command == kAbsent) continue;
+    const MagneticFeedback& law = bearing.law;
+    const double share = working_[k];
+    const double early = bearing.works.share(begin, sample) * (sample - begin) / (end - begin);
+    const double late = share - early;
+    const eq::Pair r = eq::at_station(m_.layout.modes, bearing.shape, x.seen.data());
+    for (int axis = 0; axis < 2; ++axis) {
+      AxisCommand& c = commands_[k][static_cast<std::size_t>(axis)];
+      const double place = axis == 0 ? r.x : r.y;
+      c.force = c.rate = 0.0;
+      if (c.before == c.after) continue;
+      if (const int at = bearing.states.current; at != kAbsent) {
+        const double current = x.start[static_cast<std::size_t>(at + axis)];
+        const auto load = [&](double asked) { return law.amplifier.load(asked, current); };
+        c.rate = (early * load(c.before) + late * load(c.after) - share * load(c.mean)) /
+                 law.amplifier.lag;
+      } else {
+        c.force = law.force(early, place, c.before) + law.force(late, place, c.after) -
+                  law.force(share, place, c.mean) - law.held * place;
+      }
     }
   }
 }
-
-#define ROTORUB_DEFINE(...)                                                             \
-  template void LoadKick<__VA_ARGS__>::add_actuators(const State&, const T*, T*) const; \
-  template void LoadKick<__VA_ARGS__>::find_samples(const State&, double, double);      \
-  template void LoadKick<__VA_ARGS__>::add_samples(const __VA_ARGS__&, T*) const;       \
-  template void LoadKick<__VA_ARGS__>::find_working(const State&, const T&, const T&);  \
-  template void LoadKick<__VA_ARGS__>::find_switched(const State&, const T&, const T&);
-ROTORUB_ALL_MODELS(ROTORUB_DEFINE)
-#undef ROTORUB_DEFINE
 
 }  // namespace rotorub

@@ -7,12 +7,12 @@
 #include "native_model/dynamics/dynamics.h"
 
 namespace rotorub {
-SeveralContacts::SeveralContacts(State& x, Loads& loads, const std::vector<const Model*>& models)
-    : ContactColumns(x, loads, models), without_impacts_(static_cast<std::size_t>(x.nq())) {
+SeveralContacts::SeveralContacts(StepState& x, LoadKick& loads)
+    : ContactColumns(x, loads), without_impacts_(static_cast<std::size_t>(x.nq())) {
   impacts.reserve(count() * count() * StepImpacts::kMost);
 }
 
-void SeveralContacts::begin(const State& x) {
+void SeveralContacts::begin(const StepState& x) {
   now = {};
   for (std::size_t i = 0; i < count(); ++i) {
     now.of[i].lasts = rests_on_circle(m_, x.q.data(), x.v.data(), i);
@@ -91,7 +91,7 @@ bool SeveralContacts::whirls_too_far(std::span<const std::size_t> lasting) const
 // Impulses of the contacts that last; false: the laws have none. Friction follows the slip of the
 // middle, and so does its mu; where that changes its sign within the step, it is the mean of its
 // two values by the time that each holds.
-bool SeveralContacts::press(State& x, std::span<const std::size_t> lasting) {
+bool SeveralContacts::press(StepState& x, std::span<const std::size_t> lasting) {
   std::array<Friction, kMaxContacts> friction{};
   std::array<SlipFriction, kMaxContacts> of_slip;
   std::array<double, kMaxContacts> before{}, until{};
@@ -114,7 +114,7 @@ bool SeveralContacts::press(State& x, std::span<const std::size_t> lasting) {
   for (bool settled = false; !settled;) {
     s = solve_on_circles(lasting, std::span(friction).first(n));
     if (s.solutions != 1) {
-      x.fail(0, whirls_too_far(lasting) ? Status::kStepTooLarge : status_of(s.solutions));
+      x.fail(whirls_too_far(lasting) ? Status::kStepTooLarge : status_of(s.solutions));
       return false;
     }
     settled = true;
@@ -156,7 +156,7 @@ bool SeveralContacts::press(State& x, std::span<const std::size_t> lasting) {
   return true;
 }
 
-bool SeveralContacts::go_on(State& x, Loads& loads, double /*unsettled*/) {
+bool SeveralContacts::go_on(StepState& x, LoadKick& loads, bool /*unsettled*/) {
   std::array<std::size_t, kMaxContacts> lasting{};
   std::size_t n = 0;
   look(x);
@@ -175,8 +175,8 @@ bool SeveralContacts::go_on(State& x, Loads& loads, double /*unsettled*/) {
     places[i].e_r = places[i].d.normalized();
   }
   if (n > 0) {
-    if (loads.coupled()) respond(x, loads);
-    if (loads.iterates()) loads.begin_iteration(1.0);
+    if (loads.coupled()) respond(loads);
+    if (loads.iterates()) loads.begin_iteration();
     for (bool settled = false;;) {
       if (!press(x, std::span(lasting).first(n))) return false;
       x.after = x.free;
@@ -208,9 +208,9 @@ void SeveralContacts::note_lasting() {
   }
 }
 
-void SeveralContacts::hold_on(State& x, Loads& loads) {
+void SeveralContacts::hold_on(StepState& x, LoadKick& loads) {
   if (!lasts()) return;
-  if (loads.coupled()) respond(x, loads);
+  if (loads.coupled()) respond(loads);
   for (std::size_t i = 0; i < count(); ++i) {
     const Lasting::Of& c = now.of[i];
     if (!c.lasts) continue;
@@ -227,17 +227,17 @@ bool SeveralContacts::alike(const Lasting& part, const Lasting& was) const {
   return true;
 }
 
-void SeveralContacts::join_parts(bool other, double share, double rest, const Lasting& first,
-                                 const Lasting& mean) {
-  if (!other) {
-    now = mean;
-  } else {
-    for (std::size_t i = 0; i < count(); ++i) {
-      Lasting::Of& c = now.of[i];
-      c.normal = share * first.of[i].normal + rest * c.normal;
-      c.friction = share * first.of[i].friction + rest * c.friction;
-    }
+void SeveralContacts::join_parts(double share, double rest, const Lasting& first) {
+  for (std::size_t i = 0; i < count(); ++i) {
+    Lasting::Of& c = now.of[i];
+    c.normal = share * first.of[i].normal + rest * c.normal;
+    c.friction = share * first.of[i].friction + rest * c.friction;
   }
+  note_lasting();
+}
+
+void SeveralContacts::go_on_as(const Lasting& mean) {
+  now = mean;
   note_lasting();
 }
 
@@ -248,10 +248,8 @@ SeveralContacts::Lasting SeveralContacts::second_part(const Lasting& was,
   return second;
 }
 
-double SeveralContacts::lasted(const Lasting& was) const {
-  return std::any_of(was.of.begin(), was.of.end(), [](const Lasting::Of& c) { return c.lasts; })
-             ? 1.0
-             : 0.0;
+bool SeveralContacts::lasts() const {
+  return std::ranges::any_of(now.of, [](const Lasting::Of& c) { return c.lasts; });
 }
 
 void SeveralContacts::tell(FixedStep& out, double /*sign_before*/) const {

@@ -24,30 +24,30 @@ class SeveralContacts : public ContactColumns {
     };
     std::array<Of, kMaxContacts> of{};
   };
-  SeveralContacts(State& x, Loads& loads, const std::vector<const Model*>& models);
+  SeveralContacts(StepState& x, LoadKick& loads);
 
   Lasting now;
   std::vector<Impact> impacts;  // of the step, in order
 
-  bool lasts() const { return lasted(now) > 0.0; }
+  bool lasts() const;
 
   // As OneContact's. go_on: an impact may have come.
   void forget_last();
-  void begin(const State& x);
-  bool go_on(State& x, Loads& loads, double unsettled = 0.0);
-  void hold_on(State& x, Loads& loads);
+  void begin(const StepState& x);
+  bool go_on(StepState& x, LoadKick& loads, bool unsettled = false);
+  void hold_on(StepState& x, LoadKick& loads);
   bool alike(const Lasting& part, const Lasting& was) const;
-  void join_parts(bool other, double share, double rest, const Lasting& first, const Lasting& mean);
   Lasting second_part(const Lasting& was, const Lasting& first) const;
-  double lasted(const Lasting& was) const;
-  const double* end_without_impacts(const State& x) const {
+  void join_parts(double share, double rest, const Lasting& first);
+  void go_on_as(const Lasting& mean);
+  const double* end_without_impacts(const StepState& x) const {
     return impacts.empty() ? x.after.data() : without_impacts_.data();
   }
   void tell(FixedStep& out, double sign_before) const;
-  double lasting_work(const State& x) const { return work_of_lasting(end_without_impacts(x)); }
+  double lasting_work(const StepState& x) const { return work_of_lasting(end_without_impacts(x)); }
 
   // x.after is about to be changed by impacts.
-  void keep_end(const State& x) { without_impacts_ = x.after; }
+  void keep_end(const StepState& x) { without_impacts_ = x.after; }
   // Contact lasts from here on, or does not.
   void set_lasting(std::size_t i, bool lasts) {
     if (now.of[i].lasts != lasts) now.of[i].slip_sign = 0.0;
@@ -64,7 +64,7 @@ class SeveralContacts : public ContactColumns {
     bool given = false;
     double ratio = 0.0;
   };
-  bool press(State& x, std::span<const std::size_t> lasting);
+  bool press(StepState& x, std::span<const std::size_t> lasting);
   bool whirls_too_far(std::span<const std::size_t> lasting) const;
   CoupledSolution solve_on_circles(std::span<const std::size_t> lasting,
                                    std::span<const Friction> friction) const;

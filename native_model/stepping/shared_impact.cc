@@ -36,8 +36,8 @@ bool SharedImpact::rebounds(std::size_t i, double h, double approach) const {
   return flight_outlives(h, restitution * approach, pressed_[i]);
 }
 
-Status SharedImpact::strike(const StepState<Model>& x, double t, double at, const double* q,
-                            bool ends, double* load) {
+Status SharedImpact::strike(const StepState& x, double t, double at, const double* q, bool ends,
+                            double* load) {
   const std::size_t n = count_;
   g_ = delassus(x.m, at, q, std::span(of_).first(n));
   const ContactVector before = before_.head(row(n));

@@ -19,8 +19,7 @@ class SharedImpact {
             const double* acceleration);
   // Its impulses, noted as impacts of the time t; load: on the coordinates. (at, q): where M is
   // taken. `ends`: no contact rebounds. A status where the laws have no solution.
-  Status strike(const StepState<Model>& x, double t, double at, const double* q, bool ends,
-                double* load);
+  Status strike(const StepState& x, double t, double at, const double* q, bool ends, double* load);
 
   std::size_t count() const { return count_; }
   std::size_t contact(std::size_t i) const { return of_[i].index; }

@@ -32,7 +32,7 @@ double bending(const Model& m, int plane) {
   for (const StationFilm& film : m.films) {
     const Eigen::VectorXd &shape = plane == 0 ? film.shape.x : film.shape.y,
                           &other = plane == 0 ? film.shape.y : film.shape.x;
-    const BearingCoefficients<double> c = largest(film.law);
+    const BearingCoefficients c = largest(film.law);
     // What the rows of the plane have of both planes, and of their damping nothing: that is in the
     // step's matrix.
     const auto row = shape.cwiseAbs().cwiseQuotient(mass);

@@ -1,107 +1,101 @@
-// What a fixed step moves: coordinates and velocities of one run (M = Model), or of many in lanes
-// (M = LaneModel), and the velocities that lead from one to the next.
+// What a fixed step moves: coordinates and velocities, and the velocities that lead from one to the
+// next.
 #pragma once
 
+#include <algorithm>
 #include <cstdint>
+#include <vector>
 
+#include "native_model/numerics/loops.h"
 #include "native_model/numerics/status.h"
-#include "native_model/stepping/lane_model.h"
+#include "native_model/system/model.h"
 
 namespace rotorub {
 
-template <class M>
 struct StepState {
-  using T = typename M::Scalar;
-  static constexpr int kLanes = lanes::kWidth<T>;
-  using Coordinates = typename CoordinateArray<M>::Type;
-  static constexpr auto make = &CoordinateArray<M>::make;
+  using Coordinates = std::vector<double>;  // nq
 
   // The model must outlive this. step: s.
-  StepState(const M& model, double step) : m(model), h(step) {}
+  StepState(const Model& model, double step)
+      : m(model), h(step), q(static_cast<std::size_t>(model.nq())), nq_(model.nq()) {
+    v = seen = start = free = after = q;
+  }
 
-  const M& m;
+  const Model& m;
   double h;             // s
   double origin = 0.0;  // s, t at k = 0
   // Coordinates and velocities before the step, and once it is taken after it.
-  Coordinates q = make(m), v = make(m);
+  Coordinates q, v;
   // The coordinates at which loads and contact act.
-  Coordinates seen = make(m);
+  Coordinates seen;
   // Velocities with which the step begins; at its end without contact; at its end.
-  Coordinates start = make(m), free = make(m), after = make(m);
-  // Of the step: what loads and contact act for where they are iterated.
+  Coordinates start, free, after;
+  // The part of the step for which loads and contact act where they are iterated.
   double kick = 1.0;
-  Status status[kLanes] = {};  // a lane with one stays where it was
-  bool failed = false;
+  Status status = Status::kOk;  // with any other the state stays where it was
 
-  int nq() const { return m.layout.nq(); }
+  int nq() const { return nq_; }
   double time_of(std::int64_t k) const { return origin + static_cast<double>(k) * h; }
 
-  ROTORUB_SLOW void fail(int lane, Status why) {
-    if (status[lane] == Status::kOk) status[lane] = why;
-    failed = true;
+  void fail(Status why) {
+    if (status == Status::kOk) status = why;
   }
-  // Ends every status.
-  void revive() {
-    for (Status& s : status) s = Status::kOk;
-    failed = false;
-  }
-  // Another state at the same instant, nq values each; of one run.
+  // Another state at the same instant, nq values each.
   void adopt(const double* new_q, const double* new_v) {
     std::copy_n(new_q, nq(), q.begin());
     std::copy_n(new_v, nq(), v.begin());
   }
-  void load_initial_states() {
-    for (int lane = 0; lane < kLanes; ++lane) {
-      put_lane(q, lane_model(m, lane).q0, lane);
-      put_lane(v, lane_model(m, lane).v0, lane);
-    }
-  }
 
-  // The step's end: v = after, q = seen + dt after. A lane that is no longer finite gets a status.
-  ROTORUB_INLINE void move(const T& dt) {
-    check_finite();
-    if (failed) return move_running(dt);
-    const T *end = after.data(), *from = seen.data();
-    T *to_q = q.data(), *to_v = v.data();
-    for (int i = 0; i < nq(); ++i) {
+  // The step's beginning: seen = q, start = v, and `late` (nq values, or null) on top. q and v are
+  // free to be written from here on: their vectors change places with those of the last step.
+  void begin(const double* late) {
+    q.swap(seen);
+    keeps_v_ = late != nullptr;
+    if (keeps_v_) return add_to_start(late);
+    v.swap(start);
+  }
+  // The same without a step to come: q and v stay.
+  void look(const double* late) {
+    seen = q;
+    start = v;
+    if (late) add_to_start(late);
+  }
+  // The step's end: v = after, q = seen + h after, unless it is no longer finite.
+  void move() {
+    const int n = nq();
+    const double *end = after.data(), *from = seen.data();
+    const double total = sum(n, [end](int i) { return end[i]; });
+    if (total - total != 0.0) fail(Status::kDiverged);
+    if (status != Status::kOk) {
+      q = seen;
+      if (!keeps_v_) v = start;
+      return;
+    }
+    double *to_q = q.data(), *to_v = v.data();
+    ROTORUB_APART for (int i = 0; i < n; ++i) {
       to_v[i] = end[i];
-      to_q[i] = from[i] + dt * end[i];
+      to_q[i] = from[i] + h * end[i];
     }
   }
 
  private:
-  ROTORUB_INLINE void check_finite() {
-    const T* end = after.data();
-    const T sum = lanes::sum<T>(nq(), [&](int i) { return end[i]; });
-    const T rest = sum - sum, zero{};  // 0 where finite
-    if (!lanes::any(rest != zero)) return;
-    for (int lane = 0; lane < kLanes; ++lane) {
-      if (lanes::get(rest, lane) != 0.0) fail(lane, Status::kDiverged);
-    }
+  void add_to_start(const double* late) {
+    const double* from = v.data();
+    double* to = start.data();
+    const int n = nq();
+    ROTORUB_APART for (int i = 0; i < n; ++i) to[i] = from[i] + late[i];
   }
-  ROTORUB_INLINE void move_running(const T& dt) {
-    T runs{};
-    for (int lane = 0; lane < kLanes; ++lane) {
-      lanes::set(runs, lane, status[lane] == Status::kOk ? 1.0 : 0.0);
-    }
-    const auto moves = runs > T{};
-    for (int i = 0; i < nq(); ++i) {
-      const auto c = static_cast<std::size_t>(i);
-      q[c] = lanes::select(moves, seen[c] + dt * after[c], q[c]);
-      v[c] = lanes::select(moves, after[c], v[c]);
-    }
-  }
+
+  int nq_;
+  bool keeps_v_ = false;  // since begin()
 };
 
-// A lane's numbers as the scalar model's.
-template <class M>
-void read_lane(const StepState<M>& x, const typename StepState<M>::Coordinates& from, int lane,
-               double* to) {
-  for (int i = 0; i < x.nq(); ++i) to[i] = lanes::get(from[static_cast<std::size_t>(i)], lane);
-}
-template <class T>
-void add_to_lane(T& to, int lane, double value) {
-  lanes::set(to, lane, lanes::get(to, lane) + value);
+// A flag among the numbers that outlive a step.
+template <class Action>
+void keep_flag(bool& flag, Action& action) {
+  double number = flag ? 1.0 : 0.0;
+  action(number);
+  flag = number != 0.0;
 }
 
 }  // namespace rotorub

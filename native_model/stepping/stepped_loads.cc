@@ -1,6 +1,26 @@
 #include "native_model/stepping/stepped_loads.h"
 
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+#include "native_model/numerics/sine_cosine.h"
+
 namespace rotorub {
+namespace {
+
+// Integral of the envelope from `on` to t, s: t - on - ramp / 2 once the ramp is over.
+double risen(const AppliedForce& force, double t) {
+  const double since = std::max(t - force.on, 0.0);
+  if (since < force.ramp) return 0.5 * since * since / force.ramp;
+  return since - 0.5 * force.ramp;
+}
+
+bool turns(scene::ForceKind kind) {
+  return kind != scene::ForceKind::kConstant && kind != scene::ForceKind::kPulse;
+}
+
+}  // namespace
 
 double next_switch(const Model& model, double from, double end) {
   double next = end;
@@ -17,41 +37,82 @@ double next_switch(const Model& model, double from, double end) {
   return next;
 }
 
-template <class T>
-SteppedLoads<T>::SteppedLoads(const std::vector<const Model*>& models, double h)
-    : based_(models.front()->base != nullptr), models_(models) {
-  using lanes::set;
-  const std::vector<AppliedForce>& first = models.front()->forces;
-  loads_.resize(first.size());
-  for (std::size_t i = 0; i < first.size(); ++i) {
-    Load& to = loads_[i];
-    to.kind = first[i].kind;
-    synchronous_ = synchronous_ || to.kind == scene::ForceKind::kSynchronous;
-    to.shape.x.assign(static_cast<std::size_t>(first[i].shape.x.size()), T{});
-    to.shape.y = to.shape.x;
-    for (int lane = 0; lane < lanes::kWidth<T>; ++lane) {
-      const AppliedForce& from = models[static_cast<std::size_t>(lane)]->forces[i];
-      to.of.push_back(&from);
-      to.switched = to.switched || from.on > 0.0 || from.off < scene::kNever || from.ramp > 0.0;
-      set(to.amplitude, lane, from.amplitude);
-      set(to.frequency, lane, from.frequency);
-      set(to.phase, lane, from.phase);
-      set(to.vector_x, lane, from.vector.x());
-      set(to.vector_y, lane, from.vector.y());
-      set(to.on, lane, from.on);
-      set(to.off, lane, std::max(from.on, from.off));
-      set(to.ramp, lane, from.ramp);
-      set(to.turn_cosine, lane, std::cos(from.frequency * h));
-      set(to.turn_sine, lane, std::sin(from.frequency * h));
-      put_lane(to.shape.x, from.shape.x, lane);
-      put_lane(to.shape.y, from.shape.y, lane);
-    }
+SteppedLoads::SteppedLoads(const Model& model, double h) : model_(&model) {
+  for (const AppliedForce& force : model.forces) {
+    synchronous_ = synchronous_ || force.kind == scene::ForceKind::kSynchronous;
+    Load& load = loads_.emplace_back();
+    load.of = &force;
+    load.switched = force.on > 0.0 || force.off < scene::kNever || force.ramp > 0.0;
+    load.off = std::max(force.on, force.off);
+    load.turn_cosine = std::cos(force.frequency * h);
+    load.turn_sine = std::sin(force.frequency * h);
   }
 }
 
-template class SteppedLoads<double>;
-template class SteppedLoads<lanes::Lane<2>>;
-template class SteppedLoads<lanes::Lane<4>>;
-template class SteppedLoads<lanes::Lane<8>>;
+void SteppedLoads::advance(std::int64_t k, double t, double begin, double end) {
+  if (k == now_) return;
+  now_ = k;
+  for (Load& load : loads_) {
+    const bool rotates = load.of->kind == scene::ForceKind::kRotating;
+    const bool sweeps = load.of->kind == scene::ForceKind::kChirp;  // no fixed angle a step
+    if (sweeps || (rotates && k % kResync == 0)) {
+      const double angle = load.of->angle(t, 0.0);
+      load.cosine = std::cos(angle);
+      load.sine = std::sin(angle);
+    } else if (rotates) {
+      const double c = load.cosine, s = load.sine;
+      load.cosine = c * load.turn_cosine - s * load.turn_sine;
+      load.sine = s * load.turn_cosine + c * load.turn_sine;
+    }
+  }
+  weigh(begin, end);
+}
+
+void SteppedLoads::weigh(double begin, double end) {
+  if (model_->base) {
+    const Eigen::Vector2d a = model_->base->mean(begin, end);
+    base_ = {a.x(), a.y()};
+  }
+  for (Load& load : loads_) {
+    const AppliedForce& force = *load.of;
+    const double x = turns(force.kind) ? force.amplitude * load.cosine : force.vector.x();
+    const double y = turns(force.kind) ? force.amplitude * load.sine : force.vector.y();
+    if (force.kind == scene::ForceKind::kPulse) {
+      load.share = mean_pulse(load, begin, end);
+    } else {
+      load.share = load.switched ? mean_envelope(load, begin, end) : 1.0;
+    }
+    load.x = load.share * x;
+    load.y = load.share * y;
+  }
+}
+
+void SteppedLoads::turn_with(double phi) {
+  for (Load& load : loads_) {
+    if (load.of->kind != scene::ForceKind::kSynchronous) continue;
+    sine_cosine(phi + load.of->phase, load.sine, load.cosine);
+    load.x = load.share * load.of->amplitude * load.cosine;
+    load.y = load.share * load.of->amplitude * load.sine;
+  }
+}
+
+double SteppedLoads::mean_envelope(const Load& load, double begin, double end) {
+  const AppliedForce& force = *load.of;
+  // Exactly 1 where nothing changes within the step.
+  if (begin >= force.on + force.ramp && end <= load.off) return 1.0;
+  const double until_end = std::min(load.off, end), until_begin = std::min(load.off, begin);
+  return (risen(force, until_end) - risen(force, until_begin)) / (end - begin);
+}
+
+// Of sin(pi (t - on)/(off - on)), by its integral.
+double SteppedLoads::mean_pulse(const Load& load, double from, double to) {
+  const double on = load.of->on, off = load.off;
+  const double begin = std::clamp(from, on, off), end = std::clamp(to, on, off);
+  const double turn = std::numbers::pi / (off - on);
+  // cos a - cos b = 2 sin((a + b)/2) sin((b - a)/2).
+  const double integral = 2.0 / turn * std::sin(turn * (0.5 * (begin + end) - on)) *
+                          std::sin(0.5 * turn * (end - begin));
+  return integral / (to - from);
+}
 
 }  // namespace rotorub

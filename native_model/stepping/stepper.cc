@@ -1,7 +1,7 @@
 #include "native_model/stepping/stepper.h"
 
+#include <algorithm>
 #include <cassert>
-#include <type_traits>
 
 #include "native_model/scene/run.h"
 #include "native_model/stepping/euler.h"
@@ -10,11 +10,11 @@
 namespace rotorub {
 namespace {
 
-// A scheme's step, of a model of any size, of one contact or several.
-template <class Step, class M>
-class StepperWith final : public KeptStepper {
+// A step of `verlet` as others see it.
+template <class Contacts>
+class Leapfrog final : public KeptStepper {
  public:
-  StepperWith(const Model& model, double h) : model_(model), step_(model_, {&model}, h) {}
+  Leapfrog(const Model& model, double h) : step_(model, h) {}
 
   FixedStep step(std::int64_t k, std::span<const Eigen::Vector2d> u, bool works) override {
     command(u);
@@ -23,15 +23,11 @@ class StepperWith final : public KeptStepper {
     step_.step(k);
     FixedStep out;
     step_.contact.tell(out, sign);
-    out.status = step_.x.status[0];
-    if constexpr (kLeaps) {
-      if (step_.takes_time) {
-        out.impact_time = step_.impact_time[0];
-        out.impact_force = step_.impact_force(0, k);
-      }
-    }
+    out.status = step_.x.status;
+    out.impact_time = step_.impact_time();
+    out.impact_force = step_.impact_force(k);
     if (works && out.status == Status::kOk) {
-      out.impact_work = impact_work(model_, out.impacts);
+      out.impact_work = impact_work(step_.x.m, out.impacts);
       out.contact_work = out.impact_work + step_.contact.lasting_work(step_.x);
       out.external_work = step_.external_work();
     }
@@ -44,7 +40,7 @@ class StepperWith final : public KeptStepper {
     for_each_kept([](double& value) { value = 0.0; });
     step_.x.adopt(q, v);
     step_.x.origin = t;
-    step_.x.revive();
+    step_.x.status = Status::kOk;
     step_.restart();
   }
   std::size_t memory_size() override {
@@ -57,34 +53,27 @@ class StepperWith final : public KeptStepper {
   }
   void restore(const double* from) override {
     for_each_kept([&from](double& value) { value = *from++; });
-    step_.x.revive();
-    step_.loads.forget(step_.x.m);
+    step_.x.status = Status::kOk;
+    step_.loads.forget();
   }
   void adopt(const double* q, const double* v) override { step_.x.adopt(q, v); }
   void apply(const double* loads) override { step_.loads.applied = loads; }
 
-  bool leaps() const override { return kLeaps; }
+  bool leaps() const override { return true; }
   void jump(std::size_t contact, const CommandJump& command) override {
-    if constexpr (kLeaps) step_.jump(contact, command);
+    step_.jump(contact, command);
   }
   void velocity_now(std::int64_t k, std::span<const Eigen::Vector2d> held, double* v) override {
     command(held);
-    if constexpr (kLeaps) step_.velocity_now(k, v);
+    step_.velocity_now(k, v);
   }
-  const double* last_q() const override { return kLeaps ? step_.x.seen.data() : q(); }
-  void last_velocity(double* v) const override {
-    if constexpr (kLeaps) step_.last_velocity(v);
-  }
-  double last_kick() const override {
-    if constexpr (kLeaps) return step_.was_first ? 0.5 : 1.0;
-    return 1.0;
-  }
+  const double* last_q() const override { return step_.x.seen.data(); }
+  void last_velocity(double* v) const override { step_.last_velocity(v); }
+  double last_kick() const override { return step_.was_first() ? 0.5 : 1.0; }
 
  private:
-  static constexpr bool kLeaps = requires(const Step& s) { s.was_first; };
-
   void command(std::span<const Eigen::Vector2d> u) {
-    for (std::size_t i = 0; i < u.size(); ++i) step_.loads.command[i] = {u[i].x(), u[i].y()};
+    std::copy(u.begin(), u.end(), step_.loads.command.begin());
   }
   // All that outlives a step, as plain numbers: two of the contact and the origin of time, the
   // state, and what loads and scheme keep.
@@ -98,31 +87,13 @@ class StepperWith final : public KeptStepper {
     step_.for_each_kept(action);
   }
 
-  // A copy where the layout is another than the model's own.
-  std::conditional_t<std::is_same_v<M, Model>, const Model&, const M> model_;
-  Step step_;
+  VerletStep<Contacts> step_;
 };
 
-template <class M, template <class, class> class Scheme, class Contacts>
-std::unique_ptr<KeptStepper> stepper_with(const Model& model, double h) {
-  return std::make_unique<StepperWith<Scheme<M, Contacts>, M>>(model, h);
-}
-
-template <template <class, class> class Scheme>
-std::unique_ptr<KeptStepper> with_contacts(const Model& model, double h) {
-  if (model.gives()) return stepper_with<Model, Scheme, CompliantContacts>(model, h);
-  if (model.auxiliary.size() > 1) return stepper_with<Model, Scheme, SeveralContacts>(model, h);
-  return stepper_with<Model, Scheme, OneContact<Model>>(model, h);
-}
-
-// The step of a small layout, where there is one.
-std::unique_ptr<KeptStepper> verlet_stepper(const Model& model, double h) {
-  using M = DrivenJeffcott;
-  const bool one_rigid = model.auxiliary.size() == 1 && !model.gives();
-  if (one_rigid && DrivenJeffcottInRing::fits(model.layout)) {
-    return stepper_with<M, VerletStep, OneContact<M>>(model, h);
-  }
-  return with_contacts<VerletStep>(model, h);
+std::unique_ptr<KeptStepper> leapfrog(const Model& model, double h) {
+  if (model.gives()) return std::make_unique<Leapfrog<CompliantContacts>>(model, h);
+  if (model.auxiliary.size() > 1) return std::make_unique<Leapfrog<SeveralContacts>>(model, h);
+  return std::make_unique<Leapfrog<OneContact>>(model, h);
 }
 
 }  // namespace
@@ -130,7 +101,7 @@ std::unique_ptr<KeptStepper> verlet_stepper(const Model& model, double h) {
 std::unique_ptr<KeptStepper> make_kept_stepper(const Model& model, double step,
                                                const State& start) {
   assert(step > 0.0);
-  auto stepper = verlet_stepper(model, step);
+  auto stepper = leapfrog(model, step);
   stepper->begin(start.t, start.q.data(), start.v.data());
   return stepper;
 }

@@ -5,7 +5,7 @@
 
 #include "native_model/dynamics/linear_parts.h"
 #include "native_model/numerics/linear_solve.h"
-#include "native_model/stepping/lane_model.h"
+#include "native_model/numerics/small_matrix.h"
 
 namespace rotorub {
 namespace {
@@ -14,13 +14,12 @@ bool is_diagonal(const Eigen::MatrixXd& a) {
   return (a - Eigen::MatrixXd(a.diagonal().asDiagonal())).isZero(0.0);
 }
 
-template <class T>
-void put_matrix(lanes::Array<T>& to, const Eigen::MatrixXd& from, int lane) {
-  to.resize(static_cast<std::size_t>(from.size()), T{});
-  put_lane(to, from.reshaped(), lane);
+std::vector<double> numbers(const Eigen::MatrixXd& of) {
+  const auto columns = of.reshaped();
+  return {columns.begin(), columns.end()};
 }
 
-// D of one model, nq x nq, N s/m: -dF/dqdot at the speed of t = 0.
+// D, nq x nq, N s/m: -dF/dqdot at the speed of t = 0.
 Eigen::MatrixXd linear_damping(const Model& m) {
   const Layout& l = m.layout;
   const int bending = 2 * l.modes;
@@ -39,49 +38,94 @@ Eigen::MatrixXd linear_damping(const Model& m) {
 
 }  // namespace
 
-template <class T>
-VelocityMatrix<T>::VelocityMatrix(const std::vector<const Model*>& models, double h) {
-  const Layout& l = models.front()->layout;
-  const int nq = l.nq(), bending = 2 * l.modes, spins = l.spin + l.torsion;
-  coupled_ = models.front()->coupled_mass();
-  std::vector<Eigen::MatrixXd> all;
-  for (const Model* m : models) {
-    all.push_back(0.5 * h * linear_damping(*m));
-    const Eigen::MatrixXd& d = all.back();
-    dense_bending_ = dense_bending_ || !is_diagonal(d.topLeftCorner(bending, bending));
-    dense_spin_ = dense_spin_ || !is_diagonal(d.block(l.phi(), l.phi(), spins, spins));
-  }
-  for (auto* x : {&inverse_, &step_, &work_}) x->assign(static_cast<std::size_t>(nq), T{});
-  if (coupled_) coupling_.assign(static_cast<std::size_t>(bending), T{});
+VelocityMatrix::VelocityMatrix(const Model& m, double h) : model_(&m), coupled_(m.coupled_mass()) {
+  const Layout& l = m.layout;
+  const int bending = 2 * l.modes, spins = l.spin + l.torsion;
+  const Eigen::MatrixXd d = 0.5 * h * linear_damping(m);
+  const Eigen::MatrixXd a = Eigen::MatrixXd(m.mass.asDiagonal()) + d;
+  dense_bending_ = !is_diagonal(d.topLeftCorner(bending, bending));
+  dense_spin_ = !is_diagonal(d.block(l.phi(), l.phi(), spins, spins));
+  const Eigen::VectorXd inverse = a.diagonal().cwiseInverse();
+  inverse_ = numbers(inverse);
+  step_ = numbers(h * inverse);
+  work_.resize(inverse_.size());
+  const Eigen::MatrixXd bend = lu_inverse(Eigen::MatrixXd(a.topLeftCorner(bending, bending)));
+  if (dense_bending_) bending_ = numbers(bend);
+  if (!l.spin) return;
+  const Eigen::MatrixXd turn = lu_inverse(Eigen::MatrixXd(a.block(l.phi(), l.phi(), spins, spins)));
+  if (dense_spin_) spin_ = numbers(turn);
+  if (!coupled_) return;
+  coupling_.resize(static_cast<std::size_t>(bending));
   solved_ = coupling_;
-  for (int lane = 0; lane < lanes::kWidth<T>; ++lane) {
-    const Model& m = *models[static_cast<std::size_t>(lane)];
-    const Eigen::MatrixXd& d = all[static_cast<std::size_t>(lane)];
-    const Eigen::MatrixXd a = Eigen::MatrixXd(m.mass.asDiagonal()) + d;
-    const Eigen::VectorXd inverse = a.diagonal().cwiseInverse();
-    put_lane(inverse_, inverse, lane);
-    put_lane(step_, Eigen::VectorXd(h * inverse), lane);
-    const Eigen::MatrixXd bend = lu_inverse(Eigen::MatrixXd(a.topLeftCorner(bending, bending)));
-    if (dense_bending_) put_matrix(bending_, bend, lane);
-    if (!l.spin) continue;
-    const Eigen::MatrixXd turn =
-        lu_inverse(Eigen::MatrixXd(a.block(l.phi(), l.phi(), spins, spins)));
-    if (dense_spin_) put_matrix(spin_, turn, lane);
-    if (!coupled_) continue;
-    put_matrix(spin_column_, turn.leftCols(1), lane);
-    Eigen::MatrixXd shapes = Eigen::MatrixXd::Zero(bending, 2 * m.unbalances.size());
-    for (std::size_t i = 0; i < m.unbalances.size(); ++i) {
-      const auto column = static_cast<Eigen::Index>(2 * i);
-      shapes.col(column).head(l.modes) = m.unbalances[i].shape.x;
-      shapes.col(column + 1).tail(l.modes) = m.unbalances[i].shape.y;
-    }
-    put_matrix(solved_shapes_, bend * shapes, lane);
+  spin_column_ = numbers(turn.leftCols(1));
+  Eigen::MatrixXd shapes = Eigen::MatrixXd::Zero(bending, 2 * std::ssize(m.unbalances));
+  for (Eigen::Index i = 0; i < std::ssize(m.unbalances); ++i) {
+    const ModeShape& shape = m.unbalances[static_cast<std::size_t>(i)].shape;
+    shapes.col(2 * i).head(l.modes) = shape.x;
+    shapes.col(2 * i + 1).tail(l.modes) = shape.y;
   }
+  solved_shapes_ = numbers(bend * shapes);
 }
 
-template class VelocityMatrix<double>;
-template class VelocityMatrix<lanes::Lane<2>>;
-template class VelocityMatrix<lanes::Lane<4>>;
-template class VelocityMatrix<lanes::Lane<8>>;
+void VelocityMatrix::couple_at(const equations::DiscAngles& at) {
+  const Model& m = *model_;
+  const int n = m.layout.modes;
+  double *b = coupling_.data(), *w = solved_.data();
+  equations::spin_coupling(m, at, b, b + n);
+  if (dense_bending_) {
+    for (int k = 0; k < 2 * n; ++k) w[k] = 0.0;
+    const double* of_disc = solved_shapes_.data();
+    for (std::size_t i = 0; i < m.unbalances.size(); ++i, of_disc += 4 * n) {
+      const double x = -m.unbalances[i].static_moment * at.sine[i];
+      const double y = m.unbalances[i].static_moment * at.cosine[i];
+      ROTORUB_APART for (int k = 0; k < 2 * n; ++k) w[k] += x * of_disc[k] + y * of_disc[2 * n + k];
+    }
+  } else {
+    const double* inverse = inverse_.data();
+    ROTORUB_APART for (int k = 0; k < 2 * n; ++k) w[k] = inverse[k] * b[k];
+  }
+  own_ = sum(2 * n, [=](int k) { return b[k] * w[k]; });
+  free_spin_ = 1.0 / (1.0 - own_ * spin_column_[0]);
+}
+
+void VelocityMatrix::solve_uncoupled(double* f) {
+  const Layout& l = model_->layout;
+  const int nq = l.nq(), bending = 2 * l.modes;
+  const double* inverse = inverse_.data();
+  if (!dense_bending_ && !dense_spin_) {
+    ROTORUB_APART for (int i = 0; i < nq; ++i) f[i] *= inverse[i];
+    return;
+  }
+  double* work = work_.data();
+  ROTORUB_APART for (int i = 0; i < nq; ++i) work[i] = f[i];
+  int next = 0;
+  if (dense_bending_) {
+    small_matrix::multiply(bending_.data(), bending, bending, work, f);
+    next = bending;
+  }
+  if (dense_spin_) {
+    const int spins = l.spin + l.torsion;
+    for (; next < bending; ++next) f[next] = inverse[next] * work[next];
+    small_matrix::multiply(spin_.data(), spins, spins, work + bending, f + bending);
+    next = bending + spins;
+  }
+  for (; next < nq; ++next) f[next] = inverse[next] * work[next];
+}
+
+VelocityMatrix::Coupled VelocityMatrix::coupled_part(const double* f) const {
+  const Layout& l = model_->layout;
+  const double* b = coupling_.data();
+  const double load = sum(2 * l.modes, [=](int k) { return b[k] * f[k]; });
+  const double spin = (f[l.phi()] - spin_column_[0] * load) * free_spin_;
+  return {spin, own_ * spin - load};
+}
+
+void VelocityMatrix::add(const Coupled& part, double* f) const {
+  const Layout& l = model_->layout;
+  const int bending = 2 * l.modes, spins = l.spin + l.torsion;
+  const double *w = solved_.data(), *column = spin_column_.data();
+  ROTORUB_APART for (int k = 0; k < bending; ++k) f[k] -= w[k] * part.spin;
+  for (int k = 0; k < spins; ++k) f[bending + k] += column[k] * part.back;
+}
 
 }  // namespace rotorub

@@ -1,29 +1,40 @@
-#include "native_model/stepping/verlet_impacts.h"
-
+// The impacts of a step of `verlet`: located in the step, of one contact or of several, and those
+// that take time.
 #include <algorithm>
 #include <array>
 
 #include "native_model/contact/kinematics.h"
 #include "native_model/contact/step_contact.h"
 #include "native_model/dynamics/dynamics.h"
+#include "native_model/stepping/shared_impact.h"
 #include "native_model/stepping/verlet_step.h"
 #include "native_model/system/actuation.h"
 
 namespace rotorub {
-
 namespace {
 
-// The commands of the instant, q and v there, t: a continuous controller's of now, else those that
-// hold.
+// The command of the instant, q and v there, t: a continuous controller's of now, else the one that
+// holds.
+bool follows(const AuxiliaryBearing& at, double t) {
+  return at.controller && at.sample_time == 0.0 && t >= at.control_on;
+}
 Eigen::Vector2d command_at_impact(const Model& m, std::size_t bearing, double t, const double* q,
                                   const double* v, const Eigen::Vector2d& held) {
-  const AuxiliaryBearing& at = m.auxiliary[bearing];
-  const bool follows = at.controller && at.sample_time == 0.0 && t >= at.control_on;
-  return follows ? control_command(m, t, q, v, bearing) : held;
+  return follows(m.auxiliary[bearing], t) ? control_command(m, t, q, v, bearing) : held;
 }
 
-}  // namespace
+// An impact at the share theta of the step of h (s) from t on.
+struct ImpactInstant {
+  double t, h, theta;
+  const double* q;                            // coordinates at which M and loads are taken
+  const double *v, *acceleration;             // of the step's middle before the impact
+  std::span<const Eigen::Vector2d> commands;  // that hold over the step
+};
 
+// jump: in, the load of the impulses; out, what the velocities jump by. missed: what the loads that
+// depend on velocities miss of it, -(theta - 1/2) h M^-1 (F(v + jump) - F(v)). nq values each. A
+// continuous controller sees the jump too. Gives the work that the mean of the step's velocities
+// misses, J.
 double jump_velocities(const Model& m, const ImpactInstant& at, double* jump, double* missed) {
   const int nq = m.nq();
   const std::size_t n = m.auxiliary.size();
@@ -49,30 +60,27 @@ double jump_velocities(const Model& m, const ImpactInstant& at, double* jump, do
   return -late * gained;
 }
 
-// ------------------------------------------------------------------ of one contact
-template <class M, class Contacts>
-void VerletStep<M, Contacts>::collide(const Mask& hits, std::int64_t k) {
-  for (int lane = 0; lane < kLanes; ++lane) {
-    if (lanes::get(hits, lane)) collide_lane(lane, k);
-  }
-}
+}  // namespace
 
-template <class M, class Contacts>
-void VerletStep<M, Contacts>::collide_lane(int lane, std::int64_t k) {
-  const Model& m = lane_model(x.m, lane);
+// ------------------------------------------------------------------ of one contact
+template <>
+void VerletStep<OneContact>::collide(std::int64_t k) {
+  const Model& m = x.m;
   const ContactParameters& c = *m.first().contact;
   const int nq = m.nq();
   const double h = x.h, kick = x.kick * h, t = x.time_of(k);
-  double q[kMaxCoordinates], a[kMaxCoordinates], v[kMaxCoordinates];
-  read_lane(x, x.seen, lane, q);
-  read_lane(x, x.start, lane, a);
-  read_lane(x, x.free, lane, v);
+  const double* start = x.start.data();
+  double *after = x.after.data(), *late = late_.data();
+  double q[kMaxCoordinates], v[kMaxCoordinates], a[kMaxCoordinates];
+  std::copy(x.seen.begin(), x.seen.end(), q);
+  std::copy(x.free.begin(), x.free.end(), v);
+  for (int i = 0; i < nq; ++i) a[i] = (v[i] - start[i]) / kick;
 
   FlightStep s;
   s.h = h;
   s.d = separation(m, q);
-  s.velocity = rates_of_lane(x, x.free, lane);
-  s.acceleration = (s.velocity - rates_of_lane(x, x.start, lane)) / kick;
+  s.velocity = contact_rates(m, v);
+  s.acceleration = (s.velocity - contact_rates(m, start)) / kick;
   s.clearance = c.clearance;
   s.radius = c.radius;
   if (m.coupled_mass()) {  // M(phi) of the impact
@@ -82,123 +90,200 @@ void VerletStep<M, Contacts>::collide_lane(int lane, std::int64_t k) {
   s.admittance = contact_admittance(m, t, q);
   s.duration = c.impact_time();
   const StepImpacts hits = locate_impacts(s, c.law());
-  if (hits.status != Status::kOk) return x.fail(lane, hits.status);
-  for (int i = 0; i < nq; ++i) a[i] = (v[i] - a[i]) / kick;
-  const Eigen::Vector2d held{lanes::get(loads.command[0].x, lane),
-                             lanes::get(loads.command[0].y, lane)};
+  if (hits.status != Status::kOk) return x.fail(hits.status);
   double jump[kMaxCoordinates], missed[kMaxCoordinates];
   for (int n = 0; n < hits.count; ++n) {
     const LocatedImpact& hit = hits.impacts[static_cast<std::size_t>(n)];
-    if (hits.takes_time && n + 1 == hits.count) return begin_slow_impact(lane, k, v, a, hit.theta);
+    if (hits.takes_time && n + 1 == hits.count) return begin_slow_impact(k, v, a, hit.theta);
     const double normal = hit.law.normal(), friction = hit.law.friction();
     std::fill_n(jump, nq, 0.0);
     add_contact_load(m, contact_load(hit.e_r, c.radius, normal, friction), jump);
-    late_work += jump_velocities(m, {t, h, hit.theta, q, v, a, std::span(&held, 1)}, jump, missed);
+    const ImpactInstant instant{t, h, hit.theta, q, v, a, std::span(loads.command).first(1)};
+    late_work_ += jump_velocities(m, instant, jump, missed);
     for (int i = 0; i < nq; ++i) {
       v[i] += jump[i];
-      add_to_lane(x.after[at(i)], lane, (1.0 - hit.theta) * jump[i]);
-      add_to_lane(late[at(i)], lane, hit.theta * jump[i] + missed[i]);
+      after[i] += (1.0 - hit.theta) * jump[i];
+      late[i] += hit.theta * jump[i] + missed[i];
     }
-    owes = 1.0;
-    contact.note_impact(
-        lane, impact_of(t + hit.theta * h, {normal, friction},
-                        {hit.gap_rate_before, hit.slip_before}, {hit.law.gap_rate, hit.law.slip}));
+    owes_ = true;
+    contact.note_impact(impact_of(t + hit.theta * h, {normal, friction},
+                                  {hit.gap_rate_before, hit.slip_before},
+                                  {hit.law.gap_rate, hit.law.slip}));
   }
-  contact.set_lasting(lane, hits.closes);
+  contact.set_lasting(hits.closes);
 }
 
 // ------------------------------------------------------------------ impacts that take time
-// The lanes in one, before the step.
-template <class M, class Contacts>
-void VerletStep<M, Contacts>::find_slow_impacts() {
-  contact.held_open = false;
-  for (int lane = 0; lane < kLanes; ++lane) {
-    const bool active = slow_impacts[at(lane)].active();
-    lanes::set(contact.flying, lane, active ? 0.0 : 1.0);
-    contact.held_open = contact.held_open || active;
-  }
-}
-
-template <class M, class Contacts>
-void VerletStep<M, Contacts>::show_slow_impacts(std::int64_t k, T* now) const {
-  double v[kMaxCoordinates];
-  for (int lane = 0; lane < kLanes; ++lane) {
-    if (lanes::get(contact.flying, lane) != 0.0) continue;
-    slow_impacts[at(lane)].velocities(x.time_of(k), v);
-    for (int i = 0; i < x.nq(); ++i) lanes::set(now[i], lane, v[i]);
-  }
-}
-
-template <class M, class Contacts>
-void VerletStep<M, Contacts>::go_on_with_slow_impacts(std::int64_t k) {
-  last_time = static_cast<double>(k) * x.h;
-  for (int lane = 0; lane < kLanes; ++lane) {
-    if (lanes::get(contact.flying, lane) == 0.0) follow_slow_impact(lane, k);
-  }
-}
-
 // A touch at the share theta of step k; v, a: velocities of the step's middle, accelerations.
-template <class M, class Contacts>
-void VerletStep<M, Contacts>::begin_slow_impact(int lane, std::int64_t k, const double* v,
-                                                const double* a, double theta) {
-  const Model& m = lane_model(x.m, lane);
+template <>
+void VerletStep<OneContact>::begin_slow_impact(std::int64_t k, const double* v, const double* a,
+                                               double theta) {
+  const Model& m = x.m;
   const double h = x.h, to_touch = (theta - 0.5) * h;
   const double t = x.origin + (static_cast<double>(k) + theta) * h;
+  const double* seen = x.seen.data();
   double q[kMaxCoordinates], rates[kMaxCoordinates];
   for (int i = 0; i < m.nq(); ++i) {
-    q[i] = lanes::get(x.seen[at(i)], lane) + theta * h * v[i];
+    q[i] = seen[i] + theta * h * v[i];
     rates[i] = v[i] + to_touch * a[i];
   }
-  const AuxiliaryBearing& bearing = m.first();
-  const bool follows = bearing.controller && bearing.sample_time == 0.0 && t >= bearing.control_on;
-  const Eigen::Vector2d held{lanes::get(loads.command[0].x, lane),
-                             lanes::get(loads.command[0].y, lane)};
-  FiniteImpact& impact = slow_impacts[at(lane)];
-  const Status found =
-      impact.begin(t, q, rates, command_at_impact(m, 0, t, q, rates, held), follows);
-  if (found != Status::kOk) return x.fail(lane, found);
+  FiniteImpact& impact = *slow_impact_;
+  const Eigen::Vector2d command = command_at_impact(m, 0, t, q, rates, loads.command[0]);
+  const Status found = impact.begin(t, q, rates, command, follows(m.first(), t));
+  if (found != Status::kOk) return x.fail(found);
   // The kick went on to the middle of the step.
-  late_work += to_touch * impact.power_at_touch() + impact.external_work();
-  impact_time[lane] = impact.end() - t;
-  contact.note_impact(lane, impact.record());
-  contact.set_lasting(lane, false);
-  follow_slow_impact(lane, k);
+  late_work_ += to_touch * impact.power_at_touch() + impact.external_work();
+  impact_time_ = impact.end() - t;
+  contact.note_impact(impact.record());
+  contact.set_lasting(false);
+  follow_slow_impact(k);
 }
 
 // To the end of step k: within the impact, or in flight again.
-template <class M, class Contacts>
-void VerletStep<M, Contacts>::follow_slow_impact(int lane, std::int64_t k) {
-  FiniteImpact& impact = slow_impacts[at(lane)];
-  const double h = x.h, from = x.time_of(k), end = from + h;
+template <>
+void VerletStep<OneContact>::follow_slow_impact(std::int64_t k) {
+  FiniteImpact& impact = *slow_impact_;
+  const double h = x.h, end = x.time_of(k) + h;
   const int nq = x.nq();
-  double to[kMaxCoordinates];
+  const double* seen = x.seen.data();
+  double *after = x.after.data(), *late = late_.data();
+  last_time_ = static_cast<double>(k) * h;
   if (end < impact.end()) {
+    double to[kMaxCoordinates];
     impact.coordinates(end, to);
-    for (int i = 0; i < nq; ++i) {
-      lanes::set(x.after[at(i)], lane, (to[i] - lanes::get(x.seen[at(i)], lane)) / h);
-    }
+    for (int i = 0; i < nq; ++i) after[i] = (to[i] - seen[i]) / h;
     return;
   }
   const double *q, *v, *a;
   const double left = end - impact.end(), from_middle = left - 0.5 * h;
-  late_work += from_middle * impact.power_at_end();
+  late_work_ += from_middle * impact.power_at_end();
   const bool closes = impact.finish(q, v, a);
   for (int i = 0; i < nq; ++i) {
     const double flown = q[i] + left * (v[i] + 0.5 * left * a[i]);
-    const double after = (flown - lanes::get(x.seen[at(i)], lane)) / h;
-    lanes::set(x.after[at(i)], lane, after);
-    lanes::set(late[at(i)], lane, v[i] + from_middle * a[i] - after);
+    after[i] = (flown - seen[i]) / h;
+    late[i] = v[i] + from_middle * a[i] - after[i];
   }
-  owes = 1.0;
-  lanes::set(contact.now.lasts, lane, closes ? 1.0 : 0.0);
+  owes_ = true;
+  contact.now.lasts = closes;
 }
 
-#define ROTORUB_DEFINE(...)                                                         \
-  template void VerletStep<__VA_ARGS__>::collide(const Mask&, std::int64_t);        \
-  template void VerletStep<__VA_ARGS__>::find_slow_impacts();                       \
-  template void VerletStep<__VA_ARGS__>::show_slow_impacts(std::int64_t, T*) const; \
-  template void VerletStep<__VA_ARGS__>::go_on_with_slow_impacts(std::int64_t);
-ROTORUB_ALL_MODELS(ROTORUB_DEFINE)
-#undef ROTORUB_DEFINE
+// ------------------------------------------------------------------ of several contacts
+// Each impact takes with it all that is closed there. A resting contact that one knocks open
+// carries nothing from there on: the next step gives back (1/2 - theta) of its step impulse.
+namespace {
+
+constexpr double kOnCircle = 1e-12;  // of the clearance: as good as on it
+
+// The flight through a step, from impact to impact.
+struct Flight {
+  double theta = 0.0;                             // share of the step that is over
+  std::array<Eigen::Vector2d, kMaxContacts> d{};  // m, of each contact there
+  std::array<bool, kMaxContacts> closed{};
+  double v[kMaxCoordinates], a[kMaxCoordinates];  // of the step's middle, and accelerations
+};
+
+// The contact whose path leaves its circle first, with the flight at that instant; the number of
+// contacts: none does. One that never comes inside is closed: it has no flight.
+std::size_t next_touch(const SeveralContacts& contacts, double h, Flight& flight) {
+  const std::size_t n = contacts.count();
+  double share = 2.0;
+  std::size_t first = n;
+  std::array<Eigen::Vector2d, kMaxContacts> path;
+  for (std::size_t i = 0; i < n; ++i) {
+    const double clearance = contacts.law(i).clearance;
+    path[i] = (1.0 - flight.theta) * h * contacts.rates(i, flight.v).head<2>();
+    if (flight.closed[i] || (flight.d[i] + path[i]).norm() <= clearance) continue;
+    const double exit = circle_exit(flight.d[i], path[i], clearance);
+    if (exit > 1.0) {
+      flight.closed[i] = flight.d[i].norm() >= clearance;
+    } else if (exit < share) {
+      share = exit;
+      first = i;
+    }
+  }
+  if (first == n) return n;
+  for (std::size_t i = 0; i < n; ++i) flight.d[i] += share * path[i];
+  flight.theta += share * (1.0 - flight.theta);
+  return first;
+}
+
+}  // namespace
+
+template <>
+void VerletStep<SeveralContacts>::collide(std::int64_t k) {
+  const Model& m = x.m;
+  const std::size_t n = contact.count();
+  const int nq = x.nq();
+  bool hit = false;
+  for (std::size_t i = 0; i < n; ++i) {
+    contact.places[i].free = contact.rates(i, x.after.data());
+    hit = hit || (!contact.now.of[i].lasts && contact.leaves(i, contact.places[i].free));
+  }
+  if (!hit) return;
+  contact.keep_end(x);
+  const double t = x.time_of(k), h = x.h;
+  const double *start = x.start.data(), *seen = x.seen.data();
+  double *after = x.after.data(), *late = late_.data();
+  Flight flight;
+  for (int i = 0; i < nq; ++i) {
+    flight.v[i] = after[i];
+    flight.a[i] = (after[i] - start[i]) / (x.kick * h);
+  }
+  for (std::size_t i = 0; i < n; ++i) {
+    flight.d[i] = contact.places[i].d;
+    flight.closed[i] = contact.now.of[i].lasts;
+  }
+  double now_v[kMaxCoordinates], now_q[kMaxCoordinates];
+  double jump[kMaxCoordinates], missed[kMaxCoordinates];
+
+  const int most = StepImpacts::kMost * static_cast<int>(n);
+  for (int count = 0; count < most; ++count) {
+    const std::size_t first_touch = next_touch(contact, h, flight);
+    if (first_touch == n) break;
+    // All that is closed there, with the velocities of that instant.
+    const double theta = flight.theta;
+    for (int i = 0; i < nq; ++i) {
+      now_v[i] = flight.v[i] + (theta - 0.5) * h * flight.a[i];
+      now_q[i] = seen[i] + theta * h * flight.v[i];
+    }
+    SharedImpact impact(contact);
+    for (std::size_t i = 0; i < n; ++i) {
+      const double on_circle = (1.0 - kOnCircle) * contact.law(i).clearance;
+      if (!flight.closed[i] && i != first_touch && flight.d[i].norm() < on_circle) continue;
+      impact.join(i, flight.closed[i], flight.d[i].normalized(), now_v, flight.a);
+    }
+    if (impact.approach() == 0.0) {  // a touch
+      flight.closed[first_touch] = true;
+      continue;
+    }
+    const Status found = impact.strike(x, t + theta * h, t, now_q, count + 1 == most, jump);
+    if (found != Status::kOk) return x.fail(found);
+    for (std::size_t i = 0; i < impact.count(); ++i) {
+      const std::size_t index = impact.contact(i);
+      SeveralContacts::Lasting::Of& c = contact.now.of[index];
+      if (flight.closed[index] && c.lasts && !impact.rests(i)) {
+        // Knocked open: it carries nothing from here on, and the kick was for a whole step.
+        std::fill_n(missed, nq, 0.0);
+        contact.push(index, c.normal, c.friction, std::span(missed).first(x.after.size()));
+        for (int j = 0; j < nq; ++j) {
+          late[j] += (theta - 0.5) * missed[j];
+          flight.a[j] -= missed[j] / (x.kick * h);
+        }
+        c.lasts = false;
+      }
+      flight.closed[index] = impact.rests(i);
+    }
+    const ImpactInstant instant{
+        t, h, theta, now_q, flight.v, flight.a, std::span(loads.command).first(n)};
+    late_work_ += jump_velocities(m, instant, jump, missed);
+    for (int i = 0; i < nq; ++i) {
+      flight.v[i] += jump[i];
+      after[i] += (1.0 - theta) * jump[i];
+      late[i] += theta * jump[i] + missed[i];
+    }
+    owes_ = true;
+  }
+  for (std::size_t i = 0; i < n; ++i) contact.set_lasting(i, flight.closed[i]);
+}
 
 }  // namespace rotorub

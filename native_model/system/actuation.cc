@@ -128,8 +128,8 @@ void add_actuators(const Model& m, const double* q, const double* v,
 }
 
 double coil_load(const MagneticActuator& magnets, double asked, double current) {
-  return Coil<double>{magnets.coil_lag, magnets.current_rate_limit, magnets.voltage_limit,
-                      magnets.inductance, magnets.resistance}
+  return Coil{magnets.coil_lag, magnets.current_rate_limit, magnets.voltage_limit,
+              magnets.inductance, magnets.resistance}
       .load(asked, current);
 }
 

@@ -120,7 +120,7 @@ struct FeedbackStates {
 // A magnetic bearing with a feedback of its own, the same in both planes.
 struct StationFeedback {
   ModeShape shape;
-  MagneticFeedback<double> law;
+  MagneticFeedback law;
   WorkingTimes works;
   FeedbackStates states{};
   std::optional<ModeShape> sensor{};  // where the law sees the deflection; absent: at `shape`
@@ -198,8 +198,6 @@ struct AuxiliaryBearing {
 };
 
 struct Model {
-  using Scalar = double;  // of the equations (dynamics/equations.h)
-
   Layout layout;
   Eigen::VectorXd mass;       // nq, diagonal of M, kg or kg m^2
   Eigen::VectorXd stiffness;  // nq, diagonal

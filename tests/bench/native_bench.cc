@@ -1,12 +1,11 @@
-// The native integrators: whole runs of `event`, a step of `verlet`, an ensemble per run and
-// step, what each part of a machine costs, and what a mode costs. Run with --benchmark_repetitions
+// The native integrators: whole runs of `event`, a step of `verlet`, what each part of a machine
+// costs, and what a mode costs. Run with --benchmark_repetitions
 // and take the medians; README.md has a table.
 #include <benchmark/benchmark.h>
 
 #include <cmath>
 
 #include "native_model/event/driver.h"
-#include "native_model/stepping/ensemble.h"
 #include "native_model/stepping/stepper.h"
 #include "native_model/trajectory/recorder.h"
 #include "tests/bench/machines.h"
@@ -37,12 +36,11 @@ void event_run(benchmark::State& state, const Model& model, double end) {
 }
 
 // Steps of 0.1 s from the start, over and over; the set-up is not timed.
-template <class Stepper>
-void fixed_steps(benchmark::State& state, const Model& model) {
+void verlet_steps(benchmark::State& state, const Model& model) {
   const std::int64_t steps = std::lround(0.1 / kStep);
   for (auto _ : state) {
     state.PauseTiming();
-    Stepper stepper(model, kStep);
+    VerletStepper stepper(model, kStep);
     state.ResumeTiming();
     for (std::int64_t k = 0; k < steps; ++k) {
       if (stepper.step(k).status != Status::kOk) state.SkipWithError("status");
@@ -50,20 +48,6 @@ void fixed_steps(benchmark::State& state, const Model& model) {
     benchmark::DoNotOptimize(stepper.q());
   }
   state.counters["per_step"] = per(state.iterations() * steps);
-}
-
-void ensemble_steps(benchmark::State& state, const Model& model, InstructionSet set) {
-  constexpr std::size_t kRuns = 64;
-  const std::int64_t steps = std::lround(0.1 / kStep);
-  std::vector<Model> models(kRuns, model);
-  for (std::size_t i = 0; i < kRuns; ++i) {
-    if (models[i].first().contact)
-      models[i].first().contact->friction.coefficient *= 1.0 + 0.01 * static_cast<double>(i);
-  }
-  Ensemble ensemble(models, kStep, set);
-  for (auto _ : state) benchmark::DoNotOptimize(ensemble.run(steps));
-  state.counters["per_run_and_step"] =
-      per(state.iterations() * steps * static_cast<std::int64_t>(kRuns));
 }
 
 void register_all() {
@@ -83,27 +67,18 @@ void register_all() {
     if (name.starts_with("paper"))
       scene.forces[0].on = 0.0, scene.initial.steady = false;  // contact within 0.1 s
     const Model model = make_model(scene);
-    add("verlet/" + name, [=](benchmark::State& s) { fixed_steps<VerletStepper>(s, model); });
-    if (name == "paper_sliding") continue;  // as paper_passive, without its controller
-    const char* sets[] = {"least", "avx2", "avx512"};
-    for (const auto set :
-         {InstructionSet::kBaseline, InstructionSet::kAvx2, InstructionSet::kAvx512}) {
-      if (set > best_instruction_set()) continue;
-      add(std::string("ensemble/verlet/") + sets[static_cast<int>(set)] + "/" + name,
-          [=](benchmark::State& s) { ensemble_steps(s, model, set); });
-    }
+    add("verlet/" + name, [=](benchmark::State& s) { verlet_steps(s, model); });
   }
   for (const bench::Part& part : bench::parts()) {
     const Model model = part.make();
     add(std::string("parts/verlet/") + part.name,
-        [=](benchmark::State& s) { fixed_steps<VerletStepper>(s, model); });
+        [=](benchmark::State& s) { verlet_steps(s, model); });
     add(std::string("parts/event/") + part.name,
         [=](benchmark::State& s) { event_run(s, model, 0.1); });
   }
   for (const int n : {2, 4, 8, 16, 32, 64}) {
     const Model model = make_model(bench::with_modes(n));
-    add("modes/verlet/" + std::to_string(n),
-        [=](benchmark::State& s) { fixed_steps<VerletStepper>(s, model); });
+    add("modes/verlet/" + std::to_string(n), [=](benchmark::State& s) { verlet_steps(s, model); });
     add("modes/event/" + std::to_string(n), [=](benchmark::State& s) { event_run(s, model, 0.1); });
   }
 }

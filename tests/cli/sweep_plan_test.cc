@@ -7,7 +7,7 @@
 namespace rotorub::test {
 namespace {
 
-// Six points that are run one by one, so that each is a batch.
+// Six points.
 class SweepPlan : public testing::Test {
  protected:
   SweepPlan() {

@@ -243,13 +243,8 @@ void expect_no_trace_of_kills(const std::string& text, const std::vector<std::st
   }
 }
 
-TEST(LongSweep, KilledTenTimesItLeavesTheSameTableOfSingleRuns) {
+TEST(LongSweep, KilledTenTimesItLeavesTheSameTable) {
   expect_no_trace_of_kills(study(50, 20, "integrator = \"event\"\n"), {"--jobs", "1"});
-}
-
-TEST(LongSweep, KilledTenTimesItLeavesTheSameTableOfEnsembles) {
-  expect_no_trace_of_kills(study(100, 20, "integrator = \"verlet\"\nstep = \"20 us\"\n"),
-                           {"--jobs", "1"});
 }
 
 TEST(LongSweep, ShardsOfWhichOneIsKilledAndRunAgainMergeIntoTheSameTable) {

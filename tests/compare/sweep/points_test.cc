@@ -1,29 +1,30 @@
-// Points as ensembles and by themselves.
+// Points of a study, each its own run.
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <atomic>
-#include <cmath>
 #include <memory>
 #include <nlohmann/json.hpp>
 #include <span>
 
 #include "compare/engine/engine.h"
-#include "compare/sweep/ensemble_points.h"
 #include "compare/sweep/point_run.h"
 #include "compare/sweep/sample.h"
+#include "native_model/scene/reader.h"
 #include "tests/compare/sweep/studies.h"
 
 namespace rotorub::sweep {
 namespace {
 
-using test::lasting;
 using test::of_ring;
-using test::sampled;
 using test::StudyFolder;
 
 const std::atomic<bool> kGoOn{false};
 
 std::string frictions(const std::string& values) {
-  return of_ring() + sampled("grid", {{"contact.friction", values}}) + lasting("60 ms", "20 us");
+  return of_ring() +
+         "[sample]\nkind = \"grid\"\n[[vary]]\nkey = \"contact.friction\"\nvalues = " + values +
+         "\n[run]\nend = \"60 ms\"\nstep = \"20 us\"\n";
 }
 
 // A study in a folder of its own, and its points.
@@ -35,32 +36,13 @@ struct Made {
       : study(folder.study(text)), scenes(study, set) {}
 };
 
-std::vector<PointScene> all_points(const PointScenes& scenes) {
-  std::vector<PointScene> points;
-  for (std::int64_t i = 0; i < scenes.sample().size(); ++i) points.push_back({i, scenes.at(i)});
-  return points;
-}
-
-std::vector<PointResult> ordered(std::vector<PointResult> results) {
-  std::sort(results.begin(), results.end(),
-            [](const PointResult& a, const PointResult& b) { return a.point < b.point; });
-  return results;
+std::vector<PointResult> all_points(const Made& made, const std::atomic<bool>& interrupt = kGoOn) {
+  return run_points(
+      made.study, made.scenes.sample().size(), [&](std::int64_t k) { return made.scenes.at(k); },
+      interrupt);
 }
 
 std::unique_ptr<Engine> verlet() { return native_engine(scene::Integrator::kVerlet); }
-
-// check(many, one): each point of an ensemble, and its run alone.
-template <typename Check>
-void expect_runs(const PointScenes& scenes, const Check& check) {
-  const auto together = run_ensembles(all_points(scenes), kGoOn);
-  ASSERT_EQ(together.size(), static_cast<std::size_t>(scenes.sample().size()));
-  for (const PointResult& many : together) {
-    SCOPED_TRACE(many.point);
-    const auto one = run_single(many.point, scenes.at(many.point), *verlet(), kGoOn);
-    ASSERT_TRUE(one && one->ok() && many.ok()) << many.reason;
-    check(many, *one);
-  }
-}
 
 // Every column, bit for bit.
 void expect_same(const PointResult& a, const PointResult& b) {
@@ -73,116 +55,60 @@ void expect_same(const PointResult& a, const PointResult& b) {
   }
 }
 
-TEST(EnsemblePoints, APointAmongOthersIsThePointAlone) {
-  const Made made(frictions("[0.05, 0.1, 0.15, 0.2, 0.25, 0.3, 0.4, 0.5, 0.6]"));
-  const auto points = all_points(made.scenes);
-  const auto together = ordered(run_ensembles(points, kGoOn));
-  ASSERT_EQ(together.size(), points.size());
-  for (std::size_t i = 0; i < points.size(); ++i) {
-    const auto alone = run_ensembles({points[i]}, kGoOn);
-    ASSERT_EQ(alone.size(), 1u);
-    expect_same(together[i], alone[0]);
+// Whatever threads ran it, a point is the run alone.
+TEST(Points, APointAmongOthersIsThePointAlone) {
+  const Made made(frictions("[0.05, 0.1, 0.15, 0.2, 0.25, 0.3, 0.4, 0.5, 0.6]") +
+                  "integrator = \"verlet\"\n");
+  const std::vector<PointResult> together = all_points(made);
+  ASSERT_EQ(together.size(), 9u);
+  for (const PointResult& many : together) {
+    SCOPED_TRACE(many.point);
+    const auto alone = run_single(many.point, made.scenes.at(many.point), *verlet(), kGoOn);
+    ASSERT_TRUE(alone);
+    expect_same(many, *alone);
+    EXPECT_GT(many.figures->energy_residual, 0.0);
+    EXPECT_LT(many.figures->energy_residual, 1e-3);
   }
 }
 
-// `rotorub run` adds each impulse in two halves, and its time in contact is a sum of times where
-// the ensemble counts steps: these figures agree to round-off. The first touch of an ensemble is
-// the begin of its step.
-TEST(EnsemblePoints, AreTheRunsOfTheEngine) {
-  constexpr double kRoundOff = 1e-12;  // relative, of sums over 3000 steps
-  const Made made(frictions("[0.1, 0.3]"));
-  expect_runs(made.scenes, [&](const PointResult& many, const PointResult& one) {
-    const Metrics &a = *many.figures, &b = *one.figures;
-    EXPECT_EQ(a.steps, b.steps);
-    EXPECT_EQ(a.impacts, b.impacts);
-    EXPECT_EQ(a.settled.attractor, b.settled.attractor);
-    EXPECT_NEAR(a.settled.whirl_frequency, b.settled.whirl_frequency, 1e-6);
-    EXPECT_NEAR(a.impulse_total, b.impulse_total, kRoundOff * b.impulse_total);
-    EXPECT_NEAR(a.peak_force, b.peak_force, kRoundOff * b.peak_force);
-    EXPECT_LE(*a.first_touch, *b.first_touch);
-    EXPECT_NEAR(*a.first_touch, *b.first_touch, 20e-6);
-  });
-}
-
-// Points of several contacts are in no lane, and in every figure the run alone.
-TEST(EnsemblePoints, OfSeveralContactsAreTheirRuns) {
-  const Made made(
-      "scene = \"" ROTORUB_SOURCE_DIR "/tests/native_model/event/two_rings/rub.toml\"\n" +
-      sampled("grid", {{"contact.friction", "[0.05, 0.2]"}}) + lasting("30 ms", "20 us"));
-  std::vector<double> work;
-  expect_runs(made.scenes, [&](const PointResult& many, const PointResult& one) {
-    EXPECT_GT(many.figures->impacts, 0);
-    expect_same(many, one);
-    work.push_back(many.figures->friction_work);
-  });
-  ASSERT_EQ(work.size(), 2u);
-  EXPECT_NE(work[0], work[1]);
-}
-
-// What a run watches of its impacts, its friction and its depth, of points that bounce, slide and
-// stick. Sums over some thousand steps agree to round-off; the depth of lasting contact is
-// round-off itself.
-TEST(EnsemblePoints, HaveTheImpactsFrictionAndDepthOfARun) {
-  constexpr double kRoundOff = 1e-11, kDepth = 1e-15;  // relative; m
-  const Made made(of_ring() +
-                  sampled("list", {{"contact.friction", "[0.1, 0.15, 0.3, 0.6, 0.15]"},
-                                   {"contact.restitution", "[0.5, 0.9, 0.0, 0.5, 0.5]"},
-                                   {"contact.radius", "[0.05, 0.05, 0.05, 0.002, 0.05]"},
-                                   {"force[0].amplitude", "[150, 150, 300, 150, 1]"}}) +
-                  lasting("60 ms", "20 us"));
-  expect_runs(made.scenes, [&](const PointResult& many, const PointResult& one) {
-    const Metrics &a = *many.figures, &b = *one.figures;
-    EXPECT_NEAR(a.peak_impulse, b.peak_impulse, kRoundOff * b.peak_impulse);
-    EXPECT_NEAR(a.friction_work, b.friction_work, kRoundOff * std::abs(b.friction_work));
-    EXPECT_NEAR(a.max_penetration, b.max_penetration, kRoundOff * b.max_penetration + kDepth);
-    EXPECT_EQ(a.peak_impulse > 0.0, many.point != 4) << "1 N never touches";
-    EXPECT_EQ(a.friction_work < 0.0, many.point != 4);
-  });
-}
-
-// What an ensemble does not keep is had by running one by one, and nothing else changes.
-TEST(EnsemblePoints, AStudyMayAskForEveryFigure) {
-  const auto results = [](const std::string& figures) {
-    const Made made(frictions("[0.05, 0.15]") + "integrator = \"verlet\"\n" + figures);
-    const std::vector<std::int64_t> points{0, 1};
-    return ordered(run_batch(
-        made.study, points, [&](std::int64_t k) { return made.scenes.at(k); }, kGoOn));
-  };
-  const auto few = results("figures = \"ensemble\"\n"), all = results("figures = \"all\"\n");
-  ASSERT_EQ(few.size(), all.size());
-  for (std::size_t k = 0; k < all.size(); ++k) {
-    EXPECT_TRUE(std::isnan(few[k].figures->energy_residual));
-    EXPECT_GT(all[k].figures->energy_residual, 0.0);
-    EXPECT_LT(all[k].figures->energy_residual, 1e-3);
-    EXPECT_NEAR(all[k].figures->impulse_total, few[k].figures->impulse_total,
-                1e-9 * few[k].figures->impulse_total);
+TEST(Points, OfSeveralContactsAreTheirRuns) {
+  const Made made("scene = \"" + std::string(ROTORUB_SOURCE_DIR) +
+                  R"(/tests/native_model/event/two_rings/rub.toml"
+[sample]
+kind = "grid"
+[[vary]]
+key = "contact.friction"
+values = [0.05, 0.2]
+[run]
+integrator = "verlet"
+end = "30 ms"
+step = "20 us"
+)");
+  const std::vector<PointResult> points = all_points(made);
+  ASSERT_EQ(points.size(), 2u);
+  for (const PointResult& point : points) {
+    ASSERT_TRUE(point.ok()) << point.reason;
+    EXPECT_GT(point.figures->impacts, 0);
   }
+  EXPECT_NE(points[0].figures->friction_work, points[1].figures->friction_work);
 }
 
-// They are in contact as long as they take, with the force of that time.
-TEST(EnsemblePoints, ImpactsThatTakeTimeHaveTheirDuration) {
-  constexpr double kRoundOff = 1e-11;  // relative
-  const Made made(of_ring() +
-                  sampled("list", {{"contact.compression_time", R"(["20 us", "1 ms", "3 us"])"},
-                                   {"contact.expansion_time", R"(["14 us", "0.5 ms", "2 us"])"}}) +
-                  lasting("20 ms", "10 us"));
-  expect_runs(made.scenes, [&](const PointResult& many, const PointResult& one) {
-    const Metrics &a = *many.figures, &b = *one.figures;
-    EXPECT_NEAR(a.peak_force, b.peak_force, kRoundOff * b.peak_force);
-    EXPECT_NEAR(a.impulse_total, b.impulse_total, kRoundOff * b.impulse_total);
-    // The first touch of an ensemble is the beginning of its step.
-    EXPECT_NEAR(a.contact_fraction, b.contact_fraction, 2e-3 * b.contact_fraction);
-    EXPECT_EQ(a.settled.contact_share, b.settled.contact_share);
-  });
-}
-
-TEST(EnsemblePoints, OtherPartsStepsAndEndsComeApart) {
-  const Made made(
-      of_ring() +
-      sampled("list", {{"run.step", R"(["20 us", "20 us", "40 us", "20 us"])"},
-                       {"run.end", R"(["20 ms", "20 ms", "20 ms", "30 ms"])"},
-                       {"gravity", R"(["none", "{acceleration = [0, -9.81]}", "none", "none"])"}}));
-  const auto results = ordered(run_ensembles(all_points(made.scenes), kGoOn));
+TEST(Points, MayDifferInPartsStepsAndEnds) {
+  const Made made(of_ring() + R"([sample]
+kind = "list"
+[[vary]]
+key = "run.step"
+values = ["20 us", "20 us", "40 us", "20 us"]
+[[vary]]
+key = "run.end"
+values = ["20 ms", "20 ms", "20 ms", "30 ms"]
+[[vary]]
+key = "gravity"
+values = ["none", "{acceleration = [0, -9.81]}", "none", "none"]
+[run]
+integrator = "verlet"
+)");
+  const auto results = all_points(made);
   ASSERT_EQ(results.size(), 4u);
   for (const PointResult& result : results) ASSERT_TRUE(result.ok()) << result.reason;
   EXPECT_EQ(results[0].figures->steps, 1000);
@@ -191,22 +117,39 @@ TEST(EnsemblePoints, OtherPartsStepsAndEndsComeApart) {
   EXPECT_EQ(results[3].figures->end, 0.03);
 }
 
-TEST(EnsemblePoints, FailuresSayWhatARunSays) {
-  const Made made(of_ring() + sampled("list", {{"run.step", R"(["20 us", "10 ms"])"}}) +
-                  "[run]\nend = \"20 ms\"\n");
-  const auto points = all_points(made.scenes);
-  const auto results = ordered(run_ensembles(points, kGoOn));
+TEST(Points, FailuresSayWhatARunSays) {
+  const Made made(of_ring() + R"([sample]
+kind = "list"
+[[vary]]
+key = "run.step"
+values = ["20 us", "10 ms"]
+[run]
+integrator = "verlet"
+end = "20 ms"
+)");
+  const auto results = all_points(made);
   EXPECT_TRUE(results[0].ok());
   EXPECT_EQ(results[1].status, "step_too_large");
-  const auto alone = run_single(1, points[1].scene, *verlet(), kGoOn);
+  const auto alone = run_single(1, made.scenes.at(1), *verlet(), kGoOn);
   EXPECT_EQ(results[1].reason, alone->reason);
   EXPECT_FALSE(alone->reason.empty());
 }
 
-TEST(EnsemblePoints, InterruptedTheyAreNoResults) {
-  const Made made(frictions("[0.1, 0.2]"));
+TEST(Points, InterruptedTheyAreNoResults) {
   const std::atomic<bool> stop{true};
-  EXPECT_TRUE(run_ensembles(all_points(made.scenes), stop).empty());
+  for (const PointResult& point : all_points(Made(frictions("[0.1, 0.2]")), stop)) {
+    EXPECT_EQ(point.status, "");
+  }
+}
+
+// The key chose between runs side by side, with few figures, and runs one by one.
+TEST(Points, AStudyMaySayWhichFiguresAreKeptAsBefore) {
+  testing::internal::CaptureStderr();
+  const Made made(frictions("[0.1]") + "figures = \"ensemble\"\n");
+  const std::string said = testing::internal::GetCapturedStderr();
+  EXPECT_NE(said.find("note: run.figures: every point has all figures now"), std::string::npos)
+      << said;
+  EXPECT_TRUE(all_points(made).at(0).ok());
 }
 
 TEST(PointScenes, AreThoseOfSet) {
@@ -227,18 +170,22 @@ values = ["40 Hz", 12.5]
   EXPECT_THROW(PointScenes(made.study, twice), scene::SceneError);
 }
 
-TEST(PointScenes, OfTheShippedStudies) {
-  const auto point_of = [](const std::string& name, std::int64_t size, std::int64_t index) {
-    const Study study = read_study(std::string(ROTORUB_MJCF_DIR) + "/studies/" + name);
-    const PointScenes scenes(study, {});
-    EXPECT_EQ(scenes.sample().size(), size);
-    EXPECT_NO_THROW(scenes.check());
-    return scenes.at(index);
-  };
-  const scene::Scene last = point_of("speed_friction.toml", 25 * 31, 25 * 31 - 1);
+TEST(PointScenes, OfTheShippedStudy) {
+  const Study study = read_study(std::string(ROTORUB_MJCF_DIR) + "/studies/speed_friction.toml");
+  const PointScenes scenes(study, {});
+  EXPECT_EQ(scenes.sample().size(), 25 * 31);
+  EXPECT_NO_THROW(scenes.check());
+  const scene::Scene last = scenes.at(scenes.sample().size() - 1);
   EXPECT_EQ(last.rotor.speed, last.drive->speed);
   EXPECT_EQ(last.rotor.speed, last.forces[0].frequency);
-  const scene::Scene point = point_of("high_friction.toml", 5 * 15, 2 * 15 + 14);
+}
+
+TEST(PointScenes, OfHighFriction) {
+  const Study study = read_study(std::string(ROTORUB_MJCF_DIR) + "/studies/high_friction.toml");
+  const PointScenes scenes(study, {});
+  EXPECT_EQ(scenes.sample().size(), 5 * 15);
+  EXPECT_NO_THROW(scenes.check());
+  const scene::Scene point = scenes.at(2 * 15 + 14);
   EXPECT_DOUBLE_EQ(point.drive->gain, 1.0);
   EXPECT_DOUBLE_EQ(point.first().contact->friction.coefficient, 1.5);
   EXPECT_EQ(point.rotor.torsion->modes, 4);
@@ -256,8 +203,15 @@ TEST(ResultColumns, HaveAPeakForceOfAFixedStepAlone) {
     ASSERT_TRUE(one && one->ok());
     EXPECT_EQ(column->value(*one->figures).is_number(), has);
   }
-  const auto many = run_ensembles(all_points(made.scenes), kGoOn);
-  EXPECT_TRUE(column->value(*many.at(0).figures).is_number());
+}
+
+TEST(ResultColumns, AreInTheReadme) {
+  const std::string readme =
+      scene::file_text(std::string(ROTORUB_SOURCE_DIR) + "/compare/sweep/README.md");
+  for (const ResultColumn& column : result_columns()) {
+    EXPECT_NE(readme.find(fmt::format("| `{}` | {}", column.name, column.unit)), std::string::npos)
+        << column.name;
+  }
 }
 
 TEST(PointScenes, AStudyThatNothingCanComeOfIsRefused) {

@@ -8,7 +8,7 @@
 namespace rotorub::sweep {
 namespace {
 
-// Points of `count` frictions, each of a millisecond and a batch of its own.
+// Points of `count` frictions, each of a millisecond.
 struct ShortSweep {
   explicit ShortSweep(int count)
       : study(folder.study(test::of_ring() +

@@ -15,14 +15,14 @@ TEST(PlanarContact, RandomSolutionsLeaveWhatTheyPromise) {
   std::mt19937_64 random(3);
   std::uniform_real_distribution<double> unit(-1.0, 1.0);
   for (int k = 0; k < 10000; ++k) {
-    const PlanarMatrix<double> a{1.5 + unit(random), unit(random) / 3.0, unit(random) / 3.0,
-                                 1.5 + unit(random)};
+    const Delassus a{1.5 + unit(random), unit(random) / 3.0, unit(random) / 3.0,
+                     1.5 + unit(random)};
     const double b_n = unit(random), b_t = unit(random), mu_sign = 0.9 * unit(random);
-    const PlanarImpulse<double> s = stick(a, b_n, b_t);
+    const PlanarImpulse s = stick(a, b_n, b_t);
     ASSERT_NEAR(gap_rate_after(a, b_n, s), 0.0, kPlanarSolve);
     ASSERT_NEAR(slip_after(a, b_t, s), 0.0, kPlanarSolve);
     const double n = slide(a, b_n, mu_sign);
-    const PlanarImpulse<double> l{n, -mu_sign * n};
+    const PlanarImpulse l{n, -mu_sign * n};
     ASSERT_NEAR(gap_rate_after(a, b_n, l), 0.0, kPlanarSolve);
     ASSERT_NEAR(slip_after(a, b_t, l), slip_after_slide(a, b_t, mu_sign, n), kPlanarSolve);
   }

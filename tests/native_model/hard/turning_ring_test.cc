@@ -6,7 +6,6 @@
 #include <cmath>
 
 #include "native_model/oracles/annular_rub.h"
-#include "native_model/stepping/ensemble.h"
 #include "tests/native_model/hard/rules.h"
 #include "tests/support/native_run.h"
 #include "tests/support/oracles/turning_ring.h"
@@ -186,29 +185,6 @@ TEST(TurningRing, TheWhipDiesOnAFreeRing) {
   const std::size_t end = t.rows() - 1;
   EXPECT_LT(std::hypot(t.column("rotor_x")[end], t.column("rotor_y")[end]), 1e-5);
   EXPECT_GT(*std::max_element(t.column("ring_speed").begin(), t.column("ring_speed").end()), 200.0);
-}
-
-// ---------------------------------------------------------------- lanes
-TEST(TurningRing, EachLaneIsTheRunAlone) {
-  std::vector<Model> models;
-  std::vector<scene::Scene> scenes;
-  for (int k = 0; k < 5; ++k) {
-    scenes.push_back(thrown());
-    scenes.back().first().stator->spin->inertia = 1e-4 * (1 + k);
-    scenes.back().first().contact->clearance = kClearance * (1.0 + 0.05 * k);  // its own R / r
-    models.push_back(make_model(scenes.back()));
-  }
-  const auto runs = Ensemble(models, 1e-5).run(10000);
-  for (std::size_t k = 0; k < runs.size(); ++k) {
-    const Trajectory alone = run_with(scenes[k], Integrator::kVerlet);
-    ASSERT_EQ(runs[k].status, Status::kOk);
-    const int at = models[k].layout.ring_angle();
-    EXPECT_EQ(runs[k].q[static_cast<std::size_t>(at)], alone.column("ring_angle").back());
-    EXPECT_EQ(runs[k].q[0], alone.column("rotor_x").back());
-    // A run alone takes the velocity from the steps before and after its end.
-    const double speed = alone.column("ring_speed").back();
-    EXPECT_NEAR(runs[k].v[static_cast<std::size_t>(at)], speed, 1e-6 * speed);
-  }
 }
 
 }  // namespace

@@ -12,7 +12,6 @@
 #include "native_model/rotor/campbell.h"
 #include "native_model/scene/diagnostic.h"
 #include "native_model/system/model.h"
-#include "tests/support/lanes.h"
 #include "tests/support/levitated_shaft.h"
 #include "tests/support/native_run.h"
 #include "tests/support/order.h"
@@ -148,17 +147,6 @@ TEST(MagneticBearings, IntegratorsCarryTheWeightFromASteadyStart) {
     EXPECT_NEAR(50.0 * t.column("bearing2_current_y")[k], at_second, 1e-6 * at_second);
     EXPECT_NEAR(t.column("rotor_x")[k], 0.0, 1e-12);
   }
-}
-
-TEST(MagneticBearings, LanesAreTheRunsAlone) {
-  std::vector<Model> models;
-  for (int k = 0; k < 4; ++k) {
-    std::vector<std::string> overrides = kBusy;
-    overrides.push_back("magnetic_bearing[1].control.fails_at=" + std::to_string(0.004 + 1e-3 * k));
-    overrides.push_back("magnetic_bearing[0].sensor_station=" + std::to_string(0.05 + 0.01 * k));
-    models.push_back(make_model(levitated_by_two(kTwoMagnets, overrides)));
-  }
-  test::expect_lanes_are_runs(models, 1e-5, 1500);
 }
 
 TEST(MagneticBearings, RefuseWhatTheyCannotHold) {

@@ -8,7 +8,6 @@
 #include "native_model/system/model.h"
 #include "tests/support/fixed_steps.h"
 #include "tests/support/jeffcott.h"
-#include "tests/support/lanes.h"
 
 namespace rotorub {
 namespace {
@@ -107,23 +106,6 @@ TEST(OpposedMagnets, CarryAWeightWhereTheirForceDoes) {
     EXPECT_NEAR(run_with(s, integrator).column("rotor_y").back(), low, 1e-11)
         << static_cast<int>(integrator);
   }
-}
-
-// Lanes beside each other, each with its own magnets and amplifier, are the runs alone.
-TEST(OpposedMagnets, LanesAreTheRunsAlone) {
-  std::vector<Model> models;
-  for (int k = 0; k < 4; ++k) {
-    scene::Scene s = opposed(0.0);
-    s.magnetic_bearings[0].force_constant *= 1.0 + 0.1 * k;
-    s.magnetic_bearings[0].control = scene::BearingControl{.proportional = 9000.0 + 100.0 * k,
-                                                           .derivative = 3.0 + k,
-                                                           .derivative_lag = 1e-4 + 1e-5 * k};
-    s.magnetic_bearings[0].amplifier = scene::Amplifier{
-        .bandwidth = 6000.0 + 500.0 * k, .voltage_limit = 40.0 + k, .inductance = 0.02};
-    s.initial.x = {3e-4};
-    models.push_back(make_model(s));
-  }
-  test::expect_lanes_are_runs(models, 1e-5, 1000);
 }
 
 }  // namespace

@@ -8,7 +8,6 @@
 #include "native_model/scene/reader.h"
 #include "native_model/system/model.h"
 #include "tests/support/jeffcott.h"
-#include "tests/support/lanes.h"
 #include "tests/support/native_run.h"
 #include "tests/support/said.h"
 
@@ -25,19 +24,6 @@ scene::Scene every_tenth() {
       .force_per_current = 80.0, .proportional = 4000.0, .derivative = 2.0, .sample_time = 1e-4};
   s.run.end = 0.01;
   return s;
-}
-
-TEST(SampledMagneticControl, LanesAreTheRunsAlone) {
-  std::vector<Model> models;
-  for (int k = 0; k < 4; ++k) {
-    scene::Scene s = every_tenth();
-    s.initial.x = {1e-4};
-    s.initial.vy = {0.03};
-    s.magnetic_bearings[0].control->sample_time = (1 + k) * 5e-5;
-    s.magnetic_bearings[0].control->derivative = 2.0 + 0.2 * k;
-    models.push_back(make_model(s));
-  }
-  test::expect_lanes_are_runs(models, 2.5e-5, 1000);
 }
 
 TEST(SampledMagneticControl, StepsMeetItsSamples) {

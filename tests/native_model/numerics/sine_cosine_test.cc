@@ -49,22 +49,5 @@ TEST(SineCosine, OfSmallAngles) {
   }
 }
 
-TEST(SineCosine, OfLanesAreThoseOfEach) {
-  using Lane = lanes::Lane<2>;
-  const std::vector<double> all = angles();
-  for (std::size_t i = 1; i < all.size(); ++i) {
-    Lane angle, s, c;
-    lanes::set(angle, 0, all[i - 1]);
-    lanes::set(angle, 1, all[i]);
-    sine_cosine(angle, s, c);
-    for (int lane = 0; lane < 2; ++lane) {
-      double sine = 0.0, cosine = 0.0;
-      sine_cosine(lanes::get(angle, lane), sine, cosine);
-      ASSERT_EQ(lanes::get(s, lane), sine) << lanes::get(angle, lane);
-      ASSERT_EQ(lanes::get(c, lane), cosine) << lanes::get(angle, lane);
-    }
-  }
-}
-
 }  // namespace
 }  // namespace rotorub

@@ -146,7 +146,7 @@ TEST(StabilityThreshold, FindsAWindowBetweenTwoPointsOfATable) {
   values[2] = {0.0, 0.0, -19000.0, -19000.0, -19000.0};
   WhirlFilm film;
   film.station = Eigen::VectorXd::Ones(1);
-  film.law.tables.push_back(std::make_shared<CoefficientTable>(speed, values));
+  film.law.table = std::make_shared<CoefficientTable>(speed, values);
   system.films.push_back(film);
   for (const double at : speed) ASSERT_GT(least_damping(system, at), 0.0) << at;
   std::optional<double> by_hand;

@@ -8,7 +8,6 @@
 #include "native_model/bearing/actuator.h"
 #include "native_model/event/driver.h"
 #include "native_model/scene/reader.h"
-#include "native_model/stepping/ensemble.h"
 #include "native_model/stepping/stepper.h"
 #include "native_model/trajectory/recorder.h"
 #include "tests/support/counted_new.h"
@@ -111,23 +110,6 @@ TEST_F(Allocation, NoneInAForceTable) {
   const double force = table.force(2e-4, 0.3), current = table.current(1e-4, 1.0, 2.0);
   EXPECT_EQ(allocations - before, 0);
   EXPECT_TRUE(std::isfinite(force + current));
-}
-
-// What an ensemble allocates is the same for ten times the steps.
-TEST_F(Allocation, NoneInAStepOfAnEnsemble) {
-  for (const char* name : kScenes) {
-    SCOPED_TRACE(name);
-    Ensemble ensemble(std::vector<Model>(9, make_model(soon_active(name))), 1e-5);
-    const auto count = [&](std::int64_t steps) {
-      const std::int64_t before = allocations;
-      const auto runs = ensemble.run(steps);
-      const std::int64_t after = allocations;
-      EXPECT_EQ(runs[8].status, Status::kOk);
-      return after - before;
-    };
-    const std::int64_t brief = count(500), whole = count(5000);
-    EXPECT_EQ(brief, whole);
-  }
 }
 
 }  // namespace

@@ -7,7 +7,6 @@
 #include <string>
 #include <vector>
 
-#include "native_model/stepping/ensemble.h"
 #include "tests/support/native_run.h"
 #include "tests/support/order.h"
 
@@ -134,22 +133,6 @@ TEST(VerletJump, AtTheEdgeOfAStep) {
       ASSERT_EQ(t.status, Status::kOk) << t.message;
       EXPECT_LT(test::trajectory_error(t, exact), 1e-9) << k << " " << at;
     }
-  }
-}
-
-// In the lanes of an ensemble each has its own instant, and the bits of its run alone.
-TEST(VerletJump, LanesHaveTheBitsOfTheRunAlone) {
-  std::vector<Model> models;
-  std::vector<scene::Scene> scenes;
-  for (int k = 0; k < 9; ++k) {
-    scenes.push_back(pressed(jumping("force[0].off=AT", {kRing}, kInstant + 0.37e-5 * k)));
-    models.push_back(make_model(scenes.back()));
-  }
-  const std::vector<EnsembleRun> runs = Ensemble(models, 1e-5).run(3000);
-  for (std::size_t k = 0; k < scenes.size(); ++k) {
-    const Trajectory t = test::run_with(scenes[k], scene::Integrator::kVerlet, 1e-5);
-    EXPECT_EQ(runs[k].q[0], t.column("x_1").back()) << k;
-    EXPECT_EQ(runs[k].q[1], t.column("y_1").back()) << k;
   }
 }
 
