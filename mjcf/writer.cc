@@ -289,18 +289,16 @@ class Document {
         text += (text.empty() ? "" : " ") + fmt::format("{}", value);
       return text;
     };
-    const std::vector<int> beside = order_beside_the_rotor(model_);
-    const auto with_rings = [&](Eigen::VectorXd rotor, const Eigen::VectorXd& all) {
-      const auto count = static_cast<Eigen::Index>(beside.size());
-      rotor.conservativeResize(rotor.size() + count);
-      rotor.tail(count) = all(beside);
+    const std::vector<int> order = segments_ ? order_beside_the_rotor(model_) : joint_order(model_);
+    const auto followed = [&order](Eigen::VectorXd rotor, const Eigen::VectorXd& all) {
+      Eigen::Index next = rotor.size();
+      rotor.conservativeResize(next + static_cast<Eigen::Index>(order.size()));
+      for (const int i : order) rotor[next++] = all[i];
       return rotor;
     };
-    const std::vector<int> order = joint_order(model_);
-    const Eigen::VectorXd q = segments_ ? with_rings(segments_->start_position(), model_.q0)
-                                        : Eigen::VectorXd(model_.q0(order));
-    const Eigen::VectorXd v = segments_ ? with_rings(segments_->start_velocity(), model_.v0)
-                                        : Eigen::VectorXd(model_.v0(order));
+    const Eigen::VectorXd none(0);
+    const Eigen::VectorXd q = followed(segments_ ? segments_->start_position() : none, model_.q0);
+    const Eigen::VectorXd v = followed(segments_ ? segments_->start_velocity() : none, model_.v0);
     xml_.open("<keyframe>");
     for (const char* name : {names::kStartKey, names::kTestKey}) {
       xml_.line(fmt::format(R"(<key name="{}" time="0" qpos="{}" qvel="{}"/>)", name, listed(q),

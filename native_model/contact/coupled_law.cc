@@ -21,7 +21,9 @@ constexpr double kSingular = 1e-12;      // pivots below this share of the large
 // Of the rates: motions that differ by less are one. Where contacts share their forces in more ways
 // than one, the stations of a symmetric shaft are alike to what its modes are worth.
 constexpr double kSameMotion = 1e-6;
-constexpr double kGive = 1e-7;   // of the largest of a: what each contact gives in softened()
+// Of the largest of a, what each contact gives where the way in which they share is not theirs:
+// more than round-off of the rates against what tells motions apart; where that is too much, less.
+constexpr double kGive = 1e-4, kLessGive = 1e-8;
 constexpr int kMostRounds = 50;  // of cases that follow each other
 
 enum class Bound { kLow, kHigh, kStick };
@@ -202,9 +204,9 @@ CoupledSolution by_cases(const CoupledProblem& problem, Cases& of) {
 }
 
 // Contacts that all give a little share their impulses in one way only.
-ContactMatrix softened(const ContactMatrix& a) {
+ContactMatrix softened(const ContactMatrix& a, double give) {
   ContactMatrix soft = a;
-  soft.diagonal().array() += kGive * a.cwiseAbs().maxCoeff();
+  soft.diagonal().array() += give * a.cwiseAbs().maxCoeff();
   return soft;
 }
 
@@ -213,7 +215,7 @@ ContactMatrix softened(const ContactMatrix& a) {
 CoupledSolution shared_alike(const ContactMatrix& a, const ContactVector& b,
                              std::span<const ContactSet> sets, const CoupledProblem& problem,
                              const CoupledSolution& several) {
-  const ContactMatrix soft = softened(a);
+  const ContactMatrix soft = softened(a, kGive);
   Cases cases{};
   CoupledSolution shared;
   if (by_cases(CoupledProblem(soft, b, sets), cases).solutions != 1) return several;
@@ -226,19 +228,19 @@ CoupledSolution shared_alike(const ContactMatrix& a, const ContactVector& b,
 // no longer change: what is then found is exact, and the same in any order.
 CoupledSolution by_rounds(const ContactMatrix& a, const ContactVector& b,
                           std::span<const ContactSet> sets, const CoupledProblem& problem) {
-  const ContactMatrix soft = softened(a);
-  const CoupledProblem giving(soft, b, sets);
   CoupledSolution out;
-  Cases cases = giving.cases_of(ContactVector::Zero(b.size()));
-  for (int k = 0; k < kMostRounds; ++k) {
-    const ContactVector p = giving.impulses(cases);
-    if (!p.allFinite()) return {};
-    const Cases next = giving.cases_of(p);
-    if (next == cases) {
-      out.solutions = problem.meets(cases, out) ? 1 : 0;
+  for (const double give : {kGive, kLessGive}) {
+    const ContactMatrix soft = softened(a, give);
+    const CoupledProblem giving(soft, b, sets);
+    Cases cases{}, next = giving.cases_of(ContactVector::Zero(b.size()));
+    for (int k = 0; k < kMostRounds && next != cases; ++k) {
+      cases = next;
+      next = giving.cases_of(giving.impulses(cases));
+    }
+    if (next == cases && problem.meets(cases, out)) {
+      out.solutions = 1;
       return out;
     }
-    cases = next;
   }
   return {};
 }

@@ -77,8 +77,8 @@ ContactDecisions select_contact_modes(const ContactMatrix& g, const ContactVecto
       decided.next.push_back({Mode::kStick, 0.0});
     } else {
       // Against its friction: beside contacts that stick its slip is round-off.
-      const double friction = s.p[at + 1];
-      const double sign = friction != 0.0 ? -friction : s.y[at + 1];
+      const double force = s.p[at + 1];
+      const double sign = force != 0.0 ? -force : s.y[at + 1];
       decided.next.push_back({Mode::kSlide, sign > 0.0 ? 1.0 : -1.0});
     }
   }

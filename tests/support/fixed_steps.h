@@ -17,7 +17,7 @@ void expect_order_of_steps(const scene::Scene& scene, const std::vector<double>&
                            double order, const Error& error,
                            double last = std::numeric_limits<double>::infinity()) {
   const Convergence c = convergence(steps, [&](double step) {
-    const Trajectory run = run_verlet(scene, step);
+    const Trajectory run = run_with(scene, scene::Integrator::kVerlet, step);
     EXPECT_EQ(run.status, Status::kOk) << run.message;
     return error(run);
   });

@@ -209,6 +209,62 @@ TEST(CoupledLaw, WhatIsSharedIsSharedAlike) {
   }
 }
 
+// Rings of different friction and restitution at one place: their impulses, and with them the
+// friction, could be shared in many ways. They share the normal impulse alike, in whatever order.
+TEST(CoupledLaw, WhatIsSharedDoesNotDependOnTheOrder) {
+  std::mt19937 random(6);
+  std::uniform_real_distribution<double> unit(0.0, 1.0);
+  for (const int contacts : {2, 3, 4, 5, 8}) {
+    for (int k = 0; k < 50; ++k) {
+      const auto rows = static_cast<Eigen::Index>(2 * contacts);
+      const double slip = (unit(random) - 0.5) * (k % 2 == 0 ? 1.0 : 1e3);
+      ContactMatrix a = ContactMatrix::Zero(rows, rows);
+      ContactVector b(rows);
+      for (Eigen::Index i = 0; i < rows; ++i) {
+        b[i] = i % 2 == 0 ? -0.1 : slip;
+        for (Eigen::Index j = i % 2; j < rows; j += 2) a(i, j) = i % 2 == 0 ? 0.5 : 0.7;
+      }
+      std::vector<ImpactLaw> laws(static_cast<std::size_t>(contacts));
+      double friction = 0.0, restitution = 0.0;
+      for (ImpactLaw& law : laws) {
+        law = {0.5 * unit(random), unit(random), 0.0};
+        friction += law.friction.coefficient / contacts;
+        restitution += law.restitution / contacts;
+      }
+      const CoupledSolution s = solve_coupled_impact(a, b, laws);
+      std::reverse(laws.begin(), laws.end());
+      const CoupledSolution back = solve_coupled_impact(a, b, laws);
+      ASSERT_EQ(s.solutions, 1) << contacts << " " << k;
+      ASSERT_EQ(back.solutions, 1) << contacts << " " << k;
+      EXPECT_LT((s.y - back.y).norm(), 1e-12 * b.norm()) << contacts << " " << k;
+      EXPECT_NEAR(s.y[0], 0.1 * restitution, 1e-12) << contacts << " " << k;
+      const CoupledSolution compressed = solve_compression(a, b, laws);
+      for (int i = 0; i < contacts; ++i)
+        EXPECT_NEAR(compressed.p[2 * i], 0.2 / contacts, 1e-12) << contacts << " " << k;
+      const double rubbed = 0.7 * 0.2 * friction;
+      if (std::abs(slip) < rubbed) continue;
+      EXPECT_NEAR(compressed.y[1], slip - std::copysign(rubbed, slip), 1e-10 * std::abs(slip));
+    }
+  }
+}
+
+// Two rings at one place jam as one does: that sharing has a rule makes no motion of two.
+TEST(CoupledLaw, WhatJamsIsAmbiguousHoweverManyShareIt) {
+  for (const int contacts : {1, 2, 3}) {
+    const auto rows = static_cast<Eigen::Index>(2 * contacts);
+    ContactMatrix a(rows, rows);
+    ContactVector b(rows);
+    for (Eigen::Index i = 0; i < rows; ++i) {
+      b[i] = i % 2 == 0 ? 0.1 : 1.0;
+      for (Eigen::Index j = 0; j < rows; ++j)
+        a(i, j) = (i + j) % 2 == 1 ? 3.0 : i % 2 == 0 ? 1.0 : 10.0;
+    }
+    std::vector<ContactSet> sets(static_cast<std::size_t>(contacts));
+    for (ContactSet& s : sets) s.friction = 0.5, s.slides = 1.0;
+    EXPECT_GT(solve_coupled(a, b, sets).solutions, 1) << contacts;
+  }
+}
+
 // Contacts of a mode that is 1 at the one and all but 1 at the other: which of them sticks is open,
 // what the mode does is not.
 TEST(CoupledLaw, ContactsThatAreNearlyAlikeHaveOneMotion) {

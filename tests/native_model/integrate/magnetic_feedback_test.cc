@@ -180,7 +180,7 @@ TEST(MagneticIntegral, TheLimitTakesBackWhatItCutsOff) {
   ASSERT_GT(size, 1e-5);
   for (std::size_t k = 0; k < exact.size(); ++k)
     EXPECT_NEAR(t.column("rotor_x")[k], exact[k], 1e-8 * size) << k;
-  EXPECT_LT(test::rotor_error(test::run_verlet(s, 1e-5), t), 1e-4 * size);
+  EXPECT_LT(test::rotor_error(run_with(s, scene::Integrator::kVerlet, 1e-5), t), 1e-4 * size);
 }
 
 }  // namespace
