@@ -197,7 +197,8 @@ void EventIntegrator::decide_all(const Closed& closed_here) {
 // Those of them that press are at rest on their circles; the others fly, or are held where they
 // are.
 void EventIntegrator::settle(const Closed& decided) {
-  project(in_contact());
+  const Closed pressed = in_contact();
+  project(pressed);
   for (const ClosedContact& c : closed_points(*model_, motion_.q(), motion_.v(), decided)) {
     const AuxiliaryBearing& bearing = model_->auxiliary[c.index];
     if (phase_.in_contact(c.index) || bearing.gives()) continue;
@@ -206,6 +207,8 @@ void EventIntegrator::settle(const Closed& decided) {
       state = in_flight(Departure::kInside);
     } else if (c.point.gap_rate > 0.0 && !is_no_gap_rate(c.point)) {
       state = in_flight(Departure::kRebound);
+    } else if (!pressed.empty()) {
+      state = held_by_others(Departure::kParting);
     }
     state.held_gap = std::min(0.0, c.point.gap);
     phase_.set(c.index, state);

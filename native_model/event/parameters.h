@@ -14,7 +14,7 @@ struct EventParameters {
   // s: what closes so slowly and opens another contact, as a rotor that rocks between two rings,
   // leaves both closed where the other's flight would be shorter than this: an accumulation of
   // impacts that no restitution ends.
-  double shortest_flight = 1e-10;
+  double shortest_flight = 1e-12;
   // Share of the accelerations that meet at the contact under which their sum counts as 0. On an
   // orbit as wide as the clearance that sum is 0, and `tolerance` leaves a few times itself of it.
   double no_force = 1e-10;

@@ -32,16 +32,21 @@ test('a run-up goes through the peak of its Bode plot, a little later, and the d
   assert.ok(peak.x > critical && peak.x < 1.25 * critical, `${peak.x} rpm beside ${critical} rpm`);
   assert.ok(peak.y < largest(contact).y, 'it has no time to grow');
 
-  const places = [];
+  const places = [], last = {};
   for (const t of [0.2, 0.5]) {
     await page.evaluate(`page.players[0].clock.seek(${t})`);
     for (const key of ['cascade', 'orders', 'orders_polar']) {
       await drawn(page, key);
-      const at = await page.evaluate((k) => {
-        const dot = document.querySelector(`.plot[data-plot="${k}"] .cursor-dots b`);
-        return dot && [dot.style.left, dot.style.top].join();
-      }, key);
-      places.push(at);
+      // On a busy machine the dot follows a few frames later.
+      last[key] = await page.evaluate(([k, before]) => new Promise((answer) => {
+        const look = (left) => {
+          const dot = document.querySelector(`.plot[data-plot="${k}"] .cursor-dots b`);
+          const at = dot && [dot.style.left, dot.style.top].join();
+          if (left === 0 || (at && at !== before)) answer(at); else setTimeout(() => look(left - 1), 50);
+        };
+        look(40);
+      }), [key, last[key]]);
+      places.push(last[key]);
     }
   }
   // At 0.2 s the cascade has no row yet: eight turns about it do not fit into the run.
