@@ -130,9 +130,9 @@ class Shaken {
     oracle::BaseMotion sum{};
     for (const Line& l : lines_) {
       const double angle = l.frequency * t + l.phase;
-      sum.rate += std::polar(l.amplitude / l.frequency * std::sin(angle), direction_);
+      sum.rate += l.amplitude / l.frequency * std::sin(angle) * std::polar(1.0, direction_);
       sum.place -=
-          std::polar(l.amplitude / (l.frequency * l.frequency) * std::cos(angle), direction_);
+          l.amplitude / (l.frequency * l.frequency) * std::cos(angle) * std::polar(1.0, direction_);
     }
     oracle::BaseMotion record{};
     for (std::size_t k = 0; k + 1 < time_.size() && time_[k] < t; ++k) {
