@@ -18,7 +18,7 @@ namespace rotorub {
 
 // What an onlooker sees of every step of a MuJoCo run: step k, from t = k h to t + h. MuJoCo's
 // Euler step is leapfrog: its velocities are those of half a step before its positions, and a force
-// of the step acts about t, from t - h/2 to t + h/2 (native_model/stepping/verlet_step.h).
+// of the step acts about t, from t - h/2 to t + h/2 (native_model/stepping/verlet.h).
 struct WatchedStep {
   double t = 0.0, h = 0.0;  // s
   // The state of t: nq values of the plugin's model (without coils). Velocities are those of t, the

@@ -124,7 +124,7 @@ class FixedRun {
   // step k belong to the next state. A last step beyond the end tells the velocities there; half of
   // what its loads did about the end counts.
   std::int64_t leap() {
-    Hits hits(contacts_ * contacts_ * StepImpacts::kMost);
+    Hits hits(contacts_ * contacts_ * kMostImpacts);
     std::int64_t k = 0;
     for (; k <= steps_ && good(); ++k) {
       const double t = time(k), kick = k == 0 ? 0.5 * step_ : step_;

@@ -2,25 +2,18 @@
 #pragma once
 
 #include <Eigen/Core>
-#include <array>
 #include <cstddef>
 #include <span>
 
-#include "native_model/contact/step_contact.h"
+#include "native_model/contact/planar_contact.h"
+#include "native_model/numerics/status.h"
 #include "native_model/system/model.h"
 #include "native_model/trajectory/trajectory.h"
 
 namespace rotorub {
 
-// The impacts of one step, in order.
-struct ImpactList {
-  int count = 0;
-  std::array<Impact, StepImpacts::kMost> impact;
-  void add(const Impact& i) {
-    if (count < StepImpacts::kMost) impact[static_cast<std::size_t>(count++)] = i;
-  }
-  std::span<const Impact> view() const { return {impact.data(), static_cast<std::size_t>(count)}; }
-};
+// Impacts of one contact in a step; the last has restitution 0.
+inline constexpr int kMostImpacts = 8;
 
 // A command that jumps within a step: the share of the step before, in (0, 1), and the means before
 // and after. Share 0: none.

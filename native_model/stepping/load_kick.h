@@ -2,7 +2,7 @@
 //
 //   M(q) (v+ - v-) = h F(q, (v- + v+)/2, t) + J^T p,
 //
-// p the contact's impulse (one_contact.h, several_contacts.h). With A = M + h/2 D
+// p the contacts' impulses (step_contacts.h). With A = M + h/2 D
 // (velocity_matrix.h) the linear part is solved at once, v+ = v- + A^-1 (h F(q, v-) + J^T p); what
 // depends on velocities beyond that (free spin with gyroscopics or unbalance, a motor's curve,
 // coils, integrators, a magnetic bearing at its limit) is iterated. What a model lacks costs

@@ -9,6 +9,8 @@ namespace rotorub {
 namespace {
 
 constexpr double kStands = 1e-12;  // of the approach: as good as at rest
+// m/s: after an impact without restitution the gap closes by round-off, which is no second impact.
+constexpr double kLeastRate = 1e-9;
 
 Eigen::Index row(std::size_t i) { return static_cast<Eigen::Index>(2 * i); }
 
@@ -45,8 +47,8 @@ Status SharedImpact::strike(const StepState& x, double t, double at, const doubl
     laws_[i].restitution = laws_[i].tangential_restitution = 0.0;
   };
   for (std::size_t i = 0; i < n; ++i) {
-    const SeveralContacts::Lasting::Of& c = contacts_->now.of[of_[i].index];
-    if (c.lasts && closed_[i]) {
+    const StepContacts::Kept& c = contacts_->now[of_[i].index];
+    if (c.closed && closed_[i]) {
       pressed_[i] +=
           (g_(row(i), row(i)) * c.normal + g_(row(i), row(i) + 1) * c.friction) / (x.kick * x.h);
     }
@@ -75,9 +77,8 @@ Status SharedImpact::strike(const StepState& x, double t, double at, const doubl
     const double radius = contacts_->law(contact).radius;
     add_contact_load(x.m, contact_load(of_[i].point.e_r, radius, p.x(), p.y()), load, contact);
     if (!(p.x() > 0.0)) continue;
-    contacts_->done[contact].normal_impulse += p.x();
-    contacts_->done[contact].friction_impulse += p.y();
-    contacts_->impacts.push_back(impact_of(t, p, before.segment<2>(row(i)), to, contact));
+    contacts_->note_impact(impact_of(t, p, before.segment<2>(row(i)), to, contact),
+                           approach_ > kLeastRate);
   }
   return Status::kOk;
 }

@@ -1,17 +1,17 @@
-// One impact in a fixed step of several contacts, with all that is closed there.
+// One impact in a fixed step, with all rigid contacts that are closed there.
 #pragma once
 
 #include <array>
 
 #include "native_model/dynamics/constraint.h"
-#include "native_model/stepping/several_contacts.h"
+#include "native_model/stepping/step_contacts.h"
 
 namespace rotorub {
 
 class SharedImpact {
  public:
   // `contacts` must outlive this.
-  explicit SharedImpact(SeveralContacts& contacts) : contacts_(&contacts) {}
+  explicit SharedImpact(StepContacts& contacts) : contacts_(&contacts) {}
 
   // A contact takes part, with the normal e_r and the velocities and accelerations (nq values) of
   // the instant; `closed`: it lasted until then.
@@ -27,6 +27,8 @@ class SharedImpact {
   bool was_closed(std::size_t i) const { return closed_[i]; }
   bool rests(std::size_t i) const { return rests_[i]; }
   double approach() const { return approach_; }  // m/s, the largest
+  // Of a single contact: its rebound outlives `time`, s.
+  bool outlives(double time) const { return rebounds(0, time, approach_); }
   // Delassus's matrix, of (normal, friction) of each in turn.
   const ContactMatrix& matrix() const { return g_; }
 
@@ -34,7 +36,7 @@ class SharedImpact {
   // Whether the impact at the speed `approach` (m/s) is followed by a flight, contact/impact.h.
   bool rebounds(std::size_t i, double h, double approach) const;
 
-  SeveralContacts* contacts_;
+  StepContacts* contacts_;
   std::size_t count_ = 0;
   double approach_ = 0.0;
   std::array<ClosedContact, kMaxContacts> of_{};

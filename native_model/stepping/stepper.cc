@@ -5,13 +5,12 @@
 
 #include "native_model/scene/run.h"
 #include "native_model/stepping/euler.h"
-#include "native_model/stepping/verlet_step.h"
+#include "native_model/stepping/verlet.h"
 
 namespace rotorub {
 namespace {
 
 // A step of `verlet` as others see it.
-template <class Contacts>
 class Leapfrog final : public KeptStepper {
  public:
   Leapfrog(const Model& model, double h) : step_(model, h) {}
@@ -19,16 +18,15 @@ class Leapfrog final : public KeptStepper {
   FixedStep step(std::int64_t k, std::span<const Eigen::Vector2d> u, bool works) override {
     command(u);
     if (!u[0].isZero(0.0)) step_.loads.drive_first_ring();
-    const double sign = step_.contact.slip_sign();
     step_.step(k);
     FixedStep out;
-    step_.contact.tell(out, sign);
+    step_.contacts.tell(out);
     out.status = step_.x.status;
     out.impact_time = step_.impact_time();
     out.impact_force = step_.impact_force(k);
     if (works && out.status == Status::kOk) {
       out.impact_work = impact_work(step_.x.m, out.impacts);
-      out.contact_work = out.impact_work + step_.contact.lasting_work(step_.x);
+      out.contact_work = out.impact_work + step_.contacts.lasting_work(step_.x);
       out.external_work = step_.external_work();
     }
     return out;
@@ -79,7 +77,7 @@ class Leapfrog final : public KeptStepper {
   // state, and what loads and scheme keep.
   template <class Action>
   void for_each_kept(Action action) {
-    step_.contact.for_each_kept(action);
+    step_.contacts.for_each_kept(action);
     action(step_.x.origin);
     for (double& value : step_.x.q) action(value);
     for (double& value : step_.x.v) action(value);
@@ -87,21 +85,15 @@ class Leapfrog final : public KeptStepper {
     step_.for_each_kept(action);
   }
 
-  VerletStep<Contacts> step_;
+  VerletStep step_;
 };
-
-std::unique_ptr<KeptStepper> leapfrog(const Model& model, double h) {
-  if (model.gives()) return std::make_unique<Leapfrog<CompliantContacts>>(model, h);
-  if (model.auxiliary.size() > 1) return std::make_unique<Leapfrog<SeveralContacts>>(model, h);
-  return std::make_unique<Leapfrog<OneContact>>(model, h);
-}
 
 }  // namespace
 
 std::unique_ptr<KeptStepper> make_kept_stepper(const Model& model, double step,
                                                const State& start) {
   assert(step > 0.0);
-  auto stepper = leapfrog(model, step);
+  auto stepper = std::make_unique<Leapfrog>(model, step);
   stepper->begin(start.t, start.q.data(), start.v.data());
   return stepper;
 }

@@ -1,5 +1,5 @@
 // One run of a model in fixed steps, by one of two schemes of the same equations:
-// - verlet: leapfrog with located impacts, second order (verlet_step.h);
+// - verlet: leapfrog with located impacts, second order (verlet.h);
 // - euler: the paper's own, first order (euler.h).
 #pragma once
 
@@ -44,7 +44,7 @@ class FixedStepper {
 std::unique_ptr<FixedStepper> make_stepper(scene::Integrator integrator, const Model& model,
                                            double step);
 
-// A stepper whose whole state others can keep, as plain numbers. One contact or none.
+// A stepper whose whole state others can keep, as plain numbers.
 class KeptStepper : public FixedStepper {
  public:
   // As newly made, from another state (nq values each) at time t. No allocation.

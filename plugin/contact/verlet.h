@@ -1,5 +1,5 @@
 // Contact model `rigid` of generated models on the modal chain: the native step `verlet`
-// (native_model/stepping/verlet_step.h) in the place of MuJoCo's. MuJoCo's Euler step,
+// (native_model/stepping/verlet.h) in the place of MuJoCo's. MuJoCo's Euler step,
 //   v_{k+1/2} = v_{k-1/2} + H^-1 h f,   q_{k+1} = q_k + h v_{k+1/2},   H = M + h D,
 // is leapfrog once its velocity is read as that of the middle of the step. What f must be so that
 // v_{k+1/2} is that of `verlet` (damping at the middle, located impacts, what they leave over) is

@@ -1,13 +1,14 @@
 // One step of `verlet`: leapfrog, order 2 through impacts, their accumulation and lasting contact.
 // The velocity that goes with q_k is that of half a step before, v_{k-1/2}.
 //
-//   1. v' = v_{k-1/2} + what the last step's impacts left over; free velocity v_f = v_{k+1/2} from
-//      all loads at (t_k, q_k), velocity-dependent ones at the mean of v' and v_f. The first step
-//      is half a kick.
-//   2. The straight path q_k + h v_f stays in the ring: done.
-//   3. Lasting contact: the step ends on the circle (one_contact.h, several_contacts.h).
-//   4. Where a load or the command jumps within a step of lasting contact: split().
-//   5. The path leaves the circle, out of flight: Poisson's law where it does (verlet_impacts.cc).
+//   1. Kick: v' = v_{k-1/2} + what the last step's impacts left over; free velocity v_f = v_{k+1/2}
+//      from all loads at (t_k, q_k), velocity-dependent ones at the mean of v' and v_f. The first
+//      step is half a kick.
+//   2. Contact: where the straight path q_k + h v_f stays in every ring nothing more is done. What
+//      lasts ends the step on its circle, or presses into its wall (step_contacts.h). Where a load
+//      or the command jumps within a step of lasting contact: split().
+//   3. Impact: where a path leaves its circle out of flight, Poisson's law at that instant.
+//   4. Drift: q_{k+1} = q_k + h v_{k+1/2}.
 //
 // Of the jump w of the velocities by an impact at the share theta of the step, this step takes
 // (1 - theta) w, the next one the rest, and what the loads that depend on velocities miss of it,
@@ -20,17 +21,12 @@
 #include <array>
 #include <cstdint>
 #include <optional>
-#include <type_traits>
 
-#include "native_model/stepping/compliant_contacts.h"
-#include "native_model/stepping/one_contact.h"
-#include "native_model/stepping/several_contacts.h"
+#include "native_model/stepping/step_contacts.h"
 #include "native_model/system/finite_impact.h"
 
 namespace rotorub {
 
-// Contacts: OneContact, SeveralContacts (rigid ones), CompliantContacts.
-template <class Contacts>
 class VerletStep {
  public:
   // The model must outlive this. h: s.
@@ -38,7 +34,7 @@ class VerletStep {
 
   StepState x;
   LoadKick loads;
-  Contacts contact;
+  StepContacts contacts;
 
   // From t_k = origin + k h to t_{k+1}. With a status the state stays where it was.
   void step(std::int64_t k);
@@ -65,11 +61,11 @@ class VerletStep {
   // J, of the step's loads on the coordinates.
   double external_work();
 
-  // All of the scheme that outlives a step beside state and contact.
+  // All of the scheme that outlives a step beside state and contacts.
   template <class Action>
   void for_each_kept(Action& action) {
     keep_flag(first_, action);
-    contact.for_each_force_kept(action);
+    contacts.for_each_force_kept(action);
     keep_flag(owes_, action);
     for (double& value : late_) action(value);
     if (slow_impact_) slow_impact_->for_each_kept(action);
@@ -77,22 +73,22 @@ class VerletStep {
 
  private:
   using Coordinates = StepState::Coordinates;
-  using Lasting = typename Contacts::Lasting;
-  // Impacts of one contact alone may take time; contacts that give have none.
-  static constexpr bool kOne = std::is_same_v<Contacts, OneContact>;
-  static constexpr bool kRigid = !std::is_same_v<Contacts, CompliantContacts>;
+  struct Flight;
 
   void kick(std::int64_t k, bool later = false);
   void halve_kick();
 
   double share_before_jump(double begin, double end) const;
   void split(double share, double begin, double end);
-  void take_part(const Lasting& was, double begin, double end);
+  void take_part(const StepContacts::State& was, double begin, double end);
   void command_part(bool before, double share);
   void forget_jumps();
 
   void collide(std::int64_t k);
-  void begin_slow_impact(std::int64_t k, const double* v, const double* a, double theta);
+  std::size_t next_touch(Flight& flight) const;
+  void knock_open(std::size_t contact, Flight& flight);
+  void take_jump(const Flight& flight, double t, const double* q, double* jump);
+  void begin_slow_impact(std::int64_t k, const Flight& flight);
   void follow_slow_impact(std::int64_t k);
 
   Coordinates late_;                  // m/s, rad/s: what the last step left over
@@ -106,23 +102,13 @@ class VerletStep {
   bool command_jumps_ = false;  // in the step that comes
   std::array<CommandJump, kMaxContacts> jumps_;
   // Of a step in parts: contact before it; x.after of the mean loads, of the parts.
-  Lasting before_parts_;
+  StepContacts::State before_parts_;
   Coordinates mean_after_, part_sum_;
 
-  std::optional<FiniteImpact> slow_impact_;
-  bool held_open_ = false;  // it is under way
+  std::optional<FiniteImpact> slow_impact_;  // of one contact alone
+  bool held_open_ = false;                   // it is under way
   double impact_time_ = 0.0;
   double last_time_ = 0.0;  // s, of the last step, from the origin
 };
-
-template <>
-void VerletStep<OneContact>::collide(std::int64_t k);
-template <>
-void VerletStep<OneContact>::begin_slow_impact(std::int64_t k, const double* v, const double* a,
-                                               double theta);
-template <>
-void VerletStep<OneContact>::follow_slow_impact(std::int64_t k);
-template <>
-void VerletStep<SeveralContacts>::collide(std::int64_t k);
 
 }  // namespace rotorub

@@ -1,0 +1,423 @@
+#include "native_model/stepping/step_contacts.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "native_model/contact/kinematics.h"
+#include "native_model/dynamics/dynamics.h"
+
+namespace rotorub {
+
+namespace eq = equations;
+
+StepContacts::StepContacts(const StepState& x, LoadKick& loads)
+    : m_(x.m),
+      loads_(loads),
+      h_(x.h),
+      contacts_(x.m.auxiliary.size()),
+      uncoupled_(count() * count(), Eigen::Matrix3d::Zero()),
+      done_(count()),
+      without_impacts_(x.q) {
+  for (std::size_t j = 0; j < count(); ++j) {
+    Contact& c = contacts_[j];
+    c.at = &m_.auxiliary[j];
+    for (auto& column : c.column) column.resize(x.q.size());
+    if (!c.at->contact) continue;
+    const ContactParameters& law = *c.at->contact;
+    exists_ = true;
+    c.rigid = !law.gives();
+    gives_ = gives_ || law.gives();
+    c.clearance = law.clearance;
+    c.radius = law.radius;
+    c.friction = law.friction.is_constant() ? law.friction.coefficient
+                                            : std::numeric_limits<double>::quiet_NaN();
+    for (int axis = 0; axis < 3; ++axis) {
+      double* column = c.column[static_cast<std::size_t>(axis)].data();
+      add_contact_load(m_, Eigen::Vector3d::Unit(axis), column, j);
+      loads.solve_uncoupled(column);
+      for (std::size_t i = 0; i < count(); ++i) {
+        if (!m_.auxiliary[i].contact) continue;
+        uncoupled_[i * count() + j].col(axis) = contact_acceleration(m_, column, i);
+      }
+    }
+  }
+  admittance_ = uncoupled_;
+  impacts.reserve(count() * count() * kMostImpacts);
+}
+
+void StepContacts::forget_last() {
+  impacts.clear();
+  impacted_ = false;
+  for (std::size_t i = 0; i < count(); ++i) {
+    contacts_[i].last_sign = now[i].slip_sign;
+    done_[i] = {};
+  }
+}
+
+void StepContacts::begin(const StepState& x) {
+  now = {};
+  for (std::size_t i = 0; i < count(); ++i) {
+    if (!m_.auxiliary[i].contact) continue;
+    if (contacts_[i].rigid) {
+      now[i].closed = rests_on_circle(m_, x.q.data(), x.v.data(), i);
+      continue;
+    }
+    const ContactPoint p = contact_point(m_, x.q.data(), x.v.data(), i);
+    now[i].closed = CompliantLaw::begins_closed(p.gap, p.gap_rate, law(i).clearance);
+    now[i].hunt_crossley = law(i).compliance.a_of_start();
+  }
+}
+
+bool StepContacts::lasts() const {
+  for (std::size_t i = 0; i < count(); ++i) {
+    if (contacts_[i].rigid && now[i].closed) return true;
+  }
+  return false;
+}
+
+Eigen::Vector3d StepContacts::rates(std::size_t i, const double* v) const {
+  return contact_rates(m_, v, i);
+}
+
+// ------------------------------------------------------------------ what a load does
+// With bending and spin coupled as in this step.
+void StepContacts::couple() {
+  if (!loads_.coupled()) return;
+  const Layout& l = m_.layout;
+  const VelocityMatrix& a = loads_.matrix();
+  for (Contact& c : contacts_) {
+    for (std::size_t axis = 0; axis < 3; ++axis) {
+      c.coupled[axis] = a.coupled_part(c.column[axis].data());
+    }
+  }
+  for (std::size_t i = 0; i < count(); ++i) {
+    const AuxiliaryBearing& at = *contacts_[i].at;
+    const Pair bent = eq::at_station(l.modes, at.shape, a.solved_coupling());
+    double turned = a.spin_column()[0];
+    for (int k = 0; k < l.torsion; ++k) turned += at.torsion_shape[k] * a.spin_column()[1 + k];
+    for (std::size_t j = 0; j < count(); ++j) {
+      const Eigen::Matrix3d& from = uncoupled_[i * count() + j];
+      Eigen::Matrix3d& to = admittance_[i * count() + j];
+      for (int axis = 0; axis < 3; ++axis) {
+        const VelocityMatrix::Coupled& part = contacts_[j].coupled[static_cast<std::size_t>(axis)];
+        to(0, axis) = from(0, axis) - bent.x * part.spin;
+        to(1, axis) = from(1, axis) - bent.y * part.spin;
+        to(2, axis) = from(2, axis) + turned * part.back;
+      }
+    }
+  }
+}
+
+void StepContacts::push(std::size_t i, double normal, double friction, double* to) const {
+  const Contact& c = contacts_[i];
+  const double px = -c.e_r.x * normal - c.e_r.y * friction,
+               py = -c.e_r.y * normal + c.e_r.x * friction, pz = c.radius * friction;
+  const double *cx = c.column[0].data(), *cy = c.column[1].data(), *cz = c.column[2].data();
+  const int nq = static_cast<int>(c.column[0].size());
+  ROTORUB_APART for (int k = 0; k < nq; ++k) to[k] += cx[k] * px + cy[k] * py + cz[k] * pz;
+  if (!loads_.coupled()) return;
+  const auto along = [&](auto part) {
+    return c.coupled[0].*part * px + c.coupled[1].*part * py + c.coupled[2].*part * pz;
+  };
+  using Coupled = VelocityMatrix::Coupled;
+  loads_.matrix().add({along(&Coupled::spin), along(&Coupled::back)}, to);
+}
+
+Eigen::Vector3d StepContacts::rates_by(std::size_t i, const List& others) const {
+  Eigen::Vector3d sum(0.0, 0.0, 0.0);
+  for (const std::size_t j : others) {
+    if (j == i) continue;
+    const Contact& c = contacts_[j];
+    sum += admittance(i, j) *
+           contact_load({c.e_r.x, c.e_r.y}, c.radius, now[j].normal, now[j].friction);
+  }
+  return sum;
+}
+
+// ------------------------------------------------------------------ lasting contact
+ROTORUB_INLINE bool StepContacts::leaves(const Contact& c, const Pair& velocity) const {
+  const double px = c.d.x + h_ * velocity.x, py = c.d.y + h_ * velocity.y;
+  return px * px + py * py > c.clearance * c.clearance;
+}
+
+ROTORUB_INLINE void StepContacts::look(const StepState& x) {
+  for (Contact& c : contacts_) c.d = eq::separation(m_, *c.at, x.seen.data());
+  look_at_free(x);
+}
+
+ROTORUB_INLINE void StepContacts::look_at_free(const StepState& x) {
+  for (std::size_t i = 0; i < count(); ++i) {
+    Contact& c = contacts_[i];
+    c.free = eq::relative(m_, *c.at, x.free.data());
+    if (!c.rigid) c.free_rates = rates(i, x.free.data());
+  }
+}
+
+// The rigid contacts that last. One that is the only one to act lasts while its free path leaves
+// the circle; of several one may press another, which only all together decide.
+StepContacts::List StepContacts::lasting(StepState& x, const List& pressing, bool unsettled) {
+  List found;
+  for (std::size_t i = 0; i < count(); ++i) {
+    if (contacts_[i].rigid && now[i].closed) found.push_back(i);
+  }
+  if (found.size() != 1 || !pressing.empty()) return found;
+  const Contact& c = contacts_[found[0]];
+  bool outside = leaves(c, c.free);
+  if (!outside && unsettled) {
+    loads_.settle(x);
+    look_at_free(x);
+    outside = leaves(c, c.free);
+  }
+  if (outside) return found;
+  now[found[0]] = {};
+  return {};
+}
+
+void StepContacts::go_on(StepState& x, bool unsettled) {
+  look(x);
+  acts_ = false;
+  for (std::size_t i = 0; i < count(); ++i) {
+    Kept& c = now[i];
+    contacts_[i].flies = contacts_[i].rigid && !c.closed && m_.auxiliary[i].contact;
+    contacts_[i].sign_before = c.slip_sign;
+    c.normal = c.friction = 0.0;
+  }
+  List pressing;
+  if (gives_ && !find_touches(x, pressing)) return;
+  const List on_circles = lasting(x, pressing, unsettled);
+  acts_ = !on_circles.empty() || !pressing.empty();
+  if (acts_) press_on(x, on_circles, pressing);
+  for (std::size_t i = 0; i < count(); ++i) {
+    Kept& c = now[i];
+    const bool pressed = c.closed && c.normal > 0.0;
+    if (contacts_[i].rigid) c.closed = pressed;
+    if (!pressed) c.slip_sign = 0.0;
+    c.normal_at_end = c.normal;
+    c.friction_at_end = c.friction;
+  }
+  if (acts_) note_lasting();
+}
+
+bool StepContacts::leave_flight(const StepState& x) const {
+  for (const Contact& c : contacts_) {
+    if (c.flies && leaves(c, acts_ ? eq::relative(m_, *c.at, x.after.data()) : c.free)) return true;
+  }
+  return false;
+}
+
+// To the place that the step sees; where there is none it stays.
+void StepContacts::turn_normal(Contact& c) {
+  const double delta = std::sqrt(c.d.x * c.d.x + c.d.y * c.d.y);
+  if (delta > kNoNormal) c.e_r = {c.d.x / delta, c.d.y / delta};
+}
+
+// From the step's begin: x.after from x.free, whatever the iteration needs.
+void StepContacts::press_on(StepState& x, const List& lasting, const List& pressing) {
+  couple();
+  for (const std::size_t i : lasting) turn_normal(contacts_[i]);
+  if (loads_.iterates()) loads_.begin_iteration();
+  for (bool settled = false;;) {
+    if (!find_impulses(x, lasting, pressing)) return;
+    x.after = x.free;
+    for (const std::size_t i : lasting) push(i, now[i].normal, now[i].friction, x.after.data());
+    for (const std::size_t i : pressing) push(i, now[i].normal, now[i].friction, x.after.data());
+    // Once more after the last round.
+    if (!loads_.iterates() || settled) break;
+    settled = !loads_.improve(x, x.after.data());
+    look_at_free(x);
+  }
+}
+
+// The impulses of all for the present x.free; false: the laws have none. Rigid and compliant
+// contacts in turn, until their impulses no longer change.
+bool StepContacts::find_impulses(StepState& x, const List& lasting, const List& pressing) {
+  if (pressing.empty()) {
+    return (lasting.size() == 1 && slide_on(lasting[0], x.free.data())) ||
+           solve_lasting(x, lasting, pressing);
+  }
+  constexpr int kRounds = 200;
+  constexpr double kSettled = 1e-15;  // of the largest impulse
+  for (int round = 0; round < kRounds; ++round) {
+    const State was = now;
+    if (!press(x, pressing, lasting)) return false;
+    if (lasting.empty()) return true;
+    if (!solve_lasting(x, lasting, pressing)) return false;
+    double moved = 0.0, largest = 0.0;
+    for (std::size_t i = 0; i < count(); ++i) {
+      moved = std::max({moved, std::abs(now[i].normal - was[i].normal),
+                        std::abs(now[i].friction - was[i].friction)});
+      largest = std::max(largest, now[i].normal);
+    }
+    if (moved <= kSettled * largest) break;
+  }
+  return true;
+}
+
+// One rigid contact that slides on as in the step before, in closed form; false where it does not.
+// See contact/step_contact.h.
+ROTORUB_INLINE bool StepContacts::slide_on(std::size_t i, const double* free) {
+  const Contact& c = contacts_[i];
+  const double h = h_, r = c.radius, ex = c.e_r.x, ey = c.e_r.y;
+  const double spin = eq::contact_spin(m_, *c.at, free);
+  const double ratio = -c.friction * c.sign_before;
+  // Response to N with T = ratio N.
+  const double lx = -ex - ey * ratio, ly = -ey + ex * ratio, lz = r * ratio;
+  const Eigen::Matrix3d& a = admittance(i, i);
+  const double gx = a(0, 0) * lx + a(0, 1) * ly + a(0, 2) * lz;
+  const double gy = a(1, 0) * lx + a(1, 1) * ly + a(1, 2) * lz;
+  const double gz = a(2, 0) * lx + a(2, 1) * ly + a(2, 2) * lz;
+  const double px = c.d.x + h * c.free.x, py = c.d.y + h * c.free.y, hx = h * gx, hy = h * gy;
+  const double square = hx * hx + hy * hy, along = px * hx + py * hy;
+  const double circle = c.clearance * c.clearance;
+  const double depth = px * px + py * py - circle;
+  const double root = along * along - square * depth;
+  const double normal = depth / (std::sqrt(root > 0.0 ? root : 1.0) - along);
+  const double slip =
+      ex * (c.free.y + normal * gy) - ey * (c.free.x + normal * gx) + r * (spin + normal * gz);
+  const double turned = c.d.x * px + c.d.y * py;
+  // Once iterated, the path may end inside: no adhesion.
+  const bool slides = depth > 0.0 && root > 0.0 && along < 0.0 && slip * c.sign_before > 0.0 &&
+                      turned >= 0.5 * circle;
+  if (!slides) return false;
+  now[i].normal = normal;
+  now[i].friction = ratio * normal;
+  now[i].slip_sign = c.sign_before;
+  return true;
+}
+
+bool StepContacts::solve_lasting(StepState& x, const List& lasting, const List& pressing) {
+  ContactList<LastingContact> contacts;
+  for (const std::size_t i : lasting) {
+    Contact& c = contacts_[i];
+    LastingContact s;
+    s.d = {c.d.x, c.d.y};
+    const Eigen::Vector3d others = rates_by(i, pressing);
+    s.free = rates(i, x.free.data()) + others;
+    // Where the path of one contact ends far from where it begins (it passes the middle), the
+    // normal is that of the place where it leaves the circle.
+    const Eigen::Vector2d path = h_ * s.free.head<2>();
+    if (lasting.size() == 1 && s.d.dot(s.d + path) < 0.5 * c.clearance * c.clearance) {
+      const double share = circle_exit(s.d, path, c.clearance);
+      const Eigen::Vector2d e_r = (s.d + std::min(1.0, share) * path).normalized();
+      c.e_r = {e_r.x(), e_r.y()};
+    }
+    s.e_r = {c.e_r.x, c.e_r.y};
+    s.start = rates(i, x.start.data());
+    s.clearance = c.clearance;
+    s.radius = c.radius;
+    s.friction = law(i).friction;
+    s.slip_sign = c.sign_before;
+    contacts.push_back(s);
+  }
+  const ContactAdmittance a{admittance_.data(), count(), {lasting.data(), lasting.size()}};
+  const Status found = solve_lasting_contacts(h_, {contacts.data(), contacts.size()}, a);
+  if (found != Status::kOk) {
+    x.fail(found);
+    return false;
+  }
+  for (std::size_t k = 0; k < lasting.size(); ++k) {
+    Kept& c = now[lasting[k]];
+    c.normal = contacts[k].normal_impulse;
+    c.friction = contacts[k].friction_impulse;
+    c.slip_sign = contacts[k].slip_sign;
+  }
+  return true;
+}
+
+void StepContacts::hold_on(StepState& x) {
+  bool held = false;
+  for (std::size_t i = 0; i < count(); ++i) {
+    const Kept& kept = now[i];
+    if (!kept.closed || !(kept.normal_at_end > 0.0)) continue;
+    if (!held) couple();
+    held = true;
+    Contact& c = contacts_[i];
+    const Pair d = eq::separation(m_, *c.at, x.seen.data());
+    const double delta = std::sqrt(d.x * d.x + d.y * d.y);
+    if (!(delta > (c.rigid ? kNoNormal : c.clearance))) continue;
+    c.e_r = {d.x / delta, d.y / delta};
+    push(i, kept.normal_at_end, kept.friction_at_end, x.free.data());
+  }
+}
+
+// ------------------------------------------------------------------ a step in two parts
+bool StepContacts::alike(const State& part, const State& was) const {
+  for (std::size_t i = 0; i < count(); ++i) {
+    if (!contacts_[i].rigid || !was[i].closed) continue;
+    if (!part[i].closed || part[i].slip_sign != was[i].slip_sign) return false;
+  }
+  return true;
+}
+
+StepContacts::State StepContacts::second_part(const State& was, const State& first) const {
+  State second = was;
+  for (std::size_t i = 0; i < count(); ++i) {
+    if (contacts_[i].rigid) second[i].slip_sign = first[i].slip_sign;
+  }
+  return second;
+}
+
+void StepContacts::join_parts(double share, double rest, const State& first) {
+  for (std::size_t i = 0; i < count(); ++i) {
+    Kept& c = now[i];
+    c.normal_at_end = c.normal;
+    c.friction_at_end = c.friction;
+    c.normal = share * first[i].normal + rest * c.normal;
+    c.friction = share * first[i].friction + rest * c.friction;
+  }
+  note_lasting();
+}
+
+void StepContacts::go_on_as(const State& mean) {
+  now = mean;
+  note_lasting();
+}
+
+// ------------------------------------------------------------------ what the step did
+void StepContacts::note_lasting() {
+  for (std::size_t i = 0; i < count(); ++i) {
+    const Kept& c = now[i];
+    ContactStep& done = done_[i];
+    done = {};
+    if (!c.closed || !(c.normal > 0.0)) continue;
+    done.mode = c.slip_sign == 0.0 ? Mode::kStick : Mode::kSlide;
+    done.reversed = contacts_[i].last_sign * c.slip_sign < 0.0;
+    done.normal_impulse = c.normal;
+    done.friction_impulse = c.friction;
+    done.lasting = {c.normal, c.friction};
+  }
+}
+
+void StepContacts::set_closed(std::size_t i, bool closed) {
+  if (now[i].closed != closed) now[i].slip_sign = 0.0;
+  now[i].closed = closed;
+}
+
+void StepContacts::note_impact(const Impact& impact, bool listed) {
+  ContactStep& done = done_[static_cast<std::size_t>(impact.contact)];
+  impacted_ = true;
+  done.normal_impulse += impact.normal_impulse;
+  done.friction_impulse += impact.friction_impulse;
+  if (listed) impacts.push_back(impact);
+}
+
+void StepContacts::tell(FixedStep& out) const {
+  static_cast<ContactStep&>(out) = done_[0];
+  out.others = std::span(done_).subspan(1);
+  out.impacts = impacts;
+}
+
+double StepContacts::lasting_work(const StepState& x) const {
+  const double* end = end_without_impacts(x);
+  double work = 0.0;
+  for (std::size_t i = 0; i < count(); ++i) {
+    if (!(done_[i].lasting.x() > 0.0)) continue;
+    const Contact& c = contacts_[i];
+    work += rotorub::lasting_work(m_, i, {c.e_r.x, c.e_r.y}, done_[i].lasting,
+                                  rates(i, x.start.data()), rates(i, end));
+  }
+  return work;
+}
+
+}  // namespace rotorub

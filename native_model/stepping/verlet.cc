@@ -1,0 +1,398 @@
+#include "native_model/stepping/verlet.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "native_model/contact/kinematics.h"
+#include "native_model/dynamics/dynamics.h"
+#include "native_model/stepping/shared_impact.h"
+#include "native_model/system/actuation.h"
+
+namespace rotorub {
+namespace {
+
+// Below, of a step, round-off alone keeps a jump apart from the step's ends.
+constexpr double kLeastPart = 1e-9;
+constexpr double kOnCircle = 1e-12;  // of the clearance: as good as on it
+
+bool impacts_take_time(const Model& m) {
+  return m.auxiliary.size() == 1 && m.first().contact && m.first().contact->impact_time() > 0.0;
+}
+
+}  // namespace
+
+VerletStep::VerletStep(const Model& model, double h)
+    : x(model, h),
+      loads(model, h),
+      contacts(x, loads),
+      late_(x.q),
+      switches_(std::isfinite(next_switch(model, 0.0, std::numeric_limits<double>::infinity()))),
+      mean_after_(x.q),
+      part_sum_(x.q) {
+  if (impacts_take_time(model)) slow_impact_.emplace(model);
+}
+
+// ------------------------------------------------------------------ the step
+void VerletStep::step(std::int64_t k) {
+  late_work_ = impact_time_ = 0.0;
+  contacts.forget_last();
+  const bool later = loads.iterates() && !first_ && !slow_impact_ && contacts.settles();
+  x.begin(owes_ ? late_.data() : nullptr);
+  kick(k, later);
+  if (owes_) std::fill(late_.begin(), late_.end(), 0.0);
+  owes_ = false;
+  was_first_ = first_;
+  held_open_ = slow_impact_ && slow_impact_->active();
+  if (held_open_) {
+    follow_slow_impact(k);
+  } else if (contacts.exists()) {
+    const double end = x.time_of(k) + 0.5 * x.h, begin = was_first_ ? x.time_of(k) : end - x.h;
+    const double share = share_before_jump(begin, end);
+    if (share > 0.0) before_parts_ = contacts.now;
+    x.kick = was_first_ ? 0.5 : 1.0;
+    contacts.go_on(x, later);
+    if (share > 0.0) split(share, begin, end);
+    if (contacts.leave_flight(x)) collide(k);
+    x.kick = 1.0;
+  }
+  if (command_jumps_) forget_jumps();
+  first_ = false;
+  x.move();
+}
+
+// x.free and x.after of step k without contact; `later`: see LoadKick.
+void VerletStep::kick(std::int64_t k, bool later) {
+  const double t = x.time_of(k);
+  loads.free_velocity(x, k, first_ ? t : t - 0.5 * x.h, t, later);
+  if (first_) halve_kick();
+}
+
+// x.free of the step's loads, which are those of its kick: the first is half of one.
+void VerletStep::halve_kick() {
+  for (std::size_t i = 0; i < x.free.size(); ++i) x.free[i] = 0.5 * (x.start[i] + x.free[i]);
+  x.after = x.free;
+}
+
+void VerletStep::velocity_now(std::int64_t k, double* now) {
+  if (first_) {
+    std::copy(x.v.begin(), x.v.end(), now);
+    return;
+  }
+  x.look(owes_ ? late_.data() : nullptr);
+  kick(k);
+  if (slow_impact_ && slow_impact_->active()) return slow_impact_->velocities(x.time_of(k), now);
+  if (contacts.exists()) contacts.hold_on(x);
+  for (std::size_t i = 0; i < x.free.size(); ++i) now[i] = 0.5 * (x.start[i] + x.free[i]);
+}
+
+void VerletStep::restart() {
+  first_ = true;
+  owes_ = false;
+  std::fill(late_.begin(), late_.end(), 0.0);
+  loads.forget();
+  if (slow_impact_) slow_impact_->cancel();
+  contacts.begin(x);
+}
+
+void VerletStep::last_velocity(double* now) const {
+  const double *start = x.start.data(), *end = contacts.end_without_impacts(x);
+  for (int i = 0; i < x.nq(); ++i) now[i] = was_first_ ? start[i] : 0.5 * (start[i] + end[i]);
+  for (int i = x.m.sampled_states(); i < x.m.layout.coil(); ++i) now[i] = start[i];
+  if (held_open_) slow_impact_->velocities(x.origin + last_time_, now);
+}
+
+double VerletStep::external_work() {
+  if (held_open_) return late_work_;  // the impact has it
+  const double kick = was_first_ ? 0.5 : 1.0;
+  return kick * loads.external_work(x, contacts.end_without_impacts(x)) + late_work_;
+}
+
+// ------------------------------------------------------------------ jumps of loads and commands
+// In flight the mean over the step is all that counts. In lasting contact the contact's force is
+// not part of the mean load: it ends, or its friction turns, where the load does. So the step's
+// velocities are those that the loads before and the loads after would give had they held all
+// along, each for its share s of the step,
+//
+//   v_{k+1/2} = s v_before + (1 - s) v_after,   (N, T) likewise,
+//
+// and order 2 stays. Where both only go on as they were, the mean load says the same, and the step
+// ends on the circle.
+void VerletStep::jump(std::size_t ring, const CommandJump& command) {
+  jumps_[ring] = command;
+  command_jumps_ = command_jumps_ || command.share > 0.0;
+  if (command_jumps_) loads.jumps = jumps_;
+}
+
+void VerletStep::forget_jumps() {
+  jumps_.fill({});
+  command_jumps_ = false;
+  loads.jumps = {};
+}
+
+// The share of the kick from begin to end (s) before a load or a command jumps in lasting contact;
+// 0: none does. Of commands that jump at several instants the first counts.
+double VerletStep::share_before_jump(double begin, double end) const {
+  if (!(switches_ || command_jumps_) || !contacts.lasts()) return 0.0;
+  constexpr double kNone = 2.0;
+  double share = kNone;
+  for (const CommandJump& command : jumps_) {
+    if (command_jumps_ && command.share > 0.0) share = std::min(share, command.share);
+  }
+  if (share == kNone) share = (next_switch(x.m, begin, end) - begin) / (end - begin);
+  return share > kLeastPart && share < 1.0 - kLeastPart ? share : 0.0;
+}
+
+// Once the step is taken with its mean loads.
+void VerletStep::split(double share, double begin, double end) {
+  const StepContacts::State& was = before_parts_;
+  const double rest = 1.0 - share, middle = begin + share * (end - begin);
+  const LoadKick::Commands mean_commands = loads.command;
+  const StepContacts::State mean = contacts.now;
+  mean_after_ = x.after;
+  command_part(true, share);
+  take_part(was, begin, middle);
+  const StepContacts::State before = contacts.now;
+  for (std::size_t i = 0; i < part_sum_.size(); ++i) part_sum_[i] = share * x.after[i];
+  command_part(false, share);
+  take_part(contacts.second_part(was, before), middle, end);
+  for (std::size_t i = 0; i < part_sum_.size(); ++i) part_sum_[i] += rest * x.after[i];
+
+  // The loads of the whole step again: x.free, and what works are reckoned from.
+  loads.command = mean_commands;
+  loads.free_velocity_of_part(x, begin, end);
+  if (was_first_) halve_kick();
+  if (contacts.alike(mean, was) && contacts.alike(before, was) &&
+      contacts.alike(contacts.now, was)) {
+    contacts.go_on_as(mean);
+    x.after = mean_after_;
+  } else {
+    contacts.join_parts(share, rest, before);
+    x.after = part_sum_;
+  }
+}
+
+// The whole step as if what holds from begin to end had held all along: x.after and the contacts.
+void VerletStep::take_part(const StepContacts::State& was, double begin, double end) {
+  loads.free_velocity_of_part(x, begin, end);
+  if (was_first_) halve_kick();
+  contacts.now = was;
+  contacts.go_on(x);
+}
+
+// Of commands that jump at another instant the mean.
+void VerletStep::command_part(bool before, double share) {
+  for (std::size_t i = 0; i < jumps_.size(); ++i) {
+    if (jumps_[i].share == 0.0 || jumps_[i].share - share > kLeastPart) continue;
+    loads.command[i] = before ? jumps_[i].before : jumps_[i].after;
+  }
+}
+
+// ------------------------------------------------------------------ impacts
+// The flight through a step, from impact to impact.
+struct VerletStep::Flight {
+  double theta = 0.0;                             // share of the step that is over
+  std::array<Eigen::Vector2d, kMaxContacts> d{};  // m, of each contact there
+  std::array<bool, kMaxContacts> closed{};
+  double v[kMaxCoordinates], a[kMaxCoordinates];  // of the step's middle, and accelerations
+};
+
+// The contact whose path leaves its circle first, with the flight at that instant; the number of
+// contacts: none does. One that never comes inside is closed: it has no flight.
+std::size_t VerletStep::next_touch(Flight& flight) const {
+  const std::size_t n = contacts.count();
+  double share = 2.0;
+  std::size_t first = n;
+  std::array<Eigen::Vector2d, kMaxContacts> path;
+  for (std::size_t i = 0; i < n; ++i) {
+    if (!contacts.is_rigid(i) || !x.m.auxiliary[i].contact) continue;
+    const double clearance = contacts.law(i).clearance;
+    path[i] = (1.0 - flight.theta) * x.h * contacts.rates(i, flight.v).head<2>();
+    if (flight.closed[i] || (flight.d[i] + path[i]).norm() <= clearance) continue;
+    const double exit = circle_exit(flight.d[i], path[i], clearance);
+    if (exit > 1.0) {
+      flight.closed[i] = flight.d[i].norm() >= clearance;
+    } else if (exit < share) {
+      share = exit;
+      first = i;
+    }
+  }
+  if (first == n) return n;
+  for (std::size_t i = 0; i < n; ++i) flight.d[i] += share * path[i];
+  flight.theta += share * (1.0 - flight.theta);
+  return first;
+}
+
+// Each impact takes with it all that is closed there.
+void VerletStep::collide(std::int64_t k) {
+  const std::size_t n = contacts.count();
+  const int nq = x.nq();
+  contacts.keep_end(x);
+  const double t = x.time_of(k), h = x.h;
+  Flight flight;
+  for (int i = 0; i < nq; ++i) {
+    const auto at = static_cast<std::size_t>(i);
+    flight.v[i] = x.after[at];
+    flight.a[i] = (x.after[at] - x.start[at]) / (x.kick * h);
+  }
+  for (std::size_t i = 0; i < n; ++i) {
+    flight.d[i] = contacts.place(i);
+    flight.closed[i] = contacts.is_rigid(i) && contacts.now[i].closed;
+  }
+  double v[kMaxCoordinates], q[kMaxCoordinates], jump[kMaxCoordinates];
+  const int most = kMostImpacts * static_cast<int>(n);
+  for (int count = 0; count < most; ++count) {
+    const std::size_t first_touch = next_touch(flight);
+    if (first_touch == n) break;
+    // All that is closed there, with the velocities of that instant.
+    for (int i = 0; i < nq; ++i) {
+      v[i] = flight.v[i] + (flight.theta - 0.5) * h * flight.a[i];
+      q[i] = x.seen[static_cast<std::size_t>(i)] + flight.theta * h * flight.v[i];
+    }
+    SharedImpact impact(contacts);
+    for (std::size_t i = 0; i < n; ++i) {
+      if (!contacts.is_rigid(i) || !x.m.auxiliary[i].contact) continue;
+      const double on_circle = (1.0 - kOnCircle) * contacts.law(i).clearance;
+      if (!flight.closed[i] && i != first_touch && flight.d[i].norm() < on_circle) continue;
+      impact.join(i, flight.closed[i], flight.d[i].normalized(), v, flight.a);
+    }
+    if (impact.approach() == 0.0) {  // a touch
+      flight.closed[first_touch] = true;
+      continue;
+    }
+    const bool ends = count + 1 == most;
+    if (slow_impact_ && !ends && impact.outlives(std::max(h, contacts.law(0).impact_time()))) {
+      return begin_slow_impact(k, flight);
+    }
+    const Status found = impact.strike(x, t + flight.theta * h, t, q, ends, jump);
+    if (found != Status::kOk) return x.fail(found);
+    for (std::size_t i = 0; i < impact.count(); ++i) {
+      const std::size_t index = impact.contact(i);
+      if (flight.closed[index] && contacts.now[index].closed && !impact.rests(i)) {
+        knock_open(index, flight);
+      }
+      flight.closed[index] = impact.rests(i);
+    }
+    take_jump(flight, t, q, jump);
+    for (int i = 0; i < nq; ++i) flight.v[i] += jump[i];
+  }
+  for (std::size_t i = 0; i < n; ++i) {
+    if (contacts.is_rigid(i)) contacts.set_closed(i, flight.closed[i]);
+  }
+}
+
+// A lasting contact that an impact knocks open carries nothing from there on, but the kick was for
+// a whole step: the next step gives back (1/2 - theta) of its step impulse.
+void VerletStep::knock_open(std::size_t contact, Flight& flight) {
+  double missed[kMaxCoordinates];
+  const int nq = x.nq();
+  std::fill_n(missed, nq, 0.0);
+  StepContacts::Kept& kept = contacts.now[contact];
+  contacts.push(contact, kept.normal, kept.friction, missed);
+  for (int j = 0; j < nq; ++j) {
+    late_[static_cast<std::size_t>(j)] += (flight.theta - 0.5) * missed[j];
+    flight.a[j] -= missed[j] / (x.kick * x.h);
+  }
+  kept.closed = false;
+}
+
+namespace {
+
+// The command of the instant, q and v there, t: a continuous controller's of now, else the one that
+// holds.
+bool follows(const AuxiliaryBearing& at, double t) {
+  return at.controller && at.sample_time == 0.0 && t >= at.control_on;
+}
+Eigen::Vector2d command_at_impact(const Model& m, std::size_t bearing, double t, const double* q,
+                                  const double* v, const Eigen::Vector2d& held) {
+  return follows(m.auxiliary[bearing], t) ? control_command(m, t, q, v, bearing) : held;
+}
+
+}  // namespace
+
+// jump: in, the load of the impulses; out, what the velocities jump by. Beside it goes what the
+// loads that depend on velocities miss of it, -(theta - 1/2) h M^-1 (F(v + jump) - F(v)), and the
+// work that the mean of the step's velocities misses. q: where M and loads are taken. A continuous
+// controller sees the jump too.
+void VerletStep::take_jump(const Flight& flight, double t, const double* q, double* jump) {
+  const Model& m = x.m;
+  const int nq = m.nq();
+  const std::size_t n = m.auxiliary.size();
+  const double late = (flight.theta - 0.5) * x.h;
+  double v[kMaxCoordinates], before[kMaxCoordinates], missed[kMaxCoordinates];
+  solve_mass(m, t, q, jump, jump);
+  // All loads, by the velocities just before and just after, and their power.
+  const auto loads_at = [&](double* f) {
+    std::array<Eigen::Vector2d, kMaxContacts> commands, rings;
+    for (std::size_t i = 0; i < n; ++i) {
+      commands[i] = command_at_impact(m, i, t, q, v, loads.command[i]);
+      rings[i] = actuator_state(m, q, v, commands[i], i).force;
+    }
+    smooth_force(m, t, q, v, std::span(commands).first(n), f);
+    return external_power(m, t, q, v, std::span(rings).first(n));
+  };
+  for (int i = 0; i < nq; ++i) v[i] = flight.v[i] + late * flight.a[i];
+  const double power = loads_at(before);
+  for (int i = 0; i < nq; ++i) v[i] += jump[i];
+  late_work_ -= late * (loads_at(missed) - power);
+  for (int i = 0; i < nq; ++i) missed[i] = -late * (missed[i] - before[i]);
+  solve_mass(m, t, q, missed, missed);
+  for (int i = 0; i < nq; ++i) {
+    const auto at = static_cast<std::size_t>(i);
+    x.after[at] += (1.0 - flight.theta) * jump[i];
+    late_[at] += flight.theta * jump[i] + missed[i];
+  }
+  owes_ = true;
+}
+
+// ------------------------------------------------------------------ impacts that take time
+// A touch in step k, at the end of the flight so far.
+void VerletStep::begin_slow_impact(std::int64_t k, const Flight& flight) {
+  const Model& m = x.m;
+  const double h = x.h, to_touch = (flight.theta - 0.5) * h;
+  const double t = x.origin + (static_cast<double>(k) + flight.theta) * h;
+  double q[kMaxCoordinates], v[kMaxCoordinates];
+  for (int i = 0; i < m.nq(); ++i) {
+    q[i] = x.seen[static_cast<std::size_t>(i)] + flight.theta * h * flight.v[i];
+    v[i] = flight.v[i] + to_touch * flight.a[i];
+  }
+  FiniteImpact& impact = *slow_impact_;
+  const Eigen::Vector2d command = command_at_impact(m, 0, t, q, v, loads.command[0]);
+  const Status found = impact.begin(t, q, v, command, follows(m.first(), t));
+  if (found != Status::kOk) return x.fail(found);
+  // The kick went on to the middle of the step.
+  late_work_ += to_touch * impact.power_at_touch() + impact.external_work();
+  impact_time_ = impact.end() - t;
+  contacts.note_impact(impact.record());
+  contacts.set_closed(0, false);
+  follow_slow_impact(k);
+}
+
+// To the end of step k: within the impact, or in flight again.
+void VerletStep::follow_slow_impact(std::int64_t k) {
+  FiniteImpact& impact = *slow_impact_;
+  const double h = x.h, end = x.time_of(k) + h;
+  const int nq = x.nq();
+  const double* seen = x.seen.data();
+  double *after = x.after.data(), *late = late_.data();
+  last_time_ = static_cast<double>(k) * h;
+  if (end < impact.end()) {
+    double to[kMaxCoordinates];
+    impact.coordinates(end, to);
+    for (int i = 0; i < nq; ++i) after[i] = (to[i] - seen[i]) / h;
+    return;
+  }
+  const double *q, *v, *a;
+  const double left = end - impact.end(), from_middle = left - 0.5 * h;
+  late_work_ += from_middle * impact.power_at_end();
+  const bool closes = impact.finish(q, v, a);
+  for (int i = 0; i < nq; ++i) {
+    const double flown = q[i] + left * (v[i] + 0.5 * left * a[i]);
+    after[i] = (flown - seen[i]) / h;
+    late[i] = v[i] + from_middle * a[i] - after[i];
+  }
+  owes_ = true;
+  contacts.now[0].closed = closes;
+}
+
+}  // namespace rotorub
