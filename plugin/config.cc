@@ -194,9 +194,7 @@ int map_memory(const mjModel* m, const scene::Scene& scene, Config& config) {
   int needed =
       names::user_data_size(config.model.nq(), config.model.first().controller != nullptr, loop);
   config.loop_data = needed - static_cast<int>(loop);
-  // The native step in MuJoCo is that of one contact.
-  if (scene.first().contact && scene.mujoco.rotor != scene::MujocoRotor::kSegments &&
-      scene.auxiliary.size() == 1) {
+  if (scene.first().contact && scene.mujoco.rotor != scene::MujocoRotor::kSegments) {
     config.verlet_data = needed;
     needed += verlet_data_size(config.model);
   }
@@ -208,7 +206,8 @@ int map_memory(const mjModel* m, const scene::Scene& scene, Config& config) {
   const int further = needed;
   needed += kPairEntries * static_cast<int>(scene.auxiliary.size() - 1);
   if (m->nuserdata < needed) {
-    refuse("<size nuserdata>", message("at least {} needed", needed));
+    refuse("<size nuserdata>",
+           message("at least {} needed; write the model again with `rotorub mjcf`", needed));
   }
   return further;
 }

@@ -93,10 +93,10 @@ void add_loads(const Config& config, const mjModel* m, mjData* d) {
   if (config.own) return;
   try {
     if (config.segments) add_segment_loads(config, m, d);
-    if (!config.segments && !config.takes_native_steps()) {
+    if (!config.segments) {
       const Coordinates state(config, d);
       place_contacts_beside(config, m, d, state);
-      add_passive_force(config, m, d, state);
+      if (!config.takes_native_steps()) add_passive_force(config, m, d, state);
     }
   } catch (const ControllerError& error) {
     controller_failed(d, error.what());

@@ -161,32 +161,51 @@ Impact MujocoRecord::step_contact(std::int64_t k, std::size_t contact, const dou
 
 void MujocoRecord::native_step(std::int64_t k, const double* q, const double* v,
                                const StepResult& r, bool last) {
-  const double t = time(k);
-  const plugin::ContactForces& f = r.forces.front();
-  const ContactPoint p = contact_point(model_, q, v);
-  note_mode(t, f.mode, 0);
+  const double t = time(k), kick = k == 0 ? 0.5 * step_ : step_;
+  for (std::size_t i = 0; i < contacts_.size(); ++i) {
+    contacts_[i].point = contact_point(model_, q, v, i);
+    note_mode(t, r.forces[i].mode, i);
+    if (i > 0) others_[i - 1] = lasting(r.forces[i], {});
+  }
   if (k > 0) {
-    if (impact_.normal_impulse > 0.0) count_impact();
-    recorder_.advance({lasting(f, r.actuator), t, q, v}, p, impact_.normal_impulse > 0.0);
+    count_impacts();
+    recorder_.advance({lasting(r.forces.front(), r.actuator), t, q, v, others_},
+                      contacts_.front().point, !impacts_.empty());
+    for (std::size_t i = 0; contacts_.size() > 1 && i < contacts_.size(); ++i) {
+      recorder_.watch_gap(i, contacts_[i].point.gap);
+    }
   }
   StepFigures figures;
-  figures.h = k == 0 || last ? 0.5 * step_ : step_;
+  figures.h = last ? 0.5 * step_ : kick;
   const double share = last ? 0.5 : 1.0;  // the first step's works are those of half a kick
   figures.external_work = share * r.works.external;
-  if (!f.impact && f.mode != Mode::kFree && f.normal > 0.0) {
-    figures.normal_impulse = figures.h * f.normal;
-    figures.friction_impulse = figures.h * f.friction;
-    figures.friction_work = figures.friction_impulse * p.slip;
-    figures.contact_work = share * r.works.contact;
+  figures.contact_work = share * (r.works.contact - r.works.impact);
+  for (std::size_t i = 0; i < contacts_.size(); ++i) {
+    const plugin::ContactForces& f = r.forces[i];
+    if (f.impact || f.mode == Mode::kFree || !(f.normal > 0.0)) continue;
+    const double normal = figures.h * f.normal, friction = figures.h * f.friction;
+    add_contact(figures, i, t, normal, friction, friction * contacts_[i].point.slip);
   }
   recorder_.count(figures, t);
-  impact_ = Impact{};
-  if (f.impact && !last) {
-    impact_ = impact_of(f, f.impact_time, k == 0 ? 0.5 * step_ : step_);
-    impact_work_ = r.works.contact;
-    recorder_.add(impact_);
-    recorder_.add(Event{impact_.t, EventKind::kImpact});
+  impacts_.clear();
+  impact_work_ = r.works.impact;
+  for (std::size_t i = 0; i < contacts_.size() && !last; ++i) {
+    const plugin::ContactForces& f = r.forces[i];
+    if (!f.impact) continue;
+    impacts_.push_back(impact_of(f, f.impact_time, kick));
+    impacts_.back().contact = static_cast<int>(i);
+    recorder_.add(impacts_.back());
+    recorder_.add(Event{f.impact_time, EventKind::kImpact, static_cast<int>(i)});
   }
+}
+
+// Impulses (N s) and the work of friction (J) of a contact, in the figures of all and in its own.
+void MujocoRecord::add_contact(StepFigures& figures, std::size_t contact, double t, double normal,
+                               double friction, double work) {
+  figures.normal_impulse += normal;
+  figures.friction_impulse += friction;
+  figures.friction_work += work;
+  if (contacts_.size() > 1) recorder_.count_at(contact, t, figures.h, normal, friction, work);
 }
 
 std::optional<std::string> MujocoRecord::lost(const double* q) const {
@@ -212,17 +231,20 @@ double MujocoRecord::held(std::size_t contact) const {
   return model_.layout.spin ? 0.0 : model_.auxiliary[contact].contact->radius * model_.speed;
 }
 
-void MujocoRecord::count_impact() {
+// Of the step before.
+void MujocoRecord::count_impacts() {
+  if (impacts_.empty()) return;
   StepFigures figures;
   const double lasted = model_.first().contact->impact_time();
   figures.h = lasted > 0.0 ? lasted : step_;
   figures.impact = true;
-  figures.normal_impulse = impact_.normal_impulse;
-  figures.friction_impulse = impact_.friction_impulse;
-  figures.friction_work =
-      0.5 * impact_.friction_impulse * (impact_.slip_before + impact_.slip_after);
   figures.contact_work = impact_work_;
-  recorder_.count(figures, impact_.t);
+  for (const Impact& hit : impacts_) {
+    const double work = 0.5 * hit.friction_impulse * (hit.slip_before + hit.slip_after);
+    add_contact(figures, static_cast<std::size_t>(hit.contact), hit.t, hit.normal_impulse,
+                hit.friction_impulse, work);
+  }
+  recorder_.count(figures, impacts_.front().t);
 }
 
 void MujocoRecord::note_mode(double t, Mode mode, std::size_t contact) {

@@ -37,7 +37,9 @@ class MujocoRecord {
   StepBalance balance_of_step(std::int64_t k, const double* q, const double* v,
                               const StepResult& r);
   double held(std::size_t contact) const;
-  void count_impact();
+  void count_impacts();
+  void add_contact(StepFigures& figures, std::size_t contact, double t, double normal,
+                   double friction, double work);
   void note_mode(double t, Mode mode, std::size_t contact);
   Impact step_contact(std::int64_t k, std::size_t contact, const double* q, const double* v,
                       const StepResult& r);
@@ -54,8 +56,8 @@ class MujocoRecord {
   };
   std::vector<AtContact> contacts_;      // of each
   std::vector<ContactSnapshot> others_;  // of those beyond the first
-  // Of native steps, of the step before: its impact, and the impact's work on the coordinates.
-  Impact impact_;
+  // Of native steps, of the step before: its impacts, and their work on the coordinates.
+  std::vector<Impact> impacts_;
   double impact_work_ = 0.0;  // J
   // Of others: the state that the step began from, and what its forces did over the whole of it, J.
   std::vector<double> last_q_, last_v_, middle_, half_;

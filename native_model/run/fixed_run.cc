@@ -4,6 +4,7 @@
 #include <array>
 #include <chrono>
 #include <cmath>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -55,8 +56,9 @@ class FixedRun {
         points_(contacts_),
         others_(contacts_ - 1),
         message_(step_refusal(model, step)) {
-    for (std::size_t i = 0; model.gives() && i < contacts_; ++i) {
-      episodes_.emplace_back(recorder_, static_cast<int>(i));
+    episodes_.resize(contacts_);
+    for (std::size_t i = 0; i < contacts_; ++i) {
+      if (model.auxiliary[i].gives()) episodes_[i].emplace(recorder_, static_cast<int>(i));
     }
     if (!message_.empty()) status_ = Status::kStepTooLarge;
     if (contacts_ > 1) recorder_.statistics().contacts.resize(contacts_);
@@ -66,7 +68,9 @@ class FixedRun {
     const auto start = std::chrono::steady_clock::now();
     const std::int64_t taken = stepper_->leaps() ? leap() : walk();
     const std::chrono::duration<double> wall = std::chrono::steady_clock::now() - start;
-    for (ContactEpisodes& episode : episodes_) episode.finish();
+    for (std::optional<ContactEpisodes>& episode : episodes_) {
+      if (episode) episode->finish();
+    }
     Trajectory out = recorder_.finish(good() ? end_ : time(taken));
     out.engine = "native";
     out.integrator = name;
@@ -193,7 +197,7 @@ class FixedRun {
   void begin(const FixedStep& done, double kick) {
     const Reached start{0.0, model_.q0.data(), model_.v0.data()};
     recorder_.begin(snapshot(start, done, kick, true));
-    if (episodes_.empty()) note_modes(0.0, done);
+    note_contacts(0.0, done, kick, false);
   }
 
   // The share of what lasting contact and the loads did in a step, from `begin` on for `lasts`, s.
@@ -240,11 +244,7 @@ class FixedRun {
 
   // The next state, with the forces of `done`; `impact`: one since the last.
   void advance(const Reached& now, const FixedStep& done, double kick, bool impact) {
-    if (episodes_.empty()) {
-      note_modes(now.t, done);
-    } else {
-      note_episodes(now.t, done, kick);
-    }
+    note_contacts(now.t, done, kick, true);
     recorder_.advance(snapshot(now, done, kick, recorder_.row_due(now.t)), points_[0], impact);
     for (std::size_t i = 0; contacts_ > 1 && i < contacts_; ++i) {
       recorder_.watch_gap(i, points_[i].gap);
@@ -254,22 +254,20 @@ class FixedRun {
     if (inside && !first.magnets) return;
     if (const auto why = out_of_range(model_, now.q)) fail(Status::kOutOfRange, now.t, *why);
   }
-  void note_episodes(double t, const FixedStep& done, double kick) {
-    for (std::size_t i = 0; i < contacts_; ++i) {
-      const ContactStep& did = done.at(i);
-      if (did.reversed) recorder_.add(Event{t, EventKind::kReverse, static_cast<int>(i)});
-      episodes_[i].step({t, kick, points_[i], points_[i], did.lasting.x() / kick,
-                         did.lasting.y() / kick, did.mode, &last_points_[i]});
-    }
-  }
-  void note_modes(double t, const FixedStep& done) {
+  // Events of rigid contacts, and the episodes of compliant ones, which begin once the run has.
+  void note_contacts(double t, const FixedStep& done, double kick, bool begun) {
     for (std::size_t i = 0; i < 1 + done.others.size(); ++i) {
       const ContactStep& did = done.at(i);
       const int contact = static_cast<int>(i);
+      if (episodes_[i] && !begun) continue;
       if (did.reversed) recorder_.add(Event{t, EventKind::kReverse, contact});
-      if (did.mode == modes_[i]) continue;
-      modes_[i] = did.mode;
-      recorder_.add(Event{t, mode_event(did.mode), contact});
+      if (episodes_[i]) {
+        episodes_[i]->step({t, kick, points_[i], points_[i], did.lasting.x() / kick,
+                            did.lasting.y() / kick, did.mode, &last_points_[i]});
+      } else if (did.mode != modes_[i]) {
+        modes_[i] = did.mode;
+        recorder_.add(Event{t, mode_event(did.mode), contact});
+      }
     }
   }
 
@@ -305,7 +303,7 @@ class FixedRun {
   StepCommands commands_;
   std::vector<double> velocity_;
   std::vector<ContactPoint> points_, last_points_;  // of the state reached last, and before it
-  std::vector<ContactEpisodes> episodes_;           // of contacts that give
+  std::vector<std::optional<ContactEpisodes>> episodes_;  // of compliant contacts
   std::vector<ContactSnapshot> others_;
   std::array<Mode, kMaxContacts> modes_{};
   std::string message_;

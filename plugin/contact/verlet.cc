@@ -44,7 +44,9 @@ Model plant_of(const Model& model, bool contact = true, bool actuation = true) {
   if (lags(model) || !actuation) {
     plant = without_controller(with_ideal_actuator(model));
   }
-  if (!contact) plant.first().contact->clearance = 1e6;
+  for (AuxiliaryBearing& at : plant.auxiliary) {
+    if (!contact) at.contact->clearance = 1e6;
+  }
   return plant;
 }
 
@@ -149,14 +151,17 @@ double* slot_of_pass(const Config& config, const mjModel* m, const mjData* d, do
   return before;
 }
 
-void watch_the_ring(const Model& model, const mjModel* m, mjData* d, const Coordinates& state,
-                    bool anew) {
-  EscapeGuard guard(d->userdata);
-  if (anew) guard.begin();
-  // An impact that takes time goes deep.
-  if (!contact_enabled(m) || model.first().contact->impact_time() > 0.0) return;
-  const double clearance = model.first().contact->clearance;
-  guard.watch(clearance - separation(model, state.q()).norm(), clearance, d->time);
+void watch_the_rings(const Config& config, const mjModel* m, mjData* d, const Coordinates& state,
+                     bool anew) {
+  for (const ContactPair& pair : config.pairs) {
+    EscapeGuard guard(d->userdata + pair.data);
+    if (anew) guard.begin();
+    // An impact that takes time goes deep.
+    if (!contact_enabled(m) || pair.contact.impact_time() > 0.0) continue;
+    const double clearance = pair.contact.clearance;
+    const double delta = separation(config.model, state.q(), pair.bearing).norm();
+    guard.watch(clearance - delta, clearance, d->time);
+  }
 }
 
 // What is on the chain beside the native loads and the actuators: f of MuJoCo and of others. It
@@ -228,36 +233,42 @@ Eigen::Vector2d command(const Config& config, const mjModel* m, mjData* d, const
   return model.first().magnets && asks ? now.current : now.force;
 }
 
-void note(mjData* d, const FixedStep& r, double kick) {
-  mjtNum* entry = d->userdata;
-  entry[kMode] = static_cast<double>(r.mode);
-  entry[kNormalForce] = r.normal_impulse / kick + r.impact_force.x();
-  entry[kFrictionForce] = r.friction_impulse / kick + r.impact_force.y();
+void note(const ContactPair& pair, mjData* d, const FixedStep& r, double kick) {
+  mjtNum* entry = d->userdata + pair.data;
+  const ContactStep& of = r.at(pair.bearing);
+  entry[kMode] = static_cast<double>(of.mode);
+  entry[kNormalForce] = of.normal_impulse / kick + of.impact_force.x();
+  entry[kFrictionForce] = of.friction_impulse / kick + of.impact_force.y();
   // Once, not every step: MuJoCo writes its warnings to a file.
   EscapeGuard guard(entry);
   if (r.status != Status::kOk && guard.status() == Status::kOk) {
     warn("rotorub: the contact laws have no solution or several (Painleve): no impulse");
   }
   guard.set_status(r.status);
-  entry[kImpact] = !r.impacts.empty() ? 1.0 : 0.0;
-  if (r.impacts.empty()) return;
-  const Impact& first = r.impacts.front();
-  const Impact& last = r.impacts.back();
-  entry[kImpactTime] = first.t;
-  entry[kGapRateBefore] = first.gap_rate_before;
-  entry[kGapRateAfter] = last.gap_rate_after;
-  entry[kSlipBefore] = first.slip_before;
-  entry[kSlipAfter] = last.slip_after;
+  entry[kImpact] = 0.0;
+  for (const Impact& impact : r.impacts) {
+    if (static_cast<std::size_t>(impact.contact) != pair.bearing) continue;
+    if (entry[kImpact] == 0.0) {
+      entry[kImpact] = 1.0;
+      entry[kImpactTime] = impact.t;
+      entry[kGapRateBefore] = impact.gap_rate_before;
+      entry[kSlipBefore] = impact.slip_before;
+    }
+    entry[kGapRateAfter] = impact.gap_rate_after;
+    entry[kSlipAfter] = impact.slip_after;
+  }
 }
 
 // The normal of the forces. To a blow within the step the rotor has gone on with the velocities `v`
 // of now.
-void note_place(const Config& config, const mjData* d, const Coordinates& state, const double* v) {
-  const double until = d->userdata[kImpact] != 0.0 ? d->userdata[kImpactTime] - d->time : 0.0;
+void note_place(const Config& config, const ContactPair& pair, const mjData* d,
+                const Coordinates& state, const double* v) {
+  const mjtNum* entry = d->userdata + pair.data;
+  const double until = entry[kImpact] != 0.0 ? entry[kImpactTime] - d->time : 0.0;
   double q[kMaxCoordinates];
   for (int i = 0; i < config.model.nq(); ++i) q[i] = state.q()[i] + until * v[i];
-  const Eigen::Vector2d there = separation(config.model, q);
-  if (there.norm() > kNoNormal) note_contact(d, 0, there.normalized());
+  const Eigen::Vector2d there = separation(config.model, q, pair.bearing);
+  if (there.norm() > kNoNormal) note_contact(d, pair.data, there.normalized());
 }
 
 // MuJoCo then calls no mjcb_passive; the native step has its loads all the same.
@@ -308,7 +319,7 @@ void apply_verlet(const Config& config, const mjModel* m, mjData* d, const Coord
   Worker& worker = worker_of(config, m);
   worker.load(slot_of_pass(config, m, d, entry, worker, state));
   worker.stepper.adopt(state.q(), state.v());
-  watch_the_ring(model, m, d, state, worker.next == 0);
+  watch_the_rings(config, m, d, state, worker.next == 0);
 
   double foreign[kMaxCoordinates], loads[kMaxCoordinates];
   foreign_force(config, m, d, state, foreign);
@@ -317,12 +328,15 @@ void apply_verlet(const Config& config, const mjModel* m, mjData* d, const Coord
   worker.stepper.apply(loads);
   const Eigen::Vector2d u = command(config, m, d, state, worker);
   const FixedStep r = worker.stepper.step(worker.next, u, told_works != nullptr);
-  if (told_works) *told_works = {r.contact_work, r.external_work};
+  if (told_works) *told_works = {r.contact_work, r.impact_work, r.external_work};
   const double kick = worker.stepper.last_kick() * h;
-  note(d, r, kick);
+  for (const ContactPair& pair : config.pairs) note(pair, d, r, kick);
   if (r.status != Status::kOk) return;
   worker.stepper.last_velocity(entry + kVerletSingle);
-  if (d->userdata[kNormalForce] > 0.0) note_place(config, d, state, entry + kVerletSingle);
+  for (const ContactPair& pair : config.pairs) {
+    if (!(d->userdata[pair.data + kNormalForce] > 0.0)) continue;
+    note_place(config, pair, d, state, entry + kVerletSingle);
+  }
   ++worker.next;
   worker.save(entry + kVerletSingle + n + worker.slot());
 
