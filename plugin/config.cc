@@ -194,7 +194,8 @@ int map_memory(const mjModel* m, const scene::Scene& scene, Config& config) {
   int needed =
       names::user_data_size(config.model.nq(), config.model.first().controller != nullptr, loop);
   config.loop_data = needed - static_cast<int>(loop);
-  if (scene.first().contact && scene.mujoco.rotor != scene::MujocoRotor::kSegments) {
+  if (scene.first().contact && scene.mujoco.rotor != scene::MujocoRotor::kSegments &&
+      !scene.gives()) {
     config.verlet_data = needed;
     needed += verlet_data_size(config.model);
   }

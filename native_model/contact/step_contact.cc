@@ -117,7 +117,7 @@ constexpr std::size_t kMostRows = 2 * static_cast<std::size_t>(kMaxContacts);
 
 // x of the n equations a x = b, by elimination with pivots; false where a is singular.
 bool eliminate(std::size_t n, double (&a)[kMostRows][kMostRows], double (&b)[kMostRows]) {
-  constexpr double kSingular = 1e-12;  // of the largest
+  constexpr double kLeastPivot = 1e-12;  // of the largest
   double largest = 0.0;
   for (std::size_t i = 0; i < n; ++i) {
     for (std::size_t j = 0; j < n; ++j) largest = std::max(largest, std::abs(a[i][j]));
@@ -127,7 +127,7 @@ bool eliminate(std::size_t n, double (&a)[kMostRows][kMostRows], double (&b)[kMo
     for (std::size_t i = k + 1; i < n; ++i) {
       if (std::abs(a[i][k]) > std::abs(a[pivot][k])) pivot = i;
     }
-    if (!(std::abs(a[pivot][k]) > kSingular * largest)) return false;
+    if (!(std::abs(a[pivot][k]) > kLeastPivot * largest)) return false;
     if (pivot != k) {
       std::swap(a[k], a[pivot]);
       std::swap(b[k], b[pivot]);
@@ -192,11 +192,8 @@ bool SeveralOnCircles::go_on_as_before() {
   std::size_t count = 0;
   for (std::size_t i = 0; i < n; ++i) {
     const LastingContact& c = c_[i];
-    const double before = slip_before(c);
-    if (c.slip_sign != 0.0 ? !(c.friction.is_constant() && before * c.slip_sign > 0.0)
-                           : before != 0.0) {
-      return false;
-    }
+    const bool slid = c.slip_sign != 0.0;
+    if (slid && !(c.friction.is_constant() && slip_before(c) * c.slip_sign > 0.0)) return false;
     unknown[count++] = {i, false};
     if (c.slip_sign == 0.0) unknown[count++] = {i, true};
   }
@@ -214,7 +211,7 @@ bool SeveralOnCircles::go_on_as_before() {
   double p[kMostRows] = {}, matrix[kMostRows][kMostRows], rest[kMostRows];
   std::array<Eigen::Vector3d, kMaxContacts> rates;
   constexpr int kRounds = 8;
-  constexpr double kSettled = 1e-14;
+  constexpr double kRoundOff = 1e-14;  // of the largest
   for (int round = 0;; ++round) {
     if (round == kRounds) return false;
     for (std::size_t i = 0; i < n; ++i) {
@@ -245,7 +242,7 @@ bool SeveralOnCircles::go_on_as_before() {
       largest = std::max(largest, std::abs(p[u]));
     }
     if (!std::isfinite(largest)) return false;
-    if (moved <= kSettled * largest) break;
+    if (moved <= kRoundOff * largest) break;
   }
   std::array<double, kMaxContacts> normal{}, friction{};
   for (std::size_t u = 0; u < count; ++u) {

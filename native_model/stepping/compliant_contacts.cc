@@ -33,35 +33,37 @@ InWall in_wall(double first, double last) {
 // The compliant contacts that are in their walls. Whether and how fast a contact touches is found
 // on the path under the forces of those that already press: without them the speed, and the a of
 // the whole touch with it, is off by a term of the order of h. False as press().
-bool StepContacts::find_touches(StepState& x, List& pressing) {
+bool StepContacts::find_touches(StepState& x) {
   after_ = 0.5 * h_;
   before_ = x.kick < 1.0 ? 0.0 : after_;
   std::array<bool, kMaxContacts> pressed{};
-  List open, lasting;
+  List open;
+  pressing_.clear();
+  lasting_.clear();
   for (std::size_t i = 0; i < count(); ++i) {
     Contact& c = contacts_[i];
     if (c.rigid) {
-      if (now[i].closed) lasting.push_back(i);
+      if (now[i].closed) lasting_.push_back(i);
       continue;
     }
     c.start_rates = rates(i, x.start.data());
     turn_normal(c);
     pressed[i] = now[i].closed;
     if (pressed[i]) meet_wall(i, c.free_rates);
-    (now[i].closed ? pressing : open).push_back(i);
+    (now[i].closed ? pressing_ : open).push_back(i);
   }
-  const bool beside = !open.empty() && !(pressing.empty() && lasting.empty());
+  const bool beside = !open.empty() && !(pressing_.empty() && lasting_.empty());
   if (beside) {
-    couple();
-    for (const std::size_t i : lasting) turn_normal(contacts_[i]);
-    if (!find_impulses(x, lasting, pressing)) return false;
+    if (loads_.coupled()) couple();
+    for (const std::size_t i : lasting_) turn_normal(contacts_[i]);
+    if (!find_impulses(x)) return false;
   }
   for (const std::size_t i : open) {
     Eigen::Vector3d free = contacts_[i].free_rates;
-    if (beside) free += rates_by(i, pressing) + rates_by(i, lasting);
+    if (beside) free += rates_by(i, pressing_) + rates_by(i, lasting_);
     now[i].closed = pressed[i];  // one that has left may be pressed back in
     meet_wall(i, free);
-    if (now[i].closed) pressing.push_back(i);
+    if (now[i].closed) pressing_.push_back(i);
   }
   return true;
 }
@@ -102,13 +104,13 @@ void StepContacts::meet_wall(std::size_t i, const Eigen::Vector3d& free) {
 }
 
 // The impulses of all that press; false where the spring turns faster than the step can follow.
-bool StepContacts::press(StepState& x, const List& pressing, const List& lasting) {
+bool StepContacts::press(StepState& x) {
   for (int round = 0; round < kRounds; ++round) {
     double moved = 0.0, largest = 0.0;
-    for (const std::size_t i : pressing) {
-      Contact& c = contacts_[i];
+    for (const std::size_t i : pressing_) {
+      const Contact& c = contacts_[i];
       const double was = now[i].normal, rubbed = now[i].friction;
-      press_one(i, c.free_rates + rates_by(i, pressing) + rates_by(i, lasting));
+      press_one(i, c.free_rates + rates_by(i, pressing_) + rates_by(i, lasting_));
       moved = std::max({moved, std::abs(now[i].normal - was), std::abs(now[i].friction - rubbed)});
       largest = std::max(largest, now[i].normal);
       // The leapfrog is stable up to h^2 k' g_NN = 4, with k' = n N / p. If the law states its
@@ -124,7 +126,7 @@ bool StepContacts::press(StepState& x, const List& pressing, const List& lasting
         return false;
       }
     }
-    if (pressing.size() < 2 || moved <= 1e-15 * largest) break;
+    if (pressing_.size() < 2 || moved <= 1e-15 * largest) break;
   }
   return true;
 }

@@ -34,8 +34,8 @@ void SharedImpact::join(std::size_t contact, bool closed, const Eigen::Vector2d&
 }
 
 bool SharedImpact::rebounds(std::size_t i, double h, double approach) const {
-  const double restitution = contacts_->law(of_[i].index).restitution;
-  return flight_outlives(h, restitution * approach, pressed_[i]);
+  const ContactParameters& law = contacts_->law(of_[i].index);
+  return flight_outlives(std::max(h, law.impact_time()), law.restitution * approach, pressed_[i]);
 }
 
 Status SharedImpact::strike(const StepState& x, double t, double at, const double* q, bool ends,

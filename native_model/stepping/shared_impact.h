@@ -27,13 +27,14 @@ class SharedImpact {
   bool was_closed(std::size_t i) const { return closed_[i]; }
   bool rests(std::size_t i) const { return rests_[i]; }
   double approach() const { return approach_; }  // m/s, the largest
-  // Of a single contact: its rebound outlives `time`, s.
-  bool outlives(double time) const { return rebounds(0, time, approach_); }
+  // Of a single contact: a flight of more than a step of h (s) follows.
+  bool rebounds(double h) const { return rebounds(0, h, approach_); }
   // Delassus's matrix, of (normal, friction) of each in turn.
   const ContactMatrix& matrix() const { return g_; }
 
  private:
-  // Whether the impact at the speed `approach` (m/s) is followed by a flight, contact/impact.h.
+  // Whether the impact at the speed `approach` (m/s) is followed by a flight, contact/impact.h,
+  // that outlives a step of h (s) and the impact itself.
   bool rebounds(std::size_t i, double h, double approach) const;
 
   StepContacts* contacts_;

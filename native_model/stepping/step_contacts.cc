@@ -51,8 +51,9 @@ void StepContacts::forget_last() {
   impacted_ = false;
   for (std::size_t i = 0; i < count(); ++i) {
     contacts_[i].last_sign = now[i].slip_sign;
-    done_[i] = {};
+    if (did_) done_[i] = {};
   }
+  did_ = false;
 }
 
 void StepContacts::begin(const StepState& x) {
@@ -83,7 +84,6 @@ Eigen::Vector3d StepContacts::rates(std::size_t i, const double* v) const {
 // ------------------------------------------------------------------ what a load does
 // With bending and spin coupled as in this step.
 void StepContacts::couple() {
-  if (!loads_.coupled()) return;
   const Layout& l = m_.layout;
   const VelocityMatrix& a = loads_.matrix();
   for (Contact& c : contacts_) {
@@ -109,19 +109,26 @@ void StepContacts::couple() {
   }
 }
 
-void StepContacts::push(std::size_t i, double normal, double friction, double* to) const {
+ROTORUB_INLINE void StepContacts::add_response(std::size_t i, double normal, double friction,
+                                               const double* from, double* to) const {
   const Contact& c = contacts_[i];
   const double px = -c.e_r.x * normal - c.e_r.y * friction,
                py = -c.e_r.y * normal + c.e_r.x * friction, pz = c.radius * friction;
   const double *cx = c.column[0].data(), *cy = c.column[1].data(), *cz = c.column[2].data();
   const int nq = static_cast<int>(c.column[0].size());
-  ROTORUB_APART for (int k = 0; k < nq; ++k) to[k] += cx[k] * px + cy[k] * py + cz[k] * pz;
+  ROTORUB_APART for (int k = 0; k < nq; ++k) {
+    to[k] = from[k] + (cx[k] * px + cy[k] * py + cz[k] * pz);
+  }
   if (!loads_.coupled()) return;
   const auto along = [&](auto part) {
     return c.coupled[0].*part * px + c.coupled[1].*part * py + c.coupled[2].*part * pz;
   };
   using Coupled = VelocityMatrix::Coupled;
   loads_.matrix().add({along(&Coupled::spin), along(&Coupled::back)}, to);
+}
+
+void StepContacts::push(std::size_t i, double normal, double friction, double* to) const {
+  add_response(i, normal, friction, to, to);
 }
 
 Eigen::Vector3d StepContacts::rates_by(std::size_t i, const List& others) const {
@@ -156,47 +163,22 @@ ROTORUB_INLINE void StepContacts::look_at_free(const StepState& x) {
 
 // The rigid contacts that last. One that is the only one to act lasts while its free path leaves
 // the circle; of several one may press another, which only all together decide.
-StepContacts::List StepContacts::lasting(StepState& x, const List& pressing, bool unsettled) {
-  List found;
+ROTORUB_INLINE void StepContacts::find_lasting(StepState& x, bool unsettled) {
+  lasting_.clear();
   for (std::size_t i = 0; i < count(); ++i) {
-    if (contacts_[i].rigid && now[i].closed) found.push_back(i);
+    if (contacts_[i].rigid && now[i].closed) lasting_.push_back(i);
   }
-  if (found.size() != 1 || !pressing.empty()) return found;
-  const Contact& c = contacts_[found[0]];
+  if (lasting_.size() != 1 || !pressing_.empty()) return;
+  const Contact& c = contacts_[lasting_[0]];
   bool outside = leaves(c, c.free);
   if (!outside && unsettled) {
     loads_.settle(x);
     look_at_free(x);
     outside = leaves(c, c.free);
   }
-  if (outside) return found;
-  now[found[0]] = {};
-  return {};
-}
-
-void StepContacts::go_on(StepState& x, bool unsettled) {
-  look(x);
-  acts_ = false;
-  for (std::size_t i = 0; i < count(); ++i) {
-    Kept& c = now[i];
-    contacts_[i].flies = contacts_[i].rigid && !c.closed && m_.auxiliary[i].contact;
-    contacts_[i].sign_before = c.slip_sign;
-    c.normal = c.friction = 0.0;
-  }
-  List pressing;
-  if (gives_ && !find_touches(x, pressing)) return;
-  const List on_circles = lasting(x, pressing, unsettled);
-  acts_ = !on_circles.empty() || !pressing.empty();
-  if (acts_) press_on(x, on_circles, pressing);
-  for (std::size_t i = 0; i < count(); ++i) {
-    Kept& c = now[i];
-    const bool pressed = c.closed && c.normal > 0.0;
-    if (contacts_[i].rigid) c.closed = pressed;
-    if (!pressed) c.slip_sign = 0.0;
-    c.normal_at_end = c.normal;
-    c.friction_at_end = c.friction;
-  }
-  if (acts_) note_lasting();
+  if (outside) return;
+  now[lasting_[0]] = {};
+  lasting_.clear();
 }
 
 bool StepContacts::leave_flight(const StepState& x) const {
@@ -204,54 +186,6 @@ bool StepContacts::leave_flight(const StepState& x) const {
     if (c.flies && leaves(c, acts_ ? eq::relative(m_, *c.at, x.after.data()) : c.free)) return true;
   }
   return false;
-}
-
-// To the place that the step sees; where there is none it stays.
-void StepContacts::turn_normal(Contact& c) {
-  const double delta = std::sqrt(c.d.x * c.d.x + c.d.y * c.d.y);
-  if (delta > kNoNormal) c.e_r = {c.d.x / delta, c.d.y / delta};
-}
-
-// From the step's begin: x.after from x.free, whatever the iteration needs.
-void StepContacts::press_on(StepState& x, const List& lasting, const List& pressing) {
-  couple();
-  for (const std::size_t i : lasting) turn_normal(contacts_[i]);
-  if (loads_.iterates()) loads_.begin_iteration();
-  for (bool settled = false;;) {
-    if (!find_impulses(x, lasting, pressing)) return;
-    x.after = x.free;
-    for (const std::size_t i : lasting) push(i, now[i].normal, now[i].friction, x.after.data());
-    for (const std::size_t i : pressing) push(i, now[i].normal, now[i].friction, x.after.data());
-    // Once more after the last round.
-    if (!loads_.iterates() || settled) break;
-    settled = !loads_.improve(x, x.after.data());
-    look_at_free(x);
-  }
-}
-
-// The impulses of all for the present x.free; false: the laws have none. Rigid and compliant
-// contacts in turn, until their impulses no longer change.
-bool StepContacts::find_impulses(StepState& x, const List& lasting, const List& pressing) {
-  if (pressing.empty()) {
-    return (lasting.size() == 1 && slide_on(lasting[0], x.free.data())) ||
-           solve_lasting(x, lasting, pressing);
-  }
-  constexpr int kRounds = 200;
-  constexpr double kSettled = 1e-15;  // of the largest impulse
-  for (int round = 0; round < kRounds; ++round) {
-    const State was = now;
-    if (!press(x, pressing, lasting)) return false;
-    if (lasting.empty()) return true;
-    if (!solve_lasting(x, lasting, pressing)) return false;
-    double moved = 0.0, largest = 0.0;
-    for (std::size_t i = 0; i < count(); ++i) {
-      moved = std::max({moved, std::abs(now[i].normal - was[i].normal),
-                        std::abs(now[i].friction - was[i].friction)});
-      largest = std::max(largest, now[i].normal);
-    }
-    if (moved <= kSettled * largest) break;
-  }
-  return true;
 }
 
 // One rigid contact that slides on as in the step before, in closed form; false where it does not.
@@ -286,18 +220,63 @@ ROTORUB_INLINE bool StepContacts::slide_on(std::size_t i, const double* free) {
   return true;
 }
 
-bool StepContacts::solve_lasting(StepState& x, const List& lasting, const List& pressing) {
+// From the step's begin: x.after from x.free, whatever the iteration needs.
+ROTORUB_INLINE void StepContacts::press_on(StepState& x) {
+  if (loads_.coupled()) couple();
+  for (const std::size_t i : lasting_) turn_normal(contacts_[i]);
+  if (loads_.iterates()) loads_.begin_iteration();
+  const bool alone = pressing_.empty() && lasting_.size() == 1;
+  for (bool settled = false;;) {
+    const bool slides = alone && slide_on(lasting_[0], x.free.data());
+    if (!slides && !find_impulses(x)) return;
+    const double* from = x.free.data();
+    for (const List* list : {&lasting_, &pressing_}) {
+      for (const std::size_t i : *list) {
+        add_response(i, now[i].normal, now[i].friction, from, x.after.data());
+        from = x.after.data();
+      }
+    }
+    // Once more after the last round.
+    if (!loads_.iterates() || settled) break;
+    settled = !loads_.improve(x, x.after.data());
+    look_at_free(x);
+  }
+}
+
+// The impulses of all for the present x.free; false: the laws have none. Rigid and compliant
+// contacts in turn, until their impulses no longer change.
+bool StepContacts::find_impulses(StepState& x) {
+  if (pressing_.empty()) return solve_lasting(x);
+  constexpr int kRounds = 200;
+  constexpr double kSettled = 1e-15;  // of the largest impulse
+  for (int round = 0; round < kRounds; ++round) {
+    const State was = now;
+    if (!press(x)) return false;
+    if (lasting_.empty()) return true;
+    if (!solve_lasting(x)) return false;
+    double moved = 0.0, largest = 0.0;
+    for (std::size_t i = 0; i < count(); ++i) {
+      moved = std::max({moved, std::abs(now[i].normal - was[i].normal),
+                        std::abs(now[i].friction - was[i].friction)});
+      largest = std::max(largest, now[i].normal);
+    }
+    if (moved <= kSettled * largest) break;
+  }
+  return true;
+}
+
+bool StepContacts::solve_lasting(StepState& x) {
   ContactList<LastingContact> contacts;
-  for (const std::size_t i : lasting) {
+  for (const std::size_t i : lasting_) {
     Contact& c = contacts_[i];
     LastingContact s;
     s.d = {c.d.x, c.d.y};
-    const Eigen::Vector3d others = rates_by(i, pressing);
+    const Eigen::Vector3d others = rates_by(i, pressing_);
     s.free = rates(i, x.free.data()) + others;
     // Where the path of one contact ends far from where it begins (it passes the middle), the
     // normal is that of the place where it leaves the circle.
     const Eigen::Vector2d path = h_ * s.free.head<2>();
-    if (lasting.size() == 1 && s.d.dot(s.d + path) < 0.5 * c.clearance * c.clearance) {
+    if (lasting_.size() == 1 && s.d.dot(s.d + path) < 0.5 * c.clearance * c.clearance) {
       const double share = circle_exit(s.d, path, c.clearance);
       const Eigen::Vector2d e_r = (s.d + std::min(1.0, share) * path).normalized();
       c.e_r = {e_r.x(), e_r.y()};
@@ -310,14 +289,14 @@ bool StepContacts::solve_lasting(StepState& x, const List& lasting, const List& 
     s.slip_sign = c.sign_before;
     contacts.push_back(s);
   }
-  const ContactAdmittance a{admittance_.data(), count(), {lasting.data(), lasting.size()}};
+  const ContactAdmittance a{admittance_.data(), count(), {lasting_.data(), lasting_.size()}};
   const Status found = solve_lasting_contacts(h_, {contacts.data(), contacts.size()}, a);
   if (found != Status::kOk) {
     x.fail(found);
     return false;
   }
-  for (std::size_t k = 0; k < lasting.size(); ++k) {
-    Kept& c = now[lasting[k]];
+  for (std::size_t k = 0; k < lasting_.size(); ++k) {
+    Kept& c = now[lasting_[k]];
     c.normal = contacts[k].normal_impulse;
     c.friction = contacts[k].friction_impulse;
     c.slip_sign = contacts[k].slip_sign;
@@ -325,12 +304,36 @@ bool StepContacts::solve_lasting(StepState& x, const List& lasting, const List& 
   return true;
 }
 
+void StepContacts::go_on(StepState& x, bool unsettled) {
+  look(x);
+  acts_ = false;
+  for (std::size_t i = 0; i < count(); ++i) {
+    Kept& c = now[i];
+    contacts_[i].flies = contacts_[i].rigid && !c.closed && m_.auxiliary[i].contact;
+    contacts_[i].sign_before = c.slip_sign;
+    c.normal = c.friction = 0.0;
+  }
+  if (gives_ && !find_touches(x)) return;
+  find_lasting(x, unsettled);
+  acts_ = !lasting_.empty() || !pressing_.empty();
+  if (acts_) press_on(x);
+  for (std::size_t i = 0; i < count(); ++i) {
+    Kept& c = now[i];
+    const bool pressed = c.closed && c.normal > 0.0;
+    if (contacts_[i].rigid) c.closed = pressed;
+    if (!pressed) c.slip_sign = 0.0;
+    c.normal_at_end = c.normal;
+    c.friction_at_end = c.friction;
+  }
+  if (acts_) note_lasting();
+}
+
 void StepContacts::hold_on(StepState& x) {
   bool held = false;
   for (std::size_t i = 0; i < count(); ++i) {
     const Kept& kept = now[i];
     if (!kept.closed || !(kept.normal_at_end > 0.0)) continue;
-    if (!held) couple();
+    if (!held && loads_.coupled()) couple();
     held = true;
     Contact& c = contacts_[i];
     const Pair d = eq::separation(m_, *c.at, x.seen.data());
@@ -376,6 +379,7 @@ void StepContacts::go_on_as(const State& mean) {
 
 // ------------------------------------------------------------------ what the step did
 void StepContacts::note_lasting() {
+  did_ = true;
   for (std::size_t i = 0; i < count(); ++i) {
     const Kept& c = now[i];
     ContactStep& done = done_[i];
@@ -396,7 +400,7 @@ void StepContacts::set_closed(std::size_t i, bool closed) {
 
 void StepContacts::note_impact(const Impact& impact, bool listed) {
   ContactStep& done = done_[static_cast<std::size_t>(impact.contact)];
-  impacted_ = true;
+  impacted_ = did_ = true;
   done.normal_impulse += impact.normal_impulse;
   done.friction_impulse += impact.friction_impulse;
   if (listed) impacts.push_back(impact);

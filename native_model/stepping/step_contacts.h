@@ -18,9 +18,11 @@
 
 #include <Eigen/Core>
 #include <array>
+#include <cmath>
 #include <span>
 #include <vector>
 
+#include "native_model/contact/kinematics.h"
 #include "native_model/contact/most_contacts.h"
 #include "native_model/contact/step_contact.h"
 #include "native_model/dynamics/equations.h"
@@ -153,23 +155,30 @@ class StepContacts {
     return admittance_[i * count() + j];
   }
   void couple();
+  // to = from + A^-1 J^T of impulses of a contact.
+  void add_response(std::size_t i, double normal, double friction, const double* from,
+                    double* to) const;
   void look(const StepState& x);
   void look_at_free(const StepState& x);
-  static void turn_normal(Contact& c);
+  // To the place that the step sees; where that is the middle it stays.
+  static void turn_normal(Contact& c) {
+    const double delta = std::sqrt(c.d.x * c.d.x + c.d.y * c.d.y);
+    if (delta > kNoNormal) c.e_r = {c.d.x / delta, c.d.y / delta};
+  }
   bool leaves(const Contact& c, const Pair& velocity) const;
-  List lasting(StepState& x, const List& pressing, bool unsettled);
-  void press_on(StepState& x, const List& lasting, const List& pressing);
-  bool find_impulses(StepState& x, const List& lasting, const List& pressing);
+  void find_lasting(StepState& x, bool unsettled);
+  void press_on(StepState& x);
+  bool find_impulses(StepState& x);
   bool slide_on(std::size_t i, const double* free);
-  bool solve_lasting(StepState& x, const List& lasting, const List& pressing);
+  bool solve_lasting(StepState& x);
   // The rates of a contact by the impulses of others.
   Eigen::Vector3d rates_by(std::size_t i, const List& others) const;
   void note_lasting();
 
   // Compliant contacts: compliant_contacts.cc.
-  bool find_touches(StepState& x, List& pressing);
+  bool find_touches(StepState& x);
   void meet_wall(std::size_t i, const Eigen::Vector3d& free);
-  bool press(StepState& x, const List& pressing, const List& lasting);
+  bool press(StepState& x);
   void press_one(std::size_t i, const Eigen::Vector3d& end);
   void find_impulses(std::size_t i, const Eigen::Vector2d& before, const Eigen::Vector2d& after,
                      const Delassus& g);
@@ -181,7 +190,10 @@ class StepContacts {
   std::vector<Contact> contacts_;
   std::vector<Eigen::Matrix3d> uncoupled_, admittance_;  // blocks, of each contact by each
   double before_ = 0.0, after_ = 0.0;                    // s, of the step, of the place it sees
-  bool acts_ = false, impacted_ = false;
+  // Of the step: the rigid contacts that last and the compliant ones in their walls; whether any
+  // contact acts; whether there were impacts; whether done_ has anything.
+  List lasting_, pressing_;
+  bool acts_ = false, impacted_ = false, did_ = false;
   std::vector<ContactStep> done_;
   StepState::Coordinates without_impacts_;  // velocities at the step's end
 };

@@ -261,9 +261,7 @@ void VerletStep::collide(std::int64_t k) {
       continue;
     }
     const bool ends = count + 1 == most;
-    if (slow_impact_ && !ends && impact.outlives(std::max(h, contacts.law(0).impact_time()))) {
-      return begin_slow_impact(k, flight);
-    }
+    if (slow_impact_ && !ends && impact.rebounds(h)) return begin_slow_impact(k, flight);
     const Status found = impact.strike(x, t + flight.theta * h, t, q, ends, jump);
     if (found != Status::kOk) return x.fail(found);
     for (std::size_t i = 0; i < impact.count(); ++i) {
