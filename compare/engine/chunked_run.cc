@@ -43,10 +43,7 @@ std::size_t ChunkedRun::advance(std::size_t wanted) {
     if (failed_) break;
     StepResult& r = results_[done];
     r.works = works_;
-    r.forces.assign(1, plugin::contact_forces(config_, m_, data_.get()));
-    for (std::size_t k = 1; k < config_.pairs.size(); ++k) {
-      r.forces.push_back(plugin::contact_forces(config_.pairs[k], m_, data_.get()));
-    }
+    read_forces(r.forces);
     r.actuator = plugin::actuator_state(config_, m_, data_.get());
     if (commands_) r.command = plugin::command_of_pass(config_, m_, data_.get());
     if (control_) r.command = r.actuator.force = commanded_;
@@ -93,10 +90,19 @@ StepResult ChunkedRun::last_half() {
   mj_forward(m_, data_.get());
   read_state(states_.data());
   std::copy_n(plugin::velocities_of_pass(config_, data_.get()), size(), states_.data() + size());
-  return {{plugin::contact_forces(config_, m_, data_.get())},
-          plugin::actuator_state(config_, m_, data_.get()),
-          {0.0, 0.0},
-          works_};
+  StepResult r;
+  read_forces(r.forces);
+  r.actuator = plugin::actuator_state(config_, m_, data_.get());
+  r.works = works_;
+  return r;
+}
+
+// Of every contact; of a model without any, one without force.
+void ChunkedRun::read_forces(std::vector<plugin::ContactForces>& forces) const {
+  forces.assign(1, plugin::contact_forces(config_, m_, data_.get()));
+  for (std::size_t k = 1; k < config_.pairs.size(); ++k) {
+    forces.push_back(plugin::contact_forces(config_.pairs[k], m_, data_.get()));
+  }
 }
 
 // MuJoCo resets a state that is not finite (or beyond 1e10) and warns.

@@ -54,6 +54,7 @@ class ChunkedRun {
  private:
   std::size_t size() const { return static_cast<std::size_t>(model_.nq()); }
   void read_state(double* to) const { read_(data_.get(), to, to + size()); }
+  void read_forces(std::vector<plugin::ContactForces>& forces) const;
   bool step();               // false: error_
   plugin::StepWorks works_;  // of the last step
   bool bad() const;
