@@ -28,8 +28,8 @@ struct EventParameters {
   // slide) have a handful.
   int stall_limit = 1000;
   // Steps to go from which a run whose steps are short for their stability alone is given up:
-  // StiffnessWatch. A minute of a small system; one that is merely long goes on.
-  double most_stiff_steps = 2e7;
+  // StiffnessWatch. A quarter of a minute of a small system; one that is merely long goes on.
+  double most_stiff_steps = 5e6;
 };
 
 }  // namespace rotorub

@@ -66,6 +66,8 @@ class SmoothStep {
 
  private:
   double before_break(double t) const { return t < smooth_end_ ? t : smooth_end_; }
+  void find_round_off(const Motion& motion);
+  const double* tolerance_of(double h);
   void prepare_dense();
   void evaluate_at(double theta);
 
@@ -73,7 +75,10 @@ class SmoothStep {
   const EventParameters* parameters_;
   Phase* phase_;
   Dop853 step_;
-  std::vector<double> tolerance_, y_, slope_;
+  std::vector<double> tolerance_;
+  // With compliant contacts: m/s^2, of each coordinate; the tolerance with it.
+  std::vector<double> round_off_, allowed_;
+  std::vector<double> y_, slope_;
   double start_ = 0.0, next_ = 0.0;  // s: the step's start, the length to try next
   double end_time_ = 0.0;
   double smooth_end_ = 0.0;  // s, the last instant before the next break

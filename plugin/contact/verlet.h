@@ -30,8 +30,8 @@ void apply_verlet(const Config& config, const mjModel* m, mjData* d, const Coord
 // Whether the step that comes is the first from a state that was set: half a kick.
 bool begins_anew(const Config& config, const mjModel* m, const mjData* d);
 
-// J, of a native step on the coordinates: of the contacts, of their impacts alone, and of all forces
-// but springs and contact.
+// J, of a native step on the coordinates: of the contacts, of their impacts alone, and of all
+// forces but springs and contact.
 struct StepWorks {
   double contact = 0.0, impact = 0.0, external = 0.0;
 };
