@@ -8,7 +8,6 @@
 #include <vector>
 
 #include "native_model/dynamics/dynamics.h"
-#include "native_model/run/status_reason.h"
 #include "native_model/run/step_commands.h"
 #include "native_model/stepping/step_limit.h"
 #include "native_model/stepping/stepper.h"
@@ -16,6 +15,7 @@
 #include "native_model/trajectory/contact_episodes.h"
 #include "native_model/trajectory/range_check.h"
 #include "native_model/trajectory/recorder.h"
+#include "native_model/trajectory/status_reason.h"
 
 namespace rotorub {
 namespace {

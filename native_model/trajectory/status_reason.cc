@@ -1,4 +1,4 @@
-#include "native_model/run/status_reason.h"
+#include "native_model/trajectory/status_reason.h"
 
 namespace rotorub {
 
