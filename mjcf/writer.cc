@@ -12,13 +12,13 @@
 #include "mjcf/segment_bodies.h"
 #include "mjcf/soft_contact.h"
 #include "mjcf/xml.h"
+#include "native_model/model/model_checks.h"
 #include "native_model/rotor/refusal.h"
 #include "native_model/scene/record.h"
 #include "native_model/scene/scene.h"
 #include "native_model/scene/text.h"
 #include "native_model/stepping/stepper.h"
 #include "native_model/stepping/zero_order_hold.h"
-#include "native_model/system/model_checks.h"
 
 namespace rotorub {
 namespace {

@@ -5,12 +5,12 @@
 #include <string_view>
 
 #include "mjcf/names.h"
+#include "native_model/model/model_checks.h"
 #include "native_model/scene/diagnostic.h"
 #include "native_model/scene/reader.h"
 #include "native_model/scene/scene.h"
 #include "native_model/stepping/stepper.h"
 #include "native_model/stepping/zero_order_hold.h"
-#include "native_model/system/model_checks.h"
 #include "plugin/config_cache.h"
 #include "plugin/contact/verlet.h"
 #include "plugin/generated_rotor.h"

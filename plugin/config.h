@@ -11,8 +11,8 @@
 #include <string_view>
 #include <vector>
 
+#include "native_model/model/model.h"
 #include "native_model/scene/mujoco.h"
-#include "native_model/system/model.h"
 #include "plugin/segments.h"
 
 namespace rotorub::plugin {

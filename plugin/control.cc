@@ -6,7 +6,7 @@
 
 #include "native_model/bearing/actuator.h"
 #include "native_model/control/control_loop.h"
-#include "native_model/system/actuation.h"
+#include "native_model/model/actuation.h"
 #include "native_model/trajectory/trajectory.h"
 #include "plugin/mujoco_versions.h"
 #include "plugin/user_data.h"

@@ -5,7 +5,7 @@
 
 #include <string>
 
-#include "native_model/system/actuation.h"
+#include "native_model/model/actuation.h"
 #include "plugin/actuators.h"
 #include "plugin/config.h"
 #include "plugin/generated_rotor.h"

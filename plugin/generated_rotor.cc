@@ -4,9 +4,9 @@
 #include <cmath>
 #include <vector>
 
-#include "native_model/dynamics/dynamics.h"
+#include "native_model/model/dynamics.h"
+#include "native_model/model/sampled_feedback.h"
 #include "native_model/scene/scene.h"
-#include "native_model/system/sampled_feedback.h"
 #include "plugin/message.h"
 #include "plugin/mujoco_dynamics.h"
 #include "plugin/mujoco_versions.h"

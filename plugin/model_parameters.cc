@@ -5,7 +5,7 @@
 #include <limits>
 
 #include "mjcf/names.h"
-#include "native_model/dynamics/dynamics.h"
+#include "native_model/model/dynamics.h"
 #include "native_model/scene/scene.h"
 #include "plugin/generated_rotor.h"
 #include "plugin/message.h"

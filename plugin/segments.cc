@@ -4,12 +4,12 @@
 #include <algorithm>
 
 #include "mjcf/names.h"
-#include "native_model/dynamics/dynamics.h"
-#include "native_model/dynamics/loads.h"
+#include "native_model/model/dynamics.h"
+#include "native_model/model/loads.h"
+#include "native_model/model/sampled_feedback.h"
 #include "native_model/numerics/linear_solve.h"
 #include "native_model/scene/scene.h"
 #include "native_model/stepping/step_limit.h"
-#include "native_model/system/sampled_feedback.h"
 #include "plugin/config.h"
 
 namespace rotorub::plugin {

@@ -9,9 +9,9 @@
 #include <string>
 #include <vector>
 
+#include "native_model/model/model.h"
 #include "native_model/rotor/segment_chain.h"
 #include "native_model/scene/forward.h"
-#include "native_model/system/model.h"
 
 namespace rotorub::plugin {
 
@@ -30,7 +30,7 @@ struct Segments {
   // Loads, in the chain's coordinates.
   Eigen::MatrixXd damping_x, damping_y;  // external; empty: none
   Eigen::MatrixXd torsion_damping;       // empty: none
-  // What the native list of loads (dynamics/loads.h) has in the place of the joints' own: rotating
+  // What the native list of loads (model/loads.h) has in the place of the joints' own: rotating
   // damping, forces, blades that are lost, magnetic bearings. Its modes are the coordinates of a
   // plane, its spin the mean one; then come those of magnetic bearings' integrators.
   Model bending;

@@ -1,7 +1,7 @@
 #include "plugin/sensors.h"
 
 #include "mjcf/names.h"
-#include "native_model/dynamics/dynamics.h"
+#include "native_model/model/dynamics.h"
 #include "plugin/contact/contact_memory.h"
 #include "plugin/contact/contact_space.h"
 #include "plugin/contact/relative_motion.h"

@@ -2,7 +2,7 @@
 
 #include <cmath>
 
-#include "native_model/dynamics/dynamics.h"
+#include "native_model/model/dynamics.h"
 #include "native_model/scene/scene.h"
 #include "plugin/contact/contact_memory.h"
 #include "plugin/contact/contact_space.h"

@@ -22,13 +22,13 @@
 #include "compare/report/modes_page.h"
 #include "compare/sweep/study_reader.h"
 #include "native_model/control/library.h"
+#include "native_model/model/linear_plant.h"
+#include "native_model/model/model.h"
 #include "native_model/rotor/refusal.h"
 #include "native_model/rub/rub_map.h"
 #include "native_model/scene/overrides.h"
 #include "native_model/scene/text.h"
 #include "native_model/scene/units.h"
-#include "native_model/system/linear_plant.h"
-#include "native_model/system/model.h"
 #include "native_model/trajectory/output.h"
 
 namespace rotorub {

@@ -9,7 +9,7 @@
 #include <vector>
 
 #include "compare/engine/mujoco_engine.h"
-#include "native_model/system/actuation.h"
+#include "native_model/model/actuation.h"
 #include "native_model/trajectory/trajectory.h"
 #include "plugin/config.h"
 #include "plugin/contact/contact_memory.h"

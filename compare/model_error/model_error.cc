@@ -14,7 +14,7 @@
 #include "compare/engine/engine.h"
 #include "compare/metrics/metrics.h"
 #include "compare/metrics/rows.h"
-#include "native_model/system/model.h"
+#include "native_model/model/model.h"
 
 namespace rotorub {
 namespace {

@@ -13,7 +13,7 @@
 #include "compare/base/json.h"
 #include "compare/base/units.h"
 #include "compare/modes/rotor_analysis.h"
-#include "native_model/dynamics/linear_parts.h"
+#include "native_model/model/linear_parts.h"
 #include "native_model/numerics/linear_solve.h"
 #include "native_model/rotor/refusal.h"
 #include "native_model/system/free_motion.h"

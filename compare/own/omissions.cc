@@ -10,7 +10,7 @@
 #include <utility>
 
 #include "compare/engine/mujoco_model.h"
-#include "native_model/dynamics/dynamics.h"
+#include "native_model/model/dynamics.h"
 #include "plugin/contact/contact_memory.h"
 #include "plugin/contact/contact_space.h"
 #include "plugin/contact_force.h"

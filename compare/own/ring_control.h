@@ -10,8 +10,8 @@
 #include <vector>
 
 #include "compare/engine/mujoco_engine.h"
+#include "native_model/model/actuation.h"
 #include "native_model/scene/scene.h"
-#include "native_model/system/actuation.h"
 #include "plugin/config.h"
 
 namespace rotorub {

@@ -10,7 +10,7 @@
 #include "compare/report/pack/packed_run.h"
 #include "compare/report/plot_points.h"
 #include "native_model/bearing/drive.h"
-#include "native_model/system/model.h"
+#include "native_model/model/model.h"
 
 namespace rotorub {
 

@@ -7,10 +7,10 @@
 #include <numbers>
 
 #include "compare/starter/starter_text.h"
+#include "native_model/model/model.h"
 #include "native_model/scene/diagnostic.h"
 #include "native_model/scene/reader.h"
 #include "native_model/scene/text.h"
-#include "native_model/system/model.h"
 
 namespace rotorub {
 namespace {

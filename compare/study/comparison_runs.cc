@@ -7,8 +7,8 @@
 #include <utility>
 
 #include "compare/own/own_machine.h"
+#include "native_model/model/model.h"
 #include "native_model/scene/diagnostic.h"
-#include "native_model/system/model.h"
 
 namespace rotorub {
 namespace {

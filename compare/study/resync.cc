@@ -3,8 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
-#include "native_model/dynamics/dynamics.h"
 #include "native_model/event/driver.h"
+#include "native_model/model/dynamics.h"
 #include "native_model/trajectory/recorder.h"
 
 namespace rotorub {

@@ -8,8 +8,8 @@
 #include <cmath>
 #include <optional>
 
+#include "native_model/model/model.h"
 #include "native_model/scene/overrides.h"
-#include "native_model/system/model.h"
 
 namespace rotorub::sweep {
 

@@ -16,7 +16,7 @@
 #include "compare/metrics/rows.h"
 #include "compare/study/trust.h"
 #include "compare/study/twins.h"
-#include "native_model/system/model.h"
+#include "native_model/model/model.h"
 
 namespace rotorub::tune {
 namespace {

@@ -3,11 +3,11 @@
 #include <cassert>
 #include <cmath>
 
+#include "native_model/model/model.h"
 #include "native_model/numerics/root.h"
 #include "native_model/rub/rub_stability.h"
 #include "native_model/scene/diagnostic.h"
 #include "native_model/scene/record.h"
-#include "native_model/system/model.h"
 
 namespace rotorub::rub {
 namespace {

@@ -13,8 +13,8 @@
 // lambda (unless the scene gives it).
 #pragma once
 
+#include "native_model/model/model.h"
 #include "native_model/scene/forward.h"
-#include "native_model/system/model.h"
 
 namespace rotorub::rub {
 

@@ -6,14 +6,14 @@
 #include <string>
 
 #include "native_model/control/ring_feedback.h"
-#include "native_model/dynamics/linear_parts.h"
+#include "native_model/model/linear_parts.h"
+#include "native_model/model/model.h"
+#include "native_model/model/model_checks.h"
 #include "native_model/numerics/linear_solve.h"
 #include "native_model/scene/diagnostic.h"
 #include "native_model/scene/record.h"
 #include "native_model/scene/text.h"
 #include "native_model/system/free_motion.h"
-#include "native_model/system/model.h"
-#include "native_model/system/model_checks.h"
 
 namespace rotorub::rub {
 namespace {

@@ -20,8 +20,8 @@
 #include <optional>
 #include <vector>
 
+#include "native_model/model/model.h"
 #include "native_model/scene/forward.h"
-#include "native_model/system/model.h"
 
 namespace rotorub::rub {
 

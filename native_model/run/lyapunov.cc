@@ -6,11 +6,11 @@
 #include <numbers>
 #include <vector>
 
+#include "native_model/model/model.h"
 #include "native_model/run/continued.h"
 #include "native_model/run/run_native.h"
 #include "native_model/scene/diagnostic.h"
 #include "native_model/scene/scene.h"
-#include "native_model/system/model.h"
 
 namespace rotorub {
 namespace {

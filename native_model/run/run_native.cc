@@ -4,9 +4,9 @@
 #include <chrono>
 
 #include "native_model/event/driver.h"
+#include "native_model/model/model_checks.h"
 #include "native_model/run/fixed_run.h"
 #include "native_model/scene/record.h"
-#include "native_model/system/model_checks.h"
 #include "native_model/trajectory/recorder.h"
 
 namespace rotorub {

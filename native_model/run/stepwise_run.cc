@@ -7,7 +7,7 @@
 
 #include "native_model/contact/impact.h"
 #include "native_model/control/magnetic_library.h"
-#include "native_model/dynamics/equations.h"
+#include "native_model/model/equations.h"
 #include "native_model/scene/record.h"
 #include "native_model/trajectory/columns.h"
 

@@ -4,7 +4,7 @@
 #include <cmath>
 #include <utility>
 
-#include "native_model/dynamics/dynamics.h"
+#include "native_model/model/dynamics.h"
 
 namespace rotorub {
 namespace {

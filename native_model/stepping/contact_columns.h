@@ -9,7 +9,7 @@
 
 #include "native_model/contact/kinematics.h"
 #include "native_model/contact/most_contacts.h"
-#include "native_model/dynamics/dynamics.h"
+#include "native_model/model/dynamics.h"
 #include "native_model/stepping/fixed_step.h"
 #include "native_model/stepping/load_kick.h"
 

@@ -7,7 +7,7 @@
 #include <span>
 
 #include "native_model/contact/step_contact.h"
-#include "native_model/system/model.h"
+#include "native_model/model/model.h"
 #include "native_model/trajectory/trajectory.h"
 
 namespace rotorub {

@@ -16,7 +16,7 @@
 #include <vector>
 
 #include "native_model/contact/most_contacts.h"
-#include "native_model/dynamics/equations.h"
+#include "native_model/model/equations.h"
 #include "native_model/stepping/fixed_step.h"
 #include "native_model/stepping/step_state.h"
 #include "native_model/stepping/stepped_loads.h"

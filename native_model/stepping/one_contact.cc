@@ -6,7 +6,7 @@
 
 #include "native_model/contact/kinematics.h"
 #include "native_model/contact/step_contact.h"
-#include "native_model/dynamics/dynamics.h"
+#include "native_model/model/dynamics.h"
 
 namespace rotorub {
 

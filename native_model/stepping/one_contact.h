@@ -6,7 +6,7 @@
 
 #include <Eigen/Core>
 
-#include "native_model/dynamics/equations.h"
+#include "native_model/model/equations.h"
 #include "native_model/stepping/fixed_step.h"
 #include "native_model/stepping/load_kick.h"
 

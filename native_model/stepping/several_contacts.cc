@@ -4,7 +4,7 @@
 #include <cmath>
 
 #include "native_model/contact/kinematics.h"
-#include "native_model/dynamics/dynamics.h"
+#include "native_model/model/dynamics.h"
 
 namespace rotorub {
 SeveralContacts::SeveralContacts(StepState& x, LoadKick& loads)

@@ -5,10 +5,10 @@
 
 #include "native_model/contact/kinematics.h"
 #include "native_model/contact/step_contact.h"
-#include "native_model/dynamics/dynamics.h"
+#include "native_model/model/actuation.h"
+#include "native_model/model/dynamics.h"
 #include "native_model/stepping/shared_impact.h"
 #include "native_model/stepping/verlet_step.h"
-#include "native_model/system/actuation.h"
 
 namespace rotorub {
 namespace {

@@ -22,10 +22,10 @@
 #include <optional>
 #include <type_traits>
 
+#include "native_model/model/finite_impact.h"
 #include "native_model/stepping/compliant_contacts.h"
 #include "native_model/stepping/one_contact.h"
 #include "native_model/stepping/several_contacts.h"
-#include "native_model/system/finite_impact.h"
 
 namespace rotorub {
 

@@ -8,8 +8,8 @@
 #include <optional>
 #include <string>
 
+#include "native_model/model/actuation.h"
 #include "native_model/stepping/fixed_step.h"
-#include "native_model/system/actuation.h"
 
 namespace rotorub {
 

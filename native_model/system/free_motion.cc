@@ -8,9 +8,9 @@
 #include <utility>
 #include <vector>
 
-#include "native_model/dynamics/closed_loop.h"
-#include "native_model/dynamics/linear_parts.h"
-#include "native_model/dynamics/loads.h"
+#include "native_model/model/closed_loop.h"
+#include "native_model/model/linear_parts.h"
+#include "native_model/model/loads.h"
 #include "native_model/numerics/linear_solve.h"
 #include "native_model/scene/record.h"
 #include "native_model/scene/text.h"

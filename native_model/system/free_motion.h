@@ -6,8 +6,8 @@
 #include <string>
 #include <vector>
 
+#include "native_model/model/model.h"
 #include "native_model/scene/forward.h"
-#include "native_model/system/model.h"
 
 namespace rotorub {
 

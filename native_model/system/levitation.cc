@@ -7,7 +7,7 @@
 #include <optional>
 #include <utility>
 
-#include "native_model/dynamics/closed_loop.h"
+#include "native_model/model/closed_loop.h"
 #include "native_model/numerics/linear_solve.h"
 #include "native_model/system/free_motion.h"
 #include "native_model/system/linear_loop.h"

@@ -16,7 +16,7 @@
 #include <string>
 #include <vector>
 
-#include "native_model/system/model.h"
+#include "native_model/model/model.h"
 #include "native_model/system/step_response.h"
 
 namespace rotorub {

@@ -5,10 +5,10 @@
 #include <cmath>
 #include <utility>
 
+#include "native_model/model/sampled_feedback.h"
 #include "native_model/numerics/eigenvalues.h"
 #include "native_model/numerics/linear_solve.h"
 #include "native_model/numerics/matrix_functions.h"
-#include "native_model/system/sampled_feedback.h"
 
 namespace rotorub {
 

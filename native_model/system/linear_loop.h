@@ -11,8 +11,8 @@
 #include <string>
 #include <vector>
 
-#include "native_model/dynamics/closed_loop.h"
-#include "native_model/system/model.h"
+#include "native_model/model/closed_loop.h"
+#include "native_model/model/model.h"
 
 namespace rotorub {
 

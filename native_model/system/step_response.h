@@ -15,8 +15,8 @@
 #include <optional>
 #include <vector>
 
+#include "native_model/model/model.h"
 #include "native_model/system/linear_loop.h"
-#include "native_model/system/model.h"
 
 namespace rotorub {
 

@@ -6,13 +6,13 @@
 #include <numbers>
 #include <utility>
 
+#include "native_model/model/model.h"
 #include "native_model/numerics/root.h"
 #include "native_model/rotor/mode_shapes.h"
 #include "native_model/scene/diagnostic.h"
 #include "native_model/scene/scene.h"
 #include "native_model/system/free_motion.h"
 #include "native_model/system/linear_loop.h"
-#include "native_model/system/model.h"
 
 namespace rotorub {
 namespace {

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "native_model/dynamics/dynamics.h"
+#include "native_model/model/dynamics.h"
 #include "plugin/generated_rotor.h"
 
 namespace rotorub::plugin {

@@ -7,7 +7,7 @@
 
 #include "native_model/contact/constrained_law.h"
 #include "native_model/contact/impact.h"
-#include "native_model/dynamics/dynamics.h"
+#include "native_model/model/dynamics.h"
 #include "native_model/scene/mujoco.h"
 #include "native_model/trajectory/trajectory.h"
 #include "plugin/actuators.h"

@@ -6,7 +6,7 @@
 #include <utility>
 
 #include "native_model/bearing/actuator.h"
-#include "native_model/dynamics/dynamics.h"
+#include "native_model/model/dynamics.h"
 #include "native_model/stepping/stepper.h"
 #include "native_model/stepping/zero_order_hold.h"
 #include "plugin/actuators.h"

@@ -220,7 +220,7 @@ class Maker {
     fill_drive(twin_.scene.drive.emplace());
   }
 
-  // An unbalance of phase 0 has b = -X sin phi in x and Y cos phi in y (dynamics/equations.h), one
+  // An unbalance of phase 0 has b = -X sin phi in x and Y cos phi in y (model/equations.h), one
   // that leads it by a quarter turn the other two of the four that two angles give:
   //
   //   x + i x':  -b(90 degrees) - i b(0),      y + i y':  b(0) - i b(90 degrees)

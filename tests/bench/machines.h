@@ -6,9 +6,9 @@
 #include <string>
 #include <vector>
 
+#include "native_model/model/model.h"
 #include "native_model/scene/reader.h"
 #include "native_model/scene/scene.h"
-#include "native_model/system/model.h"
 #include "tests/support/native_run.h"
 
 namespace rotorub::bench {

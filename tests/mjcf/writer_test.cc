@@ -9,7 +9,7 @@
 
 #include "mjcf/bodies.h"
 #include "mjcf/names.h"
-#include "native_model/dynamics/dynamics.h"
+#include "native_model/model/dynamics.h"
 #include "native_model/scene/diagnostic.h"
 #include "tests/support/mujoco_fixture.h"
 #include "tests/support/said.h"

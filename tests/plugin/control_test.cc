@@ -6,7 +6,7 @@
 
 #include "mjcf/names.h"
 #include "mjcf/writer.h"
-#include "native_model/system/actuation.h"
+#include "native_model/model/actuation.h"
 #include "tests/support/mujoco_fixture.h"
 
 namespace rotorub::test {

@@ -4,9 +4,9 @@
 #include <cmath>
 
 #include "mjcf/writer.h"
-#include "native_model/dynamics/dynamics.h"
+#include "native_model/model/actuation.h"
+#include "native_model/model/dynamics.h"
 #include "native_model/numerics/matrix_functions.h"
-#include "native_model/system/actuation.h"
 #include "tests/plugin/scenes.h"
 #include "tests/support/mujoco_fixture.h"
 

@@ -8,7 +8,7 @@
 #include <cstdio>
 
 #include "mjcf/writer.h"
-#include "native_model/dynamics/dynamics.h"
+#include "native_model/model/dynamics.h"
 #include "native_model/rotor/campbell.h"
 #include "native_model/run/run_native.h"
 #include "plugin/generated_rotor.h"

@@ -9,7 +9,7 @@
 
 #include "mjcf/names.h"
 #include "mjcf/writer.h"
-#include "native_model/dynamics/dynamics.h"
+#include "native_model/model/dynamics.h"
 #include "native_model/stepping/stepper.h"
 #include "tests/plugin/shadow.h"
 

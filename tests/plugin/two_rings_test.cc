@@ -7,7 +7,7 @@
 
 #include "mjcf/names.h"
 #include "mjcf/writer.h"
-#include "native_model/dynamics/dynamics.h"
+#include "native_model/model/dynamics.h"
 #include "plugin/generated_rotor.h"
 #include "tests/support/mujoco_document.h"
 #include "tests/support/mujoco_fixture.h"

@@ -4,9 +4,9 @@
 #include <string>
 #include <vector>
 
+#include "native_model/model/model.h"
 #include "native_model/scene/diagnostic.h"
 #include "native_model/scene/reader.h"
-#include "native_model/system/model.h"
 #include "tests/support/said.h"
 
 namespace rotorub::test {

@@ -7,8 +7,8 @@
 #include <limits>
 #include <random>
 
+#include "native_model/model/model.h"
 #include "native_model/scene/scene.h"
-#include "native_model/system/model.h"
 
 namespace rotorub::test {
 

@@ -5,8 +5,8 @@
 
 #include <vector>
 
+#include "native_model/model/model.h"
 #include "native_model/scene/diagnostic.h"
-#include "native_model/system/model.h"
 
 namespace rotorub::test {
 

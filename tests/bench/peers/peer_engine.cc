@@ -5,8 +5,8 @@
 #include <cmath>
 #include <utility>
 
-#include "native_model/dynamics/dynamics.h"
-#include "native_model/system/model_checks.h"
+#include "native_model/model/dynamics.h"
+#include "native_model/model/model_checks.h"
 #include "native_model/trajectory/contact_episodes.h"
 #include "native_model/trajectory/range_check.h"
 #include "native_model/trajectory/recorder.h"

@@ -5,8 +5,8 @@
 
 #include <algorithm>
 
-#include "native_model/dynamics/dynamics.h"
-#include "native_model/system/actuation.h"
+#include "native_model/model/actuation.h"
+#include "native_model/model/dynamics.h"
 #include "tests/support/jeffcott.h"
 #include "tests/support/machine.h"
 #include "tests/support/native_run.h"

@@ -9,9 +9,9 @@
 #include <string>
 #include <vector>
 
+#include "native_model/model/actuation.h"
 #include "native_model/run/run_native.h"
 #include "native_model/scene/reader.h"
-#include "native_model/system/actuation.h"
 #include "tests/support/refusal.h"
 #include "tests/support/said.h"
 #include "tests/support/temporary_folder.h"

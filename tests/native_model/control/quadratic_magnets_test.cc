@@ -9,10 +9,10 @@
 #include <string>
 #include <vector>
 
+#include "native_model/model/linear_plant.h"
 #include "native_model/numerics/eigenvalues.h"
 #include "native_model/numerics/matrix_functions.h"
 #include "native_model/scene/diagnostic.h"
-#include "native_model/system/linear_plant.h"
 #include "tests/support/hung_rotors.h"
 #include "tests/support/native_run.h"
 #include "tests/support/order.h"

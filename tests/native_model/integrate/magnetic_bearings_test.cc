@@ -8,10 +8,10 @@
 #include <string>
 #include <vector>
 
+#include "native_model/model/model.h"
 #include "native_model/numerics/eigenvalues.h"
 #include "native_model/rotor/campbell.h"
 #include "native_model/scene/diagnostic.h"
-#include "native_model/system/model.h"
 #include "tests/support/levitated_shaft.h"
 #include "tests/support/native_run.h"
 #include "tests/support/order.h"

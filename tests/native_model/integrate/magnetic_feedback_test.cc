@@ -8,8 +8,8 @@
 #include <complex>
 #include <vector>
 
+#include "native_model/model/model.h"
 #include "native_model/scene/diagnostic.h"
-#include "native_model/system/model.h"
 #include "tests/support/fixed_steps.h"
 #include "tests/support/jeffcott.h"
 

@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <vector>
 
-#include "native_model/system/model.h"
+#include "native_model/model/model.h"
 #include "tests/support/native_run.h"
 
 namespace rotorub {

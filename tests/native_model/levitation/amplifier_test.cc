@@ -9,10 +9,10 @@
 #include <string>
 #include <vector>
 
+#include "native_model/model/model.h"
 #include "native_model/numerics/eigenvalues.h"
 #include "native_model/numerics/linear_solve.h"
 #include "native_model/scene/reader.h"
-#include "native_model/system/model.h"
 #include "tests/support/fixed_steps.h"
 #include "tests/support/jeffcott.h"
 #include "tests/support/said.h"

@@ -8,10 +8,10 @@
 #include <string>
 #include <vector>
 
-#include "native_model/dynamics/dynamics.h"
+#include "native_model/model/dynamics.h"
+#include "native_model/model/model.h"
 #include "native_model/rotor/campbell.h"
 #include "native_model/scene/diagnostic.h"
-#include "native_model/system/model.h"
 #include "tests/support/native_run.h"
 #include "tests/support/said.h"
 

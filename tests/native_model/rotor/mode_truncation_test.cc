@@ -7,10 +7,10 @@
 #include <algorithm>
 #include <vector>
 
+#include "native_model/model/model.h"
 #include "native_model/numerics/linear_solve.h"
 #include "native_model/rotor/mode_truncation.h"
 #include "native_model/scene/diagnostic.h"
-#include "native_model/system/model.h"
 #include "tests/native_model/rotor/rotors.h"
 #include "tests/support/native_run.h"
 #include "tests/support/said.h"

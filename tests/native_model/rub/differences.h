@@ -11,12 +11,12 @@
 #include <limits>
 #include <vector>
 
-#include "native_model/dynamics/dynamics.h"
+#include "native_model/model/dynamics.h"
+#include "native_model/model/model.h"
 #include "native_model/numerics/eigenvalues.h"
 #include "native_model/numerics/linear_solve.h"
 #include "native_model/rub/rub_stability.h"
 #include "native_model/rub/steady_rub.h"
-#include "native_model/system/model.h"
 
 namespace rotorub::test {
 

@@ -9,10 +9,10 @@
 #include <tuple>
 #include <vector>
 
+#include "native_model/model/model.h"
 #include "native_model/numerics/eigenvalues.h"
 #include "native_model/rub/rub_stability.h"
 #include "native_model/scene/diagnostic.h"
-#include "native_model/system/model.h"
 #include "tests/native_model/hard/rules.h"
 #include "tests/native_model/rub/differences.h"
 #include "tests/native_model/rub/rubs.h"

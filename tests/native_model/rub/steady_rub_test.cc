@@ -8,7 +8,7 @@
 #include <numbers>
 #include <random>
 
-#include "native_model/dynamics/dynamics.h"
+#include "native_model/model/dynamics.h"
 #include "native_model/oracles/annular_rub.h"
 #include "native_model/rotor/refusal.h"
 #include "native_model/rub/rub_map.h"

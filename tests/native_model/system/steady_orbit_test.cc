@@ -8,9 +8,9 @@
 #include <string>
 
 #include "native_model/bearing/actuator.h"
-#include "native_model/dynamics/dynamics.h"
+#include "native_model/model/actuation.h"
+#include "native_model/model/dynamics.h"
 #include "native_model/run/run_native.h"
-#include "native_model/system/actuation.h"
 #include "tests/native_model/system/steady_scenes.h"
 #include "tests/support/jeffcott.h"
 #include "tests/support/native_run.h"

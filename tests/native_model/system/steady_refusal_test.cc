@@ -5,8 +5,8 @@
 #include <cmath>
 #include <string>
 
+#include "native_model/model/model.h"
 #include "native_model/scene/reader.h"
-#include "native_model/system/model.h"
 #include "tests/native_model/system/steady_scenes.h"
 #include "tests/support/refusal.h"
 

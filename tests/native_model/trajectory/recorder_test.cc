@@ -6,7 +6,7 @@
 #include <cmath>
 #include <functional>
 
-#include "native_model/dynamics/dynamics.h"
+#include "native_model/model/dynamics.h"
 #include "native_model/trajectory/recorder.h"
 #include "tests/support/jeffcott.h"
 

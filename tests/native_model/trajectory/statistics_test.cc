@@ -1,7 +1,7 @@
 // Figures of a run on steps made by hand.
 #include <gtest/gtest.h>
 
-#include "native_model/dynamics/dynamics.h"
+#include "native_model/model/dynamics.h"
 #include "native_model/trajectory/recorder.h"
 #include "tests/support/jeffcott.h"
 #include "tests/support/trapezoid_balance.h"

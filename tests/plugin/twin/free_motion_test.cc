@@ -6,9 +6,9 @@
 #include <algorithm>
 #include <cmath>
 
-#include "native_model/dynamics/dynamics.h"
+#include "native_model/model/dynamics.h"
+#include "native_model/model/model.h"
 #include "native_model/run/run_native.h"
-#include "native_model/system/model.h"
 #include "tests/plugin/own/machine.h"
 #include "tests/plugin/own/two_rings.h"
 #include "tests/plugin/twin/twins.h"

@@ -4,8 +4,8 @@
 
 #include <gtest/gtest.h>
 
-#include "native_model/dynamics/dynamics.h"
-#include "native_model/system/model.h"
+#include "native_model/model/dynamics.h"
+#include "native_model/model/model.h"
 #include "tests/plugin/own/machine.h"
 #include "tests/plugin/own/two_rings.h"
 #include "tests/plugin/twin/twins.h"

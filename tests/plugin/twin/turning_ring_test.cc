@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-#include "native_model/system/model.h"
+#include "native_model/model/model.h"
 #include "tests/plugin/own/machine.h"
 #include "tests/plugin/twin/twins.h"
 #include "tests/support/mujoco_fixture.h"
