@@ -11,9 +11,9 @@
 #include "compare/base/json.h"
 #include "compare/base/units.h"
 #include "compare/modes/levitation_text.h"
+#include "native_model/linear/free_motion.h"
 #include "native_model/rotor/modal_rotor.h"
 #include "native_model/rotor/refusal.h"
-#include "native_model/system/free_motion.h"
 
 namespace rotorub {
 namespace {

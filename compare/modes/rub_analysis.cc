@@ -13,10 +13,10 @@
 #include "compare/base/json.h"
 #include "compare/base/units.h"
 #include "compare/modes/rotor_analysis.h"
+#include "native_model/linear/free_motion.h"
 #include "native_model/model/linear_parts.h"
 #include "native_model/numerics/linear_solve.h"
 #include "native_model/rotor/refusal.h"
-#include "native_model/system/free_motion.h"
 
 namespace rotorub {
 namespace {

@@ -5,6 +5,7 @@
 #include <numbers>
 #include <utility>
 
+#include "native_model/linear/steady_orbit.h"
 #include "native_model/model/dynamics.h"
 #include "native_model/model/equations.h"
 #include "native_model/model/magnetic_bearings.h"
@@ -12,7 +13,6 @@
 #include "native_model/model/ring_actuation.h"
 #include "native_model/rub/rub_start.h"
 #include "native_model/scene/record.h"
-#include "native_model/system/steady_orbit.h"
 
 namespace rotorub {
 namespace {

@@ -4,8 +4,8 @@
 #include <complex>
 #include <string>
 
-#include "native_model/rub/rub_map.h"
-#include "native_model/rub/rub_system.h"
+#include "native_model/linear/rub_map.h"
+#include "native_model/linear/rub_system.h"
 #include "native_model/scene/diagnostic.h"
 #include "native_model/scene/record.h"
 #include "native_model/scene/text.h"

@@ -29,7 +29,7 @@ class Record;
 enum class StartingRub { kNone, kSynchronous, kWhip, kRolling };
 
 // Missing lists mean 0. Modal coordinates at t = 0. steady: on the steady free orbit
-// (system/steady_orbit.h); the lists then are added to it, or to the rub.
+// (linear/steady_orbit.h); the lists then are added to it, or to the rub.
 struct Initial {
   bool steady = false;
   StartingRub rub = StartingRub::kNone;

@@ -8,8 +8,8 @@
 #include <cstdio>
 
 #include "mjcf/writer.h"
+#include "native_model/linear/campbell.h"
 #include "native_model/model/dynamics.h"
-#include "native_model/rotor/campbell.h"
 #include "native_model/run/run_native.h"
 #include "plugin/generated_rotor.h"
 #include "tests/plugin/linearised.h"

@@ -7,9 +7,9 @@
 #include <complex>
 
 #include "native_model/control/ring_feedback.h"
+#include "native_model/linear/rub_stability.h"
 #include "native_model/model/dynamics.h"
 #include "native_model/model/linear_plant.h"
-#include "native_model/rub/rub_stability.h"
 #include "native_model/run/run_native.h"
 #include "tests/support/jeffcott.h"
 

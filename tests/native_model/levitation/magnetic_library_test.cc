@@ -6,9 +6,9 @@
 #include <vector>
 
 #include "native_model/control/library.h"
+#include "native_model/linear/levitation.h"
 #include "native_model/run/run_native.h"
 #include "native_model/scene/reader.h"
-#include "native_model/system/levitation.h"
 #include "tests/support/native_run.h"
 #include "tests/support/refusal.h"
 #include "tests/support/said.h"

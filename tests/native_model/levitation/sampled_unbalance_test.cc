@@ -6,9 +6,9 @@
 #include <numbers>
 #include <string>
 
+#include "native_model/linear/levitation.h"
+#include "native_model/linear/synchronous_response.h"
 #include "native_model/scene/reader.h"
-#include "native_model/system/levitation.h"
-#include "native_model/system/synchronous_response.h"
 #include "tests/native_model/levitation/two_bearings.h"
 #include "tests/support/native_run.h"
 

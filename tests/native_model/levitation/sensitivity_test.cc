@@ -8,10 +8,10 @@
 #include <numbers>
 #include <vector>
 
+#include "native_model/linear/levitation.h"
 #include "native_model/numerics/eigenvalues.h"
 #include "native_model/numerics/linear_solve.h"
 #include "native_model/scene/reader.h"
-#include "native_model/system/levitation.h"
 #include "tests/support/jeffcott.h"
 
 namespace rotorub {

@@ -8,8 +8,8 @@
 #include <string>
 #include <vector>
 
+#include "native_model/linear/levitation.h"
 #include "native_model/scene/reader.h"
-#include "native_model/system/levitation.h"
 #include "tests/native_model/levitation/two_bearings.h"
 #include "tests/support/jeffcott.h"
 #include "tests/support/native_run.h"

@@ -4,8 +4,8 @@
 
 #include <gtest/gtest.h>
 
+#include "native_model/linear/whirl_system.h"
 #include "native_model/model/dynamics.h"
-#include "native_model/rotor/whirl_system.h"
 #include "native_model/scene/scene.h"
 #include "tests/support/machine.h"
 

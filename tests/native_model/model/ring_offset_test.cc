@@ -4,8 +4,8 @@
 #include <string>
 #include <vector>
 
+#include "native_model/linear/rub_system.h"
 #include "native_model/model/model.h"
-#include "native_model/rub/rub_system.h"
 #include "native_model/scene/diagnostic.h"
 #include "native_model/scene/reader.h"
 #include "tests/support/native_run.h"

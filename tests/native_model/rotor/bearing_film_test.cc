@@ -8,9 +8,9 @@
 #include <string>
 #include <vector>
 
+#include "native_model/linear/campbell.h"
 #include "native_model/model/dynamics.h"
 #include "native_model/model/model.h"
-#include "native_model/rotor/campbell.h"
 #include "native_model/scene/diagnostic.h"
 #include "tests/support/native_run.h"
 #include "tests/support/said.h"

@@ -9,10 +9,10 @@
 #include <string>
 #include <vector>
 
+#include "native_model/linear/rub_map.h"
 #include "native_model/oracles/annular_rub.h"
-#include "native_model/rub/rub_map.h"
 #include "tests/native_model/hard/rules.h"
-#include "tests/native_model/rub/rubs.h"
+#include "tests/native_model/linear/rubs.h"
 #include "tests/support/refusal.h"
 #include "tests/support/said.h"
 #include "tests/support/whip.h"

@@ -1,5 +1,5 @@
 // [initial] steady: the start on the orbit that repeats itself, against closed forms of one mode.
-#include "native_model/system/steady_orbit.h"
+#include "native_model/linear/steady_orbit.h"
 
 #include <gtest/gtest.h>
 
