@@ -6,6 +6,7 @@
 
 #include "mjcf/names.h"
 #include "native_model/model/model_checks.h"
+#include "native_model/prepare/prepare.h"
 #include "native_model/scene/diagnostic.h"
 #include "native_model/scene/reader.h"
 #include "native_model/scene/scene.h"
@@ -236,7 +237,7 @@ Config generated_config(const mjModel* m) {
   read_scene([&] {
     scene = scene::parse_scene(scene_text(m), names::kSceneText);
     refuse_several_in_mujoco(scene);
-    const Model whole = make_model(scene);
+    const Model whole = prepare(scene);
     config.model = without_coils(whole);
     if (scene.mujoco.shadow) {
       config.shadow.emplace().model = whole.first().controller ? whole : with_ideal_actuator(whole);

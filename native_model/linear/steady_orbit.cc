@@ -14,17 +14,6 @@
 namespace rotorub {
 namespace {
 
-// What an orbit asks of a bearing beyond its limit, to go after a subject; empty: it keeps the
-// limit. The orbit is that of the linear law: the sum of all frequencies' amplitudes keeps the
-// limit.
-std::string beyond_limit(const scene::Scene& scene, const StationFeedback& feedback, double most) {
-  if (!feedback.works.at(0.0) || most <= feedback.law.current_limit) return {};
-  const std::string path = scene::magnetic_bearing_path(scene.record.get(), feedback.number);
-  return " asks the magnetic bearing for up to " + scene::number_text(most) + " A, beyond " + path +
-         ".control.current_limit = " + scene::number_text(feedback.law.current_limit) +
-         " A, where its law is not linear";
-}
-
 // Where a ring under `weight` (N) comes to rest on its balls and its spring, m: where its energy is
 // least, which is convex, by Newton's method with steps that are halved until it falls.
 Eigen::Vector2d at_rest_on_balls(const BallBearingLaw& balls, const Eigen::Vector2d& stiffness,
@@ -85,13 +74,46 @@ Eigen::Vector2d ring_on_magnets(const scene::Scene& scene, const AuxiliaryBearin
   refuse_steady(scene, pulled);
 }
 
-// Where a ring and its housing come to rest, m.
-struct Rest {
-  Eigen::Vector2d ring{0.0, 0.0}, housing{0.0, 0.0};
-};
+// When another set of loads has come to act in full, s; 0 first.
+std::vector<double> changes(const Model& m) {
+  std::vector<double> all{0.0};
+  const auto add = [&](double t) {
+    if (t > 0.0 && t < scene::kNever) all.push_back(t);
+  };
+  for (const AppliedForce& f : m.forces) {
+    if (f.kind == scene::ForceKind::kPulse) continue;
+    add(f.on + f.ramp);
+    add(f.off);
+  }
+  for (const DiscUnbalance& u : m.unbalances) add(u.on);
+  std::sort(all.begin(), all.end());
+  all.erase(std::unique(all.begin(), all.end()), all.end());
+  return all;
+}
 
-Rest ring_at_rest(const scene::Scene& scene, const Model& m, const AuxiliaryBearing& at) {
-  Rest rest;
+// With the loads of t as those of 0: those that rise then have risen, and pulses pass.
+Model with_loads_of(Model m, double t) {
+  for (AppliedForce& f : m.forces) {
+    f.on -= t;
+    f.off = f.kind == scene::ForceKind::kPulse ? 0.0 : f.off - t;
+    f.ramp = 0.0;
+  }
+  for (DiscUnbalance& u : m.unbalances) u.on -= t;
+  return m;
+}
+
+}  // namespace
+
+std::string beyond_limit(const scene::Scene& scene, const StationFeedback& feedback, double most) {
+  if (!feedback.works.at(0.0) || most <= feedback.law.current_limit) return {};
+  const std::string path = scene::magnetic_bearing_path(scene.record.get(), feedback.number);
+  return " asks the magnetic bearing for up to " + scene::number_text(most) + " A, beyond " + path +
+         ".control.current_limit = " + scene::number_text(feedback.law.current_limit) +
+         " A, where its law is not linear";
+}
+
+RingRest ring_at_rest(const scene::Scene& scene, const Model& m, const AuxiliaryBearing& at) {
+  RingRest rest;
   if (!at.moves()) return rest;
   const auto weight_of = [&](int i) -> Eigen::Vector2d {
     return m.weight.size() > 0 ? Eigen::Vector2d(m.weight.segment<2>(i))
@@ -131,75 +153,6 @@ Rest ring_at_rest(const scene::Scene& scene, const Model& m, const AuxiliaryBear
   rest.housing = hang(weight + weight_of(at.housing), to_base, "housing");
   rest.ring += rest.housing;
   return rest;
-}
-
-// When another set of loads has come to act in full, s; 0 first.
-std::vector<double> changes(const Model& m) {
-  std::vector<double> all{0.0};
-  const auto add = [&](double t) {
-    if (t > 0.0 && t < scene::kNever) all.push_back(t);
-  };
-  for (const AppliedForce& f : m.forces) {
-    if (f.kind == scene::ForceKind::kPulse) continue;
-    add(f.on + f.ramp);
-    add(f.off);
-  }
-  for (const DiscUnbalance& u : m.unbalances) add(u.on);
-  std::sort(all.begin(), all.end());
-  all.erase(std::unique(all.begin(), all.end()), all.end());
-  return all;
-}
-
-// With the loads of t as those of 0: those that rise then have risen, and pulses pass.
-Model with_loads_of(Model m, double t) {
-  for (AppliedForce& f : m.forces) {
-    f.on -= t;
-    f.off = f.kind == scene::ForceKind::kPulse ? 0.0 : f.off - t;
-    f.ramp = 0.0;
-  }
-  for (DiscUnbalance& u : m.unbalances) u.on -= t;
-  return m;
-}
-
-}  // namespace
-
-void add_steady_orbit(const scene::Scene& scene, Model& m) {
-  const Layout& l = m.layout;
-  FreeMotion motion = free_motion(scene, m);
-  m.q0.head(2 * l.modes) += motion.q;
-  m.v0.head(2 * l.modes) += motion.v;
-  m.v0.segment(l.integral(), l.integrals) += motion.stored;
-  for (std::size_t k = 0; k < m.feedbacks.size(); ++k) {
-    const std::string beyond = beyond_limit(scene, m.feedbacks[k], motion.current[k].maxCoeff());
-    if (beyond.empty()) continue;
-    refuse_steady(scene, "the steady free orbit" + beyond + "; accepted: a larger limit, or false");
-  }
-  for (std::size_t k = 0; k < m.auxiliary.size(); ++k) {
-    const AuxiliaryBearing& at = m.auxiliary[k];
-    const Rest rest = ring_at_rest(scene, m, at);
-    if (at.moves()) m.q0.segment<2>(at.ring) += rest.ring;
-    if (at.housing != kAbsent) m.q0.segment<2>(at.housing) += rest.housing;
-    motion.orbits[k].centre = -rest.ring - at.ring_offset;
-  }
-  if (l.torsion && m.drive && scene.initial.torsion.empty()) {
-    const double torque = m.drive->torque(0.0, 0.0, m.speed);
-    m.q0.segment(l.theta(), l.torsion) +=
-        torque * m.drive_shape.cwiseQuotient(m.stiffness.segment(l.theta(), l.torsion));
-  }
-  for (std::size_t k = 0; k < m.auxiliary.size(); ++k) {
-    if (!m.auxiliary[k].contact) continue;
-    const double largest = motion.orbits[k].largest();
-    const double clearance = m.auxiliary[k].contact->clearance;
-    if (largest < clearance) continue;
-    const std::string key =
-        m.auxiliary.size() > 1 ? scene::list_element("contact", k) : std::string("contact");
-    refuse_steady(
-        scene, "the steady free orbit touches: it comes to " + scene::number_text(largest) +
-                   " m from the middle of the ring; accepted: less than " + key +
-                   ".clearance = " + scene::number_text(clearance) +
-                   " m, a start on the rub in its place (initial.rub = \"synchronous\"), or false "
-                   "and a start of your own");
-  }
 }
 
 FreeResponse free_response(const scene::Scene& scene, Model m, double speed) {

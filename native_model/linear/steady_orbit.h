@@ -17,6 +17,7 @@
 // by its frequency then; one that begins to rise, and a pulse, come later.
 #pragma once
 
+#include <Eigen/Core>
 #include <optional>
 #include <string>
 #include <vector>
@@ -26,11 +27,18 @@
 
 namespace rotorub {
 
-// Adds the orbit at t = 0 to q0 and v0; all else of the model is as it will be. Throws
-// scene::SceneError, key initial.steady, where there is none: the free rotor is unstable, resonance
-// without damping, nothing that holds it against a constant force, a ring that its magnets pull
-// away, a ramp or pulse under way; or where it touches, with its size.
-void add_steady_orbit(const scene::Scene& scene, Model& model);
+// Where a ring and its housing come to rest, m.
+struct RingRest {
+  Eigen::Vector2d ring{0.0, 0.0}, housing{0.0, 0.0};
+};
+// Throws scene::SceneError, key initial.steady, where nothing holds the ring or its magnets pull it
+// away.
+RingRest ring_at_rest(const scene::Scene& scene, const Model& model, const AuxiliaryBearing& at);
+
+// Words to go after a subject where an orbit asks a magnetic bearing for more than its limit; empty
+// where it keeps the limit. The orbit is that of the linear law. most: A, the sum of the amplitudes
+// of all frequencies.
+std::string beyond_limit(const scene::Scene& scene, const StationFeedback& feedback, double most);
 
 // How far the rotor's centre goes from the ring's at a contact on that orbit, whether it would
 // touch or not, of all sets of loads that come to act together in full by the one that takes it

@@ -5,13 +5,11 @@
 #include <numbers>
 #include <utility>
 
-#include "native_model/linear/steady_orbit.h"
 #include "native_model/model/dynamics.h"
 #include "native_model/model/equations.h"
 #include "native_model/model/magnetic_bearings.h"
 #include "native_model/model/model_checks.h"
 #include "native_model/model/ring_actuation.h"
-#include "native_model/rub/rub_start.h"
 #include "native_model/scene/record.h"
 
 namespace rotorub {
@@ -234,7 +232,8 @@ Eigen::Vector2d AppliedForce::at(double t, double spin) const {
   return factor * amplitude * Eigen::Vector2d(cosine, sine);
 }
 
-Model make_model(const scene::Scene& scene) {
+Model make_model(const scene::Scene& scene, const std::function<void(Model&)>& start) {
+  assert(start || (!scene.initial.steady && scene.initial.rub == scene::StartingRub::kNone));
   // What is known beforehand saves the reduction of a shaft that is refused anyhow.
   if (const auto& geometry = scene.rotor.geometry; geometry && geometry->modes) {
     check_size(scene, 2 * *geometry->modes);
@@ -265,8 +264,7 @@ Model make_model(const scene::Scene& scene) {
   for (std::size_t k = 0; k < scene.auxiliary.size(); ++k) fill_actuator(scene, k, model);
   for (std::size_t k = 0; k < scene.auxiliary.size(); ++k) check_initial_ring(scene, k);
   fill_initial(scene, model);
-  if (scene.initial.steady) add_steady_orbit(scene, model);
-  if (scene.initial.rub != scene::StartingRub::kNone) rub::add_rub_start(scene, model);
+  if (start) start(model);
   for (std::size_t k = 0; k < scene.auxiliary.size(); ++k) check_initial_gap(scene, model, k);
   if (model.drive) model.drive_angle = equations::at_motor(model, model.q0.data());
   for (std::size_t k = 0; k < scene.auxiliary.size(); ++k) fill_control(scene, k, model);

@@ -13,6 +13,7 @@
 
 #include <Eigen/Core>
 #include <algorithm>
+#include <functional>
 #include <limits>
 #include <memory>
 #include <optional>
@@ -259,7 +260,10 @@ struct State {
 
 // Throws scene::SceneError for what only the modes can show: more than kMaxCoordinates, lists of
 // [initial] of another length than the modes kept, a start outside the ring; and as modal_rotor.
-Model make_model(const scene::Scene& scene);
+// start: changes q0 and v0 from what the lists of [initial] state, before what follows from them is
+// filled in. Without one the scene asks for no orbit and no rub: programs call `prepare`
+// (prepare/prepare.h), which makes those starts.
+Model make_model(const scene::Scene& scene, const std::function<void(Model&)>& start = {});
 State initial_state(const Model& model);
 // The weight under an acceleration (x, y), m/s^2.
 void set_gravity(Model& model, const Eigen::Vector2d& acceleration);

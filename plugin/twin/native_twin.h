@@ -15,7 +15,7 @@
 namespace rotorub::plugin {
 
 struct NativeTwin {
-  // make_model takes it: rotor.assembled, stator, drive, forces, contact, the start. Its run is not
+  // `prepare` takes it: rotor.assembled, stator, drive, forces, contact, the start. Its run is not
   // filled but for the step.
   scene::Scene scene;
 

@@ -1,4 +1,5 @@
 #include "plugin/control.h"
+#include "native_model/prepare/prepare.h"
 
 #include <gtest/gtest.h>
 
@@ -22,7 +23,7 @@ Eigen::Vector2d force_on_ring(const mjModel* m, const mjData* d) {
 
 TEST_F(ControlTest, CommandIsTheNativeLawsAtRest) {
   const scene::Scene scene = shipped("paper_sliding", {"controller.on=0.0", "rotor.modes=2"});
-  const Model model = make_model(scene);
+  const Model model = prepare(scene);
   const ModelPointer m = load(mjcf(scene));
   const DataPointer d = start(m.get());
   d->qpos[0] = 2e-4;

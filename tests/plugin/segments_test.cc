@@ -1,6 +1,7 @@
 // The segment rotor in MuJoCo against the native beam: whirl at rest and at speed, its convergence,
 // torsion, damping in both frames, sag and unbalance.
 #include "plugin/segments.h"
+#include "native_model/prepare/prepare.h"
 
 #include <gtest/gtest.h>
 
@@ -164,7 +165,7 @@ TEST_F(SegmentsTest, TorsionConverges) {
   const auto error = [](int segments) {
     const scene::Scene scene = rotor(
         segments, {"rotor.torsion={modes=2}", "drive={kind=\"free\", station=0.0, inertia=0.05}"});
-    const Model native = make_model(scene);
+    const Model native = prepare(scene);
     const ModelPointer m = load(mjcf(scene));
     LinearisedRotor linear(m.get());
     const Linearised a = linear.torsion(300.0);

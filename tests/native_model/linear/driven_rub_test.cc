@@ -12,6 +12,7 @@
 #include "native_model/linear/rub_stability.h"
 #include "native_model/model/model.h"
 #include "native_model/numerics/eigenvalues.h"
+#include "native_model/prepare/prepare.h"
 #include "native_model/scene/diagnostic.h"
 #include "tests/native_model/hard/rules.h"
 #include "tests/native_model/linear/differences.h"
@@ -83,7 +84,7 @@ void expect_driven_as_differences(const scene::Scene& scene, const RubSystem& sy
   const std::vector<Complex> found = driven_eigenvalues(system, drive_train(scene), rub);
   EXPECT_EQ(found.size(), count);
   const std::vector<Complex> all =
-      test::by_differences(make_model(started_driven(scene, system, rub)), rub);
+      test::by_differences(prepare(started_driven(scene, system, rub)), rub);
   for (const Complex& s : found) {
     EXPECT_LT(test::nearest_to(s, all), 1e-4 * std::abs(s) + 1e-2)
         << to_string(rub.kind) << ' ' << s;
@@ -186,7 +187,7 @@ TEST(DrivenRub, TorsionOfAHeldSpin) {
     started.initial.torsion.push_back(-train.at_contact[k] * system.radius * rub.friction *
                                       rub.normal_force / train.torsion_stiffness[k]);
   }
-  const std::vector<Complex> all = test::by_differences(make_model(started), rub);
+  const std::vector<Complex> all = test::by_differences(prepare(started), rub);
   for (const Complex& s : found)
     EXPECT_LT(test::nearest_to(s, all), 1e-4 * std::abs(s) + 1e-2) << s;
 }

@@ -1,6 +1,7 @@
 // Eigenvalues of lasting rubs: against the closed form of one mode, against differences of the
 // model's own right-hand side for several, and against the decay and growth of whole runs.
 #include "native_model/linear/rub_stability.h"
+#include "native_model/prepare/prepare.h"
 
 #include <gtest/gtest.h>
 
@@ -70,8 +71,7 @@ void expect_as_differences(const scene::Scene& scene, const RubSystem& system, c
                            std::size_t count) {
   const std::vector<Complex> found = rub_eigenvalues(system, rub);
   EXPECT_EQ(found.size(), count);
-  const std::vector<Complex> all =
-      test::by_differences(make_model(test::started_on(scene, rub)), rub);
+  const std::vector<Complex> all = test::by_differences(prepare(test::started_on(scene, rub)), rub);
   for (const Complex& s : found) {
     EXPECT_LT(test::nearest_to(s, all), 1e-4 * std::abs(s) + 1e-2)
         << to_string(rub.kind) << ' ' << s;

@@ -1,6 +1,7 @@
 // Lasting rubs of any number of modes: one mode against the closed forms, several put back into the
 // model's own right-hand side, which shares nothing with them.
 #include "native_model/linear/steady_rub.h"
+#include "native_model/prepare/prepare.h"
 
 #include <gtest/gtest.h>
 
@@ -195,7 +196,7 @@ TEST(SteadyRub, NoFoldIsMissed) {
 // ---------------------------------------------------------------- several modes
 // M q'' = f + J^T (contact) with q'' = -nu^2 q, at t = 0; and the gap is closed.
 void expect_motion(const scene::Scene& scene, const SteadyRub& rub) {
-  const Model model = make_model(test::started_on(scene, rub));
+  const Model model = prepare(test::started_on(scene, rub));
   const Eigen::VectorXd &q = model.q0, &v = model.v0;
   const ContactPoint p = contact_point(model, q.data(), v.data());
   EXPECT_NEAR(p.gap, 0.0, 1e-10 * q.norm());

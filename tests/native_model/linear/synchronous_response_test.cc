@@ -1,5 +1,6 @@
 // Bode's plot of a rotor in one mode has a closed form.
 #include "native_model/linear/synchronous_response.h"
+#include "native_model/prepare/prepare.h"
 
 #include <gtest/gtest.h>
 
@@ -121,7 +122,7 @@ TEST(SynchronousResponse, AgreesWithTheFreeOrbit) {
   ASSERT_TRUE(response);
   EXPECT_FALSE(response->same_planes);
   ASSERT_EQ(response->probes.size(), 2u);
-  const FreeOrbit orbit = free_response(s, make_model(s), 150.0).orbits.front();
+  const FreeOrbit orbit = free_response(s, prepare(s), 150.0).orbits.front();
   // The larger half-axis of the ellipse that both probes see.
   const Phasor x = response->probes[0].deflection.back(),
                y = response->probes[1].deflection.back() * Phasor(0.0, -1.0);

@@ -1,5 +1,6 @@
 // The actuator between the controller's wish and the ring.
 #include "native_model/model/actuation.h"
+#include "native_model/prepare/prepare.h"
 #include "native_model/scene/scene.h"
 
 #include <gtest/gtest.h>
@@ -31,7 +32,7 @@ scene::Scene magnetic_scene(double coil_lag = 0.0, double rate = kNever) {
 }
 
 TEST(Actuation, MagnetsGiveTheForceAskedFor) {
-  const Model m = make_model(magnetic_scene());
+  const Model m = prepare(magnetic_scene());
   for (unsigned seed = 0; seed < 50; ++seed) {
     const State s = test::random_state(m, seed);
     const double *q = s.q.data(), *v = s.v.data();
@@ -43,7 +44,7 @@ TEST(Actuation, MagnetsGiveTheForceAskedFor) {
 }
 
 TEST(Actuation, TheLoadsHoldTheForceOnTheRingAlone) {
-  const Model m = make_model(magnetic_scene());
+  const Model m = prepare(magnetic_scene());
   const State s = test::random_state(m, 5);
   const double *q = s.q.data(), *v = s.v.data();
   Eigen::VectorXd with(m.nq()), without(m.nq());
@@ -57,7 +58,7 @@ TEST(Actuation, TheLoadsHoldTheForceOnTheRingAlone) {
 }
 
 TEST(Coils, AreNoMechanicalEnergy) {
-  const Model with = make_model(magnetic_scene(2e-4)), without = without_coils(with);
+  const Model with = prepare(magnetic_scene(2e-4)), without = without_coils(with);
   EXPECT_EQ(without.nq(), with.layout.mechanical());
   EXPECT_EQ(without.layout.coils, 0);
   State s = test::random_state(with, 8);

@@ -6,6 +6,7 @@
 
 #include "native_model/model/actuation.h"
 #include "native_model/model/dynamics.h"
+#include "native_model/prepare/prepare.h"
 #include "native_model/scene/scene.h"
 #include "tests/support/machine.h"
 #include "tests/support/runge_kutta.h"
@@ -80,7 +81,7 @@ TEST(EnergyBalance, GeometryFormWithDriveAndUnbalance) {
   s.drive->station = 0.05;
   s.first().contact->station = 0.4;
   for (scene::Force& f : s.forces) f.station = 0.5;
-  const Model m = make_model(s);
+  const Model m = prepare(s);
   ASSERT_TRUE(m.coupled_mass());
   // The first torsion mode is near 10,000 rad/s.
   const Balance fine = balance(m, 16000);

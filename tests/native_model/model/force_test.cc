@@ -5,6 +5,7 @@
 
 #include "native_model/model/actuation.h"
 #include "native_model/model/dynamics.h"
+#include "native_model/prepare/prepare.h"
 #include "tests/support/jeffcott.h"
 #include "tests/support/machine.h"
 
@@ -49,13 +50,13 @@ TEST(SmoothForce, GravityPullsOnModesAndRing) {
   scene::Scene s = make_scene({});
   test::add_ring(s, 1.5, 0.0, 0.0);
   s.gravity = scene::Gravity{{0.0, -9.81}, {1.9}};
-  const Model m = make_model(s);
+  const Model m = prepare(s);
   // The buffer holds nonsense: every entry must be written.
   Eigen::Vector4d rest = Eigen::Vector4d::Zero(), f = Eigen::Vector4d::Constant(std::nan(""));
   smooth_force(m, 0.0, rest.data(), rest.data(), {0.0, 0.0}, f.data());
   EXPECT_EQ(f, Eigen::Vector4d(0.0, 1.9 * -9.81, 0.0, 1.5 * -9.81));
   s.gravity->participation.clear();  // a mode then weighs what it is
-  EXPECT_DOUBLE_EQ(make_model(s).weight[1], 2.0 * -9.81);
+  EXPECT_DOUBLE_EQ(prepare(s).weight[1], 2.0 * -9.81);
 }
 
 }  // namespace

@@ -1,6 +1,7 @@
 // The linear part of bending: against the loads themselves, and against the matrices of the whirl
 // analysis, which are put together from the rotor without a model.
 #include "native_model/model/linear_parts.h"
+#include "native_model/prepare/prepare.h"
 
 #include <gtest/gtest.h>
 
@@ -50,7 +51,7 @@ TEST(LinearParts, AreTheChangeOfTheLoadsWithTheState) {
 
 TEST(LinearParts, AreThoseOfTheWhirlAnalysis) {
   const scene::Scene scene = test::machine_scene(false);
-  const Model m = make_model(scene);
+  const Model m = prepare(scene);
   for (const double speed : {0.0, 310.0, -95.0}) {
     const LinearParts parts = linear_parts(m, speed);
     const PlanesMatrices whirl = planes_matrices(whirl_system(scene), speed);

@@ -9,6 +9,7 @@
 #include "native_model/model/dynamics.h"
 #include "native_model/model/model_checks.h"
 #include "native_model/numerics/linear_solve.h"
+#include "native_model/prepare/prepare.h"
 #include "native_model/scene/scene.h"
 #include "tests/support/machine.h"
 
@@ -113,7 +114,7 @@ TEST(ContactAdmittance, WithUnbalanceOnAFreeSpinAgainstDense) {
 
 TEST(ContactAdmittance, IsConstantWithoutThatCoupling) {
   for (const bool drive : {true, false}) {
-    const Model m = make_model(test::machine_scene(drive));
+    const Model m = prepare(test::machine_scene(drive));
     const State s = test::random_state(m, 8);
     const Eigen::MatrixXd j = contact_jacobian(m, s);
     const Eigen::Matrix3d exact = j * m.mass.cwiseInverse().asDiagonal() * j.transpose();

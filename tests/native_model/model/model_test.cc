@@ -1,5 +1,6 @@
 // What a scene becomes: its start, and what only the modes can refuse.
 #include "native_model/model/model.h"
+#include "native_model/prepare/prepare.h"
 
 #include <gtest/gtest.h>
 
@@ -38,7 +39,7 @@ TEST(Model, InitialStateIsTheScenes) {
                .torsion_speed = {1.5, -2.5}};
   s.first().stator->position = {1e-5, -3e-5};
   s.first().stator->velocity = {0.02, 0.03};
-  const State state = initial_state(make_model(s));
+  const State state = initial_state(prepare(s));
   Eigen::VectorXd q(9), v(9);
   q << 1e-4, -2e-4, 3e-5, 0.0, 0.7, 0.01, 0.02, 1e-5, -3e-5;
   v << 0.1, 0.2, 0.3, 0.4, 310.0, 1.5, -2.5, 0.02, 0.03;
@@ -51,7 +52,7 @@ TEST(ModelRefusal, AStartOutsideTheRing) {
   scene::Scene s = test::reference_rig();
   s.initial.x = {3e-4, 0.0, 0.0};
   s.initial.y = {0.0, 3e-4, 0.0};
-  EXPECT_NO_THROW(make_model(s));
+  EXPECT_NO_THROW(prepare(s));
   s.initial.y = {0.0, 5e-4, 0.0};
   expect_refusal(s, "initial.x", "outside the ring, 0.000583095 m");
   s.initial.x.clear();
@@ -62,7 +63,7 @@ TEST(ModelRefusal, AStartOutsideTheRing) {
   s.first().stator->position = {0.0, 6e-4};
   expect_refusal(s, "initial.stator", "outside the ring");
   s.first().stator->position = {0.0, 5e-4};
-  EXPECT_NO_THROW(make_model(s)) << "on the ring is meant";
+  EXPECT_NO_THROW(prepare(s)) << "on the ring is meant";
 }
 
 TEST(ModelRefusal, AModeWithANodeAtTheContactMovesNothingThere) {
@@ -70,7 +71,7 @@ TEST(ModelRefusal, AModeWithANodeAtTheContactMovesNothingThere) {
   scene::Scene s = test::reference_rig();
   s.first().contact->station = 0.3;
   s.initial.x = {0.0, 1e-3, 0.0};
-  const Model m = make_model(s);
+  const Model m = prepare(s);
   EXPECT_EQ(m.first().shape.x, Eigen::Vector3d(1.0, 0.0, 1.0));
   EXPECT_EQ(contact_point(m, m.q0.data(), m.v0.data()).gap, 0.5e-3);
   s.initial.x = {1e-3, 0.0, 0.0};
@@ -85,7 +86,7 @@ TEST(ModelRefusal, MoreCoordinatesThanAStepHolds) {
     s.rotor.modal->damping.assign(n, 0.0);
   };
   modes(kMaxCoordinates / 2);
-  EXPECT_EQ(make_model(s).nq(), kMaxCoordinates);
+  EXPECT_EQ(prepare(s).nq(), kMaxCoordinates);
   test::add_ring(s, 1.0, 0.0, 0.0);
   expect_refusal(s, "rotor.modal.mass", "514 coordinates");
   s.first().stator.reset();
@@ -101,7 +102,7 @@ TEST(ModelRefusal, ListsThatDoNotFitTheModesOfAFrequencyBound) {
   s.rotor.geometry->modes.reset();
   s.rotor.geometry->max_frequency = 3000.0;  // two modes, near 57 and 394 Hz
   s.initial.x = {1e-4, 0.0};
-  EXPECT_EQ(make_model(s).layout.modes, 2);
+  EXPECT_EQ(prepare(s).layout.modes, 2);
   s.initial.x = {1e-4, 0.0, 0.0};
   expect_refusal(s, "initial.x", "expected 2 value(s), one for each bending mode, got 3");
   s.initial.x.clear();
@@ -115,14 +116,14 @@ TEST(ModelRefusal, ASpinWithoutTheInertiaOfItsUnbalance) {
   scene::Scene s = test::reference_rig();
   s.rotor.geometry->discs[0].Jp = 0.0;
   s.rotor.geometry->discs[0].eccentricity = 0.01;
-  EXPECT_NO_THROW(make_model(s)) << "the spin is held";
+  EXPECT_NO_THROW(prepare(s)) << "the spin is held";
   s.drive = scene::Drive{};
   expect_refusal(s, "rotor.disc", "not positive definite");
   s.drive->inertia = 2e-4;  // m e^2
-  EXPECT_NO_THROW(make_model(s));
+  EXPECT_NO_THROW(prepare(s));
   s.drive->inertia = 0.0;
   s.rotor.geometry->discs[0].Jp = 2e-4;
-  EXPECT_NO_THROW(make_model(s));
+  EXPECT_NO_THROW(prepare(s));
 }
 
 TEST(ModelRefusal, MatricesThatCannotBeSolved) {

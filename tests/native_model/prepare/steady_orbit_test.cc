@@ -1,5 +1,6 @@
 // [initial] steady: the start on the orbit that repeats itself, against closed forms of one mode.
 #include "native_model/linear/steady_orbit.h"
+#include "native_model/prepare/prepare.h"
 
 #include <gtest/gtest.h>
 
@@ -11,7 +12,7 @@
 #include "native_model/model/actuation.h"
 #include "native_model/model/dynamics.h"
 #include "native_model/run/run_native.h"
-#include "tests/native_model/system/steady_scenes.h"
+#include "tests/native_model/prepare/steady_scenes.h"
 #include "tests/support/jeffcott.h"
 #include "tests/support/native_run.h"
 
@@ -41,7 +42,7 @@ TEST(SteadyOrbit, IsJeffcottsUnderUnbalance) {
     blade.static_moment = 4e-5;
     blade.phase = 0.8;
     s.forces = {blade};
-    const Model m = make_model(s);
+    const Model m = prepare(s);
     const Complex exact =
         std::polar(4e-5 * speed * speed, 1.1) / Complex(2e5 - 2.0 * speed * speed, 40.0 * speed);
     expect_near(place(m), exact, 1e-15 * 0.5e-3);
@@ -60,7 +61,7 @@ TEST(SteadyOrbit, TheLeastGapIsThatOfTheRun) {
   blade.static_moment = 4e-5;
   s.forces = {blade};
   s.first().contact = scene::Contact{.radius = 0.02, .clearance = 0.5e-3, .offset = {1e-5, 0.0}};
-  const Model model = make_model(s);
+  const Model model = prepare(s);
   const FreeOrbit orbit = free_response(s, model, 250.0).orbits.front();
   ASSERT_TRUE(orbit.largest);
   for (const auto integrator : {scene::Integrator::kEvent, scene::Integrator::kVerlet}) {
@@ -91,7 +92,7 @@ TEST(SteadyOrbit, TheResponseKnowsWhatComesOnLater) {
   after.off = scene::kNever;
   s.forces = {turning, after};
   const double exact = 30.0 / std::abs(Complex(2e5 - 2.0 * 200.0 * 200.0, 40.0 * 200.0));
-  const FreeOrbit orbit = free_response(s, make_model(s), 250.0).orbits.front();
+  const FreeOrbit orbit = free_response(s, prepare(s), 250.0).orbits.front();
   ASSERT_TRUE(orbit.largest) << orbit.refused;
   EXPECT_NEAR(*orbit.largest, exact, 1e-9 * exact);
 }
@@ -108,7 +109,7 @@ TEST(SteadyOrbit, AtAnotherSpeed) {
   turning.phase = 1.0;
   s.forces = {blade, turning};
   s.initial = {};
-  const Model model = make_model(s);
+  const Model model = prepare(s);
   for (const double speed : {100.0, -250.0, 316.0, 700.0}) {
     const Complex load = 4e-5 * speed * speed + 3.0 * std::polar(1.0, 1.0);
     const double exact = std::abs(load / Complex(2e5 - 2.0 * speed * speed, 40.0 * speed));
@@ -118,7 +119,7 @@ TEST(SteadyOrbit, AtAnotherSpeed) {
   }
   scene::Scene unstable = s;
   unstable.rotor.modal->internal_damping = {200.0};
-  const FreeOrbit none = free_response(unstable, make_model(unstable), 2000.0).orbits.front();
+  const FreeOrbit none = free_response(unstable, prepare(unstable), 2000.0).orbits.front();
   EXPECT_FALSE(none.largest);
   EXPECT_NE(none.refused.find("unstable"), std::string::npos) << none.refused;
   EXPECT_EQ(none.refused.find("accepted"), std::string::npos);
@@ -134,7 +135,7 @@ TEST(SteadyOrbit, OfARoundRotorAtAnyFrequency) {
     s.rotor.modal->internal_damping = {25.0};
     s.magnetic_bearings = {scene::MagneticBearing{0.0, {}, 4e4}};
     test::add_rotating_force(s, 30.0, nu, 0.7);
-    const Model m = make_model(s);
+    const Model m = prepare(s);
     const Complex d(2.6e5 + nu * speed * 0.4 - 2.0 * nu * nu, nu * 60.0 + (nu - speed) * 25.0);
     const Complex exact = std::polar(30.0, 0.7) / d;
     expect_near(place(m), exact, 1e-14 * std::abs(exact));
@@ -156,7 +157,7 @@ TEST(SteadyOrbit, StaticLoadsAndWhatDoesNotActYet) {
   test::add_constant_force(s, {0.0, 10.0});
   s.forces[4].on = -0.2;
   s.forces[4].ramp = 0.2;  // has risen
-  const Model m = make_model(s);
+  const Model m = prepare(s);
   expect_near(place(m), {20.0 / 2e5, (10.0 - 2.0 * 9.81) / 2e5}, 1e-18);
   EXPECT_EQ(rate(m), Complex());
 }
@@ -166,7 +167,7 @@ TEST(SteadyOrbit, RingBetweenItsMagnetsIsAtRest) {
   scene::Scene s = magnetic_ring();
   s.first().stator->stiffness *= 100.0;
   s.gravity = scene::Gravity{{20.0, -98.1}, {}};
-  const Model m = make_model(s);
+  const Model m = prepare(s);
   const int ring = m.layout.ring();
   Eigen::VectorXd f(m.nq());
   smooth_force(m, 0.0, m.q0.data(), m.v0.data(), {0.0, 0.0}, f.data());
@@ -185,7 +186,7 @@ TEST(SteadyOrbit, TorsionAtRestUnderTheMotorsTorque) {
   s.drive->kind = scene::DriveKind::kLinear;
   s.drive->gain = 0.05;
   s.drive->speed = 330.0;
-  const Model m = make_model(s);
+  const Model m = prepare(s);
   Eigen::VectorXd f(m.nq());
   smooth_force(m, 0.0, m.q0.data(), m.v0.data(), {0.0, 0.0}, f.data());
   EXPECT_NEAR(m.q0[m.layout.theta()], 0.05 * 30.0 * 0.3 / 60.0, 1e-17);
@@ -193,7 +194,7 @@ TEST(SteadyOrbit, TorsionAtRestUnderTheMotorsTorque) {
   EXPECT_NEAR(f[m.layout.theta() + 1], 0.0, 1e-15);
   EXPECT_EQ(m.v0[m.layout.phi()], 300.0);
   s.initial.torsion = {1e-3, 0.0};
-  EXPECT_EQ(make_model(s).q0[m.layout.theta()], 1e-3) << "a torsion that is given stays";
+  EXPECT_EQ(prepare(s).q0[m.layout.theta()], 1e-3) << "a torsion that is given stays";
 }
 
 // A chirp counts with its frequency of t = 0; a pulse begins at 0.
@@ -212,7 +213,7 @@ TEST(SteadyOrbit, ChirpAndPulse) {
   g.vector = {500.0, 0.0};
   g.off = 0.01;
   s.forces = {f, g};
-  const Model m = make_model(s);
+  const Model m = prepare(s);
   // After a quarter of 4 s: 150 rad/s, turned by 125 rad.
   const Complex exact =
       std::polar(10.0, 0.4 + 125.0) / Complex(2e5 - 2.0 * 150.0 * 150.0, 40.0 * 150.0);

@@ -13,7 +13,7 @@
 #include "native_model/model/dynamics.h"
 #include "native_model/run/run_native.h"
 #include "native_model/scene/reader.h"
-#include "tests/native_model/system/steady_scenes.h"
+#include "tests/native_model/prepare/steady_scenes.h"
 #include "tests/support/jeffcott.h"
 
 namespace rotorub {

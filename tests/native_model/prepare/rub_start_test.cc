@@ -1,6 +1,7 @@
 // [initial] rub: a run that starts on a lasting rub which is stable stays on it, with the force,
 // whirl and circle of the closed forms, in every integrator.
-#include "native_model/rub/rub_start.h"
+#include "native_model/prepare/rub_start.h"
+#include "native_model/prepare/prepare.h"
 
 #include <gtest/gtest.h>
 
@@ -120,7 +121,7 @@ TEST(RubStart, IsWhatASteadyStartThatTouchesNames) {
 // What comes after t = 0 is no part of the rub: it finds the rotor on it.
 TEST(RubStart, LoadsThatComeLaterAreLeftOut) {
   scene::Scene s = on("bench_annular_elastic", "synchronous");
-  const Model alone = make_model(s);
+  const Model alone = prepare(s);
   test::add_rotating_force(s, 40.0, 200.0);
   s.forces.back().on = 0.1;
   test::add_rotating_force(s, 40.0, 250.0);
@@ -129,7 +130,7 @@ TEST(RubStart, LoadsThatComeLaterAreLeftOut) {
   weight.vector = {0.0, -10.0};
   weight.on = 0.05;
   s.forces.push_back(weight);
-  const Model later = make_model(s);
+  const Model later = prepare(s);
   EXPECT_EQ(later.q0, alone.q0);
   EXPECT_EQ(later.v0, alone.v0);
   s.run.end = 0.049;
@@ -143,9 +144,9 @@ TEST(RubStart, TurnsWithTheUnbalance) {
   blade.kind = scene::ForceKind::kUnbalance;
   blade.static_moment = 150.0 / (s.rotor.speed * s.rotor.speed);
   s.forces = {blade};
-  const Model straight = make_model(s);
+  const Model straight = prepare(s);
   s.initial.spin_angle = 0.5 * std::numbers::pi;
-  const Model turned = make_model(s);
+  const Model turned = prepare(s);
   EXPECT_NEAR(turned.q0[1], straight.q0[0], 1e-15);
   EXPECT_NEAR(turned.q0[0], -straight.q0[1], 1e-15);
 }

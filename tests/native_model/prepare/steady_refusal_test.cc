@@ -6,8 +6,9 @@
 #include <string>
 
 #include "native_model/model/model.h"
+#include "native_model/prepare/prepare.h"
 #include "native_model/scene/reader.h"
-#include "tests/native_model/system/steady_scenes.h"
+#include "tests/native_model/prepare/steady_scenes.h"
 #include "tests/support/refusal.h"
 
 namespace rotorub {
@@ -102,7 +103,7 @@ restitution = 0.5
 [initial]
 steady = true
 )";
-  EXPECT_NO_THROW(make_model(scene::parse_scene(text, "s.toml")));
+  EXPECT_NO_THROW(prepare(scene::parse_scene(text, "s.toml")));
   for (const char* key : {"x", "y", "vx", "vy", "stator", "stator_velocity"}) {
     const bool ring = std::string(key).starts_with("stator");
     const auto wrong = test::refusals([&] {

@@ -1,4 +1,4 @@
-#include "native_model/rub/rub_start.h"
+#include "native_model/prepare/rub_start.h"
 
 #include <Eigen/Core>
 #include <complex>
