@@ -15,8 +15,9 @@
 #include "native_model/model/sampled_feedback.h"
 #include "native_model/stepping/step_limit.h"
 #include "native_model/trajectory/recorder.h"
-#include "plugin/config.h"
-#include "plugin/generated_rotor.h"
+#include "plugin/make_config.h"
+#include "plugin/model/config.h"
+#include "plugin/model/generated_rotor.h"
 
 namespace rotorub {
 

@@ -11,8 +11,8 @@
 #include "native_model/model/model.h"
 #include "native_model/scene/scene.h"
 #include "native_model/trajectory/trajectory.h"
-#include "plugin/config.h"
 #include "plugin/hooks.h"
+#include "plugin/model/config.h"
 
 namespace rotorub {
 

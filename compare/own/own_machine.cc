@@ -20,8 +20,9 @@
 #include "native_model/scene/reader.h"
 #include "native_model/stepping/step_limit.h"
 #include "native_model/trajectory/recorder.h"
-#include "plugin/message.h"
-#include "plugin/options.h"
+#include "plugin/make_config.h"
+#include "plugin/model/message.h"
+#include "plugin/model/options.h"
 #include "plugin/own/own_names.h"
 #include "plugin/twin/native_twin.h"
 

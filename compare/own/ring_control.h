@@ -12,7 +12,7 @@
 #include "compare/engine/mujoco_engine.h"
 #include "native_model/model/actuation.h"
 #include "native_model/scene/scene.h"
-#include "plugin/config.h"
+#include "plugin/model/config.h"
 
 namespace rotorub {
 

@@ -4,7 +4,7 @@
 #include <cmath>
 
 #include "native_model/model/dynamics.h"
-#include "plugin/generated_rotor.h"
+#include "plugin/model/generated_rotor.h"
 
 namespace rotorub::plugin {
 namespace {

@@ -12,7 +12,7 @@
 #include "native_model/numerics/eigenvalues.h"
 #include "native_model/rotor/modal_rotor.h"
 #include "native_model/scene/scene.h"
-#include "plugin/message.h"
+#include "plugin/model/message.h"
 #include "plugin/twin/linear_machine.h"
 #include "plugin/twin/planes.h"
 #include "plugin/twin/twin_limits.h"

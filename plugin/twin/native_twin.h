@@ -10,7 +10,7 @@
 #include <vector>
 
 #include "native_model/scene/scene.h"
-#include "plugin/config.h"
+#include "plugin/model/config.h"
 
 namespace rotorub::plugin {
 

@@ -1,4 +1,4 @@
-#include "plugin/control.h"
+#include "plugin/model/control.h"
 #include "native_model/prepare/prepare.h"
 
 #include <gtest/gtest.h>

@@ -10,7 +10,8 @@
 #include "mjcf/writer.h"
 #include "native_model/control/library.h"
 #include "native_model/prepare/prepare.h"
-#include "plugin/config.h"
+#include "plugin/make_config.h"
+#include "plugin/model/config.h"
 #include "tests/support/mujoco_fixture.h"
 #include "tests/support/said.h"
 

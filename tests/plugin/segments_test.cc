@@ -1,7 +1,8 @@
 // The segment rotor in MuJoCo against the native beam: whirl at rest and at speed, its convergence,
 // torsion, damping in both frames, sag and unbalance.
-#include "plugin/segments.h"
+#include "plugin/model/segments.h"
 #include "native_model/prepare/prepare.h"
+#include "plugin/make_config.h"
 
 #include <gtest/gtest.h>
 
@@ -12,7 +13,7 @@
 #include "native_model/linear/campbell.h"
 #include "native_model/model/dynamics.h"
 #include "native_model/run/run_native.h"
-#include "plugin/generated_rotor.h"
+#include "plugin/model/generated_rotor.h"
 #include "tests/plugin/linearised.h"
 #include "tests/support/mujoco_document.h"
 #include "tests/support/mujoco_fixture.h"

@@ -1,6 +1,7 @@
 // The native model beside MuJoCo's: the bits of a native run, and nothing taken from MuJoCo or
 // given to it but commands.
 #include "plugin/shadow.h"
+#include "plugin/make_config.h"
 
 #include <gtest/gtest.h>
 

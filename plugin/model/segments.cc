@@ -1,4 +1,4 @@
-#include "plugin/segments.h"
+#include "plugin/model/segments.h"
 
 #include <Eigen/Core>
 #include <algorithm>
@@ -10,7 +10,7 @@
 #include "native_model/numerics/linear_solve.h"
 #include "native_model/scene/scene.h"
 #include "native_model/stepping/step_limit.h"
-#include "plugin/config.h"
+#include "plugin/model/config.h"
 
 namespace rotorub::plugin {
 namespace {

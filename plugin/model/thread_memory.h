@@ -10,7 +10,7 @@
 #include <memory>
 #include <utility>
 
-#include "plugin/config.h"
+#include "plugin/model/config.h"
 
 namespace rotorub::plugin {
 

@@ -1,4 +1,4 @@
-#include "plugin/later_attributes.h"
+#include "plugin/model/later_attributes.h"
 
 #include <algorithm>
 #include <cstdio>
@@ -6,8 +6,8 @@
 #include <vector>
 
 #include "native_model/scene/scene.h"
-#include "plugin/message.h"
-#include "plugin/mujoco_versions.h"
+#include "plugin/model/message.h"
+#include "plugin/model/mujoco_versions.h"
 
 namespace rotorub::plugin {
 namespace {

@@ -1,4 +1,4 @@
-#include "plugin/actuators.h"
+#include "plugin/model/actuators.h"
 
 #include <algorithm>
 #include <atomic>
@@ -6,8 +6,8 @@
 #include <string>
 #include <vector>
 
-#include "plugin/message.h"
-#include "plugin/mujoco_versions.h"
+#include "plugin/model/message.h"
+#include "plugin/model/mujoco_versions.h"
 
 namespace rotorub::plugin {
 namespace {

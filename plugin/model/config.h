@@ -13,7 +13,7 @@
 
 #include "native_model/model/model.h"
 #include "native_model/scene/mujoco.h"
-#include "plugin/segments.h"
+#include "plugin/model/segments.h"
 
 namespace rotorub::plugin {
 
@@ -143,23 +143,7 @@ class ConfigError : public std::runtime_error {
 
 // The text of <custom><text name="rotorub_scene">, or null: not our model.
 const char* scene_text(const mjModel* m);
-
-// Whether <custom> asks for anything of ours: a scene, or a contact of the user's own geoms.
-bool is_ours(const mjModel* m);
-
-// Throws ConfigError.
-Config make_config(const mjModel* m);
-// The same with m's numbers of now, m a model of its fingerprint. Throws ConfigError.
-Config with_parameters(const Config& config, const mjModel* m);
-
-// Parts of make_config that own/ uses too.
 const char* custom_text(const mjModel* m, std::string_view name);  // null: none of that name
-// What the text of that name says.
-scene::ContactModel contact_model(const mjModel* m, const std::string& text_name,
-                                  scene::ContactModel otherwise);
-int find_pair(const mjModel* m, int geom_a, int geom_b);  // -1: none
-// Of the sensors whose names are ours between prefix and suffix. Throws ConfigError.
-SensorAddresses contact_sensors(const mjModel* m, const std::string& prefix = {},
-                                const std::string& suffix = {});
+int find_pair(const mjModel* m, int geom_a, int geom_b);           // -1: none
 
 }  // namespace rotorub::plugin

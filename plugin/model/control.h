@@ -6,9 +6,9 @@
 #include <string>
 
 #include "native_model/model/actuation.h"
-#include "plugin/actuators.h"
-#include "plugin/config.h"
-#include "plugin/generated_rotor.h"
+#include "plugin/model/actuators.h"
+#include "plugin/model/config.h"
+#include "plugin/model/generated_rotor.h"
 
 namespace rotorub::plugin {
 

@@ -6,7 +6,7 @@
 
 #include <algorithm>
 
-#include "plugin/mujoco_versions.h"
+#include "plugin/model/mujoco_versions.h"
 
 extern "C" {
 #if mjVERSION_HEADER < 233

@@ -1,9 +1,9 @@
-#include "plugin/options.h"
+#include "plugin/model/options.h"
 
 #include <algorithm>
 
-#include "plugin/later_attributes.h"
-#include "plugin/mujoco_versions.h"
+#include "plugin/model/later_attributes.h"
+#include "plugin/model/mujoco_versions.h"
 
 namespace rotorub::plugin {
 namespace {

@@ -1,4 +1,4 @@
-#include "plugin/control.h"
+#include "plugin/model/control.h"
 
 #include <algorithm>
 #include <cmath>
@@ -8,8 +8,8 @@
 #include "native_model/control/control_loop.h"
 #include "native_model/model/actuation.h"
 #include "native_model/trajectory/trajectory.h"
-#include "plugin/mujoco_versions.h"
-#include "plugin/user_data.h"
+#include "plugin/model/mujoco_versions.h"
+#include "plugin/model/user_data.h"
 
 namespace rotorub::plugin {
 namespace {

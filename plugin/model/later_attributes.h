@@ -35,7 +35,7 @@
 
 #include <string>
 
-#include "plugin/config.h"
+#include "plugin/model/config.h"
 
 namespace rotorub::plugin {
 

@@ -1,4 +1,4 @@
-#include "plugin/config.h"
+#include "plugin/make_config.h"
 
 #include <algorithm>
 #include <atomic>
@@ -14,17 +14,17 @@
 #include "native_model/stepping/zero_order_hold.h"
 #include "plugin/config_cache.h"
 #include "plugin/contact/verlet.h"
-#include "plugin/generated_rotor.h"
-#include "plugin/later_attributes.h"
 #include "plugin/load_cells.h"
-#include "plugin/message.h"
+#include "plugin/model/contact_sensors.h"
+#include "plugin/model/generated_rotor.h"
+#include "plugin/model/later_attributes.h"
+#include "plugin/model/message.h"
+#include "plugin/model/mujoco_versions.h"
+#include "plugin/model/user_data.h"
 #include "plugin/model_parameters.h"
-#include "plugin/mujoco_versions.h"
 #include "plugin/own/own_config.h"
 #include "plugin/own/own_names.h"
-#include "plugin/sensors.h"
 #include "plugin/shadow.h"
-#include "plugin/user_data.h"
 
 namespace rotorub::plugin {
 namespace {
@@ -279,43 +279,7 @@ Config generated_config(const mjModel* m) {
 
 }  // namespace
 
-const char* custom_text(const mjModel* m, std::string_view name) {
-  for (int i = 0; i < m->ntext; ++i) {
-    if (name == m->names + m->name_textadr[i]) return m->text_data + m->text_adr[i];
-  }
-  return nullptr;
-}
-
-scene::ContactModel contact_model(const mjModel* m, const std::string& text_name,
-                                  scene::ContactModel otherwise) {
-  const char* text = own_text(m, text_name);
-  if (!text) return otherwise;
-  if (const auto model = scene::contact_model(text)) return *model;
-  refuse(own_element(m, text_name),
-         message("\"{}\"; accepted: {}", text,
-                 scene::join(scene::contact_words<std::vector<std::string_view>>())));
-}
-
-int find_pair(const mjModel* m, int geom_a, int geom_b) {
-  for (int i = 0; i < m->npair; ++i) {
-    if (are_geoms(geom_a, geom_b, m->pair_geom1[i], m->pair_geom2[i])) return i;
-  }
-  return -1;
-}
-
-bool Config::has_rigid() const {
-  const auto rigid = [](const ContactPair& p) { return p.law == scene::ContactModel::kRigid; };
-  return std::any_of(pairs.begin(), pairs.end(), rigid);
-}
-
-bool Config::has_soft() const {
-  const auto soft = [](const ContactPair& p) { return p.law != scene::ContactModel::kRigid; };
-  return std::any_of(pairs.begin(), pairs.end(), soft);
-}
-
 bool is_ours(const mjModel* m) { return scene_text(m) || has_own_names(m); }
-
-const char* scene_text(const mjModel* m) { return custom_text(m, names::kSceneText); }
 
 Config make_config(const mjModel* m) {
   Config config = scene_text(m) ? generated_config(m) : own_config(m);

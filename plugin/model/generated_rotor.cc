@@ -1,4 +1,4 @@
-#include "plugin/generated_rotor.h"
+#include "plugin/model/generated_rotor.h"
 
 #include <algorithm>
 #include <cmath>
@@ -7,9 +7,9 @@
 #include "native_model/model/dynamics.h"
 #include "native_model/model/sampled_feedback.h"
 #include "native_model/scene/scene.h"
-#include "plugin/message.h"
-#include "plugin/mujoco_dynamics.h"
-#include "plugin/mujoco_versions.h"
+#include "plugin/model/message.h"
+#include "plugin/model/mujoco_dynamics.h"
+#include "plugin/model/mujoco_versions.h"
 
 namespace rotorub::plugin {
 namespace {

@@ -9,7 +9,7 @@
 #include <string>
 #include <string_view>
 
-#include "plugin/config.h"
+#include "plugin/model/config.h"
 
 namespace rotorub::plugin {
 

@@ -1,10 +1,10 @@
-#include "plugin/user_data.h"
+#include "plugin/model/user_data.h"
 
 #include <bit>
 #include <cstdint>
 #include <cstdio>
 
-#include "plugin/mujoco_versions.h"
+#include "plugin/model/mujoco_versions.h"
 
 namespace rotorub::plugin {
 namespace {
