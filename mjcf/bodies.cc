@@ -6,7 +6,7 @@
 #include <string>
 
 #include "mjcf/names.h"
-#include "native_model/dynamics/dynamics.h"
+#include "native_model/model/dynamics.h"
 #include "native_model/scene/scene.h"
 
 namespace rotorub {

@@ -6,8 +6,8 @@
 
 #include "mjcf/mujoco_version.h"
 #include "mjcf/xml.h"
+#include "native_model/model/model.h"
 #include "native_model/scene/forward.h"
-#include "native_model/system/model.h"
 
 namespace rotorub {
 

@@ -122,7 +122,7 @@ inline constexpr const char* kShadowGap = "shadow_gap";                       //
 inline constexpr const char* kShadowNormalForce = "shadow_normal_force";      // N
 inline constexpr const char* kShadowFrictionForce = "shadow_friction_force";  // N, as above
 
-// mjData.userdata entries that the plugin uses (plugin/user_data.h)
+// mjData.userdata entries that the plugin uses (plugin/model/user_data.h)
 inline constexpr int kUserDataSingle = 21;
 inline constexpr int kPairEntries = 13;  // of each contact beyond the first, behind all others
 // loop: of the memory of a sampled controller.

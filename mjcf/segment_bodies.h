@@ -11,9 +11,9 @@
 #include <Eigen/Core>
 
 #include "mjcf/xml.h"
+#include "native_model/model/model.h"
 #include "native_model/rotor/segment_chain.h"
 #include "native_model/scene/forward.h"
-#include "native_model/system/model.h"
 
 namespace rotorub {
 

@@ -12,13 +12,14 @@
 #include "mjcf/segment_bodies.h"
 #include "mjcf/soft_contact.h"
 #include "mjcf/xml.h"
+#include "native_model/model/model_checks.h"
+#include "native_model/prepare/prepare.h"
 #include "native_model/rotor/refusal.h"
 #include "native_model/scene/record.h"
 #include "native_model/scene/scene.h"
 #include "native_model/scene/text.h"
 #include "native_model/stepping/stepper.h"
 #include "native_model/stepping/zero_order_hold.h"
-#include "native_model/system/model_checks.h"
 
 namespace rotorub {
 namespace {
@@ -64,7 +65,7 @@ class Document {
   Document(const scene::Scene& scene, const MujocoVersion& target)
       : scene_(scene),
         target_(target),
-        model_(without_coils(make_model(scene))),
+        model_(without_coils(prepare(scene))),
         radius_(drawn_radius(scene)) {
     if (scene.mujoco.rotor == scene::MujocoRotor::kSegments) segments_.emplace(scene_, model_);
     for (const StationFeedback& f : model_.feedbacks) {
@@ -128,7 +129,7 @@ class Document {
       user_data += names::verlet_data_size(model_.nq(), slot);
     }
     if (scene_.mujoco.shadow) {
-      const Model whole = make_model(scene_);
+      const Model whole = prepare(scene_);
       user_data += names::shadow_data_size(ZeroOrderHold::memory_size(whole),
                                            VerletStepper::memory_size(whole));
     }

@@ -13,8 +13,8 @@
 #include <string>
 
 #include "mjcf/mujoco_version.h"
+#include "native_model/model/model.h"
 #include "native_model/scene/forward.h"
-#include "native_model/system/model.h"
 
 namespace rotorub {
 

@@ -3,9 +3,9 @@
 #include <atomic>
 #include <utility>
 
-#include "plugin/actuators.h"
-#include "plugin/mujoco_versions.h"
-#include "plugin/own/instances.h"
+#include "plugin/contact_plugin.h"
+#include "plugin/model/actuators.h"
+#include "plugin/model/mujoco_versions.h"
 #include "plugin/passes.h"
 #include "plugin/places.h"
 

@@ -13,13 +13,14 @@
 #include <string_view>
 #include <unordered_map>
 
-#include "plugin/message.h"
+#include "plugin/make_config.h"
+#include "plugin/model/message.h"
+#include "plugin/model/mujoco_versions.h"
+#include "plugin/model/thread_memory.h"
+#include "plugin/model/user_data.h"
 #include "plugin/model_parameters.h"
-#include "plugin/mujoco_versions.h"
 #include "plugin/own/instances.h"
 #include "plugin/own/own_config.h"
-#include "plugin/thread_memory.h"
-#include "plugin/user_data.h"
 
 namespace rotorub::plugin {
 namespace {

@@ -3,17 +3,11 @@
 #include <memory>
 #include <stdexcept>
 
-#include "plugin/mujoco_versions.h"
+#include "plugin/model/differentiating.h"
+#include "plugin/model/mujoco_versions.h"
 
 namespace rotorub::plugin {
 namespace {
-
-thread_local constinit bool running = false;
-
-struct Running {
-  Running() { running = true; }
-  ~Running() { running = false; }
-};
 
 struct DeleteData {
   void operator()(mjData* d) const { mj_deleteData(d); }
@@ -57,7 +51,7 @@ void column(const mjModel* m, const mjData* d, double eps, int which, Nudge nudg
 
 Transition transition(const mjModel* m, const mjData* d, double eps) {
   if (!(eps > 0.0)) throw std::invalid_argument("rotorub: transition: eps: accepted: > 0");
-  const Running scope;
+  const Differentiating scope;
   const std::unique_ptr<mjData, DeleteData> low(mj_makeData(m)), high(mj_makeData(m));
   Transition out;
   const int nv = count(m->nv), n = out.states = 2 * nv + count(m->na);
@@ -89,6 +83,6 @@ Transition transition(const mjModel* m, const mjData* d, double eps) {
   return out;
 }
 
-bool differentiating() { return running; }
+bool differentiating() { return Differentiating::in_this_thread(); }
 
 }  // namespace rotorub::plugin

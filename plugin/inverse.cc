@@ -2,12 +2,12 @@
 
 #include <algorithm>
 
-#include "plugin/actuators.h"
 #include "plugin/callbacks.h"
 #include "plugin/config_cache.h"
-#include "plugin/mujoco_versions.h"
+#include "plugin/model/actuators.h"
+#include "plugin/model/mujoco_versions.h"
+#include "plugin/model/user_data.h"
 #include "plugin/passes.h"
-#include "plugin/user_data.h"
 
 namespace rotorub::plugin {
 

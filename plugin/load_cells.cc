@@ -1,7 +1,6 @@
 #include "plugin/load_cells.h"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <string>
 #include <type_traits>
@@ -12,29 +11,17 @@
 #include "plugin/callbacks.h"
 #include "plugin/config_cache.h"
 #include "plugin/contact/contact_space.h"
+#include "plugin/contact/noted_contact.h"
 #include "plugin/contact/relative_motion.h"
 #include "plugin/contact_force.h"
-#include "plugin/message.h"
-#include "plugin/mujoco_versions.h"
-#include "plugin/user_data.h"
+#include "plugin/model/message.h"
+#include "plugin/model/mujoco_versions.h"
+#include "plugin/model/user_data.h"
 
 namespace rotorub::plugin {
 namespace {
 
 bool behind_sensors = false;
-
-struct NotedContact {
-  const mjData* d = nullptr;
-  double time = 0.0;
-  int data = -1;
-  Eigen::Vector2d e_r;
-  double axial = 0.0;  // N
-};
-// Of the pass that this thread did last.
-NotedContact& noted(int data) {
-  static thread_local std::array<NotedContact, kMaxContacts> all;
-  return all[static_cast<std::size_t>(data / kPairEntries) % all.size()];
-}
 
 bool carries(const mjModel* m, int body, int geom) {
   int b = m->geom_bodyid[geom];
@@ -116,7 +103,7 @@ ContactForce force_of(const ContactPair& pair, const mjData* d, double since) {
   if (rigid || pair.beside) f.normal = entry[kNormalForce];
   // Those that tell of each pass with a force.
   if (!rigid && !pair.axial) return f;
-  const NotedContact& n = noted(pair.data);
+  const NotedContact& n = noted_contact(pair.data);
   const double passed = d->time - n.time;
   if (n.d != d || n.data != pair.data || (passed != 0.0 && std::abs(passed - since) > 1e-6 * since))
     return f;
@@ -276,10 +263,6 @@ void contact_force(const mjModel* m, const mjData* d, int id, mjtNum result[6],
     result[1] = -f.friction;
     if (result[0] > 0.0) result[2] = regular ? -f.axial : f.axial;
   }
-}
-
-void note_contact(const mjData* d, int data, const Eigen::Vector2d& e_r, double axial) {
-  noted(data) = {d, d->time, data, e_r, axial};
 }
 
 void stand_behind_sensors() { behind_sensors = true; }

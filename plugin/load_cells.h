@@ -11,9 +11,7 @@
 
 #include <mujoco/mujoco.h>
 
-#include <Eigen/Core>
-
-#include "plugin/config.h"
+#include "plugin/model/config.h"
 
 namespace rotorub::plugin {
 
@@ -24,11 +22,7 @@ void map_load_cells(const mjModel* m, Config& config);
 // After MuJoCo's own sensors of the pass in which the contact was solved.
 void fill_load_cells(const Config& config, const mjModel* m, mjData* d);
 
-// Of the contact whose memory is at `data`, in its axes: the normal of its force in this pass,
-// which of a blow is not that of the state, and the friction on the rotor along the ring's axis, N.
-// Of `rigid`, and where that is.
-void note_contact(const mjData* d, int data, const Eigen::Vector2d& e_r, double axial = 0.0);
-
 // The preloaded library stands behind mj_sensorAcc.
 void stand_behind_sensors();
+
 }  // namespace rotorub::plugin

@@ -5,11 +5,11 @@
 #include <limits>
 
 #include "mjcf/names.h"
-#include "native_model/dynamics/dynamics.h"
+#include "native_model/model/dynamics.h"
 #include "native_model/scene/scene.h"
-#include "plugin/generated_rotor.h"
-#include "plugin/message.h"
-#include "plugin/mujoco_versions.h"
+#include "plugin/model/generated_rotor.h"
+#include "plugin/model/message.h"
+#include "plugin/model/mujoco_versions.h"
 #include "plugin/own/own_config.h"
 #include "plugin/shadow.h"
 

@@ -4,9 +4,9 @@
 #include <string>
 
 #include "mjcf/names.h"
-#include "plugin/message.h"
+#include "plugin/model/message.h"
+#include "plugin/model/mujoco_versions.h"
 #include "plugin/model_parameters.h"
-#include "plugin/mujoco_versions.h"
 
 namespace rotorub::plugin {
 namespace {

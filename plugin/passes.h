@@ -3,8 +3,8 @@
 
 #include <mujoco/mujoco.h>
 
-#include "plugin/actuators.h"
-#include "plugin/mujoco_versions.h"
+#include "plugin/model/actuators.h"
+#include "plugin/model/mujoco_versions.h"
 
 namespace rotorub::plugin {
 

@@ -23,7 +23,7 @@
 #include <type_traits>
 #include <utility>
 
-#include "plugin/actuators.h"
+#include "plugin/model/actuators.h"
 
 namespace rotorub::plugin {
 

@@ -13,14 +13,14 @@
 #include <string>
 #include <string_view>
 
-#include "plugin/actuators.h"
 #include "plugin/callbacks.h"
 #include "plugin/config_cache.h"
 #include "plugin/contact_force.h"
 #include "plugin/differences.h"
 #include "plugin/inverse.h"
 #include "plugin/load_cells.h"
-#include "plugin/mujoco_versions.h"
+#include "plugin/model/actuators.h"
+#include "plugin/model/mujoco_versions.h"
 
 #define ROTORUB_EXPORT extern "C" __attribute__((visibility("default")))
 

@@ -3,9 +3,7 @@
 
 #include <mujoco/mujoco.h>
 
-#include <string>
-
-#include "plugin/config.h"
+#include "plugin/model/config.h"
 
 namespace rotorub::plugin {
 
@@ -25,10 +23,5 @@ void fill_sensors_in_control(const Config& config, const mjModel* m, mjData* d);
 // What was filled in before MuJoCo's last sensor stage, again: MuJoCo of today sets the user
 // sensors of a stage to 0 before it calls mjcb_sensor.
 void fill_late_sensors(const Config& config, const mjModel* m, mjData* d);
-
-// Where our user sensors are in mjData.sensordata; contact_sensors (config.h) finds those of one
-// contact. Address of the user sensor of that name; -1: taken out, or another's. Throws ConfigError
-// for another size.
-int sensor_address(const mjModel* m, const std::string& name, int dim);
 
 }  // namespace rotorub::plugin

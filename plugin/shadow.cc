@@ -8,17 +8,17 @@
 #include <string>
 
 #include "mjcf/names.h"
-#include "native_model/dynamics/dynamics.h"
+#include "native_model/model/dynamics.h"
 #include "native_model/stepping/step_limit.h"
 #include "native_model/stepping/stepper.h"
 #include "native_model/stepping/zero_order_hold.h"
-#include "plugin/control.h"
-#include "plugin/generated_rotor.h"
-#include "plugin/message.h"
-#include "plugin/mujoco_versions.h"
-#include "plugin/sensors.h"
-#include "plugin/thread_memory.h"
-#include "plugin/user_data.h"
+#include "plugin/model/contact_sensors.h"
+#include "plugin/model/control.h"
+#include "plugin/model/generated_rotor.h"
+#include "plugin/model/message.h"
+#include "plugin/model/mujoco_versions.h"
+#include "plugin/model/thread_memory.h"
+#include "plugin/model/user_data.h"
 
 namespace rotorub::plugin {
 namespace {

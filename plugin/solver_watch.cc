@@ -2,9 +2,9 @@
 
 #include <algorithm>
 
-#include "plugin/message.h"
-#include "plugin/mujoco_versions.h"
-#include "plugin/user_data.h"
+#include "plugin/model/message.h"
+#include "plugin/model/mujoco_versions.h"
+#include "plugin/model/user_data.h"
 
 namespace rotorub::plugin {
 namespace {

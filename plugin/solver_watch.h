@@ -5,7 +5,7 @@
 
 #include <mujoco/mujoco.h>
 
-#include "plugin/config.h"
+#include "plugin/model/config.h"
 
 namespace rotorub::plugin {
 

@@ -2,14 +2,14 @@
 
 #include <cmath>
 
-#include "native_model/dynamics/dynamics.h"
+#include "native_model/model/dynamics.h"
 #include "native_model/scene/scene.h"
 #include "plugin/contact/contact_memory.h"
 #include "plugin/contact/contact_space.h"
 #include "plugin/contact/relative_motion.h"
-#include "plugin/differences.h"
-#include "plugin/generated_rotor.h"
-#include "plugin/user_data.h"
+#include "plugin/model/differentiating.h"
+#include "plugin/model/generated_rotor.h"
+#include "plugin/model/user_data.h"
 
 namespace rotorub::plugin {
 namespace {
@@ -46,7 +46,7 @@ void for_each_rigid(const Config& config, mjData* d, Action action) {
 }  // namespace
 
 void forget_written_contacts(const Config& config, const mjModel* m, mjData* d) {
-  if (differentiating()) return;  // a state that is nudged is not written
+  if (Differentiating::in_this_thread()) return;  // a state that is nudged is not written
   for_each_rigid(config, d, [&](const ContactPair& pair, mjtNum* entry) {
     // In a further pass of the same time the memory has moved on already (ContactMemory).
     mjtNum& lasted = entry[kContactTime] == d->time ? entry[kContactBefore] : entry[kContactNow];

@@ -5,7 +5,7 @@
 #include <cassert>
 #include <cmath>
 
-#include "plugin/mujoco_versions.h"
+#include "plugin/model/mujoco_versions.h"
 
 namespace rotorub::renders {
 

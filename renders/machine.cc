@@ -7,6 +7,7 @@
 #include <numbers>
 #include <stdexcept>
 
+#include "native_model/prepare/prepare.h"
 #include "native_model/rotor/modal_rotor.h"
 
 namespace rotorub::renders {
@@ -150,7 +151,7 @@ DrawnSupport drawn_support(const scene::Scene& scene) {
 
 // Forces from outside: not a mass out of the axis, which is no force.
 void draw_loads(Machine& machine, const scene::Scene& scene) {
-  const Model model = make_model(scene);
+  const Model model = prepare(scene);
   std::size_t next = 0;
   for (const scene::Force& force : scene.forces) {
     if (force.kind == scene::ForceKind::kUnbalance || next >= model.forces.size()) continue;

@@ -12,8 +12,8 @@
 #include <span>
 #include <vector>
 
+#include "native_model/model/model.h"
 #include "native_model/scene/scene.h"
-#include "native_model/system/model.h"
 #include "renders/playback.h"
 
 namespace rotorub::renders {

@@ -8,7 +8,7 @@
 #include <iterator>
 #include <stdexcept>
 
-#include "plugin/mujoco_versions.h"
+#include "plugin/model/mujoco_versions.h"
 
 namespace rotorub::renders {
 

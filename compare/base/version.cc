@@ -2,7 +2,7 @@
 
 #include <mujoco/mujoco.h>
 
-#include "plugin/mujoco_versions.h"
+#include "plugin/model/mujoco_versions.h"
 
 namespace rotorub {
 

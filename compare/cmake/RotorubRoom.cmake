@@ -1,22 +1,17 @@
 # rotorub_room(<room> [EXCLUDE <regex>] [USES <room>...] [LINK <target>...])
 #
-# The library rotorub_compare_<room> of the folder compare/<room>. USES: the rooms that its files include, all of them
-# and no other (tests/package/rooms_test.py), each declared before it, so that there is no circle. LINK: targets from
-# outside compare. The interface target rotorub_compare is all rooms.
+# The library rotorub_compare_<room> of the folder compare/<room>. USES: the rooms that its files include, as
+# rotorub_declare_room checks it. LINK: targets from outside compare. The interface target rotorub_compare is all rooms.
 #
 # The precompiled header is the first room's.
+include(RotorubRooms)
 add_library(rotorub_compare INTERFACE)
 
 function(rotorub_room room)
   cmake_parse_arguments(ARG "" "EXCLUDE" "USES;LINK" ${ARGN})
+  rotorub_declare_room(${room} USES ${ARG_USES})
   set(name rotorub_compare_${room})
-  set(used "")
-  foreach(other IN LISTS ARG_USES)
-    if(NOT TARGET rotorub_compare_${other})
-      message(FATAL_ERROR "compare/${room} uses compare/${other}, which is no room declared before it")
-    endif()
-    list(APPEND used rotorub_compare_${other})
-  endforeach()
+  list(TRANSFORM ARG_USES PREPEND rotorub_compare_ OUTPUT_VARIABLE used)
   rotorub_library(
     ${name}
     FOLDER ${room}

@@ -22,13 +22,14 @@
 #include "compare/report/modes_page.h"
 #include "compare/sweep/study_reader.h"
 #include "native_model/control/library.h"
+#include "native_model/linear/rub_map.h"
+#include "native_model/model/linear_plant.h"
+#include "native_model/model/model.h"
+#include "native_model/prepare/prepare.h"
 #include "native_model/rotor/refusal.h"
-#include "native_model/rub/rub_map.h"
 #include "native_model/scene/overrides.h"
 #include "native_model/scene/text.h"
 #include "native_model/scene/units.h"
-#include "native_model/system/linear_plant.h"
-#include "native_model/system/model.h"
 #include "native_model/trajectory/output.h"
 
 namespace rotorub {
@@ -226,7 +227,7 @@ int show_feedback(const ModesArguments& options) {
 // rotorub modes --state-space: JSON, whatever else is asked.
 int show_state_space(const ModesArguments& options) {
   const scene::Scene scene = read_scene(options.scene, options);
-  const Model model = make_model(scene);
+  const Model model = prepare(scene);
   if (!scene.first().stator || !scene.first().contact) {
     throw UsageError(
         "--state-space: needs [stator] and [contact]: the force on the ring is the input");

@@ -3,8 +3,8 @@
 #include <algorithm>
 
 #include "compare/engine/mujoco_model.h"
-#include "plugin/control.h"
-#include "plugin/user_data.h"
+#include "plugin/model/control.h"
+#include "plugin/model/user_data.h"
 
 namespace rotorub {
 namespace {

@@ -9,11 +9,11 @@
 #include <vector>
 
 #include "compare/engine/mujoco_engine.h"
-#include "native_model/system/actuation.h"
+#include "native_model/model/actuation.h"
 #include "native_model/trajectory/trajectory.h"
-#include "plugin/config.h"
 #include "plugin/contact/contact_memory.h"
 #include "plugin/contact/verlet.h"
+#include "plugin/model/config.h"
 
 namespace rotorub {
 
@@ -21,7 +21,7 @@ namespace rotorub {
 struct StepResult {
   std::vector<plugin::ContactForces> forces;  // of each contact
   ActuatorState actuator;
-  Eigen::Vector2d command{0.0, 0.0};  // plugin/control.h, where it was asked for
+  Eigen::Vector2d command{0.0, 0.0};  // plugin/model/control.h, where it was asked for
   plugin::StepWorks works{};          // of native steps
 };
 

@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "compare/engine/mujoco_engine.h"
+#include "native_model/prepare/prepare.h"
 #include "native_model/run/run_native.h"
 #include "native_model/trajectory/recorder.h"
 
@@ -130,7 +131,7 @@ scene::Scene perturbed(const scene::Scene& scene, int ulps) {
   const double size = scene.first().contact ? scene.first().contact->clearance : 1e-3;
   const double unit = std::nextafter(size, 2.0 * size) - size;
   if (moved.initial.x.empty()) {
-    moved.initial.x.assign(static_cast<std::size_t>(make_model(scene).layout.modes), 0.0);
+    moved.initial.x.assign(static_cast<std::size_t>(prepare(scene).layout.modes), 0.0);
   }
   moved.initial.x.front() += ulps * unit;
   return moved;

@@ -26,7 +26,7 @@ struct WatchedStep {
   const double* q = nullptr;
   const double* v = nullptr;
   Eigen::Vector2d current{0.0, 0.0};  // A, of the coils at t
-  // The actuator's command (system/actuation.h), and from when it acts, s.
+  // The actuator's command (model/actuation.h), and from when it acts, s.
   Eigen::Vector2d command{0.0, 0.0};
   double command_begin = 0.0;
   double normal_impulse = 0.0;  // N s, of the step, >= 0

@@ -11,12 +11,13 @@
 #include "mjcf/soft_contact.h"
 #include "mjcf/writer.h"
 #include "native_model/control/library.h"
+#include "native_model/model/model_checks.h"
+#include "native_model/model/sampled_feedback.h"
 #include "native_model/stepping/step_limit.h"
-#include "native_model/system/model_checks.h"
-#include "native_model/system/sampled_feedback.h"
 #include "native_model/trajectory/recorder.h"
-#include "plugin/config.h"
-#include "plugin/generated_rotor.h"
+#include "plugin/make_config.h"
+#include "plugin/model/config.h"
+#include "plugin/model/generated_rotor.h"
 
 namespace rotorub {
 

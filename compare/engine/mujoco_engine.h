@@ -8,11 +8,11 @@
 
 #include "compare/engine/engine.h"
 #include "compare/engine/mujoco_model.h"
+#include "native_model/model/model.h"
 #include "native_model/scene/scene.h"
-#include "native_model/system/model.h"
 #include "native_model/trajectory/trajectory.h"
-#include "plugin/config.h"
 #include "plugin/hooks.h"
+#include "plugin/model/config.h"
 
 namespace rotorub {
 

@@ -5,8 +5,8 @@
 #include <utility>
 
 #include "mjcf/names.h"
-#include "plugin/control.h"
-#include "plugin/mujoco_versions.h"
+#include "plugin/model/control.h"
+#include "plugin/model/mujoco_versions.h"
 
 namespace rotorub {
 namespace {

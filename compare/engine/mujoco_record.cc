@@ -2,10 +2,10 @@
 
 #include <algorithm>
 
-#include "native_model/dynamics/dynamics.h"
-#include "native_model/run/status_reason.h"
+#include "native_model/model/dynamics.h"
 #include "native_model/stepping/zero_order_hold.h"
 #include "native_model/trajectory/range_check.h"
+#include "native_model/trajectory/status_reason.h"
 
 namespace rotorub {
 namespace {

@@ -8,7 +8,7 @@
 
 #include "compare/engine/chunked_run.h"
 #include "compare/engine/engine.h"
-#include "native_model/system/model.h"
+#include "native_model/model/model.h"
 #include "native_model/trajectory/contact_episodes.h"
 #include "native_model/trajectory/recorder.h"
 

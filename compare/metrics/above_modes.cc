@@ -5,9 +5,9 @@
 #include <vector>
 
 #include "compare/metrics/relative_motion.h"
-#include "native_model/rotor/campbell.h"
+#include "native_model/linear/campbell.h"
+#include "native_model/linear/whirl_system.h"
 #include "native_model/rotor/refusal.h"
-#include "native_model/rotor/whirl_system.h"
 
 namespace rotorub {
 namespace {

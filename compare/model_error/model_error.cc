@@ -14,7 +14,8 @@
 #include "compare/engine/engine.h"
 #include "compare/metrics/metrics.h"
 #include "compare/metrics/rows.h"
-#include "native_model/system/model.h"
+#include "native_model/model/model.h"
+#include "native_model/prepare/prepare.h"
 
 namespace rotorub {
 namespace {
@@ -111,7 +112,7 @@ ModelError model_error(const scene::Scene& scene, const ModelErrorParameters& pa
     error.reason = "no contact: nothing is judged";
     return error;
   }
-  error.modes = mode_ladder(make_model(scene).layout.modes);
+  error.modes = mode_ladder(prepare(scene).layout.modes);
   const std::size_t rungs = error.modes.size();
   std::vector<Metrics> found(rungs);
   std::vector<std::string> failures(rungs);

@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-#include "native_model/system/levitation.h"
+#include "native_model/linear/levitation.h"
 
 namespace rotorub {
 

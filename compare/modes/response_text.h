@@ -7,8 +7,8 @@
 #include <string>
 #include <vector>
 
+#include "native_model/linear/steady_orbit.h"
 #include "native_model/scene/scene.h"
-#include "native_model/system/steady_orbit.h"
 
 namespace rotorub {
 
@@ -37,7 +37,7 @@ struct RotorResponse {
 // rad/s, either sign. For a rotor at rest infinity.
 double vibration_limit(double speed);
 
-// {"orbit": m or null, how far the rotor's centre goes from the ring's (system/steady_orbit.h),
+// {"orbit": m or null, how far the rotor's centre goes from the ring's (linear/steady_orbit.h),
 // "least_gap": m, < 0 where it would touch, or null, "vibration": m, peak to peak,
 // "vibration_limit": m, that of API 617 at this speed, null at rest, "refused": why there is no
 // such orbit, or null, "before_loss": the same without it of the scene before a loss, or null}.

@@ -11,9 +11,10 @@
 #include "compare/base/json.h"
 #include "compare/base/units.h"
 #include "compare/modes/levitation_text.h"
+#include "native_model/linear/free_motion.h"
+#include "native_model/prepare/prepare.h"
 #include "native_model/rotor/modal_rotor.h"
 #include "native_model/rotor/refusal.h"
-#include "native_model/system/free_motion.h"
 
 namespace rotorub {
 namespace {
@@ -71,7 +72,7 @@ void note_modes_left_out(scene::Scene free, int modes, const std::vector<double>
   geometry.max_frequency.reset();
   std::optional<Model> model;
   try {
-    model = make_model(free);
+    model = prepare(free);
   } catch (const scene::SceneError&) {
     return;  // the mesh has not so many
   }
@@ -108,13 +109,13 @@ void add_response(const scene::Scene& scene, const std::vector<double>& speeds,
                           [](const scene::MagneticBearing& b) { return b.control.has_value(); });
   if (!scene.first().contact && !controls) return;
   const scene::Scene free = in_operation(without_start(scene));
-  const Model model = make_model(free);
+  const Model model = prepare(free);
   for (double speed : speeds) analysis.levitations.push_back(levitation(model, speed));
   analysis.contacts = contact_places(scene);
   for (double speed : speeds)
     analysis.responses.push_back({free_response(free, model, speed), std::nullopt, {}});
   if (const auto before = before_loss(free)) {
-    const Model intact = make_model(*before);
+    const Model intact = prepare(*before);
     for (std::size_t k = 0; k < speeds.size(); ++k)
       analysis.responses[k].before_loss = free_response(*before, intact, speeds[k]);
   }

@@ -9,12 +9,12 @@
 
 #include "compare/modes/response_text.h"
 #include "compare/modes/rub_analysis.h"
-#include "native_model/rotor/campbell.h"
-#include "native_model/rotor/mode_shapes.h"
+#include "native_model/linear/campbell.h"
+#include "native_model/linear/levitation.h"
+#include "native_model/linear/mode_shapes.h"
+#include "native_model/linear/whirl_system.h"
 #include "native_model/rotor/mode_truncation.h"
-#include "native_model/rotor/whirl_system.h"
 #include "native_model/scene/scene.h"
-#include "native_model/system/levitation.h"
 
 namespace rotorub {
 

@@ -13,10 +13,11 @@
 #include "compare/base/json.h"
 #include "compare/base/units.h"
 #include "compare/modes/rotor_analysis.h"
-#include "native_model/dynamics/linear_parts.h"
+#include "native_model/linear/free_motion.h"
+#include "native_model/model/linear_parts.h"
 #include "native_model/numerics/linear_solve.h"
+#include "native_model/prepare/prepare.h"
 #include "native_model/rotor/refusal.h"
-#include "native_model/system/free_motion.h"
 
 namespace rotorub {
 namespace {
@@ -158,7 +159,7 @@ double sag(const Model& m) {
 std::string leave_out(scene::Scene& scene) {
   constexpr double kHeld = 1e3;  // clearances
   if (!scene.gravity || scene.gravity->acceleration.isZero(0.0)) return "";
-  const Model m = make_model(without_start(scene));
+  const Model m = prepare(without_start(scene));
   if (m.weight.size() > 0 && !(sag(m) < kHeld * m.first().contact->clearance)) {
     scene::refuse_at(scene, "gravity",
                      "no lasting rub can be analysed: nothing but rings holds the rotor against "

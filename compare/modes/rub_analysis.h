@@ -6,9 +6,9 @@
 #include <string>
 #include <vector>
 
-#include "native_model/rotor/campbell.h"
-#include "native_model/rub/driven_rub.h"
-#include "native_model/rub/rub_map.h"
+#include "native_model/linear/campbell.h"
+#include "native_model/linear/driven_rub.h"
+#include "native_model/linear/rub_map.h"
 #include "native_model/scene/scene.h"
 
 namespace rotorub {

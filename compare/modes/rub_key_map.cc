@@ -5,8 +5,8 @@
 #include <algorithm>
 #include <utility>
 
+#include "native_model/linear/rub_system.h"
 #include "native_model/rotor/refusal.h"
-#include "native_model/rub/rub_system.h"
 #include "native_model/scene/diagnostic.h"
 
 namespace rotorub {

@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-#include "native_model/rub/rub_map.h"
+#include "native_model/linear/rub_map.h"
 #include "native_model/scene/reader.h"
 
 namespace rotorub {

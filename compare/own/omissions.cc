@@ -10,12 +10,12 @@
 #include <utility>
 
 #include "compare/engine/mujoco_model.h"
-#include "native_model/dynamics/dynamics.h"
+#include "native_model/model/dynamics.h"
 #include "plugin/contact/contact_memory.h"
 #include "plugin/contact/contact_space.h"
 #include "plugin/contact_force.h"
-#include "plugin/message.h"
-#include "plugin/mujoco_versions.h"
+#include "plugin/model/message.h"
+#include "plugin/model/mujoco_versions.h"
 
 namespace rotorub {
 namespace {

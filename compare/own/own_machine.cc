@@ -13,14 +13,16 @@
 #include "mjcf/mujoco_version.h"
 #include "mjcf/names.h"
 #include "mjcf/soft_contact.h"
+#include "native_model/model/model.h"
+#include "native_model/model/model_checks.h"
+#include "native_model/prepare/prepare.h"
 #include "native_model/scene/diagnostic.h"
 #include "native_model/scene/reader.h"
 #include "native_model/stepping/step_limit.h"
-#include "native_model/system/model.h"
-#include "native_model/system/model_checks.h"
 #include "native_model/trajectory/recorder.h"
-#include "plugin/message.h"
-#include "plugin/options.h"
+#include "plugin/make_config.h"
+#include "plugin/model/message.h"
+#include "plugin/model/options.h"
 #include "plugin/own/own_names.h"
 #include "plugin/twin/native_twin.h"
 
@@ -306,7 +308,7 @@ OwnMachine::OwnMachine(const std::filesystem::path& file, const OwnRun& run) : f
   scene_.name = file.stem().string();
   scene_.text = text_of(file);
   scene_.run.end = run.end;
-  if (controller_) make_model(scene_);  // what is wrong with its law is said here
+  if (controller_) prepare(scene_);  // what is wrong with its law is said here
 }
 
 plugin::NativeTwin OwnMachine::twin(const mjModel* m, const plugin::Config& config) const {
@@ -348,7 +350,7 @@ MujocoSetup OwnMachine::setup(scene::ContactModel contact, double step, OwnSolre
     set_default_solref(m, *setup.config);
     setup.config = std::make_unique<const plugin::Config>(plugin::make_config(m));
   }
-  setup.model = std::make_shared<const Model>(make_model(made->scene));
+  setup.model = std::make_shared<const Model>(prepare(made->scene));
   setup.read = [made, m](const mjData* d, double* q, double* v) { made->read(m, d, q, v); };
   if (controller_) {
     auto control = std::make_shared<RingControl>(setup.model, setup.read, actuators_);

@@ -10,9 +10,9 @@
 #include <vector>
 
 #include "compare/engine/mujoco_engine.h"
+#include "native_model/model/actuation.h"
 #include "native_model/scene/scene.h"
-#include "native_model/system/actuation.h"
-#include "plugin/config.h"
+#include "plugin/model/config.h"
 
 namespace rotorub {
 

@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "compare/modes/rub_key_map.h"
-#include "native_model/rub/rub_map.h"
+#include "native_model/linear/rub_map.h"
 #include "native_model/scene/scene.h"
 
 namespace rotorub {

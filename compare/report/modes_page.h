@@ -9,7 +9,7 @@
 #include <vector>
 
 #include "compare/modes/rotor_analysis.h"
-#include "native_model/rotor/campbell.h"
+#include "native_model/linear/campbell.h"
 #include "native_model/scene/scene.h"
 
 namespace rotorub {

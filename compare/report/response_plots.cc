@@ -13,7 +13,7 @@
 #include "compare/base/units.h"
 #include "compare/modes/rotor_analysis.h"
 #include "compare/report/plot_points.h"
-#include "native_model/system/synchronous_response.h"
+#include "native_model/linear/synchronous_response.h"
 
 namespace rotorub {
 namespace {

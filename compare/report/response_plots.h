@@ -5,7 +5,7 @@
 #include <nlohmann/json_fwd.hpp>
 #include <vector>
 
-#include "native_model/rotor/stiffness_map.h"
+#include "native_model/linear/stiffness_map.h"
 #include "native_model/scene/scene.h"
 
 namespace rotorub {

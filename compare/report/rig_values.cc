@@ -10,7 +10,8 @@
 #include "compare/report/pack/packed_run.h"
 #include "compare/report/plot_points.h"
 #include "native_model/bearing/drive.h"
-#include "native_model/system/model.h"
+#include "native_model/model/model.h"
+#include "native_model/prepare/prepare.h"
 
 namespace rotorub {
 
@@ -119,7 +120,7 @@ json contacts_values(const scene::Scene& scene, const std::optional<renders::Mac
 
 json actuator_curves(const scene::Scene& scene, std::size_t bearing) {
   json curves = json::array();
-  const Model model = make_model(scene);
+  const Model model = prepare(scene);
   const auto& magnets = model.auxiliary[bearing].magnets;
   if (!magnets) return curves;
   const double travel = shown_travel(*scene.auxiliary[bearing].actuator);

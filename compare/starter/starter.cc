@@ -7,10 +7,11 @@
 #include <numbers>
 
 #include "compare/starter/starter_text.h"
+#include "native_model/model/model.h"
+#include "native_model/prepare/prepare.h"
 #include "native_model/scene/diagnostic.h"
 #include "native_model/scene/reader.h"
 #include "native_model/scene/text.h"
-#include "native_model/system/model.h"
 
 namespace rotorub {
 namespace {
@@ -128,7 +129,7 @@ scene::Scene read_back(const Starter& starter, const StarterSizes& sizes) {
 Eigen::Vector2d on_orbit(const Starter& starter, StarterSizes sizes) {
   // All of the load acts from the beginning; magnets that fail do so later.
   if (starter.form != StarterForm::kTwoCatchers) sizes.on = 0.0;
-  const Model model = make_model(read_back(starter, sizes));
+  const Model model = prepare(read_back(starter, sizes));
   const int n = model.layout.modes;
   return {model.first().shape.x.dot(model.q0.segment(model.layout.x(), n)),
           model.first().shape.y.dot(model.q0.segment(model.layout.y(), n))};
@@ -184,7 +185,7 @@ std::string starter_scene(const Starter& starter) {
   }
   sizes.step = std::min(
       sizes.step,
-      rounded_down(2.0 * pi / highest_frequency(make_model(read_back(starter, sizes))) / 38.0));
+      rounded_down(2.0 * pi / highest_frequency(prepare(read_back(starter, sizes))) / 38.0));
   read_back(starter, sizes);
   return starter_text(starter, sizes);
 }

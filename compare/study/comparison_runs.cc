@@ -7,8 +7,9 @@
 #include <utility>
 
 #include "compare/own/own_machine.h"
+#include "native_model/model/model.h"
+#include "native_model/prepare/prepare.h"
 #include "native_model/scene/diagnostic.h"
-#include "native_model/system/model.h"
 
 namespace rotorub {
 namespace {
@@ -273,7 +274,7 @@ void time_runs(Runner& runner, const std::vector<Contestant>& all, int repeats,
 }
 
 bool has_commands(const scene::Scene& scene) {
-  return scene.first().controller && make_model(scene).first().controller != nullptr;
+  return scene.first().controller && prepare(scene).first().controller != nullptr;
 }
 
 std::vector<double> replay_floor(Runner& runner, const scene::Scene& scene) {

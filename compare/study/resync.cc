@@ -3,8 +3,9 @@
 #include <algorithm>
 #include <cmath>
 
-#include "native_model/dynamics/dynamics.h"
 #include "native_model/event/driver.h"
+#include "native_model/model/dynamics.h"
+#include "native_model/prepare/prepare.h"
 #include "native_model/trajectory/recorder.h"
 
 namespace rotorub {
@@ -194,7 +195,7 @@ std::vector<PredictedOnset> predict(const scene::Scene& scene, const std::vector
                                     std::shared_ptr<const CommandRecord> commands, double step,
                                     const std::function<void(double)>& progress,
                                     const std::atomic<bool>* interrupt) {
-  const Model model = replayed(make_model(scene), std::move(commands));
+  const Model model = replayed(prepare(scene), std::move(commands));
   EventParameters settings;
   settings.force_bin = step;
   EventIntegrator integrator(model, settings);

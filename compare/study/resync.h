@@ -13,8 +13,8 @@
 #include "compare/engine/engine.h"
 #include "compare/study/trust.h"
 #include "native_model/control/command_record.h"
+#include "native_model/model/model.h"
 #include "native_model/scene/scene.h"
-#include "native_model/system/model.h"
 #include "native_model/trajectory/recorder.h"
 
 namespace rotorub {

@@ -14,6 +14,7 @@
 #include "compare/study/comparison_runs.h"
 #include "compare/study/twins.h"
 #include "compare/study/verdict.h"
+#include "native_model/prepare/prepare.h"
 #include "native_model/scene/diagnostic.h"
 #include "native_model/trajectory/recorder.h"
 
@@ -85,7 +86,7 @@ class Comparison {
         all_(contestants(scene, options)),
         runner_(scene, options, total_work(all_, options)),
         times_(dense_times(scene.run, options.rows)),
-        model_(make_model(scene)),
+        model_(prepare(scene)),
         tapes_(all_.size()) {
     result_.scene = scene;
     result_.mode = options.mode;

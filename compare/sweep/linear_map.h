@@ -1,5 +1,5 @@
 // The linear map of a study: for each of its points, which lasting rubs there are and which are
-// stable, by eigenvalues (native_model/rub/rub_map.h). No run is needed for it.
+// stable, by eigenvalues (native_model/linear/rub_map.h). No run is needed for it.
 #pragma once
 
 #include <optional>
@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "compare/sweep/sample.h"
-#include "native_model/rub/rub_map.h"
+#include "native_model/linear/rub_map.h"
 
 namespace rotorub::sweep {
 

@@ -8,8 +8,9 @@
 #include <cmath>
 #include <optional>
 
+#include "native_model/model/model.h"
+#include "native_model/prepare/prepare.h"
 #include "native_model/scene/overrides.h"
-#include "native_model/system/model.h"
 
 namespace rotorub::sweep {
 
@@ -190,7 +191,7 @@ void PointScenes::check() const {
   std::optional<scene::SceneError> first;
   for (const std::int64_t index : {std::int64_t{0}, sample_.size() / 2, sample_.size() - 1}) {
     try {
-      make_model(at(index));
+      prepare(at(index));
       return;
     } catch (const scene::SceneError& error) {
       if (!first) first = error;

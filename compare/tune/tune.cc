@@ -16,7 +16,8 @@
 #include "compare/metrics/rows.h"
 #include "compare/study/trust.h"
 #include "compare/study/twins.h"
-#include "native_model/system/model.h"
+#include "native_model/model/model.h"
+#include "native_model/prepare/prepare.h"
 
 namespace rotorub::tune {
 namespace {
@@ -232,7 +233,7 @@ TuneResult tune_scene(const bench::SceneReader& reader, const TuneParameters& pa
   TuneResult result;
   result.scene = reader({});
   result.tolerance = parameters.tolerance;
-  result.modes = make_model(result.scene).layout.modes;
+  result.modes = prepare(result.scene).layout.modes;
   const auto stopped = [&] { return result.interrupted = bench::stopped(parameters.interrupt); };
   const auto say = [&](double share, const std::string& what) {
     if (parameters.progress) parameters.progress(share, what);

@@ -8,7 +8,7 @@
 namespace rotorub {
 
 // Piecewise constant: a command holds from its piece's begin until the next one's, the last for
-// ever; 0 before the first. In the units of control_command (system/actuation.h): the force on the
+// ever; 0 before the first. In the units of control_command (model/actuation.h): the force on the
 // ring, N, fixed frame, or with magnets the currents of the two axes, A.
 class CommandRecord {
  public:

@@ -1,7 +1,7 @@
 // What happens at contacts that give (contact/compliance.h): touch, release, stick and slip.
 
-#include "native_model/dynamics/dynamics.h"
 #include "native_model/event/driver.h"
+#include "native_model/model/dynamics.h"
 
 namespace rotorub {
 namespace {

@@ -4,9 +4,9 @@
 #include <algorithm>
 #include <cmath>
 
-#include "native_model/dynamics/dynamics.h"
 #include "native_model/event/driver.h"
 #include "native_model/event/location.h"
+#include "native_model/model/dynamics.h"
 
 namespace rotorub {
 namespace {

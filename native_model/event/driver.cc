@@ -3,10 +3,10 @@
 #include <algorithm>
 #include <cmath>
 
-#include "native_model/dynamics/dynamics.h"
 #include "native_model/event/location.h"
-#include "native_model/system/actuation.h"
-#include "native_model/system/sampled_feedback.h"
+#include "native_model/model/actuation.h"
+#include "native_model/model/dynamics.h"
+#include "native_model/model/sampled_feedback.h"
 #include "native_model/trajectory/range_check.h"
 
 namespace rotorub {

@@ -17,7 +17,7 @@
 #include "native_model/event/impact.h"
 #include "native_model/event/schedule.h"
 #include "native_model/event/smooth_step.h"
-#include "native_model/system/actuation.h"
+#include "native_model/model/actuation.h"
 
 namespace rotorub {
 

@@ -3,7 +3,7 @@
 #include <algorithm>
 
 #include "native_model/contact/impact.h"
-#include "native_model/dynamics/dynamics.h"
+#include "native_model/model/dynamics.h"
 
 namespace rotorub {
 namespace {
@@ -93,7 +93,7 @@ EventImpact::Outcome EventImpact::at_once(Motion& motion, std::span<const Closed
   return out;
 }
 
-// The clock goes on (system/finite_impact.h). A run that ends within the impact takes the part
+// The clock goes on (model/finite_impact.h). A run that ends within the impact takes the part
 // until then.
 EventImpact::Outcome EventImpact::over_time(Motion& motion, const ContactPoint& touch, double end) {
   const Status status = finite_.begin(motion.t, motion.q(), motion.v(),

@@ -4,9 +4,9 @@
 
 #include <span>
 
-#include "native_model/dynamics/constraint.h"
 #include "native_model/event/observer.h"
-#include "native_model/system/finite_impact.h"
+#include "native_model/model/constraint.h"
+#include "native_model/model/finite_impact.h"
 
 namespace rotorub {
 

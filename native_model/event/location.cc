@@ -6,7 +6,7 @@
 
 #include <boost/math/tools/roots.hpp>
 
-#include "native_model/dynamics/dynamics.h"
+#include "native_model/model/dynamics.h"
 #include "native_model/numerics/root.h"
 #include "native_model/trajectory/range_check.h"
 

@@ -4,9 +4,9 @@
 #include <cmath>
 
 #include "native_model/contact/impact.h"
-#include "native_model/dynamics/dynamics.h"
 #include "native_model/event/location.h"
-#include "native_model/system/actuation.h"
+#include "native_model/model/actuation.h"
+#include "native_model/model/dynamics.h"
 
 namespace rotorub {
 

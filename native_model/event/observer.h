@@ -4,9 +4,9 @@
 
 #include <vector>
 
-#include "native_model/dynamics/constraint.h"
 #include "native_model/event/smooth_step.h"
-#include "native_model/system/finite_impact.h"
+#include "native_model/model/constraint.h"
+#include "native_model/model/finite_impact.h"
 #include "native_model/trajectory/recorder.h"
 
 namespace rotorub {

@@ -3,8 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
-#include "native_model/dynamics/dynamics.h"
-#include "native_model/system/actuation.h"
+#include "native_model/model/actuation.h"
+#include "native_model/model/dynamics.h"
 
 namespace rotorub {
 

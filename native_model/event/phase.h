@@ -19,10 +19,10 @@
 #include <span>
 #include <vector>
 
-#include "native_model/dynamics/constraint.h"
-#include "native_model/dynamics/inverse_mass.h"
 #include "native_model/event/contact_state.h"
-#include "native_model/system/model.h"
+#include "native_model/model/constraint.h"
+#include "native_model/model/inverse_mass.h"
+#include "native_model/model/model.h"
 
 namespace rotorub {
 

@@ -4,7 +4,7 @@
 
 #include <vector>
 
-#include "native_model/system/model.h"
+#include "native_model/model/model.h"
 
 namespace rotorub {
 

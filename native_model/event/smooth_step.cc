@@ -4,7 +4,7 @@
 #include <cmath>
 #include <limits>
 
-#include "native_model/dynamics/dynamics.h"
+#include "native_model/model/dynamics.h"
 #include "native_model/scene/text.h"
 
 namespace rotorub {

@@ -8,15 +8,15 @@
 #include <string>
 #include <vector>
 
-#include "native_model/dynamics/dynamics.h"
-#include "native_model/run/status_reason.h"
+#include "native_model/model/actuation.h"
+#include "native_model/model/dynamics.h"
 #include "native_model/run/step_commands.h"
 #include "native_model/stepping/step_limit.h"
 #include "native_model/stepping/stepper.h"
-#include "native_model/system/actuation.h"
 #include "native_model/trajectory/contact_episodes.h"
 #include "native_model/trajectory/range_check.h"
 #include "native_model/trajectory/recorder.h"
+#include "native_model/trajectory/status_reason.h"
 
 namespace rotorub {
 namespace {

@@ -1,8 +1,8 @@
 // Whole runs of the fixed steps: steps, controllers, recorder, and the checks that end a run.
 #pragma once
 
+#include "native_model/model/model.h"
 #include "native_model/run/run_native.h"
-#include "native_model/system/model.h"
 
 namespace rotorub {
 

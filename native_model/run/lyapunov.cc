@@ -6,11 +6,12 @@
 #include <numbers>
 #include <vector>
 
+#include "native_model/model/model.h"
+#include "native_model/prepare/prepare.h"
 #include "native_model/run/continued.h"
 #include "native_model/run/run_native.h"
 #include "native_model/scene/diagnostic.h"
 #include "native_model/scene/scene.h"
-#include "native_model/system/model.h"
 
 namespace rotorub {
 namespace {
@@ -54,7 +55,7 @@ struct StartVector {
 
 // Of every list of the start as many values as it has.
 scene::Scene with_whole_start(scene::Scene s) {
-  const Layout l = make_model(s).layout;
+  const Layout l = prepare(s).layout;
   for (std::vector<double>* list : {&s.initial.x, &s.initial.y, &s.initial.vx, &s.initial.vy})
     list->resize(static_cast<std::size_t>(l.modes), 0.0);
   for (std::vector<double>* list : {&s.initial.torsion, &s.initial.torsion_speed})
@@ -81,7 +82,7 @@ Lyapunov largest_lyapunov(const scene::Scene& start, const LyapunovParameters& p
     const scene::Scene there = vector.moved(s, by);
     if (!either_way) return there;
     try {
-      make_model(there);
+      prepare(there);
     } catch (const scene::SceneError&) {
       return vector.moved(s, -by);
     }

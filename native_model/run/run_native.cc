@@ -4,9 +4,10 @@
 #include <chrono>
 
 #include "native_model/event/driver.h"
+#include "native_model/model/model_checks.h"
+#include "native_model/prepare/prepare.h"
 #include "native_model/run/fixed_run.h"
 #include "native_model/scene/record.h"
-#include "native_model/system/model_checks.h"
 #include "native_model/trajectory/recorder.h"
 
 namespace rotorub {
@@ -43,7 +44,7 @@ Trajectory run_event(const Model& model, const scene::Run& run, const NativeOpti
 }  // namespace
 
 Trajectory run_native(const scene::Scene& scene, const NativeOptions& options) {
-  const Model model = replayed(make_model(scene), options.commands);
+  const Model model = replayed(prepare(scene), options.commands);
   const double step = options.step.value_or(scene.run.step);
   const scene::Integrator integrator = options.integrator.value_or(scene.run.integrator);
   const std::vector<double>* times = options.output_times ? &*options.output_times : nullptr;

@@ -11,9 +11,9 @@
 #include <vector>
 
 #include "native_model/contact/most_contacts.h"
+#include "native_model/model/model.h"
 #include "native_model/stepping/stepper.h"
 #include "native_model/stepping/zero_order_hold.h"
-#include "native_model/system/model.h"
 
 namespace rotorub {
 

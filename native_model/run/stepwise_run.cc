@@ -7,7 +7,8 @@
 
 #include "native_model/contact/impact.h"
 #include "native_model/control/magnetic_library.h"
-#include "native_model/dynamics/equations.h"
+#include "native_model/model/equations.h"
+#include "native_model/prepare/prepare.h"
 #include "native_model/scene/record.h"
 #include "native_model/trajectory/columns.h"
 
@@ -66,7 +67,7 @@ void StepwiseRun::add_vector(const std::string& name, const char* unit,
 }
 
 Model StepwiseRun::with_inputs(const scene::Scene& scene) {
-  Model model = make_model(scene);
+  Model model = prepare(scene);
   for (std::size_t k = 0; k < model.auxiliary.size(); ++k) {
     AuxiliaryBearing& at = model.auxiliary[k];
     if (!at.moves() || !is_left_to_others(scene.auxiliary[k].controller)) continue;

@@ -42,7 +42,7 @@ struct Gravity {
   std::vector<double> participation;       // kg
 };
 
-// How bearings, rings and actuators are accelerated: system/base_motion.h.
+// How bearings, rings and actuators are accelerated: model/base_motion.h.
 struct Base {
   std::vector<double> time;                            // s, ascending, none or at least 2
   std::vector<double> acceleration_x, acceleration_y;  // m/s^2, at each time; empty: 0

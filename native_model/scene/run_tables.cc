@@ -8,7 +8,7 @@ namespace rotorub::scene {
 namespace {
 
 constexpr double kMostRows =
-    1e7;  // of a series; the engines know its columns too (system/model_checks.h)
+    1e7;  // of a series; the engines know its columns too (model/model_checks.h)
 constexpr double kGapTolerance =
     1e-9;  // of the clearance: a rotor that starts on the ring is meant to
 

@@ -25,11 +25,11 @@ namespace rotorub::scene {
 
 class Record;
 
-// The lasting rub that a run starts on (rub/rub_start.h).
+// The lasting rub that a run starts on (prepare/rub_start.h).
 enum class StartingRub { kNone, kSynchronous, kWhip, kRolling };
 
 // Missing lists mean 0. Modal coordinates at t = 0. steady: on the steady free orbit
-// (system/steady_orbit.h); the lists then are added to it, or to the rub.
+// (linear/steady_orbit.h); the lists then are added to it, or to the rub.
 struct Initial {
   bool steady = false;
   StartingRub rub = StartingRub::kNone;

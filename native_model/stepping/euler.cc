@@ -3,10 +3,10 @@
 #include <utility>
 
 #include "native_model/contact/impact.h"
-#include "native_model/dynamics/constraint.h"
-#include "native_model/dynamics/dynamics.h"
-#include "native_model/system/actuation.h"
-#include "native_model/system/sampled_feedback.h"
+#include "native_model/model/actuation.h"
+#include "native_model/model/constraint.h"
+#include "native_model/model/dynamics.h"
+#include "native_model/model/sampled_feedback.h"
 
 namespace rotorub {
 namespace {

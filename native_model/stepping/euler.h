@@ -10,8 +10,8 @@
 #include <vector>
 
 #include "native_model/contact/coupled_law.h"
+#include "native_model/model/model.h"
 #include "native_model/stepping/stepper.h"
-#include "native_model/system/model.h"
 
 namespace rotorub {
 

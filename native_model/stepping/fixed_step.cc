@@ -1,7 +1,7 @@
 #include "native_model/stepping/fixed_step.h"
 
 #include "native_model/contact/kinematics.h"
-#include "native_model/dynamics/dynamics.h"
+#include "native_model/model/dynamics.h"
 
 namespace rotorub {
 namespace {

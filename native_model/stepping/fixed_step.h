@@ -6,8 +6,8 @@
 #include <span>
 
 #include "native_model/contact/planar_contact.h"
+#include "native_model/model/model.h"
 #include "native_model/numerics/status.h"
-#include "native_model/system/model.h"
 #include "native_model/trajectory/trajectory.h"
 
 namespace rotorub {

@@ -4,11 +4,11 @@
 #include <cmath>
 #include <utility>
 
-#include "native_model/dynamics/dynamics.h"
-#include "native_model/dynamics/feedback_equations.h"
-#include "native_model/dynamics/loads.h"
-#include "native_model/system/actuation.h"
-#include "native_model/system/sampled_feedback.h"
+#include "native_model/model/actuation.h"
+#include "native_model/model/dynamics.h"
+#include "native_model/model/feedback_equations.h"
+#include "native_model/model/loads.h"
+#include "native_model/model/sampled_feedback.h"
 
 namespace rotorub {
 namespace {

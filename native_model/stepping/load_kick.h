@@ -16,7 +16,7 @@
 #include <vector>
 
 #include "native_model/contact/most_contacts.h"
-#include "native_model/dynamics/equations.h"
+#include "native_model/model/equations.h"
 #include "native_model/stepping/fixed_step.h"
 #include "native_model/stepping/step_state.h"
 #include "native_model/stepping/stepped_loads.h"
@@ -29,7 +29,7 @@ class LoadKick {
   // The model must outlive this. h: s.
   LoadKick(const Model& m, double h);
 
-  // The commands of the actuators over the step (system/actuation.h): the force on each ring, N, or
+  // The commands of the actuators over the step (model/actuation.h): the force on each ring, N, or
   // the currents of the two axes, A.
   using Commands = std::array<Eigen::Vector2d, kMaxContacts>;
   Commands command;

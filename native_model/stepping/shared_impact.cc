@@ -3,7 +3,7 @@
 #include <algorithm>
 
 #include "native_model/contact/impact.h"
-#include "native_model/dynamics/dynamics.h"
+#include "native_model/model/dynamics.h"
 
 namespace rotorub {
 namespace {

@@ -3,7 +3,7 @@
 
 #include <array>
 
-#include "native_model/dynamics/constraint.h"
+#include "native_model/model/constraint.h"
 #include "native_model/stepping/step_contacts.h"
 
 namespace rotorub {

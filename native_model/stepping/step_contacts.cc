@@ -5,7 +5,7 @@
 #include <limits>
 
 #include "native_model/contact/kinematics.h"
-#include "native_model/dynamics/dynamics.h"
+#include "native_model/model/dynamics.h"
 
 namespace rotorub {
 

@@ -25,7 +25,7 @@
 #include "native_model/contact/kinematics.h"
 #include "native_model/contact/most_contacts.h"
 #include "native_model/contact/step_contact.h"
-#include "native_model/dynamics/equations.h"
+#include "native_model/model/equations.h"
 #include "native_model/stepping/fixed_step.h"
 #include "native_model/stepping/load_kick.h"
 

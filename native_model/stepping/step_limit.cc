@@ -6,8 +6,8 @@
 #include <cstdio>
 #include <limits>
 
-#include "native_model/dynamics/dynamics.h"
-#include "native_model/system/sampled_feedback.h"
+#include "native_model/model/dynamics.h"
+#include "native_model/model/sampled_feedback.h"
 
 namespace rotorub {
 namespace {

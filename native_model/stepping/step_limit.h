@@ -3,7 +3,7 @@
 
 #include <string>
 
-#include "native_model/system/model.h"
+#include "native_model/model/model.h"
 
 namespace rotorub {
 

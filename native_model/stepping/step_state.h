@@ -6,9 +6,9 @@
 #include <cstdint>
 #include <vector>
 
+#include "native_model/model/model.h"
 #include "native_model/numerics/loops.h"
 #include "native_model/numerics/status.h"
-#include "native_model/system/model.h"
 
 namespace rotorub {
 

@@ -7,8 +7,8 @@
 #include <cstdint>
 #include <vector>
 
-#include "native_model/dynamics/loads.h"
-#include "native_model/system/model.h"
+#include "native_model/model/loads.h"
+#include "native_model/model/model.h"
 
 namespace rotorub {
 

@@ -9,9 +9,9 @@
 #include <memory>
 #include <span>
 
+#include "native_model/model/model.h"
 #include "native_model/scene/run.h"
 #include "native_model/stepping/fixed_step.h"
-#include "native_model/system/model.h"
 
 namespace rotorub {
 

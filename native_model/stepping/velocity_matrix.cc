@@ -3,7 +3,7 @@
 #include <Eigen/Core>
 #include <algorithm>
 
-#include "native_model/dynamics/linear_parts.h"
+#include "native_model/model/linear_parts.h"
 #include "native_model/numerics/linear_solve.h"
 #include "native_model/numerics/small_matrix.h"
 

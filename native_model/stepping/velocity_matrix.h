@@ -10,8 +10,8 @@
 
 #include <vector>
 
-#include "native_model/dynamics/equations.h"
-#include "native_model/system/model.h"
+#include "native_model/model/equations.h"
+#include "native_model/model/model.h"
 
 namespace rotorub {
 

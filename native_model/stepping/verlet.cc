@@ -5,9 +5,9 @@
 #include <limits>
 
 #include "native_model/contact/kinematics.h"
-#include "native_model/dynamics/dynamics.h"
+#include "native_model/model/actuation.h"
+#include "native_model/model/dynamics.h"
 #include "native_model/stepping/shared_impact.h"
-#include "native_model/system/actuation.h"
 
 namespace rotorub {
 namespace {

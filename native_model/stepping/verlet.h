@@ -13,7 +13,7 @@
 // Of the jump w of the velocities by an impact at the share theta of the step, this step takes
 // (1 - theta) w, the next one the rest, and what the loads that depend on velocities miss of it,
 // -(theta - 1/2) h M^-1 (F(v + w) - F(v)); without that term order 2 is lost. An impact that takes
-// time (system/finite_impact.h) goes on over steps; flight is taken up again where it ends, at any
+// time (model/finite_impact.h) goes on over steps; flight is taken up again where it ends, at any
 // share of a step.
 #pragma once
 
@@ -22,8 +22,8 @@
 #include <cstdint>
 #include <optional>
 
+#include "native_model/model/finite_impact.h"
 #include "native_model/stepping/step_contacts.h"
-#include "native_model/system/finite_impact.h"
 
 namespace rotorub {
 

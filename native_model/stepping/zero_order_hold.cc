@@ -6,9 +6,9 @@
 
 #include "native_model/bearing/actuator.h"
 #include "native_model/control/control_loop.h"
-#include "native_model/dynamics/dynamics.h"
+#include "native_model/model/actuation.h"
+#include "native_model/model/dynamics.h"
 #include "native_model/stepping/stepped_loads.h"
-#include "native_model/system/actuation.h"
 
 namespace rotorub {
 

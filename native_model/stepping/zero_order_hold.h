@@ -8,8 +8,8 @@
 #include <optional>
 #include <string>
 
+#include "native_model/model/actuation.h"
 #include "native_model/stepping/fixed_step.h"
-#include "native_model/system/actuation.h"
 
 namespace rotorub {
 
@@ -19,7 +19,7 @@ class ZeroOrderHold {
   explicit ZeroOrderHold(const Model& model, std::size_t bearing = 0)
       : model_(&model), bearing_(bearing), sampled_(model, bearing) {}
 
-  // The actuator's command (system/actuation.h) over the step that starts at t (s), from the
+  // The actuator's command (model/actuation.h) over the step that starts at t (s), from the
   // state there; ask once a step, in order. 0 before the controller is on and without one.
   const Eigen::Vector2d& at(double t, const double* q, const double* v);
 

@@ -6,7 +6,7 @@
 #include <charconv>
 
 #include "native_model/contact/most_contacts.h"
-#include "native_model/dynamics/dynamics.h"
+#include "native_model/model/dynamics.h"
 
 namespace rotorub {
 namespace {

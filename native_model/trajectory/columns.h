@@ -9,7 +9,7 @@
 #include <utility>
 #include <vector>
 
-#include "native_model/system/actuation.h"
+#include "native_model/model/actuation.h"
 #include "native_model/trajectory/trajectory.h"
 
 namespace rotorub {

@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-#include "native_model/run/status_reason.h"
+#include "native_model/trajectory/status_reason.h"
 
 namespace rotorub {
 

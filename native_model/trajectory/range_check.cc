@@ -3,7 +3,7 @@
 #include <cmath>
 
 #include "native_model/bearing/actuator.h"
-#include "native_model/dynamics/dynamics.h"
+#include "native_model/model/dynamics.h"
 #include "native_model/scene/text.h"
 
 namespace rotorub {

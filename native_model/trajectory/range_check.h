@@ -5,7 +5,7 @@
 #include <optional>
 #include <string>
 
-#include "native_model/system/model.h"
+#include "native_model/model/model.h"
 
 namespace rotorub {
 

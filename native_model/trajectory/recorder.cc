@@ -5,7 +5,7 @@
 #include <cmath>
 #include <limits>
 
-#include "native_model/dynamics/dynamics.h"
+#include "native_model/model/dynamics.h"
 #include "native_model/scene/run.h"
 #include "native_model/trajectory/columns.h"
 

@@ -10,8 +10,8 @@
 
 #include "native_model/contact/impact_record.h"
 #include "native_model/contact/planar_contact.h"
+#include "native_model/model/model.h"
 #include "native_model/numerics/status.h"
-#include "native_model/system/model.h"
 #include "native_model/trajectory/full_passes.h"
 #include "native_model/trajectory/keyphasor.h"
 

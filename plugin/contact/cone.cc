@@ -5,9 +5,9 @@
 #include <vector>
 
 #include "native_model/contact/disc_law.h"
-#include "plugin/actuators.h"
 #include "plugin/contact/constraint_probe.h"
-#include "plugin/mujoco_dynamics.h"
+#include "plugin/model/actuators.h"
+#include "plugin/model/mujoco_dynamics.h"
 
 namespace rotorub::plugin {
 

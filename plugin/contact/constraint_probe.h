@@ -14,7 +14,7 @@
 
 #include "native_model/contact/rigid_law.h"
 #include "plugin/contact/contact_space.h"
-#include "plugin/mujoco_versions.h"
+#include "plugin/model/mujoco_versions.h"
 
 namespace rotorub::plugin {
 

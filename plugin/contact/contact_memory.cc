@@ -6,7 +6,7 @@
 #include "native_model/scene/mujoco.h"
 #include "plugin/contact/contact_space.h"
 #include "plugin/contact/relative_motion.h"
-#include "plugin/user_data.h"
+#include "plugin/model/user_data.h"
 
 namespace rotorub::plugin {
 namespace {

@@ -9,11 +9,11 @@
 
 #include "native_model/contact/rigid_law.h"
 #include "native_model/trajectory/trajectory.h"
-#include "plugin/config.h"
-#include "plugin/load_cells.h"
-#include "plugin/message.h"
-#include "plugin/mujoco_versions.h"
-#include "plugin/user_data.h"
+#include "plugin/contact/noted_contact.h"
+#include "plugin/model/config.h"
+#include "plugin/model/message.h"
+#include "plugin/model/mujoco_versions.h"
+#include "plugin/model/user_data.h"
 
 namespace rotorub::plugin {
 

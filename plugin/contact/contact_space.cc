@@ -3,8 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
-#include "native_model/dynamics/dynamics.h"
-#include "plugin/generated_rotor.h"
+#include "native_model/model/dynamics.h"
+#include "plugin/model/generated_rotor.h"
 
 namespace rotorub::plugin {
 namespace {

@@ -14,9 +14,9 @@
 
 #include "native_model/contact/coupled_law.h"
 #include "native_model/contact/kinematics.h"
-#include "plugin/config.h"
 #include "plugin/contact/step_matrix.h"
-#include "plugin/mujoco_versions.h"
+#include "plugin/model/config.h"
+#include "plugin/model/mujoco_versions.h"
 
 namespace rotorub::plugin {
 

@@ -7,17 +7,17 @@
 
 #include "native_model/contact/constrained_law.h"
 #include "native_model/contact/impact.h"
-#include "native_model/dynamics/dynamics.h"
+#include "native_model/model/dynamics.h"
 #include "native_model/scene/mujoco.h"
 #include "native_model/trajectory/trajectory.h"
-#include "plugin/actuators.h"
 #include "plugin/contact/constraint_probe.h"
 #include "plugin/contact/contact_memory.h"
 #include "plugin/contact/contact_space.h"
-#include "plugin/generated_rotor.h"
-#include "plugin/load_cells.h"
-#include "plugin/options.h"
-#include "plugin/user_data.h"
+#include "plugin/contact/noted_contact.h"
+#include "plugin/model/actuators.h"
+#include "plugin/model/generated_rotor.h"
+#include "plugin/model/options.h"
+#include "plugin/model/user_data.h"
 
 namespace rotorub::plugin {
 namespace {

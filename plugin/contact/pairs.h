@@ -10,8 +10,8 @@
 
 #include <mujoco/mujoco.h>
 
-#include "plugin/config.h"
-#include "plugin/mujoco_versions.h"
+#include "plugin/model/config.h"
+#include "plugin/model/mujoco_versions.h"
 
 namespace rotorub::plugin {
 

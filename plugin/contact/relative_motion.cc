@@ -4,7 +4,7 @@
 #include <cmath>
 
 #include "plugin/contact/contact_space.h"
-#include "plugin/mujoco_dynamics.h"
+#include "plugin/model/mujoco_dynamics.h"
 
 namespace rotorub::plugin {
 namespace {

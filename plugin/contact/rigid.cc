@@ -6,13 +6,14 @@
 #include "native_model/contact/coupled_law.h"
 #include "native_model/contact/kinematics.h"
 #include "native_model/scene/mujoco.h"
-#include "plugin/actuators.h"
 #include "plugin/contact/constraint_probe.h"
 #include "plugin/contact/contact_memory.h"
 #include "plugin/contact/contact_space.h"
 #include "plugin/contact/coupled_step.h"
+#include "plugin/contact/noted_contact.h"
 #include "plugin/contact/relative_motion.h"
-#include "plugin/options.h"
+#include "plugin/model/actuators.h"
+#include "plugin/model/options.h"
 
 namespace rotorub::plugin {
 namespace {

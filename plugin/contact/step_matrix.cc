@@ -2,8 +2,8 @@
 
 #include <Eigen/Core>
 
-#include "plugin/mujoco_dynamics.h"
-#include "plugin/mujoco_versions.h"
+#include "plugin/model/mujoco_dynamics.h"
+#include "plugin/model/mujoco_versions.h"
 
 namespace rotorub::plugin {
 

@@ -8,7 +8,7 @@
 
 #include <algorithm>
 
-#include "plugin/mujoco_dynamics.h"
+#include "plugin/model/mujoco_dynamics.h"
 
 namespace rotorub::plugin {
 

@@ -6,19 +6,19 @@
 #include <utility>
 
 #include "native_model/bearing/actuator.h"
-#include "native_model/dynamics/dynamics.h"
+#include "native_model/model/dynamics.h"
 #include "native_model/stepping/stepper.h"
 #include "native_model/stepping/zero_order_hold.h"
-#include "plugin/actuators.h"
 #include "plugin/contact/contact_memory.h"
-#include "plugin/control.h"
-#include "plugin/differences.h"
-#include "plugin/generated_rotor.h"
-#include "plugin/load_cells.h"
-#include "plugin/mujoco_versions.h"
-#include "plugin/options.h"
-#include "plugin/thread_memory.h"
-#include "plugin/user_data.h"
+#include "plugin/contact/noted_contact.h"
+#include "plugin/model/actuators.h"
+#include "plugin/model/control.h"
+#include "plugin/model/differentiating.h"
+#include "plugin/model/generated_rotor.h"
+#include "plugin/model/mujoco_versions.h"
+#include "plugin/model/options.h"
+#include "plugin/model/thread_memory.h"
+#include "plugin/model/user_data.h"
 
 namespace rotorub::plugin {
 namespace {
@@ -128,7 +128,7 @@ Known known_of(const Config& config, const mjModel* m, const mjData* d, std::siz
   const double passed = d->time - entry[kVerletTime];
   // A state that is nudged has the memory of the one it was.
   const auto known = [&](const double* slot) {
-    return differentiating() || remembers(config, slot, state);
+    return Differentiating::in_this_thread() || remembers(config, slot, state);
   };
   if (begun && passed == 0.0 && known(before)) return Known::kPass;
   if (begun && std::abs(passed - h) <= 1e-6 * h && known(before + size)) return Known::kStepBefore;

@@ -13,12 +13,12 @@
 
 #include <mujoco/mujoco.h>
 
-#include "plugin/config.h"
-#include "plugin/generated_rotor.h"
+#include "plugin/model/config.h"
+#include "plugin/model/generated_rotor.h"
 
 namespace rotorub::plugin {
 
-// Entries of userdata for a model (plugin/user_data.h), without coils.
+// Entries of userdata for a model (plugin/model/user_data.h), without coils.
 int verlet_data_size(const Model& model);
 // Where the memory of the sampled controller stands (Config::loop_data).
 int verlet_loop_data(const Config& config);

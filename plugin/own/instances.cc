@@ -6,10 +6,9 @@
 #include <string_view>
 
 #include "mjcf/names.h"
-#include "plugin/callbacks.h"
-#include "plugin/config.h"
-#include "plugin/message.h"
-#include "plugin/mujoco_versions.h"
+#include "plugin/model/config.h"
+#include "plugin/model/message.h"
+#include "plugin/model/mujoco_versions.h"
 #include "plugin/own/own_names.h"
 
 namespace rotorub::plugin {
@@ -19,7 +18,6 @@ namespace {
 
 namespace names = mjcf_names;
 
-constexpr const char* kPlugin = "rotorub.contact";
 constexpr std::string_view kMark = "contact";  // in the name of every instance
 
 // The names of <custom>, and the same as keys.
@@ -40,34 +38,8 @@ constexpr auto kKeys = [] {
 int slot() {
   static std::atomic<int> known = -1;
   int at = known.load(std::memory_order_relaxed);
-  if (at < 0 && mjp_getPlugin(kPlugin, &at)) known.store(at, std::memory_order_relaxed);
+  if (at < 0 && mjp_getPlugin(kInstancePlugin, &at)) known.store(at, std::memory_order_relaxed);
   return at;
-}
-
-// mju_error may leave by longjmp: nothing with a destructor lives in the frame that calls it.
-thread_local char raised_text[1000];
-
-// Whether the model can be read; else why, in raised_text.
-bool can_be_read(const mjModel* m) {
-  try {
-    if (!callbacks_active()) {
-      refuse(message("<extension><plugin plugin=\"{}\">", kPlugin),
-             "the plugin's callbacks are not installed; accepted: a plugin::Hooks that lives as "
-             "long as the data");
-    }
-    make_config(m);
-    return true;
-  } catch (const std::exception& error) {
-    copy_lines(error.what(), raised_text);
-    return false;
-  }
-}
-
-// Of mj_makeData, and of the compiler: the model is refused when it is loaded.
-int check_instance(const mjModel* m, mjData*, int) {
-  if (can_be_read(m)) return 0;
-  raise_error(raised_text);
-  return -1;
 }
 
 // Calls action(instance, name).
@@ -110,22 +82,7 @@ PairName contact_of(const std::string& name) {
 
 }  // namespace
 
-void register_contact_plugin() {
-  if (mjp_getPlugin(kPlugin, nullptr)) return;  // another copy of this library has done it
-  mjpPlugin plugin;
-  mjp_defaultPlugin(&plugin);
-  plugin.name = kPlugin;
-  plugin.nattribute = static_cast<int>(kKeys.size());
-  plugin.attributes = kKeys.data();
-  // Of the capabilities that MuJoCo has, the one that asks nothing else of the model. All that is
-  // done is done in the callbacks.
-  plugin.capabilityflags = mjPLUGIN_PASSIVE;
-  plugin.nstate = [](const mjModel*, int) { return 0; };
-  plugin.init = check_instance;
-  plugin.reset = [](const mjModel*, mjtNum*, void*, int) {};
-  plugin.compute = [](const mjModel*, mjData*, int, int) {};
-  mjp_registerPlugin(&plugin);
-}
+std::span<const char* const> instance_keys() { return kKeys; }
 
 bool has_instances(const mjModel* m) {
   return m->nplugin > 0 &&
@@ -156,7 +113,7 @@ std::string instance_element(const mjModel* m, const std::string& name) {
   return found;
 }
 #else
-void register_contact_plugin() {}
+std::span<const char* const> instance_keys() { return {}; }
 bool has_instances(const mjModel*) { return false; }
 std::vector<InstanceWord> instance_words(const mjModel*) { return {}; }
 std::string instance_element(const mjModel*, const std::string&) { return {}; }

@@ -11,6 +11,7 @@
 
 #include <mujoco/mujoco.h>
 
+#include <span>
 #include <string>
 #include <vector>
 
@@ -18,8 +19,9 @@
 
 namespace rotorub::plugin {
 
-// So that MuJoCo knows the plugin; does nothing where it does already.
-void register_contact_plugin();
+// The name of the engine plugin, and the keys of an instance.
+inline constexpr const char* kInstancePlugin = "rotorub.contact";
+std::span<const char* const> instance_keys();
 
 bool has_instances(const mjModel* m);
 

@@ -12,11 +12,12 @@
 #include "native_model/contact/coupled_law.h"
 #include "native_model/scene/scene.h"
 #include "plugin/contact/relative_motion.h"
-#include "plugin/later_attributes.h"
-#include "plugin/message.h"
-#include "plugin/mujoco_versions.h"
+#include "plugin/model/contact_sensors.h"
+#include "plugin/model/later_attributes.h"
+#include "plugin/model/message.h"
+#include "plugin/model/mujoco_versions.h"
+#include "plugin/model/user_data.h"
 #include "plugin/own/own_names.h"
-#include "plugin/user_data.h"
 
 namespace rotorub::plugin {
 namespace {

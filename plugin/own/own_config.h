@@ -21,7 +21,7 @@
 
 #include <array>
 
-#include "plugin/config.h"
+#include "plugin/model/config.h"
 
 namespace rotorub::plugin {
 

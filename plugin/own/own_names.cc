@@ -7,8 +7,8 @@
 #include <string_view>
 
 #include "native_model/scene/diagnostic.h"
-#include "plugin/config.h"
-#include "plugin/message.h"
+#include "plugin/model/config.h"
+#include "plugin/model/message.h"
 #include "plugin/own/instances.h"
 
 namespace rotorub::plugin {
@@ -335,6 +335,16 @@ int own_memory(const mjModel* m) {
     given = true;
   });
   return static_cast<int>(memory);
+}
+
+scene::ContactModel contact_model(const mjModel* m, const std::string& text_name,
+                                  scene::ContactModel otherwise) {
+  const char* text = own_text(m, text_name);
+  if (!text) return otherwise;
+  if (const auto model = scene::contact_model(text)) return *model;
+  refuse(own_element(m, text_name),
+         message("\"{}\"; accepted: {}", text,
+                 scene::join(scene::contact_words<std::vector<std::string_view>>())));
 }
 
 }  // namespace rotorub::plugin

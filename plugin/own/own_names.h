@@ -16,7 +16,8 @@
 #include <vector>
 
 #include "mjcf/names.h"
-#include "plugin/message.h"
+#include "native_model/scene/mujoco.h"
+#include "plugin/model/message.h"
 
 namespace rotorub::plugin {
 
@@ -61,6 +62,10 @@ void check_one_value(const mjModel* m, const std::string& name, const OwnNumber&
 
 // Where that is said, or would be: <custom><numeric name="rotorub_clearance">.
 std::string own_element(const mjModel* m, const std::string& name);
+
+// The contact model that the text of that name says. Throws ConfigError.
+scene::ContactModel contact_model(const mjModel* m, const std::string& text_name,
+                                  scene::ContactModel otherwise);
 
 // The geom that the text says: by the name that it got when it was attached, or as it stands.
 // Throws ConfigError.

@@ -7,8 +7,8 @@
 #include <numbers>
 
 #include "native_model/numerics/linear_solve.h"
-#include "plugin/message.h"
-#include "plugin/mujoco_versions.h"
+#include "plugin/model/message.h"
+#include "plugin/model/mujoco_versions.h"
 #include "plugin/twin/probe.h"
 
 namespace rotorub::plugin {

@@ -20,7 +20,7 @@
 #include <Eigen/Core>
 #include <vector>
 
-#include "plugin/config.h"
+#include "plugin/model/config.h"
 #include "plugin/twin/probe.h"
 
 namespace rotorub::plugin {

@@ -12,7 +12,7 @@
 #include "native_model/numerics/eigenvalues.h"
 #include "native_model/rotor/modal_rotor.h"
 #include "native_model/scene/scene.h"
-#include "plugin/message.h"
+#include "plugin/model/message.h"
 #include "plugin/twin/linear_machine.h"
 #include "plugin/twin/planes.h"
 #include "plugin/twin/twin_limits.h"
@@ -220,7 +220,7 @@ class Maker {
     fill_drive(twin_.scene.drive.emplace());
   }
 
-  // An unbalance of phase 0 has b = -X sin phi in x and Y cos phi in y (dynamics/equations.h), one
+  // An unbalance of phase 0 has b = -X sin phi in x and Y cos phi in y (model/equations.h), one
   // that leads it by a quarter turn the other two of the four that two angles give:
   //
   //   x + i x':  -b(90 degrees) - i b(0),      y + i y':  b(0) - i b(90 degrees)

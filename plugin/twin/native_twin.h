@@ -10,12 +10,12 @@
 #include <vector>
 
 #include "native_model/scene/scene.h"
-#include "plugin/config.h"
+#include "plugin/model/config.h"
 
 namespace rotorub::plugin {
 
 struct NativeTwin {
-  // make_model takes it: rotor.assembled, stator, drive, forces, contact, the start. Its run is not
+  // `prepare` takes it: rotor.assembled, stator, drive, forces, contact, the start. Its run is not
   // filled but for the step.
   scene::Scene scene;
 

@@ -8,8 +8,8 @@
 #include <string>
 
 #include "native_model/numerics/eigenvalues.h"
-#include "plugin/message.h"
-#include "plugin/mujoco_versions.h"
+#include "plugin/model/message.h"
+#include "plugin/model/mujoco_versions.h"
 
 namespace rotorub::plugin {
 namespace {

@@ -5,8 +5,8 @@
 #include <numbers>
 #include <string>
 
-#include "plugin/message.h"
-#include "plugin/mujoco_dynamics.h"
+#include "plugin/model/message.h"
+#include "plugin/model/mujoco_dynamics.h"
 
 namespace rotorub::plugin {
 

@@ -8,7 +8,7 @@
 #include <Eigen/Core>
 #include <memory>
 
-#include "plugin/config.h"
+#include "plugin/model/config.h"
 
 namespace rotorub::plugin {
 

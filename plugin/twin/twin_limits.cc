@@ -2,8 +2,8 @@
 
 #include <algorithm>
 
-#include "plugin/message.h"
-#include "plugin/mujoco_dynamics.h"
+#include "plugin/model/message.h"
+#include "plugin/model/mujoco_dynamics.h"
 
 namespace rotorub::plugin {
 namespace {

@@ -6,9 +6,10 @@
 #include <string>
 #include <vector>
 
+#include "native_model/model/model.h"
+#include "native_model/prepare/prepare.h"
 #include "native_model/scene/reader.h"
 #include "native_model/scene/scene.h"
-#include "native_model/system/model.h"
 #include "tests/support/native_run.h"
 
 namespace rotorub::bench {
@@ -52,12 +53,12 @@ inline std::vector<Part> parts() {
     return [change] {
       scene::Scene s = plain();
       change(s);
-      return make_model(s);
+      return prepare(s);
     };
   };
   const auto model_with = [](const std::function<void(Model&)>& change) {
     return [change] {
-      Model m = make_model(plain());
+      Model m = prepare(plain());
       change(m);
       return m;
     };
@@ -116,7 +117,7 @@ inline std::vector<Part> parts() {
        [=] {
          scene::Scene s = plain();
          drive(s);
-         Model m = make_model(s);
+         Model m = prepare(s);
          m.unbalances.push_back({shape, 4e-5, 0.3});
          return m;
        }},

@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "native_model/event/driver.h"
+#include "native_model/prepare/prepare.h"
 #include "native_model/stepping/stepper.h"
 #include "native_model/trajectory/recorder.h"
 #include "tests/bench/machines.h"
@@ -56,7 +57,7 @@ void register_all() {
   };
   for (const std::string name : {"bench_ring", "bench_billiard", "bench_drop"}) {
     const scene::Scene scene = bench::shipped(name);
-    const Model model = make_model(scene);
+    const Model model = prepare(scene);
     const double end = scene.run.end;
     add("event/" + name, [=](benchmark::State& s) { event_run(s, model, end); });
   }
@@ -66,7 +67,7 @@ void register_all() {
     scene::Scene scene = bench::shipped(name);
     if (name.starts_with("paper"))
       scene.forces[0].on = 0.0, scene.initial.steady = false;  // contact within 0.1 s
-    const Model model = make_model(scene);
+    const Model model = prepare(scene);
     add("verlet/" + name, [=](benchmark::State& s) { verlet_steps(s, model); });
   }
   for (const bench::Part& part : bench::parts()) {
@@ -77,7 +78,7 @@ void register_all() {
         [=](benchmark::State& s) { event_run(s, model, 0.1); });
   }
   for (const int n : {2, 4, 8, 16, 32, 64}) {
-    const Model model = make_model(bench::with_modes(n));
+    const Model model = prepare(bench::with_modes(n));
     add("modes/verlet/" + std::to_string(n), [=](benchmark::State& s) { verlet_steps(s, model); });
     add("modes/event/" + std::to_string(n), [=](benchmark::State& s) { event_run(s, model, 0.1); });
   }

@@ -5,7 +5,7 @@
 
 #include <algorithm>
 
-#include "plugin/mujoco_versions.h"
+#include "plugin/model/mujoco_versions.h"
 #include "tests/cli/program.h"
 
 namespace rotorub::test {

@@ -10,7 +10,8 @@
 #include <string>
 #include <vector>
 
-#include "plugin/config.h"
+#include "plugin/make_config.h"
+#include "plugin/model/config.h"
 #include "tests/fuzz/said.h"
 
 namespace {

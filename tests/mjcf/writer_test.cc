@@ -1,4 +1,5 @@
 #include "mjcf/writer.h"
+#include "native_model/prepare/prepare.h"
 
 #include <gtest/gtest.h>
 
@@ -9,7 +10,7 @@
 
 #include "mjcf/bodies.h"
 #include "mjcf/names.h"
-#include "native_model/dynamics/dynamics.h"
+#include "native_model/model/dynamics.h"
 #include "native_model/scene/diagnostic.h"
 #include "tests/support/mujoco_fixture.h"
 #include "tests/support/said.h"
@@ -47,7 +48,7 @@ TEST_P(ShippedScene, CommittedFileIsTheWritersOwn) {
 
 TEST_P(ShippedChain, HasTheNativeModelsMassesStiffnessesAndStart) {
   const scene::Scene scene = shipped(GetParam());
-  const Model model = make_model(scene);
+  const Model model = prepare(scene);
   const ModelPointer m = load(mjcf(scene));
   ASSERT_EQ(m->nv, model.nq());
   ASSERT_EQ(m->nq, model.nq());
@@ -76,7 +77,7 @@ TEST_P(ShippedChain, ShadowAddsSensorsAndGhosts) {
     return;
   }
   const ModelPointer with = load(mjcf(shipped(GetParam(), {"mujoco.shadow=true"})));
-  const bool ring = make_model(shipped(GetParam())).layout.stator > 0;
+  const bool ring = prepare(shipped(GetParam())).layout.stator > 0;
   for (const char* name : {names::kRotorPosition, names::kShadowRotor, names::kShadowGap,
                            names::kShadowNormalForce, names::kShadowFrictionForce}) {
     EXPECT_GE(mj_name2id(with.get(), mjOBJ_SENSOR, name), 0) << name;
@@ -182,7 +183,7 @@ restitution = 0.5
 
 TEST_F(Writer, ModeWithANodeAtTheContactHangsOnABranch) {
   const scene::Scene scene = parsed(kNode);
-  const Model model = make_model(scene);
+  const Model model = prepare(scene);
   ASSERT_EQ(model.first().shape.x[1], 0.0);
   const ModelPointer m = load(mjcf(scene));
   const DataPointer d = start(m.get());

@@ -1,4 +1,4 @@
-#include "plugin/config.h"
+#include "plugin/model/config.h"
 
 #include <gtest/gtest.h>
 
@@ -6,7 +6,7 @@
 #include <string>
 
 #include "mjcf/writer.h"
-#include "plugin/user_data.h"
+#include "plugin/model/user_data.h"
 #include "tests/support/mujoco_document.h"
 #include "tests/support/mujoco_fixture.h"
 #include "tests/support/said.h"

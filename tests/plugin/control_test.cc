@@ -1,4 +1,5 @@
-#include "plugin/control.h"
+#include "plugin/model/control.h"
+#include "native_model/prepare/prepare.h"
 
 #include <gtest/gtest.h>
 
@@ -6,7 +7,7 @@
 
 #include "mjcf/names.h"
 #include "mjcf/writer.h"
-#include "native_model/system/actuation.h"
+#include "native_model/model/actuation.h"
 #include "tests/support/mujoco_fixture.h"
 
 namespace rotorub::test {
@@ -22,7 +23,7 @@ Eigen::Vector2d force_on_ring(const mjModel* m, const mjData* d) {
 
 TEST_F(ControlTest, CommandIsTheNativeLawsAtRest) {
   const scene::Scene scene = shipped("paper_sliding", {"controller.on=0.0", "rotor.modes=2"});
-  const Model model = make_model(scene);
+  const Model model = prepare(scene);
   const ModelPointer m = load(mjcf(scene));
   const DataPointer d = start(m.get());
   d->qpos[0] = 2e-4;

@@ -9,7 +9,9 @@
 
 #include "mjcf/writer.h"
 #include "native_model/control/library.h"
-#include "plugin/config.h"
+#include "native_model/prepare/prepare.h"
+#include "plugin/make_config.h"
+#include "plugin/model/config.h"
 #include "tests/support/mujoco_fixture.h"
 #include "tests/support/said.h"
 
@@ -67,7 +69,7 @@ TEST_F(LibraryControllerTest, TheSameMeasurementsGiveTheSameCommandsToTheBit) {
               {std::string("mujoco.contact=") + contact,
                "controller.sensors={delay=2e-4, position_noise=1e-6, velocity_noise=1e-3, "
                "position_resolution=1e-7}"});
-    const Model model = make_model(s);
+    const Model model = prepare(s);
     const ModelPointer m = load(mjcf(s));
     const DataPointer d = start(m.get());
     const plugin::Config config = plugin::make_config(m.get());

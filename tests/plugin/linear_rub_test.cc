@@ -1,5 +1,5 @@
 // The step's linearisation in lasting contact against the native linear theory of the rub: seen
-// from the frame that turns with it, the eigenvalues of A are those of rub/rub_stability.h.
+// from the frame that turns with it, the eigenvalues of A are those of linear/rub_stability.h.
 #include <gtest/gtest.h>
 
 #include <Eigen/Core>
@@ -10,8 +10,8 @@
 
 #include "mjcf/names.h"
 #include "mjcf/writer.h"
+#include "native_model/linear/rub_stability.h"
 #include "native_model/numerics/eigenvalues.h"
-#include "native_model/rub/rub_stability.h"
 #include "plugin/differences.h"
 #include "plugin/linearise.h"
 #include "tests/support/mujoco_fixture.h"

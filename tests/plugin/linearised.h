@@ -9,7 +9,8 @@
 #include <vector>
 
 #include "native_model/numerics/eigenvalues.h"
-#include "plugin/config.h"
+#include "plugin/make_config.h"
+#include "plugin/model/config.h"
 #include "tests/support/mujoco_fixture.h"
 
 namespace rotorub::test {

@@ -1,5 +1,5 @@
 // The magnetic actuator as MuJoCo's actuators: ctrl is a current, the force is F(s, i).
-#include "plugin/control.h"
+#include "plugin/model/control.h"
 
 #include <gtest/gtest.h>
 

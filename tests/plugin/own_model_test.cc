@@ -5,7 +5,7 @@
 
 #include "mjcf/names.h"
 #include "native_model/run/run_native.h"
-#include "plugin/mujoco_versions.h"
+#include "plugin/model/mujoco_versions.h"
 #include "tests/support/mujoco_document.h"
 #include "tests/support/mujoco_fixture.h"
 

@@ -4,9 +4,10 @@
 #include <cmath>
 
 #include "mjcf/writer.h"
-#include "native_model/dynamics/dynamics.h"
+#include "native_model/model/actuation.h"
+#include "native_model/model/dynamics.h"
 #include "native_model/numerics/matrix_functions.h"
-#include "native_model/system/actuation.h"
+#include "native_model/prepare/prepare.h"
 #include "tests/plugin/scenes.h"
 #include "tests/support/mujoco_fixture.h"
 
@@ -20,7 +21,7 @@ using PassiveForces = HookedTest;
 Eigen::Vector2d mujoco_end(const scene::Scene& given, double step) {
   scene::Scene scene = given;
   scene.run.step = step;
-  const Model model = make_model(scene);
+  const Model model = prepare(scene);
   const ModelPointer m = load(mjcf(scene));
   const DataPointer d = start(m.get());
   Eigen::VectorXd a(model.nq());
@@ -35,7 +36,7 @@ Eigen::Vector2d mujoco_end(const scene::Scene& given, double step) {
 // The native model's own: its loads are linear in the state at a constant speed, so exp(A t) is
 // exact.
 Eigen::Vector2d native_end(const scene::Scene& scene) {
-  const Model model = make_model(scene);
+  const Model model = prepare(scene);
   const int n = model.nq();
   Eigen::MatrixXd a(2 * n, 2 * n);
   for (int j = 0; j < 2 * n; ++j) {
@@ -65,7 +66,7 @@ TEST_F(PassiveForces, FreeWhirlIsTheNativeOne) {
 // begin.
 TEST_F(PassiveForces, LongWhirlKeepsItsEnergy) {
   const scene::Scene scene = parsed(kUndampedWhirl);
-  const Model model = make_model(scene);
+  const Model model = prepare(scene);
   const ModelPointer m = load(mjcf(scene));
   const DataPointer d = start(m.get());
   constexpr int kBlocks = 100, kBlock = 10000;

@@ -6,7 +6,7 @@
 
 #include "mjcf/names.h"
 #include "mjcf/writer.h"
-#include "native_model/dynamics/dynamics.h"
+#include "native_model/model/dynamics.h"
 #include "tests/plugin/scenes.h"
 #include "tests/support/mujoco_fixture.h"
 

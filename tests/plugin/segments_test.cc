@@ -1,6 +1,8 @@
 // The segment rotor in MuJoCo against the native beam: whirl at rest and at speed, its convergence,
 // torsion, damping in both frames, sag and unbalance.
-#include "plugin/segments.h"
+#include "plugin/model/segments.h"
+#include "native_model/prepare/prepare.h"
+#include "plugin/make_config.h"
 
 #include <gtest/gtest.h>
 
@@ -8,10 +10,10 @@
 #include <cstdio>
 
 #include "mjcf/writer.h"
-#include "native_model/dynamics/dynamics.h"
-#include "native_model/rotor/campbell.h"
+#include "native_model/linear/campbell.h"
+#include "native_model/model/dynamics.h"
 #include "native_model/run/run_native.h"
-#include "plugin/generated_rotor.h"
+#include "plugin/model/generated_rotor.h"
 #include "tests/plugin/linearised.h"
 #include "tests/support/mujoco_document.h"
 #include "tests/support/mujoco_fixture.h"
@@ -164,7 +166,7 @@ TEST_F(SegmentsTest, TorsionConverges) {
   const auto error = [](int segments) {
     const scene::Scene scene = rotor(
         segments, {"rotor.torsion={modes=2}", "drive={kind=\"free\", station=0.0, inertia=0.05}"});
-    const Model native = make_model(scene);
+    const Model native = prepare(scene);
     const ModelPointer m = load(mjcf(scene));
     LinearisedRotor linear(m.get());
     const Linearised a = linear.torsion(300.0);

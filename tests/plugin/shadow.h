@@ -6,9 +6,9 @@
 #include <vector>
 
 #include "native_model/run/run_native.h"
-#include "plugin/config.h"
+#include "plugin/model/config.h"
+#include "plugin/model/user_data.h"
 #include "plugin/shadow.h"
-#include "plugin/user_data.h"
 #include "tests/support/mujoco_fixture.h"
 
 namespace rotorub::test {

@@ -8,6 +8,7 @@
 #include "mjcf/names.h"
 #include "mjcf/writer.h"
 #include "native_model/stepping/stepper.h"
+#include "plugin/make_config.h"
 #include "tests/plugin/shadow.h"
 
 namespace rotorub::test {

@@ -8,6 +8,7 @@
 #include "mjcf/names.h"
 #include "mjcf/writer.h"
 #include "native_model/trajectory/trajectory.h"
+#include "plugin/make_config.h"
 #include "tests/plugin/shadow.h"
 #include "tests/support/said.h"
 

@@ -1,6 +1,7 @@
 // The native model beside MuJoCo's: the bits of a native run, and nothing taken from MuJoCo or
 // given to it but commands.
 #include "plugin/shadow.h"
+#include "plugin/make_config.h"
 
 #include <gtest/gtest.h>
 
@@ -9,7 +10,7 @@
 
 #include "mjcf/names.h"
 #include "mjcf/writer.h"
-#include "native_model/dynamics/dynamics.h"
+#include "native_model/model/dynamics.h"
 #include "native_model/stepping/stepper.h"
 #include "tests/plugin/shadow.h"
 

@@ -7,8 +7,10 @@
 
 #include "mjcf/names.h"
 #include "mjcf/writer.h"
-#include "native_model/dynamics/dynamics.h"
-#include "plugin/generated_rotor.h"
+#include "native_model/model/dynamics.h"
+#include "native_model/prepare/prepare.h"
+#include "plugin/make_config.h"
+#include "plugin/model/generated_rotor.h"
 #include "tests/support/mujoco_document.h"
 #include "tests/support/mujoco_fixture.h"
 #include "tests/support/native_run.h"
@@ -73,7 +75,7 @@ Errors errors(const std::string& name, const std::string& contact, double step) 
   EXPECT_EQ(run.rows.size(), exact.at("rows").size());
   for (std::size_t k = 0; k < run.rows.size(); ++k) {
     const nlohmann::json& due = exact.at("rows")[k].at("state");
-    const Layout l = make_model(scene).layout;
+    const Layout l = prepare(scene).layout;
     for (int mode = 0; mode < l.modes; ++mode) {
       const std::string number = std::to_string(mode + 1);
       const double x = due.at("x_" + number), y = due.at("y_" + number);

@@ -4,9 +4,10 @@
 #include <string>
 #include <vector>
 
+#include "native_model/model/model.h"
+#include "native_model/prepare/prepare.h"
 #include "native_model/scene/diagnostic.h"
 #include "native_model/scene/reader.h"
-#include "native_model/system/model.h"
 #include "tests/support/said.h"
 
 namespace rotorub::test {
@@ -51,7 +52,7 @@ inline scene::Scene held_shaft(const std::string& bearings,
 
 // Why there is no model of it; empty: there is one.
 inline std::string model_refusal(const scene::Scene& scene) {
-  return message_of<scene::SceneError>([&] { make_model(scene); });
+  return message_of<scene::SceneError>([&] { prepare(scene); });
 }
 
 }  // namespace rotorub::test

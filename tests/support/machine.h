@@ -7,8 +7,9 @@
 #include <limits>
 #include <random>
 
+#include "native_model/model/model.h"
+#include "native_model/prepare/prepare.h"
 #include "native_model/scene/scene.h"
-#include "native_model/system/model.h"
 
 namespace rotorub::test {
 
@@ -67,7 +68,7 @@ inline scene::Scene machine_scene(bool with_drive) {
 // The same with what only a shaft in geometry form has: eccentric discs, bearing dashpots, and
 // matrices between the modes that are neither diagonal nor symmetric.
 inline Model machine(bool with_drive) {
-  Model m = make_model(machine_scene(with_drive));
+  Model m = prepare(machine_scene(with_drive));
   const auto shape = [](double x1, double x2, double y1, double y2) {
     return ModeShape{Eigen::Vector2d(x1, x2), Eigen::Vector2d(y1, y2)};
   };

@@ -9,7 +9,7 @@
 #include <stdexcept>
 
 #include "native_model/scene/reader.h"
-#include "plugin/mujoco_versions.h"
+#include "plugin/model/mujoco_versions.h"
 #include "tests/support/mujoco_document.h"
 #include "tests/support/said.h"
 

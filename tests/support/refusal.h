@@ -5,8 +5,9 @@
 
 #include <vector>
 
+#include "native_model/model/model.h"
+#include "native_model/prepare/prepare.h"
 #include "native_model/scene/diagnostic.h"
-#include "native_model/system/model.h"
 
 namespace rotorub::test {
 
@@ -21,9 +22,9 @@ std::vector<scene::Diagnostic> refusals(Action action) {
   return {};
 }
 
-// The only one of make_model; one without a reason where it accepts.
+// The only refusal of `prepare`. Its reason is empty where the scene is accepted.
 inline scene::Diagnostic refusal(const scene::Scene& scene) {
-  const std::vector<scene::Diagnostic> all = refusals([&] { make_model(scene); });
+  const std::vector<scene::Diagnostic> all = refusals([&] { prepare(scene); });
   EXPECT_LE(all.size(), 1u);
   return all.empty() ? scene::Diagnostic{} : all.front();
 }

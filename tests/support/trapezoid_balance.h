@@ -2,7 +2,7 @@
 // known: works by the means of rates and powers there, those of an impact by its own rates.
 #pragma once
 
-#include "native_model/dynamics/dynamics.h"
+#include "native_model/model/dynamics.h"
 #include "native_model/trajectory/recorder.h"
 
 namespace rotorub::test {

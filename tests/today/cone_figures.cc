@@ -17,7 +17,7 @@
 #include "native_model/run/run_native.h"
 #include "native_model/scene/reader.h"
 #include "plugin/hooks.h"
-#include "plugin/mujoco_versions.h"
+#include "plugin/model/mujoco_versions.h"
 
 namespace {
 

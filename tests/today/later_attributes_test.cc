@@ -8,8 +8,9 @@
 
 #include "mjcf/names.h"
 #include "mjcf/writer.h"
-#include "plugin/config.h"
 #include "plugin/hooks.h"
+#include "plugin/make_config.h"
+#include "plugin/model/config.h"
 #include "tests/plugin/own/machine.h"
 #include "tests/support/mujoco_fixture.h"
 

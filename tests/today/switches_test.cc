@@ -11,7 +11,7 @@
 #include "mjcf/names.h"
 #include "mjcf/writer.h"
 #include "plugin/hooks.h"
-#include "plugin/mujoco_versions.h"
+#include "plugin/model/mujoco_versions.h"
 #include "tests/plugin/scenes.h"
 #include "tests/support/mujoco_fixture.h"
 

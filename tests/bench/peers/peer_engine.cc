@@ -5,8 +5,9 @@
 #include <cmath>
 #include <utility>
 
-#include "native_model/dynamics/dynamics.h"
-#include "native_model/system/model_checks.h"
+#include "native_model/model/dynamics.h"
+#include "native_model/model/model_checks.h"
+#include "native_model/prepare/prepare.h"
 #include "native_model/trajectory/contact_episodes.h"
 #include "native_model/trajectory/range_check.h"
 #include "native_model/trajectory/recorder.h"
@@ -139,7 +140,7 @@ class PeerEngine final : public Engine {
 Trajectory PeerEngine::run(const scene::Scene& given, const RunRequest& request) const {
   const scene::Scene scene = perturbed(given, request.perturbation_ulps);
   const PlanarSystem system = planar_system(scene);
-  const Model model = make_model(scene);
+  const Model model = prepare(scene);
   const double step = request.step.value_or(scene.run.step);
   const std::vector<double> times = request.output_times.value_or(output_times(scene.run));
   check_run_size(scene, model, step, &times);

@@ -4,7 +4,8 @@
 
 #include <stdexcept>
 
-#include "native_model/system/model.h"
+#include "native_model/model/model.h"
+#include "native_model/prepare/prepare.h"
 
 namespace rotorub::peers {
 namespace {
@@ -67,7 +68,7 @@ PlanarLoad planar(const AppliedForce& f) {
 }  // namespace
 
 PlanarSystem planar_system(const scene::Scene& scene) {
-  const Model m = make_model(scene);
+  const Model m = prepare(scene);
   const std::string part = beyond(scene, m);
   if (!part.empty()) {
     throw std::runtime_error(fmt::format(

@@ -10,7 +10,7 @@
 #include "compare/report/assets.h"
 #include "compare/report/plot_points.h"
 #include "compare/report/response_plots.h"
-#include "native_model/rotor/campbell.h"
+#include "native_model/linear/campbell.h"
 #include "tests/support/native_run.h"
 #include "tests/support/oracles/shafts.h"
 

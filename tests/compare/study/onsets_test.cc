@@ -1,5 +1,6 @@
 // Onsets in made-up steps, by hand.
 #include "compare/study/resync.h"
+#include "native_model/prepare/prepare.h"
 
 #include <gtest/gtest.h>
 
@@ -32,7 +33,7 @@ class MadeUpSteps : public testing::Test {
   std::vector<Onset> finish() { return watch_.finish(k_ * kStep); }
   double now() const { return k_ * kStep; }
 
-  const Model model_ = make_model(test::shipped("bench_drop"));
+  const Model model_ = prepare(test::shipped("bench_drop"));
   OnsetWatch watch_{model_};
 
  private:

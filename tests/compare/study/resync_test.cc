@@ -1,6 +1,7 @@
 // Contact by contact: distributions by hand, predictions against closed forms, and what the contact
 // models of MuJoCo make of the same onsets.
 #include "compare/study/resync.h"
+#include "native_model/prepare/prepare.h"
 
 #include <gtest/gtest.h>
 
@@ -111,7 +112,7 @@ TEST(JudgeResync, EveryKindOfTrust) {
 // touch the speed there is sqrt(v^2 + 2 a g), the impulse 3/2 m of it and the rebound half of it.
 TEST(Predict, TheDropByItsClosedForm) {
   const scene::Scene scene = shipped("bench_drop", {"run.end=0.05"});
-  const Model model = make_model(scene);
+  const Model model = prepare(scene);
   Onset onset;
   onset.before = initial_state(model);
   onset.before.t = 0.013;

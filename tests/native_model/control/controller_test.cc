@@ -1,12 +1,13 @@
 // The emulated support, and the preload of the sliding law.
 #include "native_model/control/controller.h"
+#include "native_model/prepare/prepare.h"
 
 #include <gtest/gtest.h>
 
 #include <algorithm>
 
-#include "native_model/dynamics/dynamics.h"
-#include "native_model/system/actuation.h"
+#include "native_model/model/actuation.h"
+#include "native_model/model/dynamics.h"
 #include "tests/support/jeffcott.h"
 #include "tests/support/machine.h"
 #include "tests/support/native_run.h"
@@ -27,7 +28,7 @@ TEST(EmulatedSupport, IsTheMechanicalOneAddedThroughTheActuator) {
   scene::Scene mechanical = test::machine_scene(true);
   mechanical.first().stator->stiffness += Eigen::Vector2d(5e4, 5e4);
   mechanical.first().stator->damping += Eigen::Vector2d(120.0, 120.0);
-  const Model a = make_model(emulated), b = make_model(mechanical);
+  const Model a = prepare(emulated), b = prepare(mechanical);
   const State s = test::random_state(a, 70);
   const Eigen::Vector2d u = control_command(a, s.t, s.q.data(), s.v.data());
   Eigen::VectorXd fa(a.nq()), fb(b.nq());
@@ -39,7 +40,7 @@ TEST(EmulatedSupport, IsTheMechanicalOneAddedThroughTheActuator) {
 TEST(EmulatedSupport, ActsWithoutAContactToo) {
   scene::Scene s = emulating();
   s.first().contact.reset();
-  const Model m = make_model(s);
+  const Model m = prepare(s);
   ASSERT_NE(m.first().controller, nullptr);
   State state = test::random_state(m, 71);
   state.q.segment<2>(m.layout.ring()) = Eigen::Vector2d(1e-3, -2e-3);

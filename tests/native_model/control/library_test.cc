@@ -1,6 +1,7 @@
 // A controller of the user's own: found, loaded, told, refused, and ended with a word where it
 // fails.
 #include "native_model/control/library.h"
+#include "native_model/prepare/prepare.h"
 
 #include <gtest/gtest.h>
 
@@ -9,9 +10,9 @@
 #include <string>
 #include <vector>
 
+#include "native_model/model/actuation.h"
 #include "native_model/run/run_native.h"
 #include "native_model/scene/reader.h"
-#include "native_model/system/actuation.h"
 #include "tests/support/refusal.h"
 #include "tests/support/said.h"
 #include "tests/support/temporary_folder.h"
@@ -83,7 +84,7 @@ void expect_said(const std::string& said, const std::vector<std::string>& words)
 }
 
 TEST(Library, TellsItsStateAndIsAskedOnceASample) {
-  const Model m = make_model(read("faulty_controller.so"));
+  const Model m = prepare(read("faulty_controller.so"));
   ASSERT_NE(m.first().loop, nullptr);
   EXPECT_EQ(m.first().controller->state_size(), 3u);
   std::vector<double> memory(m.first().loop->memory_size(), 0.0);
@@ -297,8 +298,8 @@ class PythonController : public testing::Test {
 TEST_F(PythonController, CommandsWhatItsLawSays) {
   const std::string examples = std::string(ROTORUB_SOURCE_DIR) + "/native_model/control/examples";
   const Model m =
-      make_model(read("python_controller.so", "module = \"tracking_law\"\npath = \"" + examples +
-                                                  "\"\nstiffness = 2e5\ndamping = 300\n"));
+      prepare(read("python_controller.so", "module = \"tracking_law\"\npath = \"" + examples +
+                                               "\"\nstiffness = 2e5\ndamping = 300\n"));
   std::vector<double> memory(m.first().loop->memory_size(), 0.0);
   Eigen::VectorXd q = Eigen::VectorXd::Zero(m.nq()), v = q;
   const int ring = m.layout.ring();

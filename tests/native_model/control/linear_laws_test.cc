@@ -7,10 +7,11 @@
 #include <complex>
 
 #include "native_model/control/ring_feedback.h"
-#include "native_model/dynamics/dynamics.h"
-#include "native_model/rub/rub_stability.h"
+#include "native_model/linear/rub_stability.h"
+#include "native_model/model/dynamics.h"
+#include "native_model/model/linear_plant.h"
+#include "native_model/prepare/prepare.h"
 #include "native_model/run/run_native.h"
-#include "native_model/system/linear_plant.h"
 #include "tests/support/jeffcott.h"
 
 namespace rotorub {
@@ -127,7 +128,7 @@ scene::Scene quadratic_scene(scene::ControllerKind kind) {
 
 TEST(LinearPlant, IsTheModelWithoutContact) {
   const scene::Scene s = quadratic_scene(scene::ControllerKind::kPassive);
-  const Model m = make_model(s);
+  const Model m = prepare(s);
   const LinearPlant p = plant_of(m, 0, s.rotor.speed);
   ASSERT_EQ(p.a.rows(), 12);
   Eigen::VectorXd q = Eigen::VectorXd::Random(m.nq()), v = Eigen::VectorXd::Random(m.nq());
@@ -151,7 +152,7 @@ TEST(Lqr, ARunIsItsClosedLoop) {
   scene::Scene s = quadratic_scene(scene::ControllerKind::kLqr);
   s.initial.x = {1e-4, 2e-5};
   s.first().stator->position = {-1e-4, 5e-5};
-  const Model m = make_model(s);
+  const Model m = prepare(s);
   const QuadraticDesign d = quadratic_design(s, plant_of(m, 0, s.rotor.speed));
   Eigen::VectorXd x(12);
   x << m.q0, m.v0;

@@ -9,10 +9,11 @@
 #include <string>
 #include <vector>
 
+#include "native_model/model/linear_plant.h"
 #include "native_model/numerics/eigenvalues.h"
 #include "native_model/numerics/matrix_functions.h"
+#include "native_model/prepare/prepare.h"
 #include "native_model/scene/diagnostic.h"
-#include "native_model/system/linear_plant.h"
 #include "tests/support/hung_rotors.h"
 #include "tests/support/native_run.h"
 #include "tests/support/order.h"
@@ -25,12 +26,12 @@ using test::Hanging;
 using test::levitated;
 
 QuadraticDesign design_of(const scene::Scene& s) {
-  return quadratic_design(s, plant_of(make_model(s), 0, s.rotor.speed));
+  return quadratic_design(s, plant_of(prepare(s), 0, s.rotor.speed));
 }
 
 // The state of a run at t = 0.
 Eigen::VectorXd start_of(const scene::Scene& s, const LinearPlant& p) {
-  const Model m = make_model(s);
+  const Model m = prepare(s);
   Eigen::VectorXd x = Eigen::VectorXd::Zero(p.a.rows());
   for (Eigen::Index i = 0; i < p.half(); ++i) {
     const int k = p.coordinates[static_cast<std::size_t>(i)];
@@ -205,7 +206,7 @@ TEST(QuadraticWithMagnets, FastAmplifiersAndSamplesGiveTheGainsWithoutThem) {
 // States behind those of rotor and ring, in the order in which they act, x before y.
 TEST(QuadraticWithMagnets, ThePlantNamesWhatTheBearingsRemember) {
   const scene::Scene s = levitated(test::hung_rotors()[0], "lqr");
-  const LinearPlant p = plant_of(make_model(s), 0, s.rotor.speed);
+  const LinearPlant p = plant_of(prepare(s), 0, s.rotor.speed);
   const std::vector<std::string> names{"bearing_integral_x", "bearing_integral_y",
                                        "bearing_rate_x",     "bearing_rate_y",
                                        "bearing_current_x",  "bearing_current_y"};
@@ -218,7 +219,7 @@ TEST(QuadraticWithMagnets, ThePlantNamesWhatTheBearingsRemember) {
 
 TEST(QuadraticWithMagnets, RefusesSamplesThatDoNotMeetItsOwn) {
   const auto why = [](const Hanging& loop, const std::string& kind) {
-    return test::message_of<scene::SceneError>([&] { make_model(levitated(loop, kind)); });
+    return test::message_of<scene::SceneError>([&] { prepare(levitated(loop, kind)); });
   };
   const Hanging sampled = test::hung_rotors()[1];
   EXPECT_EQ(why(sampled, "lqr"), "");

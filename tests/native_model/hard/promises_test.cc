@@ -140,7 +140,7 @@ TEST(LongPromises, CrossCoupledFeedbackStopsTheBouncing) {
   }
 }
 
-// The eigenvalues of the forced rub say which feedback does (rub/rub_map.h): with 1,000 N s/m
+// The eigenvalues of the forced rub say which feedback does (linear/rub_map.h): with 1,000 N s/m
 // it grows.
 TEST(LongPromises, FeedbackOutsideTheWindowDoesNot) {
   const Figures f = figures(

@@ -4,6 +4,7 @@
 
 #include <numbers>
 
+#include "native_model/prepare/prepare.h"
 #include "tests/native_model/hard/rules.h"
 #include "tests/support/native_run.h"
 #include "tests/support/oracles/elastic_whip.h"
@@ -17,7 +18,7 @@ using oracle::ElasticWhip;
 TEST(HardWhip, TheShippedStartIsTheWhirlAt450) {
   const scene::Scene scene = test::shipped("bench_whip");
   const ElasticWhip whip = test::whip_of(scene);
-  const Model model = make_model(scene), exact = make_model(test::whirling(scene, 450.0));
+  const Model model = prepare(scene), exact = prepare(test::whirling(scene, 450.0));
   EXPECT_LT((model.q0 - exact.q0).norm(), 1e-15 * model.q0.norm());
   EXPECT_LT((model.v0 - exact.v0).norm(), 1e-15 * model.v0.norm());
   EXPECT_TRUE(whip.rolls(450.0, scene.first().contact->friction.coefficient));

@@ -8,7 +8,7 @@
 #include <functional>
 #include <numbers>
 
-#include "native_model/dynamics/dynamics.h"
+#include "native_model/model/dynamics.h"
 #include "native_model/scene/diagnostic.h"
 #include "tests/support/fixed_steps.h"
 #include "tests/support/jeffcott.h"

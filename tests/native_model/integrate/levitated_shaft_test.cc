@@ -7,9 +7,9 @@
 #include <string>
 #include <vector>
 
-#include "native_model/rotor/campbell.h"
+#include "native_model/linear/campbell.h"
+#include "native_model/linear/rub_system.h"
 #include "native_model/rotor/rotor_modes.h"
-#include "native_model/rub/rub_system.h"
 #include "native_model/run/run_native.h"
 #include "native_model/scene/diagnostic.h"
 #include "tests/support/levitated_shaft.h"

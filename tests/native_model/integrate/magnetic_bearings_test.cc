@@ -8,10 +8,11 @@
 #include <string>
 #include <vector>
 
+#include "native_model/linear/campbell.h"
+#include "native_model/model/model.h"
 #include "native_model/numerics/eigenvalues.h"
-#include "native_model/rotor/campbell.h"
+#include "native_model/prepare/prepare.h"
 #include "native_model/scene/diagnostic.h"
-#include "native_model/system/model.h"
 #include "tests/support/levitated_shaft.h"
 #include "tests/support/native_run.h"
 #include "tests/support/order.h"
@@ -56,8 +57,7 @@ scene::Scene levitated_by_two(const std::string& tail,
 }
 
 std::string refusal_of(const std::string& tail, const std::vector<std::string>& overrides = {}) {
-  return test::message_of<scene::SceneError>(
-      [&] { make_model(levitated_by_two(tail, overrides)); });
+  return test::message_of<scene::SceneError>([&] { prepare(levitated_by_two(tail, overrides)); });
 }
 
 TEST(MagneticBearings, HoldAShaftAsTwoSpringsAndDampersDo) {

@@ -8,8 +8,9 @@
 #include <complex>
 #include <vector>
 
+#include "native_model/model/model.h"
+#include "native_model/prepare/prepare.h"
 #include "native_model/scene/diagnostic.h"
-#include "native_model/system/model.h"
 #include "tests/support/fixed_steps.h"
 #include "tests/support/jeffcott.h"
 
@@ -133,9 +134,9 @@ TEST(MagneticIntegral, TooMuchOfItHasNoSteadyOrbit) {
   s.initial.steady = true;
   const double border = kDerivative * kNet / kHeld;
   s.magnetic_bearings[0].control->integral = 0.999 * border;
-  EXPECT_NO_THROW(make_model(s));
+  EXPECT_NO_THROW(prepare(s));
   s.magnetic_bearings[0].control->integral = 1.001 * border;
-  EXPECT_THROW(make_model(s), scene::SceneError);
+  EXPECT_THROW(prepare(s), scene::SceneError);
 }
 
 // Against classical Runge-Kutta steps of its three equations, written down here once more.

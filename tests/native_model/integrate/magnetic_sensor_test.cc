@@ -8,9 +8,9 @@
 #include <string>
 #include <vector>
 
+#include "native_model/linear/campbell.h"
 #include "native_model/numerics/eigenvalues.h"
 #include "native_model/numerics/linear_solve.h"
-#include "native_model/rotor/campbell.h"
 #include "native_model/scene/reader.h"
 #include "tests/support/native_run.h"
 

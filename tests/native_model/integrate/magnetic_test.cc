@@ -7,6 +7,7 @@
 
 #include "native_model/bearing/actuator.h"
 #include "native_model/numerics/matrix_functions.h"
+#include "native_model/prepare/prepare.h"
 #include "native_model/scene/diagnostic.h"
 #include "tests/support/jeffcott.h"
 #include "tests/support/native_run.h"
@@ -187,14 +188,14 @@ TEST(MagneticRub, ATableWithoutAnInverseIsRefused) {
     for (const double force : {-1.0, 0.0, 100.0, 101.0})
       s.first().actuator->table_force.push_back(force);
   }
-  EXPECT_TRUE(test::contains(test::message_of<scene::SceneError>([&] { make_model(s); }),
+  EXPECT_TRUE(test::contains(test::message_of<scene::SceneError>([&] { prepare(s); }),
                              {"actuator.table_force", "does not rise"}));
 }
 
 TEST(MagneticRing, DoesNotStartInACore) {
   scene::Scene s = ring_alone(0.0, true);
   s.first().stator->position = {0.0, 8e-3};
-  EXPECT_THROW(make_model(s), scene::SceneError);
+  EXPECT_THROW(prepare(s), scene::SceneError);
 }
 
 // Saturated currents and limited rates keep every rule; so does a ring that runs into the cores.

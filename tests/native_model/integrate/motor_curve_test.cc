@@ -5,7 +5,8 @@
 #include <algorithm>
 #include <vector>
 
-#include "native_model/system/model.h"
+#include "native_model/model/model.h"
+#include "native_model/prepare/prepare.h"
 #include "tests/support/native_run.h"
 
 namespace rotorub {
@@ -20,7 +21,7 @@ double kloss(const scene::Drive& d, double speed) {
 TEST(MotorCurve, TheRunLiesOnItFromStandstillToItsLoad) {
   const scene::Scene s = test::shipped("run_up_kloss");
   const scene::Drive& motor = *s.drive;
-  const Model model = make_model(s);
+  const Model model = prepare(s);
   const Trajectory t = test::run_with(s, scene::Integrator::kVerlet, 2e-5);
   ASSERT_EQ(t.status, Status::kOk) << t.message;
   const std::vector<double> time = t.column("t"), spin = t.column("spin_speed"),

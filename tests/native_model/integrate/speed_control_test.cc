@@ -5,6 +5,7 @@
 #include <cmath>
 #include <complex>
 
+#include "native_model/prepare/prepare.h"
 #include "native_model/stepping/step_limit.h"
 #include "tests/support/jeffcott.h"
 #include "tests/support/native_run.h"
@@ -117,7 +118,7 @@ TEST(SpeedControl, GivesNoMoreThanItsLimit) {
 TEST(SpeedControl, LimitsTheStep) {
   scene::Scene s = motor();
   s.drive->integral_gain = 1e10;
-  const StepLimit limit = step_limit(make_model(s));
+  const StepLimit limit = step_limit(prepare(s));
   EXPECT_DOUBLE_EQ(limit.step, 2.0 / std::sqrt(1e10 / kInertia));
   EXPECT_NE(std::string(limit.of).find("integral_gain"), std::string::npos);
 }

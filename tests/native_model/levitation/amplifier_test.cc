@@ -9,10 +9,11 @@
 #include <string>
 #include <vector>
 
+#include "native_model/model/model.h"
 #include "native_model/numerics/eigenvalues.h"
 #include "native_model/numerics/linear_solve.h"
+#include "native_model/prepare/prepare.h"
 #include "native_model/scene/reader.h"
-#include "native_model/system/model.h"
 #include "tests/support/fixed_steps.h"
 #include "tests/support/jeffcott.h"
 #include "tests/support/said.h"
@@ -115,7 +116,7 @@ TEST(MagneticAmplifier, StartsOnItsSteadyOrbit) {
   EXPECT_NEAR(t.column("bearing_current_y").front(), current.imag() + kWeight / kPerAmpere, 1e-12);
   // A slow amplifier lets it grow, and no orbit is steady.
   s.magnetic_bearings[0].amplifier->bandwidth = 50.0;
-  EXPECT_THROW(make_model(s), scene::SceneError);
+  EXPECT_THROW(prepare(s), scene::SceneError);
 }
 
 // As far as the whole voltage goes the current rises evenly, i = U t / L, and r = r_0 + k_i U t^3 /

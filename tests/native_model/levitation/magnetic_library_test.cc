@@ -6,9 +6,10 @@
 #include <vector>
 
 #include "native_model/control/library.h"
+#include "native_model/linear/levitation.h"
+#include "native_model/prepare/prepare.h"
 #include "native_model/run/run_native.h"
 #include "native_model/scene/reader.h"
-#include "native_model/system/levitation.h"
 #include "tests/support/native_run.h"
 #include "tests/support/refusal.h"
 #include "tests/support/said.h"
@@ -210,7 +211,7 @@ TEST(MagneticLibrary, IsNotOpenedUnaskedNorByWhatShowsAScene) {
   in_model.folder.reset();
   EXPECT_TRUE(test::contains(to_string(test::refusal(in_model)), "ROTORUB_CONTROLLER_PATH"));
   set_scene_libraries(SceneLibraries::kLeftOut);
-  const Model shown = make_model(read(by_library("", "nowhere.so")));
+  const Model shown = prepare(read(by_library("", "nowhere.so")));
   set_scene_libraries(SceneLibraries::kAllowed);
   const Levitation levitation = rotorub::levitation(shown, 200.0);
   EXPECT_TRUE(levitation.loops.empty());

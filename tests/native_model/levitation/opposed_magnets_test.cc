@@ -5,7 +5,7 @@
 #include <cmath>
 #include <vector>
 
-#include "native_model/system/model.h"
+#include "native_model/model/model.h"
 #include "tests/support/fixed_steps.h"
 #include "tests/support/jeffcott.h"
 

@@ -10,9 +10,9 @@
 #include <string>
 #include <vector>
 
+#include "native_model/model/model.h"
 #include "native_model/numerics/matrix_functions.h"
 #include "native_model/scene/reader.h"
-#include "native_model/system/model.h"
 #include "tests/support/fixed_steps.h"
 #include "tests/support/jeffcott.h"
 

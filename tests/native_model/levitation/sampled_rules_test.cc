@@ -4,9 +4,10 @@
 #include <string>
 #include <vector>
 
+#include "native_model/model/model.h"
+#include "native_model/prepare/prepare.h"
 #include "native_model/scene/diagnostic.h"
 #include "native_model/scene/reader.h"
-#include "native_model/system/model.h"
 #include "tests/support/jeffcott.h"
 #include "tests/support/native_run.h"
 #include "tests/support/said.h"
@@ -32,7 +33,7 @@ TEST(SampledMagneticControl, StepsMeetItsSamples) {
   EXPECT_TRUE(test::contains(t.message, "does not meet the samples"));
   scene::Scene s = every_tenth();
   s.initial.steady = true;
-  EXPECT_THROW(make_model(s), scene::SceneError);
+  EXPECT_THROW(prepare(s), scene::SceneError);
 }
 
 TEST(SampledMagneticControl, SaysWhatItNeeds) {

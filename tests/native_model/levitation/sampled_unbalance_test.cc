@@ -6,9 +6,10 @@
 #include <numbers>
 #include <string>
 
+#include "native_model/linear/levitation.h"
+#include "native_model/linear/synchronous_response.h"
+#include "native_model/prepare/prepare.h"
 #include "native_model/scene/reader.h"
-#include "native_model/system/levitation.h"
-#include "native_model/system/synchronous_response.h"
 #include "tests/native_model/levitation/two_bearings.h"
 #include "tests/support/native_run.h"
 
@@ -96,7 +97,7 @@ TEST(SampledUnbalance, HasTheFiguresOfTheLoopAtItsSensors) {
   const scene::Scene s = turns.scene();
   const auto response = synchronous_response(s, 600.0);
   ASSERT_TRUE(response);
-  const Eigen::VectorXd moved = levitation(make_model(s), 600.0).unbalance;
+  const Eigen::VectorXd moved = levitation(prepare(s), 600.0).unbalance;
   ASSERT_EQ(moved.size(), 4);
   int met = 0;
   for (const ProbeResponse& probe : response->probes) {

@@ -8,10 +8,11 @@
 #include <numbers>
 #include <vector>
 
+#include "native_model/linear/levitation.h"
 #include "native_model/numerics/eigenvalues.h"
 #include "native_model/numerics/linear_solve.h"
+#include "native_model/prepare/prepare.h"
 #include "native_model/scene/reader.h"
-#include "native_model/system/levitation.h"
 #include "tests/support/jeffcott.h"
 
 namespace rotorub {
@@ -34,7 +35,7 @@ double relative(Phasor a, Phasor b) { return std::abs(a - b) / std::abs(b); }
 
 // S = (-m w^2 - k_s) / (-m w^2 + i w k_i D + k_i P - k_s).
 TEST(Levitation, OneMassHasItsClosedForm) {
-  const Model m = make_model(hung({.proportional = kStiff, .derivative = kDamps}));
+  const Model m = prepare(hung({.proportional = kStiff, .derivative = kDamps}));
   const auto exact = [](double w) {
     const double plant = -kMass * w * w - kPullOf;
     return plant / (plant + kForceOf * Phasor(kStiff, w * kDamps));
@@ -111,7 +112,7 @@ proportional = 1500.0
 derivative = 1.0
 fails_at = 5.0
 )";
-  const Model m = make_model(scene::parse_scene(text, "loops.toml", {}));
+  const Model m = prepare(scene::parse_scene(text, "loops.toml", {}));
   // (q, v) of (x_1, x_2, y_1, y_2), then of the first bearing j, d, i on x and on y. input: what
   // each port's control is shown beside its sensor.
   const Eigen::Vector2d mass(2.0, 0.7), u1(0.9, 0.4), s1(0.8, 0.3), u2(0.5, -0.6);
@@ -177,7 +178,7 @@ fails_at = 5.0
 // poles are those of the map of one sample.
 TEST(Levitation, SampledLoopHasItsHoldAndDelay) {
   static constexpr double kT = 1e-4;
-  const Model m = make_model(
+  const Model m = prepare(
       hung({.proportional = kStiff, .derivative = kDamps, .sample_time = kT, .delay = 2.0 * kT}));
   const auto exact = [](double w) {
     const Phasor turn(0.0, w * kT), z = std::exp(turn);
@@ -232,11 +233,11 @@ TEST(Levitation, WithoutALoopSaysNothing) {
   scene::Scene s = hung({.proportional = kStiff, .derivative = kDamps});
   s.rotor.modal->stiffness = {2e5};
   s.magnetic_bearings[0].control->fails_at = 0.0;
-  EXPECT_TRUE(levitation(make_model(s), 0.0).loops.empty());
+  EXPECT_TRUE(levitation(prepare(s), 0.0).loops.empty());
   // One that is switched on later works.
   s.magnetic_bearings[0].control->works_from = 1.0;
   s.magnetic_bearings[0].control->fails_at = scene::kNever;
-  EXPECT_EQ(levitation(make_model(s), 0.0).loops.size(), 2u);
+  EXPECT_EQ(levitation(prepare(s), 0.0).loops.size(), 2u);
 }
 
 }  // namespace

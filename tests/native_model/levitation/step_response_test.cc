@@ -8,8 +8,9 @@
 #include <string>
 #include <vector>
 
+#include "native_model/linear/levitation.h"
+#include "native_model/prepare/prepare.h"
 #include "native_model/scene/reader.h"
-#include "native_model/system/levitation.h"
 #include "tests/native_model/levitation/two_bearings.h"
 #include "tests/support/jeffcott.h"
 #include "tests/support/native_run.h"
@@ -47,7 +48,7 @@ TEST(StepResponse, ProportionalAndDerivativeOfOneMassHaveTheTextbooksFigures) {
   const double w = std::sqrt(kHeld / kHeavy);
   for (const double zeta : {0.02, 0.1, 0.4, 0.7}) {
     SCOPED_TRACE(zeta);
-    const Levitation all = levitation(make_model(hung(kHeld, 2.0 * zeta * w * kHeavy)), 0.0);
+    const Levitation all = levitation(prepare(hung(kHeld, 2.0 * zeta * w * kHeavy)), 0.0);
     const double wd = w * std::sqrt(1.0 - zeta * zeta),
                  beside = zeta / std::sqrt(1.0 - zeta * zeta);
     const auto y = [&](double t) {
@@ -87,7 +88,7 @@ TEST(StepResponse, WithoutASwingDoesNotOvershoot) {
   constexpr double kHeld = 2.2e5;
   const double w = std::sqrt(kHeld / kHeavy);
   for (const double zeta : {1.0, 3.0}) {
-    const Levitation all = levitation(make_model(hung(kHeld, 2.0 * zeta * w * kHeavy)), 0.0);
+    const Levitation all = levitation(prepare(hung(kHeld, 2.0 * zeta * w * kHeavy)), 0.0);
     const StepResponse& step = all.steps.at(0);
     EXPECT_LT(step.overshoot.value(), 1e-9);
     EXPECT_FALSE(step.largest_at.has_value());
@@ -100,15 +101,15 @@ TEST(StepResponse, WithoutASwingDoesNotOvershoot) {
 }
 
 TEST(StepResponse, OfALoopThatIsUnstableThereIsNone) {
-  EXPECT_TRUE(levitation(make_model(hung(2e5, -10.0)), 0.0).steps.empty());
-  EXPECT_EQ(levitation(make_model(hung(2e5, -10.0)), 100.0).unbalance.size(), 0);
+  EXPECT_TRUE(levitation(prepare(hung(2e5, -10.0)), 0.0).steps.empty());
+  EXPECT_EQ(levitation(prepare(hung(2e5, -10.0)), 100.0).unbalance.size(), 0);
 }
 
 // An integrator takes it all back: nothing stays, so that there is no overshoot of it.
 TEST(StepResponse, AnIntegratorLetsNothingStay) {
   scene::Scene s = hung(2.2e5, 400.0);
   s.magnetic_bearings[0].control->integral = 3e4;
-  const StepResponse step = levitation(make_model(s), 0.0).steps.at(0);
+  const StepResponse step = levitation(prepare(s), 0.0).steps.at(0);
   EXPECT_EQ(step.steady, 0.0);
   EXPECT_FALSE(step.overshoot || step.rise_time || step.static_stiffness());
   EXPECT_GT(step.largest, 1.0 / 2.2e5);
@@ -133,7 +134,7 @@ end = 0.06
 )";
   scene::Scene s = scene::parse_scene(
       test::two_bearings("200.0", "damping = [30.0, 20.0]", law, kPush), "step.toml", {});
-  const Levitation all = levitation(make_model(s), 200.0);
+  const Levitation all = levitation(prepare(s), 200.0);
   ASSERT_TRUE(all.stable());
   const StepResponse& step = all.steps.at(0);
   s.run.output_step = every > 0.0 ? every : 32.0 * step.t[1];
@@ -174,7 +175,7 @@ TEST(UnbalanceResponse, OneMassHasItsClosedForm) {
   s.forces.push_back(unbalance);
   for (const double speed : {-500.0, 40.0, 330.0, 900.0}) {
     s.rotor.speed = speed;
-    const Eigen::VectorXd moved = levitation(make_model(s), speed).unbalance;
+    const Eigen::VectorXd moved = levitation(prepare(s), speed).unbalance;
     const double exact =
         2.0 * kMoment * speed * speed /
         std::abs(std::complex<double>(2.2e5 - kHeavy * speed * speed, 400.0 * speed));
@@ -185,7 +186,7 @@ TEST(UnbalanceResponse, OneMassHasItsClosedForm) {
   s.magnetic_bearings[0].control->sample_time = 5e-5;
   s.run.end = 0.4;
   s.run.output_step = 2e-5;
-  const double shown = levitation(make_model(s), 330.0).unbalance[0];
+  const double shown = levitation(prepare(s), 330.0).unbalance[0];
   const Trajectory run = test::run_event(s);
   ASSERT_EQ(run.status, Status::kOk) << run.message;
   const std::vector<double>& x = run.column("rotor_x");

@@ -8,10 +8,11 @@
 #include <string>
 #include <vector>
 
-#include "native_model/dynamics/dynamics.h"
-#include "native_model/rotor/campbell.h"
+#include "native_model/linear/campbell.h"
+#include "native_model/model/dynamics.h"
+#include "native_model/model/model.h"
+#include "native_model/prepare/prepare.h"
 #include "native_model/scene/diagnostic.h"
-#include "native_model/system/model.h"
 #include "tests/support/native_run.h"
 #include "tests/support/said.h"
 
@@ -116,7 +117,7 @@ TEST(BearingFilm, ARunWhirlsAsTheEigenvalue) {
   const double cross = 4000.0;
   const auto [forward, backward] = translation(cross, 7.0);
   scene::Scene s = rigid(crossed(cross, 7.0));
-  Model m = make_model(s);
+  Model m = prepare(s);
   // One mode moves the middle as a whole, the other turns about it.
   const int moves = std::abs(m.first().shape.x.size()) > 0 &&
                             m.stiffness[0] / m.mass[0] < m.stiffness[1] / m.mass[1]
@@ -233,11 +234,11 @@ TEST(BearingFilm, BearingsOffTheLineCarryTheRotorThere) {
       const std::vector<std::string> cross = crossed(1500.0);
       overrides.insert(overrides.end(), cross.begin(), cross.end());
     }
-    const Model both = make_model(rigid(overrides));
+    const Model both = prepare(rigid(overrides));
     const Eigen::Vector2d place = rotor_point(both, both.q0.data());
     EXPECT_LT((place - Eigen::Vector2d(30e-6, -20e-6)).norm(), kStiff * 36e-6);
     overrides[1] = "rotor.bearing[1].offset=[0.0,0.0]";
-    const Model one = make_model(rigid(overrides));
+    const Model one = prepare(rigid(overrides));
     const Eigen::Vector2d middle = rotor_point(one, one.q0.data());
     if (film) continue;  // the film turns the force of one bearing against that of the other
     EXPECT_LT((middle - Eigen::Vector2d(15e-6, -10e-6)).norm(), kStiff * 36e-6);

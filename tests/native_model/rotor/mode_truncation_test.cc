@@ -7,10 +7,11 @@
 #include <algorithm>
 #include <vector>
 
+#include "native_model/model/model.h"
 #include "native_model/numerics/linear_solve.h"
+#include "native_model/prepare/prepare.h"
 #include "native_model/rotor/mode_truncation.h"
 #include "native_model/scene/diagnostic.h"
-#include "native_model/system/model.h"
 #include "tests/native_model/rotor/rotors.h"
 #include "tests/support/native_run.h"
 #include "tests/support/said.h"
@@ -69,13 +70,13 @@ TEST(AutoModes, IsTheLeastNumberThatDoes) {
     while (left_out(rig(sleeve), least) > tolerance) ++least;
     EXPECT_EQ(kept, least);
     EXPECT_GT(kept, 1);
-    EXPECT_EQ(make_model(automatic(rig(sleeve), tolerance)).layout.modes, kept);
+    EXPECT_EQ(prepare(automatic(rig(sleeve), tolerance)).layout.modes, kept);
   }
 }
 
 TEST(AutoModes, RefusesAStationWithoutMassAndSaysWhy) {
   EXPECT_TRUE(test::contains(
-      test::message_of<scene::SceneError>([] { make_model(automatic(rig(0.0), 0.01)); }),
+      test::message_of<scene::SceneError>([] { prepare(automatic(rig(0.0), 0.01)); }),
       {"rotor.modes", "up to 50", "effective mass at the contact", "sleeve",
        "Accepted: a modes_tolerance well above"}));
 }

@@ -5,7 +5,7 @@
 #include <cmath>
 #include <limits>
 
-#include "native_model/rotor/campbell.h"
+#include "native_model/linear/campbell.h"
 #include "native_model/scene/scene.h"
 #include "tests/support/oracles/shafts.h"
 

@@ -7,6 +7,7 @@
 
 #include "native_model/bearing/actuator.h"
 #include "native_model/event/driver.h"
+#include "native_model/prepare/prepare.h"
 #include "native_model/scene/reader.h"
 #include "native_model/stepping/stepper.h"
 #include "native_model/trajectory/recorder.h"
@@ -46,8 +47,8 @@ constexpr const char* kScenes[] = {"bench_ring",    "bench_billiard", "bench_dro
                                    "paper_passive", "paper_sliding",  "paper_magnetic"};
 
 TEST_F(Allocation, NoneInAStepOfSeveralContacts) {
-  const Model model = make_model(scene::read_scene(
-      std::string(ROTORUB_SOURCE_DIR) + "/tests/native_model/event/two_rings/moving.toml"));
+  const Model model = prepare(scene::read_scene(std::string(ROTORUB_SOURCE_DIR) +
+                                                "/tests/native_model/event/two_rings/moving.toml"));
   for (const auto integrator : {scene::Integrator::kVerlet, scene::Integrator::kEuler}) {
     const auto stepper = make_stepper(integrator, model, 1e-5);
     const std::vector<Eigen::Vector2d> u(2, Eigen::Vector2d(0.0, 0.0));
@@ -69,7 +70,7 @@ TEST_F(Allocation, NoneInAStepOfSeveralContacts) {
 TEST_F(Allocation, NoneInAStepOrEventOfEvent) {
   for (const char* name : kScenes) {
     SCOPED_TRACE(name);
-    const Model model = make_model(soon_active(name));
+    const Model model = prepare(soon_active(name));
     struct Run {
       std::int64_t allocations, steps;
       std::size_t impacts, events, passes;

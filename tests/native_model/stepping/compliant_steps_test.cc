@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "native_model/contact/compliance.h"
+#include "native_model/prepare/prepare.h"
 #include "native_model/stepping/step_limit.h"
 #include "tests/support/fixed_steps.h"
 #include "tests/support/jeffcott.h"
@@ -134,7 +135,7 @@ TEST(CompliantSteps, GiveTheFiguresOfEvent) {
 
 TEST(CompliantSteps, KeepTheirStepToTheStiffness) {
   scene::Scene s = thrown({.stiffness = 1e9}, 0.1);
-  const Model model = make_model(s);
+  const Model model = prepare(s);
   // 1/m of rotor and ring: 2 kg and 0.8 kg.
   EXPECT_NEAR(step_limit(model).step, 2.0 / std::sqrt(1e9 * (1.0 / 2.0 + 1.0 / 0.8)), 1e-12);
   const Trajectory t = run_with(s, Integrator::kVerlet, 1e-4);

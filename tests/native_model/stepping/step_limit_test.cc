@@ -1,6 +1,7 @@
 // Steps that are too long for what acts in them are refused, or the run says that its energy does
 // not add up.
 #include "native_model/stepping/step_limit.h"
+#include "native_model/prepare/prepare.h"
 
 #include <gtest/gtest.h>
 
@@ -41,10 +42,10 @@ vector = [300.0, 0.0]
 
 // h < m / c of a damper whose rate is the mean of those at the step's ends.
 TEST(StepLimit, IsThatOfTheContactsDamping) {
-  const StepLimit stiff = step_limit(make_model(pressed("damping = 1e9\n")));
+  const StepLimit stiff = step_limit(prepare(pressed("damping = 1e9\n")));
   EXPECT_STREQ(stiff.of, "the contact's damping");
   EXPECT_NEAR(stiff.step, 2.0 / 1e9, 1e-12);
-  EXPECT_GT(step_limit(make_model(pressed("damping = 1e3\n"))).step, 1e-5);
+  EXPECT_GT(step_limit(prepare(pressed("damping = 1e3\n"))).step, 1e-5);
   const Trajectory refused = run_with(pressed("damping = 1e9\n"), scene::Integrator::kVerlet);
   EXPECT_EQ(refused.status, Status::kStepTooLarge) << refused.message;
 }
@@ -58,7 +59,7 @@ TEST(StepLimit, IsHeldToTheDampingOfHuntAndCrossleyAsItGoes) {
 
 TEST(StepLimit, IsThatOfASampledLawToo) {
   const auto limit = [](const std::string& gain) {
-    return step_limit(make_model(scene_of(R"(
+    return step_limit(prepare(scene_of(R"(
 [run]
 end = 0.02
 step = 1e-5

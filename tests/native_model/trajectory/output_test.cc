@@ -1,6 +1,7 @@
 // The files of a run: headers word for word, numbers that read back to the same bits, whole or not
 // at all.
 #include "native_model/trajectory/output.h"
+#include "native_model/prepare/prepare.h"
 
 #include <gtest/gtest.h>
 #include <sys/resource.h>
@@ -62,13 +63,13 @@ const std::string kCommon =
     "spin_speed,gap,gap_rate,slip,normal_force,friction_force,mode";
 
 TEST_F(OutputTest, SeriesHeaderIsTheContracts) {
-  EXPECT_EQ(series_header(make_model(test::make_scene({}))), kCommon + ",x_1,y_1,vx_1,vy_1");
-  EXPECT_EQ(series_header(make_model(test::machine_scene(true))),
+  EXPECT_EQ(series_header(prepare(test::make_scene({}))), kCommon + ",x_1,y_1,vx_1,vy_1");
+  EXPECT_EQ(series_header(prepare(test::machine_scene(true))),
             kCommon +
                 ",x_1,x_2,y_1,y_2,vx_1,vx_2,vy_1,vy_2,torsion_1,torsion_2,torsion_speed_1,"
                 "torsion_speed_2,motor_torque")
       << "a passive bearing has no command";
-  EXPECT_EQ(series_header(make_model(test::machine_scene(false))),
+  EXPECT_EQ(series_header(prepare(test::machine_scene(false))),
             kCommon +
                 ",x_1,x_2,y_1,y_2,vx_1,vx_2,vy_1,vy_2,torsion_1,torsion_2,torsion_speed_1,"
                 "torsion_speed_2")
@@ -77,7 +78,7 @@ TEST_F(OutputTest, SeriesHeaderIsTheContracts) {
   test::add_ring(s, 1.0, 0.0, 1e5);
   s.first().controller = scene::Controller{};
   s.first().controller->kind = scene::ControllerKind::kSliding;
-  EXPECT_EQ(series_header(make_model(s)),
+  EXPECT_EQ(series_header(prepare(s)),
             kCommon + ",x_1,y_1,vx_1,vy_1,control_x,control_y,control_s,control_layer")
       << "what the law shows of itself";
   s.first().actuator = scene::Actuator{.kind = scene::ActuatorKind::kElectromagnet,
@@ -86,7 +87,7 @@ TEST_F(OutputTest, SeriesHeaderIsTheContracts) {
                                        .air_gap = 5e-3,
                                        .coil_lag = 1e-4};
   EXPECT_EQ(
-      series_header(make_model(s)),
+      series_header(prepare(s)),
       kCommon +
           ",x_1,y_1,vx_1,vy_1,control_x,control_y,current_1,current_2,control_s,control_layer");
 }

@@ -1,5 +1,6 @@
 // A rotor or a ring beyond what holds it.
 #include "native_model/trajectory/range_check.h"
+#include "native_model/prepare/prepare.h"
 
 #include <gtest/gtest.h>
 
@@ -23,7 +24,7 @@ scene::Scene in_magnets() {
 }
 
 TEST(RangeCheck, OfTheRingIsTheAirGapOnEitherAxis) {
-  const Model model = make_model(in_magnets());
+  const Model model = prepare(in_magnets());
   Eigen::VectorXd q = Eigen::VectorXd::Zero(model.nq());
   const int ring = model.layout.ring();
   for (const Eigen::Vector2d& axis : {Eigen::Vector2d(1.0, 0.0), Eigen::Vector2d(0.0, -1.0)}) {
@@ -39,7 +40,7 @@ TEST(RangeCheck, OfTheRingIsTheAirGapOnEitherAxis) {
 }
 
 TEST(RangeCheck, OfTheRotorIsTwiceTheClearance) {
-  const Model model = make_model(test::make_scene({.clearance = 0.5e-3}));
+  const Model model = prepare(test::make_scene({.clearance = 0.5e-3}));
   Eigen::VectorXd q = Eigen::VectorXd::Zero(model.nq());
   q[0] = 0.99e-3;
   EXPECT_FALSE(out_of_range(model, q.data()));

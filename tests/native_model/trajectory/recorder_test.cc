@@ -6,7 +6,8 @@
 #include <cmath>
 #include <functional>
 
-#include "native_model/dynamics/dynamics.h"
+#include "native_model/model/dynamics.h"
+#include "native_model/prepare/prepare.h"
 #include "native_model/trajectory/recorder.h"
 #include "tests/support/jeffcott.h"
 
@@ -48,7 +49,7 @@ Eigen::VectorXd cubic_rate(double t) {
 }
 
 TEST(RecorderRows, AtTheTimesAskedForToTheBit) {
-  const Model m = make_model(test::make_scene({}));
+  const Model m = prepare(test::make_scene({}));
   const std::vector<double> times{0.0, 1.0 / 3e3, 0.7e-3, 1.234e-3, std::nextafter(2e-3, 0.0),
                                   5e-3};
   const Trajectory t = record(m, times, 1e-3, 5, cubic, cubic_rate);
@@ -57,7 +58,7 @@ TEST(RecorderRows, AtTheTimesAskedForToTheBit) {
 }
 
 TEST(RecorderRows, CubicsAreInterpolatedExactly) {
-  const Model m = make_model(test::make_scene({}));
+  const Model m = prepare(test::make_scene({}));
   std::vector<double> times;
   for (int k = 0; k <= 97; ++k) times.push_back(k * 5e-3 / 97);
   const Trajectory t = record(m, times, 1e-3, 5, cubic, cubic_rate);
@@ -71,7 +72,7 @@ TEST(RecorderRows, CubicsAreInterpolatedExactly) {
 }
 
 TEST(RecorderRows, AtAStepItsStateToTheBit) {
-  const Model m = make_model(test::make_scene({}));
+  const Model m = prepare(test::make_scene({}));
   // 0.3 is the third step but for round-off.
   const Trajectory t = record(m, {0.1, 0.3}, 0.1, 5, cubic, cubic_rate);
   EXPECT_EQ(t.column("t")[1], 0.3);
@@ -80,7 +81,7 @@ TEST(RecorderRows, AtAStepItsStateToTheBit) {
 }
 
 TEST(RecorderRows, StraightAcrossAnImpact) {
-  const Model m = make_model(test::make_scene({}));
+  const Model m = prepare(test::make_scene({}));
   const auto path = [](double t) { return Eigen::VectorXd(Eigen::Vector2d(1e-4 * t, 0.0)); };
   const auto speed = [](double t) {
     return Eigen::VectorXd(Eigen::Vector2d(t < 1.5 ? 9.0 : -9.0, 0));
@@ -94,14 +95,14 @@ TEST(RecorderRows, StraightAcrossAnImpact) {
 }
 
 TEST(RecorderRows, APrescribedSpinTurnsOnByItself) {
-  const Model m = make_model(test::make_scene({.speed = 200.0}));
+  const Model m = prepare(test::make_scene({.speed = 200.0}));
   const Trajectory t = record(m, {0.0, 1.5e-3}, 1e-3, 2, cubic, cubic_rate);
   EXPECT_DOUBLE_EQ(t.column("spin_angle")[1], 0.3);
   EXPECT_EQ(t.column("spin_speed")[1], 200.0);
 }
 
 TEST(Recorder, PutsImpactsAndEventsInOrder) {
-  const Model m = make_model(test::make_scene({}));
+  const Model m = prepare(test::make_scene({}));
   Recorder recorder(m, {0.0});
   recorder.add(Impact{.t = 0.2, .normal_impulse = 1.0, .gap_rate_before = -0.5e-4});
   recorder.add(Impact{.t = 0.1, .normal_impulse = 2.0, .gap_rate_before = -2e-4});

@@ -1,7 +1,8 @@
 // Figures of a run on steps made by hand.
 #include <gtest/gtest.h>
 
-#include "native_model/dynamics/dynamics.h"
+#include "native_model/model/dynamics.h"
+#include "native_model/prepare/prepare.h"
 #include "native_model/trajectory/recorder.h"
 #include "tests/support/jeffcott.h"
 #include "tests/support/trapezoid_balance.h"
@@ -41,7 +42,7 @@ class Feed {
 };
 
 TEST(Statistics, ContactIsCountedFromFirstTouch) {
-  const Model m = make_model(test::make_scene({.speed = 100.0}));
+  const Model m = prepare(test::make_scene({.speed = 100.0}));
   const Eigen::Vector2d at{0.5e-3, 0.0}, whirl{0.0, 0.2}, resting{0.0, 0.0};
   Feed feed(m);
   feed.begin({0.4e-3, 0.0}, resting);
@@ -71,7 +72,7 @@ TEST(Statistics, ContactIsCountedFromFirstTouch) {
 
 // One contact lasts while another is hit: the step is one step of contact.
 TEST(Statistics, AnImpactBesideLastingContactTakesNoTimeOfItsOwn) {
-  const Model m = make_model(test::make_scene({}));
+  const Model m = prepare(test::make_scene({}));
   const double q[] = {0.5e-3, 0.0}, v[] = {0.0, 0.0};
   Recorder recorder(m, {});
   recorder.begin({{}, 0.0, q, v});
@@ -89,7 +90,7 @@ TEST(Statistics, AnImpactBesideLastingContactTakesNoTimeOfItsOwn) {
 }
 
 TEST(Statistics, PenetrationIsTheDeepestMet) {
-  const Model m = make_model(test::make_scene({}));
+  const Model m = prepare(test::make_scene({}));
   Feed feed(m);
   feed.begin({0.5e-3, 0.0}, {0.0, 0.0});
   feed.step(1.0, {0.52e-3, 0.0}, {0.0, 0.0}, 1.0, 0.0);
@@ -101,7 +102,7 @@ TEST(Statistics, PenetrationIsTheDeepestMet) {
 
 TEST(Statistics, ImpactsBalanceTheEnergyWithTheirOwnWork) {
   // Head on with 0.4 m/s, back with 0.2: the work of the impulse is its mean gap rate times it.
-  const Model m = make_model(test::make_scene({}));
+  const Model m = prepare(test::make_scene({}));
   const auto run = [&](double impulse) {
     Feed feed(m);
     feed.begin({0.5e-3, 0.0}, {0.4, 0.0});
@@ -119,7 +120,7 @@ TEST(Statistics, ImpactsBalanceTheEnergyWithTheirOwnWork) {
 
 TEST(Statistics, FrictionFromAHeldShaftFeedsTheOrbitAndIsBalanced) {
   // Sliding at 5 m/s drags the centre backward by 0.1 N s / 2 kg; the shaft is held at its speed.
-  const Model m = make_model(test::make_scene({.speed = 100.0}));
+  const Model m = prepare(test::make_scene({.speed = 100.0}));
   Feed feed(m);
   feed.begin({0.5e-3, 0.0}, {0.0, 0.0});
   feed.step(1e-5, {0.5e-3, 0.0}, {0.0, -0.05}, 0.5, -0.1);

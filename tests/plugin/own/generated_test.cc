@@ -6,7 +6,7 @@
 
 #include "mjcf/names.h"
 #include "mjcf/writer.h"
-#include "plugin/user_data.h"
+#include "plugin/model/user_data.h"
 #include "tests/support/mujoco_document.h"
 #include "tests/support/mujoco_fixture.h"
 

@@ -2,7 +2,7 @@
 // whose memory is whose.
 #include <gtest/gtest.h>
 
-#include "plugin/user_data.h"
+#include "plugin/model/user_data.h"
 #include "tests/plugin/own/machine.h"
 #include "tests/plugin/own/two_rings.h"
 #include "tests/support/mujoco_fixture.h"

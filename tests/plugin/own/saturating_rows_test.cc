@@ -8,7 +8,7 @@
 #include <vector>
 
 #include "mjcf/names.h"
-#include "plugin/user_data.h"
+#include "plugin/model/user_data.h"
 #include "tests/plugin/own/machine.h"
 #include "tests/plugin/own/two_rings.h"
 #include "tests/support/mujoco_fixture.h"

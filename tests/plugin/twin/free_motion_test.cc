@@ -6,9 +6,10 @@
 #include <algorithm>
 #include <cmath>
 
-#include "native_model/dynamics/dynamics.h"
+#include "native_model/model/dynamics.h"
+#include "native_model/model/model.h"
+#include "native_model/prepare/prepare.h"
 #include "native_model/run/run_native.h"
-#include "native_model/system/model.h"
 #include "tests/plugin/own/machine.h"
 #include "tests/plugin/own/two_rings.h"
 #include "tests/plugin/twin/twins.h"
@@ -60,7 +61,7 @@ FreeMotion free_motion(const std::string& document, double step) {
   scene::Scene scene = twin.scene;
   scene.run.end = 0.02;
   scene.run.output_step = scene.run.end / rows;
-  const Model model = make_model(scene);
+  const Model model = prepare(scene);
   const Trajectory native = run_native(scene, options);
   EXPECT_EQ(native.status, Status::kOk) << native.message;
   EXPECT_TRUE(native.impacts.empty()) << "it must not touch";

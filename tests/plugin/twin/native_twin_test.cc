@@ -4,8 +4,9 @@
 
 #include <gtest/gtest.h>
 
-#include "native_model/dynamics/dynamics.h"
-#include "native_model/system/model.h"
+#include "native_model/model/dynamics.h"
+#include "native_model/model/model.h"
+#include "native_model/prepare/prepare.h"
 #include "tests/plugin/own/machine.h"
 #include "tests/plugin/own/two_rings.h"
 #include "tests/plugin/twin/twins.h"
@@ -22,7 +23,7 @@ using NativeTwinTest = MujocoTest;
 TEST_F(NativeTwinTest, HasTheNumbersOfTheSceneThatSaysTheSame) {
   const NativeTwin twin = twin_of(own_model_example());
   EXPECT_TRUE(twin.limits.empty()) << twin.limits.front();
-  const Model model = make_model(twin.scene);
+  const Model model = prepare(twin.scene);
   ASSERT_EQ(model.layout.modes, 1);
   ASSERT_EQ(model.nq(), 5);
   const double inertia = 2.2e-3 + 1.8 * 2e-4 * 2e-4;
@@ -103,7 +104,7 @@ TEST_F(NativeTwinTest, HasEachContactAtItsStation) {
   x.ring_mass = 3.0;
   x.clearance[1] = 4e-4;
   const NativeTwin twin = twin_of(document(x));
-  const Model model = make_model(twin.scene);
+  const Model model = prepare(twin.scene);
   ASSERT_EQ(model.auxiliary.size(), 2U);
   ASSERT_EQ(model.layout.stator, 4);
   EXPECT_EQ(model.auxiliary[0].contact->clearance, 5e-4);
@@ -121,7 +122,7 @@ TEST_F(NativeTwinTest, HasEachContactAtItsStation) {
 TEST_F(NativeTwinTest, HasRingsOffTheLine) {
   const std::string text = replaced(document(TwoRings{}), R"(<body name="holder" pos="0 0 0.1">)",
                                     R"(<body name="holder" pos="1e-4 -2e-4 0.1">)");
-  const Model model = make_model(twin_of(text).scene);
+  const Model model = prepare(twin_of(text).scene);
   const double* q = model.q0.data();
   EXPECT_NEAR(separation(model, q, 0).norm(), 0.0, 1e-15);
   EXPECT_NEAR((separation(model, q, 1) - Eigen::Vector2d(-1e-4, 2e-4)).norm(), 0.0, 1e-15);

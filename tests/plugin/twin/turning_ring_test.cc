@@ -6,7 +6,8 @@
 #include <string>
 #include <vector>
 
-#include "native_model/system/model.h"
+#include "native_model/model/model.h"
+#include "native_model/prepare/prepare.h"
 #include "tests/plugin/own/machine.h"
 #include "tests/plugin/twin/twins.h"
 #include "tests/support/mujoco_fixture.h"
@@ -34,7 +35,7 @@ TEST_F(TwinOfATurningRing, HasItsInertiaDragAndSpeed) {
   for (const double sense : {1.0, -1.0}) {
     const auto twin = twin_of(document(turning(kDragged, sense > 0.0 ? "0 0 1" : "0 0 -1")));
     EXPECT_TRUE(twin.limits.empty()) << twin.limits.front();
-    const Model model = make_model(twin.scene);
+    const Model model = prepare(twin.scene);
     ASSERT_EQ(model.layout.ring_spin, 1);
     ASSERT_EQ(model.nq(), 6);
     const int turn = model.layout.ring_angle();
@@ -65,7 +66,7 @@ TEST_F(TwinOfATurningRing, SpinsDownAsTheClosedFormAndAsMujoco) {
   // angle goes with the speeds of the steps' ends, h / 2 of what the speed changes by too far.
   const DataPointer d = start(m.get());
   for (int k = 0; k < 2000; ++k) mj_step(m.get(), d.get());
-  const Model model = make_model(twin.scene);
+  const Model model = prepare(twin.scene);
   Eigen::VectorXd q(model.nq()), v(model.nq());
   twin.read(m.get(), d.get(), q.data(), v.data());
   const int turn = model.layout.ring_angle();

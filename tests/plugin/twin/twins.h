@@ -3,6 +3,7 @@
 
 #include <string>
 
+#include "plugin/make_config.h"
 #include "plugin/twin/native_twin.h"
 #include "tests/support/mujoco_fixture.h"
 #include "tests/support/said.h"

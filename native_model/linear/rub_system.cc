@@ -1,0 +1,258 @@
+#include "native_model/linear/rub_system.h"
+
+#include <Eigen/Core>
+#include <cassert>
+#include <cmath>
+#include <string>
+
+#include "native_model/control/ring_feedback.h"
+#include "native_model/linear/free_motion.h"
+#include "native_model/model/linear_parts.h"
+#include "native_model/model/model.h"
+#include "native_model/model/model_checks.h"
+#include "native_model/numerics/linear_solve.h"
+#include "native_model/scene/diagnostic.h"
+#include "native_model/scene/record.h"
+#include "native_model/scene/text.h"
+
+namespace rotorub::rub {
+namespace {
+
+[[noreturn]] void refuse(const scene::Scene& scene, const std::string& key,
+                         const std::string& why) {
+  throw scene::SceneError(
+      scene::placed(scene, {{"", 0, key, "no lasting rub can be analysed: " + why}}));
+}
+
+bool differ(const scene::PlanePair& pair) { return pair.x() != pair.y(); }
+
+bool crosses(const scene::Controller& c) {
+  return c.kind == scene::ControllerKind::kCrossCoupled ||
+         c.kind == scene::ControllerKind::kTwoPhase;
+}
+
+// Refuses the scene at a key where `so`.
+struct Checks {
+  const scene::Scene& scene;
+  void operator()(bool so, const std::string& key, const std::string& why) const {
+    if (so) refuse(scene, key, why);
+  }
+};
+
+// Linear: it works without a limit for ever, or has failed.
+void check_feedback(const Checks& check, std::size_t bearing,
+                    const scene::MagneticBearing& magnetic) {
+  const scene::BearingControl& control = *magnetic.control;
+  if (!control.works()) return;
+  const std::string path =
+      scene::magnetic_bearing_path(check.scene.record.get(), bearing) + ".control.";
+  check(magnetic.kind != scene::MagnetKind::kLinear,
+        scene::magnetic_bearing_path(check.scene.record.get(), bearing) + ".kind",
+        "an electromagnet's force is not linear; accepted are linear, or " + path + "fails_at = 0");
+  check(control.works_from > 0.0, path + "on",
+        "before and after are two machines; accepted is 0 (left out)");
+  check(control.fails_at < scene::kNever, path + "fails_at",
+        "before and after are two machines; accepted are 0 (it has failed) and never (left out)");
+  const auto has_no_state = [&](bool has, const std::string& key, const char* what) {
+    check(has, key,
+          std::string("the analysis has no state for ") + what +
+              "; accepted are 0 (left out), or " + path + "fails_at = 0");
+  };
+  has_no_state(control.integral > 0.0, path + "integral", "an integrator");
+  has_no_state(control.derivative_lag > 0.0, path + "derivative_lag", "a filter");
+  check(magnetic.amplifier.has_value(),
+        scene::magnetic_bearing_path(check.scene.record.get(), bearing) + ".amplifier",
+        "the analysis has no state for an amplifier; accepted is none (left out), or " + path +
+            "fails_at = 0");
+  check(std::isfinite(control.current_limit), path + "current_limit",
+        "at the limit the magnets' forces are not linear; accepted are none (left out), or " +
+            path + "fails_at = 0");
+}
+
+// What the scene itself shows.
+void check(const scene::Scene& scene) {
+  const Checks check{scene};
+  const scene::AuxiliaryBearing& first = scene.first();
+  check(!first.contact, "contact", "the scene has no [contact]");
+  if (scene.auxiliary.size() > 1) {
+    scene::refuse_at(scene, "contact[1]",
+                     "a map of lasting rubs is of one contact alone; accepted: one [[contact]], as "
+                     "with --set \"contact[1]=none\"; `rotorub modes` has those of each while the "
+                     "others are open");
+  }
+  check(scene.gives(), "contact.compliance",
+        "what is known is the rub of a rigid contact; accepted: none");
+  if (first.stator) {
+    const char* planes = "both planes must be alike, give one number for x and y";
+    check(first.stator->spin && !first.contact->friction.is_constant(), "contact.friction",
+          "the speed of a ring that turns is known for one coefficient; accepted: a number, or no "
+          "stator.spin");
+    check(!first.stator->on_springs_alone(), "stator",
+          "the analysis has the ring on its spring and damper to the base alone; accepted: no "
+          "mount, dry_friction, squeeze_film or ball_bearing, and of a ring that turns drag alone");
+    check(differ(first.stator->mass), "stator.mass", planes);
+    check(differ(first.stator->damping), "stator.damping", planes);
+    check(differ(first.stator->stiffness), "stator.stiffness", planes);
+  }
+  for (std::size_t k = 0; k < scene.forces.size(); ++k) {
+    const scene::Force& force = scene.forces[k];
+    const std::string key = scene::list_element("force", k) + ".kind";
+    check(force.kind == scene::ForceKind::kConstant && !force.vector.isZero(0.0), key,
+          "a constant force points one way, so no whirl is steady; accepted are rotating ones");
+    check(force.kind == scene::ForceKind::kChirp || force.kind == scene::ForceKind::kPulse, key,
+          "under a force that passes no whirl is steady; accepted are rotating and synchronous "
+          "ones");
+  }
+  check(scene.gravity && !scene.gravity->acceleration.isZero(0.0), "gravity",
+        "weight points one way, so no whirl is steady");
+  check(scene.base.has_value(), "base", "on a base that moves no whirl is steady");
+  for (std::size_t i = 0; scene.rotor.geometry && i < scene.rotor.geometry->bearings.size(); ++i) {
+    const scene::ShaftBearing& bearing = scene.rotor.geometry->bearings[i];
+    const std::string path = scene::list_element("rotor.bearing", i);
+    check(!bearing.offset.isZero(0.0), path + ".offset",
+          "a bearing off the line bends the shaft one way, so no whirl is steady; accepted is 0");
+    check(bearing.follows_speed() || bearing.crosses(),
+          path + (bearing.follows_speed() ? ".table_speed" : ".cross_stiffness"),
+          "the analysis has springs and dashpots alone; accepted are bearings without tables and "
+          "crosses");
+  }
+  check(!first.contact->offset.isZero(0.0), "contact.offset",
+        "the ring is out of the middle of the whirl, and none is steady; accepted is 0");
+  for (std::size_t k = 0; k < scene.magnetic_bearings.size(); ++k) {
+    const scene::MagneticBearing& magnetic = scene.magnetic_bearings[k];
+    if (magnetic.control) check_feedback(check, k, magnetic);
+  }
+  check(first.controller && first.controller->kind != scene::ControllerKind::kPassive &&
+            !crosses(*first.controller),
+        "controller.kind", "accepted are passive, cross_coupled and two_phase");
+  check(first.actuator && first.actuator->kind != scene::ActuatorKind::kIdeal, "actuator.kind",
+        "the magnets' forces are not linear; accepted is an ideal actuator");
+}
+
+bool same(const ModeShape& shape) { return shape.x == shape.y; }
+
+bool same_planes(const Model& m) {
+  const int n = m.layout.modes;
+  const auto halves = [n](const Eigen::VectorXd& v) { return v.head(n) == v.segment(n, n); };
+  const Eigen::MatrixXd g = m.gyroscopic.dense(n), xx = m.internal_xx.dense(n);
+  bool all = halves(m.mass) && halves(m.stiffness) && halves(m.damping) && same(m.first().shape) &&
+             g == g.transpose() && xx == m.internal_xy.dense(n) && xx == m.internal_yy.dense(n);
+  for (const StationDamper& d : m.dampers) all = all && same(d.shape) && !differ(d.damping);
+  for (const StationSpring& s : m.springs) all = all && same(s.shape) && !differ(s.stiffness);
+  for (const StationFeedback& f : m.feedbacks) all = all && same(f.shape) && same(f.seen());
+  for (const AppliedForce& f : m.forces) all = all && same(f.shape);
+  for (const DiscUnbalance& u : m.unbalances) all = all && same(u.shape);
+  return all;
+}
+
+void add_loads(const Model& model, RubSystem& system) {
+  for (const AppliedForce& f : model.forces) {
+    // One in step with the spin, which is held here.
+    const bool locked = f.kind == scene::ForceKind::kSynchronous;
+    if (f.kind != scene::ForceKind::kRotating && !locked) continue;
+    const double phase = locked ? f.phase + model.spin_angle : f.phase;
+    system.forces.push_back(
+        {locked ? model.speed : f.frequency, std::polar(f.amplitude, phase) * f.shape.x});
+  }
+  for (const DiscUnbalance& u : model.unbalances) {
+    system.unbalance += std::polar(u.static_moment, model.spin_angle + u.phase) * u.shape.x;
+  }
+}
+
+}  // namespace
+
+Model model_without_start(const scene::Scene& scene) { return make_model(without_start(scene)); }
+
+RubSystem rub_system(const scene::Scene& scene) {
+  check(scene);
+  const Model model = model_without_start(scene);
+  if (!same_planes(model)) {
+    refuse(scene, scene.rotor.modal ? "rotor.modal" : "rotor.bearing",
+           "both planes must be alike; these bearings or modes differ");
+  }
+  const int n = model.layout.modes;
+  RubSystem system;
+  system.speed = scene.rotor.speed;
+  system.mass = model.mass.head(n);
+  system.internal = model.internal_xx.dense(n);
+  system.gyroscopic = model.gyroscopic.dense(n);
+  // At rest nothing goes from one plane to the other; rotating damping is kept by itself.
+  Model resting = model;
+  resting.internal_xx = resting.internal_xy = resting.internal_yy = {};
+  const LinearParts parts = linear_parts(resting, 0.0);
+  system.stiffness = parts.stiffness.topLeftCorner(n, n);
+  system.damping = parts.damping.topLeftCorner(n, n);
+  system.contact = model.first().shape.x;
+  system.clearance = model.first().contact->clearance;
+  system.radius = model.first().contact->radius;
+  system.friction = model.first().contact->friction;
+  if (model.layout.stator) {
+    const int k = model.layout.ring();
+    system.ring = Ring{model.mass[k], model.damping[k], model.stiffness[k]};
+    if (const auto& spin = scene.first().stator->spin) {
+      system.ring->inertia = spin->inertia;
+      system.ring->drag = spin->drag;
+    }
+    if (scene.first().controller && crosses(*scene.first().controller)) {
+      const double gain = CrossCoupled(*scene.first().controller).gain(system.speed);
+      system.ring->coupling = std::copysign(gain, system.speed);
+      system.ring->damping += scene.first().controller->damping;
+    } else if (scene.first().controller) {
+      system.ring->stiffness += scene.first().controller->stiffness;
+      system.ring->damping += scene.first().controller->damping;
+    }
+  }
+  system.unbalance = Eigen::VectorXcd::Zero(n);
+  add_loads(model, system);
+  return system;
+}
+
+RubSystem at_speed(RubSystem system, double speed) {
+  if (system.speed != 0.0) {
+    for (RotatingLoad& force : system.forces) force.frequency *= speed / system.speed;
+  }
+  system.speed = speed;
+  return system;
+}
+
+std::vector<RotatingLoad> rotating_loads(const RubSystem& system) {
+  constexpr double kSame = 1e-9;
+  std::vector<RotatingLoad> all;
+  const auto add = [&](const RotatingLoad& load) {
+    if (load.load.isZero(0.0)) return;
+    for (RotatingLoad& other : all) {
+      if (std::abs(other.frequency - load.frequency) <= kSame * std::abs(load.frequency)) {
+        other.load += load.load;
+        return;
+      }
+    }
+    all.push_back(load);
+  };
+  for (const RotatingLoad& force : system.forces) add(force);
+  add({system.speed, system.speed * system.speed * system.unbalance});
+  return all;
+}
+
+Eigen::MatrixXcd dynamic_stiffness(const RubSystem& s, double nu) {
+  Eigen::MatrixXcd d = s.stiffness.cast<Complex>();
+  d += (nu * s.speed) * s.gyroscopic.cast<Complex>();
+  d += (kI * nu) * s.damping.cast<Complex>() + (kI * (nu - s.speed)) * s.internal.cast<Complex>();
+  d.diagonal() -= (nu * nu) * s.mass.cast<Complex>();
+  return d;
+}
+
+Eigen::VectorXcd response(const RubSystem& s, double nu, const Eigen::VectorXcd& load) {
+  return lu_solve(dynamic_stiffness(s, nu), load);
+}
+
+Complex ring_stiffness(const RubSystem& s, double nu) {
+  assert(s.ring);
+  return s.ring->stiffness - s.ring->mass * nu * nu + kI * nu * s.ring->rate();
+}
+
+Complex compliance(const RubSystem& s, double nu) {
+  const Complex rotor = s.contact.dot(response(s, nu, s.contact.cast<Complex>()));
+  return s.ring ? rotor + 1.0 / ring_stiffness(s, nu) : rotor;
+}
+
+}  // namespace rotorub::rub

@@ -1,0 +1,127 @@
+#include "native_model/prepare/rub_start.h"
+
+#include <Eigen/Core>
+#include <complex>
+#include <string>
+
+#include "native_model/linear/rub_map.h"
+#include "native_model/linear/rub_system.h"
+#include "native_model/scene/diagnostic.h"
+#include "native_model/scene/record.h"
+#include "native_model/scene/text.h"
+
+namespace rotorub::rub {
+namespace {
+
+constexpr const char* kKey = "initial.rub";
+
+RubKind kind_of(scene::StartingRub rub) {
+  if (rub == scene::StartingRub::kSynchronous) return RubKind::kForced;
+  return rub == scene::StartingRub::kWhip ? RubKind::kWhip : RubKind::kRolling;
+}
+
+// "synchronous rub", "whip", "rolling".
+std::string name_of(RubKind kind) {
+  return kind == RubKind::kForced ? "synchronous rub" : to_string(kind);
+}
+
+// A force that has not begun at t = 0, or no longer acts, is none.
+void leave_out_later(const scene::Scene& scene, std::size_t number, scene::Force& force) {
+  const bool risen = force.on <= 0.0 && force.on + force.ramp <= 0.0;
+  if (risen && force.off > 0.0) return;
+  if (force.on < 0.0 && force.off > 0.0) {
+    scene::refuse_at(scene, scene::list_element("force", number) + ".ramp",
+                     "is still rising at t = 0, and no rub lasts; accepted beside initial.rub: a "
+                     "force that begins to rise at 0 or later, or has risen by then");
+  }
+  force.kind = scene::ForceKind::kRotating;
+  force.amplitude = 0.0;
+}
+
+// What acts at t = 0, as if it did for ever.
+scene::Scene at_start(scene::Scene scene) {
+  const scene::Scene given = scene;
+  for (std::size_t k = 0; k < scene.forces.size(); ++k) leave_out_later(given, k, scene.forces[k]);
+  for (scene::AuxiliaryBearing& at : scene.auxiliary) {
+    if (!at.controller) continue;
+    if (at.controller->on > 0.0) {
+      at.controller.reset();
+    } else if (at.controller->kind == scene::ControllerKind::kTwoPhase) {
+      scene::refuse_at(given, "controller.kind",
+                       "the first phase of two_phase keeps no rub that is known; accepted beside "
+                       "initial.rub: passive, cross_coupled");
+    }
+  }
+  return scene;
+}
+
+// What `modes` counts and a start does not.
+std::string begins_later(const scene::Scene& scene) {
+  std::string later;
+  for (std::size_t k = 0; k < scene.forces.size(); ++k) {
+    if (scene.forces[k].on <= 0.0) continue;
+    later += (later.empty() ? "" : ", ") + scene::list_element("force", k);
+  }
+  return later.empty() ? "" : " under what acts at t = 0 (" + later + " begins later)";
+}
+
+SteadyRub rub_of(const scene::Scene& scene, const RubSystem& system) {
+  const RubKind kind = kind_of(scene.initial.rub);
+  if (kind == RubKind::kForced && rotating_loads(system).size() > 1) {
+    scene::refuse_at(scene, kKey,
+                     "under loads of several frequencies there is no synchronous rub; accepted: "
+                     "loads of one at t = 0, or whip, rolling");
+  }
+  const RubPoint point = RubStudy(system).at(system.friction);
+  if (const StandingRub* found = point.leading(kind)) return found->rub;
+  std::string others;
+  for (const RubKind other : {RubKind::kForced, RubKind::kWhip, RubKind::kRolling}) {
+    if (point.leading(other)) others += (others.empty() ? "" : ", ") + name_of(other);
+  }
+  scene::refuse_at(scene, kKey,
+                   "there is no " + name_of(kind) + " at " + scene::number_text(system.speed) +
+                       " rad/s" + begins_later(scene) + "; accepted: " +
+                       (others.empty() ? "" : "a rub that there is (" + others + "), or ") +
+                       "none");
+}
+
+void put(const Complex& place, double whirl, Model& model, int x, int y) {
+  const Complex velocity = kI * whirl * place;
+  model.q0[x] = place.real();
+  model.q0[y] = place.imag();
+  model.v0[x] = velocity.real();
+  model.v0[y] = velocity.imag();
+}
+
+// Twisted by the motor at one station and by the friction at another.
+void twist(const SteadyRub& rub, Model& m) {
+  const Layout& l = m.layout;
+  const double friction = m.first().contact->radius * rub.friction * rub.normal_force;
+  Eigen::VectorXd torque = -friction * m.first().torsion_shape;
+  if (m.drive) torque += m.drive->torque(0.0, 0.0, m.speed) * m.drive_shape;
+  m.q0.segment(l.theta(), l.torsion) =
+      torque.cwiseQuotient(m.stiffness.segment(l.theta(), l.torsion));
+}
+
+}  // namespace
+
+void add_rub_start(const scene::Scene& scene, Model& m) {
+  if (const auto& ring = scene.first().stator; ring && ring->spin && ring->spin->speed != 0.0) {
+    scene::refuse_at(scene, "stator.spin.speed",
+                     "the ring turns as the rub has it; accepted beside initial.rub: 0 (left out)");
+  }
+  const RubSystem system = rub_system(at_start(scene));
+  const SteadyRub rub = rub_of(scene, system);
+  const Complex direction = std::polar(1.0, rub.direction);
+  const Layout& l = m.layout;
+  for (int k = 0; k < l.modes; ++k) {
+    put(direction * rub.rotor[k], rub.whirl, m, l.x() + k, l.y() + k);
+  }
+  if (m.first().moves()) {
+    put(direction * rub.ring, rub.whirl, m, m.first().ring, m.first().ring + 1);
+  }
+  if (m.first().turns()) m.v0[m.first().ring_angle] = rub.ring_speed;
+  if (l.torsion > 0 && scene.initial.torsion.empty()) twist(rub, m);
+}
+
+}  // namespace rotorub::rub

@@ -1,0 +1,301 @@
+#include "plugin/make_config.h"
+
+#include <algorithm>
+#include <atomic>
+#include <string_view>
+
+#include "mjcf/names.h"
+#include "native_model/model/model_checks.h"
+#include "native_model/prepare/prepare.h"
+#include "native_model/scene/diagnostic.h"
+#include "native_model/scene/reader.h"
+#include "native_model/scene/scene.h"
+#include "native_model/stepping/stepper.h"
+#include "native_model/stepping/zero_order_hold.h"
+#include "plugin/config_cache.h"
+#include "plugin/contact/verlet.h"
+#include "plugin/load_cells.h"
+#include "plugin/model/contact_sensors.h"
+#include "plugin/model/generated_rotor.h"
+#include "plugin/model/later_attributes.h"
+#include "plugin/model/message.h"
+#include "plugin/model/mujoco_versions.h"
+#include "plugin/model/user_data.h"
+#include "plugin/model_parameters.h"
+#include "plugin/own/own_config.h"
+#include "plugin/own/own_names.h"
+#include "plugin/shadow.h"
+
+namespace rotorub::plugin {
+namespace {
+
+namespace names = mjcf_names;
+
+int required(const mjModel* m, int type, const char* element, const std::string& name) {
+  const int id = mj_name2id(m, type, name.c_str());
+  if (id < 0) {
+    refuse(message("<{} name=\"{}\">", element, name),
+           "missing, but the scene in <custom> needs it; write the MJCF anew with `rotorub mjcf`");
+  }
+  return id;
+}
+
+// Coordinate i of the layout moves with this joint.
+std::string joint_name(const Model& model, int i) {
+  const Layout& l = model.layout;
+  if (i < l.y()) return names::bending_joint('x', i + 1);
+  if (i < l.phi()) return names::bending_joint('y', i - l.y() + 1);
+  if (i < l.theta()) return names::kSpinJoint;
+  if (i < l.ring()) return names::torsion_joint(i - l.theta() + 1);
+  if (i >= l.integral()) return names::bearing_integral(i - l.integral());
+  for (std::size_t k = 0; k < model.auxiliary.size(); ++k) {
+    const AuxiliaryBearing& at = model.auxiliary[k];
+    if (i == at.ring) return names::of_bearing(k, names::kRingX);
+    if (i == at.ring + 1 && at.moves()) return names::of_bearing(k, names::kRingY);
+    if (i == at.ring_angle) return names::of_bearing(k, names::kRingSpin);
+    if (at.housing == kAbsent) continue;
+    if (i == at.housing) return names::of_bearing(k, names::kHousingX);
+    if (i == at.housing + 1) return names::of_bearing(k, names::kHousingY);
+  }
+  for (const StationSupport& s : model.supports) {
+    const auto named = [&](const char* name) { return names::of_bearing(s.number, name); };
+    if (i == s.spin_bristle) return named(names::kSpinBristle);
+    if (s.bristle == kAbsent) continue;
+    if (i == s.bristle) return named(names::kBristleX);
+    if (i == s.bristle + 1) return named(names::kBristleY);
+  }
+  return {};
+}
+
+JointAddress find_joint(const mjModel* m, const std::string& name) {
+  const int joint = required(m, mjOBJ_JOINT, "joint", name);
+  const int type = m->jnt_type[joint];
+  if (type != mjJNT_SLIDE && type != mjJNT_HINGE) {
+    refuse(joint_element(m, joint), "accepted types: slide, hinge");
+  }
+  return {m->jnt_qposadr[joint], m->jnt_dofadr[joint]};
+}
+
+void map_segments(const mjModel* m, const scene::Scene& scene, Config& config) {
+  const auto find = [m](const std::string& name) { return find_joint(m, name); };
+  const Layout& l = config.model.layout;
+  config.segments = make_segments(scene, config.model, find);
+  config.qpos_address.assign(static_cast<std::size_t>(l.nq()), -1);
+  config.dof_address = config.qpos_address;
+  for (int i = l.ring(); i < l.nq(); ++i) {
+    const JointAddress ring = find(joint_name(config.model, i));
+    config.qpos_address[static_cast<std::size_t>(i)] = ring.position;
+    config.dof_address[static_cast<std::size_t>(i)] = ring.velocity;
+  }
+}
+
+void map_joints(const mjModel* m, Config& config) {
+  const Layout& l = config.model.layout;
+  config.same_order = true;
+  for (int i = 0; i < l.nq(); ++i) {
+    const JointAddress joint = find_joint(m, joint_name(config.model, i));
+    config.qpos_address.push_back(joint.position);
+    config.dof_address.push_back(joint.velocity);
+    config.same_order =
+        config.same_order && config.qpos_address.back() == i && config.dof_address.back() == i;
+  }
+}
+
+// The k-th contact; data: in mjData.userdata.
+ContactPair map_contact(const mjModel* m, const Config& config, std::size_t k, int data) {
+  const std::string rotor = names::of_bearing(k, names::kRotorContact);
+  const std::string ring = names::of_bearing(k, names::kRingContact);
+  const auto geom = [m](const std::string& name, int type, const char* accepted) {
+    const int id = required(m, mjOBJ_GEOM, "geom", name);
+    if (m->geom_type[id] != type) {
+      refuse(message("<geom name=\"{}\">", name), message("accepted type: {}", accepted));
+    }
+    return id;
+  };
+  ContactPair p;
+  p.law = config.contact;
+  p.contact = p.given = *config.model.auxiliary[k].contact;
+  p.rotor_geom = geom(rotor, mjGEOM_SPHERE, "sphere");
+  p.ring_geom = geom(ring, mjGEOM_CAPSULE, "capsule");
+  p.pair = find_pair(m, p.rotor_geom, p.ring_geom);
+  if (p.pair < 0) {
+    refuse(message("<contact><pair geom1=\"{}\" geom2=\"{}\">", rotor, ring),
+           "missing, but the scene in <custom> has a contact");
+  }
+  p.data = data;
+  p.sensors = contact_sensors(m, {}, names::of_bearing(k, {}));
+  if (const auto reference = own_number(m, names::kOwnFrictionReference)) {
+    check_one_value(m, names::kOwnFrictionReference, *reference);
+    p.friction_reference = reference->values[0];
+  }
+  p.in_world = true;
+  p.on_chain = !config.segments;
+  p.beside = p.on_chain && k > 0;
+  p.bearing = k;
+  if (p.beside && m->body_mocapid[m->geom_bodyid[p.rotor_geom]] < 0) {
+    refuse(body_element(m, m->geom_bodyid[p.rotor_geom]),
+           message("carries geom \"{}\"; accepted: mocap=\"true\"", rotor));
+  }
+  p.held_spin = config.segments || config.model.layout.spin ? 0.0 : config.model.speed;
+  return p;
+}
+
+// further: in mjData.userdata, of what the contacts beyond the first remember.
+void map_contacts(const mjModel* m, Config& config, int further) {
+  for (std::size_t k = 0; k < config.model.auxiliary.size(); ++k) {
+    // Entry e of a pair stands at data + e (user_data.h).
+    const int data = k == 0 ? 0 : further + kPairEntries * static_cast<int>(k - 1) - kFrictionForce;
+    config.pairs.push_back(map_contact(m, config, k, data));
+  }
+}
+
+void check_magnet(const mjModel* m, const Config& config, int actuator) {
+  const bool force = m->actuator_gaintype[actuator] == mjGAIN_USER &&
+                     m->actuator_biastype[actuator] == mjBIAS_USER;
+  const bool lags = config.model.first().magnets->coil_lag > 0.0;
+  const bool current = m->actuator_dyntype[actuator] == (lags ? mjDYN_USER : mjDYN_NONE);
+  if (force && current) return;
+  refuse(message("<general name=\"{}\">", m->names + m->name_actuatoradr[actuator]),
+         message("a magnet; accepted: gaintype=\"user\" biastype=\"user\" dyntype=\"{}\"",
+                 lags ? "user" : "none"));
+}
+
+void map_actuators(const mjModel* m, Config& config) {
+  for (int k = 0; k < 2; ++k) {
+    // A controller and magnets cannot do without; else they are for the user's own commands.
+    config.actuator[k] = config.model.first().controller || config.model.first().magnets
+                             ? required(m, mjOBJ_ACTUATOR, "actuator", names::kActuator[k])
+                             : mj_name2id(m, mjOBJ_ACTUATOR, names::kActuator[k]);
+    if (config.model.first().magnets) check_magnet(m, config, config.actuator[k]);
+  }
+}
+
+double next_id() {
+  static std::atomic<int> count{0};
+  return 1.0 + count.fetch_add(1);
+}
+
+// What the scene's own code throws, as a refusal of its text.
+template <typename Read>
+void read_scene(Read read) {
+  try {
+    read();
+  } catch (const ConfigError&) {
+    throw;
+  } catch (const std::exception& error) {
+    refuse(text_element(names::kSceneText), error.what());
+  }
+}
+
+// Where the memories of the plugin's parts are in mjData.userdata; returns that of the contacts
+// beyond the first.
+int map_memory(const mjModel* m, const scene::Scene& scene, Config& config) {
+  const ControlLoop* controller = config.model.first().loop.get();
+  const std::size_t loop = controller ? controller->memory_size() : 0;
+  int needed =
+      names::user_data_size(config.model.nq(), config.model.first().controller != nullptr, loop);
+  config.loop_data = needed - static_cast<int>(loop);
+  if (scene.first().contact && scene.mujoco.rotor != scene::MujocoRotor::kSegments &&
+      !scene.gives()) {
+    config.verlet_data = needed;
+    needed += verlet_data_size(config.model);
+  }
+  if (config.shadow) {
+    config.shadow->data = needed;
+    needed += names::shadow_data_size(ZeroOrderHold::memory_size(config.shadow->model),
+                                      VerletStepper::memory_size(config.shadow->model));
+  }
+  const int further = needed;
+  needed += kPairEntries * static_cast<int>(scene.auxiliary.size() - 1);
+  if (m->nuserdata < needed) {
+    refuse("<size nuserdata>",
+           message("at least {} needed; write the model again with `rotorub mjcf`", needed));
+  }
+  return further;
+}
+
+// The impacts of `rigid` that take time are those of the native step alone.
+void check_impacts(const scene::Scene& scene, const Config& config) {
+  if (config.contact != scene::ContactModel::kRigid) return;
+  const bool lags = config.model.first().magnets && config.model.first().magnets->coil_lag > 0.0;
+  const bool native = config.takes_native_steps() && !config.shadow && !lags;
+  read_scene([&] {
+    refuse_finite_impacts(scene, native ? FiniteImpacts::kUnsampled : FiniteImpacts::kNone);
+  });
+}
+
+Config own_config(const mjModel* m) {
+  Config config;
+  map_own_contacts(m, config);
+  return config;
+}
+
+Config generated_config(const mjModel* m) {
+  refuse_own_names(m);
+  Config config;
+  scene::Scene scene;
+  read_scene([&] {
+    scene = scene::parse_scene(scene_text(m), names::kSceneText);
+    refuse_several_in_mujoco(scene);
+    const Model whole = prepare(scene);
+    config.model = without_coils(whole);
+    if (scene.mujoco.shadow) {
+      config.shadow.emplace().model = whole.first().controller ? whole : with_ideal_actuator(whole);
+    }
+  });
+  const int further = map_memory(m, scene, config);
+  if (scene.mujoco.rotor == scene::MujocoRotor::kSegments) {
+    read_scene([&] { map_segments(m, scene, config); });
+  } else {
+    map_joints(m, config);
+  }
+  if (scene.first().contact) {
+    config.contact = contact_model(m, names::kContactText, scene.mujoco.contact);
+    if (!config.segments && scene.auxiliary.size() > 1 && scene::is_cone(config.contact)) {
+      refuse(text_element(names::kContactText),
+             "MuJoCo's cone knows one contact of the modal chain; accepted with several: rigid, "
+             "coulomb, or a scene with mujoco.rotor = \"segments\"");
+    }
+    map_contacts(m, config, further);
+    for (const scene::AuxiliaryBearing& at : scene.auxiliary) {
+      if (!scene::is_cone(config.contact) || at.contact->friction.is_constant()) continue;
+      refuse(text_element(names::kContactText),
+             "MuJoCo's cone has one coefficient for all slips, and the scene's friction depends on "
+             "the slip; accepted: rigid, coulomb");
+    }
+    if (!config.segments) choose_path(m, config);
+    if (config.takes_native_steps()) config.loop_data = verlet_loop_data(config);
+    check_impacts(scene, config);
+  }
+  map_actuators(m, config);
+  config.active = sensor_address(m, names::kActive, 1);
+  config.control_force = sensor_address(m, names::kControlForce, 2);
+  config.current = sensor_address(m, names::kCurrent, 2);
+  map_structure(m, config);
+  check_generated_attributes(m, config);
+  take_parameters(m, config);
+  return config;
+}
+
+}  // namespace
+
+bool is_ours(const mjModel* m) { return scene_text(m) || has_own_names(m); }
+
+Config make_config(const mjModel* m) {
+  Config config = scene_text(m) ? generated_config(m) : own_config(m);
+  map_load_cells(m, config);
+  if (config.shadow) map_shadow(m, *config.shadow);
+  config.fingerprint = fingerprint(m);
+  config.id = next_id();
+  return config;
+}
+
+Config with_parameters(const Config& config, const mjModel* m) {
+  if (config.own || damping_is_added(m, config) != config.damping_added) return make_config(m);
+  Config other = config;
+  take_parameters(m, other);
+  other.id = next_id();
+  return other;
+}
+
+}  // namespace rotorub::plugin

@@ -1,0 +1,187 @@
+#include "plugin/model/actuators.h"
+
+#include <algorithm>
+#include <atomic>
+#include <span>
+#include <string>
+#include <vector>
+
+#include "plugin/model/message.h"
+#include "plugin/model/mujoco_versions.h"
+
+namespace rotorub::plugin {
+namespace {
+
+constexpr int kKinds = 3;  // of ActuatorQuestion
+
+std::size_t place_of(ActuatorQuestion asked, int id) {
+  return static_cast<std::size_t>(kKinds * id + static_cast<int>(asked));
+}
+
+enum class Answer : char {
+  kNone,
+  kFresh,  // MuJoCo will ask for it
+  kUsed,   // and has
+};
+
+// Of the pass that this thread is in.
+struct Pass {
+  const mjData* data = nullptr;
+  bool asking = false;    // compute_actuators is under way
+  bool computed = false;  // with these inputs:
+  std::vector<mjtNum> inputs;
+  std::vector<mjtNum> values;  // kKinds a control
+  std::vector<Answer> answers;
+  std::vector<mjtNum> plugin_state;  // that of the pass's begin
+  bool plugin_state_kept = false;
+  std::vector<mjtNum> forces;  // of engine plugins
+};
+thread_local Pass pass;
+
+std::atomic<bool> stands_before = false;
+
+// What the answers depend on: action(values, how many) until it says false.
+template <typename Action>
+bool for_each_input(const mjModel* m, const mjData* d, Action action) {
+  return action(&d->time, 1) && action(d->ctrl, count(m->nu)) && action(d->act, count(m->na)) &&
+         action(d->qpos, count(m->nq)) && action(d->qvel, count(m->nv));
+}
+
+void keep_inputs(const mjModel* m, const mjData* d) {
+  pass.inputs.clear();
+  for_each_input(m, d, [](const mjtNum* values, int n) {
+    pass.inputs.insert(pass.inputs.end(), values, values + n);
+    return true;
+  });
+}
+
+bool has_inputs(const mjModel* m, const mjData* d) {
+  auto at = pass.inputs.begin();
+  return for_each_input(m, d, [&at](const mjtNum* values, int n) {
+    if (pass.inputs.end() - at < n || !std::equal(values, values + n, at)) return false;
+    at += n;
+    return true;
+  });
+}
+
+void restore_plugin_state(const mjModel* m, mjData* d) {
+  const std::span<mjtNum> state = plugin_state(m, d);
+  for (std::size_t i = 0; i < state.size(); ++i) state[i] = pass.plugin_state[i];
+}
+
+}  // namespace
+
+void begin_actuators(const mjData* d) {
+  pass.data = d;
+  pass.asking = pass.computed = pass.plugin_state_kept = false;
+  std::fill(pass.answers.begin(), pass.answers.end(), Answer::kNone);
+}
+
+// What MuJoCo was given at this state stays known.
+ActuatorsAside::ActuatorsAside(const mjModel* m, mjData* d) : m_(m), d_(d) {
+  if (pass.data != d || !has_inputs(m, d)) begin_actuators(d);
+  pass.computed = pass.plugin_state_kept = false;
+}
+ActuatorsAside::~ActuatorsAside() {
+  if (pass.data == d_ && pass.plugin_state_kept) restore_plugin_state(m_, d_);
+  pass.computed = pass.plugin_state_kept = false;
+}
+
+void compute_actuators(const mjModel* m, mjData* d) {
+  const int actuators = actuator_count(m);
+  if (actuators == 0) return;
+  if (pass.data != d) begin_actuators(d);
+  const std::size_t room = static_cast<std::size_t>(kKinds) * static_cast<std::size_t>(actuators);
+  if (pass.answers.size() < room) {
+    pass.answers.assign(room, Answer::kNone);
+    pass.values.resize(room);
+  }
+  const bool engine = has_engine_actuators(m);
+  if (engine && pass.computed && has_inputs(m, d)) return;
+  if (engine) {
+    // Of several computations in a pass each begins with the same.
+    if (pass.plugin_state_kept) {
+      restore_plugin_state(m, d);
+    } else {
+      const std::span<const mjtNum> state = plugin_state(m, d);
+      pass.plugin_state.assign(state.begin(), state.end());
+      pass.plugin_state_kept = true;
+    }
+  }
+  pass.asking = true;
+  mj_fwdActuation(m, d);
+  pass.asking = false;
+  pass.computed = true;
+  keep_inputs(m, d);
+  if (!engine) return;
+  pass.forces.clear();
+  for (int i = 0; i < actuators; ++i) pass.forces.push_back(d->actuator_force[force_address(m, i)]);
+  if (!stands_before) restore_plugin_state(m, d);
+}
+
+bool actuators_computed(const mjModel* m, mjData* d) {
+  if (!stands_before || pass.data != d || pass.asking || !pass.computed || !has_engine_actuators(m))
+    return false;
+  pass.computed = false;
+  if (has_inputs(m, d)) return true;
+  restore_plugin_state(m, d);
+  return false;
+}
+
+void expect_to_stand_before() { stands_before = true; }
+
+void compare_actuators(const mjModel* m, const mjData* d) {
+  static std::atomic<bool> warned = false;
+  if (pass.data != d || !pass.computed || !has_engine_actuators(m) || warned || !has_inputs(m, d))
+    return;
+  for (int i = 0; i < actuator_count(m); ++i) {
+    const double force = pass.forces[static_cast<std::size_t>(i)];
+    if (!is_engine_actuator(m, i) || d->actuator_force[force_address(m, i)] == force) continue;
+    if (warned.exchange(true)) return;
+    const char* name = m->names + m->name_actuatoradr[i];
+    const std::string text = message(
+        "rotorub: <plugin name=\"{}\"> of <actuator> gives another force when it is computed again "
+        "within a step, and the contact needs it before MuJoCo does; accepted: its state in "
+        "mjData.plugin_state or act, or the plugin preloaded (LD_PRELOAD)",
+        name);
+    warn(text.c_str());
+    return;
+  }
+}
+
+bool answer_given(ActuatorQuestion asked, const mjModel* m, const mjData* d, int id,
+                  mjtNum& value) {
+  const std::size_t at = place_of(asked, id);
+  if (pass.data != d || at >= pass.answers.size() || pass.answers[at] == Answer::kNone)
+    return false;
+  if (!pass.asking) {
+    // MuJoCo's question.
+    if (pass.answers[at] == Answer::kUsed || !has_inputs(m, d)) return false;
+    pass.answers[at] = Answer::kUsed;
+  }
+  value = pass.values[at];
+  return true;
+}
+
+void keep_answer(ActuatorQuestion asked, const mjData* d, int id, mjtNum value) {
+  if (!pass.asking || pass.data != d) return;
+  const std::size_t at = place_of(asked, id);
+  pass.answers[at] = Answer::kFresh;
+  pass.values[at] = value;
+}
+
+void update_smooth_force(const mjModel* m, mjData* d) {
+  compute_actuators(m, d);
+  const mjtNum* applied = d->xfrc_applied;
+  if (std::any_of(applied, applied + 6 * m->nbody, [](mjtNum f) { return f != 0.0; })) {
+    mj_fwdAcceleration(m, d);
+    return;
+  }
+  // The sum alone, without solving for the accelerations.
+  for (int i = 0; i < m->nv; ++i) {
+    const mjtNum actuator = actuator_count(m) > 0 ? d->qfrc_actuator[i] : 0.0;
+    d->qfrc_smooth[i] = d->qfrc_passive[i] - d->qfrc_bias[i] + d->qfrc_applied[i] + actuator;
+  }
+}
+
+}  // namespace rotorub::plugin

@@ -1,0 +1,164 @@
+#include "plugin/model/control.h"
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+#include "native_model/bearing/actuator.h"
+#include "native_model/control/control_loop.h"
+#include "native_model/model/actuation.h"
+#include "native_model/trajectory/trajectory.h"
+#include "plugin/model/mujoco_versions.h"
+#include "plugin/model/user_data.h"
+
+namespace rotorub::plugin {
+namespace {
+
+thread_local bool compiling = false;
+
+// Velocities at the time of the positions. MuJoCo's Euler step is semi-implicit,
+//   v_k = v_{k-1} + h a,   q_k = q_{k-1} + h v_k,
+// so its v_k is the velocity of half a step before t_k. A controller that weighs the gap rate
+// against a boundary layer sees the difference: in a whirl it is h/2 v_t^2 / delta. It is given
+//   v(t_k) = v_k + (v_k - v_{k-1}) / 2.
+// Notes the state's velocities for its time and writes v(t) (nq values) to `now`. Repeated calls at
+// one time give the same; without a step of the model's length before it, and for RK4, whose
+// velocities are not late, v(t) is the state's.
+void velocity_at_time(const Config& config, const mjModel* m, mjData* d, const Coordinates& state,
+                      double* now) {
+  const int n = config.model.nq();
+  const double* v = state.v();
+  double* data = d->userdata;
+  double* earlier = data + kUserDataSingle;
+  double* latest = earlier + n;
+  if (data[kHistoryLength] == 0.0 || d->time < data[kLatestTime]) {
+    data[kHistoryLength] = 1.0;
+  } else if (d->time > data[kLatestTime]) {
+    std::copy_n(latest, n, earlier);
+    data[kEarlierTime] = data[kLatestTime];
+    // kImpact is still that of the step before; a second pass at this time finds it changed.
+    data[kHistoryLength] = data[kImpact] == 0.0 ? 2.0 : 3.0;
+  }
+  std::copy_n(v, n, latest);
+  data[kLatestTime] = d->time;
+
+  const double h = m->opt.timestep;
+  // An impact of the step before is over: half a step of it is not to come.
+  const bool smooth = data[kHistoryLength] == 2.0 && m->opt.integrator != mjINT_RK4;
+  const bool stepped = std::abs(data[kLatestTime] - data[kEarlierTime] - h) < 1e-6 * h;
+  const double share = stepped && smooth ? 0.5 : 0.0;
+  for (int i = 0; i < n; ++i) now[i] = v[i] + share * (v[i] - earlier[i]);
+  // A sampled law is shown what those of magnetic bearings remember as their last samples left it.
+  if (!config.model.first().loop) return;
+  const int first = config.model.sampled_states(), end = config.model.layout.coil();
+  std::copy(v + first, v + end, now + first);
+}
+
+Eigen::Vector2d command_of(const Config& config, const mjModel* m, mjData* d, const double* q,
+                           const double* v) {
+  const Model& model = config.model;
+  if (!model.first().loop) return control_command(model, d->time, q, v);
+  const Eigen::Vector2d current =
+      model.first().magnets ? actuator_state(config, m, d).current : Eigen::Vector2d(0.0, 0.0);
+  try {
+    return control_sample(model, d->time, q, v, current, d->userdata + config.loop_data);
+  } catch (const ControllerError& error) {
+    controller_failed(d, error.what());
+  }
+  return {0.0, 0.0};
+}
+
+// Current asked for, within MuJoCo's limits, A: MuJoCo clamps its own copy of ctrl.
+double asked_current(const mjModel* m, const mjData* d, int actuator) {
+  const int control = control_address(m, actuator);
+  const mjtNum* range = m->actuator_ctrlrange + 2 * control;
+  const bool clamps = m->actuator_ctrllimited[control] && !(m->opt.disableflags & mjDSBL_CLAMPCTRL);
+  return clamps ? std::clamp(d->ctrl[control], range[0], range[1]) : d->ctrl[control];
+}
+
+}  // namespace
+
+WhileCompiling::WhileCompiling() : outer_(std::exchange(compiling, true)) {}
+WhileCompiling::~WhileCompiling() { compiling = outer_; }
+
+void controller_failed(mjData* d, const std::string& why) {
+  if (compiling) return;
+  d->userdata[kContactStatus] = static_cast<double>(Status::kControllerFailed);
+  raise_error(("rotorub: " + why).c_str());
+}
+
+void write_command(const Config& config, const mjModel* m, mjData* d, const Coordinates& state) {
+  const Model& model = config.model;
+  if (!model.first().controller) return;
+  double v[kMaxCoordinates];
+  velocity_at_time(config, m, d, state, v);
+  // Before it is on: 0, the value of mj_resetData.
+  Eigen::Vector2d u{d->userdata[kHeldX], d->userdata[kHeldY]};
+  if (d->time >= model.first().control_on) {
+    const double sample = model.first().sample_time > 0.0
+                              ? 1.0 + sample_index(d->time, model.first().sample_time)
+                              : 0.0;
+    if (sample == 0.0 || sample != d->userdata[kSample]) {
+      u = command_of(config, m, d, state.q(), v);
+      d->userdata[kHeldX] = u.x();
+      d->userdata[kHeldY] = u.y();
+      d->userdata[kSample] = sample;
+    }
+  }
+  const Eigen::Vector2d told = model.first().magnets ? u : to_axes(u);
+  for (int k = 0; k < 2; ++k) d->ctrl[control_address(m, config.actuator[k])] = told[k];
+}
+
+ActuatorState actuator_state(const Config& config, const mjModel* m, const mjData* d) {
+  if (config.actuator[0] < 0 || config.actuator[1] < 0) return {};
+  Eigen::Vector2d force, current{0.0, 0.0};
+  for (int k = 0; k < 2; ++k) {
+    force[k] = d->actuator_force[force_address(m, config.actuator[k])];
+    if (config.model.first().magnets) current[k] = coil_current(m, d, config.actuator[k]);
+  }
+  ActuatorState now{from_axes(force), current, {}};
+  if (config.model.first().loop) {
+    const double* outputs = ControlLoop::outputs(d->userdata + config.loop_data);
+    std::copy_n(outputs, now.outputs.size(), now.outputs.begin());
+  }
+  return now;
+}
+
+Eigen::Vector2d command_of_pass(const Config& config, const mjModel* m, const mjData* d) {
+  const Model& model = config.model;
+  if (config.actuator[0] < 0 || config.actuator[1] < 0) return {0.0, 0.0};
+  const bool lags = model.first().magnets && model.first().magnets->coil_lag > 0.0;
+  if (config.takes_native_steps() && model.first().controller && !lags) {
+    return {d->userdata[kHeldX], d->userdata[kHeldY]};
+  }
+  if (!model.first().magnets) return actuator_state(config, m, d).force;
+  return {asked_current(m, d, config.actuator[0]), asked_current(m, d, config.actuator[1])};
+}
+
+bool is_magnet(const Config& config, int actuator) {
+  return config.model.first().magnets &&
+         (actuator == config.actuator[0] || actuator == config.actuator[1]);
+}
+
+double coil_current(const mjModel* m, const mjData* d, int actuator) {
+  const int address = activation_address(m, actuator);
+  return address < 0 ? asked_current(m, d, actuator) : d->act[address];
+}
+
+double magnet_answer(ActuatorQuestion asked, const Config& config, const mjModel* m,
+                     const mjData* d, int actuator) {
+  const MagneticActuator& magnets = *config.model.first().magnets;
+  const double place = d->actuator_length[force_address(m, actuator)];
+  const double current = coil_current(m, d, actuator);
+  switch (asked) {
+    case ActuatorQuestion::kGain:
+      return magnets.law->gain(place, current);
+    case ActuatorQuestion::kBias:
+      return magnets.law->force(place, 0.0);
+    case ActuatorQuestion::kRate:
+      break;
+  }
+  return (coil_load(magnets, asked_current(m, d, actuator), current) - current) / magnets.coil_lag;
+}
+
+}  // namespace rotorub::plugin

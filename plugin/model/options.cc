@@ -1,0 +1,60 @@
+#include "plugin/model/options.h"
+
+#include <algorithm>
+
+#include "plugin/model/later_attributes.h"
+#include "plugin/model/mujoco_versions.h"
+
+namespace rotorub::plugin {
+namespace {
+
+bool may_fall_asleep(const Config& config, const mjModel* m) {
+  if (!sleep_enabled(m)) return false;
+  if (config.own || config.has_contact()) {
+    return std::any_of(config.pairs.begin(), config.pairs.end(), [m](const ContactPair& pair) {
+      return tree_may_sleep(m, m->geom_bodyid[pair.rotor_geom]) ||
+             tree_may_sleep(m, m->geom_bodyid[pair.ring_geom]);
+    });
+  }
+  return std::any_of(config.dof_address.begin(), config.dof_address.end(),
+                     [m](int dof) { return dof >= 0 && tree_may_sleep(m, m->dof_bodyid[dof]); });
+}
+
+}  // namespace
+
+const char* refused_options(const Config& config, const mjModel* m) {
+  if (const char* why = refused_attributes(config, m)) return why;
+  if (bearing_is_disabled(m, config)) {
+    return "rotorub: <option actuatorgroupdisable>: disables an actuator of the bearing, whose "
+           "force the plugin computes; accepted: another group for the bearing's actuators";
+  }
+  if (may_fall_asleep(config, m)) {
+    return "rotorub: <flag sleep=\"enable\"/>: rotor or ring would sleep under the plugin's loads; "
+           "accepted: sleep=\"never\" on the bodies that carry them, or \"disable\"";
+  }
+  if ((m->opt.enableflags & mjENBL_OVERRIDE) && config.has_soft()) {
+    return "rotorub: <flag override=\"enable\"/>: MuJoCo's solver then takes o_margin, o_solref "
+           "and o_solimp of <option> for those of the rotor's <pair>, by which contact models "
+           "coulomb and cone are set; accepted: \"disable\", or contact model rigid";
+  }
+  return nullptr;
+}
+
+const char* refused_integrator(const Config& config, const mjModel* m) {
+  if (m->opt.integrator != mjINT_RK4) return nullptr;
+  if (!config.model.samplers.empty()) {
+    return "rotorub: <option integrator=\"RK4\">: a magnetic bearing's control is sampled once a "
+           "step; accepted: Euler, implicit";
+  }
+  if (!config.has_rigid()) return nullptr;
+  return "rotorub: <option integrator=\"RK4\">: contact model `rigid` gives its impulses once a "
+         "step; accepted: Euler, implicit (or contact model coulomb or cone)";
+}
+
+const char* refused_silence(const mjModel* m) {
+  if (!passive_disabled(m) || !control_skipped(m)) return nullptr;
+  return "rotorub: <flag spring=\"disable\" damper=\"disable\" actuation=\"disable\"/>: MuJoCo "
+         "then calls nothing that the contact could act in; accepted: one of them enabled";
+}
+
+}  // namespace rotorub::plugin

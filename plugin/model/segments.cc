@@ -1,0 +1,313 @@
+#include "plugin/model/segments.h"
+
+#include <Eigen/Core>
+#include <algorithm>
+
+#include "mjcf/names.h"
+#include "native_model/model/dynamics.h"
+#include "native_model/model/loads.h"
+#include "native_model/model/sampled_feedback.h"
+#include "native_model/numerics/linear_solve.h"
+#include "native_model/scene/scene.h"
+#include "native_model/stepping/step_limit.h"
+#include "plugin/model/config.h"
+
+namespace rotorub::plugin {
+namespace {
+
+namespace names = mjcf_names;
+
+using AddressPart = int JointAddress::*;
+
+// The joints' values in an array of mjData.
+Eigen::VectorXd gather(const std::vector<JointAddress>& joints, AddressPart part,
+                       const mjtNum* from) {
+  Eigen::VectorXd values(static_cast<Eigen::Index>(joints.size()));
+  for (std::size_t i = 0; i < joints.size(); ++i) {
+    values[static_cast<Eigen::Index>(i)] = from[joints[i].*part];
+  }
+  return values;
+}
+
+void map_joints(Segments& s, const std::function<JointAddress(const std::string&)>& find) {
+  s.x.push_back(find(names::kEndX));
+  s.y.push_back(find(names::kEndY));
+  for (std::size_t k = 0; k < s.chain.segments.size(); ++k) {
+    s.x.push_back(find(names::tilt('x', k)));
+    s.y.push_back(find(names::tilt('y', k)));
+    s.spin.push_back(find(names::spin(k)));
+  }
+}
+
+// Share of each mode in a state: (phi^T M phi)^-1 phi^T M; the modes are orthogonal.
+Eigen::MatrixXd projection(const Eigen::MatrixXd& shape, const Eigen::MatrixXd& mass) {
+  Eigen::MatrixXd p = shape.transpose() * mass;
+  for (Eigen::Index j = 0; j < p.rows(); ++j) p.row(j) /= p.row(j).dot(shape.col(j));
+  return p;
+}
+
+// Adds what the modes miss of the value at the contact to the first one that moves it: it is the
+// softest, so that forces and accelerations which are found from the modes change least.
+void complete(const Eigen::VectorXd& contact_shape, double missing, double* q) {
+  for (Eigen::Index k = 0; k < contact_shape.size(); ++k) {
+    if (contact_shape[k] == 0.0) continue;
+    q[k] += missing / contact_shape[k];
+    return;
+  }
+}
+
+// The same at several contacts: the change of the least elastic energy. shapes: a row for each
+// contact.
+void complete(const Eigen::MatrixXd& shapes, const Eigen::VectorXd& stiffness,
+              const Eigen::VectorXd& missing, double* q) {
+  constexpr double kLeast = 1e-9;  // of the largest: of a mode that no spring holds
+  const Eigen::VectorXd soft =
+      stiffness.cwiseMax(kLeast * std::max(stiffness.maxCoeff(), 1.0)).cwiseInverse();
+  const Eigen::MatrixXd spread = soft.asDiagonal() * shapes.transpose();
+  const Eigen::MatrixXd moves = shapes * spread;
+  const Eigen::VectorXd change = spread * least_squares(moves, missing);
+  Eigen::Map<Eigen::VectorXd>(q, change.size()) += change;
+}
+
+void to_native(const Segments& s, const Model& model, const mjtNum* from, AddressPart part,
+               double* to) {
+  const Layout& l = model.layout;
+  using Vector = Eigen::Map<Eigen::VectorXd>;
+  const auto contacts = static_cast<Eigen::Index>(s.contact_rows.size());
+  const auto plane = [&](const std::vector<JointAddress>& joints, const Eigen::MatrixXd& project,
+                         Eigen::VectorXd ModeShape::*shape, int at) {
+    const Eigen::VectorXd u = gather(joints, part, from);
+    Vector modes(to + at, l.modes);
+    modes = project * u;
+    if (contacts == 1) {
+      const Eigen::VectorXd& values = model.first().shape.*shape;
+      complete(values, s.contact_rows[0].dot(u) - values.dot(modes), to + at);
+    } else if (contacts > 1) {
+      Eigen::MatrixXd shapes(contacts, l.modes);
+      Eigen::VectorXd missing(contacts);
+      for (Eigen::Index k = 0; k < contacts; ++k) {
+        const auto i = static_cast<std::size_t>(k);
+        shapes.row(k) = (model.auxiliary[i].shape.*shape).transpose();
+        missing[k] = s.contact_rows[i].dot(u) - shapes.row(k).dot(modes);
+      }
+      complete(shapes, model.stiffness.segment(at, l.modes), missing, to + at);
+    }
+  };
+  plane(s.x, s.project_x, &ModeShape::x, l.x());
+  plane(s.y, s.project_y, &ModeShape::y, l.y());
+
+  const Eigen::VectorXd spin = gather(s.spin, part, from);
+  Vector torsion(to + l.theta(), l.torsion);
+  torsion = s.project_torsion * spin;
+  // Without a drive the first segment is held, and what the modes hold is relative to it.
+  const double rigid = l.spin ? s.spin_share.dot(spin) : spin[0];
+  if (!l.spin) torsion -= s.project_torsion * Eigen::VectorXd::Constant(spin.size(), rigid);
+  if (l.spin) to[l.phi()] = rigid;
+  if (contacts == 0) return;
+  const double missing =
+      spin[s.contact_nodes[0]] - rigid - model.first().torsion_shape.dot(torsion);
+  if (l.torsion && contacts > 1) {
+    Eigen::MatrixXd shapes(contacts, l.torsion);
+    Eigen::VectorXd all(contacts);
+    for (Eigen::Index k = 0; k < contacts; ++k) {
+      const auto i = static_cast<std::size_t>(k);
+      shapes.row(k) = model.auxiliary[i].torsion_shape.transpose();
+      all[k] = spin[s.contact_nodes[i]] - rigid - shapes.row(k).dot(torsion);
+    }
+    complete(shapes, model.stiffness.segment(l.theta(), l.torsion), all, to + l.theta());
+  } else if (l.torsion) {
+    complete(model.first().torsion_shape, missing, to + l.theta());
+  } else if (l.spin) {
+    to[l.phi()] += missing;
+  }
+}
+
+// Segments::bending.
+Model bending_loads(const scene::Scene& scene, const Model& model, const SegmentChain& chain,
+                    const SegmentMatrices& matrices) {
+  const auto shape = [&chain](double station) {
+    const Eigen::VectorXd row = chain.deflection(station).transpose();
+    return ModeShape{row, row};
+  };
+  Model loads;
+  Layout& l = loads.layout;
+  l.modes = static_cast<int>(chain.plane_size());
+  l.spin = model.layout.spin;
+  l.integrals = model.layout.integrals;
+  loads.speed = model.speed;
+  loads.spin_angle = model.spin_angle;
+  loads.mass = Eigen::VectorXd::Zero(l.nq());
+  loads.mass.tail(l.integrals) = model.mass.segment(model.layout.integral(), l.integrals);
+  loads.internal_xx = loads.internal_xy = loads.internal_yy = ModeMatrix(matrices.internal);
+  // A push of the whole chain moves its end alone: its tilts are relative.
+  loads.base = model.base;
+  loads.gravity_mass = matrices.mass.col(0).replicate(2, 1);
+  loads.forces = model.forces;  // in the scene's order, but for unbalances
+  auto force = loads.forces.begin();
+  for (const scene::Force& given : scene.forces) {
+    if (given.kind != scene::ForceKind::kUnbalance) {
+      (force++)->shape = shape(given.station);
+    } else if (given.static_moment != 0.0) {
+      loads.unbalances.push_back(
+          {shape(given.station), given.static_moment, given.phase, given.on});
+    }
+  }
+  for (const scene::MagneticBearing& bearing : scene.magnetic_bearings) {
+    const double k = bearing.pull();
+    if (bearing.is_spring()) loads.springs.push_back({shape(bearing.station), {-k, -k}});
+  }
+  for (StationFeedback feedback : model.feedbacks) {
+    const scene::MagneticBearing& bearing = scene.magnetic_bearings[feedback.number];
+    feedback.shape = shape(bearing.station);
+    if (feedback.sensor) feedback.sensor = shape(*bearing.sensor_station);
+    feedback.law.held = 0.0;  // the chain has no such spring
+    feedback.states = feedback.states.moved(l.integral() - model.layout.integral());
+    loads.feedbacks.push_back(std::move(feedback));
+  }
+  loads.samplers = model.samplers;
+  for (SampledFeedback& sampler : loads.samplers) {
+    for (int* at : {&sampler.command, &sampler.state}) {
+      *at += l.integral() - model.layout.integral();
+    }
+  }
+  return loads;
+}
+
+}  // namespace
+
+Segments make_segments(const scene::Scene& scene, const Model& model,
+                       const std::function<JointAddress(const std::string&)>& find) {
+  const scene::RotorGeometry& geometry = *scene.rotor.geometry;
+  Segments s;
+  s.chain = segment_chain(scene);
+  map_joints(s, find);
+  const SegmentMatrices m =
+      segment_matrices(scene, s.chain, model.layout.modes, model.layout.torsion);
+  if (geometry.damping_ratio > 0.0) {
+    s.damping_x = m.damping_x;
+    s.damping_y = m.damping_y;
+  }
+  s.bending = bending_loads(scene, model, s.chain, m);
+  if (!m.torsion_damping.isZero(0.0)) s.torsion_damping = m.torsion_damping;
+  if (scene.drive) s.drive_node = s.chain.node_at(scene.drive->station);
+  s.spin_share = m.spin_inertia / m.spin_inertia.sum();
+  s.project_x = projection(m.shape_x, m.mass);
+  s.project_y = projection(m.shape_y, m.mass);
+  s.project_torsion = projection(m.shape_torsion, m.spin_inertia.asDiagonal());
+  for (const scene::AuxiliaryBearing& bearing : scene.auxiliary) {
+    if (!bearing.contact) continue;
+    s.contact_rows.push_back(s.chain.deflection(bearing.contact->station));
+    s.contact_nodes.push_back(s.chain.node_at(bearing.contact->station));
+  }
+  s.highest = m.highest;
+  return s;
+}
+
+void native_position(const Segments& segments, const Model& model, const mjtNum* qpos, double* q) {
+  to_native(segments, model, qpos, &JointAddress::position, q);
+}
+
+void native_velocity(const Segments& segments, const Model& model, const mjtNum* qvel, double* v) {
+  to_native(segments, model, qvel, &JointAddress::velocity, v);
+}
+
+std::string segment_step_refusal(const Segments& segments, double step) {
+  const double limit = 2.0 / segments.highest;
+  if (step < limit) return {};
+  return step_beyond(step, {limit, "the segment rotor"}) +
+         "; accepted: a smaller run.step, or fewer mujoco.segments";
+}
+
+namespace {
+
+// The chain's state in the coordinates of Segments::bending.
+Eigen::VectorXd bending_state(const Config& config, AddressPart part, const mjtNum* from) {
+  const Segments& s = *config.segments;
+  const Layout& l = s.bending.layout;
+  Eigen::VectorXd state = Eigen::VectorXd::Zero(l.nq());
+  state.segment(l.x(), l.modes) = gather(s.x, part, from);
+  state.segment(l.y(), l.modes) = gather(s.y, part, from);
+  if (l.spin) state[l.phi()] = s.spin_share.dot(gather(s.spin, part, from));
+  return state;
+}
+
+int stored_address(const Config& config, int k) {
+  return config.dof_address[static_cast<std::size_t>(config.model.layout.integral() + k)];
+}
+
+// Of what carries the rings beyond their joints' springs, nq values; empty: nothing.
+Eigen::VectorXd support_loads(const Config& config, const mjModel* m, const mjData* d) {
+  const Model& model = config.model;
+  if (model.supports.empty()) return {};
+  Eigen::VectorXd q = Eigen::VectorXd::Zero(model.nq()), v = q, f = q;
+  for (int i = model.layout.ring(); i < model.nq(); ++i) {
+    q[i] = d->qpos[config.qpos_address[static_cast<std::size_t>(i)]];
+    v[i] = d->qvel[config.dof_address[static_cast<std::size_t>(i)]];
+  }
+  add_ring_supports(model, q.data(), v.data(), f.data());
+  if (m->opt.integrator != mjINT_RK4) {
+    step_bristles(model, v.data(), v.data(), m->opt.timestep, f.data());
+  }
+  return f;
+}
+
+void scatter(const std::vector<JointAddress>& joints, const Eigen::VectorXd& values, mjtNum* to) {
+  for (std::size_t i = 0; i < joints.size(); ++i) {
+    to[joints[i].velocity] += values[static_cast<Eigen::Index>(i)];
+  }
+}
+
+}  // namespace
+
+void add_segment_loads(const Config& config, const mjModel* m, mjData* d) {
+  const Segments& s = *config.segments;
+  const Model &model = config.model, &bending = s.bending;
+  const Layout& l = bending.layout;
+  const Eigen::VectorXd q = bending_state(config, &JointAddress::position, d->qpos);
+  Eigen::VectorXd v = bending_state(config, &JointAddress::velocity, d->qvel);
+  for (int k = 0; k < l.integrals; ++k) v[l.integral() + k] = d->qvel[stored_address(config, k)];
+
+  Eigen::VectorXd f = Eigen::VectorXd::Zero(l.nq());
+  jump_in_step(bending, d->time, m->opt.timestep, q.data(), v.data(), f.data());
+  if (s.damping_x.size() > 0) {
+    f.segment(l.x(), l.modes) -= s.damping_x * v.segment(l.x(), l.modes);
+    f.segment(l.y(), l.modes) -= s.damping_y * v.segment(l.y(), l.modes);
+  }
+  // MuJoCo's spin, also where it is held: whoever linearises sets it.
+  const Eigen::VectorXd spin = gather(s.spin, &JointAddress::velocity, d->qvel);
+  const double omega = s.spin_share.dot(spin);
+  const auto working = equations::working_at(bending, d->time);
+  equations::add_linear_loads(bending, omega, working.data(), q.data(), v.data(), f.data());
+  equations::add_forces(bending, d->time, q.data(), f.data());
+  // Blades that are lost; MuJoCo's bodies keep their masses.
+  equations::DiscAngles angles;
+  angles.fill(bending, d->time, q.data());
+  equations::add_unbalance(bending, angles, equations::spin_speed(bending, v.data()), f.data());
+  scatter(s.x, f.segment(l.x(), l.modes), d->qfrc_passive);
+  scatter(s.y, f.segment(l.y(), l.modes), d->qfrc_passive);
+  for (int k = 0; k < l.integrals; ++k) {
+    d->qfrc_passive[stored_address(config, k)] += f[l.integral() + k];
+  }
+
+  if (s.torsion_damping.size() > 0) {
+    scatter(s.spin, -(s.torsion_damping * spin), d->qfrc_passive);
+  }
+  if (s.drive_node >= 0 && model.drive) {
+    const JointAddress& motor = s.spin[static_cast<std::size_t>(s.drive_node)];
+    d->qfrc_passive[motor.velocity] += model.drive_torque(
+        d->time, d->qpos[motor.position] - model.drive_angle, d->qvel[motor.velocity]);
+  }
+  // The rotor's weight is MuJoCo's; the ring's mass is an armature, on which gravity does not act,
+  // and which the base's motion loads as it does the rotor.
+  const Eigen::Vector2d base = model.base ? model.base->at(d->time) : Eigen::Vector2d(0.0, 0.0);
+  const Eigen::VectorXd supports = support_loads(config, m, d);
+  for (int i = model.layout.ring(); i < model.nq(); ++i) {
+    mjtNum& force = d->qfrc_passive[config.dof_address[static_cast<std::size_t>(i)]];
+    if (supports.size() > 0) force += supports[i];
+    if (model.weight.size() > 0) force += model.weight[i];
+    const int along = i - model.layout.ring();
+    if (model.base && along < model.layout.stator) force -= model.gravity_mass[i] * base[along % 2];
+  }
+}
+
+}  // namespace rotorub::plugin

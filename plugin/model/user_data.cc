@@ -1,0 +1,57 @@
+#include "plugin/model/user_data.h"
+
+#include <bit>
+#include <cstdint>
+#include <cstdio>
+
+#include "plugin/model/mujoco_versions.h"
+
+namespace rotorub::plugin {
+namespace {
+
+// Of the entries that change but in our passes not: the mark of the config, and what the contacts
+// remember. In [1, 2): never 0, which is what a reset leaves.
+double check_of(const mjData* d, int memory, int size) {
+  const mjtNum* entry = d->userdata + memory;
+  std::uint64_t sum = std::bit_cast<std::uint64_t>(entry[kConfigId]);
+  for (int i = kFrictionForce; i < size; ++i) {
+    sum = std::rotl(sum, 7) * 0x9e3779b97f4a7c15u ^ std::bit_cast<std::uint64_t>(entry[i]);
+  }
+  sum *= 0x9e3779b97f4a7c15u;
+  return std::bit_cast<double>(sum >> 12 | std::uint64_t{0x3ff} << 52);
+}
+
+bool is_reset(const mjData* d, int memory, int size) {
+  for (int i = 0; i < size; ++i) {
+    if (d->userdata[memory + i] != 0.0) return false;
+  }
+  return true;
+}
+
+}  // namespace
+
+bool block_is_ours(const Config& config, const mjData* d) {
+  if (!config.own) return true;
+  const mjtNum check = d->userdata[config.memory + kBlockCheck];
+  return check == 0.0 ? is_reset(d, config.memory, config.memory_size)
+                      : check == check_of(d, config.memory, config.memory_size);
+}
+
+void seal_block(const Config& config, const mjData* d) {
+  if (!config.own) return;
+  d->userdata[config.memory + kBlockCheck] = check_of(d, config.memory, config.memory_size);
+}
+
+void refuse_clash(const Config& config, const mjModel* m) {
+  // mju_error may leave by longjmp: nothing with a destructor here.
+  static thread_local char words[500];
+  std::snprintf(
+      words, sizeof words,
+      "rotorub: mjData.userdata[%d] to [%d] hold what the contacts remember, and somebody else "
+      "has written there (nuserdata is %d); accepted: another place, by <custom><numeric "
+      "name=\"rotorub_userdata\" data=\"...\"/>, the index of the first",
+      config.memory, config.memory + config.memory_size - 1, count(m->nuserdata));
+  raise_error(words);
+}
+
+}  // namespace rotorub::plugin

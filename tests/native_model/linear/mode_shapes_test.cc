@@ -1,0 +1,182 @@
+#include <gtest/gtest.h>
+
+#include <Eigen/Core>
+#include <cmath>
+#include <numbers>
+
+#include "native_model/linear/mode_shapes.h"
+#include "native_model/numerics/linear_solve.h"
+#include "native_model/rotor/modal_rotor.h"
+#include "tests/native_model/rotor/rotors.h"
+
+namespace rotorub {
+namespace {
+
+constexpr double kPi = std::numbers::pi;
+constexpr double kShape = 1e-8;  // of a mode 1 high: Ritz shapes are right to the root of 1e-16
+
+// Rayleigh's shaft on two pins: sin(n pi z / L), whatever its rotary inertia.
+TEST(ModeShapes, OfAPinnedShaftAreSines) {
+  const ModeShapes shapes = mode_shapes(test::scene_of(test::pinned_shaft(4))).value();
+  ASSERT_EQ(shapes.x.shape.cols(), 4);
+  EXPECT_TRUE(shapes.same_planes);
+  EXPECT_EQ(shapes.z[0], 0.0);
+  EXPECT_EQ(shapes.z[shapes.z.size() - 1], 1.0);
+  for (int n = 1; n <= 4; ++n) {
+    EXPECT_NEAR(shapes.x.frequency[n - 1] / test::kShaft.forward(n, 0.0), 1.0, 1e-9);
+    for (Eigen::Index i = 0; i < shapes.z.size(); ++i) {
+      const double sine = std::sin(n * kPi * shapes.z[i]);
+      EXPECT_NEAR(std::abs(shapes.x.shape(i, n - 1)), std::abs(sine), 1e-6) << n << " " << i;
+    }
+  }
+  EXPECT_EQ(shapes.x.shape, shapes.y.shape);
+}
+
+// At a station between the points of the line too, here the drive's.
+TEST(ModeShapes, GiveTheValuesAtTheStations) {
+  scene::Scene s = test::scene_of(test::pinned_shaft(2));
+  test::add_contact(s, 0.3);
+  s.drive.emplace().station = 0.123456789;
+  s.forces.resize(2);
+  s.forces[0].station = 0.8;
+  s.forces[1].station = 0.6;
+  s.rotor.geometry->discs = {{.z = 0.5}};
+  const ModeShapes shapes = mode_shapes(s).value();
+
+  std::vector<std::string> names;
+  for (const Station& station : shapes.stations) names.push_back(station.name);
+  EXPECT_EQ(names, (std::vector<std::string>{"bearing 1", "drive", "contact", "disc", "force 2",
+                                             "force 1", "bearing 2"}));
+  for (std::size_t i = 0; i < names.size(); ++i) {
+    for (int n = 1; n <= 2; ++n) {
+      const double expected =
+          std::sin(n * kPi * shapes.stations[i].z) / std::sin(n * kPi * s.first().contact->station);
+      EXPECT_NEAR(shapes.x.at_stations(static_cast<Eigen::Index>(i), n - 1), expected, kShape)
+          << names[i] << ", mode " << n;
+    }
+  }
+}
+
+// The mode values that the model itself uses, of both planes.
+TEST(ModeShapes, AreThoseOfTheModel) {
+  scene::Scene s = test::anisotropic_rotor();
+  test::add_contact(s, 0.4);
+  s.magnetic_bearings.emplace_back().station = 0.9;
+  const ModeShapes shapes = mode_shapes(s).value();
+  const ModalRotor rotor = modal_rotor(s);
+  EXPECT_FALSE(shapes.same_planes);
+  EXPECT_GT((shapes.x.frequency - shapes.y.frequency).minCoeff(), 0.0) << "softer in y";
+  bool found = false;
+  for (std::size_t i = 0; i < shapes.stations.size(); ++i) {
+    if (shapes.stations[i].kind != StationKind::kMagneticBearing) continue;
+    found = true;
+    const Eigen::Index row = static_cast<Eigen::Index>(i);
+    const Eigen::VectorXd x = shapes.x.at_stations.row(row), y = shapes.y.at_stations.row(row);
+    EXPECT_LT((x - rotor.magnets[0].station.x).cwiseAbs().maxCoeff(), kShape);
+    EXPECT_LT((y - rotor.magnets[0].station.y).cwiseAbs().maxCoeff(), kShape);
+    EXPECT_GT((x - y).cwiseAbs().maxCoeff(), 1e-3) << "the planes differ";
+  }
+  EXPECT_TRUE(found);
+}
+
+TEST(ModeShapes, ModalFormHasNone) {
+  EXPECT_FALSE(mode_shapes(test::jeffcott(2.0, 2e5, 40.0)).has_value());
+}
+
+TEST(TorsionFrequencies, OfThePublishedRotor) {
+  scene::Scene s = test::scene_of(oracle::friswell_rotor());
+  EXPECT_TRUE(torsion_frequencies(modal_rotor(s)).empty());
+  s.drive.emplace();
+  s.rotor.torsion.emplace().modes = 1;
+  s.rotor.torsion->damping_ratio = 0.02;
+  const std::vector<WhirlMode> modes = torsion_frequencies(modal_rotor(s));
+  ASSERT_EQ(modes.size(), 1u);
+  EXPECT_NEAR(modes[0].frequency, oracle::kFriswellTorsion, 5e-4);
+  EXPECT_NEAR(modes[0].damping_ratio, 0.02, 1e-14);
+}
+
+std::vector<WhirlShape> shapes_of(const scene::Scene& s, double speed) {
+  return whirl_shapes(s, whirl_system(s), speed, mode_shapes(s).value());
+}
+
+// Rayleigh's shaft whirls in sines at every speed: its rotary and gyroscopic terms have the same
+// shape.
+TEST(WhirlShapes, OfAPinnedShaftAreSinesAtAnySpeed) {
+  const scene::Scene s = test::scene_of(test::pinned_shaft(3));
+  const Eigen::VectorXd z = mode_shapes(s)->z;
+  for (const double speed : {0.0, 500.0, -3000.0}) {
+    const auto shapes = shapes_of(s, speed);
+    ASSERT_EQ(shapes.size(), 6u);
+    for (std::size_t j = 0; j < shapes.size(); ++j) {
+      const double n = static_cast<double>(j / 2 + 1);
+      EXPECT_EQ(shapes[j].roundness, 1.0);
+      for (Eigen::Index i = 0; i < z.size(); ++i) {
+        EXPECT_NEAR(std::abs(shapes[j].shape[i]), std::abs(std::sin(n * std::numbers::pi * z[i])),
+                    1e-6)
+            << j << " at " << z[i];
+      }
+    }
+  }
+}
+
+// Nothing turns at rest: the planar modes, of either plane its own.
+TEST(WhirlShapes, AtRestAreThePlanarModes) {
+  const scene::Scene s = test::anisotropic_rotor();
+  const ModeShapes planar = mode_shapes(s).value();
+  const auto shapes = shapes_of(s, 0.0);
+  ASSERT_EQ(shapes.size(), 6u);
+  for (const WhirlShape& whirl : shapes) {
+    double nearest = 1.0;
+    for (const PlaneShapes* plane : {&planar.x, &planar.y}) {
+      for (Eigen::Index j = 0; j < plane->frequency.size(); ++j) {
+        if (std::abs(plane->frequency[j] / std::abs(whirl.mode.frequency) - 1.0) > 1e-6) continue;
+        const Eigen::VectorXd one_high =
+            plane->shape.col(j) / plane->shape.col(j).cwiseAbs().maxCoeff();
+        nearest = std::min({nearest, (whirl.shape - one_high).cwiseAbs().maxCoeff(),
+                            (whirl.shape + one_high).cwiseAbs().maxCoeff()});
+      }
+    }
+    EXPECT_LT(nearest, 1e-6) << whirl.mode.frequency;
+    EXPECT_LT(whirl.roundness, 1e-6) << "a line";
+  }
+  for (const WhirlShape& whirl : shapes_of(s, 300.0))
+    EXPECT_GT(whirl.roundness, 1e-3) << "an ellipse at speed";
+}
+
+// Put into the modal rotor, whose matrices come another way: (K - w^2 M + w Omega G) q = 0.
+TEST(WhirlShapes, SolveTheModalRotor) {
+  scene::Scene s = test::scene_of(oracle::friswell_rotor());
+  s.rotor.geometry->modes = 12;
+  constexpr double kSpeed = 4000.0 * std::numbers::pi / 30.0;
+  const ModalRotor rotor = modal_rotor(s);
+  const auto shapes = shapes_of(s, kSpeed);
+  double forward = 0.0, backward = 0.0;  // of the second mode at the first disc
+  for (std::size_t j = 0; j < 6; ++j) {
+    const WhirlShape& whirl = shapes[j];
+    const double w = whirl.mode.frequency;
+    const Eigen::VectorXd q = least_squares(rotor.lines->x, whirl.shape);
+    EXPECT_LT((rotor.lines->x * q - whirl.shape).cwiseAbs().maxCoeff(), 1e-3);
+    const Eigen::VectorXd stiff = rotor.x.stiffness.cwiseProduct(q);
+    const Eigen::VectorXd rest =
+        stiff - w * w * rotor.x.mass.cwiseProduct(q) + w * kSpeed * (rotor.gyroscopic * q);
+    EXPECT_LT(rest.head(6).norm(), 2e-3 * stiff.norm()) << w;
+    if (j / 2 == 1) (w > 0.0 ? forward : backward) = whirl.at_stations[1];
+  }
+  EXPECT_GT(std::abs(std::abs(forward) - std::abs(backward)), 1e-3)
+      << "the spin bends either sense otherwise";
+}
+
+// Damping turns the phase along the shaft, and no node makes a jump.
+TEST(WhirlShapes, AreSmoothWithDamping) {
+  scene::Scene s = test::reference_rig();
+  s.rotor.geometry->bearings[0].damping = {300.0, 300.0};
+  for (const WhirlShape& whirl : shapes_of(s, 250.0)) {
+    for (Eigen::Index i = 1; i < whirl.shape.size(); ++i) {
+      EXPECT_LT(std::abs(whirl.shape[i] - whirl.shape[i - 1]), 0.2)
+          << whirl.mode.frequency << " at " << i;
+    }
+  }
+}
+
+}  // namespace
+}  // namespace rotorub
