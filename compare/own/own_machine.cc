@@ -127,12 +127,12 @@ void set_default_solref(mjModel* m, const plugin::Config& config) {
     if (id >= 0) m->numeric_data[m->numeric_adr[id]] = value;
   };
   for (const plugin::PairName& pair : plugin::own_pair_names(m)) {
-    set(pair.of(names::kOwnRestitution), soft_restitution(1.0));
+    set(pair.of(names::kOwnRestitution), soft_restitution(DefaultSolref::kDampingRatio));
     set(pair.of(names::kOwnFrictionReference), 0.0);
   }
   for (const plugin::ContactPair& pair : config.pairs) {
-    m->pair_solref[mjNREF * pair.pair] = 0.02;
-    m->pair_solref[mjNREF * pair.pair + 1] = 1.0;
+    m->pair_solref[mjNREF * pair.pair] = DefaultSolref::kTimeConstant;
+    m->pair_solref[mjNREF * pair.pair + 1] = DefaultSolref::kDampingRatio;
   }
 }
 
@@ -363,13 +363,6 @@ MujocoSetup OwnMachine::setup(scene::ContactModel contact, double step, OwnSolre
 std::vector<Omission> OwnMachine::omissions(scene::ContactModel contact,
                                             const std::atomic<bool>* interrupt) const {
   return measure_omissions(setup(contact, scene_.run.step), scene_.run.end, interrupt);
-}
-
-std::string OwnMachine::solref_text(scene::ContactModel contact, double step,
-                                    OwnSolref solref) const {
-  const MujocoSetup made = setup(contact, step, solref);
-  const mjtNum* pair = made.m->pair_solref + mjNREF * made.config->pairs.front().pair;
-  return fmt::format("{:.4g} {:.4g}", pair[0], pair[1]);
 }
 
 std::unique_ptr<Engine> own_engine(std::shared_ptr<const OwnMachine> machine,

@@ -56,8 +56,6 @@ class OwnMachine {
   // pairs are set as a generated file's would be (mjcf/soft_contact.h).
   MujocoSetup setup(scene::ContactModel contact, double step,
                     OwnSolref solref = OwnSolref::kChosen) const;
-  // The solref of the first pair there, as the attribute has it: "0.02 1", "-4e+08 -9000".
-  std::string solref_text(scene::ContactModel contact, double step, OwnSolref solref) const;
 
  private:
   // Of the model as it starts; its controller, if it has one, is put in.

@@ -6,6 +6,8 @@
 #include <algorithm>
 #include <cassert>
 #include <cmath>
+#include <numeric>
+#include <utility>
 
 #include "native_model/contact/disc_law.h"
 #include "native_model/contact/impact_friction.h"
@@ -21,9 +23,11 @@ constexpr double kSingular = 1e-12;      // pivots below this share of the large
 // Of the rates: motions that differ by less are one. Where contacts share their forces in more ways
 // than one, the stations of a symmetric shaft are alike to what its modes are worth.
 constexpr double kSameMotion = 1e-6;
-// Of the largest of a, what each contact gives where the way in which they share is not theirs:
-// more than round-off of the rates against what tells motions apart; where that is too much, less.
-constexpr double kGive = 1e-4, kLessGive = 1e-8;
+// Where contacts may share their impulses in more ways than one, each is softened by this share of
+// the largest of a: more than round-off of the rates against what tells motions apart. Where that
+// leads to no solution the others are tried in turn.
+constexpr double kGive = 1e-4;
+constexpr std::array kGives{kGive, 1e-8, 1e-2, 1e-6};
 constexpr int kMostRounds = 50;  // of cases that follow each other
 
 enum class Bound { kLow, kHigh, kStick };
@@ -229,7 +233,7 @@ CoupledSolution shared_alike(const ContactMatrix& a, const ContactVector& b,
 CoupledSolution by_rounds(const ContactMatrix& a, const ContactVector& b,
                           std::span<const ContactSet> sets, const CoupledProblem& problem) {
   CoupledSolution out;
-  for (const double give : {kGive, kLessGive}) {
+  for (const double give : kGives) {
     const ContactMatrix soft = softened(a, give);
     const CoupledProblem giving(soft, b, sets);
     Cases cases{}, next = giving.cases_of(ContactVector::Zero(b.size()));
@@ -287,6 +291,44 @@ CoupledSolution by_sweeps(const ContactMatrix& a, const ContactVector& b,
   return {};
 }
 
+// More contacts than kMostTried.
+CoupledSolution solve_many(const ContactMatrix& a, const ContactVector& b,
+                           std::span<const ContactSet> sets) {
+  const CoupledProblem problem(a, b, sets);
+  if (const CoupledSolution s = by_rounds(a, b, sets, problem); s.solutions > 0) return s;
+  const CoupledSolution swept = by_sweeps(a, b, sets, problem);
+  if (swept.solutions > 0 || problem.size() > kMostTriedBlind) return swept;
+  Cases of{};
+  return by_cases(problem, of);
+}
+
+// The contacts by what they are, so that the same list in another order has the same solution even
+// where there are several.
+using Order = std::array<Eigen::Index, kMaxContacts>;
+Order order_of(const ContactMatrix& a, const ContactVector& b, std::span<const ContactSet> sets) {
+  Order order{};
+  const auto end = order.begin() + static_cast<std::ptrdiff_t>(sets.size());
+  std::iota(order.begin(), end, Eigen::Index{0});
+  const auto key = [&](Eigen::Index i) {
+    const ContactSet& set = sets[static_cast<std::size_t>(i)];
+    return std::array{set.friction,
+                      set.least_normal,
+                      set.side,
+                      set.floor,
+                      set.slides,
+                      set.pressed ? 1.0 : 0.0,
+                      b[2 * i],
+                      b[2 * i + 1],
+                      a(2 * i, 2 * i),
+                      a(2 * i, 2 * i + 1),
+                      a(2 * i + 1, 2 * i + 1)};
+  };
+  std::sort(order.begin(), end, [&](Eigen::Index i, Eigen::Index j) {
+    return std::pair(key(i), i) < std::pair(key(j), j);
+  });
+  return order;
+}
+
 bool moves_both_ways(const ContactMatrix& a) {
   return a(0, 0) * a(1, 1) - a(0, 1) * a(1, 0) > kSingular * a(0, 0) * a(1, 1);
 }
@@ -341,10 +383,28 @@ CoupledSolution solve_coupled(const ContactMatrix& a, const ContactVector& b,
     const CoupledSolution s = by_cases(problem, of);
     return s.solutions > 1 ? shared_alike(a, b, sets, problem, s) : s;
   }
-  if (const CoupledSolution s = by_rounds(a, b, sets, problem); s.solutions > 0) return s;
-  const CoupledSolution swept = by_sweeps(a, b, sets, problem);
-  if (swept.solutions > 0 || problem.size() > kMostTriedBlind) return swept;
-  return by_cases(problem, of);
+  const Order order = order_of(a, b, sets);
+  ContactMatrix ordered_a(a.rows(), a.cols());
+  ContactVector ordered_b(b.size());
+  ContactList<ContactSet> ordered_sets;
+  for (Eigen::Index i = 0; i < problem.size(); ++i) {
+    const Eigen::Index from = 2 * order[static_cast<std::size_t>(i)];
+    ordered_sets.push_back(sets[static_cast<std::size_t>(from / 2)]);
+    ordered_b.segment<2>(2 * i) = b.segment<2>(from);
+    for (Eigen::Index j = 0; j < problem.size(); ++j) {
+      ordered_a.block<2, 2>(2 * i, 2 * j) =
+          a.block<2, 2>(from, 2 * order[static_cast<std::size_t>(j)]);
+    }
+  }
+  const CoupledSolution found = solve_many(ordered_a, ordered_b, ordered_sets);
+  CoupledSolution s = found;
+  for (Eigen::Index i = 0; i < problem.size() && found.solutions > 0; ++i) {
+    const Eigen::Index to = 2 * order[static_cast<std::size_t>(i)];
+    s.p.segment<2>(to) = found.p.segment<2>(2 * i);
+    s.y.segment<2>(to) = found.y.segment<2>(2 * i);
+    s.sticks[static_cast<std::size_t>(to / 2)] = found.sticks[static_cast<std::size_t>(i)];
+  }
+  return s;
 }
 
 CoupledSolution solve_compression(const ContactMatrix& a, const ContactVector& b,

@@ -217,21 +217,12 @@ void check_initial_ring(const scene::Scene& scene, std::size_t k) {
 }
 
 void refuse_compliance(const scene::Scene& scene, scene::Integrator integrator) {
-  if (!scene.gives()) return;
+  if (integrator != scene::Integrator::kEuler) return;
   for (std::size_t k = 0; k < scene.auxiliary.size(); ++k) {
-    if (!scene.auxiliary[k].contact) continue;
-    const bool gives = scene.auxiliary[k].contact->compliance.has_value();
-    if (integrator == scene::Integrator::kEuler && gives) {
-      scene::refuse_at(with_bearing_alone(scene, k), "contact.compliance",
-                       "`euler` knows rigid contacts alone; accepted here: none, or the integrator "
-                       "event or verlet");
-    }
-    if (!gives) {
-      scene::refuse_at(with_bearing_alone(scene, k), "contact",
-                       "is rigid beside a contact that gives, which needs the integrator event; "
-                       "accepted in fixed steps: contacts that are all rigid, or all with "
-                       "[contact.compliance]");
-    }
+    if (!scene.auxiliary[k].contact || !scene.auxiliary[k].contact->compliance) continue;
+    scene::refuse_at(with_bearing_alone(scene, k), "contact.compliance",
+                     "`euler` knows rigid contacts alone; accepted here: none, or the integrator "
+                     "event or verlet");
   }
 }
 
@@ -248,7 +239,13 @@ void refuse_compliance_in_mujoco(const scene::Scene& scene) {
     scene::refuse_at(scene, "mujoco.shadow",
                      "the shadow's contact is rigid; accepted with contact.compliance: false");
   }
-  refuse_compliance(scene, scene::Integrator::kVerlet);
+  for (std::size_t k = 0; k < scene.auxiliary.size(); ++k) {
+    if (!scene.auxiliary[k].contact || scene.auxiliary[k].contact->compliance) continue;
+    scene::refuse_at(with_bearing_alone(scene, k), "contact",
+                     "is rigid beside a compliant contact, which only the native engine can "
+                     "simulate; accepted in MuJoCo: contacts that are all rigid, or all with "
+                     "[contact.compliance]");
+  }
 }
 
 void refuse_several_in_mujoco(const scene::Scene& scene) {
