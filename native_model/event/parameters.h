@@ -30,6 +30,9 @@ struct EventParameters {
   // Steps to go from which a run whose steps are short for their stability alone is given up:
   // StiffnessWatch. A quarter of a minute of a small system; one that is merely long goes on.
   double most_stiff_steps = 5e6;
+  // Steps to go from which a run is given up whatever shortens its steps, an hour or more: next to
+  // round-off nothing tells what does.
+  double most_steps = 1e9;
 };
 
 }  // namespace rotorub

@@ -93,7 +93,7 @@ void SmoothStep::meet(const Motion& motion) {
 // The accelerations that the round-off of its depth makes in a compliant contact: of a hard spring
 // on a light ring more than the tolerance allows, and no step, however short, has less.
 void SmoothStep::find_round_off(const Motion& motion) {
-  constexpr double kOfDepth = 16.0 * std::numeric_limits<double>::epsilon();  // of the clearance
+  constexpr double kOfDepth = 4.0 * std::numeric_limits<double>::epsilon();  // of the clearance
   std::fill(round_off_.begin(), round_off_.end(), 0.0);
   for (std::size_t k = 0; k < model_->auxiliary.size(); ++k) {
     if (!model_->auxiliary[k].gives() || !phase_->in_contact(k)) continue;
@@ -253,7 +253,12 @@ std::string part_of(const Layout& l, int i) {
 std::optional<std::string> StiffnessWatch::look(double t, double end, const SmoothStep& step) {
   if (++steps_ % kStepsBetween != 0) return {};
   const SmoothStep::Stability now = step.stability();
-  if (now.rate * step.length() < kBorder) {
+  // At the pace since the last look.
+  const double at_pace =
+      steps_ > kStepsBetween ? (end - t) * static_cast<double>(kStepsBetween) / (t - last_) : 0.0;
+  last_ = t;
+  const bool hopeless = at_pace > parameters_->most_steps;
+  if (!hopeless && now.rate * step.length() < kBorder) {
     if (++smooth_ == kSmoothLooks) stiff_ = 0;
     return {};
   }
@@ -263,7 +268,8 @@ std::optional<std::string> StiffnessWatch::look(double t, double end, const Smoo
   const double to_go = (end - t) * static_cast<double>(steps_ - begun_) / (t - since_);
   if (to_go < parameters_->most_stiff_steps) return {};
   const auto text = [](double value) { return scene::number_text(value, 2); };
-  return part_of(model_->layout, now.coordinate) + " follows within " + text(1.0 / now.rate) +
+  const double time = 1.0 / std::max(now.rate, kBorder / step.length());
+  return part_of(model_->layout, now.coordinate) + " follows within " + text(time) +
          " s, which holds `event` to steps of that size, " + text(to_go) +
          " more of them (give it more inertia or less damping, or take the integrator `verlet`, "
          "whose damping is implicit)";

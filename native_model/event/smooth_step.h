@@ -99,8 +99,8 @@ class StiffnessWatch {
 
   void begin() { steps_ = 0, stiff_ = 0, smooth_ = 0; }
   // After every accepted step, which has come to t (s) on its way to `end`: why the run is given
-  // up. Empty where it is not: its steps are as long as its motion allows, or there are no more
-  // than parameters.most_stiff_steps to go.
+  // up. Empty where it is not: its steps are as long as its motion allows and there are no more than
+  // parameters.most_steps to go, or no more than parameters.most_stiff_steps.
   std::optional<std::string> look(double t, double end, const SmoothStep& step);
 
  private:
@@ -109,6 +109,7 @@ class StiffnessWatch {
   std::int64_t steps_ = 0;
   std::int64_t begun_ = 0;  // steps_ and
   double since_ = 0.0;      // time, s, at the first of the stiff ones
+  double last_ = 0.0;       // s, of the last look
   int stiff_ = 0, smooth_ = 0;
 };
 

@@ -13,6 +13,7 @@
 #include "native_model/trajectory/recorder.h"
 #include "tests/support/mujoco_run.h"
 #include "tests/support/native_run.h"
+#include "tests/support/order.h"
 #include "tests/support/refusal.h"
 
 namespace rotorub {
@@ -128,6 +129,21 @@ TEST(SeveralContactsInMujoco, OnTheModalChainAreTheNativeModels) {
       EXPECT_NEAR(t.column(column).back(), exact, 0.02 * exact) << column;
     }
   }
+}
+
+// `rigid` is the native step there, whatever the number of contacts.
+TEST(SeveralContactsInMujoco, OnTheModalChainRigidStepsAsVerletDoes) {
+  const scene::Scene scene = two_catchers({"mujoco.rotor=modal", "run.end=0.03"});
+  MujocoOptions options;
+  options.contact = scene::ContactModel::kRigid;
+  options.step = 4e-6;
+  const Trajectory t = run_mujoco(scene, options);
+  const Trajectory native = test::run_with(scene, scene::Integrator::kVerlet, 4e-6);
+  ASSERT_EQ(t.status, Status::kOk) << t.message;
+  ASSERT_EQ(native.status, Status::kOk) << native.message;
+  EXPECT_LT(test::rotor_error(t, native), 1e-10);
+  ASSERT_GT(native.impacts.size(), 5u);
+  EXPECT_EQ(t.impacts.size(), native.impacts.size());
 }
 
 // Swapped in the list they are the same machine; the first one's plane is z = 0.

@@ -214,7 +214,7 @@ TEST(CoupledLaw, WhatIsSharedIsSharedAlike) {
 TEST(CoupledLaw, WhatIsSharedDoesNotDependOnTheOrder) {
   std::mt19937 random(6);
   std::uniform_real_distribution<double> unit(0.0, 1.0);
-  for (const int contacts : {2, 3, 4, 5}) {
+  for (const int contacts : {2, 3, 4, 5, 6, 7, 8}) {
     for (int k = 0; k < 50; ++k) {
       const auto rows = static_cast<Eigen::Index>(2 * contacts);
       const double slip = (unit(random) - 0.5) * (k % 2 == 0 ? 1.0 : 1e3);
