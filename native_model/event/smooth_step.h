@@ -99,8 +99,8 @@ class StiffnessWatch {
 
   void begin() { steps_ = 0, stiff_ = 0, smooth_ = 0; }
   // After every accepted step, which has come to t (s) on its way to `end`: why the run is given
-  // up. Empty where it is not: its steps are as long as its motion allows and there are no more than
-  // parameters.most_steps to go, or no more than parameters.most_stiff_steps.
+  // up. Empty where it is not: its steps are as long as its motion allows and there are no more
+  // than parameters.most_steps to go, or no more than parameters.most_stiff_steps.
   std::optional<std::string> look(double t, double end, const SmoothStep& step);
 
  private:
