@@ -20,7 +20,6 @@ using namespace std::chrono_literals;
 constexpr auto kPatience = 2s;  // shorter work shows nothing
 constexpr auto kRefresh = 100ms;
 constexpr auto kLineEvery = 5s;
-constexpr auto kSeldomLineEvery = 30s;
 constexpr int kWidth = 28;
 
 std::string_view variable(const char* name) {
@@ -72,8 +71,7 @@ std::string progress_bar(double share, double seconds, const std::string& what, 
 
 ProgressBar::ProgressBar(bool quiet)
     : on_terminal_(!quiet && is_terminal(stderr)),
-      lines_(!quiet && !on_terminal_ && variable("ROTORUB_PROGRESS") != "none"),
-      at_once_(variable("ROTORUB_PROGRESS") == "lines"),
+      lines_(!quiet && !on_terminal_ && variable("ROTORUB_PROGRESS") == "lines"),
       start_(Clock::now()),
       last_(start_) {}
 
@@ -93,8 +91,7 @@ void ProgressBar::show(double share, const std::string& what) {
 
 void ProgressBar::show_line(double share, const std::string& what) {
   const auto now = Clock::now();
-  const auto wait = at_once_ || !wrote_line_ ? kLineEvery : kSeldomLineEvery;
-  if (!(at_once_ && !wrote_line_) && now - last_ < wait) return;
+  if (wrote_line_ && now - last_ < kLineEvery) return;
   wrote_line_ = true;
   last_ = now;
   fmt::print(stderr, "{:3.0f} %  {}\n", 100.0 * std::clamp(share, 0.0, 1.0),

@@ -20,9 +20,8 @@ std::string printable_lines(const std::string& message);
 std::string printable_path(const std::filesystem::path& path);
 
 // How far a long piece of work is, on standard error: on a terminal a bar, from two seconds on;
-// elsewhere a line after five seconds and then every half minute. ROTORUB_PROGRESS=lines in the
-// environment asks for a line at once and every five seconds, ROTORUB_PROGRESS=none for nothing
-// where there is no terminal.
+// elsewhere nothing, or with ROTORUB_PROGRESS=lines in the environment a line at once and every
+// five seconds.
 class ProgressBar {
  public:
   explicit ProgressBar(bool quiet);
@@ -39,7 +38,7 @@ class ProgressBar {
   using Clock = std::chrono::steady_clock;
   void show_line(double share, const std::string& what);
 
-  bool on_terminal_, lines_, at_once_;
+  bool on_terminal_, lines_;
   bool wrote_line_ = false;
   bool drawn_ = false;
   Clock::time_point start_, last_;
