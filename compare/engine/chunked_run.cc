@@ -97,7 +97,7 @@ StepResult ChunkedRun::last_half() {
   return r;
 }
 
-// Of every contact; of a model without any, one without force.
+// The forces of every contact. A model without contacts gets one entry without force.
 void ChunkedRun::read_forces(std::vector<plugin::ContactForces>& forces) const {
   forces.assign(1, plugin::contact_forces(config_, m_, data_.get()));
   for (std::size_t k = 1; k < config_.pairs.size(); ++k) {

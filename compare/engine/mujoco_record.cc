@@ -231,7 +231,7 @@ double MujocoRecord::held(std::size_t contact) const {
   return model_.layout.spin ? 0.0 : model_.auxiliary[contact].contact->radius * model_.speed;
 }
 
-// Of the step before.
+// Counts the impacts of the step before.
 void MujocoRecord::count_impacts() {
   if (impacts_.empty()) return;
   StepFigures figures;

@@ -56,7 +56,7 @@ class MujocoRecord {
   };
   std::vector<AtContact> contacts_;      // of each
   std::vector<ContactSnapshot> others_;  // of those beyond the first
-  // Of native steps, of the step before: its impacts, and their work on the coordinates.
+  // With native steps: the impacts of the step before, and their work on the coordinates.
   std::vector<Impact> impacts_;
   double impact_work_ = 0.0;  // J
   // Of others: the state that the step began from, and what its forces did over the whole of it, J.

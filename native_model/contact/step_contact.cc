@@ -176,7 +176,7 @@ class SeveralOnCircles {
 
   double h_;
   std::span<LastingContact> c_;
-  // What unit impulses (normal, friction of each contact in turn) do to the rates of each.
+  // Element [i][j]: the rates of contact i by unit impulse j (normal and friction of each in turn).
   std::array<std::array<Eigen::Vector3d, kMostRows>, kMaxContacts> effect_;
 };
 
@@ -198,7 +198,7 @@ bool SeveralOnCircles::go_on_as_before() {
     unknown[count++] = {i, false};
     if (c.slip_sign == 0.0) unknown[count++] = {i, true};
   }
-  // What each unknown does to the rates of each contact.
+  // Element [i][u]: the rates of contact i by a unit of unknown u.
   std::array<std::array<Eigen::Vector3d, kMostRows>, kMaxContacts> by;
   for (std::size_t u = 0; u < count; ++u) {
     const std::size_t j = unknown[u].contact;

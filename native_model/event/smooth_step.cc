@@ -111,7 +111,7 @@ void SmoothStep::find_round_off(const Motion& motion) {
   }
 }
 
-// Of a step of h (s): with what round-off adds to its errors.
+// The tolerance of a step of h (s), to which the error that round-off makes in it is added.
 const double* SmoothStep::tolerance_of(double h) {
   if (round_off_.empty()) return tolerance_.data();
   const std::size_t n = round_off_.size();

@@ -23,14 +23,11 @@ class SharedImpact {
 
   std::size_t count() const { return count_; }
   std::size_t contact(std::size_t i) const { return of_[i].index; }
-  // Of those that joined: closed before, and after.
-  bool was_closed(std::size_t i) const { return closed_[i]; }
+  // Whether a contact that joined is closed after the impact.
   bool rests(std::size_t i) const { return rests_[i]; }
   double approach() const { return approach_; }  // m/s, the largest
-  // Of a single contact: a flight of more than a step of h (s) follows.
+  // Whether the first contact flies for more than a step of h (s) after the impact.
   bool rebounds(double h) const { return rebounds(0, h, approach_); }
-  // Delassus's matrix, of (normal, friction) of each in turn.
-  const ContactMatrix& matrix() const { return g_; }
 
  private:
   // Whether the impact at the speed `approach` (m/s) is followed by a flight, contact/impact.h,

@@ -33,8 +33,8 @@ namespace rotorub {
 
 class StepContacts {
  public:
-  // What a contact keeps from step to step, as the step before left it, and from go_on() on of this
-  // step.
+  // The part of a contact that lives from step to step. Until go_on() it is that of the step
+  // before, from then on that of this step.
   struct Kept {
     // Rigid: it lasts on its circle. Compliant: it is in the wall, since its last touch.
     bool closed = false;
@@ -80,12 +80,12 @@ class StepContacts {
   // x.free with the forces of the last step's end, by the normals of now.
   void hold_on(StepState& x);
 
-  // Of a step in two parts, `first` for `share` of it and the one just taken for `rest`. Alike: the
-  // part goes on as contact was before the step.
+  // A step is taken in two parts where a load jumps in it: `first` holds for `share` of it, and the
+  // part taken last for `rest`. Parts are alike if contact goes on in them as before the step.
   bool alike(const State& part, const State& was) const;
   State second_part(const State& was, const State& first) const;
   void join_parts(double share, double rest, const State& first);
-  // Of such a step as if its mean loads had acted throughout.
+  // Such a step counts as one if its mean loads may act throughout.
   void go_on_as(const State& mean);
 
   // x.after is about to be changed by impacts.
@@ -97,7 +97,8 @@ class StepContacts {
   // to += A^-1 J^T of impulses of a contact, with the normal of the step.
   void push(std::size_t i, double normal, double friction, double* to) const;
 
-  // What outlives a step, and the rest of it.
+  // The numbers that outlive a step: first those that stand before the state in a saved memory,
+  // then all others.
   template <class Action>
   void for_each_kept(Action& action) {
     keep_flag(now[0].closed, action);

@@ -34,7 +34,7 @@ test('draws every plot when a reader comes to it', async () => {
           [...pictures].some((m) => (m.getAttribute('xlink:href') || m.getAttribute('href') || '').length > 500));
         if (drawn || left === 0) answer(drawn); else setTimeout(() => look(left - 1), 50);
       };
-      look(60);
+      look(300);
     }));
     assert.ok(has, await plot.getAttribute('data-plot'));
   }
