@@ -255,8 +255,7 @@ const Config* look_up(const mjModel* m) {
 
 // The mark that mjData carries.
 bool is_marked(const mjModel* m, const mjData* d, const Config& config) {
-  return m->nuserdata > config.memory + kConfigId &&
-         config.id == d->userdata[config.memory + kConfigId];
+  return m->nuserdata > config.memory && config.id == model_entries(config, d).config_id;
 }
 
 const Config* find(const mjModel* m, const mjData* d, bool check) {
@@ -281,7 +280,7 @@ const Config* find(const mjModel* m, const mjData* d, bool check) {
     refuse_clash(*config, m);
     return nullptr;
   }
-  d->userdata[config->memory + kConfigId] = config->id;
+  model_entries(*config, d).config_id = config->id;
   seal_block(*config, d);
   return config;
 }

@@ -19,7 +19,7 @@ void inverse_with_contact(const mjModel* m, mjData* d, int skipstage, int skipse
     inverse(m, d, skipstage, skipsensor);
     return;
   }
-  mjtNum& fresh = d->userdata[config->memory + kPassiveFresh];
+  mjtNum& fresh = model_entries(*config, d).passive_fresh;
   StackFrame room(d);
   mjtNum* memory = room.numbers(count(m->nuserdata));
   mjtNum* ctrl = room.numbers(std::max(count(m->nu), 1));

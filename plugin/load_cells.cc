@@ -94,13 +94,13 @@ struct ContactForce {
 // since: s, that may have passed since its pass.
 ContactForce force_of(const ContactPair& pair, const mjData* d, double since) {
   ContactForce f;
-  const mjtNum* entry = d->userdata + pair.data;
+  const ContactEntries& entry = contact_entries(pair, d);
   f.place = contact_place(pair, d);
   if (scene::is_cone(pair.law) || !(f.place.d.norm() > kNoNormal)) return f;
-  f.friction = entry[kFrictionForce];
+  f.friction = entry.friction_force;
   f.e_r = f.place.d.normalized();
   const bool rigid = pair.law == scene::ContactModel::kRigid;
-  if (rigid || pair.beside) f.normal = entry[kNormalForce];
+  if (rigid || pair.beside) f.normal = entry.normal_force;
   // Those that tell of each pass with a force.
   if (!rigid && !pair.axial) return f;
   const NotedContact& n = noted_contact(pair.data);

@@ -144,7 +144,8 @@ ContactPair map_contact(const mjModel* m, const Config& config, std::size_t k, i
 void map_contacts(const mjModel* m, Config& config, int further) {
   for (std::size_t k = 0; k < config.model.auxiliary.size(); ++k) {
     // Entry e of a pair stands at data + e (user_data.h).
-    const int data = k == 0 ? 0 : further + kPairEntries * static_cast<int>(k - 1) - kFrictionForce;
+    const int data =
+        k == 0 ? kFirstContact : further + kEntries<ContactEntries> * static_cast<int>(k - 1);
     config.pairs.push_back(map_contact(m, config, k, data));
   }
 }
@@ -206,7 +207,7 @@ int map_memory(const mjModel* m, const scene::Scene& scene, Config& config) {
                                       VerletStepper::memory_size(config.shadow->model));
   }
   const int further = needed;
-  needed += kPairEntries * static_cast<int>(scene.auxiliary.size() - 1);
+  needed += kEntries<ContactEntries> * static_cast<int>(scene.auxiliary.size() - 1);
   if (m->nuserdata < needed) {
     refuse("<size nuserdata>",
            message("at least {} needed; write the model again with `rotorub mjcf`", needed));

@@ -73,11 +73,11 @@ bool keep_places(const Config& config, const mjModel* m, mjData* d) {
 // Whose model was compared since the last mjcb_passive of this thread.
 thread_local constinit const mjData* compared = nullptr;
 
-// What kPassiveFresh is after mjcb_passive.
+// ModelEntries::passive_fresh after mjcb_passive.
 double fresh_mark(const mjData* d) { return 1.0 + std::abs(d->time); }
 
 mjtNum& fresh_entry(const Config& config, mjData* d) {
-  return d->userdata[config.memory + kPassiveFresh];
+  return model_entries(config, d).passive_fresh;
 }
 
 // A pass at another time had no mjcb_control after its mjcb_passive.
@@ -141,7 +141,7 @@ void act(const Config& config, const mjModel* m, mjData* d) {
 bool has_escaped(const Config& config, mjData* d) {
   if (!config.has_rigid()) return false;
   return std::any_of(config.pairs.begin(), config.pairs.end(), [d](const ContactPair& pair) {
-    return EscapeGuard(d->userdata + pair.data).is_outside();
+    return EscapeGuard(contact_entries(pair, d).status).is_outside();
   });
 }
 

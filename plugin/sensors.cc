@@ -28,7 +28,7 @@ void put(const mjModel* m, mjData* d, const ScaledSensor& sensor, double value) 
 }
 
 void put_active(const Config& config, mjData* d) {
-  const double value = d->userdata[config.memory + kPassiveFresh] == kActed ? 1.0 : 0.0;
+  const double value = model_entries(config, d).passive_fresh == kActed ? 1.0 : 0.0;
   put(d, config.active, value);
   for (const ContactPair& pair : config.pairs) put(d, pair.sensors.active, value);
 }
@@ -84,20 +84,20 @@ void fill_shadow_sensors(const Config& config, mjData* d) {
     const Coordinates state(config, d);
     put(d, s.mujoco_rotor, rotor_point(config.model, state.q()));
   }
-  const double* entry = d->userdata + s.data;
+  const ShadowEntries& entry = entries<ShadowEntries>(d, s.data);
   const double* q = shadow_state(config, d);
   put(d, s.rotor, rotor_point(model, q));
   put(d, s.stator, ring_centre(model, q));
   if (!model.first().contact) return;
   put(d, s.gap, contact_point(model, q, q + model.nq()).gap);
-  put(d, s.normal_force, entry[kShadowNormal]);
-  put(d, s.friction_force, entry[kShadowFriction]);
+  put(d, s.normal_force, entry.normal);
+  put(d, s.friction_force, entry.friction);
 }
 
 }  // namespace
 
 void mark_active(const Config& config, mjData* d, bool acts) {
-  d->userdata[config.memory + kPassiveFresh] = acts ? kActed : kNotActed;
+  model_entries(config, d).passive_fresh = acts ? kActed : kNotActed;
   put_active(config, d);
 }
 

@@ -34,9 +34,9 @@ struct Worker {
   ZeroOrderHold hold;
 };
 
-double* hold_memory(double* entry) { return entry + kShadowSingle; }
-std::size_t stepper_begin(const Config& config) {
-  return kShadowSingle + ZeroOrderHold::memory_size(config.shadow->model);
+double* hold_memory(ShadowEntries& entry) { return behind(entry); }
+double* stepper_memory(const Config& config, ShadowEntries& entry) {
+  return behind(entry) + ZeroOrderHold::memory_size(config.shadow->model);
 }
 
 void move_ghosts(const Config& config, mjData* d) {
@@ -51,16 +51,16 @@ void move_ghosts(const Config& config, mjData* d) {
   move(shadow.ghost_ring, ring_centre(shadow.model, q));
 }
 
-void stop(double* entry, Status status, const char* warning) {
-  if (entry[kShadowStatus] == static_cast<double>(status)) return;
-  entry[kShadowStatus] = static_cast<double>(status);
-  entry[kShadowNormal] = entry[kShadowFriction] = 0.0;
+void stop(ShadowEntries& entry, Status status, const char* warning) {
+  if (entry.status == static_cast<double>(status)) return;
+  entry.status = static_cast<double>(status);
+  entry.normal = entry.friction = 0.0;
   warn(warning);
 }
 
-void say_edited(double* entry) {
-  if (entry[kShadowEdited] != 0.0) return;
-  entry[kShadowEdited] = 1.0;
+void say_edited(ShadowEntries& entry) {
+  if (entry.edited != 0.0) return;
+  entry.edited = 1.0;
   mju_warning("rotorub: shadow: mjModel was edited: it starts anew from MuJoCo's state");
 }
 
@@ -76,18 +76,18 @@ void mujoco_state(const Config& config, const mjModel* m, const mjData* d, doubl
   }
 }
 
-void begin(const Config& config, const mjModel* m, mjData* d, double* entry) {
+void begin(const Config& config, const mjModel* m, mjData* d, ShadowEntries& entry) {
   const double h = m->opt.timestep;
-  entry[kShadowBegun] = config.shadow->mark;
-  entry[kShadowTime] = entry[kShadowOrigin] = d->time;
-  entry[kShadowStep] = h;
-  entry[kShadowSteps] = 0.0;
-  entry[kShadowNormal] = entry[kShadowFriction] = 0.0;
+  entry.begun = config.shadow->mark;
+  entry.time = entry.origin = d->time;
+  entry.step = h;
+  entry.steps = 0.0;
+  entry.normal = entry.friction = 0.0;
   Worker& worker = thread_worker<Worker>(config, h);
   double q[kMaxCoordinates], v[kMaxCoordinates];
   mujoco_state(config, m, d, q, v);
   worker.stepper.begin(d->time, q, v);
-  worker.stepper.save(entry + stepper_begin(config));
+  worker.stepper.save(stepper_memory(config, entry));
   ZeroOrderHold(worker.model).save(hold_memory(entry));
   move_ghosts(config, d);
   // The model was made for a smaller step, and the user has changed it since.
@@ -96,7 +96,7 @@ void begin(const Config& config, const mjModel* m, mjData* d, double* entry) {
          "rotorub: shadow: <option timestep> is beyond 2 / omega_max of the native model: it "
          "stands still");
   } else {
-    entry[kShadowStatus] = static_cast<double>(Status::kOk);
+    entry.status = static_cast<double>(Status::kOk);
   }
 }
 
@@ -116,16 +116,16 @@ Eigen::Vector2d own_command(Worker& worker, std::int64_t k, double t, double h) 
   return u;
 }
 
-void step(const Config& config, const mjModel* m, mjData* d, double* entry) {
+void step(const Config& config, const mjModel* m, mjData* d, ShadowEntries& entry) {
   const double h = m->opt.timestep;
   Worker& worker = thread_worker<Worker>(config, h);
-  worker.stepper.restore(entry + stepper_begin(config));
-  const auto k = static_cast<std::int64_t>(entry[kShadowSteps]);
+  worker.stepper.restore(stepper_memory(config, entry));
+  const auto k = static_cast<std::int64_t>(entry.steps);
 
   Eigen::Vector2d u = actuator_state(config, m, d).force;
   if (worker.model.first().controller) {
     worker.hold.restore(hold_memory(entry));
-    u = own_command(worker, k, entry[kShadowOrigin] + entry[kShadowSteps] * h, h);
+    u = own_command(worker, k, entry.origin + entry.steps * h, h);
     worker.hold.save(hold_memory(entry));
     if (!worker.hold.failure().empty()) {
       stop(entry, Status::kControllerFailed, kFailed);
@@ -147,26 +147,26 @@ void step(const Config& config, const mjModel* m, mjData* d, double* entry) {
                "stands still");
     return;
   }
-  worker.stepper.save(entry + stepper_begin(config));
-  entry[kShadowSteps] += 1.0;
+  worker.stepper.save(stepper_memory(config, entry));
+  entry.steps += 1.0;
   const double kick = worker.stepper.last_kick() * h;
-  entry[kShadowNormal] = done.normal_impulse / kick;
-  entry[kShadowFriction] = done.friction_impulse / kick;
+  entry.normal = done.normal_impulse / kick;
+  entry.friction = done.friction_impulse / kick;
   move_ghosts(config, d);
 }
 
 }  // namespace
 
 void advance_shadow(const Config& config, const mjModel* m, mjData* d) {
-  double* entry = d->userdata + config.shadow->data;
+  ShadowEntries& entry = entries<ShadowEntries>(d, config.shadow->data);
   const double h = m->opt.timestep, margin = 1e-6 * h;
-  const double passed = d->time - entry[kShadowTime];
+  const double passed = d->time - entry.time;
   const bool same_time = std::abs(passed) <= margin;
-  const bool runs = entry[kShadowStatus] == static_cast<double>(Status::kOk);
-  const bool edited = entry[kShadowBegun] != 0.0 && entry[kShadowBegun] != config.shadow->mark;
+  const bool runs = entry.status == static_cast<double>(Status::kOk);
+  const bool edited = entry.begun != 0.0 && entry.begun != config.shadow->mark;
   if (edited) say_edited(entry);
-  if (entry[kShadowBegun] == 0.0 || edited || entry[kShadowStep] != h ||
-      (same_time && runs && entry[kShadowSteps] == 0.0)) {
+  if (entry.begun == 0.0 || edited || entry.step != h ||
+      (same_time && runs && entry.steps == 0.0)) {
     begin(config, m, d, entry);
     return;
   }
@@ -175,12 +175,13 @@ void advance_shadow(const Config& config, const mjModel* m, mjData* d) {
     begin(config, m, d, entry);
     return;
   }
-  entry[kShadowTime] = d->time;
+  entry.time = d->time;
   if (runs) step(config, m, d, entry);
 }
 
 const double* shadow_state(const Config& config, const mjData* d) {
-  return VerletStepper::saved_q(d->userdata + config.shadow->data + stepper_begin(config));
+  const auto& entry = entries<ShadowEntries>(d, config.shadow->data);
+  return VerletStepper::saved_q(behind(entry) + ZeroOrderHold::memory_size(config.shadow->model));
 }
 
 namespace names = mjcf_names;

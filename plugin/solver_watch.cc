@@ -9,7 +9,7 @@
 namespace rotorub::plugin {
 namespace {
 
-// In kContactStatus of the first block, above the bits of EscapeGuard.
+// In ContactEntries::status of the first contact, above the bits of EscapeGuard.
 enum { kInSolver = 128, kSolverWasTold = 256 };
 
 int bits(const mjtNum& entry) { return static_cast<int>(entry); }
@@ -26,7 +26,7 @@ bool solves(const Config& config, const mjModel* m, const mjContact& c) {
 }  // namespace
 
 void watch_solver(const Config& config, const mjModel* m, mjData* d) {
-  mjtNum& entry = d->userdata[config.memory + kContactStatus];
+  mjtNum& entry = model_entries(config, d).contact.status;
   if (!(bits(entry) & kInSolver) || (bits(entry) & kSolverWasTold)) return;
   // MuJoCo's default tolerance: with a smaller one the solver may stop at round-off.
   constexpr double kMatters = 1e-8;
@@ -43,7 +43,7 @@ void watch_solver(const Config& config, const mjModel* m, mjData* d) {
 }
 
 void note_solved_contacts(const Config& config, const mjModel* m, mjData* d) {
-  mjtNum& entry = d->userdata[config.memory + kContactStatus];
+  mjtNum& entry = model_entries(config, d).contact.status;
   const bool any = (config.has_soft() || !config.corrected_pairs.empty()) &&
                    std::any_of(d->contact, d->contact + d->ncon,
                                [&](const mjContact& c) { return solves(config, m, c); });

@@ -78,7 +78,7 @@ bool ChunkedRun::step() {
     error_ = error.what();
     const auto controller = static_cast<double>(Status::kControllerFailed);
     const bool sampled = config_.model.first().loop || !config_.model.samplers.empty();
-    if (sampled && data_->userdata[plugin::kContactStatus] == controller) {
+    if (sampled && plugin::model_entries(config_, data_.get()).contact.status == controller) {
       contact_status_ = Status::kControllerFailed;
     }
     return false;

@@ -1,4 +1,4 @@
-// The laws of rigid_law.h and coupled_law.h where other constraints act on the same bodies. The
+// The laws of coupled_law.h where other constraints act on the same bodies. The
 // response of the step to the contacts' impulses p = (normal, friction) of each is then no matrix,
 // but a map y(p) = (gap rate, slip) of each at its end: monotone and piecewise smooth, known by
 // trying it alone. Newton's iteration:

@@ -352,6 +352,52 @@ CoupledSolution one_plain(const ContactMatrix& a, const ContactVector& b, const 
   return s;
 }
 
+// The slip of contact i in a vector of all contacts; in two directions its size.
+struct SlipOf {
+  Eigen::Index size;
+  std::size_t contacts;
+  double operator()(const ContactVector& y, std::size_t i) const {
+    const Eigen::Index rows = size / static_cast<Eigen::Index>(contacts),
+                       at = rows * static_cast<Eigen::Index>(i);
+    return rows == 3 ? y.segment<2>(at + 1).norm() : y[at + 1];
+  }
+};
+
+// The expansion after `compressed` (0: Coulomb's law alone), with the mu of each contact improved
+// until it fits the slips: improve(friction, normal, impulse along the slip, slip, mobility).
+template <typename Friction, typename Improve>
+CoupledSolution solve_with_friction(const ContactMatrix& a, const ContactVector& b,
+                                    std::span<const ImpactLaw> laws,
+                                    const ContactVector& compressed,
+                                    std::array<Friction, kMaxContacts>& friction, Improve improve) {
+  std::array<ContactSet, kMaxContacts> sets{};
+  std::array<DiscSet, kMaxContacts> discs{};
+  const std::size_t n = laws.size();
+  const auto rows = b.size() / static_cast<Eigen::Index>(n);
+  const SlipOf slip{b.size(), n};
+  for (;;) {
+    for (std::size_t i = 0; i < n; ++i) {
+      const auto at = rows * static_cast<Eigen::Index>(i);
+      const double mu = friction[i].mu();
+      if (rows == 3) {
+        discs[i] = expansion_disc(laws[i], mu, compressed[at], compressed.segment<2>(at + 1));
+      } else {
+        sets[i] = expansion_set(laws[i], mu, compressed[at], compressed[at + 1]);
+      }
+    }
+    const CoupledSolution s = rows == 3 ? solve_discs(a, b, std::span(discs).first(n))
+                                        : solve_coupled(a, b, std::span(sets).first(n));
+    bool improved = false;
+    for (std::size_t i = 0; i < n && s.solutions == 1; ++i) {
+      const auto at = rows * static_cast<Eigen::Index>(i);
+      const double along_slip = rows == 3 ? -friction[i].mu() * s.p[at] : s.p[at + 1];
+      improved =
+          improve(friction[i], s.p[at], along_slip, slip(s.y, i), a(at + 1, at + 1)) || improved;
+    }
+    if (!improved) return s;
+  }
+}
+
 }  // namespace
 
 ContactVector shared_solution(const ContactMatrix& matrix, const ContactVector& right) {
@@ -414,36 +460,24 @@ CoupledSolution solve_compression(const ContactMatrix& a, const ContactVector& b
 
 CoupledSolution solve_expansion(const ContactMatrix& a, const ContactVector& b,
                                 std::span<const ImpactLaw> laws, const ContactVector& compressed) {
-  std::array<ContactSet, kMaxContacts> sets{};
-  std::array<DiscSet, kMaxContacts> discs{};
-  const auto rows = b.size() / static_cast<Eigen::Index>(laws.size());
-  const auto first_row = [rows](std::size_t i) { return rows * static_cast<Eigen::Index>(i); };
-  const auto slip = [&](const ContactVector& y, std::size_t i) {
-    return rows == 3 ? y.segment<2>(first_row(i) + 1).norm() : y[first_row(i) + 1];
-  };
   std::array<ImpactFriction, kMaxContacts> friction;
-  for (std::size_t i = 0; i < laws.size(); ++i) friction[i] = {laws[i].friction, slip(b, i)};
-  for (;;) {
-    for (std::size_t i = 0; i < laws.size(); ++i) {
-      const auto at = first_row(i);
-      const double mu = friction[i].mu();
-      if (rows == 3) {
-        discs[i] = expansion_disc(laws[i], mu, compressed[at], compressed.segment<2>(at + 1));
-      } else {
-        sets[i] = expansion_set(laws[i], mu, compressed[at], compressed[at + 1]);
-      }
-    }
-    const CoupledSolution s = rows == 3 ? solve_discs(a, b, std::span(discs).first(laws.size()))
-                                        : solve_coupled(a, b, std::span(sets).first(laws.size()));
-    bool improved = false;
-    for (std::size_t i = 0; i < laws.size() && s.solutions == 1; ++i) {
-      const auto at = first_row(i);
-      // In two directions the friction along the slip.
-      const double rubbed = rows == 3 ? -friction[i].mu() * s.p[at] : s.p[at + 1];
-      improved = friction[i].improve(s.p[at], rubbed, slip(s.y, i), a(at + 1, at + 1)) || improved;
-    }
-    if (!improved) return s;
+  for (std::size_t i = 0; i < laws.size(); ++i) {
+    friction[i] = {laws[i].friction, SlipOf{b.size(), laws.size()}(b, i)};
   }
+  return solve_with_friction(
+      a, b, laws, compressed, friction,
+      [](ImpactFriction& mu, double normal, double rubbed, double slip, double mobility) {
+        return mu.improve(normal, rubbed, slip, mobility);
+      });
+}
+
+CoupledSolution solve_lasting(const ContactMatrix& a, const ContactVector& b,
+                              std::span<const ImpactLaw> laws, std::span<const double> before) {
+  std::array<SlipFriction, kMaxContacts> friction;
+  for (std::size_t i = 0; i < laws.size(); ++i) friction[i] = {laws[i].friction, before[i]};
+  return solve_with_friction(a, b, laws, ContactVector::Zero(b.size()), friction,
+                             [](SlipFriction& mu, double normal, double, double slip,
+                                double mobility) { return mu.improve(slip, mobility * normal); });
 }
 
 CoupledSolution solve_coupled_impact(const ContactMatrix& a, const ContactVector& b,

@@ -68,6 +68,10 @@ CoupledSolution solve_coupled(const ContactMatrix& a, const ContactVector& b,
 // Coulomb's law of all contacts; with two numbers of each in b, planar, with three, disc_law.h's.
 CoupledSolution solve_compression(const ContactMatrix& a, const ContactVector& b,
                                   std::span<const ImpactLaw> laws);
+// Coulomb's law over a step, (12)-(13), with mu of the slips at its end. before: m/s, the slips
+// where the step begins, one for each contact.
+CoupledSolution solve_lasting(const ContactMatrix& a, const ContactVector& b,
+                              std::span<const ImpactLaw> laws, std::span<const double> before);
 // The expansion alone, after a compression with the impulses `compressed`; b: rates after that.
 CoupledSolution solve_expansion(const ContactMatrix& a, const ContactVector& b,
                                 std::span<const ImpactLaw> laws, const ContactVector& compressed);

@@ -1,6 +1,7 @@
 #include "native_model/event/phase.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 
 #include "native_model/model/actuation.h"
@@ -46,7 +47,7 @@ void Phase::accelerate(double t, const double* y) {
   inverse_mass_.solve(f, a_.data());
 }
 
-// Its gddot, normal and tangential, by the accelerations a_ of all other loads.
+// The gap and slip accelerations of a contact under all other loads, from the accelerations a_.
 Eigen::Vector2d Phase::unloaded(const ClosedContact& c) const {
   const ContactPoint& p = c.point;
   const Eigen::Vector3d dd = contact_acceleration(*model_, a_.data(), c.index);
@@ -55,8 +56,8 @@ Eigen::Vector2d Phase::unloaded(const ClosedContact& c) const {
           p.e_t().dot(dd.head<2>()) + radius * dd.z() + whirl / p.delta * p.gap_rate};
 }
 
-// What adds up to the normal acceleration. Of one of several contacts that stands still while the
-// shaft moves, the motion that cancels there too.
+// The size of the terms that add up to the normal acceleration. With several contacts, one may
+// stand still while the shaft moves: the motion that cancels there counts too.
 double Phase::scale_of(const ContactPoint& point, double normal, const double* q,
                        const double* v) const {
   const double whirl = point.whirl_speed();
@@ -112,38 +113,32 @@ void Phase::set_margins_in_wall(std::size_t k, const double* q, const double* v)
                     -contact.compliance.margin(-p.gap, -p.gap_rate, a, scale)};
 }
 
-// Of a sliding one, mu sign(gdot_T).
+// mu sign(gdot_T) of a sliding contact.
 double Phase::mu_sign(const ClosedContact& c) const {
   const double sign = at_[c.index].state.slip_sign;
   return model_->auxiliary[c.index].contact->friction.along(sign * c.point.slip) * sign;
 }
 
-// Unknown is the normal force of each, and of one that sticks its friction; gddot of each is 0.
-// Adds what they do to the accelerations a.
-void Phase::press_one(const ClosedContact& c, double* a) {
+// The force of one closed contact: its gap acceleration is 0 (or its normal force is known), and so
+// is its slip acceleration if it sticks.
+PlanarImpulse Phase::force_of_one(const ClosedContact& c) const {
   const AtContact& at = at_[c.index];
   const double radius = model_->auxiliary[c.index].contact->radius;
-  const Eigen::Vector3d coupling = inverse_mass_.coupling_at(c.index);
   const Delassus g =
-      delassus(inverse_mass_.admittance(at.admittance, coupling), c.point.e_r, radius);
+      delassus(inverse_mass_.admittance(at.admittance, inverse_mass_.coupling_at(c.index)),
+               c.point.e_r, radius);
   const Eigen::Vector2d b = unloaded(c);
   const std::optional<double> known = pressing(c);
-  PlanarImpulse force{0.0, 0.0};
   if (at.state.mode != Mode::kStick) {
-    const double friction = mu_sign(c);
-    force.normal = known ? *known : slide(g, b[0], friction);
-    force.friction = -friction * force.normal;
-  } else if (known) {
-    force = {*known, -(b[1] + g.tn * *known) / g.tt};
-  } else {
-    force = stick(g, b[0], b[1]);
+    const double friction = mu_sign(c), normal = known ? *known : slide(g, b[0], friction);
+    return {normal, -friction * normal};
   }
-  set_margins(c, force.normal, force.friction);
-  inverse_mass_.add_response(c.index, coupling,
-                             contact_load(c.point.e_r, radius, force.normal, force.friction), a);
+  if (known) return {*known, -(b[1] + g.tn * *known) / g.tt};
+  return stick(g, b[0], b[1]);
 }
 
-void Phase::press_several(double t, const double* q, double* a) {
+// The same for several, from one linear system.
+void Phase::forces_of_several(double t, const double* q, PlanarImpulse* forces) const {
   const auto rows = static_cast<Eigen::Index>(2 * closed_.size());
   ContactVector b(rows);
   CaseSystem system(rows);
@@ -167,16 +162,31 @@ void Phase::press_several(double t, const double* q, double* a) {
   }
   const ContactVector force = system.solve(delassus(*model_, t, q, closed_), b);
   for (std::size_t i = 0; i < closed_.size(); ++i) {
-    const ClosedContact& c = closed_[i];
     const auto row = static_cast<Eigen::Index>(2 * i);
-    const double radius = model_->auxiliary[c.index].contact->radius;
-    set_margins(c, force[row], force[row + 1]);
-    inverse_mass_.add_response(c.index, inverse_mass_.coupling_at(c.index),
-                               contact_load(c.point.e_r, radius, force[row], force[row + 1]), a);
+    forces[i] = {force[row], force[row + 1]};
   }
 }
 
-// Multipliers and margins of those that are open are none.
+// Finds the forces of the closed contacts and their margins, and adds what the forces do to the
+// accelerations a.
+void Phase::press(double t, const double* q, double* a) {
+  std::array<PlanarImpulse, kMaxContacts> forces;  // not initialised: this is the hot loop
+  if (closed_.size() == 1) {
+    forces[0] = force_of_one(closed_[0]);
+  } else if (closed_.size() > 1) {
+    forces_of_several(t, q, forces.data());
+  }
+  for (std::size_t i = 0; i < closed_.size(); ++i) {
+    const ClosedContact& c = closed_[i];
+    const auto [normal, friction] = forces[i];
+    set_margins(c, normal, friction);
+    const double radius = model_->auxiliary[c.index].contact->radius;
+    inverse_mass_.add_response(c.index, inverse_mass_.coupling_at(c.index),
+                               contact_load(c.point.e_r, radius, normal, friction), a);
+  }
+}
+
+// Fills closed_. Open contacts have no multipliers and infinite margins.
 void Phase::find_closed(const double* q, const double* v) {
   closed_.clear();
   for (std::size_t k = 0; k < at_.size(); ++k) {
@@ -187,7 +197,7 @@ void Phase::find_closed(const double* q, const double* v) {
   }
 }
 
-// The rates of what is summed up of a closed contact.
+// Adds a closed contact's part to the rates of the integrals.
 void Phase::integrate(const ClosedContact& c, double* integrals) const {
   const Model& m = *model_;
   const auto [normal, friction] = at_[c.index].multipliers;
@@ -216,8 +226,7 @@ void Phase::derivative(double t, const double* y, double* dy) {
   integrals[kExternalWork] = power + extra_power(m, angles_, q, v);
 
   find_closed(q, v);
-  if (closed_.size() == 1) press_one(closed_[0], a);
-  if (closed_.size() > 1) press_several(t, q, a);
+  press(t, q, a);
   for (const ClosedContact& c : closed_) integrate(c, integrals);
   if ((!in_contact(0) || m.first().gives()) && m.first().contact && touched_) {
     const eq::Pair d = eq::separation(m, q), rate = eq::relative(m, v);

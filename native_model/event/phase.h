@@ -1,14 +1,14 @@
 // The smooth system between events: free flight, sliding with a given sign, or sticking, as an
 // ordinary differential equation in y = (q, qdot, integrals). In contact the multipliers follow
-// from the constraints on acceleration level,
+// from the constraints on the accelerations,
 //
 //   gddot_N = -e_r . d'' - v_t^2 / delta = 0,   gddot_T = e_t . d'' + r Omega_c' - R Omega_r' = 0
 //                                                 (sticking; Omega_r of a ring that turns),
 //   lambda_T = -mu sign lambda_N (sliding),
 //
-// v_t = e_t . d' the whirl speed. Of a contact that gives lambda_N is known instead
-// (contact/compliance.h). Several contacts that are closed have their multipliers from one linear
-// system, through Delassus's matrix of all of them.
+// where v_t = e_t . d' is the whirl speed. For a compliant contact lambda_N is known instead
+// (contact/compliance.h). The multipliers of several closed contacts follow from one linear system
+// with their common Delassus matrix; one contact has a closed form.
 #pragma once
 
 #include <Eigen/Core>
@@ -142,8 +142,9 @@ class Phase {
   double mu_sign(const ClosedContact& at) const;
   double scale_of(const ContactPoint& point, double normal, const double* q, const double* v) const;
   void find_closed(const double* q, const double* v);
-  void press_one(const ClosedContact& at, double* a);
-  void press_several(double t, const double* q, double* a);
+  PlanarImpulse force_of_one(const ClosedContact& at) const;
+  void forces_of_several(double t, const double* q, PlanarImpulse* forces) const;
+  void press(double t, const double* q, double* a);
   void integrate(const ClosedContact& at, double* integrals) const;
   void set_margins(const ClosedContact& at, double normal, double friction);
   void set_margins_in_wall(std::size_t contact, const double* q, const double* v);

@@ -52,6 +52,7 @@ scene::Scene continued(const scene::Scene& next, const scene::Scene& before,
   const auto last = [&](const std::string& name) { return run.column(name).back(); };
   const double spent = run.column("t").back();
   scene.initial.steady = false;
+  scene.initial.rub = scene::StartingRub::kNone;
   scene.initial.x = last_of(run, "x");
   scene.initial.y = last_of(run, "y");
   scene.initial.vx = last_of(run, "vx");

@@ -70,6 +70,8 @@ Lyapunov largest_lyapunov(const scene::Scene& start, const LyapunovParameters& p
   if (!why.empty()) return {std::nullopt, why};
   if (start.initial.steady)
     return {std::nullopt, "it starts on its steady orbit; give a start that a run has left"};
+  if (start.initial.rub != scene::StartingRub::kNone)
+    return {std::nullopt, "it starts on a rub; give a start that a run has left"};
   const double size = start.first().contact ? start.first().contact->clearance : 1e-3,
                first = p.distance * size;
   const StartVector vector{p.stretch / (2.0 * std::numbers::pi), size};

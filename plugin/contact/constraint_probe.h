@@ -12,7 +12,6 @@
 #include <algorithm>
 #include <span>
 
-#include "native_model/contact/rigid_law.h"
 #include "plugin/contact/contact_space.h"
 #include "plugin/model/mujoco_versions.h"
 
@@ -69,29 +68,6 @@ class ConstraintProbe {
   bool kept_ = false;
   mjtNum *force_, *warm_, *total_;  // qfrc_smooth, qacc_warmstart; the sum of a trial
   mjtNum* smooth_;                  // qacc_smooth
-};
-
-// The response of rigid_law.h: impulses over the step as forces.
-class ProbedStep final : public StepResponse {
- public:
-  ProbedStep(ConstraintProbe& probe, const ContactSpace& space, const Eigen::Vector3d& start,
-             double h)
-      : probe_(probe), space_(space), start_(start), h_(h) {}
-  Eigen::Vector3d end(const Eigen::Vector3d& load, bool impact) override {
-    probe_.solve([&](mjtNum* force) { space_.add(load / h_, impact, force); });
-    return start_ + h_ * probe_.acceleration(space_);
-  }
-  Eigen::Vector3d sudden(const Eigen::Vector3d& load) override {
-    probe_.solve_sudden([&](mjtNum* force) { space_.add(load / h_, true, force); });
-    return h_ * probe_.acceleration(space_);
-  }
-  double accuracy() const override { return h_ * probe_.accuracy(); }
-
- private:
-  ConstraintProbe& probe_;
-  const ContactSpace& space_;
-  Eigen::Vector3d start_;
-  double h_;
 };
 
 }  // namespace rotorub::plugin

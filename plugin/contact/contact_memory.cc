@@ -11,19 +11,19 @@
 namespace rotorub::plugin {
 namespace {
 
-ContactForces rigid_forces(const mjtNum* entry) {
+ContactForces rigid_forces(const ContactEntries& entry) {
   ContactForces out;
-  out.normal = entry[kNormalForce];
-  out.friction = entry[kFrictionForce];
-  out.mode = static_cast<Mode>(static_cast<int>(entry[kMode]));
-  out.status = EscapeGuard::status_in(entry[kContactStatus]);
-  out.impact = entry[kImpact] != 0.0;
+  out.normal = entry.normal_force;
+  out.friction = entry.friction_force;
+  out.mode = static_cast<Mode>(static_cast<int>(entry.mode));
+  out.status = EscapeGuard::status_in(entry.status);
+  out.impact = entry.impact != 0.0;
   if (!out.impact) return out;
-  out.impact_time = entry[kImpactTime];
-  out.gap_rate_before = entry[kGapRateBefore];
-  out.gap_rate_after = entry[kGapRateAfter];
-  out.slip_before = entry[kSlipBefore];
-  out.slip_after = entry[kSlipAfter];
+  out.impact_time = entry.impact_time;
+  out.gap_rate_before = entry.gap_rate_before;
+  out.gap_rate_after = entry.gap_rate_after;
+  out.slip_before = entry.slip_before;
+  out.slip_after = entry.slip_after;
   return out;
 }
 
@@ -36,35 +36,35 @@ bool within_cone(const mjModel* m, const mjData* d, const mjContact& contact, co
   return std::hypot(force[1], force[2]) < (1.0 - 1e-6) * contact.friction[0] * force[0];
 }
 
-// States of a compliant contact, in kTouches.
+// States of a compliant contact, in CompliantEntries::touches.
 constexpr double kUnknown = 0.0, kInWall = 1.0, kOpen = 2.0;
 
 // Whether the motion from the pass before does not lead to this one.
 bool is_written(const ContactPair& pair, const ContactPoint& point, const mjModel* m,
                 const mjData* d) {
   constexpr double kMoved = 0.01;  // of the clearance, beyond what the speed explains
-  const mjtNum* entry = d->userdata + pair.data;
-  if (entry[kTouches] == kUnknown) return true;
-  const double h = m->opt.timestep, passed = std::abs(d->time - entry[kTouchTime]);
+  const auto& entry = entries<CompliantEntries>(d, pair.data);
+  if (entry.touches == kUnknown) return true;
+  const double h = m->opt.timestep, passed = std::abs(d->time - entry.time);
   const double rounding = 4.0 * std::numeric_limits<double>::epsilon() * std::abs(d->time);
   if (passed > (1.0 + 1e-6) * h + rounding) return true;
   const double speed = std::hypot(point.gap_rate, point.whirl_speed());
-  return std::abs(point.gap - entry[kTouchGap]) > 2.0 * h * speed + kMoved * pair.contact.clearance;
+  return std::abs(point.gap - entry.gap) > 2.0 * h * speed + kMoved * pair.contact.clearance;
 }
 
 // Of a soft contact. Where `told`, it is known before MuJoCo's solver, which then finds the same.
 ContactForces soft_forces(const mjModel* m, scene::ContactModel law, const mjContact* contact,
-                          const mjtNum* entry, bool told, const mjData* d) {
+                          const ContactEntries& entry, bool told, const mjData* d) {
   if (!contact) return {};
   // Along the contact's frame, whether the cone is a pyramid or an ellipse.
   mjtNum force[6];
   mj_contactForce(m, d, static_cast<int>(contact - d->contact), force);
   ContactForces out;
-  out.normal = told ? entry[kNormalForce] : force[0];
+  out.normal = told ? entry.normal_force : force[0];
   if (!(out.normal > 0.0)) return {};
   if (law == scene::ContactModel::kCoulomb) {
-    out.friction = entry[kFrictionForce];
-    out.mode = static_cast<Mode>(static_cast<int>(entry[kMode]));
+    out.friction = entry.friction_force;
+    out.mode = static_cast<Mode>(static_cast<int>(entry.mode));
     return out;
   }
   // A force on geom 2 along the frame. Turning the frame turns e_t and the body that it acts on.
@@ -90,7 +90,7 @@ ContactForces contact_forces(const Config& config, const mjModel* m, const mjDat
 }
 
 ContactForces contact_forces(const ContactPair& pair, const mjModel* m, const mjData* d) {
-  const mjtNum* entry = d->userdata + pair.data;
+  const ContactEntries& entry = contact_entries(pair, d);
   if (pair.law == scene::ContactModel::kRigid || pair.beside) return rigid_forces(entry);
   const mjContact* contact = find_contact(pair, d);
   return soft_forces(m, pair.law, contact, entry, pair.law == scene::ContactModel::kCoulomb, d);
@@ -99,26 +99,26 @@ ContactForces contact_forces(const ContactPair& pair, const mjModel* m, const mj
 double compliant_force(const ContactPair& pair, const ContactPoint& point, const mjModel* m,
                        mjData* d) {
   const CompliantLaw& law = pair.contact.compliance;
-  mjtNum* entry = d->userdata + pair.data;
+  auto& entry = entries<CompliantEntries>(d, pair.data);
   const double clearance = pair.contact.clearance;
   if (is_written(pair, point, m, d)) {
     const bool closed = CompliantLaw::begins_closed(point.gap, point.gap_rate, clearance);
-    entry[kTouches] = closed ? kInWall : kOpen;
-    entry[kTouchDamping] = law.a_of_start();
+    entry.touches = closed ? kInWall : kOpen;
+    entry.damping = law.a_of_start();
   } else if (point.gap > CompliantLaw::kOnCircle * clearance) {
-    entry[kTouches] = kOpen;
-  } else if (point.gap < 0.0 && entry[kTouches] == kOpen) {
-    entry[kTouches] = kInWall;
-    entry[kTouchDamping] = law.a_of_touch(-point.gap_rate);
+    entry.touches = kOpen;
+  } else if (point.gap < 0.0 && entry.touches == kOpen) {
+    entry.touches = kInWall;
+    entry.damping = law.a_of_touch(-point.gap_rate);
   }
-  entry[kTouchTime] = d->time;
-  entry[kTouchGap] = point.gap;
+  entry.time = d->time;
+  entry.gap = point.gap;
   if (point.gap >= 0.0) return 0.0;
-  return std::max(0.0, law.force(-point.gap, -point.gap_rate, entry[kTouchDamping]));
+  return std::max(0.0, law.force(-point.gap, -point.gap_rate, entry.damping));
 }
 
 void pass_without_contact(const ContactPair& pair, const mjModel* m, mjData* d) {
-  mjtNum* entry = d->userdata + pair.data;
+  auto& entry = entries<CompliantEntries>(d, pair.data);
   const double clearance = pair.contact.clearance, gap = clearance - position_of(pair, d).norm(),
                round_off = CompliantLaw::kOnCircle * clearance;
   if (std::abs(gap) <= round_off) {
@@ -127,9 +127,9 @@ void pass_without_contact(const ContactPair& pair, const mjModel* m, mjData* d) 
   }
   // In the wall and yet no contact, as where contacts are disabled: it begins closed once it is
   // one.
-  entry[kTouches] = gap > 0.0 ? kOpen : kUnknown;
-  entry[kTouchTime] = d->time;
-  entry[kTouchGap] = gap;
+  entry.touches = gap > 0.0 ? kOpen : kUnknown;
+  entry.time = d->time;
+  entry.gap = gap;
 }
 
 }  // namespace rotorub::plugin

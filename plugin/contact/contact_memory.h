@@ -7,9 +7,9 @@
 #include <cmath>
 #include <limits>
 
-#include "native_model/contact/rigid_law.h"
 #include "native_model/trajectory/trajectory.h"
 #include "plugin/contact/noted_contact.h"
+#include "plugin/contact/rigid_step.h"
 #include "plugin/model/config.h"
 #include "plugin/model/message.h"
 #include "plugin/model/mujoco_versions.h"
@@ -20,13 +20,12 @@ namespace rotorub::plugin {
 // Under `rigid` no rotor is deeper in its ring than a start put it: where one is, the step is too
 // long for its motion, or something moves rotor or ring that the contact does not see. That is said
 // once, and `rotorub_active` is 0 meanwhile. What it knows stands beside the Status of the contact
-// laws, in kContactStatus.
+// laws, in ContactEntries::status.
 class EscapeGuard {
  public:
-  // entry: of a contact, as of kFrictionForce and the others.
-  explicit EscapeGuard(mjtNum* entry) : state_(entry + kContactStatus) {}
+  explicit EscapeGuard(mjtNum& status) : state_(&status) {}  // of ContactEntries
 
-  // Of the number in kContactStatus.
+  // The Status in that number.
   static Status status_in(double number) {
     return static_cast<Status>(static_cast<int>(number) % kWasInside);
   }
@@ -65,14 +64,15 @@ class ContactMemory {
   // Of the forward pass at d->time. A pass one step (h, s) later turns "now" into "before"; further
   // passes at the same time (mj_forward before mj_step) find the same "before". Any other time was
   // written: no contact lasts into it.
-  ContactMemory(mjData* d, int data, double h) : d_(d), data_(data), entry_(d->userdata + data) {
-    if (entry_[kContactTime] == d->time) return;
-    const double passed = d->time - entry_[kContactTime];
+  ContactMemory(mjData* d, const ContactPair& pair, double h)
+      : d_(d), pair_(pair), entry_(contact_entries(pair, d)) {
+    if (entry_.time == d->time) return;
+    const double passed = d->time - entry_.time;
     const double rounding = 4.0 * std::numeric_limits<double>::epsilon() * std::abs(d->time);
     const bool next = std::abs(passed - h) <= 1e-6 * h + rounding;
-    entry_[kContactTime] = d->time;
-    entry_[kContactBefore] = next ? entry_[kContactNow] : 0.0;
-    if (!next) EscapeGuard(entry_).begin();
+    entry_.time = d->time;
+    entry_.before = next ? entry_.now : 0.0;
+    if (!next) EscapeGuard(entry_.status).begin();
   }
 
   // Whether contact lasted over the step before. It ends on the circle: a centre `delta` from the
@@ -81,42 +81,42 @@ class ContactMemory {
     constexpr double kOnCircle = 0.01;  // of the clearance, that a step may leave open
     return was_in_contact() && delta > (1.0 - kOnCircle) * clearance;
   }
-  bool was_in_contact() const { return entry_[kContactBefore] != 0.0; }
+  bool was_in_contact() const { return entry_.before != 0.0; }
 
   // Of this pass; delta: m, between the centres.
   void watch(double delta, const ContactParameters& c) {
     const bool gives = c.impact_time() > 0.0;  // an impact that takes time goes deep
-    if (!gives) EscapeGuard(entry_).watch(c.clearance - delta, c.clearance, d_->time);
+    if (!gives) EscapeGuard(entry_.status).watch(c.clearance - delta, c.clearance, d_->time);
   }
-  void begin_anew() { EscapeGuard(entry_).begin(); }
+  void begin_anew() { EscapeGuard(entry_.status).begin(); }
 
   // The step before had no solution, and that was said.
-  bool warned() const { return EscapeGuard(entry_).status() != Status::kOk; }
+  bool warned() const { return EscapeGuard(entry_.status).status() != Status::kOk; }
 
   // Forces are means over the step of length h (s).
   void note(const RigidResult& r, double h) {
-    entry_[kContactNow] = r.mode == Mode::kFree ? 0.0 : 1.0;
-    entry_[kMode] = static_cast<double>(r.mode);
-    entry_[kNormalForce] = r.normal / h;
-    entry_[kFrictionForce] = r.friction / h;
+    entry_.now = r.mode == Mode::kFree ? 0.0 : 1.0;
+    entry_.mode = static_cast<double>(r.mode);
+    entry_.normal_force = r.normal / h;
+    entry_.friction_force = r.friction / h;
     // Once, not every step: MuJoCo writes its warnings to a file.
     if (r.status != Status::kOk && r.converged && !warned()) {
       warn("rotorub: the contact laws have no solution or several (Painleve): no impulse");
     }
-    EscapeGuard(entry_).set_status(r.status);
-    entry_[kImpact] = r.impact ? 1.0 : 0.0;
-    if (r.normal > 0.0) note_contact(d_, data_, r.e_r);
+    EscapeGuard(entry_.status).set_status(r.status);
+    entry_.impact = r.impact ? 1.0 : 0.0;
+    if (r.normal > 0.0) note_contact(d_, pair_.data, r.e_r);
     if (!r.impact) return;
-    entry_[kGapRateBefore] = r.gap_rate_before;
-    entry_[kGapRateAfter] = r.gap_rate_after;
-    entry_[kSlipBefore] = r.slip_before;
-    entry_[kSlipAfter] = r.slip_after;
+    entry_.gap_rate_before = r.gap_rate_before;
+    entry_.gap_rate_after = r.gap_rate_after;
+    entry_.slip_before = r.slip_before;
+    entry_.slip_after = r.slip_after;
   }
 
  private:
   const mjData* d_;
-  int data_;
-  mjtNum* entry_;
+  const ContactPair& pair_;
+  ContactEntries& entry_;
 };
 
 // The pair's contact among those of a forward pass. Null: none, or not handed to the solver.

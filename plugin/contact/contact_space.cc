@@ -154,10 +154,6 @@ ChainSpace::ChainSpace(const Config& config, std::size_t bearing, const mjModel*
     *row = room_.numbers(3 * nv_);
     std::fill_n(*row, 3 * nv_, 0.0);
   }
-  if (model.coupled_mass()) {
-    sudden_ = room_.numbers(3 * nv_);
-    std::fill_n(sudden_, 3 * nv_, 0.0);
-  }
   step_mass_ = room_.numbers(nq);
   step_mass(config, m, step_mass_);
   const Coordinates state(config, d);
@@ -170,9 +166,6 @@ ChainSpace::ChainSpace(const Config& config, std::size_t bearing, const mjModel*
     add_to_dofs(config, moved, damped_ + k * nv_);
     for (int i = 0; i < nq; ++i) moved[i] = load[i] / model.mass[i];
     add_to_dofs(config, moved, plain_ + k * nv_);
-    if (!model.coupled_mass()) continue;
-    solve_mass(model, d->time, state.q(), load, moved);
-    add_to_dofs(config, moved, sudden_ + k * nv_);
   }
   plain_known_ = true;
 }
@@ -186,19 +179,12 @@ Eigen::Vector3d ChainSpace::response(const mjtNum* f) const {
   return a;
 }
 
-void ChainSpace::add_given(const mjtNum* rows, const Eigen::Vector3d& load, mjtNum* to) const {
+void ChainSpace::add_load(const Eigen::Vector3d& load, mjtNum* to) const {
+  if (!config_.model.coupled_mass()) return add_rows(jacobian_, load, to);
   for (int i = 0; i < config_.model.nq(); ++i) {
     const int dof = config_.dof_address[static_cast<std::size_t>(i)];
-    for (int k = 0; k < 3; ++k) to[dof] += step_mass_[i] * rows[k * nv_ + dof] * load[k];
+    for (int k = 0; k < 3; ++k) to[dof] += step_mass_[i] * damped_[k * nv_ + dof] * load[k];
   }
-}
-
-void ChainSpace::add_load(const Eigen::Vector3d& load, mjtNum* to) const {
-  config_.model.coupled_mass() ? add_given(damped_, load, to) : add_rows(jacobian_, load, to);
-}
-
-void ChainSpace::add_impact(const Eigen::Vector3d& load, mjtNum* to) const {
-  add_given(sudden_ ? sudden_ : plain_, load, to);
 }
 
 void ChainSpace::add_side(const Eigen::Vector3d& normal, const Eigen::Vector3d& friction,

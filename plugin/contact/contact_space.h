@@ -30,13 +30,13 @@ class ContactSpace {
     return product(damped_, f);
   }                                                                          // J H^-1 f
   Eigen::Matrix3d flexibility() const { return gram(damped_); }              // J H^-1 J^T
-  Eigen::Matrix3d admittance() const { return gram(sudden()); }              // J M^-1 J^T
+  Eigen::Matrix3d admittance() const { return gram(plain()); }               // J M^-1 J^T
   bool damped() const { return damped_ != plain_; }                          // H is not M
   const mjtNum* acceleration_row(int k) const { return plain() + k * nv_; }  // row k of J M^-1
 
   // J H^-1 J_other^T and J M^-1 J_other^T: what a load of another contact does here.
   Eigen::Matrix3d flexibility(const ContactSpace& other) const { return gram(damped_, other); }
-  Eigen::Matrix3d admittance(const ContactSpace& other) const { return gram(sudden(), other); }
+  Eigen::Matrix3d admittance(const ContactSpace& other) const { return gram(plain(), other); }
 
   // to += J^T load, load: (x, y, torque) on the rotor.
   virtual void add_load(const Eigen::Vector3d& load, mjtNum* to) const {
@@ -58,12 +58,12 @@ class ContactSpace {
   void add_acceleration(const Eigen::Vector3d& load, mjtNum* to) const {
     add_rows(plain(), load, to);
   }
-  // One of the two that follow.
+  // Calls add_impact or add_load.
   void add(const Eigen::Vector3d& load, bool impact, mjtNum* to) const {
     impact ? add_impact(load, to) : add_load(load, to);
   }
-  // to += H M^-1 J^T load: a load over the step that no damper takes from.
-  virtual void add_impact(const Eigen::Vector3d& load, mjtNum* to) const {
+  // to += H M^-1 J^T load, so that the step's dampers take nothing from the impulse.
+  void add_impact(const Eigen::Vector3d& load, mjtNum* to) const {
     add_load(load, to);
     StackFrame room(d_);
     mjtNum* change = room.numbers(nv_);
@@ -96,18 +96,17 @@ class ContactSpace {
   int nv_;
   mutable bool plain_known_ = false;
   mjtNum *jacobian_ = nullptr, *plain_ = nullptr, *damped_ = nullptr;  // 3 x nv
-  mjtNum* sudden_ = nullptr;  // of impulses, where M is not MuJoCo's; null: as plain_
 
   void add_rows(const mjtNum* rows, const Eigen::Vector3d& load, mjtNum* to) const {
     for (int k = 0; k < 3; ++k) mju_addToScl(to, rows + k * nv_, load[k], nv_);
   }
 
  private:
-  const mjtNum* sudden() const { return sudden_ ? sudden_ : plain(); }
   Eigen::Matrix3d gram(const mjtNum* rows) const {
     Eigen::Matrix3d g;
     for (int j = 0; j < 3; ++j) g.col(j) = product(rows, jacobian_ + j * nv_);
-    // What an implicit step's matrix has unsymmetric moves nothing along the load itself.
+    // The matrix of an implicit step may be unsymmetric. Its antisymmetric part does not change the
+    // rate along the load itself.
     return 0.5 * (g + g.transpose());
   }
   Eigen::Matrix3d gram(const mjtNum* rows, const ContactSpace& other) const {
@@ -193,16 +192,12 @@ class ChainSpace final : public ContactSpace {
   // With the masses of the native model: MuJoCo's links weigh a little.
   Eigen::Vector3d smooth() const override { return product(plain_, d_->qfrc_smooth); }
   void add_load(const Eigen::Vector3d& load, mjtNum* to) const override;
-  void add_impact(const Eigen::Vector3d& load, mjtNum* to) const override;
   void add_side(const Eigen::Vector3d& normal, const Eigen::Vector3d& friction,
                 mjtNum* to) const override;
   void add_side_acceleration(const Eigen::Vector3d& normal, const Eigen::Vector3d& friction,
                              mjtNum* to) const override;
 
  private:
-  // to += H0 rows load.
-  void add_given(const mjtNum* rows, const Eigen::Vector3d& load, mjtNum* to) const;
-
   const Config& config_;
   StackFrame room_;
   mjtNum* step_mass_;  // nq

@@ -37,7 +37,7 @@ struct TouchingPair : ContactRows {
   Eigen::Vector3d force{0.0, 0.0, 0.0};  // N, (normal, friction, friction along the axis)
   bool sticks = false;
 
-  mjtNum* entry(mjData* d) const { return d->userdata + pair->data; }
+  ContactEntries& entries(mjData* d) const { return contact_entries(*pair, d); }
   Eigen::Vector3d normal() const { return contact_load(e_r, radius, force.x(), 0.0); }
   Eigen::Vector3d friction() const { return contact_load(e_r, radius, 0.0, force.y()); }
   // Of the force, what MuJoCo is given beside what its solver finds.
@@ -110,7 +110,7 @@ Eigen::Vector3d look(TouchingPair& s, bool beside_others, Free free, const mjMod
     s.touches = *s.pressing > 0.0;
     return s.base + a;
   }
-  const bool before = s.entry(d)[kMode] != 0.0;
+  const bool before = s.entries(d).mode != 0.0;
   const bool lasts =
       before && (beside_others ||
                  !flight_outlives(2.0 * m->opt.timestep, s.point.gap_rate, s.curvature - a.x()));
@@ -201,13 +201,14 @@ class ForceResponse final : public ContactResponse {
 // Once, not every step.
 void note_status(const Touching& t, bool converged, const mjModel* m, mjData* d) {
   const auto warned = [d](const TouchingPair* s) {
-    return EscapeGuard(s->entry(d)).status() != Status::kOk;
+    return EscapeGuard(s->entries(d).status).status() != Status::kOk;
   };
   const bool known =
       std::any_of(t.at.begin(), t.at.begin() + static_cast<std::ptrdiff_t>(t.count), warned);
   if (!converged && !known) warn_unsolved(m, d, *t.at[0]->plane);
   for (std::size_t k = 0; k < t.count; ++k) {
-    EscapeGuard(t.at[k]->entry(d)).set_status(converged ? Status::kOk : Status::kNoSolution);
+    EscapeGuard(t.at[k]->entries(d).status)
+        .set_status(converged ? Status::kOk : Status::kNoSolution);
   }
 }
 
@@ -293,10 +294,10 @@ bool is_seen_beside(const Config& config, const ContactPair& pair, const mjModel
 }
 
 void note(const TouchingPair& s, mjData* d) {
-  mjtNum* entry = s.entry(d);
-  entry[kNormalForce] = s.force.x();
-  entry[kFrictionForce] = s.force.y();
-  entry[kMode] = static_cast<double>(mode_of(s.force.x(), s.sticks));
+  ContactEntries& entry = s.entries(d);
+  entry.normal_force = s.force.x();
+  entry.friction_force = s.force.y();
+  entry.mode = static_cast<double>(mode_of(s.force.x(), s.sticks));
   if (s.axial) note_contact(d, s.pair->data, s.e_r, s.force.z());
 }
 
@@ -307,11 +308,11 @@ void apply_coulomb(const Config& config, const mjModel* m, mjData* d) {
   TouchingPairs contacts;
   for (const ContactPair& pair : config.pairs) {
     if (pair.law == scene::ContactModel::kRigid) continue;
-    mjtNum* entry = d->userdata + pair.data;
-    entry[kNormalForce] = entry[kFrictionForce] = 0.0;
+    ContactEntries& entry = contact_entries(pair, d);
+    entry.normal_force = entry.friction_force = 0.0;
     const mjContact* contact = find_contact(pair, d);
     const bool seen = pair.beside ? is_seen_beside(config, pair, m, d) : contact != nullptr;
-    if (!seen) entry[kMode] = 0.0;
+    if (!seen) entry.mode = 0.0;
     if (!seen && pair.contact.gives()) pass_without_contact(pair, m, d);
     if (!seen || pair.law != scene::ContactModel::kCoulomb) continue;
     if (contacts.count == 0) {

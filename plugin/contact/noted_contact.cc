@@ -10,7 +10,7 @@ namespace {
 
 NotedContact& noted(int data) {
   static thread_local std::array<NotedContact, kMaxContacts> all;
-  return all[static_cast<std::size_t>(data / kPairEntries) % all.size()];
+  return all[static_cast<std::size_t>(data / kEntries<ContactEntries>) % all.size()];
 }
 
 }  // namespace

@@ -1,11 +1,11 @@
 // The contacts of a model, its own or a generated one, each by its contact model:
-//   rigid    rigid_law.h, with MuJoCo's mass matrix (on the modal chain verlet.h, elsewhere)
+//   rigid    verlet.h on the modal chain; elsewhere rigid.h, with MuJoCo's mass matrix
 //   coulomb  coulomb.h's: normal force and friction as one problem in accelerations, MuJoCo's
 //            reference set such that its solver finds the normal force
 //   cone     MuJoCo's own, in the exact circle
 //   cone-coulomb  the same, corrected for sliding (contact/cone.h)
-// Contacts that act on the same bodies are solved together (contact/coupled_step.h), and so are
-// other constraints on them (contact/constraint_probe.h).
+// Contacts that act on the same bodies are solved together (rigid_solver.h), and with them the
+// constraints that act on those bodies (constraint_probe.h).
 #pragma once
 
 #include <mujoco/mujoco.h>

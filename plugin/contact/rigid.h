@@ -1,8 +1,7 @@
-// Contact model `rigid` in contact space (contact_space.h), for segments, models of the user's own
-// and several contacts of the modal chain (its only contact has the native step, verlet.h): the
-// contacts of one pass. A contact by itself is solved in closed form, (12)-(19), those that move
-// together as one problem (coupled_step.h), either with the constraints of MuJoCo's solver that act
-// on the same bodies (constraint_probe.h).
+// Contact model `rigid` in contact space (contact_space.h): the contacts of one forward pass, for
+// segments and users' own models. (Generated chains have the native step, verlet.h.) Contacts that
+// act on the same bodies are solved together (rigid_solver.h), also with the constraints of
+// MuJoCo's solver that act on them (constraint_probe.h).
 #pragma once
 
 #include <mujoco/mujoco.h>
@@ -11,8 +10,8 @@
 
 namespace rotorub::plugin {
 
-// Those of the pairs that are rigid. In mjcb_control; adds their impulses to d->qfrc_passive, as
-// forces over the step, and notes them (contact_memory.h).
+// For the pairs with a rigid contact. Called in mjcb_control; adds their impulses to
+// d->qfrc_passive as forces over the step, and records them (contact_memory.h).
 void apply_rigid(const Config& config, const mjModel* m, mjData* d);
 
 }  // namespace rotorub::plugin

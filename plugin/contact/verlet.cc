@@ -117,15 +117,31 @@ bool remembers(const Config& config, const double* slot, const Coordinates& stat
   return true;
 }
 
-// What of the memory is of the state as it is.
+VerletEntries& verlet_entries(const Config& config, mjData* d) {
+  return entries<VerletEntries>(d, config.verlet_data);
+}
+const VerletEntries& verlet_entries(const Config& config, const mjData* d) {
+  return entries<VerletEntries>(d, config.verlet_data);
+}
+// The velocities of the pass, nq, are behind the entries, and then the slots: of the pass, and of
+// the state after its step.
+double* slots(const Config& config, VerletEntries& entry) {
+  return behind(entry) + config.model.nq();
+}
+const double* slots(const Config& config, const VerletEntries& entry) {
+  return behind(entry) + config.model.nq();
+}
+
+// Which part of the memory belongs to the present state.
 enum class Known { kNothing, kPass, kStepBefore };
 
 Known known_of(const Config& config, const mjModel* m, const mjData* d, std::size_t size,
                const Coordinates& state) {
-  const double h = m->opt.timestep, *entry = d->userdata + config.verlet_data;
-  const double* before = entry + kVerletSingle + config.model.nq();
-  const bool begun = entry[kVerletBegun] == static_cast<double>(size) && entry[kVerletStep] == h;
-  const double passed = d->time - entry[kVerletTime];
+  const double h = m->opt.timestep;
+  const VerletEntries& entry = verlet_entries(config, d);
+  const double* before = slots(config, entry);
+  const bool begun = entry.begun == static_cast<double>(size) && entry.step == h;
+  const double passed = d->time - entry.time;
   // A state that is nudged has the memory of the one it was.
   const auto known = [&](const double* slot) {
     return Differentiating::in_this_thread() || remembers(config, slot, state);
@@ -135,17 +151,18 @@ Known known_of(const Config& config, const mjModel* m, const mjData* d, std::siz
   return Known::kNothing;
 }
 
-// The slot of this pass, made ready.
-double* slot_of_pass(const Config& config, const mjModel* m, const mjData* d, double* entry,
-                     Worker& worker, const Coordinates& state) {
+// Prepares the slot of this pass and returns it.
+double* slot_of_pass(const Config& config, const mjModel* m, mjData* d, Worker& worker,
+                     const Coordinates& state) {
   const std::size_t size = worker.slot();
-  double* before = entry + kVerletSingle + config.model.nq();
+  VerletEntries& entry = verlet_entries(config, d);
+  double* before = slots(config, entry);
   const Known known = known_of(config, m, d, size, state);
-  entry[kVerletTime] = d->time;
-  entry[kVerletStep] = m->opt.timestep;
+  entry.time = d->time;
+  entry.step = m->opt.timestep;
   if (known == Known::kStepBefore) std::copy_n(before + size, size, before);
   if (known != Known::kNothing) return before;
-  entry[kVerletBegun] = static_cast<double>(size);
+  entry.begun = static_cast<double>(size);
   worker.begin(d->time, state.q(), state.v());
   worker.save(before);
   return before;
@@ -154,7 +171,7 @@ double* slot_of_pass(const Config& config, const mjModel* m, const mjData* d, do
 void watch_the_rings(const Config& config, const mjModel* m, mjData* d, const Coordinates& state,
                      bool anew) {
   for (const ContactPair& pair : config.pairs) {
-    EscapeGuard guard(d->userdata + pair.data);
+    EscapeGuard guard(contact_entries(pair, d).status);
     if (anew) guard.begin();
     // An impact that takes time goes deep.
     if (!contact_enabled(m) || pair.contact.impact_time() > 0.0) continue;
@@ -225,8 +242,9 @@ Eigen::Vector2d command(const Config& config, const mjModel* m, mjData* d, const
     const Eigen::Vector2d told = model.first().magnets ? held : to_axes(held);
     for (int k = 0; k < 2; ++k) d->ctrl[control_address(m, config.actuator[k])] = told[k];
   }
-  d->userdata[kHeldX] = mean.x();
-  d->userdata[kHeldY] = mean.y();
+  ModelEntries& held = model_entries(config, d);
+  held.held_x = mean.x();
+  held.held_y = mean.y();
   compute_actuators(m, d);
   if (model.first().controller && asks) return mean;
   const ActuatorState now = actuator_state(config, m, d);
@@ -234,28 +252,28 @@ Eigen::Vector2d command(const Config& config, const mjModel* m, mjData* d, const
 }
 
 void note(const ContactPair& pair, mjData* d, const FixedStep& r, double kick) {
-  mjtNum* entry = d->userdata + pair.data;
+  ContactEntries& entry = contact_entries(pair, d);
   const ContactStep& of = r.at(pair.bearing);
-  entry[kMode] = static_cast<double>(of.mode);
-  entry[kNormalForce] = of.normal_impulse / kick + of.impact_force.x();
-  entry[kFrictionForce] = of.friction_impulse / kick + of.impact_force.y();
+  entry.mode = static_cast<double>(of.mode);
+  entry.normal_force = of.normal_impulse / kick + of.impact_force.x();
+  entry.friction_force = of.friction_impulse / kick + of.impact_force.y();
   // Once, not every step: MuJoCo writes its warnings to a file.
-  EscapeGuard guard(entry);
+  EscapeGuard guard(entry.status);
   if (r.status != Status::kOk && guard.status() == Status::kOk) {
     warn("rotorub: the contact laws have no solution or several (Painleve): no impulse");
   }
   guard.set_status(r.status);
-  entry[kImpact] = 0.0;
+  entry.impact = 0.0;
   for (const Impact& impact : r.impacts) {
     if (static_cast<std::size_t>(impact.contact) != pair.bearing) continue;
-    if (entry[kImpact] == 0.0) {
-      entry[kImpact] = 1.0;
-      entry[kImpactTime] = impact.t;
-      entry[kGapRateBefore] = impact.gap_rate_before;
-      entry[kSlipBefore] = impact.slip_before;
+    if (entry.impact == 0.0) {
+      entry.impact = 1.0;
+      entry.impact_time = impact.t;
+      entry.gap_rate_before = impact.gap_rate_before;
+      entry.slip_before = impact.slip_before;
     }
-    entry[kGapRateAfter] = impact.gap_rate_after;
-    entry[kSlipAfter] = impact.slip_after;
+    entry.gap_rate_after = impact.gap_rate_after;
+    entry.slip_after = impact.slip_after;
   }
 }
 
@@ -263,8 +281,8 @@ void note(const ContactPair& pair, mjData* d, const FixedStep& r, double kick) {
 // of now.
 void note_place(const Config& config, const ContactPair& pair, const mjData* d,
                 const Coordinates& state, const double* v) {
-  const mjtNum* entry = d->userdata + pair.data;
-  const double until = entry[kImpact] != 0.0 ? entry[kImpactTime] - d->time : 0.0;
+  const ContactEntries& entry = contact_entries(pair, d);
+  const double until = entry.impact != 0.0 ? entry.impact_time - d->time : 0.0;
   double q[kMaxCoordinates];
   for (int i = 0; i < config.model.nq(); ++i) q[i] = state.q()[i] + until * v[i];
   const Eigen::Vector2d there = separation(config.model, q, pair.bearing);
@@ -285,7 +303,8 @@ void warn_of_disabled_passive(const mjModel* m) {
 }  // namespace
 
 int verlet_data_size(const Model& model) {
-  return kVerletSingle + model.nq() + 2 * static_cast<int>(slot_size(model, plant_of(model)));
+  return kEntries<VerletEntries> + model.nq() +
+         2 * static_cast<int>(slot_size(model, plant_of(model)));
 }
 
 int verlet_loop_data(const Config& config) {
@@ -293,20 +312,20 @@ int verlet_loop_data(const Config& config) {
   const Model plant = plant_of(model);
   const std::size_t hold = VerletStepper::memory_size(plant) + ZeroOrderHold::memory_size(model);
   const std::size_t loop = model.first().loop ? model.first().loop->memory_size() : 0;
-  return config.verlet_data + kVerletSingle + model.nq() +
+  return config.verlet_data + kEntries<VerletEntries> + model.nq() +
          static_cast<int>(slot_size(model, plant) + hold - loop);
 }
 
 void tell_works(StepWorks* to) { told_works = to; }
 
 const double* velocities_of_pass(const Config& config, const mjData* d) {
-  return d->userdata + config.verlet_data + kVerletSingle;
+  return behind(verlet_entries(config, d));
 }
 
 bool begins_anew(const Config& config, const mjModel* m, const mjData* d) {
   const Worker& worker = worker_of(config, m);
   const Known known = known_of(config, m, d, worker.slot(), Coordinates(config, d));
-  const double* pass = d->userdata + config.verlet_data + kVerletSingle + config.model.nq();
+  const double* pass = slots(config, verlet_entries(config, d));
   return known == Known::kNothing || (known == Known::kPass && pass[worker.counter] == 0.0);
 }
 
@@ -315,9 +334,9 @@ void apply_verlet(const Config& config, const mjModel* m, mjData* d, const Coord
   const Model& model = config.model;
   const int n = model.nq();
   const double h = m->opt.timestep;
-  double* entry = d->userdata + config.verlet_data;
+  VerletEntries& entry = verlet_entries(config, d);
   Worker& worker = worker_of(config, m);
-  worker.load(slot_of_pass(config, m, d, entry, worker, state));
+  worker.load(slot_of_pass(config, m, d, worker, state));
   worker.stepper.adopt(state.q(), state.v());
   watch_the_rings(config, m, d, state, worker.next == 0);
 
@@ -332,13 +351,13 @@ void apply_verlet(const Config& config, const mjModel* m, mjData* d, const Coord
   const double kick = worker.stepper.last_kick() * h;
   for (const ContactPair& pair : config.pairs) note(pair, d, r, kick);
   if (r.status != Status::kOk) return;
-  worker.stepper.last_velocity(entry + kVerletSingle);
+  worker.stepper.last_velocity(behind(entry));
   for (const ContactPair& pair : config.pairs) {
-    if (!(d->userdata[pair.data + kNormalForce] > 0.0)) continue;
-    note_place(config, pair, d, state, entry + kVerletSingle);
+    if (!(contact_entries(pair, d).normal_force > 0.0)) continue;
+    note_place(config, pair, d, state, behind(entry));
   }
   ++worker.next;
-  worker.save(entry + kVerletSingle + n + worker.slot());
+  worker.save(slots(config, entry) + worker.slot());
 
   // The passive force that makes it MuJoCo's step, by MuJoCo's own mass matrix: its links weigh
   // little, but so may what they carry.

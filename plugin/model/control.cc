@@ -28,24 +28,24 @@ void velocity_at_time(const Config& config, const mjModel* m, mjData* d, const C
                       double* now) {
   const int n = config.model.nq();
   const double* v = state.v();
-  double* data = d->userdata;
-  double* earlier = data + kUserDataSingle;
+  ModelEntries& data = model_entries(config, d);
+  double* earlier = behind(data);
   double* latest = earlier + n;
-  if (data[kHistoryLength] == 0.0 || d->time < data[kLatestTime]) {
-    data[kHistoryLength] = 1.0;
-  } else if (d->time > data[kLatestTime]) {
+  if (data.history_length == 0.0 || d->time < data.latest_time) {
+    data.history_length = 1.0;
+  } else if (d->time > data.latest_time) {
     std::copy_n(latest, n, earlier);
-    data[kEarlierTime] = data[kLatestTime];
-    // kImpact is still that of the step before; a second pass at this time finds it changed.
-    data[kHistoryLength] = data[kImpact] == 0.0 ? 2.0 : 3.0;
+    data.earlier_time = data.latest_time;
+    // `impact` is still that of the step before; a second pass at this time finds it changed.
+    data.history_length = data.contact.impact == 0.0 ? 2.0 : 3.0;
   }
   std::copy_n(v, n, latest);
-  data[kLatestTime] = d->time;
+  data.latest_time = d->time;
 
   const double h = m->opt.timestep;
   // An impact of the step before is over: half a step of it is not to come.
-  const bool smooth = data[kHistoryLength] == 2.0 && m->opt.integrator != mjINT_RK4;
-  const bool stepped = std::abs(data[kLatestTime] - data[kEarlierTime] - h) < 1e-6 * h;
+  const bool smooth = data.history_length == 2.0 && m->opt.integrator != mjINT_RK4;
+  const bool stepped = std::abs(data.latest_time - data.earlier_time - h) < 1e-6 * h;
   const double share = stepped && smooth ? 0.5 : 0.0;
   for (int i = 0; i < n; ++i) now[i] = v[i] + share * (v[i] - earlier[i]);
   // A sampled law is shown what those of magnetic bearings remember as their last samples left it.
@@ -83,7 +83,7 @@ WhileCompiling::~WhileCompiling() { compiling = outer_; }
 
 void controller_failed(mjData* d, const std::string& why) {
   if (compiling) return;
-  d->userdata[kContactStatus] = static_cast<double>(Status::kControllerFailed);
+  d->userdata.status = static_cast<double>(Status::kControllerFailed);
   raise_error(("rotorub: " + why).c_str());
 }
 
@@ -93,16 +93,16 @@ void write_command(const Config& config, const mjModel* m, mjData* d, const Coor
   double v[kMaxCoordinates];
   velocity_at_time(config, m, d, state, v);
   // Before it is on: 0, the value of mj_resetData.
-  Eigen::Vector2d u{d->userdata[kHeldX], d->userdata[kHeldY]};
+  Eigen::Vector2d u{d->userdata.held_x, d->userdata.held_y};
   if (d->time >= model.first().control_on) {
     const double sample = model.first().sample_time > 0.0
                               ? 1.0 + sample_index(d->time, model.first().sample_time)
                               : 0.0;
-    if (sample == 0.0 || sample != d->userdata[kSample]) {
+    if (sample == 0.0 || sample != d->userdata.sample) {
       u = command_of(config, m, d, state.q(), v);
-      d->userdata[kHeldX] = u.x();
-      d->userdata[kHeldY] = u.y();
-      d->userdata[kSample] = sample;
+      d->userdata.held_x = u.x();
+      d->userdata.held_y = u.y();
+      d->userdata.sample = sample;
     }
   }
   const Eigen::Vector2d told = model.first().magnets ? u : to_axes(u);
@@ -129,7 +129,7 @@ Eigen::Vector2d command_of_pass(const Config& config, const mjModel* m, const mj
   if (config.actuator[0] < 0 || config.actuator[1] < 0) return {0.0, 0.0};
   const bool lags = model.first().magnets && model.first().magnets->coil_lag > 0.0;
   if (config.takes_native_steps() && model.first().controller && !lags) {
-    return {d->userdata[kHeldX], d->userdata[kHeldY]};
+    return {d->userdata.held_x, d->userdata.held_y};
   }
   if (!model.first().magnets) return actuator_state(config, m, d).force;
   return {asked_current(m, d, config.actuator[0]), asked_current(m, d, config.actuator[1])};

@@ -17,7 +17,7 @@ namespace rotorub::plugin {
 void write_command(const Config& config, const mjModel* m, mjData* d, const Coordinates& state);
 
 // The law failed: mju_error with its word, which names the time; the data tell it too
-// (kContactStatus).
+// (ContactEntries::status).
 void controller_failed(mjData* d, const std::string& why);
 
 // While one lives in this thread such a failure is not told: MuJoCo's compiler, which takes a pass

@@ -9,12 +9,12 @@
 namespace rotorub::plugin {
 namespace {
 
-// Of the entries that change but in our passes not: the mark of the config, and what the contacts
-// remember. In [1, 2): never 0, which is what a reset leaves.
+// A check of the entries that change in our passes alone: the mark of the config, and the
+// contacts'. In [1, 2), and so never 0, which is what a reset leaves.
 double check_of(const mjData* d, int memory, int size) {
   const mjtNum* entry = d->userdata + memory;
-  std::uint64_t sum = std::bit_cast<std::uint64_t>(entry[kConfigId]);
-  for (int i = kFrictionForce; i < size; ++i) {
+  std::uint64_t sum = std::bit_cast<std::uint64_t>(entry[0]);
+  for (int i = kFirstContact; i < size; ++i) {
     sum = std::rotl(sum, 7) * 0x9e3779b97f4a7c15u ^ std::bit_cast<std::uint64_t>(entry[i]);
   }
   sum *= 0x9e3779b97f4a7c15u;
@@ -32,14 +32,14 @@ bool is_reset(const mjData* d, int memory, int size) {
 
 bool block_is_ours(const Config& config, const mjData* d) {
   if (!config.own) return true;
-  const mjtNum check = d->userdata[config.memory + kBlockCheck];
+  const mjtNum check = model_entries(config, d).sample;
   return check == 0.0 ? is_reset(d, config.memory, config.memory_size)
                       : check == check_of(d, config.memory, config.memory_size);
 }
 
-void seal_block(const Config& config, const mjData* d) {
+void seal_block(const Config& config, mjData* d) {
   if (!config.own) return;
-  d->userdata[config.memory + kBlockCheck] = check_of(d, config.memory, config.memory_size);
+  model_entries(config, d).sample = check_of(d, config.memory, config.memory_size);
 }
 
 void refuse_clash(const Config& config, const mjModel* m) {

@@ -396,7 +396,8 @@ void map_own_contacts(const mjModel* m, Config& config) {
     if (!p) continue;
     for (const ContactPair& other : config.pairs)
       refusals.attempt([&] { check_beside(m, other, *p, name); });
-    p->data = config.memory + kPairEntries * static_cast<int>(config.pairs.size());
+    p->data = config.memory + kFirstContact +
+              kEntries<ContactEntries> * static_cast<int>(config.pairs.size());
     config.pairs.push_back(*p);
   }
   refusals.attempt([&] {
@@ -409,7 +410,8 @@ void map_own_contacts(const mjModel* m, Config& config) {
     refuse("<custom>",
            message("{} contacts; accepted: up to {} in a model", contacts, kMaxContacts));
   });
-  config.memory_size = kUserDataSingle + kPairEntries * std::max(contacts - 1, 0);
+  config.memory_size =
+      kEntries<ModelEntries> + kEntries<ContactEntries> * std::max(contacts - 1, 0);
   refusals.attempt([&] {
     const int needed = config.memory + config.memory_size;
     if (m->nuserdata >= needed) return;

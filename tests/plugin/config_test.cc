@@ -117,7 +117,7 @@ TEST_F(ConfigTest, ModelsInTurnsAreReadOnce) {
     std::vector<double> now;
     for (std::size_t i = 0; i < models.size(); ++i) {
       mj_step(models[i].get(), data[i].get());
-      now.push_back(data[i]->userdata[plugin::kConfigId]);
+      now.push_back(plugin::entries<plugin::ModelEntries>(data[i].get(), 0).config_id);
     }
     if (round > 0) {
       EXPECT_EQ(now, marks);

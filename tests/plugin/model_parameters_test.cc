@@ -158,8 +158,8 @@ TEST_F(ModelParameters, AnEditInMidRunIsTakenAtOnce) {
     mj_step(m.get(), d.get());
     mj_step(other.get(), e.get());
   }
-  EXPECT_NEAR(d->userdata[plugin::kFrictionForce], e->userdata[plugin::kFrictionForce],
-              0.02 * std::abs(e->userdata[plugin::kFrictionForce]));
+  EXPECT_NEAR(first_contact(d.get()).friction_force, first_contact(e.get()).friction_force,
+              0.02 * std::abs(first_contact(e.get()).friction_force));
   EXPECT_NEAR(d->qpos[0], e->qpos[0], 2e-3 * std::abs(e->qpos[0]));
 }
 

@@ -28,8 +28,8 @@ inline std::vector<double> shadow_coordinates(const plugin::Config& config, cons
   return {q, q + config.model.nq()};
 }
 
-inline double entry(const plugin::Config& config, const mjData* d, plugin::ShadowEntry which) {
-  return d->userdata[config.shadow->data + which];
+inline const plugin::ShadowEntries& shadow_entries(const plugin::Config& config, const mjData* d) {
+  return plugin::entries<plugin::ShadowEntries>(d, config.shadow->data);
 }
 
 inline Eigen::Vector2d point(const mjModel* m, const mjData* d, const char* name) {

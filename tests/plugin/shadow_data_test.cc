@@ -76,9 +76,9 @@ TEST_F(ShadowData, StartsFromMujocosState) {
   d->qpos[0] = 3e-5;
   mj_forward(model_.get(), d.get());
   EXPECT_EQ(shadow(d.get())[0], 3e-5);
-  EXPECT_EQ(entry(config_, d.get(), plugin::kShadowOrigin), d->time);
+  EXPECT_EQ(shadow_entries(config_, d.get()).origin, d->time);
   steps(d.get(), 2);
-  EXPECT_EQ(entry(config_, d.get(), plugin::kShadowSteps), 1.0);
+  EXPECT_EQ(shadow_entries(config_, d.get()).steps, 1.0);
 }
 
 TEST_F(ShadowData, RepeatedPassesChangeNothing) {
@@ -106,9 +106,9 @@ TEST_F(ShadowData, ANewStepStartsAnew) {
   const double changed = d->time;
   model_->opt.timestep *= 0.5;
   steps(d.get(), 11);
-  EXPECT_EQ(entry(config_, d.get(), plugin::kShadowStep), model_->opt.timestep);
-  EXPECT_EQ(entry(config_, d.get(), plugin::kShadowOrigin), changed);
-  EXPECT_EQ(entry(config_, d.get(), plugin::kShadowSteps), 10.0);
+  EXPECT_EQ(shadow_entries(config_, d.get()).step, model_->opt.timestep);
+  EXPECT_EQ(shadow_entries(config_, d.get()).origin, changed);
+  EXPECT_EQ(shadow_entries(config_, d.get()).steps, 10.0);
 }
 
 TEST_F(ShadowData, AStepThatIsTooLargeIsRefusedByItsKey) {
@@ -135,8 +135,8 @@ TEST_F(ShadowData, AnEditStartsItAnewWithAWord) {
     m->jnt_stiffness[joint] *= 0.5;
     for (int k = 0; k < 101; ++k) mj_step(m.get(), d.get());
     const plugin::Config config = plugin::make_config(m.get());
-    EXPECT_NEAR(entry(config, d.get(), plugin::kShadowOrigin), changed, 1e-12) << edit;
-    EXPECT_EQ(entry(config, d.get(), plugin::kShadowSteps), 100.0) << edit;
+    EXPECT_NEAR(shadow_entries(config, d.get()).origin, changed, 1e-12) << edit;
+    EXPECT_EQ(shadow_entries(config, d.get()).steps, 100.0) << edit;
     // Both differ by the start's velocity, half a step old: about 1e-6 m. The old stiffness would
     // move it by dk x t^2 / (2 m) = 1.2e-5 m.
     const Eigen::Vector2d here(d->qpos[m->jnt_qposadr[joint]], 0.0);
@@ -152,7 +152,8 @@ TEST_F(ShadowData, AFailureStopsItWithOneWarning) {
   const plugin::Config config = plugin::make_config(m.get());
   const DataPointer d = start(m.get());
   for (int k = 0; k < 100; ++k) mj_step(m.get(), d.get());
-  const int velocity = config.shadow->data + plugin::kShadowSingle + 6 + config.model.nq();
+  const int velocity =
+      config.shadow->data + plugin::kEntries<plugin::ShadowEntries> + 6 + config.model.nq();
   d->userdata[velocity] = d->userdata[velocity + 1] = 1.7e308;
   const auto said_by_fixture = mju_user_warning;
   mju_user_warning = [](const char* text) {
@@ -170,7 +171,7 @@ TEST_F(ShadowData, AFailureStopsItWithOneWarning) {
   }
   EXPECT_EQ(warnings, 1);
   EXPECT_EQ(shadow_of(config, d.get()), before) << "it stays where it was";
-  EXPECT_EQ(entry(config, d.get(), plugin::kShadowStatus), static_cast<double>(Status::kDiverged));
+  EXPECT_EQ(shadow_entries(config, d.get()).status, static_cast<double>(Status::kDiverged));
 
   // The user enlarges the step beyond what the native model takes.
   warnings = 0;
@@ -181,7 +182,7 @@ TEST_F(ShadowData, AFailureStopsItWithOneWarning) {
     mj_forward(m.get(), d.get());
   }
   EXPECT_EQ(warnings, 1);
-  EXPECT_EQ(entry(config, d.get(), plugin::kShadowSteps), 0.0) << "it stands still";
+  EXPECT_EQ(shadow_entries(config, d.get()).steps, 0.0) << "it stands still";
   mju_user_warning = said_by_fixture;
 }
 

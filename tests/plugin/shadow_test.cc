@@ -178,7 +178,7 @@ TEST_F(Shadow, StepsOnceAStepOfRungeKutta) {
   mj_forward(m.get(), d.get());
   const std::vector<double> now = shadow_of(config, d.get());
   EXPECT_TRUE(std::equal(now.begin(), now.begin() + config.model.nq(), native.q()));
-  EXPECT_EQ(entry(config, d.get(), plugin::kShadowSteps), 1500.0);
+  EXPECT_EQ(shadow_entries(config, d.get()).steps, 1500.0);
 }
 
 TEST_F(Shadow, GhostsShowIt) {

@@ -11,6 +11,7 @@
 
 #include "native_model/scene/scene.h"
 #include "plugin/hooks.h"
+#include "plugin/model/user_data.h"
 #include "tests/support/native_run.h"
 
 namespace rotorub::test {
@@ -32,6 +33,11 @@ void expect_refused(const std::string& document, std::string_view named);
 
 // mjData at the keyframe "start", or mj_resetData's where there is none.
 DataPointer start(const mjModel* m);
+
+// The plugin's memory of the first contact of a model whose memory begins at userdata[0].
+inline const plugin::ContactEntries& first_contact(const mjData* d) {
+  return plugin::entries<plugin::ModelEntries>(d, 0).contact;
+}
 
 // qpos and qvel, one after the other.
 std::vector<double> state_of(const mjModel* m, const mjData* d);

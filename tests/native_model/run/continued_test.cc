@@ -57,6 +57,24 @@ TEST(Continued, IsTheSameMotionAsOneRun) {
   EXPECT_GT(run_to(s, 0.04).impacts.size(), 3u) << "it has met the ring";
 }
 
+TEST(Continued, DoesNotStartOnTheRubAgain) {
+  scene::Scene s = test::make_scene({.mass = 2.0,
+                                     .damping = 40.0,
+                                     .stiffness = 2e4,
+                                     .friction = 0.1,
+                                     .restitution = 0.3,
+                                     .speed = 100.0});
+  test::add_ring(s, 1.0, 200.0, 1e5);
+  test::add_rotating_force(s, 100.0, 100.0);
+  s.initial.rub = scene::StartingRub::kSynchronous;
+  const Trajectory whole = run_to(s, 0.02), half = run_to(s, 0.01);
+  scene::Scene from_half = continued(s, s, half);
+  EXPECT_EQ(from_half.initial.rub, scene::StartingRub::kNone);
+  const Trajectory rest = run_to(from_half, 0.01);
+  for (const char* column : {"rotor_x", "rotor_y", "stator_x", "stator_y"})
+    EXPECT_NEAR(whole.column(column).back(), rest.column(column).back(), 1e-10) << column;
+}
+
 TEST(Continued, TakesOverASpeedThatTheNextSceneHasOfItsOwn) {
   const scene::Scene s = rubbing();
   const Trajectory run = run_to(s, 0.02);

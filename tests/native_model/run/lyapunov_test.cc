@@ -104,6 +104,9 @@ TEST(LargestLyapunov, SaysWhyThereIsNone) {
   const Lyapunov none = largest_lyapunov(s, of_event(0.03));
   EXPECT_FALSE(none.exponent);
   EXPECT_EQ(none.refused, not_continued(s));
+  s = test::make_scene({.mass = 2.0, .stiffness = 2e5, .speed = 200.0});
+  s.initial.rub = scene::StartingRub::kSynchronous;
+  EXPECT_NE(largest_lyapunov(s, of_event(0.03)).refused.find("rub"), std::string::npos);
 }
 
 }  // namespace

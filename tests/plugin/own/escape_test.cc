@@ -28,8 +28,8 @@ class Escape : public HookedTest {
 };
 
 TEST(EscapeGuard, TellsOnceAndKnowsStarts) {
-  mjtNum entry[plugin::kUserDataSingle] = {};
-  plugin::EscapeGuard guard(entry);
+  mjtNum status = 0.0;
+  plugin::EscapeGuard guard(status);
   void (*const before)(const char*) = mju_user_warning;
   mju_user_warning = count_escape;
   escapes = 0;

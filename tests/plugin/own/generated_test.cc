@@ -111,22 +111,23 @@ TEST_F(HeldGenerated, SegmentsAreSolvedBesideIt) {
     const int ring = m->jnt_dofadr[mj_name2id(m, mjOBJ_JOINT, names::kRingX)];
     d->qpos[m->jnt_qposadr[mj_name2id(m, mjOBJ_JOINT, names::kEndX)]] = 4.9e-4;
     d->qvel[m->jnt_dofadr[mj_name2id(m, mjOBJ_JOINT, names::kEndX)]] = 3.0;
-    for (int k = 0; k < steps && d->userdata[plugin::kImpact] == 0.0; ++k) mj_step(m, d.get());
+    for (int k = 0; k < steps && first_contact(d.get()).impact == 0.0; ++k) mj_step(m, d.get());
     EXPECT_NEAR(d->qvel[ring], 0.0, 3e-3);
     return d;
   };
   const ModelPointer rigid = load(document("rigid"));
   const DataPointer d = strike(rigid.get(), 50);
   EXPECT_EQ(last_warning, "");
-  EXPECT_NEAR(d->userdata[plugin::kGapRateAfter] / -d->userdata[plugin::kGapRateBefore], 0.5, 1e-6);
+  EXPECT_NEAR(first_contact(d.get()).gap_rate_after / -first_contact(d.get()).gap_rate_before, 0.5,
+              1e-6);
   const ModelPointer coulomb = load(document("coulomb"));
   const DataPointer soft = strike(coulomb.get(), 3);
   EXPECT_EQ(last_warning, "");
-  EXPECT_GT(soft->userdata[plugin::kNormalForce], 0.0);
+  EXPECT_GT(first_contact(soft.get()).normal_force, 0.0);
   const double mu = shipped("paper_passive").first().contact->friction.coefficient;
-  EXPECT_NEAR(std::abs(soft->userdata[plugin::kFrictionForce]),
-              mu * soft->userdata[plugin::kNormalForce],
-              1e-9 * soft->userdata[plugin::kNormalForce]);
+  EXPECT_NEAR(std::abs(first_contact(soft.get()).friction_force),
+              mu * first_contact(soft.get()).normal_force,
+              1e-9 * first_contact(soft.get()).normal_force);
 }
 
 }  // namespace

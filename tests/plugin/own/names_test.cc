@@ -189,7 +189,7 @@ TEST_F(OwnUserData, OurBlockStandsWhereItIsTold) {
         }
       }
     }
-    EXPECT_GT(d->userdata[first + plugin::kConfigId], 0.0);
+    EXPECT_GT(plugin::entries<plugin::ModelEntries>(d.get(), first).config_id, 0.0);
     return state_of(m.get(), d.get());
   };
   const auto first = run("", 0, 34);
@@ -200,9 +200,9 @@ TEST_F(OwnUserData, OurBlockStandsWhereItIsTold) {
 TEST_F(OwnUserData, AClashIsRefusedInTheSameStep) {
   const ModelPointer m = load(document(TwoRings{}));
   for (int at = 0; at < 34; ++at) {
-    // Those of scenes alone, and the mark within a pass.
-    if (at != plugin::kConfigId && at != plugin::kBlockCheck && at < plugin::kFrictionForce)
-      continue;
+    // Only scenes use the entries from held_x on, and passive_fresh changes within a pass.
+    const int unused = 2;
+    if (at >= unused && at < plugin::kFirstContact) continue;
     const DataPointer d = start(m.get());
     d->qvel[0] = 0.3;
     for (int k = 0; k < 10; ++k) mj_step(m.get(), d.get());

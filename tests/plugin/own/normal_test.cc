@@ -5,7 +5,7 @@
 #include <cmath>
 #include <random>
 
-#include "native_model/contact/rigid_law.h"
+#include "plugin/contact/rigid_step.h"
 
 namespace rotorub::plugin {
 namespace {

@@ -98,8 +98,8 @@ TEST_F(SaturatingRows, ABlowHasTheRestitutionOfAFreeRing) {
         // Limits and stop push the ring by some um/s before.
         EXPECT_NEAR(d->qvel[kDiscX], speed - impulse / kDisc, 5e-6);
         EXPECT_NEAR(d->qvel[kBandX], (impulse - kHeld * kTime) / kBand, 5e-6);
-        EXPECT_NEAR(d->userdata[plugin::kGapRateAfter],
-                    -restitution * d->userdata[plugin::kGapRateBefore], 1e-8);
+        EXPECT_NEAR(first_contact(d.get()).gap_rate_after,
+                    -restitution * first_contact(d.get()).gap_rate_before, 1e-8);
       }
     }
   }
@@ -114,8 +114,8 @@ TEST_F(SaturatingRows, ABlowBesideAFrictionConeHasItsRestitution) {
       const ModelPointer m = load(document(held.machine));
       const DataPointer d = begin(m.get(), held, 0.3);
       mj_step(m.get(), d.get());
-      EXPECT_NEAR(d->userdata[plugin::kGapRateAfter],
-                  -restitution * d->userdata[plugin::kGapRateBefore], 1e-6)
+      EXPECT_NEAR(first_contact(d.get()).gap_rate_after,
+                  -restitution * first_contact(d.get()).gap_rate_before, 1e-6)
           << cone;
     }
   }

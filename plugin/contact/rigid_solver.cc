@@ -1,30 +1,37 @@
-#include "plugin/contact/coupled_step.h"
+#include "plugin/contact/rigid_solver.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <optional>
 
 #include "plugin/contact/constraint_probe.h"
-#include "plugin/contact/coupled_contacts.h"
 
 namespace rotorub::plugin {
 namespace {
 
-class CoupledStep {
+// False if no impulse of the contact opens its gap, because nothing moves along the normal.
+bool can_open(const RigidContact& at) {
+  constexpr double kNothing = 1e-12;  // share of the whole flexibility
+  const Eigen::Vector2d e_r = contact_normal(at.step, at.pair->contact.clearance);
+  const Eigen::Matrix2d g = at.space->flexibility().topLeftCorner<2, 2>();
+  return e_r.dot(g * e_r) > kNothing * g.trace();
+}
+
+class RigidSolver {
  public:
-  CoupledStep(const mjModel* m, mjData* d, std::span<CoupledMember* const> members,
+  RigidSolver(const mjModel* m, mjData* d, std::span<RigidContact* const> members,
               ConstraintProbe* probe)
       : members_(members), probe_(probe), contacts_(m, d, members, probe) {
     contacts_.find_ends();
     for (std::size_t i = 0; i < size(); ++i) {
-      RigidStep& step = members_[i]->step;
-      step.free = contacts_[i].end;
-      contacts_[i].closed = reaches_ring(step, members_[i]->pair->contact.clearance);
+      members_[i]->step.free = contacts_[i].end;
+      contacts_[i].closed = closes(i);
     }
   }
 
   void solve() {
-    // Each round closes one more, or is the last.
+    // Each round closes a further contact or is the last.
     for (std::size_t round = 0; round <= size() && contacts_.any_closed(); ++round) {
       if (!solve_closed()) {
         contacts_.give_none();
@@ -35,9 +42,10 @@ class CoupledStep {
     for (std::size_t i = 0; i < size(); ++i) {
       members_[i]->result = contacts_[i].result;
       members_[i]->axial_friction = contacts_[i].lasting.z() + contacts_[i].sudden.z();
+      if (blocked_[i]) members_[i]->result.status = Status::kNoSolution;
     }
     if (!probe_ || !contacts_.any_closed()) return;
-    // The step with all impulses is what the pass will find.
+    // The forward pass will find the step with all impulses.
     contacts_.find_ends();
     probe_->keep();
   }
@@ -50,7 +58,7 @@ class CoupledStep {
     start_over();
     if (!solve_lasting()) return false;
     ContactSubset all;
-    if (find_blow(all) && !solve_impacts(all)) return false;
+    if (find_impacts(all) && !solve_impacts(all)) return false;
     for (std::size_t i = 0; i < size(); ++i) {
       Closing& c = contacts_[i];
       c.result.converged = contacts_.converged();
@@ -60,7 +68,7 @@ class CoupledStep {
     return true;
   }
 
-  // No impulses; where the closed contacts are, and which of them are impacts.
+  // Takes all impulses back, and finds the normals of the closed contacts and which are impacts.
   void start_over() {
     for (std::size_t i = 0; i < size(); ++i) {
       Closing& c = contacts_[i];
@@ -93,14 +101,14 @@ class CoupledStep {
     return true;
   }
 
-  // Those that take part in the blows of the step. False: there are none.
-  bool find_blow(ContactSubset& all) const {
+  // The contacts that take part in the impacts of the step. False: there is no impact.
+  bool find_impacts(ContactSubset& all) const {
     bool impacts = false;
     all.impact = true;
     for (std::size_t i = 0; i < size(); ++i) {
       const Closing& c = contacts_[i];
       if (!c.closed) continue;
-      // What the lasting contacts hold back has no blow in this step.
+      // A contact that the lasting ones keep off its ring has no impact in this step.
       if (c.impact && !reaches_ring(ended(i), members_[i]->pair->contact.clearance)) continue;
       impacts = impacts || c.impact;
       all.offset[all.count] = c.impact ? 0.0 : offset(i);
@@ -119,7 +127,7 @@ class CoupledStep {
       Closing& c = contacts_[s.index[k]];
       if (!(c.sudden.x() > 0.0)) continue;
       const Eigen::Index row = contacts_.rows() * static_cast<Eigen::Index>(k);
-      // A lasting contact that the blow has not opened lasts.
+      // A lasting contact that the impact does not open goes on.
       const double changed = std::abs(after[row]) + before.cwiseAbs().maxCoeff();
       if (!c.impact && after[row] <= 1e-9 * changed) {
         c.result.mode = mode_of(c.sudden.x(), found.sticks[k]);
@@ -135,51 +143,58 @@ class CoupledStep {
     return true;
   }
 
-  // y_N less gdot_N of a lasting contact.
+  // m/s, y_N of (12) less the gap rate, for a lasting contact.
   double offset(std::size_t i) const {
     const RigidStep step = ended(i);
     return gap_over_step(step, members_[i]->pair->contact) +
            contacts_[i].rows.e_r.dot(step.free.head<2>());
   }
 
-  // The step with the impulses so far in `free`.
+  // The step of contact i, with `free` including the impulses so far.
   RigidStep ended(std::size_t i) const {
     RigidStep step = members_[i]->step;
     step.free = contacts_[i].end;
     return step;
   }
 
-  // Closes those that end outside their ring all the same. False: none.
+  // True if contact i would end outside its ring and has an impulse against that.
+  bool closes(std::size_t i) {
+    if (!reaches_ring(ended(i), members_[i]->pair->contact.clearance)) return false;
+    blocked_[i] = !can_open(*members_[i]);
+    return !blocked_[i];
+  }
+
+  // Closes the contacts that the impulses drive out of their rings. False: there is none.
   bool close_driven() {
     bool any = false;
     for (std::size_t i = 0; i < size(); ++i) {
       Closing& c = contacts_[i];
-      if (c.closed || !reaches_ring(ended(i), members_[i]->pair->contact.clearance)) continue;
-      c.closed = any = true;
+      if (!c.closed && closes(i)) c.closed = any = true;
     }
     return any;
   }
 
-  std::span<CoupledMember* const> members_;
+  std::span<RigidContact* const> members_;
   ConstraintProbe* probe_;
-  CoupledContacts contacts_;
+  RigidContacts contacts_;
+  std::array<bool, kMaxContacts> blocked_{};  // no impulse opens their gap
 };
 
 }  // namespace
 
-void apply_coupled_step(const mjModel* m, mjData* d, std::span<CoupledMember* const> members,
-                        mjtNum* to) {
-  const bool held =
-      std::any_of(members.begin(), members.end(), [](const CoupledMember* at) { return at->held; });
+void solve_rigid_contacts(const mjModel* m, mjData* d, std::span<RigidContact* const> contacts,
+                          mjtNum* to) {
+  const bool held = std::any_of(contacts.begin(), contacts.end(),
+                                [](const RigidContact* at) { return at->held; });
   std::optional<ConstraintProbe> probe;
   if (held) {
     mj_fwdAcceleration(m, d);
     probe.emplace(m, d);
   }
-  CoupledStep step(m, d, members, held ? &*probe : nullptr);
-  step.solve();
+  RigidSolver solver(m, d, contacts, held ? &*probe : nullptr);
+  solver.solve();
   probe.reset();
-  step.add_forces(to);
+  solver.add_forces(to);
 }
 
 }  // namespace rotorub::plugin

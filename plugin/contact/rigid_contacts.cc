@@ -1,13 +1,16 @@
-#include "plugin/contact/coupled_contacts.h"
+#include "plugin/contact/rigid_contacts.h"
 
 #include <algorithm>
+#include <cmath>
+
+#include "native_model/contact/impact.h"
 
 namespace rotorub::plugin {
 
-// The step's answer to impulses of a subset, for those whom constraints hold.
-class CoupledContacts::Response final : public ContactResponse {
+// How the step answers impulses of a subset beside constraints.
+class RigidContacts::Response final : public ContactResponse {
  public:
-  Response(CoupledContacts& contacts, const ContactSubset& subset)
+  Response(RigidContacts& contacts, const ContactSubset& subset)
       : contacts_(contacts), subset_(subset) {}
   ContactVector at(const ContactVector& p) override {
     contacts_.put(subset_, p);
@@ -20,26 +23,26 @@ class CoupledContacts::Response final : public ContactResponse {
   double accuracy() const override { return contacts_.h_ * contacts_.probe_->accuracy(); }
 
  private:
-  CoupledContacts& contacts_;
+  RigidContacts& contacts_;
   const ContactSubset& subset_;
 };
 
-CoupledContacts::CoupledContacts(const mjModel* m, mjData* d,
-                                 std::span<CoupledMember* const> members, ConstraintProbe* probe)
+RigidContacts::RigidContacts(const mjModel* m, mjData* d, std::span<RigidContact* const> members,
+                             ConstraintProbe* probe)
     : d_(d), members_(members), probe_(probe), h_(m->opt.timestep) {
   for (std::size_t i = 0; i < members.size(); ++i) {
-    const CoupledMember& at = *members[i];
+    const RigidContact& at = *members[i];
     contacts_[i].rows = {at.space, at.axial, {1.0, 0.0}, at.pair->contact.radius};
     if (at.axial) rows_ = 3;
   }
 }
 
-bool CoupledContacts::any_closed() const {
+bool RigidContacts::any_closed() const {
   return std::any_of(contacts_.begin(), contacts_.begin() + static_cast<std::ptrdiff_t>(size()),
                      [](const Closing& c) { return c.closed; });
 }
 
-void CoupledContacts::give_none() {
+void RigidContacts::give_none() {
   for (Closing& c : contacts_) {
     const Status status = c.result.status;
     c.lasting = c.sudden = Eigen::Vector3d::Zero();
@@ -49,7 +52,7 @@ void CoupledContacts::give_none() {
   }
 }
 
-void CoupledContacts::add_forces(mjtNum* to) const {
+void RigidContacts::add_forces(mjtNum* to) const {
   for (std::size_t i = 0; i < size(); ++i) {
     for (const bool impact : {false, true}) {
       const Eigen::Vector3d& p = impact ? contacts_[i].sudden : contacts_[i].lasting;
@@ -60,8 +63,7 @@ void CoupledContacts::add_forces(mjtNum* to) const {
   }
 }
 
-Eigen::Vector3d CoupledContacts::end_of(const ContactSpace& at,
-                                        const Eigen::Vector3d& start) const {
+Eigen::Vector3d RigidContacts::end_of(const ContactSpace& at, const Eigen::Vector3d& start) const {
   if (probe_) return start + h_ * probe_->acceleration(at);
   Eigen::Vector3d end = start + h_ * at.response(d_->qfrc_smooth);
   for (std::size_t j = 0; j < size(); ++j) {
@@ -76,16 +78,16 @@ Eigen::Vector3d CoupledContacts::end_of(const ContactSpace& at,
   return end;
 }
 
-void CoupledContacts::find_ends() {
+void RigidContacts::find_ends() {
   if (probe_) probe_->solve([this](mjtNum* force) { add_forces(force); });
   for (std::size_t i = 0; i < size(); ++i) {
-    const CoupledMember& at = *members_[i];
+    const RigidContact& at = *members_[i];
     contacts_[i].end = end_of(*at.space, at.step.start);
     if (at.axial) contacts_[i].axial_end = end_of(*at.axial, at.axial_start);
   }
 }
 
-ContactVector CoupledContacts::rates(const ContactSubset& s) const {
+ContactVector RigidContacts::rates(const ContactSubset& s) const {
   ContactVector y(rows_ * static_cast<Eigen::Index>(s.count));
   for (std::size_t k = 0; k < s.count; ++k) {
     const Closing& c = contacts_[s.index[k]];
@@ -99,7 +101,7 @@ ContactVector CoupledContacts::rates(const ContactSubset& s) const {
   return y;
 }
 
-ContactVector CoupledContacts::sudden_change(const ContactSubset& s, const ContactVector& p) {
+ContactVector RigidContacts::sudden_change(const ContactSubset& s, const ContactVector& p) {
   put(s, p);
   probe_->solve_sudden([this](mjtNum* to) {
     for (const Closing& c : std::span(contacts_).first(size())) {
@@ -119,13 +121,13 @@ ContactVector CoupledContacts::sudden_change(const ContactSubset& s, const Conta
   return y;
 }
 
-ContactMatrix CoupledContacts::matrix(const ContactSubset& s) const {
+ContactMatrix RigidContacts::matrix(const ContactSubset& s) const {
   std::array<const ContactRows*, kMaxContacts> all{};
   for (std::size_t k = 0; k < s.count; ++k) all[k] = &contacts_[s.index[k]].rows;
   return contact_matrix({all.data(), s.count}, rows_, s.impact);
 }
 
-void CoupledContacts::put(const ContactSubset& s, const ContactVector& p) {
+void RigidContacts::put(const ContactSubset& s, const ContactVector& p) {
   for (std::size_t k = 0; k < s.count; ++k) {
     const Eigen::Index row = rows_ * static_cast<Eigen::Index>(k);
     Closing& c = contacts_[s.index[k]];
@@ -134,19 +136,23 @@ void CoupledContacts::put(const ContactSubset& s, const ContactVector& p) {
   }
 }
 
-void CoupledContacts::set_status(const ContactSubset& s, Status status) {
+void RigidContacts::set_status(const ContactSubset& s, Status status) {
   for (std::size_t k = 0; k < s.count; ++k) contacts_[s.index[k]].result.status = status;
 }
 
-bool CoupledContacts::solve(const ContactSubset& s, SubsetSolution& out) {
+bool RigidContacts::solve(const ContactSubset& s, SubsetSolution& out) {
   const ContactMatrix a = matrix(s);
   const ContactVector free = rates(s);
   std::array<ImpactLaw, kMaxContacts> all{};
   for (std::size_t k = 0; k < s.count; ++k) all[k] = members_[s.index[k]]->pair->contact.law();
   const std::span<const ImpactLaw> laws(all.data(), s.count);
   if (probe_) return solve_held(s, a, free, laws, out);
-  const CoupledSolution found =
-      s.impact ? solve_coupled_impact(a, free, laws) : solve_compression(a, free, laws);
+  const std::size_t first = s.index[0];
+  const bool over_time =
+      s.impact && size() == 1 && rows_ == 2 && members_[first]->pair->contact.impact_time() > 0.0;
+  const CoupledSolution found = over_time  ? solve_impact_over_time(first)
+                                : s.impact ? solve_coupled_impact(a, free, laws)
+                                           : solve_lasting(a, free, laws, slips_before(s));
   if (found.solutions != 1) {
     set_status(s, status_of(found.solutions));
     return false;
@@ -156,9 +162,42 @@ bool CoupledContacts::solve(const ContactSubset& s, SubsetSolution& out) {
   return true;
 }
 
-bool CoupledContacts::solve_held(const ContactSubset& s, const ContactMatrix& a,
-                                 const ContactVector& free, std::span<const ImpactLaw> laws,
-                                 SubsetSolution& out) {
+CoupledSolution RigidContacts::solve_impact_over_time(std::size_t i) const {
+  const RigidContact& at = *members_[i];
+  const ContactParameters& contact = at.pair->contact;
+  ImpactInput in;
+  in.admittance = at.space->admittance();
+  in.e_r = contacts_[i].rows.e_r;
+  in.radius = contact.radius;
+  in.delta = contact.clearance;
+  in.acceleration = (contacts_[i].end - at.step.start) / h_;
+  in.compression_time = contact.compression_time;
+  in.expansion_time = contact.expansion_time;
+  // `end` includes the loads of the whole step; the impact law adds those during the impact itself.
+  in.velocity = contacts_[i].end - in.acceleration * contact.impact_time();
+  const ImpactResult r = solve_impact(in, contact.law());
+  CoupledSolution out;
+  out.solutions = r.status == Status::kOk ? 1 : r.status == Status::kNoSolution ? 0 : 2;
+  out.p = Eigen::Vector2d(r.normal(), r.friction());
+  return out;
+}
+
+ContactList<double> RigidContacts::slips_before(const ContactSubset& s) const {
+  ContactList<double> slips;
+  for (std::size_t k = 0; k < s.count; ++k) {
+    const RigidContact& at = *members_[s.index[k]];
+    const auto start = [&at](const ContactSpace& space) {
+      return &space == at.axial ? at.axial_start : at.step.start;
+    };
+    const Eigen::Vector3d y = contacts_[s.index[k]].rows.along(start);
+    slips.push_back(rows_ == 3 ? std::hypot(y[1], y[2]) : y[1]);
+  }
+  return slips;
+}
+
+bool RigidContacts::solve_held(const ContactSubset& s, const ContactMatrix& a,
+                               const ContactVector& free, std::span<const ImpactLaw> laws,
+                               SubsetSolution& out) {
   Response response(*this, s);
   const ConstrainedContact found = s.impact ? solve_constrained_impact(response, free, a, laws)
                                             : solve_constrained(response, free, a, laws);

@@ -1,0 +1,123 @@
+// The rigid contacts of one step of MuJoCo as one problem in their impulses: how the impulses of
+// some contacts change the rates of all, and the impulses that obey the contact laws.
+//
+//   end_i = start_i + h a_i + sum_j G_ij w_j p_j,     w = (W_N, W_T)
+//
+// p = (normal, friction) impulses. If a contact moves along its ring's axis (relative_motion.h),
+// each contact has a third row: W_Z and the friction along the axis. G is the flexibility of the
+// step's matrix for an impulse that acts during the whole step, and the admittance of the mass for
+// an impulse of an impact. If MuJoCo's constraints act on one of the bodies, its solver is asked
+// for the rates instead (constraint_probe.h).
+#pragma once
+
+#include <mujoco/mujoco.h>
+
+#include <Eigen/Core>
+#include <array>
+#include <cstddef>
+#include <span>
+
+#include "native_model/contact/constrained_law.h"
+#include "plugin/contact/constraint_probe.h"
+#include "plugin/contact/contact_space.h"
+#include "plugin/contact/rigid_step.h"
+
+namespace rotorub::plugin {
+
+// A rigid contact of a forward pass.
+struct RigidContact {
+  const ContactPair* pair = nullptr;
+  const ContactSpace* space = nullptr;
+  bool held = false;  // MuJoCo's constraints act on its bodies
+  RigidStep step;     // all but `free` are given
+  // Not null if the contact has friction and moves along its ring's axis (relative_motion.h):
+  // (velocity along the axis, tilt rates about x and y).
+  const ContactSpace* axial = nullptr;
+  Eigen::Vector3d axial_start{0.0, 0.0, 0.0};
+
+  // The results of the step.
+  RigidResult result;
+  double axial_friction = 0.0;  // N s, on the rotor along the axis
+};
+
+// A contact while the step is being solved.
+struct Closing {
+  bool closed = false;
+  bool impact = false;  // by itself: it was open, and its rebound outlasts the step
+  ContactRows rows;
+  // N s, (normal, friction, friction along the axis) of the two parts of the step.
+  Eigen::Vector3d lasting{0.0, 0.0, 0.0}, sudden{0.0, 0.0, 0.0};
+  Eigen::Vector3d end, axial_end;  // rates at the end of the step with all impulses so far
+  RigidResult result;
+};
+
+// The contacts for which one part of the step is solved, in the order of its vectors.
+struct ContactSubset {
+  std::array<std::size_t, kMaxContacts> index{};
+  std::size_t count = 0;
+  bool impact = false;
+  std::array<double, kMaxContacts> offset{};  // m/s, added to the gap rates in the normal law
+};
+
+// What is found for a subset beside its impulses.
+struct SubsetSolution {
+  std::array<bool, kMaxContacts> sticks{};
+  // For impacts beside constraints (constrained_law.h).
+  std::array<bool, kMaxContacts> lasts{};
+  ContactVector after;  // rates just after the impact; empty: the rates at the end of the step
+};
+
+class RigidContacts {
+ public:
+  // All are open, without impulses. probe: null if no constraint acts on the bodies.
+  RigidContacts(const mjModel* m, mjData* d, std::span<RigidContact* const> members,
+                ConstraintProbe* probe);
+
+  std::size_t size() const { return members_.size(); }
+  Closing& operator[](std::size_t i) { return contacts_[i]; }
+  const Closing& operator[](std::size_t i) const { return contacts_[i]; }
+  bool any_closed() const;
+  bool converged() const { return converged_; }
+  // Rows of a contact in a vector: 2, or 3 if a contact moves along its axis.
+  Eigen::Index rows() const { return rows_; }
+
+  // Finds the rates at the end of the step with the present impulses.
+  void find_ends();
+  // (gap rate + offset, slip, slip along the axis) of a subset.
+  ContactVector rates(const ContactSubset& s) const;
+  // Finds the impulses of the subset. False: there is no solution, or there are several; the status
+  // of the results says which.
+  bool solve(const ContactSubset& s, SubsetSolution& out);
+  // Takes all impulses back and keeps the status.
+  void give_none();
+
+  // Adds the impulses as forces over the step.
+  void add_forces(mjtNum* to) const;
+
+ private:
+  class Response;
+
+  // The impulses of contact i alone in an impact that takes time.
+  CoupledSolution solve_impact_over_time(std::size_t i) const;
+  // The slip of each contact of the subset where the step begins, m/s.
+  ContactList<double> slips_before(const ContactSubset& s) const;
+  ContactMatrix matrix(const ContactSubset& s) const;
+  void put(const ContactSubset& s, const ContactVector& p);
+  // How impulses that act in no time change the subset's rates.
+  ContactVector sudden_change(const ContactSubset& s, const ContactVector& p);
+  // Rates at the end of the step in one space; `start`: the rates at its beginning.
+  Eigen::Vector3d end_of(const ContactSpace& at, const Eigen::Vector3d& start) const;
+  bool solve_held(const ContactSubset& s, const ContactMatrix& a, const ContactVector& free,
+                  std::span<const ImpactLaw> laws, SubsetSolution& out);
+  void set_status(const ContactSubset& s, Status status);
+
+  mjData* d_;
+  std::span<RigidContact* const> members_;
+  ConstraintProbe* probe_;
+  double h_;
+  Eigen::Index rows_ = 2;
+  bool converged_ = true;
+  std::array<Closing, kMaxContacts> contacts_;
+};
+
+}  // namespace rotorub::plugin
