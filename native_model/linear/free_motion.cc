@@ -21,9 +21,9 @@ namespace {
 
 using Phasor = std::complex<double>;
 
-// Bending with the working integrators of magnetic bearings. They add the force -force_per_current
-// j at their stations, with j' = integral sensor^T q. Each such bearing has two columns, one per
-// plane.
+// Bending with the working integrators of magnetic bearings, which add the force
+// -force_per_current j at their stations, with j' = integral sensor^T q. Each such bearing has two
+// columns, one per plane.
 struct Bending : LinearParts {
   explicit Bending(LinearParts parts) : LinearParts(std::move(parts)) {}
   Eigen::MatrixXd station, sensor;              // 2 n x s
@@ -222,7 +222,8 @@ Answer answer(const scene::Scene& scene, const Model& m, const Bending& b, const
   Eigen::VectorXcd right = Eigen::VectorXcd::Zero(n + stored);
   right.head(n) = scale.asDiagonal() * load.load;
   const ConditionedSolution solved = lu_solve_conditioned(z, right);
-  // Compare with the scaled terms, not with z alone: both planes may be in resonance.
+  // Compares 1 / |z^-1| with the scaled terms, about 1, and not with |z|, which is small if both
+  // planes are in resonance.
   const double size = z.cwiseAbs().colwise().sum().maxCoeff();
   if (!(solved.reciprocal_condition * size > kSingular)) {
     refuse_steady(scene, nu == 0.0

@@ -194,7 +194,8 @@ FreeResponse free_response(const scene::Scene& scene, Model m, double speed) {
         OrbitSize& orbit = motion.orbits[k];
         orbit.centre = -middles[k];
         free.largest = std::max(*free.largest, orbit.largest());
-        // About its mean an orbit extends equally far to both sides.
+        // About its mean an orbit of one frequency extends equally far to both sides; with several
+        // in the ratio of whole numbers the result is an upper bound.
         orbit.centre.setZero();
         std::erase_if(orbit.parts, [](const OrbitPart& part) { return part.frequency == 0.0; });
         free.vibration = std::max(free.vibration, 2.0 * orbit.largest());

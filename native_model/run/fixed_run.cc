@@ -99,7 +99,7 @@ class FixedRun {
     }
   }
 
-  // For steps whose state is that of their end; returns the number of steps taken.
+  // For steps that yield the state at their end; returns the number of steps taken.
   std::int64_t walk() {
     commands_.hold(0);
     listen();
@@ -173,8 +173,8 @@ class FixedRun {
     return {t, q, v};
   }
 
-  // Forces are impulses over `kick`, s, except those of impacts, which are no force of lasting
-  // contact.
+  // Force of lasting contact, as its impulse over `kick` (s), plus the force of an impact that
+  // takes time; other impacts do not contribute.
   static ContactSnapshot contact_snapshot(const ContactStep& did, double kick) {
     const double scale = 1.0 / kick;
     return {scale * did.lasting.x() + did.impact_force.x(),
