@@ -16,21 +16,22 @@ namespace {
 
 using Complex = std::complex<double>;
 
-// Velocities and W q as state, W about the frequencies: all entries are then of the size of a
-// frequency, whatever the mode. A coordinate without a stiffness is left as it is.
+// Scale W of the state (W q, q'), about the frequencies: all entries are then of the size of a
+// frequency for every mode. A coordinate without stiffness is left unscaled.
 Eigen::VectorXd state_scale(const Eigen::MatrixXd& stiffness) {
   return stiffness.diagonal().unaryExpr([](double k) { return k > 0.0 ? std::sqrt(k) : 1.0; });
 }
 
 // Sense of the orbit x = Re(x^ e^{st}), y = Re(y^ e^{st}), Im s > 0: the sign of its angular
-// momentum, sum Im(x^ conj(y^)) in coordinates of unit mass; planar to round-off: forward.
+// momentum, sum Im(x^ conj(y^)) in coordinates of unit mass. An orbit that is planar to round-off
+// counts as forward.
 bool forward(const Eigen::VectorXcd& x, const Eigen::VectorXcd& y) {
   constexpr double kPlanar = 1e-10;
   const double momentum = (x.array() * y.array().conjugate()).imag().sum();
   return momentum > -kPlanar * (x.squaredNorm() + y.squaredNorm());
 }
 
-// Well below the lowest mode, and off a rigid one.
+// Shift of the Arnoldi iteration: well below the lowest mode, and not at a rigid one.
 double shift_of(const Eigen::VectorXd& W) { return 0.05 * W.minCoeff(); }
 
 std::vector<Whirl> with_rates(const LowestModes& modes) {
@@ -39,7 +40,7 @@ std::vector<Whirl> with_rates(const LowestModes& modes) {
     all.push_back({modes.values[j], modes.rates.col(j)});
   return all;
 }
-// Of all of them: of a first-order form whose state ends with q'.
+// All modes of a first-order form whose state ends with q'.
 LowestModes all_of(std::optional<EigenModes> found) {
   const EigenModes modes = found_by(std::move(found));
   return {modes.values, modes.vectors.bottomRows(modes.vectors.rows() / 2)};
@@ -50,8 +51,8 @@ void sort_by_size(std::vector<Whirl>& all) {
                    [](const Whirl& a, const Whirl& b) { return std::abs(a.s) < std::abs(b.s); });
 }
 
-// The lowest by |s|, which overdamping does not make small: as many of each sense, since the spin
-// lowers backward whirl and lifts the other. Each eigenvalue is one whirl.
+// The lowest whirls by |s|, as many of each sense, since the spin lowers backward whirl and raises
+// forward whirl. Overdamping does not make |s| small. Each eigenvalue is one whirl.
 std::vector<Whirl> lowest_of_each_sense(std::vector<Whirl> all, std::size_t kept) {
   constexpr double kReal = 1e-9;  // |Im s| / |s| of an overdamped mode, which has no sense
   sort_by_size(all);
@@ -82,8 +83,8 @@ std::vector<Whirl> isotropic_whirls(const WhirlSystem& system, double speed) {
   return lowest_of_each_sense(with_rates(*part), kept);
 }
 
-// Both planes as real equations. Of each complex pair one eigenvalue stands for the whirl, and of
-// the real ones, which also come in twos, every other, the greatest first.
+// Both planes as real equations. One eigenvalue of each complex pair stands for the whirl. Real
+// eigenvalues also come in pairs; of these every other one counts, the greatest first.
 std::vector<Whirl> anisotropic_whirls(const WhirlSystem& system, double speed) {
   const Eigen::Index n = system.size();
   const auto [B, C] = planes_matrices(system, speed);
@@ -115,7 +116,8 @@ std::vector<Whirl> anisotropic_whirls(const WhirlSystem& system, double speed) {
 
 using Complex = std::complex<double>;
 
-// s of the mode with |Im s|: a mode of anisotropic planes may change its sense on the way.
+// s of the mode with |Im s|, since a mode of anisotropic planes may change its sense along the
+// branch.
 Complex eigenvalue(const WhirlMode& mode) {
   const double ratio = std::clamp(mode.damping_ratio, -1.0, 1.0);
   if (mode.frequency == 0.0) return {-ratio, 0.0};
@@ -123,7 +125,7 @@ Complex eigenvalue(const WhirlMode& mode) {
   return {-ratio * imaginary / std::sqrt(std::max(1.0 - ratio * ratio, 1e-12)), imaginary};
 }
 
-// Where the branch would be at `speed`, were it straight.
+// Linear extrapolation of the branch to `speed`.
 Complex continued(const WhirlBranch& branch, double speed) {
   const std::size_t n = branch.speed.size();
   const Complex last = eigenvalue(branch.modes[n - 1]);
@@ -161,7 +163,8 @@ std::vector<Pair> candidates(const std::vector<WhirlBranch>& branches,
   return pairs;
 }
 
-// Continues the live branches by a spectrum, and begins new ones; returns those that live on.
+// Continues the live branches by a spectrum and begins new ones; returns the branches that
+// continue.
 std::vector<std::size_t> append(std::vector<WhirlBranch>& branches,
                                 const std::vector<std::size_t>& live, const WhirlSpectrum& spectrum,
                                 bool isotropic, double step) {
@@ -227,8 +230,8 @@ std::vector<Complex> whirl_eigenvalues(const WhirlSystem& system, double speed) 
 WhirlSpectrum whirl_spectrum(const WhirlSystem& system, double speed) {
   std::vector<std::complex<double>> values = whirl_eigenvalues(system, speed);
   if (speed == 0.0 && !system.isotropic) {
-    // Orbits at rest are planar: their sense is that of the orbits at a small spin. Frequencies
-    // keep their order, so that the senses carry over one by one.
+    // Orbits at rest are planar, so their sense is taken from the orbits at a small spin. The order
+    // of the frequencies does not change, so the senses carry over one by one.
     constexpr double kSmallSpin = 1e-3;
     const std::vector<std::complex<double>> spun =
         whirl_eigenvalues(system, kSmallSpin * std::abs(values.front()));
@@ -239,7 +242,7 @@ WhirlSpectrum whirl_spectrum(const WhirlSystem& system, double speed) {
   WhirlSpectrum spectrum{speed, {}};
   for (const std::complex<double>& s : values) {
     const double size = std::abs(s);
-    // 0 and not -0 where a mode is overdamped.
+    // Adding to 0 avoids -0 for an overdamped mode.
     spectrum.modes.push_back({s.imag() + 0.0, size > 0.0 ? (0.0 - s.real()) / size : 0.0});
   }
   return spectrum;

@@ -1,9 +1,9 @@
 // Whirl of the rotor at given spin speeds: the eigenvalues s of the damped gyroscopic system with
-// circulatory terms (whirl_system.h), critical speeds, the threshold of stability and the curves of
-// Campbell's diagram.
+// circulatory terms (whirl_system.h), critical speeds, the stability threshold and the curves of
+// the Campbell diagram.
 //
-// Frequencies of the geometry form are those of the untruncated shaft; of each of its planes the
-// `kept` lowest modes are shown. Small deflections, no contact.
+// For the geometry form the frequencies belong to the untruncated shaft; only the `kept` lowest
+// modes of each plane are returned. Deflections are small and there is no contact.
 #pragma once
 
 #include <algorithm>
@@ -18,22 +18,22 @@
 
 namespace rotorub {
 
-// s of the mode x + i y ~ e^{s t} (forward: Im s > 0, backward: Im s < 0), and q' of it: isotropic
-// planes: n, of x + i y; else 2 n, those of x before those of y, of the value of the complex pair
-// with Im s > 0.
+// Eigenvalue s of the mode x + i y ~ e^{s t} (Im s > 0 forward, Im s < 0 backward) and its q'. With
+// isotropic planes, q' has n entries, for x + i y. Otherwise it has 2 n, x before y, and belongs to
+// the member of the complex pair with Im s > 0.
 struct Whirl {
   std::complex<double> s;
   Eigen::VectorXcd rates;
 };
 
-// Two for each mode kept, those of least |s|; isotropic planes: as many forward as backward.
-// Ordered by |Im s|, backward before forward where they are equal. Throws std::runtime_error where
-// the iteration does not converge.
+// The two modes with the smallest |s| for each kept mode; with isotropic planes, as many forward as
+// backward. They are ordered by |Im s|, backward before forward where equal. Throws
+// RotorNotSolvable (refusal.h) if the iteration does not converge.
 std::vector<Whirl> whirls(const WhirlSystem& system, double speed);
 std::vector<std::complex<double>> whirl_eigenvalues(const WhirlSystem& system, double speed);
 
-// By rising |frequency|; those of both senses that differ by round-off alone, as whirl at rest
-// does, backward first, as it is at speed.
+// Sorts by rising |frequency|. Two modes of opposite sense whose frequencies differ only by
+// round-off, as at rest, are ordered backward first, as they would be at speed.
 template <typename T, typename Frequency>
 void sort_by_frequency(std::vector<T>& all, const Frequency& frequency) {
   constexpr double kEqual = 1e-9;
@@ -48,85 +48,86 @@ void sort_by_frequency(std::vector<T>& all, const Frequency& frequency) {
 }
 
 struct WhirlMode {
-  // rad/s, Im s: forward whirl positive, backward negative, 0 where overdamped. For anisotropic
-  // planes the sign is that of the angular momentum of the orbit; planar motion counts as forward,
-  // but at rest the sign is that of the smallest spin.
+  // rad/s, Im s: positive for forward whirl, negative for backward whirl, 0 if overdamped. With
+  // anisotropic planes the sign is that of the orbit's angular momentum. Planar motion counts as
+  // forward, except at rest, where the sign is taken at a very small spin.
   double frequency;
-  double damping_ratio;  // -Re s / |s|, negative where unstable; 0 for s = 0
+  double damping_ratio;  // -Re s / |s|, negative if unstable; 0 for s = 0
 };
 
-// Two modes for each one kept (isotropic planes: one forward, one backward), by rising |frequency|,
-// backward before forward where they are equal.
+// Two modes for each kept mode (with isotropic planes, one forward and one backward), by rising
+// |frequency|, backward before forward where equal.
 struct WhirlSpectrum {
   double speed;  // rad/s
   std::vector<WhirlMode> modes;
 };
 
-// speed: rad/s, either sign. Throws RotorNotSolvable (refusal.h) where the eigenvalues do not
-// converge.
+// speed: rad/s, either sign. Throws RotorNotSolvable if the eigenvalues do not converge.
 WhirlSpectrum whirl_spectrum(const WhirlSystem& system, double speed);
 
-// Undamped critical speeds (rad/s, ascending): whirl in step with the spin, K u = Omega^2 (1 - G)
-// u. Isotropic planes: forward whirl alone, since unbalance cannot excite the other, at most
-// `kept`; anisotropic: forward and backward, at most 2 `kept`. A rotor with a flat enough disc has
-// fewer. Of the bearings only the stiffness that conserves energy is used: k_xx, k_yy and
-// (k_xy + k_yx) / 2. If it depends on the speed, its value at the critical speed is used, so a mode
-// may have no critical speed or several. The rest, (k_xy - k_yx) / 2, drives whirl; it is left out,
-// as dampers are. sense: direction of the spin, +1 or -1; the speeds are absolute values.
-// (critical_speeds.cc)
+// Undamped critical speeds (rad/s, ascending), where a whirl is synchronous with the spin:
+// K u = Omega^2 (1 - G) u. With isotropic planes only forward whirl counts, since unbalance cannot
+// excite backward whirl, and there are at most `kept` speeds. With anisotropic planes both senses
+// count, at most 2 `kept`. A rotor with a flat enough disc has fewer. Only the conservative
+// stiffness of the bearings is used: k_xx, k_yy and (k_xy + k_yx) / 2. The rest, (k_xy - k_yx) / 2,
+// drives whirl and is left out, like the dampers. If the stiffness depends on the speed, its value
+// at the critical speed is used, so a mode may have no critical speed or several. sense: direction
+// of the spin, +1 or -1; the returned speeds are absolute values. (critical_speeds.cc)
 std::vector<double> critical_speeds(const WhirlSystem& system, double sense = 1.0);
 
-// The sense of the orbit at each of these critical speeds; planar where nothing couples the planes.
+// Sense of the orbit at each of these critical speeds; planar if nothing couples the planes.
 enum class WhirlSense { kForward, kBackward, kPlanar };
 const char* to_string(WhirlSense sense);  // "forward", "backward", "planar"
 std::vector<WhirlSense> critical_senses(const WhirlSystem& system,
                                         const std::vector<double>& speeds, double sense = 1.0);
 
-// Sizes of the spin speed (rad/s, >= 0) between which a kept mode grows, right to 1e-9 relative.
+// A range of spin speeds (rad/s, absolute values) in which a kept mode grows; the ends are accurate
+// to 1e-9 relative.
 struct UnstableRange {
-  double from;  // 0 where one grows at rest
-  double to;    // infinite where one grows up to stability_bound
+  double from;  // 0 if a mode grows at rest
+  double to;    // infinite if a mode still grows at stability_bound
 };
-// Ascending, without overlap. sense: direction of the spin, +1 or -1. The search looks at every
-// speed of the bearings' tables, at speeds where whirls cross, and between these: it halves an
-// interval until its samples show that no mode's damping passes 0 inside. A stable range within an
-// unstable one is found if it is wider than an eighth of its speed. (stability.cc)
+// Unstable ranges, ascending and without overlap. sense: direction of the spin, +1 or -1. The
+// search samples every speed in the bearings' tables and the speeds where whirls cross. It halves
+// each interval until the samples show that no mode's damping passes through 0 inside. It finds a
+// stable range within an unstable one if that range is wider than a sixth of its speed.
+// (stability.cc)
 std::vector<UnstableRange> unstable_ranges(const WhirlSystem& system, double sense = 1.0);
-// Where the first of them begins; empty where there is none.
+// Start of the first unstable range; empty if there is none.
 std::optional<double> stability_threshold(const WhirlSystem& system, double sense = 1.0);
 
-// Up to where unstable_ranges looks, rad/s: 20 times the highest kept frequency at rest, and
-// all of the bearings' tables. Infinite where nothing can grow: no internal damping, no film, and
-// no magnetic bearing too strong.
+// The speed up to which unstable_ranges searches, rad/s: 20 times the highest kept frequency at
+// rest, or the highest speed in the bearings' tables if that is larger. Infinite if nothing can
+// grow, that is, without internal damping, bearing films and magnetic bearings of net negative
+// stiffness.
 double stability_bound(const WhirlSystem& system);
 
-// Sizes of the speeds in that sense at which the bearings' tables have a point, rad/s, ascending, 0
-// first.
+// Absolute speeds of the points in the bearings' tables for that sense of spin, rad/s: 0, then
+// ascending.
 std::vector<double> table_speeds(const WhirlSystem& system, double sense = 1.0);
 
-// A curve of Campbell's diagram: one mode over a connected range of speeds. Where modes cross, each
-// keeps to its own branch.
+// A curve of the Campbell diagram: one mode over a connected range of speeds. Where modes cross,
+// each follows its own branch.
 struct WhirlBranch {
   std::vector<double> speed;     // rad/s, ascending
   std::vector<WhirlMode> modes;  // at each speed
 };
 
-// speeds: rad/s, ascending and close: a mode is taken for the one whose frequency and growth
-// continue those of the speeds before. Where none does (a mode comes into or leaves the kept ones,
-// or two meet and are overdamped), a branch ends and another begins. By the |frequency| that each
-// begins with.
-// progress: given the share done in [0, 1] after each speed; may throw to stop.
-// Throws std::runtime_error where the eigenvalues do not converge.
+// speeds: rad/s, ascending and closely spaced. A mode continues the branch whose frequency and
+// growth it extrapolates best. If it continues none (a mode enters or leaves the kept ones, or two
+// meet and become overdamped), a branch ends and another begins. Branches are ordered by the
+// |frequency| at their first speed. progress is called with the fraction done in [0, 1] after each
+// speed and may throw to stop. Throws RotorNotSolvable if the eigenvalues do not converge.
 std::vector<WhirlBranch> whirl_branches(const WhirlSystem& system,
                                         const std::vector<double>& speeds,
                                         const std::function<void(double)>& progress = {});
 
-// The system in so few of its leading coordinates (those of the lowest modes) that the kept modes
-// at rest and at `speed` (rad/s) keep their s to `accuracy`, relative; many spectra then cost
+// Reduces the system to its leading coordinates (the lowest modes), as few as keep s of the kept
+// modes at rest and at `speed` (rad/s) within the relative `accuracy`. Many spectra then cost
 // little.
 WhirlSystem condensed(const WhirlSystem& system, double speed, double accuracy);
 
-// 0 to highest in equal steps (rad/s, count >= 2 of them).
+// `count` >= 2 equally spaced speeds from 0 to `highest` (rad/s).
 std::vector<double> even_speeds(double highest, int count);
 
 }  // namespace rotorub

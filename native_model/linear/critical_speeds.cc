@@ -1,4 +1,4 @@
-// Critical speeds: Campbell's diagram where a whirl goes in step with the spin.
+// Critical speeds: the points of the Campbell diagram where a whirl is synchronous with the spin.
 
 #include <Eigen/Core>
 #include <algorithm>
@@ -19,10 +19,10 @@
 namespace rotorub {
 namespace {
 
-// K u = Omega^2 A u, real, each critical speed `each` times among the eigenvalues.
+// K u = Omega^2 A u, real; each critical speed occurs `each` times among the eigenvalues.
 struct Synchronous {
   Eigen::MatrixXd K, A;
-  std::size_t most = 0;  // critical speeds of interest: the lowest
+  std::size_t most = 0;  // number of critical speeds of interest, the lowest
   std::size_t each = 1;
 };
 
@@ -33,8 +33,8 @@ std::vector<double> once(const std::vector<double>& values, std::size_t each) {
   return found;
 }
 
-// Positive Omega of K u = Omega^2 A u. K is symmetric but for magnets that sense elsewhere, A is
-// and not necessarily definite.
+// Positive Omega of K u = Omega^2 A u. K is symmetric unless magnets sense elsewhere; A is
+// symmetric but not necessarily definite.
 std::vector<double> synchronous_speeds(const Synchronous& of) {
   const auto& [K, A, most, each] = of;
   std::vector<double> inverse_squares;
@@ -42,9 +42,8 @@ std::vector<double> synchronous_speeds(const Synchronous& of) {
     const Eigen::VectorXd values = found_by(symmetric_eigenvalues(A, K));
     inverse_squares.assign(values.begin(), values.end());
   } else {
-    // Magnets stronger than the shaft, or that sense elsewhere: K^-1 A, whose real eigenvalues
-    // count.
-    // Two that are equal part by the root of round-off.
+    // With magnets stronger than the shaft, or that sense elsewhere, the real eigenvalues of K^-1 A
+    // count. Round-off separates two equal eigenvalues by its square root.
     const double real = each > 1 ? 1e-6 : 1e-9;
     for (const std::complex<double>& mu : found_by(real_eigenvalues(full_lu_solve(K, A)))) {
       if (std::abs(mu.imag()) <= real * std::abs(mu)) inverse_squares.push_back(mu.real());
@@ -58,9 +57,9 @@ std::vector<double> synchronous_speeds(const Synchronous& of) {
   return speeds;
 }
 
-// Of a bearing the springs that conserve energy, as directions and strengths: k_xx, k_yy, and
-// across the planes the mean of k_xy and k_yx, which is a spring along the diagonal beside two that
-// take its own off the axes. The rest, (k_xy - k_yx) / 2, drives whirl as a negative damper does.
+// Conservative springs of a bearing as stiffnesses along directions: k_xx, k_yy, and for the
+// coupling of the planes the mean of k_xy and k_yx, which is a spring along the diagonal minus its
+// own stiffness along the axes. The rest, (k_xy - k_yx) / 2, drives whirl like a negative damper.
 struct Springs {
   double x, y, diagonal;
 };
@@ -70,7 +69,7 @@ Springs springs_of(const WhirlFilm& film, double speed) {
   return {c[0] - across, c[3] - across, 2.0 * across};
 }
 
-// Whether a bearing couples the planes by a spring, at any speed.
+// Whether a spring of any bearing couples the planes, at any speed.
 bool crosses(const WhirlSystem& system) {
   return std::ranges::any_of(system.films, [&](const WhirlFilm& film) {
     std::vector<double> speeds{0.0};
@@ -80,12 +79,12 @@ bool crosses(const WhirlSystem& system) {
   });
 }
 
-// With the springs that the bearings have at one speed. Forward and backward whirl in step with the
-// spin:
+// Problem with the springs that the bearings have at one speed, for forward and backward whirl that
+// is synchronous with the spin:
 //   isotropic  x + i y ~ e^{i Omega t}:    K, 1 - G;
 //   else       (x, -i y) ~ e^{i Omega t}:  K_x and K_y, 1 + [0 G; G^T 0];
 //   crossed    (x, y) ~ e^{i Omega t}:     K, 1 + i B, B = [0 -G; G^T 0], Hermitian: as real and
-//              imaginary parts [K 0; 0 K] and [1 -B; B 1], whose eigenvalues are each there twice.
+//              imaginary parts [K 0; 0 K] and [1 -B; B 1], in which each eigenvalue occurs twice.
 Synchronous synchronous(const WhirlSystem& system, double speed, bool crossed) {
   using Eigen::MatrixXd;
   const Eigen::Index n = system.size();
@@ -129,8 +128,8 @@ std::vector<double> of_constant_springs(const WhirlSystem& system, double speed,
   return speeds;
 }
 
-// The films' springs as those of x + i y, of both planes, or of both twice where planes are
-// crossed.
+// Counter of critical speeds with the films' springs acting on x + i y, on both planes, or on two
+// copies of both planes if springs couple them.
 std::optional<SpringCrossings> counted(const WhirlSystem& system, double sense, double reference,
                                        bool crossed) {
   const Eigen::Index n = system.size(), planes = system.isotropic ? 1 : 2,
@@ -167,7 +166,7 @@ std::optional<SpringCrossings> counted(const WhirlSystem& system, double sense, 
 
 }  // namespace
 
-// Between two points of a table the springs change evenly.
+// Between two points of a table the springs vary smoothly.
 std::vector<double> table_speeds(const WhirlSystem& system, double sense) {
   std::vector<double> speeds{0.0};
   for (const WhirlFilm& film : system.films) {
@@ -195,7 +194,7 @@ std::vector<WhirlSense> critical_senses(const WhirlSystem& system,
   const Eigen::Index n = system.size();
   std::vector<WhirlSense> senses;
   for (const double speed : speeds) {
-    // What K - Omega^2 A makes nothing of, by inverse iteration from a start that has all modes.
+    // Null vector of K - Omega^2 A, by inverse iteration from a start that contains all modes.
     const Synchronous of = synchronous(system, sense * speed, crossed);
     const Eigen::MatrixXd D = of.K - speed * speed * (1.0 + kPlanar) * of.A;
     Eigen::VectorXd u = Eigen::VectorXd::LinSpaced(D.rows(), 1.0, 1.7);
@@ -217,19 +216,20 @@ std::vector<double> critical_speeds(const WhirlSystem& system, double sense) {
                                    [](const WhirlFilm& film) { return film.law.follows(); });
   const bool crossed = !system.isotropic && crosses(system);
   if (!follows) return of_constant_springs(system, 0.0, crossed);
-  // Each speed is critical with the springs that it has itself: the k-th critical speed of springs
-  // at a speed, less that speed, is 0. Beyond the tables the springs stay.
-  std::map<double, std::vector<double>> known;  // the search of each k asks at many the same
+  // A speed is critical if it equals the k-th critical speed of the springs at that speed. Beyond
+  // the tables the springs are constant.
+  std::map<double, std::vector<double>> known;  // cache: each k asks at many of the same speeds
   const auto at = [&](double speed) -> const std::vector<double>& {
     const auto [place, fresh] = known.try_emplace(speed);
     if (fresh) place->second = of_constant_springs(system, sense * speed, crossed);
     return place->second;
   };
-  constexpr int kParts = 8;  // of the way between two points of a table
+  constexpr int kParts = 8;  // intervals between two points of a table
   constexpr double kAccuracy = 1e-14;
   const std::vector<double> points = table_speeds(system, sense);
   std::vector<double> all_found;
-  // By the eigenvalues at each speed: where springs rise so fast that curves may be crossed twice.
+  // Search by the eigenvalues at each speed, where springs rise so fast that curves may be crossed
+  // twice.
   const auto search = [&](double begin, double end) {
     const std::vector<double>&low = at(begin), &high = at(end);
     for (std::size_t k = 0; k < std::min(low.size(), high.size()); ++k) {

@@ -14,13 +14,13 @@ namespace {
 
 using Eigen::Index;
 
-// A load that turns with the spin, as rotating_loads tells it.
+// Whether the load turns with the spin, with the tolerance of rotating_loads.
 bool in_step(const RubSystem& s, const SteadyRub& rub) {
   return rub.kind == RubKind::kForced && std::abs(rub.whirl - s.speed) <= 1e-9 * std::abs(s.speed);
 }
 
-// The coordinates of an enlarged perturbation: n modes of both planes, then the ring, spin, torsion
-// and the ring's turning.
+// Positions of the coordinates in an enlarged perturbation: n modes and the ring, as real and
+// imaginary parts, then spin, torsion and the rotation of the ring.
 struct Places {
   Index modes, half, phi, theta, chi, all;
   bool spin, ring_turns;
@@ -35,12 +35,12 @@ struct Places {
         ring_turns(s.ring_turns()) {}
 };
 
-// Column `column` of the rows of a, Re and Im.
+// Adds to column `column` in the rows of a, real and imaginary parts.
 void put(Eigen::MatrixXd& matrix, const Places& at, Index column, const Eigen::VectorXcd& values) {
   matrix.col(column).head(at.modes) += values.real();
   matrix.col(column).segment(at.half, at.modes) += values.imag();
 }
-// Row `row`: Im(w^H a).
+// Adds Im(w^H a) to row `row`.
 void put_moment(Eigen::MatrixXd& matrix, const Places& at, Index row, const Eigen::VectorXcd& w) {
   matrix.row(row).head(at.modes) -= w.imag().transpose();
   matrix.row(row).segment(at.half, at.modes) += w.real().transpose();
@@ -57,8 +57,8 @@ Perturbation enlarged(const Perturbation& small, Index all) {
           grown(small.push, all, m), grown(small.constraint, m, all)};
 }
 
-// Spin, torsion and the ring's turning by themselves: inertias, springs and dampers, the motor's
-// slope.
+// Uncoupled terms of spin, torsion and the ring's rotation: inertias, springs, dampers and the
+// slope of the motor's torque.
 void add_train(Perturbation& p, const Places& at, const RubSystem& s, const DriveTrain& train) {
   const Index k = train.modes();
   p.mass.diagonal().segment(at.theta, k) = train.torsion_inertia;
@@ -76,7 +76,7 @@ void add_train(Perturbation& p, const Places& at, const RubSystem& s, const Driv
   p.rates -= train.motor->slope(s.speed) * motor * motor.transpose();
 }
 
-// What the spin does to bending, and unbalance to the spin.
+// Effect of the spin on bending and of unbalance on the spin.
 void add_spin(Perturbation& p, const Places& at, const RubSystem& s, const DriveTrain& train,
               const SteadyRub& rub) {
   const Complex back = std::polar(1.0, -rub.direction);
@@ -96,7 +96,7 @@ void add_spin(Perturbation& p, const Places& at, const RubSystem& s, const Drive
   p.springs(at.phi, at.phi) += omega * omega * U.dot(rub.rotor).real();
 }
 
-// The friction's torque; of rolling the constraint that goes with it.
+// Torque of the friction; for rolling, also its part in the constraint.
 void add_friction(Perturbation& p, const Places& at, const RubSystem& s, const DriveTrain& train,
                   const SteadyRub& rub) {
   Eigen::VectorXd lever = Eigen::VectorXd::Zero(at.all);
@@ -105,27 +105,27 @@ void add_friction(Perturbation& p, const Places& at, const RubSystem& s, const D
   if (at.ring_turns) lever[at.chi] = -s.ring_radius();
   if (!rub.rolls()) {
     p.push.col(0) += rub.friction * lever;
-    // What the slip changes by, beside what perturbation() has.
+    // Change of the slip beyond the part that perturbation() has.
     Eigen::VectorXd bending = Eigen::VectorXd::Zero(at.all);
     bending.segment(at.half, at.half) = p.constraint.row(0).head(at.half).transpose();
     const Eigen::VectorXd slip = bending + lever;
     p.rates += slip_damping(s, rub) * (slip * slip.transpose() - bending * bending.transpose());
     return;
   }
-  // The torque is of the force along e_t, which turns with the contact.
+  // The torque belongs to the force along e_t, which turns with the contact.
   p.springs -= (rub.normal_force / s.clearance) * lever * p.constraint.row(1);
   p.constraint.row(1) += lever.transpose();
   p.push.col(1) += lever;
 }
 
-// Directions and angles that may be any; of a ring that turns its own, which rolling ties to them.
+// Number of arbitrary directions and angles, including the angle of a ring that turns.
 int free_angles(const DriveTrain& train, const RubSystem& s, const SteadyRub& rub) {
   const int ring = s.ring_turns() ? 1 : 0;
   if (rub.kind == RubKind::kRolling)
-    return (train.motor ? 1 : 0) + ring;  // both together; held, theta brings it back
+    return (train.motor ? 1 : 0) + ring;  // direction and spin together; theta restores a held spin
   if (rub.kind == RubKind::kWhip) return (train.motor ? 2 : 1) + ring;
-  // Of loads that turn with the spin everything may be turned together, of others the spin alone;
-  // of both nothing.
+  // If all loads turn with the spin, everything may be turned together; if none does, the spin
+  // alone may be. With both kinds of load no angle is free.
   const bool with_spin = !s.unbalance.isZero(0.0) || !train.locked.isZero(0.0);
   return (train.motor && !(with_spin && train.fixed) ? 1 : 0) + (rub.rolls() ? 0 : ring);
 }
@@ -191,7 +191,7 @@ std::vector<DrivenRolling> driven_rolling(const RubSystem& system, const DriveTr
   const double ratio = system.radius / system.clearance, sense = std::copysign(1.0, top);
   const auto whirl = [&](double speed) { return -ratio * speed; };
   const auto h = [&](double speed) { return compliance(at_speed(system, speed), whirl(speed)); };
-  // r tau lambda = r delta_0 Im H / |H|^2
+  // Motor torque minus r tau lambda = r delta_0 Im H / |H|^2.
   const auto balance = [&](double size) {
     const double speed = sense * size;
     const Complex at = h(speed);

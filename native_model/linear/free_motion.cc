@@ -21,13 +21,14 @@ namespace {
 
 using Phasor = std::complex<double>;
 
-// With magnetic bearings' integrators that work: the force -force_per_current j at their stations,
-// j' = integral sensor^T q. Two columns of each such bearing, one a plane.
+// Bending with the working integrators of magnetic bearings, which add the force
+// -force_per_current j at their stations, with j' = integral sensor^T q. Each such bearing has two
+// columns, one per plane.
 struct Bending : LinearParts {
   explicit Bending(LinearParts parts) : LinearParts(std::move(parts)) {}
   Eigen::MatrixXd station, sensor;              // 2 n x s
   Eigen::VectorXd force_per_current, integral;  // s, N/A, A/(m s)
-  std::vector<int> stored;                      // s, which of the model's integrals it is
+  std::vector<int> stored;                      // s, index among the model's integrals
   std::vector<const StationFeedback*> owner;    // s
 };
 
@@ -67,13 +68,13 @@ class Loads {
   explicit Loads(int modes) : modes_(modes) {}
   const std::vector<Load>& all() const { return all_; }
 
-  // x and y: N, complex amplitudes through the mode values of a station.
+  // x and y: N, complex amplitudes at a station with these mode values.
   void add(double frequency, const ModeShape& shape, Phasor x, Phasor y) {
     Eigen::VectorXcd load(2 * modes_);
     load << x * shape.x.cast<Phasor>(), y * shape.y.cast<Phasor>();
     add({frequency, std::move(load)});
   }
-  // amplitude (cos(frequency t + phase), sin(..)); either sign.
+  // Adds amplitude (cos(frequency t + phase), sin(frequency t + phase)); either sign of frequency.
   void turn(double frequency, const ModeShape& shape, double amplitude, double phase) {
     const Phasor x = std::polar(1.0, phase) * amplitude, y = Phasor(0.0, -1.0) * x;
     if (frequency < 0.0) return add(-frequency, shape, std::conj(x), std::conj(y));
@@ -127,7 +128,7 @@ std::vector<Load> loads_of(const scene::Scene& scene, const Model& m) {
     if (u.on > 0.0) continue;
     loads.turn(m.speed, u.shape, u.static_moment * m.speed * m.speed, m.spin_angle + u.phase);
   }
-  // Of films that stand off the line, weight and springs that do.
+  // Weight, and the constant forces of springs and films of bearings off the line.
   const Eigen::VectorXd rest = Eigen::VectorXd::Zero(m.nq());
   Eigen::VectorXd constant = m.weight.size() > 0 ? m.weight : rest;
   equations::add_films(m, m.speed, rest.data(), rest.data(), constant.data());
@@ -135,7 +136,7 @@ std::vector<Load> loads_of(const scene::Scene& scene, const Model& m) {
   return loads.all();
 }
 
-// Nothing grows: an orbit that nothing comes back to is no steady one.
+// Refuses a rotor with a growing mode: no motion returns to its orbit.
 void check_stability(const scene::Scene& scene, const Model& m) {
   constexpr double kScatter = 1e-9;  // of the largest eigenvalue
   const auto values = closed_loop_eigenvalues(closed_loop(m, m.speed));
@@ -150,13 +151,13 @@ void check_stability(const scene::Scene& scene, const Model& m) {
                            " 1/s; accepted: a stable one, or false");
 }
 
-// z += what filters and lags make of the laws in b, force over deflection.
+// Adds to z, force over deflection, the effect of filters and lags on the control laws.
 void add_lags(const Model& m, double nu, Eigen::MatrixXcd& z) {
   const int n = m.layout.modes;
   for (const StationFeedback& f : m.feedbacks) {
     const bool filters = f.states.filtered != kAbsent, lags = f.states.current != kAbsent;
     if ((!filters && !lags) || !f.works.at(0.0)) continue;
-    // What the matrices have of it already.
+    // Part that the matrices already contain.
     const Phasor has(lags ? 0.0 : f.law.proportional,
                      lags || filters ? 0.0 : nu * f.law.derivative);
     const Phasor missing = f.law.force_per_current * (lag_of(f, nu) * gain_of(f, nu) - has);
@@ -165,11 +166,11 @@ void add_lags(const Model& m, double nu, Eigen::MatrixXcd& z) {
   }
 }
 
-// Phasor amplitudes of one frequency: Q (m, 2 n), and the states of the model's feedbacks.
+// Phasor amplitudes at one frequency: Q (m, 2 n), and the states of the model's feedbacks.
 struct Answer {
   Eigen::VectorXcd q, stored;
 };
-// The states that follow from q and what the integrators hold: a filter's and an amplifier's.
+// Sets the states that follow from q and the integrators: filters and amplifiers.
 void follow(const Model& m, double nu, Answer& answer) {
   const int n = m.layout.modes, first = m.layout.integral();
   for (const StationFeedback& f : m.feedbacks) {
@@ -190,8 +191,8 @@ void follow(const Model& m, double nu, Answer& answer) {
 Answer answer(const scene::Scene& scene, const Model& m, const Bending& b, const Load& load) {
   constexpr double kSingular = 1e-12;
   const double nu = load.frequency;
-  // Rows and columns by the size that their terms have: away from resonance the diagonal is
-  // about 1.
+  // Rows and columns are scaled by the size of their terms, so that the diagonal is about 1 away
+  // from resonance.
   Eigen::VectorXd scale =
       b.stiffness.diagonal().cwiseAbs() + nu * nu * b.mass + nu * b.damping.diagonal().cwiseAbs();
   for (double& x : scale) x = x > 0.0 ? 1.0 / std::sqrt(x) : 1.0;
@@ -200,7 +201,8 @@ Answer answer(const scene::Scene& scene, const Model& m, const Bending& b, const
   z.diagonal() -= (nu * nu * b.mass).cast<Phasor>();
   add_lags(m, nu, z);
   z = (scale.asDiagonal() * z * scale.asDiagonal()).eval();
-  // i nu j = I sensor^T q beside them; j in the unit of the force that its stations' rows have.
+  // Rows i nu j = I sensor^T q of the integrators, with j in the unit of force of the rows at their
+  // stations.
   const Eigen::Index n = b.mass.size(), stored = b.station.cols();
   const Eigen::MatrixXd station = scale.asDiagonal() * b.station,
                         sensor = scale.asDiagonal() * b.sensor;
@@ -214,13 +216,14 @@ Answer answer(const scene::Scene& scene, const Model& m, const Bending& b, const
     z.bottomLeftCorner(stored, n) = (sensor / unit).transpose().cast<Phasor>();
   }
   for (Eigen::Index k = 0; k < stored; ++k) {
-    // F = k_i j: i nu F / (k_i I) - sensor^T q = 0.
+    // With F = k_i j: i nu F / (k_i I) - sensor^T q = 0.
     z(n + k, n + k) = Phasor(0.0, -nu / (b.force_per_current[k] * b.integral[k] * unit * unit));
   }
   Eigen::VectorXcd right = Eigen::VectorXcd::Zero(n + stored);
   right.head(n) = scale.asDiagonal() * load.load;
   const ConditionedSolution solved = lu_solve_conditioned(z, right);
-  // Against the scale, not against z itself: both planes may be in resonance.
+  // Compares 1 / |z^-1| with the scaled terms, about 1, and not with |z|, which is small if both
+  // planes are in resonance.
   const double size = z.cwiseAbs().colwise().sum().maxCoeff();
   if (!(solved.reciprocal_condition * size > kSingular)) {
     refuse_steady(scene, nu == 0.0
@@ -238,7 +241,7 @@ Answer answer(const scene::Scene& scene, const Model& m, const Bending& b, const
   return answer;
 }
 
-// A, of the current that a magnetic bearing's law asks for on each axis, of one frequency.
+// Amplitude of the current that a magnetic bearing's law demands on each axis at one frequency, A.
 Eigen::Vector2d current_amplitude(const Model& m, const StationFeedback& feedback, double frequency,
                                   const Answer& answer) {
   const int n = m.layout.modes;
@@ -252,7 +255,7 @@ Eigen::Vector2d current_amplitude(const Model& m, const StationFeedback& feedbac
   return {of(feedback.seen().x, 0), of(feedback.seen().y, 1)};
 }
 
-// The sampled feedback that works at t = 0; nothing: none does.
+// A sampled feedback that works at t = 0; null if there is none.
 const StationFeedback* sampled(const Model& m) {
   for (const SampledFeedback& s : m.samplers) {
     for (const std::size_t k : s.bearings) {
@@ -271,7 +274,7 @@ void refuse_samples(const scene::Scene& scene, const Model& m) {
   }
 }
 
-// Of sampled feedbacks, which work for ever.
+// Amplitude with sampled feedbacks, which must work always.
 Eigen::VectorXcd sampled_amplitude(const scene::Scene& scene, const Model& m, const Load& load) {
   const std::string why = loop_refusal(m), at = " at " + scene::number_text(m.speed) + " rad/s";
   if (!why.empty()) refuse_steady(scene, why);
@@ -289,8 +292,8 @@ Eigen::VectorXcd sampled_amplitude(const scene::Scene& scene, const Model& m, co
 }  // namespace
 
 scene::Scene without_start(scene::Scene scene) {
-  // How the shaft is turned at t = 0 is no motion: forces with a phase of their own meet the
-  // unbalance by it.
+  // The angle of the shaft at t = 0 is not part of the motion; it sets the phase between unbalance
+  // and forces with their own phase.
   const double spin_angle = scene.initial.spin_angle;
   scene.initial = {};
   scene.initial.spin_angle = spin_angle;

@@ -1,5 +1,5 @@
-// The periodic answer of the free rotor to all that acts at t = 0 (steady_orbit.h has the
-// equations), and how far its orbit goes.
+// The periodic response of the free rotor to all loads that act at t = 0 (equations in
+// steady_orbit.h) and the size of its orbit.
 #pragma once
 
 #include <Eigen/Core>
@@ -11,10 +11,10 @@
 
 namespace rotorub {
 
-// An orbit of several frequencies, d(t) = centre + sum_j Re(a_j e^{i nu_j t}), a_j a complex
-// vector: an ellipse.
+// One harmonic of an orbit d(t) = centre + sum_j Re(a_j e^{i nu_j t}); a_j is a complex vector, so
+// each part is an ellipse.
 struct OrbitPart {
-  double frequency;            // rad/s, >= 0; 0: a constant, its real part
+  double frequency;  // rad/s, >= 0; at 0 the part is a constant, the real part of amplitude
   Eigen::Vector2cd amplitude;  // m
 };
 
@@ -22,34 +22,37 @@ struct OrbitSize {
   Eigen::Vector2d centre{0.0, 0.0};  // m
   std::vector<OrbitPart> parts;
 
-  // m: the most of |d| over all time, to 1e-6. Frequencies in the ratio of whole numbers up to
-  // kHighest come back, and one period is looked through. Others meet in every phase sooner or
-  // later: it is the largest over directions u of centre . u + sum |a_j . u|.
+  // Maximum of |d| over all time, m, to 1e-6. If the frequencies are in the ratio of whole numbers
+  // up to kHighest, the orbit is periodic and one period is searched. Otherwise all phases come
+  // together sooner or later, and the maximum of centre . u + sum |a_j . u| over all directions u
+  // is taken.
   double largest() const;
 
   static constexpr int kHighest = 24;
 };
 
 struct FreeMotion {
-  Eigen::VectorXd q, v;    // 2 n: m, m/s, at t = 0
-  Eigen::VectorXd stored;  // the states of the magnetic bearings' feedbacks at t = 0
-  // A, of each magnetic bearing the most of its current on each axis: the sum over all frequencies.
+  Eigen::VectorXd q, v;    // 2 n; m and m/s, at t = 0
+  Eigen::VectorXd stored;  // states of the magnetic bearings' feedbacks at t = 0
+  // Largest current of each magnetic bearing on each axis, A: the sum of the amplitudes of all
+  // frequencies.
   std::vector<Eigen::Vector2d> current{};
   std::vector<OrbitSize> orbits{};  // of the rotor's centre at each auxiliary bearing, m
 };
 
-// At the speed model.speed. Throws scene::SceneError, key initial.steady, where there is none.
+// Motion at the speed model.speed. Throws scene::SceneError with key initial.steady if there is
+// none.
 FreeMotion free_motion(const scene::Scene& scene, const Model& model);
 
-// Of the unbalances alone, whenever they come to act: N, 2 n, of Re(f e^{i |Omega| t}) on the
-// modes, against the mark on the rotor, which lies at +x at t = 0. speed: Omega, rad/s.
+// Load of all unbalances, ignoring their times, as Re(f e^{i |Omega| t}) on the modes: f in N, 2 n.
+// The phase is relative to the mark on the rotor, which lies at +x at t = 0. speed: Omega, rad/s.
 Eigen::VectorXcd unbalance_load(const Model& m, double speed);
-// Q of the steady answer q = Re(Q e^{i |Omega| t}) to it, m, 2 n, at the speed m.speed; of sampled
-// controls their part at Omega (linear_loop.h). Throws as free_motion.
+// Steady response q = Re(Q e^{i |Omega| t}) to that load at the speed m.speed: Q in m, 2 n. With
+// sampled controls, Q is the component at Omega (linear_loop.h). Throws as free_motion does.
 Eigen::VectorXcd unbalance_amplitude(const scene::Scene& scene, const Model& m);
 
-// The scene at rest in the middle of its rings, whatever start it gives, but for the angle of the
-// spin: for an analysis that asks for none.
+// The scene at rest with its rings centred, keeping only the spin angle of its initial state, for
+// analyses that need no start.
 scene::Scene without_start(scene::Scene scene);
 
 [[noreturn]] void refuse_steady(const scene::Scene& scene, const std::string& why);

@@ -15,7 +15,8 @@
 namespace rotorub {
 namespace {
 
-// Where |S| is looked at, rad/s, ascending: evenly over the decades of the poles, and about each.
+// Frequencies at which |S| is evaluated, rad/s, ascending: evenly spaced over the decades of the
+// poles, and dense around each pole.
 std::vector<double> frequencies(const Model& m, const std::vector<std::complex<double>>& poles) {
   constexpr int kEven = 1200;
   double low = 1e300, high = 0.0;
@@ -43,7 +44,7 @@ std::vector<double> frequencies(const Model& m, const std::vector<std::complex<d
   return all;
 }
 
-// The peak of f between low and high, by golden section; (where, how much).
+// Maximum of f between low and high by golden section, as (position, value).
 template <class F>
 std::pair<double, double> peak_between(const F& f, double low, double high) {
   const double share = 0.5 * (std::sqrt(5.0) - 1.0);
@@ -60,7 +61,7 @@ std::pair<double, double> peak_between(const F& f, double low, double high) {
   return fa > fb ? std::pair(a, fa) : std::pair(b, fb);
 }
 
-// m, peak to peak, of each sensor's axis under the unbalances that act from the start.
+// Peak-to-peak motion of each sensor axis, m, under the unbalances that act from the start.
 Eigen::VectorXd moved(Model m, const LinearLoop& loop, double speed, const Eigen::MatrixXd& seen) {
   std::erase_if(m.unbalances, [](const DiscUnbalance& u) { return u.on > 0.0; });
   if (speed == 0.0) return Eigen::VectorXd::Zero(seen.cols());
@@ -114,7 +115,7 @@ Eigen::MatrixXcd LoopResponse::controls(double w) const {
     return at == working_.end() ? Eigen::Index{-1} : 2 * (at - working_.begin()) + port % 2;
   };
   for (const SampledFeedback& s : model_.samplers) {
-    // C (z - A)^-1 B + D at z = e^{i w T}, held over T and late by the delay.
+    // C (z - A)^-1 B + D at z = e^{i w T}, with hold over T and the delay.
     const LinearController& law = s.law;
     const std::complex<double> turn(0.0, w * s.sample_time), z = std::exp(turn);
     Eigen::MatrixXcd answer = law.d.cast<std::complex<double>>();
@@ -138,7 +139,7 @@ Eigen::MatrixXcd LoopResponse::controls(double w) const {
   return h;
 }
 
-// The sensors under forces of one frequency, without controls.
+// Sensor signals under forces of one frequency, with the controls open.
 Eigen::MatrixXcd LoopResponse::open(double w, const Eigen::MatrixXcd& force) const {
   Eigen::MatrixXcd z = stiffness_.cast<std::complex<double>>() +
                        std::complex<double>(0.0, w) * damping_.cast<std::complex<double>>();

@@ -1,13 +1,13 @@
-// What holds a rotor in magnetic bearings, as a linear loop: its poles, and the sensitivity of each
-// of its axes (ISO 14839-3),
+// Magnetic levitation of a rotor as a linear loop: its poles, and the sensitivity of each axis (ISO
+// 14839-3),
 //
-//   S_k = 1 / (1 + L_k),   L_k the open loop of axis k, all others closed;
+//   S_k = 1 / (1 + L_k),   L_k the open loop of axis k with all others closed.
 //
-// it is the k-th diagonal element of (1 + G H)^-1 at the sensors, G the rotor from the currents
-// that the controls ask for to the sensors, H the controls: within their limits, of magnets that
-// pull against each other about the middle, working for ever where they work at some time. A
-// sampled control is looked at below its Nyquist frequency, with its hold and delay; what it folds
-// back from above is left out of S.
+// S_k is the k-th diagonal element of (1 + G H)^-1 at the sensors, where G is the rotor from the
+// commanded currents to the sensors and H the controls. The loop is linearised: no limits, pairs of
+// opposing magnets at their centre, and a bearing that works at some time works always. The
+// sensitivity of a sampled control is evaluated below its Nyquist frequency with its hold and
+// delay; S leaves out aliasing from above.
 #pragma once
 
 #include <Eigen/Core>
@@ -22,35 +22,38 @@
 namespace rotorub {
 
 struct LoopSensitivity {
-  std::size_t bearing;  // among the scene's magnetic bearings
+  std::size_t bearing;  // index among the scene's magnetic bearings
   int axis;             // 0: x, 1: y
-  double peak;          // 1, the most of |S|
-  double frequency;     // rad/s, where
+  double peak;          // maximum of |S|
+  double frequency;     // rad/s, of the maximum
 };
 
-// Of a machine newly commissioned A is accepted, B of one for unrestricted long-term running, C is
-// not for that, D damages: peaks below 3 (9.5 dB), 4 (12 dB), 5 (14 dB), and above.
+// Zone of ISO 14839-3 for the largest |S|: A below 3 (9.5 dB), B below 4 (12 dB), C below 5 (14
+// dB), D above. A newly commissioned machine should be in zone A; B is accepted for unrestricted
+// long-term running, C is not, and D causes damage.
 char sensitivity_zone(double peak);
 
 struct Levitation {
-  std::vector<std::complex<double>> poles;  // loop_poles
+  std::vector<std::complex<double>> poles;  // as from loop_poles
   double sample_time = 0.0;                 // s, T; 0: continuous
-  std::string poles_refused;                // why there are none
+  std::string poles_refused;                // reason if there are no poles
   std::vector<LoopSensitivity> loops;
-  // |S| at some frequencies, rad/s, ascending: loops x frequencies.
+  // |S| at these frequencies (rad/s, ascending), loops x frequencies.
   std::vector<double> frequencies;
   Eigen::MatrixXd sensitivities;
-  // Of a loop that is stable, as the loops: of a step of force, and m, peak to peak, how far each
-  // sensor's axis moves under the unbalances that act from the start (linear_loop.h).
+  // For a stable loop, in the order of `loops`: the response to a step of force, and the
+  // peak-to-peak motion of each sensor axis under the unbalances that act from the start, m
+  // (linear_loop.h).
   std::vector<StepResponse> steps;
   Eigen::VectorXd unbalance;
   bool stable() const { return poles_refused.empty() && !poles.empty() && poles[0].real() < 0.0; }
 };
 
-// At the spin speed `speed` (rad/s). Without feedbacks that work: no loops.
+// Analysis at the spin speed `speed` (rad/s). The result has no loops if no feedback works.
 Levitation levitation(const Model& model, double speed);
 
-// S at a frequency (rad/s, > 0), two ports of each feedback that works, x before y: p x p.
+// S at a frequency (rad/s, > 0) as a p x p matrix, with two ports for each working feedback, x
+// before y.
 class LoopResponse {
  public:
   LoopResponse(const Model& model, double speed);
@@ -58,18 +61,18 @@ class LoopResponse {
   // 1 + G H.
   Eigen::MatrixXcd return_difference(double frequency) const;
   Eigen::Index ports() const { return into_.cols(); }
-  std::size_t bearing(Eigen::Index port) const;          // among the scene's
-  const Eigen::MatrixXd& seen() const { return seen_; }  // 2 n x p, of the modes at each sensor
+  std::size_t bearing(Eigen::Index port) const;  // index among the scene's magnetic bearings
+  const Eigen::MatrixXd& seen() const { return seen_; }  // 2 n x p, mode values at each sensor
 
  private:
   Eigen::MatrixXcd controls(double frequency) const;
   Eigen::MatrixXcd open(double frequency, const Eigen::MatrixXcd& force) const;
 
   Model model_;
-  std::vector<std::size_t> working_;  // among the model's feedbacks
-  Eigen::VectorXd mass_;              // of bending, as in LinearParts
+  std::vector<std::size_t> working_;  // indices of the model's feedbacks
+  Eigen::VectorXd mass_;              // bending modes, as in LinearParts
   Eigen::MatrixXd damping_, stiffness_;
-  Eigen::MatrixXd into_, seen_;  // 2 n x p: force of each port's ampere; its sensor
+  Eigen::MatrixXd into_, seen_;  // 2 n x p: modal force per ampere; mode values at the sensor
 };
 
 }  // namespace rotorub

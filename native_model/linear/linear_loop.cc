@@ -48,10 +48,10 @@ LinearLoop linear_loop(const Model& m, double speed) {
 
 std::optional<std::vector<std::complex<double>>> loop_poles(const LinearLoop& loop) {
   if (loop.every == 0.0) return real_eigenvalues(loop.form.a);
-  // Of one sample, from before it to before the next: S first, then e^{A T}.
+  // Map over one sample, from just before it to just before the next: S first, then e^{A T}.
   const auto values = real_eigenvalues(matrix_exp(loop.form.a * loop.every) * loop.sample);
   if (!values) return std::nullopt;
-  constexpr double kNothing = 1e-6;  // z of what has ended within a sample, but for round-off
+  constexpr double kNothing = 1e-6;  // |z| below this is round-off: motion that ends in one sample
   std::vector<std::complex<double>> poles;
   for (const std::complex<double>& z : *values) {
     if (std::abs(z) > kNothing) poles.push_back(std::log(z) / loop.every);

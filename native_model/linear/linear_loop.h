@@ -1,8 +1,8 @@
-// Magnetic bearings with all that their controls remember as one linear loop: within the limits of
-// currents and voltages, of magnets that pull against each other about the middle. In linear states
-// x, of a sampled control from sample to sample,
+// Magnetic bearings and all states of their controls as one linear loop: without limits of current
+// and voltage, and for pairs of opposing magnets linearised at their centre. In linear states x
+// (for a sampled control, from sample to sample)
 //
-//   x' = A x between samples,   x+ = S x at each.
+//   x' = A x between samples,   x+ = S x at each sample.
 #pragma once
 
 #include <Eigen/Core>
@@ -16,35 +16,37 @@
 
 namespace rotorub {
 
-// Within its limits, with bearings that work for ever where they work at some time.
+// The model with linear feedback, without limits and bearing offsets. Each magnetic bearing that
+// works at some time works always.
 Model always_working(Model model);
 
-// Why its law is not known, as a sentence; empty: it is.
+// Reason why the loop's law is not known, as a sentence; empty if it is known.
 std::string loop_refusal(const Model& model);
 
 struct LinearLoop {
-  FirstOrderForm form;     // A in units of its own
-  double every = 0.0;      // s, T, between samples; 0: continuous
-  Eigen::MatrixXd sample;  // S in the form's units; empty: continuous
+  FirstOrderForm form;     // A in its own units
+  double every = 0.0;      // s, sample time T; 0: continuous
+  Eigen::MatrixXd sample;  // S in the form's units; empty if continuous
 };
-// At a held spin speed (rad/s). model: always_working, without a refusal (the caller's word).
+// Loop at a held spin speed (rad/s). The caller must pass a model from always_working for which
+// loop_refusal is empty.
 LinearLoop linear_loop(const Model& model, double speed);
 
-// 1/s, by falling real part; nothing: the iteration does not converge. Of a sampled loop ln z / T
-// of those of its step of one sample, without those at z = 0, whose motion ends within a few
-// samples.
+// Poles in 1/s by falling real part; empty if the iteration does not converge. For a sampled loop
+// they are ln z / T, z the eigenvalues over one sample, without those at z = 0, whose motion ends
+// within a few samples.
 std::optional<std::vector<std::complex<double>>> loop_poles(const LinearLoop& loop);
 
-// Q (m, 2 n) of the steady answer q = Re(Q e^{i w t}) to the force Re(f e^{i w t}) on the modes, w
-// > 0 (rad/s), f: N, 2 n; of a stable loop. A sampled control answers at w + 2 pi k / T, too, k any
-// whole number: Q is the part at w. Exact: from before one sample to before the next x goes once
-// around, and between them X = x e^{-i w t} obeys X' = (A - i w) X + B f, so that with P = (i w -
-// A)^-1 B f
+// Complex amplitude Q (m, 2 n) of the steady response q = Re(Q e^{i w t}) of a stable loop to the
+// force Re(f e^{i w t}) on the modes; f in N, 2 n; w > 0 in rad/s. A sampled control also responds
+// at w + 2 pi k / T for every integer k; Q is the component at w. The result is exact: x, taken
+// just before a sample, turns by e^{i w T} until just before the next. Between samples,
+// X = x e^{-i w t} obeys X' = (A - i w) X + B f. With P = (i w - A)^-1 B f,
 //
-//   (e^{i w T} - e^{A T} S) x = (e^{i w T} - e^{A T}) P,   mean of X = P - (i w - A)^-1 (1 - S) x /
-//   T
+//   (e^{i w T} - e^{A T} S) x = (e^{i w T} - e^{A T}) P,
+//   mean of X = P - (i w - A)^-1 (1 - S) x / T.
 //
-// Not finite where the loop without its samples has an undamped resonance.
+// The result is not finite if the loop without its samples has an undamped resonance.
 Eigen::VectorXcd loop_amplitude(const Model& model, const LinearLoop& loop, double w,
                                 const Eigen::VectorXcd& f);
 

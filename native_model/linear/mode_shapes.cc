@@ -13,8 +13,8 @@
 namespace rotorub {
 namespace {
 
-// lines: the modes as the model scales them. The Ritz columns have the same shape, and give the
-// value at any station once they have the same size.
+// lines: the modes as scaled in the model. The Ritz columns have the same shape and, once scaled to
+// the same size, give the value at any station.
 PlaneShapes plane_shapes(const PlaneModes& plane, const Eigen::MatrixXd& lines,
                          const Eigen::VectorXd& z, const BendingBasis& basis,
                          const Eigen::MatrixXd& columns, const std::vector<Station>& stations) {
@@ -35,7 +35,8 @@ PlaneShapes plane_shapes(const PlaneModes& plane, const Eigen::MatrixXd& lines,
 
 using Complex = std::complex<double>;
 
-// r_+' and r_-' of a whirl, which have its shape, in the system's coordinates: its own turn first.
+// r_+' and r_-' of a whirl, which have its shape, in the system's coordinates; `own` has the sense
+// of the whirl.
 struct Turns {
   Eigen::VectorXcd own, other;
 };
@@ -43,14 +44,14 @@ struct Turns {
 Turns turns_of(const WhirlSystem& system, const Whirl& whirl) {
   const Eigen::Index n = system.size();
   if (system.isotropic) return {whirl.rates, Eigen::VectorXcd::Zero(n)};
-  // Of the complex pair the one with Im s > 0: x' = Re(x^ e^{st}), y' alike.
+  // The member of the complex pair with Im s > 0: x' = Re(x^ e^{st}), and y' likewise.
   const Complex i(0.0, 1.0);
   const Eigen::VectorXcd plus = 0.5 * (whirl.rates.head(n) + i * whirl.rates.tail(n));
   const Eigen::VectorXcd minus = 0.5 * (whirl.rates.head(n) - i * whirl.rates.tail(n));
   return whirl.s.imag() > 0.0 ? Turns{plus, minus} : Turns{minus, plus};
 }
 
-// Larger half-axes, with the sign of the own turn's part in phase with `phase`.
+// Major semi-axes, with the sign of the component of `own` in phase with `phase`.
 Eigen::VectorXd signed_axes(const Eigen::VectorXcd& own, const Eigen::VectorXcd& other,
                             Complex phase) {
   Eigen::VectorXd axes(own.size());

@@ -10,7 +10,7 @@
 namespace rotorub {
 namespace {
 
-// The most of f over a period, looked at so often and then closer where it is highest.
+// Maximum of f over a period, from `looks` samples and a closer search around the highest.
 template <class F>
 double largest_of(const F& f, double period, int looks) {
   const double spacing = period / looks;
@@ -30,8 +30,8 @@ double largest_of(const F& f, double period, int looks) {
   return std::max(most, f(0.5 * (low + high)));
 }
 
-// rad/s: all parts turn at whole multiples of it; nothing: there is none, or it is that of a single
-// part.
+// Frequency in rad/s of which all parts are whole multiples; empty if there is none or fewer than
+// two parts.
 std::optional<double> base(const std::vector<OrbitPart>& turning) {
   if (turning.size() < 2) return {};
   for (int divisor = 1; divisor <= OrbitSize::kHighest; ++divisor) {

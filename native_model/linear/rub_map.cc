@@ -10,7 +10,7 @@
 namespace rotorub::rub {
 namespace {
 
-// Without load the free rotor stands in the middle; of loads of several frequencies it draws no
+// Radius of the free orbit: 0 without load; empty with several frequencies, as the orbit is not a
 // circle.
 std::optional<double> orbit_of(const RubSystem& system, const std::vector<RotatingLoad>& loads) {
   if (loads.empty()) return 0.0;

@@ -1,5 +1,5 @@
-// Which lasting rubs there are at a spin speed and a friction, which of them are stable, and what
-// may coexist.
+// The lasting rubs that exist at a spin speed and a friction coefficient, which of them are stable,
+// and which attractors may coexist.
 #pragma once
 
 #include <functional>
@@ -12,7 +12,7 @@
 
 namespace rotorub::rub {
 
-// What the motion can end in, as bits of a set.
+// Attractors of the motion, as bits of a set.
 enum Attractor : unsigned { kFreeOrbit = 1, kForcedRub = 2, kBackwardWhip = 4, kRollingRub = 8 };
 
 struct StandingRub {
@@ -23,19 +23,21 @@ struct StandingRub {
 struct RubPoint {
   double speed = 0.0;  // rad/s, Omega
   FrictionLaw friction{};
-  double clearance = 0.0;       // m, delta_0
-  std::optional<double> orbit;  // m, free rotor at the contact; none: loads of several frequencies
-  Stability free;               // of the rotor without contact
+  double clearance = 0.0;  // m, delta_0
+  // m, radius of the free orbit at the contact; empty with loads of several frequencies.
+  std::optional<double> orbit;
+  Stability free;                 // of the rotor without contact
   std::vector<StandingRub> rubs;  // forced by falling force, whips by rising |whirl|, rolling
   std::vector<std::pair<double, double>> rolling_ranges;  // rad/s, |whirl| (steady_rub.h)
 
-  // Stable ones: the free orbit within the clearance, and each kind of rub of which one is stable.
+  // The stable attractors: the free orbit if it lies within the clearance, and each kind of rub
+  // with a stable solution.
   unsigned attractors() const;
-  // Of the kind: the first stable one, else the first; null where there is none.
+  // The first stable rub of this kind, else the first of this kind, else null.
   const StandingRub* leading(RubKind kind) const;
 };
 
-// A rotor at one spin speed: what does not depend on friction is computed once.
+// A rotor at one spin speed. Everything that does not depend on friction is computed once.
 class RubStudy {
  public:
   // Throws RotorNotSolvable (rotor/refusal.h).
@@ -53,47 +55,48 @@ class RubStudy {
 
 struct RubMap {
   std::vector<double> speeds, frictions;  // rad/s; 1
-  std::vector<RubPoint> points;           // the friction runs fastest
+  std::vector<RubPoint> points;           // friction varies fastest
   const RubPoint& at(std::size_t speed, std::size_t friction) const {
     return points[speed * frictions.size() + friction];
   }
 };
 
-// The system at each of the speeds (at_speed); progress: the share done, once a speed, may throw.
+// Studies the system at each speed (at_speed). progress is called with the fraction done before
+// each speed and may throw.
 RubMap rub_map(const RubSystem& system, const std::vector<double>& speeds,
                const std::vector<double>& frictions,
                const std::function<void(double share)>& progress = {});
 
-// What cross-coupled feedback (control/ring_feedback.h) does to the rub that lasts: a rule for
-// k(Omega). At each spin speed and k the forced rub of the scene's friction is found with the
-// ring's closed loop in it, and its least stable pair. The k under which that pair decays fastest
-// is the rule; where no rub lasts there is no rule.
+// Effect of cross-coupled feedback (control/ring_feedback.h) on the forced rub, and a rule for
+// k(Omega). At each spin speed and k, the forced rub at the scene's friction is computed with the
+// ring's closed loop, together with its least stable pair. The rule takes the k at which that pair
+// decays fastest; without a stable forced rub there is no rule.
 struct FeedbackPoint {
   double speed = 0.0;                  // rad/s, Omega
   double feedback = 0.0;               // N s/m, k
-  std::optional<Stability> forced;     // of the forced rub; nothing: none lasts
-  std::optional<double> normal_force;  // N, of it
-  bool whip = false;                   // a stable backward whip or rolling exists beside it
+  std::optional<Stability> forced;     // of the forced rub; empty if there is none
+  std::optional<double> normal_force;  // N, of the forced rub
+  bool whip = false;                   // whether a stable backward whip or rolling exists beside it
 };
 
-// What the rule says at a speed.
+// The rule at one speed.
 struct FeedbackChoice {
-  const FeedbackPoint* point;  // of the k of the grid whose forced rub decays fastest
-  double from, to;             // N s/m, the stretch of the grid about it that is stable throughout
+  const FeedbackPoint* point;  // the k on the grid at which the forced rub decays fastest
+  double from, to;             // N s/m, the range of the grid around it that is stable throughout
 };
 
 struct FeedbackMap {
   std::vector<double> speeds, feedbacks;  // both ascending
-  std::vector<FeedbackPoint> points;      // the feedback runs fastest
+  std::vector<FeedbackPoint> points;      // feedback varies fastest
   const FeedbackPoint& at(std::size_t speed, std::size_t feedback) const {
     return points[speed * feedbacks.size() + feedback];
   }
-  // Of the speeds; nothing where no forced rub is stable. Lives as long as the map.
+  // The rule at each speed; empty where no forced rub is stable. Points into the map.
   std::vector<std::optional<FeedbackChoice>> rule() const;
 };
 
-// Asserts a ring. Its coupling is replaced. progress: the share done, once a speed, may throw.
-// Throws RotorNotSolvable.
+// system must have a ring (asserted); its coupling is replaced. progress is called with the
+// fraction done before each speed and may throw. Throws RotorNotSolvable.
 FeedbackMap feedback_map(const RubSystem& system, const std::vector<double>& speeds,
                          const std::vector<double>& feedbacks,
                          const std::function<void(double share)>& progress = {});

@@ -12,7 +12,7 @@
 namespace rotorub::rub {
 namespace {
 
-// [Re A, -Im A; Im A, Re A]: A on (Re y, Im y).
+// [Re A, -Im A; Im A, Re A], the action of A on (Re y, Im y).
 Eigen::MatrixXd real_form(const Eigen::MatrixXcd& A) {
   const Eigen::Index n = A.rows();
   Eigen::MatrixXd R(2 * n, 2 * n);
@@ -25,7 +25,7 @@ Eigen::VectorXd real_form(const Eigen::VectorXcd& a) {
   return r;
 }
 
-// The inertial frame's D + N - i Omega G, N s/m, and K - i Omega N, N/m, n x n.
+// D + N - i Omega G, N s/m, and K - i Omega N, N/m, in the inertial frame, n x n.
 Eigen::MatrixXcd rotor_rates(const RubSystem& s) {
   return (s.damping + s.internal).cast<Complex>() - (kI * s.speed) * s.gyroscopic.cast<Complex>();
 }
@@ -33,7 +33,8 @@ Eigen::MatrixXcd rotor_springs(const RubSystem& s) {
   return s.stiffness.cast<Complex>() - (kI * s.speed) * s.internal.cast<Complex>();
 }
 
-// (a, b) together: masses, rates and springs in the turning frame, and c^T a - b = normal^T (a, b).
+// Rotor and ring (a, b) together: masses, rates and springs in the rotating frame, and
+// c^T a - b = normal^T (a, b).
 struct Joint {
   Eigen::VectorXd mass, normal;
   Eigen::MatrixXcd rates, springs;
@@ -83,7 +84,7 @@ Perturbation perturbation(const RubSystem& s, const SteadyRub& rub) {
   Perturbation p{
       Eigen::MatrixXd::Zero(2 * n, 2 * n), real_form(j.rates), real_form(j.springs), {}, {}};
   p.mass.diagonal() << j.mass, j.mass;
-  if (rub.rolls()) {  // c^T a = b, and the force points anywhere
+  if (rub.rolls()) {  // c^T a = b, and the force may point anywhere
     p.constraint = Eigen::MatrixXd::Zero(2, 2 * n);
     p.constraint.row(0).head(n) = j.normal;
     p.constraint.row(1).tail(n) = j.normal;
@@ -94,7 +95,7 @@ Perturbation perturbation(const RubSystem& s, const SteadyRub& rub) {
   p.constraint.row(0).head(n) = j.normal;
   const Eigen::VectorXcd push = Complex(1.0, rub.friction) * j.normal.cast<Complex>();
   p.push = real_form(push);
-  // The force turns with the contact: eps = Im(c^T a - b) / delta_0.
+  // The force turns with the contact direction: eps = Im(c^T a - b) / delta_0.
   p.springs.rightCols(n) += (rub.normal_force / s.clearance) *
                             real_form(Eigen::VectorXcd(kI * push)) * j.normal.transpose();
   p.rates.bottomRightCorner(n, n) += slip_damping(s, rub) * j.normal * j.normal.transpose();
@@ -113,7 +114,8 @@ std::vector<Complex> eigenvalues(const Perturbation& p) {
   // On the constraint: u = Z w, and l = -(C F)^-1 C (K u + B u').
   const Eigen::MatrixXd Z = orthogonal_complement(C.transpose());
   const Eigen::MatrixXd met = C * F;
-  // Unbalance makes friction move the normal: beyond some friction the force would pull (Painleve).
+  // With a free spin, unbalance lets friction accelerate the contact along its normal: beyond some
+  // friction the contact force would have to pull (Painleve).
   if (!(lu_determinant(met) > 0.0)) throw RotorNotSolvable(kNotFound);
   const Eigen::MatrixXd along = Z.transpose() - (Z.transpose() * F) * lu_inverse(met) * C;
   const Eigen::MatrixXd rates = along * B * Z, springs = along * K * Z;

@@ -31,7 +31,7 @@ bool crosses(const scene::Controller& c) {
          c.kind == scene::ControllerKind::kTwoPhase;
 }
 
-// Refuses the scene at a key where `so`.
+// Refuses the scene at `key` if `so`.
 struct Checks {
   const scene::Scene& scene;
   void operator()(bool so, const std::string& key, const std::string& why) const {
@@ -39,7 +39,7 @@ struct Checks {
   }
 };
 
-// Linear: it works without a limit for ever, or has failed.
+// Requires a linear law: it works always and without limits, or has failed.
 void check_feedback(const Checks& check, std::size_t bearing,
                     const scene::MagneticBearing& magnetic) {
   const scene::BearingControl& control = *magnetic.control;
@@ -69,7 +69,7 @@ void check_feedback(const Checks& check, std::size_t bearing,
             path + "fails_at = 0");
 }
 
-// What the scene itself shows.
+// Checks that need only the scene.
 void check(const scene::Scene& scene) {
   const Checks check{scene};
   const scene::AuxiliaryBearing& first = scene.first();
@@ -147,7 +147,7 @@ bool same_planes(const Model& m) {
 
 void add_loads(const Model& model, RubSystem& system) {
   for (const AppliedForce& f : model.forces) {
-    // One in step with the spin, which is held here.
+    // A synchronous force has the frequency of the spin, which is held here.
     const bool locked = f.kind == scene::ForceKind::kSynchronous;
     if (f.kind != scene::ForceKind::kRotating && !locked) continue;
     const double phase = locked ? f.phase + model.spin_angle : f.phase;
@@ -176,7 +176,7 @@ RubSystem rub_system(const scene::Scene& scene) {
   system.mass = model.mass.head(n);
   system.internal = model.internal_xx.dense(n);
   system.gyroscopic = model.gyroscopic.dense(n);
-  // At rest nothing goes from one plane to the other; rotating damping is kept by itself.
+  // At rest nothing couples the planes; rotating damping is stored separately.
   Model resting = model;
   resting.internal_xx = resting.internal_xy = resting.internal_yy = {};
   const LinearParts parts = linear_parts(resting, 0.0);

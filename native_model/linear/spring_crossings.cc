@@ -26,10 +26,10 @@ std::optional<SpringCrossings> SpringCrossings::of(const Eigen::MatrixXd& stiffn
   return crossings;
 }
 
-// Of diag(d) + W diag(f) W^T. S is scaled by the roots of |f|, so that a spring that hardly changed
-// does not drown the others in round-off.
+// Negative eigenvalues of diag(d) + W diag(f) W^T. S is scaled by the square roots of |f|, so that
+// a spring that hardly changed does not lose the others in round-off.
 Eigen::Index SpringCrossings::negatives(const Eigen::ArrayXd& d, const Eigen::VectorXd& f) const {
-  // On a critical speed of the reference itself D is singular: a bit beside it it is not.
+  // At a critical speed of the reference itself D is singular; a small offset avoids this.
   constexpr double kBeside = std::numeric_limits<double>::epsilon();
   const Eigen::ArrayXd held = (d.abs() < kBeside).select(kBeside, d);
   Eigen::Index count = (held < 0.0).count();
@@ -51,8 +51,8 @@ Eigen::Index SpringCrossings::below(double speed) const {
 }
 
 bool SpringCrossings::once_between(double a, double b) const {
-  // F - s F' / 2 is a cubic there: between so many samples it goes beyond them by less than a
-  // twentieth of their range (Markov's bound of its second derivative).
+  // F - s F' / 2 is a cubic in the interval. Between so many samples it exceeds them by less than a
+  // twentieth of their range (Markov's bound on its second derivative).
   constexpr int kSamples = 16;
   constexpr double kBeyond = 0.05, kSlope = 1e-4;
   const double h = kSlope * (b - a);
@@ -65,7 +65,7 @@ bool SpringCrossings::once_between(double a, double b) const {
     high = k > 0 ? high.cwiseMax(q).eval() : q;
     softest = k > 0 ? softest.cwiseMin(F).eval() : F;
   }
-  // And K itself is positive definite, as the counts ask.
+  // K itself must be positive definite as well, as the count requires.
   const Eigen::VectorXd least = (low - kBeyond * (high - low)).cwiseMin(softest);
   return negatives(Eigen::ArrayXd::Ones(mu_.size()), least - at_) == 0;
 }

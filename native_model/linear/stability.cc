@@ -1,4 +1,4 @@
-// From which spin speed on a whirl grows.
+// Ranges of spin speed in which a whirl grows.
 
 #include <algorithm>
 #include <cmath>
@@ -19,7 +19,7 @@ namespace {
 
 using Complex = std::complex<double>;
 
-// |s| below this share of the highest is a rigid mode: what it has is round-off.
+// Modes with |s| below this share of the largest are rigid: their real part is round-off.
 constexpr double kRigid = 1e-7;
 constexpr double kGrows = 1e-9;  // of |s|: beyond the round-off of an undamped mode
 
@@ -31,8 +31,8 @@ double highest(const std::vector<Complex>& values) {
 
 double growth_of(const Complex& s) { return s.real() / std::abs(s); }
 
-// Nothing can grow: no rotating damping, no oil film, and no negative stiffness left in either
-// plane.
+// Whether nothing can grow: no rotating damping, no oil film, and no negative net stiffness in
+// either plane.
 bool passive(const WhirlSystem& system) {
   const auto holds = [](const Eigen::MatrixXd& K) {
     constexpr double kRoundOff = 1e-14;
@@ -44,11 +44,11 @@ bool passive(const WhirlSystem& system) {
          holds(system.stiffness_y);
 }
 
-// The kept modes at a speed, rigid ones left out.
+// The kept modes at one speed, without the rigid ones.
 struct Sample {
-  double speed = 0.0;      // rad/s, its size
-  std::vector<Complex> s;  // of planes that differ Im s >= 0: a mode may change its sense
-  double growth = -1.0;    // largest Re s / |s|: > 0 where one grows
+  double speed = 0.0;      // rad/s, absolute value
+  std::vector<Complex> s;  // anisotropic planes: Im s >= 0, since a mode may change its sense
+  double growth = -1.0;    // largest Re s / |s|, > 0 if a mode grows
   bool grows() const { return growth > kGrows; }
 };
 
@@ -68,7 +68,7 @@ class StabilitySearch {
     return sample;
   }
 
-  // The first speed in (a, b] at which one grows; none does at a.
+  // The first speed in (a, b] at which a mode grows; none grows at a.
   std::optional<double> first_growth(const Sample& a, const Sample& b, int depth = 0) const {
     constexpr int kDeepest = 20;  // a window of 1e-6 of the interval
     const std::vector<Pair> pairs = matched(a, b);
@@ -85,7 +85,7 @@ class StabilitySearch {
  private:
   using Pair = std::pair<Complex, Complex>;  // a mode at both ends of an interval
 
-  // Each mode of a with the nearest one of b that no other is nearer to.
+  // Pairs of modes of a and b, nearest first; each mode is used once.
   static std::vector<Pair> matched(const Sample& a, const Sample& b) {
     struct Candidate {
       double distance;
@@ -108,8 +108,9 @@ class StabilitySearch {
     return pairs;
   }
 
-  // The share of the interval to divide it at: where first two whirls have the same frequency, as
-  // there they may drive each other, but not at its ends, which are known; else the middle.
+  // Fraction of the interval at which to divide it: the first speed where two whirls have the same
+  // frequency, since they may drive each other there, but not close to the ends, which are known;
+  // otherwise the middle.
   static double dividing(const std::vector<Pair>& pairs) {
     constexpr double kEnd = 0.02;
     double share = 1.0;
@@ -125,9 +126,10 @@ class StabilitySearch {
     return share < 1.0 ? share : 0.5;
   }
 
-  // A mode's damping may come to 0 between two neighbours of a, m, b, the left or the right ones:
-  // its growth at m stands off the straight line from a to b by e, and their parabola goes no
-  // higher than e above the higher end. Where one grows at b: before it does.
+  // Whether a mode's damping may reach 0 in the left or right part of the interval a, m, b. The
+  // mode's growth at m deviates by e from the straight line from a to b; their parabola rises at
+  // most e above the higher end. If a mode grows at b, the right part is searched only for earlier
+  // growth.
   static bool may_grow(const std::vector<Pair>& pairs, const Sample& a, const Sample& m,
                        const Sample& b, bool left) {
     const double share = (m.speed - a.speed) / (b.speed - a.speed);
@@ -147,7 +149,8 @@ class StabilitySearch {
   }
 
  public:
-  // The first speed in (a, b] at which none grows; one does at a. Looked at are the thirds.
+  // The first speed in (a, b] at which no mode grows; one grows at a. Samples the thirds of the
+  // interval.
   std::optional<std::pair<double, Sample>> first_recovery(const Sample& a, const Sample& b) const {
     constexpr int kParts = 3;
     Sample grows = a;
@@ -163,10 +166,10 @@ class StabilitySearch {
   }
 
  private:
-  // Zero of growth between a stable and an unstable speed, from the unstable side.
+  // Zero of growth between a stable and an unstable speed, returned from the unstable side.
   double crossing(const Sample& before, const Sample& after) const {
     constexpr double kAccuracy = 1e-10;
-    // Beside a mode without damping: where one leaves round-off.
+    // Next to an undamped mode the threshold is the round-off level.
     const double none = before.growth > -kGrows ? kGrows : 0.0;
     const auto excess = [&](double speed) { return at(speed).growth - none; };
     const bool rising = before.speed < after.speed;
@@ -193,7 +196,7 @@ double stability_bound(const WhirlSystem& system) {
 
 namespace {
 
-// first_alone: only where the first range begins, for the threshold.
+// first_alone: stop at the start of the first range, for the threshold.
 std::vector<UnstableRange> ranges_of(const WhirlSystem& system, double sense, bool first_alone) {
   const double bound = stability_bound(system);
   if (std::isinf(bound)) return {};

@@ -14,15 +14,15 @@
 namespace rotorub {
 namespace {
 
-// Where a ring under `weight` (N) comes to rest on its balls and its spring, m: where its energy is
-// least, which is convex, by Newton's method with steps that are halved until it falls.
+// Rest position of a ring under `weight` (N) on its ball bearings and its spring, m: the minimum of
+// its convex energy, found by Newton's method with steps halved until the residual force falls.
 Eigen::Vector2d at_rest_on_balls(const BallBearingLaw& balls, const Eigen::Vector2d& stiffness,
                                  const Eigen::Vector2d& weight) {
   const auto force = [&](const Eigen::Vector2d& r) -> Eigen::Vector2d {
     return weight - stiffness.cwiseProduct(r) + balls.force(r);
   };
   if (weight.isZero(0.0)) return {0.0, 0.0};
-  // Out of the play along the weight, to where it is held.
+  // Leave the play along the weight until the ring is held.
   Eigen::Vector2d place = 1e-9 * weight.normalized(), pull = weight;
   while (force(place).dot(weight) > 0.0) place *= 2.0;
   for (int round = 0; round < 200; ++round) {
@@ -44,7 +44,7 @@ Eigen::Vector2d at_rest_on_balls(const BallBearingLaw& balls, const Eigen::Vecto
   return place;
 }
 
-// The same on the magnets of its actuator.
+// Rest position of a ring on the magnets of its actuator, m.
 Eigen::Vector2d ring_on_magnets(const scene::Scene& scene, const AuxiliaryBearing& at,
                                 const Eigen::Vector2d& stiffness, const Eigen::Vector2d& weight) {
   const ForceLaw& law = *at.magnets->law;
@@ -64,7 +64,7 @@ Eigen::Vector2d ring_on_magnets(const scene::Scene& scene, const AuxiliaryBearin
       const Eigen::Vector2d h = kStep * Eigen::Vector2d::Unit(k);
       slope.col(k) = (force(place - h) - force(place + h)) / (2.0 * kStep);
     }
-    // Held: -dF/dq is positive definite; it is symmetric.
+    // The ring is held if -dF/dq, which is symmetric, is positive definite.
     if (slope.trace() <= 0.0 || slope.determinant() <= 0.0) break;
     const Eigen::Vector2d change = slope.inverse() * force(place);
     place += change;
@@ -74,7 +74,7 @@ Eigen::Vector2d ring_on_magnets(const scene::Scene& scene, const AuxiliaryBearin
   refuse_steady(scene, pulled);
 }
 
-// When another set of loads has come to act in full, s; 0 first.
+// Times at which another set of loads acts in full, s; 0 first.
 std::vector<double> changes(const Model& m) {
   std::vector<double> all{0.0};
   const auto add = [&](double t) {
@@ -91,7 +91,8 @@ std::vector<double> changes(const Model& m) {
   return all;
 }
 
-// With the loads of t as those of 0: those that rise then have risen, and pulses pass.
+// The model with the loads of time t moved to time 0: those that begin to rise then have risen, and
+// pulses are over.
 Model with_loads_of(Model m, double t) {
   for (AppliedForce& f : m.forces) {
     f.on -= t;
@@ -148,7 +149,7 @@ RingRest ring_at_rest(const scene::Scene& scene, const Model& m, const Auxiliary
                   ? at_rest_on_balls(*support->law.balls, stiffness, weight)
                   : hang(weight, stiffness, "ring");
   if (at.housing == kAbsent) return rest;
-  // It carries the ring; the diagonal has the spring between the two as well.
+  // The housing carries the ring; its diagonal entry also contains the spring between the two.
   const Eigen::Vector2d to_base = m.stiffness.segment<2>(at.housing) - support->stiffness;
   rest.housing = hang(weight + weight_of(at.housing), to_base, "housing");
   rest.ring += rest.housing;
@@ -157,8 +158,8 @@ RingRest ring_at_rest(const scene::Scene& scene, const Model& m, const Auxiliary
 
 FreeResponse free_response(const scene::Scene& scene, Model m, double speed) {
   m.speed = speed;
-  // The model's forces are the scene's but for unbalances (model.cc); what turns with a spin that
-  // is held rotates there.
+  // The model's forces are the scene's forces except unbalances, in the same order (model.cc). At a
+  // held spin speed a synchronous force rotates at that speed.
   auto force = m.forces.begin();
   for (const scene::Force& given : scene.forces) {
     if (given.kind == scene::ForceKind::kUnbalance) continue;
@@ -172,7 +173,7 @@ FreeResponse free_response(const scene::Scene& scene, Model m, double speed) {
   FreeResponse response;
   std::vector<Eigen::Vector2d> middles;
   for (const AuxiliaryBearing& at : m.auxiliary) {
-    // One ring that nothing holds leaves the others their orbits.
+    // If one ring has no support, the other rings keep their orbits.
     try {
       middles.emplace_back(ring_at_rest(scene, m, at).ring + at.ring_offset);
       response.orbits.push_back({0.0, {}});
@@ -193,7 +194,8 @@ FreeResponse free_response(const scene::Scene& scene, Model m, double speed) {
         OrbitSize& orbit = motion.orbits[k];
         orbit.centre = -middles[k];
         free.largest = std::max(*free.largest, orbit.largest());
-        // About its mean an orbit goes as far to the one side as to the other.
+        // About its mean an orbit of one frequency extends equally far to both sides; with several
+        // in the ratio of whole numbers the result is an upper bound.
         orbit.centre.setZero();
         std::erase_if(orbit.parts, [](const OrbitPart& part) { return part.frequency == 0.0; });
         free.vibration = std::max(free.vibration, 2.0 * orbit.largest());

@@ -18,15 +18,15 @@ double slip_at(const RubSystem& s, double nu) { return s.radius * s.speed + s.cl
 
 bool finite(const Complex& z) { return std::isfinite(z.real()) && std::isfinite(z.imag()); }
 
-// Where rotor and ring stand under lambda (1 + i tau) and `load`, both in the turning frame.
+// Positions of rotor and ring under lambda (1 + i tau) and `load`, both in the rotating frame.
 void place(const RubSystem& s, const Eigen::VectorXcd& load, SteadyRub& rub) {
   const Complex push = rub.normal_force * Complex(1.0, rub.friction);
   rub.rotor = response(s, rub.whirl, load - push * s.contact.cast<Complex>());
   rub.ring = s.ring ? push / ring_stiffness(s, rub.whirl) : Complex();
 }
 
-// Of a rub that slides as it would on a ring at rest: the speed that friction keeps the ring at,
-// and the slip that is left. False: none is, the ring would catch up.
+// For a rub computed as if the ring were at rest: sets the ring speed that friction sustains and
+// the remaining slip. Returns false if no slip would remain, because the ring would catch up.
 bool turn_ring(const RubSystem& s, SteadyRub& rub) {
   if (!s.ring_turns()) return true;
   if (s.ring->drag == 0.0) return false;
@@ -36,14 +36,15 @@ bool turn_ring(const RubSystem& s, SteadyRub& rub) {
   return rub.slip * before > 0.0;
 }
 
-// lambda >= 0 of |offset + lambda h| = reach, N; offset and reach in m. The larger first.
+// lambda >= 0 of |offset + lambda h| = reach, N, the larger first; offset and reach in m.
 std::vector<double> forces_to(const Complex& offset, const Complex& h, double reach) {
   const double square = std::norm(h), half = (std::conj(offset) * h).real();
-  // (delta_0 - |a|)(delta_0 + |a|): no digits are lost where the free orbit grazes.
+  // Written as (delta_0 - |a|)(delta_0 + |a|), so that no digits are lost when the free orbit
+  // grazes.
   const double bent = std::abs(offset), constant = (bent - reach) * (bent + reach);
   const double discriminant = half * half - square * constant;
   if (!(discriminant >= 0.0) || !(square > 0.0)) return {};
-  // The root without cancellation first; the other by the product of both.
+  // First the root without cancellation; the other follows from the product of both.
   const double sum = -half - std::copysign(std::sqrt(discriminant), half);
   const double first = sum / square, second = sum != 0.0 ? constant / sum : 0.0;
   std::vector<double> forces{std::max(first, second), std::min(first, second)};
@@ -60,7 +61,7 @@ Complex at_contact(const RubSystem& s, const RotatingLoad& load) {
 
 std::vector<double> resonance_points(const std::vector<Complex>& poles, double low, double top) {
   constexpr int kEven = 400;
-  constexpr double kSharpest = 1e-9;  // of a resonance without damping
+  constexpr double kSharpest = 1e-9;  // half-width of an undamped resonance, relative
   std::vector<double> nu;
   for (int k = 0; k <= kEven; ++k) {
     nu.push_back(low * std::pow(top / low, static_cast<double>(k) / kEven));
@@ -124,7 +125,7 @@ std::vector<SteadyRub> forced_rubs(const RubSystem& s, const RotatingLoad& load)
   return rubs;
 }
 
-// ---------------------------------------------------------------- without load, against the spin
+// --------------------------------------------------------------- whip and rolling, without load
 BackwardCompliance::BackwardCompliance(const RubSystem& system)
     : system_(system), sense_(sign(system.speed)) {
   system_.forces.clear();
@@ -153,7 +154,7 @@ double BackwardCompliance::asked(double nu) const {
   return std::atan2(h.imag(), -h.real());
 }
 
-// With Re H < 0, of a function that has these values at nu.
+// Roots with Re H < 0 of a function that takes these values at nu.
 std::vector<double> BackwardCompliance::roots(const std::function<double(double)>& f,
                                               const std::vector<double>& nu,
                                               const std::vector<double>& values) const {
@@ -169,7 +170,7 @@ std::vector<double> BackwardCompliance::roots(const std::function<double(double)
 }
 
 std::vector<double> BackwardCompliance::edges(double mu) const {
-  constexpr double kRoundOff = 1e-13;  // a fold closer to mu is the double root that it is there
+  constexpr double kRoundOff = 1e-13;  // a fold this close to mu counts as its double root
   const double given = std::atan(mu);
   std::vector<double> excess;
   for (const double angle : asked_) {
@@ -183,7 +184,7 @@ std::vector<double> BackwardCompliance::edges(const FrictionLaw& friction) const
   const auto excess = [&](double nu) {
     return asked(nu) - std::atan(friction.at(slip_at(system_, -sense_ * nu)));
   };
-  // About rolling mu changes within the Stribeck speed.
+  // Around rolling, mu changes within the Stribeck speed.
   std::vector<double> nu = nu_, values;
   const double rolling = rolling_pace();
   for (double slip = 8.0; slip > 1e-3; slip *= 0.5) {
@@ -239,7 +240,7 @@ std::vector<SteadyRub> BackwardCompliance::rolling_on_ring(double mu) const {
   if (sense_ == 0.0 || !system_.ring_turns()) return all;
   const double R = system_.ring_radius();
   const auto ring_speed = [&](double nu) { return system_.clearance * (rolling_pace() - nu) / R; };
-  // N m, what friction gives the ring beyond what its drag takes.
+  // Friction torque on the ring minus the torque of its drag, N m.
   const auto balance = [&](double nu) {
     const Complex h = at(nu);
     return R * system_.clearance * h.imag() / std::norm(h) - system_.ring->drag * ring_speed(nu);

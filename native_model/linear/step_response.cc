@@ -12,10 +12,11 @@
 namespace rotorub {
 namespace {
 
-// The maps of (x, f) over h 2^k, k = 0, 1, ..; kWhole of them make up one sample, of a continuous
-// loop a sixteenth of the fastest pole's time.
+// maps_[k] advances (x, f) by h 2^k. maps_[kWhole] is one whole step: one sample, or, for a
+// continuous loop, a sixteenth of 1 / |s| of its fastest pole.
 constexpr int kWhole = 16;
-// Whole steps that are all looked at, 2^kDenseOctaves; then half as many in every octave.
+// The first 2^kDenseOctaves whole steps are all evaluated, then half as many points in every
+// octave.
 constexpr int kDenseOctaves = 10;
 constexpr std::int64_t kDense = std::int64_t{1} << kDenseOctaves;
 
@@ -35,18 +36,18 @@ class Flow {
     }
   }
 
-  // A column each port, behind them f = 1.
+  // One column per port: x = 0, followed by f = 1.
   Eigen::MatrixXd start() const {
     Eigen::MatrixXd x = Eigen::MatrixXd::Zero(maps_[0].rows(), maps_[0].rows() - states_);
     x.bottomRows(x.cols()).setIdentity();
     return x;
   }
-  // Over 2^octave whole steps.
+  // Map over 2^octave whole steps.
   const Eigen::MatrixXd& map(int octave) const {
     return maps_[static_cast<std::size_t>(kWhole + octave)];
   }
   double time(std::int64_t steps) const { return static_cast<double>(steps) * whole(); }
-  // After so many whole steps.
+  // (x, f) after this number of whole steps.
   Eigen::VectorXd at(std::int64_t steps, Eigen::Index port) const {
     Eigen::VectorXd x = start().col(port);
     for (std::size_t k = kWhole; steps != 0; steps /= 2, ++k) {
@@ -54,8 +55,7 @@ class Flow {
     }
     return x;
   }
-  // Where row . x = level, between so many whole steps and 2^octave later: s, and x there, found by
-  // halves.
+  // Finds by bisection where row . x = level between `steps` whole steps and 2^octave later.
   struct Met {
     double t;
     Eigen::VectorXd x;
@@ -84,7 +84,7 @@ class Flow {
   std::vector<Eigen::MatrixXd> maps_;
 };
 
-// Force in, deflection and its rate out, two ports of each feedback that works, in a form's units.
+// Force input, deflection and its rate for two ports of each working feedback, in the form's units.
 struct Ports {
   Eigen::MatrixXd input, deflection, rate;
 };
@@ -111,7 +111,7 @@ Ports ports_of(const Model& m, const FirstOrderForm& form) {
   return ports;
 }
 
-// Instants that are looked at, in whole steps, and how many octaves of them lie to the next.
+// Instants to evaluate, in whole steps; the interval to the next is 2^octave of them.
 struct Grid {
   std::vector<std::int64_t> steps;
   std::vector<int> octave;
@@ -136,11 +136,11 @@ Grid grid_of(const Flow& flow, const Eigen::MatrixXd& deflection, int octaves) {
   return grid;
 }
 
-// One port's figures. deflection, rate: rows of (x, f).
+// Results of one port. deflection, rate: rows that act on (x, f).
 StepResponse read(const Flow& flow, const Grid& grid, Eigen::Index port,
                   const Eigen::RowVectorXd& deflection, const Eigen::RowVectorXd& rate,
                   double steady) {
-  constexpr double kScatter = 1e-9;  // of the largest: nothing stays, nothing is beyond
+  constexpr double kScatter = 1e-9;  // of the largest: smaller steady values are round-off
   const Eigen::RowVectorXd y = grid.y.row(port);
   const auto steps = [&](Eigen::Index k) { return grid.steps[static_cast<std::size_t>(k)]; };
   const auto crossing = [&](const Eigen::RowVectorXd& row, double level, Eigen::Index k) {
@@ -152,7 +152,7 @@ StepResponse read(const Flow& flow, const Grid& grid, Eigen::Index port,
   if (std::abs(steady) > kScatter * seen) r.steady = steady;
   r.largest = r.steady;
   if (seen > (1.0 + kScatter) * std::abs(r.steady) && most > 0 && most + 1 < y.size()) {
-    // Before it the deflection still grows, or it has just begun to come back.
+    // Before the sampled maximum the deflection still grows; after it, it has begun to return.
     const bool grows = rate.dot(flow.at(steps(most), port)) * y[most] > 0.0;
     const Flow::Met top = crossing(rate, 0.0, grows ? most : most - 1);
     r.largest = deflection.dot(top.x);
@@ -184,7 +184,7 @@ StepResponse read(const Flow& flow, const Grid& grid, Eigen::Index port,
 std::vector<StepResponse> step_responses(const Model& m, const LinearLoop& loop,
                                          const std::vector<std::complex<double>>& poles) {
   constexpr double kEnds = 12.0;  // e^-12 of the slowest motion is left at the end
-  constexpr int kMost = 45;       // octaves, which no loop but one that hardly stands needs
+  constexpr int kMost = 45;       // octaves; only a nearly unstable loop needs so many
   double fastest = 0.0, slowest = std::numeric_limits<double>::infinity();
   for (const std::complex<double>& s : poles) {
     fastest = std::max(fastest, std::abs(s));
@@ -197,7 +197,7 @@ std::vector<StepResponse> step_responses(const Model& m, const LinearLoop& loop,
   const Ports ports = ports_of(m, loop.form);
   const Flow flow(loop, ports.input, whole, octaves);
   const Grid grid = grid_of(flow, ports.deflection, octaves);
-  // What stays: x = M x + g.
+  // Steady state: x = M x + g.
   const Eigen::Index n = loop.form.a.rows(), p = ports.input.cols();
   const Eigen::MatrixXd stays =
       lu_solve(Eigen::MatrixXd::Identity(n, n) - flow.map(0).topLeftCorner(n, n),

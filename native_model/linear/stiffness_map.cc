@@ -17,7 +17,7 @@ namespace {
 
 double sense_of(const scene::Scene& scene) { return scene.rotor.speed < 0.0 ? -1.0 : 1.0; }
 
-// at(factor, map): what belongs to so many times the own stiffness.
+// at(factor, map) computes the entry at `factor` times the scene's own stiffness.
 template <class At>
 StiffnessMap map_over(StiffnessMap map, const At& at) {
   constexpr int kEachWay = 24, kDecades = 3;
@@ -27,7 +27,7 @@ StiffnessMap map_over(StiffnessMap map, const At& at) {
     try {
       at(factor, map);
     } catch (const RotorNotSolvable&) {
-      // Springs beyond what the matrices bear.
+      // Such springs are beyond the range of the matrices.
     }
     map.critical.resize(map.stiffness.size());
     if (!map.ring.empty()) map.ring.resize(map.stiffness.size());
@@ -35,15 +35,15 @@ StiffnessMap map_over(StiffnessMap map, const At& at) {
   return map;
 }
 
-// ------------------------------------------------------------------ what holds the rotor
-// The springs, those of magnets that sense elsewhere and across the planes too, bear the rotor at
-// rest.
+// ------------------------------------------------------------------ supports of the rotor
+// Whether all springs, including magnets that sense elsewhere and coupling across the planes, hold
+// the rotor at rest.
 bool stands(const WhirlSystem& system) {
   const auto values = real_eigenvalues(planes_matrices(system, 0.0).stiffness);
   return values && std::ranges::all_of(*values, [](auto s) { return s.real() > 0.0; });
 }
 
-// harder(scene, factor).
+// harder(scene, factor) scales the stiffness in the scene.
 template <class Harder>
 StiffnessMap map_of_scenes(StiffnessMap::Of of, double own, const scene::Scene& scene,
                            const Harder& harder) {
@@ -72,7 +72,7 @@ void add_bearings(const scene::Scene& scene, std::vector<StiffnessMap>& maps) {
                                }));
 }
 
-// N/m, 0: it holds nothing.
+// Net stiffness, N/m; 0 if the bearing does not hold the rotor.
 double spring_of(const scene::MagneticBearing& b) {
   if (!b.control || !b.control->works()) return 0.0;
   return std::max(0.0, b.force_per_current() * b.control->proportional - b.pull());
@@ -91,14 +91,14 @@ void add_magnets(const scene::Scene& scene, std::vector<StiffnessMap>& maps) {
       }));
 }
 
-// ------------------------------------------------------------------ what carries a ring
-// M and K of a plane: the ring, and behind it the housing of its mount.
+// ------------------------------------------------------------------ support of a ring
+// M and K of one plane: the ring, then the housing of its mount.
 struct RingPlane {
   Eigen::MatrixXd mass, stiffness;
 };
 using RingPlanes = std::array<RingPlane, 2>;
 
-// N/m, of the ring.
+// Spring stiffness of the ring, N/m.
 scene::PlanePair spring_of(const scene::AuxiliaryBearing& at) {
   const bool passive = at.controller && at.controller->kind == scene::ControllerKind::kPassive;
   return at.stator->stiffness.array() + (passive ? at.controller->stiffness : 0.0);
@@ -121,8 +121,8 @@ RingPlanes ring_planes(const scene::AuxiliaryBearing& at, double ring, double mo
   return planes;
 }
 
-// M q'' + K q with the gyroscopic coupling G of the planes, in coordinates of unit mass: what
-// critical_speeds looks at. films: with planes of the same masses alone.
+// M q'' + K q with the gyroscopic coupling G of the planes, in coordinates of unit mass, as
+// critical_speeds needs it. Films may be added only if the masses of both planes are equal.
 WhirlSystem of_unit_mass(const RingPlanes& planes, const Eigen::MatrixXd& gyroscopic, int kept,
                          bool isotropic) {
   const Cholesky x(planes[0].mass), y(planes[1].mass);
@@ -151,7 +151,7 @@ WhirlSystem alone(const RingPlanes& ring) {
   return of_unit_mass(ring, Eigen::MatrixXd::Zero(n, n), static_cast<int>(n), same(ring));
 }
 
-// The rotor's centre at the contact is the ring's: (ring, housing) = B (rotor, housing).
+// The rotor's centre at the contact equals the ring's: (ring, housing) = B (rotor, housing).
 WhirlSystem joined(const WhirlSystem& rotor, const ModeShape& contact, const RingPlanes& ring) {
   const Eigen::Index n = rotor.size(), behind = ring[0].mass.rows() - 1;
   const auto widened = [&](const Eigen::MatrixXd& a) {

@@ -1,8 +1,8 @@
-// Critical speed maps: undamped critical speeds over the stiffness of what holds the rotor, as API
-// 684 asks for them. Soft bearings: a nearly rigid rotor bounces and rocks; stiff ones: the shaft
-// bends between nodes at them. And over the stiffness of what carries the ring of an auxiliary
-// bearing, against which the rotor whirls in a synchronous rub: with c the values of the rotor's
-// coordinates at the contact, m and k of the ring,
+// Critical speed maps as in API 684: undamped critical speeds over the stiffness of the rotor's
+// supports. On soft bearings a nearly rigid rotor bounces and rocks; on stiff ones the shaft bends
+// between nodes at the bearings. A second kind of map varies the stiffness of the support of an
+// auxiliary bearing's ring, against which the rotor whirls in a synchronous rub. With c the values
+// of the rotor's coordinates at the contact, and m and k of the ring,
 //
 //   (K + k c c^T) u = Omega^2 (M - G + m c c^T) u,   the ring alone: Omega^2 = k / m.
 #pragma once
@@ -15,23 +15,26 @@
 namespace rotorub {
 
 struct StiffnessMap {
-  // What is softer or stiffer, all else as it is: the springs of all bearings of the shaft in
-  // proportion; those of all magnetic bearings (k_i P - k_s); a ring's spring; its mount's.
+  // The stiffness that is varied while all else is unchanged: the springs of all bearings of the
+  // shaft, in proportion; the net stiffness of all magnetic bearings (k_i P - k_s); a ring's
+  // spring; or the spring of its mount.
   enum class Of { kBearings, kMagnets, kRing, kMount };
   Of of = Of::kBearings;
-  std::size_t contact = 0;        // the ring's, among the scene's auxiliary bearings
-  std::vector<double> stiffness;  // N/m, ascending, of the first that has any, in x
-  double own = 0.0;               // N/m, what the scene gives it
-  // rad/s, ascending, at each stiffness (campbell.h: critical_speeds), of the rotor; over a ring's
-  // or a mount's of both, the rotor's centre held to the ring's. None where they cannot be found,
-  // or the magnets do not bear the rotor.
+  std::size_t contact = 0;        // of the ring, index among the scene's auxiliary bearings
+  std::vector<double> stiffness;  // N/m, ascending, of the first bearing that has any, in x
+  double own = 0.0;               // N/m, value in the scene
+  // Critical speeds of the rotor at each stiffness, rad/s, ascending (campbell.h: critical_speeds).
+  // In maps over a ring's or mount's stiffness, the rotor's centre is tied to the ring's. Empty if
+  // they cannot be found or the magnets do not support the rotor.
   std::vector<std::vector<double>> critical;
-  std::vector<std::vector<double>> ring;  // the same of the ring alone; empty: not over its own
+  // The same for the ring alone; empty in maps over bearings and magnets.
+  std::vector<std::vector<double>> ring;
 };
 
-// Each from a thousandth to a thousand times the scene's own stiffness. None: of bearings without a
-// spring, or whose springs follow the speed; of a ring that is fixed, or that no spring of its own
-// (or of a passive controller) carries in both planes, but balls or dry friction do.
+// Maps from a thousandth to a thousand times the scene's own stiffness. There is no map over
+// bearings without a spring or with springs that depend on the speed. Nor is there one for a ring
+// that is fixed, has ball bearings or dry friction, or is not supported in both planes by a spring
+// of its own (or of a passive controller).
 std::vector<StiffnessMap> stiffness_maps(const scene::Scene& scene);
 
 }  // namespace rotorub

@@ -18,7 +18,7 @@ namespace rotorub {
 namespace {
 
 using Phasor = std::complex<double>;
-using Phasors = std::vector<Phasor>;  // of each probe
+using Phasors = std::vector<Phasor>;  // one per probe
 
 constexpr double kNaN = std::numeric_limits<double>::quiet_NaN();
 
@@ -60,7 +60,7 @@ std::vector<Probe> probes_of(const scene::Scene& scene, const Model& model, int 
   return probes;
 }
 
-// With forces that turn with the spin as unbalances. True: there are such forces.
+// Adds the forces that turn with the spin as unbalances; returns whether there are any.
 bool add_forces(const scene::Scene& scene, Model& model) {
   constexpr double kSame = 1e-9;
   const double speed = scene.rotor.speed;
@@ -70,7 +70,7 @@ bool add_forces(const scene::Scene& scene, Model& model) {
                        (f.kind == scene::ForceKind::kRotating &&
                         std::abs(f.frequency - speed) <= kSame * std::abs(speed));
     if (!turns || speed == 0.0 || f.amplitude == 0.0) continue;
-    // Against the mark, which lies at the spin's angle.
+    // The phase is relative to the mark, which lies at the spin angle.
     const bool absolute = f.kind == scene::ForceKind::kRotating;
     model.unbalances.push_back(
         {f.shape, f.amplitude / (speed * speed), f.phase - (absolute ? model.spin_angle : 0.0)});
@@ -102,7 +102,7 @@ class Response {
         if (probe.plane == 1) all[k] *= Phasor(0.0, sense_);
       }
     } catch (const scene::SceneError&) {
-      // Nothing steady at this speed.
+      // There is no steady motion at this speed.
     }
     return all;
   }
@@ -125,7 +125,7 @@ bool known(const SpeedPoint& s) {
                       [](const Phasor& x) { return std::isnan(x.real()); });
 }
 
-// A straight line from a to b would pass by what is in the middle.
+// Whether a straight line from a to b would miss the point in the middle.
 bool bends(const SpeedPoint& a, const SpeedPoint& middle, const SpeedPoint& b) {
   constexpr double kAccuracy = 0.003;
   if (!known(a) || !known(middle) || !known(b)) return known(a) != known(b);
@@ -138,7 +138,7 @@ bool bends(const SpeedPoint& a, const SpeedPoint& middle, const SpeedPoint& b) {
   return false;
 }
 
-// Beyond a: all up to b.
+// Appends the points after a, up to and including b.
 void refine(Response& response, const SpeedPoint& a, const SpeedPoint& b, int halvings,
             std::vector<SpeedPoint>& out) {
   const double speed = 0.5 * (a.speed + b.speed);
@@ -152,8 +152,8 @@ void refine(Response& response, const SpeedPoint& a, const SpeedPoint& b, int ha
   out.push_back(b);
 }
 
-// Where |X| falls to `level`, from the peak to the sample before it or behind it that is below;
-// step: -1 or 1. None: it does not.
+// Speed at which |X| falls to `level`, in the direction of `step` (-1 or 1) from the peak, found
+// between two samples. Empty if |X| does not fall that far.
 std::optional<double> half_power(Response& response, const std::vector<SpeedPoint>& samples,
                                  std::size_t peak, std::size_t probe, double at, double level,
                                  int step) {

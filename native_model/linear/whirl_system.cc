@@ -21,7 +21,7 @@ bool same_planes(const WhirlSystem& s) {
          });
 }
 
-// What holds the shaft at a station, in each plane; ux, uy: the values of its coordinates there.
+// Adds a support at a station, in each plane; ux, uy: values of the coordinates there.
 void add_support(const Eigen::VectorXd& ux, const Eigen::VectorXd& uy,
                  const Eigen::Vector2d& stiffness, const Eigen::Vector2d& damping,
                  WhirlSystem& system) {
@@ -31,8 +31,9 @@ void add_support(const Eigen::VectorXd& ux, const Eigen::VectorXd& uy,
   system.damping_y += damping.y() * uy * uy.transpose();
 }
 
-// A magnetic bearing, beside its spring `held`: at its station u, seen at its sensor s the force
-//   -(-k_s u^T r + k_i (P s^T r + D s^T r')), with s = u a spring and a damper.
+// Adds a magnetic bearing beyond its spring `held`. At its station u, with the sensor at s, the
+// force is
+//   -(-k_s u^T r + k_i (P s^T r + D s^T r')); with s = u it is a spring and a damper.
 void add_magnets(const scene::Scene& scene, const scene::MagneticBearing& bearing,
                  const Eigen::VectorXd (&u)[2], const Eigen::VectorXd (&s)[2],
                  WhirlSystem& system) {
@@ -50,14 +51,14 @@ void add_magnets(const scene::Scene& scene, const scene::MagneticBearing& bearin
   system.damping_y += support.damping * u[1] * s[1].transpose();
 }
 
-// Untruncated: coordinates are all modes of the mean stiffness, of unit mass.
+// The untruncated model: its coordinates are all modes of the mean stiffness, with unit mass.
 WhirlSystem geometry_system(const scene::Scene& scene) {
   const scene::RotorGeometry& geometry = *scene.rotor.geometry;
   const RotorModes modes = rotor_modes(scene);
   const RitzBending& ritz = modes.ritz;
   const Eigen::MatrixXd& phi = modes.mean.shape;
   const Eigen::VectorXd& omega = modes.mean.frequency;
-  // Symmetric to the last bit, so that equal planes are seen as equal.
+  // Symmetric to the last bit, so that equal planes compare as equal.
   const auto projected = [&](const Eigen::MatrixXd& matrix) {
     const Eigen::MatrixXd p = phi.transpose() * matrix * phi;
     return Eigen::MatrixXd(0.5 * (p + p.transpose()));
@@ -96,7 +97,7 @@ WhirlSystem geometry_system(const scene::Scene& scene) {
     system.internal_xy = system.internal_yy = system.internal_xx;
   }
 
-  // Dashpots of the bearings and magnetic bearings, at their stations.
+  // Dampers of the bearings, and the magnetic bearings, at their stations.
   for (const scene::ShaftBearing& bearing : geometry.bearings) {
     const Eigen::VectorXd u = values_at(bearing.z);
     add_support(u, u, {0.0, 0.0}, bearing.damping, system);
@@ -114,7 +115,7 @@ WhirlSystem geometry_system(const scene::Scene& scene) {
   return system;
 }
 
-// As stated: the modes are the coordinates, divided by the roots of their masses.
+// The coordinates are the given modes, divided by the square roots of their masses.
 WhirlSystem modal_system(const scene::Scene& scene) {
   const ModalRotor rotor = modal_rotor(scene);
   const Eigen::VectorXd sx = rotor.x.mass.cwiseSqrt().cwiseInverse();
@@ -148,8 +149,8 @@ WhirlSystem modal_system(const scene::Scene& scene) {
 
 }  // namespace
 
-// x + i y: r'' + (D + N - i Omega G) r' + (K - i Omega N) r = 0, and of a film with k_xx = k_yy,
-// k_xy = -k_yx (k_xx - i k_xy) r.
+// r = x + i y: r'' + (D + N - i Omega G) r' + (K - i Omega N) r = 0. A film with k_xx = k_yy and
+// k_xy = -k_yx adds (k_xx - i k_xy) r.
 WhirlMatrices isotropic_matrices(const WhirlSystem& system, double speed) {
   using Complex = std::complex<double>;
   const Complex turn(0.0, speed);

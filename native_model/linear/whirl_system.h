@@ -4,9 +4,9 @@
 //   x'' + (D_x + N_xx) x' + K_x x + Omega G y'   + Omega N_xy y   = 0
 //   y'' + (D_y + N_yy) y' + K_y y - Omega G^T x' - Omega N_xy^T x = 0
 //
-// D: external damping with the bearings'; N: internal (rotating) damping; K with the negative
-// stiffness of a magnetic bearing. Geometry form: the untruncated Ritz model, every mode of it
-// damped by the damping ratios; modal form: the modes stated.
+// D: external damping, including the bearings; N: internal (rotating) damping; K includes the
+// negative stiffness of a magnetic bearing. Geometry form: the untruncated Ritz model, with the
+// damping ratios applied to all of its modes. Modal form: the modes given in the scene.
 #pragma once
 
 #include <Eigen/Core>
@@ -19,8 +19,9 @@
 
 namespace rotorub {
 
-// K and C of a bearing beyond what the matrices have of it, at its station: films add
-// u u^T k_xx(Omega) to the rows of x and columns of x, u u^T k_xy(Omega) to those of x and y, ...
+// K and C of a bearing beyond its constant uncoupled part in the matrices: a film at station u adds
+// u u^T k_xx(Omega) to the block of x rows and x columns, u u^T k_xy(Omega) to that of x rows and y
+// columns, and so on.
 struct WhirlFilm {
   Eigen::VectorXd station;  // n, u
   BearingFilm law;
@@ -33,13 +34,13 @@ struct WhirlSystem {
   Eigen::MatrixXd internal_xx, internal_xy, internal_yy;  // 1/s, n x n
   std::vector<WhirlFilm> films;
   std::vector<ModeShape> contacts;  // n each: values of the coordinates at each auxiliary bearing
-  int kept = 0;            // modes of interest in each plane: those with the lowest frequencies
-  bool isotropic = false;  // both planes the same: one complex equation in x + i y
+  int kept = 0;                     // number of lowest modes of interest in each plane
+  bool isotropic = false;           // both planes are the same: one complex equation in x + i y
   Eigen::Index size() const { return stiffness_x.rows(); }
 };
 
-// q'' + damping q' + stiffness q = 0 at a speed: both planes, 2 n, or of planes that are the same x
-// + i y, n.
+// q'' + damping q' + stiffness q = 0 at a speed: n complex coordinates x + i y if the planes are
+// the same (isotropic_matrices), else 2 n of both planes (planes_matrices).
 struct WhirlMatrices {
   Eigen::MatrixXcd damping, stiffness;
 };

@@ -1,5 +1,4 @@
-// A start on the steady free orbit, `[initial] steady`. The orbit's equations:
-// linear/steady_orbit.h.
+// A start on the steady free orbit, `[initial] steady`. The equations are in linear/steady_orbit.h.
 #pragma once
 
 #include "native_model/model/model.h"
@@ -7,10 +6,11 @@
 
 namespace rotorub {
 
-// Adds the orbit at t = 0 to q0 and v0; all else of the model is as it will be. Throws
-// scene::SceneError, key initial.steady, where there is none: the free rotor is unstable, resonance
-// without damping, nothing that holds it against a constant force, a ring that its magnets pull
-// away, a ramp or pulse under way; or where it touches, with its size.
+// Adds the orbit at t = 0 to q0 and v0; the rest of the model must be complete. Throws
+// scene::SceneError with key initial.steady if there is no such orbit (the free rotor is unstable,
+// an undamped resonance is excited, nothing holds the rotor against a constant force, the magnets
+// pull a ring away, or a ramp or pulse is under way), or if it touches a ring; the message then
+// gives its size.
 void add_orbit_start(const scene::Scene& scene, Model& model);
 
 }  // namespace rotorub

@@ -1,5 +1,6 @@
-// The model of a scene with the start that the scene asks for: the lists of [initial], the steady
-// free orbit (orbit_start.h) or a lasting rub (rub_start.h). Every program makes its model here.
+// Makes the model of a scene with the start that the scene requests: the lists of [initial], the
+// steady free orbit (orbit_start.h) or a lasting rub (rub_start.h). Every program makes its model
+// here.
 #pragma once
 
 #include "native_model/model/model.h"

@@ -25,7 +25,7 @@ std::string name_of(RubKind kind) {
   return kind == RubKind::kForced ? "synchronous rub" : to_string(kind);
 }
 
-// A force that has not begun at t = 0, or no longer acts, is none.
+// Removes a force that has not begun at t = 0 or has ended; refuses one that is still rising.
 void leave_out_later(const scene::Scene& scene, std::size_t number, scene::Force& force) {
   const bool risen = force.on <= 0.0 && force.on + force.ramp <= 0.0;
   if (risen && force.off > 0.0) return;
@@ -38,7 +38,7 @@ void leave_out_later(const scene::Scene& scene, std::size_t number, scene::Force
   force.amplitude = 0.0;
 }
 
-// What acts at t = 0, as if it did for ever.
+// The scene with the loads and controllers of t = 0, as if they acted for ever.
 scene::Scene at_start(scene::Scene scene) {
   const scene::Scene given = scene;
   for (std::size_t k = 0; k < scene.forces.size(); ++k) leave_out_later(given, k, scene.forces[k]);
@@ -55,7 +55,7 @@ scene::Scene at_start(scene::Scene scene) {
   return scene;
 }
 
-// What `modes` counts and a start does not.
+// Names the forces that `modes` counts but a start does not.
 std::string begins_later(const scene::Scene& scene) {
   std::string later;
   for (std::size_t k = 0; k < scene.forces.size(); ++k) {
@@ -93,7 +93,7 @@ void put(const Complex& place, double whirl, Model& model, int x, int y) {
   model.v0[y] = velocity.imag();
 }
 
-// Twisted by the motor at one station and by the friction at another.
+// Sets the twist by the motor at one station and by friction at another.
 void twist(const SteadyRub& rub, Model& m) {
   const Layout& l = m.layout;
   const double friction = m.first().contact->radius * rub.friction * rub.normal_force;

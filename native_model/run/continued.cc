@@ -11,7 +11,7 @@
 namespace rotorub {
 namespace {
 
-// Columns name_1, name_2, ... of the last row.
+// Last values of the columns name_1, name_2, ...
 std::vector<double> last_of(const Trajectory& run, const std::string& name) {
   std::vector<double> all;
   for (std::size_t k = 1; run.has(name + "_" + std::to_string(k)); ++k)

@@ -1,5 +1,5 @@
-// A scene that goes on where a run ended: for a parameter that is swept up and down while the rotor
-// keeps the motion that it has, and for neighbouring runs that are brought together again.
+// A scene that continues from the end of a run, for sweeping a parameter up and down while the
+// rotor keeps its motion, and for bringing neighbouring runs back together.
 #pragma once
 
 #include <string>
@@ -9,15 +9,15 @@
 
 namespace rotorub {
 
-// Why what a run of the scene leaves is more than [initial] holds, without a full stop: memories of
-// controllers, magnetic bearings, drives and dry friction, loads that take one course in time.
-// Empty: it can go on.
+// Reason, without a full stop, why [initial] cannot hold everything that a run of the scene leaves:
+// the memory of controllers, magnetic bearings, drives and dry friction, or loads that follow one
+// course in time. Empty if the run can be continued.
 std::string not_continued(const scene::Scene& scene);
 
-// `next` with the rotor, the rings and the spin's angle where `run`, of `before`, ended, its time
-// from 0 again: loads have been on for as long, and what turns by the clock goes on from its phase.
-// A spin that is free keeps its speed, unless `next` has another one than `before`. For scenes that
-// not_continued() lets pass, with as many modes and loads as each other.
+// `next` with rotor, rings and spin angle as `run`, a run of `before`, left them, and with time
+// starting from 0 again: loads keep the time they have been on, and rotating forces keep their
+// phase. A free spin keeps its speed unless rotor.speed of `next` differs from that of `before`.
+// Both scenes must pass not_continued() and have the same number of modes and loads.
 scene::Scene continued(const scene::Scene& next, const scene::Scene& before, const Trajectory& run);
 
 }  // namespace rotorub

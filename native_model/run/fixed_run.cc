@@ -21,16 +21,16 @@
 namespace rotorub {
 namespace {
 
-// A state that a run has come to.
+// A state that the run has reached.
 struct Reached {
   double t;  // s
   const double *q, *v;
 };
 
-// The impacts of a step, kept beyond the next.
+// The impacts of a step, kept until after the next one.
 struct Hits {
   std::vector<Impact> impacts;
-  double work = 0.0, lasts = 0.0;  // J; s, of one that takes time
+  double work = 0.0, lasts = 0.0;  // J; s, duration of an impact that takes time
   explicit Hits(std::size_t most) { impacts.reserve(most); }
   void keep(const FixedStep& done) {
     impacts.assign(done.impacts.begin(), done.impacts.end());
@@ -87,7 +87,7 @@ class FixedRun {
   double time(std::int64_t k) const { return static_cast<double>(k) * step_; }
   bool good() const { return status_ == Status::kOk; }
 
-  // The law of magnetic bearings is asked within the step.
+  // The law of magnetic bearings is evaluated within the step.
   FixedStep take_step(std::int64_t k) {
     try {
       return stepper_->step(k, commands_.of_step(), true);
@@ -99,7 +99,7 @@ class FixedRun {
     }
   }
 
-  // Steps whose state is that of their end; the number of those taken.
+  // For steps that yield the state at their end; returns the number of steps taken.
   std::int64_t walk() {
     commands_.hold(0);
     listen();
@@ -124,9 +124,9 @@ class FixedRun {
     return steps_;
   }
 
-  // The state of t_k is known once step k is taken: the recorder is a step behind, and impacts of
-  // step k belong to the next state. A last step beyond the end tells the velocities there; half of
-  // what its loads did about the end counts.
+  // For leapfrog steps, where the state at t_k is known only after step k: the recorder is one step
+  // behind, and the impacts of step k belong to the next state. One step beyond the end gives the
+  // velocities at the end; half of the work of its loads counts.
   std::int64_t leap() {
     Hits hits(contacts_ * contacts_ * kMostImpacts);
     std::int64_t k = 0;
@@ -146,7 +146,7 @@ class FixedRun {
       }
       stepper_->last_velocity(velocity_.data());
       if (k == 0) begin(done, kick);
-      // Of a step half is done before t_k, half after; all of the first, half one after.
+      // Half of a step's effect lies before t_k and half after; all of the first step's lies after.
       const Reached now = reach(t, stepper_->last_q(), velocity_.data());
       if (k > 0) {
         count_lasting(done, t, 0.5, 0.5 * step_);
@@ -173,7 +173,8 @@ class FixedRun {
     return {t, q, v};
   }
 
-  // Impulses over `kick`, s: an impact's is no force of lasting contact.
+  // Force of lasting contact, as its impulse over `kick` (s), plus the force of an impact that
+  // takes time; other impacts do not contribute.
   static ContactSnapshot contact_snapshot(const ContactStep& did, double kick) {
     const double scale = 1.0 / kick;
     return {scale * did.lasting.x() + did.impact_force.x(),
@@ -200,7 +201,8 @@ class FixedRun {
     note_contacts(0.0, done, kick, false);
   }
 
-  // The share of what lasting contact and the loads did in a step, from `begin` on for `lasts`, s.
+  // Counts a share of the effect of lasting contact and loads in a step, for `lasts` s from `begin`
+  // on.
   void count_lasting(const FixedStep& done, double begin, double share, double lasts) {
     StepFigures f;
     f.h = lasts;
@@ -242,7 +244,8 @@ class FixedRun {
     }
   }
 
-  // The next state, with the forces of `done`; `impact`: one since the last.
+  // Records the next state with the forces of `done`. impact: whether there was one since the last
+  // state.
   void advance(const Reached& now, const FixedStep& done, double kick, bool impact) {
     note_contacts(now.t, done, kick, true);
     recorder_.advance(snapshot(now, done, kick, recorder_.row_due(now.t)), points_[0], impact);
@@ -254,7 +257,8 @@ class FixedRun {
     if (inside && !first.magnets) return;
     if (const auto why = out_of_range(model_, now.q)) fail(Status::kOutOfRange, now.t, *why);
   }
-  // Events of rigid contacts, and the episodes of compliant ones, which begin once the run has.
+  // Notes events of rigid contacts and the episodes of compliant ones, which start after the run
+  // has begun.
   void note_contacts(double t, const FixedStep& done, double kick, bool begun) {
     for (std::size_t i = 0; i < 1 + done.others.size(); ++i) {
       const ContactStep& did = done.at(i);
@@ -274,7 +278,7 @@ class FixedRun {
   void listen() {
     if (!commands_.failure().empty()) controller_failed(commands_.failure());
   }
-  // why: it names the time.
+  // why: must include the time.
   void controller_failed(const std::string& why) {
     if (!good()) return;
     status_ = Status::kControllerFailed;
@@ -302,8 +306,8 @@ class FixedRun {
   std::unique_ptr<FixedStepper> stepper_;
   StepCommands commands_;
   std::vector<double> velocity_;
-  std::vector<ContactPoint> points_, last_points_;  // of the state reached last, and before it
-  std::vector<std::optional<ContactEpisodes>> episodes_;  // of compliant contacts
+  std::vector<ContactPoint> points_, last_points_;        // at the last state and the one before it
+  std::vector<std::optional<ContactEpisodes>> episodes_;  // for compliant contacts
   std::vector<ContactSnapshot> others_;
   std::array<Mode, kMaxContacts> modes_{};
   std::string message_;

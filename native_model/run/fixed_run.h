@@ -1,4 +1,4 @@
-// Whole runs of the fixed steps: steps, controllers, recorder, and the checks that end a run.
+// Whole runs at a fixed step: steps, controllers, recorder, and the checks that end a run.
 #pragma once
 
 #include "native_model/model/model.h"

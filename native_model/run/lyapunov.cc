@@ -16,7 +16,7 @@
 namespace rotorub {
 namespace {
 
-// A scene's start as a vector of lengths: velocities times `time`, angles times `length`.
+// A scene's start as a vector of lengths: velocities are multiplied by `time`, angles by `length`.
 struct StartVector {
   double time, length;
 
@@ -53,7 +53,7 @@ struct StartVector {
   }
 };
 
-// Of every list of the start as many values as it has.
+// The scene with every list of its start filled up to full length.
 scene::Scene with_whole_start(scene::Scene s) {
   const Layout l = prepare(s).layout;
   for (std::vector<double>* list : {&s.initial.x, &s.initial.y, &s.initial.vx, &s.initial.vy})
@@ -79,7 +79,7 @@ Lyapunov largest_lyapunov(const scene::Scene& start, const LyapunovParameters& p
   options.integrator = p.integrator;
   options.interrupt = p.interrupt;
   options.output_times = std::vector<double>{p.stretch};
-  // The other way round, should the ring be in the first one's.
+  // Moves in the opposite direction if the first one leads into the ring.
   const auto beside = [&](const scene::Scene& s, bool either_way, const Eigen::VectorXd& by) {
     const scene::Scene there = vector.moved(s, by);
     if (!either_way) return there;

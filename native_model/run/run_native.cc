@@ -20,8 +20,8 @@ Trajectory run_event(const Model& model, const scene::Run& run, const NativeOpti
   if (options.event) {
     settings = *options.event;
   } else {
-    // Bins of the mean force are as wide as a fixed step, so that peaks can be compared; never so
-    // fine that they take longer than the run.
+    // The bins of the mean force are as wide as a fixed step, so that peaks are comparable, but not
+    // so many that they take longer than the run.
     constexpr double kMostBins = 1e7;
     settings.force_bin = std::max(options.step.value_or(run.step), run.end / kMostBins);
   }

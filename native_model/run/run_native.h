@@ -15,20 +15,20 @@
 
 namespace rotorub {
 
-struct NativeOptions {                          // what a run may do otherwise than its scene says
-  std::optional<scene::Integrator> integrator;  // default: the scene's
-  std::optional<double> step;                   // s, default: the scene's
+struct NativeOptions {                              // overrides of the scene
+  std::optional<scene::Integrator> integrator;      // default: the scene's
+  std::optional<double> step;                       // s, default: the scene's
   std::optional<std::vector<double>> output_times;  // s, default: the scene's
-  std::function<void(double)> progress;             // fraction done, called now and then
-  const std::atomic<bool>* interrupt = nullptr;     // set to true: stop, keep what there is
-  // Commands of another run in the place of the scene's controller; null: none.
+  std::function<void(double)> progress;             // fraction done, called from time to time
+  const std::atomic<bool>* interrupt = nullptr;     // set to true: stop and keep the results so far
+  // Commands of another run, used instead of the scene's controller; null: none.
   std::shared_ptr<const CommandRecord> commands;
-  // Of `event`. Default: bins of the mean force as wide as the step, the rest as parameters.h has
-  // it.
+  // Parameters of `event`. Default: the bins of the mean force are as wide as the step, and the
+  // rest is as in parameters.h.
   std::optional<EventParameters> event;
 };
 
-// Throws scene::SceneError for a scene that the integrator asked for cannot run.
+// Throws scene::SceneError if the requested integrator cannot run the scene.
 Trajectory run_native(const scene::Scene& scene, const NativeOptions& options = {});
 
 }  // namespace rotorub

@@ -5,7 +5,7 @@
 namespace rotorub {
 namespace {
 
-// Where a command given again jumps first in begin..end, s.
+// First jump of a recorded command within begin..end, s.
 CommandJump jump_of(const CommandRecord& told, double begin, double end) {
   const std::vector<double>& jumps = told.jumps();
   const auto next = std::upper_bound(jumps.begin(), jumps.end(), begin);
@@ -57,7 +57,7 @@ void StepCommands::mean_about(std::int64_t k) {
   }
 }
 
-// Those of t_k before step k, with the commands that held.
+// Velocities at t_k before step k, under the commands that were held.
 void StepCommands::find_velocities(std::int64_t k) {
   stepper_.velocity_now(k, all(shown_), velocity_.data());
   for (std::size_t j = 0; k > 0 && j < velocity_.size(); ++j) {

@@ -1,5 +1,4 @@
-// The commands of the rings, step by step: of controllers, held between their samples, or those of
-// another run.
+// Commands of the rings, step by step: from controllers, held between samples, or from another run.
 #pragma once
 
 #include <Eigen/Core>
@@ -19,21 +18,21 @@ namespace rotorub {
 
 class StepCommands {
  public:
-  // Both must outlive it. step: s.
+  // Both must outlive this object. step: s.
   StepCommands(const Model& model, FixedStepper& stepper, double step);
 
-  // Of step k, from t_k to t_{k+1}: held over it.
+  // Sets the commands that are held over step k, from t_k to t_{k+1}.
   void hold(std::int64_t k);
-  // The mean over (t_k - h/2, t_k + h/2), for a stepper that leaps.
+  // Sets the mean commands over (t_k - h/2, t_k + h/2), for a leapfrog stepper.
   void mean_about(std::int64_t k);
 
-  // Over the step, and as they stand at the state's time; N or A of each ring.
+  // Commands over the step, and at the time of the state; N, or A for magnets, of each ring.
   std::span<const Eigen::Vector2d> of_step() const { return all(command_); }
   const Eigen::Vector2d& shown(std::size_t ring) const { return shown_[ring]; }
   std::array<double, kMostOutputs> outputs(std::size_t ring) const {
     return holds_[ring].outputs();
   }
-  // Why a controller has failed, with its time; empty: none has.
+  // Reason and time of a controller's failure; empty if none has failed.
   const std::string& failure() const { return failure_; }
 
  private:

@@ -31,14 +31,14 @@ const scene::Scene& checked(const scene::Scene& scene) {
   return scene;
 }
 
-// Others command it: the scene does not.
+// Whether the scene leaves the ring's command to others.
 bool is_left_to_others(const std::optional<scene::Controller>& controller) {
   if (!controller || controller->kind == scene::ControllerKind::kLibrary) return true;
   return controller->kind == scene::ControllerKind::kPassive && controller->stiffness == 0.0 &&
          controller->damping == 0.0;
 }
 
-// The magnetic bearings' own numbers are in their columns' names.
+// Column name with the number of the magnetic bearing.
 std::string of_bearing(const StationFeedback& bearing, const std::string& name) {
   return "bearing" + (bearing.number == 0 ? "" : std::to_string(bearing.number + 1)) + "_" + name;
 }
@@ -176,13 +176,13 @@ void StepwiseRun::begin(double end) {
   count_impacts();
 }
 
-// Of those since the last time; the recorder is empty then.
+// Counts the impacts since the last call, which emptied the recorder.
 void StepwiseRun::count_impacts() {
   for (const Impact& impact : recorder_.finish(t_).impacts)
     impacts_ += impact.gap_rate_before < kCountedGapRate ? 1.0 : 0.0;
 }
 
-// At the present time what is known of the stretch that comes is known no more.
+// Applies new inputs at the present time and discards what was computed beyond it.
 bool StepwiseRun::take_inputs() {
   if (!new_inputs_) return good();
   known_ = false;

@@ -1,7 +1,7 @@
-// A native run that is fed from outside: commands of rings, currents and loads go in, and stay
-// until they are given anew; what a series has comes out, at any time. The integrator is `event`.
-// Without new inputs its outputs are the rows of run_native, to the bit, wherever it is asked to
-// stop.
+// A native run that is driven from outside. Commands of rings, currents and loads are inputs that
+// hold until they are set again; the columns of the series are outputs, available at any time. The
+// integrator is `event`. Without new inputs the outputs equal the rows of run_native to the bit,
+// wherever the run is asked to stop.
 #pragma once
 
 #include <cstddef>
@@ -17,42 +17,42 @@ namespace rotorub {
 
 class StepwiseRun {
  public:
-  // Throws scene::SceneError for what cannot be run so: impacts that take time. Libraries are to be
-  // left out (control/library.h).
+  // Throws scene::SceneError for impacts that take time. The caller must have libraries left
+  // unopened (set_scene_libraries in control/library_file.h).
   explicit StepwiseRun(const scene::Scene& scene);
   StepwiseRun(const StepwiseRun&) = delete;
   StepwiseRun& operator=(const StepwiseRun&) = delete;
 
   struct Port {
     std::string name, unit, meaning;
-    bool whole = false;  // its values are whole numbers
+    bool whole = false;  // whether its values are whole numbers
   };
-  // The command of each ring whose controller the scene leaves to others: it has none, a passive
-  // one, or a library, which is not opened; the currents of magnetic bearings whose control is a
-  // library; a load on the rotor at each contact.
+  // The inputs are the command of each ring that has no controller, a passive one without stiffness
+  // and damping, or a library, which is not opened; the currents of magnetic bearings whose control
+  // is a library; and a load on the rotor at each contact.
   const std::vector<Port>& inputs() const { return inputs_; }
-  // The columns of the series but the time, deflections that the sensors of magnetic bearings see,
-  // the normal impulse of each contact, and the number of impacts.
+  // The outputs are the columns of the series except the time, the deflections at the sensors of
+  // magnetic bearings, the normal impulse of each contact so far, and the number of impacts.
   const std::vector<Port>& outputs() const { return outputs_; }
 
-  // Holds from the present time on, once `now()` or advance() is asked.
+  // Takes effect from the present time on, at the next now() or advance().
   void set_input(std::size_t input, double value);
   double input(std::size_t input) const { return given_[input]; }
 
-  // At t = 0, with the inputs as they are. end: s, > 0; one can go beyond it.
+  // Starts at t = 0 with the present inputs. end: s, > 0; advance() may go beyond it.
   void begin(double end);
   double time() const { return t_; }  // s
-  // To the time `to`, s; `events`: at most to the next event, which then waits for pass_event().
-  // False: the run has failed, see status().
+  // Advances to the time `to`, s; with `events`, at most to the next event, which then waits for
+  // pass_event(). Returns false if the run has failed, see status().
   bool advance(double to, bool events = false);
   bool event_waits() const { return event_waits_; }
   bool pass_event();
-  // The outputs at the present time, before an event that waits.
+  // The outputs at the present time, before a waiting event.
   const std::vector<double>& now();
   Status status() const { return integrator_.result().status; }
   const std::string& message() const { return integrator_.result().message; }
 
-  // All of it, for this run alone. A saved one may outlive the run.
+  // The whole state of the run, valid for this run only. A Saved may outlive the run.
   struct Saved;
   std::shared_ptr<const Saved> save() const;
   void restore(const Saved& saved);
@@ -68,14 +68,15 @@ class StepwiseRun {
   bool good() const { return status() == Status::kOk; }
 
   std::vector<Port> inputs_, outputs_;
-  // Where inputs go: pairs of numbers from the first of each on.
-  std::vector<std::pair<std::size_t, std::shared_ptr<CommandRecord>>> commands_;  // of which ring
+  // Targets of the inputs, each of which takes pairs of consecutive numbers; the commands have the
+  // index of their ring.
+  std::vector<std::pair<std::size_t, std::shared_ptr<CommandRecord>>> commands_;
   std::vector<std::shared_ptr<std::vector<double>>> currents_;
-  std::size_t first_load_ = 0;  // among the forces
-  Model model_;                 // knows its inputs before anybody knows the model
+  std::size_t first_load_ = 0;  // index among the forces
+  Model model_;                 // built with its inputs before others refer to it
   Recorder recorder_;
   EventIntegrator integrator_;
-  std::vector<double> given_, taken_;  // inputs, and those that hold
+  std::vector<double> given_, taken_;  // inputs as set, and those in effect
   std::vector<Column> row_;
   std::vector<double> values_;
   double t_ = 0.0, end_ = 0.0;  // s

@@ -117,14 +117,14 @@ const ColumnMeaning kKeyphasor[] = {
 
 constexpr std::string_view kNumber = "<n>", kName = "<name>";
 
-// "torsion_speed_2" is torsion_speed_<n>.
+// "torsion_speed_2" matches torsion_speed_<n>.
 bool is_numbered(std::string_view name, std::string_view pattern) {
   const std::string_view stem = pattern.substr(0, pattern.size() - kNumber.size());
   if (!name.starts_with(stem) || name.size() == stem.size()) return false;
   return name.find_first_not_of("0123456789", stem.size()) == std::string_view::npos;
 }
 
-// An instant, and the time that it is asked for.
+// An instant, and the time for which it was requested.
 struct Row {
   const Model& m;
   double time;
@@ -134,7 +134,7 @@ struct Row {
 struct Title {
   const char* name;
   int number = 0;                           // from 1: "<name>_<number>"
-  const Controller::Output* own = nullptr;  // of a law's own output; it has no other name
+  const Controller::Output* own = nullptr;  // output of the controller's law; it has no other name
   std::size_t magnets = 0;                  // number of the magnetic bearing, from 0
 };
 
@@ -155,7 +155,8 @@ void for_each_coordinate(const Model& m, const Visit& visit) {
   block("torsion_speed", l.theta(), l.torsion, &Snapshot::v);
 }
 
-// visit(k, title, value) for each column of the k-th contact and its ring, value(row) its number.
+// Calls visit(k, title, value) for each column of the k-th contact and its ring; value(row) returns
+// the number.
 template <class Visit>
 void for_each_column_of(const Model& m, std::size_t k, const Visit& visit) {
   const auto both = [&](const char* x, const char* y, const auto& value) {
@@ -212,7 +213,7 @@ void for_each_column_of(const Model& m, std::size_t k, const Visit& visit) {
   }
 }
 
-// The columns of a run in the order of the file.
+// Visits the columns of a run in the order of the file.
 template <class Visit>
 void for_each_column(const Model& m, const Visit& visit) {
   visit(0, Title{"t"}, [](const Row& r) { return r.time; });

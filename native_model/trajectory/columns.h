@@ -1,6 +1,6 @@
-// What stands in the files of a run: name, unit, meaning and sign of every column. The recorder
-// takes its units from here, columns.json beside the data is made of it, and so is the reference in
-// compare/study/README.md.
+// Name, unit, meaning and sign of every column in the files of a run. The recorder takes its units
+// from here; columns.json beside the data and the reference in compare/study/README.md are
+// generated from it.
 #pragma once
 
 #include <span>
@@ -15,36 +15,38 @@
 namespace rotorub {
 
 struct ColumnMeaning {
-  // "torsion_<n>": numbered from 1; "control_<name>": as the controller's law calls it.
+  // "torsion_<n>": numbered from 1; "control_<name>": named by the controller's law.
   std::string_view name;
   std::string_view unit;     // SI; "": none
-  std::string_view meaning;  // with its sign
-  std::string_view present;  // where it stands; "": always
+  std::string_view meaning;  // includes the sign
+  std::string_view present;  // when the column exists; "": always
 };
 
 std::span<const ColumnMeaning> series_columns();  // in the order of the file
-// Where there are several contacts the last tells which.
+// With several contacts the last column is the number of the contact.
 std::span<const ColumnMeaning> impact_columns(bool several = true);
 std::span<const ColumnMeaning> event_columns(bool several = true);
 std::span<const ColumnMeaning> keyphasor_columns();
 
-// The column of one of several contacts, from 0: that of the first as it is, "gap" of the second
-// "contact2_gap".
+// Name of a column of one of several contacts, numbered from 0: "gap" stays "gap" for the first and
+// becomes "contact2_gap" for the second. contact_of_column is the inverse.
 std::string column_of_contact(std::size_t contact, std::string_view name);
 std::pair<std::size_t, std::string_view> contact_of_column(std::string_view name);
 
-// Of a column of a series by the name in its header ("x_2"). Every name has one: what no other row
-// names is a law's own output.
+// Meaning of a column of a series by the name in its header ("x_2"). A name that matches no row of
+// the table is an output of a controller's law.
 const ColumnMeaning& series_column(std::string_view name);
 
-// All that is known at one instant; q, v point to nq values, valid during the call.
+// State of one contact at one instant.
 struct ContactSnapshot {
-  double normal_force = 0.0;    // N, of persistent contact, >= 0
+  double normal_force = 0.0;    // N, of lasting contact, >= 0
   double friction_force = 0.0;  // N, on the rotor along e_t
   Mode mode = Mode::kFree;
   ActuatorState actuator{};
 };
-struct Snapshot : ContactSnapshot {  // its own are those of the first contact
+// State of the model at one instant; the base is the first contact. q, v: nq values, valid during
+// the call.
+struct Snapshot : ContactSnapshot {
   double t = 0.0;
   const double* q = nullptr;
   const double* v = nullptr;
@@ -54,9 +56,9 @@ struct Snapshot : ContactSnapshot {  // its own are those of the first contact
   }
 };
 
-// The columns that a run of the model has, empty; what they are: columns.h.
+// The empty columns that a run of the model has.
 std::vector<Column> series_of(const Model& model);
-// A row; time: as asked for, which `now` is but for round-off.
+// Appends a row. time: as requested; now.t may differ from it by round-off.
 void put_row(const Model& model, double time, const Snapshot& now, std::vector<Column>& columns);
 
 }  // namespace rotorub

@@ -10,7 +10,7 @@ void ContactEpisodes::step(const SoftStep& s) {
   const bool pressed = s.normal > 0.0;
   if (pressed && !open_) {
     open_ = true;
-    // The gap was open a step earlier: it closed where the line between the two meets 0.
+    // The gap was open a step earlier; linear interpolation gives the instant at which it closed.
     const double fall = last_gap_ - s.before.gap;
     const double share = fall > 0.0 && s.t > 0.0 ? std::clamp(-s.before.gap / fall, 0.0, 1.0) : 0.0;
     impact_ = Impact{};

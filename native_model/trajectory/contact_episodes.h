@@ -1,6 +1,6 @@
-// Impacts and changes of mode of a soft contact: an impact is an episode of contact, from the
-// instant the gap closes to the first step without a force, the impulses integrated over it. One
-// that is shorter than the window of impulses (native_model/trajectory/recorder.h) is no
+// Impacts and changes of mode of a soft contact. An impact is an episode of contact, from the
+// instant the gap closes to the first step without a force, with the impulses integrated over it.
+// An episode shorter than the window of impulses (native_model/trajectory/recorder.h) is not a
 // lasting contact.
 #pragma once
 
@@ -9,15 +9,17 @@
 
 namespace rotorub {
 
-// One fixed step: the states at both ends and the contact force held over it; or, where forces are
-// known about the instants of the states, t and that state twice, and the one before it.
+// One fixed step: the states at both ends and the contact force held over it. If the forces are
+// known at the instants of the states, `t` is such an instant, `before` and `after` are both its
+// state, and `approach` is the state before it.
 struct SoftStep {
   double t = 0.0, h = 0.0;  // s, begin and length
   ContactPoint before, after;
   double normal = 0.0;    // N, >= 0
   double friction = 0.0;  // N, on the rotor along e_t
   Mode mode = Mode::kFree;
-  const ContactPoint* approach = nullptr;  // whose rates are those of the approach; null: `before`
+  // State that gives the rates of the approach; null: `before`.
+  const ContactPoint* approach = nullptr;
 };
 
 class ContactEpisodes {
@@ -25,7 +27,7 @@ class ContactEpisodes {
   explicit ContactEpisodes(Recorder& recorder, int contact = 0)
       : recorder_(&recorder), contact_(contact) {}
   void step(const SoftStep& step);
-  void finish();  // closes the episode that is open
+  void finish();  // closes an open episode
 
  private:
   Recorder* recorder_;
@@ -34,7 +36,7 @@ class ContactEpisodes {
   Impact impact_;
   Mode mode_ = Mode::kFree;
   double last_gap_ = 0.0;              // m, one step earlier
-  double begin_ = 0.0, lasted_ = 0.0;  // s, of the episode
+  double begin_ = 0.0, lasted_ = 0.0;  // s, begin and duration of the episode
 };
 
 }  // namespace rotorub

@@ -1,17 +1,17 @@
-// How often a rotor goes all the way around its ring, and for how long: what a drop is judged by.
+// Number and duration of full passes of the rotor around its ring, by which a rotor drop is judged.
 #pragma once
 
 #include <Eigen/Core>
 
 namespace rotorub {
 
-// A pass is a turn of the rotor's centre about the ring's by 2 pi in one sense, from the place
-// where it last turned back; rocking to and fro is none. Counted in quarters of the turn, so that a
-// state may be up to half a turn after the one before it.
+// A full pass is a turn of the rotor's centre about the ring's by 2 pi in one direction, measured
+// from where the motion last reversed; rocking to and fro is not a pass. Passes are counted in
+// quarter turns, so that successive states may be up to half a turn apart.
 class FullPasses {
  public:
-  // The rotor's centre from the ring's (m) at t (s), ascending. What was before the first call is
-  // not counted.
+  // centre: the rotor's centre relative to the ring's, m; t: s, ascending. Motion before the first
+  // call is not counted.
   void follow(const Eigen::Vector2d& centre, double t) {
     const int quarter =
         centre.y() >= 0.0 ? (centre.x() >= 0.0 ? 0 : 1) : (centre.x() < 0.0 ? 2 : 3);
@@ -22,22 +22,22 @@ class FullPasses {
     turned_ += moved;
     last_quarter_ = quarter;
     last_ = centre;
-    // A turning place is where it came to from the other side, and not where a pass has ended.
+    // An extreme is updated only by motion towards it, and not where a pass has ended.
     if (moved < 0 && turned_ <= low_.turned) low_ = {turned_, t};
     if (moved > 0 && turned_ >= high_.turned) high_ = {turned_, t};
     if (turned_ - low_.turned >= 4) count(forward_, low_, low_.turned + 4, t);
     if (high_.turned - turned_ >= 4) count(backward_, high_, high_.turned - 4, t);
   }
-  int forward() const { return forward_; }    // passes along +z, of a spin > 0 with it
-  int backward() const { return backward_; }  // the others
-  double time() const { return time_; }       // s, that all of them took
+  int forward() const { return forward_; }    // passes about +z, the direction of a positive spin
+  int backward() const { return backward_; }  // passes about -z
+  double time() const { return time_; }       // s, total duration of all passes
 
  private:
   struct Extreme {
     int turned = 0;  // quarters
-    double t = 0.0;  // s, when it was there last
+    double t = 0.0;  // s, when it was last there
   };
-  // The next pass begins at `place`, where this one ended, which may be a quarter ago.
+  // The next pass begins at `place`, where this one ended, which may be up to a quarter turn back.
   void count(int& passes, Extreme& begin, int place, double end) {
     ++passes;
     time_ += end - begin.t;

@@ -1,5 +1,5 @@
-// The keyphasor: a mark on the shaft that passes a probe once a turn. Where the rotor is whenever
-// it passes is the Poincare section of its motion.
+// The keyphasor: a mark on the shaft that passes a probe once per turn. The positions of the rotor
+// at these instants are the Poincare section of its motion.
 #pragma once
 
 #include <cmath>
@@ -10,23 +10,23 @@
 
 namespace rotorub {
 
-// A passing: the spin angle (without torsion) is a whole multiple of 2 pi.
+// A pass of the mark: the spin angle (without torsion) is a whole multiple of 2 pi.
 struct KeyphasorPass {
   double t = 0.0;           // s
   double x = 0.0, y = 0.0;  // m, the rotor's centre at the first contact, as rotor_x and rotor_y
-  double spin_speed = 0.0;  // rad/s; negative: the mark comes from the other side
+  double spin_speed = 0.0;  // rad/s; negative: the mark passes in the opposite direction
 };
 
-class Keyphasor {  // collects the passings of a run
+class Keyphasor {  // collects the passes of a run
  public:
-  // angle: rad. A mark at which the rotor starts has not passed.
+  // angle: rad. A mark exactly at the starting angle does not count as passed.
   void begin(double angle) {
     last_ = angle;
     passes_.clear();
   }
-  // From the angle of the last call to this one, either way: place(mark) gives the KeyphasorPass of
-  // each mark on the way, rad, in the order in which they pass; one at the end has passed. A step
-  // of more turns than kMostTurns tells none.
+  // Covers the angles from the last call to this one, in either direction. place(mark) must return
+  // the KeyphasorPass of each mark on the way (rad), in the order of passing; a mark at the end has
+  // passed. A step of more than kMostTurns turns adds none.
   template <class Place>
   void follow(double angle, Place place) {
     const double sense = angle < last_ ? -1.0 : 1.0;
@@ -47,8 +47,8 @@ class Keyphasor {  // collects the passings of a run
   std::vector<KeyphasorPass> passes_;
 };
 
-// The share of a step, in [0, 1], at which an angle reaches `mark`: angle(share) and rate(share),
-// its derivative by the share, of one that does not turn back within it. Newton's iteration between
+// Fraction of a step, in [0, 1], at which an angle reaches `mark`. angle(share) must be monotonic
+// in the step, and rate(share) is its derivative with respect to share. Newton's iteration between
 // bounds.
 template <class Angle, class Rate>
 double share_at(double mark, Angle angle, Rate rate) {

@@ -112,8 +112,8 @@ void write_keyphasor(const Trajectory& trajectory, const std::filesystem::path& 
 
 void write_whole(const std::filesystem::path& file, const std::string& text) {
   std::error_code none;
-  // What a link leads to is written, not put in the place of the link; nor is a device or a pipe,
-  // which takes the text as it comes.
+  // The target of a link is written, and the link is not replaced. A device or a pipe is not
+  // replaced either; it receives the text directly.
   const bool exists = fs::exists(file, none), regular = fs::is_regular_file(file, none);
   const fs::path target = regular ? fs::canonical(file, none) : file;
   const bool aside = !exists || regular;
@@ -123,7 +123,7 @@ void write_whole(const std::filesystem::path& file, const std::string& text) {
     const std::error_code code(error, std::generic_category());
     const std::string said =
         "cannot " + std::string(what) + " " + file.string() + ": " + code.message();
-    // A place that takes no file was badly chosen; one that is full was not.
+    // With these four errors the place is suitable, but the disk is full or failing.
     if (error != ENOSPC && error != EDQUOT && error != EIO && error != EFBIG)
       throw UnwritablePlace(said);
     throw std::runtime_error(said);
@@ -134,7 +134,7 @@ void write_whole(const std::filesystem::path& file, const std::string& text) {
     std::ofstream out(written, std::ios::binary | std::ios::trunc);
     if (!out) fail("open", errno);
     out.write(text.data(), static_cast<std::streamsize>(text.size()));
-    out.close();  // with what was still held back
+    out.close();  // flushes the buffer
     if (!out) fail("write", errno);
   }
   if (!aside) return;
@@ -148,7 +148,8 @@ namespace {
 constexpr const char* kPart = ".part-";
 constexpr int kMostAttempts = 100;
 
-// Of the processes that a number tells apart: those of one machine, or one container on it.
+// Identifies the set of processes whose numbers are unique: those of one machine, or of one
+// container on it.
 std::string machine() {
   std::array<char, 256> name{};
   gethostname(name.data(), name.size() - 1);
@@ -165,7 +166,7 @@ std::string random_name() {
   return digits.data();
 }
 
-// The process of this machine whose part of the file with this name it is; 0: none.
+// The process of this machine that owns `part`, a temporary file of the file `name`; 0: none.
 pid_t writer_of(const std::string& part, const std::string& name) {
   const std::string mark = name + kPart;
   if (!part.starts_with(mark)) return 0;
@@ -185,14 +186,14 @@ bool is_running(pid_t process) { return kill(process, 0) == 0 || errno != ESRCH;
 fs::path part_of(const fs::path& file) {
   const fs::path folder = file.has_parent_path() ? file.parent_path() : fs::path(".");
   std::error_code none;
-  fs::create_directories(folder, none);  // where that fails, so does what is written there
+  fs::create_directories(folder, none);  // if this fails, so does writing there
   std::vector<fs::path> left;
   for (fs::directory_iterator at(folder, none), end; !none && at != end; at.increment(none)) {
     const pid_t process = writer_of(at->path().filename().string(), file.filename().string());
     if (process > 0 && !is_running(process)) left.push_back(at->path());
   }
   for (const fs::path& part : left) fs::remove(part, none);
-  // Made here and by nobody before: what a link of that name leads to is not written.
+  // O_EXCL: the file must be new, so that nothing is written through a link of that name.
   const std::string mark = kPart + std::to_string(::getpid()) + "-" + machine() + "-";
   for (int attempt = 0;; ++attempt) {
     fs::path part = file;
@@ -201,7 +202,7 @@ fs::path part_of(const fs::path& file) {
         ::open(part.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_NOFOLLOW | O_CLOEXEC, 0666);
     if (made >= 0) ::close(made);
     if (made >= 0 || errno != EEXIST || attempt == kMostAttempts)
-      return part;  // who opens it learns why it cannot be
+      return part;  // opening it will report the reason
   }
 }
 
@@ -211,7 +212,7 @@ void check_writable(const fs::path& folder) {
   while (!fs::exists(there, none) && there.has_relative_path()) there = there.parent_path();
   int error = ENOTDIR;
   if (fs::is_directory(there, none)) {
-    // Tried out: what the modes of a folder allow its file system may still refuse.
+    // Tries it out, since the file system may refuse what the permissions of the folder allow.
     const fs::path probe = part_of(there / "rotorub");
     error = errno;
     if (fs::remove(probe, none)) return;

@@ -1,5 +1,5 @@
-// Is the rotor, or the ring, still where something holds it? Beyond it the model no longer
-// describes the machine, and a run ends with Status::kOutOfRange.
+// Checks whether rotor and ring are still within range of their supports. Beyond it the model no
+// longer describes the machine, and a run ends with Status::kOutOfRange.
 #pragma once
 
 #include <optional>
@@ -9,11 +9,12 @@
 
 namespace rotorub {
 
-// Why the configuration q (nq values) is out of range; empty where it is not:
-//   the ring is displaced along an axis of its actuator by the magnets' air gap or more,
-//   the rotor is deeper in a ring than `depth` (m): absent, than the ring's clearance,
-//   a rotor without a ring is further away than any machine is large: nothing holds it.
-// A few operations, and no allocation where the answer is empty: to be asked at every step.
+// Reason why the configuration q (nq values) is out of range; empty if it is not:
+// - The ring is displaced along an axis of its actuator by the magnets' air gap or more.
+// - The ring has reached the end of its squeeze film (SqueezeFilmLaw::kReach of its clearance).
+// - The rotor penetrates a ring by more than `depth` (m; default: the ring's clearance).
+// - A rotor without a ring is further away than any machine is large, so nothing holds it.
+// Cheap enough for every step, without allocation if the answer is empty.
 std::optional<std::string> out_of_range(const Model& model, const double* q,
                                         std::optional<double> depth = {});
 

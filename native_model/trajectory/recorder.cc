@@ -12,7 +12,7 @@
 namespace rotorub {
 namespace {
 
-// s, of all that one of the times covers; sorts them.
+// Total time covered by the spans, s; sorts them.
 double length_of_union(std::vector<Recorder::Span>& times) {
   std::ranges::stable_sort(times, {}, &Recorder::Span::begin);
   double length = 0.0, reached = -std::numeric_limits<double>::infinity();
@@ -30,7 +30,7 @@ std::vector<double> output_times(const scene::Run& run) {
   times.push_back(run.end);
   std::sort(times.begin(), times.end());
   times.erase(std::unique(times.begin(), times.end()), times.end());
-  // A multiple that round-off alone keeps apart from one of these is that one.
+  // A multiple that differs only by round-off from one of these times is left out.
   const std::vector<double> exact = times;
   const double spacing = run.series_step(), same = 1e-9 * spacing;
   const auto known = [&](double t) {
@@ -75,7 +75,7 @@ void Recorder::keep(const Snapshot& now, const ContactPoint& point) {
   const bool several = !statistics_.contacts.empty();
   for (std::size_t k = 0; k < model_->auxiliary.size(); ++k) {
     ContactStatistics& own = several ? statistics_.contacts[k] : statistics_;
-    // A touch that lasts is counted at its end.
+    // A touch that lasts is counted only at its end.
     if (own.first_touch < 0.0 && now.at(k).mode == Mode::kFree) continue;
     own.passes.follow(k == 0 ? point.d : separation(*model_, now.q, k), now.t);
   }
@@ -107,7 +107,7 @@ void Recorder::count_contact(double normal_impulse, double friction_impulse, dou
   Statistics& s = statistics_;
   s.touch(begin);
   const double force = normal_impulse / h;
-  // Beside lasting contact an impact takes no time of its own.
+  // During lasting contact an impact adds no time of its own.
   const double alone = impact ? std::max(0.0, h - lasted_) : h;
   s.contact_time += alone;
   if (impact)
@@ -199,7 +199,7 @@ void Recorder::step(const Snapshot& now, double normal_impulse, double friction_
   last_slip_ = point.slip;
 }
 
-// The state at a share of the step, an impact's linear.
+// State at the fraction s of the step; linear if there is an impact.
 void Recorder::interpolate(const Snapshot& now, double s, bool impact) {
   const double h = now.t - last_t_, s2 = s * s, s3 = s2 * s;
   for (std::size_t i = 0; i < q_.size(); ++i) {
@@ -226,10 +226,10 @@ void Recorder::passes_until(const Snapshot& now, bool impact) {
   });
 }
 
-// Rows in (last, now]: at the step's own time its state to the bit, else interpolated.
+// Adds the rows in (last, now]: the exact state at the step's own time, else an interpolated one.
 void Recorder::rows_until(const Snapshot& now, bool impact) {
   const double h = now.t - last_t_;
-  const double same = 1e-9 * h;  // a requested time this near to a step is that step
+  const double same = 1e-9 * h;  // a requested time this close to a step coincides with it
   while (next_time() <= now.t + same) {
     const double t = next_time(), s = (t - last_t_) / h;
     if (std::abs(now.t - t) <= same) {
@@ -293,8 +293,8 @@ Trajectory Recorder::finish(double end) {
   t.end = end;
   t.contacts = model_->auxiliary.size();
   t.series = std::move(columns_);
-  // Of several contacts one may be told after what the others did since: a soft contact's impact at
-  // its end.
+  // With several contacts, an entry may arrive after later ones of other contacts, since a soft
+  // contact reports an impact at its end.
   std::ranges::stable_sort(impacts_, {}, &Impact::t);
   std::ranges::stable_sort(events_, {}, &Event::t);
   t.impacts = std::move(impacts_);

@@ -1,14 +1,14 @@
-// Words about the end of a step, for messages.
+// Texts and events for the outcome of a step.
 #pragma once
 
 #include "native_model/trajectory/trajectory.h"
 
 namespace rotorub {
 
-// Why a run in fixed steps ended; empty for what is said elsewhere.
+// Reason why a fixed-step run ended; empty if the reason is reported elsewhere.
 const char* status_reason(Status status);
 
-// The event that a contact's new mode is.
+// Event that marks a contact's change to `mode`.
 EventKind mode_event(Mode mode);
 
 }  // namespace rotorub

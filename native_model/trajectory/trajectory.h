@@ -1,4 +1,4 @@
-// The one result type: what every engine gives and everything downstream reads.
+// The result type that every engine returns and everything downstream reads.
 #pragma once
 
 #include <algorithm>
@@ -19,39 +19,39 @@ namespace rotorub {
 
 const char* to_string(Mode mode);  // "free", "slide", "stick"
 
-// One column of the series. `mode` holds the number of the Mode.
+// One column of the series. The column `mode` holds the number of the Mode.
 struct Column {
   std::string name;
   std::string unit;
   std::vector<double> values;
 };
 
-// kReverse: the slip changes its sign without sticking.
+// kReverse: the slip changes sign without sticking.
 enum class EventKind : std::uint8_t { kImpact, kSlide, kStick, kLiftOff, kReverse };
 const char* to_string(EventKind kind);
 struct Event {
   double t = 0.0;
   EventKind kind = EventKind::kImpact;
-  int contact = 0;  // which of several, from 0
+  int contact = 0;  // index among several, from 0
 };
 
-const char* to_string(Status status);  // "ok", "diverged", ...: as in summary.json
+const char* to_string(Status status);  // "ok", "diverged", ..., as in summary.json
 
-// Of one of several contacts.
+// Statistics of one of several contacts.
 struct ContactStatistics {
   double first_touch = -1.0;      // s; -1: never touched
   double contact_time = 0.0;      // s with normal force > 0; an impact of a fixed step: one step
   double impulse_total = 0.0;     // N s, normal
   double friction_impulse = 0.0;  // N s, signed
   double friction_work = 0.0;     // J, <= 0
-  // m, of rows and ends of steps; infinity: no contact
+  // m, over the rows and the ends of steps; infinity: no contact.
   double least_gap = std::numeric_limits<double>::infinity();
   double max_penetration = 0.0;  // m
-  // N, largest impulse of a step / step, or force of one that gives
+  // N, largest impulse of a step / step, or largest force of a compliant contact.
   double peak_force = 0.0;
-  FullPasses passes;  // of the rotor around the ring from the first touch on
+  FullPasses passes;  // of the rotor around the ring, from the first touch on
 
-  // Impulses (N s) and the work of friction (J).
+  // normal, friction: impulses, N s. work: of friction, J.
   void add(double normal, double friction, double work) {
     impulse_total += normal;
     friction_impulse += friction;
@@ -66,11 +66,12 @@ struct ContactStatistics {
   }
 };
 
-// Figures gathered over every step, whatever the spacing of the series; its own contact's are those
-// of all, the time that in which some contact has a normal force, the peak that of the sum of their
-// forces, and the passes those of the one with the most.
+// Statistics over every step, independent of the spacing of the series. The inherited figures cover
+// all contacts: contact_time is the time during which any contact has a normal force, peak_force
+// the peak of the sum of their forces, and passes those of the contact with the most.
 struct Statistics : ContactStatistics {
-  // s of contact_time that are impacts: their steps, or soft contacts shorter than the window
+  // s, part of contact_time that belongs to impacts: their steps, or episodes of soft contact
+  // shorter than the window.
   double impact_time = 0.0;
   double penetration_square = 0.0;  // m^2 s, integral of penetration^2
   double force_square = 0.0;        // N^2 s, integral of (impulse of the step / step)^2 in contact
@@ -80,22 +81,25 @@ struct Statistics : ContactStatistics {
   double energy_end = 0.0;          // J
   double external_work = 0.0;       // J, of all forces that are not springs or contact
   double contact_work = 0.0;        // J
-  double energy_scale = 0.0;        // J, largest energy met; of a contact at the end: N delta_0
-  std::vector<ContactStatistics> contacts;  // of each where there are several, else empty
+  // J, largest energy reached, or N delta_0 of contacts closed at the last row.
+  double energy_scale = 0.0;
+  std::vector<ContactStatistics> contacts;  // one per contact if there are several, else empty
   double energy_residual() const;           // |E_end - E_start - works| / scale, 0 for a scale of 0
 };
 
-class MissingColumn : public std::runtime_error {  // what() names it
+class MissingColumn : public std::runtime_error {  // what() names the column
   using std::runtime_error::runtime_error;
 };
 
-struct Trajectory {                               // what a run gives; series: columns of one length
-  std::string engine, integrator, contact_model;  // contact_model: "rigid", "coulomb", "cone"
-  double step = 0.0;                              // s; `event`: 0
-  std::size_t contacts = 1;                       // auxiliary bearings of the model
+// The result of a run; all columns of the series have one length.
+struct Trajectory {
+  // contact_model is "rigid", "compliant", "coulomb", "cone" or "cone-coulomb".
+  std::string engine, integrator, contact_model;
+  double step = 0.0;         // s; `event`: 0
+  std::size_t contacts = 1;  // number of auxiliary bearings in the model
   std::int64_t steps = 0;
-  double wall_s = 0.0;  // integration alone
-  double end = 0.0;     // s, reached
+  double wall_s = 0.0;  // integration only
+  double end = 0.0;     // s, time reached
   std::vector<Column> series;
   std::vector<Impact> impacts;
   std::vector<Event> events;
@@ -105,10 +109,10 @@ struct Trajectory {                               // what a run gives; series: c
   std::string message;
 
   std::size_t rows() const { return series.empty() ? 0 : series.front().values.size(); }
-  // Throws MissingColumn: a series may come from a file.
+  // Throws MissingColumn, since a series may come from a file.
   const std::vector<double>& column(const std::string& name) const;
   bool has(const std::string& name) const;
-  double contact_fraction() const;  // from first touch to the end, 0 when never touched
+  double contact_fraction() const;  // from the first touch to the end; 0 if never touched
   double mean_force() const;        // N, impulse_total / (end - first touch)
 };
 
