@@ -18,8 +18,7 @@ void write_bodies(XmlWriter& xml, const scene::Scene& scene, const Model& model,
 void write_beside_the_rotor(XmlWriter& xml, const scene::Scene& scene, const Model& model,
                             const MujocoVersion& target);
 
-// The visible disc of the rotor at an auxiliary bearing, and the geom that represents it in the
-// contact.
+// The visible disc of the rotor at an auxiliary bearing, and its geom of the contact pair.
 void write_rotor_disc(XmlWriter& xml, const scene::Scene& scene, std::size_t bearing);
 
 // The index in q of each of MuJoCo's coordinates, in the order chain, branch, rings, supports,

@@ -1,6 +1,5 @@
 // Compiles fmt once into rotorub_mjcf, like fmt's own src/format.cc, so that targets that link it
-// do not need fmt. The header-only variant (fmt::fmt-header-only) would compile all of it in each
-// file.
+// do not need fmt. The header-only variant (fmt::fmt-header-only) would compile all of it per file.
 #include <fmt/format-inl.h>
 
 FMT_BEGIN_NAMESPACE

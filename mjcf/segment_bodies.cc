@@ -71,8 +71,7 @@ void SegmentRotor::write_bodies(XmlWriter& xml) const {
 
 // Opens the carrier; the next carrier is its child.
 void SegmentRotor::write_carrier(XmlWriter& xml, std::size_t k) const {
-  // The contact plane is z = 0. The first segment turns about its node, the others about their
-  // joints.
+  // The contact plane is z = 0. The first segment turns about its node, others about their joints.
   const auto origin = [&](std::size_t i) {
     return i == 0 ? chain_.segments[0].node : chain_.joint[i - 1];
   };

@@ -22,8 +22,8 @@ std::string view_names();  // "rig, axis, close-up or unrolled"
 
 struct RenderOptions {
   FilmView view = FilmView::kRig;
-  int width = 1280;                 // pixels, 320 to 3840; even for a film
-  int height = 720;                 // pixels, 180 to 2160; even for a film
+  int width = 1280;                 // pixels, 320 to 3840; must be even for a film
+  int height = 720;                 // pixels, 180 to 2160; must be even for a film
   double frames_per_second = 60.0;  // 1 to 120; for a GIF 1 to 50
   int samples = 4;                  // for smooth edges: 0 (none), 2, 4, 8
 

@@ -15,8 +15,7 @@ namespace rotorub::renders {
 namespace {
 
 constexpr int kSpans = 48;  // of the drawn shaft
-// Fractions of the rotor's radius: a clearance that is clearly visible, and the smallest visible
-// one.
+// Fractions of the rotor's radius: a clearly visible clearance, and the smallest visible one.
 constexpr double kClearanceShare = 0.45;
 constexpr double kLeastShare = 0.15;
 constexpr double kRingMotionShare = 0.9;   // of the rotor's radius, in the cross-section

@@ -98,12 +98,10 @@ Machine make_machine(const scene::Scene& scene, std::span<const Playback* const>
                      double to, std::optional<double> magnification);
 
 // Magnification for a picture of only the contact; 1 without a contact. The drawn clearance is 0.45
-// of the rotor's radius, or less if the ring moves far (`motion`, m). Rounded down to a plain
-// number.
+// of the rotor's radius, or less if the ring moves far (`motion`, m). Rounded down, see below.
 double section_magnification(const scene::Scene& scene, double motion);
 
-// The largest of 1, 1.5, 2, 3, 4, 5, 6, 8, 10 times a power of ten that does not exceed `value` >
-// 0.
+// The largest number up to `value` > 0 that is 1, 1.5, 2, 3, 4, 5, 6, 8 or 10 times a power of ten.
 double plain_number_below(double value);
 
 }  // namespace rotorub::renders

@@ -191,8 +191,7 @@ void MachineView::draw_shaft(Canvas& canvas, const Eigen::Matrix2Xd& line, const
   for (Eigen::Index i = 0; i + 1 < machine_.z.size(); ++i) {
     const Vector3d from = place_at(machine_.z[i], line.col(i));
     const Vector3d to = place_at(machine_.z[i + 1], line.col(i + 1));
-    // Closes the wedge on the outside of a bend. With a translucent shaft the overlap would be
-    // visible.
+    // Closes the wedge on the outside of a bend. On a translucent shaft it would be visible.
     const Vector3d overlap = (color.alpha < 1.0F ? 0.0 : 0.06) * (to - from);
     canvas.cylinder(from - overlap, to + overlap,
                     thickness * machine_.span_radius[static_cast<std::size_t>(i)], color);

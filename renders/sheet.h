@@ -31,8 +31,7 @@ class Picture {
   Picture(int width, int height);
   int width() const;   // pixels
   int height() const;  // pixels
-  // All pixels: rows from the top down without padding; per pixel blue, green, red and an unused
-  // byte.
+  // All pixels: rows from the top down, not padded; per pixel blue, green, red and an unused byte.
   std::span<const std::uint8_t> bytes() const;
   // Red, green, blue; row 0 is at the top.
   std::array<std::uint8_t, 3> pixel(int column, int row) const;

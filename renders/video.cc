@@ -75,8 +75,8 @@ std::vector<std::string> arguments_of(int width, int height, const Encoding& enc
 }
 
 // Starts ffmpeg with `in` as standard input, `log` as standard error and `out` as kOut. It gets its
-// own process group, so that only the caller handles a keyboard interrupt. Returns the error
-// number.
+// own process group, so that only the caller handles a keyboard interrupt. Returns an error number,
+// 0 on success.
 int spawn(std::vector<std::string> arguments, int in, int log, int out, pid_t& child) {
   std::vector<char*> argv;
   for (std::string& argument : arguments) argv.push_back(argument.data());

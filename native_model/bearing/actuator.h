@@ -83,8 +83,7 @@ class ForceTable final : public ForceLaw {
   double gain(double s, double i) const override;
   double current(double s, double force, double limit) const override;
 
-  // Empty if the spline can be inverted. Otherwise says where it falls with the current between the
-  // points.
+  // Empty if the spline can be inverted. Otherwise says where it falls with the current.
   std::string refusal() const;
 
  private:

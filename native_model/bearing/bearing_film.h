@@ -6,7 +6,7 @@
 //
 // with r the deflection at the station and o the offset of the bearing. The model's own springs and
 // dampers have the diagonals at one speed, with negative values replaced by 0. This part adds the
-// difference.
+// rest.
 #pragma once
 
 #include <Eigen/Core>
@@ -27,8 +27,7 @@ using BearingCoefficients = std::array<double, 8>;
 // Coefficients as functions of the rotational speed; the end values are held beyond the ends.
 class CoefficientTable {
  public:
-  // speed: rad/s, ascending, at least two. Each list of values has the same length, or is empty for
-  // 0.
+  // speed: rad/s, ascending, at least two. Each list of values is as long, or empty for 0.
   CoefficientTable(const std::vector<double>& speed,
                    const std::array<std::vector<double>, 8>& values);
   BearingCoefficients at(double speed) const;

@@ -49,11 +49,10 @@ class Dop853 {
     return error(tolerance);
   }
 
-  // Estimates the fastest rate of the system, for a step at its stability limit: |f(a) - f(b)| /
-  // |a - b| in units of the tolerance, where a and b are the states of the last stage and of the
-  // end,
-  // both at the same time. Also finds the component that changes fastest. Call it after a trial and
-  // before prepare_dense.
+  // Estimates the fastest rate of the system, for a step at its stability limit, by
+  // |f(a) - f(b)| / |a - b| in units of the tolerance, where a and b are the states of the last
+  // stage and of the end, both at the same time. Also finds the component that changes fastest.
+  // Call it after a trial and before prepare_dense.
   struct Fastest {
     double rate = 0.0;
     int component = 0;
@@ -90,8 +89,8 @@ class Dop853 {
     known_alone_ = kNone;
   }
 
-  // y(t + theta h) - y(t), theta in [0, 1], in nested form: theta (F_0 + (1 - theta)(F_1 + theta
-  // (...))).
+  // y(t + theta h) - y(t), theta in [0, 1], in nested form:
+  // theta (F_0 + (1 - theta)(F_1 + theta (...))).
   void increment(double theta, double* y) {
     find_all_terms();
     for (int i = 0; i < size_; ++i) y[i] = nested(i, theta);

@@ -1,6 +1,5 @@
 // Eigenvalues of small dense matrices. Eigen's solvers compile slowly, so they are compiled only in
-// eigenvalues.cc. A function returns nothing if a matrix is not finite or the iteration does not
-// converge.
+// eigenvalues.cc. They return nothing if a matrix is not finite or the iteration fails.
 #pragma once
 
 #include <Eigen/Core>

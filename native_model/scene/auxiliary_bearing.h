@@ -37,7 +37,7 @@ struct Contact {
 
 // ---------------------------------------------------------------- [stator], [actuator]
 // Spin of the ring about its axis, as of the inner ring of an auxiliary ball bearing:
-// J Omega_r' = T - drag Omega_r - (dry_drag + load_factor pitch_diameter P) s,
+//   J Omega_r' = T - drag Omega_r - (dry_drag + load_factor pitch_diameter P) s,
 // with T the torque of the contact, s in [-1, 1] the state of the dry friction
 // (bearing/ring_support.h) and P the magnitude of the force that the ring's support transmits
 // (Palmgren 1959: M_1 = f_1 P d_m).
@@ -52,8 +52,7 @@ struct RingSpin {
   bool drags() const { return dry_drag > 0.0 || load_factor > 0.0; }
 };
 
-// The body that carries the ring. stator.stiffness and stator.damping then act between ring and
-// housing.
+// The body that carries the ring. stator.stiffness and stator.damping then act between the two.
 struct Housing {
   PlanePair mass{0.0, 0.0};       // kg, > 0
   PlanePair stiffness{0.0, 0.0};  // N/m, >= 0, to the base
@@ -187,12 +186,12 @@ struct Controller {  // the control law of the ring
   double gap_time = 0.008;        // s, > 0, in which the gap reference g_d falls smoothly to 0
   // Normal force of the lasting contact once the gap reference is 0. With 0 the two only graze.
   double preload = 20.0;    // N, >= 0
-  double mass_error = 0.0;  // 1, > -1, relative error of the ring's mass that the law assumes
+  double mass_error = 0.0;  // 1, > -1, relative error of the law's ring mass; > 0: too heavy
   // Sampled laws average the feed-forward over this time, in the frame of the whirl. Default: one
   // revolution of the spin.
   std::optional<double> filter_time;  // s, >= 0
-  // They also damp the ring's velocity about its mean in that frame. Default: the ring's critical
-  // damping.
+  // They also damp the ring's velocity about its mean in that frame. Default: critical damping
+  // of the ring.
   std::optional<double> tracking_damping;  // N s/m, >= 0
   // passive: extra spring and damper emulated by the actuator; pd: gains of the tracking error
   double stiffness = 0.0;  // N/m, >= 0

@@ -1,5 +1,4 @@
-// Checks of combinations of keys that contradict each other, and defaults that depend on other
-// keys.
+// Checks for combinations of keys that contradict each other, and defaults that depend on others.
 #pragma once
 
 #include <algorithm>
@@ -20,8 +19,7 @@ struct Checker {
   const Scene& scene;
   const Record& record;
   std::vector<Diagnostic>& diagnostics;
-  // The auxiliary bearing that keys such as "contact", "stator.mass" and "controller.kind" refer
-  // to.
+  // The auxiliary bearing of keys such as "contact", "stator.mass" and "controller.kind".
   std::size_t index = 0;
 
   const AuxiliaryBearing& bearing() const { return scene.auxiliary[index]; }

@@ -16,8 +16,7 @@ std::optional<double> balance_quality(std::string_view grade);
 // Cross-checks of [[rotor.disc]].
 void check_discs(const Checker& check, const RotorGeometry& shaft);
 
-// Computes mass, Jt, Jp and eccentricity from the other keys. The scene must have passed its
-// checks.
+// Computes mass, Jt, Jp and eccentricity from the other keys, for a scene without diagnostics.
 void complete_discs(Rotor& rotor);
 
 }  // namespace rotorub::scene

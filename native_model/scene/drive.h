@@ -18,9 +18,9 @@ struct Drive {  // the motor: its torque as a function of speed and time
   double synchronous_speed = 0.0;    // kloss: rad/s, > 0
   std::vector<double> table_speed;   // table: rad/s, ascending, at least 2
   std::vector<double> table_torque;  // table: N m
-  // speed_controlled: PI control of the motor's speed; the reference rises from rotor.speed to
-  // `speed`
-  double integral_gain = 0.0;  // N m, >= 0, per rad of accumulated lag
+  // speed_controlled: PI control of the motor's speed, whose reference goes from rotor.speed to
+  // `speed` at the rate `acceleration` (infinity: at once)
+  double integral_gain = 0.0;  // N m/rad, >= 0, on the angle that the motor lags behind
   double torque_limit = std::numeric_limits<double>::infinity();  // N m, > 0
   double acceleration = std::numeric_limits<double>::infinity();  // rad/s^2, > 0, of the reference
   double station = 0.0;                                           // m, geometry form

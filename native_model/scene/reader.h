@@ -42,8 +42,7 @@ class Variants {
   explicit Variants(const std::filesystem::path& file, std::span<const std::string> overrides = {});
 
   // The scene with `changes` (overrides.h) applied, as from read_scene. Throws SceneError. With
-  // `with_text`, Scene::text is the text of the variant, which MuJoCo's plugin reads; else it is
-  // empty.
+  // `with_text`, Scene::text is the text of the variant, which MuJoCo's plugin reads, else empty.
   Scene scene(std::span<const std::string> changes, bool with_text) const;
 
   const std::string& text() const { return text_; }  // with the common overrides

@@ -119,7 +119,7 @@ const Table* find_table(std::string_view path);
 // [controller.sensors].
 bool is_part_of_contact(const Table& table);
 
-// The rows of the schema, in the order of the reference.
+// The rows of the schema.
 Table run_table();
 std::vector<Table> rotor_tables();
 std::vector<Table> load_tables();

@@ -1,5 +1,4 @@
-// Coefficients of a shaft bearing: springs and dampers, with cross-coupling, or tables over the
-// speed.
+// Coefficients of a shaft bearing: springs and dampers, cross-coupling, or tables over the speed.
 #pragma once
 
 #include <array>

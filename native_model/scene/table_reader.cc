@@ -123,8 +123,7 @@ void TableReader::find_form(const TomlNode& root) {
   }
 }
 
-// Reads each [[contact]] with the parts of its bearing, or each [[magnetic_bearing]] with its
-// control.
+// Reads each [[contact]] or [[magnetic_bearing]] with the parts of its bearing.
 void TableReader::read_list(const Table& table, const TomlNode& list) {
   const std::string path(table.path), below = path + ".";
   const bool contacts = path == "contact";

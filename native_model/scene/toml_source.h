@@ -56,8 +56,8 @@ std::string_view kind_name(TomlNode::Kind kind);
 
 // Parses `text`. Returns nothing if it cannot be read to its end. Syntax errors and duplicates go
 // to `diagnostics`. After a fault in a single `key = value` line, or a table given twice, parsing
-// continues, so that one mistake does not hide others. Bad text never causes an exception or an
-// abort.
+// continues, so that one mistake does not hide others. Bad text causes neither an exception nor
+// an abort.
 std::optional<TomlNode> parse_toml(std::string_view text, const std::string& file,
                                    std::vector<Diagnostic>& diagnostics);
 
