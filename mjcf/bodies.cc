@@ -14,22 +14,22 @@ namespace {
 
 namespace names = mjcf_names;
 
-// What MuJoCo demands of a moving body (it takes no less than 1e-15). The inertia that the chain
-// has comes from the joints' armature; this much is added to it.
+// MuJoCo requires mass and inertia of a moving body (at least 1e-15). The inertia of the chain is
+// in the joints' armature, to which this is added.
 constexpr const char* kMassless =
     R"(<inertial pos="0 0 0" mass="1e-12" diaginertia="1e-12 1e-12 1e-12"/>)";
-// From 3.0 on mj_setConst takes the inverse weight of a body that has slides alone from its mass,
-// without armature, unless its centre of mass is off its frame: a soft contact would be softer by
-// 1e12.
+// From 3.0 on, mj_setConst computes the inverse weight of a body with only slide joints from its
+// mass, without armature, unless its centre of mass is off its frame. A soft contact would then be
+// softer by a factor of 1e12.
 constexpr const char* kMasslessAside =
     R"(<inertial pos="0 0 1e-6" mass="1e-12" diaginertia="1e-12 1e-12 1e-12"/>)";
 
-// Half the thickness of the drawn disc over its radius; sizes below are in these terms, m.
+// Half the thickness of the drawn disc relative to its radius. The sizes below also scale with it.
 constexpr double kThickness = 0.15;
 constexpr double kRadiusWithoutContact = 0.02;
 
-// Wafers over the drawn faces, in terms of the disc's radius: the rotor's face is at 0.15 and its
-// mark ends at 0.1575, the ring's face is at 0.135.
+// Thin discs over the drawn faces, in units of the disc's radius. The rotor's face is at 0.15, its
+// mark ends at 0.1575, and the ring's face is at 0.135.
 constexpr double kOverRotor = 0.165, kOverRing = 0.142, kHalf = 0.003;
 
 void write_ghost(XmlWriter& xml, const char* name, const Eigen::Vector3d& at, double radius,
@@ -74,8 +74,8 @@ class Bodies {
     joints_.push_back(text + "/>");
   }
 
-  // A body, open, that moves by the joints collected. MuJoCo gives a body six at most: what is
-  // beyond goes on links before it.
+  // Opens a body that moves by the collected joints. MuJoCo allows at most six joints per body; the
+  // others go to links before it.
   void open_moving_body(const char* name, const std::string& place = "") {
     constexpr std::size_t kMostJoints = 6;
     open_bodies_ = 0;
@@ -94,7 +94,7 @@ class Bodies {
     for (; open_bodies_ > 0; --open_bodies_) xml_.close("body");
   }
 
-  // The bending modes whose contact shape is 1 (in the chain) or 0 (on the branch).
+  // The bending modes whose contact shape is 1 (for the chain) or 0 (for the branch).
   void bending_joints(double contact_shape) {
     const Layout& l = model_.layout;
     for (const bool y : {false, true}) {
@@ -123,8 +123,8 @@ class Bodies {
     close_moving_body();
   }
 
-  // The rotor at a further contact, where the modes move it by other values than 1 and 0: the
-  // plugin places it.
+  // The rotor at a further contact. The modes move it by values other than 1 and 0, so the plugin
+  // places it.
   void rotor_beside(std::size_t k) {
     const scene::Contact& contact = *scene_.auxiliary[k].contact;
     const Eigen::Vector2d at = rotor_point(model_, model_.q0.data(), k);
@@ -168,15 +168,15 @@ class Bodies {
       joint(named(names::kRingX), "slide", "1 0 0", at.ring);
       joint(named(names::kRingY), "slide", "0 1 0", at.ring + 1);
     }
-    // After the slides, whose axes it must not turn.
+    // After the slides, so that it does not turn their axes.
     if (at.turns()) joint(named(names::kRingSpin), "hinge", "0 0 1", at.ring_angle);
     const Eigen::Vector2d& offset = at.ring_offset;
-    // The first contact's plane is z = 0.
+    // The plane of the first contact is z = 0.
     const double z = k == 0 ? 0.0 : bearing.contact->station - scene_.first().contact->station;
     const std::string place = offset.isZero(0.0) && z == 0.0
                                   ? std::string()
                                   : fmt::format(R"( pos="{} {} {}")", offset.x(), offset.y(), z);
-    // Massless where fixed too: MuJoCo weighs it with the world.
+    // Massless even if fixed, because MuJoCo includes it in the world's mass.
     open_moving_body(named(names::kRing).c_str(), place);
     const double clearance = bearing.contact ? bearing.contact->clearance : 0.0;
     xml_.line(fmt::format(R"(<geom name="{}" type="cylinder" size="{} {}" mass="0" contype="0" )"
@@ -184,8 +184,8 @@ class Bodies {
                           named(names::kRing), radius + clearance, 0.9 * half));
     if (at.turns()) ring_mark(named("ring_mark"), radius + clearance, half);
     if (bearing.contact) {
-      // A rod half a length above the plane: far from the rotor's sphere, with a bounding sphere
-      // that holds it wherever the two go.
+      // A rod half its length above the plane. It is far from the rotor's sphere, but its bounding
+      // sphere always contains it.
       const double length = 1.0 + 1000.0 * (radius + clearance);
       xml_.line(fmt::format(R"(<geom name="{}" type="capsule" fromto="{} 0 {} {} 0 {}" )"
                             R"(size="{}" mass="0" contype="0" conaffinity="0" group="4"/>)",
@@ -195,7 +195,7 @@ class Bodies {
     close_moving_body();
   }
 
-  // What carries the ring; the plugin has what is between the two.
+  // The body that carries the ring. The plugin applies the forces between the two.
   void housing(std::size_t k) {
     const AuxiliaryBearing& at = model_.auxiliary[k];
     if (at.housing == kAbsent) return;
@@ -227,8 +227,8 @@ class Bodies {
     close_moving_body();
   }
 
-  // Two joints without a shape for each: what a magnetic bearing's integrator holds is in MuJoCo's
-  // state, qvel.
+  // Two joints without a shape for each feedback state, which keep the integrator of a magnetic
+  // bearing in MuJoCo's state, qvel.
   void integrators() {
     for (int i = 0; i < model_.layout.integrals; i += 2) {
       const int at = model_.layout.integral() + i;
@@ -239,7 +239,7 @@ class Bodies {
     }
   }
 
-  // Shows that the ring turns.
+  // A mark that shows the ring's rotation.
   void ring_mark(const std::string& name, double bore, double half) {
     xml_.line(fmt::format(R"(<geom name="{}" type="box" pos="{} 0 {}" size="{} {} {}" )"
                           R"(mass="0" contype="0" conaffinity="0" group="1" )"
@@ -269,7 +269,7 @@ void write_rotor_disc(XmlWriter& xml, const scene::Scene& scene, std::size_t bea
                        R"(rgba="0.85 0.3 0.1 1"/>)",
                        named("rotor_mark"), 0.6 * r, half, 0.25 * r, 0.05 * r, 0.05 * half));
   if (!scene.auxiliary[bearing].contact) return;
-  // Stands for the disc in the pair; its size is of no meaning.
+  // Represents the disc in the contact pair; its size has no meaning.
   xml.line(fmt::format(R"(<geom name="{}" type="sphere" size="{}" mass="0" contype="0" )"
                        R"(conaffinity="0" group="4"/>)",
                        named(names::kRotorContact), 0.1 * r));

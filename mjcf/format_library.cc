@@ -1,6 +1,5 @@
-// The library fmt, compiled once into rotorub_mjcf, so that who links that needs no fmt: its
-// headers alone (fmt::fmt-header-only) would compile all of it into each unit. As fmt's own
-// src/format.cc.
+// Compiles fmt once into rotorub_mjcf, like fmt's own src/format.cc, so that targets that link it
+// do not need fmt. The header-only variant (fmt::fmt-header-only) would compile all of it per file.
 #include <fmt/format-inl.h>
 
 FMT_BEGIN_NAMESPACE

@@ -1,4 +1,4 @@
-// Which MuJoCo a document is written for.
+// The version of MuJoCo that a document is written for.
 #pragma once
 
 #include <compare>
@@ -7,15 +7,15 @@
 
 namespace rotorub {
 
-struct MujocoVersion {  // of a release of MuJoCo; from 2.2 on
+struct MujocoVersion {  // of a release, at least 2.2
   int major = 2, minor = 2, patch = 2;
   auto operator<=>(const MujocoVersion&) const = default;
 };
 
-// The one that this program is built with.
+// The version that this program is built with.
 MujocoVersion built_for();
 
-// "3.12" or "3.12.0", from 2.2 on. Throws std::invalid_argument.
+// Reads "3.12" or "3.12.0", at least 2.2. Throws std::invalid_argument.
 MujocoVersion read_mujoco_version(std::string_view text);
 
 std::string to_string(const MujocoVersion& version);  // "3.12.0"

@@ -1,6 +1,6 @@
-// Names of the elements in a generated MJCF, as the plugin, the engine and the renderer look them
-// up. Joints: x_1.., y_1.. (bending modes), spin, torsion_1.., ring_x, ring_y, ring_spin,
-// housing_x, housing_y, ring_bristle_x, ring_bristle_y, ring_bristle_spin, bearing_integral_x,
+// Names of the elements of a generated MJCF, by which plugin, engine and renderer find them.
+// Joints: x_1.., y_1.. (bending modes), spin, torsion_1.., ring_x, ring_y, ring_spin, housing_x,
+// housing_y, ring_bristle_x, ring_bristle_y, ring_bristle_spin, bearing_integral_x,
 // bearing_integral_y.
 #pragma once
 
@@ -11,10 +11,10 @@ namespace rotorub::mjcf_names {
 
 // <custom><text>
 inline constexpr const char* kSceneText = "rotorub_scene";      // the scene's TOML
-inline constexpr const char* kContactText = "rotorub_contact";  // scene/scene.h
+inline constexpr const char* kContactText = "rotorub_contact";  // a word of scene/mujoco.h
 
 // <custom> of a user's own model (plugin/own/own_config.h): texts, then numerics
-inline constexpr const char* kOwnMark = "rotorub_";  // in every name of ours in <custom>
+inline constexpr const char* kOwnMark = "rotorub_";  // prefix of all our names in <custom>
 inline constexpr const char* kOwnRotorGeom = "rotorub_rotor_geom";
 inline constexpr const char* kOwnRingGeom = "rotorub_ring_geom";
 inline constexpr const char* kOwnConeCoulombPair = "rotorub_cone_coulomb_pair";
@@ -24,20 +24,21 @@ inline constexpr const char* kOwnFriction = "rotorub_friction";
 inline constexpr const char* kOwnRestitution = "rotorub_restitution";
 inline constexpr const char* kOwnTangential = "rotorub_tangential_restitution";
 inline constexpr const char* kOwnFrictionReference =
-    "rotorub_friction_reference";  // of generated files too
+    "rotorub_friction_reference";  // also in generated files
 inline constexpr const char* kOwnWidth = "rotorub_width";
-inline constexpr const char* kOwnUserData = "rotorub_userdata";  // of the whole model
+inline constexpr const char* kOwnUserData = "rotorub_userdata";  // entries for the whole model
 
-// Of one of several auxiliary bearings, from 0: "ring", "ring_2".
+// The name of an element of one auxiliary bearing, counted from 0: "ring", "ring_2".
 inline std::string of_bearing(std::size_t bearing, const std::string& name) {
   return bearing == 0 ? name : name + "_" + std::to_string(bearing + 1);
 }
 
 // Bodies and geoms
-inline constexpr const char* kRotor = "rotor";             // body; its visible disc
-inline constexpr const char* kRotorNodes = "rotor_nodes";  // body: modes with a node at the contact
-inline constexpr const char* kRing = "ring";               // body; its visible bore
-inline constexpr const char* kRotorContact = "rotor_contact";  // geoms that stand for the contact
+inline constexpr const char* kRotor = "rotor";  // body and its visible disc
+// body of the modes with a node at the contact
+inline constexpr const char* kRotorNodes = "rotor_nodes";
+inline constexpr const char* kRing = "ring";                   // body and its visible bore
+inline constexpr const char* kRotorContact = "rotor_contact";  // geoms of the contact pair
 inline constexpr const char* kRingContact = "ring_contact";
 
 inline constexpr const char* kGhostRotor = "ghost_rotor";  // mocap bodies that show the shadow
@@ -49,8 +50,8 @@ inline std::string bending_joint(char plane, int mode) {  // mode: 1-based
 }
 inline std::string torsion_joint(int mode) { return "torsion_" + std::to_string(mode); }
 inline constexpr const char* kSpinJoint = "spin";
-// Segment rotor, k from 0: carrier bodies with their tilt joints, spinning bodies with theirs, and
-// the slides of the first carrier.
+// Segment rotor, k from 0: the carrier bodies with their tilt joints, the spinning bodies with
+// their spin joints, and the slides of the first carrier.
 inline std::string segment(std::size_t k) { return "segment_" + std::to_string(k); }
 inline std::string spinning(std::size_t k) { return "spinning_" + std::to_string(k); }
 inline std::string tilt(char plane, std::size_t k) {
@@ -65,14 +66,14 @@ inline constexpr const char* kRingSpin = "ring_spin";
 inline constexpr const char* kHousing = "housing";
 inline constexpr const char* kHousingX = "housing_x";
 inline constexpr const char* kHousingY = "housing_y";
-// Joints whose velocities are the states of dry friction under a ring, and of its spin.
+// Joints whose velocities are the friction states of a ring's support and of its spin.
 inline constexpr const char* kBristles = "ring_bristles";
 inline constexpr const char* kBristleX = "ring_bristle_x";
 inline constexpr const char* kBristleY = "ring_bristle_y";
 inline constexpr const char* kSpinBristle = "ring_bristle_spin";
-// Joints whose velocities are the states of magnetic bearings' feedbacks, as what an integrator
-// holds, A; nothing is seen to move. Two of each state, and a body: "bearing_integral_x",
-// "bearing2_integral_x".
+// Joints whose velocities are the states of the feedback of magnetic bearings, such as the current
+// held by an integrator, A. They have no visible motion. Each state has two joints and a body:
+// "bearing_integral_x", "bearing2_integral_x".
 inline std::string bearing_integral(int i) {
   return (i < 2 ? "bearing" : "bearing" + std::to_string(i / 2 + 1)) +
          (i % 2 == 0 ? "_integral_x" : "_integral_y");
@@ -81,8 +82,8 @@ inline std::string bearing_integrator(int k) {
   return (k == 0 ? "bearing" : "bearing" + std::to_string(k + 1)) + std::string("_integrator");
 }
 
-// Actuators of the scene's magnetic bearings, called as their columns are: "bearing_current_x",
-// "bearing2_current_x"
+// Actuators of the scene's magnetic bearings, named like their columns: "bearing_current_x",
+// "bearing2_current_x".
 inline std::string bearing_current(std::size_t k, int axis) {
   return (k == 0 ? "bearing" : "bearing" + std::to_string(k + 1)) +
          (axis == 0 ? "_current_x" : "_current_y");
@@ -92,7 +93,7 @@ inline std::string bearing_current(std::size_t k, int axis) {
 inline constexpr const char* kActuator[2] = {"actuator_1", "actuator_2"};
 inline constexpr const char* kAxis[2] = {"axis_1", "axis_2"};
 
-// Keyframes with the initial state; mujoco-testspeed starts from one called "test"
+// Keyframes with the initial state; mujoco-testspeed starts from "test"
 inline constexpr const char* kStartKey = "start";
 inline constexpr const char* kTestKey = "test";
 
@@ -108,35 +109,37 @@ inline constexpr const char* kGapRate = "gap_rate";              // m/s
 inline constexpr const char* kSlip = "slip";                     // m/s
 inline constexpr const char* kNormalForce = "normal_force";      // N
 inline constexpr const char* kFrictionForce = "friction_force";  // N, on the rotor along e_t
-// The same in units of the clearance, and of the force in the sensor's `user` data
+// The same, scaled by the clearance, or by the force in the sensor's `user` data
 inline constexpr const char* kGapScaled = "gap_scaled";
 inline constexpr const char* kNormalForceScaled = "normal_force_scaled";
 inline constexpr const char* kFrictionForceScaled = "friction_force_scaled";
-inline constexpr const char* kCurrent = "current";             // A, of the magnets' two axes
+inline constexpr const char* kCurrent = "current";             // A, on the magnets' two axes
 inline constexpr const char* kControlForce = "control_force";  // N, x and y, on the ring
-// With [mujoco] shadow: MuJoCo's rotor, and what the native model beside it has
-inline constexpr const char* kRotorPosition = "rotor";                        // m, x and y
-inline constexpr const char* kShadowRotor = "shadow_rotor";                   // m, x and y
-inline constexpr const char* kShadowStator = "shadow_stator";                 // m, x and y
-inline constexpr const char* kShadowGap = "shadow_gap";                       // m
-inline constexpr const char* kShadowNormalForce = "shadow_normal_force";      // N
-inline constexpr const char* kShadowFrictionForce = "shadow_friction_force";  // N, as above
+// With [mujoco] shadow: MuJoCo's rotor, and the values of the native model
+inline constexpr const char* kRotorPosition = "rotor";                    // m, x and y
+inline constexpr const char* kShadowRotor = "shadow_rotor";               // m, x and y
+inline constexpr const char* kShadowStator = "shadow_stator";             // m, x and y
+inline constexpr const char* kShadowGap = "shadow_gap";                   // m
+inline constexpr const char* kShadowNormalForce = "shadow_normal_force";  // N
+// N, on the rotor along e_t
+inline constexpr const char* kShadowFrictionForce = "shadow_friction_force";
 
 // mjData.userdata entries that the plugin uses (plugin/model/user_data.h)
 inline constexpr int kUserDataSingle = 21;
-inline constexpr int kPairEntries = 13;  // of each contact beyond the first, behind all others
-// loop: of the memory of a sampled controller.
+// for each contact after the first, after all other entries
+inline constexpr int kPairEntries = 13;
+// loop: entries for the memory of a sampled controller.
 inline int user_data_size(int nq, bool controlled, std::size_t loop) {
   return kUserDataSingle + (controlled ? 2 * nq : 0) + static_cast<int>(loop);
 }
-// Behind them, with one contact on the modal chain: the step `verlet` of `rigid`
-// (plugin/contact/verlet.h), velocities and two slots of `slot` each.
+// With one contact on the modal chain these are followed by the state of the `verlet` step of
+// `rigid` (plugin/contact/verlet.h): velocities and two slots of `slot` entries.
 inline constexpr int kVerletSingle = 3;
 inline int verlet_data_size(int nq, std::size_t slot) {
   return kVerletSingle + nq + 2 * static_cast<int>(slot);
 }
-// Behind them, with [mujoco] shadow: the shadow's, `hold` of them its controller's, `memory` its
-// stepper's.
+// With [mujoco] shadow these are followed by the shadow's entries, of which `hold` belong to its
+// controller and `memory` to its stepper.
 inline constexpr int kShadowSingle = 9;
 inline int shadow_data_size(std::size_t hold, std::size_t memory) {
   return kShadowSingle + static_cast<int>(hold + memory);

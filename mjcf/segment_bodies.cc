@@ -16,7 +16,8 @@ namespace {
 
 namespace names = mjcf_names;
 
-constexpr double kLeast = 1e-14;  // what MuJoCo demands of a body's mass and inertia, with a margin
+// The least mass and inertia of a body, with a margin above MuJoCo's limit.
+constexpr double kLeast = 1e-14;
 constexpr const char* kDrawn = R"(mass="0" contype="0" conaffinity="0" group="1")";
 
 std::string inertial(double x, double y, double z, double mass, double Jt, double Jp,
@@ -26,14 +27,14 @@ std::string inertial(double x, double y, double z, double mass, double Jt, doubl
                      std::max(Jp, kLeast), more);
 }
 
-// A centre of mass less than 1e-6 m off the frame MuJoCo of today takes for the frame's origin,
-// unless the axes of the two differ: a quarter turn about z, which a disc of Jt, Jt, Jp does not
-// feel.
+// Recent versions of MuJoCo move a centre of mass that is less than 1e-6 m off the frame to its
+// origin, unless the axes of the two differ. A quarter turn about z makes them differ without
+// effect on a disc with Jt, Jt, Jp.
 const char* kept_apart(double eccentricity) {
   return eccentricity > 0.0 && eccentricity < 2e-6 ? R"( quat="1 0 0 1")" : "";
 }
 
-// MuJoCo takes what a rigid body can have.
+// MuJoCo accepts only inertias that a rigid body can have.
 void refuse_impossible_discs(const scene::Scene& scene) {
   const std::vector<scene::Disc>& discs = scene.rotor.geometry->discs;
   for (std::size_t i = 0; i < discs.size(); ++i) {
@@ -68,9 +69,9 @@ void SegmentRotor::write_bodies(XmlWriter& xml) const {
   for (std::size_t k = 0; k < chain_.segments.size(); ++k) xml.close("body");
 }
 
-// Opens the carrier, whose child is the next one.
+// Opens the carrier; the next carrier is its child.
 void SegmentRotor::write_carrier(XmlWriter& xml, std::size_t k) const {
-  // The contact plane is z = 0, the first segment turns about its node, others about their joints.
+  // The contact plane is z = 0. The first segment turns about its node, others about their joints.
   const auto origin = [&](std::size_t i) {
     return i == 0 ? chain_.segments[0].node : chain_.joint[i - 1];
   };
@@ -85,7 +86,7 @@ void SegmentRotor::write_carrier(XmlWriter& xml, std::size_t k) const {
   } else {
     stiffness = fmt::format(R"( stiffness="{}")", chain_.bending_stiffness[k - 1]);
   }
-  // Angles are slopes du/dz: about +y for x, about -x for y.
+  // The angles are slopes du/dz: about +y for x, about -x for y.
   xml.line(fmt::format(R"(<joint name="{}" type="hinge" axis="0 1 0"{}/>)", names::tilt('x', k),
                        stiffness));
   xml.line(fmt::format(R"(<joint name="{}" type="hinge" axis="-1 0 0"{}/>)", names::tilt('y', k),
@@ -103,7 +104,7 @@ void SegmentRotor::write_spinning(XmlWriter& xml, std::size_t k) const {
   xml.line(inertial(0.0, 0.0, s.centre - s.node, s.mass, s.Jt, s.Jp));
   double armature = 0.0;
   if (scene_.drive && here(scene_.drive->station)) armature = scene_.drive->inertia;
-  // Speed held: at the first node, and with rigid torsion at all of them.
+  // A held speed is imposed at the first node, or at all nodes if torsion is rigid.
   if (!scene_.drive && (k == 0 || !has_elastic_torsion(scene_))) {
     armature = kHeldInertia * matrices_.spin_inertia.sum();
   }
@@ -121,7 +122,7 @@ void SegmentRotor::write_spinning(XmlWriter& xml, std::size_t k) const {
     if (!here(disc.z)) continue;
     const double e = disc.eccentricity;
     xml.open("<body>");
-    // Jp is about the shaft's axis.
+    // Jp refers to the shaft's axis.
     xml.line(inertial(e * std::cos(disc.phase), e * std::sin(disc.phase), 0.0, disc.mass, disc.Jt,
                       disc.Jp - disc.mass * e * e, kept_apart(e)));
     const double r = disc.mass > 0.0 ? std::sqrt(2.0 * disc.Jp / disc.mass) : radius;
@@ -145,7 +146,7 @@ void SegmentRotor::write_tendons(XmlWriter& xml) const {
   for (std::size_t i = 0; i < scene_.rotor.geometry->bearings.size(); ++i) write_bearing(xml, i);
 }
 
-// The deflection at the bearing, as a tendon in each plane.
+// The deflection at the bearing, as one tendon for each plane.
 void SegmentRotor::write_bearing(XmlWriter& xml, std::size_t index) const {
   const scene::ShaftBearing& bearing = scene_.rotor.geometry->bearings[index];
   const Eigen::RowVectorXd row = chain_.deflection(bearing.z);

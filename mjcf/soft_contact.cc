@@ -10,7 +10,7 @@
 namespace rotorub {
 namespace {
 
-// m/s, the size of the speeds at which the scene's rotor meets its ring.
+// Estimate of the speeds at which the scene's rotor strikes its ring, m/s.
 double impact_speed(const scene::Scene& scene) {
   const double clearance = scene.first().contact->clearance;
   const auto first = [](const std::vector<double>& values) {
@@ -28,7 +28,7 @@ double impact_speed(const scene::Scene& scene) {
 
 double soft_restitution(double zeta) {
   assert(zeta >= 0.0);
-  // Near zeta = 1 both branches are 0/0; the exponent is -2 - 4/3 (zeta - 1) + ...
+  // Near zeta = 1 both formulas are 0/0; the exponent is -2 - 4/3 (zeta - 1) + ...
   if (std::abs(zeta - 1.0) < 1e-6) return std::exp(-2.0 - (zeta - 1.0) * 4.0 / 3.0);
   if (zeta < 1.0) {
     const double s = std::sqrt(1.0 - zeta * zeta);
@@ -44,7 +44,7 @@ double soft_damping_ratio(double restitution) {
   assert(restitution >= 0.0 && restitution <= 1.0);
   if (restitution >= 1.0) return 0.0;
   if (restitution <= soft_restitution(kMaxDampingRatio)) return kMaxDampingRatio;
-  // Falls from 1 to 0 as zeta rises: bisection to round-off.
+  // The restitution falls from 1 to 0 as zeta rises, so bisection to round-off finds it.
   double low = 0.0, high = kMaxDampingRatio;
   for (int i = 0; i < 100; ++i) {
     const double middle = 0.5 * (low + high);
@@ -58,12 +58,12 @@ SoftContact soft_contact(double restitution, double step, double stiffness, doub
   const double zeta = soft_damping_ratio(restitution);
   double root = std::sqrt(stiffness);  // 1/s
   if (stiffness == 0.0) {
-    // B step = 2 zeta sqrt(K) step <= 1 keeps the velocity from changing sign in one step.
+    // B step = 2 zeta sqrt(K) step <= 1 prevents a change of sign of the velocity within one step.
     const double fraction = std::min(kContactStepFraction, 0.5 / std::max(zeta, 1e-300));
     root = fraction / step;
   }
   if (damping == 0.0) damping = 2.0 * zeta * root;
-  return {root * root, damping, 0.9999};  // 0.9999: the largest MuJoCo takes
+  return {root * root, damping, 0.9999};  // 0.9999: MuJoCo's largest value
 }
 
 SoftContact soft_contact(const scene::Scene& scene, scene::ContactModel model, double step) {
@@ -104,21 +104,21 @@ ContactPair contact_pair(scene::ContactModel model, double clearance, const Fric
   const bool is_cone = scene::is_cone(model);
   const bool is_rigid = model == scene::ContactModel::kRigid;
   ContactPair pair;
-  // `coulomb`: no friction in MuJoCo's contact, the plugin adds it. Without friction the cone's
-  // tangential directions are of no use either.
+  // `coulomb`: the plugin adds the friction, and MuJoCo's contact has none. A cone without friction
+  // does not need the tangential directions either.
   pair.condim = is_cone && !friction.none() ? 3 : 1;
   pair.friction = is_cone ? friction.constant("MuJoCo's cone") : friction.sticking();
   pair.soft = soft;
-  // In a lasting rub `coulomb` holds the gap at 0 to within the step's error: the contact must
-  // not come and go with the sign of a nanometre; nor `cone-coulomb`. `cone` would keep the margin
-  // as a gap. `rigid` shows the contact from a little further off, for viewers, and keeps it from
-  // MuJoCo's solver by a gap that no depth makes up for.
+  // In a lasting rub `coulomb` and `cone-coulomb` keep the gap at 0 up to the step's error. A
+  // margin prevents the contact from switching with the sign of a nanometre. `cone` would keep a
+  // margin as a gap. `rigid` shows the contact from farther away, for viewers, and its pair gap is
+  // too large for MuJoCo's solver to act at any penetration.
   const bool is_soft = model == scene::ContactModel::kCoulomb;
   const double reach =
       model == scene::ContactModel::kCone || soft.gives ? 0.0 : (is_soft ? 1e-3 : 1e-2) * clearance;
   pair.gap = is_rigid || kept_out ? 1e3 : 0.0;
-  // Before 3.9 a contact is seen below the margin and solved below margin - gap, since then seen
-  // below margin + gap and solved below the margin.
+  // Before 3.9 a contact is detected below the margin and solved below margin - gap. Since then it
+  // is detected below margin + gap and solved below the margin.
   pair.margin = target < MujocoVersion{3, 9, 0} ? reach : reach - pair.gap;
   return pair;
 }

@@ -1,8 +1,8 @@
-// MuJoCo's soft contact made to bounce like a given restitution.
+// Parameters of MuJoCo's soft contact for a given restitution.
 //
-// With an impedance d near 1 and direct solref (-K, -B) the gap of a closing contact obeys
-//   x'' = -B x' - K x  while x < 0 and the force pushes,   zeta = B / (2 sqrt K),
-// and it lets go when the force is 0, with the ratio of speeds
+// With an impedance d near 1 and direct solref (-K, -B), the gap of a closing contact obeys
+//   x'' = -B x' - K x  while x < 0 and the force is repulsive,   zeta = B / (2 sqrt K).
+// It separates when the force is 0, with the ratio of speeds
 //   zeta < 1:  e = exp(-zeta/sqrt(1-zeta^2) (pi - atan2(2 zeta sqrt(1-zeta^2), 1 - 2 zeta^2)))
 //   zeta > 1:  e = exp(-zeta/s ln((zeta+s)/(zeta-s))),  s = sqrt(zeta^2-1);   zeta = 1: e^-2.
 #pragma once
@@ -20,56 +20,56 @@ struct SoftContact {
   double stiffness = 0.0;  // 1/s^2, K > 0
   double damping = 0.0;    // 1/s, B >= 0
   double impedance = 0.0;  // 1, d, constant (solimp)
-  bool gives = false;      // a contact that gives: stiffness and damping are the plugin's
+  bool gives = false;      // compliant contact: the plugin sets stiffness and damping
 };
 
-// Ratio of the speeds after and before for a damping ratio zeta >= 0, in (0, 1].
+// Ratio of the speeds after and before an impact for a damping ratio zeta >= 0, in (0, 1].
 double soft_restitution(double zeta);
 
-// Its inverse for a restitution in [0, 1]. A plastic contact needs infinite damping: capped at
-// kMaxDampingRatio (0.0096).
+// The inverse, for a restitution in [0, 1]. Restitution 0 would need infinite damping, so the
+// result is capped at kMaxDampingRatio, whose restitution is 0.0093.
 double soft_damping_ratio(double restitution);
 inline constexpr double kMaxDampingRatio = 5.0;
 
-// sqrt(K) step of the default stiffness. A bounce takes pi / 0.2 = 16 steps; the restitution met
-// scatters by 2 % of the speed with the place in the step where the contact starts. Half as stiff
-// halves that scatter and doubles how long and how deep a bounce is.
+// sqrt(K) step of the default stiffness. A bounce takes pi / 0.2 = 16 steps. The restitution
+// scatters by 2 % of the speed, depending on where in the step the contact starts. Half this value
+// halves the scatter and doubles the duration and depth of a bounce.
 inline constexpr double kContactStepFraction = 0.2;
 
-// `step`: s, > 0. `stiffness`: 1/s^2; 0: as stiff as the step allows. `damping`: 1/s; 0: that of
-// the restitution.
+// `step`: s, > 0. `stiffness`: 1/s^2; 0: as stiff as the step allows. `damping`: 1/s; 0: from the
+// restitution.
 SoftContact soft_contact(double restitution, double step, double stiffness = 0.0,
                          double damping = 0.0);
 
-// Of a scene's contact with this contact model. What a scene does not say is chosen: for `coulomb`
-// as stiff as the step allows; a cone's is a contact with a limit as the step goes to 0, and no
-// stiffer than
-//   K = (v / (kConeDepth c))^2,  v = max(r_c Omega, sqrt(2 g c), speed at the start),
-// r_c = c the clearance, with which an impact at v goes kConeDepth of the clearance deep.
+// Parameters of a scene's contact with this contact model. Values that the scene omits are chosen:
+// for `coulomb` the contact is as stiff as the step allows. A cone must have a limit as the step
+// goes to 0, so it is also no stiffer than
+//   K = (v / (kConeDepth c))^2,  v = max(c Omega, sqrt(2 g c), speed at the start),
+// with c the clearance. An impact at v then has a penetration of kConeDepth clearances.
 SoftContact soft_contact(const scene::Scene& scene, scene::ContactModel model, double step);
 inline constexpr double kConeDepth = 0.005;
 
-// Of a contact that gives: as its impedance d goes to 0 MuJoCo's contact is a spring k and a damper
-// c, with K = k A / d and B = c A / d in a_ref, A the mobility that MuJoCo takes (diagApprox); the
-// error is of order d. The plugin sets a_ref = R N by R as MuJoCo has it, N the law's force.
+// Impedance d of a compliant contact. As d goes to 0, MuJoCo's contact becomes a spring k and a
+// damper c if K = k A / d and B = c A / d in a_ref, where A is MuJoCo's mobility (diagApprox); the
+// error is of order d. The plugin sets a_ref = R N, with MuJoCo's R and the force N of the law.
 inline constexpr double kCompliantImpedance = 1e-4;
 
-// A sentence that names what the scene's contacts say of rigid impacts and a soft contact has no
-// part in, as its stiffness and damping decide how long it takes and what it does to the slip;
-// empty where they say nothing of it.
+// A sentence that names the keys of rigid impacts that the scene's contacts set and a soft contact
+// ignores, because its stiffness and damping determine the duration of an impact and the effect on
+// the slip. Empty if there are none.
 std::string unused_by_soft_contacts(const scene::Scene& scene);
 
-// Attributes of the <pair> of a rub, as each of the plugin's contact models sets it.
+// Attributes of the <pair> of a contact for each of the plugin's contact models.
 struct ContactPair {
   int condim = 1;         // 3: MuJoCo's own friction cone
-  double friction = 0.0;  // mu, of both tangential directions; those of torsion and rolling are 0
+  double friction = 0.0;  // mu, in both tangential directions; torsional and rolling friction are 0
   SoftContact soft;       // solref is (-K, -B), solimp (d, d, 0.001)
-  double margin = 0.0;    // m, of `target`
-  double gap = 0.0;       // m, of `target`
+  double margin = 0.0;    // m, as `target` defines it
+  double gap = 0.0;       // m, as `target` defines it
 };
 
-// clearance: m, > 0; friction: mu >= 0. Nobody but `cone` has friction in MuJoCo's contact.
-// `kept_out`: of MuJoCo's solver, whatever the contact model.
+// clearance: m, > 0; friction: mu >= 0. Only the cone models have friction in MuJoCo's contact.
+// `kept_out`: keeps the contact out of MuJoCo's solver with any contact model.
 ContactPair contact_pair(scene::ContactModel model, double clearance, const FrictionLaw& friction,
                          const SoftContact& soft, const MujocoVersion& target,
                          bool kept_out = false);

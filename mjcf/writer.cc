@@ -47,7 +47,7 @@ void refuse_unsupported(const scene::Scene& scene) {
   }
 }
 
-// As MuJoCo calls it.
+// MuJoCo's name of the solver.
 const char* word(scene::MujocoSolver solver) {
   switch (solver) {
     case scene::MujocoSolver::kCg:
@@ -104,15 +104,15 @@ class Document {
 
   void options() {
     const bool implicit = scene_.mujoco.integrator == scene::MujocoIntegrator::kImplicit;
-    // It does not act on armatures: the plugin puts it on the modes.
+    // MuJoCo's gravity does not act on armatures, so the plugin applies it to the modes.
     const Eigen::Vector2d gravity =
         scene_.gravity ? scene_.gravity->acceleration : Eigen::Vector2d::Zero();
-    // One contact at most, solved in one Newton step: the tolerance stops the second. It is that of
-    // the pair: looking for others would take a third of the step. (From 3.0 on that no geom has a
-    // contype says it.)
+    // A single contact is solved in one Newton step, and the tolerance avoids the second. Only the
+    // predefined pair is tested, because a search for others would take a third of the step. (From
+    // 3.0 on, geoms without a contype have this effect.)
     const bool has_option = target_ < MujocoVersion{3, 0, 0};
-    // `cone-coulomb` starts the solver from the solution; round-off of its references, B times the
-    // slip, is above 1e-12.
+    // `cone-coulomb` starts the solver from the solution. The round-off of its references, B times
+    // the slip, is above 1e-12.
     const bool corrected = scene_.mujoco.contact == scene::ContactModel::kConeCoulomb;
     xml_.line(
         fmt::format(R"(<option timestep="{}" gravity="{} {} 0" integrator="{}" cone="elliptic" )"
@@ -135,7 +135,7 @@ class Document {
     }
     const std::size_t further = scene_.auxiliary.size() - 1;
     user_data += names::kPairEntries * static_cast<int>(further);
-    // From 3.0 on there is room for what is needed.
+    // From 3.0 on MuJoCo allocates what it needs.
     const std::string room =
         fmt::format(R"(njmax="{}" nconmax="{}" )", 32 + 16 * further, 8 + 4 * further);
     xml_.line(
@@ -163,7 +163,7 @@ class Document {
                           names::kSideCamera, -5 * r));
   }
 
-  // MuJoCo divides it by the impedance.
+  // MuJoCo divides this value by the impedance.
   std::string friction_reference(const ContactPair& pair) const {
     if (!has_friction_reference() || target_ < MujocoVersion{2, 3, 7}) return {};
     return fmt::format(R"(solreffriction="0 {}" )",
@@ -183,7 +183,7 @@ class Document {
     const scene::Contact& c = *scene_.auxiliary[k].contact;
     const SoftContact soft = soft_contact(k == 0 ? scene_ : with_bearing_alone(scene_, k),
                                           scene_.mujoco.contact, scene_.run.step);
-    // A further contact of the modal chain is the plugin's alone.
+    // On the modal chain only the plugin solves further contacts.
     const bool is_alone = k > 0 && !segments_;
     const ContactPair pair =
         contact_pair(scene_.mujoco.contact, c.clearance, c.friction, soft, target_, is_alone);
@@ -218,8 +218,8 @@ class Document {
                          : std::string(R"(ctrllimited="false")");
   }
 
-  // ctrl: the force on the ring, N, or the current asked for, A, whose force the plugin's gain and
-  // bias give.
+  // ctrl: the force on the ring, N, or the commanded current, A, whose force follows from the
+  // plugin's gain and bias.
   void actuators() {
     const double limit =
         model_.first().magnets ? model_.first().magnets->current_limit : model_.first().force_limit;
@@ -236,8 +236,8 @@ class Document {
     for (const StationFeedback* f : excited_) excitation(*f);
     xml_.close("actuator");
   }
-  // ctrl: A, beside what the bearing's own control asks for. The coil's current is the speed of a
-  // joint whose damper is the lag: mass di/dt = damping (asked + ctrl - i).
+  // ctrl: current, A, added to the one that the bearing's own control asks for. The coil's current
+  // is the speed of a joint whose damper is the lag: mass di/dt = damping (asked + ctrl - i).
   void excitation(const StationFeedback& f) {
     for (int axis = 0; axis < 2; ++axis) {
       const int at = f.states.current + axis;
@@ -255,7 +255,7 @@ class Document {
   }
   void sensors() {
     xml_.open("<sensor>");
-    // `rigid` knows the forces before MuJoCo's last stage (plugin/sensors.h).
+    // `rigid` computes the forces before MuJoCo's last stage (plugin/sensors.h).
     const bool is_rigid =
         scene_.first().contact && scene_.mujoco.contact == scene::ContactModel::kRigid;
     const char* force_stage = is_rigid ? "pos" : "acc";
@@ -327,7 +327,7 @@ class Document {
   const MujocoVersion target_;
   Model model_;
   std::optional<SegmentRotor> segments_;
-  std::vector<const StationFeedback*> excited_;  // of model_, those with actuators
+  std::vector<const StationFeedback*> excited_;  // feedbacks of model_ with actuators
   double radius_;                                // m, of the drawn disc
   XmlWriter xml_;
 };

@@ -12,7 +12,7 @@ bool is_finite_word(std::string_view word) {
   return word != "inf" && word != "nan";
 }
 
-// Attributes of words may hold any; all others are numbers.
+// These attributes may contain any words; all others are numbers.
 bool is_text(std::string_view attribute) {
   return attribute == "name" || attribute == "data" || attribute == "model";
 }

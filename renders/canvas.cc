@@ -55,17 +55,17 @@ void Canvas::box(const Point& center, const Point& half_size, const Color& color
 }
 
 void Canvas::arrow(const Point& from, const Point& to, double width, const Color& color) {
-  // MuJoCo draws an arrow half as long as its connector.
+  // MuJoCo draws an arrow with half the length of its connector.
   connector(mjGEOM_ARROW, from, from + 2.0 * (to - from), width, color);
 }
 
 void Canvas::mesh(int id, const Point& center, const Eigen::Matrix3d& axes, const Color& color) {
   assert(id >= 0 && id < model_->nmesh);
-  // MuJoCo keeps a mesh in its frame of inertia, which is undone here.
+  // MuJoCo stores a mesh relative to its frame of inertia. This is undone here.
   const Point origin = Point::Map(model_->geom_pos + 3 * id);
   const mjtNum* turn = model_->geom_quat + 4 * id;
   const Eigen::Quaterniond frame(turn[0], turn[1], turn[2], turn[3]);
-  // It counts a mesh and its convex hull: 2 id and 2 id + 1.
+  // MuJoCo numbers each mesh and its convex hull: 2 id and 2 id + 1.
   add(mjGEOM_MESH, Point::Ones(), center + axes * origin, axes * frame.toRotationMatrix(), color)
       .dataid = 2 * id;
 }
@@ -94,12 +94,12 @@ View fitted(View view, std::span<const Eigen::Vector3d> points, double aspect, d
   const Eigen::Vector3d forward = -offset / distance;
   const Eigen::Vector3d right = forward.cross(view.up).normalized();
   const Eigen::Vector3d up = right.cross(forward);
-  // Perspective makes the box of the points depend on the target: a few rounds settle it.
+  // In perspective the bounding box of the points depends on the target; a few iterations converge.
   for (int round = 0; round < 8; ++round) {
     Eigen::AlignedBox2d box;
     for (const Eigen::Vector3d& point : points) {
       const Eigen::Vector3d seen = point - view.position;
-      const double scale = distance / seen.dot(forward);  // to the plane of the target
+      const double scale = distance / seen.dot(forward);  // projects to the plane of the target
       box.extend(Eigen::Vector2d(scale * seen.dot(right), scale * seen.dot(up)));
     }
     view.target += box.center()[0] * right + box.center()[1] * up;
@@ -127,10 +127,10 @@ namespace {
 
 using Eigen::Vector3d;
 
-// Unit vector at an angle in the plane across the axis.
+// Unit vector at an angle in the plane perpendicular to the axis.
 Vector3d radial(double angle) { return {0.0, std::cos(angle), std::sin(angle)}; }
 
-// A flat or bent quadrilateral, corners counter-clockwise seen from outside.
+// A flat or curved quadrilateral, with corners counter-clockwise seen from outside.
 void add_quad(Mesh& mesh, const std::array<Vector3d, 4>& corners,
               const std::array<Vector3d, 4>& normals) {
   const int first = static_cast<int>(mesh.points.size());
@@ -167,7 +167,7 @@ Mesh ring_mesh(const std::string& name, const RingShape& shape) {
     const double step = (shape.to - shape.from) / shape.segments;
     const Vector3d p = radial(shape.from + i * step);
     const Vector3d q = radial(shape.from + (i + 1) * step);
-    // The two faces, the outside and the bore.
+    // The two faces, the outer surface and the bore.
     if (a > 0.0) {
       add_flat_quad(mesh, {a * p + front, b * p + front, b * q + front, a * q + front}, axis);
       add_flat_quad(mesh, {a * q - front, b * q - front, b * p - front, a * p - front}, -axis);
@@ -182,7 +182,7 @@ Mesh ring_mesh(const std::string& name, const RingShape& shape) {
     }
   }
 
-  // The flat ends of a part of a ring.
+  // The flat ends of a partial ring.
   constexpr double kWhole = 6.283185307179586;
   if (shape.to - shape.from < kWhole - 1e-9) {
     const Vector3d p = radial(shape.from);

@@ -24,13 +24,13 @@ namespace rotorub::renders {
 namespace {
 
 constexpr int kMostHands = 4;
-constexpr int kAhead = 3;  // frames that a hand may be ahead of what was fetched of it
+constexpr int kAhead = 3;  // frames that a thread may be ahead of the fetched ones
 
-// The frames of a film in their order, painted by several threads. Each has a painter of its own,
-// so that the frames do not depend on how many there are.
+// Paints the frames of a film in order, with several threads. Each thread has its own painter, so
+// that the frames do not depend on the number of threads.
 class FilmCrew {
  public:
-  // Throws as FramePainter does. Scene, trajectories and options must outlive it.
+  // Throws as FramePainter does. Scene, trajectories and options must outlive the crew.
   FilmCrew(const scene::Scene& scene, const Trajectory& trajectory, const RenderOptions& options)
       : own_(scene, trajectory, options),
         hands_(std::min(hands_of(options), own_.framing().frames)),
@@ -48,7 +48,7 @@ class FilmCrew {
   FilmCrew& operator=(const FilmCrew&) = delete;
 
   const Framing& framing() const { return own_.framing(); }
-  // The next frame, from the first to the last. Throws what painting it threw.
+  // The next frame, from the first to the last. Rethrows the exception of its painter.
   Picture next() {
     const int frame = next_++, hand = frame % hands_;
     if (hand == 0) return own_.paint(framing().time(frame));
@@ -67,7 +67,7 @@ class FilmCrew {
             const RenderOptions& options) {
     int frame = hand;
     try {
-      // MuJoCo's reader of XML serves one thread at a time.
+      // MuJoCo's XML reader is not thread-safe.
       std::unique_lock reading(reader_);
       FramePainter painter(scene, trajectory, options);
       reading.unlock();
@@ -82,21 +82,24 @@ class FilmCrew {
     }
   }
 
-  // Painters set this handler and put back the one before, thread by thread: with one around all of
-  // them every thread sets and puts back the same.
+  // Painters in several threads set this handler and restore the previous one. With this one around
+  // all of them, every thread sets and restores the same handler.
   MujocoErrors errors_;
-  FramePainter own_;  // of the thread that calls next(), hand 0: frames 0, hands_, 2 hands_, ...
+  // Used by the thread that calls next(), hand 0: frames 0, hands_, 2 hands_, ...
+  FramePainter own_;
   int hands_ = 1;
   int next_ = 0;
-  std::vector<std::promise<Picture>> painted_;  // by frame
-  std::deque<std::counting_semaphore<>> room_;  // by hand: for frames that wait to be fetched
+  std::vector<std::promise<Picture>> painted_;  // one per frame
+  // One per hand: room for frames that have not been fetched.
+  std::deque<std::counting_semaphore<>> room_;
   std::mutex reader_;
   std::atomic<bool> stopped_ = false;
   std::vector<std::jthread> crew_;
 };
 
-constexpr double kMostGifRate = 50.0;  // its clock counts 1/100 s, and browsers honour 2 of them
-constexpr double kMostGifBytes = 1e9;  // of all frames, which are kept for the palette
+// GIF times are multiples of 1/100 s, and browsers respect only 2/100 s or more.
+constexpr double kMostGifRate = 50.0;
+constexpr double kMostGifBytes = 1e9;  // all frames, which ffmpeg keeps for the palette
 
 FilmFormat format_of(const std::filesystem::path& file,
                      std::initializer_list<FilmFormat> accepted) {
@@ -165,7 +168,7 @@ PictureResult render_still(const scene::Scene& scene, const Trajectory& trajecto
                            const std::filesystem::path& file) {
   check_options(asked, format_of(file, {FilmFormat::kPng}));
   RenderOptions options = asked;
-  // A time before what is shown by default is shown all the same.
+  // A time before the part that is shown by default is accepted too.
   const Playback playback(trajectory);
   if (t && !options.from && *t >= playback.start()) {
     options.from = std::min(*t, make_framing(playback, options).from);

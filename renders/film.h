@@ -1,5 +1,5 @@
-// Films and stills of a run, without a display: MuJoCo's renderer on Mesa's software OpenGL, frames
-// to ffmpeg.
+// Films and stills of a run, made without a display: MuJoCo renders with Mesa's software OpenGL,
+// and ffmpeg encodes the frames.
 #pragma once
 
 #include <filesystem>
@@ -15,19 +15,19 @@ namespace rotorub::renders {
 enum class FilmFormat { kMp4, kGif, kPng };
 const char* extension(FilmFormat format);  // ".mp4"
 
-// What options and format rule out together, beyond check_options(options): throws
-// std::invalid_argument naming the option, its value and what is accepted.
+// Checks the combination of options and format, after check_options(options). Throws
+// std::invalid_argument with the option, its value and the accepted values.
 void check_options(const RenderOptions& options, FilmFormat format);
 
 struct RenderResult {
-  Framing framing;      // what the film shows
+  Framing framing;      // of the film
   double film_s = 0.0;  // s, length of the film
-  double wall_s = 0.0;  // s, spent
+  double wall_s = 0.0;  // s, elapsed
 };
 
-// Writes the film of a trajectory to `file` (.mp4 or .gif): whole or not at all. Equal input gives
-// equal frames. Throws as FramePainter does, std::invalid_argument where the file's name ends
-// otherwise, and std::runtime_error where ffmpeg is missing or fails.
+// Writes the film of a trajectory to `file` (.mp4 or .gif), completely or not at all. Equal input
+// gives equal frames. Throws as FramePainter does, std::invalid_argument for another extension of
+// `file`, and std::runtime_error if ffmpeg is missing or fails.
 RenderResult render(const scene::Scene& scene, const Trajectory& trajectory,
                     const RenderOptions& options, const std::filesystem::path& file);
 
@@ -36,7 +36,7 @@ struct PictureResult {
   double t = 0.0;  // s, of the run
 };
 
-// Writes the picture of one time (s of the run, within what is shown) to `file` (.png). Without a
+// Writes the picture at one time (s of the run, within the shown part) to `file` (.png). Default
 // time: the hardest impact shown, or the middle.
 PictureResult render_still(const scene::Scene& scene, const Trajectory& trajectory,
                            std::optional<double> t, const RenderOptions& options,

@@ -11,7 +11,7 @@ namespace rotorub::renders {
 
 namespace {
 
-constexpr double kTrailFilmTime = 0.9;  // s of film that the path reaches back
+constexpr double kTrailFilmTime = 0.9;  // s of film that the path extends back
 constexpr double kSparkFilmTime = 0.3;  // s of film that an impact glows
 
 ShownRun shown(const scene::Scene& scene, const Trajectory& trajectory) {
@@ -122,7 +122,7 @@ void FramePainter::make_stage(const RenderOptions& options) {
   const MujocoErrors errors;
   machine_view_.emplace(film_.machine, meshes_);
   for (const FurtherSection& further : film_.further) {
-    // A schematic shaft has no stations at which they could stand.
+    // A schematic shaft has no stations for further contacts.
     if (film_.machine.schematic) break;
     further_views_.emplace_back(film_.machine.with_contact_of(further.machine), meshes_);
   }
@@ -141,7 +141,7 @@ void FramePainter::write_header(Sheet sheet, double t) const {
   const std::string text = (slow < 10.0 ? fmt::format("slow motion 1:{:.2g}", slow)
                                         : fmt::format("slow motion 1:{:.0f}", slow)) +
                            (stretched ? ", impact" : "");
-  // Right-aligned columns of their own, so that digits stay where they are.
+  // Fixed columns, right-aligned, so that digits do not move.
   const double column = sheet.text_width("slow motion 1:10000, impact", size);
   const double right = sheet.area().width - size;
   sheet.text(right - column, y, text, size, stretched ? palette::kNormal : palette::kFaintInk);

@@ -11,11 +11,11 @@ namespace rotorub::renders {
 
 namespace {
 
-constexpr int kSteps = 8192;            // of the table
-constexpr double kFilmOfImpacts = 0.5;  // share of the film
+constexpr int kSteps = 8192;            // of FilmClock's table
+constexpr double kFilmOfImpacts = 0.5;  // fraction of the film
 
-// First the first one, then by falling impulse, ties by time; those within `apart` of a chosen one
-// share its slow motion.
+// Chooses the first impact, then the others by decreasing impulse, and by time if equal. Impacts
+// within `apart` of a chosen one share its slow motion.
 std::vector<double> choose(std::span<const Strike> strikes, double from, double to, double apart) {
   std::vector<const Strike*> candidates;
   for (const Strike& strike : strikes) {
@@ -37,8 +37,8 @@ std::vector<double> choose(std::span<const Strike> strikes, double from, double 
   return chosen;
 }
 
-constexpr double kLeadIn = 0.04;  // before the first contact, share of the rest of the run
-constexpr double kSlack = 1e-6;   // of the run, by which a window may go beyond it
+constexpr double kLeadIn = 0.04;  // before the first contact, as a fraction of the rest of the run
+constexpr double kSlack = 1e-6;   // fraction of the run by which a window may exceed it
 constexpr int kMostFrames = 20000;
 
 template <typename Value>
@@ -46,7 +46,7 @@ template <typename Value>
   throw std::invalid_argument(fmt::format("render: {} = {}: {}", option, value, accepted));
 }
 
-// The part of the runs that is shown: from shortly before the first touch of any, by default.
+// The shown part of the runs. By default it begins shortly before the first contact of any run.
 void set_window(Framing& framing, std::span<const Playback* const> runs,
                 const RenderOptions& options) {
   double start = -1e300, end = 1e300, touch = 1e300;
@@ -59,7 +59,7 @@ void set_window(Framing& framing, std::span<const Playback* const> runs,
   framing.from = start;
   if (touch < 1e300) framing.from = std::max(start, touch - kLeadIn * (framing.to - touch));
   framing.from = options.from.value_or(framing.from);
-  // A run of another engine may end a rounding error earlier.
+  // A run of another engine may end slightly earlier because of round-off.
   const double slack = kSlack * (end - start);
   if (framing.from >= start - slack) framing.from = std::max(framing.from, start);
   if (framing.to <= end + slack) framing.to = std::min(framing.to, end);
@@ -77,7 +77,7 @@ FilmClock::FilmClock(double from, double to, double duration)
 
 FilmClock::FilmClock(double from, double to, double duration, std::span<const Strike> strikes)
     : FilmClock(from, to, duration) {
-  // The bump's integral over u is 16/15.
+  // The integral of the bump over u is 16/15.
   const double share = kFilmOfImpacts / (1.0 - kFilmOfImpacts);
   half_ = share * (to - from) / ((kStretch - 1.0) * kMostImpacts * 16.0 / 15.0);
   impacts_ = choose(strikes, from, to, half_);
@@ -93,7 +93,7 @@ double FilmClock::stretch(double t) const {
   return 1.0 + (kStretch - 1.0) * most;
 }
 
-// film_: the integral of stretch(), by the trapezoidal rule, scaled to 1.
+// film_ is the integral of stretch() by the trapezoidal rule, scaled to 1.
 void FilmClock::fill() {
   const double step = (to_ - from_) / kSteps;
   film_.assign(1, 0.0);

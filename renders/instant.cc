@@ -11,15 +11,16 @@ namespace rotorub::renders {
 
 namespace {
 
-constexpr double kForceShown = 0.98, kGapShown = 0.99;  // quantiles
-constexpr double kRoom = 1.1;                           // above what is shown
-constexpr double kFarApart = 30.0;     // of the runs' forces: no linear scale shows both
-constexpr double kMostDecades = 1e-7;  // of a logarithmic scale: low against high
-constexpr double kLeastGap = 0.01;     // of the clearance: so that noise about 0 stays small
+constexpr double kForceShown = 0.98, kGapShown = 0.99;  // quantiles of forces and gaps
+constexpr double kRoom = 1.1;                           // margin at the top of a linear scale
+constexpr double kFarApart = 30.0;     // ratio of forces from which a linear scale cannot show both
+constexpr double kMostDecades = 1e-7;  // least ratio of low to high of a logarithmic scale
+constexpr double kLeastGap = 0.01;     // of the clearance, so that noise about 0 stays small
 
 double high_or_one(double high) { return high > 0.0 ? high : 1.0; }
 
-// Forces in contact: every run's typical one is seen, the largest at the top.
+// Scale of forces in contact: the typical force of every run is visible, and the largest is near
+// the top.
 ValueScale force_scale(std::span<const Playback* const> runs, double from, double to) {
   double largest = 0.0, smallest = 1e300;
   for (const Playback* run : runs) {
@@ -93,7 +94,7 @@ std::string length_text(double metres) {
 
 namespace {
 constexpr int kTrailPoints = 72;
-constexpr double kFramesOfATurn = 2.0;  // fewer, and it seems to turn another way
+constexpr double kFramesOfATurn = 2.0;  // with fewer, the whirl seems to turn another way
 constexpr double kFaintest = 0.15;      // weaker impacts are not drawn
 }  // namespace
 

@@ -11,7 +11,7 @@ constexpr int kGap = 6;  // pixels around charts
 
 int share(double part, int whole) { return static_cast<int>(part * whole); }
 
-// Charts one below the other.
+// Charts stacked vertically.
 std::vector<Area> stacked(const Area& area, int count) {
   std::vector<Area> charts;
   for (int k = 0; k < count; ++k) {
@@ -22,7 +22,7 @@ std::vector<Area> stacked(const Area& area, int count) {
   return charts;
 }
 
-// Charts beside each other.
+// Charts side by side.
 std::vector<Area> in_a_row(const Area& area, int count) {
   std::vector<Area> charts;
   const int width = area.width - kGap;
@@ -34,8 +34,8 @@ std::vector<Area> in_a_row(const Area& area, int count) {
   return charts;
 }
 
-// Wide: the machine, the cross-section to its right, charts below. Narrow: the machine, below it
-// the cross-section with the charts to its right.
+// Wide area: the machine, to its right the cross-section, charts below. Narrow area: the machine,
+// below it the cross-section, and to its right the charts.
 PanelLayout rig(const Area& area, int charts) {
   PanelLayout panel;
   if (area.aspect() > 1.2) {
@@ -55,7 +55,7 @@ PanelLayout rig(const Area& area, int charts) {
   return panel;
 }
 
-// One large picture with the charts to its right, or below.
+// One large picture with the charts to its right or below.
 PanelLayout single(const Area& area, int charts, Area PanelLayout::*what) {
   PanelLayout panel;
   if (area.aspect() > 1.2) {

@@ -1,4 +1,4 @@
-// Where things stand in a picture.
+// Positions of the parts of a picture.
 #pragma once
 
 #include <vector>
@@ -8,11 +8,11 @@
 
 namespace rotorub::renders {
 
-// One run. Areas that a view has not are empty.
+// The areas of one run. Areas that a view does not use are empty.
 struct PanelLayout {
-  Area machine;  // MuJoCo's picture; of all panels equally large
+  Area machine;  // MuJoCo's picture; the same size in all panels
   Area section, unrolled;
-  Area caption;  // where the run is named
+  Area caption;  // name of the run
   std::vector<Area> charts;
 };
 
@@ -22,7 +22,7 @@ struct Layout {
   std::vector<PanelLayout> panels;  // side by side, from the left
 };
 
-// `contact`: without one there is the machine alone, in the views that show it.
+// Without `contact`, the views that show the machine show only the machine.
 Layout make_layout(int width, int height, FilmView view, int panels, int charts, bool contact);
 
 }  // namespace rotorub::renders

@@ -15,14 +15,14 @@ namespace rotorub::renders {
 namespace {
 
 constexpr int kSpans = 48;  // of the drawn shaft
-// Shares of the rotor's radius: a clearance that is seen well, and the least that is seen.
+// Fractions of the rotor's radius: a clearly visible clearance, and the smallest visible one.
 constexpr double kClearanceShare = 0.45;
 constexpr double kLeastShare = 0.15;
-constexpr double kRingMotionShare = 0.9;   // of the rotor's radius, for the cross-section
-constexpr double kMotionShare = 0.1;       // of the shaft's length, for the machine
-constexpr double kWidestClearance = 0.06;  // of the shaft's length, for the machine
+constexpr double kRingMotionShare = 0.9;   // of the rotor's radius, in the cross-section
+constexpr double kMotionShare = 0.1;       // of the shaft's length, in the machine view
+constexpr double kWidestClearance = 0.06;  // of the shaft's length, in the machine view
 
-// Values at `to` of a line given at ascending stations `from`, one column a mode.
+// Values at stations `to`, interpolated from ascending stations `from`, with one column per mode.
 Eigen::MatrixXd resample(const Eigen::VectorXd& from, const Eigen::MatrixXd& values,
                          const Eigen::VectorXd& to) {
   Eigen::MatrixXd result(to.size(), values.cols());
@@ -35,7 +35,7 @@ Eigen::MatrixXd resample(const Eigen::VectorXd& from, const Eigen::MatrixXd& val
   return result;
 }
 
-// Even spacing, and every change of diameter: metres.
+// Evenly spaced stations and all changes of diameter, m.
 Eigen::VectorXd shaft_stations(const scene::RotorGeometry& geometry) {
   std::vector<double> stations;
   for (int i = 0; i <= kSpans; ++i) stations.push_back(geometry.length * i / kSpans);
@@ -54,7 +54,7 @@ double diameter_at(const scene::RotorGeometry& geometry, double z) {
   return 0.03 * geometry.length;
 }
 
-// A disc stated by its mass and inertia drawn as the solid cylinder that has them:
+// A disc with given mass and inertia is drawn as the solid cylinder that has them:
 // J_p = m R^2 / 2, m = rho pi R^2 (2 h).
 DrawnDisc drawn_disc(const scene::Disc& disc, const scene::RotorGeometry& geometry, double unit) {
   const double shaft = 0.5 * diameter_at(geometry, disc.z) * unit;
@@ -92,8 +92,8 @@ void draw_geometry(Machine& machine, const scene::Scene& scene) {
   if (scene.drive) machine.motor = scene.drive->station * machine.unit;
 }
 
-// Modal data say nothing of a shape: a shaft of proportions that please, bent like a half wave
-// where a spring holds it and straight where none does.
+// Modal data define no shape. The shaft is drawn with typical proportions, bent like a half wave if
+// a spring holds it and straight otherwise.
 void draw_modal(Machine& machine, const scene::Scene& scene) {
   machine.schematic = true;
   const double radius = scene.first().contact ? scene.first().contact->radius : 0.05;
@@ -105,14 +105,14 @@ void draw_modal(Machine& machine, const scene::Scene& scene) {
                                 [](double stiffness) { return stiffness > 0.0; });
   machine.bow = Eigen::VectorXd::Ones(machine.z.size());
   if (!held) return;
-  constexpr double kEnd = 0.06;  // bearings this far from the ends
+  constexpr double kEnd = 0.06;  // distance of the bearings from the ends
   machine.bow = ((machine.z.array() - kEnd) * std::numbers::pi / (1.0 - 2.0 * kEnd)).sin();
   machine.bearings = {kEnd, 1.0 - kEnd};
   machine.bearing_bore = 1.05 * machine.span_radius.front();
   if (scene.drive) machine.motor = 0.0;
 }
 
-// The largest size(centre line) at so many times of the film, and its end.
+// The largest size(centre line) at `looks` + 1 evenly spaced times of the film.
 template <class Size>
 double largest(const Machine& machine, std::span<const Playback* const> runs, double from,
                double to, int looks, Size size) {
@@ -149,7 +149,7 @@ DrawnSupport drawn_support(const scene::Scene& scene) {
   return support;
 }
 
-// Forces from outside: not a mass out of the axis, which is no force.
+// External forces; an eccentric mass is not one.
 void draw_loads(Machine& machine, const scene::Scene& scene) {
   const Model model = prepare(scene);
   std::size_t next = 0;
@@ -172,7 +172,7 @@ void draw_contact(Machine& machine, const scene::Scene& scene) {
   machine.support = drawn_support(scene);
   machine.ring_turns = scene.first().stator && scene.first().stator->spin;
   machine.contact = {z, radius, clearance, radius + clearance + 0.45 * radius, 0.4 * radius};
-  // The rotor's body there stands for a disc within the ring, its sleeve.
+  // The rotor's body there represents a disc inside the ring, the sleeve.
   std::erase_if(machine.discs, [&](const DrawnDisc& disc) {
     return std::abs(disc.z - z) < machine.contact->half_width &&
            disc.radius < machine.contact->ring_outer;
@@ -252,7 +252,7 @@ Machine make_machine(const scene::Scene& scene, std::span<const Playback* const>
   } else {
     draw_modal(machine, scene);
   }
-  // Of any station, for a magnification of 1.
+  // The largest motion of any station, with magnification 1.
   const double motion = largest(machine, runs, from, to, 600, [](const Eigen::Matrix2Xd& line) {
     return line.colwise().norm().maxCoeff();
   });
@@ -272,7 +272,7 @@ Machine make_machine(const scene::Scene& scene, std::span<const Playback* const>
     machine.magnetic_bearings.push_back({z, bore, bore + 0.035, 0.025});
   }
 
-  // The base plate lies below everything that moves.
+  // The base plate is below all moving parts.
   double reach = 0.08;
   for (const Playback* run : runs) {
     if (!machine.contact) break;

@@ -1,5 +1,5 @@
-// The machine as it is drawn: a scene's parts with the sizes of the picture. The shaft's length is
-// one drawing unit. Displacements are magnified, and with them the clearance; bodies are not:
+// The machine as it is drawn: a scene's parts with their sizes in the picture. The shaft's length
+// is one drawing unit. Displacements and the clearance are magnified, but bodies are not:
 //
 //   drawn ring bore = drawn rotor radius + magnification * clearance
 //
@@ -18,7 +18,7 @@
 
 namespace rotorub::renders {
 
-// The drawing's point at a station of a place (y, z) across the shaft.
+// The point of the drawing at a station and a position (y, z) across the shaft.
 inline Eigen::Vector3d place_at(double station, const Eigen::Vector2d& yz) {
   return {station, yz[0], yz[1]};
 }
@@ -32,36 +32,36 @@ struct DrawnContact {
   double z;
   double rotor_radius;
   double clearance;   // magnified
-  double ring_outer;  // radius
+  double ring_outer;  // outer radius
   double half_width;
   double ring_bore() const { return rotor_radius + clearance; }
 };
 
-// What holds the ring, as the scene has it: a housing (no [stator]), or springs, actuators at 45
-// degrees, these with electromagnets, or nothing.
+// The support of the ring: a housing (without [stator]), springs, actuators at 45 degrees,
+// electromagnets on these axes, or nothing.
 struct DrawnSupport {
   bool fixed = true;
   bool spring_x = false, spring_y = false;
   bool actuators = false, magnets = false;
 };
 
-// A force that acts on the shaft from outside, at its station.
+// An external force on the shaft, at its station.
 struct DrawnLoad {
   double z;
   AppliedForce force;
 };
 
 struct DrawnMagneticBearing {
-  double z, bore, outer, half_width;  // radii
+  double z, bore, outer, half_width;  // bore and outer are radii
 };
 
 struct Machine {
-  double unit = 1.0;           // drawing units in a metre
+  double unit = 1.0;           // drawing units per metre
   double magnification = 1.0;  // of displacements, >= 1
-  double clearance = 0.0;      // m, true; 0 without a contact
+  double clearance = 0.0;      // m, not magnified; 0 without a contact
 
-  // The shaft: k stations, k - 1 spans, and what a deflection line is made of: the modes' values
-  // (k x n), or for a rotor without geometry one bow (k) that the contact station's motion scales.
+  // The shaft: k stations and k - 1 spans. The deflection line is made of the modes' values (k x
+  // n), or, for a rotor without geometry, of one bow (k) scaled by the contact station's motion.
   Eigen::VectorXd z;
   std::vector<double> span_radius;
   Eigen::MatrixXd modes_x, modes_y;
@@ -76,33 +76,32 @@ struct Machine {
   std::vector<DrawnLoad> loads;
   double largest_load = 0.0;    // N
   std::optional<double> motor;  // z
-  bool schematic = false;       // a rotor of modal data: its shaft is not the scene's
-  bool ring_turns = false;      // about its axis
-  double floor = -0.2;          // Z of the base plate's top
+  bool schematic = false;       // the rotor has modal data, so that its shaft is not the scene's
+  bool ring_turns = false;      // the ring rotates about its axis
+  double floor = -0.2;          // Z of the top of the base plate
 
-  // Lengths of the scene (m) as displacements of the drawing.
+  // Converts lengths of the scene (m) to displacements of the drawing.
   double displaced(double metres) const { return metres * unit * magnification; }
-  // This machine with the contact of another, which is drawn to another magnification.
+  // This machine with the contact of another one, which has another magnification.
   Machine with_contact_of(const Machine& other) const;
-  // Magnified centre line: 2 x k, rows Y and Z.
+  // The magnified centre line: 2 x k, rows Y and Z.
   Eigen::Matrix2Xd centre_line(const Pose& pose) const;
   // The magnified centre at one station, and the direction of the shaft there.
   Eigen::Vector3d centre(const Eigen::Matrix2Xd& line, double station) const;
   Eigen::Vector3d tangent(const Eigen::Matrix2Xd& line, double station) const;
 };
 
-// `runs`: all that are shown. Without a given magnification: as large as makes the largest motion
-// between `from` and `to` a tenth of the shaft, within limits that keep the clearance visible, and
-// rounded down to a plain number. Throws std::runtime_error where a run has not the scene's number
-// of modes.
+// `runs`: all that are shown. The default magnification makes the largest motion between `from` and
+// `to` a tenth of the shaft, within limits that keep the clearance visible, and is rounded down to
+// a plain number. Throws std::runtime_error if the number of modes of a run is not the scene's.
 Machine make_machine(const scene::Scene& scene, std::span<const Playback* const> runs, double from,
                      double to, std::optional<double> magnification);
 
-// For a picture of the contact alone, 1 without a contact: the clearance drawn as 0.45 of the
-// rotor's radius, less where the ring moves far (`motion`, m), rounded down to a plain number.
+// Magnification for a picture of only the contact; 1 without a contact. The drawn clearance is 0.45
+// of the rotor's radius, or less if the ring moves far (`motion`, m). Rounded down, see below.
 double section_magnification(const scene::Scene& scene, double motion);
 
-// The largest of 1, 1.5, 2, 3, 4, 5, 6, 8, 10 times a power of ten that is not above `value` > 0.
+// The largest number up to `value` > 0 that is 1, 1.5, 2, 3, 4, 5, 6, 8 or 10 times a power of ten.
 double plain_number_below(double value);
 
 }  // namespace rotorub::renders

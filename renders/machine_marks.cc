@@ -1,4 +1,4 @@
-// The ring and what holds it, forces, and shadows in the picture of the machine.
+// The ring and its support, forces and shadows in the view of the machine.
 #include <Eigen/Geometry>
 #include <algorithm>
 #include <cmath>
@@ -19,12 +19,12 @@ constexpr double kFoot[] = {225.0 * std::numbers::pi / 180.0, 315.0 * std::numbe
 
 }  // namespace
 
-// Straight down on the plate, as under a wide lamp: two layers, the outer one fainter. Flat boxes
-// are all that software rendering has to pay.
+// Shadows straight down on the plate, as under a wide lamp. They consist of two layers, the outer
+// one fainter. Flat boxes are cheap in software rendering.
 void MachineView::draw_shadows(Canvas& canvas, const Pose& pose,
                                const Eigen::Matrix2Xd& line) const {
   canvas.finish(kMatt);
-  constexpr int kEvery = 2;  // stations
+  constexpr int kEvery = 2;  // only every second station
   for (const auto& [layer, spread, color] :
        {std::tuple{1.0, 1.7, palette::kPenumbra}, {2.0, 1.0, palette::kUmbra}}) {
     const double height = 2e-4 * layer;
@@ -53,7 +53,7 @@ void MachineView::draw_ring(Canvas& canvas, const DrawnSection& section, const C
               color);
 }
 
-// What holds the ring: a housing on a pedestal, or springs or actuators at 45 degrees.
+// The support of the ring: a housing on a pedestal, or springs or actuators at 45 degrees.
 void MachineView::draw_support(Canvas& canvas, const DrawnSection& section) const {
   const DrawnContact& contact = *machine_.contact;
   const DrawnSupport& support = machine_.support;
@@ -83,7 +83,7 @@ void MachineView::draw_support(Canvas& canvas, const DrawnSection& section) cons
   }
 }
 
-// An actuator: its cylinder on the base, its rod on the ring; of an electromagnet a coil.
+// An actuator with its cylinder on the base and its rod on the ring; an electromagnet has a coil.
 void MachineView::draw_strut(Canvas& canvas, const Vector2d& from, const Vector2d& to) const {
   const double z = machine_.contact->z;
   const Vector2d joint = 0.5 * (from + to);
@@ -99,7 +99,7 @@ void MachineView::draw_contact(Canvas& canvas, const Instant& instant,
                                const DrawnSection& section) const {
   const DrawnContact& contact = *machine_.contact;
   canvas.finish(kFlat);
-  // In front of the ring's near face, so that nothing hides them.
+  // In front of the ring's near face, so that the arrows are not hidden.
   const double station = contact.z + 1.6 * side_ * contact.half_width;
   const double longest = kArrowShare * contact.rotor_radius;
   const auto arrow = [&](const Vector2d& foot, const Vector2d& tip, const Color& color) {
@@ -122,7 +122,7 @@ void MachineView::draw_contact(Canvas& canvas, const Instant& instant,
   arrow(section.touch, -instant.normal.share * longest * section.e_r, palette::kNormal);
 }
 
-// Outer forces where they act, each against the largest of them.
+// External forces at their stations, relative to the largest one.
 void MachineView::draw_loads(Canvas& canvas, const Pose& pose, const Eigen::Matrix2Xd& line) const {
   constexpr double kLongest = 0.13;
   if (!(machine_.largest_load > 0.0)) return;

@@ -17,19 +17,19 @@ using Eigen::Vector3d;
 constexpr double kDegree = std::numbers::pi / 180.0;
 const Matrix3d kUpright = Matrix3d::Identity();
 
-// The part of a ring that is kept: what is cut away faces the camera.
+// The visible part of a cut ring. The cut faces the camera.
 constexpr double kKeptFrom = 212.0 * kDegree;
 constexpr double kKeptTo = 452.0 * kDegree;
 
 constexpr double kPlateHalfDepth = 0.13;
 
-// Width of the rotor's body at the contact, in widths of the ring.
+// Width of the rotor's body at the contact, relative to the ring.
 constexpr double kRotorWidth = 1.25;
 
-// A ghost's shaft against the shaft: hidden within it where the two agree.
+// Thickness of a ghost's shaft relative to the shaft. It is hidden inside where the two coincide.
 constexpr double kWithin = 0.96;
 
-// Proud of the body it marks, so that it is seen.
+// A mark protrudes from its body, so that it is visible.
 constexpr double kProud = 1.02;
 
 int add_mesh(std::vector<Mesh>& meshes, const RingShape& shape) {
@@ -68,7 +68,7 @@ MachineView::MachineView(const Machine& machine, std::vector<Mesh>& meshes) : ma
     magnets_.push_back(add_mesh(
         meshes, {magnet.bore + 0.012, magnet.outer, magnet.half_width, kKeptFrom, kKeptTo, 72}));
   }
-  // From the side of the ring where no disc stands before it.
+  // The camera is on the side of the ring with no disc in front of it.
   double nearest = 2.0;
   for (const DrawnDisc& disc : machine.discs) {
     if (!machine.contact) break;
@@ -165,7 +165,7 @@ void MachineView::draw_base(Canvas& canvas) const {
     canvas.mesh(bearing_, {z, 0.0, 0.0}, kUpright, palette::kHousing);
   }
   if (machine_.motor) {
-    // On the outer side of the shaft's end, or around the shaft.
+    // Beyond the shaft's end, or around the shaft.
     const double z = *machine_.motor;
     const double middle = z < 0.1 ? z - 0.075 : (z > 0.9 ? z + 0.075 : z);
     draw_pedestal(canvas, middle, -0.03, 0.04, 0.04);
@@ -191,14 +191,14 @@ void MachineView::draw_shaft(Canvas& canvas, const Eigen::Matrix2Xd& line, const
   for (Eigen::Index i = 0; i + 1 < machine_.z.size(); ++i) {
     const Vector3d from = place_at(machine_.z[i], line.col(i));
     const Vector3d to = place_at(machine_.z[i + 1], line.col(i + 1));
-    // Closes the wedge on the outside of a bend; where one sees through, it would show twice.
+    // Closes the wedge on the outside of a bend. On a translucent shaft it would be visible.
     const Vector3d overlap = (color.alpha < 1.0F ? 0.0 : 0.06) * (to - from);
     canvas.cylinder(from - overlap, to + overlap,
                     thickness * machine_.span_radius[static_cast<std::size_t>(i)], color);
   }
 }
 
-// A body sits square on the bent shaft and turns about it; its mark shows the turning.
+// A body is perpendicular to the bent shaft and turns about it. Its mark shows the rotation.
 void MachineView::draw_body(Canvas& canvas, double z, const Body& body, const Color& color,
                             const Pose& pose, const Eigen::Matrix2Xd& line) const {
   const Vector3d centre = machine_.centre(line, z);

@@ -1,5 +1,6 @@
-// The whole machine in perspective: bent shaft, discs, bearings, ring cut open towards the viewer.
-// machine_view.cc has camera, base and shaft, machine_marks.cc the ring, forces and shadows.
+// The whole machine in perspective: bent shaft, discs, bearings, and the ring cut open towards the
+// viewer. Camera, base and shaft are in machine_view.cc; ring, forces and shadows are in
+// machine_marks.cc.
 #pragma once
 
 #include <vector>
@@ -12,19 +13,19 @@ namespace rotorub::renders {
 
 class MachineView {
  public:
-  // Adds its meshes to `meshes`; the canvas of draw() is that of the stage made of them.
+  // Appends its meshes to `meshes`. The canvas of draw() must belong to a stage made of them.
   MachineView(const Machine& machine, std::vector<Mesh>& meshes);
 
   // `ghost`: a second pose drawn translucent, or null.
   void draw(Canvas canvas, const Instant& instant, const Pose* ghost) const;
-  // The contact alone, on a shaft with this centre line that stands there already.
+  // Draws only the contact, on a shaft with this centre line that has already been drawn.
   void draw_bearing(Canvas canvas, const Instant& instant, const Eigen::Matrix2Xd& line) const;
-  // Sets camera and light for a picture of this shape (width / height): of the whole machine, or
+  // Sets camera and light for a picture with this aspect (width / height), of the whole machine or
   // close to the contact.
   void set_up(mjvScene& scene, double aspect, bool close) const;
 
  private:
-  // Meshes by number: a body and the mark that turns with it.
+  // Mesh numbers of a body and of the mark that turns with it.
   struct Body {
     int solid = -1, mark = -1;
   };
@@ -48,10 +49,10 @@ class MachineView {
   void draw_loads(Canvas& canvas, const Pose& pose, const Eigen::Matrix2Xd& line) const;
 
   Machine machine_;
-  double side_ = 1.0;  // of the contact that the camera sees, +1 or -1 along X
-  // Meshes by number.
+  double side_ = 1.0;  // side of the contact that the camera sees, +1 or -1 along X
+  // Mesh numbers.
   int ring_ = -1, housing_ = -1, bearing_ = -1;
-  std::vector<int> magnets_;  // of each magnetic bearing
+  std::vector<int> magnets_;  // one per magnetic bearing
   Body rotor_;
   std::vector<Body> discs_;
 };

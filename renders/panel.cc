@@ -28,7 +28,7 @@ Chart::Chart(const std::vector<double>& t, const std::vector<double>& values,
   }
 }
 
-// Zero and a plain number on each side that the scale has, the larger first; of a logarithmic scale
+// Zero and a plain number on each side of the scale, the larger first. For a logarithmic scale
 // every decade, from the top.
 std::vector<double> Chart::grid() const {
   const ValueScale& scale = options_.scale;
@@ -55,7 +55,7 @@ void Chart::draw_scale(Sheet& sheet, int text_size, double top, double height, d
     const bool covers = std::any_of(written.begin(), written.end(), [&](double other) {
       return std::abs(label - other) < 1.1 * text_size;
     });
-    // One that lies on the line of 0 would be read as it.
+    // A label next to the line of 0 would be read as its label.
     const double zero = std::floor(top + height * (1.0 - options_.scale.share(0.0)));
     const bool is_zero = value != 0.0 && options_.scale.low < 0.0 && std::abs(y - zero) < text_size;
     if (value == 0.0 || covers || is_zero) continue;
@@ -74,7 +74,7 @@ void Chart::draw(Sheet& sheet, int text_size, double now, const std::string& tit
     x = sheet.text(x + gap, 0.35 * text_size, reading.text, text_size, reading.color);
   }
   const bool clipped = options_.mark_clipped && options_.scale.clips(peak_);
-  // Beside title and readings where there is room for the longest of them, else below.
+  // Next to title and readings if there is room for the longest of them, else below.
   const bool below = clipped && area.width < 30.0 * text_size;
   const double line = 0.35 * text_size + (below ? 1.3 * text_size : 0.0);
   if (clipped) {
@@ -84,7 +84,7 @@ void Chart::draw(Sheet& sheet, int text_size, double now, const std::string& tit
 
   const double top = line + 1.55 * text_size;
   const double height = area.height - top - 3.0;
-  // Charts below each other have one width, unless a label is wider.
+  // Charts below each other have the same width, unless a label is wider.
   double label = sheet.text_width("10,000 N s", text_size);
   for (const double value : grid()) {
     label = std::max(label, sheet.text_width(value_text(value, options_.unit), text_size));
@@ -101,7 +101,7 @@ void Chart::draw(Sheet& sheet, int text_size, double now, const std::string& tit
     const double at = column(bucket.t);
     double right = at + 2.0, upper = row(bucket.largest), lower = row(0.0);
     if (!options_.stems) {
-      // Each bucket reaches up and down to its neighbour, so that the curve has no holes.
+      // Each bucket extends to its neighbour, so that the curve has no gaps.
       if (i + 1 == buckets_.size()) break;
       const Bucket& next = buckets_[i + 1];
       right = std::max(at + 1.0, column(next.t));
@@ -109,7 +109,7 @@ void Chart::draw(Sheet& sheet, int text_size, double now, const std::string& tit
       lower = row(std::min(bucket.least, next.largest)) + 1.5;
     }
     sheet.fill(at, upper, right - at, lower - upper, color);
-    // Cut off: a bar over the top.
+    // A clipped value has a bar above the top.
     if (options_.mark_clipped && options_.scale.clips(bucket.largest)) {
       sheet.fill(at, top - 0.25 * text_size, std::max(2.0, right - at), 0.2 * text_size, color);
     }
@@ -142,7 +142,7 @@ void Panel::make_charts(const Trajectory& trajectory) {
   options.from = film_->from;
   options.to = film_->to;
 
-  // The free orbit before the touch leaves the chart of the gap.
+  // The free orbit before contact exceeds the scale of the gap chart.
   options.mark_clipped = false;
   options.scale = scales.gap;
   options.color = palette::kTrail;
@@ -180,7 +180,7 @@ void Panel::make_charts(const Trajectory& trajectory) {
       t, controlled ? control_size(trajectory) : std::vector<double>(t.size(), 0.0), options);
 }
 
-// One below the other where there are several.
+// Several sections are stacked vertically.
 void Panel::draw_sections(const Sheet& picture, const Instant& instant,
                           const std::vector<Instant>& further, const Pose* ghost) const {
   const Area& whole = layout_.section;
@@ -258,13 +258,13 @@ void Panel::write_machine_text(Sheet sheet) const {
   sheet.text(size, sheet.area().height - 1.6 * size, text, size, palette::kInk);
 }
 
-// Clearance and forces as long as they are drawn.
+// Scale bars for the clearance and the forces.
 void Panel::write_scale_bars(Sheet sheet) const {
   const Area& area = sheet.area();
   const int size = std::min(film_->text_size, std::max(9, area.height / 26));
   const double pixels = film_->section_view->pixels(area);
   const DrawnContact& contact = *film_->section.contact;
-  // Below the caption, and below what it says of a whirl, where no actuator is.
+  // Below the caption and its remark on the whirl, where there is no actuator.
   double y = (layout_.section.left == layout_.caption.left ? 3.4 : 2.2) * size;
   const auto bar = [&](double length, const std::string& text, const Color& color) {
     const double wide = std::max(length, sheet.text_width(text, size));

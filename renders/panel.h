@@ -1,4 +1,4 @@
-// One run in its part of the picture: curves and words; its views are those of the whole film.
+// The panel of one run in a picture: its curves and texts. All panels of a film share the views.
 #pragma once
 
 #include <optional>
@@ -13,7 +13,7 @@
 
 namespace rotorub::renders {
 
-// One curve over the whole film, with the present marked.
+// A curve over the whole film, with a mark at the present time.
 class Chart {
  public:
   struct Options {
@@ -21,17 +21,17 @@ class Chart {
     ValueScale scale;
     Color color{0.0F, 0.0F, 0.0F};
     std::string unit;
-    bool mark_clipped = true;  // say so where values are beyond the scale
-    bool stems = false;        // values stand alone, each a line from 0, rather than on a curve
+    bool mark_clipped = true;  // marks values beyond the scale
+    bool stems = false;        // separate values, each drawn as a line from 0, instead of a curve
   };
-  // What a chart says of the present, in its own colour.
+  // A text for the present value, in its own colour.
   struct Reading {
     std::string text;
     Color color{0.0F, 0.0F, 0.0F};
   };
 
-  // Values beyond the scale are cut off at the top; marked there, with the peak in words. Longer
-  // series are thinned to the least and largest value of each of `kBuckets`.
+  // Values beyond the scale are clipped and marked at the top, with the peak as text. Longer series
+  // are reduced to the least and largest value of each of `kBuckets` buckets.
   Chart(const std::vector<double>& t, const std::vector<double>& values, const Options& options);
   void draw(Sheet& sheet, int text_size, double now, const std::string& title,
             const std::vector<Reading>& readings) const;
@@ -53,23 +53,23 @@ class Chart {
 struct ShownRun {
   Playback playback;
   std::string label;
-  std::vector<Playback> further;  // the same of each contact beside the first
+  std::vector<Playback> further;  // the same run at each contact after the first
 };
 
-// The cross-section at a contact beside the first, to the first one's scale.
+// The cross-section at a further contact, in the scale of the first.
 struct FurtherSection {
   std::string name;
   Machine machine;
   SectionView view;
 };
 
-// What all panels of a film share.
+// Data shared by all panels of a film.
 struct FilmParts {
-  double from = 0.0, to = 1.0;  // s, what is shown
+  double from = 0.0, to = 1.0;  // s, the shown part
   Scales scales;
-  Machine machine, section;  // the same machine, each magnified for its view
+  Machine machine, section;  // the same machine with the magnification of each view
   std::optional<SectionView> section_view;
-  std::string contact_name;  // of the first; empty where it is the only one
+  std::string contact_name;  // of the first contact; empty if it is the only one
   std::vector<FurtherSection> further;
   std::optional<UnrolledView> unrolled_view;
   double clearance = 0.0;  // m
@@ -83,12 +83,12 @@ std::string strobe_text(const Strobe& strobe);
 
 class Panel {
  public:
-  // All must outlive it; the ghost may be null.
+  // All arguments must outlive the panel; the ghost may be null.
   Panel(const FilmParts& film, const PanelLayout& layout, const Trajectory& trajectory,
         const ShownRun& run, const ShownRun* ghost);
 
-  // Everything but MuJoCo's picture of the machine, which is there already.
-  // `further`: of each contact beside the first.
+  // Draws everything except MuJoCo's picture of the machine, which must already be there.
+  // `further`: one for each contact after the first.
   void draw(const Sheet& picture, const Instant& instant, const std::vector<Instant>& further,
             const Pose* ghost, double trail_time) const;
   const Area& machine_area() const { return layout_.machine; }

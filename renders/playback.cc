@@ -24,7 +24,7 @@ const std::vector<double>& need(const Trajectory& trajectory, const std::string&
   return values;
 }
 
-// Cubic Hermite on [0, h]: values a, b and slopes da, db at the ends.
+// Cubic Hermite interpolation on [0, h]: values a, b and slopes da, db at the ends.
 double hermite(double a, double da, double b, double db, double h, double t) {
   const double s = t / h;
   const double rest = 1.0 - s;
@@ -43,7 +43,7 @@ std::optional<double> first_touch(const Trajectory& trajectory) {
   std::optional<double> first;
   const auto earlier = [&first](double t) { first = std::min(first.value_or(t), t); };
   if (trajectory.statistics.first_touch >= 0.0) earlier(trajectory.statistics.first_touch);
-  // A run that was read from its folder has no statistics.
+  // A run read from its folder has no statistics.
   if (!trajectory.impacts.empty()) earlier(trajectory.impacts.front().t);
   if (!trajectory.has("normal_force")) return first;
   const auto& force = trajectory.column("normal_force");
@@ -176,7 +176,7 @@ Pose Playback::at(double t) const {
   if (current_) pose.current = pair(*current_);
   pose.gap = interpolate({gap_, nullptr}, row, pose.t, false);
 
-  // Forces: within one contact between the rows, else as the row before says.
+  // Forces are interpolated within one contact, and otherwise keep the value of the row before.
   pose.mode = static_cast<Mode>(std::lround((*mode_)[row]));
   const bool lasting = pose.mode != Mode::kFree && (*mode_)[next] > 0.0;
   pose.normal_force =

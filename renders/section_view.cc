@@ -15,28 +15,28 @@ namespace {
 
 using Eigen::Vector2d;
 
-constexpr double kMargin = 1.06;       // of the picture around what is drawn
-constexpr double kSupportReach = 0.5;  // of the rotor's radius, from ring to wall
+constexpr double kMargin = 1.06;       // of the picture around the drawing
+constexpr double kSupportReach = 0.5;  // from ring to wall, relative to the rotor's radius
 constexpr double kPi = std::numbers::pi;
 
 Vector2d direction(double angle) { return {std::cos(angle), std::sin(angle)}; }
 
-// One picture, in drawing units of a sheet.
+// One picture on a sheet, in drawing units.
 struct Drawing {
   Sheet& sheet;
   const Machine& machine;
   const DrawnContact& contact;
   const Instant& instant;
   const DrawnSection section;
-  const Vector2d middle;  // of the sheet, and
-  const double pixels;    // of a drawing unit there
+  const Vector2d middle;  // of the sheet, pixels
+  const double pixels;    // pixels per drawing unit
   const double half_size, wall_radius;
 
   Sheet::Point at(const Vector2d& yz) const {
     return {middle[0] + pixels * yz[0], middle[1] - pixels * yz[1]};
   }
 
-  // Through the centre at rest.
+  // Axes through the centre at rest.
   void draw_axes() const {
     sheet.fill(0.0, std::floor(middle[1]), sheet.area().width, 1.0, palette::kGrid);
     sheet.fill(std::floor(middle[0]), 0.0, 1.0, sheet.area().height, palette::kGrid);
@@ -82,7 +82,7 @@ struct Drawing {
     if (!support.actuators) return;
     for (const double angle : {0.25 * kPi, 0.75 * kPi, 1.25 * kPi, 1.75 * kPi}) {
       if (support.magnets) {
-        // A core with its coil, fixed, at an air gap from the ring.
+        // A fixed core with its coil, at an air gap from the ring.
         held(angle, [&](const Vector2d&, const Vector2d& wall, const Vector2d& e) {
           const Vector2d pole = wall - 0.38 * unit * e;
           sheet.bar(at(wall), at(pole), 0.2 * unit * pixels, palette::kHousing);
@@ -90,7 +90,7 @@ struct Drawing {
           sheet.bar(at(coil), at(coil - 0.1 * unit * e), 0.34 * unit * pixels, palette::kCopper);
         });
       } else if (angle > kPi) {
-        // A cylinder on the wall, its rod on the ring.
+        // A cylinder on the wall with its rod on the ring.
         held(angle, [&](const Vector2d& ring, const Vector2d& wall, const Vector2d& e) {
           sheet.bar(at(ring), at(wall), 0.07 * unit * pixels, palette::kShaft);
           sheet.bar(at(wall), at(Vector2d(wall - 0.24 * unit * e)), 0.17 * unit * pixels,
@@ -131,7 +131,7 @@ struct Drawing {
   }
 
   void draw_path() const {
-    // The rotor's centre is held within the clearance circle around the ring's centre.
+    // Contact keeps the rotor's centre within the clearance circle around the ring's centre.
     sheet.dashed_circle(at(section.ring), contact.clearance * pixels, 1.5, palette::kInk);
     const double scale = machine.displaced(1.0);
     std::vector<Sheet::Point> points;
@@ -140,8 +140,8 @@ struct Drawing {
     sheet.disc(at(section.rotor), 0.018 * half_size * pixels, palette::kTrail);
   }
 
-  // A bar beside the magnet of each axis that the current strengthens, from the wall inwards; pale:
-  // the largest.
+  // A bar beside the magnet of each axis that the current strengthens, from the wall inwards. The
+  // pale bar shows the largest current.
   void draw_currents() const {
     if (!machine.support.magnets || instant.current.isZero()) return;
     const double unit = contact.rotor_radius;
@@ -173,7 +173,7 @@ struct Drawing {
       if (tip.norm() < 0.02 * half_size) return;
       sheet.arrow(at(foot), at(foot + tip), width, color);
       if (!arrow.clipped) return;
-      // Cut off: a gap across the shaft.
+      // A gap across the shaft marks a clipped arrow.
       const Vector2d across(-along[1], along[0]);
       const Vector2d cut = foot + 0.45 * tip;
       const double half = 1.2 * width / pixels;

@@ -1,6 +1,6 @@
 // The cross-section at the contact, seen from the shaft's far end: x to the right, y up, spin
-// counter-clockwise. Rotor and ring with the clearance magnified, what holds the ring, the path of
-// the rotor's centre in the clearance circle, the point of contact and the forces.
+// counter-clockwise. It shows rotor and ring with the clearance magnified, the ring's support, the
+// path of the rotor's centre in the clearance circle, the point of contact and the forces.
 #pragma once
 
 #include "renders/instant.h"
@@ -10,23 +10,23 @@
 namespace rotorub::renders {
 
 inline constexpr double kCurrentShare =
-    0.38;  // of the rotor's radius: the bar of the largest coil current
+    0.38;  // relative to the rotor's radius: bar length of the largest coil current
 
 class SectionView {
  public:
-  // `motion`: the farthest that ring or free rotor get from the centre, m. The machine has a
-  // contact.
+  // `motion`: largest distance of the ring or the free rotor from the centre, m. The machine must
+  // have a contact.
   SectionView(const Machine& machine, double motion);
 
   // `ghost`: a second pose drawn translucent, or null.
   void draw(Sheet& sheet, const Instant& instant, const Pose* ghost) const;
-  // Pixels of a drawing unit there.
+  // Pixels per drawing unit in this area.
   double pixels(const Area& area) const;
 
  private:
   Machine machine_;
   double wall_;       // radius where springs and actuators end
-  double half_size_;  // of the smaller side of what is seen, drawing units
+  double half_size_;  // of the shorter side of the visible region, drawing units
 };
 
 }  // namespace rotorub::renders

@@ -34,7 +34,7 @@ void check(cairo_status_t status) {
   throw std::runtime_error(std::string("the picture: ") + cairo_status_to_string(status));
 }
 
-// Cairo keeps what it has drawn with, and so they are kept as long as the program runs.
+// Cairo keeps references to its fonts, so they live as long as the program.
 cairo_font_face_t* face_of(std::string_view file) {
   FT_Library library = nullptr;
   FT_Face face = nullptr;
@@ -44,13 +44,13 @@ cairo_font_face_t* face_of(std::string_view file) {
   return cairo_ft_font_face_create_for_ft_face(face, FT_LOAD_TARGET_LIGHT);
 }
 
-// Cairo draws nothing more after what is no UTF-8, or one of Unicode's noncharacters.
+// Cairo stops drawing after invalid UTF-8 or a Unicode noncharacter.
 bool is_character(boost::locale::utf::code_point code) {
   return boost::locale::utf::is_valid_codepoint(code) && (code & 0xFFFE) != 0xFFFE &&
          !(code >= 0xFDD0 && code <= 0xFDEF);
 }
 
-// U+FFFD stands for each byte that belongs to no character.
+// Replaces each byte that is not part of a character with U+FFFD.
 std::string as_utf8(std::string_view text) {
   std::string all;
   for (const char *at = text.data(), *end = at + text.size(); at != end;) {
@@ -127,7 +127,7 @@ Sheet::Sheet(const Picture& picture, const Area& area)
   cairo_clip(pen_.get());
   cairo_set_line_join(pen_.get(), CAIRO_LINE_JOIN_ROUND);
   cairo_set_line_cap(pen_.get(), CAIRO_LINE_CAP_ROUND);
-  // Light: letters keep their widths and snap to rows alone.
+  // Slight hinting keeps the widths of letters and aligns them only to pixel rows.
   cairo_font_options_t* const options = cairo_font_options_create();
   cairo_font_options_set_antialias(options, CAIRO_ANTIALIAS_GRAY);
   cairo_font_options_set_hint_style(options, CAIRO_HINT_STYLE_SLIGHT);
@@ -147,7 +147,7 @@ void Sheet::stroke(double width, const Color& color) {
   cairo_stroke(pen_.get());
 }
 
-// y counts down.
+// Angles are negated because y points down.
 void Sheet::arc(const Point& center, double radius, double from, double to) {
   const auto draw = from < to ? cairo_arc_negative : cairo_arc;
   draw(pen_.get(), center[0], center[1], std::max(radius, 0.0), -from, -to);
@@ -171,8 +171,8 @@ void Sheet::polyline(std::span<const Point> points, double width, const Color& c
   stroke(width, color);
 }
 
-// Ever shorter ends of the path, one upon the other: each is one stroke, so that joints are no
-// beads.
+// Draws ever shorter end parts of the path on top of each other. Each is a single stroke, so that
+// joints do not show.
 void Sheet::trail(std::span<const Point> points, double width, const Color& color, double longest) {
   if (points.size() < 2) return;
   const auto last = static_cast<double>(points.size() - 1);

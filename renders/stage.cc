@@ -16,9 +16,10 @@ namespace {
 
 constexpr int kDepthBits = 24, kStencilBits = 8;
 
-constexpr int kShapes = 4000;   // room of the scene
-constexpr int kRoundness = 32;  // sides of MuJoCo's round primitives, and
-constexpr int kStacks = 6;      // their layers; software rendering pays for every triangle
+constexpr int kShapes = 4000;   // capacity of the scene
+constexpr int kRoundness = 32;  // sides of MuJoCo's round primitives
+// layers of round primitives; each triangle costs time in software rendering
+constexpr int kStacks = 6;
 
 void append(std::string& out, const std::vector<Eigen::Vector3d>& points) {
   for (const Eigen::Vector3d& p : points) {
@@ -38,7 +39,7 @@ std::string mesh_mjcf(const Mesh& mesh) {
   return out + "\"/>\n";
 }
 
-// A room with nothing but the meshes: size of the picture, background, quality.
+// A model with only the meshes, the size of the picture, the background and the quality.
 std::string stage_mjcf(const StageOptions& options, std::span<const Mesh> meshes) {
   const Color& sky = options.background;
   std::string out = fmt::format(
@@ -61,16 +62,16 @@ std::string stage_mjcf(const StageOptions& options, std::span<const Mesh> meshes
   return out + "  </worldbody>\n</mujoco>\n";
 }
 
-// Mesa brings LLVM along: 400,000 places to be relocated, which every start of a program linked
-// with it would pay for. It is loaded where a picture is made; for all to see, since MuJoCo looks
-// OpenGL's functions up in the process.
+// Mesa depends on LLVM with 400,000 relocations, which would slow every start of a program linked
+// with it. So it is loaded when the first picture is made, with global symbols, because MuJoCo
+// looks up OpenGL's functions in the process.
 struct Mesa {
   decltype(&OSMesaCreateContextExt) create;
   decltype(&OSMesaDestroyContext) destroy;
   decltype(&OSMesaMakeCurrent) make_current;
 };
 
-// Throws std::runtime_error.
+// Throws std::runtime_error if Mesa cannot be loaded.
 const Mesa& mesa() {
   static const Mesa found = [] {
     void* const library = dlopen("libOSMesa.so.8", RTLD_NOW | RTLD_GLOBAL);
@@ -141,7 +142,7 @@ void GlContext::make_current() {
 Stage::Stage(const StageOptions& options, std::span<const Mesh> meshes)
     : gl_(options.width, options.height), model_(load(stage_mjcf(options, meshes))) {
   mjr_defaultContext(&context_);
-  mjr_makeContext(model_.get(), &context_, mjFONTSCALE_50);  // nothing is written with it
+  mjr_makeContext(model_.get(), &context_, mjFONTSCALE_50);  // no text is drawn with this font
   mjr_setBuffer(mjFB_OFFSCREEN, &context_);
   if (context_.currentBuffer != mjFB_OFFSCREEN) {
     mjr_freeContext(&context_);

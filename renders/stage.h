@@ -1,5 +1,4 @@
-// The room that pictures are taken in: MuJoCo's renderer on an off-screen OpenGL context, with the
-// meshes of the machine loaded.
+// Renders pictures with MuJoCo on an off-screen OpenGL context, with the machine's meshes loaded.
 #pragma once
 
 #include <mujoco/mujoco.h>
@@ -16,9 +15,9 @@ struct osmesa_context;
 
 namespace rotorub::renders {
 
-// While it lives, an error of MuJoCo is thrown as std::runtime_error; by itself mju_error waits for
-// Enter and ends the process. MuJoCo's handler is global to the process; the one before comes back
-// at the end.
+// While an object exists, errors of MuJoCo are thrown as std::runtime_error; by default mju_error
+// waits for Enter and ends the process. MuJoCo's handler is global to the process; the previous one
+// is restored at the end.
 class MujocoErrors {
  public:
   MujocoErrors();
@@ -30,45 +29,44 @@ class MujocoErrors {
   void (*previous_)(const char*);
 };
 
-// An OpenGL context that draws into memory: no display, no GPU, no window system (Mesa's OSMesa).
-// Current on the constructing thread from construction to destruction, which must be on that
-// thread.
+// An OpenGL context that draws into memory, without display, GPU or window system (Mesa's OSMesa).
+// It is current on the constructing thread and must be destroyed on that thread.
 class GlContext {
  public:
-  // Throws std::runtime_error where Mesa cannot make a context.
+  // Throws std::runtime_error if Mesa cannot create a context.
   GlContext(int width, int height);
   ~GlContext();
   GlContext(const GlContext&) = delete;
   GlContext& operator=(const GlContext&) = delete;
 
-  // Makes this context the thread's again, after another one was used.
+  // Makes this context current on the thread again after another one was used.
   void make_current();
 
  private:
   osmesa_context* context_;
   int width_, height_;
-  std::vector<std::uint8_t> window_;  // the default framebuffer; frames go to MuJoCo's own
+  std::vector<std::uint8_t> window_;  // the default framebuffer; frames are drawn into MuJoCo's own
 };
 
 struct StageOptions {
   int width = 960, height = 540;  // pixels, of the whole picture
-  int samples = 4;                // for smooth edges; 0: none
+  int samples = 4;                // multisampling for smooth edges; 0: none
   Color background{0.95F, 0.96F, 0.975F};
 };
 
 class Stage {
  public:
-  // Throws std::runtime_error with MuJoCo's or OpenGL's words.
+  // Throws std::runtime_error with the message of MuJoCo or OpenGL.
   Stage(const StageOptions& options, std::span<const Mesh> meshes);
   ~Stage();
   Stage(const Stage&) = delete;
   Stage& operator=(const Stage&) = delete;
 
-  // What is seen: camera and lights are the caller's, shapes come from the canvas.
+  // The scene to render. The caller sets camera and lights; the canvas adds shapes.
   mjvScene& scene() { return scene_; }
-  // For the next picture, without a shape yet.
+  // An empty canvas for the next picture.
   Canvas canvas();
-  // The scene into that part of the picture, which has the stage's size.
+  // Renders the scene into this area of the picture, whose size is the stage's.
   void render(Picture& picture, const Area& area);
 
  private:

@@ -53,7 +53,7 @@ void UnrolledView::draw_grid(Sheet& sheet, int text_size, const Area& plot) cons
     const double gap = kLeast * std::pow(10.0, k);
     level(-gap, "-" + length_text(gap));
   }
-  // The ring: everything nearer than kLeast.
+  // The ring's line contains all gaps below kLeast.
   const double ring = plot.top + height_of(0.0) * plot.height;
   sheet.fill(plot.left, ring - 2.0, plot.width, 4.0, palette::kRing);
   sheet.text_to(plot.left - 0.5 * text_size, ring - 0.45 * text_size, "contact", text_size,
@@ -78,7 +78,7 @@ void UnrolledView::draw_path(Sheet& sheet, const Area& plot, const Playback& pla
   for (int k = 0; k <= kPathPoints; ++k) {
     points.push_back(place(plot, playback.at(oldest + (t - oldest) * k / kPathPoints)));
   }
-  // Around the end of the angle there is no line.
+  // No line is drawn where the angle wraps around.
   sheet.trail(points, 2.0, color, 0.5 * plot.width);
 }
 
@@ -104,7 +104,7 @@ void UnrolledView::draw(Sheet& sheet, int text_size, const Playback& playback,
   }
   const Sheet::Point now = place(plot, instant.pose);
   const bool touching = instant.pose.normal_force > 0.0;
-  // The normal force rises from the contact by the film's scale.
+  // The normal force is an arrow that rises from the contact, in the film's scale.
   if (touching) {
     const double length = instant.normal.share * 0.25 * plot.height;
     sheet.arrow(now, {now[0], now[1] - length}, 0.35 * text_size, palette::kNormal);

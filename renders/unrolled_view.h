@@ -1,6 +1,6 @@
-// The contact unrolled: gap over the angle around the ring, the gap logarithmic from a tenth of a
-// micrometre to the clearance, so that a bounce of 3 um is seen beside an orbit of 0.5 mm.
-// Penetration of a soft contact goes down from the ring's line by the same law.
+// The contact unrolled: the gap over the angle around the ring. The gap is logarithmic from a tenth
+// of a micrometre to the clearance, so that a bounce of 3 um is visible beside an orbit of 0.5 mm.
+// Penetration of a compliant contact extends below the ring's line with the same scale.
 #pragma once
 
 #include "renders/instant.h"
@@ -11,15 +11,15 @@ namespace rotorub::renders {
 
 class UnrolledView {
  public:
-  static constexpr double kLeast = 1e-7;  // m: nearer is on the ring's line
+  static constexpr double kLeast = 1e-7;  // m: smaller gaps lie on the ring's line
 
-  // `clearance` and `penetration`, the deepest of the runs that are shown, m.
+  // `clearance`, and `penetration`: the deepest of the shown runs, m.
   UnrolledView(double clearance, double penetration);
 
-  // The path of the last `trail_time` s, the impacts, and where the contact is now.
+  // Draws the path of the last `trail_time` s, the impacts and the present position.
   void draw(Sheet& sheet, int text_size, const Playback& playback, const Instant& instant,
             double trail_time, const Playback* ghost) const;
-  // Share of the height, from the top, of a gap: m, negative for a penetration.
+  // Fraction of the height, from the top, of a gap in m; negative gaps are penetration.
   double height_of(double gap) const;
 
  private:

@@ -32,17 +32,17 @@ namespace {
 
 constexpr const char* kEncoder = "ffmpeg";
 
-constexpr int kOut = 3;  // ffmpeg's descriptor of the file
+constexpr int kOut = 3;  // file descriptor of the output file in ffmpeg
 
 constexpr int kPoll_ms = 100;
 
-// Seconds of the processor that a process has used; constant while it hangs. 0: unknown.
+// Processor time that a process has used, s; constant while it hangs. 0 if unknown.
 double processor_seconds(pid_t process) {
   std::ifstream in(fmt::format("/proc/{}/stat", process));
   std::string line;
   std::getline(in, line);
   std::istringstream fields(
-      line.substr(std::min(line.rfind(')'), line.size())));  // the name may hold anything
+      line.substr(std::min(line.rfind(')'), line.size())));  // the name may contain anything
   std::string skipped;
   for (int k = 0; k < 12; ++k) fields >> skipped;
   double user = 0.0, system = 0.0;
@@ -50,21 +50,22 @@ double processor_seconds(pid_t process) {
   return (user + system) / static_cast<double>(sysconf(_SC_CLK_TCK));
 }
 
-// H.264 that every browser plays, index first so that it plays from a data URL; a fixed number of
-// threads and no version stamps, so that equal frames give equal bytes.
+// H.264 that every browser can play, with the index first so that it plays from a data URL. A fixed
+// number of threads and no version stamps ensure that equal frames give equal bytes.
 constexpr const char* kFilm =
     "-vf scale=out_color_matrix=bt709:out_range=tv -c:v libx264 -preset veryfast -tune animation "
     "-pix_fmt yuv420p -colorspace bt709 -color_primaries bt709 -color_trc bt709 -threads 2 "
     "-crf 25 "
     "-fflags +bitexact -flags:v +bitexact -movflags +faststart -f mp4";
 
-// One palette for all frames: ffmpeg keeps them until the last one has come.
+// A single palette for all frames, so ffmpeg keeps them until the last one.
 constexpr const char* kGif =
     "-filter_complex split[frames][counted];[counted]palettegen=stats_mode=full[palette];"
     "[frames][palette]paletteuse=dither=none:diff_mode=rectangle -loop 0 -fflags +bitexact -f gif";
 
-// Raw frames on standard input, nothing but errors on standard error. Not by the file's name: an
-// encoder that outlives us would write the file anew after the next run removed it.
+// Raw frames on standard input, and only errors on standard error. The output is a descriptor, not
+// a file name: an encoder that outlives this process would otherwise recreate the file after the
+// next run removed it.
 std::vector<std::string> arguments_of(int width, int height, const Encoding& encoding) {
   std::istringstream words(fmt::format(
       "{} -nostdin -hide_banner -loglevel error -y -f rawvideo -pixel_format bgr0 "
@@ -73,9 +74,9 @@ std::vector<std::string> arguments_of(int width, int height, const Encoding& enc
   return {std::istream_iterator<std::string>(words), {}};
 }
 
-// Starts ffmpeg with `in` as standard input, `log` as standard error and `out` as kOut, in a
-// process group of its own: an interrupt from the keyboard is the caller's to handle. Returns the
-// error number.
+// Starts ffmpeg with `in` as standard input, `log` as standard error and `out` as kOut. It gets its
+// own process group, so that only the caller handles a keyboard interrupt. Returns an error number,
+// 0 on success.
 int spawn(std::vector<std::string> arguments, int in, int log, int out, pid_t& child) {
   std::vector<char*> argv;
   for (std::string& argument : arguments) argv.push_back(argument.data());
@@ -98,7 +99,7 @@ int spawn(std::vector<std::string> arguments, int in, int log, int out, pid_t& c
   return error;
 }
 
-// Whether the boxes of an mp4 fill the file, index and frames among them.
+// True if the boxes of an mp4 fill the file and include index and frames.
 bool is_whole_mp4(std::ifstream& in, std::uintmax_t size) {
   constexpr std::uintmax_t kHead = 8;
   const auto number = [&in](int bytes) {
@@ -122,7 +123,7 @@ bool is_whole_mp4(std::ifstream& in, std::uintmax_t size) {
   return at == size && index && frames;
 }
 
-// Whether the film is all there: on a full disk ffmpeg may end as if it were.
+// True if the film is complete. On a full disk ffmpeg may succeed without writing all of it.
 bool is_whole(const std::filesystem::path& file, bool gif) {
   std::error_code none;
   const std::uintmax_t size = std::filesystem::file_size(file, none);
@@ -143,7 +144,8 @@ std::string read_log(int log) {
 
 }  // namespace
 
-// How long the encoder may neither take frames, nor use the processor, nor write.
+// Limits how long the encoder may be inactive: it takes no frame, uses no processor time and writes
+// nothing.
 class VideoFile::Patience {
  public:
   explicit Patience(VideoFile& video) : video_(&video) { renew(); }
@@ -153,7 +155,7 @@ class VideoFile::Patience {
     written_ = written();
     since_ = Clock::now();
   }
-  // Ends the encoder, and throws, when it is over.
+  // Kills the encoder and throws if the time is over.
   void check() {
     if (processor_seconds(video_->encoder_) > used_ || written() != written_) return renew();
     const double waited = std::chrono::duration<double>(Clock::now() - since_).count();
@@ -165,7 +167,8 @@ class VideoFile::Patience {
  private:
   using Clock = std::chrono::steady_clock;
 
-  // Bytes of the file so far: where ffmpeg is a script, another process of its group does the work.
+  // Bytes of the file so far. If ffmpeg is a script, another process of its group does the work, so
+  // its processor time does not count.
   std::uintmax_t written() const {
     std::error_code none;
     const std::uintmax_t size = std::filesystem::file_size(video_->part_, none);
@@ -181,14 +184,14 @@ class VideoFile::Patience {
 VideoFile::VideoFile(double patience, const std::filesystem::path& file, int width, int height)
     : file_(file), part_(part_of(file)), width_(width), height_(height), patience_(patience) {}
 
-// What the other one has made is undone by the destructor where this one throws.
+// If this constructor throws, the destructor runs, because the delegated one has completed.
 VideoFile::VideoFile(const std::filesystem::path& file, int width, int height,
                      const Encoding& encoding)
     : VideoFile(encoding.patience, file, width, height) {
   gif_ = encoding.gif;
   assert(width > 0 && height > 0 && (encoding.gif || (width % 2 == 0 && height % 2 == 0)));
   int ends[2] = {-1, -1};
-  // A socket rather than a pipe: a reader that has gone is an error of send(), not a signal.
+  // A socket instead of a pipe: if the reader has gone, send() fails instead of raising a signal.
   if (socketpair(AF_UNIX, SOCK_STREAM | SOCK_CLOEXEC, 0, ends) != 0) {
     throw std::runtime_error(fmt::format("{}: {}", file.string(), std::strerror(errno)));
   }
@@ -264,7 +267,7 @@ int VideoFile::wait() {
   return status;
 }
 
-// With what it has started: it is the first of its group.
+// Kills the encoder with the processes that it started; it leads its process group.
 void VideoFile::end_encoder() {
   if (encoder_ <= 0) return;
   kill(-encoder_, SIGKILL);

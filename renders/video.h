@@ -1,4 +1,4 @@
-// Pictures to a film: H.264 film (mp4) or animated GIF by the program `ffmpeg`.
+// Encodes pictures as an H.264 film (mp4) or an animated GIF with the program `ffmpeg`.
 #pragma once
 
 #include <sys/types.h>
@@ -13,15 +13,15 @@ namespace rotorub::renders {
 inline constexpr double kPatience = 20.0;  // s
 
 struct Encoding {
-  bool gif = false;                 // or H.264
+  bool gif = false;                 // else H.264
   double frames_per_second = 25.0;  // > 0
-  double patience = kPatience;      // s that ffmpeg may do nothing at all, until it is ended
+  double patience = kPatience;      // s without any activity after which ffmpeg is killed
 };
 
-// A film in the making. The file appears whole when finish() returns, or not at all: frames go to
-// a part beside it (trajectory/output.h), which is renamed at the end and removed on every other
-// way out. An ffmpeg that does nothing for too long is ended. All errors are std::runtime_error and
-// carry what ffmpeg said.
+// A film being written. The file appears complete when finish() returns, or not at all: frames go
+// to a temporary file beside it (trajectory/output.h), which is renamed at the end and otherwise
+// removed. ffmpeg is killed if it is inactive for too long. All errors are std::runtime_error with
+// ffmpeg's message.
 class VideoFile {
  public:
   // Starts ffmpeg. For H.264 width and height must be even (yuv420p).
@@ -30,10 +30,10 @@ class VideoFile {
   VideoFile(const VideoFile&) = delete;
   VideoFile& operator=(const VideoFile&) = delete;
 
-  // One more frame, of the size given above.
+  // Adds a frame of the size given above.
   void add(const Picture& frame);
-  // Waits for ffmpeg, checks its exit status and that the film is whole, and puts the file in its
-  // place.
+  // Waits for ffmpeg, checks its exit status and that the film is complete, and moves the file to
+  // its final name.
   void finish();
 
  private:
@@ -52,7 +52,7 @@ class VideoFile {
   bool finished_ = false;
   pid_t encoder_ = -1;
   int pipe_ = -1;  // raw frames to ffmpeg
-  int log_ = -1;   // what ffmpeg says on standard error, in memory
+  int log_ = -1;   // standard error of ffmpeg, in memory
 };
 
 }  // namespace rotorub::renders

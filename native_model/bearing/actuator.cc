@@ -10,8 +10,7 @@
 namespace rotorub {
 namespace {
 
-// Control points of the cubic spline through the columns of `points`, at the given parameters in
-// [0, 1]; the knots with them.
+// The cubic spline through the columns of `points`, with parameters `at` mapped to [0, 1].
 using Curve = Eigen::Spline<double, Eigen::Dynamic, 3>;
 Curve through(const Eigen::MatrixXd& points, const std::vector<double>& at) {
   Curve::KnotVectorType parameters(static_cast<Eigen::Index>(at.size()));
@@ -22,7 +21,7 @@ Curve through(const Eigen::MatrixXd& points, const std::vector<double>& at) {
 }
 
 using Basis = Eigen::Spline<double, 1, 3>;
-// The four cubic B-splines of an axis that are not 0 at x, and the place of the first.
+// The four cubic B-splines of an axis that are nonzero at x. Returns the index of the first.
 template <class Axis>
 Eigen::Index basis(const Axis& axis, double x, Basis::BasisVectorType& values) {
   const double u = std::clamp((x - axis.first) / (axis.last - axis.first), 0.0, 1.0);
@@ -42,16 +41,16 @@ double Electromagnet::gain(double s, double i) const {
          (2.0 * p_.bias_current * (g.pulling + g.opposing) + i * (g.pulling - g.opposing));
 }
 
-// With A, B = 1/(s_0 -+ s)^2 and y = (F + c s)/k_m:
+// With A, B = 1/(s_0 -+ s)^2 and y = (F + c s)/k_m, i is the root that rises with y of
 //   (A - B) i^2 + 2 i_0 (A + B) i + (A - B) i_0^2 - y = 0,
-// the root that rises with y, without cancellation.
+// written without cancellation.
 double Electromagnet::current(double s, double force, double limit) const {
   const Gaps g = magnets_.gaps(s);
   const double i0 = p_.bias_current, sum = g.pulling + g.opposing;
   const double difference = g.pulling - g.opposing;
   const double y = (force + p_.stiffness * s) / p_.force_constant;
   const double square = 4.0 * i0 * i0 * g.pulling * g.opposing + difference * y;
-  if (!(square > 0.0)) return std::copysign(limit, y);  // no current gives so much
+  if (!(square > 0.0)) return std::copysign(limit, y);  // no current yields this force
   const double i = (y - difference * i0 * i0) / (i0 * sum + std::sqrt(square));
   return std::clamp(i, -limit, limit);
 }
@@ -59,8 +58,8 @@ double Electromagnet::current(double s, double force, double limit) const {
 ForceTable::ForceTable(const ForceGrid& grid) : nodes_s_(grid.position), nodes_i_(grid.current) {
   const auto rows = static_cast<Eigen::Index>(grid.position.size());
   const auto columns = static_cast<Eigen::Index>(grid.current.size());
-  // A spline over the positions whose points are the forces at all currents; then over the
-  // currents, of what that has come to.
+  // A spline over the positions, whose points are the forces at all currents, and then a spline
+  // over the currents through its control points.
   const Eigen::Map<const Eigen::MatrixXd> forces(grid.force.data(), columns, rows);
   const Curve over_position = through(forces, grid.position);
   const Curve over_current = through(over_position.ctrls().matrix().transpose(), grid.current);
@@ -86,20 +85,20 @@ double ForceTable::gain(double s, double i) const {
   return (force(s, at) - force(s, 0.0)) / at;
 }
 
-// F rises with i: the one root between the limits.
+// F rises with i, so that there is at most one root between the limits.
 double ForceTable::current(double s, double wanted, double limit) const {
   const double low = std::max(-limit, current_.first), high = std::min(limit, current_.last);
   const auto excess = [&](double i) { return force(s, i) - wanted; };
   const double below = excess(low), above = excess(high);
   if (below >= 0.0) return low;
   if (above <= 0.0) return high;
-  constexpr double kClose = 1e-15;  // of the range
+  constexpr double kClose = 1e-15;  // relative to the range
   const auto [a, b] = root(excess, low, high, below, above, kClose * (high - low));
   return 0.5 * (a + b);
 }
 
 std::string ForceTable::refusal() const {
-  constexpr int kParts = 8;  // of an interval of the grid
+  constexpr int kParts = 8;  // test points per interval of the grid
   const auto refined = [](const std::vector<double>& nodes) {
     std::vector<double> all;
     for (std::size_t k = 0; k + 1 < nodes.size(); ++k) {

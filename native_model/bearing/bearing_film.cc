@@ -17,7 +17,7 @@ CoefficientTable::CoefficientTable(const std::vector<double>& speed,
     curves_[k] = MonotoneCubic(speed, values[k]);
     for (const double value : values[k]) largest_[k] = std::max(largest_[k], std::abs(value));
   }
-  // Curves through equal points are equal.
+  // Testing the points is enough, because curves through equal points are equal.
   isotropic_ = std::all_of(speed.begin(), speed.end(),
                            [this](double at_speed) { return rotorub::isotropic(at(at_speed)); });
 }

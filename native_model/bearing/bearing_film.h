@@ -1,11 +1,12 @@
-// What a shaft bearing does beyond a spring and a dashpot in each plane: coefficients across the
-// planes, and such that follow the speed, as an oil film's or a seal's do (J. W. Lund, "Review of
-// the concept of dynamic coefficients for fluid film journal bearings", J. Tribology 109, 1987),
+// Forces of a shaft bearing beyond uncoupled springs and dampers: cross-coupling, and coefficients
+// that depend on the speed, as for an oil film or a seal (J. W. Lund, "Review of the concept of
+// dynamic coefficients for fluid film journal bearings", J. Tribology 109, 1987),
 //
-//   F = -K(Omega) (r - o) - C(Omega) r',   K = (k_xx k_xy; k_yx k_yy), C alike,      (45)
+//   F = -K(Omega) (r - o) - C(Omega) r',   K = (k_xx k_xy; k_yx k_yy), C likewise,      (45)
 //
-// r the deflection at its station, o where the bearing stands. The model's own springs and dashpots
-// have the diagonals of one speed, 0 where those are negative; here is the rest.
+// with r the deflection at the station and o the offset of the bearing. The model's own springs and
+// dampers have the diagonals at one speed, with negative values replaced by 0. This part adds the
+// rest.
 #pragma once
 
 #include <Eigen/Core>
@@ -20,20 +21,20 @@
 
 namespace rotorub {
 
-// k_xx, k_xy, k_yx, k_yy in N/m, then c alike in N s/m.
+// k_xx, k_xy, k_yx, k_yy in N/m, then the same for c in N s/m.
 using BearingCoefficients = std::array<double, 8>;
 
-// The coefficients over the speed of rotation, held beyond the ends.
+// Coefficients as functions of the rotational speed; the end values are held beyond the ends.
 class CoefficientTable {
  public:
-  // speed: rad/s, ascending, two or more; of each coefficient as many values, or none: 0.
+  // speed: rad/s, ascending, at least two. Each list of values is as long, or empty for 0.
   CoefficientTable(const std::vector<double>& speed,
                    const std::array<std::vector<double>, 8>& values);
   BearingCoefficients at(double speed) const;
-  // For each the largest size that it has at any speed.
+  // Largest magnitude of each coefficient at any speed.
   BearingCoefficients largest() const { return largest_; }
   const std::vector<double>& speeds() const { return speeds_; }
-  // At every speed the same in every direction: k_xx = k_yy, k_xy = -k_yx.
+  // True if K and C are isotropic at every speed: k_xx = k_yy, k_xy = -k_yx.
   bool isotropic() const { return isotropic_; }
 
  private:
@@ -47,8 +48,8 @@ class CoefficientTable {
 bool isotropic(const BearingCoefficients& coefficients);
 
 struct BearingFilm {
-  // Beside a table what the model's springs and dashpots have, to be taken off; else the
-  // coefficients.
+  // Without a table: the coefficients. With a table: the coefficients of the model's own springs
+  // and dampers, which are subtracted.
   BearingCoefficients constant{};
   std::shared_ptr<const CoefficientTable> table;  // null: constant coefficients
   double offset_x = 0.0, offset_y = 0.0;          // m, o
@@ -62,11 +63,11 @@ struct BearingFilm {
   }
 };
 
-// For each coefficient the largest size at any speed.
+// Upper bound of the magnitude of each coefficient at any speed.
 BearingCoefficients largest(const BearingFilm& film);
 
-// What the bearing does beyond the springs and dashpots that `stiffness` and `damping` are, off
-// whose middle it stands by its offset; none where that is nothing.
+// The forces beyond the model's springs and dampers, which have the bearing's `stiffness` and
+// `damping` and are centred at its offset. Nothing if there are none.
 std::optional<BearingFilm> film_of(const scene::ShaftBearing& bearing);
 
 }  // namespace rotorub

@@ -1,4 +1,4 @@
-// A coil behind its amplifier. The current i follows the one that is asked for within the lag,
+// A coil with its amplifier. The current i follows the commanded current a with a lag,
 //
 //   lag di/dt = a - i,   |di/dt| <= rate_limit,   |L di/dt + R i| <= voltage_limit.
 #pragma once
@@ -14,10 +14,10 @@ struct Coil {
   double inductance = 0.0;     // H, > 0
   double resistance = 0.0;     // Ohm, >= 0
 
-  // A: `asked`, brought so near to the present current that its rate, load - current over the lag,
-  // keeps within the limit and needs no more than the voltage.
+  // A: the commanded current, limited so that the rate (load - current) / lag keeps within the rate
+  // limit and the voltage limit.
   double load(double asked, double current) const {
-    // di/dt of the whole voltage: (+-U - R i) / L.
+    // di/dt at full voltage: (+-U - R i) / L.
     const double drop = resistance * current;
     const double falls = (-voltage_limit - drop) / inductance;
     const double rises = (voltage_limit - drop) / inductance;

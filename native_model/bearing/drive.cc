@@ -7,7 +7,7 @@
 namespace rotorub {
 namespace {
 
-// Kloss without 0/0: T = 2 T_b s s_b / (s^2 + s_b^2).
+// Kloss's formula without 0/0: T = 2 T_b s s_b / (s^2 + s_b^2).
 double kloss(const scene::Drive& d, double slip) {
   const double sb = d.breakdown_slip;
   return 2.0 * d.breakdown_torque * slip * sb / (slip * slip + sb * sb);
@@ -48,7 +48,7 @@ double Drive::torque(double speed) const {
 
 double Drive::torque(double t, double angle, double speed) const {
   if (!follows()) return torque(speed);
-  // The mean of start and present reference over what has passed of the ramp, then the target.
+  // a_ref: the reference's mean times the elapsed part of the ramp, then the target speed.
   const double rising = std::min(t, ramp_end_);
   const double reference =
       rising < ramp_end_ ? start_ + (drive_.speed - start_) * (rising / ramp_end_) : drive_.speed;

@@ -1,4 +1,4 @@
-// Drive torque on the rotor, N m: of most kinds a function of the speed at the motor.
+// Torque of the drive on the rotor, N m. For most kinds it depends only on the speed at the motor.
 #pragma once
 
 #include "native_model/numerics/monotone_cubic.h"
@@ -6,36 +6,36 @@
 
 namespace rotorub {
 
-// linear: gain (speed - Omega).  free: 0.  kloss: 2 T_b s s_b / (s^2 + s_b^2) with the slip
-// s = (synchronous - Omega) / synchronous, written without 0/0.  table: piecewise cubic, held
+// linear: gain (speed - Omega). free: 0. kloss: 2 T_b s s_b / (s^2 + s_b^2) with the slip
+// s = (synchronous - Omega) / synchronous, a form without 0/0. table: piecewise cubic, held
 // constant beyond the ends.
 //
-// speed_controlled: PI on the speed at the motor, within what the motor can give,
+// speed_controlled: PI control of the speed at the motor, within the motor's torque limit,
 //
 //   T = clamp(gain (ref - Omega) + clamp(integral_gain (a_ref - a))), clamped at +- torque_limit,
-//   ref = start + sign(speed - start) acceleration t, until it has come to `speed`,
+//   ref = start + sign(speed - start) acceleration t, until it reaches `speed`,
 //
-// a_ref the integral of ref and a that of Omega, from 0 on. a is the angle that the motor has
-// turned by: a coordinate that there is anyhow, so that the integrator needs no state of its own.
-// What is left behind while the torque is at its limit is made up for later; as the integral's part
-// is limited too, by torque_limit/gain at most.
+// with a_ref and a the integrals of ref and Omega from t = 0. a is the rotation of the motor, which
+// is a coordinate of the model, so that the integrator needs no state of its own. Lag that builds
+// up at the torque limit is made up for later. Because the integral part is limited too, the
+// overspeed for this is at most torque_limit/gain.
 class Drive {
  public:
   // start: rad/s, the rotor's speed at t = 0; used by speed_controlled.
   explicit Drive(const scene::Drive& drive, double start = 0.0);
-  // Kinds that know the speed alone; speed: rad/s at the motor.
+  // For kinds that depend on the speed only. speed: rad/s at the motor.
   double torque(double speed) const;
-  // Any kind; angle: rad, turned at the motor since t = 0.
+  // For all kinds. angle: rad, rotation of the motor since t = 0.
   double torque(double t, double angle, double speed) const;
-  // d torque / d speed, N m s; speed_controlled: within its limit.
+  // d torque / d speed, N m s; for speed_controlled within the torque limit.
   double slope(double speed) const;
   scene::DriveKind kind() const { return drive_.kind; }
   double target() const { return drive_.speed; }  // rad/s, linear and speed_controlled
-  // The torque depends on time and angle too.
+  // True if the torque also depends on time and angle.
   bool follows() const { return drive_.kind == scene::DriveKind::kSpeedControlled; }
-  // -d torque / d angle, N m, within its limit.
+  // -d torque / d angle, N m/rad, within the torque limit.
   double stiffness() const { return follows() ? drive_.integral_gain : 0.0; }
-  double ramp_end() const { return ramp_end_; }  // s, from there on ref = speed; 0: always
+  double ramp_end() const { return ramp_end_; }  // s, from then on ref = speed; 0: always
 
  private:
   scene::Drive drive_;

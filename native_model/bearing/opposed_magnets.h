@@ -1,11 +1,11 @@
-// Two electromagnets that pull against each other with a bias current on one axis (Schweitzer,
-// Maslen: Magnetic Bearings, 2009, chapter 4), s the displacement (m), i the control current (A):
+// Two opposed electromagnets with a bias current on one axis (Schweitzer, Maslen: Magnetic
+// Bearings, 2009, chapter 4). s is the displacement (m) and i the control current (A):
 //
 //   F(s, i) = k_m [ ((i_0 + i)/(s_0 - s))^2 - ((i_0 - i)/(s_0 + s))^2 ]
 //
-// F rises with i for |i| <= i_0. At s = i = 0 it has the slopes k_i = 4 k_m i_0 / s_0^2 (N/A) and
-// k_s = 4 k_m i_0^2 / s_0^3 (N/m: it pulls away from the middle). The stop at the cores is not
-// modelled: beyond kReach of the air gap the magnets pull as they do there.
+// F rises with i for |i| <= i_0. At s = i = 0 its slopes are k_i = 4 k_m i_0 / s_0^2 (N/A) and k_s
+// = 4 k_m i_0^2 / s_0^3 (N/m, positive: it pulls away from the centre). The stop at the cores is
+// not modelled. Beyond kReach of the air gap the gap terms keep their values there.
 #pragma once
 
 #include <algorithm>
@@ -29,7 +29,7 @@ struct OpposedMagnets {
     const double near = air_gap - at, far = air_gap + at;
     return {1.0 / (near * near), 1.0 / (far * far)};
   }
-  // N, of each magnet in the middle.
+  // N, force of each magnet at s = i = 0.
   double force_at_bias() const {
     return force_constant * bias_current * bias_current / (air_gap * air_gap);
   }

@@ -7,9 +7,9 @@
 namespace rotorub {
 namespace {
 
-// int cos^2, int cos sin, int sin^2 of the angle b over (1 - e cos b)^3, from Sommerfeld's angle g
-// at one end to that at the other. With 1 - e cos b = (1 - e^2)/(1 + e cos g),
-// cos b = (cos g + e)/(1 + e cos g), sin b = sqrt(1 - e^2) sin g/(1 + e cos g) the integrands are
+// The integrals of cos^2 b, cos b sin b and sin^2 b over (1 - e cos b)^3 with respect to the angle
+// b, between two values of Sommerfeld's angle g. With 1 - e cos b = (1 - e^2)/(1 + e cos g), cos b
+// = (cos g + e)/(1 + e cos g) and sin b = sqrt(1 - e^2) sin g/(1 + e cos g), the integrands are
 // (cos g + e)^2, (cos g + e) sin g and sin^2 g over (1 - e^2) to the power 5/2, 2 and 3/2.
 struct FilmIntegrals {
   double cc, cs, ss;
@@ -26,7 +26,7 @@ FilmIntegrals film_integrals(double e, double from, double to) {
           (0.5 * width - twice) / (square * root)};
 }
 
-// Sommerfeld's angle of b, on the same turn.
+// Sommerfeld's angle of b, in the same revolution.
 double sommerfeld(double e, double b) {
   const double g = std::atan2(std::sqrt(1.0 - e * e) * std::sin(b), std::cos(b) - e);
   return g + 2.0 * std::numbers::pi * std::round((b - g) / (2.0 * std::numbers::pi));
@@ -40,7 +40,7 @@ Eigen::Vector2d SqueezeFilmLaw::force(const Eigen::Vector2d& r, const Eigen::Vec
       distance > 0.0 ? Eigen::Vector2d(r / distance) : Eigen::Vector2d(1.0, 0.0);
   const Eigen::Vector2d tangential(-radial.y(), radial.x());
   const double along = w.dot(radial), across = w.dot(tangential);
-  // The whole circumference, or the half whose middle w points to.
+  // Integrates over the whole circumference, or over the half centred on the direction of w.
   constexpr double kPi = std::numbers::pi;
   double from = -kPi, to = kPi;
   if (cavitates_) {

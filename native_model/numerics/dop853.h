@@ -1,5 +1,5 @@
-// One step of DOP853, order 8 with an error estimate of order 5(3) and dense output of order 7
-// (Hairer, Norsett, Wanner, section II.10). The driver owns time, step size and events.
+// A single step of DOP853, order 8 with an error estimate of order 5(3) and dense output of order 7
+// (Hairer, Norsett, Wanner, section II.10). The caller controls time, step size and events.
 #pragma once
 
 #include <algorithm>
@@ -16,7 +16,7 @@ class Dop853 {
  public:
   static constexpr int kDenseTerms = 7;
 
-  // size: components of y. All storage is allocated here.
+  // size: number of components of y. All storage is allocated here.
   explicit Dop853(int size)
       : size_(size),
         padded_((size + kBlock - 1) / kBlock * kBlock),
@@ -28,12 +28,13 @@ class Dop853 {
         fifth_(start_),
         third_(start_) {}
 
-  // f(t, y) at the start of the next step: to be set first, and after every jump of y or f.
+  // f(t, y) at the start of the next step. Set it before the first step and after every jump of y
+  // or f.
   double* first_slope() { return stage(0); }
 
-  // A trial step from (t, y) over h; f(t, y, dy) fills dy. Gives the error in units of the
-  // tolerance: max over components of |error_i| / tolerance_i; accept at <= 1. Components with an
-  // infinite tolerance are carried along.
+  // A trial step from (t, y) over h; f(t, y, dy) fills dy. Returns the error relative to the
+  // tolerance, max over components of |error_i| / tolerance_i; accept the step if it is <= 1.
+  // Components with an infinite tolerance are integrated but not checked.
   template <class F>
   double trial(F&& f, double t, const double* y, double h, const double* tolerance) {
     using namespace dop853;
@@ -48,9 +49,10 @@ class Dop853 {
     return error(tolerance);
   }
 
-  // After a trial, before its dense output: |f(a) - f(b)| / |a - b| in units of the tolerance, a
-  // and b the last stage and the end, which stand at one time: the size of the system's fastest
-  // rate where the step is at the border of its stability, and the component in which it shows.
+  // Estimates the fastest rate of the system, for a step at its stability limit, by
+  // |f(a) - f(b)| / |a - b| in units of the tolerance, where a and b are the states of the last
+  // stage and of the end, both at the same time. Also finds the component that changes fastest.
+  // Call it after a trial and before prepare_dense.
   struct Fastest {
     double rate = 0.0;
     int component = 0;
@@ -74,8 +76,8 @@ class Dop853 {
 
   const double* end() const { return end_.data(); }
 
-  // After a trial: the extra stages of its dense output. Its terms are found as they are asked for,
-  // which is to be done before advance() or another first slope. t: the step's start.
+  // Computes the extra stages of the dense output, after a trial. The terms are computed on demand;
+  // request them before advance() or a new first slope. t: start of the step.
   template <class F>
   void prepare_dense(F&& f, double t) {
     using namespace dop853;
@@ -87,12 +89,13 @@ class Dop853 {
     known_alone_ = kNone;
   }
 
-  // y(t + theta h) - y(t), theta in [0, 1], nested: theta (F_0 + (1 - theta)(F_1 + theta (...))).
+  // y(t + theta h) - y(t), theta in [0, 1], in nested form:
+  // theta (F_0 + (1 - theta)(F_1 + theta (...))).
   void increment(double theta, double* y) {
     find_all_terms();
     for (int i = 0; i < size_; ++i) y[i] = nested(i, theta);
   }
-  // The same of one component, at the cost of its own terms alone.
+  // The same for one component, which computes only that component's terms.
   double increment(int i, double theta) {
     find_terms_of(i);
     return nested(i, theta);
@@ -107,7 +110,7 @@ class Dop853 {
       dense_term(3 + d)[i] = step_ * sum;
     }
   }
-  // Of a component whose terms have been found.
+  // Increment of a component whose terms have been computed.
   double nested(int i, double theta) const {
     const double* terms = dense_.data() + i;
     double sum = 0.0;
@@ -127,11 +130,11 @@ class Dop853 {
     return dense_term(d);
   }
 
-  // The last trial's end becomes the next start: its slope is known.
+  // Makes the end of the last trial the start of the next step, whose slope is then known.
   void advance() { std::copy_n(stage(dop853::kStages), size_, stage(0)); }
-  // What the length of a step of this error (1: the tolerance) is to be multiplied by, for the next
-  // or for another try; error^(-1/8) by roots: unlike pow their bits are the same on every
-  // processor.
+  // Factor for the length of the next step, or of a repeated one, after a step with this error (1:
+  // the tolerance). error^(-1/8) is computed by square roots, whose bits, unlike those of pow, are
+  // the same on every processor.
   static double step_factor(double error) {
     if (error == 0.0) return 6.0;
     return std::clamp(0.9 * (1.0 / std::sqrt(std::sqrt(std::sqrt(error)))), 0.2, 6.0);
@@ -140,11 +143,11 @@ class Dop853 {
   int size() const { return size_; }
 
  private:
-  // Sums over the stages go through the components in blocks (numerics/small_matrix.h). The storage
-  // is padded to whole blocks, with zeros.
+  // Sums over the stages process the components in blocks (numerics/small_matrix.h). The storage is
+  // padded with zeros to whole blocks.
   static constexpr int kBlock = 8;
   static constexpr int kNone = -1;
-  static constexpr double kRunsAway = 1e12;  // tolerances: next to all that moves
+  static constexpr double kRunsAway = 1e12;  // in tolerances; far above any normal error
 
   double* stage(int s) { return stages_.data() + static_cast<std::ptrdiff_t>(s) * padded_; }
   const double* stage(int s) const {
@@ -152,12 +155,12 @@ class Dop853 {
   }
   double* dense_term(int d) { return dense_.data() + static_cast<std::ptrdiff_t>(d) * padded_; }
 
-  // y = start + h sum of the row.
+  // y = start + h times the weighted sum of the stages.
   void combine(const dop853::Row& row, double* y) {
     small_matrix::combine(stages_.data(), padded_, row, step_, start_.data(), y);
   }
 
-  // F_0, F_1, F_2 of a component, by its ends.
+  // F_0, F_1, F_2 of a component, from its values and slopes at both ends.
   void find_first_terms(int i) {
     const auto k = static_cast<std::size_t>(i);
     const double dy = end_[k] - start_[k], f0 = stage(0)[i], f1 = stage(dop853::kStages)[i];
@@ -178,7 +181,7 @@ class Dop853 {
     return dop853::kDense[static_cast<std::size_t>(d)];
   }
 
-  // Hairer's blend of the two estimates, by the largest component:
+  // Hairer's combination of the two estimates, with the largest component of each:
   // |h| e5^2 / sqrt(e5^2 + 0.01 e3^2).
   double error(const double* tolerance) {
     using namespace dop853;
@@ -194,8 +197,8 @@ class Dop853 {
       largest3 = std::max(largest3, std::abs(e3) / tolerance[i]);
     }
     if (largest5 == 0.0) return 0.0;
-    // Stages of a nonlinear force that run away square from one to the next. Then e3 is the square
-    // of e5, and their blend a small number.
+    // The stages of a nonlinear force can diverge so that each is the square of the one before.
+    // Then e3 is of the size of e5^2, and the combination would be small.
     const double size = std::abs(step_) * std::max(largest5, largest3);
     if (!(size < kRunsAway)) return std::numeric_limits<double>::infinity();
     return std::abs(step_) * largest5 * largest5 /
@@ -203,11 +206,11 @@ class Dop853 {
   }
 
   int size_, padded_;
-  int known_ = 0;            // components whose dense terms are known: none or all
-  int known_alone_ = kNone;  // the one that is known beside none
+  int known_ = 0;            // number of components with known dense terms: none or all
+  int known_alone_ = kNone;  // a single component with known terms, while known_ is 0
   double step_ = 0.0;
   std::vector<double> stages_, dense_, start_, end_, work_;
-  std::vector<double> fifth_, third_;  // estimates of the error over the step's length
+  std::vector<double> fifth_, third_;  // error estimates per unit of the step's length
 };
 
 }  // namespace rotorub

@@ -1,6 +1,6 @@
-// Coefficients of the explicit Runge-Kutta pair of order 8(5,3) with dense output of order 7,
-// DOP853: E. Hairer, S. P. Norsett, G. Wanner, Solving Ordinary Differential Equations I, 2nd ed.,
-// Springer 1993, section II.10 (Dormand and Prince's method). Rows hold the nonzero entries only.
+// Coefficients of DOP853, the explicit Runge-Kutta pair of order 8(5,3) with dense output of order
+// 7 by Dormand and Prince: E. Hairer, S. P. Norsett, G. Wanner, Solving Ordinary Differential
+// Equations I, 2nd ed., Springer 1993, section II.10. Rows contain only the nonzero entries.
 #pragma once
 
 #include <array>
@@ -10,10 +10,10 @@
 
 namespace rotorub::dop853 {
 
-using Term = small_matrix::WeightedColumn;  // of the stages
+using Term = small_matrix::WeightedColumn;  // index and weight of a stage
 
 inline constexpr int kStages = 12;          // of a step; stage 12 is f at its end
-inline constexpr int kExtendedStages = 16;  // with those of the dense output
+inline constexpr int kExtendedStages = 16;  // including the stages of the dense output
 
 inline constexpr std::array<double, kExtendedStages> kNodes{0.0,
                                                             0.526001519587677318785587544488e-01,
@@ -38,7 +38,7 @@ struct Row {
   operator std::span<const Term>() const { return {terms.data(), static_cast<std::size_t>(count)}; }
 };
 
-// y_s = y + h sum a_sj k_j; row 12 is the step itself.
+// y_s = y + h sum a_sj k_j; row 12 gives the end of the step.
 inline constexpr std::array<Row, 16> kMatrix{
     {{0, {{}}},
      {1, {{{0, 5.26001519587677318785587544488e-2}}}},
@@ -134,7 +134,7 @@ inline constexpr std::array<Row, 16> kMatrix{
         {13, 2.9475147891527723389556272149},
         {14, -9.15095847217987001081870187138}}}}}};
 
-// Difference to the embedded formula of order 5.
+// Difference from the embedded formula of order 5.
 inline constexpr Row kFifth{8,
                             {{{0, 0.1312004499419488073250102996e-1},
                               {5, -0.1225156446376204440720569753e+1},
@@ -145,13 +145,13 @@ inline constexpr Row kFifth{8,
                               {10, 0.8192320648511571246570742613e-1},
                               {11, -0.2235530786388629525884427845e-1}}}};
 
-// The embedded formula of order 3, to be taken off row 12.
+// The embedded formula of order 3, which is subtracted from row 12.
 inline constexpr Row kThird{3,
                             {{{0, 0.244094488188976377952755905512},
                               {8, 0.733846688281611857341361741547},
                               {11, 0.220588235294117647058823529412e-1}}}};
 
-// What that leaves.
+// Row 12 minus the formula of order 3.
 inline constexpr Row kThirdOfStep = [] {
   Row row = kMatrix[kStages];
   for (int i = 0; i < row.count; ++i) {

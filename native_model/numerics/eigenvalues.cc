@@ -53,7 +53,7 @@ using Eigen::Index;
 std::optional<EigenModes> all_modes(const Eigen::MatrixXd& A) { return real_modes(A); }
 std::optional<EigenModes> all_modes(const Eigen::MatrixXcd& A) { return complex_modes(A); }
 
-// (A - sigma)^-1 on states (W q, q'), with one factorisation:
+// (A - sigma)^-1 applied to states (W q, q'), with one factorisation:
 //   (C + sigma B + sigma^2) q = -b - (B + sigma) W^-1 a,   q' = W^-1 a + sigma q.
 template <class Matrix>
 class ShiftedInverse {
@@ -81,7 +81,8 @@ class ShiftedInverse {
   Eigen::PartialPivLU<Matrix> solver_;
 };
 
-// V, orthonormal, with (A - sigma)^-1 V_m = V_M H, M >= m: V_m are the first m columns.
+// Arnoldi iteration: orthonormal V with (A - sigma)^-1 V_m = V_M H, M >= m, where V_m are the first
+// m columns.
 template <class Matrix>
 class Arnoldi {
  public:
@@ -91,8 +92,8 @@ class Arnoldi {
       : inverse_(std::move(inverse)),
         V_(size, most + kStarts),
         H_(Matrix::Zero(most + kStarts, most)) {
-    // Of real equations one start in each half of the coordinates: where two planes know nothing of
-    // each other each has its own, and an eigenvalue that both have is found twice. None is
+    // Real equations get one start vector in each half of the coordinates. If the two planes are
+    // uncoupled, each then has its own start, and an eigenvalue of both is found twice. No start is
     // orthogonal to a mode by symmetry.
     const Index all = size / 2, part = all / kStarts;
     for (Index start = 0; start < kStarts; ++start) {
@@ -105,7 +106,7 @@ class Arnoldi {
     }
   }
 
-  // Up to m columns; false where no new direction is left.
+  // Extends H to m columns; false if no new direction is left.
   bool extend(Index m) {
     for (; done_ < m; ++done_) {
       if (done_ == columns_) return false;
@@ -121,10 +122,10 @@ class Arnoldi {
  private:
   static constexpr Index kStarts = Eigen::NumTraits<typename Matrix::Scalar>::IsComplex ? 1 : 2;
 
-  // What of z the columns do not have becomes the next one.
+  // Appends the part of z that is orthogonal to the present columns.
   void add(Vector z, Matrix* products) {
-    constexpr double kNothing = 1e-13;  // round-off of what was taken off
-    constexpr int kPasses = 2;          // the second takes off what round-off left of the first
+    constexpr double kNothing = 1e-13;  // relative round-off of the projection
+    constexpr int kPasses = 2;          // the second removes the round-off of the first
     const double size = z.norm();
     for (int pass = 0; pass < kPasses; ++pass) {
       const Vector share = V_.leftCols(columns_).adjoint() * z;
@@ -142,8 +143,8 @@ class Arnoldi {
   Index columns_ = 0, done_ = 0;
 };
 
-// The eigenvalues that the columns so far tell, from the nearest to the shift on to the first that
-// they do not: less a few, so that none is passed over that shows late.
+// The converged eigenvalues, from the nearest to the shift up to the first one that has not
+// converged, minus a margin for eigenvalues that appear late.
 template <class Matrix>
 std::optional<LowestModes> found(const Arnoldi<Matrix>& arnoldi, double shift) {
   constexpr double kAccuracy = 1e-11;
@@ -163,7 +164,8 @@ std::optional<LowestModes> found(const Arnoldi<Matrix>& arnoldi, double shift) {
   const auto known = static_cast<std::size_t>(bad - order.begin());
   order.resize(known - std::min(known, kMargin));
 
-  // Within this distance of 0 as of the shift none is missing.
+  // All eigenvalues up to the last one's distance from the shift are known, and so are all within
+  // this radius of 0.
   LowestModes lowest;
   if (order.empty()) return lowest;
   const double radius = 1.0 / std::abs(theta[order.back()]) - shift;

@@ -1,15 +1,15 @@
-// How the loops over coordinates and modes are written that a compiler is to vectorise.
+// Helpers for loops over coordinates and modes that the compiler should vectorise.
 #pragma once
 
-// For the parts of every step: calls of them are a tenth of the step of a small rotor.
+// For functions that every step calls; their calls would take a tenth of the step of a small rotor.
 #define ROTORUB_INLINE inline __attribute__((always_inline))
 
-// Before a loop whose arrays overlap element by element or not at all.
+// Before a loop whose arrays are either identical or do not overlap.
 #define ROTORUB_APART _Pragma("GCC ivdep")
 
 namespace rotorub {
 
-// term(0) + ... + term(n - 1) in four sums, none of which waits for another.
+// term(0) + ... + term(n - 1), computed as four independent sums.
 template <class Term>
 inline double sum(int n, Term term) {
   double sums[4] = {};

@@ -19,7 +19,7 @@ std::optional<Eigen::MatrixXd> matrix_log(const Eigen::MatrixXd& A) {
 
 std::optional<Eigen::MatrixXd> solve_riccati(const Eigen::MatrixXd& a, const Eigen::MatrixXd& b,
                                              const Eigen::MatrixXd& q, const Eigen::MatrixXd& r) {
-  constexpr int kMostRounds = 60;  // A^(2^60): an eigenvalue 1e-17 from the circle
+  constexpr int kMostRounds = 60;  // A^(2^60): an eigenvalue 1e-17 from the unit circle
   const Eigen::Index n = a.rows();
   const Eigen::MatrixXd one = Eigen::MatrixXd::Identity(n, n);
   Eigen::MatrixXd ak = a, g = b * Cholesky(r).solve(Eigen::MatrixXd(b.transpose())), h = q;

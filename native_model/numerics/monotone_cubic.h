@@ -1,6 +1,6 @@
-// The piecewise cubic of Fritsch and Carlson, "Monotone piecewise cubic interpolation", SIAM J.
-// Numer. Anal. 17 (1980), through the points of a table: once differentiable, and no overshoot
-// between two points. Beyond the ends the value there is held.
+// Piecewise cubic interpolation of Fritsch and Carlson, "Monotone piecewise cubic interpolation",
+// SIAM J. Numer. Anal. 17 (1980). It passes through the points of a table, is once continuously
+// differentiable and does not overshoot between points. Beyond the ends the end value is held.
 #pragma once
 
 #include <vector>
@@ -10,7 +10,7 @@ namespace rotorub {
 class MonotoneCubic {
  public:
   MonotoneCubic() = default;
-  // x: ascending, two or more; y: as many.
+  // x: ascending, at least two; y: as many.
   MonotoneCubic(std::vector<double> x, std::vector<double> y);
 
   double value(double x) const;

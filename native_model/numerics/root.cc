@@ -5,7 +5,7 @@
 namespace rotorub {
 namespace {
 
-// A polynomial in Bernstein form on [lo, hi]; `degree` of its coefficients count.
+// A polynomial in Bernstein form on an interval, with degree + 1 coefficients.
 struct Bernstein {
   int degree;
   std::array<double, Polynomial::kMaxDegree + 1> b;
@@ -28,14 +28,14 @@ Bernstein bernstein(const Polynomial& p) {
   return form;
 }
 
-// De Casteljau at 1/2: `right` becomes the right half, the left one is given.
+// De Casteljau's algorithm at 1/2: `right` becomes the right half, and the left half is returned.
 Bernstein split(Bernstein& right) {
   Bernstein left = right;
   auto& w = right.b;
   for (std::size_t n = static_cast<std::size_t>(right.degree), k = 0; k <= n; ++k) {
     left.b[k] = w[0];
     for (std::size_t i = 0; i + k < n; ++i) w[i] = 0.5 * (w[i] + w[i + 1]);
-    // w[n - k] is final: the right half's coefficient.
+    // w[n - k] is now a coefficient of the right half.
   }
   return left;
 }
@@ -45,13 +45,13 @@ std::optional<double> first_crossing(const Polynomial& p, Bernstein form, double
   const double* positive = std::find_if(form.begin(), form.end(), [](double x) { return x > 0.0; });
   if (positive == form.end()) return {};
   if (positive == form.begin()) return lo;
-  // One change of sign, from below: one root.
+  // A single sign change, from negative to positive, means a single root.
   const double* negative = std::find_if(form.begin(), form.end(), [](double x) { return x < 0.0; });
   if (negative < positive && form.last() > 0.0 &&
       std::all_of(positive, form.end(), [](double x) { return x >= 0.0; })) {
     return root([&p](double x) { return p(x); }, lo, hi, *negative, form.last()).second;
   }
-  if (depth == 0) return lo;  // a touch within round-off
+  if (depth == 0) return lo;  // a double root within round-off
   const Bernstein left = split(form);
   const double middle = 0.5 * (lo + hi);
   if (auto found = first_crossing(p, left, lo, middle, depth - 1)) return found;
@@ -67,7 +67,7 @@ double Polynomial::operator()(double x) const {
 }
 
 std::optional<double> first_crossing(const Polynomial& p, RootStart start) {
-  constexpr int kHalvings = 60;  // down to round-off of 1
+  constexpr int kHalvings = 60;  // down to the round-off of 1
   Bernstein form = bernstein(p);
   if (start == RootStart::kBelowZero) form.b[0] = std::min(form.b[0], 0.0);
   return first_crossing(p, form, 0.0, 1.0, kHalvings);

@@ -1,4 +1,4 @@
-// Roots of functions of one variable, and what a search by signs needs so that none is overlooked.
+// Roots of functions of one variable, and sampling that lets a search by signs miss none.
 #pragma once
 
 #include <algorithm>
@@ -15,10 +15,10 @@
 
 namespace rotorub {
 
-// The root of a function between two points of opposite sign, to the last bit but a few: algorithm
-// 748 of Alefeld, Potra and Shi, from Boost.Math.
-// f_lo, f_hi: the values at the ends, of opposite sign or 0. Gives the bracket that is left, as
-// wide as round-off or `least`: the sign changes between its ends. No allocation.
+// Root of a function between two points, by algorithm 748 of Alefeld, Potra and Shi from
+// Boost.Math. f_lo, f_hi: the values at the ends, of opposite sign or 0. Returns the remaining
+// bracket, at whose ends the signs differ and whose width is a few units of round-off, or `least`
+// if that is larger. No allocation.
 template <class F>
 std::pair<double, double> root(F&& f, double lo, double hi, double f_lo, double f_hi,
                                double least = 0.0) {
@@ -29,16 +29,16 @@ std::pair<double, double> root(F&& f, double lo, double hi, double f_lo, double 
   return boost::math::tools::toms748_solve(f, lo, hi, f_lo, f_hi, close, evaluations);
 }
 
-// The points between which a sampled function rises or falls throughout, so that a search by signs
-// misses no pair of roots between two samples: puts the extremes of f in [a, b] into x, y,
-// ascending. Between its ends, by value and slope, a cubic is monotone if no slope is against its
-// rise or beyond three times it (Fritsch and Carlson 1980); else the interval is halved. Brent's
-// minimisation, from Boost.Math, finds an extreme between slopes of opposite sign.
+// Inserts points so that f is monotone between neighbours, and a search by signs does not miss a
+// pair of roots between two samples. Appends the extremes of f in [a, b] to x, y, ascending. A
+// cubic with given end values and slopes is monotone if no slope opposes the rise or exceeds three
+// times it (Fritsch and Carlson 1980); otherwise the interval is halved. Between slopes of opposite
+// sign, Brent's minimisation from Boost.Math finds the extreme.
 template <class F>
 void find_extremes(F& f, double a, double f_a, double b, double f_b, std::vector<double>& x,
                    std::vector<double>& y, int halvings = 6) {
-  constexpr double kSlope = 1e-5;  // of the interval, for a slope
-  constexpr double kFlat = 1e-9;   // of the values: round-off over the interval for a slope
+  constexpr double kSlope = 1e-5;  // relative to the interval, for finite differences
+  constexpr double kFlat = 1e-9;   // relative to the values: round-off of rise and slopes
   constexpr int kBits = std::numeric_limits<double>::digits / 2;
   const double size = kFlat * std::max(std::abs(f_a), std::abs(f_b)), rise = f_b - f_a;
   const double left = (f(a + kSlope * (b - a)) - f_a) / kSlope,
@@ -65,7 +65,7 @@ void find_extremes(F& f, double a, double f_a, double b, double f_b, std::vector
   find_extremes(f, middle, f_middle, b, f_b, x, y, halvings - 1);
 }
 
-// Samples f at x, ascending, into y, and puts between them what find_extremes finds.
+// Samples f at x, ascending, into y, and inserts the points of find_extremes.
 template <class F>
 void sample_with_extremes(F&& f, std::vector<double>& x, std::vector<double>& y) {
   std::vector<double> places, values;
@@ -87,14 +87,15 @@ struct Polynomial {
   double operator()(double x) const;
 };
 
-// How the polynomial is known to begin at 0.
+// Sign of the polynomial at 0.
 enum class RootStart {
-  kAnywhere,   // a_0 says it
+  kAnywhere,   // given by a_0
   kBelowZero,  // a_0 > 0 would be round-off
 };
 
-// The least x in (0, 1] at which p comes from below zero to zero or above, to round-off; empty:
-// none. Bernstein's coefficients bound the polynomial, so that a double root is seen as well.
+// The least x in (0, 1] at which p changes from negative to zero or positive, to round-off; empty
+// if there is none. Bernstein coefficients bound the polynomial, so that double roots are found
+// too.
 std::optional<double> first_crossing(const Polynomial& p, RootStart start);
 
 }  // namespace rotorub

@@ -1,5 +1,5 @@
-// Sine and cosine together: the same bits on every machine, in half the time of a library's own.
-// Within 1.5 units in the last place of the larger of the two.
+// Sine and cosine together, with the same bits on every machine and in half the time of the
+// standard library. The error is below 1.5 units in the last place of the larger of the two.
 #pragma once
 
 #include <cmath>
@@ -8,22 +8,22 @@ namespace rotorub {
 
 namespace sine_cosine_parts {
 
-// Up to here the reduction is exact to 1e-16 rad.
+// Up to this angle the argument reduction is exact to 1e-16 rad.
 inline constexpr double kFarthest = 1e6;  // rad
 
-// pi/2 in three parts; the first two have 33 bits, so that their products with k are exact.
+// pi/2 in three parts. The first two have 33 bits, so that their products with k are exact.
 inline constexpr double kFirst = 0x1.921fb544p+0;
 inline constexpr double kSecond = 0x1.0b4611a6p-34;
 inline constexpr double kThird = 0x1.3198a2e037073p-69;
 
-// Taylor's series in r^2 to the terms that are below round-off at |r| = pi/4.
+// Taylor series in r^2, up to the terms that are below round-off at |r| = pi/4.
 inline constexpr double kSine[] = {-1.0 / 6.0,          1.0 / 120.0,         -1.0 / 5040.0,
                                    1.0 / 362880.0,      -1.0 / 39916800.0,   1.0 / 6227020800.0,
                                    -1.0 / 1307674368e3, 1.0 / 355687428096e3};
 inline constexpr double kCosine[] = {1.0 / 24.0,         -1.0 / 720.0,      1.0 / 40320.0,
                                      -1.0 / 3628800.0,   1.0 / 479001600.0, -1.0 / 87178291200.0,
                                      1.0 / 20922789888e3};
-// Even and odd powers in two sums, neither of which waits for the other.
+// Even and odd powers are summed separately, so that the two sums run in parallel.
 template <int kTerms>
 inline double series(const double (&c)[kTerms], double x) {
   const double square = x * x;

@@ -8,7 +8,7 @@
 namespace rotorub::small_matrix {
 namespace {
 
-// GCC's vectors of W doubles.
+// Vectors of W doubles (GCC extension).
 template <int W>
 struct Raw;
 #define ROTORUB_RAW(W)                                                        \
@@ -21,7 +21,8 @@ ROTORUB_RAW(4);
 ROTORUB_RAW(8);
 #undef ROTORUB_RAW
 
-// Rows from, from + 1, ... in blocks of kVectors registers of W numbers; gives the first row left.
+// Processes rows from `from` in blocks of kVectors registers of W numbers; returns the first
+// remaining row.
 template <int W, int kVectors, class Store>
 ROTORUB_INLINE int blocks_of_rows(int from, const double* columns, int rows, int count,
                                   const double* in, Store store) {
@@ -83,7 +84,8 @@ ROTORUB_INLINE void combine_blocks(const double* columns, int rows, const Weight
   }
 }
 
-// A function for each processor, of which the loader takes one (GCC's function multiversioning).
+// Compiles a function for each processor type; the loader selects one (GCC's function
+// multiversioning).
 #ifdef ROTORUB_EACH_TARGET
 #define ROTORUB_EACH_WIDTH(X)                                                  \
   __attribute__((target("avx512f"))) X(8) __attribute__((target("avx2"))) X(4) \

@@ -1,11 +1,11 @@
-// How a computation ended.
+// Outcome of a computation.
 #pragma once
 
 namespace rotorub {
 
-// kNoSolution, kAmbiguous: the contact laws have none or several (Painleve). kOutOfRange: rotor or
-// ring beyond what holds it. kControllerFailed: the user's law reported a failure, threw, or
-// returned what is no number.
+// kNoSolution, kAmbiguous: the contact laws have no solution or several (Painleve). kOutOfRange:
+// rotor or ring has left the range of its support. kControllerFailed: the user's law reported a
+// failure, threw an exception or returned a value that is not finite.
 enum class Status {
   kOk,
   kDiverged,
@@ -17,7 +17,7 @@ enum class Status {
   kControllerFailed
 };
 
-// Of a problem that has so many solutions.
+// The status of a problem with this number of solutions.
 inline Status status_of(int solutions) {
   return solutions == 1 ? Status::kOk : solutions == 0 ? Status::kNoSolution : Status::kAmbiguous;
 }

@@ -1,4 +1,4 @@
-// [actuator] of an auxiliary bearing: rows, and what single keys cannot show.
+// [actuator] of an auxiliary bearing: rows and cross-checks.
 
 #include <algorithm>
 #include <functional>
@@ -64,7 +64,7 @@ Table actuator() {
 }
 
 void check_force_table(const Checker& check, const Actuator& actuator) {
-  constexpr std::size_t kLeast = 4;  // of a cubic
+  constexpr std::size_t kLeast = 4;  // needed for a cubic
   const std::vector<double>&position = actuator.table_position, &current = actuator.table_current;
   bool sound = true;
   const auto refuse = [&](const char* key, const std::string& reason) {

@@ -1,4 +1,4 @@
-// [base]: rows, and what single keys cannot show.
+// [base]: rows and cross-checks.
 
 #include "native_model/scene/checker.h"
 #include "native_model/scene/schema.h"
@@ -37,7 +37,7 @@ void check_base(const Checker& check) {
   if (!check.scene.base) return;
   const Base& base = *check.scene.base;
   const auto given = [&](const char* key) { return check.given(std::string("base.") + key); };
-  // Keys that say nothing without another one.
+  // Reports a key that has no effect without another one.
   const auto needs = [&](const char* key, const char* other) {
     if (given(key) && !given(other)) {
       check.fail(std::string("base.") + key, std::string("needs base.") + other);

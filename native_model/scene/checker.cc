@@ -10,7 +10,7 @@ namespace rotorub::scene {
 
 namespace {
 
-constexpr double kSteelPoisson = 0.3;  // where no torsion asks for G
+constexpr double kSteelPoisson = 0.3;  // used if nothing gives nu or G
 
 void fill(std::vector<double>& list, const std::vector<double>& standard) {
   if (list.empty()) list = standard;
@@ -84,7 +84,7 @@ Scene with_bearing_alone(const Scene& scene, std::size_t bearing) {
 
 void complete(Scene& scene, const Record& record) {
   std::sort(scene.run.output_times.begin(), scene.run.output_times.end());
-  // MuJoCo's rigid law knows no contact that gives.
+  // MuJoCo's rigid law does not support compliant contacts.
   if (scene.gives() && !record.given("mujoco.contact")) {
     scene.mujoco.contact = ContactModel::kCoulomb;
   }

@@ -1,4 +1,4 @@
-// What a library of the user's is given by a scene.
+// Settings that a scene passes to a user's control library.
 #pragma once
 
 #include <optional>
@@ -9,7 +9,7 @@ namespace rotorub::scene {
 // One entry of [controller.config] or [magnetic_control.config].
 struct ConfigEntry {
   std::string key;
-  std::optional<std::string> text;  // absent: a number
+  std::optional<std::string> text;  // absent: the value is a number
   double number = 0.0;
 };
 

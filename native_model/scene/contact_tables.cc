@@ -1,4 +1,4 @@
-// [contact] of an auxiliary bearing and the laws below it: rows, and what single keys cannot show.
+// [contact] of an auxiliary bearing and the laws below it: rows and cross-checks.
 
 #include <algorithm>
 
@@ -84,7 +84,7 @@ Table compliance() {
            "`exponent` = 1")}};
 }
 
-// static is kept as what it is beyond kinetic, which stands before it.
+// `static` is stored as its excess over `kinetic`, whose row comes first.
 Table friction() {
   Key rest = key<&FrictionLaw::excess>("static", kPure, ">= 0", kRequired, "mu(0)");
   rest.store = [](void* object, const Value& value) {
@@ -106,7 +106,7 @@ Table friction() {
                                   "by how much mu grows with the slip")}};
 }
 
-// Mode values at the station; the first contact is where the modes are scaled to 1.
+// Mode values at the station. They must be 1 at the first contact, where the modes are scaled.
 void check_contact_shapes(const Checker& check) {
   if (!check.bearing().contact) return;
   const Contact& contact = *check.bearing().contact;
@@ -167,7 +167,7 @@ void check_friction(const Checker& check) {
   }
 }
 
-// Names are one of each; what stands once in a file stands for one bearing.
+// Names must be unique. With several contacts, impacts must have zero duration.
 void check_list(const Checker& check) {
   for (std::size_t k = 0; k < check.index; ++k) {
     if (check.scene.name_of(k) != check.scene.name_of(check.index)) continue;

@@ -1,4 +1,4 @@
-// [controller] and the tables below it: rows, and what single keys cannot show.
+// [controller] and the tables below it: rows and cross-checks.
 
 #include <cmath>
 #include <string>
@@ -161,7 +161,7 @@ Table config() {
           }};
 }
 
-// A pure function of the measurement may be continuous.
+// False for a pure function of the measurement, which may be continuous.
 bool remembers(const Controller& c) {
   switch (c.kind) {
     case ControllerKind::kTwoPhase:
@@ -191,7 +191,7 @@ void check_feedback(const Checker& check, const Controller& c) {
                     "value of controller.feedback");
 }
 
-// What a built-in law reads must be measured.
+// A built-in law needs the measurements that it reads.
 void check_measured(const Checker& check, const Controller& c) {
   if (c.kind == ControllerKind::kLibrary) return;
   const bool gap = c.kind != ControllerKind::kPassive && c.kind != ControllerKind::kCrossCoupled;

@@ -19,7 +19,8 @@ std::vector<Diagnostic> ordered(std::vector<Diagnostic> diagnostics) {
   return diagnostics;
 }
 
-// Beyond these a message helps nobody: bytes of a part, and problems.
+// Longer messages help nobody. Limits of each part in bytes, of the number of problems and of the
+// whole text in bytes.
 constexpr std::size_t kLongestFile = 300, kLongestKey = 120, kLongestReason = 2000;
 constexpr std::size_t kMostLines = 100, kLongestText = 12000;
 
@@ -37,7 +38,7 @@ std::string lines(const std::vector<Diagnostic>& diagnostics) {
 
 char lower(char c) { return static_cast<char>(std::tolower(static_cast<unsigned char>(c))); }
 
-// Optimal string alignment: insertions, deletions, changes and swaps of neighbours.
+// Optimal string alignment distance: insertions, deletions, substitutions and swaps of neighbours.
 std::size_t edit_distance(std::string_view a, std::string_view b) {
   std::vector<std::size_t> before(b.size() + 1), above(b.size() + 1), row(b.size() + 1);
   for (std::size_t j = 0; j <= b.size(); ++j) row[j] = j;
@@ -70,7 +71,7 @@ SceneError::SceneError(std::vector<Diagnostic> diagnostics)
     : std::runtime_error(lines(ordered(diagnostics))), diagnostics_(ordered(diagnostics)) {}
 
 std::string_view nearest(std::string_view word, std::span<const std::string_view> candidates) {
-  constexpr std::size_t kLongestWord = 64;  // longer ones are no misspelling of ours
+  constexpr std::size_t kLongestWord = 64;  // longer words are not misspellings of ours
   if (word.size() > kLongestWord) return {};
   std::string_view best;
   std::size_t best_distance = word.size() < 3 ? 0 : std::max<std::size_t>(1, word.size() / 3);

@@ -1,4 +1,4 @@
-// What is wrong with a scene, and the exception that carries all of it at once.
+// The faults of a scene, and the exception that reports all of them at once.
 #pragma once
 
 #include <span>
@@ -12,17 +12,17 @@ namespace rotorub::scene {
 // One problem.
 struct Diagnostic {
   std::string file;    // as given by the caller; "--set" for an override
-  int line = 0;        // from 1; 0: no line
-  std::string key;     // dotted, elements from 0: `rotor.disc[1].mass`; empty: the file as a whole
+  int line = 0;        // from 1; 0: unknown
+  std::string key;     // dotted, elements from 0: `rotor.disc[1].mass`; empty: the whole file
   std::string reason;  // what is wrong and what would be accepted
 };
 
-// `file:line: key: reason`, without the parts that are unknown; one line that a terminal can show
+// `file:line: key: reason`, without the unknown parts, as one line that is safe on a terminal
 // (printable() of text.h).
 std::string to_string(const Diagnostic& diagnostic);
 
-// A scene that cannot be used. what() has one line per diagnostic (of the first
-// hundred, and 12 kB), ordered by file and line.
+// Thrown for a scene that cannot be used. what() has one line per diagnostic, ordered by file and
+// line, for the first hundred and at most 12 kB.
 class SceneError : public std::runtime_error {
  public:
   explicit SceneError(std::vector<Diagnostic> diagnostics);
@@ -32,8 +32,8 @@ class SceneError : public std::runtime_error {
   std::vector<Diagnostic> diagnostics_;
 };
 
-// The candidate that `word` was probably meant to be, or an empty view. Upper and lower case are
-// the same; a third of the letters (at least one, for words of three letters or more) may differ.
+// The candidate that `word` most likely misspells, or an empty view. Case is ignored. Up to a third
+// of the letters may differ (at least one in words of three letters or more).
 std::string_view nearest(std::string_view word, std::span<const std::string_view> candidates);
 
 // "a, b, c"

@@ -11,14 +11,14 @@
 namespace rotorub::scene {
 namespace {
 
-// Jp <= 2 Jt for every rigid body; data sheets round.
+// Jp <= 2 Jt holds for every rigid body; the tolerance allows for rounded data sheets.
 constexpr double kInertiaTolerance = 0.01;
-// Jp = mass eccentricity^2 is a point mass: meant, whatever the last digits.
+// Jp = mass eccentricity^2 describes a point mass, and is accepted whatever the last digits.
 constexpr double kPointMassTolerance = 1e-9;
 
 constexpr std::string_view kByDimensions = "by `diameter`, `thickness`";
 
-// The disc with mass, Jt, Jp and eccentricity, whatever its words. The speed is the rotor's.
+// The disc with mass, Jt, Jp and eccentricity in numbers. `speed`: of the rotor, rad/s.
 Disc in_numbers(Disc disc, double rho, double speed) {
   if (disc.diameter && disc.thickness) {
     const double outer = *disc.diameter, inner = disc.inner_diameter.value_or(0.0),
@@ -36,7 +36,7 @@ Disc in_numbers(Disc disc, double rho, double speed) {
   return disc;
 }
 
-// By its numbers or by its dimensions, each whole.
+// The disc must be given completely by its numbers or completely by its dimensions.
 void check_size(const Checker& check, const std::string& path, const Disc& disc) {
   const Record& record = check.record;
   const auto given = [&](const char* key) { return record.given(path + key); };
@@ -104,7 +104,7 @@ void check_inertia(const Checker& check, const std::string& path, const Disc& di
       disc.Jp > 2.0 * disc.Jt * (1.0 + kInertiaTolerance)) {
     check.fail(path + ".Jp", "no rigid body has Jp > 2 Jt; a thin disc has Jp = 2 Jt");
   }
-  // Where the spin is free, less makes the mass matrix indefinite: energy out of nothing.
+  // If the spin is free, a smaller Jp makes the mass matrix indefinite and creates energy.
   const double least = disc.mass * disc.eccentricity * disc.eccentricity;
   if (check.scene.drive && check.sound({path + ".mass", path + ".Jp", path + ".eccentricity"}) &&
       disc.Jp < least * (1.0 - kPointMassTolerance)) {

@@ -1,4 +1,4 @@
-// The name of the scene, for headers that only hand one on.
+// Forward declaration of Scene, for headers that only pass it on.
 #pragma once
 
 namespace rotorub::scene {

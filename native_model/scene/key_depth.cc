@@ -8,7 +8,7 @@
 namespace rotorub::scene {
 namespace {
 
-// Behind the string or comment that begins at `at`.
+// The position after the string or comment that begins at `at`.
 std::size_t end_of_text(std::string_view text, std::size_t at) {
   const char mark = text[at];
   if (mark == '#') return std::min(text.find('\n', at), text.size());
@@ -19,11 +19,11 @@ std::size_t end_of_text(std::string_view text, std::size_t at) {
       ++i;
     } else if (is_long ? text.substr(i, 3) == long_mark : text[i] == mark) {
       i += is_long ? 3 : 1;
-      // A long string may end in two marks of its own.
+      // Up to two quotes may directly precede the closing ones of a long string.
       for (int k = 0; is_long && k < 2 && i < text.size() && text[i] == mark; ++k) ++i;
       return i;
     } else if (!is_long && text[i] == '\n') {
-      return i;  // never ended: the parser stops here
+      return i;  // unterminated: the parser stops here
     }
   }
   return text.size();
@@ -33,10 +33,11 @@ std::size_t end_of_text(std::string_view text, std::size_t at) {
 
 int line_of_too_deep_key(std::string_view text) {
   std::vector<int> outer(1, 0);  // dots of the keys that lead to each open array or inline table
-  int run = 0;         // dots since the last mark: of a key, if `=` or a header's ] follows
-  bool value = false;  // behind an `=`, until the statement's end
+  // dots since the last delimiter; they belong to a key if `=` or a header's ] follows
+  int run = 0;
+  bool value = false;  // after an `=`, until the end of the statement
   int line = 1;
-  int keys = 0;  // dots of the keys that lead here
+  int keys = 0;  // dots of the keys up to here
   for (std::size_t i = 0; i < text.size();) {
     const char c = text[i];
     if (c == '"' || c == '\'' || c == '#') {

@@ -1,5 +1,5 @@
-// [drive] and [[force]] ([base]: base_table.cc, magnetic bearings: magnetic_tables.cc): rows, and
-// what single keys cannot show.
+// [drive] and [[force]]: rows and cross-checks. ([base] is in base_table.cc, magnetic bearings are
+// in magnetic_tables.cc.)
 
 #include "native_model/scene/checker.h"
 #include "native_model/scene/schema.h"

@@ -1,4 +1,4 @@
-// What single keys of magnetic bearings cannot show.
+// Cross-checks of magnetic bearings.
 
 #include <algorithm>
 #include <cmath>
@@ -10,13 +10,14 @@
 namespace rotorub::scene {
 namespace {
 
-// N/m, of its own linear law.
+// Stiffness of the bearing's own linear law, N/m.
 double spring_of(const MagneticBearing& bearing) {
   if (!bearing.control) return -bearing.pull();
   return bearing.force_per_current() * bearing.control->proportional - bearing.pull();
 }
 
-// The other supports leave the shaft no rigid motion in this plane: they hold it at two stations.
+// True if the other supports hold the shaft at two stations in this plane, so that no rigid motion
+// is left.
 bool held_without(const Scene& scene, const MagneticBearing& magnetic, int plane) {
   std::vector<double> stations;
   for (const ShaftBearing& bearing : scene.rotor.geometry->bearings) {
@@ -33,7 +34,7 @@ bool touches(const MagneticBearing& bearing, std::size_t mode) {
   return bearing.shape.empty() || (mode < bearing.shape.size() && bearing.shape[mode] != 0.0);
 }
 
-// What nothing but this magnetic bearing holds; empty: nothing.
+// Names the motion that only this magnetic bearing holds; empty if there is none.
 std::string held_by_magnets(const Scene& scene, const MagneticBearing& magnetic) {
   const char* planes[] = {"x", "y"};
   if (scene.rotor.geometry) {
@@ -77,7 +78,7 @@ void check_amplifier(const Checker& check, const MagneticBearing& magnetic,
   }
 }
 
-// Matrices that fit each other; `below`: of the table that they stand in, "magnetic_control.".
+// Checks that the matrices fit each other. `below` is the path of their table, "magnetic_control.".
 void check_matrices(const Checker& check, const ControlMatrices& m, const std::string& below,
                     std::size_t ports) {
   if (!check.sound({below + "state_matrix", below + "input_matrix", below + "output_matrix",
@@ -146,7 +147,7 @@ void check_form(const Checker& check, const BearingControl& control, const std::
   }
 }
 
-// When it works, and within what.
+// Checks the switching times and the current limit.
 void check_control_limits(const Checker& check, const MagneticBearing& magnetic,
                           const std::string& path) {
   const BearingControl& control = *magnetic.control;
@@ -185,7 +186,7 @@ void check_control_limits(const Checker& check, const MagneticBearing& magnetic,
   }
 }
 
-// What it alone holds it must hold.
+// A magnetic bearing must be stiff enough to hold what nothing else holds.
 void check_magnetic_bearing(const Checker& check, const MagneticBearing& magnetic,
                             const std::string& path) {
   check.station(path + ".station", magnetic.station);

@@ -1,5 +1,5 @@
-// [magnetic_bearing] and its tables, [magnetic_control]: rows. What single keys cannot show:
-// magnetic_checks.cc.
+// Rows of [magnetic_bearing], of the tables below it and of [magnetic_control]. The cross-checks
+// are in magnetic_checks.cc.
 
 #include "native_model/scene/schema.h"
 

@@ -8,42 +8,41 @@
 
 namespace rotorub::scene {
 
-enum class MujocoRotor { kModal, kSegments };                       // modes, or rigid pieces
+enum class MujocoRotor { kModal, kSegments };                       // modes, or rigid segments
 enum class ContactModel { kRigid, kCoulomb, kCone, kConeCoulomb };  // kContactModels
 enum class MujocoIntegrator { kEuler, kImplicit, kRk4 };            // MuJoCo's own
 enum class MujocoSolver { kNewton, kCg, kPgs };                     // MuJoCo's own
 
-struct Mujoco {  // how the scene is put into MuJoCo, and solved there
+struct Mujoco {  // how the scene is modelled and solved in MuJoCo
   MujocoRotor rotor = MujocoRotor::kModal;
   int segments = 16;  // of the segment rotor, [2, 200]
   ContactModel contact = ContactModel::kRigid;
   MujocoIntegrator integrator = MujocoIntegrator::kEuler;
   MujocoSolver solver = MujocoSolver::kNewton;
-  double solref_stiffness = 0.0;    // 1/s^2, > 0: direct solref K (0: mjcf/soft_contact.h)
-  double solref_damping = 0.0;      // 1/s, > 0: direct solref B (0: that of contact.restitution)
-  double friction_reference = 0.0;  // 1/s, > 0: B_t of the cone's friction rows (0: MuJoCo's, B)
-  bool shadow = false;              // the native model runs alongside, in user sensors
-  bool bearing_currents = false;    // actuators that add to what the amplifiers are asked for
+  double solref_stiffness = 0.0;    // 1/s^2, > 0: direct solref K (0: see mjcf/soft_contact.h)
+  double solref_damping = 0.0;      // 1/s, > 0: direct solref B (0: from contact.restitution)
+  double friction_reference = 0.0;  // 1/s, > 0: B_t of the cone's friction rows (0: MuJoCo's B)
+  bool shadow = false;              // runs the native model alongside, in user sensors
+  bool bearing_currents = false;    // actuators that add to the currents asked of the amplifiers
 };
 
-// The contact models of MuJoCo's side and their words: in scene files, options, columns and
-// reports.
+// A contact model of MuJoCo and its word in scene files, options, columns and reports.
 struct ContactWord {
   ContactModel model;
   const char* word;
 };
 
-// In the order of the enum, which is that of every table.
+// In the order of the enum, which every table follows.
 inline constexpr std::array kContactModels{ContactWord{ContactModel::kRigid, "rigid"},
                                            ContactWord{ContactModel::kCoulomb, "coulomb"},
                                            ContactWord{ContactModel::kCone, "cone"},
                                            ContactWord{ContactModel::kConeCoulomb, "cone-coulomb"}};
 
-constexpr const char* to_string(ContactModel model) {  // its word
+constexpr const char* to_string(ContactModel model) {
   return kContactModels[static_cast<std::size_t>(model)].word;
 }
 
-// Of a word; none: no contact model is called so.
+// The model that `word` names, or nothing.
 constexpr std::optional<ContactModel> contact_model(std::string_view word) {
   for (const ContactWord& w : kContactModels) {
     if (word == w.word) return w.model;
@@ -51,12 +50,12 @@ constexpr std::optional<ContactModel> contact_model(std::string_view word) {
   return std::nullopt;
 }
 
-// Normal force and friction are both found by MuJoCo's solver, in its friction cone.
+// True if MuJoCo's solver computes both normal force and friction, in its friction cone.
 constexpr bool is_cone(ContactModel model) {
   return model == ContactModel::kCone || model == ContactModel::kConeCoulomb;
 }
 
-// Container of words, as schemas and options take them.
+// A container of the words, as schemas and options need it.
 template <typename Words>
 Words contact_words() {
   Words words;

@@ -19,7 +19,7 @@ FileName override_file() {
   return name;
 }
 
-// One part of a path: a key, or the number of an element.
+// One part of a path: a key or the index of an element.
 struct Step {
   std::string key;
   std::size_t index = 0;
@@ -35,7 +35,7 @@ std::optional<std::size_t> as_index(std::string_view text) {
   return whole ? std::optional(index) : std::nullopt;
 }
 
-// "force[0].shape" or "force.0.shape" in parts; nothing if it is no path.
+// Splits "force[0].shape" or "force.0.shape" into parts. Nothing if it is not a path.
 std::optional<std::vector<Step>> parse_path(std::string_view text) {
   std::vector<Step> steps;
   while (true) {
@@ -69,7 +69,7 @@ TomlNode parse_value(std::string_view text) {
   return word;
 }
 
-// Overrides have no lines.
+// Overrides have no line numbers.
 void forget_lines(TomlNode& node) {
   node.line = 0;
   for (auto& [key, value] : node.entries) forget_lines(value);
@@ -83,7 +83,7 @@ TomlNode empty_node(Kind kind) {
   return node;
 }
 
-// The child that `step` leads to, made if need be; nullptr: there is none and there cannot be.
+// The child that `step` leads to, created if needed. nullptr, with a reason, if it cannot exist.
 TomlNode* descend(TomlNode& node, const Step& step, Kind kind_if_made, std::string& reason) {
   if (step.is_index) {
     if (node.kind != Kind::kArray) {
@@ -121,7 +121,7 @@ void remove(TomlNode& node, const Step& step) {
   std::erase_if(node.entries, [&](const auto& entry) { return entry.first == step.key; });
 }
 
-// "rotor.disc" of the steps before the last.
+// Path of the table that contains the last step, such as "rotor.disc".
 std::string table_path(const std::vector<Step>& steps) {
   std::string path;
   for (std::size_t i = 0; i + 1 < steps.size(); ++i) {
@@ -130,7 +130,8 @@ std::string table_path(const std::vector<Step>& steps) {
   return path;
 }
 
-// A key set by one of its names: what the file says by the other would contradict it.
+// Removes the file's value of a key that is overridden by its other name, because the two would
+// contradict each other.
 void drop_other_name(TomlNode& table, const std::string& path, const std::string& name) {
   const Table* schema = find_table(path);
   const Key* key = schema == nullptr ? nullptr : schema->find(name);
@@ -141,7 +142,8 @@ void drop_other_name(TomlNode& table, const std::string& path, const std::string
   });
 }
 
-// A changed kind: the keys and tables of the other kinds alone would be refused.
+// After a change of `kind`, removes the file's keys and tables that only other kinds allow, because
+// they would be refused.
 void drop_other_kinds(TomlNode& table, const std::string& path, std::string_view kind) {
   const Table* schema = find_table(path);
   if (schema == nullptr || table.kind != Kind::kTable) return;
@@ -161,7 +163,7 @@ std::optional<double> seconds(const TomlNode& node) {
   return parsed.error.empty() ? std::optional(parsed.value) : std::nullopt;
 }
 
-// An earlier end: the later times asked for are out of reach.
+// Removes output times of the file after an earlier end, because the run no longer reaches them.
 void drop_times_beyond(TomlNode& run, const TomlNode& end) {
   const std::optional<double> last = seconds(end);
   TomlNode* times = run.find("output_times");
@@ -169,7 +171,7 @@ void drop_times_beyond(TomlNode& run, const TomlNode& end) {
   std::erase_if(times->items, [&](const TomlNode& time) { return seconds(time) > last; });
 }
 
-// A table or key that a scene may have: what it has not can be removed from it.
+// True if a scene may have this table or key, so that it can be removed.
 bool is_known(const std::vector<Step>& steps) {
   std::vector<Step> keys = steps;
   std::erase_if(keys, [](const Step& step) { return step.is_index; });
@@ -179,7 +181,7 @@ bool is_known(const std::vector<Step>& steps) {
   return key || find_table((above.empty() ? "" : above + ".") + name) != nullptr;
 }
 
-// A number that gets a key of [contact.friction]: until then mu was the same at every slip.
+// Turns a constant mu into a friction law before a key of [contact.friction] is set.
 void as_friction_law(TomlNode& node) {
   if (node.kind == Kind::kTable) return;
   TomlNode law = empty_node(Kind::kTable);
@@ -187,9 +189,9 @@ void as_friction_law(TomlNode& node) {
   node = std::move(law);
 }
 
-// Why the override cannot be applied; empty: done.
+// Applies the override. Returns the reason if it cannot be applied, else an empty string.
 std::string apply(TomlNode& root, const std::vector<Step>& steps, std::string_view text) {
-  // What no scene has is set as any other value, which the reader refuses by its name.
+  // An unknown key is set like any other, so that the reader refuses it by name.
   const bool removing = text == "none" && is_known(steps);
   TomlNode* node = &root;
   std::string reason, path;
@@ -224,8 +226,8 @@ std::string apply(TomlNode& root, const std::vector<Step>& steps, std::string_vi
   return {};
 }
 
-// contact.friction of several contacts is that of all of them, and so of magnetic bearings. One
-// table is a list of one: contact[0].friction is its friction.
+// An override of contact.friction applies to all contacts of a list; magnetic bearings work alike.
+// A single table counts as a list of one: contact[0].friction is its friction.
 std::string apply_to_each(TomlNode& root, std::vector<Step> steps, std::string_view text) {
   const std::string& key = steps.front().key;
   TomlNode* list = (key == "contact" || key == "magnetic_bearing") && steps.size() > 1

@@ -1,11 +1,11 @@
 // Changes to a scene from the command line: "table.key=value".
 //
 //   contact.friction=0.2      run.end=100ms      force[0].amplitude=200    force.0.amplitude=200
-//   gravity={acceleration=[0,-9.81]}             controller=none (takes a part or a key away)
-//
-// The value is TOML, or else a bare word or a quantity with a unit, taken as a string. A new `kind`
-// takes away the keys that belong to the other kinds of that table alone; a new run.end takes away
-// the output_times of the file beyond it.
+// contact.friction=0.2      run.end=100ms      force[0].amplitude=200    force.0.amplitude=200
+// gravity={acceleration=[0,-9.81]}             controller=none (removes a table or a key)
+// A value that is not TOML is taken as a string: a bare word or a quantity with a unit. A new
+// `kind` removes the keys of that table that belong only to other kinds. A new run.end removes
+// later output_times of the file.
 #pragma once
 
 #include <span>
@@ -16,13 +16,13 @@
 
 namespace rotorub::scene {
 
-inline constexpr const char* kOverrideFile = "--set";  // stands for the file in diagnostics
+inline constexpr const char* kOverrideFile = "--set";  // replaces the file name in diagnostics
 
-// "contact.friction" of "contact.friction = 0.2".
+// The key of an override, "contact.friction" for "contact.friction = 0.2".
 std::string override_key(const std::string& text);
 
-// Applies them to the tree, in order. What cannot be applied goes to `diagnostics`; whether the key
-// exists and the value fits is found out by the reader.
+// Applies the overrides to the tree, in order. Those that cannot be applied go to `diagnostics`.
+// The reader checks later whether the key exists and the value fits.
 void apply_overrides(TomlNode& root, std::span<const std::string> overrides,
                      std::vector<Diagnostic>& diagnostics);
 

@@ -21,9 +21,10 @@
 namespace rotorub::scene {
 namespace {
 
-constexpr std::size_t kLargestFile = 16u << 20u;  // bytes; a device or a mistaken file ends here
+// bytes; limits the reading of devices and of files given by mistake
+constexpr std::size_t kLargestFile = 16u << 20u;
 
-// By blocks rather than by size: a pipe has none. Throws std::runtime_error with the reason alone.
+// Reads in blocks, because a pipe has no size. Throws std::runtime_error with the reason alone.
 std::string text_in(const std::filesystem::path& path, const char* expected, std::size_t most) {
   std::error_code none;
   if (std::filesystem::is_directory(path, none))
@@ -40,7 +41,7 @@ std::string text_in(const std::filesystem::path& path, const char* expected, std
   return text;
 }
 
-// Where a scene's file stands, and what it names beside itself.
+// The folder of a scene's file, where relative paths of the scene start.
 std::string folder_of(const std::filesystem::path& file) {
   return file.has_parent_path() ? file.parent_path().string() : ".";
 }

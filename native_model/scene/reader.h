@@ -1,4 +1,4 @@
-// Reading a scene from TOML (mjcf/docs/keys.md lists every table and key).
+// Reads a scene from TOML (mjcf/docs/keys.md lists every table and key).
 #pragma once
 
 #include <filesystem>
@@ -13,47 +13,48 @@
 
 namespace rotorub::scene {
 
-// The scene in a file, with the overrides applied ("table.key=value", see overrides.h). Throws
-// SceneError with everything that is wrong: unreadable file, syntax, unknown keys and tables,
-// types, units, missing keys, impossible values and combinations. A scene that is returned is
-// finite and complete: lists that go together have one length, and what has a default holds it.
+// Reads the scene in a file, with the overrides applied ("table.key=value", see overrides.h).
+// Throws SceneError with everything that is wrong: unreadable file, syntax, unknown keys and
+// tables, types, units, missing keys, impossible values and combinations. The returned scene is
+// finite and complete: lists that belong together have the same length, and defaults are filled in.
 Scene read_scene(const std::filesystem::path& path, std::span<const std::string> overrides = {});
 
-// The same from text. `file_name` stands in diagnostics and gives the scene its name.
+// The same from text. `file_name` appears in diagnostics and names the scene.
 Scene parse_scene(std::string_view text, const std::string& file_name,
                   std::span<const std::string> overrides = {});
 
-// The steps of these. The text of a file that can be a scene; throws SceneError.
+// The two stages of the functions above. Reads the text of a scene file; throws SceneError.
 std::string file_text(const std::filesystem::path& path);
-// The scene of a tree that `text` stands for. `diagnostics`: what is known to be wrong already.
+// Makes the scene from the tree of `text`. `diagnostics`: faults found so far.
 Scene scene_of(const TomlNode& root, const std::string& file_name, std::string text,
                std::vector<Diagnostic> diagnostics);
 
-// 16 hexadecimal digits that depend on Scene::text alone: 64-bit FNV-1a.
+// 64-bit FNV-1a hash of Scene::text alone, as 16 hexadecimal digits.
 std::string scene_hash(const Scene& scene);
-std::string text_hash(std::string_view text);  // the same of any text
+std::string text_hash(std::string_view text);  // the same for any text
 
-// Many scenes from one text: it is read once, and each scene differs in a few values.
+// Many scenes from one text: it is parsed once, and each scene changes a few values.
 class Variants {
  public:
-  // `overrides` hold for all of them. Throws SceneError for what cannot be read as TOML or applied;
-  // whether it is a scene is asked of each variant, which may give what the text leaves out.
+  // The `overrides` apply to all variants. Throws SceneError if the text is not TOML or an override
+  // cannot be applied. Each variant is checked as a scene later, because it may supply what the
+  // text leaves out.
   explicit Variants(const std::filesystem::path& file, std::span<const std::string> overrides = {});
 
-  // The scene with `changes` (overrides.h) on top, as read_scene gives it. Throws SceneError.
-  // with_text: Scene::text is that of the variant (MuJoCo's plugin reads it); else it is empty.
+  // The scene with `changes` (overrides.h) applied, as from read_scene. Throws SceneError. With
+  // `with_text`, Scene::text is the text of the variant, which MuJoCo's plugin reads, else empty.
   Scene scene(std::span<const std::string> changes, bool with_text) const;
 
-  const std::string& text() const { return text_; }  // with the overrides of all
+  const std::string& text() const { return text_; }  // with the common overrides
 
  private:
   std::string file_, text_;
   TomlNode root_;
 };
 
-// A file that is read whole. Throws std::runtime_error, with the reason alone ("cannot be read:
-// ...", "is a folder ..."), for what is no regular file: a device, to which a link may lead, has no
-// end.
+// Reads a whole file. Throws std::runtime_error with the reason alone ("cannot be read: ...", "is a
+// folder ...") if it is not a regular file. Devices and pipes, also behind a link, are refused
+// because they may have no end.
 std::string regular_file_text(const std::filesystem::path& file);
 
 }  // namespace rotorub::scene

@@ -1,5 +1,5 @@
-// What the reading of a scene noticed beside the values: which keys stand where, and which of them
-// are faulty. The cross-checks ask it, so that one slip is not reported twice.
+// The positions of the keys in a scene's text, and which keys are faulty. The cross-checks use it
+// so that one mistake is not reported twice.
 #pragma once
 
 #include <cstddef>
@@ -16,20 +16,21 @@ namespace rotorub::scene {
 
 class Record {
  public:
-  // `path` stands at `node` ("force[0].amplitude", "contact"); sound: its value can be used.
-  // written: the path with the key's other name, if that is the one in the file.
+  // Records that `path` ("force[0].amplitude", "contact") is at `node`. sound: its value can be
+  // used. written: the path with the key's other name, if the file uses that one.
   void note(const std::string& path, const TomlNode& node, bool sound,
             const std::string& written = {});
-  // A required key that is not there.
+  // Records a required key that is missing.
   void note_missing(const std::string& path) { marks_[path] = {{}, 0, false, false}; }
 
   bool given(std::string_view path) const;
-  // Where a key of an auxiliary bearing stands: "stator.mass" of the second [[contact]] is
-  // "contact[1].stator.mass"; as it is where the scene has no list of them, and for other keys.
+  // The full path of a key of an auxiliary bearing: "stator.mass" of the second [[contact]] is
+  // "contact[1].stator.mass". The key is unchanged if the scene has no list of contacts, or if it
+  // belongs to another part.
   std::string place(std::string_view key, std::size_t bearing) const;
-  // Every path is given and sound, or optional and absent.
+  // True if every path is either sound or absent and optional.
   bool sound(std::initializer_list<std::string> paths) const;
-  // A diagnostic at `path`, or at the nearest part above it that has a place in the file.
+  // A diagnostic at `path`, or at the nearest enclosing part whose position in the file is known.
   Diagnostic diagnostic(const std::string& path, std::string reason) const;
 
  private:
@@ -38,19 +39,18 @@ class Record {
     int line = 0;
     bool sound = true;
     bool given = true;
-    std::string written{};  // empty: as the path
+    std::string written{};  // empty: same as the path
   };
   std::map<std::string, Mark, std::less<>> marks_;
 };
 
-// Where the keys of a magnetic bearing stand: "magnetic_bearing", or in a list
-// "magnetic_bearing[1]".
+// The path of a magnetic bearing's table: "magnetic_bearing", or "magnetic_bearing[1]" in a list.
 std::string magnetic_bearing_path(const Record* record, std::size_t bearing);
 
-// What was found wrong after the reading: each diagnostic without a file is given the place of its
-// key. Of a scene that was made by hand the name alone is known.
+// Adds file and line to each diagnostic without a file, from the position of its key. For a scene
+// made by hand only the scene's name is known.
 std::vector<Diagnostic> placed(const Scene& scene, std::vector<Diagnostic> diagnostics);
-// Throws SceneError with the one diagnostic.
+// Throws SceneError with one diagnostic.
 [[noreturn]] void refuse_at(const Scene& scene, std::string key, std::string reason);
 
 }  // namespace rotorub::scene

@@ -1,4 +1,4 @@
-// [stator] of an auxiliary bearing and the tables below: rows, and what single keys cannot show.
+// [stator] of an auxiliary bearing and the tables below it: rows and cross-checks.
 
 #include <optional>
 

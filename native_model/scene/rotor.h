@@ -1,4 +1,4 @@
-// [rotor] of a scene (scene.h): the shaft with what sits on it.
+// [rotor] of a scene (scene.h): the shaft and the parts on it.
 #pragma once
 
 #include <Eigen/Core>
@@ -15,12 +15,12 @@ struct ModalRotor;  // rotor/modal_rotor.h
 
 namespace rotorub::scene {
 
-struct ShaftSection {           // a cylinder or a cone of the shaft
+struct ShaftSection {           // a cylindrical or conical part of the shaft
   double from = 0.0;            // m, axial range [from, to] of the section
   double to = 0.0;              // m
   double diameter = 0.0;        // m, > 0, outer
   double inner_diameter = 0.0;  // m, in [0, diameter)
-  // At `to`; empty: as at `from`. In between both change evenly: a cone.
+  // Diameters at `to`; empty: as at `from`. In between they vary linearly: a cone.
   std::optional<double> end_diameter{}, end_inner_diameter{};  // m
 
   bool tapered() const { return end_diameter || end_inner_diameter; }
@@ -44,7 +44,7 @@ struct Disc {                 // a rigid disc on the shaft
   double eccentricity = 0.0;  // m, >= 0, of the centre of mass
   double phase = 0.0;         // rad, of the eccentricity from the rotor-fixed x axis
 
-  // Other words for mass, Jt, Jp and for eccentricity, which have them after reading
+  // Alternatives to mass, Jt, Jp and eccentricity, which are computed from them after reading
   // (scene/disc.h).
   std::optional<double> diameter{}, inner_diameter{}, thickness{};  // m
   std::optional<double> rho{};                                      // kg/m^3
@@ -53,17 +53,17 @@ struct Disc {                 // a rigid disc on the shaft
   std::optional<double> balance_speed{};                            // rad/s
 };
 
-// Beyond stiffness and damping: bearing/bearing_film.h.
+// A bearing of the shaft. Its full law is in bearing/bearing_film.h.
 struct ShaftBearing {
-  double z = 0.0;                 // m, station
-  PlanePair stiffness{0.0, 0.0};  // N/m, >= 0; after reading of rotor.speed, where there is a table
-  PlanePair damping{0.0, 0.0};    // N s/m, >= 0; alike
+  double z = 0.0;                             // m, station
+  PlanePair stiffness{0.0, 0.0};              // N/m, >= 0; from a table: value at rotor.speed
+  PlanePair damping{0.0, 0.0};                // N s/m, >= 0; likewise
   Eigen::Vector2d cross_stiffness{0.0, 0.0};  // N/m, k_xy, k_yx
   Eigen::Vector2d cross_damping{0.0, 0.0};    // N s/m, c_xy, c_yx
-  Eigen::Vector2d offset{0.0, 0.0};           // m, where it stands off the line x = y = 0
+  Eigen::Vector2d offset{0.0, 0.0};           // m, from the line x = y = 0
 
-  // The coefficients over the speed of rotation, in place of the four above: rad/s, ascending; each
-  // as long or empty.
+  // The coefficients as functions of the rotational speed (rad/s, ascending), instead of the four
+  // members above. Each list has the length of table_speed or is empty.
   std::vector<double> table_speed{};
   std::vector<double> table_kxx{}, table_kxy{}, table_kyx{}, table_kyy{};  // N/m; kyy empty: as kxx
   std::vector<double> table_cxx{}, table_cxy{}, table_cyx{},
@@ -75,14 +75,14 @@ struct ShaftBearing {
 
 // Geometry form: a continuous Euler-Bernoulli shaft.
 struct RotorGeometry {
-  double length = 0.0;                  // m, > 0
-  double E = 0.0;                       // Pa, > 0
-  std::optional<double> nu;             // 1, in (-1, 0.5]; at most one of nu and G
-  double G = 0.0;                       // Pa, > 0: given, or E / (2 (1 + nu)); nu: 0.3
-  double rho = 0.0;                     // kg/m^3, > 0
-  std::optional<int> modes;             // bending modes kept in each plane, >= 1
-  bool auto_modes = false;              // as few as modes_tolerance allows; then `modes` is empty
-  double modes_tolerance = 0.01;        // share, in (0, 1): rotor/mode_truncation.h
+  double length = 0.0;            // m, > 0
+  double E = 0.0;                 // Pa, > 0
+  std::optional<double> nu;       // 1, in (-1, 0.5]; at most one of nu and G
+  double G = 0.0;                 // Pa, > 0: given, or E / (2 (1 + nu)) with nu = 0.3 by default
+  double rho = 0.0;               // kg/m^3, > 0
+  std::optional<int> modes;       // bending modes kept in each plane, >= 1
+  bool auto_modes = false;        // as few as modes_tolerance allows; `modes` is then empty
+  double modes_tolerance = 0.01;  // relative, in (0, 1): rotor/mode_truncation.h
   std::optional<double> max_frequency;  // rad/s: modes kept up to this frequency
   double damping_ratio = 0.0;           // external modal damping, >= 0
   double internal_damping_ratio = 0.0;  // rotating modal damping, >= 0
@@ -91,18 +91,19 @@ struct RotorGeometry {
   std::vector<ShaftBearing> bearings;
 };
 
-// Modal form: every bending mode scaled to 1 at the contact station. All of one length n >= 1.
+// Modal form: every bending mode is scaled to 1 at the contact station. All lists have the same
+// length n >= 1.
 struct RotorModal {
   std::vector<double> mass, mass_y;            // kg, > 0
   std::vector<double> stiffness, stiffness_y;  // N/m, >= 0
   std::vector<double> damping, damping_y;      // N s/m, >= 0, external (inertial frame)
   std::vector<double> internal_damping;        // N s/m, >= 0, rotating with the shaft
   std::vector<double> gyroscopic;              // kg: force on x: -Omega g vy, on y: +Omega g vx
-  double inertia = 0.0;                        // kg m^2, > 0 with [drive]: rigid spin
+  double inertia = 0.0;                        // kg m^2, > 0 with [drive]: of the rigid spin
 };
 
-// Geometry form: `modes` elastic torsion modes. Modal form: the lists, one length, every mode 1 at
-// the contact station.
+// Geometry form: `modes` elastic torsion modes. Modal form: the lists, all of one length, with
+// every mode scaled to 1 at the contact station.
 struct Torsion {
   int modes = 0;                    // geometry form, >= 1
   double damping_ratio = 0.0;       // geometry form, >= 0; default: [rotor].damping_ratio
@@ -112,12 +113,12 @@ struct Torsion {
   std::vector<double> drive_shape;  // 1, mode value at the motor, default 0
 };
 
-struct Rotor {                            // the shaft with what sits on it
+struct Rotor {                            // the shaft and the parts on it
   double speed = 0.0;                     // rad/s, Omega at t = 0; constant without [drive]
   std::optional<RotorGeometry> geometry;  // exactly one of geometry and modal
   std::optional<RotorModal> modal;
-  // Beside `modal`, which then is for pictures alone: the rotor as it is, of a machine without a
-  // scene file (plugin/twin/native_twin.h).
+  // The rotor of a machine without a scene file (plugin/twin/native_twin.h). `modal` then serves
+  // only for pictures.
   std::shared_ptr<const ModalRotor> assembled;
   std::optional<Torsion> torsion;
 };

@@ -1,5 +1,4 @@
-// [rotor] and the tables below it, discs and bearings apart: rows, and what single keys cannot
-// show.
+// [rotor] and the tables below it, except discs and bearings: rows and cross-checks.
 
 #include <cmath>
 
@@ -13,9 +12,10 @@ namespace rotorub::scene {
 namespace {
 
 constexpr std::string_view kAuto = "auto";
-// Sections meet within this part of the length: stations are often rounded decimals.
+// Allowed mismatch between sections, relative to the length: stations are often rounded decimals.
 constexpr double kSectionTolerance = 1e-9;
-// Thinner than this part of the length no beam's eigenvalues can be found, or only in minutes.
+// Least diameter relative to the length. For thinner shafts the eigenvalues cannot be found, or
+// only in minutes.
 constexpr double kThinnest = 1e-6;
 
 template <auto Member>
@@ -25,7 +25,7 @@ Key shaft(std::string_view name, const Quantity& quantity, std::string_view rang
       .in(Form::kGeometry);
 }
 
-// A number, or "auto".
+// A number or "auto".
 Key modes() {
   Key key = shaft<&RotorGeometry::modes>("modes", kPure, "in [1, 1000]", "by `max_frequency`",
                                          "bending modes kept in each plane; it or `max_frequency`; "

@@ -35,7 +35,7 @@ std::vector<Rule> read_rules(const Scene& scene) {
   std::vector<Diagnostic> diagnostics;
   const std::optional<TomlNode> root = parse_toml(scene.text, scene.name + ".toml", diagnostics);
   if (!root) return {};
-  // The tree has made a scene before: what is read beside the rules is known to be sound.
+  // The text has been read as a scene before, so everything except the rules is known to be sound.
   Scene again;
   TableReader reader(again, diagnostics);
   reader.read(*root);

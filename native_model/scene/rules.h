@@ -1,6 +1,6 @@
-// The pass rules that a scene's file states about its own runs, [[check]]: what has to come out, on
-// which engine, and why. Neither model reads them: they are no part of what is simulated, and stand
-// in the scene's text alone.
+// The rules that a scene file states for its own runs, [[check]]: the expected result, the engine
+// and the reason. Neither model reads them; they are not part of the simulation and exist only in
+// the scene's text.
 #pragma once
 
 #include <optional>
@@ -12,7 +12,7 @@
 
 namespace rotorub::scene {
 
-// In the order of the words in the file: kNative and kMujoco stand for all of theirs.
+// In the order of the words in the file. kNative and kMujoco stand for all engines of that kind.
 enum class RuleEngine {
   kNative,
   kNativeEvent,
@@ -24,21 +24,21 @@ enum class RuleEngine {
   kMujocoConeCoulomb
 };
 
-// kPass: the run comes to its end. kRefused: it is not begun, or ended with a status that says why.
+// kPass: the run completes. kRefused: it is refused, or ends with a status that says why.
 enum class Expect { kPass, kRefused };
 
 struct Rule {
   RuleEngine engine = RuleEngine::kNative;
-  std::string metric;              // what is measured (compare/check/metric.h); empty: nothing
-  std::optional<double> min, max;  // SI, inclusive; a metric has one of them at least
+  std::string metric;              // the measured quantity (compare/check/metric.h); empty: none
+  std::optional<double> min, max;  // SI, inclusive; a metric needs at least one
   Expect expect = Expect::kPass;   // kRefused: no metric
-  std::string why;                 // a sentence: why the case is hard
+  std::string why;                 // one sentence: why the case is hard
 };
 
-// Of a scene that was read; in the order of the file. None of a scene made by hand.
+// The rules of a scene that was read, in the order of the file; none for a scene made by hand.
 std::vector<Rule> read_rules(const Scene& scene);
 
-// Contradictions within single rules.
+// Reports contradictions within single rules.
 void check_rules(const std::vector<Rule>& rules, const Record& record,
                  std::vector<Diagnostic>& diagnostics);
 

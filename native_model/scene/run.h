@@ -6,10 +6,9 @@
 
 namespace rotorub::scene {
 
-// Of the native engine.
 enum class Integrator { kEvent, kVerlet, kEuler };
 
-struct Run {                                   // how long, how finely, and what is written
+struct Run {                                   // duration, resolution and output of a run
   double end = 1.0;                            // s, > 0
   double step = 1e-5;                          // s, > 0: fixed step of `verlet`, `euler` and MuJoCo
   Integrator integrator = Integrator::kEvent;  // of the native engine

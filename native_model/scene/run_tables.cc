@@ -1,4 +1,4 @@
-// [run], [gravity], [initial] and [mujoco]: rows, and what single keys cannot show.
+// [run], [gravity], [initial] and [mujoco]: rows and cross-checks.
 
 #include "native_model/scene/checker.h"
 #include "native_model/scene/schema.h"
@@ -8,9 +8,9 @@ namespace rotorub::scene {
 namespace {
 
 constexpr double kMostRows =
-    1e7;  // of a series; the engines know its columns too (model/model_checks.h)
+    1e7;  // rows of a series; the engines also check its columns (model/model_checks.h)
 constexpr double kGapTolerance =
-    1e-9;  // of the clearance: a rotor that starts on the ring is meant to
+    1e-9;  // relative to the clearance, so that a rotor may start on the ring
 
 Table gravity() {
   return {"gravity",
@@ -24,7 +24,7 @@ Table gravity() {
                .in(Form::kModal)}};
 }
 
-// A key of [initial] that is kept with the first ring, where there is one.
+// A key of [initial] that is stored in the first ring, if the scene has one.
 template <auto Member>
 Key start_of_ring(std::string_view name, const Quantity& quantity, std::string_view meaning) {
   Key result = key<Member>(name, quantity, "", kStandard, meaning);
@@ -130,7 +130,7 @@ void check_initial_lists(const Checker& check) {
   torsion_list("initial.torsion_speed", initial.torsion_speed);
 }
 
-// All of the start that bends or moves the ring is given by `steady`, or by `rub`.
+// With `steady` or `rub`, no other key may give a bending of the rotor or a motion of the ring.
 void check_given_start(const Checker& check) {
   const Initial& initial = check.scene.initial;
   const bool rubs = initial.rub != StartingRub::kNone;
@@ -218,7 +218,7 @@ void check_run(const Checker& check) {
   const Run& run = check.scene.run;
   if (!check.sound({"run.end"})) return;
   const std::string end = "run.end = " + number_text(run.end) + " s";
-  // `event` has no step of its own.
+  // `event` uses adaptive steps.
   if (check.sound({"run.step"}) && run.integrator != Integrator::kEvent && run.step > run.end) {
     check.fail("run.step", "must be at most " + end);
   }
@@ -235,8 +235,9 @@ void check_run(const Checker& check) {
   }
 }
 
-// Modal form: the contact point is the plain sum of the modes. (In the geometry form a mode with a
-// node at the contact is scaled otherwise; that is known only once the modes are.)
+// In the modal form the contact point's displacement is the plain sum of the modes. In the geometry
+// form a mode with a node at the contact is scaled differently, which is known only after the modes
+// are computed.
 void check_gap_at_start(const Checker& check) {
   const Scene& scene = check.scene;
   const AuxiliaryBearing& bearing = check.bearing();
@@ -255,7 +256,7 @@ void check_gap_at_start(const Checker& check) {
   add(scene.initial.x, offset.x());
   add(scene.initial.y, offset.y());
   const double clearance = bearing.contact->clearance;
-  // Into a ring that gives a start may be as deep as a run.
+  // Compliant contact: the initial penetration may be as deep as in a run.
   const double reach = bearing.contact->compliance ? 2.0 * clearance : clearance;
   if (offset.norm() > reach * (1.0 + kGapTolerance)) {
     const char* key = check.given("initial.x")     ? "initial.x"

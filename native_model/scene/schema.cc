@@ -8,7 +8,7 @@
 namespace rotorub::scene {
 
 Range::Range(std::string_view of_text) : text(of_text) {
-  // The number behind the first `mark` letters.
+  // The number after the first `mark` characters.
   const auto number = [this](std::size_t mark) {
     return std::strtod(std::string(text.substr(mark)).c_str(), nullptr);
   };
@@ -40,7 +40,7 @@ Key& Key::below_list() {
 
 std::string_view Key::default_word() const {
   if (required() || type != ValueType::kWord) return {};
-  return std::string_view(standard).substr(1, standard.size() - 2);  // `word`
+  return std::string_view(standard).substr(1, standard.size() - 2);  // without the backquotes
 }
 
 bool Key::is_for(std::string_view kind) const {

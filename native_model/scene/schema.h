@@ -1,7 +1,7 @@
-// Every table and key that a scene may hold, as data: name, quantity, range, default, when it is
-// needed, where it is stored. The reader, the search for unknown keys and the reference
-// (mjcf/docs/keys.md) all work from this one description; the rows stand beside the checks of what
-// single keys cannot show: *_tables.cc, disc.cc, shaft_bearing.cc, rules.cc.
+// Every table and key that a scene may hold, as data: name, quantity, range, default, condition and
+// storage. The reader, the search for unknown keys and the reference (mjcf/docs/keys.md) all use
+// this one description. The rows are next to the cross-checks, in *_tables.cc, *_table.cc, disc.cc,
+// shaft_bearing.cc and rules.cc.
 #pragma once
 
 #include <limits>
@@ -18,7 +18,7 @@
 
 namespace rotorub::scene {
 
-// A rotor is given as a shaft (geometry) or by its modes; some keys belong to one form alone.
+// A rotor is given as a shaft (geometry) or by its modes. Some keys belong to only one form.
 enum class Form { kEither, kGeometry, kModal };
 
 enum class ValueType {
@@ -29,30 +29,30 @@ enum class ValueType {
   kPlanes,  // a number for both bending planes, or [x, y]
   kVector,  // [x, y]
   kList,    // numbers
-  kText,    // words of one's own
+  kText,    // free text
 };
 
-// Allowed numbers; of a pair or a list: each of them.
+// Allowed numbers; applies to each number of a pair or list.
 struct Range {
-  // As rows and messages have it: "> 0", ">= 0", "in (-1, 0.5]", ""; "": any.
+  // `text` as in rows and messages: "> 0", ">= 0", "in (-1, 0.5]"; "" allows any number.
   Range() = default;
   explicit Range(std::string_view text);
 
   std::string_view text;
   double low = -std::numeric_limits<double>::infinity();
   double high = std::numeric_limits<double>::infinity();
-  bool low_open = false;   // low itself is refused
-  bool high_open = false;  // high itself is refused
+  bool low_open = false;   // low itself is excluded
+  bool high_open = false;  // high itself is excluded
 
   bool contains(double value) const {
     return (low_open ? value > low : value >= low) && (high_open ? value < high : value <= high);
   }
 };
 
-// What was read; the member that the type names is set.
+// A value that was read. Only the member for its type is set.
 struct Value {
   double number = 0.0;         // kNumber, SI
-  int whole = 0;               // kWhole; kWord: which word; kFlag: 0, 1
+  int whole = 0;               // kWhole; kWord: index of the word; kFlag: 0, 1
   Eigen::Vector2d pair{0, 0};  // kPlanes, kVector, SI
   std::vector<double> list;    // kList, SI
   std::string text;            // kText; kWhole: the word
@@ -60,18 +60,18 @@ struct Value {
 
 struct Key {
   std::string_view name;
-  std::string_view also;  // another name for it; empty: none
+  std::string_view also;  // alternative name; empty: none
   ValueType type = ValueType::kNumber;
   Quantity quantity = kPure;
   std::string_view meaning;
-  void (*store)(void* object, const Value& value) = nullptr;  // object: the table's
-  std::vector<std::string_view> words;  // kWord: in the order of the enum; kWhole: see there
+  void (*store)(void* object, const Value& value) = nullptr;  // object: of the table
+  std::vector<std::string_view> words;  // kWord: in the order of the enum; kWhole: see ValueType
   Range range;
   Form form = Form::kEither;            // the form it belongs to
-  std::vector<std::string_view> kinds;  // values of the table's `kind` that take it; empty: all
-  std::string standard;                 // the member's value in a new object, where it has a text
-  std::string fallback;                 // the default, in words; empty: the key is required
-  bool listed_only = false;             // stands below [[contact]] alone
+  std::vector<std::string_view> kinds;  // values of the table's `kind` with this key; empty: all
+  std::string standard;                 // default of the member as text, if it has one
+  std::string fallback;                 // default as text; empty: the key is required
+  bool listed_only = false;             // allowed only below [[contact]]
 
   Key& or_called(std::string_view other_name);
   Key& in(Form of_form);
@@ -91,17 +91,17 @@ struct Table {
   std::string_view path;  // "rotor.disc"
   std::string_view meaning;
   std::string_view when_absent;
-  // Makes the part (list: one more) and returns it; null: the table is a rule (rules.h), which the
-  // reader keeps beside the scene.
+  // Creates the part (for a list, one more element) and returns it. Null: the table is a rule
+  // (rules.h), which the reader keeps outside the scene.
   void* (*object)(Scene& scene) = nullptr;
   std::vector<Key> keys;
-  // Values of the parent's `kind` that take it; empty: all.
+  // Values of the parent's `kind` that allow this table; empty: all.
   std::vector<std::string_view> kinds{};
-  // Of a table that takes any key: keeps a number or a text. Null: it takes `keys` alone.
+  // For a table that allows any key: stores a number or a text. Null: only `keys` are allowed.
   void (*store_any)(void* object, ConfigEntry entry) = nullptr;
   bool or_list = false;  // [path], or [[path]] with its own parts below each
-  bool list = false;     // [[path]]: any number of them
-  bool for_key = false;  // stands in the place of a key of its parent
+  bool list = false;     // [[path]]: any number of elements
+  bool for_key = false;  // replaces a key of its parent
   Form form = Form::kEither;
 
   Table& as_list();
@@ -113,13 +113,13 @@ struct Table {
 
 // All tables, parents before children.
 std::span<const Table> tables();
-// "contact.stator" is [stator] below a [[contact]].
+// "contact.stator" means [stator] below a [[contact]].
 const Table* find_table(std::string_view path);
-// Of the parts of an auxiliary bearing that stand below each [[contact]]: [stator],
+// True for parts of an auxiliary bearing that stand below each [[contact]]: [stator],
 // [controller.sensors].
 bool is_part_of_contact(const Table& table);
 
-// The rows, in their order.
+// The rows of the schema.
 Table run_table();
 std::vector<Table> rotor_tables();
 std::vector<Table> load_tables();
@@ -131,7 +131,8 @@ std::vector<Table> actuator_tables();
 std::vector<Table> control_tables();
 std::vector<Table> start_tables();
 Table rule_table();
-// The geometry of a shaft, made if need be; its [[rotor.disc]] and [[rotor.bearing]].
+// geometry_of returns the geometry of the shaft and creates it if needed. The tables are
+// [[rotor.disc]] and [[rotor.bearing]].
 RotorGeometry& geometry_of(Scene& scene);
 Table disc_table();
 Table shaft_bearing_table();
@@ -152,7 +153,7 @@ struct ClassOf<T Class::*> {
   using type = Class;
 };
 
-// object.*first.*rest..., where an empty optional on the way is made.
+// Returns object.*first.*rest..., and creates empty optionals on the way.
 template <auto First, auto... Rest, typename Object>
 auto& resolve(Object& object) {
   auto& member = object.*First;
@@ -211,7 +212,7 @@ constexpr ValueType type_of() {
   }
 }
 
-// What a new object holds, for the reference; lists and words have no text here.
+// Text of a member's default, for the reference. Lists and words have none here.
 template <typename T>
 std::string standard_text(const T& value) {
   if constexpr (std::is_same_v<T, double> || std::is_same_v<T, int>) {
@@ -229,12 +230,12 @@ std::string standard_text(const T& value) {
 
 }  // namespace detail
 
-// The default of a row.
-inline constexpr std::string_view kRequired{};           // none
-inline constexpr std::string_view kStandard = "member";  // what the member has in a new object
+// Special values for the default of a row.
+inline constexpr std::string_view kRequired{};           // no default: the key is required
+inline constexpr std::string_view kStandard = "member";  // the default of the member
 
-// A key stored in the member that the pointers lead to; the type of value follows from the member.
-// `fallback`: the default in words, or one of the above; `kinds`: see Key.
+// A key that is stored in the member that the pointers lead to, whose type gives the value type.
+// `fallback` is the default as text, or one of the constants above; for `kinds` see Key.
 template <auto First, auto... Rest>
 Key key(std::string_view name, const Quantity& quantity, std::string_view range,
         std::string_view fallback, std::string_view meaning,
@@ -258,7 +259,7 @@ Key key(std::string_view name, const Quantity& quantity, std::string_view range,
   return result;
 }
 
-// A number for both bending planes, or [x, y].
+// A key with one number for both bending planes, or [x, y].
 template <auto Member>
 Key planes(std::string_view name, const Quantity& quantity, std::string_view range,
            std::string_view fallback, std::string_view meaning) {
@@ -269,7 +270,7 @@ Key planes(std::string_view name, const Quantity& quantity, std::string_view ran
   return result;
 }
 
-// One of `words`, which stand in the order of the member's enum.
+// A key with one of `words`, which must be in the order of the member's enum.
 template <auto... Member>
 Key word(std::string_view name, std::vector<std::string_view> words, std::string_view fallback,
          std::string_view meaning, std::vector<std::string_view> kinds = {}) {

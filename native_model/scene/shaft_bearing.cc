@@ -50,7 +50,7 @@ bool sound(const ShaftBearing& bearing) {
          });
 }
 
-// N/m and N s/m, in the order of the lists.
+// Coefficients in N/m and N s/m, in the order of coefficient_lists.
 std::array<double, 8> coefficients_at(const ShaftBearing& bearing, double speed) {
   const auto lists = coefficient_lists(bearing);
   std::array<double, 8> all{};

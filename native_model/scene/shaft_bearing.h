@@ -1,5 +1,4 @@
-// A shaft bearing in its words: springs and dashpots, across the planes too, or tables over the
-// speed.
+// Coefficients of a shaft bearing: springs and dampers, cross-coupling, or tables over the speed.
 #pragma once
 
 #include <array>
@@ -12,14 +11,15 @@ namespace rotorub::scene {
 // Cross-checks of [[rotor.bearing]].
 void check_bearings(const Checker& check, const RotorGeometry& shaft);
 
-// table_kxx, kxy, kyx, kyy, then c alike, with those that stand for others; empty: 0.
+// table_kxx, kxy, kyx, kyy, then the same for c. Empty kyy and cyy are replaced by kxx and cxx; a
+// list that is still empty means 0.
 std::array<std::vector<double>, 8> coefficient_lists(const ShaftBearing& bearing);
 
-// N/m, of each plane at a speed, rad/s; 0 where a table's is negative.
+// Stiffness of each plane in N/m at a speed in rad/s; negative table values count as 0.
 PlanePair stiffness_at(const ShaftBearing& bearing, double speed);
 
-// stiffness, damping and the crosses of those with tables, at the rotor's speed; of a scene that
-// was found sound.
+// Fills stiffness, damping and their cross-coupling from the tables at the rotor's speed. The scene
+// must have passed its checks.
 void complete_bearings(Rotor& rotor);
 
 }  // namespace rotorub::scene

@@ -7,7 +7,7 @@
 namespace rotorub::scene {
 namespace {
 
-// The eight coefficients of a bearing as ROSS names them; one sentence for all of a bearing.
+// True for the eight coefficients of a bearing as ROSS names them, which share one message.
 bool is_ross_coefficient(std::string_view name) {
   return name.size() == 3 && (name[0] == 'k' || name[0] == 'c') &&
          (name[1] == 'x' || name[1] == 'y') && (name[2] == 'x' || name[2] == 'y');
@@ -39,7 +39,7 @@ std::string child_path(const std::string& path, std::string_view key) {
 
 constexpr std::string_view kBelowContact = "contact.";
 
-// "contact[1].stator": of one of several auxiliary bearings.
+// True for a part of one of several auxiliary bearings: "contact[1].stator".
 bool is_listed(std::string_view path) { return path.starts_with("contact["); }
 
 bool lists_contacts(const TomlNode& root) {
@@ -52,7 +52,7 @@ bool is_table_of(std::string_view path) {
   return table != nullptr && table->path == path;
 }
 
-// Where a key of this name may stand: "[rotor], [rotor.torsion]".
+// The tables that allow a key of this name: "[rotor], [rotor.torsion]".
 std::string homes_of(std::string_view name) {
   std::string text;
   for (const Table& table : tables()) {
@@ -63,7 +63,7 @@ std::string homes_of(std::string_view name) {
   return text;
 }
 
-// Of a table with kinds the word given, or the default; empty: none, or one that is not known.
+// The `kind` of a table: the given word or the default. Empty if there is none or it is unknown.
 std::string_view kind_of(const Table& table, const TomlNode& node) {
   const Key* key = table.find("kind");
   if (key == nullptr) return {};
@@ -85,7 +85,7 @@ void TableReader::read(const TomlNode& root) {
   find_form(root);
   const bool listed = lists_contacts(root);
   for (const Table& table : tables()) {
-    if (table.for_key) continue;  // read where the key is
+    if (table.for_key) continue;  // read with the key
     if (!listed || !is_part_of_contact(table)) {
       read_table(table, root);
     } else if (const TomlNode* node = find_path(root, table.path)) {
@@ -96,12 +96,12 @@ void TableReader::read(const TomlNode& root) {
   }
 }
 
-// Modal if there is a [rotor.modal], geometry if there is anything of a geometry.
+// The form is modal if there is a [rotor.modal], and geometry if there is any key of a geometry.
 void TableReader::find_form(const TomlNode& root) {
   const TomlNode* rotor = find_path(root, "rotor");
   if (rotor == nullptr || rotor->kind != Kind::kTable) return;
   const TomlNode* modal = rotor->find("modal");
-  std::string geometry;  // its first key
+  std::string geometry;  // the first key of a geometry
   for (const auto& [name, value] : rotor->entries) {
     const Key* key = find_table("rotor")->find(name);
     const Table* table = find_table("rotor." + name);
@@ -123,7 +123,7 @@ void TableReader::find_form(const TomlNode& root) {
   }
 }
 
-// Each [[contact]] with the parts of its bearing, each [[magnetic_bearing]] with its control.
+// Reads each [[contact]] or [[magnetic_bearing]] with the parts of its bearing.
 void TableReader::read_list(const Table& table, const TomlNode& list) {
   const std::string path(table.path), below = path + ".";
   const bool contacts = path == "contact";
@@ -191,7 +191,7 @@ void TableReader::read_one(const Table& table, const TomlNode& node, const std::
 
 bool TableReader::kind_takes(const Table& table, const TomlNode& root, const TomlNode& node,
                              const std::string& path) {
-  if (table.kinds.empty()) return true;  // of the top level too
+  if (table.kinds.empty()) return true;  // also for tables at the top level
   const std::string_view parent = table.path.substr(0, table.path.rfind('.'));
   const std::string_view kind = kind_of(*find_table(parent), *find_path(root, parent));
   if (kind.empty() || table.is_for(kind)) return true;
@@ -288,7 +288,7 @@ bool TableReader::read_key(const Key& key, std::string_view kind, const TomlNode
 
 void TableReader::refuse_unknown(const TomlNode& node, std::string_view table_path,
                                  const std::string& path) {
-  // What may stand here: the keys of the table and the tables below it.
+  // The keys of the table and the tables below it are allowed here.
   const Table* own = find_table(table_path);
   const std::string prefix = table_path.empty() ? "" : std::string(table_path) + ".";
   const bool in_list = is_listed(path);
@@ -296,7 +296,7 @@ void TableReader::refuse_unknown(const TomlNode& node, std::string_view table_pa
       std::string_view(prefix).substr(in_list ? kBelowContact.size() : 0);
   const auto is_known = [&](const std::string& name) {
     if (own != nullptr && own->find(name) != nullptr) return true;
-    // [stator] stands beside [contact].
+    // A top-level [stator] is next to [contact], not below it.
     if (table_path == "contact" && !in_list) return is_table_of(prefix + name);
     return name.find('.') == std::string::npos && find_table(prefix + name) != nullptr;
   };
@@ -312,7 +312,7 @@ void TableReader::refuse_unknown(const TomlNode& node, std::string_view table_pa
     }
   }
   for (const Table& table : tables()) {
-    // Below [[contact]] a [stator] is one of "contact.stator".
+    // Below [[contact]] the path of [stator] is "contact.stator".
     const std::string_view inside =
         in_list && is_part_of_contact(table) ? inner : std::string_view(prefix);
     if (!table.path.starts_with(inside)) continue;

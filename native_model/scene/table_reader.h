@@ -1,4 +1,4 @@
-// Fills the structs of a scene from a TOML tree after the schema, and refuses what does not fit it.
+// Fills a scene's structs from a TOML tree according to the schema, and reports what does not fit.
 #pragma once
 
 #include <string>
@@ -28,28 +28,28 @@ class TableReader {
  private:
   void fail(const TomlNode& node, const std::string& path, std::string reason);
   void find_form(const TomlNode& root);
-  // `above`: of the path of `root`, "contact[1]." of an element.
+  // `above` is the path of `root`, "contact[1]." for an element.
   void read_table(const Table& table, const TomlNode& root, const std::string& above = {});
   void read_list(const Table& table, const TomlNode& list);
   void read_one(const Table& table, const TomlNode& node, const std::string& path);
   void read_object(const Table& table, const TomlNode& node, const std::string& path);
-  // Whether the parent's `kind` takes the table; if not, that is kept as a fault.
+  // True if the parent's `kind` allows the table; if not, reports it.
   bool kind_takes(const Table& table, const TomlNode& root, const TomlNode& node,
                   const std::string& path);
   void read_any(const Table& table, const TomlNode& node, const std::string& path);
-  // False: the value cannot be used, and the reason is kept.
+  // Returns false if the value cannot be used, after reporting the reason.
   bool read_key(const Key& key, std::string_view kind, const TomlNode& node,
                 const std::string& path, void* object);
   void refuse_unknown(const TomlNode& node, std::string_view table_path, const std::string& path);
 
-  // The same of a value alone (value_reader.cc).
+  // The same for a single value (value_reader.cc).
   bool read_value(const Key& key, const TomlNode& node, const std::string& path, Value& value);
 
   Scene& scene_;
   std::vector<Diagnostic>& diagnostics_;
   Record record_;
   std::vector<Rule> rules_;
-  Form form_ = Form::kEither;  // kEither: not known
+  Form form_ = Form::kEither;  // kEither: unknown
 };
 
 }  // namespace rotorub::scene

@@ -17,7 +17,7 @@ std::string number_text(double number, int digits) {
 }
 
 std::string unitless_speed_note(std::string_view where, double speed) {
-  // No machine turns at such a number of rad/s but by chance.
+  // Machines hardly ever turn at such a round number of rad/s.
   const double size = std::abs(speed);
   const bool reads_as_rpm = size >= 1000.0 && size <= 60000.0 &&
                             (std::fmod(size, 60.0) == 0.0 || std::fmod(size, 100.0) == 0.0);
@@ -40,7 +40,7 @@ std::string_view trimmed(std::string_view text) {
 
 namespace {
 
-// Controls, and the marks that turn the direction of writing or end a line.
+// Control characters, and characters that change the writing direction or end a line.
 bool obeyed(std::uint32_t code) {
   return code < 0x20u || (code >= 0x7fu && code <= 0x9fu) || (code >= 0x200eu && code <= 0x200fu) ||
          (code >= 0x2028u && code <= 0x202eu) || (code >= 0x2066u && code <= 0x2069u);
@@ -83,7 +83,7 @@ namespace {
 
 struct OldWord {
   std::string_view word, today;
-  bool removed = false;  // not renamed: something else runs in its place
+  bool removed = false;  // not renamed: `today` replaces it
 };
 constexpr OldWord kOldWords[] = {{"literal", "euler"},
                                  {"midpoint", "verlet", true},

@@ -12,14 +12,14 @@
 #include "native_model/scene/key_depth.h"
 #include "native_model/scene/text.h"
 
-// toml++ 3.3.0 asserts on bad input, [[[a]]] for one, and would end the program: off, here only.
-// Header only and in this file alone, so that no other copy of it is linked.
+// toml++ 3.3.0 asserts on bad input such as [[[a]]], which would end the program. Asserts are off
+// in this file, and the library is header-only here, so that no other copy of it is linked.
 #define TOML_ASSERT(expr) static_cast<void>(0)
 #define TOML_HEADER_ONLY 1
 #define TOML_EXCEPTIONS 0
 #define TOML_ENABLE_FORMATTERS 0
-// A letter from U+00A0 to U+0499 where a key or value should begin comes to places that it promises
-// never to come to.
+// A letter from U+00A0 to U+0499 at the start of a key or value reaches code that the library marks
+// as unreachable.
 #include <toml++/impl/preprocessor.h>
 #undef TOML_UNREACHABLE
 #define TOML_UNREACHABLE return false
@@ -31,18 +31,18 @@
 namespace rotorub::scene {
 namespace {
 
-// Stands for a value that could not be read, while the rest is.
+// Replaces a value that cannot be read while the rest is parsed.
 constexpr std::string_view kFaultyMark = "\x01 faulty";
 constexpr std::string_view kFaultyText = "\"\\u0001 faulty\"";
-constexpr std::size_t kLongestDescription = 200;  // bytes of what the library says
-constexpr int kMostSyntaxErrors = 20;             // then the reading stops
+constexpr std::size_t kLongestDescription = 200;  // bytes of the library's message
+constexpr int kMostSyntaxErrors = 20;             // parsing stops after these
 
 int line_of(const toml::node& node) { return static_cast<int>(node.source().begin.line); }
 
 // `mended`: a string may be the mark of a faulty value.
 TomlNode converted(const toml::node& node, FileName file, bool mended);
 
-// The library sorts by name; the file's order is restored from the positions.
+// The library sorts by name. The order of the file is restored from the positions.
 void convert_entries(const toml::table& table, FileName file, bool mended, TomlNode& result) {
   std::vector<std::tuple<unsigned, unsigned, std::string, const toml::node*>> order;
   for (const auto& [key, value] : table) {
@@ -52,7 +52,7 @@ void convert_entries(const toml::table& table, FileName file, bool mended, TomlN
   std::sort(order.begin(), order.end());
   for (const auto& [line, column, name, value] : order) {
     result.entries.emplace_back(name, converted(*value, file, mended));
-    // A value is reported where its key stands; an array of tables has no position of its own.
+    // A value is reported at the line of its key. An array of tables has no position of its own.
     TomlNode& entry = result.entries.back().second;
     if (entry.kind != TomlNode::Kind::kTable || entry.line == 0)
       entry.line = static_cast<int>(line);
@@ -112,7 +112,7 @@ std::string header_path(const std::string& line) {
                                                  : "";
 }
 
-// The key of a line `key = value`; empty if it is not one.
+// The key of a line `key = value`; empty for other lines.
 std::string assigned_key(const std::string& line) {
   const std::size_t equals = line.find('=');
   const std::string key = trimmed_line(std::string_view(line).substr(0, equals));
@@ -122,11 +122,11 @@ std::string assigned_key(const std::string& line) {
   return equals != std::string::npos && bare ? key : std::string();
 }
 
-// "force[1].on" for a line `on = ...` below the second [[force]].
+// The full key of an assignment: "force[1].on" for a line `on = ...` below the second [[force]].
 std::string dotted_key(const std::vector<std::string>& lines, std::size_t index) {
   const std::string key = assigned_key(lines[index]);
   std::string path;
-  std::size_t same = 0;  // headers equal to the one that the line stands below
+  std::size_t same = 0;  // headers equal to the last one before the line
   bool list = false;
   for (std::size_t i = index; i-- > 0;) {
     if (!is_header(lines[i])) continue;
@@ -141,7 +141,7 @@ std::string dotted_key(const std::vector<std::string>& lines, std::size_t index)
   return path + (list ? "[" + std::to_string(same) + "]." : ".") + key;
 }
 
-// The commonest slips: 0.5 mm and linear without quotes.
+// A hint for the two most common mistakes, 0.5 mm and linear without quotes.
 std::string hint(std::string_view line) {
   const std::string value = trimmed_line(line.substr(line.find('=') + 1));
   const bool letters =
@@ -152,7 +152,7 @@ std::string hint(std::string_view line) {
              : "; a word stands in quotes";
 }
 
-// XML, as models of MuJoCo are, begins with "<", and no TOML does.
+// A file that begins with "<" is XML, such as a MuJoCo model; TOML never begins with it.
 constexpr const char* kNotXml =
     "a MuJoCo model (XML): accepted is TOML, a scene or a study of one. `rotorub compare` takes a "
     "machine of your own as .xml, and `rotorub mjcf SCENE.toml` writes a scene's model";
@@ -162,7 +162,8 @@ bool is_xml(std::string_view text) {
   return first != std::string_view::npos && text[first] == '<';
 }
 
-// Takes the fault in the line at `index` out of `lines` and says where it was. False: not possible.
+// Removes the fault in the line at `index` from `lines` and adds its key to `diagnostic`. False if
+// this is not possible.
 bool mend(std::vector<std::string>& lines, std::size_t index, bool duplicate,
           Diagnostic& diagnostic) {
   std::string& line = lines[index];
@@ -187,7 +188,8 @@ const std::string& FileName::kept(std::string_view name) {
   static const std::string none;
   if (name.empty()) return none;
   static std::mutex mutex;
-  static auto* const names = new std::set<std::string, std::less<>>;  // outlives every user
+  // never destroyed, so that it outlives all users
+  static auto* const names = new std::set<std::string, std::less<>>;
   const std::lock_guard<std::mutex> lock(mutex);
   const auto found = names->find(name);
   return found != names->end() ? *found : *names->emplace(name).first;
@@ -247,11 +249,11 @@ std::optional<TomlNode> parse_toml(std::string_view text, const std::string& fil
     const toml::parse_result parsed = toml::parse(remaining, file);
     if (parsed) {
       TomlNode root = converted(parsed.table(), file, attempt > 0);
-      root.line = 0;  // the file as a whole
+      root.line = 0;  // stands for the whole file
       return root;
     }
 
-    // "Error while parsing key-value pair: what": the line says the rest.
+    // "Error while parsing key-value pair: what": the prefix is redundant.
     std::string description(parsed.error().description());
     if (const std::size_t colon = description.find(": "); description.starts_with("Error while")) {
       description.erase(0, colon == std::string::npos ? 0 : colon + 2);

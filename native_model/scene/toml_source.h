@@ -1,5 +1,5 @@
-// TOML text as a plain tree that keeps the line of everything, and back to text. The only place
-// that knows the TOML library.
+// Converts TOML text to a plain tree that keeps the line of every value, and back. The only files
+// that use the TOML library.
 #pragma once
 
 #include <cstdint>
@@ -13,8 +13,8 @@
 
 namespace rotorub::scene {
 
-// The name of a file, as every value of a scene carries it: one copy in the process, so that trees
-// of values are copied at no cost.
+// The name of a file, which every value of a scene carries. Each name exists once in the process,
+// so that copying trees of values is cheap.
 class FileName {
  public:
   FileName() : FileName(std::string_view()) {}
@@ -25,18 +25,18 @@ class FileName {
   bool operator==(const FileName& other) const { return name_ == other.name_; }
 
  private:
-  // From any thread; names are kept to the end of the process: there are few.
+  // Thread-safe. Names are kept until the end of the process, because there are few.
   static const std::string& kept(std::string_view name);
   const std::string* name_;
 };
 
 struct TomlNode {
-  // kFaulty: a value that could not be read and is already reported.
+  // kFaulty: a value that could not be read, which is already reported.
   enum class Kind { kTable, kArray, kString, kInteger, kFloat, kBoolean, kDate, kFaulty };
 
   Kind kind = Kind::kTable;
-  FileName file;                                          // where it stands
-  int line = 0;                                           // from 1; 0: no line
+  FileName file;                                          // that contains the value
+  int line = 0;                                           // from 1; 0: unknown
   std::vector<std::pair<std::string, TomlNode>> entries;  // kTable, in the order of the file
   std::vector<TomlNode> items;                            // kArray
   std::string text;                                       // kString, kDate
@@ -44,7 +44,7 @@ struct TomlNode {
   double number = 0.0;                                    // kFloat
   bool boolean = false;                                   // kBoolean
 
-  TomlNode();  // in the source: clang asks for it while `entries` is being made of it
+  TomlNode();  // defined in the source file, because clang needs it while `entries` is incomplete
 
   // The entry of a table, or nullptr.
   TomlNode* find(std::string_view key);
@@ -54,15 +54,15 @@ struct TomlNode {
 // "a string", "an array", ...
 std::string_view kind_name(TomlNode::Kind kind);
 
-// Reads `text`; nothing if it cannot be read to its end. Syntax errors and duplicates go to
-// `diagnostics`. Where the fault lies in a single `key = value` line or a table given twice, the
-// reading goes on, so that one slip does not hide the others. Never throws on bad text, never
-// aborts.
+// Parses `text`. Returns nothing if it cannot be read to its end. Syntax errors and duplicates go
+// to `diagnostics`. After a fault in a single `key = value` line, or a table given twice, parsing
+// continues, so that one mistake does not hide others. Bad text causes neither an exception nor
+// an abort.
 std::optional<TomlNode> parse_toml(std::string_view text, const std::string& file,
                                    std::vector<Diagnostic>& diagnostics);
 
-// TOML text of a table: parse_toml gives the same tree again (numbers to the last bit), lines
-// aside.
+// TOML text of a table. parse_toml of it returns the same tree, with numbers equal to the last bit,
+// except for the lines.
 std::string write_toml(const TomlNode& root);
 
 }  // namespace rotorub::scene

@@ -1,4 +1,4 @@
-// write_toml of toml_source.h.
+// Implements write_toml of toml_source.h.
 
 #include <algorithm>
 #include <array>
@@ -40,7 +40,7 @@ std::string key_text(std::string_view key) {
   return bare ? std::string(key) : in_quotes(key);
 }
 
-// The shortest digits that give the same double when read again.
+// The shortest text that reads back as the same double.
 std::string float_text(double number) {
   std::array<char, 40> buffer{};
   const auto end = std::to_chars(buffer.data(), buffer.data() + buffer.size(), number).ptr;
@@ -88,7 +88,7 @@ bool is_table_list(const TomlNode& node) {
 }
 
 void write_table(const TomlNode& table, const std::string& path, std::string& text) {
-  // Plain values first: after a sub-table's header they would belong to that.
+  // Plain values come first, because after a sub-table's header they would belong to that table.
   for (const auto& [key, value] : table.entries) {
     if (value.kind != Kind::kTable && !is_table_list(value)) {
       text += key_text(key) + " = " + value_text(value) + "\n";

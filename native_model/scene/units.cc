@@ -14,8 +14,8 @@
 namespace rotorub::scene {
 namespace {
 
-// SI value = number times / over. Two whole numbers where they can be, so that "18 mm" is 0.018 to
-// the last bit.
+// SI value = number times / over. Both are whole numbers where possible, so that "18 mm" is 0.018
+// to the last bit.
 struct Unit {
   double times = 1.0;
   double over = 1.0;
@@ -117,7 +117,7 @@ Unit product(const Unit& a, const Unit& b) {
            p.radian + q.radian}};
 }
 
-// Recursive descent over the grammar in the header. A failure leaves its reason in error().
+// Recursive descent over the grammar in the header. On failure error() has the reason.
 class UnitParser {
  public:
   explicit UnitParser(std::string_view text) : rest_(text) {}
@@ -222,7 +222,7 @@ class UnitParser {
   std::string error_;
 };
 
-// Words that are no units, and what they are meant as.
+// Words that are not units, and the units that they probably mean.
 struct Meant {
   std::string_view word, unit;
 };
@@ -240,7 +240,7 @@ constexpr auto kMeant = std::to_array<Meant>({
     {"g-mm", "g mm"},
 });
 
-// Of those; and "in3" is in^3.
+// The unit meant by such a word. "in3" means in^3.
 std::string meant_word(std::string_view word) {
   for (const Meant& meant : kMeant) {
     if (meant.word == word) return std::string(meant.unit);
@@ -254,7 +254,7 @@ std::string pound_as_force(std::string_view word) {
   return word == "lb" ? "lbf" : std::string(word);
 }
 
-// `unit` with change(word) for each of its words, whatever stands between them kept.
+// Replaces each word of `unit` by change(word) and keeps everything in between.
 template <class Change>
 std::string with_words(std::string_view unit, const Change& change) {
   std::string text;
@@ -269,8 +269,8 @@ std::string with_words(std::string_view unit, const Change& change) {
   return text;
 }
 
-// Angles are free beside other dimensions (N m/rad is N m); a quantity of dimension 1 is either an
-// angle or a pure number.
+// Angles are optional beside other dimensions (N m/rad is N m), but a quantity of dimension 1 is
+// either an angle or a pure number.
 bool fits(const Dimension& unit, const Dimension& key) {
   const bool same = unit.metre == key.metre && unit.kilogram == key.kilogram &&
                     unit.second == key.second && unit.ampere == key.ampere;
@@ -285,8 +285,8 @@ bool is_unit_of(const Quantity& quantity, std::string_view text) {
   return parser.error().empty() && fits(unit.dimension, quantity.dimension);
 }
 
-// What may be meant by a number and a unit that is none of `quantity`, as the end of a message.
-// Empty: not known.
+// A suggestion, as the end of a message, for a number with a unit that does not fit `quantity`.
+// Empty if there is none.
 std::string hint(std::string_view number, std::string_view unit, const Quantity& quantity) {
   const auto perhaps = [&](const std::string& meant) {
     return ": perhaps \"" + printable(std::string(number) + meant) + "\"";
@@ -308,7 +308,7 @@ ParsedQuantity parse_quantity(std::string_view text, const Quantity& quantity) {
   std::string_view rest = trimmed(text);
   if (rest.starts_with('+') && !rest.starts_with("+-")) rest.remove_prefix(1);
 
-  // The number. std::from_chars would also take "inf", "nan" and "+-1": those are refused.
+  // The number. "inf", "nan" and "+-1", which std::from_chars would accept, are refused.
   const std::string_view digits = rest.starts_with('-') ? rest.substr(1) : rest;
   if (digits.empty() || (digits.front() != '.' && (digits.front() < '0' || digits.front() > '9'))) {
     return {0.0, expected};

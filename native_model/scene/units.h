@@ -1,11 +1,11 @@
-// Quantities written with a unit: "0.5 mm", "50 Hz", "1.2 kN/mm", "3 N/(m/s)".
+// Quantities with a unit: "0.5 mm", "50 Hz", "1.2 kN/mm", "3 N/(m/s)".
 //
 //   quantity := number [space] [unit]          number: decimal, "12", "-0.5", ".5", "1e-3"
 //   unit     := factor { [space | * | ·] factor | / factor }
 //   factor   := (name | 1 | ( unit )) [^ integer | ² | ³]
 //
-// After a division a further factor needs brackets or its own stroke: "N/m s" is refused, being
-// either N s/m or N/(m s).
+// After a division, a further factor needs brackets or its own slash: "N/m s" is refused because it
+// could mean N s/m or N/(m s).
 #pragma once
 
 #include <string>
@@ -13,8 +13,8 @@
 
 namespace rotorub::scene {
 
-// Powers of m, kg, s, A. An angle is a number: rad has dimension 1, but it is kept apart, so that a
-// pure number is not taken in degrees.
+// Powers of m, kg, s, A, rad. The radian is dimensionless in the SI but is counted here, so that a
+// pure number is not accepted in degrees.
 struct Dimension {
   int metre = 0;
   int kilogram = 0;
@@ -23,8 +23,8 @@ struct Dimension {
   int radian = 0;
 };
 
-// What a key holds. `name` is said in messages ("a length"), `unit` is the SI unit of a plain
-// number, `examples` lists units that are taken.
+// The physical quantity of a key. Messages use `name` ("a length"); `unit` is the SI unit of a
+// plain number; `examples` lists accepted units.
 struct Quantity {
   std::string_view name;
   std::string_view unit;
@@ -53,7 +53,7 @@ inline constexpr Quantity kTorque{"a torque", "N m", "N m, N mm", {2, 1, -2, 0, 
 inline constexpr Quantity kStaticMoment{
     "a static moment", "kg m", "kg m, kg mm, g mm", {1, 1, 0, 0, 0}};
 inline constexpr Quantity kStiffness{"a stiffness", "N/m", "N/m, N/mm, kN/mm", {0, 1, -2, 0, 0}};
-// N/m^n: with a unit for n = 1 alone.
+// N/m^n; a unit is accepted only for n = 1.
 inline constexpr Quantity kContactStiffness{
     "a stiffness", "N/m^exponent", "N/m, kN/mm, for an exponent of 1", {0, 1, -2, 0, 0}};
 inline constexpr Quantity kTimePerLength{"a time per length", "s/m", "s/m", {-1, 0, 1, 0, 0}};
@@ -85,13 +85,13 @@ inline constexpr Quantity kPressure{"a pressure", "Pa", "Pa, MPa, GPa, N/mm^2", 
 inline constexpr Quantity kViscosity{"a viscosity", "Pa s", "Pa s, mPa s", {-1, 1, -1, 0, 0}};
 inline constexpr Quantity kDensity{"a density", "kg/m^3", "kg/m^3, g/cm^3", {-3, 1, 0, 0, 0}};
 
-// The SI value (rad, rad/s for angles and speeds), or why there is none.
+// The SI value (rad for angles, rad/s for speeds), or an error.
 struct ParsedQuantity {
-  double value = 0.0;  // finite if error is empty
-  std::string error;   // empty: done
+  double value = 0.0;  // finite if there is no error
+  std::string error;   // empty: success
 };
 
-// `text` as a value of `quantity`. Without a unit it is in SI. Never throws.
+// Parses `text` as a value of `quantity`. Without a unit it is in SI units. Never throws.
 ParsedQuantity parse_quantity(std::string_view text, const Quantity& quantity);
 
 }  // namespace rotorub::scene

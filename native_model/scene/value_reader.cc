@@ -1,4 +1,4 @@
-// TableReader: single values.
+// Reading of single values, for TableReader.
 
 #include <algorithm>
 #include <cmath>
@@ -12,7 +12,7 @@ namespace {
 
 using Kind = TomlNode::Kind;
 
-// Products of a few such numbers are still finite; nothing of a machine is so large.
+// Products of a few such numbers are still finite, and no property of a machine is as large.
 constexpr double kLargestNumber = 1e60;
 
 std::string got(const TomlNode& node) {
@@ -22,7 +22,8 @@ std::string got(const TomlNode& node) {
   return ", got " + std::string(kind_name(node.kind));
 }
 
-// The value of one key. Each reader is false, with the reason kept, for what cannot be used.
+// Reads the value of one key. Each function returns false, after reporting the reason, if the value
+// cannot be used.
 struct ValueReader {
   const Key& key;
   std::vector<Diagnostic>& diagnostics;
@@ -55,7 +56,7 @@ struct ValueReader {
         return read_list(node, path, value.list);
       case ValueType::kText:
         if (node.kind != Kind::kString || node.text.empty()) return refuse(node, path);
-        // It is shown on terminals.
+        // The text is shown on terminals.
         if (printable(node.text, node.text.size()) != node.text)
           return fail(node, path, "expected text without control characters" + got(node));
         value.text = node.text;
@@ -65,7 +66,7 @@ struct ValueReader {
   }
 
   bool read_number(const TomlNode& node, const std::string& path, double& number) const {
-    // What one number is, whatever the list or pair around it.
+    // Describes a single number, also within a list or pair.
     Key one = key;
     one.type = ValueType::kNumber;
     const std::string expected = "expected " + one.expected();
@@ -90,7 +91,7 @@ struct ValueReader {
         "too large: " + expected + ", of a size up to " + number_text(kLargestNumber) + got(node));
   }
 
-  // Accepted, but a speed without a unit may be another than was meant.
+  // Adds a note for a speed without a unit, which is accepted but may be meant in rpm.
   void note_speed(const TomlNode& node, const std::string& path, double number) const {
     const bool turns = key.quantity.name == kSpin.name && key.name.ends_with("speed");
     if (!turns || key.type != ValueType::kNumber || node.kind == Kind::kString) return;
