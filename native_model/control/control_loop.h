@@ -31,8 +31,8 @@ class Sensors {
   // Number of doubles kept between samples; all 0 before the first sample.
   std::size_t memory_size() const;
   // Returns what the sensors show at a sample when the true values are `now`. Call it once per
-  // sample, in order. Quantities that are not measured are 0. `t` and `sample` are the present
-  // ones, whatever the delay.
+  // sample, in order. Quantities that are not measured are 0; rotor_acceleration, which is the
+  // model's, is only delayed. `t` and `sample` are the present ones, whatever the delay.
   Measurement measure(const Measurement& now, double* memory) const;
 
   // Bits ROTORUB_MEASURES_* of rotorub/controller.h.

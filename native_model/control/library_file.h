@@ -24,7 +24,8 @@ void set_scene_libraries(SceneLibraries which);
 void allow_library(const std::filesystem::path& file);
 bool libraries_left_out();
 
-// Programs that are given the scene itself also search this folder for the libraries of its MJCF.
+// Adds a folder in which the libraries of MJCF scenes are searched. Programs that read the scene
+// file itself add the folder of that file.
 void look_for_controllers_in(const std::filesystem::path& folder);
 
 // A library and the key that names it, for example "controller.library".

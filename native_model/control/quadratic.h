@@ -20,7 +20,6 @@
 //
 // for disturbing forces d (N, standard deviation) on rotor and ring at the contact, and measurement
 // errors r (m, standard deviation) of the positions.
-// positions.
 #pragma once
 
 #include <Eigen/Core>

@@ -21,10 +21,10 @@
 // -M_f omega^2 q(t - tau), then acts as a negative damping M_f omega^2 tau. At 1.5 kHz and 10 us
 // this exceeds the damping of any bearing, and the contact chatters. A sampled law therefore
 // averages the feed-forward in the frame of the whirl, where a steady motion is constant
-// (`filter_time`, default one turn). It also restores the damping of the motion that is not steady
-// in that frame, which the law would otherwise cancel although the rub needs it against friction:
-// -d (q_f' - mean) (`tracking_damping`, default the ring's critical damping). A continuous law uses
-// the equations above.
+// (`filter_time`, default one turn). The law would also cancel the ring's own damping, which is
+// needed against friction. A sampled law therefore adds damping to all motion that is not steady in
+// that frame: -d (q_f' - mean) (`tracking_damping`, default the ring's critical damping). A
+// continuous law uses the equations above.
 //
 // (25) and (28) of the paper add accelerations to forces; the law above has consistent units. The
 // error is radial by construction, so only the normal direction is controlled: e_r . qddot_fd

@@ -24,7 +24,7 @@ inline void add_station_force(int n, const ModeShape& shape, double fx, double f
   }
 }
 
-// Displacement of a station for coordinates q, or its velocity for velocities.
+// Displacement of a station from the coordinates q, or its velocity from their rates.
 inline Pair at_station(int n, const ModeShape& shape, const double* q) {
   const double *x = shape.x.data(), *y = shape.y.data();
   Pair sum{x[0] * q[0], y[0] * q[n]};

@@ -51,7 +51,7 @@ class FiniteImpact {
   double duration(std::size_t phase) const;
   // N, mean contact force of the phase: its impulses divided by its duration.
   Eigen::Vector2d phase_force(std::size_t phase) const;
-  // Velocities at the begin and at the end of a phase, nq values each.
+  // Velocities at the start and at the end of a phase, nq values each.
   const double* from(std::size_t phase) const {
     return (phase == 0 ? v_ : after_compression_).data();
   }

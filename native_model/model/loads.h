@@ -81,8 +81,8 @@ struct LoadInstant {
   const DiscAngles& angles;  // of the eccentric discs, if there are any
 };
 
-// Whether add_loads adds the gyroscopic moments. A right-hand side adds them last by itself, a step
-// among the other loads. The order of the sum sets its last bits.
+// Whether add_loads adds the gyroscopic moments. In a step they are among the other loads; a
+// right-hand side adds them itself, last. The order affects the last bits of the sum.
 enum class Gyroscopics { kAmong, kLeftOut };
 
 // f += all loads of the list. forces(f) adds the loads of [[force]] and of the base, which a step

@@ -65,7 +65,7 @@ struct Layout {
   int bristle() const { return ring_angle() + ring_spin; }
   int integral() const { return bristle() + bristles; }
   int coil() const { return integral() + integrals; }
-  int mechanical() const { return bristle(); }  // coordinates with an energy
+  int mechanical() const { return bristle(); }  // number of leading coordinates that store energy
   int nq() const { return coil() + coils; }
   // True if coordinate i is an angle.
   bool turns(int i) const {

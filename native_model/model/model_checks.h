@@ -27,8 +27,9 @@ double unbalance_inertia(const Model& model);
 void check_spin_inertia(const scene::Scene& scene, const Model& model);
 // With max_frequency the required length of these lists is known only now.
 void check_initial_lists(const scene::Scene& scene, const Layout& layout);
-// The start must lie inside the ring. Only the mode values show this, because a mode with a node at
-// the contact does not move the contact point.
+// The start must lie inside the ring, or within twice the clearance if the contact is compliant.
+// Only the mode values show this, because a mode with a node at the contact does not move the
+// contact point.
 void check_initial_gap(const scene::Scene& scene, const Model& model, std::size_t bearing);
 // `euler` and MuJoCo's own step need instantaneous impacts (kNone). `verlet` supports impacts with
 // a duration, but no controller samples within them (kUnsampled), because it holds loads and

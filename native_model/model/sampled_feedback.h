@@ -9,8 +9,8 @@
 
 namespace rotorub {
 
-// Takes the sample at t (s): replaces the states in v by those after the sample, computed from (q,
-// v) before it, nq values each. A control commands 0 and loses its memory while none of its
+// Takes the sample at t (s): replaces the states in v by those after the sample, computed from q
+// and v before it, nq values each. A control commands 0 and loses its memory while none of its
 // bearings works. Throws ControllerError if a library's law fails; v is then unchanged.
 void take_sample(const Model& model, const SampledFeedback& sampled, double t, const double* q,
                  double* v);

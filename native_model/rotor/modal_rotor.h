@@ -99,8 +99,7 @@ struct ModalRotor {
 
 // Builds the modal rotor from either form of the scene's rotor. The geometry form uses a Ritz
 // ansatz with Legendre functions on elements (shaft_basis.h). Throws scene::SceneError if the
-// geometry has no mode below max_frequency or is not supported against rigid motion as a scene must
-// be.
+// geometry has no mode below max_frequency, or if its bearings leave a rigid-body motion free.
 ModalRotor modal_rotor(const scene::Scene& scene);
 
 // kg m^2, inertia of the rigid spin in geometry form: shaft, discs and (with a drive) the motor's

@@ -35,8 +35,8 @@ inline constexpr int kMostAutoModes = 50;
 //   - the static flexibility u K^-1 u^T at contact, bearings, forces, magnetic bearings
 //     and their sensors.
 // with_modes(n) returns the shaft with n modes kept. Throws scene::SceneError if no n up to
-// kMostAutoModes is enough, because the effective mass of a station without a mass of its own falls
-// without limit.
+// kMostAutoModes is enough. This happens at a contact without a mass of its own, where the
+// effective mass falls without limit.
 RotorModes fewest_modes(const scene::Scene& scene,
                         const std::function<RotorModes(int)>& with_modes);
 
