@@ -1,5 +1,5 @@
-// The commands of another run, to be given again: what the actuator was commanded, piece by piece,
-// in the place of a controller. The one that is driven by them does not close the loop.
+// The recorded commands of another run. A model that replays them uses them in place of a
+// controller and does not close the loop.
 #pragma once
 
 #include <Eigen/Core>
@@ -7,24 +7,25 @@
 
 namespace rotorub {
 
-// Piecewise constant: a command holds from its piece's begin until the next one's, the last for
-// ever; 0 before the first. In the units of control_command (model/actuation.h): the force on the
-// ring, N, fixed frame, or with magnets the currents of the two axes, A.
+// A piecewise constant command: each piece holds until the next one begins, the last one forever;
+// the command is 0 before the first piece. The units are those of control_command
+// (model/actuation.h): the force on the ring in the fixed frame, N, or with magnets the currents of
+// the two axes, A.
 class CommandRecord {
  public:
-  // A piece that begins at t (s), after all before it; one that repeats the command before it is
-  // none.
+  // Adds a piece that begins at t (s), after all earlier pieces. A piece that repeats the previous
+  // command is ignored.
   void add(double t, const Eigen::Vector2d& command);
 
   bool empty() const { return begins_.empty(); }
   const Eigen::Vector2d& at(double t) const;
-  // Over begin..end, begin < end, s.
+  // Mean over [begin, end], s, begin < end.
   Eigen::Vector2d mean(double begin, double end) const;
-  // Instants at which the command jumps, s, ascending.
+  // s, ascending, the times at which the command jumps.
   const std::vector<double>& jumps() const { return begins_; }
 
  private:
-  // Of the piece that holds at t; -1: none yet.
+  // Index of the piece that holds at t; -1 before the first.
   std::ptrdiff_t piece(double t) const;
   const Eigen::Vector2d& command(std::ptrdiff_t piece) const;
 

@@ -12,11 +12,11 @@
 namespace rotorub {
 namespace {
 
-// A measurement as plain numbers, without its time.
+// The numbers of a measurement in one array, without its time.
 constexpr std::size_t kChannels = 14;
 using Channels = std::array<double, kChannels>;
 
-// Calls action(channel, number of m) for each of them, in order.
+// Calls action(channel, number of m) for each of them in order.
 template <class M, class Action>
 void for_each_channel(M& m, Action action) {
   std::size_t at = 0;
@@ -37,7 +37,8 @@ void set_channels(const double* c, Measurement& m) {
   for_each_channel(m, [c](std::size_t at, double& x) { x = c[at]; });
 }
 
-// What is remembered: samples taken, time and positions of the last one, and the delayed ones.
+// Layout of the sensors' memory: number of samples taken, time and positions of the last one, and
+// the delayed samples.
 enum SensorMemory : std::size_t { kTaken, kLastTime, kLastPosition, kBuffer = kLastPosition + 4 };
 
 std::uint64_t mixed(std::uint64_t x) {  // splitmix64, Steele et al. 2014
@@ -58,7 +59,7 @@ double rounded(double x, double resolution) {
 struct SeenGap {
   double gap = 0.0, rate = 0.0;  // m, m/s
 };
-// A centred rotor's gap does not close.
+// The gap and its rate as the sensors show them. The rate is 0 if the rotor is centred.
 SeenGap seen_gap(const Measurement& now, double clearance) {
   const Eigen::Vector2d d = now.rotor - now.stator;
   const double delta = d.norm();
@@ -66,7 +67,7 @@ SeenGap seen_gap(const Measurement& now, double clearance) {
   return {clearance - delta, -d.dot(now.rotor_velocity - now.stator_velocity) / delta};
 }
 
-// What is remembered, before what the sensors and the law do.
+// Layout of the loop's memory; the memory of the sensors and of the law follows.
 enum LoopMemory : std::size_t {
   kRuns,
   kOnTime,
@@ -144,7 +145,7 @@ Measurement Sensors::with_errors(const Measurement& now) const {
   return m;
 }
 
-// Backward differences of what is shown, 0 at the first sample.
+// Backward differences of the shown positions; the velocities stay 0 at the first sample.
 void Sensors::put_differences(Measurement& shown, double* memory) const {
   double* last = memory + kLastPosition;
   const double passed = shown.t - memory[kLastTime];
@@ -159,7 +160,7 @@ void Sensors::put_differences(Measurement& shown, double* memory) const {
   last[3] = shown.stator.y();
 }
 
-// The oldest goes out, the newest comes in behind; the first sample stands for all before it.
+// Returns the oldest sample and appends the newest. The first sample stands for all earlier ones.
 Measurement Sensors::delayed(const Measurement& shown, double* buffer, bool first) const {
   const Channels newest = channels_of(shown);
   double* end = buffer + delay_ * kChannels;
@@ -174,14 +175,14 @@ Measurement Sensors::delayed(const Measurement& shown, double* buffer, bool firs
 }
 
 bool touched(const Measurement& now, double clearance, double* state) {
-  // When the gap seen last would close, s (0: never), and its rate.
+  // The time (s) at which the last shown gap would close (0: never), and the gap's rate.
   enum : std::size_t { kDue, kRate };
   const SeenGap seen = seen_gap(now, clearance);
   const bool due = state[kDue] > 0.0 && now.t >= state[kDue] && seen.rate > state[kRate];
   state[kDue] = seen.rate < 0.0 ? now.t - seen.gap / seen.rate : 0.0;
   state[kRate] = seen.rate;
-  // While contact lasts the gap is 0 but for what an engine's arithmetic leaves, of either sign.
-  constexpr double kClosed = 1e-5;  // of the clearance
+  // While contact lasts the gap is 0 up to the round-off of the engine, with either sign.
+  constexpr double kClosed = 1e-5;  // share of the clearance
   return seen.gap <= kClosed * clearance || due;
 }
 

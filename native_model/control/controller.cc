@@ -23,7 +23,7 @@ std::shared_ptr<const Controller> make_controller(const scene::Scene& scene, con
   const scene::Controller& c = *scene.first().controller;
   switch (c.kind) {
     case scene::ControllerKind::kPassive:
-      // Magnets pull by their bias: without a command that balances it they are no passive bearing.
+      // Without a command that balances their bias, magnets are not a passive bearing.
       if (c.stiffness == 0.0 && c.damping == 0.0 && plant.current_limit == 0.0) return nullptr;
       return std::make_shared<EmulatedSupport>(c.stiffness, c.damping);
     case scene::ControllerKind::kSliding:

@@ -5,7 +5,7 @@
 namespace rotorub {
 namespace {
 
-constexpr std::size_t kLargestState = 1 << 20;  // numbers
+constexpr std::size_t kLargestState = 1 << 20;  // doubles
 
 }  // namespace
 

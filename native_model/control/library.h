@@ -1,4 +1,4 @@
-// A controller of the user's, from a shared library (rotorub/controller.h).
+// A user's controller from a shared library (rotorub/controller.h).
 #pragma once
 
 #include <filesystem>
@@ -11,8 +11,8 @@ namespace rotorub {
 
 class LibraryController final : public Controller {
  public:
-  // Throws scene::SceneError at controller.library or controller.config: the library is not found
-  // or not to be loaded, has another ABI, or refuses what it is given.
+  // Throws scene::SceneError at controller.library or controller.config if the library is not
+  // found, cannot be loaded, has another ABI, or rejects its setup.
   LibraryController(const scene::Scene& scene, const Plant& plant);
 
   std::size_t state_size() const override { return law_.state_size(); }
@@ -24,11 +24,11 @@ class LibraryController final : public Controller {
   LibraryLaw<rotorub_controller> law_;
 };
 
-// Commands nothing. An MJCF leaves this much room for the library's state; where that needs more,
-// the plugin says how much.
+// Stands in for a library that is not opened; its command is 0. An MJCF reserves this much space
+// for the library's state. If the library needs more, the plugin reports how much.
 class UnopenedLibrary final : public Controller {
  public:
-  static constexpr std::size_t kRoomForState = 256;  // numbers
+  static constexpr std::size_t kRoomForState = 256;  // doubles
   std::size_t state_size() const override { return kRoomForState; }
   Eigen::Vector2d command(const Measurement&, const SwitchOn&, double*) const override {
     return {0.0, 0.0};

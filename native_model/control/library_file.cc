@@ -31,7 +31,7 @@ std::vector<fs::path> folders_of(const std::string& list) {
   return folders;
 }
 
-// A path without links and "..", to be compared.
+// An absolute path without links and "..", for comparison.
 fs::path plain(const fs::path& path) {
   std::error_code failed;
   const fs::path whole = fs::weakly_canonical(fs::absolute(path), failed);
@@ -43,7 +43,6 @@ bool is_allowed(const fs::path& file, const std::vector<fs::path>& open_folders)
   const fs::path path = plain(file);
   const auto same = [&path](const fs::path& other) { return plain(other) == path; };
   if (std::any_of(allowed_files.begin(), allowed_files.end(), same)) return true;
-  // In one of the folders, or below it.
   return std::any_of(open_folders.begin(), open_folders.end(), [&path](const fs::path& folder) {
     const fs::path top = plain(folder / "");
     return std::mismatch(top.begin(), top.end(), path.begin(), path.end()).first == top.end() ||
@@ -51,7 +50,7 @@ bool is_allowed(const fs::path& file, const std::vector<fs::path>& open_folders)
   });
 }
 
-// The first that is there and allowed.
+// The first file that exists and is allowed. Throws SceneError otherwise.
 fs::path found_in(const scene::Scene& scene, const std::string& key,
                   const std::vector<fs::path>& folders, const fs::path& name,
                   const std::vector<fs::path>& open_folders) {
@@ -116,7 +115,7 @@ fs::path library_path(const scene::Scene& scene, const NamedLibrary& library) {
                          kPath + " to the folder of the libraries that you trust");
   }
   if (!name.is_absolute()) return found_in(scene, library.key, folders, name, open_folders);
-  // Of an MJCF, whose paths are absolute or none, setting the variable allows them.
+  // An MJCF has only absolute paths; they are allowed if the variable is set.
   const bool model = !scene.folder && path != nullptr;
   return found_in(scene, library.key, {""}, name,
                   model ? std::vector<fs::path>{name.parent_path()} : open_folders);

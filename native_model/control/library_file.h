@@ -1,5 +1,4 @@
-// Shared libraries of the user's that a scene names: where they may come from, and how they are
-// opened.
+// Users' shared libraries that a scene names: where they may come from, and how they are opened.
 #pragma once
 
 #include <array>
@@ -13,45 +12,47 @@
 
 namespace rotorub {
 
-// Code that comes with a file is not run unasked: what a scene names is opened only if it stands in
-// one of the folders of ROTORUB_CONTROLLER_PATH (with ':' between them), or the user has allowed
-// it. Of the whole process.
+// Code that comes with a file must not run unasked. A library that a scene names is opened only if
+// it lies in or below one of the folders of ROTORUB_CONTROLLER_PATH (separated by ':'), or if the
+// user has allowed it. This setting applies to the whole process.
 enum class SceneLibraries {
   kAsked,    // the file must be allowed: allow_library()
-  kAllowed,  // whatever a scene names
-  kLeftOut,  // none is opened, in its place stands what commands nothing: of what shows a scene and
-             // does not run it
+  kAllowed,  // every library that a scene names
+  kLeftOut,  // none is opened, their commands are 0; for programs that only show scenes
 };
 void set_scene_libraries(SceneLibraries which);
 void allow_library(const std::filesystem::path& file);
 bool libraries_left_out();
 
-// A program that was given the scene itself lets its MJCF look for libraries in that folder too.
+// Adds a folder in which the libraries of MJCF scenes are searched. Programs that read the scene
+// file itself add the folder of that file.
 void look_for_controllers_in(const std::filesystem::path& folder);
 
-// A library, and the key that names it: "controller.library".
+// A library and the key that names it, for example "controller.library".
 struct NamedLibrary {
   std::string key, file;
 };
 std::vector<NamedLibrary> libraries_of(const scene::Scene& scene);
 
-// Where it is: beside the scene's file, or in a folder of ROTORUB_CONTROLLER_PATH; of a scene that
-// comes in an MJCF in such a folder, or absolute where that variable is set. Throws
-// scene::SceneError where there is none, or it is not allowed.
+// The path of a library. It is searched beside the scene file and in the folders of
+// ROTORUB_CONTROLLER_PATH. A scene from an MJCF has no folder: its libraries are searched in the
+// folders of look_for_controllers_in() and of that variable, and an absolute path is allowed if the
+// variable is set. Throws scene::SceneError if the library is not found or not allowed.
 std::filesystem::path library_path(const scene::Scene& scene, const NamedLibrary& library);
 
-// Open until the last owner goes. Throws scene::SceneError.
+// Stays open until the last owner is gone. Throws scene::SceneError.
 std::shared_ptr<void> opened_library(const scene::Scene& scene, const NamedLibrary& library,
                                      const std::filesystem::path& path);
-// Null: it has no such symbol.
+// Null if the library has no such symbol.
 void* symbol_of(void* library, const char* name);
 
 inline constexpr std::size_t kReasonRoom = 512;  // bytes
-// What the library says, printable, ended by 0 or not.
+// The library's message as printable text; it need not end with 0.
 std::string library_reason(const char* reason);
 std::string printable_reason(const std::string& text);
 
-// `action` of the library: what it throws is its failure. Empty: done.
+// Calls `action` of the library. Returns an empty string if it succeeds (returns 0), otherwise its
+// reason; an exception counts as a failure.
 template <typename Action>
 std::string failure_of(Action action) {
   std::array<char, kReasonRoom> reason{};

@@ -1,5 +1,5 @@
-// A law from a shared library of the user's, of any of the structures of rotorub/controller.h:
-// loaded, created, stepped, and ended with a word where it fails.
+// A law from a user's shared library, for either of the structures of rotorub/controller.h: loads
+// it, creates it, calls it at each sample, and ends the run with a message if it fails.
 #pragma once
 
 #include <algorithm>
@@ -19,12 +19,12 @@
 
 namespace rotorub {
 
-// Functions: rotorub_controller or rotorub_magnetic_controller.
+// Functions is rotorub_controller or rotorub_magnetic_controller.
 template <class Functions>
 class LibraryLaw {
  public:
-  // Loaded, of this ABI and complete, with nothing created yet. The library stands in the scene at
-  // `table`.library. Throws scene::SceneError there.
+  // Loads the library and checks its ABI and functions; does not call create(). The scene names the
+  // library at `table`.library. Throws scene::SceneError there.
   LibraryLaw(const scene::Scene& scene, const std::string& table, const std::string& file,
              const char* symbol, std::uint32_t abi)
       : scene_(&scene), table_(table) {
@@ -50,7 +50,8 @@ class LibraryLaw {
   LibraryLaw(const LibraryLaw&) = delete;
   LibraryLaw& operator=(const LibraryLaw&) = delete;
 
-  // Once, as long as the scene stands; setup: all but its entries, which are those of `config`.
+  // Calls the library's create(). Call it once, while the scene exists. setup: complete except for
+  // its entries, which are set from `config`.
   template <class Setup>
   void create(Setup setup, const std::vector<scene::ConfigEntry>& config, std::size_t most_state) {
     std::vector<rotorub_entry> entries;
@@ -72,11 +73,11 @@ class LibraryLaw {
   }
 
   std::size_t state_size() const { return state_size_; }
-  // state: 0 before.
+  // state: 0 on entry.
   void start(double* state) const {
     if (functions_->start != nullptr) functions_->start(self_, state);
   }
-  // told: `commands` numbers. Throws ControllerError.
+  // told: receives `commands` numbers. Throws ControllerError.
   template <class Measurement>
   void step(const Measurement& now, double* state, double* told, std::size_t commands) const {
     const std::string failed = failure_of([&](char* reason) {
@@ -91,7 +92,8 @@ class LibraryLaw {
   }
 
   const Functions& functions() const { return *functions_; }
-  // At the key that names the library; while the scene stands.
+  // Throws scene::SceneError at the key that names the library. Call it only while the scene
+  // exists.
   [[noreturn]] void refuse(const std::string& why) const {
     scene::refuse_at(*scene_, table_ + ".library", name_ + ": " + why);
   }
@@ -102,9 +104,9 @@ class LibraryLaw {
     throw ControllerError("controller " + name_ + " at t = " + std::to_string(t) + " s: " + reason);
   }
 
-  const scene::Scene* scene_;  // of construction and create() alone
+  const scene::Scene* scene_;  // used only in the constructor and create()
   std::string table_;
-  std::shared_ptr<void> library_;  // keeps what `functions_` points to
+  std::shared_ptr<void> library_;  // keeps `functions_` valid
   const Functions* functions_ = nullptr;
   void* self_ = nullptr;
   bool created_ = false;

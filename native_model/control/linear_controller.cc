@@ -14,7 +14,7 @@ LinearController no_law(Eigen::Index states, Eigen::Index ports) {
 }
 
 LinearController sampled_pid(const SampledPid& pid, double T) {
-  // x = (j, d of the sample before, y of the sample before), as far as the law has them.
+  // x = (j, d_{k-1}, y_{k-1}); parts that the law does not need are left out.
   const bool integrates = pid.integral > 0.0, differs = pid.derivative > 0.0;
   const bool filters = differs && pid.derivative_lag > 0.0;
   const Eigen::Index j = 0, d = integrates ? 1 : 0, before = d + (filters ? 1 : 0);
@@ -39,7 +39,7 @@ LinearController sampled_pid(const SampledPid& pid, double T) {
   return law;
 }
 
-// The observer's canonical form: u = x_1 + b_0 y, x_i' = x_{i+1} - a_i u + b_i y.
+// Observer canonical form: u = -(x_1 + b_0 y), x_i <- x_{i+1} - a_i (x_1 + b_0 y) + b_i y.
 LinearController transfer_function(const std::vector<double>& numerator,
                                    const std::vector<double>& denominator) {
   const std::size_t size = std::max(numerator.size(), denominator.size());

@@ -1,4 +1,4 @@
-// One law of the user's for the currents of magnetic bearings together, from a shared library
+// One user's law for the currents of several magnetic bearings, from a shared library
 // (rotorub/controller.h: rotorub_magnetic_controller).
 #pragma once
 
@@ -14,23 +14,24 @@ namespace rotorub {
 
 class MagneticLibrary {
  public:
-  // Of the scene's [magnetic_control]; bearings: those of its list that it commands. Where
-  // libraries are left out it commands nothing. Throws scene::SceneError at
-  // magnetic_control.library or magnetic_control.config, as LibraryController.
+  // Loads the law of the scene's [magnetic_control]. bearings: indices of the magnetic bearings
+  // that it commands. If libraries are left out, all currents are 0. Throws scene::SceneError at
+  // magnetic_control.library or magnetic_control.config, as LibraryController does.
   MagneticLibrary(const scene::Scene& scene, std::span<const std::size_t> bearings);
-  // In its place currents that others give, A, of each port: those at the sample are asked for.
+  // Replaces the library by currents from elsewhere, A, one per port; step() returns the values
+  // that `told` has at the sample.
   explicit MagneticLibrary(std::shared_ptr<const std::vector<double>> told)
       : ports_(told->size()), told_(std::move(told)) {}
 
-  // Its state is coordinates of the model; an MJCF that is written without opening the library has
-  // room for the most.
+  // The state is part of the model's coordinates. An MJCF written without opening the library
+  // reserves space for the maximum.
   static constexpr std::size_t kMostState = 64;
   std::size_t state_size() const { return law_ ? law_->state_size() : kMostState; }
-  // state: 0 before.
+  // state: 0 on entry.
   void start(double* state) const {
     if (law_) law_->start(state);
   }
-  // current: A, one of each port, asked for. Throws ControllerError.
+  // current: A, receives the requested current of each port. Throws ControllerError.
   void step(const rotorub_magnetic_measurement& now, double* state, double* current) const;
 
  private:

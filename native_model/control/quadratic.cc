@@ -12,8 +12,8 @@
 
 namespace rotorub {
 
-// exp(T [A B; 0 0]) = [A_d B_d; 0 1] (Van Loan 1978); with samples in between, their S first, a
-// product of one such map each.
+// exp(T [A B; 0 0]) = [A_d B_d; 0 1] (Van Loan 1978). If magnetic bearings take samples in between,
+// the result is a product of such maps over T_m, each after its S.
 LinearPlant sampled(const LinearPlant& plant, double sample_time) {
   const Eigen::Index n = plant.a.rows(), u = plant.b.cols(), m = u + plant.d.cols();
   const bool jumps = plant.every > 0.0;
@@ -48,7 +48,8 @@ QuadraticDesign quadratic_design(const scene::Scene& scene, const LinearPlant& p
         scene, "controller.kind",
         "no feedback of the ring stabilises rotor and ring: a mode that grows is out of its reach");
   d.gain = riccati_gain(a, b, r, *cost);
-  // The ring off its middle, the rotor at rest: what its springs ask for, by its own two rows.
+  // The force that holds the ring in its offset position while the rotor is at rest, from the
+  // ring's two rows of A and B.
   const Eigen::Index half = plant.half(), rate = 2 * half - 2;
   Eigen::VectorXd stand = Eigen::VectorXd::Zero(plant.a.rows());
   stand.segment(half - 2, 2) = -d.offset;

@@ -12,14 +12,14 @@
 namespace rotorub {
 namespace {
 
-// s: the largest command_lead() under these gains. On a ring of mass M the loop has the gain
-// (d s + k)/(M s^2); where it is 1,
+// s: the largest accepted command_lead() with these gains. On a ring of mass M the loop gain is
+// (d s + k)/(M s^2). Its magnitude is 1 at
 //
-//   w_c^2 = (D^2 + sqrt(D^4 + 4 K^2)) / 2,   D = d/M, K = k/M,
+//   w_c^2 = (D^2 + sqrt(D^4 + 4 K^2)) / 2,   D = d/M, K = k/M.
 //
-// what comes late by T costs the phase w_c T, and with 1 rad of it gone the contact chatters
-// (measured on the reference rig, where w_c is 5,600 rad/s: 175 us do, 200 us do not). Infinity
-// without gains.
+// There a delay T costs the phase w_c T, and beyond 1 rad the contact chatters (measured on the
+// reference rig, where w_c is 5,600 rad/s: 175 us are stable, 200 us chatter). Infinity without
+// gains.
 double largest_lead(const Controller::Gains& gains, double ring_mass) {
   const double d = gains.damping / ring_mass, k = gains.stiffness / ring_mass;
   const double square = 0.5 * (d * d + std::sqrt(d * d * d * d + 4.0 * k * k));
@@ -54,9 +54,9 @@ std::optional<RadialError> radial_error(const Measurement& now, const SwitchOn& 
   r.e_r = d / r.delta;
   const Eigen::Vector2d dv = now.rotor_velocity - now.stator_velocity;
   r.whirl_speed = -r.e_r.y() * dv.x() + r.e_r.x() * dv.y();
-  // About the centre, where e_r turns by half a turn at once, no law may depend on it: a force
-  // along it, or the whole of what a passage beside the centre bends the distance by, would hold
-  // the ring there.
+  // Near the centre e_r turns by half a turn at once, so the law must not depend on it there. A
+  // force along e_r would hold the ring at the centre, and so would the full centrifugal term of a
+  // passage beside the centre.
   const double middle = 0.1 * clearance;
   r.certainty = std::min(1.0, r.delta / middle);
   r.centrifugal = r.whirl_speed * r.whirl_speed / std::max(r.delta, middle);
@@ -67,7 +67,7 @@ std::optional<RadialError> radial_error(const Measurement& now, const SwitchOn& 
 }
 
 Eigen::Vector2d turned_ahead(const Eigen::Vector2d& u, const RadialError& r, double lead) {
-  constexpr double kMost = 0.5;  // rad: near the middle the direction means nothing
+  constexpr double kMost = 0.5;  // rad; near the centre the direction is meaningless
   const double angle = std::clamp(r.whirl_speed / r.delta * lead, -kMost, kMost);
   if (angle == 0.0) return u;
   const double c = std::cos(angle), s = std::sin(angle);

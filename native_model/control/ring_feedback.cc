@@ -15,7 +15,6 @@ double CrossCoupled::gain(double spin_speed) const {
   return (1.0 - share) * gain_[next - 1] + share * gain_[next];
 }
 
-// e_z x (x, y) = (-y, x).
 Eigen::Vector2d CrossCoupled::command(const Measurement& now, const SwitchOn&, double*) const {
   const double k = std::copysign(gain(now.spin_speed), now.spin_speed);
   const Eigen::Vector2d& v = now.stator_velocity;

@@ -8,7 +8,7 @@
 
 namespace rotorub {
 
-// A passive bearing with an extra spring and damper emulated through the actuator.
+// A passive bearing with an additional spring and damper emulated through the actuator.
 class EmulatedSupport final : public Controller {
  public:
   EmulatedSupport(double stiffness, double damping) : stiffness_(stiffness), damping_(damping) {}
@@ -22,23 +22,23 @@ class EmulatedSupport final : public Controller {
   double damping_;    // N s/m, >= 0
 };
 
-// Cross-coupled feedback of the ring's velocity (paper, section 4), with a damping beside it (0:
-// the paper's):
+// Cross-coupled feedback of the ring's velocity (paper, section 4), with an additional damping (0
+// in the paper):
 //
 //   u = -k(Omega) sign(Omega) e_z x q_f' - d q_f'
 //
-// The first does no work: it splits the ring's whirl into a forward and a backward one, as a
-// gyroscope does, and so moves the rub away from the frequencies that friction drives; with a large
-// k it drives others. The second widens the window between. k and d from the closed-loop
-// eigenvalues: `rotorub modes --feedback-map`.
+// The first term does no work. Like a gyroscope it splits the whirl of the ring into a forward and
+// a backward whirl, and so moves the rub away from the frequencies that friction drives; a large k
+// drives other frequencies. The second term widens the window between them. `rotorub modes
+// --feedback-map` shows k and d by the closed-loop eigenvalues.
 class CrossCoupled final : public Controller {
  public:
   explicit CrossCoupled(const scene::Controller& settings)
       : gain_(settings.feedback), speed_(settings.feedback_speed), damping_(settings.damping) {}
   Eigen::Vector2d command(const Measurement& now, const SwitchOn&, double*) const override;
   Gains ring_gains() const override;
-  // k, N s/m, at a spin speed (rad/s, either sign): between the speeds of the table linear, beyond
-  // them constant.
+  // k, N s/m, at a spin speed (rad/s, either sign): linear between the speeds of the table,
+  // constant beyond them.
   double gain(double spin_speed) const;
 
  private:

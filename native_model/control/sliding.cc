@@ -20,8 +20,8 @@ SlidingController::SlidingController(const scene::Controller& settings, const Pl
   damping_ = settings.tracking_damping.value_or(critical);
 }
 
-// Within the layer s = edot + psi e is driven by k/phi: e'' = -(psi + k/phi) edot - psi (k/phi) e.
-// An adaptive layer keeps k/phi at psi.
+// Within the layer, k/phi drives s = edot + psi e: e'' = -(psi + k/phi) edot - psi (k/phi) e. An
+// adaptive layer holds k/phi at psi.
 Controller::Gains SlidingController::ring_gains() const {
   const double mass = plant_.stator_mass.maxCoeff(), psi = settings_.bandwidth;
   const double slope = adapts() ? psi : settings_.switching_gain / settings_.boundary_layer;
@@ -52,8 +52,8 @@ void SlidingController::output(const Measurement& now, const SwitchOn& on, const
   values[1] = adapts() ? state[0] : settings_.boundary_layer;
 }
 
-// What is known of the plant along e_r, m/s^2: the rotor's contact-free acceleration and the whirl,
-// and what the ring's own spring and damper do to it (-f of (25)).
+// m/s^2 along e_r, the known part of the plant: the rotor's contact-free acceleration, the whirl,
+// and the acceleration by the ring's own spring and damper (-f of (25)).
 double SlidingController::forward(const Measurement& now, const RadialError& r) const {
   const Eigen::Vector2d own = plant_.stator_stiffness.cwiseProduct(now.stator) +
                               plant_.stator_damping.cwiseProduct(now.stator_velocity);
@@ -61,7 +61,7 @@ double SlidingController::forward(const Measurement& now, const RadialError& r) 
          r.e_r.dot(own.cwiseQuotient(plant_.stator_mass));
 }
 
-// The means over the filter time, in the frame of the whirl; the first sample is their start.
+// Means over the filter time in the frame of the whirl. The first sample initialises them.
 void SlidingController::filter(double forward, const Eigen::Vector2d& ring, double* means) const {
   const double share =
       means[kBegun] == 0.0 ? 1.0 : 1.0 - std::exp(-settings_.sample_time / filter_time_);
@@ -76,7 +76,7 @@ Eigen::Vector2d SlidingController::command(const Measurement& now, const SwitchO
   const double psi = settings_.bandwidth;
   double gain = settings_.switching_gain, layer = settings_.boundary_layer;
   if (adapts()) {
-    // Over one sample, exact: the layer that holds until the next.
+    // The layer at the next sample, integrated exactly; the present one holds until then.
     layer = state[0];
     const double rest = gain / psi;
     state[0] = rest + (layer - rest) * std::exp(-psi * settings_.sample_time);

@@ -5,28 +5,31 @@
 //   s = edot + psi e
 //   u = M_f (-f + qddot_fd - psi edot - k sat(s / phi)),   M_f f = -D_f qdot_f - K_f q_f
 //
-// With the gap closed a small preload P presses the ring on the rotor: tracking alone would leave
-// the two grazing, without a force to speak of. It comes in as the reference falls. The rotor's
-// acceleration is that without contact force, and a force lambda takes lambda w_r from it (w_r,
-// w_f: mobilities e_r . M^-1 e_r of rotor and ring). In lasting contact both accelerate alike,
+// When the gap is closed, a small preload P presses the ring onto the rotor; tracking alone would
+// leave them grazing, with hardly any force. It rises as the reference falls. The rotor's
+// acceleration qddot_r in the law leaves out the contact force; a force lambda reduces it by
+// lambda w_r (w_r, w_f: mobilities e_r . M^-1 e_r of rotor and ring). In lasting contact both
+// accelerate alike,
 //   qddot_r - lambda w_r = qddot_r - u_P w_f + lambda w_f,
-// so the actuator gives u_P = P (1 + w_r / w_f), and lambda = P. With u_P = P it would be
-// P / (1 + w_r / w_f): a force that falls without end with the modes that the model keeps.
+// so with the actuator force u_P = P (1 + w_r / w_f) the contact force is lambda = P. With u_P = P
+// it would be P / (1 + w_r / w_f), which falls without limit as the model keeps more modes.
 //
-// The layer of (27), `adaptive`: phi' + psi phi = k and psi phi in the place of k, so that within
-// it the error has the double pole psi whatever k is, and phi comes to k / psi. The state is phi.
+// With the layer of (27), `adaptive`, phi' + psi phi = k, and psi phi replaces k. The error in the
+// layer then has the double pole -psi whatever k is, and phi tends to k / psi. The state is phi.
 //
-// Sampled, what is known of the plant comes late by tau: the feed-forward of a mode's acceleration,
-// -M_f omega^2 q(t - tau), is a negative damping M_f omega^2 tau, at 1.5 kHz and 10 us more than
-// any bearing has, and the contact chatters. So a sampled law takes the mean of it in the frame of
-// the whirl, where what is steady stands still (`filter_time`, standard one turn), and gives back
-// the damping of all that does not stand still there, which the law would cancel and friction
-// needs: -d (q_f' - mean) (`tracking_damping`, standard the ring's critical one). A continuous law
-// is the equations above.
+// The information of a sampled law is late by tau. The feed-forward of a mode's acceleration,
+// -M_f omega^2 q(t - tau), then acts as a negative damping M_f omega^2 tau. At 1.5 kHz and 10 us
+// this exceeds the damping of any bearing, and the contact chatters. A sampled law therefore
+// averages the feed-forward in the frame of the whirl, where a steady motion is constant
+// (`filter_time`, default one turn). The law would also cancel the ring's own damping, which is
+// needed against friction. A sampled law therefore adds damping to all motion that is not steady in
+// that frame: -d (q_f' - mean) (`tracking_damping`, default the ring's critical damping). A
+// continuous law uses the equations above.
 //
-// (25) and (28) add accelerations to forces; the law above has the one unit. The error is radial
-// by construction, so only the normal direction is driven: e_r . qddot_fd follows from the rotor's
-// contact-free acceleration and the whirl, e_r . qddot_f = e_r . rddot + v_t^2 / delta + gddot_N.
+// (25) and (28) of the paper add accelerations to forces; the law above has consistent units. The
+// error is radial by construction, so only the normal direction is controlled: e_r . qddot_fd
+// follows from the rotor's contact-free acceleration and the whirl, e_r . qddot_f =
+// e_r . rddot + v_t^2 / delta + gddot_N.
 #pragma once
 
 #include "native_model/control/controller.h"
@@ -39,7 +42,7 @@ struct RadialError;  // radial_tracking.h
 
 class SlidingController final : public Controller {
  public:
-  // spin_speed: rad/s, at the start; its turn is the standard filter time.
+  // spin_speed: rad/s, at the start; the default filter time is one turn at this speed.
   SlidingController(const scene::Controller& settings, const Plant& plant, double spin_speed = 0.0);
   std::size_t state_size() const override;
   void start(double* state) const override;
@@ -61,19 +64,19 @@ class SlidingController final : public Controller {
 
   scene::Controller settings_;
   Plant plant_;
-  double lead_;               // s
-  double filter_time_ = 0.0;  // s; 0: none
-  double damping_ = 0.0;      // N s/m
+  double lead_;               // s, command_lead()
+  double filter_time_ = 0.0;  // s; 0: no filter
+  double damping_ = 0.0;      // N s/m, tracking damping d
 };
 
-// The paper's own law: sliding mode brings the ring to the rotor, and after the first small impact
-// cross-coupled feedback takes over (ring_feedback.h). At the hand-over, t_h, what the
-// first law asked and the second does not fades out, so that the force does not jump:
+// The paper's law: sliding mode brings the ring to the rotor, and cross-coupled feedback
+// (ring_feedback.h) takes over after the first small impact. At the hand-over time t_h the
+// difference between the two commands fades out, so that the force does not jump:
 //
 //   u = u_cross(t) + (u_track(t_h) - u_cross(t_h)) (1 - H((t - t_h) / T_h)),
 //
-// H the smooth step of the gap reference. An impact is seen as the sensors see it: touched(),
-// control_loop.h.
+// where H is the smooth step of the gap reference (GapReference::share). The impact is detected
+// from the sensors: touched(), control_loop.h.
 class TwoPhase final : public Controller {
  public:
   TwoPhase(const scene::Controller& settings, const Plant& plant, double spin_speed = 0.0);

@@ -16,8 +16,8 @@ Measurement measure(const Model& m, std::size_t k, double t, const double* q, co
   const AuxiliaryBearing& at = m.auxiliary[k];
   Measurement now;
   now.t = t;
-  now.rotor =
-      rotor_point(m, q, k) - at.ring_offset;  // from the ring's middle at rest, as `stator` is
+  // Relative to the ring's middle at rest, as `stator` is.
+  now.rotor = rotor_point(m, q, k) - at.ring_offset;
   now.rotor_velocity = rotor_point(m, v, k);
   now.stator = stator_point(m, q, k);
   now.stator_velocity = stator_point(m, v, k);
@@ -36,12 +36,12 @@ Measurement measure(const Model& m, std::size_t k, double t, const double* q, co
   return now;
 }
 
-// Of a continuous law, which does not remember what it found.
+// For a continuous law, which does not remember the gap at switch-on.
 SwitchOn switched_on(const AuxiliaryBearing& at) {
   return {at.control_on, at.contact ? at.contact->clearance : 0.0, 0.0};
 }
 
-// What the actuator is commanded for what the law asks.
+// The actuator's command for the output of the law.
 Eigen::Vector2d commanded(const Model& m, std::size_t k, const double* q,
                           const Eigen::Vector2d& asked) {
   const AuxiliaryBearing& at = m.auxiliary[k];

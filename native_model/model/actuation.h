@@ -1,5 +1,5 @@
-// What the controller tells the actuator, continuously or once a sample, and what the actuator then
-// does to the ring.
+// The command from the controller to the actuator, continuous or sampled, and the force of the
+// actuator on the ring.
 #pragma once
 
 #include <Eigen/Core>
@@ -13,25 +13,28 @@
 
 namespace rotorub {
 
-// The command of a continuous controller at (t, q, v): the force on the ring, N, fixed frame,
-// limited on each axis; with magnets the currents of the two axes, A, whose forces come nearest to
-// that force at the ring's place (feedback linearisation). 0 before the controller is on and for
-// passive bearings. Recorded commands (CommandRecord) are given as they are. `bearing`: the number
-// of the auxiliary bearing, here and below.
+// The command of a continuous controller at (t, q, v). For an ideal actuator it is the force on the
+// ring, N, fixed frame, limited on each axis. For magnets it is the currents of the two axes, A,
+// within their limit: those that the law requests, or those whose forces come nearest to the
+// requested force at the ring's position (feedback linearisation). The command is 0 before the
+// controller is on and for passive bearings. Recorded commands (CommandRecord) are returned
+// unchanged. `bearing`: index of the auxiliary bearing, here and below.
 Eigen::Vector2d control_command(const Model& model, double t, const double* q, const double* v,
                                 std::size_t bearing = 0);
 
-// The same of a sampled one, once a sample, in order. memory: Model::loop's; current: of the
-// magnets' axes now, A. Throws ControllerError.
+// The command of a sampled controller; call it once per sample, in order. memory: memory of
+// AuxiliaryBearing::loop. current: present currents of the magnets' axes, A. Throws
+// ControllerError.
 Eigen::Vector2d control_sample(const Model& model, double t, const double* q, const double* v,
                                const Eigen::Vector2d& current, double* memory,
                                std::size_t bearing = 0);
 
-// What the actuator does at (q, v) under `command`.
+// Force and currents of the actuator at (q, v) under `command`.
 struct ActuatorState {
   Eigen::Vector2d force{0.0, 0.0};    // N, on the ring, fixed frame
   Eigen::Vector2d current{0.0, 0.0};  // A, of each axis; 0 for an ideal actuator
-  // Of a sampled law, at its last sample (Controller::outputs); who has them fills them in.
+  // Outputs of a sampled law at its last sample (Controller::outputs). actuator_state() leaves them
+  // 0; callers that know them fill them in.
   std::array<double, kMostOutputs> outputs{};
 };
 ActuatorState actuator_state(const Model& model, const double* q, const double* v,
@@ -41,8 +44,8 @@ ActuatorState actuator_state(const Model& model, const double* q, const double* 
 void control_outputs(const Model& model, double t, const double* q, const double* v, double* values,
                      std::size_t bearing = 0);
 
-// f(t, q, v, commands), nq values: all loads but the contacts'. commands: of each auxiliary
-// bearing; of those that are not there 0. No allocation.
+// f(t, q, v, commands), nq values: all loads except those of the contacts. commands: one per
+// auxiliary bearing; missing ones are 0. Does not allocate.
 void smooth_force(const Model& model, double t, const double* q, const double* v,
                   std::span<const Eigen::Vector2d> commands, double* f);
 inline void smooth_force(const Model& model, double t, const double* q, const double* v,
@@ -50,40 +53,38 @@ inline void smooth_force(const Model& model, double t, const double* q, const do
   smooth_force(model, t, q, v, std::span(&first_command, 1), f);
 }
 
-// f += the actuators' part of it.
+// f += the part of smooth_force() from the actuators.
 void add_actuators(const Model& model, const double* q, const double* v,
                    std::span<const Eigen::Vector2d> commands, double* f);
 
-// The load on a coil's coordinate beyond -i: the current asked for, brought so near to the present
-// one that its rate, load - i over the lag, keeps within the limit and needs no more than the
-// voltage. A.
+// A, load on the coordinate of a coil without its damping term -i. It is the requested current,
+// limited so that the rate (load - i) / lag stays within the rate limit and the voltage limit.
 double coil_load(const MagneticActuator& magnets, double asked, double current);
 
-// A force with its part along each axis of the actuator limited. N.
+// N, the force with its component along each axis of the actuator limited.
 Eigen::Vector2d limited(const Eigen::Vector2d& force, double limit);
 
-// The command of a controller that is asked once a sample (Model::loop), with all that it
-// remembers: of the fixed steps' hold and of the event integrator. The plugin keeps the same memory
-// in mjData.userdata.
+// The command of a sampled controller (AuxiliaryBearing::loop) with its memory, for fixed-step
+// integrators and the event integrator. The plugin keeps the same memory in mjData.userdata.
 class SampledCommand {
  public:
-  // The model must outlive it. One without a sampled law has nothing to remember.
+  // The model must outlive it. Without a sampled law the memory is empty.
   explicit SampledCommand(const Model& model, std::size_t bearing = 0);
 
-  // As before the first sample.
+  // Restores the state before the first sample.
   void clear();
-  // The actuator's command at the sample at t (s); once a sample, in order.
-  // held: its last command, which stands where the law fails. shown: the currents that the sensors
-  // see, A; null: those of the state.
+  // The actuator's command at the sample at t (s); call it once per sample, in order. held: the
+  // last command, returned again if the law fails. shown: currents that the sensors show, A; null:
+  // the currents of the state.
   Eigen::Vector2d take(double t, const double* q, const double* v, const Eigen::Vector2d& held,
                        const Eigen::Vector2d* shown = nullptr);
 
-  // Of the law, at the last sample (ActuatorState::outputs).
+  // The law's outputs at the last sample (ActuatorState::outputs).
   std::array<double, kMostOutputs> outputs() const;
-  // Why the law failed first; empty: it did not.
+  // The first failure of the law; empty if there was none.
   const std::string& failure() const { return failure_; }
 
-  // The memory as plain numbers. A restored one has not failed.
+  // The memory as an array of doubles. restore() clears the failure.
   static std::size_t memory_size(const Model& model, std::size_t bearing = 0);
   void save(double* to) const;
   void restore(const double* from);

@@ -8,7 +8,7 @@
 namespace rotorub {
 namespace {
 
-// Of two independent normal numbers the direction: even over the circle.
+// The angle of two independent normal numbers is uniform on the circle.
 double random_phase(int seed, std::size_t line) {
   const auto sample = static_cast<std::int64_t>(line);
   return std::atan2(noise(seed, sample, 1), noise(seed, sample, 0));
@@ -52,7 +52,7 @@ Eigen::Vector2d BaseMotion::at(double t) const {
 }
 
 Eigen::Vector2d BaseMotion::mean(double from, double to) const {
-  // Gauss's rule of two points, from break to break: exact of the ramp times the table.
+  // Two-point Gauss rule between breaks; exact for the ramp times the table.
   const double place = 1.0 / std::sqrt(3.0);
   Eigen::Vector2d sum{0.0, 0.0};
   auto next = std::upper_bound(breaks_.begin(), breaks_.end(), from);

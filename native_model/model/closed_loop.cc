@@ -8,8 +8,8 @@
 namespace rotorub {
 namespace {
 
-// Units of the last coordinates in which each acts as strongly as it is acted upon (E. E. Osborne,
-// "On pre-conditioning of matrices", J. ACM 7, 1960).
+// Scales the coordinates from `first` on so that the column and the row of each have equal sums (E.
+// E. Osborne, "On pre-conditioning of matrices", J. ACM 7, 1960).
 void balance_from(Eigen::Index first, Eigen::MatrixXd& a, Eigen::VectorXd& unit_of) {
   constexpr int kSweeps = 20;
   for (int sweep = 0; sweep < kSweeps; ++sweep) {
@@ -61,7 +61,7 @@ ClosedLoop closed_loop(const Model& given, double speed) {
 
 FirstOrderForm ClosedLoop::first_order() const {
   const Eigen::Index n = mass.size(), s = force.cols();
-  // States (w q, q') of unit mass, w each coordinate's own frequency.
+  // States (w q, q') with unit mass; w is the uncoupled frequency of each coordinate.
   const Eigen::VectorXd inverse = mass.cwiseSqrt().cwiseInverse();
   const auto scaled = [&](const Eigen::MatrixXd& a) -> Eigen::MatrixXd {
     return inverse.asDiagonal() * a * inverse.asDiagonal();

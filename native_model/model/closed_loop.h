@@ -1,6 +1,6 @@
-// Bending at a held spin speed with all that magnetic bearings' feedbacks remember, as a linear
-// system: coordinates q (linear_parts.h) and states z (FeedbackStates) of the feedbacks that work
-// at t = 0,
+// Bending at a constant spin speed, with the states of the magnetic bearings' feedbacks, as a
+// linear system. q: bending coordinates (linear_parts.h). z: states (FeedbackStates) of the
+// feedbacks that work at t = 0.
 //
 //   M q'' + C q' + K q = F z + loads,   z' = Q q + R q' + S z
 #pragma once
@@ -14,30 +14,31 @@
 
 namespace rotorub {
 
-// y' = A y, (q, q', z) = unit y: units in which no entry of A is far from the others.
+// y' = A y with (q, q', z) = unit y. The units keep the entries of A at similar magnitudes.
 struct FirstOrderForm {
   Eigen::MatrixXd a;     // (4 n + s) square
   Eigen::VectorXd unit;  // 4 n + s
 };
 
 struct ClosedLoop : LinearParts {
-  Eigen::MatrixXd force;  // F, 2 n x s; a state that is not there has zeros everywhere
+  Eigen::MatrixXd force;                 // F, 2 n x s; all zero for a state that is not in use
   Eigen::MatrixXd of_q, of_v, of_state;  // Q, R, s x 2 n; S, s x s
 
   FirstOrderForm first_order() const;
 };
 
-// speed: Omega, rad/s. States that the spin's coupling or a coil of a ring has are not among them.
+// speed: Omega, rad/s. The spin and the coils of the rings are left out.
 ClosedLoop closed_loop(const Model& model, double speed);
 
-// By falling real part, 1/s; nothing: the iteration does not converge.
+// 1/s, by falling real part; empty if the iteration does not converge.
 std::optional<std::vector<std::complex<double>>> closed_loop_eigenvalues(const ClosedLoop& loop);
 
-// Of one frequency nu (rad/s) between a feedback's deflection and its current: the derivative's
-// filter and the amplifier's lag, 1 where there is none.
+// Transfer functions at the frequency nu (rad/s) in the path from a feedback's deflection to its
+// current: the filter of the derivative, and the lag of the amplifier. They are 1 if there is no
+// filter or no lag.
 std::complex<double> filter_of(const StationFeedback& feedback, double nu);
 std::complex<double> lag_of(const StationFeedback& feedback, double nu);
-// A/m, P + i nu D with the filter: of what its own law asks for, but for what the integrator holds.
+// A/m, P + i nu D filter_of(): minus the requested current per deflection, without the integrator.
 std::complex<double> gain_of(const StationFeedback& feedback, double nu);
 
 }  // namespace rotorub

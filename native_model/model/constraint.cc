@@ -39,7 +39,7 @@ ContactList<ClosedContact> closed_points(const Model& m, const double* q, const 
 Constraint::Constraint(const Model& model)
     : model_(&model), change_(static_cast<std::size_t>(model.nq())) {}
 
-// change = M^-1 J^T load.
+// change_ = M^-1 J^T load.
 void Constraint::solve(double t, const double* q, const Eigen::Vector3d& load,
                        std::size_t contact) {
   std::fill(change_.begin(), change_.end(), 0.0);
@@ -56,7 +56,7 @@ void Constraint::apply(double t, const double* q, double* v, const Eigen::Vector
 
 void Constraint::one_to_circle(double t, double* q, const double* v, std::size_t contact) {
   const double radius = model_->auxiliary[contact].contact->radius;
-  for (int k = 0; k < 2; ++k) {  // one Newton step and what round-off leaves
+  for (int k = 0; k < 2; ++k) {  // one Newton step, and one for its remaining error
     const ContactPoint p = contact_point(*model_, q, v, contact);
     const Delassus g = delassus(contact_admittance(*model_, t, q, contact), p.e_r, radius);
     solve(t, q, contact_load(p.e_r, 0.0, -p.gap / g.nn, 0.0), contact);
@@ -103,7 +103,7 @@ void Constraint::project_one(double t, double* q, double* v, const Closed& close
   apply(t, q, v, p.e_r, l.normal, l.friction, k);
 }
 
-// Unknown is the impulse along each rate that is to be 0.
+// The unknowns are the impulses along the rates that must become 0.
 void Constraint::project_several(double t, double* q, double* v, std::span<const Closed> closed) {
   const ContactList<ClosedContact> at = closed_points(*model_, q, v, closed);
   const auto rows = static_cast<Eigen::Index>(2 * at.size());

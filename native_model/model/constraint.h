@@ -1,6 +1,6 @@
-// Contacts that are closed at the same time: the matrix through which they act on each other, their
-// impulses on the coordinates, and the way back onto the constraints that round-off and the step's
-// error leave, by the least change in the norm of M.
+// Contacts that are closed at the same time: the matrix that couples them, their impulses on the
+// coordinates, and the projection back onto the constraints. The projection removes round-off and
+// the error of the time step by the least change in the norm of M.
 #pragma once
 
 #include <Eigen/Core>
@@ -15,32 +15,33 @@ namespace rotorub {
 
 struct ClosedContact {
   std::size_t index = 0;  // of the auxiliary bearing
-  ContactPoint point{};   // at the configuration in question
+  ContactPoint point{};   // at the configuration considered
 };
 
-// Delassus's matrix G = W^T M^-1 W of all of them, rows and columns (normal, friction) of each in
-// turn; 1/kg.
+// Delassus matrix G = W^T M^-1 W of all contacts, 1/kg. Rows and columns: (normal, friction) of
+// each contact in turn.
 ContactMatrix delassus(const Model& model, double t, const double* q,
                        std::span<const ClosedContact> closed);
 
 class Constraint {
  public:
-  // The model, with a contact, must outlive it.
+  // The model must have a contact and must outlive this object.
   explicit Constraint(const Model& model);
 
-  // qdot += M^-1 (W_N normal + W_T friction); impulses, N s.
+  // v += M^-1 (W_N normal + W_T friction); impulses in N s.
   void apply(double t, const double* q, double* v, const Eigen::Vector2d& e_r, double normal,
              double friction, std::size_t contact = 0);
 
-  // What a closed contact asks of the velocities: nothing, gdot_N = 0, or gdot_N = gdot_T = 0.
+  // Conditions on the velocities of a closed contact: none (kKept), gdot_N = 0 (kAlong), or
+  // gdot_N = gdot_T = 0 (kStuck).
   enum class Velocity { kKept, kAlong, kStuck };
   struct Closed {
     std::size_t contact = 0;
     Velocity velocity = Velocity::kKept;
   };
-  // q onto the circles of all that are closed, g_N = 0.
+  // Moves q onto the circles of all closed contacts, g_N = 0.
   void to_circles(double t, double* q, const double* v, std::span<const Closed> closed);
-  // The same; then the velocities.
+  // to_circles(), then applies the conditions on the velocities.
   void project(double t, double* q, double* v, std::span<const Closed> closed);
 
  private:
@@ -53,7 +54,7 @@ class Constraint {
   std::vector<double> change_;
 };
 
-// With their points at (q, v).
+// The closed contacts with their contact points at (q, v).
 ContactList<ClosedContact> closed_points(const Model& model, const double* q, const double* v,
                                          std::span<const Constraint::Closed> closed);
 

@@ -26,7 +26,7 @@ Angles angles_at(const Model& m, double t, const double* q) {
   return angles;
 }
 
-// All loads but the diagonal and the gyroscopic ones, and the weight.
+// Adds all loads except the diagonal ones, the gyroscopic moments and the weight.
 void add_loads(const Model& m, double t, const Angles& angles, const double* q, const double* v,
                double* f) {
   const auto working = eq::working_at(m, t);
@@ -47,7 +47,7 @@ double motor_torque(const Model& m, double t, const double* q, const double* v) 
 
 Eigen::Vector2d bearing_current(const Model& m, const StationFeedback& bearing, double t,
                                 const double* q, const double* v) {
-  // Out of work only an amplifier's coil still has a current, which decays.
+  // Without a working feedback, only the coil of an amplifier has a current, which decays.
   if (!bearing.works.at(t))
     return vector(eq::feedback_state(m, bearing.states.current, v, eq::Pair{0.0, 0.0}));
   const int n = m.layout.modes;
@@ -126,7 +126,7 @@ Eigen::Vector3d contact_rates(const Model& m, const double* v, std::size_t k) {
 
 Eigen::Vector3d contact_acceleration(const Model& m, const double* a, std::size_t k) {
   const Eigen::Vector2d d = rotor_point(m, a, k) - stator_point(m, a, k);
-  double spin = m.layout.spin ? a[m.layout.phi()] : 0.0;  // a speed that is held stays
+  double spin = m.layout.spin ? a[m.layout.phi()] : 0.0;  // a prescribed speed is constant
   if (eq::turns_at_contact(m)) spin += eq::turning_at_contact(m, m.auxiliary[k], a);
   return {d.x(), d.y(), spin};
 }
@@ -217,7 +217,7 @@ double extra_power(const Model& m, const Angles& angles, const double* q, const 
     power += s.stiffness.cwiseProduct(at_station(l, s.shape, q)).dot(at_station(l, s.shape, v));
   }
   if (m.coupled_mass()) {
-    // With a free spin m e Omega^2 is inertial: it moves energy between spin and bending.
+    // With a free spin m e Omega^2 is an inertial force: it moves energy between spin and bending.
     const double omega = spin_speed(m, v);
     for (std::size_t i = 0; i < m.unbalances.size(); ++i) {
       const DiscUnbalance& disc = m.unbalances[i];

@@ -1,5 +1,5 @@
-// The equations of motion (1), (2), (9), part by part and written once. Whoever needs a right-hand
-// side puts it together from these. Nothing here allocates.
+// The terms of the equations of motion (1), (2), (9), each written once. Callers combine them into
+// the right-hand side that they need. Nothing here allocates.
 #pragma once
 
 #include <Eigen/Core>
@@ -11,11 +11,11 @@
 
 namespace rotorub::equations {
 
-struct Pair {  // of the two planes
+struct Pair {  // values in the two planes
   double x, y;
 };
 
-// f += shape (fx, fy): a force at a station. Plain loops: n is small.
+// f += shape (fx, fy): adds a force at a station. Plain loops, because n is small.
 inline void add_station_force(int n, const ModeShape& shape, double fx, double fy, double* f) {
   const double *x = shape.x.data(), *y = shape.y.data();
   ROTORUB_APART for (int k = 0; k < n; ++k) {
@@ -24,6 +24,7 @@ inline void add_station_force(int n, const ModeShape& shape, double fx, double f
   }
 }
 
+// Displacement of a station from the coordinates q, or its velocity from their rates.
 inline Pair at_station(int n, const ModeShape& shape, const double* q) {
   const double *x = shape.x.data(), *y = shape.y.data();
   Pair sum{x[0] * q[0], y[0] * q[n]};
@@ -34,8 +35,9 @@ inline Pair at_station(int n, const ModeShape& shape, const double* q) {
   return sum;
 }
 
-// Of the centres in the contact plane, ring to rotor: the relative velocity, or displacement from
-// rest. `at`: the auxiliary bearing, here and below; without it the first.
+// Vector from the ring's centre to the rotor's centre in the contact plane, relative to the rest
+// positions; for velocities the relative velocity. `at`: the auxiliary bearing, here and below; the
+// first one by default.
 inline Pair relative(const Model& m, const AuxiliaryBearing& at, const double* q) {
   Pair d = at_station(m.layout.modes, at.shape, q);
   if (const int ring = at.ring; ring != kAbsent) {
@@ -46,23 +48,23 @@ inline Pair relative(const Model& m, const AuxiliaryBearing& at, const double* q
 }
 inline Pair relative(const Model& m, const double* q) { return relative(m, m.first(), q); }
 
-// The relative position: with where the ring is at rest.
+// m, vector from the ring's centre to the rotor's centre, including the ring's offset at rest.
 inline Pair separation(const Model& m, const AuxiliaryBearing& at, const double* q) {
   const Pair d = relative(m, at, q);
   return {d.x - at.ring_offset.x(), d.y - at.ring_offset.y()};
 }
 inline Pair separation(const Model& m, const double* q) { return separation(m, m.first(), q); }
 
-// Omega, without torsion.
+// rad/s, Omega, without torsion.
 inline double spin_speed(const Model& m, const double* v) {
   return m.layout.spin ? v[m.layout.phi()] : m.speed;
 }
 
-// Whether anything but the rigid spin turns at a contact.
+// True if the contact spin has parts other than the rigid spin.
 inline bool turns_at_contact(const Model& m) { return m.layout.torsion || m.layout.ring_spin; }
 
-// Of contact_spin what is not the rigid spin: torsion, less the ring's turning; of accelerations
-// too.
+// The part of contact_spin beyond the rigid spin: torsion minus the turning of the ring. Also for
+// accelerations.
 inline double turning_at_contact(const Model& m, const AuxiliaryBearing& at, const double* v) {
   double sum{};
   const double* shape = at.torsion_shape.data();
@@ -71,7 +73,8 @@ inline double turning_at_contact(const Model& m, const AuxiliaryBearing& at, con
   return sum;
 }
 
-// Omega_c - (R/r) Omega_r, Omega_c with torsion: r times it is what turning has of the slip.
+// rad/s, Omega_c - (R/r) Omega_r, with Omega_c including torsion. r times it is the rotational part
+// of the slip.
 inline double contact_spin(const Model& m, const AuxiliaryBearing& at, const double* v) {
   const double omega = equations::spin_speed(m, v);
   return turns_at_contact(m) ? omega + turning_at_contact(m, at, v) : omega;
@@ -80,17 +83,17 @@ inline double contact_spin(const Model& m, const double* v) {
   return contact_spin(m, m.first(), v);
 }
 
-// phi, without torsion.
+// rad, phi, without torsion.
 inline double spin_angle(const Model& m, double t, const double* q) {
   return m.layout.spin ? q[m.layout.phi()] : m.spin_angle + m.speed * t;
 }
 
-// The directions of the eccentric discs: cosine and sine of phi + phase; both 0 of one that is not
-// there yet, with which all that it does is 0.
+// Directions of the eccentric discs: cosine and sine of phi + phase. Both are 0 before the
+// unbalance appears, which removes all its effects.
 struct DiscAngles {
   double cosine[kMaxUnbalances], sine[kMaxUnbalances];
 
-  // At an instant, s.
+  // At the time t, s.
   void fill(const Model& m, double t, const double* q) {
     const double spin = equations::spin_angle(m, t, q);
     for (std::size_t i = 0; i < m.unbalances.size(); ++i) {
@@ -102,7 +105,8 @@ struct DiscAngles {
       }
     }
   }
-  // Of a step from `begin` to `end`, s: those that come within it count with their share of it.
+  // For a step from `begin` to `end`, s. An unbalance that appears within the step counts with its
+  // share of the step.
   inline void fill(const Model& m, double t, const double* q, double begin, double end) {
     const double spin = equations::spin_angle(m, t, q);
     for (std::size_t i = 0; i < m.unbalances.size(); ++i) {
@@ -116,8 +120,9 @@ struct DiscAngles {
   }
 };
 
-// b: the bending rows of M(phi) that couple them with the spin, M = diag + b e_phi^T + e_phi b^T;
-// m e (-sin, cos) of each disc through the mode values of its station. n values each.
+// b: the bending rows of M(phi) that couple bending with the spin,
+// M = diag + b e_phi^T + e_phi b^T. It is the sum over the discs of m e (-sin, cos) times the mode
+// values at the station. n values each.
 inline void spin_coupling(const Model& m, const DiscAngles& at, double* bx, double* by) {
   const int n = m.layout.modes;
   for (int k = 0; k < n; ++k) bx[k] = by[k] = 0.0;
@@ -142,7 +147,7 @@ inline void diagonal_force(const Model& m, const double* q, const double* v, dou
   ROTORUB_APART for (int i = 0; i < nq; ++i) f[i] += weight[i];
 }
 
-// f = weight - D v: of the same what is not a spring's.
+// f = weight - D v: diagonal_force() without the springs.
 inline void damping_force(const Model& m, const double* v, double* f) {
   const double* damping = m.damping.data();
   const int nq = static_cast<int>(m.damping.size());
@@ -152,7 +157,7 @@ inline void damping_force(const Model& m, const double* v, double* f) {
   ROTORUB_APART for (int i = 0; i < nq; ++i) f[i] += weight[i];
 }
 
-// Rotating damping, see modal_rotor.h: -D_i (qdot - Omega e_z x q).
+// Rotating damping (modal_rotor.h): -D_i (qdot - Omega e_z x q).
 inline void add_rotating_damping(const Model& m, const double* q, const double* v, double omega,
                                  double* f) {
   if (m.internal_xx.absent() && m.internal_yy.absent()) return;
@@ -172,7 +177,7 @@ inline void add_dampers(const Model& m, const double* v, double* f) {
   }
 }
 
-// Bearings beyond their springs and dashpots, at the speed omega.
+// Forces of the bearings beyond their springs and dashpots, at the spin speed omega (rad/s).
 inline void add_films(const Model& m, double omega, const double* q, const double* v, double* f) {
   const int n = m.layout.modes;
   for (const auto& film : m.films) {
@@ -184,7 +189,7 @@ inline void add_films(const Model& m, double omega, const double* q, const doubl
   }
 }
 
-// Springs at stations: the magnetic bearing's negative ones.
+// Springs at stations (of magnetic bearings, mostly negative).
 inline void add_springs(const Model& m, const double* q, double* f) {
   const int n = m.layout.modes;
   for (const auto& s : m.springs) {
@@ -193,14 +198,14 @@ inline void add_springs(const Model& m, const double* q, double* f) {
   }
 }
 
-// -Omega G v.
+// Gyroscopic moments, -Omega G v.
 inline void add_gyroscopic(const Model& m, double omega, const double* v, double* f) {
   const int n = m.layout.modes;
   m.gyroscopic.add(-omega, v + n, f, n);
   m.gyroscopic.add_transposed(omega, v, f + n, n);
 }
 
-// m e Omega^2 at each disc's angle; the m e dOmega/dt part is in the mass matrix.
+// Force m e Omega^2 in the direction of each disc; the part m e dOmega/dt is in the mass matrix.
 inline void add_unbalance(const Model& m, const DiscAngles& at, double omega, double* f) {
   for (std::size_t i = 0; i < m.unbalances.size(); ++i) {
     const double size = m.unbalances[i].static_moment * omega * omega;
@@ -209,7 +214,7 @@ inline void add_unbalance(const Model& m, const DiscAngles& at, double omega, do
   }
 }
 
-// The angle of the motor, or its speed.
+// rad, angle of the motor; for velocities its speed, rad/s.
 inline double at_motor(const Model& m, const double* q) {
   const auto& l = m.layout;
   const double* shape = m.drive_shape.data();
@@ -218,7 +223,8 @@ inline double at_motor(const Model& m, const double* q) {
   return sum;
 }
 
-// The drive's torque, by speed and where it matters time and angle at the motor; with a drive only.
+// N m, torque of the drive by its speed and, where they matter, the time and the angle at the
+// motor. Call it only with a drive.
 inline double motor_torque(const Model& m, double t, const double* q, const double* v) {
   const double speed = at_motor(m, v);
   if (!m.drive_follows()) return m.drive_torque(0.0, 0.0, speed);
@@ -234,7 +240,7 @@ inline void add_drive(const Model& m, double t, const double* q, const double* v
   for (int k = 0; k < l.torsion; ++k) f[l.theta() + k] += shape[k] * torque;
 }
 
-// f += J^T p of a load on the rotor (x, y, torque about z) at a contact.
+// f += J^T p for a load on the rotor (x, y, torque about z) at a contact.
 inline void add_contact_load(const Model& m, const AuxiliaryBearing& at, double px, double py,
                              double pz, double* f) {
   const auto& l = m.layout;

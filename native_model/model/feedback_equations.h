@@ -1,19 +1,19 @@
-// The feedbacks of magnetic bearings (bearing/magnetic_feedback.h) as part of the equations of
-// motion, like equations.h.
+// The feedbacks of magnetic bearings (bearing/magnetic_feedback.h) as terms of the equations of
+// motion; see equations.h.
 #pragma once
 
 #include "native_model/model/equations.h"
 
 namespace rotorub::equations {
 
-// A state of a magnetic bearing's feedback that begins at a coordinate; where it has none
-// `otherwise`.
+// The two values of a feedback state that begins at coordinate `at`; `otherwise` if there is no
+// such state.
 inline Pair feedback_state(const Model& m, int at, const double* v, const Pair& otherwise) {
   if (m.layout.integrals == 0 || at == kAbsent) return otherwise;
   return {v[at], v[at + 1]};
 }
 
-// A, of a magnetic bearing on each axis; asked: of its law.
+// A, currents of a magnetic bearing on each axis: requested, after the limit, and in the coil.
 struct BearingCurrent {
   Pair asked, limited, current;
 };
@@ -28,7 +28,7 @@ inline BearingCurrent bearing_current(const Model& m, const StationFeedback& bea
   return {asked, limited, feedback_state(m, bearing.states.current, v, limited)};
 }
 
-// f += M times the rates of its states, but for what their own lags do, which is in the damping.
+// f += M times the rates of the feedback's states. The decay by their own lags is in the damping.
 inline void add_feedback_rates(const Model& m, const StationFeedback& bearing, double share,
                                const Pair& seen, const Pair& rate, const BearingCurrent& now,
                                double* f) {
@@ -46,7 +46,7 @@ inline void add_feedback_rates(const Model& m, const StationFeedback& bearing, d
     add(states.filtered, rate.x / law.derivative_lag, rate.y / law.derivative_lag);
   }
   if (states.current != kAbsent) {
-    // At the voltage's limit the mean of the two rates is not the rate of the mean.
+    // At the voltage limit, the mean of the two rates is not the rate of the mean.
     const auto& coil = law.amplifier;
     const auto rate_of = [&](const double asked, const double current) {
       const double rest = 1.0 - share;
@@ -57,8 +57,8 @@ inline void add_feedback_rates(const Model& m, const StationFeedback& bearing, d
   }
 }
 
-// Magnetic bearings with a feedback, each of which works for its share of the time: all that they
-// do beyond their linear springs.
+// f += the forces and state rates of the magnetic bearings with a feedback, beyond their linear
+// springs. shares: for each one, the share of the time in which it works, in [0, 1].
 inline void add_feedbacks(const Model& m, const double* shares, const double* q, const double* v,
                           double* f) {
   const int n = m.layout.modes;

@@ -108,7 +108,7 @@ Status FiniteImpact::begin(double t, const double* q, const double* v,
   return r.status;
 }
 
-// The state at the end, on the circle where the straight path has left it.
+// Computes the state at the end and projects it onto the circle if the straight path has left it.
 void FiniteImpact::land() {
   const Model& m = *model_;
   coordinates(end_, end_q_.data());
@@ -141,7 +141,7 @@ FiniteImpact::Part FiniteImpact::part(std::size_t phase, double dt) const {
   p.before = rates(v);
   constraint_.apply(t, q, v, e_r_, p.normal, p.friction);
   p.after = rates(v);
-  // What the stored energy grows by along the path.
+  // Growth of the stored energy along the path.
   p.external_work -= energy(m, t, q, v);
   for (std::size_t i = 0; i < room_.size(); ++i) q[i] += dt * to(phase)[i];
   p.external_work += energy(m, t + dt, q, v);

@@ -1,9 +1,10 @@
-// The linear part of bending at a held spin speed Omega, both planes at once (x_1..x_n, y_1..y_n):
+// The linear equations of bending at a constant spin speed Omega, for both planes (x_1..x_n,
+// y_1..y_n):
 //
 //   M q'' + C q' + K q = loads
 //
-// Every column is what the list of loads (loads.h) gives for a unit of one coordinate, so that no
-// load can be in one and not in the other.
+// Each column is computed by the list of loads (loads.h) for a unit value of one coordinate, so
+// that the matrices contain exactly the loads of that list.
 #pragma once
 
 #include <Eigen/Core>
@@ -13,21 +14,22 @@
 namespace rotorub {
 
 struct LinearParts {
-  // kg, 2 n, > 0: the diagonal of M (model.h).
+  // kg, 2 n, > 0: diagonal of M (model.h).
   Eigen::VectorXd mass;
-  // N s/m, 2 n x 2 n. External damping of the modes on the diagonal, D >= 0; dashpots of the
-  // bearings; c of the films at Omega; k_i D of a magnetic bearing's law; rotating damping N_xx,
-  // N_yy; gyroscopic Omega G in the rows of x and columns of y, -Omega G^T in those of y and x.
+  // N s/m, 2 n x 2 n: external modal damping D >= 0 on the diagonal; dashpots of the bearings; c of
+  // the films at Omega; k_i D of the magnetic bearings' laws; rotating damping N_xx, N_yy;
+  // gyroscopic terms, Omega G in the rows of x and columns of y, -Omega G^T in the rows of y and
+  // columns of x.
   Eigen::MatrixXd damping;
-  // N/m, 2 n x 2 n. Of the modes on the diagonal; a magnetic bearing's springs, negative where it
-  // pulls, and its law k_i P; k of the films at Omega, across the planes too; the circulatory part
-  // of rotating damping, Omega N_xy in the rows of x and columns of y, -Omega N_xy^T in those of y
-  // and x.
+  // N/m, 2 n x 2 n: modal stiffness on the diagonal; springs of the magnetic bearings (negative if
+  // they attract) and k_i P of their laws; k of the films at Omega, with cross-coupling; the
+  // circulatory part of rotating damping, Omega N_xy in the rows of x and columns of y,
+  // -Omega N_xy^T in the rows of y and columns of x.
   Eigen::MatrixXd stiffness;
 };
 
-// speed: Omega, rad/s, either sign. Of a magnetic bearing the linear law of t = 0: without its
-// limit, and nothing of one that has failed by then; what its integrator holds is not in it.
+// speed: Omega, rad/s, either sign. Magnetic bearings enter with their linear laws without limits,
+// if they work at t = 0; their integrators are left out.
 LinearParts linear_parts(const Model& model, double speed);
 
 }  // namespace rotorub

@@ -14,7 +14,7 @@
 namespace rotorub {
 namespace {
 
-// What works at t = 0, for ever, linear.
+// The model with linear feedbacks; those that work at t = 0 work at all times, the others never.
 Model held_at_start(Model model) {
   for (StationFeedback& f : model.feedbacks) {
     f.works = {-scene::kNever, f.works.at(0.0) ? scene::kNever : -scene::kNever, scene::kNever};
@@ -22,7 +22,7 @@ Model held_at_start(Model model) {
   return with_linear_feedback(without_offsets(std::move(model)));
 }
 
-// The states that working feedbacks have, and their names.
+// Finds the states of the working feedbacks and their names.
 void find_memory(const Model& m, LinearPlant& p) {
   const auto add = [&](int at, const std::string& name) {
     p.memory.push_back(at);
@@ -53,13 +53,13 @@ void find_memory(const Model& m, LinearPlant& p) {
   }
 }
 
-// The rows and columns of what magnetic bearings remember, behind the others.
+// Appends the rows and columns of the magnetic bearings' states.
 void add_memory(const Model& m, double speed, LinearPlant& p) {
   const Layout& l = m.layout;
   const ClosedLoop loop = closed_loop(m, speed);
   const Eigen::Index half = p.half(), bending = 2 * l.modes;
   const auto s = static_cast<Eigen::Index>(p.memory.size()), n = 2 * half + s;
-  std::vector<Eigen::Index> from;  // among the model's feedbacks' states
+  std::vector<Eigen::Index> from;  // indices among the states of the model's feedbacks
   for (const int at : p.memory) from.push_back(at - l.integral());
   p.a.conservativeResizeLike(Eigen::MatrixXd::Zero(n, n));
   p.a.block(half, 2 * half, bending, s) =
@@ -128,7 +128,7 @@ std::string beyond_linear_plant(const scene::Scene& scene, std::size_t bearing, 
            "squeeze_film, "
            "ball_bearing or a spin that is dragged dry), which the linear plant does not know";
   }
-  double other = 0.0;  // s, what another is sampled by
+  double other = 0.0;  // s, sample time of an earlier control
   for (const SampledFeedback& s : model.samplers) {
     const auto working = std::ranges::find_if(
         s.bearings, [&](std::size_t k) { return model.feedbacks[k].works.at(0.0); });

@@ -1,5 +1,5 @@
-// Rotor and ring as a linear plant for the design of a law (control/quadratic.h), with all that the
-// feedbacks of magnetic bearings remember.
+// Rotor and ring as a linear plant for the design of a law (control/quadratic.h), including the
+// states of the magnetic bearings' feedbacks.
 #pragma once
 
 #include <cstddef>
@@ -10,13 +10,13 @@
 
 namespace rotorub {
 
-// About an auxiliary bearing with a ring and a contact, at the spin speed `speed` (rad/s), held;
-// spin, torsion, an angle of the ring and coils are left out. Of magnetic bearings the linear laws
-// of those that work at t = 0.
+// The plant of an auxiliary bearing with a ring and a contact, at the constant spin speed `speed`
+// (rad/s). Spin, torsion, the angle of the ring and the coils are left out. Magnetic bearings that
+// work at t = 0 enter with their linear laws.
 LinearPlant plant_of(const Model& model, std::size_t bearing, double speed);
 
-// Why plant_of an auxiliary bearing is not the scene's; empty: it is. every: s, the sample time of
-// the law that is designed; 0: the matrices are wanted as they are, in continuous time.
+// The reason why plant_of() does not represent the scene for an auxiliary bearing; empty if it
+// does. every: s, sample time of the law to be designed; 0: continuous-time matrices are requested.
 std::string beyond_linear_plant(const scene::Scene& scene, std::size_t bearing, const Model& model,
                                 double every = 0.0);
 

@@ -1,6 +1,6 @@
-// The list of the loads of (9), once: whoever integrates, steps, or asks for matrices takes it from
-// here. The contact's and the actuator's forces are
-// beside it (equations.h, model/actuation.h), and so are the diagonal parts and the weight.
+// The one list of the loads of (9), used by all right-hand sides, steps and matrices. The forces of
+// contacts and actuators are separate (equations.h, model/actuation.h), and so are the diagonal
+// terms and the weight.
 #pragma once
 
 #include <array>
@@ -10,13 +10,13 @@
 
 namespace rotorub::equations {
 
-// What carries rings beyond springs and dampers to the base (dynamics.h).
+// Forces on rings beyond springs and dampers to the base (dynamics.h).
 inline void add_supports(const Model& m, const double* q, const double* v, double* f) {
   if (!m.supports.empty()) add_ring_supports(m, q, v, f);
 }
 
-// The same in a step of h, s, from the velocities `start`: what bristles do within it is known
-// exactly, as they may be quick.
+// As above, for a step of length h (s) from the velocities `start`. The motion of the bristles
+// within the step is computed exactly, because it may be fast.
 inline void add_supports(const Model& m, const double* q, const double* v, const double* start,
                          double h, double* f) {
   if (m.supports.empty()) return;
@@ -24,10 +24,10 @@ inline void add_supports(const Model& m, const double* q, const double* v, const
   step_bristles(m, v, start, h, f);
 }
 
-// All that is linear in (q, v) at a spin speed omega (rad/s) but the diagonal parts and the
-// gyroscopic moments: rotating damping, dashpots, films, springs, magnetic bearings' laws. (A
-// law is linear within its limit, films that stand off the line have a constant part.)
-// working: of each of those bearings the share of the time for which it has not failed, in [0, 1].
+// f += all loads that are linear in (q, v) at a spin speed omega (rad/s), except the diagonal terms
+// and the gyroscopic moments: rotating damping, dashpots, films, springs and the laws of magnetic
+// bearings. (A law is linear within its limit; films with an offset have a constant part.) working:
+// for each feedback the share of the time in which it works, in [0, 1].
 inline void add_linear_loads(const Model& m, double omega, const double* working, const double* q,
                              const double* v, double* f) {
   add_rotating_damping(m, q, v, omega, f);
@@ -37,7 +37,7 @@ inline void add_linear_loads(const Model& m, double omega, const double* working
   add_feedbacks(m, working, q, v, f);
 }
 
-// Those shares at an instant.
+// The shares at an instant t (s): 1 if the feedback works, otherwise 0.
 inline std::array<double, scene::kMaxMagneticBearings> working_at(const Model& m, double t) {
   std::array<double, scene::kMaxMagneticBearings> shares{};
   for (std::size_t k = 0; k < m.feedbacks.size(); ++k) {
@@ -46,7 +46,7 @@ inline std::array<double, scene::kMaxMagneticBearings> working_at(const Model& m
   return shares;
 }
 
-// The base's acceleration a, m/s^2: relative to it every mass is held back,
+// Load of the base's acceleration a, m/s^2, because the coordinates are relative to the base:
 //   f = -m_g a,  m_g the load per unit acceleration (gravity_mass).
 inline void add_base_load(const Model& m, const Pair& a, double* f) {
   const double* mass = m.gravity_mass.data();
@@ -61,7 +61,7 @@ inline void add_base_load(const Model& m, const Pair& a, double* f) {
   }
 }
 
-// Those of [[force]] and of the base's motion at an instant.
+// Loads of [[force]] and of the motion of the base at an instant.
 inline void add_forces(const Model& m, double t, const double* q, double* f) {
   if (m.base) {
     const Eigen::Vector2d a = m.base->at(t);
@@ -74,18 +74,18 @@ inline void add_forces(const Model& m, double t, const double* q, double* f) {
   }
 }
 
-// What a list of loads knows of the instant beside (q, v).
+// The instant at which loads are evaluated, besides (q, v).
 struct LoadInstant {
-  double t;                  // s, of the motor's torque
-  const double* working;     // as above
-  const DiscAngles& angles;  // of the eccentric discs; read where there are any
+  double t;                  // s, for the motor's torque
+  const double* working;     // see add_linear_loads
+  const DiscAngles& angles;  // of the eccentric discs, if there are any
 };
 
-// A right-hand side adds the gyroscopic moments last, a step among the others: the order is that of
-// the sum, and so of its last bits.
+// Whether add_loads adds the gyroscopic moments. In a step they are among the other loads; a
+// right-hand side adds them itself, last. The order affects the last bits of the sum.
 enum class Gyroscopics { kAmong, kLeftOut };
 
-// f += all loads of the list. forces(f): adds those of [[force]] and the base's, which a step
+// f += all loads of the list. forces(f) adds the loads of [[force]] and of the base, which a step
 // averages over its length.
 template <Gyroscopics kGyroscopics, class Forces>
 inline void add_loads(const Model& m, const LoadInstant& at, const double* q, const double* v,

@@ -13,7 +13,7 @@ namespace {
 
 using scene::ControlForm;
 
-// Of a control of its own that is sampled the law's memory is the sampler's.
+// A sampled control keeps the states of its law in the sampler.
 bool integrates(const scene::BearingControl& c) { return !c.sampled() && c.integral > 0.0; }
 bool filters(const scene::BearingControl& c) { return !c.sampled() && c.derivative_lag > 0.0; }
 
@@ -39,13 +39,13 @@ void fill_law(const scene::Scene& scene, SampledFeedback& shared) {
   shared.law = state_space(m.state, m.input, m.output, m.feedthrough, ports);
 }
 
-// Coordinates; MuJoCo takes them in twos.
+// Number of coordinates; MuJoCo stores them in pairs.
 int memory_of(const SampledFeedback& s) {
   const auto states = static_cast<int>(s.law.states()), ports = static_cast<int>(s.law.ports());
   return ports * (1 + s.delay) + states + states % 2;
 }
 
-// next: where the coordinates of the next state begin.
+// next: first free coordinate.
 void add_magnetic_bearing(const scene::Scene& scene, std::size_t number, const MagnetShapes& shapes,
                           int& next, Model& model) {
   const scene::MagneticBearing& bearing = scene.magnetic_bearings[number];
@@ -82,7 +82,8 @@ void add_magnetic_bearing(const scene::Scene& scene, std::size_t number, const M
                               a.inductance > 0.0 ? a.inductance : 1.0, a.resistance};
     feedback.states.current = state(1.0 / a.bandwidth);
   }
-  // A linear spring acts for ever, in the modes or beside them, and the law takes it back.
+  // The linear spring always acts, as part of the modes or as a separate spring, and the law
+  // subtracts it (`held`).
   feedback.law.held = feedback.law.stiffness();
   const double beside = feedback.law.held - magnetic_support(scene, bearing).held;
   if (beside != 0.0) model.springs.push_back({shapes.station, {beside, beside}});

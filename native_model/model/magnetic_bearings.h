@@ -1,4 +1,4 @@
-// A scene's magnetic bearings as parts of a model: springs, feedbacks, samplers.
+// The magnetic bearings of a scene as parts of a model: springs, feedbacks, samplers.
 #pragma once
 
 #include <vector>
@@ -7,14 +7,15 @@
 
 namespace rotorub {
 
-// Each bearing's own sampled control, then the one that some share; `bearings` among the scene's,
-// and nothing placed yet. Opens the library of [magnetic_control].
+// The sampled controls of single bearings, then the control that several bearings share. `bearings`
+// are indices in the scene, and no coordinates are assigned yet. Opens the library of
+// [magnetic_control].
 std::vector<SampledFeedback> magnetic_samplers(const scene::Scene& scene);
-// Layout::integrals.
+// Number of coordinates for the states of feedbacks and samplers: Layout::integrals.
 int feedback_states(const scene::Scene& scene, const std::vector<SampledFeedback>& samplers);
 
-// shapes: of each bearing of the scene. The layout, the diagonals, and the samplers as
-// magnetic_samplers() gives them are there already.
+// shapes: one per magnetic bearing of the scene. The model must already have its layout, its
+// diagonals and the samplers from magnetic_samplers().
 void add_magnetic_bearings(const scene::Scene& scene, const std::vector<MagnetShapes>& shapes,
                            Model& model);
 

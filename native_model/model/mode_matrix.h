@@ -1,4 +1,5 @@
-// A matrix between the bending modes of two planes that costs what it is: absent, diagonal or full.
+// A matrix between the bending modes of two planes. It is stored as absent, diagonal or full, so
+// that its cost matches its content.
 #pragma once
 
 #include <Eigen/Core>
@@ -37,8 +38,8 @@ class ModeMatrix {
 
  private:
   Kind kind_ = Kind::kAbsent;
-  std::vector<double> columns_;  // the diagonal, or column by column
-  std::vector<double> rows_;     // row by row, of one that is full and not symmetric
+  std::vector<double> columns_;  // the diagonal, or all columns
+  std::vector<double> rows_;     // all rows of a full matrix that is not symmetric
 };
 
 }  // namespace rotorub

@@ -15,10 +15,10 @@
 namespace rotorub {
 namespace {
 
-// kg: a feedback's state, or a bristle of dry friction, is the speed of a mass that its rate
-// pushes, so that whoever steps coordinates steps it. So small that the mass is not noticed in sums
-// over all coordinates, and so large that the weight of the 1e-12 kg that MuJoCo wants of a body is
-// not noticed by it.
+// kg, mass of a coordinate whose velocity is the state of a feedback or of a dry-friction bristle.
+// A load of this mass times the state's rate drives it, so that every integrator of the coordinates
+// also integrates the state. The mass is small enough not to matter in sums over all coordinates,
+// and large enough that the weight of the 1e-12 kg that MuJoCo needs for a body does not matter.
 constexpr double kStateMass = 1e-3;
 
 Layout make_layout(const scene::Scene& scene, const ModalRotor& rotor,
@@ -40,7 +40,7 @@ Layout make_layout(const scene::Scene& scene, const ModalRotor& rotor,
   return layout;
 }
 
-// Each bearing's contact and its coordinates, one ring after the other.
+// Sets the contact and the coordinates of each bearing, one ring after the other.
 void fill_auxiliary(const scene::Scene& scene, const ModalRotor& rotor, Model& model) {
   const Layout& l = model.layout;
   int ring = l.ring(), angle = l.ring_angle(), coil = l.coil();
@@ -69,7 +69,7 @@ void fill_auxiliary(const scene::Scene& scene, const ModalRotor& rotor, Model& m
   }
 }
 
-// The diagonals of mass, stiffness and damping in the order of the layout.
+// Sets the diagonals of mass, stiffness and damping in the order of the layout.
 void fill_diagonals(const scene::Scene& scene, const ModalRotor& rotor, Model& model) {
   const Layout& l = model.layout;
   for (auto* vector : {&model.mass, &model.stiffness, &model.damping}) {
@@ -99,14 +99,14 @@ void fill_diagonals(const scene::Scene& scene, const ModalRotor& rotor, Model& m
       model.mass[at.ring_angle] = from.stator->spin->inertia;
       model.damping[at.ring_angle] = from.stator->spin->drag;
     }
-    // lag dq''/dt + dq/dt = the current asked for, q the charge.
+    // lag q'' + q' = requested current, with q the charge.
     if (at.coil != kAbsent) model.mass.segment<2>(at.coil).setConstant(from.actuator->coil_lag);
   }
   model.damping.tail(l.coils).setOnes();
   assert(l.modes > 0);
 }
 
-// Of a ring on more than a spring and a damper. bristle: where the next one stands.
+// Adds the support of a ring on more than a spring and a damper. bristle: first free bristle.
 void add_support(const scene::Stator& ring, std::size_t number, int& bristle, Model& model) {
   const AuxiliaryBearing& at = model.auxiliary[number];
   StationSupport support;
@@ -135,7 +135,7 @@ void fill_loads(const scene::Scene& scene, const ModalRotor& rotor, Model& model
   assert(rotor.force_shapes.size() == scene.forces.size());
   for (std::size_t i = 0; i < scene.forces.size(); ++i) {
     const scene::Force& f = scene.forces[i];
-    if (f.kind == scene::ForceKind::kUnbalance) continue;  // an unbalance beside the discs'
+    if (f.kind == scene::ForceKind::kUnbalance) continue;  // see fill_unbalances
     AppliedForce force{f.kind, f.amplitude, f.frequency,           f.phase,        f.vector, f.on,
                        f.off,  f.ramp,      rotor.force_shapes[i], f.frequency_end};
     if (f.kind == scene::ForceKind::kSynchronous && !scene.drive) {
@@ -169,7 +169,7 @@ void fill_loads(const scene::Scene& scene, const ModalRotor& rotor, Model& model
   }
 }
 
-// Eccentric discs, then blades that are lost.
+// Eccentric discs first, then lost blades.
 void fill_unbalances(const scene::Scene& scene, const ModalRotor& rotor, Model& model) {
   for (const DiscUnbalance& unbalance : rotor.unbalances) {
     if (unbalance.static_moment != 0.0) model.unbalances.push_back(unbalance);
@@ -234,7 +234,7 @@ Eigen::Vector2d AppliedForce::at(double t, double spin) const {
 
 Model make_model(const scene::Scene& scene, const std::function<void(Model&)>& start) {
   assert(start || (!scene.initial.steady && scene.initial.rub == scene::StartingRub::kNone));
-  // What is known beforehand saves the reduction of a shaft that is refused anyhow.
+  // Rejects a model that is certainly too large before the costly reduction of the shaft.
   if (const auto& geometry = scene.rotor.geometry; geometry && geometry->modes) {
     check_size(scene, 2 * *geometry->modes);
   }

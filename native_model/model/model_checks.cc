@@ -18,15 +18,15 @@
 namespace rotorub {
 namespace {
 
-constexpr double kRoundOff = 1e-12;  // of the sums over modes and discs
+constexpr double kRoundOff = 1e-12;  // relative, in sums over modes and discs
 
-// The part of the scene that sets how many bending modes there are.
+// The key of the scene that sets the number of bending modes.
 const char* modes_key(const scene::Rotor& rotor) {
   if (!rotor.geometry) return "rotor.modal.mass";
   return rotor.geometry->max_frequency ? "rotor.max_frequency" : "rotor.modes";
 }
 
-// Of those that are there at t, see the header.
+// The value for the unbalances that exist at t (s); see the header.
 double unbalance_inertia(const Model& model, double t) {
   using Complex = std::complex<double>;
   const Layout& l = model.layout;
@@ -53,7 +53,7 @@ void refuse_any(const scene::Scene& scene, std::vector<scene::Diagnostic> wrong)
 
 std::string rough_text(double number) { return scene::number_text(number, 3); }
 
-// Those of every row; torsion, command and currents beside them are few.
+// Columns of a row; commands and currents are left out because they are few.
 double columns(const Model& model) {
   const Layout& l = model.layout;
   return 17.0 + 4.0 * l.modes + 2.0 * (l.torsion + l.ring_spin);
@@ -63,7 +63,7 @@ double rows(const scene::Run& run) {
   return run.end / run.series_step() + static_cast<double>(run.output_times.size());
 }
 
-// "1e+11 steps to run.end = 10 s; accepted: at most 1e+10": what of how many, and of how many most.
+// For example "1e+11 steps to run.end = 10 s; accepted: at most 1e+10": count, what, most.
 std::string too_many(const scene::Run& run, double count, const std::string& what, double most) {
   return rough_text(count) + what + " to run.end = " + rough_text(run.end) +
          " s; accepted: at most " + rough_text(most);
@@ -86,7 +86,7 @@ void find_samples(const scene::Scene& scene, std::vector<scene::Diagnostic>& wro
                        rough_text(scene.run.end / kMostRunSteps) + " s"});
 }
 
-// An integrator that chooses its steps follows every turn of a load.
+// An integrator with adaptive steps resolves every turn of a load.
 void find_turns(const scene::Scene& scene, std::vector<scene::Diagnostic>& wrong) {
   const auto look = [&](const std::string& key, double frequency, double from, double to) {
     const double turns = std::abs(frequency) * (std::min(to, scene.run.end) - std::max(from, 0.0)) /
@@ -180,13 +180,12 @@ void check_initial_gap(const scene::Scene& scene, const Model& model, std::size_
   const double* q = model.q0.data();
   const double delta = (separation(model, q, k)).norm();
   const double clearance = at.contact->clearance;
-  // On the ring is meant.
-  constexpr double kTolerance = 1e-9;  // of the clearance
-  // Into a ring that gives a start may be as deep as a run.
+  constexpr double kTolerance = 1e-9;  // share of the clearance, for a start on the ring
+  // With a compliant contact the start may be as deep as a run may go.
   const double reach = at.gives() ? 2.0 * clearance : clearance;
   if (delta <= reach * (1.0 + kTolerance)) return;
   const Layout& l = model.layout;
-  const bool steady = scene.initial.steady;  // gives a place of the rotor that no list does
+  const bool steady = scene.initial.steady;  // sets a rotor position that no list states
   const auto listed = [&](const std::vector<double>& list, int row) {
     return !(steady && list.empty()) && !model.q0.segment(row, l.modes).isZero(0.0);
   };

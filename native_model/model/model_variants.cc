@@ -1,4 +1,5 @@
-// A model as other questions need it: without a part, or driven by what another run recorded.
+// Variants of a model for other questions: without a part, or driven by the recorded commands of
+// another run.
 
 #include <limits>
 #include <utility>

@@ -40,7 +40,7 @@ void fill_control(const scene::Scene& scene, std::size_t k, Model& model) {
   const scene::AuxiliaryBearing& from = scene.auxiliary[k];
   AuxiliaryBearing& to = model.auxiliary[k];
   if (!from.controller || !from.stator) return;
-  // Only a law that tracks the rotor needs a contact (scene validation).
+  // Only a law that tracks the rotor needs a contact; scene validation checks this.
   assert(from.contact || from.controller->kind == scene::ControllerKind::kPassive ||
          from.controller->kind == scene::ControllerKind::kLibrary);
   const double clearance = from.contact ? from.contact->clearance : 0.0;

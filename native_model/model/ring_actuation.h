@@ -1,5 +1,4 @@
-// What moves the ring of an auxiliary bearing in a model: its actuator, and the law that commands
-// that.
+// The actuator of an auxiliary bearing's ring in a model, and the law that commands it.
 #pragma once
 
 #include <cstddef>
@@ -8,10 +7,11 @@
 
 namespace rotorub {
 
-// Of auxiliary bearing k. Throws scene::SceneError for a table of forces that has no inverse.
+// Sets the actuator of auxiliary bearing k. Throws scene::SceneError for a force table that cannot
+// be inverted.
 void fill_actuator(const scene::Scene& scene, std::size_t k, Model& model);
-// After the actuator, masses and initial state. Throws scene::SceneError for a law that the ring's
-// support does not suit.
+// Sets the controller of auxiliary bearing k; needs the actuator, the masses and the initial state.
+// Throws scene::SceneError if the law is unsuitable for the ring's support.
 void fill_control(const scene::Scene& scene, std::size_t k, Model& model);
 
 }  // namespace rotorub

@@ -1,4 +1,4 @@
-// What carries rings beyond springs and dampers to the base.
+// Forces on rings beyond springs and dampers to the base.
 
 #include "native_model/model/dynamics.h"
 
@@ -18,7 +18,7 @@ void add_ring_supports(const Model& m, const double* q, const double* v, double*
     const Eigen::Vector2d r = ring - housing, w = rate - housing_rate;
     const Eigen::Vector2d bristle = pair_at(v, s.bristle);
     const Eigen::Vector2d beside = s.law.force(r, w, bristle);
-    // On the diagonals the ring has -k r_ring, the housing -k r_housing.
+    // The diagonals contain -k r_ring for the ring and -k r_housing for the housing.
     for (int k = 0; k < 2; ++k) {
       f[s.ring + k] += beside[k];
       if (s.housing == kAbsent) continue;

@@ -11,7 +11,7 @@ namespace rotorub {
 
 namespace {
 
-constexpr double kSampleRoundOff = 1e-9;  // of a sample time
+constexpr double kSampleRoundOff = 1e-9;  // share of the sample time
 
 double product(const Eigen::MatrixXd& matrix, int row, const double* of) {
   double total = 0.0;
@@ -19,12 +19,14 @@ double product(const Eigen::MatrixXd& matrix, int row, const double* of) {
   return total;
 }
 
-// Of a sample: what the sensors show, what the law asks for, and what is given of it, A.
+// One sample, per port: deflections shown by the sensors, m; requested currents, A; currents after
+// the limits, A.
 struct Sample {
   double seen[kMaxPorts] = {}, asked[kMaxPorts] = {}, given[kMaxPorts] = {};
 };
 
-// asked of the law, and its states x from this sample to the next but for what the limits cut off.
+// Sets the requested currents and advances the law's states x to the next sample. The anti-windup
+// correction is added later.
 void ask_matrices(const LinearController& law, Sample& sample, double* x) {
   double after[kMaxCoordinates];
   const int n = static_cast<int>(law.states()), ports = static_cast<int>(law.ports());
@@ -52,7 +54,8 @@ void ask_library(const Model& m, const SampledFeedback& s, double t, const doubl
   s.library->step(now, x, sample.asked);
 }
 
-// s, k T: steps and sums of them miss it, and k T what a scene says of it, by round-off.
+// s, the exact k T next to t. Steps and sums of steps reach k T only up to round-off, and so does a
+// time in the scene.
 double instant_of(const SampledFeedback& s, double t) {
   return std::round(t / s.sample_time) * s.sample_time;
 }
@@ -65,13 +68,14 @@ bool works_at(const Model& m, const SampledFeedback& s, double time) {
                      [&](std::size_t k) { return bearing_works(m, s, k, time); });
 }
 
-// Whether the sample at an instant, at which it works, is the first, or the first after it was off.
+// True if the sample at this instant is the first, or the first after the control was off. It works
+// at this instant.
 bool begins_at(const Model& m, const SampledFeedback& s, double instant) {
   const double before = instant - s.sample_time;
   return before < -0.5 * s.sample_time || !works_at(m, s, before);
 }
 
-// m, what the sensors show, one number for each port.
+// m, deflections shown by the sensors, one per port.
 void read_sensors(const Model& m, const SampledFeedback& s, const double* q, double* seen) {
   for (std::size_t k = 0; k < s.bearings.size(); ++k) {
     const auto at = equations::at_station(m.layout.modes, m.feedbacks[s.bearings[k]].seen(), q);
@@ -121,7 +125,7 @@ void take_sample(const Model& m, const SampledFeedback& s, double t, const doubl
 }
 
 void begin_samples(const Model& m, double t, const double* q, double* v) {
-  constexpr double kDue = 1e-6;  // of a sample time, by which sums of steps miss a sample
+  constexpr double kDue = 1e-6;  // share of the sample time by which a sum of steps misses a sample
   for (const SampledFeedback& s : m.samplers) {
     const double instant = instant_of(s, t);
     if (std::abs(t - instant) > kDue * s.sample_time) continue;
@@ -146,7 +150,7 @@ Eigen::MatrixXd linear_sample(const Model& m) {
       v[m.layout.integral() + j - bending] = 1.0;
     }
     for (const SampledFeedback& s : m.samplers) {
-      const double late = 1000.0 * s.sample_time;  // not the first
+      const double late = 1000.0 * s.sample_time;  // not the first sample
       take_sample(m, s, late, q.data(), v.data());
     }
     sample.col(j) = v.segment(m.layout.integral(), states);
@@ -155,7 +159,7 @@ Eigen::MatrixXd linear_sample(const Model& m) {
 }
 
 bool take_samples(const Model& m, double t, double h, const double* q, double* v) {
-  constexpr double kLate = 1e-3;  // of a step, by which sums of steps miss a sample
+  constexpr double kLate = 1e-3;  // share of a step by which a sum of steps misses a sample
   bool taken = false;
   for (const SampledFeedback& s : m.samplers) {
     const auto passed = [&](double time) { return std::floor((time + kLate * h) / s.sample_time); };

@@ -1,6 +1,5 @@
-// Controllers of magnetic bearings that are asked once a sample (SampledFeedback): what they
-// remember and command are states of the feedbacks, which jump at the samples k T and hold between
-// them.
+// Sampled controls of magnetic bearings (SampledFeedback). Their memory and commands are states of
+// the feedbacks, which jump at the samples k T and hold in between.
 #pragma once
 
 #include <Eigen/Core>
@@ -10,31 +9,33 @@
 
 namespace rotorub {
 
-// The sample at t (s): v <- what holds after it, of the state (q, v) before it, nq values each. A
-// controller none of whose bearings works asks for nothing and forgets. Throws ControllerError
-// where a library's law fails: v is then as it was.
+// Takes the sample at t (s): replaces the states in v by those after the sample, computed from q
+// and v before it, nq values each. A control commands 0 and loses its memory while none of its
+// bearings works. Throws ControllerError if a library's law fails; v is then unchanged.
 void take_sample(const Model& model, const SampledFeedback& sampled, double t, const double* q,
                  double* v);
 
 // For each control that takes its first sample at t (s), or its first after it was off: sets v to
-// the memory that the control has at that sample. A reader of the whole state at this instant,
+// the memory that the control has at that sample. Code that reads the whole state at this instant,
 // before the samples are taken, then sees the memory that the design of a law assumes.
 void begin_samples(const Model& model, double t, const double* q, double* v);
 
-// One sample of all samplers without limits, at once, some time after the first, as a matrix: what
-// the feedbacks' states are after it, of q's bending (2 n) and those before it.
+// One simultaneous sample of all samplers, not the first one, as a matrix s x (2 n + s): the
+// feedbacks' states after it from the bending coordinates (2 n) and the states before it. The model
+// must have linear feedbacks (with_linear_feedback).
 Eigen::MatrixXd linear_sample(const Model& model);
 
-// The samples that are due at the instant t of steps of length h (s): at the first instant at or
-// after each. True where there was one.
+// Takes the samples that are due at time t with time steps of length h (s); a sample is due at the
+// first time step at or after it. Returns true if there was one.
 bool take_samples(const Model& model, double t, double h, const double* q, double* v);
 
-// The samples of a step h long about t whose velocities are those of half a step before (MuJoCo's
-// semi-implicit one): v <- what acts on average, f += what makes the feedbacks' states jump. A
-// run's first step is a whole one, and all of it has what its sample gives.
+// Takes the samples of a step of length h (s) about t whose velocities belong to half a step
+// earlier (MuJoCo's semi-implicit integrator). Adds to f the loads that make the states jump, and
+// sets the states in v to their mean over the step: it adds half of each jump, but all of it in the
+// first step of a run.
 void jump_in_step(const Model& model, double t, double h, const double* q, double* v, double* f);
 
-// Why steps of this length (s) do not meet all samples; empty: they do.
+// The reason why time steps of this length (s) miss samples; empty if they do not.
 std::string sample_refusal(const Model& model, double step);
 
 }  // namespace rotorub

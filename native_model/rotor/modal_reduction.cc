@@ -11,13 +11,13 @@
 namespace rotorub {
 namespace {
 
-constexpr double kNode = 1e-6;  // of the largest value: a node at the contact
-constexpr double kTie = 1e-6;   // relative: peaks that symmetry makes equal, round-off apart
+constexpr double kNode = 1e-6;  // share of the largest value below which the contact is at a node
+constexpr double kTie = 1e-6;   // relative; peaks that are equal by symmetry differ by less
 
-// Peak of |value| in [left, right] by golden-section search.
+// Position of the peak of |value| in [left, right], by golden-section search.
 double peak_between(const std::function<double(double)>& value, double left, double right) {
   constexpr double kGolden = 0.6180339887498949;
-  constexpr int kSteps = 40;  // to 4e-9 of the interval: the value there is right to round-off
+  constexpr int kSteps = 40;  // to 4e-9 of the interval; the value is then accurate to round-off
   for (int step = 0; step < kSteps; ++step) {
     const double a = right - kGolden * (right - left);
     const double b = left + kGolden * (right - left);
@@ -30,7 +30,7 @@ double peak_between(const std::function<double(double)>& value, double left, dou
   return 0.5 * (left + right);
 }
 
-// Value, with its sign, where it is largest; the first of equal ones.
+// The signed value where |value| is largest; the first of equal ones.
 double largest(const std::function<double(double)>& value, const std::vector<double>& stations) {
   std::vector<double> values;
   double bound = 0.0;
@@ -38,7 +38,7 @@ double largest(const std::function<double(double)>& value, const std::vector<dou
     values.push_back(value(z));
     bound = std::max(bound, std::abs(values.back()));
   }
-  // Stations lie close enough for a peak between two of them to be at most this much higher.
+  // A peak between two stations is at most this much higher, because the stations are close.
   constexpr double kNearPeak = 0.9;
   double best = 0.0;
   const std::size_t n = stations.size();
@@ -56,7 +56,7 @@ double largest(const std::function<double(double)>& value, const std::vector<dou
   return best;
 }
 
-// Modes of one plane, scaled: columns of Ritz coordinates.
+// Scaled modes of one plane; the columns are Ritz coordinates.
 struct ScaledModes {
   Eigen::MatrixXd shape;    // N x kept
   Eigen::VectorXd contact;  // kept, exactly 1 or 0
@@ -89,7 +89,7 @@ PlaneModes plane(const Eigen::MatrixXd& mass, const PlanarModes& modes, const Sc
   return result;
 }
 
-// Rotating damping seen by the modes of two planes.
+// Rotating damping, projected onto the modes of two planes.
 Eigen::MatrixXd internal_damping(const Eigen::MatrixXd& mass, const PlanarModes& mean, double ratio,
                                  const ScaledModes& left, const ScaledModes& right) {
   const Eigen::MatrixXd momentum = mass * mean.shape;
@@ -97,7 +97,8 @@ Eigen::MatrixXd internal_damping(const Eigen::MatrixXd& mass, const PlanarModes&
          (momentum.transpose() * right.shape);
 }
 
-// Columns a_i and numbers d_i >= 0 with sum d_i a_i a_i^T = `damping`, positive semidefinite.
+// Columns a_i and numbers d_i >= 0 such that sum d_i a_i a_i^T = `damping`, which is positive
+// semidefinite.
 struct RankOnes {
   Eigen::MatrixXd shape;
   Eigen::VectorXd size;
@@ -107,7 +108,8 @@ RankOnes rank_ones(const Eigen::MatrixXd& damping) {
   return {factors.lower, factors.d.cwiseMax(0.0)};
 }
 
-// Damping of the shaft's own modes, which are not those of the coordinates: as dashpots.
+// Adds the damping of the shaft's own modes. It is not diagonal in the modal coordinates, so the
+// external part is added as dashpots.
 void add_own_damping(const RotorModes& modes, double ratio, double internal_ratio,
                      const ScaledModes& x, const ScaledModes& y, ModalRotor& rotor) {
   const Eigen::MatrixXd& mass = modes.ritz.mass;
@@ -160,7 +162,7 @@ ModeScale mode_scale(const std::function<double(double)>& value,
 }
 
 std::vector<double> line_stations(const std::vector<ShaftElement>& mesh) {
-  // At most 1/100 of the shaft and 1/8 of an element apart (k h <= 4: 12 points a wave length).
+  // At most 1/100 of the shaft and 1/8 of an element apart (k h <= 4: 12 points per wavelength).
   constexpr double kShare = 100.0;
   constexpr int kParts = 8;
   const double length = mesh.back().to - mesh.front().from;
@@ -180,7 +182,7 @@ ModalRotor reduce_bending(const scene::Scene& scene, const RotorModes& modes) {
   const std::optional<double> contact =
       scene.first().contact ? std::optional<double>(scene.first().contact->station) : std::nullopt;
 
-  // Both planes from one computation where they are the same: the same bits.
+  // If both planes are equal, they share one computation, so that their bits are equal too.
   const ScaledModes x = scaled(ritz.basis, modes.x, modes.kept, contact);
   const ScaledModes y = ritz.isotropic ? x : scaled(ritz.basis, modes.y, modes.kept, contact);
 
@@ -207,7 +209,6 @@ ModalRotor reduce_bending(const scene::Scene& scene, const RotorModes& modes) {
     add_own_damping(modes, geometry.damping_ratio, geometry.internal_damping_ratio, x, y, rotor);
   }
 
-  // Stations of the scene, through the mode values there.
   const auto shape_at = [&](double z) {
     const Eigen::RowVectorXd u = ritz.basis.deflection(z);
     return ModeShape{x.shape.transpose() * u.transpose(), y.shape.transpose() * u.transpose()};

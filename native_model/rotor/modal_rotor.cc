@@ -15,7 +15,7 @@
 namespace rotorub {
 namespace {
 
-// A list of the scene as a vector of n; an empty list means `missing` throughout.
+// Converts a list of the scene to a vector of n values; an empty list means `missing` everywhere.
 Eigen::VectorXd values(const std::vector<double>& list, std::size_t n, double missing) {
   if (list.empty()) return Eigen::VectorXd::Constant(static_cast<Eigen::Index>(n), missing);
   assert(list.size() == n);
@@ -41,7 +41,7 @@ TorsionModes modal_form_torsion(const scene::Scene& scene) {
           std::move(contacts)};
 }
 
-// Modal form: what the scene states, copied.
+// Modal form: copies the values of the scene.
 ModalRotor modal_form(const scene::Scene& scene) {
   const scene::RotorModal& modal = *scene.rotor.modal;
   const std::size_t n = modal.mass.size();
@@ -68,7 +68,7 @@ ModalRotor modal_form(const scene::Scene& scene) {
     if (!bearing.sensor_shape.empty()) at.sensor = shape(bearing.sensor_shape);
   }
 
-  // Without a participation a mode weighs what it is.
+  // Without a participation the gravity load of a mode is its modal mass.
   const bool given = scene.gravity && !scene.gravity->participation.empty();
   rotor.gravity_x = given ? values(scene.gravity->participation, n, 0.0) : rotor.x.mass;
   rotor.gravity_y = given ? rotor.gravity_x : rotor.y.mass;
@@ -86,7 +86,7 @@ ModalRotor geometry_form(const scene::Scene& scene) {
 }
 
 // Calls add(z, J) for every polar inertia J (kg m^2) along the shaft: quadrature points of the
-// shaft itself, discs, motor.
+// shaft itself, discs and motor.
 template <typename Add>
 void for_each_inertia(const scene::Scene& scene, const std::vector<ShaftElement>& mesh,
                       const Add& add) {
@@ -104,7 +104,7 @@ struct TorsionSolution {
   TorsionBasis basis;
   PlanarModes modes;
   int wanted;
-  // rad/s, see solve_refined
+  // rad/s, highest requested frequency (see solve_refined)
   double highest() const {
     return wanted > basis.size() ? std::numeric_limits<double>::infinity()
                                  : modes.frequency[wanted - 1];
@@ -121,8 +121,8 @@ TorsionSolution solve_torsion(const scene::Scene& scene, double omega) {
     return omega * std::sqrt(geometry.rho / geometry.G);
   }));
 
-  // Free shaft: without the share of the rigid spin the elastic part has no angular momentum, so
-  // that the two are orthogonal. The row of the shaft held at z = 0 needs no offset.
+  // Free shaft: the offset removes the share of the rigid spin. The elastic part then has no
+  // angular momentum, so the two are orthogonal. A shaft held at z = 0 needs no offset.
   if (scene.drive) {
     Eigen::RowVectorXd momentum = Eigen::RowVectorXd::Zero(basis.size());
     double total = 0.0;
@@ -156,7 +156,7 @@ double spin_inertia(const scene::Scene& scene) {
   const scene::RotorGeometry& geometry = *scene.rotor.geometry;
   double inertia = scene.drive ? scene.drive->inertia : 0.0;
   for (const scene::ShaftSection& section : geometry.sections) {
-    // The mean of d^4 over a cone's length is (a^4 + a^3 b + a^2 b^2 + a b^3 + b^4) / 5.
+    // The mean of d^4 over the length of a cone is (a^4 + a^3 b + a^2 b^2 + a b^3 + b^4) / 5.
     const auto mean = [](double a, double b) {
       return a == b ? fourth(a) : ((a * a + b * b) * (a * a + a * b + b * b) - a * a * b * b) / 5.0;
     };
@@ -187,14 +187,14 @@ TorsionModes torsion_modes(const scene::Scene& scene) {
                       Eigen::VectorXd(n),
                       std::vector<Eigen::VectorXd>(scene.auxiliary.size(), Eigen::VectorXd(n))};
   for (Eigen::Index j = 0; j < n; ++j) {
-    const Eigen::VectorXd mode = solution.modes.shape.col(j);  // of unit inertia
+    const Eigen::VectorXd mode = solution.modes.shape.col(j);  // scaled to unit inertia
     const auto angle = [&](double z) { return solution.basis.angle(z).dot(mode); };
     const ModeScale scale = mode_scale(angle, stations, contact);
     const double omega = solution.modes.frequency[j];
     result.inertia[j] = scale.factor * scale.factor;
     result.stiffness[j] = result.inertia[j] * omega * omega;
     result.damping[j] = 2.0 * scene.rotor.torsion->damping_ratio * result.inertia[j] * omega;
-    // Held at the motor's station there is no motion of the motor.
+    // Without a drive the shaft is held at the motor's station, so the motor does not move.
     result.drive_shape[j] = scene.drive ? scale.factor * angle(scene.drive->station) : 0.0;
     result.contacts.front()[j] = scale.contact;
     for (std::size_t k = 1; k < scene.auxiliary.size(); ++k) {

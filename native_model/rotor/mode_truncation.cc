@@ -33,13 +33,13 @@ std::optional<ContactMass> contact_mass(const scene::Scene& scene) {
 
 namespace {
 
-// Something that the kept modes must know: of a sum over modes that rises to its value of all modes
-// the sum, or its inverse, which falls.
+// A quantity that the kept modes must reproduce. It is a sum over modes, which rises to its value
+// for all modes, or the inverse of such a sum, which falls.
 struct Quantity {
   std::string name;
   Eigen::VectorXd sums;  // over the first k modes, k = 1 to N
   bool inverse = false;
-  // How far it is off with k modes, of its value with all.
+  // Relative error with `kept` modes, compared with all modes.
   double left_out(int kept) const {
     const double of_all = sums[kept - 1] / sums[sums.size() - 1];
     if (!inverse) return 1.0 - of_all;
@@ -95,7 +95,8 @@ const Quantity& worst(const std::vector<Quantity>& all, int kept) {
   });
 }
 
-// Of one mesh: the least number of its modes within the tolerance; all of them are.
+// The least number of modes of one mesh within the tolerance. It exists because all modes together
+// have no error.
 int fewest_of(const std::vector<Quantity>& all, double tolerance) {
   int kept = 1;
   for (const Quantity& q : all) {
@@ -110,7 +111,8 @@ std::string digits(double value) {
   return text.data();
 }
 
-// `modes`: on a mesh of which more than kMostAutoModes would be needed; a finer one needs no fewer.
+// Throws SceneError. The mesh of `modes` would need more than kMostAutoModes modes; a finer mesh
+// needs at least as many.
 [[noreturn]] void refuse(const scene::Scene& scene, const RotorModes& modes) {
   const std::vector<Quantity> all = quantities(scene, modes);
   const Quantity& q = worst(all, kMostAutoModes);
@@ -140,8 +142,9 @@ RotorModes fewest_modes(const scene::Scene& scene,
   const auto needed = [&](const RotorModes& modes) {
     return fewest_of(quantities(scene, modes), tolerance);
   };
-  // A finer mesh is softer, so that it needs no fewer modes than a coarser one: what the mesh of n
-  // modes asks for is where to look next, in steps that are small where the answer is a refusal.
+  // A finer mesh is softer, so it needs at least as many modes as a coarser one. The number needed
+  // on the mesh for n modes is therefore the next candidate. n at most doubles per iteration, so a
+  // refusal does not cost a very fine mesh.
   int n = 1;
   std::optional<RotorModes> found;
   while (!found) {
@@ -155,7 +158,7 @@ RotorModes fewest_modes(const scene::Scene& scene,
       n = std::min(k, 2 * n);
     }
   }
-  // Softer to round-off only: one less may do as well.
+  // A finer mesh is softer only up to round-off, so one mode less may also be enough.
   while (n > 1) {
     RotorModes modes = with_modes(n - 1);
     if (needed(modes) > n - 1) break;

@@ -1,4 +1,4 @@
-// What a shaft loses with the modes that are not kept, and how many of them are enough.
+// Effect of the modes that are not kept, and the number of modes that is enough.
 #pragma once
 
 #include <functional>
@@ -9,33 +9,34 @@
 
 namespace rotorub {
 
-// What a rigid impact meets: the effective mass of the shaft at the contact, 1 / (u M^-1 u^T), u
-// the mode values there. With more modes kept it falls without end unless a mass sits at the
-// station (a sleeve): the largest impact falls with it, the mean force of a rub hardly does.
+// Effective mass of the shaft at the contact in a rigid impact, 1 / (u M^-1 u^T), with u the mode
+// values there. It falls without limit as more modes are kept, unless there is a mass at the
+// station (a sleeve). The largest impact falls with it; the mean force of a rub hardly changes.
 struct ContactMass {
-  double kept = 0.0;  // kg, with the modes kept; the lighter plane's
-  double mesh = 0.0;  // kg, with all modes of the mesh they were found on, <= kept
+  double kept = 0.0;  // kg, with the kept modes, in the plane where it is smaller
+  double mesh = 0.0;  // kg, with all modes of the mesh on which they were computed, <= kept
   int kept_modes = 0, mesh_modes = 0;
-  // Impacts are those of the modes kept, not of the shaft.
+  // If true, the impacts depend on the number of kept modes and are not those of the shaft.
   bool truncated() const { return kept > 1.1 * mesh; }
 };
 
-// Of a rotor in geometry form with a contact; otherwise none. Solves the shaft's eigenvalue
+// Empty unless the rotor is in geometry form and has a contact. Solves the shaft's eigenvalue
 // problem.
 std::optional<ContactMass> contact_mass(const scene::Scene& scene);
 
-// [rotor] modes = "auto": as few bending modes as still tell what an impact and a static load meet.
-// More modes than this are refused: a step that follows them is below 2 us on most shafts.
+// Limit for [rotor] modes = "auto", which keeps the fewest bending modes that give the right
+// effective mass and static flexibility. More modes are refused: on most shafts they would need a
+// time step below 2 us.
 inline constexpr int kMostAutoModes = 50;
 
-// The least number of modes n for which, on the mesh that n modes have, the first n modes are
-// within the scene's modes_tolerance of all modes of that mesh, in both planes, in
+// Finds the least n for which the first n modes agree with all modes of the mesh made for n modes.
+// The tolerance is the scene's modes_tolerance, and in both planes it applies to
 //   - the effective mass at the contact, 1 / (u M^-1 u^T),
 //   - the static flexibility u K^-1 u^T at contact, bearings, forces, magnetic bearings
 //     and their sensors.
-// `with_modes`: the shaft with n modes kept. Throws scene::SceneError where there is no such number
-// up to kMostAutoModes: the effective mass of a station without a mass of its own falls without
-// end.
+// with_modes(n) returns the shaft with n modes kept. Throws scene::SceneError if no n up to
+// kMostAutoModes is enough. This happens at a contact without a mass of its own, where the
+// effective mass falls without limit.
 RotorModes fewest_modes(const scene::Scene& scene,
                         const std::function<RotorModes(int)>& with_modes);
 

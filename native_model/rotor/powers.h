@@ -1,4 +1,5 @@
-// Whole powers by multiplication: the same bits everywhere, which a library's pow does not promise.
+// Integer powers by multiplication. They give the same bits on every platform, which pow() does not
+// guarantee.
 #pragma once
 
 namespace rotorub {

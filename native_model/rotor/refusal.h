@@ -1,4 +1,5 @@
-// Refusals of a rotor that only its matrices can show, at the place in the scene's file.
+// Rejects a rotor for errors that only its matrices can show, and reports the place in the scene
+// file.
 #pragma once
 
 #include <optional>
@@ -12,12 +13,12 @@
 
 namespace rotorub {
 
-// Matrices that cannot be solved to working precision.
+// The matrices cannot be solved to working precision.
 class RotorNotSolvable : public std::runtime_error {
   using std::runtime_error::runtime_error;
 };
 
-// What an iteration found; refuses the rotor where it found nothing.
+// Returns the result of an iteration; throws RotorNotSolvable if it is empty.
 template <typename Found>
 Found found_by(std::optional<Found> iteration,
                const char* refusal = "no eigenvalues can be found") {
@@ -25,8 +26,8 @@ Found found_by(std::optional<Found> iteration,
   return *std::move(iteration);
 }
 
-// action(), with its refusals at the place of their keys, and with what cannot be solved as a
-// refusal of the whole rotor.
+// Runs action(). Its SceneErrors get the place of their keys in the scene file; RotorNotSolvable
+// becomes a SceneError for the whole rotor.
 template <typename Action>
 auto with_place(const scene::Scene& scene, const Action& action) {
   try {

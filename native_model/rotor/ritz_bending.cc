@@ -11,7 +11,7 @@
 namespace rotorub {
 namespace {
 
-// The outermost stations with a stiffness in the plane; they differ, or the shaft is a mechanism.
+// The outermost stations with a stiffness in the plane. If they coincide, the shaft is a mechanism.
 std::pair<double, double> supports(const scene::RotorGeometry& geometry, int plane) {
   double first = std::numeric_limits<double>::infinity();
   double last = -first;
@@ -29,7 +29,8 @@ std::pair<double, double> supports(const scene::RotorGeometry& geometry, int pla
             "[magnetic_bearing] with a control, or two of those"}});
 }
 
-// M, G and the gravity load of the shaft itself, by Gauss quadrature exact for every product.
+// Adds M, G and the gravity load of the shaft itself. The Gauss quadrature is exact for every
+// product.
 void add_shaft(const scene::RotorGeometry& geometry, RitzBending& ritz) {
   for (const ShaftElement& element : ritz.basis.mesh()) {
     for_each_point(element, element.functions + 2, [&](double z, double, double weight) {
@@ -74,7 +75,7 @@ std::vector<ShaftElement> bending_mesh(const scene::RotorGeometry& geometry,
   for (const scene::ShaftBearing& bearing : geometry.bearings) nodes.push_back(bearing.z);
   // Bending wave: E I k^4 = rho A omega^2.
   return shaft_mesh(geometry, nodes, [&](const ShaftElement& element) {
-    // Of a cone where the wave is shortest: A / I is largest at an end.
+    // On a cone the wave is shortest at an end, where A / I is largest.
     const auto slenderness = [&](double z) {
       return element.area(z) / (geometry.E * element.inertia(z));
     };

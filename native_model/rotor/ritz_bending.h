@@ -4,7 +4,7 @@
 //   G = int 2 rho I u_z'u_z dz + sum J_p u_z'u_z        (I_p = 2 I)
 //   K = int E I u_zz'u_zz dz + sum k u'u
 //
-// u, u_z: rows of shape functions (BendingBasis). All integrals are exact.
+// u, u_z: rows of shape functions and their slopes (BendingBasis). All integrals are exact.
 #pragma once
 
 #include <Eigen/Core>
@@ -20,15 +20,15 @@ struct RitzBending {
   Eigen::MatrixXd mass;                      // N x N, symmetric, positive definite
   Eigen::MatrixXd gyroscopic;                // N x N, symmetric, >= 0
   Eigen::MatrixXd stiffness_x, stiffness_y;  // N x N, symmetric, positive definite
-  Eigen::VectorXd gravity;                   // N, int rho A u dz + sum m u, load per acceleration
-  bool isotropic = true;                     // stiffness the same in x and y, bit for bit
+  Eigen::VectorXd gravity;  // N, load per unit acceleration: int rho A u dz + sum m u
+  bool isotropic = true;    // the stiffness is bitwise equal in x and y
 };
 
 // Mesh for bending waves up to omega (rad/s). Elements end at discs, bearings and `stations` (m).
 std::vector<ShaftElement> bending_mesh(const scene::RotorGeometry& geometry,
                                        const std::vector<double>& stations, double omega);
 
-// Throws scene::SceneError where a plane is not held at two stations.
+// Throws scene::SceneError if a plane is not supported at two stations.
 RitzBending ritz_bending(const scene::RotorGeometry& geometry, std::vector<ShaftElement> mesh);
 
 }  // namespace rotorub

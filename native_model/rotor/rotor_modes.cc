@@ -22,8 +22,8 @@ namespace rotorub {
 PlanarModes planar_modes(const Eigen::MatrixXd& mass, const Eigen::MatrixXd& stiffness) {
   const SymmetricModes found =
       found_by(symmetric_modes(mass, stiffness), "no eigenmodes of the shaft can be found");
-  // Ascending omega^-2, so the modes come in reverse. Those that round-off leaves without a
-  // frequency of their own are given the highest one that can be distinguished from zero.
+  // The eigenvalues omega^-2 ascend, so the modes come in reverse order. Values lost in round-off
+  // are replaced by the smallest omega^-2 that can be distinguished from zero.
   const Eigen::VectorXd compliance = found.values.reverse();
   const double least = std::numeric_limits<double>::epsilon() * compliance[0];
   if (!(least > 0.0))
@@ -41,7 +41,7 @@ PlanarModes planar_modes(const Eigen::MatrixXd& mass, const Eigen::MatrixXd& sti
 
 PlanarModes free_modes(const Eigen::MatrixXd& mass, const Eigen::MatrixXd& stiffness,
                        double reference) {
-  constexpr double kFree = 1e-9;  // of the square of the reference: what round-off leaves
+  constexpr double kFree = 1e-9;  // share of reference^2; a smaller omega^2 is round-off
   const double shift = reference * reference;
   PlanarModes modes = planar_modes(mass, stiffness + shift * mass);
   for (double& omega : modes.frequency) {
@@ -89,10 +89,11 @@ scene::RotorGeometry supported(const scene::Scene& scene) {
 
 namespace {
 
-// Gyroscopic stiffening lifts forward whirl: waves up to this multiple of the frequency at rest.
+// Gyroscopic stiffening raises forward whirl, so the mesh resolves waves up to this multiple of the
+// frequency at rest.
 constexpr double kWhirlMargin = 2.0;
 
-// Where elements must end beside discs and bearings: every station a force may act on the shaft.
+// Stations where forces may act on the shaft. Elements must end there, as at discs and bearings.
 std::vector<double> loaded_stations(const scene::Scene& scene) {
   std::vector<double> stations;
   for (const Station& station : stations_of(scene)) {
@@ -103,7 +104,8 @@ std::vector<double> loaded_stations(const scene::Scene& scene) {
   return stations;
 }
 
-// A first guess: the highest mode wanted of a uniform shaft on two pins, of the stiffest section.
+// First guess: the highest requested frequency (rad/s) of a uniform, simply supported shaft with
+// the largest diameter.
 double pinned_frequency(const scene::RotorGeometry& geometry, int modes) {
   const double k = modes * std::numbers::pi / geometry.length;
   double diameter = 0.0;
@@ -148,9 +150,9 @@ RotorModes solve(const scene::Scene& scene, double omega) {
   return result;
 }
 
-// What modes are made of, list by list with its length before it: so many of them, or all on a mesh
-// for a frequency (0: the other is asked for). A field that a structure is given later does not
-// compile here until it is put in or left out.
+// The cache key: all numbers on which the modes depend, each list after its length. Either `wanted`
+// modes or `frequency` is given; the other is 0. If a structure gets a new field, this function
+// does not compile until the field is either added to the key or left out on purpose.
 std::vector<double> numbers_of(const scene::Scene& scene, int wanted, double frequency) {
   const scene::RotorGeometry geometry = supported(scene);
   const std::vector<double> stations = loaded_stations(scene);
@@ -190,9 +192,9 @@ std::vector<double> numbers_of(const scene::Scene& scene, int wanted, double fre
   return all;
 }
 
-// The latest solutions: one run asks for the same several times, and the runs of a comparison or a
-// sweep seldom change the shaft. From any thread; two that ask for the same at once may both solve
-// it.
+// Cache of the latest solutions. One run needs the same modes several times, and the runs of a
+// comparison or a sweep seldom change the shaft. It can be used from any thread; two threads that
+// need the same modes at once may both compute them.
 class KnownModes {
  public:
   template <class Find>
@@ -215,11 +217,11 @@ class KnownModes {
     return found->second;
   }
 
-  // The rungs of a ladder of modes, and as many for scenes beside it.
+  // Room for the iterations of modes = "auto" and as many other scenes.
   static constexpr std::size_t kMost = 8;
   using Known = std::pair<std::vector<double>, RotorModes>;
   std::mutex mutex_;
-  std::list<Known> known_;  // the latest first
+  std::list<Known> known_;  // most recent first
 };
 
 }  // namespace
@@ -235,7 +237,7 @@ RotorModes rotor_modes(const scene::Scene& scene) {
 
   static KnownModes known;
 
-  // A number of modes: the frequency that the mesh must carry is found on the way.
+  // With a given number of modes, the frequency that the mesh must resolve is found iteratively.
   const auto with_modes = [&](int count) {
     return known.at(numbers_of(scene, count, 0.0), [&] {
       return solve_refined(pinned_frequency(geometry, count), [&](double omega) {
@@ -248,7 +250,8 @@ RotorModes rotor_modes(const scene::Scene& scene) {
   if (geometry.auto_modes) return fewest_modes(scene, with_modes);
   if (geometry.modes) return with_modes(*geometry.modes);
 
-  // A bound on the frequency: Ritz frequencies come from above, so none is missed on a mesh for it.
+  // With a bound on the frequency: Ritz frequencies are upper bounds, and a mesh made for the bound
+  // misses no mode below it.
   assert(geometry.max_frequency);
   const double bound = *geometry.max_frequency;
   RotorModes result = known.at(numbers_of(scene, 0, bound), [&] { return solve(scene, bound); });

@@ -14,7 +14,7 @@
 namespace rotorub {
 namespace {
 
-// Ends of the shaft and everything that acts at one place, ascending, none twice.
+// Both ends of the shaft and all stations, ascending and without duplicates.
 std::vector<double> stations(const scene::Scene& scene) {
   const scene::RotorGeometry& geometry = *scene.rotor.geometry;
   std::vector<double> all{0.0, geometry.length};
@@ -27,7 +27,7 @@ std::vector<double> stations(const scene::Scene& scene) {
   return all;
 }
 
-// The intervals between stations, cut where they are longest until there are `count`.
+// Divides the intervals between the stations, always the longest first, until there are `count`.
 std::vector<double> nodes(const std::vector<double>& stations, int count) {
   const std::size_t intervals = stations.size() - 1;
   if (static_cast<std::size_t>(count) < intervals) {
@@ -54,11 +54,11 @@ std::vector<double> nodes(const std::vector<double>& stations, int count) {
   return result;
 }
 
-// A cone is so many short cylinders, which converge with the square of their length, as the
-// segments do.
+// A cone is split into this many short cylinders. Their error falls with the square of their
+// length, as the error of the segments does.
 constexpr int kConePieces = 32;
 
-// Calls add(length, middle, A, I) for each piece of constant section of the range.
+// Calls add(length, middle, A, I) for each piece of constant section in the range.
 template <typename Add>
 void for_each_piece(const scene::RotorGeometry& geometry, double from, double to, const Add& add) {
   for (const scene::ShaftSection& section : geometry.sections) {

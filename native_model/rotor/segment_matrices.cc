@@ -14,7 +14,7 @@ namespace {
 void fill_inertia(const scene::RotorGeometry& geometry, const SegmentChain& chain,
                   SegmentMatrices& m) {
   const auto add = [&](double node, double z, double mass, double Jt, double Jp) {
-    // A segment's row, taken at its node: also for a centre beyond the joint.
+    // The segment is the one of the node, even if the centre of mass lies beyond the joint.
     const Eigen::RowVectorXd tilt = chain.slope(node);
     const Eigen::RowVectorXd u = chain.deflection(node) + (z - node) * tilt;
     m.mass += mass * u.transpose() * u + Jt * tilt.transpose() * tilt;
@@ -49,7 +49,7 @@ std::optional<double> contact_station(const scene::Scene& scene) {
   return scene.first().contact->station;
 }
 
-// The first `kept` modes, scaled as the native ones are.
+// The first `kept` modes with the scaling of the native model.
 Eigen::MatrixXd scaled_shapes(const scene::Scene& scene, const SegmentChain& chain,
                               const PlanarModes& modes, int kept) {
   Eigen::MatrixXd shape = modes.shape.leftCols(kept);
@@ -60,8 +60,8 @@ Eigen::MatrixXd scaled_shapes(const scene::Scene& scene, const SegmentChain& cha
   return shape;
 }
 
-// `modes`: with magnetic bearings' springs, where there are any; damping ratios are of those
-// without.
+// modes: include the springs of magnetic bearings, if there are any. Damping ratios refer to the
+// modes without these springs.
 void fill_damping(const scene::Scene& scene, const SegmentChain& chain, OwnModes modes,
                   SegmentMatrices& m) {
   const scene::RotorGeometry& geometry = *scene.rotor.geometry;
@@ -91,8 +91,8 @@ void fill_bending(const scene::Scene& scene, const SegmentChain& chain, int kept
   m.highest = std::max(x.frequency.maxCoeff(), y.frequency.maxCoeff());
 }
 
-// Angles of the segments from the twists of the N joints: with a drive without a share of the rigid
-// spin, else held at the first.
+// Angles of the segments from the twists of the N joints. With a drive the share of the rigid spin
+// is removed; without one the first segment is held.
 Eigen::MatrixXd twist_basis(const Eigen::VectorXd& inertia, bool driven) {
   const Eigen::Index n = inertia.size();
   Eigen::MatrixXd basis = Eigen::MatrixXd::Zero(n, n - 1);
@@ -124,7 +124,7 @@ void fill_torsion(const scene::Scene& scene, const SegmentChain& chain, int kept
       Eigen::Map<const Eigen::VectorXd>(chain.torsion_stiffness.data(), n - 1);
   const Eigen::MatrixXd inertia = basis.transpose() * m.spin_inertia.asDiagonal() * basis;
   const PlanarModes modes = planar_modes(inertia, stiffness.asDiagonal());
-  const Eigen::MatrixXd angle = basis * modes.shape;  // of unit inertia
+  const Eigen::MatrixXd angle = basis * modes.shape;  // scaled to unit inertia
   const double ratio = scene.rotor.torsion ? scene.rotor.torsion->damping_ratio
                                            : scene.rotor.geometry->damping_ratio;
   const Eigen::MatrixXd momentum = m.spin_inertia.asDiagonal() * angle;
@@ -138,7 +138,7 @@ void fill_torsion(const scene::Scene& scene, const SegmentChain& chain, int kept
   m.highest = std::max(m.highest, modes.frequency.maxCoeff());
 }
 
-// A chain has as many modes as coordinates.
+// A chain has as many modes as coordinates: N + 2 in bending, N in elastic torsion.
 void check_modes(const SegmentChain& chain, int modes, int torsion_modes) {
   const auto segments = static_cast<int>(chain.joint.size());
   const int needed = std::max(modes - 2, torsion_modes);

@@ -12,13 +12,14 @@
 namespace rotorub {
 namespace {
 
-constexpr double kLongestElement = 4.0;  // k h
-constexpr int kMostFunctions = 1500;     // dense matrices beyond this take minutes
+constexpr double kLongestElement = 4.0;  // largest k h of an element
+constexpr int kMostFunctions = 1500;     // dense matrices of more functions take minutes
 constexpr int kFewestFunctions = 4;
 
-// Functions needed for a wave sin(k z): its Legendre coefficient of order n is about
-// a^n / (2 n + 1)!!, a = k h / 2; the error of a Ritz frequency is the square of the first one
-// left out. One more is kept, because mode values at stations err by the coefficient itself.
+// Number of functions for a wave sin(k z). Its Legendre coefficient of order n is about
+// a^n / (2 n + 1)!!, a = k h / 2, and the error of a Ritz frequency is the square of the first
+// omitted coefficient. One more function is kept because the error of mode values at stations is
+// the coefficient itself.
 int functions_needed(double wave_length_ratio) {
   constexpr double kLeftOut = 1e-8;
   const double a = 0.5 * wave_length_ratio;
@@ -38,14 +39,14 @@ int functions_needed(double wave_length_ratio) {
             " shape functions; accepted: fewer modes, or a lower max_frequency"}});
 }
 
-// On a cone the solution is a wave times what the section's change makes of it. Elements are so
-// short that neither diameter nor wall changes by more than this share in one: the cone's tip,
-// where I = 0, is 2 / kMostTaper + 1 = 9 half lengths away from the middle, and Legendre
-// coefficients fall by 9 + sqrt(80) = 18 each.
+// On a cone the solution is a wave times a factor from the change of the section. Elements are so
+// short that neither the diameter nor the wall changes by more than this share within one. The tip
+// of the cone, where I = 0, is then at least 2 / kMostTaper + 1 = 9 half lengths from the middle,
+// and each Legendre coefficient is 9 + sqrt(80) = 18 times smaller than the one before.
 constexpr double kMostTaper = 0.25;
 constexpr int kTaperFunctions = 6;
 
-// Into how many parts a span of a section must be cut for that.
+// Number of parts into which a span of a section must be cut so that kMostTaper holds.
 double taper_parts(const scene::ShaftSection& section, double from, double to) {
   if (!section.tapered()) return 1.0;
   const auto parts = [](double a, double b) {
@@ -67,12 +68,13 @@ Eigen::VectorXd legendre(int count, double xi) {
   return p;
 }
 
-// Coordinate of z in the element, in [-1, 1].
+// Local coordinate of z in the element, in [-1, 1].
 double local(const ShaftElement& element, double z) {
   return std::clamp(2.0 * (z - element.from) / element.length() - 1.0, -1.0, 1.0);
 }
 
-// int factor I P_m P_n dz of each element's Legendre polynomials, after `first` rows of zeros.
+// int factor I P_m P_n dz of the Legendre polynomials of each element; the first `first` rows and
+// columns are zero.
 Eigen::MatrixXd inertia_integral(const std::vector<ShaftElement>& mesh, int first, double factor) {
   const int size = first + function_count(mesh);
   Eigen::MatrixXd sum = Eigen::MatrixXd::Zero(size, size);
@@ -152,7 +154,7 @@ std::vector<ShaftElement> shaft_mesh(
     const ShaftElement whole{section.from, section.to, section};
     const double k = wave_number(whole);
 
-    // The section's own ends and the stations inside it.
+    // The section's ends and the stations between them.
     std::vector<double> cuts{section.from};
     for (double z : stations) {
       if (z > cuts.back() && z < section.to) cuts.push_back(z);
@@ -189,12 +191,12 @@ LegendreValues integrated_legendre(int count, double xi) {
   assert(count >= 1 && xi >= -1.0 && xi <= 1.0);
   const Eigen::VectorXd p = legendre(count + 2, xi);
 
-  // int P_n = (P_{n+1} - P_{n-1}) / (2 n + 1); one more than asked for, used by the next line.
+  // int P_n = (P_{n+1} - P_{n-1}) / (2 n + 1); one more than requested, for the second integral.
   Eigen::VectorXd first(count + 1);
   first[0] = 1.0 + xi;
   for (int n = 1; n <= count; ++n) first[n] = (p[n + 1] - p[n - 1]) / (2 * n + 1);
 
-  // The same identity again; n = 0 and n = 1 have terms that do not vanish at -1.
+  // The same identity again. For n = 0 and n = 1 some terms do not vanish at -1.
   Eigen::VectorXd second(count);
   second[0] = 0.5 * (1.0 + xi) * (1.0 + xi);
   if (count > 1) second[1] = (first[2] - first[0]) / 3.0;
@@ -205,11 +207,10 @@ LegendreValues integrated_legendre(int count, double xi) {
 
 GaussRule gauss_legendre(int n) {
   assert(n >= 1);
-  constexpr int kNewtonSteps = 8;  // quadratic from a start good to 1e-3: 5 reach round-off
+  constexpr int kNewtonSteps = 8;  // converges quadratically from 1e-3: 5 steps reach round-off
   GaussRule rule{Eigen::VectorXd(n), Eigen::VectorXd(n)};
   for (int i = 0; i < n; ++i) {
-    // Tricomi's start for the i-th root of P_n, then Newton with (1 - x^2) P_n' = n (P_{n-1} - x
-    // P_n).
+    // Newton with (1 - x^2) P_n' = n (P_{n-1} - x P_n), from Tricomi's estimate of the i-th root.
     double x = -std::cos(std::numbers::pi * (i + 0.75) / (n + 0.5));
     double slope = 0.0;
     for (int step = 0; step < kNewtonSteps; ++step) {
@@ -231,9 +232,9 @@ BendingBasis::BendingBasis(std::vector<ShaftElement> mesh, double first_anchor,
   raw_at_second_ = raw(second_, 0);
 }
 
-// Twice integrated curvature from the shaft's left end. Left of its element a function is 0; to the
-// right it goes on straight: its slope is h (n = 0) or 0, and it has moved by h^2/2 (n = 0),
-// -h^2/6 (n = 1) or 0.
+// Curvature integrated twice from the left end of the shaft. A function is 0 to the left of its
+// element. To the right it continues as a straight line with the slope h (n = 0) or 0; its value at
+// the element's end is h^2/2 (n = 0), -h^2/6 (n = 1) or 0.
 Eigen::RowVectorXd BendingBasis::raw(double z, int derivative) const {
   Eigen::RowVectorXd row = Eigen::RowVectorXd::Zero(size());
   int at = 2;
