@@ -280,8 +280,9 @@ const Config* find(const mjModel* m, const mjData* d, bool check) {
     refuse_clash(*config, m);
     return nullptr;
   }
-  model_entries(*config, d).config_id = config->id;
-  seal_block(*config, d);
+  mjData* marked = const_cast<mjData*>(d);  // only userdata changes, which d points to
+  model_entries(*config, marked).config_id = config->id;
+  seal_block(*config, marked);
   return config;
 }
 

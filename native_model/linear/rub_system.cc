@@ -58,6 +58,10 @@ void check_feedback(const Checks& check, std::size_t bearing,
           std::string("the analysis has no state for ") + what +
               "; accepted are 0 (left out), or " + path + "fails_at = 0");
   };
+  check(control.sampled(), path + "sample_time",
+        "between samples the feedback is not linear in the state; accepted are 0 (left out) with "
+        "form pid, or " +
+            path + "fails_at = 0");
   has_no_state(control.integral > 0.0, path + "integral", "an integrator");
   has_no_state(control.derivative_lag > 0.0, path + "derivative_lag", "a filter");
   check(magnetic.amplifier.has_value(),

@@ -78,12 +78,26 @@ void find_steps(const scene::Run& run, double step, std::vector<scene::Diagnosti
 }
 
 void find_samples(const scene::Scene& scene, std::vector<scene::Diagnostic>& wrong) {
-  const double time = scene.first().controller ? scene.first().controller->sample_time : 0.0;
-  const double count = scene.run.end / time;
-  if (!(time > 0.0) || count <= kMostRunSteps) return;
-  wrong.push_back({"", 0, "controller.sample_time",
-                   too_many(scene.run, count, " samples", kMostRunSteps) + " samples, one in " +
-                       rough_text(scene.run.end / kMostRunSteps) + " s"});
+  const auto look = [&](const std::string& key, double time) {
+    const double count = scene.run.end / time;
+    if (!(time > 0.0) || count <= kMostRunSteps) return;
+    wrong.push_back({"", 0, key + "sample_time",
+                     too_many(scene.run, count, " samples", kMostRunSteps) + " samples, one in " +
+                         rough_text(scene.run.end / kMostRunSteps) + " s"});
+  };
+  const bool several = scene.auxiliary.size() > 1;
+  for (std::size_t k = 0; k < scene.auxiliary.size(); ++k) {
+    const auto& controller = scene.auxiliary[k].controller;
+    if (!controller) continue;
+    look((several ? scene::list_element("contact", k) + "." : std::string()) + "controller.",
+         controller->sample_time);
+  }
+  for (std::size_t k = 0; k < scene.magnetic_bearings.size(); ++k) {
+    const auto& control = scene.magnetic_bearings[k].control;
+    if (!control) continue;
+    look(scene::magnetic_bearing_path(scene.record.get(), k) + ".control.", control->sample_time);
+  }
+  if (scene.magnetic_control) look("magnetic_control.", scene.magnetic_control->sample_time);
 }
 
 // An integrator with adaptive steps resolves every turn of a load.

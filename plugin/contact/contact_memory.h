@@ -7,6 +7,7 @@
 #include <cmath>
 #include <limits>
 
+#include "native_model/contact/kinematics.h"
 #include "native_model/trajectory/trajectory.h"
 #include "plugin/contact/noted_contact.h"
 #include "plugin/contact/rigid_step.h"

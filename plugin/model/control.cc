@@ -83,7 +83,7 @@ WhileCompiling::~WhileCompiling() { compiling = outer_; }
 
 void controller_failed(mjData* d, const std::string& why) {
   if (compiling) return;
-  d->userdata.status = static_cast<double>(Status::kControllerFailed);
+  entries<ModelEntries>(d, 0).contact.status = static_cast<double>(Status::kControllerFailed);
   raise_error(("rotorub: " + why).c_str());
 }
 
@@ -93,16 +93,17 @@ void write_command(const Config& config, const mjModel* m, mjData* d, const Coor
   double v[kMaxCoordinates];
   velocity_at_time(config, m, d, state, v);
   // Before it is on: 0, the value of mj_resetData.
-  Eigen::Vector2d u{d->userdata.held_x, d->userdata.held_y};
+  ModelEntries& data = model_entries(config, d);
+  Eigen::Vector2d u{data.held_x, data.held_y};
   if (d->time >= model.first().control_on) {
     const double sample = model.first().sample_time > 0.0
                               ? 1.0 + sample_index(d->time, model.first().sample_time)
                               : 0.0;
-    if (sample == 0.0 || sample != d->userdata.sample) {
+    if (sample == 0.0 || sample != data.sample) {
       u = command_of(config, m, d, state.q(), v);
-      d->userdata.held_x = u.x();
-      d->userdata.held_y = u.y();
-      d->userdata.sample = sample;
+      data.held_x = u.x();
+      data.held_y = u.y();
+      data.sample = sample;
     }
   }
   const Eigen::Vector2d told = model.first().magnets ? u : to_axes(u);
@@ -129,7 +130,8 @@ Eigen::Vector2d command_of_pass(const Config& config, const mjModel* m, const mj
   if (config.actuator[0] < 0 || config.actuator[1] < 0) return {0.0, 0.0};
   const bool lags = model.first().magnets && model.first().magnets->coil_lag > 0.0;
   if (config.takes_native_steps() && model.first().controller && !lags) {
-    return {d->userdata.held_x, d->userdata.held_y};
+    const ModelEntries& data = model_entries(config, d);
+    return {data.held_x, data.held_y};
   }
   if (!model.first().magnets) return actuator_state(config, m, d).force;
   return {asked_current(m, d, config.actuator[0]), asked_current(m, d, config.actuator[1])};

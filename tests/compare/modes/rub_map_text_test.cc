@@ -109,6 +109,15 @@ TEST(RubAnalyses, SaysWhyThereAreNone) {
   const RubAnalyses rubs = analyse_rubs(sliding, {sliding.rotor.speed}).front();
   EXPECT_TRUE(rubs.at.empty());
   EXPECT_NE(rubs.refused.find("controller.kind"), std::string::npos) << rubs.refused;
+  scene::Scene sampled = shipped("bench_whip");
+  sampled.magnetic_bearings.resize(1);
+  scene::BearingControl& control = sampled.magnetic_bearings[0].control.emplace();
+  control.force_per_current = 100.0;
+  control.proportional = 1000.0;
+  EXPECT_EQ(analyse_rubs(sampled, {100.0}).front().refused, "");
+  control.sample_time = 1e-4;
+  EXPECT_NE(analyse_rubs(sampled, {100.0}).front().refused.find("control.sample_time"),
+            std::string::npos);
   scene::Scene open = shipped("bench_whip");
   open.first().contact.reset();
   EXPECT_EQ(analyse_rubs(open, {100.0}).front().refused, "");
