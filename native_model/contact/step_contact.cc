@@ -212,9 +212,10 @@ bool SeveralOnCircles::go_on_as_before() {
   double p[kMostRows] = {}, matrix[kMostRows][kMostRows], rest[kMostRows];
   std::array<Eigen::Vector3d, kMaxContacts> rates;
   constexpr int kRounds = 8;
-  // Shares of the largest impulse: settled; and so near that a round that brings no more is
-  // round-off, which gaps over a small h have much of.
-  constexpr double kDone = 1e-14, kNear = 1e-6;
+  // Shares of the largest impulse. After a change of kDone the next one would be of its square,
+  // below round-off. After kNear a round that brings no more is round-off, which gaps divided by a
+  // small h have much of.
+  constexpr double kDone = 1e-8, kNear = 1e-6;
   double last = std::numeric_limits<double>::infinity();
   for (int round = 0;; ++round) {
     if (round == kRounds) return false;

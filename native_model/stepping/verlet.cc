@@ -132,14 +132,21 @@ void VerletStep::forget_jumps() {
 
 // The share of the kick from begin to end (s) before a load or a command jumps in lasting contact;
 // 0: none does. Of commands that jump at several instants the first counts.
-double VerletStep::share_before_jump(double begin, double end) const {
+double VerletStep::share_before_jump(double begin, double end) {
   if (!(switches_ || command_jumps_) || !contacts.lasts()) return 0.0;
   constexpr double kNone = 2.0;
   double share = kNone;
   for (const CommandJump& command : jumps_) {
     if (command_jumps_ && command.share > 0.0) share = std::min(share, command.share);
   }
-  if (share == kNone) share = (next_switch(x.m, begin, end) - begin) / (end - begin);
+  if (share == kNone) {
+    if (!(begin >= switch_from_ && begin < switch_at_)) {
+      switch_from_ = begin;
+      switch_at_ = next_switch(x.m, begin, std::numeric_limits<double>::infinity());
+    }
+    if (switch_at_ >= end) return 0.0;
+    share = (switch_at_ - begin) / (end - begin);
+  }
   return share > kLeastPart && share < 1.0 - kLeastPart ? share : 0.0;
 }
 

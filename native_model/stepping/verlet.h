@@ -20,6 +20,7 @@
 #include <Eigen/Core>
 #include <array>
 #include <cstdint>
+#include <limits>
 #include <optional>
 
 #include "native_model/model/finite_impact.h"
@@ -78,7 +79,7 @@ class VerletStep {
   void kick(std::int64_t k, bool later = false);
   void halve_kick();
 
-  double share_before_jump(double begin, double end) const;
+  double share_before_jump(double begin, double end);
   void split(double share, double begin, double end);
   void take_part(const StepContacts::State& was, double begin, double end);
   void command_part(bool before, double share);
@@ -98,7 +99,9 @@ class VerletStep {
   // work.
   double late_work_ = 0.0;
 
-  bool switches_ = false;       // a load is switched some time
+  bool switches_ = false;  // a load is switched at some time
+  // s, the next such time after switch_from_.
+  double switch_from_ = std::numeric_limits<double>::infinity(), switch_at_ = 0.0;
   bool command_jumps_ = false;  // in the step that comes
   std::array<CommandJump, kMaxContacts> jumps_;
   // Of a step in parts: contact before it; x.after of the mean loads, of the parts.
