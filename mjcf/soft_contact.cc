@@ -4,6 +4,7 @@
 #include <cassert>
 #include <cmath>
 #include <numbers>
+#include <numeric>
 
 #include "native_model/scene/scene.h"
 
@@ -13,10 +14,11 @@ namespace {
 // Estimate of the speeds at which the scene's rotor strikes its ring, m/s.
 double impact_speed(const scene::Scene& scene) {
   const double clearance = scene.first().contact->clearance;
-  const auto first = [](const std::vector<double>& values) {
-    return values.empty() ? 0.0 : values.front();
+  // Every mode is 1 at the first contact.
+  const auto at_contact = [](const std::vector<double>& modes) {
+    return std::accumulate(modes.begin(), modes.end(), 0.0);
   };
-  const Eigen::Vector2d start(first(scene.initial.vx), first(scene.initial.vy));
+  const Eigen::Vector2d start(at_contact(scene.initial.vx), at_contact(scene.initial.vy));
   const double gravity = scene.gravity ? scene.gravity->acceleration.norm() : 0.0;
   const std::optional<scene::Stator>& ring = scene.first().stator;
   const Eigen::Vector2d ring_velocity = ring ? ring->velocity : Eigen::Vector2d(0.0, 0.0);

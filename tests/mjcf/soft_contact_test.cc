@@ -4,6 +4,7 @@
 #include <string>
 
 #include "mjcf/soft_contact.h"
+#include "tests/support/jeffcott.h"
 #include "tests/support/mujoco_fixture.h"
 
 namespace rotorub::test {
@@ -47,6 +48,17 @@ TEST(SoftContact, DefaultIsAsStiffAsTheStepAllows) {
   const SoftContact plastic = soft_contact(0.0, 1e-5);
   EXPECT_LE(plastic.damping * 1e-5, 1.0 + kRoundOff);
   EXPECT_DOUBLE_EQ(soft_contact(0.5, 1e-5, 1e8).stiffness, 1e8);
+}
+
+TEST(SoftContact, OfAConeKnowsTheSpeedOfEveryMode) {
+  scene::Scene s = test::make_scene({.mass = 2.0, .stiffness = 2e5, .restitution = 0.5});
+  const auto stiffness = [&](std::vector<double> vx) {
+    s.initial.vx = std::move(vx);
+    return soft_contact(s, scene::ContactModel::kCone, 1e-5).stiffness;
+  };
+  const double slow = stiffness({0.001}), fast = stiffness({0.02});
+  EXPECT_GT(fast, slow);
+  EXPECT_EQ(stiffness({0.0, 0.02}), fast);
 }
 
 class SoftContactInMujoco : public MujocoTest, public ::testing::WithParamInterface<double> {};

@@ -2,13 +2,16 @@
 // its bearings are described in.
 #include <gtest/gtest.h>
 
+#include <Eigen/Core>
 #include <cmath>
+#include <complex>
 #include <numbers>
 #include <sstream>
 #include <string>
 #include <vector>
 
 #include "native_model/linear/campbell.h"
+#include "native_model/linear/whirl_system.h"
 #include "tests/support/native_run.h"
 
 namespace rotorub::test {
@@ -117,6 +120,30 @@ TEST(CrossStiffness, WhatDrivesWhirlMovesNoCriticalSpeed) {
       critical_speeds(shaft("stiffness = [1e6, 0.8e6]\ncross_stiffness = [2e5, -2e5]\n"));
   ASSERT_EQ(plain.size(), driven.size());
   for (std::size_t k = 0; k < plain.size(); ++k) EXPECT_NEAR(driven[k] / plain[k], 1.0, 1e-9);
+}
+
+// With r = x + i y the equations of both planes, [A, B; -B, A], are A - i B.
+TEST(CrossStiffness, OfEqualPlanesIsTheSameInOneComplexEquation) {
+  const std::string one = "stiffness = 1e6\ndamping = 500.0\n";
+  const std::string film =
+      "table_speed = [0.0, 250.0]\ntable_kxx = [1e6, 2e6]\ntable_kyy = [1e6, 2e6]\n"
+      "table_kxy = [3e5, 5e5]\ntable_kyx = [-3e5, -5e5]\ntable_cxx = [900.0, 700.0]\n"
+      "table_cyy = [900.0, 700.0]\ntable_cxy = [200.0, 300.0]\ntable_cyx = [-200.0, -300.0]\n";
+  for (const std::string& bearing : {one, film}) {
+    const WhirlSystem system = shaft(bearing);
+    ASSERT_TRUE(system.isotropic);
+    constexpr double kSpeed = 130.0;
+    const WhirlMatrices complex = isotropic_matrices(system, kSpeed);
+    const PlanesMatrices planes = planes_matrices(system, kSpeed);
+    const Eigen::Index n = system.size();
+    const auto joined = [n](const Eigen::MatrixXd& m) {
+      const std::complex<double> i(0.0, 1.0);
+      return Eigen::MatrixXcd(m.topLeftCorner(n, n) - i * m.topRightCorner(n, n));
+    };
+    EXPECT_LT((complex.damping - joined(planes.damping)).norm(), 1e-13 * planes.damping.norm());
+    EXPECT_LT((complex.stiffness - joined(planes.stiffness)).norm(),
+              1e-13 * planes.stiffness.norm());
+  }
 }
 
 }  // namespace
