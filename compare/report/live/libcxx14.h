@@ -45,6 +45,11 @@ inline to_chars_result to_chars(char* first, char* last, double value) {
   }
 }
 
+// In its general format, which is the shortest as above.
+inline to_chars_result to_chars(char* first, char* last, double value, chars_format) {
+  return to_chars(first, last, value);
+}
+
 // R. L. Smith's division (Communications of the ACM 5, 1962), as libgcc has it but near the ends of
 // the range of doubles; libc++ scales by powers of two and rounds otherwise. A specialisation,
 // since its own operator/= would not find an overload.
