@@ -29,7 +29,7 @@ struct RigidContact {
   const ContactPair* pair = nullptr;
   const ContactSpace* space = nullptr;
   bool held = false;  // MuJoCo's constraints act on its bodies
-  RigidStep step;     // all but `free` are given
+  RigidStep step;     // the caller fills all but `free`
   // Not null if the contact has friction and moves along its ring's axis (relative_motion.h):
   // (velocity along the axis, tilt rates about x and y).
   const ContactSpace* axial = nullptr;

@@ -25,20 +25,20 @@ namespace {
 
 thread_local StepWorks* told_works = nullptr;
 
-// One slot: the stepper's memory, the hold's, and the number of the step that comes.
+// Size of a slot: the stepper's memory, that of the hold, and the number of the next step.
 std::size_t slot_size(const Model& model, const Model& plant) {
   return VerletStepper::memory_size(plant) + ZeroOrderHold::memory_size(model) + 1;
 }
 
-// Currents that lag are activations, MuJoCo's to integrate.
+// True if currents lag. They are then activations, which MuJoCo integrates.
 bool lags(const Model& model) {
   return model.first().magnets && model.first().magnets->coil_lag > 0.0;
 }
 
-// The plant that the step moves. Where currents lag the force on the ring is MuJoCo's; where MuJoCo
-// has disabled actuation there is none, nor a controller that answers an impact within the step.
-// Where it has disabled contacts nothing reaches the ring (of the same memory, so that they may be
-// switched).
+// The model that the native step uses. If currents lag, MuJoCo computes the force on the ring. If
+// MuJoCo has disabled actuation, there is no force, and no controller that reacts to an impact
+// within the step. If it has disabled contacts, the clearance is so large that nothing reaches the
+// ring; the memory keeps its size, so that contacts may be switched during a run.
 Model plant_of(const Model& model, bool contact = true, bool actuation = true) {
   Model plant = model;
   if (lags(model) || !actuation) {
@@ -52,7 +52,7 @@ Model plant_of(const Model& model, bool contact = true, bool actuation = true) {
 
 bool actuation_enabled(const mjModel* m) { return !(m->opt.disableflags & mjDSBL_ACTUATION); }
 
-// What takes the steps. Holds nothing between two calls but room.
+// Takes the steps. Between two calls it holds only working memory.
 struct Worker {
   Worker(const Config& config, double h, Model moved)
       : model(config.model),
@@ -82,7 +82,8 @@ struct Worker {
   const Model model, plant;
   VerletStepper stepper;
   ZeroOrderHold hold;
-  std::size_t memory, counter;  // of a slot: where the hold begins, and the number of the step
+  // Where a slot contains the hold, and the number of the step.
+  std::size_t memory, counter;
   std::int64_t next = 0;
 };
 
@@ -102,8 +103,8 @@ Worker& worker_of(const Config& config, const mjModel* m) {
   return thread_worker<WorkerOf<false, false>>(config, h);
 }
 
-// Whether MuJoCo's state is the one remembered, to what its arithmetic and its links' small masses
-// leave of it. (What is remembered is never used in its place.)
+// True if MuJoCo's state equals the remembered one, up to the errors of MuJoCo's arithmetic and of
+// its links' small masses. (The remembered state is never used in its place.)
 bool remembers(const Config& config, const double* slot, const Coordinates& state) {
   const int n = config.model.nq();
   const double* q = VerletStepper::saved_q(slot);
@@ -123,8 +124,8 @@ VerletEntries& verlet_entries(const Config& config, mjData* d) {
 const VerletEntries& verlet_entries(const Config& config, const mjData* d) {
   return entries<VerletEntries>(d, config.verlet_data);
 }
-// The velocities of the pass, nq, are behind the entries, and then the slots: of the pass, and of
-// the state after its step.
+// The velocities of the pass (nq) follow the entries, and then the two slots: the slot of the pass,
+// and the slot of the state after its step.
 double* slots(const Config& config, VerletEntries& entry) {
   return behind(entry) + config.model.nq();
 }
@@ -132,7 +133,7 @@ const double* slots(const Config& config, const VerletEntries& entry) {
   return behind(entry) + config.model.nq();
 }
 
-// Which part of the memory belongs to the present state.
+// The part of the memory that belongs to the present state.
 enum class Known { kNothing, kPass, kStepBefore };
 
 Known known_of(const Config& config, const mjModel* m, const mjData* d, std::size_t size,
@@ -142,7 +143,7 @@ Known known_of(const Config& config, const mjModel* m, const mjData* d, std::siz
   const double* before = slots(config, entry);
   const bool begun = entry.begun == static_cast<double>(size) && entry.step == h;
   const double passed = d->time - entry.time;
-  // A state that is nudged has the memory of the one it was.
+  // A nudged state (differences.h) keeps the memory of the original one.
   const auto known = [&](const double* slot) {
     return Differentiating::in_this_thread() || remembers(config, slot, state);
   };
@@ -173,7 +174,7 @@ void watch_the_rings(const Config& config, const mjModel* m, mjData* d, const Co
   for (const ContactPair& pair : config.pairs) {
     EscapeGuard guard(contact_entries(pair, d).status);
     if (anew) guard.begin();
-    // An impact that takes time goes deep.
+    // An impact of finite duration penetrates the ring.
     if (!contact_enabled(m) || pair.contact.impact_time() > 0.0) continue;
     const double clearance = pair.contact.clearance;
     const double delta = separation(config.model, state.q(), pair.bearing).norm();
@@ -181,8 +182,9 @@ void watch_the_rings(const Config& config, const mjModel* m, mjData* d, const Co
   }
 }
 
-// What is on the chain beside the native loads and the actuators: f of MuJoCo and of others. It
-// must not depend on what ctrl was before the command, not even in its last bit.
+// f = the forces on the chain beside the native loads and the actuators: those of MuJoCo and of
+// other programs. They must not depend on the value of ctrl before the command, not even in the
+// last bit.
 void foreign_force(const Config& config, const mjModel* m, mjData* d, const Coordinates& state,
                    double* f) {
   const Model& model = config.model;
@@ -201,7 +203,7 @@ void foreign_force(const Config& config, const mjModel* m, mjData* d, const Coor
   }
 }
 
-// Forces of actuators that are not the bearing's: f += what they do.
+// f += the forces of the actuators that do not belong to the bearing.
 void add_other_actuators(const Config& config, const mjModel* m, mjData* d, double* f) {
   const Model& model = config.model;
   const bool bearing = config.actuator[0] >= 0 && config.actuator[1] >= 0;
@@ -215,12 +217,13 @@ void add_other_actuators(const Config& config, const mjModel* m, mjData* d, doub
   for (int k = 0; ring != kAbsent && k < 2; ++k) f[ring + k] -= ours[k];
 }
 
-// The mean command about this instant, as the plant takes it; ctrl gets what holds.
+// The mean command about this instant, in the form that the native step needs. ctrl receives the
+// held command.
 Eigen::Vector2d command(const Config& config, const mjModel* m, mjData* d, const Coordinates& state,
                         Worker& worker) {
   const Model& model = config.model;
   const double h = m->opt.timestep, t = d->time;
-  // The force follows the command, without a lag and not disabled.
+  // True if the force follows the command: no lag, and actuation is enabled.
   const bool asks = !lags(model) && actuation_enabled(m);
   Eigen::Vector2d mean{0.0, 0.0};
   if (model.first().controller) {
@@ -257,7 +260,7 @@ void note(const ContactPair& pair, mjData* d, const FixedStep& r, double kick) {
   entry.mode = static_cast<double>(of.mode);
   entry.normal_force = of.normal_impulse / kick + of.impact_force.x();
   entry.friction_force = of.friction_impulse / kick + of.impact_force.y();
-  // Once, not every step: MuJoCo writes its warnings to a file.
+  // Warn once and not in every step, because MuJoCo writes its warnings to a file.
   EscapeGuard guard(entry.status);
   if (r.status != Status::kOk && guard.status() == Status::kOk) {
     warn("rotorub: the contact laws have no solution or several (Painleve): no impulse");
@@ -277,8 +280,8 @@ void note(const ContactPair& pair, mjData* d, const FixedStep& r, double kick) {
   }
 }
 
-// The normal of the forces. To a blow within the step the rotor has gone on with the velocities `v`
-// of now.
+// Records the normal of the forces. For an impact within the step it is the normal at the time of
+// the impact, which the rotor reaches with the present velocities v.
 void note_place(const Config& config, const ContactPair& pair, const mjData* d,
                 const Coordinates& state, const double* v) {
   const ContactEntries& entry = contact_entries(pair, d);
@@ -289,7 +292,7 @@ void note_place(const Config& config, const ContactPair& pair, const mjData* d,
   if (there.norm() > kNoNormal) note_contact(d, pair.data, there.normalized());
 }
 
-// MuJoCo then calls no mjcb_passive; the native step has its loads all the same.
+// If the flag is set, MuJoCo does not call mjcb_passive, but the native step still has its loads.
 void warn_of_disabled_passive(const mjModel* m) {
   if (!passive_disabled(m)) return;
   static std::atomic<bool> warned = false;
@@ -359,8 +362,8 @@ void apply_verlet(const Config& config, const mjModel* m, mjData* d, const Coord
   ++worker.next;
   worker.save(slots(config, entry) + worker.slot());
 
-  // The passive force that makes it MuJoCo's step, by MuJoCo's own mass matrix: its links weigh
-  // little, but so may what they carry.
+  // The passive force with which MuJoCo's step has the same result. It uses MuJoCo's own mass
+  // matrix, because MuJoCo's links weigh a little, and the masses that they carry may be small too.
   StackFrame room(d);
   const auto all = static_cast<int>(m->nv);
   mjtNum* change = room.numbers(all);
