@@ -26,7 +26,7 @@ namespace names = mjcf_names;
 
 struct Range {
   double low, high;
-  bool open_below;  // low itself is refused
+  bool open_below;  // true: `low` itself is refused
   const char* text;
 };
 constexpr Range kLength{0.0, 1e300, true, "> 0"};
@@ -44,7 +44,8 @@ double value_or(const mjModel* m, const std::string& name, double otherwise, con
   return value;
 }
 
-// mu, or static, kinetic, Stribeck speed and viscous part, as [contact.friction] of a scene.
+// One number mu, or static, kinetic, Stribeck speed and viscous part, as in [contact.friction] of a
+// scene.
 FrictionLaw own_friction(const mjModel* m, const std::string& name) {
   const std::optional<OwnNumber> said = own_number(m, name);
   if (!said || said->size == 1) return value_or(m, name, 0.0, kCoefficient);
@@ -68,7 +69,7 @@ FrictionLaw own_friction(const mjModel* m, const std::string& name) {
   return law;
 }
 
-// Half the length of a geom along the contact's axis, where its shape has one; else `otherwise`.
+// Half the length of a geom along the contact's axis if its shape has one; else `otherwise`.
 double half_length(const mjModel* m, int geom, double otherwise) {
   const mjtNum* size = m->geom_size + 3 * geom;
   switch (m->geom_type[geom]) {
@@ -82,8 +83,8 @@ double half_length(const mjModel* m, int geom, double otherwise) {
   }
 }
 
-// Of numbered contacts each has all that the first has: 0 is not taken for a number that may have
-// been meant for all.
+// Each further contact must have all the names of the first one: a missing name does not mean 0,
+// because the first contact's number may have been meant for all.
 void check_series(const mjModel* m, const PairName& name, Refusals& refusals) {
   if (name.suffix.empty()) return;
   const PairName first{name.prefix, ""};
@@ -102,19 +103,19 @@ void check_series(const mjModel* m, const PairName& name, Refusals& refusals) {
     missing(model, "a contact model for each contact");
 }
 
-// What the <pair> of a user's own model must say, so that MuJoCo's solver does the contact law's
-// share and no more.
+// Checks of the <pair> of a user's own model: MuJoCo's solver must do its share of the contact law
+// and no more.
 
-// "<contact><pair geom1=... geom2=...>"
+// Returns "<contact><pair geom1=... geom2=...>".
 std::string pair_element(const mjModel* m, const ContactPair& pair) {
   return message("<contact><pair geom1=\"{}\" geom2=\"{}\">",
                  m->names + m->name_geomadr[pair.rotor_geom],
                  m->names + m->name_geomadr[pair.ring_geom]);
 }
 
-// MuJoCo's solver bounces by solref; what <custom> says must be that.
+// MuJoCo's restitution follows from solref; the one in <custom> must agree with it.
 void check_bounce(const mjModel* m, const PairName& name, const ContactPair& p) {
-  constexpr double kScatter = 0.03;  // what MuJoCo's steps make of it is not finer
+  constexpr double kScatter = 0.03;  // MuJoCo's steps are not more accurate than this
   if (p.contact.tangential_restitution > 0.0) {
     refuse(own_element(m, name.of(names::kOwnTangential)),
            "contact models coulomb and cone have none; accepted: 0, or contact model rigid");
@@ -173,7 +174,7 @@ void check_cone(const mjModel* m, const PairName& name, const ContactPair& p, Re
   });
 }
 
-// A mocap body moves by its place alone: no velocity tells an impact of it.
+// A mocap body moves without a velocity, so no impact with it can be computed.
 void refuse_mocap(const mjModel* m, int geom) {
   const int root = m->body_rootid[m->geom_bodyid[geom]];
   if (m->body_mocapid[root] < 0) return;
@@ -185,7 +186,8 @@ void refuse_mocap(const mjModel* m, int geom) {
           m->names + m->name_geomadr[geom]));
 }
 
-// `rigid` has its friction from <custom> alone. What a pair says of none is one of its geoms'.
+// `rigid` takes its friction from <custom> alone. If the pair's friction equals that of one of its
+// geoms, the user did not set it on the pair.
 void refuse_other_friction(const mjModel* m, const PairName& name, const ContactPair& p) {
   const double mu = p.contact.friction.sticking(), given = m->pair_friction[5 * p.pair];
   const auto from = [&](int geom) { return given == m->geom_friction[3 * geom]; };
@@ -196,7 +198,7 @@ void refuse_other_friction(const mjModel* m, const PairName& name, const Contact
                  name.of(names::kOwnFriction), mu));
 }
 
-// The <pair> as a generated file would have it.
+// The <pair> as a generated file would contain it.
 std::string pair_to_add(const mjModel* m, const ContactPair& p) {
   const ContactParameters& c = p.contact;
   const rotorub::ContactPair pair = contact_pair(
@@ -213,7 +215,7 @@ std::string pair_to_add(const mjModel* m, const ContactPair& p) {
   return text + "/>";
 }
 
-// MuJoCo must not solve beside `rigid`, nor add friction beside `coulomb`.
+// MuJoCo must not solve the contact of `rigid`, nor add friction to `coulomb`.
 void check_pair(const mjModel* m, const PairName& name, const ContactPair& p, Refusals& refusals) {
   const std::string element = pair_element(m, p);
   const auto check = [&refusals](auto action) { refusals.attempt(action); };
@@ -260,7 +262,7 @@ void check_pair(const mjModel* m, const PairName& name, const ContactPair& p, Re
   check([&] { check_bounce(m, name, p); });
 }
 
-// A body, or bodies without a joint between them.
+// Refuses two geoms on one body, or on bodies without a joint between them.
 void check_bodies(const mjModel* m, const PairName& name, const ContactPair& p) {
   const int rotor = m->geom_bodyid[p.rotor_geom], ring = m->geom_bodyid[p.ring_geom];
   if (p.rotor_geom == p.ring_geom) {
@@ -283,8 +285,8 @@ void check_across(const mjModel* m, const ContactPair& p) {
                  m->names + m->name_geomadr[p.ring_geom]));
 }
 
-// What <custom> says of one contact; nothing of it where its geoms are not there. All that is wrong
-// goes to the refusals.
+// Reads one contact from <custom>; empty if its geoms do not exist or cannot move against each
+// other. All errors are added to the refusals.
 std::optional<ContactPair> make_pair(const mjModel* m, const PairName& name, Refusals& refusals) {
   ContactPair p;
   const auto check = [&refusals](auto action) { return refusals.attempt(action); };
@@ -340,7 +342,7 @@ bool share_tree(const mjModel* m, const ContactPair& a, const ContactPair& b) {
   return false;
 }
 
-// Two contacts on one machine.
+// Checks two contacts of one machine against each other.
 void check_beside(const mjModel* m, const ContactPair& a, const ContactPair& b,
                   const PairName& name) {
   if (a.pair == b.pair) {
@@ -356,7 +358,8 @@ void check_beside(const mjModel* m, const ContactPair& a, const ContactPair& b,
   }
 }
 
-// A rub has its own law: `rotorub_contact` says which.
+// Refuses a contact's own <pair> in rotorub_cone_coulomb_pair: `rotorub_contact` determines its
+// law.
 void check_corrected(const mjModel* m, const Config& config) {
   for (const ContactPair& p : config.pairs) {
     const auto& corrected = config.corrected_pairs;
