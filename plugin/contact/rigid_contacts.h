@@ -59,7 +59,7 @@ struct ContactSubset {
   std::array<double, kMaxContacts> offset{};  // m/s, added to the gap rates in the normal law
 };
 
-// What is found for a subset beside its impulses.
+// Further results for a subset, beside its impulses.
 struct SubsetSolution {
   std::array<bool, kMaxContacts> sticks{};
   // For impacts beside constraints (constrained_law.h).

@@ -82,7 +82,7 @@ struct Worker {
   const Model model, plant;
   VerletStepper stepper;
   ZeroOrderHold hold;
-  // Where a slot contains the hold, and the number of the step.
+  // Positions of the hold and of the number of the step in a slot.
   std::size_t memory, counter;
   std::int64_t next = 0;
 };

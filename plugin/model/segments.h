@@ -38,7 +38,7 @@ struct Segments {
   int drive_node = -1;         // node of the motor; -1: the speed is held
   Eigen::VectorXd spin_share;  // N + 1, J_k / sum J, the weights of the mean spin
 
-  // Native modal coordinates of a state of the chain. The matrices give the share of each kept
+  // Native modal coordinates of a state of the chain. The matrices contain the share of each kept
   // mode. The deflection at the contacts is kept exactly: the modes also take up the part that
   // their shares miss there (complete() in segments.cc).
   Eigen::MatrixXd project_x, project_y, project_torsion;  // kept modes x coordinates

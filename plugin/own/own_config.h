@@ -10,8 +10,7 @@
 //            rotorub_restitution                       eps_N in [0, 1]; default 0
 //            rotorub_tangential_restitution            eps_T in [0, 1]; default 0
 //            rotorub_friction_reference                1/s, B_t >= 0 of contact model cone;
-//            default:
-//                                                      MuJoCo's own reference
+//                                                      default: MuJoCo's own reference
 //            rotorub_width                             m, > 0, length of the ring along its axis;
 //                                                      default: that of its geom (cylinder,
 //                                                      capsule, box), else endless

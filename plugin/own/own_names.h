@@ -3,8 +3,7 @@
 //   rotorub_rotor_geom       the first contact
 //   rotorub_rotor_geom_2     a further contact, with "_2" in all its names; any ending is allowed
 //   left_rotorub_rotor_geom  a contact of a model that was attached with the prefix "left_"
-//   (mjSpec,
-//                            dm_control)
+//                            (mjSpec, dm_control)
 //
 // The user sensors are named alike: gap, gap_2, left_gap. The keys of instances of an engine plugin
 // (instances.h) count as given under these names.
