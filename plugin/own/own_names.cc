@@ -41,8 +41,7 @@ OwnNumber parse(const InstanceWord& word) {
                                most == 1 ? "a number" : "one number or four"));
 }
 
-// for_each_text calls action(name) for each text of the plugin, for_each_number action(name, value)
-// for each numeric.
+// Calls action(name) for each text, action(name, value) for each numeric of the plugin.
 template <typename Action>
 void for_each_text(const mjModel* m, Action action) {
   for (int i = 0; i < m->ntext; ++i) {
