@@ -30,11 +30,9 @@ struct TouchingPair : ContactRows {
   const ContactPair* pair = nullptr;
   int row = 0;  // row of MuJoCo's solver
   ContactPoint point{};
-  // m/s^2, the part of y that is not an acceleration of coordinates
-  Eigen::Vector3d base{0.0, 0.0, 0.0};
-  double slip = 0.0;  // m/s, magnitude in both directions
-  // m/s^2, acceleration towards the ring by the whirl and by centres that move on circles.
-  double curvature = 0.0;
+  Eigen::Vector3d base{0.0, 0.0, 0.0};  // m/s^2, part of y beyond accelerations of coordinates
+  double slip = 0.0;                    // m/s, magnitude in both directions
+  double curvature = 0.0;  // m/s^2, towards the ring, by the whirl and by centres on circles
   bool touches = false;
   std::optional<double> pressing{};      // N, normal force of a compliant contact
   Eigen::Vector3d force{0.0, 0.0, 0.0};  // N, (normal, friction, friction along the axis)
@@ -236,8 +234,7 @@ void solve_free(TouchingPairs& contacts, const mjModel* m, mjData* d) {
   if (s.solutions > 0) put(t, s.p, s.sticks);
 }
 
-// Sets aref for the normal forces: MuJoCo's solver finds l = (aref - J a_smooth) / (J M^-1 J^T +
-// R).
+// Sets aref, from which MuJoCo's solver finds l = (aref - J a_smooth) / (J M^-1 J^T + R).
 void set_references(TouchingPairs& contacts, const mjModel* m, mjData* d) {
   StackFrame room(d);
   mjtNum* acceleration = room.numbers(count(m->nv));

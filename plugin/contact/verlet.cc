@@ -2,172 +2,23 @@
 
 #include <algorithm>
 #include <atomic>
-#include <cmath>
-#include <utility>
 
 #include "native_model/bearing/actuator.h"
 #include "native_model/model/dynamics.h"
-#include "native_model/stepping/stepper.h"
-#include "native_model/stepping/zero_order_hold.h"
 #include "plugin/contact/contact_memory.h"
 #include "plugin/contact/noted_contact.h"
+#include "plugin/contact/verlet_memory.h"
 #include "plugin/model/actuators.h"
 #include "plugin/model/control.h"
-#include "plugin/model/differentiating.h"
 #include "plugin/model/generated_rotor.h"
 #include "plugin/model/mujoco_versions.h"
 #include "plugin/model/options.h"
-#include "plugin/model/thread_memory.h"
 #include "plugin/model/user_data.h"
 
 namespace rotorub::plugin {
 namespace {
 
 thread_local StepWorks* told_works = nullptr;
-
-// Size of a slot: the stepper's memory, that of the hold, and the number of the next step.
-std::size_t slot_size(const Model& model, const Model& plant) {
-  return VerletStepper::memory_size(plant) + ZeroOrderHold::memory_size(model) + 1;
-}
-
-// True if currents lag. They are then activations, which MuJoCo integrates.
-bool lags(const Model& model) {
-  return model.first().magnets && model.first().magnets->coil_lag > 0.0;
-}
-
-// The model that the native step uses. If currents lag, MuJoCo computes the force on the ring. If
-// MuJoCo has disabled actuation, there is no force, and no controller that reacts to an impact
-// within the step. If it has disabled contacts, the clearance is so large that nothing reaches the
-// ring; the memory keeps its size, so that contacts may be switched during a run.
-Model plant_of(const Model& model, bool contact = true, bool actuation = true) {
-  Model plant = model;
-  if (lags(model) || !actuation) {
-    plant = without_controller(with_ideal_actuator(model));
-  }
-  for (AuxiliaryBearing& at : plant.auxiliary) {
-    if (!contact) at.contact->clearance = 1e6;
-  }
-  return plant;
-}
-
-bool actuation_enabled(const mjModel* m) { return !(m->opt.disableflags & mjDSBL_ACTUATION); }
-
-// Takes the steps. Between two calls it holds only working memory.
-struct Worker {
-  Worker(const Config& config, double h, Model moved)
-      : model(config.model),
-        plant(std::move(moved)),
-        stepper(plant, h),
-        hold(model),
-        memory(VerletStepper::memory_size(plant)),
-        counter(memory + ZeroOrderHold::memory_size(model)) {}
-
-  std::size_t slot() const { return counter + 1; }
-  void load(const double* slot) {
-    stepper.restore(slot);
-    hold.restore(slot + memory);
-    next = static_cast<std::int64_t>(slot[counter]);
-  }
-  void save(double* slot) const {
-    stepper.save(slot);
-    hold.save(slot + memory);
-    slot[counter] = static_cast<double>(next);
-  }
-  void begin(double t, const double* q, const double* v) {
-    stepper.begin(t, q, v);
-    hold = ZeroOrderHold(model);
-    next = 0;
-  }
-
-  const Model model, plant;
-  VerletStepper stepper;
-  ZeroOrderHold hold;
-  // Positions of the hold and of the number of the step in a slot.
-  std::size_t memory, counter;
-  std::int64_t next = 0;
-};
-
-template <bool kContact, bool kActuation>
-struct WorkerOf : Worker {
-  WorkerOf(const Config& config, double h)
-      : Worker(config, h, plant_of(config.model, kContact, kActuation)) {}
-};
-
-Worker& worker_of(const Config& config, const mjModel* m) {
-  const double h = m->opt.timestep;
-  if (contact_enabled(m)) {
-    if (actuation_enabled(m)) return thread_worker<WorkerOf<true, true>>(config, h);
-    return thread_worker<WorkerOf<true, false>>(config, h);
-  }
-  if (actuation_enabled(m)) return thread_worker<WorkerOf<false, true>>(config, h);
-  return thread_worker<WorkerOf<false, false>>(config, h);
-}
-
-// True if MuJoCo's state equals the remembered one, up to the errors of MuJoCo's arithmetic and of
-// its links' small masses. (The remembered state is never used in its place.)
-bool remembers(const Config& config, const double* slot, const Coordinates& state) {
-  const int n = config.model.nq();
-  const double* q = VerletStepper::saved_q(slot);
-  const double clearance = config.model.first().contact->clearance;
-  const auto near = [](double a, double b, double size) {
-    return std::abs(a - b) <= 1e-6 * (std::abs(b) + size);
-  };
-  for (int i = 0; i < n; ++i) {
-    if (!near(state.q()[i], q[i], clearance) || !near(state.v()[i], q[n + i], 1.0)) return false;
-  }
-  return true;
-}
-
-VerletEntries& verlet_entries(const Config& config, mjData* d) {
-  return entries<VerletEntries>(d, config.verlet_data);
-}
-const VerletEntries& verlet_entries(const Config& config, const mjData* d) {
-  return entries<VerletEntries>(d, config.verlet_data);
-}
-// The velocities of the pass (nq) follow the entries, and then the two slots: the slot of the pass,
-// and the slot of the state after its step.
-double* slots(const Config& config, VerletEntries& entry) {
-  return behind(entry) + config.model.nq();
-}
-const double* slots(const Config& config, const VerletEntries& entry) {
-  return behind(entry) + config.model.nq();
-}
-
-// The part of the memory that belongs to the present state.
-enum class Known { kNothing, kPass, kStepBefore };
-
-Known known_of(const Config& config, const mjModel* m, const mjData* d, std::size_t size,
-               const Coordinates& state) {
-  const double h = m->opt.timestep;
-  const VerletEntries& entry = verlet_entries(config, d);
-  const double* before = slots(config, entry);
-  const bool begun = entry.begun == static_cast<double>(size) && entry.step == h;
-  const double passed = d->time - entry.time;
-  // A nudged state (differences.h) keeps the memory of the original one.
-  const auto known = [&](const double* slot) {
-    return Differentiating::in_this_thread() || remembers(config, slot, state);
-  };
-  if (begun && passed == 0.0 && known(before)) return Known::kPass;
-  if (begun && std::abs(passed - h) <= 1e-6 * h && known(before + size)) return Known::kStepBefore;
-  return Known::kNothing;
-}
-
-// Prepares the slot of this pass and returns it.
-double* slot_of_pass(const Config& config, const mjModel* m, mjData* d, Worker& worker,
-                     const Coordinates& state) {
-  const std::size_t size = worker.slot();
-  VerletEntries& entry = verlet_entries(config, d);
-  double* before = slots(config, entry);
-  const Known known = known_of(config, m, d, size, state);
-  entry.time = d->time;
-  entry.step = m->opt.timestep;
-  if (known == Known::kStepBefore) std::copy_n(before + size, size, before);
-  if (known != Known::kNothing) return before;
-  entry.begun = static_cast<double>(size);
-  worker.begin(d->time, state.q(), state.v());
-  worker.save(before);
-  return before;
-}
 
 void watch_the_rings(const Config& config, const mjModel* m, mjData* d, const Coordinates& state,
                      bool anew) {
@@ -220,7 +71,7 @@ void add_other_actuators(const Config& config, const mjModel* m, mjData* d, doub
 // The mean command about this instant, in the form that the native step needs. ctrl receives the
 // held command.
 Eigen::Vector2d command(const Config& config, const mjModel* m, mjData* d, const Coordinates& state,
-                        Worker& worker) {
+                        VerletWorker& worker) {
   const Model& model = config.model;
   const double h = m->opt.timestep, t = d->time;
   // True if the force follows the command: no lag, and actuation is enabled.
@@ -305,32 +156,7 @@ void warn_of_disabled_passive(const mjModel* m) {
 
 }  // namespace
 
-int verlet_data_size(const Model& model) {
-  return kEntries<VerletEntries> + model.nq() +
-         2 * static_cast<int>(slot_size(model, plant_of(model)));
-}
-
-int verlet_loop_data(const Config& config) {
-  const Model& model = config.model;
-  const Model plant = plant_of(model);
-  const std::size_t hold = VerletStepper::memory_size(plant) + ZeroOrderHold::memory_size(model);
-  const std::size_t loop = model.first().loop ? model.first().loop->memory_size() : 0;
-  return config.verlet_data + kEntries<VerletEntries> + model.nq() +
-         static_cast<int>(slot_size(model, plant) + hold - loop);
-}
-
 void tell_works(StepWorks* to) { told_works = to; }
-
-const double* velocities_of_pass(const Config& config, const mjData* d) {
-  return behind(verlet_entries(config, d));
-}
-
-bool begins_anew(const Config& config, const mjModel* m, const mjData* d) {
-  const Worker& worker = worker_of(config, m);
-  const Known known = known_of(config, m, d, worker.slot(), Coordinates(config, d));
-  const double* pass = slots(config, verlet_entries(config, d));
-  return known == Known::kNothing || (known == Known::kPass && pass[worker.counter] == 0.0);
-}
 
 void apply_verlet(const Config& config, const mjModel* m, mjData* d, const Coordinates& state) {
   warn_of_disabled_passive(m);
@@ -338,7 +164,7 @@ void apply_verlet(const Config& config, const mjModel* m, mjData* d, const Coord
   const int n = model.nq();
   const double h = m->opt.timestep;
   VerletEntries& entry = verlet_entries(config, d);
-  Worker& worker = worker_of(config, m);
+  VerletWorker& worker = worker_of(config, m);
   worker.load(slot_of_pass(config, m, d, worker, state));
   worker.stepper.adopt(state.q(), state.v());
   watch_the_rings(config, m, d, state, worker.next == 0);

@@ -19,18 +19,10 @@
 
 namespace rotorub::plugin {
 
-// The number of entries in userdata for a model without coils (plugin/model/user_data.h).
-int verlet_data_size(const Model& model);
-// The index of the memory of the sampled controller (Config::loop_data).
-int verlet_loop_data(const Config& config);
-
 // Writes the command of the scene's controller to ctrl, adds to d->qfrc_passive and sets the
 // userdata entries of the contacts. Called in mjcb_control. RK4 must have been refused
 // (model/options.h).
 void apply_verlet(const Config& config, const mjModel* m, mjData* d, const Coordinates& state);
-
-// True if the next step is the first from a state that was set, and so is half a kick.
-bool begins_anew(const Config& config, const mjModel* m, const mjData* d);
 
 // Works of a native step on the coordinates, J: of all contacts, of their impacts alone, and of all
 // forces except springs and contacts.
@@ -39,6 +31,16 @@ struct StepWorks {
 };
 // From now on the steps of this thread write their works to `to`; null: they are not computed.
 void tell_works(StepWorks* to);
+
+// --- The memory in userdata (verlet_memory.cc) ---
+
+// The number of entries for a model without coils (plugin/model/user_data.h).
+int verlet_data_size(const Model& model);
+// The index of the memory of the sampled controller (Config::loop_data).
+int verlet_loop_data(const Config& config);
+
+// True if the next step is the first from a state that was set, and so is half a kick.
+bool begins_anew(const Config& config, const mjModel* m, const mjData* d);
 
 // The velocities at the time of the last forward pass (nq values), before an impact in its step.
 const double* velocities_of_pass(const Config& config, const mjData* d);
