@@ -15,6 +15,7 @@
 
 #include "plugin/make_config.h"
 #include "plugin/model/message.h"
+#include "plugin/model/mujoco_actuators.h"
 #include "plugin/model/mujoco_versions.h"
 #include "plugin/model/thread_memory.h"
 #include "plugin/model/user_data.h"

@@ -9,7 +9,7 @@
 #include "native_model/scene/scene.h"
 #include "plugin/model/generated_rotor.h"
 #include "plugin/model/message.h"
-#include "plugin/model/mujoco_versions.h"
+#include "plugin/model/mujoco_actuators.h"
 #include "plugin/own/own_config.h"
 #include "plugin/shadow.h"
 

@@ -5,7 +5,7 @@
 
 #include "mjcf/names.h"
 #include "plugin/model/message.h"
-#include "plugin/model/mujoco_versions.h"
+#include "plugin/model/mujoco_actuators.h"
 #include "plugin/model_parameters.h"
 
 namespace rotorub::plugin {

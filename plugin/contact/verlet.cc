@@ -11,6 +11,7 @@
 #include "plugin/model/actuators.h"
 #include "plugin/model/control.h"
 #include "plugin/model/generated_rotor.h"
+#include "plugin/model/mujoco_actuators.h"
 #include "plugin/model/mujoco_versions.h"
 #include "plugin/model/options.h"
 #include "plugin/model/user_data.h"

@@ -8,6 +8,7 @@
 #include "native_model/control/control_loop.h"
 #include "native_model/model/actuation.h"
 #include "native_model/trajectory/trajectory.h"
+#include "plugin/model/mujoco_actuators.h"
 #include "plugin/model/mujoco_versions.h"
 #include "plugin/model/user_data.h"
 

@@ -8,6 +8,7 @@
 #include "native_model/model/sampled_feedback.h"
 #include "native_model/scene/scene.h"
 #include "plugin/model/message.h"
+#include "plugin/model/mujoco_actuators.h"
 #include "plugin/model/mujoco_dynamics.h"
 #include "plugin/model/mujoco_versions.h"
 

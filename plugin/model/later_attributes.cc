@@ -7,6 +7,7 @@
 
 #include "native_model/scene/scene.h"
 #include "plugin/model/message.h"
+#include "plugin/model/mujoco_actuators.h"
 #include "plugin/model/mujoco_versions.h"
 
 namespace rotorub::plugin {
