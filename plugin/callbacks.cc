@@ -29,13 +29,14 @@ void control(const mjModel* m, mjData* d) {
 void sensor(const mjModel* m, mjData* d, int stage) {
   if (callbacks_active()) sensor_pass(m, d, stage);
 }
-// Others' actuators have what MuJoCo gives without a callback, or what was installed before us.
+// Other actuators have the values that MuJoCo uses without a callback, or those of the previously
+// installed callback.
 template <ActuatorQuestion kAsked>
 bool answer(const mjModel* m, const mjData* d, int id, mjtNum& value) {
   return callbacks_active() && magnet_answers(kAsked, m, d, id, value);
 }
 
-// Action(place, links) for each of the callbacks.
+// Calls action(place, links) for each of the callbacks.
 template <typename Action>
 void for_each_callback(Action action) {
   action(passive_place, Links<passive_place, passive>::kTable);
@@ -47,8 +48,8 @@ void for_each_callback(Action action) {
   action(rate_place, Givers<rate_place, answer<kRate>, kRate>::kTable);
 }
 
-// MuJoCo's table is of ordered types. Those of a scene are a sphere and a capsule, those of a
-// user's own model may be any from sphere to box.
+// MuJoCo's table is for ordered pairs of types. The geoms of a scene are a sphere and a capsule;
+// those of a user's own model may have any type from sphere to box.
 constexpr int kFirstShape = mjGEOM_SPHERE, kShapes = mjGEOM_BOX - mjGEOM_SPHERE + 1;
 constinit Place<mjfCollision> collision_places[kShapes][kShapes];
 std::atomic<int> collisions_taken = 0;
@@ -58,8 +59,7 @@ Place<mjfCollision>& collision_place(const mjModel* m, int g1, int g2) {
   return a < b ? collision_places[a][b] : collision_places[b][a];
 }
 
-// The arguments of mjfCollision have changed between MuJoCo's versions; whatever they are, they
-// are taken from its type.
+// The arguments of mjfCollision differ between MuJoCo's versions, so they are taken from its type.
 template <typename Function>
 struct Collision;
 

@@ -1,4 +1,4 @@
-// Our places in MuJoCo's global tables (places.h). Use Hooks (hooks.h).
+// The plugin's places in MuJoCo's global tables (places.h). Programs use Hooks (hooks.h).
 #pragma once
 
 #include <mujoco/mujoco.h>
@@ -7,30 +7,33 @@
 
 namespace rotorub::plugin {
 
-// Puts our functions in front of those installed. Once; not from several threads.
+// Puts the plugin's functions in front of those that are installed. Call it once, and not from
+// several threads.
 void install_callbacks();
 
-// Gives the places back. Where another library has put itself in front of us since, its function
-// stays and ours, still called by it, only passes on.
+// Restores the places. If another library has put its function in front since, that function stays,
+// and the plugin's functions, which it still calls, only call the previous ones.
 void restore_callbacks();
 
-bool callbacks_active();  // between the two
+bool callbacks_active();  // true between install_callbacks() and restore_callbacks()
 
-// Takes back every place that others have written over since. A few nanoseconds where none has. One
-// of our functions that is still called brings the others back.
+// Takes back every callback that others have overwritten. It costs a few nanoseconds if there is
+// none. If at least one of the plugin's functions is still called, it restores the others.
 void keep_callbacks();
 
-// As the places may have been written over without any of ours being called (all callbacks reset
-// with the contact disabled), where MuJoCo's functions themselves can be had: register.cc.
+// True if one of the callbacks was overwritten (not the collision table). Where MuJoCo's own
+// functions can be intercepted (register.cc), this also finds the case in which none of the
+// plugin's functions is called any more (all callbacks reset, with contacts disabled).
 bool callbacks_lost();
 
-// Of the collision table: the place of the model's contact pair, with whose function the contacts
-// of this pass may have been made. True where they must be made anew, once a thread. For `coulomb`
-// and `cone`.
+// Takes back the places of the model's contact pairs in the collision table. Returns true, once in
+// each thread, if another function may have made the contacts of this pass, so that they must be
+// made again. For the soft contact models.
 bool collision_was_lost(const Config& config, const mjModel* m);
 
-// For mjcb_passive (mjcb_control), which has just seen that a pass went by without the other. Where
-// who stands in front does not call us always, he is no longer let in front: true.
+// For mjcb_passive (mjcb_control), when it finds that a pass had no mjcb_control (mjcb_passive).
+// True if the function in front used to call the plugin and did not call it this time; that
+// function is then never let in front again.
 bool distrust_control();
 bool distrust_passive();
 

@@ -15,6 +15,7 @@
 
 #include "plugin/make_config.h"
 #include "plugin/model/message.h"
+#include "plugin/model/mujoco_actuators.h"
 #include "plugin/model/mujoco_versions.h"
 #include "plugin/model/thread_memory.h"
 #include "plugin/model/user_data.h"
@@ -25,7 +26,7 @@
 namespace rotorub::plugin {
 namespace {
 
-// Calls action(bytes, count) for each part until it says false.
+// Calls action(bytes, count) for each part of the fingerprint until it returns false.
 template <typename Action>
 bool for_each_part(const mjModel* m, Action action) {
   const std::span<const int> instances = plugin_slots(m);
@@ -82,7 +83,7 @@ bool for_each_part(const mjModel* m, Action action) {
   // clang-format on
 }
 
-// Most parts are a few words: a call for each would cost more than they do.
+// Most parts have a few words, for which a call of memcmp would cost more than the comparison.
 bool same_bytes(const char* a, const char* b, std::size_t count) {
   constexpr std::size_t kWord = sizeof(std::uint64_t), kShort = 64;
   if (count > kShort) return std::memcmp(a, b, count) == 0;
@@ -114,7 +115,8 @@ class Hash {
   std::uint64_t sum_ = 0;
 };
 
-// To find a model among many: of the fingerprint, and of what model_parameters.h reads beside it.
+// Hashes to find a model among many: of its fingerprint, and of the numbers that model_parameters.h
+// also reads.
 struct ModelHash {
   std::uint64_t kind, numbers;
 };
@@ -139,23 +141,24 @@ ModelHash model_hash(const mjModel* m) {
 
 using ConfigPointer = std::shared_ptr<const Config>;
 
-// Whether config is still m's.
+// True if the config still belongs to m.
 bool fits(const Config& config, const mjModel* m) {
   return has_fingerprint(m, config.fingerprint) && has_parameters(config, m);
 }
 
-// The configs that a thread of the process holds, so that threads share one.
+// The configs that any thread of the process holds, so that threads share them.
 class Registry {
  public:
   ConfigPointer find_or_make(const mjModel* m) {
     const ModelHash hash = model_hash(m);
     ConfigPointer near;
     if (ConfigPointer known = find(m, hash, &near)) return known;
-    // No lock while it is made.
+    // The lock is not held while the config is made.
     ConfigPointer made =
         std::make_shared<const Config>(near ? with_parameters(*near, m) : make_config(m));
     const std::lock_guard<std::mutex> lock(mutex_);
-    if (ConfigPointer known = among(m, hash.numbers)) return known;  // by another thread meanwhile
+    // another thread has made it meanwhile
+    if (ConfigPointer known = among(m, hash.numbers)) return known;
     if (all_.size() >= room_) sweep();
     all_.emplace(hash.numbers, made);
     latest_[hash.kind] = made;
@@ -163,7 +166,8 @@ class Registry {
   }
 
  private:
-  // Null, and in `near` one of the same fingerprint, whose numbers are others, if there is one.
+  // The config; if there is none, null, and `near` is a config with the same fingerprint and other
+  // numbers, if there is one.
   ConfigPointer find(const mjModel* m, const ModelHash& hash, ConfigPointer* near) {
     const std::lock_guard<std::mutex> lock(mutex_);
     if (ConfigPointer known = among(m, hash.numbers)) return known;
@@ -181,7 +185,7 @@ class Registry {
     }
     return nullptr;
   }
-  // Those that no thread holds any more.
+  // Deletes the configs that no thread holds any more.
   void sweep() {
     const auto gone = [](const auto& entry) { return entry.second.expired(); };
     std::erase_if(all_, gone);
@@ -192,25 +196,25 @@ class Registry {
   using Held = std::weak_ptr<const Config>;
   std::mutex mutex_;
   std::unordered_multimap<std::uint64_t, Held> all_;
-  std::unordered_map<std::uint64_t, Held> latest_;  // of each fingerprint
+  std::unordered_map<std::uint64_t, Held> latest_;  // the latest one for each fingerprint
   std::size_t room_ = 64;
 };
 
-// Never destroyed: other threads may still step when the process ends.
+// Never destroyed, because other threads may still step when the process ends.
 Registry& registry() {
   static Registry* const all = new Registry;
   return *all;
 }
 
 struct Known {
-  ConfigPointer config;  // null: of somebody else, by the names in its <custom>:
+  ConfigPointer config;  // null: a foreign model, with these names in its <custom>:
   std::string names;
-  const mjData* compared = nullptr;  // whose pass has compared them, and its time
+  const mjData* compared = nullptr;  // the mjData and the time of the pass that compared them
   double time = 0.0;
 };
 thread_local InTurns<const mjModel*, Known> recent;
 
-// The names in <custom>, which MuJoCo has one behind the other.
+// The names in <custom>, which MuJoCo stores consecutively.
 std::string_view custom_names(const mjModel* m) {
   const char* begin = m->names + count(m->nnames);
   const char* end = m->names;
@@ -225,7 +229,7 @@ std::string_view custom_names(const mjModel* m) {
   return {begin, static_cast<std::size_t>(end - begin)};
 }
 
-// Compared once in a pass, as an address may be another model's by now.
+// Compares the names once in a pass, because another model may have this address now.
 bool is_still_foreign(Known& known, const mjModel* m, const mjData* d, bool check) {
   if (!check) {
     known.compared = nullptr;
@@ -237,8 +241,8 @@ bool is_still_foreign(Known& known, const mjModel* m, const mjData* d, bool chec
   return !has_instances(m) && known.names == custom_names(m);
 }
 
-// mju_error may leave by longjmp (it does while a model is compiled): nothing with a destructor
-// lives in the frame that calls it.
+// mju_error may leave by longjmp (it does while a model is compiled), so the frame that calls it
+// contains nothing with a destructor.
 thread_local char raised_text[1000];
 
 const Config* look_up(const mjModel* m) {
@@ -253,7 +257,7 @@ const Config* look_up(const mjModel* m) {
   return nullptr;
 }
 
-// The mark that mjData carries.
+// True if mjData carries the mark of the config.
 bool is_marked(const mjModel* m, const mjData* d, const Config& config) {
   return m->nuserdata > config.memory && config.id == model_entries(config, d).config_id;
 }

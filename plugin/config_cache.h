@@ -9,17 +9,18 @@
 
 namespace rotorub::plugin {
 
-// Null for a model without our text. Compares the model's address and the mark that `d` carries, so
-// an address that a new model inherits is distinguished by its new, unmarked mjData. Valid until
-// this thread asks again. On bad text or elements: mju_error.
+// Null for a model that the plugin has nothing to do with. Compares the model's address and the
+// mark that `d` carries: if a new model has the address of an old one, its new mjData has no mark
+// yet. Valid until this thread asks again. Raises mju_error for text or elements that do not fit.
 const Config* find_config(const mjModel* m, const mjData* d);
 
-// The same, comparing the model's whole text and names as well: called once a step, so that a
-// model that was changed in place is noticed.
+// The same, but also compares the model's whole text, names and numbers. Called once in a step, so
+// that a model that was changed in place is noticed.
 const Config* find_config_checked(const mjModel* m, const mjData* d);
 
-// What an mjModel is recognised by: a model with the same bytes is mapped in the same way. Sizes,
-// custom text and numbers, names, types and addresses, and what decides who solves a pair.
+// The data by which an mjModel is recognised; models with the same bytes are mapped in the same
+// way. They are sizes, custom text and numbers, names, types and addresses, and the numbers that
+// decide who solves a pair.
 std::string fingerprint(const mjModel* m);
 bool has_fingerprint(const mjModel* m, const std::string& kept);
 

@@ -15,10 +15,10 @@ namespace rotorub::plugin {
 #if mjVERSION_HEADER >= 235
 namespace {
 
-// mju_error may leave by longjmp: nothing with a destructor lives in the frame that calls it.
+// mju_error may leave by longjmp, so the frame that calls it contains nothing with a destructor.
 thread_local char refusal_text[1000];
 
-// Whether the model can be read; else why, in refusal_text.
+// True if the model can be read; otherwise refusal_text says why not.
 bool can_be_read(const mjModel* m) {
   try {
     if (!callbacks_active()) {
@@ -34,7 +34,7 @@ bool can_be_read(const mjModel* m) {
   }
 }
 
-// Of mj_makeData, and of the compiler: the model is refused when it is loaded.
+// Called by mj_makeData and by the compiler, so that a bad model is refused when it is loaded.
 int check_instance(const mjModel* m, mjData*, int) {
   if (can_be_read(m)) return 0;
   raise_error(refusal_text);
@@ -44,14 +44,15 @@ int check_instance(const mjModel* m, mjData*, int) {
 }  // namespace
 
 void register_contact_plugin() {
-  if (mjp_getPlugin(kInstancePlugin, nullptr)) return;  // another copy of this library has done it
+  // another copy of this library has registered it
+  if (mjp_getPlugin(kInstancePlugin, nullptr)) return;
   mjpPlugin plugin;
   mjp_defaultPlugin(&plugin);
   plugin.name = kInstancePlugin;
   plugin.nattribute = static_cast<int>(instance_keys().size());
   plugin.attributes = instance_keys().data();
-  // Of the capabilities that MuJoCo has, the one that asks nothing else of the model. All that is
-  // done is done in the callbacks.
+  // Of MuJoCo's capabilities this is the one that requires nothing else from the model. The plugin
+  // does its work in the callbacks.
   plugin.capabilityflags = mjPLUGIN_PASSIVE;
   plugin.nstate = [](const mjModel*, int) { return 0; };
   plugin.init = check_instance;

@@ -3,7 +3,7 @@
 
 namespace rotorub::plugin {
 
-// So that MuJoCo knows the plugin; does nothing where it does already.
+// Registers the engine plugin in MuJoCo; does nothing if it is registered already.
 void register_contact_plugin();
 
 }  // namespace rotorub::plugin

@@ -13,7 +13,7 @@ struct DeleteData {
   void operator()(mjData* d) const { mj_deleteData(d); }
 };
 
-// Column `which` of a matrix of `columns`.
+// Writes the values to column `which` of a matrix with `columns` columns.
 void put_column(const std::vector<double>& values, std::vector<double>& matrix, int which,
                 int columns) {
   for (std::size_t i = 0; i < values.size(); ++i) {
@@ -21,7 +21,7 @@ void put_column(const std::vector<double>& values, std::vector<double>& matrix, 
   }
 }
 
-// One column of both: nudge(copy of d, +-eps), a step, the difference over 2 eps.
+// One column of both matrices: nudge(copy of d, +-eps), a step, and the difference over 2 eps.
 template <typename Nudge>
 void column(const mjModel* m, const mjData* d, double eps, int which, Nudge nudge, mjData* low,
             mjData* high, std::vector<double>& next, std::vector<double>& seen, int columns) {

@@ -10,13 +10,14 @@
 namespace rotorub::plugin {
 namespace {
 
-// The mark that register.cc exports: preloaded, or loaded since (mj_loadPluginLibrary).
+// True if librotorub_mujoco.so is preloaded, which the symbol exported by register.cc shows, or was
+// loaded since (mj_loadPluginLibrary).
 bool preloaded() {
   static const bool found = dlsym(RTLD_DEFAULT, "rotorub_mujoco_preloaded") != nullptr;
   return found || dlopen("librotorub_mujoco.so", RTLD_LAZY | RTLD_NOLOAD) != nullptr;
 }
 
-std::mutex mutex;  // of who installs and restores
+std::mutex mutex;  // held while callbacks are installed or restored
 std::atomic<int> living = 0;
 
 }  // namespace

@@ -13,7 +13,8 @@ namespace rotorub::plugin {
 
 void inverse_with_contact(const mjModel* m, mjData* d, int skipstage, int skipsensor,
                           void (*inverse)(const mjModel*, mjData*, int, int)) {
-  // Further on than the velocities (mj_compareFwdInv), what mjcb_control left is there still.
+  // If the velocity stage is skipped (mj_compareFwdInv), the results of mjcb_control are still
+  // there.
   const Config* config = callbacks_active() ? find_config(m, d) : nullptr;
   if (skipstage >= mjSTAGE_VEL || !config) {
     inverse(m, d, skipstage, skipsensor);
@@ -30,11 +31,11 @@ void inverse_with_contact(const mjModel* m, mjData* d, int skipstage, int skipse
     const ActuatorsAside aside(m, d);
     control_pass(m, d);
   }
-  // Once more from the velocities on, with the forces and references that it has set.
+  // Again from the velocities on, with the forces and references that control_pass has set.
   inverse(m, d, mjSTAGE_VEL, skipsensor);
   std::copy_n(memory, m->nuserdata, d->userdata);
   std::copy_n(ctrl, m->nu, d->ctrl);
-  fresh = 0.0;  // no forward pass may go on from here
+  fresh = 0.0;  // no forward pass may continue from here
 }
 
 }  // namespace rotorub::plugin

@@ -27,7 +27,7 @@ MatrixXd matrix(const std::vector<double>& values, int rows, int columns) {
 }
 
 // Spectral projection onto the eigenvalues of `a` below `radius`: (1 - sign of its Cayley
-// transform) / 2, the sign by Newton's iteration.
+// transform) / 2, where the sign is found by Newton's iteration.
 MatrixXd projection_within(const MatrixXd& a, double radius) {
   const MatrixXd one = MatrixXd::Identity(a.rows(), a.cols());
   MatrixXd x = lu_solve(MatrixXd(a + radius * one), MatrixXd(a - radius * one));
@@ -39,7 +39,7 @@ MatrixXd projection_within(const MatrixXd& a, double radius) {
     if (change <= 1e-14 * x.norm()) break;
   }
   MatrixXd projection = 0.5 * (one - x);
-  // In flight there is none, but for round-off.
+  // In flight the projection is 0 except for round-off.
   if (std::abs(projection.trace()) < 0.5) projection.setZero();
   return projection;
 }
@@ -74,7 +74,8 @@ LinearSystem linearise(const mjModel* m, const mjData* d, double eps) {
     d = next.get();
   }
   const Transition t = transition(m, d, eps);
-  constexpr double kHeld = 0.5;  // of a step; what moves at all keeps nearly 1
+  // eigenvalue of a step; those of all moving modes are near 1 in magnitude
+  constexpr double kHeld = 0.5;
   const MatrixXd step = matrix(t.A, t.states, t.states);
   const MatrixXd one = MatrixXd::Identity(t.states, t.states);
   LinearSystem out;
@@ -85,8 +86,8 @@ LinearSystem linearise(const mjModel* m, const mjData* d, double eps) {
   if (!log) refuse_linear("the logarithm of the step is not found");
   const double h = m->opt.timestep;
   out.A = *log / h;
-  // B_k = h phi(A h) B, phi(x) = (e^x - 1) / x = sum x^j / (j + 1)!: a few terms, |A h| being
-  // small, or as many as it takes.
+  // B_k = h phi(A h) B, phi(x) = (e^x - 1) / x = sum x^j / (j + 1)!. A few terms are enough if |A
+  // h| is small; otherwise as many as needed.
   const MatrixXd x = out.A * h;
   MatrixXd phi = one, term = one;
   for (int j = 1; j < 60 && term.norm() > 1e-17 * phi.norm(); ++j) {

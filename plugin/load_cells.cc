@@ -41,7 +41,7 @@ bool feels(const mjModel* m, int sensor, const ContactPair& pair) {
          (body == m->geom_bodyid[pair.rotor_geom] || body == m->geom_bodyid[pair.ring_geom]);
 }
 
-// MuJoCo's contact sensors ask for the forces of its own solver.
+// MuJoCo's contact sensors show the forces of its own solver.
 #if mjVERSION_HEADER >= 335
 bool may_be(const mjModel* m, const ContactPair& pair, int type, int id) {
   const auto is = [&](int geom) {
@@ -68,7 +68,7 @@ bool has_history(const Model* m, int sensor) {
   return false;
 }
 
-// < 0: the ray from `from` does not meet the site's zone.
+// Negative if the ray from `from` does not meet the site's zone.
 template <typename Ray = decltype(&mju_rayGeom)>
 double ray_to_site(const mjModel* m, const mjData* d, int site, const mjtNum* from,
                    const mjtNum* along, Ray ray = mju_rayGeom) {
@@ -83,7 +83,7 @@ double ray_to_site(const mjModel* m, const mjData* d, int site, const mjtNum* fr
   }
 }
 
-// What the plugin has put on rotor and ring of one contact in this pass.
+// The plugin's force on rotor and ring at one contact in this pass.
 struct ContactForce {
   ContactPlace place;
   Eigen::Vector2d e_r{0.0, 0.0};
@@ -91,7 +91,7 @@ struct ContactForce {
   bool is_zero() const { return normal == 0.0 && friction == 0.0 && axial == 0.0; }
 };
 
-// since: s, that may have passed since its pass.
+// since: s, time that may have passed since the pass of the force.
 ContactForce force_of(const ContactPair& pair, const mjData* d, double since) {
   ContactForce f;
   const ContactEntries& entry = contact_entries(pair, d);
@@ -101,7 +101,7 @@ ContactForce force_of(const ContactPair& pair, const mjData* d, double since) {
   f.e_r = f.place.d.normalized();
   const bool rigid = pair.law == scene::ContactModel::kRigid;
   if (rigid || pair.beside) f.normal = entry.normal_force;
-  // Those that tell of each pass with a force.
+  // Only `rigid` and contacts with friction along the axis record each pass with a force.
   if (!rigid && !pair.axial) return f;
   const NotedContact& n = noted_contact(pair.data);
   const double passed = d->time - n.time;
@@ -112,10 +112,10 @@ ContactForce force_of(const ContactPair& pair, const mjData* d, double since) {
   return f;
 }
 
-// A force and a torque, in the contact's axes, on a body at a point.
+// Adds a force and a torque, in the contact's axes, on a body at a point.
 void add_wrench(const mjModel* m, mjData* d, int body, const mjtNum* point, const mjtNum* axes,
                 const Eigen::Vector3d& force, const Eigen::Vector3d& torque) {
-  mjtNum wrench[6], turn[3], arm[3];  // torque about the tree's centre of mass, force
+  mjtNum wrench[6], turn[3], arm[3];  // wrench: torque about the tree's centre of mass, then force
   mju_mulMatVec(wrench + 3, axes, force.data(), 3, 3);
   mju_mulMatVec(turn, axes, torque.data(), 3, 3);
   mju_sub3(arm, point, d->subtree_com + 3 * m->body_rootid[body]);
@@ -159,7 +159,7 @@ void add_touch(const ContactPair& pair, const ContactForce& f, const mjModel* m,
 }  // namespace
 
 void map_load_cells(const mjModel* m, Config& config) {
-  bool later = behind_sensors;  // something of ours is called after MuJoCo's sensors
+  bool later = behind_sensors;  // true if the plugin is called after MuJoCo's sensors
   for (int i = 0; i < m->nsensor; ++i) {
     const bool called = m->sensor_type[i] == mjSENS_USER && m->sensor_needstage[i] == mjSTAGE_ACC;
     config.cells_in_callback = config.cells_in_callback || called;
@@ -192,8 +192,8 @@ void map_load_cells(const mjModel* m, Config& config) {
 
 namespace {
 
-// On rotor and ring as J^T has it (contact/contact_space.h): at the rotor's centre, and at the
-// point of the ring's axis beside it.
+// Adds the force on rotor and ring as J^T does (contact/contact_space.h): at the rotor's centre,
+// and at the point of the ring's axis beside it.
 void add_wrenches(const ContactPair& pair, const ContactForce& f, const mjModel* m, mjData* d) {
   const Eigen::Vector3d load = contact_load(f.e_r, pair.contact.radius, f.normal, f.friction);
   const Eigen::Vector3d along = f.axial * axial_column(f.e_r, pair.contact.radius);
@@ -226,7 +226,8 @@ void fill_load_cells(const Config& config, const mjModel* m, mjData* d) {
 
 namespace {
 
-// MuJoCo's sensors would take what is there for its own, and fill_load_cells add to it again.
+// MuJoCo's sensors would otherwise use these values, and fill_load_cells would add the forces
+// again.
 template <typename Data>
 void forget_rne(Data* d) {
   if constexpr (requires { d->flg_rnepost; }) d->flg_rnepost = 0;
@@ -239,7 +240,7 @@ void rne_post_constraint(const mjModel* m, mjData* d, void (*plain)(const mjMode
   const Config* config = callbacks_active() ? find_config(m, d) : nullptr;
   if (!config) return;
   for (const ContactPair& pair : config->pairs) {
-    const ContactForce f = force_of(pair, d, m->opt.timestep);  // that of mj_step may be taken
+    const ContactForce f = force_of(pair, d, m->opt.timestep);  // also after mj_step
     if (!f.is_zero()) add_wrenches(pair, f, m, d);
   }
   forget_rne(d);
@@ -256,8 +257,8 @@ void contact_force(const mjModel* m, const mjData* d, int id, mjtNum result[6],
     const bool regular = c.geom1 == pair.rotor_geom && c.geom2 == pair.ring_geom;
     const bool reverse = c.geom2 == pair.rotor_geom && c.geom1 == pair.ring_geom;
     if (!regular && !reverse) continue;
-    const ContactForce f = force_of(pair, d, m->opt.timestep);  // that of mj_step may be taken
-    // Turning the frame turns e_t and the body that the force acts on.
+    const ContactForce f = force_of(pair, d, m->opt.timestep);  // also after mj_step
+    // If the geoms change places, e_t and the body that the force acts on both turn round.
     if (pair.law == scene::ContactModel::kRigid || pair.beside) result[0] = f.normal;
     if (scene::is_cone(pair.law)) continue;
     result[1] = -f.friction;

@@ -40,7 +40,7 @@ int required(const mjModel* m, int type, const char* element, const std::string&
   return id;
 }
 
-// Coordinate i of the layout moves with this joint.
+// The joint of coordinate i of the layout.
 std::string joint_name(const Model& model, int i) {
   const Layout& l = model.layout;
   if (i < l.y()) return names::bending_joint('x', i + 1);
@@ -101,7 +101,7 @@ void map_joints(const mjModel* m, Config& config) {
   }
 }
 
-// The k-th contact; data: in mjData.userdata.
+// The k-th contact; data: index in mjData.userdata.
 ContactPair map_contact(const mjModel* m, const Config& config, std::size_t k, int data) {
   const std::string rotor = names::of_bearing(k, names::kRotorContact);
   const std::string ring = names::of_bearing(k, names::kRingContact);
@@ -140,10 +140,10 @@ ContactPair map_contact(const mjModel* m, const Config& config, std::size_t k, i
   return p;
 }
 
-// further: in mjData.userdata, of what the contacts beyond the first remember.
+// further: index in mjData.userdata of the memory of the contacts beyond the first.
 void map_contacts(const mjModel* m, Config& config, int further) {
   for (std::size_t k = 0; k < config.model.auxiliary.size(); ++k) {
-    // Entry e of a pair stands at data + e (user_data.h).
+    // Entry e of a pair is at data + e (user_data.h).
     const int data =
         k == 0 ? kFirstContact : further + kEntries<ContactEntries> * static_cast<int>(k - 1);
     config.pairs.push_back(map_contact(m, config, k, data));
@@ -163,7 +163,7 @@ void check_magnet(const mjModel* m, const Config& config, int actuator) {
 
 void map_actuators(const mjModel* m, Config& config) {
   for (int k = 0; k < 2; ++k) {
-    // A controller and magnets cannot do without; else they are for the user's own commands.
+    // A controller or magnets need the actuators; otherwise they are for the user's own commands.
     config.actuator[k] = config.model.first().controller || config.model.first().magnets
                              ? required(m, mjOBJ_ACTUATOR, "actuator", names::kActuator[k])
                              : mj_name2id(m, mjOBJ_ACTUATOR, names::kActuator[k]);
@@ -176,7 +176,7 @@ double next_id() {
   return 1.0 + count.fetch_add(1);
 }
 
-// What the scene's own code throws, as a refusal of its text.
+// Turns exceptions of the scene's own code into a refusal of its text.
 template <typename Read>
 void read_scene(Read read) {
   try {
@@ -188,8 +188,8 @@ void read_scene(Read read) {
   }
 }
 
-// Where the memories of the plugin's parts are in mjData.userdata; returns that of the contacts
-// beyond the first.
+// Assigns the memories of the plugin's parts in mjData.userdata. Returns the index of the memory of
+// the contacts beyond the first.
 int map_memory(const mjModel* m, const scene::Scene& scene, Config& config) {
   const ControlLoop* controller = config.model.first().loop.get();
   const std::size_t loop = controller ? controller->memory_size() : 0;
@@ -215,7 +215,7 @@ int map_memory(const mjModel* m, const scene::Scene& scene, Config& config) {
   return further;
 }
 
-// The impacts of `rigid` that take time are those of the native step alone.
+// Impacts of finite duration with `rigid` are possible in the native step alone.
 void check_impacts(const scene::Scene& scene, const Config& config) {
   if (config.contact != scene::ContactModel::kRigid) return;
   const bool lags = config.model.first().magnets && config.model.first().magnets->coil_lag > 0.0;

@@ -1,4 +1,4 @@
-// Makes the Config of an mjModel, from its custom text and its elements.
+// Makes the Config of an mjModel from its custom text and its elements.
 #pragma once
 
 #include <mujoco/mujoco.h>
@@ -7,12 +7,13 @@
 
 namespace rotorub::plugin {
 
-// Whether <custom> asks for anything of ours: a scene, or a contact of the user's own geoms.
+// True if the model has a scene or contacts of the user's own geoms, in <custom> or in instances of
+// the engine plugin.
 bool is_ours(const mjModel* m);
 
 // Throws ConfigError.
 Config make_config(const mjModel* m);
-// The same with m's numbers of now, m a model of its fingerprint. Throws ConfigError.
+// The same Config with m's present numbers. m must have its fingerprint. Throws ConfigError.
 Config with_parameters(const Config& config, const mjModel* m);
 
 }  // namespace rotorub::plugin

@@ -9,7 +9,7 @@
 #include "native_model/scene/scene.h"
 #include "plugin/model/generated_rotor.h"
 #include "plugin/model/message.h"
-#include "plugin/model/mujoco_versions.h"
+#include "plugin/model/mujoco_actuators.h"
 #include "plugin/own/own_config.h"
 #include "plugin/shadow.h"
 
@@ -18,10 +18,10 @@ namespace {
 
 namespace names = mjcf_names;
 
-// kg. A generated body weighs 1e-12; what it has beyond this is somebody's.
+// kg. A generated body weighs 1e-12; a mass above this limit was added by a user.
 constexpr double kMassless = 1e-9;
 
-// Coordinates of the native layout that MuJoCo has as a joint: action(i, dof).
+// Calls action(i, dof) for each coordinate of the native layout that is a joint in MuJoCo.
 template <typename Action>
 void for_each_joint(const Config& config, Action action) {
   for (int i = 0; i < config.model.nq(); ++i) {
@@ -30,7 +30,7 @@ void for_each_joint(const Config& config, Action action) {
   }
 }
 
-// kg m^2, of the body about its z axis, on which its joints are.
+// kg m^2, moment of inertia of the body about its z axis, on which its joints are.
 double turning_inertia(const mjModel* m, int body) {
   mjtNum axes[9];
   mju_quat2Mat(axes, m->body_iquat + 4 * body);
@@ -40,9 +40,9 @@ double turning_inertia(const mjModel* m, int body) {
   return sum;
 }
 
-// What MuJoCo has on the diagonal of its mass matrix: of a dof that it calls simple what
-// mj_setConst found last, not the armature of now. A mass on the ring moves with its slides alike,
-// and its inertia with its hinge: they are the ring's.
+// The entry on the diagonal of MuJoCo's mass matrix. For a dof that MuJoCo calls simple it is the
+// value of the last mj_setConst, not the present armature. A mass on the ring moves with both of
+// its slides, and its inertia with its hinge, so both are added to the ring's.
 double mass_of(const Config& config, const mjModel* m, int i, int dof) {
   const double armature = m->dof_armature[dof];
   double mass = armature;
@@ -65,7 +65,7 @@ double friction_of(const ContactPair& pair, const mjModel* m) {
   return m->pair_friction[5 * pair.pair];
 }
 
-// The limit of a controller's commands, N or A; `otherwise` where MuJoCo has none.
+// The limit of a controller's commands, N or A; `otherwise` if MuJoCo has none.
 double limit_of(const Config& config, const mjModel* m, double otherwise) {
   const int a = control_address(m, config.actuator[0]);
   const bool clamps = m->actuator_ctrllimited[a] && !(m->opt.disableflags & mjDSBL_CLAMPCTRL);
@@ -84,8 +84,8 @@ struct Circle {
   bool operator==(const Circle&) const = default;
 };
 
-// The contact's circles as they are drawn. As long as they are those of the scene it is the scene's
-// numbers: their sum and difference would not be the same to the bit.
+// The contact's circles as they are drawn. If they equal those of the scene, the scene's numbers
+// are used, because sum and difference would differ from them by round-off.
 Circle circle_of(const ContactPair& pair, const mjModel* m) {
   const Circle scene{pair.given.radius, pair.given.clearance};
   if (pair.rotor_shape < 0 || pair.ring_shape < 0) return scene;
@@ -95,7 +95,8 @@ Circle circle_of(const ContactPair& pair, const mjModel* m) {
   return same ? scene : Circle{rotor, ring - rotor};
 }
 
-// What a user's own model takes from its geoms (own/own_config.h).
+// True if the numbers that a user's own model takes from its geoms and pair (own/own_config.h) are
+// unchanged.
 bool has_own_numbers(const Config& config, const mjModel* m) {
   return std::all_of(config.pairs.begin(), config.pairs.end(),
                      [m](const ContactPair& p) { return p.read == own_numbers(m, p); });
@@ -130,7 +131,7 @@ void check_masses(const mjModel* m, const Config& config) {
   }
 }
 
-// Off its axis, mass on a ring that turns is an unbalance, which the native ring does not have.
+// Mass off the axis of a ring that turns is an unbalance, which the native ring does not have.
 void check_ring_mass(const mjModel* m, const Config& config, const AuxiliaryBearing& at) {
   if (!at.turns()) return;
   const int body = m->dof_bodyid[config.dof_address[static_cast<std::size_t>(at.ring_angle)]];

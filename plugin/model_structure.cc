@@ -1,11 +1,11 @@
-// The bodies, joints and actuators of a generated file, against the mode shapes of its scene.
+// Checks the bodies, joints and actuators of a generated file against the mode shapes of its scene.
 #include <algorithm>
 #include <cmath>
 #include <string>
 
 #include "mjcf/names.h"
 #include "plugin/model/message.h"
-#include "plugin/model/mujoco_versions.h"
+#include "plugin/model/mujoco_actuators.h"
 #include "plugin/model_parameters.h"
 
 namespace rotorub::plugin {
@@ -15,12 +15,13 @@ namespace names = mjcf_names;
 
 constexpr double kRoundOff = 1e-12;
 
-bool is_above(const mjModel* m, int body, int above) {  // or the same
+bool is_above(const mjModel* m, int body, int above) {  // or the same body
   while (body > 0 && body != above) body = m->body_parentid[body];
   return body == above;
 }
 
-// The native axes are the world's, and the ring's place is that of its joints and its offset.
+// The native axes are those of the world, and the ring's place is determined by its joints and its
+// offset.
 void check_pose(const mjModel* m, int body, const Eigen::Vector2d& offset) {
   const mjtNum* p = m->body_pos + 3 * body;
   const mjtNum* q = m->body_quat + 4 * body;
@@ -35,7 +36,7 @@ void check_pose(const mjModel* m, int body, const Eigen::Vector2d& offset) {
   }
 }
 
-// The body's own x and y are `offset`, those of the bodies that it stands on 0.
+// The body's own x and y must be `offset`; those of its ancestors must be 0.
 void check_poses(const mjModel* m, int body, Eigen::Vector2d offset) {
   for (; body > 0; body = m->body_parentid[body]) {
     check_pose(m, body, offset);
@@ -54,7 +55,7 @@ void check_joint(const mjModel* m, int joint, int along, const char* accepted) {
   if (reference != 0.0) refuse(element, message("ref=\"{}\"; accepted: 0", reference));
 }
 
-// A mode moves the contact if, and as, its joint stands above the rotor's body.
+// A mode moves the contact by 1 if its joint is above the rotor's body, else by 0.
 void check_mode(const mjModel* m, int joint, int rotor, double shape) {
   const bool carries = is_above(m, rotor, m->jnt_bodyid[joint]);
   if (carries == (shape == 1.0)) return;
@@ -102,7 +103,8 @@ void check_rings(const mjModel* m, const Config& config) {
   }
 }
 
-// The force of a command: along the scene's axes, a newton a newton.
+// Checks that the actuator acts along its axis of the scene, with a gear of 1 and without a force
+// limit of its own.
 void check_actuator(const mjModel* m, int k, int actuator) {
   const std::string element = message("<actuator name=\"{}\">", names::kActuator[k]);
   const mjtNum gear = m->actuator_gear[6 * force_address(m, actuator)];

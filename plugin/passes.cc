@@ -13,6 +13,7 @@
 #include "plugin/model/actuators.h"
 #include "plugin/model/control.h"
 #include "plugin/model/generated_rotor.h"
+#include "plugin/model/mujoco_actuators.h"
 #include "plugin/model/mujoco_versions.h"
 #include "plugin/model/options.h"
 #include "plugin/model/segments.h"
@@ -25,10 +26,11 @@
 namespace rotorub::plugin {
 namespace {
 
-// References of constraints that are changed before MuJoCo computes them,
-//   aref = -B vel - K I (pos - margin),
-// which it does after mjcb_passive. The constructor computes them; keep() makes MuJoCo find what
-// they were changed to since, by the rows' `pos`. May be done again in the same pass.
+// Keeps references of constraints that are changed before MuJoCo computes them. After mjcb_passive
+// it computes
+//   aref = -B vel - K I (pos - margin).
+// The constructor computes the same. keep() changes the rows' `pos` so that MuJoCo finds the
+// references as they were changed since. It may be called again in the same pass.
 class KeptReferences {
  public:
   KeptReferences(const mjModel* m, mjData* d)
@@ -52,16 +54,16 @@ class KeptReferences {
   }
 
  private:
-  // Stiffness and impedance of a row without either, once its reference is in `pos`.
+  // Stiffness and impedance of a row that has neither, once its reference is stored in `pos`.
   static constexpr double kOurs = 1.0;
 
   mjData* d_;
   StackFrame room_;
-  mjtNum *aref_, *velocity_;  // as MuJoCo has them
+  mjtNum *aref_, *velocity_;  // as MuJoCo computes them
 };
 
-// Takes back what others have written over. Where another's function has collided the pair,
-// MuJoCo's soft contact is made anew, so that not even this pass goes without.
+// Takes back the places that others have overwritten. If another function has collided the pair,
+// MuJoCo's soft contact is made again, so that even this pass has its contact.
 bool keep_places(const Config& config, const mjModel* m, mjData* d) {
   keep_callbacks();
   if (!config.has_contact() || !collision_was_lost(config, m)) return false;
@@ -70,17 +72,18 @@ bool keep_places(const Config& config, const mjModel* m, mjData* d) {
   return true;
 }
 
-// Whose model was compared since the last mjcb_passive of this thread.
+// The mjData whose model was compared since the last mjcb_passive of this thread.
 thread_local constinit const mjData* compared = nullptr;
 
-// ModelEntries::passive_fresh after mjcb_passive.
+// The value of ModelEntries::passive_fresh after mjcb_passive.
 double fresh_mark(const mjData* d) { return 1.0 + std::abs(d->time); }
 
 mjtNum& fresh_entry(const Config& config, mjData* d) {
   return model_entries(config, d).passive_fresh;
 }
 
-// A pass at another time had no mjcb_control after its mjcb_passive.
+// If the mark belongs to another time, the pass at that time had no mjcb_control after its
+// mjcb_passive.
 void notice_missed_control(const Config& config, mjData* d) {
   const double mark = fresh_entry(config, d);
   if (mark <= 0.0 || mark == fresh_mark(d) || !distrust_control()) return;
@@ -104,8 +107,9 @@ void add_loads(const Config& config, const mjModel* m, mjData* d) {
   fill_sensors(config, m, d, mjSTAGE_VEL);
 }
 
-// MuJoCo may run this stage again without the one before (mj_forwardSkip), or have run it without
-// us: then what it added to the velocity stage's results is taken out by computing those anew.
+// MuJoCo may run this stage again without the velocity stage (mj_forwardSkip), or may have run the
+// velocity stage without the plugin. Then its results are computed again, which removes what was
+// added to them in the meantime.
 void refresh_velocity_stage(const Config& config, const mjModel* m, mjData* d) {
   mjtNum& fresh = fresh_entry(config, d);
   if (fresh != fresh_mark(d)) {
@@ -160,8 +164,8 @@ void act_or_refuse(const Config& config, const mjModel* m, mjData* d) {
   mark_active(config, d, (!config.has_contact() || contact_enabled(m)) && !has_escaped(config, d));
 }
 
-// Passive forces of engine plugins, which MuJoCo adds after mjcb_passive: in qfrc_passive while
-// this lives, and out of it again for MuJoCo to add them.
+// Passive forces of engine plugins, which MuJoCo adds after mjcb_passive. They are part of
+// qfrc_passive while this object lives, and are then removed for MuJoCo to add them.
 class PluginForces {
  public:
   PluginForces(const mjModel* m, mjData* d)
@@ -183,8 +187,8 @@ class PluginForces {
   mjtNum* force_;
 };
 
-// Where MuJoCo leaves out mjcb_control, mjcb_passive is the last that is called: with what the
-// velocity stage computes after it, done before.
+// If MuJoCo does not call mjcb_control, mjcb_passive is the last callback. What the velocity stage
+// computes after it is therefore done here first.
 void act_without_control(const Config& config, const mjModel* m, mjData* d) {
   begin_actuators(d);
   const PluginForces others(m, d);
@@ -197,7 +201,7 @@ void act_without_control(const Config& config, const mjModel* m, mjData* d) {
 }  // namespace
 
 void passive_pass(const mjModel* m, mjData* d) {
-  // The collision of this very pass has compared the model.
+  // The collision function of this pass may already have compared the model.
   const Config* config = compared == d ? find_config(m, d) : find_config_checked(m, d);
   compared = nullptr;
   if (!config) return;
@@ -241,7 +245,7 @@ void sensor_pass(const mjModel* m, mjData* d, int stage) {
 
 bool collide_pair(const mjModel* m, const mjData* d, CollisionContact* con, int g1, int g2,
                   int& count) {
-  // The first of a pass to need the numbers: with those of now.
+  // This is the first function of a pass that needs the numbers, so it updates them.
   const Config* config = find_config_checked(m, d);
   if (!config) return false;
   compared = d;
@@ -249,10 +253,11 @@ bool collide_pair(const mjModel* m, const mjData* d, CollisionContact* con, int 
     if (!are_geoms(g1, g2, pair.rotor_geom, pair.ring_geom)) continue;
     keep_callbacks();
     if (const char* why = refused_silence(m)) raise_error(why);
-    // The <pair>'s margin, where the model has one; it is not among the arguments of every version.
+    // The <pair>'s margin, if the model has the <pair>. The margin is not among the arguments in
+    // every version.
     const double margin = pair.pair >= 0 ? seen_below(m, pair.pair) : 0.0;
     count = collide_exactly(pair, d, con, g1, margin);
-    // `rigid` keeps it from MuJoCo's solver where the pair's gap does not.
+    // With `rigid` the contact is kept from MuJoCo's solver even if the pair's gap does not do so.
     if (pair.law == scene::ContactModel::kRigid && count > 0 && pair.pair >= 0) {
       con->dist = std::max<mjtNum>(con->dist, solved_below(m, pair.pair));
     }

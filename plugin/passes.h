@@ -1,4 +1,4 @@
-// What the plugin does in a forward pass, behind MuJoCo's callbacks (callbacks.cc).
+// The plugin's work in a forward pass, called by its callbacks (callbacks.cc).
 #pragma once
 
 #include <mujoco/mujoco.h>
@@ -12,11 +12,11 @@ void passive_pass(const mjModel* m, mjData* d);
 void control_pass(const mjModel* m, mjData* d);
 void sensor_pass(const mjModel* m, mjData* d, int stage);
 
-// Of the actuators that are ours: true, and the value.
+// True, with the value, for actuators of the plugin.
 bool magnet_answers(ActuatorQuestion asked, const mjModel* m, const mjData* d, int id,
                     mjtNum& value);
 
-// Of the contact pair: true, and the number of contacts.
+// True, with the number of contacts, for a contact pair of the plugin.
 bool collide_pair(const mjModel* m, const mjData* d, CollisionContact* con, int g1, int g2,
                   int& count);
 

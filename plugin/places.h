@@ -1,17 +1,19 @@
-// Places in MuJoCo's global callback tables, kept against programs that write over them.
+// Places in MuJoCo's global callback tables, kept against programs that overwrite them.
 //
 // MuJoCo's callbacks are plain global pointers: `mjcb_control = mine`, `mjcb_control = nullptr` and
-// mj_resetCallbacks() take ours away without a word. A Place notices (held), takes itself back
-// (take) and calls what was put there before its own work. It has several functions of the same
-// work, links, each with its own `previous`, so that of a user who chains to us, whichever of our
-// links was saved, we know what to call below:
+// mj_resetCallbacks() silently remove the plugin's. A Place notices this (held), takes itself back
+// (take), and calls the function that was put there before doing its own work. It has several
+// functions for the same work, called links, each with its own `previous`. If a user's function
+// calls the plugin's, it may have saved any of the links, and each link knows what to call next:
 //
-//   mjcb_control = mine                       link 1 in the place, previous: mine: mine, then ours
-//   old = mjcb_control, mine calls old        mine stands in front again, once seen to call us
-//   mjcb_control = nullptr                    link 2, previous: none: our work alone
+//   mjcb_control = mine                       link 1 in the place, previous: mine. mine runs first,
+//                                             then the plugin
+//   old = mjcb_control, mine calls old        mine may stand in front again once it has been seen
+//                                             to call the plugin
+//   mjcb_control = nullptr                    link 2, previous: none. Only the plugin works
 //
-// The work is done once a call of the place, whatever the chain. No lock is held while a function
-// of others runs; the one that orders who takes is never touched while the place is as left.
+// The work is done once in each call of the place, whatever the chain. No lock is held while a
+// foreign function runs; the lock that orders changes is not touched while the place is unchanged.
 #pragma once
 
 #include <mujoco/mujoco.h>
@@ -34,20 +36,21 @@ class Place {
  public:
   using Type = Function;
 
-  // `global` may be null until stand_at; link_with comes before all else.
+  // `global` may be null until stand_at(). Call link_with() before everything else.
   constexpr explicit Place(Function* global = nullptr) : global_(global) {}
   void stand_at(Function* global) { global_ = global; }
   void link_with(const Function* links) { links_ = links; }
 
-  // True where MuJoCo will call us: one of our links is in the place, or one who calls us.
+  // True if MuJoCo will call the plugin: one of its links is in the place, or a function that calls
+  // it.
   bool held() const {
     return std::atomic_ref(*global_).load(std::memory_order_acquire) ==
            expected_.load(std::memory_order_acquire);
   }
   Function previous(int link) const { return previous_[link].load(std::memory_order_acquire); }
 
-  // Puts a link in front of who stands there, if that is neither ours nor calls us. True where it
-  // did.
+  // Puts a link in front of the present function, unless that is a link or calls one. True if it
+  // did so.
   bool take() {
     const std::lock_guard<std::mutex> lock(mutex_);
     std::atomic_ref place(*global_);
@@ -66,7 +69,8 @@ class Place {
     }
   }
 
-  // What `link` calls first has called another of ours: it stays in front, as it put itself.
+  // Call it if the function that `link` calls first has called another link: that function may
+  // stand in front, as it was installed.
   void let_in_front(int link) {
     std::atomic_ref place(*global_);
     if (place.load() != links_[link]) return;
@@ -77,8 +81,8 @@ class Place {
     if (place.compare_exchange_strong(ours, theirs)) expected_ = theirs;
   }
 
-  // Who stands in front has called us before, and now has not: it is never let in front again. True
-  // where it was so.
+  // Call it if the function in front called the plugin before and did not call it now. It is then
+  // never let in front again. True if this was the case.
   bool distrust() {
     {
       const std::lock_guard<std::mutex> lock(mutex_);
@@ -89,7 +93,8 @@ class Place {
     return take();
   }
 
-  // Where a link of ours is in the place, what it calls first goes back there. Others stay.
+  // If a link is in the place, restores the function that the link calls first. A foreign function
+  // stays.
   void give_back() {
     const std::lock_guard<std::mutex> lock(mutex_);
     std::atomic_ref place(*global_);
@@ -107,7 +112,7 @@ class Place {
     }
     return -1;
   }
-  // One that calls this already, a new one, or the one that was used longest ago.
+  // A link that calls this function already, or a new one, or the one that was used longest ago.
   int link_for(Function there) {
     for (int i = 0; i < used_; ++i) {
       if (previous_[i].load() == there) return i;
@@ -122,21 +127,21 @@ class Place {
   std::atomic<Function> expected_{nullptr};
   std::atomic<Function> previous_[kLinks] = {};
 
-  std::mutex mutex_;  // of who changes the place
+  std::mutex mutex_;  // held while the place is changed
   int used_ = 0, oldest_ = 0;
-  Function chains_ = nullptr;    // seen to call us
-  Function deceives_ = nullptr;  // and not to
+  Function chains_ = nullptr;    // foreign function that was seen to call the plugin
+  Function deceives_ = nullptr;  // foreign function that once called it and then did not
 };
 
-// What a thread is in: the links of one place that wait for what they called. Kept on the stack of
-// the first of them. A frame that was left by longjmp (mju_error of a model that is compiled) is
-// recognised by its address: it is not above ours.
+// The links of one place that are running in a thread, while they wait for the functions that they
+// called. The first of them keeps this on its stack. A frame that was left by longjmp (mju_error of
+// a model that is compiled) is recognised by its address, which is not above the present one.
 struct LinkCall {
   const void* data = nullptr;  // mjData
   std::uintptr_t frame = 0;
-  unsigned inside = 0;   // bits of the links
-  bool reached = false;  // one link was reached from another
-  bool done = false;     // the work
+  unsigned inside = 0;   // one bit for each running link
+  bool reached = false;  // true if one link was reached from another
+  bool done = false;     // true if the work is done
 };
 
 class LinkScope {
@@ -155,9 +160,10 @@ class LinkScope {
   LinkScope(const LinkScope&) = delete;
   LinkScope& operator=(const LinkScope&) = delete;
 
-  // True in a link that was called by what it called itself.
+  // True in a link that was called by the function that it called itself.
   bool again() const { return again_; }
-  // Runs what the link calls first, unless it is under way; true where that reached another link.
+  // Runs the function that the link calls first, unless it is running. True if that reached another
+  // link.
   template <typename Call>
   bool reaches(Call call) {
     if (again_) return false;
@@ -170,7 +176,7 @@ class LinkScope {
     call_.reached = reached || now;
     return now;
   }
-  // True once.
+  // True once in each call of the place.
   bool begin_work() {
     const bool first = !call_.done;
     call_.done = true;
@@ -184,11 +190,11 @@ class LinkScope {
   bool nested_, again_;
 };
 
-// The functions that stand in MuJoCo's places: kLinks of them a place, of one work.
+// The functions for MuJoCo's places: kLinks for each place, all with the same work.
 template <typename Function>
 using LinkTable = std::array<Function, kLinks>;
 
-// Of a class with a template function `link<K>`.
+// Makes the table of a class with a template function `link<K>`.
 template <class Of, typename Function>
 constexpr LinkTable<Function> make_links() {
   return []<int... K>(std::integer_sequence<int, K...>) {
@@ -197,7 +203,7 @@ constexpr LinkTable<Function> make_links() {
   (std::make_integer_sequence<int, kLinks>());
 }
 
-// What was there first, then kWork(m, d, ...), once a call of the place.
+// Calls the previous function, then kWork(m, d, ...), once in each call of the place.
 template <typename Function, auto& kPlace, auto kWork>
 struct LinksOf;
 
@@ -219,8 +225,9 @@ struct LinksOf<void (*)(const mjModel*, mjData*, Rest...), kPlace, kWork> {
 template <auto& kPlace, auto kWork>
 using Links = LinksOf<typename std::remove_reference_t<decltype(kPlace)>::Type, kPlace, kWork>;
 
-// kWork(m, d, id, value) says true where the value is ours; else what was there gives it, or it is
-// MuJoCo's: a gain of 1, and 0. Ours stays in front, so that what it calls is asked once a pass.
+// kWork(m, d, id, value) returns true if the value is the plugin's. Otherwise the value comes from
+// the previous function, or it is MuJoCo's default: 1 for a gain, else 0. The plugin stays in
+// front, so that the previous function is called once in a pass.
 template <auto& kPlace, auto kWork, ActuatorQuestion kAsked>
 struct Givers {
   static inline thread_local constinit LinkCall call;

@@ -1,8 +1,9 @@
-// Loaded with LD_PRELOAD, the library installs its callbacks before the program starts:
+// If the library is loaded with LD_PRELOAD, it installs its callbacks before the program starts:
 //   LD_PRELOAD=librotorub_mujoco.so mujoco-testspeed bench_ring.xml
-// It stands before MuJoCo's own functions too, which call one another through the same names. So it
-// sees each pass begin, even where all callbacks have been taken from it, its sensors filled, and
-// mj_inverse, mjd_transitionFD and mj_contactForce as such.
+// It also replaces some of MuJoCo's own functions, which call one another through the same names.
+// It therefore sees the beginning of each pass, even if all its callbacks were removed, and when
+// MuJoCo's sensors have been filled; and it replaces mj_inverse, mjd_transitionFD, mj_contactForce
+// and mj_rnePostConstraint.
 #include <dlfcn.h>
 #include <link.h>
 #include <mujoco/mujoco.h>
@@ -24,7 +25,7 @@
 
 #define ROTORUB_EXPORT extern "C" __attribute__((visibility("default")))
 
-// Tells a program that links the plugin too that the work is being done (hooks.cc).
+// Tells a program that also links the plugin that this library does the work (hooks.cc).
 ROTORUB_EXPORT const int rotorub_mujoco_preloaded;
 const int rotorub_mujoco_preloaded = 1;
 
@@ -33,7 +34,7 @@ namespace {
 using Pass = void (*)(const mjModel*, mjData*);
 using SkippingPass = void (*)(const mjModel*, mjData*, int, int);
 
-// mjtByte, later a type of its own.
+// mjtByte; another type in later versions.
 using Centered = rotorub::plugin::Argument<decltype(mjd_transitionFD), 3>;
 
 template <typename Function>
@@ -47,8 +48,8 @@ void keep(const mjModel* m, const mjData* d) {
   }
 }
 
-// How many MuJoCos are in the process. With a second one the plugin's structures or callbacks are
-// those of the wrong one.
+// Counts the MuJoCo libraries in the process. With a second one the plugin's structures or
+// callbacks could be those of the wrong one.
 int count_mujoco(dl_phdr_info* info, std::size_t, void* count) {
   const std::string_view path = info->dlpi_name;
   const std::string_view file = path.substr(path.rfind('/') + 1);
@@ -56,7 +57,8 @@ int count_mujoco(dl_phdr_info* info, std::size_t, void* count) {
   return 0;
 }
 
-// Loaded later than MuJoCo (mj_loadPluginLibrary) nothing here stands before its functions.
+// False if the library was loaded later than MuJoCo (mj_loadPluginLibrary): then it replaces none
+// of MuJoCo's functions.
 bool stands_before_mujoco() {
   Dl_info ours, found;
   const void* first = dlsym(RTLD_DEFAULT, "mj_sensorAcc");
@@ -64,7 +66,7 @@ bool stands_before_mujoco() {
          ours.dli_fbase == found.dli_fbase;
 }
 
-// MuJoCo's own sensors of this thread are being filled: they have the plugin's forces from
+// True while MuJoCo fills its own sensors in this thread. They receive the plugin's forces from
 // load_cells.h.
 thread_local bool in_sensors = false;
 
@@ -72,7 +74,7 @@ __attribute__((constructor)) void install() {
   int mujocos = 0;
   dl_iterate_phdr(count_mujoco, &mujocos);
   if (mujocos > 1) {
-    // MuJoCo may not be ready for an error yet.
+    // MuJoCo may not be ready for mju_error yet.
     const std::string built = rotorub::plugin::version_text(mjVERSION_HEADER);
     std::fprintf(stderr,
                  "rotorub: this plugin is built for MuJoCo %s, and the program has another one; "
@@ -94,7 +96,7 @@ ROTORUB_EXPORT void mj_step1(const mjModel* m, mjData* d) {
   step(m, d);
 }
 
-// Of mj_step, mj_forward and the integrators.
+// Called by mj_step, mj_forward and the integrators.
 ROTORUB_EXPORT void mj_forwardSkip(const mjModel* m, mjData* d, int skipstage, int skipsensor) {
   static const auto forward = original<SkippingPass>("mj_forwardSkip");
   keep(m, d);
@@ -120,7 +122,7 @@ ROTORUB_EXPORT void mj_contactForce(const mjModel* m, const mjData* d, int id, m
   }
 }
 
-// MuJoCo's sensors have the plugin's forces from load_cells.h.
+// MuJoCo's sensors receive the plugin's forces from load_cells.h.
 ROTORUB_EXPORT void mj_rnePostConstraint(const mjModel* m, mjData* d) {
   static const auto rne = original<Pass>("mj_rnePostConstraint");
   if (in_sensors) {
@@ -130,7 +132,8 @@ ROTORUB_EXPORT void mj_rnePostConstraint(const mjModel* m, mjData* d) {
   }
 }
 
-// The plugin calls this one too, preloaded or not: MuJoCo's own is where mj_forward is.
+// The plugin also calls this function, whether it is preloaded or not. MuJoCo's own is in the
+// library that contains mj_forward.
 ROTORUB_EXPORT void mj_fwdActuation(const mjModel* m, mjData* d) {
   static const auto actuation = [] {
     Dl_info mujoco;

@@ -33,8 +33,8 @@ void put_active(const Config& config, mjData* d) {
   for (const ContactPair& pair : config.pairs) put(d, pair.sensors.active, value);
 }
 
-// Of the modal chain, and of the first contact of segments, in the native coordinates, in which the
-// loads are; of others by the places of the geoms.
+// True for the contacts of the modal chain and for the first contact of segments. They use the
+// native coordinates, in which the loads are computed; the others use the places of the geoms.
 bool in_native_coordinates(const Config& config, const ContactPair& pair) {
   return !config.own && (pair.bearing == 0 || pair.beside);
 }
@@ -76,7 +76,7 @@ void fill_forces(const ContactPair& pair, const mjModel* m, mjData* d) {
   put(m, d, s.friction_force_scaled, forces.friction);
 }
 
-// Beside MuJoCo's own rotor what the shadow has come to (shadow.h).
+// Fills the sensors of the shadow (shadow.h), and MuJoCo's own rotor beside them.
 void fill_shadow_sensors(const Config& config, mjData* d) {
   const ShadowConfig& s = *config.shadow;
   const Model& model = s.model;

@@ -1,4 +1,4 @@
-// The user sensors of a generated model, so that any viewer can plot them.
+// The user sensors of generated and of users' own models, which any viewer can plot.
 #pragma once
 
 #include <mujoco/mujoco.h>
@@ -7,21 +7,23 @@
 
 namespace rotorub::plugin {
 
-// Fills those of the stage (mjSTAGE_POS, mjSTAGE_VEL, mjSTAGE_ACC). For a user sensor of the last
-// two MuJoCo first computes the momenta of subtrees and the forces between bodies, each a tenth of
-// a small model's step. So generated files ask for "pos" where they can: mjcb_passive fills what
-// belongs to the velocities, and with `rigid`, who knows its forces then, mjcb_control the forces.
-// rotorub_active: 1 where the pass that is under way has had its loads and its contact.
+// Writes rotorub_active: 1 if loads and contact were included in the present pass, else 0.
 void mark_active(const Config& config, mjData* d, bool acts);
 
+// Fills the sensors of the stage (mjSTAGE_POS, mjSTAGE_VEL, mjSTAGE_ACC). For user sensors of the
+// last two stages MuJoCo first computes the momenta of subtrees and the forces between bodies; each
+// costs a tenth of a small model's step. Therefore generated files ask for "pos" if possible:
+// mjcb_passive fills the sensors that belong to the velocities, and mjcb_control fills the forces
+// of `rigid`, which are known then.
 void fill_sensors(const Config& config, const mjModel* m, mjData* d, int stage);
 
-// Of a user's own model, in mjcb_control: whatever stage they ask for, they are filled in this
-// pass. (The forces of `cone`, which MuJoCo's solver finds after this, at mjSTAGE_ACC again.)
+// For sensors that ask for another stage than the one in which MuJoCo could know them, and for all
+// forces of a user's own model: fills them in mjcb_control, whatever stage they ask for. (The
+// forces of `cone`, which MuJoCo's solver finds later, are filled again at mjSTAGE_ACC.)
 void fill_sensors_in_control(const Config& config, const mjModel* m, mjData* d);
 
-// What was filled in before MuJoCo's last sensor stage, again: MuJoCo of today sets the user
-// sensors of a stage to 0 before it calls mjcb_sensor.
+// Fills the sensors again that were filled before MuJoCo's last sensor stage: newer MuJoCo sets the
+// user sensors of a stage to 0 before it calls mjcb_sensor.
 void fill_late_sensors(const Config& config, const mjModel* m, mjData* d);
 
 }  // namespace rotorub::plugin

@@ -23,8 +23,8 @@
 namespace rotorub::plugin {
 namespace {
 
-// What takes the steps. Holds nothing between two calls but room: the state comes from userdata and
-// goes back there.
+// Takes the steps. Between two calls it holds only working memory: the state comes from userdata
+// and is written back there.
 struct Worker {
   Worker(const Config& config, double h)
       : model(config.shadow->model), stepper(model, h), hold(model) {}
@@ -64,7 +64,8 @@ void say_edited(ShadowEntries& entry) {
   mju_warning("rotorub: shadow: mjModel was edited: it starts anew from MuJoCo's state");
 }
 
-// In the coordinates of the shadow's model: with those of its coils, whose rates are the currents.
+// MuJoCo's state in the coordinates of the shadow's model, including those of its coils, whose
+// rates are the currents.
 void mujoco_state(const Config& config, const mjModel* m, const mjData* d, double* q, double* v) {
   const Layout& l = config.shadow->model.layout;
   const Coordinates state(config, d);
@@ -90,7 +91,7 @@ void begin(const Config& config, const mjModel* m, mjData* d, ShadowEntries& ent
   worker.stepper.save(stepper_memory(config, entry));
   ZeroOrderHold(worker.model).save(hold_memory(entry));
   move_ghosts(config, d);
-  // The model was made for a smaller step, and the user has changed it since.
+  // The model was made for a smaller step, which the user has changed since.
   if (!step_refusal(worker.model, h).empty()) {
     stop(entry, Status::kStepTooLarge,
          "rotorub: shadow: <option timestep> is beyond 2 / omega_max of the native model: it "

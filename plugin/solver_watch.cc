@@ -9,7 +9,7 @@
 namespace rotorub::plugin {
 namespace {
 
-// In ContactEntries::status of the first contact, above the bits of EscapeGuard.
+// Bits in ContactEntries::status of the first contact, above the bits of EscapeGuard.
 enum { kInSolver = 128, kSolverWasTold = 256 };
 
 int bits(const mjtNum& entry) { return static_cast<int>(entry); }
@@ -28,7 +28,7 @@ bool solves(const Config& config, const mjModel* m, const mjContact& c) {
 void watch_solver(const Config& config, const mjModel* m, mjData* d) {
   mjtNum& entry = model_entries(config, d).contact.status;
   if (!(bits(entry) & kInSolver) || (bits(entry) & kSolverWasTold)) return;
-  // MuJoCo's default tolerance: with a smaller one the solver may stop at round-off.
+  // MuJoCo's default tolerance. With a smaller one the solver may stop at round-off.
   constexpr double kMatters = 1e-8;
   const double left = unconverged(m, d);
   if (!(left > kMatters)) return;

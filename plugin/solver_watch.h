@@ -1,6 +1,6 @@
-// MuJoCo's solver stops after <option iterations>, whether its answer fits or not. A contact of
-// ours that it solves (`coulomb`, the cones, pairs that are corrected for sliding) then has a wrong
-// force and sinks in. That is said once for each mjData.
+// MuJoCo's solver stops after <option iterations> even if it has not converged. A contact of the
+// plugin that it solves (`coulomb`, the cones, pairs that are corrected for sliding) then has a
+// wrong force and sinks in. The user is warned once for each mjData.
 #pragma once
 
 #include <mujoco/mujoco.h>
@@ -9,11 +9,11 @@
 
 namespace rotorub::plugin {
 
-// Before the contacts of a pass are solved: warns if the solver gave up in the pass before, and a
-// contact of ours was in it.
+// Call it before the contacts of a pass are solved. It warns if the solver did not converge in the
+// previous pass and solved a contact of the plugin there.
 void watch_solver(const Config& config, const mjModel* m, mjData* d);
 
-// After that: whether one is in it now.
+// Call it after that. It records whether the solver has such a contact in this pass.
 void note_solved_contacts(const Config& config, const mjModel* m, mjData* d);
 
 }  // namespace rotorub::plugin

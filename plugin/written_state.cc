@@ -12,9 +12,9 @@
 namespace rotorub::plugin {
 namespace {
 
-// before: m, between the centres in the previous pass.
+// before: m, distance of the centres in the previous pass.
 bool is_written(const ContactPair& pair, const mjModel* m, const mjData* d, double before) {
-  constexpr double kSmall = 1e-6;  // of the clearance: an impact too small to matter
+  constexpr double kSmall = 1e-6;  // share of the clearance; smaller impacts do not matter
   const ContactPoint point = contact_point_of(pair, m, d);
   const double h = m->opt.timestep, closing = -h * point.gap_rate;
   if (!(closing > kSmall * pair.contact.clearance)) return false;
@@ -23,7 +23,7 @@ bool is_written(const ContactPair& pair, const mjModel* m, const mjData* d, doub
   return std::abs(from - before) > 0.5 * closing + 2.0 * bend;
 }
 
-// Those that `rigid` solves in MuJoCo's step. Calls action(pair, entry).
+// Calls action(pair, entry) for the contacts that `rigid` solves in MuJoCo's step.
 template <typename Action>
 void for_each_rigid(const Config& config, mjData* d, Action action) {
   if (!config.has_rigid() || config.takes_native_steps()) return;
@@ -35,9 +35,9 @@ void for_each_rigid(const Config& config, mjData* d, Action action) {
 }  // namespace
 
 void forget_written_contacts(const Config& config, const mjModel* m, mjData* d) {
-  if (Differentiating::in_this_thread()) return;  // a state that is nudged is not written
+  if (Differentiating::in_this_thread()) return;  // a nudged state does not count as written
   for_each_rigid(config, d, [&](const ContactPair& pair, ContactEntries& entry) {
-    // In a further pass of the same time the memory has moved on already (ContactMemory).
+    // In a further pass at the same time the memory has already moved on (ContactMemory).
     mjtNum& lasted = entry.time == d->time ? entry.before : entry.now;
     if (lasted == 0.0 || !is_written(pair, m, d, lasted)) return;
     lasted = 0.0;

@@ -15,6 +15,7 @@
 #include "plugin/contact/contact_space.h"
 #include "plugin/contact_force.h"
 #include "plugin/model/message.h"
+#include "plugin/model/mujoco_actuators.h"
 #include "plugin/model/mujoco_versions.h"
 
 namespace rotorub {

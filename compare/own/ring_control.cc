@@ -10,7 +10,7 @@
 
 #include "native_model/control/control_loop.h"
 #include "native_model/scene/reader.h"
-#include "plugin/model/mujoco_versions.h"
+#include "plugin/model/mujoco_actuators.h"
 #include "plugin/twin/probe.h"
 
 namespace rotorub {

@@ -11,8 +11,9 @@
 
 namespace rotorub::plugin {
 
-// aref = -B v for a friction row; v is that of geom 2 against geom 1 along the frame's second axis:
-// minus the slip of the rotor's surface where the rotor is geom 1 (and e_t turned where it is not).
+// aref = -B v in a friction row, where v is the velocity of geom 2 against geom 1 along the frame's
+// second axis. It is minus the slip of the rotor's surface if the rotor is geom 1; if it is not,
+// e_t is reversed.
 void add_held_slip(double surface_speed, const mjModel* m, mjData* d, const mjContact& contact) {
   const double slip = -surface_speed;
   const auto add = [d](int row, double rate) {
@@ -24,12 +25,12 @@ void add_held_slip(double surface_speed, const mjModel* m, mjData* d, const mjCo
     add(first + 1, slip);
     return;
   }
-  // The two edges of the pyramid along it: v_N +- mu v_T.
+  // The two edges of the pyramid along this axis: v_N +- mu v_T.
   add(first, contact.friction[0] * slip);
   add(first + 1, -contact.friction[0] * slip);
 }
 
-// Of the edges of a pyramid in the tangential part of v.
+// For a pyramid, changes the reference of the edges in the tangential part of v.
 void set_friction_reference(const mjModel* m, mjData* d, const mjContact& contact,
                             double reference) {
   const int first = contact.efc_address;
@@ -54,7 +55,7 @@ constexpr Eigen::Index kDirections = 3;  // the normal, and two tangents scaled 
 struct ConeRows {
   const mjContact* contact;
   int first = 0, count = 0;
-  double shift = 0.0;  // m/s^2, of the normal reference
+  double shift = 0.0;  // m/s^2, by which the normal reference is lowered
 
   bool slides_only() const { return contact->dim == 3; }
 };
@@ -64,8 +65,8 @@ int row_count(const mjModel* m, const mjContact& c) {
   return is_pyramid(m, c) ? 2 * (c.dim - 1) : c.dim;
 }
 
-// y_N and z of the contact for y of its rows: direction 0 is the normal. A pyramid has two edges a
-// tangent, of y_N +- z_i.
+// Returns y_N (direction 0) or z_i (direction i) of the contact from y of its rows. A pyramid has
+// two edges for each tangent, with y_N +- z_i.
 double along(const mjModel* m, const ConeRows& rows, const mjtNum* y, int direction) {
   const mjtNum* own = y + rows.first;
   if (!is_pyramid(m, *rows.contact))
@@ -74,7 +75,7 @@ double along(const mjModel* m, const ConeRows& rows, const mjtNum* y, int direct
   return 0.5 * (own[edge] + (direction == 0 ? 1.0 : -1.0) * own[edge + 1]);
 }
 
-// The transpose of `along`, added to a vector of rows.
+// The transpose of `along`, added to a vector of all rows.
 void add_along(const mjModel* m, const ConeRows& rows, int direction, mjtNum* vector) {
   mjtNum* own = vector + rows.first;
   if (!mj_isPyramidal(m)) {
@@ -102,16 +103,16 @@ void shift_reference(const mjModel* m, mjData* d, const ConeRows& rows, double b
   for (int i = 0; i < shifted; ++i) d->efc_aref[rows.first + i] -= by;
 }
 
-// The reference of a contact on its ring, as cone.h says. False: the step leaves the gap open, and
-// the contact exerts nothing.
+// Sets the reference of a contact on its ring as described in cone.h. False: the step leaves the
+// gap open, and the contact has no force.
 bool follow_ring(const mjModel* m, mjData* d, const ConeRows& rows, double curvature,
                  const mjtNum* free) {
   constexpr double kResting = -1e12;  // m/s^2
   const double h = m->opt.timestep, late = m->opt.integrator == mjINT_RK4 ? 0.0 : 0.5 * h;
   const mjtNum* kbip = d->efc_KBIP + 4 * rows.first;
   const double gap = d->efc_pos[rows.first];
-  // The velocity of a semi-implicit step is that of half a step ago: on a circle it points outward
-  // by h/2 v_t^2 / delta.
+  // The velocity of a semi-implicit step is half a step old: on a circle it points outward by h/2
+  // v_t^2 / delta.
   const double rate = along(m, rows, d->efc_vel, 0);
   const double stays = gap + h * (rate + h * (along(m, rows, free, 0) - curvature));
   if (gap > 0.0 && stays > 0.0) {
@@ -124,7 +125,7 @@ bool follow_ring(const mjModel* m, mjData* d, const ConeRows& rows, double curva
   return true;
 }
 
-// The contacts by themselves, from the free acceleration.
+// The contacts alone, without other constraints, from the free acceleration.
 class OwnCones {
  public:
   OwnCones(const mjModel* m, mjData* d, std::span<ConeRows> contacts)
@@ -141,7 +142,7 @@ class OwnCones {
     mj_solveM(m, d, solved_, columns_, static_cast<int>(n));
   }
 
-  // |z| of each contact into `shift`; false: there is no solution.
+  // Writes |z| of each contact to `shift`; false: there is no solution.
   bool solve() {
     const auto n = static_cast<Eigen::Index>(contacts_.size()) * kDirections;
     ContactMatrix a(n, n);
@@ -166,7 +167,7 @@ class OwnCones {
     return true;
   }
 
-  // Whether a row that is of none of them moves with them.
+  // True if a row that belongs to none of them is coupled to them.
   bool is_coupled() {
     int own = 0;
     for (const ConeRows& c : contacts_) own += c.count;
@@ -186,16 +187,16 @@ class OwnCones {
   }
 
  private:
-  static constexpr double kApart = 1e-20;  // squared cosine of two rows that do not meet
+  static constexpr double kApart = 1e-20;  // squared cosine below which two rows are not coupled
 
   const ConeRows& of(Eigen::Index i) const {
     return contacts_[static_cast<std::size_t>(i / kDirections)];
   }
   static int direction(Eigen::Index i) { return static_cast<int>(i % kDirections); }
 
-  // MuJoCo's solver starts from the accelerations that these forces give. PGS, which moves one
-  // force at a time, else finds no way from 0: neither the normal force nor the friction is worth
-  // having without the other.
+  // Lets MuJoCo's solver start from the accelerations by these forces. PGS, which changes one force
+  // at a time, does not find the solution from 0, because neither the normal force nor the friction
+  // reduces the cost without the other.
   void start_from(const ContactVector& p) {
     for (int dof = 0; dof < nv_; ++dof) {
       double change = 0.0;
@@ -226,11 +227,11 @@ class OwnCones {
   mjtNum *columns_, *solved_;
 };
 
-// MuJoCo's solver is asked what |z| comes of the shifts, and is given that, by secants. Contracts
-// by itself while mu^2 A_TT < A_NN; the secant ends where it does not.
+// Finds the shifts that equal the |z| of MuJoCo's solution, by the secant method. The plain
+// iteration converges while mu^2 A_TT < A_NN; the secant method converges beyond that too.
 void ask_solver(const mjModel* m, mjData* d, std::span<ConeRows> contacts) {
   constexpr int kMostAsked = 12;
-  constexpr double kSettled = 1e-7;  // of the shift
+  constexpr double kSettled = 1e-7;  // relative to the shift
   struct Answer {
     double shift, lift;
   };

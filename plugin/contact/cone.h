@@ -1,7 +1,7 @@
-// Contact models `cone` and `cone-coulomb` of a scene: MuJoCo's own soft contact with its friction
-// cone, elliptic or a pyramid. Where the spin is held constant and so is no degree of freedom, the
-// slip that MuJoCo does not see, r Omega, is put into the reference of the tangential rows. `cone`
-// may have a friction reference of its own, a_ref,T = -B_t v_slip, which MuJoCo has since 2.3.7
+// Contact models `cone` and `cone-coulomb`: MuJoCo's own soft contact with its friction cone,
+// elliptic or pyramidal. If the spin is held constant, it is not a degree of freedom, and MuJoCo
+// does not see its slip r Omega; this slip is added to the reference of the tangential rows. `cone`
+// may have its own friction reference, a_ref,T = -B_t v_slip, which MuJoCo has since 2.3.6
 // (solreffriction); `cone-coulomb` is corrected for sliding (below).
 #pragma once
 
@@ -12,52 +12,53 @@
 
 namespace rotorub::plugin {
 
-// surface_speed: m/s, r Omega of the spin that is held. Of a contact with friction rows.
+// surface_speed: m/s, r Omega of the held spin. The contact must have friction rows.
 void add_held_slip(double surface_speed, const mjModel* m, mjData* d, const mjContact& contact);
 
-// aref = -B_t v of the friction rows, of torsion and rolling too, B_t in 1/s.
+// Sets aref = -B_t v in the friction rows, those of torsion and rolling included; B_t in 1/s.
 void set_friction_reference(const mjModel* m, mjData* d, const mjContact& contact,
                             double reference);
 
-// Contact model `cone-coulomb`: MuJoCo's own friction cone and solver, made to obey Coulomb's law
-// in sliding.
+// Contact model `cone-coulomb`: MuJoCo's own friction cone and solver, changed so that they obey
+// Coulomb's law in sliding.
 //
 // MuJoCo finds f in the cone f_N >= |g|, g_i = f_i / mu_i, with y = J a + R f - a_ref in the dual
-// cone and y . f = 0 (mujoco.readthedocs.io, Computation, "Dual problem"). Far from sticking that
-// means y_N = |z|, z_i = mu_i y_i: the slip lifts the normal direction by |z|, which is B mu
-// |v_slip| and more, and throws the contact open. Coulomb's law wants y_N = 0. It is the cone's
-// with the normal rate shifted by |z| (de Saxce and Feng, Mathematical and Computer Modelling 28,
-// 1998):
+// cone and y . f = 0 (mujoco.readthedocs.io, Computation, "Dual problem"). Far from sticking this
+// means y_N = |z|, z_i = mu_i y_i: the slip lifts the contact by |z| in the normal direction, which
+// is B mu |v_slip| and more, and throws it open. Coulomb's law requires y_N = 0. It is the cone's
+// law with the normal rate shifted by |z| (de Saxce and Feng, Mathematical and Computer Modelling
+// 28, 1998):
 //
 //   a_ref,N -> a_ref,N - |z|
 //
-// A second thing that MuJoCo's rows leave out is J' v: a contact that slides round a ring is taken
-// to be straight, and lies v_t^2 / (delta K) too deep. Of a rotor in its ring, where v_t^2 / delta
-// is known, a_ref,N is raised by it. Its gap is then 0 in a lasting rub, give or take the step: the
-// contact is seen from its margin on, with the gap itself in a_ref, and presses where the step
+// Second, MuJoCo's rows leave out J' v: they treat a contact that slides round a ring as straight,
+// so that it lies v_t^2 / (delta K) too deep. For a rotor in its ring v_t^2 / delta is known, and
+// a_ref,N is raised by it. The gap in a lasting rub is then 0 within the accuracy of the step: the
+// contact is included from its margin on, with the gap itself in a_ref, and has a force if the step
 // would close it.
 //
-// A third is that the friction rows slow the slip by B, that of the restitution, which is small
-// where e is near 1: in an oblique impact they ask for less than mu N. With the normal reference
-// corrected a large B_t lifts nothing, so the friction rows have B_t = 1 / h, whatever B is: what
-// slips stops within a step.
+// Third, the friction rows slow the slip by the B of the restitution, which is small for e near 1,
+// so that in an oblique impact they produce less than mu N. With the corrected normal reference a
+// large B_t lifts nothing, so the friction rows use B_t = 1 / h for any B: a slip stops within a
+// step.
 //
-// |z| is not known before the solution. Contacts that nothing else is coupled to are solved here
-// under Coulomb's law (disc_law.h), exactly; beside constraints of others, with torsional or
-// rolling friction and with MuJoCo's pyramids, whose norm is max |z_i|, MuJoCo's solver is asked
-// until what it answers is what it was given. Nothing is remembered from step to step: mj_forward
-// may be repeated, and a state written, as with MuJoCo alone.
+// |z| is unknown before the solution. Contacts that are not coupled to other constraints are solved
+// here exactly, with Coulomb's law (disc_law.h). Beside other constraints, with torsional or
+// rolling friction, and with MuJoCo's pyramids, whose norm is max |z_i|, MuJoCo's solver is run
+// repeatedly until the |z| of its solution equals the shift. Nothing is remembered from step to
+// step, so mj_forward may be repeated and a state may be written, as with MuJoCo alone.
 
 struct SlidingContact {
-  const mjContact* contact = nullptr;  // of MuJoCo's solver: efc_address >= 0
-  std::optional<double> curvature{};   // m/s^2, v_t^2 / delta >= 0; none: it is not known
+  const mjContact* contact = nullptr;  // solved by MuJoCo: efc_address >= 0
+  std::optional<double> curvature{};   // m/s^2, v_t^2 / delta >= 0; empty: unknown
 };
 
-// 1/s, B_t of the friction rows of what is corrected.
+// 1/s, B_t of the friction rows of corrected contacts.
 inline double corrected_friction_reference(const mjModel* m) { return 1.0 / m->opt.timestep; }
 
-// Called in mjcb_control, when the references of the friction rows are set; shifts the contacts'
-// normal references. Contacts without tangential rows are left alone.
+// Shifts the contacts' normal references. Called in mjcb_control after the references of the
+// friction rows are set. Contacts without friction rows are not corrected for sliding, only for the
+// curvature.
 void correct_cones(const mjModel* m, mjData* d, std::span<const SlidingContact> contacts);
 
 }  // namespace rotorub::plugin

@@ -7,10 +7,10 @@
 namespace rotorub::plugin {
 namespace {
 
-// Squared cosine between row and contact, in the metric of M, below which they do not meet.
+// Squared cosine between row and contact, in the metric of M, below which they are not coupled.
 constexpr double kApart = 1e-20;
 
-// Calls action(row) for each row that moves with the contact, until it says false.
+// Calls action(row) for each row that is coupled to the contact, until it returns false.
 template <typename Action>
 void for_each_coupled(const mjModel* m, mjData* d, const ContactSpace& space, Action action) {
   const int n = d->nefc;
@@ -55,8 +55,8 @@ std::string row_name(const mjModel* m, const mjData* d, int row) {
   }
 }
 
-// The friction losses as MuJoCo's solver reads them where it solves islands apart, since 3.3; null:
-// it does not.
+// The friction losses that MuJoCo's solver reads when it solves islands separately (since 3.3);
+// null if it does not.
 template <typename Data>
 mjtNum* losses_of_islands(const Data* d) {
   if constexpr (requires { d->iefc_frictionloss; }) {
@@ -66,10 +66,10 @@ mjtNum* losses_of_islands(const Data* d) {
   }
 }
 
-// The rows' response to a load in no time is homogeneous: twice the load, twice the answer. What
-// they ask for at the state itself is left out, and so are friction losses. A limit or a contact
-// that yields to no acceleration below its negative reference (it opens already) still does. Put
-// back at the end of the scope.
+// Makes the rows' response to a load in no time homogeneous: twice the load has twice the response.
+// The references for the state itself and the friction losses are set to 0. A limit or a contact
+// that is already opening still does not respond to accelerations above its negative reference. All
+// is restored at the end of the scope.
 class SuddenRows {
  public:
   explicit SuddenRows(mjData* d)
@@ -107,7 +107,7 @@ class SuddenRows {
       case mjCNSTR_FRICTION_TENDON:
         return false;
       case mjCNSTR_CONTACT_ELLIPTIC:
-        return d_->contact[d_->efc_id[row]].efc_address == row;  // its normal
+        return d_->contact[d_->efc_id[row]].efc_address == row;  // the row of its normal
       default:
         return true;
     }
@@ -116,7 +116,7 @@ class SuddenRows {
   mjData* d_;
   StackFrame room_;
   const mjtNum *reference_, *loss_;
-  mjtNum* losses_of_islands_;  // null: this MuJoCo has none
+  mjtNum* losses_of_islands_;  // null: the solver does not read it
   const mjtNum* island_loss_;
 };
 
@@ -163,7 +163,7 @@ ConstraintProbe::~ConstraintProbe() {
   std::copy_n(force_, m_->nv, d_->qfrc_smooth);
   std::copy_n(smooth_, m_->nv, d_->qacc_smooth);
   std::copy_n(kept_ ? d_->qacc : warm_, m_->nv, d_->qacc_warmstart);
-  d_->timer[mjTIMER_CONSTRAINT].number = solved_;  // a step's solution counts once
+  d_->timer[mjTIMER_CONSTRAINT].number = solved_;  // the solution of a step counts once
 }
 
 void ConstraintProbe::reset() { std::copy_n(force_, m_->nv, d_->qfrc_smooth); }
@@ -183,8 +183,8 @@ Eigen::Vector3d ConstraintProbe::acceleration(const ContactSpace& space) {
   return space.damped() ? space.response(total_) : space.rates(d_->qacc);
 }
 
-// The solver ends where the cost, an acceleration squared by a mass, falls by less than tolerance
-// times the mean inertia by nv.
+// The solver stops when the cost, a squared acceleration times a mass, falls by less than tolerance
+// times the mean inertia times nv.
 double ConstraintProbe::accuracy() const { return std::sqrt(m_->opt.tolerance * count(m_->nv)); }
 
 }  // namespace rotorub::plugin

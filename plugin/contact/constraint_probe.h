@@ -1,8 +1,8 @@
-// What MuJoCo's constraint solver answers to a load of the contact: its solver is run on a trial
-// load within the forward pass, in mjcb_control, where rows and references of the step stand
-// (equalities, limits, friction loss, tendons, other contacts). A Probe leaves in mjData nothing
-// that the pass under way does not compute again; qacc_warmstart is put back, unless `keep` hands
-// on the solution.
+// The response of MuJoCo's constraints to a load of the contact. MuJoCo's solver is run on a trial
+// load within the forward pass, in mjcb_control, where the rows and references of the step
+// (equalities, limits, friction loss, tendons, other contacts) are already known. A probe changes
+// nothing in mjData that the present pass does not compute again. It restores qacc_warmstart,
+// unless `keep` passes on the solution.
 #pragma once
 
 #include <mujoco/mujoco.h>
@@ -17,15 +17,16 @@
 
 namespace rotorub::plugin {
 
-// Whether a row of the solver moves with the contact: J_row M^-1 J^T != 0. `but`: rows that do not
-// count.
+// True if a row of the solver is coupled to the contact: J_row M^-1 J^T != 0. `but`: rows that do
+// not count.
 bool constraints_couple(const mjModel* m, mjData* d, const ContactSpace& space,
                         std::span<const int> but = {});
 
-// mju_warning that no impulse was found beside them, with the names of those rows.
+// Issues a mju_warning that no impulse was found beside these rows, and names them.
 void warn_unsolved(const mjModel* m, mjData* d, const ContactSpace& space);
 
-// After mj_fwdActuation and mj_fwdAcceleration. Lives on the stack of mjData.
+// Make it after mj_fwdActuation and mj_fwdAcceleration. It uses the stack of mjData during its
+// lifetime.
 class ConstraintProbe {
  public:
   ConstraintProbe(const mjModel* m, mjData* d);
@@ -33,27 +34,27 @@ class ConstraintProbe {
   ConstraintProbe(const ConstraintProbe&) = delete;
   ConstraintProbe& operator=(const ConstraintProbe&) = delete;
 
-  // Tries the loads that add(force) adds to the generalised force; d->qacc is then that of the
-  // solver.
+  // Tries the loads that add(force) adds to the generalised force. d->qacc is then the solver's
+  // result.
   template <typename Add>
   void solve(Add add) {
     reset();
     add(d_->qfrc_smooth);
     run();
   }
-  // Tries them as impulses alone, in no time: without the loads of the step and without forces of
-  // the rows that have a bound. qacc is then the change by them.
+  // Tries them as impulses in no time, without the loads of the step and without the bounded forces
+  // of the rows (friction losses). d->qacc is then the change by the impulses.
   template <typename Add>
   void solve_sudden(Add add) {
     std::fill_n(d_->qfrc_smooth, count(m_->nv), 0.0);
     add(d_->qfrc_smooth);
     run_sudden();
   }
-  // Of the last trial, in contact space, over the Euler step.
+  // The acceleration of the last trial in contact space, over the Euler step.
   Eigen::Vector3d acceleration(const ContactSpace& space);
-  double accuracy() const;  // m/s^2, of the solver's tolerance
+  double accuracy() const;  // m/s^2, error of an acceleration by the solver's tolerance
 
-  // The last trial is what the pass will find: its solver starts from there.
+  // Call it if the last trial is the solution of the pass: MuJoCo's solver then starts from it.
   void keep() { kept_ = true; }
 
  private:
@@ -66,8 +67,9 @@ class ConstraintProbe {
   StackFrame room_;
   int solved_;
   bool kept_ = false;
-  mjtNum *force_, *warm_, *total_;  // qfrc_smooth, qacc_warmstart; the sum of a trial
-  mjtNum* smooth_;                  // qacc_smooth
+  // kept qfrc_smooth and qacc_warmstart; the total force of a trial
+  mjtNum *force_, *warm_, *total_;
+  mjtNum* smooth_;  // kept qacc_smooth
 };
 
 }  // namespace rotorub::plugin

@@ -27,9 +27,9 @@ ContactForces rigid_forces(const ContactEntries& entry) {
   return out;
 }
 
-// Within the surface of the cone, where MuJoCo's regularisation lets nothing stick in full: of its
-// pyramid all edges of the two tangents then carry, of its ellipse |T| < mu N. force: along the
-// contact's frame.
+// True if the force lies inside the cone. Because of MuJoCo's regularisation nothing sticks
+// completely; in sticking all edges of the two tangents of a pyramid carry load, or |T| < mu N
+// holds for the ellipse. force: along the contact's frame.
 bool within_cone(const mjModel* m, const mjData* d, const mjContact& contact, const mjtNum* force) {
   const mjtNum* edges = d->efc_force + contact.efc_address;
   if (mj_isPyramidal(m)) return *std::min_element(edges, edges + 4) > 0.0;
@@ -39,10 +39,10 @@ bool within_cone(const mjModel* m, const mjData* d, const mjContact& contact, co
 // States of a compliant contact, in CompliantEntries::touches.
 constexpr double kUnknown = 0.0, kInWall = 1.0, kOpen = 2.0;
 
-// Whether the motion from the pass before does not lead to this one.
+// True if the motion since the previous pass does not lead to the present state.
 bool is_written(const ContactPair& pair, const ContactPoint& point, const mjModel* m,
                 const mjData* d) {
-  constexpr double kMoved = 0.01;  // of the clearance, beyond what the speed explains
+  constexpr double kMoved = 0.01;  // share of the clearance, beyond the motion by the speed
   const auto& entry = entries<CompliantEntries>(d, pair.data);
   if (entry.touches == kUnknown) return true;
   const double h = m->opt.timestep, passed = std::abs(d->time - entry.time);
@@ -52,11 +52,12 @@ bool is_written(const ContactPair& pair, const ContactPoint& point, const mjMode
   return std::abs(point.gap - entry.gap) > 2.0 * h * speed + kMoved * pair.contact.clearance;
 }
 
-// Of a soft contact. Where `told`, it is known before MuJoCo's solver, which then finds the same.
+// The forces of a soft contact. told: the normal force was computed before MuJoCo's solver, which
+// then finds the same.
 ContactForces soft_forces(const mjModel* m, scene::ContactModel law, const mjContact* contact,
                           const ContactEntries& entry, bool told, const mjData* d) {
   if (!contact) return {};
-  // Along the contact's frame, whether the cone is a pyramid or an ellipse.
+  // Along the contact's frame, for pyramids and ellipses alike.
   mjtNum force[6];
   mj_contactForce(m, d, static_cast<int>(contact - d->contact), force);
   ContactForces out;
@@ -67,7 +68,8 @@ ContactForces soft_forces(const mjModel* m, scene::ContactModel law, const mjCon
     out.mode = static_cast<Mode>(static_cast<int>(entry.mode));
     return out;
   }
-  // A force on geom 2 along the frame. Turning the frame turns e_t and the body that it acts on.
+  // MuJoCo's force acts on geom 2, along the frame. If the geoms change places, e_t and the body
+  // that the force acts on both turn round.
   out.friction = -force[1];
   out.mode = contact->dim >= 3 && within_cone(m, d, *contact, force) ? Mode::kStick : Mode::kSlide;
   return out;
@@ -125,8 +127,8 @@ void pass_without_contact(const ContactPair& pair, const mjModel* m, mjData* d) 
     compliant_force(pair, contact_point_of(pair, m, d), m, d);
     return;
   }
-  // In the wall and yet no contact, as where contacts are disabled: it begins closed once it is
-  // one.
+  // The rotor is in the wall without a contact, for example because contacts are disabled. The
+  // contact begins closed as soon as there is one.
   entry.touches = gap > 0.0 ? kOpen : kUnknown;
   entry.time = d->time;
   entry.gap = gap;

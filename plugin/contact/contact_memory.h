@@ -1,5 +1,4 @@
-// What is known of a contact in and after a forward pass: its memory in mjData.userdata, and its
-// forces.
+// The memory of a contact in mjData.userdata, and its forces after a forward pass.
 #pragma once
 
 #include <mujoco/mujoco.h>
@@ -18,13 +17,13 @@
 
 namespace rotorub::plugin {
 
-// Under `rigid` no rotor is deeper in its ring than a start put it: where one is, the step is too
-// long for its motion, or something moves rotor or ring that the contact does not see. That is said
-// once, and `rotorub_active` is 0 meanwhile. What it knows stands beside the Status of the contact
-// laws, in ContactEntries::status.
+// With `rigid` no rotor is deeper in its ring than at the start. If one is, the step is too long
+// for its motion, or something that the contact does not see moves rotor or ring. The user is
+// warned once, and `rotorub_active` is 0 meanwhile. The guard keeps its bits beside the Status of
+// the contact laws, in ContactEntries::status.
 class EscapeGuard {
  public:
-  explicit EscapeGuard(mjtNum& status) : state_(&status) {}  // of ContactEntries
+  explicit EscapeGuard(mjtNum& status) : state_(&status) {}  // ContactEntries::status
 
   // The Status in that number.
   static Status status_in(double number) {
@@ -34,11 +33,11 @@ class EscapeGuard {
   void set_status(Status status) { set(bits() - bits() % kWasInside + static_cast<int>(status)); }
   bool is_outside() const { return (bits() & kIsOutside) != 0; }
 
-  // The state was written, or is the first: it may be anywhere.
+  // Call it if the state was written or is the first one: the rotor may then be anywhere.
   void begin() { set(bits() & ~(kWasInside | kIsOutside)); }
-  // In every pass. gap, clearance: m, time: s.
+  // Call it in every pass. gap, clearance: m, time: s.
   void watch(double gap, double clearance, double time) {
-    constexpr double kDeep = 0.01;  // of the clearance
+    constexpr double kDeep = 0.01;  // share of the clearance
     const bool inside = gap >= -kDeep * clearance;
     const bool escaped = !inside && (bits() & kWasInside);
     set((bits() & ~kIsOutside) | (inside ? kWasInside : 0) | (escaped ? kIsOutside : 0));
@@ -59,12 +58,13 @@ class EscapeGuard {
   mjtNum* state_;
 };
 
-// What `rigid` keeps in mjData.userdata: whether contact lasts, and what the step's impulses were.
+// The memory of a `rigid` contact in mjData.userdata: whether contact lasts, and the impulses of
+// the step.
 class ContactMemory {
  public:
-  // Of the forward pass at d->time. A pass one step (h, s) later turns "now" into "before"; further
-  // passes at the same time (mj_forward before mj_step) find the same "before". Any other time was
-  // written: no contact lasts into it.
+  // The memory for the forward pass at d->time. A pass one step (h, s) later turns "now" into
+  // "before"; further passes at the same time (mj_forward before mj_step) find the same "before".
+  // At any other time the state was written, so no lasting contact is assumed.
   ContactMemory(mjData* d, const ContactPair& pair, double h)
       : d_(d), pair_(pair), entry_(contact_entries(pair, d)) {
     if (entry_.time == d->time) return;
@@ -76,31 +76,31 @@ class ContactMemory {
     if (!next) EscapeGuard(entry_.status).begin();
   }
 
-  // Whether contact lasted over the step before. It ends on the circle: a centre `delta` from the
-  // ring's that is inside it was written since.
+  // Whether contact lasted over the previous step. A lasting contact ends on the circle. If the
+  // centres are closer than that (delta, m), the state was written since.
   bool was_in_contact(double delta, double clearance) const {
-    constexpr double kOnCircle = 0.01;  // of the clearance, that a step may leave open
+    constexpr double kOnCircle = 0.01;  // gap that a step may leave, as a share of the clearance
     return was_in_contact() && delta > (1.0 - kOnCircle) * clearance;
   }
   bool was_in_contact() const { return entry_.before != 0.0; }
 
-  // Of this pass; delta: m, between the centres.
+  // Watches the gap in this pass. delta: m, distance of the centres.
   void watch(double delta, const ContactParameters& c) {
-    const bool gives = c.impact_time() > 0.0;  // an impact that takes time goes deep
+    const bool gives = c.impact_time() > 0.0;  // an impact of finite duration penetrates the ring
     if (!gives) EscapeGuard(entry_.status).watch(c.clearance - delta, c.clearance, d_->time);
   }
   void begin_anew() { EscapeGuard(entry_.status).begin(); }
 
-  // The step before had no solution, and that was said.
+  // True if the previous step had no solution and the user was warned.
   bool warned() const { return EscapeGuard(entry_.status).status() != Status::kOk; }
 
-  // Forces are means over the step of length h (s).
+  // Records the results. The forces are means over the step of length h (s).
   void note(const RigidResult& r, double h) {
     entry_.now = r.mode == Mode::kFree ? 0.0 : 1.0;
     entry_.mode = static_cast<double>(r.mode);
     entry_.normal_force = r.normal / h;
     entry_.friction_force = r.friction / h;
-    // Once, not every step: MuJoCo writes its warnings to a file.
+    // Warn once and not in every step, because MuJoCo writes its warnings to a file.
     if (r.status != Status::kOk && r.converged && !warned()) {
       warn("rotorub: the contact laws have no solution or several (Painleve): no impulse");
     }
@@ -120,32 +120,35 @@ class ContactMemory {
   ContactEntries& entry_;
 };
 
-// The pair's contact among those of a forward pass. Null: none, or not handed to the solver.
+// The pair's contact in mjData.contact; null if there is none or MuJoCo's solver does not solve it.
 const mjContact* find_contact(const ContactPair& pair, const mjData* d);
 
-// The contact forces of a forward pass, whichever model made them.
+// The contact forces of a forward pass, for all contact models.
 struct ContactForces {
   double normal = 0.0;    // N, >= 0
   double friction = 0.0;  // N, on the rotor along e_t
   Mode mode = Mode::kFree;
-  // `rigid`: the forces are an impact's impulses over the step. Rates before and after it, m/s.
+  // For `rigid`: true if the forces are an impact's impulses divided by the step. Rates before and
+  // after the impact, m/s.
   bool impact = false;
-  double impact_time = 0.0;  // s; 0: not known (segments, own models)
+  double impact_time = 0.0;  // s; 0: unknown (segments, own models)
   double gap_rate_before = 0.0, gap_rate_after = 0.0, slip_before = 0.0, slip_after = 0.0;
-  Status status = Status::kOk;  // `rigid`: of the contact laws
+  Status status = Status::kOk;  // of the contact laws, for `rigid`
 };
 
-// After mj_forward or mj_step: of the forward pass done last. Of several contacts the first.
+// The contact forces of the last forward pass, after mj_forward or mj_step. With a Config: those of
+// its first contact.
 ContactForces contact_forces(const Config& config, const mjModel* m, const mjData* d);
 ContactForces contact_forces(const ContactPair& pair, const mjModel* m, const mjData* d);
 
-// Normal force of a compliant contact in this pass, N. mjData.userdata keeps the a of its touch
-// while the touch lasts. A contact that begins closed (CompliantLaw::begins_closed) has no touch:
-// in the first pass after a reset or a keyframe, and after a program wrote the state. A written
-// state is recognised by its time, or by a rotor that its motion could not have brought there.
+// Normal force of a compliant contact in this pass, N. mjData.userdata keeps the factor a of the
+// touch while it lasts. A contact that begins closed (CompliantLaw::begins_closed) has no touching
+// speed: this happens in the first pass after a reset or a keyframe, and after a program wrote the
+// state. A written state is recognised by its time, or by a gap that the motion cannot have
+// produced.
 double compliant_force(const ContactPair& pair, const ContactPoint& point, const mjModel* m,
                        mjData* d);
-// Called instead of compliant_force in a pass in which MuJoCo does not have the contact.
+// Call it instead of compliant_force in a pass in which MuJoCo does not have the contact.
 void pass_without_contact(const ContactPair& pair, const mjModel* m, mjData* d);
 
 }  // namespace rotorub::plugin

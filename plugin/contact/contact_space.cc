@@ -9,7 +9,7 @@
 namespace rotorub::plugin {
 namespace {
 
-// Of the degrees of freedom that move the body the last, or -1.
+// The last degree of freedom that moves the body, or -1.
 int last_dof(const mjModel* m, int body) {
   while (body > 0 && m->body_dofnum[body] == 0) body = m->body_parentid[body];
   return body == 0 ? -1 : m->body_dofadr[body] + m->body_dofnum[body] - 1;
@@ -24,8 +24,8 @@ double along_axis(const ContactPair& pair, const mjData* d) {
   return along;
 }
 
-// Acceleration of a point of a body with qacc = 0: the spatial one, sum of cdof' qvel, and
-// omega x v of the point, m/s^2.
+// Acceleration of a point of a body for qacc = 0, m/s^2: the spatial acceleration (sum of cdof'
+// qvel) at the point, and omega x v of the point.
 void point_turning(const mjModel* m, const mjData* d, int body, const mjtNum* point, mjtNum* out) {
   mjtNum rate[6] = {0, 0, 0, 0, 0, 0}, arm[3], turn[3], v[3];
   for (int i = last_dof(m, body); i >= 0; i = m->dof_parentid[i]) {
@@ -102,13 +102,14 @@ BodySpace::BodySpace(const ContactPair& pair, const ContactPlace& place, const m
   if (m->body_rootid[ring] != m->body_rootid[rotor]) trees_[1] = tree_of(m, ring);
 }
 
-// As mj_jac, of the degrees of freedom that move the body alone.
+// Like mj_jac, but only for the degrees of freedom that move the body.
 void BodySpace::add_body(const mjtNum* axes, const mjtNum* point, int body, double sign,
                          double spin) {
   mjtNum arm[3], turn[3];
   mju_sub3(arm, point, d_->subtree_com + 3 * m_->body_rootid[body]);
   for (int i = last_dof(m_, body); i >= 0; i = m_->dof_parentid[i]) {
-    const mjtNum* axis = d_->cdof + 6 * i;  // rotation, then translation at the tree's centre
+    // rotation, then translation at the tree's centre of mass
+    const mjtNum* axis = d_->cdof + 6 * i;
     mju_cross(turn, axis, arm);
     for (int k = 0; k < 3; ++k) {
       if (rows_ == BodyRows::kAxis) {

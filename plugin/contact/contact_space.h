@@ -1,6 +1,6 @@
 // One contact in MuJoCo's coordinates: (relative x, relative y, spin) = J qvel, with MuJoCo's mass
-// matrix M and the matrix H of its step (step_matrix.h). J is of bodies (BodySpace) or of the modal
-// chain (ChainSpace); the rows live on the stack of mjData.
+// matrix M and the matrix H of its step (step_matrix.h). J belongs to bodies (BodySpace) or to the
+// modal chain (ChainSpace). The rows are on the stack of mjData.
 #pragma once
 
 #include <mujoco/mujoco.h>
@@ -28,24 +28,25 @@ class ContactSpace {
   Eigen::Vector3d rates(const mjtNum* v) const { return product(jacobian_, v); }  // J v
   virtual Eigen::Vector3d response(const mjtNum* f) const {
     return product(damped_, f);
-  }                                                                          // J H^-1 f
-  Eigen::Matrix3d flexibility() const { return gram(damped_); }              // J H^-1 J^T
-  Eigen::Matrix3d admittance() const { return gram(plain()); }               // J M^-1 J^T
-  bool damped() const { return damped_ != plain_; }                          // H is not M
+  }                                                              // J H^-1 f
+  Eigen::Matrix3d flexibility() const { return gram(damped_); }  // J H^-1 J^T
+  Eigen::Matrix3d admittance() const { return gram(plain()); }   // J M^-1 J^T
+  bool damped() const { return damped_ != plain_; }              // true if H differs from M
   const mjtNum* acceleration_row(int k) const { return plain() + k * nv_; }  // row k of J M^-1
 
-  // J H^-1 J_other^T and J M^-1 J_other^T: what a load of another contact does here.
+  // J H^-1 J_other^T and J M^-1 J_other^T: the effect of another contact's load on this one.
   Eigen::Matrix3d flexibility(const ContactSpace& other) const { return gram(damped_, other); }
   Eigen::Matrix3d admittance(const ContactSpace& other) const { return gram(plain(), other); }
 
-  // to += J^T load, load: (x, y, torque) on the rotor.
+  // to += J^T load, where load is (x, y, torque) on the rotor.
   virtual void add_load(const Eigen::Vector3d& load, mjtNum* to) const {
     add_rows(jacobian_, load, to);
   }
-  // The accelerations without the contact, J M^-1 f of qfrc_smooth.
+  // The accelerations without the contact, J M^-1 f with f = qfrc_smooth.
   virtual Eigen::Vector3d smooth() const { return rates(d_->qacc_smooth); }
-  // What MuJoCo is given beside the normal force that its solver finds, for the contact's load
-  // normal + friction: to += J^T friction, and the acceleration by it.
+  // For a contact whose normal force MuJoCo's solver finds: to += the remaining generalised force
+  // of the load normal + friction, by default J^T friction; and to += the acceleration by this
+  // force.
   virtual void add_side(const Eigen::Vector3d& /*normal*/, const Eigen::Vector3d& friction,
                         mjtNum* to) const {
     add_load(friction, to);
@@ -62,7 +63,8 @@ class ContactSpace {
   void add(const Eigen::Vector3d& load, bool impact, mjtNum* to) const {
     impact ? add_impact(load, to) : add_load(load, to);
   }
-  // to += H M^-1 J^T load, so that the step's dampers take nothing from the impulse.
+  // to += H M^-1 J^T load. The factor H M^-1 compensates the step's dampers, which would reduce the
+  // impulse.
   void add_impact(const Eigen::Vector3d& load, mjtNum* to) const {
     add_load(load, to);
     StackFrame room(d_);
@@ -82,7 +84,7 @@ class ContactSpace {
     return {mju_dot(rows, v, nv_), mju_dot(rows + nv_, v, nv_), mju_dot(rows + 2 * nv_, v, nv_)};
   }
 
-  // Fills plain_ when it is first asked for: a lasting contact never does.
+  // Fills plain_ when it is first needed. A lasting contact never needs it.
   virtual void solve_plain() const {}
   const mjtNum* plain() const {
     if (!plain_known_) solve_plain();
@@ -92,7 +94,7 @@ class ContactSpace {
 
   mjData* d_;
   const StepMatrix& matrix_;
-  DofRange trees_[2];  // of rotor and ring; the second empty where they share one
+  DofRange trees_[2];  // of rotor and ring; the second one is empty if they share a tree
   int nv_;
   mutable bool plain_known_ = false;
   mjtNum *jacobian_ = nullptr, *plain_ = nullptr, *damped_ = nullptr;  // 3 x nv
@@ -116,53 +118,55 @@ class ContactSpace {
   }
 };
 
-// The contact of a user's own model in contact space: (relative x, relative y, spin) = J qvel along
-// the axes of the ring's geom, z the ring's axis, with MuJoCo's own Jacobians and mass matrix. The
-// ring may move, tilt and turn. Relative x and y are of the rotor's centre and the point of the
-// ring's axis beside it, so that a turning ring alone does not move them; the spin is
+// A contact between bodies in contact space, for all contacts that are not on the modal chain:
+// (relative x, relative y, spin) = J qvel along the axes of the contact, z along the ring's axis,
+// with MuJoCo's own Jacobians and mass matrix. The ring may move, tilt and turn. Relative x and y
+// are those of the rotor's centre against the point of the ring's axis beside it, so that a ring
+// that only turns does not change them. The spin is
 //   Omega - (1 + delta / r) Omega_ring,
-// as the ring's surface is at r + delta from its axis: gdot_T = e_t . (x, y)' + r spin. In contact
-// that is the native model's R / r (ContactParameters::surface_ratio); a step before the touch
-// rotor and ring are still pressed at one point, so that no angular momentum is lost.
+// because the ring's surface is at r + delta from its axis: gdot_T = e_t . (x, y)' + r spin. In
+// contact 1 + delta / r equals R / r of the native model (ContactParameters::surface_ratio). If the
+// step begins before the touch, rotor and ring still act on each other at a common point, so that
+// no angular momentum is lost.
 
-// The frame of the contact, columns x, y, z, row by row.
+// The frame of the contact, with the columns x, y, z, stored row by row.
 const mjtNum* contact_axes(const ContactPair& pair, const mjData* d);
-// Where the rotor's centre is in the ring, m.
+// The rotor's centre relative to the ring's, along x and y of the contact's frame, m.
 Eigen::Vector2d position_of(const ContactPair& pair, const mjData* d);
-// Whether rotor and ring overlap along the ring's axis.
+// True if rotor and ring overlap along the ring's axis.
 bool face_each_other(const ContactPair& pair, const mjData* d);
 
-// Where a contact is looked at.
+// Where the rates of a contact are taken.
 struct ContactPlace {
   const mjtNum* axes;
-  mjtNum ring_point[3];  // m, of the ring's axis, beside the rotor's centre
+  mjtNum ring_point[3];  // m, point of the ring's axis beside the rotor's centre
   Eigen::Vector2d d;     // m, position_of
   double ring_spin;      // 1 + delta / r
 };
 ContactPlace contact_place(const ContactPair& pair, const mjData* d);
-// The part of d^2/dt^2 of `d` that is there without any acceleration of a coordinate, J' qvel,
-// m/s^2: of centres that go in circles. After MuJoCo's velocity stage.
+// The part of d^2/dt^2 of `d` that exists without any acceleration of a coordinate, J' qvel, m/s^2.
+// It comes from centres that move on circles. Call it after MuJoCo's velocity stage.
 Eigen::Vector2d turning_of(const ContactPair& pair, const ContactPlace& place, const mjModel* m,
                            const mjData* d);
 
-// kAxis: (velocity along the ring's axis, tilt rates about x and y) instead, the ring's tilt
-// weighed as its spin is: the contact's slip along the axis is z' + r (e_r,y omega_x - e_r,x
-// omega_y) (relative_motion.h).
+// kPlane: the rows above. kAxis: (velocity along the ring's axis, tilt rates about x and y)
+// instead, where the ring's tilt rate has the same factor as its spin. The contact's slip along the
+// axis is z' + r (e_r,y omega_x - e_r,x omega_y) (relative_motion.h).
 enum class BodyRows { kPlane, kAxis };
 
-// W_Z in the space of BodyRows::kAxis: gdot_Z of its rates, and the load of a friction of 1 along
-// the axis.
+// W_Z in the space of BodyRows::kAxis: its product with the rates is gdot_Z, and it is the load of
+// a unit friction force along the axis.
 inline Eigen::Vector3d axial_column(const Eigen::Vector2d& e_r, double radius) {
   return {1.0, radius * e_r.y(), -radius * e_r.x()};
 }
 
-// Lives on the stack of mjData for as long as the object does; the last made goes first.
+// Uses the stack of mjData during its lifetime. Destroy the last one first.
 class BodySpace final : public ContactSpace {
  public:
   BodySpace(const ContactPair& pair, const ContactPlace& place, const mjModel* m, mjData* d,
             const StepMatrix& matrix, BodyRows rows = BodyRows::kPlane);
 
-  // Solves with M and H; needed once, before all but `rates` and `add_load`.
+  // Solves with M and H. Call it once, before everything except `rates` and `add_load`.
   void solve();
 
  private:
@@ -174,22 +178,21 @@ class BodySpace final : public ContactSpace {
   StackFrame room_;
 };
 
-// The contact of a generated model on the modal chain in contact space: J constant, the mode values
-// at the contact; M(phi) and M(phi) + h D by the native model, where unbalance and a drive couple
-// spin and bending. MuJoCo's own matrix, H0, is diagonal: a load p that is to act through M(phi) +
-// h D is handed over as H0 (M(phi) + h D)^-1 p.
+// The contact of a generated model on the modal chain in contact space. J is constant and contains
+// the mode values at the contact. M(phi) and M(phi) + h D come from the native model, where
+// unbalance and a drive couple spin and bending. MuJoCo's own matrix H0 is diagonal: a load p that
+// must act through M(phi) + h D is handed to MuJoCo as H0 (M(phi) + h D)^-1 p.
 
-// Lives on the stack of mjData for as long as the object does.
+// Uses the stack of mjData during its lifetime.
 class ChainSpace final : public ContactSpace {
  public:
-  // bearing: in model.auxiliary.
+  // bearing: index in model.auxiliary.
   ChainSpace(const Config& config, std::size_t bearing, const mjModel* m, mjData* d,
              const StepMatrix& matrix);
 
-  // Of MuJoCo's forces, which have been through H0 (M(phi) + h D)^-1 already
-  // (add_passive_force).
+  // For MuJoCo's forces, which already contain the factor H0 (M(phi) + h D)^-1 (add_passive_force).
   Eigen::Vector3d response(const mjtNum* f) const override;
-  // With the masses of the native model: MuJoCo's links weigh a little.
+  // With the masses of the native model, because MuJoCo's links weigh a little.
   Eigen::Vector3d smooth() const override { return product(plain_, d_->qfrc_smooth); }
   void add_load(const Eigen::Vector3d& load, mjtNum* to) const override;
   void add_side(const Eigen::Vector3d& normal, const Eigen::Vector3d& friction,
@@ -204,23 +207,24 @@ class ChainSpace final : public ContactSpace {
 };
 
 // The directions of a contact's impulses (or forces) p = (normal, friction on the rotor along e_t,
-// friction along the ring's axis) in its space, or spaces where it moves along its axis too.
+// friction along the ring's axis) in its space, or in its two spaces if it also moves along its
+// axis.
 struct ContactRows {
   const ContactSpace* plane = nullptr;
-  const ContactSpace* axial = nullptr;  // of BodyRows::kAxis; null: it does not move along its axis
+  const ContactSpace* axial = nullptr;  // of BodyRows::kAxis; null: no motion along the axis
   Eigen::Vector2d e_r{1.0, 0.0};
   double radius = 0.0;  // m
 
   const ContactSpace& space(Eigen::Index k) const { return k == 2 ? *axial : *plane; }
-  // The load in space(k) of a p_k of 1: W_N, W_T, W_Z.
+  // The load in space(k) for p_k = 1: W_N, W_T, W_Z.
   Eigen::Vector3d column(Eigen::Index k) const;
-  // Calls action(space, load) for p as it is in each space.
+  // Calls action(space, load) with the load of p in each space.
   template <typename Action>
   void for_each_load(const Eigen::Vector3d& p, Action action) const {
     action(*plane, contact_load(e_r, radius, p.x(), p.y()));
     if (axial && p.z() != 0.0) action(*axial, p.z() * column(2));
   }
-  // Gap rate, slip and slip along the axis of the rates of(space), or their accelerations.
+  // Gap rate, slip and slip along the axis for the rates of(space), or their accelerations.
   template <typename Of>
   Eigen::Vector3d along(Of of) const {
     const Eigen::Vector2d y = rates_along(e_r, radius, of(*plane));
@@ -228,11 +232,11 @@ struct ContactRows {
   }
 };
 
-// The spaces of the contacts of a pass, each in its form, ready to be asked. On the stack of
-// mjData: the last made goes first.
+// The spaces of the contacts of a pass, each of the appropriate class and ready for use. They use
+// the stack of mjData: the last one made is destroyed first.
 class ContactSpaces {
  public:
-  // After mj_fwdActuation. config must outlive it.
+  // Make it after mj_fwdActuation. config must outlive it.
   ContactSpaces(const Config& config, const mjModel* m, mjData* d)
       : config_(config), m_(m), d_(d), matrix_(m, d) {}
   ~ContactSpaces();
@@ -242,7 +246,7 @@ class ContactSpaces {
   struct Made {
     ContactPlace place;
     const ContactSpace* plane;
-    const ContactSpace* axial;  // null: it does not move along its axis
+    const ContactSpace* axial;  // null: no motion along the axis
   };
   Made add(const ContactPair& pair);  // at most kMaxContacts
 
@@ -259,8 +263,9 @@ class ContactSpaces {
   std::size_t count_ = 0;
 };
 
-// What p_j of each contact does to the rates of each, `rows` (2, or 3 where one of them moves along
-// its axis) numbers a contact: by H for loads over the step, by M for impacts.
+// The effect of each contact's p_j on the rates of all contacts, with `rows` numbers for each
+// contact (2, or 3 if one of them moves along its axis): by H for loads over the step, by M for
+// impacts.
 ContactMatrix contact_matrix(std::span<const ContactRows* const> contacts, Eigen::Index rows,
                              bool impact);
 

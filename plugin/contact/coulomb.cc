@@ -22,31 +22,32 @@
 namespace rotorub::plugin {
 namespace {
 
-constexpr int kNoRow = -1;  // of a contact that MuJoCo's solver does not know (ContactPair::beside)
+// The row of a contact that MuJoCo's solver does not contain (ContactPair::beside).
+constexpr int kNoRow = -1;
 
-// One contact in accelerations.
+// One contact in terms of accelerations.
 struct TouchingPair : ContactRows {
   const ContactPair* pair = nullptr;
-  int row = 0;  // of MuJoCo's solver
+  int row = 0;  // row of MuJoCo's solver
   ContactPoint point{};
-  Eigen::Vector3d base{0.0, 0.0, 0.0};  // m/s^2, of y what is not the acceleration of a coordinate
-  double slip = 0.0;                    // m/s, in both directions
-  double curvature = 0.0;  // m/s^2, towards the ring, with that of centres that go in circles
+  Eigen::Vector3d base{0.0, 0.0, 0.0};  // m/s^2, part of y beyond accelerations of coordinates
+  double slip = 0.0;                    // m/s, magnitude in both directions
+  double curvature = 0.0;  // m/s^2, towards the ring, by the whirl and by centres on circles
   bool touches = false;
-  std::optional<double> pressing{};      // N, of a contact that gives
+  std::optional<double> pressing{};      // N, normal force of a compliant contact
   Eigen::Vector3d force{0.0, 0.0, 0.0};  // N, (normal, friction, friction along the axis)
   bool sticks = false;
 
   ContactEntries& entries(mjData* d) const { return contact_entries(*pair, d); }
   Eigen::Vector3d normal() const { return contact_load(e_r, radius, force.x(), 0.0); }
   Eigen::Vector3d friction() const { return contact_load(e_r, radius, 0.0, force.y()); }
-  // Of the force, what MuJoCo is given beside what its solver finds.
+  // Adds the part of the force that MuJoCo's solver does not find.
   void add_side(mjtNum* to) const {
     if (row == kNoRow) return plane->add_load(normal() + friction(), to);
     plane->add_side(normal(), friction(), to);
     if (axial && force.z() != 0.0) axial->add_load(force.z() * column(2), to);
   }
-  // The accelerations by all of it.
+  // Adds the accelerations by the whole force.
   void add_acceleration(mjtNum* to) const {
     if (row == kNoRow) {
       const Eigen::Vector3d none(0.0, 0.0, 0.0);
@@ -58,7 +59,7 @@ struct TouchingPair : ContactRows {
   }
 };
 
-// K I and B of MuJoCo's reference.
+// K I and B of MuJoCo's reference, where I is the impedance.
 struct Reference {
   double stiffness, damping;
 };
@@ -67,7 +68,7 @@ Reference reference_of(const ContactPair& pair, const mjModel* m, const mjData* 
     const mjtNum* kbip = d->efc_KBIP + 4 * row;
     return {kbip[0] * kbip[2], kbip[1]};
   }
-  // As MuJoCo would have it: direct, of a constant impedance (mjcf/soft_contact.h).
+  // As MuJoCo would compute them: direct, with a constant impedance (mjcf/soft_contact.h).
   const mjtNum* solref = m->pair_solref + mjNREF * pair.pair;
   const double impedance = m->pair_solimp[mjNIMP * pair.pair];
   return {-solref[0] / impedance, -solref[1] / impedance};
@@ -87,8 +88,8 @@ TouchingPair touching_pair(const ContactPair& pair, const ContactSpaces::Made& a
   const Eigen::Vector2d turning = turning_of(pair, place, m, d);
   const double whirling = whirl * whirl / p.delta;
   s.curvature = whirling + p.e_r.dot(turning);
-  // MuJoCo's a_ref with the gap rate of the state's own time: that of a semi-implicit step is of
-  // half a step ago.
+  // MuJoCo's a_ref with the gap rate at the time of the state. The velocity of a semi-implicit step
+  // is half a step old.
   const Reference r = reference_of(pair, m, d, row);
   const double reference = -r.damping * (p.gap_rate + 0.5 * h * s.curvature) - r.stiffness * p.gap;
   if (pair.contact.gives()) {
@@ -101,8 +102,9 @@ TouchingPair touching_pair(const ContactPair& pair, const ContactSpaces::Made& a
   return s;
 }
 
-// y without any force, free(space) the accelerations. A rebound that the loads undo within the step
-// is no flight; beside others the law of all decides, as one contact may press another.
+// Returns y without any contact force, where free(space) are the free accelerations, and decides
+// whether the contact touches. A rebound that the loads undo within the step is not a flight.
+// Beside other contacts, which may press this one, the common law decides.
 template <typename Free>
 Eigen::Vector3d look(TouchingPair& s, bool beside_others, Free free, const mjModel* m, mjData* d) {
   const Eigen::Vector3d a = s.along(free);
@@ -118,7 +120,8 @@ Eigen::Vector3d look(TouchingPair& s, bool beside_others, Free free, const mjMod
   return s.base + a;
 }
 
-// Open: well below, so that not even round-off leaves a force.
+// The reference of an open contact. It is well below the acceleration, so that not even round-off
+// leaves a force.
 double open_reference(double acceleration) { return acceleration - (1.0 + std::abs(acceleration)); }
 
 // The contacts of a pass.
@@ -129,14 +132,14 @@ struct TouchingPairs {
   std::span<TouchingPair> span() { return {all.data(), count}; }
 };
 
-// Those that touch, in the order of a vector of forces.
+// The contacts that touch, in the order of a vector of forces.
 struct Touching {
   std::array<TouchingPair*, kMaxContacts> at{};
-  std::array<ImpactLaw, kMaxContacts> laws{};   // their friction alone
-  std::array<ContactSet, kMaxContacts> sets{};  // of contacts that give
-  bool give = false;                            // they all do, or none
+  std::array<ImpactLaw, kMaxContacts> laws{};   // only their friction is filled
+  std::array<ContactSet, kMaxContacts> sets{};  // only for compliant contacts
+  bool give = false;                            // compliant contacts; either all or none are
   std::size_t count = 0;
-  Eigen::Index rows = 2;  // 3 where one moves along its axis
+  Eigen::Index rows = 2;  // 3 if one of them moves along its axis
   Eigen::Index row(std::size_t k) const { return rows * static_cast<Eigen::Index>(k); }
   std::span<const ImpactLaw> friction() const { return {laws.data(), count}; }
   ContactMatrix matrix() const {
@@ -150,7 +153,7 @@ Touching touching(TouchingPairs& contacts) {
   Touching t;
   for (TouchingPair& s : contacts.span()) {
     if (!s.touches) continue;
-    // The law at the slip: the rates of this problem are accelerations.
+    // The law is evaluated at the slip here, because the rates of this problem are accelerations.
     t.laws[t.count].friction = s.pair->contact.friction.at(s.slip);
     if (s.pressing) {
       t.give = true;
@@ -198,7 +201,7 @@ class ForceResponse final : public ContactResponse {
   const Touching& t_;
 };
 
-// Once, not every step.
+// Warns once and not in every step.
 void note_status(const Touching& t, bool converged, const mjModel* m, mjData* d) {
   const auto warned = [d](const TouchingPair* s) {
     return EscapeGuard(s->entries(d).status).status() != Status::kOk;
@@ -231,7 +234,7 @@ void solve_free(TouchingPairs& contacts, const mjModel* m, mjData* d) {
   if (s.solutions > 0) put(t, s.p, s.sticks);
 }
 
-// MuJoCo's solver finds l = (aref - J a_smooth) / (J M^-1 J^T + R): the aref for the normal forces.
+// Sets aref, from which MuJoCo's solver finds l = (aref - J a_smooth) / (J M^-1 J^T + R).
 void set_references(TouchingPairs& contacts, const mjModel* m, mjData* d) {
   StackFrame room(d);
   mjtNum* acceleration = room.numbers(count(m->nv));
@@ -250,8 +253,8 @@ void set_references(TouchingPairs& contacts, const mjModel* m, mjData* d) {
   }
 }
 
-// The same beside constraints: the contacts' own rows rest while the others are tried. What the
-// solver finds then is J a = aref - R l.
+// The same beside constraints. The contacts' own rows are kept inactive during the trials. The
+// solver's final result then obeys J a = aref - R l.
 void solve_beside_constraints(TouchingPairs& contacts, const mjModel* m, mjData* d) {
   constexpr double kResting = -1e12;  // m/s^2
   for (const TouchingPair& s : contacts.span()) d->efc_aref[s.row] = kResting;
@@ -284,7 +287,7 @@ void solve_beside_constraints(TouchingPairs& contacts, const mjModel* m, mjData*
   if (any) probe.keep();
 }
 
-// A contact that MuJoCo's solver does not know, near enough to be in it.
+// True if a contact that MuJoCo's solver does not contain is near enough to be detected.
 bool is_seen_beside(const Config& config, const ContactPair& pair, const mjModel* m,
                     const mjData* d) {
   const Coordinates state(config, d);
@@ -331,7 +334,7 @@ void apply_coulomb(const Config& config, const mjModel* m, mjData* d) {
     beside = beside || constraints_couple(m, d, *s.plane, own) ||
              (s.axial && constraints_couple(m, d, *s.axial, own));
   }
-  // The force of a contact that gives is known, whatever holds the bodies beside it.
+  // The force of a compliant contact is known, whatever constraints act on its bodies.
   if (beside && !contacts.all[0].pressing) {
     solve_beside_constraints(contacts, m, d);
   } else {

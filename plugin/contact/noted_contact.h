@@ -1,5 +1,5 @@
-// What the forces of a contact leave for load_cells.h in the pass of this thread, beside its
-// memory.
+// Further results of a contact in the last pass of this thread, for load_cells.h. They are kept
+// apart from the contact's memory in mjData.
 #pragma once
 
 #include <mujoco/mujoco.h>
@@ -13,15 +13,16 @@ struct NotedContact {
   double time = 0.0;
   int data = -1;
   Eigen::Vector2d e_r;
-  double axial = 0.0;  // N
+  double axial = 0.0;  // N, friction on the rotor along the ring's axis
 };
 
-// Of the pass that this thread did last.
+// The results in the last pass of this thread, for the contact whose entries begin at `data`.
 const NotedContact& noted_contact(int data);
 
-// Of the contact whose memory is at `data`, in its axes: the normal of its force in this pass,
-// which of a blow is not that of the state, and the friction on the rotor along the ring's axis, N.
-// Of `rigid`, and where that is.
+// Records the results of the contact whose entries begin at `data`: the normal of its force in this
+// pass, in the contact's axes, and the friction on the rotor along the ring's axis, N. The normal
+// of an impact within the step differs from that of the state. Called for `rigid` with a force, and
+// for contacts with friction along the axis.
 void note_contact(const mjData* d, int data, const Eigen::Vector2d& e_r, double axial = 0.0);
 
 }  // namespace rotorub::plugin

@@ -23,8 +23,8 @@ void for_each_solved(const mjData* d, int geom1, int geom2, Action action) {
   }
 }
 
-// Of a contact that gives, a_ref = R N in the normal row: MuJoCo's f = (a_ref - a) / R is N as its
-// impedance d goes to 0. Friction stops the slip within the step, or as much of it as the cone
+// Compliant contact: a_ref = R N in the normal row, because MuJoCo's f = (a_ref - a) / R tends to N
+// as its impedance d tends to 0. Friction stops the slip within the step, as far as the cone
 // allows: a_ref = -v (1 - d) / (d h).
 void give_way(const ContactPair& pair, const mjModel* m, mjData* d, const mjContact& contact) {
   const ContactPoint point = contact_point_of(pair, m, d);
@@ -67,7 +67,8 @@ void apply_cones(const Config& config, const mjModel* m, mjData* d) {
 }  // namespace
 
 void apply_contacts(const Config& config, const mjModel* m, mjData* d) {
-  // Soft ones first: `rigid` asks MuJoCo's solver for them as for any other contact.
+  // The soft contacts come first, because `rigid` tries its loads on MuJoCo's solver, which
+  // includes them like any other contact.
   if (config.has_soft()) apply_coulomb(config, m, d);
   apply_cones(config, m, d);
   if (config.has_rigid()) apply_rigid(config, m, d);

@@ -9,9 +9,9 @@
 namespace rotorub::plugin {
 namespace {
 
-constexpr double kAcross = 1e-6;  // a slide is across the axis: cosine of the angle between
+constexpr double kAcross = 1e-6;  // cosine of the angle below which a slide is normal to the axis
 
-// A frame in the world, where every joint stands as in qpos0.
+// A frame in the world with every joint as at qpos0.
 struct Frame {
   mjtNum position[3] = {0, 0, 0}, rotation[4] = {1, 0, 0, 0};
 
@@ -42,7 +42,7 @@ bool carries(const mjModel* m, int ancestor, int body) {
   return body == ancestor;
 }
 
-// Whether the joint moves the point along the axis.
+// True if the joint moves the point along the axis.
 bool moves_along(const mjModel* m, int joint, const mjtNum* point, const mjtNum* along,
                  double lever) {
   const int type = m->jnt_type[joint];
@@ -82,7 +82,7 @@ bool slides_along_axis(const mjModel* m, const ContactPair& pair) {
     const mjtNum* point = i == 0 ? rotor.position : beside;
     for (int body = bodies[i]; body > 0; body = m->body_parentid[body]) {
       if (carries(m, body, bodies[1 - i]))
-        break;  // what carries both moves neither against the other
+        break;  // a body that carries both does not move one against the other
       for (int k = 0; k < m->body_jntnum[body]; ++k) {
         const int joint = m->body_jntadr[body] + k;
         if (moves_along(m, joint, point, along, pair.contact.clearance)) return true;
@@ -94,7 +94,7 @@ bool slides_along_axis(const mjModel* m, const ContactPair& pair) {
 
 namespace {
 
-// Squared speed of a point per squared speed in the metric of M: an upper bound, 1/kg.
+// Upper bound of the squared speed of a point for a unit squared speed in the metric of M, 1/kg.
 double mobility(const mjModel* m, const mjData* d, int geom, const mjtNum* point) {
   const int body = m->geom_bodyid[geom];
   if (m->body_weldid[body] == 0) return 0.0;
@@ -106,7 +106,7 @@ double mobility(const mjModel* m, const mjData* d, int geom, const mjtNum* point
          (arm > 0.0 ? arm / std::min({inertia[0], inertia[1], inertia[2]}) : 0.0);
 }
 
-// What loads and constraints change, per second, in the metric of M.
+// The change of the velocities by loads and constraints per second, in the metric of M.
 double change(const mjModel* m, mjData* d) {
   const int nv = count(m->nv), n = d->nefc;
   StackFrame room(d);
@@ -130,12 +130,12 @@ double change(const mjModel* m, mjData* d) {
 }
 
 // Rates of the rotor's centre seen from the ring, (relative x, relative y, spin) as in a BodySpace:
-// J qvel, from MuJoCo's body velocities. After its velocity stage.
+// J qvel from MuJoCo's body velocities. Call it after MuJoCo's velocity stage.
 Eigen::Vector3d rates_of(const ContactPair& pair, const ContactPlace& place, const mjModel* m,
                          const mjData* d) {
   Eigen::Vector3d rates(0.0, 0.0, 0.0);
   const auto add = [&](int body, const mjtNum* point, double sign, double spin) {
-    // Rotation, then translation of the point of the body at its tree's centre of mass.
+    // Rotation, then translation of the body's point at its tree's centre of mass.
     const mjtNum* velocity = d->cvel + 6 * body;
     mjtNum arm[3], move[3];
     mju_sub3(arm, point, d->subtree_com + 3 * m->body_rootid[body]);

@@ -30,8 +30,8 @@ bool moves_with(const RigidContact& a, const RigidContact& b) {
 
 using Group = std::array<RigidContact*, kMaxContacts>;
 
-// Finds the first contact that is left and all contacts coupled to it, directly or through others:
-// their bodies are in one tree, or constraints act on them. Takes them off `left`.
+// Finds the first remaining contact and all contacts coupled to it, directly or through others,
+// because their bodies are in one tree or constraints act on them. Removes them from `left`.
 std::size_t take_group(std::span<RigidContact> all, std::array<bool, kMaxContacts>& left,
                        Group& group) {
   std::size_t count = 0;
@@ -129,7 +129,7 @@ void apply_rigid(const Config& config, const mjModel* m, mjData* d) {
   }
   for (std::size_t i = 0; i < count; ++i) {
     ContactMemory memory(d, *facing[i], m->opt.timestep);
-    // The rotor is well within its ring; how far does not matter.
+    // The rotor is well within its ring; the exact gap does not matter.
     if (!near) memory.watch(0.0, facing[i]->contact);
     memory.note({}, m->opt.timestep);
   }

@@ -7,7 +7,7 @@
 
 namespace rotorub::plugin {
 
-// How the step answers impulses of a subset beside constraints.
+// The response of the step to the impulses of a subset, beside constraints.
 class RigidContacts::Response final : public ContactResponse {
  public:
   Response(RigidContacts& contacts, const ContactSubset& subset)

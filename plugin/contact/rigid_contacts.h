@@ -29,7 +29,7 @@ struct RigidContact {
   const ContactPair* pair = nullptr;
   const ContactSpace* space = nullptr;
   bool held = false;  // MuJoCo's constraints act on its bodies
-  RigidStep step;     // all but `free` are given
+  RigidStep step;     // the caller fills all but `free`
   // Not null if the contact has friction and moves along its ring's axis (relative_motion.h):
   // (velocity along the axis, tilt rates about x and y).
   const ContactSpace* axial = nullptr;
@@ -59,7 +59,7 @@ struct ContactSubset {
   std::array<double, kMaxContacts> offset{};  // m/s, added to the gap rates in the normal law
 };
 
-// What is found for a subset beside its impulses.
+// Further results for a subset, beside its impulses.
 struct SubsetSolution {
   std::array<bool, kMaxContacts> sticks{};
   // For impacts beside constraints (constrained_law.h).

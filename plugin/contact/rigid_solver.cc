@@ -101,7 +101,7 @@ class RigidSolver {
     return true;
   }
 
-  // The contacts that take part in the impacts of the step. False: there is no impact.
+  // Finds the contacts that take part in the impacts of the step. False: there is no impact.
   bool find_impacts(ContactSubset& all) const {
     bool impacts = false;
     all.impact = true;

@@ -25,13 +25,13 @@ bool is_impact(const RigidStep& step, const Eigen::Vector2d& e_r, const ContactP
   return rebound_outlives_steps(step.h, c.restitution, closing, pressed);
 }
 
-// A penetration that is there already (a start inside the ring's wall) is not undone in one step,
-// because it would turn into speed. A share kRecovery of it is undone, no faster than kRecoveryRate
-// and kRecoveryShare allow, so that a deep start gains hardly any energy.
+// An existing penetration (a start inside the ring's wall) is not removed in one step, because it
+// would turn into speed. A share kRecovery of it is removed, no faster than kRecoveryRate and
+// kRecoveryShare allow, so that a deep start gains hardly any energy.
 double gap_over_step(const RigidStep& step, const ContactParameters& c) {
-  constexpr double kRecovery = 0.2;        // share of a depth undone in a step, in (0, 1]
+  constexpr double kRecovery = 0.2;        // share of the depth that a step removes, in (0, 1]
   constexpr double kRecoveryRate = 2.0;    // 1/s, in clearances
-  constexpr double kRecoveryShare = 0.01;  // of the speed that is there
+  constexpr double kRecoveryShare = 0.01;  // share of the present speed
   const double gap = c.clearance - end_of(step).norm();
   const double depth = std::max(0.0, step.d.norm() - c.clearance);
   const double recovery = kRecovery * depth / step.h;

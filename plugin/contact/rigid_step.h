@@ -4,9 +4,8 @@
 // MuJoCo's Euler step is semi-implicit,
 //   v_k+1 = v_k + H^-1 (h f(t_k, q_k) + J^T p),  H = M + h D,   q_k+1 = q_k + h v_k+1,
 // which is the paper's scheme (11) with q_k for its midpoints. Therefore, as there:
-// - The normal and the lever arm are those of q_k. An impulse along q_k leaves q_k x v unchanged,
-// so
-//   that a billiard keeps its speed and its angular momentum to round-off.
+// - The normal and the lever arm are those at q_k. An impulse along q_k leaves q_k x v unchanged,
+//   so that a billiard keeps its speed and its angular momentum to round-off.
 // - The gap in (12) is the gap at q_k+1, so that a lasting contact does not drift.
 // - Poisson's law (15)-(19) holds for a contact that was open and whose rebound outlasts the step.
 //   If the loads and the curvature of the ring undo the rebound within the step, the contact lasts.
@@ -31,8 +30,8 @@ struct RigidStep {
 struct RigidResult {
   Status status = Status::kOk;    // kNoSolution, kAmbiguous: the contact gets no impulse
   bool converged = true;          // false: beside constraints, the least error found (kNoSolution)
-  bool impact = false;            // by Poisson's law; else lasting contact or none
-  Mode mode = Mode::kFree;        // of a contact that lasts at the end, also after an impact
+  bool impact = false;            // true: impact by Poisson's law; false: lasting contact or none
+  Mode mode = Mode::kFree;        // mode of a contact that lasts at the end, also after an impact
   Eigen::Vector2d e_r{1.0, 0.0};  // normal of the impulses
   double normal = 0.0;            // N s, >= 0
   double friction = 0.0;          // N s, on the rotor along e_t
@@ -55,8 +54,8 @@ Eigen::Vector2d contact_normal(const RigidStep& step, double clearance);
 // True for an impact: the contact was open, and its rebound outlasts the step.
 bool is_impact(const RigidStep& step, const Eigen::Vector2d& e_r, const ContactParameters& contact);
 
-// y_N of (12) without the contact: gap / h at the end of the step, m/s. Of a penetration that is
-// there already (a start inside the ring's wall) only a part is undone in one step.
+// y_N of (12) without the contact: gap / h at the end of the step, m/s. An existing penetration (a
+// start inside the ring's wall) is removed only in part in one step.
 double gap_over_step(const RigidStep& step, const ContactParameters& contact);
 
 }  // namespace rotorub::plugin

@@ -52,7 +52,7 @@ using Part = Eigen::Map<Eigen::Matrix<mjtNum, Eigen::Dynamic, 1>>;
 
 int size_of(DofRange tree) { return tree.last - tree.first; }
 
-// to += sign M of the tree.
+// to += sign M, for the block of the tree.
 void add_mass(const mjModel* m, const mjData* d, DofRange tree, double sign, Block& to) {
   const mjtNum* mass = mass_entries(d);
   for (int i = tree.first; i < tree.last; ++i) {
@@ -68,7 +68,8 @@ void add_mass(const mjModel* m, const mjData* d, DofRange tree, double sign, Blo
   }
 }
 
-// a -> L U, L of unit diagonal. M alone is positive definite: nothing has to change places.
+// Factors a in place into L U, where L has a unit diagonal. Without pivoting, because M is positive
+// definite.
 void factor_block(Block& a) {
   const Eigen::Index n = a.rows();
   for (Eigen::Index k = 0; k < n; ++k) {

@@ -1,7 +1,8 @@
 // The matrix of MuJoCo's step, tree by tree.
 //
-// M and a diagonal = L^T D L of single kinematic trees: M is of blocks, one a tree, and the degrees
-// of freedom of a tree follow each other. What is not in the trees of rotor and ring costs nothing.
+// M, with terms added to its diagonal, is factored as L^T D L for single kinematic trees. M
+// consists of one block for each tree, and the degrees of freedom of a tree are consecutive. Trees
+// other than those of rotor and ring cost nothing.
 #pragma once
 
 #include <mujoco/mujoco.h>
@@ -17,11 +18,12 @@ struct DofRange {
   int first = 0, last = 0;
 };
 
-// Those of the tree that the body is in; empty for what is fixed to the world.
+// The degrees of freedom of the tree that contains the body; empty if the body is fixed to the
+// world.
 DofRange tree_of(const mjModel* m, int body);
 
-// The sums of MuJoCo's sparse factorisation (mj_factorM), of the rows of `range`. factor: as
-// the mass (mass_size), inverse: nv, 1 / D. added(dof): what the diagonal has more.
+// MuJoCo's sparse factorisation (mj_factorM) for the rows of `range`. factor: as long as the mass
+// matrix (mass_size); inverse: nv, 1 / D. added(dof): what is added to the diagonal.
 template <typename Added>
 void factor_tree(const mjModel* m, const mjtNum* mass, Added added, DofRange range, mjtNum* factor,
                  mjtNum* inverse) {
@@ -31,7 +33,7 @@ void factor_tree(const mjModel* m, const mjtNum* mass, Added added, DofRange ran
     std::copy_n(mass + first, row.ancestors + 1, factor + first);
     factor[row.diagonal] += added(i);
   }
-  // From the tips to the root: each row is taken from those of its ancestors.
+  // From the tips to the root: each row is subtracted from those of its ancestors.
   for (int k = range.last - 1; k >= range.first; --k) {
     const MassRow row = mass_row(m, k);
     mjtNum* diagonal = factor + row.diagonal;
@@ -47,27 +49,27 @@ void factor_tree(const mjModel* m, const mjtNum* mass, Added added, DofRange ran
   }
 }
 
-// x <- (L^T D L)^-1 x, in place, of the entries of `range`.
+// x <- (L^T D L)^-1 x, in place, for the entries of `range`.
 void solve_tree(const mjModel* m, const mjtNum* factor, const mjtNum* inverse, DofRange range,
                 mjtNum* x);
 
-// The matrix H of MuJoCo's step, v' = v + h H^-1 f, block by block of the kinematic trees:
-//   dampers explicit (RK4, or disabled)   M
-//   Euler                                 M + h B,      B the joints' dampers
-//   implicit, implicitfast                M - h dF/dv,  F(v) actuators, dampers of joints and
-//                                         tendons, fluid, bias forces: MuJoCo's own derivative,
+// The matrix H of MuJoCo's step, v' = v + h H^-1 f, in one block for each kinematic tree:
+//   explicit dampers (RK4, or disabled)   M
+//   Euler                                 M + h B,      B: the joints' dampers
+//   implicit, implicitfast                M - h dF/dv,  F(v): actuators, dampers of joints and
+//                                         tendons, fluid, bias forces; MuJoCo's own derivative,
 //                                         which need not be symmetric
-// An impulse that is to meet the contact laws at the end of the step has to pass through it.
+// An impulse that must obey the contact laws at the end of the step acts through this matrix.
 class StepMatrix {
  public:
-  // After mj_fwdActuation. Finds dF/dv, once for all contacts of the pass.
+  // Make it after mj_fwdActuation. Computes dF/dv once for all contacts of the pass.
   StepMatrix(const mjModel* m, mjData* d);
 
-  // False: H is M in this tree.
+  // False if H is M in this tree.
   bool differs(DofRange tree) const;
-  // row <- row H^-1 of the entries of the tree, of `rows` rows of nv.
+  // row <- row H^-1 for the tree's entries of `rows` rows of length nv.
   void solve(DofRange tree, mjtNum* row, int rows) const;
-  // to += (H - M) x of the entries of the tree.
+  // to += (H - M) x for the tree's entries.
   void add_excess(DofRange tree, const mjtNum* x, mjtNum* to) const;
 
  private:
@@ -76,7 +78,7 @@ class StepMatrix {
   const mjModel* m_;
   mjData* d_;
   bool implicit_;
-  double damped_step_;  // s, of explicit integrators: the h of M + h B
+  double damped_step_;  // s, the h of M + h B; not used by implicit integrators
 };
 
 }  // namespace rotorub::plugin

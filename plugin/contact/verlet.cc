@@ -2,22 +2,18 @@
 
 #include <algorithm>
 #include <atomic>
-#include <cmath>
-#include <utility>
 
 #include "native_model/bearing/actuator.h"
 #include "native_model/model/dynamics.h"
-#include "native_model/stepping/stepper.h"
-#include "native_model/stepping/zero_order_hold.h"
 #include "plugin/contact/contact_memory.h"
 #include "plugin/contact/noted_contact.h"
+#include "plugin/contact/verlet_memory.h"
 #include "plugin/model/actuators.h"
 #include "plugin/model/control.h"
-#include "plugin/model/differentiating.h"
 #include "plugin/model/generated_rotor.h"
+#include "plugin/model/mujoco_actuators.h"
 #include "plugin/model/mujoco_versions.h"
 #include "plugin/model/options.h"
-#include "plugin/model/thread_memory.h"
 #include "plugin/model/user_data.h"
 
 namespace rotorub::plugin {
@@ -25,155 +21,12 @@ namespace {
 
 thread_local StepWorks* told_works = nullptr;
 
-// One slot: the stepper's memory, the hold's, and the number of the step that comes.
-std::size_t slot_size(const Model& model, const Model& plant) {
-  return VerletStepper::memory_size(plant) + ZeroOrderHold::memory_size(model) + 1;
-}
-
-// Currents that lag are activations, MuJoCo's to integrate.
-bool lags(const Model& model) {
-  return model.first().magnets && model.first().magnets->coil_lag > 0.0;
-}
-
-// The plant that the step moves. Where currents lag the force on the ring is MuJoCo's; where MuJoCo
-// has disabled actuation there is none, nor a controller that answers an impact within the step.
-// Where it has disabled contacts nothing reaches the ring (of the same memory, so that they may be
-// switched).
-Model plant_of(const Model& model, bool contact = true, bool actuation = true) {
-  Model plant = model;
-  if (lags(model) || !actuation) {
-    plant = without_controller(with_ideal_actuator(model));
-  }
-  for (AuxiliaryBearing& at : plant.auxiliary) {
-    if (!contact) at.contact->clearance = 1e6;
-  }
-  return plant;
-}
-
-bool actuation_enabled(const mjModel* m) { return !(m->opt.disableflags & mjDSBL_ACTUATION); }
-
-// What takes the steps. Holds nothing between two calls but room.
-struct Worker {
-  Worker(const Config& config, double h, Model moved)
-      : model(config.model),
-        plant(std::move(moved)),
-        stepper(plant, h),
-        hold(model),
-        memory(VerletStepper::memory_size(plant)),
-        counter(memory + ZeroOrderHold::memory_size(model)) {}
-
-  std::size_t slot() const { return counter + 1; }
-  void load(const double* slot) {
-    stepper.restore(slot);
-    hold.restore(slot + memory);
-    next = static_cast<std::int64_t>(slot[counter]);
-  }
-  void save(double* slot) const {
-    stepper.save(slot);
-    hold.save(slot + memory);
-    slot[counter] = static_cast<double>(next);
-  }
-  void begin(double t, const double* q, const double* v) {
-    stepper.begin(t, q, v);
-    hold = ZeroOrderHold(model);
-    next = 0;
-  }
-
-  const Model model, plant;
-  VerletStepper stepper;
-  ZeroOrderHold hold;
-  std::size_t memory, counter;  // of a slot: where the hold begins, and the number of the step
-  std::int64_t next = 0;
-};
-
-template <bool kContact, bool kActuation>
-struct WorkerOf : Worker {
-  WorkerOf(const Config& config, double h)
-      : Worker(config, h, plant_of(config.model, kContact, kActuation)) {}
-};
-
-Worker& worker_of(const Config& config, const mjModel* m) {
-  const double h = m->opt.timestep;
-  if (contact_enabled(m)) {
-    if (actuation_enabled(m)) return thread_worker<WorkerOf<true, true>>(config, h);
-    return thread_worker<WorkerOf<true, false>>(config, h);
-  }
-  if (actuation_enabled(m)) return thread_worker<WorkerOf<false, true>>(config, h);
-  return thread_worker<WorkerOf<false, false>>(config, h);
-}
-
-// Whether MuJoCo's state is the one remembered, to what its arithmetic and its links' small masses
-// leave of it. (What is remembered is never used in its place.)
-bool remembers(const Config& config, const double* slot, const Coordinates& state) {
-  const int n = config.model.nq();
-  const double* q = VerletStepper::saved_q(slot);
-  const double clearance = config.model.first().contact->clearance;
-  const auto near = [](double a, double b, double size) {
-    return std::abs(a - b) <= 1e-6 * (std::abs(b) + size);
-  };
-  for (int i = 0; i < n; ++i) {
-    if (!near(state.q()[i], q[i], clearance) || !near(state.v()[i], q[n + i], 1.0)) return false;
-  }
-  return true;
-}
-
-VerletEntries& verlet_entries(const Config& config, mjData* d) {
-  return entries<VerletEntries>(d, config.verlet_data);
-}
-const VerletEntries& verlet_entries(const Config& config, const mjData* d) {
-  return entries<VerletEntries>(d, config.verlet_data);
-}
-// The velocities of the pass, nq, are behind the entries, and then the slots: of the pass, and of
-// the state after its step.
-double* slots(const Config& config, VerletEntries& entry) {
-  return behind(entry) + config.model.nq();
-}
-const double* slots(const Config& config, const VerletEntries& entry) {
-  return behind(entry) + config.model.nq();
-}
-
-// Which part of the memory belongs to the present state.
-enum class Known { kNothing, kPass, kStepBefore };
-
-Known known_of(const Config& config, const mjModel* m, const mjData* d, std::size_t size,
-               const Coordinates& state) {
-  const double h = m->opt.timestep;
-  const VerletEntries& entry = verlet_entries(config, d);
-  const double* before = slots(config, entry);
-  const bool begun = entry.begun == static_cast<double>(size) && entry.step == h;
-  const double passed = d->time - entry.time;
-  // A state that is nudged has the memory of the one it was.
-  const auto known = [&](const double* slot) {
-    return Differentiating::in_this_thread() || remembers(config, slot, state);
-  };
-  if (begun && passed == 0.0 && known(before)) return Known::kPass;
-  if (begun && std::abs(passed - h) <= 1e-6 * h && known(before + size)) return Known::kStepBefore;
-  return Known::kNothing;
-}
-
-// Prepares the slot of this pass and returns it.
-double* slot_of_pass(const Config& config, const mjModel* m, mjData* d, Worker& worker,
-                     const Coordinates& state) {
-  const std::size_t size = worker.slot();
-  VerletEntries& entry = verlet_entries(config, d);
-  double* before = slots(config, entry);
-  const Known known = known_of(config, m, d, size, state);
-  entry.time = d->time;
-  entry.step = m->opt.timestep;
-  if (known == Known::kStepBefore) std::copy_n(before + size, size, before);
-  if (known != Known::kNothing) return before;
-  entry.begun = static_cast<double>(size);
-  worker.begin(d->time, state.q(), state.v());
-  worker.save(before);
-  return before;
-}
-
 void watch_the_rings(const Config& config, const mjModel* m, mjData* d, const Coordinates& state,
                      bool anew) {
   for (const ContactPair& pair : config.pairs) {
     EscapeGuard guard(contact_entries(pair, d).status);
     if (anew) guard.begin();
-    // An impact that takes time goes deep.
+    // An impact of finite duration penetrates the ring.
     if (!contact_enabled(m) || pair.contact.impact_time() > 0.0) continue;
     const double clearance = pair.contact.clearance;
     const double delta = separation(config.model, state.q(), pair.bearing).norm();
@@ -181,8 +34,9 @@ void watch_the_rings(const Config& config, const mjModel* m, mjData* d, const Co
   }
 }
 
-// What is on the chain beside the native loads and the actuators: f of MuJoCo and of others. It
-// must not depend on what ctrl was before the command, not even in its last bit.
+// f = the forces on the chain beside the native loads and the actuators: those of MuJoCo and of
+// other programs. They must not depend on the value of ctrl before the command, not even in the
+// last bit.
 void foreign_force(const Config& config, const mjModel* m, mjData* d, const Coordinates& state,
                    double* f) {
   const Model& model = config.model;
@@ -201,7 +55,7 @@ void foreign_force(const Config& config, const mjModel* m, mjData* d, const Coor
   }
 }
 
-// Forces of actuators that are not the bearing's: f += what they do.
+// f += the forces of the actuators that do not belong to the bearing.
 void add_other_actuators(const Config& config, const mjModel* m, mjData* d, double* f) {
   const Model& model = config.model;
   const bool bearing = config.actuator[0] >= 0 && config.actuator[1] >= 0;
@@ -215,12 +69,13 @@ void add_other_actuators(const Config& config, const mjModel* m, mjData* d, doub
   for (int k = 0; ring != kAbsent && k < 2; ++k) f[ring + k] -= ours[k];
 }
 
-// The mean command about this instant, as the plant takes it; ctrl gets what holds.
+// The mean command about this instant, in the form that the native step needs. ctrl receives the
+// held command.
 Eigen::Vector2d command(const Config& config, const mjModel* m, mjData* d, const Coordinates& state,
-                        Worker& worker) {
+                        VerletWorker& worker) {
   const Model& model = config.model;
   const double h = m->opt.timestep, t = d->time;
-  // The force follows the command, without a lag and not disabled.
+  // True if the force follows the command: no lag, and actuation is enabled.
   const bool asks = !lags(model) && actuation_enabled(m);
   Eigen::Vector2d mean{0.0, 0.0};
   if (model.first().controller) {
@@ -257,7 +112,7 @@ void note(const ContactPair& pair, mjData* d, const FixedStep& r, double kick) {
   entry.mode = static_cast<double>(of.mode);
   entry.normal_force = of.normal_impulse / kick + of.impact_force.x();
   entry.friction_force = of.friction_impulse / kick + of.impact_force.y();
-  // Once, not every step: MuJoCo writes its warnings to a file.
+  // Warn once and not in every step, because MuJoCo writes its warnings to a file.
   EscapeGuard guard(entry.status);
   if (r.status != Status::kOk && guard.status() == Status::kOk) {
     warn("rotorub: the contact laws have no solution or several (Painleve): no impulse");
@@ -277,8 +132,8 @@ void note(const ContactPair& pair, mjData* d, const FixedStep& r, double kick) {
   }
 }
 
-// The normal of the forces. To a blow within the step the rotor has gone on with the velocities `v`
-// of now.
+// Records the normal of the forces. For an impact within the step it is the normal at the time of
+// the impact, which the rotor reaches with the present velocities v.
 void note_place(const Config& config, const ContactPair& pair, const mjData* d,
                 const Coordinates& state, const double* v) {
   const ContactEntries& entry = contact_entries(pair, d);
@@ -289,7 +144,7 @@ void note_place(const Config& config, const ContactPair& pair, const mjData* d,
   if (there.norm() > kNoNormal) note_contact(d, pair.data, there.normalized());
 }
 
-// MuJoCo then calls no mjcb_passive; the native step has its loads all the same.
+// If the flag is set, MuJoCo does not call mjcb_passive, but the native step still has its loads.
 void warn_of_disabled_passive(const mjModel* m) {
   if (!passive_disabled(m)) return;
   static std::atomic<bool> warned = false;
@@ -302,32 +157,7 @@ void warn_of_disabled_passive(const mjModel* m) {
 
 }  // namespace
 
-int verlet_data_size(const Model& model) {
-  return kEntries<VerletEntries> + model.nq() +
-         2 * static_cast<int>(slot_size(model, plant_of(model)));
-}
-
-int verlet_loop_data(const Config& config) {
-  const Model& model = config.model;
-  const Model plant = plant_of(model);
-  const std::size_t hold = VerletStepper::memory_size(plant) + ZeroOrderHold::memory_size(model);
-  const std::size_t loop = model.first().loop ? model.first().loop->memory_size() : 0;
-  return config.verlet_data + kEntries<VerletEntries> + model.nq() +
-         static_cast<int>(slot_size(model, plant) + hold - loop);
-}
-
 void tell_works(StepWorks* to) { told_works = to; }
-
-const double* velocities_of_pass(const Config& config, const mjData* d) {
-  return behind(verlet_entries(config, d));
-}
-
-bool begins_anew(const Config& config, const mjModel* m, const mjData* d) {
-  const Worker& worker = worker_of(config, m);
-  const Known known = known_of(config, m, d, worker.slot(), Coordinates(config, d));
-  const double* pass = slots(config, verlet_entries(config, d));
-  return known == Known::kNothing || (known == Known::kPass && pass[worker.counter] == 0.0);
-}
 
 void apply_verlet(const Config& config, const mjModel* m, mjData* d, const Coordinates& state) {
   warn_of_disabled_passive(m);
@@ -335,7 +165,7 @@ void apply_verlet(const Config& config, const mjModel* m, mjData* d, const Coord
   const int n = model.nq();
   const double h = m->opt.timestep;
   VerletEntries& entry = verlet_entries(config, d);
-  Worker& worker = worker_of(config, m);
+  VerletWorker& worker = worker_of(config, m);
   worker.load(slot_of_pass(config, m, d, worker, state));
   worker.stepper.adopt(state.q(), state.v());
   watch_the_rings(config, m, d, state, worker.next == 0);
@@ -359,8 +189,8 @@ void apply_verlet(const Config& config, const mjModel* m, mjData* d, const Coord
   ++worker.next;
   worker.save(slots(config, entry) + worker.slot());
 
-  // The passive force that makes it MuJoCo's step, by MuJoCo's own mass matrix: its links weigh
-  // little, but so may what they carry.
+  // The passive force with which MuJoCo's step has the same result. It uses MuJoCo's own mass
+  // matrix, because MuJoCo's links weigh a little, and the masses that they carry may be small too.
   StackFrame room(d);
   const auto all = static_cast<int>(m->nv);
   mjtNum* change = room.numbers(all);

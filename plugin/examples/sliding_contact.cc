@@ -1,8 +1,8 @@
-// A ball that slides on a floor in MuJoCo alone, without rotorub's library: how much of the time it
-// is in contact, with which force, and how friction brakes it. As MuJoCo has it; with a friction
-// reference B_t of its own (in the XML of MuJoCo 2.3.7 and later: <pair solreffriction="0 -1"/>);
-// and with the cone corrected for sliding by the callback below, which may be copied into any
-// program. Right are 100 %, 9.81 N and 4.905 m/s^2.
+// A ball slides on a floor in MuJoCo alone, without rotorub's library. The program prints how much
+// of the time the ball is in contact, with which force, and how friction brakes it: for MuJoCo as
+// it is; with a small friction reference B_t (in the XML of MuJoCo 2.3.6 and later: <pair
+// solreffriction="0 -1"/>); and with the cone corrected for sliding by the callback below, which
+// may be copied into any program. The exact answers are 100 %, 9.81 N and 4.905 m/s^2.
 //
 //   g++ -std=c++20 -O2 sliding_contact.cc -lmujoco -o sliding_contact && ./sliding_contact
 #include <mujoco/mujoco.h>
@@ -11,11 +11,11 @@
 #include <cstdio>
 #include <vector>
 
-// Coulomb's law for MuJoCo's elliptic cone: mjcb_control = coulomb_cones. The cone lifts what
-// slides by |z|, z_i = mu_i (a + R f - a_ref)_i of the friction rows; the normal reference is
-// lowered by as much (de Saxce and Feng 1998). |z| is not known before the solution: MuJoCo's
-// solver is asked for it, four times. Enough while mu^2 A_TT < A_NN, A the mobilities at the
-// contact; rotorub's plugin has no such limit (rotorub_cone_coulomb_pair).
+// Coulomb's law for MuJoCo's elliptic cone: mjcb_control = coulomb_cones. In sliding the cone lifts
+// a contact by |z|, z_i = mu_i (a + R f - a_ref)_i of the friction rows; the normal reference is
+// lowered by the same amount (de Saxce and Feng 1998). |z| is unknown before the solution, so
+// MuJoCo's solver is run four times to find it. This is enough while mu^2 A_TT < A_NN, where A are
+// the mobilities at the contact; rotorub's plugin has no such limit (rotorub_cone_coulomb_pair).
 void coulomb_cones(const mjModel* m, mjData* d) {
   const std::vector<mjtNum> reference(d->efc_aref, d->efc_aref + d->nefc);
   std::vector<mjtNum> y(reference.size());
@@ -67,7 +67,7 @@ constexpr const char* kModel = R"(<mujoco>
 </mujoco>)";
 
 void slide(const mjModel* m, const char* name, mjfGeneric callback, mjtNum speed) {
-  // While it slides, 1 s at most.
+  // While it slides, but at most 1 s.
   const int steps = static_cast<int>(std::fmin(1.0, 0.9 * speed / kBraking) / m->opt.timestep);
   mjcb_control = callback;
   mjData* d = mj_makeData(m);

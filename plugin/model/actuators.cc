@@ -7,12 +7,13 @@
 #include <vector>
 
 #include "plugin/model/message.h"
+#include "plugin/model/mujoco_actuators.h"
 #include "plugin/model/mujoco_versions.h"
 
 namespace rotorub::plugin {
 namespace {
 
-constexpr int kKinds = 3;  // of ActuatorQuestion
+constexpr int kKinds = 3;  // number of values of ActuatorQuestion
 
 std::size_t place_of(ActuatorQuestion asked, int id) {
   return static_cast<std::size_t>(kKinds * id + static_cast<int>(asked));
@@ -20,19 +21,19 @@ std::size_t place_of(ActuatorQuestion asked, int id) {
 
 enum class Answer : char {
   kNone,
-  kFresh,  // MuJoCo will ask for it
-  kUsed,   // and has
+  kFresh,  // MuJoCo has not asked for it yet
+  kUsed,   // MuJoCo has asked for it
 };
 
-// Of the pass that this thread is in.
+// The pass that this thread is in.
 struct Pass {
   const mjData* data = nullptr;
-  bool asking = false;    // compute_actuators is under way
-  bool computed = false;  // with these inputs:
+  bool asking = false;    // compute_actuators is running
+  bool computed = false;  // with `inputs`
   std::vector<mjtNum> inputs;
-  std::vector<mjtNum> values;  // kKinds a control
+  std::vector<mjtNum> values;  // kKinds for each actuator
   std::vector<Answer> answers;
-  std::vector<mjtNum> plugin_state;  // that of the pass's begin
+  std::vector<mjtNum> plugin_state;  // as it was at the beginning of the pass
   bool plugin_state_kept = false;
   std::vector<mjtNum> forces;  // of engine plugins
 };
@@ -40,7 +41,7 @@ thread_local Pass pass;
 
 std::atomic<bool> stands_before = false;
 
-// What the answers depend on: action(values, how many) until it says false.
+// Calls action(values, count) for all data that the answers depend on, until it returns false.
 template <typename Action>
 bool for_each_input(const mjModel* m, const mjData* d, Action action) {
   return action(&d->time, 1) && action(d->ctrl, count(m->nu)) && action(d->act, count(m->na)) &&
@@ -77,7 +78,7 @@ void begin_actuators(const mjData* d) {
   std::fill(pass.answers.begin(), pass.answers.end(), Answer::kNone);
 }
 
-// What MuJoCo was given at this state stays known.
+// Answers that MuJoCo received at this state stay known.
 ActuatorsAside::ActuatorsAside(const mjModel* m, mjData* d) : m_(m), d_(d) {
   if (pass.data != d || !has_inputs(m, d)) begin_actuators(d);
   pass.computed = pass.plugin_state_kept = false;
@@ -99,7 +100,7 @@ void compute_actuators(const mjModel* m, mjData* d) {
   const bool engine = has_engine_actuators(m);
   if (engine && pass.computed && has_inputs(m, d)) return;
   if (engine) {
-    // Of several computations in a pass each begins with the same.
+    // If there are several computations in a pass, each begins with the same plugin state.
     if (pass.plugin_state_kept) {
       restore_plugin_state(m, d);
     } else {
@@ -155,7 +156,7 @@ bool answer_given(ActuatorQuestion asked, const mjModel* m, const mjData* d, int
   if (pass.data != d || at >= pass.answers.size() || pass.answers[at] == Answer::kNone)
     return false;
   if (!pass.asking) {
-    // MuJoCo's question.
+    // MuJoCo asks.
     if (pass.answers[at] == Answer::kUsed || !has_inputs(m, d)) return false;
     pass.answers[at] = Answer::kUsed;
   }
@@ -177,7 +178,7 @@ void update_smooth_force(const mjModel* m, mjData* d) {
     mj_fwdAcceleration(m, d);
     return;
   }
-  // The sum alone, without solving for the accelerations.
+  // Only the sum is needed; the accelerations are not.
   for (int i = 0; i < m->nv; ++i) {
     const mjtNum actuator = actuator_count(m) > 0 ? d->qfrc_actuator[i] : 0.0;
     d->qfrc_smooth[i] = d->qfrc_passive[i] - d->qfrc_bias[i] + d->qfrc_applied[i] + actuator;

@@ -1,23 +1,27 @@
-// The forces of the actuators, once in a pass. The contact needs them in mjcb_control, and MuJoCo
-// computes them behind it, again: whoever counts or filters in mjcb_act_dyn, _gain, _bias or in an
-// engine plugin would be asked twice. So an answer that a callback gave to us is what MuJoCo gets,
-// as long as time, state and controls are those of then (they are not where ctrl is set between
-// mj_step1 and mj_step2). An engine plugin finds mjData.plugin_state as it left it; preloaded, its
-// second computation is left out (register.cc), linked, one that is seen to depend on how often it
-// is asked is warned of.
+// The forces of the actuators, computed once in a pass.
+//
+// The contact needs these forces in mjcb_control, and MuJoCo computes them again afterwards. A
+// program that counts or filters in mjcb_act_dyn, _gain, _bias or in an engine plugin would then be
+// called twice. Therefore MuJoCo receives the answer that a callback gave to the plugin, as long as
+// time, state and controls are unchanged. (They change if ctrl is set between mj_step1 and
+// mj_step2.)
+//
+// An engine plugin finds mjData.plugin_state as it left it. If this library is preloaded, the
+// second computation is left out (register.cc). If it is linked, the user is warned of an engine
+// plugin whose force depends on how often it is computed.
 #pragma once
 
 #include <mujoco/mujoco.h>
 
 namespace rotorub::plugin {
 
-// What MuJoCo asks of an actuator: mjcb_act_gain, mjcb_act_bias, mjcb_act_dyn.
+// What MuJoCo asks an actuator for: mjcb_act_gain, mjcb_act_bias, mjcb_act_dyn.
 enum class ActuatorQuestion : int { kGain, kBias, kRate };
 
-// A pass begins: mjcb_control of d.
+// Begins a pass; called in mjcb_control of d.
 void begin_actuators(const mjData* d);
 
-// For a control pass that no mj_fwdActuation of MuJoCo's follows (inverse.h).
+// For a control pass that MuJoCo's mj_fwdActuation does not follow (inverse.h).
 class ActuatorsAside {
  public:
   ActuatorsAside(const mjModel* m, mjData* d);
@@ -30,24 +34,26 @@ class ActuatorsAside {
   mjData* d_;
 };
 
-// In the place of mj_fwdActuation, for the passes of ours.
+// Replaces mj_fwdActuation in the plugin's own computations.
 void compute_actuators(const mjModel* m, mjData* d);
 
-// For MuJoCo's mj_fwdActuation, where one can stand before it: true where compute_actuators has
-// done its work.
+// For a preloaded library, which stands before MuJoCo's mj_fwdActuation: true if compute_actuators
+// has already done its work. expect_to_stand_before() says that the library is preloaded.
 bool actuators_computed(const mjModel* m, mjData* d);
 void expect_to_stand_before();
 
-// After MuJoCo's: warns once of an engine plugin that gave another force than to us.
+// Call it after MuJoCo's mj_fwdActuation. It warns once if an engine plugin computed another force
+// than before.
 void compare_actuators(const mjModel* m, const mjData* d);
 
-// The answer of a callback of others; given: true where there is one.
+// The answers of other programs' callbacks. answer_given: true, with the answer in `value`, if one
+// is known.
 bool answer_given(ActuatorQuestion asked, const mjModel* m, const mjData* d, int id, mjtNum& value);
 void keep_answer(ActuatorQuestion asked, const mjData* d, int id, mjtNum value);
 
-// Of MuJoCo's generalised force without constraints, as it will be in the forward pass that is
-// under way (mjcb_control is called before it is summed up): brings d->qfrc_actuator up to date
-// with ctrl, and d->qfrc_smooth.
+// Brings d->qfrc_actuator up to date with ctrl, and d->qfrc_smooth, MuJoCo's generalised force
+// without constraints, to what it will be in the present forward pass. (MuJoCo calls mjcb_control
+// before it sums that force up.)
 void update_smooth_force(const mjModel* m, mjData* d);
 
 }  // namespace rotorub::plugin

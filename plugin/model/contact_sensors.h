@@ -1,4 +1,4 @@
-// Where our user sensors are in mjData.sensordata.
+// Where the plugin's user sensors are in mjData.sensordata.
 #pragma once
 
 #include <mujoco/mujoco.h>
@@ -9,11 +9,12 @@
 
 namespace rotorub::plugin {
 
-// Address of the user sensor of that name; -1: taken out, or another's. Throws ConfigError for
-// another size.
+// Address of the user sensor of that name; -1: the model has none. Throws ConfigError if the sensor
+// has another size.
 int sensor_address(const mjModel* m, const std::string& name, int dim);
 
-// The sensors of one contact, whose names are ours between prefix and suffix. Throws ConfigError.
+// The sensors of one contact. Their names are the plugin's names between prefix and suffix. Throws
+// ConfigError.
 SensorAddresses contact_sensors(const mjModel* m, const std::string& prefix = {},
                                 const std::string& suffix = {});
 

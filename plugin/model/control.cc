@@ -8,6 +8,7 @@
 #include "native_model/control/control_loop.h"
 #include "native_model/model/actuation.h"
 #include "native_model/trajectory/trajectory.h"
+#include "plugin/model/mujoco_actuators.h"
 #include "plugin/model/mujoco_versions.h"
 #include "plugin/model/user_data.h"
 
@@ -18,12 +19,13 @@ thread_local bool compiling = false;
 
 // Velocities at the time of the positions. MuJoCo's Euler step is semi-implicit,
 //   v_k = v_{k-1} + h a,   q_k = q_{k-1} + h v_k,
-// so its v_k is the velocity of half a step before t_k. A controller that weighs the gap rate
-// against a boundary layer sees the difference: in a whirl it is h/2 v_t^2 / delta. It is given
+// so its v_k is the velocity half a step before t_k. This matters to a controller that compares the
+// gap rate with a boundary layer: in a whirl the gap rate is wrong by h/2 v_t^2 / delta. The
+// controller therefore receives
 //   v(t_k) = v_k + (v_k - v_{k-1}) / 2.
-// Notes the state's velocities for its time and writes v(t) (nq values) to `now`. Repeated calls at
-// one time give the same; without a step of the model's length before it, and for RK4, whose
-// velocities are not late, v(t) is the state's.
+// Records the velocities of the state with its time and writes v(t) (nq values) to `now`. Repeated
+// calls at the same time give the same result. v(t) is the state's own velocity if no step of the
+// model's length came before, and with RK4, whose velocities are not late.
 void velocity_at_time(const Config& config, const mjModel* m, mjData* d, const Coordinates& state,
                       double* now) {
   const int n = config.model.nq();
@@ -36,19 +38,20 @@ void velocity_at_time(const Config& config, const mjModel* m, mjData* d, const C
   } else if (d->time > data.latest_time) {
     std::copy_n(latest, n, earlier);
     data.earlier_time = data.latest_time;
-    // `impact` is still that of the step before; a second pass at this time finds it changed.
+    // `impact` still belongs to the previous step. A second pass at this time would find it
+    // changed.
     data.history_length = data.contact.impact == 0.0 ? 2.0 : 3.0;
   }
   std::copy_n(v, n, latest);
   data.latest_time = d->time;
 
   const double h = m->opt.timestep;
-  // An impact of the step before is over: half a step of it is not to come.
+  // An impact in the previous step is over, so the velocity must not be extrapolated across it.
   const bool smooth = data.history_length == 2.0 && m->opt.integrator != mjINT_RK4;
   const bool stepped = std::abs(data.latest_time - data.earlier_time - h) < 1e-6 * h;
   const double share = stepped && smooth ? 0.5 : 0.0;
   for (int i = 0; i < n; ++i) now[i] = v[i] + share * (v[i] - earlier[i]);
-  // A sampled law is shown what those of magnetic bearings remember as their last samples left it.
+  // A sampled law sees the states of sampled magnetic bearings as their last samples left them.
   if (!config.model.first().loop) return;
   const int first = config.model.sampled_states(), end = config.model.layout.coil();
   std::copy(v + first, v + end, now + first);
@@ -68,7 +71,7 @@ Eigen::Vector2d command_of(const Config& config, const mjModel* m, mjData* d, co
   return {0.0, 0.0};
 }
 
-// Current asked for, within MuJoCo's limits, A: MuJoCo clamps its own copy of ctrl.
+// Requested current within MuJoCo's limits, A. MuJoCo clamps a copy of ctrl, not ctrl itself.
 double asked_current(const mjModel* m, const mjData* d, int actuator) {
   const int control = control_address(m, actuator);
   const mjtNum* range = m->actuator_ctrlrange + 2 * control;
@@ -92,7 +95,7 @@ void write_command(const Config& config, const mjModel* m, mjData* d, const Coor
   if (!model.first().controller) return;
   double v[kMaxCoordinates];
   velocity_at_time(config, m, d, state, v);
-  // Before it is on: 0, the value of mj_resetData.
+  // Before the controller is on, the command is 0, the value that mj_resetData sets.
   ModelEntries& data = model_entries(config, d);
   Eigen::Vector2d u{data.held_x, data.held_y};
   if (d->time >= model.first().control_on) {

@@ -1,4 +1,4 @@
-// The controller's command, from the law that the native model uses, written to ctrl.
+// The controller's command, computed by the law of the native model and written to ctrl.
 #pragma once
 
 #include <mujoco/mujoco.h>
@@ -12,16 +12,17 @@
 
 namespace rotorub::plugin {
 
-// Held between the samples k T of a sampled controller. Leaves the user's ctrl alone where the
-// scene has no active controller.
+// Writes the command to ctrl. A sampled controller's command is held between the samples k T. Does
+// nothing to the user's ctrl if the scene has no active controller.
 void write_command(const Config& config, const mjModel* m, mjData* d, const Coordinates& state);
 
-// The law failed: mju_error with its word, which names the time; the data tell it too
-// (ContactEntries::status).
+// Reports that the law failed: mju_error with the law's message, which contains the time, and the
+// status in mjData (ContactEntries::status).
 void controller_failed(mjData* d, const std::string& why);
 
-// While one lives in this thread such a failure is not told: MuJoCo's compiler, which takes a pass
-// of its own, would refuse the model; a run finds it again in its first step and has a status.
+// While one of these lives in this thread, such a failure is not reported: MuJoCo's compiler makes
+// a forward pass, and would refuse the model. A run finds the failure again in its first step and
+// has a status for it.
 class WhileCompiling {
  public:
   WhileCompiling();
@@ -33,29 +34,29 @@ class WhileCompiling {
   bool outer_;
 };
 
-// Force of the actuators on the ring, of the forward pass done last, and the currents now.
+// Force of the actuators on the ring in the last forward pass, and their present currents.
 ActuatorState actuator_state(const Config& config, const mjModel* m, const mjData* d);
 
-// What the actuators were commanded in the forward pass done last, as control_command has it: the
-// force on the ring, N, fixed frame, or with magnets the currents of the two axes, A. Without lag
-// it is what acted: with native steps the mean about the pass's instant.
+// The command of the actuators in the last forward pass, as in control_command: the force on the
+// ring, N, fixed frame, or with magnets the currents of the two axes, A. Without lag it is the
+// command that acted; with native steps it is the mean command about the instant of the pass.
 Eigen::Vector2d command_of_pass(const Config& config, const mjModel* m, const mjData* d);
 
-// The magnetic actuator in MuJoCo: two actuators of user gain and bias on the ring's axes. ctrl is
-// the current asked for, A; with a coil lag the activation is the coil's current, else ctrl is. The
-// force is
+// The magnetic actuator consists of two MuJoCo actuators with user gain and bias on the ring's
+// axes. ctrl is the requested current, A. With a coil lag the activation is the coil's current;
+// otherwise ctrl is. The force is
 //
 //   gain i + bias,   bias = F(s, 0),   gain = (F(s, i) - F(s, 0)) / i,
 //
-// F the law that the native model uses, s the actuator's length. True for an actuator of ours whose
-// force is F(s, i).
+// where F is the law of the native model and s the actuator's length. is_magnet: true for an
+// actuator of the plugin with the force F(s, i).
 bool is_magnet(const Config& config, int actuator);
 
 // Current of the coil, A.
 double coil_current(const mjModel* m, const mjData* d, int actuator);
 
-// What MuJoCo asks of it: the gain, N/A, the bias, N, or the rate of a lagging coil's activation,
-// A/s.
+// The value that MuJoCo asks for: the gain, N/A, the bias, N, or the rate of a lagging coil's
+// activation, A/s.
 double magnet_answer(ActuatorQuestion asked, const Config& config, const mjModel* m,
                      const mjData* d, int actuator);
 

@@ -1,9 +1,9 @@
-// Whether this thread takes steps to linearise them (plugin/differences.h).
+// Whether this thread takes steps in order to linearise them (plugin/differences.h).
 #pragma once
 
 namespace rotorub::plugin {
 
-class Differentiating {  // they are taken while one lives in this thread
+class Differentiating {  // in_this_thread() is true while one lives in the thread
  public:
   Differentiating();
   ~Differentiating();

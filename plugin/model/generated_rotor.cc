@@ -8,13 +8,14 @@
 #include "native_model/model/sampled_feedback.h"
 #include "native_model/scene/scene.h"
 #include "plugin/model/message.h"
+#include "plugin/model/mujoco_actuators.h"
 #include "plugin/model/mujoco_dynamics.h"
 #include "plugin/model/mujoco_versions.h"
 
 namespace rotorub::plugin {
 namespace {
 
-// f = -Omega G w, on the bending rows; 0 elsewhere.
+// f = -Omega G w on the bending rows; 0 elsewhere.
 void gyroscopic_force(const Model& model, double omega, const double* w, double* f) {
   const Layout& l = model.layout;
   std::fill_n(f, l.nq(), 0.0);
@@ -22,8 +23,9 @@ void gyroscopic_force(const Model& model, double omega, const double* w, double*
   model.gyroscopic.add_transposed(omega, w + l.x(), f + l.y(), l.modes);
 }
 
-// dv of (M(phi) + h D) dv = h (f - Omega G (v + dv/2)) by fixed-point iteration: each round gains
-// the factor h Omega g / (2 m), far below 1 at any step that resolves the whirl.
+// Solves (M(phi) + h D) dv = h (f - Omega G (v + dv/2)) by fixed-point iteration. Each round
+// reduces the error by the factor h Omega g / (2 m), far below 1 at any step that resolves the
+// whirl.
 void midpoint_velocity_change(const Config& config, const mjModel* m, const mjData* d,
                               const Coordinates& state, const double* mass, const double* f,
                               double* dv) {
@@ -82,8 +84,8 @@ void add_passive_force(const Config& config, const mjModel* m, mjData* d,
     add_to_dofs(config, f, d->qfrc_passive);
     return;
   }
-  // All that is known of the step's force, then the dv it shall give, then the force that gives
-  // it in MuJoCo.
+  // First all known forces of the step, then the dv that they must produce, then the force that
+  // produces this dv in MuJoCo.
   double mass[kMaxCoordinates], dv[kMaxCoordinates];
   step_mass(config, m, mass);
   load_force(model, d->time, state.q(), v, f);
@@ -152,7 +154,8 @@ class Chain {
         return has_body(a) || has_body(b);
     }
   }
-  // By MuJoCo's own filter of types; what else it filters (parents, excludes) may stay in.
+  // True if the filter by contype and conaffinity allows a contact. MuJoCo's other filters
+  // (parents, excludes) are not applied here.
   bool collides(int geom) const {
     if (!has_geom(geom) || !collides_freely(m_)) return false;
     for (int other = 0; other < m_->ngeom; ++other) {
@@ -179,7 +182,8 @@ bool is_contact(const Config& config, int pair) {
                      [pair](const ContactPair& p) { return p.pair == pair; });
 }
 
-// The first one found, as `<joint name="x_1" limited>`; empty: none. Whether it is active or not.
+// The first added constraint, as `<joint name="x_1" limited>`, whether it is active or not; empty
+// if there is none.
 std::string added_constraint(const mjModel* m, const Config& config) {
   const Chain chain(m, config);
   for (int i = 0; i < m->neq; ++i) {
@@ -210,7 +214,7 @@ std::string added_constraint(const mjModel* m, const Config& config) {
   return {};
 }
 
-// MuJoCo takes the rate of its force into an implicit step.
+// True if MuJoCo includes the derivative of the actuator's force in an implicit step.
 bool force_has_rate(const mjModel* m, int actuator) {
   const int gain = m->actuator_gaintype[actuator], bias = m->actuator_biastype[actuator];
   if (gain == mjGAIN_AFFINE && m->actuator_gainprm[mjNGAIN * actuator + 2] != 0.0) return true;

@@ -1,5 +1,6 @@
-// The rotor of a generated model in MuJoCo: its state in the native model's coordinates, what the
-// joints of the modal chain do not have by themselves, and what a user has put on it.
+// The rotor of a generated model in MuJoCo: its state in the native model's coordinates, the loads
+// that the joints of the modal chain do not have by themselves, and the parts that a user has
+// added.
 #pragma once
 
 #include <mujoco/mujoco.h>
@@ -39,7 +40,7 @@ class Coordinates {
  private:
   const double* q_;
   const double* v_;
-  double own_q_[kMaxCoordinates], own_v_[kMaxCoordinates];  // used where the order differs
+  double own_q_[kMaxCoordinates], own_v_[kMaxCoordinates];  // used if the order differs
 };
 
 // to[dof of i] += from[i].
@@ -48,38 +49,43 @@ inline void add_to_dofs(const Config& config, const double* from, mjtNum* to) {
   for (std::size_t i = 0; i < n; ++i) to[config.dof_address[i]] += from[i];
 }
 
-// What the modal chain's joints do not have by themselves, as passive forces: gyroscopic and
-// circulatory terms, bearing dampers, unbalance, excitation, drive, gravity on the modes.
+// Adds to d->qfrc_passive the loads that the modal chain's joints do not have by themselves:
+// gyroscopic and circulatory terms, bearing dampers, unbalance, excitation, drive, and gravity on
+// the modes.
 //
-// MuJoCo's Euler step solves (M + h D) dv = h f, M and D diagonal here. Explicit gyroscopic forces
-// would feed h g^2/2; instead the force handed over is that which gives the velocity change of
+// MuJoCo's Euler step solves (M + h D) dv = h f, with M and D diagonal here. Explicit gyroscopic
+// forces would be unstable with the growth rate h g^2/2. Therefore the force handed to MuJoCo is
+// the one that produces the velocity change of
 //   (M(phi) + h D) dv = h (f - Omega G (v + dv/2)),
-// the gyroscopic part at the midpoint and the spin-bending coupling of unbalance in M(phi). The
-// contact's own share of dv is not known yet; it is left explicit in the gyroscopic term.
-// Adds to d->qfrc_passive, which holds the joints' springs and dampers.
+// with the gyroscopic part at the midpoint and the spin-bending coupling of unbalance in M(phi).
+// The contact's own share of dv is not known yet, so it stays explicit in the gyroscopic term.
+// d->qfrc_passive must contain the forces of the joints' springs and dampers.
 void add_passive_force(const Config& config, const mjModel* m, mjData* d, const Coordinates& state);
 
-// Puts the geoms of the contacts beyond the first where the modes move the rotor: in MuJoCo's next
-// pass they are there, a step late.
+// Puts the geoms of the contacts beyond the first where the modes move the rotor. MuJoCo uses these
+// places from its next pass on, so they are one step late.
 void place_contacts_beside(const Config& config, const mjModel* m, mjData* d,
                            const Coordinates& state);
 
-// The diagonal of M + h D (nq values) that the model's integrator solves with; M alone for RK4.
+// The diagonal of M + h D (nq values), which the model's integrator uses; M alone with RK4.
 void step_mass(const Config& config, const mjModel* m, double* diagonal);
 
-// What a user has put on the rotor or the ring of a generated model beside what the writer wrote:
-// equalities, limits, friction loss, tendons with either, contacts, and what MuJoCo steps
+// Looks for parts that a user has added to the rotor or the ring of a generated model: equalities,
+// limits, friction loss, tendons with either of these, contacts, and terms that MuJoCo steps
 // implicitly beyond the dampers of the joints. The native step of `rigid` (contact/verlet.h) and
-// the diagonal mass of `coulomb` know none of it; such a model takes the general path
-// (contact/pairs.h), of first order.
+// the diagonal mass of `coulomb` do not include them. Such a model takes the general path
+// (contact/pairs.h), which is of first order.
 //
-// Takes the contacts off the chain where anything can act on a body of the kinematic trees of rotor
-// and ring, and warns of what is left out then. `cone` is MuJoCo's own, and knows them.
+// If anything can act on a body of the kinematic trees of rotor and ring, this function takes the
+// contact off the chain, and warns if the coupling of spin and bending is left out then. It throws
+// ConfigError if there are several contacts. It does nothing for the cones, which MuJoCo solves
+// together with the added parts.
 void choose_path(const mjModel* m, Config& config);
 
-// With `implicit` actuators whose force has a rate (servos), damped tendons, fluid; dampers of
-// joints that are no constant with Euler too (contact/step_matrix.h). May change with mjModel:
-// Config::damping_added.
+// True if MuJoCo's step has further damping on the rotor or the ring. With the implicit integrators
+// these are actuators whose force depends on the velocity (servos), damped tendons and fluid; with
+// Euler too, these are dampers of joints that are not constant (contact/step_matrix.h). This may
+// change when mjModel is edited (Config::damping_added).
 bool damping_is_added(const mjModel* m, const Config& config);
 
 }  // namespace rotorub::plugin

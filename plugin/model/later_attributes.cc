@@ -7,6 +7,7 @@
 
 #include "native_model/scene/scene.h"
 #include "plugin/model/message.h"
+#include "plugin/model/mujoco_actuators.h"
 #include "plugin/model/mujoco_versions.h"
 
 namespace rotorub::plugin {
@@ -16,11 +17,11 @@ namespace {
   return std::any_of(values, values + n, [](mjtNum x) { return x != 0.0; });
 }
 
-// A message has one form: the element, the attribute and the release that brought it, what is wrong
-// with it here, and what to do.
+// All messages have one form: the element, the attribute and the release that introduced it, what
+// is wrong with it here, and what to do.
 struct Attribute {
   const char* name;
-  const char* since;  // of MuJoCo
+  const char* since;  // release of MuJoCo
 };
 
 std::string problem(const std::string& element, const Attribute& attribute,
@@ -36,7 +37,7 @@ constexpr Attribute kStiffnessPolynomial{"stiffness with several numbers", "3.7"
   throw ConfigError(problem(element, attribute, wrong, remedy));
 }
 
-// MuJoCo's solver alone finds the force, from its own references.
+// True if MuJoCo's solver alone finds the force, from its own references.
 bool is_mujocos_alone(const ContactPair& pair) {
   return pair.law == scene::ContactModel::kCone && pair.friction_reference == 0.0 &&
          !pair.contact.gives();
@@ -61,8 +62,8 @@ std::string moving_surface(const Model* m, const ContactPair& pair) {
   return {};
 }
 
-// The attribute of a geom acts in no contact of ours: they are all of a <pair>, and there MuJoCo
-// takes the attribute of the <pair> alone.
+// A geom's own adhesion does not act in the plugin's contacts: they all belong to a <pair>, and
+// MuJoCo then uses only the attribute of the <pair>.
 template <typename Model>
 std::string adhesion(const Model* m, const ContactPair& pair) {
   if constexpr (requires { m->pair_adhesion; }) {
@@ -188,7 +189,7 @@ void check_actuators(const Model* m, const GeneratedParts& parts) {
   }
 }
 
-// Without either, the two are MuJoCo's motors for the user's commands.
+// Without controller and magnets, the two actuators are MuJoCo's motors for the user's commands.
 bool commands_bearing(const Config& config) {
   const AuxiliaryBearing& first = config.model.first();
   return !config.own && (first.controller || first.magnets);

@@ -1,4 +1,5 @@
-// Words of a refusal. The preloaded library links no formatting library.
+// Texts of refusals. They are built without a formatting library, because the preloaded library
+// must not link one.
 #pragma once
 
 #include <mujoco/mujoco.h>
@@ -21,7 +22,7 @@ inline std::string text(double number) {
 }
 inline std::string text(int number) { return std::to_string(number); }
 
-// The format with each {} replaced by the next of the values.
+// The format with each {} replaced by the next value.
 template <typename... Values>
 std::string message(std::string_view format, const Values&... values) {
   std::string out;
@@ -39,10 +40,10 @@ std::string message(std::string_view format, const Values&... values) {
   throw ConfigError("rotorub: " + element + ": " + reason);
 }
 
-// Gathers what is wrong with a model, so that its user reads all of it at once.
+// Collects all errors of a model, so that the user reads them at once.
 class Refusals {
  public:
-  // False where the check refuses.
+  // Runs the check. False if it throws ConfigError.
   template <typename Check>
   bool attempt(Check check) {
     try {
@@ -63,8 +64,8 @@ class Refusals {
   std::string text_;
 };
 
-// MuJoCo cuts an error that is raised while a model is loaded after 500 characters or so: as many
-// whole lines as there is room for, and how many more there are.
+// MuJoCo cuts an error that is raised while a model is loaded after about 500 characters. Copies as
+// many whole lines as fit, and the number of the lines left out.
 template <std::size_t kSize>
 void copy_lines(std::string_view text, char (&to)[kSize]) {
   constexpr std::size_t kRoom = 440;

@@ -1,5 +1,5 @@
-// The mass matrix, the constraints and the derivatives of MuJoCo's dynamics, as its versions have
-// them (mujoco_versions.h). Some functions are in every libmujoco.so and in no header of its.
+// The mass matrix, the constraints and the derivatives of MuJoCo's dynamics in its different
+// versions (mujoco_versions.h). Some of the functions are in every libmujoco.so but in no header.
 #pragma once
 
 #include <mujoco/mujoco.h>
@@ -28,14 +28,14 @@ namespace rotorub::plugin {
 
 // --- The mass matrix, row by row: the diagonal, then the dof's ancestors towards the root ---
 //
-// 2.2: qM, qLD behind each other as they are read. Since 3.3 the factor, since 3.11 the matrix too,
-// are in rows by rising column, the diagonal last, and rows of dofs that MuJoCo calls simple hold
-// the diagonal alone.
+// Up to 3.2 the entries of qM and of its factor qLD follow one another in this order. Since 3.3 the
+// factor, and since 3.11 the matrix too, are stored in rows by rising column with the diagonal
+// last. The rows of dofs that MuJoCo calls simple then contain only the diagonal.
 
 struct MassRow {
-  int diagonal;   // address in the matrix
-  int step;       // to the next ancestor's
-  int ancestors;  // that are in the row
+  int diagonal;   // its address in the matrix
+  int step;       // from one entry to that of the next ancestor
+  int ancestors;  // number of ancestors in the row
 };
 
 template <typename Data>
@@ -71,7 +71,8 @@ int mass_size(const Model* m) {
   }
 }
 
-// After mj_comPos: the mass matrix, and the same full, nv x nv.
+// make_mass computes the mass matrix, full_mass writes it as a full matrix, nv x nv. Call them
+// after mj_comPos.
 template <typename Data>
 void make_mass(const mjModel* m, Data* d) {
   if constexpr (requires { mj_makeM(m, d); }) {
@@ -92,7 +93,7 @@ void full_mass(const mjModel* m, const Data* d, mjtNum* full) {
 // --- Constraints ---
 
 template <typename Model>
-bool equality_holds(const Model* m, int equality) {  // at mj_resetData
+bool equality_holds(const Model* m, int equality) {  // after mj_resetData
   if constexpr (requires { m->eq_active0; })
     return m->eq_active0[equality] != 0;
   else
@@ -100,7 +101,7 @@ bool equality_holds(const Model* m, int equality) {  // at mj_resetData
 }
 
 template <typename Data>
-const mjtNum* constraint_diagonal(const Data* d) {  // of J M^-1 J^T, about
+const mjtNum* constraint_diagonal(const Data* d) {  // approximately that of J M^-1 J^T
   if constexpr (requires { d->efc_diagA; }) {
     return d->efc_diagA;
   } else {
@@ -121,10 +122,10 @@ void half_solve(const mjModel* m, Data* d, mjtNum* x, const mjtNum* y, StackFram
   }
 }
 
-// --- What the steps take implicitly in the velocities ---
+// --- Terms that the integrators treat implicitly in the velocities ---
 
-// Integrator implicitfast, from 2.3.3 on: dF/dv without that of the bias forces, and of it the
-// lower triangle.
+// True for the integrator implicitfast, available since 2.3.3. It uses dF/dv without the bias
+// forces, and only the lower triangle.
 inline bool implicit_fast(const mjModel* m) {
 #if mjVERSION_HEADER >= 233
   return m->opt.integrator == mjINT_IMPLICITFAST;
@@ -137,8 +138,8 @@ inline bool steps_implicitly(const mjModel* m) {
   return m->opt.integrator == mjINT_IMPLICIT || implicit_fast(m);
 }
 
-// d->qDeriv = dF/dv of actuators, dampers, fluid and bias forces, as the integrator will find it:
-// after mj_fwdActuation.
+// Computes d->qDeriv = dF/dv of actuators, dampers, fluid and bias forces, as the integrator will.
+// Call it after mj_fwdActuation.
 inline void find_derivative(const mjModel* m, mjData* d) {
 #if mjVERSION_HEADER < 233
   mj_makeMSparse(m, d, d->D_rownnz, d->D_rowadr, d->D_colind);
@@ -148,7 +149,7 @@ inline void find_derivative(const mjModel* m, mjData* d) {
 #endif
 }
 
-// Its entries of one row: action(column, value). None is between two trees.
+// Calls action(column, value) for the entries of one row of d->qDeriv. No entry couples two trees.
 template <typename Model, typename Data, typename Action>
 void for_each_derivative(const Model* m, const Data* d, int row, Action action) {
   const auto visit = [&](const auto* places) {
@@ -163,8 +164,8 @@ void for_each_derivative(const Model* m, const Data* d, int row, Action action) 
   }
 }
 
-// Of a free body that stands for itself implicitfast takes the bias forces too: its 6 x 6 matrix,
-// row by row. False: it does not.
+// For a standalone free body implicitfast includes the bias forces too.
+// Writes the 6 x 6 matrix M - h dF/dv of such a body, row by row. False if this does not apply.
 inline bool free_body_matrix(const mjModel* m, const mjData* d, int joint, mjtNum* matrix) {
 #if mjVERSION_HEADER >= 3011000
   return implicit_fast(m) && m->jnt_type[joint] == mjJNT_FREE &&
@@ -175,8 +176,8 @@ inline bool free_body_matrix(const mjModel* m, const mjData* d, int joint, mjtNu
 #endif
 }
 
-// -df/dv of a joint's damper at the present velocity, N s/m or N m s: since 3.7 a polynomial, the
-// actuators' dampers in it.
+// -df/dv of a joint's damper at the present velocity, N s/m or N m s. Since 3.7 it is a polynomial
+// that includes the actuators' dampers.
 inline double joint_damping(const mjModel* m, const mjData* d, int dof) {
 #if mjVERSION_HEADER >= 3007000
   mjtNum poly[mjNPOLY];
@@ -189,7 +190,7 @@ inline double joint_damping(const mjModel* m, const mjData* d, int dof) {
   return m->dof_damping[dof];
 #endif
 }
-// Whether it is more than the number in dof_damping.
+// True if the damping is not the constant in dof_damping.
 inline bool joint_damping_varies(const mjModel* m, int dof) {
 #if mjVERSION_HEADER >= 3007000
   const mjtNum* poly = m->dof_dampingpoly + mjNPOLY * dof;

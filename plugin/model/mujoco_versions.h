@@ -1,21 +1,20 @@
-// What differs between MuJoCo 2.2 and MuJoCo of today (3.12); in its dynamics, mujoco_dynamics.h.
-// Where the headers allow it the difference is taken from the types themselves; flags and meanings
-// go by mjVERSION_HEADER (222, 237, 316, 337, from 3.5 on 3005000).
+// Differences between MuJoCo 2.2 and the newest supported version, 3.12. The differences in the
+// dynamics are in mujoco_dynamics.h, those of actuators and engine plugins in mujoco_actuators.h.
+// Where the headers allow it, a difference is detected from the types themselves; flags and
+// meanings depend on mjVERSION_HEADER (222, 237, 316, 337; from 3.5 on 3005000).
 #pragma once
 
 #include <mujoco/mujoco.h>
 
 #include <cstddef>
 #include <memory>
-#include <span>
 #include <string>
-#include <string_view>
 #include <tuple>
 #include <type_traits>
 
 namespace rotorub::plugin {
 
-// Sizes in mjModel are int, from 3.4 on 64 bit. None of ours is near either.
+// Sizes in mjModel are int, and 64 bit since 3.4. Those that occur here always fit an int.
 template <typename Size>
 constexpr int count(Size n) {
   return static_cast<int>(n);
@@ -28,11 +27,11 @@ struct ArgumentsOf<Result (*)(Arguments...)> {
   template <std::size_t kPlace>
   using At = std::tuple_element_t<kPlace, std::tuple<Arguments...>>;
 };
-// The type of a function's argument.
+// The type of a function's argument, counted from 0.
 template <typename Function, std::size_t kPlace>
 using Argument = typename ArgumentsOf<std::decay_t<Function>>::template At<kPlace>;
 
-// --- Messages: the text is no format, which it became in 2.3 ---
+// --- Messages: the text is not a format; in 2.3 the first argument became one ---
 
 template <typename Text>
 void raise_error(const Text* text) {
@@ -53,7 +52,7 @@ void warn(const Text* text) {
 
 // --- The stack of mjData ---
 
-// What is taken from it is given back at the end of the scope. Scopes nest.
+// Memory that is taken from the stack is returned at the end of the scope. Scopes nest.
 template <typename Data>
 class StackFrameOf {
  public:
@@ -86,7 +85,7 @@ using StackFrame = StackFrameOf<mjData>;
 
 // --- Collision ---
 
-// What a function of mjCOLLISIONFUNC fills: mjContact, from 3.9 on mjPreContact.
+// The type that a function of mjCOLLISIONFUNC fills: mjContact, or mjPreContact since 3.9.
 using CollisionContact = std::remove_pointer_t<Argument<mjfCollision, 2>>;
 
 template <typename Contact>
@@ -104,27 +103,28 @@ void set_frame(Contact* con, const double (&normal)[3], const double (&tangent)[
   }
 }
 
-// Before 3.9 a contact of a pair is seen below margin and solved below margin - gap, since then
-// seen below margin + gap and solved below margin: a gap beside a margin that is not negative keeps
-// nothing out.
+// True if the gap of a pair can keep a contact from the solver. Before 3.9 a contact is detected
+// below margin and solved below margin - gap. Since then it is detected below margin + gap and
+// solved below margin, so that a gap keeps nothing from the solver unless the margin is negative.
 inline constexpr bool kGapKeepsOut = mjVERSION_HEADER < 3009000;
 
-// Distance below which viewers see the contact, m. Pairs that were written for before 3.9 keep
-// theirs.
+// Distance below which the contact is detected and viewers show it, m. Pairs that were written for
+// MuJoCo before 3.9 keep their distance.
 inline double seen_below(const mjModel* m, int pair) {
   const double margin = m->pair_margin[pair];
   return kGapKeepsOut || margin >= 0.0 ? margin : margin + m->pair_gap[pair];
 }
 
-// Distance below which MuJoCo's solver takes the contact, m.
+// Distance below which MuJoCo's solver includes the contact, m.
 inline double solved_below(const mjModel* m, int pair) {
   const bool overridden = m->opt.enableflags & mjENBL_OVERRIDE;
   const double margin = overridden ? m->opt.o_margin : m->pair_margin[pair];
   return kGapKeepsOut ? margin - m->pair_gap[pair] : margin;
 }
 
-// Whether MuJoCo looks for contacts beside the <pair>s, and whether at these (option collision,
-// gone in 3.0: then geoms' contype and conaffinity alone decide).
+// collides_freely: true if MuJoCo looks for contacts other than the <pair>s. collides_pairs: true
+// if it looks for those of the <pair>s. <option collision>, which decides this, was removed in 3.0;
+// since then the geoms' contype and conaffinity alone decide about other contacts.
 template <typename Model>
 bool collides_freely(const Model* m) {
   if constexpr (requires { m->opt.collision; }) return m->opt.collision != 1;  // mjCOL_PAIR
@@ -138,7 +138,7 @@ bool collides_pairs(const Model* m) {
 
 // --- Flags ---
 
-// True where mj_passive does nothing, not even mjcb_passive.
+// True if mj_passive does nothing, so that mjcb_passive is not called either.
 inline bool passive_disabled(const mjModel* m) {
 #if mjVERSION_HEADER >= 336
   constexpr int kBoth = mjDSBL_SPRING | mjDSBL_DAMPER;
@@ -148,12 +148,13 @@ inline bool passive_disabled(const mjModel* m) {
   return (m->opt.disableflags & kBoth) == kBoth;
 }
 
-// True where mj_forward leaves out mjcb_control; mj_step1 does not.
+// True if mj_forward does not call mjcb_control; mj_step1 still does.
 inline bool control_skipped(const mjModel* m) {
   return mjVERSION_HEADER >= 231 && (m->opt.disableflags & mjDSBL_ACTUATION);
 }
 
-// Sleeping trees, from 3.4 on. Of the tree of this body:
+// Sleeping trees, available since 3.4. tree_may_sleep: true if the tree with this body may fall
+// asleep.
 #if mjVERSION_HEADER >= 340
 inline bool sleep_enabled(const mjModel* m) { return m->opt.enableflags & mjENBL_SLEEP; }
 inline bool tree_may_sleep(const mjModel* m, int body) {
@@ -166,8 +167,8 @@ inline bool sleep_enabled(const mjModel*) { return false; }
 inline bool tree_may_sleep(const mjModel*, int) { return false; }
 #endif
 
-// The h of M + h D in MuJoCo's step: 0 where dampers are taken explicitly, s. (Before 3.3.6 Euler's
-// step has them in its matrix even where mjDSBL_PASSIVE takes their forces away.)
+// The h of M + h D in MuJoCo's step, s; 0 if the dampers are explicit or disabled. (Before 3.3.6
+// Euler's matrix includes the dampers even if mjDSBL_PASSIVE disables their forces.)
 inline double damped_step(const mjModel* m) {
   if (m->opt.integrator == mjINT_RK4) return 0.0;
 #if mjVERSION_HEADER >= 336
@@ -181,102 +182,17 @@ inline double damped_step(const mjModel* m) {
   return m->opt.timestep;
 }
 
-// How many coefficients a polynomial of stiffness or damping has beyond the first.
+// The number of coefficients of a stiffness or damping polynomial beyond the first.
 #ifdef mjNPOLY
 inline constexpr int kPolynomial = mjNPOLY;
 #else
 inline constexpr int kPolynomial = 0;
 #endif
 
-// --- Actuators: one control and one force each, but for those of 3.11 with several ---
-
-template <typename Model>
-int control_address(const Model* m, int actuator) {
-  if constexpr (requires { m->actuator_ctrladr; }) return m->actuator_ctrladr[actuator];
-  return actuator;
-}
-template <typename Model>
-int force_address(const Model* m, int actuator) {  // of lengths too
-  if constexpr (requires { m->actuator_outadr; }) return m->actuator_outadr[actuator];
-  return actuator;
-}
-template <typename Model>
-int actuator_count(const Model* m) {
-  if constexpr (requires { m->nactuator; }) {
-    return count(m->nactuator);
-  } else {
-    return count(m->nu);
-  }
-}
-// -1: none. 2.2 has the stateful actuators last, one activation each.
-template <typename Model>
-int activation_address(const Model* m, int actuator) {
-  if (m->actuator_dyntype[actuator] == mjDYN_NONE) return -1;
-  if constexpr (requires { m->actuator_actadr; }) {
-    return m->actuator_actadr[actuator];
-  } else {
-    return actuator - (count(m->nu) - count(m->na));
-  }
-}
-
-// Those of engine plugins, and what such plugins remember.
-template <typename Model>
-bool is_engine_actuator(const Model* m, int actuator) {
-  if constexpr (requires { m->actuator_plugin; }) return m->actuator_plugin[actuator] >= 0;
-  return false;
-}
-template <typename Model>
-bool has_engine_actuators(const Model* m) {
-  if constexpr (requires { m->actuator_plugin; }) {
-    for (int i = 0; m->nplugin > 0 && i < actuator_count(m); ++i) {
-      if (is_engine_actuator(m, i)) return true;
-    }
-  }
-  return false;
-}
-// Of their instances: which plugin, and all that their configs say.
-template <typename Model>
-std::span<const int> plugin_slots(const Model* m) {
-  if constexpr (requires { m->npluginattr; }) {
-    return {m->plugin, static_cast<std::size_t>(m->nplugin)};
-  } else {
-    return {};
-  }
-}
-template <typename Model>
-std::string_view plugin_attributes(const Model* m) {
-  if constexpr (requires { m->npluginattr; }) {
-    return {m->plugin_attr, static_cast<std::size_t>(m->npluginattr)};
-  } else {
-    return {};
-  }
-}
-template <typename Model, typename Data>
-std::span<mjtNum> plugin_state(const Model* m, Data* d) {
-  if constexpr (requires { m->npluginstate; }) {
-    return {d->plugin_state, static_cast<std::size_t>(m->npluginstate)};
-  } else {
-    return {};
-  }
-}
-
-// Adds the passive forces of engine plugins to qfrc_passive, as mj_passive does after mjcb_passive.
-inline void add_plugin_forces(const mjModel* m, mjData* d) {
-#if mjVERSION_HEADER >= 235
-  for (int i = 0; i < count(m->nplugin); ++i) {
-    const mjpPlugin* plugin = mjp_getPluginAtSlot(m->plugin[i]);
-    if (plugin && (plugin->capabilityflags & mjPLUGIN_PASSIVE) && plugin->compute)
-      plugin->compute(m, d, i, mjPLUGIN_PASSIVE);
-  }
-#else
-  static_cast<void>(m), static_cast<void>(d);
-#endif
-}
-
 // --- The solver ---
 
-// How much the last iteration of the solve done last still changed, where it was stopped by
-// <option iterations> above its tolerance; else 0. With several islands the largest of them.
+// The improvement in the last iteration of the last solve, if <option iterations> stopped it above
+// its tolerance; else 0. With several islands it is the largest of them.
 template <typename Model, typename Data>
 double unconverged(const Model* m, const Data* d) {
   const auto island = [&](const auto* iterations, int n) {
@@ -300,7 +216,7 @@ double unconverged(const Model* m, const Data* d) {
 
 // --- Documents in memory ---
 
-// As mj_loadXML of a file of this text.
+// Like mj_loadXML for a file with this text.
 template <typename Files = mjVFS>
 mjModel* load_text(const std::string& document, char* error, int error_size) {
   constexpr const char* kFile = "document.xml";
@@ -345,7 +261,7 @@ void make_directional(Light& light) {
 
 // --- The version itself ---
 
-// 222 -> 2002002, 3012000 as it is.
+// 222 becomes 2002002; 3012000 stays as it is.
 constexpr int full_version(int number) {
   if (number >= 1000000) return number;
   return number / 100 * 1000000 + number / 10 % 10 * 1000 + number % 10;

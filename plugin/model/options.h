@@ -1,4 +1,4 @@
-// MuJoCo's options and flags: which of them take a contact away, and which are refused.
+// MuJoCo's options and flags: which of them disable a contact, and which are refused.
 #pragma once
 
 #include <mujoco/mujoco.h>
@@ -7,18 +7,21 @@
 
 namespace rotorub::plugin {
 
-// False under mjDSBL_CONTACT or mjDSBL_CONSTRAINT: then `rigid` has none either.
+// False with mjDSBL_CONTACT or mjDSBL_CONSTRAINT. Then the contacts of `rigid` are disabled too.
 inline bool contact_enabled(const mjModel* m) {
   return (m->opt.disableflags & (mjDSBL_CONTACT | mjDSBL_CONSTRAINT)) == 0;
 }
 
-// Null, or the mju_error for options under which no pass is right: rotor or ring may be put to
-// sleep, from which the plugin's loads do not wake it, or MuJoCo's solver takes <option>'s numbers
-// for those of a contact that it solves for us.
+// The text of a mju_error for options with which no pass is right; null if there is none. Such
+// options let rotor or ring fall asleep, from which the plugin's loads do not wake them, or let
+// MuJoCo's solver use the numbers of <option> for a contact that it solves for the plugin, or are
+// attributes that the plugin does not support (later_attributes.h).
 const char* refused_options(const Config& config, const mjModel* m);
-// Where the contact acts: null, or that impulses are once a step, and RK4's four stages are not.
+// The text of a mju_error for RK4, where impulses or samples once a step do not fit four stages;
+// null if the integrator is accepted.
 const char* refused_integrator(const Config& config, const mjModel* m);
-// Of newer MuJoCo: null, or that neither mjcb_passive nor mjcb_control is called.
+// The text of a mju_error for flags of newer MuJoCo with which neither mjcb_passive nor
+// mjcb_control is called; null if there is none.
 const char* refused_silence(const mjModel* m);
 
 }  // namespace rotorub::plugin

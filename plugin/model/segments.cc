@@ -39,15 +39,15 @@ void map_joints(Segments& s, const std::function<JointAddress(const std::string&
   }
 }
 
-// Share of each mode in a state: (phi^T M phi)^-1 phi^T M; the modes are orthogonal.
+// Share of each mode in a state, (phi^T M phi)^-1 phi^T M. The modes are orthogonal.
 Eigen::MatrixXd projection(const Eigen::MatrixXd& shape, const Eigen::MatrixXd& mass) {
   Eigen::MatrixXd p = shape.transpose() * mass;
   for (Eigen::Index j = 0; j < p.rows(); ++j) p.row(j) /= p.row(j).dot(shape.col(j));
   return p;
 }
 
-// Adds what the modes miss of the value at the contact to the first one that moves it: it is the
-// softest, so that forces and accelerations which are found from the modes change least.
+// Adds the value that the modes miss at the contact to the first mode that moves it. This mode is
+// the softest, so the forces and accelerations that are computed from the modes change least.
 void complete(const Eigen::VectorXd& contact_shape, double missing, double* q) {
   for (Eigen::Index k = 0; k < contact_shape.size(); ++k) {
     if (contact_shape[k] == 0.0) continue;
@@ -56,11 +56,11 @@ void complete(const Eigen::VectorXd& contact_shape, double missing, double* q) {
   }
 }
 
-// The same at several contacts: the change of the least elastic energy. shapes: a row for each
-// contact.
+// The same for several contacts, by the change with the least elastic energy. shapes: one row for
+// each contact.
 void complete(const Eigen::MatrixXd& shapes, const Eigen::VectorXd& stiffness,
               const Eigen::VectorXd& missing, double* q) {
-  constexpr double kLeast = 1e-9;  // of the largest: of a mode that no spring holds
+  constexpr double kLeast = 1e-9;  // relative to the largest stiffness; for modes without a spring
   const Eigen::VectorXd soft =
       stiffness.cwiseMax(kLeast * std::max(stiffness.maxCoeff(), 1.0)).cwiseInverse();
   const Eigen::MatrixXd spread = soft.asDiagonal() * shapes.transpose();
@@ -99,7 +99,7 @@ void to_native(const Segments& s, const Model& model, const mjtNum* from, Addres
   const Eigen::VectorXd spin = gather(s.spin, part, from);
   Vector torsion(to + l.theta(), l.torsion);
   torsion = s.project_torsion * spin;
-  // Without a drive the first segment is held, and what the modes hold is relative to it.
+  // Without a drive the first segment is held, and the torsion modes are relative to it.
   const double rigid = l.spin ? s.spin_share.dot(spin) : spin[0];
   if (!l.spin) torsion -= s.project_torsion * Eigen::VectorXd::Constant(spin.size(), rigid);
   if (l.spin) to[l.phi()] = rigid;
@@ -139,10 +139,11 @@ Model bending_loads(const scene::Scene& scene, const Model& model, const Segment
   loads.mass = Eigen::VectorXd::Zero(l.nq());
   loads.mass.tail(l.integrals) = model.mass.segment(model.layout.integral(), l.integrals);
   loads.internal_xx = loads.internal_xy = loads.internal_yy = ModeMatrix(matrices.internal);
-  // A push of the whole chain moves its end alone: its tilts are relative.
+  // A translation of the whole chain moves only its end coordinates, because its tilts are
+  // relative.
   loads.base = model.base;
   loads.gravity_mass = matrices.mass.col(0).replicate(2, 1);
-  loads.forces = model.forces;  // in the scene's order, but for unbalances
+  loads.forces = model.forces;  // in the scene's order, without the unbalances
   auto force = loads.forces.begin();
   for (const scene::Force& given : scene.forces) {
     if (given.kind != scene::ForceKind::kUnbalance) {
@@ -235,7 +236,7 @@ int stored_address(const Config& config, int k) {
   return config.dof_address[static_cast<std::size_t>(config.model.layout.integral() + k)];
 }
 
-// Of what carries the rings beyond their joints' springs, nq values; empty: nothing.
+// Loads of the rings' supports beyond their joints' springs, nq values; empty if there are none.
 Eigen::VectorXd support_loads(const Config& config, const mjModel* m, const mjData* d) {
   const Model& model = config.model;
   if (model.supports.empty()) return {};
@@ -273,13 +274,13 @@ void add_segment_loads(const Config& config, const mjModel* m, mjData* d) {
     f.segment(l.x(), l.modes) -= s.damping_x * v.segment(l.x(), l.modes);
     f.segment(l.y(), l.modes) -= s.damping_y * v.segment(l.y(), l.modes);
   }
-  // MuJoCo's spin, also where it is held: whoever linearises sets it.
+  // MuJoCo's spin, even if it is held, because a program that linearises may change it.
   const Eigen::VectorXd spin = gather(s.spin, &JointAddress::velocity, d->qvel);
   const double omega = s.spin_share.dot(spin);
   const auto working = equations::working_at(bending, d->time);
   equations::add_linear_loads(bending, omega, working.data(), q.data(), v.data(), f.data());
   equations::add_forces(bending, d->time, q.data(), f.data());
-  // Blades that are lost; MuJoCo's bodies keep their masses.
+  // Lost blades. MuJoCo's bodies keep their masses.
   equations::DiscAngles angles;
   angles.fill(bending, d->time, q.data());
   equations::add_unbalance(bending, angles, equations::spin_speed(bending, v.data()), f.data());
@@ -297,8 +298,8 @@ void add_segment_loads(const Config& config, const mjModel* m, mjData* d) {
     d->qfrc_passive[motor.velocity] += model.drive_torque(
         d->time, d->qpos[motor.position] - model.drive_angle, d->qvel[motor.velocity]);
   }
-  // The rotor's weight is MuJoCo's; the ring's mass is an armature, on which gravity does not act,
-  // and which the base's motion loads as it does the rotor.
+  // MuJoCo applies the rotor's weight. The ring's mass is an armature, on which gravity does not
+  // act. The motion of the base loads it like the rotor.
   const Eigen::Vector2d base = model.base ? model.base->at(d->time) : Eigen::Vector2d(0.0, 0.0);
   const Eigen::VectorXd supports = support_loads(config, m, d);
   for (int i = model.layout.ring(); i < model.nq(); ++i) {

@@ -17,7 +17,7 @@ namespace rotorub::plugin {
 
 struct Config;
 
-// A joint of one coordinate: qpos[position], qvel[velocity].
+// A joint with one coordinate: qpos[position], qvel[velocity].
 struct JointAddress {
   int position = -1, velocity = -1;
 };
@@ -28,39 +28,43 @@ struct Segments {
   std::vector<JointAddress> spin;  // N + 1
 
   // Loads, in the chain's coordinates.
-  Eigen::MatrixXd damping_x, damping_y;  // external; empty: none
+  Eigen::MatrixXd damping_x, damping_y;  // external damping; empty: none
   Eigen::MatrixXd torsion_damping;       // empty: none
-  // What the native list of loads (model/loads.h) has in the place of the joints' own: rotating
-  // damping, forces, blades that are lost, magnetic bearings. Its modes are the coordinates of a
-  // plane, its spin the mean one; then come those of magnetic bearings' integrators.
+  // The loads that the native list of loads (model/loads.h) computes and the joints do not:
+  // rotating damping, forces, lost blades, magnetic bearings. Its modes are the coordinates of a
+  // plane, its spin is the mean spin; then come the coordinates of the magnetic bearings'
+  // integrators.
   Model bending;
-  int drive_node = -1;         // -1: speed held
-  Eigen::VectorXd spin_share;  // N + 1, J_k / sum J: mean spin
+  int drive_node = -1;         // node of the motor; -1: the speed is held
+  Eigen::VectorXd spin_share;  // N + 1, J_k / sum J, the weights of the mean spin
 
-  // Native modal coordinates of a state of the chain: the share of each mode kept, and the whole
-  // deflection at the contacts, of which the first modes take what is not in the others.
-  Eigen::MatrixXd project_x, project_y, project_torsion;  // kept x coordinates
-  std::vector<Eigen::RowVectorXd> contact_rows;           // of each contact; empty: none
+  // Native modal coordinates of a state of the chain. The matrices contain the share of each kept
+  // mode. The deflection at the contacts is kept exactly: the modes also take up the part that
+  // their shares miss there (complete() in segments.cc).
+  Eigen::MatrixXd project_x, project_y, project_torsion;  // kept modes x coordinates
+  std::vector<Eigen::RowVectorXd> contact_rows;           // one for each contact
   std::vector<int> contact_nodes;
 
   double highest = 0.0;  // rad/s, highest frequency at rest
 };
 
-// The chain of the scene; find(name) gives the address of a joint. Throws scene::SceneError.
+// Makes the chain of the scene; find(name) returns the address of a joint. Throws
+// scene::SceneError.
 Segments make_segments(const scene::Scene& scene, const Model& model,
                        const std::function<JointAddress(const std::string&)>& find);
 
-// Fills the rotor's part of native coordinates (or of their rates) from qpos (qvel).
+// Fill the rotor's part of the native coordinates q (rates v) from qpos (qvel).
 void native_position(const Segments& segments, const Model& model, const mjtNum* qpos, double* q);
 void native_velocity(const Segments& segments, const Model& model, const mjtNum* qvel, double* v);
 
-// Empty, or why MuJoCo's step cannot carry the chain: it is explicit in the springs.
+// Why the step (s) is too long for MuJoCo, which treats the chain's springs explicitly; empty if it
+// is not.
 std::string segment_step_refusal(const Segments& segments, double step);
 
-// What the joints and tendons of the segment rotor do not have by themselves, as passive forces:
-// external and rotating damping of its modes, forces, magnetic bearings, drive, weight of the ring.
-// Springs, bearings, gyroscopics, unbalance and the rotor's weight are MuJoCo's own. Adds to
-// d->qfrc_passive. The config is that of a segment rotor.
+// Adds to d->qfrc_passive the loads that the joints and tendons of the segment rotor do not have by
+// themselves: external and rotating damping of its modes, forces, magnetic bearings, drive, weight
+// of the ring. MuJoCo itself has springs, bearings, gyroscopics, unbalance and the rotor's weight.
+// The config must have a segment rotor.
 void add_segment_loads(const Config& config, const mjModel* m, mjData* d);
 
 }  // namespace rotorub::plugin

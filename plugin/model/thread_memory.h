@@ -1,6 +1,6 @@
-// What a thread remembers, by key, however many it takes in turns. What nobody asked for in the
-// last kAsked questions goes when their number has doubled: a model that is gone is not kept for
-// ever.
+// Memory of a thread, by key. Several keys may be used in turns. When the number of entries has
+// doubled, those that were not used in the last kAsked look-ups are deleted, so that models which
+// no longer exist are not kept for ever.
 #pragma once
 
 #include <algorithm>
@@ -17,7 +17,7 @@ namespace rotorub::plugin {
 template <typename Key, typename Value>
 class InTurns {
  public:
-  // Null: none. What is found stays while it is asked for.
+  // Null if there is none. An entry stays valid as long as it is used.
   Value* find(const Key& key) {
     if (last_ == all_.end() || last_->first != key) last_ = all_.find(key);
     if (last_ == all_.end()) return nullptr;
@@ -43,19 +43,17 @@ class InTurns {
   }
 
   static constexpr std::size_t kLeast = 64;
-  static constexpr std::uint64_t kAsked = 1 << 18;  // some ten a step
+  static constexpr std::uint64_t kAsked = 1 << 18;  // there are about ten look-ups in a step
   std::map<Key, Kept> all_;
   typename std::map<Key, Kept>::iterator last_ = all_.end();
   std::size_t room_ = kLeast;
   std::uint64_t asked_ = 0;
 };
 
-// What a thread steps models with: room, and nothing that outlives a call, so that several threads
-// may step several mjData of one model. A worker has a model of its own, as the Config may be gone
-// before the thread is.
-//
-// This thread's Worker for the model and the step h (s), made where it is new or was long not used.
-// Worker(const Config&, double h).
+// This thread's Worker for the model and the step h (s). It is made if it is new or was not used
+// for long. The Worker only holds working memory, and nothing that outlives a call, so that several
+// threads can step several mjData of one model. It has its own copy of the model, because the
+// Config may be destroyed before the thread ends. Constructor: Worker(const Config&, double h).
 template <class Worker>
 Worker& thread_worker(const Config& config, double h) {
   thread_local InTurns<std::pair<double, double>, std::unique_ptr<Worker>> known;

@@ -9,8 +9,8 @@
 namespace rotorub::plugin {
 namespace {
 
-// A check of the entries that change in our passes alone: the mark of the config, and the
-// contacts'. In [1, 2), and so never 0, which is what a reset leaves.
+// Checksum of the entries that change only in the plugin's passes: the id of the config and the
+// entries of the contacts. It lies in [1, 2), so it is never 0, the value that a reset leaves.
 double check_of(const mjData* d, int memory, int size) {
   const mjtNum* entry = d->userdata + memory;
   std::uint64_t sum = std::bit_cast<std::uint64_t>(entry[0]);
@@ -43,7 +43,7 @@ void seal_block(const Config& config, mjData* d) {
 }
 
 void refuse_clash(const Config& config, const mjModel* m) {
-  // mju_error may leave by longjmp: nothing with a destructor here.
+  // mju_error may leave by longjmp, so nothing here may have a destructor.
   static thread_local char words[500];
   std::snprintf(
       words, sizeof words,

@@ -1,9 +1,11 @@
 // The plugin's memory in mjData.userdata, so that resetting and copying an mjData takes it along.
 // mj_resetData sets all of it to 0, which means that nothing is known yet. Each struct below is
-// laid over consecutive entries by one function. In order: ModelEntries; with a controller the
-// velocities of the last two forward passes, nq each (control.cc), and the memory of a sampled one
-// (native_model/control/control_loop.h); VerletEntries and ShadowEntries, if there are any; one
-// ContactEntries for each further contact.
+// laid over consecutive entries by one function. The order is:
+// - ModelEntries;
+// - with a controller, the velocities of the last two forward passes, nq each (control.cc), and the
+//   memory of a sampled controller (native_model/control/control_loop.h);
+// - VerletEntries and ShadowEntries, if the model needs them;
+// - one ContactEntries for each further contact.
 #pragma once
 
 #include <mujoco/mujoco.h>
@@ -15,65 +17,67 @@
 
 namespace rotorub::plugin {
 
-// A rigid contact, or one of MuJoCo's soft contacts (contact/contact_memory.h).
+// The memory of a rigid contact or of one of MuJoCo's soft contacts (contact/contact_memory.h).
 struct ContactEntries {
   // In the last forward pass:
   mjtNum friction_force;  // N, on the rotor along e_t
-  mjtNum mode;            // number of the Mode
-  mjtNum normal_force;    // N; `rigid`: mean over the step that the pass is for
-  // `rigid`:
-  mjtNum time;    // s, of the pass to which the next three belong
-  mjtNum before;  // m, between the centres if contact lasted over the previous step; else 0
-  mjtNum now;     // m, between the centres if contact lasts over this step; else 0
-  mjtNum
-      status;  // Status of the contact laws, the bits of EscapeGuard and those of solver_watch.cc
-  mjtNum impact;  // 1: the impulses of the step are those of an impact, with these rates
+  mjtNum mode;            // the Mode as a number
+  mjtNum normal_force;    // N; for `rigid` the mean over the step that begins with the pass
+  // The rest is for `rigid` only, except `status`:
+  mjtNum time;    // s, of the pass to which `before`, `now` and `status` belong
+  mjtNum before;  // m, distance of the centres if contact lasted over the previous step; else 0
+  mjtNum now;     // m, distance of the centres if contact lasts over this step; else 0
+  // Status of the contact laws, with the bits of EscapeGuard and of solver_watch.cc.
+  mjtNum status;
+  mjtNum impact;  // 1: the impulses of the step belong to an impact, with these rates
   mjtNum gap_rate_before, gap_rate_after, slip_before, slip_after;  // m/s
-  mjtNum impact_time;                                               // s, in generated models
+  mjtNum impact_time;                                               // s; only in generated models
 };
 
-// A compliant contact, in the place of ContactEntries.
+// The memory of a compliant contact, in place of ContactEntries.
 struct CompliantEntries {
   mjtNum friction_force, mode, normal_force;  // as in ContactEntries
-  mjtNum damping;                             // s/m, the a of the present touch
-  mjtNum gap;                                 // m, in the pass at `time`
-  mjtNum touches;                             // contact/contact_memory.cc; 0: nothing is known
-  mjtNum status;                              // as in ContactEntries
+  mjtNum damping;                             // s/m, the factor a of the present touch
+  mjtNum gap;                                 // m, gap in the pass at `time`
+  mjtNum touches;  // state of the contact (contact/contact_memory.cc); 0: unknown
+  mjtNum status;   // as in ContactEntries
   mjtNum unused;
   mjtNum time;  // s, of the last pass
 };
 
 struct ModelEntries {
-  mjtNum config_id;        // Config::id, a mark of this process; the motion does not depend on it
-  mjtNum sample;           // sampled controller: index of the held sample, plus 1; 0: none yet
-  mjtNum held_x, held_y;   // the held command: N, fixed frame, or the currents of the two axes, A;
-                           // for native steps the mean about the instant
-  mjtNum passive_fresh;    // between mjcb_passive and mjcb_control 1 + |time|, then kActed or
-                           // kNotActed
-  mjtNum history_length;   // times in the history: 0, 1, 2; 3: two, with an impact between them
+  mjtNum config_id;  // Config::id, unique in this process; the motion does not depend on it
+  mjtNum sample;     // sampled controller: index of the held sample, plus 1; 0: none yet
+  // The held command: N in the fixed frame, or the currents of the two axes, A. With native steps
+  // it is the mean command about the instant.
+  mjtNum held_x, held_y;
+  // 1 + |time| between mjcb_passive and mjcb_control, then kActed or kNotActed.
+  mjtNum passive_fresh;
+  // Number of times in the history: 0, 1 or 2; 3: two times with an impact between them.
+  mjtNum history_length;
   mjtNum earlier_time;     // s
   mjtNum latest_time;      // s
   ContactEntries contact;  // the first contact
 };
 
-// The leapfrog on the modal chain, from Config::verlet_data on (contact/verlet.h); velocities and
-// two slots of memory follow.
+// The memory of the leapfrog on the modal chain, from Config::verlet_data on (contact/verlet.h).
+// Velocities and two slots of memory follow.
 struct VerletEntries {
-  mjtNum begun;  // entries of a slot; 0: not begun
+  mjtNum begun;  // number of entries of a slot; 0: not begun
   mjtNum time;   // s, of the pass to which the first slot belongs
   mjtNum step;   // s
 };
 
-// The shadow, from ShadowConfig::data on (shadow.h); the memories of its ZeroOrderHold and of its
-// stepper follow.
+// The memory of the shadow, from ShadowConfig::data on (shadow.h). The memories of its
+// ZeroOrderHold and of its stepper follow.
 struct ShadowEntries {
-  mjtNum begun;     // mark of the model with which it began (ShadowConfig); 0: not begun
-  mjtNum edited;    // 1: the warning that the model was edited has been given
-  mjtNum time;      // s, mjData.time that it has reached
-  mjtNum step;      // s, its step
-  mjtNum origin;    // s, from which its steps are counted
-  mjtNum steps;     // taken since
-  mjtNum status;    // number of the Status; it stands still unless kOk
+  mjtNum begun;     // ShadowConfig::mark of the model with which it began; 0: not begun
+  mjtNum edited;    // 1: the user has been warned that the model was edited
+  mjtNum time;      // s, the value of mjData.time that it has reached
+  mjtNum step;      // s
+  mjtNum origin;    // s, time from which its steps are counted
+  mjtNum steps;     // number of steps taken since
+  mjtNum status;    // the Status as a number; the shadow stands still unless it is kOk
   mjtNum normal;    // N, mean over the last step
   mjtNum friction;  // N, on the rotor along e_t
 };
@@ -109,7 +113,7 @@ inline const ContactEntries& contact_entries(const ContactPair& pair, const mjDa
   return entries<ContactEntries>(d, pair.data);
 }
 
-// The entries that follow a struct.
+// The memory just behind a struct.
 template <typename Entries>
 double* behind(Entries& e) {
   return reinterpret_cast<double*>(&e + 1);
@@ -119,26 +123,26 @@ const double* behind(const Entries& e) {
   return reinterpret_cast<const double*>(&e + 1);
 }
 
-// ModelEntries::passive_fresh after mjcb_control: whether loads and contact were in the pass.
+// Values of ModelEntries::passive_fresh after mjcb_control: whether loads and contact were included
+// in the pass.
 inline constexpr double kActed = 0.0, kNotActed = -1.0;
 
-// Where the first contact's entries stand from Config::memory on; the entries of each further
-// contact of a user's own model follow them.
+// Where the first contact's entries begin, counted from Config::memory. In a user's own model the
+// entries of the further contacts follow.
 inline constexpr int kFirstContact = kEntries<ModelEntries> - kEntries<ContactEntries>;
 
-// A user's own model keeps a check of the block in ModelEntries::sample (block_is_ours).
+// Other programs may use mjData.userdata of a user's own model too. The plugin's block therefore
+// carries a checksum in ModelEntries::sample, so that the plugin notices if others write over its
+// entries.
 
-// Our block in mjData.userdata of a user's own model, which others use too: it carries a check of
-// what we wrote, so that entries that others write over are noticed.
-
-// As we left it, or as a reset leaves it (all 0). True for generated models: theirs is nobody
-// else's.
+// True if the block is as the plugin left it, or all 0 as after a reset. Always true for generated
+// models, because nobody else uses their entries.
 bool block_is_ours(const Config& config, const mjData* d);
 
-// After our own changes.
+// Updates the checksum after the plugin's own changes.
 void seal_block(const Config& config, mjData* d);
 
-// mju_error that names the entries and how to move them.
+// Raises a mju_error that names the entries and says how to move them.
 void refuse_clash(const Config& config, const mjModel* m);
 
 }  // namespace rotorub::plugin

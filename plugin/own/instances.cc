@@ -18,9 +18,9 @@ namespace {
 
 namespace names = mjcf_names;
 
-constexpr std::string_view kMark = "contact";  // in the name of every instance
+constexpr std::string_view kMark = "contact";  // the name of every instance contains it
 
-// The names of <custom>, and the same as keys.
+// The names in <custom>, and the same as keys.
 constexpr auto kNames = [] {
   std::array<const char*, kOwnTexts.size() + kOwnNumbers.size() + 1> all{};
   std::copy(kOwnTexts.begin(), kOwnTexts.end(), all.begin());
@@ -42,7 +42,7 @@ int slot() {
   return at;
 }
 
-// Calls action(instance, name).
+// Calls action(instance, name) for each instance of the plugin.
 template <typename Action>
 void for_each_instance(const mjModel* m, Action action) {
   for (int i = 0; i < count(m->nplugin); ++i) {
@@ -57,8 +57,7 @@ std::string config(const std::string& instance, const char* key) {
   return element(instance) + message("<config key=\"{}\">", key);
 }
 
-// MuJoCo drops an instance that nothing refers to when it attaches a model to another, and says
-// nothing.
+// When MuJoCo attaches a model to another, it silently drops an instance that nothing refers to.
 void check_reference(const mjModel* m, int i, const std::string& name) {
   if (std::find(m->body_plugin, m->body_plugin + m->nbody, i) != m->body_plugin + m->nbody) return;
   refuse(
@@ -68,10 +67,10 @@ void check_reference(const mjModel* m, int i, const std::string& name) {
               name));
 }
 
-// An instance that stands in its body has no name: it is the first contact's.
+// An instance that is written inside its body has no name; it is the first contact.
 PairName contact_of(const std::string& name) {
   if (name.empty()) return {};
-  const std::size_t at = name.rfind(kMark);  // a prefix may have the word, too
+  const std::size_t at = name.rfind(kMark);  // a prefix may contain the word too
   if (at == name.npos) {
     refuse(element(name),
            "its name tells the contact and its sensors; accepted: contact, "

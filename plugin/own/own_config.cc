@@ -1,23 +1,20 @@
 #include "plugin/own/own_config.h"
 
 #include <algorithm>
-#include <cmath>
 #include <optional>
 #include <string>
 #include <vector>
 
-#include "mjcf/mujoco_version.h"
 #include "mjcf/names.h"
-#include "mjcf/soft_contact.h"
 #include "native_model/contact/coupled_law.h"
 #include "native_model/scene/scene.h"
 #include "plugin/contact/relative_motion.h"
 #include "plugin/model/contact_sensors.h"
-#include "plugin/model/later_attributes.h"
 #include "plugin/model/message.h"
 #include "plugin/model/mujoco_versions.h"
 #include "plugin/model/user_data.h"
 #include "plugin/own/own_names.h"
+#include "plugin/own/pair_checks.h"
 
 namespace rotorub::plugin {
 namespace {
@@ -26,7 +23,7 @@ namespace names = mjcf_names;
 
 struct Range {
   double low, high;
-  bool open_below;  // low itself is refused
+  bool open_below;  // true: `low` itself is refused
   const char* text;
 };
 constexpr Range kLength{0.0, 1e300, true, "> 0"};
@@ -44,7 +41,8 @@ double value_or(const mjModel* m, const std::string& name, double otherwise, con
   return value;
 }
 
-// mu, or static, kinetic, Stribeck speed and viscous part, as [contact.friction] of a scene.
+// One number mu, or static, kinetic, Stribeck speed and viscous part, as in [contact.friction] of a
+// scene.
 FrictionLaw own_friction(const mjModel* m, const std::string& name) {
   const std::optional<OwnNumber> said = own_number(m, name);
   if (!said || said->size == 1) return value_or(m, name, 0.0, kCoefficient);
@@ -68,7 +66,7 @@ FrictionLaw own_friction(const mjModel* m, const std::string& name) {
   return law;
 }
 
-// Half the length of a geom along the contact's axis, where its shape has one; else `otherwise`.
+// Half the length of a geom along the contact's axis if its shape has one; else `otherwise`.
 double half_length(const mjModel* m, int geom, double otherwise) {
   const mjtNum* size = m->geom_size + 3 * geom;
   switch (m->geom_type[geom]) {
@@ -82,8 +80,8 @@ double half_length(const mjModel* m, int geom, double otherwise) {
   }
 }
 
-// Of numbered contacts each has all that the first has: 0 is not taken for a number that may have
-// been meant for all.
+// Each further contact must have all the names of the first one: a missing name does not mean 0,
+// because the first contact's number may have been meant for all.
 void check_series(const mjModel* m, const PairName& name, Refusals& refusals) {
   if (name.suffix.empty()) return;
   const PairName first{name.prefix, ""};
@@ -102,165 +100,7 @@ void check_series(const mjModel* m, const PairName& name, Refusals& refusals) {
     missing(model, "a contact model for each contact");
 }
 
-// What the <pair> of a user's own model must say, so that MuJoCo's solver does the contact law's
-// share and no more.
-
-// "<contact><pair geom1=... geom2=...>"
-std::string pair_element(const mjModel* m, const ContactPair& pair) {
-  return message("<contact><pair geom1=\"{}\" geom2=\"{}\">",
-                 m->names + m->name_geomadr[pair.rotor_geom],
-                 m->names + m->name_geomadr[pair.ring_geom]);
-}
-
-// MuJoCo's solver bounces by solref; what <custom> says must be that.
-void check_bounce(const mjModel* m, const PairName& name, const ContactPair& p) {
-  constexpr double kScatter = 0.03;  // what MuJoCo's steps make of it is not finer
-  if (p.contact.tangential_restitution > 0.0) {
-    refuse(own_element(m, name.of(names::kOwnTangential)),
-           "contact models coulomb and cone have none; accepted: 0, or contact model rigid");
-  }
-  if (!own_number(m, name.of(names::kOwnRestitution))) return;
-  const double wanted = p.contact.restitution;
-  const mjtNum* solref = m->pair_solref + mjNREF * p.pair;
-  const bool direct = solref[0] <= 0.0;
-  const double zeta = direct ? -solref[1] / (2.0 * std::sqrt(-solref[0])) : solref[1];
-  const double met = soft_restitution(zeta);
-  if (std::abs(met - wanted) <= kScatter) return;
-  const SoftContact soft = soft_contact(wanted, m->opt.timestep);
-  refuse(pair_element(m, p),
-         message("solref bounces with {}, {} is {}; accepted: solref=\"{} {}\" "
-                 "solimp=\"0.9999 0.9999 0.001\"",
-                 met, name.of(names::kOwnRestitution), wanted, -soft.stiffness, -soft.damping));
-}
-
-void check_cone(const mjModel* m, const PairName& name, const ContactPair& p, Refusals& refusals) {
-  for (const char* force : {names::kNormalForce, names::kFrictionForce, names::kNormalForceScaled,
-                            names::kFrictionForceScaled}) {
-    const std::string sensor = name.of(force);
-    const int id = mj_name2id(m, mjOBJ_SENSOR, sensor.c_str());
-    if (id < 0 || m->sensor_type[id] != mjSENS_USER || m->sensor_needstage[id] == mjSTAGE_ACC)
-      continue;
-    refusals.attempt([&] {
-      refuse(
-          message("<user name=\"{}\">", sensor),
-          "contact model cone: the force is found by MuJoCo's solver; accepted: needstage=\"acc\"");
-    });
-  }
-  refusals.attempt([&] {
-    if (p.contact.friction.is_constant()) return;
-    refuse(own_element(m, name.of(names::kOwnFriction)),
-           "contact models cone and cone-coulomb have one coefficient for all slips; accepted: a "
-           "number, or contact model rigid or coulomb");
-  });
-  const double mu = p.contact.friction.coefficient, given = m->pair_friction[5 * p.pair];
-  refusals.attempt([&] {
-    if (!(mu > 0.0) || m->pair_dim[p.pair] >= 3) return;
-    refuse(pair_element(m, p), "contact model cone with friction: accepted: condim=\"3\" or more");
-  });
-  refusals.attempt([&] {
-    if (m->pair_dim[p.pair] < 3 || std::abs(given - mu) <= 1e-9 + mjMINMU) return;
-    refuse(pair_element(m, p), message("friction is {}, {} is {}; accepted: one value in both",
-                                       given, name.of(names::kOwnFriction), mu));
-  });
-  const double along = m->pair_friction[5 * p.pair + 1];
-  refusals.attempt([&] {
-    if (!p.axial || std::abs(along - mu) <= 1e-9 + mjMINMU) return;
-    refuse(
-        pair_element(m, p),
-        message("friction along the axis, the second value, is {}, {} is {}; accepted: one value "
-                "in all three",
-                along, name.of(names::kOwnFriction), mu));
-  });
-}
-
-// A mocap body moves by its place alone: no velocity tells an impact of it.
-void refuse_mocap(const mjModel* m, int geom) {
-  const int root = m->body_rootid[m->geom_bodyid[geom]];
-  if (m->body_mocapid[root] < 0) return;
-  refuse(
-      message("<body name=\"{}\" mocap=\"true\">", m->names + m->name_bodyadr[root]),
-      message(
-          "moves geom \"{}\" of a contact without a velocity; contact model rigid accepts: a body "
-          "with joints, driven by actuators or by a weld to the mocap body",
-          m->names + m->name_geomadr[geom]));
-}
-
-// `rigid` has its friction from <custom> alone. What a pair says of none is one of its geoms'.
-void refuse_other_friction(const mjModel* m, const PairName& name, const ContactPair& p) {
-  const double mu = p.contact.friction.sticking(), given = m->pair_friction[5 * p.pair];
-  const auto from = [&](int geom) { return given == m->geom_friction[3 * geom]; };
-  if (m->pair_dim[p.pair] < 3 || from(p.rotor_geom) || from(p.ring_geom)) return;
-  if (std::abs(given - mu) <= 1e-9 + mjMINMU) return;
-  refuse(pair_element(m, p),
-         message("friction is {}, {} is {}; accepted: one value in both, or none here", given,
-                 name.of(names::kOwnFriction), mu));
-}
-
-// The <pair> as a generated file would have it.
-std::string pair_to_add(const mjModel* m, const ContactPair& p) {
-  const ContactParameters& c = p.contact;
-  const rotorub::ContactPair pair = contact_pair(
-      p.law, c.clearance, c.friction, soft_contact(c.restitution, m->opt.timestep), built_for());
-  std::string text = message("<pair geom1=\"{}\" geom2=\"{}\" condim=\"{}\"",
-                             m->names + m->name_geomadr[p.rotor_geom],
-                             m->names + m->name_geomadr[p.ring_geom], pair.condim);
-  text += message(" margin=\"{}\" gap=\"{}\"", pair.margin, pair.gap);
-  if (pair.condim > 1) text += message(" friction=\"{} {} 0 0 0\"", pair.friction, pair.friction);
-  if (p.law != scene::ContactModel::kRigid) {
-    text += message(" solref=\"{} {}\" solimp=\"{} {} 0.001\"", -pair.soft.stiffness,
-                    -pair.soft.damping, pair.soft.impedance, pair.soft.impedance);
-  }
-  return text + "/>";
-}
-
-// MuJoCo must not solve beside `rigid`, nor add friction beside `coulomb`.
-void check_pair(const mjModel* m, const PairName& name, const ContactPair& p, Refusals& refusals) {
-  const std::string element = pair_element(m, p);
-  const auto check = [&refusals](auto action) { refusals.attempt(action); };
-  if (p.pair < 0) {
-    check([&] { refuse(element, message("missing; add {} in <contact>", pair_to_add(m, p))); });
-    return;
-  }
-  check([&] {
-    const auto same = [&](int i) {
-      return are_geoms(p.rotor_geom, p.ring_geom, m->pair_geom1[i], m->pair_geom2[i]);
-    };
-    int pairs = 0;
-    for (int i = 0; i < m->npair; ++i) pairs += same(i) ? 1 : 0;
-    if (pairs > 1) refuse(element, message("is there {} times; accepted: once", pairs));
-  });
-  check([&] {
-    const std::string surface = refused_surface(m, p);
-    if (!surface.empty()) throw ConfigError(surface);
-  });
-  if (p.law == scene::ContactModel::kRigid) {
-    check([&] { refuse_mocap(m, p.rotor_geom); });
-    check([&] { refuse_mocap(m, p.ring_geom); });
-    check([&] { refuse_other_friction(m, name, p); });
-    check([&] {
-      const double kept_out = m->pair_gap[p.pair] - m->pair_margin[p.pair];
-      if (kept_out >= 10.0 * p.contact.clearance) return;
-      refuse(element,
-             "gap is too small: with contact model rigid MuJoCo's solver must not see the contact; "
-             "accepted: gap above margin by at least ten clearances");
-    });
-    return;
-  }
-  check([&] {
-    if (m->pair_gap[p.pair] != 0.0) refuse(element, "accepted: gap=\"0\"");
-  });
-  if (p.law == scene::ContactModel::kCoulomb) {
-    check([&] {
-      if (m->pair_dim[p.pair] != 1)
-        refuse(element, "contact model coulomb: accepted: condim=\"1\"");
-    });
-  } else {
-    check_cone(m, name, p, refusals);
-  }
-  check([&] { check_bounce(m, name, p); });
-}
-
-// A body, or bodies without a joint between them.
+// Refuses two geoms on one body, or on bodies without a joint between them.
 void check_bodies(const mjModel* m, const PairName& name, const ContactPair& p) {
   const int rotor = m->geom_bodyid[p.rotor_geom], ring = m->geom_bodyid[p.ring_geom];
   if (p.rotor_geom == p.ring_geom) {
@@ -283,8 +123,8 @@ void check_across(const mjModel* m, const ContactPair& p) {
                  m->names + m->name_geomadr[p.ring_geom]));
 }
 
-// What <custom> says of one contact; nothing of it where its geoms are not there. All that is wrong
-// goes to the refusals.
+// Reads one contact from <custom>; empty if its geoms do not exist or cannot move against each
+// other. All errors are added to the refusals.
 std::optional<ContactPair> make_pair(const mjModel* m, const PairName& name, Refusals& refusals) {
   ContactPair p;
   const auto check = [&refusals](auto action) { return refusals.attempt(action); };
@@ -340,7 +180,7 @@ bool share_tree(const mjModel* m, const ContactPair& a, const ContactPair& b) {
   return false;
 }
 
-// Two contacts on one machine.
+// Checks two contacts of one machine against each other.
 void check_beside(const mjModel* m, const ContactPair& a, const ContactPair& b,
                   const PairName& name) {
   if (a.pair == b.pair) {
@@ -356,7 +196,8 @@ void check_beside(const mjModel* m, const ContactPair& a, const ContactPair& b,
   }
 }
 
-// A rub has its own law: `rotorub_contact` says which.
+// Refuses a contact's own <pair> in rotorub_cone_coulomb_pair: `rotorub_contact` determines its
+// law.
 void check_corrected(const mjModel* m, const Config& config) {
   for (const ContactPair& p : config.pairs) {
     const auto& corrected = config.corrected_pairs;

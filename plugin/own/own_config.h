@@ -1,20 +1,26 @@
-// A user's own MJCF, without a scene of ours: contacts of a rotor's geom in a ring's geom. Given in
-// <custom>, of each contact (own_names.h says how several are named):
+// A user's own MJCF without a scene: contacts of a rotor's geom in a ring's geom. They are
+// described in <custom>, for each contact (own_names.h says how several are named):
 //   text     rotorub_rotor_geom, rotorub_ring_geom     names of the two geoms
-//            rotorub_contact                           rigid (default) | coulomb | cone
+//            rotorub_contact                           rigid (default) | coulomb | cone |
+//                                                      cone-coulomb
 //   numeric  rotorub_clearance                         m, > 0
 //            rotorub_radius                            m, > 0; default: the rotor geom's size[0]
-//            rotorub_friction, rotorub_restitution     mu >= 0; eps_N in [0, 1]; default 0
+//            rotorub_friction                          mu >= 0; default 0; or four numbers: static,
+//                                                      kinetic, Stribeck speed (m/s), viscous (s/m)
+//            rotorub_restitution                       eps_N in [0, 1]; default 0
 //            rotorub_tangential_restitution            eps_T in [0, 1]; default 0
-//            rotorub_width                             m, > 0, of the ring along its axis; default:
-//                                                      its geom's (cylinder, capsule, box), else
-//                                                      endless
+//            rotorub_friction_reference                1/s, B_t >= 0 of contact model cone;
+//                                                      default: MuJoCo's own reference
+//            rotorub_width                             m, > 0, length of the ring along its axis;
+//                                                      default: that of its geom (cylinder,
+//                                                      capsule, box), else endless
 // and once in the model
-//   numeric  rotorub_userdata                          index in mjData.userdata of the first of our
-//                                                      entries; default 0
-// Every other name with rotorub_ in it is refused. Lengths, mu and eps are those of the scene
-// file's [contact]. The ring's axis is the z axis of its geom; the rotor is where its geom's centre
-// is.
+//   numeric  rotorub_userdata                          index of the plugin's first entry in
+//                                                      mjData.userdata; default 0
+// Also, text rotorub_cone_coulomb_pair names a <pair> that is corrected for sliding
+// (contact/cone.h). Every other name that contains rotorub_ is refused. Lengths, mu and eps are
+// those of the scene file's [contact]. The ring's axis is the z axis of its geom; the rotor is at
+// the centre of its geom.
 #pragma once
 
 #include <mujoco/mujoco.h>
@@ -25,15 +31,15 @@
 
 namespace rotorub::plugin {
 
-// Fills own, pairs, memory and memory_size, and the contact of the config with the first pair.
-// Throws ConfigError.
+// Fills own, pairs, corrected_pairs, memory and memory_size, and the contact of the config from the
+// first pair. Throws ConfigError.
 void map_own_contacts(const mjModel* m, Config& config);
 
-// ContactPair::read of now: what a contact takes from them, or was held against, changes with
-// them.
+// The present values for ContactPair::read. If they change, so do the numbers that a contact takes
+// from them or was checked against.
 std::array<mjtNum, 8> own_numbers(const mjModel* m, const ContactPair& pair);
-// Whether rotors and rings of m, of the config's fingerprint, move along their axes as in the
-// config.
+// True if the rotors and rings of m move along their axes as in the config. m must have the
+// config's fingerprint.
 bool same_motion(const Config& config, const mjModel* m);
 
 }  // namespace rotorub::plugin

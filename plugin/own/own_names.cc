@@ -22,7 +22,7 @@ bool is_number(const InstanceWord& word) {
   return std::find(kOwnNumbers.begin(), kOwnNumbers.end(), word.key) != kOwnNumbers.end();
 }
 
-// As many numbers as the text says.
+// The numbers in the text of a word.
 OwnNumber parse(const InstanceWord& word) {
   OwnNumber number;
   const int most = std::string_view(names::kOwnFriction) == word.key ? 4 : 1;
@@ -41,7 +41,7 @@ OwnNumber parse(const InstanceWord& word) {
                                most == 1 ? "a number" : "one number or four"));
 }
 
-// Calls action(name) for each name of ours.
+// Calls action(name) for each text, action(name, value) for each numeric of the plugin.
 template <typename Action>
 void for_each_text(const mjModel* m, Action action) {
   for (int i = 0; i < m->ntext; ++i) {
@@ -63,7 +63,7 @@ void for_each_number(const mjModel* m, Action action) {
   }
 }
 
-// Whether `name` is `key` between a prefix and a suffix, which are then in `pair`.
+// True if `name` is `key` between a prefix and a suffix, which are then written to `pair`.
 bool is_key(const std::string& name, std::string_view key, PairName& pair) {
   const std::size_t at = name.find(names::kOwnMark);
   if (name.compare(at, key.size(), key) != 0) return false;
@@ -85,7 +85,7 @@ std::string element_of(const mjModel* m, const char* kind, const std::string& na
   return element.empty() ? message("<custom><{} name=\"{}\">", kind, name) : element;
 }
 
-// Nothing of ours may be misspelt: it would count as not given.
+// Refuses unknown names, because a misspelt name would otherwise count as not given.
 void check(const mjModel* m, const std::string& name, std::span<const char* const> keys,
            const char* kind, const std::vector<PairName>& pairs) {
   for (const char* key : keys) {
@@ -111,7 +111,7 @@ void check_names(const mjModel* m, const std::vector<PairName>& pairs, Refusals&
                "a scene stands alone, with its own names; accepted in an attached model: geoms and "
                "numbers (plugin/README.md, a model of your own)");
       }
-      if (is_key(name, names::kOwnConeCoulombPair, of)) return;  // of any ending
+      if (is_key(name, names::kOwnConeCoulombPair, of)) return;  // with any ending
       check(m, name, kOwnTexts, "text", pairs);
     });
   });
@@ -190,7 +190,7 @@ std::vector<PairName> own_pair_names(const mjModel* m, Refusals& refusals) {
   }
   check_names(m, pairs.empty() ? std::vector<PairName>{{}} : pairs, refusals);
   if (pairs.empty() && !names_corrected_pair(m))
-    pairs.emplace_back();  // other names of ours: its geoms are missing
+    pairs.emplace_back();  // there are other names; the geoms of their contact are missing
   return pairs;
 }
 

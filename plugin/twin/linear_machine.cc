@@ -17,12 +17,12 @@ namespace {
 using Eigen::MatrixXd;
 using Eigen::VectorXd;
 
-constexpr int kTurns = 4;        // angles of the rotor that means are of
+constexpr int kTurns = 4;        // number of rotor angles for the means
 constexpr double kNudge = 1e-5;  // m, rad
-constexpr double kSlow = 1.0;    // rad/s, where the rotor stands still
+constexpr double kSlow = 1.0;    // rad/s, speed instead of 0 if the rotor is at rest
 constexpr int kTorques = 9;
 
-// Means over a turn.
+// Means over a turn of the rotor.
 class Turned {
  public:
   Turned(const mjModel* m, int spin, Probe& probe)
@@ -45,7 +45,7 @@ class Turned {
     return probe_.force(v);
   }
 
-  // -df/dq and -df/dv, about velocities v.
+  // -df/dq and -df/dv at the velocities v.
   MatrixXd stiffness(const VectorXd& v) {
     MatrixXd k(nv_, nv_);
     for (int j = 0; j < nv_; ++j) {
@@ -69,7 +69,7 @@ class Turned {
   Probe& probe_;
 };
 
-// M, its mean and what turns in it.
+// Fills the mean of M and the parts of M that turn with the rotor.
 void fill_mass(const Turned& turned, Probe& probe, LinearMachine& machine) {
   std::array<MatrixXd, kTurns> at;
   const auto nv = turned.turn(0).size();
@@ -81,12 +81,12 @@ void fill_mass(const Turned& turned, Probe& probe, LinearMachine& machine) {
   }
   machine.mass = sum / turned.turns();
   if (turned.turns() == 1) return;
-  // Each row and column in its own unit.
+  // Each row and column in units of its diagonal.
   const VectorXd scale = machine.mass.diagonal().cwiseSqrt().cwiseInverse();
   const MatrixXd even = 0.25 * (at[0] + at[2] - at[1] - at[3]);
   machine.uneven_inertia = (scale.asDiagonal() * even * scale.asDiagonal()).cwiseAbs().maxCoeff();
-  // A hinge against z sees b turn backward and its column with the other sign: that of the quarter
-  // turn is the same.
+  // With a hinge whose axis is against z, b turns backwards and its column has the other sign, so
+  // that b at the quarter turn is unchanged.
   const int spin = machine.spin.dof;
   machine.unbalance[0] = 0.5 * machine.spin.sense * (at[0] - at[2]).col(spin);
   machine.unbalance[1] = 0.5 * (at[1] - at[3]).col(spin);
@@ -115,7 +115,7 @@ void fill_forces(const mjModel* m, const mjData* start, Turned& turned, LinearMa
   }
 }
 
-// The ring's drag at the fastest that it may come to: its own speed, or what the rotor makes of it.
+// The ring's drag at the greatest speed that it may reach: its own speed, or the rotor's.
 void fill_ring_drag(const mjData* start, Turned& turned, const LinearMachine& machine,
                     LinearContact& contact) {
   const int turn = contact.ring_turn.dof;
@@ -127,7 +127,8 @@ void fill_ring_drag(const mjData* start, Turned& turned, const LinearMachine& ma
   contact.bent_drag = std::abs(torque + machine.damping(turn, turn) * speed);
 }
 
-// How much a deflection of one clearance at a contact changes what is held constant.
+// How much a deflection of one clearance at a contact changes the quantities that are held
+// constant.
 void fill_bent(const ContactPair& pair, const LinearContact& contact, Turned& turned, Probe& probe,
                LinearMachine& machine) {
   const double clearance = pair.contact.clearance;

@@ -23,14 +23,16 @@ namespace {
 using Eigen::MatrixXd;
 using Eigen::VectorXd;
 
-constexpr double kNegligible = 1e-9;  // share of a whole, of what differences leave
+// relative size below which a part is the error of differences
+constexpr double kNegligible = 1e-9;
 constexpr double kFree =
-    1e-6;  // (rad/s)^2 and rad/s^2 of what turns freely, of what differences leave
+    // (rad/s)^2 and rad/s^2, error of differences for parts that turn freely.
+    1e-6;
 constexpr double kNoUnbalance = 1e-12;  // kg m
 
 std::vector<double> list(const VectorXd& v) { return {v.data(), v.data() + v.size()}; }
 
-// A nudge's round-off is no torque.
+// True if the part is only the round-off of differences.
 bool is_none(double part, double whole) { return std::abs(part) <= kNegligible * std::abs(whole); }
 
 class Maker {
@@ -83,9 +85,9 @@ class Maker {
     return l;
   }
 
-  // Modes, their dampers, constant loads and coordinates. Their zero is where the centres of the
-  // first contact meet: a pose with the rotor beside it is a deflection that the springs do not
-  // feel.
+  // Fills modes, their dampers, constant loads and coordinates of one plane. Their zero is where
+  // the centres of the first contact coincide. If the rotor is beside the ring's centre at qpos0,
+  // this is a deflection that the springs do not feel.
   void fill_plane(const TwinPlane& plane, int at, int row, PlaneModes& modes, VectorXd& load) {
     modes = {plane.mass, plane.stiffness, VectorXd::Zero(n_)};
     const MatrixXd d =
@@ -107,7 +109,7 @@ class Maker {
     twin_.offset.segment(at, n_) = offset;
   }
 
-  // Damping that couples modes, as dashpots of rank one.
+  // Adds damping that couples modes, as dashpots of rank one.
   void add_dampers(const MatrixXd& damping, int row) {
     const std::optional<SymmetricModes> parts = symmetric_modes(damping);
     if (!parts) throw ConfigError("rotorub: damping: its dashpots are not found, for a twin");
@@ -168,7 +170,7 @@ class Maker {
       weight[k] = machine_.force[dof] / a / ring.mass[k];
       twin_.coordinates(at + k, dof) = a;
     }
-    // The scene has one gravity, which here acts on rings alone.
+    // The scene has one gravity, which acts on rings alone here.
     std::optional<scene::Gravity>& gravity = twin_.scene.gravity;
     if (!gravity) gravity.emplace().acceleration = weight;
     if ((gravity->acceleration - weight).norm() <= kNegligible * weight.norm()) return;
@@ -185,7 +187,7 @@ class Maker {
            "turns the " + body + " against a spring, for a twin; accepted: stiffness=\"0\"");
   }
 
-  // J Omega_r' = -c Omega_r and the contact's torque, nothing else (scene::RingSpin).
+  // J Omega_r' = -c Omega_r + the contact's torque, and nothing else (scene::RingSpin).
   void fill_ring_turn(std::size_t contact, int at) {
     const auto& [turn, sense] = machine_.contacts[contact].ring_turn;
     refuse_spring(turn, "ring");
@@ -220,12 +222,14 @@ class Maker {
     fill_drive(twin_.scene.drive.emplace());
   }
 
-  // An unbalance of phase 0 has b = -X sin phi in x and Y cos phi in y (model/equations.h), one
-  // that leads it by a quarter turn the other two of the four that two angles give:
+  // An unbalance of phase 0 has b = -X sin phi in x and b = Y cos phi in y (model/equations.h). One
+  // that leads it by a quarter turn has the other two of the four vectors that the two angles
+  // supply:
   //
   //   x + i x':  -b(90 degrees) - i b(0),      y + i y':  b(0) - i b(90 degrees)
   //
-  // of each mode. Turned by the phase that most of it has they are real where one is enough.
+  // for each mode. Turned by the phase of the largest part, they are real if one unbalance is
+  // sufficient.
   void fill_unbalance() {
     const VectorXd* b = machine_.unbalance;
     const auto part = [](const TwinPlane& plane, const VectorXd& of) -> VectorXd {
@@ -248,7 +252,7 @@ class Maker {
     }
   }
 
-  // T(Omega): linear where it is, else a table.
+  // Fills T(Omega): linear if it is, else a table.
   void fill_drive(scene::Drive& drive) const {
     const std::vector<double>& torque = machine_.torque;
     const double sense = machine_.spin.sense,
@@ -281,7 +285,7 @@ class Maker {
     scene::Scene& scene = twin_.scene;
     scene.run.step = m_->opt.timestep;
     scene.mujoco.contact = config_.contact;
-    // The lists are what pictures and pages know of a rotor.
+    // Pictures and pages read these lists.
     scene::RotorModal& modal = scene.rotor.modal.emplace();
     modal.mass = list(rotor_.x.mass);
     modal.mass_y = list(rotor_.y.mass);

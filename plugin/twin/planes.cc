@@ -17,13 +17,13 @@ namespace {
 using Eigen::MatrixXd;
 using Eigen::VectorXd;
 
-constexpr double kNone = 1e-8;  // share of the larger, of what differences leave
+constexpr double kNone = 1e-8;  // relative size below which an entry is the error of differences
 
 bool is_in(const std::vector<int>& list, int dof) {
   return std::find(list.begin(), list.end(), dof) != list.end();
 }
 
-// Which degrees of freedom act on each other, each pair in units of its own diagonal.
+// Which degrees of freedom are coupled. Each pair is compared in units of its own diagonal.
 class Links {
  public:
   explicit Links(const LinearMachine& machine) {
@@ -35,7 +35,8 @@ class Links {
   }
   bool linked(int a, int b) const { return linked_(a, b) > 0.0; }
 
-  // All that hang together with `first`, `first` included.
+  // All degrees of freedom that are coupled to `first`, directly or through others, including
+  // `first`.
   std::vector<int> group(int first, const std::vector<int>& among) const {
     std::vector<int> all{first};
     for (std::size_t k = 0; k < all.size(); ++k) {
@@ -113,7 +114,7 @@ std::vector<int> ring_dofs(const mjModel* m, const LinearMachine& machine,
   return ring;
 }
 
-// What turns the rotor acts on nothing else at rest,
+// Refuses a joint that turns the rotor and is coupled to another joint at rest.
 void refuse_linked_spin(const mjModel* m, int spin, const Links& links,
                         const std::vector<int>& others) {
   for (const int i : others) {
@@ -124,7 +125,8 @@ void refuse_linked_spin(const mjModel* m, int spin, const Links& links,
   }
 }
 
-// nor what turns a ring, and a ring that turns moves too (scene::Stator).
+// Refuses a joint that turns a ring and is coupled to another joint, or whose ring does not move
+// (scene::Stator).
 void refuse_linked_turn(const mjModel* m, int turn, const Links& links,
                         const std::vector<int>& ring) {
   if (turn < 0) return;
@@ -150,7 +152,7 @@ TwinPlane modes_of(std::vector<int> dofs, const LinearMachine& machine, int row)
   const MatrixXd even = 0.5 * (k + k.transpose());
   const std::optional<SymmetricModes> modes = symmetric_modes(even, mass);
   if (!modes) throw ConfigError("rotorub: the modes of its rotor are not found, for a twin");
-  plane.shapes = modes->vectors;  // of modal mass 1
+  plane.shapes = modes->vectors;  // with modal masses of 1
   for (const LinearContact& contact : machine.contacts) {
     plane.contacts.push_back(plane.shapes.transpose() * contact.rotor.row(row)(dofs).transpose());
   }
@@ -173,7 +175,7 @@ TwinPlane modes_of(std::vector<int> dofs, const LinearMachine& machine, int row)
   return plane;
 }
 
-// Modes that stand still, so that both planes have as many.
+// Adds modes without motion, so that both planes have the same number.
 void pad(TwinPlane& plane, Eigen::Index modes) {
   const Eigen::Index had = plane.mass.size(), more = modes - had;
   if (more <= 0) return;
@@ -227,7 +229,7 @@ TwinPlanes part_planes(const mjModel* m, const LinearMachine& machine) {
     std::vector<int>& to = joint[0] >= 0 ? of[0] : joint[1] >= 0 ? of[1] : rest;
     to.insert(to.end(), group.begin(), group.end());
   }
-  // What gyroscopics alone tie to a plane belongs to the other one.
+  // A degree of freedom that only gyroscopics couple to a plane belongs to the other plane.
   const double largest = machine.gyroscopic.cwiseAbs().maxCoeff();
   for (bool found = true; found;) {
     found = false;

@@ -1,5 +1,5 @@
-// The two bending planes of a linear machine: which degrees of freedom move with the contacts' x,
-// which with their y, and the undamped modes of each.
+// The two bending planes of a linear machine: the degrees of freedom that move the contacts in x
+// and those that move them in y, and the undamped modes of each plane.
 #pragma once
 
 #include <Eigen/Core>
@@ -9,26 +9,28 @@
 
 namespace rotorub::plugin {
 
-// One plane. Modes are scaled to 1 at the first contact (native_model/rotor/modal_rotor.h).
+// One plane. The modes are scaled to 1 at the first contact (native_model/rotor/modal_rotor.h).
 struct TwinPlane {
-  std::vector<int> dofs;      // of MuJoCo, n
+  std::vector<int> dofs;      // MuJoCo's degrees of freedom, n
   Eigen::MatrixXd shapes;     // n x modes: q = shapes eta
   Eigen::MatrixXd inverse;    // modes x n: eta = inverse q
-  Eigen::VectorXd mass;       // kg, modes
+  Eigen::VectorXd mass;       // kg, one for each mode
   Eigen::VectorXd stiffness;  // N/m
-  // Mode values at each contact; at the first 1, or 0 for a mode that does not move it.
+  // Mode values at each contact. At the first contact they are 1, or 0 for a mode that does not
+  // move it.
   std::vector<Eigen::VectorXd> contacts;
 };
 
 struct TwinPlanes {
   TwinPlane x, y;
-  std::vector<std::vector<int>> rings;  // of each contact the two that move its ring, or none
-  std::vector<int> ignored;  // those that move neither rotor nor rings, nor what moves them
+  std::vector<std::vector<int>> rings;  // for each contact: the two that move its ring, or none
+  // Degrees of freedom that neither move rotor or rings nor are coupled to those that do.
+  std::vector<int> ignored;
 };
 
-// Throws ConfigError naming the joint where the planes do not part: a joint that moves the rotor in
-// both, rotor and ring or two rings together, or a ring beside its two slides; a turning that acts
-// on another joint.
+// Throws ConfigError, with the name of the joint, if the planes cannot be separated: a joint moves
+// the rotor in both planes, a joint moves rotor and ring or two rings together, one joint alone or
+// more than two move a ring, or the turning of the rotor or a ring is coupled to another joint.
 TwinPlanes part_planes(const mjModel* m, const LinearMachine& machine);
 
 }  // namespace rotorub::plugin

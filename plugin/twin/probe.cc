@@ -80,12 +80,11 @@ namespace {
 using Eigen::MatrixXd;
 using Eigen::VectorXd;
 
-constexpr double kParallel = 1e-9;  // of directions, 1 or m
+constexpr double kParallel = 1e-9;  // tolerance of directions, 1 or m
 
 bool turns(const MatrixXd& jacobian, int dof) { return std::abs(jacobian(5, dof)) > kParallel; }
 
-// A hinge before a slide carries the slide's axis round with it: the machine is no linear one in
-// its coordinates.
+// A hinge before a slide turns the slide's axis. The machine is then not linear in its coordinates.
 void refuse_turned_axes(const mjModel* m, int dof, int geom, const std::string& body,
                         Probe& probe) {
   const MatrixXd before = probe.geom_jacobian(geom);

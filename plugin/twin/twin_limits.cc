@@ -8,8 +8,8 @@
 namespace rotorub::plugin {
 namespace {
 
-constexpr double kSaid = 1e-4;      // share from which on something is said
-constexpr double kNoTorque = 1e-9;  // N m, of round-off
+constexpr double kSaid = 1e-4;      // relative size above which an effect is reported
+constexpr double kNoTorque = 1e-9;  // N m, round-off
 
 std::string percent(double share) {
   char digits[32];
@@ -27,7 +27,7 @@ bool takes_part(int dof, const LinearMachine& machine, const TwinPlanes& planes)
   return dof == machine.spin.dof || in(planes.x.dofs) || in(planes.y.dofs);
 }
 
-// Constraints of MuJoCo's that a linear model has not.
+// Adds MuJoCo's constraints that a linear model does not have.
 void add_constraints(const mjModel* m, const LinearMachine& machine, const TwinPlanes& planes,
                      std::vector<std::string>& all) {
   for (int i = 0; i < m->nv; ++i) {

@@ -1,4 +1,4 @@
-// What a twin leaves out of a machine, in words with its size.
+// The effects that a twin leaves out of a machine, in words and with their sizes.
 #pragma once
 
 #include <string>
@@ -9,7 +9,7 @@
 
 namespace rotorub::plugin {
 
-// Sentences without a full stop; none for what the twin has.
+// Sentences without a full stop. Empty if the twin leaves nothing out.
 std::vector<std::string> twin_limits(const mjModel* m, const LinearMachine& machine,
                                      const TwinPlanes& planes);
 

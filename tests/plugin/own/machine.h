@@ -1,5 +1,5 @@
 // A machine as a user writes it: a disc of 2 kg on two slides and a hinge in a ring of 1 kg on two
-// slides, without springs; what a test adds is given as MJCF.
+// slides, without springs. The fields of Machine contain the MJCF that a test adds.
 #pragma once
 
 #include <string>
@@ -23,7 +23,7 @@ struct Machine {
 };
 
 inline std::string document(const Machine& x) {
-  // sqrt(K) h = 0.2; K and B of a restitution of 0.5, as bench_ring.xml has them.
+  // sqrt(K) h = 0.2; K and B for a restitution of 0.5, as in bench_ring.xml.
   const std::string pair =
       x.contact == "rigid"
           ? "margin=\"5e-6\" gap=\"1\""
@@ -90,7 +90,7 @@ inline std::string document(const Machine& x) {
 </mujoco>)";
 }
 
-// Constraints as stiff as MuJoCo has them.
+// Constraints as stiff as MuJoCo allows.
 inline const std::string kHard = " solimp=\"0.9999 0.9999 0.001\" ";
 
 inline std::string equality(const std::string& what) { return "<equality>" + what + "</equality>"; }
@@ -142,7 +142,7 @@ inline Machine rubbing_ring() {
   x.ring_joint = "frictionloss=\"50\" solimpfriction=\"0.9999 0.9999 0.001\"";
   return x;
 }
-// A part of 3 kg that lies against the ring's far side, 0.1 um deep.
+// A part of 3 kg touches the far side of the ring, 0.1 um deep.
 inline Machine loose_part() {
   Machine x;
   x.ring_geoms = R"(<geom name="cheek" type="sphere" size="0.01" pos="0.06 0 0"/>)";

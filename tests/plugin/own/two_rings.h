@@ -1,5 +1,4 @@
-// A rigid shaft of 2 kg, free to move, tilt and spin, in two rings 0.2 m apart, as a user writes
-// it.
+// A user's model of a rigid shaft of 2 kg, free to move, tilt and spin, in two rings 0.2 m apart.
 #pragma once
 
 #include <string>
@@ -13,7 +12,7 @@ struct TwoRings {
   int rings = 2;           // 1: one ring in the middle
   double ring_mass = 0.0;  // 0: fixed rings
   bool tilts = true;
-  std::string second = "_2";  // what the names of the second contact end with
+  std::string second = "_2";  // ending of the names of the second contact
   std::string custom = "", bodies = "", constraints = "", sensors = "";
   std::string userdata = "64";
 };
