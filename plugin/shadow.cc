@@ -223,6 +223,7 @@ double mark_of(const Model& model) {
   if (model.first().contact) add(&model.first().contact->clearance, 1);
   if (model.first().contact) add(&model.first().contact->friction.coefficient, 1);
   add(&model.first().force_limit, 1);
+  if (model.first().magnets) add(&model.first().magnets->current_limit, 1);
   return 1.0 + static_cast<double>(hash >> 12);
 }
 

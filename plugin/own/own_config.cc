@@ -91,7 +91,8 @@ void check_series(const mjModel* m, const PairName& name, Refusals& refusals) {
              message("missing, but {} is given; accepted: {}", first.of(key), accepted));
     });
   };
-  for (const char* key : {names::kOwnFriction, names::kOwnRestitution, names::kOwnTangential}) {
+  for (const char* key : {names::kOwnFriction, names::kOwnRestitution, names::kOwnTangential,
+                          names::kOwnFrictionReference}) {
     if (!own_number(m, name.of(key)) && own_number(m, first.of(key)))
       missing(key, "a number for each contact");
   }

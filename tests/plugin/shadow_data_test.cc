@@ -7,6 +7,7 @@
 
 #include "mjcf/names.h"
 #include "mjcf/writer.h"
+#include "native_model/prepare/prepare.h"
 #include "native_model/trajectory/trajectory.h"
 #include "plugin/make_config.h"
 #include "tests/plugin/shadow.h"
@@ -114,6 +115,13 @@ TEST_F(ShadowData, ANewStepStartsAnew) {
 TEST_F(ShadowData, AStepThatIsTooLargeIsRefusedByItsKey) {
   EXPECT_TRUE(contains(load_refusal(mjcf(shadowed("bench_ring", {"run.step=0.05"}))),
                        {"mujoco.shadow", "the limit of the stiffest bending mode", "run.step"}));
+}
+
+TEST(ShadowMark, ChangesWithTheCurrentLimitOfMagnets) {
+  Model m = prepare(shipped("paper_magnetic"));
+  const double before = plugin::mark_of(m);
+  m.first().magnets->current_limit *= 0.5;
+  EXPECT_NE(plugin::mark_of(m), before);
 }
 
 int warnings = 0;

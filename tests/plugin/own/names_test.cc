@@ -197,6 +197,12 @@ TEST_F(OwnUserData, OurBlockStandsWhereItIsTold) {
   EXPECT_EQ(run("<numeric name=\"rotorub_userdata\" data=\"30\"/>", 30, 64), first);
 }
 
+TEST_F(OwnUserData, AFurtherContactNeedsItsOwnFrictionReference) {
+  TwoRings x;
+  x.custom = "<numeric name=\"rotorub_friction_reference\" data=\"100\"/>";
+  expect_refused(document(x), "rotorub_friction_reference_2");
+}
+
 TEST_F(OwnUserData, AClashIsRefusedInTheSameStep) {
   const ModelPointer m = load(document(TwoRings{}));
   for (int at = 0; at < 34; ++at) {
