@@ -15,30 +15,34 @@
 namespace rotorub {
 namespace {
 
-constexpr int kMostTried = 3;       // contacts whose cases are all tried: it tells how many motions
-constexpr int kMostTriedBlind = 5;  // where no better guess leads to a solution
+// Up to so many contacts all cases are tried, which counts the motions.
+constexpr int kMostTried = 3;
+// Up to so many contacts all cases are tried if nothing else leads to a solution.
+constexpr int kMostTriedBlind = 5;
 constexpr int kSweeps = 2000;
-constexpr double kCaseRoundOff = 1e-11;  // of the rates and impulses in question
+constexpr double kCaseRoundOff = 1e-11;  // relative to the rates and impulses of the problem
 constexpr double kSingular = 1e-12;      // pivots below this share of the largest count as 0
-// Of the rates: motions that differ by less are one. Where contacts share their forces in more ways
-// than one, the stations of a symmetric shaft are alike to what its modes are worth.
+// Motions count as the same if their rates differ by less than this share of the rates. It is
+// coarse because symmetric contacts, which can share their forces in several ways, are equal only
+// to the accuracy of the shaft's modes.
 constexpr double kSameMotion = 1e-6;
-// Where contacts may share their impulses in more ways than one, each is softened by this share of
-// the largest of a: more than round-off of the rates against what tells motions apart. Where that
-// leads to no solution the others are tried in turn.
+// Small compliance of each contact, as a share of the largest element of a, for contacts that can
+// share their impulses in several ways. It must be larger than the round-off of the rates divided
+// by kSameMotion. by_rounds() tries all values in turn.
 constexpr double kGive = 1e-4;
 constexpr std::array kGives{kGive, 1e-8, 1e-2, 1e-6};
-constexpr int kMostRounds = 50;  // of cases that follow each other
+constexpr int kMostRounds = 50;  // rounds of cases that follow from each other
 
 enum class Bound { kLow, kHigh, kStick };
 struct Case {
-  bool at_least = true;  // L_N = n; else y_N = 0
+  bool at_least = true;  // L_N = n, otherwise y_N = 0
   Bound friction = Bound::kLow;
   bool operator==(const Case&) const = default;
 };
 using Cases = std::array<Case, kMaxContacts>;
 
-// Which cases differ at all: without friction there is no sticking, and what is open has none.
+// False if the case is excluded or duplicates another one: a pressed contact has no other normal
+// case, there is no sticking without friction, and an open contact has no friction.
 bool distinct(const Case& c, const ContactSet& set) {
   if (set.pressed && !c.at_least) return false;
   if (c.friction == Bound::kLow) return true;
@@ -57,11 +61,11 @@ class CoupledProblem {
 
   const ContactSet& set(int i) const { return sets_[static_cast<std::size_t>(i)]; }
   int size() const { return n_; }
-  double rate() const { return rate_; }  // m/s, what is there to be changed
+  double rate() const { return rate_; }  // m/s, size of the rates that the impulses change
 
-  // The cases of a solution with every contact that it leaves on its circle closed: where contacts
-  // share their forces in more ways than one, what is then found is the least of them, whatever the
-  // order of the contacts.
+  // The same cases, but with every contact closed that the solution leaves on its circle. If the
+  // contacts can share their forces in several ways, the solution of these cases is the smallest
+  // one, for any order of the contacts.
   Cases all_closed(const Cases& cases, const CoupledSolution& s) const {
     const double rates =
         kCaseRoundOff * (rate_ + s.p.cwiseAbs().maxCoeff() * a_.cwiseAbs().maxCoeff());
@@ -76,8 +80,8 @@ class CoupledProblem {
     return closed;
   }
 
-  // Those that p would have next (the projections on the sets, p - y by the contact's own
-  // mobility).
+  // The cases that follow from p: those of the projections of p - y / (mobility of the contact
+  // itself) onto the sets.
   Cases cases_of(const ContactVector& p) const {
     const ContactVector y = a_ * p + b_;
     const auto next = [&](Eigen::Index row) {
@@ -96,7 +100,7 @@ class CoupledProblem {
     return cases;
   }
 
-  // The impulses of these cases; false where they are not in the sets.
+  // Finds the impulses of these cases; false if they are not in the sets.
   bool meets(const Cases& cases, CoupledSolution& out) const {
     out.p = impulses(cases);
     if (!out.p.allFinite()) return false;
@@ -143,7 +147,7 @@ class CoupledProblem {
       if (c.at_least ? gap_rate < -rates : std::abs(gap_rate) > rates) return false;
       if (normal < set.least_normal - impulses) return false;
       normal = std::max(normal, set.least_normal);
-      gap_rate = c.at_least ? std::max(gap_rate, 0.0) : 0.0;  // not round-off
+      gap_rate = c.at_least ? std::max(gap_rate, 0.0) : 0.0;  // removes round-off
     }
     const double low = set.low(normal), high = set.high(normal);
     const bool one_bound = high - low <= impulses;
@@ -167,7 +171,7 @@ class CoupledProblem {
   const ContactVector& b_;
   std::span<const ContactSet> sets_;
   int n_;
-  double rate_ = 0.0, impulse_ = 0.0;  // sizes in question
+  double rate_ = 0.0, impulse_ = 0.0;  // typical sizes
 };
 
 // Calls action(cases) for each combination.
@@ -187,7 +191,7 @@ void for_each_combination(const CoupledProblem& problem, Cases& cases, int from,
   }
 }
 
-// of: the cases of the solution.
+// of: receives the cases of the solution.
 CoupledSolution by_cases(const CoupledProblem& problem, Cases& of) {
   CoupledSolution best, tried;
   const auto action = [&](const Cases& cases) {
@@ -207,15 +211,16 @@ CoupledSolution by_cases(const CoupledProblem& problem, Cases& of) {
   return best;
 }
 
-// Contacts that all give a little share their impulses in one way only.
+// Contacts that all have a small compliance share their impulses in one way only.
 ContactMatrix softened(const ContactMatrix& a, double give) {
   ContactMatrix soft = a;
   soft.diagonal().array() += give * a.cwiseAbs().maxCoeff();
   return soft;
 }
 
-// Where bodies share impulses in more ways than one, and friction makes several motions of them:
-// the one that contacts have which give alike. `several`: those that are there.
+// For bodies that can share impulses in several ways, where friction leads to several motions:
+// selects the motion of contacts with equal small compliance. several: the result without
+// compliance, returned if this fails.
 CoupledSolution shared_alike(const ContactMatrix& a, const ContactVector& b,
                              std::span<const ContactSet> sets, const CoupledProblem& problem,
                              const CoupledSolution& several) {
@@ -228,8 +233,9 @@ CoupledSolution shared_alike(const ContactMatrix& a, const ContactVector& b,
   return shared;
 }
 
-// The cases of contacts that give a little, each round's from the impulses of the last, until they
-// no longer change: what is then found is exact, and the same in any order.
+// Finds the cases of contacts with a small compliance: each round takes the cases that follow from
+// the last impulses, until they no longer change. The impulses of these cases are then exact, and
+// independent of the order of the contacts.
 CoupledSolution by_rounds(const ContactMatrix& a, const ContactVector& b,
                           std::span<const ContactSet> sets, const CoupledProblem& problem) {
   CoupledSolution out;
@@ -249,8 +255,8 @@ CoupledSolution by_rounds(const ContactMatrix& a, const ContactVector& b,
   return {};
 }
 
-// Each contact by itself, in turn, until their cases fit together (projected Gauss-Seidel): what is
-// then found is exact.
+// Solves each contact by itself, in turn, until the cases of all fit together (projected
+// Gauss-Seidel). The impulses of these cases are then exact.
 CoupledSolution by_sweeps(const ContactMatrix& a, const ContactVector& b,
                           std::span<const ContactSet> sets, const CoupledProblem& problem) {
   const int n = problem.size();
@@ -277,7 +283,7 @@ CoupledSolution by_sweeps(const ContactMatrix& a, const ContactVector& b,
     }
     const bool known = k > 0 && found == cases;
     cases = found;
-    if (known && k % 8 != 0) continue;  // the same cases were no solution
+    if (known && k % 8 != 0) continue;  // these cases were not a solution
     if (problem.meets(cases, out)) {
       CoupledSolution shared;
       if (problem.meets(problem.all_closed(cases, out), shared) &&
@@ -291,7 +297,7 @@ CoupledSolution by_sweeps(const ContactMatrix& a, const ContactVector& b,
   return {};
 }
 
-// More contacts than kMostTried.
+// For more contacts than kMostTried.
 CoupledSolution solve_many(const ContactMatrix& a, const ContactVector& b,
                            std::span<const ContactSet> sets) {
   const CoupledProblem problem(a, b, sets);
@@ -302,8 +308,8 @@ CoupledSolution solve_many(const ContactMatrix& a, const ContactVector& b,
   return by_cases(problem, of);
 }
 
-// The contacts by what they are, so that the same list in another order has the same solution even
-// where there are several.
+// Sorts the contacts by their properties, so that a list in another order has the same solution
+// even if there are several.
 using Order = std::array<Eigen::Index, kMaxContacts>;
 Order order_of(const ContactMatrix& a, const ContactVector& b, std::span<const ContactSet> sets) {
   Order order{};
@@ -333,7 +339,8 @@ bool moves_both_ways(const ContactMatrix& a) {
   return a(0, 0) * a(1, 1) - a(0, 1) * a(1, 0) > kSingular * a(0, 0) * a(1, 1);
 }
 
-// One contact with Coulomb's set that can move both ways: planar_contact.h has it in closed form.
+// True for one contact with Coulomb's set that can move in both directions; planar_contact.h solves
+// it in closed form.
 bool is_plain(const ContactMatrix& a, std::span<const ContactSet> sets) {
   return sets.size() == 1 && sets[0].least_normal == 0.0 && sets[0].side == 0.0 &&
          sets[0].slides == 0.0 && !sets[0].pressed && moves_both_ways(a);
@@ -352,7 +359,7 @@ CoupledSolution one_plain(const ContactMatrix& a, const ContactVector& b, const 
   return s;
 }
 
-// The slip of contact i in a vector of all contacts; in two directions its size.
+// The slip of contact i in a vector of all contacts; with two tangential directions, its magnitude.
 struct SlipOf {
   Eigen::Index size;
   std::size_t contacts;
@@ -363,8 +370,9 @@ struct SlipOf {
   }
 };
 
-// The expansion after `compressed` (0: Coulomb's law alone), with the mu of each contact improved
-// until it fits the slips: improve(friction, normal, impulse along the slip, slip, mobility).
+// The expansion after `compressed` (0: Coulomb's law alone). The mu of each contact is improved
+// until it fits the slips: improve(friction, normal impulse, impulse along the slip, slip,
+// mobility).
 template <typename Friction, typename Improve>
 CoupledSolution solve_with_friction(const ContactMatrix& a, const ContactVector& b,
                                     std::span<const ImpactLaw> laws,

@@ -19,7 +19,7 @@ double slip_of(const LastingContact& c, const Eigen::Vector3d& rates) {
   return rates_along(c.e_r, c.radius, rates).y();
 }
 
-// Before the step; round-off of the surface's speed counts as 0.
+// Slip before the step; round-off of the surface speed counts as 0.
 double slip_before(const LastingContact& c) {
   const double slip = slip_of(c, c.start);
   return std::abs(slip) <= kNoSlip * c.radius * std::abs(c.start.z()) ? 0.0 : slip;
@@ -56,13 +56,13 @@ class OneOnCircle {
     double normal = 0.0, friction = 0.0;
     double slip = 0.0;  // at the end
   };
-  // T = ratio N.
+  // Sliding with T = ratio N.
   Candidate slide(double ratio) const {
     const Eigen::Vector3d g = along_normal_ + ratio * along_friction_;
     const double normal = reach_circle(end_, h_ * g.head<2>(), c_.clearance);
     return {normal > 0.0, normal, ratio * normal, slip_of(c_, c_.free + normal * g)};
   }
-  // Sliding to this side throughout, with the mu of the middle.
+  // Sliding in one direction throughout, with mu at the slip of the middle.
   Candidate slide_on(double sign, double before) const {
     SlipFriction friction(c_.friction, before);
     for (;;) {
@@ -70,7 +70,7 @@ class OneOnCircle {
       if (!c.holds || !friction.improve(0.5 * (before + c.slip))) return c;
     }
   }
-  // A slip of 0 at the end: T = T_0 + T_1 N.
+  // Slip 0 at the end: T = T_0 + T_1 N.
   Candidate stick() const {
     const double compliance = slip_of(c_, along_friction_);
     const double constant = -slip_of(c_, c_.free) / compliance;
@@ -87,7 +87,7 @@ class OneOnCircle {
     return c.holds;
   }
 
-  // False: no point of the circle is in reach.
+  // Returns false if no point of the circle is in reach.
   bool unique() const {
     const double before = slip_before(c_), mu = c_.friction.sticking();
     const Candidate rest = stick();
@@ -100,7 +100,8 @@ class OneOnCircle {
     const Candidate through = slide_on(sign, before);
     if (!through.holds || through.slip * sign > 0.0) return take(sign, through);
     if (!rest.holds) return false;
-    // Friction brakes until the slip is 0; the force that then holds it there, over a whole step.
+    // Friction brakes until the slip is 0. `hold` is the force that then keeps it at 0, as an
+    // impulse over a whole step.
     const double share = before / (before - through.slip);
     const double hold = (rest.friction + share * sign * mu * rest.normal) / (1.0 - share);
     if (share >= 1.0 || hold * sign <= mu * rest.normal) return take(0.0, rest);
@@ -116,9 +117,10 @@ class OneOnCircle {
 // ------------------------------------------------------------------ several contacts
 constexpr std::size_t kMostRows = 2 * static_cast<std::size_t>(kMaxContacts);
 
-// x of the n equations a x = b, by elimination with pivots; false where a is singular.
+// Solves the n equations a x = b by elimination with pivoting; x replaces b. False if a is
+// singular.
 bool eliminate(std::size_t n, double (&a)[kMostRows][kMostRows], double (&b)[kMostRows]) {
-  constexpr double kLeastPivot = 1e-12;  // of the largest
+  constexpr double kLeastPivot = 1e-12;  // relative to the largest element
   double largest = 0.0;
   for (std::size_t i = 0; i < n; ++i) {
     for (std::size_t j = 0; j < n; ++j) largest = std::max(largest, std::abs(a[i][j]));
@@ -164,7 +166,7 @@ class SeveralOnCircles {
   Status solve();
 
  private:
-  // How the friction of a contact is found: by the slip (Coulomb's set), or in a ratio to the
+  // How the friction of a contact is found: from the slip (Coulomb's set), or as a ratio to the
   // normal impulse.
   struct Friction {
     double bound = 0.0;  // mu
@@ -176,13 +178,14 @@ class SeveralOnCircles {
 
   double h_;
   std::span<LastingContact> c_;
-  // Element [i][j]: the rates of contact i by unit impulse j (normal and friction of each in turn).
+  // Element [i][j]: the rates of contact i per unit of impulse j (normal and friction of each
+  // contact in turn).
   std::array<std::array<Eigen::Vector3d, kMostRows>, kMaxContacts> effect_;
 };
 
-// Whether each contact slides on to the side to which it slid, with a constant mu, or goes on
-// sticking. The unknowns are the normal impulses, and the friction of those that stick. Where that
-// does not hold, or has no single solution, nothing is taken.
+// Tries whether each contact slides on in the same direction, with a constant mu, or continues to
+// stick. The unknowns are the normal impulses and the friction impulses of sticking contacts. If
+// this does not hold or has no unique solution, it returns false and changes nothing.
 bool SeveralOnCircles::go_on_as_before() {
   const std::size_t n = c_.size();
   struct Unknown {
@@ -198,7 +201,7 @@ bool SeveralOnCircles::go_on_as_before() {
     unknown[count++] = {i, false};
     if (c.slip_sign == 0.0) unknown[count++] = {i, true};
   }
-  // Element [i][u]: the rates of contact i by a unit of unknown u.
+  // Element [i][u]: the rates of contact i per unit of unknown u.
   std::array<std::array<Eigen::Vector3d, kMostRows>, kMaxContacts> by;
   for (std::size_t u = 0; u < count; ++u) {
     const std::size_t j = unknown[u].contact;
@@ -212,9 +215,9 @@ bool SeveralOnCircles::go_on_as_before() {
   double p[kMostRows] = {}, matrix[kMostRows][kMostRows], rest[kMostRows];
   std::array<Eigen::Vector3d, kMaxContacts> rates;
   constexpr int kRounds = 8;
-  // Shares of the largest impulse. After a change of kDone the next one would be of its square,
-  // below round-off. After kNear a round that brings no more is round-off, which gaps divided by a
-  // small h have much of.
+  // Relative to the largest impulse. After a change of kDone the next change would be of the order
+  // of its square, below round-off. After a change of kNear, a round without further progress shows
+  // only round-off, which is large in gaps divided by a small h.
   constexpr double kDone = 1e-8, kNear = 1e-6;
   double last = std::numeric_limits<double>::infinity();
   for (int round = 0;; ++round) {
@@ -271,8 +274,8 @@ bool SeveralOnCircles::go_on_as_before() {
   return true;
 }
 
-// The step impulses for which each ends on its circle: Newton's method, whose linear problem is the
-// law's.
+// The step impulses for which each centre ends on its circle, for the given friction: Newton's
+// method, whose linear problem is solve_coupled().
 CoupledSolution SeveralOnCircles::solve_with(std::span<const Friction> friction) const {
   const auto n = static_cast<Eigen::Index>(c_.size());
   std::array<ContactSet, kMaxContacts> sets{};
@@ -348,7 +351,8 @@ Status SeveralOnCircles::solve() {
       const auto at = static_cast<Eigen::Index>(2 * i);
       const double sign = before[i] > 0.0 ? 1.0 : -1.0;
       if (!turns[i] && friction[i].given && s.y[at + 1] * sign <= 0.0 && s.p[at] > 0.0) {
-        // It would come to rest: does friction hold it?
+        // Under sliding friction the slip would reach 0. The next solution shows whether friction
+        // holds it there.
         turns[i] = true;
         until[i] = before[i] / (before[i] - s.y[at + 1]);  // share of the step
         friction[i].given = false;
