@@ -49,8 +49,8 @@ struct ConstrainedContact {
 };
 
 // Normal law with y_N >= 0 and Coulomb's law, (12)-(13); of `laws` only the friction counts. free:
-// y(0), with two or three numbers for each contact (coupled_law.h); expected: the matrix without
-// the constraints, for the size of the first trials.
+// y(0), with two or three numbers for each contact (coupled_problem.h); expected: the matrix
+// without the constraints, for the size of the first trials.
 ConstrainedContact solve_constrained(ContactResponse& response, const ContactVector& free,
                                      const ContactMatrix& expected,
                                      std::span<const ImpactLaw> laws);

@@ -22,7 +22,7 @@
 
 #include <span>
 
-#include "native_model/contact/coupled_law.h"
+#include "native_model/contact/coupled_problem.h"
 #include "native_model/contact/single_disc.h"
 
 namespace rotorub {

@@ -13,7 +13,7 @@
 // point of the circle is in reach, (12), (13) with the linearised gap decide. Several contacts are
 // solved by Newton's method. The first attempt continues the state of the step before, in which
 // each contact slides or sticks. If it fails, the linear complementarity problem of all contacts is
-// solved (coupled_law.h).
+// solved (coupled_problem.h).
 #pragma once
 
 #include <Eigen/Core>
