@@ -17,9 +17,11 @@
 #pragma once
 
 #include <Eigen/Core>
+#include <cmath>
 #include <span>
 
 #include "native_model/contact/contact_parameters.h"
+#include "native_model/contact/kinematics.h"
 #include "native_model/numerics/status.h"
 
 namespace rotorub {
@@ -54,6 +56,17 @@ struct ContactAdmittance {
 
 // Slips below this share of the speed of the rotor's surface count as 0.
 inline constexpr double kNoSlip = 1e-10;
+
+// m/s, slip of a contact for the rates (ddot, contact spin).
+inline double slip_of(const LastingContact& c, const Eigen::Vector3d& rates) {
+  return rates_along(c.e_r, c.radius, rates).y();
+}
+
+// m/s, slip before the step; round-off of the surface speed counts as 0.
+inline double slip_before(const LastingContact& c) {
+  const double slip = slip_of(c, c.start);
+  return std::abs(slip) <= kNoSlip * c.radius * std::abs(c.start.z()) ? 0.0 : slip;
+}
 
 // h: s. A single contact must have a path that ends outside the circle. Returns kNoSolution and
 // kAmbiguous in Painleve's cases. With several contacts it returns kStepTooLarge if one whirls so
