@@ -126,7 +126,7 @@ class StepContacts {
   const double* end_without_impacts(const StepState& x) const {
     return impacted_ ? without_impacts_.data() : x.after.data();
   }
-  // Writes the results of the step.
+  // Writes the results of the step (contact_results.cc).
   void tell(FixedStep& out) const;
   // J, work of lasting contact on the coordinates, from the velocities x.start to the end without
   // impacts.
