@@ -90,6 +90,7 @@ class LoadKick {
   void weighed_free_velocity(StepState& x, double begin, double end, bool later);
   double noise(const StepState& x, const double* end) const;
   void find_round_off(double h);
+  // Magnetic bearings (sampled_bearings.cc).
   void find_samples(const StepState& x, double t, double begin);
   void add_samples(double* f) const;
   void find_working(const StepState& x, double begin, double end);
