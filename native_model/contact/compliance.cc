@@ -7,8 +7,8 @@ namespace rotorub {
 double CompliantLaw::rebound_of(double e) {
   assert(e >= 0.0 && e <= 1.0);
   if (e == 1.0) return 0.0;
-  // ln(1 + x) - ln(1 - e x) - x (1 + e) falls from 0, then rises without bound as x goes to 1/e:
-  // bisection to round-off.
+  // With x = a v, ln(1 + x) - ln(1 - e x) - x (1 + e) falls from 0 and then rises without bound as
+  // x approaches 1/e. Its root is found by bisection to round-off.
   const auto rises = [e](double x) {
     return std::log1p(x) - std::log1p(-e * x) - x * (1.0 + e) > 0.0;
   };

@@ -7,12 +7,13 @@ namespace rotorub {
 namespace {
 
 constexpr int kIterations = 40;
-constexpr int kUndamped = 8;        // of them; then a circle between two pieces is cut by halving
-constexpr double kLocal = 1e-4;     // share of the impulse that a later trial is off by
-constexpr double kRelative = 1e-9;  // of the rates that are to be changed
-constexpr double kFarOff = 1e-2;    // above this error, relative, new slopes are tried
+// Iterations with full steps. Half steps then end cycles between two pieces of the map.
+constexpr int kUndamped = 8;
+constexpr double kLocal = 1e-4;     // size of later trials, relative to the impulse
+constexpr double kRelative = 1e-9;  // tolerance, relative to the rates that are to be changed
+constexpr double kFarOff = 1e-2;    // relative error above which the slopes are found anew
 
-// Numbers of each contact in a vector.
+// How many numbers each contact has in a vector.
 Eigen::Index rows_of(const ContactVector& v, std::span<const ImpactLaw> laws) {
   return v.size() / static_cast<Eigen::Index>(laws.size());
 }
@@ -22,8 +23,9 @@ class Slopes {
   Slopes(const ContactMatrix& without, std::span<const ImpactLaw> laws)
       : expected(without), laws_(laws) {}
 
-  // dy/dp at p by trials. Of a passive system they are symmetric and positive but for round-off;
-  // what a constraint holds still moves by a little.
+  // Finds dy/dp at p by trials. The slopes of a passive system are symmetric and positive up to
+  // round-off, which is enforced here. A direction that a constraint holds keeps a small positive
+  // slope.
   void find(ContactResponse& response, const ContactVector& p, const ContactVector& y,
             double size) {
     const Eigen::Index n = p.size(), rows = rows_of(p, laws_);
@@ -60,14 +62,14 @@ class Slopes {
   bool known_ = false;
 };
 
-// The largest normal impulse of `a` beyond that of `b`.
+// The largest difference between the normal impulses of `a` and `b`.
 double normal_beyond(const ContactVector& a, const ContactVector& b, Eigen::Index rows) {
   double most = 0.0;
   for (Eigen::Index k = 0; k < a.size(); k += rows) most = std::max(most, std::abs(a[k] - b[k]));
   return most;
 }
 
-// From p, y(p) on. law(a, b): the laws' answer to a line y = a p + b.
+// Newton's iteration from p and y(p). law(a, b) solves the laws for the line y = a p + b.
 template <typename Law>
 ConstrainedContact iterate(ContactResponse& response, ContactVector p, ContactVector y,
                            Eigen::Index rows, Slopes& line, Law law) {
@@ -121,7 +123,7 @@ ConstrainedContact iterate(ContactResponse& response, ContactVector p, ContactVe
   return best;
 }
 
-// The constraints' response to impulses alone, from the rates before them.
+// The response of the constraints to impulses alone, added to the rates before them.
 class SuddenResponse final : public ContactResponse {
  public:
   SuddenResponse(ContactResponse& response, const ContactVector& before)
@@ -142,8 +144,7 @@ ConstrainedContact closed(ContactResponse& response, const ContactVector& free,
                  });
 }
 
-// False: the step leaves each gap as open as the impact did, or closes it by no more than
-// round-off.
+// True if the rest of the step closes a gap by more than round-off.
 bool closes_again(const ContactVector& y, const ContactVector& free, double accuracy,
                   Eigen::Index rows) {
   const double tolerance = kRelative * free.norm() + accuracy;
@@ -153,7 +154,7 @@ bool closes_again(const ContactVector& y, const ContactVector& free, double accu
   return false;
 }
 
-// The impact, and the contact that lasts over the rest of the step.
+// The impact, followed by the contact that lasts over the rest of the step.
 ConstrainedContact closed_again(ContactResponse& response, const ConstrainedContact& impact,
                                 const ContactMatrix& expected, std::span<const ImpactLaw> laws) {
   const auto beyond = [&](const ContactMatrix& a, const ContactVector& b) {
@@ -192,7 +193,7 @@ ConstrainedContact solve_constrained_impact(ContactResponse& response, const Con
   const auto expansion = [&](const ContactMatrix& a, const ContactVector& b) {
     CoupledSolution s = solve_expansion(a, b + a * c.p, laws, c.p);
     if (s.solutions == 1) s.p += c.p;
-    s.sticks = {};  // that of an impact is not given
+    s.sticks = {};  // an impact does not report sticking
     return s;
   };
   const Eigen::Index rows = rows_of(free, laws);

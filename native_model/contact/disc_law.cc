@@ -7,9 +7,9 @@ namespace rotorub {
 namespace {
 
 constexpr int kDiscSweeps = 4000;
-constexpr int kPolished = 8;        // sweeps between two trials of the linear system
-constexpr int kTurns = 20;          // of the slips' directions in it
-constexpr double kSettled = 1e-13;  // of the rates in question: what a sweep may change at the end
+constexpr int kPolished = 8;        // number of sweeps between two trials of the linear system
+constexpr int kTurns = 20;          // number of updates of the slips' directions in it
+constexpr double kSettled = 1e-13;  // largest change in the last sweep, relative to the rates
 using DiscCases = std::array<DiscCase, kMaxContacts>;
 
 class DiscSystem {
@@ -45,8 +45,8 @@ class DiscSystem {
            std::max(p.cwiseAbs().maxCoeff(), impulse_) * a_.cwiseAbs().maxCoeff();
   }
 
-  // Each contact by itself with the impulses of the others. The largest change of a rate; < 0: one
-  // has no solution.
+  // Solves each contact by itself with the impulses of the others. Returns the largest change of a
+  // rate, or a negative number if a contact has no solution.
   double sweep(ContactVector& p, DiscCases& cases) const {
     double change = 0.0;
     for (Eigen::Index i = 0; i < n_; ++i) {
@@ -64,7 +64,7 @@ class DiscSystem {
     return change;
   }
 
-  // What neither opens nor presses may have a share of what the others bear.
+  // A contact that neither opens nor presses may take a share of the load of the others.
   DiscCases touching(DiscCases cases, const ContactVector& p) const {
     const ContactVector y = a_ * p + b_;
     const double none = kSettled * scale(p);
@@ -77,8 +77,8 @@ class DiscSystem {
     return cases;
   }
 
-  // The impulses of these cases; the directions of what slides follow its slip. False: not of cases
-  // that are linear.
+  // Finds the impulses of these cases; the directions of sliding contacts follow their slips. False
+  // if a case is not linear or the impulses are not finite.
   bool polish(DiscCases& cases, ContactVector& p) const {
     for (int k = 0; k < kTurns; ++k) {
       CaseSystem system(3 * n_);
@@ -117,7 +117,7 @@ class DiscSystem {
     return true;
   }
 
-  // False: they are those of the slips already.
+  // Turns the directions of sliding contacts to their slips. False if they agree already.
   bool turn(DiscCases& cases, const ContactVector& y) const {
     bool turned = false;
     for (Eigen::Index i = 0; i < n_; ++i) {
@@ -139,7 +139,7 @@ class DiscSystem {
     for (Eigen::Index i = 0; i < n_; ++i) {
       const auto at = static_cast<std::size_t>(i);
       out.sticks[at] = cases[at].friction == DiscFriction::kStick;
-      out.y[3 * i] = cases[at].at_least ? std::max(0.0, out.y[3 * i]) : 0.0;  // not round-off
+      out.y[3 * i] = cases[at].at_least ? std::max(0.0, out.y[3 * i]) : 0.0;  // removes round-off
       if (out.sticks[at]) out.y.segment<2>(3 * i + 1).setZero();
     }
     return out;

@@ -1,17 +1,18 @@
-// The friction law of a contact, the only place that has it: one function of the slip v = gdot_T,
+// The friction law of a contact, implemented only here. The coefficient depends on the slip v =
+// gdot_T:
 //
 //   v != 0:  T = -mu(|v|) N sign(v),      v = 0:  |T| <= mu(0) N                     (13), (17)
 //   mu(v) = kinetic + (static - kinetic) exp(-(v / v_s)^2) + viscous v
 //
-// with v_s the Stribeck speed (Armstrong-Helouvry, Dupont and Canudas de Wit 1994); Coulomb's mu is
-// kinetic alone. Whoever needs the law asks for mu at the slip that is at hand:
-// - forces at one instant (event, accelerations in MuJoCo): at the slip of that instant;
-// - a phase of an impact: at the slips that it runs through (impact_friction.h);
-// - a step of first order: at the slip with which it ends, as the set that is solved has it; of
-//   second order: at the slip of its middle, the mean of its begin and its end; of both, which
-//   depend on mu themselves, SlipFriction finds it;
-// - where only one number for all slips is of use (MuJoCo's cone, closed forms): constant(), which
-//   refuses a law that is none.
+// with the Stribeck speed v_s (Armstrong-Helouvry, Dupont and Canudas de Wit 1994). Coulomb's law
+// has the kinetic part only. Each user evaluates mu at a suitable slip:
+// - Forces at one instant (event, accelerations in MuJoCo) use the slip of that instant.
+// - A phase of an impact uses all slips that it runs through (impact_friction.h).
+// - A step of first order uses the slip at its end, like the set that is solved. A step of second
+//   order uses the slip at its middle, the mean of its start and its end. Both slips depend on mu,
+//   and SlipFriction finds a consistent pair.
+// - Methods that need one number for all slips (MuJoCo's cone, closed forms) call constant(), which
+//   rejects a law that depends on the slip.
 #pragma once
 
 #include <cmath>
@@ -31,9 +32,10 @@ struct FrictionLaw {
   FrictionLaw(double mu) : coefficient(mu) {}  // NOLINT: a number is Coulomb's law
   bool operator==(const FrictionLaw&) const = default;
 
-  // mu at a slip (m/s) of either sign.
+  // mu for a slip (m/s) of either sign.
   double at(double slip) const { return along(std::abs(slip)); }
-  // The same of a speed along the sliding, smooth through 0: a step may look beyond its end.
+  // mu for a speed (m/s) along the sliding direction. It is smooth through 0, because a step may
+  // evaluate it beyond its end.
   double along(double speed) const {
     if (is_constant()) return coefficient;
     return coefficient + excess * fading(speed) + viscous * speed;
@@ -43,13 +45,13 @@ struct FrictionLaw {
     const double v = std::abs(slip);
     return viscous - 2.0 * v / (stribeck_speed * stribeck_speed) * excess * fading(v);
   }
-  // mu(0), which bounds sticking.
+  // mu(0), the bound for sticking.
   double sticking() const { return coefficient + excess; }
-  // Of all slips up to this one no mu is greater.
+  // Upper bound of mu over all slips up to this one.
   double bound(double slip) const { return sticking() + viscous * std::abs(slip); }
   bool is_constant() const { return excess == 0.0 && viscous == 0.0; }
   bool none() const { return is_constant() && coefficient == 0.0; }
-  // mu for one who can have no other law.
+  // mu for a method that supports no other law; `who` names the method in the message.
   double constant(const std::string& who) const {
     if (is_constant()) return coefficient;
     throw std::invalid_argument("contact.friction: " + who +
@@ -63,25 +65,25 @@ struct FrictionLaw {
   }
 };
 
-// mu = mu(|v(mu)|), v(mu) the slip that a solution with mu leaves: solve with mu(), improve(),
-// until nothing is left to improve. More friction leaves less slip, so that
+// Solves mu = mu(|v(mu)|), where v(mu) is the slip of the solution with mu: solve with mu(), call
+// improve(), and repeat until it returns false. More friction leaves less slip, so the iteration
 //
 //   mu' = mu + (mu(|v|) - mu) / (1 + viscous |dv / dmu|)
 //
-// goes one way, from mu of the slip before to the first that solves it: the slip is the one that it
-// reaches first from where it begins. (Where friction falls steeply slower sliding and sticking may
-// be solutions too.) What sticks has dv / dmu = 0.
+// is monotone. It starts at mu of the slip before and converges to the first solution, whose slip
+// is the first that the contact reaches from there. (Where friction falls steeply, slower sliding
+// and sticking may be solutions too.) Sticking has dv / dmu = 0.
 class SlipFriction {
  public:
   SlipFriction() = default;
-  // before: m/s, the slip where the phase or the step begins.
+  // before: m/s, slip at the start of the phase or the step.
   SlipFriction(const FrictionLaw& law, double before) : law_(law), mu_(law.at(before)) {}
 
   double mu() const { return mu_; }
-  // By the slip (m/s) that mu() leads to, and |dv / dmu| of sliding. False: mu() is that of the
-  // slip.
+  // slip: m/s, result with mu(); loss: |dv / dmu| of sliding. Returns false if mu() agrees with the
+  // slip, or after kMostRounds.
   bool improve(double slip, double loss = 0.0) {
-    constexpr int kMostRounds = 10000;  // where two solutions are about to meet they come slowly
+    constexpr int kMostRounds = 10000;  // convergence is slow where two solutions nearly coincide
     constexpr double kSettled = 8.0 * std::numeric_limits<double>::epsilon();
     if (law_.is_constant() || ++rounds_ > kMostRounds) return false;
     const double swing = slip != 0.0 ? law_.viscous * loss : 0.0;

@@ -22,7 +22,7 @@ struct Expansion {
     return p.friction >= set.low(p.normal) && p.friction <= set.high(p.normal);
   }
 
-  // L_N = n given: the tangential set is monotone, so the case is decided by its ends.
+  // Solution with L_N = n. The tangential set is monotone, so its ends decide the case.
   Point at_least_normal() const {
     const double n = set.least_normal;
     const Point low{n, set.low(n)}, high{n, set.high(n)};
@@ -31,14 +31,15 @@ struct Expansion {
     return {n, -(a.tn * n + b_t) / a.tt};
   }
 
-  // gdot_NE = 0 with more than the least impulse. Returns how many cases hold, the first in p.
+  // Solution with gdot_NE = 0 and at least the least impulse. Returns the number of cases that
+  // hold; p is the first.
   int closed(Point& p) const {
     int count = 0;
     const auto take = [&](Point candidate) {
       if (candidate.normal < set.least_normal) return;
       if (count++ == 0) p = candidate;
     };
-    // On a bound L_T = c_0 + c_1 L_N.
+    // On a bound, L_T = c_0 + c_1 L_N.
     const auto along = [&](double c_0, double c_1, double sign) {
       const double carries = a.nn + a.nt * c_1;
       if (carries == 0.0) return;
@@ -56,7 +57,7 @@ struct Rows {
   Eigen::Vector3d normal, tangential;
 };
 
-// W_N and W_T in contact space, plus tau What of the velocity at the start of the phase.
+// W_N and W_T in contact space, plus tau What for the velocity at the start of the phase.
 Rows rows(const ImpactInput& in, const Eigen::Vector3d& velocity, double tau) {
   const Eigen::Vector2d& e = in.e_r;
   const Eigen::Vector2d t{-e.y(), e.x()};
@@ -68,16 +69,16 @@ Rows rows(const ImpactInput& in, const Eigen::Vector3d& velocity, double tau) {
   return r;
 }
 
-// One phase: velocities at its end y = matrix L + velocity. With a finite duration tau the matrix
-// and the velocity hold the terms of (16): C_N = (W_N + What_N tau)^T M^-1 and so on.
+// One phase: the rates at its end are y = matrix L + (gap_rate, slip). With a finite duration tau
+// the matrix and the rates contain the terms of (16): C_N = (W_N + What_N tau)^T M^-1 and so on.
 struct ImpactPhase {
   Delassus matrix;
   double gap_rate = 0.0;  // m/s, gdot_N at its end without impulse
   double slip = 0.0;      // m/s, gdot_T at its end without impulse
 };
 
-// The compression alone: fills the L_C and gdot_C. Each phase has the mu of the slips that it runs
-// through.
+// The compression alone: fills the L_C and gdot_C. mu is the mean over the slips of the phase
+// (impact_friction.h), as in expand().
 ImpactResult compress(const ImpactPhase& phase, const ImpactLaw& law) {
   ImpactResult r;
   const Delassus& a = phase.matrix;
@@ -94,7 +95,7 @@ ImpactResult compress(const ImpactPhase& phase, const ImpactLaw& law) {
   const PlanarImpulse l{c.normal, c.friction};
   r.gap_rate_compression = gap_rate_after(phase.matrix, phase.gap_rate, l);
   r.slip_compression = slip_after(phase.matrix, phase.slip, l);
-  // What the case says is zero is zero, not round-off.
+  // Rates that vanish in this case are exactly 0, without round-off.
   if (c.contact_case != ContactCase::kOpen) r.gap_rate_compression = 0.0;
   if (c.contact_case == ContactCase::kStick) r.slip_compression = 0.0;
   r.gap_rate = r.gap_rate_compression;
@@ -102,8 +103,8 @@ ImpactResult compress(const ImpactPhase& phase, const ImpactLaw& law) {
   return r;
 }
 
-// The expansion that follows r's compression; the phase's rates are those at the end of the
-// expansion without its impulses. Fills the rest.
+// The expansion after the compression in r; fills the rest of r. The rates of the phase are those
+// at the end of the expansion without its impulses.
 void expand(const ImpactPhase& phase, const ImpactLaw& law, double mu, ImpactResult& r) {
   if (r.status == Status::kNoSolution) return;
   const Expansion e{phase.matrix, phase.gap_rate, phase.slip,

@@ -1,5 +1,5 @@
 // Poisson's impact law with Coulomb friction and tangential restitution, (15)-(19), in closed form
-// by cases. Compression: solve_coulomb on momenta. Expansion:
+// by cases. Compression is solve_coulomb() for impulses. Expansion:
 //
 //   normal:      L_NE >= eps_N L_NC,  gdot_NE >= 0,  gdot_NE (L_NE - eps_N L_NC) = 0
 //   tangential (Beitelschmidt, gdot_TE0 = 0), s = sign(L_TC), u = s gdot_TE:
@@ -19,15 +19,17 @@
 
 namespace rotorub {
 
-// Where the impulses of one contact may lie: L_N >= n, L_T in [low(L_N), high(L_N)]. n = 0 and no
-// side is Coulomb's, of a compression; the expansion has another.
+// The set of admissible impulses of one contact: L_N >= n, L_T in [low(L_N), high(L_N)]. With n = 0
+// and no side it is Coulomb's set, which a compression has; expansion_set() makes the set of an
+// expansion.
 struct ContactSet {
   double friction = 0.0;      // mu >= 0
   double least_normal = 0.0;  // n, N s
-  double side = 0.0;     // +1, -1: the friction begun in compression goes on to this side; 0: none
-  double floor = 0.0;    // with a side: least friction to it, N s, >= 0
-  double slides = 0.0;   // +1, -1: it slides so, whatever y_T is (an acceleration); 0: y_T decides
-  bool pressed = false;  // L_N = n, whatever y_N is: a contact that gives
+  double side = 0.0;          // +1, -1: side of the friction impulse of the compression; 0: none
+  double floor = 0.0;         // with a side: least friction impulse to it, N s, >= 0
+  // +1, -1: known direction of sliding (y_T is an acceleration); 0: y_T decides.
+  double slides = 0.0;
+  bool pressed = false;  // L_N = n for any y_N: a compliant contact
 
   double low(double normal) const {
     if (slides != 0.0) return -slides * friction * normal;
@@ -38,10 +40,10 @@ struct ContactSet {
     return side < 0.0 ? -floor : friction * normal;
   }
 };
-// Of the expansion that follows a compression of L_NC, L_TC, with this mu.
+// The set of the expansion after a compression with the impulses L_NC, L_TC.
 ContactSet expansion_set(const ImpactLaw& law, double mu, double normal, double friction);
 
-struct ImpactResult {  // after compression and after expansion
+struct ImpactResult {
   Status status = Status::kOk;
   double normal_compression = 0.0, friction_compression = 0.0;  // N s, L_NC, L_TC
   double normal_expansion = 0.0, friction_expansion = 0.0;      // N s, L_NE, L_TE
@@ -51,29 +53,28 @@ struct ImpactResult {  // after compression and after expansion
   double friction() const { return friction_compression + friction_expansion; }
 };
 
-// The classical, instantaneous law (tau_C = tau_E = 0): gap_rate and slip just before.
+// The classical, instantaneous law (tau_C = tau_E = 0). gap_rate, slip: just before the impact.
 ImpactResult solve_impact(const Delassus& g, double gap_rate, double slip, const ImpactLaw& law);
 
-// The law in contact space: from the relative velocity before to the impulses, with the compression
-// and expansion times of (15)-(19).
+// The law in contact space, with the compression and expansion times of (15)-(19).
 struct ImpactInput {
   Eigen::Matrix3d admittance;    // J M^-1 J^T
   Eigen::Vector2d e_r;           // outward normal
   double radius = 0.0;           // m
   double delta = 0.0;            // m, distance of the centres
   Eigen::Vector3d velocity;      // (ddot, Omega_c) before the impact
-  Eigen::Vector3d acceleration;  // of the same without contact; used over tau_C and tau_E only
+  Eigen::Vector3d acceleration;  // of `velocity` without contact; used only with tau_C, tau_E
   double compression_time = 0.0, expansion_time = 0.0;  // s
 };
 
-// With tau = 0 the classical law. Otherwise the rows of (16): gdot_N at the end of a phase is
-// -e_r . ddot + What_N . (ddot tau), and
+// Without impact times this is the classical law. Otherwise it uses the rows of (16): gdot_N at the
+// end of a phase is -e_r . ddot + What_N . (ddot tau), with
 //   What_N . Delta d = -(e_t . ddot) (e_t . Delta d) / delta,
 //   What_T . Delta d =  gdot_N (e_t . Delta d) / delta                                       (8)
 ImpactResult solve_impact(const ImpactInput& input, const ImpactLaw& law);
 
-// J, of an impulse between the rates (gdot_N, gdot_T) before and after it, which friction and
-// Poisson's law keep from being a gain.
+// J, work of an impulse, from the rates (gdot_N, gdot_T) before and after it. Friction and
+// Poisson's law keep the total from being positive.
 struct ImpulseWork {
   double normal, friction;
   double total() const { return normal + friction; }
@@ -83,20 +84,22 @@ inline ImpulseWork impulse_work(double normal, double friction, const Eigen::Vec
   return {0.5 * normal * (before.x() + after.x()), 0.5 * friction * (before.y() + after.y())};
 }
 
-// What follows an impact: flight, or lasting contact. Decided once, for every engine.
+// The decision between flight and lasting contact after an impact, the same for every engine.
 //
-// Loads and the circle's curvature press with a = -gddot_N, so that the flight after a rebound of
-// the speed v lasts 2 v / a. A flight that is over too soon does not count: the impact has
-// restitution 0, and contact lasts. An accumulation of impacts ends so. Too soon is
-// - before the impact itself is, of one that takes time;
-// - within a fixed step, of an impact that is located in its step;
-// - within two, where it is not: the step's end then tells its speed with up to the fall of a whole
-//   step, a h. Then bounces of v = eps_N v + a h keep themselves going for ever: an impact that
-//   takes no more than that from its speed has no restitution either (but for long flights, and
-//   without any loss there is no accumulation).
+// Loads and the circle's curvature press the contact with a = -gddot_N, so the flight after a
+// rebound at speed v lasts 2 v / a. A flight that ends too soon does not count: the impact then has
+// restitution 0, and contact lasts. Accumulations of impacts end in this way. A flight ends too
+// soon
+// - for an impact that takes time: if it ends before the impact itself does;
+// - for an impact that is located within a fixed step: if it ends within one step;
+// - for an impact that is not located: if it ends within two steps. The speed at the end of the
+//   step then contains up to the fall of a whole step, a h, and bounces with v = eps_N v + a h
+//   would sustain themselves for ever. Such an impact therefore also has no restitution if it loses
+//   at most the speed a h, except if its flight is long (kMostSteps) or if eps_N = 1, because there
+//   is no accumulation without loss.
 
-// m/s^2, a, of the relative velocity (ddot, contact spin) and the loads' acceleration of the same,
-// along the outward normal e_r of a circle of radius delta (m): what turning of the normal adds is
+// m/s^2, a, from the relative velocity (ddot, contact spin) and its acceleration by the loads, for
+// the outward normal e_r of a circle of radius delta (m). The turning of the normal contributes
 // (e_t . ddot)^2 / delta.
 inline double pressing(const Eigen::Vector2d& e_r, const Eigen::Vector3d& velocity,
                        const Eigen::Vector3d& acceleration, double delta) {
@@ -104,13 +107,13 @@ inline double pressing(const Eigen::Vector2d& e_r, const Eigen::Vector3d& veloci
   return e_r.dot(acceleration.head<2>()) + whirl * whirl / delta;
 }
 
-// Whether a flight that begins with `speed` (m/s, of the gap) under `pressed` (m/s^2, a) outlives
-// `time` (s).
+// True if a flight that begins with the gap rate `speed` (m/s) under the acceleration `pressed`
+// (m/s^2, a) lasts longer than `time` (s).
 inline bool flight_outlives(double time, double speed, double pressed) {
   return 2.0 * speed > pressed * time;
 }
 
-// Of an impact that is not located in its step, h (s), with the speed `approach` (m/s).
+// The same decision for an impact that is not located within its step h (s). approach: m/s.
 inline bool rebound_outlives_steps(double h, double restitution, double approach, double pressed) {
   constexpr double kLeastSteps = 2.0, kMostSteps = 40.0;
   const double rebound = restitution * approach;
@@ -119,12 +122,13 @@ inline bool rebound_outlives_steps(double h, double restitution, double approach
   return !feeds_itself || flight_outlives(kMostSteps * h, rebound, pressed);
 }
 
-// eps_N of an impact that takes time, at the speed `approach` (m/s) beside loads that press with
-// `load` (m/s^2). Poisson's law returns a share of what the loads compress too: v' = eps_N (v + a
-// tau_C) - a tau_E, after the flight v'' = sqrt(v'^2 + 2 a tau_E v'), which above some eps_N has a
-// fixed point: impacts without end. So where the loads give back more than half of what restitution
-// takes, v'' > (1 + eps_N) v / 2, the approach's share alone is returned, eps_N v / (v + a tau_C):
-// the impacts fall off with eps_N, and contact comes to rest.
+// eps_N of an impact that takes time, with the approach speed `approach` (m/s) and loads that press
+// with a = `load` (m/s^2). Poisson's law also returns a share of the compression by the loads: the
+// rebound is v' = eps_N (v + a tau_C) - a tau_E, and the next approach v'' = sqrt(v'^2 + 2 a tau_E
+// v'). Above some eps_N this has a fixed point, and the impacts never end. Therefore, if the loads
+// restore more than half of the speed that restitution takes, v'' > (1 + eps_N) v / 2, only the
+// share of the approach is returned: eps_N v / (v + a tau_C). The impacts then decay with eps_N,
+// and contact comes to rest.
 double restitution_beside_loads(double restitution, double approach, double load,
                                 double compression_time, double expansion_time);
 

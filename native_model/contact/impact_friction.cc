@@ -9,7 +9,8 @@
 
 namespace rotorub {
 
-// By u = |v| over the share x of the impulse: u' = L (s c - g_TT mu(u)), and the sum of mu from it.
+// Integrates u = |v| over the share x of the impulse, u' = L (s c - g_TT mu(u)) with s = sign(v);
+// the mean of mu follows from the result.
 double mean_friction(const FrictionLaw& law, double before, double drift, double mobility,
                      double normal) {
   const double sticking = law.sticking();
@@ -36,7 +37,7 @@ double mean_friction(const FrictionLaw& law, double before, double drift, double
       h *= std::min(Dop853::step_factor(error), 0.9);
       continue;
     }
-    if (*step.end() <= 0.0) {  // it stops
+    if (*step.end() <= 0.0) {  // the slip stops
       step.prepare_dense(slope, x);
       const auto left = [&](double theta) { return u + step.increment(0, theta); };
       const double share = x + h * root(left, 0.0, 1.0, u, *step.end()).first;
@@ -46,7 +47,7 @@ double mean_friction(const FrictionLaw& law, double before, double drift, double
     x += h;
     step.advance();
     h *= Dop853::step_factor(error);
-    // Where friction and drift balance nothing changes any more, however stiff they are.
+    // Where friction and drift balance, nothing changes any more, even if the equation is stiff.
     if (std::abs(*step.first_slope()) * (1.0 - x) <= tolerance) break;
   }
   return mean_until(1.0, u);

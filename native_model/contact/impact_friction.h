@@ -1,24 +1,25 @@
-// The friction of one phase of an impact, compression or expansion, where mu depends on the slip:
-// what counts is the slip as it changes. Along the normal impulse L of the phase (Routh's way)
+// The friction of one phase of an impact, compression or expansion, for a mu that depends on the
+// slip. The slip changes along the normal impulse L of the phase (Routh's method):
 //
 //   dT/dL = -mu(|v|) sign(v),   dv/dL = c + g_TT dT/dL,
 //
-// g_TT what the contact's friction does to its slip, c what all else does along L. A slip that has
-// come to 0 stays there, or the phase is one of those that slide back, with mu(0). Of the phase the
-// impulse law (17), (18)-(19) then has one number, the mean of mu over L; Coulomb's is mu itself.
-// It is the limit of a contact that gives (compliance.h) as its stiffness grows.
+// where g_TT is the effect of the contact's friction on its own slip, and c the effect of
+// everything else along L. After the slip has reached 0, mu(0) applies for the rest of the phase,
+// whether the contact then sticks or slides back. The impulse laws (17), (18)-(19) use one number
+// for the phase, the mean of mu over L; for Coulomb's law it is mu itself. This is the limit of a
+// compliant contact (compliance.h) as its stiffness grows.
 #pragma once
 
 #include "native_model/contact/friction.h"
 
 namespace rotorub {
 
-// The mean of mu over a normal impulse (N s, > 0). before: m/s, the slip where it begins; drift: c,
-// 1/kg; mobility: g_TT, 1/kg, > 0.
+// The mean of mu over a normal impulse (N s, > 0). before: m/s, slip at its start; drift: c, 1/kg;
+// mobility: g_TT, 1/kg, > 0.
 double mean_friction(const FrictionLaw& law, double before, double drift, double mobility,
                      double normal);
 
-// Solve with mu(), improve(), until nothing is left to improve.
+// Usage: solve with mu(), call improve(), and repeat until it returns false.
 class ImpactFriction {
  public:
   ImpactFriction() = default;
@@ -26,7 +27,7 @@ class ImpactFriction {
       : law_(law), before_(before), mu_(law.at(before)) {}
 
   double mu() const { return mu_; }
-  // By the solution with mu(): impulses, N s, and the slip after it, m/s.
+  // Takes the solution with mu(): its impulses, N s, the slip after it, m/s, and g_TT, 1/kg.
   bool improve(double normal, double friction, double after, double mobility);
 
  private:

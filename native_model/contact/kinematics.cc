@@ -34,7 +34,7 @@ double circle_exit(const Eigen::Vector2d& d, const Eigen::Vector2d& path, double
   const double square = b * b - a * c;
   if (a == 0.0 || square < 0.0) return 2.0;
   const double root = std::sqrt(square);
-  // The greater root, without cancellation.
+  // The greater root, written without cancellation.
   return b > 0.0 ? -c / (b + root) : (root - b) / a;
 }
 

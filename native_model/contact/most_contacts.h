@@ -1,5 +1,5 @@
-// How many contacts a model has at most, and a list of so many without memory of its own: something
-// of each, or of those that are closed.
+// The largest number of contacts in a model, and a list with that capacity that needs no heap
+// memory, for data of all contacts or of the closed ones.
 #pragma once
 
 #include <array>

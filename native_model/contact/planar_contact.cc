@@ -7,7 +7,7 @@ namespace rotorub {
 
 namespace {
 
-// Sliding with slip of the given sign, whether or not that comes true.
+// Sliding with a slip of the given sign; the slip that results may have the other sign.
 struct Sliding {
   double normal, slip;  // L_N, y_T
 };
@@ -16,8 +16,8 @@ Sliding sliding(const Delassus& a, double b_n, double b_t, double mu_sign) {
   return {normal, slip_after_slide(a, b_t, mu_sign, normal)};
 }
 
-// Every case on its own, for matrices where the solution need not be unique. A case whose normal
-// row carries nothing has an infinite or undefined impulse, and is no solution.
+// Tests every case, for matrices where the solution need not be unique. If the coefficient of the
+// normal row is 0, the impulse is infinite or undefined, and the case is no solution.
 CoulombSolution enumerate(const Delassus& a, double b_n, double b_t, double mu) {
   CoulombSolution found;
   found.solutions = 0;
@@ -49,8 +49,8 @@ CoulombSolution enumerate(const Delassus& a, double b_n, double b_t, double mu) 
 
 CoulombSolution solve_coulomb(const Delassus& a, double b_n, double b_t, double mu) {
   assert(a.nn > 0.0 && a.tt > 0.0 && mu >= 0.0);
-  // With a_nn > mu |a_nt| and a symmetric matrix the cases exclude each other and leave no gap
-  // between them: sliding one way, the other way, and sticking for what remains.
+  // If a_nn > mu |a_nt| and the matrix is symmetric, exactly one case holds: sliding one way,
+  // sliding the other way, or else sticking.
   if (a.nt != a.tn || mu * std::abs(a.nt) >= a.nn) return enumerate(a, b_n, b_t, mu);
   CoulombSolution s;
   if (b_n >= 0.0) return s;

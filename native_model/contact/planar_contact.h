@@ -1,9 +1,9 @@
-// One planar contact with Coulomb friction: the only place where its 2x2 systems are solved.
+// One planar contact with Coulomb friction. Its 2x2 systems are solved only here:
 //
 //   y_N = a_nn L_N + a_nt L_T + b_N          y, b: gap rate and slip (or accelerations, or gaps)
 //   y_T = a_tn L_N + a_tt L_T + b_T          L: impulses (or forces)
 //
-// With a = W^T M^-1 W, L in N s: y in m/s.
+// With a = W^T M^-1 W and L in N s, y is in m/s.
 #pragma once
 
 #include <cstdint>
@@ -12,8 +12,8 @@
 
 namespace rotorub {
 
-// The matrix a, 1/kg: Delassus's, G = W^T M^-1 W, where nt = tn; with finite impact times it is not
-// symmetric.
+// The matrix a, 1/kg. It is the Delassus matrix G = W^T M^-1 W with nt = tn; only with finite
+// impact times it is not symmetric.
 struct Delassus {
   double nn, nt, tn, tt;
 };
@@ -28,8 +28,8 @@ inline PlanarImpulse stick(const Delassus& a, double b_n, double b_t) {
   return {(b_t * a.nt - b_n * a.tt) / determinant, (b_n * a.tn - b_t * a.nn) / determinant};
 }
 
-// What the normal row carries of a normal impulse that brings its friction L_T = -mu_sign L_N
-// along, mu_sign = mu sign(slip). At 0 and below sliding pushes itself in (Painleve).
+// The coefficient of L_N in the normal row if the friction L_T = -mu_sign L_N acts too, with
+// mu_sign = mu sign(slip). If it is not positive, sliding wedges the contact (Painleve).
 inline double carried(const Delassus& a, double mu_sign) { return a.nn - mu_sign * a.nt; }
 
 // Sliding: L_N from y_N = 0 with L_T = -mu_sign L_N.
@@ -37,7 +37,7 @@ inline double slide(const Delassus& a, double b_n, double mu_sign) {
   return -b_n / carried(a, mu_sign);
 }
 
-// The slip y_T that such a normal impulse leaves.
+// The slip y_T after such a normal impulse.
 inline double slip_after_slide(const Delassus& a, double b_t, double mu_sign, double normal) {
   return b_t + (a.tn - mu_sign * a.tt) * normal;
 }
@@ -50,13 +50,13 @@ inline double slip_after(const Delassus& a, double b_t, const PlanarImpulse& l) 
   return a.tn * l.normal + a.tt * l.friction + b_t;
 }
 
-// Which case holds, by the laws
+// The case follows from the laws
 //
 //   y_N >= 0,   L_N >= 0,   y_N L_N = 0                                                  (13), (17)
 //   |L_T| <= mu L_N,   y_T != 0:  L_T = -mu L_N sign(y_T)
 //
-// Forces, impulses or step impulses alike: (12)-(13) with y_N the gap over the step, (16)-(17) the
-// compression phase, or accelerations. Friction is dissipative: L_T y_T <= 0.
+// They apply to forces, impulses and step impulses alike: (12)-(13) with y_N the gap over the step,
+// (16)-(17) for the compression phase, or accelerations. Friction is dissipative: L_T y_T <= 0.
 
 enum class Mode : std::uint8_t { kFree = 0, kSlide = 1, kStick = 2 };  // of a contact
 
@@ -66,8 +66,9 @@ struct CoulombSolution {
   double normal = 0.0;    // L_N
   double friction = 0.0;  // L_T
   ContactCase contact_case = ContactCase::kOpen;
-  // Number of distinct solutions; 0: none (Painleve), above 1: the first of open, stick, slide is
-  // given. Both arise only where mu |a_nt| > a_nn, or with an unsymmetric matrix.
+  // Number of distinct solutions. If it is 0, there is none (Painleve); if it is above 1, this is
+  // the first in the order open, stick, slide. Both occur only if mu |a_nt| >= a_nn or if the
+  // matrix is not symmetric.
   int solutions = 1;
 };
 
@@ -79,7 +80,7 @@ inline Mode mode_of(const CoulombSolution& s) {
 }
 
 CoulombSolution solve_coulomb(const Delassus& a, double b_n, double b_t, double mu);
-// With mu of the slip y_T itself; before: the slip where phase or step begins.
+// The same with mu at the slip y_T. before: slip at the start of the phase or the step.
 CoulombSolution solve_coulomb(const Delassus& a, double b_n, double b_t, const FrictionLaw& law,
                               double before);
 

@@ -10,9 +10,10 @@
 namespace rotorub {
 namespace {
 
-constexpr double kDiscRoundOff = 1e-11;  // of what a rate or an impulse is the sum of
-constexpr double kDiscTrace = 1e-12;     // of the normal's mobility: what cannot move
-constexpr double kOneMotion = 1e-8;      // of the same: solutions nearer to each other are one
+// Relative to the terms of which a rate or an impulse is the sum.
+constexpr double kDiscRoundOff = 1e-11;
+constexpr double kDiscTrace = 1e-12;  // relative to the normal mobility; less counts as immobile
+constexpr double kOneMotion = 1e-8;  // relative to the terms; solutions that differ by less are one
 
 Eigen::Vector2d turned(const Eigen::Vector2d& v) { return {-v.y(), v.x()}; }
 
@@ -28,8 +29,8 @@ double value(const double* c, int degree, double t) {
   return sum;
 }
 
-// The root between low and high, where the signs differ: Newton's steps, halving where they leave
-// the bracket.
+// The root between low and high, where the signs differ, by Newton's method with bisection where a
+// step leaves the bracket.
 double bracketed(const double* c, const double* slope, int degree, double low, double high) {
   const bool rises = value(c, degree, low) < 0.0;
   double t = 0.5 * (low + high);
@@ -45,7 +46,7 @@ double bracketed(const double* c, const double* slope, int degree, double low, d
   return t;
 }
 
-// Real roots in [-1, 1), from those of the derivative, between which it is monotone.
+// The real roots in [-1, 1). The polynomial is monotone between the roots of its derivative.
 Roots roots(const double* c, int degree) {
   Roots all;
   if (degree == 0) return all;
@@ -67,8 +68,8 @@ Roots roots(const double* c, int degree) {
   return all;
 }
 
-// Calls action(d) for each d of length 1 with d x (v + K d) = 0: t = tan(angle / 2) of the half
-// circle about v, then of that about -v.
+// Calls action(d) for each unit vector d with d x (v + K d) = 0. The unknown is t = tan(angle / 2),
+// first for the half circle about v, then for the one about -v.
 template <typename Action>
 void for_each_parallel(const Eigen::Vector2d& v, const Eigen::Matrix2d& k, Action action) {
   const double size = v.norm();
@@ -139,7 +140,7 @@ class DiscProblem {
     const Eigen::Vector2d begun = set_.floor * set_.side, along = turned(set_.side);
     const double chord = -along.dot(line.c + line.s * begun) / along.dot(line.s * along);
     put(DiscFriction::kChord, begun + chord * along, {1.0, 0.0});
-    // |L_T| = mu L_N: floor^2 + z^2 = mu^2 (e + f z)^2
+    // L_T on the chord and |L_T| = mu L_N: floor^2 + z^2 = mu^2 (e + f z)^2
     const double e = line.alpha + line.beta.dot(begun), f = line.beta.dot(along);
     const double x2 = 1.0 - mu * mu * f * f, x1 = -mu * mu * e * f;
     const double x0 = set_.floor * set_.floor - mu * mu * e * e;
@@ -149,8 +150,9 @@ class DiscProblem {
     }
   }
 
-  // A step of Newton's for y_N = 0 (or L_N as it is), L_T x y_T = 0, |L_T| = mu L_N: an angle alone
-  // is not enough where 1 + mu beta . d is small, or one direction far stiffer than the other.
+  // One Newton step for y_N = 0 (or the given L_N), L_T x y_T = 0, |L_T| = mu L_N. The angle alone
+  // is not accurate enough if 1 + mu beta . d is small or if one direction is far stiffer than the
+  // other.
   Eigen::Vector3d polished(const Eigen::Vector3d& p, bool at_least) const {
     const Eigen::Vector3d y = a_ * p + b_;
     const double mu2 = set_.friction * set_.friction;
@@ -165,7 +167,7 @@ class DiscProblem {
     return better.allFinite() ? better : p;
   }
 
-  // S^-1 c; the least where the two directions are one motion.
+  // S^-1 c; the least-norm solution if the two directions are one motion.
   static Eigen::Vector2d stuck(const Eigen::Matrix2d& s, const Eigen::Vector2d& c) {
     const double det = s(0, 0) * s(1, 1) - s(0, 1) * s(1, 0);
     if (det > kDiscTrace * s(0, 0) * s(1, 1)) {
@@ -175,7 +177,7 @@ class DiscProblem {
     return s * c / (s.trace() * s.trace());
   }
 
-  // Counts what meets the laws; the first stays.
+  // Counts the candidates that satisfy the laws and keeps the first.
   void take(const DiscCase& c, Eigen::Vector3d p) {
     if (!p.allFinite()) return;
     Eigen::Vector3d y = a_ * p + b_;
@@ -188,7 +190,7 @@ class DiscProblem {
     if (l_t.norm() > set_.friction * p.x() + impulses) return;
     if (l_t.dot(set_.side) < set_.floor - impulses) return;
     if (!opposes(c, l_t, y_t, rates)) return;
-    y.x() = c.at_least ? std::max(0.0, y.x()) : 0.0;  // not round-off
+    y.x() = c.at_least ? std::max(0.0, y.x()) : 0.0;  // removes round-off
     if (c.friction == DiscFriction::kStick) y.tail<2>().setZero();
     if (best_.solutions > 0) {
       const Eigen::Vector3d apart = (y - best_.y).cwiseAbs();
@@ -200,7 +202,7 @@ class DiscProblem {
     best_ = {1, c, p, y};
   }
 
-  // -y_T in the normal cone of the set at L_T.
+  // True if -y_T lies in the normal cone of the set at L_T.
   bool opposes(const DiscCase& c, const Eigen::Vector2d& l_t, const Eigen::Vector2d& y_t,
                double rates) const {
     switch (c.friction) {

@@ -1,44 +1,50 @@
-// Lasting contacts over one fixed step, solved on positions: the step's normal and friction
-// impulses, along the normals e_r, for which each relative centre ends exactly on its circle,
+// Lasting contacts over one fixed step, solved on positions. The normal and friction impulses of
+// the step, along the normals e_r, are those for which each relative centre ends exactly on its
+// circle,
 //
 //   |d_i + h (w_i + sum_j A_ij p_j)| = delta_i,   N_i >= 0,   p_j = contact_load(N_j, T_j).
 //
-// Friction follows the slip of the middle of the step (set-valued law), and so does its mu. Where
-// the slip reverses within the step, T is the mean of its two values by the time that each holds,
-// so that a reversal costs no order.
+// Friction is set-valued in the slip at the middle of the step, and its mu depends on the same
+// slip. If the slip reverses within the step, T is the mean of its two values, weighted by the
+// times for which they hold, so that a reversal does not lower the order.
 //
-// One contact is a quadratic in N, for T in a fixed ratio to it (sliding) or for a slip of 0
-// (sticking). Where its friction can carry more than the normal row, and where no such point of the
-// circle is in reach, (12), (13) of the linearised gap decide. Several contacts are solved by
-// Newton's method: first as they were in the step before (each slides on or goes on sticking), and
-// where that does not hold on the linear complementarity problem of all of them (coupled_law.h).
+// One contact is a quadratic equation in N, with T in a fixed ratio to N (sliding) or from a slip
+// of 0 (sticking). If friction could outweigh the normal row (mu |a_nt| >= a_nn), or if no such
+// point of the circle is in reach, (12), (13) with the linearised gap decide. Several contacts are
+// solved by Newton's method. The first attempt continues the state of the step before, in which
+// each contact slides or sticks. If it fails, the linear complementarity problem of all contacts is
+// solved (coupled_problem.h).
 #pragma once
 
 #include <Eigen/Core>
+#include <cmath>
 #include <span>
 
 #include "native_model/contact/contact_parameters.h"
+#include "native_model/contact/kinematics.h"
 #include "native_model/numerics/status.h"
 
 namespace rotorub {
 
-// One of the contacts that last, and its solution.
+// One lasting contact, with its solution.
 struct LastingContact {
-  Eigen::Vector2d d{0.0, 0.0};    // m, ring's to rotor's centre at the step's begin
-  Eigen::Vector2d e_r{1.0, 0.0};  // outward normal: that of d, if the path leads out along it
-  // (m/s, m/s, rad/s) of (relative x, relative y, contact spin): before the step, and at its end
-  // without the contacts of this list.
+  Eigen::Vector2d d{0.0, 0.0};  // m, from the ring's to the rotor's centre at the start of the step
+  Eigen::Vector2d e_r{1.0, 0.0};  // outward normal (normal_of_path())
+  // (m/s, m/s, rad/s), rates (relative x, relative y, contact spin): before the step, and at its
+  // end without the contacts of this list.
   Eigen::Vector3d start{0.0, 0.0, 0.0}, free{0.0, 0.0, 0.0};
   double clearance = 0.0, radius = 0.0;  // m
   FrictionLaw friction{};
-  // In: +1, -1: it slid so in the step before; 0: it stuck, or did not last. Out: of this step.
+  // Input, from the step before: direction of the slip, +1 or -1; 0 if it stuck or did not last.
+  // Output: direction in this step.
   double slip_sign = 0.0;
-  double normal_impulse = 0.0;    // N s, >= 0; out
-  double friction_impulse = 0.0;  // N s, on the rotor along e_t; out
+  double normal_impulse = 0.0;    // N s, >= 0; output
+  double friction_impulse = 0.0;  // N s, on the rotor along e_t; output
 };
 
 // A_ij = J_i (M + h D/2)^-1 J_j^T, the rates of contact i by a load on contact j, 1/kg and 1/(kg
-// m^2): as blocks of `all` contacts of a model, of which `number` says where each of the list is.
+// m^2). `blocks` holds the matrices of all `all` contacts of the model, and `number` the index of
+// each contact of the list among them.
 struct ContactAdmittance {
   const Eigen::Matrix3d* blocks;
   std::size_t all;
@@ -48,12 +54,23 @@ struct ContactAdmittance {
   }
 };
 
-// A slip that counts as 0, as a share of the speed of the rotor's surface.
+// Slips below this share of the speed of the rotor's surface count as 0.
 inline constexpr double kNoSlip = 1e-10;
 
-// h: s. Of one contact: its path ends outside the circle. kNoSolution and kAmbiguous: Painleve's
-// cases; kStepTooLarge: a contact turns so far within the step that its normals have no one
-// solution, whatever the law.
+// m/s, slip of a contact for the rates (ddot, contact spin).
+inline double slip_of(const LastingContact& c, const Eigen::Vector3d& rates) {
+  return rates_along(c.e_r, c.radius, rates).y();
+}
+
+// m/s, slip before the step; round-off of the surface speed counts as 0.
+inline double slip_before(const LastingContact& c) {
+  const double slip = slip_of(c, c.start);
+  return std::abs(slip) <= kNoSlip * c.radius * std::abs(c.start.z()) ? 0.0 : slip;
+}
+
+// h: s. A single contact must have a path that ends outside the circle. Returns kNoSolution and
+// kAmbiguous in Painleve's cases. With several contacts it returns kStepTooLarge if one whirls so
+// far within the step that the normals have no unique solution, whatever the law.
 Status solve_lasting_contacts(double h, std::span<LastingContact> contacts,
                               const ContactAdmittance& admittance);
 

@@ -1,4 +1,4 @@
-// What happens at contacts that give (contact/compliance.h): touch, release, stick and slip.
+// Events at compliant contacts (contact/compliance.h): touch, release, stick and slip.
 
 #include "native_model/event/driver.h"
 #include "native_model/model/dynamics.h"
@@ -6,12 +6,13 @@
 namespace rotorub {
 namespace {
 
-constexpr double kOpen = 1e-12;   // of the largest force: one that counts as 0
-constexpr double kInWall = 1e-9;  // of the largest spring force: a depth that is one
+constexpr double kOpen = 1e-12;  // relative to the largest force; less counts as 0
+// Relative to the largest spring force; less counts as no penetration.
+constexpr double kInWall = 1e-9;
 
 }  // namespace
 
-// A contact that begins closed has no touch; one that closes on the circle has one.
+// A contact that begins closed has no touch; a contact that closes while on its circle has one.
 void EventIntegrator::begin_in_walls() {
   for (std::size_t k = 0; k < phase_.contacts(); ++k) {
     if (!model_->auxiliary[k].gives()) continue;
@@ -25,12 +26,12 @@ void EventIntegrator::begin_in_walls() {
   }
 }
 
-// From here on the contact presses, by this a, s/m. Its friction is decided with that of all
-// others.
+// The contact presses from here on, with this a, s/m. Its friction is decided together with all
+// other contacts.
 void EventIntegrator::press(std::size_t k, double hunt_crossley) {
   first_touch(k);
   const ClosedContact touch{k, contact_point(*model_, motion_.q(), motion_.v(), k)};
-  // One that touches without speed may part again at once.
+  // A contact that touches without speed may part again at once.
   if (touch.point.gap >= 0.0 && touch.point.gap_rate >= 0.0 && parting_acceleration(k) >= 0.0) {
     return phase_.set(k, in_flight(Departure::kParting));
   }
@@ -42,7 +43,8 @@ void EventIntegrator::press(std::size_t k, double hunt_crossley) {
   press_on(k);
 }
 
-// m/s^2, gddot_N of a contact that does not press, under the loads and the forces of all others.
+// m/s^2, gddot_N of a contact that does not press, under the loads and the forces of the other
+// contacts.
 double EventIntegrator::parting_acceleration(std::size_t k) {
   step_.evaluate(motion_);
   ContactList<ClosedContact> closed;
@@ -75,7 +77,8 @@ void EventIntegrator::release(const ClosedContact& at) {
   change_to(at.index, free);
 }
 
-// An impact at another contact may throw the shaft off a wall faster than its damper lets it press.
+// An impact at another contact may throw the shaft off a wall faster than the wall's damper allows
+// the contact to press.
 bool EventIntegrator::no_longer_presses(std::size_t k) {
   if (!model_->auxiliary[k].gives()) return false;
   const ClosedContact at{k, contact_point(*model_, motion_.q(), motion_.v(), k)};
@@ -92,7 +95,7 @@ void EventIntegrator::press_margin_reached(std::size_t k) {
   const MarginScales scales = margin_scales(k);
   const Multipliers force = phase_.multipliers(k);
   const ClosedContact at{k, contact_point(*model_, motion_.q(), motion_.v(), k)};
-  // Where slip and force end together it opens.
+  // If slip and force end together, the contact opens.
   const bool opens =
       margins.force <= parameters_.no_force * scales.force && at.point.gap_rate >= 0.0;
   const PhaseEnd end = opens ? PhaseEnd::kOpens : end_of_phase(was.mode, margins, scales);

@@ -1,5 +1,5 @@
-// What happens at the contacts of an event-driven run: impacts, the ends of lasting contact, and
-// what comes next.
+// Events at the contacts of an event-driven run: impacts, ends of lasting contact, and the
+// decisions about what follows.
 
 #include <algorithm>
 #include <cmath>
@@ -13,10 +13,10 @@ namespace {
 
 using Velocity = Constraint::Velocity;
 
-constexpr double kOnCircle = 1e-12;  // of the clearance: a gap that counts as 0
-constexpr double kNoSpeed = 1e-12;   // of the speeds: a gap rate or slip that counts as 0
-constexpr double kDrift = 1e-9;      // of them: what is left of 0 while a contact that gives sticks
-constexpr double kNoForce = 1e-12;   // of the largest force: one that counts as 0
+constexpr double kOnCircle = 1e-12;  // of the clearance; smaller gaps count as 0
+constexpr double kNoSpeed = 1e-12;  // relative to the speeds; smaller gap rates or slips count as 0
+constexpr double kDrift = 1e-9;     // the same for the slip of a compliant contact that sticks
+constexpr double kNoForce = 1e-12;  // relative to the largest force; less counts as 0
 
 }  // namespace
 
@@ -24,7 +24,7 @@ void EventIntegrator::project(const Closed& closed) {
   constraint_.project(motion_.t, motion_.q(), motion_.v(), closed);
 }
 
-// Rigid ones, which are held on their circles.
+// Rigid contacts in lasting contact, which are held on their circles.
 EventIntegrator::Closed EventIntegrator::in_contact() const {
   Closed closed;
   for (std::size_t k = 0; k < phase_.contacts(); ++k) {
@@ -34,7 +34,7 @@ EventIntegrator::Closed EventIntegrator::in_contact() const {
   return closed;
 }
 
-// In contact, or touching: nothing is known of their velocities.
+// Rigid contacts that are in contact, held or touching; nothing is known about their velocities.
 EventIntegrator::Closed EventIntegrator::on_circles() const {
   Closed closed;
   for (std::size_t k = 0; k < phase_.contacts(); ++k) {
@@ -47,8 +47,8 @@ EventIntegrator::Closed EventIntegrator::on_circles() const {
   return closed;
 }
 
-// Contacts on their circles, as at a start: moving outward it is an impact, at rest lasting
-// contact.
+// Decides about contacts on their circles, as at a start. A contact that moves outward has an
+// impact; a contact at rest is a lasting contact.
 void EventIntegrator::begin_on_circles(const Closed& touching) {
   Closed resting;
   for (const ClosedContact& c : closed_points(*model_, motion_.q(), motion_.v(), touching)) {
@@ -71,7 +71,7 @@ void EventIntegrator::impact(std::size_t contact) {
   }
   first_touch(contact);
   Closed closed = on_circles();
-  // The located one is closed, whatever round-off says.
+  // The located contact is closed, whatever its round-off.
   if (std::none_of(closed.begin(), closed.end(),
                    [&](const Constraint::Closed& c) { return c.contact == contact; })) {
     closed.push_back({contact, Velocity::kKept});
@@ -80,7 +80,7 @@ void EventIntegrator::impact(std::size_t contact) {
   const auto touching = closed_points(*model_, motion_.q(), motion_.v(), closed);
   if (std::none_of(touching.begin(), touching.end(),
                    [](const ClosedContact& c) { return c.point.gap_rate < 0.0; })) {
-    return begin_on_circles(closed);  // it grazes
+    return begin_on_circles(closed);  // the contact grazes
   }
   const EventImpact::Outcome outcome = impacts_.run(motion_, touching, end_);
   if (outcome.status != Status::kOk) {
@@ -102,7 +102,7 @@ void EventIntegrator::impact(std::size_t contact) {
   decide(resting);
 }
 
-// What others held on its circle is pressed against it again, without a blow.
+// A contact that others held on its circle is pressed against it again, without an impact.
 void EventIntegrator::rejoin(std::size_t contact) {
   Closed closing;
   closing.push_back({contact, Velocity::kKept});
@@ -116,8 +116,8 @@ void EventIntegrator::margin_reached(std::size_t contact) {
   step_.evaluate(motion_);
   const Multipliers force = phase_.multipliers(contact);
   const MarginScales scales = margin_scales(contact);
-  // Where force and friction end together, as at every opening of a shaft that does not turn, it
-  // opens: round-off alone would let it slip or stick.
+  // If force and friction end together, as at every opening of a shaft that does not turn, the
+  // contact opens. Otherwise round-off would decide whether it slips or sticks.
   const PhaseEnd end = force.normal <= parameters_.no_force * scales.force
                            ? PhaseEnd::kOpens
                            : end_of_phase(mode, phase_.margins(contact), scales);
@@ -126,7 +126,7 @@ void EventIntegrator::margin_reached(std::size_t contact) {
   for (Constraint::Closed& c : closed) {
     if (c.contact == contact) c.velocity = slides_off ? Velocity::kAlong : Velocity::kStuck;
   }
-  // Two contacts at one place open at once, the one that is located and its twin.
+  // Two contacts at one place open together: the located one and its twin.
   ContactList<std::size_t> opening;
   for (const Constraint::Closed& c : closed) {
     const double share = phase_.margins(c.contact).force / margin_scales(c.contact).force;
@@ -142,12 +142,13 @@ void EventIntegrator::margin_reached(std::size_t contact) {
       return;
     case PhaseEnd::kSlipStops:
       return decide(closed);
-    case PhaseEnd::kSlipBegins:  // against friction at its limit
+    case PhaseEnd::kSlipBegins:  // against the friction at its limit
       return change_to(contact, {Mode::kSlide, force.friction > 0.0 ? -1.0 : 1.0});
   }
 }
 
-// What these contacts on their circles do from here on, and all others that last or are held.
+// Decides what these contacts on their circles do from here on, together with all others that last
+// or are held.
 void EventIntegrator::decide(const Closed& resting) {
   Closed all_closed = resting;
   for (std::size_t k = 0; k < phase_.contacts(); ++k) {
@@ -183,7 +184,7 @@ void EventIntegrator::decide_all(const Closed& closed_here) {
     slips.push_back(stops ? 0.0 : p.slip);
     friction.push_back(model_->auxiliary[k].contact->friction.at(slips[i]));
     std::optional<double> known = phase_.pressing(closed[i]);
-    // Where it touches the depth is round-off, of either sign.
+    // At a touch the penetration is round-off, of either sign.
     if (known) known = std::max(*known, 0.0);
     pressing.push_back(known);
   }
@@ -194,8 +195,7 @@ void EventIntegrator::decide_all(const Closed& closed_here) {
   if (settles) settle(closed_here);
 }
 
-// Those of them that press are at rest on their circles; the others fly, or are held where they
-// are.
+// Puts contacts that press at rest on their circles; the others fly, or are held where they are.
 void EventIntegrator::settle(const Closed& decided) {
   const Closed pressed = in_contact();
   project(pressed);
@@ -219,8 +219,8 @@ bool EventIntegrator::is_no_gap_rate(const ContactPoint& p) const {
   return std::abs(p.gap_rate) <= kNoSpeed * std::max(p.dv.norm(), step_.largest_speed());
 }
 
-// share: of the speeds. Of a shaft that does not turn the slip is the whole speed: its scale is
-// that of the run.
+// share: relative to the speeds. The slip of a shaft that does not turn is its whole speed, so the
+// largest speed of the run is the scale.
 bool EventIntegrator::is_no_slip(std::size_t k, const ContactPoint& p, double share) const {
   const double surface =
       std::abs(p.whirl_speed()) + model_->auxiliary[k].contact->radius * std::abs(p.spin);

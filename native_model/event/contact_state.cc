@@ -9,10 +9,10 @@ namespace rotorub {
 namespace {
 
 constexpr ContactState kParts = in_flight(Departure::kParting);
-// Of the accelerations in question: a gap that opens no faster is held.
+// Relative to the accelerations; a gap that opens no faster is held.
 constexpr double kHeld = 1e-8;
 
-// Of one that slides the case is known: it parts, or it slides on.
+// The case of a single sliding contact is known: it parts, or it slides on.
 ContactDecisions sliding_alone(const Delassus& g, double normal, double slip, double mu) {
   const double sign = slip > 0.0 ? 1.0 : -1.0;
   ContactDecisions decided;
@@ -39,8 +39,8 @@ ContactDecisions select_contact_modes(const ContactMatrix& g, const ContactVecto
   ContactList<ContactSet> sets;
   for (std::size_t i = 0; i < slips.size(); ++i) {
     const auto at = static_cast<Eigen::Index>(i);
-    // On an orbit as wide as the clearance the ring carries nothing but round-off, of either sign:
-    // lasting contact, next to without force.
+    // On an orbit as wide as the clearance the ring transmits only round-off, of either sign. This
+    // counts as lasting contact with a force near 0.
     const double none = no_force * scale[at];
     ContactSet set;
     if (!pressing.empty() && pressing[i]) {
@@ -73,10 +73,11 @@ ContactDecisions select_contact_modes(const ContactMatrix& g, const ContactVecto
       decided.next.push_back({Mode::kSlide, sets[i].slides});
     } else if (s.sticks[i] ||
                (sets[i].pressed && sets[i].least_normal == 0.0 && friction[i] > 0.0)) {
-      // What begins to press without slip sticks until friction has its say.
+      // A contact that begins to press without slip sticks until its friction decides.
       decided.next.push_back({Mode::kStick, 0.0});
     } else {
-      // Against its friction: beside contacts that stick its slip is round-off.
+      // It slides against its friction, because its slip is only round-off beside contacts that
+      // stick.
       const double force = s.p[at + 1];
       const double sign = force != 0.0 ? -force : s.y[at + 1];
       decided.next.push_back({Mode::kSlide, sign > 0.0 ? 1.0 : -1.0});

@@ -12,8 +12,8 @@
 namespace rotorub {
 namespace {
 
-constexpr double kFirstStep = 1e-6;     // s; the step size finds itself from there
-constexpr double kLeastForce = 1e-300;  // N, a scale that is not 0
+constexpr double kFirstStep = 1e-6;     // s; the step size control continues from there
+constexpr double kLeastForce = 1e-300;  // N, a scale other than 0
 
 }  // namespace
 
@@ -79,7 +79,7 @@ void EventIntegrator::begin(const State& start, double end, Recorder& recorder) 
   step_.restart(motion_);
 }
 
-// One step, up to a break or to the event in it.
+// Takes one step, up to a break or to the event in it.
 bool EventIntegrator::look_ahead() {
   if (ahead_.known) return true;
   if (motion_.t >= end_ || result_.status != Status::kOk) return false;
@@ -102,7 +102,7 @@ bool EventIntegrator::look_ahead() {
   return true;
 }
 
-// The stretch, and what happens at its end.
+// Passes the stretch and handles its end.
 void EventIntegrator::pass() {
   ahead_.known = false;
   move_to(ahead_.end, ahead_.theta());
@@ -123,11 +123,11 @@ void EventIntegrator::pass() {
   observer_.meet_energy(motion_);
   if (result_.status != Status::kOk) return;
   if (motion_.t >= ahead_.limit && motion_.t < end_)
-    arrive_at_break();  // also one within an impact
+    arrive_at_break();  // this includes a break within an impact
   observer_.arrive(motion_);
 }
 
-// By the step, or a part of it.
+// Moves by the step, or by a part of it.
 void EventIntegrator::move_to(double now, std::optional<double> theta) {
   observer_.watch(motion_, step_, constraint_, now);
   if (theta) {
@@ -135,7 +135,7 @@ void EventIntegrator::move_to(double now, std::optional<double> theta) {
   } else {
     step_.accept(motion_);
   }
-  // How a flight began matters no more once it has.
+  // The way in which a flight began matters only at its start.
   if (now > motion_.t) {
     for (std::size_t k = 0; k < phase_.contacts(); ++k) {
       if (!phase_.has_margins(k) && !still_held(k)) phase_.set(k, {});
@@ -150,7 +150,7 @@ bool EventIntegrator::still_held(std::size_t k) const {
   return contact_point(*model_, motion_.q(), motion_.v(), k).gap <= kHeldGap * clearance;
 }
 
-// Rotor or ring leaves its range.
+// The rotor or a ring has left its range.
 void EventIntegrator::lose() {
   const auto reason = out_of_range(*model_, motion_.q());
   fail(Status::kOutOfRange, reason.value_or("rotor or ring left its range"));
@@ -158,7 +158,7 @@ void EventIntegrator::lose() {
   observer_.meet_energy(motion_);
 }
 
-// The first contact that closes, or margin that is crossed.
+// Finds the first contact that closes, or the first margin that is crossed.
 std::optional<EventIntegrator::Found> EventIntegrator::find_event() {
   std::optional<Found> first;
   for (std::size_t k = 0; k < phase_.contacts(); ++k) {
@@ -194,8 +194,8 @@ void EventIntegrator::book_switches() {
   booked_ = motion_.t;
 }
 
-// Loads or the command jump here: lasting contact, and contact lost this very instant, is decided
-// anew.
+// Loads or the command jump here. Lasting contacts, and contacts lost at this very instant, are
+// decided anew.
 void EventIntegrator::arrive_at_break() {
   book_switches();
   sample_controllers();
@@ -211,8 +211,8 @@ void EventIntegrator::arrive_at_break() {
   step_.restart(motion_);
 }
 
-// The rings' controllers first: they are shown what the magnetic bearings' samples before this one
-// left, as in fixed steps.
+// The controllers of the rings come first. As in fixed steps, they see the states that the earlier
+// samples of the magnetic bearings left.
 void EventIntegrator::sample_controllers() {
   const double *q = motion_.q(), *v = motion_.v();
   for (std::size_t k = 0; k < phase_.contacts(); ++k) {
@@ -236,14 +236,14 @@ void EventIntegrator::sample_controllers() {
   }
 }
 
-// why: with its time.
+// why: the message, which contains the time.
 void EventIntegrator::controller_failed(const std::string& why) {
   if (result_.status != Status::kOk) return;
   result_.status = Status::kControllerFailed;
   result_.message = why;
 }
 
-// Sliding whose G_NN - mu s G_NT runs into 0 needs forces without bound.
+// If G_NN - mu s G_NT of a sliding contact approaches 0, its force grows without bound.
 void EventIntegrator::fail_step() {
   for (std::size_t k = 0; k < phase_.contacts(); ++k) {
     if (phase_.state(k).mode != Mode::kSlide || model_->auxiliary[k].gives()) continue;

@@ -1,10 +1,10 @@
-// The event-driven reference: DOP853 between events, impacts and lift-off located to round-off on
-// its dense output, the impact map in closed form, lasting contact as constrained modes, Zeno
-// accumulation closed. Works with every force, drive and controller of a Model.
+// The event-driven reference integrator: DOP853 between events, impacts and lift-off located to
+// round-off on its dense output, impacts in closed form, lasting contact as constrained modes, and
+// closure of Zeno accumulations. It works with every force, drive and controller of a Model.
 //
-//   smooth_step  moves between events         contact_state  decides what contact does
-//   location     finds where they are         observer       sees rows, energy, figures
-//   impact       what happens at a closing contact
+//   smooth_step  advances between events         contact_state  decides what contacts do
+//   location     finds the events                observer       records rows, energy, figures
+//   impact       solves impacts
 #pragma once
 
 #include <atomic>
@@ -23,7 +23,7 @@ namespace rotorub {
 
 class EventIntegrator {
  public:
-  // The model must outlive it.
+  // The model must outlive this object.
   EventIntegrator(const Model& model, const EventParameters& parameters = {});
   EventIntegrator(const EventIntegrator&) = delete;
   EventIntegrator& operator=(const EventIntegrator&) = delete;
@@ -33,36 +33,38 @@ class EventIntegrator {
     std::string message;
     std::int64_t steps = 0;  // accepted
     std::int64_t rejected = 0;
-    double end = 0.0;  // s, reached
+    double end = 0.0;  // s, time reached
   };
-  // From `start` to `end`, into the recorder. progress: fraction done.
+  // Runs from `start` to `end` (s), into the recorder. progress: gets the fraction that is done.
   Result run(const State& start, double end, Recorder& recorder,
              const std::function<void(double)>& progress = {},
              const std::atomic<bool>* interrupt = nullptr);
 
-  // The same a stretch at a time (run/stepwise_run.h): what is passed in whole is what run() does,
-  // to the bit. A stretch is known before it is passed: a step, up to the event in it.
+  // The same in stretches (run/stepwise_run.h). If every stretch is passed as a whole, the result
+  // is bitwise equal to that of run(). A stretch is one step, up to the first event in it; it is
+  // computed before it is passed.
   void begin(const State& start, double end, Recorder& recorder);
-  // Knows the stretch that comes; false: there is none, at the end or for what status() says.
+  // Computes the next stretch. False if there is none: at the end, or because of result().status.
   bool look_ahead();
   double now() const { return motion_.t; }           // s
   double stretch_end() const { return ahead_.end; }  // s
   bool ends_in_event() const { return ahead_.event.has_value(); }
-  // At a time within the stretch, before the event at its end; now. Valid until the next call.
+  // The state at a time within the stretch, before the event at its end; the present state. Both
+  // are valid until the next call.
   Snapshot within(double t);
   Snapshot here();
-  // N s, normal, of a contact up to one of these, with its impacts.
+  // N s, normal impulse of a contact up to one of these, including its impacts.
   double normal_impulse(const Snapshot& at, std::size_t contact) const {
     return observer_.normal_impulse(at, contact);
   }
   void pass();
-  // Only up to t (s), where `jump` changes loads or held commands.
+  // Passes the stretch only up to t (s), where `jump` changes loads or held commands.
   void cut(double t, const std::function<void()>& jump);
-  // The end lies later, s; now it is a break like any other.
+  // Moves the end to a later time, s; the old end becomes a break like any other.
   void put_off_end(double end);
   const Result& result() const { return result_; }
 
-  // All that moves but the recorder, for this integrator alone.
+  // The complete changing state except the recorder; only this integrator can restore it.
   struct Moving;
   std::shared_ptr<const Moving> save() const;
   void restore(const Moving& saved);
@@ -77,19 +79,19 @@ class EventIntegrator {
   bool still_held(std::size_t contact) const;
   void lose();
 
-  // Contact. A list of contacts says what is known of their velocities: of one that is kept, which
-  // is about to come to rest, nothing.
+  // Contact. The entries of a list state what is known about the velocities. kKept: nothing is
+  // known, because the contact is about to come to rest.
   using Closed = ContactList<Constraint::Closed>;
   struct Found {
-    double theta;  // within the step
+    double theta;  // fraction of the step
     std::size_t contact;
-    bool rejoins = false;  // it was held on its circle, and is pressed again
+    bool rejoins = false;  // it was held on its circle and is pressed again
   };
   struct Ahead {
     bool known = false;
-    double limit = 0.0, end = 0.0;  // s, of the step, of the stretch
+    double limit = 0.0, end = 0.0;  // s, limit of the step; end of the stretch
     std::optional<Found> event{};
-    std::optional<double> loss{};  // within the step: rotor or ring leaves its range
+    std::optional<double> loss{};  // fraction of the step: rotor or ring leaves its range
     std::optional<double> theta() const {
       return loss ? loss : event ? std::optional(event->theta) : std::nullopt;
     }
@@ -101,7 +103,7 @@ class EventIntegrator {
   void impact(std::size_t contact);
   void margin_reached(std::size_t contact);
   void rejoin(std::size_t contact);
-  // Of contacts that give.
+  // Compliant contacts.
   void press(std::size_t contact, double hunt_crossley);
   double parting_acceleration(std::size_t contact);
   void press_on(std::size_t contact);
@@ -136,12 +138,12 @@ class EventIntegrator {
 
   Ahead ahead_;
   Result result_;
-  std::vector<SampledCommand> sampled_;  // of each auxiliary bearing
+  std::vector<SampledCommand> sampled_;  // one per auxiliary bearing
   double end_ = 0.0;                     // s
-  std::vector<double> force_scale_;  // N, largest force met at each contact, carried or balanced
-  int stalled_ = 0;                  // events since the clock went on
-  double last_event_ = 0.0;          // s
-  double booked_ = 0.0;              // s, up to here the work of what is switched has been counted
+  std::vector<double> force_scale_;      // N, largest force at each contact so far, also balanced
+  int stalled_ = 0;                      // number of events since time advanced
+  double last_event_ = 0.0;              // s
+  double booked_ = 0.0;                  // s, the work of switched loads is counted up to here
 };
 
 }  // namespace rotorub

@@ -8,8 +8,8 @@
 namespace rotorub {
 namespace {
 
-// Of the approach: a gap rate that round-off left of 0. Where all rebound alike a resting contact
-// stays at rest exactly.
+// Relative to the approach; smaller gap rates are round-off. A resting contact then stays exactly
+// at rest when the others rebound.
 constexpr double kNoRate = 1e-12;
 
 }  // namespace
@@ -29,8 +29,8 @@ EventImpact::Outcome EventImpact::run(Motion& motion, std::span<const ClosedCont
   return at_once(motion, closed);
 }
 
-// Not where an accumulation ends, nor where the flight after it would be over before the impact is.
-// Then it is one in no time, without a rebound.
+// An impact takes no time where an accumulation ends, or if the flight after it would be shorter
+// than the impact. It then has no rebound.
 bool EventImpact::takes_time(const Motion& motion, const ClosedContact& touch) const {
   const ContactParameters& c = *model_->first().contact;
   const double approach = -touch.point.gap_rate;
@@ -45,7 +45,7 @@ EventImpact::Outcome EventImpact::at_once(Motion& motion, std::span<const Closed
   ContactList<ImpactLaw> laws;
   ContactVector before(static_cast<Eigen::Index>(2 * closed.size()));
   double approach = 0.0;
-  bool undone = false;  // of impacts that take time those come here that do not rebound
+  bool undone = false;  // an impact that takes time comes here only if it does not rebound
   for (const ClosedContact& c : closed) {
     const ContactParameters& contact = *model_->auxiliary[c.index].contact;
     before.segment<2>(static_cast<Eigen::Index>(2 * laws.size())) << c.point.gap_rate, c.point.slip;
@@ -53,8 +53,8 @@ EventImpact::Outcome EventImpact::at_once(Motion& motion, std::span<const Closed
     undone = undone || contact.impact_time() > 0.0;
     approach = std::max(approach, -c.point.gap_rate);
   }
-  // Where an accumulation ends no contact rebounds: neither the one that closes nor those that it
-  // would knock open.
+  // At the end of an accumulation no contact rebounds: neither the one that closes nor those that
+  // it would open.
   const bool is_last = approach < parameters_->zeno_velocity_threshold;
   if (undone || is_last) {
     for (ImpactLaw& law : laws) law = {law.friction, 0.0, 0.0};
@@ -93,8 +93,8 @@ EventImpact::Outcome EventImpact::at_once(Motion& motion, std::span<const Closed
   return out;
 }
 
-// The clock goes on (model/finite_impact.h). A run that ends within the impact takes the part
-// until then.
+// Advances the time (model/finite_impact.h). If the run ends within the impact, only the part until
+// then counts.
 EventImpact::Outcome EventImpact::over_time(Motion& motion, const ContactPoint& touch, double end) {
   const Status status = finite_.begin(motion.t, motion.q(), motion.v(),
                                       phase_->command(0, motion.t, motion.y.data()), false);

@@ -1,5 +1,5 @@
-// Impacts of an event-driven run, (15)-(19): in no time, where every contact that is closed takes
-// part in one compression and one expansion; or, of an only contact, over the times of both.
+// Impacts of an event-driven run, (15)-(19). They are instantaneous, with all closed contacts in
+// one compression and one expansion; or, with only one contact, they take the times of both phases.
 #pragma once
 
 #include <span>
@@ -12,26 +12,26 @@ namespace rotorub {
 
 class EventImpact {
  public:
-  // All must outlive it.
+  // All must outlive this object.
   EventImpact(const Model& model, const EventParameters& parameters, Phase& phase,
               Constraint& constraint, Observer& observer);
 
-  // What became of a contact that was closed.
+  // The result for a contact that was closed.
   struct After {
     std::size_t contact;
-    bool struck;          // it takes part with an impulse
-    bool rests;           // gdot_N = 0, and
-    bool stuck;           // gdot_T = 0; else a flight begins
-    Departure departure;  // so
+    bool struck;          // it has an impulse
+    bool rests;           // gdot_N = 0 afterwards
+    bool stuck;           // and gdot_T = 0
+    Departure departure;  // of the flight, if it does not rest
   };
   struct Outcome {
     Status status = Status::kOk;
     ContactList<After> contacts{};
-    bool is_last = false;  // an accumulation ends here
+    bool is_last = false;  // an accumulation of impacts ends here
   };
-  // At contacts on their circles, `closed` with their points; at least one of them closes. Changes
-  // the motion, whose clock goes on, at most to `end` (s), where it takes its times; tells the
-  // observer.
+  // Solves an impact at contacts on their circles, given with their points; at least one of them
+  // closes. It changes the motion and reports to the observer. If the impact takes time, it
+  // advances the time of the motion, at most to `end` (s).
   Outcome run(Motion& motion, std::span<const ClosedContact> closed, double end);
 
  private:

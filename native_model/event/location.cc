@@ -13,13 +13,13 @@
 namespace rotorub {
 namespace {
 
-// Displacement over a step, Delta d(theta) = sum c_i theta^i, i from 1 (c_0 = 0).
+// The displacement over a step, Delta d(theta) = sum c_i theta^i, i from 1 (c_0 = 0).
 constexpr int kPathDegree = 7;
 using Path = std::array<Eigen::Vector2d, kPathDegree + 1>;
 
-// From the nested form theta (F_0 + (1 - theta)(F_1 + theta (F_2 + ...))), see Dop853.
+// Expands the nested form theta (F_0 + (1 - theta)(F_1 + theta (F_2 + ...))), see Dop853.
 Path path_from_nested(const std::array<Eigen::Vector2d, kPathDegree>& f) {
-  // From the inside out: p <- (p + F_d) theta for even d, (p + F_d)(1 - theta) for odd.
+  // From the inside out: p <- (p + F_d) theta for even d, (p + F_d)(1 - theta) for odd d.
   Path p;
   p.fill(Eigen::Vector2d::Zero());
   for (int d = kPathDegree - 1; d >= 0; --d) {
@@ -32,8 +32,8 @@ Path path_from_nested(const std::array<Eigen::Vector2d, kPathDegree>& f) {
   return p;
 }
 
-// The dense output makes d(theta) a polynomial and F(theta) = |d + Delta d|^2 - delta_0^2 another,
-// the part of the start without cancellation. `d`: centre at the start.
+// With the dense output d(theta) is a polynomial, and so is F(theta) = |d + Delta d|^2 - delta_0^2,
+// whose value at the start is computed without cancellation. d: centre at the start.
 Polynomial outside(const Path& path, const Eigen::Vector2d& d, double clearance) {
   Polynomial f{2 * kPathDegree, {}};
   f.a[0] = (d.norm() - clearance) * (d.norm() + clearance);
@@ -44,8 +44,7 @@ Polynomial outside(const Path& path, const Eigen::Vector2d& d, double clearance)
   return f;
 }
 
-// The first theta in (0, 1] with F >= 0, to round-off. Roots at the start that are known are
-// divided out.
+// The first theta in (0, 1] with F >= 0, to round-off. Known roots at the start are divided out.
 std::optional<double> first_contact(Polynomial f, Departure departure) {
   const int known = static_cast<int>(departure);
   std::copy(f.a.begin() + known, f.a.end(), f.a.begin());
@@ -54,7 +53,7 @@ std::optional<double> first_contact(Polynomial f, Departure departure) {
       f, departure == Departure::kInside ? RootStart::kBelowZero : RootStart::kAnywhere);
 }
 
-// Of velocities, and of what the step adds to coordinates.
+// The relative centre; also for velocities, and for the change of the coordinates in a step.
 Eigen::Vector2d centre(const Model& m, std::size_t contact, const double* at) {
   return rotor_point(m, at, contact) - stator_point(m, at, contact);
 }
@@ -73,7 +72,8 @@ std::optional<double> locate_contact(const Model& m, std::size_t contact, Smooth
   const double clearance = m.auxiliary[contact].contact->clearance;
   const Eigen::Vector2d d0 = separation(m, start.q(), contact),
                         d1 = separation(m, step.end(), contact);
-  // Out of reach: no further than the larger end plus what the speeds, twice over, could add.
+  // Out of reach: the distance stays below the larger end distance plus the path at twice the
+  // larger speed.
   const double speed = std::max(centre(m, contact, start.v()).norm(),
                                 centre(m, contact, step.end() + m.nq()).norm());
   const double reach = std::max(d0.norm(), d1.norm()) + 2.0 * speed * step.length();
@@ -100,8 +100,8 @@ std::optional<HeldEnd> locate_held_end(const Model& m, std::size_t contact, Smoo
 
 std::optional<double> locate_margin(std::size_t contact, SmoothStep& step, Mode mode,
                                     const MarginScales& scales, const EventParameters& parameters) {
-  // The stages of the step tell whether a margin was crossed; the dense output says when. Round-off
-  // below zero is no crossing: a phase may begin on its margin.
+  // The stages of the step tell whether a margin was crossed, and the dense output tells when. A
+  // value below 0 by round-off is not a crossing, because a phase may begin on its margin.
   const Margins& lowest = step.lowest(contact);
   const double none = -parameters.margin_round_off;
   if (lowest.force > -parameters.no_force * scales.force &&
@@ -113,7 +113,7 @@ std::optional<double> locate_margin(std::size_t contact, SmoothStep& step, Mode 
     return std::min(m.force / scales.force, m.cone / scales.cone(mode));
   };
   constexpr int kSamples = 16;
-  constexpr double kInstant = 1e-12;  // of the step
+  constexpr double kInstant = 1e-12;  // relative to the step
   double lo = 0.0, f_lo = margin(0.0);
   for (int k = 1; k <= kSamples; ++k) {
     const double hi = static_cast<double>(k) / kSamples, f_hi = margin(hi);
@@ -124,14 +124,14 @@ std::optional<double> locate_margin(std::size_t contact, SmoothStep& step, Mode 
     }
     constexpr double kNow = std::numeric_limits<double>::min();
     if (f_lo > 0.0) return std::max(root(margin, lo, hi, f_lo, f_hi).first, kNow);
-    // It began on a margin: not that one need be the one that is crossed.
+    // The step began on a margin, which need not be the one that is crossed.
     const auto force = [&](double theta) { return step.margins(contact, theta).force; };
     const auto cone = [&](double theta) { return step.margins(contact, theta).cone; };
     const auto crossing = [&](const auto& one, double scale) {
       const double one_lo = one(lo), one_hi = one(hi);
       if (one_hi >= none * scale) return kInfinity;
       if (one_lo > 0.0) return root(one, lo, hi, one_lo, one_hi).first;
-      // It may rise from there before it falls, if only for an instant.
+      // The margin may rise from there before it falls, if only for an instant.
       double later = hi, f_later = one_hi;
       for (double theta = 0.5 * (lo + hi); theta - lo > kInstant; theta = 0.5 * (lo + theta)) {
         const double f = one(theta);
@@ -148,7 +148,7 @@ std::optional<double> locate_margin(std::size_t contact, SmoothStep& step, Mode 
 }
 
 double locate_largest_force(std::size_t contact, SmoothStep& step, double last, double known) {
-  constexpr double kBetweenStages = 1.1;  // how much it may rise there
+  constexpr double kBetweenStages = 1.1;  // possible rise between the stages
   if (kBetweenStages * step.largest_normal(contact) <= known) return known;
   const auto falls = [&](double theta) { return -step.normal_force(contact, theta); };
   constexpr int kBits = std::numeric_limits<double>::digits / 2;

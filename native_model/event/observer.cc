@@ -52,7 +52,7 @@ Snapshot Observer::snapshot(double t, const double* y) {
   return {snapshot_of(0, t, y), t, y, y + model_->nq(), others_};
 }
 
-// Rigid contacts that press: they are on their circles.
+// Rigid contacts that press; they are on their circles.
 ContactList<Constraint::Closed> Observer::held() const {
   ContactList<Constraint::Closed> all;
   for (std::size_t k = 0; k < phase_->contacts(); ++k) {
@@ -69,7 +69,7 @@ Snapshot Observer::within(const Motion& from, SmoothStep& step, Constraint& cons
   return snapshot(t, row_.data());
 }
 
-// The integrals follow the velocities.
+// The integrals are stored after the velocities.
 double Observer::normal_impulse(const Snapshot& at, std::size_t contact) const {
   return at.q[2 * model_->nq() + integral_index(kNormalImpulse, contact)] +
          of_contacts_[contact].impulse_total;
@@ -91,8 +91,8 @@ double Observer::held_speed(std::size_t k) const {
   return model_->layout.spin ? 0.0 : model_->auxiliary[k].contact->radius * model_->speed;
 }
 
-// Normal force averaged over bins of fixed width, as a fixed-step engine has it: peak and mean
-// square. Free flight carries no force, and only what an impact left in the current bin counts.
+// Averages the normal force over bins of fixed width, as a fixed-step engine reports it, for its
+// peak and mean square. In free flight only the bin that contains an impact counts.
 template <class F>
 void Observer::bins_until(double now, bool flies, F&& impulses_at) {
   const double width = parameters_->force_bin;
@@ -124,7 +124,7 @@ void Observer::bins_until(double now, bool flies, F&& impulses_at) {
 
 void Observer::watch(const Motion& from, SmoothStep& step, Constraint& constraint, double now) {
   const auto theta = [&](double t) { return (t - from.t) / step.length(); };
-  ContactList<int> pressing;  // where their impulses are in y
+  ContactList<int> pressing;  // indices of their impulses in y
   for (std::size_t k = 0; k < phase_->contacts(); ++k) {
     const ContactStatistics& own = of_contacts_[k];
     if (phase_->in_contact(k) || own.contact_time > 0.0 || own.impulse_total > 0.0) {
@@ -145,8 +145,9 @@ void Observer::watch(const Motion& from, SmoothStep& step, Constraint& constrain
   if (!pressing.empty()) contact_time_ += now - from.t;
 }
 
-// Half a step is less than half a turn. Of a whole one Hermite's cubic knows the middle well enough
-// to say in which quarter it is; of a part of it the dense output is there anyhow.
+// Follows the centre at the start and the middle of a step, because half a step is less than half a
+// turn. For a whole step Hermite's cubic gives the middle accurately enough to know its quarter of
+// the turn. For a part of a step the dense output exists anyway.
 void Observer::follow(std::size_t k, const Motion& from, SmoothStep& step, double last) {
   const Model& m = *model_;
   const Eigen::Vector2d start = separation(m, from.q(), k);
@@ -163,7 +164,7 @@ void Observer::follow(std::size_t k, const Motion& from, SmoothStep& step, doubl
   passes.follow(middle(), from.t + 0.5 * last * step.length());
 }
 
-// Of a prescribed spin without the dense output, until there is a mark.
+// With a prescribed spin the dense output is only computed when there is a mark.
 void Observer::follow_mark(const Motion& from, SmoothStep& step, Constraint& constraint,
                            double now) {
   const Model& m = *model_;
@@ -188,7 +189,7 @@ void Observer::watch_press(std::size_t k, SmoothStep& step, double last) {
   double& peak = of_contacts_[k].peak_force;
   peak = locate_largest_force(k, step, last, peak);
   if (of_contacts_.size() == 1) s.peak_force = std::max(s.peak_force, peak);
-  // Gauss and Legendre's rule of three points.
+  // Gauss-Legendre rule with three points.
   constexpr double kNodes[] = {0.1127016653792583, 0.5, 0.8872983346207417};
   constexpr double kWeights[] = {5.0 / 18.0, 8.0 / 18.0, 5.0 / 18.0};
   for (int i = 0; k == 0 && i < 3; ++i) {
@@ -248,7 +249,7 @@ void Observer::watch(const Motion& from, const FiniteImpact& impact, std::size_t
       row_[static_cast<std::size_t>(from.nq + i)] = v0[i] + share * (v1[i] - v0[i]);
     }
   };
-  // At its end the next phase begins, unless the run ends within.
+  // At its end the next phase begins, unless the run ends before.
   const bool cut = now < from.t + duration;
   for (double t = recorder_->next_time(); cut ? t <= now : t < now; t = recorder_->next_time()) {
     state_at(t - from.t);
@@ -298,7 +299,7 @@ void Observer::account(Impact& record, double normal, double friction,
 }
 
 void Observer::record_impact(const Impact& impact) {
-  // What the machine that holds a prescribed speed does is no work on the coordinates.
+  // A machine that holds a prescribed speed exchanges work that is not work on the coordinates.
   const auto contact = static_cast<std::size_t>(impact.contact);
   impact_work_ += impact.energy_change - impact.friction_impulse * held_speed(contact);
   const double rubbed = impulse_work(0.0, impact.friction_impulse, {0.0, impact.slip_before},

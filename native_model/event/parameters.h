@@ -4,34 +4,35 @@
 namespace rotorub {
 
 struct EventParameters {
-  // Local error of a step, relative to the largest displacement, speed, ... met so far. At 1e-12
-  // the error of a whole run is near what round-off leaves of it; a smaller one costs steps for
-  // nothing.
+  // Local error of a step, relative to the largest displacement, speed, ... so far. With 1e-12 the
+  // error of a whole run is near its round-off; a smaller tolerance only costs steps.
   double tolerance = 1e-12;
-  // m/s: an impact that closes slower takes no rebound, which ends an accumulation (Zeno). The
-  // flights left out last less than 2e-9 m/s over the acceleration, and move 1e-18 m^2/s^2 over it.
+  // m/s; an impact with a smaller approach speed has no rebound, which ends an accumulation (Zeno).
+  // At 1e-9 the omitted flights last less than 2e-9 m/s divided by the acceleration, and move less
+  // than 1e-18 m^2/s^2 divided by it.
   double zeno_velocity_threshold = 1e-9;
-  // s: what closes so slowly and opens another contact, as a rotor that rocks between two rings,
-  // leaves both closed where the other's flight would be shorter than this: an accumulation of
-  // impacts that no restitution ends.
+  // s; if a contact that closes this slowly opens another one, as a rotor that rocks between two
+  // rings does, both stay closed if the flight of the other would be shorter than this. This ends
+  // accumulations that no restitution ends.
   double shortest_flight = 1e-12;
-  // Share of the accelerations that meet at the contact under which their sum counts as 0. On an
-  // orbit as wide as the clearance that sum is 0, and `tolerance` leaves a few times itself of it.
+  // The sum of the accelerations at a contact counts as 0 below this share of its terms. On an
+  // orbit as wide as the clearance the sum is 0, but `tolerance` leaves a few times its own size.
   double no_force = 1e-10;
-  // Share of the scale of a margin (force, slip) under which it is round-off and not crossed: a
-  // phase may begin on its margin.
+  // A margin (force, slip) below 0 by less than this share of its scale is round-off and not
+  // crossed, because a phase may begin on its margin.
   double margin_round_off = 1e-13;
-  // s, width of the bins over which the normal force is averaged for its peak and mean square, as a
-  // fixed step would do; 0: neither is found.
+  // s, width of the bins over which the normal force is averaged for its peak and mean square, as
+  // in a fixed-step run; 0: neither is computed.
   double force_bin = 0.0;
-  // Events at one instant, to round-off, before the run is given up. Real chains (impact, stick,
-  // slide) have a handful.
+  // Number of events at one instant, up to round-off, after which the run stops. Real chains
+  // (impact, stick, slide) have only a few.
   int stall_limit = 1000;
-  // Steps to go from which a run whose steps are short for their stability alone is given up:
-  // StiffnessWatch. A quarter of a minute of a small system; one that is merely long goes on.
+  // A run whose steps are short only for stability stops if more than this number of steps remain
+  // (StiffnessWatch). For a small system they take a quarter of a minute. Runs that are merely long
+  // continue.
   double most_stiff_steps = 5e6;
-  // Steps to go from which a run is given up whatever shortens its steps, an hour or more: next to
-  // round-off nothing tells what does.
+  // A run stops if more than this number of steps remain, whatever shortens them; they take an hour
+  // or more. Near round-off the cause cannot be found.
   double most_steps = 1e9;
 };
 

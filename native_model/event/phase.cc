@@ -27,7 +27,7 @@ Phase::Phase(const Model& model)
 
 Eigen::Vector2d Phase::command(std::size_t k, double t, const double* y) const {
   const AuxiliaryBearing& bearing = model_->auxiliary[k];
-  if (!bearing.controller || bearing.sample_time > 0.0) return at_[k].held;  // recorded ones too
+  if (!bearing.controller || bearing.sample_time > 0.0) return at_[k].held;  // also of a record
   return control_command(*model_, t, y, y + model_->nq(), k);
 }
 
@@ -98,7 +98,7 @@ void Phase::set_margins(const ClosedContact& c, double normal, double friction) 
   const bool slides = at.state.mode == Mode::kSlide;
   at.margins = {normal, slides ? at.state.slip_sign * c.point.slip
                                : contact.friction.sticking() * normal - std::abs(friction)};
-  // Without friction it does not matter which way it slides.
+  // Without friction the direction of sliding does not matter.
   if (contact.friction.none() && (slides || contact.gives())) at.margins.cone = kInfinity;
   if (!contact.gives()) return;
   at.margins.force = contact.compliance.margin(-c.point.gap, -c.point.gap_rate,

@@ -26,8 +26,8 @@
 
 namespace rotorub {
 
-// Carried along with the state, for statistics and the energy balance; the first kOfContact for
-// each contact.
+// Integrals that are computed along with the state, for statistics and the energy balance. Each
+// contact has the first kOfContact of them.
 enum Integral {
   kNormalImpulse,
   kFrictionImpulse,
@@ -42,16 +42,16 @@ inline int integral_count(const Model& model) {
   return kIntegrals + kOfContact * static_cast<int>(model.auxiliary.size() - 1);
 }
 
-// Among the integrals.
+// The position among the integrals.
 inline int integral_index(Integral k, std::size_t contact) {
   return contact == 0 ? k : kIntegrals + kOfContact * static_cast<int>(contact - 1) + k;
 }
 
-// What moves: time, and y as the integrator carries it.
+// The motion: time, and y of the integrator.
 struct Motion {
   explicit Motion(const Model& model)
       : nq(model.nq()), y(static_cast<std::size_t>(2 * nq + integral_count(model))) {}
-  // From `start` on, with all integrals 0.
+  // Starts from `start` with all integrals 0.
   void begin(const State& start) {
     t = start.t;
     std::fill(y.begin(), y.end(), 0.0);
@@ -75,7 +75,7 @@ struct Motion {
   std::vector<double> y;
 };
 
-// Of an instant that never comes, a bound that binds nothing.
+// An instant that never comes, or a bound that never applies.
 inline constexpr double kInfinity = std::numeric_limits<double>::infinity();
 
 struct Multipliers {
@@ -86,27 +86,28 @@ class Phase {
  public:
   explicit Phase(const Model& model);
 
-  // What holds now at each contact.
+  // The present state of each contact.
   void set(std::size_t contact, const ContactState& state) { at_[contact].state = state; }
   const ContactState& state(std::size_t contact) const { return at_[contact].state; }
   bool in_contact(std::size_t contact) const { return state(contact).mode != Mode::kFree; }
-  // It ends by a margin: in contact, or in the wall of a ring that gives.
+  // True if the phase ends by a margin: in contact, or in the wall of a compliant contact.
   bool has_margins(std::size_t contact) const {
     return in_contact(contact) || state(contact).in_wall;
   }
-  // N, lambda_N of a contact that gives; none of a rigid one.
+  // N, lambda_N of a compliant contact; empty for a rigid one.
   std::optional<double> pressing(const ClosedContact& at) const;
   std::size_t contacts() const { return at_.size(); }
 
-  // Sampled controllers and recorded commands: the command is held; otherwise it follows the state.
+  // The command of a sampled controller or of a record is held; other commands follow the state.
   void hold(std::size_t contact, const Eigen::Vector2d& command) { at_[contact].held = command; }
   Eigen::Vector2d command(std::size_t contact, double t, const double* y) const;
-  // Of a sampled law, at its last sample (ActuatorState::outputs).
+  // The outputs of a sampled law at its last sample (ActuatorState::outputs).
   using Outputs = std::array<double, kMostOutputs>;
   void show(std::size_t contact, const Outputs& outputs) { at_[contact].outputs = outputs; }
   const Outputs& outputs(std::size_t contact) const { return at_[contact].outputs; }
-  // The rates of the first contact's gap are summed up from the first of all on, s; infinite: not
-  // yet.
+  // s, first touch of the contact; infinite: none yet. After the first touch of any contact, the
+  // square of the gap rate of contact 0 is integrated outside rigid lasting contact
+  // (kGapRateSquare).
   void first_touch(std::size_t contact, double t) {
     at_[contact].first_touch = t;
     touched_ =
@@ -114,23 +115,24 @@ class Phase {
   }
   double first_touch(std::size_t contact) const { return at_[contact].first_touch; }
 
-  // y' = f(t, y). Multipliers and margins (infinite in free flight) are those of the last call. No
-  // allocation.
+  // y' = f(t, y). It also sets multipliers and margins (infinite in free flight). Does not
+  // allocate.
   void derivative(double t, const double* y, double* dy);
   const Multipliers& multipliers(std::size_t contact) const { return at_[contact].multipliers; }
   const Margins& margins(std::size_t contact) const { return at_[contact].margins; }
 
-  // Of all `closed`, whose points are filled in: gddot of each without contact forces is in b.
+  // The accelerations of the contacts `closed`, whose points are filled in: b has gddot of each one
+  // without contact forces.
   struct Accelerations {
     ContactMatrix g;
-    ContactVector b, scale;  // (normal, tangential) of each in turn; one scale a contact
+    ContactVector b, scale;  // (normal, tangential) of each in turn; one scale per contact
   };
   Accelerations accelerations(double t, const double* y, std::span<ClosedContact> closed);
 
  private:
   struct AtContact {
     ContactState state{};
-    Eigen::Matrix3d admittance = Eigen::Matrix3d::Zero();  // of itself, where nothing is coupled
+    Eigen::Matrix3d admittance = Eigen::Matrix3d::Zero();  // of itself, without coupling
     Multipliers multipliers{};
     Margins margins{kInfinity, kInfinity};
     double first_touch = kInfinity;
@@ -150,11 +152,11 @@ class Phase {
   void set_margins_in_wall(std::size_t contact, const double* q, const double* v);
 
   const Model* model_;
-  std::vector<AtContact> at_;  // of each auxiliary bearing
-  bool touched_ = false;       // one of them, so far
-  bool is_actuated_ = false;   // a ring at least
+  std::vector<AtContact> at_;  // one per auxiliary bearing
+  bool touched_ = false;       // at least one of them was touched
+  bool is_actuated_ = false;   // at least one ring is
   std::vector<Eigen::Vector2d> commands_;
-  ContactList<ClosedContact> closed_;  // now
+  ContactList<ClosedContact> closed_;  // at present
   equations::DiscAngles angles_;
   InverseMass inverse_mass_;
   Eigen::VectorXd f_, a_;  // loads and accelerations, without contact

@@ -30,7 +30,7 @@ void Schedule::find_breaks(double start, double end) {
       for (double t : at.controller->breaks(at.control_on)) add(t);
     }
     if (!at.recorded) continue;
-    // Of a run from one contact to the next there are few.
+    // Only jumps within the run are copied; short runs have few.
     const std::vector<double>& jumps = at.recorded->jumps();
     const auto first = std::upper_bound(jumps.begin(), jumps.end(), start);
     breaks_.insert(breaks_.end(), first, std::lower_bound(first, jumps.end(), end));
@@ -78,7 +78,7 @@ bool Schedule::feedback_due(std::size_t sampler, double t) {
 
 bool Schedule::sample_due(std::size_t bearing, double t) {
   const AuxiliaryBearing& at = model_->auxiliary[bearing];
-  if (at.recorded) return true;  // a break may be a jump; the record tells it at no cost
+  if (at.recorded) return true;  // a break may be a jump of the record; asking it is cheap
   if (!at.controller || at.sample_time <= 0.0) return false;
   const bool starts = t == at.control_on;  // the first command is taken at switch-on
   double& next = next_sample_[bearing];

@@ -11,7 +11,7 @@ namespace rotorub {
 
 namespace {
 
-constexpr double kLeastDisplacement = 1e-6, kLeastSpeed = 1e-6;  // m, m/s: of a system at rest
+constexpr double kLeastDisplacement = 1e-6, kLeastSpeed = 1e-6;  // m, m/s: for a system at rest
 constexpr double kLeastCurrent = 1e-6;                           // A
 
 }  // namespace
@@ -33,7 +33,7 @@ void SmoothStep::begin(const Motion& start, double first) {
   next_ = first;
   rejected_ = 0;
   displacement_ = kLeastDisplacement;
-  // The widest of the clearances: of one it is that one.
+  // The largest of the clearances.
   for (const AuxiliaryBearing& bearing : model_->auxiliary) {
     if (!bearing.contact) continue;
     const double clearance = bearing.contact->clearance;
@@ -50,7 +50,7 @@ void SmoothStep::meet(const Motion& motion) {
   const auto angle = [&l](int i) { return l.turns(i); };
   for (int i = 0; i < l.mechanical(); ++i) {
     double &position = angle(i) ? turn_ : displacement_, &rate = angle(i) ? spin_ : speed_;
-    // The spin angle only grows; what matters of it is its part of a turn.
+    // The spin angle only grows; only its fraction of a turn matters.
     if (!(l.spin && i == l.phi())) position = std::max(position, std::abs(motion.q()[i]));
     rate = std::max(rate, std::abs(motion.v()[i]));
   }
@@ -60,8 +60,8 @@ void SmoothStep::meet(const Motion& motion) {
     return std::find_if(model_->auxiliary.begin(), model_->auxiliary.end(), has)
         ->magnets->current_limit;
   };
-  // Of a feedback's state, at the size of the motion. What lags is faster than the motion, and its
-  // dense output further from it than its steps.
+  // The size of a feedback's state, from the size of the motion. Lagging states are faster than the
+  // motion, and their dense output is less accurate than their steps.
   constexpr double kLags = 1e-2;
   const auto state_size = [&](int i) {
     for (const StationFeedback& f : model_->feedbacks) {
@@ -73,15 +73,15 @@ void SmoothStep::meet(const Motion& motion) {
                (f.law.proportional * displacement_ + f.law.derivative * speed_ + kLeastCurrent);
       }
     }
-    return kInfinity;  // of a sampler's memory, which holds
+    return kInfinity;  // for the memory of a sampler, which is constant between samples
   };
   double *of_q = tolerance_.data(), *of_v = of_q + n;
   for (int i = 0; i < l.mechanical(); ++i) {
     of_q[i] = tolerance * (angle(i) ? 1.0 : displacement_);
     of_v[i] = tolerance * (angle(i) ? std::max(1.0, spin_) : speed_);
   }
-  // Nothing depends on a bristle's integral, an integrator's own integral, a coil's charge, nor on
-  // the integrals of the run.
+  // Nothing depends on the integral of a bristle, the integral of an integrator, the charge of a
+  // coil, or the integrals of the run.
   for (int i = l.bristle(); i < n; ++i) {
     of_q[i] = kInfinity;
     of_v[i] = tolerance * (i < l.integral() ? 1.0 : i < l.coil() ? state_size(i) : coil_limit(i));
@@ -90,8 +90,8 @@ void SmoothStep::meet(const Motion& motion) {
   if (!round_off_.empty()) find_round_off(motion);
 }
 
-// The accelerations that the round-off of its depth makes in a compliant contact: of a hard spring
-// on a light ring more than the tolerance allows, and no step, however short, has less.
+// The accelerations by round-off of the penetration in compliant contacts. For a hard spring on a
+// light ring they exceed the tolerance, and even the shortest step cannot avoid them.
 void SmoothStep::find_round_off(const Motion& motion) {
   constexpr double kOfDepth = 4.0 * std::numeric_limits<double>::epsilon();  // of the clearance
   std::fill(round_off_.begin(), round_off_.end(), 0.0);
@@ -111,7 +111,7 @@ void SmoothStep::find_round_off(const Motion& motion) {
   }
 }
 
-// The tolerance of a step of h (s), to which the error that round-off makes in it is added.
+// The tolerance of a step of h (s), including the error by round-off.
 const double* SmoothStep::tolerance_of(double h) {
   if (round_off_.empty()) return tolerance_.data();
   const std::size_t n = round_off_.size();
@@ -150,7 +150,7 @@ bool SmoothStep::advance(const Motion& from, double limit) {
     const double error = step_.trial(f, start_, from.y.data(), h, tolerance_of(h));
     const double factor = Dop853::step_factor(error);
     if (error <= 1.0) {
-      // A step cut short by a break says little of the next one.
+      // A step cut short by a break says little about the next one.
       next_ = h < next_ ? std::max(next_, h * factor) : h * factor;
       end_time_ = start_ + h;
       if (limit - end_time_ <= 1e-14 * limit || h >= limit - start_) end_time_ = limit;
@@ -224,15 +224,16 @@ void SmoothStep::evaluate_at(double theta) {
 
 namespace {
 
-// Hairer, Norsett, Wanner, section IV.2, and their code DOP853: looked at every so many steps;
-// stiff after so many looks that found it so, unless so many in a row did not. h |lambda| is 6.1 at
-// the border of stability, about which the step control swings; a motion that follows the fastest
-// rate is resolved by h |lambda| below 1, and steps beyond twice that resolve nothing of it.
+// After Hairer, Norsett, Wanner, section IV.2, and their code DOP853: the run is checked every
+// kStepsBetween steps. It is stiff after more than kStiffLooks checks that found it stiff, unless
+// kSmoothLooks in a row did not. h |lambda| is 6.1 at the limit of stability, about which the step
+// control oscillates. A motion that follows the fastest rate needs h |lambda| below 1 to be
+// resolved; steps beyond kBorder do not resolve it.
 constexpr std::int64_t kStepsBetween = 1000;
 constexpr double kBorder = 2.0;
 constexpr int kStiffLooks = 15, kSmoothLooks = 6;
 
-// Of coordinate i, as a user calls it.
+// The name of coordinate i for a message.
 std::string part_of(const Layout& l, int i) {
   const auto numbered = [i](const char* what, int first) {
     return what + std::to_string(i - first + 1);
@@ -253,7 +254,7 @@ std::string part_of(const Layout& l, int i) {
 std::optional<std::string> StiffnessWatch::look(double t, double end, const SmoothStep& step) {
   if (++steps_ % kStepsBetween != 0) return {};
   const SmoothStep::Stability now = step.stability();
-  // At the pace since the last look.
+  // The number of remaining steps at the pace since the last check.
   const double at_pace =
       steps_ > kStepsBetween ? (end - t) * static_cast<double>(kStepsBetween) / (t - last_) : 0.0;
   last_ = t;

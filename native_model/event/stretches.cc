@@ -1,4 +1,4 @@
-// An event-driven run that is fed from outside: looked at and cut between its events, saved and
+// An event-driven run that is driven from outside: inspected and cut between its events, saved and
 // restored.
 
 #include "native_model/event/driver.h"
@@ -50,7 +50,7 @@ Snapshot EventIntegrator::within(double t) {
 
 Snapshot EventIntegrator::here() { return observer_.snapshot(motion_.t, motion_.y.data()); }
 
-// What is known of the step is found as it is asked for, so that loads may jump only after it.
+// The dense output of the step is computed on request, so the loads may jump only after that.
 void EventIntegrator::cut(double t, const std::function<void()>& jump) {
   if (ahead_.known && t > motion_.t) {
     move_to(t, (t - motion_.t) / step_.length());

@@ -1,4 +1,4 @@
-// The compliant contacts of a fixed step: step_contacts.h.
+// The compliant contacts of a fixed step (step_contacts.h).
 #include <algorithm>
 #include <cmath>
 
@@ -8,15 +8,16 @@
 namespace rotorub {
 namespace {
 
-constexpr int kTurns = 3;     // of the direction of slip, by the velocity that the step ends with
-constexpr int kRounds = 100;  // of contacts that act on each other through damping and friction
+constexpr int kTurns = 3;     // updates of the slip's direction by the velocity at the step's end
+constexpr int kRounds = 100;  // of contacts coupled through damping and friction
 
 Eigen::Vector2d vector_of(const equations::Pair& p) { return {p.x, p.y}; }
 
-// The part of a straight path of half a step in which it is in the wall. p: m, its depths.
+// The part of a straight path of half a step that lies in the wall; the path has the penetrations
+// `first` and `last` (m) at its ends.
 struct InWall {
-  double from = 0.0, to = 0.0;  // shares of the path
-  double depth = 0.0;           // m, the mean over that part
+  double from = 0.0, to = 0.0;  // fractions of the path
+  double depth = 0.0;           // m, mean over that part
 };
 InWall in_wall(double first, double last) {
   if (first <= 0.0 && last <= 0.0) return {};
@@ -30,9 +31,9 @@ InWall in_wall(double first, double last) {
 
 }  // namespace
 
-// The compliant contacts that are in their walls. Whether and how fast a contact touches is found
-// on the path under the forces of those that already press: without them the speed, and the a of
-// the whole touch with it, is off by a term of the order of h. False as press().
+// Finds the compliant contacts that are in their walls. Touches and their speeds are found on the
+// path under the forces of the contacts that already press. Without these forces the speed, and
+// with it the a of the whole touch, would have an error of order h. Returns false like press().
 bool StepContacts::find_touches(StepState& x) {
   after_ = 0.5 * h_;
   before_ = x.kick < 1.0 ? 0.0 : after_;
@@ -61,15 +62,15 @@ bool StepContacts::find_touches(StepState& x) {
   for (const std::size_t i : open) {
     Eigen::Vector3d free = contacts_[i].free_rates;
     if (beside) free += rates_by(i, pressing_) + rates_by(i, lasting_);
-    now[i].closed = pressed[i];  // one that has left may be pressed back in
+    now[i].closed = pressed[i];  // a contact that has left may be pressed back in
     meet_wall(i, free);
     if (now[i].closed) pressing_.push_back(i);
   }
   return true;
 }
 
-// w_0 and w_1 of the step, and the a of a touch. free: (ddot, spin) at the step's end, without the
-// contact's own force.
+// Finds w_0 and w_1 of the step, and the a of a touch. free: (ddot, spin) at the end of the step
+// without the contact's own force.
 void StepContacts::meet_wall(std::size_t i, const Eigen::Vector3d& free) {
   Contact& c = contacts_[i];
   Kept& kept = now[i];
@@ -87,7 +88,7 @@ void StepContacts::meet_wall(std::size_t i, const Eigen::Vector3d& free) {
     return;
   }
   if (!kept.closed) {
-    // Where the path enters the wall, with the velocity of that instant.
+    // The point at which the path enters the wall, and the velocity at that instant.
     const bool early = in_one > 0.0;
     const double since = early ? before_ * one.from : before_ + after_ * two.from;
     const Eigen::Vector2d there =
@@ -103,7 +104,8 @@ void StepContacts::meet_wall(std::size_t i, const Eigen::Vector3d& free) {
   c.damper = kept.hunt_crossley * c.spring + law_of.damping * (in_one + in_two);
 }
 
-// The impulses of all that press; false where the spring turns faster than the step can follow.
+// Finds the impulses of all compliant contacts that press. Fails with kStepTooLarge and returns
+// false if the step is too large for the contact's stiffness.
 bool StepContacts::press(StepState& x) {
   for (int round = 0; round < kRounds; ++round) {
     double moved = 0.0, largest = 0.0;
@@ -131,10 +133,10 @@ bool StepContacts::press(StepState& x) {
   return true;
 }
 
-// end: (ddot, spin) that the contact would end with but for its own impulses. Slip at an end of the
-// step is along the circle where the centre is then: half a step away from the place that the step
-// sees the whirl has turned it, by which a contact that sticks while it is pressed in would slip at
-// a rate of the order of h.
+// end: (ddot, spin) at the end of the step without the contact's own impulses. The slip at each end
+// of the step is taken along the circle at the place of the centre there. The whirl turns this
+// direction between that place and the one that the step sees, half a step away. With the direction
+// of the latter, a contact that sticks while it is pressed in would slip at a rate of order h.
 void StepContacts::press_one(std::size_t i, const Eigen::Vector3d& end) {
   const Contact& c = contacts_[i];
   const Eigen::Vector2d d = vector_of(c.d), e = vector_of(c.e_r);
@@ -157,8 +159,8 @@ void StepContacts::press_one(std::size_t i, const Eigen::Vector3d& end) {
   }
 }
 
-// before, after: (gap rate, slip) at the step's ends, but for the contact's own impulses, which add
-// what the matrix g says.
+// before, after: (gap rate, slip) at the ends of the step without the contact's own impulses, which
+// add g times themselves.
 void StepContacts::find_impulses(std::size_t i, const Eigen::Vector2d& before,
                                  const Eigen::Vector2d& after, const Delassus& g) {
   const Contact& c = contacts_[i];
@@ -177,9 +179,9 @@ void StepContacts::find_impulses(std::size_t i, const Eigen::Vector2d& before,
     kept.friction = ratio * kept.normal;
   };
   kept.slip_sign = sign;
-  double until = 0.0;  // share of the step until it stops
+  double until = 0.0;  // fraction of the step until the slip stops
   if (sign != 0.0) {
-    SlipFriction friction(friction_law, before.y());  // of the middle
+    SlipFriction friction(friction_law, before.y());  // at the slip of the middle
     double slip = 0.0;
     do {
       slide(-friction.mu() * sign);
@@ -189,8 +191,8 @@ void StepContacts::find_impulses(std::size_t i, const Eigen::Vector2d& before,
     if (slip * sign > 0.0) return;
     until = before.y() / (before.y() - slip);
   }
-  // It stops: friction holds it, T = -(after + g_tn P) / g_tt, or it slides the other way, and T is
-  // the mean of both by the time that each holds.
+  // The slip reaches 0. Friction holds it there, T = -(after + g_tn P) / g_tt, or it slides the
+  // other way, and T is the mean of both values, weighted by the times for which they hold.
   const double held = -after.y() / g.tt, with = -g.tn / g.tt;
   kept.normal = normal(held, with);
   kept.friction = held + with * kept.normal;

@@ -11,7 +11,7 @@
 namespace rotorub {
 namespace {
 
-// (ddot, spin); of accelerations the first two alone.
+// (ddot, spin) of velocities; for accelerations only the first two are meaningful.
 Eigen::Vector3d rates(const Model& m, const Eigen::VectorXd& v, std::size_t contact) {
   return contact_rates(m, v.data(), contact);
 }
@@ -90,8 +90,8 @@ Status EulerStepper::solve_one(double t, Closing& c) const {
   return status_of(s.solutions);
 }
 
-// Of several at once: those that rebound by their gap rates, the others by the gap of the step's
-// end, (12), and without restitution.
+// Solves several contacts at once. Contacts that rebound count with their gap rates; the others
+// with the gap at the end of the step, (12), and without restitution.
 Status EulerStepper::solve_all(double t, std::span<Closing> closing) const {
   const Model& m = *model_;
   const std::size_t n = closing.size();
@@ -116,7 +116,7 @@ Status EulerStepper::solve_all(double t, std::span<Closing> closing) const {
   return status_of(s.solutions);
 }
 
-// The contacts over the step: state_.v from free_; start: velocities before it.
+// Applies the contacts of the step: changes state_.v from free_. start: velocities before the step.
 Status EulerStepper::touch(double t, const Eigen::VectorXd& start) {
   const Model& m = *model_;
   std::array<Closing, kMaxContacts> closing{};
@@ -132,9 +132,9 @@ Status EulerStepper::touch(double t, const Eigen::VectorXd& start) {
     c.e_r = d / delta;
     const Eigen::Vector3d free = rates(m, free_, i), acceleration = rates(m, f_, i);
     const double closes = c.e_r.dot(free.head<2>());
-    // (12): the gap of the step's end, linearised about q.
+    // (12): gap at the end of the step, linearised about q.
     const double gap = law.clearance - delta - h_ * closes;
-    // A contact that lasts may be pressed by another: all together decide.
+    // A lasting contact may be pressed by another one, so all are solved together.
     if (gap >= 0.0 && !(lasted[i] && done_.size() > 1)) continue;
     c.gap_rate = -closes;
     c.slip = rates_along(c.e_r, law.radius, free).y();
@@ -166,7 +166,7 @@ Status EulerStepper::touch(double t, const Eigen::VectorXd& start) {
       did.mode = mode_of(c.normal, c.sticks);
       continue;
     }
-    // Where a contact closes without a rebound the impact is in the step's impulse.
+    // If a contact closes without a rebound, its impact is part of the step's impulse.
     const double radius = m.auxiliary[c.index].contact->radius;
     const Eigen::Vector2d before = rates_along(c.e_r, radius, rates(m, free_, c.index));
     const Eigen::Vector2d after = rates_along(c.e_r, radius, rates(m, state_.v, c.index));

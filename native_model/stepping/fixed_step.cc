@@ -6,7 +6,7 @@
 namespace rotorub {
 namespace {
 
-// rad/s, of a machine that holds the speed and so works too.
+// rad/s, spin speed if a machine holds it, which then exchanges work too; otherwise 0.
 double held_speed(const Model& m) { return m.layout.spin ? 0.0 : m.speed; }
 
 }  // namespace

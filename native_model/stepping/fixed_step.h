@@ -1,4 +1,4 @@
-// What a fixed step of one run did.
+// The results of one fixed step.
 #pragma once
 
 #include <Eigen/Core>
@@ -12,34 +12,34 @@
 
 namespace rotorub {
 
-// Impacts of one contact in a step; the last has restitution 0.
+// Largest number of impacts per contact in a step; the last one has restitution 0.
 inline constexpr int kMostImpacts = 8;
 
-// A command that jumps within a step: the share of the step before, in (0, 1), and the means before
-// and after. Share 0: none.
+// A jump of a command within a step: the fraction of the step before it, in (0, 1), and the mean
+// commands before and after it. share = 0: no jump.
 struct CommandJump {
   double share = 0.0;
   Eigen::Vector2d before{0.0, 0.0}, after{0.0, 0.0};
 };
 
-// At one contact.
+// Results at one contact.
 struct ContactStep {
-  Mode mode = Mode::kFree;            // of lasting contact
+  Mode mode = Mode::kFree;            // state of the lasting contact
   bool reversed = false;              // the slip changed its sign without sticking
-  double normal_impulse = 0.0;        // N s over the step, impacts and lasting contact alike
+  double normal_impulse = 0.0;        // N s over the step, impacts and lasting contact together
   double friction_impulse = 0.0;      // N s, on the rotor along e_t
-  Eigen::Vector2d lasting{0.0, 0.0};  // N s, normal and friction, of lasting contact alone
-  // N, normal and friction: of an impact that takes time and was under way at the step's begin.
+  Eigen::Vector2d lasting{0.0, 0.0};  // N s, (normal, friction) of lasting contact only
+  // N, (normal, friction) force, at the start of the step, of an impact that takes time.
   Eigen::Vector2d impact_force{0.0, 0.0};
 };
 
-struct FixedStep : ContactStep {  // its own is that of the first contact
+struct FixedStep : ContactStep {  // the base is the first contact
   Status status = Status::kOk;
-  std::span<const ContactStep> others;  // of the further contacts; until the next call
-  std::span<const Impact> impacts;      // of all, in order; until the next call
-  double impact_time = 0.0;  // s, how long an impact lasts that takes time and began in the step
-  // J, where asked for: of contact on the coordinates, and of it that of impacts; of all forces but
-  // springs and contact.
+  std::span<const ContactStep> others;  // further contacts; valid until the next call
+  std::span<const Impact> impacts;      // of all contacts, in order; valid until the next call
+  double impact_time = 0.0;  // s, duration of an impact that takes time and began in the step
+  // J, if requested: work of contact on the coordinates, the part of it from impacts, and the work
+  // of all forces except springs and contact.
   double contact_work = 0.0, impact_work = 0.0, external_work = 0.0;
 
   const ContactStep& at(std::size_t contact) const {
@@ -47,19 +47,20 @@ struct FixedStep : ContactStep {  // its own is that of the first contact
   }
 };
 
-// An impact with the energy that it takes, from its impulses (N s, normal and friction) and the
-// rates (gdot_N, gdot_T) before and after it.
+// The record of an impact with its change of energy, from its impulses (N s, normal and friction)
+// and the rates (gdot_N, gdot_T) before and after it.
 Impact impact_of(double t, const Eigen::Vector2d& impulses, const Eigen::Vector2d& before,
                  const Eigen::Vector2d& after, std::size_t contact = 0);
 
-// J, on the coordinates: of impacts; and of the lasting impulses of a step between the rates (ddot,
-// spin) at its two ends. A machine that holds the speed works too.
+// J, work on the coordinates: of impacts, and of the lasting impulses of a step between the rates
+// (ddot, spin) at its two ends. If a machine holds the spin speed, the share of the work that it
+// exchanges is excluded.
 double impact_work(const Model& m, std::span<const Impact> impacts);
 double lasting_work(const Model& m, std::size_t contact, const Eigen::Vector2d& e_r,
                     const Eigen::Vector2d& impulses, const Eigen::Vector3d& start,
                     const Eigen::Vector3d& end);
 
-// A state in which the contact stands on its circle and does not move off it: lasting contact.
+// True if the contact is closed and its gap does not change: it is then a lasting contact.
 bool rests_on_circle(const Model& m, const double* q, const double* v, std::size_t contact);
 
 }  // namespace rotorub

@@ -8,14 +8,13 @@
 #include "native_model/model/dynamics.h"
 #include "native_model/model/feedback_equations.h"
 #include "native_model/model/loads.h"
-#include "native_model/model/sampled_feedback.h"
 
 namespace rotorub {
 namespace {
 
 namespace eq = equations;
 
-// What a magnetic bearing does leaves its linear law, of which the damper is in the matrix.
+// True if a magnetic bearing can leave its linear law, whose damper is in the matrix.
 bool feedback_switches(const StationFeedback& bearing) {
   const MagneticFeedback& law = bearing.law;
   const bool constant = std::ranges::all_of(
@@ -24,14 +23,14 @@ bool feedback_switches(const StationFeedback& bearing) {
   return std::isfinite(law.current_limit) || law.opposed || !constant;
 }
 
-// A load depends on velocities beyond what the matrix has of it.
+// True if a load depends on velocities beyond the linear part in the matrix.
 bool beyond_matrix(const Model& m) {
   const Layout& l = m.layout;
   const bool turns = l.spin && (!m.gyroscopic.absent() || !m.internal_xx.absent() ||
                                 !m.internal_yy.absent() || m.coupled_mass());
   const bool curve = m.drive && m.drive->kind() != scene::DriveKind::kLinear &&
                      m.drive->kind() != scene::DriveKind::kFree;
-  // Bearings follow the spin, where that is free.
+  // Some bearings depend on the spin speed, which is free here.
   const bool follows = l.spin && std::ranges::any_of(m.films, [](const StationFilm& film) {
                          return film.law.follows();
                        });
@@ -45,27 +44,28 @@ bool has_parts(const Model& m) {
            m.supports.empty());
 }
 
-// Of bending coordinate i.
+// The value of a mode shape for bending coordinate i.
 double mode_value(const ModeShape& shape, int n, int i) {
   return i < n ? shape.x[i] : shape.y[i - n];
 }
 
-// N/m, of coordinate i on a spring at a station: what a magnetic bearing's law takes back.
+// N/m, stiffness of coordinate i by a spring at a station, which the law of a magnetic bearing
+// subtracts again.
 double held_by(const StationSpring& spring, int n, int i) {
   if (i >= 2 * n) return 0.0;
   const double u = mode_value(spring.shape, n, i);
   return std::max(0.0, i < n ? spring.stiffness.x() : spring.stiffness.y()) * u * u;
 }
 
-// At a limit of its amplifier the mean of a coil's rates, under the command before a jump and that
-// after it, is not its rate under the mean command.
+// At a limit of its amplifier, the mean of a coil's rates under the commands before and after a
+// jump differs from its rate under the mean command. This adds the difference.
 void add_jump(const AuxiliaryBearing& at, const CommandJump& jump, const Eigen::Vector2d& asked,
               const double* v, double* f) {
   constexpr double kRoundOff = 1e-9;
   if (jump.share == 0.0 || at.coil == kAbsent) return;
   const double early = jump.share, late = 1.0 - early;
   const Eigen::Vector2d mean = early * jump.before + late * jump.after;
-  // A part of the kick has one of the two.
+  // Parts of the kick have only one of the two commands.
   if ((asked - mean).norm() > kRoundOff * (jump.after - jump.before).norm()) return;
   for (int i = 0; i < 2; ++i) {
     const auto load = [&](double command) {
@@ -75,7 +75,7 @@ void add_jump(const AuxiliaryBearing& at, const CommandJump& jump, const Eigen::
   }
 }
 
-// J, twice the energy of the velocities v(i).
+// J, twice the kinetic energy of the velocities v(i).
 template <class Velocity>
 double energy_of(int nq, const double* mass, Velocity v) {
   return sum(nq, [=](int i) {
@@ -113,7 +113,7 @@ void LoadKick::find_round_off(double h) {
     round_off_[static_cast<std::size_t>(i)] = sprung * sprung / m_.mass[i];
     for (const StationFeedback& bearing : m_.feedbacks) {
       if (!bearing.law.opposed || i >= 2 * n) continue;
-      // Two magnets pull against each other, each with its force at the bias.
+      // Two magnets pull against each other, each with its force at the bias current.
       const double pull =
           2e-15 * h * bearing.law.magnets.force_at_bias() * mode_value(bearing.shape, n, i);
       magnets_round_off_ += pull * pull / m_.mass[i];
@@ -122,8 +122,9 @@ void LoadKick::find_round_off(double h) {
 }
 
 // ------------------------------------------------------------------ the loads
-// F(x.seen, v), all loads but the contacts'; those of [[force]] as advanced last. kWorking: without
-// what energy holds and what does no work (springs, gyroscopics, unbalance of a free spin).
+// F(x.seen, v): all loads except the contacts', with those of [[force]] as last advanced. kWorking
+// omits forces that the stored energy contains and forces that do no work (springs, gyroscopics,
+// unbalance of a free spin).
 ROTORUB_INLINE void LoadKick::force(const StepState& x, const double* v, double* f, Of of) {
   const double* q = x.seen.data();
   const double omega = eq::spin_speed(m_, v);
@@ -149,7 +150,7 @@ ROTORUB_INLINE void LoadKick::force(const StepState& x, const double* v, double*
   }
 }
 
-// What few models have between the diagonals and the loads of [[force]].
+// The loads between the diagonal terms and [[force]], which only few models have.
 void LoadKick::add_parts(const StepState& x, const double* v, double omega, bool all,
                          double* f) const {
   const double* q = x.seen.data();
@@ -184,7 +185,7 @@ void LoadKick::free_velocity_of_part(StepState& x, double begin, double end) {
   x.kick = kick;
 }
 
-// With the loads as weighed last; begin..end: of all others that are switched.
+// Uses the loads as last weighed; begin..end: interval of all other switched loads.
 void LoadKick::weighed_free_velocity(StepState& x, double begin, double end, bool later) {
   const int nq = x.nq();
   const double h = x.h;
@@ -250,16 +251,16 @@ bool LoadKick::improve(StepState& x, const double* end) {
   const double moved = energy_of(nq, mass, [=](int i) { return f[i] - free[i]; });
   const double size = energy_of(nq, mass, [=](int i) { return change[i]; });
   ROTORUB_APART for (int i = 0; i < nq; ++i) free[i] = f[i];
-  // To 1e-10 of the change: what is left is what the round moved times the rate of convergence,
-  // moved / before.
+  // Iterates to 1e-10 of the change. The remaining error is the last change times the rate of
+  // convergence, moved / before.
   const bool goes_on = moved * moved > 1e-20 * size * before && moved > noise(x, end);
   if (!goes_on || ++rounds_ < kMostRounds) return goes_on;
   x.fail(Status::kStepTooLarge);
   return false;
 }
 
-// J, what a round moves by round-off: of the velocities or, of a rotor that rests under its load,
-// of the forces in balance.
+// J, twice the energy that round-off can move in a round: round-off of the velocities or, for a
+// rotor at rest under its load, of the balanced forces.
 double LoadKick::noise(const StepState& x, const double* end) const {
   const double *mass = m_.mass.data(), *q = x.seen.data();
   double least = magnets_round_off_;
@@ -268,84 +269,6 @@ double LoadKick::noise(const StepState& x, const double* end) const {
     least += 1e-30 * whole + round_off_[static_cast<std::size_t>(i)] * q[i] * q[i];
   }
   return least;
-}
-
-// ------------------------------------------------------------------ magnetic bearings
-// What samplers remember jumps at t, in the middle of the kick, or where a first one begins: the
-// mean of the kick's velocities then has half of the jump, or all.
-void LoadKick::find_samples(const StepState& x, double t, double begin) {
-  double after[kMaxCoordinates];
-  const double* v = x.start.data();
-  const int first = m_.layout.integral();
-  const double share = begin == t ? 1.0 : 0.5;  // of the kick that comes after the sample
-  std::copy_n(v, x.nq(), after);
-  sampled_now_ = take_samples(m_, t, x.h, x.seen.data(), after);
-  for (int i = 0; i < m_.layout.integrals; ++i) {
-    const double jump = 2.0 * share * (after[first + i] - v[first + i]);
-    sampled_[static_cast<std::size_t>(i)] = m_.mass[first + i] * jump / x.h;
-  }
-  for (std::size_t k = 0; k < m_.feedbacks.size(); ++k) {
-    const int at = m_.feedbacks[k].states.command;
-    if (at == kAbsent) continue;
-    for (int axis = 0; axis < 2; ++axis) {
-      AxisCommand& c = commands_[k][static_cast<std::size_t>(axis)];
-      c.before = v[at + axis];
-      c.after = after[at + axis];
-      c.mean = c.before + share * (c.after - c.before);
-    }
-  }
-}
-
-void LoadKick::add_samples(double* f) const {
-  for (int i = 0; i < m_.layout.integrals; ++i) {
-    f[m_.layout.integral() + i] += sampled_[static_cast<std::size_t>(i)];
-  }
-  for (std::size_t k = 0; k < m_.feedbacks.size(); ++k) {
-    const StationFeedback& bearing = m_.feedbacks[k];
-    const auto& [x, y] = commands_[k];
-    if (bearing.states.command == kAbsent) continue;
-    if (const int at = bearing.states.current; at != kAbsent) {
-      f[at] += m_.mass[at] * x.rate;
-      f[at + 1] += m_.mass[at + 1] * y.rate;
-    } else {
-      eq::add_station_force(m_.layout.modes, bearing.shape, x.force, y.force, f);
-    }
-  }
-}
-
-void LoadKick::find_working(const StepState& x, double begin, double end) {
-  for (std::size_t k = 0; k < m_.feedbacks.size(); ++k) {
-    working_[k] = m_.feedbacks[k].works.share(begin, end);
-  }
-  if (sampled_now_) find_switched(x, begin, end);
-}
-
-void LoadKick::find_switched(const StepState& x, double begin, double end) {
-  const double sample = std::clamp(instant_, begin, end);
-  for (std::size_t k = 0; k < m_.feedbacks.size(); ++k) {
-    const StationFeedback& bearing = m_.feedbacks[k];
-    if (bearing.states.command == kAbsent) continue;
-    const MagneticFeedback& law = bearing.law;
-    const double share = working_[k];
-    const double early = bearing.works.share(begin, sample) * (sample - begin) / (end - begin);
-    const double late = share - early;
-    const eq::Pair r = eq::at_station(m_.layout.modes, bearing.shape, x.seen.data());
-    for (int axis = 0; axis < 2; ++axis) {
-      AxisCommand& c = commands_[k][static_cast<std::size_t>(axis)];
-      const double place = axis == 0 ? r.x : r.y;
-      c.force = c.rate = 0.0;
-      if (c.before == c.after) continue;
-      if (const int at = bearing.states.current; at != kAbsent) {
-        const double current = x.start[static_cast<std::size_t>(at + axis)];
-        const auto load = [&](double asked) { return law.amplifier.load(asked, current); };
-        c.rate = (early * load(c.before) + late * load(c.after) - share * load(c.mean)) /
-                 law.amplifier.lag;
-      } else {
-        c.force = law.force(early, place, c.before) + law.force(late, place, c.after) -
-                  law.force(share, place, c.mean) - law.held * place;
-      }
-    }
-  }
 }
 
 }  // namespace rotorub

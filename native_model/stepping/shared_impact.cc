@@ -8,15 +8,16 @@
 namespace rotorub {
 namespace {
 
-constexpr double kStands = 1e-12;  // of the approach: as good as at rest
-// m/s: after an impact without restitution the gap closes by round-off, which is no second impact.
+constexpr double kStands = 1e-12;  // relative to the approach; slower contacts are at rest
+// m/s; after an impact without restitution the gap closes by round-off, which is not a second
+// impact.
 constexpr double kLeastRate = 1e-9;
 
 Eigen::Index row(std::size_t i) { return static_cast<Eigen::Index>(2 * i); }
 
 }  // namespace
 
-// Without the force that a lasting contact has: strike() takes it off.
+// pressed_ still contains the force of a lasting contact; strike() removes it.
 void SharedImpact::join(std::size_t contact, bool closed, const Eigen::Vector2d& e_r,
                         const double* velocity, const double* acceleration) {
   const ContactParameters& law = contacts_->law(contact);
@@ -57,7 +58,7 @@ Status SharedImpact::strike(const StepState& x, double t, double at, const doubl
   }
   const auto solved = [&] { return solve_coupled_impact(g_, before, std::span(laws_).first(n)); };
   CoupledSolution s = solved();
-  // One that it knocks open too little for a flight stays.
+  // A closed contact that would open too slowly for a flight stays closed.
   const auto stays = [&](std::size_t i) {
     return closed_[i] && !flight_outlives(x.h, s.y[row(i)], pressed_[i]);
   };

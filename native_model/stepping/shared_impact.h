@@ -1,4 +1,4 @@
-// One impact in a fixed step, with all rigid contacts that are closed there.
+// One impact in a fixed step, together with all rigid contacts that are closed at that instant.
 #pragma once
 
 #include <array>
@@ -10,28 +10,29 @@ namespace rotorub {
 
 class SharedImpact {
  public:
-  // `contacts` must outlive this.
+  // `contacts` must outlive this object.
   explicit SharedImpact(StepContacts& contacts) : contacts_(&contacts) {}
 
-  // A contact takes part, with the normal e_r and the velocities and accelerations (nq values) of
-  // the instant; `closed`: it lasted until then.
+  // Adds a contact with the normal e_r and the velocities and accelerations (nq values) of the
+  // instant. closed: it lasted until then.
   void join(std::size_t contact, bool closed, const Eigen::Vector2d& e_r, const double* velocity,
             const double* acceleration);
-  // Its impulses, noted as impacts of the time t; load: on the coordinates. (at, q): where M is
-  // taken. `ends`: no contact rebounds. A status where the laws have no solution.
+  // Solves the impact and notes its impulses as impacts at time t. load: receives the impulses on
+  // the coordinates. (at, q): time and coordinates at which M is taken. ends: no contact may
+  // rebound. Returns another status than kOk if the laws have no unique solution.
   Status strike(const StepState& x, double t, double at, const double* q, bool ends, double* load);
 
   std::size_t count() const { return count_; }
   std::size_t contact(std::size_t i) const { return of_[i].index; }
-  // Whether a contact that joined is closed after the impact.
+  // True if the contact is closed after the impact.
   bool rests(std::size_t i) const { return rests_[i]; }
   double approach() const { return approach_; }  // m/s, the largest
-  // Whether the first contact flies for more than a step of h (s) after the impact.
+  // True if the first contact flies for more than a step of h (s) after the impact.
   bool rebounds(double h) const { return rebounds(0, h, approach_); }
 
  private:
-  // Whether the impact at the speed `approach` (m/s) is followed by a flight, contact/impact.h,
-  // that outlives a step of h (s) and the impact itself.
+  // True if an impact at the speed `approach` (m/s) is followed by a flight (contact/impact.h)
+  // longer than a step of h (s) and longer than the impact itself.
   bool rebounds(std::size_t i, double h, double approach) const;
 
   StepContacts* contacts_;
@@ -40,7 +41,7 @@ class SharedImpact {
   std::array<ClosedContact, kMaxContacts> of_{};
   std::array<bool, kMaxContacts> closed_{}, rests_{};
   std::array<ImpactLaw, kMaxContacts> laws_{};
-  std::array<double, kMaxContacts> pressed_{};  // m/s^2, contact/impact.h
+  std::array<double, kMaxContacts> pressed_{};  // m/s^2, pressing() of contact/impact.h
   ContactVector before_ = ContactVector(2 * kMaxContacts);
   ContactMatrix g_;
 };

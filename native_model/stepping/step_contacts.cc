@@ -82,7 +82,7 @@ Eigen::Vector3d StepContacts::rates(std::size_t i, const double* v) const {
 }
 
 // ------------------------------------------------------------------ what a load does
-// With bending and spin coupled as in this step.
+// Updates the admittance to the coupling of bending and spin in this step.
 void StepContacts::couple() {
   const Layout& l = m_.layout;
   const VelocityMatrix& a = loads_.matrix();
@@ -161,8 +161,8 @@ ROTORUB_INLINE void StepContacts::look_at_free(const StepState& x) {
   }
 }
 
-// The rigid contacts that last. One that is the only one to act lasts while its free path leaves
-// the circle; of several one may press another, which only all together decide.
+// Finds the rigid contacts that last. A contact that acts alone lasts if its free path leaves the
+// circle. One of several may be pressed by another, so all are solved together.
 ROTORUB_INLINE void StepContacts::find_lasting(StepState& x, bool unsettled) {
   lasting_.clear();
   for (std::size_t i = 0; i < count(); ++i) {
@@ -188,8 +188,8 @@ bool StepContacts::leave_flight(const StepState& x) const {
   return false;
 }
 
-// One rigid contact that slides on as in the step before, in closed form; false where it does not.
-// See contact/step_contact.h.
+// Solves one rigid contact that slides on as in the step before, in closed form; returns false if
+// it does not. See contact/step_contact.h.
 ROTORUB_INLINE bool StepContacts::slide_on(std::size_t i, const double* free) {
   const Contact& c = contacts_[i];
   const double h = h_, r = c.radius, ex = c.e_r.x, ey = c.e_r.y;
@@ -210,7 +210,7 @@ ROTORUB_INLINE bool StepContacts::slide_on(std::size_t i, const double* free) {
   const double slip =
       ex * (c.free.y + normal * gy) - ey * (c.free.x + normal * gx) + r * (spin + normal * gz);
   const double turned = c.d.x * px + c.d.y * py;
-  // Once iterated, the path may end inside: no adhesion.
+  // After iteration the path may end inside the circle; the contact must not pull it out.
   const bool slides = depth > 0.0 && root > 0.0 && along < 0.0 && slip * c.sign_before > 0.0 &&
                       turned >= 0.5 * circle;
   if (!slides) return false;
@@ -220,7 +220,7 @@ ROTORUB_INLINE bool StepContacts::slide_on(std::size_t i, const double* free) {
   return true;
 }
 
-// From the step's begin: x.after from x.free, whatever the iteration needs.
+// Computes x.after from x.free and x.start, including the iteration if there is one.
 ROTORUB_INLINE void StepContacts::press_on(StepState& x) {
   if (loads_.coupled()) couple();
   for (const std::size_t i : lasting_) turn_normal(contacts_[i]);
@@ -236,19 +236,19 @@ ROTORUB_INLINE void StepContacts::press_on(StepState& x) {
         from = x.after.data();
       }
     }
-    // Once more after the last round.
+    // One more solution follows the last round.
     if (!loads_.iterates() || settled) break;
     settled = !loads_.improve(x, x.after.data());
     look_at_free(x);
   }
 }
 
-// The impulses of all for the present x.free; false: the laws have none. Rigid and compliant
-// contacts in turn, until their impulses no longer change.
+// Finds the impulses of all contacts for the present x.free; false if the laws have no unique
+// solution. Rigid and compliant contacts are solved in turn until their impulses no longer change.
 bool StepContacts::find_impulses(StepState& x) {
   if (pressing_.empty()) return solve_lasting(x);
   constexpr int kRounds = 200;
-  constexpr double kSettled = 1e-15;  // of the largest impulse
+  constexpr double kSettled = 1e-15;  // relative to the largest impulse
   for (int round = 0; round < kRounds; ++round) {
     const State was = now;
     if (!press(x)) return false;
@@ -273,8 +273,8 @@ bool StepContacts::solve_lasting(StepState& x) {
     s.d = {c.d.x, c.d.y};
     const Eigen::Vector3d others = rates_by(i, pressing_);
     s.free = rates(i, x.free.data()) + others;
-    // Where the path of one contact ends far from where it begins (it passes the middle), the
-    // normal is that of the place where it leaves the circle.
+    // If the path of a single contact ends far from its start (it passes the middle), the normal is
+    // taken at the point where the path leaves the circle.
     const Eigen::Vector2d path = h_ * s.free.head<2>();
     if (lasting_.size() == 1 && s.d.dot(s.d + path) < 0.5 * c.clearance * c.clearance) {
       const double share = circle_exit(s.d, path, c.clearance);
@@ -342,86 +342,6 @@ void StepContacts::hold_on(StepState& x) {
     c.e_r = {d.x / delta, d.y / delta};
     push(i, kept.normal_at_end, kept.friction_at_end, x.free.data());
   }
-}
-
-// ------------------------------------------------------------------ a step in two parts
-bool StepContacts::alike(const State& part, const State& was) const {
-  for (std::size_t i = 0; i < count(); ++i) {
-    if (!contacts_[i].rigid || !was[i].closed) continue;
-    if (!part[i].closed || part[i].slip_sign != was[i].slip_sign) return false;
-  }
-  return true;
-}
-
-StepContacts::State StepContacts::second_part(const State& was, const State& first) const {
-  State second = was;
-  for (std::size_t i = 0; i < count(); ++i) {
-    if (contacts_[i].rigid) second[i].slip_sign = first[i].slip_sign;
-  }
-  return second;
-}
-
-void StepContacts::join_parts(double share, double rest, const State& first) {
-  for (std::size_t i = 0; i < count(); ++i) {
-    Kept& c = now[i];
-    c.normal_at_end = c.normal;
-    c.friction_at_end = c.friction;
-    c.normal = share * first[i].normal + rest * c.normal;
-    c.friction = share * first[i].friction + rest * c.friction;
-  }
-  note_lasting();
-}
-
-void StepContacts::go_on_as(const State& mean) {
-  now = mean;
-  note_lasting();
-}
-
-// ------------------------------------------------------------------ what the step did
-void StepContacts::note_lasting() {
-  did_ = true;
-  for (std::size_t i = 0; i < count(); ++i) {
-    const Kept& c = now[i];
-    ContactStep& done = done_[i];
-    done = {};
-    if (!c.closed || !(c.normal > 0.0)) continue;
-    done.mode = c.slip_sign == 0.0 ? Mode::kStick : Mode::kSlide;
-    done.reversed = contacts_[i].last_sign * c.slip_sign < 0.0;
-    done.normal_impulse = c.normal;
-    done.friction_impulse = c.friction;
-    done.lasting = {c.normal, c.friction};
-  }
-}
-
-void StepContacts::set_closed(std::size_t i, bool closed) {
-  if (now[i].closed != closed) now[i].slip_sign = 0.0;
-  now[i].closed = closed;
-}
-
-void StepContacts::note_impact(const Impact& impact, bool listed) {
-  ContactStep& done = done_[static_cast<std::size_t>(impact.contact)];
-  impacted_ = did_ = true;
-  done.normal_impulse += impact.normal_impulse;
-  done.friction_impulse += impact.friction_impulse;
-  if (listed) impacts.push_back(impact);
-}
-
-void StepContacts::tell(FixedStep& out) const {
-  static_cast<ContactStep&>(out) = done_[0];
-  out.others = std::span(done_).subspan(1);
-  out.impacts = impacts;
-}
-
-double StepContacts::lasting_work(const StepState& x) const {
-  const double* end = end_without_impacts(x);
-  double work = 0.0;
-  for (std::size_t i = 0; i < count(); ++i) {
-    if (!(done_[i].lasting.x() > 0.0)) continue;
-    const Contact& c = contacts_[i];
-    work += rotorub::lasting_work(m_, i, {c.e_r.x, c.e_r.y}, done_[i].lasting,
-                                  rates(i, x.start.data()), rates(i, end));
-  }
-  return work;
 }
 
 }  // namespace rotorub

@@ -1,19 +1,20 @@
-// The contacts in a fixed step of one run, as one list: where the straight path of the step leaves
-// a circle, whether contact lasts, and the impulses of those that do.
+// The contacts of one run in a fixed step, as one list: they decide whether the straight path of
+// the step leaves a circle and whether contact lasts, and find the impulses of lasting contacts.
 //
-// Rigid contacts that last end the step on their circles (contact/step_contact.h), most often one
-// alone that slides on as in the step before. Where a rigid contact's path leaves its circle out of
-// flight, an impact begins (verlet.cc).
+// Rigid lasting contacts end the step on their circles (contact/step_contact.h). Usually there is
+// only one, which slides on as in the step before. If the path of a rigid contact in flight leaves
+// its circle, an impact begins (verlet.cc).
 //
 // The force of a compliant contact (contact/compliance.h) is one more load at the coordinates that
-// the step sees, with its damping and its friction implicit:
+// the step sees, with implicit damping and friction:
 //
-//   P = w_0 + w_1 p',   |T| <= mu P,   slip of the step's end != 0: T = -mu P sign(slip)
+//   P = w_0 + w_1 p',   |T| <= mu P,   slip at the end of the step != 0: T = -mu P sign(slip)
 //
-// p' the mean of the rates at the step's begin and end, w_0 the impulse of the spring and w_1 that
-// of the damper for a rate of 1, over the part of the step in which the straight paths to the place
-// that is seen, and on from there, are in the wall. Where a touch is, and how fast, is found on
-// them: order 2. Explicit in the spring: h < 2 / sqrt(k g_NN) (step_limit.h).
+// Here p' is the mean of the rates at the start and the end of the step. w_0 is the impulse of the
+// spring and w_1 the impulse of the damper per unit rate. Both are taken over the part of the step
+// in which two straight paths are in the wall: the path to the place that the step sees, and the
+// path on from there. The touch and its speed are found on the same paths. The order is 2. The
+// spring is explicit: h < 2 / sqrt(k g_NN) (step_limit.h).
 #pragma once
 
 #include <Eigen/Core>
@@ -33,20 +34,21 @@ namespace rotorub {
 
 class StepContacts {
  public:
-  // The part of a contact that lives from step to step. Until go_on() it is that of the step
-  // before, from then on that of this step.
+  // The state of a contact that is kept between steps. Until go_on() it belongs to the step before,
+  // afterwards to this step.
   struct Kept {
-    // Rigid: it lasts on its circle. Compliant: it is in the wall, since its last touch.
+    // Rigid: the contact lasts on its circle. Compliant: it has been in the wall since its last
+    // touch.
     bool closed = false;
     double slip_sign = 0.0;               // sliding: +1, -1; 0: open or sticking
-    double normal = 0.0, friction = 0.0;  // N s, of what lasts in the step
+    double normal = 0.0, friction = 0.0;  // N s, of lasting contact in the step
     // N s, if the forces at the end of the step acted over the whole step.
     double normal_at_end = 0.0, friction_at_end = 0.0;
-    double hunt_crossley = 0.0;  // s/m, a of a compliant contact's last touch
+    double hunt_crossley = 0.0;  // s/m, a of the last touch (compliant)
   };
   using State = std::array<Kept, kMaxContacts>;
 
-  // Both must outlive this.
+  // Both must outlive this object.
   StepContacts(const StepState& x, LoadKick& loads);
 
   State now{};
@@ -57,48 +59,50 @@ class StepContacts {
   bool is_rigid(std::size_t i) const { return contacts_[i].rigid; }
   const Model& model() const { return m_; }
   const ContactParameters& law(std::size_t i) const { return *m_.auxiliary[i].contact; }
-  // (ddot, spin) of velocities.
+  // (ddot, spin) for velocities v.
   Eigen::Vector3d rates(std::size_t i, const double* v) const;
-  // m, ring's to rotor's centre at the coordinates that the step sees.
+  // m, from the ring's to the rotor's centre at the coordinates that the step sees.
   Eigen::Vector2d place(std::size_t i) const { return {contacts_[i].d.x, contacts_[i].d.y}; }
-  // A rigid contact lasts.
+  // True if a rigid contact lasts.
   bool lasts() const;
 
-  // The step's beginning.
+  // Begins a step.
   void forget_last();
-  // A state has been written: what stands on its circle and does not close is lasting contact, and
-  // what is in a wall was loaded there, not struck.
+  // Call it after a state has been written. A contact at rest on its circle is then a lasting
+  // contact, and a compliant contact in its wall begins closed, without a touch.
   void begin(const StepState& x);
-  // go_on() may get x.free without what is iterated: the one lasting contact iterates it anyway.
+  // True if go_on() may get x.free without its iteration, because the only contact lasts and
+  // go_on() iterates it anyway.
   bool settles() const { return count() == 1 && contacts_[0].rigid && now[0].closed; }
 
-  // x.after from x.free with the impulses of all that last. A status of x where the laws have no
-  // solution.
+  // Computes x.after from x.free with the impulses of all lasting contacts. Sets a status of x if
+  // the laws have no unique solution.
   void go_on(StepState& x, bool unsettled = false);
-  // After it: whether a path of the step with x.after leaves its circle out of flight.
+  // Call it after go_on(): true if a contact in flight leaves its circle in the step with x.after.
   bool leave_flight(const StepState& x) const;
-  // x.free with the forces of the last step's end, by the normals of now.
+  // Adds the forces at the end of the last step to x.free, along the present normals.
   void hold_on(StepState& x);
 
-  // A step is taken in two parts where a load jumps in it: `first` holds for `share` of it, and the
-  // part taken last for `rest`. Parts are alike if contact goes on in them as before the step.
+  // If a load jumps in a step, the step is taken in two parts: `first` holds for the fraction
+  // `share`, and the part taken last for `rest`. A part is alike to the state before the step if
+  // its lasting contacts go on in the same way.
   bool alike(const State& part, const State& was) const;
   State second_part(const State& was, const State& first) const;
   void join_parts(double share, double rest, const State& first);
-  // Such a step counts as one if its mean loads may act throughout.
+  // Takes such a step as one, with the state under its mean loads.
   void go_on_as(const State& mean);
 
-  // x.after is about to be changed by impacts.
+  // Call it before impacts change x.after.
   void keep_end(const StepState& x) { without_impacts_ = x.after; }
-  // `listed`: among `impacts`, and not in the impulses alone.
+  // listed: the impact is added to `impacts`, not only to the impulses.
   void note_impact(const Impact& impact, bool listed = true);
-  // Contact lasts from here on, or does not.
+  // Sets whether contact lasts from here on.
   void set_closed(std::size_t i, bool closed);
-  // to += A^-1 J^T of impulses of a contact, with the normal of the step.
+  // to += A^-1 J^T times the impulses of a contact, with the normal of the step.
   void push(std::size_t i, double normal, double friction, double* to) const;
 
-  // The numbers that outlive a step: first those that stand before the state in a saved memory,
-  // then all others.
+  // The numbers that are kept between steps: for_each_kept() has those that precede the state in a
+  // saved memory, for_each_force_kept() all others.
   template <class Action>
   void for_each_kept(Action& action) {
     keep_flag(now[0].closed, action);
@@ -118,13 +122,14 @@ class StepContacts {
     }
   }
 
-  // Velocities at the step's end as they would be without its impacts.
+  // Velocities at the end of the step without its impacts.
   const double* end_without_impacts(const StepState& x) const {
     return impacted_ ? without_impacts_.data() : x.after.data();
   }
-  // What the step did.
+  // Writes the results of the step (contact_results.cc).
   void tell(FixedStep& out) const;
-  // J, on the coordinates: of what lasted, from velocities x.start to the end without impacts.
+  // J, work of lasting contact on the coordinates, from the velocities x.start to the end without
+  // impacts.
   double lasting_work(const StepState& x) const;
 
  private:
@@ -133,21 +138,21 @@ class StepContacts {
 
   struct Contact {
     const AuxiliaryBearing* at = nullptr;
-    bool rigid = true;   // also where there is no contact
-    bool flies = false;  // rigid, and it did not last before the step
+    bool rigid = true;   // also if there is no contact
+    bool flies = false;  // rigid, and not lasting before the step
     double clearance = 0.0, radius = 0.0;
-    // mu. Where it depends on the slip not a number, with which nothing slides on.
+    // mu; not a number if mu depends on the slip, so that slide_on() returns false.
     double friction = 0.0;
-    // What a load (x, y, torque about z) does to the velocities: the columns A^-1 J^T. Where a free
-    // spin is coupled with bending (velocity_matrix.h) they are A_0^-1 J^T, and what A^-1 J^T has
-    // beside them changes from step to step.
+    // The velocities by a load (x, y, torque about z): the columns of A^-1 J^T. If a free spin is
+    // coupled with bending (velocity_matrix.h), they are the columns of A_0^-1 J^T, and `coupled`
+    // has the rest of A^-1 J^T, which changes from step to step.
     std::array<StepState::Coordinates, 3> column;
     std::array<VelocityMatrix::Coupled, 3> coupled{};
-    // Of the step: m, ring's to rotor's centre; outward normal; m/s, of x.free; the slip's sign
-    // before the step, and before the part of it that is being taken.
+    // In the step: m, from the ring's to the rotor's centre; outward normal; m/s, relative velocity
+    // for x.free; sign of the slip before the step, and before the present part of it.
     Pair d{0.0, 0.0}, e_r{1.0, 0.0}, free{0.0, 0.0};
     double last_sign = 0.0, sign_before = 0.0;
-    // Of a compliant one: (ddot, spin) of x.start and x.free; w_0 (N s), w_1 (N s^2/m).
+    // For a compliant contact: (ddot, spin) for x.start and x.free; w_0 (N s), w_1 (N s^2/m).
     Eigen::Vector3d start_rates{0.0, 0.0, 0.0}, free_rates{0.0, 0.0, 0.0};
     double spring = 0.0, damper = 0.0;
   };
@@ -156,12 +161,13 @@ class StepContacts {
     return admittance_[i * count() + j];
   }
   void couple();
-  // to = from + A^-1 J^T of impulses of a contact.
+  // to = from + A^-1 J^T times the impulses of a contact.
   void add_response(std::size_t i, double normal, double friction, const double* from,
                     double* to) const;
   void look(const StepState& x);
   void look_at_free(const StepState& x);
-  // To the place that the step sees; where that is the middle it stays.
+  // Turns the normal to the place that the step sees; it is unchanged if the centres coincide
+  // there.
   static void turn_normal(Contact& c) {
     const double delta = std::sqrt(c.d.x * c.d.x + c.d.y * c.d.y);
     if (delta > kNoNormal) c.e_r = {c.d.x / delta, c.d.y / delta};
@@ -172,11 +178,11 @@ class StepContacts {
   bool find_impulses(StepState& x);
   bool slide_on(std::size_t i, const double* free);
   bool solve_lasting(StepState& x);
-  // The rates of a contact by the impulses of others.
+  // The rates of a contact by the impulses of the others.
   Eigen::Vector3d rates_by(std::size_t i, const List& others) const;
   void note_lasting();
 
-  // Compliant contacts: compliant_contacts.cc.
+  // Compliant contacts (compliant_contacts.cc).
   bool find_touches(StepState& x);
   void meet_wall(std::size_t i, const Eigen::Vector3d& free);
   bool press(StepState& x);
@@ -189,14 +195,14 @@ class StepContacts {
   double h_;
   bool exists_ = false, gives_ = false;
   std::vector<Contact> contacts_;
-  std::vector<Eigen::Matrix3d> uncoupled_, admittance_;  // blocks, of each contact by each
-  double before_ = 0.0, after_ = 0.0;                    // s, of the step, of the place it sees
-  // Of the step: the rigid contacts that last and the compliant ones in their walls; whether any
-  // contact acts; whether there were impacts; whether done_ has anything.
+  std::vector<Eigen::Matrix3d> uncoupled_, admittance_;  // blocks for each pair of contacts
+  double before_ = 0.0, after_ = 0.0;  // s, parts of the step around the place that it sees
+  // In the step: rigid lasting contacts and compliant contacts in their walls; whether any contact
+  // acts; whether there were impacts; whether done_ has been written.
   List lasting_, pressing_;
   bool acts_ = false, impacted_ = false, did_ = false;
   std::vector<ContactStep> done_;
-  StepState::Coordinates without_impacts_;  // velocities at the step's end
+  StepState::Coordinates without_impacts_;  // velocities at the end of the step
 };
 
 }  // namespace rotorub

@@ -12,14 +12,15 @@
 namespace rotorub {
 namespace {
 
-// s: the positive root of h^2 k + 4 h d = 4, k and d by the mass: 1/s^2 and 1/s. (At the border a
-// velocity that the command sees half a step late changes its sign each step.)
+// s, the positive root of h^2 k + 4 h d = 4, with k and d divided by the mass: 1/s^2 and 1/s. (At
+// the limit by d alone, a velocity that the command sees half a step late changes its sign in each
+// step.)
 double limit_of(double k, double d) {
   if (k <= 0.0 && d <= 0.0) return std::numeric_limits<double>::infinity();
   return 4.0 / (2.0 * d + 2.0 * std::sqrt(d * d + std::max(0.0, k)));
 }
 
-// Largest k/m of a plane of bending with what acts at stations, 1/s^2: an upper bound.
+// 1/s^2, upper bound of k/m in a plane of bending, including springs and films at stations.
 double bending(const Model& m, int plane) {
   const Layout& l = m.layout;
   const int at = plane == 0 ? l.x() : l.y();
@@ -33,8 +34,8 @@ double bending(const Model& m, int plane) {
     const Eigen::VectorXd &shape = plane == 0 ? film.shape.x : film.shape.y,
                           &other = plane == 0 ? film.shape.y : film.shape.x;
     const BearingCoefficients c = largest(film.law);
-    // What the rows of the plane have of both planes, and of their damping nothing: that is in the
-    // step's matrix.
+    // The rows of this plane contain stiffness terms of both planes. The damping of films is in the
+    // step's matrix and does not count.
     const auto row = shape.cwiseAbs().cwiseQuotient(mass);
     const double own = plane == 0 ? c[0] : c[3], cross = plane == 0 ? c[1] : c[2];
     most += row.maxCoeff() * (own * shape.cwiseAbs().sum() + cross * other.cwiseAbs().sum());
@@ -47,13 +48,14 @@ double bending(const Model& m, int plane) {
   return most;
 }
 
-// b' D^-1 b / J of the eccentric discs with a free spin: M >= (1 - sqrt of it) diag(M).
+// b' D^-1 b / J of the eccentric discs with a free spin, which gives M >= (1 - sqrt(b' D^-1 b / J))
+// diag(M).
 double coupling(const Model& m) {
   if (!m.coupled_mass()) return 0.0;
   Eigen::VectorXd unit = Eigen::VectorXd::Unit(m.nq(), m.layout.phi()), solved(m.nq());
   double most = 0.0;
   for (const DiscUnbalance& u : m.unbalances) {
-    // From the instant on at which it is there. e' M^-1 e = 1 / (J - b' D^-1 b).
+    // At the instant at which the unbalance appears. e' M^-1 e = 1 / (J - b' D^-1 b).
     solve_mass(m, std::max(0.0, u.on), m.q0.data(), unit.data(), solved.data());
     most = std::max(most, 1.0 - 1.0 / (solved[m.layout.phi()] * m.mass[m.layout.phi()]));
   }
@@ -78,7 +80,7 @@ StepLimit step_limit(const Model& m) {
     take(m.stiffness[i] / m.mass[i], 0.0, "the stiffest torsion mode");
   }
   if (m.drive) {
-    // The integrator holds the motor's angle as a spring.
+    // The integrator of the drive acts on the motor's angle as a spring.
     double mobility = 1.0 / m.mass[l.phi()];
     for (int k = 0; k < l.torsion; ++k) {
       mobility += m.drive_shape[k] * m.drive_shape[k] / m.mass[l.theta() + k];
@@ -89,8 +91,8 @@ StepLimit step_limit(const Model& m) {
     const int i = l.ring() + k;
     take(m.stiffness[i] / m.mass[i], 0.0, "the ring on its spring");
     if (!m.first().controller) continue;
-    // This holds for a sampled law too: a gain that is too large for the step is too large for its
-    // samples, which are at least a step apart.
+    // This holds for a sampled law too. A gain that is too large for the step is also too large for
+    // the samples, which are at least a step apart.
     const Controller::Gains gains = m.first().controller->ring_gains();
     take((m.stiffness[i] + gains.stiffness) / m.mass[i], gains.damping / m.mass[i],
          "the controller's gains on the ring");
@@ -99,7 +101,7 @@ StepLimit step_limit(const Model& m) {
     for (int k = 0; k < 2; ++k) {
       const double mass = m.mass[s.ring + k];
       double slope = s.law.dry ? s.law.dry->force / s.law.dry->presliding : 0.0;
-      // Rows of M^-1/2 K M^-1/2, whose eigenvalues are bounded by them.
+      // Rows of M^-1/2 K M^-1/2, whose sums bound the eigenvalues.
       if (s.housing == kAbsent) {
         take((m.stiffness[s.ring + k] + slope) / mass, 0.0, "the ring's dry friction");
         continue;
@@ -112,10 +114,11 @@ StepLimit step_limit(const Model& m) {
     }
   }
   for (const AuxiliaryBearing& at : m.auxiliary) {
-    // Of another exponent the stiffness follows the depth, and the step is held to it as it goes.
+    // For other exponents the stiffness depends on the penetration, and the run checks the step as
+    // it goes.
     if (!at.gives() || at.contact->compliance.exponent != 1.0) continue;
     const Eigen::Matrix3d& a = at.admittance;
-    // The larger eigenvalue of its 2 x 2 corner.
+    // The larger eigenvalue of the 2 x 2 corner.
     const double mobility =
         0.5 * (a(0, 0) + a(1, 1)) + std::hypot(0.5 * (a(0, 0) - a(1, 1)), a(1, 0));
     const CompliantLaw& law = at.contact->compliance;

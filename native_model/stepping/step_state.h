@@ -1,5 +1,4 @@
-// What a fixed step moves: coordinates and velocities, and the velocities that lead from one to the
-// next.
+// The state that a fixed step advances: coordinates, velocities, and the intermediate velocities.
 #pragma once
 
 #include <algorithm>
@@ -15,7 +14,7 @@ namespace rotorub {
 struct StepState {
   using Coordinates = std::vector<double>;  // nq
 
-  // The model must outlive this. step: s.
+  // The model must outlive this object. step: s.
   StepState(const Model& model, double step)
       : m(model), h(step), q(static_cast<std::size_t>(model.nq())), nq_(model.nq()) {
     v = seen = start = free = after = q;
@@ -24,15 +23,16 @@ struct StepState {
   const Model& m;
   double h;             // s
   double origin = 0.0;  // s, t at k = 0
-  // Coordinates and velocities before the step, and once it is taken after it.
+  // Coordinates and velocities before the step and, when it is done, after it.
   Coordinates q, v;
   // The coordinates at which loads and contact act.
   Coordinates seen;
-  // Velocities with which the step begins; at its end without contact; at its end.
+  // Velocities at the start of the step; at its end without contact; at its end.
   Coordinates start, free, after;
-  // The part of the step for which loads and contact act where they are iterated.
+  // Fraction of the step for which loads and contact act in the iteration: 1, or 1/2 in a first
+  // step.
   double kick = 1.0;
-  Status status = Status::kOk;  // with any other the state stays where it was
+  Status status = Status::kOk;  // with any other status the state stays unchanged
 
   int nq() const { return nq_; }
   double time_of(std::int64_t k) const { return origin + static_cast<double>(k) * h; }
@@ -40,27 +40,28 @@ struct StepState {
   void fail(Status why) {
     if (status == Status::kOk) status = why;
   }
-  // Another state at the same instant, nq values each.
+  // Takes over another state at the same instant, nq values each.
   void adopt(const double* new_q, const double* new_v) {
     std::copy_n(new_q, nq(), q.begin());
     std::copy_n(new_v, nq(), v.begin());
   }
 
-  // The step's beginning: seen = q, start = v, and `late` (nq values, or null) on top. q and v are
-  // free to be written from here on: their vectors change places with those of the last step.
+  // Begins a step: seen = q, start = v plus `late` (nq values, or null). q and v may be overwritten
+  // from here on, because their vectors are swapped with those of the last step.
   void begin(const double* late) {
     q.swap(seen);
     keeps_v_ = late != nullptr;
     if (keeps_v_) return add_to_start(late);
     v.swap(start);
   }
-  // The same without a step to come: q and v stay.
+  // The same without a step to follow: q and v stay unchanged.
   void look(const double* late) {
     seen = q;
     start = v;
     if (late) add_to_start(late);
   }
-  // The step's end: v = after, q = seen + h after, unless it is no longer finite.
+  // Ends the step: v = after, q = seen + h after. If a value is no longer finite, it sets kDiverged
+  // and restores the state.
   void move() {
     const int n = nq();
     const double *end = after.data(), *from = seen.data();
@@ -90,7 +91,7 @@ struct StepState {
   bool keeps_v_ = false;  // since begin()
 };
 
-// A flag among the numbers that outlive a step.
+// Passes a flag to `action` as one of the numbers that are kept between steps.
 template <class Action>
 void keep_flag(bool& flag, Action& action) {
   double number = flag ? 1.0 : 0.0;

@@ -54,7 +54,7 @@ void SteppedLoads::advance(std::int64_t k, double t, double begin, double end) {
   now_ = k;
   for (Load& load : loads_) {
     const bool rotates = load.of->kind == scene::ForceKind::kRotating;
-    const bool sweeps = load.of->kind == scene::ForceKind::kChirp;  // no fixed angle a step
+    const bool sweeps = load.of->kind == scene::ForceKind::kChirp;  // not by a fixed angle per step
     if (sweeps || (rotates && k % kResync == 0)) {
       const double angle = load.of->angle(t, 0.0);
       load.cosine = std::cos(angle);
@@ -98,13 +98,13 @@ void SteppedLoads::turn_with(double phi) {
 
 double SteppedLoads::mean_envelope(const Load& load, double begin, double end) {
   const AppliedForce& force = *load.of;
-  // Exactly 1 where nothing changes within the step.
+  // Exactly 1 if nothing changes within the step.
   if (begin >= force.on + force.ramp && end <= load.off) return 1.0;
   const double until_end = std::min(load.off, end), until_begin = std::min(load.off, begin);
   return (risen(force, until_end) - risen(force, until_begin)) / (end - begin);
 }
 
-// Of sin(pi (t - on)/(off - on)), by its integral.
+// The mean of sin(pi (t - on)/(off - on)), from its integral.
 double SteppedLoads::mean_pulse(const Load& load, double from, double to) {
   const double on = load.of->on, off = load.off;
   const double begin = std::clamp(from, on, off), end = std::clamp(to, on, off);

@@ -1,7 +1,7 @@
 // The loads of [[force]] and of the base's motion over fixed steps. A rotating force turns by a
-// fixed angle each step; its sine and cosine are taken anew every kResync steps, so that round-off
-// does not gather. A load that is switched or ramped counts with the mean of its envelope over the
-// step, a pulse too.
+// fixed angle in each step; its sine and cosine are computed anew every kResync steps, so that
+// round-off does not accumulate. A load that is switched, ramped or a pulse counts with the mean of
+// its envelope over the step.
 #pragma once
 
 #include <cstdint>
@@ -12,22 +12,23 @@
 
 namespace rotorub {
 
-// s: when a load is switched next after `from`, at most `end`.
+// s, the next instant after `from` at which a load is switched, at most `end`.
 double next_switch(const Model& model, double from, double end);
 
 class SteppedLoads {
  public:
   static constexpr std::int64_t kResync = 256;
 
-  // The model must outlive this. h: s.
+  // The model must outlive this object. h: s.
   SteppedLoads(const Model& model, double h);
 
-  // The forces of step k: directions of the instant t (s), envelopes over [begin, end]. Asked again
-  // for the same step it does nothing.
+  // Computes the forces of step k: directions at the instant t (s), envelopes over [begin, end]. A
+  // repeated call for the same step does nothing.
   void advance(std::int64_t k, double t, double begin, double end);
-  // After advance: the envelopes over another part of the step.
+  // Call it after advance(): takes the envelopes over another part of the step.
   void weigh(double begin, double end);
-  // After advance, where there are loads locked to a free spin; phi of the step's instant, rad.
+  // If there are loads that are synchronous with a free spin, call turn_with() after advance();
+  // phi: rad, at the instant of the step.
   bool synchronous() const { return synchronous_; }
   void turn_with(double phi);
   void add(double* f) const {
@@ -38,7 +39,7 @@ class SteppedLoads {
   }
 
   void forget() { now_ = -1; }
-  // The numbers that outlive a step.
+  // The numbers that are kept between steps.
   template <class Action>
   void for_each_kept(Action& action) {
     for (Load& load : loads_) {
@@ -52,10 +53,10 @@ class SteppedLoads {
   struct Load {
     const AppliedForce* of = nullptr;
     bool switched = false;                      // or ramped
-    double off = 0.0;                           // s, not before it is on
-    double cosine = 0.0, sine = 0.0;            // now
-    double turn_cosine = 1.0, turn_sine = 0.0;  // of one step
-    double share = 0.0, x = 0.0, y = 0.0;       // of the step; N, now
+    double off = 0.0;                           // s, not before `on`
+    double cosine = 0.0, sine = 0.0;            // of the present direction
+    double turn_cosine = 1.0, turn_sine = 0.0;  // of the turn in one step
+    double share = 0.0, x = 0.0, y = 0.0;       // mean envelope in the step; N, present force
   };
   static double mean_envelope(const Load& load, double begin, double end);
   static double mean_pulse(const Load& load, double begin, double end);
@@ -64,7 +65,7 @@ class SteppedLoads {
   std::int64_t now_ = -1;
   bool synchronous_ = false;
   std::vector<Load> loads_;
-  equations::Pair base_{};  // m/s^2, the base's acceleration over the step
+  equations::Pair base_{};  // m/s^2, mean acceleration of the base in the step
 };
 
 }  // namespace rotorub

@@ -10,7 +10,7 @@
 namespace rotorub {
 namespace {
 
-// A step of `verlet` as others see it.
+// The interface to a step of `verlet`.
 class Leapfrog final : public KeptStepper {
  public:
   Leapfrog(const Model& model, double h) : step_(model, h) {}
@@ -73,8 +73,8 @@ class Leapfrog final : public KeptStepper {
   void command(std::span<const Eigen::Vector2d> u) {
     std::copy(u.begin(), u.end(), step_.loads.command.begin());
   }
-  // All that outlives a step, as plain numbers: two of the contact and the origin of time, the
-  // state, and what loads and scheme keep.
+  // All numbers that are kept between steps: two of the contact and the origin of time, the state,
+  // then those of the loads and of the scheme.
   template <class Action>
   void for_each_kept(Action action) {
     step_.contacts.for_each_kept(action);

@@ -1,6 +1,6 @@
-// One run of a model in fixed steps, by one of two schemes of the same equations:
-// - verlet: leapfrog with located impacts, second order (verlet.h);
-// - euler: the paper's own, first order (euler.h).
+// One run of a model in fixed steps, by one of two schemes for the same equations:
+// - verlet: leapfrog with located impacts, order 2 (verlet.h);
+// - euler: the scheme of the paper, order 1 (euler.h).
 #pragma once
 
 #include <Eigen/Core>
@@ -15,62 +15,65 @@
 
 namespace rotorub {
 
-// Not for two threads at once.
+// A stepper must not be used by two threads at once.
 class FixedStepper {
  public:
   virtual ~FixedStepper() = default;
 
-  // From t_k = t_0 + k step to t_{k+1}, under the commands u of the actuators, one for each
-  // auxiliary bearing. k counts from 0, one by one. `works`: those of the result are wanted. No
-  // allocation. With a status the state stays where it was.
+  // Steps from t_k = t_0 + k step to t_{k+1} under the commands u, one for each auxiliary bearing.
+  // k counts from 0 without gaps. works: the result must contain the works. Does not allocate. With
+  // a status other than kOk the state stays unchanged.
   virtual FixedStep step(std::int64_t k, std::span<const Eigen::Vector2d> u, bool works) = 0;
-  virtual const double* q() const = 0;  // of t_{k+1}, nq values
-  virtual const double* v() const = 0;  // of t_{k+1}; of a leapfrog of t_{k+1/2}
+  virtual const double* q() const = 0;  // at t_{k+1}, nq values
+  virtual const double* v() const = 0;  // at t_{k+1}; at t_{k+1/2} for a leapfrog
 
-  // A leapfrog: impacts of a step are those between t_k and t_{k+1}, all else is what acts about
-  // t_k. The rest is for leapfrogs alone.
+  // True for a leapfrog: the impacts of a step are those between t_k and t_{k+1}, and all other
+  // results belong to t_k. The functions below are only for leapfrogs.
   virtual bool leaps() const { return false; }
-  // The command of the step that comes jumps within it.
+  // Announces a jump of the command within the next step.
   virtual void jump(std::size_t, const CommandJump&) {}
-  // Before step k: the velocities of t_k under the commands that hold and the contact forces of the
-  // step before.
+  // Call it before step k: the velocities at t_k under the held commands and the contact forces of
+  // the step before.
   virtual void velocity_now(std::int64_t, std::span<const Eigen::Vector2d>, double*) {}
-  // After step k: the state of t_k, velocities before an impact of the step.
+  // Call it after step k: the state at t_k; the velocities do not contain impacts of the step.
   virtual const double* last_q() const { return q(); }
   virtual void last_velocity(double*) const {}
 };
 
-// From the model's initial state. step: s, > 0. The model must outlive it.
+// Starts at the model's initial state. step: s, > 0. The model must outlive the stepper.
 std::unique_ptr<FixedStepper> make_stepper(scene::Integrator integrator, const Model& model,
                                            double step);
 
-// A stepper whose whole state others can keep, as plain numbers.
+// A stepper whose complete state callers can save as plain numbers.
 class KeptStepper : public FixedStepper {
  public:
-  // As newly made, from another state (nq values each) at time t. No allocation.
+  // Restarts from another state (nq values each) at time t. Does not allocate.
   virtual void begin(double t, const double* q, const double* v) = 0;
   // A stepper of the same model and step that restores what another one saved after step k takes
-  // step k + 1 to the same bits as that one. A status is not among them; restoring ends it. No
-  // allocation.
+  // step k + 1 with bitwise the same result. The status is not saved; restore() resets it. These
+  // functions do not allocate.
   virtual std::size_t memory_size() = 0;
   virtual void save(double* to) = 0;
   virtual void restore(const double* from) = 0;
-  // Of the step that comes: the state at its begin in other numbers (those of who keeps it,
-  // MuJoCo), and further loads (nq values, held over it; they must outlive it; null: none).
+  // For the next step: adopt() replaces the state by other numbers for the same instant (as MuJoCo
+  // keeps it), and apply() adds loads (nq values, held over the step; they must outlive it; null:
+  // none).
   virtual void adopt(const double* q, const double* v) = 0;
   virtual void apply(const double* loads) = 0;
-  // The time that the last step's lasting forces are for, in steps: 1/2 for a leapfrog's first.
+  // The duration in steps for which the last step's lasting forces act: 1/2 in the first step of a
+  // leapfrog.
   virtual double last_kick() const = 0;
 };
 
-// By `verlet`, from the state at its own time. The model must outlive it. step: s, > 0.
+// Makes a `verlet` stepper that starts at `start`, at its time. The model must outlive it. step: s,
+// > 0.
 std::unique_ptr<KeptStepper> make_kept_stepper(const Model& model, double step, const State& start);
 
 // The same for a single actuator. The command of step k is its mean over (t_k - step/2, t_k +
-// step/2); forces of the result are those about t_k, impacts those between t_k and t_{k+1}.
+// step/2). Forces in the result belong to t_k, impacts lie between t_k and t_{k+1}.
 class VerletStepper {
  public:
-  // From the model's initial state, or from another, at its own time. step: s, > 0.
+  // Starts at the model's initial state, or at another state at its time. step: s, > 0.
   VerletStepper(const Model& model, double step)
       : VerletStepper(model, step, initial_state(model)) {}
   VerletStepper(const Model& model, double step, const State& start)
@@ -81,7 +84,8 @@ class VerletStepper {
   }
   const double* q() const { return stepper_->q(); }
   const double* v() const { return stepper_->v(); }
-  // Of t_{k+1/2}: what the next impact does to it is not in it.
+  // Velocities at t_{k+1/2}; the part of an impact's jump that is left to the next step is not
+  // included.
   const double* v_half() const { return stepper_->v(); }
   const double* last_q() const { return stepper_->last_q(); }
   void last_velocity(double* v) const { stepper_->last_velocity(v); }
@@ -100,9 +104,9 @@ class VerletStepper {
   }
   void save(double* to) const { stepper_->save(to); }
   void restore(const double* from) { stepper_->restore(from); }
-  // The coordinates in a memory; the velocities follow them.
+  // The coordinates in a saved memory; the velocities follow them.
   static const double* saved_q(const double* memory) {
-    constexpr std::size_t kBeforeState = 3;  // numbers before q, see stepper.cc
+    constexpr std::size_t kBeforeState = 3;  // numbers that precede q (stepper.cc)
     return memory + kBeforeState;
   }
 

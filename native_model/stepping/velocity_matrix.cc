@@ -29,7 +29,7 @@ Eigen::MatrixXd linear_damping(const Model& m) {
     Eigen::VectorXd at_motor = Eigen::VectorXd::Zero(l.nq());
     at_motor[l.phi()] = 1.0;
     at_motor.segment(l.theta(), l.torsion) = m.drive_shape;
-    // A motor's curve may rise with the speed: then the iteration has it alone.
+    // The curve of a motor may rise with the speed; then only the iteration contains it.
     const double slope = std::max(0.0, -m.drive->slope(m.speed));
     d.noalias() += slope * at_motor * at_motor.transpose();
   }

@@ -12,9 +12,9 @@
 namespace rotorub {
 namespace {
 
-// Below, of a step, round-off alone keeps a jump apart from the step's ends.
+// Fraction of a step; jumps closer to the step's ends differ from them only by round-off.
 constexpr double kLeastPart = 1e-9;
-constexpr double kOnCircle = 1e-12;  // of the clearance: as good as on it
+constexpr double kOnCircle = 1e-12;  // of the clearance; smaller gaps count as closed
 
 bool impacts_take_time(const Model& m) {
   return m.auxiliary.size() == 1 && m.first().contact && m.first().contact->impact_time() > 0.0;
@@ -61,14 +61,14 @@ void VerletStep::step(std::int64_t k) {
   x.move();
 }
 
-// x.free and x.after of step k without contact; `later`: see LoadKick.
+// Computes x.free and x.after of step k without contact; later: see LoadKick.
 void VerletStep::kick(std::int64_t k, bool later) {
   const double t = x.time_of(k);
   loads.free_velocity(x, k, first_ ? t : t - 0.5 * x.h, t, later);
   if (first_) halve_kick();
 }
 
-// x.free of the step's loads, which are those of its kick: the first is half of one.
+// A first step has only half of the kick.
 void VerletStep::halve_kick() {
   for (std::size_t i = 0; i < x.free.size(); ++i) x.free[i] = 0.5 * (x.start[i] + x.free[i]);
   x.after = x.free;
@@ -103,21 +103,21 @@ void VerletStep::last_velocity(double* now) const {
 }
 
 double VerletStep::external_work() {
-  if (held_open_) return late_work_;  // the impact has it
+  if (held_open_) return late_work_;  // the impact books this work
   const double kick = was_first_ ? 0.5 : 1.0;
   return kick * loads.external_work(x, contacts.end_without_impacts(x)) + late_work_;
 }
 
 // ------------------------------------------------------------------ jumps of loads and commands
-// In flight the mean over the step is all that counts. In lasting contact the contact's force is
-// not part of the mean load: it ends, or its friction turns, where the load does. So the step's
-// velocities are those that the loads before and the loads after would give had they held all
-// along, each for its share s of the step,
+// In flight only the mean load over the step matters. In lasting contact the contact force is not
+// that of the mean load: contact ends, or friction reverses, at the instant of the jump. Therefore
+// the velocities of the step are the weighted sum of those that the loads before and after the jump
+// would give if they held throughout,
 //
 //   v_{k+1/2} = s v_before + (1 - s) v_after,   (N, T) likewise,
 //
-// and order 2 stays. Where both only go on as they were, the mean load says the same, and the step
-// ends on the circle.
+// with the fraction s of the step before the jump. This keeps order 2. If contact goes on unchanged
+// in both parts, the mean load gives the same result, and the step ends on the circle.
 void VerletStep::jump(std::size_t ring, const CommandJump& command) {
   jumps_[ring] = command;
   command_jumps_ = command_jumps_ || command.share > 0.0;
@@ -130,8 +130,8 @@ void VerletStep::forget_jumps() {
   loads.jumps = {};
 }
 
-// The share of the kick from begin to end (s) before a load or a command jumps in lasting contact;
-// 0: none does. Of commands that jump at several instants the first counts.
+// The fraction of the kick from `begin` to `end` (s) before a load or a command jumps in lasting
+// contact; 0: none jumps. If commands jump at several instants, the first counts.
 double VerletStep::share_before_jump(double begin, double end) {
   if (!(switches_ || command_jumps_) || !contacts.lasts()) return 0.0;
   constexpr double kNone = 2.0;
@@ -150,7 +150,7 @@ double VerletStep::share_before_jump(double begin, double end) {
   return share > kLeastPart && share < 1.0 - kLeastPart ? share : 0.0;
 }
 
-// Once the step is taken with its mean loads.
+// Call it after the step was taken with its mean loads.
 void VerletStep::split(double share, double begin, double end) {
   const StepContacts::State& was = before_parts_;
   const double rest = 1.0 - share, middle = begin + share * (end - begin);
@@ -165,7 +165,7 @@ void VerletStep::split(double share, double begin, double end) {
   take_part(contacts.second_part(was, before), middle, end);
   for (std::size_t i = 0; i < part_sum_.size(); ++i) part_sum_[i] += rest * x.after[i];
 
-  // The loads of the whole step again: x.free, and what works are reckoned from.
+  // Restores the loads of the whole step: x.free, and the basis of the works.
   loads.command = mean_commands;
   loads.free_velocity_of_part(x, begin, end);
   if (was_first_) halve_kick();
@@ -179,7 +179,8 @@ void VerletStep::split(double share, double begin, double end) {
   }
 }
 
-// The whole step as if what holds from begin to end had held all along: x.after and the contacts.
+// Takes the whole step as if the loads from `begin` to `end` held throughout: x.after and the
+// contacts.
 void VerletStep::take_part(const StepContacts::State& was, double begin, double end) {
   loads.free_velocity_of_part(x, begin, end);
   if (was_first_) halve_kick();
@@ -187,7 +188,7 @@ void VerletStep::take_part(const StepContacts::State& was, double begin, double 
   contacts.go_on(x);
 }
 
-// Of commands that jump at another instant the mean.
+// A command that jumps at a later instant keeps its mean.
 void VerletStep::command_part(bool before, double share) {
   for (std::size_t i = 0; i < jumps_.size(); ++i) {
     if (jumps_[i].share == 0.0 || jumps_[i].share - share > kLeastPart) continue;
@@ -198,14 +199,15 @@ void VerletStep::command_part(bool before, double share) {
 // ------------------------------------------------------------------ impacts
 // The flight through a step, from impact to impact.
 struct VerletStep::Flight {
-  double theta = 0.0;                             // share of the step that is over
-  std::array<Eigen::Vector2d, kMaxContacts> d{};  // m, of each contact there
+  double theta = 0.0;                             // fraction of the step that is over
+  std::array<Eigen::Vector2d, kMaxContacts> d{};  // m, of each contact at theta
   std::array<bool, kMaxContacts> closed{};
-  double v[kMaxCoordinates], a[kMaxCoordinates];  // of the step's middle, and accelerations
+  double v[kMaxCoordinates], a[kMaxCoordinates];  // at the step's middle; accelerations
 };
 
-// The contact whose path leaves its circle first, with the flight at that instant; the number of
-// contacts: none does. One that never comes inside is closed: it has no flight.
+// Returns the contact whose path leaves its circle first, and advances the flight to that instant;
+// returns the number of contacts if none leaves. A contact whose path never comes inside has no
+// flight and counts as closed.
 std::size_t VerletStep::next_touch(Flight& flight) const {
   const std::size_t n = contacts.count();
   double share = 2.0;
@@ -230,7 +232,7 @@ std::size_t VerletStep::next_touch(Flight& flight) const {
   return first;
 }
 
-// Each impact takes with it all that is closed there.
+// Solves the impacts of the step; each one includes all contacts that are closed at its instant.
 void VerletStep::collide(std::int64_t k) {
   const std::size_t n = contacts.count();
   const int nq = x.nq();
@@ -251,7 +253,7 @@ void VerletStep::collide(std::int64_t k) {
   for (int count = 0; count < most; ++count) {
     const std::size_t first_touch = next_touch(flight);
     if (first_touch == n) break;
-    // All that is closed there, with the velocities of that instant.
+    // All contacts that are closed there take part, with the velocities of that instant.
     for (int i = 0; i < nq; ++i) {
       v[i] = flight.v[i] + (flight.theta - 0.5) * h * flight.a[i];
       q[i] = x.seen[static_cast<std::size_t>(i)] + flight.theta * h * flight.v[i];
@@ -263,7 +265,7 @@ void VerletStep::collide(std::int64_t k) {
       if (!flight.closed[i] && i != first_touch && flight.d[i].norm() < on_circle) continue;
       impact.join(i, flight.closed[i], flight.d[i].normalized(), v, flight.a);
     }
-    if (impact.approach() == 0.0) {  // a touch
+    if (impact.approach() == 0.0) {  // a touch without an impact
       flight.closed[first_touch] = true;
       continue;
     }
@@ -286,8 +288,8 @@ void VerletStep::collide(std::int64_t k) {
   }
 }
 
-// A lasting contact that an impact knocks open carries nothing from there on, but the kick was for
-// a whole step: the next step gives back (1/2 - theta) of its step impulse.
+// A lasting contact that an impact opens transmits no force afterwards, but the kick was for a
+// whole step. The next step removes (1/2 - theta) of its step impulse.
 void VerletStep::knock_open(std::size_t contact, Flight& flight) {
   double missed[kMaxCoordinates];
   const int nq = x.nq();
@@ -303,11 +305,11 @@ void VerletStep::knock_open(std::size_t contact, Flight& flight) {
 
 namespace {
 
-// The command of the instant, q and v there, t: a continuous controller's of now, else the one that
-// holds.
+// True if a continuous controller is on, whose command follows the state.
 bool follows(const AuxiliaryBearing& at, double t) {
   return at.controller && at.sample_time == 0.0 && t >= at.control_on;
 }
+// The command at the instant t of an impact, with q and v there.
 Eigen::Vector2d command_at_impact(const Model& m, std::size_t bearing, double t, const double* q,
                                   const double* v, const Eigen::Vector2d& held) {
   return follows(m.auxiliary[bearing], t) ? control_command(m, t, q, v, bearing) : held;
@@ -315,10 +317,11 @@ Eigen::Vector2d command_at_impact(const Model& m, std::size_t bearing, double t,
 
 }  // namespace
 
-// jump: in, the load of the impulses; out, what the velocities jump by. Beside it goes what the
-// loads that depend on velocities miss of it, -(theta - 1/2) h M^-1 (F(v + jump) - F(v)), and the
-// work that the mean of the step's velocities misses. q: where M and loads are taken. A continuous
-// controller sees the jump too.
+// jump: input, load of the impulses; output, jump of the velocities. x.after and late_ get their
+// shares of the jump. late_ also gets the part that velocity-dependent loads miss,
+// -(theta - 1/2) h M^-1 (F(v + jump) - F(v)), and late_work_ the work that the mean of the step's
+// velocities misses. q: coordinates at which M and the loads are taken. A continuous controller
+// sees the jump too.
 void VerletStep::take_jump(const Flight& flight, double t, const double* q, double* jump) {
   const Model& m = x.m;
   const int nq = m.nq();
@@ -326,7 +329,7 @@ void VerletStep::take_jump(const Flight& flight, double t, const double* q, doub
   const double late = (flight.theta - 0.5) * x.h;
   double v[kMaxCoordinates], before[kMaxCoordinates], missed[kMaxCoordinates];
   solve_mass(m, t, q, jump, jump);
-  // All loads, by the velocities just before and just after, and their power.
+  // All loads for the velocities v just before or just after the jump, and their power.
   const auto loads_at = [&](double* f) {
     std::array<Eigen::Vector2d, kMaxContacts> commands, rings;
     for (std::size_t i = 0; i < n; ++i) {
@@ -351,7 +354,7 @@ void VerletStep::take_jump(const Flight& flight, double t, const double* q, doub
 }
 
 // ------------------------------------------------------------------ impacts that take time
-// A touch in step k, at the end of the flight so far.
+// Begins at a touch in step k, at the present end of the flight.
 void VerletStep::begin_slow_impact(std::int64_t k, const Flight& flight) {
   const Model& m = x.m;
   const double h = x.h, to_touch = (flight.theta - 0.5) * h;
@@ -373,7 +376,7 @@ void VerletStep::begin_slow_impact(std::int64_t k, const Flight& flight) {
   follow_slow_impact(k);
 }
 
-// To the end of step k: within the impact, or in flight again.
+// Advances to the end of step k, within the impact or in flight again.
 void VerletStep::follow_slow_impact(std::int64_t k) {
   FiniteImpact& impact = *slow_impact_;
   const double h = x.h, end = x.time_of(k) + h;

@@ -1,20 +1,21 @@
-// One step of `verlet`: leapfrog, order 2 through impacts, their accumulation and lasting contact.
-// The velocity that goes with q_k is that of half a step before, v_{k-1/2}.
+// One step of `verlet`: a leapfrog with order 2 also through impacts, their accumulation and
+// lasting contact. The velocity that belongs to q_k is v_{k-1/2}, half a step earlier.
 //
-//   1. Kick: v' = v_{k-1/2} + what the last step's impacts left over; free velocity v_f = v_{k+1/2}
-//      from all loads at (t_k, q_k), velocity-dependent ones at the mean of v' and v_f. The first
-//      step is half a kick.
-//   2. Contact: where the straight path q_k + h v_f stays in every ring nothing more is done. What
-//      lasts ends the step on its circle, or presses into its wall (step_contacts.h). Where a load
-//      or the command jumps within a step of lasting contact: split().
-//   3. Impact: where a path leaves its circle out of flight, Poisson's law at that instant.
+//   1. Kick: v' = v_{k-1/2} + the rest of the last step's impacts. All loads at (t_k, q_k), those
+//      that depend on velocities at the mean of v' and v_f, lead to the free velocity
+//      v_f = v_{k+1/2}. The first step is half a kick.
+//   2. Contact: if the straight path q_k + h v_f stays inside every ring, nothing else happens. A
+//      lasting contact ends the step on its circle, or presses into its wall (step_contacts.h). If
+//      a load or the command jumps within a step of lasting contact, see split().
+//   3. Impact: if the path of a contact in flight leaves its circle, Poisson's law applies at that
+//      instant.
 //   4. Drift: q_{k+1} = q_k + h v_{k+1/2}.
 //
-// Of the jump w of the velocities by an impact at the share theta of the step, this step takes
-// (1 - theta) w, the next one the rest, and what the loads that depend on velocities miss of it,
-// -(theta - 1/2) h M^-1 (F(v + w) - F(v)); without that term order 2 is lost. An impact that takes
-// time (model/finite_impact.h) goes on over steps; flight is taken up again where it ends, at any
-// share of a step.
+// An impact at the fraction theta of the step makes the velocities jump by w. This step takes (1 -
+// theta) w, and the next one takes the rest. The next step also takes the part of the jump that
+// velocity-dependent loads miss, -(theta - 1/2) h M^-1 (F(v + w) - F(v)); without this term order 2
+// would be lost. An impact that takes time (model/finite_impact.h) continues over several steps.
+// Flight resumes where it ends, at any fraction of a step.
 #pragma once
 
 #include <Eigen/Core>
@@ -30,39 +31,40 @@ namespace rotorub {
 
 class VerletStep {
  public:
-  // The model must outlive this. h: s.
+  // The model must outlive this object. h: s.
   VerletStep(const Model& model, double h);
 
   StepState x;
   LoadKick loads;
   StepContacts contacts;
 
-  // From t_k = origin + k h to t_{k+1}. With a status the state stays where it was.
+  // Steps from t_k = origin + k h to t_{k+1}. With a status other than kOk the state stays
+  // unchanged.
   void step(std::int64_t k);
-  // The velocities of t_k before step k: v_{k-1/2} + h/2 a(t_k-), with the command as it stands and
-  // the contact force of the step before. For controllers, which see them before there is a
-  // command.
+  // The velocities at t_k before step k: v_{k-1/2} + h/2 a(t_k-), with the present command and the
+  // contact force of the step before. Controllers need them before there is a new command.
   void velocity_now(std::int64_t k, double* now);
-  // A state (q, v at one instant) has been written: the next step is half a kick.
+  // Call it after a state (q, v at one instant) has been written: the next step is half a kick.
   void restart();
-  // The command of a ring jumps within the step that comes.
+  // Announces a jump of the command of a ring within the next step.
   void jump(std::size_t ring, const CommandJump& command);
 
-  // The last step was half a kick.
+  // True if the last step was half a kick.
   bool was_first() const { return was_first_; }
-  // s, of an impact that takes time and began in the step; 0: none did.
+  // s, duration of an impact that takes time and began in the step; 0: there was none.
   double impact_time() const { return impact_time_; }
-  // N, normal and friction force at t_k of an impact that takes time.
+  // N, (normal, friction) force at t_k of an impact that takes time.
   Eigen::Vector2d impact_force(std::int64_t k) const {
     return slow_impact_ ? slow_impact_->force(x.time_of(k)) : Eigen::Vector2d(0.0, 0.0);
   }
-  // After step k: velocities of t_k, the mean of the two middles, just before an impact of the step
-  // and before its samples.
+  // After step k: the velocities at t_k, the mean of the two half-step velocities, before an impact
+  // of the step and before its samples.
   void last_velocity(double* now) const;
-  // J, of the step's loads on the coordinates.
+  // J, work of the step's loads on the coordinates.
   double external_work();
 
-  // All of the scheme that outlives a step beside state and contacts.
+  // All numbers that are kept between steps, except the state and those of for_each_kept() of loads
+  // and contacts.
   template <class Action>
   void for_each_kept(Action& action) {
     keep_flag(first_, action);
@@ -92,26 +94,26 @@ class VerletStep {
   void begin_slow_impact(std::int64_t k, const Flight& flight);
   void follow_slow_impact(std::int64_t k);
 
-  Coordinates late_;                  // m/s, rad/s: what the last step left over
-  bool first_ = true, owes_ = false;  // the next step is half a kick; `late_` holds something
+  Coordinates late_;                  // m/s, rad/s: rest of the last step
+  bool first_ = true, owes_ = false;  // the next step is half a kick; late_ is in use
   bool was_first_ = true;
-  // J, of the impacts of the step: what the mean of the step's velocities misses of the loads'
-  // work.
+  // J, the work of the loads that the mean of the step's velocities misses because of impacts.
   double late_work_ = 0.0;
 
-  bool switches_ = false;  // a load is switched at some time
-  // s, the next such time after switch_from_.
+  bool switches_ = false;  // some load is switched during a run
+  // s, the next such instant after switch_from_.
   double switch_from_ = std::numeric_limits<double>::infinity(), switch_at_ = 0.0;
-  bool command_jumps_ = false;  // in the step that comes
+  bool command_jumps_ = false;  // in the next step
   std::array<CommandJump, kMaxContacts> jumps_;
-  // Of a step in parts: contact before it; x.after of the mean loads, of the parts.
+  // For a step in parts: contacts before it; x.after under the mean loads; weighted sum of the
+  // parts.
   StepContacts::State before_parts_;
   Coordinates mean_after_, part_sum_;
 
-  std::optional<FiniteImpact> slow_impact_;  // of one contact alone
-  bool held_open_ = false;                   // it is under way
+  std::optional<FiniteImpact> slow_impact_;  // only for a single contact
+  bool held_open_ = false;                   // such an impact is under way
   double impact_time_ = 0.0;
-  double last_time_ = 0.0;  // s, of the last step, from the origin
+  double last_time_ = 0.0;  // s, start of the last step relative to the origin
 };
 
 }  // namespace rotorub

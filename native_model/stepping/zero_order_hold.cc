@@ -29,7 +29,8 @@ Eigen::Vector2d ZeroOrderHold::command(double t, const double* q, const double* 
   return sampled_.take(t, q, v, held_, currents_ ? &*currents_ : nullptr);
 }
 
-// s; infinity: none. The first is at switch-on, the others at multiples of the sample time.
+// s, infinity if there is none. The first sample is at switch-on, the others are at multiples of
+// the sample time.
 double ZeroOrderHold::next_sample() const {
   if (!bearing().controller) return std::numeric_limits<double>::infinity();
   if (last_sample_ < 0.0) return bearing().control_on;
@@ -53,14 +54,15 @@ Eigen::Vector2d ZeroOrderHold::mean(double begin, double t, double end, const do
       now_q[i] = q[i] + s * (v[i] + 0.5 * s * a[i]);
       now_v[i] = v[i] + s * a[i];
     }
-    // A sampled law is shown what sampled controls of magnetic bearings remember as their last
-    // samples left it: v has half of what the samples of this step change, which is the mean that a
-    // continuous one has to see.
+    // For a sampled law, the states that remember samples of magnetic bearings are shown as their
+    // last samples left them. v contains half of the change by this step's samples, the mean, which
+    // only a continuous law must see.
     for (int i = m.sampled_states(); i < m.layout.coil() && bearing().loop; ++i)
       now_v[i] = v[i] + (begin - t) * a[i];
     held_ = command(std::max(instant, bearing().control_on), now_q, now_v);
   };
-  // Without a lag magnets turn currents into forces at once: it is forces that have a mean.
+  // Magnets without a coil lag turn currents into forces at once, so the mean is taken of the
+  // forces.
   const bool forces = bearing().magnets && bearing().coil == kAbsent;
   const Eigen::Vector2d s =
       forces ? to_axes(stator_point(m, q, bearing_)) : Eigen::Vector2d::Zero();
@@ -82,14 +84,14 @@ Eigen::Vector2d ZeroOrderHold::mean(double begin, double t, double end, const do
     from = to;
   };
   if (bearing().sample_time > 0.0) {
-    // One at the very end holds from the next begin on.
+    // A sample at the very end holds from the start of the next step.
     for (double instant = next_sample(); instant < end; instant = next_sample()) {
       until(instant);
       take(instant);
       last_sample_ = sample_index(instant, bearing().sample_time);
     }
   } else {
-    // A load that is switched jumps in a command that feeds the loads forward.
+    // A switched load makes a command jump that feeds loads forward.
     if (bearing().control_on > begin) until(bearing().control_on);
     for (double instant = next_switch(m, from, end); from < end;
          instant = next_switch(m, from, end)) {

@@ -1,5 +1,5 @@
-// The controller's command to a fixed step, and its memory: what is held between the samples of a
-// sampled controller, and of a continuous one between the steps.
+// The controller's command for a fixed step, with its memory: the command that is held between the
+// samples of a sampled controller, or between the steps for a continuous one.
 #pragma once
 
 #include <Eigen/Core>
@@ -15,36 +15,38 @@ namespace rotorub {
 
 class ZeroOrderHold {
  public:
-  // The model must outlive the hold.
+  // The model must outlive this object.
   explicit ZeroOrderHold(const Model& model, std::size_t bearing = 0)
       : model_(&model), bearing_(bearing), sampled_(model, bearing) {}
 
-  // The actuator's command (model/actuation.h) over the step that starts at t (s), from the
-  // state there; ask once a step, in order. 0 before the controller is on and without one.
+  // The actuator's command (model/actuation.h) over the step that starts at t (s), from the state
+  // there. Call it once per step, in order. It is 0 without a controller and before the controller
+  // is on.
   const Eigen::Vector2d& at(double t, const double* q, const double* v);
 
-  // The mean of the command over begin..end about t, from q, v and the accelerations of t (nq
-  // values each): a command that jumps there, at a sample or when the controller is switched on, is
-  // taken from the state of that instant and counts with the time that it holds; of currents of
-  // magnets that do not lag, the ones of the mean force. Ask in order.
+  // The mean of the command over begin..end about t, from q, v and the accelerations at t (nq
+  // values each). A command that jumps there, at a sample or when the controller is switched on, is
+  // taken from the state of that instant and weighted by the time for which it holds. For magnets
+  // without a coil lag it is the currents of the mean force. Call it in order.
   Eigen::Vector2d mean(double begin, double t, double end, const double* q, const double* v,
                        const double* a);
-  // Of the last mean(): where the command first jumped in it.
+  // The first jump of the command in the last mean().
   const CommandJump& jump() const { return jump_; }
-  // Whether mean() would look at the state.
+  // True if mean() would use the state.
   bool listens(double end) const;
-  // Of a sampled law, at its last sample (ActuatorState::outputs).
+  // Outputs of a sampled law at its last sample (ActuatorState::outputs).
   std::array<double, kMostOutputs> outputs() const { return sampled_.outputs(); }
-  // Why the law failed; empty: it did not. Its last command stands.
+  // The reason why the law failed; empty if it did not. The last command stays valid.
   const std::string& failure() const { return sampled_.failure(); }
-  // What holds after the last call.
+  // The command that holds after the last call.
   const Eigen::Vector2d& held() const { return held_; }
 
-  // The currents that the sensors see, A: of a model without coils' coordinates, whose currents lag
-  // all the same. Otherwise those of the coils, or the ones held.
+  // Sets the currents that the sensors see, A, for a model without coordinates for the coils whose
+  // currents lag nevertheless. Otherwise the sensors see the currents of the coils, or the held
+  // ones.
   void show_currents(const Eigen::Vector2d& now) { currents_ = now; }
 
-  // All that it remembers, as plain numbers.
+  // The complete memory as plain numbers.
   static std::size_t memory_size(const Model& model);
   void save(double* to) const;
   void restore(const double* from);
@@ -58,7 +60,7 @@ class ZeroOrderHold {
   std::size_t bearing_;
   Eigen::Vector2d held_{0.0, 0.0};
   CommandJump jump_;
-  double last_sample_ = -1.0;  // index of the sample held; -1: none yet
+  double last_sample_ = -1.0;  // index of the held sample; -1: none yet
   SampledCommand sampled_;
   std::optional<Eigen::Vector2d> currents_;
 };

@@ -10,6 +10,8 @@
 #include <random>
 #include <vector>
 
+#include "native_model/contact/coupled_law.h"
+
 namespace rotorub::test {
 namespace {
 

@@ -1,0 +1,16 @@
+// Several lasting contacts over one fixed step, solved together by Newton's method
+// (step_contact.h): first with each contact in its state of the step before, then as a coupled
+// problem. Internal to this folder.
+#pragma once
+
+#include <span>
+
+#include "native_model/contact/step_contact.h"
+
+namespace rotorub {
+
+// As solve_lasting_contacts(), for two contacts or more.
+Status solve_several_on_circles(double h, std::span<LastingContact> contacts,
+                                const ContactAdmittance& admittance);
+
+}  // namespace rotorub

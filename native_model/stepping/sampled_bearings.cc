@@ -1,0 +1,89 @@
+// The magnetic bearings in a fixed step (load_kick.h): the fraction of the step in which each one
+// works, and the sampled controls, whose commands and states jump at the samples.
+#include <algorithm>
+
+#include "native_model/model/sampled_feedback.h"
+#include "native_model/stepping/load_kick.h"
+
+namespace rotorub {
+
+namespace eq = equations;
+
+// The memory of the samplers jumps at t, which is the middle of the kick or, for a first half kick,
+// its start. The mean of the kick's velocities then contains half of the jump, or all of it.
+void LoadKick::find_samples(const StepState& x, double t, double begin) {
+  double after[kMaxCoordinates];
+  const double* v = x.start.data();
+  const int first = m_.layout.integral();
+  const double share = begin == t ? 1.0 : 0.5;  // of the kick after the sample
+  std::copy_n(v, x.nq(), after);
+  sampled_now_ = take_samples(m_, t, x.h, x.seen.data(), after);
+  for (int i = 0; i < m_.layout.integrals; ++i) {
+    const double jump = 2.0 * share * (after[first + i] - v[first + i]);
+    sampled_[static_cast<std::size_t>(i)] = m_.mass[first + i] * jump / x.h;
+  }
+  for (std::size_t k = 0; k < m_.feedbacks.size(); ++k) {
+    const int at = m_.feedbacks[k].states.command;
+    if (at == kAbsent) continue;
+    for (int axis = 0; axis < 2; ++axis) {
+      AxisCommand& c = commands_[k][static_cast<std::size_t>(axis)];
+      c.before = v[at + axis];
+      c.after = after[at + axis];
+      c.mean = c.before + share * (c.after - c.before);
+    }
+  }
+}
+
+void LoadKick::add_samples(double* f) const {
+  for (int i = 0; i < m_.layout.integrals; ++i) {
+    f[m_.layout.integral() + i] += sampled_[static_cast<std::size_t>(i)];
+  }
+  for (std::size_t k = 0; k < m_.feedbacks.size(); ++k) {
+    const StationFeedback& bearing = m_.feedbacks[k];
+    const auto& [x, y] = commands_[k];
+    if (bearing.states.command == kAbsent) continue;
+    if (const int at = bearing.states.current; at != kAbsent) {
+      f[at] += m_.mass[at] * x.rate;
+      f[at + 1] += m_.mass[at + 1] * y.rate;
+    } else {
+      eq::add_station_force(m_.layout.modes, bearing.shape, x.force, y.force, f);
+    }
+  }
+}
+
+void LoadKick::find_working(const StepState& x, double begin, double end) {
+  for (std::size_t k = 0; k < m_.feedbacks.size(); ++k) {
+    working_[k] = m_.feedbacks[k].works.share(begin, end);
+  }
+  if (sampled_now_) find_switched(x, begin, end);
+}
+
+void LoadKick::find_switched(const StepState& x, double begin, double end) {
+  const double sample = std::clamp(instant_, begin, end);
+  for (std::size_t k = 0; k < m_.feedbacks.size(); ++k) {
+    const StationFeedback& bearing = m_.feedbacks[k];
+    if (bearing.states.command == kAbsent) continue;
+    const MagneticFeedback& law = bearing.law;
+    const double share = working_[k];
+    const double early = bearing.works.share(begin, sample) * (sample - begin) / (end - begin);
+    const double late = share - early;
+    const eq::Pair r = eq::at_station(m_.layout.modes, bearing.shape, x.seen.data());
+    for (int axis = 0; axis < 2; ++axis) {
+      AxisCommand& c = commands_[k][static_cast<std::size_t>(axis)];
+      const double place = axis == 0 ? r.x : r.y;
+      c.force = c.rate = 0.0;
+      if (c.before == c.after) continue;
+      if (const int at = bearing.states.current; at != kAbsent) {
+        const double current = x.start[static_cast<std::size_t>(at + axis)];
+        const auto load = [&](double asked) { return law.amplifier.load(asked, current); };
+        c.rate = (early * load(c.before) + late * load(c.after) - share * load(c.mean)) /
+                 law.amplifier.lag;
+      } else {
+        c.force = law.force(early, place, c.before) + law.force(late, place, c.after) -
+                  law.force(share, place, c.mean) - law.held * place;
+      }
+    }
+  }
+}
+
+}  // namespace rotorub
