@@ -28,8 +28,9 @@ struct OwnRun {
 
 // The solref of an own model's pairs in a run.
 enum class OwnSolref {
-  kChosen,  // the file's with its own contact model; with another, one that suits step and
-            // restitution
+  // with the file's own contact model the file's solref, otherwise one that suits step and
+  // restitution
+  kChosen,
   kDefault  // MuJoCo's default
 };
 
