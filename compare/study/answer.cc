@@ -48,7 +48,7 @@ std::string plain_reason(const SceneComparison& c, const Side& other, const Side
 }
 
 std::string question_of(const std::string& label) {
-  // As scene::ContactModel.
+  // In the order of scene::ContactModel.
   constexpr const char* kQuestions[] = {"with the rigid law", "with Coulomb's friction beside it",
                                         "MuJoCo alone", "with the corrected cone"};
   const auto contact = scene::contact_model(label);

@@ -19,7 +19,8 @@ namespace rotorub {
 struct Contestant {
   std::string label;
   std::unique_ptr<Engine> engine;
-  double work;  // of one run at the scene's step, in units of a native one: for the progress bar
+  // work of one run at the scene's step relative to a native run, for the progress bar
+  double work;
   bool climbs = true;  // whether it also runs at smaller steps
 };
 
