@@ -48,12 +48,12 @@ enum class Judged {
 struct ComparisonRule {
   Scale scale;
   Judged judged;
-  // SI, not of points: a difference is relative to the native value, or to this where that is
-  // smaller.
+  // SI, unused for points. A difference is relative to the native value, or to the resolution if
+  // that is larger.
   double resolution = 0.0;
-  bool split = true;       // depends on impulses within steps, so runs with adaptive steps lack it
-  bool comparable = true;  // means the same for a soft and for a rigid contact: has a difference
-  bool by_step = false;    // of impulses within steps: no figure of a run whose steps are its own
+  bool split = true;       // converges with the step, so it is split into model gap and step error
+  bool comparable = true;  // means the same for soft and rigid contacts, so it has a difference
+  bool by_step = false;    // depends on impulses within steps, so runs with adaptive steps lack it
 
   bool is_judged() const { return judged != Judged::kNo; }
 };
@@ -83,8 +83,8 @@ struct SplitShares {
 };
 SplitShares split_shares(const Figure& figure, double native, const Split& split);
 
-// "+0.52 %", "-77 points", "×188" on the figure's scale; "∞" where the native value is 0; "–" for a
-// figure that is not comparable.
+// "+0.52 %", "-77 points", "×188" on the figure's scale; "∞" if the native value is 0; "–" for
+// a figure that is not comparable.
 std::string deviation_text(const Figure& figure, double deviation);
 // The same for a size, without a plus sign.
 std::string size_text(const Figure& figure, double size);
@@ -106,7 +106,8 @@ nlohmann::json residuals_json(const Residuals& residuals);
 nlohmann::json metrics_json(const Metrics& metrics);
 std::span<const ColumnMeaning> metric_keys();
 
-// One of them; "settled.from" is within "settled". Both functions with a key assert that it exists.
+// One of them; "settled.from" is within "settled". metric_key and metric_value assert that the key
+// exists.
 const ColumnMeaning& metric_key(std::string_view key);
 // Whether it is a computing time, which is not a result and differs from run to run.
 bool is_timing(std::string_view key);

@@ -55,8 +55,8 @@ bool is_settled(const JudgedFigure& figure, double tolerance);
 std::string deviation_text(const JudgedFigure& figure);
 std::string size_text(const JudgedFigure& figure, double size);
 
-// The deviation, with half of its interval if there is one: "-0.70 % ± 1.10 %". If the native value
-// is below the figure's resolution, and for small counts, the values themselves: "0.157 mm/s
+// The deviation, with half of its interval if there is one: "-0.70 % ± 1.10 %". If the native
+// value is below the figure's resolution, and for small counts, the values themselves: "0.157 mm/s
 // instead of 0.196", "42 instead of 30".
 std::string difference_text(const JudgedFigure& figure);
 
