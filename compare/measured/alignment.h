@@ -42,7 +42,7 @@ struct Alignment {
   double angle = 0.0;  // rad, in (-pi, pi]
   bool shift_found = true;
   AngleFrom angle_from = AngleFrom::kFound;
-  // "rotor", "gap": what it was found by; empty: both are given and nothing moves.
+  // What it was found by, as "rotor", "gap"; empty if both are given and nothing moves.
   std::vector<std::string> by;
   std::optional<double> correlation;  // [-1, 1], see lag_search.h; empty if `by` is empty
   // Rms of the remaining difference relative to the run's deviation, both without their means.

@@ -4,19 +4,14 @@
 //   0.00,   12.1,         -3.0,         0.4
 //
 // - Fields are separated by commas, semicolons or tabs (as in the header). UTF-8 with or without a
-// byte
-//   order mark, lines end with LF or CRLF; names and numbers may be in double quotes. Empty lines,
-//   lines that begin with #, and what an instrument writes before the header are skipped.
+//   byte order mark; lines end with LF or CRLF. Names and numbers may be in double quotes. Empty
+//   lines, lines that begin with #, and what an instrument writes before the header are skipped.
 // - Columns: `t` (or `time`, `Time`) and any of measurables(), each at most once, in any order.
-// Each
-//   name is followed by a unit in [ ] or ( ), as in a scene. If no column has a unit, all values
-//   are
-//   in SI, as in the program's series.csv. Other columns of that file are ignored; any other name
-//   is
-//   refused.
+//   Each name is followed by a unit in [ ] or ( ), as in a scene. If no column has a unit, all
+//   values are in SI, as in the program's series.csv. Other columns of that file are ignored; any
+//   other name is refused.
 // - Numbers have a decimal point or, if fields are separated by semicolons or tabs, a decimal
-// comma;
-//   one of the two per file.
+//   comma; one of the two per file.
 // - An empty field is a gap in the record; t has no gaps and ascends strictly.
 #pragma once
 
