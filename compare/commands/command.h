@@ -66,8 +66,8 @@ void read_each(const std::vector<std::string>& files,
 // does not belong to its controller.
 OwnRun own_run(const CommonOptions& options);
 
-// What an option was given, as "10us", in SI. Throws UsageError with the option, the text, and what
-// is accepted; empty: what is wrong with it as such a quantity.
+// The value of an option, as "10us", in SI. Throws UsageError with the option, the text and
+// `accepted`, or if that is empty the error in reading the quantity.
 double quantity_of(const std::string& option, const std::string& text,
                    const scene::Quantity& quantity, const std::string& accepted = {});
 // Writes a note to standard error if the text is a speed without a unit that looks like rpm.

@@ -191,8 +191,8 @@ RubKeyMap rub_map_of(const ModesArguments& options, const scene::Scene& scene, M
   });
 }
 
-// rotorub modes --feedback-map: by default speeds from half to twice the scene's, and k up to 10
-// times the ring's damping.
+// rotorub modes --feedback-map: by default spin speeds from half to one and a half times the
+// scene's, and k from 0 to 10 sqrt(mass stiffness) of the ring.
 int show_feedback(const ModesArguments& options) {
   MapRanges ranges = map_ranges(options);
   const scene::Scene scene = read_scene(options.scene, options);
