@@ -11,11 +11,10 @@ namespace rotorub {
 // Its label, which selects its colour in the page.
 inline constexpr const char* kMeasured = "measured";
 
-// As the other sides of plot_data(), with {"measured": true, "start", "holes", "absent"}: tracks
-// only of what is measured, straight between samples and no more than 50,000 of them; holes: of
-// each track, where the record has none ([from, to], s), which the plots leave open; absent: a
-// sentence on what the player cannot show. Without shown.measured null. limit: Hz, of its
-// spectrum.
+// Like the other sides of plot_data(), with {"measured": true, "start", "holes", "absent"}. The
+// tracks contain only measured quantities, linear between at most 50,000 samples. holes: for each
+// track the gaps of the record ([from, to], s), which the plots leave open. absent: a sentence on
+// what the player cannot show. null without shown.measured. limit: of its spectrum, Hz.
 nlohmann::json measured_side(const ShownRuns& shown, double limit);
 
 // The track of the contact force in run k, averaged over the record's samples, in the format of

@@ -36,10 +36,10 @@ nlohmann::json picked(const std::vector<double>& values, const std::vector<std::
 // continues beyond half a turn.
 double phase_degrees(std::complex<double> x, double last);
 
-// Fewer points for a plot that looks the same: extremes survive, so that no impact is lost. Indices
-// (ascending, without doubles) of the rows kept of y[first, last): the first, the last, and the
-// least and the greatest value of each of `buckets` parts of equal length. All rows where there are
-// no more than 2 buckets + 2 of them. Asserts a range within y and buckets > 0.
+// Reduces y[first, last) to fewer points for a plot that looks the same. Extremes are kept, so that
+// no impact is lost. Returns ascending indices without repetitions: the first and the last row, and
+// the smallest and the largest value of each of `buckets` parts of equal length; all rows if there
+// are at most 2 buckets + 2. Asserts a range within y and buckets > 0.
 std::vector<std::size_t> thin(const std::vector<double>& y, std::size_t first, std::size_t last,
                               std::size_t buckets);
 

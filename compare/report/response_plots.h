@@ -10,12 +10,12 @@
 
 namespace rotorub {
 
-// {"speed": [rpm], "running": rpm, "forces": as SynchronousResponse, "clearance": um, the
-// least of all contacts, or null, "clearance_of": words for it, "limit": [um] that API 617 allows
-// in magnetic bearings that control, or null, "curves": [{"name", "plane": "x", "y", or "" of
-// planes that are alike, "amplitude": [um], "phase": [deg], "peaks": [{"speed", "amplitude",
-// "phase", "factor": or null}]}]} up to top (rad/s). The phase goes on beyond half a turn; null
-// where there is nothing steady. Null: nothing turns with the spin.
+// {"speed": [rpm], "running": rpm, "forces": as in SynchronousResponse, "clearance": um, the
+// smallest of all contacts, or null, "clearance_of": words for it, "limit": [um] that API 617
+// permits with controlled magnetic bearings, or null, "curves": [{"name", "plane": "x", "y", or ""
+// with isotropic planes, "amplitude": [um], "phase": [deg], "peaks": [{"speed", "amplitude",
+// "phase", "factor": or null}]}]} up to top (rad/s). The phase continues beyond half a turn; values
+// without a steady response are null. The result is null if nothing rotates with the spin.
 nlohmann::json bode_data(const scene::Scene& scene, double top);
 
 // Rows of the page's table of peaks, from bode_data, as texts. Of several peaks at nearly the same

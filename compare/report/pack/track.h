@@ -52,7 +52,6 @@ Track pack(TrackKind kind, const Samples& samples, bool floored = false);
 
 // For the page: kind, floored, knots, components, start, tick, quantum, rate_quantum, data (the
 // bytes in base 64).
-// (bytes in base 64).
 nlohmann::json track_json(const Track& track);
 
 // Appends a column of whole numbers (see Track::bytes).
