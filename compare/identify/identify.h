@@ -1,6 +1,5 @@
 // Identifies values of a scene from a measured run by least squares:
 //
-//
 //   min over p, shift, angle  sum_c 1/s_c^2 sum_k |m_ck e^{i angle} - run_c(t_k + shift; p)|^2
 //
 // c: channels of the record (measured/fitting.h) without their means, because a sensor's zero is
