@@ -6,7 +6,6 @@
 // at even steps of phi, so that a steady whirl of another order does not contribute. r_1 is forward
 // whirl, r_-1 backward. A probe along x measures Re(v_k e^{i k phi}), v_k = r_k + conj(r_-k). phi
 // is 0 where the mark on the rotor points to +x.
-// mark on the rotor points to +x.
 #pragma once
 
 #include <array>
