@@ -57,7 +57,7 @@ std::vector<Contender> contenders() {
 
 RestitutionRow row(const Contender& contender, double asked, const std::atomic<bool>* interrupt) {
   RestitutionRow r{asked, contender.name, contender.setting, 0.0, ""};
-  // The default has its own damping, that of zeta = 1, whatever restitution is requested.
+  // The default has its own damping (zeta = 1), whatever restitution is requested.
   const double given =
       contender.knows_the_asked ? asked : soft_restitution(DefaultSolref::kDampingRatio);
   std::vector<std::string> overrides{fmt::format("contact.restitution={:.17g}", given)};

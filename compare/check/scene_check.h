@@ -48,7 +48,7 @@ struct Case {
   Outcome outcome() const { return deciding.outcome; }
 };
 
-// rules: those of this engine (rules_for). reference: for metrics that need one; if it is null,
+// rules: for this engine (rules_for). reference: for metrics that need one; if it is null,
 // their rules are violated. Throws NoSuchMetric. A pure function of its arguments.
 //
 // A refusal that the rules do not expect is a violation on a native engine; on MuJoCo it is only

@@ -127,7 +127,7 @@ void catch_interrupts();
 const std::atomic<bool>& interrupted();
 int interrupting_signal();  // 0 if there was none
 
-// The run in a folder that the user named. Throws UsageError if the folder is not that of a run or
+// The run in a folder that the user named. Throws UsageError if the folder contains no run or
 // the run is broken.
 StoredRun stored_run(const std::string& folder);
 

@@ -24,7 +24,7 @@ struct PlotArguments : CommonOptions {
   std::string folder, file;
 };
 
-// Throws UsageError for a folder that is not that of a run.
+// Throws UsageError for a folder without a run.
 StoredRun run_of(const PlotArguments& options) {
   if (!options.overrides.empty()) {
     throw UsageError(

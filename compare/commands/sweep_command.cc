@@ -127,7 +127,8 @@ std::vector<int> open_shards(const Sweep& sweep, int tasks) {
   return open;
 }
 
-// The requested number of shards, or that of the existing results; at most one per point.
+// The requested number of shards, otherwise as many as in the existing results; at most one per
+// point.
 int tasks_of(const SweepArguments& options, const Sweep& sweep) {
   constexpr int kDefaultTasks = 16;
   const std::int64_t points = std::max<std::int64_t>(sweep.scenes->sample().size(), 1);

@@ -176,7 +176,7 @@ void MujocoRecord::native_step(std::int64_t k, const double* q, const double* v,
   }
   StepFigures figures;
   figures.h = last ? 0.5 * step_ : kick;
-  // the works of the first step already belong to half a kick
+  // The works of the first step already belong to half a kick.
   const double share = last ? 0.5 : 1.0;
   figures.external_work = share * r.works.external;
   figures.contact_work = share * (r.works.contact - r.works.impact);

@@ -32,8 +32,8 @@ std::string_view figure_si_unit(const FigureText& figure);  // in JSON; "": dime
 enum class Scale {
   kRelative,  // difference / native value
   kPoints,    // the difference itself, for shares of time
-  // as kRelative, for whole numbers; but a difference of one does not decide, and differences of
-  // small counts are written as counts (trust.h)
+  // As kRelative, for whole numbers; but a difference of one does not decide, and differences of
+  // small counts are written as counts (trust.h).
   kCount
 };
 

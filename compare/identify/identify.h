@@ -9,7 +9,7 @@
 // Gauss-Newton steps.
 //
 // Accuracy: with J the derivatives of the final difference r by all fitted unknowns, the estimate
-// changes by (J^T J)^-1 J^T r. Its standard deviation is that of white noise, or of the scatter of
+// changes by (J^T J)^-1 J^T r. Its standard deviation assumes white noise, or the scatter of
 // blocks of the record if that is larger (Fitting::error).
 #pragma once
 

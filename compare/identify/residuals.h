@@ -17,7 +17,7 @@ class Residuals {
   Residuals(const ReadScene& read, MeasuredRecord record, const Parameters& parameters);
 
   // Unknowns in [0, 1]: the position of each value in its range, logarithmic if the range spans a
-  // decade or more; and after lay_in() that of the shift, unless it is given.
+  // decade or more; and after lay_in() the position of the shift in its range, unless it is given.
   std::size_t values() const { return wanted_.size(); }
   std::size_t unknowns() const { return wanted_.size() + (options_.shift ? 0 : 1); }
 

@@ -22,8 +22,8 @@ enum class AngleFrom {
   kGiven,
   kFound,
   kNoPair,  // the angle is 0, because no pair x, y is measured
-  // the angle is 0, because the motion is circular to within the noise, so a turn of the frame is
-  // indistinguishable from a shift
+  // The angle is 0, because the motion is circular to within the noise, so a turn of the frame is
+  // indistinguishable from a shift.
   kCircle
 };
 

@@ -205,7 +205,7 @@ std::pair<double, double> Fitting::span() const {
 // with fewer than kLeastBlocks blocks.
 double Fitting::block_scatter(const VectorXd& pull, double length) const {
   const double start = span().first;
-  // over all channels, because values at one instant are not independent
+  // Over all channels, because values at one instant are not independent.
   std::map<Index, double> sums;
   for (const Part& p : parts_) {
     for (Index k = 0; k < p.count; ++k) {

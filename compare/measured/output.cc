@@ -87,7 +87,7 @@ std::vector<ColumnMeaning> make_measured_keys() {
 std::string record_line(const MeasuredRun& of, const std::string& label,
                         const std::string& measured,
                         const std::function<std::string(std::size_t)>& text) {
-  // with native and four contact models: 80 columns
+  // With native and four contact models: 80 columns.
   constexpr int kName = 29, kMeasured = 8, kRun = 7;
   std::string line = fmt::format("{:<{}} {:>{}}", label, kName, measured, kMeasured);
   for (std::size_t r = 0; r < of.labels.size(); ++r) {
@@ -197,7 +197,7 @@ std::string measured_table(const MeasuredRun& run) {
     add("    " + figure_label(f), measured_value(f),
         [&](std::size_t r) { return figure_value(f, f.runs[r]); });
   }
-  // The offset is that of the native run. The rms is taken about the offset, because a sensor's
+  // The offset is relative to the native run. The rms is taken about the offset, because a sensor's
   // zero is unknown.
   add("  record less run, rms", "offset", heading);
   for (const ColumnFit& c : run.columns) {

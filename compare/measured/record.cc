@@ -86,7 +86,7 @@ void mark_column(MeasuredColumn& c) {
   double step = high - low;
   for (std::size_t i = 1; i < values.size(); ++i) step = std::min(step, values[i] - values[i - 1]);
   const double least = kSteps * step;
-  // elsewhere, from a sensor that is slower than its record
+  // Elsewhere, from a sensor that is slower than its record.
   std::size_t longest = kLeastClipped - 1;
   for (const Stretch& flat : flats) {
     const double value = c.value[flat.first];

@@ -1,4 +1,4 @@
-// The third error of a comparison, besides those of contact model and step: the error from the
+// The third error of a comparison, besides contact model and step: the error from the
 // bending modes left out, which both sides share. The native model runs with `event` for increasing
 // numbers of modes, and the limit of each figure is estimated.
 #pragma once

@@ -20,7 +20,7 @@ struct ContactPlace {
 };
 std::vector<ContactPlace> contact_places(const scene::Scene& scene);
 
-// The scene without the unbalance that appears later, such as that of a lost blade. Empty if all
+// The scene without the unbalance that appears later, for example from a lost blade. Empty if all
 // unbalance acts from the start.
 std::optional<scene::Scene> before_loss(const scene::Scene& scene);
 
@@ -28,7 +28,7 @@ std::optional<scene::Scene> before_loss(const scene::Scene& scene);
 struct RotorResponse {
   FreeResponse all;                         // to all loads, including those that begin later
   std::optional<FreeResponse> before_loss;  // of the scene before the loss
-  // sentences on how the omitted modes would change the response
+  // Sentences on how the omitted modes would change the response.
   std::vector<std::string> few_modes;
 
   std::vector<std::string> notes() const;  // the notes of `all`, then those on the modes

@@ -17,7 +17,7 @@ struct RubAnalysis {
   rub::RubPoint point;
   // Stability of each rub with torsion and the spin free; empty if both are held.
   std::vector<rub::Stability> driven;
-  // at the speeds that the motor sustains, not at the speed of `point`
+  // At the speeds that the motor sustains, not at the speed of `point`.
   std::vector<rub::DrivenRolling> rolling;
   std::vector<WhirlMode> ring;    // of the ring alone; empty for a fixed ring
   std::vector<WhirlMode> joined;  // rotor centre coupled to the ring centre, as in rolling contact

@@ -321,8 +321,9 @@ class OmissionMeter {
   // The run; the state at the start of the step, without the plugin's forces; the state where the
   // smooth forces differ most; the state for mapping rates.
   MujocoData run_, begin_, peak_, rates_;
-  std::array<double, 9> axes_{};  // columns: the twin's axes, those of the first ring in qpos0
-  VectorXd q_;                    // at the start of the step
+  std::array<double, 9>
+      axes_{};  // columns: the twin's axes, which are the first ring's axes in qpos0
+  VectorXd q_;  // at the start of the step
 
   std::map<Source, double> constraints_;  // N
   Effect smooth_;

@@ -43,7 +43,7 @@ struct Omission {
   std::string sentence(double contact_force) const;
 };
 
-// The setup must be that of a twin. The run ends at `end` (s) or at an interrupt. The result is not
+// The setup must belong to a twin. The run ends at `end` (s) or at an interrupt. The result is not
 // sorted.
 std::vector<Omission> measure_omissions(const MujocoSetup& setup, double end,
                                         const std::atomic<bool>* interrupt = nullptr);

@@ -93,7 +93,7 @@ json disc_radius(const scene::Disc& disc) {
   return shown(kMilli * std::sqrt(2.0 * disc.Jp / disc.mass));
 }
 
-// Each mode is numbered among those of its sense.
+// Each mode is numbered among the modes of its sense.
 json whirl(const std::vector<WhirlShape>& shapes, double speed) {
   constexpr int kShapeDigits = 4;  // of a curve with height 1
   std::map<std::string, int> count;

@@ -118,7 +118,7 @@ ProbeResponse on_speeds(const SynchronousResponse& response, const ProbeResponse
   return out;
 }
 
-// If unbalance appears later, such as that of a lost blade: the response without it and with it.
+// If unbalance appears later, for example from a lost blade: the response without it and with it.
 std::optional<SynchronousResponse> response_of(const scene::Scene& scene, double top) {
   auto after = synchronous_response(scene, top);
   const auto intact = before_loss(scene);

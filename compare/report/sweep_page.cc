@@ -167,7 +167,7 @@ json statistics_of(sweep::Store& store, const sweep::Study& study) {
                           : "Bounds need independent points, as kind = \"random\" draws them."}};
 }
 
-// Adds the figures of the linear map to those of the runs. Row i of a whole grid's plots is point
+// Adds the figures of the linear map to the runs' figures. Row i of a whole grid's plots is point
 // i.
 void add_linear(const sweep::LinearMap& map, json& plots) {
   const json figures = rub_figures();

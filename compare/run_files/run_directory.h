@@ -29,7 +29,7 @@ void write_run(const std::filesystem::path& folder, const scene::Scene& scene,
 std::vector<std::string> run_files(const std::filesystem::path& folder,
                                    const std::string& below = "", bool own_machine = false);
 
-// The folder is not that of a run, or its files were changed. what() names file and line.
+// The folder contains no run, or its files were changed. what() names file and line.
 class BrokenRun : public std::runtime_error {
   using std::runtime_error::runtime_error;
 };

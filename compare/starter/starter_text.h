@@ -19,7 +19,7 @@ struct StarterSizes {
          derivative = 0.0;
   double disc_Jt = 0.0, disc_Jp = 0.0;
   double eccentricity = 0.0;  // m; in modal form kg m
-  bool is_graded = false;     // whether the eccentricity is that of kBalanceGrade
+  bool is_graded = false;     // whether the eccentricity follows from kBalanceGrade
   double radius = 0.0, sleeve_mass = 0.0, sleeve_Jt = 0.0, sleeve_Jp = 0.0;
   double modal_mass = 0.0, modal_stiffness = 0.0, modal_damping = 0.0;
   double ring_mass = 0.0, ring_stiffness = 0.0, ring_damping = 0.0;

@@ -19,7 +19,7 @@ namespace rotorub {
 struct Contestant {
   std::string label;
   std::unique_ptr<Engine> engine;
-  // work of one run at the scene's step relative to a native run, for the progress bar
+  // Work of one run at the scene's step relative to a native run, for the progress bar.
   double work;
   bool climbs = true;  // whether it also runs at smaller steps
 };
@@ -74,7 +74,7 @@ class Runner {
 inline constexpr std::size_t kRungs = 3;
 struct Rung {
   Metrics metrics;
-  // why there are no metrics; empty if there are
+  // Why there are no metrics; empty if there are.
   std::string failed = "there is no run at a smaller step";
 };
 using Ladder = std::array<Rung, kRungs>;  // [0] is unused, because the side holds its figures
@@ -86,7 +86,7 @@ Rung run_rung(Runner& runner, const Contestant& who, std::size_t rung, RunReques
 struct StepTest {
   const Metrics& native;  // at the scene's step
   double tolerance;       // share, of the comparison
-  // one share per figure, in the order of figures() (single_run_intervals)
+  // One share per figure, in the order of figures() (single_run_intervals).
   std::vector<double> scatter;
 };
 // Whether a run at a quarter of the step is worth its time. It is not if the change from the whole

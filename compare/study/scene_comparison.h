@@ -46,10 +46,10 @@ inline constexpr int kDefaultTwins = 20;
 struct CompareOptions {
   CompareMode mode = CompareMode::kLockstep;
   double tolerance = 0.01;                        // share, for the judged figures
-  scene::ContactModel contact = kDefaultContact;  // the one whose verdict is that of the comparison
+  scene::ContactModel contact = kDefaultContact;  // its verdict is the verdict of the comparison
   int twins = kDefaultTwins;  // >= 0, upper limit for the native run; the verdict may need fewer
   int jobs = 0;               // threads; 0: one per processor. The result does not depend on it
-  // determines the error from the modes left out if the rotor is in geometry form
+  // Determines the error from the modes left out if the rotor is in geometry form.
   bool modes_ladder = true;
   int timing_repeats = 3;   // >= 1, runs without recording; the engines take turns
   std::size_t impacts = 8;  // number of first impacts listed
@@ -75,11 +75,11 @@ struct Timing {
 struct Side {
   std::string label;   // "native", "coulomb", "cone"
   std::string engine;  // "native-verlet", "mujoco-coulomb"
-  // of MuJoCo's contact at the comparison's step, "0.02 1"; empty if it has no effect
+  // Of MuJoCo's contact at the comparison's step, "0.02 1"; empty if it has no effect.
   std::string solref;
   Trajectory trajectory;  // rows dense enough for plots, at the scene's output times among others
   Metrics metrics;
-  // in the order of figures(); only values for figures that are not split
+  // In the order of figures(); only values for figures that are not split.
   std::vector<Extrapolation> limits;
   Timing timing;
 
@@ -121,7 +121,7 @@ struct SceneComparison {
   // to come from the contact, and every verdict is undecidable. Otherwise empty.
   std::string omission;
   CompareMode mode = CompareMode::kLockstep;
-  // whether a controller commands the actuator; otherwise replay equals lockstep
+  // Whether a controller commands the actuator; otherwise replay equals lockstep.
   bool commands = false;
   double tolerance = 0.0;
   int twins = 0;            // of the native run, as many as were needed

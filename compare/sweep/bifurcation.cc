@@ -59,7 +59,7 @@ class Branch {
           out.continued = true;
           return out;
         } catch (const scene::SceneError&) {
-          // this value cannot start there, because of a smaller ring or other modes
+          // This value cannot start there, because of a smaller ring or other modes.
           out.places.clear();
         }
       }

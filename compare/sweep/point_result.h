@@ -16,7 +16,7 @@ namespace rotorub::sweep {
 
 struct PointResult {
   std::int64_t point = 0;  // index in the study's order
-  // the status of the run, or "refused" for a point without a scene that can run
+  // The status of the run, or "refused" for a point without a scene that can run.
   std::string status = "ok";
   std::string reason;  // empty if ok
   // Empty unless ok; only the metrics of result_columns() are needed.

@@ -29,7 +29,7 @@ struct SlurmJob {
   int tasks = 1;                       // shards
   int jobs = 1;                        // processors and threads per task
   std::vector<std::string> overrides;  // --set
-  // whether the tasks may open the scene's library, as the user allowed here
+  // Whether the tasks may open the scene's library, as the user allowed here.
   bool allow_library = false;
 };
 

@@ -18,7 +18,7 @@
 
 namespace rotorub::sweep {
 
-// Identifies results: a store holds those of one study, computed by one version.
+// Identifies results: a store holds the results of one study, computed by one version.
 struct StudyIdentity {
   std::string hash;  // of the texts of study and scene, including the overrides of both
   std::int64_t points = 0;

@@ -52,13 +52,13 @@ struct Study {
   std::uint64_t seed = 0;  // for drawn points
   std::vector<Vary> vary;  // at least one
   EngineKind engine = EngineKind::kNative;
-  std::optional<scene::Integrator> integrator;  // default: the one of the point's scene
-  std::optional<scene::ContactModel> contact;   // for MuJoCo; default: the one of the point's scene
+  std::optional<scene::Integrator> integrator;  // default: from the point's scene
+  std::optional<scene::ContactModel> contact;   // for MuJoCo; default: from the point's scene
   std::vector<std::string> overrides;           // run.step and run.end if the study sets them
   std::optional<Statistics> statistics;
   std::string points;  // text of the list's file; may be empty
   std::string text;    // of the study's file
-  // what the results depend on: the text without [statistics], and the points
+  // What the results depend on: the text without [statistics], and the points.
   std::string identity;
 
   bool varies(const std::string& key) const;

@@ -141,7 +141,7 @@ class Workers {
   Results waiting_;
   std::exception_ptr failure_;
   int running_;
-  // last member, so that it is joined before the others are destroyed
+  // Last member, so that it is joined before the others are destroyed.
   std::vector<std::jthread> threads_;
 };
 

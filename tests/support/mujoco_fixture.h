@@ -42,7 +42,7 @@ inline const plugin::ContactEntries& first_contact(const mjData* d) {
 // qpos followed by qvel.
 std::vector<double> state_of(const mjModel* m, const mjData* d);
 std::vector<double> state_after(const mjModel* m, int steps);
-// Time and state as bits, in the format in which support/step_log writes those of another program.
+// Time and state as bits, in the format of support/step_log.
 std::string state_bits(const mjModel* m, const mjData* d);
 
 double sensor(const mjModel* m, const mjData* d, const char* name);

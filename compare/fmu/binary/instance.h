@@ -68,7 +68,7 @@ class Instance {
   scene::Scene scene_;
   StepwiseRun run_;
   double stop_;                // s
-  bool initializing_ = false;  // the inputs are still those of the start
+  bool initializing_ = false;  // the inputs still have their start values
   bool changed_ = false;
 };
 

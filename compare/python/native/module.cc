@@ -148,7 +148,7 @@ py::dict study(const py::object& file, const py::object& overrides, bool may_ope
 }
 
 // Raises SceneError, a ValueError whose `diagnostics` is a list of {"file", "line", "key",
-// "reason"}; its `file`, `line`, `key` and `reason` are those of the first diagnostic.
+// "reason"}; its `file`, `line`, `key` and `reason` come from the first diagnostic.
 void raise(const py::object& type, const scene::SceneError& error) {
   py::list all;
   for (const scene::Diagnostic& d : error.diagnostics()) {
