@@ -73,7 +73,7 @@ class WatchFeed {
   WatchFeed(const Model& model, double step, StepWatch watch);
 
   void begin(const double* q, const double* v);  // the state at t = 0
-  // The state is the one at the step's end; with native steps, at its begin (as in MujocoRecord).
+  // The state is the one at the step's end; with native steps, at its start (as in MujocoRecord).
   void step(std::int64_t k, const double* q, const double* v, const StepResult& result);
   void native_step(std::int64_t k, const double* q, const double* v, const StepResult& result);
 

@@ -65,9 +65,9 @@ class Fitting {
 
   // Effects of the shift (s) and of the angle on the difference. d is the derivative by the shift,
   // from central differences. e is the derivative by the angle: a turn of the frame moves the
-  // record m by i m, which grows the difference as if the run went back by that. For m its
-  // component along the run, g s, is used, because the noise in m would act like a separate motion
-  // that distinguishes a turn from a shift. e is 0 if the angle is given.
+  // record m by i m, with the same effect on the difference as the opposite motion of the run. Only
+  // the component of m along the run, g s, is used, because the noise in m would act like a
+  // separate motion that distinguishes a turn from a shift. e is 0 if the angle is given.
   struct Effects {
     Eigen::VectorXcd d, e;
     double dd, de, ee;  // scalar products

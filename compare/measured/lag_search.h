@@ -28,10 +28,11 @@ struct LagScore {
 };
 
 // Considers all shifts on an even grid at which record and run have at least kLeastOverlap of the
-// shorter one's samples in common. best: the greatest likeness. next: the best other peak that is
-// separated from it by a valley, with likenesses below kValley times the best. Uses Fourier
-// transforms of values with gaps (D. Padfield, "Masked object registration in the Fourier domain",
-// IEEE Trans. Image Process. 21, 2012). Throws MeasuredError if there is no such shift.
+// shorter one's samples in common, wherever the zeros of their clocks are. best: the greatest
+// likeness. next: the best other peak that is separated from it by a valley, with likenesses below
+// kValley times the best. Uses Fourier transforms of values with gaps (D. Padfield, "Masked object
+// registration in the Fourier domain", IEEE Trans. Image Process. 21, 2012). Throws MeasuredError
+// if there is no such shift.
 struct BestLags {
   LagScore best;
   std::optional<LagScore> next;

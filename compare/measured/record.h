@@ -78,10 +78,8 @@ class MeasuredError : public std::runtime_error {
 //
 //   flat part   l l l ... l, of more samples than any other run of equal nonzero values
 //   both ends   the sample outside differs from l by more than kSteps times the record's
-//   resolution,
-//               or a parabola through the three samples outside would pass l by as much at the
-//               second
-//               sample inside
+//               resolution, or a parabola through the three samples outside would pass l by as much
+//               at the second sample inside
 //
 // The resolution is the smallest difference of two values. The peak of a converter is flat too, but
 // approaches in single steps. 0 is not a limit, because a force without contact, a ring at rest and

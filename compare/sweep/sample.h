@@ -41,14 +41,12 @@ class Permutation {
 // Order of the points:
 //   grid             the last [[vary]] varies fastest
 //   latin_hypercube  as drawn: each range is divided into `runs` equal cells (of the logarithm,
-//   with
-//                    spacing = "log"); point i lies in cell P_k(i) of key k, P_k a random order, at
-//                    a random place within it
+//                    with spacing = "log"); point i lies in cell P_k(i) of key k, P_k a random
+//                    order, at a random place within it
 //   list             as written, or the rows of its file
 //   random           each key independently, by SplitMix64
 //   sobol            Sobol's sequence from its origin, with the bits of each key flipped by the
-//   seed
-//                    (a digital shift, which keeps the points evenly distributed)
+//                    seed (a digital shift, which keeps the points evenly distributed)
 // For a drawn point each key has a share in [0, 1), which selects one of its values or whole
 // numbers, or a quantile of its distribution, or a place in its range.
 class Sample {

@@ -7,8 +7,7 @@
 //     Omega_r(t) = Omega_inf + (Omega_r(0) - Omega_inf) e^{-c_r t / J_r},
 //     Omega_inf = s mu N R / c_r
 //   without drag, R J Omega + r J_r Omega_r is constant, whatever the bending; when rolling with
-//   the
-//   centres at rest, r Omega = R Omega_r:
+//   the centres at rest, r Omega = R Omega_r:
 //     surface speed = (R J Omega + r J_r Omega_r) / (J R / r + J_r r / R)
 #pragma once
 
