@@ -28,8 +28,8 @@ int failed(int code, const std::string& message) {
   return code;
 }
 
-// A controller's library may call exit(). Its exit code must not pass for one of rotorub's, because
-// the work was not finished.
+// A controller's library may call exit(). Its exit code must not look like one of rotorub's,
+// because the work was not finished.
 bool at_work = false;
 void end_of_process() {
   if (!at_work) return;
@@ -41,8 +41,7 @@ void end_of_process() {
   std::_Exit(kFailed);
 }
 
-// What was printed has arrived, or the program has not done what it was asked to. `code`: what it
-// would end with.
+// Returns `code` if standard output was written completely, otherwise the exit code of a failure.
 int with_whole_output(int code) {
   const bool streamed = static_cast<bool>(std::cout.flush());
   const bool flushed = std::fflush(stdout) == 0 && std::ferror(stdout) == 0;
@@ -98,7 +97,7 @@ int rotorub_main(const std::vector<std::string>& arguments) {
     const CommandLine::Request request = line.parse(commands, arguments);
     if (!request.command) return request.code;
     catch_interrupts();
-    // A file beyond `ulimit -f` then fails to be written, which is reported.
+    // A file larger than `ulimit -f` then causes a write error, which is reported.
     std::signal(SIGXFSZ, SIG_IGN);
     return request.command->action();
   });

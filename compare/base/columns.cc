@@ -31,7 +31,7 @@ ordered_json columns_json(std::span<const ColumnMeaning> columns) {
 }
 
 std::string columns_text(const ordered_json& columns) {
-  // A column a line.
+  // One line per column.
   std::string text = "{";
   for (auto file = columns.begin(); file != columns.end(); ++file) {
     text += fmt::format("{}\n  {}: [", file == columns.begin() ? "" : ",",

@@ -1,4 +1,4 @@
-// Columns of files that a command writes, for their readers: as JSON for columns.json beside the
+// Descriptions of the columns in files that a command writes: as JSON for columns.json beside the
 // data, and as a table.
 #pragma once
 
@@ -12,15 +12,15 @@ namespace rotorub {
 
 inline constexpr const char* kColumnsFile = "columns.json";
 
-// {"name", "unit", "meaning"}; and a list of them.
+// {"name", "unit", "meaning"}, and a list of these.
 nlohmann::ordered_json column_json(std::string_view name, std::string_view unit,
                                    std::string_view meaning);
 nlohmann::ordered_json columns_json(std::span<const ColumnMeaning> columns);
 
-// {"<file>": [column, ...], ...} as text, a column a line, with its line break.
+// {"<file>": [column, ...], ...} as text with one line per column, ending with a line break.
 std::string columns_text(const nlohmann::ordered_json& columns);
 
-// Markdown.
+// A table in Markdown.
 std::string columns_table(std::span<const ColumnMeaning> columns);
 
 }  // namespace rotorub

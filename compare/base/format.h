@@ -1,4 +1,4 @@
-// Numbers as people read them, the same on the terminal and in the page.
+// Numbers for people, in the same format on the terminal and in pages.
 #pragma once
 
 #include <cstddef>
@@ -14,13 +14,13 @@ std::string percent_text(double share);
 // A time with a fitting unit: "10 µs", "0.5 s".
 std::string time_text(double seconds);
 
-// The name of a run's contact model over its column of a terminal's table; empty: no column, as for
-// MuJoCo's defaults, which have their row in the answer and their column in the report.
+// The heading of a run's column in a terminal's table. Empty for a run without a column, such as
+// MuJoCo with default settings, which has a row in the answer and a column in the report.
 std::string column_heading(const std::string& label);
 
 inline constexpr std::size_t kTerminalWidth = 80;
-// The words of a sentence in lines of at most kTerminalWidth, the first after `lead`, the others
-// indented: by default below it.
+// Wraps a sentence into lines of at most kTerminalWidth. The first line begins with `lead`; the
+// others are indented, by default to its width.
 std::string wrapped(const std::string& lead, const std::string& sentence,
                     std::optional<std::size_t> indent = {});
 

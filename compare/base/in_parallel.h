@@ -1,4 +1,4 @@
-// Independent work on several processors.
+// Runs independent work on several processors.
 #pragma once
 
 #include <atomic>
@@ -7,12 +7,12 @@
 
 namespace rotorub {
 
-// How many threads work: 0 stands for one a processor.
+// Number of threads; 0: one per processor.
 using Jobs = int;
 
-// work(0), ..., work(count - 1), each once, in this order of starting. An exception ends what has
-// not begun, and the first in this order is thrown on; an interrupt ends it too. `progress` (share
-// done; may be empty) is called from one thread at a time.
+// Calls work(0), ..., work(count - 1) once each, started in this order. After an exception or an
+// interrupt, calls that have not started are skipped; the first exception in this order is
+// rethrown. progress (fraction done; may be empty) is called by one thread at a time.
 void in_parallel(std::size_t count, Jobs jobs, const std::atomic<bool>* interrupt,
                  const std::function<void(double)>& progress,
                  const std::function<void(std::size_t)>& work);

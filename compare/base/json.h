@@ -1,4 +1,4 @@
-// What every result as JSON is made with.
+// Helpers for results as JSON.
 #pragma once
 
 #include <nlohmann/json_fwd.hpp>
@@ -9,14 +9,14 @@
 
 namespace rotorub {
 
-// As text on several lines, with its line break. Bytes that are no UTF-8, as of a file's name, are
-// replaced: a result is not lost by its name.
+// As text on several lines, ending with a line break. Invalid UTF-8, for example in a file name, is
+// replaced, so that the result is not lost.
 std::string json_text(const nlohmann::json& value);
 
-// Null for none, and for what is not finite: JSON has no word for it.
+// null if the value is missing or not finite, because JSON cannot express it.
 nlohmann::json number_or_null(const std::optional<double>& value);
 
-// {"kept", "mesh": kg, "kept_modes", "mesh_modes"}; null for none.
+// {"kept", "mesh": kg, "kept_modes", "mesh_modes"}; null if empty.
 nlohmann::json contact_mass_json(const std::optional<ContactMass>& mass);
 
 }  // namespace rotorub

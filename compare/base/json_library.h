@@ -1,5 +1,5 @@
-// nlohmann/json.hpp, whose two classes are compiled once, in json.cc: every room has this header
-// with the precompiled one.
+// Includes nlohmann/json.hpp, whose two classes are compiled once, in json.cc. Every folder gets
+// this header through its precompiled header.
 #pragma once
 
 #include <nlohmann/json.hpp>

@@ -1,5 +1,5 @@
-// Modules: what the program loads when it is asked for, so that it neither needs their libraries
-// nor pays for loading them.
+// Modules: parts that the program loads on demand, so that it neither depends on their libraries
+// nor spends time on loading them.
 #pragma once
 
 #include <filesystem>
@@ -7,7 +7,7 @@
 
 namespace rotorub {
 
-// Beside the program, as it is built and as it is installed; empty: nowhere.
+// The module's path beside the program, in the build tree or installed; empty if it does not exist.
 std::filesystem::path module_file(const std::string& name);
 
 }  // namespace rotorub

@@ -5,8 +5,8 @@
 namespace rotorub {
 namespace {
 
-// ECMA-48, select graphic rendition: bold, and one of the eight colours that every terminal knows
-// and its user has chosen to be legible.
+// ECMA-48, select graphic rendition: bold, and one of the eight basic colours, which every terminal
+// knows and its user can configure.
 const char* start(Tone tone) {
   switch (tone) {
     case Tone::kGood:

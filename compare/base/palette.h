@@ -1,5 +1,5 @@
-// Tones of outcomes, and their colours on a terminal: a second cue beside their words, never the
-// only one.
+// Tones of outcomes and their colours on a terminal. A colour supports the words and never replaces
+// them.
 #pragma once
 
 #include <string>
@@ -11,11 +11,11 @@ enum class Tone { kPlain, kGood, kPart, kBad };
 
 class Palette {
  public:
-  // Without colours every text stays as it is.
+  // Without colours all text stays unchanged.
   explicit Palette(bool colours = false) : colours_(colours) {}
-  // text in its tone; no column wider on the screen.
+  // The text in its tone, with the same width on the screen.
   std::string paint(Tone tone, std::string_view text) const;
-  // text with its first `word` in that tone; as it is where the word is absent.
+  // The text with the first `word` in that tone; unchanged if it does not contain the word.
   std::string paint_first(Tone tone, std::string text, std::string_view word) const;
 
  private:

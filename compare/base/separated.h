@@ -1,4 +1,4 @@
-// Lines of fields with separators between them, as spreadsheets and instruments write them.
+// Lines of fields with separators, as written by spreadsheets and instruments.
 #pragma once
 
 #include <string>
@@ -7,10 +7,11 @@
 
 namespace rotorub {
 
-// Without blanks and double quotes around them. A separator in quotes is none.
+// The fields without surrounding blanks and double quotes. A separator within quotes does not
+// count.
 std::vector<std::string> fields_of(std::string_view line, char separator);
 
-// Tab or semicolon where the header has one, else the comma.
+// A tab or semicolon if the header contains one, otherwise a comma.
 char separator_of(std::string_view header);
 
 }  // namespace rotorub

@@ -22,12 +22,12 @@ std::string trimmed(const std::string& text) {
   return text.substr(first, text.find_last_not_of(" \t") - first + 1);
 }
 
-// Entries in falling order, each once. `wrong`: why a value is not accepted; empty: it is.
+// Entries in descending order without repetitions. wrong: why a value is refused, or empty.
 std::vector<double> parse_list(const char* option, const std::string& list,
                                const scene::Quantity& quantity,
                                const std::function<std::string(double)>& wrong) {
   std::vector<double> values;
-  std::istringstream entries(list + ",");  // an entry after the last comma is one too
+  std::istringstream entries(list + ",");  // so that the last entry ends with a comma too
   for (std::string entry; std::getline(entries, entry, ',');) {
     const std::string text = trimmed(entry);
     const auto parsed = scene::parse_quantity(text, quantity);
@@ -68,8 +68,8 @@ BenchEngine fixed_step(scene::Integrator integrator, const std::string& what) {
   return {runner->name(), Family::kNative, what, "", {{"", runner, {}}}};
 }
 
-// Soft contacts also at a stiffness that the step does not set: only they have a limit of their own
-// that is not the rigid contact.
+// Soft contacts are also run at a stiffness that does not depend on the step. Only then do they
+// converge to a limit that differs from the rigid contact.
 BenchEngine mujoco(scene::ContactModel contact, const std::string& what) {
   const std::shared_ptr<const Engine> runner = mujoco_engine(contact);
   const std::string euler = "mujoco.integrator=\"euler\"";
@@ -185,7 +185,7 @@ std::vector<BenchEngine> chosen_engines(const std::string& list) {
     names.emplace_back(scene::current_word(name));
     if (names.back() != name)
       fmt::print(stderr, "note: {}\n", scene::old_word_note("--engines", name));
-    // An integrator's own name is that of a native engine.
+    // An integrator's name stands for the native engine with it.
     const bool integrator = std::ranges::any_of(bench_engines(), [&](const BenchEngine& engine) {
       return engine.name == "native-" + names.back();
     });

@@ -123,7 +123,7 @@ json scene_json(const SceneBench& bench) {
   return all;
 }
 
-constexpr int kEngine = 20;  // "mujoco-cone-coulomb"
+constexpr int kEngine = 20;  // for "mujoco-cone-coulomb"
 
 std::string level_line(const Level& level, const std::vector<Point>& points) {
   std::string line = fmt::format("  {:<7.0e}", level.share);

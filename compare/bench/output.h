@@ -10,18 +10,17 @@
 
 namespace rotorub::bench {
 
-// As the contract names its keys; what is not there is null, never NaN. force_error and
-// impulse_error are shares, and lengths are in m.
+// Missing values are null, never NaN. force_error and impulse_error are shares, lengths are in m.
 nlohmann::json point_json(const Point& point);
-// `restitution`: empty, or a table beside the scenes.
+// restitution: empty, or an additional table.
 nlohmann::json bench_json(const Machine& machine, const std::vector<SceneBench>& benches,
                           const std::vector<RestitutionRow>& restitution);
 
-// The fastest engine at each level of error with the others' ratios to it, then one line for each
-// engine and setting: order, cost of a step, its most exact point, failures.
+// The fastest engine at each level of error with the others' ratios to it; then one line per engine
+// and setting with its order, cost per step, most accurate point and failures.
 std::string bench_table(const SceneBench& bench);
 
-// Engines that are not here, and why; empty where all are.
+// Unavailable engines with the reasons; empty if there are none.
 std::string missing_text();
 
 }  // namespace rotorub::bench

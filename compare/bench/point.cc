@@ -20,8 +20,8 @@ PointErrors point_errors(const Trajectory& trajectory, const Reference& referenc
   PointErrors e;
   e.position = position_distance(trajectory, reference.trajectory);
 
-  // At an impact a force is no number, and beside one a row of a fixed step says little: rows where
-  // the reference presses are those of lasting contact.
+  // At an impact the force is not defined, and a row of a fixed-step engine next to an impact is
+  // not meaningful. Rows where the reference has a force are rows of lasting contact.
   const auto& force = trajectory.column("normal_force");
   const auto& exact = reference.trajectory.column("normal_force");
   double off = 0.0, sum = 0.0;
@@ -66,7 +66,7 @@ Judgement judge(const Trajectory& trajectory, const Settled& settled, const Sett
     return bounces ? Judgement{Outcome::kChatter, said("it bounces")}
                    : Judgement{Outcome::kWrongAttractor, said("another attractor")};
   }
-  // The same name at another frequency is another attractor too: two whips, two rolls.
+  // The same kind of motion at another frequency is another attractor too, such as a second whip.
   const bool whirls = reference.attractor == Attractor::kBackwardWhip ||
                       reference.attractor == Attractor::kForwardRub ||
                       reference.attractor == Attractor::kRolling;
@@ -85,8 +85,8 @@ double Point::real_time_factor() const { return wall.median > 0.0 ? end / wall.m
 
 namespace {
 
-// The distance of each run that reached its end to the finest step of its series that did. `runs`:
-// one a point.
+// The distance of each completed run from the completed run with the finest step in its series.
+// runs: one per point.
 void add_limit_errors(const std::vector<Trajectory>& runs, std::vector<Point>& points) {
   const auto counts = [](const Point& p) { return p.finished() && p.setting.step; };
   std::map<std::pair<std::string, std::string>, std::size_t> finest;  // by engine and setting
@@ -103,8 +103,8 @@ void add_limit_errors(const std::vector<Trajectory>& runs, std::vector<Point>& p
   }
 }
 
-// The point of one setting, without a time. Whatever an engine throws is said of it, and the others
-// go on. `trajectory`: what was recorded.
+// The point of one setting without its time. An exception of an engine becomes its judgement, and
+// the other settings continue. trajectory: receives the recorded run.
 Point examine(const Setting& setting, const RunRequest& request, const Reference& reference,
               const Settled& goal, Trajectory& trajectory) {
   Point point;
@@ -183,7 +183,7 @@ std::vector<WallTime> interleaved(const std::vector<std::function<double()>>& jo
     for (std::size_t k = 0; k < jobs.size() && !stopped(interrupt); ++k) {
       if (round >= repeats_of(estimates[k], parameters)) continue;
       const double taken = jobs[k]();
-      if (stopped(interrupt)) break;  // an interrupted run is no time
+      if (stopped(interrupt)) break;  // do not count an interrupted run
       seconds[k].push_back(taken);
       done += estimates[k];
       progress(std::min(1.0, done / whole), "times");

@@ -23,10 +23,10 @@ namespace {
 
 using Place = std::complex<double>;
 
-// One instant of a closed form.
+// A closed form at one instant.
 struct Exact {
   Place rotor, stator;  // m
-  double normal = 0.0;  // N, of lasting contact
+  double normal = 0.0;  // N, in lasting contact
 };
 struct Form {
   std::string name;
@@ -38,7 +38,8 @@ Place start(const scene::Initial& i) { return {first(i.x), first(i.y)}; }
 Place start_velocity(const scene::Initial& i) { return {first(i.vx), first(i.vy)}; }
 Place of(const Eigen::Vector2d& v) { return {v.x(), v.y()}; }
 
-// One isotropic mode, a contact, and none of the parts that the closed forms know nothing of.
+// Whether the scene has one isotropic mode, a contact, and no part that the closed forms do not
+// cover.
 bool is_plain(const scene::Scene& s) {
   if (!s.rotor.modal || !s.first().contact || s.auxiliary.size() > 1) return false;
   const scene::RotorModal& m = *s.rotor.modal;
@@ -77,7 +78,7 @@ std::optional<Form> billiard(const scene::Scene& s) {
               }};
 }
 
-// From rest at the centre along a constant force: straight down, wherever that is.
+// A fall from rest at the centre along a constant force, in any direction.
 std::optional<Form> drop(const scene::Scene& s) {
   if (!is_free_mass(s) || s.forces.size() != 1 || s.first().contact->restitution >= 1.0) return {};
   const scene::Force& f = s.forces.front();
@@ -94,7 +95,7 @@ std::optional<Form> drop(const scene::Scene& s) {
               }};
 }
 
-// The start has to be on the rub, up to the digits of a file.
+// The start must lie on the rub within the digits of a file.
 bool same(Place a, Place b, double size) { return std::abs(a - b) <= 1e-12 * size; }
 
 std::optional<Form> annular(const scene::Scene& s) {
@@ -141,7 +142,7 @@ std::optional<Form> closed_form(const scene::Scene& scene) {
   return {};
 }
 
-// m: some units in the last place of positions of a millimetre.
+// m: some units in the last place of positions of about 1 mm.
 constexpr double kClosedFormRoundOff = 1e-17;
 
 Trajectory run_event(const scene::Scene& scene, const RunRequest& request, double tolerance) {
@@ -174,7 +175,7 @@ std::string put_closed_form(const scene::Scene& scene, Trajectory& trajectory) {
 
 std::vector<double> common_times(const scene::Run& run, const std::vector<double>& steps) {
   constexpr double kNano = 1e-9;   // s
-  constexpr double kWhole = 1e-6;  // what a whole number may miss
+  constexpr double kWhole = 1e-6;  // tolerance for whole numbers
   std::int64_t common = 1;
   for (const double step : steps) {
     const double nanos = step / kNano;
@@ -184,7 +185,7 @@ std::vector<double> common_times(const scene::Run& run, const std::vector<double
   }
   const double least = static_cast<double>(common) * kNano;
   if (run.end / least < kFewestRows) return output_times(run);
-  // The end is a row too, where it can be.
+  // The end is included as a row if possible.
   const double most = std::max(1.0, std::ceil(run.end / kMostRows / least - kWhole));
   const auto ends_at_the_end = [&](double factor) {
     const double rows = run.end / (factor * least);

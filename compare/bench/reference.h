@@ -1,6 +1,6 @@
-// What errors are measured against: `event` at the tightest tolerance that round-off leaves a use
-// for, with an error estimate; and in place of its positions and normal force the closed form
-// (native_model/oracles), where the scene has one.
+// The reference for errors: `event` at the tightest tolerance that round-off permits, with an error
+// estimate. If the scene has a closed form (native_model/oracles), it replaces the positions and
+// the normal force.
 #pragma once
 
 #include <string>
@@ -12,37 +12,36 @@
 
 namespace rotorub::bench {
 
-// The closed form of the scene, if it has one: replaces positions and normal force, row by row.
-// Gives its name; empty where there is none.
+// Replaces positions and normal force row by row with the closed form of the scene. Returns its
+// name; empty if there is none.
 std::string put_closed_form(const scene::Scene& scene, Trajectory& trajectory);
 
 struct Reference {
-  std::string source;         // what it is, in a few words
+  std::string source;         // a short description
   std::vector<double> times;  // s, of its rows
   Trajectory trajectory;
-  // m. Of a closed form its round-off; else the largest distance between the reference and the runs
-  // at 3 and at 10 times its tolerance.
+  // m. With a closed form its round-off; otherwise the largest distance between the reference and
+  // the runs at 3 and at 10 times its tolerance.
   double error = 0.0;
-  double event_distance = 0.0;  // m: of the closed form and `event`; 0 without a closed form
+  double event_distance = 0.0;  // m, between the closed form and `event`; 0 without a closed form
 };
 
-// Tolerance of the reference, relative.
+// Relative tolerance of the reference.
 inline constexpr double kReferenceTolerance = 1e-13;
-// Errors under so many times the reference's own are not distinguished from it.
+// Errors below this multiple of the reference's error are not significant.
 inline constexpr double kReferenceMargin = 100.0;
 
-// The rows that errors are looked at: at ends of steps of the whole ladder, as between them an
-// engine interpolates, across an impact in first order. Multiples of the least common multiple of
-// the steps, some thousand; where that is no whole number of nanoseconds, or leaves fewer than
-// kFewestRows, the rows of the scene.
+// The times at which errors are evaluated: ends of steps for all steps of the ladder, because
+// between them an engine interpolates, with first-order errors across impacts. They are multiples
+// of the least common multiple of the steps, at most about kMostRows. If that is not a whole number
+// of nanoseconds or leaves fewer than kFewestRows, the rows of the scene are used.
 std::vector<double> common_times(const scene::Run& run, const std::vector<double>& steps);
 inline constexpr double kMostRows = 1000.0, kFewestRows = 200.0;
 
-// `request` holds the rows. Throws std::runtime_error where `event` cannot run the scene to its
-// end.
+// request: with the rows. Throws std::runtime_error if `event` cannot run the scene to its end.
 Reference make_reference(const scene::Scene& scene, const RunRequest& request);
 
-// Largest distance of rotor or ring between two trajectories with the same rows; m.
+// Largest distance of rotor or ring between two trajectories with the same rows, m.
 double position_distance(const Trajectory& a, const Trajectory& b);
 
 }  // namespace rotorub::bench

@@ -55,7 +55,7 @@ SceneBench bench_scene(const SceneReader& reader, const BenchParameters& paramet
         "{}: the errors of a bench are shares of contact.clearance, and there is no [contact]",
         bench.scene.name));
   }
-  // Shares of the time, roughly: nearly all of it goes into the timed repeats.
+  // Rough shares of the time; the timed repeats take nearly all of it.
   const auto part = [&](double from, double to) {
     return [&progress, from, to](double share, const std::string& what) {
       progress(from + (to - from) * share, what);

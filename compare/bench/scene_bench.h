@@ -1,4 +1,4 @@
-// The bench of one scene: reference, points, and what they say; and the machine that it ran on.
+// The bench of one scene: reference, points and their evaluation; and the computer that it ran on.
 #pragma once
 
 #include <optional>
@@ -12,11 +12,11 @@
 
 namespace rotorub::bench {
 
-// What times were measured on.
+// The computer on which the times were measured.
 struct Machine {
-  std::string processor;     // as the kernel names it
-  int threads = 0;           // hardware threads; every run here takes one
-  std::string instructions;  // the widest vector instructions of the processor
+  std::string processor;     // name from the kernel
+  int threads = 0;           // hardware threads; every run uses one
+  std::string instructions;  // the processor's widest vector instructions
   std::string compiler;
   std::string mujoco;  // version
 };
@@ -26,7 +26,7 @@ struct BenchParameters {
   Ladder ladder = default_ladder();
   TimingParameters timing;
   std::vector<BenchEngine> engines = chosen_engines("");
-  bool stability_map = false;  // too: hundreds of runs more
+  bool stability_map = false;  // also make the map, with hundreds of further runs
 };
 
 struct SceneBench {
@@ -37,13 +37,13 @@ struct SceneBench {
   std::vector<Level> levels;
   std::optional<StabilityMap> stability;
   bool interrupted = false;
-  // What the reference cannot tell, and errors of the size of the clearance.
+  // Errors between the accuracy of the reference and the size of the clearance.
   ErrorRange telling_errors() const {
     return {kReferenceMargin * reference.error, scene.first().contact->clearance};
   }
 };
 
-// `reader` gives the scene with overrides beyond those of the user. Throws what the reader and
+// reader: reads the scene with further overrides after the user's. Throws what the reader and
 // make_reference throw, and std::invalid_argument for a scene without a contact.
 SceneBench bench_scene(const SceneReader& reader, const BenchParameters& parameters,
                        const Progress& progress, const std::atomic<bool>* interrupt);

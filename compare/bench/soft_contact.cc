@@ -12,7 +12,7 @@
 namespace rotorub::bench {
 namespace {
 
-// Half a metre per second at the ring, and time for the softest contact to let go.
+// Impact at 0.5 m/s, with enough time for the softest contact to separate.
 constexpr const char* kScene = R"([run]
 end = 0.2
 step = 1e-5
@@ -33,7 +33,7 @@ vy = [-0.5]
 struct Contender {
   std::string name, setting;
   std::shared_ptr<const Engine> engine;
-  double stiffness = 0.0;  // 1/s^2, direct solref; 0: none given
+  double stiffness = 0.0;  // 1/s^2, direct solref; 0: none
   bool knows_the_asked = true;
 };
 
@@ -49,7 +49,7 @@ std::vector<Contender> contenders() {
       {"mujoco-coulomb", "default solref", coulomb, DefaultSolref::kStiffness, false}};
   for (const peers::Peer& peer : peers::all_peers()) {
     if (peer.variants.empty() || peer.name == "penalty-per-axis") continue;
-    // The first is the softest: the most steps a bounce.
+    // The first variant is the softest, with the most steps per bounce.
     all.push_back({peer.name, peer.variants[0].setting, peer.variants[0].engine});
   }
   return all;
@@ -57,7 +57,7 @@ std::vector<Contender> contenders() {
 
 RestitutionRow row(const Contender& contender, double asked, const std::atomic<bool>* interrupt) {
   RestitutionRow r{asked, contender.name, contender.setting, 0.0, ""};
-  // The default is a contact of its own damping: that of zeta = 1, whatever is asked.
+  // The default has its own damping (zeta = 1), whatever restitution is requested.
   const double given =
       contender.knows_the_asked ? asked : soft_restitution(DefaultSolref::kDampingRatio);
   std::vector<std::string> overrides{fmt::format("contact.restitution={:.17g}", given)};
@@ -122,7 +122,7 @@ StabilityMap stability_map(const SceneReader& reader, const scene::Scene& scene,
   StabilityMap map;
   map.steps.assign(std::begin(kSteps), std::end(kSteps));
   map.stiffnesses.assign(std::begin(kStiffnesses), std::end(kStiffnesses));
-  // A number at every point; of a law that depends on the slip mu(0).
+  // A single number; for a law that depends on the slip, mu(0).
   const double mu = scene.first().contact->friction.sticking();
   map.frictions = mu > 0.0 ? std::vector{0.5 * mu, mu, 2.0 * mu} : std::vector{0.0};
   for (const auto& [contact, word] : scene::kContactModels) {

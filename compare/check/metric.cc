@@ -20,7 +20,7 @@ using nlohmann::json;
 constexpr std::array kEventKinds{EventKind::kImpact, EventKind::kSlide, EventKind::kStick,
                                  EventKind::kLiftOff, EventKind::kReverse};
 
-// The rest of `metric` after `prefix`, where it begins so.
+// The rest of `metric` after `prefix`; empty if it begins otherwise.
 std::optional<std::string> after(const std::string& metric, const std::string& prefix) {
   if (!metric.starts_with(prefix)) return std::nullopt;
   return metric.substr(prefix.size());
@@ -30,7 +30,7 @@ json residuals(const scene::Scene& scene, const Trajectory& trajectory) {
   return residuals_json(largest_residuals(trajectory, contact_facts(scene)));
 }
 
-// null: a run may have none.
+// null counts as a number, because a run may lack the value.
 std::string numbers_of(const json& object) {
   std::string names;
   for (const auto& [key, value] : object.items()) {
@@ -57,7 +57,7 @@ double number_of(const json& object, const std::string& key, const std::string& 
   return found->get<double>();
 }
 
-// Over the rows at the same times; both are ascending, and every engine gives a requested time
+// Over the rows at equal times. Both lists ascend, and every engine returns a requested time
 // exactly.
 double largest_difference(const std::string& metric, const std::string& name, const Trajectory& a,
                           const Trajectory& b) {
@@ -67,7 +67,7 @@ double largest_difference(const std::string& metric, const std::string& name, co
   for (std::size_t i = 0, j = 0; i < ta.size() && j < tb.size();) {
     if (ta[i] == tb[j]) {
       const double apart = std::abs(xa[i++] - xb[j++]);
-      if (!(apart <= largest)) largest = apart;  // NaN stays
+      if (!(apart <= largest)) largest = apart;  // stays NaN
     } else {
       (ta[i] < tb[j] ? i : j) += 1;
     }
@@ -94,7 +94,7 @@ bool needs_reference(const std::string& metric) { return metric.starts_with(kErr
 
 void check_name(const std::string& metric) {
   if (after(metric, kErrorPrefix) || after(metric, "end.") || after(metric, "largest.")) return;
-  // Names do not depend on values: an empty run has them all.
+  // Names do not depend on values, so an empty run has them all.
   if (const auto name = after(metric, "count.")) {
     count_of(metric, *name, {});
   } else if (const auto residual = after(metric, "residual.")) {
@@ -121,7 +121,7 @@ double measure(const std::string& metric, const scene::Scene& scene, const Traje
   if (const auto name = after(metric, "largest.")) {
     double largest = 0.0;
     for (const double value : column(metric, *name, trajectory)) {
-      if (!(std::abs(value) <= largest)) largest = std::abs(value);  // NaN stays
+      if (!(std::abs(value) <= largest)) largest = std::abs(value);  // stays NaN
     }
     return largest;
   }

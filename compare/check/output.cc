@@ -14,13 +14,13 @@ namespace {
 
 using nlohmann::json;
 
-constexpr std::size_t kIndent = 6;              // of a reason's further lines
-constexpr std::size_t kName = 23, kColumn = 8;  // and 7 engines: 80
+constexpr std::size_t kIndent = 6;              // of the further lines of a reason
+constexpr std::size_t kName = 23, kColumn = 8;  // with 7 engines: 80 columns
 constexpr std::size_t kMostReason = 400;        // bytes of one reason
 
 std::string cut(const std::string& name) { return scene::printable(name, kName - 4); }
 
-// In a column.
+// The word for a column of the table.
 const char* word(Outcome outcome) {
   return outcome == Outcome::kViolates ? "fails" : to_string(outcome);
 }
@@ -40,7 +40,7 @@ std::string head() {
                      line);
 }
 
-// All of one outcome, native ones first.
+// The reasons of all cases with one outcome, native ones first.
 std::string notes(const std::vector<Case>& cases, Outcome outcome) {
   std::string text;
   for (const bool native : {true, false}) {

@@ -10,12 +10,12 @@
 
 namespace rotorub::check {
 
-// A line a scene, a column an engine; below it every violation and every refusal with its reason.
-// `cases`: a scene's stand together.
+// One line per scene and one column per engine; below, every violation and every refusal with its
+// reason. The cases of a scene must be adjacent.
 std::string table(const std::vector<Case>& cases, const Palette& palette = Palette());
 
 // {"cases": [{"scene", "engine", "outcome", "rule", "value", "limit", "reason", "rules": [...]}]};
-// value and limit are null where nothing is measured. `rules`: the same keys for every rule.
+// value and limit are null where nothing is measured. rules has the same keys for every rule.
 nlohmann::json cases_json(const std::vector<Case>& cases);
 
 }  // namespace rotorub::check

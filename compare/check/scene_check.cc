@@ -44,7 +44,7 @@ bool expects_refusal(const std::vector<scene::Rule>& rules) {
   });
 }
 
-// Why it did not run to its end; "step_too_large: ..." of a run that has a status.
+// Why the run did not reach its end; "step_too_large: ..." if it has a status.
 std::string reason_of(const Attempt& attempt) {
   if (!attempt.trajectory) return attempt.refusal;
   return fmt::format("{}: {}", to_string(attempt.trajectory->status), attempt.trajectory->message);
@@ -81,7 +81,7 @@ std::vector<Verdict> measured(const scene::Scene& scene, const std::vector<scene
   return verdicts;
 }
 
-// `laws`: how many of the verdicts are of every run.
+// laws: number of leading verdicts that apply to every run.
 Verdict deciding(const std::vector<Verdict>& verdicts, std::size_t laws) {
   const auto worst =
       std::max_element(verdicts.begin(), verdicts.end(),
@@ -108,14 +108,14 @@ Attempt attempt(const Engine& engine, const scene::Scene& scene, const RunReques
   }
 }
 
-// `event` at the tightest tolerance that round-off leaves a use for. None where it fails.
+// A run of `event` at the tightest tolerance that round-off permits; empty if it fails.
 std::optional<Trajectory> reference_of(const scene::Scene& scene, const RunRequest& request) {
   const auto engine = bench::event_engine(bench::event_parameters(bench::kReferenceTolerance));
   try {
     Trajectory run = engine->run(scene, request);
     if (run.status == Status::kOk) return run;
   } catch (const std::exception&) {
-    // What keeps it from running keeps `event` too, whose case says why.
+    // `event` fails for the same reason, and its own case reports it.
   }
   return std::nullopt;
 }

@@ -10,12 +10,14 @@
 namespace rotorub::check {
 namespace {
 
-// Of the rules of every run: scaled residual of complementarity, cone and sliding.
+// Limit of the scaled residuals of adhesion, cone, complementarity and sliding in every run.
 constexpr double kResidual = 1e-10;
-// Energy that an impact gives, over the impulses times the speeds that they worked at: round-off.
+// Limit of the energy that an impact adds, relative to its impulses times their speeds: round-off.
+// Also limits the excess of its impulse over the friction cone.
 constexpr double kImpactGain = 1e-12;
-// Share of the clearance. Between its rows a fixed step leaves the circle by a step's curvature, at
-// first touch by a step's flight; beyond the clearance it would be out of range.
+// Share of the clearance. Between its rows a run with fixed steps leaves the circle by the
+// curvature of one step, and at first touch by the flight of one step. Beyond the clearance it
+// would be out of range.
 constexpr double kPenetration = 1.0;
 
 std::string rule_text(const std::string& metric, std::optional<double> min,
@@ -35,8 +37,8 @@ std::string violation_text(const std::string& metric, double value, double limit
   return text;
 }
 
-// Largest share of its own work that an impact gives to the system instead of taking it; 0: none.
-// What several contacts do at one instant is one impact.
+// Largest energy that an impact adds instead of removing, relative to its own work; 0 if none does.
+// All contacts at one instant form one impact.
 double largest_gain(const std::vector<Impact>& impacts) {
   double largest = 0.0, t = std::numeric_limits<double>::quiet_NaN(), change = 0.0, size = 0.0;
   for (const Impact& i : impacts) {
@@ -52,7 +54,8 @@ double largest_gain(const std::vector<Impact>& impacts) {
   return largest;
 }
 
-// |Lambda_T| - mu Lambda_N over Lambda_N, the largest; a pull counts as 1. Each contact has its mu.
+// Largest excess |Lambda_T| - mu Lambda_N, relative to Lambda_N, with the mu of each contact; a
+// pulling impulse counts as 1.
 double largest_impulse_residual(const std::vector<Impact>& impacts,
                                 const std::vector<ContactFacts>& contacts) {
   double largest = 0.0;
@@ -78,7 +81,7 @@ Verdict limited(const std::string& metric, double value, std::optional<double> m
   verdict.rule = rule_text(metric, min, max);
   verdict.value = value;
   const bool under = min && !(value >= *min), over = max && !(value <= *max);
-  // Within: the nearer one.
+  // If the value is within, the nearer limit.
   const bool near_max = max && (!min || std::abs(*max - value) <= std::abs(value - *min));
   verdict.limit = over ? max : under ? min : near_max ? max : min;
   if (!under && !over) return verdict;

@@ -1,4 +1,4 @@
-// rotorub bench: speed against error, every engine on a ladder of steps or tolerances.
+// rotorub bench: measures speed against error for every engine on a ladder of steps or tolerances.
 
 #include <fmt/format.h>
 
@@ -54,7 +54,7 @@ bench::SceneReader reader_of(const BenchArguments& options, const std::string& f
   };
 }
 
-// Whatever is wrong with any scene is said before an hour is spent on the first.
+// Reports the errors of all scenes before an hour is spent on the first.
 void check_scenes(const BenchArguments& options) {
   read_each(options.scenes, [&](const std::string& file) {
     if (read_scene(file, options).first().contact) return;
@@ -90,7 +90,7 @@ int run_bench(const BenchArguments& options) {
     benches.push_back(bench::bench_scene(reader_of(options, options.scenes[k]), parameters,
                                          progress, &interrupted()));
     bar.clear();
-    // What was interrupted is no bench: half of the repeats are other medians.
+    // The medians of an interrupted bench would come from fewer repeats.
     if (interrupted()) throw Interrupted();
     if (!options.json && !options.quiet) {
       fmt::print("{}{}", k > 0 ? "\n" : "", bench::bench_table(benches.back()));

@@ -1,4 +1,4 @@
-// rotorub check: scenes against the rules that stand in their files, on every engine.
+// rotorub check: checks scenes on every engine against the rules in their files.
 
 #include <fmt/format.h>
 
@@ -28,7 +28,7 @@ struct CheckArguments : CommonOptions {
   std::string folder;
 };
 
-// Every scene file that was named, or stands in a folder that was; a folder's in order of name.
+// The named scene files, and those in the named folders, sorted by name within a folder.
 std::vector<std::string> scene_files(const std::vector<std::string>& places) {
   std::vector<std::string> files;
   for (const std::string& place : places) {
@@ -50,10 +50,10 @@ std::vector<std::string> scene_files(const std::vector<std::string>& places) {
 struct CheckedScene {
   scene::Scene scene;
   std::vector<scene::Rule> rules;
-  std::string refusal;  // why it cannot be read, where its file says that it is refused
+  std::string refusal;  // why it cannot be read, if its rules expect that
 };
 
-// A file that cannot be a scene, and says so: what is wrong with it stands in `error`.
+// A file that cannot be read as a scene, for the reason in `error`, and whose rules expect that.
 std::optional<CheckedScene> refused_scene(const std::string& file, const scene::SceneError& error) {
   CheckedScene one;
   one.scene.name = std::filesystem::path(file).stem().string();
@@ -71,7 +71,7 @@ std::optional<CheckedScene> refused_scene(const std::string& file, const scene::
   return one;
 }
 
-// Whatever is wrong with any scene is said before the first is run.
+// Reports the errors of all scenes before the first runs.
 std::vector<CheckedScene> checked_scenes(const CheckArguments& options) {
   std::vector<CheckedScene> all;
   read_each(scene_files(options.places), [&](const std::string& file) {

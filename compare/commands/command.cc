@@ -28,7 +28,7 @@ namespace rotorub {
 
 namespace {
 
-// A library's source is what a newcomer gives first.
+// Newcomers often give the source of a library.
 std::string refuse_source(const std::string& file) {
   const std::string suffix = std::filesystem::path(file).extension().string();
   const std::string library = std::filesystem::path(file).stem().string() + ".so";
@@ -112,7 +112,7 @@ scene::Scene read_scene(const std::string& file, const CommonOptions& options) {
   try {
     scene = scene::read_scene(file, overrides);
   } catch (const scene::SceneError& error) {
-    // By the name that the user gave it.
+    // Use the option's name for an override that came from it.
     std::vector<scene::Diagnostic> wrong = error.diagnostics();
     for (scene::Diagnostic& d : wrong) {
       if (d.file != scene::kOverrideFile) continue;
@@ -122,7 +122,7 @@ scene::Scene read_scene(const std::string& file, const CommonOptions& options) {
     throw scene::SceneError(wrong);
   }
   if (!options.quiet) {
-    // A study or a ladder reads its scene again and again.
+    // A study or a ladder reads its scene many times, so each note is printed once.
     static std::set<std::string> said;
     for (const std::string& note : scene.notes) {
       if (said.insert(file + note).second)
@@ -214,7 +214,7 @@ scene::ContactModel contact_model_of(const std::string& name) {
 
 void say_failure(const scene::Scene& scene, const std::string& what, const Trajectory& trajectory) {
   if (trajectory.status == Status::kOk) return;
-  // A reason that names its own time is not told another.
+  // Do not add a time to a reason that contains one.
   const bool dated = trajectory.message.find("at t = ") != std::string::npos;
   fmt::print(stderr, "rotorub: {}: {}{}{}: {}\n", scene::printable(scene.name), what,
              to_string(trajectory.status),
@@ -230,7 +230,7 @@ namespace fs = std::filesystem;
   throw UsageError(fmt::format("cannot write to {}: {}", place.string(), reason));
 }
 
-// The folder, or the nearest one above it that exists, takes new files.
+// Throws unless the folder, or its nearest existing parent, accepts new files.
 void check_folder(const fs::path& folder) {
   std::error_code none;
   fs::path there = fs::absolute(folder.empty() ? "." : folder);
@@ -245,8 +245,8 @@ void check_folder(const fs::path& folder) {
   }
 }
 
-// The folder in which the file is written aside before it gets its name (write_whole); nothing for
-// a device or a pipe, which is written as it is.
+// The folder in which the file is first written under another name (write_whole). Empty for a
+// device or a pipe, which is written directly.
 std::optional<fs::path> folder_of_output(const fs::path& file) {
   std::error_code none;
   if (!file.has_filename() || fs::is_directory(file, none)) {
@@ -295,7 +295,7 @@ std::atomic<int> caught_signal{0};
 static_assert(std::atomic<bool>::is_always_lock_free && std::atomic<int>::is_always_lock_free,
               "set in a signal handler");
 
-// s that a program asked to end by whoever does not look at it (SIGTERM, SIGHUP) has for it.
+// s until the program ends after SIGTERM or SIGHUP, whose sender does not watch it.
 constexpr unsigned kGrace = 20;
 
 extern "C" void on_alarm(int) { _exit(128 + caught_signal.load()); }
@@ -314,12 +314,13 @@ void catch_interrupts() {
   struct sigaction action = {};
   action.sa_handler = on_interrupt;
   sigemptyset(&action.sa_mask);
-  // Not restarted: a blocking call ends. Once only: the second signal has its default effect.
+  // Without SA_RESTART, so that a blocking call ends. One-shot, so that the second signal has its
+  // default effect.
   action.sa_flags = static_cast<int>(SA_RESETHAND);
   for (const int signal : {SIGINT, SIGTERM, SIGHUP}) {
     struct sigaction before = {};
     sigaction(signal, nullptr, &before);
-    if (before.sa_handler != SIG_IGN) sigaction(signal, &action, nullptr);  // nohup stays
+    if (before.sa_handler != SIG_IGN) sigaction(signal, &action, nullptr);  // nohup stays in effect
   }
 }
 

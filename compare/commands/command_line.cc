@@ -19,9 +19,9 @@
 namespace rotorub {
 namespace {
 
-// A name and its words, which begin on the next line where the name is long.
+// A name and its description, which begins on the next line if the name is long.
 std::string entry(const std::string& name, const std::string& words) {
-  constexpr std::size_t kColumn = 26;  // where the words begin
+  constexpr std::size_t kColumn = 26;  // where descriptions begin
   std::string lead = fmt::format("  {:<{}}", name, kColumn - 2);
   std::string before;
   if (lead.size() > kColumn || lead.back() != ' ') {
@@ -46,7 +46,7 @@ class HelpFormat : public CLI::Formatter {
   }
 };
 
-// The command that a word is a slip of, or the beginning of; empty: none.
+// The command that the word is a misspelling or the beginning of; empty if there is none.
 std::string_view meant(std::string_view word, const std::vector<std::string_view>& commands) {
   const std::string_view near = scene::nearest(word, commands);
   if (!near.empty() || word.size() < 2) return near;
@@ -56,8 +56,8 @@ std::string_view meant(std::string_view word, const std::vector<std::string_view
   return begun == commands.end() ? std::string_view() : *begun;
 }
 
-// A variable of a script that is not set, and "-o=DIR", which would name a folder "=DIR". Empty:
-// there is none.
+// Detects an empty value, for example from an unset variable in a script, and "-o=DIR", which would
+// name a folder "=DIR". Empty if there is none.
 std::string empty_value(const CLI::App& command) {
   for (const CLI::Option* option : command.get_options()) {
     for (const std::string& value : option->results()) {
@@ -70,7 +70,7 @@ std::string empty_value(const CLI::App& command) {
   return {};
 }
 
-// The parser's own words: help and version on standard output, mistakes on standard error.
+// The parser's messages: help and version on standard output, errors on standard error.
 int parser_exit(const CLI::App& program, const CLI::ParseError& error) {
   std::ostringstream out, err;
   const int code = program.exit(error, out, err) == 0 ? kDone : kBadInput;
@@ -107,7 +107,8 @@ CommandLine::CommandLine()
           "A flexible rotor rubbing in an active auxiliary bearing, in MuJoCo and in a "
           "native rigid-contact model",
           "rotorub")) {
-  program_->formatter(std::make_shared<HelpFormat>());  // before its commands: they take it over
+  // Before the commands, so that they inherit it.
+  program_->formatter(std::make_shared<HelpFormat>());
   program_->set_version_flag("--version", version_line());
   program_->require_subcommand(1);
 }
@@ -116,14 +117,14 @@ CommandLine::~CommandLine() = default;
 
 CommandLine::Request CommandLine::parse(const std::vector<Command>& commands,
                                         std::vector<std::string> arguments) {
-  // After its commands: they would take it over.
+  // Set after the commands, so that they do not inherit it.
   program_->footer("`rotorub help COMMAND` lists the options of a command.");
   std::vector<std::string> names;
   for (const Command& command : commands) names.push_back(command.app->get_name());
   arguments = with_help(std::move(arguments));
   if (const std::string wrong = unknown_command(arguments, names); !wrong.empty())
     throw UsageError(wrong);
-  std::reverse(arguments.begin(), arguments.end());  // as the parser takes them
+  std::reverse(arguments.begin(), arguments.end());  // the parser expects them reversed
   try {
     program_->parse(std::move(arguments));
   } catch (const CLI::ParseError& error) {

@@ -1,4 +1,4 @@
-// The command line: the program's parser, which commands are added to, and what becomes of the
+// The command line: the program's parser, to which commands are added, and the handling of the
 // arguments.
 #pragma once
 
@@ -10,12 +10,12 @@
 
 namespace rotorub {
 
-// `help` and `help COMMAND` as the options that the parser knows. arguments: without the program's
-// name.
+// Replaces `help` and `help COMMAND` by the options that the parser knows. arguments: without the
+// program's name.
 std::vector<std::string> with_help(std::vector<std::string> arguments);
 
-// What is wrong with the first word, where a command should stand, with the nearest command if one
-// is near. Empty: the word is a command or an option.
+// The error message if the first word is neither a command nor an option, with the nearest command
+// if one is similar. Empty if the word is valid.
 std::string unknown_command(const std::vector<std::string>& arguments,
                             const std::vector<std::string>& commands);
 
@@ -26,17 +26,17 @@ class CommandLine {
   CommandLine(const CommandLine&) = delete;
   CommandLine& operator=(const CommandLine&) = delete;
 
-  // The program, for the functions add_..._command.
+  // The program, for the functions add_..._command().
   CLI::App& program() { return *program_; }
 
-  // What the arguments ask for.
+  // The result of parsing.
   struct Request {
-    const Command* command = nullptr;  // null: nothing further, end with `code`
+    const Command* command = nullptr;  // null: nothing to run, exit with `code`
     int code = kBadInput;
   };
-  // arguments: without the program's name. Prints the help or the version where they are asked for,
-  // and the parser's own error messages. Throws UsageError for all other mistakes. Called once,
-  // after all commands have been added.
+  // arguments: without the program's name. Prints help or version if requested, and the parser's
+  // own error messages. Throws UsageError for all other mistakes. Call it once, after all commands
+  // were added.
   Request parse(const std::vector<Command>& commands, std::vector<std::string> arguments);
 
  private:

@@ -1,4 +1,4 @@
-// rotorub compare: scenes in MuJoCo and in the native model, side by side.
+// rotorub compare: compares scenes in MuJoCo and in the native model.
 
 #include <fmt/format.h>
 
@@ -35,8 +35,8 @@ struct CompareArguments : CommonOptions, MeasuredArguments {
   bool no_video = false, all_films = false, modes_ladder = true, tune = false;
 };
 
-// Share of the time that the films take, for the progress bar.
-constexpr double kFilmShare = 0.15;  // one film a scene, and
+// Shares of the films in the total time, for the progress bar.
+constexpr double kFilmShare = 0.15;  // one film per scene
 constexpr double kEveryFilmShare = 0.5;
 
 double film_share(const CompareArguments& options) {
@@ -44,9 +44,9 @@ double film_share(const CompareArguments& options) {
   return options.all_films ? kEveryFilmShare : kFilmShare;
 }
 
-constexpr std::string_view kPluginLead = "rotorub: ";  // of what the plugin refuses
+constexpr std::string_view kPluginLead = "rotorub: ";  // prefix of the plugin's error messages
 
-// A scene, or the twin of a machine of the user's own.
+// A scene, or the twin of a user's own machine.
 struct Subject {
   scene::Scene scene;
   std::shared_ptr<const OwnMachine> own;
@@ -56,7 +56,7 @@ Subject read_subject(const std::string& file, const CompareArguments& options) {
   if (std::filesystem::path(file).extension() != ".xml")
     return {read_scene(file, options), nullptr};
   const OwnRun run = own_run(options);
-  scene::file_text(file);  // says what is wrong where it cannot be read, as of a scene
+  scene::file_text(file);  // reports a file that cannot be read, as for a scene
   try {
     const auto own = std::make_shared<const OwnMachine>(file, run);
     return {own->scene(), own};
@@ -74,7 +74,7 @@ Subject read_subject(const std::string& file, const CompareArguments& options) {
   }
 }
 
-// All of them, or one SceneError with everything that is wrong in any of the scenes.
+// Reads all of them, or throws one SceneError with the errors of all scenes.
 std::vector<Subject> read_subjects(const CompareArguments& options) {
   std::vector<Subject> subjects;
   read_each(options.scenes,
@@ -98,7 +98,7 @@ MeasuredInput one_measured(const CompareArguments& options) {
   return measured_of(options);
 }
 
-// The pages' scenes, filmed or not: films are worth having, but no reason to lose the figures.
+// The scenes of the page, with or without films. A failed film must not prevent the report.
 std::vector<PageScene> pages_of(const CompareArguments& options,
                                 const std::vector<SceneComparison>& comparisons,
                                 const std::function<void(double)>& progress) {
@@ -119,7 +119,7 @@ std::vector<PageScene> pages_of(const CompareArguments& options,
   return pages;
 }
 
-// What a user is to set, beside the verdicts.
+// Finds the setting that the page recommends beside the verdicts.
 void find_settings(const CompareArguments& options, double tolerance,
                    const std::vector<Subject>& subjects, ProgressBar& bar,
                    std::vector<PageScene>& pages) {
@@ -167,8 +167,8 @@ SceneComparison compared(const scene::Scene& scene, const CompareOptions& how) {
   }
 }
 
-// Runs and compares the scenes one by one, writes and prints each. An interrupted one is kept on
-// disk, but is no comparison.
+// Runs and compares the scenes one by one, and writes and prints each. An interrupted comparison is
+// saved but not returned.
 std::vector<SceneComparison> compare_all(const CompareArguments& options, double tolerance,
                                          const std::vector<Subject>& subjects,
                                          const MeasuredInput& measured, hdf5::ImageOf hdf5,
@@ -207,7 +207,7 @@ std::vector<SceneComparison> compare_all(const CompareArguments& options, double
   return comparisons;
 }
 
-// What is wrong with it is said before hours of runs.
+// Reports errors in --with before hours of runs.
 Beside beside_of(const CompareArguments& options) {
   try {
     return read_beside(options.with);

@@ -37,7 +37,7 @@ std::vector<std::string> compare_files(const path& folder, const scene::Scene& s
   auto runs = scene::contact_words<std::vector<std::string>>();
   runs.emplace_back(kConeDefault);
   const std::size_t contacts = runs.size();
-  for (std::size_t k = 0; k < contacts; ++k) runs.push_back("native-" + runs[k]);  // of a replay
+  for (std::size_t k = 0; k < contacts; ++k) runs.push_back("native-" + runs[k]);  // in replay
   runs.insert(runs.end(), {"native", kShadowFolder});
   for (const std::string& run : runs) {
     files.push_back(film_of(scene, run).string());
@@ -70,7 +70,7 @@ void write_report(const path& folder, const std::vector<SceneComparison>& compar
 
 namespace {
 
-// Quickly made and looked at.
+// Fast to make and short.
 renders::RenderOptions film_options() {
   renders::RenderOptions options;
   options.frames_per_second = 25.0;
@@ -78,7 +78,7 @@ renders::RenderOptions film_options() {
   return options;
 }
 
-// From the folder of the page, quoted as a URL asks for it (RFC 3986).
+// The path from the page's folder, percent-encoded for a URL (RFC 3986).
 std::string link_to(const std::string& scene, const std::filesystem::path& file) {
   std::string link;
   for (const char c : scene + "/" + file.filename().string()) {
@@ -90,15 +90,15 @@ std::string link_to(const std::string& scene, const std::filesystem::path& file)
   return link;
 }
 
-// One film to be made: the native run, or a run of MuJoCo beside the native one.
+// A film to make: the native run, or a run of MuJoCo beside the native one.
 struct Job {
   const SceneComparison* comparison = nullptr;
   std::size_t side = 0;
   std::filesystem::path file;
 };
 
-// The first answer that a newcomer reads, MuJoCo alone, which has the native run beside it, or what
-// of the runs ended well; `every`: all of these.
+// The sides to film: the first completed run in reading order (MuJoCo alone, shown beside the
+// native run), or the native one if there is no other; with `every`, all completed runs.
 std::vector<std::size_t> filmed(const SceneComparison& c, bool every) {
   std::vector<std::size_t> sides;
   if (every) sides.push_back(0);
@@ -128,7 +128,7 @@ std::string caption(const std::string& label, bool beside, const renders::Framin
                      beside ? " beside native" : "", slow, framing.magnification);
 }
 
-// Scales are of all runs of the scene, so that its films can be compared with each other too.
+// The scales cover all runs of the scene, so that its films can be compared with each other.
 Film make(const Job& job, const std::function<void(double)>& progress) {
   const SceneComparison& c = *job.comparison;
   renders::RenderOptions options = film_options();

@@ -1,4 +1,4 @@
-// What `rotorub compare` leaves behind in a folder: series, films, compare.json and report.html.
+// The files that `rotorub compare` writes: series, films, compare.json and report.html.
 #pragma once
 
 #include <atomic>
@@ -13,13 +13,13 @@
 
 namespace rotorub {
 
-// All that a comparison of the scene may leave in the folder, as names within it.
+// All files that a comparison of the scene may write to the folder, as names within it.
 std::vector<std::string> compare_files(const std::filesystem::path& folder,
                                        const scene::Scene& scene, bool own_machine);
 
-// <folder>/<scene>/<run>/ for each run, its shadow, and in replay native-<contact> under the
-// commands of each contact model but the first: series and summary, rows at the scene's output
-// times. hdf5: as for write_run.
+// Writes <folder>/<scene>/<run>/ for each run, its shadow, and in replay native-<contact> for the
+// native run under the commands of each contact model but the first: series and summary, with rows
+// at the scene's output times. hdf5: as in write_run.
 void write_runs(const std::filesystem::path& folder, const SceneComparison& comparison,
                 hdf5::ImageOf hdf5);
 
@@ -28,15 +28,15 @@ void write_report(const std::filesystem::path& folder,
                   const std::vector<SceneComparison>& comparisons,
                   const std::vector<PageScene>& pages, const Beside& beside = {});
 
-// Of a comparison.
+// The films of a comparison.
 struct SceneFilms {
-  std::vector<Film> films;  // runs that did not end well have none
+  std::vector<Film> films;  // of the first film that failed; otherwise empty
   std::string failure;      // of the first film that could not be made; empty: none
 };
 
-// <folder>/<scene>/<run>.mp4, each whole or not at all: of every comparison MuJoCo alone beside the
-// native run, with one camera, clock and scale; `every`: of each run, the native one by itself. An
-// interrupt ends them. progress: share done.
+// Writes <folder>/<scene>/<run>.mp4, each completely or not at all, with one camera, clock and
+// scale: for each comparison MuJoCo alone beside the native run, or with `every` all runs,
+// including the native one by itself. An interrupt ends it. progress: fraction done.
 std::vector<SceneFilms> write_films(const std::filesystem::path& folder,
                                     const std::vector<SceneComparison>& comparisons, bool every,
                                     const std::atomic<bool>& interrupt,

@@ -14,7 +14,8 @@ namespace {
 
 using renders::FilmFormat;
 
-// A GIF is for a page that takes no film: small and slow enough for its palette and its clock.
+// A GIF is for pages that accept no film. It is small and short, because of its palette and its
+// clock.
 constexpr int kGifWidth = 640, kGifHeight = 360;
 constexpr double kGifRate = 25.0, kGifSeconds = 6.0;
 
@@ -47,7 +48,7 @@ void read_size(const std::string& text, renders::RenderOptions& options) {
   if (height.ec != std::errc() || height.ptr != end) refuse("--size", text, accepted);
 }
 
-// By the flag, or by the ending of the file's name; mp4 where neither says.
+// From the option, otherwise from the file's extension; mp4 by default.
 FilmFormat format_of(const FilmArguments& arguments) {
   if (arguments.gif && arguments.png) {
     throw UsageError("--gif and --png: accepted is one of them; neither gives a film (.mp4)");

@@ -1,5 +1,5 @@
-// The flags of a film: --from --to --slow --size --fps --view --title --beside, and what is
-// made of it: --gif, --png, --at.
+// The options of a film: --from --to --slow --size --fps --view --title --beside, and its format:
+// --gif, --png, --at.
 #pragma once
 
 #include <optional>
@@ -13,7 +13,7 @@ class App;
 
 namespace rotorub {
 
-// As the user wrote them; empty: not given.
+// As given by the user; empty if not given.
 struct FilmArguments {
   std::string from, to, slow, size, fps, view, title, at, beside, file;
   bool gif = false, png = false;
@@ -24,12 +24,12 @@ void add_film_options(CLI::App& command, FilmArguments& arguments);
 struct FilmRequest {
   renders::RenderOptions options;
   renders::FilmFormat format = renders::FilmFormat::kMp4;
-  std::optional<double> at;  // s, of a picture
-  std::string file;          // empty: named by the scene
-  std::string beside;        // folder of a run; empty: none
+  std::optional<double> at;  // s, for a picture
+  std::string file;          // empty: named after the scene
+  std::string beside;        // folder of a run, or empty
 };
-// Throws UsageError naming the flag, what was given and what is accepted. Nothing has run by then:
-// what only a run can tell (its end, whether it has a contact) is refused later.
+// Throws UsageError that names the option, its value and what is accepted. Errors that depend on
+// the run (its end, whether it has a contact) are detected later.
 FilmRequest film_request(const FilmArguments& arguments);
 
 }  // namespace rotorub

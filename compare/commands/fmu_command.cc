@@ -1,4 +1,4 @@
-// rotorub fmu: a scene as a plant for other programs, after the Functional Mock-up Interface.
+// rotorub fmu: exports a scene as a plant for other programs (Functional Mock-up Interface).
 
 #include <fmt/format.h>
 
@@ -25,7 +25,7 @@ struct FmuArguments : CommonOptions {
   std::string scene, file, version = "3.0";
 };
 
-// The plant, with its functions of FMI.
+// The shared library with the plant and its FMI functions.
 std::string binary() {
   const std::filesystem::path file = module_file("librotorub_fmu.so");
   if (file.empty())

@@ -1,4 +1,4 @@
-// rotorub identify: values of a scene from a measured run.
+// rotorub identify: determines values of a scene from a measured run.
 
 #include <fmt/format.h>
 
@@ -27,7 +27,7 @@ struct IdentifyArguments : CommonOptions, MeasuredArguments {
   std::vector<std::string> fit;
 };
 
-constexpr std::size_t kMostValues = 12;  // of one record
+constexpr std::size_t kMostValues = 12;  // from one record
 
 // "contact.friction=0.05:0.4"
 identify::Wanted wanted_of(const std::string& text) {
@@ -72,7 +72,7 @@ int run_identify(const IdentifyArguments& options) {
     with.overrides.insert(with.overrides.end(), further.begin(), further.end());
     return read_scene(options.scene, with);
   };
-  read({});  // says what is wrong with the scene before the record is read
+  read({});  // reports errors in the scene before the record is read
   const MeasuredInput measured = measured_of(options);
   check_output_file(options.file);
   parameters.alignment = measured.alignment;

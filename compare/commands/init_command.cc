@@ -1,4 +1,4 @@
-// rotorub init: a scene to begin with.
+// rotorub init: writes a scene to start from.
 
 #include <fmt/format.h>
 
@@ -25,10 +25,10 @@ struct InitArguments {
   bool force = false, json = false, quiet = false;
 };
 
-// Sizes beyond these make no machine that anybody builds, and no number that a model can hold.
+// No real machine has sizes outside of this range.
 constexpr double kLeast = 1e-6, kMost = 1e6;
 
-// What was given in the place of the standard. zero: 0 is taken too.
+// Replaces the default by the given value. zero: whether 0 is accepted too.
 void take(StarterValue& target, const char* option, const std::string& text,
           const scene::Quantity& quantity, bool zero = false) {
   if (text.empty()) return;
@@ -78,7 +78,7 @@ Starter starter_of(const InitArguments& options) {
   return starter;
 }
 
-// Where the scene goes; empty: to standard output.
+// The file for the scene; empty for standard output.
 std::filesystem::path starter_file(const InitArguments& options) {
   if (options.file == "-") return {};
   std::filesystem::path file = options.file.empty() ? options.name : options.file;
@@ -104,7 +104,7 @@ std::filesystem::path starter_file(const InitArguments& options) {
   return file;
 }
 
-// Beside the scene: rotor_controller for rotor.toml.
+// The folder for the laws beside the scene: rotor_controller for rotor.toml.
 std::filesystem::path laws_folder(const InitArguments& options, const std::filesystem::path& file) {
   auto folder = file.parent_path() / (file.stem().string() + "_controller");
   if (!options.force && std::filesystem::exists(folder)) {
@@ -114,7 +114,7 @@ std::filesystem::path laws_folder(const InitArguments& options, const std::files
   return folder;
 }
 
-// The scene, and the laws where there is a folder for them.
+// Writes the scene, and the laws if there is a folder for them.
 void write_files(const std::filesystem::path& file, const std::string& text,
                  const std::filesystem::path& laws_folder) {
   std::vector<StarterFile> laws;

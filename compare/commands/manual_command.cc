@@ -1,5 +1,4 @@
-// rotorub manual: the program's own manual page and completion, from the parser's description of
-// it.
+// rotorub manual: prints the program's manual page or completion, generated from its parser.
 
 #include <memory>
 #include <string>

@@ -13,7 +13,7 @@
 namespace rotorub {
 namespace {
 
-// "CH1 X = rotor_x [mil]"; the file's name may hold an equals sign, what it means does not.
+// "CH1 X = rotor_x [mil]". The name in the file may contain an equals sign, its meaning does not.
 std::vector<ColumnName> names_of(const std::vector<std::string>& texts) {
   std::vector<ColumnName> names;
   for (const std::string& text : texts) {

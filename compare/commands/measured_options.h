@@ -1,5 +1,5 @@
-// The flags of a measured run: --measured, --measured-column, --measured-probes, --measured-shift,
-// --measured-angle.
+// The options of a measured run: --measured, --measured-column, --measured-probes,
+// --measured-shift, --measured-angle.
 #pragma once
 
 #include <memory>
@@ -15,22 +15,22 @@ class App;
 
 namespace rotorub {
 
-// As the user wrote them; empty: not given.
+// As given by the user; empty if not given.
 struct MeasuredArguments {
   std::string measured, measured_shift, measured_angle, measured_probes;
   std::vector<std::string> measured_columns;
 };
 
-// beside: what the record is laid beside, for the help.
+// beside: what the record is compared with, for the help.
 void add_measured_options(CLI::App& command, MeasuredArguments& arguments, const char* beside);
 
-// What a record is laid in by.
+// The record and how to align it.
 struct MeasuredInput {
-  std::shared_ptr<const MeasuredRecord> record;  // null: none
+  std::shared_ptr<const MeasuredRecord> record;  // may be null
   AlignmentOptions alignment;
 };
-// Throws UsageError naming the flag, what was given and what is accepted, and scene::SceneError
-// with all that is wrong in the file.
+// Throws UsageError that names the option, its value and what is accepted, and scene::SceneError
+// with all errors in the file.
 MeasuredInput measured_of(const MeasuredArguments& arguments);
 
 }  // namespace rotorub

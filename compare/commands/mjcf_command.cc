@@ -1,4 +1,4 @@
-// rotorub mjcf: a scene as MuJoCo's XML.
+// rotorub mjcf: writes a scene as MuJoCo's XML.
 
 #include <fmt/format.h>
 

@@ -1,4 +1,4 @@
-// rotorub modes: whirl frequencies, critical speeds, the threshold of stability, mode shapes; the
+// rotorub modes: whirl frequencies, critical speeds, stability threshold and mode shapes; the
 // lasting rubs of rotor and ring, and their map.
 
 #include <fmt/format.h>
@@ -40,8 +40,8 @@ struct ModesArguments : CommonOptions {
   std::vector<std::string> speeds;
   bool rub_map = false, feedback_map = false, state_space = false;
   std::string map_feedbacks;
-  std::string map_speeds, map_frictions;  // FROM:TO:COUNT; empty: not given
-  std::string across, up;                 // KEY=FROM:TO:COUNT, likewise
+  std::string map_speeds, map_frictions;  // FROM:TO:COUNT; empty if not given
+  std::string across, up;                 // KEY=FROM:TO:COUNT; empty if not given
 };
 
 // ---------------------------------------------------------------- values as FROM:TO:COUNT
@@ -59,7 +59,7 @@ int count_of(const char* option, const std::string& all, const std::string& part
   return count;
 }
 
-// count values, count >= 2, both ends among them.
+// `count` >= 2 evenly spaced values, including both ends.
 std::vector<double> even_values(double from, double to, int count) {
   std::vector<double> values;
   for (int k = 0; k < count; ++k) {
@@ -68,7 +68,7 @@ std::vector<double> even_values(double from, double to, int count) {
   return values;
 }
 
-// SI. From 0 on, ascending, 2 to 1,000 values.
+// SI. 2 to 1,000 ascending values, >= 0.
 std::vector<double> range_values(const char* option, const std::string& text,
                                  const scene::Quantity& quantity) {
   const std::size_t first = text.find(':'), last = text.rfind(':');
@@ -85,7 +85,7 @@ std::vector<double> range_values(const char* option, const std::string& text,
   return even_values(from, to, count);
 }
 
-// Empty: not given.
+// --up-to; empty if not given.
 std::optional<double> range_of(const ModesArguments& options) {
   if (options.up_to.empty()) return std::nullopt;
   const double range = quantity_of("--up-to", options.up_to, scene::kSpin);
@@ -96,7 +96,7 @@ std::optional<double> range_of(const ModesArguments& options) {
   return range;
 }
 
-// A speed without a unit may be another than was meant.
+// Notes speeds without a unit, which may be meant in another unit.
 void note_speeds(const ModesArguments& options) {
   for (const std::string& text : options.speeds) note_unitless_speed("--speed", text);
   note_unitless_speed("--up-to", options.up_to);
@@ -107,7 +107,7 @@ void note_speeds(const ModesArguments& options) {
   note_unitless_speed("--speeds", range.substr(first + 1, range.rfind(':') - first - 1));
 }
 
-// A folder, or the page itself.
+// The page's file: the output itself, or a file in that folder.
 std::filesystem::path page_file(const ModesArguments& options) {
   const std::filesystem::path path(options.output);
   if (path.extension() == ".html") return path;
@@ -134,7 +134,7 @@ void write_page(const ModesArguments& options, const scene::Scene& scene,
 
 // ---------------------------------------------------------------- the map of lasting rubs
 struct MapRanges {
-  std::vector<double> speeds, frictions;  // empty: not given
+  std::vector<double> speeds, frictions;  // empty if not given
 };
 
 MapRanges map_ranges(const ModesArguments& options) {
@@ -153,7 +153,7 @@ void say_progress(ProgressBar& bar, double share, const char* what) {
   bar.show(share, what);
 }
 
-// --across, --up: any key that takes one number. Empty: the axis of old.
+// --across and --up: any key that accepts a single number. The default axis if not given.
 MapAxis axis_of(const char* option, const std::string& text, MapAxis standard) {
   if (text.empty()) return standard;
   const std::string key = scene::override_key(text);
@@ -169,7 +169,7 @@ MapAxis axis_of(const char* option, const std::string& text, MapAxis standard) {
           range_values(option, text.substr(text.find('=') + 1), quantity)};
 }
 
-// By default about the scene's own speed, as wide as a terminal.
+// By default around the scene's own speed, with the width of a terminal.
 RubKeyMap rub_map_of(const ModesArguments& options, const scene::Scene& scene, MapRanges ranges) {
   constexpr int kSpeeds = 60, kFrictions = 20;
   if (ranges.speeds.empty() && options.across.empty()) {
@@ -191,8 +191,8 @@ RubKeyMap rub_map_of(const ModesArguments& options, const scene::Scene& scene, M
   });
 }
 
-// rotorub modes --feedback-map: by default from half to twice the scene's speed, k up to a ring's
-// 10 rates.
+// rotorub modes --feedback-map: by default spin speeds from half to one and a half times the
+// scene's, and k from 0 to 10 sqrt(mass stiffness) of the ring.
 int show_feedback(const ModesArguments& options) {
   MapRanges ranges = map_ranges(options);
   const scene::Scene scene = read_scene(options.scene, options);
@@ -224,7 +224,7 @@ int show_feedback(const ModesArguments& options) {
   return kDone;
 }
 
-// rotorub modes --state-space: JSON, whatever else is asked.
+// rotorub modes --state-space: prints JSON regardless of other options.
 int show_state_space(const ModesArguments& options) {
   const scene::Scene scene = read_scene(options.scene, options);
   const Model model = prepare(scene);

@@ -1,4 +1,4 @@
-// rotorub optimise: the values of a study's keys for which a figure is best.
+// rotorub optimise: finds the values of a study's keys that optimise a figure.
 
 #include <fmt/format.h>
 

@@ -1,6 +1,5 @@
-// The commands and options of the program, as its parser takes them. Only options.cc,
-// command_line.cc and parser_text.cc include the parser, CLI11: it takes more than ten seconds to
-// compile.
+// Adds commands and options to the program's parser, CLI11. Only options.cc, command_line.cc and
+// parser_text.cc include it, because it takes more than ten seconds to compile.
 #pragma once
 
 #include <cstdint>
@@ -15,30 +14,30 @@ class Option;
 
 namespace rotorub {
 
-// An option that has been added to a command. Each function says more about it and returns it, so
-// that the calls can be chained.
+// An option that was added to a command. Each function adds a property and returns the option, so
+// that calls can be chained.
 class Option {
  public:
   explicit Option(CLI::Option& option) : option_(&option) {}
 
   Option required() const;
-  Option type(const std::string& name) const;  // what the help calls its value, "TIME"
-  Option shows_default() const;                // the help shows the value that it has now
-  Option repeats() const;  // may be given several times, with one value each time
+  Option type(const std::string& name) const;  // name of its value in the help, "TIME"
+  Option shows_default() const;                // the help shows its present value
+  Option repeats() const;                      // may be given several times, with one value each
 
   Option needs(const Option& other) const;
   Option excludes(const Option& other) const;
 
-  // What is accepted. Checks run in the order in which they were added.
+  // Restricts what is accepted. Checks run in the order in which they were added.
   Option one_of(const std::vector<std::string>& words) const;
-  Option between(std::int64_t least, std::int64_t most) const;  // both ends are accepted
+  Option between(std::int64_t least, std::int64_t most) const;  // including both ends
   Option existing_file() const;
-  // The check returns what is wrong with the text, or an empty string.
+  // The check returns an error message, or an empty string.
   Option check(const std::function<std::string(const std::string&)>& what_is_wrong) const;
 
-  // The text that is checked and stored in place of the text that was given.
+  // Replaces the given text; the result is checked and stored.
   Option transform(const std::function<std::string(const std::string&)>& replacement) const;
-  // Called with each value that has passed the checks added before.
+  // Called with each value that passed the checks added before.
   Option each(const std::function<void(const std::string&)>& action) const;
 
  private:
@@ -47,12 +46,12 @@ class Option {
 
 CLI::App& add_command(CLI::App& program, const char* name, const std::string& words);
 
-// `names`: "-o,--output", or "SCENE" for a positional. `value` is what the option has where it is
-// not given; it must live until the command has run. Value is a std::string, an int, or a
-// std::vector of std::string or std::int64_t.
+// names: "-o,--output", or "SCENE" for a positional. value: holds the default, and must live until
+// the command has run. Value is a std::string, an int, or a std::vector of std::string or
+// std::int64_t.
 template <typename Value>
 Option add_option(CLI::App& command, const char* names, Value& value, const std::string& words);
-// The same, where the help calls the value `type`.
+// The same, with `type` as the name of the value in the help.
 template <typename Value>
 Option add_value(CLI::App& command, const char* names, Value& value, const char* type,
                  const std::string& words) {
@@ -63,7 +62,7 @@ Option add_flag(CLI::App& command, const char* names, bool& value, const std::st
 Option add_flag_callback(CLI::App& command, const char* names, const std::function<void()>& action,
                          const std::string& words);
 
-// One that was added before, "--measured".
+// An option that was added before, "--measured".
 Option get_option(CLI::App& command, const char* name);
 
 }  // namespace rotorub

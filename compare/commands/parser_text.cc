@@ -10,8 +10,8 @@
 namespace rotorub {
 namespace {
 
-// A type as the parser has it is "TEXT:{native,mujoco}": the value's name, and what it is checked
-// for.
+// The parser describes a type as "TEXT:{native,mujoco}": the name of the value, and the accepted
+// words.
 void set_type(OptionText& option, const std::string& type) {
   const std::size_t colon = type.find(':');
   option.value = type.substr(0, colon);

@@ -1,4 +1,4 @@
-// What the manual page and the completion say about the program, read from its parser.
+// The contents of the manual page and the completion, read from the program's parser.
 #pragma once
 
 #include "compare/manual/program_text.h"
@@ -9,7 +9,7 @@ class App;
 
 namespace rotorub {
 
-// The program, its commands and all their options.
+// The program, its commands and all options.
 ProgramText program_text(const CLI::App& program);
 
 }  // namespace rotorub

@@ -1,4 +1,4 @@
-// rotorub plot: the page of a run that was kept.
+// rotorub plot: makes the page of a saved run.
 
 #include <fmt/format.h>
 
@@ -24,7 +24,7 @@ struct PlotArguments : CommonOptions {
   std::string folder, file;
 };
 
-// A folder that is none of a run is a mistake of who named it.
+// Throws UsageError for a folder without a run.
 StoredRun run_of(const PlotArguments& options) {
   if (!options.overrides.empty()) {
     throw UsageError(

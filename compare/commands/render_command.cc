@@ -1,4 +1,4 @@
-// rotorub render: a film or picture of a scene, or of a run that was kept.
+// rotorub render: makes a film or picture of a scene or of a saved run.
 
 #include <fmt/format.h>
 
@@ -29,10 +29,10 @@ struct RenderArguments : CommonOptions {
   FilmArguments film;
 };
 
-// Rows close enough for smooth pictures and for every touch to be seen.
+// Enough rows for smooth pictures and for every contact to be visible.
 constexpr std::size_t kFilmRows = 50000;
 
-// A window that no run of the scene can have, before it is run.
+// Refuses a time window beyond the end of the scene's run before it runs.
 void check_window(const scene::Scene& scene, const renders::RenderOptions& film) {
   for (const auto& [flag, time] : {std::pair{"--from", film.from}, {"--to", film.to}}) {
     if (!time || *time <= scene.run.end) continue;
@@ -77,7 +77,7 @@ StoredRun stored(const RenderArguments& options) {
   return run;
 }
 
-// Engine, contact and integrator may differ; what is drawn may not.
+// The run of --beside. Its engine, contact model and integrator may differ, but not what is drawn.
 std::optional<StoredRun> run_beside(const FilmRequest& request, const StoredRun& run) {
   if (request.beside.empty()) return std::nullopt;
   if (!std::filesystem::is_directory(request.beside)) {
@@ -91,7 +91,7 @@ std::optional<StoredRun> run_beside(const FilmRequest& request, const StoredRun&
   return beside;
 }
 
-// What was made, in words and as JSON.
+// The result, in words and as JSON.
 struct Outcome {
   renders::Framing framing;
   std::string words;

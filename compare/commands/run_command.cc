@@ -1,4 +1,4 @@
-// rotorub run: one scene, one engine, a folder of results.
+// rotorub run: runs one scene on one engine and writes a folder of results.
 
 #include <fmt/format.h>
 
@@ -57,7 +57,7 @@ std::unique_ptr<Engine> engine_of(const RunArguments& options, const scene::Scen
                                                : contact_model_of(options.contact));
 }
 
-// What a rigid impact on these modes is worth.
+// A note if the omitted modes affect the effective mass of rigid impacts.
 std::string truncation_note(const scene::Scene& scene) {
   const auto mass = contact_mass(scene);
   if (!mass || !mass->truncated()) return "";
@@ -71,7 +71,7 @@ std::string truncation_note(const scene::Scene& scene) {
       2);
 }
 
-// Where the whirl outruns what the rotor can bend to.
+// A note if the whirl is faster than the modes can follow.
 std::string whirl_note(const scene::Scene& scene, const Trajectory& trajectory) {
   constexpr double kHz = 1.0 / (2.0 * std::numbers::pi);
   const auto above = above_modes(scene, trajectory);
@@ -91,10 +91,10 @@ bool writes_shadow(const RunArguments& options, const scene::Scene& scene) {
   return options.engine == "mujoco" && scene.mujoco.shadow;
 }
 
-// The native model that ran alongside in the plugin: nobody but a controller of the scene commands
-// the actuator in such a run, so that a run of its own at the same step comes to the same bits
-// (tests/plugin/shadow_test.cc). (Magnets that no controller commands are the exception: in the
-// plugin their force is MuJoCo's.)
+// Writes the run of the native model that ran alongside in the plugin. Only a controller of the
+// scene commands the actuator in such a run, so a separate native run at the same step is identical
+// to the bit (tests/plugin/shadow_test.cc). (Magnets without a controller are the exception: in the
+// plugin their force comes from MuJoCo.)
 void write_shadow(const std::filesystem::path& folder, const scene::Scene& scene, ProgressBar& bar,
                   bool quiet, hdf5::ImageOf hdf5) {
   RunRequest request;
@@ -107,7 +107,8 @@ void write_shadow(const std::filesystem::path& folder, const scene::Scene& scene
   say_failure(scene, "shadow: ", trajectory);
 }
 
-// --lyapunov: how fast neighbours of what the run has come to part.
+// --lyapunov: the rate at which neighbouring trajectories diverge from the state that the run
+// reached.
 Lyapunov lyapunov_of(const RunArguments& options, const scene::Scene& scene,
                      const Trajectory& trajectory) {
   LyapunovParameters parameters;
@@ -134,7 +135,7 @@ std::string lyapunov_text(const Lyapunov& found) {
                                  : "neighbouring runs come together"));
 }
 
-// The record beside the run; none: nothing was measured.
+// The record compared with the run; empty without a record.
 std::optional<MeasuredRun> laid_in(const MeasuredInput& measured, const scene::Scene& scene,
                                    const RunArguments& options, const Trajectory& trajectory) {
   if (!measured.record || trajectory.status == Status::kInterrupted) return std::nullopt;

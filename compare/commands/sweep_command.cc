@@ -1,4 +1,4 @@
-// rotorub sweep: maps over the values of a scene, here or on a cluster.
+// rotorub sweep: maps over values of a scene, on this computer or on a cluster.
 
 #include <fmt/format.h>
 
@@ -107,7 +107,7 @@ int merge(const SweepArguments& options, const Sweep& sweep) {
   return kFailed;
 }
 
-// Shards that have points left. One that is locked is running.
+// The shards with points left, except those that are locked because they are running.
 std::vector<int> open_shards(const Sweep& sweep, int tasks) {
   std::vector<int> open;
   for (int task = 1; task <= tasks; ++task) {
@@ -127,7 +127,8 @@ std::vector<int> open_shards(const Sweep& sweep, int tasks) {
   return open;
 }
 
-// As asked for, or as the shards that are there; never more than there are points.
+// The requested number of shards, otherwise as many as in the existing results; at most one per
+// point.
 int tasks_of(const SweepArguments& options, const Sweep& sweep) {
   constexpr int kDefaultTasks = 16;
   const std::int64_t points = std::max<std::int64_t>(sweep.scenes->sample().size(), 1);
@@ -172,14 +173,15 @@ int submit_to_slurm(const SweepArguments& options, const Sweep& sweep) {
   return kDone;
 }
 
-// Those of the scene, as every command says them; what the study has is said where it is read.
+// Prints notes on old words in the scene, as every command does. Notes on the study are printed
+// when it is read.
 void say_old_words(const Sweep& sweep) {
   try {
     for (const std::string& note : sweep.scenes->at(0).notes) {
       if (!sweep.study.varies(note.substr(0, note.find(':'))))
         fmt::print(stderr, "note: {}: {}\n", printable_path(sweep.study.scene), note);
     }
-  } catch (const scene::SceneError&) {  // a point that is refused has its row
+  } catch (const scene::SceneError&) {  // a refused point has its row in the results
   }
 }
 

@@ -27,7 +27,8 @@ namespace {
 
 using std::filesystem::path;
 
-// With --bifurcation: the diagram, which is kept beside the page; else one that was kept, or null.
+// With --bifurcation: computes the diagram and saves it beside the page; otherwise returns the
+// saved one, or null.
 nlohmann::json bifurcation_of(const SweepArguments& options, const Sweep& sweep) {
   const path file = sweep.folder / sweep::kBifurcationFile;
   if (!options.bifurcation) {
@@ -47,7 +48,7 @@ nlohmann::json bifurcation_of(const SweepArguments& options, const Sweep& sweep)
 
 std::string point_folder(std::int64_t point) { return fmt::format("point-{}", point); }
 
-// The way from the page to the run of a point.
+// How the page links to the runs of points.
 PointRuns point_runs(const SweepArguments& options, const Sweep& sweep) {
   PointRuns runs{fmt::format("rotorub sweep {} -o {}", sweep::shell_word(options.study),
                              sweep::shell_word(sweep.folder.string())),
@@ -114,8 +115,8 @@ void write_results(const SweepArguments& options, const Sweep& sweep, sweep::Sto
                            sweep::kCsvFile, sweep::kPageFile));
 }
 
-// rotorub sweep STUDY.toml -o DIR --point N: the point's run as `rotorub run` keeps it, with its
-// page.
+// rotorub sweep STUDY.toml -o DIR --point N: saves the run of the point as `rotorub run` does, with
+// its page.
 int keep_points(const SweepArguments& options, const Sweep& sweep) {
   const std::int64_t last = sweep.scenes->sample().size() - 1;
   for (const std::int64_t point : options.points) {
@@ -145,7 +146,7 @@ int keep_points(const SweepArguments& options, const Sweep& sweep) {
     code = std::max(code, exit_code_of(kept.trajectory.status));
   }
   if (options.json) std::cout << json_text({{"points", all}});
-  // The page leads to what is there now.
+  // Update the page, so that it links to the saved runs.
   if (std::filesystem::exists(sweep.folder / sweep::kPageFile)) {
     SweepArguments silent = options;
     silent.quiet = true;

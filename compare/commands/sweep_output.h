@@ -1,5 +1,5 @@
-// What `rotorub sweep` leaves in its folder once all points are there, and the runs of single
-// points.
+// The files that `rotorub sweep` writes to its folder when all points are done, and the runs of
+// single points.
 #pragma once
 
 #include <cstdint>
@@ -19,13 +19,13 @@ namespace rotorub {
 
 struct SweepArguments : CommonOptions {
   std::string study, folder, shard;
-  int jobs = 0, tasks = 0;  // 0: not given
+  int jobs = 0, tasks = 0;  // 0 if not given
   bool slurm = false, bifurcation = false;
   std::vector<std::string> merge;
-  std::vector<std::int64_t> points;  // whose runs are kept
+  std::vector<std::int64_t> points;  // their runs are saved
 };
 
-// A study that has been read, and where its results go.
+// A study and the place of its results.
 struct Sweep {
   sweep::Study study;
   std::unique_ptr<sweep::PointScenes> scenes;
@@ -37,18 +37,18 @@ struct Sweep {
   }
 };
 
-// On standard output, unless it is to be quiet or JSON's.
+// Prints to standard output, except with --quiet or --json.
 void say(const SweepArguments& options, const std::string& text);
 // "12 ok, 1 diverged"
 std::string counts_text(const std::map<std::string, std::int64_t>& counts);
 
-// All that the command may write to its folder.
+// All files that the command may write to its folder.
 std::vector<std::string> sweep_files(const SweepArguments& options, const Sweep& sweep);
 
-// All points are there: the tables and the page.
+// Writes the tables and the page; call it when all points are done.
 void write_results(const SweepArguments& options, const Sweep& sweep, sweep::Store& store);
 
-// The runs of --point, each in a folder of its own with its page; the exit code.
+// Makes the runs of --point, each with its page in its own folder. Returns the exit code.
 int keep_points(const SweepArguments& options, const Sweep& sweep);
 
 }  // namespace rotorub

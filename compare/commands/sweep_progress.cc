@@ -9,8 +9,9 @@
 namespace rotorub {
 namespace {
 
-constexpr double kMeasured = 1.0;          // s that points run before their time is estimated
-constexpr double kEstimatePatience = 2.0;  // s without an estimate: only the number is printed
+constexpr double kMeasured = 1.0;  // s of running points before their time is estimated
+// s without an estimate, after which only the number is printed.
+constexpr double kEstimatePatience = 2.0;
 
 std::string duration_text(double seconds) {
   if (seconds < 120.0) return fmt::format("{:.0f} s", seconds);

@@ -1,4 +1,4 @@
-// What `rotorub sweep` says on standard error while it runs its points.
+// The messages of `rotorub sweep` on standard error while it runs its points.
 #pragma once
 
 #include <chrono>
@@ -10,20 +10,20 @@
 
 namespace rotorub {
 
-// "500 points take about 40 s with 2 jobs". `passed`: s since the first point began; the time that
-// is told is that and progress.left.
+// "500 points take about 40 s with 2 jobs". passed: s since the first point began; the time in the
+// text is the sum of it and progress.left.
 std::string plan_text(const sweep::SweepProgress& progress, const sweep::Shard& shard, int jobs,
                       double passed);
 
-// First a line with the number of points and the time that they take, also where standard error is
-// not a terminal; then the bar. The time is estimated from the points that are done after a second,
-// or from the first of them if they take longer. `quiet`: nothing is said.
+// First prints a line with the number of points and their total time, even if standard error is not
+// a terminal; then shows the bar. The time is estimated from the points done after one second, or
+// from the first points if they take longer. quiet: print nothing.
 class SweepProgressReport {
  public:
   SweepProgressReport(bool quiet, const sweep::Shard& shard, int jobs);
 
   void show(const sweep::SweepProgress& progress);
-  // Wipes the bar away, so that other text can follow.
+  // Erases the bar, so that other text can follow.
   void clear() { bar_.clear(); }
 
  private:

@@ -17,7 +17,7 @@ namespace rotorub {
 namespace {
 
 using namespace std::chrono_literals;
-constexpr auto kPatience = 2s;  // shorter work shows nothing
+constexpr auto kPatience = 2s;  // shorter tasks show nothing
 constexpr auto kRefresh = 100ms;
 constexpr auto kLineEvery = 5s;
 constexpr int kWidth = 28;
@@ -29,7 +29,7 @@ std::string_view variable(const char* name) {
 
 bool is_terminal(std::FILE* stream) { return isatty(fileno(stream)) == 1; }
 
-// Of a terminal; 80 where nothing else is known.
+// Width of the terminal; 80 if it is unknown.
 int columns_of(std::FILE* stream) {
   winsize size{};
   if (ioctl(fileno(stream), TIOCGWINSZ, &size) == 0 && size.ws_col > 0) return size.ws_col;
@@ -62,7 +62,7 @@ std::string progress_bar(double share, double seconds, const std::string& what, 
   const auto full = static_cast<std::size_t>(share * kWidth);
   const std::string bar = fmt::format("[{}{}] {:3.0f} %  {:.0f} s  ", std::string(full, '='),
                                       std::string(kWidth - full, ' '), 100.0 * share, seconds);
-  // The last column stays free: a terminal may wrap as soon as it is written to.
+  // Leaves the last column free, because some terminals wrap as soon as it is written.
   const auto room = static_cast<std::size_t>(std::max(columns - 1, 0));
   constexpr std::size_t kCut = 3;  // "..."
   if (bar.size() + kCut >= room) return bar.substr(0, room);

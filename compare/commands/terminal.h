@@ -1,4 +1,4 @@
-// What a stream is written to, and how far long work is.
+// The properties of an output stream, and a progress bar.
 #pragma once
 
 #include <chrono>
@@ -10,18 +10,17 @@
 
 namespace rotorub {
 
-// Colours on a terminal that has them, unless NO_COLOR is set to something (no-color.org).
+// Colours on a terminal that supports them, unless NO_COLOR is set and not empty (no-color.org).
 Palette palette_of(std::FILE* stream);
 
-// The message line by line, each as a terminal can show it: a message may quote what the user
-// wrote.
+// The message line by line, with each line made printable, because it may quote the user's input.
 std::string printable_lines(const std::string& message);
-// The same of a file or a folder that the user named, whole.
+// The same for the full path of a file or folder from the user.
 std::string printable_path(const std::filesystem::path& path);
 
-// How far a long piece of work is, on standard error: on a terminal a bar, from two seconds on;
-// elsewhere nothing, or with ROTORUB_PROGRESS=lines in the environment a line at once and every
-// five seconds.
+// Progress of a long task on standard error. On a terminal it is a bar, shown after two seconds.
+// Elsewhere nothing is shown, or with ROTORUB_PROGRESS=lines in the environment a line at once and
+// then every five seconds.
 class ProgressBar {
  public:
   explicit ProgressBar(bool quiet);
@@ -29,9 +28,9 @@ class ProgressBar {
   ProgressBar(const ProgressBar&) = delete;
   ProgressBar& operator=(const ProgressBar&) = delete;
 
-  // share: done of the whole, in [0, 1]. Cheap to call often.
+  // share: fraction done, in [0, 1]. Cheap to call often.
   void show(double share, const std::string& what);
-  // Wipes the bar away, so that other text can follow.
+  // Erases the bar, so that other text can follow.
   void clear();
 
  private:
@@ -44,7 +43,7 @@ class ProgressBar {
   Clock::time_point start_, last_;
 };
 
-// A bar of at most so many columns: "[=====     ]  50 %  12 s  what", cut where it would wrap.
+// A bar of at most `columns` columns: "[=====     ]  50 %  12 s  what", truncated if necessary.
 std::string progress_bar(double share, double seconds, const std::string& what, int columns);
 
 }  // namespace rotorub

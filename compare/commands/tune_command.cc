@@ -1,4 +1,4 @@
-// rotorub tune: the fastest setting of MuJoCo whose contact forces can be trusted.
+// rotorub tune: finds the fastest setting of MuJoCo whose contact forces can be trusted.
 
 #include <fmt/format.h>
 
@@ -28,8 +28,8 @@ namespace {
 std::vector<double> tune_steps(const std::string& given, const scene::Scene& scene) {
   std::vector<double> steps =
       given.empty() ? bench::default_ladder().steps : bench::parse_steps(given);
-  // A slow machine may take more than the bench's steps. The scene's own step is one that its user
-  // has a reason for.
+  // Slow machines permit larger steps than the bench's. The scene's own step is included, because
+  // its user chose it for a reason.
   if (given.empty()) steps.insert(steps.end(), {1e-3, 5e-4, scene.run.step});
   std::sort(steps.begin(), steps.end(), std::greater<>());
   steps.erase(std::unique(steps.begin(), steps.end()), steps.end());
@@ -41,7 +41,7 @@ struct TuneArguments : CommonOptions {
   int twins = kDefaultTwins;
 };
 
-// The scene with the trusted setting; says what it did, or why it did nothing.
+// Writes the scene with the trusted setting and prints the result, or why nothing was written.
 void write_tuned(const TuneArguments& options, const tune::TuneResult& result) {
   if (!result.choice.trusted) {
     fmt::print(stderr, "rotorub: {} is not written: no setting can be trusted\n",

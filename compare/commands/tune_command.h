@@ -1,4 +1,4 @@
-// tune as commands run it: its default ladder of steps, its reader of scenes.
+// Runs tune for commands: its default ladder of steps and its reader of scenes.
 #pragma once
 
 #include <functional>
@@ -9,14 +9,15 @@
 
 namespace rotorub {
 
-// `steps`: LIST as --steps takes it; empty: 1-2-5 from 1 ms to 1 us, and the scene's own. `scene`:
-// of `file`, with the options' overrides, in contact. progress: (share done, what is running).
+// steps: LIST as for --steps; if empty, 1-2-5 from 1 ms to 1 us and the scene's own step. scene:
+// read from `file` with the overrides of the options; it must have a contact. progress: (fraction
+// done, what is running).
 tune::TuneResult tuned(const std::string& file, const scene::Scene& scene,
                        const CommonOptions& options, double tolerance, int twins,
                        const std::string& steps,
                        const std::function<void(double, const std::string&)>& progress);
 
-// "rigid, 20 µs: 21.19 us a step", or that none can be trusted.
+// "rigid, 20 µs: 21.19 us a step", or a sentence that no setting can be trusted.
 std::string setting_sentence(const tune::TuneResult& result);
 
 }  // namespace rotorub

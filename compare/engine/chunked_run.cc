@@ -35,7 +35,7 @@ std::size_t ChunkedRun::advance(std::size_t wanted) {
   const auto start = std::chrono::steady_clock::now();
   std::size_t done = 0;
   for (; done < count && !failed_; ++done) {
-    // Native steps: the state of the step's begin is known once it is taken.
+    // With native steps, the velocities at the start of the step are known only after the step.
     const bool native = config_.takes_native_steps();
     double* state = states_.data() + 2 * done * size();
     if (native) read_state(state);

@@ -1,4 +1,5 @@
-// One interface of everything that can run a scene: what compares and reports knows no engine.
+// The common interface of all engines that can run a scene. Code that compares and reports runs
+// does not depend on a particular engine.
 #pragma once
 
 #include <Eigen/Core>
@@ -16,69 +17,70 @@
 
 namespace rotorub {
 
-// What an onlooker sees of every step of a MuJoCo run: step k, from t = k h to t + h. MuJoCo's
-// Euler step is leapfrog: its velocities are those of half a step before its positions, and a force
-// of the step acts about t, from t - h/2 to t + h/2 (native_model/stepping/verlet.h).
+// What a watch receives for every step k of a MuJoCo run, from t = k h to t + h. MuJoCo's Euler
+// step is leapfrog: its velocities lag its positions by half a step, and a force of the step acts
+// around t, from t - h/2 to t + h/2 (native_model/stepping/verlet.h).
 struct WatchedStep {
   double t = 0.0, h = 0.0;  // s
-  // The state of t: nq values of the plugin's model (without coils). Velocities are those of t, the
-  // mean of those of the half steps beside it: of second order where no impact is between them.
+  // State at t: nq values of the plugin's model, without coils. The velocities at t are the mean of
+  // the two adjacent half-step velocities: second-order accurate unless an impact lies between
+  // them.
   const double* q = nullptr;
   const double* v = nullptr;
-  Eigen::Vector2d current{0.0, 0.0};  // A, of the coils at t
-  // The actuator's command (model/actuation.h), and from when it acts, s.
+  Eigen::Vector2d current{0.0, 0.0};  // A, in the coils at t
+  // The actuator's command (model/actuation.h) and the time from which it acts, s.
   Eigen::Vector2d command{0.0, 0.0};
   double command_begin = 0.0;
-  double normal_impulse = 0.0;  // N s, of the step, >= 0
-  bool impact = false;          // that is an impact's, of a rigid law, with
-  double impact_time = 0.0;     // s
+  double normal_impulse = 0.0;  // N s, over the step, >= 0
+  bool impact = false;          // the impulse comes from an impact of a rigid law
+  double impact_time = 0.0;     // s; set for an impact, as is gap_rate_after
   double gap_rate_after = 0.0;  // m/s
 };
 using StepWatch = std::function<void(const WatchedStep&)>;
 
-// How a run differs from what the scene says.
+// How a run differs from the scene.
 struct RunRequest {
   std::optional<double> step;                       // s, > 0
-  std::optional<std::vector<double>> output_times;  // s, ascending: the rows of the series
-  // Moves the first bending coordinate at t = 0 by so many units in the last place of the clearance
-  // (of 1 mm without a contact): the least that two runs can differ by.
+  std::optional<std::vector<double>> output_times;  // s, ascending: the times of the recorded rows
+  // Moves the first bending coordinate at t = 0 by this many units in the last place of the
+  // clearance (of 1 mm without a contact), the smallest possible difference between two runs.
   int perturbation_ulps = 0;
-  std::function<void(double)> progress;          // share done, in [0, 1]
-  const std::atomic<bool>* interrupt = nullptr;  // true: stop and keep what there is
-  // Commands of another run in the place of the scene's controller; native engines alone.
+  std::function<void(double)> progress;          // fraction done, in [0, 1]
+  const std::atomic<bool>* interrupt = nullptr;  // true: stop and return the result so far
+  // Commands recorded in another run, in place of the scene's controller; native engines only.
   std::shared_ptr<const CommandRecord> commands;
-  StepWatch watch;  // called after every step; MuJoCo's engines alone
-  // MuJoCo's engines write the solref of the first contact here, as the attribute has it ("0.02
-  // 1"), if its force comes from one: that of a rigid or a compliant contact does not.
+  StepWatch watch;  // called after every step; MuJoCo engines only
+  // MuJoCo engines write the solref of the first contact here, as in the MJCF attribute ("0.02 1"),
+  // if it determines the contact force. It does not for a rigid or a compliant contact.
   std::string* solref = nullptr;
 };
 
 class Engine {
  public:
   virtual ~Engine() = default;
-  // For columns and folders: "native-verlet", "mujoco-coulomb".
+  // Used in columns and folder names: "native-verlet", "mujoco-coulomb".
   virtual std::string name() const = 0;
-  // Failing numerics are a status of the result; scenes that the engine cannot run at all throw
+  // Numerical failures are a status of the result; scenes that the engine cannot run at all throw
   // std::runtime_error.
   virtual Trajectory run(const scene::Scene& scene, const RunRequest& request) const = 0;
 };
 
-// What was asked for is no part of this version; the message names what is.
+// The requested engine is not available in this version; the message names the available ones.
 class NotOffered : public std::runtime_error {
   using std::runtime_error::runtime_error;
 };
 
-// What is not finite is no result: diverged, whatever the integrator thinks of its own state.
+// Sets the status kDiverged if a result is not finite, whatever the integrator reports.
 Trajectory finite(Trajectory trajectory);
 
 std::unique_ptr<Engine> native_engine(scene::Integrator integrator);
 // Throws NotOffered.
 std::unique_ptr<Engine> mujoco_engine(scene::ContactModel contact);
-// MuJoCo's default solref, whose two numbers are a time constant and a damping ratio.
+// MuJoCo's default solref: a time constant and a damping ratio.
 struct DefaultSolref {
   static constexpr double kTimeConstant = 0.02;  // s
   static constexpr double kDampingRatio = 1.0;
-  // The same as K and B of a direct solref.
+  // The equivalent K and B of a direct solref.
   static constexpr double kDamping = 2.0 / kTimeConstant;  // 1/s
   static constexpr double kStiffness =
       1.0 / (kTimeConstant * kTimeConstant * kDampingRatio * kDampingRatio);  // 1/s^2
@@ -86,15 +88,15 @@ struct DefaultSolref {
 // "0.02 1"
 std::string solref_text(double first, double second);
 
-// The label of MuJoCo's cone with its default solref, whatever the scene says.
+// The label of MuJoCo's cone with its default solref, whatever the scene sets.
 inline constexpr const char* kConeDefault = "cone-default";
 std::unique_ptr<Engine> default_cone_engine();
 
 const char* to_string(scene::Integrator integrator);
-// Nothing where there is none of that name.
+// Empty if no integrator has that name.
 std::optional<scene::Integrator> integrator_named(std::string_view name);
 
-// The scene with its initial state moved (see RunRequest::perturbation_ulps).
+// The scene with a perturbed initial state (see RunRequest::perturbation_ulps).
 scene::Scene perturbed(const scene::Scene& scene, int ulps);
 
 }  // namespace rotorub

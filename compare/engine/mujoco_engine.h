@@ -1,5 +1,5 @@
-// A whole run in MuJoCo with the plugin linked in: the scene's MJCF is written, compiled and
-// stepped, and every step is handed to the recorder that the native side uses.
+// A whole run in MuJoCo with the plugin linked in: writes and compiles the scene's MJCF, steps the
+// model, and passes every step to the recorder that the native engines use.
 #pragma once
 
 #include <functional>
@@ -16,8 +16,8 @@
 
 namespace rotorub {
 
-// MuJoCo's callbacks and message handlers are global. While one of these lives they stay in place,
-// so that runs may begin and end in any threads.
+// MuJoCo's callbacks and message handlers are global. They stay installed while an object of this
+// class exists, so that runs may begin and end in any thread.
 struct MujocoInPlace {
   MujocoMessages messages;
   plugin::Hooks hooks;
@@ -25,35 +25,34 @@ struct MujocoInPlace {
 
 struct MujocoOptions : RunRequest {
   std::optional<scene::ContactModel> contact{};  // default: the scene's
-  double window = 0.0;  // s, of impulses (trajectory/recorder.h); 0: of the step
+  double window = 0.0;  // s, of the window impulse (trajectory/recorder.h); 0: kWindowSteps steps
 };
 
-// The plugin builds its native model from scene.text: a scene that was changed after reading must
-// have had its text changed too ([run] and [initial] apart). Throws std::invalid_argument for a
-// scene without text and for what MuJoCo is not offered for (see mjcf()), std::runtime_error for
-// what MuJoCo refuses; std::invalid_argument for recorded commands. A run that fails has a status;
-// what was recorded until then is kept.
-// wall_s is the time in mj_step and in copying its results, without the recorder.
-// From two threads at a time only while a MujocoInPlace lives.
+// The plugin builds its native model from scene.text, so a scene that was changed after reading
+// needs the same changes in its text ([run] and [initial] excepted). Throws std::invalid_argument
+// for a scene without text, for scenes that mjcf() does not support and for recorded commands;
+// std::runtime_error for what MuJoCo refuses. A run that fails has a status and keeps what was
+// recorded until then. wall_s is the time in mj_step and in copying its results, without the
+// recorder. Concurrent calls require that a MujocoInPlace exists.
 Trajectory run_mujoco(const scene::Scene& scene, const MujocoOptions& options = {});
 
-// The state in the coordinates of a native model, nq values each.
+// Reads the state in the coordinates of a native model, nq values each.
 using ReadState = std::function<void(const mjData* d, double* q, double* v)>;
 
-// What a run in MuJoCo starts from, whoever wrote the model.
+// Everything that a run in MuJoCo starts from, for generated models and user models alike.
 struct MujocoSetup {
   MujocoModel m;
   std::unique_ptr<const plugin::Config> config;
-  std::shared_ptr<const Model> model;  // that the run is recorded by
+  std::shared_ptr<const Model> model;  // the model for the recorder
   ReadState read;
-  std::string refusal;          // of the step; empty: none
-  std::shared_ptr<void> keeps;  // what of m is not its own
-  // Before each step: sets ctrl, and returns the force on the ring, N; empty: the plugin does, or
-  // nobody. Throws ControllerError.
+  std::string refusal;          // of the step; empty if it is accepted
+  std::shared_ptr<void> keeps;  // owns data that m refers to
+  // Called before each step: sets ctrl and returns the force on the ring, N. Empty if the plugin
+  // controls the ring or nothing does. Throws ControllerError.
   std::function<Eigen::Vector2d(mjData*)> control;
 };
 
-// scene: its start, [run], contact model and name are those of the run.
+// scene supplies the start, [run], the contact model and the name of the run.
 Trajectory run_mujoco(const scene::Scene& scene, const MujocoSetup& setup,
                       const MujocoOptions& options);
 

@@ -17,12 +17,12 @@ void (*previous_error)(const char*) = nullptr;
 void (*previous_warning)(const char*) = nullptr;
 thread_local std::vector<std::string> collected;
 
-// MuJoCo's C frames are unwound by the exception; its data are not used again after one.
+// The exception unwinds MuJoCo's C frames; the data are not used again afterwards.
 void on_error(const char* message) { throw MujocoError(message); }
 
 void on_warning(const char* message) { collected.emplace_back(message); }
 
-// By load(error, size).
+// Loads a model with load(error, size).
 template <typename Load>
 MujocoModel loaded(Load load) {
   // MuJoCo's parser and compiler share state between threads.

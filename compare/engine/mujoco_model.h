@@ -1,4 +1,4 @@
-// MuJoCo as C++ sees it: its errors and warnings, mjModel and mjData with owners.
+// C++ wrappers of MuJoCo: errors and warnings, and owners of mjModel and mjData.
 #pragma once
 
 #include <mujoco/mujoco.h>
@@ -11,15 +11,17 @@
 
 namespace rotorub {
 
-// What mju_error said, which by itself waits for Enter, ends the process and writes a log file.
+// An error raised by mju_error. By default mju_error would wait for Enter, end the process and
+// write a log file.
 class MujocoError : public std::runtime_error {
  public:
   using std::runtime_error::runtime_error;
 };
 
-// While one lives, errors are thrown as MujocoError and warnings are collected, each in its thread.
-// MuJoCo's handlers are global: several may live at a time, in any threads; the first installs and
-// the last one restores. A thread's newest has that thread's warnings since it was made.
+// While an object of this class exists, errors are thrown as MujocoError and warnings are collected
+// per thread. MuJoCo's handlers are global: several objects may exist at a time, in any threads;
+// the first installs the handlers and the last restores the previous ones. warnings() returns the
+// warnings of the calling thread since that thread last made an object.
 class MujocoMessages {
  public:
   MujocoMessages();
@@ -40,13 +42,13 @@ using MujocoData = std::unique_ptr<mjData, MujocoDeleter>;
 // Compiles an MJCF document. Throws std::runtime_error with MuJoCo's message.
 MujocoModel load_mjcf(const std::string& document);
 
-// The same of a file, with what it includes.
+// The same for a file and its includes.
 MujocoModel load_mjcf_file(const std::filesystem::path& file);
 
-// The keyframe that a run starts from: "start", or else "test"; -1: none is called so.
+// The keyframe that a run starts from: "start", otherwise "test"; -1 if neither exists.
 int start_keyframe(const mjModel* m);
 
-// An mjData in the start of the run: that keyframe, or else mj_resetData's.
+// An mjData at the start of the run: at that keyframe, or as mj_makeData initialises it.
 MujocoData make_start(const mjModel* m);
 
 }  // namespace rotorub

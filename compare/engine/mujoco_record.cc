@@ -24,13 +24,13 @@ Impact impact_of(const plugin::ContactForces& f, double t, double h) {
   return i;
 }
 
-// Of an impact that is not located: when the gap at t closes at the rate before it, within the
-// step. The velocity that jumps is that of half a step ago.
+// Time of an impact that the engine did not locate: when the gap at t would close at the approach
+// rate, limited to the step. The velocity that jumps is the one half a step before t.
 double impact_time(const plugin::ContactForces& f, double t, double h, double gap) {
   return t + std::clamp(gap / std::max(-f.gap_rate_before, 1e-300), 0.0, h);
 }
 
-// An impact's impulse is no force of lasting contact.
+// The contact forces without the impulse of an impact, which is not a lasting force.
 ContactSnapshot lasting(const plugin::ContactForces& f, const ActuatorState& actuator) {
   const double share = f.impact ? 0.0 : 1.0;
   return {share * f.normal, share * f.friction, f.mode, actuator};
@@ -54,7 +54,7 @@ MujocoRecord::MujocoRecord(const Model& model, bool rigid, double step, std::vec
 }
 
 void MujocoRecord::begin(const double* q, const double* v) {
-  // A coil that lags has no current yet, whatever its command.
+  // A lagging coil carries no current at the start, whatever its command.
   const bool lags = model_.first().magnets && model_.first().magnets->coil_lag > 0.0;
   ZeroOrderHold hold(model_);
   const Eigen::Vector2d told = hold.at(0.0, q, v);
@@ -67,18 +67,17 @@ void MujocoRecord::begin(const double* q, const double* v) {
   last_v_.assign(v, v + model_.nq());
 }
 
-// MuJoCo's step is leapfrog, v_k the velocity of half a step before q_k. So the forces of step k do
-// their work at the mean of the velocities about t_k, and what they change is
+// MuJoCo's step is leapfrog: v_k is the velocity half a step before q_k. The forces of step k
+// therefore work at the mean of the velocities around t_k, and the energy balance
 //
 //   E_k = v_k' M v_{k+1} / 2 + V(q_k):   E_k - E_{k-1} = (W_{k-1} + W_k) / 2,
 //
-// to round-off for linear springs. (With energies and powers of q_k and v_k at one time it would
-// miss h/2 of the change of every force, without bound.) Dampers of the joints are implicit, -D
-// v_{k+1}.
+// holds to round-off for linear springs. (With energies and powers from q_k and v_k it would miss
+// h/2 times the change of every force, without bound.) Joint dampers are implicit, -D v_{k+1}.
 StepBalance MujocoRecord::balance_of_step(std::int64_t k, const double* q, const double* v,
                                           const StepResult& r) {
   const double t = time(k);
-  StepBalance done;  // of the whole step, at its begin
+  StepBalance done;  // of the whole step, evaluated at its begin
   for (std::size_t i = 0; i < middle_.size(); ++i) {
     middle_[i] = 0.5 * (last_v_[i] + v[i]);
     half_[i] = 0.5 * (v[i] - last_v_[i]);
@@ -121,7 +120,7 @@ void MujocoRecord::step(std::int64_t k, const double* q, const double* v, const 
                  step_ * f.friction, f.impact ? &impact : nullptr, balance);
 }
 
-// A contact over step k; its impact, if it has one.
+// Records a contact over step k; returns its impact, or an empty one.
 Impact MujocoRecord::step_contact(std::int64_t k, std::size_t contact, const double* q,
                                   const double* v, const StepResult& r) {
   AtContact& own = contacts_[contact];
@@ -132,7 +131,7 @@ Impact MujocoRecord::step_contact(std::int64_t k, std::size_t contact, const dou
       f.impact ? impact_of(f, impact_time(f, t, step_, own.point.gap), step_) : Impact{};
   impact.contact = static_cast<int>(contact);
   if (rigid_) {
-    if (f.impact) {  // as the native side: one row an impact
+    if (f.impact) {  // one row per impact, as on the native side
       recorder_.add(impact);
       recorder_.add(Event{impact.t, EventKind::kImpact, impact.contact});
     }
@@ -177,7 +176,8 @@ void MujocoRecord::native_step(std::int64_t k, const double* q, const double* v,
   }
   StepFigures figures;
   figures.h = last ? 0.5 * step_ : kick;
-  const double share = last ? 0.5 : 1.0;  // the first step's works are those of half a kick
+  // The works of the first step already belong to half a kick.
+  const double share = last ? 0.5 : 1.0;
   figures.external_work = share * r.works.external;
   figures.contact_work = share * (r.works.contact - r.works.impact);
   for (std::size_t i = 0; i < contacts_.size(); ++i) {
@@ -199,7 +199,8 @@ void MujocoRecord::native_step(std::int64_t k, const double* q, const double* v,
   }
 }
 
-// Impulses (N s) and the work of friction (J) of a contact, in the figures of all and in its own.
+// Adds the impulses (N s) and the friction work (J) of a contact to the totals and to its own
+// figures.
 void MujocoRecord::add_contact(StepFigures& figures, std::size_t contact, double t, double normal,
                                double friction, double work) {
   figures.normal_impulse += normal;
@@ -211,9 +212,10 @@ void MujocoRecord::add_contact(StepFigures& figures, std::size_t contact, double
 std::optional<std::string> MujocoRecord::lost(const double* q) const {
   const bool inside = model_.first().contact && contacts_.size() == 1;
   if (inside && recorder_.penetration() == 0.0 && !model_.first().magnets) return {};
-  // A law that the scene gives ends where it does natively.
+  // Rigid and compliant contacts end at the same range as on the native side.
   if (rigid_ || !model_.first().contact || model_.gives()) return out_of_range(model_, q);
-  // A soft ring holds as deep as it is thick, which no one says; no ring holds what is through it.
+  // A soft ring holds up to its thickness, which the scene does not state. A penetration beyond the
+  // larger of clearance and contact radius means that the rotor went through the ring.
   return out_of_range(model_, q,
                       std::max(model_.first().contact->clearance, model_.first().contact->radius));
 }
@@ -225,13 +227,13 @@ Trajectory MujocoRecord::finish(double end) {
   return recorder_.finish(end);
 }
 
-// m/s: slip of a prescribed spin, at which the machine that holds it works, and not the
+// m/s: the slip from a prescribed spin. The machine that holds the spin does this work, not the
 // coordinates.
 double MujocoRecord::held(std::size_t contact) const {
   return model_.layout.spin ? 0.0 : model_.auxiliary[contact].contact->radius * model_.speed;
 }
 
-// Counts the impacts of the step before.
+// Counts the impacts of the previous step.
 void MujocoRecord::count_impacts() {
   if (impacts_.empty()) return;
   StepFigures figures;
@@ -280,7 +282,7 @@ void WatchFeed::native_step(std::int64_t k, const double* q, const double* v, co
   tell(k, q, v, k == 0 ? 0.5 * h_ : h_, r);
 }
 
-// `kick`: s, that the step's forces are for.
+// kick: s, the time over which the step's forces act.
 void WatchFeed::tell(std::int64_t k, const double* q, const double* v, double kick,
                      const StepResult& r) {
   const plugin::ContactForces& f = r.forces.front();
@@ -291,7 +293,7 @@ void WatchFeed::tell(std::int64_t k, const double* q, const double* v, double ki
   s.v = v;
   s.current = current_;
   s.command = r.command;
-  // The current of a coil that lags follows from the step's begin on.
+  // With lagging coils the current responds from the start of the step on.
   s.command_begin = k == 0 || lags_ ? s.t : s.t - 0.5 * h_;
   s.normal_impulse = kick * f.normal;
   s.impact = f.impact;

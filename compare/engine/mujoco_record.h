@@ -1,4 +1,4 @@
-// Who is handed the steps of a MuJoCo run: the recorder that the native side uses, and an onlooker.
+// Passes the steps of a MuJoCo run to the recorder that the native engines use, and to a watch.
 #pragma once
 
 #include <cstdint>
@@ -16,20 +16,22 @@ namespace rotorub {
 
 class MujocoRecord {
  public:
-  // The model must outlive it. `rigid`: the contact model; `times`: the rows wanted, ascending.
+  // The model must outlive this. rigid: whether the contact model is `rigid`. times: of the rows,
+  // s, ascending. window: s, of the window impulse.
   MujocoRecord(const Model& model, bool rigid, double step, std::vector<double> times,
                double window);
 
-  // The state of t = 0.
+  // The state at t = 0.
   void begin(const double* q, const double* v);
-  // Step k (from 0), time counted as k step; the state is that of its end.
+  // Step k (from 0) begins at time k step; q and v are the state at its end.
   void step(std::int64_t k, const double* q, const double* v, const StepResult& r);
-  // Step k of native steps: the state is that of t_k, and so are forces and works; what impacts do
-  // comes after it. Of the last one, which begins at the end, half counts, and no impact.
+  // Step k of native steps: state, forces and works are those at t_k; the step's impacts come after
+  // it. The last call has last = true and the state at the end of the run; half of its forces
+  // count, and its impacts do not.
   void native_step(std::int64_t k, const double* q, const double* v, const StepResult& r,
                    bool last);
 
-  // Why the state is where nothing holds it, if it is.
+  // The reason if the rotor is out of range of the contact, otherwise empty.
   std::optional<std::string> lost(const double* q) const;
   Trajectory finish(double end);
 
@@ -54,24 +56,24 @@ class MujocoRecord {
     ContactEpisodes episodes;
     ContactPoint point{};
   };
-  std::vector<AtContact> contacts_;      // of each
-  std::vector<ContactSnapshot> others_;  // of those beyond the first
-  // With native steps: the impacts of the step before, and their work on the coordinates.
+  std::vector<AtContact> contacts_;      // one per contact
+  std::vector<ContactSnapshot> others_;  // the contacts after the first
+  // With native steps: the impacts of the previous step and their work on the coordinates.
   std::vector<Impact> impacts_;
   double impact_work_ = 0.0;  // J
-  // Of others: the state that the step began from, and what its forces did over the whole of it, J.
+  // Otherwise: the state at the start of the step, and the balance of the previous step, J.
   std::vector<double> last_q_, last_v_, middle_, half_;
   StepBalance last_step_;
 };
 
-// What a watch is given (engine.h), of what the engine has.
+// Calls a watch (engine.h) with the data of each step.
 class WatchFeed {
  public:
-  // No watch: nothing is done. The model must outlive it.
+  // Does nothing if the watch is empty. The model must outlive this.
   WatchFeed(const Model& model, double step, StepWatch watch);
 
-  void begin(const double* q, const double* v);  // the state of t = 0
-  // As MujocoRecord: the state at the step's end; of native steps that of its begin.
+  void begin(const double* q, const double* v);  // the state at t = 0
+  // The state is the one at the step's end; with native steps, at its start (as in MujocoRecord).
   void step(std::int64_t k, const double* q, const double* v, const StepResult& result);
   void native_step(std::int64_t k, const double* q, const double* v, const StepResult& result);
 

@@ -18,8 +18,9 @@ namespace {
 
 using nlohmann::json;
 
-// m/s. Which part of its step an impact at 10 mm/s counts with moves the rms of a second by 0.03
-// mm/s either way: what rests but for that is not compared by a share of itself.
+// m/s. The rms gap rate over 1 s changes by up to 0.03 mm/s with the part of the step in which an
+// impact at 10 mm/s counts. A figure below the resolution is therefore not compared relative to
+// itself.
 constexpr double kGapRateResolution = 1e-3;
 constexpr auto kRel = Scale::kRelative;
 constexpr auto kPts = Scale::kPoints;
@@ -201,7 +202,7 @@ const Figure& figure(const std::string& key) {
 double deviation(const Figure& figure, double native, double other) {
   const double difference = other - native;
   if (difference == 0.0 || figure.scale == Scale::kPoints) return difference;
-  // The sign is that of the magnitude's growth, and a turn of the sense is the whole way.
+  // The sign is positive if the magnitude grows; a reversed sense counts with the whole difference.
   if (figure.resolution > std::abs(native)) {
     const double grows = native < 0.0 ? -1.0 : native == 0.0 && other < 0.0 ? -1.0 : 1.0;
     return grows * difference / figure.resolution;

@@ -6,15 +6,15 @@
 namespace rotorub {
 namespace {
 
-// Quantile of Student's t for the quantile z of the normal distribution (Cornish and Fisher; to 1 %
-// from 3 degrees of freedom on).
+// Quantile of Student's t for the quantile z of the normal distribution (Cornish and Fisher;
+// accurate to 1 % for 3 or more degrees of freedom).
 double student(double z, double freedom) {
   const double z2 = z * z, n = freedom;
   return z * (1.0 + (z2 + 1.0) / (4.0 * n) + ((5.0 * z2 + 16.0) * z2 + 3.0) / (96.0 * n * n) +
               (((3.0 * z2 + 19.0) * z2 + 17.0) * z2 - 15.0) / (384.0 * n * n * n));
 }
 
-constexpr double kTwoSided = 1.959964, kPower = 0.841621;  // of 95 % and of 80 %
+constexpr double kTwoSided = 1.959964, kPower = 0.841621;  // for 95 % and for 80 %
 
 }  // namespace
 
@@ -24,7 +24,7 @@ FigureSample figure_sample(const Figure& figure, const Metrics& run,
   s.value = s.mean = figure.value(run);
   s.count = 1 + static_cast<int>(twins.size());
   const double n = s.count;
-  // About the run itself: the mean of equal values is that value, to the bit.
+  // Differences from the run itself make the mean of equal values exact.
   double sum = 0.0, square = 0.0;
   for (const Metrics& m : twins) {
     const double apart = figure.value(m) - s.value;

@@ -1,4 +1,4 @@
-// A figure among runs that differ by nothing but round-off of their start: how well it is known.
+// A figure among runs whose starts differ only by round-off: how accurately it is known.
 #pragma once
 
 #include <span>
@@ -10,23 +10,23 @@ namespace rotorub {
 
 struct FigureSample {
   double value = 0.0;      // SI, of the run that is shown
-  double mean = 0.0;       // of that and its twins
-  double deviation = 0.0;  // standard deviation, of one run; 0 without twins
+  double mean = 0.0;       // of the run and its twins
+  double deviation = 0.0;  // standard deviation of one run; 0 without twins
   int count = 1;           // runs
 };
 
 FigureSample figure_sample(const Figure& figure, const Metrics& run,
                            std::span<const Metrics> twins);
 
-// Half of the 95 % confidence interval of the difference of the means, and the least difference
-// that would be distinguished from none in 4 of 5 such comparisons (the power is 80 %), SI (Welch,
-// Biometrika 34, 1947). A side of one run is taken to scatter as the other does.
+// half: half of the 95 % confidence interval of the difference of the means. least_told: the
+// smallest difference that 4 of 5 such comparisons would detect (80 % power). SI (Welch, Biometrika
+// 34, 1947). A side with one run is assumed to scatter like the other side.
 struct Interval {
   double half = 0.0, least_told = 0.0;
 };
 Interval interval(const FigureSample& a, const FigureSample& b);
 
-// Of each figure half of the interval of one run against a group, on the figure's scale.
+// For each figure, half of the interval of one run against a group, on the figure's scale.
 std::vector<double> single_run_intervals(const std::vector<FigureSample>& groups);
 
 }  // namespace rotorub

@@ -15,7 +15,7 @@ namespace {
 
 using nlohmann::json;
 
-// What the metrics of a run hold beside its figures and residuals; "settled.from": within another.
+// Metrics of a run besides its figures and residuals; "settled.from" is within "settled".
 struct MetricKey {
   const char *key, *unit, *meaning;
   json (*value)(const Metrics&);
@@ -83,7 +83,7 @@ const MetricKey kMetricKeys[] = {
 };
 
 std::vector<ColumnMeaning> make_metric_keys() {
-  static std::deque<std::string> names;  // that the keys point to
+  static std::deque<std::string> names;  // storage for the keys' names
   std::vector<ColumnMeaning> keys;
   for (const Figure& f : figures()) keys.push_back({f.key, figure_si_unit(f), f.meaning, ""});
   for (const MetricKey& k : kMetricKeys) keys.push_back({k.key, k.unit, k.meaning, ""});

@@ -7,13 +7,13 @@
 namespace rotorub::fmi {
 namespace {
 
-constexpr time_t kTime = 1577880000;  // 1 January 2020, of every file
+constexpr time_t kTime = 1577880000;  // 1 January 2020, for every file
 
 void check(bool good, const char* what) {
   if (!good) throw std::runtime_error(std::string("the archive cannot be made: ") + what);
 }
 
-// What was written to it, whole.
+// All bytes written to the source.
 std::string bytes_of(zip_source_t* source) {
   zip_stat_t about;
   check(zip_source_stat(source, &about) == 0 && zip_source_open(source) == 0, "not readable");

@@ -15,7 +15,7 @@ namespace {
 
 using Port = StepwiseRun::Port;
 
-// As products of base units, where it is one of ours; a law's own unit is its name alone.
+// The unit as a product of base units; empty for a unit of a user's law, which is only a name.
 std::string base_unit(const std::string& unit) {
   static const std::pair<const char*, const char*> kUnits[] = {{"m", R"(m="1")"},
                                                                {"m/s", R"(m="1" s="-1")"},
@@ -32,7 +32,7 @@ std::string base_unit(const std::string& unit) {
   return "";
 }
 
-// A scene's name as an identifier of C: of the binary's file.
+// The scene's name as a C identifier, for the name of the binary.
 std::string model_identifier(const scene::Scene& scene) {
   std::string name = scene.name;
   for (char& c : name) {
@@ -92,7 +92,7 @@ class Writer {
     xml_.close("UnitDefinitions");
   }
 
-  // start: of an input, else empty.
+  // start: for inputs; otherwise empty.
   void variable(unsigned reference, const Port& port, const char* causality, const char* start) {
     const std::string unit =
         port.unit.empty() ? "" : fmt::format(R"( unit="{}")", xml_escape(port.unit));

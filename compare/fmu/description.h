@@ -1,4 +1,4 @@
-// The file modelDescription.xml of an FMU: what its variables are.
+// The file modelDescription.xml of an FMU, which describes its variables.
 #pragma once
 
 #include <string>
@@ -9,10 +9,10 @@ namespace rotorub::fmi {
 
 enum class Version { k2, k3 };
 
-// Of the binary within the FMU, on this platform.
+// Path of this platform's binary within the FMU.
 std::string binary_path(const scene::Scene& scene, Version version);
 
-// run: of the scene. Throws std::invalid_argument for names that XML cannot hold.
+// run: of the scene. Throws std::invalid_argument for names that XML does not allow.
 std::string model_description(const scene::Scene& scene, const StepwiseRun& run, Version version);
 
 }  // namespace rotorub::fmi

@@ -1,4 +1,4 @@
-// What the FMU's binary and its description have to agree on.
+// Names shared by the FMU's binary and its description.
 #pragma once
 
 #include <string>
@@ -9,12 +9,12 @@ namespace rotorub::fmi {
 
 inline constexpr const char* kSceneFile = "scene.toml";  // in the folder resources
 
-// instantiationToken of FMI 3.0, guid of FMI 2.0.
+// instantiationToken in FMI 3.0, guid in FMI 2.0.
 inline std::string token_of(const scene::Scene& scene) {
   return "{rotorub-" + scene::scene_hash(scene) + "}";
 }
 
-// Value references: 0 is the time; then the inputs of StepwiseRun in their order, from 1; then its
+// Value references: 0 is the time, followed by the inputs of StepwiseRun from 1 and then its
 // outputs.
 inline constexpr unsigned kFirstInput = 1;
 

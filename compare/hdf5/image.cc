@@ -1,5 +1,5 @@
-// The module: writes into memory, whence the program writes the file whole. No times are kept, so
-// that the bytes are those of the content.
+// The module: writes the file into memory, so that the program can write it completely or not at
+// all. No times are stored, so the bytes depend only on the content.
 #include <hdf5.h>
 
 #include <algorithm>
@@ -10,7 +10,7 @@
 namespace rotorub::hdf5 {
 namespace {
 
-// A handle of the library, closed with it.
+// Owns a handle of the library.
 class Handle {
  public:
   Handle(hid_t id, herr_t (*close)(hid_t), const std::string& what) : id_(id), close_(close) {
@@ -30,7 +30,7 @@ void check(herr_t result, const std::string& what) {
   if (result < 0) throw std::runtime_error("HDF5: cannot write " + what);
 }
 
-// length: H5T_VARIABLE, or bytes padded with zeros.
+// length: H5T_VARIABLE, or a number of bytes that is padded with zeros.
 Handle string_type(std::size_t length) {
   const hid_t type = H5Tcopy(H5T_C_S1);
   if (type >= 0) {
@@ -108,7 +108,7 @@ void write_table(hid_t file, const Table& table) {
 }  // namespace
 
 extern "C" std::string rotorub_hdf5_image(const Content& content) {
-  H5Eset_auto2(H5E_DEFAULT, nullptr, nullptr);  // an exception says it
+  H5Eset_auto2(H5E_DEFAULT, nullptr, nullptr);  // errors become exceptions
   constexpr std::size_t kGrow = 1 << 20;        // bytes
   const Handle access(H5Pcreate(H5P_FILE_ACCESS), H5Pclose, "a file"),
       plain(H5Pcreate(H5P_FILE_CREATE), H5Pclose, "a file");

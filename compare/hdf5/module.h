@@ -1,5 +1,5 @@
-// HDF5, of a module of its own (lib/librotorub_hdf5.so), so that the program needs no library for
-// what few ask for.
+// HDF5 output from a separate module (lib/librotorub_hdf5.so), so that the program itself does not
+// depend on the library.
 #pragma once
 
 #include <cstdint>
@@ -10,8 +10,8 @@
 
 namespace rotorub::hdf5 {
 
-// A dataset with the attributes `unit` and `meaning`: numbers, or else the words that `which`
-// counts through.
+// A dataset with the attributes `unit` and `meaning`. It contains numbers, or the words with the
+// indices `which`.
 struct Column {
   std::string name, unit, meaning;
   std::span<const double> numbers;
@@ -19,7 +19,7 @@ struct Column {
   std::vector<int> which{};
 };
 
-// A group with a dataset a column, and their names in order as its attribute `columns`.
+// A group with one dataset per column; the attribute `columns` lists their names in order.
 struct Table {
   std::string name;
   std::vector<Column> columns;
@@ -35,12 +35,13 @@ struct Content {
   std::vector<Table> tables;
 };
 
-// The bytes of the file: the same for the same content. Throws std::runtime_error.
+// Makes the bytes of the file; equal for equal content. Throws std::runtime_error.
 using ImageOf = std::string (*)(const Content& content);
 inline constexpr const char* kModuleSymbol = "rotorub_hdf5_image";
 inline constexpr const char* kPackage = "libhdf5-dev";
 
-// From the module; null, and why in `missing`, where there is none.
+// Loads the function from the module. If it is missing, returns null and sets the reason in
+// `missing`.
 ImageOf load(std::string& missing);
 
 }  // namespace rotorub::hdf5

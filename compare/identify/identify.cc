@@ -17,12 +17,12 @@ using Eigen::MatrixXd;
 using Eigen::VectorXcd;
 using Eigen::VectorXd;
 
-constexpr double kEdge = 1e-3;  // of a range
-constexpr int kSearch = 60;     // runs of the first search, for each unknown
-constexpr int kDescent = 150;   // the same of a descent at most
-constexpr int kSteps = 12;      // of Gauss and Newton at most
+constexpr double kEdge = 1e-3;  // relative to the range
+constexpr int kSearch = 60;     // runs of the first search per unknown
+constexpr int kDescent = 150;   // largest number of runs of a descent per unknown
+constexpr int kSteps = 12;      // largest number of Gauss-Newton steps
 
-// The sum of squares as NLopt asks for it, and the best point that it met.
+// Provides the sum of squares to NLopt and keeps the best point.
 class Descent {
  public:
   Descent(Residuals& residuals, const Parameters& parameters, int most)
@@ -42,14 +42,14 @@ class Descent {
     return square;
   }
 
-  // Of the values alone, each run with the record wherever it lies best on it.
+  // Searches only the values; each run is aligned with the record at its best shift.
   void search(int runs) {
     laid_in_ = false;
     run(nlopt::GN_DIRECT_L, runs, std::vector<double>(residuals_.values(), 0.5), 0.0);
     laid_in_ = true;
   }
 
-  // From a point, with first steps of `reach` in the unit ranges.
+  // Descends from a point, with first steps of `reach` in the unit ranges.
   void descend(const std::vector<double>& from, double reach, int runs) {
     run(nlopt::LN_BOBYQA, runs, from, reach);
   }
@@ -62,7 +62,7 @@ class Descent {
   double best_square = std::numeric_limits<double>::infinity();
 
  private:
-  // Where there is no run: beyond any sum of squares, and finite for the method's arithmetic.
+  // Result for a failed run: larger than any sum of squares, but finite for the algorithms.
   static constexpr double kNoRun = 1e12;
 
   double left_at(const std::vector<double>& x) {
@@ -87,7 +87,7 @@ class Descent {
     double least = 0.0;
     try {
       search.optimize(x, least);
-    } catch (const nlopt::roundoff_limited&) {  // as near as it comes
+    } catch (const nlopt::roundoff_limited&) {  // as accurate as round-off permits
     } catch (const nlopt::forced_stop&) {
     }
   }
@@ -98,15 +98,15 @@ class Descent {
   bool laid_in_ = true;
 };
 
-// What is left at a point, and its derivatives by the unknowns: central differences, one-sided at
-// an edge. None where a run beside it fails.
+// The difference at a point and its derivatives by the unknowns: central differences, one-sided at
+// an end of the range. Empty if a neighbouring run fails.
 struct Linearised {
   Residuals::Point point;
   Eigen::MatrixXcd slopes;  // values x unknowns
 };
 
 std::optional<Linearised> linearised(Residuals& residuals, const std::vector<double>& x) {
-  constexpr double kNudge = 1e-5;  // of a range
+  constexpr double kNudge = 1e-5;  // relative to the range
   auto point = residuals.at(x);
   if (!point) return std::nullopt;
   Linearised all{std::move(*point), {}};
@@ -127,7 +127,7 @@ MatrixXd normal_matrix(const Eigen::MatrixXcd& slopes) {
   return (slopes.adjoint() * slopes).real();
 }
 
-// Which unknowns the record says nothing of: what is left does not depend on them.
+// The unknowns on which the difference does not depend.
 std::vector<bool> silent(const MatrixXd& normal) {
   const double most = normal.diagonal().maxCoeff();
   std::vector<bool> all;
@@ -135,8 +135,8 @@ std::vector<bool> silent(const MatrixXd& normal) {
   return all;
 }
 
-// (J^T J)^-1 of those that the record tells of, 0 elsewhere; scaled, so that units do not matter.
-// Empty where it is singular to round-off.
+// (J^T J)^-1 for the unknowns that matter, 0 elsewhere; scaled internally, so that units do not
+// matter. Empty if it is singular to round-off.
 std::optional<MatrixXd> inverse_normal(MatrixXd normal) {
   constexpr double kSingular = 1e-12;
   const std::vector<bool> none = silent(normal);
@@ -154,7 +154,7 @@ std::optional<MatrixXd> inverse_normal(MatrixXd normal) {
   return scale.asDiagonal() * found.inverse * scale.asDiagonal();
 }
 
-// Gauss's and Newton's steps from the best point, each halved until it helps.
+// Gauss-Newton steps from the best point, each halved until it improves the fit.
 void polish(Residuals& residuals, Descent& descent) {
   for (int step = 0; step < kSteps && !descent.stopped(); ++step) {
     const auto at = linearised(residuals, descent.best);
@@ -175,7 +175,7 @@ void polish(Residuals& residuals, Descent& descent) {
   }
 }
 
-// Deviations and correlations, in the unknowns of the search.
+// Standard deviations and correlations, in the unknowns of the search.
 struct Known {
   std::vector<std::optional<double>> error;
   MatrixXd correlation;
@@ -192,7 +192,7 @@ Known known(const Linearised& at) {
   for (std::size_t k = 0; k < n; ++k) {
     if (none[k]) continue;
     const auto i = static_cast<Index>(k);
-    // Of an estimate sum(f r) / sum(f f) with f = J (J^T J)^-1 e_k, over its own square.
+    // For an estimate sum(f r) / sum(f f) with f = J (J^T J)^-1 e_k, times sum(f f).
     const VectorXcd f = at.slopes * inverse->col(i);
     if (const auto error = at.point.fitting->error(f, at.point.fit))
       all.error[k] = *error * f.squaredNorm();
@@ -206,7 +206,7 @@ Known known(const Linearised& at) {
   return all;
 }
 
-// The alignment at the end, which was fitted with the values.
+// The final alignment, which was fitted together with the values.
 Alignment alignment_at(const Residuals& residuals, const std::vector<double>& x,
                        const Residuals::Point& point) {
   Alignment a = residuals.laid();
@@ -255,7 +255,7 @@ Result identify(const ReadScene& read, MeasuredRecord record, const Parameters& 
   first.square(start);
   first.descend(start, 0.05, kDescent * unknowns);
 
-  // Again, each channel by what is left of it.
+  // Repeated with each channel weighted by its difference.
   Descent second(residuals, parameters, most);
   if (!first.stopped() && !first.best.empty()) {
     if (const auto point = residuals.at(first.best)) residuals.weigh(*point);
@@ -280,7 +280,7 @@ Result identify(const ReadScene& read, MeasuredRecord record, const Parameters& 
   }
   result.correlation = how.correlation.topLeftCorner(n, n);
   result.alignment = alignment_at(residuals, second.best, at->point);
-  // By the measure that was minimised: the same samples, weights and run beneath it.
+  // In the measure that was minimised: the same samples, weights and reference run.
   if (const auto before = residuals.as_it_stands(); before && result.alignment.residual) {
     result.left_before = before->rms() / at->point.run_rms();
   }

@@ -1,15 +1,16 @@
-// Values of a scene found from a measured run: the least squares of what is left of the record.
+// Identifies values of a scene from a measured run by least squares:
 //
 //   min over p, shift, angle  sum_c 1/s_c^2 sum_k |m_ck e^{i angle} - run_c(t_k + shift; p)|^2
 //
-// c: channels of the record (measured/fitting.h), means taken off, as no sensor's zero is known;
-// s_c: what is left of a channel, from a first fit. The angle follows in closed form. First a
-// search of the whole range (DIRECT: J. Gablonsky, C. Kelley, J. Global Optim. 21, 2001), then
-// BOBYQA from its best (M. Powell, 2009), both of NLopt; steps of Gauss and Newton end it.
+// c: channels of the record (measured/fitting.h) without their means, because a sensor's zero is
+// unknown; s_c: the difference in a channel after a first fit. The angle follows in closed form.
+// The whole range is searched by DIRECT (J. Gablonsky, C. Kelley, J. Global Optim. 21, 2001), and
+// its best point is improved by BOBYQA (M. Powell, 2009), both from NLopt, and finally by
+// Gauss-Newton steps.
 //
-// How well a value is known: with J the derivatives of what is left at the end by all that is
-// fitted, the estimate moves by (J^T J)^-1 J^T r, whose deviation is that of noise, or of stretches
-// of the record that scatter by more (Fitting::error).
+// Accuracy: with J the derivatives of the final difference r by all fitted unknowns, the estimate
+// changes by (J^T J)^-1 J^T r. Its standard deviation assumes white noise, or the scatter of
+// blocks of the record if that is larger (Fitting::error).
 #pragma once
 
 #include <Eigen/Core>
@@ -25,53 +26,53 @@
 
 namespace rotorub::identify {
 
-// A key that is looked for, and where.
+// A key to identify, and its range.
 struct Wanted {
   std::string key;              // "contact.friction"
-  std::string unit;             // SI; empty: a number
+  std::string unit;             // SI; empty if dimensionless
   double from = 0.0, to = 0.0;  // SI, from < to
 };
 
 struct Found {
   Wanted wanted;
   double value = 0.0;  // SI
-  // SI, standard deviation; none: the record does not tell, as nothing that it shows depends on it.
+  // SI, standard deviation; empty if nothing in the record depends on the value.
   std::optional<double> error;
-  bool at_edge = false;  // of its range: what is best may lie beyond
+  bool at_edge = false;  // at an end of its range, so the optimum may lie beyond
 
-  // Of 95 %, within the range.
+  // The 95 % confidence interval, within the range.
   static constexpr double kSure = 1.96;
   double low() const;
   double high() const;
 };
 
 struct Parameters {
-  std::vector<Wanted> wanted;  // one or more
-  AlignmentOptions alignment;  // what is given of it is held
+  std::vector<Wanted> wanted;  // at least one
+  AlignmentOptions alignment;  // given values are kept
   const std::atomic<bool>* interrupt = nullptr;
   std::function<void(double share)> progress;
 };
 
 struct Result {
   std::vector<Found> found;
-  Eigen::MatrixXd correlation;  // of what was found, n x n; 0 beside one that has no error
-  Alignment alignment;          // of the scene with these values
-  // What the scene as it stood leaves, by the measure of alignment.residual: the samples that were
-  // fitted, each channel by its weight, over the rms of the run found. None: the record lay nowhere
-  // on it.
+  Eigen::MatrixXd correlation;  // of the values, n x n; 0 beside a value without error
+  Alignment alignment;          // of the scene with the identified values
+  // The remaining difference of the original scene in the measure of alignment.residual: over the
+  // fitted samples, with the weights of the channels, relative to the rms of the run found. Empty
+  // if the record does not fit the original scene's run at all.
   std::optional<double> left_before;
-  bool no_better() const;   // the scene as it stood leaves less
-  std::size_t samples = 0;  // of the record, fitted
+  bool no_better() const;   // the original scene has a smaller difference
+  std::size_t samples = 0;  // number of fitted samples
   int runs = 0;
   bool interrupted = false;
   std::vector<std::string> overrides;  // "contact.friction=0.18", ...
 };
 
-// The scene with further overrides; its native engine is that of [run] integrator.
+// Reads the scene with further overrides. Its run uses the native engine of [run] integrator.
 using ReadScene = std::function<scene::Scene(const std::vector<std::string>& overrides)>;
 
-// Throws MeasuredError where the record lies nowhere on the run of the scene as it stands, too few
-// samples are on it, or no run within the ranges comes to its end; scene::SceneError as the reader.
+// Throws MeasuredError if the record does not fit the original scene's run, too few samples lie on
+// it, or no run within the ranges reaches its end; scene::SceneError as the reader does.
 Result identify(const ReadScene& read, MeasuredRecord record, const Parameters& parameters);
 
 }  // namespace rotorub::identify

@@ -16,13 +16,13 @@ namespace {
 using Eigen::Index;
 using nlohmann::json;
 
-constexpr double kAlike = 0.95;  // a correlation from which two values are hardly told apart
+constexpr double kAlike = 0.95;  // correlation beyond which two values are hardly distinguishable
 
 std::string named(const Wanted& w) {
   return w.unit.empty() ? w.key : fmt::format("{}, {}", w.key, w.unit);
 }
 
-// Of the column of names, which no name fills.
+// Width of the column of names.
 std::size_t width_of_names(const Result& r) {
   std::size_t width = 34;
   for (const Found& f : r.found) width = std::max(width, named(f.wanted).size() + 2);

@@ -1,4 +1,4 @@
-// What was identified, on the terminal and as JSON.
+// The identified values on the terminal and as JSON.
 #pragma once
 
 #include <nlohmann/json_fwd.hpp>

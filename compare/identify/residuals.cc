@@ -12,7 +12,7 @@
 namespace rotorub::identify {
 namespace {
 
-// Samples that the run covers whatever shift within the room is tried.
+// Keeps the samples that the run covers at every shift within the range.
 void keep(MeasuredRecord& record, double from, double to) {
   std::vector<std::size_t> kept;
   for (std::size_t i = 0; i < record.t.size(); ++i) {
@@ -44,7 +44,7 @@ Residuals::Residuals(const ReadScene& read, MeasuredRecord record, const Paramet
   mark_clipped(record_);
 }
 
-// Rows as far apart as the samples: wherever the record may lie on it.
+// Rows at the interval of the samples, for an unknown shift.
 Trajectory Residuals::even_run(const scene::Scene& scene) {
   const auto count = static_cast<std::size_t>(scene.run.end / record_.interval) + 2;
   return run(scene, even_times(0.0, scene.run.end, count));
@@ -56,7 +56,7 @@ std::optional<Alignment> Residuals::aligned(const std::vector<double>& values) {
     if (run.status != Status::kOk) return std::nullopt;
     return best_alignment(record_, SampledRun(run), options_);
   } catch (const scene::SceneError&) {
-    return std::nullopt;  // a start outside of so small a clearance, say
+    return std::nullopt;  // for example, a start outside of a small clearance
   } catch (const MeasuredError&) {
     return std::nullopt;
   }
@@ -125,7 +125,7 @@ std::optional<Residuals::Point> Residuals::point_at(const std::vector<std::strin
   Point point;
   try {
     const scene::Scene scene = read_(overrides);
-    // Rows at the samples themselves: nothing between rows is made up.
+    // Rows at the samples, so that nothing is interpolated.
     std::vector<double> rows{std::max(0.0, record_.t.front() + by - record_.interval)};
     for (const double t : record_.t) {
       if (t + by > rows.back() && t + by <= scene.run.end) rows.push_back(t + by);
@@ -134,7 +134,7 @@ std::optional<Residuals::Point> Residuals::point_at(const std::vector<std::strin
     if (after > rows.back()) rows.push_back(after);
     point.run = std::make_unique<Trajectory>(run(scene, std::move(rows)));
   } catch (const scene::SceneError&) {
-    return std::nullopt;  // a start outside of so small a clearance, say
+    return std::nullopt;  // for example, a start outside of a small clearance
   }
   if (point.run->status != Status::kOk || point.run->rows() < 2) return std::nullopt;
   point.sampled = std::make_unique<SampledRun>(*point.run);
@@ -148,7 +148,7 @@ std::optional<Residuals::Point> Residuals::point_at(const std::vector<std::strin
 std::optional<Residuals::Point> Residuals::as_it_stands() {
   constexpr int kSteps = 4;
   AlignmentOptions options = options_;
-  if (angle_) options.angle = angle_;  // of a circle: 0, as it is here
+  if (angle_) options.angle = angle_;  // 0 for a circular motion, as here
   double by = middle_;
   try {
     const Trajectory run = even_run(read_({}));
@@ -159,7 +159,7 @@ std::optional<Residuals::Point> Residuals::as_it_stands() {
   }
   std::optional<Point> best = point_at({}, by);
   if (options_.shift) return best;
-  // Gauss's steps: the rows between samples have laid it in only nearly.
+  // Gauss-Newton steps, because the alignment interpolated between rows.
   for (int step = 0; step < kSteps && best; ++step) {
     const Fitting::Effects g = best->fitting->effects(best->fit, best->shift);
     const Eigen::VectorXcd alone = g.ee > 0.0 ? Eigen::VectorXcd(g.d - g.de / g.ee * g.e) : g.d;
@@ -174,7 +174,7 @@ std::optional<Residuals::Point> Residuals::as_it_stands() {
 }
 
 void Residuals::weigh(const Point& point) {
-  constexpr double kLeast = 1e-6;  // of the run's deviation: of a record without noise
+  constexpr double kLeast = 1e-6;  // relative to the run's deviation, for a record without noise
   std::vector<double> left;
   for (const Channel& channel : channels_) left.push_back(point.fitting->rms(channel, point.fit));
   for (std::size_t k = 0; k < channels_.size(); ++k) {

@@ -1,4 +1,4 @@
-// What is left of a record beside the native run of a scene with given values: a function that can
+// The difference between a record and the native run of a scene with given values, as a function to
 // be minimised.
 #pragma once
 
@@ -16,23 +16,23 @@ class Residuals {
  public:
   Residuals(const ReadScene& read, MeasuredRecord record, const Parameters& parameters);
 
-  // Unknowns in [0, 1]: of each value its place in its range, in the logarithm where that spans a
-  // decade or more; then, once the record is laid in, that of the shift, where it is not given.
+  // Unknowns in [0, 1]: the position of each value in its range, logarithmic if the range spans a
+  // decade or more; and after lay_in() the position of the shift in its range, unless it is given.
   std::size_t values() const { return wanted_.size(); }
   std::size_t unknowns() const { return wanted_.size() + (options_.shift ? 0 : 1); }
 
-  // The record laid on the run of these values wherever it lies best there, however badly: a wrong
-  // model has it at a wrong shift. None where there is no run, or no samples in common.
+  // Aligns the record with the run of these values at its best shift, however badly it fits,
+  // because a wrong model fits at a wrong shift. Empty if there is no run or no common samples.
   std::optional<Alignment> aligned(const std::vector<double>& values);
-  // From here on the shift is looked for about that of these values. Throws MeasuredError where
-  // the record does not lie on their run.
+  // Restricts the shift to a range around the one for these values. Throws MeasuredError if the
+  // record does not fit their run.
   void lay_in(const std::vector<double>& values);
   double value(std::size_t k, double x) const;       // SI
   double slope(std::size_t k, double x) const;       // d value / dx
   double shift(const std::vector<double>& x) const;  // s
   std::vector<std::string> overrides(const std::vector<double>& x) const;
 
-  // A run, what it leaves, and how that is judged.
+  // A run and its difference from the record.
   struct Point {
     std::unique_ptr<Trajectory> run;
     std::unique_ptr<SampledRun> sampled;
@@ -40,16 +40,16 @@ class Residuals {
     double shift = 0.0;  // s
     Fit fit;
     double square() const { return fit.left().squaredNorm(); }
-    double rms() const;      // of what is left, over the weights
+    double rms() const;      // of the difference, without weights
     double run_rms() const;  // of the run, about its means
   };
-  // None: no such scene, or its run did not come to its end.
+  // Empty if there is no such scene or its run did not reach its end.
   std::optional<Point> at(const std::vector<double>& x);
-  // Of the scene as it stands, by the same samples and weights, at the shift that leaves least
-  // there. None too where the record lies nowhere on its run.
+  // The original scene's run with the same samples and weights, at the shift with the smallest
+  // difference. Also empty if the record does not fit its run.
   std::optional<Point> as_it_stands();
 
-  // Weighs each channel by what is left of it at a point.
+  // Weights each channel by its difference at a point.
   void weigh(const Point& point);
 
   const Alignment& laid() const { return laid_; }
@@ -65,13 +65,13 @@ class Residuals {
 
   const ReadScene& read_;
   std::vector<Wanted> wanted_;
-  MeasuredRecord record_;  // those that stay on the run at every shift looked at
+  MeasuredRecord record_;  // only samples that stay on the run at every shift in the range
   AlignmentOptions options_;
   const std::atomic<bool>* interrupt_;
   Alignment laid_;
   std::vector<Channel> channels_;
   std::optional<double> angle_;
-  double middle_ = 0.0, room_ = 0.0;  // s, of the shift
+  double middle_ = 0.0, room_ = 0.0;  // s, middle and half width of the range of the shift
   int runs_ = 0;
 };
 

@@ -8,7 +8,7 @@
 namespace rotorub {
 namespace {
 
-// As groff prints it: a hyphen stays one, and no line is taken for a request.
+// Escapes text for groff, so that hyphens stay hyphens and no line is read as a request.
 std::string printed(const std::string& text) {
   std::string result;
   for (const char c : text) {
@@ -113,7 +113,7 @@ bool names_a_file(const std::string& value) {
   return value.find("FILE") != std::string::npos || value.find("DIR") != std::string::npos;
 }
 
-// What may follow each option that takes a value, as branches of a case on "command option".
+// The values that may follow each option, as branches of a case on "command option".
 std::string value_branches(const CommandText& command) {
   std::string text;
   for (const OptionText& option : command.options) {

@@ -1,5 +1,5 @@
-// What the program says of itself, apart from who parses it: the parser's description of commands
-// and options is the one source of help, manual page and completion.
+// The program's description of its commands and options, independent of the parser. Help, manual
+// page and completion all come from it.
 #pragma once
 
 #include <string>
@@ -8,10 +8,10 @@
 namespace rotorub {
 
 struct OptionText {
-  std::vector<std::string> names;  // "-o", "--output"; of a positional its name alone
-  std::string value;               // "DIR", "TIME"; empty: a flag
-  std::vector<std::string> words;  // the only values that are taken; empty: others
-  std::string standard;  // its value where it is not given; empty: none, or the description says
+  std::vector<std::string> names;  // "-o", "--output"; for a positional only its name
+  std::string value;               // "DIR", "TIME"; empty for a flag
+  std::vector<std::string> words;  // the only accepted values; empty if there are others
+  std::string standard;            // default; empty if there is none or the description states it
   std::string description;
   bool positional = false, required = false;
 };
@@ -29,7 +29,7 @@ struct ProgramText {
 
 // rotorub.1, for man: groff with the macros of man(7).
 std::string man_page(const ProgramText& program);
-// For bash: to be sourced, or installed to share/bash-completion/completions/rotorub.
+// For bash: to be sourced or installed as share/bash-completion/completions/rotorub.
 std::string bash_completion(const ProgramText& program);
 
 }  // namespace rotorub

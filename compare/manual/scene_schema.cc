@@ -15,7 +15,7 @@ using scene::Key;
 using scene::Table;
 using scene::ValueType;
 
-// A number with or without a unit; which units fit, the description says.
+// A number with or without a unit; the description lists the accepted units.
 constexpr const char* kWithUnit =
     R"(^[ \t]*[+-]?([0-9]+[.]?[0-9]*|[.][0-9]+)([eE][+-]?[0-9]+)?[^0-9]*.*$)";
 
@@ -76,7 +76,7 @@ std::string described(const Key& key) {
   return text + (key.required() ? ". Required." : ". Default: " + key.fallback + ".");
 }
 
-// Asks for the key in `schema`, under either of its names.
+// Requires the key in `schema` under either of its names.
 void require(json& schema, const Key& key) {
   if (key.also.empty()) {
     schema["required"].push_back(key.name);
@@ -86,7 +86,7 @@ void require(json& schema, const Key& key) {
   }
 }
 
-// What the word of `kind` asks for and shuts out.
+// The keys that each word of `kind` requires and excludes.
 json kind_rules(const Table& table) {
   const Key* kind = table.find("kind");
   json rules = json::array();
@@ -118,7 +118,7 @@ json table_schema(const Table& table) {
   for (const Key& key : table.keys) {
     json value = value_schema(key);
     value["description"] = described(key);
-    if (!key.also.empty()) {  // one of its names, not both
+    if (!key.also.empty()) {  // one of its names, but not both
       schema["properties"][std::string(key.also)] = value;
       schema["allOf"].push_back({{"not", {{"required", {key.name, key.also}}}}});
     }
@@ -129,7 +129,7 @@ json table_schema(const Table& table) {
   return schema;
 }
 
-// What belongs to one form of the rotor and is asked for there, by what stands in [rotor].
+// The keys that one form of the rotor requires, and those that it excludes, depending on [rotor].
 json form_rule(const Table& rotor) {
   json geometry = json::array(), shut = json::object();
   for (const Key& key : rotor.keys) {
@@ -158,7 +158,7 @@ std::string scene_schema() {
             {"properties", json::object()},
             {"additionalProperties", false}};
   for (const Table& table : scene::tables()) {
-    // Parents stand before children, and are no lists.
+    // Parents precede children and are not lists.
     json* parent = &root;
     std::string_view name = table.path;
     for (std::size_t dot; (dot = name.find('.')) != std::string_view::npos;
@@ -179,14 +179,14 @@ std::string scene_schema() {
       (*parent)["properties"][std::string(name)] = std::move(schema);
       continue;
     }
-    // In [contact] and in a [[contact]], or in the place of a key's value there.
+    // In [contact] and in a [[contact]], also as an alternative to a key's value there.
     json& either = (*parent)["anyOf"];
     for (json* object : {&either[0], &either[1]["items"]}) {
       json& value = (*object)["properties"][std::string(name)];
       value = table.for_key ? json{{"anyOf", {value, schema}}} : schema;
     }
   }
-  // Below each [[contact]].
+  // The tables within each [[contact]].
   json& listed = root["properties"]["contact"]["anyOf"][1]["items"]["properties"];
   for (const char* part : {"stator", "actuator", "controller"})
     listed[part] = root["properties"][part];

@@ -1,6 +1,6 @@
-// The scene's schema (native_model/scene/schema.h) as JSON Schema, draft 7, for editors: what
-// stands where, of which type, between which bounds, and what it means. Whether the values make a
-// machine `rotorub` alone can say.
+// The scene's schema (native_model/scene/schema.h) as JSON Schema, draft 7, for editors: the keys
+// of each table with their types, bounds and meanings. Only `rotorub` itself can check whether the
+// values make a valid machine.
 #pragma once
 
 #include <string>

@@ -9,7 +9,7 @@
 namespace rotorub {
 namespace {
 
-constexpr double kNothing = 1e-6;  // of the run's rms
+constexpr double kNothing = 1e-6;  // relative to the run's rms
 
 std::string span_text(double from, double to) {
   return fmt::format("{:.6g} to {:.6g} s", from, to);
@@ -21,7 +21,7 @@ bool nearly_as_well(double next, double best) {
   return left_by(next) < std::max(kTwice * left_by(best), kNextToNothing);
 }
 
-// Where what was found leaves much, a shift that is more alike but for the size.
+// Whether much remains and another shift is more alike except for the size.
 bool is_better_shape(const Alignment& a) {
   constexpr double kMuch = 0.5;
   if (!a.other_size || a.residual.value_or(0.0) < kMuch) return false;
@@ -29,7 +29,7 @@ bool is_better_shape(const Alignment& a) {
   return own > kNextToNothing && kTwice * left_by(a.other_size->correlation) < own;
 }
 
-// One search with the angle free or held.
+// A search with the angle free or given.
 struct Search {
   const MeasuredRecord& record;
   const SampledRun& run;
@@ -37,7 +37,7 @@ struct Search {
 
   struct Found {
     Alignment alignment;
-    bool tells_angle = false;  // where it was free
+    bool tells_angle = false;  // whether a free angle is determined
   };
 
   Found with(std::optional<double> shift, std::optional<double> angle) const {
@@ -63,7 +63,8 @@ struct Search {
     if (angle) return found;
     const Eigen::VectorXcd turn = g.e - along * g.d;
     a.angle_error = fitting.error(turn, fit);
-    // Without noise what is left is what lies between the run's rows, and so is the curvature.
+    // Without noise, the remaining difference and the curvature come only from interpolating
+    // between the run's rows.
     const double rows = kNothing * fit.run.norm() / std::max(turn.norm(), 1e-300);
     found.tells_angle = a.angle_error && std::hypot(*a.angle_error, rows) < kAngleTold;
     return found;
@@ -99,7 +100,7 @@ void check_overlap(const MeasuredRecord& record, const SampledRun& run, double s
                   span_text(run.start(), run.end()), on, kLeastSamples));
 }
 
-// What is wrong with an alignment that was found, and what is accepted; empty: nothing.
+// Why an alignment that was found is refused and what is accepted; otherwise empty.
 std::string doubt(const Alignment& a) {
   if (!a.correlation) return {};
   if (*a.correlation < kLeastCorrelation) {
@@ -128,7 +129,7 @@ std::optional<Alignment> taken(const MeasuredRecord& record, const SampledRun& r
   }
 }
 
-// The record with y of each pair turned round, if it leaves less than half of `left` so.
+// The alignment with y of each pair reversed, if it leaves less than half of `left`.
 std::optional<Mirrored> mirrored(MeasuredRecord record, const SampledRun& run,
                                  std::optional<double> shift, double left) {
   bool pair = false;
@@ -142,14 +143,14 @@ std::optional<Mirrored> mirrored(MeasuredRecord record, const SampledRun& run,
   if (!a || !doubt(*a).empty() || !a->residual || kTwice * *a->residual > left) return std::nullopt;
   const auto degrees = [&](double probe) {
     const double turn = std::remainder(a->angle - probe, 2.0 * std::numbers::pi);
-    return std::round(1e4 * turn * 180.0 / std::numbers::pi) / 1e4 + 0.0;  // no -0
+    return std::round(1e4 * turn * 180.0 / std::numbers::pi) / 1e4 + 0.0;  // avoids -0
   };
   return Mirrored{a->shift, a->angle, *a->residual,
                   fmt::format("--measured-probes={:g}deg,{:g}deg", degrees(record.probe_x),
                               degrees(record.probe_y))};
 }
 
-// An angle of 0 leaves as little as a free one, but for what noise allows.
+// Whether an angle of 0 leaves as little as a free one, apart from noise.
 bool no_better(const Alignment& free, const Alignment& held) {
   if (!free.residual || !held.residual) return true;
   return *held.residual <= std::max(kTwice * *free.residual, kNothing);
@@ -209,7 +210,7 @@ Alignment align(const MeasuredRecord& record, const SampledRun& run,
   const std::string reason = doubt(found);
   if (found.residual && *found.residual > kNextToNothing) {
     double left = *found.residual;
-    // An angle that was given wrongly is no mirror.
+    // With a wrong given angle the record would seem mirrored, so a free angle is tried as well.
     const auto free = options.angle ? taken(record, run, {options.shift, {}}) : std::nullopt;
     if (free && free->residual) left = std::min(left, *free->residual);
     found.mirrored = mirrored(record, run, options.shift, left);

@@ -1,4 +1,4 @@
-// Where a record lies in time on a simulated run, and how the frame of its sensors stands.
+// The alignment of a record with a simulated run: in time, and of the sensors' frame.
 #pragma once
 
 #include <optional>
@@ -12,26 +12,29 @@
 namespace rotorub {
 
 struct AlignmentOptions {
-  std::optional<double> shift;  // s, added to the record's times; none: found
-  std::optional<double> angle;  // rad, of the sensors' x axis in the scene, from x to y; none:
-                                // found where a pair x, y is
+  std::optional<double> shift;  // s, added to the record's times; empty: searched for
+  // rad, of the sensors' x axis in the scene, from x to y; empty: searched for if there is a pair
+  // x, y
+  std::optional<double> angle;
 };
 
 enum class AngleFrom {
   kGiven,
   kFound,
-  kNoPair,  // 0: no x and y of anything is measured
-  kCircle   // 0: the motion is a circle to within the noise: a turn of the frame looks like a shift
+  kNoPair,  // the angle is 0, because no pair x, y is measured
+  // The angle is 0, because the motion is circular to within the noise, so a turn of the frame is
+  // indistinguishable from a shift.
+  kCircle
 };
 
-// The record with the y of its sensors turned round, which lies on the run by far better: their
-// axes are mirrored, or x and y exchanged (a mirror and a quarter turn), or the machine whirls the
-// other way than the run.
+// The alignment with the sensors' y axis reversed, if it fits the run much better. Then the sensor
+// axes are mirrored, or x and y are exchanged (a mirror and a quarter turn), or the machine whirls
+// in the opposite direction of the run.
 struct Mirrored {
   double shift = 0.0;  // s
-  double angle = 0.0;  // rad, of the sensors' x axis; y is a quarter turn back from it
+  double angle = 0.0;  // rad, of the sensors' x axis; their y axis is a quarter turn behind it
   double residual = 0.0;
-  std::string flag;  // that says so: "--measured-probes=20deg,-70deg"
+  std::string flag;  // the option for it: "--measured-probes=20deg,-70deg"
 };
 
 struct Alignment {
@@ -39,53 +42,55 @@ struct Alignment {
   double angle = 0.0;  // rad, in (-pi, pi]
   bool shift_found = true;
   AngleFrom angle_from = AngleFrom::kFound;
-  // "rotor", "gap": what it was found by; empty: both are given and nothing moves.
+  // What it was found by, as "rotor", "gap"; empty if both are given and nothing moves.
   std::vector<std::string> by;
-  std::optional<double> correlation;  // [-1, 1], see lag_search.h; none where `by` is empty
-  // Share: rms of what is left over the run's deviation, means taken off.
+  std::optional<double> correlation;  // [-1, 1], see lag_search.h; empty if `by` is empty
+  // Rms of the remaining difference relative to the run's deviation, both without their means.
   std::optional<double> residual;
-  std::optional<double> gain;  // rms of the record over the run's; as the residual
-  // Standard deviation if what is left is white noise (the least that any estimate has, Cramer and
-  // Rao). The angle's is none where it was not found.
+  std::optional<double> gain;  // rms of the record relative to the run's; empty if `residual` is
+  // Standard deviations if the remaining difference is white noise (the Cramer-Rao bound).
+  // angle_error is empty if the angle was not searched for.
   std::optional<double> shift_error, angle_error;  // s, rad
-  std::optional<LagScore> next;                    // the next best shift beyond a valley
-  // It leaves less than kTwice what the best leaves, or next to nothing as well: left = sqrt(1 -
-  // correlation^2), and the same of the likeness.
+  std::optional<LagScore> next;                    // the second-best shift, separated by a valley
+  // Whether the second-best shift leaves less than kTwice times the difference of the best one, or
+  // also next to nothing, with the difference taken as sqrt(1 - correlation^2), and likewise with
+  // the likeness.
   bool ambiguous() const;
-  // Where it leaves much: a shift at which the two are more alike, but for the size.
+  // If much remains: a shift at which the two are more alike except for their size.
   std::optional<LagScore> other_size;
-  std::optional<Mirrored> mirrored;  // where that leaves less than half
-  // rad/s: what a shift is made up by of a turn of the frame, in a motion so near to a circle that
-  // no more than kNearCircle of the shift's own effect is left by it; none elsewhere, and where one
-  // of the two is given.
+  std::optional<Mirrored> mirrored;  // if it leaves less than half
+  // rad/s: the turn of the frame per shift that compensates a shift. Set if the motion is so nearly
+  // circular that at most the share kNearCircle of the shift's effect remains; otherwise empty,
+  // also if shift or angle is given.
   std::optional<double> turn_for_shift;
 };
 
 inline constexpr double kTwice = 2.0, kNextToNothing = 0.05;
-// What a shift that was found must have: a correlation, and what is left (rms) no more than this
-// times what the run moves, and what the record does. Alike to the last digit and of another size
-// by three is another motion, or other units.
+// Requirements for a shift that was searched for: this correlation, and an rms of the remaining
+// difference that is at most kMostLeft times the rms of the run and of the record. A record of the
+// same shape but three times the size is another motion, or in other units.
 inline constexpr double kLeastCorrelation = 0.5, kMostLeft = 2.0;
-// A turn of the frame may do what a shift does: share of the shift's own effect that no turn
-// explains.
+// The largest share of the effect of a shift that a turn of the frame leaves in a nearly circular
+// motion.
 inline constexpr double kNearCircle = 0.1;
-// rad: an angle that the data tell, together with the shift, to no better than this is not told.
+// rad: if angle and shift together determine the angle no better than this, the angle is unknown.
 inline constexpr double kAngleTold = 0.3;
 
-// By least squares: of all shifts the most alike (lag_search.h), then between the grid's instants
-// the least sum of squares of what is left, each channel by its scale, means taken off (a sensor's
-// zero is not known); the angle follows in closed form. Where the curvature of that sum by shift
-// and angle is singular to within the noise (kAngleTold), and an angle of 0 leaves as little, the
-// motion is a circle. Throws MeasuredError where record and run do not overlap, or no shift makes
-// them alike, and says whether mirrored sensors do.
+// Least squares: first the shift with the greatest likeness on the grid (lag_search.h), then
+// between its instants the shift with the least sum of squares of the difference. Each channel is
+// divided by its scale and has its mean removed, because a sensor's zero is unknown; the angle
+// follows in closed form. If the curvature of that sum over shift and angle is singular to within
+// the noise (kAngleTold) and an angle of 0 fits as well, the motion counts as a circle. Throws
+// MeasuredError if record and run do not overlap or no shift makes them alike; the message says
+// whether mirrored sensors would.
 Alignment align(const MeasuredRecord& record, const SampledRun& run,
                 const AlignmentOptions& options);
 
-// The same, taken however bad it is: what a search over runs compares.
+// The same without refusing a bad fit, for searches over runs.
 Alignment best_alignment(const MeasuredRecord& record, const SampledRun& run,
                          const AlignmentOptions& options);
 
-// The sentence on it, for people: "shift +1.234567 ms, angle 12.3 deg, by rotor ...".
+// The alignment as a sentence: "shift +1.234567 ms, angle 12.3 deg, by rotor ...".
 std::string alignment_text(const Alignment& alignment);
 std::string mirrored_text(const Mirrored& mirrored);
 std::string other_size_text(const LagScore& at);

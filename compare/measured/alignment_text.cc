@@ -1,4 +1,4 @@
-// An alignment in words.
+// Alignments as text.
 #include <fmt/format.h>
 
 #include <cmath>
@@ -10,9 +10,9 @@ namespace rotorub {
 namespace {
 
 constexpr double kDegree = std::numbers::pi / 180.0;
-constexpr double kAsFar = 1.5;  // a record that moves farther by more, or less, is worth a word
+constexpr double kAsFar = 1.5;  // size ratios beyond this factor, or its inverse, are mentioned
 
-// Without the sign of a zero that rounding makes.
+// Avoids a negative zero.
 double rounded_to(double value, double unit) { return std::round(value / unit) * unit + 0.0; }
 
 }  // namespace

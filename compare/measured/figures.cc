@@ -14,10 +14,10 @@ namespace {
 using Eigen::ArrayXcd;
 using Values = std::vector<double>;
 
-// One column, or x + i y of two, of the record or of a run.
+// One column, or x + i y of two, from the record or from a run.
 struct Motion {
-  std::vector<double> t;  // s, of `good`
-  ArrayXcd good, known;   // known: clipped ones too
+  std::vector<double> t;  // s, of the values in `good`
+  ArrayXcd good, known;   // known: including clipped ones
   const FigureFacts& facts;
 };
 using Statistic = std::optional<double> (*)(const Motion&);
@@ -38,8 +38,8 @@ std::optional<double> contact(const Motion& m) {
   return (m.known.real() < touch).cast<double>().mean();
 }
 
-// At as many even times as there are samples from the first to the last; linear over what is
-// missing.
+// Resampled at even times, as many as the samples would be without gaps; gaps are interpolated
+// linearly.
 std::optional<DominantWhirl> whirl(const Motion& m) {
   if (m.t.size() < 2 || !m.facts.rate_tells) return std::nullopt;
   const double span = m.t.back() - m.t.front();
@@ -55,13 +55,13 @@ std::optional<double> dominant(const Motion& m) {
   return found ? std::optional((*found).*Part) : std::nullopt;
 }
 
-// y: with it a pair; an axis alone counts where the other is not measured.
+// With y it is a pair; x alone is used if y is not measured.
 struct KnownFigure {
   FigureText text;
   struct From {
     std::string_view x, y;
     Statistic statistic;
-    Bound clipped = Bound::kNone;  // what clipped samples make of it
+    Bound clipped = Bound::kNone;  // effect of clipped samples
   } from;
 };
 
@@ -122,7 +122,7 @@ const HeldColumn* find(const std::vector<HeldColumn>& columns, std::string_view 
   return found == columns.end() ? nullptr : &*found;
 }
 
-// Of the record, or of a run.
+// From the record, or from a run.
 Motion motion(const HeldColumn& x, const HeldColumn* y, std::optional<std::size_t> run,
               const FigureFacts& facts) {
   const auto value = [&](const HeldColumn& c, std::size_t i) {
@@ -176,7 +176,7 @@ std::vector<MeasuredFigure> figures_of(const std::vector<HeldColumn>& columns,
       figure.runs.push_back(from.statistic(motion(*x, y, r, facts)).value_or(0.0));
     }
     if (record.known.size() > record.good.size()) {
-      // A sensor's upper limit is none to the least gap.
+      // Clipping at the sensor's upper limit does not affect the least gap.
       record.known = record.good;
       if (from.clipped != kAtMost || *measured < *from.statistic(record)) {
         figure.bound = from.clipped;

@@ -15,9 +15,9 @@ using Eigen::Index;
 using Eigen::VectorXcd;
 using Eigen::VectorXd;
 
-constexpr std::size_t kMostFitted = 200000;  // samples of a channel: more tell no more
-constexpr double kExact = 1e-9;              // intervals of the record, of a shift
-constexpr double kApart = 0.01;              // intervals of the record, of central differences
+constexpr std::size_t kMostFitted = 200000;  // samples of a channel; more do not improve the fit
+constexpr double kExact = 1e-9;              // accuracy of a shift, in intervals of the record
+constexpr double kApart = 0.01;  // step of central differences, in intervals of the record
 
 VectorXcd without_mean(const VectorXcd& z) {
   return z.size() == 0 ? z : VectorXcd(z.array() - z.mean());
@@ -27,7 +27,7 @@ double deviation(const VectorXcd& z) {
   return z.size() == 0 ? 0.0 : without_mean(z).norm() / std::sqrt(static_cast<double>(z.size()));
 }
 
-// The samples of the record that are good, of x and of y where it is a pair.
+// Takes the good samples of the record; of a pair those where x and y are both good.
 void take_record(const MeasuredColumn& x, const MeasuredColumn* y, const SampleTimes& all,
                  Channel& channel) {
   std::vector<std::complex<double>> values;
@@ -55,7 +55,7 @@ VectorXcd Channel::of(const SampledRun& run, const SampleTimes& at) const {
 
 std::vector<Channel> channels_of(const MeasuredRecord& record, const SampledRun& run,
                                  double angle) {
-  constexpr std::size_t kTimes = 4096;  // that tell the size of a motion
+  constexpr std::size_t kTimes = 4096;  // enough to measure the size of a motion
   const SampleTimes all = sample_times(record.t, record.interval);
   const SampleTimes of_run =
       sample_times(even_times(run.start(), run.end(), kTimes), record.interval);
@@ -68,7 +68,7 @@ std::vector<Channel> channels_of(const MeasuredRecord& record, const SampledRun&
     for (const Measurable& m : measurables()) {
       const MeasuredColumn* x = column(m);
       if (m.group != group || !x) continue;
-      if (m.axis == Axis::kY && column(*(&m - 1))) continue;  // stands with its x
+      if (m.axis == Axis::kY && column(*(&m - 1))) continue;  // handled with its x
       const MeasuredColumn* y = m.axis == Axis::kX ? column(*(&m + 1)) : nullptr;
       Channel channel{&m, y != nullptr, angle, 1.0, {}, {}};
       take_record(*x, y, all, channel);
@@ -96,7 +96,8 @@ double Fit::gain() const {
 Fitting::Fitting(const SampledRun& run, const std::vector<Channel>& channels, double interval,
                  double shift, double room, std::optional<double> angle)
     : run_(run), interval_(interval), angle_(angle) {
-  // Room for the derivatives too: beyond its ends the run stands still, which no turn does.
+  // Leaves room for the derivatives, because the run is constant beyond its ends, which a turn does
+  // not change.
   const double inside = std::max(room, kApart * interval) - 1e-6 * interval;
   const double from = run.start() + inside - shift, to = run.end() - inside - shift;
   for (const bool pairs : {true, false}) {
@@ -111,7 +112,7 @@ void Fitting::add(const Channel& channel, double from, double to) {
   const SampleTimes& all = channel.times;
   const bool averaged = channel.what->series.empty();
   const auto &begin = averaged ? all.from : all.t, &end = averaged ? all.to : all.t;
-  std::vector<std::size_t> kept;  // of the channel's values
+  std::vector<std::size_t> kept;  // indices of the channel's values
   for (std::size_t k = 0; k < all.t.size(); ++k) {
     if (begin[k] >= from && end[k] <= to) kept.push_back(k);
   }
@@ -158,9 +159,10 @@ double Fitting::refined(double shift, double h) const {
   for (double by = -h; h > 1.5 * interval_ && by <= h; by += 0.5 * interval_) {
     if (left(middle + by) < left(shift)) shift = middle + by;
   }
-  // The angle is the best at each shift, so that d |m - s|^2 = -2 Re (m - s)^* s' alone.
+  // The angle is optimal at each shift, so d |m - s|^2 = -2 Re (m - s)^* s' has no further terms.
   const auto slope = [&](double by) { return -at(by).left().dot(rate_at(by)).real(); };
-  // The grid's best is half an interval off at most; much farther a fast motion turns the slope.
+  // The grid's best shift is off by at most half an interval. Much further away, the slope of a
+  // fast motion reverses.
   const double reach = 0.75 * interval_, before = shift - reach, after = shift + reach;
   const double falls = slope(before), rises = slope(after);
   if (!(falls < 0.0 && rises > 0.0)) return shift;
@@ -169,7 +171,7 @@ double Fitting::refined(double shift, double h) const {
 }
 
 VectorXcd Fitting::rate_at(double shift) const {
-  const double h = 0.999 * kApart * interval_;  // within the run, see Fitting()
+  const double h = 0.999 * kApart * interval_;  // stays within the run, see Fitting()
   return (run_at(shift + h) - run_at(shift - h)) / (2.0 * h);
 }
 
@@ -199,11 +201,12 @@ std::pair<double, double> Fitting::span() const {
   return all;
 }
 
-// Of the sums of `pull` over stretches of `length` (s) the sum of squares, as of independent ones;
-// 0: fewer than kLeastBlocks.
+// Sum of squares of the sums of `pull` over blocks of `length` (s), as for independent blocks; 0
+// with fewer than kLeastBlocks blocks.
 double Fitting::block_scatter(const VectorXd& pull, double length) const {
   const double start = span().first;
-  std::map<Index, double> sums;  // of all channels: those of one instant are no independent ones
+  // Over all channels, because values at one instant are not independent.
+  std::map<Index, double> sums;
   for (const Part& p : parts_) {
     for (Index k = 0; k < p.count; ++k) {
       const double t = p.times.t[static_cast<std::size_t>(k)];
@@ -218,7 +221,7 @@ double Fitting::block_scatter(const VectorXd& pull, double length) const {
 }
 
 std::optional<double> Fitting::error(const VectorXcd& f, const Fit& fit) const {
-  constexpr double kSure = 3.0;  // standard deviations of a scatter of white noise
+  constexpr double kSure = 3.0;  // standard deviations of the scatter of white noise
   if (!(f.squaredNorm() > 0.0)) return std::nullopt;
   const VectorXcd left = fit.left();
   double scatter = 0.0;

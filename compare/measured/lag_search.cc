@@ -14,11 +14,11 @@ using Eigen::ArrayXd;
 using Eigen::Index;
 using Eigen::VectorXcd;
 
-constexpr double kMostGrid = 1 << 19;  // instants of record and run together
+constexpr double kMostGrid = 1 << 19;  // largest number of instants, of record and run together
 
 struct Grid {
   double h;                 // s
-  Index record, run, size;  // instants; size: of the transforms
+  Index record, run, size;  // numbers of instants; size: of the transforms
 };
 
 Grid grid_of(const MeasuredRecord& record, const SampledRun& run) {
@@ -30,8 +30,7 @@ Grid grid_of(const MeasuredRecord& record, const SampledRun& run) {
   return grid;
 }
 
-// The record on the grid, each sample at the instant nearest to it, and whether it is there: 1, or
-// 0 in a hole.
+// Puts each sample on the nearest instant of the grid. there: 1, or 0 in a gap.
 void lay_on_grid(const MeasuredRecord& record, const Channel& channel, const Grid& grid,
                  ArrayXcd& value, ArrayXcd& there) {
   value = there = ArrayXcd::Zero(grid.size);
@@ -43,10 +42,10 @@ void lay_on_grid(const MeasuredRecord& record, const Channel& channel, const Gri
   }
 }
 
-// Sums over the samples in common at each lag, of one channel or of several.
+// Sums over the common samples at each lag, over the channels so far.
 struct LagSums {
   ArrayXd record, run, both, overlap;
-  ArrayXcd turned;  // of pairs whose angle is free
+  ArrayXcd turned;  // of pairs with a free angle
   explicit LagSums(Index size)
       : record(ArrayXd::Zero(size)), run(record), both(record), overlap(record), turned(record) {}
 };
@@ -55,7 +54,8 @@ void add_channel(const MeasuredRecord& record, const SampledRun& run, const Chan
                  const Grid& grid, std::optional<double> angle, LagSums& sums) {
   Eigen::FFT<double> fourier;
   const auto spectrum = [&](const VectorXcd& z) { return VectorXcd(fourier.fwd(z)); };
-  // sum_j conj(a_j) b_{j + l} at l, negative l from the end; of spectra.
+  // sum_j conj(a_j) b_{j + l} at index l, from the spectra of a and b; negative l count from the
+  // end.
   const auto correlated = [&](const VectorXcd& a, const VectorXcd& b) {
     const VectorXcd product = a.conjugate().cwiseProduct(b);
     return ArrayXcd(VectorXcd(fourier.inv(product)));
@@ -70,7 +70,7 @@ void add_channel(const MeasuredRecord& record, const SampledRun& run, const Chan
 
   const auto M = spectrum(m), W = spectrum(w), S = spectrum(s), V = spectrum(v);
   const ArrayXd count = correlated(W, V).real(), n = count.max(1.0);
-  const ArrayXcd sum_m = correlated(M, V), sum_s = correlated(W, S);  // sum_m: of conjugates
+  const ArrayXcd sum_m = correlated(M, V), sum_s = correlated(W, S);  // sum_m: of the conjugates
   sums.overlap = sums.overlap.max(count);
   sums.record += (correlated(spectrum(m.abs2()), V).real() - sum_m.abs2() / n).max(0.0);
   sums.run += (correlated(W, spectrum(s.abs2())).real() - sum_s.abs2() / n).max(0.0);
@@ -91,10 +91,10 @@ BestLags best_lags(const MeasuredRecord& record, const SampledRun& run,
   for (const Channel& channel : channels) add_channel(record, run, channel, grid, angle, sums);
   const double least =
       std::max(kLeastOverlap * sums.overlap.maxCoeff(), static_cast<double>(kLeastSamples));
-  // Where the run stands still what is left of it is round-off, which correlates with anything.
+  // Where the run does not move, its values are round-off, which correlates with anything.
   constexpr double kStill = 1e-12;
   const double moves = kStill * std::max(sums.run.maxCoeff(), sums.record.maxCoeff());
-  std::vector<LagScore> scores;  // ascending in shift
+  std::vector<LagScore> scores;  // by rising shift
   for (Index lag = 1 - grid.record; lag < grid.run; ++lag) {
     const Index l = lag < 0 ? lag + grid.size : lag;
     if (sums.overlap[l] < least || !(sums.record[l] > moves) || !(sums.run[l] > moves)) continue;
@@ -117,7 +117,7 @@ BestLags best_lags(const MeasuredRecord& record, const SampledRun& run,
   const auto after = std::find_if(best, scores.end(), in_valley);
   const auto before =
       std::find_if(std::make_reverse_iterator(best), scores.rend(), in_valley).base();
-  // A slope up to the valley's edge is no peak.
+  // A slope at the edge of the valley is not a peak.
   const auto is_peak = [&](auto at) {
     return (at == scores.begin() || !less(*at, *(at - 1))) &&
            (at + 1 == scores.end() || !less(*at, *(at + 1)));

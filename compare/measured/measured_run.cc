@@ -16,7 +16,7 @@ namespace {
 
 using Eigen::ArrayXd;
 
-// A record being laid beside its runs.
+// Compares a record with its runs.
 class LayingIn {
  public:
   LayingIn(MeasuredRecord record, const scene::Scene& scene)
@@ -53,7 +53,7 @@ class LayingIn {
     out_.remarks.push_back(fmt::format(text, std::forward<Words>(words)...));
   }
 
-  // Drops columns that no run has, and says so.
+  // Drops the columns that a run lacks, with a remark.
   void keep_comparable(const std::vector<SampledRun>& runs) {
     std::erase_if(record_.columns, [&](const MeasuredColumn& c) {
       const auto lacks = [&](const SampledRun& run) { return !run.has(*c.what); };
@@ -70,8 +70,8 @@ class LayingIn {
     if (!record_.has_units) remark("the header has no unit: all is taken in SI");
   }
 
-  // A unit that is wrong by a prefix, or forgotten: a place a thousand times that of the run, or a
-  // thousandth. A model that is right to a factor of 30 is still one to be compared.
+  // Refuses a unit with a wrong or missing prefix: places a hundred times larger or smaller than
+  // the run's. A model that is right to a factor of 30 is still worth comparing.
   void refuse_other_units(const Trajectory& native) const {
     constexpr double kFar = 100.0;
     for (const MeasuredColumn& c : record_.columns) {
@@ -79,7 +79,7 @@ class LayingIn {
       const auto largest = [](const std::vector<double>& y) {
         return ArrayXd::Map(y.data(), static_cast<Eigen::Index>(y.size())).abs().maxCoeff();
       };
-      const double measured = largest(c.value);  // what is missing is 0
+      const double measured = largest(c.value);  // missing values are 0
       const double run = largest(native.column(std::string(c.what->series)));
       if (measured == 0.0 || run == 0.0) continue;
       if (measured < kFar * run && run < kFar * measured) continue;
@@ -90,8 +90,7 @@ class LayingIn {
     }
   }
 
-  // Those on the native run. A sample that reaches beyond its ends is averaged over what no run
-  // has.
+  // Keeps the samples on the native run, and marks those whose averages reach beyond its ends.
   void keep_samples(const SampledRun& native) {
     const double slack = 1e-6 * record_.interval;
     const double start = native.start() - slack, end = native.end() + slack;
@@ -156,7 +155,7 @@ class LayingIn {
   void add_figures(const Trajectory& native) {
     FigureFacts facts{times_.t, record_.interval, {}};
     if (scene_.first().contact) facts.clearance = scene_.first().contact->clearance;
-    // From the run's own rows, as fine as they are.
+    // From the run's own rows, at their resolution.
     constexpr std::size_t kMost = 1 << 14;
     const double from = times_.t.front(), to = times_.t.back(), rate = 1.0 / record_.interval;
     const std::size_t count = std::clamp<std::size_t>(native.rows(), 8, kMost);
@@ -190,7 +189,7 @@ class LayingIn {
         laid.columns.push_back(*x);
         continue;
       }
-      // A pair is turned; an axis alone cannot be.
+      // A pair is turned into the scene's frame; a single axis cannot be.
       const auto y = std::find_if(held_.begin(), held_.end(),
                                   [&](const HeldColumn& c) { return c.what == x->what + 1; });
       if (x->what->axis != Axis::kX || y == held_.end()) continue;
@@ -215,9 +214,9 @@ class LayingIn {
   MeasuredRecord record_;
   const scene::Scene& scene_;
   MeasuredRun out_;
-  std::vector<std::size_t> on_;  // samples of the record on the run
-  SampleTimes times_;            // theirs, by the scene's clock
-  std::vector<bool> whole_;      // their averages are
+  std::vector<std::size_t> on_;  // indices of the record's samples on the run
+  SampleTimes times_;            // of these samples, in the scene's time
+  std::vector<bool> whole_;      // whether the average of each lies on the run
   std::vector<HeldColumn> held_;
 };
 

@@ -1,6 +1,6 @@
-// A measured run laid beside simulated ones: aligned in time and frame with the first, and held
-// against each of them sample by sample. Like is compared with like: the runs are taken at the
-// record's samples, and averaged over one where the sensor is.
+// A measured run compared with simulated runs: it is aligned in time and frame with the first one
+// and compared with each sample by sample. The runs are evaluated at the record's samples, and
+// averaged over the sample if the sensor averages.
 #pragma once
 
 #include <optional>
@@ -15,28 +15,29 @@
 
 namespace rotorub {
 
-// What a clipped sample makes of an extreme.
+// How clipped samples bound a figure.
 enum class Bound { kNone, kAtLeast, kAtMost };
 const char* to_string(Bound bound);  // "", "at least", "at most"
 
-// One figure of the record and, from the same samples, of each run.
+// A figure of the record and of each run, from the same samples.
 struct MeasuredFigure : FigureText {
   double measured = 0.0;  // SI
   Bound bound = Bound::kNone;
-  std::vector<double> runs{};  // SI, as MeasuredRun::labels
+  std::vector<double> runs{};  // SI, in the order of MeasuredRun::labels
 };
 
-// What is left of a column against one run, over its good samples. SI, in the frame of the sensors.
+// The difference between a column and a run over the column's good samples. SI, in the sensors'
+// frame.
 struct ColumnResidual {
-  double rms = 0.0;     // of record - run about its mean
-  double offset = 0.0;  // mean of record - run: a sensor's zero, or a bias of the model
-  // rms over the run's deviation from its mean; none where the run does not move.
+  double rms = 0.0;     // of record - run, about its mean
+  double offset = 0.0;  // mean of record - run: the sensor's zero or a bias of the model
+  // rms relative to the run's deviation from its mean; empty if the run does not move.
   std::optional<double> share;
 };
 struct ColumnFit {
   const Measurable* what = nullptr;
-  std::size_t good = 0, missing = 0, clipped = 0;  // samples on the run
-  std::vector<ColumnResidual> runs{};              // as MeasuredRun::labels
+  std::size_t good = 0, missing = 0, clipped = 0;  // numbers of samples on the run
+  std::vector<ColumnResidual> runs{};              // in the order of MeasuredRun::labels
 };
 
 struct MeasuredRun {
@@ -48,14 +49,14 @@ struct MeasuredRun {
   std::vector<ColumnFit> columns;
   std::vector<MeasuredFigure> figures;
   std::vector<std::string> remarks;  // sentences: what was left out, and why
-  // For plots and player: the samples on the run, by the scene's clock, x and y of a pair turned
-  // into its frame; a column along x or y alone only where the frames are the same.
+  // For plots and the player: the samples on the run in the scene's time, with x and y of a pair
+  // turned into its frame. A single x or y column is included only if the frames are equal.
   MeasuredRecord laid;
-  // N, of each run averaged over each of laid.t; empty: not measured.
+  // N, of each run, averaged over each sample of laid.t; empty if not measured.
   std::vector<std::vector<double>> forces;
 };
 
-// Which figures there can be, for documents.
+// All possible figures, for documents.
 std::vector<FigureText> measured_figures();
 
 struct RunToHold {
@@ -63,8 +64,8 @@ struct RunToHold {
   const Trajectory* trajectory = nullptr;
 };
 
-// runs: native first; only those with two rows or more are held against it. The record is as it was
-// read. Throws MeasuredError, as align().
+// runs: native first; runs with fewer than two rows are ignored. record: as it was read. Throws
+// MeasuredError like align().
 MeasuredRun lay_in(MeasuredRecord record, const AlignmentOptions& options,
                    const scene::Scene& scene, const std::vector<RunToHold>& runs);
 

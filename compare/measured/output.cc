@@ -21,7 +21,7 @@ const char* word_of(AngleFrom from) {
 }
 
 std::vector<ColumnMeaning> make_measured_keys() {
-  static std::deque<std::string> names;  // that the keys point to
+  static std::deque<std::string> names;  // storage for the keys' names
   std::vector<ColumnMeaning> keys = {
       {"file", "", "as given to --measured", ""},
       {"samples", "", "samples of the record", ""},
@@ -83,11 +83,12 @@ std::vector<ColumnMeaning> make_measured_keys() {
   return keys;
 }
 
-// A line of the table: `text` of each run that has a column.
+// A line of the table, with `text` for each run that has a column.
 std::string record_line(const MeasuredRun& of, const std::string& label,
                         const std::string& measured,
                         const std::function<std::string(std::size_t)>& text) {
-  constexpr int kName = 29, kMeasured = 8, kRun = 7;  // native, four contact models: 80 columns
+  // With native and four contact models: 80 columns.
+  constexpr int kName = 29, kMeasured = 8, kRun = 7;
   std::string line = fmt::format("{:<{}} {:>{}}", label, kName, measured, kMeasured);
   for (std::size_t r = 0; r < of.labels.size(); ++r) {
     if (!column_heading(of.labels[r]).empty()) line += fmt::format(" {:>{}}", text(r), kRun);
@@ -96,7 +97,7 @@ std::string record_line(const MeasuredRun& of, const std::string& label,
   return line + "\n";
 }
 
-// The unit that a quantity is written in, and SI values times it.
+// The unit of a quantity in texts; written value = SI value * per_unit.
 struct WrittenUnit {
   const char* unit;
   double per_unit;
@@ -196,7 +197,8 @@ std::string measured_table(const MeasuredRun& run) {
     add("    " + figure_label(f), measured_value(f),
         [&](std::size_t r) { return figure_value(f, f.runs[r]); });
   }
-  // The offset is the native run's: about it the rms is taken, as no sensor's zero is known.
+  // The offset is relative to the native run. The rms is taken about the offset, because a sensor's
+  // zero is unknown.
   add("  record less run, rms", "offset", heading);
   for (const ColumnFit& c : run.columns) {
     add(fmt::format("    {}, {}", c.what->name, residual_unit(*c.what)),

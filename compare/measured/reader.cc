@@ -20,7 +20,7 @@ namespace {
 using scene::printable;
 using Fields = std::vector<std::string>;
 
-constexpr double kLargestValue = 1e60;  // SI; sums of squares stay finite
+constexpr double kLargestValue = 1e60;  // SI; keeps sums of squares finite
 constexpr std::string_view kTime = "t";
 
 const Measurable* measurable(std::string_view name) {
@@ -30,8 +30,8 @@ const Measurable* measurable(std::string_view name) {
   return nullptr;
 }
 
-// Of the product's own series, numbered ones ("x_2") and what a law shows of itself
-// ("control_<name>") among them.
+// Columns of the program's own series, including numbered ones ("x_2") and the outputs of a law
+// ("control_<name>").
 bool is_own_column(std::string_view name) {
   constexpr std::string_view kLaw = "control_";
   const std::string_view plain = contact_of_column(name).second;
@@ -53,7 +53,7 @@ std::string unknown_reason(std::string_view name) {
                      near.empty() ? "" : fmt::format(", did you mean {}?", near), accepted_names());
 }
 
-// "mil" of "mil pp": of a unit with a word on how an amplitude is counted; else empty.
+// "mil" from "mil pp", a unit followed by a word for the kind of amplitude; otherwise empty.
 std::string_view counted_unit(std::string_view unit) {
   constexpr std::string_view kCounts[] = {"pp",       "p-p",  "pk-pk", "peak-peak", "peak to peak",
                                           "pk to pk", "0-pk", "0-p",   "pk",        "rms"};
@@ -64,8 +64,8 @@ std::string_view counted_unit(std::string_view unit) {
   return {};
 }
 
-// An example of --measured-column for a column that has a name of the logger's own. A name that
-// ends with y, as CH1 Y, is taken for rotor_y.
+// An example of --measured-column for a column with a logger's own name. A name that ends in y,
+// such as CH1 Y, becomes rotor_y.
 std::string example_of(std::string_view name, std::string_view unit) {
   const std::string_view plain = counted_unit(unit).empty() ? unit : counted_unit(unit);
   const bool is_length =
@@ -76,18 +76,18 @@ std::string example_of(std::string_view name, std::string_view unit) {
                      is_length ? plain : std::string_view("um"));
 }
 
-// Of a column of the file: mostly a name of the logger's own.
+// For a column of the file whose name is mostly a logger's own.
 std::string foreign_reason(std::string_view name, std::string_view unit) {
   return fmt::format("{}; to read a column that has another name, give for example {}",
                      unknown_reason(name), example_of(name, unit));
 }
 
-// A column by its header: "rotor_x [um]" is a name and a unit; without brackets a name alone.
+// A column's header: "rotor_x [um]" is a name and a unit, without brackets it is a name.
 struct Head {
   std::string text, name, unit;
   bool has_unit = false;
-  bool closed = true;                // the bracket, and nothing stands behind it
-  const Measurable* what = nullptr;  // null: the time, or a column that is left out
+  bool closed = true;                // the bracket is closed and nothing follows it
+  const Measurable* what = nullptr;  // null: the time, or an ignored column
   double factor = 1.0;               // SI = value * factor
   bool is_time() const { return name == kTime; }
   bool read() const { return is_time() || what; }
@@ -107,7 +107,7 @@ struct Head {
   }
 };
 
-// One file in the reading.
+// Reads one file.
 class MeasuredFile {
  public:
   MeasuredFile(std::string_view text, const std::string& file, const std::vector<ColumnName>& names)
@@ -164,8 +164,8 @@ class MeasuredFile {
     return begin == std::string_view::npos || line[begin] == '#';
   }
 
-  // The first line with a column of times: what an instrument writes before it is passed over.
-  // Where none has one, the first line is the header, and what is wrong with it is said.
+  // The first line with a column of times is the header; what an instrument writes before it is
+  // skipped. Without such a line, the first line is the header, and its errors are reported.
   void find_header() {
     constexpr int kMostBefore = 200;  // lines
     int line = 0;
@@ -206,7 +206,7 @@ class MeasuredFile {
     for (const std::string& field : fields) {
       Head head(meant(field));
       head.text = field;
-      // A further Time beside the column that was named as t.
+      // Another Time beside the column that is given as t.
       if (time_is_told && head.is_time() && meant(field) == field &&
           boost::istarts_with(field, "time"))
         head.name = field;
@@ -232,7 +232,7 @@ class MeasuredFile {
       refuse(line, "", "nothing measured beside t; accepted are " + accepted_names());
     }
     if (!wrong_.empty())
-      throw scene::SceneError(std::move(wrong_));  // what fields are is not known
+      throw scene::SceneError(std::move(wrong_));  // the meaning of the fields is unknown
   }
 
   static bool is_called(const std::string& field, const ColumnName& name) {
@@ -240,7 +240,7 @@ class MeasuredFile {
     return field == name.in_file || plain == name.in_file;
   }
 
-  // What a column of the file is: name and unit.
+  // The meaning of a column of the file: name and unit.
   std::string meant(const std::string& field) const {
     for (const ColumnName& name : names_) {
       if (!is_called(field, name)) continue;
@@ -252,7 +252,7 @@ class MeasuredFile {
     return field;
   }
 
-  // A name that was told, of a column that is not there or means nothing.
+  // Refuses a given name whose column does not exist or whose meaning is unknown.
   void check_names(const Fields& fields, int line) {
     for (const ColumnName& name : names_) {
       const Head head(name.meant);
@@ -266,7 +266,7 @@ class MeasuredFile {
     }
   }
 
-  // What is wrong with a column, or nothing; then its factor is known.
+  // The error in a column's header; if it is empty, the column's factor is set.
   std::string fault_of(std::size_t k) {
     Head& head = heads_[k];
     if (head.name.empty()) return "has no name; accepted are " + accepted_names();
@@ -335,7 +335,7 @@ class MeasuredFile {
     record_.t.push_back(t);
   }
 
-  // SI.
+  // The value in SI.
   double number_of(const std::string& field, const Head& head, int line) {
     const auto fail = [&](const std::string& reason) {
       refuse(line, printable(head.text), fmt::format("`{}` {}", printable(field), reason));
@@ -372,9 +372,9 @@ class MeasuredFile {
   const std::vector<ColumnName>& names_;
   MeasuredRecord record_;
   std::vector<Head> heads_;
-  int header_line_ = 0;  // from 1; 0: the first that is not passed over
+  int header_line_ = 0;  // from 1; 0: the first line that is not skipped
   char separator_ = ',';
-  char decimal_ = '\0';  // mark of the file's numbers, once one has it
+  char decimal_ = '\0';  // decimal mark of the file, once it is known
   std::vector<scene::Diagnostic> wrong_;
 };
 

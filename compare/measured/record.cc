@@ -38,7 +38,7 @@ constexpr Measurable kMeasurables[] = {
      "of the rotor, positive from x to y"},
 };
 
-// Good samples in a row, or equal ones of them: [first, last).
+// A range of good samples in a row, or of equal ones: [first, last).
 struct Stretch {
   std::size_t first, last;
   std::size_t size() const { return last - first; }
@@ -55,36 +55,39 @@ std::vector<Stretch> flats_of(const MeasuredColumn& c) {
   return flats;
 }
 
-// Seen from one end of a flat part: the samples outside it, nearest first (`step`: +1 or -1).
+// At one end of a flat part: the samples outside it, nearest first, lie in the direction step (+1,
+// -1).
 bool comes_fast(const MeasuredColumn& c, std::size_t inside, std::ptrdiff_t step, double limit,
                 double least) {
   std::vector<double> outside;
   for (auto at = static_cast<std::ptrdiff_t>(inside) + step; outside.size() < 3; at += step) {
-    const auto i = static_cast<std::size_t>(at);  // -1 is beyond the end too
+    const auto i = static_cast<std::size_t>(at);  // -1 wraps to beyond the end
     if (i >= c.value.size() || c.sample[i] != Sample::kGood) break;
     outside.push_back(c.value[i]);
   }
   if (outside.empty()) return false;
   if (std::abs(limit - outside[0]) > least) return true;
   if (outside.size() < 3) return false;
-  // Two samples on, by the parabola through the three.
+  // Extrapolates the parabola through the three samples by two samples beyond the nearest one.
   const double beyond = 6.0 * outside[0] - 8.0 * outside[1] + 3.0 * outside[2];
   return (limit > outside[0] ? beyond - limit : limit - beyond) > least;
 }
 
 void mark_column(MeasuredColumn& c) {
   const std::vector<Stretch> flats = flats_of(c);
-  std::vector<double> values;  // ascending, each once
+  std::vector<double> values;  // ascending, without repetitions
   for (const Stretch& flat : flats) values.push_back(c.value[flat.first]);
   std::sort(values.begin(), values.end());
   values.erase(std::unique(values.begin(), values.end()), values.end());
   if (values.size() < 2) return;
   const double low = values.front(), high = values.back();
-  // The least difference of two: what a converter's steps are, and next to nothing without one.
+  // The smallest difference of two values: a converter's step, or next to nothing without a
+  // converter.
   double step = high - low;
   for (std::size_t i = 1; i < values.size(); ++i) step = std::min(step, values[i] - values[i - 1]);
   const double least = kSteps * step;
-  std::size_t longest = kLeastClipped - 1;  // elsewhere: of a sensor that is slower than its record
+  // Elsewhere, from a sensor that is slower than its record.
+  std::size_t longest = kLeastClipped - 1;
   for (const Stretch& flat : flats) {
     const double value = c.value[flat.first];
     if (value != low && value != high && value != 0.0) longest = std::max(longest, flat.size());

@@ -41,7 +41,7 @@ SampledRun::SampledRun(const Trajectory& run) : run_(&run), t_(&run.column("t"))
     const double given = 0.5 * ((*t_)[i] - (*t_)[i - 1]) * (force[i - 1] + force[i]);
     momentum_.push_back(momentum_.back() + given);
   }
-  if (run.contact_model != "rigid") return;  // an episode of soft contact is in the force already
+  if (run.contact_model != "rigid") return;  // a soft contact is already included in the force
   std::vector<Impact> impacts;
   std::copy_if(run.impacts.begin(), run.impacts.end(), std::back_inserter(impacts),
                [&](const Impact& i) { return i.t >= start() && i.t <= end(); });
@@ -88,7 +88,7 @@ std::vector<double> SampledRun::values(const Measurable& what, const SampleTimes
                                        double angle) const {
   std::vector<double> own = values(what, times);
   if (what.axis == Axis::kNone || angle == 0.0) return own;
-  // x stands before its y.
+  // Each x precedes its y.
   const std::vector<double> other = values(*(what.axis == Axis::kX ? &what + 1 : &what - 1), times);
   const double c = std::cos(angle), s = std::sin(what.axis == Axis::kX ? angle : -angle);
   for (std::size_t i = 0; i < own.size(); ++i) own[i] = c * own[i] + s * other[i];

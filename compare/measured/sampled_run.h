@@ -1,4 +1,4 @@
-// A simulated run as a sensor would see it: its quantities at any times within it.
+// A simulated run as a sensor would measure it: its quantities at any times within it.
 #pragma once
 
 #include <span>
@@ -9,9 +9,8 @@
 
 namespace rotorub {
 
-// When a record has its samples, and what a value that is averaged over a sample is the mean over:
-// half-way to the neighbours, and half an interval where a neighbour is two intervals away or more,
-// or there is none.
+// The times of a record's samples, and the interval over which an averaged value is taken: half-way
+// to the neighbours, or half an interval if a neighbour is missing or at least two intervals away.
 struct SampleTimes {
   std::vector<double> t, from, to;  // s, ascending
 
@@ -22,21 +21,21 @@ SampleTimes shifted(SampleTimes times, double by);
 
 class SampledRun {
  public:
-  // Rows: two or more. The run must outlive it.
+  // The run needs at least two rows and must outlive this.
   explicit SampledRun(const Trajectory& run);
 
   double start() const { return t_->front(); }  // s
   double end() const { return t_->back(); }     // s
   bool has(const Measurable& what) const;
 
-  // SI, at times that ascend; before the start and after the end the values there.
-  //   places: cubic between rows, by their rates; other columns: linear
-  //   the contact's force: the momentum it gave from `from` to `to` over that time, that of an
-  //   impact (rigid law) whole at its instant
+  // SI, at ascending times; before the start and after the end, the values at the ends.
+  //   places: cubic between rows, using their rates; other columns: linear
+  //   contact force: the impulse from `from` to `to` divided by that time; the impulse of a rigid
+  //   impact acts at its instant
   std::vector<double> values(const Measurable& what, const SampleTimes& times) const;
 
-  // The same as sensors see it whose x axis stands at `angle` (rad, from x to y) in the scene: a
-  // column along x or y is turned into their frame.
+  // The same for sensors whose x axis is at `angle` (rad, from x to y) in the scene: a column along
+  // x or y is turned into their frame.
   std::vector<double> values(const Measurable& what, const SampleTimes& times, double angle) const;
 
  private:
@@ -44,7 +43,7 @@ class SampledRun {
 
   const Trajectory* run_;
   const std::vector<double>* t_;
-  // N s that the normal force has given: up to each row, and by impacts, in all after each of them.
+  // N s, impulse of the normal force: up to each row, and the sum of the impacts after each impact.
   std::vector<double> momentum_, impact_t_, impact_momentum_;
 };
 

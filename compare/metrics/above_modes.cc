@@ -16,7 +16,7 @@ bool above(const ModeBand& band, double rate) {
   return rate > band.forward || rate < -band.backward;
 }
 
-// psi' at time t, linear between rows; `points` is not empty.
+// psi' at time t, linear between rows; `points` must not be empty.
 double rate_at(const std::vector<RelativePoint>& points, double t) {
   const auto after = std::lower_bound(points.begin(), points.end(), t,
                                       [](const RelativePoint& p, double at) { return p.t < at; });
@@ -26,7 +26,7 @@ double rate_at(const std::vector<RelativePoint>& points, double t) {
   return a.angle_rate + (b.angle_rate - a.angle_rate) * (t - a.t) / (b.t - a.t);
 }
 
-// Parts of a whole that lie above the band.
+// The part of a total above the band.
 struct Share {
   double above = 0.0, all = 0.0;
   void add(double part, bool is_above) {

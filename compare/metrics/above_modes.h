@@ -1,5 +1,6 @@
-// Where a rub works faster than the rotor's highest kept bending mode: there the modal rotor has no
-// flexibility of its own, and what friction drives is the truncation's, not the shaft's.
+// Where a rub excites the rotor above its highest kept bending mode. There the modal rotor has no
+// flexibility of its own, and the effect of friction depends on the truncation and not on the
+// shaft.
 #pragma once
 
 #include <optional>
@@ -13,25 +14,27 @@ namespace rotorub {
 struct ModeBand {
   double forward = 0.0, backward = 0.0;
 };
-// Of a rotor in geometry form with a contact; otherwise none: modal data are taken for the rotor.
+// For a rotor in geometry form with a contact; otherwise empty, because modal data count as the
+// exact rotor.
 std::optional<ModeBand> mode_band(const scene::Scene& scene);
 
-// Turning rate of the contact normal psi' = v_t / delta, v_t the speed of the relative centre along
-// e_t, delta its distance.
+// Angular rate of the contact normal psi' = v_t / delta: v_t is the speed of the relative centre
+// along e_t, delta its distance.
 struct AboveModes {
   ModeBand band;
   double contact_share = 0.0;   // [0, 1], of the time in contact, with |psi'| above the band
   double friction_share = 0.0;  // [0, 1], of the friction work, with |psi'| above the band
-  double fastest = 0.0;         // rad/s, the psi' in contact of largest size, forward positive
-  // Worth a word to the user.
+  // rad/s, the psi' in contact with the largest absolute value, forward positive.
+  double fastest = 0.0;
+  // Whether the user should be told.
   bool matters() const { return contact_share > 0.01 || friction_share > 0.01; }
 };
 
-// By the rows of the series, each standing for half the time to its neighbours; impacts, which
-// take no time, add their friction work at the psi' between the rows around them.
+// Evaluated at the rows of the series, each weighted by half the time to its neighbours. Impacts
+// take no time; they add their friction work at the psi' interpolated between the adjacent rows.
 AboveModes above_modes(const Trajectory& trajectory, const ModeBand& band);
 
-// Both; none where there is no band.
+// Both steps; empty without a band.
 std::optional<AboveModes> above_modes(const scene::Scene& scene, const Trajectory& trajectory);
 
 }  // namespace rotorub

@@ -33,7 +33,7 @@ constexpr std::array kNames{
 
 constexpr std::size_t kFewestRows = 20;
 
-// Median of |slip| over the largest of |whirl speed| and |r Omega| = |slip - whirl speed|.
+// Median of |slip| relative to the larger of |whirl speed| and |r Omega| = |slip - whirl speed|.
 double relative_slip(const LastPart& part) {
   std::vector<double> ratio;
   ratio.reserve(part.points.size());
@@ -48,13 +48,13 @@ double relative_slip(const LastPart& part) {
   return *middle;
 }
 
-// Rows that are looked at go round by `net`, forth and back by `all`, rad.
+// net: angle that the rows travel around the ring, rad; all: the same back and forth.
 Attractor permanent(const Settled& s, double slip, double net, double all) {
   constexpr double kTurn = 2.0 * std::numbers::pi;
   if (std::isnan(s.whirl_frequency)) return Attractor::kUnknown;
   if (std::abs(net) < kRestingTurn * kTurn || std::abs(net) < kRockingShare * all)
     return Attractor::kResting;
-  // With a ring that turns along a rub rolls forward, too.
+  // With a turning ring, a rub can roll forward too.
   if (s.whirl_frequency * (s.spin_speed < 0.0 ? -1.0 : 1.0) < 0.0)
     return slip < kRollingTolerance ? Attractor::kRolling : Attractor::kBackwardWhip;
   const bool synchronous =
@@ -62,7 +62,7 @@ Attractor permanent(const Settled& s, double slip, double net, double all) {
   return synchronous ? Attractor::kSynchronousRub : Attractor::kForwardRub;
 }
 
-// How a bounce comes back to itself. times: of its impacts, s, ascending.
+// The period of bouncing. times: of its impacts, s, ascending.
 void find_period(const Trajectory& run, const std::vector<double>& times, Settled& s) {
   s.turns = section_period(poincare_points(run, s.from));
   if (s.turns == 0) return;
@@ -73,7 +73,7 @@ void find_period(const Trajectory& run, const std::vector<double>& times, Settle
   const auto turns = static_cast<std::size_t>(s.turns), periods = (passes.size() - 1) / turns;
   const double begin = passes[passes.size() - 1 - periods * turns], end = passes.back();
   const auto met = std::ranges::count_if(times, [&](double t) { return t > begin && t <= end; });
-  // One at the mark itself may fall on either side of it, at both ends.
+  // An impact at the mark itself may fall on either side of it, at both ends.
   const double each = static_cast<double>(met) / static_cast<double>(periods);
   if (std::abs(std::round(each) * static_cast<double>(periods) - static_cast<double>(met)) <= 1.0)
     s.bounces = static_cast<int>(std::round(each));

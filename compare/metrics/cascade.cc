@@ -15,9 +15,9 @@ namespace {
 
 using Complex = std::complex<double>;
 constexpr double kTurn = 2.0 * std::numbers::pi;
-constexpr std::size_t kSamples = 512;  // of a stretch: 64 a turn
+constexpr std::size_t kSamples = 512;  // per stretch, 64 per turn
 
-// s, when the size of the speed first comes to `speed`.
+// s: the first time at which the absolute speed reaches `speed`.
 std::optional<double> first_time(const std::vector<double>& t, const std::vector<double>& speeds,
                                  double speed) {
   for (std::size_t i = 1; i < t.size(); ++i) {

@@ -17,7 +17,7 @@ Exceedance exceedance(std::vector<double> values, std::size_t most) {
   };
   const double growth = std::log(static_cast<double>(n)) / static_cast<double>(most - 1);
   for (std::size_t k = 0; n > 0 && k < most; ++k) {
-    // Even steps of ln count are less than 1 at first: then every count has its turn.
+    // The first even steps of ln count are less than 1, so every count is used there.
     const double even = std::exp(growth * static_cast<double>(k));
     add(std::clamp<std::size_t>(static_cast<std::size_t>(even + 1e-9), 1, n));
   }
@@ -40,7 +40,7 @@ Histogram histogram(const std::vector<double>& t, const std::vector<double>& y, 
     };
     for (std::size_t k = part_of(low); k <= part_of(high); ++k) {
       const double from = out.width * static_cast<double>(k), to = from + out.width;
-      // Straight: the time in a part is as the way through it.
+      // y is linear, so time is proportional to the change of y.
       const double inside = std::min(high, k + 1 == parts ? high : to) - std::max(low, from);
       out.share[k] += high > low ? share * inside / (high - low) : share;
     }

@@ -14,7 +14,7 @@ Divergence divergence(const Trajectory& a, const Trajectory& b, double threshold
   Divergence result;
   result.threshold = threshold;
   double square = 0.0;
-  // Both series ascend in time and print requested times exactly: rows match by equality.
+  // Both series ascend and contain requested times exactly, so rows match by equality.
   for (std::size_t i = 0, j = 0; i < time_a.size() && j < time_b.size();) {
     if (time_a[i] < time_b[j]) {
       ++i;

@@ -1,4 +1,4 @@
-// Two runs of one scene side by side: where they part, and their first impacts.
+// Comparison of two runs of one scene: the time at which they part, and their first impacts.
 #pragma once
 
 #include <optional>
@@ -8,26 +8,26 @@
 
 namespace rotorub {
 
-// Distance between the rotor's positions in two runs, over the rows whose times both have.
+// Distance between the rotor's positions in two runs, over the rows at common times.
 struct Divergence {
   double threshold = 0.0;      // m
-  std::optional<double> time;  // s, of the first row beyond the threshold; none: never
+  std::optional<double> time;  // s, of the first row beyond the threshold; empty if there is none
   double max_distance = 0.0;   // m
   double rms_distance = 0.0;   // m
-  std::size_t rows = 0;        // compared
+  std::size_t rows = 0;        // number of compared rows
 };
 
-inline constexpr double kDivergenceShare = 0.01;  // threshold as a share of the clearance
+inline constexpr double kDivergenceShare = 0.01;  // threshold relative to the clearance
 
 // threshold: m, > 0.
 Divergence divergence(const Trajectory& a, const Trajectory& b, double threshold);
 
-// The n-th counted impact of each run; a run that has fewer leaves its side empty.
+// The n-th counted impact of each run; empty if the run has fewer.
 struct ImpactPair {
   std::optional<Impact> a, b;
 };
 
-// Pairs by order, up to `n` of them. With a soft contact an impact is an episode of contact.
+// The first `n` pairs at most. With a soft contact, an impact is an episode of contact.
 std::vector<ImpactPair> pair_impacts(const Trajectory& a, const Trajectory& b, std::size_t n);
 
 // The first n counted impacts.

@@ -1,6 +1,5 @@
-// Eigen's Fourier transforms, by FFTW; its plans do not depend on what a measurement gave. In a
-// page (report/live) by what Eigen brings along. And the window that spectra of a stretch are taken
-// under.
+// Eigen's Fourier transforms with FFTW, whose plans do not depend on timing measurements here; in a
+// page (report/live) with Eigen's own implementation. Also the window for the spectra of stretches.
 #pragma once
 
 #ifndef __EMSCRIPTEN__
@@ -12,7 +11,7 @@
 
 namespace rotorub {
 
-// Hann's: w_n = (1 - cos(2 pi n / size)) / 2, n = 0 ... size - 1.
+// Hann window: w_n = (1 - cos(2 pi n / size)) / 2, n = 0 ... size - 1.
 inline Eigen::ArrayXd hann_window(Eigen::Index size) {
   const Eigen::ArrayXd n = Eigen::ArrayXd::LinSpaced(size, 0.0, static_cast<double>(size - 1));
   return 0.5 - 0.5 * (2.0 * std::numbers::pi / static_cast<double>(size) * n).cos();

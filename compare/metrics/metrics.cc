@@ -6,8 +6,8 @@
 namespace rotorub {
 namespace {
 
-// Rms of v_t over the rows in contact: a disc that follows a ring of curvature 1/delta_0 along the
-// tangent for one step ends (v_t dt)^2 / (2 delta_0) beyond it.
+// From the rms of v_t over the rows in contact: a disc that moves along the tangent of a ring with
+// curvature 1/delta_0 for one step ends (v_t dt)^2 / (2 delta_0) beyond it.
 double whirl_penetration(const Trajectory& trajectory, double clearance) {
   const auto points = relative_motion(trajectory);
   const auto& normal = trajectory.column("normal_force");
@@ -36,7 +36,7 @@ void gather_forces(const Trajectory& trajectory, Metrics& m) {
   m.rms_penetration = std::sqrt(s.penetration_square / span);
 }
 
-// Over the last part of the run, of a speed that is not held.
+// Mean over the last part of the run; empty for a prescribed speed.
 std::optional<double> free_speed(const Trajectory& run, const char* angle, const char* speed,
                                  double from) {
   if (!run.has(speed) || run.rows() < 2) return std::nullopt;
@@ -88,12 +88,11 @@ Metrics totals(const Trajectory& trajectory) {
   m.peak_force = s.peak_force;
   m.contact_fraction = trajectory.contact_fraction();
   if (s.contact_time > 0.0) {
-    constexpr double kUnseen = 1e-9;  // round-off of the sums of two times
+    constexpr double kUnseen = 1e-9;  // round-off in the sum of two times
     const double lasting = 1.0 - s.impact_time / s.contact_time;
     m.lasting_fraction = lasting > kUnseen ? lasting * m.contact_fraction : 0.0;
   }
-  // Rigid laws are held against each other by their impacts, a soft contact against native by the
-  // window.
+  // Rigid laws are compared by their impacts, soft contacts with native by the window.
   if (trajectory.contact_model == "rigid") m.impact_impulse = m.peak_impulse;
   if (trajectory.contact_model != "rigid" || trajectory.engine == "native")
     m.window_impulse = s.window_impulse;
@@ -118,7 +117,7 @@ Metrics totals(const Trajectory& trajectory) {
 
 namespace {
 
-// N, of the contacts that give; what the ring of a catcher has to bear.
+// N, of the compliant contacts: the load on the ring of a catcher bearing.
 double largest_force(const Statistics& s, const std::vector<ContactFacts>& contacts) {
   if (s.contacts.empty()) return s.peak_force;
   double largest = 0.0;

@@ -14,7 +14,7 @@ namespace {
 
 using Complex = std::complex<double>;
 
-// The transform of one length, under a Hann window, with zeros behind it up to `finer` times that.
+// The transform for one length under a Hann window, padded with zeros to `finer` times the length.
 class Transform {
  public:
   explicit Transform(std::size_t values, std::size_t finer = 1)
@@ -36,7 +36,7 @@ class Transform {
     windowed.head(values_) = window_ * (all - all.mean());
     fourier_.fwd(spectrum_, windowed);
     const Eigen::ArrayXd size = spectrum_.array().abs() / window_.sum();
-    const auto first = size.begin() + (size_ - size_ / 2);  // the negative ones first
+    const auto first = size.begin() + (size_ - size_ / 2);  // negative frequencies first
     amplitude.insert(amplitude.end(), first, size.end());
     amplitude.insert(amplitude.end(), size.begin(), first);
   }

@@ -12,16 +12,16 @@ namespace {
 
 using Complex = std::complex<double>;
 constexpr double kSpinTurn = 2.0 * std::numbers::pi;
-constexpr std::size_t kSteps = 32;  // of a turn
+constexpr std::size_t kSteps = 32;  // per turn
 
-// Of the rows from the first that turns on.
+// The rows from the first one at which the rotor turns.
 struct Turning {
   std::vector<double> angle, t, slowness;  // rad, ascending; s; s/rad
   double sense = 1.0;
 };
 
 Turning turning(const Trajectory& run) {
-  constexpr double kStill = 0.02;  // of the highest speed
+  constexpr double kStill = 0.02;  // relative to the highest speed
   const auto &t = run.column("t"), &angle = run.column("spin_angle"),
              &speed = run.column("spin_speed");
   Turning out;
@@ -33,9 +33,9 @@ Turning turning(const Trajectory& run) {
     const double along = out.sense * speed[i], at = out.sense * angle[i];
     if (along <= kStill * most) {
       if (out.t.empty() && along >= -kStill * most) continue;
-      return {};  // it turns back, or stops on the way
+      return {};  // it reverses or stops in between
     }
-    // Rows at one instant: a jump, or times that differ by round-off.
+    // Rows at the same instant: a jump, or times that differ by round-off.
     if (!out.t.empty() && at <= out.angle.back()) continue;
     out.angle.push_back(at);
     out.t.push_back(t[i]);
@@ -88,7 +88,7 @@ OrderTrack order_track(const Trajectory& run, std::size_t most) {
     auto& vectors = track.probe.emplace_back();
     for (std::size_t k = 0; k < vectors.size(); ++k) {
       vectors[k] = (forward[k] + std::conj(backward[k])) / weight;
-      // As time goes on, whichever way it turns.
+      // In the direction of time, whichever way the rotor turns.
       if (turn.sense < 0.0) vectors[k] = std::conj(vectors[k]);
     }
   }

@@ -10,7 +10,7 @@
 namespace rotorub {
 namespace {
 
-constexpr double kNoOrbit = 1e-12;  // m, what round-off leaves of a rotor in the ring's centre
+constexpr double kNoOrbit = 1e-12;  // m, round-off of a rotor at the ring's centre
 
 RelativePoint polar(double t, double x, double y, double vx, double vy) {
   RelativePoint point;
@@ -50,7 +50,7 @@ std::vector<RelativePoint> relative_motion(const Trajectory& trajectory, std::si
 
 RowRange rows_between(const std::vector<RelativePoint>& points, double from, double to) {
   const auto begin = points.begin();
-  // A row at an end counts, whichever way its time was rounded.
+  // Rows at the ends are included, however their times were rounded.
   const double round_off = 1e-12 * std::max(std::abs(from), std::abs(to));
   const auto first = std::lower_bound(begin, points.end(), from - round_off,
                                       [](const RelativePoint& p, double t) { return p.t < t; });

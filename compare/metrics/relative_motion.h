@@ -1,5 +1,5 @@
-// Motion of the rotor's centre relative to the ring's, computed again from the positions and
-// velocities of a series, row by row, by code that no engine shares.
+// Motion of the rotor's centre relative to the ring's. It is recomputed from the positions and
+// velocities of each row of a series, by code that no engine uses.
 #pragma once
 
 #include <numbers>
@@ -9,8 +9,8 @@
 
 namespace rotorub {
 
-// d = r_rotor - r_ring in polar form. Where the centres coincide (delta = 0) there is no direction:
-// angle, rates and whirl speed are 0.
+// d = r_rotor - r_ring in polar form. If the centres coincide (delta = 0), the direction is
+// undefined, and angle, rates and whirl speed are 0.
 struct RelativePoint {
   double t = 0.0;            // s
   double delta = 0.0;        // m, |d|, >= 0
@@ -20,8 +20,8 @@ struct RelativePoint {
   double angle_rate = 0.0;   // rad/s, v_t / delta
 };
 
-// One point a row, at one of several contacts, from 0. Asserts the columns t, rotor_*, stator_* of
-// the contract.
+// One point per row, at the contact with this index. Asserts that the contract's columns t, rotor_*
+// and stator_* exist.
 std::vector<RelativePoint> relative_motion(const Trajectory& trajectory, std::size_t contact = 0);
 
 // Rows of `points` (ascending in t) with from <= t <= to: the half-open range of their indices.
@@ -31,24 +31,23 @@ struct RowRange {
 };
 RowRange rows_between(const std::vector<RelativePoint>& points, double from, double to);
 
-// How far the rows of a range go round, rad. The angle is unwrapped with the help of its rate, so
-// that rows may be further apart than half a turn: the whole turns between two rows are those that
-// come nearest to the mean of the two rates.
+// Angle travelled over the rows of a range, rad. The angle is unwrapped using its rate, so that
+// rows may be more than half a turn apart: the number of whole turns between two rows is the one
+// nearest to their mean rate.
 struct Turned {
   double net = 0.0;  // forward (along +z) positive
-  double all = 0.0;  // forth and back, >= |net|
-  // What the mean of the two rates is off by, mean of its size: pi / 2 where the whole turns are
-  // guessed.
+  double all = 0.0;  // back and forth, >= |net|
+  // Mean absolute error of that mean rate's prediction, rad; pi / 2 if the whole turns are guesses.
   double doubt = 0.0;
 };
-// From this `doubt` on rows are too far apart to tell the whole turns between them.
+// From this `doubt` on, rows are too far apart to determine the whole turns between them.
 inline constexpr double kMostDoubt = 0.25 * std::numbers::pi;
 
 Turned turned_by(const std::vector<RelativePoint>& points, RowRange range);
 
-// Mean whirl frequency d(angle)/dt of these rows, rad/s, forward positive; 0 for fewer than two
-// and where the rotor stays in the ring's centre but for round-off (1e-12 m), not a number where it
-// cannot be told.
+// Mean whirl frequency d(angle)/dt of these rows, rad/s, forward positive. 0 for fewer than two
+// rows, or if the rotor stays at the ring's centre within round-off (1e-12 m); NaN if it cannot be
+// determined.
 double whirl_frequency(const std::vector<RelativePoint>& points, RowRange range);
 
 }  // namespace rotorub

@@ -58,8 +58,8 @@ Residuals contact_residuals(const Trajectory& trajectory, const ContactFacts& fa
     if (!facts.gives) raise(r.penetration, -gap / facts.clearance);
     raise(r.adhesion, -normal[i] / F);
 
-    // Coulomb: |lambda_T| <= mu lambda_N; sliding: lambda_T = -mu lambda_N sign(gdot_T). Of a fixed
-    // step that begins or ends with sticking the greatest mu up to its slip counts.
+    // Coulomb: |lambda_T| <= mu lambda_N; sliding: lambda_T = -mu lambda_N sign(gdot_T). For a
+    // fixed step that begins or ends with sticking, the largest mu up to its slip is used.
     raise(r.cone, (std::abs(friction[i]) - facts.friction.bound(slip[i]) * pressed) / F);
     if (within_impact(points[i].t)) continue;
     raise(r.complementarity, std::max(0.0, gap) * pressed / (facts.clearance * F));

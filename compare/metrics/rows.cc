@@ -11,20 +11,21 @@ namespace rotorub {
 
 namespace {
 
-// Calls each(k, row, share, h): that the k-th time stands so far between row and the next, h later.
+// Calls each(k, row, share, h): time k lies at the fraction `share` between `row` and the next one,
+// which is h later.
 template <class Each>
 void along(std::span<const double> rows, std::span<const double> t, Each each) {
   assert(rows.size() >= 2);
   std::size_t row = 0;
   for (std::size_t k = 0; k < t.size(); ++k) {
-    // Mostly the next few rows.
+    // The next row is usually nearby.
     if (row + 2 < rows.size() && rows[row + 1] <= t[k]) {
       const auto from = rows.begin() + static_cast<std::ptrdiff_t>(row) + 1;
       const auto next = std::upper_bound(from, rows.end() - 1, t[k]);
       row = static_cast<std::size_t>(next - rows.begin()) - 1;
     }
     const double h = rows[row + 1] - rows[row];
-    // Two rows at one instant are a jump.
+    // Two rows at the same instant are a jump.
     const double share = h > 0.0 ? (t[k] - rows[row]) / h : t[k] < rows[row] ? 0.0 : 1.0;
     each(k, row, std::clamp(share, 0.0, 1.0), h);
   }

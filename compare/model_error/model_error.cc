@@ -20,7 +20,7 @@
 namespace rotorub {
 namespace {
 
-// Each change smaller than the one before, by a margin that chance does not give.
+// Whether each change is smaller than the previous one by more than chance.
 bool shrink(const std::vector<double>& changes) {
   constexpr double kMargin = 0.9;
   for (std::size_t i = 1; i < changes.size(); ++i) {
@@ -29,13 +29,14 @@ bool shrink(const std::vector<double>& changes) {
   return true;
 }
 
-// The scene with another number of modes. The native model reads no text: it is left as it is.
+// The scene with another number of modes. Its text stays unchanged, because the native model does
+// not read it.
 scene::Scene with_modes(scene::Scene scene, int modes) {
   scene::RotorGeometry& geometry = *scene.rotor.geometry;
   geometry.modes = modes;
   geometry.auto_modes = false;
   geometry.max_frequency.reset();
-  // A start in modal coordinates says nothing of further modes: they start at rest.
+  // A start in modal coordinates does not define the further modes, which start at rest.
   scene::Initial& start = scene.initial;
   for (auto* list : {&start.x, &start.y, &start.vx, &start.vy}) {
     if (!list->empty()) list->resize(static_cast<std::size_t>(modes), 0.0);
@@ -86,7 +87,7 @@ FigureLimit figure_limit(const Figure& figure, const std::vector<int>& modes,
   }
   const double left = result.last_change * modes[k - 1] / (modes[k] - modes[k - 1]);
   const double value = std::abs(share_of(figure, values[0], values[k]));
-  // The last three changes: the first modes are each of their own kind.
+  // The last three changes, because the first modes differ in kind.
   const std::vector<double> last(changes.end() - 3, changes.end());
   if (!shrink(last) || std::abs(left) >= 0.5 * value) return result;
   result.convergence = Convergence::kTrend;
@@ -116,7 +117,7 @@ ModelError model_error(const scene::Scene& scene, const ModelErrorParameters& pa
   const std::size_t rungs = error.modes.size();
   std::vector<Metrics> found(rungs);
   std::vector<std::string> failures(rungs);
-  // The dearest first.
+  // The most expensive rung first.
   in_parallel(rungs, parameters.jobs, parameters.interrupt, parameters.progress,
               [&](std::size_t k) {
                 const std::size_t rung = rungs - 1 - k;
@@ -138,7 +139,7 @@ ModelError model_error(const scene::Scene& scene, const ModelErrorParameters& pa
     if (!f.is_judged()) continue;
     std::vector<double> values;
     for (const Metrics& m : found) values.push_back(f.value(m));
-    // No run has it, or it is 0 in all.
+    // No run has the figure, or it is 0 in all runs.
     if (std::all_of(values.begin(), values.end(),
                     [](double v) { return std::isnan(v) || v == 0.0; }))
       continue;

@@ -1,6 +1,6 @@
-// The third error of a comparison, beside those of contact model and step: that of the bending
-// modes kept, which both sides share. The native model runs with `event` over a rising ladder of
-// modes, and each figure tends to something.
+// The third error of a comparison, besides contact model and step: the error from the
+// bending modes left out, which both sides share. The native model runs with `event` for increasing
+// numbers of modes, and the limit of each figure is estimated.
 #pragma once
 
 #include <atomic>
@@ -16,64 +16,66 @@
 
 namespace rotorub {
 
-// What a figure tends to: a pure function of its values.
+// The convergence of a figure, as a pure function of its values.
 //
-// Values x_0, x_1, ..., x_k over rising counts n_0 < ... < n_k, as shares of the first one's
-// reference (deviation(): points for shares of time), d_i = x_i - x_{i-1}. The modes left out by n
-// go as 1/n (the mobility of a beam's station that carries a mass), so that beyond the last rung
-//   left = d_k n_{k-1} / (n_k - n_{k-1})
-// is to be expected. With e the larger of tolerance and spread of twins:
-//   converged       the last two changes are within e, each and together: chance and tolerance
-//                   explain them
-//   trend           otherwise, where the changes shrink, and what is left is less than half the
-//                   value
+// Let x_0, x_1, ..., x_k be the values for rising numbers of modes n_0 < ... < n_k, relative to the
+// first one's reference (deviation(): points for shares of time), and d_i = x_i - x_{i-1}. The
+// effect of the modes left out decreases as 1/n (the mobility of a beam's station that carries a
+// mass), so the change to be expected beyond the last rung is
+//   left = d_k n_{k-1} / (n_k - n_{k-1}).
+// With e the larger of the tolerance and the twins' spread:
+//   converged       the last two changes are within e, each and together, so that chance and
+//                   tolerance explain them
+//   trend           otherwise, if the changes shrink, and `left` is less than half the value
 //   no limit seen   otherwise
 enum class Convergence { kConverged, kTrend, kNoLimit };
 const char* to_string(Convergence convergence);  // "converged", "trend", "no limit seen"
 
 struct FigureLimit {
   const Figure* figure = nullptr;
-  std::vector<double> values;  // SI, one a rung
+  std::vector<double> values;  // SI, one per rung
   Convergence convergence = Convergence::kNoLimit;
-  double last_change = 0.0;  // share: d_k
-  // Shares, where a limit is seen. `left`: trend only, else 0.
+  double last_change = 0.0;  // d_k, a share
+  // Shares; empty if no limit is seen. left: 0 except for a trend.
   std::optional<double> left;
-  // What the first rung, the scene's, is off by: x_0 - (x_k + left).
+  // Error of the first rung, which is the scene: x_0 - (x_k + left).
   std::optional<double> error;
 };
 
-// modes: ascending; values: as many, at least kFewestRungs. spread: share, >= 0, of twins.
+// modes: ascending. values: one per number of modes, at least kFewestRungs. spread: of twins, a
+// share >= 0.
 inline constexpr std::size_t kFewestRungs = 4;
 FigureLimit figure_limit(const Figure& figure, const std::vector<int>& modes,
                          const std::vector<double>& values, double tolerance, double spread);
 
-// n, and three rungs above it, a third of n (at least 2) apart: up to twice as many. The cost of a
-// rung grows with about the cube of its modes: a ladder takes some 20 runs of the scene's own.
+// n and three larger numbers, spaced by a third of n (at least 2), up to twice n. The cost of a run
+// grows with about the cube of its modes, so a ladder costs some 20 runs of the scene.
 std::vector<int> mode_ladder(int modes);
 
 struct ModelErrorParameters {
-  double tolerance = 0.01;     // share: on the judged figures
-  std::vector<double> spread;  // of twins, as figures(); empty: 0
-  double step = 0.0;           // s, that forces are averaged over; 0: the scene's
+  double tolerance = 0.01;     // share, for the judged figures
+  std::vector<double> spread;  // of twins, in the order of figures(); empty: 0
+  double step = 0.0;           // s, over which forces are averaged; 0: the scene's
   Jobs jobs = 0;
-  std::function<void(double)> progress;  // share done; may be empty
+  std::function<void(double)> progress;  // fraction done; may be empty
   const std::atomic<bool>* interrupt = nullptr;
 };
 
 struct ModelError {
-  std::vector<int> modes;            // of the rungs, ascending, the scene's first
-  std::vector<FigureLimit> figures;  // the judged ones; empty where there is a reason
-  std::string reason;                // why nothing is known; empty: it is
+  std::vector<int> modes;            // per rung, ascending, beginning with the scene's
+  std::vector<FigureLimit> figures;  // the judged ones; empty if there is a reason
+  std::string reason;                // why nothing is known; empty otherwise
 };
 
-// The rungs run on several processors; the result does not depend on how many there are.
+// The rungs run on several processors; the result does not depend on their number.
 ModelError model_error(const scene::Scene& scene, const ModelErrorParameters& parameters);
 
-// "modes kept: 12, 16, 20, 24" and a line a figure, for the terminal; `lead` before each line.
+// "modes kept: 12, 16, 20, 24" and one line per figure, for the terminal. lead: text before each
+// line.
 std::string model_error_table(const ModelError& error, const std::string& lead);
 
 // Model error as JSON: {"modes": [...], "<figure>": share or null, ..., "figures": {"<figure>":
-// {"values", "convergence", "last_change", "left", "error"}}, "reason" where there is nothing}.
+// {"values", "convergence", "last_change", "left", "error"}}, "reason" if nothing is known}.
 nlohmann::json model_error_json(const ModelError& error);
 
 }  // namespace rotorub

@@ -20,7 +20,7 @@ constexpr double kMicro = 1e6;
 
 const char* axis_of(const LoopSensitivity& loop) { return loop.axis == 0 ? "x" : "y"; }
 
-// Those of pairs with Im > 0, by their size.
+// The poles with Im >= 0, by rising absolute value.
 std::vector<std::complex<double>> shown_poles(const Levitation& levitation) {
   std::vector<std::complex<double>> shown;
   for (const auto& s : levitation.poles) {
@@ -65,7 +65,7 @@ LoopSheet pole_sheet(const Levitation& levitation) {
   return sheet;
 }
 
-// Rows begin with the loop's bearing and axis; cells: of the k-th loop.
+// Rows begin with the bearing and the axis of the loop; cells(k) returns the cells of loop k.
 template <class Cells>
 LoopSheet sheet_of_loops(const Levitation& levitation, std::string caption,
                          std::vector<LoopSheet::Column> columns, const Cells& cells) {

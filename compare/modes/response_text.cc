@@ -17,7 +17,7 @@ using nlohmann::json;
 
 constexpr double kMicrons = 1e6;
 
-// Empty: at rest, or nothing moves it about its mean.
+// Empty if the rotor is at rest or has no vibration.
 std::string vibration_sentence(const FreeOrbit& orbit, double speed, const char* micron) {
   const double limit = vibration_limit(speed);
   if (!std::isfinite(limit) || orbit.vibration == 0.0) return "";
@@ -26,7 +26,7 @@ std::string vibration_sentence(const FreeOrbit& orbit, double speed, const char*
                      orbit.vibration <= limit ? "within" : "beyond", kMicrons * limit, micron);
 }
 
-// An orbit at a contact, and when it is the rotor's: ", before the loss".
+// An orbit at a contact and its time: ", before the loss".
 struct TimedOrbit {
   const FreeOrbit& orbit;
   const char* when;

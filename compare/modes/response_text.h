@@ -1,5 +1,5 @@
-// The response of the free rotor at each contact, as `rotorub modes` says it: how far its centre
-// goes under unbalance, weight and forces, and what is left of the clearance there.
+// The response of the free rotor at each contact in `rotorub modes`: how far its centre moves under
+// unbalance, weight and forces, and how much of the clearance is left.
 #pragma once
 
 #include <nlohmann/json_fwd.hpp>
@@ -12,45 +12,46 @@
 
 namespace rotorub {
 
-// A contact beside which the response is told.
+// A contact at which the response is reported.
 struct ContactPlace {
   std::size_t bearing = 0;  // among the scene's auxiliary bearings
-  std::string name;         // empty: there is one alone
+  std::string name;         // empty if there is only one
   double clearance = 0.0;   // m
 };
 std::vector<ContactPlace> contact_places(const scene::Scene& scene);
 
-// The scene without the unbalance that comes later, as that of a lost blade does; nothing where
-// none comes.
+// The scene without the unbalance that appears later, for example from a lost blade. Empty if all
+// unbalance acts from the start.
 std::optional<scene::Scene> before_loss(const scene::Scene& scene);
 
 // The response at one spin speed.
 struct RotorResponse {
-  FreeResponse all;                         // to all loads that come to act
-  std::optional<FreeResponse> before_loss;  // of that scene
-  std::vector<std::string> few_modes;       // sentences on what the modes left out would change
+  FreeResponse all;                         // to all loads, including those that begin later
+  std::optional<FreeResponse> before_loss;  // of the scene before the loss
+  // Sentences on how the omitted modes would change the response.
+  std::vector<std::string> few_modes;
 
-  std::vector<std::string> notes() const;  // those of `all`, then those on the modes
+  std::vector<std::string> notes() const;  // the notes of `all`, then those on the modes
 };
 
-// m, peak to peak, of API 617: 25.4 um sqrt(12000 rpm / speed), and no more than 25.4 um; speed:
-// rad/s, either sign. For a rotor at rest infinity.
+// Vibration limit of API 617, m peak to peak: 25.4 um sqrt(12000 rpm / speed), at most 25.4 um.
+// speed: rad/s, either sign. Infinite at rest.
 double vibration_limit(double speed);
 
-// {"orbit": m or null, how far the rotor's centre goes from the ring's (linear/steady_orbit.h),
-// "least_gap": m, < 0 where it would touch, or null, "vibration": m, peak to peak,
-// "vibration_limit": m, that of API 617 at this speed, null at rest, "refused": why there is no
-// such orbit, or null, "before_loss": the same without it of the scene before a loss, or null}.
-// speed: rad/s.
+// {"orbit": m or null, largest distance of the rotor's centre from the ring's
+// (linear/steady_orbit.h), "least_gap": m, < 0 if they would touch, or null, "vibration": m, peak
+// to peak, "vibration_limit": m, of API 617 at this speed, null at rest, "refused": why there is no
+// such orbit, or null, "before_loss": the same keys except this one for the scene before a loss, or
+// null}. speed: rad/s.
 nlohmann::json response_json(const ContactPlace& place, const RotorResponse& response,
                              double speed);
 
-// For people: of each contact, before and after a loss, then the notes; ends with a line break, or
-// is empty.
+// For people: for each contact the response before and after a loss, then the notes. Ends with a
+// line break, or is empty.
 std::string response_text(const std::vector<ContactPlace>& places, const RotorResponse& response,
                           double speed);
 
-// For the page's cards, one, or two where a blade is lost: what is left of the clearance, and the
+// For the cards of the page: one, or two if a blade is lost, with the remaining clearance and the
 // orbit.
 struct ResponseWords {
   bool touches = false;

@@ -19,7 +19,7 @@
 namespace rotorub {
 namespace {
 
-// The scene's own where none are asked for.
+// The scene's speed if none is requested.
 std::vector<double> speeds_of(const scene::Scene& scene, const std::vector<double>& asked) {
   return asked.empty() ? std::vector<double>{scene.rotor.speed} : asked;
 }
@@ -74,7 +74,7 @@ void note_modes_left_out(scene::Scene free, int modes, const std::vector<double>
   try {
     model = prepare(free);
   } catch (const scene::SceneError&) {
-    return;  // the mesh has not so many
+    return;  // the mesh has fewer modes
   }
   for (std::size_t k = 0; k < speeds.size(); ++k) {
     const FreeResponse finer = free_response(free, *model, speeds[k]);
@@ -140,7 +140,7 @@ std::string spectrum_table(const WhirlSpectrum& spectrum) {
   return text;
 }
 
-// A column for each mode: its frequency at rest, then its value at each station.
+// One column per mode: its frequency at rest, then its value at each station.
 std::string plane_table(const std::vector<Station>& stations, const PlaneShapes& plane) {
   constexpr Eigen::Index kColumns = 6;
   const Eigen::Index n = std::min(kColumns, plane.frequency.size());
@@ -176,7 +176,7 @@ std::string shapes_table(const RotorAnalysis& analysis) {
          fmt::format("\n{}, plane y\n", title) + plane_table(shapes.stations, shapes.y);
 }
 
-// Those that unbalance excites: of planes that are alike it cannot drive backward whirl.
+// The critical speeds that unbalance excites; with isotropic planes it cannot drive backward whirl.
 std::string critical_table(const RotorAnalysis& analysis) {
   std::string text =
       fmt::format("\ncritical speeds that unbalance excites, undamped, up to {:.5g} rpm\n",
@@ -301,7 +301,7 @@ json modes_json(const RotorAnalysis& analysis) {
                                                      : levitation_json(analysis.levitations[at])}});
     for (std::size_t k = 0; k < analysis.rubs.size(); ++k) {
       const RubAnalyses& of = analysis.rubs[k];
-      if (of.contact.empty()) break;  // there is one
+      if (of.contact.empty()) break;  // there is only one contact
       spectra.back()["contacts"].push_back(
           {{"name", of.contact},
            {"response", response(k)},

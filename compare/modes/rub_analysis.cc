@@ -49,15 +49,16 @@ std::string whirls_table(const char* title, const std::vector<WhirlMode>& modes,
   return text;
 }
 
-// What of the scene turns and gives way: torsion, and a motor whose torque depends on the speed
-// alone.
+// The parts of the scene that make the spin free or flexible: torsion, and a motor whose torque
+// depends only on the speed.
 std::optional<rub::DriveTrain> train_of(const scene::Scene& scene) {
   if (!scene.drive && !scene.rotor.torsion) return {};
   if (scene.drive && scene.drive->kind == scene::DriveKind::kSpeedControlled) return {};
   return rub::drive_train(scene);
 }
 
-// rad/s up to which the motor is asked what rolling it keeps: 0 or less, and 0 or more.
+// rad/s: the range of speeds, from <= 0 to >= 0, in which rolling that the motor sustains is
+// searched.
 std::pair<double, double> outermost_speeds(const scene::Scene& scene) {
   std::vector<double> speeds{0.0, scene.rotor.speed};
   if (scene.drive) {
@@ -85,7 +86,7 @@ json stability_json(const rub::Stability& s) {
       {"growth_rate", number_or_null(s.growth)}, {"frequency", s.frequency}, {"stable", s.stable}};
 }
 
-// What force and motion a rub has, and whether it lasts.
+// Force and motion of a rub, and its stability.
 json steady_json(const rub::SteadyRub& rub, const rub::Stability& stability) {
   json all = stability_json(stability);
   all.update(
@@ -93,7 +94,7 @@ json steady_json(const rub::SteadyRub& rub, const rub::Stability& stability) {
   return all;
 }
 
-// A number, or the table of a scene.
+// A number, or the values of the scene's friction table.
 json friction_json(const FrictionLaw& law) {
   if (law.is_constant()) return law.coefficient;
   return {{"static", law.sticking()},
@@ -122,7 +123,7 @@ std::string rolling_text(const RubPoint& point) {
   return "friction is enough for backward rolling: " + text;
 }
 
-// The same rubs with the spin free, and where the motor keeps rolling.
+// The same rubs with the spin free, and the rolling that the motor sustains.
 std::string driven_text(const RubAnalysis& analysis) {
   std::string text;
   if (!analysis.driven.empty())
@@ -145,8 +146,8 @@ std::string driven_text(const RubAnalysis& analysis) {
   return text;
 }
 
-// m at the contact, by which the weight pulls the rotor out of the middle; not finite where nothing
-// holds it.
+// m: static displacement of the rotor at the contact under its weight; not finite if nothing holds
+// it.
 double sag(const Model& m) {
   const auto n = static_cast<Eigen::Index>(m.layout.modes);
   const Eigen::VectorXd q =
@@ -154,8 +155,9 @@ double sag(const Model& m) {
   return std::hypot(m.first().shape.x.dot(q.head(n)), m.first().shape.y.dot(q.tail(n)));
 }
 
-// Takes away what no rub stands under, and says so. About a middle that the weight has left for
-// good there is no rub: a rotor that only rings hold lies in them.
+// Removes the parts of the scene that a rub analysis does not support, and returns a sentence on
+// them. Refuses a rotor that nothing but the rings holds against its weight, because it rests in
+// them.
 std::string leave_out(scene::Scene& scene) {
   constexpr double kHeld = 1e3;  // clearances
   if (!scene.gravity || scene.gravity->acceleration.isZero(0.0)) return "";

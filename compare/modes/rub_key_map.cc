@@ -38,7 +38,7 @@ RubKeyMap rub_key_map(const scene::Variants& scenes, const MapAxis& across, cons
       map.points.emplace_back();
       try {
         scene::Scene scene = scenes.scene(changes, false);
-        // The start is no matter of a steady rub, and may not fit into another ring.
+        // A steady rub does not depend on the start, which might not fit into a different ring.
         scene.initial = {};
         for (auto& at : scene.auxiliary)
           if (at.stator) at.stator->position.setZero();

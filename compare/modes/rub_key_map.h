@@ -1,4 +1,4 @@
-// Which lasting rubs there are over any two keys of a scene.
+// The lasting rubs over any two keys of a scene.
 #pragma once
 
 #include <functional>
@@ -13,29 +13,30 @@ namespace rotorub {
 
 struct MapAxis {
   std::string key;   // "contact.clearance"
-  std::string unit;  // SI; empty: a number
+  std::string unit;  // SI; empty if dimensionless
   std::vector<double> values;
 };
 
-// Of rotor.speed each load keeps its ratio to the spin (rub::at_speed).
+// If rotor.speed varies, each load keeps its ratio to the spin (rub::at_speed).
 inline constexpr const char* kSpeedKey = "rotor.speed";
 inline constexpr const char* kFrictionKey = "contact.friction";
 
 struct RubKeyMap {
   MapAxis across, up;
-  std::vector<std::optional<rub::RubPoint>> points;  // up runs fastest; nothing: refused
-  std::string refused;                               // why, of the first refused one
+  std::vector<std::optional<rub::RubPoint>> points;  // up varies fastest; empty where refused
+  std::string refused;                               // the reason of the first refusal
 
   RubKeyMap() = default;
-  RubKeyMap(const rub::RubMap& map);  // NOLINT: is one, over speed and friction
+  // NOLINT: an implicit conversion from a map over speed and friction
+  RubKeyMap(const rub::RubMap& map);
   bool of_speed_and_friction() const { return across.key == kSpeedKey && up.key == kFrictionKey; }
   const std::optional<rub::RubPoint>& at(std::size_t across_k, std::size_t up_k) const {
     return points[across_k * up.values.size() + up_k];
   }
 };
 
-// A scene for each point; one that is refused has none. progress: the share done, may throw. Throws
-// scene::SceneError where every point is refused.
+// Makes a scene for each point; a refused scene leaves its point empty. progress receives the
+// fraction done and may throw. Throws scene::SceneError if every point is refused.
 RubKeyMap rub_key_map(const scene::Variants& scenes, const MapAxis& across, const MapAxis& up,
                       const std::function<void(double share)>& progress = {});
 

@@ -17,7 +17,8 @@ namespace {
 
 using nlohmann::json;
 
-// By the set's bits (rub::Attractor): with rolling, which is nearly everywhere, a capital.
+// Indexed by the bits of the set (rub::Attractor). Rolling, which is possible nearly everywhere, is
+// marked by a capital letter.
 constexpr std::array<char, 16> kLetters = {'-', '.', 'r', 'b', 'w', 'v', 'x', 'a',
                                            'o', 'O', 'R', 'B', 'W', 'V', 'X', 'A'};
 
@@ -30,7 +31,7 @@ nlohmann::json rows_of(const Eigen::MatrixXd& matrix) {
   return rows;
 }
 
-// As on the pages: of rad/s Hz.
+// Hz instead of rad/s, as on the pages.
 double axis_scale(const MapAxis& axis) { return axis.unit == "rad/s" ? kHz : 1.0; }
 std::string axis_title(const MapAxis& axis) {
   if (axis.unit.empty()) return axis.key;

@@ -1,5 +1,5 @@
-// Maps of lasting rubs, over spin speed and friction or cross-coupled feedback, as JSON and text;
-// and the plant that a control engineer asks of a scene.
+// Maps of lasting rubs over spin speed and friction or over cross-coupled feedback, as JSON and
+// text; and the plant of a scene for control design.
 #pragma once
 
 #include <nlohmann/json_fwd.hpp>
@@ -12,12 +12,13 @@
 
 namespace rotorub {
 
-// {"speeds": [rad/s], "frictions": [], "points": [...]}: rub_point_json of each, the friction
-// fastest. Of other keys "across" and "up": {"key", "unit", "values"} in the place of the two; a
-// point that is refused is null.
+// {"speeds": [rad/s], "frictions": [], "points": [...]}: rub_point_json of each point, with the
+// friction varying fastest. For other keys, "across" and "up": {"key", "unit", "values"} replace
+// the first two. A refused point is null.
 nlohmann::json rub_map_json(const RubKeyMap& map);
 
-// The first key across, the second up, a letter for what may coexist, and their meaning.
+// A picture with the first key across and the second up: one letter for the set of possible rubs,
+// and a legend.
 std::string rub_map_picture(const std::string& name, const RubKeyMap& map);
 
 // {"speed", "states": [names], "inputs", "outputs", "A", "B", "C"}: rows of numbers, SI.
@@ -26,10 +27,10 @@ nlohmann::json state_space_json(const scene::Scene& scene, const LinearPlant& pl
 // {"speeds", "feedbacks", "growth": rows of 1/s or null, "stable", "normal_force", "rule": [N s/m
 // or null]}
 nlohmann::json feedback_map_json(const rub::FeedbackMap& map);
-// The rule as a scene's keys, two lines; empty where no k is stable at any speed.
+// The rule as keys of a scene, on two lines; empty if no k is stable at any speed.
 std::string feedback_keys(const rub::FeedbackMap& map);
-// A line a speed: the k under which the forced rub decays fastest, and from where to where it is
-// stable; then feedback_keys.
+// One line per speed: the k at which the forced rub decays fastest, and the range of k in which it
+// is stable; then feedback_keys.
 std::string feedback_map_table(const std::string& name, const rub::FeedbackMap& map);
 
 }  // namespace rotorub

@@ -21,7 +21,8 @@ const json* element_of(const json& list, const std::string& part) {
   return whole && k < list.size() ? &list[k] : nullptr;
 }
 
-// Whether every way leads to a number; they go to `numbers`.
+// Appends the numbers at the path to `numbers`. Returns false if some branch does not end at a
+// number.
 bool gather(const json& at, std::span<const std::string> parts, std::vector<double>& numbers) {
   if (parts.empty()) {
     if (!at.is_number() || !std::isfinite(at.get<double>())) return false;

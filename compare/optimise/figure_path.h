@@ -1,4 +1,4 @@
-// A figure of a scene that an optimisation goes by: a number of its run, or of its modes.
+// A figure that an optimisation uses: a number of the scene's run or of its modes.
 #pragma once
 
 #include <nlohmann/json_fwd.hpp>
@@ -10,20 +10,19 @@ namespace rotorub::optimise {
 
 enum class Source { kRun, kModes };
 
-// "peak_force", "settled.spin_speed": of the run, a figure or a key of its summary.
-// "modes.speeds.0.response.orbit": of what `rotorub modes --json` prints. A `*` stands for every
-// element of a list: of several numbers the worst one counts.
+// Paths such as "peak_force" and "settled.spin_speed" name a figure of the run or a key of its
+// summary. Paths such as "modes.speeds.0.response.orbit" lead into the output of `rotorub modes
+// --json`. A `*` stands for every element of a list; of several numbers the worst one counts.
 struct FigurePath {
   std::string text;
   Source source = Source::kRun;
-  std::vector<std::string> parts;  // behind "modes."
+  std::vector<std::string> parts;  // after "modes."
 };
 
-// Throws std::invalid_argument with what is accepted.
+// Throws std::invalid_argument with the accepted forms.
 FigurePath parse_figure(const std::string& text);
 
-// The least or the largest of the numbers that the path leads to; nothing: there is none, or one
-// that is null.
+// The smallest or largest of the numbers at the path; empty if there is none or if one is null.
 std::optional<double> figure_value(const FigurePath& path, const nlohmann::json& all, bool largest);
 
 }  // namespace rotorub::optimise

@@ -17,10 +17,11 @@ using scene::TomlNode;
 using sweep::StudyTable;
 using Diagnostics = std::vector<scene::Diagnostic>;
 
-// Of a run's figures the first part is known before any run; a mistyped one would cost them all.
+// The first part of a run's figure is checked before any run, because a typing error would waste
+// all runs.
 void check_name(const FigurePath& path) {
   if (path.source != Source::kRun) return;
-  std::vector<std::string_view> known{"contacts", "residuals"};  // and what is in them
+  std::vector<std::string_view> known{"contacts", "residuals"};  // their contents are not checked
   for (const ColumnMeaning& key : summary_keys())
     known.push_back(key.name.substr(0, key.name.find('.')));
   if (std::ranges::find(known, path.parts.front()) != known.end()) return;
@@ -46,7 +47,7 @@ std::optional<FigurePath> figure_of(const StudyTable& table, const char* key) {
   }
 }
 
-// A limit, in SI: which unit a figure has, its text does not say.
+// The limit is in SI, because the text of a figure does not determine its unit.
 void read_constraint(const StudyTable& table, Goal& goal) {
   const auto figure = figure_of(table, "figure");
   if (!table.has("figure")) table.missing("figure", "a figure, as those of `minimise`");

@@ -1,4 +1,4 @@
-// What a study asks to be optimised: its table [optimise].
+// The table [optimise] of a study, which defines the goal of an optimisation.
 #pragma once
 
 #include <filesystem>
@@ -11,11 +11,11 @@
 
 namespace rotorub::optimise {
 
-// NLopt's COBYLA, BOBYQA, Nelder-Mead and Sbplx; kDirect: DIRECT-L over the whole range with half
-// of the evaluations, then COBYLA from the best that it found. None of them draws numbers.
+// NLopt's COBYLA, BOBYQA, Nelder-Mead and Sbplx. kDirect: DIRECT-L over the whole range with half
+// of the evaluations, then COBYLA from its best point. All are deterministic.
 enum class Algorithm { kCobyla, kBobyqa, kNelderMead, kSubplex, kDirect };
 
-// The figure stays at or above `min`, and at or below `max`; one of the two.
+// The figure must stay <= limit if is_max, otherwise >= limit.
 struct Constraint {
   FigurePath figure;
   double limit = 0.0;  // SI
@@ -27,20 +27,20 @@ struct Goal {
   bool maximise = false;
   std::vector<Constraint> constraints;
   Algorithm algorithm = Algorithm::kCobyla;
-  int evaluations = 200;    // at most, >= 1
-  double tolerance = 1e-4;  // the end: the keys move by less, as shares of their ranges; > 0
+  int evaluations = 200;    // upper limit, >= 1
+  double tolerance = 1e-4;  // stops when the keys change by less, relative to their ranges; > 0
 
-  // Whether any of its figures is of the source.
+  // Whether the goal or a constraint uses a figure of this source.
   bool needs(Source source) const;
 };
 
-// A study and its goal. Keys vary between `from` and `to`, begin at `start`, or midway.
+// A study and its goal. Keys vary between `from` and `to` and begin at `start`, by default midway.
 struct Task {
   sweep::Study study;
   Goal goal;
 };
 
-// Throws scene::SceneError with everything that is wrong.
+// Throws scene::SceneError with all errors.
 Task read_task(const std::filesystem::path& file);
 
 }  // namespace rotorub::optimise

@@ -23,9 +23,9 @@ namespace {
 
 using nlohmann::json;
 
-struct Stopped {};  // by the user
+struct Stopped {};  // interrupted by the user
 
-// Share of the way from `from` to `to`, of a key's start.
+// The key's start as a fraction of the way from `from` to `to`.
 double start_share(const sweep::Vary& vary) {
   if (!vary.start) return 0.5;
   if (vary.spacing == sweep::Spacing::kLinear)
@@ -42,7 +42,7 @@ class Search {
     std::vector<double> at;
     for (const sweep::Vary& vary : task_.study.vary) at.push_back(start_share(vary));
     const int all = task_.goal.evaluations;
-    // A start that is refused is a mistake of the study.
+    // Throws if the start is refused, because the study is then wrong.
     scene_of(task_, variants_, values_of(at), false);
     if (task_.goal.algorithm != Algorithm::kDirect) {
       constexpr nlopt::algorithm kAlgorithms[] = {nlopt::LN_COBYLA, nlopt::LN_BOBYQA,
@@ -58,9 +58,9 @@ class Search {
   }
 
  private:
-  // Up to so many evaluations in all.
+  // Stops after `most` evaluations in total.
   void search(nlopt::algorithm algorithm, std::vector<double> at, int most) {
-    constexpr double kFirstStep = 0.1;  // share of a range
+    constexpr double kFirstStep = 0.1;  // relative to the range
     const std::size_t keys = at.size();
     if (static_cast<int>(out_.evaluations.size()) >= most) {
       out_.ending = Ending::kEvaluations;
@@ -106,13 +106,14 @@ class Search {
   }
 
   double sign() const { return task_.goal.maximise ? -1.0 : 1.0; }
-  // Above 0: broken, as a share of the limit.
+  // Positive if violated; relative to the limit.
   double excess(std::size_t k, double value) const {
     const Constraint& c = task_.goal.constraints[k];
     const double size = c.limit == 0.0 ? 1.0 : std::abs(c.limit);
     return (c.is_max ? value - c.limit : c.limit - value) / size;
   }
-  // What no run has, worse than all that any run had, and finite: linear models go through it.
+  // The objective of a point without a result: worse than every result so far, but finite, because
+  // the algorithms fit linear models through it.
   double penalty() const {
     double low = 0.0, high = 0.0;
     bool any = false;
@@ -133,7 +134,8 @@ class Search {
     return values;
   }
 
-  // NLopt asks for the goal and for each constraint by itself: each point is run once.
+  // NLopt calls the objective and each constraint separately, so the point is run once and
+  // remembered.
   const Evaluation& at(const std::vector<double>& shares) {
     if (const auto found = known_.find(shares); found != known_.end())
       return out_.evaluations[found->second];
@@ -142,7 +144,7 @@ class Search {
       out_.evaluations.push_back(evaluate(values_of(shares)));
     } catch (const Stopped&) {
       interrupted_ = true;
-      throw nlopt::forced_stop();  // the only way out through NLopt
+      throw nlopt::forced_stop();  // the only exception that passes through NLopt
     }
     known_[shares] = shares_.size();
     shares_.push_back(shares);
@@ -158,7 +160,7 @@ class Search {
       out_.best = out_.evaluations.size() - 1;
   }
 
-  // Of the run: its figures, with what its summary has besides.
+  // Runs the scene; returns its figures and the rest of its summary.
   json run_json(const scene::Scene& scene, Evaluation& out) const {
     RunRequest request;
     request.interrupt = options_.interrupt;
@@ -219,7 +221,7 @@ class Search {
   const scene::Variants& variants_;
   const OptimiserOptions& options_;
   Optimum out_;
-  std::map<std::vector<double>, std::size_t> known_;  // by the shares of the keys
+  std::map<std::vector<double>, std::size_t> known_;  // keyed by the shares of the keys
   std::vector<std::vector<double>> shares_;           // of each evaluation
   std::vector<Call> calls_;
   int most_ = 0;

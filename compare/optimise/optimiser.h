@@ -1,4 +1,4 @@
-// Searches the values of a study's keys for the best of its goal, by NLopt.
+// Searches for the values of a study's keys that best meet its goal, using NLopt.
 #pragma once
 
 #include <atomic>
@@ -13,14 +13,14 @@
 
 namespace rotorub::optimise {
 
-// One scene that was tried.
+// One evaluated scene.
 struct Evaluation {
-  std::vector<double> values;                      // of each key, SI
-  std::string status;                              // ok, of a run, or refused
-  std::string reason;                              // why it is not ok
-  std::optional<double> figure;                    // SI; nothing: not ok
-  std::vector<std::optional<double>> constraints;  // figures of the constraints, SI
-  double violation = 0.0;  // >= 0, the most by which a constraint is broken, over its limit
+  std::vector<double> values;                      // one per key, SI
+  std::string status;                              // ok, the status of the run, or refused
+  std::string reason;                              // empty if ok
+  std::optional<double> figure;                    // SI; empty unless ok
+  std::vector<std::optional<double>> constraints;  // values of the constraints' figures, SI
+  double violation = 0.0;  // >= 0, largest violation of a constraint relative to its limit
   bool ok() const { return status == "ok"; }
 };
 
@@ -28,9 +28,10 @@ enum class Ending { kConverged, kEvaluations, kRoundoff, kInterrupted };
 const char* to_string(Ending ending);
 
 struct Optimum {
-  std::vector<Evaluation> evaluations;  // in their order, each point once
-  std::optional<std::size_t> best;      // of these: the best that breaks no constraint by more
-                                        // than kFeasible; nothing: none
+  std::vector<Evaluation> evaluations;  // in order, each point once
+  // Index of the best evaluation that violates no constraint by more than kFeasible; empty if there
+  // is none.
+  std::optional<std::size_t> best;
   Ending ending = Ending::kConverged;
   static constexpr double kFeasible = 1e-6;
 };
@@ -40,12 +41,12 @@ struct OptimiserOptions {
   std::function<void(const Optimum&)> progress;  // after each evaluation
 };
 
-// The scene of values, one for each key of the study.
+// The scene with these values, one per key of the study.
 scene::Scene scene_of(const Task& task, const scene::Variants& variants,
                       const std::vector<double>& values, bool with_text);
 
-// The same scene, goal and start give the same evaluations, to the last bit. Throws
-// scene::SceneError where the start is refused.
+// Deterministic: the same scene, goal and start give the same evaluations to the last bit. Throws
+// scene::SceneError if the start is refused.
 Optimum optimise(const Task& task, const scene::Variants& variants,
                  const OptimiserOptions& options = {});
 

@@ -27,7 +27,8 @@ std::string field(const std::optional<double>& value) {
   return text;
 }
 
-// Of the figure in SI; empty: of modes, whose figures have no list, or a number.
+// The SI unit of the figure with a space before it; empty if dimensionless, and for figures of
+// modes.
 std::string unit_of(const FigurePath& figure) {
   if (figure.source != Source::kRun) return {};
   const auto keys = metric_keys();
@@ -37,7 +38,8 @@ std::string unit_of(const FigurePath& figure) {
 
 enum class End { kNone, kLower, kUpper };
 
-// The end of its range that a key's value has come to: the search ends some tolerances away.
+// The end of its range that a key's value has reached, within a margin, because the search stops
+// some tolerances away.
 End end_of(const Task& task, std::size_t key, double value) {
   const sweep::Vary& vary = task.study.vary[key];
   const double near = std::clamp(10.0 * task.goal.tolerance, 1e-9, 0.01);

@@ -33,13 +33,13 @@ std::string element(const mjModel* m, const char* kind, mjtObj type, int id) {
   return name ? fmt::format("{} \"{}\"", kind, name) : fmt::format("{} number {}", kind, id + 1);
 }
 
-// What moves, and the force at the contact that would move it as much.
+// The part that moves, and the contact force that would move it as much.
 struct Effect {
   const char* part = "";
   double force = 0.0;  // N
 };
 
-// a: of the twin's coordinates.
+// a: accelerations of the twin's coordinates. Returns the largest effect.
 Effect effect_of(const Model& model, const VectorXd& a) {
   Effect largest;
   const auto take = [&largest](const char* part, double force) {
@@ -63,9 +63,9 @@ Effect effect_of(const Model& model, const VectorXd& a) {
   return largest;
 }
 
-// Where the rows of a constraint come from.
+// The origin of a constraint row.
 struct Source {
-  int type, id, second = -1;  // of a contact its geoms
+  int type, id, second = -1;  // of a contact: its two geoms
   auto operator<=>(const Source&) const = default;
 };
 
@@ -142,10 +142,10 @@ class OmissionMeter {
   }
 
  private:
-  // Of a state whose qpos, qvel, act and ctrl are set: all forces but constraints and contacts.
+  // All forces except constraints and contacts, for a state with qpos, qvel, act and ctrl set.
   VectorXd smooth_force(mjModel* m, mjData* d) const {
     mj_fwdPosition(m, d);
-    // With the actuation disabled the plugin's contact would act among the passive forces.
+    // With the actuation disabled, the plugin's contact would count as a passive force.
     const int flags = m->opt.disableflags;
     m->opt.disableflags &= ~mjDSBL_ACTUATION;
     mj_fwdVelocity(m, d);
@@ -164,7 +164,7 @@ class OmissionMeter {
     setup_.read(rates_.get(), q.data(), rates.data());
     return rates;
   }
-  // C M^-1 force, M of the step's begin.
+  // C M^-1 force, with M at the start of the step.
   VectorXd accelerations(const VectorXd& force) {
     VectorXd a(nv_);
     mj_solveM(m_, begin_.get(), a.data(), force.data(), 1);
@@ -214,7 +214,7 @@ class OmissionMeter {
   void look_at_contact(std::size_t k) {
     const plugin::ContactPair& pair = setup_.config->pairs[k];
     const plugin::ContactPlace place = plugin::contact_place(pair, begin_.get());
-    Matrix3d turned = Matrix3d::Identity();  // from the axes of this ring to the twin's
+    Matrix3d turned = Matrix3d::Identity();  // from the axes of this ring to the twin's axes
     for (int i = 0; i < 2; ++i) {
       for (int j = 0; j < 2; ++j) {
         turned(i, j) = 0.0;
@@ -253,10 +253,13 @@ class OmissionMeter {
     }
   }
 
-  // The smooth force that a tendon or an actuator has at the peak beyond its linear one: of c, the
-  // force with it less that without it,
-  //   c(1) - c(0) - (c(e) - c(-e)) / 2e,     c(s): deflections and their rates times s,
-  // at the angles and speeds of the peak, with its activations in c(1) and those of the start else.
+  // The nonlinear part at the peak of the smooth force of one tendon or actuator:
+  //
+  //   c(1) - c(0) - (c(e) - c(-e)) / 2e
+  //
+  // c(s) is the force with the element minus the force without it, with deflections and their rates
+  // scaled by s, at the angles and speeds of the peak. The activations are those of the peak in
+  // c(1) and those of the start otherwise.
   VectorXd bent_force(mjModel* without) {
     const VectorXd rest = VectorXd::Zero(nv_);
     VectorXd moved(nv_), v(nv_), turning(nv_);
@@ -286,10 +289,10 @@ class OmissionMeter {
     constexpr double kSmall = 1e-3;
     const VectorXd linear = at(0.0, start.get()) +
                             (at(kSmall, start.get()) - at(-kSmall, start.get())) / (2.0 * kSmall);
-    return at(1.0, peak_.get()) - linear;  // last, for M of the peak
+    return at(1.0, peak_.get()) - linear;  // last, because it uses M at the peak
   }
 
-  // ", mainly of actuator "servo",": what makes most of the peak of the smooth forces.
+  // ", mainly of actuator "servo",": the element that causes most of the peak of the smooth forces.
   std::string cause_of_peak() {
     std::string cause;
     double largest = 0.5 * smooth_.force;
@@ -316,11 +319,12 @@ class OmissionMeter {
   mjModel* m_;
   const Model& model_;
   int nv_;
-  // The run; the state at its step's begin, without what the plugin adds to the forces; the state
-  // where the smooth forces are furthest off; the one that rates are mapped by.
+  // The run; the state at the start of the step, without the plugin's forces; the state where the
+  // smooth forces differ most; the state for mapping rates.
   MujocoData run_, begin_, peak_, rates_;
-  std::array<double, 9> axes_{};  // of the twin: the first ring's in qpos0, as columns
-  VectorXd q_;                    // of the step's begin
+  std::array<double, 9>
+      axes_{};  // columns: the twin's axes, which are the first ring's axes in qpos0
+  VectorXd q_;  // at the start of the step
 
   std::map<Source, double> constraints_;  // N
   Effect smooth_;

@@ -43,8 +43,8 @@ constexpr const char* kNoContactText =
     "missing; add it with data=\"rigid\", the default that the file uses now, so that the "
     "comparison can replace it by the other contact models";
 
-// The models' texts rotorub_contact, which are of the length that the file gave them: all texts are
-// put where more have room. The owner of what is returned must outlive the model.
+// Sets the models' texts rotorub_contact to `word`. Their length in the file is fixed, so all texts
+// are moved to larger buffers. The returned owner of these buffers must outlive the model.
 std::shared_ptr<void> say_contact(mjModel* m, const char* word) {
   struct Texts {
     std::vector<char> data;
@@ -69,8 +69,8 @@ std::shared_ptr<void> say_contact(mjModel* m, const char* word) {
   return texts;
 }
 
-// The sensors of the rubs' forces at MuJoCo's last stage: `cone` finds them after the velocity
-// stage, in which other models' may be filled.
+// Evaluates the sensors of the rub forces in MuJoCo's last stage. The contact model `cone` knows
+// the forces only after the velocity stage, in which the other models can fill the sensors.
 void ask_late(mjModel* m) {
   for (const plugin::PairName& pair : plugin::own_pair_names(m)) {
     for (const char* name : {names::kNormalForce, names::kFrictionForce, names::kNormalForceScaled,
@@ -82,7 +82,7 @@ void ask_late(mjModel* m) {
   }
 }
 
-// A pair as a generated file has it.
+// Sets a pair as in a generated file.
 void set_pair(mjModel* m, const plugin::ContactPair& own, scene::ContactModel contact) {
   const ContactParameters& c = own.contact;
   const ContactPair pair = contact_pair(contact, c.clearance, c.friction,
@@ -100,8 +100,8 @@ void set_pair(mjModel* m, const plugin::ContactPair& own, scene::ContactModel co
   m->pair_gap[at] = pair.gap;
 }
 
-// MuJoCo's refusal of a word that it does not know, or of a text without data, says neither that a
-// later release may know the word nor what to write.
+// For an unknown word or a text without data, MuJoCo's message says neither what to write nor that
+// a later release may know the word.
 std::string load_advice(const std::string& error) {
   const auto says = [&error](const char* words) { return error.find(words) != error.npos; };
   if (says("'text'") && (says("data") || says("text field"))) {
@@ -119,8 +119,8 @@ std::string load_advice(const std::string& error) {
   return {};
 }
 
-// MuJoCo's defaults. The plugin takes no solref that bounces otherwise than its names say, so that
-// they say what this one does.
+// Sets MuJoCo's default solref. The plugin refuses a solref whose restitution differs from the
+// named values, so these are set to match.
 void set_default_solref(mjModel* m, const plugin::Config& config) {
   const auto set = [m](const std::string& name, double value) {
     const int id = mj_name2id(m, mjOBJ_NUMERIC, name.c_str());
@@ -136,8 +136,8 @@ void set_default_solref(mjModel* m, const plugin::Config& config) {
   }
 }
 
-// As the file has it, its load cells asked for late, where a linked program can correct them
-// (plugin/load_cells.h).
+// Loads the file as it is, except that its load cells are evaluated late, where a linked program
+// can correct them (plugin/load_cells.h).
 MujocoModel load_machine(const std::filesystem::path& file) {
   MujocoModel m;
   try {
@@ -152,7 +152,7 @@ MujocoModel load_machine(const std::filesystem::path& file) {
   return m;
 }
 
-// A run starts from the keyframe "start" or "test". Other keyframes would be left out of it.
+// A run starts from the keyframe "start" or "test" and would ignore other keyframes.
 void check_keyframes(const mjModel* m) {
   if (m->nkey == 0 || start_keyframe(m) >= 0) return;
   std::string found;
@@ -184,8 +184,8 @@ std::vector<int> dofs_of(const mjModel* m, int geom) {
   return dofs;
 }
 
-// The twin has no constraints: a rotor that is driven, or a ring that is held, by an equality would
-// be another machine there.
+// The twin has no constraints, so a rotor driven or a ring held by an equality would be a different
+// machine there.
 void check_equalities(const mjModel* m, const plugin::Config& config) {
   if (m->neq == 0) return;
   const MujocoData start = make_start(m);
@@ -219,7 +219,7 @@ bool is_round(int type) {
   return type == mjGEOM_SPHERE || type == mjGEOM_CAPSULE || type == mjGEOM_CYLINDER;
 }
 
-// A clearance unlike the drawn one may be a mistake.
+// Reports a clearance that differs from the drawn one, which may be a mistake.
 void add_drawn_clearances(const mjModel* m, const plugin::Config& config,
                           std::vector<std::string>& limits) {
   constexpr double kAlike = 0.01;
@@ -308,7 +308,7 @@ OwnMachine::OwnMachine(const std::filesystem::path& file, const OwnRun& run) : f
   scene_.name = file.stem().string();
   scene_.text = text_of(file);
   scene_.run.end = run.end;
-  if (controller_) prepare(scene_);  // what is wrong with its law is said here
+  if (controller_) prepare(scene_);  // reports errors of its law here
 }
 
 plugin::NativeTwin OwnMachine::twin(const mjModel* m, const plugin::Config& config) const {

@@ -1,5 +1,5 @@
-// A machine of the user's own: an MJCF with the plugin's names (plugin/own/own_config.h), and its
-// native twin (plugin/twin/native_twin.h), to be compared like a scene.
+// A user's own machine: an MJCF with the plugin's names (plugin/own/own_config.h) and its native
+// twin (plugin/twin/native_twin.h). It can be compared like a scene.
 #pragma once
 
 #include <atomic>
@@ -21,55 +21,58 @@ namespace rotorub {
 struct OwnRun {
   std::optional<double> step;  // s, > 0; default: the model's <option timestep>
   double end = 1.0;            // s, > 0
-  // Of a [controller] on the ring, "controller.key=value" (scene/overrides.h); empty: ctrl stays as
-  // the start has it.
+  // Overrides "controller.key=value" (scene/overrides.h) of a [controller] on the ring. If empty,
+  // ctrl stays as at the start.
   std::vector<std::string> control{};
 };
 
-// Which solref the pairs of an own model have in a run.
+// The solref of an own model's pairs in a run.
 enum class OwnSolref {
-  kChosen,  // the file's with its own contact model; with another, one that suits step and
-            // restitution
+  // With the file's own contact model the file's solref, otherwise one that suits step and
+  // restitution.
+  kChosen,
   kDefault  // MuJoCo's default
 };
 
 class OwnMachine {
  public:
-  // Starts from the keyframe "start" or "test", or from qpos0 if there is no keyframe. Throws
-  // plugin::ConfigError, with all that is wrong, for what the plugin refuses or has no twin,
-  // std::runtime_error with MuJoCo's message for what MuJoCo cannot read, or where no actuators
-  // take a controller's commands (ring_control.h), scene::SceneError for a start outside the ring,
-  // or at "controller".
+  // Starts from the keyframe "start" or "test", or from qpos0 without a keyframe. Throws
+  // plugin::ConfigError with all reasons if the plugin refuses the model or it has no twin;
+  // std::runtime_error with MuJoCo's message if MuJoCo cannot read it, or if no actuators take a
+  // controller's commands (ring_control.h); scene::SceneError for a start outside the ring or a
+  // wrong controller.
   explicit OwnMachine(const std::filesystem::path& file, const OwnRun& run = {});
 
   // The twin, named after the file; its text is the file's.
   const scene::Scene& scene() const { return scene_; }
-  // What the twin is known to leave out before any run, sentences.
+  // Sentences about what the twin leaves out, as far as known before any run.
   const std::vector<std::string>& limits() const { return limits_; }
-  // What it leaves out in a run of the machine with this contact model, as long as the scene's.
+  // What the twin leaves out in a run of the machine with this contact model, as long as the
+  // scene's run.
   std::vector<Omission> omissions(scene::ContactModel contact,
                                   const std::atomic<bool>* interrupt = nullptr) const;
   // The contact model that the file asks for.
   scene::ContactModel contact() const { return contact_; }
 
-  // The user's model with one of the contact models. Its own: as the file has it. Another: the
-  // pairs are set as a generated file's would be (mjcf/soft_contact.h).
+  // The user's model with a contact model. With its own one, it stays as in the file; with another,
+  // the pairs are set as in a generated file (mjcf/soft_contact.h).
   MujocoSetup setup(scene::ContactModel contact, double step,
                     OwnSolref solref = OwnSolref::kChosen) const;
 
  private:
-  // Of the model as it starts; its controller, if it has one, is put in.
+  // The twin of the model at its start, including the controller if there is one.
   plugin::NativeTwin twin(const mjModel* m, const plugin::Config& config) const;
 
   std::filesystem::path file_;
   scene::ContactModel contact_ = scene::ContactModel::kRigid;
   std::optional<scene::Controller> controller_;
-  RingActuators actuators_;  // that it commands
+  RingActuators actuators_;  // commanded by the controller
   scene::Scene scene_;
   std::vector<std::string> limits_;
 };
 
-// MuJoCo on the user's model; scenes given to it must be the machine's, but for run and start.
+// MuJoCo on the user's model. Its scenes must be the machine's, with any [run] and the machine's
+// start.
 std::unique_ptr<Engine> own_engine(std::shared_ptr<const OwnMachine> machine,
                                    scene::ContactModel contact,
                                    OwnSolref solref = OwnSolref::kChosen);

@@ -18,7 +18,7 @@ namespace {
 
 using Eigen::VectorXd;
 
-// Any scene that takes a [controller]: its law reads the plant from the twin.
+// A scene that accepts a [controller]; the law takes the plant from the twin.
 constexpr const char* kCarrier = R"(
 [run]
 [rotor]
@@ -47,7 +47,7 @@ double control_unit(const mjModel* m, int control) {
   return m->actuator_ctrllimited[control] && most > 0.0 ? std::min(1.0, most) : 1.0;
 }
 
-// Generalised force of a unit of ctrl, at rest in the pose of qpos0.
+// Generalised force per unit of ctrl, at rest in qpos0.
 VectorXd push_of(const mjModel* m, const plugin::Config& config, int actuator) {
   const MujocoData start = make_start(m);
   std::fill_n(start->ctrl, m->nu, 0.0);
@@ -58,7 +58,7 @@ VectorXd push_of(const mjModel* m, const plugin::Config& config, int actuator) {
   return (plugin::Probe(m, config, start.get()).force(rest) - without) / start->ctrl[control];
 }
 
-// A law's force must come to the ring as it is.
+// The law's force must reach the ring unchanged.
 void check_actuator(const mjModel* m, int actuator) {
   const bool plain = m->actuator_dyntype[actuator] == mjDYN_NONE &&
                      m->actuator_gaintype[actuator] == mjGAIN_FIXED &&
@@ -81,7 +81,7 @@ void check_actuator(const mjModel* m, int actuator) {
 }  // namespace
 
 RingActuators ring_actuators(const mjModel* m, const plugin::Config& config) {
-  constexpr double kNone = 1e-9;  // share of the whole
+  constexpr double kNone = 1e-9;  // relative to the whole force
   constexpr const char* kAxes = "xy";
   const MujocoData start = make_start(m);
   const Eigen::MatrixXd ring = plugin::Probe(m, config, start.get())

@@ -42,7 +42,7 @@ json plot_point(const json& point) {
           {"outcome", point.at("outcome")}};
 }
 
-// Tolerances of one engine are one series (compare/bench/work_precision.h).
+// The tolerances of an engine form one series (compare/bench/work_precision.h).
 bool belongs(const json& point, const json& series) {
   return point.at("engine") == series.at("engine") &&
          (point.at("step").is_null() ? series.at("setting") == ""
@@ -114,7 +114,7 @@ json cell_values(const StabilityCell& cell) {
   return {{"word", word}, {"tone", tone}, {"reason", fine ? "" : cell.judgement.reason}};
 }
 
-// One table a friction; one row a contact model and stiffness.
+// One table per friction; one row per contact model and stiffness.
 json map_tables(const StabilityMap& map) {
   json tables = json::array();
   std::size_t at = 0;
@@ -160,7 +160,7 @@ json contenders(const std::vector<RestitutionRow>& rows) {
 }
 
 json scene_values(const SceneBench& bench, std::size_t index) {
-  std::optional<bool> native;  // none: no level is reached
+  std::optional<bool> native;  // empty if no level is reached
   bool limits = false;
   for (const Level& level : bench.levels) {
     const std::optional<bool> here = native_is_fastest(level);

@@ -1,4 +1,4 @@
-// The page of a bench: work-precision plots, errors against the step, stability maps, restitution.
+// The page of a bench: work-precision plots, errors over the step, stability maps, restitution.
 #pragma once
 
 #include <nlohmann/json_fwd.hpp>
@@ -10,8 +10,8 @@
 
 namespace rotorub {
 
-// What the plots (page/precision.js) show, from the bench's JSON, whether it has just run or was
-// kept. scene: a member of "scenes" of bench_json. {"clearance", "series": [{"engine", "setting",
+// The data of the plots (page/precision.js) from the bench's JSON, which may have been read from a
+// file. scene: a member of "scenes" in bench_json. {"clearance", "series": [{"engine", "setting",
 // "family", "order" or null, "points": [{"step" (0: none), "label", "error", "limit" (0: none),
 // "ms", "low", "high", "outcome"}]}]}, errors in m.
 nlohmann::json precision_plots(const nlohmann::json& scene);

@@ -19,7 +19,7 @@ namespace {
 using nlohmann::json;
 using std::filesystem::path;
 
-// Whoever wrote it: a member that is missing or of another type is a fault of the file.
+// A missing member, or one of another type, is an error of the file.
 void add_bench(const json& all, Beside& beside) {
   const json& machine = all.at("machine");
   const std::string where = fmt::format("{}, {}", machine.at("processor").get<std::string>(),
@@ -61,7 +61,7 @@ void add_cases(const json& all, Beside& beside) {
   beside.values["has_cases"] = !rows.empty();
 }
 
-// As long as one another: the script indexes them side by side.
+// The lists must have equal lengths, because the script indexes them together.
 void check_columns(const json& plots) {
   const std::size_t points = plots.at("status").size();
   for (const char* lists : {"values", "columns"}) {

@@ -1,5 +1,5 @@
-// Results of other commands that the report shows beside its comparison, from the folders in which
-// these left them: bench.json (`bench -o`), check.json (`check -o`), sweep.json (`sweep -o`).
+// Results of other commands that the report shows after its comparison, read from their folders:
+// bench.json (`bench -o`), check.json (`check -o`), sweep.json (`sweep -o`).
 #pragma once
 
 #include <nlohmann/json.hpp>
@@ -23,8 +23,8 @@ struct Beside {
                            {"violations", nlohmann::json::array()}};
 };
 
-// Of each folder what lies in it and in the folders directly in it, in order of name. Throws
-// std::runtime_error that names the folder with nothing in it, or the file that is none of these.
+// Reads each folder and the folders directly within it, sorted by name. Throws std::runtime_error
+// that names a folder without such files, or a file that is not valid.
 Beside read_beside(const std::vector<std::string>& folders);
 
 }  // namespace rotorub

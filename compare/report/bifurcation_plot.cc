@@ -15,7 +15,7 @@ namespace {
 using nlohmann::json;
 using sweep::BranchPoint;
 
-constexpr double kMicronsOfSection = 1e6;  // in a m
+constexpr double kMicronsOfSection = 1e6;  // um per m
 
 json points_json(const std::vector<BranchPoint>& points, const sweep::Sample& sample,
                  double per_si) {

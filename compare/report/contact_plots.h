@@ -1,4 +1,4 @@
-// How a run's contact forces and impulses are distributed, as the page draws it.
+// The distributions of a run's contact forces and impulses, for the page.
 #pragma once
 
 #include <cstddef>
@@ -8,11 +8,11 @@
 
 namespace rotorub {
 
-// gives: the contacts of the scene give, and their episodes are impacts however long they last;
-// those of a soft contact beyond the window of impulses are a rub, and not counted.
+// gives: whether the scene's contacts are compliant; their episodes always count as impacts. With
+// other soft contacts, an episode longer than the impulse window is a rub and does not count.
 //
 // {"force": {"width": N, "share": [% of the whole time]}, "impulse": {"value": [mN s, descending],
-// "count": [how many counted impacts reach it]}}; null in the place of what there is none of.
+// "count": [number of counted impacts that reach it]}}; a member without data is null.
 nlohmann::json contact_distribution(const Trajectory& run, std::size_t contact, bool gives);
 
 }  // namespace rotorub

@@ -28,7 +28,7 @@ const char* tone(FigureVerdict verdict) {
   return "";
 }
 
-// Value cells of one figure, with the chip of its deviation.
+// The cells of one figure, with the label of its deviation.
 json cells_of(const SceneComparison& c, std::size_t figure) {
   json cells = json::array();
   const Figure& f = figures()[figure];

@@ -1,5 +1,5 @@
-// The tables of figures in the report: texts, already worded and rounded. Rows of cells, one a
-// column of the page (page_columns of page_values.h).
+// The tables of figures in the report, as rounded texts in rows of cells. Each cell belongs to a
+// column of the page (page_columns in page_values.h).
 #pragma once
 
 #include <nlohmann/json_fwd.hpp>
@@ -8,14 +8,13 @@
 
 namespace rotorub {
 
-nlohmann::json column_values(const SceneComparison& c);  // heads of the columns
+nlohmann::json column_values(const SceneComparison& c);  // the headings of the columns
 nlohmann::json figure_rows(const SceneComparison& c,
-                           bool judged_only);  // with the chips of their deviations
-// Model gap and step error: of the splits that converge, or of those that say nothing.
+                           bool judged_only);  // with the labels of their deviations
+// Model gap and step error: of the splits that converge, or of the others.
 nlohmann::json split_rows(const SceneComparison& c, bool valid);
-nlohmann::json residual_rows(const SceneComparison& c);  // of the laws
-nlohmann::json cost_rows(const SceneComparison& c);      // time of a step
-nlohmann::json ladder_values(
-    const SceneComparison& c);  // modes kept; null where there is no ladder to show
+nlohmann::json residual_rows(const SceneComparison& c);  // of the contact laws
+nlohmann::json cost_rows(const SceneComparison& c);      // time per step
+nlohmann::json ladder_values(const SceneComparison& c);  // modes kept; null without a ladder
 
 }  // namespace rotorub

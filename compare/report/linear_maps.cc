@@ -41,12 +41,12 @@ json figures_json(const MapFigure<Point> (&figures)[count]) {
   });
 }
 
-// A key of a map, its values as they are shown.
+// A key of a map with its values as they are shown.
 json map_key(const std::string& name, const std::string& unit, json values) {
   return {{"name", name}, {"unit", unit}, {"even", true}, {"log", false}, {"values", values}};
 }
 
-// A grid, the second key fastest. point(i, j): null where there is none.
+// A grid with the second key varying fastest. point(i, j): null where there is none.
 template <class Point, std::size_t count, class PointAt>
 json map_plots(const json& first, const json& second, const MapFigure<Point> (&figures)[count],
                const PointAt& point) {
@@ -74,7 +74,7 @@ json map_plots(const json& first, const json& second, const MapFigure<Point> (&f
 
 struct MapPage {
   std::string topic, heading, lead;  // words above the maps
-  std::string option;                // of rotorub modes
+  std::string option;                // option of rotorub modes
   std::vector<std::string> maps;     // the figure that each map shows first
 };
 
@@ -92,12 +92,12 @@ std::string map_page(const scene::Scene& scene, const MapPage& map, const json& 
   return fill_page(map_page_html(), values);
 }
 
-// Null for none, and for what is not finite.
+// null if there is no value or it is not finite.
 json shown(const std::optional<double>& value) {
   return value && std::isfinite(*value) ? json(rounded(*value)) : json(nullptr);
 }
 
-// -------------------------------------------------------------------- rubs that last
+// -------------------------------------------------------------------- lasting rubs
 template <RubKind kind, class Value>
 json of_leading(const RubPoint& point, Value value) {
   const StandingRub* leading = point.leading(kind);
@@ -132,7 +132,7 @@ constexpr MapFigure<RubPoint> kRubFigures[] = {
      [](const RubPoint& p) { return p.orbit ? shown(*p.orbit / p.clearance) : json(nullptr); }},
 };
 
-// How much of the map each attractor holds, and how much has none.
+// The share of the map for each set of attractors, and for none.
 json cards_of(const RubKeyMap& map) {
   std::array<int, 16> met{};
   for (const auto& point : map.points)
@@ -155,7 +155,7 @@ json cards_of(const RubKeyMap& map) {
            "a rotor that does not roll bounces for ever")};
 }
 
-// -------------------------------------------------------------------- feedback that calms them
+// -------------------------------------------------------------------- stabilising feedback
 constexpr const char* kGrowth = "rub, growth rate";
 constexpr const char* kForce = "rub, normal force";
 

@@ -19,7 +19,7 @@ namespace {
 
 using nlohmann::json;
 
-constexpr double kMicrons = 1e6;  // in a m
+constexpr double kMicrons = 1e6;  // um per m
 
 double decibels(double size) { return 20.0 * std::log10(size); }
 std::string name_of(const LoopSensitivity& loop) {
@@ -29,7 +29,7 @@ bool has_loop(const Levitation& levitation) {
   return !levitation.loops.empty() || !levitation.poles_refused.empty();
 }
 
-// A peak that lies between two of the frequencies is a point of the curve, too.
+// Includes the peak as a point of the curve if it lies between two frequencies.
 json sensitivity_curve(const Levitation& levitation, Eigen::Index k) {
   constexpr std::size_t kBuckets = 250;
   const LoopSensitivity& loop = levitation.loops[static_cast<std::size_t>(k)];
@@ -49,7 +49,7 @@ json sensitivity_curve(const Levitation& levitation, Eigen::Index k) {
           {"peak", {rounded(loop.frequency * kHz), rounded(decibels(loop.peak))}}};
 }
 
-// To `end` (s), so many points, and the most between them.
+// Up to `end` (s) with a fixed number of points, and the maximum between them.
 json step_curve(const LoopSensitivity& loop, const StepResponse& step, double end) {
   constexpr double kPoints = 800.0;
   json t = json::array(), y = json::array();

@@ -25,7 +25,7 @@ using Numbers = std::vector<double>;
 
 constexpr std::size_t kMostShown = 50000;  // samples
 
-// Columns of the record that make one track, at the samples where all of them are there.
+// Columns of the record that form one track, at the samples where all of them have values.
 struct ShownColumns {
   Numbers t;
   std::vector<Numbers> value;
@@ -84,7 +84,7 @@ class SideMaker {
     add("spin_speed", {"spin_speed"}, [](const std::vector<Numbers>& value) {
       return Numbers(value.front().size(), std::max(range_tolerance(value.front()), 1e-300));
     });
-    // Impacts it has none, at any contact.
+    // It has no impacts at any contact.
     json none = json::object();
     for (const char* list : {"t", "y", "friction", "before", "after", "slip", "share"})
       none[list] = json::array();
@@ -120,7 +120,7 @@ class SideMaker {
     });
   }
 
-  // A ring that cannot move is where the scene has it, measured or not.
+  // A ring that cannot move stays at the scene's position, measured or not.
   void add_fixed_ring(const scene::Scene& scene) {
     if (scene.first().stator || !scene.first().contact || scene.first().contact->offset.isZero(0.0))
       return;
@@ -149,8 +149,8 @@ class SideMaker {
         missing.empty() ? "" : ", ", missing);
   }
 
-  // The second half of the record, as of the other runs; its distance from the first run at its
-  // samples.
+  // From the second half of the record, as for the other runs; and its distance from the first run
+  // at the samples.
   json whirl(double limit) const {
     json all = {{"spectrum", nullptr}, {"waterfall", nullptr}, {"poincare", nullptr},
                 {"residual", nullptr}, {"orders", nullptr},    {"cascade", nullptr}};

@@ -1,5 +1,5 @@
-// A measured run in a page: one more run of the plots and the player, of what its record has and
-// nothing else, and the tables beside them.
+// A measured run in a page: a further run in plots and player, with only the record's data, and its
+// tables.
 #pragma once
 
 #include <nlohmann/json_fwd.hpp>
@@ -8,20 +8,20 @@
 
 namespace rotorub {
 
-inline constexpr const char* kMeasured = "measured";  // its label, and its colour in the page
+// Its label, which selects its colour in the page.
+inline constexpr const char* kMeasured = "measured";
 
-// As the other sides of plot_data(), with {"measured": true, "start", "holes", "absent"}: tracks
-// only of what is measured, straight between samples and no more than 50,000 of them; holes: of
-// each track, where the record has none ([from, to], s), which the plots leave open; absent: a
-// sentence on what the player cannot show. Without shown.measured null. limit: Hz, of its
-// spectrum.
+// Like the other sides of plot_data(), with {"measured": true, "start", "holes", "absent"}. The
+// tracks contain only measured quantities, linear between at most 50,000 samples. holes: for each
+// track the gaps of the record ([from, to], s), which the plots leave open. absent: a sentence on
+// what the player cannot show. null without shown.measured. limit: of its spectrum, Hz.
 nlohmann::json measured_side(const ShownRuns& shown, double limit);
 
-// The track of the contact's force of the k-th run averaged over the record's samples, as
-// track_json(); null where none is measured.
+// The track of the contact force in run k, averaged over the record's samples, in the format of
+// track_json(); null if the force was not measured.
 nlohmann::json sampled_force(const ShownRuns& shown, std::size_t run);
 
-// For {{measured}} of report.html: texts, worded and rounded; null without one.
+// Values of {{measured}} in report.html, as rounded texts; null without a measured run.
 nlohmann::json measured_values(const std::optional<MeasuredRun>& run);
 
 }  // namespace rotorub

@@ -23,14 +23,14 @@ namespace {
 
 using nlohmann::json;
 
-// Five digits, never as a power of ten.
+// Five digits without an exponent.
 std::string rpm_text(double speed) {
   const double rpm = speed * kRpm;
   return std::abs(rpm) < 1e5 ? fmt::format("{:.5g} rpm", rpm) : fmt::format("{:.0f} rpm", rpm);
 }
 
 std::string damping_text(double ratio) {
-  constexpr double kRoundOff = 1e-10;  // an undamped mode
+  constexpr double kRoundOff = 1e-10;  // damping ratio of an undamped mode
   return fmt::format("{:.3g} %", std::abs(ratio) < kRoundOff ? 0.0 : 100.0 * ratio);
 }
 
@@ -60,7 +60,7 @@ json critical_values(const RotorAnalysis& analysis) {
   });
 }
 
-// The nearest critical speed, seen from the speed that the rotor runs at.
+// The critical speed nearest to the rotor's speed, and its distance.
 std::string nearest_text(const std::vector<double>& critical, double speed) {
   if (critical.empty()) return "no critical speed";
   if (speed == 0.0) return fmt::format("first critical speed at {}", rpm_text(critical.front()));
@@ -125,7 +125,7 @@ json running_card(const scene::Scene& scene, const RotorAnalysis& analysis) {
               nearest_text(analysis.critical_speeds, speed));
 }
 
-// How near the free rotor comes, at each contact, and where that is not to be trusted.
+// The smallest gap of the free rotor at each contact, and where it is not reliable.
 void add_response_cards(const RotorAnalysis& analysis, json& cards) {
   if (analysis.responses.empty()) return;
   const RotorResponse& response = analysis.responses.front();
@@ -143,7 +143,7 @@ void add_response_cards(const RotorAnalysis& analysis, json& cards) {
     cards.push_back(card("Modes kept" + at, "", "more modes change the response", note));
 }
 
-// What a touch may lead to, of each contact.
+// The possible results of a contact, for each contact.
 void add_rub_cards(const RotorAnalysis& analysis, json& cards) {
   for (const RubAnalyses& rubs : analysis.rubs) {
     const std::string title =
@@ -203,7 +203,7 @@ json torsion_values(const std::vector<WhirlMode>& modes) {
   });
 }
 
-// What lies beyond the diagram, in a sentence; empty where nothing does.
+// A sentence on what lies beyond the diagram; empty if nothing does.
 std::string beyond_text(const RotorAnalysis& analysis, double range) {
   const std::vector<double>& speeds = analysis.critical_speeds;
   const auto first = std::upper_bound(speeds.begin(), speeds.end(), range);
@@ -222,7 +222,7 @@ std::string beyond_text(const RotorAnalysis& analysis, double range) {
   return text;
 }
 
-// Whether there is a place for Bode's plot, and what it is of.
+// Sets whether and where the Bode plot is shown, and its contents.
 void add_bode_place(const json& bode, const char* place, json& values) {
   values["bode_place"] = place;
   values["has_bode"] = !bode.is_null();
@@ -235,7 +235,7 @@ void add_bode_place(const json& bode, const char* place, json& values) {
 Campbell campbell_of(const scene::Scene& scene, RotorAnalysis analysis, std::optional<double> range,
                      const std::function<void(double)>& progress) {
   constexpr int kSpeeds = 161;
-  constexpr double kAccuracy = 1e-5;  // relative, of the curves: finer than a line
+  constexpr double kAccuracy = 1e-5;  // relative accuracy of the curves, finer than a line
   const double top = range.value_or(campbell_range(scene, analysis));
   auto branches = whirl_branches(condensed(analysis.system, top, kAccuracy),
                                  even_speeds(top, kSpeeds), progress);
@@ -277,7 +277,7 @@ std::string modes_page(const scene::Scene& scene, const Campbell& campbell) {
 }
 
 RotorSection rotor_section(const scene::Scene& scene) {
-  constexpr int kWhirlShapes = 4;  // of either sense
+  constexpr int kWhirlShapes = 4;  // for each sense
   RotorSection section;
   section.values = {{"has_campbell", false}, {"has_shapes", false},
                     {"beyond", ""},          {"speed", rpm_text(std::abs(scene.rotor.speed))},
@@ -291,7 +291,7 @@ RotorSection rotor_section(const scene::Scene& scene) {
     section.values["has_shapes"] = campbell.analysis.shapes.has_value();
     section.values["beyond"] = beyond_text(campbell.analysis, campbell.range);
     add_bode_place(section.data.at("bode"), "data-over=\"rotor\"", section.values);
-    // Those at rest, and the higher ones, are on the page of `modes`.
+    // The shapes at rest and the higher ones are only on the page of `modes`.
     if (campbell.analysis.shapes) {
       json& shapes = section.data["shapes"];
       shapes.erase("modes");
@@ -299,7 +299,7 @@ RotorSection rotor_section(const scene::Scene& scene) {
                     [](const json& whirl) { return whirl.at("number") > kWhirlShapes; });
     }
   } catch (const std::runtime_error& error) {
-    // The run has its page, whatever its rotor's eigenvalues are.
+    // The page of the run must not depend on its rotor's eigenvalues.
     section.values["refusal"] = error.what();
   }
   return section;

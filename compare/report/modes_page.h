@@ -1,5 +1,5 @@
-// The page of `rotorub modes`: one HTML file with everything in it, for any browser, without a
-// network. Campbell diagram, damping, mode shapes along the shaft, and the figures as tables.
+// The page of `rotorub modes`: one self-contained HTML file for any browser, without a network. It
+// shows the Campbell diagram, damping, mode shapes along the shaft, and the figures as tables.
 #pragma once
 
 #include <functional>
@@ -14,33 +14,33 @@
 
 namespace rotorub {
 
-// rad/s, the highest spin speed of a diagram that shows the scene's speed, those asked for, the
-// critical speeds and the threshold of stability, unless these lie far beyond the others.
+// rad/s: the end of a diagram that includes the scene's speed and the requested ones, and the
+// critical speeds and the stability threshold unless these are much higher.
 double campbell_range(const scene::Scene& scene, const RotorAnalysis& analysis);
 
-// The scene's free rotor as its diagram shows it.
+// The scene's free rotor as shown in the diagram.
 struct Campbell {
   RotorAnalysis analysis;
   double range = 0.0;                 // rad/s
   std::vector<WhirlBranch> branches;  // from 0 to `range` in even steps
 };
-// range: none: campbell_range. progress as of whirl_branches.
+// range: by default campbell_range. progress: as for whirl_branches.
 Campbell campbell_of(const scene::Scene& scene, RotorAnalysis analysis,
                      std::optional<double> range = {},
                      const std::function<void(double)>& progress = {});
 
 std::string modes_page(const scene::Scene& scene, const Campbell& campbell);
 
-// What the page's script draws, in Hz, rpm, % and mm: "campbell" {"top", "running", "critical",
+// The data of the page's script, in Hz, rpm, % and mm: "campbell" {"top", "running", "critical",
 // "threshold": null, "pieces", "torsion", "operating": the modes at the scene's speed}, "shapes"
-// (null for the modal form), "modes" at rest and "whirl" at the scene's speed among them, and
-// "bode" (response_plots.h).
+// (null in modal form) with "modes" at rest and "whirl" at the scene's speed, and "bode"
+// (response_plots.h).
 nlohmann::json modes_plots(const scene::Scene& scene, const Campbell& campbell);
 
-// The report's section on the free rotor: Campbell diagram with the scene's speed, and whirl shapes
-// at that speed.
+// The report's section on the free rotor: the Campbell diagram with the scene's speed, and whirl
+// shapes at that speed.
 struct RotorSection {
-  nlohmann::json data;    // for page/rotor.js; null where the rotor has no whirl to show
+  nlohmann::json data;    // for page/rotor.js; null if the rotor has no whirl to show
   nlohmann::json values;  // for the template rotor.html
 };
 RotorSection rotor_section(const scene::Scene& scene);

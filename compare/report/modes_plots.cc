@@ -21,9 +21,9 @@ json list(const Eigen::VectorXd& values, double factor) {
   return rounded_list(values, factor, kPlotDigits);
 }
 
-// A branch cut where its sense changes, each piece from the last point of the one before.
+// Cuts a branch where its sense changes; each piece starts at the last point of the previous one.
 void add_pieces(const WhirlBranch& branch, json& pieces) {
-  constexpr double kRoundOff = 1e-10;  // of a damping ratio: an undamped mode
+  constexpr double kRoundOff = 1e-10;  // damping ratio of an undamped mode
   json piece;
   const auto add = [&](std::size_t k) {
     const WhirlMode& mode = branch.modes[k];
@@ -47,7 +47,7 @@ void add_pieces(const WhirlBranch& branch, json& pieces) {
   pieces.push_back(piece);
 }
 
-// Where the branches are at the scene's speed.
+// The modes at the scene's speed.
 json operating(const WhirlSpectrum& spectrum) {
   return list_of(spectrum.modes, [&](const WhirlMode& mode) -> json {
     return {{"sense", sense_of(mode, spectrum.speed)},
@@ -76,7 +76,7 @@ json campbell_json(const scene::Scene& scene, const Campbell& campbell) {
 json plane(const char* name, const PlaneShapes& shapes) {
   json modes = json::array();
   for (Eigen::Index j = 0; j < shapes.frequency.size(); ++j) {
-    // Of one height in the picture, whatever the value at the contact.
+    // All shapes have the same height in the picture.
     const double scale = 1.0 / shapes.shape.col(j).cwiseAbs().maxCoeff();
     modes.push_back({{"plane", name},
                      {"number", j + 1},
@@ -87,15 +87,15 @@ json plane(const char* name, const PlaneShapes& shapes) {
   return modes;
 }
 
-// mm; of a disc that is thin, from J_p = m r^2 / 2. Null without a polar moment.
+// mm: radius of a thin disc, from J_p = m r^2 / 2. null without a polar moment.
 json disc_radius(const scene::Disc& disc) {
   if (!(disc.mass > 0.0 && disc.Jp > 0.0)) return nullptr;
   return shown(kMilli * std::sqrt(2.0 * disc.Jp / disc.mass));
 }
 
-// A mode has its number among those of its sense.
+// Each mode is numbered among the modes of its sense.
 json whirl(const std::vector<WhirlShape>& shapes, double speed) {
-  constexpr int kShapeDigits = 4;  // of a curve 1 high
+  constexpr int kShapeDigits = 4;  // of a curve with height 1
   std::map<std::string, int> count;
   return list_of(shapes, [&](const WhirlShape& whirl) -> json {
     const std::string sense = sense_of(whirl.mode, speed);
@@ -137,8 +137,8 @@ json shapes_json(const scene::Scene& scene, const RotorAnalysis& analysis) {
           {"modes", modes}};
 }
 
-// Where it runs and what it meets next, not as far as the diagram's highest critical speed: to two
-// and a half times the scene's speed, or a quarter beyond the next critical speed.
+// Covers the scene's speed and the next critical speed instead of all of them: two and a half times
+// the scene's speed, or a quarter beyond the next critical speed.
 double bode_range(const scene::Scene& scene, const Campbell& campbell) {
   const double speed = std::abs(scene.rotor.speed);
   const std::vector<double>& critical = campbell.analysis.critical_speeds;
@@ -151,8 +151,8 @@ double bode_range(const scene::Scene& scene, const Campbell& campbell) {
 }  // namespace
 
 double campbell_range(const scene::Scene& scene, const RotorAnalysis& analysis) {
-  constexpr double kFar = 4.0;      // times what is shown anyway: too far to be shown too
-  constexpr double kMargin = 1.15;  // beyond the last thing of interest
+  constexpr double kFar = 4.0;      // factor beyond which a speed is too far away to be shown
+  constexpr double kMargin = 1.15;  // beyond the last speed of interest
   double shown = std::abs(scene.rotor.speed);
   for (const WhirlSpectrum& spectrum : analysis.spectra) {
     shown = std::max(shown, std::abs(spectrum.speed));
@@ -160,13 +160,14 @@ double campbell_range(const scene::Scene& scene, const RotorAnalysis& analysis) 
   const std::vector<double>& critical = analysis.critical_speeds;
   const std::optional<double> threshold = analysis.stability_threshold();
   if (shown == 0.0) shown = critical.empty() ? threshold.value_or(0.0) : critical.front();
-  // Of the machine's own speeds: a ladder of critical speeds would lead on and on.
+  // Relative to the machine's own speeds, because a series of critical speeds would extend it
+  // repeatedly.
   const double far = kFar * shown;
   for (double speed : critical) {
     if (speed <= far) shown = std::max(shown, speed);
   }
   if (threshold && *threshold <= far) shown = std::max(shown, *threshold);
-  // Nothing turns and nothing is critical: as far as the highest frequency.
+  // Nothing rotates and nothing is critical, so the highest frequency determines the range.
   if (shown == 0.0) shown = std::abs(analysis.spectra.front().modes.back().frequency);
   return kMargin * (shown > 0.0 ? shown : 1.0);
 }

@@ -25,7 +25,7 @@ json figure_of(const std::string& name, const std::string& meaning) {
   return {{"name", name}, {"unit", ""}, {"meaning", meaning}, {"word", false}};
 }
 
-// Each evaluation a mark, as a sweep's points.
+// Each evaluation is a mark, like the points of a sweep.
 json plots_of(const Task& task, const Optimum& optimum) {
   json keys = json::array(), values = json::array(), columns = json::array();
   json status = json::array(), statuses = {"ok", "failed"};

@@ -1,4 +1,4 @@
-// The page of `rotorub optimise`: the scenes that were tried as maps over their keys, and the best.
+// The page of `rotorub optimise`: maps of the evaluated scenes over their keys, and the best scene.
 #pragma once
 
 #include <string>
@@ -7,7 +7,7 @@
 
 namespace rotorub {
 
-// `best`: the scene's text with the best values; empty: there is none.
+// best: the scene's text with the best values; empty if there are none.
 std::string optimum_page(const std::string& name, const optimise::Task& task,
                          const optimise::Optimum& optimum, const std::string& best);
 

@@ -22,7 +22,8 @@ namespace {
 
 using nlohmann::json;
 
-// Plots, player and free rotor of a scene: what the scripts draw. Adds what the template needs.
+// The data of a scene's plots, player and free rotor for the scripts. Adds the values for the
+// template.
 json live_part(const ShownRuns& shown, json& values) {
   values.update(live_values(shown));
   RotorSection rotor = rotor_section(*shown.scene);
@@ -34,7 +35,7 @@ json live_part(const ShownRuns& shown, json& values) {
   return data;
 }
 
-// The page's frame; where a scene has sliders also what they move.
+// The page's frame; if a scene has sliders, also the native module that they need.
 json live_frame(const PageHead& head, const json& data) {
   json values = page_frame(head, data, Pictures::kPlotsAndRig);
   for (const json& scene : data.at("scenes")) {

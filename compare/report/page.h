@@ -1,5 +1,5 @@
-// The report: one HTML file with everything in it but the films beside it, for any browser, without
-// a network.
+// The report: one HTML file for any browser, without a network. It contains everything except the
+// films beside it.
 #pragma once
 
 #include <optional>
@@ -13,22 +13,22 @@
 namespace rotorub {
 
 struct Film {
-  std::string link;  // from the page to the mp4 beside it, as a URL has it
+  std::string link;  // relative URL of the mp4 file beside the page
   std::string caption;
 };
 
 struct PageScene {
-  const SceneComparison* comparison = nullptr;  // a finished one
+  const SceneComparison* comparison = nullptr;  // must be complete
   std::vector<Film> films;
-  std::string no_films;   // why there are none
-  std::string setting{};  // to use, or how to find it; a sentence
+  std::string no_films;   // why there are no films
+  std::string setting{};  // a sentence with the recommended setting, or on how to find it
 };
 
-// The whole page; beside: results of other commands, at its end.
+// The whole page; beside: results of other commands, at the end.
 std::string report_page(const std::vector<PageScene>& scenes, const Beside& beside = {});
 
-// The page of one run: its plots and its live player, as in the report. shadow: the native model
-// that ran alongside, where there was one: the second run of the player.
+// The page of one run with its plots and live player, as in the report. shadow: the native model
+// that ran alongside, if any; the player shows it as the second run.
 std::string run_page(const StoredRun& run, const std::optional<StoredRun>& shadow);
 
 }  // namespace rotorub

@@ -25,8 +25,8 @@ bool shows(const json& value) {
   return !value.empty();  // null, [] and {} are empty
 }
 
-// What the library asks for by name, from the values as they are. Left alone it would pass over a
-// name that it does not find.
+// Looks up the names that the library requests in the values. Without this the library would ignore
+// unknown names.
 class StrictContext : public mustache::basic_context<std::string> {
  public:
   StrictContext(const json& values, const Partials& partials)
@@ -56,8 +56,8 @@ class StrictContext : public mustache::basic_context<std::string> {
     throw std::logic_error("template: no value for {{" + name + "}}");
   }
 
-  // A list, an object or `true` is the function that fills a section: in the place of text the
-  // library refuses it.
+  // A list, an object or `true` becomes the function that fills a section; the library refuses it
+  // in the place of text.
   mustache::data data_of(const json& value) const {
     if (value.is_number()) return value.dump();
     if (!shows(value)) return false;
@@ -81,7 +81,7 @@ class StrictContext : public mustache::basic_context<std::string> {
 
   const Partials& partials_;
   mutable std::vector<const json*> levels_;  // innermost last
-  mutable const json* asked_ = nullptr;      // the value last given
+  mutable const json* asked_ = nullptr;      // the last value that was requested
   mutable std::deque<mustache::data> given_;
 };
 
@@ -90,7 +90,7 @@ class StrictContext : public mustache::basic_context<std::string> {
 std::string fill_template(std::string_view text, const json& values, const Partials& partials) {
   mustache::mustache page{std::string(text)};
   page.set_custom_escape([](const std::string& plain) {
-    // HTML 4 knows no &apos;
+    // HTML 4 does not define &apos;.
     return boost::replace_all_copy(mustache::html_escape(plain), "&apos;", "&#39;");
   });
   StrictContext context(values, partials);
@@ -104,7 +104,7 @@ json page_frame(const PageHead& head, const json& data, Pictures pictures) {
   const bool live = pictures == Pictures::kPlotsAndRig;
   std::string css(report_css());
   if (live) css += player_css();
-  // The player's two sides.
+  // The two sides of the player.
   const json places = {{{"place", 0}, {"which", "first"}}, {{"place", 1}, {"which", "second"}}};
   return {{"places", places},
           {"names", head.names},
@@ -112,11 +112,11 @@ json page_frame(const PageHead& head, const json& data, Pictures pictures) {
           {"heading", head.heading},
           {"version", program_version()},
           {"css", std::move(css)},
-          // Who has what to run in the page says so (page.cc).
+          // Overridden for pages with the native module (page.cc).
           {"has_module", false},
-          // The page's script unpacks and starts it once the page is drawn.
+          // The page's script unpacks and starts it after the page is drawn.
           {"plotly", base64(packed_plotly_js())},
-          // "</" would end the script element that holds the data.
+          // "</" would end the script element with the data.
           {"data", boost::replace_all_copy(data.dump(), "</", "<\\/")},
           {"scripts", live ? report_js() : still_js()}};
 }

@@ -110,8 +110,8 @@ json error_values(const char* of, const LargestError& error) {
            error.untold > 0 ? fmt::format("({} more not known)", error.untold) : std::string()}};
 }
 
-// One row a contact model, none smaller than another. A column of errors of which nothing is known
-// in any row is left out.
+// One row per contact model, all of equal rank. A column of errors that are unknown in all rows is
+// left out.
 json answer_values(const SceneComparison& c) {
   const std::vector<AnswerRow> rows = answer(c);
   const bool modes = knows_modes(c);
@@ -134,7 +134,7 @@ json answer_values(const SceneComparison& c) {
   });
 }
 
-// Those of the answer's sentence, each with its tone.
+// The rows of the answer's sentence with their tones.
 json clause_values(const SceneComparison& c) {
   json clauses = json::array();
   const std::vector<AnswerRow> rows = answer(c);

@@ -1,4 +1,4 @@
-// What the report's template shows of one scene: texts, already worded and rounded.
+// The report template's values for one scene, as rounded texts.
 #pragma once
 
 #include <nlohmann/json_fwd.hpp>
@@ -8,29 +8,30 @@
 
 namespace rotorub {
 
-// The columns of the page's tables: native, its shadow where there is one, MuJoCo's.
+// The columns of the page's tables: native, its shadow if there is one, and MuJoCo.
 struct PageColumn {
   const Side* side = nullptr;
-  // Of each figure against native: as figures(); empty for native itself.
+  // One per figure, compared with native, in the order of figures(); empty for native itself.
   std::vector<JudgedFigure> figures;
-  bool judged = false;  // its differences carry verdicts
+  bool judged = false;  // whether its differences have verdicts
 };
 std::vector<PageColumn> page_columns(const SceneComparison& comparison);
 
-// Everything but films, plots and the scene's number.
+// All values except films, plots and the scene's number.
 nlohmann::json scene_values(const SceneComparison& comparison);
 
-// What control trades: contact force and actuator force against the rotor's orbit. Of the native
-// run's last fifth (kSettledShare); forces of a scene that is never in contact, or has no actuator,
-// are 0.
+// The trade-off of control: contact force and actuator force against the rotor's orbit, over the
+// native run's last fifth (kSettledShare). A force is 0 if the scene is never in contact, or has no
+// actuator.
 struct Trade {
-  double orbit = 0.0;           // m, largest distance of the rotor from the bearing's axis
-  double contact_force = 0.0;   // N, mean normal from first touch, impulses of impacts with it
+  double orbit = 0.0;  // m, largest distance of the rotor from the bearing's axis
+  // N, mean normal force from first touch, including the impulses of impacts.
+  double contact_force = 0.0;
   double actuator_force = 0.0;  // N, rms of the force on the ring
 };
 Trade trade_of(const Side& native);
 
-// One point a scene, in the order given; null for fewer than two, which trade nothing.
+// One point per scene in the given order; null for fewer than two scenes.
 nlohmann::json trade_data(const std::vector<const SceneComparison*>& scenes);
 
 }  // namespace rotorub

@@ -69,7 +69,7 @@ nlohmann::json levels_data(const std::vector<double>& cells) {
 std::string base64(std::string_view bytes) {
   namespace iterators = boost::archive::iterators;
   using Digits = iterators::base64_from_binary<iterators::transform_width<const char*, 6, 8>>;
-  // The last digit may take its missing bits from beyond the end: zeros stand there.
+  // The last digit may take its missing bits from beyond the end, so zeros are appended.
   std::string padded(bytes);
   padded += '\0';
   std::string text(Digits(padded.data()), Digits(padded.data() + bytes.size()));

@@ -38,14 +38,14 @@ using Values = std::vector<double>;
 
 constexpr double kTurn = 2.0 * std::numbers::pi;
 
-// A part of the run that the page can zoom to.
+// A part of the run to which the page can zoom.
 struct Window {
   std::string name;
   double from = 0.0, to = 0.0;  // s
 };
 
-// The whole run; the first contact (a tenth of a turn before to one turn after the first touch of
-// any run); the last two turns. Without a contact the whole and the end alone.
+// The whole run; the first contact (from a tenth of a turn before to one turn after the first touch
+// of any run); the last two turns. Without a contact only the whole run and its end.
 std::vector<Window> plot_windows(const ShownRuns& shown) {
   const scene::Scene& scene = *shown.scene;
   const double end = scene.run.end;
@@ -65,7 +65,7 @@ std::vector<Window> plot_windows(const ShownRuns& shown) {
   return windows;
 }
 
-// The motor's characteristic about the speeds that the first run goes through.
+// The motor's characteristic around the speeds of the first run.
 json motor_data(const scene::Scene& scene, const Trajectory& run) {
   const Values& speed = run.column("spin_speed");
   if (speed.empty()) return nullptr;
@@ -80,7 +80,7 @@ json plot_data(const ShownRuns& shown) {
   const scene::Scene& scene = *shown.scene;
   const std::optional<renders::Machine> machine = drawn_machine(shown);
   json sides = json::array();
-  double limit = 0.0;  // Hz, of all spectra
+  double limit = 0.0;  // Hz, for all spectra
   for (const ShownRun& run : shown.runs) limit = std::max(limit, spectrum_reach(*run.trajectory));
   for (const ShownRun& run : shown.runs) {
     const Trajectory* first = shown.runs.front().trajectory;
@@ -114,7 +114,7 @@ json plot_data(const ShownRuns& shown) {
 json live_values(const ShownRuns& shown) {
   const scene::Scene& scene = *shown.scene;
   const bool several = scene.auxiliary.size() > 1;
-  // Which of several contacts; nothing of the only one.
+  // The name of the contact if there are several.
   const auto where = [&](std::size_t contact) {
     return several ? "contact " + scene.name_of(contact) : std::string();
   };

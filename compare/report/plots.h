@@ -1,5 +1,5 @@
-// What a page shows of one scene: its runs side by side, whoever made them; their plots and player
-// as the page's scripts read them.
+// What a page shows of one scene: its runs side by side, from any source, with their plots and
+// player in the format of the page's scripts.
 #pragma once
 
 #include <nlohmann/json_fwd.hpp>
@@ -13,28 +13,29 @@
 
 namespace rotorub {
 
-// The pointed to must outlive it.
+// The referenced objects must outlive this.
 struct ShownRun {
-  std::string label;  // "native", "rigid", "coulomb", "cone", "shadow": its colour in the page
+  // "native", "rigid", "coulomb", "cone", "shadow"; selects its colour in the page.
+  std::string label;
   const Trajectory* trajectory = nullptr;
 };
 
 struct ShownRuns {
   const scene::Scene* scene = nullptr;
-  std::vector<ShownRun> runs;                // the first two are compared first
-  const MeasuredRun* measured = nullptr;     // laid beside them; null: none
-  const Trajectory* uncontrolled = nullptr;  // the first run with a passive bearing; null: none
+  std::vector<ShownRun> runs;                // the first two are compared initially
+  const MeasuredRun* measured = nullptr;     // shown beside them; may be null
+  const Trajectory* uncontrolled = nullptr;  // the first run with a passive bearing; may be null
 };
 
 ShownRuns shown_runs(const SceneComparison& comparison);
-// Of a run's folder, with its shadow where it has one.
+// From a run's folder, including its shadow if there is one.
 ShownRuns shown_runs(const StoredRun& run, const std::optional<StoredRun>& shadow);
 
-// For the scripts: windows, runs as tracks (pack/packed_run.h), impacts on their laws, the drawn
-// rig.
+// For the scripts: windows, runs as tracks (pack/packed_run.h), impacts on their laws, and the
+// drawn rig.
 nlohmann::json plot_data(const ShownRuns& shown);
-// For the templates player.html and plots.html: {{plots}}, {{windows}}, {{legend}} of every run
-// that is drawn, {{contacts}}, and {{several}} of these.
+// For the templates player.html and plots.html: {{plots}}, {{windows}}, {{legend}} of every drawn
+// run, {{contacts}}, and {{several}} if there is more than one contact.
 nlohmann::json live_values(const ShownRuns& shown);
 
 }  // namespace rotorub

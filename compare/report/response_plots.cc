@@ -20,7 +20,7 @@ namespace {
 
 using nlohmann::json;
 
-constexpr double kMicronsOfMetre = 1e6;  // in a m
+constexpr double kMicronsOfMetre = 1e6;  // um per m
 constexpr int kResponseDigits = 5;
 
 json curve_json(const ProbeResponse& probe, const std::vector<double>& speed, bool same_planes) {
@@ -57,7 +57,7 @@ json curve_json(const ProbeResponse& probe, const std::vector<double>& speed, bo
           {"peaks", peaks}};
 }
 
-// Of StiffnessMap::Of.
+// In the order of StiffnessMap::Of.
 struct MapWords {
   const char *title, *axis, *reading;
 };
@@ -81,7 +81,7 @@ constexpr MapWords kMapWords[] = {
      "scene's speed, a rub resonates; dashed: ring and mount alone; long dashes: the rotor alone"},
 };
 
-// [[rpm]] of the k-th speed of each list; null where there is none.
+// [[rpm]] of the k-th speed in each list; null if there is none.
 json speed_curves(const std::vector<std::vector<double>>& speeds) {
   std::size_t most = 0;
   for (const auto& at : speeds) most = std::max(most, at.size());
@@ -118,7 +118,7 @@ ProbeResponse on_speeds(const SynchronousResponse& response, const ProbeResponse
   return out;
 }
 
-// Where unbalance comes later, as of a lost blade: the response without it and with it.
+// If unbalance appears later, for example from a lost blade: the response without it and with it.
 std::optional<SynchronousResponse> response_of(const scene::Scene& scene, double top) {
   auto after = synchronous_response(scene, top);
   const auto intact = before_loss(scene);
@@ -147,13 +147,13 @@ json bode_data(const scene::Scene& scene, double top) {
   const bool held = std::ranges::any_of(scene.magnetic_bearings, [](const auto& bearing) {
     return bearing.control && bearing.control->works();
   });
-  // The one that is touched first, where stations move alike.
+  // The contact that is touched first if all stations move equally.
   const std::vector<ContactPlace> contacts = contact_places(scene);
   const auto least = std::ranges::min_element(contacts, {}, &ContactPlace::clearance);
   const bool several = contacts.size() > 1,
              alike = std::ranges::all_of(
                  contacts, [&](const auto&at) { return at.clearance == least->clearance; });
-  // Half of what it allows from peak to peak.
+  // Half of the permitted peak-to-peak value.
   const auto limit = [](double speed) {
     return rounded(0.5 * kMicronsOfMetre * vibration_limit(speed), kResponseDigits);
   };
@@ -171,7 +171,7 @@ json bode_data(const scene::Scene& scene, double top) {
 }
 
 json peak_rows(const json& bode) {
-  constexpr double kSame = 0.02;  // of the speed
+  constexpr double kSame = 0.02;  // relative difference of speeds
   std::vector<std::pair<json, std::string>> all;
   if (bode.is_null()) return json::array();
   for (const json& curve : bode.at("curves")) {

@@ -1,5 +1,5 @@
-// What the pages draw of the free rotor beside Campbell's diagram: its response to unbalance over
-// the speed (Bode, polar), and its critical speeds over the stiffness of what holds it.
+// The plots of the free rotor beside the Campbell diagram: its response to unbalance over the speed
+// (Bode and polar plots), and its critical speeds over the stiffness of the supports.
 #pragma once
 
 #include <nlohmann/json_fwd.hpp>
@@ -10,23 +10,24 @@
 
 namespace rotorub {
 
-// {"speed": [rpm], "running": rpm, "forces": as SynchronousResponse, "clearance": um, the
-// least of all contacts, or null, "clearance_of": words for it, "limit": [um] that API 617 allows
-// in magnetic bearings that control, or null, "curves": [{"name", "plane": "x", "y", or "" of
-// planes that are alike, "amplitude": [um], "phase": [deg], "peaks": [{"speed", "amplitude",
-// "phase", "factor": or null}]}]} up to top (rad/s). The phase goes on beyond half a turn; null
-// where there is nothing steady. Null: nothing turns with the spin.
+// {"speed": [rpm], "running": rpm, "forces": as in SynchronousResponse, "clearance": um, the
+// smallest of all contacts, or null, "clearance_of": words for it, "limit": [um] that API 617
+// permits with controlled magnetic bearings, or null, "curves": [{"name", "plane": "x", "y", or ""
+// with isotropic planes, "amplitude": [um], "phase": [deg], "peaks": [{"speed", "amplitude",
+// "phase", "factor": or null}]}]} up to top (rad/s). The phase continues beyond half a turn; values
+// without a steady response are null. The result is null if nothing rotates with the spin.
 nlohmann::json bode_data(const scene::Scene& scene, double top);
 
-// Rows of the page's table of peaks, from bode_data: of peaks at nearly one speed the largest, its
-// station, and how far the scene's speed lies from it beside what API 617 asks for. Texts.
+// Rows of the page's table of peaks, from bode_data, as texts. Of several peaks at nearly the same
+// speed the largest is listed, with its station, its distance from the scene's speed and the
+// distance that API 617 requires.
 nlohmann::json peak_rows(const nlohmann::json& bode);
 
-// Of each critical speed map (stiffness_map.h): {"stiffness": [N/m], "own": N/m, "of": words for
-// the axis, "curves": [[rpm] of the k-th critical speed, null where there is none], "ring": the
-// same of the ring alone}.
+// For each critical speed map (stiffness_map.h): {"stiffness": [N/m], "own": N/m, "of": words for
+// the axis, "curves": [[rpm] of the k-th critical speed, null if there is none], "ring": the same
+// for the ring alone}.
 nlohmann::json stiffness_data(const std::vector<StiffnessMap>& maps);
-// For the page's template, as many: {"index", "title", "words": how it is read}.
+// For the page's template, one per map: {"index", "title", "words": how to read it}.
 nlohmann::json stiffness_values(const scene::Scene& scene, const std::vector<StiffnessMap>& maps);
 
 }  // namespace rotorub

@@ -19,12 +19,12 @@ namespace {
 
 using nlohmann::json;
 
-// One array a mode.
+// One array per mode.
 json shapes(const Eigen::MatrixXd& modes) {
   return list_of(modes.colwise(), [](const auto& mode) { return rounded_list(mode); });
 }
 
-// Nothing stands for a bearing that a force alone implies.
+// A bearing that consists only of a force is not drawn.
 json magnet_values(const renders::Machine& machine) {
   return list_of(machine.magnetic_bearings, [](const renders::DrawnMagneticBearing& magnet) {
     return json{{"z", magnet.z},
@@ -34,7 +34,7 @@ json magnet_values(const renders::Machine& machine) {
   });
 }
 
-// m: how far from the middle the actuators' curves go.
+// m: distance from the middle that the actuators' curves cover.
 double shown_travel(const scene::Actuator& a) {
   if (a.kind == scene::ActuatorKind::kTable)
     return std::min(-a.table_position.front(), a.table_position.back());
@@ -88,14 +88,15 @@ json rig_values(const scene::Scene& scene, const renders::Machine& machine) {
 }
 
 json contacts_values(const scene::Scene& scene, const std::optional<renders::Machine>& machine) {
-  constexpr double kHalfWidth = 0.4;  // of the radius
+  constexpr double kHalfWidth = 0.4;  // relative to the radius
   const std::size_t count = scene.auxiliary.size();
   json all = json::array();
   for (std::size_t k = 0; k < count; ++k) {
     const scene::AuxiliaryBearing& bearing = scene.auxiliary[k];
     const scene::Contact contact = bearing.contact.value_or(scene::Contact());
     const double unit = machine ? machine->unit : 1.0;
-    // A rotor of modal data has no stations: its contacts stand evenly along the plain bow.
+    // A rotor in modal form has no stations, so its contacts are spaced evenly along the drawn
+    // shaft.
     const double z = scene.rotor.geometry
                          ? contact.station * unit
                          : static_cast<double>(k + 1) / static_cast<double>(count + 1);

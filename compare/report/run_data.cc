@@ -16,7 +16,7 @@ namespace {
 
 using nlohmann::json;
 
-// The impacts of one contact. friction: its mu.
+// The impacts of one contact. friction: its coefficient mu.
 json impact_data(const Trajectory& run, std::size_t contact, double friction) {
   std::vector<double> t, normal, tangential, before, after, slip, share;
   for (const Impact& impact : counted_impacts(run, contact)) {

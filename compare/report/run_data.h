@@ -1,5 +1,5 @@
-// A run as the page's scripts have it, whoever made it: the program, or the native model in the
-// page itself (compare/live).
+// A run in the format of the page's scripts, computed by the program or by the native model in the
+// page itself (compare/report/live).
 #pragma once
 
 #include <nlohmann/json_fwd.hpp>
@@ -12,9 +12,9 @@
 namespace rotorub {
 
 // {"label", "end", "status", "tracks" (pack/packed_run.h; empty without a machine), "whirl"
-// (whirl_plots.h), and of each contact "impacts" on their laws and "distribution"
-// (contact_plots.h)}. first: the run that others are measured against, null for itself. limit: Hz,
-// of spectra.
+// (whirl_plots.h), and for each contact "impacts" on their laws and "distribution"
+// (contact_plots.h)}. first: the run that others are compared with, null for itself. limit: of the
+// spectra, Hz.
 nlohmann::json run_data(const scene::Scene& scene, const std::string& label, const Trajectory& run,
                         const Trajectory* first, const renders::Machine* machine, double limit);
 

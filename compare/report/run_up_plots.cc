@@ -14,7 +14,7 @@ namespace rotorub {
 
 using nlohmann::json;
 
-constexpr double kMicronsOfRunUp = 1e6;  // in a m
+constexpr double kMicronsOfRunUp = 1e6;  // um per m
 
 bool changes_speed(const Trajectory& run) {
   constexpr double kChange = 0.1;

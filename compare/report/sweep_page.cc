@@ -25,7 +25,7 @@ using sweep::SampleKind;
 using sweep::Statement;
 using sweep::Vary;
 
-// The values of a key of a grid, in order.
+// The values of a key in a grid, in order.
 json grid_values(const Vary& vary, double per_si) {
   if (!vary.values.empty()) {
     return list_of(vary.values, [&](const sweep::Value& value) {
@@ -45,7 +45,7 @@ json field(const Statement& row, int column, double per_si) {
   return rounded(per_si * row.number(column));
 }
 
-// Place of each key's value in its list, of point `index` of a grid.
+// Index of each key's value in its list, for point `index` of a grid.
 std::vector<std::int64_t> places(const sweep::Study& study, std::int64_t index) {
   std::vector<std::int64_t> all(study.vary.size());
   for (std::size_t k = study.vary.size(); k-- > 0;) {
@@ -134,7 +134,7 @@ json runs_json(const PointRuns& runs, std::int64_t points) {
   return {{"command", runs.command}, {"kept", kept}, {"points", points}};
 }
 
-// The rows of statistics.csv, in the units of the page.
+// The rows of statistics.csv in the units of the page.
 json statistics_of(sweep::Store& store, const sweep::Study& study) {
   const sweep::Statistics& asked = *study.statistics;
   json rows = json::array();
@@ -167,7 +167,8 @@ json statistics_of(sweep::Store& store, const sweep::Study& study) {
                           : "Bounds need independent points, as kind = \"random\" draws them."}};
 }
 
-// The linear map's figures beside those of the runs. Row i of the plots of a whole grid is point i.
+// Adds the figures of the linear map to the runs' figures. Row i of a whole grid's plots is point
+// i.
 void add_linear(const sweep::LinearMap& map, json& plots) {
   const json figures = rub_figures();
   std::vector<json> columns(figures.size(), json::array());

@@ -1,5 +1,5 @@
-// The page of `rotorub sweep`: one HTML file with everything in it. Maps of any two varied keys:
-// cells for a grid, marks for other points; for one key a curve.
+// The page of `rotorub sweep`: one self-contained HTML file with maps of any two varied keys (cells
+// for a grid, marks for other points), or a curve for one key.
 #pragma once
 
 #include <map>
@@ -12,36 +12,37 @@
 
 namespace rotorub {
 
-// What the page of a sweep leads to: the runs of single points.
+// How the page of a sweep links to the runs of single points.
 struct PointRuns {
-  std::string command;  // that runs a point, but for the number of it; for a shell
-  std::map<std::int64_t, std::string> kept;  // link to the page of each run that was kept
+  std::string command;  // shell command that runs a point, without the point's number
+  std::map<std::int64_t, std::string> kept;  // link to the page of each saved run
 };
 
-// The store holds all points; kept: sweep_json of the same; bifurcation: bifurcation_data
-// (bifurcation_plot.h), null: none.
+// store: must hold all points. kept: sweep_json of the same. bifurcation: bifurcation_data
+// (bifurcation_plot.h), or null.
 std::string sweep_page(const sweep::PointScenes& scenes, sweep::Store& store,
                        const sweep::Study& study, const nlohmann::json& kept,
                        const PointRuns& runs = {}, const nlohmann::json& bifurcation = nullptr);
 
-// A unit as the page writes it: of rad/s Hz.
+// A unit as the page shows it, for example Hz for rad/s.
 struct ShownUnit {
   std::string name;
   double per_si = 1.0;
 };
 ShownUnit shown_unit(std::string_view unit);
 
-// The same for a report that shows it too (beside.h): "name", "cards", "maps" of the template and
-// "plots".
+// The values of the sweep for a report that shows it too (beside.h): "name", "cards", "maps" of the
+// template and "plots".
 nlohmann::json sweep_json(const sweep::PointScenes& scenes, sweep::Store& store,
                           const sweep::Study& study);
 
-// A browser draws so many; of more, every n-th is taken, and marks stand for the cells.
+// Largest number of points for a browser; with more, every n-th is shown, and marks replace the
+// cells.
 inline constexpr std::int64_t kMostDrawn = 50'000;
 
-// What the page's script draws: "kind" (grid, marks), "keys" and "figures" (name, unit, ...),
-// "values" (a list for each key: places in its values, or numbers), "columns" (a list for each
-// figure), "status" (places in "statuses").
+// The data of the page's script: "kind" (grid, marks), "keys" and "figures" (name, unit, ...),
+// "values" (one list per key: indices of its values, or numbers), "columns" (one list per figure),
+// "status" (indices in "statuses").
 nlohmann::json sweep_plots(const sweep::PointScenes& scenes, sweep::Store& store,
                            const sweep::Study& study);
 

@@ -26,8 +26,8 @@ using scene::TomlNode;
 
 constexpr const char* kNativeModule = "rotorub_native.wasm.gz";
 
-// What is offered, in the page's order, where the scene gives it as a number; of a controller also
-// what it leaves at its default.
+// The keys that are offered, in the page's order, if the scene sets them as numbers; for a
+// controller also keys at their defaults.
 struct Offer {
   std::string_view table;
   std::vector<std::string_view> keys;
@@ -47,7 +47,7 @@ const std::vector<Offer>& offers() {
   return all;
 }
 
-// A table of the scene and where it stands: "rotor.disc[1]".
+// A table of the scene and its path: "rotor.disc[1]".
 struct Place {
   std::string path;
   const TomlNode* node;
@@ -71,7 +71,7 @@ std::vector<Place> places_of(const TomlNode& root, std::string_view table) {
   return places;
 }
 
-// SI; nothing: it is no single number.
+// SI; empty if it is not a single number.
 std::optional<double> number_of(const TomlNode& node, const scene::Quantity& quantity) {
   switch (node.kind) {
     case TomlNode::Kind::kFloat:
@@ -97,7 +97,7 @@ std::optional<double> number_at(const Place& place, const Key& key) {
   return std::strtod(key.standard.c_str(), nullptr);
 }
 
-// As people read it; empty: a pure number.
+// The unit for people; empty if dimensionless.
 std::string unit_of(const scene::Quantity& quantity, double value) {
   const std::string_view si = quantity.unit;
   if (si == "1") return "";
@@ -106,7 +106,8 @@ std::string unit_of(const scene::Quantity& quantity, double value) {
   return si == "s" ? "ms" : std::string(si);
 }
 
-// Other keys that hold the speed of the rotor: the drive's, and of forces that keep step with it.
+// Other keys that hold the rotor's speed: the drive's, and frequencies of forces that follow the
+// speed.
 json keeping_step(const TomlNode& root, double speed) {
   json also = json::array();
   const std::vector<Offer> of = {{"drive", {"speed", "synchronous_speed"}},
@@ -150,7 +151,7 @@ json all_sliders(const TomlNode& root) {
         const Key* key = table ? table->find(name) : nullptr;
         if (!key || !key->is_for(kind ? kind->text : "")) continue;
         const std::optional<double> value = number_at(place, *key);
-        // Twice nothing is nothing: without a range of its own it cannot be slid.
+        // A value of 0 without a range of its own cannot have a slider.
         const bool ranged = std::isfinite(key->range.high);
         if (value && (*value != 0.0 || ranged))
           sliders.push_back(slider(root, place, *key, *value));

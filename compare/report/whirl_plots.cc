@@ -19,15 +19,15 @@ using Values = std::vector<double>;
 constexpr double kMicro = 1e6;
 constexpr std::size_t kMostSamples = 1 << 14;
 constexpr std::size_t kMostFrequencies = 1 << 17;
-constexpr std::size_t kSpectrumBuckets = 400;  // twice as many points: peaks survive
-constexpr std::size_t kColumns = 240;          // of a waterfall: frequencies
+constexpr std::size_t kSpectrumBuckets = 400;  // twice as many points, which preserve the peaks
+constexpr std::size_t kColumns = 240;          // frequencies of a waterfall
 
 double start_of_the_settled(const Trajectory& run) {
   const Values& t = run.column("t");
   return t.front() + 0.5 * (t.back() - t.front());
 }
 
-// As many as the run has rows in between.
+// As many samples as the run has rows between these times.
 std::size_t samples_between(const Trajectory& run, double from, double to) {
   const Values& t = run.column("t");
   const auto rows =
@@ -35,7 +35,7 @@ std::size_t samples_between(const Trajectory& run, double from, double to) {
   return std::min(static_cast<std::size_t>(rows), kMostSamples);
 }
 
-// The second half of the run.
+// Of the second half of the run.
 json spectrum_json(const Trajectory& run, double limit) {
   const double from = start_of_the_settled(run), to = run.column("t").back();
   const std::size_t count = samples_between(run, from, to);
@@ -44,18 +44,18 @@ json spectrum_json(const Trajectory& run, double limit) {
   return spectrum_data(even_orbit(run, from, to, count), h, limit);
 }
 
-// The largest amplitude of each column's frequencies.
+// With the largest amplitude among the frequencies of each column.
 json waterfall_json(const Trajectory& run, double limit, double longest_turn) {
   const double from = run.column("t").front(), to = run.column("t").back();
   const std::size_t count = samples_between(run, from, to);
   if (count < kLeastSpectrumRows) return nullptr;
   const double h = (to - from) / static_cast<double>(count - 1);
-  // Eight turns tell frequencies of an eighth of the spin apart; a short run has a quarter of
-  // itself.
+  // Eight turns resolve an eighth of the spin frequency; in a short run a stretch is a quarter of
+  // it.
   const auto wanted = static_cast<std::size_t>(8.0 * longest_turn / h);
   const std::size_t stretch = std::clamp<std::size_t>(wanted, 16, count / 4);
   const Waterfall w = waterfall(even_orbit(run, from, to, count), h, stretch);
-  // A column is one frequency or, of more than kColumns, as many neighbours each.
+  // A column is one frequency, or several adjacent ones if there are more than kColumns.
   const auto middle = static_cast<std::size_t>(stretch / 2);
   const double apart = w.frequency[middle + 1];
   const std::size_t side = std::min(static_cast<std::size_t>(limit / apart), (stretch - 1) / 2);
@@ -91,7 +91,7 @@ json poincare_json(const Trajectory& run) {
   return {{"x", rounded_list(x, kMicro, 5)}, {"y", rounded_list(y, kMicro, 5)}};
 }
 
-// |rotor - first's rotor| at the times of both.
+// |rotor - first's rotor| at the times that both have.
 json residual_json(const Trajectory& run, const Trajectory& first) {
   const Values &t = run.column("t"), &other = first.column("t");
   Values times, distance;
@@ -112,7 +112,7 @@ json residual_json(const Trajectory& run, const Trajectory& first) {
   return distance_data(times, distance);
 }
 
-// s, of the spin; of a rotor that hardly turns a twentieth of the run.
+// s: duration of a turn of the spin; for a rotor that hardly turns, a twentieth of the run.
 double turn_of(const Trajectory& run) {
   const double span = run.column("t").back() - run.column("t").front(),
                spin = std::abs(mean_spin(run));

@@ -9,7 +9,7 @@
 namespace rotorub {
 namespace {
 
-// A law that the run does not see.
+// Reports a law that does not act during the run.
 void doubt_control(const scene::Controller& law, double end, const std::string& where,
                    std::vector<std::string>& all) {
   if (law.kind == scene::ControllerKind::kPassive) return;
@@ -26,7 +26,7 @@ void doubt_control(const scene::Controller& law, double end, const std::string& 
   }
 }
 
-// An instant far beyond the end, where milliseconds were meant.
+// Reports an instant far beyond the end, probably meant in milliseconds.
 void doubt_instants(const scene::Scene& scene, std::vector<std::string>& all) {
   const double end = scene.run.end;
   const auto look_at = [&](const std::string& key, double instant, const char* what) {

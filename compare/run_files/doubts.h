@@ -1,5 +1,5 @@
-// Values that a scene may have and that are hardly meant (a unit forgotten, a zero too many, a law
-// that never acts), and a run whose energy does not add up. Nothing is refused for them.
+// Warnings about values of a scene that are probably mistakes (a missing unit, an extra zero, a law
+// that never acts), and about a run whose energy balance is off. Nothing is refused.
 #pragma once
 
 #include <string>
@@ -10,20 +10,21 @@
 
 namespace rotorub {
 
-// A clearance beyond so many radii is a pipe, not a bearing; beyond this speed no material holds a
-// rim together; softer than this is no metal.
-inline constexpr double kMostClearance = 0.2;      // of the rotor's radius at the contact
+// Limits for plausible values: a larger clearance is a pipe and not a bearing, no material holds a
+// rim together at a higher speed, and no metal is softer.
+inline constexpr double kMostClearance = 0.2;      // relative to the rotor's radius at the contact
 inline constexpr double kFastestSurface = 1000.0;  // m/s
 inline constexpr double kMostFriction = 2.0;
 inline constexpr double kSoftestShaft = 1e8;       // Pa
 inline constexpr double kMostEccentricity = 0.01;  // m
-inline constexpr double kLateInstant = 10.0;       // of the run: a run may be cut short
-// A native run of steps whose energy is off by a larger share of the most that it had.
+// Relative to the length of the run, which may have been shortened.
+inline constexpr double kLateInstant = 10.0;
+// Largest energy error of a native run with fixed steps, relative to its largest energy.
 inline constexpr double kMostEnergyError = 0.01;
 
-// A sentence each, with key and value; none: nothing is in doubt.
+// One sentence per doubtful value, with its key.
 std::vector<std::string> doubts(const scene::Scene& scene);
-// The same, and what is doubtful of a run of the scene.
+// The same, and the doubts about a run of the scene.
 std::vector<std::string> doubts(const scene::Scene& scene, const Trajectory& run);
 
 }  // namespace rotorub

@@ -31,7 +31,7 @@ Table series_of(const Trajectory& t) {
   return table;
 }
 
-// values: one list a column; the last is there where there are several contacts.
+// values: one list per column; the last column exists only with several contacts.
 Table impacts_of(const Trajectory& t, std::array<std::vector<double>, 9>& values) {
   for (const Impact& i : t.impacts) {
     const double row[] = {

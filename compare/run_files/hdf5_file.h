@@ -1,6 +1,6 @@
-// run.h5: a run in one HDF5 file. Groups `series`, `impacts`, `events`, `keyphasor`, a dataset a
-// column with the attributes `unit` and `meaning`; attributes of the file: what summary.json says,
-// but for times taken, and the scene as `scene_text`.
+// run.h5: a run in one HDF5 file. It has the groups `series`, `impacts`, `events` and `keyphasor`,
+// with one dataset per column and the attributes `unit` and `meaning`. The attributes of the file
+// are the contents of summary.json except for computing times, and the scene as `scene_text`.
 #pragma once
 
 #include <string>
@@ -11,7 +11,7 @@
 
 namespace rotorub::hdf5 {
 
-// The bytes of the file: the same run, the same bytes.
+// The bytes of the file; equal for equal runs.
 std::string run_file(ImageOf image_of, const scene::Scene& scene, const std::string& scene_text,
                      const Trajectory& trajectory);
 

@@ -29,9 +29,9 @@ constexpr const char* kImpacts = "impacts.csv";
 constexpr const char* kEvents = "events.csv";
 constexpr const char* kKeyphasor = "keyphasor.csv";
 constexpr const char* kScene = "scene.toml";
-constexpr const char* kOwnModel = "model.xml";  // of a machine of the user's own
+constexpr const char* kOwnModel = "model.xml";  // of a user's own machine
 constexpr const char* kSummary = "summary.json";
-constexpr const char* kHdf5 = "run.h5";  // where it is asked for
+constexpr const char* kHdf5 = "run.h5";  // only on request
 
 std::string text_of(const path& file) {
   try {
@@ -51,7 +51,7 @@ std::vector<std::string_view> fields_of(std::string_view line) {
   }
 }
 
-// Calls row(fields, line number) for every line after the header, which it returns.
+// Calls row(fields, line number) for every line after the header; returns the header.
 template <class Row>
 std::vector<std::string> read_csv(const path& file, Row row) {
   const std::string text = text_of(file);
@@ -143,7 +143,7 @@ Status stored_status(const std::string& name) {
   return Status::kDiverged;
 }
 
-// What the library says, without its own "[json.exception.parse_error.101] ".
+// The message of the library without its prefix "[json.exception.parse_error.101] ".
 std::string json_reason(const nlohmann::json::exception& error) {
   const std::string said = error.what();
   const std::size_t end = said.find("] ");
@@ -159,8 +159,9 @@ nlohmann::json summary_of(const path& file) {
   }
 }
 
-// A library stands beside the scene, not beside its results; no text of a machine of one's own,
-// which no record tells of, names one.
+// The text of the scene for the folder. Libraries are located relative to the scene, so their
+// absolute paths are inserted. The text of a user's own machine, which has no record, names no
+// library.
 std::string text_to_keep(const scene::Scene& scene) {
   std::vector<std::string> places;
   for (const NamedLibrary& library : libraries_of(scene)) {
@@ -170,7 +171,7 @@ std::string text_to_keep(const scene::Scene& scene) {
   return scene::parse_scene(scene.text, scene.name + ".toml", places).text;
 }
 
-// Named after its run, but its faults stand in the folder.
+// The scene has the name of its run, but error messages name the file in the folder.
 scene::Scene read_kept_scene(const path& file, const std::string& name) {
   try {
     return scene::parse_scene(text_of(file), name + ".toml");
@@ -184,7 +185,7 @@ scene::Scene read_kept_scene(const path& file, const std::string& name) {
 bool is_own_machine(const scene::Scene& scene) { return scene.rotor.assembled != nullptr; }
 const char* scene_file(bool own_machine) { return own_machine ? kOwnModel : kScene; }
 
-// Files of an earlier run that this run does not write would be taken for results of this run.
+// Files of an earlier run that this run does not write could be mistaken for its results.
 std::vector<const char*> obsolete_files(const path& folder, bool own_machine) {
   if (!std::filesystem::exists(folder / kSummary)) return {};
   return {scene_file(!own_machine), kRunPage, kLyapunovFile};
@@ -245,7 +246,7 @@ StoredRun read_run(const path& folder) {
   t.contacts = run.scene.auxiliary.size();
   read_series(folder / kSeries, t);
   read_impacts(folder / kImpacts, t);
-  // A run of an earlier version has none.
+  // Runs of earlier versions have no such file.
   if (std::filesystem::exists(folder / kKeyphasor)) read_keyphasor(folder / kKeyphasor, t);
   return run;
 }
@@ -256,7 +257,7 @@ void check_series(const Trajectory& trajectory, const std::string& file) {
                            "gap_rate", "normal_force", "friction_force", "mode"}) {
     if (!trajectory.has(name)) throw BrokenRun(fmt::format("{}: has no column `{}`", file, name));
   }
-  // A header stands before the rows.
+  // The rows follow a header.
   const auto line = [](std::size_t row) { return row + 2; };
   for (const Column& column : trajectory.series) {
     for (std::size_t i = 0; i < column.values.size(); ++i) {
@@ -277,7 +278,7 @@ std::optional<StoredRun> read_shadow(const path& folder, const StoredRun& run) {
   if (run.trajectory.engine != "mujoco" || !run.scene.mujoco.shadow) return std::nullopt;
   if (!std::filesystem::exists(own / kSummary)) return std::nullopt;
   StoredRun shadow = read_run(own);
-  // A later run of another scene may have been written over the one that this belongs to.
+  // A run of another scene may have been written over the one that the shadow belongs to.
   if (shadow.scene.text != run.scene.text) return std::nullopt;
   return shadow;
 }

@@ -19,11 +19,12 @@ namespace {
 using nlohmann::json;
 using nlohmann::ordered_json;
 
-constexpr const char* kRingSpeed = "ring_speed";  // of a metric it would be a mean
+// At the end of the run, not a mean as a metric would be.
+constexpr const char* kRingSpeed = "ring_speed";
 constexpr std::string_view kSeveral = "several contacts";
 constexpr std::string_view kGeometry = "geometry form with a contact, else null";
 
-// Beside the metrics.
+// Keys besides the metrics.
 constexpr ColumnMeaning kSummaryKeys[] = {
     {"program", "", "rotorub", ""},
     {"version", "", "of the program", ""},
@@ -70,7 +71,7 @@ constexpr ColumnMeaning kSummaryKeys[] = {
      "sentences: values of the scene that are hardly meant, or energy that does not add up", ""},
 };
 
-// Of each contact, where there are several.
+// One entry per contact if there are several.
 json contacts_json(const scene::Scene& scene, const Trajectory& trajectory) {
   json all = json::array();
   for (std::size_t k = 0; k < trajectory.statistics.contacts.size(); ++k) {
@@ -94,7 +95,7 @@ json contacts_json(const scene::Scene& scene, const Trajectory& trajectory) {
   return all;
 }
 
-// Null: modal form, or no contact.
+// null in modal form or without a contact.
 json above_modes_json(const std::optional<AboveModes>& above) {
   if (!above) return nullptr;
   return {{"highest_forward", above->band.forward},
@@ -112,7 +113,7 @@ json run_numbers_json(const scene::Scene& scene, const Trajectory& trajectory) {
   for (const Figure& f : figures()) {
     if (!has_figure(m, f)) all[f.key] = nullptr;
   }
-  // rad/s, at the end, of a ring that turns.
+  // rad/s, at the end of the run, for a ring that turns.
   if (trajectory.has(kRingSpeed) && trajectory.rows() > 0) {
     all[kRingSpeed] = trajectory.column(kRingSpeed).back();
   }

@@ -1,4 +1,4 @@
-// summary.json of a run, and columns.json beside it.
+// summary.json of a run, and its columns.json.
 #pragma once
 
 #include <nlohmann/json_fwd.hpp>
@@ -10,18 +10,17 @@
 
 namespace rotorub {
 
-// As the contract names its keys. A number that is not finite becomes null.
+// A number that is not finite becomes null.
 nlohmann::json summary_json(const scene::Scene& scene, const Trajectory& trajectory);
 
-// Of it what the motion shows, as the terminal has it: metrics_json with null for what a run by
-// itself does not have (has_figure). No eigenproblem of the rotor.
+// The part of it that the motion determines, as on the terminal: metrics_json with null for figures
+// that a single run does not have (has_figure). Does not solve an eigenproblem of the rotor.
 nlohmann::json run_numbers_json(const scene::Scene& scene, const Trajectory& trajectory);
 
-// Its keys; "above_modes.contact_share": within another.
+// The keys of summary_json; "above_modes.contact_share" is within "above_modes".
 std::span<const ColumnMeaning> summary_keys();
 
-// {"<file>": [{"name", "unit", "meaning"}, ...], ...} in the order of the columns, each by its name
-// and with its unit.
+// {"<file>": [{"name", "unit", "meaning"}, ...], ...} in the order of the columns.
 nlohmann::ordered_json run_columns_json(const Trajectory& trajectory);
 
 }  // namespace rotorub

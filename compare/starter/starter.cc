@@ -20,19 +20,19 @@ using std::numbers::pi;
 
 constexpr double kYoung = 210e9, kDensity = 7850.0;  // steel
 
-// To a few significant digits: what a person would write.
+// Rounds to a few significant digits, as a person would.
 double rounded(double value, int digits) {
   return std::strtod(scene::number_text(value, digits).c_str(), nullptr);
 }
 
-// The largest of ..., 1, 2, 5, 10, ... that is not above the value.
+// The largest of ..., 1, 2, 5, 10, ... that does not exceed the value.
 double rounded_down(double value) {
   const double decade = std::pow(10.0, std::floor(std::log10(value)));
   const double lead = value / decade;
   return rounded(decade * (lead >= 5.0 ? 5.0 : lead >= 2.0 ? 2.0 : 1.0), 1);
 }
 
-// As shares of the shaft's length.
+// Positions relative to the shaft's length.
 struct Stations {
   double first_bearing, last_bearing, contact, disc;
 };
@@ -44,10 +44,10 @@ Stations stations_of(StarterForm form) {
   return {0.05, 0.95, 0.4, 0.5};
 }
 
-// Each magnetic bearing bears a tenth of the shaft's stiffness, damped to 0.3 of the critical; its
-// current works against a negative stiffness half as large. Gyroscopics turn the tilting of a fast
-// rotor into a slow precession, k d / (d^2 + (J_p Omega)^2) of which is damped away and k_i / k fed
-// in by the integral: half of that at most.
+// The net stiffness of each magnetic bearing is a tenth of the shaft's, with a damping ratio of
+// 0.3; its current also compensates a negative stiffness half as large. The gyroscopic effect turns
+// the tilting of a fast rotor into a slow precession that decays at k d / (d^2 + (J_p Omega)^2).
+// The integral term reduces this by k_i / k, which is limited to half of it.
 void size_magnets(const Starter& starter, double shaft_stiffness, StarterSizes& s) {
   const double net = 0.1 * shaft_stiffness, mass = 0.5 * s.modal_mass;
   const double arm = 0.5 * (s.last_bearing - s.first_bearing), tilt = 2.0 * net * arm * arm,
@@ -80,13 +80,13 @@ StarterSizes sizes_of(const Starter& starter) {
   s.exciter_station = rounded(0.7 * L, 4);
   s.second_contact = rounded((1.0 - at.contact) * L, 4);
 
-  // A steel disc a third as wide as its radius, but never smaller than the shaft.
+  // A steel disc with a width of a third of its radius, but not smaller than the shaft.
   const double R = std::max(std::cbrt(3.0 * m / (pi * kDensity)), 0.75 * d);
   const double width = m / (kDensity * pi * R * R);
   s.disc_Jp = rounded(m * R * R / 2.0, 3);
   s.disc_Jt = rounded(m * (3.0 * R * R + width * width) / 12.0, 3);
 
-  // The sleeve at the contact, of steel: 1.4 d long.
+  // The steel sleeve at the contact, with a length of 1.4 d.
   s.radius = rounded(d / 0.9, 3);
   const double sum = s.radius * s.radius + d * d / 4.0, l = 1.4 * d;
   const double ring_area = pi * (s.radius * s.radius - d * d / 4.0);
@@ -94,27 +94,28 @@ StarterSizes sizes_of(const Starter& starter) {
   s.sleeve_Jp = rounded(s.sleeve_mass * sum / 2.0, 3);
   s.sleeve_Jt = rounded(s.sleeve_mass * (3.0 * sum + l * l) / 12.0, 3);
 
-  // One mode: the disc and, by Rayleigh, 17/35 of the shaft.
+  // One mode: the disc and, after Rayleigh, 17/35 of the shaft's mass.
   const double shaft_mass = kDensity * pi * d * d / 4.0 * L;
   s.modal_mass = rounded(m + 17.0 / 35.0 * shaft_mass, 4);
   s.modal_stiffness = rounded(shaft_stiffness, 4);
   s.modal_damping = rounded(2.0 * 0.01 * std::sqrt(s.modal_mass * s.modal_stiffness), 3);
   size_magnets(starter, shaft_stiffness, s);
 
-  // The ring: three quarters of the disc's mass, its own frequency a little above the speed,
-  // damping ratio 0.27.
+  // The ring: three quarters of the disc's mass, a natural frequency slightly above the speed, and
+  // a damping ratio of 0.27.
   s.ring_mass = rounded(0.75 * m, 3);
   s.ring_stiffness = rounded(1.35 * s.ring_mass * omega * omega, 2);
   if (starter.form == StarterForm::kTwoCatchers) {
-    // Nor does its own weight, which the others have not, lower it by more than this.
-    constexpr double kSag = 0.2;  // of the clearance
+    // Its own weight, which the other forms lack, must not lower it by more than this.
+    constexpr double kSag = 0.2;  // relative to the clearance
     const double weight = 9.81 * s.ring_mass;
     s.ring_stiffness =
         std::max(s.ring_stiffness, rounded(weight / (kSag * starter.clearance.value), 2));
   }
   s.ring_damping = rounded(0.54 * std::sqrt(s.ring_mass * s.ring_stiffness), 2);
 
-  // The motor: half the disc's inertia, and a gain that keeps the speed within half a turn.
+  // The motor: half the disc's inertia, and a gain that restores the speed within about half a turn
+  // (time constant 3.5 / omega).
   s.motor_inertia = rounded(0.5 * s.disc_Jp, 2);
   s.motor_gain = rounded((s.disc_Jp + s.motor_inertia) * omega / 3.5, 2);
   s.step = rounded_down(turn / 2000.0);
@@ -125,9 +126,9 @@ scene::Scene read_back(const Starter& starter, const StarterSizes& sizes) {
   return scene::parse_scene(starter_text(starter, sizes), starter.file);
 }
 
-// m: where the contact point of the free orbit is at t = 0.
+// m: position of the contact point on the free orbit at t = 0.
 Eigen::Vector2d on_orbit(const Starter& starter, StarterSizes sizes) {
-  // All of the load acts from the beginning; magnets that fail do so later.
+  // All loads act from the beginning, but magnetic bearings that fail do so later.
   if (starter.form != StarterForm::kTwoCatchers) sizes.on = 0.0;
   const Model model = prepare(read_back(starter, sizes));
   const int n = model.layout.modes;
@@ -152,7 +153,7 @@ double highest_frequency(const Model& model) {
 
 std::string starter_scene(const Starter& starter) {
   StarterSizes sizes = sizes_of(starter);
-  // A linear answer: from one so small that it cannot touch to one of the size that is wanted.
+  // The response is linear, so it can be scaled from one too small to touch to the desired size.
   constexpr double kSmall = 1e-9;
   const double clearance = starter.clearance.value, mass = starter.disc_mass.value;
   const auto answer = [&](double unbalance, double load) {
@@ -169,7 +170,7 @@ std::string starter_scene(const Starter& starter) {
   const double small = kSmall * clearance;
   const double by_eccentricity = answer(small, 0.0) / small;
   sizes.eccentricity = rounded(0.1 * clearance / by_eccentricity, 2);
-  // No machine of such an orbit may be out of balance beyond what is usual.
+  // The unbalance of a machine with this orbit must not exceed the usual grade.
   const double usual =
       kBalanceQuality / starter.speed.value * (starter.form == StarterForm::kModal ? mass : 1.0);
   sizes.is_graded = sizes.eccentricity > usual;

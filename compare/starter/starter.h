@@ -1,9 +1,9 @@
-// The scene that `rotorub init` writes: one that runs at once, with a word on every value.
+// The scene that `rotorub init` writes: it runs immediately, and every value has a comment.
 //
-// Its sizes follow from six that are asked for, so that any of them can be changed and the machine
-// stays one: the shaft's stiffness 48 E I / L^3, the bearings stiffer by a fixed factor, the ring
-// in proportion to the disc and the speed. The load, unless it is asked for, is found by the native
-// model: a free orbit of a few clearances, so that the rotor touches.
+// Its sizes follow from six given values, so that any of them can be changed and the machine stays
+// consistent: the shaft's stiffness is 48 E I / L^3, the bearings are stiffer by a fixed factor,
+// and the ring is proportional to the disc and the speed. The load, unless it is given, is
+// determined with the native model for a free orbit of a few clearances, so that the rotor touches.
 #pragma once
 
 #include <array>
@@ -13,13 +13,14 @@
 namespace rotorub {
 
 enum class StarterForm {
-  kGeometry,  // a shaft with disc, sleeve and two bearings, which loses a blade
-  kModal,     // the same as a Jeffcott rotor: one mode
-  kRig,  // the reference rig: torsion, motor, magnetic exciter, actuator, room for a controller
-  kController,   // the same with a sliding-mode controller at work
-  kOverhung,     // as kGeometry, the disc beyond the second bearing: a pump's or fan's wheel
-  kVertical,     // hung from two bearings at its upper end, guided by the auxiliary bearing below
-  kTwoCatchers,  // in two magnetic bearings, which fail: it drops into two auxiliary bearings
+  kGeometry,  // a shaft with disc, sleeve and two bearings that loses a blade
+  kModal,     // the same as a Jeffcott rotor with one mode
+  kRig,  // the reference rig: torsion, motor, magnetic exciter, actuator, prepared for a controller
+  kController,  // the same with an active sliding-mode controller
+  kOverhung,    // like kGeometry with the disc beyond the second bearing, as in a pump or fan
+  // Suspended from two bearings at the upper end, with the auxiliary bearing as a guide below.
+  kVertical,
+  kTwoCatchers,  // in two magnetic bearings that fail, so that it drops into two auxiliary bearings
 };
 
 struct StarterFormWord {
@@ -35,16 +36,16 @@ inline constexpr std::array kStarterForms{
     StarterFormWord{StarterForm::kVertical, "vertical"},
     StarterFormWord{StarterForm::kTwoCatchers, "two-catchers"}};
 
-// Driven by a motor, into its ring by a magnetic exciter.
+// Driven by a motor, and pushed into the ring by a magnetic exciter.
 constexpr bool is_rig(StarterForm form) {
   return form == StarterForm::kRig || form == StarterForm::kController;
 }
-// An unbalance that comes begins the rub.
+// Whether an unbalance that appears later starts the rub.
 constexpr bool loses_mass(StarterForm form) {
   return !is_rig(form) && form != StarterForm::kTwoCatchers;
 }
 
-// A value as the user wrote it, and in SI.
+// A value as given by the user, and in SI.
 struct StarterValue {
   std::string text;
   double value = 0.0;
@@ -58,12 +59,13 @@ struct Starter {
   StarterValue disc_mass{"2 kg", 2.0};               // > 0
   StarterValue clearance{"0.5 mm", 0.5e-3};          // > 0
   StarterValue friction{"0.15", 0.15};               // >= 0
-  // kg m, > 0, of the mass that is lost (loses_mass); absent: one of a free orbit of two clearances
+  // kg m, > 0, static moment of the lost mass (loses_mass); if empty, for a free orbit of two
+  // clearances.
   std::optional<StarterValue> unbalance;
-  std::string file = "rotor.toml";  // named in its comments
+  std::string file = "rotor.toml";  // mentioned in its comments
 };
 
-// The scene's text. Throws scene::SceneError where the values make no machine that runs.
+// The scene's text. Throws scene::SceneError if the values do not make a machine that runs.
 std::string starter_scene(const Starter& starter);
 
 }  // namespace rotorub

@@ -2,7 +2,7 @@
 
 namespace rotorub {
 
-// Embedded (compare/CMakeLists.txt).
+// Embedded files (compare/CMakeLists.txt).
 std::string_view follow_c();
 std::string_view follow_cc();
 std::string_view follow_law_py();

@@ -9,12 +9,13 @@
 namespace rotorub {
 
 struct StarterFile {
-  std::string_view name;  // within a folder of their own
+  std::string_view name;  // within their folder
   std::string text;
 };
 
-// One law three times, each with the lines that compile and run it from its folder; the header that
-// it needs, and what calls the one in Python. scene: name of the file beside the folder.
+// The same law in three languages, each with the commands to build and run it from its folder; the
+// header that it needs, and the program that calls the Python version. scene: name of the file
+// beside the folder.
 std::vector<StarterFile> starter_laws(std::string_view scene);
 
 }  // namespace rotorub

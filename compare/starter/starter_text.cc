@@ -9,14 +9,14 @@
 namespace rotorub {
 namespace {
 
-// As TOML: a plain number, or a text with its unit.
+// In TOML: a plain number, or a text with its unit.
 std::string written(const StarterValue& value) {
   const std::string_view text = scene::trimmed(value.text);
   const bool plain = text.find_first_not_of("0123456789.eE+-") == std::string_view::npos;
   return plain ? scene::number_text(value.value, 15) : "\"" + std::string(text) + "\"";
 }
 
-// As a person writes it: 2e7 rather than 2e+07.
+// Without unnecessary digits in the exponent: 2e7 instead of 2e+07.
 std::string number(double value) {
   std::string text = scene::number_text(value, 6);
   for (const char* filler : {"e+0", "e+", "e-0"}) {
@@ -207,7 +207,7 @@ std::string load(const Starter& starter, const StarterSizes& s) {
          (modal ? "" : value("station", s.disc_station, "m")) + "\n";
 }
 
-// parent: of the ring's table, "" or "contact.".
+// parent: prefix of the ring's table, "" or "contact.".
 std::string bearing(const Starter& starter, const StarterSizes& s, const char* head,
                     const char* parent, std::optional<double> station) {
   return head + (station ? value("station", *station, "m") : "") +
@@ -230,7 +230,7 @@ std::string bearings(const Starter& starter, const StarterSizes& s) {
          bearing(starter, s, "[[contact]]\nname = \"second\"\n", "contact.", s.second_contact);
 }
 
-// What can move the ring, at work or ready to be switched on.
+// The ring's actuator, and its controller, which is active or commented out.
 std::string active_ring(const Starter& starter, const StarterSizes& s) {
   const bool works = starter.form == StarterForm::kController;
   const std::string mark = works ? "" : "#";
@@ -258,14 +258,14 @@ std::string rules(const Starter& starter, const StarterSizes& s) {
                   : "\"The load is large enough for the rotor to touch.\"",
             "") +
       "\n";
-  // An orbit within the clearance may touch on its way or not.
+  // An orbit within the clearance may or may not touch during the transient.
   return (falls || s.load_orbit > 1.0 ? touches : "") + "[[check]]\n" +
          value("metric", "\"max_penetration\"", "") +
          value("max", number(starter.clearance.value), "m") +
          value("why", "\"A rigid contact lets nothing in, at a finite step only a little.\"", "");
 }
 
-// Comments that say nothing are left out.
+// Removes empty comments.
 std::string without_empty_comments(const std::string& text) {
   std::string result;
   for (std::size_t at = 0; at < text.size();) {

@@ -28,7 +28,7 @@ std::string reason(const SceneComparison& c, const Side& other, const SideDiffer
          why(d.judged(), c.tolerance);
 }
 
-// What is off most: where averages are not to be trusted, one of these first.
+// The largest differences in plain words. If averages cannot be trusted, one of them comes first.
 std::string plain_reason(const SceneComparison& c, const Side& other, const SideDifference& d) {
   const Side& native = c.sides.front();
   if (d.resync || native.trajectory.status != Status::kOk || other.trajectory.status != Status::kOk)
@@ -48,14 +48,15 @@ std::string plain_reason(const SceneComparison& c, const Side& other, const Side
 }
 
 std::string question_of(const std::string& label) {
-  // As scene::ContactModel.
+  // In the order of scene::ContactModel.
   constexpr const char* kQuestions[] = {"with the rigid law", "with Coulomb's friction beside it",
                                         "MuJoCo alone", "with the corrected cone"};
   const auto contact = scene::contact_model(label);
   return contact ? kQuestions[static_cast<int>(*contact)] : "MuJoCo alone, by its default solref";
 }
 
-// `rigid` is the native law in MuJoCo's step, `verlet`'s on the native coordinates.
+// `rigid` applies the native law in MuJoCo's step and takes the steps of `verlet` on the native
+// coordinates.
 std::string evidence_of(const SceneComparison& c, const Side& side) {
   if (side.label != to_string(scene::ContactModel::kRigid)) return "";
   if (c.own || c.scene.mujoco.rotor == scene::MujocoRotor::kSegments) {

@@ -1,5 +1,5 @@
-// The answer to what the user asked: one row a contact model, the same on the terminal, in the JSON
-// and on the page.
+// The answer to the user's question, one row per contact model. It is the same on the terminal, in
+// the JSON and on the page.
 #pragma once
 
 #include <optional>
@@ -10,77 +10,77 @@
 
 namespace rotorub {
 
-// Whether a contact model has shown forces that can be judged. The exit code and `Trust` do not
-// ask.
+// Whether a run of a contact model shows forces that can be judged. The exit code and `Trust` do
+// not depend on it.
 enum class Showing {
   kForces,
-  kNothing,  // nothing touches: there is no contact force
-  kFailed    // the native run or the controller failed, which is no fault of the contact model
+  kNothing,  // no contact in either run, so there is no contact force
+  kFailed    // the native run or the controller failed; the contact model is not to blame
 };
 Showing showing(const SceneComparison& comparison, std::size_t side);
 
 struct AnswerRow {
   std::string contact;   // "rigid"
-  std::string question;  // what that is, to somebody new: "with the rigid law"
+  std::string question;  // a description for newcomers: "with the rigid law"
   Trust trust = Trust::kNo;
-  std::string trusted;       // the verdict in a word or two, or that there is none
-  Tone tone = Tone::kBad;    // of it
-  std::string why;           // half a sentence
-  std::string plain;         // the same to somebody new, two figures at most; empty: none is off
+  std::string trusted;     // the verdict in a word or two, or that there is none
+  Tone tone = Tone::kBad;  // of `trusted`
+  std::string why;         // half a sentence
+  std::string plain;  // the same for newcomers, with at most two figures; empty if no figure is off
   double us_per_step = 0.0;  // median; 0: not timed
-  bool decides = false;      // the exit code
-  std::string evidence;      // a sentence: what agreement says, where the two share more than the
-                             // scene; else empty
+  bool decides = false;      // determines the exit code
+  // a sentence on what agreement proves if native and MuJoCo share more than the scene; otherwise
+  // empty
+  std::string evidence;
 };
 
-// In the order of the sides.
+// In the order of sides[1], sides[2], ...
 std::vector<AnswerRow> answer(const SceneComparison& comparison);
 
-// The numbers of the differences as a newcomer reads them: MuJoCo alone, corrected, by the plugin's
-// laws, so that nobody takes what the plugin solves for MuJoCo as it comes.
+// The indices of the differences in the order for newcomers: MuJoCo alone, MuJoCo corrected, the
+// plugin's laws. This order keeps readers from taking the plugin's result for plain MuJoCo's.
 std::vector<std::size_t> reading_order(const SceneComparison& comparison);
 
-// Of these the ones that its sentence has: every contact model but what MuJoCo's default solref
-// makes.
+// The rows of the answer sentence: all except the one with MuJoCo's default solref.
 std::vector<std::size_t> sentence_rows(const SceneComparison& comparison);
 
 // "MuJoCo alone: no (lasting contact 0 % instead of 99 %); with the corrected cone: averages only
 // (...); with the rigid law: yes."
 std::string answer_sentence(const SceneComparison& comparison);
 
-// "Exit code: by rigid (--contact), which agrees within 1 %."
+// A sentence on which contact model determines the exit code, and its result.
 std::string whose_verdict(const SceneComparison& comparison);
 
-// Of a machine of the user's own: what the native side is, and what it leaves out of the machine,
-// sentences; else none.
+// For a user's own machine, sentences on what the native side is and what it leaves out of the
+// machine; otherwise empty.
 std::vector<std::string> own_notes(const SceneComparison& comparison);
 
-// Why MuJoCo's own cone is not among the contact models, a sentence; empty: it is, or has no part
-// in a contact that gives.
+// A sentence on why MuJoCo's own cone is not among the contact models. Empty if it is, or if the
+// scene's contact is compliant.
 std::string cone_note(const SceneComparison& comparison);
 
-// The solref of MuJoCo's soft contacts, a sentence; empty where none has one.
+// A sentence with the solref of MuJoCo's soft contacts; empty if none uses one.
 std::string solref_note(const SceneComparison& comparison);
 
-// How the two sides are coupled, a sentence; empty in lockstep.
+// A sentence on how the two sides are coupled; empty in lockstep.
 std::string mode_note(const SceneComparison& comparison);
 
-// The judged figure that a fault puts off most.
+// The largest share of one source of error among the judged figures.
 struct LargestError {
-  const Figure* figure = nullptr;  // null: of none can it be determined
-  double share = 0.0;              // of the native value, signed (points: as they are)
-  int untold = 0;  // judged figures that the runs have, of which it cannot be determined
+  const Figure* figure = nullptr;  // null: unknown for every figure
+  double share = 0.0;  // relative to the native value, signed (points: the value itself)
+  int untold = 0;      // number of judged figures of the runs for which it is unknown
 };
 
-// What a contact model's figures are off by, by whose fault.
+// The errors of a contact model's figures by source.
 struct ThreeErrors {
-  LargestError contact;  // what remains as the step goes to 0 (extrapolation.h)
-  LargestError step;     // what vanishes with it, MuJoCo's less the native one's
-  // Of the modes kept (model_error.h), the same on both sides; none: not asked for.
+  LargestError contact;  // remains as the step goes to 0 (extrapolation.h)
+  LargestError step;     // vanishes with the step: MuJoCo's minus the native one
+  // From the number of modes (model_error.h), equal on both sides; empty if not requested.
   std::optional<LargestError> modes;
 };
 
-// `side`: of the comparison's, >= 1.
+// side: index in comparison.sides, >= 1.
 ThreeErrors three_errors(const SceneComparison& comparison, std::size_t side);
 
 }  // namespace rotorub

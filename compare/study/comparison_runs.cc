@@ -16,7 +16,8 @@ namespace {
 
 constexpr double kMujocoWork = 15.0;
 
-// The time of the side's run is the median too: the one that is shown had others beside it.
+// Sets the statistics of the timing. The median also replaces the time of the side's shown run,
+// which ran beside others.
 void finish(Side& side) {
   Timing& timing = side.timing;
   if (timing.us_per_step.empty()) return;
@@ -32,7 +33,7 @@ void finish(Side& side) {
   m.real_time_factor = m.wall_s > 0.0 ? m.end / m.wall_s : 0.0;
 }
 
-// A row at every step; each command acts about its instant.
+// From a trajectory with one row per step; each command acts from half a step before its time.
 std::shared_ptr<const CommandRecord> commands_of(const Trajectory& t, double step) {
   const bool magnets = t.has("current_1");
   const auto& time = t.column("t");
@@ -157,7 +158,7 @@ Rung run_rung(Runner& runner, const Contestant& who, std::size_t rung, RunReques
 
 namespace {
 
-// What half the step does to a figure.
+// The effect of half the step on a figure.
 enum class StepChange { kAbsent, kSmall, kScatter, kLarge };
 
 StepChange step_change(std::size_t k, const Metrics& whole, const Metrics& half,
@@ -225,9 +226,10 @@ void leave_limits(const std::string& reason, Side& side) {
 
 double timed_end(const scene::Run& run, const std::vector<Side>& sides) {
   constexpr int kParts = 8;
-  // A step in contact costs up to twice one in flight: the mean is then right to a tenth.
+  // A step in contact costs up to twice as much as one in flight, so the mean is accurate to a
+  // tenth.
   constexpr double kAbout = 0.1, kFewestSteps = 10000.0;
-  // Of the time up to each part of the run.
+  // Shares of contact from 0 up to each part of the run.
   const auto contact_shares = [&](const Trajectory& t) {
     const auto &time = t.column("t"), &force = t.column("normal_force");
     std::vector<double> shares(kParts + 1);
@@ -284,7 +286,7 @@ std::vector<double> replay_floor(Runner& runner, const scene::Scene& scene) {
   const auto run = [&](const Engine& engine, RunRequest request) {
     return runner.run(engine, std::move(request), kNativeWork, "replay of the native model");
   };
-  // Rows at the steps alone.
+  // One row per step.
   RunRequest every;
   every.output_times.emplace();
   const double h = scene.run.step;

@@ -1,4 +1,4 @@
-// The runs that a comparison is made of: who takes part, at which steps, and for how long.
+// The runs of a comparison: the engines, their steps and their length.
 #pragma once
 
 #include <array>
@@ -19,40 +19,42 @@ namespace rotorub {
 struct Contestant {
   std::string label;
   std::unique_ptr<Engine> engine;
-  double work;  // of one run at the scene's step, in units of a native one: for the progress bar
-  bool climbs = true;  // run at smaller steps too
+  // Work of one run at the scene's step relative to a native run, for the progress bar.
+  double work;
+  bool climbs = true;  // whether it also runs at smaller steps
 };
 
 inline constexpr double kNativeWork = 1.0;
-inline constexpr double kLadderWork = 20.0;  // of the ladder of modes, in these units
+inline constexpr double kLadderWork = 20.0;  // work of the ladder of modes, in the same unit
 
-// Why MuJoCo's cone cannot be run, the rest of a sentence that begins with "its cone"; empty: it
-// can. own: a machine of the user's own, whose pairs may be any number.
+// Why MuJoCo's cone cannot run the scene, as the rest of a sentence that begins with "its cone";
+// empty if it can. own: the scene is the twin of a user's own machine, which may have any number of
+// pairs.
 std::string cone_refusal(const scene::Scene& scene, bool own);
 
-// Native, then MuJoCo with the contact model that decides, then with the others.
+// Native, then MuJoCo with the contact model that decides, then with the other models.
 std::vector<Contestant> contestants(const scene::Scene& scene, const CompareOptions& options);
 
-// Runs engines and keeps count of the work for the progress bar. Several threads may run at a time
-// while a MujocoInPlace lives.
+// Runs engines and counts the work for the progress bar. While a MujocoInPlace exists, several
+// threads may use it at a time.
 class Runner {
  public:
-  // `total`: of all the work to come, in the units of Contestant::work. All must outlive it.
+  // total: all work to come, in the unit of Contestant::work. The arguments must outlive this.
   Runner(const scene::Scene& scene, const CompareOptions& options, double total)
       : scene_(scene), options_(options), total_(total) {}
 
   Trajectory run(const Engine& engine, RunRequest request, double work, const std::string& what);
   // A run with the rows that plots and residuals need, and its figures.
   Side shown(const Contestant& who, RunRequest request);
-  // Of `parameters` those that every comparison has are filled in.
+  // Fills in the values of `parameters` that are common to all comparisons.
   Twins twins(const Contestant& who, const Trajectory& original, double threshold,
               TwinParameters parameters);
-  // For the time alone: as far as `end` (s), with no row but the last.
+  // A run up to `end` (s) for timing, which records only the last row.
   Trajectory timed(const Contestant& who, double end,
                    std::shared_ptr<const CommandRecord> commands);
-  // What the modes kept leave out; the twins' spread is what no more modes can tell.
+  // The error from the modes left out. Errors within the twins' spread cannot be resolved.
   ModelError model_error(const Repeatability& repeats);
-  // For work beside runs: tells its share, 1 at the end.
+  // Progress of work outside of runs: call the result with the fraction done, finally 1.
   std::function<void(double)> part(double work, const std::string& what);
   bool interrupted() const { return options_.interrupt && options_.interrupt->load(); }
   const scene::Scene& scene() const { return scene_; }
@@ -68,52 +70,54 @@ class Runner {
   double done_ = 0.0;  // of total_
 };
 
-// Rung 0 is the scene's step, 1 and 2 are half and a quarter of it.
+// Rung 0 is the scene's step; rungs 1 and 2 are one half and one quarter of it.
 inline constexpr std::size_t kRungs = 3;
 struct Rung {
   Metrics metrics;
-  std::string failed = "there is no run at a smaller step";  // why there are none; empty: there are
+  // Why there are no metrics; empty if there are.
+  std::string failed = "there is no run at a smaller step";
 };
-using Ladder = std::array<Rung, kRungs>;  // [0] is not used: the side has its figures
+using Ladder = std::array<Rung, kRungs>;  // [0] is unused, because the side holds its figures
 
-// A run at a part of the scene's step, with what else it is asked for.
+// Runs at the rung's fraction of the scene's step, otherwise as requested.
 Rung run_rung(Runner& runner, const Contestant& who, std::size_t rung, RunRequest request);
 
-// What decides whether the change of a figure with the step matters.
+// Determines whether the change of a figure with the step matters.
 struct StepTest {
-  const Metrics& native;        // at the scene's step
-  double tolerance;             // of the comparison, a share
-  std::vector<double> scatter;  // as figures(), shares (single_run_intervals)
+  const Metrics& native;  // at the scene's step
+  double tolerance;       // share, of the comparison
+  // One share per figure, in the order of figures() (single_run_intervals).
+  std::vector<double> scatter;
 };
 // Whether a run at a quarter of the step is worth its time. It is not if the change from the whole
 // to half the step is, for every judged figure, within its scatter, or negligible beside the
 // tolerance or beside the difference between MuJoCo and native.
 bool needs_quarter(const Side& side, const Rung& half, const StepTest& test);
-// Fills side.limits: the figures at dt, dt/2 and dt/4 and their limits. If dt/4 was not needed, the
+// Sets side.limits: the figures at dt, dt/2 and dt/4 and their limits. If dt/4 was not needed, the
 // limits come from the first two.
 void set_limits(const Ladder& ladder, const StepTest& test, Side& side);
-// Fills them where nothing was run at smaller steps.
+// Sets side.limits without runs at smaller steps, for that reason.
 void leave_limits(const std::string& reason, Side& side);
 
-// The end of the timed runs: the smallest multiple of an eighth of the run up to which the share of
-// contact is, for every side, about the same as over the whole run.
+// The end of the timed runs, s: the smallest multiple of an eighth of the run, of at least 10000
+// steps, up to which every side's share of contact is within 0.1 of that over the whole run.
 double timed_end(const scene::Run& run, const std::vector<Side>& sides);
 
-// Passes for time alone, engines in turn so that a slow spell of the machine meets all of them.
-// `commands`: of the native side.
+// Timing runs. The engines take turns, so that a slow phase of the computer affects all of them.
+// commands: for the native side.
 void time_runs(Runner& runner, const std::vector<Contestant>& all, int repeats,
                std::shared_ptr<const CommandRecord> commands, std::vector<Side>& sides);
 
-// Replay: the commands of a MuJoCo run on tape, for native runs that are driven by them.
+// Replay: the commands of a MuJoCo run are recorded and drive native runs.
 
-// Whether a controller of the scene commands its actuator: without one there is nothing to replay,
+// Whether a controller of the scene commands its actuator. Without one there is nothing to replay,
 // and replay equals lockstep.
 bool has_commands(const scene::Scene& scene);
 
-// Records the commands of the actuators over a run, each command from when it acts to the next one.
+// Records the actuator's commands over a run; each acts until the next one.
 class CommandTape {
  public:
-  // For one run; the tape must outlive it.
+  // Use it for one run; the tape must outlive that run.
   StepWatch watch() {
     return [this](const WatchedStep& step) { add(step); };
   }
@@ -124,21 +128,22 @@ class CommandTape {
   std::shared_ptr<CommandRecord> record_ = std::make_shared<CommandRecord>();
 };
 
-// How well a replay at the scene's step can repeat a run at all: the commands of the native stepper
-// `verlet`, which closes its own loop, given to native `event`, against `event` in its own loop.
-// They share model and law; what they differ by is what the open loop makes of the commands' step
-// error, and an unstable one makes much of it. |deviation| of each figure, as figures(); 0 where
-// verlet does not run the scene, or where coils lag, whose commands a run does not keep.
+// The smallest difference that a replay at the scene's step can resolve. The commands of the native
+// stepper `verlet` in its own closed loop drive native `event`, which is compared with `event` in
+// its own closed loop. Model and law are the same, so the difference is the effect of the commands'
+// step error in the open loop, which an unstable loop amplifies. One |deviation| per figure, in the
+// order of figures(). All 0 if verlet does not run the scene, or if coils lag, because a run does
+// not record their commands.
 std::vector<double> replay_floor(Runner& runner, const scene::Scene& scene);
 
-// The native stepper at MuJoCo's step, beside the reference and MuJoCo: its error comes from the
-// step, any further error of MuJoCo from the contact model. `rigid` of a modal chain takes this
-// very step in MuJoCo, so that its agreement with the shadow is no evidence.
+// The native stepper at MuJoCo's step, shown beside the reference and MuJoCo: its error comes from
+// the time step, any further error of MuJoCo from the contact model. With the modal chain, `rigid`
+// takes exactly this step in MuJoCo, so its agreement with the shadow is no evidence.
 //
-// It is the plugin's shadow (plugin/shadow.h): the stepping of `verlet`, from the same start, one
-// step a MuJoCo step. Where a controller commands the actuator, it is driven by the commands that
-// MuJoCo's were given in the run that decides; the plugin's own shadow closes its own loop there.
-// `native`: the column that it stands beside. `commands`: null without a controller.
+// It equals the plugin's shadow (plugin/shadow.h): the stepping of `verlet` from the same start,
+// one step per MuJoCo step. If a controller commands the actuator, the commands of the MuJoCo run
+// that decides drive it here, while the plugin's own shadow closes its own loop. native: the side
+// that it is compared with. commands: null without a controller.
 ShadowColumn shadow_column(Runner& runner, const Side& native,
                            std::shared_ptr<const CommandRecord> commands,
                            const CompareOptions& options);

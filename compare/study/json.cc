@@ -16,7 +16,7 @@
 
 namespace rotorub {
 
-// Values that are JSON as they are.
+// Structs that are written to JSON member by member.
 NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(Extrapolation, values, limit, order, uncertainty, valid, reason)
 NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(Split, model_gap, step_error, native_step_error, uncertainty,
                                    valid, reason)
@@ -60,8 +60,8 @@ json side_json(const scene::Scene& scene, const Side& side) {
           {"timing", side.timing}};
 }
 
-// The shadow's figures and how far they are from the native ones; null figures and a reason without
-// it.
+// The shadow's figures and their differences from the native ones. Without a shadow: null figures
+// and a reason.
 json shadow_json(const SceneComparison& c) {
   if (!c.shadow.side) return {{"figures", nullptr}, {"reason", c.shadow.absent}};
   json by_figure = json::object();
@@ -112,7 +112,7 @@ json resync_json(const Resync& r) {
           {"largest_impact", r.largest_impact}};
 }
 
-// One row a contact model.
+// One row per contact model.
 json answer_json(const SceneComparison& comparison) {
   json rows = json::array();
   for (const AnswerRow& row : answer(comparison)) {
@@ -216,7 +216,7 @@ json comparisons_json(const std::vector<SceneComparison>& comparisons) {
     within = within && c.within();
   }
   return {
-      {"answer", answers},  // sorted first: what the file begins with
+      {"answer", answers},  // sorts first, so the file begins with it
       {"program", "rotorub"},
       {"version", program_version()},
       {"mujoco_version", mujoco_version()},

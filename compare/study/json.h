@@ -1,4 +1,4 @@
-// A comparison as JSON, a number that is not finite as null, and what stands in it.
+// A comparison as JSON and the meaning of its keys. A number that is not finite becomes null.
 #pragma once
 
 #include <nlohmann/json_fwd.hpp>
@@ -8,10 +8,10 @@
 
 namespace rotorub {
 
-// What stands in it, for readers: names, units, meanings. Written beside it as columns.json.
+// Names, units and meanings of the keys; written as columns.json in the same folder.
 nlohmann::ordered_json compare_columns_json();
 
-// One scene of compare.json, and the whole.
+// One scene of compare.json, and the whole file.
 nlohmann::json comparison_json(const SceneComparison& comparison);
 nlohmann::json comparisons_json(const std::vector<SceneComparison>& comparisons);
 

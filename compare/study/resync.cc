@@ -28,7 +28,7 @@ void OnsetWatch::step(const WatchedStep& s) {
   for (int k = 0; k < l.coils; ++k) before_.v[l.coil() + k] = s.current[k];
 }
 
-// A free phase is over.
+// Called at the first impulse after a free phase.
 void OnsetWatch::meet(const WatchedStep& s) {
   if (open_) onsets_.back().end = 0.5 * (last_force_ + s.t);
   open_ = false;
@@ -54,7 +54,7 @@ void OnsetWatch::add(const WatchedStep& s) {
   c.impulse += s.normal_impulse;
   window_.add(s.impact ? s.impact_time : s.t, s.normal_impulse);
   c.window_impulse = window_.largest();
-  // Force that is no impact's acts about the step's instant.
+  // The force of a step that has no impact acts around the start of the step.
   last_force_ = s.impact ? s.impact_time : s.t + 0.5 * s.h;
   c.duration = std::max(0.0, last_force_ - o.touch);
   if (s.impact && !rebounded_) {
@@ -63,7 +63,7 @@ void OnsetWatch::add(const WatchedStep& s) {
   }
 }
 
-// The first step without a force after some with.
+// Called at the first step without force after steps with force.
 void OnsetWatch::part(const WatchedStep& s) {
   if (rebounded_) return;
   onsets_.back().mujoco.rebound = contact_point(*model_, s.q, s.v).gap_rate;
@@ -100,9 +100,9 @@ const ResyncFigure kResyncFigures[] = {
      &ContactResult::rebound},
 };
 
-constexpr std::size_t kImpulse = 0;  // its row
+constexpr std::size_t kImpulse = 0;  // row of the impulse
 
-// What a difference of one onset is a share of, SI, > 0 where there is a contact.
+// The value that the difference of one onset is relative to, SI, > 0 if there is a contact.
 double scale(const ResyncFigure& figure, const PredictedOnset& o, const Resync& all) {
   const std::string key = figure.key;
   if (key == "impulse") return std::max(o.native.impulse, all.largest_impact);
@@ -117,7 +117,7 @@ double scale(const ResyncFigure& figure, const PredictedOnset& o, const Resync& 
 
 double share(double difference, double of) { return difference == 0.0 ? 0.0 : difference / of; }
 
-// The smallest value that a share `part` of the ascending ones does not exceed.
+// The smallest of the ascending values such that at least the fraction `part` of them is no larger.
 double quantile(const std::vector<double>& ascending, double part) {
   const double rank = std::ceil(part * static_cast<double>(ascending.size()) - 1e-9);
   return ascending[static_cast<std::size_t>(std::max(rank, 1.0)) - 1];
@@ -156,7 +156,8 @@ Trust trust_of(const Resync& r, double tolerance) {
     return row.verdict == FigureVerdict::kWithin;
   });
   if (all) return Trust::kYes;
-  // Of the durations the mean difference, as share of the mean time: a rigid one is 0.
+  // The mean difference of the durations, relative to the mean time, because a rigid duration may
+  // be 0.
   double late = 0.0, time = 0.0;
   for (const PredictedOnset& o : r.onsets) {
     late += o.mujoco.duration - o.native.duration;
@@ -167,7 +168,7 @@ Trust trust_of(const Resync& r, double tolerance) {
   return means ? Trust::kAveragesOnly : Trust::kNo;
 }
 
-// What the native run from an onset on came to.
+// Reads the result of the native run that starts at an onset.
 void read(const Trajectory& t, PredictedOnset& o) {
   const Statistics& s = t.statistics;
   o.native.impulse = s.impulse_total;

@@ -1,6 +1,6 @@
-// Resync: at every onset of contact of a MuJoCo run the native model restarts from MuJoCo's state a
-// step before it, under the commands that MuJoCo's actuators were given, and predicts that contact
-// by `event`. No error of an earlier contact is in a later one's.
+// Resync: at every onset of contact in a MuJoCo run, the native model restarts from MuJoCo's state
+// one step earlier and predicts that contact with `event`, under the commands of MuJoCo's
+// actuators. Errors of earlier contacts therefore do not affect later ones.
 #pragma once
 
 #include <atomic>
@@ -21,41 +21,42 @@ namespace rotorub {
 
 inline constexpr int kShortestFlight = 10;  // steps without an impulse
 
-// One contact, from its onset on.
+// The result of one contact from its onset.
 struct ContactResult {
-  double impulse = 0.0;         // N s, normal, of all of it, >= 0
+  double impulse = 0.0;         // N s, total normal impulse, >= 0
   double window_impulse = 0.0;  // N s, largest within 20 steps (ImpulseWindow)
-  double duration = 0.0;        // s, from the touch to the last force; 0 for a single rigid impact
-  double rebound = 0.0;  // m/s, gap rate after the first impact; of a soft contact where its force
-                         // first ends; 0 where it does not
+  double duration = 0.0;  // s, from first touch to the last force; 0 for a single rigid impact
+  // m/s, gap rate after the first impact, or when the force of a soft contact first ends; else 0
+  double rebound = 0.0;
 };
 
 struct Onset {
-  State before;          // a step before the one that meets the ring; the native layout
-  double touch = 0.0;    // s, the impact, or of a soft contact when the gap of `before` closes
-  double closing = 0.0;  // m/s, of the gap there, > 0
-  double end = 0.0;      // s, of the contact
-  bool lasts = false;    // to the run's end
+  State before;  // one step before the step of first contact; native layout
+  // s, time of the impact, or when the gap of `before` closes for a soft contact
+  double touch = 0.0;
+  double closing = 0.0;  // m/s, approach speed there, > 0
+  double end = 0.0;      // s, end of the contact
+  bool lasts = false;    // until the end of the run
   ContactResult mujoco;
 };
 
-// The onsets of contact in a MuJoCo run, as its steps go by: the state just before each, and what
-// the contact that follows comes to.
+// Finds the onsets of contact while a MuJoCo run proceeds: the state just before each, and the
+// result of the contact that follows.
 //
-// An onset is the first impulse after a free phase of at least kShortestFlight steps: a start on
-// the circle is none. Its contact lasts until half-way through the next such phase (or to the run's
-// end): bounces with shorter flights belong to it, and half-way two sides whose flights differ a
-// little count the same bounces.
+// An onset is the first impulse after a free phase of at least kShortestFlight steps; a start in
+// contact is not an onset. The contact lasts until half-way through the next such phase (or to the
+// end of the run), so that bounces with shorter flights belong to it. Ending half-way makes two
+// sides whose flights differ slightly count the same bounces.
 class OnsetWatch {
  public:
-  // `model`: the scene's, coils included; it must outlive this.
+  // model: the scene's, including coils; it must outlive this.
   explicit OnsetWatch(const Model& model) : model_(&model) {}
 
   void step(const WatchedStep& step);
-  // Ends the last contact. `end`: s, of the run.
+  // Ends the last contact. end: of the run, s.
   std::vector<Onset> finish(double end);
-  // First impulses after a flight that are no onsets: the rotor still lay in the ring a step
-  // before, as a soft contact's can.
+  // First impulses after a flight that are not onsets because the rotor still touched the ring one
+  // step earlier or did not approach it. This can happen with soft contacts.
   int left_out() const { return left_out_; }
 
  private:
@@ -66,9 +67,9 @@ class OnsetWatch {
 
   const Model* model_;
   std::vector<Onset> onsets_;
-  State before_;             // of the step before
+  State before_;             // of the previous step
   ImpulseWindow window_;     // over the last onset's contact
-  bool open_ = false;        // the last onset's contact is under way
+  bool open_ = false;        // the last onset's contact is in progress
   bool rebounded_ = false;   // its rebound is known
   double last_force_ = 0.0;  // s
   int flight_ = 0;           // steps without an impulse
@@ -77,51 +78,52 @@ class OnsetWatch {
 
 struct PredictedOnset : Onset {
   ContactResult native;
-  double largest_impact = 0.0;  // N s, of the native impacts in it
+  double largest_impact = 0.0;  // N s, largest native impact
   Status status = Status::kOk;  // of the prediction
   std::string message;
 };
 
-// What is compared of each contact.
+// A figure that is compared for each contact.
 struct ResyncFigure : FigureText {
-  const char* relative_to;  // half a sentence: what a difference is a share of
+  const char* relative_to;  // half a sentence: the value that a difference is relative to
   double ContactResult::*value;
 };
 std::span<const ResyncFigure> resync_figures();
 
-// The differences in one figure over all onsets, as shares of what it is relative to.
+// The differences in one figure over all onsets, relative to the figure's scale.
 struct ResyncRow {
   const ResyncFigure* figure = nullptr;
   double native = 0.0, mujoco = 0.0;  // SI, means over the onsets
-  double bias = 0.0;                  // (sum of MuJoCo's - sum of native) / sum of native
-  double median = 0.0, ninetieth = 0.0, worst = 0.0;  // of the size
-  double worst_signed = 0.0;                          // of the worst one
+  double bias = 0.0;  // (sum of MuJoCo's values - sum of native values) / sum of native values
+  double median = 0.0, ninetieth = 0.0, worst = 0.0;  // of the absolute differences
+  double worst_signed = 0.0;                          // the worst one with its sign
   double worst_time = 0.0;                            // s, touch of the worst one
-  FigureVerdict verdict = FigureVerdict::kNotJudged;  // by the worst
+  FigureVerdict verdict = FigureVerdict::kNotJudged;  // judges the worst difference
 };
 
 struct Resync {
   std::vector<PredictedOnset> onsets;
   int left_out = 0;             // see OnsetWatch
-  int failed = 0;               // predictions that did not end well: no part of the rows
-  std::string failure;          // of the first of them
-  bool touches = false;         // MuJoCo's run has a normal impulse at all
-  std::vector<ResyncRow> rows;  // as resync_figures(); empty without an onset
-  double largest_impact = 0.0;  // N s, of the native ones
-  // kYes: the worst onset of every figure is within. kAveragesOnly: the means over the onsets are
-  // (bias of impulse, of duration). kUndecidable: there was contact, but no onset. Nothing that
-  // touches is kYes.
+  int failed = 0;               // number of failed predictions; they are left out of the rows
+  std::string failure;          // message of the first failure
+  bool touches = false;         // whether MuJoCo's run has any normal impulse
+  std::vector<ResyncRow> rows;  // in the order of resync_figures(); empty without an onset
+  double largest_impact = 0.0;  // N s, largest native impact
+  // kYes: the worst onset of every figure is within the tolerance, or there is no contact at all.
+  // kAveragesOnly: the means over the onsets are within (the bias of the impulse and the mean error
+  // of the duration). kNo: they are not, or a prediction failed. kUndecidable: there is contact but
+  // no onset.
   Trust trust = Trust::kUndecidable;
 };
 
-// Predicts each of `onsets` in place of its MuJoCo run. `step`: s, of that run: 20 of them are the
-// window of the largest impulse. `commands`: null without a controller.
+// Predicts the contact of each onset. step: of the MuJoCo run, s; the window of the largest impulse
+// is 20 steps. commands: null without a controller.
 std::vector<PredictedOnset> predict(const scene::Scene& scene, const std::vector<Onset>& onsets,
                                     std::shared_ptr<const CommandRecord> commands, double step,
                                     const std::function<void(double)>& progress = {},
                                     const std::atomic<bool>* interrupt = nullptr);
 
-// The distributions and their verdict.
+// The distributions over the onsets and the verdict.
 Resync judge_resync(std::vector<PredictedOnset> onsets, bool touches, double tolerance);
 
 }  // namespace rotorub

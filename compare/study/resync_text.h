@@ -1,4 +1,4 @@
-// What a resync found, in words and as a table.
+// The result of a resync, in words and as a table.
 #pragma once
 
 #include <string>
@@ -8,19 +8,19 @@
 
 namespace rotorub {
 
-// Half a sentence, as why() of trust.h.
+// Half a sentence, like why() in trust.h.
 std::string why(const Resync& resync, double tolerance);
 
-// Of one contact model: its verdict in one sentence, and what is behind it.
+// The verdict on one contact model in one sentence, and the reasons behind it.
 std::string resync_headline(const std::string& contact, const Resync& resync, double tolerance);
 std::vector<std::string> resync_reasons(const std::string& contact, const Resync& resync);
 
-// One row a contact model and figure, at most 80 columns.
+// One row per contact model and figure, at most 80 columns wide.
 std::string resync_table(const SceneComparison& comparison);
 
-// In %, three digits: "0.52", "<0.001".
+// In % with three digits: "0.52", "<0.001".
 std::string percents(double share);
-// "-0.52 %": a share with its sign, three digits; "+<0.001 %".
+// A signed share with three digits: "-0.52 %", "+<0.001 %".
 std::string signed_percent(double share);
 
 }  // namespace rotorub

@@ -21,7 +21,7 @@
 namespace rotorub {
 namespace {
 
-// Where the scene has no contact: a share of the rotor's largest deflection.
+// A share of the clearance, or without a contact of the rotor's largest deflection, m.
 double divergence_threshold(const scene::Scene& scene, const Trajectory& native) {
   if (scene.first().contact) return kDivergenceShare * scene.first().contact->clearance;
   double largest = 0.0;
@@ -30,7 +30,7 @@ double divergence_threshold(const scene::Scene& scene, const Trajectory& native)
   return std::max(kDivergenceShare * largest, 1e-12);
 }
 
-// Magnets balance their own pull, as a mechanical bearing has none.
+// Without a controller. In magnetic bearings the bias currents balance the pull of the magnets.
 scene::Scene without_control(scene::Scene scene) {
   const double on = scene.first().controller->on;
   scene.first().controller = scene::Controller{};
@@ -43,14 +43,14 @@ double total_work(const std::vector<Contestant>& all, const CompareOptions& opti
   double total = 1.0 + (ladder ? options.twins : 0);
   for (const Contestant& c : all) total += c.work * (1.0 + options.timing_repeats);
   for (const Contestant& c : all) total += ladder ? c.work * (2.0 + 4.0) : 1.0;
-  // In replay each MuJoCo side has a native one of its own.
+  // In replay each MuJoCo side has its own native run.
   if (options.mode == CompareMode::kReplay) total += 3.0 + 2.0 * (1.0 + 2.0 + 4.0);
   if (options.modes_ladder && ladder) total += kLadderWork;
   return total;
 }
 
-// One MuJoCo side against the native one, judged: all but the reasons. `threshold`: m, beyond which
-// two runs have parted.
+// One MuJoCo side compared with the native one and judged, without the reasons. threshold: m; two
+// runs have parted when they are further apart.
 SideDifference side_difference(const Side& native, const Side& other, const Repeatability& natives,
                                const Repeatability& others, const CompareOptions& options,
                                double threshold) {
@@ -78,7 +78,7 @@ void leave_undecided(SideDifference& d) {
   d.trust = Trust::kUndecidable;
 }
 
-// A comparison in the making.
+// Builds up a comparison.
 class Comparison {
  public:
   Comparison(const scene::Scene& scene, const CompareOptions& options)
@@ -115,7 +115,7 @@ class Comparison {
   }
 
  private:
-  // Each MuJoCo side has a native run of its own.
+  // Whether each MuJoCo side has its own native run.
   bool replays() const { return options_.mode == CompareMode::kReplay && result_.commands; }
   bool resyncs() const { return options_.mode == CompareMode::kResync; }
   std::shared_ptr<const CommandRecord> commands(std::size_t side, std::size_t rung = 0) const {
@@ -125,8 +125,9 @@ class Comparison {
     return replays() ? commands(side) : nullptr;
   }
 
-  // The runs that are shown: every row that plots and residuals need. Runs are on all processors;
-  // those for time alone are not. What drives a native one must have run before it.
+  // Runs every engine with the rows that plots and residuals need, on all processors; the runs for
+  // timing come later, one at a time. A MuJoCo run must precede the native run that its commands
+  // drive.
   void show() {
     result_.sides.resize(all_.size());
     if (replays()) result_.natives.resize(all_.size() - 2);
@@ -152,7 +153,7 @@ class Comparison {
     lay_measured_in();
   }
 
-  // Before the longer part of the work: it may be refused.
+  // Done before the longer part of the work, because it may fail.
   void lay_measured_in() {
     if (!options_.measured || runner_.interrupted()) return;
     std::vector<RunToHold> runs;
@@ -160,14 +161,14 @@ class Comparison {
     try {
       result_.measured = lay_in(*options_.measured, options_.alignment, result_.scene, runs);
     } catch (const MeasuredError&) {
-      // Of a run that did not reach its end that is what there is to say.
+      // If the run did not reach its end, its own status is reported instead.
       if (result_.sides.front().trajectory.status == Status::kOk) throw;
     }
   }
 
-  // What the twin of a machine of the user's own leaves out, beside the contact force.
+  // Measures what the twin of a user's own machine leaves out, relative to the contact force.
   void measure_omissions() {
-    constexpr double kSaid = 1e-4;  // share from which on something is said
+    constexpr double kSaid = 1e-4;  // smallest share that is reported
     const Side &native = result_.sides[0], &decider = result_.sides[1];
     if (!options_.own || decider.trajectory.status != Status::kOk) return;
     const double touching = decider.metrics.mean_force;
@@ -182,7 +183,7 @@ class Comparison {
     }
   }
 
-  // For the plots: by `verlet`, as fast as there is.
+  // For the plots, by `verlet`, the fastest integrator.
   void run_without_control() {
     RunRequest request;
     request.output_times = times_;
@@ -191,7 +192,7 @@ class Comparison {
       Trajectory t =
           native_engine(scene::Integrator::kVerlet)->run(without_control(result_.scene), request);
       if (t.status == Status::kOk) result_.uncontrolled = std::move(t);
-    } catch (const scene::SceneError&) {  // what `verlet` does not take has no such curve
+    } catch (const scene::SceneError&) {  // no curve for scenes that `verlet` does not accept
     }
   }
 
@@ -204,7 +205,7 @@ class Comparison {
     return driven_by == 1 ? result_.sides[0] : result_.natives[driven_by - 2];
   }
 
-  // Twins, smaller steps, contact by contact, and clean times.
+  // Runs twins, smaller steps or single contacts, and the timing.
   void look_closer() {
     result_.twin.threshold = divergence_threshold(result_.scene, result_.sides[0].trajectory);
     if (resyncs()) {
@@ -220,7 +221,8 @@ class Comparison {
     time_runs(runner_, all_, options_.timing_repeats, replayed_commands(1), result_.sides);
   }
 
-  // As many as the verdicts need: the native ones for all sides, and those of the run that decides.
+  // Runs as many twins as the verdicts need: native ones for all sides, and twins of the run that
+  // decides.
   void run_twins_of_both() {
     TwinParameters parameters;
     parameters.output_times = times_;
@@ -244,7 +246,7 @@ class Comparison {
     result_.decider_twins = static_cast<int>(decider_twins_.metrics.size());
   }
 
-  // Whether further twins would change no verdict of a side.
+  // Whether further twins would not change any verdict of a side.
   bool is_settled(std::size_t side, const Twins& natives, const Twins& others) const {
     const Side &native = result_.reference(side), &other = result_.sides[side];
     if (native.trajectory.status != Status::kOk || other.trajectory.status != Status::kOk)
@@ -265,7 +267,7 @@ class Comparison {
     return order;
   }
 
-  // Every run at half the step, then those at a quarter that tell more.
+  // Runs all sides at half the step, then those at a quarter where it matters.
   void climb() {
     std::vector<Ladder> ladders(all_.size()), native_ladders(all_.size());
     const auto test = [this](std::size_t side) {
@@ -290,7 +292,7 @@ class Comparison {
         if (replays()) request.watch = tapes_[k][rung].watch();
         ladders[k][rung] = run_rung(runner_, all_[k], rung, request);
         if (!replays() || native_side(k).trajectory.status != Status::kOk) return;
-        // Driven by the commands of the side's own run there.
+        // Driven by the commands of its own MuJoCo run at that step.
         request.watch = {};
         request.commands = commands(k, rung);
         native_ladders[k][rung] = run_rung(runner_, all_[0], rung, request);
@@ -328,8 +330,8 @@ class Comparison {
     return found;
   }
 
-  // Where the native figures scatter by a tenth of the tolerance, those of the run that decides
-  // have to be known as well.
+  // If a native figure scatters by more than a tenth of the tolerance, the scatter of the run that
+  // decides matters as well.
   bool decider_may_have_twins() const {
     constexpr double kMatters = 0.1;
     if (resyncs() || replays() || result_.own) return false;
@@ -342,7 +344,7 @@ class Comparison {
     return false;
   }
 
-  // The differences, and why.
+  // Computes the differences and their reasons.
   void judge() {
     for (std::size_t k = 1; k < result_.sides.size(); ++k) {
       const Side &native = result_.reference(k), &other = result_.sides[k];
@@ -367,15 +369,15 @@ class Comparison {
   Runner runner_;
   std::vector<double> times_;
   Model model_;
-  std::vector<std::array<CommandTape, kRungs>> tapes_;  // of all_, at each rung
-  std::vector<OnsetWatch> onsets_;                      // of all_
+  std::vector<std::array<CommandTape, kRungs>> tapes_;  // per contestant and rung
+  std::vector<OnsetWatch> onsets_;                      // per contestant
   std::vector<Resync> resyncs_;                         // of sides[1], sides[2], ...
   Twins twins_, decider_twins_;                         // of sides[0] and sides[1]
-  std::vector<double> replay_floor_;                    // empty but in replay
-  MujocoInPlace mujoco_;                                // several threads run it
+  std::vector<double> replay_floor_;                    // empty except in replay
+  MujocoInPlace mujoco_;                                // for runs in several threads
 };
 
-constexpr const char* kModes[] = {"lockstep", "replay", "resync"};  // as CompareMode
+constexpr const char* kModes[] = {"lockstep", "replay", "resync"};  // in the order of CompareMode
 
 }  // namespace
 

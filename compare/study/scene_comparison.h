@@ -1,5 +1,5 @@
 // One scene, run by the native model (with the scene's integrator) and by MuJoCo with each contact
-// model, and everything that can be said about the difference.
+// model, and everything derived from the differences.
 #pragma once
 
 #include <atomic>
@@ -25,66 +25,71 @@ namespace rotorub {
 // How the two sides of a comparison are coupled.
 enum class CompareMode {
   kLockstep,  // each side closes its own loop
-  kReplay,    // the native side is driven by the commands that MuJoCo's actuators were given: what
-              // differs is the contact, and not the closed loop
-  kResync     // at every onset of contact the native side restarts from MuJoCo's state and predicts
-              // that contact: says something even of trajectories that are chaotic
+  // The commands of MuJoCo's actuators drive the native side, so the difference comes from the
+  // contact and not from the closed loop.
+  kReplay,
+  // At every onset of contact the native side restarts from MuJoCo's state and predicts that
+  // contact. This is conclusive even for chaotic trajectories.
+  kResync
 };
 
 const char* to_string(CompareMode mode);  // "lockstep", "replay", "resync"
-// Of one of these names; asserts that it is one.
+// The mode of that name; asserts that it exists.
 CompareMode compare_mode_of(const std::string& name);
 
 class OwnMachine;  // compare/own/own_machine.h
 
-// The contact model whose verdict counts, unless another is asked for.
+// The contact model that decides unless another is requested.
 inline constexpr scene::ContactModel kDefaultContact = scene::ContactModel::kRigid;
 inline constexpr int kDefaultTwins = 20;
 
 struct CompareOptions {
   CompareMode mode = CompareMode::kLockstep;
-  double tolerance = 0.01;                        // share: on the judged figures
-  scene::ContactModel contact = kDefaultContact;  // whose verdict is that of the comparison
-  int twins = kDefaultTwins;  // >= 0, of the native run: at most, as many as the verdict needs
-  int jobs = 0;               // threads; 0: one a processor. The result does not depend on it
-  bool modes_ladder = true;   // the error of the modes kept, where the rotor is in geometry form
-  int timing_repeats = 3;     // >= 1, of runs that record nothing, engines taken in turn
-  std::size_t impacts = 8;    // first impacts listed
-  // The scene is the twin of a machine of the user's own: MuJoCo runs that one.
+  double tolerance = 0.01;                        // share, for the judged figures
+  scene::ContactModel contact = kDefaultContact;  // its verdict is the verdict of the comparison
+  int twins = kDefaultTwins;  // >= 0, upper limit for the native run; the verdict may need fewer
+  int jobs = 0;               // threads; 0: one per processor. The result does not depend on it
+  // Determines the error from the modes left out if the rotor is in geometry form.
+  bool modes_ladder = true;
+  int timing_repeats = 3;   // >= 1, runs without recording; the engines take turns
+  std::size_t impacts = 8;  // number of first impacts listed
+  // If set, the scene is the twin of this user's machine, and MuJoCo runs the machine.
   std::shared_ptr<const OwnMachine> own;
-  std::size_t rows = kRows;  // recorded at most: every step, or every so many of them
-  // A record to lay beside the runs; null: none.
+  std::size_t rows = kRows;  // recorded at most: every step or every n-th step
+  // A measured record to show beside the runs; null: none.
   std::shared_ptr<const MeasuredRecord> measured;
-  AlignmentOptions alignment{};  // of it
-  // (share done of this scene, what is running)
+  AlignmentOptions alignment{};  // of the record
+  // Called with the fraction of this scene done and what is running.
   std::function<void(double, const std::string&)> progress;
   const std::atomic<bool>* interrupt = nullptr;
 };
 
 // Cost over repeated runs without recording.
 struct Timing {
-  std::vector<double> us_per_step;  // one a run
+  std::vector<double> us_per_step;  // one per run
   double median = 0.0, lowest = 0.0, highest = 0.0;
 };
 
-// One engine on the scene. Sides[0] is native, sides[1] MuJoCo with the contact model that decides,
-// then the other contact models.
+// One engine on the scene. sides[0] is native, sides[1] is MuJoCo with the contact model that
+// decides, and the other contact models follow.
 struct Side {
-  std::string label;      // "native", "coulomb", "cone"
-  std::string engine;     // "native-verlet", "mujoco-coulomb"
-  std::string solref;     // of MuJoCo's contact at the comparison's step, "0.02 1"; empty: no part
-  Trajectory trajectory;  // rows dense enough for plots, with the scene's output times
+  std::string label;   // "native", "coulomb", "cone"
+  std::string engine;  // "native-verlet", "mujoco-coulomb"
+  // Of MuJoCo's contact at the comparison's step, "0.02 1"; empty if it has no effect.
+  std::string solref;
+  Trajectory trajectory;  // rows dense enough for plots, at the scene's output times among others
   Metrics metrics;
-  std::vector<Extrapolation> limits;  // as figures(); figures that are not split: values alone
+  // In the order of figures(); only values for figures that are not split.
+  std::vector<Extrapolation> limits;
   Timing timing;
 
-  std::string early_end() const;  // half a sentence; empty: it ended well
+  std::string early_end() const;  // half a sentence; empty if the run ended well
 };
 
-// One figure of one MuJoCo side against the native one.
+// One figure of a MuJoCo side compared with the native one.
 struct FigureDifference : JudgedFigure {
-  double floor = 0.0;         // |deviation| of the native twins, largest
-  double replay_floor = 0.0;  // see replay_floor(); the interval is no less
+  double floor = 0.0;         // largest |deviation| of a native twin
+  double replay_floor = 0.0;  // see replay_floor(); a lower limit of the interval
   Split split;
 };
 
@@ -92,60 +97,62 @@ struct FigureDifference : JudgedFigure {
 struct ShadowColumn {
   std::optional<Side> side;           // label "shadow"
   std::string absent;                 // why there is none
-  bool driven = false;                // by the commands of the run that decides
-  std::vector<JudgedFigure> figures;  // as figures(), against sides[0]
+  bool driven = false;                // by the commands of the MuJoCo run that decides
+  std::vector<JudgedFigure> figures;  // in the order of figures(), compared with sides[0]
 };
 
 struct SideDifference {
-  std::vector<FigureDifference> figures;  // as figures()
-  std::optional<Resync> resync;           // in resync: what the trust is by
+  std::vector<FigureDifference> figures;  // in the order of figures()
+  std::optional<Resync> resync;           // only in resync, where it determines the trust
   Divergence divergence;
   std::vector<ImpactPair> impacts;  // a: native
-  Trust trust = Trust::kNo;         // kNo as well where a run did not end well
-  bool decides = false;             // the exit code
+  Trust trust = Trust::kNo;         // kNo also if a run did not end well
+  bool decides = false;             // determines the exit code
   bool within() const { return trust == Trust::kYes; }
   std::vector<JudgedFigure> judged() const { return {figures.begin(), figures.end()}; }
-  std::vector<std::string> reasons;  // why they differ, or that they agree; sentences
+  std::vector<std::string> reasons;  // sentences: why they differ, or that they agree
 };
 
 struct SceneComparison {
   scene::Scene scene;
-  bool own = false;                      // the twin of a machine of the user's own
-  std::vector<std::string> twin_limits;  // what it leaves out, sentences
-  // The largest of them where it is above the tolerance: then no difference is due to the contact
-  // for certain, and every verdict is undecidable. Else empty.
+  bool own = false;                      // whether it is the twin of a user's own machine
+  std::vector<std::string> twin_limits;  // sentences: what the twin leaves out
+  // The largest of the twin's omissions if it exceeds the tolerance. Then no difference is certain
+  // to come from the contact, and every verdict is undecidable. Otherwise empty.
   std::string omission;
   CompareMode mode = CompareMode::kLockstep;
-  bool commands = false;  // a controller commands the actuator: else replay equals lockstep
+  // Whether a controller commands the actuator; otherwise replay equals lockstep.
+  bool commands = false;
   double tolerance = 0.0;
   int twins = 0;            // of the native run, as many as were needed
-  int decider_twins = 0;    // of the MuJoCo run that decides: none where the motion repeats itself
+  int decider_twins = 0;    // of the MuJoCo run that decides; 0 if the motion repeats itself
   std::vector<Side> sides;  // native first
-  // Replay with commands: sides[0] is driven by those of sides[1], and these by those of sides[2],
-  // sides[3], ...: what each of them is compared with. Else empty.
+  // In replay with commands, each MuJoCo side has its own native run: sides[0] is driven by the
+  // commands of sides[1], and natives[0], natives[1], ... by those of sides[2], sides[3], ...
+  // Otherwise empty.
   std::vector<Side> natives;
   const Side& reference(std::size_t side) const {
     return side < 2 || natives.empty() ? sides.front() : natives[side - 2];
   }
   ShadowColumn shadow;
-  // The native run of a passive bearing, where the scene's controller commands: none where that one
+  // If the scene's controller commands: the native run of the passive bearing, unless that run
   // fails.
   std::optional<Trajectory> uncontrolled;
   std::vector<SideDifference> differences;  // of sides[1], sides[2], ...
-  Divergence twin;                          // native against the twin that parts first
-  std::optional<ModelError> model_error;    // none: not asked for
-  std::optional<MeasuredRun> measured;      // none: not asked for
-  bool interrupted = false;                 // nothing beyond the runs that ended is filled
-  // Worst of the runs that decide: native and sides[1].
+  Divergence twin;                          // native compared with the twin that parts first
+  std::optional<ModelError> model_error;    // empty if not requested
+  std::optional<MeasuredRun> measured;      // empty if not requested
+  bool interrupted = false;                 // only the results of the runs that ended are set
+  // The worst status of the runs that decide: native and sides[1].
   Status status() const;
   bool within() const;
 };
 
-// None of the runs has this figure.
+// Whether none of the runs has this figure.
 bool is_absent(const SceneComparison& comparison, const Figure& figure);
 
-// Throws what the engines throw, and MeasuredError where the record cannot be laid beside them. An
-// interrupt ends it early with what there is.
+// Throws what the engines throw, and MeasuredError if the record does not fit the runs. An
+// interrupt ends it early with the results so far.
 SceneComparison compare_scene(const scene::Scene& scene, const CompareOptions& options);
 
 }  // namespace rotorub

@@ -20,19 +20,19 @@ namespace rotorub {
 namespace {
 
 constexpr int kLabel = 24;
-constexpr int kValue = 9;  // native, shadow and four contact models: 80 columns
+constexpr int kValue = 9;  // with native, shadow and four contact models: 80 columns
 
 std::string heading(const Side& side) { return column_heading(side.label); }
 bool has_column(const Side& side) { return !heading(side).empty(); }
 
-// Points have no unit in a column: the line below the differences says so.
+// The column omits the unit "points"; the line below the differences states it.
 std::string in_column(const std::string& text) { return text.substr(0, text.find(" points")); }
 std::string in_column(const JudgedFigure& f) {
   return f.is_absent() ? "–" : in_column(deviation_text(f));
 }
 
-// A line of texts below the columns: of native, of its shadow where there is one, and of each
-// MuJoCo side by its number.
+// A line of texts below the columns: of native, of its shadow if there is one, and of each MuJoCo
+// side by its index.
 template <class Mujoco>
 std::string line(const SceneComparison& c, const std::string& label, const std::string& native,
                  const std::string& shadow, Mujoco mujoco) {
@@ -82,8 +82,8 @@ std::string difference_lines(const SceneComparison& c) {
                  "numbers of counts below 100.");
 }
 
-// Where twins scatter: half of the confidence interval of each difference, and what that many twins
-// would tell.
+// If twins scatter: half of the confidence interval of each difference, and the smallest difference
+// that this number of twins can resolve.
 std::string interval_lines(const SceneComparison& c) {
   constexpr double kShown = 5e-5;
   std::string text;
@@ -114,7 +114,7 @@ std::string interval_lines(const SceneComparison& c) {
                              runs(c.twins), runs(c.decider_twins), c.sides[1].label));
 }
 
-// Replay: what the differences of each contact model are from.
+// In replay: the native figures that each contact model is compared with.
 std::string reference_lines(const SceneComparison& c) {
   if (c.natives.empty()) return "";
   std::string text = heading_line(c, "  native by commands of", "", "");
@@ -135,7 +135,7 @@ std::string settled_line(const SceneComparison& c) {
   return text;
 }
 
-// What the shadow is, or why there is none.
+// Describes the shadow, or says why there is none.
 std::string shadow_note(const SceneComparison& c) {
   if (!c.shadow.side) return "no shadow: " + c.shadow.absent;
   const std::string what = fmt::format("shadow: the native stepper ({}) at MuJoCo's step",
@@ -170,7 +170,7 @@ std::string split_lines(const SceneComparison& c) {
   return text;
 }
 
-// What was asked, answered: before any figure.
+// The answer to the user's question, before any figure.
 std::string answer_lines(const SceneComparison& c, const Palette& palette) {
   constexpr int kQuestion = 53, kTrust = 15;
   std::string text = fmt::format("  {:<{}}{:<{}}{}\n", "Can MuJoCo's contact forces be trusted?",
@@ -197,7 +197,7 @@ std::string answer_lines(const SceneComparison& c, const Palette& palette) {
   return text;
 }
 
-// Before the headline of a contact model, as Trust; all of one width.
+// Text before the headline of a contact model, in the order of Trust; equal widths.
 constexpr const char* kLeads[] = {"  within       ", "  AVERAGES     ", "  OUTSIDE      ",
                                   "  undecidable  "};
 constexpr const char* kNoLead = "  not judged   ";
@@ -265,7 +265,7 @@ std::string run_table(const scene::Scene& scene, const Trajectory& t, const Pale
       "{}: {}\n  {} {}, contact {}, {}, {} of {} simulated\n", scene::printable(scene.name),
       palette.paint(t.status == Status::kOk ? Tone::kGood : Tone::kBad, to_string(t.status)),
       t.engine, t.integrator, t.contact_model, step, time_text(t.end), time_text(scene.run.end));
-  // In both units: 3600 without one is rad/s, whatever was meant.
+  // In both units, because 3600 without a unit is read as rad/s, whatever the user meant.
   const double speed = scene.rotor.speed;
   text += fmt::format("  rotor at {} rad/s, {} rpm{}\n", short_number(speed),
                       short_number(speed * 30.0 / std::numbers::pi),
@@ -279,7 +279,7 @@ std::string run_table(const scene::Scene& scene, const Trajectory& t, const Pale
     text += fmt::format("  {:<{}}{:>{}}\n", label, kLabel, value, kValue);
   };
   if (m.first_touch) add("first touch, ms", short_number(1e3 * *m.first_touch));
-  // Without a touch a figure of contact is 0, and its row says nothing.
+  // Without a contact, the figures of contact are 0, and their rows are left out.
   for (const Figure& f : figures()) {
     const double value = f.value(m);
     if (has_figure(m, f) && (m.first_touch || value != 0.0)) {

@@ -9,16 +9,16 @@
 
 namespace rotorub {
 
-// The answer, the figures side by side and their differences (in resync the contacts', onset by
-// onset), the split of the judged ones, and a verdict with its reasons for each contact model; at
-// most 80 columns wide.
+// The answer, the figures side by side and their differences (in resync the differences at the
+// onsets), the split of the judged figures, and for each contact model a verdict with its reasons.
+// At most 80 columns wide.
 std::string comparison_table(const SceneComparison& comparison, const Palette& palette = Palette());
 
-// Whether rotor and ring touch in a run, from when on, how hard, and what becomes of it: the rest
-// of a sentence that begins with "rubs: ". cut: s, where a run ended that was to go on.
+// Whether and when rotor and ring touch in a run, how hard, and how the rub continues: the rest of
+// a sentence that begins with "rubs: ". cut: the time at which the run ended early, s.
 std::string rub_answer(const Metrics& metrics, std::optional<double> cut = {});
 
-// What `run` says of one run: that answer, then its figures.
+// The output of `run` for one run: that answer, then the figures.
 std::string run_table(const scene::Scene& scene, const Trajectory& trajectory,
                       const Palette& palette = Palette());
 

@@ -20,7 +20,7 @@ std::vector<JudgedFigure> those(const std::vector<JudgedFigure>& figures, Figure
   return found;
 }
 
-// "mean normal force +0.52 %, hard impacts -29 %": what `text` makes of each.
+// "mean normal force +0.52 %, hard impacts -29 %": the texts of all figures.
 template <class Text>
 std::string listed(const std::vector<JudgedFigure>& figures, Text text) {
   return fmt::format("{}", fmt::join(figures | std::views::transform(text), ", "));
@@ -53,7 +53,7 @@ JudgedFigure judged(const Figure& figure, const FigureSample& native, const Figu
   const bool nothing = native.mean == 0.0 && other.mean == 0.0;
   if (!figure.is_judged() || f.is_absent() || nothing) return f;
   const double d = std::abs(f.deviation);
-  // Not >: what is no number is outside.
+  // Not `d - c > e`, so that NaN counts as outside.
   f.verdict = d + f.interval <= tolerance      ? FigureVerdict::kWithin
               : !(d - f.interval <= tolerance) ? FigureVerdict::kOutside
                                                : FigureVerdict::kUndecidable;
@@ -112,7 +112,7 @@ std::string two_digits(double value) {
 }  // namespace
 
 std::string plain_difference(const JudgedFigure& f) {
-  constexpr double kTimes = 2.0;  // from there on as a factor
+  constexpr double kTimes = 2.0;  // larger ratios are written as a factor
   const Figure& figure = *f.figure;
   const double ratio = std::abs(f.other / f.native);
   const bool small =

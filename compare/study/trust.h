@@ -1,14 +1,14 @@
-// From figures to a verdict: pure functions of values, tolerance and what twins say.
+// From figures to a verdict, as pure functions of the values, the tolerance and the twins.
 //
-// Twins are runs whose starts are a few units in the last place apart, on both sides. With d the
+// Twins are runs whose starts differ by a few units in the last place, on both sides. With d the
 // difference of the means of a figure, c half of its confidence interval (figure_sample.h) and e
 // the tolerance, all on the figure's own scale:
 //   |d| + c <= e   within
 //   |d| - c > e    outside
-//   else           undecidable at e: the motion does not repeat itself that well
-// What is undecidable does not decide. Without scatter c is 0. A figure that one of the runs has
-// not, or that is 0 in both, is not judged. Counts that differ by no more than one are never
-// outside: 1 instead of 2 is undecidable, 600 instead of 601 within 1 %.
+//   otherwise      undecidable at e, because the motion does not repeat itself well enough
+// Undecidable figures do not affect the trust. Without scatter c is 0. A figure that one of the
+// runs lacks, or that is 0 in both, is not judged. Counts that differ by no more than one are never
+// outside: 1 instead of 2 is undecidable, 600 instead of 601 is within 1 %.
 #pragma once
 
 #include <string>
@@ -23,63 +23,64 @@ namespace rotorub {
 enum class FigureVerdict { kNotJudged, kWithin, kOutside, kUndecidable };
 const char* to_string(FigureVerdict verdict);
 
-// One figure of one run against the native one.
+// One figure of a run compared with the native run.
 struct JudgedFigure {
   const Figure* figure = nullptr;
   double native = 0.0, other = 0.0;  // SI, of the runs that are shown
-  double deviation = 0.0;            // of the means, see deviation(); 0 where one is absent
-  double interval = 0.0;             // c, on the same scale; >= 0
-  // The least deviation that so many twins tell (figure_sample.h), and no less than c: what drifts
-  // without scatter hides it too.
+  double deviation = 0.0;            // of the means, see deviation(); 0 if a value is absent
+  double interval = 0.0;             // c, on the same scale, >= 0
+  // The smallest deviation that this number of twins can resolve (figure_sample.h), at least c,
+  // because a drift without scatter hides a deviation too.
   double least_told = 0.0;
-  double whole = 1.0;  // SI, what a share is of: the native mean, or the figure's resolution
+  // SI, what a share is relative to: the native mean, or the figure's resolution if larger
+  double whole = 1.0;
   FigureVerdict verdict = FigureVerdict::kNotJudged;
 
-  bool is_absent() const;  // from one of the runs, or both
-  // A count below 100: its differences are written as counts.
+  bool is_absent() const;  // one of the runs, or both, lack the figure
+  // A count below 100, whose differences are written as counts.
   bool is_small_count() const;
 };
 
-// floor: of c, on the figure's scale.
+// floor: lower limit of c, on the figure's scale.
 JudgedFigure judged(const Figure& figure, const FigureSample& native, const FigureSample& other,
                     double tolerance, double floor = 0.0);
 JudgedFigure judged(const Figure& figure, double native, double other,
                     double tolerance);  // without twins
 
-// Whether further twins would not change the verdict: the interval is less than half of the
-// distance from the tolerance, or the figure is not judged.
+// Whether further twins would not change the verdict: the interval is at most half of the distance
+// from the tolerance, or the figure is not judged.
 bool is_settled(const JudgedFigure& figure, double tolerance);
 
-// As of a figure (figure.h), but of a small count in counts: "+12", "3.2".
+// As for a figure (figure.h), but small counts are written as counts: "+12", "3.2".
 std::string deviation_text(const JudgedFigure& figure);
 std::string size_text(const JudgedFigure& figure, double size);
 
-// The deviation, with half of its interval where there is one, "-0.70 % ± 1.10 %"; the values
-// themselves where the native one is below what a share is taken of, and of small counts: "0.157
-// mm/s instead of 0.196", "42 instead of 30".
+// The deviation, with half of its interval if there is one: "-0.70 % ± 1.10 %". If the native
+// value is below the figure's resolution, and for small counts, the values themselves: "0.157 mm/s
+// instead of 0.196", "42 instead of 30".
 std::string difference_text(const JudgedFigure& figure);
 
-// The same to somebody new: "rms gap rate 16 times as large", "lasting contact 0 % instead of 99
-// %", "whirl 22 times as fast and the other way round".
+// The same for newcomers: "rms gap rate 16 times as large", "lasting contact 0 % instead of 99 %",
+// "whirl 22 times as fast and the other way round".
 std::string plain_difference(const JudgedFigure& figure);
 
 // What a contact model may be used for.
 enum class Trust {
-  kYes,           // no judged figure is outside, and one at least is within
-  kAveragesOnly,  // the averages are not outside, figures of single moments are
+  kYes,           // no judged figure is outside, and at least one is within
+  kAveragesOnly,  // the averages are not outside, but figures of single moments are
   kNo,            // an average is outside, or a run did not end well
-  kUndecidable    // nothing is outside, and nothing could be decided
+  kUndecidable    // no figure is outside or within
 };
 const char* to_string(Trust trust);  // "yes", "averages only", "no", "undecidable"
 Tone tone_of(Trust trust);
 
 Trust trust(const std::vector<JudgedFigure>& figures);
 
-// Judged figures that are outside, the furthest first; and those that are undecidable.
+// The judged figures that are outside, by falling deviation, and those that are undecidable.
 std::vector<JudgedFigure> outside(const std::vector<JudgedFigure>& figures);
 std::vector<JudgedFigure> undecidable(const std::vector<JudgedFigure>& figures);
 
-// Half a sentence that says why: "peak force -89 %, hard impacts -29 %; within 1 %: mean normal
+// Half a sentence with the reason: "peak force -89 %, hard impacts -29 %; within 1 %: mean normal
 // force, contact, total impulse".
 std::string why(const std::vector<JudgedFigure>& figures, double tolerance);
 

@@ -12,7 +12,7 @@ Twins run_twins(const Engine& engine, const scene::Scene& scene, const Trajector
   const auto most = static_cast<std::size_t>(parameters.count);
   Twins twins;
 
-  // Each twin writes to its own place.
+  // Each twin writes to its own entry.
   const auto run = [&](std::size_t k) {
     RunRequest request;
     request.step = parameters.step;

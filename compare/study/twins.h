@@ -1,5 +1,5 @@
-// Runs whose starts are a few units in the last place apart: how well the motion repeats itself,
-// which no comparison can be better than.
+// Runs whose starts differ by a few units in the last place. They show how well the motion repeats
+// itself, which limits the accuracy of any comparison.
 #pragma once
 
 #include <atomic>
@@ -16,19 +16,20 @@
 namespace rotorub {
 
 struct Twins {
-  std::vector<Metrics> metrics;  // one a twin, in the order of the starts
-  // Of each from the run whose twins they are, where that has rows; in the same order.
+  std::vector<Metrics> metrics;  // one per twin, in the order of the starts
+  // From the original run to each twin, if that run has rows; in the same order.
   std::vector<Divergence> divergences;
 };
 
 struct TwinParameters {
-  int count = 20;  // >= 0, at most; starts +1, -1, +2, -2, ... ulps away
-  // Asked before every kTwinBatch of them: whether no more are needed. Empty: all are run.
+  int count = 20;  // >= 0, upper limit; the starts are +1, -1, +2, -2, ... ulps away
+  // Called before each batch of kTwinBatch: whether the twins so far are enough. Empty: all run.
   std::function<bool(const Twins&)> enough;
   Jobs jobs = 0;
-  std::optional<double> step;        // s; none: the scene's
-  std::vector<double> output_times;  // s, rows: of `divergence`, and of what figures need rows
-  std::shared_ptr<const CommandRecord> commands;  // that drive them all; null: none
+  std::optional<double> step;  // s; empty: the scene's
+  // s, of the rows for the divergence and for figures that need rows
+  std::vector<double> output_times;
+  std::shared_ptr<const CommandRecord> commands;  // that drive all twins; null: none
   std::function<void(double)> progress;
   const std::atomic<bool>* interrupt = nullptr;
 };
@@ -38,22 +39,22 @@ inline constexpr int kTwinBatch = 4;
 // +1, -1, +2, -2, ...
 int twin_ulps(int index);
 
-// They run in several threads: of MuJoCo while a MujocoInPlace lives. The result does not depend on
-// the number of jobs. An interrupt leaves both lists empty. `threshold`: m, beyond which two runs
-// have parted.
+// The twins run in several threads; MuJoCo's require that a MujocoInPlace exists. The result does
+// not depend on the number of jobs. An interrupt leaves both lists empty. threshold: m; two runs
+// have parted when they are further apart.
 Twins run_twins(const Engine& engine, const scene::Scene& scene, const Trajectory& original,
                 double threshold, const TwinParameters& parameters);
 
-// Of each figure among a run and its twins.
+// The scatter of each figure among a run and its twins.
 struct Repeatability {
-  std::vector<FigureSample> samples;  // as figures()
+  std::vector<FigureSample> samples;  // in the order of figures(), as are all lists here
   std::vector<double> floor;          // largest |deviation| of a twin
-  std::vector<double> replay_floor;   // see replay_floor(); 0 but in replay
+  std::vector<double> replay_floor;   // see replay_floor(); 0 except in replay
 };
 Repeatability repeatability(const Metrics& run, const Twins& twins);
 
-// That of the twin that parts first; of those that never part the one that comes furthest. `none`:
-// without twins.
+// The divergence of the twin that parts first; if none parts, of the one that gets furthest away.
+// none: the result without twins.
 Divergence first_to_part(const Twins& twins, Divergence none);
 
 }  // namespace rotorub

@@ -12,13 +12,13 @@
 namespace rotorub {
 namespace {
 
-constexpr double kOftenEnough = 0.02;      // a lack of contact that is worth a sentence: 2 points
+constexpr double kOftenEnough = 0.02;  // a difference in contact that deserves a sentence: 2 points
 constexpr double kDeepPenetration = 0.05;  // of the clearance
-constexpr double kDominates = 2.0;         // one part of a split over the other
+constexpr double kDominates = 2.0;  // factor by which one part of a split must exceed the other
 
 double percent(double share) { return 100.0 * share; }
 
-// A share of time, with a digit where it is small.
+// A share of time, with a decimal if it is small.
 std::string time_share(double share) {
   return fmt::format("{:.{}f} %", percent(share), share > 0.0 && share < 0.01 ? 1 : 0);
 }
@@ -32,9 +32,10 @@ const FigureDifference& of(const SideDifference& d, const char* key) {
                        [&](const FigureDifference& f) { return f.figure == &figure(key); });
 }
 
-// The figure that is furthest off: of those outside, else of those within, else of the judged ones.
+// The figure with the largest deviation among those outside, otherwise among those within,
+// otherwise among the other judged ones.
 const FigureDifference& worst(const SideDifference& d) {
-  constexpr int kRank[] = {0, 2, 3, 1};  // as FigureVerdict
+  constexpr int kRank[] = {0, 2, 3, 1};  // in the order of FigureVerdict
   const auto rank = [&](const FigureDifference& f) { return kRank[static_cast<int>(f.verdict)]; };
   return *std::max_element(d.figures.begin(), d.figures.end(),
                            [&](const FigureDifference& a, const FigureDifference& b) {
@@ -71,7 +72,7 @@ std::string contact_sentence(const Side& native, const Side& other) {
   return {};
 }
 
-// What a soft contact makes of impacts.
+// The effect of a soft contact on impacts.
 std::string impact_sentence(const SideDifference& d) {
   const FigureDifference &mean = of(d, "mean_force"), &blow = of(d, "window_impulse");
   if (mean.verdict == FigureVerdict::kOutside || blow.verdict != FigureVerdict::kOutside) return {};
@@ -81,7 +82,7 @@ std::string impact_sentence(const SideDifference& d) {
       difference_text(mean), short_number(blow.other), short_number(blow.native));
 }
 
-// Whose fault the worst judged figure is.
+// The source of the worst judged figure's difference.
 std::string split_sentence(const FigureDifference& f, double tolerance) {
   const Split& s = f.split;
   if (s.difference == 0.0) return {};
@@ -181,7 +182,7 @@ std::vector<std::string> reasons(const SceneComparison& comparison, std::size_t 
   add(penetration_sentence(comparison, other));
   add(twins_sentence(comparison, difference));
   add(open_loop_sentence(comparison, difference));
-  // Without a contact none of its models can be the cause.
+  // Without a contact, no contact model can be the cause.
   const bool touches = native.metrics.first_touch || other.metrics.first_touch;
   if (touches && off.figure->split) add(split_sentence(off, comparison.tolerance));
   return all;

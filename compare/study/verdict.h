@@ -1,4 +1,4 @@
-// Why two runs differ, in sentences, by stated rules.
+// Sentences on why two runs differ, derived by fixed rules.
 #pragma once
 
 #include <string>
@@ -8,7 +8,8 @@
 
 namespace rotorub {
 
-// The most telling first. `comparison` has its sides and its twin filled in; `side`: of them, >= 1.
+// The most important reason first. `comparison` needs its sides and its twin; side: index in its
+// sides, >= 1.
 std::vector<std::string> reasons(const SceneComparison& comparison, std::size_t side,
                                  const SideDifference& difference);
 

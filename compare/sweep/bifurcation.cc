@@ -20,7 +20,7 @@ namespace {
 
 constexpr double kWholeTurn = 2.0 * std::numbers::pi;
 
-// A value's scene and the run that it led to: what the next one goes on from.
+// The scene of a value and its run, from which the next value continues.
 struct Before {
   scene::Scene scene;
   Trajectory run;
@@ -59,7 +59,8 @@ class Branch {
           out.continued = true;
           return out;
         } catch (const scene::SceneError&) {
-          out.places.clear();  // no start for this value: a smaller ring, other modes
+          // This value cannot start there, because of a smaller ring or other modes.
+          out.places.clear();
         }
       }
       step(own, out);
@@ -92,12 +93,12 @@ class Branch {
   std::optional<Before> before_;
 };
 
-// Of the first value that has a scene at all.
+// The reason for the first value with a valid scene.
 std::string reason_not_continued(const PointScenes& scenes) {
   for (std::int64_t point = 0; point < scenes.sample().size(); ++point) {
     try {
       return not_continued(scenes.at(point));
-    } catch (const scene::SceneError&) {  // the next one may have one
+    } catch (const scene::SceneError&) {  // try the next one
     }
   }
   return {};

@@ -1,6 +1,6 @@
-// The bifurcation diagram of a study of one key: where the rotor is once a turn, of what each value
-// leads to, upwards and downwards. Each value begins where the one before it ended, so that a
-// motion is followed as long as it stands: where up and down differ, there are two.
+// The bifurcation diagram of a study of one key: the position of the rotor once per turn, for
+// ascending and then for descending values. Each value starts where the previous one ended, so that
+// a motion is followed as long as it exists. Where the two directions differ, two motions coexist.
 #pragma once
 
 #include <atomic>
@@ -17,26 +17,27 @@ namespace rotorub::sweep {
 
 struct BranchPoint {
   std::int64_t point = 0;  // index in the study's order
-  std::string refused;     // why there is nothing here; empty: there is
-  bool continued = false;  // begins where the one before it ended, not at the scene's own start
+  std::string refused;     // why there is no result; empty if there is one
+  bool continued = false;  // starts where the previous value ended, not at the scene's own start
   // m, x + i y of the rotor at the contact whenever its mark passes +x (metrics/orbit.h), over the
-  // last half of the run and no more than kTurns.
+  // last half of the run but at most kTurns turns.
   std::vector<std::complex<double>> places{};
-  int period = 0;                    // turns, section_period
-  std::optional<double> exponent{};  // 1/s, the largest of Lyapunov (run/lyapunov.h); up alone
+  int period = 0;  // in turns, see section_period
+  // 1/s, largest Lyapunov exponent (run/lyapunov.h); only in `up`
+  std::optional<double> exponent{};
 };
 
 struct Bifurcation {
   static constexpr int kTurns = 64;
-  std::vector<BranchPoint> up, down;  // in the order in which they ran
-  std::string not_continued;          // why every value begins at its own start; empty: they do not
+  std::vector<BranchPoint> up, down;  // in the order of their runs
+  std::string not_continued;  // why every value starts at its own start; empty if they continue
 };
 
-// Why a study has none: more than one key, words in the place of numbers, MuJoCo. Empty: it has
-// one.
+// Why a study has no bifurcation diagram (several keys, words instead of numbers, MuJoCo); empty if
+// it has one.
 std::string no_bifurcation(const Study& study);
 
-// progress: share done, in [0, 1]. Nothing: interrupted.
+// progress: fraction done, in [0, 1]. Empty if interrupted.
 std::optional<Bifurcation> bifurcation(const PointScenes& scenes,
                                        const std::atomic<bool>* interrupt,
                                        const std::function<void(double)>& progress);

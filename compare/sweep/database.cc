@@ -26,13 +26,13 @@ Database::Database(const std::filesystem::path& file, Mode mode) : file_(file.st
   const int code = sqlite3_open_v2(file_.c_str(), &opened, flags, nullptr);
   database_.reset(opened);
   if (code != SQLITE_OK) fail(code);
-  // A file may come from anywhere: what it has beside tables is never run.
+  // A file may come from anywhere, so its triggers and views are never executed.
   for (const int part : {SQLITE_DBCONFIG_ENABLE_TRIGGER, SQLITE_DBCONFIG_ENABLE_VIEW})
     sqlite3_db_config(opened, part, 0, nullptr);
   sqlite3_db_config(opened, SQLITE_DBCONFIG_DEFENSIVE, 1, nullptr);
   if (mode == Mode::kRead) return;
-  // A rollback journal, synced: what is committed outlives the process and the machine, also on the
-  // network's file systems, where a write-ahead log does not work.
+  // A synced rollback journal makes committed data survive a crash of the process or the computer.
+  // It also works on network file systems, where a write-ahead log does not.
   execute("PRAGMA journal_mode = DELETE");
   execute("PRAGMA synchronous = FULL");
   execute("PRAGMA locking_mode = EXCLUSIVE");
@@ -114,7 +114,7 @@ Transaction::~Transaction() {
   try {
     database_->execute("ROLLBACK");
   } catch (const DatabaseError&) {
-    // It was rolled back by what failed.
+    // The failed statement already rolled it back.
   }
 }
 

@@ -1,4 +1,4 @@
-// SQLite with owners: what the results are kept in.
+// Owners for SQLite, which stores the results.
 #pragma once
 
 #include <cstdint>
@@ -22,16 +22,16 @@ class DatabaseError : public std::runtime_error {
 
 class Database;
 
-// A value of a row; the first: nothing.
+// A value of a row; the first alternative is NULL.
 using Cell = std::variant<std::monostate, std::int64_t, double, std::string>;
 
-// A prepared statement; parameters and columns are counted from 1 and from 0, as in SQLite.
+// A prepared statement. Parameters count from 1 and columns from 0, as in SQLite.
 class Statement {
  public:
   Statement(Database& database, const std::string& sql);
   void bind(int place, const Cell& value);
-  bool step();  // true: a row
-  void run();   // steps to the end and is ready for another time
+  bool step();  // true if there is a row
+  void run();   // steps to the end and resets the statement
   int columns() const;
   bool is_nothing(int column) const;
   bool is_text(int column) const;
@@ -51,7 +51,8 @@ class Statement {
 class Database {
  public:
   enum class Mode { kRead, kWrite };
-  // kWrite makes the file where it is missing and keeps other processes out. Throws DatabaseError.
+  // kWrite creates the file if it is missing and locks it for other processes. Throws
+  // DatabaseError.
   Database(const std::filesystem::path& file, Mode mode);
   void execute(const std::string& sql);
   [[noreturn]] void fail(int code) const;
@@ -65,7 +66,7 @@ class Database {
   std::unique_ptr<sqlite3, Close> database_;
 };
 
-// A transaction that is taken back unless it is committed.
+// A transaction that is rolled back unless it is committed.
 class Transaction {
  public:
   explicit Transaction(Database& database) : database_(&database) { database.execute("BEGIN"); }
@@ -79,7 +80,7 @@ class Transaction {
   bool open_ = true;
 };
 
-// "a name" as SQL takes it: in quotes of its own.
+// Quoted for SQL: names in double quotes, texts in single quotes.
 std::string quoted_name(const std::string& name);
 std::string quoted_text(const std::string& text);
 

@@ -19,7 +19,8 @@ namespace {
 constexpr std::array<std::string_view, 5> kKinds{"uniform", "normal", "lognormal", "triangular",
                                                  "weibull"};
 
-// What each is called in a study, in the order of the kinds; empty: it has none.
+// The names of a distribution's parameters in a study, in the order of the kinds; empty: it has
+// none.
 struct Parameters {
   const char* centre;
   const char* width;
@@ -31,8 +32,8 @@ constexpr Parameters kParameters[] = {{"", "", false},
                                       {"mode", "", false},
                                       {"scale", "shape", false}};
 
-// In double throughout: the functions behind are the build's own (RotorubMath.cmake), and a study's
-// points the same on every machine.
+// Boost must compute in double. The build supplies the functions that it calls (RotorubMath.cmake),
+// so that a study has the same points on every computer.
 using Policy = boost::math::policies::policy<boost::math::policies::promote_double<false>>;
 
 template <typename Law>

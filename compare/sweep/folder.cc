@@ -56,7 +56,7 @@ void keep_study(const std::filesystem::path& folder, const PointScenes& scenes) 
   for (const auto& [name, text] : files) write_whole(folder / name, text);
 }
 
-// Line by line: the table may be larger than the memory.
+// Written line by line, because the table may exceed the memory.
 void write_csv(Store& store, const std::filesystem::path& file) {
   const std::filesystem::path aside = part_of(file);
   std::ofstream out(aside, std::ios::binary | std::ios::trunc);

@@ -13,7 +13,7 @@
 namespace rotorub::sweep {
 namespace {
 
-// One figure of one group.
+// The values of one figure in one group.
 struct Gathered {
   std::vector<double> numbers;
   std::map<std::string, std::size_t> words;
@@ -22,7 +22,7 @@ struct Gathered {
 
 struct FigureGroup {
   std::vector<std::string> values;
-  std::vector<Gathered> figures;  // as Statistics::figures
+  std::vector<Gathered> figures;  // in the order of Statistics::figures
 };
 
 std::string text_of(const Statement& row, int column) {
@@ -62,7 +62,7 @@ std::string unit_of(const std::string& figure) {
   return {};
 }
 
-// Of one figure of one group.
+// Calls `add` with every statistic of one figure in one group.
 template <typename Add>
 void each_statistic(Gathered& of, const Statistics& asked, const Add& add) {
   for (const auto& [word, hits] : of.words)

@@ -1,5 +1,5 @@
-// Statistics of a study's results: of each group of points and each figure, of numbers the mean,
-// the spread and quantiles, of words the share of each.
+// Statistics of a study's results for each group of points and each figure: mean, deviation and
+// quantiles of numbers, and shares of words.
 #pragma once
 
 #include <nlohmann/json_fwd.hpp>
@@ -12,22 +12,22 @@
 namespace rotorub::sweep {
 
 struct StatisticsRow {
-  std::vector<std::string> group;  // value of each key of Statistics::by, SI
-  std::string figure, unit;        // column of the results; SI
+  std::vector<std::string> group;  // the value of each key in Statistics::by, SI
+  std::string figure, unit;        // column of the results, and its SI unit
   std::string statistic;           // mean, deviation, least, largest, quantile <p>, or share <word>
   Estimate estimate;
-  std::size_t count = 0;  // points of the group that have the figure
+  std::size_t count = 0;  // number of points in the group that have the figure
 };
 
-// Groups in the order in which their first points come; asserts [statistics]. Bounds presuppose
-// independent points: those of a Latin hypercube and of Sobol's sequence are not, and have none.
+// The groups are in the order of their first points. Asserts that the study has [statistics].
+// Bounds require independent points, so a Latin hypercube and Sobol's sequence have none.
 std::vector<StatisticsRow> group_statistics(Store& store, const Study& study);
 
-// A header line and a line a row, whole or not at all.
+// Writes a header line and one line per row, completely or not at all.
 void write_statistics(const std::vector<StatisticsRow>& rows, const Study& study,
                       const std::filesystem::path& file);
 
-// Its columns, as of columns.json.
+// The columns of that file, in the format of columns.json.
 nlohmann::ordered_json statistics_columns_json(const Study& study);
 
 }  // namespace rotorub::sweep

@@ -7,7 +7,8 @@
 namespace rotorub::sweep {
 namespace {
 
-// Place of contact.friction among the keys, if it varies alone and in numbers.
+// Index of contact.friction among the keys, if it is not coupled to other keys and has numeric
+// values.
 std::optional<std::size_t> friction_key(const Study& study) {
   for (std::size_t k = 0; k < study.vary.size(); ++k) {
     const Vary& vary = study.vary[k];
@@ -36,7 +37,7 @@ LinearMap linear_map(const PointScenes& scenes) {
 
   map.points.resize(static_cast<std::size_t>(size));
   for (std::int64_t first = 0; first < size; ++first) {
-    if (first / stride % count != 0) continue;  // the least friction of each rotor
+    if (first / stride % count != 0) continue;  // start only at the first friction of each rotor
     try {
       const scene::Scene scene = scenes.at(first);
       with_place(scene, [&] {

@@ -1,5 +1,5 @@
-// The linear map of a study: for each of its points, which lasting rubs there are and which are
-// stable, by eigenvalues (native_model/linear/rub_map.h). No run is needed for it.
+// The linear map of a study: the lasting rubs at each of its points and their stability, from
+// eigenvalues (native_model/linear/rub_map.h). It needs no run.
 #pragma once
 
 #include <optional>
@@ -12,13 +12,13 @@
 namespace rotorub::sweep {
 
 struct LinearMap {
-  std::vector<std::optional<rub::RubPoint>> points;  // in the study's order; nothing: refused
-  std::string refused;                               // why, of the first refused one
+  std::vector<std::optional<rub::RubPoint>> points;  // in the study's order; empty where refused
+  std::string refused;                               // the reason of the first refusal
   bool any() const;
 };
 
-// Of a grid over contact.friction and at least one other key, and not too many values of the
-// others: the rotor is assembled once for each of these. Otherwise without points.
+// For a grid over contact.friction and at least one other key, with at most kMostSystems values of
+// the others, because each of these needs its own rotor. Otherwise the result has no points.
 LinearMap linear_map(const PointScenes& scenes);
 
 inline constexpr std::int64_t kMostSystems = 1000;

@@ -10,12 +10,12 @@
 namespace rotorub::sweep {
 namespace {
 
-// In double throughout, as in distribution.cc.
+// Computes in double, as in distribution.cc.
 using InDouble = boost::math::policies::policy<boost::math::policies::promote_double<false>>;
 using Binomial = boost::math::binomial_distribution<double, InDouble>;
 
-// The least k in [0, n] with P(B <= k) >= share, of B binomial(n, p). Boost's quantile rounds by a
-// policy, and its last digit decides at the edge: here P decides.
+// The smallest k in [0, n] with P(B <= k) >= share, for B binomial(n, p). Boost's quantile rounds
+// by a policy, and round-off decides at the edge; here P itself decides.
 std::size_t least_at_share(std::size_t n, double p, double share) {
   const Binomial law(static_cast<double>(n), p);
   std::size_t below = 0, at = n;
@@ -43,7 +43,7 @@ Estimate quantile_of(std::span<const double> sorted, double p, double confidence
   out.value = sorted[below];
   if (share > 0.0) out.value += share * (sorted[below + 1] - sorted[below]);
 
-  // Places from 0: x_(l) is sorted[l - 1]. P(B <= l - 1) <= tail up to just before it is above.
+  // Indices from 0: x_(l) is sorted[l - 1]. l is the number of k with P(B <= k) <= tail.
   const Binomial law(static_cast<double>(n), p);
   std::size_t l = least_at_share(n, p, tail);
   if (cdf(law, static_cast<double>(l)) <= tail) ++l;

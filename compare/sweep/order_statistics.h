@@ -1,4 +1,4 @@
-// Statistics of a sample of independent values, with intervals that hold them with a confidence.
+// Statistics of a sample of independent values, with confidence intervals.
 #pragma once
 
 #include <optional>
@@ -6,32 +6,32 @@
 
 namespace rotorub::sweep {
 
-// A value, and the bounds between which what it estimates lies with the confidence asked for;
-// nothing: the sample is too small for a bound.
+// An estimate and the bounds of its confidence interval; a bound is empty if the sample is too
+// small.
 struct Estimate {
   double value = 0.0;
   std::optional<double> low, high;
 };
 
-// Each: `confidence` in (0, 1), two-sided.
+// In all functions `confidence` is in (0, 1) and two-sided.
 
-// The p-quantile, p in (0, 1): between the order statistics x_(h), h = (n - 1) p + 1, linearly
-// (type 7 of Hyndman and Fan 1996, that of numpy). Its bounds are order statistics, whatever the
-// distribution (Conover, Practical Nonparametric Statistics, 3.2): of B binomial(n, p),
+// The p-quantile, p in (0, 1): linear interpolation between the order statistics x_(h), h = (n - 1)
+// p + 1 (type 7 of Hyndman and Fan 1996, as in numpy). Its bounds are order statistics and hold for
+// any distribution (Conover, Practical Nonparametric Statistics, 3.2). For B binomial(n, p):
 //   low x_(l), l the largest with P(B <= l - 1) <= (1 - confidence)/2,
 //   high x_(u), u the smallest with P(B <= u - 1) >= 1 - (1 - confidence)/2.
-// sorted: ascending, one value or more.
+// sorted: ascending, at least one value.
 Estimate quantile_of(std::span<const double> sorted, double p, double confidence);
 
-// The mean, with the bounds of Student's t: exact of normal values, else of many. One value or
-// more; of one it has no bounds.
+// The mean with the bounds of Student's t, which are exact for normal values and otherwise
+// approximate for many values. At least one value; a single value has no bounds.
 Estimate mean_of(std::span<const double> values, double confidence);
 
-// The standard deviation, divisor n - 1; 0 of one value. No bounds.
+// The standard deviation with divisor n - 1, without bounds; 0 for one value.
 double deviation_of(std::span<const double> values);
 
-// A share of `count` trials that came out `hits` times, with the bounds of Clopper and Pearson
-// (1934), which hold at least with the confidence. count: 1 or more, hits in [0, count].
+// The share hits / count with the bounds of Clopper and Pearson (1934), whose confidence is at
+// least the requested one. count >= 1, hits in [0, count].
 Estimate share_of(std::size_t hits, std::size_t count, double confidence);
 
 }  // namespace rotorub::sweep

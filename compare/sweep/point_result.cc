@@ -12,7 +12,7 @@ namespace {
 
 using nlohmann::json;
 
-// What a sweep keeps of the metrics, in the order of its columns.
+// The metrics that a sweep stores, in the order of its columns.
 constexpr const char* kKept[] = {"end",
                                  "steps",
                                  "first_touch",

@@ -1,4 +1,4 @@
-// What a sweep keeps of a point: one row of the results.
+// The result of a point in a sweep: one row of the results.
 #pragma once
 
 #include <cstdint>
@@ -15,10 +15,11 @@
 namespace rotorub::sweep {
 
 struct PointResult {
-  std::int64_t point = 0;     // index in the study's order
-  std::string status = "ok";  // as of a run, or "refused": no scene, or one that cannot run
-  std::string reason;         // empty: ok
-  // Nothing: not ok. Of them what result_columns() reads.
+  std::int64_t point = 0;  // index in the study's order
+  // The status of the run, or "refused" for a point without a scene that can run.
+  std::string status = "ok";
+  std::string reason;  // empty if ok
+  // Empty unless ok; only the metrics of result_columns() are needed.
   std::optional<Metrics> figures;
 
   bool ok() const { return figures.has_value(); }
@@ -26,25 +27,26 @@ struct PointResult {
 
 inline constexpr const char* kRefused = "refused";
 
-// The columns of the results behind the point, the varied keys, status and reason: metrics of the
+// The columns of the results after the point, the varied keys, status and reason: metrics from the
 // registry (compare/figures).
 struct ResultColumn : ColumnMeaning {
   std::string_view key;
-  // Of one type, whatever the metrics: whole number, word, or else number; null or not finite:
-  // none.
+  // A column always has the same type: whole number, word or number. null or a number that is not
+  // finite means that there is no value.
   nlohmann::json value(const Metrics& metrics) const;
 };
 std::span<const ResultColumn> result_columns();
 
-// Rows that tell where a run has settled, evenly spaced over its last fifth, both ends included.
+// The rows that show where a run has settled, evenly spaced over its last fifth including both
+// ends.
 inline constexpr int kSettledRows = 41;
-double settled_row(double end, int row);  // s, of row 0 .. kSettledRows - 1
+double settled_row(double end, int row);  // s, time of the row 0 .. kSettledRows - 1
 
-// What the columns of results.csv are, in columns.json beside it:
-// {"results.csv": [{"name", "unit", "meaning"}, ...]}, the study's own columns in their order.
+// The columns of results.csv for columns.json: {"results.csv": [{"name", "unit", "meaning"}, ...]},
+// including the columns of the study, in their order.
 nlohmann::ordered_json sweep_columns_json(const Study& study);
 
-// Markdown: the table of all of them in compare/sweep/README.md.
+// Markdown: the table of all columns in compare/sweep/README.md.
 std::string sweep_columns_markdown();
 
 }  // namespace rotorub::sweep

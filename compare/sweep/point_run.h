@@ -1,4 +1,4 @@
-// Points of a study, each run by itself by any engine.
+// Runs single points of a study on any engine.
 #pragma once
 
 #include <atomic>
@@ -14,23 +14,23 @@
 
 namespace rotorub::sweep {
 
-// The engine that the study asks for, for this scene.
+// The engine that the study requests for this scene.
 std::unique_ptr<Engine> engine_of(const Study& study, const scene::Scene& scene);
 
-// Nothing: interrupted. Scenes that the engine refuses are a result too.
+// Empty if interrupted. A scene that the engine refuses is also a result.
 std::optional<PointResult> run_single(std::int64_t point, const scene::Scene& scene,
                                       const Engine& engine, const std::atomic<bool>& interrupt);
 
 using SceneOfPoint =
     std::function<scene::Scene(std::int64_t point)>;  // thread safe; throws scene::SceneError
 
-// The same of a point of a study, whose values may make no scene either.
+// The same for a point of a study, whose values may not make a valid scene either.
 std::optional<PointResult> run_point(const Study& study, std::int64_t point,
                                      const SceneOfPoint& scene_at,
                                      const std::atomic<bool>& interrupt);
 
-// All points of a native study from 0 to count - 1, on all processors, in their order; `interrupt`:
-// those that are missing then have no status.
+// Runs the points 0 to count - 1 of a native study on all processors; the result has their order.
+// Points missing after an interrupt have an empty status.
 std::vector<PointResult> run_points(const Study& study, std::int64_t count,
                                     const SceneOfPoint& scene_at,
                                     const std::atomic<bool>& interrupt);

@@ -45,7 +45,7 @@ PointsFile::PointsFile(const std::filesystem::path& file)
 
 void PointsFile::take_header(const std::vector<std::string>& fields) {
   for (const std::string& field : fields) {
-    // A key may have brackets of its own, as force[0].amplitude: the unit's come last.
+    // A key may itself contain brackets, as in force[0].amplitude; the unit is the last pair.
     const std::size_t open = field.rfind(" [");
     const bool unit = open != std::string::npos && field.ends_with(']');
     heads_.push_back(boost::trim_copy(unit ? field.substr(0, open) : field));

@@ -1,4 +1,4 @@
-// The points of a study in a file: a header that names the columns, and a line a point.
+// The points of a study in a file: a header with the names of the columns, and one line per point.
 #pragma once
 
 #include <filesystem>
@@ -11,9 +11,8 @@
 
 namespace rotorub::sweep {
 
-// A header field may have a unit, as "clearance [um]", which is then that of its column's numbers.
-// Fields are separated by commas, semicolons or tabs; empty lines and those that begin with # are
-// left out.
+// A header field may include a unit, as in "clearance [um]", for the numbers of its column. Fields
+// are separated by commas, semicolons or tabs; empty lines and lines that begin with # are skipped.
 class PointsFile {
  public:
   PointsFile() = default;
@@ -24,7 +23,7 @@ class PointsFile {
   const std::filesystem::path& file() const { return file_; }
   const std::string& text() const { return text_; }
   std::vector<std::string_view> names() const { return {heads_.begin(), heads_.end()}; }
-  // The texts of a column, as strings of a study; nothing: there is none of this name.
+  // The texts of a column as strings of a study; empty if there is no such column.
   std::optional<std::vector<scene::TomlNode>> column(std::string_view name) const;
 
  private:
@@ -33,7 +32,7 @@ class PointsFile {
   std::filesystem::path file_;
   std::string text_;
   std::vector<std::string> heads_, units_;
-  std::vector<int> lines_;                       // of each point, in the file
+  std::vector<int> lines_;                       // line number of each point in the file
   std::vector<std::vector<std::string>> cells_;  // [point][column]
 };
 

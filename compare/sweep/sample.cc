@@ -52,10 +52,10 @@ namespace {
 
 Value number(double value) { return {fmt::format("{}", value), value}; }
 
-// In [0, 1): the upper 53 bits.
+// A number in [0, 1) from the upper 53 bits.
 double unit(std::uint64_t bits) { return static_cast<double>(bits >> 11u) * 0x1p-53; }
 
-// A whole number in digits, however large.
+// Writes a whole number of any size in digits.
 Value whole_number(double value) { return {fmt::format("{:.0f}", value), value}; }
 
 Value grid_value(const Vary& vary, std::int64_t i) {
@@ -65,7 +65,7 @@ Value grid_value(const Vary& vary, std::int64_t i) {
   return vary.whole ? whole_number(std::round(value)) : number(value);
 }
 
-// The place of a share among `count` of the same size.
+// The index of the cell that contains `share` when [0, 1) is divided into `count` equal cells.
 std::int64_t place_of(double share, double count) {
   return static_cast<std::int64_t>(std::min(std::floor(share * count), count - 1.0));
 }
@@ -203,7 +203,8 @@ void PointScenes::check() const {
 std::string reason_of(const scene::SceneError& error) {
   std::string text;
   for (scene::Diagnostic d : error.diagnostics()) {
-    // The row's own values came as overrides; of the scene the line is enough.
+    // Errors in overrides come from the row's own values; for the scene, its file name and line are
+    // enough.
     d.file = d.file == scene::kOverrideFile ? std::string()
                                             : std::filesystem::path(d.file).filename().string();
     text += (text.empty() ? "" : "; ") + scene::to_string(d);

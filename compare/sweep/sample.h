@@ -1,5 +1,5 @@
-// The points of a study: point i gives each varied key a value, and so a scene. Every point is
-// computed by itself, in no memory, and the same on every machine.
+// The points of a study: point i assigns a value to each varied key and so defines a scene. Each
+// point is computed independently, without storing others, and equally on every computer.
 #pragma once
 
 #include <cstdint>
@@ -14,21 +14,21 @@
 
 namespace rotorub::sweep {
 
-// 64 well-mixed bits of `x` (SplitMix64's step and output function).
+// 64 well-mixed bits from `x` (step and output function of SplitMix64).
 std::uint64_t mixed(std::uint64_t x);
-// The same of several numbers, in their order.
+// The same for three numbers; their order matters.
 std::uint64_t mixed(std::uint64_t a, std::uint64_t b, std::uint64_t c);
 
-// A random order of 0 .. n-1 that needs no memory: each element is computed by itself.
+// A random permutation of 0 .. n-1 without storage: each element is computed independently.
 //
 // A Feistel network of kRounds rounds on the smallest even number of bits that holds n, keyed by
-// SplitMix64, walked along its cycle until it falls below n (Black and Rogaway, Ciphers with
-// arbitrary finite domains, 2002). Integers alone: the same on every machine.
+// SplitMix64; it is iterated until the result is below n (cycle walking; Black and Rogaway, Ciphers
+// with arbitrary finite domains, 2002). It uses only integers, so it is equal on every computer.
 class Permutation {
  public:
   // n: >= 1.
   Permutation(std::uint64_t n, std::uint64_t key);
-  // The element at `place`, both in [0, n).
+  // The element at `place`; both are in [0, n).
   std::uint64_t at(std::uint64_t place) const;
 
  private:
@@ -39,21 +39,21 @@ class Permutation {
 };
 
 // Order of the points:
-//   grid             the last [[vary]] runs fastest
-//   latin_hypercube  as drawn: each range is cut into `runs` equal cells (of the logarithm, with
-//                    spacing = "log"); point i lies in cell P_k(i) of key k, P_k a random order, at
-//                    a random place within it
-//   list             as written, or as the rows of its file
-//   random           each key by itself, by SplitMix64
-//   sobol            Sobol's sequence from its origin on, each key with the bits of the seed
-//                    turned (a digital shift: what makes the points even stays)
-// Of a drawn point each key has a share in [0, 1), and with it the place in its values, its whole
-// numbers, its distribution or its range.
+//   grid             the last [[vary]] varies fastest
+//   latin_hypercube  as drawn: each range is divided into `runs` equal cells (of the logarithm,
+//                    with spacing = "log"); point i lies in cell P_k(i) of key k, P_k a random
+//                    order, at a random place within it
+//   list             as written, or the rows of its file
+//   random           each key independently, by SplitMix64
+//   sobol            Sobol's sequence from its origin, with the bits of each key flipped by the
+//                    seed (a digital shift, which keeps the points evenly distributed)
+// For a drawn point each key has a share in [0, 1), which selects one of its values or whole
+// numbers, or a quantile of its distribution, or a place in its range.
 class Sample {
  public:
   explicit Sample(const Study& study);
   std::int64_t size() const { return size_; }
-  // One value for each [[vary]]. index: in [0, size).
+  // One value per [[vary]]. index: in [0, size).
   std::vector<Value> at(std::int64_t index) const;
 
  private:
@@ -61,18 +61,18 @@ class Sample {
 
   const Study* study_;
   std::int64_t size_ = 0;
-  std::vector<Permutation> orders_;  // of a Latin hypercube
+  std::vector<Permutation> orders_;  // for a Latin hypercube
   std::optional<Sobol> sobol_;
 };
 
-// The value `share` in [0, 1] of the way; exactly `from` and `to` at the ends.
+// The value at the fraction `share` of the range; exactly `from` at 0 and `to` at 1.
 double between(const Vary& vary, double share);
 
-// From a point of a study to its scene.
+// Makes the scene of a point of a study.
 class PointScenes {
  public:
-  // `overrides`: of the command line, on top of the study's own. Throws scene::SceneError, also
-  // where one of them sets what varies.
+  // overrides: from the command line, applied after the study's own. Throws scene::SceneError, also
+  // if one of them sets a varied key.
   PointScenes(const Study& study, std::span<const std::string> overrides);
 
   const Study& study() const { return *study_; }
@@ -81,11 +81,11 @@ class PointScenes {
 
   // Thread safe. Throws scene::SceneError.
   scene::Scene at(std::int64_t index) const;
-  // With its text, also of a native study: a scene that is kept.
+  // With its text, also for a native study: for a scene that is saved.
   scene::Scene whole_at(std::int64_t index) const { return scene_at(index, true); }
 
-  // Throws scene::SceneError where the first, the middle and the last point are all refused: a
-  // study that nothing can come of.
+  // Throws scene::SceneError if the first, the middle and the last point are all refused, because
+  // such a study would have no results.
   void check() const;
 
  private:
@@ -96,7 +96,7 @@ class PointScenes {
   scene::Variants variants_;
 };
 
-// What is wrong with a scene, on one line, for a row of the results.
+// The errors of a scene on one line, for a row of the results.
 std::string reason_of(const scene::SceneError& error);
 
 }  // namespace rotorub::sweep

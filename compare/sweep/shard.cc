@@ -35,7 +35,7 @@ Shard parse_shard(const std::string& text) {
 
 namespace {
 
-// A command of the shell: what it prints, and its exit code.
+// Runs a command in the shell and returns its output and exit code.
 std::pair<std::string, int> output_of(const std::string& command) {
   const auto close = [](std::FILE*) {};
   const std::unique_ptr<std::FILE, decltype(close)> pipe(popen(command.c_str(), "r"), close);
@@ -59,7 +59,7 @@ std::string shell_word(const std::string& text) {
     for (const char c : text) word += c == '\'' ? "'\\''" : std::string(1, c);
     return word + "'";
   }
-  // As bash has it in $'...': the word stays on its line, in a comment too.
+  // In bash's form $'...' the word stays on one line, also within a comment.
   std::string word = "$'";
   for (const char c : text) {
     if (control(c)) {
@@ -100,7 +100,7 @@ std::string slurm_script(const SlurmJob& job) {
 std::string submit(const std::filesystem::path& script, const std::vector<int>& tasks) {
   std::string list;
   for (const int task : tasks) list += (list.empty() ? "" : ",") + std::to_string(task);
-  // In a file name of sbatch a % begins a pattern, and two are one.
+  // In a file name for sbatch, % begins a pattern and %% is a literal %.
   std::string log = (script.parent_path() / "slurm-").string();
   for (std::size_t at = log.find('%'); at != std::string::npos; at = log.find('%', at + 2)) {
     log.insert(at, "%");

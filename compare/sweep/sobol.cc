@@ -6,16 +6,16 @@
 namespace rotorub::sweep {
 namespace {
 
-constexpr int kBits = 31;  // of an index: kMostPoints has 30
+constexpr int kBits = 31;  // of an index; kMostPoints needs 30
 
 }  // namespace
 
-// Point 2^b - 1 has the Gray code of bit b - 1 alone, so that the points there are the directions.
+// The Gray code of 2^b - 1 is bit b - 1 alone, so these points are the direction numbers.
 Sobol::Sobol(std::size_t keys) : keys_(keys) {
   assert(keys >= 1 && keys <= kMostSobolKeys);
   boost::random::sobol engine(keys);
   for (int bit = 0; bit < kBits; ++bit) {
-    engine.seed((std::uint64_t{2} << bit) - 2);  // it leaves the origin out
+    engine.seed((std::uint64_t{2} << bit) - 2);  // it skips the origin
     std::vector<std::uint64_t>& direction = directions_.emplace_back();
     for (std::size_t k = 0; k < keys; ++k) direction.push_back(engine());
   }

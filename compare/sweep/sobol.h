@@ -1,5 +1,5 @@
-// Points of Sobol's sequence, with the direction numbers of Joe and Kuo (2008; Boost.Random): of
-// the first 2^m points every elementary box of the first two keys has its share.
+// Points of Sobol's sequence, with the direction numbers of Joe and Kuo (2008; Boost.Random). Among
+// the first 2^m points, every elementary box of the first two keys has its share.
 #pragma once
 
 #include <cstddef>
@@ -10,8 +10,8 @@ namespace rotorub::sweep {
 
 inline constexpr std::size_t kMostSobolKeys = 3667;
 
-// One coordinate for each key, as 64 bits behind the binary point. index: >= 0; 0 is the origin.
-// Thread safe.
+// One coordinate per key, as 64 bits after the binary point. index: >= 0; 0 is the origin.
+// Thread-safe.
 class Sobol {
  public:
   explicit Sobol(std::size_t keys);  // in [1, kMostSobolKeys]
@@ -19,7 +19,7 @@ class Sobol {
 
  private:
   std::size_t keys_;
-  // [bit][key]: what each bit of the Gray code of the index changes.
+  // [bit][key]: the change caused by each bit of the Gray code of the index.
   std::vector<std::vector<std::uint64_t>> directions_;
 };
 

@@ -33,7 +33,7 @@ Cell cell_of(const ResultColumn& column, const std::optional<Metrics>& figures) 
   if (value.is_null()) return {};
   if (value.is_string()) return value.get<std::string>();
   if (value.is_number_integer()) return value.get<std::int64_t>();
-  return value.get<double>();  // SQLite stores what is no number as nothing
+  return value.get<double>();  // SQLite stores NaN as NULL
 }
 
 }  // namespace
@@ -147,8 +147,8 @@ void Store::add(std::span<const PointResult> results, const Sample& sample) {
 }
 
 void Store::merge(const std::filesystem::path& other) {
-  // Opened once by itself: a file that is not there must not be made, and one that a sweep is at
-  // work on is distinguished from one that is no database.
+  // It is first opened separately, so that a missing file is not created and a file locked by a
+  // sweep is distinguished from one that is not a database.
   { Database look(other, Database::Mode::kRead); }
   database_.execute("ATTACH DATABASE " + quoted_text(other.string()) + " AS other");
   check("other", other.string());

@@ -1,7 +1,7 @@
-// The results of a study, or of a shard of it, in a SQLite file:
+// The results of a study or of one shard in a SQLite file:
 //   meta    key, value: format, version, study (its identity), points (of the whole study), shard
-//   points  point (primary key, from 0 in the study's order), a column for each varied key, status,
-//           reason, and the columns of result_columns(); nothing in them depends on times
+//   points  point (primary key, from 0 in the study's order), a column per varied key, status,
+//           reason, and the columns of result_columns(); no value depends on computing times
 #pragma once
 
 #include <filesystem>
@@ -18,32 +18,32 @@
 
 namespace rotorub::sweep {
 
-// What results belong to: a store takes those of one study alone, computed by one version.
+// Identifies results: a store holds the results of one study, computed by one version.
 struct StudyIdentity {
-  std::string hash;  // of the study's text and of the scene's, with the overrides of both
+  std::string hash;  // of the texts of study and scene, including the overrides of both
   std::int64_t points = 0;
 };
 
 class Store {
  public:
-  // Opens or makes the file. Throws StoreMismatch where it is of another study or version, and
-  // DatabaseError. `vary`: names of the columns.
+  // Opens or creates the file. Throws StoreMismatch if it belongs to another study or version, and
+  // DatabaseError. The study's varied keys are columns.
   Store(const std::filesystem::path& file, const Study& study, const StudyIdentity& identity,
         const Shard& shard);
 
-  // Whether each point of the study is there.
+  // Whether each point of the study has a result.
   std::vector<bool> done();
-  // Rows for the results, in one transaction. `sample` gives the varied values.
+  // Adds results as rows, in one transaction. sample: for the varied values.
   void add(std::span<const PointResult> results, const Sample& sample);
-  // Takes over all rows of another store. Throws StoreMismatch where that is of another study, or
-  // where a point is in both and differs.
+  // Copies all rows of another store. Throws StoreMismatch if it belongs to another study, or if
+  // both have a point and its rows differ.
   void merge(const std::filesystem::path& other);
 
   std::int64_t count();
   std::map<std::string, std::int64_t> count_by_status();
-  // Every row in the study's order: its columns as they stand in `names`.
+  // Calls `row` for every row in the study's order, with the columns in the order of names().
   void each(const std::function<void(const Statement&)>& row);
-  std::vector<std::string> names() const;  // of the columns, from "point" on
+  std::vector<std::string> names() const;  // of the columns, beginning with "point"
 
  private:
   void make_tables();
@@ -59,9 +59,9 @@ class StoreMismatch : public std::runtime_error {
   using std::runtime_error::runtime_error;
 };
 
-// The shards whose results are in a folder, and results.sqlite if it is there.
+// The result files of shards in a folder, and results.sqlite if it exists.
 std::vector<std::filesystem::path> result_files(const std::filesystem::path& folder);
-// Into how many shards the results in a folder are cut; 0: into none.
+// The number of shards of the results in a folder; 0 without shards.
 int shards_in(const std::filesystem::path& folder);
 
 }  // namespace rotorub::sweep

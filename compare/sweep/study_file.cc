@@ -100,7 +100,7 @@ void read_all_vary(const TomlNode& root, const PointsFile& points, Study& study,
   }
 }
 
-// Of an optimisation.
+// Checks the ranges of an optimisation.
 void check_ranges(const TomlNode& root, const Study& study, Diagnostics& diagnostics) {
   for (std::size_t k = 0; k < study.vary.size(); ++k) {
     const Vary& vary = study.vary[k];
@@ -186,7 +186,7 @@ Study read_study(const std::filesystem::path& file, StudyUse use) {
   const StudyTable top(*root, "", {"scene", "sample", "vary", "run", "statistics", "optimise"},
                        diagnostics);
   if (const auto scene = top.text("scene")) {
-    study.scene = file.parent_path() / *scene;  // an absolute path stays one
+    study.scene = file.parent_path() / *scene;  // an absolute path stays absolute
     try {
       scene::file_text(study.scene);
     } catch (const scene::SceneError& error) {
@@ -198,7 +198,7 @@ Study read_study(const std::filesystem::path& file, StudyUse use) {
   TomlNode none;
   none.file = file.string();
   PointsFile points;
-  // An optimisation draws its points itself.
+  // An optimisation chooses its own points.
   study.kind = SampleKind::kRandom;
   if (use == StudyUse::kSweep || root->find("sample") != nullptr) {
     read_sample(table_of(*root, "sample", none, diagnostics), file.parent_path(), study, points,

@@ -13,7 +13,8 @@ namespace {
 using scene::TomlNode;
 using Kind = TomlNode::Kind;
 
-// "force[0].amplitude" and "force.0.amplitude" without the elements: "force.amplitude".
+// Removes the element indices: "force[0].amplitude" and "force.0.amplitude" become
+// "force.amplitude".
 std::string without_elements(std::string_view path) {
   std::string text;
   while (!path.empty()) {

@@ -1,4 +1,4 @@
-// The tables of a study, key by key, with every mistake kept.
+// Reads the tables of a study key by key and collects all errors.
 #pragma once
 
 #include <initializer_list>
@@ -13,22 +13,22 @@
 
 namespace rotorub::sweep {
 
-// A note on standard error, where it is a word that has another name now.
+// Writes a note to standard error if the word has a new name.
 void say_old_word(const std::string& where, const std::string& word);
 
-// One table: what is asked of it is what it may hold.
+// One table of a study.
 class StudyTable {
  public:
-  // `path`: for diagnostics, "vary[1]". `keys`: all that it may hold.
+  // path: for error messages, "vary[1]". keys: all keys that the table may have.
   StudyTable(const scene::TomlNode& node, std::string path,
              std::initializer_list<std::string_view> keys,
              std::vector<scene::Diagnostic>& diagnostics);
 
   const scene::TomlNode* find(std::string_view key) const { return node_->find(key); }
   bool has(std::string_view key) const { return find(key) != nullptr; }
-  // Nothing: absent, or reported.
+  // Empty if absent, or if wrong and reported.
   std::optional<std::string> text(std::string_view key) const;
-  // Which of the words, which stand in the order of an enum.
+  // The word's index in `words`, which must be in the order of the enum.
   template <typename Enum>
   std::optional<Enum> word(std::string_view key, std::span<const std::string_view> words) const {
     const std::optional<std::size_t> place = place_of(key, words);
@@ -40,7 +40,7 @@ class StudyTable {
   std::optional<double> number(const scene::TomlNode& value, const std::string& key,
                                const scene::Quantity& quantity) const;
   void missing(std::string_view key, const std::string& expected) const;
-  void fail(std::string_view key, std::string reason) const;  // at the key, or at the table
+  void fail(std::string_view key, std::string reason) const;  // reports at the key, or at the table
   std::string path_of(std::string_view key) const;
 
  private:
@@ -52,16 +52,16 @@ class StudyTable {
   std::vector<scene::Diagnostic>* diagnostics_;
 };
 
-// The key of a scene that a path such as "force[0].amplitude" leads to; nullptr: a whole table, or
-// nothing of a scene (`reason` then says what is accepted). In [controller.config], which takes any
-// name, a number without a unit and without a name.
+// The key of a scene at a path such as "force[0].amplitude". nullptr for a whole table or for a
+// path that is not part of a scene (`reason` then lists what is accepted). In [controller.config],
+// which accepts any name, it is a number without a unit and without a name.
 const scene::Key* scene_key(std::string_view path, std::string& reason);
 
-// Shortest text that reads back to the same bits.
+// The shortest text that reads back to the same bits.
 std::string number_text(double value);
 
-// Whether one number is a value of the key at the path: of both planes, or of an element of a list
-// too. key: may be null.
+// Whether a single number is a value of the key at the path. A key for both planes or an element of
+// a list counts too. key: may be null.
 bool takes_number(std::string_view path, const scene::Key* key);
 
 }  // namespace rotorub::sweep

@@ -20,7 +20,7 @@ std::vector<std::string_view> figure_names() {
   return names;
 }
 
-// The strings of a list that are among `known`.
+// The strings of a list; each must be in `known`.
 std::vector<std::string> words_of(const StudyTable& table, const char* key,
                                   const std::vector<std::string_view>& known) {
   const TomlNode* list = table.find(key);
@@ -45,7 +45,7 @@ std::vector<std::string> words_of(const StudyTable& table, const char* key,
   return words;
 }
 
-// A number above 0 and below 1.
+// A number in (0, 1).
 std::optional<double> share_at(const StudyTable& table, const char* key, const TomlNode& node) {
   const auto share = table.number(node, key, scene::kPure);
   if (share && *share > 0.0 && *share < 1.0) return share;

@@ -1,4 +1,4 @@
-// What a study asks to be said of groups of its points: its table [statistics].
+// The table [statistics] of a study, which requests statistics of groups of its points.
 #pragma once
 
 #include <string>
@@ -13,12 +13,12 @@ struct Study;
 struct Statistics {
   std::vector<std::string> figures{"status", "attractor",
                                    "peak_impulse"};  // columns of the results
-  std::vector<std::size_t> by;  // places in Study::vary; a group: one value of each
+  std::vector<std::size_t> by;  // indices in Study::vary; a group has one value of each
   std::vector<double> quantiles{0.05, 0.5, 0.95};  // in (0, 1)
   double confidence = 0.95;                        // of the bounds, in (0, 1)
 };
 
-// After the varied keys of the study have been read. What is wrong goes to the diagnostics.
+// Call it after the study's varied keys were read. Errors are added to the diagnostics.
 Statistics read_statistics(const scene::TomlNode& node, const Study& study,
                            std::vector<scene::Diagnostic>& diagnostics);
 

@@ -16,7 +16,7 @@ namespace {
 using scene::TomlNode;
 using Kind = TomlNode::Kind;
 
-// The value as it would stand behind `key =`.
+// The value as it would be written after `key =`.
 std::string toml_text(const TomlNode& value) {
   TomlNode table;
   table.entries.emplace_back("v", value);
@@ -26,7 +26,7 @@ std::string toml_text(const TomlNode& value) {
   return text;
 }
 
-// Why a value cannot stand in one field of a row, and behind `key =`; empty: it can.
+// Why a value cannot be written in a field of a row and after `key =`; empty if it can.
 std::string unfit(const TomlNode& node) {
   if (node.kind == Kind::kTable)
     return "expected a value, got a table; a [[vary]] for each of its keys varies them";
@@ -42,7 +42,7 @@ std::string unfit(const TomlNode& node) {
 
 Value value_of(const StudyTable& table, const TomlNode& node, const std::string& name,
                const std::string& path, const scene::Key* key) {
-  // The user's own law may take a text.
+  // A user's own law may take a text.
   const bool text = key != nullptr && key->name.empty() && node.kind == Kind::kString;
   const bool number = !text && ((takes_number(path, key) && node.kind != Kind::kArray) ||
                                 (key != nullptr && key->type == scene::ValueType::kWhole));
@@ -71,7 +71,7 @@ void read_values(const StudyTable& table, const TomlNode& node, const scene::Key
   vary.count = static_cast<std::int64_t>(vary.values.size());
 }
 
-// Whole numbers: of a grid all of them, or `count` that are evenly spaced.
+// Whole numbers: in a grid all of them, or `count` evenly spaced ones.
 void read_whole_range(const StudyTable& table, SampleKind kind, Vary& vary) {
   constexpr auto kMost = static_cast<std::int64_t>(1) << 53;
   for (const char* end : {"from", "to"})
@@ -146,7 +146,7 @@ void read_also(const StudyTable& table, Vary& vary) {
   }
 }
 
-// From the list's file.
+// Reads the values from the list's file.
 void read_column(const StudyTable& table, const PointsFile& points, const scene::Key* key,
                  Vary& vary) {
   const std::string name = table.text("column").value_or(vary.key);

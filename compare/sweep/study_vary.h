@@ -1,4 +1,4 @@
-// A [[vary]] of a study: a key of the scene and the values that it gets.
+// A [[vary]] of a study: a key of the scene and its values.
 #pragma once
 
 #include <string>
@@ -9,8 +9,8 @@
 
 namespace rotorub::sweep {
 
-// `path`: for diagnostics, "vary[1]". `points`: of a list that has them in a file, else empty. What
-// is wrong goes to the diagnostics.
+// path: for error messages, "vary[1]". points: the points of a list in a file, otherwise empty.
+// Errors are added to the diagnostics.
 Vary read_vary(const scene::TomlNode& node, const std::string& path, SampleKind kind,
                const PointsFile& points, std::vector<scene::Diagnostic>& diagnostics);
 

@@ -20,15 +20,15 @@ namespace rotorub::sweep {
 namespace {
 
 using namespace std::chrono_literals;
-constexpr auto kStoreEvery = 100ms;         // a transaction waits for the disk
-constexpr std::size_t kMostWaiting = 4096;  // results that wait for the store
+constexpr auto kStoreEvery = 100ms;         // few transactions, because each waits for the disk
+constexpr std::size_t kMostWaiting = 4096;  // results waiting for the store
 
-// Where the first points lie: any first few of these places, sixteenths, are spread evenly.
+// Places of the first points, in sixteenths: any leading part of this list is spread evenly.
 constexpr std::int64_t kPlaces = 16;
 constexpr std::array<std::int64_t, kPlaces> kFirst{8, 4, 12, 2, 10, 6, 14, 1,
                                                    9, 5, 13, 3, 11, 7, 15, 0};
 
-// Results of points, and the time that their threads took for them.
+// Results of points and the computing time of the threads.
 struct Results {
   std::vector<PointResult> points;
   double busy = 0.0;  // s, summed over the threads
@@ -40,7 +40,7 @@ double seconds_since(Clock::time_point start) {
   return std::chrono::duration<double>(Clock::now() - start).count();
 }
 
-// The points of the shard: first some that are spread over it, then the others in order.
+// Hands out the points of the shard: first some that are spread over it, then the others in order.
 class Work {
  public:
   Work(std::int64_t points, const Shard& shard, std::vector<bool> done)
@@ -51,7 +51,7 @@ class Work {
     }
   }
 
-  // The next point that is still to do; nothing: none is left.
+  // The next point without a result; empty if there is none.
   std::optional<std::int64_t> next() {
     const std::lock_guard<std::mutex> lock(mutex_);
     for (; first_.empty() && next_ < points_; next_ += shard_.count) take(next_);
@@ -62,7 +62,7 @@ class Work {
   }
 
  private:
-  // Puts a point that is still to do at the end of `first_`.
+  // Appends the point to `first_` unless it is done.
   void take(std::int64_t point) {
     if (done_[static_cast<std::size_t>(point)]) return;
     done_[static_cast<std::size_t>(point)] = true;
@@ -72,15 +72,16 @@ class Work {
   std::mutex mutex_;
   std::int64_t points_;
   Shard shard_;
-  std::vector<bool> done_;  // stored, or handed out
+  std::vector<bool> done_;  // stored or handed out
   std::deque<std::int64_t> first_;
   std::int64_t next_;
 };
 
-// Threads that run points, and what they hand to the one that stores; joined, whatever happens.
+// Threads that run points and collect their results for the storing thread. The destructor joins
+// them.
 class Workers {
  public:
-  // Each thread calls `work` until it gives nothing or `stop` is set, which a failure sets too.
+  // Each thread calls `work` until it returns nothing or `stop` is set; an exception sets it too.
   Workers(int count, std::function<std::optional<Results>()> work, std::atomic<bool>& stop)
       : work_(std::move(work)), stop_(stop), running_(count) {
     for (int k = 0; k < count; ++k) threads_.emplace_back([this] { run(); });
@@ -93,7 +94,7 @@ class Workers {
   Workers(const Workers&) = delete;
   Workers& operator=(const Workers&) = delete;
 
-  // What has come, after `patience` or when the last thread has ended.
+  // The collected results, after at most `patience` or when the last thread has ended.
   Results take(std::chrono::milliseconds patience, bool& ended) {
     std::unique_lock<std::mutex> lock(mutex_);
     news_.wait_for(lock, patience,
@@ -102,7 +103,7 @@ class Workers {
     room_.notify_all();
     return std::exchange(waiting_, {});
   }
-  // The first failure, once all have ended.
+  // Rethrows the first exception; call it after all threads have ended.
   void rethrow() const {
     if (failure_) std::rethrow_exception(failure_);
   }
@@ -140,10 +141,11 @@ class Workers {
   Results waiting_;
   std::exception_ptr failure_;
   int running_;
-  std::vector<std::jthread> threads_;  // the last member: joined before the others go
+  // Last member, so that it is joined before the others are destroyed.
+  std::vector<std::jthread> threads_;
 };
 
-// s, as the points took so far on average.
+// s, from the average time per point so far.
 std::optional<double> time_left(const SweepProgress& at, double busy, int jobs) {
   const std::int64_t left = at.of - at.stored;
   if (left == 0) return 0.0;

@@ -1,4 +1,4 @@
-// Runs the points of a shard that have no result yet, on several threads, and stores what comes.
+// Runs the points of a shard that have no result yet, on several threads, and stores the results.
 #pragma once
 
 #include <atomic>
@@ -11,25 +11,25 @@
 
 namespace rotorub::sweep {
 
-// How far a sweep is.
+// The progress of a sweep.
 struct SweepProgress {
-  std::int64_t of = 0;         // points of the shard
-  std::int64_t stored = 0;     // of them, by this call and those before it
-  std::int64_t now = 0;        // of the stored ones, by this call
-  std::optional<double> left;  // s, an estimate; nothing: no point has run yet
+  std::int64_t of = 0;         // number of points of the shard
+  std::int64_t stored = 0;     // number of stored ones, by this call and earlier ones
+  std::int64_t now = 0;        // number of points stored by this call
+  std::optional<double> left;  // s, an estimate; empty until a point has run
 };
 
 struct SweepOptions {
   int jobs = 1;  // threads, >= 1
   Shard shard;
-  const std::atomic<bool>* interrupt = nullptr;  // true: stop; what is done is stored
-  // Called about every tenth of a second, and at the end.
+  const std::atomic<bool>* interrupt = nullptr;  // true: stop and keep what is stored
+  // Called about ten times per second, and at the end.
   std::function<void(const SweepProgress&)> progress;
 };
 
-// What is stored at a time is whole: a transaction holds full results of points. Some points that
-// are spread over the shard run first, because they tell how long all take; the order changes no
-// result. False: interrupted.
+// Each transaction stores complete results of points. Some points spread over the shard run first,
+// to estimate the time of all points; the order does not affect the results. Returns false if
+// interrupted.
 bool run_sweep(const PointScenes& scenes, Store& store, const SweepOptions& options);
 
 }  // namespace rotorub::sweep

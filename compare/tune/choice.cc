@@ -10,7 +10,7 @@ namespace {
 
 using Settings = std::vector<JudgedSetting>;
 
-using Of = std::optional<scene::ContactModel>;  // none: of any
+using Of = std::optional<scene::ContactModel>;  // empty: any model
 bool is_of(const JudgedSetting& setting, Of contact) {
   return !contact || setting.setting.contact == *contact;
 }
@@ -24,7 +24,7 @@ std::optional<std::size_t> cheapest_trusted(const Settings& all, Of contact = {}
   return best;
 }
 
-// The dearest of those that cost less than `limit` and ran to their end.
+// The most expensive setting that costs less than `limit` and ran to its end.
 std::optional<std::size_t> below(const Settings& all, double limit) {
   std::optional<std::size_t> found;
   for (std::size_t k = 0; k < all.size(); ++k) {
@@ -35,7 +35,7 @@ std::optional<std::size_t> below(const Settings& all, double limit) {
   return found;
 }
 
-// How many figures of a kind are outside, and how far the furthest of them is off.
+// The number of figures of a kind that are outside, and their largest deviation.
 std::pair<std::size_t, double> wrong_by(const JudgedSetting& setting, Judged kind) {
   std::pair<std::size_t, double> wrong{0, 0.0};
   for (const JudgedFigure& f : outside(setting.figures)) {
@@ -46,7 +46,7 @@ std::pair<std::size_t, double> wrong_by(const JudgedSetting& setting, Judged kin
   return wrong;
 }
 
-// Averages first: a single moment may be off by any factor.
+// Compares averages first, because a single moment may be off by any factor.
 bool nearer(const JudgedSetting& a, const JudgedSetting& b) {
   const auto key = [](const JudgedSetting& s) {
     return std::pair(wrong_by(s, Judged::kAverage), wrong_by(s, Judged::kPeak));

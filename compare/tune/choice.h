@@ -1,4 +1,4 @@
-// From judged settings to the one to be taken: a pure function.
+// Selects a setting from the judged ones, as a pure function.
 #pragma once
 
 #include <optional>
@@ -10,32 +10,34 @@
 
 namespace rotorub::tune {
 
-// One setting against the native model.
+// One setting compared with the native model.
 struct JudgedSetting {
   Setting setting;
-  std::vector<JudgedFigure> figures;  // the judged ones; empty: no run
+  std::vector<JudgedFigure> figures;  // the judged ones; empty without a run
   Trust trust = Trust::kNo;
-  std::string failure;  // why the run did not end well; empty: it did
-  // What is wrong at half of its step: a setting that passes at one step and fails at a finer one
-  // has passed by luck. Empty: nothing, or not looked at.
+  std::string failure;  // why the run did not end well; empty if it did
+  // What fails at half of its step. A setting that passes at one step and fails at a finer one
+  // passed by luck. Empty if nothing fails or if it was not tested.
   std::string luck;
-  double us_per_step = 0.0;  // 0: not known
+  double us_per_step = 0.0;  // 0: unknown
 
   bool is_trusted() const { return trust == Trust::kYes && failure.empty() && luck.empty(); }
-  // Wall time for a second of simulated time, s; none where it is not known.
+  // Wall time per second of simulated time, s; empty if unknown.
   std::optional<double> cost() const;
-  // Keys of the figures that are outside; "run" for a failure, "half_step" for luck.
+  // Keys of the figures that are outside; also "run" for a failure and "half_step" for luck.
   std::vector<std::string> wrong() const;
 };
 
-// Indices of the settings.
+// Indices of settings.
 struct Choice {
-  std::optional<std::size_t> trusted;       // the cheapest of those to be trusted
-  std::optional<std::size_t> next_cheaper;  // the dearest of those below it
-  // Of each contact model its best, in their order: the cheapest that is trusted, or the nearest.
+  std::optional<std::size_t> trusted;       // the cheapest trusted setting
+  std::optional<std::size_t> next_cheaper;  // the most expensive setting that is cheaper than it
+  // The best setting of each contact model, in the models' order: the cheapest trusted one,
+  // otherwise the nearest one.
   std::vector<std::size_t> best_by_contact;
-  // Where none can be trusted: the one with the fewest wrong averages, of these the one whose worst
-  // average is nearest; then the same of single moments.
+  // If no setting is trusted: the one with the fewest averages outside, and among those the
+  // smallest largest deviation of an average; ties are decided in the same way by the figures of
+  // single moments.
   std::optional<std::size_t> nearest;
 };
 

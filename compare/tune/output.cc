@@ -35,7 +35,7 @@ json setting_json(const JudgedSetting& judged, int modes) {
       {"integrator", to_string(s.integrator)},
       {"step", s.step},
       {"modes", modes},
-      // null: chosen from the step, or a contact that has none.
+      // null: chosen from the step, or not used by the contact model.
       {"solref_stiffness", given(soft, s.stiffness)},
       {"solref_damping", given(soft, s.damping)},
       {"friction_reference", given(s.contact == scene::ContactModel::kCone, s.friction_reference)},
@@ -78,7 +78,7 @@ std::string setting_lines(const char* label, const JudgedSetting& s, double tole
                      wrapped(margin, wrong_text(s, tolerance)));
 }
 
-// Each contact model at its best, where that is not shown already.
+// The best setting of each contact model, unless it is shown already.
 std::string best_lines(const TuneResult& r) {
   std::string lines;
   for (const std::size_t k : r.choice.best_by_contact) {
@@ -90,7 +90,8 @@ std::string best_lines(const TuneResult& r) {
   return lines;
 }
 
-// Each cause has the figures that it has something to say of.
+// The share of one cause in a figure; "not known" if it is undetermined, "-" if the figure has no
+// parts.
 std::string part_text(const ErrorParts& errors, const Figure& figure,
                       std::optional<double> SplitShares::*part) {
   for (const auto& [of, shares] : errors.figures) {
@@ -106,7 +107,7 @@ std::string mode_text(const ModelError& error, const Figure& figure) {
   return "-";
 }
 
-// The trusted setting's deviation and its causes, figure by figure.
+// The trusted setting's deviation and its causes for each figure.
 std::string error_lines(const TuneResult& r) {
   const auto line = [](const std::string& label, const std::vector<std::string>& values) {
     std::string text = fmt::format("  {:<{}}", label, kLabel);

@@ -1,4 +1,4 @@
-// The result of tune as JSON, and as text for the terminal.
+// The result of tune as JSON and as text for the terminal.
 #pragma once
 
 #include <nlohmann/json_fwd.hpp>
@@ -9,7 +9,7 @@
 
 namespace rotorub::tune {
 
-// As the contract names its keys; what is not there is null.
+// Missing values are null.
 nlohmann::json tune_json(const TuneResult& result);
 std::string tune_table(const TuneResult& result, const Palette& palette = Palette());
 

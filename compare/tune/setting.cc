@@ -18,13 +18,13 @@ using scene::ContactModel;
 using scene::MujocoIntegrator;
 using scene::MujocoSolver;
 
-// 1/s^2. What a step of 200 us and of 20 us gives itself.
+// 1/s^2. The values that MuJoCo's contact gets from steps of 200 us and 20 us.
 constexpr double kStiffnesses[] = {1e6, 1e8};
-// 1/s. With K = 1e8 a damping ratio of 0.1 and 1, whatever the scene's restitution.
+// 1/s. With K = 1e8, damping ratios of 0.1 and 1, whatever the scene's restitution.
 constexpr double kDampings[] = {2e3, 2e4};
 constexpr double kDampedStiffness = 1e8;
-// 1/s. Below the first border of theory.md (the curvature of the ring closes the contact), and on
-// both sides.
+// 1/s. One value below the first limit of theory.md (where the curvature of the ring closes the
+// contact), and values on both sides of it.
 constexpr double kFrictionReferences[] = {1.0, 10.0, 100.0};
 
 std::string override_of(const KeyValue& v) {
@@ -39,7 +39,7 @@ std::string_view trimmed(std::string_view text) {
   return text.substr(first, text.find_last_not_of(" \t\r") - first + 1);
 }
 
-// Where a comment begins that is in no string; npos: nowhere.
+// Start of a comment outside of strings; npos: none.
 std::size_t comment_of(std::string_view line) {
   char quote = 0;
   for (std::size_t i = 0; i < line.size(); ++i) {
@@ -65,7 +65,7 @@ bool is_header(std::string_view line) { return trimmed(line).starts_with('['); }
 
 using Lines = std::vector<std::string>;
 
-// Lines of a table, its header not among them.
+// The lines of a table without its header.
 struct Table {
   std::size_t first = 0, last = 0;
 };
@@ -110,7 +110,8 @@ void put(Lines& lines, const KeyValue& entry) {
     lines[*line] = text + (comment == std::string::npos ? "" : "  " + lines[*line].substr(comment));
     return;
   }
-  // Behind the last line of the table that says something: what follows may be the next one's.
+  // After the last line of the table with content; the lines that follow may belong to the next
+  // table.
   std::size_t end = table->first;
   for (std::size_t k = table->first; k < table->last; ++k) {
     if (!without_comment(lines[k]).empty()) end = k + 1;
@@ -131,7 +132,7 @@ bool reads_as(const std::string& toml, const std::string& name, const Setting& s
   }
 }
 
-// As TOML, with run.step.
+// As TOML values, including run.step.
 std::vector<KeyValue> key_values(const Setting& s) {
   const Setting plain;
   const auto word = [](const char* name) { return fmt::format("\"{}\"", name); };

@@ -22,30 +22,29 @@
 namespace rotorub::tune {
 namespace {
 
-// The native side of every comparison, by the step: `event` has none of its own, but forces are
-// averaged over the step that they are compared at.
+// The native side of every comparison at a step. `event` chooses its own steps, but forces are
+// averaged over the step of the comparison.
 struct Reference {
   Metrics metrics;
-  std::vector<FigureSample> samples;  // of it and its twins, as figures()
+  std::vector<FigureSample> samples;  // of the run and its twins, in the order of figures()
 };
 
-// Runs what is asked for once. Throws std::runtime_error where `event` cannot run the scene to its
-// end.
+// Runs each reference once. Throws std::runtime_error if `event` cannot run the scene to its end.
 class References {
  public:
   References(const scene::Scene& scene, int twins, const std::atomic<bool>* interrupt)
       : scene_(scene), twins_(twins), interrupt_(interrupt) {}
-  // window_step: see Runner. Of an interrupted run: what there is.
+  // window_step: see Runner. After an interrupt, the result so far.
   const Reference& at(double step, double window_step);
 
  private:
   const scene::Scene& scene_;
   int twins_;
   const std::atomic<bool>* interrupt_;
-  std::map<std::pair<double, double>, Reference> known_;  // by step and window_step
+  std::map<std::pair<double, double>, Reference> known_;  // keyed by step and window_step
 };
 
-// Costs within this factor of the best are measured again: single runs are no closer.
+// Costs within this factor of the best are measured again, because single runs are less accurate.
 constexpr double kNear = 2.0;
 
 JudgedSetting judged_run(const Setting& setting, const Runner& run, const Judge& judge) {
@@ -70,7 +69,7 @@ std::string luck_of(const JudgedSetting& setting, const Runner& run, const Judge
          (half.failure.empty() ? why(half.figures, tolerance) : half.failure);
 }
 
-// Seconds; of the cheapest that is trusted.
+// s; of the cheapest trusted setting.
 double best_cost(const std::vector<JudgedSetting>& settings) {
   const Choice choice = choose(settings);
   return choice.trusted ? *settings[*choice.trusted].cost()
@@ -107,9 +106,9 @@ const Reference& References::at(double step, double window_step) {
   return known_.emplace(key, std::move(reference)).first->second;
 }
 
-// The runner in MuJoCo, without output. `reader`: the scene with further overrides.
+// Runs settings in MuJoCo without output. reader: reads the scene with further overrides.
 Runner mujoco_runner(const bench::SceneReader& reader, const std::atomic<bool>* interrupt) {
-  // A variant is read once for all of its steps.
+  // A variant is read once for all its steps.
   struct Variant {
     scene::Scene scene;
     std::unique_ptr<Engine> engine;
@@ -140,7 +139,7 @@ Runner mujoco_runner(const bench::SceneReader& reader, const std::atomic<bool>* 
   };
 }
 
-// The judge by the references.
+// Judges settings by the references.
 Judge judge_by(References& references, double tolerance) {
   return [&references, tolerance](const Metrics& m, double step) {
     const Reference& native = references.at(step, step);
@@ -155,8 +154,8 @@ Judge judge_by(References& references, double tolerance) {
   };
 }
 
-// Measures again, in turns, those that the choice depends on: of a cost near that of the cheapest
-// trusted setting.
+// Measures again, in turns, the settings that the choice depends on: those with costs near the
+// cheapest trusted one.
 void time_again(std::vector<JudgedSetting>& settings, const Runner& run,
                 const bench::TimingParameters& parameters, const std::atomic<bool>* interrupt) {
   const double best = best_cost(settings);
@@ -178,7 +177,7 @@ void time_again(std::vector<JudgedSetting>& settings, const Runner& run,
   }
 }
 
-// By runs at the step, a half and a quarter of it (compare/metrics/extrapolation.h).
+// From runs at the step, a half and a quarter of it (compare/metrics/extrapolation.h).
 void split_errors(const Setting& setting, const Runner& run, References& references,
                   ErrorParts& parts) {
   std::array<Metrics, 3> own, native;
@@ -208,7 +207,7 @@ void split_errors(const Setting& setting, const Runner& run, References& referen
 std::vector<JudgedSetting> search(const SearchParameters& parameters, const Runner& run,
                                   const Judge& judge, double tolerance) {
   std::vector<JudgedSetting> all;
-  // us of a step of each variant, as last met; 0: none yet.
+  // us per step of each variant in its last run; 0: no run yet.
   std::vector<double> last(parameters.variants.size(), 0.0);
   for (const double step : parameters.steps) {
     bool ran = false;
@@ -239,13 +238,13 @@ TuneResult tune_scene(const bench::SceneReader& reader, const TuneParameters& pa
     if (parameters.progress) parameters.progress(share, what);
   };
 
-  // 1. Every variant, the coarsest step first.
+  // 1. Every variant, beginning with the coarsest step.
   References references(result.scene, parameters.twins, parameters.interrupt);
   const Runner run = mujoco_runner(reader, parameters.interrupt);
   SearchParameters how;
   how.steps = parameters.steps;
   how.variants = variants(result.scene.mujoco);
-  // How far down the ladder it has to go is not known: each rung is taken for half of the rest.
+  // The number of rungs is unknown, so each one counts as half of the remaining work.
   how.before = [&](const Setting& setting) {
     const auto rung = std::find(how.steps.begin(), how.steps.end(), setting.step);
     say(0.8 * (1.0 - std::pow(0.5, static_cast<double>(rung - how.steps.begin()))), text(setting));
@@ -255,13 +254,13 @@ TuneResult tune_scene(const bench::SceneReader& reader, const TuneParameters& pa
       search(how, run, judge_by(references, parameters.tolerance), parameters.tolerance);
   if (stopped()) return result;
 
-  // 2. Clean times of those near the choice.
+  // 2. Accurate times of the settings near the choice.
   say(0.8, "times");
   time_again(result.settings, run, parameters.timing, parameters.interrupt);
   if (stopped()) return result;
   result.choice = choose(result.settings);
 
-  // 3. Whose fault the rest is.
+  // 3. The causes of the remaining error.
   say(0.9, "errors by their causes");
   if (result.choice.trusted) {
     split_errors(result.settings[*result.choice.trusted].setting, run, references, result.errors);

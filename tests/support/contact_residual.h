@@ -1,5 +1,5 @@
-// Checks of the contact laws that share no code with the solvers: how far given numbers are from
-// satisfying them. Scaled: 0 is exact, 1 is as wrong as the quantities are large.
+// Checks of the contact laws that share no code with the solvers: scaled violations by given
+// numbers. 0 is exact, and 1 is as large as the quantities themselves.
 #pragma once
 
 #include <algorithm>
@@ -7,7 +7,7 @@
 
 namespace rotorub {
 
-// The laws of one impact in momenta and velocities, (15)-(19); symmetric matrix with G_NT.
+// One impact in impulses and velocities, (15)-(19), with a symmetric matrix that includes G_NT.
 struct ImpactRecord {
   double g_nn, g_nt, g_tt;                          // 1/kg
   double gap_rate_before, slip_before;              // m/s
@@ -19,18 +19,18 @@ struct ImpactRecord {
 struct ImpactResidual {
   double compression;  // complementarity and Coulomb at the end of compression
   double expansion;    // Poisson and the tangential law at the end of expansion
-  double energy_gain;  // J over the energy scale, <= 0 for a dissipative impact
+  double energy_gain;  // work done by the impact over the energy scale; <= 0 if it dissipates
 };
 
-// Lasting contact: gap (m), normal force (N), friction force (N), slip (m/s) at one instant, with
-// the scales of gap, force and slip.
+// Lasting contact: gap (m), normal force (N), friction force (N) and slip (m/s) at one instant,
+// with the scales of gap, force and slip.
 struct ContactResidual {
-  double complementarity;  // max of violated signs and of gap x force, scaled
-  double coulomb;          // violation of |T| <= mu N, of T = -mu N sign(slip) where it slips
+  double complementarity;  // largest of the violated signs and of gap x force, scaled
+  double coulomb;          // violation of |T| <= mu N, and of T = -mu N sign(slip) if it slips
 };
 
-// Distance of T from the multivalued -set of slip u: upper where u < 0, lower where u > 0, between
-// for u = 0, as the distance of (u, T) from the maximal monotone graph, both scaled.
+// Distance of (u, T) from the maximal monotone graph of the friction law, both scaled. At slip u <
+// 0 the force T is `upper`, at u > 0 it is `lower`, and at u = 0 anything between.
 inline double graph_distance(double u, double force, double lower, double upper, double u_scale,
                              double f_scale) {
   const double outside = std::max({0.0, lower - force, force - upper}) / f_scale;
@@ -40,7 +40,7 @@ inline double graph_distance(double u, double force, double lower, double upper,
   return std::min({to_axis, to_lower, to_upper});
 }
 
-// min-map of a complementary pair: 0 iff a, b >= 0 and ab = 0.
+// min-map of a complementary pair: 0 if and only if a, b >= 0 and ab = 0.
 inline double min_map(double a, double b) { return std::abs(std::min(a, b)); }
 
 inline ImpactResidual impact_residual(const ImpactRecord& r) {
@@ -51,7 +51,7 @@ inline ImpactResidual impact_residual(const ImpactRecord& r) {
   const double n_e = n_c + r.g_nn * ne + r.g_nt * te;
   const double t_e = t_c + r.g_nt * ne + r.g_tt * te;
 
-  // Velocities by the largest met, impulses by what would make them.
+  // Velocities are scaled by the largest one, impulses by the impulse that would produce it.
   const double v = std::max({std::abs(r.gap_rate_before), std::abs(r.slip_before), std::abs(n_c),
                              std::abs(t_c), std::abs(n_e), std::abs(t_e), 1e-300});
   const double p = std::max({v / std::max(r.g_nn, r.g_tt), nc + ne, std::abs(tc), std::abs(te)});

@@ -1,6 +1,6 @@
-// An operator new that counts, for tests of code that must not allocate. To be included by one file
-// of a program: it holds for the whole program. What the sanitizers replace themselves is left to
-// them: then nothing is counted.
+// An operator new that counts, for tests of code that must not allocate. Only one file of a program
+// may include it, because it replaces the operator for the whole program. With sanitizers, which
+// replace the operator themselves, nothing is counted.
 #pragma once
 
 #include <atomic>
@@ -19,7 +19,7 @@ inline std::atomic<std::int64_t> allocations{0};
 }
 
 #if ROTORUB_COUNTS_ALLOCATIONS
-// g++ 12 inlines one of a pair and takes the other for the library's.
+// g++ 12 inlines one of a pair and mistakes the other for the library's.
 #pragma GCC diagnostic ignored "-Wmismatched-new-delete"
 // The unaligned and the aligned form; the array forms call these.
 void* operator new(std::size_t size) {

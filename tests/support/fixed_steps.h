@@ -1,4 +1,4 @@
-// The order of `verlet` on a scene whose motion is known.
+// The order of convergence of `verlet` on a scene with a known motion.
 #pragma once
 
 #include <gtest/gtest.h>
@@ -11,7 +11,8 @@
 
 namespace rotorub::test {
 
-// error(run): how far a run is from the known motion, m. The finest step errs by less than `last`.
+// error(run): distance of the run from the known motion, m. last: upper limit of the error at the
+// finest step.
 template <class Error>
 void expect_order_of_steps(const scene::Scene& scene, const std::vector<double>& steps,
                            double order, const Error& error,

@@ -1,5 +1,4 @@
-// A ring under a quadratic law about a rotor that hangs in two magnetic bearings, whose feedbacks
-// remember.
+// A ring with a quadratic law around a rotor in two magnetic bearings whose feedbacks have states.
 #pragma once
 
 #include <string>
@@ -9,7 +8,7 @@
 
 namespace rotorub::test {
 
-// Two modes in two magnetic bearings, released with the ring off its middle, far from contact.
+// Two modes in two magnetic bearings, released with the ring displaced, far from contact.
 inline constexpr const char* kLevitated = R"(
 [run]
 end = 0.02
@@ -48,7 +47,7 @@ kind = "KIND"
 sample_time = 1e-4
 )";
 
-// Feedbacks of the two: keys of the controls, and the first one's amplifier.
+// The feedbacks of both bearings: keys of their controls, and the amplifier of the first.
 struct Hanging {
   std::string name, first, amplifier, second;
   bool sampled = false;

@@ -1,4 +1,4 @@
-// Scenes built in code: a one-mode rotor in a ring, the ground on which most exact answers stand.
+// Scenes built in code: a one-mode rotor in a ring, for which most exact solutions exist.
 #pragma once
 
 #include "native_model/scene/scene.h"
@@ -12,7 +12,7 @@ struct Jeffcott {
   double speed = 0.0;  // rad/s, prescribed
 };
 
-// A modal scene with [contact], prescribed speed, fixed ring, from rest at the centre.
+// A modal scene with [contact], prescribed speed and a fixed ring, at rest at the centre.
 inline scene::Scene make_scene(const Jeffcott& j) {
   scene::Scene s;
   s.name = "jeffcott";
@@ -31,7 +31,7 @@ inline scene::Scene make_scene(const Jeffcott& j) {
   return s;
 }
 
-// The same on a ring of its own.
+// Replaces the fixed ring by an elastic one.
 inline void add_ring(scene::Scene& s, double mass, double damping, double stiffness) {
   s.first().stator = scene::Stator{{mass, mass}, {damping, damping}, {stiffness, stiffness}};
 }

@@ -1,4 +1,4 @@
-// A shaft with a disc over its auxiliary ring, without the bearings that are to hold it.
+// A shaft with a disc over its auxiliary bearing, without the bearings that support it.
 #pragma once
 
 #include <string>
@@ -44,13 +44,13 @@ restitution = 0.4
 acceleration = [0.0, -9.81]
 )";
 
-// With the tables of `bearings`.
+// The shaft with the tables `bearings`.
 inline scene::Scene held_shaft(const std::string& bearings,
                                const std::vector<std::string>& overrides = {}) {
   return scene::parse_scene(kFreeShaft + bearings, "shaft.toml", overrides);
 }
 
-// Why there is no model of it; empty: there is one.
+// Why its model is refused; empty if it is accepted.
 inline std::string model_refusal(const scene::Scene& scene) {
   return message_of<scene::SceneError>([&] { prepare(scene); });
 }

@@ -1,5 +1,5 @@
-// A machine with every part at once, and no two numbers alike, so that no term can hide behind
-// another. Small enough to write its mechanics down a second time.
+// A machine with every part at once and all numbers different, so that no term can compensate
+// another. It is small enough to implement its mechanics a second time.
 #pragma once
 
 #include <Eigen/Core>
@@ -13,7 +13,7 @@
 
 namespace rotorub::test {
 
-// Modal form: two bending modes, anisotropic; two torsion modes; linear drive or prescribed speed.
+// Modal form: two anisotropic bending modes; two torsion modes; linear drive or prescribed speed.
 inline scene::Scene machine_scene(bool with_drive) {
   scene::Scene s;
   s.name = "machine";
@@ -65,14 +65,14 @@ inline scene::Scene machine_scene(bool with_drive) {
   return s;
 }
 
-// The same with what only a shaft in geometry form has: eccentric discs, bearing dashpots, and
-// matrices between the modes that are neither diagonal nor symmetric.
+// The same with the properties that only a shaft in geometry form has: eccentric discs, bearing
+// dampers, and mode matrices that are neither diagonal nor symmetric.
 inline Model machine(bool with_drive) {
   Model m = prepare(machine_scene(with_drive));
   const auto shape = [](double x1, double x2, double y1, double y2) {
     return ModeShape{Eigen::Vector2d(x1, x2), Eigen::Vector2d(y1, y2)};
   };
-  // Large enough for spin and bending to be tightly coupled: sum b^2 / m is up to half the inertia.
+  // Large enough to couple spin and bending strongly: sum b^2 / m is up to half the inertia.
   m.unbalances = {{shape(1.2, 0.4, 1.1, 0.5), 1.5e-2, 0.3},
                   {shape(0.6, -1.0, 0.7, -0.9), 8e-3, 2.1}};
   m.dampers = {{shape(0.3, 0.7, 0.2, 0.8), {25.0, 35.0}}};
@@ -80,11 +80,12 @@ inline Model machine(bool with_drive) {
   m.internal_xx = ModeMatrix(Eigen::Matrix2d{{15.0, 2.0}, {2.0, 8.0}});
   m.internal_yy = ModeMatrix(Eigen::Matrix2d{{14.0, 1.5}, {1.5, 9.0}});
   m.internal_xy = ModeMatrix(Eigen::Matrix2d{{14.5, 1.7}, {1.9, 8.5}});
-  m.first().admittance.setConstant(std::numeric_limits<double>::quiet_NaN());  // stale; not for use
+  // Out of date; must not be used.
+  m.first().admittance.setConstant(std::numeric_limits<double>::quiet_NaN());
   return m;
 }
 
-// A state of the size that a rub has; the same for the same seed.
+// A state with magnitudes as in a rub; equal for equal seeds.
 inline State random_state(const Model& m, unsigned seed) {
   std::mt19937_64 random(seed);
   std::uniform_real_distribution<double> unit(-1.0, 1.0);
@@ -99,9 +100,9 @@ inline State random_state(const Model& m, unsigned seed) {
   return s;
 }
 
-// Kinetic energy, written down once more: bodies with their centres of mass, J. A disc of mass m
-// with its centre e off the shaft has m/2 |r' + e phi'|^2; what the modes (m/2 |r'|^2) and the spin
-// inertia (m/2 (e phi')^2) hold already is taken off.
+// Kinetic energy, J, implemented a second time, from bodies with their centres of mass. A disc of
+// mass m whose centre is off the shaft by e has m/2 |r' + e phi'|^2; the parts that the modes (m/2
+// |r'|^2) and the spin inertia (m/2 (e phi')^2) already contain are subtracted.
 inline double kinetic_energy(const Model& m, const Eigen::VectorXd& q, const Eigen::VectorXd& v) {
   const Layout& l = m.layout;
   double e = 0.5 * v.dot(m.mass.cwiseProduct(v));
@@ -118,7 +119,7 @@ inline double kinetic_energy(const Model& m, const Eigen::VectorXd& q, const Eig
   return e;
 }
 
-// M(phi) from the kinetic energy, by its second differences (exact, as the energy is quadratic).
+// M(phi) from second differences of the kinetic energy, which is quadratic, so they are exact.
 inline Eigen::MatrixXd mass_matrix(const Model& m, const State& s) {
   const int n = m.nq();
   const auto energy = [&](const Eigen::VectorXd& v) { return kinetic_energy(m, s.q, v); };

@@ -1,4 +1,4 @@
-// Documents of tests, written for MuJoCo 2.2, for the MuJoCo that is tested.
+// Adapts test documents, which are written for MuJoCo 2.2, to the MuJoCo under test.
 #pragma once
 
 #include <gtest/gtest.h>
@@ -8,7 +8,7 @@
 
 namespace rotorub::test {
 
-// Gone in 3.0 is <option collision="predefined">: no geom has a contype instead.
+// MuJoCo 3.0 removed <option collision="predefined">; instead all geoms get contype 0.
 inline std::string for_this_mujoco(std::string document) {
   for (const std::string option : {"collision='predefined'", "collision=\"predefined\""}) {
     const std::size_t at = document.find(option);
@@ -20,7 +20,7 @@ inline std::string for_this_mujoco(std::string document) {
   return document;
 }
 
-// With the first `from` as `to`.
+// Replaces the first `from` by `to`.
 inline std::string replaced(std::string text, const std::string& from, const std::string& to) {
   const std::size_t at = text.find(from);
   EXPECT_NE(at, std::string::npos) << from;

@@ -1,4 +1,4 @@
-// MuJoCo in tests: whatever it warns of fails the test, and what it calls an error is thrown.
+// MuJoCo in tests: a warning fails the test, and an error is thrown.
 #pragma once
 
 #include <gtest/gtest.h>
@@ -23,33 +23,33 @@ struct MujocoDelete {
 using ModelPointer = std::unique_ptr<mjModel, MujocoDelete>;
 using DataPointer = std::unique_ptr<mjData, MujocoDelete>;
 
-// Null, with MuJoCo's message in `error`, where the document is refused.
+// Null with MuJoCo's message in `error` if it refuses the document.
 ModelPointer try_load(const std::string& document, std::string& error);
 // A refusal fails the test and throws.
 ModelPointer load(const std::string& document);
-// MuJoCo's message where the document is refused; empty: it is loaded.
+// MuJoCo's message if it refuses the document; otherwise empty.
 std::string load_refusal(const std::string& document);
 void expect_refused(const std::string& document, std::string_view named);
 
-// mjData at the keyframe "start", or mj_resetData's where there is none.
+// mjData at the keyframe "start"; without one, as mj_makeData initialises it.
 DataPointer start(const mjModel* m);
 
-// The plugin's memory of the first contact of a model whose memory begins at userdata[0].
+// The plugin's memory of the first contact in a model whose memory begins at userdata[0].
 inline const plugin::ContactEntries& first_contact(const mjData* d) {
   return plugin::entries<plugin::ModelEntries>(d, 0).contact;
 }
 
-// qpos and qvel, one after the other.
+// qpos followed by qvel.
 std::vector<double> state_of(const mjModel* m, const mjData* d);
 std::vector<double> state_after(const mjModel* m, int steps);
-// Time and state, as support/step_log writes the bits of another program's.
+// Time and state as bits, in the format of support/step_log.
 std::string state_bits(const mjModel* m, const mjData* d);
 
 double sensor(const mjModel* m, const mjData* d, const char* name);
 
-// A scene written in the test; a shipped one: native_run.h.
+// Reads a scene that is written in the test; for shipped scenes see native_run.h.
 scene::Scene parsed(const std::string& text, const std::vector<std::string>& overrides = {});
-std::vector<std::string> shipped_names();  // every mjcf/*.toml, without ending
+std::vector<std::string> shipped_names();  // of every mjcf/*.toml, without the extension
 std::string own_model_example();           // the text of mjcf/examples/own_model.xml
 
 class MujocoTest : public ::testing::Test {
@@ -62,7 +62,7 @@ class MujocoTest : public ::testing::Test {
   void (*previous_warning_)(const char*);
 };
 
-// With the plugin's callbacks.
+// A MujocoTest with the plugin's callbacks.
 class HookedTest : public MujocoTest {
   plugin::Hooks hooks_;
 };

@@ -1,4 +1,4 @@
-// Runs in MuJoCo with a contact model and step of the test's choice.
+// Runs in MuJoCo with the test's choice of contact model and step.
 #pragma once
 
 #include <gtest/gtest.h>
@@ -9,7 +9,7 @@
 
 namespace rotorub::test {
 
-// contact, step (s): absent, the scene's.
+// contact, step (s): by default the scene's.
 inline MujocoOptions mujoco_options(std::optional<scene::ContactModel> contact,
                                     std::optional<double> step = {}) {
   MujocoOptions options;
@@ -18,7 +18,7 @@ inline MujocoOptions mujoco_options(std::optional<scene::ContactModel> contact,
   return options;
 }
 
-// Fails the test where the run does not end well.
+// Fails the test if the run does not end well.
 inline Trajectory mujoco_run(const scene::Scene& scene,
                              std::optional<scene::ContactModel> contact = {},
                              std::optional<double> step = {}) {

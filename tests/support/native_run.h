@@ -1,4 +1,4 @@
-// Shipped scenes, and runs of the native model with an integrator of the test's choice.
+// Shipped scenes, and runs of the native model with the test's choice of integrator.
 #pragma once
 
 #include <string>
@@ -14,7 +14,7 @@ inline scene::Scene shipped(const std::string& name,
   return scene::read_scene(std::string(ROTORUB_MJCF_DIR) + "/" + name + ".toml", overrides);
 }
 
-// `step`: s; `event` has none.
+// step: s; not used by `event`.
 inline Trajectory run_with(const scene::Scene& scene, scene::Integrator integrator,
                            double step = 1e-5) {
   NativeOptions options;

@@ -1,4 +1,4 @@
-// A run whose rotor goes a way that is made by hand.
+// A run whose rotor moves on a prescribed orbit.
 #pragma once
 
 #include <complex>
@@ -10,13 +10,13 @@
 
 namespace rotorub::test {
 
-// At one instant.
+// The state at one instant.
 struct OrbitRow {
   std::complex<double> place, rate;  // x + i y, m, and m/s
   double angle = 0.0, speed = 0.0;   // of the spin, rad and rad/s
 };
 
-// Where the mark passes between two rows, by halving.
+// The time at which the mark passes between two rows, by bisection.
 template <class At>
 KeyphasorPass pass_between(double low, double high, double mark, At at) {
   const bool rises = at(high).angle > at(low).angle;
@@ -28,7 +28,7 @@ KeyphasorPass pass_between(double low, double high, double mark, At at) {
   return {high, row.place.real(), row.place.imag(), row.speed};
 }
 
-// `rows` of them, evenly from 0 to `end`, s. at(t): the OrbitRow at t.
+// A run with `rows` rows, evenly from 0 to `end`, s. at(t): the OrbitRow at t.
 template <class At>
 Trajectory orbit_run(double end, std::size_t rows, At at) {
   std::vector<double> t, x, y, vx, vy, angle, speed;

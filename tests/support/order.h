@@ -1,4 +1,4 @@
-// Order of convergence from errors over a ladder of steps.
+// Order of convergence from the errors at several steps.
 #pragma once
 
 #include <algorithm>
@@ -24,7 +24,7 @@ inline double rotor_error(const Trajectory& a, const Trajectory& b) {
   return most;
 }
 
-// The same from where the rotor should be, exact(t), as a complex number; infinity of a run that
+// The same distance from the exact position, exact(t), as a complex number; infinite for a run that
 // failed.
 template <class Exact>
 double orbit_error(const Trajectory& a, const Exact& exact) {
@@ -37,9 +37,9 @@ double orbit_error(const Trajectory& a, const Exact& exact) {
   return most;
 }
 
-// Largest error over all rows, m: of the rotor's place, the ring's, and of the angles of the spin
-// and of a ring that turns as arcs of `radius` (0: left out). Rows should stand at ends of steps:
-// between them an impact is interpolated at first order.
+// Largest error over all rows, m: of the positions of rotor and ring, and of the angles of the spin
+// and of a turning ring as arcs of `radius` (0: without them). The rows should be at ends of steps,
+// because impacts between them are interpolated with first-order errors.
 inline double trajectory_error(const Trajectory& a, const Trajectory& b, double radius = 0.0) {
   const auto point = [&](const char* x, const char* y, std::size_t k) {
     return std::hypot(a.column(x)[k] - b.column(x)[k], a.column(y)[k] - b.column(y)[k]);
@@ -59,8 +59,8 @@ inline double trajectory_error(const Trajectory& a, const Trajectory& b, double 
 struct Convergence {
   std::vector<double> steps, errors;  // s, m
 
-  // Slope of log error over log step, by least squares: impacts fall at random within their steps,
-  // so that neighbours scatter.
+  // Slope of log error over log step by least squares, because impacts fall at random within their
+  // steps and single errors scatter.
   double order() const {
     const auto n = static_cast<double>(steps.size());
     double sx = 0.0, sy = 0.0, sxx = 0.0, sxy = 0.0;
@@ -73,7 +73,7 @@ struct Convergence {
     }
     return (n * sxy - sx * sy) / (n * sxx - sx * sx);
   }
-  // Without the errors that round-off may have made.
+  // Without the errors that may be round-off.
   Convergence above(double floor) const {
     Convergence c;
     for (std::size_t k = 0; k < steps.size(); ++k) {
@@ -97,7 +97,7 @@ struct Convergence {
   }
 };
 
-// What error(step) is at each of the steps.
+// Evaluates error(step) at each of the steps.
 template <class Error>
 Convergence convergence(const std::vector<double>& steps, const Error& error) {
   Convergence c;

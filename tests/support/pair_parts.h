@@ -10,17 +10,17 @@ namespace rotorub::test {
 
 enum class Form { kGeometry, kModal };
 
-// A part of one group shuts out the others of it: a machine has one drive.
+// Parts of one group exclude each other: for example, a machine has only one drive.
 struct Part {
   std::string name, group;
-  std::vector<std::string> geometry, modal;  // overrides; empty: the form does not have the part
+  std::vector<std::string> geometry, modal;  // overrides; empty if the form lacks the part
   const std::vector<std::string>& overrides(Form form) const {
     return form == Form::kGeometry ? geometry : modal;
   }
 };
 
-// Part of every scene: a rotor thrown at an elastic ring under a turning load. Within 10 ms it
-// bounces, and where restitution is not too high comes to slide. No two numbers alike.
+// The base of every scene: a rotor that moves towards an elastic ring under a rotating load. Within
+// 10 ms it bounces, and begins to slide if the restitution is low enough. All numbers differ.
 inline constexpr const char* kBaseGeometry = R"(
 [run]
 end = 0.010
@@ -105,7 +105,7 @@ vx = [0.25]
 vy = [0.05]
 )";
 
-// Held between samples; a whole number of every step that the tests use.
+// The sample time; a whole multiple of every step in the tests.
 inline constexpr const char* kSampleTime = "1e-3";
 
 inline std::vector<Part> pair_parts() {
@@ -148,7 +148,7 @@ inline std::vector<Part> pair_parts() {
       {"rotor.bearing[0].cross_stiffness=[4e6,-3e6]",
        "rotor.bearing[1].cross_damping=[200.0,-150.0]"},
       {});
-  // A steady bearing between the others, whose coefficients change much within the run of a free
+  // A bearing between the others whose coefficients change considerably over the run with a free
   // spin.
   add("film_tables", "film",
       {"rotor.bearing[2]={z=0.45,offset=[0.0,0.03e-3],table_speed=[295.0,305.0,320.0],table_kxx=["
@@ -157,7 +157,7 @@ inline std::vector<Part> pair_parts() {
        "cxy=[10.0,15.0,20.0]}"},
       {});
 
-  // What drives it.
+  // Drives.
   add("free_spin", "drive", {"drive={kind='free',inertia=2e-3}"}, {"drive={kind='free'}"});
   add("linear_drive", "drive", {"drive={kind='linear',gain=0.5,speed=330.0,inertia=2e-3}"},
       {"drive={kind='linear',gain=0.5,speed=330.0}"});
@@ -182,7 +182,7 @@ inline std::vector<Part> pair_parts() {
       {"stator.mass=[1.3,0.9]", "stator.stiffness=[1.2e5,2.3e5]", "stator.damping=[250.0,150.0]"});
   add_both("ring_offset", "ring_offset", {"contact.offset=[0.09e-3,-0.06e-3]"});
   add_both("turning_ring", "turning_ring", {"stator.spin={inertia=2e-4,drag=8e-3,speed=-40.0}"});
-  // What carries the ring.
+  // Supports of the ring.
   add_both("ball_bearing", "ring_support",
            {"stator.ball_bearing={balls=9,stiffness=4e8,play=0.05e-3,phase=0.2}"});
   add_both("dry_spin", "turning_ring",
@@ -196,7 +196,7 @@ inline std::vector<Part> pair_parts() {
   add("magnetic_bearing", "magnetic_bearing",
       {"magnetic_bearing={station=0.42,negative_stiffness=4.5e4}"},
       {"magnetic_bearing={negative_stiffness=4.5e4}"});
-  // At its limit at the start, and failing on the way.
+  // At its limit at the start; fails during the run.
   add("magnetic_feedback", "magnetic_bearing",
       {"magnetic_bearing={station=0.42,negative_stiffness=4.5e4,control={force_per_current=60.0,"
        "proportional=2500.0,derivative=3.0,current_limit=0.9,fails_at=6.54321e-3}}"},
@@ -207,7 +207,7 @@ inline std::vector<Part> pair_parts() {
        "proportional=2500.0,integral=3e5,derivative=3.0,current_limit=0.9}}"},
       {"magnetic_bearing={negative_stiffness=4.5e4,control={force_per_current=60.0,"
        "proportional=2500.0,integral=3e5,derivative=3.0,current_limit=0.9}}"});
-  // Two magnets behind an amplifier at its voltage at the start; they are off twice.
+  // Two magnets behind an amplifier that starts at its voltage limit; they are off twice.
   const std::string opposed =
       "kind='electromagnet',force_constant=1e-5,bias_current=1.5,air_gap=1e-3,control={"
       "proportional=3000.0,derivative=3.0,derivative_lag=2e-4,on=0.31416e-3,fails_at=5.4321e-3,"
@@ -215,14 +215,14 @@ inline std::vector<Part> pair_parts() {
       "resistance=0.5}}";
   add("opposed_magnets", "magnetic_bearing", {"magnetic_bearing={station=0.42," + opposed},
       {"magnetic_bearing={" + opposed});
-  // Asked once a sample, late, at its limit at the start.
+  // Sampled with a delay; at its limit at the start.
   const std::string asked =
       "negative_stiffness=4.5e4,control={force_per_current=60.0,proportional=2500.0,integral=1e5,"
       "derivative=1.0,derivative_lag=5e-4,current_limit=0.9,sample_time=" +
       std::string(kSampleTime) + ",delay=" + kSampleTime + "}}";
   add("sampled_magnets", "magnetic_bearing", {"magnetic_bearing={station=0.42," + asked},
       {"magnetic_bearing={" + asked});
-  // The one at its limit, the other sensed elsewhere and failing on the way.
+  // One at its limit; the other with its sensor elsewhere, failing during the run.
   const std::string limited =
                         "negative_stiffness=4.5e4,control={force_per_current=60.0,proportional="
                         "2500.0,integral=3e5,derivative=3.0,current_limit=0.9}}",
@@ -236,12 +236,12 @@ inline std::vector<Part> pair_parts() {
   add_both("magnets", "actuator", {magnets + "}"});
   add_both("coil_lag", "actuator", {support + "}", magnets + ",coil_lag=3e-4}"});
 
-  // Control: an extra spring and damper, and the sliding mode; held between samples or continuous.
+  // Control: an additional spring and damper, and sliding-mode control; sampled or continuous.
   add_both("sampled_support", "control", {support + ",sample_time=" + kSampleTime + "}"});
   add_both("continuous_support", "control", {support + "}"});
   add_both("continuous_sliding", "control", {sliding + "}"});
 
-  // Loads. Switched at instants that are a whole number of no step.
+  // Loads, switched at times that are not multiples of any step.
   add_both("gravity", "gravity", {"gravity={acceleration=[0.5,-9.81]}"});
   add("switched_load", "switched_load",
       {"force[1]={kind='constant',vector=[60.0,40.0],on=1.2345678e-3,off=7.654321e-3,"
@@ -249,7 +249,7 @@ inline std::vector<Part> pair_parts() {
       {"force[1]={kind='constant',vector=[60.0,40.0],on=1.2345678e-3,off=7.654321e-3}"});
   add("ramped_load", "ramped_load", {"force[0].on=0.3141593e-3", "force[0].ramp=5.4321e-3"},
       {"force[0].on=0.3141593e-3", "force[0].ramp=5.4321e-3"});
-  // Loads that follow the spin, sweep and strike, and a blade that is lost; one of them, or the
+  // Loads that are synchronous, sweep or strike, and a lost blade; at most one of these or the
   // switched one.
   add("locked_load", "switched_load",
       {"force[1]={kind='synchronous',amplitude=70.0,phase=0.9,on=0.7654321e-3,station=0.36}"},
@@ -265,21 +265,21 @@ inline std::vector<Part> pair_parts() {
       {"force[1]={kind='unbalance',static_moment=1e-3,phase=0.5,on=1.357911e-3,station=0.30}"},
       {"force[1]={kind='unbalance',static_moment=1e-3,phase=0.5,on=1.357911e-3}"});
 
-  // The base: samples at a whole number of no step, and lines.
+  // The base: a table whose times are not multiples of any step, and harmonic components.
   add_both("quake", "base",
            {"base={time=[0.4321e-3,1.7654e-3,4.321e-3,7.1234e-3],acceleration_x=[0.0,90.0,-60.0,"
             "20.0],acceleration_y=[5.0,-40.0,50.0,-30.0],off=6.789e-3}"});
   add_both("swell", "base",
            {"base={frequency=[200.0,510.0],amplitude=[60.0,40.0],phase=[0.3,1.9],direction=0.6,"
             "on=0.7654e-3,ramp=3.21e-3}"});
-  // Friction that falls over the slips of the run, and grows again.
+  // Friction that decreases and increases again over the slips of the run.
   add_both("falling_friction", "friction",
            {"contact.friction={static=0.25,kinetic=0.12,stribeck_speed=5.0,viscous=4e-3}"});
 
-  // Impacts that take time.
+  // Impacts of finite duration.
   add_both("finite_impacts", "impacts",
            {"contact.compression_time=2.1e-4", "contact.expansion_time=1.3e-4"});
-  // A contact that gives.
+  // A compliant contact.
   add_both("giving_contact", "impacts", {"contact.compliance={stiffness=1e9,exponent=1.5}"});
   return parts;
 }

@@ -1,4 +1,4 @@
-// Any two parts of a machine as a scene. Every scene carries its text, so that MuJoCo can run it
+// Any two parts of a machine as a scene. Every scene contains its text, so that MuJoCo can run it
 // too.
 #pragma once
 
@@ -11,7 +11,7 @@
 
 namespace rotorub::test {
 
-// The base with these parts; the overrides of `more` come last.
+// The base with these parts; the overrides in `more` are applied last.
 inline scene::Scene scene_of(Form form, const std::vector<Part>& parts,
                              const std::vector<std::string>& more = {}) {
   std::string name;
@@ -34,17 +34,17 @@ struct Pair {
   scene::Scene scene() const { return scene_of(form, parts); }
 };
 
-// Daily tests take every fourth pair, nightly tests take all of them.
+// Daily tests use every fourth pair, nightly tests use all.
 enum class Pairs { kEveryFourth, kAll };
 
-// The pairs of the part of that name with itself (alone) and with those after it in the list, in
-// both forms; so that over all names every pair comes once.
+// The part of that name alone, and its pairs with the parts after it in the list, in both forms.
+// Over all names, every pair occurs once.
 inline std::vector<Pair> pairs_from(const std::string& name, Pairs which) {
   const std::vector<Part> all = pair_parts();
   std::vector<Pair> out;
   bool after = false;
   const Part* first = nullptr;
-  std::size_t sum = 0;  // of the places of both parts in the list: shares the pairs out evenly
+  std::size_t sum = 0;  // sum of the indices of both parts, which spreads the selected pairs evenly
   for (std::size_t k = 0; k < all.size(); ++k) {
     const Part& part = all[k];
     if (part.name == name) {

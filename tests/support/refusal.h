@@ -1,4 +1,4 @@
-// What a scene is refused with.
+// The errors with which a scene is refused.
 #pragma once
 
 #include <gtest/gtest.h>
@@ -11,7 +11,7 @@
 
 namespace rotorub::test {
 
-// The diagnostics that `action` throws; none: it accepts.
+// The diagnostics that `action` throws; empty if it throws none.
 template <class Action>
 std::vector<scene::Diagnostic> refusals(Action action) {
   try {
@@ -22,7 +22,7 @@ std::vector<scene::Diagnostic> refusals(Action action) {
   return {};
 }
 
-// The only refusal of `prepare`. Its reason is empty where the scene is accepted.
+// The only error of `prepare`, with an empty reason if the scene is accepted.
 inline scene::Diagnostic refusal(const scene::Scene& scene) {
   const std::vector<scene::Diagnostic> all = refusals([&] { prepare(scene); });
   EXPECT_LE(all.size(), 1u);

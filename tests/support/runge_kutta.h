@@ -1,5 +1,5 @@
-// The classical fourth-order method, for tests that want a trajectory without the integrators under
-// test.
+// The classical fourth-order Runge-Kutta method, for trajectories that are independent of the
+// integrators under test.
 #pragma once
 
 #include <Eigen/Core>
@@ -16,7 +16,7 @@ Eigen::VectorXd runge_kutta(const Rate& rate, double t, double h, const Eigen::V
   return y + h / 6.0 * (k1 + 2.0 * k2 + 2.0 * k3 + k4);
 }
 
-// `steps` of them from t to `end`.
+// `steps` steps from t to `end`.
 template <typename Rate>
 Eigen::VectorXd runge_kutta(const Rate& rate, double t, double end, int steps, Eigen::VectorXd y) {
   const double h = (end - t) / steps;

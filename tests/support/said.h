@@ -1,4 +1,4 @@
-// What a text says, and what an error says.
+// Checks of texts and of error messages.
 #pragma once
 
 #include <gtest/gtest.h>
@@ -10,8 +10,8 @@
 
 namespace rotorub::test {
 
-// Whether all these parts stand in the text. EXPECT_TRUE shows the part that is missing, and the
-// beginning of the text.
+// Whether the text contains all these parts. EXPECT_TRUE shows the missing part and the beginning
+// of the text.
 inline testing::AssertionResult contains(const std::string& text,
                                          std::initializer_list<std::string_view> parts) {
   const std::string shown = text.substr(0, 4000);
@@ -25,7 +25,8 @@ inline testing::AssertionResult contains(const std::string& text, std::string_vi
   return contains(text, {part});
 }
 
-// What the error says that the action throws; empty: it throws none. Another error goes on.
+// The message of the Error that the action throws; empty if it throws none. Other exceptions
+// propagate.
 template <class Error = std::exception, class Action>
 std::string message_of(Action action) {
   try {

@@ -1,10 +1,11 @@
-// The same machine seen in a mirror, or turned: every vector, sense of rotation and pair (x, y) of
-// a scene as overrides of its text, so that every engine reads the other machine from the file.
+// The same machine mirrored or turned: every vector, sense of rotation and pair (x, y) of a scene
+// becomes an override of its text, so that every engine reads the transformed machine from the
+// file.
 //
-// R of the plane: kMirrored (x, y) -> (x, -y), which turns all rotation round; kTurned (x, y) ->
-// (-y, x). Both are exact in floating point, and both map the actuator's axes at 45 degrees onto
-// each other. kAskew turns by an angle that is no part of a right one: then a machine that has axes
-// of its own which no key can turn is not_expressible().
+// R in the plane: kMirrored (x, y) -> (x, -y), which reverses all rotation; kTurned (x, y) -> (-y,
+// x). Both are exact in floating point and map the actuator's axes at 45 degrees onto each other.
+// kAskew turns by an angle unrelated to a right angle; a machine with axes that no key can turn is
+// then not_expressible().
 #pragma once
 
 #include <Eigen/Core>
@@ -24,7 +25,7 @@ enum class Symmetry { kMirrored, kTurned, kAskew };
 
 class Transformed {
  public:
-  // Of the scene as it was read.
+  // scene: as it was read.
   Transformed(const scene::Scene& scene, Symmetry symmetry)
       : mirrored_(symmetry == Symmetry::kMirrored), askew_(symmetry == Symmetry::kAskew) {
     rotor(scene.rotor);
@@ -32,7 +33,7 @@ class Transformed {
     for (std::size_t k = 0; k < scene.forces.size(); ++k)
       force(scene.forces[k], "force[" + std::to_string(k) + "].");
     if (scene.first().contact) vector("contact.offset", scene.first().contact->offset);
-    // Of several contacts, all of whose rings are alike.
+    // With several contacts, whose rings are all equal.
     const std::string at = scene.auxiliary.size() > 1 ? "contact.stator." : "stator.";
     if (scene.first().stator) stator(*scene.first().stator, at);
     if (scene.gravity) vector("gravity.acceleration", scene.gravity->acceleration);
@@ -47,7 +48,7 @@ class Transformed {
   }
 
   const std::vector<std::string>& overrides() const { return overrides_; }
-  // Why the keys cannot say the machine turned by kAskew; empty: they can.
+  // Why keys cannot express the machine turned by kAskew; empty if they can.
   const std::string& not_expressible() const { return not_expressible_; }
   Eigen::Vector2d of(const Eigen::Vector2d& v) const {
     if (askew_) {
@@ -73,7 +74,7 @@ class Transformed {
   void set(const std::string& key, const std::string& value) {
     overrides_.push_back(key + "=" + value);
   }
-  // What is 0 stays out: it may belong to a part that the scene has not.
+  // A value of 0 is left out, because it may belong to a part that the scene lacks.
   void number(const std::string& key, double value) {
     if (value != 0.0) set(key, text(value));
   }
@@ -83,7 +84,7 @@ class Transformed {
   void no_key(const std::string& why) {
     if (askew_ && not_expressible_.empty()) not_expressible_ = why;
   }
-  // Of the two planes: they change places where the machine is turned.
+  // Values of the two planes, which are exchanged if the machine is turned.
   void planes(const std::string& key, const Eigen::Vector2d& v) {
     if (askew_) {
       if (v.x() != v.y()) no_key(key + " is along the axes");
@@ -91,7 +92,7 @@ class Transformed {
     }
     if (!mirrored_ && v.x() != v.y()) set(key, text({v.y(), v.x()}));
   }
-  // The direction of an angle in the plane.
+  // The transformed direction of an angle in the plane.
   double direction(double angle) const {
     if (askew_) return angle + kAngle;
     return mirrored_ ? -angle : angle + 0.5 * std::numbers::pi;
@@ -114,8 +115,8 @@ class Transformed {
       }
     }
     if (!rotor.geometry) return;
-    // The rotor's own marks: in a mirror they are on the other side; turned, the spin's angle turns
-    // with it.
+    // Marks on the rotor: mirrored, they are on the other side; turned, the spin angle turns with
+    // them.
     for (std::size_t k = 0; mirrored_ && k < rotor.geometry->discs.size(); ++k) {
       number("rotor.disc[" + std::to_string(k) + "].phase", -rotor.geometry->discs[k].phase);
     }
@@ -137,7 +138,7 @@ class Transformed {
     }
     planes(at + "stiffness", b.stiffness);
     planes(at + "damping", b.damping);
-    // R K R': the cross terms change their sign, and places where it is turned.
+    // R K R': the cross terms change their signs, and are exchanged if the machine is turned.
     const auto cross = [&](const std::string& key, const Eigen::Vector2d& c) {
       if (!c.isZero(0.0))
         set(at + key, mirrored_ ? text({-c.x(), -c.y()}) : text({-c.y(), -c.x()}));
@@ -145,7 +146,7 @@ class Transformed {
     cross("cross_stiffness", b.cross_stiffness);
     cross("cross_damping", b.cross_damping);
   }
-  // R K R' of [xx, yy] and [xy, yx].
+  // R K R' for [xx, yy] and [xy, yx].
   void turned(const std::string& at, const std::string& key, const Eigen::Vector2d& own,
               const Eigen::Vector2d& cross) {
     if (own.x() == own.y() && cross.x() == -cross.y()) return;
@@ -207,7 +208,7 @@ class Transformed {
       number(at + "ball_bearing.phase", direction(stator.ball_bearing->phase));
     }
   }
-  // Pairs (x, y) that stand in two lists; one that is shorter goes on with 0.
+  // Pairs (x, y) in two lists; the shorter list is padded with 0.
   void lists(const std::string& x_key, const std::string& y_key, const std::vector<double>& x,
              const std::vector<double>& y) {
     std::vector<double> new_x, new_y;

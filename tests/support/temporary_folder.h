@@ -1,4 +1,4 @@
-// An empty folder for one test, removed with it.
+// An empty folder for one test, which is removed with the object.
 #pragma once
 
 #include <stdlib.h>
@@ -11,7 +11,7 @@
 
 namespace rotorub::test {
 
-// Its name is new every time, because tests run at the same time.
+// Its name is always new, because tests run concurrently.
 class TemporaryFolder {
  public:
   TemporaryFolder() {
@@ -30,7 +30,7 @@ class TemporaryFolder {
   const std::filesystem::path& path() const { return path_; }
   std::filesystem::path operator/(const std::filesystem::path& name) const { return path_ / name; }
 
-  // Writes a file, and the folders that its name has.
+  // Writes a file and creates the folders in its name.
   std::filesystem::path write(const std::filesystem::path& name, const std::string& text) const {
     const std::filesystem::path file = path_ / name;
     std::filesystem::create_directories(file.parent_path());

@@ -1,9 +1,9 @@
-// A scene of the least that touches.
+// A minimal scene with contact.
 #pragma once
 
 namespace rotorub::test {
 
-// A free mass, thrown: no spring holds it to where deflections are counted from.
+// A free mass in motion, without a spring to an equilibrium position.
 inline constexpr const char* kThrown = R"(
 [run]
 end = 0.05

@@ -1,5 +1,6 @@
-// The balance of the energy of an engine of which only the states at the ends of its steps are
-// known: works by the means of rates and powers there, those of an impact by its own rates.
+// The energy balance of an engine for which only the states at the ends of its steps are known.
+// Works are computed from mean rates and powers at these ends, the work of an impact from its own
+// rates.
 #pragma once
 
 #include "native_model/model/dynamics.h"
@@ -9,11 +10,11 @@ namespace rotorub::test {
 
 class TrapezoidBalance {
  public:
-  // The model must outlive it.
+  // The model must outlive this.
   explicit TrapezoidBalance(const Model& model) : model_(&model) {}
 
   void begin(const Snapshot& start) { last_ = at(start); }
-  // Impulses over the step up to `now`, N s.
+  // normal, friction: impulses over the step up to `now`, N s.
   StepBalance step(const Snapshot& now, double normal, double friction, const Impact* impact) {
     const End end = at(now);
     double gap_rates = last_.gap_rate + end.gap_rate, slips = last_.slip + end.slip;
@@ -32,7 +33,8 @@ class TrapezoidBalance {
   struct End {
     double t = 0.0, gap_rate = 0.0, slip = 0.0, power = 0.0;
   };
-  // m/s of slip at which the machine that holds a prescribed speed works, and not the coordinates.
+  // m/s: the part of the slip at which the machine that holds the prescribed speed does the work,
+  // and not the coordinates.
   double held() const {
     const bool moves = model_->layout.spin || !model_->first().contact;
     return moves ? 0.0 : model_->first().contact->radius * model_->speed;

@@ -1,5 +1,5 @@
-// Scenes of two contacts: those of tests/native_model/event/two_rings with what a second program
-// says of them (README.md there), and a rigid shaft.
+// Scenes with two contacts: those in tests/native_model/event/two_rings with the results of an
+// independent program (README.md there), and a rigid shaft.
 #pragma once
 
 #include <algorithm>
@@ -23,8 +23,8 @@ inline scene::Scene two_rings_scene(const std::string& name) {
   return scene::read_scene(two_rings_file(name + ".toml"));
 }
 
-// A rigid shaft: mode 1 its translation, mode 2 its tilt, 1 at the first contact and `tilt` at the
-// second.
+// A rigid shaft: mode 1 is its translation, mode 2 its tilt with the values 1 at the first contact
+// and `tilt` at the second.
 inline scene::Scene shaft_in_two_rings(double mass, double tilt_mass, double tilt,
                                        const Jeffcott& of = {}) {
   scene::Scene s = make_scene(of);
@@ -36,8 +36,8 @@ inline scene::Scene shaft_in_two_rings(double mass, double tilt_mass, double til
   return s;
 }
 
-// At rest on both rings under 20 N at twice the lever of the first: 30 N up at the first, 10 N down
-// at the second, which nothing presses but the other's force.
+// At rest on both rings under 20 N at twice the lever arm of the first contact: the first ring
+// pushes up with 30 N, the second down with 10 N, which only balances the other force.
 inline scene::Scene lever_in_two_rings(std::span<const std::string> overrides = {}) {
   return scene::parse_scene(R"([run]
 end = 0.02
@@ -75,13 +75,14 @@ inline nlohmann::json two_rings_answer(const std::string& name) {
 }
 
 inline std::size_t row_of(const Trajectory& t, double time) {
-  constexpr double kRows = 1e-12;  // s, of the times that both have written
+  constexpr double kRows = 1e-12;  // s, accuracy of the times in both outputs
   const std::vector<double>& times = t.column("t");
   const auto found = std::lower_bound(times.begin(), times.end(), time - kRows);
   return static_cast<std::size_t>(found - times.begin());
 }
 
-// A column of a state as the second program counts it: a ring from where its spring is at rest.
+// A state as the independent program defines it: the ring's position relative to its unloaded
+// spring.
 inline double state_of(const Trajectory& t, const scene::Scene& scene, const std::string& column,
                        std::size_t row) {
   const double found = t.column(column)[row];

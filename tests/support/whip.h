@@ -7,7 +7,7 @@
 
 namespace rotorub::test {
 
-// Of an isotropic scene in modal form with one mode.
+// For an isotropic scene in modal form with one mode.
 inline oracle::ElasticWhip whip_of(const scene::Scene& s) {
   const scene::RotorModal& r = *s.rotor.modal;
   const scene::Stator& ring = *s.first().stator;
@@ -16,7 +16,7 @@ inline oracle::ElasticWhip whip_of(const scene::Scene& s) {
           s.first().contact->clearance};
 }
 
-// The same, started on the backward whirl at nu, rad/s.
+// The scene started on the backward whirl at nu, rad/s.
 inline scene::Scene whirling(scene::Scene s, double nu) {
   const oracle::CircularWhirl w = whip_of(s).whirl(nu);
   s.initial.x = {w.rotor.real()};
@@ -28,7 +28,7 @@ inline scene::Scene whirling(scene::Scene s, double nu) {
   return s;
 }
 
-// Of the rotor about the ring's centre at a row, rad/s, negative backward.
+// Whirl speed of the rotor around the ring's centre at a row, rad/s, negative for backward whirl.
 inline double whirl_speed(const Trajectory& t, std::size_t row) {
   const auto relative = [&](const char* rotor, const char* ring) {
     return t.column(rotor)[row] - t.column(ring)[row];

@@ -1,5 +1,5 @@
-// FMI 2.0 for Co-Simulation: the functions of its text (chapters 2.1 and 4.2). Events are passed
-// within a step.
+// FMI 2.0 for Co-Simulation: the functions of the standard (chapters 2.1 and 4.2). Events are
+// handled within a step.
 
 #include <cctype>
 
@@ -29,7 +29,7 @@ Status not_offered(void* instance, const char* function) {
   return of(instance)->refuse(std::string(function) + " is for what this FMU does not offer");
 }
 
-// The folder that a location names: file:///folder, or file:/folder, with %20 for a blank.
+// The folder of a location: file:///folder or file:/folder, with %20 for a blank.
 std::string folder_of(std::string location) {
   for (const char* begins : {"file://localhost", "file://", "file:"}) {
     if (!location.starts_with(begins)) continue;
@@ -122,7 +122,7 @@ FMI2(Status, FreeFMUstate, void*, void** state) {
   return kOK;
 }
 
-// Asked for when a step has not been done, or goes on by itself: none does.
+// The importer asks for these when a step was discarded or is asynchronous, which never happens.
 FMI2(Status, GetStatus, void*, int, Status*) { return kDiscard; }
 FMI2(Status, GetRealStatus, void* instance, int kind, double* value) {
   constexpr int kLastSuccessfulTime = 2;

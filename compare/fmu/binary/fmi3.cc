@@ -1,6 +1,5 @@
-// FMI 3.0 for Co-Simulation, with event mode: the functions of its text (chapters 2.2, 2.3 and
-// 4.2), all of which an FMU has to have; of those that are needed for what this one does not offer
-// each returns an error.
+// FMI 3.0 for Co-Simulation, with event mode. An FMU must have all functions of the standard
+// (chapters 2.2, 2.3 and 4.2); those for unsupported features return an error.
 
 #include <limits>
 
@@ -27,12 +26,12 @@ Status not_offered(void* instance, const char* function) {
 }  // namespace
 
 #define FMI3(type, name, ...) extern "C" type fmi3##name(__VA_ARGS__)
-// One that is there and no more; its arguments behind the instance.
+// A function that only returns an error; the arguments after the instance.
 #define NOT_OFFERED(name, ...)                                    \
   FMI3(Status, name, void* instance __VA_OPT__(, ) __VA_ARGS__) { \
     return not_offered(instance, "fmi3" #name);                   \
   }
-// Values of a type that no variable has: of none they can be asked for.
+// Access to values of a type that no variable has: only an empty list is accepted.
 #define NO_VARIABLES(name, ...)                                                                   \
   FMI3(Status, name, void* instance, const ValueReference*,                                       \
        size_t count __VA_OPT__(, ) __VA_ARGS__) {                                                 \
@@ -156,7 +155,7 @@ FMI3(Status, FreeFMUState, void*, void** state) {
   return kOK;
 }
 
-// ------------------------------------------------------------------ what is not offered
+// ------------------------------------------------------------------ unsupported features
 NOT_OFFERED(SerializedFMUStateSize, void*, size_t*)
 NOT_OFFERED(SerializeFMUState, void*, std::uint8_t*, size_t)
 NOT_OFFERED(DeserializeFMUState, const std::uint8_t*, size_t, void**)

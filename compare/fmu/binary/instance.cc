@@ -93,7 +93,7 @@ Status Instance::reset() {
 
 Status Instance::do_step(double from, double length, bool events) {
   if (initializing_) return refuse("initialization has not been left");
-  constexpr double kSame = 1e-9;  // of a step
+  constexpr double kSame = 1e-9;  // relative to the step
   if (!(length > 0.0)) return refuse("accepted communication step: above 0");
   if (std::abs(from - run_.time()) > kSame * length)
     return refuse("a step from t = " + std::to_string(from) +

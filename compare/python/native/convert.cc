@@ -20,11 +20,11 @@ namespace py = pybind11;
 namespace rotorub::python {
 namespace {
 
-constexpr const char* kTextName = "scene.toml";  // of a scene that came as text
+constexpr const char* kTextName = "scene.toml";  // name of a scene that was given as text
 
 std::string quoted(const std::string& text) { return nlohmann::json(text).dump(); }
 
-// A value as TOML, in a list or by itself.
+// A value in TOML, within a list or by itself.
 std::string value_text(const py::handle& value, const std::string& key, bool in_list) {
   if (value.is_none() && !in_list) return "none";
   if (PyBool_Check(value.ptr())) return value.cast<bool>() ? "true" : "false";
@@ -49,7 +49,7 @@ std::string value_text(const py::handle& value, const std::string& key, bool in_
       key, py::str(py::type::of(value).attr("__name__")).cast<std::string>()));
 }
 
-// Nothing: a path.
+// The text of a scene; empty for a path.
 std::optional<std::string> text_of(const py::object& scene) {
   if (!py::isinstance<py::str>(scene)) return std::nullopt;
   auto text = scene.cast<std::string>();
@@ -68,7 +68,7 @@ py::object parsed_json(const std::string& text) {
   return py::module_::import("json").attr("loads")(text);
 }
 
-// numpy's words for numbers.
+// A numpy array of the words with the indices `which`.
 py::object words_of(const std::vector<std::string>& words, const std::vector<int>& which) {
   const py::module_ numpy = py::module_::import("numpy");
   return numpy.attr("array")(words).attr("take")(
@@ -88,7 +88,7 @@ py::dict series_dict(const Trajectory& t) {
   return all;
 }
 
-// A member, or what a function says, of each element.
+// The array of a member, or of a function's results, for each element.
 template <class List, class Value>
 py::array_t<double> column_of(const List& list, Value value) {
   std::vector<double> values;
@@ -96,7 +96,7 @@ py::array_t<double> column_of(const List& list, Value value) {
   return array_of(values);
 }
 
-// From 1 on, where there are several.
+// Adds the contact's number, from 1, if there are several contacts.
 template <class List>
 void add_contact(py::dict& all, const Trajectory& t, const List& list) {
   if (t.contacts > 1) {

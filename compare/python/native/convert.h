@@ -1,4 +1,4 @@
-// Between Python's values and ours.
+// Conversion between values of Python and C++.
 #pragma once
 
 #include <pybind11/pybind11.h>
@@ -13,23 +13,24 @@
 
 namespace rotorub::python {
 
-// "key=value" of each: a dict of keys and values (numbers, flags, strings, lists of these, None:
-// takes the part away), or a list of such strings as after --set. Throws py::type_error for
+// "key=value" for each entry. changes: a dict of keys and values (numbers, flags, strings, lists of
+// these; None removes the part), or a list of strings as for --set. Throws py::type_error for
 // anything else.
 std::vector<std::string> overrides_of(const pybind11::object& changes);
 
-// A path (os.PathLike, or a string of one line), or the text of a scene (a string of several).
+// scene: a path (os.PathLike, or a string of one line) or the text of a scene (a string of several
+// lines).
 scene::Scene scene_of(const pybind11::object& scene, const std::vector<std::string>& overrides);
 
-// The same scene many times, each with changes of its own; thread safe. The file is read once.
+// Returns a thread-safe function that makes the scene with further changes. The file is read once.
 std::function<scene::Scene(const std::vector<std::string>& changes)> points_of(
     const pybind11::object& scene, const std::vector<std::string>& overrides);
 
 // {"series", "impacts", "events": {column: array}, "columns": {file: {column: {"unit",
-// "meaning"}}}, "scene_text", "summary"}: what rotorub.read() has of a folder.
+// "meaning"}}}, "scene_text", "summary"}: what rotorub.read() returns for a folder.
 pybind11::dict run_dict(const scene::Scene& scene, const Trajectory& trajectory);
 
-// {"point", ..., figures}: arrays in the order of the points; NaN and "" where there is none.
+// {"point", ..., figures}: arrays in the order of the points; NaN and "" for missing values.
 pybind11::dict points_dict(const std::vector<sweep::PointResult>& points);
 
 }  // namespace rotorub::python

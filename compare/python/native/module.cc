@@ -1,5 +1,5 @@
-// The Python module rotorub_native: scenes and studies run in the process itself, by the native
-// model.
+// The Python module rotorub_native: runs scenes and studies with the native model in the Python
+// process.
 
 #include <fmt/format.h>
 #include <pybind11/pybind11.h>
@@ -34,7 +34,7 @@ std::optional<scene::Integrator> integrator_of(const std::optional<std::string>&
   throw py::value_error(fmt::format("integrator: {}; accepted are event, verlet, euler", *name));
 }
 
-// What a call sets beside its overrides: seconds, or a string with a unit.
+// The overrides with the step and the end of a call: seconds, or a string with a unit.
 Words with_run(const py::object& overrides, const py::object& step, const py::object& end) {
   Words all = overrides_of(overrides);
   py::dict run;
@@ -44,11 +44,12 @@ Words with_run(const py::object& overrides, const py::object& step, const py::ob
   return all;
 }
 
-// work(interrupt) on a thread of its own without Python's lock, so that other threads of Python run
-// meanwhile; its exception is thrown on. KeyboardInterrupt where a signal came.
+// Runs work(interrupt) on another thread without Python's lock, so that other Python threads
+// continue. Rethrows its exception; raises KeyboardInterrupt after a signal.
 template <class Result>
 Result in_background(const std::function<Result(const std::atomic<bool>&)>& work) {
-  constexpr std::chrono::milliseconds kLook{50};  // a signal is Python's to handle, on this thread
+  // Interval of checking for signals, which Python handles on this thread.
+  constexpr std::chrono::milliseconds kLook{50};
   std::atomic<bool> interrupt{false};
   bool raised = false;
   auto result = std::async(std::launch::async, [&] { return work(interrupt); });
@@ -64,7 +65,7 @@ Result in_background(const std::function<Result(const std::atomic<bool>&)>& work
   return result.get();
 }
 
-// While it lives a scene's library may be opened, or not.
+// Sets whether scenes' libraries may be opened while this object exists.
 struct OpenedLibraries {
   explicit OpenedLibraries(bool may) {
     set_scene_libraries(may ? SceneLibraries::kAllowed : SceneLibraries::kAsked);
@@ -147,7 +148,7 @@ py::dict study(const py::object& file, const py::object& overrides, bool may_ope
 }
 
 // Raises SceneError, a ValueError whose `diagnostics` is a list of {"file", "line", "key",
-// "reason"}; `file`, `line`, `key` and `reason` are those of the first.
+// "reason"}; its `file`, `line`, `key` and `reason` come from the first diagnostic.
 void raise(const py::object& type, const scene::SceneError& error) {
   py::list all;
   for (const scene::Diagnostic& d : error.diagnostics()) {

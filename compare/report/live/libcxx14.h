@@ -1,6 +1,6 @@
-// What libstdc++ 12 has and the libc++ 14 of Debian 12's emscripten lacks or does with other bits,
-// as far as the native model asks for it. Included before every file (CMakeLists.txt here). Goes
-// when emscripten does better.
+// Parts of libstdc++ 12 that the native model needs and that libc++ 14 of Debian 12's emscripten
+// lacks, or computes with different round-off. Included before every file (CMakeLists.txt here).
+// Remove it when emscripten no longer needs it.
 #pragma once
 
 #include <algorithm>
@@ -16,7 +16,7 @@
 
 namespace std {
 
-// Of decimal numbers. strtod is right to the last bit; it would also take "0x1p3", "inf" and
+// For decimal numbers. strtod is exact to the last bit, but would also accept "0x1p3", "inf" and
 // blanks.
 inline from_chars_result from_chars(const char* first, const char* last, double& value) {
   const string_view text(first, static_cast<size_t>(last - first));
@@ -37,7 +37,7 @@ inline to_chars_result to_chars(char* first, char* last, double value, chars_for
   return {first + length, errc()};
 }
 
-// The shortest digits that give the same number again.
+// The shortest digits that read back as the same number.
 inline to_chars_result to_chars(char* first, char* last, double value) {
   for (int digits = 1;; ++digits) {
     const to_chars_result done = to_chars(first, last, value, chars_format::general, digits);
@@ -45,14 +45,14 @@ inline to_chars_result to_chars(char* first, char* last, double value) {
   }
 }
 
-// In its general format, which is the shortest as above.
+// The general format gives the shortest digits too.
 inline to_chars_result to_chars(char* first, char* last, double value, chars_format) {
   return to_chars(first, last, value);
 }
 
-// R. L. Smith's division (Communications of the ACM 5, 1962), as libgcc has it but near the ends of
-// the range of doubles; libc++ scales by powers of two and rounds otherwise. A specialisation,
-// since its own operator/= would not find an overload.
+// R. L. Smith's division (Communications of the ACM 5, 1962), as in libgcc except near the ends of
+// the range of doubles; libc++ scales by powers of two and rounds differently. It is a
+// specialisation, because complex's own operator/= would not find an overload.
 template <>
 inline complex<double> operator/(const complex<double>& z, const complex<double>& w) {
   const double a = z.real(), b = z.imag(), c = w.real(), d = w.imag();

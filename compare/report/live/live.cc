@@ -1,5 +1,6 @@
-// The native model in a page: a scene's text and changes to it in, the run as the page's scripts
-// have it out. Compiled to WebAssembly (CMakeLists.txt here), called by page/live_worker.js.
+// The native model in a page: takes a scene's text and changes to it, and returns the run in the
+// format of the page's scripts. Compiled to WebAssembly (CMakeLists.txt here) and called by
+// page/live_worker.js.
 
 #include <array>
 #include <exception>
@@ -21,7 +22,7 @@ namespace {
 using nlohmann::json;
 
 Trajectory last;     // for figures()
-std::string answer;  // what the last call gave, until the next
+std::string answer;  // the result of the last call, valid until the next one
 
 json contact_values(const scene::Scene& scene) {
   json all = json::array();
@@ -55,8 +56,9 @@ const char* given(const json& value) {
 }  // namespace
 }  // namespace rotorub
 
-// JSON, until the next call: {"side": run_data.h, "contacts": what the changes may have changed of
-// each, "message"}, or {"refused": why}. changes: a line each, "contact.friction=0.2".
+// Returns JSON that is valid until the next call: {"side": run_data.h, "contacts": the values of
+// each that may have changed, "message"}, or {"refused": reason}. changes: one per line,
+// "contact.friction=0.2".
 extern "C" const char* rotorub_run(const char* text, const char* name, const char* changes) {
   using namespace rotorub;
   std::vector<std::string> lines;
@@ -69,8 +71,8 @@ extern "C" const char* rotorub_run(const char* text, const char* name, const cha
   }
 }
 
-// Of the last run, to the last bit: {"impacts": [[t, normal, friction impulse]], "events": [[t,
-// name]], "end": {column: value of the last row}}. For comparison with what the program gives.
+// The last run, exact to the last bit, for comparison with the program: {"impacts": [[t, normal,
+// friction impulse]], "events": [[t, name]], "end": {column: value of the last row}}.
 extern "C" const char* rotorub_figures() {
   using namespace rotorub;
   json impacts = json::array(), events = json::array(), end = json::object();

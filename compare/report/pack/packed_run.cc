@@ -16,9 +16,9 @@ using Columns = std::vector<Values>;
 
 constexpr double kClearanceShare = 1.0 / 200.0;
 constexpr double kAngleTolerance = 2e-3;  // rad
-constexpr double kLeastShare = 1e-6;      // of the largest: a tolerance is never 0
+constexpr double kLeastShare = 1e-6;  // relative to the largest value, so that no tolerance is 0
 
-// Euclidean length over the components, a row.
+// Euclidean length over the components in each row.
 Values lengths(const Columns& components) {
   Values squares(components.front().size(), 0.0);
   for (const Values& column : components) {
@@ -34,10 +34,10 @@ double largest(const Values& values) {
   return most;
 }
 
-// Rows of gap and gap rate. In the rigid law every impact in between joins them twice, at gap 0,
-// with the rate before it and after it: the pieces between two bounces are then arcs that touch 0,
-// however coarse the rows are. A soft contact's impact is an episode, which its rows show.
-// Tolerance of each: the greater of `least` (m) and `kShare` of the gap.
+// Rows of gap and gap rate. With the rigid law, every impact adds two rows with gap 0, one with the
+// rate before it and one with the rate after it. The pieces between two bounces are then arcs that
+// end at 0, however coarse the rows are. An impact of a soft contact is an episode that is visible
+// in its rows. The tolerance of each row is the larger of `least` (m) and `kShare` of the gap.
 Samples gap_samples(const Trajectory& run, std::size_t contact, double least) {
   const auto& t = run.column("t");
   const auto& gap = run.column(column_of_contact(contact, "gap"));
@@ -52,7 +52,7 @@ Samples gap_samples(const Trajectory& run, std::size_t contact, double least) {
   if (run.contact_model == "rigid") impacts = counted_impacts(run, contact);
   std::size_t next = 0;
   for (std::size_t i = 0; i < t.size(); ++i) {
-    // At an impact a row holds the state after it: the impact stands before the row.
+    // A row at the time of an impact holds the state after it, so the impact precedes the row.
     for (; next < impacts.size() && impacts[next].t <= t[i]; ++next) {
       const Impact& impact = impacts[next];
       if (impact.t < t.front()) continue;
@@ -66,7 +66,7 @@ Samples gap_samples(const Trajectory& run, std::size_t contact, double least) {
   return samples;
 }
 
-// Columns of one contact, and the names of its tracks, are named alike.
+// Uses the same names for the columns of a contact and for its tracks.
 class RunPacker {
  public:
   RunPacker(const scene::Scene& scene, const renders::Machine& machine, const Trajectory& run)
@@ -85,7 +85,7 @@ class RunPacker {
  private:
   using Names = std::initializer_list<const char*>;
 
-  // Of the contact that is packed; of the first as of the run itself.
+  // The column's name at the current contact; at the first contact the plain name.
   std::string own(const std::string& name) const { return column_of_contact(at_, name); }
   bool has(Names names) const {
     return std::all_of(names.begin(), names.end(),
@@ -101,7 +101,7 @@ class RunPacker {
     packed_[own(name)] =
         pack(kind, {run_.column("t"), std::move(values), std::move(rates), std::move(tolerance)});
   }
-  // The tolerance everywhere the same; with rates a cubic, else straight.
+  // With a constant tolerance; cubic if rates are given, otherwise linear.
   void add_even(const std::string& name, Names values, Names rates, double tolerance) {
     const Columns column = columns(values);
     const double least = kLeastShare * largest(lengths(column));
@@ -118,7 +118,7 @@ class RunPacker {
     add_even(name, {name}, {}, range_tolerance(run_.column(own(name))));
   }
 
-  // The modes share the tolerance of the shaft evenly: their errors add up at worst.
+  // The modes share the shaft's tolerance evenly, because their errors may add up.
   void add_bends() {
     const Eigen::Index modes = machine_.modes_x.cols();
     for (Eigen::Index k = 0; k < modes; ++k) {
@@ -131,7 +131,7 @@ class RunPacker {
     }
   }
 
-  // The twist at the first contact: each torsion mode is 1 there.
+  // The twist at the first contact, where each torsion mode is 1.
   void add_twist() {
     if (!run_.has("torsion_1")) return;
     Values twist(run_.rows(), 0.0);
@@ -163,7 +163,7 @@ class RunPacker {
     add_impacts();
   }
 
-  // A knot where it changes.
+  // One knot per change.
   void add_mode() {
     const Values& mode = run_.column(own("mode"));
     Samples samples;
@@ -191,13 +191,14 @@ class RunPacker {
     packed_[own("impacts")] = pack(TrackKind::kHold, samples);
   }
 
-  static constexpr double kSteps = 4.0;          // a quantum of 1: whole numbers
-  static constexpr double kImpulseShare = 4e-5;  // of the largest impulse: a quantum of 1e-5
+  static constexpr double kSteps = 4.0;  // gives a quantum of 1, for whole numbers
+  // Relative to the largest impulse: gives a quantum of 1e-5.
+  static constexpr double kImpulseShare = 4e-5;
   const scene::Scene& scene_;
   const renders::Machine& machine_;
   const Trajectory& run_;
   double place_;        // m
-  std::size_t at_ = 0;  // the contact that is packed
+  std::size_t at_ = 0;  // the current contact
   PackedRun packed_;
 };
 

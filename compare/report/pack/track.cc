@@ -13,19 +13,19 @@ namespace {
 
 using Integers = std::vector<std::int64_t>;
 
-constexpr double kTicks = 1073741824.0;  // of a run, 2^30: half a nanosecond for half a second
-constexpr double kMostQuanta = 1e15;    // of a value: whole numbers that a double still tells apart
-constexpr double kQuantumShare = 0.25;  // of the least tolerance
+constexpr double kTicks = 1073741824.0;  // per run, 2^30: half a nanosecond for half a second
+constexpr double kMostQuanta = 1e15;     // of a value: whole numbers that a double can represent
+constexpr double kQuantumShare = 0.25;   // relative to the smallest tolerance
 constexpr double kRateSpan =
     1.0 / 256.0;  // of the run: over so long a rate's quantum moves a value by one
 
-// Cubic Hermite over h, at share s of it: values a, b and rates da, db at the ends.
+// Cubic Hermite over h at the fraction s: values a, b and rates da, db at the ends.
 double hermite(double a, double da, double b, double db, double h, double s) {
   const double r = 1.0 - s;
   return r * r * ((1.0 + 2.0 * s) * a + s * h * da) + s * s * ((3.0 - 2.0 * s) * b - r * h * db);
 }
 
-// Of a floored track, between values a and b.
+// Applies the floor of a floored track between the values a and b.
 double lifted(double y, double a, double b) { return std::max(y, std::min({a, b, 0.0})); }
 
 double largest(const std::vector<std::vector<double>>& columns) {
@@ -36,7 +36,7 @@ double largest(const std::vector<std::vector<double>>& columns) {
   return most;
 }
 
-// The samples as whole numbers, and what a reader would make of any two of them as neighbours.
+// The samples as whole numbers, and the values that a reader would get between any two of them.
 class Quantised {
  public:
   Quantised(TrackKind kind, const Samples& samples, const Track& track)
@@ -46,7 +46,7 @@ class Quantised {
     for (const auto& column : samples.rate) rates_.push_back(whole(column, track.rate_quantum));
   }
 
-  // Whether all samples from `from` to `to` are met by the piece between these two.
+  // Whether the piece between these two samples meets all samples within it.
   bool holds(std::size_t from, std::size_t to) const {
     for (std::size_t i = from; i <= to; ++i) {
       double square = 0.0;
@@ -83,7 +83,7 @@ class Quantised {
   double rate(std::size_t c, std::size_t i) const {
     return static_cast<double>(rates_[c][i]) * track_.rate_quantum;
   }
-  // What the piece from sample a to sample b gives at the time of sample i.
+  // Value at the time of sample i of the piece from sample a to sample b.
   double between(std::size_t a, std::size_t b, std::size_t i, std::size_t c) const {
     if (ticks_[b] == ticks_[a]) return value(c, b);
     const auto h = static_cast<double>(ticks_[b] - ticks_[a]);
@@ -103,7 +103,7 @@ class Quantised {
   std::vector<Integers> values_, rates_;
 };
 
-// The farthest sample that one piece from `from` reaches: by doubling, then halving.
+// The farthest sample that one piece from `from` can reach, found by doubling and then halving.
 std::size_t reach(const Quantised& q, std::size_t from, std::size_t last) {
   std::size_t good = from + 1, step = 1;
   while (good < last && q.holds(from, std::min(good + step, last))) {

@@ -1,16 +1,16 @@
-// A controller to begin with: the ring follows the rotor, by a spring and a damper between their
-// centres. In this folder:
+// A simple controller to start from: the ring follows the rotor through a spring and a damper
+// between their centres. Build it in this folder with
 //
 //   c++ -std=c++20 -shared -fPIC -Wall -I . follow.cc -o follow.so
 //
-// and then
+// and run
 //
 //   rotorub run ../SCENE.toml --controller ./follow.so --set controller.sample_time=50us
 #include <rotorub/controller.h>
 
 namespace {
 
-// What create() makes, and step() is given.
+// The parameters of the law: made by create() and passed to step().
 struct Follow {
   double stiffness = 4e5;  // N/m
   double damping = 400.0;  // N s/m
@@ -22,7 +22,7 @@ int create(const rotorub_setup*, void** self, char*, size_t) {
 }
 void destroy(void* self) { delete static_cast<Follow*>(self); }
 
-// command: N, the force on the ring along x and y. What is thrown ends the run with its words.
+// command: N, the force on the ring along x and y. An exception ends the run; its text is reported.
 int step(const void* self, const rotorub_measurement* now, double*, double command[2], char*,
          size_t) {
   const Follow& law = *static_cast<const Follow*>(self);

@@ -1,6 +1,6 @@
 // Preloaded into an unmodified MuJoCo program: when an mjData that was stepped is deleted, appends
-// one line to the file named by ROTORUB_FINAL_STATE_FILE: time, qpos and qvel as the 16 hexadecimal
-// digits of their bits.
+// one line to the file named by ROTORUB_FINAL_STATE_FILE: time, qpos and qvel, each as the 16
+// hexadecimal digits of its bits.
 #include <dlfcn.h>
 #include <mujoco/mujoco.h>
 

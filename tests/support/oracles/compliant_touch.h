@@ -1,5 +1,6 @@
-// A free rotor that spins, in a fixed ring that gives, written from the equations alone: fixed
-// steps of the classical fourth-order method, shortened where the motion changes its case.
+// A free, spinning rotor in a fixed ring with compliant contact, written only from the equations:
+// fixed steps of the classical fourth-order Runge-Kutta method, shortened where the contact state
+// changes.
 #pragma once
 
 #include <Eigen/Core>
@@ -14,7 +15,7 @@ struct CompliantTouch {
   double clearance = 0.5e-3, radius = 0.05;  // m
   double stiffness = 1e7, exponent = 1.0;    // N/m^n, n
   double a = 0.0, friction = 0.0;            // s/m, mu
-  mutable double stuck = 0.0;                // s, how long it stuck
+  mutable double stuck = 0.0;                // s, total time of sticking
 
   using State = Eigen::VectorXd;  // x, y, vx, vy, spin
 
@@ -28,7 +29,8 @@ struct CompliantTouch {
     const double p = depth(s), rate = (s[0] * s[2] + s[1] * s[3]) / std::hypot(s[0], s[1]);
     return std::copysign(stiffness * std::pow(std::abs(p), exponent), p) * (1.0 + a * rate);
   }
-  // d/dt slip = T (1/m + r^2/J) - v_r v_t / |r| with v_r, v_t along and across the radius.
+  // d/dt slip = T (1/m + r^2/J) - v_r v_t / |r|, with v_r and v_t the radial and tangential
+  // velocity.
   double sticking(const State& s) const {
     const double r = std::hypot(s[0], s[1]), along = (s[0] * s[2] + s[1] * s[3]) / r,
                  across = (s[0] * s[3] - s[1] * s[2]) / r;
@@ -57,7 +59,7 @@ struct CompliantTouch {
     d[4] = radius * t / inertia;
     return d;
   }
-  // Positive while the case lasts.
+  // Positive while the state lasts.
   double margin(const State& s, Case c) const {
     if (c == Case::kFree) return -depth(s);
     if (depth(s) < 0.0) return depth(s);
@@ -82,7 +84,7 @@ struct CompliantTouch {
       double h = std::min(most, end - t);
       State after = step(h);
       const bool ends = margin(after, c) < 0.0;
-      if (ends) {  // the step to where the case ends, by bisection
+      if (ends) {  // shortens the step to the change of state, by bisection
         double low = 0.0, high = h;
         for (int i = 0; i < 60; ++i) {
           const double middle = 0.5 * (low + high);

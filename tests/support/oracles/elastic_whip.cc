@@ -27,7 +27,7 @@ using Complex = std::complex<double>;
 using Polynomial = Eigen::VectorXd;  // coefficients of nu^0, nu^1, ...
 constexpr Complex kI{0.0, 1.0};
 
-// Of a whirl at -nu, what the whip is.
+// For a whirl at -nu, as in the whip.
 Complex backward_stiffness(const Support& s, double nu) {
   return {s.stiffness - s.mass * nu * nu, -s.damping * nu};
 }
@@ -51,7 +51,7 @@ Polynomial demand(const Support& s, double mu) {
   return Eigen::Vector3d(mu * s.stiffness, s.damping, -mu * s.mass);
 }
 
-// By falling real part, of a pair the one with Im < 0 first.
+// By falling real part; of a pair the eigenvalue with Im < 0 first.
 std::vector<Complex> eigenvalues_of(const Eigen::MatrixXd& a) {
   const auto values = real_eigenvalues(a);
   if (!values)
@@ -68,7 +68,7 @@ std::vector<double> positive_roots(Polynomial p, double scale) {
   companion.col(n - 1) = -p.head(n) / p[n];
   std::vector<double> roots;
   for (const Complex& x : eigenvalues_of(companion)) {
-    constexpr double kReal = 1e-7;  // a double root parts by the root of the round-off
+    constexpr double kReal = 1e-7;  // round-off separates a double root by its square root
     if (x.real() > 0.0 && std::abs(x.imag()) < kReal * std::abs(x)) {
       roots.push_back(scale * x.real());
     }
@@ -128,14 +128,14 @@ CircularWhirl ElasticWhip::whirl(double nu) const {
   return w;
 }
 
-// Times |D_r|^2 |D_s|^2, Im H + mu Re H = 0 is a polynomial of degree 6. As Im H > 0, its roots
-// have Re H < 0 by themselves.
+// Multiplied by |D_r|^2 |D_s|^2, Im H + mu Re H = 0 is a polynomial of degree 6. Since Im H > 0,
+// its roots satisfy Re H < 0.
 std::vector<double> ElasticWhip::slipping_whips(double mu) const {
   const Polynomial p =
       times_square(ring, demand(rotor, mu)) + times_square(rotor, demand(ring, mu));
   const double scale = std::sqrt((rotor.stiffness + ring.stiffness) / (rotor.mass + ring.mass));
   std::vector<double> roots = positive_roots(p, scale);
-  // What the eigenvalues leave, by Newton's method on the polynomial.
+  // Improves the accuracy of the eigenvalues by Newton's method on the polynomial.
   for (double& nu : roots) {
     for (int k = 0; k < 3; ++k) {
       double value = 0.0, slope = 0.0;
@@ -149,8 +149,8 @@ std::vector<double> ElasticWhip::slipping_whips(double mu) const {
   return roots;
 }
 
-// tau - mu changes its sign at the roots; at nu -> 0 both bodies are springs and cannot press, at
-// nu -> infinity both are masses and tau goes to 0.
+// tau - mu changes its sign at the roots. For nu -> 0 both bodies act as springs and there is no
+// contact force; for nu -> infinity both act as masses and tau goes to 0.
 std::vector<WhirlInterval> ElasticWhip::rolling_intervals(double mu) const {
   std::vector<double> edges = slipping_whips(mu);
   edges.push_back(std::numeric_limits<double>::infinity());
@@ -194,7 +194,7 @@ std::vector<Complex> ElasticWhip::eigenvalues(double nu) const {
   };
   body(0, rotor, now.rotor, 1.0);
   body(2, ring, now.stator, -1.0);
-  // Forces and accelerations by size, so that the solve has numbers of one order.
+  // Scales forces and accelerations, so that all numbers of the solve have similar magnitudes.
   const double force = rotor.mass * nu * nu;
   unknown.col(3) *= force;
   const Eigen::Matrix<double, 4, 5> rates =

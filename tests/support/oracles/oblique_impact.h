@@ -1,9 +1,9 @@
-// A homogeneous sphere that strikes a plane obliquely, without spin, under Poisson's and Coulomb's
-// laws with no tangential restitution (Foerster, Louge, Chang and Allia, Physics of Fluids 6,
-// 1994). m: mass, r: radius, v_n, v_t: speeds before, p = (1 + e) m v_n. The slip v_t - r omega
-// changes by 7/2 of the friction impulse over m, so
-//   sliding throughout   friction mu p           where v_t >= 7/2 mu (1 + e) v_n
-//   rolling at the end   friction 2/7 m v_t      else
+// Oblique impact of a homogeneous sphere without spin on a plane, with Poisson's and Coulomb's laws
+// and no tangential restitution (Foerster, Louge, Chang and Allia, Physics of Fluids 6, 1994). m:
+// mass, r: radius, v_n, v_t: speeds before the impact, p = (1 + e) m v_n. The slip v_t - r omega
+// changes by 7/2 of the friction impulse over m, so the friction impulse is
+//   mu p          if v_t >= 7/2 mu (1 + e) v_n (sliding throughout)
+//   2/7 m v_t     otherwise (rolling at the end)
 // and omega = 5/2 friction / (m r).
 #pragma once
 
@@ -28,7 +28,7 @@ struct ObliqueImpact {
   bool rolls() const {
     return 2.0 / 7.0 * tangential_speed() < friction * (1.0 + restitution) * normal_speed();
   }
-  double friction_impulse() const {  // N s, the size
+  double friction_impulse() const {  // N s, absolute value
     return mass() * std::min(friction * (1.0 + restitution) * normal_speed(),
                              2.0 / 7.0 * tangential_speed());
   }
@@ -36,7 +36,7 @@ struct ObliqueImpact {
   double spin_after() const { return 2.5 * friction_impulse() / (mass() * radius); }  // rad/s
 };
 
-inline constexpr double kObliqueAngles[] = {20.0, 45.0, 60.0};  // degrees; the first one rolls
+inline constexpr double kObliqueAngles[] = {20.0, 45.0, 60.0};  // degrees; only the first rolls
 inline constexpr double kObliqueRestitutions[] = {0.5, 0.8, 0.9, 0.98};
 
 }  // namespace rotorub::oracle

@@ -8,7 +8,7 @@
 namespace rotorub::oracle {
 namespace {
 
-// A steel disc bored for the shaft: mass and inertias of the ring.
+// A steel disc with a bore for the shaft: mass and inertias of this ring.
 scene::Disc bored_disc(double z, double outer, double bore, double thickness, double rho) {
   const double d2 = outer * outer - bore * bore;
   const double s2 = outer * outer + bore * bore;
@@ -19,7 +19,7 @@ scene::Disc bored_disc(double z, double outer, double bore, double thickness, do
           .Jp = mass * s2 / 8.0};
 }
 
-// w = (b +- sqrt(b^2 + a c)) / a of a w^2 - 2 b w - c = 0.
+// The roots of a w^2 - 2 b w - c = 0: w = (b +- sqrt(b^2 + a c)) / a.
 struct Quadratic {
   double a, b, c;
 };

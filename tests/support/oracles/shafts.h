@@ -1,4 +1,4 @@
-// Shafts whose whirl is known.
+// Shafts with known whirl.
 #pragma once
 
 #include <array>
@@ -8,11 +8,11 @@
 namespace rotorub::oracle {
 
 // Published: the rotor of Friswell, Penny, Garvey, Lees, "Dynamics of Rotating Machines", example
-// 5.9.1: two discs on a uniform shaft between two isotropic bearings. Figures of the converged
-// Euler-Bernoulli beam with rotary inertia, to the digits given. (The book's own 86.66, 274.31,
-// 716.78 are of a Timoshenko beam with 6 elements.)
+// 5.9.1: two discs on a uniform shaft between two isotropic bearings. The values are those of the
+// converged Euler-Bernoulli beam with rotary inertia, to the given digits. (The book's own 86.66,
+// 274.31, 716.78 are for a Timoshenko beam with 6 elements.)
 //
-// Undamped, three bending modes kept.
+// Undamped, with three bending modes kept.
 scene::RotorGeometry friswell_rotor();
 
 // rad/s, planar modes at rest.
@@ -24,16 +24,16 @@ inline constexpr std::array kFriswellAt4000Rpm{-85.442, 87.855,   -252.105,
 inline constexpr double kFriswellTorsion = 650.407;
 
 // Published: `rotor_example` of ROSS (github.com/petrobras/ross), two discs on a shaft of 1.5 m in
-// anisotropic bearings. ROSS's elements have shear, ours have none: by finite elements written
-// apart from both (cubic, six and 48 of them) shear lowers the first two frequencies of this rotor
-// by 0.055 and 0.060 %, six elements instead of 48 raise them by 1e-6.
+// anisotropic bearings. ROSS's elements include shear, ours do not. According to finite elements
+// that are independent of both (cubic, 6 and 48 of them), shear lowers the first two frequencies of
+// this rotor by 0.055 and 0.060 %, and 6 elements instead of 48 raise them by 1e-6.
 //
-// Undamped, `modes` bending modes kept.
+// Undamped, with `modes` bending modes kept.
 scene::RotorGeometry ross_rotor(int modes);
 
-// rad/s at rest, as the documentation of its run_modal prints them.
+// rad/s at rest, as printed in the documentation of its run_modal.
 inline constexpr std::array kRossAtRest{91.79655318, 96.28899977};
-// rad/s, of the 48 elements without shear: at rest, and at 100 rad/s by rising value.
+// rad/s, from the 48 elements without shear: at rest, and at 100 rad/s, ascending.
 inline constexpr std::array kUnshearedRossAtRest{91.84910011612376, 96.34979187194821,
                                                  274.9098408794061, 296.94572351643455};
 inline constexpr std::array kUnshearedRossAt100{91.83928941144944, 96.35685378683472,
@@ -54,13 +54,13 @@ struct RayleighShaft {
 
   double area() const;     // m^2
   double inertia() const;  // m^4, I
-  // Whirl of mode n >= 1 at the spin speed (rad/s): rad/s, forward > 0, backward < 0.
+  // Whirl frequency of mode n >= 1 at the spin speed (rad/s): rad/s, forward > 0, backward < 0.
   double forward(int n, double speed) const;
   double backward(int n, double speed) const;
-  // Modal mass of mode n scaled to 1 at its largest deflection: kg.
+  // Modal mass of mode n, scaled to 1 at its largest deflection: kg.
   double modal_mass(int n) const;
-  // Speed at which forward whirl of mode n is synchronous: rad/s; 0 where it never is
-  // (r lambda >= 1).
+  // Speed at which the forward whirl of mode n is synchronous, rad/s; 0 if there is none (r lambda
+  // >= 1).
   double critical_speed(int n) const;
 };
 

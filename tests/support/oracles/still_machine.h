@@ -1,20 +1,20 @@
-// A rotor in a ring whose contact is compliant, on a base that moves, in coordinates that stand
-// still: written from the equations alone, in fixed steps of the classical fourth-order method. No
-// code of the native model is used.
+// A rotor in a ring with compliant contact on a moving base, in inertial coordinates. It is written
+// only from the equations, with fixed steps of the classical fourth-order Runge-Kutta method, and
+// uses no code of the native model.
 //
 //   m x'' = -k (x - u) - d (x' - u') + f(t) - N e_r + T e_t,   m, k, d: of the rotor x
 //   M z'' = -K (z - u) - D (z' - u')        + N e_r - T e_t,   M, K, D: of the ring z
 //
 //   p = |x - z| - delta_0,   N = max(0, k_c p^n (1 + a p')) while p > 0,   T = -mu N sign(slip)
 //
-// u(t) is the place of the base, e_r the unit vector of x - z, e_t the same a quarter turn on. The
-// spin is held, slip = e_t . (x' - z') + r Omega. Each touch has its own a, by the speed v at which
-// it begins, at least 0.1 mm/s:
+// u(t) is the position of the base, e_r the unit vector of x - z, and e_t is e_r turned by a
+// quarter turn. The spin is held, slip = e_t . (x' - z') + r Omega. Each contact has its own a,
+// from the speed v at which it begins, at least 0.1 mm/s:
 //
 //   a v = y,   ln[(1 + y) / (1 - e y)] = y (1 + e)
 //
-// A step ends where p or 1 + a p' reaches 0, and at the breaks of u. Near p = 0, where p^n is not
-// smooth for every n, the steps are short.
+// A step ends where p or 1 + a p' reaches 0, and at the breaks of u. Near p = 0 the steps are
+// short, because p^n is not smooth for every n.
 #pragma once
 
 #include <algorithm>
@@ -29,7 +29,7 @@ namespace rotorub::oracle {
 // x + i y.
 using Plane = std::complex<double>;
 
-// In still coordinates, or relative to the base.
+// In inertial coordinates, or relative to the base.
 struct Motion {
   Plane rotor, ring, rotor_rate, ring_rate;  // m, m, m/s, m/s
 
@@ -45,7 +45,7 @@ struct BaseMotion {
   Motion of_both() const { return {place, place, rate, rate}; }
 };
 
-// y = a v of a restitution e in (0, 1], by bisection.
+// y = a v for a restitution e in (0, 1], by bisection.
 inline double rebound_number(double e) {
   if (e == 1.0) return 0.0;
   double low = 0.1 * (1.0 - e), high = 1.0 / e;
@@ -72,9 +72,10 @@ class StillMachine {
   double speed = 310.0;  // rad/s
   std::function<Plane(double)> force = [](double) { return Plane(0.0); };
   std::function<BaseMotion(double)> base = [](double) { return BaseMotion{}; };
-  std::vector<double> breaks;  // s, where the acceleration of the base is not smooth, ascending
+  std::vector<double> breaks;  // s, ascending: times at which the base's acceleration is not smooth
 
-  // The motion at `end` (s), relative to the base as `start` is, in steps of `longest` (s).
+  // The motion at `end` (s), relative to the base, as is `start`, in steps of at most `longest`
+  // (s).
   Motion at(double end, const Motion& start, double longest) {
     Motion y = start.plus(1.0, base(0.0).of_both());
     const double rebound = rebound_number(contact.restitution);
@@ -85,7 +86,7 @@ class StillMachine {
       double h = std::min({longest, end - t, near_the_surface(y, part), to_break(t)});
       Motion next = after(h);
       if (part_of(next, a) != part) {
-        double low = 0.0, high = h;  // of the time to the change
+        double low = 0.0, high = h;  // bounds of the time until the change
         for (int i = 0; i < 60; ++i) {
           const double middle = 0.5 * (low + high);
           (part_of(after(middle), a) != part ? high : low) = middle;
@@ -108,10 +109,10 @@ class StillMachine {
   }
 
   int touches() const { return touches_; }
-  double least_slip() const { return least_slip_; }  // m/s, the size
+  double least_slip() const { return least_slip_; }  // m/s, absolute value
 
  private:
-  // Pressing, or still in the wall but moving out too fast to press.
+  // kLetGo: still penetrating, but separating too fast for a contact force.
   enum class Part { kFree, kPressing, kLetGo };
   struct Contacting {
     Plane radial;
@@ -129,7 +130,7 @@ class StillMachine {
     if (c.depth <= 0.0) return Part::kFree;
     return 1.0 + a * c.rate > 0.0 ? Part::kPressing : Part::kLetGo;
   }
-  // s, a step that changes the depth by a fifth.
+  // s, a step in which the depth changes by a fifth.
   double near_the_surface(const Motion& y, Part part) const {
     if (part == Part::kFree) return std::numeric_limits<double>::infinity();
     const Contacting c = contacting(y);
@@ -144,7 +145,7 @@ class StillMachine {
     const auto support = [&](const Body& b, const Plane& place, const Plane& rate) {
       return -b.stiffness * (place - moved.place) - b.damping * (rate - moved.rate);
     };
-    Plane pushed = 0.0;  // N, the force of the contact on the ring
+    Plane pushed = 0.0;  // N, contact force on the ring
     if (part == Part::kPressing) {
       const Contacting c = contacting(y);
       const double spring =

@@ -1,12 +1,12 @@
-// Exact: a ring that turns about its axis (J_r, viscous drag c_r), spun up by friction on its bore,
-// R = r + delta_0 from its axis. Friction lambda_T on the rotor (along e_t):
+// Exact: a ring that turns about its axis (J_r, viscous drag c_r), driven by friction on its bore
+// at R = r + delta_0 from its axis. With the friction lambda_T on the rotor (along e_t):
 //
 //   J_r Omega_r' = -R lambda_T - c_r Omega_r,   J Omega' = r lambda_T           (a free spin)
 //
 //   sliding under a constant normal force N, lambda_T = -s mu N, s the sign of the slip:
-//     Omega_r(t) = Omega_inf + (Omega_r(0) - Omega_inf) e^{-c_r t / J_r},  Omega_inf = s mu N R /
-//     c_r
-//   without drag R J Omega + r J_r Omega_r never changes, whatever the bending does; rolling with
+//     Omega_r(t) = Omega_inf + (Omega_r(0) - Omega_inf) e^{-c_r t / J_r},
+//     Omega_inf = s mu N R / c_r
+//   without drag, R J Omega + r J_r Omega_r is constant, whatever the bending; when rolling with
 //   the centres at rest, r Omega = R Omega_r:
 //     surface speed = (R J Omega + r J_r Omega_r) / (J R / r + J_r r / R)
 #pragma once
@@ -19,14 +19,14 @@ struct TurningRing {
   double bore_radius;  // m, R > 0
 };
 
-// rad/s, Omega_r after the time t (s, >= 0) of sliding: friction torque that drives the ring
-// s mu N R, N m, from the speed `start`, rad/s.
+// rad/s: Omega_r after sliding for the time t (s, >= 0) from the speed `start` (rad/s). torque:
+// friction torque s mu N R that drives the ring, N m.
 double ring_speed(const TurningRing& ring, double torque, double start, double t);
 
 struct FreeSpin {
   double inertia, radius, speed;  // kg m^2, m, rad/s
 };
-// m/s, of both surfaces once they roll; of a ring without drag that turns at `ring_speed`.
+// m/s: speed of both surfaces once they roll, for a ring without drag that turns at `ring_speed`.
 double rolling_surface_speed(const FreeSpin& rotor, const TurningRing& ring, double ring_speed);
 
 }  // namespace rotorub::oracle

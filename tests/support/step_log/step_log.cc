@@ -53,7 +53,7 @@ extern "C" void mj_step(const mjModel* m, mjData* d) {
   long& count = steps()[d];
   count = first ? 1 : count + 1;
   if (count != std::atol(at)) return;
-  // One write, so that who waits for the line sees all of it.
+  // A single write, so that a program that waits for the line sees all of it.
   if (std::FILE* file = std::fopen(name, "a")) {
     std::fputs(line_of(m, d).c_str(), file);
     std::fclose(file);
