@@ -90,12 +90,16 @@ StepLimit step_limit(const Model& m) {
   for (int k = 0; k < l.stator; ++k) {
     const int i = l.ring() + k;
     take(m.stiffness[i] / m.mass[i], 0.0, "the ring on its spring");
-    if (!m.first().controller) continue;
+  }
+  for (const AuxiliaryBearing& at : m.auxiliary) {
+    if (!at.controller || !at.moves()) continue;
     // This holds for a sampled law too. A gain that is too large for the step is also too large for
     // the samples, which are at least a step apart.
-    const Controller::Gains gains = m.first().controller->ring_gains();
-    take((m.stiffness[i] + gains.stiffness) / m.mass[i], gains.damping / m.mass[i],
-         "the controller's gains on the ring");
+    const Controller::Gains gains = at.controller->ring_gains();
+    for (int i = at.ring; i < at.ring + 2; ++i) {
+      take((m.stiffness[i] + gains.stiffness) / m.mass[i], gains.damping / m.mass[i],
+           "the controller's gains on the ring");
+    }
   }
   for (const StationSupport& s : m.supports) {
     for (int k = 0; k < 2; ++k) {

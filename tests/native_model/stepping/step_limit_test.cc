@@ -57,6 +57,43 @@ TEST(StepLimit, IsHeldToTheDampingOfHuntAndCrossleyAsItGoes) {
             Status::kOk);
 }
 
+// Two equal rings: it does not matter which one has the controller.
+TEST(StepLimit, IsThatOfTheControllerOfAnyRing) {
+  const std::string ring = R"(
+[[contact]]
+radius = 0.05
+clearance = 2e-4
+friction = 0.1
+restitution = 0.5
+[contact.stator]
+mass = 1.0
+damping = 200.0
+stiffness = 1e5
+)";
+  const scene::Scene plain = scene_of(R"(
+[run]
+end = 0.02
+step = 1e-5
+[rotor]
+speed = 100.0
+[rotor.modal]
+mass = [2.0]
+stiffness = [2e5]
+damping = [0.0]
+)" + ring + ring);
+  double limit[2];
+  for (std::size_t k = 0; k < 2; ++k) {
+    scene::Scene s = plain;
+    scene::Controller& c = s.auxiliary[k].controller.emplace();
+    c.kind = scene::ControllerKind::kPassive;
+    c.damping = 1e7;
+    const StepLimit found = step_limit(prepare(s));
+    EXPECT_STREQ(found.of, "the controller's gains on the ring");
+    limit[k] = found.step;
+  }
+  EXPECT_EQ(limit[0], limit[1]);
+}
+
 TEST(StepLimit, IsThatOfASampledLawToo) {
   const auto limit = [](const std::string& gain) {
     return step_limit(prepare(scene_of(R"(
