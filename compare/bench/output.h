@@ -10,7 +10,8 @@
 
 namespace rotorub::bench {
 
-// Missing values are null, never NaN. force_error and impulse_error are shares, lengths are in m.
+// With the keys of the contract. Missing values are null, never NaN. force_error and impulse_error
+// are shares, lengths are in m.
 nlohmann::json point_json(const Point& point);
 // restitution: empty, or an additional table.
 nlohmann::json bench_json(const Machine& machine, const std::vector<SceneBench>& benches,

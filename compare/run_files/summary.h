@@ -10,7 +10,7 @@
 
 namespace rotorub {
 
-// A number that is not finite becomes null.
+// With the keys of the contract. A number that is not finite becomes null.
 nlohmann::json summary_json(const scene::Scene& scene, const Trajectory& trajectory);
 
 // The part of it that the motion determines, as on the terminal: metrics_json with null for figures

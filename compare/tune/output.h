@@ -9,7 +9,7 @@
 
 namespace rotorub::tune {
 
-// Missing values are null.
+// With the keys of the contract; missing values are null.
 nlohmann::json tune_json(const TuneResult& result);
 std::string tune_table(const TuneResult& result, const Palette& palette = Palette());
 
