@@ -207,7 +207,7 @@ double deviation(const Figure& figure, double native, double other) {
     const double grows = native < 0.0 ? -1.0 : native == 0.0 && other < 0.0 ? -1.0 : 1.0;
     return grows * difference / figure.resolution;
   }
-  if (native == 0.0) return std::copysign(std::numeric_limits<double>::infinity(), difference);
+  if (native == 0.0) return std::numeric_limits<double>::infinity();
   return difference / native;
 }
 

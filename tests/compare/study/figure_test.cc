@@ -2,6 +2,8 @@
 
 #include <gtest/gtest.h>
 
+#include <limits>
+
 #include <cmath>
 #include <set>
 
@@ -31,7 +33,8 @@ TEST(Figures, DeviationIsRelativeOrInPoints) {
   const Figure& force = figure("mean_force");
   EXPECT_DOUBLE_EQ(deviation(force, 200.0, 190.0), -0.05);
   EXPECT_EQ(deviation(force, 0.0, 0.0), 0.0);
-  EXPECT_TRUE(std::isinf(deviation(force, 0.0, 1.0)));
+  for (const double other : {1.0, -1.0})
+    EXPECT_EQ(deviation(force, 0.0, other), std::numeric_limits<double>::infinity());
   EXPECT_DOUBLE_EQ(deviation(figure("contact_fraction"), 1.0, 0.25), -0.75);
   // Work is negative: more of it is a larger magnitude.
   EXPECT_DOUBLE_EQ(deviation(figure("friction_work"), -10.0, -11.0), 0.1);
