@@ -153,5 +153,36 @@ TEST(CompliantSteps, OthersRefuseThem) {
   EXPECT_EQ(refused[0].key, "contact.compliance");
 }
 
+// A rotor that flies straight into its wall: the touch is within a step.
+TEST(CompliantSteps, KnowWhenTheyTouch) {
+  const scene::Scene s = scene::parse_scene(R"(
+[run]
+end = 3e-3
+step = 6.1e-5
+integrator = "verlet"
+[rotor]
+speed = 0.0
+[rotor.modal]
+mass = [2.0]
+stiffness = [1e-6]
+damping = [0.0]
+[contact]
+radius = 0.05
+clearance = 2e-4
+friction = 0.0
+restitution = 1.0
+[contact.compliance]
+stiffness = 1e5
+[initial]
+vx = [0.1]
+)",
+                                            "made.toml");
+  const Trajectory run = run_with(s, scene::Integrator::kVerlet);
+  ASSERT_EQ(run.status, Status::kOk) << run.message;
+  ASSERT_FALSE(run.events.empty());
+  EXPECT_EQ(run.events.front().kind, EventKind::kImpact);
+  EXPECT_NEAR(run.events.front().t, 2e-3, 1e-9);
+}
+
 }  // namespace
 }  // namespace rotorub
