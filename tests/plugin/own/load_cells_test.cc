@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 #include <string>
+#include <vector>
 
 #include "mjcf/names.h"
 #include "mjcf/writer.h"
@@ -87,6 +88,40 @@ TEST_F(LoadCells, BelowARingThatStands) {
       EXPECT_NEAR(data(m.get(), d, "pad")[0], normal, 1e-3 * normal) << contact;
     });
   }
+}
+
+// A touch sensor reads a contact whose ray out of the sensor's body meets its site, under `rigid`
+// as MuJoCo has it for its own contacts.
+TEST_F(LoadCells, TouchSensorsLookOutOfTheirBody) {
+  const std::string inner = R"( type="box" size="0.005 0.005 0.005" pos="0.02 0 0"/>)",
+                    outer = R"( type="box" size="0.005 0.005 0.005" pos="0.08 0 0"/>)";
+  const auto readings = [&](const char* contact) {
+    Machine x;
+    x.contact = contact;
+    x.ring_moves = false;
+    x.ring_geoms = "<site name=\"ring_inner\"" + inner + "<site name=\"ring_outer\"" + outer;
+    std::string text = replaced(document(x), "<body name=\"rotor\">",
+                                "<body name=\"rotor\"><site name=\"rotor_inner\"" + inner +
+                                    "<site name=\"rotor_outer\"" + outer);
+    std::string sensors = "<sensor>";
+    const std::vector<std::string> names{"ring_inner", "ring_outer", "rotor_inner", "rotor_outer"};
+    for (const std::string& name : names)
+      sensors += "<touch name=\"" + name + "\" site=\"" + name + "\"/>";
+    const ModelPointer m = load(replaced(text, "<sensor>", sensors));
+    const DataPointer d = start(m.get());
+    d->qpos[0] = 5e-4;
+    for (int k = 0; k < 3000; ++k) {
+      d->qfrc_applied[0] = 100.0;
+      mj_step(m.get(), d.get());
+    }
+    std::vector<bool> seen;
+    for (const std::string& name : names)
+      seen.push_back(data(m.get(), d.get(), name.c_str())[0] > 50.0);
+    return seen;
+  };
+  const std::vector<bool> of_mujoco{true, false, false, true};
+  EXPECT_EQ(readings("coulomb"), of_mujoco);
+  EXPECT_EQ(readings("rigid"), of_mujoco);
 }
 
 // What bodies hand on to each other, asked for by hand in a model without any cell: of a ring that
