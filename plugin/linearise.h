@@ -18,6 +18,7 @@
 
 namespace rotorub::plugin {
 
+// The linearisation of a MuJoCo model at its present state.
 struct LinearSystem {
   Eigen::MatrixXd A, B, C, D;  // n x n (1/s), n x nu, ns x n, ns x nu; n = 2 nv + na
   Eigen::MatrixXd held;        // n x n: the projection onto what the contact holds; 0 in flight

@@ -107,16 +107,16 @@ void add_loads(const Config& config, const mjModel* m, mjData* d) {
   fill_sensors(config, m, d, mjSTAGE_VEL);
 }
 
-// MuJoCo may run this stage again without the velocity stage (mj_forwardSkip), or may have run the
-// velocity stage without the plugin. Then its results are computed again, which removes what was
-// added to them in the meantime.
+// MuJoCo may run the acceleration stage again without the velocity stage (mj_forwardSkip), or may
+// have run the velocity stage without the plugin. Then its results are computed again, which
+// removes what was added to them in the meantime.
 void refresh_velocity_stage(const Config& config, const mjModel* m, mjData* d) {
   mjtNum& fresh = fresh_entry(config, d);
   if (fresh != fresh_mark(d)) {
     keep_callbacks();
     mj_passive(m, d);
-    const bool passed_by = fresh != fresh_mark(d) && !passive_disabled(m);
-    if (passed_by && distrust_passive()) mj_passive(m, d);
+    const bool plugin_not_called = fresh != fresh_mark(d) && !passive_disabled(m);
+    if (plugin_not_called && distrust_passive()) mj_passive(m, d);
     mj_referenceConstraint(m, d);
   }
   fresh = 0.0;

@@ -12,6 +12,7 @@ struct ImpactLaw {  // of one contact, for its impacts
   double tangential_restitution = 0.0;  // eps_T in [0, 1]
 };
 
+// The geometry of a contact and its laws.
 struct ContactParameters {
   double radius, clearance;  // m
   FrictionLaw friction;

@@ -43,6 +43,7 @@ struct ContactSet {
 // The set of the expansion after a compression with the impulses L_NC, L_TC.
 ContactSet expansion_set(const ImpactLaw& law, double mu, double normal, double friction);
 
+// Impulses and rates of one impact, after its compression and after its expansion.
 struct ImpactResult {
   Status status = Status::kOk;
   double normal_compression = 0.0, friction_compression = 0.0;  // N s, L_NC, L_TC

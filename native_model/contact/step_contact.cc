@@ -26,7 +26,7 @@ class OneOnCircle {
     const double nn = -c_.e_r.dot(along_normal_.head<2>());
     const double nt = -c_.e_r.dot(along_friction_.head<2>());
     const double mu = c_.friction.at(slip_of(c_, c_.start));
-    if (mu * std::abs(nt) < nn && unique()) return Status::kOk;
+    if (mu * std::abs(nt) < nn && solve_by_cases()) return Status::kOk;
     const Delassus g{nn, nt, slip_of(c_, along_normal_), slip_of(c_, along_friction_)};
     const CoulombSolution r =
         solve_coulomb(g, (c_.clearance - end_.norm()) / h_, slip_of(c_, c_.free), mu);
@@ -74,8 +74,9 @@ class OneOnCircle {
     return c.holds;
   }
 
-  // Returns false if no point of the circle is in reach.
-  bool unique() const {
+  // Tries sliding on, stopping and reversing, and stores what holds in c_. Returns false if no
+  // point of the circle is in reach.
+  bool solve_by_cases() const {
     const double before = slip_before(c_), mu = c_.friction.sticking();
     const Candidate rest = stick();
     if (before == 0.0) {

@@ -29,9 +29,9 @@ namespace rotorub {
 // One lasting contact, with its solution.
 struct LastingContact {
   Eigen::Vector2d d{0.0, 0.0};  // m, from the ring's to the rotor's centre at the start of the step
-  Eigen::Vector2d e_r{1.0, 0.0};  // outward normal (normal_of_path())
-  // (m/s, m/s, rad/s), rates (relative x, relative y, contact spin): before the step, and at its
-  // end without the contacts of this list.
+  Eigen::Vector2d e_r{1.0, 0.0};  // outward normal
+  // (m/s, m/s, rad/s), rates (relative x, relative y, contact spin): at the start of the kick, and
+  // at its end without the contacts of this list.
   Eigen::Vector3d start{0.0, 0.0, 0.0}, free{0.0, 0.0, 0.0};
   double clearance = 0.0, radius = 0.0;  // m
   FrictionLaw friction{};

@@ -38,6 +38,7 @@ inline constexpr std::array kContactModels{ContactWord{ContactModel::kRigid, "ri
                                            ContactWord{ContactModel::kCone, "cone"},
                                            ContactWord{ContactModel::kConeCoulomb, "cone-coulomb"}};
 
+// The word of a contact model in scene files and outputs.
 constexpr const char* to_string(ContactModel model) {
   return kContactModels[static_cast<std::size_t>(model)].word;
 }

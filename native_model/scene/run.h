@@ -6,6 +6,8 @@
 
 namespace rotorub::scene {
 
+// event: adaptive steps between located events; verlet: fixed steps of second order; euler: the
+// fixed steps of Chavez and Ulbrich, (10)-(13), of first order.
 enum class Integrator { kEvent, kVerlet, kEuler };
 
 struct Run {                                   // duration, resolution and output of a run

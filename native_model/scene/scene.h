@@ -39,6 +39,7 @@ struct Initial {
   std::vector<double> torsion, torsion_speed;  // rad, rad/s
 };
 
+// All that a scene file says: machine, loads, start and run.
 struct Scene {
   std::string name;  // file name without folder and extension
   std::string text;  // TOML with overrides applied; carried by the MJCF and hashed

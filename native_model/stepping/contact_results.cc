@@ -20,11 +20,11 @@ StepContacts::State StepContacts::second_part(const State& was, const State& fir
   return second;
 }
 
-void StepContacts::join_parts(double share, double rest, const State& first) {
+void StepContacts::join_parts(double share, double rest, const State& first, double kick) {
   for (std::size_t i = 0; i < count(); ++i) {
     Kept& c = now[i];
-    c.normal_at_end = c.normal;
-    c.friction_at_end = c.friction;
+    c.normal_at_end = c.normal / kick;
+    c.friction_at_end = c.friction / kick;
     c.normal = share * first[i].normal + rest * c.normal;
     c.friction = share * first[i].friction + rest * c.friction;
   }

@@ -244,7 +244,8 @@ ROTORUB_INLINE void StepContacts::press_on(StepState& x) {
 }
 
 // Finds the impulses of all contacts for the present x.free; false if the laws have no unique
-// solution. Rigid and compliant contacts are solved in turn until their impulses no longer change.
+// solution. Rigid and compliant contacts are solved in turn until their impulses no longer change,
+// at most kRounds times.
 bool StepContacts::find_impulses(StepState& x) {
   if (pressing_.empty()) return solve_lasting(x);
   constexpr int kRounds = 200;
@@ -322,8 +323,8 @@ void StepContacts::go_on(StepState& x, bool unsettled) {
     const bool pressed = c.closed && c.normal > 0.0;
     if (contacts_[i].rigid) c.closed = pressed;
     if (!pressed) c.slip_sign = 0.0;
-    c.normal_at_end = c.normal;
-    c.friction_at_end = c.friction;
+    c.normal_at_end = c.normal / x.kick;
+    c.friction_at_end = c.friction / x.kick;
   }
   if (acts_) note_lasting();
 }

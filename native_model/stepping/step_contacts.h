@@ -42,7 +42,7 @@ class StepContacts {
     bool closed = false;
     double slip_sign = 0.0;               // sliding: +1, -1; 0: open or sticking
     double normal = 0.0, friction = 0.0;  // N s, of lasting contact in the step
-    // N s, if the forces at the end of the step acted over the whole step.
+    // N s, if the forces at the end of the step acted over a whole step.
     double normal_at_end = 0.0, friction_at_end = 0.0;
     double hunt_crossley = 0.0;  // s/m, a of the last touch (compliant)
   };
@@ -61,7 +61,7 @@ class StepContacts {
   const ContactParameters& law(std::size_t i) const { return *m_.auxiliary[i].contact; }
   // (ddot, spin) for velocities v.
   Eigen::Vector3d rates(std::size_t i, const double* v) const;
-  // m, from the ring's to the rotor's centre at the coordinates that the step sees.
+  // m, from the ring's to the rotor's centre at q_k.
   Eigen::Vector2d place(std::size_t i) const { return {contacts_[i].d.x, contacts_[i].d.y}; }
   // True if a rigid contact lasts.
   bool lasts() const;
@@ -71,24 +71,25 @@ class StepContacts {
   // Call it after a state has been written. A contact at rest on its circle is then a lasting
   // contact, and a compliant contact in its wall begins closed, without a touch.
   void begin(const StepState& x);
-  // True if go_on() may get x.free without its iteration, because the only contact lasts and
-  // go_on() iterates it anyway.
-  bool settles() const { return count() == 1 && contacts_[0].rigid && now[0].closed; }
+  // True if the free velocity need not be iterated before go_on(), because go_on() iterates it
+  // together with the only contact, which lasts.
+  bool iterates_free() const { return count() == 1 && contacts_[0].rigid && now[0].closed; }
 
   // Computes x.after from x.free with the impulses of all lasting contacts. Sets a status of x if
   // the laws have no unique solution.
   void go_on(StepState& x, bool unsettled = false);
   // Call it after go_on(): true if a contact in flight leaves its circle in the step with x.after.
   bool leave_flight(const StepState& x) const;
-  // Adds the forces at the end of the last step to x.free, along the present normals.
+  // Adds to x.free the change of velocity by the forces of the last step's end, acting over a whole
+  // step along the present normals.
   void hold_on(StepState& x);
 
   // If a load jumps in a step, the step is taken in two parts: `first` holds for the fraction
-  // `share`, and the part taken last for `rest`. A part is alike to the state before the step if
-  // its lasting contacts go on in the same way.
+  // `share`, and the part taken last for `rest`; kick: duration of the kick in steps. A part is
+  // alike to the state before the step if its lasting contacts go on in the same way.
   bool alike(const State& part, const State& was) const;
   State second_part(const State& was, const State& first) const;
-  void join_parts(double share, double rest, const State& first);
+  void join_parts(double share, double rest, const State& first, double kick);
   // Takes such a step as one, with the state under its mean loads.
   void go_on_as(const State& mean);
 

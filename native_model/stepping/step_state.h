@@ -27,12 +27,12 @@ struct StepState {
   Coordinates q, v;
   // The coordinates at which loads and contact act.
   Coordinates seen;
-  // Velocities at the start of the step; at its end without contact; at its end.
+  // Velocities at the start of the kick, t_{k-1/2} (t_0 in a first step); at its end, t_{k+1/2},
+  // without contact; at its end.
   Coordinates start, free, after;
-  // Fraction of the step for which loads and contact act in the iteration: 1, or 1/2 in a first
-  // step.
+  // Duration of the kick in steps: 1, or 1/2 in a first step.
   double kick = 1.0;
-  Status status = Status::kOk;  // with any other status the state stays unchanged
+  Status status = Status::kOk;  // with any other status q and v stay unchanged
 
   int nq() const { return nq_; }
   double time_of(std::int64_t k) const { return origin + static_cast<double>(k) * h; }

@@ -59,7 +59,7 @@ class Leapfrog final : public KeptStepper {
 
   bool leaps() const override { return true; }
   void jump(std::size_t contact, const CommandJump& command) override {
-    step_.jump(contact, command);
+    step_.announce_jump(contact, command);
   }
   void velocity_now(std::int64_t k, std::span<const Eigen::Vector2d> held, double* v) override {
     command(held);

@@ -37,14 +37,14 @@ VerletStep::VerletStep(const Model& model, double h)
 void VerletStep::step(std::int64_t k) {
   late_work_ = impact_time_ = 0.0;
   contacts.forget_last();
-  const bool later = loads.iterates() && !first_ && !slow_impact_ && contacts.settles();
+  const bool later = loads.iterates() && !first_ && !slow_impact_ && contacts.iterates_free();
   x.begin(owes_ ? late_.data() : nullptr);
   kick(k, later);
   if (owes_) std::fill(late_.begin(), late_.end(), 0.0);
   owes_ = false;
   was_first_ = first_;
-  held_open_ = slow_impact_ && slow_impact_->active();
-  if (held_open_) {
+  in_slow_impact_ = slow_impact_ && slow_impact_->active();
+  if (in_slow_impact_) {
     follow_slow_impact(k);
   } else if (contacts.exists()) {
     const double end = x.time_of(k) + 0.5 * x.h, begin = was_first_ ? x.time_of(k) : end - x.h;
@@ -99,11 +99,11 @@ void VerletStep::last_velocity(double* now) const {
   const double *start = x.start.data(), *end = contacts.end_without_impacts(x);
   for (int i = 0; i < x.nq(); ++i) now[i] = was_first_ ? start[i] : 0.5 * (start[i] + end[i]);
   for (int i = x.m.sampled_states(); i < x.m.layout.coil(); ++i) now[i] = start[i];
-  if (held_open_) slow_impact_->velocities(x.origin + last_time_, now);
+  if (in_slow_impact_) slow_impact_->velocities(x.origin + slow_impact_step_, now);
 }
 
 double VerletStep::external_work() {
-  if (held_open_) return late_work_;  // the impact books this work
+  if (in_slow_impact_) return late_work_;  // the impact books this work
   const double kick = was_first_ ? 0.5 : 1.0;
   return kick * loads.external_work(x, contacts.end_without_impacts(x)) + late_work_;
 }
@@ -118,7 +118,10 @@ double VerletStep::external_work() {
 //
 // with the fraction s of the step before the jump. This keeps order 2. If contact goes on unchanged
 // in both parts, the mean load gives the same result, and the step ends on the circle.
-void VerletStep::jump(std::size_t ring, const CommandJump& command) {
+//
+// announce_jump() notes the jump of a command, split() takes the step in its two parts, after it
+// was taken with its mean loads.
+void VerletStep::announce_jump(std::size_t ring, const CommandJump& command) {
   jumps_[ring] = command;
   command_jumps_ = command_jumps_ || command.share > 0.0;
   if (command_jumps_) loads.jumps = jumps_;
@@ -131,7 +134,8 @@ void VerletStep::forget_jumps() {
 }
 
 // The fraction of the kick from `begin` to `end` (s) before a load or a command jumps in lasting
-// contact; 0: none jumps. If commands jump at several instants, the first counts.
+// contact; 0: none jumps, or it jumps at an end of the kick. If commands jump at several instants,
+// the first counts; a switched load counts only if no command jumps.
 double VerletStep::share_before_jump(double begin, double end) {
   if (!(switches_ || command_jumps_) || !contacts.lasts()) return 0.0;
   constexpr double kNone = 2.0;
@@ -150,7 +154,6 @@ double VerletStep::share_before_jump(double begin, double end) {
   return share > kLeastPart && share < 1.0 - kLeastPart ? share : 0.0;
 }
 
-// Call it after the step was taken with its mean loads.
 void VerletStep::split(double share, double begin, double end) {
   const StepContacts::State& was = before_parts_;
   const double rest = 1.0 - share, middle = begin + share * (end - begin);
@@ -174,7 +177,7 @@ void VerletStep::split(double share, double begin, double end) {
     contacts.go_on_as(mean);
     x.after = mean_after_;
   } else {
-    contacts.join_parts(share, rest, before);
+    contacts.join_parts(share, rest, before, x.kick);
     x.after = part_sum_;
   }
 }
@@ -213,6 +216,7 @@ std::size_t VerletStep::next_touch(Flight& flight) const {
   double share = 2.0;
   std::size_t first = n;
   std::array<Eigen::Vector2d, kMaxContacts> path;
+  path.fill(Eigen::Vector2d::Zero());
   for (std::size_t i = 0; i < n; ++i) {
     if (!contacts.is_rigid(i) || !x.m.auxiliary[i].contact) continue;
     const double clearance = contacts.law(i).clearance;
@@ -288,8 +292,9 @@ void VerletStep::collide(std::int64_t k) {
   }
 }
 
-// A lasting contact that an impact opens transmits no force afterwards, but the kick was for a
-// whole step. The next step removes (1/2 - theta) of its step impulse.
+// A lasting contact that an impact opens transmits no force afterwards, but the kick counted its
+// force until the middle of the step. The next step corrects this: theta - 1/2 of the impulse of a
+// whole step.
 void VerletStep::knock_open(std::size_t contact, Flight& flight) {
   double missed[kMaxCoordinates];
   const int nq = x.nq();
@@ -297,7 +302,7 @@ void VerletStep::knock_open(std::size_t contact, Flight& flight) {
   StepContacts::Kept& kept = contacts.now[contact];
   contacts.push(contact, kept.normal, kept.friction, missed);
   for (int j = 0; j < nq; ++j) {
-    late_[static_cast<std::size_t>(j)] += (flight.theta - 0.5) * missed[j];
+    late_[static_cast<std::size_t>(j)] += (flight.theta - 0.5) / x.kick * missed[j];
     flight.a[j] -= missed[j] / (x.kick * x.h);
   }
   kept.closed = false;
@@ -309,7 +314,8 @@ namespace {
 bool follows(const AuxiliaryBearing& at, double t) {
   return at.controller && at.sample_time == 0.0 && t >= at.control_on;
 }
-// The command at the instant t of an impact, with q and v there.
+// The command at an impact with the coordinates q and the velocities v. t: s, for a law that
+// depends on time, and to tell whether it is on.
 Eigen::Vector2d command_at_impact(const Model& m, std::size_t bearing, double t, const double* q,
                                   const double* v, const Eigen::Vector2d& held) {
   return follows(m.auxiliary[bearing], t) ? control_command(m, t, q, v, bearing) : held;
@@ -318,10 +324,10 @@ Eigen::Vector2d command_at_impact(const Model& m, std::size_t bearing, double t,
 }  // namespace
 
 // jump: input, load of the impulses; output, jump of the velocities. x.after and late_ get their
-// shares of the jump. late_ also gets the part that velocity-dependent loads miss,
-// -(theta - 1/2) h M^-1 (F(v + jump) - F(v)), and late_work_ the work that the mean of the step's
-// velocities misses. q: coordinates at which M and the loads are taken. A continuous controller
-// sees the jump too.
+// shares of the jump. The kicks do not see that the jump changes velocity-dependent loads; late_
+// also gets what follows from that, -(theta - 1/2) h M^-1 (F(v + jump) - F(v)), and late_work_ the
+// work that the mean of the step's velocities misses. t (s), q: where M and the loads are taken. A
+// continuous controller sees the jump too.
 void VerletStep::take_jump(const Flight& flight, double t, const double* q, double* jump) {
   const Model& m = x.m;
   const int nq = m.nq();
@@ -383,7 +389,7 @@ void VerletStep::follow_slow_impact(std::int64_t k) {
   const int nq = x.nq();
   const double* seen = x.seen.data();
   double *after = x.after.data(), *late = late_.data();
-  last_time_ = static_cast<double>(k) * h;
+  slow_impact_step_ = static_cast<double>(k) * h;
   if (end < impact.end()) {
     double to[kMaxCoordinates];
     impact.coordinates(end, to);

@@ -1,21 +1,25 @@
 // One step of `verlet`: a leapfrog with order 2 also through impacts, their accumulation and
 // lasting contact. The velocity that belongs to q_k is v_{k-1/2}, half a step earlier.
 //
+// A kick changes the velocities over t_{k-1/2} to t_{k+1/2}, a drift the coordinates over t_k to
+// t_{k+1}.
+//
 //   1. Kick: v' = v_{k-1/2} + the rest of the last step's impacts. All loads at (t_k, q_k), those
 //      that depend on velocities at the mean of v' and v_f, lead to the free velocity
 //      v_f = v_{k+1/2}. The first step is half a kick.
 //   2. Contact: if the straight path q_k + h v_f stays inside every ring, nothing else happens. A
 //      lasting contact ends the step on its circle, or presses into its wall (step_contacts.h). If
-//      a load or the command jumps within a step of lasting contact, see split().
+//      a load or the command jumps within a step of lasting contact, it is taken in two parts
+//      (split()).
 //   3. Impact: if the path of a contact in flight leaves its circle, Poisson's law applies at that
 //      instant.
 //   4. Drift: q_{k+1} = q_k + h v_{k+1/2}.
 //
 // An impact at the fraction theta of the step makes the velocities jump by w. This step takes (1 -
-// theta) w, and the next one takes the rest. The next step also takes the part of the jump that
-// velocity-dependent loads miss, -(theta - 1/2) h M^-1 (F(v + w) - F(v)); without this term order 2
-// would be lost. An impact that takes time (model/finite_impact.h) continues over several steps.
-// Flight resumes where it ends, at any fraction of a step.
+// theta) w, and the next one takes the rest. The kicks do not see that the jump changes the
+// velocity-dependent loads, so the next step also takes -(theta - 1/2) h M^-1 (F(v + w) - F(v));
+// without this term order 2 would be lost. An impact that takes time (model/finite_impact.h)
+// continues over several steps. Flight resumes where it ends, at any fraction of a step.
 #pragma once
 
 #include <Eigen/Core>
@@ -38,8 +42,8 @@ class VerletStep {
   LoadKick loads;
   StepContacts contacts;
 
-  // Steps from t_k = origin + k h to t_{k+1}. With a status other than kOk the state stays
-  // unchanged.
+  // Steps from t_k = origin + k h to t_{k+1}. With a status other than kOk the coordinates and
+  // velocities stay unchanged, and only restart() may follow.
   void step(std::int64_t k);
   // The velocities at t_k before step k: v_{k-1/2} + h/2 a(t_k-), with the present command and the
   // contact force of the step before. Controllers need them before there is a new command.
@@ -47,7 +51,7 @@ class VerletStep {
   // Call it after a state (q, v at one instant) has been written: the next step is half a kick.
   void restart();
   // Announces a jump of the command of a ring within the next step.
-  void jump(std::size_t ring, const CommandJump& command);
+  void announce_jump(std::size_t ring, const CommandJump& command);
 
   // True if the last step was half a kick.
   bool was_first() const { return was_first_; }
@@ -58,13 +62,13 @@ class VerletStep {
     return slow_impact_ ? slow_impact_->force(x.time_of(k)) : Eigen::Vector2d(0.0, 0.0);
   }
   // After step k: the velocities at t_k, the mean of the two half-step velocities, before an impact
-  // of the step and before its samples.
+  // of the step. States of sampled controllers keep their values from before a sample at t_k.
   void last_velocity(double* now) const;
   // J, work of the step's loads on the coordinates.
   double external_work();
 
-  // All numbers that are kept between steps, except the state and those of for_each_kept() of loads
-  // and contacts.
+  // All numbers that a saved step needs, except the state and those of for_each_kept() of loads and
+  // contacts.
   template <class Action>
   void for_each_kept(Action& action) {
     keep_flag(first_, action);
@@ -101,9 +105,9 @@ class VerletStep {
   double late_work_ = 0.0;
 
   bool switches_ = false;  // some load is switched during a run
-  // s, the next such instant after switch_from_.
+  // s; a cache: no load is switched from switch_from_ until switch_at_.
   double switch_from_ = std::numeric_limits<double>::infinity(), switch_at_ = 0.0;
-  bool command_jumps_ = false;  // in the next step
+  bool command_jumps_ = false;  // in the step that comes or is under way
   std::array<CommandJump, kMaxContacts> jumps_;
   // For a step in parts: contacts before it; x.after under the mean loads; weighted sum of the
   // parts.
@@ -111,9 +115,9 @@ class VerletStep {
   Coordinates mean_after_, part_sum_;
 
   std::optional<FiniteImpact> slow_impact_;  // only for a single contact
-  bool held_open_ = false;                   // such an impact is under way
+  bool in_slow_impact_ = false;              // it was under way at t_k
   double impact_time_ = 0.0;
-  double last_time_ = 0.0;  // s, start of the last step relative to the origin
+  double slow_impact_step_ = 0.0;  // s, start of the last step of such an impact, from the origin
 };
 
 }  // namespace rotorub

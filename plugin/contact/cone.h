@@ -50,13 +50,13 @@ void set_friction_reference(const mjModel* m, mjData* d, const mjContact& contac
 
 struct SlidingContact {
   const mjContact* contact = nullptr;  // solved by MuJoCo: efc_address >= 0
-  std::optional<double> curvature{};   // m/s^2, v_t^2 / delta >= 0; empty: unknown
+  std::optional<double> curvature{};   // m/s^2, v_t^2 / delta >= 0; empty: no correction
 };
 
 // 1/s, B_t of the friction rows of corrected contacts.
 inline double corrected_friction_reference(const mjModel* m) { return 1.0 / m->opt.timestep; }
 
-// Shifts the contacts' normal references. Called in mjcb_control after the references of the
+// Shifts the contacts' normal references. Called by act() (passes.cc), after the references of the
 // friction rows are set. Contacts without friction rows are not corrected for sliding, only for the
 // curvature.
 void correct_cones(const mjModel* m, mjData* d, std::span<const SlidingContact> contacts);

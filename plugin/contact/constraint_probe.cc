@@ -66,10 +66,10 @@ mjtNum* losses_of_islands(const Data* d) {
   }
 }
 
-// Makes the rows' response to a load in no time homogeneous: twice the load has twice the response.
-// The references for the state itself and the friction losses are set to 0. A limit or a contact
-// that is already opening still does not respond to accelerations above its negative reference. All
-// is restored at the end of the scope.
+// Makes the rows' response to a load in no time homogeneous (twice the load has twice the
+// response), except for rows that are already opening: a limit or a contact does not respond to
+// accelerations above its negative reference. The references for the state itself and the friction
+// losses are set to 0. All is restored at the end of the scope.
 class SuddenRows {
  public:
   explicit SuddenRows(mjData* d)

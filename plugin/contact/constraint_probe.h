@@ -22,7 +22,8 @@ namespace rotorub::plugin {
 bool constraints_couple(const mjModel* m, mjData* d, const ContactSpace& space,
                         std::span<const int> but = {});
 
-// Issues a mju_warning that no impulse was found beside these rows, and names them.
+// Issues a mju_warning that no impulse meets the contact laws beside these rows, so that the one
+// with the least error is taken, and names the rows.
 void warn_unsolved(const mjModel* m, mjData* d, const ContactSpace& space);
 
 // Make it after mj_fwdActuation and mj_fwdAcceleration. It uses the stack of mjData during its
@@ -43,14 +44,15 @@ class ConstraintProbe {
     run();
   }
   // Tries them as impulses in no time, without the loads of the step and without the bounded forces
-  // of the rows (friction losses). d->qacc is then the change by the impulses.
+  // of the rows (friction losses). add() adds impulse / h, so that h d->qacc is
+  // the change of the velocities.
   template <typename Add>
   void solve_sudden(Add add) {
     std::fill_n(d_->qfrc_smooth, count(m_->nv), 0.0);
     add(d_->qfrc_smooth);
     run_sudden();
   }
-  // The acceleration of the last trial in contact space, over the Euler step.
+  // The acceleration of the last trial in contact space, over MuJoCo's step (by H).
   Eigen::Vector3d acceleration(const ContactSpace& space);
   double accuracy() const;  // m/s^2, error of an acceleration by the solver's tolerance
 

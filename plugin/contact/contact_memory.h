@@ -17,10 +17,10 @@
 
 namespace rotorub::plugin {
 
-// With `rigid` no rotor is deeper in its ring than at the start. If one is, the step is too long
-// for its motion, or something that the contact does not see moves rotor or ring. The user is
-// warned once, and `rotorub_active` is 0 meanwhile. The guard keeps its bits beside the Status of
-// the contact laws, in ContactEntries::status.
+// With `rigid` a rotor that was within its clearance does not penetrate the wall by more than
+// kDeep. If one does, the step is too long for its motion, or something that the contact does not
+// see moves rotor or ring. The user is warned once, and `rotorub_active` is 0 meanwhile. The guard
+// keeps its bits beside the Status of the contact laws, in ContactEntries::status.
 class EscapeGuard {
  public:
   explicit EscapeGuard(mjtNum& status) : state_(&status) {}  // ContactEntries::status
@@ -86,8 +86,9 @@ class ContactMemory {
 
   // Watches the gap in this pass. delta: m, distance of the centres.
   void watch(double delta, const ContactParameters& c) {
-    const bool gives = c.impact_time() > 0.0;  // an impact of finite duration penetrates the ring
-    if (!gives) EscapeGuard(entry_.status).watch(c.clearance - delta, c.clearance, d_->time);
+    const bool takes_time =
+        c.impact_time() > 0.0;  // an impact of finite duration penetrates the ring
+    if (!takes_time) EscapeGuard(entry_.status).watch(c.clearance - delta, c.clearance, d_->time);
   }
   void begin_anew() { EscapeGuard(entry_.status).begin(); }
 
@@ -96,7 +97,7 @@ class ContactMemory {
 
   // Records the results. The forces are means over the step of length h (s).
   void note(const RigidResult& r, double h) {
-    entry_.now = r.mode == Mode::kFree ? 0.0 : 1.0;
+    entry_.now = r.mode == Mode::kFree ? 0.0 : 1.0;  // remember_places() puts the distance
     entry_.mode = static_cast<double>(r.mode);
     entry_.normal_force = r.normal / h;
     entry_.friction_force = r.friction / h;

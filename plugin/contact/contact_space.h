@@ -44,9 +44,9 @@ class ContactSpace {
   }
   // The accelerations without the contact, J M^-1 f with f = qfrc_smooth.
   virtual Eigen::Vector3d smooth() const { return rates(d_->qacc_smooth); }
-  // For a contact whose normal force MuJoCo's solver finds: to += the remaining generalised force
-  // of the load normal + friction, by default J^T friction; and to += the acceleration by this
-  // force.
+  // MuJoCo's solver supplies the normal force of a soft contact. These add what it does not supply
+  // of the load normal + friction: the generalised force, by default J^T friction, and the
+  // acceleration by that force.
   virtual void add_side(const Eigen::Vector3d& /*normal*/, const Eigen::Vector3d& friction,
                         mjtNum* to) const {
     add_load(friction, to);
@@ -84,7 +84,8 @@ class ContactSpace {
     return {mju_dot(rows, v, nv_), mju_dot(rows + nv_, v, nv_), mju_dot(rows + 2 * nv_, v, nv_)};
   }
 
-  // Fills plain_ when it is first needed. A lasting contact never needs it.
+  // Fills plain_ when it is first needed. A single lasting contact without constraint rows never
+  // needs it.
   virtual void solve_plain() const {}
   const mjtNum* plain() const {
     if (!plain_known_) solve_plain();
@@ -97,7 +98,7 @@ class ContactSpace {
   DofRange trees_[2];  // of rotor and ring; the second one is empty if they share a tree
   int nv_;
   mutable bool plain_known_ = false;
-  mjtNum *jacobian_ = nullptr, *plain_ = nullptr, *damped_ = nullptr;  // 3 x nv
+  mjtNum *jacobian_ = nullptr, *plain_ = nullptr, *damped_ = nullptr;  // 3 x nv: J, J M^-1, J H^-1
 
   void add_rows(const mjtNum* rows, const Eigen::Vector3d& load, mjtNum* to) const {
     for (int k = 0; k < 3; ++k) mju_addToScl(to, rows + k * nv_, load[k], nv_);
@@ -166,7 +167,8 @@ class BodySpace final : public ContactSpace {
   BodySpace(const ContactPair& pair, const ContactPlace& place, const mjModel* m, mjData* d,
             const StepMatrix& matrix, BodyRows rows = BodyRows::kPlane);
 
-  // Solves with M and H. Call it once, before everything except `rates` and `add_load`.
+  // Computes J H^-1; J M^-1 follows when it is needed. Call it once, before everything except
+  // `rates` and `add_load`.
   void solve();
 
  private:

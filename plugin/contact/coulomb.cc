@@ -103,7 +103,7 @@ TouchingPair touching_pair(const ContactPair& pair, const ContactSpaces::Made& a
 }
 
 // Returns y without any contact force, where free(space) are the free accelerations, and decides
-// whether the contact touches. A rebound that the loads undo within the step is not a flight.
+// whether the contact touches. A rebound that the loads undo within two steps is not a flight.
 // Beside other contacts, which may press this one, the common law decides.
 template <typename Free>
 Eigen::Vector3d look(TouchingPair& s, bool beside_others, Free free, const mjModel* m, mjData* d) {
@@ -256,8 +256,8 @@ void set_references(TouchingPairs& contacts, const mjModel* m, mjData* d) {
 // The same beside constraints. The contacts' own rows are kept inactive during the trials. The
 // solver's final result then obeys J a = aref - R l.
 void solve_beside_constraints(TouchingPairs& contacts, const mjModel* m, mjData* d) {
-  constexpr double kResting = -1e12;  // m/s^2
-  for (const TouchingPair& s : contacts.span()) d->efc_aref[s.row] = kResting;
+  constexpr double kInactive = -1e12;  // m/s^2
+  for (const TouchingPair& s : contacts.span()) d->efc_aref[s.row] = kInactive;
   ConstraintProbe probe(m, d);
   probe.solve([](mjtNum*) {});
   const auto free = [&probe](const ContactSpace& at) { return probe.acceleration(at); };

@@ -4,6 +4,8 @@
 //                 reference is set so that its solver finds the normal force
 //   cone          MuJoCo's own contact, in the exact circle
 //   cone-coulomb  the same, corrected for sliding (contact/cone.h)
+// A compliant contact (native_model/contact/compliance.h) is a pair of `coulomb` or of a cone whose
+// normal force is given.
 // Contacts that act on the same bodies are solved together (rigid_solver.h), also with the
 // constraints that act on those bodies (constraint_probe.h).
 #pragma once
@@ -15,7 +17,7 @@
 
 namespace rotorub::plugin {
 
-// Called in mjcb_control, when the results of the velocity stage are up to date. Adds to
+// Called by act() (passes.cc), when the results of the velocity stage are up to date. Adds to
 // d->qfrc_passive.
 void apply_contacts(const Config& config, const mjModel* m, mjData* d);
 

@@ -75,9 +75,9 @@ void solve_groups(const mjModel* m, mjData* d, std::span<RigidContact> all) {
   }
 }
 
-// Solves the contacts that may close in this step.
-void solve_near(const Config& config, std::span<const ContactPair* const> pairs, const mjModel* m,
-                mjData* d) {
+// Solves all contacts that face each other, in a step in which at least one may close.
+void solve_facing(const Config& config, std::span<const ContactPair* const> pairs, const mjModel* m,
+                  mjData* d) {
   const double h = m->opt.timestep;
   ContactSpaces spaces(config, m, d);
   std::array<RigidContact, kMaxContacts> members;
@@ -124,7 +124,7 @@ void apply_rigid(const Config& config, const mjModel* m, mjData* d) {
     near = near || memory.was_in_contact() || reach.may_reach(pair);
   }
   if (near && contact_enabled(m)) {
-    solve_near(config, {facing.data(), count}, m, d);
+    solve_facing(config, {facing.data(), count}, m, d);
     return;
   }
   for (std::size_t i = 0; i < count; ++i) {

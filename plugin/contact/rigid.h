@@ -1,5 +1,6 @@
 // Contact model `rigid` in contact space (contact_space.h): the contacts of one forward pass, for
-// segments and users' own models. (Generated chains have the native step, verlet.h.) Contacts that
+// segments, users' own models, and generated chains with a user's constraints. (Other generated
+// chains have the native step, verlet.h.) Contacts that
 // act on the same bodies are solved together (rigid_solver.h), also with the constraints of
 // MuJoCo's solver that act on them (constraint_probe.h).
 #pragma once
@@ -10,7 +11,7 @@
 
 namespace rotorub::plugin {
 
-// For the pairs with a rigid contact. Called in mjcb_control; adds their impulses to
+// For the pairs with a rigid contact. Called by act() (passes.cc); adds their impulses to
 // d->qfrc_passive as forces over the step, and records them (contact_memory.h).
 void apply_rigid(const Config& config, const mjModel* m, mjData* d);
 

@@ -147,6 +147,7 @@ bool RigidContacts::solve(const ContactSubset& s, SubsetSolution& out) {
   for (std::size_t k = 0; k < s.count; ++k) all[k] = members_[s.index[k]]->pair->contact.law();
   const std::span<const ImpactLaw> laws(all.data(), s.count);
   if (probe_) return solve_held(s, a, free, laws, out);
+  // Impact times count only for a planar contact that is alone on its bodies, without constraints.
   const std::size_t first = s.index[0];
   const bool over_time =
       s.impact && size() == 1 && rows_ == 2 && members_[first]->pair->contact.impact_time() > 0.0;

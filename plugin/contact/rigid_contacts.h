@@ -28,7 +28,7 @@ namespace rotorub::plugin {
 struct RigidContact {
   const ContactPair* pair = nullptr;
   const ContactSpace* space = nullptr;
-  bool held = false;  // MuJoCo's constraints act on its bodies
+  bool held = false;  // a row of MuJoCo's constraint solver is coupled to it
   RigidStep step;     // the caller fills all but `free`
   // Not null if the contact has friction and moves along its ring's axis (relative_motion.h):
   // (velocity along the axis, tilt rates about x and y).
@@ -43,7 +43,7 @@ struct RigidContact {
 // A contact while the step is being solved.
 struct Closing {
   bool closed = false;
-  bool impact = false;  // by itself: it was open, and its rebound outlasts the step
+  bool impact = false;  // by itself: it was open, and its rebound outlasts two steps
   ContactRows rows;
   // N s, (normal, friction, friction along the axis) of the two parts of the step.
   Eigen::Vector3d lasting{0.0, 0.0, 0.0}, sudden{0.0, 0.0, 0.0};

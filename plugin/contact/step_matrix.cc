@@ -68,8 +68,8 @@ void add_mass(const mjModel* m, const mjData* d, DofRange tree, double sign, Blo
   }
 }
 
-// Factors a in place into L U, where L has a unit diagonal. Without pivoting, because M is positive
-// definite.
+// Factors a in place into L U, where L has a unit diagonal. Without pivoting, because for usable
+// steps H is near M, which is positive definite.
 void factor_block(Block& a) {
   const Eigen::Index n = a.rows();
   for (Eigen::Index k = 0; k < n; ++k) {

@@ -180,7 +180,7 @@ void apply_verlet(const Config& config, const mjModel* m, mjData* d, const Coord
   if (told_works) *told_works = {r.contact_work, r.impact_work, r.external_work};
   const double kick = worker.stepper.last_kick() * h;
   for (const ContactPair& pair : config.pairs) note(pair, d, r, kick);
-  if (r.status != Status::kOk) return;
+  if (r.status != Status::kOk) return;  // this step has neither native loads nor contact
   worker.stepper.last_velocity(behind(entry));
   for (const ContactPair& pair : config.pairs) {
     if (!(contact_entries(pair, d).normal_force > 0.0)) continue;

@@ -20,7 +20,7 @@
 namespace rotorub::plugin {
 
 // Writes the command of the scene's controller to ctrl, adds to d->qfrc_passive and sets the
-// userdata entries of the contacts. Called in mjcb_control. RK4 must have been refused
+// userdata entries of the contacts. Called by act() (passes.cc). RK4 must have been refused
 // (model/options.h).
 void apply_verlet(const Config& config, const mjModel* m, mjData* d, const Coordinates& state);
 

@@ -47,7 +47,9 @@ struct CompliantEntries {
 
 struct ModelEntries {
   mjtNum config_id;  // Config::id, unique in this process; the motion does not depend on it
-  mjtNum sample;     // sampled controller: index of the held sample, plus 1; 0: none yet
+  // A scene's sampled controller: index of the held sample, plus 1; 0: none yet. In a user's own
+  // model: the checksum of the block.
+  mjtNum sample;
   // The held command: N in the fixed frame, or the currents of the two axes, A. With native steps
   // it is the mean command about the instant.
   mjtNum held_x, held_y;

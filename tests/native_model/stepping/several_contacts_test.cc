@@ -290,5 +290,50 @@ restitution = 0.5
   }
 }
 
+// A rotor rests on one ring, pressed by 1 N, and the other ring strikes it off within the first
+// step, which is half a kick: from there on it flies as a stone.
+TEST(SeveralContacts, AContactKnockedOpenInTheFirstStepPressesUntilThen) {
+  const scene::Scene s = scene::parse_scene(R"(
+[run]
+end = 5e-3
+step = 1e-3
+integrator = "verlet"
+[rotor]
+speed = 0.0
+[rotor.modal]
+mass = [1.0]
+stiffness = [1e-9]
+damping = [0.0]
+[[contact]]
+radius = 0.05
+clearance = 2e-4
+friction = 0.0
+restitution = 0.5
+[[contact]]
+radius = 0.05
+clearance = 2e-4
+friction = 0.0
+restitution = 0.5
+[contact.stator]
+mass = 1.0
+damping = 0.0
+stiffness = 1e-9
+position = [8e-5, 0.0]
+velocity = [-0.1, 0.0]
+[[force]]
+kind = "constant"
+vector = [1.0, 0.0]
+[initial]
+x = [2e-4]
+)",
+                                            "made.toml");
+  const Trajectory run = test::run_with(s, scene::Integrator::kVerlet);
+  ASSERT_EQ(run.status, Status::kOk) << run.message;
+  ASSERT_EQ(run.impacts.size(), 1u);
+  EXPECT_NEAR(run.impacts[0].t, 8e-4, 1e-12);
+  const double flown = 5e-3 - 8e-4, off = 0.5 * (1.0 + 0.5) * 0.1;
+  EXPECT_NEAR(run.column("rotor_x").back(), 2e-4 - off * flown + 0.5 * flown * flown, 1e-13);
+}
+
 }  // namespace
 }  // namespace rotorub
