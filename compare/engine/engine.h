@@ -17,8 +17,8 @@
 
 namespace rotorub {
 
-// What a watch receives for every step k of a MuJoCo run, from t = k h to t + h. MuJoCo's Euler
-// step is leapfrog: its velocities lag its positions by half a step, and a force of the step acts
+// A watch receives this for every step k of a MuJoCo run, from t = k h to t + h. MuJoCo's Euler
+// step is a leapfrog: its velocities lag its positions by half a step, and a force of the step acts
 // around t, from t - h/2 to t + h/2 (native_model/stepping/verlet.h).
 struct WatchedStep {
   double t = 0.0, h = 0.0;  // s

@@ -42,7 +42,8 @@ struct Alignment {
   double angle = 0.0;  // rad, in (-pi, pi]
   bool shift_found = true;
   AngleFrom angle_from = AngleFrom::kFound;
-  // What it was found by, as "rotor", "gap"; empty if both are given and nothing moves.
+  // The signals by which it was found, such as "rotor" or "gap"; empty if both are given and
+  // nothing moves.
   std::vector<std::string> by;
   std::optional<double> correlation;  // [-1, 1], see lag_search.h; empty if `by` is empty
   // Rms of the remaining difference relative to the run's deviation, both without their means.

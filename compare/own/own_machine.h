@@ -47,8 +47,8 @@ class OwnMachine {
   const scene::Scene& scene() const { return scene_; }
   // Sentences about what the twin leaves out, as far as known before any run.
   const std::vector<std::string>& limits() const { return limits_; }
-  // What the twin leaves out in a run of the machine with this contact model, as long as the
-  // scene's run.
+  // Measures what the twin leaves out, in a run of the machine with this contact model that is as
+  // long as the scene's run.
   std::vector<Omission> omissions(scene::ContactModel contact,
                                   const std::atomic<bool>* interrupt = nullptr) const;
   // The contact model that the file asks for.

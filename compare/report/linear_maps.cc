@@ -41,7 +41,7 @@ json figures_json(const MapFigure<Point> (&figures)[count]) {
   });
 }
 
-// A key of a map with its values as they are shown.
+// Describes one axis of a map: its key, its unit and the values shown.
 json map_key(const std::string& name, const std::string& unit, json values) {
   return {{"name", name}, {"unit", unit}, {"even", true}, {"log", false}, {"values", values}};
 }

@@ -1,5 +1,5 @@
-// What a page shows of one scene: its runs side by side, from any source, with their plots and
-// player in the format of the page's scripts.
+// The plots and the player of one scene on a page, in the format of the page's scripts. Its runs
+// stand side by side and may come from any source.
 #pragma once
 
 #include <nlohmann/json_fwd.hpp>

@@ -35,7 +35,7 @@ std::size_t samples_between(const Trajectory& run, double from, double to) {
   return std::min(static_cast<std::size_t>(rows), kMostSamples);
 }
 
-// Of the second half of the run.
+// The spectrum of the second half of the run.
 json spectrum_json(const Trajectory& run, double limit) {
   const double from = start_of_the_settled(run), to = run.column("t").back();
   const std::size_t count = samples_between(run, from, to);
