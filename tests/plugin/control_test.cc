@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <vector>
 
 #include "mjcf/names.h"
 #include "mjcf/writer.h"
@@ -31,6 +32,28 @@ TEST_F(ControlTest, CommandIsTheNativeLawsAtRest) {
   mj_forward(m.get(), d.get());
   const Eigen::Vector2d wanted = control_command(model, 0.0, d->qpos, d->qvel);
   EXPECT_GT(wanted.norm(), 1.0);
+  EXPECT_NEAR((force_on_ring(m.get(), d.get()) - wanted).norm(), 0.0, 1e-12 * wanted.norm());
+}
+
+// MuJoCo's velocities are those of half a step before. The law gets the velocity at the time of the
+// positions, extended from the last two.
+TEST_F(ControlTest, CommandIsThatOfTheVelocityAtItsTime) {
+  const scene::Scene scene =
+      shipped("paper_sliding", {"controller.on=0.0", "rotor.modes=2", "mujoco.contact=cone"});
+  const Model model = prepare(scene);
+  const ModelPointer m = load(mjcf(scene));
+  const DataPointer d = start(m.get());
+  d->qpos[0] = 2e-4;
+  mj_forward(m.get(), d.get());
+  std::vector<double> now(d->qvel, d->qvel + m->nv);
+  const double change = 0.02;  // m/s
+  d->time += m->opt.timestep;
+  d->qvel[0] += change;
+  now[0] += 1.5 * change;
+  mj_forward(m.get(), d.get());
+  const Eigen::Vector2d wanted = control_command(model, d->time, d->qpos, now.data());
+  EXPECT_GT((wanted - control_command(model, d->time, d->qpos, d->qvel)).norm(),
+            1e-3 * wanted.norm());
   EXPECT_NEAR((force_on_ring(m.get(), d.get()) - wanted).norm(), 0.0, 1e-12 * wanted.norm());
 }
 

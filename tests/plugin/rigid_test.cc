@@ -70,6 +70,23 @@ TEST_F(RigidContact, IsSeenByMujocoButNotSolvedByIt) {
   EXPECT_NEAR(std::hypot(d->contact[0].pos[0], d->contact[0].pos[1]), 0.05 + 0.5e-3, 1e-9);
 }
 
+// A contact lasts from one step to the next alone. A state that is written at any other time begins
+// without one.
+TEST_F(RigidContact, AStateAtAnotherTimeIsSteppedAsAFreshOne) {
+  const ModelPointer m = load(mjcf(rigid(kAnnularRub)));
+  const DataPointer used = start(m.get()), fresh = start(m.get());
+  for (int k = 0; k < 20000; ++k) mj_step(m.get(), used.get());
+  ASSERT_GT(sensor(m.get(), used.get(), names::kNormalForce), 0.0);
+  used->time += 7.5 * m->opt.timestep;
+  for (int i = 0; i < 2; ++i) used->qvel[i] += 200.0 * used->qpos[i];  // about 0.1 m/s outward
+  fresh->time = used->time;
+  mju_copy(fresh->qpos, used->qpos, m->nq);
+  mju_copy(fresh->qvel, used->qvel, m->nv);
+  mj_step(m.get(), used.get());
+  mj_step(m.get(), fresh.get());
+  for (int i = 0; i < m->nv; ++i) EXPECT_EQ(used->qvel[i], fresh->qvel[i]) << i;
+}
+
 // A load of the user's own counts, and stays as it was.
 TEST_F(RigidContact, LeavesTheUsersForcesAlone) {
   const ModelPointer m = load(mjcf(rigid(kBrake)));
