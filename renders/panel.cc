@@ -245,7 +245,7 @@ void Panel::write_caption(Sheet sheet, const Instant& instant) const {
 
 std::string strobe_text(const Strobe& strobe) {
   const double turns_a_second = strobe.whirl / (2.0 * std::numbers::pi);
-  return fmt::format("whirl {}, too fast to show: a place every {}, {:.2g} turns",
+  return fmt::format("whirl {}: one position every {}, {:.2g} turns apart",
                      value_text(turns_a_second, "Hz"), value_text(1e3 * strobe.spacing, "ms"),
                      std::abs(turns_a_second) * strobe.spacing);
 }

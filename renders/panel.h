@@ -78,7 +78,7 @@ struct FilmParts {
   int charts() const { return !has_contact() ? 0 : scales.control.high > 0.0 ? 3 : 2; }
 };
 
-// "whirl -1,796 Hz, too fast to show: a place every 0.2 ms, 0.36 turns".
+// "whirl -1,796 Hz: one position every 0.2 ms, 0.36 turns apart".
 std::string strobe_text(const Strobe& strobe);
 
 class Panel {

@@ -135,19 +135,17 @@ double Playback::whirl(std::size_t row) const {
 
 std::optional<Strobe> Playback::strobe(double from, double to, double spacing) const {
   std::vector<double> whirls;
-  double widest = 0.0;
-  std::size_t coarse = 0;
-  for (std::size_t i = row_before(from); i + 1 < time_->size() && (*time_)[i] <= to; ++i) {
-    const double apart = (*time_)[i + 1] - (*time_)[i];
-    whirls.push_back(whirl(i));
-    widest = std::max(widest, apart);
-    const double turn = std::max(spacing, apart) * std::abs(whirls.back());
-    coarse += turn * kPointsOfATurn > 2.0 * std::numbers::pi ? 1 : 0;
-  }
-  if (2 * coarse <= whirls.size()) return std::nullopt;
+  const std::size_t first = row_before(from);
+  std::size_t row = first;
+  for (; row + 1 < time_->size() && (*time_)[row] <= to; ++row) whirls.push_back(whirl(row));
+  if (whirls.empty()) return std::nullopt;
   const auto middle = whirls.begin() + static_cast<std::ptrdiff_t>(whirls.size() / 2);
   std::nth_element(whirls.begin(), middle, whirls.end());
-  return Strobe{*middle, std::max(spacing, widest)};
+  const double apart = ((*time_)[row] - (*time_)[first]) / static_cast<double>(whirls.size());
+  const Strobe strobe{*middle, std::max(spacing, apart)};
+  const double turn = std::abs(strobe.whirl) * strobe.spacing;
+  if (turn * kPointsOfATurn <= 2.0 * std::numbers::pi) return std::nullopt;
+  return strobe;
 }
 
 Pose Playback::at(double t) const {

@@ -30,7 +30,7 @@ TEST(Chart, NamesTheSideThatTheCurveIsOn) {
 
 TEST(Panel, SaysOfAWhirlHowFastItIs) {
   EXPECT_EQ(strobe_text({-11285.0, 2e-4}),
-            "whirl -1,796 Hz, too fast to show: a place every 0.2 ms, 0.36 turns");
+            "whirl -1,796 Hz: one position every 0.2 ms, 0.36 turns apart");
 }
 
 }  // namespace

@@ -101,26 +101,34 @@ TEST(Playback, RefusesASeriesWithoutAColumnByItsName) {
   EXPECT_THROW(Playback{Trajectory{}}, std::runtime_error);
 }
 
-// A whirl of 3000 rad/s with the velocities of the contract, in rows `spacing` s apart.
-Trajectory fast_whirl(double spacing) {
+// The rotor's centre on the ring's circle at angle(t), with rows `spacing` s apart. rate: of angle.
+template <class Angle, class Rate>
+Trajectory on_circle(double spacing, Angle angle, Rate rate) {
   const int rows = static_cast<int>(std::lround(0.1 / spacing)) + 1;
-  Trajectory run = made_run(rows, [](double t) {
+  Trajectory run = made_run(rows, [&](double t) {
     Row row;
-    row.rotor_x = kClearance * std::cos(3000.0 * t);
-    row.rotor_y = kClearance * std::sin(3000.0 * t);
+    row.rotor_x = kClearance * std::cos(angle(t));
+    row.rotor_y = kClearance * std::sin(angle(t));
     row.normal_force = 100.0;
     return row;
   });
-  const auto rate = [&](const char* name, const char* of, double sign) {
+  const auto add_rate = [&](const char* name, const char* of, double sign) {
     Column column{name, "", run.column(of)};
-    for (double& value : column.values) value *= sign * 3000.0;
+    for (std::size_t i = 0; i < column.values.size(); ++i)
+      column.values[i] *= sign * rate(run.column("t")[i]);
     run.series.push_back(column);
   };
-  rate("rotor_vx", "rotor_y", -1.0);
-  rate("rotor_vy", "rotor_x", 1.0);
-  rate("stator_vx", "stator_y", 1.0);
-  rate("stator_vy", "stator_x", 1.0);
+  add_rate("rotor_vx", "rotor_y", -1.0);
+  add_rate("rotor_vy", "rotor_x", 1.0);
+  add_rate("stator_vx", "stator_y", 1.0);
+  add_rate("stator_vy", "stator_x", 1.0);
   return run;
+}
+
+// A whirl of 3000 rad/s with the velocities of the contract, in rows `spacing` s apart.
+Trajectory fast_whirl(double spacing) {
+  return on_circle(
+      spacing, [](double t) { return 3000.0 * t; }, [](double) { return 3000.0; });
 }
 
 // A turn lasts 2.1 ms. Rows of 0.1 ms draw it; rows of 1 ms, and frames of 2 ms, make a star of it.
@@ -132,6 +140,14 @@ TEST(Playback, KnowsAWhirlThatItsRowsOrItsFramesCannotShow) {
   ASSERT_TRUE(star.strobe(0.02, 0.05));
   EXPECT_NEAR(star.strobe(0.02, 0.05)->whirl, 3000.0, 1e-9);
   EXPECT_NEAR(star.strobe(0.02, 0.05)->spacing, 1e-3, 1e-12);
+}
+
+// A rotor that rocks at the bottom of its ring turns fast, but never far.
+TEST(Playback, SaysNothingOfARotorThatRocks) {
+  const Trajectory rocks = on_circle(
+      1e-4, [](double t) { return 0.2 * std::sin(2e3 * t) - 1.57; },
+      [](double t) { return 400.0 * std::cos(2e3 * t); });
+  EXPECT_FALSE(Playback(rocks).strobe(0.02, 0.05, 5e-3));
 }
 
 TEST(Playback, BetweenRowsTooFarApartARotorStaysWhereItCanBe) {
