@@ -8,11 +8,11 @@
 #include <stdexcept>
 
 #include "compare/base/in_parallel.h"
+#include "compare/engine/continued.h"
+#include "compare/engine/lyapunov.h"
 #include "compare/metrics/orbit.h"
 #include "compare/metrics/rows.h"
 #include "compare/sweep/point_run.h"
-#include "native_model/run/continued.h"
-#include "native_model/run/lyapunov.h"
 #include "native_model/scene/diagnostic.h"
 
 namespace rotorub::sweep {

@@ -1,7 +1,7 @@
 // Exponents that are known: of linear rotors the real part of an eigenvalue; of a billiard in a
 // circle 0, as neighbours part evenly there; of a ball that bounces in a focusing way none is
 // known, but an independent one is at hand: how fast twins part.
-#include "native_model/run/lyapunov.h"
+#include "compare/engine/lyapunov.h"
 
 #include <gtest/gtest.h>
 
@@ -9,7 +9,7 @@
 #include <complex>
 #include <numbers>
 
-#include "native_model/run/continued.h"
+#include "compare/engine/continued.h"
 #include "native_model/run/run_native.h"
 #include "tests/support/jeffcott.h"
 

@@ -1,4 +1,4 @@
-#include "native_model/run/lyapunov.h"
+#include "compare/engine/lyapunov.h"
 
 #include <Eigen/Core>
 #include <algorithm>
@@ -6,9 +6,9 @@
 #include <numbers>
 #include <vector>
 
+#include "compare/engine/continued.h"
 #include "native_model/model/model.h"
 #include "native_model/prepare/prepare.h"
-#include "native_model/run/continued.h"
 #include "native_model/run/run_native.h"
 #include "native_model/scene/diagnostic.h"
 #include "native_model/scene/scene.h"

@@ -1,4 +1,4 @@
-#include "native_model/run/continued.h"
+#include "compare/engine/continued.h"
 
 #include <gtest/gtest.h>
 
@@ -12,7 +12,7 @@ namespace rotorub {
 namespace {
 
 // It is driven into a ring on springs, bounces, and slides to the end; the motor gives way.
-scene::Scene rubbing() {
+scene::Scene rubbing_jeffcott() {
   scene::Scene s = test::make_scene({.mass = 2.0,
                                      .damping = 40.0,
                                      .stiffness = 2e5,
@@ -40,7 +40,7 @@ Trajectory run_to(scene::Scene s, double end) {
 }
 
 TEST(Continued, IsTheSameMotionAsOneRun) {
-  const scene::Scene s = rubbing();
+  const scene::Scene s = rubbing_jeffcott();
   for (const double end : {4e-3, 0.02, 0.04}) {
     const Trajectory whole = run_to(s, end), half = run_to(s, 0.5 * end);
     const Trajectory rest = run_to(continued(s, s, half), 0.5 * end);
@@ -76,7 +76,7 @@ TEST(Continued, DoesNotStartOnTheRubAgain) {
 }
 
 TEST(Continued, TakesOverASpeedThatTheNextSceneHasOfItsOwn) {
-  const scene::Scene s = rubbing();
+  const scene::Scene s = rubbing_jeffcott();
   const Trajectory run = run_to(s, 0.02);
   EXPECT_EQ(continued(s, s, run).rotor.speed, run.column("spin_speed").back());
   scene::Scene faster = s;
@@ -85,14 +85,14 @@ TEST(Continued, TakesOverASpeedThatTheNextSceneHasOfItsOwn) {
 }
 
 TEST(Continued, SaysWhatItCannotTakeOver) {
-  EXPECT_EQ(not_continued(rubbing()), "");
-  scene::Scene s = rubbing();
+  EXPECT_EQ(not_continued(rubbing_jeffcott()), "");
+  scene::Scene s = rubbing_jeffcott();
   s.first().controller.emplace().kind = scene::ControllerKind::kSliding;
   EXPECT_NE(not_continued(s), "");
-  s = rubbing();
+  s = rubbing_jeffcott();
   s.drive->kind = scene::DriveKind::kSpeedControlled;
   EXPECT_NE(not_continued(s), "");
-  s = rubbing();
+  s = rubbing_jeffcott();
   s.forces[0].kind = scene::ForceKind::kPulse;
   EXPECT_NE(not_continued(s), "");
 }

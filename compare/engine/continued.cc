@@ -1,4 +1,4 @@
-#include "native_model/run/continued.h"
+#include "compare/engine/continued.h"
 
 #include <algorithm>
 #include <cmath>
