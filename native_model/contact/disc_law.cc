@@ -55,7 +55,7 @@ class DiscSystem {
       const Eigen::Vector3d before = p.segment<3>(3 * i);
       const Eigen::Vector3d rest =
           b_.segment<3>(3 * i) + a_.middleRows<3>(3 * i) * p - own * before;
-      const SingleDisc s = solve_disc(own, rest, sets_[at]);
+      const SingleDisc s = solve_disc(own, rest, sets_[at], Solutions::kFirst);
       if (s.solutions == 0) return -1.0;
       p.segment<3>(3 * i) = s.p;
       cases[at] = s.found;

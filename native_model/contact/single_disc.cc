@@ -70,6 +70,7 @@ Roots roots(const double* c, int degree) {
 
 // Calls action(d) for each unit vector d with d x (v + K d) = 0. The unknown is t = tan(angle / 2),
 // first for the half circle about v, then for the one about -v.
+// It ends when action(d) returns false.
 template <typename Action>
 void for_each_parallel(const Eigen::Vector2d& v, const Eigen::Matrix2d& k, Action action) {
   const double size = v.norm();
@@ -83,15 +84,17 @@ void for_each_parallel(const Eigen::Vector2d& v, const Eigen::Matrix2d& k, Actio
     const Roots found = roots(c, 4);
     for (std::size_t i = 0; i < found.count; ++i) {
       const double t = found.at[i], r = 1.0 + t * t;
-      action(Eigen::Vector2d(sense / r * ((1.0 - t * t) * along + 2.0 * t * across)));
+      const Eigen::Vector2d d = sense / r * ((1.0 - t * t) * along + 2.0 * t * across);
+      if (!action(d)) return;
     }
   }
 }
 
 class DiscProblem {
  public:
-  DiscProblem(const Eigen::Matrix3d& a, const Eigen::Vector3d& b, const DiscSet& set)
-      : a_(a), b_(b), set_(set) {
+  DiscProblem(const Eigen::Matrix3d& a, const Eigen::Vector3d& b, const DiscSet& set,
+              Solutions wanted)
+      : a_(a), b_(b), set_(set), wanted_(wanted) {
     for (int k = 1; k < 3; ++k) {
       if (a_(k, k) <= kDiscTrace * a_(0, 0)) a_(k, k) += kDiscTrace * a_(0, 0);
     }
@@ -106,7 +109,7 @@ class DiscProblem {
     } else {
       try_line({true, n, {0.0, 0.0}, b_t + a_tn * n, a_tt});
     }
-    if (a_(0, 0) > kDiscTrace * a_tt.trace()) {
+    if (!found() && a_(0, 0) > kDiscTrace * a_tt.trace()) {
       const Eigen::Vector2d beta = -a_tn / a_(0, 0);
       const double alpha = -b_.x() / a_(0, 0);
       try_line({false, alpha, beta, b_t + a_tn * alpha, a_tt + a_tn * beta.transpose()});
@@ -122,6 +125,9 @@ class DiscProblem {
     Eigen::Matrix2d s;
   };
 
+  // True if nothing more is to be tried.
+  bool found() const { return wanted_ == Solutions::kFirst && best_.solutions > 0; }
+
   void try_line(const Line& line) {
     const double mu = set_.friction;
     const auto put = [&](DiscFriction friction, const Eigen::Vector2d& l_t,
@@ -130,13 +136,15 @@ class DiscProblem {
       take({line.at_least, friction, d}, {normal, l_t.x(), l_t.y()});
     };
     put(DiscFriction::kStick, -stuck(line.s, line.c), {1.0, 0.0});
+    if (found()) return;
     const Eigen::Matrix2d k = mu * (line.c * line.beta.transpose() - line.alpha * line.s);
     for_each_parallel(line.c, k, [&](const Eigen::Vector2d& d) {
       const double normal = line.alpha / (1.0 + mu * line.beta.dot(d));
       const Eigen::Vector3d p(normal, -mu * normal * d.x(), -mu * normal * d.y());
       take({line.at_least, DiscFriction::kRim, d}, polished(p, line.at_least));
+      return !found();
     });
-    if (set_.side.isZero(0.0)) return;
+    if (found() || set_.side.isZero(0.0)) return;
     const Eigen::Vector2d begun = set_.floor * set_.side, along = turned(set_.side);
     const double chord = -along.dot(line.c + line.s * begun) / along.dot(line.s * along);
     put(DiscFriction::kChord, begun + chord * along, {1.0, 0.0});
@@ -231,13 +239,15 @@ class DiscProblem {
   Eigen::Matrix3d a_;
   Eigen::Vector3d b_;
   const DiscSet& set_;
+  Solutions wanted_;
   SingleDisc best_;
 };
 
 }  // namespace
 
-SingleDisc solve_disc(const Eigen::Matrix3d& a, const Eigen::Vector3d& b, const DiscSet& set) {
-  return DiscProblem(a, b, set).solve();
+SingleDisc solve_disc(const Eigen::Matrix3d& a, const Eigen::Vector3d& b, const DiscSet& set,
+                      Solutions wanted) {
+  return DiscProblem(a, b, set, wanted).solve();
 }
 
 }  // namespace rotorub

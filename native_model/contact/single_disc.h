@@ -31,7 +31,11 @@ struct SingleDisc {
   Eigen::Vector3d p{0.0, 0.0, 0.0}, y{0.0, 0.0, 0.0};
 };
 
+// Whether to go on after the first solution, to count the others.
+enum class Solutions { kFirst, kAll };
+
 // a: symmetric, positive semidefinite. A tangential direction without motion gets a tiny mobility.
-SingleDisc solve_disc(const Eigen::Matrix3d& a, const Eigen::Vector3d& b, const DiscSet& set);
+SingleDisc solve_disc(const Eigen::Matrix3d& a, const Eigen::Vector3d& b, const DiscSet& set,
+                      Solutions wanted = Solutions::kAll);
 
 }  // namespace rotorub

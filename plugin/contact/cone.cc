@@ -227,6 +227,36 @@ class OwnCones {
   mjtNum *columns_, *solved_;
 };
 
+// MuJoCo's solution for the present shifts: writes y of all rows.
+void solve_shifted(const mjModel* m, mjData* d, std::span<const ConeRows> contacts,
+                   ConstraintProbe& probe, mjtNum* y) {
+  for (const ConeRows& c : contacts) shift_reference(m, d, c, c.shift);
+  probe.solve([](mjtNum*) {});
+  mj_mulJacVec(m, d, y, d->qacc);
+  for (int i = 0; i < d->nefc; ++i) y[i] += d->efc_R[i] * d->efc_force[i] - d->efc_aref[i];
+  for (const ConeRows& c : contacts) shift_reference(m, d, c, -c.shift);
+}
+
+// True if each contact sticks or is open in MuJoCo's solution without a shift. It is Coulomb's
+// then.
+bool none_slides(const mjModel* m, mjData* d, std::span<const ConeRows> contacts) {
+  constexpr double kStuck = 1e-10;  // relative to the terms of y
+  ConstraintProbe probe(m, d);
+  StackFrame room(d);
+  mjtNum* y = room.numbers(d->nefc);
+  solve_shifted(m, d, contacts, probe, y);
+  const bool none = std::all_of(contacts.begin(), contacts.end(), [&](const ConeRows& c) {
+    double terms = 0.0, force = 0.0;
+    for (int row = c.first; row < c.first + c.count; ++row) {
+      terms = std::max(terms, std::abs(d->efc_aref[row]) + std::abs(y[row]));
+      force = std::max(force, std::abs(d->efc_force[row]));
+    }
+    return force == 0.0 || lift(m, c, y) <= kStuck * terms;
+  });
+  if (none) probe.keep();
+  return none;
+}
+
 // Finds the shifts that equal the |z| of MuJoCo's solution, by the secant method. The plain
 // iteration converges while mu^2 A_TT < A_NN; the secant method converges beyond that too.
 void ask_solver(const mjModel* m, mjData* d, std::span<ConeRows> contacts) {
@@ -240,11 +270,7 @@ void ask_solver(const mjModel* m, mjData* d, std::span<ConeRows> contacts) {
   StackFrame room(d);
   mjtNum* y = room.numbers(d->nefc);
   for (int asked = 0; asked < kMostAsked; ++asked) {
-    for (const ConeRows& c : contacts) shift_reference(m, d, c, c.shift);
-    probe.solve([](mjtNum*) {});
-    mj_mulJacVec(m, d, y, d->qacc);
-    for (int i = 0; i < d->nefc; ++i) y[i] += d->efc_R[i] * d->efc_force[i] - d->efc_aref[i];
-    for (const ConeRows& c : contacts) shift_reference(m, d, c, -c.shift);
+    solve_shifted(m, d, contacts, probe, y);
     bool settled = true;
     std::vector<Answer> now;
     for (std::size_t k = 0; k < contacts.size(); ++k) {
@@ -281,7 +307,7 @@ void correct_cones(const mjModel* m, mjData* d, std::span<const SlidingContact> 
     if (c.curvature && !follow_ring(m, d, rows, *c.curvature, free)) continue;
     if (c.contact->dim >= 3) cones.push_back(rows);
   }
-  if (cones.empty()) return;
+  if (cones.empty() || (cones.size() > 1 && none_slides(m, d, cones))) return;
   bool exact =
       cones.size() <= kMaxContacts && !mj_isPyramidal(m) &&
       std::all_of(cones.begin(), cones.end(), [](const ConeRows& c) { return c.slides_only(); });

@@ -3,6 +3,7 @@
 // cone, solver and friction.
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <cstdio>
 #include <cstring>
@@ -149,6 +150,25 @@ TEST_F(ConeCorrection, ABoxOnFourCorners) {
       EXPECT_NEAR(x.lost, 0.5 * kGravity, 0.01 * kGravity) << condim << " " << cone;
       EXPECT_GT(x.contact, 0.99) << condim << " " << cone;
       EXPECT_NEAR(x.force, kGravity, 0.01 * kGravity) << condim << " " << cone;
+    }
+  }
+}
+
+// A pull below mu m g is held, and one above it accelerates the box by the difference.
+TEST_F(ConeCorrection, ABoxIsHeldUpToMuTimesItsWeight) {
+  Slide s;
+  s.body = R"(<geom name="body" type="box" size="0.2 0.2 0.05" mass="1"/>)";
+  s.height = 0.05;
+  s.joints = "<freejoint/>";
+  for (const int cone : {int{mjCONE_ELLIPTIC}, int{mjCONE_PYRAMIDAL}}) {
+    for (const double pull : {0.0, 0.4, 0.6}) {
+      const ModelPointer m = load(document(s));
+      m->opt.cone = cone;
+      const DataPointer d(mj_makeData(m.get()));
+      d->qfrc_applied[0] = pull * kGravity;
+      for (int k = 0; k < 500; ++k) mj_step(m.get(), d.get());
+      const double speed = 0.5 * std::max(0.0, pull - 0.5) * kGravity;
+      EXPECT_NEAR(d->qvel[0], speed, 2e-3 * kGravity) << cone << " " << pull;
     }
   }
 }
