@@ -80,7 +80,7 @@ TEST(Alignment, FindsTheClockAndTheFrame) {
 
 // The error that it states is the error that it makes: over seeds, squares of error / stated follow
 // chi^2 with as many freedoms; 99.9 % of it lies between the bounds.
-TEST(Alignment, StatesTheErrorThatNoiseMakes) {
+TEST(AlignmentLong, StatesTheErrorThatNoiseMakes) {
   constexpr int kSeeds = 40;
   constexpr double kLow = 17.9 / kSeeds,
                    kHigh = 73.4 / kSeeds;  // 0.1 % and 99.9 % of chi^2 with 40

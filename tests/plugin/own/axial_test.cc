@@ -22,26 +22,6 @@ TEST_F(Axial, FallsWithItsWeightLessFriction) {
   EXPECT_NEAR(sensor(m.get(), d.get(), "friction_force"), 0.0, 1e-9);  // none along the ring
 }
 
-// A contact lasts from one step to the next alone. A state that is written at any other time begins
-// without one, and bounces.
-TEST_F(Axial, AStateAtAnotherTimeIsSteppedAsAFreshOne) {
-  Lift x;
-  x.restitution = 0.5;
-  const ModelPointer m = load(document(x));
-  const DataPointer used = pressed(m.get()), fresh = pressed(m.get());
-  run(m.get(), used.get(), 0.01);
-  ASSERT_EQ(sensor(m.get(), used.get(), "rotorub_active"), 1.0);
-  used->time += 7.5 * m->opt.timestep;
-  of(m.get(), used->qvel, "press") = 0.1;  // m/s
-  fresh->time = used->time;
-  mju_copy(fresh->qpos, used->qpos, m->nq);
-  mju_copy(fresh->qvel, used->qvel, m->nv);
-  mj_step(m.get(), used.get());
-  mj_step(m.get(), fresh.get());
-  EXPECT_LT(of(m.get(), fresh->qvel, "press"), 0.0);
-  for (int i = 0; i < m->nv; ++i) EXPECT_EQ(used->qvel[i], fresh->qvel[i]) << i;
-}
-
 // Normal force by MuJoCo's solver, friction beside it.
 TEST_F(Axial, CoulombHasBothDirectionsToo) {
   for (const double mu : {0.1, 0.5}) {

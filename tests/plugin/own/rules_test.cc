@@ -110,7 +110,7 @@ TEST_F(OwnRules, AWrittenStateReboundsAsAFreshOne) {
     const DataPointer used = start(m.get());
     std::mt19937 random(7);
     std::uniform_real_distribution<double> unit(-1.0, 1.0);
-    for (int k = 0; k < 300; ++k) {
+    for (int k = 0; k < 80; ++k) {
       mj_resetData(m.get(), used.get());
       used->qpos[0] = 5e-4 + 1e-8;
       used->qfrc_applied[0] = 30.0;
