@@ -13,7 +13,6 @@
 #include "plugin/contact/constraint_probe.h"
 #include "plugin/contact/contact_memory.h"
 #include "plugin/contact/contact_space.h"
-#include "plugin/contact/noted_contact.h"
 #include "plugin/model/actuators.h"
 #include "plugin/model/generated_rotor.h"
 #include "plugin/model/options.h"

@@ -9,7 +9,6 @@
 #include "plugin/contact/constraint_probe.h"
 #include "plugin/contact/contact_memory.h"
 #include "plugin/contact/contact_space.h"
-#include "plugin/contact/noted_contact.h"
 #include "plugin/contact/relative_motion.h"
 #include "plugin/contact/rigid_contacts.h"
 #include "plugin/model/actuators.h"
@@ -230,7 +229,7 @@ void note_results(const mjModel* m, mjData* d, std::span<RigidContact* const> gr
     ContactMemory memory(d, *at->pair, h);
     warned = warned || memory.warned();
     if (at->held && !at->result.converged) unsolved = at;
-    memory.note(at->result, h);
+    memory.note(at->result);
     if (!at->rows.axial) continue;
     note_contact(d, at->pair->data, at->result.e_r, (at->lasting.z() + at->sudden.z()) / h);
   }
@@ -255,8 +254,8 @@ void solve_facing(const Config& config, const ContactList<const ContactPair*>& p
     c.step.start = plane->rates(d->qvel);
     c.step.start.z() += pair->held_spin;
     ContactMemory memory(d, *pair, h);
-    memory.watch(place.d.norm(), pair->contact);
-    c.step.was_in_contact = memory.was_in_contact(place.d.norm(), pair->contact.clearance);
+    memory.watch(place.d.norm());
+    c.step.was_in_contact = memory.was_in_contact(place.d.norm());
     c.held = constraints_couple(m, d, *plane) || (axial && constraints_couple(m, d, *axial));
     if (axial) c.axial_start = axial->rates(d->qvel);
     members.push_back(c);
@@ -281,7 +280,7 @@ void apply_rigid(const Config& config, const mjModel* m, mjData* d) {
     ContactMemory memory(d, pair, m->opt.timestep);
     if (!face_each_other(pair, d)) {
       memory.begin_anew();
-      memory.note({}, m->opt.timestep);
+      memory.note({});
       continue;
     }
     facing.push_back(&pair);
@@ -294,8 +293,8 @@ void apply_rigid(const Config& config, const mjModel* m, mjData* d) {
   for (const ContactPair* pair : facing) {
     ContactMemory memory(d, *pair, m->opt.timestep);
     // The rotor is well within its ring; the exact gap does not matter.
-    if (!near) memory.watch(0.0, pair->contact);
-    memory.note({}, m->opt.timestep);
+    if (!near) memory.watch(0.0);
+    memory.note({});
   }
 }
 
