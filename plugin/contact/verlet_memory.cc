@@ -108,7 +108,7 @@ int verlet_data_size(const Model& model) {
 int verlet_loop_data(const Config& config) {
   const Model& model = config.model;
   const std::size_t loop = model.first().loop ? model.first().loop->memory_size() : 0;
-  // The loop is at the end of the hold, before the number of the step in the second slot.
+  // In the second slot the memory of the loop ends just before the number of the step.
   return config.verlet_data + kEntries<VerletEntries> + model.nq() +
          static_cast<int>(2 * slot_size(model) - 1 - loop);
 }
