@@ -56,8 +56,6 @@ struct ConeRows {
   const mjContact* contact;
   int first = 0, count = 0;
   double shift = 0.0;  // m/s^2, by which the normal reference is lowered
-
-  bool slides_only() const { return contact->dim == 3; }
 };
 
 bool is_pyramid(const mjModel* m, const mjContact& c) { return c.dim > 1 && mj_isPyramidal(m); }
@@ -129,25 +127,28 @@ bool follow_ring(const mjModel* m, mjData* d, const ConeRows& rows, double curva
 class OwnCones {
  public:
   OwnCones(const mjModel* m, mjData* d, std::span<ConeRows> contacts)
-      : m_(m), d_(d), contacts_(contacts), room_(d), nv_(count(m->nv)) {
-    const auto n = static_cast<Eigen::Index>(contacts.size()) * kDirections;
-    columns_ = room_.numbers(static_cast<int>(n) * nv_);
-    solved_ = room_.numbers(static_cast<int>(n) * nv_);
+      : m_(m),
+        d_(d),
+        contacts_(contacts),
+        room_(d),
+        nv_(count(m->nv)),
+        n_(static_cast<Eigen::Index>(contacts.size()) * kDirections) {
+    columns_ = room_.numbers(static_cast<int>(n_) * nv_);
+    solved_ = room_.numbers(static_cast<int>(n_) * nv_);
     mjtNum* rows = room_.numbers(d->nefc);
-    for (Eigen::Index i = 0; i < n; ++i) {
+    for (Eigen::Index i = 0; i < n_; ++i) {
       std::fill_n(rows, d->nefc, 0.0);
       add_along(m, of(i), direction(i), rows);
       mj_mulJacTVec(m, d, columns_ + i * nv_, rows);
     }
-    mj_solveM(m, d, solved_, columns_, static_cast<int>(n));
+    mj_solveM(m, d, solved_, columns_, static_cast<int>(n_));
   }
 
   // Writes |z| of each contact to `shift`; false: there is no solution.
   bool solve() {
-    const auto n = static_cast<Eigen::Index>(contacts_.size()) * kDirections;
-    ContactMatrix a(n, n);
-    ContactVector b(n);
-    for (Eigen::Index i = 0; i < n; ++i) {
+    ContactMatrix a(n_, n_);
+    ContactVector b(n_);
+    for (Eigen::Index i = 0; i < n_; ++i) {
       for (Eigen::Index j = 0; j <= i; ++j) {
         a(i, j) = a(j, i) = mju_dot(columns_ + i * nv_, solved_ + j * nv_, nv_);
       }
@@ -174,8 +175,7 @@ class OwnCones {
     if (own == d_->nefc) return false;
     mjtNum* product = room_.numbers(d_->nefc);
     const mjtNum* diagonal = constraint_diagonal(d_);
-    const auto n = static_cast<Eigen::Index>(contacts_.size()) * kDirections;
-    for (Eigen::Index i = 0; i < n; ++i) {
+    for (Eigen::Index i = 0; i < n_; ++i) {
       const double mobility = mju_dot(columns_ + i * nv_, solved_ + i * nv_, nv_);
       mj_mulJacVec(m_, d_, product, solved_ + i * nv_);
       for (int row = 0; row < d_->nefc; ++row) {
@@ -224,6 +224,7 @@ class OwnCones {
   std::span<ConeRows> contacts_;
   StackFrame room_;
   int nv_;
+  Eigen::Index n_;  // all directions of all contacts
   mjtNum *columns_, *solved_;
 };
 
@@ -308,12 +309,12 @@ void correct_cones(const mjModel* m, mjData* d, std::span<const SlidingContact> 
     if (c.contact->dim >= 3) cones.push_back(rows);
   }
   if (cones.empty() || (cones.size() > 1 && none_slides(m, d, cones))) return;
-  bool exact =
-      cones.size() <= kMaxContacts && !mj_isPyramidal(m) &&
-      std::all_of(cones.begin(), cones.end(), [](const ConeRows& c) { return c.slides_only(); });
+  bool exact = false;
   if (cones.size() <= kMaxContacts) {
     OwnCones own(m, d, cones);
-    exact = own.solve() && exact && !own.is_coupled();
+    const auto only_slides = [](const ConeRows& c) { return c.contact->dim == 3; };
+    exact = own.solve() && !mj_isPyramidal(m) &&
+            std::all_of(cones.begin(), cones.end(), only_slides) && !own.is_coupled();
   }
   if (!exact) ask_solver(m, d, cones);
   for (const ConeRows& c : cones) shift_reference(m, d, c, c.shift);

@@ -15,7 +15,8 @@ namespace rotorub::plugin {
 // surface_speed: m/s, r Omega of the held spin. The contact must have friction rows.
 void add_held_slip(double surface_speed, const mjModel* m, mjData* d, const mjContact& contact);
 
-// Sets aref = -B_t v in the friction rows, those of torsion and rolling included; B_t in 1/s.
+// Sets aref = -B_t v in the friction rows, if there are any, those of torsion and rolling included;
+// B_t in 1/s.
 void set_friction_reference(const mjModel* m, mjData* d, const mjContact& contact,
                             double reference);
 
@@ -52,9 +53,6 @@ struct SlidingContact {
   const mjContact* contact = nullptr;  // solved by MuJoCo: efc_address >= 0
   std::optional<double> curvature{};   // m/s^2, v_t^2 / delta >= 0; empty: no correction
 };
-
-// 1/s, B_t of the friction rows of corrected contacts.
-inline double corrected_friction_reference(const mjModel* m) { return 1.0 / m->opt.timestep; }
 
 // Shifts the contacts' normal references. Called by act() (passes.cc), after the references of the
 // friction rows are set. Contacts without friction rows are not corrected for sliding, only for the

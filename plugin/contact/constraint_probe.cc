@@ -55,6 +55,12 @@ std::string row_name(const mjModel* m, const mjData* d, int row) {
   }
 }
 
+const mjtNum* kept(StackFrame& room, const mjtNum* from, int n) {
+  mjtNum* copy = room.numbers(n);
+  std::copy_n(from, n, copy);
+  return copy;
+}
+
 // The friction losses that MuJoCo's solver reads when it solves islands separately (since 3.3);
 // null if it does not.
 template <typename Data>
@@ -75,13 +81,12 @@ class SuddenRows {
   explicit SuddenRows(mjData* d)
       : d_(d),
         room_(d),
-        reference_(kept(d->efc_aref)),
-        loss_(kept(d->efc_frictionloss)),
+        reference_(kept(room_, d->efc_aref, d->nefc)),
+        loss_(kept(room_, d->efc_frictionloss, d->nefc)),
         losses_of_islands_(losses_of_islands(d)),
-        island_loss_(losses_of_islands_ ? kept(losses_of_islands_) : nullptr) {
+        island_loss_(losses_of_islands_ ? kept(room_, losses_of_islands_, d->nefc) : nullptr) {
     for (int row = 0; row < d->nefc; ++row) {
-      const bool one_sided = is_one_sided(row);
-      d->efc_aref[row] = one_sided ? std::min(d->efc_aref[row], 0.0) : 0.0;
+      d->efc_aref[row] = is_one_sided(row) ? std::min(d->efc_aref[row], 0.0) : 0.0;
     }
     std::fill_n(d->efc_frictionloss, d->nefc, 0.0);
     if (losses_of_islands_) std::fill_n(losses_of_islands_, d->nefc, 0.0);
@@ -95,11 +100,6 @@ class SuddenRows {
   SuddenRows& operator=(const SuddenRows&) = delete;
 
  private:
-  const mjtNum* kept(const mjtNum* from) {
-    mjtNum* copy = room_.numbers(d_->nefc);
-    std::copy_n(from, d_->nefc, copy);
-    return copy;
-  }
   bool is_one_sided(int row) const {
     switch (d_->efc_type[row]) {
       case mjCNSTR_EQUALITY:
@@ -147,17 +147,14 @@ void warn_unsolved(const mjModel* m, mjData* d, const ContactSpace& space) {
 }
 
 ConstraintProbe::ConstraintProbe(const mjModel* m, mjData* d)
-    : m_(m), d_(d), room_(d), solved_(d->timer[mjTIMER_CONSTRAINT].number) {
-  const auto kept = [this](const mjtNum* from) {
-    mjtNum* copy = room_.numbers(count(m_->nv));
-    std::copy_n(from, m_->nv, copy);
-    return copy;
-  };
-  force_ = kept(d->qfrc_smooth);
-  warm_ = kept(d->qacc_warmstart);
-  smooth_ = kept(d->qacc_smooth);
-  total_ = room_.numbers(count(m->nv));
-}
+    : m_(m),
+      d_(d),
+      room_(d),
+      solved_(d->timer[mjTIMER_CONSTRAINT].number),
+      force_(kept(room_, d->qfrc_smooth, count(m->nv))),
+      warm_(kept(room_, d->qacc_warmstart, count(m->nv))),
+      smooth_(kept(room_, d->qacc_smooth, count(m->nv))),
+      total_(room_.numbers(count(m->nv))) {}
 
 ConstraintProbe::~ConstraintProbe() {
   std::copy_n(force_, m_->nv, d_->qfrc_smooth);
@@ -165,8 +162,6 @@ ConstraintProbe::~ConstraintProbe() {
   std::copy_n(kept_ ? d_->qacc : warm_, m_->nv, d_->qacc_warmstart);
   d_->timer[mjTIMER_CONSTRAINT].number = solved_;  // the solution of a step counts once
 }
-
-void ConstraintProbe::reset() { std::copy_n(force_, m_->nv, d_->qfrc_smooth); }
 
 void ConstraintProbe::run() {
   mj_solveM(m_, d_, d_->qacc_smooth, d_->qfrc_smooth, 1);

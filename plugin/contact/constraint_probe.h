@@ -39,13 +39,13 @@ class ConstraintProbe {
   // result.
   template <typename Add>
   void solve(Add add) {
-    reset();
+    std::copy_n(force_, m_->nv, d_->qfrc_smooth);
     add(d_->qfrc_smooth);
     run();
   }
   // Tries them as impulses in no time, without the loads of the step and without the bounded forces
-  // of the rows (friction losses). add() adds impulse / h, so that h d->qacc is
-  // the change of the velocities.
+  // of the rows (friction losses). add() adds impulse / h, so that h d->qacc is the change of the
+  // velocities.
   template <typename Add>
   void solve_sudden(Add add) {
     std::fill_n(d_->qfrc_smooth, count(m_->nv), 0.0);
@@ -60,7 +60,6 @@ class ConstraintProbe {
   void keep() { kept_ = true; }
 
  private:
-  void reset();
   void run();
   void run_sudden();
 
@@ -69,9 +68,8 @@ class ConstraintProbe {
   StackFrame room_;
   int solved_;
   bool kept_ = false;
-  // kept qfrc_smooth and qacc_warmstart; the total force of a trial
-  mjtNum *force_, *warm_, *total_;
-  mjtNum* smooth_;  // kept qacc_smooth
+  const mjtNum *force_, *warm_, *smooth_;  // kept qfrc_smooth, qacc_warmstart and qacc_smooth
+  mjtNum* total_;                          // the total force of a trial
 };
 
 }  // namespace rotorub::plugin

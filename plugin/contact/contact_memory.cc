@@ -1,21 +1,33 @@
 #include "plugin/contact/contact_memory.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 
+#include "native_model/contact/most_contacts.h"
 #include "native_model/scene/mujoco.h"
 #include "plugin/contact/contact_space.h"
 #include "plugin/contact/relative_motion.h"
-#include "plugin/model/user_data.h"
 
 namespace rotorub::plugin {
 namespace {
 
-ContactForces rigid_forces(const ContactEntries& entry) {
+NotedContact& noted(int data) {
+  static thread_local std::array<NotedContact, kMaxContacts> all;
+  return all[static_cast<std::size_t>(data / kEntries<ContactEntries>) % all.size()];
+}
+
+// The forces that the plugin computed itself.
+ContactForces recorded_forces(const ContactEntries& entry) {
   ContactForces out;
   out.normal = entry.normal_force;
   out.friction = entry.friction_force;
   out.mode = static_cast<Mode>(static_cast<int>(entry.mode));
+  return out;
+}
+
+ContactForces rigid_forces(const ContactEntries& entry) {
+  ContactForces out = recorded_forces(entry);
   out.status = EscapeGuard::status_in(entry.status);
   out.impact = entry.impact != 0.0;
   if (!out.impact) return out;
@@ -52,30 +64,27 @@ bool is_written(const ContactPair& pair, const ContactPoint& point, const mjMode
   return std::abs(point.gap - entry.gap) > 2.0 * h * speed + kMoved * pair.contact.clearance;
 }
 
-// The forces of a soft contact. told: the normal force was computed before MuJoCo's solver, which
-// then finds the same.
-ContactForces soft_forces(const mjModel* m, scene::ContactModel law, const mjContact* contact,
-                          const ContactEntries& entry, bool told, const mjData* d) {
-  if (!contact) return {};
+ContactForces cone_forces(const mjModel* m, const mjData* d, const mjContact& contact) {
   // Along the contact's frame, for pyramids and ellipses alike.
   mjtNum force[6];
-  mj_contactForce(m, d, static_cast<int>(contact - d->contact), force);
+  mj_contactForce(m, d, static_cast<int>(&contact - d->contact), force);
   ContactForces out;
-  out.normal = told ? entry.normal_force : force[0];
-  if (!(out.normal > 0.0)) return {};
-  if (law == scene::ContactModel::kCoulomb) {
-    out.friction = entry.friction_force;
-    out.mode = static_cast<Mode>(static_cast<int>(entry.mode));
-    return out;
-  }
+  if (!(force[0] > 0.0)) return out;
+  out.normal = force[0];
   // MuJoCo's force acts on geom 2, along the frame. If the geoms change places, e_t and the body
   // that the force acts on both turn round.
   out.friction = -force[1];
-  out.mode = contact->dim >= 3 && within_cone(m, d, *contact, force) ? Mode::kStick : Mode::kSlide;
+  out.mode = contact.dim >= 3 && within_cone(m, d, contact, force) ? Mode::kStick : Mode::kSlide;
   return out;
 }
 
 }  // namespace
+
+const NotedContact& noted_contact(int data) { return noted(data); }
+
+void note_contact(const mjData* d, int data, const Eigen::Vector2d& e_r, double axial) {
+  noted(data) = {d, d->time, data, e_r, axial};
+}
 
 const mjContact* find_contact(const ContactPair& pair, const mjData* d) {
   for (int i = 0; i < d->ncon; ++i) {
@@ -95,7 +104,9 @@ ContactForces contact_forces(const ContactPair& pair, const mjModel* m, const mj
   const ContactEntries& entry = contact_entries(pair, d);
   if (pair.law == scene::ContactModel::kRigid || pair.beside) return rigid_forces(entry);
   const mjContact* contact = find_contact(pair, d);
-  return soft_forces(m, pair.law, contact, entry, pair.law == scene::ContactModel::kCoulomb, d);
+  if (!contact) return {};
+  if (pair.law != scene::ContactModel::kCoulomb) return cone_forces(m, d, *contact);
+  return entry.normal_force > 0.0 ? recorded_forces(entry) : ContactForces{};
 }
 
 double compliant_force(const ContactPair& pair, const ContactPoint& point, const mjModel* m,
@@ -121,9 +132,8 @@ double compliant_force(const ContactPair& pair, const ContactPoint& point, const
 
 void pass_without_contact(const ContactPair& pair, const mjModel* m, mjData* d) {
   auto& entry = entries<CompliantEntries>(d, pair.data);
-  const double clearance = pair.contact.clearance, gap = clearance - position_of(pair, d).norm(),
-               round_off = CompliantLaw::kOnCircle * clearance;
-  if (std::abs(gap) <= round_off) {
+  const double clearance = pair.contact.clearance, gap = clearance - position_of(pair, d).norm();
+  if (std::abs(gap) <= CompliantLaw::kOnCircle * clearance) {
     compliant_force(pair, contact_point_of(pair, m, d), m, d);
     return;
   }

@@ -1,4 +1,5 @@
-// The memory of a contact in mjData.userdata, and its forces after a forward pass.
+// The memory of a contact in mjData.userdata and in its thread, and its forces after a forward
+// pass.
 #pragma once
 
 #include <mujoco/mujoco.h>
@@ -8,7 +9,6 @@
 
 #include "native_model/contact/kinematics.h"
 #include "native_model/trajectory/trajectory.h"
-#include "plugin/contact/noted_contact.h"
 #include "plugin/contact/rigid_step.h"
 #include "plugin/model/config.h"
 #include "plugin/model/message.h"
@@ -31,6 +31,14 @@ class EscapeGuard {
   }
   Status status() const { return status_in(*state_); }
   void set_status(Status status) { set(bits() - bits() % kWasInside + static_cast<int>(status)); }
+  // Sets the Status of this step. Warns once and not in every step, because MuJoCo writes its
+  // warnings to a file.
+  void record(Status now) {
+    if (now != Status::kOk && status() == Status::kOk) {
+      warn("rotorub: the contact laws have no solution or several (Painleve): no impulse");
+    }
+    set_status(now);
+  }
   bool is_outside() const { return (bits() & kIsOutside) != 0; }
 
   // Call it if the state was written or is the first one: the rotor may then be anywhere.
@@ -58,6 +66,24 @@ class EscapeGuard {
   mjtNum* state_;
 };
 
+// Further results of a contact in the last pass of this thread, for load_cells.h.
+struct NotedContact {
+  const mjData* d = nullptr;
+  double time = 0.0;
+  int data = -1;
+  Eigen::Vector2d e_r;
+  double axial = 0.0;  // N, friction on the rotor along the ring's axis
+};
+
+// The results in the last pass of this thread, for the contact whose entries begin at `data`.
+const NotedContact& noted_contact(int data);
+
+// Records the results of the contact whose entries begin at `data`: the normal of its force in this
+// pass, in the contact's axes, and the friction on the rotor along the ring's axis, N. The normal
+// of an impact within the step differs from that of the state. Called for `rigid` with a force, and
+// for contacts with friction along the axis.
+void note_contact(const mjData* d, int data, const Eigen::Vector2d& e_r, double axial = 0.0);
+
 // The memory of a `rigid` contact in mjData.userdata: whether contact lasts, and the impulses of
 // the step.
 class ContactMemory {
@@ -66,7 +92,7 @@ class ContactMemory {
   // "before"; further passes at the same time (mj_forward before mj_step) find the same "before".
   // At any other time the state was written, so no lasting contact is assumed.
   ContactMemory(mjData* d, const ContactPair& pair, double h)
-      : d_(d), pair_(pair), entry_(contact_entries(pair, d)) {
+      : d_(d), pair_(pair), entry_(contact_entries(pair, d)), h_(h) {
     if (entry_.time == d->time) return;
     const double passed = d->time - entry_.time;
     const double rounding = 4.0 * std::numeric_limits<double>::epsilon() * std::abs(d->time);
@@ -78,34 +104,31 @@ class ContactMemory {
 
   // Whether contact lasted over the previous step. A lasting contact ends on the circle. If the
   // centres are closer than that (delta, m), the state was written since.
-  bool was_in_contact(double delta, double clearance) const {
+  bool was_in_contact(double delta) const {
     constexpr double kOnCircle = 0.01;  // gap that a step may leave, as a share of the clearance
-    return was_in_contact() && delta > (1.0 - kOnCircle) * clearance;
+    return was_in_contact() && delta > (1.0 - kOnCircle) * pair_.contact.clearance;
   }
   bool was_in_contact() const { return entry_.before != 0.0; }
 
   // Watches the gap in this pass. delta: m, distance of the centres.
-  void watch(double delta, const ContactParameters& c) {
-    const bool takes_time =
-        c.impact_time() > 0.0;  // an impact of finite duration penetrates the ring
-    if (!takes_time) EscapeGuard(entry_.status).watch(c.clearance - delta, c.clearance, d_->time);
+  void watch(double delta) {
+    if (pair_.contact.impact_time() > 0.0) return;  // such an impact penetrates the ring
+    const double clearance = pair_.contact.clearance;
+    EscapeGuard(entry_.status).watch(clearance - delta, clearance, d_->time);
   }
   void begin_anew() { EscapeGuard(entry_.status).begin(); }
 
   // True if the previous step had no solution and the user was warned.
   bool warned() const { return EscapeGuard(entry_.status).status() != Status::kOk; }
 
-  // Records the results. The forces are means over the step of length h (s).
-  void note(const RigidResult& r, double h) {
+  // Records the results. The forces are means over the step.
+  void note(const RigidResult& r) {
     entry_.now = r.mode == Mode::kFree ? 0.0 : 1.0;  // remember_places() puts the distance
     entry_.mode = static_cast<double>(r.mode);
-    entry_.normal_force = r.normal / h;
-    entry_.friction_force = r.friction / h;
-    // Warn once and not in every step, because MuJoCo writes its warnings to a file.
-    if (r.status != Status::kOk && r.converged && !warned()) {
-      warn("rotorub: the contact laws have no solution or several (Painleve): no impulse");
-    }
-    EscapeGuard(entry_.status).set_status(r.status);
+    entry_.normal_force = r.normal / h_;
+    entry_.friction_force = r.friction / h_;
+    EscapeGuard guard(entry_.status);
+    r.converged ? guard.record(r.status) : guard.set_status(r.status);
     entry_.impact = r.impact ? 1.0 : 0.0;
     if (r.normal > 0.0) note_contact(d_, pair_.data, r.e_r);
     if (!r.impact) return;
@@ -119,6 +142,7 @@ class ContactMemory {
   const mjData* d_;
   const ContactPair& pair_;
   ContactEntries& entry_;
+  double h_;  // s
 };
 
 // The pair's contact in mjData.contact; null if there is none or MuJoCo's solver does not solve it.

@@ -15,13 +15,19 @@ int last_dof(const mjModel* m, int body) {
   return body == 0 ? -1 : m->body_dofadr[body] + m->body_dofnum[body] - 1;
 }
 
-double along_axis(const ContactPair& pair, const mjData* d) {
-  const mjtNum* ring = d->geom_xpos + 3 * pair.ring_geom;
-  const mjtNum* rotor = d->geom_xpos + 3 * pair.rotor_geom;
-  const mjtNum* axes = contact_axes(pair, d);
-  double along = 0.0;
-  for (int i = 0; i < 3; ++i) along += axes[3 * i + 2] * (rotor[i] - ring[i]);
-  return along;
+// The vector from `ring` to `rotor` along the contact's axes.
+Eigen::Vector3d from_ring(const mjtNum* axes, const mjtNum* rotor, const mjtNum* ring) {
+  Eigen::Vector3d p(0.0, 0.0, 0.0);
+  for (int i = 0; i < 3; ++i) {
+    for (int k = 0; k < 3; ++k) p[k] += axes[3 * i + k] * (rotor[i] - ring[i]);
+  }
+  return p;
+}
+
+// The rotor's centre relative to the ring's, m.
+Eigen::Vector3d rotor_in_ring(const ContactPair& pair, const mjData* d) {
+  return from_ring(contact_axes(pair, d), d->geom_xpos + 3 * pair.rotor_geom,
+                   d->geom_xpos + 3 * pair.ring_geom);
 }
 
 // Acceleration of a point of a body for qacc = 0, m/s^2: the spatial acceleration (sum of cdof'
@@ -49,30 +55,21 @@ const mjtNum* contact_axes(const ContactPair& pair, const mjData* d) {
 }
 
 Eigen::Vector2d position_of(const ContactPair& pair, const mjData* d) {
-  const mjtNum* ring = d->geom_xpos + 3 * pair.ring_geom;
-  const mjtNum* axes = contact_axes(pair, d);
-  const mjtNum* rotor = d->geom_xpos + 3 * pair.rotor_geom;
-  Eigen::Vector2d p{0.0, 0.0};
-  for (int i = 0; i < 3; ++i) {
-    p.x() += axes[3 * i] * (rotor[i] - ring[i]);
-    p.y() += axes[3 * i + 1] * (rotor[i] - ring[i]);
-  }
-  return p;
+  return rotor_in_ring(pair, d).head<2>();
 }
 
 bool face_each_other(const ContactPair& pair, const mjData* d) {
-  if (pair.in_world) return true;
-  return std::abs(along_axis(pair, d)) <= pair.reach;
+  return pair.in_world || std::abs(rotor_in_ring(pair, d).z()) <= pair.reach;
 }
 
 ContactPlace contact_place(const ContactPair& pair, const mjData* d) {
   ContactPlace place;
   place.axes = contact_axes(pair, d);
-  place.d = position_of(pair, d);
+  const Eigen::Vector3d centre = rotor_in_ring(pair, d);
+  place.d = centre.head<2>();
   place.ring_spin = 1.0 + place.d.norm() / pair.contact.radius;
-  const double along = along_axis(pair, d);
   const mjtNum* ring = d->geom_xpos + 3 * pair.ring_geom;
-  for (int i = 0; i < 3; ++i) place.ring_point[i] = ring[i] + along * place.axes[3 * i + 2];
+  for (int i = 0; i < 3; ++i) place.ring_point[i] = ring[i] + centre.z() * place.axes[3 * i + 2];
   return place;
 }
 
@@ -82,12 +79,7 @@ Eigen::Vector2d turning_of(const ContactPair& pair, const ContactPlace& place, c
   mjtNum rotor[3], ring[3];
   point_turning(m, d, m->geom_bodyid[pair.rotor_geom], d->geom_xpos + 3 * pair.rotor_geom, rotor);
   point_turning(m, d, m->geom_bodyid[pair.ring_geom], place.ring_point, ring);
-  Eigen::Vector2d a(0.0, 0.0);
-  for (int i = 0; i < 3; ++i) {
-    a.x() += place.axes[3 * i] * (rotor[i] - ring[i]);
-    a.y() += place.axes[3 * i + 1] * (rotor[i] - ring[i]);
-  }
-  return a;
+  return from_ring(place.axes, rotor, ring).head<2>();
 }
 
 BodySpace::BodySpace(const ContactPair& pair, const ContactPlace& place, const mjModel* m,
@@ -100,6 +92,7 @@ BodySpace::BodySpace(const ContactPair& pair, const ContactPlace& place, const m
   add_body(place.axes, place.ring_point, ring, -1.0, place.ring_spin);
   trees_[0] = tree_of(m, rotor);
   if (m->body_rootid[ring] != m->body_rootid[rotor]) trees_[1] = tree_of(m, ring);
+  solve();
 }
 
 // Like mj_jac, but only for the degrees of freedom that move the body.
@@ -230,12 +223,9 @@ ContactSpaces::Made ContactSpaces::add(const ContactPair& pair) {
     return {place, &spaces.plane.emplace<ChainSpace>(config_, pair.bearing, m_, d_, matrix_),
             nullptr};
   }
-  BodySpace& plane = spaces.plane.emplace<BodySpace>(pair, place, m_, d_, matrix_);
-  plane.solve();
+  const BodySpace& plane = spaces.plane.emplace<BodySpace>(pair, place, m_, d_, matrix_);
   if (!pair.axial) return {place, &plane, nullptr};
-  BodySpace& axial = spaces.axial.emplace(pair, place, m_, d_, matrix_, BodyRows::kAxis);
-  axial.solve();
-  return {place, &plane, &axial};
+  return {place, &plane, &spaces.axial.emplace(pair, place, m_, d_, matrix_, BodyRows::kAxis)};
 }
 
 Eigen::Vector3d ContactRows::column(Eigen::Index k) const {

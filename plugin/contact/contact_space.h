@@ -26,9 +26,8 @@ class ContactSpace {
   ContactSpace& operator=(const ContactSpace&) = delete;
 
   Eigen::Vector3d rates(const mjtNum* v) const { return product(jacobian_, v); }  // J v
-  virtual Eigen::Vector3d response(const mjtNum* f) const {
-    return product(damped_, f);
-  }                                                              // J H^-1 f
+  // J H^-1 f
+  virtual Eigen::Vector3d response(const mjtNum* f) const { return product(damped_, f); }
   Eigen::Matrix3d flexibility() const { return gram(damped_); }  // J H^-1 J^T
   Eigen::Matrix3d admittance() const { return gram(plain()); }   // J M^-1 J^T
   bool damped() const { return damped_ != plain_; }              // true if H differs from M
@@ -59,14 +58,11 @@ class ContactSpace {
   void add_acceleration(const Eigen::Vector3d& load, mjtNum* to) const {
     add_rows(plain(), load, to);
   }
-  // Calls add_impact or add_load.
+  // Like add_load, but for an impact to += H M^-1 J^T load. The factor H M^-1 compensates the
+  // step's dampers, which would reduce the impulse.
   void add(const Eigen::Vector3d& load, bool impact, mjtNum* to) const {
-    impact ? add_impact(load, to) : add_load(load, to);
-  }
-  // to += H M^-1 J^T load. The factor H M^-1 compensates the step's dampers, which would reduce the
-  // impulse.
-  void add_impact(const Eigen::Vector3d& load, mjtNum* to) const {
     add_load(load, to);
+    if (!impact) return;
     StackFrame room(d_);
     mjtNum* change = room.numbers(nv_);
     std::fill_n(change, nv_, 0.0);
@@ -106,8 +102,7 @@ class ContactSpace {
 
  private:
   Eigen::Matrix3d gram(const mjtNum* rows) const {
-    Eigen::Matrix3d g;
-    for (int j = 0; j < 3; ++j) g.col(j) = product(rows, jacobian_ + j * nv_);
+    const Eigen::Matrix3d g = gram(rows, *this);
     // The matrix of an implicit step may be unsymmetric. Its antisymmetric part does not change the
     // rate along the load itself.
     return 0.5 * (g + g.transpose());
@@ -167,12 +162,9 @@ class BodySpace final : public ContactSpace {
   BodySpace(const ContactPair& pair, const ContactPlace& place, const mjModel* m, mjData* d,
             const StepMatrix& matrix, BodyRows rows = BodyRows::kPlane);
 
-  // Computes J H^-1; J M^-1 follows when it is needed. Call it once, before everything except
-  // `rates` and `add_load`.
-  void solve();
-
  private:
   void add_body(const mjtNum* axes, const mjtNum* point, int body, double sign, double spin);
+  void solve();  // computes J H^-1; J M^-1 follows when it is needed
   void solve_plain() const override;
 
   const mjModel* m_;
@@ -234,8 +226,8 @@ struct ContactRows {
   }
 };
 
-// The spaces of the contacts of a pass, each of the appropriate class and ready for use. They use
-// the stack of mjData: the last one made is destroyed first.
+// The spaces of the contacts of a pass. They use the stack of mjData: the last one made is
+// destroyed first.
 class ContactSpaces {
  public:
   // Make it after mj_fwdActuation. config must outlive it.

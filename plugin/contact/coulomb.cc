@@ -13,7 +13,6 @@
 #include "plugin/contact/constraint_probe.h"
 #include "plugin/contact/contact_memory.h"
 #include "plugin/contact/contact_space.h"
-#include "plugin/contact/noted_contact.h"
 #include "plugin/model/actuators.h"
 #include "plugin/model/generated_rotor.h"
 #include "plugin/model/options.h"
@@ -33,6 +32,7 @@ struct TouchingPair : ContactRows {
   Eigen::Vector3d base{0.0, 0.0, 0.0};  // m/s^2, part of y beyond accelerations of coordinates
   double slip = 0.0;                    // m/s, magnitude in both directions
   double curvature = 0.0;  // m/s^2, towards the ring, by the whirl and by centres on circles
+  Eigen::Vector3d free{0.0, 0.0, 0.0};  // m/s^2, y without any contact force
   bool touches = false;
   std::optional<double> pressing{};      // N, normal force of a compliant contact
   Eigen::Vector3d force{0.0, 0.0, 0.0};  // N, (normal, friction, friction along the axis)
@@ -74,7 +74,6 @@ Reference reference_of(const ContactPair& pair, const mjModel* m, const mjData* 
   return {-solref[0] / impedance, -solref[1] / impedance};
 }
 
-// row: of MuJoCo's solver.
 TouchingPair touching_pair(const ContactPair& pair, const ContactSpaces::Made& at, const mjModel* m,
                            mjData* d, int row) {
   const auto& [place, space, axial] = at;
@@ -102,22 +101,22 @@ TouchingPair touching_pair(const ContactPair& pair, const ContactSpaces::Made& a
   return s;
 }
 
-// Returns y without any contact force, where free(space) are the free accelerations, and decides
+// Finds y without any contact force, where free(space) are the free accelerations, and decides
 // whether the contact touches. A rebound that the loads undo within two steps is not a flight.
 // Beside other contacts, which may press this one, the common law decides.
 template <typename Free>
-Eigen::Vector3d look(TouchingPair& s, bool beside_others, Free free, const mjModel* m, mjData* d) {
+void look(TouchingPair& s, bool beside_others, Free free, const mjModel* m, mjData* d) {
   const Eigen::Vector3d a = s.along(free);
+  s.free = s.base + a;
   if (s.pressing) {
     s.touches = *s.pressing > 0.0;
-    return s.base + a;
+    return;
   }
   const bool before = s.entries(d).mode != 0.0;
   const bool lasts =
       before && (beside_others ||
                  !flight_outlives(2.0 * m->opt.timestep, s.point.gap_rate, s.curvature - a.x()));
   s.touches = s.point.gap < 0.0 || lasts;
-  return s.base + a;
 }
 
 // The reference of an open contact. It is well below the acceleration, so that not even round-off
@@ -125,49 +124,55 @@ Eigen::Vector3d look(TouchingPair& s, bool beside_others, Free free, const mjMod
 double open_reference(double acceleration) { return acceleration - (1.0 + std::abs(acceleration)); }
 
 // The contacts of a pass.
-struct TouchingPairs {
-  std::array<TouchingPair, kMaxContacts> all;
-  std::array<int, kMaxContacts> rows{};
-  std::size_t count = 0;
-  std::span<TouchingPair> span() { return {all.data(), count}; }
-};
+using TouchingPairs = ContactList<TouchingPair>;
+
+// Sets aref, from which MuJoCo's solver finds l = (aref - J a_smooth) / (J M^-1 J^T + R).
+// rates(space): the accelerations with all contact forces.
+template <typename Rates>
+void set_references(const TouchingPairs& contacts, Rates rates, mjData* d) {
+  for (const TouchingPair& s : contacts) {
+    if (s.row == kNoRow) continue;
+    const double found = s.along(rates).x();
+    d->efc_aref[s.row] =
+        s.force.x() > 0.0 ? found + d->efc_R[s.row] * s.force.x() : open_reference(found);
+  }
+}
 
 // The contacts that touch, in the order of a vector of forces.
 struct Touching {
-  std::array<TouchingPair*, kMaxContacts> at{};
-  std::array<ImpactLaw, kMaxContacts> laws{};   // only their friction is filled
-  std::array<ContactSet, kMaxContacts> sets{};  // only for compliant contacts
-  bool give = false;                            // compliant contacts; either all or none are
-  std::size_t count = 0;
-  Eigen::Index rows = 2;  // 3 if one of them moves along its axis
+  ContactList<TouchingPair*> at;
+  ContactList<ImpactLaw> laws;   // only their friction is filled
+  ContactList<ContactSet> sets;  // only for compliant contacts; either all or none are
+  Eigen::Index rows = 2;         // 3 if one of them moves along its axis
   Eigen::Index row(std::size_t k) const { return rows * static_cast<Eigen::Index>(k); }
-  std::span<const ImpactLaw> friction() const { return {laws.data(), count}; }
   ContactMatrix matrix() const {
-    std::array<const ContactRows*, kMaxContacts> all{};
-    std::copy_n(at.begin(), count, all.begin());
-    return contact_matrix({all.data(), count}, rows, false);
+    ContactList<const ContactRows*> all;
+    for (const TouchingPair* s : at) all.push_back(s);
+    return contact_matrix(all, rows, false);
   }
 };
 
 Touching touching(TouchingPairs& contacts) {
   Touching t;
-  for (TouchingPair& s : contacts.span()) {
+  for (TouchingPair& s : contacts) {
     if (!s.touches) continue;
     // The law is evaluated at the slip here, because the rates of this problem are accelerations.
-    t.laws[t.count].friction = s.pair->contact.friction.at(s.slip);
+    ImpactLaw law;
+    law.friction = s.pair->contact.friction.at(s.slip);
+    t.laws.push_back(law);
     if (s.pressing) {
-      t.give = true;
-      t.sets[t.count] = {t.laws[t.count].friction.coefficient, *s.pressing};
-      t.sets[t.count].pressed = true;
+      ContactSet set{law.friction.coefficient, *s.pressing};
+      set.pressed = true;
+      t.sets.push_back(set);
     }
-    t.at[t.count++] = &s;
+    t.at.push_back(&s);
     if (s.axial) t.rows = 3;
   }
   return t;
 }
 
 void put(Touching& t, const ContactVector& forces, const std::array<bool, kMaxContacts>& sticks) {
-  for (std::size_t k = 0; k < t.count; ++k) {
+  for (std::size_t k = 0; k < t.at.size(); ++k) {
     t.at[k]->force.head(t.rows) = forces.segment(t.row(k), t.rows);
     t.at[k]->sticks = sticks[k];
   }
@@ -179,16 +184,16 @@ class ForceResponse final : public ContactResponse {
   ForceResponse(ConstraintProbe& probe, const Touching& t) : probe_(probe), t_(t) {}
   ContactVector at(const ContactVector& p) override {
     probe_.solve([&](mjtNum* force) {
-      for (std::size_t k = 0; k < t_.count; ++k) {
+      for (std::size_t k = 0; k < t_.at.size(); ++k) {
         const Eigen::Index row = t_.row(k);
         t_.at[k]->for_each_load(
             {p[row], p[row + 1], t_.rows == 3 ? p[row + 2] : 0.0},
             [&](const ContactSpace& at, const Eigen::Vector3d& load) { at.add_load(load, force); });
       }
     });
-    ContactVector y(t_.row(t_.count));
+    ContactVector y(t_.row(t_.at.size()));
     const auto found = [this](const ContactSpace& at) { return probe_.acceleration(at); };
-    for (std::size_t k = 0; k < t_.count; ++k) {
+    for (std::size_t k = 0; k < t_.at.size(); ++k) {
       const TouchingPair& s = *t_.at[k];
       y.segment(t_.row(k), t_.rows) = (s.base + s.along(found)).head(t_.rows);
     }
@@ -206,85 +211,61 @@ void note_status(const Touching& t, bool converged, const mjModel* m, mjData* d)
   const auto warned = [d](const TouchingPair* s) {
     return EscapeGuard(s->entries(d).status).status() != Status::kOk;
   };
-  const bool known =
-      std::any_of(t.at.begin(), t.at.begin() + static_cast<std::ptrdiff_t>(t.count), warned);
+  const bool known = std::any_of(t.at.begin(), t.at.end(), warned);
   if (!converged && !known) warn_unsolved(m, d, *t.at[0]->plane);
-  for (std::size_t k = 0; k < t.count; ++k) {
-    EscapeGuard(t.at[k]->entries(d).status)
-        .set_status(converged ? Status::kOk : Status::kNoSolution);
+  for (const TouchingPair* s : t.at) {
+    EscapeGuard(s->entries(d).status).set_status(converged ? Status::kOk : Status::kNoSolution);
   }
 }
 
 void solve_free(TouchingPairs& contacts, const mjModel* m, mjData* d) {
-  std::array<Eigen::Vector3d, kMaxContacts> free;
   const auto response = [d](const ContactSpace& at) { return at.response(d->qfrc_smooth); };
-  std::size_t count = 0;
-  for (TouchingPair& s : contacts.span()) {
-    const Eigen::Vector3d y = look(s, contacts.count > 1, response, m, d);
-    if (s.touches) free[count++] = y;
-  }
+  for (TouchingPair& s : contacts) look(s, contacts.size() > 1, response, m, d);
   Touching t = touching(contacts);
-  if (t.count == 0) return;
-  ContactVector b(t.row(t.count));
-  for (std::size_t k = 0; k < t.count; ++k) {
-    b.segment(t.row(k), t.rows) = free[k].head(t.rows);
+  if (!t.at.empty()) {
+    ContactVector b(t.row(t.at.size()));
+    for (std::size_t k = 0; k < t.at.size(); ++k) {
+      b.segment(t.row(k), t.rows) = t.at[k]->free.head(t.rows);
+    }
+    const CoupledSolution s = t.sets.empty() ? solve_compression(t.matrix(), b, t.laws)
+                                             : solve_coupled(t.matrix(), b, t.sets);
+    if (s.solutions > 0) put(t, s.p, s.sticks);
   }
-  const CoupledSolution s = t.give ? solve_coupled(t.matrix(), b, std::span(t.sets).first(t.count))
-                                   : solve_compression(t.matrix(), b, t.friction());
-  if (s.solutions > 0) put(t, s.p, s.sticks);
-}
-
-// Sets aref, from which MuJoCo's solver finds l = (aref - J a_smooth) / (J M^-1 J^T + R).
-void set_references(TouchingPairs& contacts, const mjModel* m, mjData* d) {
   StackFrame room(d);
   mjtNum* acceleration = room.numbers(count(m->nv));
   mju_zero(acceleration, count(m->nv));
-  for (const TouchingPair& s : contacts.span()) {
+  for (const TouchingPair& s : contacts) {
     if (s.force.x() > 0.0) s.add_acceleration(acceleration);
   }
   const auto rates = [acceleration](const ContactSpace& at) -> Eigen::Vector3d {
     return at.smooth() + at.rates(acceleration);
   };
-  for (const TouchingPair& s : contacts.span()) {
-    if (s.row == kNoRow) continue;
-    const double found = s.along(rates).x();
-    d->efc_aref[s.row] =
-        s.force.x() > 0.0 ? found + d->efc_R[s.row] * s.force.x() : open_reference(found);
-  }
+  set_references(contacts, rates, d);
 }
 
 // The same beside constraints. The contacts' own rows are kept inactive during the trials. The
 // solver's final result then obeys J a = aref - R l.
 void solve_beside_constraints(TouchingPairs& contacts, const mjModel* m, mjData* d) {
   constexpr double kInactive = -1e12;  // m/s^2
-  for (const TouchingPair& s : contacts.span()) d->efc_aref[s.row] = kInactive;
+  for (const TouchingPair& s : contacts) d->efc_aref[s.row] = kInactive;
   ConstraintProbe probe(m, d);
   probe.solve([](mjtNum*) {});
   const auto free = [&probe](const ContactSpace& at) { return probe.acceleration(at); };
-  for (TouchingPair& s : contacts.span()) look(s, contacts.count > 1, free, m, d);
+  for (TouchingPair& s : contacts) look(s, contacts.size() > 1, free, m, d);
   Touching t = touching(contacts);
-  if (t.count > 0) {
+  if (!t.at.empty()) {
     ForceResponse response(probe, t);
-    const ContactVector none = ContactVector::Zero(t.row(t.count));
+    const ContactVector none = ContactVector::Zero(t.row(t.at.size()));
     const ConstrainedContact found =
-        solve_constrained(response, response.at(none), t.matrix(), t.friction());
+        solve_constrained(response, response.at(none), t.matrix(), t.laws);
     if (found.solved) put(t, found.p, found.sticks);
     note_status(t, found.converged, m, d);
-    ContactVector forces = none;
-    for (std::size_t k = 0; k < t.count; ++k) {
-      forces.segment(t.row(k), t.rows) = t.at[k]->force.head(t.rows);
-    }
-    response.at(forces);
+    response.at(found.solved ? found.p : none);
   }
-  bool any = false;
-  const auto rates = [d](const ContactSpace& at) { return at.rates(d->qacc); };
-  for (const TouchingPair& s : contacts.span()) {
-    const double found = s.along(rates).x();
-    any = any || s.force.x() > 0.0;
-    d->efc_aref[s.row] =
-        s.force.x() > 0.0 ? found + d->efc_R[s.row] * s.force.x() : open_reference(found);
-  }
-  if (any) probe.keep();
+  set_references(
+      contacts, [d](const ContactSpace& at) { return at.rates(d->qacc); }, d);
+  const auto presses = [](const TouchingPair& s) { return s.force.x() > 0.0; };
+  if (std::any_of(contacts.begin(), contacts.end(), presses)) probe.keep();
 }
 
 // True if a contact that MuJoCo's solver does not contain is near enough to be detected.
@@ -309,6 +290,7 @@ void note(const TouchingPair& s, mjData* d) {
 void apply_coulomb(const Config& config, const mjModel* m, mjData* d) {
   std::optional<ContactSpaces> spaces;
   TouchingPairs contacts;
+  ContactList<int> own;  // their rows
   for (const ContactPair& pair : config.pairs) {
     if (pair.law == scene::ContactModel::kRigid) continue;
     ContactEntries& entry = contact_entries(pair, d);
@@ -318,30 +300,28 @@ void apply_coulomb(const Config& config, const mjModel* m, mjData* d) {
     if (!seen) entry.mode = 0.0;
     if (!seen && pair.contact.gives()) pass_without_contact(pair, m, d);
     if (!seen || pair.law != scene::ContactModel::kCoulomb) continue;
-    if (contacts.count == 0) {
+    if (contacts.empty()) {
       compute_actuators(m, d);
       mj_fwdAcceleration(m, d);
       spaces.emplace(config, m, d);
     }
     const int row = pair.beside ? kNoRow : contact->efc_address;
-    contacts.rows[contacts.count] = row;
-    contacts.all[contacts.count++] = touching_pair(pair, spaces->add(pair), m, d, row);
+    own.push_back(row);
+    contacts.push_back(touching_pair(pair, spaces->add(pair), m, d, row));
   }
-  if (contacts.count == 0) return;
+  if (contacts.empty()) return;
   bool beside = false;
-  for (const TouchingPair& s : contacts.span()) {
-    const std::span<const int> own = std::span(contacts.rows).first(contacts.count);
+  for (const TouchingPair& s : contacts) {
     beside = beside || constraints_couple(m, d, *s.plane, own) ||
              (s.axial && constraints_couple(m, d, *s.axial, own));
   }
   // The force of a compliant contact is known, whatever constraints act on its bodies.
-  if (beside && !contacts.all[0].pressing) {
+  if (beside && !contacts[0].pressing) {
     solve_beside_constraints(contacts, m, d);
   } else {
     solve_free(contacts, m, d);
-    set_references(contacts, m, d);
   }
-  for (const TouchingPair& s : contacts.span()) {
+  for (const TouchingPair& s : contacts) {
     note(s, d);
     if (s.force.x() > 0.0) s.add_side(d->qfrc_passive);
   }

@@ -31,16 +31,16 @@ void give_way(const ContactPair& pair, const mjModel* m, mjData* d, const mjCont
   const double force = compliant_force(pair, point, m, d);
   const int row = contact.efc_address;
   const double impedance = m->pair_solimp[mjNIMP * pair.pair];
-  if (contact.dim >= 3)
-    set_friction_reference(m, d, contact, (1.0 - impedance) / (impedance * m->opt.timestep));
+  set_friction_reference(m, d, contact, (1.0 - impedance) / (impedance * m->opt.timestep));
   d->efc_aref[row] = d->efc_R[row] * force;
 }
 
 void apply_cones(const Config& config, const mjModel* m, mjData* d) {
+  const double stops_slip = 1.0 / m->opt.timestep;  // 1/s, B_t of corrected contacts
   std::vector<SlidingContact> corrected;
   for (const int pair : config.corrected_pairs) {
     for_each_solved(d, m->pair_geom1[pair], m->pair_geom2[pair], [&](const mjContact& c) {
-      if (c.dim >= 3) set_friction_reference(m, d, c, corrected_friction_reference(m));
+      set_friction_reference(m, d, c, stops_slip);
       corrected.push_back({&c, {}});
     });
   }
@@ -53,10 +53,10 @@ void apply_cones(const Config& config, const mjModel* m, mjData* d) {
         give_way(pair, m, d, c);
         corrected.push_back({&c, {}});
       } else if (pair.law == scene::ContactModel::kConeCoulomb) {
-        if (c.dim >= 3) set_friction_reference(m, d, c, corrected_friction_reference(m));
+        set_friction_reference(m, d, c, stops_slip);
         const ContactPoint point = contact_point_of(pair, m, d);
         corrected.push_back({&c, point.whirl_speed() * point.whirl_speed() / point.delta});
-      } else if (pair.friction_reference > 0.0 && c.dim >= 3) {
+      } else if (pair.friction_reference > 0.0) {
         set_friction_reference(m, d, c, pair.friction_reference);
       }
     });

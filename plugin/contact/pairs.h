@@ -6,7 +6,7 @@
 //   cone-coulomb  the same, corrected for sliding (contact/cone.h)
 // A compliant contact (native_model/contact/compliance.h) is a pair of `coulomb` or of a cone whose
 // normal force is given.
-// Contacts that act on the same bodies are solved together (rigid_solver.h), also with the
+// Contacts that act on the same bodies are solved together (rigid.h), also with the
 // constraints that act on those bodies (constraint_probe.h).
 #pragma once
 

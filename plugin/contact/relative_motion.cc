@@ -111,22 +111,19 @@ double change(const mjModel* m, mjData* d) {
   const int nv = count(m->nv), n = d->nefc;
   StackFrame room(d);
   mjtNum* x = room.numbers(nv);
-  double change = 0.0;
   if (n == 0) {
     half_solve(m, d, x, d->qfrc_smooth, room);
-    change = mju_norm(x, nv);
-  } else {
-    mj_solveM(m, d, x, d->qfrc_smooth, 1);
-    mjtNum* miss = room.numbers(n);
-    mj_mulJacVec(m, d, miss, x);
-    double cost = 0.0;
-    for (int i = 0; i < n; ++i) {
-      const double e = miss[i] - d->efc_aref[i];
-      cost += d->efc_D[i] * e * e;
-    }
-    change = std::sqrt(std::max(0.0, mju_dot(x, d->qfrc_smooth, nv))) + std::sqrt(cost);
+    return mju_norm(x, nv);
   }
-  return change;
+  mj_solveM(m, d, x, d->qfrc_smooth, 1);
+  mjtNum* miss = room.numbers(n);
+  mj_mulJacVec(m, d, miss, x);
+  double cost = 0.0;
+  for (int i = 0; i < n; ++i) {
+    const double e = miss[i] - d->efc_aref[i];
+    cost += d->efc_D[i] * e * e;
+  }
+  return std::sqrt(std::max(0.0, mju_dot(x, d->qfrc_smooth, nv))) + std::sqrt(cost);
 }
 
 // Rates of the rotor's centre seen from the ring, (relative x, relative y, spin) as in a BodySpace:

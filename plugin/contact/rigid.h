@@ -1,8 +1,7 @@
 // Contact model `rigid` in contact space (contact_space.h): the contacts of one forward pass, for
 // segments, users' own models, and generated chains with a user's constraints. (Other generated
-// chains have the native step, verlet.h.) Contacts that
-// act on the same bodies are solved together (rigid_solver.h), also with the constraints of
-// MuJoCo's solver that act on them (constraint_probe.h).
+// chains have the native step, verlet.h.) Contacts that act on the same bodies are solved together,
+// also with the constraints of MuJoCo's solver that act on them (constraint_probe.h).
 #pragma once
 
 #include <mujoco/mujoco.h>

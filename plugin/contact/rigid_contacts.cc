@@ -27,130 +27,132 @@ class RigidContacts::Response final : public ContactResponse {
   const ContactSubset& subset_;
 };
 
+namespace {
+
+void set_status(const ContactSubset& s, Status status) {
+  for (const ContactSubset::Member& member : s.members) member.at->result.status = status;
+}
+
+}  // namespace
+
 RigidContacts::RigidContacts(const mjModel* m, mjData* d, std::span<RigidContact* const> members,
                              ConstraintProbe* probe)
     : d_(d), members_(members), probe_(probe), h_(m->opt.timestep) {
-  for (std::size_t i = 0; i < members.size(); ++i) {
-    const RigidContact& at = *members[i];
-    contacts_[i].rows = {at.space, at.axial, {1.0, 0.0}, at.pair->contact.radius};
-    if (at.axial) rows_ = 3;
+  for (const RigidContact* c : members) {
+    if (c->rows.axial) rows_ = 3;
   }
 }
 
 bool RigidContacts::any_closed() const {
-  return std::any_of(contacts_.begin(), contacts_.begin() + static_cast<std::ptrdiff_t>(size()),
-                     [](const Closing& c) { return c.closed; });
+  return std::any_of(members_.begin(), members_.end(),
+                     [](const RigidContact* c) { return c->closed; });
 }
 
 void RigidContacts::give_none() {
-  for (Closing& c : contacts_) {
-    const Status status = c.result.status;
-    c.lasting = c.sudden = Eigen::Vector3d::Zero();
-    c.result = {};
-    c.result.status = status;
-    c.result.converged = converged_;
+  for (RigidContact* c : members_) {
+    const Status status = c->result.status;
+    c->lasting = c->sudden = Eigen::Vector3d::Zero();
+    c->result = {};
+    c->result.status = status;
+    c->result.converged = converged_;
+  }
+}
+
+template <typename Action>
+void RigidContacts::for_each_load(double by, Action action) const {
+  for (const RigidContact* c : members_) {
+    for (const bool impact : {false, true}) {
+      const Eigen::Vector3d& p = impact ? c->sudden : c->lasting;
+      if (!c->closed || p.isZero(0.0)) continue;
+      c->rows.for_each_load(p / by, [&](const ContactSpace& at, const Eigen::Vector3d& load) {
+        action(at, load, impact);
+      });
+    }
   }
 }
 
 void RigidContacts::add_forces(mjtNum* to) const {
-  for (std::size_t i = 0; i < size(); ++i) {
-    for (const bool impact : {false, true}) {
-      const Eigen::Vector3d& p = impact ? contacts_[i].sudden : contacts_[i].lasting;
-      if (!contacts_[i].closed || p.isZero(0.0)) continue;
-      contacts_[i].rows.for_each_load(
-          p / h_, [&](const ContactSpace& at, const auto& load) { at.add(load, impact, to); });
-    }
-  }
+  for_each_load(h_, [to](const ContactSpace& at, const Eigen::Vector3d& load, bool impact) {
+    at.add(load, impact, to);
+  });
 }
 
 Eigen::Vector3d RigidContacts::end_of(const ContactSpace& at, const Eigen::Vector3d& start) const {
   if (probe_) return start + h_ * probe_->acceleration(at);
   Eigen::Vector3d end = start + h_ * at.response(d_->qfrc_smooth);
-  for (std::size_t j = 0; j < size(); ++j) {
-    for (const bool impact : {false, true}) {
-      const Eigen::Vector3d& p = impact ? contacts_[j].sudden : contacts_[j].lasting;
-      if (!contacts_[j].closed || p.isZero(0.0)) continue;
-      contacts_[j].rows.for_each_load(p, [&](const ContactSpace& from, const auto& load) {
-        end += (impact ? at.admittance(from) : at.flexibility(from)) * load;
-      });
-    }
-  }
+  for_each_load(1.0, [&](const ContactSpace& from, const Eigen::Vector3d& load, bool impact) {
+    end += (impact ? at.admittance(from) : at.flexibility(from)) * load;
+  });
   return end;
 }
 
 void RigidContacts::find_ends() {
   if (probe_) probe_->solve([this](mjtNum* force) { add_forces(force); });
-  for (std::size_t i = 0; i < size(); ++i) {
-    const RigidContact& at = *members_[i];
-    contacts_[i].end = end_of(*at.space, at.step.start);
-    if (at.axial) contacts_[i].axial_end = end_of(*at.axial, at.axial_start);
+  for (RigidContact* c : members_) {
+    c->end = end_of(*c->rows.plane, c->step.start);
+    if (c->rows.axial) c->axial_end = end_of(*c->rows.axial, c->axial_start);
   }
 }
 
-ContactVector RigidContacts::rates(const ContactSubset& s) const {
-  ContactVector y(rows_ * static_cast<Eigen::Index>(s.count));
-  for (std::size_t k = 0; k < s.count; ++k) {
-    const Closing& c = contacts_[s.index[k]];
-    const Eigen::Index row = rows_ * static_cast<Eigen::Index>(k);
-    const auto end = [&c](const ContactSpace& at) {
-      return &at == c.rows.axial ? c.axial_end : c.end;
+template <typename RatesIn>
+ContactVector RigidContacts::along(const ContactSubset& s, RatesIn rates_in) const {
+  ContactVector y(row(s.members.size()));
+  for (std::size_t k = 0; k < s.members.size(); ++k) {
+    const RigidContact& c = *s.members[k].at;
+    const auto in_space = [&](const ContactSpace& at) -> Eigen::Vector3d {
+      return rates_in(c, at);
     };
-    y.segment(row, rows_) = c.rows.along(end).head(rows_);
-    y[row] += s.offset[k];
+    y.segment(row(k), rows_) = c.rows.along(in_space).head(rows_);
   }
+  return y;
+}
+
+ContactVector RigidContacts::rates(const ContactSubset& s) const {
+  ContactVector y = along(s, [](const RigidContact& c, const ContactSpace& at) {
+    return &at == c.rows.axial ? c.axial_end : c.end;
+  });
+  for (std::size_t k = 0; k < s.members.size(); ++k) y[row(k)] += s.members[k].offset;
   return y;
 }
 
 ContactVector RigidContacts::sudden_change(const ContactSubset& s, const ContactVector& p) {
   put(s, p);
   probe_->solve_sudden([this](mjtNum* to) {
-    for (const Closing& c : std::span(contacts_).first(size())) {
-      if (!c.closed || c.sudden.isZero(0.0)) continue;
-      c.rows.for_each_load(
-          c.sudden / h_, [&](const ContactSpace& at, const auto& load) { at.add(load, true, to); });
-    }
+    for_each_load(h_, [to](const ContactSpace& at, const Eigen::Vector3d& load, bool impact) {
+      if (impact) at.add(load, true, to);
+    });
   });
-  const auto change = [this](const ContactSpace& at) -> Eigen::Vector3d {
+  return along(s, [this](const RigidContact&, const ContactSpace& at) -> Eigen::Vector3d {
     return h_ * probe_->acceleration(at);
-  };
-  ContactVector y(rows_ * static_cast<Eigen::Index>(s.count));
-  for (std::size_t k = 0; k < s.count; ++k) {
-    const Eigen::Index row = rows_ * static_cast<Eigen::Index>(k);
-    y.segment(row, rows_) = contacts_[s.index[k]].rows.along(change).head(rows_);
-  }
-  return y;
+  });
 }
 
 ContactMatrix RigidContacts::matrix(const ContactSubset& s) const {
-  std::array<const ContactRows*, kMaxContacts> all{};
-  for (std::size_t k = 0; k < s.count; ++k) all[k] = &contacts_[s.index[k]].rows;
-  return contact_matrix({all.data(), s.count}, rows_, s.impact);
+  ContactList<const ContactRows*> all;
+  for (const ContactSubset::Member& member : s.members) all.push_back(&member.at->rows);
+  return contact_matrix(all, rows_, s.impact);
 }
 
 void RigidContacts::put(const ContactSubset& s, const ContactVector& p) {
-  for (std::size_t k = 0; k < s.count; ++k) {
-    const Eigen::Index row = rows_ * static_cast<Eigen::Index>(k);
-    Closing& c = contacts_[s.index[k]];
-    (s.impact ? c.sudden : c.lasting) = {p[row], p[row + 1],
-                                         members_[s.index[k]]->axial ? p[row + 2] : 0.0};
+  for (std::size_t k = 0; k < s.members.size(); ++k) {
+    RigidContact& c = *s.members[k].at;
+    (s.impact ? c.sudden : c.lasting) = {p[row(k)], p[row(k) + 1],
+                                         c.rows.axial ? p[row(k) + 2] : 0.0};
   }
-}
-
-void RigidContacts::set_status(const ContactSubset& s, Status status) {
-  for (std::size_t k = 0; k < s.count; ++k) contacts_[s.index[k]].result.status = status;
 }
 
 bool RigidContacts::solve(const ContactSubset& s, SubsetSolution& out) {
   const ContactMatrix a = matrix(s);
   const ContactVector free = rates(s);
-  std::array<ImpactLaw, kMaxContacts> all{};
-  for (std::size_t k = 0; k < s.count; ++k) all[k] = members_[s.index[k]]->pair->contact.law();
-  const std::span<const ImpactLaw> laws(all.data(), s.count);
+  ContactList<ImpactLaw> laws;
+  for (const ContactSubset::Member& member : s.members) {
+    laws.push_back(member.at->pair->contact.law());
+  }
   if (probe_) return solve_held(s, a, free, laws, out);
   // Impact times count only for a planar contact that is alone on its bodies, without constraints.
-  const std::size_t first = s.index[0];
+  const RigidContact& first = *s.members[0].at;
   const bool over_time =
-      s.impact && size() == 1 && rows_ == 2 && members_[first]->pair->contact.impact_time() > 0.0;
+      s.impact && members_.size() == 1 && rows_ == 2 && first.pair->contact.impact_time() > 0.0;
   const CoupledSolution found = over_time  ? solve_impact_over_time(first)
                                 : s.impact ? solve_coupled_impact(a, free, laws)
                                            : solve_lasting(a, free, laws, slips_before(s));
@@ -163,19 +165,18 @@ bool RigidContacts::solve(const ContactSubset& s, SubsetSolution& out) {
   return true;
 }
 
-CoupledSolution RigidContacts::solve_impact_over_time(std::size_t i) const {
-  const RigidContact& at = *members_[i];
+CoupledSolution RigidContacts::solve_impact_over_time(const RigidContact& at) const {
   const ContactParameters& contact = at.pair->contact;
   ImpactInput in;
-  in.admittance = at.space->admittance();
-  in.e_r = contacts_[i].rows.e_r;
+  in.admittance = at.rows.plane->admittance();
+  in.e_r = at.rows.e_r;
   in.radius = contact.radius;
   in.delta = contact.clearance;
-  in.acceleration = (contacts_[i].end - at.step.start) / h_;
+  in.acceleration = (at.end - at.step.start) / h_;
   in.compression_time = contact.compression_time;
   in.expansion_time = contact.expansion_time;
   // `end` includes the loads of the whole step; the impact law adds those during the impact itself.
-  in.velocity = contacts_[i].end - in.acceleration * contact.impact_time();
+  in.velocity = at.end - in.acceleration * contact.impact_time();
   const ImpactResult r = solve_impact(in, contact.law());
   CoupledSolution out;
   out.solutions = r.status == Status::kOk ? 1 : r.status == Status::kNoSolution ? 0 : 2;
@@ -184,14 +185,13 @@ CoupledSolution RigidContacts::solve_impact_over_time(std::size_t i) const {
 }
 
 ContactList<double> RigidContacts::slips_before(const ContactSubset& s) const {
+  const ContactVector y = along(s, [](const RigidContact& c, const ContactSpace& at) {
+    return &at == c.rows.axial ? c.axial_start : c.step.start;
+  });
   ContactList<double> slips;
-  for (std::size_t k = 0; k < s.count; ++k) {
-    const RigidContact& at = *members_[s.index[k]];
-    const auto start = [&at](const ContactSpace& space) {
-      return &space == at.axial ? at.axial_start : at.step.start;
-    };
-    const Eigen::Vector3d y = contacts_[s.index[k]].rows.along(start);
-    slips.push_back(rows_ == 3 ? std::hypot(y[1], y[2]) : y[1]);
+  for (std::size_t k = 0; k < s.members.size(); ++k) {
+    const double slip = y[row(k) + 1];
+    slips.push_back(rows_ == 3 ? std::hypot(slip, y[row(k) + 2]) : slip);
   }
   return slips;
 }

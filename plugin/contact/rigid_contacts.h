@@ -26,37 +26,31 @@ namespace rotorub::plugin {
 
 // A rigid contact of a forward pass.
 struct RigidContact {
+  // The caller fills these members, except rows.e_r and step.free.
   const ContactPair* pair = nullptr;
-  const ContactSpace* space = nullptr;
-  bool held = false;  // a row of MuJoCo's constraint solver is coupled to it
-  RigidStep step;     // the caller fills all but `free`
-  // Not null if the contact has friction and moves along its ring's axis (relative_motion.h):
-  // (velocity along the axis, tilt rates about x and y).
-  const ContactSpace* axial = nullptr;
-  Eigen::Vector3d axial_start{0.0, 0.0, 0.0};
-
-  // The results of the step.
-  RigidResult result;
-  double axial_friction = 0.0;  // N s, on the rotor along the axis
-};
-
-// A contact while the step is being solved.
-struct Closing {
-  bool closed = false;
-  bool impact = false;  // by itself: it was open, and its rebound outlasts two steps
   ContactRows rows;
+  bool held = false;  // a row of MuJoCo's constraint solver is coupled to it
+  RigidStep step;
+  Eigen::Vector3d axial_start{0.0, 0.0, 0.0};  // rates in the space of the axis at the beginning
+
+  bool closed = false;
+  bool blocked = false;  // it would end outside its ring, but no impulse opens its gap
+  bool impact = false;   // by itself: it was open, and its rebound outlasts two steps
   // N s, (normal, friction, friction along the axis) of the two parts of the step.
   Eigen::Vector3d lasting{0.0, 0.0, 0.0}, sudden{0.0, 0.0, 0.0};
-  Eigen::Vector3d end, axial_end;  // rates at the end of the step with all impulses so far
+  // Rates at the end of the step with all impulses so far.
+  Eigen::Vector3d end{0.0, 0.0, 0.0}, axial_end{0.0, 0.0, 0.0};
   RigidResult result;
 };
 
 // The contacts for which one part of the step is solved, in the order of its vectors.
 struct ContactSubset {
-  std::array<std::size_t, kMaxContacts> index{};
-  std::size_t count = 0;
+  struct Member {
+    RigidContact* at = nullptr;
+    double offset = 0.0;  // m/s, added to its gap rate in the normal law
+  };
+  ContactList<Member> members;
   bool impact = false;
-  std::array<double, kMaxContacts> offset{};  // m/s, added to the gap rates in the normal law
 };
 
 // Further results for a subset, beside its impulses.
@@ -69,17 +63,15 @@ struct SubsetSolution {
 
 class RigidContacts {
  public:
-  // All are open, without impulses. probe: null if no constraint acts on the bodies.
+  // probe: null if no constraint acts on the bodies.
   RigidContacts(const mjModel* m, mjData* d, std::span<RigidContact* const> members,
                 ConstraintProbe* probe);
 
-  std::size_t size() const { return members_.size(); }
-  Closing& operator[](std::size_t i) { return contacts_[i]; }
-  const Closing& operator[](std::size_t i) const { return contacts_[i]; }
   bool any_closed() const;
   bool converged() const { return converged_; }
-  // Rows of a contact in a vector: 2, or 3 if a contact moves along its axis.
-  Eigen::Index rows() const { return rows_; }
+  // Where contact k of a subset begins in a vector. A contact has 2 rows, or 3 if a contact moves
+  // along its axis.
+  Eigen::Index row(std::size_t k) const { return rows_ * static_cast<Eigen::Index>(k); }
 
   // Finds the rates at the end of the step with the present impulses.
   void find_ends();
@@ -97,8 +89,14 @@ class RigidContacts {
  private:
   class Response;
 
-  // The impulses of contact i alone in an impact that takes time.
-  CoupledSolution solve_impact_over_time(std::size_t i) const;
+  // Calls action(space, load, impact) with the loads of all impulses, divided by `by`.
+  template <typename Action>
+  void for_each_load(double by, Action action) const;
+  // (gap rate, slip, slip along the axis) of a subset for the rates rates_in(contact, space).
+  template <typename RatesIn>
+  ContactVector along(const ContactSubset& s, RatesIn rates_in) const;
+  // The impulses of the only contact in an impact that takes time.
+  CoupledSolution solve_impact_over_time(const RigidContact& at) const;
   // The slip of each contact of the subset where the step begins, m/s.
   ContactList<double> slips_before(const ContactSubset& s) const;
   ContactMatrix matrix(const ContactSubset& s) const;
@@ -109,7 +107,6 @@ class RigidContacts {
   Eigen::Vector3d end_of(const ContactSpace& at, const Eigen::Vector3d& start) const;
   bool solve_held(const ContactSubset& s, const ContactMatrix& a, const ContactVector& free,
                   std::span<const ImpactLaw> laws, SubsetSolution& out);
-  void set_status(const ContactSubset& s, Status status);
 
   mjData* d_;
   std::span<RigidContact* const> members_;
@@ -117,7 +114,6 @@ class RigidContacts {
   double h_;
   Eigen::Index rows_ = 2;
   bool converged_ = true;
-  std::array<Closing, kMaxContacts> contacts_;
 };
 
 }  // namespace rotorub::plugin

@@ -24,7 +24,7 @@ struct RigidStep {
   double h = 0.0;               // s
   Eigen::Vector2d d{0.0, 0.0};  // m, from the ring's centre to the rotor's, at q_k
   // m/s, m/s, rad/s: v_k, and v_k+1 without contact, or with the impulses found so far.
-  Eigen::Vector3d start, free;
+  Eigen::Vector3d start{0.0, 0.0, 0.0}, free{0.0, 0.0, 0.0};
   bool was_in_contact = false;     // over the previous step
   Eigen::Vector2d bend{0.0, 0.0};  // m, by how much the path departs from h v within the step
 };

@@ -1,6 +1,7 @@
 #include "plugin/contact/step_matrix.h"
 
 #include <Eigen/Core>
+#include <algorithm>
 
 #include "plugin/model/mujoco_dynamics.h"
 #include "plugin/model/mujoco_versions.h"
@@ -51,6 +52,33 @@ using Block = Eigen::Map<Eigen::Matrix<mjtNum, Eigen::Dynamic, Eigen::Dynamic, E
 using Part = Eigen::Map<Eigen::Matrix<mjtNum, Eigen::Dynamic, 1>>;
 
 int size_of(DofRange tree) { return tree.last - tree.first; }
+
+// Factors M + step B as MuJoCo does (mj_factorM) for the rows of the tree, where B holds the
+// joints' dampers. factor: as long as the mass matrix; inverse: nv, 1 / D.
+void factor_tree(const mjModel* m, const mjData* d, double step, DofRange tree, mjtNum* factor,
+                 mjtNum* inverse) {
+  const mjtNum* mass = mass_entries(d);
+  for (int i = tree.first; i < tree.last; ++i) {
+    const MassRow row = mass_row(m, i);
+    const int first = row.step > 0 ? row.diagonal : row.diagonal - row.ancestors;
+    std::copy_n(mass + first, row.ancestors + 1, factor + first);
+    factor[row.diagonal] += step * joint_damping(m, d, i);
+  }
+  // From the tips to the root: each row is subtracted from those of its ancestors.
+  for (int k = tree.last - 1; k >= tree.first; --k) {
+    const MassRow row = mass_row(m, k);
+    mjtNum* diagonal = factor + row.diagonal;
+    inverse[k] = 1.0 / *diagonal;
+    mjtNum* of_row = diagonal + row.step;
+    int i = m->dof_parentid[k];
+    for (int left = row.ancestors; left > 0; --left, of_row += row.step, i = m->dof_parentid[i]) {
+      const mjtNum share = *of_row / *diagonal;
+      mjtNum* to = factor + mass_row(m, i).diagonal;
+      for (int j = 0; j < left; ++j) to[j * row.step] -= of_row[j * row.step] * share;
+      *of_row = share;
+    }
+  }
+}
 
 // to += sign M, for the block of the tree.
 void add_mass(const mjModel* m, const mjData* d, DofRange tree, double sign, Block& to) {
@@ -124,8 +152,7 @@ void StepMatrix::solve(DofRange tree, mjtNum* row, int rows) const {
   if (!implicit_) {
     mjtNum* factor = room.numbers(mass_size(m_));
     mjtNum* inverse = room.numbers(nv);
-    const auto added = [this](int dof) { return damped_step_ * joint_damping(m_, d_, dof); };
-    factor_tree(m_, mass_entries(d_), added, tree, factor, inverse);
+    factor_tree(m_, d_, damped_step_, tree, factor, inverse);
     for (int k = 0; k < rows; ++k) solve_tree(m_, factor, inverse, tree, row + k * nv);
     return;
   }

@@ -6,7 +6,6 @@
 #include "native_model/bearing/actuator.h"
 #include "native_model/model/dynamics.h"
 #include "plugin/contact/contact_memory.h"
-#include "plugin/contact/noted_contact.h"
 #include "plugin/contact/verlet_memory.h"
 #include "plugin/model/actuators.h"
 #include "plugin/model/control.h"
@@ -112,12 +111,7 @@ void note(const ContactPair& pair, mjData* d, const FixedStep& r, double kick) {
   entry.mode = static_cast<double>(of.mode);
   entry.normal_force = of.normal_impulse / kick + of.impact_force.x();
   entry.friction_force = of.friction_impulse / kick + of.impact_force.y();
-  // Warn once and not in every step, because MuJoCo writes its warnings to a file.
-  EscapeGuard guard(entry.status);
-  if (r.status != Status::kOk && guard.status() == Status::kOk) {
-    warn("rotorub: the contact laws have no solution or several (Painleve): no impulse");
-  }
-  guard.set_status(r.status);
+  EscapeGuard(entry.status).record(r.status);
   entry.impact = 0.0;
   for (const Impact& impact : r.impacts) {
     if (static_cast<std::size_t>(impact.contact) != pair.bearing) continue;

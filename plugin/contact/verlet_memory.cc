@@ -2,6 +2,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <memory>
+#include <tuple>
 
 #include "plugin/contact/verlet.h"
 #include "plugin/model/differentiating.h"
@@ -18,31 +20,23 @@ bool actuation_enabled(const mjModel* m) { return !(m->opt.disableflags & mjDSBL
 
 namespace {
 
-// Size of a slot: the stepper's memory, that of the hold, and the number of the next step.
-std::size_t slot_size(const Model& model, const Model& plant) {
-  return VerletStepper::memory_size(plant) + ZeroOrderHold::memory_size(model) + 1;
-}
-
 // The model that the native step uses. If currents lag, MuJoCo computes the force on the ring. If
 // MuJoCo has disabled actuation, there is no force, and no controller that reacts to an impact
 // within the step. If it has disabled contacts, the clearance is so large that nothing reaches the
 // ring; the memory keeps its size, so that contacts may be switched during a run.
 Model plant_of(const Model& model, bool contact = true, bool actuation = true) {
   Model plant = model;
-  if (lags(model) || !actuation) {
-    plant = without_controller(with_ideal_actuator(model));
-  }
+  if (lags(model) || !actuation) plant = without_controller(with_ideal_actuator(model));
   for (AuxiliaryBearing& at : plant.auxiliary) {
     if (!contact) at.contact->clearance = 1e6;
   }
   return plant;
 }
 
-template <bool kContact, bool kActuation>
-struct WorkerOf : VerletWorker {
-  WorkerOf(const Config& config, double h)
-      : VerletWorker(config, h, plant_of(config.model, kContact, kActuation)) {}
-};
+// Size of a slot: the stepper's memory, that of the hold, and the number of the next step.
+std::size_t slot_size(const Model& model) {
+  return VerletStepper::memory_size(plant_of(model)) + ZeroOrderHold::memory_size(model) + 1;
+}
 
 // True if MuJoCo's state equals the remembered one, up to the errors of MuJoCo's arithmetic and of
 // its links' small masses. (The remembered state is never used in its place.)
@@ -81,13 +75,14 @@ Known known_of(const Config& config, const mjModel* m, const mjData* d, std::siz
 }  // namespace
 
 VerletWorker& worker_of(const Config& config, const mjModel* m) {
+  using Key = std::tuple<double, double, bool, bool>;
+  thread_local InTurns<Key, std::unique_ptr<VerletWorker>> known;
   const double h = m->opt.timestep;
-  if (contact_enabled(m)) {
-    if (actuation_enabled(m)) return thread_worker<WorkerOf<true, true>>(config, h);
-    return thread_worker<WorkerOf<true, false>>(config, h);
-  }
-  if (actuation_enabled(m)) return thread_worker<WorkerOf<false, true>>(config, h);
-  return thread_worker<WorkerOf<false, false>>(config, h);
+  const bool contact = contact_enabled(m), actuation = actuation_enabled(m);
+  const Key key{config.id, h, contact, actuation};
+  if (const auto* worker = known.find(key)) return **worker;
+  Model plant = plant_of(config.model, contact, actuation);
+  return *known.add(key, std::make_unique<VerletWorker>(config, h, std::move(plant)));
 }
 
 double* slot_of_pass(const Config& config, const mjModel* m, mjData* d, VerletWorker& worker,
@@ -107,17 +102,15 @@ double* slot_of_pass(const Config& config, const mjModel* m, mjData* d, VerletWo
 }
 
 int verlet_data_size(const Model& model) {
-  return kEntries<VerletEntries> + model.nq() +
-         2 * static_cast<int>(slot_size(model, plant_of(model)));
+  return kEntries<VerletEntries> + model.nq() + 2 * static_cast<int>(slot_size(model));
 }
 
 int verlet_loop_data(const Config& config) {
   const Model& model = config.model;
-  const Model plant = plant_of(model);
-  const std::size_t hold = VerletStepper::memory_size(plant) + ZeroOrderHold::memory_size(model);
   const std::size_t loop = model.first().loop ? model.first().loop->memory_size() : 0;
+  // In the second slot the memory of the loop ends just before the number of the step.
   return config.verlet_data + kEntries<VerletEntries> + model.nq() +
-         static_cast<int>(slot_size(model, plant) + hold - loop);
+         static_cast<int>(2 * slot_size(model) - 1 - loop);
 }
 
 const double* velocities_of_pass(const Config& config, const mjData* d) {

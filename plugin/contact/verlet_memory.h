@@ -58,18 +58,14 @@ struct VerletWorker {
 VerletWorker& worker_of(const Config& config, const mjModel* m);
 
 // The entries in userdata.
-inline VerletEntries& verlet_entries(const Config& config, mjData* d) {
-  return entries<VerletEntries>(d, config.verlet_data);
-}
-inline const VerletEntries& verlet_entries(const Config& config, const mjData* d) {
+template <typename Data>
+auto& verlet_entries(const Config& config, Data* d) {
   return entries<VerletEntries>(d, config.verlet_data);
 }
 // The velocities of the pass (nq) follow the entries, and then the two slots: the slot of the pass,
 // and the slot of the state after its step.
-inline double* slots(const Config& config, VerletEntries& entry) {
-  return behind(entry) + config.model.nq();
-}
-inline const double* slots(const Config& config, const VerletEntries& entry) {
+template <typename Entries>
+auto* slots(const Config& config, Entries& entry) {
   return behind(entry) + config.model.nq();
 }
 
