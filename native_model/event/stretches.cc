@@ -54,7 +54,7 @@ Snapshot EventIntegrator::here() { return observer_.snapshot(motion_.t, motion_.
 void EventIntegrator::cut(double t, const std::function<void()>& jump) {
   if (ahead_.known && t > motion_.t) {
     move_to(t, (t - motion_.t) / step_.length());
-    project(in_contact());
+    project(phase_.rigid_contacts());
     step_.meet(motion_);
     observer_.meet_energy(motion_);
   }
