@@ -136,10 +136,6 @@ Eigen::Matrix3d contact_admittance(const Model& m, double t, const double* q, st
   return contact_admittance(m, m.mass.data(), t, q, k, k);
 }
 
-Eigen::Matrix3d contact_admittance(const Model& m, const double* mass, double t, const double* q) {
-  return contact_admittance(m, mass, t, q, 0, 0);
-}
-
 Eigen::Matrix3d contact_admittance(const Model& m, const double* mass, double t, const double* q,
                                    std::size_t i, std::size_t j) {
   return InverseMass(m, mass, t, q).admittance(i, j);
