@@ -40,7 +40,7 @@ void EventIntegrator::press(std::size_t k, double hunt_crossley) {
   state.in_wall = true;
   phase_.set(k, state);
   observer_.press(motion_, touch);
-  press_on(k);
+  decide_one(k, Constraint::Velocity::kKept);
 }
 
 // m/s^2, gddot_N of a contact that does not press, under the loads and the forces of the other
@@ -60,12 +60,6 @@ double EventIntegrator::parting_acceleration(std::size_t k) {
     acceleration += all.g(0, at) * force.normal + all.g(0, at + 1) * force.friction;
   }
   return acceleration;
-}
-
-void EventIntegrator::press_on(std::size_t k) {
-  Closed touching;
-  touching.push_back({k, Constraint::Velocity::kKept});
-  decide(touching);
 }
 
 void EventIntegrator::release(const ClosedContact& at) {
@@ -102,16 +96,13 @@ void EventIntegrator::press_margin_reached(std::size_t k) {
   if (was.in_wall) {
     if (end == PhaseEnd::kOpens) return change_to(k, in_flight(Departure::kRebound));
     observer_.press(motion_, at);
-    return press_on(k);
+    return decide_one(k, Constraint::Velocity::kKept);
   }
   switch (end) {
     case PhaseEnd::kOpens:
       return release(at);
-    case PhaseEnd::kSlipStops: {
-      Closed stopped;
-      stopped.push_back({k, Constraint::Velocity::kStuck});
-      return decide(stopped);
-    }
+    case PhaseEnd::kSlipStops:
+      return decide_one(k, Constraint::Velocity::kStuck);
     case PhaseEnd::kSlipBegins:  // against friction at its limit
       return change_to(k, {Mode::kSlide, force.friction > 0.0 ? -1.0 : 1.0});
   }

@@ -24,16 +24,6 @@ void EventIntegrator::project(const Closed& closed) {
   constraint_.project(motion_.t, motion_.q(), motion_.v(), closed);
 }
 
-// Rigid contacts in lasting contact, which are held on their circles.
-EventIntegrator::Closed EventIntegrator::in_contact() const {
-  Closed closed;
-  for (std::size_t k = 0; k < phase_.contacts(); ++k) {
-    if (!phase_.in_contact(k) || model_->auxiliary[k].gives()) continue;
-    closed.push_back({k, velocity_of(phase_.state(k).mode)});
-  }
-  return closed;
-}
-
 // Rigid contacts that are in contact, held or touching; nothing is known about their velocities.
 EventIntegrator::Closed EventIntegrator::on_circles() const {
   Closed closed;
@@ -102,13 +92,6 @@ void EventIntegrator::impact(std::size_t contact) {
   decide(resting);
 }
 
-// A contact that others held on its circle is pressed against it again, without an impact.
-void EventIntegrator::rejoin(std::size_t contact) {
-  Closed closing;
-  closing.push_back({contact, Velocity::kKept});
-  decide(closing);
-}
-
 // Lasting contact ends, or its friction changes.
 void EventIntegrator::margin_reached(std::size_t contact) {
   if (model_->auxiliary[contact].gives()) return press_margin_reached(contact);
@@ -122,7 +105,7 @@ void EventIntegrator::margin_reached(std::size_t contact) {
                            ? PhaseEnd::kOpens
                            : end_of_phase(mode, phase_.margins(contact), scales);
   const bool slides_off = mode == Mode::kSlide && end == PhaseEnd::kOpens;
-  Closed closed = in_contact();
+  Closed closed = phase_.rigid_contacts();
   for (Constraint::Closed& c : closed) {
     if (c.contact == contact) c.velocity = slides_off ? Velocity::kAlong : Velocity::kStuck;
   }
@@ -161,6 +144,12 @@ void EventIntegrator::decide(const Closed& resting) {
   decide_all(all_closed);
 }
 
+void EventIntegrator::decide_one(std::size_t contact, Velocity velocity) {
+  Closed resting;
+  resting.push_back({contact, velocity});
+  decide(resting);
+}
+
 void EventIntegrator::decide_all(const Closed& closed_here) {
   if (closed_here.empty()) return;
   ContactList<ClosedContact> closed;
@@ -197,7 +186,7 @@ void EventIntegrator::decide_all(const Closed& closed_here) {
 
 // Puts contacts that press at rest on their circles; the others fly, or are held where they are.
 void EventIntegrator::settle(const Closed& decided) {
-  const Closed pressed = in_contact();
+  const Closed pressed = phase_.rigid_contacts();
   project(pressed);
   for (const ClosedContact& c : closed_points(*model_, motion_.q(), motion_.v(), decided)) {
     const AuxiliaryBearing& bearing = model_->auxiliary[c.index];
@@ -244,10 +233,6 @@ void EventIntegrator::first_touch(std::size_t k) {
 
 MarginScales EventIntegrator::margin_scales(std::size_t k) const {
   return {force_scale_[k], step_.largest_contact_speed(k)};
-}
-
-Constraint::Velocity EventIntegrator::velocity_of(Mode mode) {
-  return mode == Mode::kStick ? Velocity::kStuck : Velocity::kAlong;
 }
 
 }  // namespace rotorub

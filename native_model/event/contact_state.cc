@@ -3,6 +3,7 @@
 #include <cmath>
 
 #include "native_model/contact/planar_contact.h"
+#include "native_model/trajectory/status_reason.h"
 
 namespace rotorub {
 
@@ -92,11 +93,7 @@ PhaseEnd end_of_phase(Mode mode, const Margins& margins, const MarginScales& sca
 }
 
 std::optional<EventKind> event_between(const ContactState& from, const ContactState& to) {
-  if (from.mode != to.mode) {
-    return to.mode == Mode::kFree    ? EventKind::kLiftOff
-           : to.mode == Mode::kSlide ? EventKind::kSlide
-                                     : EventKind::kStick;
-  }
+  if (from.mode != to.mode) return mode_event(to.mode);
   if (to.mode == Mode::kSlide && from.slip_sign != to.slip_sign) return EventKind::kReverse;
   return {};
 }

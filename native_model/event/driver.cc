@@ -110,14 +110,14 @@ void EventIntegrator::pass() {
   if (ahead_.event) {
     const std::size_t contact = ahead_.event->contact;
     if (ahead_.event->rejoins) {
-      rejoin(contact);
+      decide_one(contact, Constraint::Velocity::kKept);  // it is pressed again, without an impact
     } else {
       phase_.has_margins(contact) ? margin_reached(contact) : impact(contact);
     }
     step_.restart(motion_);
     count_event();
   } else {
-    project(in_contact());
+    project(phase_.rigid_contacts());
   }
   step_.meet(motion_);
   observer_.meet_energy(motion_);

@@ -98,19 +98,17 @@ class EventIntegrator {
   };
   std::optional<Found> find_event();
   Closed on_circles() const;
-  Closed in_contact() const;
   void begin_on_circles(const Closed& touching);
   void impact(std::size_t contact);
   void margin_reached(std::size_t contact);
-  void rejoin(std::size_t contact);
   // Compliant contacts.
   void press(std::size_t contact, double hunt_crossley);
   double parting_acceleration(std::size_t contact);
-  void press_on(std::size_t contact);
   void press_margin_reached(std::size_t contact);
   void release(const ClosedContact& at);
   bool no_longer_presses(std::size_t contact);
   void decide(const Closed& resting);
+  void decide_one(std::size_t contact, Constraint::Velocity velocity);
   void decide_all(const Closed& closed_here);
   void settle(const Closed& decided);
   bool is_no_gap_rate(const ContactPoint& point) const;
@@ -118,7 +116,6 @@ class EventIntegrator {
   void change_to(std::size_t contact, const ContactState& next);
   void first_touch(std::size_t contact);
   void project(const Closed& closed);
-  static Constraint::Velocity velocity_of(Mode mode);
   MarginScales margin_scales(std::size_t contact) const;
 
   void count_event();

@@ -18,7 +18,6 @@ Observer::Observer(const Model& model, const EventParameters& parameters, Phase&
       slope_(row_),
       of_contacts_(model.auxiliary.size()),
       touches_(model.auxiliary.size()),
-      all_give_(std::ranges::all_of(model.auxiliary, &AuxiliaryBearing::gives)),
       others_(model.auxiliary.size() - 1) {}
 
 void Observer::begin(const Motion& start, Recorder& recorder) {
@@ -52,19 +51,9 @@ Snapshot Observer::snapshot(double t, const double* y) {
   return {snapshot_of(0, t, y), t, y, y + model_->nq(), others_};
 }
 
-// Rigid contacts that press; they are on their circles.
-ContactList<Constraint::Closed> Observer::held() const {
-  ContactList<Constraint::Closed> all;
-  for (std::size_t k = 0; k < phase_->contacts(); ++k) {
-    if (phase_->in_contact(k) && !model_->auxiliary[k].gives())
-      all.push_back({k, Constraint::Velocity::kKept});
-  }
-  return all;
-}
-
 Snapshot Observer::within(const Motion& from, SmoothStep& step, Constraint& constraint, double t) {
   step.dense((t - from.t) / step.length(), row_.data());
-  const auto closed = held();
+  const auto closed = phase_->rigid_contacts();
   if (!closed.empty()) constraint.to_circles(t, row_.data(), from.v(), closed);
   return snapshot(t, row_.data());
 }
@@ -153,11 +142,9 @@ void Observer::follow(std::size_t k, const Motion& from, SmoothStep& step, doubl
   const Eigen::Vector2d start = separation(m, from.q(), k);
   const auto middle = [&]() -> Eigen::Vector2d {
     if (last < 1.0) return separation(m, step.at(0.5 * last), k);
-    const auto rate = [&](const double* v) -> Eigen::Vector2d {
-      return rotor_point(m, v, k) - stator_point(m, v, k);
-    };
-    return 0.5 * (start + separation(m, step.end(), k)) +
-           0.125 * step.length() * (rate(from.v()) - rate(step.end() + m.nq()));
+    const Eigen::Vector3d change =
+        contact_rates(m, from.v(), k) - contact_rates(m, step.end() + m.nq(), k);
+    return 0.5 * (start + separation(m, step.end(), k)) + 0.125 * step.length() * change.head<2>();
   };
   FullPasses& passes = of_contacts_[k].passes;
   passes.follow(start, from.t);
@@ -229,7 +216,7 @@ void Observer::release(const Motion& motion, const ClosedContact& at) {
       motion.integral(kContactWork, k) - touch.work + held_speed(k) * impact.friction_impulse;
   recorder_->add(impact);
   const double lasted = motion.t - impact.t;
-  if (all_give_) {
+  if (std::ranges::all_of(model_->auxiliary, &AuxiliaryBearing::gives)) {
     recorder_->count_episode(impact.t, lasted);
   } else if (lasted <= recorder_->window()) {  // beside a rigid contact
     recorder_->statistics().impact_time += lasted;

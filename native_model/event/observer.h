@@ -47,7 +47,6 @@ class Observer {
   void finish(const Motion& end);
 
  private:
-  ContactList<Constraint::Closed> held() const;
   ContactSnapshot snapshot_of(std::size_t contact, double t, const double* y) const;
   double normal_impulse(const Motion& motion) const;  // N s, lasting contact, all contacts
   double contact_work(const Motion& motion) const;    // J, on the coordinates, the same
@@ -73,7 +72,6 @@ class Observer {
     double normal = 0.0, friction = 0.0, work = 0.0;  // integrals at its start
   };
   std::vector<Touch> touches_;
-  bool all_give_ = false;  // every contact is compliant
   std::vector<ContactSnapshot> others_;
   double contact_time_ = 0.0;                       // s
   double impact_work_ = 0.0;                        // J, on the coordinates

@@ -25,6 +25,15 @@ Phase::Phase(const Model& model)
   }
 }
 
+ContactList<Constraint::Closed> Phase::rigid_contacts() const {
+  ContactList<Constraint::Closed> all;
+  for (std::size_t k = 0; k < at_.size(); ++k) {
+    if (!in_contact(k) || model_->auxiliary[k].gives()) continue;
+    all.push_back({k, velocity_of(state(k).mode)});
+  }
+  return all;
+}
+
 Eigen::Vector2d Phase::command(std::size_t k, double t, const double* y) const {
   const AuxiliaryBearing& bearing = model_->auxiliary[k];
   if (!bearing.controller || bearing.sample_time > 0.0) return at_[k].held;  // also of a record

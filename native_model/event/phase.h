@@ -82,6 +82,11 @@ struct Multipliers {
   double normal = 0.0, friction = 0.0;  // N, lambda_N, lambda_T
 };
 
+// The condition on the velocities of a rigid contact that slides or sticks.
+inline Constraint::Velocity velocity_of(Mode mode) {
+  return mode == Mode::kStick ? Constraint::Velocity::kStuck : Constraint::Velocity::kAlong;
+}
+
 class Phase {
  public:
   explicit Phase(const Model& model);
@@ -94,6 +99,8 @@ class Phase {
   bool has_margins(std::size_t contact) const {
     return in_contact(contact) || state(contact).in_wall;
   }
+  // The rigid contacts in lasting contact, which are held on their circles.
+  ContactList<Constraint::Closed> rigid_contacts() const;
   // N, lambda_N of a compliant contact; empty for a rigid one.
   std::optional<double> pressing(const ClosedContact& at) const;
   std::size_t contacts() const { return at_.size(); }

@@ -40,7 +40,7 @@ void SmoothStep::begin(const Motion& start, double first) {
     displacement_ = &bearing == &model_->first() ? clearance : std::max(displacement_, clearance);
   }
   speed_ = kLeastSpeed;
-  turn_ = spin_ = 0.0;
+  spin_ = 0.0;
   meet(start);
 }
 
@@ -49,9 +49,8 @@ void SmoothStep::meet(const Motion& motion) {
   const int n = l.nq();
   const auto angle = [&l](int i) { return l.turns(i); };
   for (int i = 0; i < l.mechanical(); ++i) {
-    double &position = angle(i) ? turn_ : displacement_, &rate = angle(i) ? spin_ : speed_;
-    // The spin angle only grows; only its fraction of a turn matters.
-    if (!(l.spin && i == l.phi())) position = std::max(position, std::abs(motion.q()[i]));
+    if (!angle(i)) displacement_ = std::max(displacement_, std::abs(motion.q()[i]));
+    double& rate = angle(i) ? spin_ : speed_;
     rate = std::max(rate, std::abs(motion.v()[i]));
   }
   const double tolerance = parameters_->tolerance;

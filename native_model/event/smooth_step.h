@@ -87,7 +87,7 @@ class SmoothStep {
   std::vector<Margins> lowest_;  // one per contact
   std::vector<double> largest_normal_;
   std::int64_t rejected_ = 0;
-  double displacement_ = 0.0, speed_ = 0.0, turn_ = 0.0, spin_ = 0.0;  // largest so far
+  double displacement_ = 0.0, speed_ = 0.0, spin_ = 0.0;  // largest so far
 };
 
 // An explicit step cannot be longer than the fastest decay of the system allows, even if this decay

@@ -26,9 +26,7 @@ Measurement measure(const Model& m, std::size_t k, double t, const double* q, co
   now.spin_angle = spin_angle(m, t, q);
   now.spin_speed = spin_speed(m, v);
   if (at.controller->needs_rotor_acceleration()) {
-    constexpr int kStack = kMaxCoordinates;
-    assert(m.nq() <= kStack);
-    double a[kStack];
+    double a[kMaxCoordinates];
     unactuated_force(m, t, q, v, a);
     solve_mass(m, t, q, a, a);
     now.rotor_acceleration = rotor_point(m, a, k);

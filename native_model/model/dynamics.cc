@@ -1,7 +1,6 @@
 #include "native_model/model/dynamics.h"
 
 #include <algorithm>
-#include <cassert>
 #include <cmath>
 
 #include "native_model/model/inverse_mass.h"
@@ -136,10 +135,6 @@ Eigen::Matrix3d contact_admittance(const Model& m, double t, const double* q, st
   return contact_admittance(m, m.mass.data(), t, q, k, k);
 }
 
-Eigen::Matrix3d contact_admittance(const Model& m, const double* mass, double t, const double* q) {
-  return contact_admittance(m, mass, t, q, 0, 0);
-}
-
 Eigen::Matrix3d contact_admittance(const Model& m, const double* mass, double t, const double* q,
                                    std::size_t i, std::size_t j) {
   return InverseMass(m, mass, t, q).admittance(i, j);
@@ -190,9 +185,7 @@ double switching_work(const Model& m, double from, double to, const double* q, c
 double external_power(const Model& m, double t, const double* q, const double* v,
                       std::span<const Eigen::Vector2d> ring_forces) {
   const Layout& l = m.layout;
-  constexpr int kStack = kMaxCoordinates;
-  assert(l.nq() <= kStack);
-  double f[kStack];
+  double f[kMaxCoordinates];
   unactuated_force(m, t, q, v, f);
   for (std::size_t k = 0; k < ring_forces.size(); ++k) {
     const int ring = m.auxiliary[k].ring;

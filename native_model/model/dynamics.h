@@ -66,10 +66,7 @@ Eigen::Vector3d contact_acceleration(const Model& model, const double* a, std::s
 // (relative velocity x, y, contact_spin) = J qdot.
 Eigen::Matrix3d contact_admittance(const Model& model, double t, const double* q,
                                    std::size_t contact = 0);
-// For the first contact, with another diagonal instead of the masses.
-Eigen::Matrix3d contact_admittance(const Model& model, const double* diagonal, double t,
-                                   const double* q);
-// J_i M^-1 J_j^T for two contacts; for i = j as above.
+// J_i M^-1 J_j^T for two contacts, with another diagonal instead of the masses.
 Eigen::Matrix3d contact_admittance(const Model& model, const double* diagonal, double t,
                                    const double* q, std::size_t i, std::size_t j);
 // f += J^T p, where p is the impulse or force on the rotor (x, y) and the torque on it about z. The

@@ -137,14 +137,19 @@ inline void spin_coupling(const Model& m, const DiscAngles& at, double* bx, doub
   }
 }
 
+inline void add_weight(const Model& m, double* f) {
+  if (m.weight.size() == 0) return;
+  const int nq = static_cast<int>(m.weight.size());
+  const double* weight = m.weight.data();
+  ROTORUB_APART for (int i = 0; i < nq; ++i) f[i] += weight[i];
+}
+
 // f = weight - K q - D v, the diagonal parts.
 inline void diagonal_force(const Model& m, const double* q, const double* v, double* f) {
   const double *stiffness = m.stiffness.data(), *damping = m.damping.data();
   const int nq = static_cast<int>(m.stiffness.size());
   ROTORUB_APART for (int i = 0; i < nq; ++i) f[i] = -(stiffness[i] * q[i] + damping[i] * v[i]);
-  if (m.weight.size() == 0) return;
-  const double* weight = m.weight.data();
-  ROTORUB_APART for (int i = 0; i < nq; ++i) f[i] += weight[i];
+  add_weight(m, f);
 }
 
 // f = weight - D v: diagonal_force() without the springs.
@@ -152,9 +157,7 @@ inline void damping_force(const Model& m, const double* v, double* f) {
   const double* damping = m.damping.data();
   const int nq = static_cast<int>(m.damping.size());
   ROTORUB_APART for (int i = 0; i < nq; ++i) f[i] = -(damping[i] * v[i]);
-  if (m.weight.size() == 0) return;
-  const double* weight = m.weight.data();
-  ROTORUB_APART for (int i = 0; i < nq; ++i) f[i] += weight[i];
+  add_weight(m, f);
 }
 
 // Rotating damping (modal_rotor.h): -D_i (qdot - Omega e_z x q).

@@ -31,9 +31,7 @@ double FiniteImpact::power(double t, const double* q, const double* v,
 }
 
 Eigen::Vector2d FiniteImpact::rates(const double* v) const {
-  const Eigen::Vector2d w = rotor_point(*model_, v) - stator_point(*model_, v);
-  return rates_along(e_r_, model_->first().contact->radius,
-                     {w.x(), w.y(), contact_spin(*model_, v)});
+  return rates_along(e_r_, model_->first().contact->radius, contact_rates(*model_, v));
 }
 
 double FiniteImpact::duration(std::size_t phase) const {
