@@ -71,9 +71,8 @@ class LoadKick {
   // velocities at the end of the step with contact. Returns false when it has converged or failed.
   bool improve(StepState& x, const double* end);
 
-  // f <- A_0^-1 f, the part of A^-1 that is the same in all steps. couple() adds the rest of A^-1.
+  // f <- A_0^-1 f, the part of A^-1 that is the same in all steps.
   void solve_uncoupled(double* f) { matrix_.solve_uncoupled(f); }
-  void couple(double* f) const { matrix_.add(matrix_.coupled_part(f), f); }
   const VelocityMatrix& matrix() const { return matrix_; }
 
   // J, work over h of the forces F at the mean of x.start and `end`. It excludes forces that the

@@ -44,66 +44,54 @@ class FixedStepper {
 std::unique_ptr<FixedStepper> make_stepper(scene::Integrator integrator, const Model& model,
                                            double step);
 
-// A stepper whose complete state callers can save as plain numbers.
-class KeptStepper : public FixedStepper {
+class VerletStep;
+
+// The stepper of `verlet`. The command of step k is its mean over (t_k - step/2, t_k + step/2).
+// Forces in the result belong to t_k, impacts lie between t_k and t_{k+1}.
+class VerletStepper final : public FixedStepper {
  public:
+  // Starts at the model's initial state, or at another state at its time. step: s, > 0. The model
+  // must outlive the stepper.
+  VerletStepper(const Model& model, double step);
+  VerletStepper(const Model& model, double step, const State& start);
+  ~VerletStepper() override;
+
+  FixedStep step(std::int64_t k, std::span<const Eigen::Vector2d> u, bool works) override;
+  const double* q() const override;
+  // Velocities at t_{k+1/2}; the part of an impact's jump that is left to the next step is not
+  // included.
+  const double* v() const override;
+  bool leaps() const override { return true; }
+  void jump(std::size_t contact, const CommandJump& command) override;
+  void velocity_now(std::int64_t k, std::span<const Eigen::Vector2d> held, double* v) override;
+  const double* last_q() const override;
+  void last_velocity(double* v) const override;
+  // The duration in steps for which the last step's lasting forces act: 1/2 in the first step.
+  double last_kick() const;
+
+  // The same for a single actuator.
+  FixedStep step(std::int64_t k, const Eigen::Vector2d& u = {0.0, 0.0}, bool works = false) {
+    return step(k, std::span(&u, 1), works);
+  }
+  void velocity_now(std::int64_t k, const Eigen::Vector2d& held, double* v) {
+    velocity_now(k, std::span(&held, 1), v);
+  }
+  void jump(const CommandJump& command) { jump(0, command); }
+
   // Restarts from another state (nq values each) at time t. Does not allocate.
-  virtual void begin(double t, const double* q, const double* v) = 0;
-  // A stepper of the same model and step that restores what another one saved after step k takes
-  // step k + 1 with bitwise the same result. The status is not saved; restore() resets it. These
-  // functions do not allocate.
-  virtual std::size_t memory_size() = 0;
-  virtual void save(double* to) = 0;
-  virtual void restore(const double* from) = 0;
+  void begin(double t, const double* q, const double* v);
   // For the next step: adopt() replaces the state by other numbers for the same instant (as MuJoCo
   // keeps it), and apply() adds loads (nq values, held over the step; they must outlive it; null:
   // none).
-  virtual void adopt(const double* q, const double* v) = 0;
-  virtual void apply(const double* loads) = 0;
-  // The duration in steps for which the last step's lasting forces act: 1/2 in the first step of a
-  // leapfrog.
-  virtual double last_kick() const = 0;
-};
+  void adopt(const double* q, const double* v);
+  void apply(const double* loads);
 
-// Makes a `verlet` stepper that starts at `start`, at its time. The model must outlive it. step: s,
-// > 0.
-std::unique_ptr<KeptStepper> make_kept_stepper(const Model& model, double step, const State& start);
-
-// The same for a single actuator. The command of step k is its mean over (t_k - step/2, t_k +
-// step/2). Forces in the result belong to t_k, impacts lie between t_k and t_{k+1}.
-class VerletStepper {
- public:
-  // Starts at the model's initial state, or at another state at its time. step: s, > 0.
-  VerletStepper(const Model& model, double step)
-      : VerletStepper(model, step, initial_state(model)) {}
-  VerletStepper(const Model& model, double step, const State& start)
-      : stepper_(make_kept_stepper(model, step, start)) {}
-
-  FixedStep step(std::int64_t k, const Eigen::Vector2d& u = {0.0, 0.0}, bool works = false) {
-    return stepper_->step(k, std::span(&u, 1), works);
-  }
-  const double* q() const { return stepper_->q(); }
-  const double* v() const { return stepper_->v(); }
-  // Velocities at t_{k+1/2}; the part of an impact's jump that is left to the next step is not
-  // included.
-  const double* v_half() const { return stepper_->v(); }
-  const double* last_q() const { return stepper_->last_q(); }
-  void last_velocity(double* v) const { stepper_->last_velocity(v); }
-  void velocity_now(std::int64_t k, const Eigen::Vector2d& held, double* v) {
-    stepper_->velocity_now(k, std::span(&held, 1), v);
-  }
-  void jump(const CommandJump& command) { stepper_->jump(0, command); }
-  double last_kick() const { return stepper_->last_kick(); }
-
-  void begin(double t, const double* q, const double* v) { stepper_->begin(t, q, v); }
-  void adopt(const double* q, const double* v) { stepper_->adopt(q, v); }
-  void apply(const double* loads) { stepper_->apply(loads); }
-
-  static std::size_t memory_size(const Model& model) {
-    return VerletStepper(model, 1.0).stepper_->memory_size();
-  }
-  void save(double* to) const { stepper_->save(to); }
-  void restore(const double* from) { stepper_->restore(from); }
+  // The complete state as plain numbers. A stepper of the same model and step that restores what
+  // another one saved after step k takes step k + 1 with bitwise the same result. The status is not
+  // saved; restore() resets it. save() and restore() do not allocate.
+  static std::size_t memory_size(const Model& model);
+  void save(double* to) const;
+  void restore(const double* from);
   // The coordinates in a saved memory; the velocities follow them.
   static const double* saved_q(const double* memory) {
     constexpr std::size_t kBeforeState = 3;  // numbers that precede q (stepper.cc)
@@ -111,7 +99,11 @@ class VerletStepper {
   }
 
  private:
-  std::unique_ptr<KeptStepper> stepper_;
+  void command(std::span<const Eigen::Vector2d> u);
+  template <class Action>
+  void for_each_kept(Action action) const;
+
+  std::unique_ptr<VerletStep> step_;
 };
 
 }  // namespace rotorub

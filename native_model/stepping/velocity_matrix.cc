@@ -10,10 +10,6 @@
 namespace rotorub {
 namespace {
 
-bool is_diagonal(const Eigen::MatrixXd& a) {
-  return (a - Eigen::MatrixXd(a.diagonal().asDiagonal())).isZero(0.0);
-}
-
 std::vector<double> numbers(const Eigen::MatrixXd& of) {
   const auto columns = of.reshaped();
   return {columns.begin(), columns.end()};
@@ -43,8 +39,8 @@ VelocityMatrix::VelocityMatrix(const Model& m, double h) : model_(&m), coupled_(
   const int bending = 2 * l.modes, spins = l.spin + l.torsion;
   const Eigen::MatrixXd d = 0.5 * h * linear_damping(m);
   const Eigen::MatrixXd a = Eigen::MatrixXd(m.mass.asDiagonal()) + d;
-  dense_bending_ = !is_diagonal(d.topLeftCorner(bending, bending));
-  dense_spin_ = !is_diagonal(d.block(l.phi(), l.phi(), spins, spins));
+  dense_bending_ = !d.topLeftCorner(bending, bending).isDiagonal(0.0);
+  dense_spin_ = !d.block(l.phi(), l.phi(), spins, spins).isDiagonal(0.0);
   const Eigen::VectorXd inverse = a.diagonal().cwiseInverse();
   inverse_ = numbers(inverse);
   step_ = numbers(h * inverse);

@@ -190,7 +190,7 @@ void apply_verlet(const Config& config, const mjModel* m, mjData* d, const Coord
   mjtNum* change = room.numbers(all);
   mjtNum* momentum = room.numbers(all);
   mju_zero(change, all);
-  const double* v = worker.stepper.v_half();
+  const double* v = worker.stepper.v();
   for (int i = 0; i < n; ++i)
     change[config.dof_address[static_cast<std::size_t>(i)]] = v[i] - state.v()[i];
   mj_mulM(m, d, momentum, change);
