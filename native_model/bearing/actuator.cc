@@ -32,23 +32,23 @@ Eigen::Index basis(const Axis& axis, double x, Basis::BasisVectorType& values) {
 }  // namespace
 
 double Electromagnet::force(double s, double i) const {
-  return magnets_.force(s, i) - p_.stiffness * s;
+  return magnets_.force(s, i) - stiffness_ * s;
 }
 
 double Electromagnet::gain(double s, double i) const {
-  const Gaps g = magnets_.gaps(s);
-  return p_.force_constant *
-         (2.0 * p_.bias_current * (g.pulling + g.opposing) + i * (g.pulling - g.opposing));
+  const OpposedMagnets::Gaps g = magnets_.gaps(s);
+  return magnets_.force_constant *
+         (2.0 * magnets_.bias_current * (g.pulling + g.opposing) + i * (g.pulling - g.opposing));
 }
 
 // With A, B = 1/(s_0 -+ s)^2 and y = (F + c s)/k_m, i is the root that rises with y of
 //   (A - B) i^2 + 2 i_0 (A + B) i + (A - B) i_0^2 - y = 0,
 // written without cancellation.
 double Electromagnet::current(double s, double force, double limit) const {
-  const Gaps g = magnets_.gaps(s);
-  const double i0 = p_.bias_current, sum = g.pulling + g.opposing;
+  const OpposedMagnets::Gaps g = magnets_.gaps(s);
+  const double i0 = magnets_.bias_current, sum = g.pulling + g.opposing;
   const double difference = g.pulling - g.opposing;
-  const double y = (force + p_.stiffness * s) / p_.force_constant;
+  const double y = (force + stiffness_ * s) / magnets_.force_constant;
   const double square = 4.0 * i0 * i0 * g.pulling * g.opposing + difference * y;
   if (!(square > 0.0)) return std::copysign(limit, y);  // no current yields this force
   const double i = (y - difference * i0 * i0) / (i0 * sum + std::sqrt(square));

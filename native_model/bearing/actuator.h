@@ -44,24 +44,19 @@ class ForceLaw {
 class Electromagnet final : public ForceLaw {
  public:
   struct Parameters {
-    double force_constant = 0.0;  // N m^2/A^2, k_m > 0
-    double bias_current = 0.0;    // A, i_0 > 0
-    double air_gap = 0.0;         // m, s_0 > 0
-    double stiffness = 0.0;       // N/m, c >= 0
+    OpposedMagnets magnets{};
+    double stiffness = 0.0;  // N/m, c >= 0
   };
-  explicit Electromagnet(const Parameters& p)
-      : p_(p), magnets_{p.force_constant, p.bias_current, p.air_gap} {}
+  explicit Electromagnet(const Parameters& p) : magnets_(p.magnets), stiffness_(p.stiffness) {}
 
   double force(double s, double i) const override;
   double gain(double s, double i) const override;
   double current(double s, double force, double limit) const override;
-  double reach() const override { return p_.air_gap; }
+  double reach() const override { return magnets_.air_gap; }
 
  private:
-  using Gaps = OpposedMagnets::Gaps;
-
-  Parameters p_;
   OpposedMagnets magnets_;
+  double stiffness_;
 };
 
 // F(s, i) of a magnetic actuator from measured or computed values on a grid, interpolated by a

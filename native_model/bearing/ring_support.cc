@@ -53,8 +53,6 @@ Eigen::Vector2d SqueezeFilmLaw::force(const Eigen::Vector2d& r, const Eigen::Vec
          ((i.cc * along + i.cs * across) * radial + (i.cs * along + i.ss * across) * tangential);
 }
 
-double SqueezeFilmLaw::centred_damping() const { return std::numbers::pi * scale_; }
-
 BallBearingLaw::BallBearingLaw(const scene::BallSupport& balls)
     : stiffness_(balls.stiffness), play_(balls.play) {
   for (int i = 0; i < balls.balls; ++i) {

@@ -41,8 +41,6 @@ class SqueezeFilmLaw {
   Eigen::Vector2d force(const Eigen::Vector2d& r, const Eigen::Vector2d& w) const;
   // m: |r| at which the ring would touch its housing.
   double clearance() const { return clearance_; }
-  // N s/m, for small motion about the centre, without cavitation.
-  double centred_damping() const;
 
   static constexpr double kReach = 0.99;
 

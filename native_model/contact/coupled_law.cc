@@ -7,15 +7,11 @@ namespace rotorub {
 namespace {
 
 // The slip of contact i in a vector of all contacts; with two tangential directions, its magnitude.
-struct SlipOf {
-  Eigen::Index size;
-  std::size_t contacts;
-  double operator()(const ContactVector& y, std::size_t i) const {
-    const Eigen::Index rows = size / static_cast<Eigen::Index>(contacts),
-                       at = rows * static_cast<Eigen::Index>(i);
-    return rows == 3 ? y.segment<2>(at + 1).norm() : y[at + 1];
-  }
-};
+double slip_among(const ContactVector& y, std::size_t contacts, std::size_t i) {
+  const Eigen::Index rows = y.size() / static_cast<Eigen::Index>(contacts);
+  const Eigen::Index at = rows * static_cast<Eigen::Index>(i);
+  return rows == 3 ? y.segment<2>(at + 1).norm() : y[at + 1];
+}
 
 // The expansion after `compressed` (0: Coulomb's law alone). The mu of each contact is improved
 // until it fits the slips: improve(friction, normal impulse, impulse along the slip, slip,
@@ -29,7 +25,6 @@ CoupledSolution solve_with_friction(const ContactMatrix& a, const ContactVector&
   std::array<DiscSet, kMaxContacts> discs{};
   const std::size_t n = laws.size();
   const auto rows = b.size() / static_cast<Eigen::Index>(n);
-  const SlipOf slip{b.size(), n};
   for (;;) {
     for (std::size_t i = 0; i < n; ++i) {
       const auto at = rows * static_cast<Eigen::Index>(i);
@@ -47,7 +42,8 @@ CoupledSolution solve_with_friction(const ContactMatrix& a, const ContactVector&
       const auto at = rows * static_cast<Eigen::Index>(i);
       const double along_slip = rows == 3 ? -friction[i].mu() * s.p[at] : s.p[at + 1];
       improved =
-          improve(friction[i], s.p[at], along_slip, slip(s.y, i), a(at + 1, at + 1)) || improved;
+          improve(friction[i], s.p[at], along_slip, slip_among(s.y, n, i), a(at + 1, at + 1)) ||
+          improved;
     }
     if (!improved) return s;
   }
@@ -64,7 +60,7 @@ CoupledSolution solve_expansion(const ContactMatrix& a, const ContactVector& b,
                                 std::span<const ImpactLaw> laws, const ContactVector& compressed) {
   std::array<ImpactFriction, kMaxContacts> friction;
   for (std::size_t i = 0; i < laws.size(); ++i) {
-    friction[i] = {laws[i].friction, SlipOf{b.size(), laws.size()}(b, i)};
+    friction[i] = {laws[i].friction, slip_among(b, laws.size(), i)};
   }
   return solve_with_friction(
       a, b, laws, compressed, friction,

@@ -80,21 +80,18 @@ struct ImpactPhase {
 // The compression alone: fills the L_C and gdot_C. mu is the mean over the slips of the phase
 // (impact_friction.h), as in expand().
 ImpactResult compress(const ImpactPhase& phase, const ImpactLaw& law) {
-  ImpactResult r;
   const Delassus& a = phase.matrix;
   ImpactFriction friction(law.friction, phase.slip);
   CoulombSolution c;
+  ImpactResult r;
   do {
     c = solve_coulomb(a, phase.gap_rate, phase.slip, friction.mu());
-  } while (c.solutions == 1 &&
-           friction.improve(c.normal, c.friction, slip_after(a, phase.slip, {c.normal, c.friction}),
-                            a.tt));
+    r.slip_compression = slip_after(a, phase.slip, {c.normal, c.friction});
+  } while (c.solutions == 1 && friction.improve(c.normal, c.friction, r.slip_compression, a.tt));
   r.status = status_of(c.solutions);
   r.normal_compression = c.normal;
   r.friction_compression = c.friction;
-  const PlanarImpulse l{c.normal, c.friction};
-  r.gap_rate_compression = gap_rate_after(phase.matrix, phase.gap_rate, l);
-  r.slip_compression = slip_after(phase.matrix, phase.slip, l);
+  r.gap_rate_compression = gap_rate_after(a, phase.gap_rate, {c.normal, c.friction});
   // Rates that vanish in this case are exactly 0, without round-off.
   if (c.contact_case != ContactCase::kOpen) r.gap_rate_compression = 0.0;
   if (c.contact_case == ContactCase::kStick) r.slip_compression = 0.0;

@@ -13,7 +13,7 @@ struct Sliding {
 };
 Sliding sliding(const Delassus& a, double b_n, double b_t, double mu_sign) {
   const double normal = slide(a, b_n, mu_sign);
-  return {normal, slip_after_slide(a, b_t, mu_sign, normal)};
+  return {normal, b_t + (a.tn - mu_sign * a.tt) * normal};
 }
 
 // Tests every case, for matrices where the solution need not be unique. If the coefficient of the
@@ -23,11 +23,9 @@ CoulombSolution enumerate(const Delassus& a, double b_n, double b_t, double mu) 
   found.solutions = 0;
   const auto take = [&found](ContactCase c, PlanarImpulse l) {
     if (!std::isfinite(l.normal)) return;
-    if (found.solutions++ == 0) {
-      found.contact_case = c;
-      found.normal = l.normal;
-      found.friction = l.friction;
-    }
+    const int before = found.solutions;
+    if (before == 0) found = {l.normal, l.friction, c};
+    found.solutions = before + 1;
   };
   if (b_n >= 0.0) take(ContactCase::kOpen, {0.0, 0.0});
   const PlanarImpulse stuck = stick(a, b_n, b_t);
@@ -52,27 +50,17 @@ CoulombSolution solve_coulomb(const Delassus& a, double b_n, double b_t, double 
   // If a_nn > mu |a_nt| and the matrix is symmetric, exactly one case holds: sliding one way,
   // sliding the other way, or else sticking.
   if (a.nt != a.tn || mu * std::abs(a.nt) >= a.nn) return enumerate(a, b_n, b_t, mu);
-  CoulombSolution s;
-  if (b_n >= 0.0) return s;
+  if (b_n >= 0.0) return {};
   const Sliding positive = sliding(a, b_n, b_t, mu);
   if (positive.slip > 0.0) {
-    s.contact_case = ContactCase::kSlidePositive;
-    s.normal = positive.normal;
-    s.friction = -mu * s.normal;
-    return s;
+    return {positive.normal, -mu * positive.normal, ContactCase::kSlidePositive};
   }
   const Sliding negative = sliding(a, b_n, b_t, -mu);
   if (negative.slip < 0.0) {
-    s.contact_case = ContactCase::kSlideNegative;
-    s.normal = negative.normal;
-    s.friction = mu * s.normal;
-    return s;
+    return {negative.normal, mu * negative.normal, ContactCase::kSlideNegative};
   }
-  s.contact_case = ContactCase::kStick;
   const PlanarImpulse stuck = stick(a, b_n, b_t);
-  s.normal = stuck.normal;
-  s.friction = stuck.friction;
-  return s;
+  return {stuck.normal, stuck.friction, ContactCase::kStick};
 }
 
 CoulombSolution solve_coulomb(const Delassus& a, double b_n, double b_t, const FrictionLaw& law,

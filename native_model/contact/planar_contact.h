@@ -37,11 +37,6 @@ inline double slide(const Delassus& a, double b_n, double mu_sign) {
   return -b_n / carried(a, mu_sign);
 }
 
-// The slip y_T after such a normal impulse.
-inline double slip_after_slide(const Delassus& a, double b_t, double mu_sign, double normal) {
-  return b_t + (a.tn - mu_sign * a.tt) * normal;
-}
-
 // y_N and y_T after any impulse.
 inline double gap_rate_after(const Delassus& a, double b_n, const PlanarImpulse& l) {
   return a.nn * l.normal + a.nt * l.friction + b_n;

@@ -89,12 +89,17 @@ PlaneModes plane(const Eigen::MatrixXd& mass, const PlanarModes& modes, const Sc
   return result;
 }
 
-// Rotating damping, projected onto the modes of two planes.
-Eigen::MatrixXd internal_damping(const Eigen::MatrixXd& mass, const PlanarModes& mean, double ratio,
-                                 const ScaledModes& left, const ScaledModes& right) {
-  const Eigen::MatrixXd momentum = mass * mean.shape;
-  return (left.shape.transpose() * momentum) * (2.0 * ratio * mean.frequency).asDiagonal() *
-         (momentum.transpose() * right.shape);
+// Rotating damping, projected onto the modes of the planes.
+void set_internal_damping(const RitzBending& ritz, const PlanarModes& mean, double ratio,
+                          const ScaledModes& x, const ScaledModes& y, ModalRotor& rotor) {
+  const Eigen::MatrixXd momentum = ritz.mass * mean.shape;
+  const auto internal = [&](const ScaledModes& left, const ScaledModes& right) -> Eigen::MatrixXd {
+    return (left.shape.transpose() * momentum) * (2.0 * ratio * mean.frequency).asDiagonal() *
+           (momentum.transpose() * right.shape);
+  };
+  rotor.internal_xx = internal(x, x);
+  rotor.internal_xy = ritz.isotropic ? rotor.internal_xx : internal(x, y);
+  rotor.internal_yy = ritz.isotropic ? rotor.internal_xx : internal(y, y);
 }
 
 // Columns a_i and numbers d_i >= 0 such that sum d_i a_i a_i^T = `damping`, which is positive
@@ -114,12 +119,7 @@ void add_own_damping(const RotorModes& modes, double ratio, double internal_rati
                      const ScaledModes& x, const ScaledModes& y, ModalRotor& rotor) {
   const Eigen::MatrixXd& mass = modes.ritz.mass;
   const OwnModes& own = *modes.own;
-  const auto internal = [&](const ScaledModes& left, const ScaledModes& right) {
-    return internal_damping(mass, own.mean, internal_ratio, left, right);
-  };
-  rotor.internal_xx = internal(x, x);
-  rotor.internal_xy = modes.ritz.isotropic ? rotor.internal_xx : internal(x, y);
-  rotor.internal_yy = modes.ritz.isotropic ? rotor.internal_xx : internal(y, y);
+  set_internal_damping(modes.ritz, own.mean, internal_ratio, x, y, rotor);
   rotor.x.damping.setZero();
   rotor.y.damping.setZero();
   if (ratio == 0.0) return;
@@ -161,6 +161,11 @@ ModeScale mode_scale(const std::function<double(double)>& value,
   return {1.0 / at_contact, 1.0};
 }
 
+std::optional<double> contact_station(const scene::Scene& scene) {
+  if (!scene.first().contact) return std::nullopt;
+  return scene.first().contact->station;
+}
+
 std::vector<double> line_stations(const std::vector<ShaftElement>& mesh) {
   // At most 1/100 of the shaft and 1/8 of an element apart (k h <= 4: 12 points per wavelength).
   constexpr double kShare = 100.0;
@@ -179,8 +184,7 @@ std::vector<double> line_stations(const std::vector<ShaftElement>& mesh) {
 ModalRotor reduce_bending(const scene::Scene& scene, const RotorModes& modes) {
   const scene::RotorGeometry& geometry = *scene.rotor.geometry;
   const RitzBending& ritz = modes.ritz;
-  const std::optional<double> contact =
-      scene.first().contact ? std::optional<double>(scene.first().contact->station) : std::nullopt;
+  const std::optional<double> contact = contact_station(scene);
 
   // If both planes are equal, they share one computation, so that their bits are equal too.
   const ScaledModes x = scaled(ritz.basis, modes.x, modes.kept, contact);
@@ -197,13 +201,7 @@ ModalRotor reduce_bending(const scene::Scene& scene, const RotorModes& modes) {
                                      rotor.x.mass.cwiseProduct(modes.x.frequency.head(modes.kept));
     rotor.internal_xx = rotor.internal_xy = rotor.internal_yy = internal.asDiagonal();
   } else {
-    const double ratio = geometry.internal_damping_ratio;
-    const auto internal = [&](const ScaledModes& left, const ScaledModes& right) {
-      return internal_damping(ritz.mass, modes.mean, ratio, left, right);
-    };
-    rotor.internal_xx = internal(x, x);
-    rotor.internal_xy = internal(x, y);
-    rotor.internal_yy = internal(y, y);
+    set_internal_damping(ritz, modes.mean, geometry.internal_damping_ratio, x, y, rotor);
   }
   if (modes.own) {
     add_own_damping(modes, geometry.damping_ratio, geometry.internal_damping_ratio, x, y, rotor);
@@ -218,14 +216,10 @@ ModalRotor reduce_bending(const scene::Scene& scene, const RotorModes& modes) {
     rotor.contacts.push_back(shape_at(scene.auxiliary[k].contact->station));
   }
   for (const scene::ShaftBearing& bearing : geometry.bearings) {
-    if (bearing.damping.isZero(0.0)) continue;
-    rotor.bearing_dampers.push_back({shape_at(bearing.z), bearing.damping});
-  }
-  for (const scene::ShaftBearing& bearing : geometry.bearings) {
-    if (auto film = film_of(bearing))
-      rotor.films.push_back({shape_at(bearing.z), std::move(*film)});
-    if (bearing.offset.isZero(0.0)) continue;
     const ModeShape at = shape_at(bearing.z);
+    if (!bearing.damping.isZero(0.0)) rotor.bearing_dampers.push_back({at, bearing.damping});
+    if (auto film = film_of(bearing)) rotor.films.push_back({at, std::move(*film)});
+    if (bearing.offset.isZero(0.0)) continue;
     if (rotor.pull_x.size() == 0)
       rotor.pull_x = rotor.pull_y = Eigen::VectorXd::Zero(rotor.modes());
     rotor.pull_x += bearing.stiffness.x() * bearing.offset.x() * at.x;

@@ -36,6 +36,9 @@ ModeScale mode_scale(const std::function<double(double)>& value,
 // (OwnModes); the external one is then stored as dashpots in `bearing_dampers`.
 ModalRotor reduce_bending(const scene::Scene& scene, const RotorModes& modes);
 
+// m, station of the first contact; empty without one.
+std::optional<double> contact_station(const scene::Scene& scene);
+
 // Stations along the shaft (m, ascending), close enough to draw the kept modes and to find their
 // peaks.
 std::vector<double> line_stations(const std::vector<ShaftElement>& mesh);

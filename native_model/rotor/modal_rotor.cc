@@ -179,8 +179,7 @@ TorsionModes torsion_modes(const scene::Scene& scene) {
   const TorsionSolution solution =
       solve_refined(uniform, [&](double omega) { return solve_torsion(scene, omega); });
 
-  const std::optional<double> contact =
-      scene.first().contact ? std::optional<double>(scene.first().contact->station) : std::nullopt;
+  const std::optional<double> contact = contact_station(scene);
   const std::vector<double> stations = line_stations(solution.basis.mesh());
   const Eigen::Index n = wanted;
   TorsionModes result{Eigen::VectorXd(n), Eigen::VectorXd(n), Eigen::VectorXd(n),

@@ -44,11 +44,6 @@ std::vector<double> node_stations(const SegmentChain& chain) {
   return z;
 }
 
-std::optional<double> contact_station(const scene::Scene& scene) {
-  if (!scene.first().contact) return std::nullopt;
-  return scene.first().contact->station;
-}
-
 // The first `kept` modes with the scaling of the native model.
 Eigen::MatrixXd scaled_shapes(const scene::Scene& scene, const SegmentChain& chain,
                               const PlanarModes& modes, int kept) {

@@ -67,7 +67,6 @@ TEST(SqueezeFilm, CircularOrbits) {
     EXPECT_NEAR(half.y(), -0.5 * kPi / std::pow(root, 3) * size, 1e-12 * size / std::pow(root, 3));
     EXPECT_NEAR(half.x(), -2.0 * e / std::pow(root, 4) * size, 1e-12 * size / std::pow(root, 4));
   }
-  EXPECT_NEAR(SqueezeFilmLaw(kFilm).centred_damping(), kPi * kScale, 1e-12 * kScale);
 }
 
 TEST(SqueezeFilm, TurnsAndMirrorsWithTheMotionAndOnlyBrakes) {
