@@ -9,10 +9,6 @@
 namespace rotorub::plugin {
 namespace {
 
-struct DeleteData {
-  void operator()(mjData* d) const { mj_deleteData(d); }
-};
-
 // Writes the values to column `which` of a matrix with `columns` columns.
 void put_column(const std::vector<double>& values, std::vector<double>& matrix, int which,
                 int columns) {
@@ -52,7 +48,8 @@ void column(const mjModel* m, const mjData* d, double eps, int which, Nudge nudg
 Transition transition(const mjModel* m, const mjData* d, double eps) {
   if (!(eps > 0.0)) throw std::invalid_argument("rotorub: transition: eps: accepted: > 0");
   const Differentiating scope;
-  const std::unique_ptr<mjData, DeleteData> low(mj_makeData(m)), high(mj_makeData(m));
+  const std::unique_ptr<mjData, void (*)(mjData*)> low(mj_makeData(m), mj_deleteData),
+      high(mj_makeData(m), mj_deleteData);
   Transition out;
   const int nv = count(m->nv), n = out.states = 2 * nv + count(m->na);
   out.controls = count(m->nu);

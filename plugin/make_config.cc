@@ -124,10 +124,7 @@ ContactPair map_contact(const mjModel* m, const Config& config, std::size_t k, i
   }
   p.data = data;
   p.sensors = contact_sensors(m, {}, names::of_bearing(k, {}));
-  if (const auto reference = own_number(m, names::kOwnFrictionReference)) {
-    check_one_value(m, names::kOwnFrictionReference, *reference);
-    p.friction_reference = reference->values[0];
-  }
+  p.friction_reference = own_value(m, names::kOwnFrictionReference).value_or(0.0);
   p.in_world = true;
   p.on_chain = !config.segments;
   p.beside = p.on_chain && k > 0;

@@ -103,10 +103,8 @@ bool has_own_numbers(const Config& config, const mjModel* m) {
 }
 
 bool rotor_is_massless(const Config& config, const mjModel* m) {
-  for (const int body : config.rotor_bodies) {
-    if (m->body_mass[body] > kMassless) return false;
-  }
-  return true;
+  return std::ranges::none_of(config.rotor_bodies,
+                              [m](int body) { return m->body_mass[body] > kMassless; });
 }
 
 void check_joint_numbers(const mjModel* m, int joint, double mass, double stiffness,

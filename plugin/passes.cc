@@ -95,8 +95,9 @@ void notice_missed_control(const Config& config, mjData* d) {
 void add_loads(const Config& config, const mjModel* m, mjData* d) {
   if (config.own) return;
   try {
-    if (config.segments) add_segment_loads(config, m, d);
-    if (!config.segments) {
+    if (config.segments) {
+      add_segment_loads(config, m, d);
+    } else {
       const Coordinates state(config, d);
       place_contacts_beside(config, m, d, state);
       if (!config.takes_native_steps()) add_passive_force(config, m, d, state);

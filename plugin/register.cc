@@ -23,6 +23,8 @@
 #include "plugin/model/actuators.h"
 #include "plugin/model/mujoco_versions.h"
 
+namespace plugin = rotorub::plugin;
+
 #define ROTORUB_EXPORT extern "C" __attribute__((visibility("default")))
 
 // Tells a program that also links the plugin that this library does the work (hooks.cc).
@@ -35,7 +37,7 @@ using Pass = void (*)(const mjModel*, mjData*);
 using SkippingPass = void (*)(const mjModel*, mjData*, int, int);
 
 // mjtByte; another type in later versions.
-using Centered = rotorub::plugin::Argument<decltype(mjd_transitionFD), 3>;
+using Centered = plugin::Argument<decltype(mjd_transitionFD), 3>;
 
 template <typename Function>
 Function original(const char* name) {
@@ -43,8 +45,8 @@ Function original(const char* name) {
 }
 
 void keep(const mjModel* m, const mjData* d) {
-  if (rotorub::plugin::callbacks_lost() && rotorub::plugin::find_config(m, d)) {
-    rotorub::plugin::keep_callbacks();
+  if (plugin::callbacks_lost() && plugin::find_config(m, d)) {
+    plugin::keep_callbacks();
   }
 }
 
@@ -75,7 +77,7 @@ __attribute__((constructor)) void install() {
   dl_iterate_phdr(count_mujoco, &mujocos);
   if (mujocos > 1) {
     // MuJoCo may not be ready for mju_error yet.
-    const std::string built = rotorub::plugin::version_text(mjVERSION_HEADER);
+    const std::string built = plugin::version_text(mjVERSION_HEADER);
     std::fprintf(stderr,
                  "rotorub: this plugin is built for MuJoCo %s, and the program has another one; "
                  "accepted: a plugin that is built for the program's\n",
@@ -83,9 +85,9 @@ __attribute__((constructor)) void install() {
     std::_Exit(1);
   }
   const bool before = stands_before_mujoco();
-  if (before) rotorub::plugin::expect_to_stand_before();
-  rotorub::plugin::install_callbacks();
-  if (before) rotorub::plugin::stand_behind_sensors();
+  if (before) plugin::expect_to_stand_before();
+  plugin::install_callbacks();
+  if (before) plugin::stand_behind_sensors();
 }
 
 }  // namespace
@@ -108,9 +110,9 @@ ROTORUB_EXPORT void mj_sensorAcc(const mjModel* m, mjData* d) {
   in_sensors = true;
   sensors(m, d);
   in_sensors = false;
-  if (!rotorub::plugin::callbacks_active() || (m->opt.disableflags & mjDSBL_SENSOR)) return;
-  const rotorub::plugin::Config* config = rotorub::plugin::find_config(m, d);
-  if (config && !config->cells_in_callback) rotorub::plugin::fill_load_cells(*config, m, d);
+  if (!plugin::callbacks_active() || (m->opt.disableflags & mjDSBL_SENSOR)) return;
+  const plugin::Config* config = plugin::find_config(m, d);
+  if (config && !config->cells_in_callback) plugin::fill_load_cells(*config, m, d);
 }
 
 ROTORUB_EXPORT void mj_contactForce(const mjModel* m, const mjData* d, int id, mjtNum result[6]) {
@@ -118,7 +120,7 @@ ROTORUB_EXPORT void mj_contactForce(const mjModel* m, const mjData* d, int id, m
   if (in_sensors) {
     force(m, d, id, result);
   } else {
-    rotorub::plugin::contact_force(m, d, id, result, force);
+    plugin::contact_force(m, d, id, result, force);
   }
 }
 
@@ -128,7 +130,7 @@ ROTORUB_EXPORT void mj_rnePostConstraint(const mjModel* m, mjData* d) {
   if (in_sensors) {
     rne(m, d);
   } else {
-    rotorub::plugin::rne_post_constraint(m, d, rne);
+    plugin::rne_post_constraint(m, d, rne);
   }
 }
 
@@ -141,23 +143,23 @@ ROTORUB_EXPORT void mj_fwdActuation(const mjModel* m, mjData* d) {
     return reinterpret_cast<Pass>(
         dlsym(dlopen(mujoco.dli_fname, RTLD_LAZY | RTLD_NOLOAD), "mj_fwdActuation"));
   }();
-  if (!rotorub::plugin::actuators_computed(m, d)) actuation(m, d);
+  if (!plugin::actuators_computed(m, d)) actuation(m, d);
 }
 
 ROTORUB_EXPORT void mj_inverseSkip(const mjModel* m, mjData* d, int skipstage, int skipsensor) {
   static const auto inverse = original<SkippingPass>("mj_inverseSkip");
   keep(m, d);
-  rotorub::plugin::inverse_with_contact(m, d, skipstage, skipsensor, inverse);
+  plugin::inverse_with_contact(m, d, skipstage, skipsensor, inverse);
 }
 
 ROTORUB_EXPORT void mjd_transitionFD(const mjModel* m, mjData* d, mjtNum eps, Centered centered,
                                      mjtNum* A, mjtNum* B, mjtNum* C, mjtNum* D) {
   static const auto differences = original<decltype(&mjd_transitionFD)>("mjd_transitionFD");
-  if (!rotorub::plugin::find_config(m, d) || !(eps > 0.0)) {
+  if (!plugin::find_config(m, d) || !(eps > 0.0)) {
     differences(m, d, eps, centered, A, B, C, D);
     return;
   }
-  const rotorub::plugin::Transition t = rotorub::plugin::transition(m, d, eps);
+  const plugin::Transition t = plugin::transition(m, d, eps);
   if (A) std::copy(t.A.begin(), t.A.end(), A);
   if (B) std::copy(t.B.begin(), t.B.end(), B);
   if (C) std::copy(t.C.begin(), t.C.end(), C);

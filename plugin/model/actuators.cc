@@ -67,7 +67,7 @@ bool has_inputs(const mjModel* m, const mjData* d) {
 
 void restore_plugin_state(const mjModel* m, mjData* d) {
   const std::span<mjtNum> state = plugin_state(m, d);
-  for (std::size_t i = 0; i < state.size(); ++i) state[i] = pass.plugin_state[i];
+  std::copy_n(pass.plugin_state.begin(), state.size(), state.begin());
 }
 
 }  // namespace

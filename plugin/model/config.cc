@@ -22,6 +22,14 @@ int find_pair(const mjModel* m, int geom_a, int geom_b) {
   return -1;
 }
 
+int count_pairs(const mjModel* m, int geom_a, int geom_b) {
+  int found = 0;
+  for (int i = 0; i < m->npair; ++i) {
+    if (are_geoms(geom_a, geom_b, m->pair_geom1[i], m->pair_geom2[i])) ++found;
+  }
+  return found;
+}
+
 bool Config::has_rigid() const {
   const auto rigid = [](const ContactPair& p) { return p.law == scene::ContactModel::kRigid; };
   return std::any_of(pairs.begin(), pairs.end(), rigid);

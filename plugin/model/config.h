@@ -156,5 +156,6 @@ class ConfigError : public std::runtime_error {
 const char* scene_text(const mjModel* m);
 const char* custom_text(const mjModel* m, std::string_view name);  // null: not found
 int find_pair(const mjModel* m, int geom_a, int geom_b);           // -1: not found
+int count_pairs(const mjModel* m, int geom_a, int geom_b);
 
 }  // namespace rotorub::plugin

@@ -5,12 +5,15 @@ namespace rotorub::plugin {
 
 class Differentiating {  // in_this_thread() is true while one lives in the thread
  public:
-  Differentiating();
-  ~Differentiating();
+  Differentiating() { running_ = true; }
+  ~Differentiating() { running_ = false; }
   Differentiating(const Differentiating&) = delete;
   Differentiating& operator=(const Differentiating&) = delete;
 
-  static bool in_this_thread();
+  static bool in_this_thread() { return running_; }
+
+ private:
+  static inline thread_local constinit bool running_ = false;
 };
 
 }  // namespace rotorub::plugin

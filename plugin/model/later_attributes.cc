@@ -24,17 +24,12 @@ struct Attribute {
   const char* since;  // release of MuJoCo
 };
 
-std::string problem(const std::string& element, const Attribute& attribute,
-                    const std::string& wrong, const std::string& remedy) {
-  return message("rotorub: {}: the attribute {}, new in MuJoCo {}, {}; {}", element, attribute.name,
-                 attribute.since, wrong, remedy);
-}
-
 constexpr Attribute kStiffnessPolynomial{"stiffness with several numbers", "3.7"};
 
 [[noreturn]] void refuse_attribute(const std::string& element, const Attribute& attribute,
                                    const std::string& wrong, const std::string& remedy) {
-  throw ConfigError(problem(element, attribute, wrong, remedy));
+  throw ConfigError(message("rotorub: {}: the attribute {}, new in MuJoCo {}, {}; {}", element,
+                            attribute.name, attribute.since, wrong, remedy));
 }
 
 // True if MuJoCo's solver alone finds the force, from its own references.
@@ -49,32 +44,30 @@ std::string unsupported_by(const ContactPair& pair) {
 constexpr const char* kOrCone = "or use contact model cone without a friction reference";
 
 template <typename Model>
-std::string moving_surface(const Model* m, const ContactPair& pair) {
+void check_motion(const Model* m, const ContactPair& pair) {
   if constexpr (requires { m->geom_surfacevel; }) {
     for (const int geom : {pair.rotor_geom, pair.ring_geom}) {
       if (!any(m->geom_surfacevel + 6 * geom, 6)) continue;
-      return problem(
+      refuse_attribute(
           message("<geom name=\"{}\">", m->names + m->name_geomadr[geom]), {"surfacevel", "3.11"},
           unsupported_by(pair),
           message("remove it, turn the body of the geom with a joint instead, {}", kOrCone));
     }
   }
-  return {};
 }
 
 // A geom's own adhesion does not act in the plugin's contacts: they all belong to a <pair>, and
 // MuJoCo then uses only the attribute of the <pair>.
 template <typename Model>
-std::string adhesion(const Model* m, const ContactPair& pair) {
+void check_adhesion(const Model* m, const ContactPair& pair) {
   if constexpr (requires { m->pair_adhesion; }) {
     if (pair.pair >= 0 && m->pair_adhesion[pair.pair] != 0.0) {
-      return problem(
+      refuse_attribute(
           message("<pair geom1=\"{}\" geom2=\"{}\">", m->names + m->name_geomadr[pair.rotor_geom],
                   m->names + m->name_geomadr[pair.ring_geom]),
           {"adhesion", "3.11"}, unsupported_by(pair), message("remove it, {}", kOrCone));
     }
   }
-  return {};
 }
 
 template <typename Model>
@@ -227,27 +220,16 @@ bool is_disabled(const Model* m, int actuator) {
 
 }  // namespace
 
-std::string refused_surface(const mjModel* m, const ContactPair& pair) {
-  if (is_mujocos_alone(pair)) return {};
-  const std::string moving = moving_surface(m, pair);
-  return moving.empty() ? adhesion(m, pair) : moving;
+void check_surface(const mjModel* m, const ContactPair& pair) {
+  if (is_mujocos_alone(pair)) return;
+  check_motion(m, pair);
+  check_adhesion(m, pair);
 }
-
-namespace {
-
-void check_surfaces(const mjModel* m, const Config& config) {
-  for (const ContactPair& pair : config.pairs) {
-    const std::string surface = refused_surface(m, pair);
-    if (!surface.empty()) throw ConfigError(surface);
-  }
-}
-
-}  // namespace
 
 void check_sensor_attributes(const mjModel* m, int sensor) { check_sensor(m, sensor); }
 
 void check_generated_attributes(const mjModel* m, const Config& config) {
-  check_surfaces(m, config);
+  for (const ContactPair& pair : config.pairs) check_surface(m, pair);
   const GeneratedParts parts(m, config);
   check_gravity(m, parts);
   check_joints(m, parts);
@@ -259,7 +241,11 @@ void check_generated_attributes(const mjModel* m, const Config& config) {
 const char* refused_attributes(const Config& config, const mjModel* m) {
   static thread_local char text[500];
   try {
-    config.own ? check_surfaces(m, config) : check_generated_attributes(m, config);
+    if (config.own) {
+      for (const ContactPair& pair : config.pairs) check_surface(m, pair);
+    } else {
+      check_generated_attributes(m, config);
+    }
   } catch (const ConfigError& error) {
     std::snprintf(text, sizeof text, "%s", error.what());
     return text;

@@ -39,8 +39,8 @@
 
 namespace rotorub::plugin {
 
-// The refusal of a contact whose surface moves or adheres; empty if it does neither.
-std::string refused_surface(const mjModel* m, const ContactPair& pair);
+// Checks that the surfaces of a contact neither move nor adhere. Throws ConfigError.
+void check_surface(const mjModel* m, const ContactPair& pair);
 
 // Checks a user sensor that the plugin fills. Throws ConfigError.
 void check_sensor_attributes(const mjModel* m, int sensor);
@@ -48,7 +48,7 @@ void check_sensor_attributes(const mjModel* m, int sensor);
 // Checks a generated model. Throws ConfigError.
 void check_generated_attributes(const mjModel* m, const Config& config);
 
-// The first refusal by refused_surface (all models) or check_generated_attributes; null if there is
+// The first refusal by check_surface (all models) or check_generated_attributes; null if there is
 // none. It is called in every pass, because attributes may be edited in mjModel, and models that
 // differ in these attributes alone share a Config. The text is valid until the thread's next
 // refusal.

@@ -31,9 +31,7 @@ constexpr Range kCoefficient{0.0, 1e300, false, ">= 0"};
 constexpr Range kShare{0.0, 1.0, false, "between 0 and 1"};
 
 double value_or(const mjModel* m, const std::string& name, double otherwise, const Range& range) {
-  const std::optional<OwnNumber> given = own_number(m, name);
-  if (given) check_one_value(m, name, *given);
-  const double value = given ? given->values[0] : otherwise;
+  const double value = own_value(m, name).value_or(otherwise);
   const bool below = range.open_below ? !(value > range.low) : !(value >= range.low);
   if (below || !(value <= range.high)) {
     refuse(own_element(m, name), message("{}; accepted: {}", value, range.text));

@@ -71,15 +71,6 @@ bool is_key(const std::string& name, std::string_view key, PairName& pair) {
   return true;
 }
 
-std::vector<std::string> all_of(std::span<const char* const> keys,
-                                const std::vector<PairName>& pairs) {
-  std::vector<std::string> all;
-  for (const PairName& pair : pairs) {
-    for (const char* key : keys) all.push_back(pair.of(key));
-  }
-  return all;
-}
-
 std::string element_of(const mjModel* m, const char* kind, const std::string& name) {
   const std::string element = instance_element(m, name);
   return element.empty() ? message("<custom><{} name=\"{}\">", kind, name) : element;
@@ -94,7 +85,10 @@ void check(const mjModel* m, const std::string& name, std::span<const char* cons
     if (key == names::kOwnUserData && pair.suffix.empty()) return;
     if (std::find(pairs.begin(), pairs.end(), pair) != pairs.end()) return;
   }
-  const std::vector<std::string> known = all_of(keys, pairs);
+  std::vector<std::string> known;
+  for (const PairName& pair : pairs) {
+    for (const char* key : keys) known.push_back(pair.of(key));
+  }
   const std::vector<std::string_view> views(known.begin(), known.end());
   const std::string_view meant = scene::nearest(name, views);
   if (!meant.empty())
@@ -141,16 +135,6 @@ bool names_corrected_pair(const mjModel* m) {
     any = any || is_key(name, names::kOwnConeCoulombPair, of);
   });
   return any;
-}
-
-// MuJoCo treats two <pair>s of the same geoms as two contacts, so a name would be ambiguous.
-bool has_twin(const mjModel* m, int pair) {
-  int same = 0;
-  for (int i = 0; i < m->npair; ++i) {
-    if (are_geoms(m->pair_geom1[i], m->pair_geom2[i], m->pair_geom1[pair], m->pair_geom2[pair]))
-      ++same;
-  }
-  return same > 1;
 }
 
 bool is_numbering(const std::string& suffix) {
@@ -231,7 +215,8 @@ std::vector<int> corrected_pairs(const mjModel* m) {
                      "once",
                      said));
     }
-    if (has_twin(m, pair)) {
+    // MuJoCo treats two <pair>s of the same geoms as two contacts, so a name would be ambiguous.
+    if (count_pairs(m, m->pair_geom1[pair], m->pair_geom2[pair]) > 1) {
       refuse(
           own_element(m, name),
           message("another <pair> has the same two geoms as \"{}\"; accepted: one <pair> for two "
@@ -266,9 +251,11 @@ std::optional<OwnNumber> own_number(const mjModel* m, const std::string& name) {
   return std::nullopt;
 }
 
-void check_one_value(const mjModel* m, const std::string& name, const OwnNumber& number) {
-  if (number.size == 1) return;
-  refuse(own_element(m, name), message("{} numbers; accepted: one", number.size));
+std::optional<double> own_value(const mjModel* m, const std::string& name) {
+  const std::optional<OwnNumber> number = own_number(m, name);
+  if (!number) return std::nullopt;
+  if (number->size == 1) return number->values[0];
+  refuse(own_element(m, name), message("{} numbers; accepted: one", number->size));
 }
 
 std::string own_element(const mjModel* m, const std::string& name) {
@@ -323,7 +310,7 @@ int own_memory(const mjModel* m) {
     PairName of;
     if (!is_key(name, names::kOwnUserData, of)) return;
     const std::string element = own_element(m, name);
-    if (const auto number = own_number(m, name)) check_one_value(m, name, *number);
+    own_value(m, name);  // refuses several numbers
     if (!(value >= 0.0) || value != std::floor(value) || value > 1e9) {
       refuse(element, message("{}; accepted: an index, 0, 1, 2, ...", value));
     }

@@ -58,8 +58,8 @@ struct OwnNumber {
   int size = 0;  // how many were given, even if they do not all fit
 };
 std::optional<OwnNumber> own_number(const mjModel* m, const std::string& name);
-// Throws ConfigError if several numbers were given for one.
-void check_one_value(const mjModel* m, const std::string& name, const OwnNumber& number);
+// The same for a name with one number. Also throws ConfigError if several are given.
+std::optional<double> own_value(const mjModel* m, const std::string& name);
 
 // The element in which a name is or would be given: <custom><numeric name="rotorub_clearance">.
 std::string own_element(const mjModel* m, const std::string& name);

@@ -133,17 +133,10 @@ void check_pair(const mjModel* m, const PairName& name, const ContactPair& p, Re
     return;
   }
   check([&] {
-    const auto same = [&](int i) {
-      return are_geoms(p.rotor_geom, p.ring_geom, m->pair_geom1[i], m->pair_geom2[i]);
-    };
-    int pairs = 0;
-    for (int i = 0; i < m->npair; ++i) pairs += same(i) ? 1 : 0;
+    const int pairs = count_pairs(m, p.rotor_geom, p.ring_geom);
     if (pairs > 1) refuse(element, message("is there {} times; accepted: once", pairs));
   });
-  check([&] {
-    const std::string surface = refused_surface(m, p);
-    if (!surface.empty()) throw ConfigError(surface);
-  });
+  check([&] { check_surface(m, p); });
   if (p.law == scene::ContactModel::kRigid) {
     check([&] { refuse_mocap(m, p.rotor_geom); });
     check([&] { refuse_mocap(m, p.ring_geom); });

@@ -25,15 +25,10 @@ using Eigen::VectorXd;
 
 // relative size below which a part is the error of differences
 constexpr double kNegligible = 1e-9;
-constexpr double kFree =
-    // (rad/s)^2 and rad/s^2, error of differences for parts that turn freely.
-    1e-6;
+constexpr double kFree = 1e-6;  // (rad/s)^2 and rad/s^2, the same for parts that turn freely
 constexpr double kNoUnbalance = 1e-12;  // kg m
 
 std::vector<double> list(const VectorXd& v) { return {v.data(), v.data() + v.size()}; }
-
-// True if the part is only the round-off of differences.
-bool is_none(double part, double whole) { return std::abs(part) <= kNegligible * std::abs(whole); }
 
 class Maker {
  public:
@@ -116,7 +111,7 @@ class Maker {
     const double largest = parts->values.cwiseAbs().maxCoeff();
     for (Eigen::Index k = 0; k < n_; ++k) {
       const double value = parts->values[k];
-      if (is_none(value, largest)) continue;
+      if (std::abs(value) <= kNegligible * largest) continue;
       StationDamper damper{{VectorXd::Zero(n_), VectorXd::Zero(n_)}, Eigen::Vector2d::Zero()};
       (row == 0 ? damper.shape.x : damper.shape.y) = parts->vectors.col(k);
       damper.damping[row] = value;
@@ -174,16 +169,14 @@ class Maker {
     std::optional<scene::Gravity>& gravity = twin_.scene.gravity;
     if (!gravity) gravity.emplace().acceleration = weight;
     if ((gravity->acceleration - weight).norm() <= kNegligible * weight.norm()) return;
-    refuse(joint_of(planes_.rings[contact].front()),
+    refuse(joint_of_dof(m_, planes_.rings[contact].front()),
            "carries another load for its mass than the first ring's, for a twin; accepted: rings "
            "that gravity alone loads");
   }
 
-  std::string joint_of(int dof) const { return joint_of_dof(m_, dof); }
-
   void refuse_spring(int turn, const std::string& body) const {
     if (std::abs(machine_.stiffness(turn, turn)) <= kFree * machine_.mass(turn, turn)) return;
-    refuse(joint_of(turn),
+    refuse(joint_of_dof(m_, turn),
            "turns the " + body + " against a spring, for a twin; accepted: stiffness=\"0\"");
   }
 
@@ -193,18 +186,18 @@ class Maker {
     refuse_spring(turn, "ring");
     const double inertia = machine_.mass(turn, turn), drag = machine_.damping(turn, turn);
     if (std::abs(machine_.force[turn]) > kFree * inertia) {
-      refuse(joint_of(turn),
+      refuse(joint_of_dof(m_, turn),
              "turns the ring by " + text(machine_.force[turn]) +
                  " N m at rest, for a twin; accepted: nothing but the rub and a drag");
     }
     if (m_->dof_frictionloss[turn] > 0.0) {
       refuse(
-          joint_of(turn),
+          joint_of_dof(m_, turn),
           "loses " + text(m_->dof_frictionloss[turn]) +
               " N m to dry friction as the ring turns, for a twin; accepted: frictionloss=\"0\"");
     }
     if (drag < 0.0 || machine_.contacts[contact].bent_drag > kFree * inertia) {
-      refuse(joint_of(turn),
+      refuse(joint_of_dof(m_, turn),
              "has a drag that is negative or not linear in its speed, for a twin; accepted: a "
              "damping >= 0");
     }

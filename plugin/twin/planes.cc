@@ -231,19 +231,20 @@ TwinPlanes part_planes(const mjModel* m, const LinearMachine& machine) {
   }
   // A degree of freedom that only gyroscopics couple to a plane belongs to the other plane.
   const double largest = machine.gyroscopic.cwiseAbs().maxCoeff();
-  for (bool found = true; found;) {
-    found = false;
-    for (std::size_t k = 0; k < rest.size() && !found; ++k) {
-      for (int plane = 0; plane < 2 && !found; ++plane) {
-        for (const int i : of[plane]) {
-          if (std::abs(machine.gyroscopic(i, rest[k])) <= kNone * largest) continue;
-          of[1 - plane].push_back(rest[k]);
-          rest.erase(rest.begin() + static_cast<std::ptrdiff_t>(k));
-          found = true;
-          break;
-        }
-      }
+  const auto acts_on = [&](int dof, const std::vector<int>& plane) {
+    return std::any_of(plane.begin(), plane.end(), [&](int i) {
+      return !(std::abs(machine.gyroscopic(i, dof)) <= kNone * largest);
+    });
+  };
+  for (auto dof = rest.begin(); dof != rest.end();) {
+    const bool on_x = acts_on(*dof, of[0]);
+    if (!on_x && !acts_on(*dof, of[1])) {
+      ++dof;
+      continue;
     }
+    of[on_x ? 1 : 0].push_back(*dof);
+    rest.erase(dof);
+    dof = rest.begin();  // it may couple an earlier one
   }
   for (int k = 0; k < 2; ++k) {
     TwinPlane& plane = k == 0 ? planes.x : planes.y;

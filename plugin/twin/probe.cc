@@ -77,9 +77,6 @@ MatrixXd Probe::geom_jacobian(int geom) const {
 
 namespace {
 
-using Eigen::MatrixXd;
-using Eigen::VectorXd;
-
 constexpr double kParallel = 1e-9;  // tolerance of directions, 1 or m
 
 bool turns(const MatrixXd& jacobian, int dof) { return std::abs(jacobian(5, dof)) > kParallel; }

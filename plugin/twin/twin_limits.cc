@@ -17,21 +17,11 @@ std::string percent(double share) {
   return digits;
 }
 
-bool takes_part(int dof, const LinearMachine& machine, const TwinPlanes& planes) {
-  const auto in = [dof](const std::vector<int>& list) {
-    return std::find(list.begin(), list.end(), dof) != list.end();
-  };
-  for (std::size_t k = 0; k < planes.rings.size(); ++k) {
-    if (in(planes.rings[k]) || dof == machine.contacts[k].ring_turn.dof) return true;
-  }
-  return dof == machine.spin.dof || in(planes.x.dofs) || in(planes.y.dofs);
-}
-
 // Adds MuJoCo's constraints that a linear model does not have.
-void add_constraints(const mjModel* m, const LinearMachine& machine, const TwinPlanes& planes,
-                     std::vector<std::string>& all) {
+void add_constraints(const mjModel* m, const TwinPlanes& planes, std::vector<std::string>& all) {
   for (int i = 0; i < m->nv; ++i) {
-    if (!takes_part(i, machine, planes)) continue;
+    const std::vector<int>& ignored = planes.ignored;
+    if (std::find(ignored.begin(), ignored.end(), i) != ignored.end()) continue;
     const int joint = m->dof_jntid[i];
     if (m->jnt_limited[joint]) {
       all.push_back(joint_element(m, joint) + " is limited; the twin's is not");
@@ -67,7 +57,7 @@ std::vector<std::string> twin_limits(const mjModel* m, const LinearMachine& mach
     all.push_back("the weight of the unbalance turns the rotor by up to " +
                   text(machine.unbalance_torque) + " N m; the twin leaves that out");
   }
-  add_constraints(m, machine, planes, all);
+  add_constraints(m, planes, all);
   for (const int dof : planes.ignored) {
     all.push_back(joint_element(m, m->dof_jntid[dof]) +
                   " moves nothing in the contact's plane; left out");
