@@ -7,7 +7,7 @@
 
 #include "native_model/contact/coupled_law.h"
 #include "native_model/contact/kinematics.h"
-#include "native_model/scene/scene.h"
+#include "native_model/scene/mujoco.h"
 #include "plugin/callbacks.h"
 #include "plugin/config_cache.h"
 #include "plugin/contact/contact_memory.h"

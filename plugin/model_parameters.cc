@@ -6,7 +6,6 @@
 
 #include "mjcf/names.h"
 #include "native_model/model/dynamics.h"
-#include "native_model/scene/scene.h"
 #include "plugin/model/generated_rotor.h"
 #include "plugin/model/message.h"
 #include "plugin/model/mujoco_actuators.h"

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "native_model/scene/scene.h"
+#include "native_model/scene/mujoco.h"
 #include "plugin/callbacks.h"
 #include "plugin/config_cache.h"
 #include "plugin/contact/contact_memory.h"

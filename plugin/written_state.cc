@@ -2,7 +2,7 @@
 
 #include <cmath>
 
-#include "native_model/scene/scene.h"
+#include "native_model/scene/mujoco.h"
 #include "plugin/contact/contact_memory.h"
 #include "plugin/contact/contact_space.h"
 #include "plugin/contact/relative_motion.h"

@@ -3,7 +3,7 @@
 #include <vector>
 
 #include "native_model/contact/kinematics.h"
-#include "native_model/scene/scene.h"
+#include "native_model/scene/mujoco.h"
 #include "plugin/contact/cone.h"
 #include "plugin/contact/contact_memory.h"
 #include "plugin/contact/contact_space.h"

@@ -6,7 +6,7 @@
 
 #include "native_model/model/dynamics.h"
 #include "native_model/model/sampled_feedback.h"
-#include "native_model/scene/scene.h"
+#include "native_model/scene/mujoco.h"
 #include "plugin/model/message.h"
 #include "plugin/model/mujoco_actuators.h"
 #include "plugin/model/mujoco_dynamics.h"

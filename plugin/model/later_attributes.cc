@@ -5,7 +5,7 @@
 #include <iterator>
 #include <vector>
 
-#include "native_model/scene/scene.h"
+#include "native_model/scene/mujoco.h"
 #include "plugin/model/message.h"
 #include "plugin/model/mujoco_actuators.h"
 #include "plugin/model/mujoco_versions.h"

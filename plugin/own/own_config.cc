@@ -7,7 +7,7 @@
 
 #include "mjcf/names.h"
 #include "native_model/contact/coupled_law.h"
-#include "native_model/scene/scene.h"
+#include "native_model/scene/mujoco.h"
 #include "plugin/contact/relative_motion.h"
 #include "plugin/model/contact_sensors.h"
 #include "plugin/model/message.h"

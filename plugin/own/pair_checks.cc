@@ -5,7 +5,7 @@
 #include "mjcf/mujoco_version.h"
 #include "mjcf/names.h"
 #include "mjcf/soft_contact.h"
-#include "native_model/scene/scene.h"
+#include "native_model/scene/mujoco.h"
 #include "plugin/model/later_attributes.h"
 #include "plugin/model/mujoco_versions.h"
 
