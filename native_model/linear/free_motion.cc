@@ -26,17 +26,15 @@ using Phasor = std::complex<double>;
 // columns, one per plane.
 struct Bending : LinearParts {
   explicit Bending(LinearParts parts) : LinearParts(std::move(parts)) {}
-  Eigen::MatrixXd station, sensor;              // 2 n x s
-  Eigen::VectorXd force_per_current, integral;  // s, N/A, A/(m s)
-  std::vector<int> stored;                      // s, index among the model's integrals
-  std::vector<const StationFeedback*> owner;    // s
+  Eigen::MatrixXd station, sensor;            // 2 n x s
+  std::vector<int> stored;                    // s, index among the model's integrals
+  std::vector<const StationFeedback*> owner;  // s
 };
 
 Bending bending(const Model& m) {
   const Layout& l = m.layout;
   Bending b(linear_parts(m, m.speed));
   b.station = b.sensor = Eigen::MatrixXd::Zero(2 * l.modes, l.integrals);
-  b.force_per_current = b.integral = Eigen::VectorXd::Zero(l.integrals);
   Eigen::Index at = 0;
   for (const StationFeedback& f : m.feedbacks) {
     if (f.states.stored == kAbsent || !f.works.at(0.0)) continue;
@@ -44,8 +42,6 @@ Bending bending(const Model& m) {
     b.station.col(at + 1).tail(l.modes) = f.shape.y;
     b.sensor.col(at).head(l.modes) = f.seen().x;
     b.sensor.col(at + 1).tail(l.modes) = f.seen().y;
-    b.force_per_current.segment<2>(at).setConstant(f.law.force_per_current);
-    b.integral.segment<2>(at).setConstant(f.law.integral);
     for (int plane = 0; plane < 2; ++plane) {
       b.stored.push_back(f.states.stored - l.integral() + plane);
       b.owner.push_back(&f);
@@ -210,14 +206,13 @@ Answer answer(const scene::Scene& scene, const Model& m, const Bending& b, const
   if (stored > 0) {
     z.conservativeResizeLike(Eigen::MatrixXcd::Zero(n + stored, n + stored));
     z.topRightCorner(n, stored) = (station / unit).cast<Phasor>();
-    for (Eigen::Index k = 0; k < stored; ++k) {
-      z.col(n + k) *= lag_of(*b.owner[static_cast<std::size_t>(k)], nu);
-    }
     z.bottomLeftCorner(stored, n) = (sensor / unit).transpose().cast<Phasor>();
   }
   for (Eigen::Index k = 0; k < stored; ++k) {
+    const StationFeedback& f = *b.owner[static_cast<std::size_t>(k)];
+    z.col(n + k) *= lag_of(f, nu);
     // With F = k_i j: i nu F / (k_i I) - sensor^T q = 0.
-    z(n + k, n + k) = Phasor(0.0, -nu / (b.force_per_current[k] * b.integral[k] * unit * unit));
+    z(n + k, n + k) = Phasor(0.0, -nu / (f.law.force_per_current * f.law.integral * unit * unit));
   }
   Eigen::VectorXcd right = Eigen::VectorXcd::Zero(n + stored);
   right.head(n) = scale.asDiagonal() * load.load;
@@ -233,9 +228,9 @@ Answer answer(const scene::Scene& scene, const Model& m, const Bending& b, const
                                    "damping: its orbit has no bound");
   }
   Answer answer{scale.asDiagonal() * solved.x.head(n), Eigen::VectorXcd::Zero(m.layout.integrals)};
-  for (Eigen::Index k = 0; k < stored; ++k) {
-    answer.stored[b.stored[static_cast<std::size_t>(k)]] =
-        solved.x[n + k] / (unit * b.force_per_current[k]);
+  for (std::size_t k = 0; k < b.stored.size(); ++k) {
+    answer.stored[b.stored[k]] =
+        solved.x[n + static_cast<Eigen::Index>(k)] / (unit * b.owner[k]->law.force_per_current);
   }
   follow(m, nu, answer);
   return answer;
@@ -263,15 +258,6 @@ const StationFeedback* sampled(const Model& m) {
     }
   }
   return nullptr;
-}
-
-void refuse_samples(const scene::Scene& scene, const Model& m) {
-  if (const StationFeedback* feedback = sampled(m)) {
-    refuse_steady(scene, "the control of " +
-                             scene::magnetic_bearing_path(scene.record.get(), feedback->number) +
-                             " is sampled, and no orbit is steady between its samples; accepted: "
-                             "false");
-  }
 }
 
 // Amplitude with sampled feedbacks, which must work always.
@@ -309,7 +295,12 @@ void refuse_steady(const scene::Scene& scene, const std::string& why) {
 
 FreeMotion free_motion(const scene::Scene& scene, const Model& m) {
   const Layout& l = m.layout;
-  refuse_samples(scene, m);
+  if (const StationFeedback* feedback = sampled(m)) {
+    refuse_steady(scene, "the control of " +
+                             scene::magnetic_bearing_path(scene.record.get(), feedback->number) +
+                             " is sampled, and no orbit is steady between its samples; accepted: "
+                             "false");
+  }
   const Bending b = bending(m);
   check_stability(scene, m);
   const Eigen::VectorXd rest = Eigen::VectorXd::Zero(2 * l.modes);
