@@ -62,7 +62,7 @@ double preload_share(const Plant& plant, const Eigen::Vector2d& e_r);
 
 // A spring and a damper between the ring and the position at which it has the reference gap:
 //
-//   u = -(stiffness e + damping e' + P (1 + w_r / w_f) (1 - g_d / g_0)) e_r,
+//   u = -(stiffness e + damping e' + P (1 + w_r / w_f) (1 - H_0)) e_r,
 //
 // P is the preload of sliding.h. For a rotor at rest the closed loop is
 //   M_f e'' + (D_f + damping) e' + (K_f + stiffness) e = 0.

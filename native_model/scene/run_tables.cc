@@ -97,7 +97,7 @@ Table mujoco() {
        key<&Mujoco::friction_reference>(
            "friction_reference", kRate, "> 0", "that of the normal row, as MuJoCo has it",
            "B_t, with which the friction rows of contact model cone brake the slip (solreffriction "
-           "of MuJoCo 2.3.7 and later)"),
+           "of MuJoCo 2.3.6 and later)"),
        key<&Mujoco::shadow>("shadow", kPure, "", kStandard,
                             "the native model runs alongside, step by step: its gap, forces and "
                             "position are user sensors, and a ghost shows it (plugin/README.md)"),
