@@ -4,6 +4,8 @@
 #include <cmath>
 #include <string>
 
+#include "plugin/model/mujoco_dynamics.h"
+
 namespace rotorub::plugin {
 namespace {
 
