@@ -23,7 +23,7 @@ struct BranchPoint {
   // last half of the run but at most kTurns turns.
   std::vector<std::complex<double>> places{};
   int period = 0;  // in turns, see section_period
-  // 1/s, largest Lyapunov exponent (run/lyapunov.h); only in `up`
+  // 1/s, largest Lyapunov exponent (engine/lyapunov.h); only in `up`
   std::optional<double> exponent{};
 };
 
