@@ -64,7 +64,7 @@ class Playback {
   // The median whirl of the rows in [from, to], from their velocities, if points at a distance of
   // `spacing` s give it fewer than kPointsOfATurn points per turn. A rotor that rocks to and fro
   // has a small median. Nothing if the path can be drawn or if the series has no velocities.
-  // spacing 0: the mean spacing of the rows.
+  // A spacing below the mean spacing of the rows is raised to it.
   std::optional<Strobe> strobe(double from, double to, double spacing = 0.0) const;
 
   double start() const { return time_->front(); }  // s

@@ -21,7 +21,7 @@ nlohmann::json bench_json(const Machine& machine, const std::vector<SceneBench>&
 // and setting with its order, cost per step, most accurate point and failures.
 std::string bench_table(const SceneBench& bench);
 
-// Unavailable engines with the reasons; empty if there are none.
+// The engines that are not available, with the reasons. Empty if all are available.
 std::string missing_text();
 
 }  // namespace rotorub::bench

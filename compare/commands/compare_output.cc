@@ -98,7 +98,7 @@ struct Job {
 };
 
 // The sides to film: the first completed run in reading order (MuJoCo alone, shown beside the
-// native run), or the native one if there is no other; with `every`, all completed runs.
+// native run), or the native run if there is no other. With `every`: all completed runs.
 std::vector<std::size_t> filmed(const SceneComparison& c, bool every) {
   std::vector<std::size_t> sides;
   if (every) sides.push_back(0);

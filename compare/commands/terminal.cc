@@ -62,7 +62,7 @@ std::string progress_bar(double share, double seconds, const std::string& what, 
   const auto full = static_cast<std::size_t>(share * kWidth);
   const std::string bar = fmt::format("[{}{}] {:3.0f} %  {:.0f} s  ", std::string(full, '='),
                                       std::string(kWidth - full, ' '), 100.0 * share, seconds);
-  // Leaves the last column free, because some terminals wrap as soon as it is written.
+  // The last column stays free, because some terminals wrap as soon as it is written.
   const auto room = static_cast<std::size_t>(std::max(columns - 1, 0));
   constexpr std::size_t kCut = 3;  // "..."
   if (bar.size() + kCut >= room) return bar.substr(0, room);

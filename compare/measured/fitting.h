@@ -28,8 +28,8 @@ struct Channel {
   Eigen::VectorXcd of(const SampledRun& run, const SampleTimes& at) const;
 };
 
-// The channels of the first group (Measurable::group) in which record and run both move; empty if
-// there are none. angle: of the sensors' frame, rad; 0 if it is not given.
+// The channels of the first group (Measurable::group) in which both record and run move. Empty if
+// no group has one. angle: rad, of the sensors' frame; 0 if it is not given.
 std::vector<Channel> channels_of(const MeasuredRecord& record, const SampledRun& run, double angle);
 
 // Run and record at a shift, with the record turned into the scene's frame. Each channel has its

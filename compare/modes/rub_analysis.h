@@ -26,7 +26,7 @@ struct RubAnalysis {
 
 struct RubAnalyses {
   std::vector<RubAnalysis> at;  // one per speed; empty if refused
-  std::string refused;          // why there are none; empty also without a [contact]
+  std::string refused;          // the reason; empty if not refused, or without a [contact]
   std::string contact;          // its name if there are several
 };
 

@@ -7,7 +7,7 @@
 
 namespace rotorub {
 
-// best: the scene's text with the best values; empty if there are none.
+// best: the scene's text with the best values. Empty if no best values were found.
 std::string optimum_page(const std::string& name, const optimise::Task& task,
                          const optimise::Optimum& optimum, const std::string& best);
 

@@ -117,7 +117,7 @@ double scale(const ResyncFigure& figure, const PredictedOnset& o, const Resync& 
 
 double share(double difference, double of) { return difference == 0.0 ? 0.0 : difference / of; }
 
-// The smallest of the ascending values such that at least the fraction `part` of them is no larger.
+// The smallest of the ascending values v for which at least the fraction `part` of them is <= v.
 double quantile(const std::vector<double>& ascending, double part) {
   const double rank = std::ceil(part * static_cast<double>(ascending.size()) - 1e-9);
   return ascending[static_cast<std::size_t>(std::max(rank, 1.0)) - 1];

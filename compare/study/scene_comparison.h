@@ -75,7 +75,7 @@ struct Timing {
 struct Side {
   std::string label;   // "native", "coulomb", "cone"
   std::string engine;  // "native-verlet", "mujoco-coulomb"
-  // Of MuJoCo's contact at the comparison's step, "0.02 1"; empty if it has no effect.
+  // solref of MuJoCo's contact at the comparison's step, as "0.02 1". Empty if it has no effect.
   std::string solref;
   Trajectory trajectory;  // rows dense enough for plots, at the scene's output times among others
   Metrics metrics;

@@ -17,7 +17,7 @@ namespace rotorub::sweep {
 
 struct BranchPoint {
   std::int64_t point = 0;  // index in the study's order
-  std::string refused;     // why there is no result; empty if there is one
+  std::string refused;     // the reason, if there is no result; else empty
   bool continued = false;  // starts where the previous value ended, not at the scene's own start
   // m, x + i y of the rotor at the contact whenever its mark passes +x (metrics/orbit.h), over the
   // last half of the run but at most kTurns turns.

@@ -31,8 +31,8 @@ inline constexpr const char* kRefused = "refused";
 // registry (compare/figures).
 struct ResultColumn : ColumnMeaning {
   std::string_view key;
-  // A column always has the same type: whole number, word or number. null or a number that is not
-  // finite means that there is no value.
+  // A column always has the same type: whole number, word or number. If there is no value, it is
+  // null or a number that is not finite.
   nlohmann::json value(const Metrics& metrics) const;
 };
 std::span<const ResultColumn> result_columns();

@@ -58,7 +58,7 @@ struct Study {
   std::optional<Statistics> statistics;
   std::string points;  // text of the list's file; may be empty
   std::string text;    // of the study's file
-  // What the results depend on: the text without [statistics], and the points.
+  // The part that the results depend on: the text without [statistics], and the points.
   std::string identity;
 
   bool varies(const std::string& key) const;

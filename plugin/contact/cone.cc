@@ -97,8 +97,8 @@ void solve_shifted(const mjModel* m, mjData* d, std::span<const ConeRows> contac
   for (const ConeRows& c : contacts) shift_reference(m, d, c, -c.shift);
 }
 
-// True if each contact sticks or is open in MuJoCo's solution without a shift. It is Coulomb's
-// then.
+// True if each contact sticks or is open in MuJoCo's solution without a shift. That solution then
+// obeys Coulomb's law.
 bool none_slides(const mjModel* m, mjData* d, std::span<const ConeRows> contacts) {
   constexpr double kStuck = 1e-10;  // relative to the terms of y
   ConstraintProbe probe(m, d);

@@ -16,6 +16,7 @@ struct ConeRows {
   double shift = 0.0;  // m/s^2, by which the normal reference is lowered
 };
 
+// True if the contact has the edges of a pyramid instead of a normal row and friction rows.
 bool is_pyramid(const mjModel* m, const mjContact& c);
 int row_count(const mjModel* m, const mjContact& c);
 int row_count(std::span<const ConeRows> cones);
@@ -27,9 +28,9 @@ double along(const mjModel* m, const ConeRows& rows, const mjtNum* y, int direct
 // Sorts the contacts into groups that have no kinematic tree in common.
 std::vector<std::span<ConeRows>> groups_of(const mjModel* m, std::span<ConeRows> cones);
 
-// Finds the shifts of a group by itself, from the free acceleration. False: they are a guess,
-// because the group is too large or has no solution, because it has other than sliding friction, or
-// because other rows act on it. `alone`: there are no other rows.
+// Finds the shifts of a group by itself, from the free acceleration. Returns false if they are not
+// final: they are a first guess if other rows or other than sliding friction act, and unchanged if
+// the group is too large or has no solution. `alone`: there are no other rows.
 bool solve_group(const mjModel* m, mjData* d, std::span<ConeRows> group, bool alone);
 
 }  // namespace rotorub::plugin

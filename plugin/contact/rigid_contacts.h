@@ -35,7 +35,8 @@ struct RigidContact {
 
   bool closed = false;
   bool blocked = false;  // it would end outside its ring, but no impulse opens its gap
-  bool impact = false;   // by itself: it was open, and its rebound outlasts two steps
+  // It starts an impact itself: it was open, and its rebound lasts longer than two steps.
+  bool impact = false;
   // N s, (normal, friction, friction along the axis) of the two parts of the step.
   Eigen::Vector3d lasting{0.0, 0.0, 0.0}, sudden{0.0, 0.0, 0.0};
   // Rates at the end of the step with all impulses so far.
