@@ -12,6 +12,12 @@ set(CMAKE_RUNTIME_OUTPUT_DIRECTORY "${PROJECT_BINARY_DIR}/bin")
 set(CMAKE_LIBRARY_OUTPUT_DIRECTORY "${PROJECT_BINARY_DIR}/lib")
 set(CMAKE_ARCHIVE_OUTPUT_DIRECTORY "${PROJECT_BINARY_DIR}/lib")
 
+# g++ looks for memory to free from its first 128 MB on, which takes a tenth of the time of units with Eigen: from 1 GB on.
+# The largest unit needs 2.6 GB with this, and 2.5 GB without.
+if(CMAKE_CXX_COMPILER_ID STREQUAL "GNU")
+  add_compile_options("$<$<COMPILE_LANGUAGE:CXX>:--param=ggc-min-heapsize=1000000>")
+endif()
+
 # What is installed finds a MuJoCo of MUJOCO_DIR where it was.
 set(CMAKE_INSTALL_RPATH_USE_LINK_PATH ON)
 

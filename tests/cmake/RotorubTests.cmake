@@ -15,6 +15,9 @@ set(ROTORUB_TEST_DEFINITIONS
 # What tests compile runs for seconds: neither optimised nor with debug information, which takes half the time to compile
 # and to link. What they call is the product's.
 set(ROTORUB_TEST_OPTIONS $<$<CONFIG:Release>:-O0;-g0;-U_FORTIFY_SOURCE>)
+if(ROTORUB_SANITIZE)
+  set(ROTORUB_TEST_OPTIONS -O0)
+endif()
 
 # rotorub_test_support(): fixtures, comparisons and tolerances that several areas share (tests/support).
 function(rotorub_test_support)

@@ -2,7 +2,7 @@
 import {after, before, test} from 'node:test';
 import fs from 'node:fs';
 import path from 'node:path';
-import {assert, folder, launch, open, rotorub, scene} from './support.js';
+import {assert, folder, launch, nightly, open, rotorub, scene} from './support.js';
 
 let browser;
 before(async () => { browser = await launch(); });
@@ -88,7 +88,7 @@ test('the critical speed map crosses the critical speeds at the stiffness of the
   await page.close();
 });
 
-test('the critical speed map of a ring has the ring alone, and the rotor held to it', async () => {
+test('the critical speed map of a ring has the ring alone, and the rotor held to it', nightly, async () => {
   rotorub(['modes', scene('bench_ring'), '-o', 'ring', '-q']);
   const page = await open(browser, 'ring/modes.html');
   const map = await drawn(page, 'stiffness'), alone = map.traces.find((t) => t.name === 'ring alone'), held = map.traces.filter((t) => t.name !== 'ring alone');
@@ -110,7 +110,7 @@ test('words and tables are painted before plotly is unpacked', async () => {
     let plotly;
     Object.defineProperty(window, 'Plotly', {get: () => plotly, set(given) { plotly = given; window.plotlyAt = performance.now(); }});
   });
-  await page.goto(`file://${path.join(folder, 'ring/modes.html')}`);
+  await page.goto(`file://${path.join(folder, 'modes/modes.html')}`);
   await page.waitForFunction(() => document.querySelector('.plot .main-svg'));
   const {painted, plotly} = await page.evaluate(() => ({painted: performance.getEntriesByName('first-contentful-paint')[0].startTime, plotly: window.plotlyAt}));
   // Two seconds after its start the page goes on without the browser's word (page.js, painted).
@@ -141,7 +141,7 @@ end = "1 s"
   await page.close();
 });
 
-test('a click on a point of a sweep shows how to run it, and then leads to its run', async () => {
+test('a click on a point of a sweep shows how to run it, and then leads to its run', nightly, async () => {
   fs.writeFileSync(path.join(folder, 'points.toml'), `scene = "${scene('bench_ring')}"
 [sample]
 kind = "grid"

@@ -2,7 +2,7 @@
 import fs from 'node:fs';
 import path from 'node:path';
 import {after, before, test} from 'node:test';
-import {assert, bring, folder, launch, open, rotorub, scene, seek, state} from './support.js';
+import {assert, bring, folder, launch, nightly, open, rotorub, scene, seek, state} from './support.js';
 
 let browser;
 before(async () => {
@@ -52,7 +52,7 @@ test('the rig is drawn in WebGL, and moves', async () => {
   await page.close();
 });
 
-test('without WebGL section and gap are there, and a word', async () => {
+test('without WebGL section and gap are there, and a word', nightly, async () => {
   const plain = await launch({webgl: false});
   const page = await open(plain, 'ring/plot.html');
   assert.equal((await state(page)).webgl, false);
@@ -66,7 +66,7 @@ test('without WebGL section and gap are there, and a word', async () => {
   await plain.close();
 });
 
-test('light and dark have colours of their own', async () => {
+test('light and dark have colours of their own', nightly, async () => {
   const looks = [];
   for (const colorScheme of ['light', 'dark']) {
     const page = await open(browser, 'ring/plot.html', {colorScheme});

@@ -2,7 +2,7 @@
 import {after, before, test} from 'node:test';
 import fs from 'node:fs';
 import path from 'node:path';
-import {assert, bring, eventually, folder, launch, open, rotorub, scene, seek, series, state} from './support.js';
+import {assert, bring, eventually, folder, launch, nightly, open, rotorub, scene, seek, series, state} from './support.js';
 
 const kShift = 0.125;      // s, added to the scene's times
 const kHole = [0.02, 0.03];  // s, of the scene: nothing is recorded
@@ -25,7 +25,7 @@ before(async () => {
     ['force [N]', 'normal_force', 1]]);
   record('rotor.csv', rotor);
   record('gap.csv', [['gap [um]', 'gap', 1e6]]);
-  for (const name of ['whole', 'rotor', 'gap']) {
+  for (const name of nightly.skip ? ['whole'] : ['whole', 'rotor', 'gap']) {
     rotorub(['compare', scene('bench_ring'), '--end', '0.06', '--twins', '0', '--no-modes-ladder', '--no-video', '--quiet',
       '--measured', `${name}.csv`, '-o', name], [0, 1]);
   }
@@ -121,7 +121,7 @@ test('shows nothing where nothing was recorded', async () => {
   }
 });
 
-test('without ring and gap draws neither', async () => {
+test('without ring and gap draws neither', nightly, async () => {
   const other = await open(browser, 'rotor/report.html');
   await choose(other, 'measured');
   await bring(other, '.player');
@@ -139,7 +139,7 @@ test('without ring and gap draws neither', async () => {
   await other.close();
 });
 
-test('without a rotor is in the plots alone, and says so', async () => {
+test('without a rotor is in the plots alone, and says so', nightly, async () => {
   const other = await open(browser, 'gap/report.html');
   const labels = await other.locator('.player-run').first().locator('option').allTextContents();
   assert.ok(!labels.includes('measured'), labels.join());

@@ -8,6 +8,8 @@ import path from 'node:path';
 const top = path.resolve(import.meta.dirname ?? path.dirname(new URL(import.meta.url).pathname), '../..');
 const {chromium} = await import(path.join(top, 'build/npm/node_modules/playwright-core/index.mjs'));
 const program = process.env.ROTORUB_BINARY || path.join(top, 'build/bin/rotorub');
+// Tests that only a nightly run does: test(name, nightly, ...).
+const nightly = {skip: process.env.ROTORUB_NIGHTLY !== '1'};
 const scene = (name) => path.join(top, 'mjcf', `${name}.toml`);
 
 // Runs the program in a folder of its own, which goes when the tests end; `codes`: what it may end with. Gives what it
@@ -74,4 +76,4 @@ function series(file) {
   return lines.map((line) => Object.fromEntries(line.split(',').map((field, k) => [names[k], field])));
 }
 
-export {assert, bring, eventually, folder, launch, open, rotorub, scene, seek, series, state, top};
+export {assert, bring, eventually, folder, launch, nightly, open, rotorub, scene, seek, series, state, top};

@@ -34,8 +34,8 @@ struct Pair {
   scene::Scene scene() const { return scene_of(form, parts); }
 };
 
-// Daily tests use every fourth pair, nightly tests use all.
-enum class Pairs { kEveryFourth, kAll };
+// Daily tests use every eighth pair, nightly tests use all.
+enum class Pairs { kEveryEighth, kAll };
 
 // The part of that name alone, and its pairs with the parts after it in the list, in both forms.
 // Over all names, every pair occurs once.
@@ -52,7 +52,7 @@ inline std::vector<Pair> pairs_from(const std::string& name, Pairs which) {
       sum = k;
     }
     if (!first) continue;
-    if (after && which == Pairs::kEveryFourth && (sum + k) % 4 != 0) continue;
+    if (after && which == Pairs::kEveryEighth && (sum + k) % 8 != 0) continue;
     for (const Form form : {Form::kGeometry, Form::kModal}) {
       if (first->overrides(form).empty() || part.overrides(form).empty()) continue;
       if (after && part.group == first->group) continue;

@@ -11,6 +11,7 @@
 #include "native_model/scene/reader.h"
 #include "tests/cli/fmu/importer.h"
 #include "tests/cli/program.h"
+#include "tests/support/every_third.h"
 #include "tests/support/symmetry.h"
 
 namespace rotorub::test {
@@ -80,10 +81,8 @@ void expect_turned(const Outputs& plain, const Outputs& turned, const Transforme
   }
 }
 
-class LongTurnedFmu : public testing::TestWithParam<std::string> {};
-
-TEST_P(LongTurnedFmu, GivesTheTurnedOutputs) {
-  const std::string file = shipped(GetParam());
+void expect_turned_outputs(const std::string& name) {
+  const std::string file = shipped(name);
   const Transformed by(scene::read_scene(file), Symmetry::kAskew);
   if (!by.not_expressible().empty()) return;
   const Folder folder;
@@ -98,6 +97,12 @@ TEST_P(LongTurnedFmu, GivesTheTurnedOutputs) {
   expect_turned(outputs_of(one, load), outputs_of(other, by.of(load)), by);
 }
 
+class LongTurnedFmu : public testing::TestWithParam<std::string> {};
+TEST_P(LongTurnedFmu, GivesTheTurnedOutputs) { expect_turned_outputs(GetParam()); }
+
+class NightlyTurnedFmu : public testing::TestWithParam<std::string> {};
+TEST_P(NightlyTurnedFmu, GivesTheTurnedOutputs) { expect_turned_outputs(GetParam()); }
+
 std::vector<std::string> scenes() {
   std::vector<std::string> names;
   for (const auto& entry : std::filesystem::directory_iterator(ROTORUB_MJCF_DIR)) {
@@ -107,7 +112,9 @@ std::vector<std::string> scenes() {
   return names;
 }
 
-INSTANTIATE_TEST_SUITE_P(Shipped, LongTurnedFmu, testing::ValuesIn(scenes()),
+INSTANTIATE_TEST_SUITE_P(Shipped, LongTurnedFmu, testing::ValuesIn(every_third(scenes())),
+                         [](const auto& scene) { return scene.param; });
+INSTANTIATE_TEST_SUITE_P(Shipped, NightlyTurnedFmu, testing::ValuesIn(scenes()),
                          [](const auto& scene) { return scene.param; });
 
 }  // namespace

@@ -78,7 +78,7 @@ void expect_second_order(const std::vector<Pair>& pairs) {
 
 class LongPairsEngine : public ::testing::TestWithParam<std::string> {};
 TEST_P(LongPairsEngine, RigidIsOfSecondOrder) {
-  expect_second_order(pairs_from(GetParam(), Pairs::kEveryFourth));
+  expect_second_order(pairs_from(GetParam(), Pairs::kEveryEighth));
 }
 
 class NightlyPairsEngine : public ::testing::TestWithParam<std::string> {};

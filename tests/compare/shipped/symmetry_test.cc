@@ -13,6 +13,7 @@
 
 #include "native_model/scene/diagnostic.h"
 #include "tests/compare/shipped/engines.h"
+#include "tests/support/every_third.h"
 #include "tests/support/order.h"
 #include "tests/support/symmetry.h"
 
@@ -53,13 +54,11 @@ const char* word(Symmetry symmetry) {
                                          : ", turned askew";
 }
 
-class LongSymmetry : public ::testing::TestWithParam<std::string> {};
-
 // To round-off, as far as a twin that starts some units in the last place aside stays beside it.
-TEST_P(LongSymmetry, EveryEngineSeesTheSameMachine) {
+void expect_symmetric(const std::string& name) {
   std::optional<scene::Scene> whole;
   try {
-    whole = shipped(GetParam());
+    whole = shipped(name);
   } catch (const scene::SceneError&) {
     return;  // one that is there to be refused
   }
@@ -70,26 +69,26 @@ TEST_P(LongSymmetry, EveryEngineSeesTheSameMachine) {
   for (const Symmetry symmetry : {Symmetry::kMirrored, Symmetry::kTurned, Symmetry::kAskew}) {
     const Transformed by(*whole, symmetry);
     if (!by.not_expressible().empty()) {
-      EXPECT_TRUE(kScenesWithAxes.find(" " + GetParam().substr(1) + " ") != std::string_view::npos)
+      EXPECT_TRUE(kScenesWithAxes.find(" " + name.substr(1) + " ") != std::string_view::npos)
           << by.not_expressible();
       continue;
     }
     std::vector<std::string> overrides = plain;
     overrides.insert(overrides.end(), by.overrides().begin(), by.overrides().end());
     if (by.sense() < 0.0 && whole->drive && whole->drive->kind == scene::DriveKind::kKloss) {
-      EXPECT_THROW(shipped(GetParam(), overrides), scene::SceneError)
+      EXPECT_THROW(shipped(name, overrides), scene::SceneError)
           << "Kloss' formula is of a motor that turns forward";
       continue;
     }
     for (const NamedEngine& e : engines()) {
-      const auto a = run(e, GetParam(), plain), image = run(e, GetParam(), overrides);
+      const auto a = run(e, name, plain), image = run(e, name, overrides);
       const std::string what = e.engine->name() + " " + e.override_ + word(symmetry);
       ASSERT_EQ(a.has_value(), image.has_value()) << what;
       if (!a) continue;
       const bool askew = symmetry == Symmetry::kAskew;
       // One step of euler goes as deep as the clearance there: whether that is too deep is
       // round-off.
-      if (askew && GetParam() == "/hard/tiny_clearance" && a->integrator == "euler") continue;
+      if (askew && name == "/hard/tiny_clearance" && a->integrator == "euler") continue;
       EXPECT_EQ(a->status, image->status) << what << ": " << a->message << " | " << image->message;
       if (a->status != Status::kOk) continue;
       const double apart = distance(*a, *image, by, radius);
@@ -109,13 +108,19 @@ TEST_P(LongSymmetry, EveryEngineSeesTheSameMachine) {
                                              {&overrides, &image, 7},
                                              {&plain, &a, 64},
                                              {&overrides, &image, 64}}) {
-        scatter = std::max(scatter, rotor_error(**of, *run(e, GetParam(), *start, aside)));
+        scatter = std::max(scatter, rotor_error(**of, *run(e, name, *start, aside)));
         if (apart <= bound(scatter)) break;
       }
       EXPECT_LE(apart, bound(scatter)) << what << ": twins differ by " << scatter << " m";
     }
   }
 }
+
+class LongSymmetry : public ::testing::TestWithParam<std::string> {};
+TEST_P(LongSymmetry, EveryEngineSeesTheSameMachine) { expect_symmetric(GetParam()); }
+
+class NightlySymmetry : public ::testing::TestWithParam<std::string> {};
+TEST_P(NightlySymmetry, EveryEngineSeesTheSameMachine) { expect_symmetric(GetParam()); }
 
 std::vector<std::string> all_scenes() {
   std::vector<std::string> all = scenes_of("");
@@ -124,12 +129,15 @@ std::vector<std::string> all_scenes() {
   return all;
 }
 
-INSTANTIATE_TEST_SUITE_P(Shipped, LongSymmetry, ::testing::ValuesIn(all_scenes()),
-                         [](const auto& shown) {
-                           std::string name = shown.param.substr(1);
-                           std::replace(name.begin(), name.end(), '/', '_');
-                           return name;
-                         });
+std::string name_of(const ::testing::TestParamInfo<std::string>& scene) {
+  std::string name = scene.param.substr(1);
+  std::replace(name.begin(), name.end(), '/', '_');
+  return name;
+}
+
+INSTANTIATE_TEST_SUITE_P(Shipped, LongSymmetry, ::testing::ValuesIn(every_third(all_scenes())),
+                         name_of);
+INSTANTIATE_TEST_SUITE_P(Shipped, NightlySymmetry, ::testing::ValuesIn(all_scenes()), name_of);
 
 }  // namespace
 }  // namespace rotorub::test

@@ -13,7 +13,7 @@ namespace {
 
 class LongPairs : public ::testing::TestWithParam<std::string> {
  protected:
-  std::vector<Pair> pairs() const { return pairs_from(GetParam(), Pairs::kEveryFourth); }
+  std::vector<Pair> pairs() const { return pairs_from(GetParam(), Pairs::kEveryEighth); }
 };
 
 TEST_P(LongPairs, VerletIsOfSecondOrder) {
