@@ -24,7 +24,7 @@ namespace {
 using namespace rotorub;
 
 int failed(int code, const std::string& message) {
-  std::cerr << "rotorub: " << printable_lines(message) << "\n";
+  print_error(message);
   return code;
 }
 

@@ -216,10 +216,9 @@ void say_failure(const scene::Scene& scene, const std::string& what, const Traje
   if (trajectory.status == Status::kOk) return;
   // Do not add a time to a reason that contains one.
   const bool dated = trajectory.message.find("at t = ") != std::string::npos;
-  fmt::print(stderr, "rotorub: {}: {}{}{}: {}\n", scene::printable(scene.name), what,
-             to_string(trajectory.status),
-             dated ? std::string() : fmt::format(" at t = {:.9g} s", trajectory.end),
-             trajectory.message);
+  print_error(fmt::format(
+      "{}: {}{}{}: {}", scene::printable(scene.name), what, to_string(trajectory.status),
+      dated ? std::string() : fmt::format(" at t = {:.9g} s", trajectory.end), trajectory.message));
 }
 
 namespace {

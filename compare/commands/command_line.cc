@@ -6,12 +6,13 @@
 #include <algorithm>
 #include <iostream>
 #include <memory>
-#include <sstream>
 #include <string_view>
 #include <utility>
 
 #include "compare/base/format.h"
 #include "compare/base/version.h"
+#include "compare/commands/options.h"
+#include "compare/commands/parser_text.h"
 #include "compare/commands/terminal.h"
 #include "native_model/scene/diagnostic.h"
 #include "native_model/scene/text.h"
@@ -37,9 +38,19 @@ class HelpFormat : public CLI::Formatter {
     const std::string words = app->get_description();
     return words.empty() ? words : wrapped("", words);
   }
-  std::string make_option(const CLI::Option* option, bool is_positional) const override {
-    return entry(make_option_name(option, is_positional) + make_option_opts(option),
-                 make_option_desc(option));
+  std::string make_option(const CLI::Option* option, bool) const override {
+    const OptionText text = option_text(*option);
+    std::string name = fmt::format("{}", fmt::join(text.names, ","));
+    if (!text.words.empty()) {
+      name += fmt::format(" {}", fmt::join(text.words, "|"));
+    } else if (!text.positional && !text.value.empty()) {
+      name += " " + text.value;
+    }
+    std::string words = text.description;
+    if (!text.standard.empty()) words += fmt::format(" (default: {})", text.standard);
+    const std::string conditions = conditions_of(text);
+    if (!conditions.empty()) words += (words.ends_with('.') ? " " : ". ") + conditions;
+    return entry(name, words);
   }
   std::string make_subcommand(const CLI::App* command) const override {
     return entry(command->get_name(), command->get_description());
@@ -70,13 +81,50 @@ std::string empty_value(const CLI::App& command) {
   return {};
 }
 
-// The parser's messages: help and version on standard output, errors on standard error.
-int parser_exit(const CLI::App& program, const CLI::ParseError& error) {
-  std::ostringstream out, err;
-  const int code = program.exit(error, out, err) == 0 ? kDone : kBadInput;
-  std::cout << out.str();
-  if (!err.str().empty()) std::cerr << printable_lines(err.str()) << "\n";
-  return code;
+// What is wrong with the first argument that the command does not know.
+std::string unknown_argument(const CLI::App& command, const std::vector<std::string>& unknown) {
+  const auto option = std::find_if(unknown.begin(), unknown.end(),
+                                   [](const std::string& word) { return word.starts_with('-'); });
+  if (option == unknown.end())
+    return fmt::format("{}: is one argument too many", scene::printable(unknown.front()));
+  const std::string word = option->substr(0, option->find('='));
+  std::vector<std::string> names;
+  for (const CLI::Option* one : command.get_options()) {
+    const OptionText text = option_text(*one);
+    if (!text.positional) names.insert(names.end(), text.names.begin(), text.names.end());
+  }
+  const std::string_view near =
+      scene::nearest(word, std::vector<std::string_view>(names.begin(), names.end()));
+  return fmt::format("{}: no such option{}", scene::printable(word),
+                     near.empty() ? "" : fmt::format(", did you mean {}?", near));
+}
+
+// The parser's message about the options of a command, in the words of this program.
+std::string parser_message(const CLI::App& command, const CLI::ParseError& error) {
+  const std::string said = error.what(), kind = error.get_name();
+  if (kind == "ValidationError") return said;
+  // The messages begin with the option's name, or have it after these words.
+  constexpr std::string_view kConversion = "Could not convert: ";
+  if (kind == "ConversionError" && said.starts_with(kConversion)) {
+    const std::string rest = said.substr(kConversion.size());
+    const std::size_t sign = rest.find(" = ");
+    return fmt::format("{} {}: accepted is a whole number", rest.substr(0, sign),
+                       sign == std::string::npos ? "" : scene::printable(rest.substr(sign + 3)));
+  }
+  std::string message = said;
+  const std::string name = said.substr(0, said.find_first_of(": "));
+  const CLI::Option* option = command.get_option_no_throw(name);
+  if (const std::vector<std::string> unknown = command.remaining(true); !unknown.empty()) {
+    message = unknown_argument(command, unknown);
+  } else if (kind == "ArgumentMismatch" && option) {
+    message = fmt::format("{}: its value, {}, is missing", name, option_text(*option).value);
+  } else if (kind == "RequiredError" && option) {
+    message = fmt::format("no {} is given", name);
+  }
+  const bool is_command = command.get_parent() != nullptr;
+  return fmt::format("{}{} `rotorub help{}{}` lists what is accepted", message,
+                     message.ends_with('?') ? "" : ".", is_command ? " " : "",
+                     is_command ? command.get_name() : "");
 }
 
 }  // namespace
@@ -92,14 +140,11 @@ std::vector<std::string> with_help(std::vector<std::string> arguments) {
 std::string unknown_command(const std::vector<std::string>& arguments,
                             const std::vector<std::string>& commands) {
   const std::vector<std::string_view> words(commands.begin(), commands.end());
-  const std::string all = scene::join(words);
-  if (arguments.empty()) return "no command given; accepted are " + all;
+  if (arguments.empty()) return "no command given; accepted are " + scene::join(words);
   const std::string& word = arguments[0];
   if (word.starts_with("-") || std::find(words.begin(), words.end(), word) != words.end())
     return {};
-  const std::string_view near = meant(word, words);
-  return fmt::format("{}: no such command{}; accepted are {}", scene::printable(word),
-                     near.empty() ? "" : fmt::format(", did you mean {}?", near), all);
+  return no_such("command", word, words, meant(word, words));
 }
 
 CommandLine::CommandLine()
@@ -124,11 +169,18 @@ CommandLine::Request CommandLine::parse(const std::vector<Command>& commands,
   arguments = with_help(std::move(arguments));
   if (const std::string wrong = unknown_command(arguments, names); !wrong.empty())
     throw UsageError(wrong);
+  const std::string first = arguments[0];
   std::reverse(arguments.begin(), arguments.end());  // the parser expects them reversed
+  const auto named = std::find_if(commands.begin(), commands.end(), [&](const Command& command) {
+    return command.app->get_name() == first;
+  });
+  if (named != commands.end()) set_command_name(first);
   try {
     program_->parse(std::move(arguments));
+  } catch (const CLI::Success& wish) {
+    return {nullptr, program_->exit(wish, std::cout, std::cerr)};
   } catch (const CLI::ParseError& error) {
-    return {nullptr, parser_exit(*program_, error)};
+    throw UsageError(parser_message(named == commands.end() ? *program_ : *named->app, error));
   }
   for (const Command& command : commands) {
     if (!command.app->parsed()) continue;

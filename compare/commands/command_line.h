@@ -34,9 +34,9 @@ class CommandLine {
     const Command* command = nullptr;  // null: nothing to run, exit with `code`
     int code = kBadInput;
   };
-  // arguments: without the program's name. Prints help or version if requested, and the parser's
-  // own error messages. Throws UsageError for all other mistakes. Call it once, after all commands
-  // were added.
+  // arguments: without the program's name. Prints help or version if requested. Throws UsageError
+  // for all mistakes; a command that is named leads their messages (set_command_name). Call it
+  // once, after all commands were added.
   Request parse(const std::vector<Command>& commands, std::vector<std::string> arguments);
 
  private:

@@ -1,8 +1,27 @@
 #include "compare/commands/options.h"
 
+#include <fmt/format.h>
+
 #include <CLI/CLI.hpp>
+#include <algorithm>
+#include <charconv>
+#include <filesystem>
+#include <string_view>
+#include <system_error>
+#include <utility>
+
+#include "native_model/scene/diagnostic.h"
+#include "native_model/scene/text.h"
 
 namespace rotorub {
+
+std::string no_such(std::string_view what, std::string_view word,
+                    std::span<const std::string_view> accepted, std::string_view meant) {
+  if (meant.empty()) meant = scene::nearest(word, accepted);
+  return fmt::format("{}: no such {}{}ccepted are {}", scene::printable(word), what,
+                     meant.empty() ? "; a" : fmt::format(", did you mean {}? A", meant),
+                     scene::join(accepted));
+}
 
 Option Option::required() const {
   option_->required();
@@ -35,18 +54,37 @@ Option Option::excludes(const Option& other) const {
 }
 
 Option Option::one_of(const std::vector<std::string>& words) const {
-  option_->check(CLI::IsMember(words));
+  const std::vector<std::string> accepted = words;
+  const auto wrong = [accepted](const std::string& given) -> std::string {
+    const std::vector<std::string_view> all(accepted.begin(), accepted.end());
+    if (std::find(all.begin(), all.end(), given) != all.end()) return {};
+    return no_such("value", given, all);
+  };
+  option_->check(CLI::Validator(wrong, fmt::format("{{{}}}", fmt::join(words, ","))));
   return *this;
 }
 
 Option Option::between(std::int64_t least, std::int64_t most) const {
-  option_->check(CLI::Range(least, most));
+  const auto wrong = [least, most](const std::string& given) -> std::string {
+    std::int64_t value = 0;
+    const auto [end, error] = std::from_chars(given.data(), given.data() + given.size(), value);
+    const bool whole = error == std::errc() && end == given.data() + given.size();
+    if (whole && value >= least && value <= most) return {};
+    return fmt::format("{}: accepted is a whole number from {} to {}", scene::printable(given),
+                       least, most);
+  };
+  option_->check(CLI::Validator(wrong, ""));
   return *this;
 }
 
 Option Option::existing_file() const {
-  option_->check(CLI::ExistingFile);
-  return *this;
+  return check([](const std::string& file) -> std::string {
+    std::error_code none;
+    if (!std::filesystem::exists(file, none)) return scene::printable(file) + ": no such file";
+    if (std::filesystem::is_directory(file, none))
+      return scene::printable(file) + ": is a folder; accepted is a file";
+    return {};
+  });
 }
 
 Option Option::check(const std::function<std::string(const std::string&)>& what_is_wrong) const {

@@ -4,7 +4,9 @@
 
 #include <cstdint>
 #include <functional>
+#include <span>
 #include <string>
+#include <string_view>
 #include <vector>
 
 namespace CLI {
@@ -13,6 +15,11 @@ class Option;
 }  // namespace CLI
 
 namespace rotorub {
+
+// "verlt: no such value, did you mean verlet? Accepted are event, verlet, euler". meant: the word
+// that is meant; empty: the nearest one, if one is near.
+std::string no_such(std::string_view what, std::string_view word,
+                    std::span<const std::string_view> accepted, std::string_view meant = {});
 
 // An option that was added to a command. Each function adds a property and returns the option, so
 // that calls can be chained.

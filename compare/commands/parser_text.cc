@@ -29,7 +29,19 @@ void set_type(OptionText& option, const std::string& type) {
   }
 }
 
-OptionText text_of(const CLI::Option& option) {
+std::vector<OptionText> options_of(const CLI::App& app) {
+  std::vector<OptionText> positionals, options;
+  for (const CLI::Option* option : app.get_options()) {
+    OptionText text = option_text(*option);
+    (text.positional ? positionals : options).push_back(std::move(text));
+  }
+  positionals.insert(positionals.end(), options.begin(), options.end());
+  return positionals;
+}
+
+}  // namespace
+
+OptionText option_text(const CLI::Option& option) {
   OptionText text;
   text.positional = option.get_positional();
   if (text.positional) {
@@ -41,22 +53,12 @@ OptionText text_of(const CLI::Option& option) {
   const bool flag = option.get_type_size() == 0;
   if (!flag) set_type(text, option.get_type_name());
   if (!flag) text.standard = option.get_default_str();
+  for (const CLI::Option* other : option.get_needs()) text.needs.push_back(other->get_name());
+  for (const CLI::Option* other : option.get_excludes()) text.excludes.push_back(other->get_name());
   text.description = option.get_description();
   text.required = option.get_required();
   return text;
 }
-
-std::vector<OptionText> options_of(const CLI::App& app) {
-  std::vector<OptionText> positionals, options;
-  for (const CLI::Option* option : app.get_options()) {
-    OptionText text = text_of(*option);
-    (text.positional ? positionals : options).push_back(std::move(text));
-  }
-  positionals.insert(positionals.end(), options.begin(), options.end());
-  return positionals;
-}
-
-}  // namespace
 
 ProgramText program_text(const CLI::App& program) {
   ProgramText text{program.get_name(),

@@ -69,10 +69,10 @@ StoredRun stored(const RenderArguments& options) {
   }
   StoredRun run = stored_run(options.source);
   if (run.trajectory.status != Status::kOk) {
-    fmt::print(stderr, "rotorub: {}: ended at {:.6g} s of {:.6g} s: {}{}{}\n",
-               printable_path(options.source), run.trajectory.end, run.scene.run.end,
-               to_string(run.trajectory.status), run.trajectory.message.empty() ? "" : ", ",
-               run.trajectory.message);
+    print_error(fmt::format("{}: ended at {:.6g} s of {:.6g} s: {}{}{}",
+                            printable_path(options.source), run.trajectory.end, run.scene.run.end,
+                            to_string(run.trajectory.status),
+                            run.trajectory.message.empty() ? "" : ", ", run.trajectory.message));
   }
   return run;
 }
@@ -154,8 +154,8 @@ int render_film(const RenderArguments& options) {
   if (!is_run) run.trajectory = run_for_film(run.scene, bar);
   const int code = is_run ? static_cast<int>(kDone) : exit_code_of(run.trajectory.status);
   if (code != kDone) {
-    fmt::print(stderr, "rotorub: {}: {}: {}\n", scene::printable(run.scene.name),
-               to_string(run.trajectory.status), run.trajectory.message);
+    print_error(fmt::format("{}: {}: {}", scene::printable(run.scene.name),
+                            to_string(run.trajectory.status), run.trajectory.message));
     return code;
   }
 

@@ -100,10 +100,10 @@ int merge(const SweepArguments& options, const Sweep& sweep) {
   if (missing == 0) write_results(options, sweep, store);
   if (options.json) print_json(sweep, store, {}, missing == 0);
   if (missing == 0) return kDone;
-  fmt::print(stderr,
-             "rotorub: {} of {} points are missing in {}: run the shards that are not done, and "
-             "merge again\n",
-             missing, sweep.scenes->sample().size(), own.string());
+  print_error(
+      fmt::format("{} of {} points are missing in {}: run the shards that are not done, and "
+                  "merge again",
+                  missing, sweep.scenes->sample().size(), own.string()));
   return kFailed;
 }
 

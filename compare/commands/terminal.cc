@@ -22,6 +22,8 @@ constexpr auto kRefresh = 100ms;
 constexpr auto kLineEvery = 5s;
 constexpr int kWidth = 28;
 
+std::string lead = "rotorub: ";  // of messages on standard error
+
 std::string_view variable(const char* name) {
   const char* value = std::getenv(name);
   return value ? value : "";
@@ -55,6 +57,12 @@ std::string printable_lines(const std::string& message) {
 std::string printable_path(const std::filesystem::path& path) {
   constexpr std::size_t kLongestPath = 4096;  // bytes, as PATH_MAX
   return scene::printable(path.string(), kLongestPath);
+}
+
+void set_command_name(const std::string& command) { lead = fmt::format("rotorub {}: ", command); }
+
+void print_error(const std::string& message) {
+  fmt::print(stderr, "{}{}\n", lead, printable_lines(message));
 }
 
 std::string progress_bar(double share, double seconds, const std::string& what, int columns) {

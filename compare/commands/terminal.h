@@ -18,6 +18,12 @@ std::string printable_lines(const std::string& message);
 // The same for the full path of a file or folder from the user.
 std::string printable_path(const std::filesystem::path& path);
 
+// The command that this process runs, "run": its messages on standard error begin with
+// "rotorub run: ". Before the first call they begin with "rotorub: ".
+void set_command_name(const std::string& command);
+// Writes the message to standard error after those words, line by line printable.
+void print_error(const std::string& message);
+
 // Progress of a long task on standard error. On a terminal it is a bar, shown after two seconds.
 // Elsewhere nothing is shown, or with ROTORUB_PROGRESS=lines in the environment a line at once and
 // then every five seconds.

@@ -44,8 +44,7 @@ struct TuneArguments : CommonOptions {
 // Writes the scene with the trusted setting and prints the result, or why nothing was written.
 void write_tuned(const TuneArguments& options, const tune::TuneResult& result) {
   if (!result.choice.trusted) {
-    fmt::print(stderr, "rotorub: {} is not written: no setting can be trusted\n",
-               printable_path(options.file));
+    print_error(printable_path(options.file) + " is not written: no setting can be trusted");
     return;
   }
   const auto& setting = result.settings[*result.choice.trusted].setting;

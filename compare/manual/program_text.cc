@@ -39,6 +39,8 @@ std::string option_entry(const OptionText& option) {
     text += "\n.br\nOne of " + words + ".";
   }
   if (!option.standard.empty()) text += "\n.br\nDefault: " + bold(option.standard) + ".";
+  const std::string conditions = conditions_of(option);
+  if (!conditions.empty()) text += "\n.br\n" + printed(conditions);
   return text + "\n";
 }
 
@@ -143,6 +145,16 @@ std::string option_branch(const CommandText& command) {
 }
 
 }  // namespace
+
+std::string conditions_of(const OptionText& option) {
+  std::string text;
+  if (!option.needs.empty()) text += fmt::format("Only with {}.", fmt::join(option.needs, " and "));
+  if (!option.excludes.empty()) {
+    text +=
+        fmt::format("{}Not with {}.", text.empty() ? "" : " ", fmt::join(option.excludes, " or "));
+  }
+  return text;
+}
 
 std::string man_page(const ProgramText& program) {
   std::string title = program.name;

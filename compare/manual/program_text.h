@@ -12,6 +12,7 @@ struct OptionText {
   std::string value;               // "DIR", "TIME"; empty for a flag
   std::vector<std::string> words;  // the only accepted values; empty if there are others
   std::string standard;            // default; empty if there is none or the description states it
+  std::vector<std::string> needs, excludes;  // names of options that must, or must not, be given
   std::string description;
   bool positional = false, required = false;
 };
@@ -26,6 +27,9 @@ struct ProgramText {
   std::vector<OptionText> options;
   std::vector<CommandText> commands;
 };
+
+// "Only with --output." and "Not with --gif or --png."; empty for an option that stands alone.
+std::string conditions_of(const OptionText& option);
 
 // rotorub.1, for man: groff with the macros of man(7).
 std::string man_page(const ProgramText& program);

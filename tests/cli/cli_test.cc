@@ -14,11 +14,53 @@ namespace {
 TEST(Cli, WithoutACommandItIsUsage) {
   const Folder folder;
   folder.refuses({});
-  folder.refuses({"rnu", shipped("bench_drop")}, {"rnu: no such command, did you mean run?"});
-  folder.refuses({"run"});
-  folder.refuses({"run", shipped("bench_drop"), "--stpe", "1e-5"});
-  folder.refuses({"run", shipped("bench_drop"), "--engine", "bullet"});
+  folder.refuses({"rnu", shipped("bench_drop")},
+                 {"rotorub: rnu: no such command, did you mean run? Accepted are init, run"});
   EXPECT_TRUE(folder.files().empty());
+}
+
+TEST(Cli, SaysWhatIsWrongWithAnOptionAndWhatToDo) {
+  const Folder folder;
+  const std::string drop = shipped("bench_drop");
+  const auto said = [&](const std::vector<std::string>& words) { return folder.run(words).err; };
+  const std::string help = "`rotorub help run` lists what is accepted\n";
+  EXPECT_EQ(said({"run"}), "rotorub run: no SCENE is given. " + help);
+  EXPECT_EQ(said({"run", drop, "other.toml"}),
+            "rotorub run: other.toml: is one argument too many. " + help);
+  EXPECT_EQ(said({"run", drop, "--stpe", "1e-5"}),
+            "rotorub run: --stpe: no such option, did you mean --step? " + help);
+  EXPECT_EQ(said({"run", drop, "--stpe=1e-5"}),
+            "rotorub run: --stpe: no such option, did you mean --step? " + help);
+  EXPECT_EQ(said({"run", drop, "--bounce"}), "rotorub run: --bounce: no such option. " + help);
+  EXPECT_EQ(said({"run", drop, "--step"}),
+            "rotorub run: --step: its value, TIME, is missing. " + help);
+  EXPECT_EQ(said({"run", drop, "--engine", "bullet"}),
+            "rotorub run: --engine: bullet: no such value; accepted are native, mujoco\n");
+  EXPECT_EQ(
+      said({"run", drop, "--integrator", "verlt"}),
+      "rotorub run: --integrator: verlt: no such value, did you mean verlet? Accepted are event, "
+      "verlet, euler\n");
+  EXPECT_EQ(said({"run", drop, "--controller", "none.so"}),
+            "rotorub run: --controller: none.so: no such file\n");
+  EXPECT_EQ(said({"compare", drop, "--twins", "many"}),
+            "rotorub compare: --twins many: accepted is a whole number\n");
+  EXPECT_EQ(said({"compare", drop, "--jobs", "0"}),
+            "rotorub compare: --jobs: 0: accepted is a whole number from 1 to 4096\n");
+  EXPECT_TRUE(
+      contains(said({"compare", drop, "--no-video", "--all-films"}), "rotorub compare: --"));
+  EXPECT_TRUE(contains(said({"--bounce"}), "rotorub: --bounce: no such option. `rotorub help`"));
+  EXPECT_TRUE(folder.files().empty());
+}
+
+// Nothing of the parser's own notation: types, braces, upper-case words.
+TEST(Cli, HelpIsOfWords) {
+  const Folder folder;
+  const std::string help = folder.done({"help", "compare"}).out;
+  EXPECT_TRUE(contains(help, "--mode lockstep|replay|resync"));
+  EXPECT_TRUE(contains(help, "(default: lockstep)"));
+  EXPECT_TRUE(contains(help, "Not with --no-video."));
+  for (const std::string raw : {"TEXT", "{", "Excludes", "Needs", "REQUIRED", "INT in"})
+    EXPECT_FALSE(contains(help, raw)) << raw << '\n' << help;
 }
 
 TEST(Cli, HasItsVersion) {

@@ -129,7 +129,7 @@ TEST(CliRender, TellsOfRunsThatAreBrokenOrEndedEarly) {
   stopped.replace(stopped.find(ok), ok.size(), "\"status\": \"diverged\"");
   folder.write("out/summary.json", stopped);
   const Outcome early = folder.done(picture);
-  EXPECT_TRUE(contains(early.err, "rotorub: out: ended at 0.005 s of 0.005 s: diverged"));
+  EXPECT_TRUE(contains(early.err, "rotorub render: out: ended at 0.005 s of 0.005 s: diverged"));
   EXPECT_TRUE(folder.has("one.png"));
 
   folder.write("out/summary.json", summary);

@@ -43,7 +43,7 @@ TEST(CliStop, AComparisonSaysThatItWasInterrupted) {
   EXPECT_EQ(stopped.code, 130);
   EXPECT_FALSE(folder.has("out/report.html"));
   expect_whole_files(folder);
-  EXPECT_TRUE(contains(stopped.err, "rotorub: interrupted"));
+  EXPECT_TRUE(contains(stopped.err, "rotorub compare: interrupted"));
 }
 
 TEST(CliStop, AFilmIsNotLeftHalfMade) {
