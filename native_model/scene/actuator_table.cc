@@ -13,16 +13,17 @@ namespace {
 Table actuator() {
   return {
       "actuator",
-      "The two axes that move the ring, at 45 degrees: (1, 1)/sqrt 2 and (-1, 1)/sqrt 2. Needs "
-      "[stator].",
+      "Moves the ring along the axes (1, 1)/sqrt 2 and (-1, 1)/sqrt 2; s and i are position and "
+      "current of an axis. Needs [stator].",
       "an ideal, unlimited force",
       [](Scene& scene) -> void* { return &scene.auxiliary.back().actuator.emplace(); },
       {word<&Actuator::kind>(
            "kind", {"ideal", "electromagnet", "table"}, kStandard,
-           "the force that is asked for; F(s, i) = `force_constant` [((`bias_current` + "
-           "i)/(`air_gap` - s))^2 - ((`bias_current` - i)/(`air_gap` + s))^2] - `stiffness` s, s "
-           "and i on each axis; F(s, i) by a bicubic spline through a table"),
-       key<&Actuator::force_limit>("force_limit", kForce, "> 0", "none", "on each axis", {"ideal"}),
+           "`ideal`: the commanded force; `electromagnet`: F(s, i) = `force_constant` "
+           "[((`bias_current` + i)/(`air_gap` - s))^2 - ((`bias_current` - i)/(`air_gap` + s))^2] "
+           "- `stiffness` s; `table`: F(s, i) by a bicubic spline"),
+       key<&Actuator::force_limit>("force_limit", kForce, "> 0", "none",
+                                   "largest force on each axis", {"ideal"}),
        key<&Actuator::force_constant>("force_constant", kMagnetConstant, "> 0", kRequired, "k_m",
                                       {"electromagnet"}),
        key<&Actuator::bias_current>("bias_current", kCurrent, "> 0", kRequired,
@@ -30,36 +31,32 @@ Table actuator() {
        key<&Actuator::air_gap>("air_gap", kLength, "> 0", kRequired, "s_0, of each magnet at s = 0",
                                {"electromagnet"}),
        key<&Actuator::stiffness>("stiffness", kStiffness, ">= 0", kStandard,
-                                 "c, of the actuator's own spring", {"electromagnet"}),
+                                 "the actuator's own spring", {"electromagnet"}),
        key<&Actuator::table_position>("table_position", kLength, "", kRequired,
                                       "values of s, ascending, four or more", {"table"}),
        key<&Actuator::table_current>("table_current", kCurrent, "", kRequired,
                                      "values of i, ascending through 0, four or more", {"table"}),
-       key<&Actuator::table_force>("table_force", kForce, "", kRequired,
-                                   "for each position, one after the other, the forces at all "
-                                   "currents; rising with the current",
-                                   {"table"}),
-       key<&Actuator::current_limit>(
-           "current_limit", kCurrent, "> 0",
-           "the most that is accepted: `bias_current`, or what the table covers",
-           "of the current i that is asked for", {"electromagnet", "table"}),
-       key<&Actuator::coil_lag>(
-           "coil_lag", kTime, ">= 0", kStandard,
-           "the coil's current follows: `coil_lag` di/dt = asked - i; 0: at once",
+       key<&Actuator::table_force>(
+           "table_force", kForce, "", kRequired,
+           "F at all currents, position after position; rising with the current", {"table"}),
+       key<&Actuator::current_limit>("current_limit", kCurrent, "> 0",
+                                     "the maximum: `bias_current`, or the table's range",
+                                     "largest commanded current", {"electromagnet", "table"}),
+       key<&Actuator::coil_lag>("coil_lag", kTime, ">= 0", kStandard,
+                                "time constant of the coil: `coil_lag` di/dt = command - i",
+                                {"electromagnet", "table"}),
+       key<&Actuator::current_rate_limit>("current_rate_limit", kCurrentRate, "> 0", "none",
+                                          "limit on di/dt; needs `coil_lag`",
+                                          {"electromagnet", "table"}),
+       key<&Actuator::voltage_limit>(
+           "voltage_limit", kVoltage, "> 0", "none",
+           "limit on u = `inductance` di/dt + `resistance` i; needs `coil_lag`, `inductance`",
            {"electromagnet", "table"}),
-       key<&Actuator::current_rate_limit>(
-           "current_rate_limit", kCurrentRate, "> 0", "none",
-           "of the size of di/dt, the voltage over the inductance; needs `coil_lag`",
-           {"electromagnet", "table"}),
-       key<&Actuator::voltage_limit>("voltage_limit", kVoltage, "> 0", "none",
-                                     "of the size of u, which drives the coil: `inductance` di/dt "
-                                     "= u - `resistance` i; needs `coil_lag`, `inductance`",
-                                     {"electromagnet", "table"}),
        key<&Actuator::inductance>("inductance", kInductance, "> 0", "none",
-                                  "of the coil of an axis; needs `voltage_limit`",
+                                  "coil inductance of an axis; needs `voltage_limit`",
                                   {"electromagnet", "table"}),
        key<&Actuator::resistance>("resistance", kResistance, ">= 0", kStandard,
-                                  "of the coil of an axis; needs `voltage_limit`",
+                                  "coil resistance of an axis; needs `voltage_limit`",
                                   {"electromagnet", "table"})}};
 }
 

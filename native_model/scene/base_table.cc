@@ -7,30 +7,27 @@
 namespace rotorub::scene {
 
 Table base_table() {
-  return {"base",
-          "The base accelerates: an earthquake, a ship. All coordinates are relative to it; every "
-          "mass is loaded by minus its acceleration, as by a weight. A table, lines of a spectrum, "
-          "or both (Motion of the base).",
-          "it rests",
-          [](Scene& scene) -> void* { return &scene.base.emplace(); },
-          {key<&Base::time>("time", kTime, "", "no table",
-                            "times of the samples, ascending, two or more"),
-           key<&Base::acceleration_x>("acceleration_x", kAcceleration, "", "0",
-                                      "acceleration at each time, linear in between, 0 outside"),
-           key<&Base::acceleration_y>("acceleration_y", kAcceleration, "", "0", "likewise"),
-           key<&Base::frequency>("frequency", kSpin, ">= 0", "no lines",
-                                 "frequency of each line of a spectrum"),
-           key<&Base::amplitude>("amplitude", kAcceleration, "", "needed by `frequency`",
-                                 "amplitude A of each line, A cos(w t + `phase`), t absolute"),
-           key<&Base::phase>("phase", kAngle, "", "all 0", "phase of each line; not beside `seed`"),
-           key<&Base::seed>("seed", kPure, ">= 0", "none",
-                            "gives the lines random phases, always the same"),
-           key<&Base::direction>("direction", kAngle, "", kStandard,
-                                 "direction of the lines, from x to y"),
-           key<&Base::on>("on", kTime, "", kStandard, "time from which it acts"),
-           key<&Base::off>("off", kTime, "", "never", "time up to which it acts, not before `on`"),
-           key<&Base::ramp>("ramp", kTime, ">= 0", kStandard,
-                            "time in which it rises from 0 after `on`")}};
+  return {
+      "base",
+      "Acceleration of the base, for example by an earthquake: a sampled record, lines of a "
+      "spectrum, or both. All coordinates are relative to the base.",
+      "it rests",
+      [](Scene& scene) -> void* { return &scene.base.emplace(); },
+      {key<&Base::time>("time", kTime, "", "no table", "sample times, ascending, two or more"),
+       key<&Base::acceleration_x>("acceleration_x", kAcceleration, "", "0",
+                                  "samples, linear in between, 0 outside"),
+       key<&Base::acceleration_y>("acceleration_y", kAcceleration, "", "0", "samples in y"),
+       key<&Base::frequency>("frequency", kSpin, ">= 0", "no lines", "frequencies of the lines"),
+       key<&Base::amplitude>("amplitude", kAcceleration, "", "needed by `frequency`",
+                             "amplitudes A of the lines A cos(w t + `phase`)"),
+       key<&Base::phase>("phase", kAngle, "", "all 0", "phases of the lines; not beside `seed`"),
+       key<&Base::seed>("seed", kPure, ">= 0", "none",
+                        "draws random phases, the same in every run"),
+       key<&Base::direction>("direction", kAngle, "", kStandard,
+                             "direction of the lines, from x to y"),
+       key<&Base::on>("on", kTime, "", kStandard, "start"),
+       key<&Base::off>("off", kTime, "", "never", "end, not before `on`"),
+       key<&Base::ramp>("ramp", kTime, ">= 0", kStandard, "rise time after `on`")}};
 }
 
 void check_base(const Checker& check) {

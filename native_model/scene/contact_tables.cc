@@ -10,78 +10,70 @@ namespace rotorub::scene {
 namespace {
 
 Table contact() {
-  return {"contact",
-          "The rotor in the ring of the auxiliary bearing. Of several bearings each is a "
-          "`[[contact]]`, with its ring, actuator and controller below it: `[contact.stator]`, "
-          "`[contact.actuator]`, `[contact.controller]` take the keys of `[stator]`, `[actuator]`, "
-          "`[controller]`, which then do not stand by themselves.",
-          "no contact",
-          [](Scene& scene) -> void* {
-            scene.auxiliary.back().contact.emplace();
-            return &scene.auxiliary.back();
-          },
-          {key<&AuxiliaryBearing::contact, &Contact::radius>("radius", kLength, "> 0", kRequired,
-                                                             "radius of the rotor at the contact"),
-           key<&AuxiliaryBearing::contact, &Contact::clearance>("clearance", kLength, "> 0",
-                                                                kRequired, "delta_0, radial"),
-           key<&AuxiliaryBearing::contact, &Contact::friction, &FrictionLaw::coefficient>(
-               "friction", kPure, ">= 0", kRequired, "mu; or the table `[contact.friction]`"),
-           key<&AuxiliaryBearing::contact, &Contact::restitution>(
-               "restitution", kPure, "in [0, 1]",
-               "required, unless `contact.compliance` gives `hunt_crossley` or `damping`",
-               "eps_N, normal restitution"),
-           key<&AuxiliaryBearing::contact, &Contact::tangential_restitution>(
-               "tangential_restitution", kPure, "in [0, 1]", kStandard,
-               "eps_T, tangential restitution"),
-           key<&AuxiliaryBearing::contact, &Contact::compression_time>(
-               "compression_time", kTime, ">= 0", kStandard,
-               "tau_C, time that the compression of an impact takes"),
-           key<&AuxiliaryBearing::contact, &Contact::expansion_time>(
-               "expansion_time", kTime, ">= 0", kStandard, "tau_E, time that its expansion takes"),
-           key<&AuxiliaryBearing::contact, &Contact::station>("station", kLength, ">= 0", kRequired,
-                                                              "place along the shaft")
-               .or_called("z")
-               .in(Form::kGeometry),
-           key<&AuxiliaryBearing::contact, &Contact::offset>(
-               "offset", kLength, "", kStandard,
-               "of the ring's middle at rest from the line of the shaft at rest"),
-           key<&AuxiliaryBearing::name>("name", kPure, "", "its number, from 1",
-                                        "name of this bearing in messages and pictures; unique"),
-           key<&AuxiliaryBearing::contact, &Contact::shape>(
-               "shape", kPure, "", "all 1",
-               "value of each bending mode at the station; 1 of the first contact, where the modes "
-               "are scaled")
-               .in(Form::kModal),
-           key<&AuxiliaryBearing::contact, &Contact::torsion_shape>(
-               "torsion_shape", kPure, "", "all 1", "the same of each torsion mode")
-               .in(Form::kModal)}};
+  return {
+      "contact",
+      "Contact of the rotor with the ring of an auxiliary bearing. For several bearings use "
+      "`[[contact]]`, each followed by its own `[contact.stator]`, `[contact.actuator]` and "
+      "`[contact.controller]`, with the keys of `[stator]`, `[actuator]` and `[controller]`, which "
+      "are then not allowed.",
+      "no contact",
+      [](Scene& scene) -> void* {
+        scene.auxiliary.back().contact.emplace();
+        return &scene.auxiliary.back();
+      },
+      {key<&AuxiliaryBearing::contact, &Contact::radius>("radius", kLength, "> 0", kRequired,
+                                                         "rotor radius at the contact"),
+       key<&AuxiliaryBearing::contact, &Contact::clearance>("clearance", kLength, "> 0", kRequired,
+                                                            "radial clearance delta_0"),
+       key<&AuxiliaryBearing::contact, &Contact::friction, &FrictionLaw::coefficient>(
+           "friction", kPure, ">= 0", kRequired, "mu, or the table `[contact.friction]`"),
+       key<&AuxiliaryBearing::contact, &Contact::restitution>(
+           "restitution", kPure, "in [0, 1]",
+           "required, unless `contact.compliance` sets the damping", "eps_N, normal restitution"),
+       key<&AuxiliaryBearing::contact, &Contact::tangential_restitution>(
+           "tangential_restitution", kPure, "in [0, 1]", kStandard,
+           "eps_T, tangential restitution"),
+       key<&AuxiliaryBearing::contact, &Contact::compression_time>(
+           "compression_time", kTime, ">= 0", kStandard,
+           "tau_C, duration of an impact's compression"),
+       key<&AuxiliaryBearing::contact, &Contact::expansion_time>(
+           "expansion_time", kTime, ">= 0", kStandard, "tau_E, duration of its expansion"),
+       key<&AuxiliaryBearing::contact, &Contact::station>("station", kLength, ">= 0", kRequired,
+                                                          "axial position")
+           .or_called("z")
+           .in(Form::kGeometry),
+       key<&AuxiliaryBearing::contact, &Contact::offset>(
+           "offset", kLength, "", kStandard, "centre of the resting ring, from the resting shaft"),
+       key<&AuxiliaryBearing::name>("name", kPure, "", "its number, from 1",
+                                    "unique name in messages and figures"),
+       key<&AuxiliaryBearing::contact, &Contact::shape>(
+           "shape", kPure, "", "all 1", "mode values at the station; 1 for the first contact")
+           .in(Form::kModal),
+       key<&AuxiliaryBearing::contact, &Contact::torsion_shape>("torsion_shape", kPure, "", "all 1",
+                                                                "torsion mode values, likewise")
+           .in(Form::kModal)}};
 }
 
 Table compliance() {
   return {
       "contact.compliance",
-      "Makes the contact compliant: at the penetration p the normal force is N = `stiffness` "
-      "p^`exponent` (1 + a p') while that is positive, and 0 otherwise. `hunt_crossley` sets a. "
-      "If neither `hunt_crossley` nor `damping` is given, each touch has its own a, with which "
-      "two free masses that touch at the speed v rebound with the `restitution` e of the contact: "
-      "ln[(1 + a v)/(1 - a e v)] = a v (1 + e). An e below 0.01 counts as 0.01, and a v below 0.1 "
-      "mm/s as 0.1 mm/s. Friction follows Coulomb's law with this N; a contact that sticks does "
-      "not yield along the surface. A contact that is closed at the start was not struck: unless "
-      "`hunt_crossley` is given, its a is 0 until it opens.",
+      "Compliant contact: at penetration p the normal force is N = `stiffness` p^`exponent` (1 + a "
+      "p'), never below 0. Without `hunt_crossley` and `damping` each touch, at speed v, gets the "
+      "a with which two free masses rebound with `restitution` e: ln[(1 + a v)/(1 - a e v)] = a v "
+      "(1 + e), where e counts as at least 0.01 and v as at least 0.1 mm/s; a contact that is "
+      "closed at the start has a = 0 until it opens. Friction follows Coulomb's law with this N; a "
+      "sticking contact does not yield tangentially.",
       "the contact is rigid",
       [](Scene& scene) -> void* { return &scene.auxiliary.back().contact->compliance.emplace(); },
       {key<&Compliance::stiffness>("stiffness", kContactStiffness, "> 0", kRequired,
-                                   "stiffness k of the contact"),
-       key<&Compliance::exponent>(
-           "exponent", kPure, "in [1, 2]", kStandard,
-           "exponent n of the penetration: 1 for a line contact, 1.5 for Hertz's point contact"),
+                                   "contact stiffness"),
+       key<&Compliance::exponent>("exponent", kPure, "in [1, 2]", kStandard,
+                                  "1: line contact; 1.5: Hertz's point contact"),
        key<&Compliance::hunt_crossley>("hunt_crossley", kTimePerLength, ">= 0",
-                                       "from `restitution`",
-                                       "coefficient a of the damping by Hunt and Crossley"),
+                                       "from `restitution`", "damping coefficient a"),
        key<&Compliance::damping>(
            "damping", kDamping, ">= 0", "none",
-           "coefficient c of a linear damper, N = k p + c p', which replaces a; only with "
-           "`exponent` = 1")}};
+           "linear damping c in place of a: N = `stiffness` p + c p'; needs `exponent` = 1")}};
 }
 
 // `static` is stored as its excess over `kinetic`, whose row comes first.
@@ -93,17 +85,18 @@ Table friction() {
   };
   return {
       "contact.friction",
-      "Friction that depends on the slip v, in the place of the number: mu(v) = kinetic + "
-      "(static - kinetic) exp(-(v / stribeck_speed)^2) + viscous |v|. `friction = { static = "
-      "0.3, kinetic = 0.15, stribeck_speed = 0.1 }` is the same.",
-      "mu is the same at every slip",
+      "Friction that depends on the slip v: mu(v) = kinetic + (static - kinetic) exp(-(v / "
+      "stribeck_speed)^2) + viscous |v|. Also `friction = { static = 0.3, kinetic = 0.15, "
+      "stribeck_speed = 0.1 }`.",
+      "mu is constant",
       [](Scene& scene) -> void* { return &scene.auxiliary.back().contact->friction; },
-      {key<&FrictionLaw::coefficient>("kinetic", kPure, ">= 0", kRequired, "of fast sliding"), rest,
-       key<&FrictionLaw::stribeck_speed>(
-           "stribeck_speed", kVelocity, "> 0", "needed where static > kinetic",
-           "slip at which 63 % of what static has beyond kinetic is gone"),
+      {key<&FrictionLaw::coefficient>("kinetic", kPure, ">= 0", kRequired, "mu in fast sliding"),
+       rest,
+       key<&FrictionLaw::stribeck_speed>("stribeck_speed", kVelocity, "> 0",
+                                         "required if static > kinetic",
+                                         "slip at which 63 % of static - kinetic is gone"),
        key<&FrictionLaw::viscous>("viscous", kSlowness, ">= 0", kStandard,
-                                  "by how much mu grows with the slip")}};
+                                  "increase of mu with the slip")}};
 }
 
 // Mode values at the station. They must be 1 at the first contact, where the modes are scaled.

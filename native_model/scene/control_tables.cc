@@ -17,35 +17,34 @@ constexpr const char* kSampledOnly = "needs controller.sample_time above 0: ";
 Table controller() {
   return {
       "controller",
-      "What commands the ring. Needs [stator]; all but `passive` and `library` need [contact].",
+      "Commands the ring. Needs [stator]; all kinds but `passive` and `library` need [contact].",
       "no command",
       [](Scene& scene) -> void* { return &scene.auxiliary.back().controller.emplace(); },
       {word<&Controller::kind>(
            "kind",
            {"passive", "sliding", "cross_coupled", "two_phase", "pd", "lqr", "lqg", "library"},
            kRequired,
-           "an extra spring and damper emulated by the actuator; sliding mode with a boundary "
-           "layer, which brings the ring to the rotor; k(Omega) across the ring's velocity; the "
-           "second, and the third from the first touch on; a spring and a damper that bring the "
-           "ring to the rotor; linear quadratic feedback that keeps the ring about the rotor, of "
-           "the state or of its estimate; one of your own"),
+           "`passive`: emulated spring and damper; `sliding`: sliding mode that brings the ring to "
+           "the rotor; `cross_coupled`: k(Omega) across the ring's velocity; `two_phase`: "
+           "`sliding` until the first touch, then `cross_coupled`; `pd`: spring and damper to the "
+           "rotor; `lqr`, `lqg`: linear quadratic feedback of the state or its estimate; "
+           "`library`: your own"),
        key<&Controller::on>("on", kTime, "", kStandard,
-                            "time at which it is switched on, or its trigger armed"),
+                            "time of switching on, or of arming the trigger"),
        key<&Controller::sample_time>("sample_time", kTime, ">= 0", kStandard,
-                                     "time between samples, over which the command is held; 0: "
-                                     "continuous, for a law without memory"),
+                                     "sampling interval; 0: continuous, for laws without memory"),
        key<&Controller::library>(
            "library", kPure, "", kRequired,
-           "shared library, beside the scene's file or absolute (C header: rotorub/controller.h)",
+           "shared library, absolute or beside the scene's file (C header: rotorub/controller.h)",
            {"library"}),
        key<&Controller::bandwidth>("bandwidth", kRate, "> 0", kStandard,
-                                   "psi, rate at which the tracking error decays",
+                                   "psi, decay rate of the tracking error",
                                    {"sliding", "two_phase"}),
        key<&Controller::boundary_layer>("boundary_layer", kVelocity, "> 0", kStandard,
-                                        "phi, half the width of the boundary layer",
+                                        "phi, half-width of the boundary layer",
                                         {"sliding", "two_phase"}),
        word<&Controller::layer>("layer", {"constant", "adaptive"}, kStandard,
-                                "phi stays `boundary_layer`, or goes from there to k / psi, (27)",
+                                "phi stays `boundary_layer`, or moves from there to k / psi",
                                 {"sliding", "two_phase"}),
        key<&Controller::switching_gain>("switching_gain", kAcceleration, ">= 0", kStandard,
                                         "k, bound on the unknown acceleration",
@@ -54,48 +53,46 @@ Table controller() {
                                   "time in which the gap reference falls to 0",
                                   {"sliding", "two_phase", "pd"}),
        key<&Controller::preload>("preload", kForce, ">= 0", kStandard,
-                                 "normal force of the lasting contact, once the gap is closed",
+                                 "normal force of the lasting contact",
                                  {"sliding", "two_phase", "pd"}),
        key<&Controller::mass_error>("mass_error", kPure, "> -1", kStandard,
-                                    "share by which the law takes the ring for heavier than it is",
+                                    "share by which the law overestimates the ring's mass",
                                     {"sliding", "two_phase", "library"}),
        key<&Controller::stiffness>("stiffness", kStiffness, ">= 0", kStandard,
-                                   "stiffness of the emulated spring; gain of the tracking error",
+                                   "emulated spring, or gain on the tracking error",
                                    {"passive", "pd"}),
-       key<&Controller::damping>(
-           "damping", kDamping, ">= 0", kStandard,
-           "damping of the emulated damper; of the tracking error; of the ring beside the feedback",
-           {"passive", "pd", "cross_coupled", "two_phase"}),
+       key<&Controller::damping>("damping", kDamping, ">= 0", kStandard,
+                                 "emulated damper, gain on the tracking error's rate, or ring "
+                                 "damping beside the feedback",
+                                 {"passive", "pd", "cross_coupled", "two_phase"}),
        key<&Controller::feedback>("feedback", kDamping, ">= 0", kRequired,
-                                  "k, a list: `[200]`, or one value for each speed",
+                                  "k: one value, `[200]`, or one per speed",
                                   {"cross_coupled", "two_phase"}),
-       key<&Controller::feedback_speed>("feedback_speed", kSpin, ">= 0", "one value at every speed",
-                                        "speeds of those values, ascending; linear in between",
+       key<&Controller::feedback_speed>("feedback_speed", kSpin, ">= 0", "constant k",
+                                        "speeds of those values, ascending, linear in between",
                                         {"cross_coupled", "two_phase"}),
        key<&Controller::handover_time>("handover_time", kTime, "> 0", kStandard,
-                                       "time in which the force of the first law fades out",
-                                       {"two_phase"}),
-       key<&Controller::filter_time>("filter_time", kTime, ">= 0", "one turn of the spin",
-                                     "time over which the feed-forward is averaged, in the frame "
-                                     "of the whirl; sampled laws only",
-                                     {"sliding", "two_phase"}),
+                                       "fade-out time of the first law's force", {"two_phase"}),
+       key<&Controller::filter_time>(
+           "filter_time", kTime, ">= 0", "one turn of the spin",
+           "averaging time of the feed-forward in the whirl's frame; sampled laws only",
+           {"sliding", "two_phase"}),
        key<&Controller::tracking_damping>(
-           "tracking_damping", kDamping, ">= 0", "the ring's critical one",
-           "damping of the ring's velocity about its mean there; sampled laws only",
+           "tracking_damping", kDamping, ">= 0", "critical damping",
+           "damping of the ring about its mean velocity there; sampled laws only",
            {"sliding", "two_phase"}),
        key<&Controller::allowed_error>("allowed_error", kLength, "> 0", kStandard,
                                        "e_0, allowed distance of the rotor from the ring's centre",
                                        {"lqr", "lqg"}),
        key<&Controller::allowed_travel>("allowed_travel", kLength, "> 0", kStandard,
-                                        "s_0, allowed travel of the ring", {"lqr", "lqg"}),
+                                        "s_0, allowed ring travel", {"lqr", "lqg"}),
        key<&Controller::allowed_force>("allowed_force", kForce, "> 0", kStandard,
-                                       "u_0, allowed force of the actuator", {"lqr", "lqg"}),
+                                       "u_0, allowed actuator force", {"lqr", "lqg"}),
        key<&Controller::disturbance>(
            "disturbance", kForce, "> 0", kStandard,
            "standard deviation of forces on rotor and ring at the contact", {"lqg"}),
        key<&Controller::measurement_error>("measurement_error", kLength, "> 0", kStandard,
-                                           "standard deviation of the measured positions",
-                                           {"lqg"})}};
+                                           "standard deviation of measured positions", {"lqg"})}};
 }
 
 Controller& controller_of(Scene& scene) {
@@ -104,54 +101,51 @@ Controller& controller_of(Scene& scene) {
 }
 
 Table sensors() {
-  return {"controller.sensors",
-          "What a sampled controller is shown of the plant. Needs `sample_time`.",
-          "the truth",
-          [](Scene& scene) -> void* { return &controller_of(scene).sensors; },
-          {key<&Sensors::rotor>("rotor", kPure, "", kStandard, "the rotor is measured"),
-           key<&Sensors::stator>("stator", kPure, "", kStandard, "the ring is measured"),
-           key<&Sensors::spin>("spin", kPure, "", kStandard,
-                               "angle and speed of the spin are measured"),
-           key<&Sensors::current>("current", kPure, "", kStandard,
-                                  "the magnets' currents are measured"),
-           word<&Sensors::velocity>("velocity", {"measured", "difference", "none"}, kStandard,
-                                    "how the velocities of rotor and ring are known: measured, "
-                                    "from the positions of two samples, or not at all"),
-           key<&Sensors::delay>("delay", kTime, ">= 0", kStandard,
-                                "time between the measurement and the command; whole samples"),
-           key<&Sensors::position_resolution>("position_resolution", kLength, ">= 0", kStandard,
-                                              "step to which positions are rounded; 0: none"),
-           key<&Sensors::velocity_resolution>("velocity_resolution", kVelocity, ">= 0", kStandard,
-                                              "step to which velocities are rounded; 0: none"),
-           key<&Sensors::current_resolution>("current_resolution", kCurrent, ">= 0", kStandard,
-                                             "step to which currents are rounded; 0: none"),
-           key<&Sensors::position_noise>("position_noise", kLength, ">= 0", kStandard,
-                                         "standard deviation of the noise of positions"),
-           key<&Sensors::velocity_noise>("velocity_noise", kVelocity, ">= 0", kStandard,
-                                         "standard deviation of the noise of velocities"),
-           key<&Sensors::current_noise>("current_noise", kCurrent, ">= 0", kStandard,
-                                        "standard deviation of the noise of currents"),
-           key<&Sensors::seed>("seed", kPure, ">= 0", kStandard, "seed of the noise")}};
+  return {
+      "controller.sensors",
+      "What a sampled controller measures. A resolution is the rounding step (0: none), a noise "
+      "the standard deviation. Needs `sample_time`.",
+      "exact values",
+      [](Scene& scene) -> void* { return &controller_of(scene).sensors; },
+      {key<&Sensors::rotor>("rotor", kPure, "", kStandard, "measure the rotor"),
+       key<&Sensors::stator>("stator", kPure, "", kStandard, "measure the ring"),
+       key<&Sensors::spin>("spin", kPure, "", kStandard, "measure spin angle and speed"),
+       key<&Sensors::current>("current", kPure, "", kStandard, "measure the magnets' currents"),
+       word<&Sensors::velocity>(
+           "velocity", {"measured", "difference", "none"}, kStandard,
+           "velocities of rotor and ring: measured, from the positions of two samples, or unknown"),
+       key<&Sensors::delay>("delay", kTime, ">= 0", kStandard,
+                            "time from measurement to command, in whole samples"),
+       key<&Sensors::position_resolution>("position_resolution", kLength, ">= 0", kStandard,
+                                          "rounding of positions"),
+       key<&Sensors::velocity_resolution>("velocity_resolution", kVelocity, ">= 0", kStandard,
+                                          "rounding of velocities"),
+       key<&Sensors::current_resolution>("current_resolution", kCurrent, ">= 0", kStandard,
+                                         "rounding of currents"),
+       key<&Sensors::position_noise>("position_noise", kLength, ">= 0", kStandard,
+                                     "noise of positions"),
+       key<&Sensors::velocity_noise>("velocity_noise", kVelocity, ">= 0", kStandard,
+                                     "noise of velocities"),
+       key<&Sensors::current_noise>("current_noise", kCurrent, ">= 0", kStandard,
+                                    "noise of currents"),
+       key<&Sensors::seed>("seed", kPure, ">= 0", kStandard, "seed of the noise")}};
 }
 
 Table trigger() {
-  return {
-      "controller.trigger",
-      "Switches a sampled controller on at the first of these, once `on` has come. Needs "
-      "[contact].",
-      "it is switched on at `on`",
-      [](Scene& scene) -> void* { return &controller_of(scene).trigger.emplace(); },
-      {key<&Trigger::gap>("gap", kLength, "> 0", "none", "measured gap at which it is switched on"),
-       key<&Trigger::time_to_touch>(
-           "time_to_touch", kTime, "> 0", "none",
-           "predicted time to the touch (gap over closing rate) at which it is switched on"),
-       key<&Trigger::touch>("touch", kPure, "", kStandard,
-                            "it is switched on once rotor and ring have touched")}};
+  return {"controller.trigger",
+          "After `on`, the first of these conditions that holds switches a sampled controller on. "
+          "Needs [contact].",
+          "it is switched on at `on`",
+          [](Scene& scene) -> void* { return &controller_of(scene).trigger.emplace(); },
+          {key<&Trigger::gap>("gap", kLength, "> 0", "none", "measured gap"),
+           key<&Trigger::time_to_touch>("time_to_touch", kTime, "> 0", "none",
+                                        "predicted time to touch: gap over closing rate"),
+           key<&Trigger::touch>("touch", kPure, "", kStandard, "rotor and ring have touched")}};
 }
 
 Table config() {
   return {"controller.config",
-          "What a controller of your own is given: any keys, each a number or a text.",
+          "Any keys for your own controller, each a number or a text.",
           "nothing",
           [](Scene& scene) -> void* { return &controller_of(scene).config; },
           {},

@@ -124,29 +124,29 @@ Table disc_table() {
       "Rigid discs on the shaft.",
       "none",
       [](Scene& scene) -> void* { return &geometry_of(scene).discs.emplace_back(); },
-      {key<&Disc::z>("z", kLength, ">= 0", kRequired, "place along the shaft").or_called("station"),
-       key<&Disc::mass>("mass", kMass, ">= 0", kByDimensions, "mass of the disc"),
+      {key<&Disc::z>("z", kLength, ">= 0", kRequired, "axial position").or_called("station"),
+       key<&Disc::mass>("mass", kMass, ">= 0", kByDimensions, "mass"),
        key<&Disc::Jt>("Jt", kInertia, ">= 0", kByDimensions, "moment of inertia about a diameter"),
        key<&Disc::Jp>("Jp", kInertia, ">= 0", kByDimensions,
                       "moment of inertia about the shaft, at most 2 `Jt`"),
-       key<&Disc::diameter>("diameter", kLength, "> 0", "the three are given",
-                            "of a solid disc, whose `mass`, `Jt` and `Jp` follow"),
+       key<&Disc::diameter>("diameter", kLength, "> 0", "none",
+                            "outer diameter; with `thickness` it sets `mass`, `Jt`, `Jp`"),
        key<&Disc::inner_diameter>("inner_diameter", kLength, ">= 0", "0",
-                                  "its bore, below `diameter`: the shaft's part is the shaft's"),
-       key<&Disc::thickness>("thickness", kLength, "> 0", "the three are given",
-                             "along the shaft; needed with `diameter`"),
-       key<&Disc::rho>("rho", kDensity, "> 0", "`rotor.rho`", "of the disc with a `diameter`"),
+                                  "bore, below `diameter` (the shaft is not part of the disc)"),
+       key<&Disc::thickness>("thickness", kLength, "> 0", "none", "axial thickness"),
+       key<&Disc::rho>("rho", kDensity, "> 0", "`rotor.rho`",
+                       "density, for a disc with `diameter`"),
        key<&Disc::eccentricity>("eccentricity", kLength, ">= 0", kStandard,
-                                "of the centre of mass"),
+                                "eccentricity of the centre of mass"),
        key<&Disc::unbalance>("unbalance", kStaticMoment, ">= 0", "by `eccentricity`",
-                             "mass times eccentricity, in its place"),
+                             "mass times eccentricity, instead of `eccentricity`"),
        key<&Disc::balance_grade>("balance_grade", kPure, "", "by `eccentricity`",
-                                 "of ISO 21940-11 in its place, as \"G 2.5\": an eccentricity of "
-                                 "2.5 mm/s over `balance_speed`"),
+                                 "ISO 21940-11 grade instead of `eccentricity`: \"G 2.5\" is 2.5 "
+                                 "mm/s over `balance_speed`"),
        key<&Disc::balance_speed>("balance_speed", kSpin, "> 0", "`rotor.speed`",
-                                 "of `balance_grade`, the fastest in service"),
+                                 "highest service speed, for `balance_grade`"),
        key<&Disc::phase>("phase", kAngle, "", kStandard,
-                         "of the eccentricity, from the rotor's own x axis")}}
+                         "angle of the eccentricity from the rotor's own x axis")}}
       .as_list()
       .in(Form::kGeometry);
 }

@@ -9,51 +9,45 @@ namespace rotorub::scene {
 namespace {
 
 Table drive() {
-  return {"drive",
-          "The motor: its torque acts on the spin.",
-          "the spin speed is held at `rotor.speed`",
-          [](Scene& scene) -> void* { return &scene.drive.emplace(); },
-          {word<&Drive::kind>(
-               "kind", {"free", "linear", "kloss", "table", "speed_controlled"}, kRequired,
-               "no torque; T = `gain` (`speed` - Omega); asynchronous motor, T = 2 T_b s s_b/(s^2 "
-               "+ s_b^2), s = 1 - Omega/`synchronous_speed`; a table; PI control of the speed at "
-               "the motor, T = `gain` (ref - Omega) + `integral_gain` (integral of ref - Omega), "
-               "sum and integral each within `torque_limit`, ref from `rotor.speed` to `speed` at "
-               "`acceleration`"),
-           key<&Drive::gain>("gain", kAngularDamping, ">= 0", kRequired, "torque per speed",
-                             {"linear", "speed_controlled"}),
-           key<&Drive::speed>("speed", kSpin, "", kRequired,
-                              "speed at which the torque is 0; the speed to be kept",
-                              {"linear", "speed_controlled"}),
-           key<&Drive::integral_gain>("integral_gain", kAngularStiffness, ">= 0", kStandard,
-                                      "torque per angle by which the motor is behind",
-                                      {"speed_controlled"}),
-           key<&Drive::torque_limit>("torque_limit", kTorque, "> 0", "none",
-                                     "largest size of the torque", {"speed_controlled"}),
-           key<&Drive::acceleration>(
-               "acceleration", kAngularAcceleration, "> 0", "`speed` at once",
-               "how fast the reference changes, up or down, from `rotor.speed` at t = 0",
-               {"speed_controlled"}),
-           key<&Drive::breakdown_torque>("breakdown_torque", kTorque, "> 0", kRequired,
-                                         "T_b, the largest torque", {"kloss"}),
-           key<&Drive::breakdown_slip>("breakdown_slip", kPure, "> 0", kRequired,
-                                       "s_b, the slip at that torque", {"kloss"}),
-           key<&Drive::synchronous_speed>("synchronous_speed", kSpin, "> 0", kRequired,
-                                          "speed at which the torque is 0", {"kloss"}),
-           key<&Drive::table_speed>("table_speed", kSpin, "", kRequired,
-                                    "speeds, ascending, two or more", {"table"}),
-           key<&Drive::table_torque>(
-               "table_torque", kTorque, "", kRequired,
-               "torques, one for each speed; in between a monotone cubic (Fritsch-Carlson: mean "
-               "secants as slopes at inner points, secants at the ends), held beyond the ends",
-               {"table"}),
-           key<&Drive::station>("station", kLength, ">= 0", kStandard,
-                                "place of the motor along the shaft")
-               .or_called("z")
-               .in(Form::kGeometry),
-           key<&Drive::inertia>("inertia", kInertia, ">= 0", kStandard,
-                                "moment of inertia of the motor's rotor")
-               .in(Form::kGeometry)}};
+  return {
+      "drive",
+      "The motor's torque T on the spin.",
+      "the spin speed is held at `rotor.speed`",
+      [](Scene& scene) -> void* { return &scene.drive.emplace(); },
+      {word<&Drive::kind>(
+           "kind", {"free", "linear", "kloss", "table", "speed_controlled"}, kRequired,
+           "`free`: T = 0; `linear`: T = `gain` (`speed` - Omega); `kloss`: asynchronous motor, T "
+           "= 2 T_b s s_b/(s^2 + s_b^2), s = 1 - Omega/`synchronous_speed`; `table`: T over the "
+           "speed; `speed_controlled`: PI control of the speed"),
+       key<&Drive::gain>("gain", kAngularDamping, ">= 0", kRequired, "torque per speed difference",
+                         {"linear", "speed_controlled"}),
+       key<&Drive::speed>("speed", kSpin, "", kRequired,
+                          "set speed; for `linear` the speed at which T = 0",
+                          {"linear", "speed_controlled"}),
+       key<&Drive::integral_gain>("integral_gain", kAngularStiffness, ">= 0", kStandard,
+                                  "torque per integrated speed difference", {"speed_controlled"}),
+       key<&Drive::torque_limit>("torque_limit", kTorque, "> 0", "none",
+                                 "largest torque, in both directions", {"speed_controlled"}),
+       key<&Drive::acceleration>("acceleration", kAngularAcceleration, "> 0", "`speed` at once",
+                                 "rate at which the reference goes from `rotor.speed` to `speed`",
+                                 {"speed_controlled"}),
+       key<&Drive::breakdown_torque>("breakdown_torque", kTorque, "> 0", kRequired,
+                                     "T_b, largest torque", {"kloss"}),
+       key<&Drive::breakdown_slip>("breakdown_slip", kPure, "> 0", kRequired, "s_b, slip at T_b",
+                                   {"kloss"}),
+       key<&Drive::synchronous_speed>("synchronous_speed", kSpin, "> 0", kRequired,
+                                      "speed at which T = 0", {"kloss"}),
+       key<&Drive::table_speed>("table_speed", kSpin, "", kRequired,
+                                "ascending speeds, two or more", {"table"}),
+       key<&Drive::table_torque>("table_torque", kTorque, "", kRequired,
+                                 "T at each speed, interpolated as for [[rotor.bearing]]",
+                                 {"table"}),
+       key<&Drive::station>("station", kLength, ">= 0", kStandard, "axial position of the motor")
+           .or_called("z")
+           .in(Form::kGeometry),
+       key<&Drive::inertia>("inertia", kInertia, ">= 0", kStandard,
+                            "moment of inertia of the motor's rotor")
+           .in(Form::kGeometry)}};
 }
 
 Table force() {
@@ -65,37 +59,32 @@ Table force() {
       {word<&Force::kind>(
            "kind", {"rotating", "constant", "synchronous", "chirp", "pulse", "unbalance"},
            kRequired,
-           "`amplitude` (cos(w t + `phase`), sin(w t + `phase`)) with t absolute and w = "
-           "`frequency`; `vector`; turning with the spin at phi + `phase`, an outer force without "
-           "a torque on the spin; turning ever faster, from `frequency` at `on` to `frequency_end` "
-           "at `off`; a half-sine of `vector` from `on` to `off`; a mass that is out of the axis "
-           "from `on` for ever, as a disc's eccentricity: a blade is lost"),
-       key<&Force::amplitude>("amplitude", kForce, "", kRequired,
-                              "size of the force; turned by pi if negative",
+           "`rotating`: turns at `frequency`; `constant`: `vector`; `synchronous`: turns with the "
+           "spin, without torque on it; `chirp`: from `frequency` at `on` to `frequency_end` at "
+           "`off`; `pulse`: a half-sine of `vector`; `unbalance`: a blade is lost at `on`"),
+       key<&Force::amplitude>("amplitude", kForce, "", kRequired, "size; negative: turned by pi",
                               {"rotating", "synchronous", "chirp"}),
        key<&Force::frequency>("frequency", kSpin, "", kRequired,
-                              "speed at which the force turns; negative: backward",
-                              {"rotating", "chirp"}),
+                              "turning speed; negative: backward", {"rotating", "chirp"}),
        key<&Force::frequency_end>("frequency_end", kSpin, "", kRequired,
-                                  "frequency at `off`; it changes linearly in time", {"chirp"}),
+                                  "frequency at `off`, reached linearly", {"chirp"}),
        key<&Force::static_moment>("static_moment", kStaticMoment, ">= 0", kRequired,
                                   "mass times eccentricity", {"unbalance"}),
        key<&Force::phase>("phase", kAngle, "", kStandard,
-                          "direction from the x axis at t = 0, of a chirp at `on`; from the "
-                          "rotor's own x axis where it turns with the spin",
+                          "angle from the x axis at t = 0 (`chirp`: at `on`), or from the rotor's "
+                          "own if it turns with the spin",
                           {"rotating", "synchronous", "chirp", "unbalance"}),
-       key<&Force::vector>("vector", kForce, "", kRequired,
-                           "the force, fixed in space; of a pulse its peak", {"constant", "pulse"}),
-       key<&Force::on>("on", kTime, "", kStandard, "time from which it acts"),
+       key<&Force::vector>("vector", kForce, "", kRequired, "force, or peak of the pulse",
+                           {"constant", "pulse"}),
+       key<&Force::on>("on", kTime, "", kStandard, "start"),
        key<&Force::off>("off", kTime, "", "never",
-                        "time up to which it acts, not before `on`; chirp and pulse need it",
+                        "end, not before `on`; required for `chirp` and `pulse`",
                         {"rotating", "constant", "synchronous", "chirp", "pulse"}),
-       key<&Force::ramp>("ramp", kTime, ">= 0", kStandard,
-                         "time in which it rises from 0 after `on`",
+       key<&Force::ramp>("ramp", kTime, ">= 0", kStandard, "rise time after `on`",
                          {"rotating", "constant", "synchronous", "chirp"}),
-       key<&Force::shape>("shape", kPure, "", "all 1", "value of each bending mode at the station")
+       key<&Force::shape>("shape", kPure, "", "all 1", "mode values at the station")
            .in(Form::kModal),
-       key<&Force::station>("station", kLength, ">= 0", kRequired, "place along the shaft")
+       key<&Force::station>("station", kLength, ">= 0", kRequired, "axial position")
            .or_called("z")
            .in(Form::kGeometry)}}
       .as_list();

@@ -9,22 +9,22 @@ namespace rotorub::scene {
 namespace {
 
 Table stator() {
-  return {"stator",
-          "The movable ring of the auxiliary bearing.",
-          "the ring is fixed to the base",
-          [](Scene& scene) -> void* { return &scene.auxiliary.back().stator.emplace(); },
-          {planes<&Stator::mass>("mass", kMass, "> 0", kRequired, "mass of the ring"),
-           planes<&Stator::damping>("damping", kDamping, ">= 0", kStandard,
-                                    "damping to what carries the ring"),
-           planes<&Stator::stiffness>("stiffness", kStiffness, ">= 0", kRequired,
-                                      "mechanical spring to what carries the ring, always acting"),
-           key<&Stator::position>("position", kLength, "", "[0, 0]; of `[stator]` `initial.stator`",
-                                  "place of the ring at t = 0, from where it is at rest")
-               .below_list(),
-           key<&Stator::velocity>("velocity", kVelocity, "",
-                                  "[0, 0]; of `[stator]` `initial.stator_velocity`",
-                                  "velocity of the ring at t = 0")
-               .below_list()}};
+  return {
+      "stator",
+      "The movable ring of the auxiliary bearing.",
+      "the ring is fixed",
+      [](Scene& scene) -> void* { return &scene.auxiliary.back().stator.emplace(); },
+      {planes<&Stator::mass>("mass", kMass, "> 0", kRequired, "ring mass"),
+       planes<&Stator::damping>("damping", kDamping, ">= 0", kStandard,
+                                "damping to base or housing"),
+       planes<&Stator::stiffness>("stiffness", kStiffness, ">= 0", kRequired,
+                                  "mechanical spring to base or housing"),
+       key<&Stator::position>(
+           "position", kLength, "", "[0, 0]",
+           "position at t = 0, from rest; only in [contact.stator] (else `initial.stator`)")
+           .below_list(),
+       key<&Stator::velocity>("velocity", kVelocity, "", "[0, 0]", "velocity at t = 0, likewise")
+           .below_list()}};
 }
 
 template <typename Part>
@@ -35,82 +35,76 @@ void* part_of_ring(Scene& scene, std::optional<Part> Stator::*part) {
 }
 
 Table ring_spin() {
-  return {
-      "stator.spin",
-      "The ring turns about its axis, as the inner ring of a ball bearing: the rub spins it "
-      "up. Needs [contact].",
-      "the ring does not turn",
-      [](Scene& scene) { return part_of_ring(scene, &Stator::spin); },
-      {key<&RingSpin::inertia>("inertia", kInertia, "> 0", kRequired,
-                               "polar moment of inertia of all that turns with the ring"),
-       key<&RingSpin::drag>("drag", kAngularDamping, ">= 0", kStandard,
-                            "viscous drag, to the base"),
-       key<&RingSpin::speed>("speed", kSpin, "", kStandard, "speed of the ring at t = 0"),
-       key<&RingSpin::dry_drag>("dry_drag", kTorque, ">= 0", kStandard,
-                                "torque that holds or brakes the spin at no load"),
-       key<&RingSpin::load_factor>(
-           "load_factor", kPure, ">= 0", kStandard,
-           "f_1 of Palmgren's torque f_1 P `pitch_diameter` beside it, P the force on the "
-           "ring's support"),
-       key<&RingSpin::pitch_diameter>("pitch_diameter", kLength, "> 0", "none",
-                                      "d_m, diameter of the balls' circle; needs `load_factor`"),
-       key<&RingSpin::presliding_angle>(
-           "presliding_angle", kAngle, "> 0", kStandard,
-           "angle by which the ring turns until these two act in full")}};
+  return {"stator.spin",
+          "Lets the ring turn about its axis, as in a ball bearing, so that the rub spins it up. "
+          "Needs [contact].",
+          "the ring does not turn",
+          [](Scene& scene) { return part_of_ring(scene, &Stator::spin); },
+          {key<&RingSpin::inertia>("inertia", kInertia, "> 0", kRequired,
+                                   "polar moment of inertia of all that turns"),
+           key<&RingSpin::drag>("drag", kAngularDamping, ">= 0", kStandard, "viscous drag"),
+           key<&RingSpin::speed>("speed", kSpin, "", kStandard, "ring speed at t = 0"),
+           key<&RingSpin::dry_drag>("dry_drag", kTorque, ">= 0", kStandard,
+                                    "dry friction torque without load"),
+           key<&RingSpin::load_factor>("load_factor", kPure, ">= 0", kStandard,
+                                       "f_1 of Palmgren's load torque f_1 P `pitch_diameter`, P "
+                                       "the force on the ring's support"),
+           key<&RingSpin::pitch_diameter>("pitch_diameter", kLength, "> 0", "none",
+                                          "d_m of the balls' circle; needs `load_factor`"),
+           key<&RingSpin::presliding_angle>("presliding_angle", kAngle, "> 0", kStandard,
+                                            "angle over which both torques build up")}};
 }
 
 Table mount() {
   return {
       "stator.mount",
-      "A housing between ring and base: `stator.stiffness` and `stator.damping` are between "
-      "ring and housing, and so are the tables below. The actuator stands on the base.",
+      "A housing between ring and base. `stator.stiffness`, `stator.damping` and the tables below "
+      "then act between ring and housing; the actuator stands on the base.",
       "the base carries the ring",
       [](Scene& scene) { return part_of_ring(scene, &Stator::mount); },
-      {planes<&Housing::mass>("mass", kMass, "> 0", kRequired, "mass of the housing"),
+      {planes<&Housing::mass>("mass", kMass, "> 0", kRequired, "housing mass"),
        planes<&Housing::stiffness>("stiffness", kStiffness, ">= 0", kRequired,
                                    "stiffness to the base"),
        planes<&Housing::damping>("damping", kDamping, ">= 0", kStandard, "damping to the base")}};
 }
 
 Table dry_friction() {
-  return {
-      "stator.dry_friction",
-      "Dry friction under the ring, by Dahl's law: a tolerance ring, a friction damper.",
-      "none",
-      [](Scene& scene) { return part_of_ring(scene, &Stator::dry_friction); },
-      {key<&DryFriction::force>("force", kForce, "> 0", kRequired, "friction force at full slip"),
-       key<&DryFriction::presliding>("presliding", kLength, "> 0", kRequired,
-                                     "distance over which it rises to that")}};
+  return {"stator.dry_friction",
+          "Dry friction under the ring by Dahl's law (tolerance ring, friction damper).",
+          "none",
+          [](Scene& scene) { return part_of_ring(scene, &Stator::dry_friction); },
+          {key<&DryFriction::force>("force", kForce, "> 0", kRequired, "force at full slip"),
+           key<&DryFriction::presliding>("presliding", kLength, "> 0", kRequired,
+                                         "distance over which it builds up")}};
 }
 
 Table squeeze_film() {
-  return {
-      "stator.squeeze_film",
-      "A squeeze film around the ring, by the theory of the short bearing.",
-      "none",
-      [](Scene& scene) { return part_of_ring(scene, &Stator::squeeze_film); },
-      {key<&SqueezeFilm::radius>("radius", kLength, "> 0", kRequired, "outer radius of the ring"),
-       key<&SqueezeFilm::length>("length", kLength, "> 0", kRequired, "axial length"),
-       key<&SqueezeFilm::clearance>("clearance", kLength, "> 0", kRequired,
-                                    "radial clearance; a ring that goes beyond it ends the run"),
-       key<&SqueezeFilm::viscosity>("viscosity", kViscosity, "> 0", kRequired,
-                                    "viscosity of the oil"),
-       key<&SqueezeFilm::cavitation>("cavitation", kPure, "", kStandard,
-                                     "the film bears no tension, and covers half of the ring")}};
+  return {"stator.squeeze_film",
+          "A squeeze film around the ring, by short-bearing theory.",
+          "none",
+          [](Scene& scene) { return part_of_ring(scene, &Stator::squeeze_film); },
+          {key<&SqueezeFilm::radius>("radius", kLength, "> 0", kRequired, "outer ring radius"),
+           key<&SqueezeFilm::length>("length", kLength, "> 0", kRequired, "axial length"),
+           key<&SqueezeFilm::clearance>(
+               "clearance", kLength, "> 0", kRequired,
+               "radial clearance; the run ends if the ring reaches 99 % of it"),
+           key<&SqueezeFilm::viscosity>("viscosity", kViscosity, "> 0", kRequired, "oil viscosity"),
+           key<&SqueezeFilm::cavitation>("cavitation", kPure, "", kStandard,
+                                         "film without tension, on half of the ring")}};
 }
 
 Table ball_bearing() {
   return {"stator.ball_bearing",
-          "The balls that carry the ring: Hertz's law for each, and play.",
+          "The balls that carry the ring, each by Hertz's law, with play.",
           "none",
           [](Scene& scene) { return part_of_ring(scene, &Stator::ball_bearing); },
           {key<&BallSupport::balls>("balls", kPure, "in [3, 100]", kRequired, "number of balls"),
            key<&BallSupport::stiffness>("stiffness", kPure, "> 0", kRequired,
-                                        "stiffness of one ball between its two races, N/m^1.5"),
+                                        "stiffness of one ball between both races, N/m^1.5"),
            key<&BallSupport::play>("play", kLength, ">= 0", kStandard,
-                                   "how far the ring moves until the first ball bears"),
+                                   "ring travel until the first ball bears"),
            key<&BallSupport::phase>("phase", kAngle, "", kStandard,
-                                    "angle of the first ball from the x axis")}};
+                                    "first ball's angle from the x axis")}};
 }
 
 void check_spin(const Checker& check, const RingSpin& spin) {

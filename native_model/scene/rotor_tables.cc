@@ -27,9 +27,9 @@ Key shaft(std::string_view name, const Quantity& quantity, std::string_view rang
 
 // A number or "auto".
 Key modes() {
-  Key key = shaft<&RotorGeometry::modes>("modes", kPure, "in [1, 1000]", "by `max_frequency`",
-                                         "bending modes kept in each plane; it or `max_frequency`; "
-                                         "`auto`: as few as `modes_tolerance` allows");
+  Key key = shaft<&RotorGeometry::modes>(
+      "modes", kPure, "in [1, 1000]", "by `max_frequency`",
+      "bending modes kept per plane; `auto`: as few as `modes_tolerance` allows");
   key.words = {kAuto};
   key.store = [](void* object, const Value& value) {
     auto& shaft = static_cast<Rotor*>(object)->geometry;
@@ -41,54 +41,52 @@ Key modes() {
 }
 
 Table rotor() {
-  return {
-      "rotor",
-      "The shaft, in one of two forms: its geometry (the keys here and the tables section, disc, "
-      "bearing), or its modes ([rotor.modal]).",
-      "refused",
-      [](Scene& scene) -> void* { return &scene.rotor; },
-      {key<&Rotor::speed>("speed", kSpin, "", kStandard,
-                          "spin speed at t = 0, positive about +z; held without [drive]"),
-       shaft<&RotorGeometry::length>("length", kLength, "> 0", kRequired,
-                                     "length of the shaft, which begins at 0"),
-       shaft<&RotorGeometry::E>("E", kPressure, "> 0", kRequired, "Young's modulus"),
-       shaft<&RotorGeometry::nu>("nu", kPure, "in (-1, 0.5]",
-                                 "0.3; with [rotor.torsion] it or `G` is required",
-                                 "Poisson's ratio; not beside `G`"),
-       shaft<&RotorGeometry::G>("G", kPressure, "> 0", "`E` / (2 (1 + `nu`))",
-                                "shear modulus; not beside `nu`"),
-       shaft<&RotorGeometry::rho>("rho", kDensity, "> 0", kRequired, "density"), modes(),
-       shaft<&RotorGeometry::modes_tolerance>(
-           "modes_tolerance", kPure, "in (0, 1)", kStandard,
-           "with `modes = \"auto\"`: how far effective mass at the contact and static flexibility "
-           "at contact, bearings and forces may be off those of all modes of the mesh, as a share"),
-       shaft<&RotorGeometry::max_frequency>("max_frequency", kSpin, "> 0", "by `modes`",
-                                            "keeps the bending modes up to this frequency at rest"),
-       shaft<&RotorGeometry::damping_ratio>("damping_ratio", kPure, ">= 0", kStandard,
-                                            "external damping of each bending mode"),
-       shaft<&RotorGeometry::internal_damping_ratio>(
-           "internal_damping_ratio", kPure, ">= 0", kStandard,
-           "damping of each bending mode that turns with the shaft; of the modes of the mesh on "
-           "the bearings' mean stiffness (k_x + k_y)/2, in both planes")}};
+  return {"rotor",
+          "The shaft, given by its geometry (these keys, sections, discs, bearings) or by its "
+          "modes ([rotor.modal]).",
+          "refused",
+          [](Scene& scene) -> void* { return &scene.rotor; },
+          {key<&Rotor::speed>("speed", kSpin, "", kStandard,
+                              "spin speed at t = 0, positive about +z; constant without [drive]"),
+           shaft<&RotorGeometry::length>("length", kLength, "> 0", kRequired,
+                                         "shaft length, from station 0"),
+           shaft<&RotorGeometry::E>("E", kPressure, "> 0", kRequired, "Young's modulus"),
+           shaft<&RotorGeometry::nu>("nu", kPure, "in (-1, 0.5]", "0.3; torsion needs it or `G`",
+                                     "Poisson's ratio; not beside `G`"),
+           shaft<&RotorGeometry::G>("G", kPressure, "> 0", "`E` / (2 (1 + `nu`))",
+                                    "shear modulus; not beside `nu`"),
+           shaft<&RotorGeometry::rho>("rho", kDensity, "> 0", kRequired, "density"), modes(),
+           shaft<&RotorGeometry::modes_tolerance>(
+               "modes_tolerance", kPure, "in (0, 1)", kStandard,
+               "for `modes = \"auto\"`: largest relative error of effective mass at the contact "
+               "and static flexibility at contact, bearings and forces"),
+           shaft<&RotorGeometry::max_frequency>("max_frequency", kSpin, "> 0", "by `modes`",
+                                                "keep bending modes up to this frequency at rest"),
+           shaft<&RotorGeometry::damping_ratio>("damping_ratio", kPure, ">= 0", kStandard,
+                                                "external damping of each bending mode"),
+           shaft<&RotorGeometry::internal_damping_ratio>(
+               "internal_damping_ratio", kPure, ">= 0", kStandard,
+               "internal (rotating) damping of each bending mode, for the bearings' mean stiffness "
+               "(k_x + "
+               "k_y)/2")}};
 }
 
 Table section() {
   return Table{
       "rotor.section",
-      "Pieces of the shaft; together they cover 0 to `length` without gap or overlap.",
+      "Shaft sections. They must cover 0 to `length` without gap or overlap.",
       "refused in the geometry form",
       [](Scene& scene) -> void* { return &geometry_of(scene).sections.emplace_back(); },
-      {key<&ShaftSection::from>("from", kLength, ">= 0", kRequired, "first station"),
-       key<&ShaftSection::to>("to", kLength, "> 0", kRequired, "last station"),
+      {key<&ShaftSection::from>("from", kLength, ">= 0", kRequired, "start"),
+       key<&ShaftSection::to>("to", kLength, "> 0", kRequired, "end"),
        key<&ShaftSection::diameter>("diameter", kLength, "> 0", kRequired, "outer diameter"),
        key<&ShaftSection::inner_diameter>("inner_diameter", kLength, ">= 0", kStandard,
                                           "bore, below `diameter`"),
-       key<&ShaftSection::end_diameter>(
-           "end_diameter", kLength, "> 0", "`diameter`",
-           "of a cone: the outer diameter at `to`, `diameter` that at `from`"),
+       key<&ShaftSection::end_diameter>("end_diameter", kLength, "> 0", "`diameter`",
+                                        "outer diameter at `to`, for a cone"),
        key<&ShaftSection::end_inner_diameter>("end_inner_diameter", kLength, ">= 0",
                                               "`inner_diameter`",
-                                              "the bore at `to`, below `end_diameter`")}}
+                                              "bore at `to`, below `end_diameter`")}}
       .as_list()
       .in(Form::kGeometry);
 }
@@ -96,47 +94,46 @@ Table section() {
 Table modal() {
   return Table{
       "rotor.modal",
-      "The shaft by its bending modes, each scaled to 1 at the contact station. Lists of "
-      "one length, one value a mode; the plane y may differ (`mass_y`, ...).",
+      "The shaft by its bending modes, each scaled to 1 at the contact. Each list has one value "
+      "per mode; `_y` marks the plane y.",
       "the geometry form",
       [](Scene& scene) -> void* { return &scene.rotor.modal.emplace(); },
-      {key<&RotorModal::mass>("mass", kMass, "> 0", kRequired, "modal masses"),
-       key<&RotorModal::mass_y>("mass_y", kMass, "> 0", "`mass`", "modal masses in the plane y"),
-       key<&RotorModal::stiffness>("stiffness", kStiffness, ">= 0", kRequired, "modal stiffnesses"),
+      {key<&RotorModal::mass>("mass", kMass, "> 0", kRequired, "modal mass"),
+       key<&RotorModal::mass_y>("mass_y", kMass, "> 0", "`mass`", "modal mass in y"),
+       key<&RotorModal::stiffness>("stiffness", kStiffness, ">= 0", kRequired, "modal stiffness"),
        key<&RotorModal::stiffness_y>("stiffness_y", kStiffness, ">= 0", "`stiffness`",
-                                     "modal stiffnesses in the plane y"),
-       key<&RotorModal::damping>("damping", kDamping, ">= 0", "0", "external damping of the modes"),
+                                     "modal stiffness in y"),
+       key<&RotorModal::damping>("damping", kDamping, ">= 0", "0", "external damping"),
        key<&RotorModal::damping_y>("damping_y", kDamping, ">= 0", "`damping`",
-                                   "external damping in the plane y"),
+                                   "external damping in y"),
        key<&RotorModal::internal_damping>("internal_damping", kDamping, ">= 0", "0",
-                                          "damping that turns with the shaft"),
+                                          "internal (rotating) damping"),
        key<&RotorModal::gyroscopic>("gyroscopic", kMass, "", "0",
-                                    "g: the force -Omega g vy on x, +Omega g vx on y"),
+                                    "g: force -Omega g vy on x, +Omega g vx on y"),
        key<&RotorModal::inertia>("inertia", kInertia, ">= 0", kStandard,
-                                 "moment of inertia of the rigid spin; required with [drive]")}}
+                                 "moment of inertia of the spin; required with [drive]")}}
       .in(Form::kModal);
 }
 
 Table torsion() {
   return {
       "rotor.torsion",
-      "Elastic torsion. Geometry form: how many modes. Modal form: lists of one length, one value "
-      "a mode, each mode scaled to 1 at the contact station.",
+      "Elastic torsion. In the modal form each list has one value per mode, scaled to 1 at the "
+      "contact.",
       "rigid spin only",
       [](Scene& scene) -> void* { return &scene.rotor.torsion.emplace(); },
       {key<&Torsion::modes>("modes", kPure, "in [1, 1000]", kRequired, "torsion modes kept")
            .in(Form::kGeometry),
        key<&Torsion::damping_ratio>("damping_ratio", kPure, ">= 0", "`rotor.damping_ratio`",
-                                    "damping of each torsion mode")
+                                    "damping of each mode")
            .in(Form::kGeometry),
-       key<&Torsion::inertia>("inertia", kInertia, "> 0", kRequired, "modal moments of inertia")
+       key<&Torsion::inertia>("inertia", kInertia, "> 0", kRequired, "modal inertia")
            .in(Form::kModal),
-       key<&Torsion::stiffness>("stiffness", kAngularStiffness, "> 0", kRequired,
-                                "modal torsional stiffnesses")
+       key<&Torsion::stiffness>("stiffness", kAngularStiffness, "> 0", kRequired, "modal stiffness")
            .in(Form::kModal),
-       key<&Torsion::damping>("damping", kAngularDamping, ">= 0", "0", "modal torsional damping")
+       key<&Torsion::damping>("damping", kAngularDamping, ">= 0", "0", "modal damping")
            .in(Form::kModal),
-       key<&Torsion::drive_shape>("drive_shape", kPure, "", "0", "value of each mode at the motor")
+       key<&Torsion::drive_shape>("drive_shape", kPure, "", "0", "mode value at the motor")
            .in(Form::kModal)}};
 }
 

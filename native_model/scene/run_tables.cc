@@ -14,13 +14,13 @@ constexpr double kGapTolerance =
 
 Table gravity() {
   return {"gravity",
-          "A constant acceleration in the plane of bending.",
+          "A constant acceleration in the x-y plane.",
           "none",
           [](Scene& scene) -> void* { return &scene.gravity.emplace(); },
           {key<&Gravity::acceleration>("acceleration", kAcceleration, "", kRequired,
-                                       "acceleration of a falling body, as [0, -9.81]"),
+                                       "acceleration of free fall, as [0, -9.81]"),
            key<&Gravity::participation>("participation", kMass, "", "the modal mass",
-                                        "load of each bending mode per unit acceleration")
+                                        "modal load per unit acceleration")
                .in(Form::kModal)}};
 }
 
@@ -35,76 +35,68 @@ Key start_of_ring(std::string_view name, const Quantity& quantity, std::string_v
 }
 
 Table initial() {
-  constexpr std::string_view kPlaces = "place of each bending mode, one value a mode";
-  constexpr std::string_view kSpeeds = "speed of each bending mode, one value a mode";
   return {
       "initial",
-      "State at t = 0. The spin speed is `rotor.speed`.",
+      "State at t = 0; lists have one value per mode. The spin speed is `rotor.speed`.",
       "all 0",
       [](Scene& scene) -> void* { return &scene; },
-      {key<&Scene::initial, &Initial::steady>("steady", kPure, "", kStandard,
-                                              "on the steady free orbit; not beside x, y, vx, vy, "
-                                              "stator and stator_velocity (A steady start)"),
+      {key<&Scene::initial, &Initial::steady>(
+           "steady", kPure, "", kStandard,
+           "start on the steady free orbit; not beside `x` to `vy`, `stator`, `stator_velocity`"),
        word<&Scene::initial, &Initial::rub>(
            "rub", {"none", "synchronous", "whip", "rolling"}, kStandard,
-           "on that lasting rub of `rotorub modes`: in step with its load, against the spin "
-           "slipping, against it without slip; beside what steady shuts out, or steady, `none` "
-           "alone (A start on a rub)"),
-       key<&Scene::initial, &Initial::x>("x", kLength, "", "0", kPlaces),
-       key<&Scene::initial, &Initial::y>("y", kLength, "", "0", kPlaces),
-       key<&Scene::initial, &Initial::vx>("vx", kVelocity, "", "0", kSpeeds),
-       key<&Scene::initial, &Initial::vy>("vy", kVelocity, "", "0", kSpeeds),
+           "start on this lasting rub of `rotorub modes`: in step with the load, backward "
+           "slipping, or backward rolling; not beside `steady` or what it excludes"),
+       key<&Scene::initial, &Initial::x>("x", kLength, "", "0", "modal displacements in x"),
+       key<&Scene::initial, &Initial::y>("y", kLength, "", "0", "modal displacements in y"),
+       key<&Scene::initial, &Initial::vx>("vx", kVelocity, "", "0", "modal velocities in x"),
+       key<&Scene::initial, &Initial::vy>("vy", kVelocity, "", "0", "modal velocities in y"),
        key<&Scene::initial, &Initial::spin_angle>("spin_angle", kAngle, "", kStandard,
                                                   "angle of the rotor's own x axis"),
-       key<&Scene::initial, &Initial::torsion>("torsion", kAngle, "", "0",
-                                               "angles of the torsion modes"),
+       key<&Scene::initial, &Initial::torsion>("torsion", kAngle, "", "0", "torsion mode angles"),
        key<&Scene::initial, &Initial::torsion_speed>("torsion_speed", kSpin, "", "0",
-                                                     "speeds of the torsion modes"),
-       start_of_ring<&Stator::position>("stator", kLength, "position of the ring; needs [stator]"),
+                                                     "torsion mode speeds"),
+       start_of_ring<&Stator::position>("stator", kLength, "ring position; needs [stator]"),
        start_of_ring<&Stator::velocity>("stator_velocity", kVelocity,
-                                        "of the ring; needs [stator]")}};
+                                        "ring velocity; needs [stator]")}};
 }
 
 Table mujoco() {
-  return {
-      "mujoco",
-      "How MuJoCo runs the scene.",
-      "the defaults",
-      [](Scene& scene) -> void* { return &scene.mujoco; },
-      {word<&Mujoco::rotor>("rotor", {"modal", "segments"}, kStandard,
-                            "modal chain, in the native model's coordinates; chain of rigid "
-                            "segments (geometry form only)"),
-       key<&Mujoco::segments>("segments", kPure, "in [2, 200]", kStandard,
-                              "pieces that the segment rotor's shaft is cut into"),
-       word<&Mujoco::contact>(
-           "contact", contact_words<std::vector<std::string_view>>(), kStandard,
-           "rigid impulses by the plugin; MuJoCo's soft normal contact with Coulomb friction by "
-           "the plugin; MuJoCo's own friction cone; the same with its normal reference corrected "
-           "for sliding, so that it obeys Coulomb's law"),
-       word<&Mujoco::integrator>("integrator", {"euler", "implicit", "rk4"}, kStandard,
-                                 "MuJoCo's integrator"),
-       word<&Mujoco::solver>("solver", {"newton", "cg", "pgs"}, kStandard,
-                             "MuJoCo's constraint solver"),
-       key<&Mujoco::solref_stiffness>(
-           "solref_stiffness", kRateSquared, "> 0",
-           "chosen from the step, and for the cones from the scene's speeds",
-           "K of the soft contact (direct solref). The default of coulomb is up to (0.2/step)^2, "
-           "so a bounce takes some 16 steps however short they are, and the impulses of an impact "
-           "stay a few per cent off; they converge if K is the same at every step"),
-       key<&Mujoco::solref_damping>("solref_damping", kRate, "> 0",
-                                    "that which bounces with contact.restitution",
-                                    "B of the soft contact (direct solref)"),
-       key<&Mujoco::friction_reference>(
-           "friction_reference", kRate, "> 0", "that of the normal row, as MuJoCo has it",
-           "B_t, with which the friction rows of contact model cone brake the slip (solreffriction "
-           "of MuJoCo 2.3.6 and later)"),
-       key<&Mujoco::shadow>("shadow", kPure, "", kStandard,
-                            "the native model runs alongside, step by step: its gap, forces and "
-                            "position are user sensors, and a ghost shows it (plugin/README.md)"),
-       key<&Mujoco::bearing_currents>(
-           "bearing_currents", kPure, "", kStandard,
-           "two actuators of each magnetic bearing with an amplifier: their ctrl, A, is added to "
-           "the current that its control asks for (the viewer's sliders)")}};
+  return {"mujoco",
+          "How MuJoCo runs the scene.",
+          "the defaults",
+          [](Scene& scene) -> void* { return &scene.mujoco; },
+          {word<&Mujoco::rotor>(
+               "rotor", {"modal", "segments"}, kStandard,
+               "the native model's modal coordinates, or rigid segments (geometry form only)"),
+           key<&Mujoco::segments>("segments", kPure, "in [2, 200]", kStandard,
+                                  "pieces of the segment rotor"),
+           word<&Mujoco::contact>(
+               "contact", contact_words<std::vector<std::string_view>>(), kStandard,
+               "`rigid`: impulses by the plugin; `coulomb`: MuJoCo's soft normal contact with "
+               "Coulomb friction; `cone`: MuJoCo's friction cone; `cone-coulomb`: the cone "
+               "corrected to obey Coulomb's law in sliding"),
+           word<&Mujoco::integrator>("integrator", {"euler", "implicit", "rk4"}, kStandard,
+                                     "MuJoCo's integrator"),
+           word<&Mujoco::solver>("solver", {"newton", "cg", "pgs"}, kStandard,
+                                 "MuJoCo's constraint solver"),
+           key<&Mujoco::solref_stiffness>(
+               "solref_stiffness", kRateSquared, "> 0",
+               "by the step; for the cones also by the scene's speeds",
+               "K of the soft contact (direct solref). The default of `coulomb` grows with "
+               "1/step^2, which leaves impact impulses a few per cent off at every step; with a "
+               "fixed K they converge"),
+           key<&Mujoco::solref_damping>("solref_damping", kRate, "> 0", "by contact.restitution",
+                                        "B of the soft contact (direct solref)"),
+           key<&Mujoco::friction_reference>(
+               "friction_reference", kRate, "> 0", "that of the normal row",
+               "B_t of the friction rows of `cone` (solreffriction, MuJoCo 2.3.6 and later)"),
+           key<&Mujoco::shadow>(
+               "shadow", kPure, "", kStandard,
+               "run the native model alongside, shown by sensors and a ghost (plugin/README.md)"),
+           key<&Mujoco::bearing_currents>("bearing_currents", kPure, "", kStandard,
+                                          "two actuators per magnetic bearing with an amplifier, "
+                                          "whose ctrl (A) is added to the control's current")}};
 }
 
 void check_initial_lists(const Checker& check) {
@@ -196,20 +188,19 @@ void check_mujoco(const Checker& check) {
 }  // namespace
 
 Table run_table() {
-  return {
-      "run",
-      "How long, how finely and what to write.",
-      "the defaults",
-      [](Scene& scene) -> void* { return &scene.run; },
-      {key<&Run::end>("end", kTime, "> 0", kStandard, "end of the run, which starts at 0"),
-       key<&Run::step>("step", kTime, "> 0", kStandard,
-                       "of MuJoCo and of the integrators with a fixed step (`event` has none)"),
-       word<&Run::integrator>("integrator", {"event", "verlet", "euler"}, kStandard,
-                              "integrator of the native engine"),
-       key<&Run::output_step>("output_step", kTime, "> 0", "`end` / 1000",
-                              "spacing of the rows of the series"),
-       key<&Run::output_times>("output_times", kTime, ">= 0", "none",
-                               "further exact times of rows, in any order, each at most `end`")}};
+  return {"run",
+          "Duration, steps and output.",
+          "the defaults",
+          [](Scene& scene) -> void* { return &scene.run; },
+          {key<&Run::end>("end", kTime, "> 0", kStandard, "end of the run, which starts at 0"),
+           key<&Run::step>("step", kTime, "> 0", kStandard,
+                           "fixed time step of MuJoCo, `verlet` and `euler`"),
+           word<&Run::integrator>("integrator", {"event", "verlet", "euler"}, kStandard,
+                                  "native integrator"),
+           key<&Run::output_step>("output_step", kTime, "> 0", "`end` / 1000",
+                                  "spacing of series rows"),
+           key<&Run::output_times>("output_times", kTime, ">= 0", "none",
+                                   "further row times, in any order, each at most `end`")}};
 }
 
 std::vector<Table> start_tables() { return {gravity(), initial(), mujoco()}; }

@@ -65,36 +65,33 @@ std::array<double, 8> coefficients_at(const ShaftBearing& bearing, double speed)
 Table shaft_bearing_table() {
   return Table{
       "rotor.bearing",
-      "Linear bearings between shaft and base, as springs and dashpots, or by the eight "
-      "coefficients of an oil film.",
+      "Linear bearings between shaft and base: springs and dampers, or the eight coefficients of "
+      "an oil film, F_x = -k_xx x - k_xy y - c_xx x' - c_xy y' and F_y alike. Each `table_` list "
+      "has one value per speed of `table_speed`; in between a monotone cubic (Fritsch-Carlson) "
+      "applies, beyond the ends the end value.",
       "none",
       [](Scene& scene) -> void* { return &geometry_of(scene).bearings.emplace_back(); },
-      {key<&ShaftBearing::z>("z", kLength, ">= 0", kRequired, "place along the shaft")
+      {key<&ShaftBearing::z>("z", kLength, ">= 0", kRequired, "axial position")
            .or_called("station"),
        planes<&ShaftBearing::stiffness>("stiffness", kStiffness, ">= 0", "by `table_kxx`",
-                                        "stiffness of the bearing"),
-       planes<&ShaftBearing::damping>("damping", kDamping, ">= 0", kStandard,
-                                      "damping of the bearing"),
-       key<&ShaftBearing::cross_stiffness>(
-           "cross_stiffness", kStiffness, "", kStandard,
-           "[k_xy, k_yx], across the planes: -k_xy y on x, -k_yx x on y"),
-       key<&ShaftBearing::cross_damping>("cross_damping", kDamping, "", kStandard,
-                                         "[c_xy, c_yx], alike"),
+                                        "stiffness"),
+       planes<&ShaftBearing::damping>("damping", kDamping, ">= 0", kStandard, "damping"),
+       key<&ShaftBearing::cross_stiffness>("cross_stiffness", kStiffness, "", kStandard,
+                                           "[k_xy, k_yx]"),
+       key<&ShaftBearing::cross_damping>("cross_damping", kDamping, "", kStandard, "[c_xy, c_yx]"),
        key<&ShaftBearing::offset>("offset", kLength, "", kStandard,
-                                  "where it stands off the line of the others: its alignment"),
-       key<&ShaftBearing::table_speed>(
-           "table_speed", kSpin, "", "`stiffness` and the others at every speed",
-           "ascending, two or more: the coefficients follow the speed, between the points by a "
-           "monotone cubic (Fritsch-Carlson), held beyond the ends"),
+                                  "misalignment: distance from the line of the other bearings"),
+       key<&ShaftBearing::table_speed>("table_speed", kSpin, "", "constant coefficients",
+                                       "ascending speeds, two or more"),
        key<&ShaftBearing::table_kxx>("table_kxx", kStiffness, "", "needed with `table_speed`",
-                                     "k_xx, one value for each speed"),
-       key<&ShaftBearing::table_kxy>("table_kxy", kStiffness, "", "0", "k_xy, likewise"),
-       key<&ShaftBearing::table_kyx>("table_kyx", kStiffness, "", "0", "k_yx, likewise"),
-       key<&ShaftBearing::table_kyy>("table_kyy", kStiffness, "", "`table_kxx`", "k_yy, likewise"),
-       key<&ShaftBearing::table_cxx>("table_cxx", kDamping, "", "0", "c_xx, likewise"),
-       key<&ShaftBearing::table_cxy>("table_cxy", kDamping, "", "0", "c_xy, likewise"),
-       key<&ShaftBearing::table_cyx>("table_cyx", kDamping, "", "0", "c_yx, likewise"),
-       key<&ShaftBearing::table_cyy>("table_cyy", kDamping, "", "`table_cxx`", "c_yy, likewise")}}
+                                     "k_xx"),
+       key<&ShaftBearing::table_kxy>("table_kxy", kStiffness, "", "0", "k_xy"),
+       key<&ShaftBearing::table_kyx>("table_kyx", kStiffness, "", "0", "k_yx"),
+       key<&ShaftBearing::table_kyy>("table_kyy", kStiffness, "", "`table_kxx`", "k_yy"),
+       key<&ShaftBearing::table_cxx>("table_cxx", kDamping, "", "0", "c_xx"),
+       key<&ShaftBearing::table_cxy>("table_cxy", kDamping, "", "0", "c_xy"),
+       key<&ShaftBearing::table_cyx>("table_cyx", kDamping, "", "0", "c_yx"),
+       key<&ShaftBearing::table_cyy>("table_cyy", kDamping, "", "`table_cxx`", "c_yy")}}
       .as_list()
       .in(Form::kGeometry);
 }

@@ -22,18 +22,21 @@ std::string form_text(Form form) {
   return form == Form::kModal ? "modal form" : "";
 }
 
-std::string type_text(const Key& key) {
+// "N/m, one or [x, y], >= 0"
+std::string value_text(const Key& key) {
+  const std::string unit(key.quantity.unit);
+  const std::string bounds = key.range.text.empty() ? "" : ", " + std::string(key.range.text);
   switch (key.type) {
     case ValueType::kNumber:
-      return std::string(key.quantity.unit);
+      return unit + bounds;
     case ValueType::kWhole:
-      return key.words.empty() ? "whole number" : "whole number, `" + join(key.words) + "`";
+      return "whole number" + bounds + (key.words.empty() ? "" : ", or `" + join(key.words) + "`");
     case ValueType::kPlanes:
-      return std::string(key.quantity.unit) + ", one or [x, y]";
+      return unit + ", one or [x, y]" + bounds;
     case ValueType::kVector:
-      return std::string(key.quantity.unit) + ", [x, y]";
+      return unit + ", [x, y]" + bounds;
     case ValueType::kList:
-      return std::string(key.quantity.unit) + ", list";
+      return unit + ", list" + bounds;
     case ValueType::kFlag:
       return "true or false";
     case ValueType::kText:
@@ -60,9 +63,8 @@ std::string meaning_text(const Key& key) {
 
 std::string row(const Key& key) {
   const std::string also = key.also.empty() ? "" : ", `" + std::string(key.also) + "`";
-  return "| `" + std::string(key.name) + "`" + also + " | " + type_text(key) + " | " +
-         std::string(key.range.text) + " | " + (key.required() ? "required" : key.fallback) +
-         " | " + meaning_text(key) + " |\n";
+  return "| `" + std::string(key.name) + "`" + also + " | " + value_text(key) + " | " +
+         (key.required() ? "required" : key.fallback) + " | " + meaning_text(key) + " |\n";
 }
 
 // Markdown: a section for every table with its keys, units, ranges, defaults and meanings. Stands
@@ -76,8 +78,7 @@ std::string reference_markdown() {
     if (!table.kinds.empty()) text += " `" + join(table.kinds) + "` only.";
     text += " Absent: " + std::string(table.when_absent) + ".\n\n";
     if (table.keys.empty()) continue;
-    text +=
-        "| key | unit or words | range | default | meaning |\n| --- | --- | --- | --- | --- |\n";
+    text += "| key | value | default | meaning |\n| --- | --- | --- | --- |\n";
     for (const Key& key : table.keys) text += row(key);
     text += "\n";
   }
