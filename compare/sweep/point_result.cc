@@ -36,8 +36,8 @@ constexpr const char* kKept[] = {"end",
 constexpr ColumnMeaning kPoint{"point", "", "number of the point in the study's order, from 0", ""};
 constexpr std::string_view kVaried = "value of the varied key";
 constexpr ColumnMeaning kOutcome[] = {
-    {"status", "", "as of a run, or refused: its values make no scene that can run", ""},
-    {"reason", "", "why it is not ok; its figures are then empty", ""},
+    {"status", "", "status of the run, or refused: the values make no valid scene", ""},
+    {"reason", "", "why the status is not ok; the figures are then empty", ""},
 };
 
 }  // namespace
