@@ -23,63 +23,65 @@ const char* word_of(AngleFrom from) {
 std::vector<ColumnMeaning> make_measured_keys() {
   static std::deque<std::string> names;  // storage for the keys' names
   std::vector<ColumnMeaning> keys = {
-      {"file", "", "as given to --measured", ""},
-      {"samples", "", "samples of the record", ""},
-      {"interval", "s", "between its samples: the median", ""},
-      {"alignment.shift", "s", "added to the record's times it gives the scene's", ""},
+      {"file", "", "the file given to --measured", ""},
+      {"samples", "", "number of samples in the record", ""},
+      {"interval", "s", "median time between samples", ""},
+      {"alignment.shift", "s", "added to the record's times it gives the scene's times", ""},
       {"alignment.shift_from", "", "found or given", ""},
       {"alignment.shift_error", "s",
-       "standard deviation: of white noise, or of stretches of the record that scatter by more; "
+       "standard deviation for white noise, or from stretches of the record if they scatter more; "
        "null: given",
        ""},
-      {"alignment.angle", "rad", "of the sensors' x axis in the scene, from x to y positive", ""},
+      {"alignment.angle", "rad", "angle of the sensors' x axis in the scene, positive from x to y",
+       ""},
       {"alignment.angle_from", "",
-       "found, given, no pair (no x with its y is measured: 0) or circle (it cannot be "
+       "found, given, no pair (x and y are not both measured: 0) or circle (an angle cannot be "
        "distinguished from a shift: 0)",
        ""},
       {"alignment.angle_error", "rad", "as shift_error; null: not found", ""},
       {"alignment.turn_for_shift", "rad/s",
-       "what a shift is made up by of the angle, in a motion near to a circle; else null", ""},
-      {"alignment.by", "", "the quantities that it was found by", ""},
-      {"alignment.correlation", "",
-       "of them with the native run, means taken off; -1 to 1; null: none moves", ""},
-      {"alignment.residual", "",
-       "rms of what is left of them over the run's deviation from its mean", ""},
-      {"alignment.gain", "", "rms of the record over the run's, of the same; null: none moves", ""},
-      {"alignment.next", "", "shift and correlation of the next best beyond a valley; null: none",
+       "turn of the frame that compensates a shift, if the motion is nearly circular; else null",
        ""},
+      {"alignment.by", "", "quantities that were fitted", ""},
+      {"alignment.correlation", "",
+       "correlation with the native run about the means, -1 to 1; null: nothing moves", ""},
+      {"alignment.residual", "",
+       "rms of record less run, divided by the rms of the run, about the means", ""},
+      {"alignment.gain", "",
+       "rms of the record divided by that of the run, about the means; null: nothing moves", ""},
+      {"alignment.next", "", "shift and correlation of the second-best shift; null: none", ""},
       {"alignment.ambiguous", "",
-       "whether it leaves less than twice what the best leaves, or less than 5 %: sqrt(1 - "
-       "correlation^2), and the same of the likeness, 2 gain / (1 + gain^2) correlation",
+       "whether the second-best shift leaves less than twice the residual of the best one, or less "
+       "than 5 %",
        ""},
       {"alignment.other_size", "",
-       "shift, correlation and gain where record and run are more alike but for their size; null: "
-       "nowhere, or little is left",
+       "shift, correlation and gain at which record and run are more alike except for size; null: "
+       "none, or the residual is small",
        ""},
       {"alignment.mirrored", "",
-       "shift, angle, residual and the flag to say so, where the record with y turned round leaves "
-       "less than half; else null",
+       "shift, angle, residual and option (flag) with y reversed, if that leaves less than half; "
+       "else null",
        ""},
-      {"columns.<name>.good", "", "samples on the run that are compared", ""},
-      {"columns.<name>.missing", "", "samples on the run without a value", ""},
-      {"columns.<name>.clipped", "", "samples at the sensor's limit", ""},
+      {"columns.<name>.good", "", "number of samples compared", ""},
+      {"columns.<name>.missing", "", "number of samples without a value", ""},
+      {"columns.<name>.clipped", "", "number of samples at the sensor's limit", ""},
       {"columns.<name>.runs.<run>.rms", "as the column",
-       "root mean square of record less run about its mean, in the sensors' frame", ""},
+       "rms of record less run about its mean, in the sensors' frame", ""},
       {"columns.<name>.runs.<run>.offset", "as the column",
-       "mean of record less run: a sensor's zero, or a bias of the model", ""},
+       "mean of record less run: the sensor's zero, or a bias of the model", ""},
       {"columns.<name>.runs.<run>.share", "",
-       "that rms over the run's deviation from its mean; null: the run does not move", ""},
+       "that rms divided by the rms of the run, about the means; null: the run does not move", ""},
       {"figures.<name>.measured", "as the figure",
-       "of the record; a figure stands where its columns are measured", ""},
-      {"figures.<name>.bound", "", "at least or at most: the sensor was at its limit; else empty",
+       "value of the record; absent if the columns that it needs were not measured", ""},
+      {"figures.<name>.bound", "", "at least or at most, if the sensor was at its limit", ""},
+      {"figures.<name>.runs.<run>", "as the figure", "value of the run at the record's samples",
        ""},
-      {"figures.<name>.runs.<run>", "as the figure", "of the run at the record's samples", ""},
   };
   for (const FigureText& f : measured_figures()) {
     names.push_back(fmt::format("figures.{}", f.key));
     keys.push_back({names.back(), figure_si_unit(f), f.meaning, ""});
   }
-  keys.push_back({"remarks", "", "what was left out, and why", ""});
+  keys.push_back({"remarks", "", "sentences: what was left out, and why", ""});
   return keys;
 }
 

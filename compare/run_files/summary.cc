@@ -21,54 +21,52 @@ using nlohmann::ordered_json;
 
 // At the end of the run, not a mean as a metric would be.
 constexpr const char* kRingSpeed = "ring_speed";
-constexpr std::string_view kSeveral = "several contacts";
-constexpr std::string_view kGeometry = "geometry form with a contact, else null";
 
-// Keys besides the metrics.
+// Keys besides the metrics. compare/study/README.md says in which runs contact_mass and above_modes
+// are null and contacts is absent.
 constexpr ColumnMeaning kSummaryKeys[] = {
     {"program", "", "rotorub", ""},
-    {"version", "", "of the program", ""},
-    {"mujoco_version", "", "of the MuJoCo that it runs with", ""},
+    {"version", "", "version of the program", ""},
+    {"mujoco_version", "", "version of MuJoCo", ""},
     {"scene", "", "name of the scene", ""},
-    {"scene_hash", "", "16 hexadecimal digits of the scene's text, overrides included", ""},
+    {"scene_hash", "", "16 hexadecimal digits of the scene's text with its overrides", ""},
     {"engine", "", "native or mujoco", ""},
-    {"integrator", "", "of the engine", ""},
+    {"integrator", "", "integrator of the engine", ""},
     {"contact_model", "", "rigid, coulomb, cone or cone-coulomb", ""},
-    {"contact_mass.kept", "kg", "mass that an impact meets, of the modes kept", kGeometry},
-    {"contact_mass.mesh", "kg", "the same of all modes of the mesh", kGeometry},
-    {"contact_mass.kept_modes", "", "number of modes kept", kGeometry},
-    {"contact_mass.mesh_modes", "", "number of modes of the mesh", kGeometry},
+    {"contact_mass.kept", "kg", "effective mass at the contact with the modes kept", ""},
+    {"contact_mass.mesh", "kg", "the same with all modes of the mesh", ""},
+    {"contact_mass.kept_modes", "", "number of modes kept", ""},
+    {"contact_mass.mesh_modes", "", "number of modes of the mesh", ""},
     {"above_modes.highest_forward", "rad/s", "fastest forward whirl of the modes kept, positive",
-     kGeometry},
+     ""},
     {"above_modes.highest_backward", "rad/s", "fastest backward whirl of the modes kept, positive",
-     kGeometry},
+     ""},
     {"above_modes.contact_share", "",
-     "share of the time in contact whose whirl is faster than these", kGeometry},
-    {"above_modes.friction_share", "", "share of the friction work there", kGeometry},
-    {"above_modes.fastest_whirl", "rad/s", "fastest whirl in contact, forward positive", kGeometry},
-    {kRingSpeed, "rad/s", "speed of the ring's own spin at the end, positive as the rotor's",
+     "share of the time in contact with whirl faster than these modes", ""},
+    {"above_modes.friction_share", "",
+     "share of the friction work with whirl faster than these modes", ""},
+    {"above_modes.fastest_whirl", "rad/s", "fastest whirl in contact, forward positive", ""},
+    {kRingSpeed, "rad/s", "the ring's own spin speed at the end, positive as the rotor's",
      "a ring that turns"},
-    {"contacts[].name", "", "of the contact", kSeveral},
-    {"contacts[].first_touch", "s", "time of its first contact; null: never", kSeveral},
-    {"contacts[].contact_time", "s",
-     "with a normal force; an impact of a fixed step counts as one step", kSeveral},
-    {"contacts[].impulse_total", "N s", "its normal impulse on the rotor, never negative",
-     kSeveral},
-    {"contacts[].friction_impulse", "N s", "signed along its e_t", kSeveral},
-    {"contacts[].friction_work", "J", "never positive", kSeveral},
-    {"contacts[].impacts", "", "number of its impacts with a gap rate below -1e-4 m/s", kSeveral},
-    {"contacts[].least_gap", "m", "smallest gap of all rows and ends of steps", kSeveral},
-    {"contacts[].max_penetration", "m", "never negative", kSeveral},
-    {"contacts[].forward_passes", "", "turns of the rotor all around the ring, along +z", kSeveral},
-    {"contacts[].backward_passes", "", "the same against it", kSeveral},
-    {"contacts[].whirl_time", "s", "that these took", kSeveral},
+    {"contacts[].name", "", "name of the contact", ""},
+    {"contacts[].first_touch", "s", "time of its first contact; null: never", ""},
+    {"contacts[].contact_time", "s", "its time in contact, counted as in contact_fraction", ""},
+    {"contacts[].impulse_total", "N s", "its normal impulse on the rotor", ""},
+    {"contacts[].friction_impulse", "N s", "its friction impulse along e_t", ""},
+    {"contacts[].friction_work", "J", "its friction work, never positive", ""},
+    {"contacts[].impacts", "", "number of its impacts", ""},
+    {"contacts[].least_gap", "m", "its smallest gap of all rows and ends of steps", ""},
+    {"contacts[].max_penetration", "m", "its largest penetration", ""},
+    {"contacts[].forward_passes", "", "turns of the rotor around this ring, along +z", ""},
+    {"contacts[].backward_passes", "", "turns against it", ""},
+    {"contacts[].whirl_time", "s", "time that these turns took", ""},
     {"status", "",
      "ok, diverged, no_solution, ambiguous, step_too_large, out_of_range, controller_failed or "
      "interrupted",
      ""},
-    {"message", "", "why it is not ok", ""},
+    {"message", "", "why the status is not ok", ""},
     {"warnings", "",
-     "sentences: values of the scene that are hardly meant, or energy that does not add up", ""},
+     "sentences on values that are probably mistakes, or on an energy balance that fails", ""},
 };
 
 // One entry per contact if there are several.
@@ -147,7 +145,7 @@ std::span<const ColumnMeaning> summary_keys() {
     for (const Figure& f : figures()) {
       const auto key =
           std::find_if(all.begin(), all.end(), [&](const auto& k) { return k.name == f.key; });
-      if (f.by_step) key->present = "a fixed step, else null";
+      if (f.by_step) key->present = "a fixed step";
     }
     return all;
   }();

@@ -1,6 +1,9 @@
 #include "compare/sweep/point_result.h"
 
+#include <fmt/format.h>
+
 #include <nlohmann/json.hpp>
+#include <string>
 #include <vector>
 
 #include "compare/base/columns.h"
@@ -36,8 +39,8 @@ constexpr const char* kKept[] = {"end",
 constexpr ColumnMeaning kPoint{"point", "", "number of the point in the study's order, from 0", ""};
 constexpr std::string_view kVaried = "value of the varied key";
 constexpr ColumnMeaning kOutcome[] = {
-    {"status", "", "as of a run, or refused: its values make no scene that can run", ""},
-    {"reason", "", "why it is not ok; its figures are then empty", ""},
+    {"status", "", "status of the run, or refused: the values make no valid scene", ""},
+    {"reason", "", "why the status is not ok; the figures are then empty", ""},
 };
 
 }  // namespace
@@ -77,10 +80,18 @@ nlohmann::ordered_json sweep_columns_json(const Study& study) {
 }
 
 std::string sweep_columns_markdown() {
-  std::vector<ColumnMeaning> all{kPoint, {"<key>", "SI", kVaried, "one for each key"}};
-  all.insert(all.end(), std::begin(kOutcome), std::end(kOutcome));
-  all.insert(all.end(), result_columns().begin(), result_columns().end());
-  return columns_table(all);
+  std::vector<ColumnMeaning> own{kPoint, {"<key>", "SI", kVaried, "one for each key"}};
+  own.insert(own.end(), std::begin(kOutcome), std::end(kOutcome));
+  std::string whole_run, settled;
+  for (const ResultColumn& column : result_columns()) {
+    std::string& names = column.name == column.key ? whole_run : settled;
+    names += fmt::format("{}`{}`", names.empty() ? "" : ", ", column.name);
+  }
+  return columns_table(own) +
+         fmt::format(
+             "\nThe other columns are keys of [summary.json](../study/README.md#summaryjson): {}; "
+             "and, from `settled`, {}.\n",
+             whole_run, settled);
 }
 
 }  // namespace rotorub::sweep

@@ -46,7 +46,7 @@ double settled_row(double end, int row);  // s, time of the row 0 .. kSettledRow
 // including the columns of the study, in their order.
 nlohmann::ordered_json sweep_columns_json(const Study& study);
 
-// Markdown: the table of all columns in compare/sweep/README.md.
+// Markdown: all columns, as in compare/sweep/README.md.
 std::string sweep_columns_markdown();
 
 }  // namespace rotorub::sweep

@@ -3,6 +3,9 @@
 //
 //   y_N = delta_0 - |d|,  H_N = (-e_r, 0 | e_r),   H_T = (e_t, r | -e_t)   at the present positions
 //
+// The normal is that at the beginning of the step, so Siconos loses angular momentum in the
+// billiard. Newton iterations would change nothing, because they reduce the residual of the bodies,
+// which are linear. Debian's Siconos has assertions enabled; one without was not tried.
 // A held spin is a degree of freedom with an inertia that nothing here turns (kHeld).
 // This is the one file that sees Siconos' headers.
 

@@ -1,11 +1,15 @@
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cstdlib>
 #include <fstream>
 #include <nlohmann/json.hpp>
 #include <set>
+#include <span>
 #include <sstream>
+#include <string>
+#include <vector>
 
 #include "compare/base/columns.h"
 #include "compare/engine/engine.h"
@@ -25,22 +29,40 @@ Trajectory short_run(const scene::Scene& scene) {
   return native_engine(scene::Integrator::kVerlet)->run(scene, {});
 }
 
-// What stands in the files that the commands write, as compare/study/README.md has it: a section a
-// file, with its table.
+// The metrics of compare.json that the summary lacks, or has with another meaning.
+std::vector<ColumnMeaning> metrics_beyond_the_summary() {
+  std::vector<ColumnMeaning> beyond;
+  for (const ColumnMeaning& key : metric_keys()) {
+    const bool in_summary = std::ranges::any_of(summary_keys(), [&](const ColumnMeaning& other) {
+      return other.name == key.name && other.meaning == key.meaning;
+    });
+    if (!in_summary) beyond.push_back(key);
+  }
+  return beyond;
+}
+
+// The reference in compare/study/README.md: a section with a table for each file that the commands
+// write.
 constexpr const char* kColumnsBegin = "<!-- columns: begin (from the program) -->\n";
 constexpr const char* kColumnsEnd = "<!-- columns: end -->\n";
 std::string columns_markdown() {
-  const std::pair<const char*, std::span<const ColumnMeaning>> files[] = {
-      {"series.csv", series_columns()},
-      {"impacts.csv", impact_columns()},
-      {"events.csv", event_columns()},
-      {"keyphasor.csv", keyphasor_columns()},
-      {"summary.json", summary_keys()},
-      {"compare.json: metrics of a run", metric_keys()},
-      {"compare.json: a measured run", measured_keys()}};
+  const std::vector<ColumnMeaning> beyond = metrics_beyond_the_summary();
+  struct File {
+    const char *name, *introduction;
+    std::span<const ColumnMeaning> columns;
+  };
+  const File files[] = {{"series.csv", "", series_columns()},
+                        {"impacts.csv", "", impact_columns()},
+                        {"events.csv", "", event_columns()},
+                        {"keyphasor.csv", "", keyphasor_columns()},
+                        {"summary.json", "", summary_keys()},
+                        {"compare.json: metrics of a run",
+                         "The keys of `summary.json` from `mean_force` on, and:\n\n", beyond},
+                        {"compare.json: a measured run", "", measured_keys()}};
   std::string text;
-  for (const auto& [file, columns] : files) {
-    text += fmt::format("### `{}`\n\n{}\n", file, columns_table(columns));
+  for (const File& file : files) {
+    text += fmt::format("### `{}`\n\n{}{}\n", file.name, file.introduction,
+                        columns_table(file.columns));
   }
   return text;
 }
