@@ -170,6 +170,7 @@ std::string_view figure_si_unit(const FigureText& figure) {
   const std::string_view unit = figure.unit;
   if (figure.per_unit == 1.0) return unit;
   if (unit == "mm/s") return "m/s";
+  if (unit == "ms") return "s";
   if (unit == "Hz" || unit == "rpm") return "rad/s";
   return unit == "µm" ? "m" : "";  // %, ppm
 }

@@ -178,6 +178,11 @@ TEST(ColumnFiles, FiguresAreInSi) {
       "", "s", "m", "m/s", "N", "N s", "J", "rad/s", "us"};  // us_per_step has it in its name
   for (const ColumnMeaning& key : metric_keys())
     EXPECT_TRUE(units.contains(key.unit)) << key.name << ": " << key.unit;
+  for (const Figure& f : figures()) {
+    const std::string_view shown = f.unit;
+    const bool pure = shown.empty() || shown == "%" || shown == "ppm";
+    EXPECT_EQ(figure_si_unit(f).empty(), pure) << f.key;
+  }
 }
 
 }  // namespace
