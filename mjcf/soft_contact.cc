@@ -4,23 +4,32 @@
 #include <cassert>
 #include <cmath>
 #include <numbers>
-#include <numeric>
+#include <optional>
+#include <vector>
 
 #include "native_model/scene/scene.h"
 
 namespace rotorub {
 namespace {
 
-// Estimate of the speeds at which the scene's rotor strikes its ring, m/s.
-double impact_speed(const scene::Scene& scene) {
-  const double clearance = scene.first().contact->clearance;
-  // Every mode is 1 at the first contact.
-  const auto at_contact = [](const std::vector<double>& modes) {
-    return std::accumulate(modes.begin(), modes.end(), 0.0);
-  };
-  const Eigen::Vector2d start(at_contact(scene.initial.vx), at_contact(scene.initial.vy));
+// m/s, of the rotor at a contact where the modes have these values; without values they are 1.
+double speed_of(const std::vector<double>& modes, const Eigen::VectorXd& values) {
+  double sum = 0.0;
+  for (std::size_t i = 0; i < modes.size(); ++i) {
+    const double value = values.size() > 0 ? values[static_cast<Eigen::Index>(i)] : 1.0;
+    sum += value * modes[i];
+  }
+  return sum;
+}
+
+// Estimate of the speeds at which the scene's rotor strikes a ring, m/s.
+double impact_speed(const scene::Scene& scene, const scene::AuxiliaryBearing& bearing,
+                    const ModeShape& shape) {
+  const double clearance = bearing.contact->clearance;
+  const Eigen::Vector2d start(speed_of(scene.initial.vx, shape.x),
+                              speed_of(scene.initial.vy, shape.y));
   const double gravity = scene.gravity ? scene.gravity->acceleration.norm() : 0.0;
-  const std::optional<scene::Stator>& ring = scene.first().stator;
+  const std::optional<scene::Stator>& ring = bearing.stator;
   const Eigen::Vector2d ring_velocity = ring ? ring->velocity : Eigen::Vector2d(0.0, 0.0);
   return std::max({std::abs(scene.rotor.speed) * clearance, std::sqrt(2.0 * gravity * clearance),
                    (start - ring_velocity).norm()});
@@ -68,8 +77,10 @@ SoftContact soft_contact(double restitution, double step, double stiffness, doub
   return {root * root, damping, 0.9999};  // 0.9999: MuJoCo's largest value
 }
 
-SoftContact soft_contact(const scene::Scene& scene, scene::ContactModel model, double step) {
-  const scene::Contact& c = *scene.first().contact;
+SoftContact soft_contact(const scene::Scene& scene, scene::ContactModel model, double step,
+                         std::size_t bearing, const ModeShape& shape) {
+  const scene::AuxiliaryBearing& at = scene.auxiliary[bearing];
+  const scene::Contact& c = *at.contact;
   const scene::Mujoco& mujoco = scene.mujoco;
   if (c.compliance) return {1.0, 0.0, kCompliantImpedance, true};
   const auto of = [&](double stiffness) {
@@ -77,7 +88,7 @@ SoftContact soft_contact(const scene::Scene& scene, scene::ContactModel model, d
   };
   const SoftContact chosen = of(mujoco.solref_stiffness);
   if (!scene::is_cone(model) || mujoco.solref_stiffness > 0.0) return chosen;
-  const double rate = impact_speed(scene) / (kConeDepth * c.clearance);
+  const double rate = impact_speed(scene, at, shape) / (kConeDepth * c.clearance);
   return rate > 0.0 && rate * rate < chosen.stiffness ? of(rate * rate) : chosen;
 }
 

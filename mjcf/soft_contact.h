@@ -7,10 +7,12 @@
 //   zeta > 1:  e = exp(-zeta/s ln((zeta+s)/(zeta-s))),  s = sqrt(zeta^2-1);   zeta = 1: e^-2.
 #pragma once
 
+#include <cstddef>
 #include <string>
 
 #include "mjcf/mujoco_version.h"
 #include "native_model/contact/friction.h"
+#include "native_model/rotor/modal_rotor.h"
 #include "native_model/scene/forward.h"
 #include "native_model/scene/mujoco.h"
 
@@ -41,12 +43,14 @@ inline constexpr double kContactStepFraction = 0.2;
 SoftContact soft_contact(double restitution, double step, double stiffness = 0.0,
                          double damping = 0.0);
 
-// Parameters of a scene's contact with this contact model. Values that the scene omits are chosen:
+// Parameters of a contact of the scene with this contact model. `shape`: values of the modes at the
+// contact; without them they are 1. Values that the scene omits are chosen:
 // for `coulomb` the contact is as stiff as the step allows. A cone must have a limit as the step
 // goes to 0, so it is also no stiffer than
 //   K = (v / (kConeDepth c))^2,  v = max(c Omega, sqrt(2 g c), speed at the start),
 // with c the clearance. An impact at v then has a penetration of kConeDepth clearances.
-SoftContact soft_contact(const scene::Scene& scene, scene::ContactModel model, double step);
+SoftContact soft_contact(const scene::Scene& scene, scene::ContactModel model, double step,
+                         std::size_t bearing = 0, const ModeShape& shape = {});
 inline constexpr double kConeDepth = 0.005;
 
 // Impedance d of a compliant contact. As d goes to 0, MuJoCo's contact becomes a spring k and a

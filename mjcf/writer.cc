@@ -181,8 +181,8 @@ class Document {
   }
   void contact(std::size_t k) {
     const scene::Contact& c = *scene_.auxiliary[k].contact;
-    const SoftContact soft = soft_contact(k == 0 ? scene_ : with_bearing_alone(scene_, k),
-                                          scene_.mujoco.contact, scene_.run.step);
+    const SoftContact soft =
+        soft_contact(scene_, scene_.mujoco.contact, scene_.run.step, k, model_.auxiliary[k].shape);
     // On the modal chain only the plugin solves further contacts.
     const bool is_alone = k > 0 && !segments_;
     const ContactPair pair =
@@ -221,13 +221,14 @@ class Document {
   // ctrl: the force on the ring, N, or the commanded current, A, whose force follows from the
   // plugin's gain and bias.
   void actuators() {
-    const double limit =
-        model_.first().magnets ? model_.first().magnets->current_limit : model_.first().force_limit;
-    const bool lags = model_.first().magnets && model_.first().magnets->coil_lag > 0.0;
-    const std::string_view kind = model_.first().magnets ? "general" : "motor";
-    const std::string_view law = !model_.first().magnets ? ""
-                                 : lags ? R"(dyntype="user" gaintype="user" biastype="user" )"
-                                        : R"(dyntype="none" gaintype="user" biastype="user" )";
+    // Only the ring of a single contact has actuators here (refuse_several_in_mujoco).
+    const std::optional<MagneticActuator>& magnets = model_.first().magnets;
+    const double limit = magnets ? magnets->current_limit : model_.first().force_limit;
+    const bool lags = magnets && magnets->coil_lag > 0.0;
+    const std::string_view kind = magnets ? "general" : "motor";
+    const std::string_view law = !magnets ? ""
+                                 : lags   ? R"(dyntype="user" gaintype="user" biastype="user" )"
+                                          : R"(dyntype="none" gaintype="user" biastype="user" )";
     xml_.open("<actuator>");
     for (int k = 0; actuated() && k < 2; ++k) {
       xml_.line(fmt::format(R"(<{} name="{}" tendon="{}" {}{}/>)", kind, names::kActuator[k],

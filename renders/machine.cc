@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <numbers>
 #include <stdexcept>
 
@@ -125,27 +126,32 @@ double largest(const Machine& machine, std::span<const Playback* const> runs, do
 }
 
 double machine_magnification(const scene::Scene& scene, double unit, double motion) {
-  double most = motion > 0.0 ? kMotionShare / motion : 1e300;
-  if (scene.first().contact) {
-    const double clearance = scene.first().contact->clearance * unit;
-    const double least = kLeastShare * scene.first().contact->radius * unit / clearance;
-    most = std::clamp(most, least, std::max(least, kWidestClearance / clearance));
+  constexpr double kUnlimited = 1e300;
+  const double by_motion = motion > 0.0 ? kMotionShare / motion : kUnlimited;
+  // The contact that allows the least decides, so that every drawn ring stays small.
+  double most = scene.first().contact ? kUnlimited : by_motion;
+  for (const scene::AuxiliaryBearing& bearing : scene.auxiliary) {
+    if (!bearing.contact) continue;
+    const double clearance = bearing.contact->clearance * unit;
+    const double least = kLeastShare * bearing.contact->radius * unit / clearance;
+    const double widest = std::max(least, kWidestClearance / clearance);
+    most = std::min(most, std::clamp(by_motion, least, widest));
   }
   if (most > 1e200) return 1.0;
   return std::max(1.0, plain_number_below(most));
 }
 
-DrawnSupport drawn_support(const scene::Scene& scene) {
+DrawnSupport drawn_support(const scene::AuxiliaryBearing& bearing) {
   DrawnSupport support;
-  if (!scene.first().stator) return support;
+  if (!bearing.stator) return support;
   support.fixed = false;
-  support.spring_x = scene.first().stator->stiffness[0] > 0.0;
-  support.spring_y = scene.first().stator->stiffness[1] > 0.0;
+  support.spring_x = bearing.stator->stiffness[0] > 0.0;
+  support.spring_y = bearing.stator->stiffness[1] > 0.0;
   const bool commanded =
-      scene.first().controller && scene.first().controller->kind != scene::ControllerKind::kPassive;
-  support.actuators = scene.first().actuator.has_value() || commanded;
+      bearing.controller && bearing.controller->kind != scene::ControllerKind::kPassive;
+  support.actuators = bearing.actuator.has_value() || commanded;
   support.magnets =
-      scene.first().actuator && scene.first().actuator->kind == scene::ActuatorKind::kElectromagnet;
+      bearing.actuator && bearing.actuator->kind == scene::ActuatorKind::kElectromagnet;
   return support;
 }
 
@@ -163,14 +169,16 @@ void draw_loads(Machine& machine, const scene::Scene& scene) {
   }
 }
 
+// Draws the first contact. Further ones come from machines with that bearing alone.
 void draw_contact(Machine& machine, const scene::Scene& scene) {
-  const scene::Contact& contact = *scene.first().contact;
+  const scene::AuxiliaryBearing& bearing = scene.first();
+  const scene::Contact& contact = *bearing.contact;
   const double z = scene.rotor.geometry ? contact.station * machine.unit : 0.5;
   const double radius = contact.radius * machine.unit;
   const double clearance = machine.displaced(contact.clearance);
   machine.clearance = contact.clearance;
-  machine.support = drawn_support(scene);
-  machine.ring_turns = scene.first().stator && scene.first().stator->spin;
+  machine.support = drawn_support(bearing);
+  machine.ring_turns = bearing.stator && bearing.stator->spin;
   machine.contact = {z, radius, clearance, radius + clearance + 0.45 * radius, 0.4 * radius};
   // The rotor's body there represents a disc inside the ring, the sleeve.
   std::erase_if(machine.discs, [&](const DrawnDisc& disc) {
@@ -182,14 +190,17 @@ void draw_contact(Machine& machine, const scene::Scene& scene) {
 }  // namespace
 
 double section_magnification(const scene::Scene& scene, double motion) {
-  if (!scene.first().contact) return 1.0;
-  const double ratio = scene.first().contact->radius / scene.first().contact->clearance;
-  double most = kClearanceShare * ratio;
-  if (motion > 0.0) {
-    most = std::clamp(kRingMotionShare * scene.first().contact->radius / motion,
-                      kLeastShare * ratio, most);
+  double least = std::numeric_limits<double>::infinity();  // of the contacts
+  for (const scene::AuxiliaryBearing& bearing : scene.auxiliary) {
+    if (!bearing.contact) return 1.0;
+    const double radius = bearing.contact->radius, ratio = radius / bearing.contact->clearance;
+    double most = kClearanceShare * ratio;
+    if (motion > 0.0) {
+      most = std::clamp(kRingMotionShare * radius / motion, kLeastShare * ratio, most);
+    }
+    least = std::min(least, most);
   }
-  return std::max(1.0, plain_number_below(most));
+  return std::max(1.0, plain_number_below(least));
 }
 
 double plain_number_below(double value) {

@@ -93,12 +93,14 @@ struct Machine {
 
 // `runs`: all that are shown. The default magnification makes the largest motion between `from` and
 // `to` a tenth of the shaft, within limits that keep the clearance visible, and is rounded down to
-// a plain number. Throws std::runtime_error if the number of modes of a run is not the scene's.
+// a plain number; of several contacts the one that allows the least decides. Throws
+// std::runtime_error if the number of modes of a run is not the scene's.
 Machine make_machine(const scene::Scene& scene, std::span<const Playback* const> runs, double from,
                      double to, std::optional<double> magnification);
 
-// Magnification for a picture of only the contact; 1 without a contact. The drawn clearance is 0.45
-// of the rotor's radius, or less if the ring moves far (`motion`, m). Rounded down, see below.
+// Magnification for pictures of only the contacts; 1 without a contact. The drawn clearance is 0.45
+// of the rotor's radius, or less if the ring moves far (`motion`, m). The pictures of several
+// contacts share the smallest of their magnifications. Rounded down, see below.
 double section_magnification(const scene::Scene& scene, double motion);
 
 // The largest number up to `value` > 0 that is 1, 1.5, 2, 3, 4, 5, 6, 8 or 10 times a power of ten.

@@ -56,7 +56,7 @@ struct ShownRun {
   std::vector<Playback> further;  // the same run at each contact after the first
 };
 
-// The cross-section at a further contact, in the scale of the first.
+// The cross-section at a further contact, in the scale of all contacts.
 struct FurtherSection {
   std::string name;
   Machine machine;

@@ -111,7 +111,7 @@ json scene_json(const SceneBench& bench) {
   }
   json all = {{"scene", bench.scene.name},
               {"scene_hash", scene::scene_hash(bench.scene)},
-              {"clearance", bench.scene.first().contact->clearance},
+              {"clearance", bench.clearance()},
               {"reference", reference_json(bench.reference)},
               {"engines", engines},
               {"missing_engines", missing},
@@ -205,11 +205,10 @@ json bench_json(const Machine& machine, const std::vector<SceneBench>& benches,
 }
 
 std::string bench_table(const SceneBench& bench) {
-  const double clearance = bench.scene.first().contact->clearance;
   const std::string head = fmt::format(
       "{:.4g} s; errors against {} (its own: {:.1e} m), levels as shares of the clearance {:.3g} "
       "mm",
-      bench.scene.run.end, bench.reference.source, bench.reference.error, 1e3 * clearance);
+      bench.scene.run.end, bench.reference.source, bench.reference.error, 1e3 * bench.clearance());
   std::string text = wrapped(scene::printable(bench.scene.name) + ": ", head, 2) +
                      fmt::format("\n  {:<7}{:<{}}{:<24}{:>13}   {}\n", "level", "fastest", kEngine,
                                  "setting", "median", "others");

@@ -6,7 +6,10 @@
 #include <cassert>
 #include <cmath>
 #include <map>
+#include <string>
 #include <utility>
+
+#include "native_model/trajectory/columns.h"
 
 namespace rotorub::bench {
 
@@ -17,18 +20,22 @@ const char* to_string(Outcome outcome) {
 
 PointErrors point_errors(const Trajectory& trajectory, const Reference& reference) {
   assert(trajectory.rows() == reference.trajectory.rows());
+  assert(trajectory.contacts == reference.trajectory.contacts);
   PointErrors e;
   e.position = position_distance(trajectory, reference.trajectory);
 
   // At an impact the force is not defined, and a row of a fixed-step engine next to an impact is
   // not meaningful. Rows where the reference has a force are rows of lasting contact.
-  const auto& force = trajectory.column("normal_force");
-  const auto& exact = reference.trajectory.column("normal_force");
   double off = 0.0, sum = 0.0;
-  for (std::size_t k = 0; k < exact.size(); ++k) {
-    if (exact[k] <= 0.0) continue;
-    off += std::abs(force[k] - exact[k]);
-    sum += exact[k];
+  for (std::size_t contact = 0; contact < trajectory.contacts; ++contact) {
+    const std::string name = column_of_contact(contact, "normal_force");
+    const auto& force = trajectory.column(name);
+    const auto& exact = reference.trajectory.column(name);
+    for (std::size_t k = 0; k < exact.size(); ++k) {
+      if (exact[k] <= 0.0) continue;
+      off += std::abs(force[k] - exact[k]);
+      sum += exact[k];
+    }
   }
   if (sum > 0.0) e.force = off / sum;
 
@@ -40,18 +47,19 @@ PointErrors point_errors(const Trajectory& trajectory, const Reference& referenc
 }
 
 Judgement judge(const Trajectory& trajectory, const Settled& settled, const Settled& reference,
-                double clearance) {
+                const std::vector<ContactFacts>& contacts) {
   if (trajectory.status == Status::kStepTooLarge) return {Outcome::kRefused, trajectory.message};
   if (trajectory.status != Status::kOk) {
     return {Outcome::kDiverged,
             fmt::format("{} at t = {:.6g} s: {}", rotorub::to_string(trajectory.status),
                         trajectory.end, trajectory.message)};
   }
-  const double depth = trajectory.statistics.max_penetration;
-  if (depth > kLost * clearance) {
+  const DeepestPenetration deepest = deepest_penetration(trajectory.statistics, contacts);
+  const double clearance = contacts[deepest.contact].clearance;
+  if (deepest.depth > kLost * clearance) {
     return {Outcome::kDiverged,
             fmt::format("the rotor has been {:.3g} m deep in a ring with a clearance of {:.3g} m",
-                        depth, clearance)};
+                        deepest.depth, clearance)};
   }
   const auto said = [&](const char* what) {
     return fmt::format(
@@ -120,12 +128,12 @@ Point examine(const Setting& setting, const RunRequest& request, const Reference
     return point;
   }
   const bool whole = trajectory.status == Status::kOk;
+  const std::vector<ContactFacts> contacts = contact_facts(*setting.scene);
   if (whole) {
-    point.metrics = metrics(trajectory, contact_facts(*setting.scene));
+    point.metrics = metrics(trajectory, contacts);
     point.errors = point_errors(trajectory, reference);
   }
-  point.judgement = judge(trajectory, whole ? point.metrics->settled : Settled{}, goal,
-                          setting.scene->first().contact->clearance);
+  point.judgement = judge(trajectory, whole ? point.metrics->settled : Settled{}, goal, contacts);
   point.steps = trajectory.steps;
   point.end = trajectory.end;
   point.recorded_wall = trajectory.wall_s;

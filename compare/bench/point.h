@@ -20,9 +20,9 @@ const char* to_string(Outcome outcome);
 
 // Errors against the reference. Shares are relative to the reference's value; empty if that is 0.
 struct PointErrors {
-  double position = 0.0;  // m, largest over rows and bodies
+  double position = 0.0;  // m, largest over rows, bodies and contacts
   // Mean |lambda_N - reference| over the rows where the reference is in lasting contact, relative
-  // to the reference's mean there.
+  // to the reference's mean there; over the rows of all contacts.
   std::optional<double> force;
   std::optional<double> impulse;  // total normal impulse
 };
@@ -39,8 +39,9 @@ struct Judgement {
 inline constexpr double kLost = 10.0;
 // Largest relative difference of whirl frequencies within the same attractor.
 inline constexpr double kWhirlTolerance = 0.02;
+// contacts: of the run's scene, at least one.
 Judgement judge(const Trajectory& trajectory, const Settled& settled, const Settled& reference,
-                double clearance);
+                const std::vector<ContactFacts>& contacts);
 
 // Wall time of the whole integration without output over repeated runs, s.
 struct WallTime {

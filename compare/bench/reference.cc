@@ -16,6 +16,7 @@
 #include "compare/bench/engines.h"
 #include "native_model/oracles/annular_rub.h"
 #include "native_model/oracles/bounces.h"
+#include "native_model/trajectory/columns.h"
 #include "native_model/trajectory/recorder.h"
 
 namespace rotorub::bench {
@@ -43,15 +44,16 @@ Place of(const Eigen::Vector2d& v) { return {v.x(), v.y()}; }
 bool is_plain(const scene::Scene& s) {
   if (!s.rotor.modal || !s.first().contact || s.auxiliary.size() > 1) return false;
   const scene::RotorModal& m = *s.rotor.modal;
+  const scene::AuxiliaryBearing& bearing = s.first();
+  const scene::Contact& contact = *bearing.contact;
   const bool one_mode = m.mass.size() == 1 && m.mass == m.mass_y && m.stiffness == m.stiffness_y &&
                         m.damping == m.damping_y && first(m.internal_damping) == 0.0 &&
                         first(m.gyroscopic) == 0.0;
-  const bool turning_ring = s.first().stator && s.first().stator->spin;
-  return one_mode && !turning_ring && s.first().contact->offset.isZero(0.0) && !s.rotor.torsion &&
-         !s.drive && s.magnetic_bearings.empty() && !s.first().actuator && !s.first().controller &&
-         !s.gravity && !s.base && s.first().contact->compression_time == 0.0 &&
-         s.first().contact->expansion_time == 0.0 &&
-         s.first().contact->tangential_restitution == 0.0;
+  const bool turning_ring = bearing.stator && bearing.stator->spin;
+  return one_mode && !turning_ring && contact.offset.isZero(0.0) && !s.rotor.torsion && !s.drive &&
+         s.magnetic_bearings.empty() && !bearing.actuator && !bearing.controller && !s.gravity &&
+         !s.base && contact.compression_time == 0.0 && contact.expansion_time == 0.0 &&
+         contact.tangential_restitution == 0.0;
 }
 
 bool is_free_mass(const scene::Scene& s) {
@@ -203,13 +205,16 @@ std::vector<double> common_times(const scene::Run& run, const std::vector<double
 
 double position_distance(const Trajectory& a, const Trajectory& b) {
   assert(a.rows() == b.rows());
+  assert(a.contacts == b.contacts);
   double largest = 0.0;
-  for (const char* body : {"rotor", "stator"}) {
-    const std::string name = body;
-    const auto &ax = a.column(name + "_x"), &ay = a.column(name + "_y");
-    const auto &bx = b.column(name + "_x"), &by = b.column(name + "_y");
-    for (std::size_t k = 0; k < ax.size(); ++k) {
-      largest = std::max(largest, std::hypot(ax[k] - bx[k], ay[k] - by[k]));
+  for (std::size_t contact = 0; contact < a.contacts; ++contact) {
+    for (const char* body : {"rotor", "stator"}) {
+      const std::string name = column_of_contact(contact, body);
+      const auto &ax = a.column(name + "_x"), &ay = a.column(name + "_y");
+      const auto &bx = b.column(name + "_x"), &by = b.column(name + "_y");
+      for (std::size_t k = 0; k < ax.size(); ++k) {
+        largest = std::max(largest, std::hypot(ax[k] - bx[k], ay[k] - by[k]));
+      }
     }
   }
   return largest;

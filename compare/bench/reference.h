@@ -41,7 +41,8 @@ inline constexpr double kMostRows = 1000.0, kFewestRows = 200.0;
 // request: with the rows. Throws std::runtime_error if `event` cannot run the scene to its end.
 Reference make_reference(const scene::Scene& scene, const RunRequest& request);
 
-// Largest distance of rotor or ring between two trajectories with the same rows, m.
+// Largest distance of rotor or ring, at any contact, between two trajectories of one scene with the
+// same rows, m.
 double position_distance(const Trajectory& a, const Trajectory& b);
 
 }  // namespace rotorub::bench

@@ -72,8 +72,7 @@ SceneBench bench_scene(const SceneReader& reader, const BenchParameters& paramet
   }
   bench.points = error_pass(settings, bench.reference, part(0.0, 0.1), interrupt);
   timing_pass(bench.points, parameters.timing, part(0.1, 0.9), interrupt);
-  bench.levels = levels(bench.points, bench.engines, bench.scene.first().contact->clearance,
-                        bench.reference.error);
+  bench.levels = levels(bench.points, bench.engines, bench.clearance(), bench.reference.error);
   if (parameters.stability_map && !stopped(interrupt)) {
     bench.stability = stability_map(reader, bench.scene, part(0.9, 1.0), interrupt);
   }

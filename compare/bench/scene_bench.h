@@ -37,10 +37,10 @@ struct SceneBench {
   std::vector<Level> levels;
   std::optional<StabilityMap> stability;
   bool interrupted = false;
+  // m, of which the levels of error are shares: the smallest of all contacts.
+  double clearance() const { return smallest_clearance(scene).value(); }
   // Errors between the accuracy of the reference and the size of the clearance.
-  ErrorRange telling_errors() const {
-    return {kReferenceMargin * reference.error, scene.first().contact->clearance};
-  }
+  ErrorRange telling_errors() const { return {kReferenceMargin * reference.error, clearance()}; }
 };
 
 // reader: reads the scene with further overrides after the user's. Throws what the reader and

@@ -2,9 +2,11 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <memory>
 
 #include "compare/bench/engines.h"
+#include "compare/metrics/metrics.h"
 #include "compare/peers/peers.h"
 #include "mjcf/soft_contact.h"
 #include "native_model/scene/reader.h"
@@ -83,6 +85,15 @@ RestitutionRow row(const Contender& contender, double asked, const std::atomic<b
   return r;
 }
 
+// The largest friction coefficient of the contacts; for a law that depends on the slip, mu(0).
+double largest_friction(const scene::Scene& scene) {
+  double largest = 0.0;
+  for (const scene::AuxiliaryBearing& bearing : scene.auxiliary) {
+    largest = std::max(largest, bearing.contact->friction.sticking());
+  }
+  return largest;
+}
+
 constexpr double kSteps[] = {2e-4, 1e-4, 5e-5, 2e-5, 1e-5, 5e-6};
 constexpr double kStiffnesses[] = {DefaultSolref::kStiffness, 1e5, 1e6, 1e7, 1e8, 1e9};
 
@@ -93,8 +104,7 @@ Judgement judged_run(const Engine& engine, const scene::Scene& scene, double ste
   request.interrupt = interrupt;
   try {
     const Trajectory t = engine.run(scene, request);
-    return judge(t, t.status == Status::kOk ? settled(t) : Settled{}, goal,
-                 scene.first().contact->clearance);
+    return judge(t, t.status == Status::kOk ? settled(t) : Settled{}, goal, contact_facts(scene));
   } catch (const std::exception& error) {
     return {Outcome::kRefused, error.what()};
   }
@@ -122,8 +132,8 @@ StabilityMap stability_map(const SceneReader& reader, const scene::Scene& scene,
   StabilityMap map;
   map.steps.assign(std::begin(kSteps), std::end(kSteps));
   map.stiffnesses.assign(std::begin(kStiffnesses), std::end(kStiffnesses));
-  // A single number; for a law that depends on the slip, mu(0).
-  const double mu = scene.first().contact->friction.sticking();
+  // A single number for all contacts.
+  const double mu = largest_friction(scene);
   map.frictions = mu > 0.0 ? std::vector{0.5 * mu, mu, 2.0 * mu} : std::vector{0.0};
   for (const auto& [contact, word] : scene::kContactModels) {
     map.engines.push_back(mujoco_engine(contact)->name());

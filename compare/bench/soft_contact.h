@@ -46,8 +46,8 @@ struct StabilityMap {
   std::vector<StabilityCell> cells;
 };
 
-// Frictions: half, one and two times the scene's, or only 0 if that is 0. Every cell is compared
-// with `event` at the same friction.
+// Frictions, each of all contacts: half, one and two times the largest of the scene's contacts, or
+// only 0 if that is 0. Every cell is compared with `event` at the same friction.
 StabilityMap stability_map(const SceneReader& reader, const scene::Scene& scene,
                            const Progress& progress, const std::atomic<bool>* interrupt);
 

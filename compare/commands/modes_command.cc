@@ -3,6 +3,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <charconv>
 #include <cmath>
 #include <filesystem>
@@ -28,6 +29,7 @@
 #include "native_model/prepare/prepare.h"
 #include "native_model/rotor/refusal.h"
 #include "native_model/scene/overrides.h"
+#include "native_model/scene/scene.h"
 #include "native_model/scene/text.h"
 #include "native_model/scene/units.h"
 #include "native_model/trajectory/output.h"
@@ -224,17 +226,21 @@ int show_feedback(const ModesArguments& options) {
   return kDone;
 }
 
-// rotorub modes --state-space: prints JSON regardless of other options.
+// rotorub modes --state-space: prints JSON regardless of other options. Of several rings, the plant
+// is that of the first one that moves.
 int show_state_space(const ModesArguments& options) {
   const scene::Scene scene = read_scene(options.scene, options);
   const Model model = prepare(scene);
-  if (!scene.first().stator || !scene.first().contact) {
+  const auto driven = std::ranges::find_if(
+      scene.auxiliary, [](const scene::AuxiliaryBearing& at) { return at.stator && at.contact; });
+  if (driven == scene.auxiliary.end()) {
     throw UsageError(
         "--state-space: needs [stator] and [contact]: the force on the ring is the input");
   }
-  const std::string why = beyond_linear_plant(scene, 0, model);
+  const auto bearing = static_cast<std::size_t>(driven - scene.auxiliary.begin());
+  const std::string why = beyond_linear_plant(scene, bearing, model);
   if (!why.empty()) throw UsageError("--state-space: " + why);
-  std::cout << json_text(state_space_json(scene, plant_of(model, 0, scene.rotor.speed)));
+  std::cout << json_text(state_space_json(scene, plant_of(model, bearing, scene.rotor.speed)));
   return kDone;
 }
 

@@ -127,8 +127,8 @@ scene::Scene perturbed(const scene::Scene& scene, int ulps) {
   if (ulps == 0) return scene;
   scene::Scene moved = scene;
   // A unit in the last place of a coordinate that is 0 would vanish in the first sum. The unit of
-  // the clearance is used instead, because the coordinates reach that size.
-  const double size = scene.first().contact ? scene.first().contact->clearance : 1e-3;
+  // the smallest clearance is used instead, because the coordinates reach that size.
+  const double size = smallest_clearance(scene).value_or(1e-3);
   const double unit = std::nextafter(size, 2.0 * size) - size;
   if (moved.initial.x.empty()) {
     moved.initial.x.assign(static_cast<std::size_t>(prepare(scene).layout.modes), 0.0);

@@ -43,7 +43,8 @@ struct RunRequest {
   std::optional<double> step;                       // s, > 0
   std::optional<std::vector<double>> output_times;  // s, ascending: the times of the recorded rows
   // Moves the first bending coordinate at t = 0 by this many units in the last place of the
-  // clearance (of 1 mm without a contact), the smallest possible difference between two runs.
+  // smallest clearance (of 1 mm without a contact), the smallest possible difference between two
+  // runs.
   int perturbation_ulps = 0;
   std::function<void(double)> progress;          // fraction done, in [0, 1]
   const std::atomic<bool>* interrupt = nullptr;  // true: stop and return the result so far

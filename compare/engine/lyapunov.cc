@@ -72,8 +72,7 @@ Lyapunov largest_lyapunov(const scene::Scene& start, const LyapunovParameters& p
     return {std::nullopt, "it starts on its steady orbit; give a start that a run has left"};
   if (start.initial.rub != scene::StartingRub::kNone)
     return {std::nullopt, "it starts on a rub; give a start that a run has left"};
-  const double size = start.first().contact ? start.first().contact->clearance : 1e-3,
-               first = p.distance * size;
+  const double size = smallest_clearance(start).value_or(1e-3), first = p.distance * size;
   const StartVector vector{p.stretch / (2.0 * std::numbers::pi), size};
   NativeOptions options;
   options.integrator = p.integrator;

@@ -22,7 +22,7 @@ struct LyapunovParameters {
   double stretch = 0.0;    // s, > 0, T; one turn is a good choice
   int settling = 20;       // stretches that align the line between the runs, not counted
   int stretches = 80;      // counted stretches
-  double distance = 1e-8;  // d_0 relative to the clearance (to 1 mm without a contact)
+  double distance = 1e-8;  // d_0 relative to the smallest clearance (to 1 mm without a contact)
   std::optional<scene::Integrator> integrator{};  // default: the scene's
   const std::atomic<bool>* interrupt = nullptr;
 };

@@ -210,14 +210,13 @@ void MujocoRecord::add_contact(StepFigures& figures, std::size_t contact, double
 }
 
 std::optional<std::string> MujocoRecord::lost(const double* q) const {
-  const bool inside = model_.first().contact && contacts_.size() == 1;
-  if (inside && recorder_.penetration() == 0.0 && !model_.first().magnets) return {};
+  // The recorder's penetration is that of the first contact.
+  const AuxiliaryBearing& only = model_.first();
+  const bool alone = contacts_.size() == 1;
+  if (alone && only.contact && recorder_.penetration() == 0.0 && !only.magnets) return {};
   // Rigid and compliant contacts end at the same range as on the native side.
-  if (rigid_ || !model_.first().contact || model_.gives()) return out_of_range(model_, q);
-  // A soft ring holds up to its thickness, which the scene does not state. A penetration beyond the
-  // larger of clearance and contact radius means that the rotor went through the ring.
-  return out_of_range(model_, q,
-                      std::max(model_.first().contact->clearance, model_.first().contact->radius));
+  const bool soft = !rigid_ && !model_.gives();
+  return out_of_range(model_, q, soft ? RingDepth::kThickness : RingDepth::kClearance);
 }
 
 Trajectory MujocoRecord::finish(double end) {

@@ -1,15 +1,35 @@
 #include "compare/metrics/divergence.h"
 
 #include <algorithm>
+#include <cassert>
 #include <cmath>
+#include <vector>
+
+#include "native_model/trajectory/columns.h"
 
 namespace rotorub {
+namespace {
+
+struct RotorPath {  // at one contact, m, in rows
+  const std::vector<double>&x, &y;
+};
+
+std::vector<RotorPath> rotor_paths(const Trajectory& run) {
+  std::vector<RotorPath> paths;
+  for (std::size_t k = 0; k < run.contacts; ++k) {
+    paths.push_back(
+        {run.column(column_of_contact(k, "rotor_x")), run.column(column_of_contact(k, "rotor_y"))});
+  }
+  return paths;
+}
+
+}  // namespace
 
 Divergence divergence(const Trajectory& a, const Trajectory& b, double threshold) {
   const auto& time_a = a.column("t");
   const auto& time_b = b.column("t");
-  const auto &ax = a.column("rotor_x"), &ay = a.column("rotor_y");
-  const auto &bx = b.column("rotor_x"), &by = b.column("rotor_y");
+  const std::vector<RotorPath> paths_a = rotor_paths(a), paths_b = rotor_paths(b);
+  assert(paths_a.size() == paths_b.size());
 
   Divergence result;
   result.threshold = threshold;
@@ -21,7 +41,12 @@ Divergence divergence(const Trajectory& a, const Trajectory& b, double threshold
     } else if (time_b[j] < time_a[i]) {
       ++j;
     } else {
-      const double distance = std::hypot(ax[i] - bx[j], ay[i] - by[j]);
+      const auto apart = [&](std::size_t contact) {
+        const RotorPath &in_a = paths_a[contact], &in_b = paths_b[contact];
+        return std::hypot(in_a.x[i] - in_b.x[j], in_a.y[i] - in_b.y[j]);
+      };
+      double distance = apart(0);
+      for (std::size_t k = 1; k < paths_a.size(); ++k) distance = std::max(distance, apart(k));
       result.max_distance = std::max(result.max_distance, distance);
       square += distance * distance;
       ++result.rows;

@@ -8,7 +8,8 @@
 
 namespace rotorub {
 
-// Distance between the rotor's positions in two runs, over the rows at common times.
+// Distance between the rotor's positions in two runs, over the rows at common times. With several
+// contacts it is, in each row, the largest distance at any of them.
 struct Divergence {
   double threshold = 0.0;      // m
   std::optional<double> time;  // s, of the first row beyond the threshold; empty if there is none
@@ -17,9 +18,9 @@ struct Divergence {
   std::size_t rows = 0;        // number of compared rows
 };
 
-inline constexpr double kDivergenceShare = 0.01;  // threshold relative to the clearance
+inline constexpr double kDivergenceShare = 0.01;  // threshold relative to the smallest clearance
 
-// threshold: m, > 0.
+// Both runs must be of one scene. threshold: m, > 0.
 Divergence divergence(const Trajectory& a, const Trajectory& b, double threshold);
 
 // The n-th counted impact of each run; empty if the run has fewer.

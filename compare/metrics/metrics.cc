@@ -1,6 +1,7 @@
 #include "compare/metrics/metrics.h"
 
 #include <algorithm>
+#include <cassert>
 #include <cmath>
 
 namespace rotorub {
@@ -128,6 +129,18 @@ double largest_force(const Statistics& s, const std::vector<ContactFacts>& conta
 }
 
 }  // namespace
+
+DeepestPenetration deepest_penetration(const Statistics& s,
+                                       const std::vector<ContactFacts>& contacts) {
+  assert(!contacts.empty());
+  DeepestPenetration deepest;
+  for (std::size_t k = 0; k < contacts.size(); ++k) {
+    const ContactStatistics& own = s.contacts.empty() ? s : s.contacts[k];
+    const double share = own.max_penetration / contacts[k].clearance;
+    if (k == 0 || share > deepest.share) deepest = {k, own.max_penetration, share};
+  }
+  return deepest;
+}
 
 Metrics metrics(const Trajectory& trajectory, const std::vector<ContactFacts>& contacts) {
   Metrics m = totals(trajectory);

@@ -1,7 +1,9 @@
 // The figures of one run: functions only of its Trajectory and of the contact's constants.
 #pragma once
 
+#include <cstddef>
 #include <optional>
+#include <vector>
 
 #include "compare/metrics/attractor.h"
 #include "compare/metrics/residuals.h"
@@ -70,6 +72,16 @@ std::vector<ContactFacts> contact_facts(const scene::Scene& scene);
 
 // The metrics that need neither the series nor the contacts.
 Metrics totals(const Trajectory& trajectory);
+
+// The penetration of a run that is deepest relative to the clearance of its contact.
+struct DeepestPenetration {
+  std::size_t contact = 0;  // index
+  double depth = 0.0;       // m
+  double share = 0.0;       // of the contact's clearance
+};
+// contacts: of the run's scene, at least one.
+DeepestPenetration deepest_penetration(const Statistics& statistics,
+                                       const std::vector<ContactFacts>& contacts);
 
 // All metrics; without `contacts` those that depend on them are missing.
 Metrics metrics(const Trajectory& trajectory, const std::vector<ContactFacts>& contacts);

@@ -185,7 +185,7 @@ json scene_values(const SceneBench& bench, std::size_t index) {
       {"text", verdict},
       {"verdict", verdict},
       {"end", time_text(bench.scene.run.end)},
-      {"clearance", fmt::format("{:.4g} mm", kMilli * bench.scene.first().contact->clearance)},
+      {"clearance", fmt::format("{:.4g} mm", kMilli * bench.clearance())},
       {"source", bench.reference.source},
       {"reference_error", fmt::format("{:.1e} m", bench.reference.error)},
       {"attractor", rotorub::to_string(settled(bench.reference.trajectory).attractor)},

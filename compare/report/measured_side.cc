@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <Eigen/Core>
 #include <algorithm>
 #include <cmath>
 #include <complex>
@@ -122,14 +123,14 @@ class SideMaker {
 
   // A ring that cannot move stays at the scene's position, measured or not.
   void add_fixed_ring(const scene::Scene& scene) {
-    if (scene.first().stator || !scene.first().contact || scene.first().contact->offset.isZero(0.0))
-      return;
+    const scene::AuxiliaryBearing& bearing = scene.first();
+    if (bearing.stator || !bearing.contact || bearing.contact->offset.isZero(0.0)) return;
+    const Eigen::Vector2d& offset = bearing.contact->offset;
     const auto still = [](double place) { return Numbers{place, place}; };
-    Samples samples{
-        {laid_.t.front(), laid_.t.back()},
-        {still(scene.first().contact->offset.x()), still(scene.first().contact->offset.y())},
-        {},
-        Numbers(2, place_tolerance(scene))};
+    Samples samples{{laid_.t.front(), laid_.t.back()},
+                    {still(offset.x()), still(offset.y())},
+                    {},
+                    Numbers(2, place_tolerance(scene))};
     tracks_["ring"] = track_json(pack(TrackKind::kLinear, samples));
   }
 

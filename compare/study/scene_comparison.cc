@@ -21,9 +21,9 @@
 namespace rotorub {
 namespace {
 
-// A share of the clearance, or without a contact of the rotor's largest deflection, m.
+// A share of the smallest clearance, or without a contact of the rotor's largest deflection, m.
 double divergence_threshold(const scene::Scene& scene, const Trajectory& native) {
-  if (scene.first().contact) return kDivergenceShare * scene.first().contact->clearance;
+  if (const auto clearance = smallest_clearance(scene)) return kDivergenceShare * *clearance;
   double largest = 0.0;
   const auto &x = native.column("rotor_x"), &y = native.column("rotor_y");
   for (std::size_t i = 0; i < x.size(); ++i) largest = std::max(largest, std::hypot(x[i], y[i]));

@@ -7,6 +7,7 @@
 
 #include "compare/base/format.h"
 #include "compare/figures/figure.h"
+#include "compare/metrics/metrics.h"
 #include "compare/study/resync_text.h"
 
 namespace rotorub {
@@ -150,11 +151,14 @@ std::string open_loop_sentence(const SceneComparison& c, const SideDifference& d
 }
 
 std::string penetration_sentence(const SceneComparison& c, const Side& other) {
-  if (!c.scene.first().contact || c.scene.gives()) return {};
-  const double share = other.metrics.max_penetration / c.scene.first().contact->clearance;
-  if (share < kDeepPenetration) return {};
-  return fmt::format("the rotor sinks {:.0f} µm into the ring, {:.0f} % of the clearance",
-                     1e6 * other.metrics.max_penetration, percent(share));
+  const std::vector<ContactFacts> contacts = contact_facts(c.scene);
+  if (contacts.empty() || c.scene.gives()) return {};
+  const DeepestPenetration deepest = deepest_penetration(other.trajectory.statistics, contacts);
+  if (deepest.share < kDeepPenetration) return {};
+  const std::string where =
+      contacts.size() > 1 ? " of contact " + c.scene.name_of(deepest.contact) : std::string();
+  return fmt::format("the rotor sinks {:.0f} µm into the ring{}, {:.0f} % of the clearance",
+                     1e6 * deepest.depth, where, percent(deepest.share));
 }
 
 }  // namespace

@@ -99,7 +99,7 @@ const Reference& References::at(double step, double window_step) {
   parameters.step = step;
   parameters.output_times = *request.output_times;
   parameters.interrupt = interrupt_;
-  const double threshold = kDivergenceShare * scene_.first().contact->clearance;
+  const double threshold = kDivergenceShare * smallest_clearance(scene_).value();
   const Twins twins = run_twins(*engine, scene, original, threshold, parameters);
   for (const Figure& f : figures())
     reference.samples.push_back(figure_sample(f, reference.metrics, twins.metrics));

@@ -82,6 +82,15 @@ Scene with_bearing_alone(const Scene& scene, std::size_t bearing) {
   return alone;
 }
 
+std::optional<double> smallest_clearance(const Scene& scene) {
+  std::optional<double> smallest;
+  for (const AuxiliaryBearing& at : scene.auxiliary) {
+    if (!at.contact) continue;
+    if (!smallest || at.contact->clearance < *smallest) smallest = at.contact->clearance;
+  }
+  return smallest;
+}
+
 void complete(Scene& scene, const Record& record) {
   std::sort(scene.run.output_times.begin(), scene.run.output_times.end());
   // MuJoCo's rigid law does not support compliant contacts.

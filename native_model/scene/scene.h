@@ -83,4 +83,8 @@ struct Scene {
 // The scene with only one of its auxiliary bearings. Messages still name that bearing's keys.
 Scene with_bearing_alone(const Scene& scene, std::size_t bearing);
 
+// m, the smallest clearance of the scene's contacts; empty without a contact. It is the length for
+// figures that cover every contact, so that they do not depend on the order of the list.
+std::optional<double> smallest_clearance(const Scene& scene);
+
 }  // namespace rotorub::scene

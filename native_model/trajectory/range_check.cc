@@ -1,5 +1,6 @@
 #include "native_model/trajectory/range_check.h"
 
+#include <algorithm>
 #include <cmath>
 
 #include "native_model/bearing/actuator.h"
@@ -15,8 +16,7 @@ constexpr double kNowhere = 1e5;  // m
 
 }  // namespace
 
-std::optional<std::string> out_of_range(const Model& m, const double* q,
-                                        std::optional<double> given) {
+std::optional<std::string> out_of_range(const Model& m, const double* q, RingDepth limit) {
   for (std::size_t k = 0; k < m.auxiliary.size(); ++k) {
     const AuxiliaryBearing& at = m.auxiliary[k];
     const auto ring = [&] {
@@ -43,7 +43,9 @@ std::optional<std::string> out_of_range(const Model& m, const double* q,
       }
     }
     if (!at.contact) continue;
-    const double clearance = at.contact->clearance, depth = given.value_or(clearance);
+    const double clearance = at.contact->clearance;
+    const double depth =
+        limit == RingDepth::kThickness ? std::max(clearance, at.contact->radius) : clearance;
     const double square = separation(m, q, k).squaredNorm();
     if (square > (clearance + depth) * (clearance + depth)) {
       return "the rotor is " + text(std::sqrt(square) - clearance) + " m deep in the " + ring() +

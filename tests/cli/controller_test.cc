@@ -179,6 +179,23 @@ TEST(CliModes, GivesThePlantOfAController) {
   EXPECT_EQ(plant.at("B")[10][0], 1.0 / 1.5);
 }
 
+// A ring beside it that cannot move changes nothing, wherever it stands in the list.
+TEST(CliModes, GivesThePlantOfTheRingThatMoves) {
+  const Folder folder;
+  const std::string rotor =
+      "[rotor]\nspeed = \"1000 rpm\"\n[rotor.modal]\nmass = [2.0]\nstiffness = [2e5]\n"
+      "damping = [40.0]\n";
+  const std::string fixed =
+      "[[contact]]\nradius = 0.05\nclearance = \"0.5 mm\"\nfriction = 0.1\nrestitution = 0.5\n";
+  const std::string moving =
+      fixed + "[contact.stator]\nmass = 1.5\nstiffness = 3e5\ndamping = 200.0\n";
+  std::ofstream(folder.path() / "fixed_first.toml") << rotor + fixed + moving;
+  std::ofstream(folder.path() / "moving_first.toml") << rotor + moving + fixed;
+  const json plant = folder.json_of({"modes", "fixed_first.toml", "--state-space"});
+  EXPECT_EQ(plant, folder.json_of({"modes", "moving_first.toml", "--state-space"}));
+  EXPECT_EQ(plant.at("A").size(), 8u);
+}
+
 TEST(CliModes, MapsTheFeedbackThatCalmsARub) {
   const Folder folder;
   const std::string scene = shipped("paper_cross_coupled");

@@ -6,6 +6,7 @@
 #include <functional>
 #include <string>
 
+#include "native_model/trajectory/columns.h"
 #include "native_model/trajectory/trajectory.h"
 
 namespace rotorub::test {
@@ -92,6 +93,16 @@ inline Row sliding(const Whirl& w, double t) {
   row.normal = w.normal;
   row.friction = -w.friction * w.normal * (row.slip > 0.0 ? 1.0 : row.slip < 0.0 ? -1.0 : 0.0);
   return row;
+}
+
+// One run with two contacts, each as in the given run; times, spin and statistics are the first's.
+inline Trajectory at_two_contacts(Trajectory first, const Trajectory& second) {
+  for (const Column& column : second.series) {
+    if (column.name == "t" || column.name.starts_with("spin_")) continue;
+    first.series.push_back({column_of_contact(1, column.name), column.unit, column.values});
+  }
+  first.contacts = 2;
+  return first;
 }
 
 }  // namespace rotorub::test

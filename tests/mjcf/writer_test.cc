@@ -7,11 +7,13 @@
 #include <fstream>
 #include <limits>
 #include <sstream>
+#include <utility>
 
 #include "mjcf/bodies.h"
 #include "mjcf/names.h"
 #include "native_model/model/dynamics.h"
 #include "native_model/scene/diagnostic.h"
+#include "native_model/scene/reader.h"
 #include "tests/support/mujoco_fixture.h"
 #include "tests/support/said.h"
 
@@ -216,6 +218,28 @@ TEST_F(Writer, ActuatorsPullOnTheFortyFiveDegreeAxes) {
 }
 
 // The one line that `scene` is refused with.
+// A rotor with a speed at the start: a cone is as stiff at each contact as the speed there asks,
+// wherever the contact stands in the list. The modes are scaled to 1 at the first one.
+TEST_F(Writer, AConesStiffnessIsOfTheSpeedAtItsOwnContact) {
+  scene::Scene scene = scene::read_scene(std::string(ROTORUB_SOURCE_DIR) +
+                                         "/tests/compare/engine/two_catchers.toml");
+  scene.mujoco.contact = scene::ContactModel::kCone;
+  scene.run.step = 1e-6;  // stiff enough that the speed decides
+  scene.initial.vx = {0.12, 0.0, 0.0, 0.0};
+  scene::Scene other = scene;
+  std::swap(other.auxiliary[0], other.auxiliary[1]);
+  other.initial.vx[0] *= prepare(scene).auxiliary[1].shape.x[0];
+  const auto stiffness = [](const scene::Scene& s) {
+    const ModelPointer m = load(mjcf(s));
+    EXPECT_EQ(m->npair, 2);
+    return std::pair(-m->pair_solref[0], -m->pair_solref[mjNREF]);
+  };
+  const auto [first, second] = stiffness(scene);
+  const auto [other_second, other_first] = stiffness(other);
+  EXPECT_NEAR(other_first / first, 1.0, 1e-6);
+  EXPECT_NEAR(other_second / second, 1.0, 1e-6);
+}
+
 std::string refusal(const scene::Scene& scene) {
   return message_of<scene::SceneError>([&] { mjcf(scene); });
 }

@@ -3,6 +3,8 @@
 #include <gtest/gtest.h>
 
 #include <array>
+#include <optional>
+#include <utility>
 
 #include "renders/instant.h"
 #include "renders/machine_view.h"
@@ -101,6 +103,26 @@ TEST(Machine, FarMovingRingIsMagnifiedLess) {
   EXPECT_LT(section_magnification(scene, 2e-3), 40.0);
   // But never so little that the clearance is lost.
   EXPECT_GE(section_magnification(scene, 1.0) * kClearance, 0.1 * 0.05);
+}
+
+double chosen_magnification(const scene::Scene& scene) {
+  const Trajectory run = resting_run({});
+  const Playback playback(run);
+  return make_machine(scene, one(playback), 0.0, 0.1, std::nullopt).magnification;
+}
+
+// A second ring with a fifth of the clearance could be magnified five times as much.
+TEST(Machine, SeveralContactsShareAScaleInAnyOrder) {
+  scene::Scene scene = ring_scene();
+  const double section = section_magnification(scene, 0.0), machine = chosen_magnification(scene);
+  scene.auxiliary.push_back(scene.first());
+  scene.auxiliary[1].contact->clearance = 0.2 * kClearance;
+  for (const char* order : {"wide ring first", "narrow ring first"}) {
+    SCOPED_TRACE(order);
+    EXPECT_EQ(section_magnification(scene, 0.0), section);
+    EXPECT_EQ(chosen_magnification(scene), machine);
+    std::swap(scene.auxiliary[0], scene.auxiliary[1]);
+  }
 }
 
 const char* const kIdeal = "[actuator]\nforce_limit = 600.0\n";

@@ -3,6 +3,7 @@
 
 #include <limits>
 #include <nlohmann/json.hpp>
+#include <utility>
 
 #include "compare/bench/output.h"
 #include "compare/report/bench_page.h"
@@ -81,6 +82,20 @@ TEST(BenchJson, HasTheKeysOfTheContract) {
   EXPECT_EQ(failed["reason"], "it <flew> away");
   EXPECT_TRUE(failed["position_error"].is_null());
   EXPECT_TRUE(failed["wall_ms"].is_null());
+}
+
+TEST(BenchJson, TheClearanceIsTheSmallestInAnyOrder) {
+  SceneBench b = made_bench();
+  b.scene.auxiliary.push_back(b.scene.first());
+  const double smallest = 0.25 * b.scene.first().contact->clearance;
+  b.scene.auxiliary[1].contact->clearance = smallest;
+  for (const char* order : {"wide ring first", "narrow ring first"}) {
+    SCOPED_TRACE(order);
+    const json all = bench_json(kMachine, {b}, {});
+    EXPECT_EQ(all.at("scenes")[0].at("clearance"), smallest);
+    EXPECT_EQ(b.telling_errors().ceiling, smallest);
+    std::swap(b.scene.auxiliary[0], b.scene.auxiliary[1]);
+  }
 }
 
 TEST(BenchJson, LevelsOrdersMapAndRestitution) {

@@ -3,6 +3,9 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <string>
+#include <utility>
+#include <vector>
 
 #include "tests/compare/hand_made.h"
 #include "tests/support/native_run.h"
@@ -12,6 +15,7 @@ namespace {
 
 // The metrics of a point on made-up trajectories whose answers are known.
 
+using test::at_two_contacts;
 using test::hand_made;
 using test::Row;
 using test::sliding;
@@ -20,6 +24,7 @@ using test::Whirl;
 constexpr std::size_t kRows = 1001;
 constexpr double kSpacing = 1e-3;  // s
 constexpr double kRoundOff = 1e-15;
+const std::vector<ContactFacts> kFacts{ContactFacts{Whirl{}.clearance, Whirl{}.radius}};
 
 Reference reference_of(const Trajectory& trajectory) {
   Reference r;
@@ -76,6 +81,24 @@ TEST(PointErrors, ForceIsTheMeanDeviationOverLastingContact) {
   EXPECT_NEAR(*point_errors(chatter, exact).force, 1.0, 1e-12);
 }
 
+// The second contact carries half of the first one's force; there the run is off by 3 um and 2 %.
+TEST(PointErrors, CoverEveryContactInAnyOrder) {
+  Whirl half, off = half;
+  half.normal = 50.0;
+  off.normal = 51.0;
+  const Trajectory first = rub({}), second = rub(half);
+  Trajectory run = rub(off);
+  shift(run, "rotor_x", 17, 3e-6);
+  const PointErrors one = point_errors(at_two_contacts(first, run),
+                                       reference_of(at_two_contacts(first, second))),
+                    other = point_errors(at_two_contacts(run, first),
+                                         reference_of(at_two_contacts(second, first)));
+  for (const PointErrors& e : {one, other}) {
+    EXPECT_NEAR(e.position, 3e-6, kRoundOff);
+    EXPECT_NEAR(e.force.value(), 1.0 / 150.0, 1e-12);
+  }
+}
+
 TEST(PointErrors, ThereIsNoShareOfNothing) {
   Trajectory still = hand_made(kRows, kSpacing, [](double) { return Row{}; });
   const PointErrors e = point_errors(still, reference_of(still));
@@ -92,7 +115,7 @@ TEST(PointErrors, ImpulseIsAShareOfTheReferences) {
 }
 
 Judgement judged(const Trajectory& t, const Trajectory& reference) {
-  return judge(t, settled(t), settled(reference), Whirl{}.clearance);
+  return judge(t, settled(t), settled(reference), kFacts);
 }
 
 TEST(Judgement, BouncingWhereTheReferenceRubsIsChatter) {
@@ -129,12 +152,12 @@ TEST(Judgement, AnEarlyEndSaysWhyAndWhen) {
   t.status = Status::kDiverged;
   t.end = 0.25;
   t.message = "the state is no longer finite";
-  const Judgement j = judge(t, {}, settled(rub({})), Whirl{}.clearance);
+  const Judgement j = judge(t, {}, settled(rub({})), kFacts);
   EXPECT_EQ(j.outcome, Outcome::kDiverged);
   EXPECT_NE(j.reason.find("0.25"), std::string::npos) << j.reason;
   EXPECT_NE(j.reason.find("no longer finite"), std::string::npos) << j.reason;
   t.status = Status::kStepTooLarge;
-  EXPECT_EQ(judge(t, {}, settled(rub({})), Whirl{}.clearance).outcome, Outcome::kRefused);
+  EXPECT_EQ(judge(t, {}, settled(rub({})), kFacts).outcome, Outcome::kRefused);
 }
 
 // A soft contact that has let the rotor go says `ok` itself.
@@ -145,6 +168,28 @@ TEST(Judgement, ARotorFarOutsideHasDiverged) {
   t.statistics.max_penetration = 11.0 * Whirl{}.clearance;
   EXPECT_EQ(judged(t, rub({})).outcome, Outcome::kDiverged);
   EXPECT_NE(judged(t, rub({})).reason.find("deep"), std::string::npos);
+}
+
+// Two clearances deep in a wide ring is there; twelve in a narrow one is gone, at whichever
+// contact.
+TEST(Judgement, EachDepthIsJudgedByItsOwnClearance) {
+  std::vector<ContactFacts> facts{ContactFacts{2e-3, 0.05}, ContactFacts{0.05e-3, 0.05}};
+  Trajectory t = rub({});
+  t.statistics.max_penetration = 4e-3;
+  t.statistics.contacts.resize(2);
+  t.statistics.contacts[0].max_penetration = 4e-3;
+  for (const char* order : {"wide ring first", "narrow ring first"}) {
+    SCOPED_TRACE(order);
+    const std::size_t narrow = facts[0].clearance < facts[1].clearance ? 0 : 1;
+    t.statistics.contacts[narrow].max_penetration = 0.4e-3;
+    EXPECT_EQ(judge(t, settled(t), settled(t), facts).outcome, Outcome::kOk);
+    t.statistics.contacts[narrow].max_penetration = 0.6e-3;
+    const Judgement j = judge(t, settled(t), settled(t), facts);
+    EXPECT_EQ(j.outcome, Outcome::kDiverged);
+    EXPECT_NE(j.reason.find("0.0006 m deep"), std::string::npos) << j.reason;
+    std::swap(facts[0], facts[1]);
+    std::swap(t.statistics.contacts[0], t.statistics.contacts[1]);
+  }
 }
 
 TEST(Point, CostIsThatOfTheMedian) {

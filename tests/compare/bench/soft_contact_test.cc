@@ -2,10 +2,13 @@
 
 #include <gtest/gtest.h>
 
+#include <atomic>
 #include <cmath>
+#include <utility>
 
 #include "mjcf/soft_contact.h"
 #include "native_model/scene/reader.h"
+#include "tests/support/jeffcott.h"
 
 namespace rotorub::bench {
 namespace {
@@ -56,6 +59,21 @@ TEST(StabilityMapLong, HasACellForEveryStepStiffnessAndFriction) {
     cone_fine += c.engine == "mujoco-cone" && c.judgement.outcome == Outcome::kOk ? 1 : 0;
   }
   EXPECT_EQ(cone_fine, 0) << "a rub that lasts bounces with the friction cone";
+}
+
+// Interrupted before its first cell.
+TEST(StabilityMap, IsOfTheLargestFrictionInAnyOrder) {
+  const std::atomic<bool> stop{true};
+  scene::Scene scene = test::make_scene({.stiffness = 2e5, .friction = 0.1});
+  scene.auxiliary.push_back(scene.first());
+  scene.auxiliary[1].contact->friction = 0.3;
+  for (const char* order : {"smooth ring first", "rough ring first"}) {
+    SCOPED_TRACE(order);
+    const SceneReader reader = [&](const std::vector<std::string>&) { return scene; };
+    const StabilityMap map = stability_map(reader, scene, kQuiet, &stop);
+    EXPECT_EQ(map.frictions, (std::vector<double>{0.5 * 0.3, 0.3, 2.0 * 0.3}));
+    std::swap(scene.auxiliary[0], scene.auxiliary[1]);
+  }
 }
 
 }  // namespace

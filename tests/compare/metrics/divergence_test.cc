@@ -8,6 +8,7 @@
 namespace rotorub {
 namespace {
 
+using test::at_two_contacts;
 using test::hand_made;
 using test::Row;
 
@@ -54,6 +55,22 @@ TEST(Divergence, ComparesEqualTimesAlone) {
   const Divergence d = divergence(moving(1.0, 11, 0.5), moving(1.0, 41, 0.25), 1e-12);
   EXPECT_EQ(d.rows, 11U);
   EXPECT_FALSE(d.time);
+}
+
+// At one contact they part by 0.5 m/s, at the other by 0.1 m/s.
+TEST(Divergence, IsTheLargestAtAnyContactInAnyOrder) {
+  const Trajectory fast_a = moving(1.0), fast_b = moving(1.5), slow_a = moving(2.0),
+                   slow_b = moving(2.1);
+  const Divergence one = divergence(at_two_contacts(fast_a, slow_a),
+                                    at_two_contacts(fast_b, slow_b), 0.1049),
+                   other = divergence(at_two_contacts(slow_a, fast_a),
+                                      at_two_contacts(slow_b, fast_b), 0.1049);
+  for (const Divergence& d : {one, other}) {
+    ASSERT_TRUE(d.time);
+    EXPECT_NEAR(*d.time, 0.21, 1e-12);
+    EXPECT_NEAR(d.max_distance, 0.5, 1e-12);
+  }
+  EXPECT_EQ(one.rms_distance, other.rms_distance);
 }
 
 Impact closing_at(double t) {

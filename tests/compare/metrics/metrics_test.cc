@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <utility>
 
 #include "tests/compare/hand_made.h"
 
@@ -55,6 +56,25 @@ TEST(Metrics, AreTakenFromFirstTouch) {
   EXPECT_DOUBLE_EQ(m.energy_residual, 0.25);
   EXPECT_DOUBLE_EQ(m.us_per_step, 2.0);
   EXPECT_DOUBLE_EQ(m.real_time_factor, 500.0);
+}
+
+TEST(DeepestPenetration, IsThatOfTheContactItIsDeepestFor) {
+  Statistics s;
+  s.max_penetration = 2e-6;
+  EXPECT_DOUBLE_EQ(deepest_penetration(s, {kFacts}).share, 2e-6 / kWhirl.clearance);
+  ContactFacts narrow = kFacts;
+  narrow.clearance = 0.1 * kWhirl.clearance;
+  s.contacts.resize(2);
+  s.contacts[0].max_penetration = 2e-6;
+  s.contacts[1].max_penetration = 1e-6;
+  const DeepestPenetration deepest = deepest_penetration(s, {kFacts, narrow});
+  EXPECT_EQ(deepest.contact, 1U);
+  EXPECT_EQ(deepest.depth, 1e-6);
+  EXPECT_DOUBLE_EQ(deepest.share, 1e-6 / narrow.clearance);
+  std::swap(s.contacts[0], s.contacts[1]);
+  const DeepestPenetration other = deepest_penetration(s, {narrow, kFacts});
+  EXPECT_EQ(other.contact, 0U);
+  EXPECT_EQ(other.share, deepest.share);
 }
 
 // What a fixed step sees of the gap is at its ends: an impact within it is a gap of 0.

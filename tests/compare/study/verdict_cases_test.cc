@@ -3,9 +3,13 @@
 #include <gtest/gtest.h>
 
 #include <string>
+#include <utility>
+#include <vector>
 
 #include "compare/study/answer.h"
 #include "compare/study/scene_comparison.h"
+#include "compare/study/verdict.h"
+#include "tests/support/jeffcott.h"
 #include "tests/support/mujoco_fixture.h"
 
 namespace rotorub::test {
@@ -80,6 +84,64 @@ TEST(VerdictCases, AShadowThatStoppedIsNotShown) {
       compare_scene(shipped("bench_ring", {"run.step=0.02", "run.end=0.1"}), quick(0));
   EXPECT_FALSE(c.shadow.side);
   EXPECT_NE(c.shadow.absent.find("step"), std::string::npos) << c.shadow.absent;
+}
+
+// The rotor sinks into a wide ring by 2 % of its clearance and into a narrow one by 20 %.
+TEST(VerdictCases, ADepthIsAShareOfItsOwnClearanceInAnyOrder) {
+  SceneComparison c;
+  c.scene = make_scene({.clearance = 0.5e-3});
+  c.scene.auxiliary.push_back(c.scene.first());
+  c.scene.auxiliary[1].name = "narrow";
+  c.scene.auxiliary[1].contact->clearance = 0.1e-3;
+  c.sides.resize(2);
+  Statistics& s = c.sides[1].trajectory.statistics;
+  s.max_penetration = c.sides[1].metrics.max_penetration = 20e-6;
+  s.contacts.resize(2);
+  s.contacts[0].max_penetration = 10e-6;
+  s.contacts[1].max_penetration = 20e-6;
+  SideDifference d;
+  for (const Figure& f : figures()) {
+    FigureDifference difference;
+    difference.figure = &f;
+    d.figures.push_back(difference);
+  }
+  for (const char* order : {"wide ring first", "narrow ring first"}) {
+    SCOPED_TRACE(order);
+    const std::vector<std::string> why = reasons(c, 1, d);
+    ASSERT_EQ(why.size(), 1U);
+    EXPECT_EQ(why[0],
+              "the rotor sinks 20 µm into the ring of contact narrow, 20 % of the clearance");
+    std::swap(c.scene.auxiliary[0], c.scene.auxiliary[1]);
+    std::swap(s.contacts[0], s.contacts[1]);
+  }
+}
+
+// A rotor that turns within two rings and touches neither.
+constexpr const char* kWithinTwoRings = R"(
+[run]
+end = 0.002
+step = 1e-5
+[rotor]
+speed = 100.0
+[rotor.modal]
+mass = [2.0]
+stiffness = [2e5]
+damping = [40.0]
+[initial]
+x = [1e-5]
+)";
+constexpr const char* kWideRing =
+    "[[contact]]\nradius = 0.05\nclearance = \"0.5 mm\"\nfriction = 0.1\nrestitution = 0.5\n";
+constexpr const char* kNarrowRing =
+    "[[contact]]\nradius = 0.05\nclearance = \"0.1 mm\"\nfriction = 0.1\nrestitution = 0.5\n";
+
+TEST(VerdictCases, RunsPartByAShareOfTheSmallestClearanceInAnyOrder) {
+  const auto threshold = [](const std::string& rings) {
+    return compare_scene(parsed(kWithinTwoRings + rings), quick(0)).twin.threshold;
+  };
+  const std::string wide = kWideRing, narrow = kNarrowRing;
+  EXPECT_DOUBLE_EQ(threshold(wide + narrow), kDivergenceShare * 0.1e-3);
+  EXPECT_EQ(threshold(narrow + wide), threshold(wide + narrow));
 }
 
 // Chaos: runs on both sides tell what one of them could not.

@@ -2,6 +2,8 @@
 
 #include <gtest/gtest.h>
 
+#include <utility>
+
 #include "tests/native_model/scene/refusals.h"
 
 namespace rotorub::scene {
@@ -70,6 +72,14 @@ TEST(ContactList, AListOfOneIsTheTableAlone) {
   const Scene one = two_with({"contact[1]=none"});
   ASSERT_EQ(one.auxiliary.size(), 1u);
   EXPECT_EQ(one.first().stator->mass, PlanePair(0.5, 0.5));
+}
+
+TEST(ContactList, TheSmallestClearanceIsThatOfAnyContact) {
+  Scene s = two_with({});
+  EXPECT_EQ(smallest_clearance(s), 0.2e-3);
+  std::swap(s.auxiliary[0], s.auxiliary[1]);
+  EXPECT_EQ(smallest_clearance(s), 0.2e-3);
+  EXPECT_FALSE(smallest_clearance(Scene{}).has_value());
 }
 
 TEST(ContactList, IsRefusedWithTheElementsPath) {

@@ -4,6 +4,8 @@
 
 #include <gtest/gtest.h>
 
+#include <utility>
+
 #include "native_model/bearing/actuator.h"
 #include "tests/native_model/hard/rules.h"
 #include "tests/support/jeffcott.h"
@@ -48,6 +50,24 @@ TEST(RangeCheck, OfTheRotorIsTwiceTheClearance) {
   const auto reason = out_of_range(model, q.data());
   ASSERT_TRUE(reason);
   EXPECT_NE(reason->find("clearance"), std::string::npos) << *reason;
+}
+
+// A soft ring holds up to its own thickness, 5 mm here, wherever it stands in the list.
+TEST(RangeCheck, OfASoftRingIsItsOwnThickness) {
+  scene::Scene scene = test::make_scene({.clearance = 0.5e-3, .radius = 5e-3});
+  scene.auxiliary.push_back(scene.first());
+  scene.auxiliary[1].contact->radius = 0.05;
+  for (const char* order : {"thin ring first", "thick ring first"}) {
+    SCOPED_TRACE(order);
+    const Model model = prepare(scene);
+    Eigen::VectorXd q = Eigen::VectorXd::Zero(model.nq());
+    q[0] = 5.4e-3;
+    EXPECT_FALSE(out_of_range(model, q.data(), RingDepth::kThickness));
+    EXPECT_TRUE(out_of_range(model, q.data())) << "a rigid ring holds up to its clearance";
+    q[0] = 5.6e-3;
+    EXPECT_TRUE(out_of_range(model, q.data(), RingDepth::kThickness));
+    std::swap(scene.auxiliary[0], scene.auxiliary[1]);
+  }
 }
 
 // The ring's spring is weaker than the pull of the bias current: it runs into a core.
