@@ -34,7 +34,7 @@ test('draws every plot when a reader comes to it', async () => {
           [...pictures].some((m) => (m.getAttribute('xlink:href') || m.getAttribute('href') || '').length > 500));
         if (drawn || left === 0) answer(drawn); else setTimeout(() => look(left - 1), 50);
       };
-      look(300);
+      look(1200);
     }));
     assert.ok(has, await plot.getAttribute('data-plot'));
   }
@@ -223,7 +223,7 @@ test('the waterfall is of the first run shown, and the spectrum has every run', 
   const scene = page.locator('.scene').nth(0), native = scene.locator('.legend-item[data-side="native"]');
   await bring(page, '[data-plot="waterfall"]');
   const of = () => scene.locator('[data-plot="waterfall"]').evaluate((p) => ({name: p.layout.annotations[0].text, picture: p.layout.images[0].source}));
-  const first = await of();
+  const first = await eventually(of);
   assert.equal(first.name, 'native');
   const others = ['rigid', 'coulomb', 'cone'].map((side) => scene.locator(`.legend-item[data-side="${side}"]`));
   await native.click();

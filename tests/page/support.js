@@ -57,9 +57,9 @@ const seek = (page, t, k = 0) => page.evaluate(async ([i, at]) => {
   window.page.players[i].clock.seek(at);
   for (let frame = 0; frame < 3; ++frame) await new Promise((drawn) => { requestAnimationFrame(drawn); });
 }, [k, t]);
-// What is drawn a plot a frame comes to hold within some seconds.
+// Plots are drawn one in each frame, so a check may have to wait: on a busy machine for some ten seconds.
 async function eventually(check) {
-  for (const end = Date.now() + 10000; ;) {
+  for (const end = Date.now() + 60000; ;) {
     try {
       return await check();
     } catch (error) {
