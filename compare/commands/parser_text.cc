@@ -13,12 +13,11 @@ namespace {
 // The parser describes a type as "TEXT:{native,mujoco}": the name of the value, and the accepted
 // words.
 void set_type(OptionText& option, const std::string& type) {
-  const std::size_t colon = type.find(':');
-  option.value = type.substr(0, colon);
-  const std::size_t open = type.find('{');
-  if (open == std::string::npos) return;
+  const std::size_t words = type.find(":{");
+  option.value = type.substr(0, words);
+  if (words == std::string::npos) return;
   std::string word;
-  for (std::size_t i = open + 1; i < type.size(); ++i) {
+  for (std::size_t i = words + 2; i < type.size(); ++i) {
     if (type[i] != ',' && type[i] != '}') {
       word += type[i];
       continue;

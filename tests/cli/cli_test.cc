@@ -59,6 +59,7 @@ TEST(Cli, HelpIsOfWords) {
   EXPECT_TRUE(contains(help, "--mode lockstep|replay|resync"));
   EXPECT_TRUE(contains(help, "(default: lockstep)"));
   EXPECT_TRUE(contains(help, "Not with --no-video."));
+  EXPECT_TRUE(contains(folder.done({"help", "modes"}).out, "--speeds FROM:TO:COUNT"));
   for (const std::string raw : {"TEXT", "{", "Excludes", "Needs", "REQUIRED", "INT in"})
     EXPECT_FALSE(contains(help, raw)) << raw << '\n' << help;
 }
