@@ -21,7 +21,7 @@ void add_held_slip(double surface_speed, const mjModel* m, mjData* d, const mjCo
     d->efc_aref[row] -= d->efc_KBIP[4 * row + 1] * rate;
   };
   const int first = contact.efc_address;
-  if (!mj_isPyramidal(m)) {
+  if (!is_pyramid(m, contact)) {
     add(first + 1, slip);
     return;
   }
@@ -34,7 +34,7 @@ void add_held_slip(double surface_speed, const mjModel* m, mjData* d, const mjCo
 void set_friction_reference(const mjModel* m, mjData* d, const mjContact& contact,
                             double reference) {
   const int first = contact.efc_address;
-  if (!mj_isPyramidal(m)) {
+  if (!is_pyramid(m, contact)) {
     for (int row = first + 1; row < first + contact.dim; ++row)
       d->efc_aref[row] = -reference * d->efc_vel[row];
     return;
@@ -57,7 +57,7 @@ double lift(const mjModel* m, const ConeRows& rows, const mjtNum* y) {
     sum += z * z;
     largest = std::max(largest, std::abs(z));
   }
-  return mj_isPyramidal(m) ? largest : std::sqrt(sum);
+  return is_pyramid(m, *rows.contact) ? largest : std::sqrt(sum);
 }
 
 void shift_reference(const mjModel* m, mjData* d, const ConeRows& rows, double by) {
@@ -168,7 +168,7 @@ void correct_cones(const mjModel* m, mjData* d, std::span<const SlidingContact> 
     if (c.contact->dim >= 3) cones.push_back(rows);
   }
   if (cones.empty() || (cones.size() > 1 && none_slides(m, d, cones))) return;
-  bool exact = !mj_isPyramidal(m);
+  bool exact = true;
   const bool alone = row_count(cones) == d->nefc;
   for (const std::span<ConeRows> group : groups_of(m, cones)) {
     exact = solve_group(m, d, group, alone) && exact;
