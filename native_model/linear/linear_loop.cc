@@ -56,10 +56,7 @@ std::optional<std::vector<std::complex<double>>> loop_poles(const LinearLoop& lo
   for (const std::complex<double>& z : *values) {
     if (std::abs(z) > kNothing) poles.push_back(std::log(z) / loop.every);
   }
-  std::sort(poles.begin(), poles.end(),
-            [](const std::complex<double>& a, const std::complex<double>& b) {
-              return a.real() != b.real() ? a.real() > b.real() : a.imag() < b.imag();
-            });
+  sort_by_growth(poles);
   return poles;
 }
 

@@ -21,9 +21,7 @@ std::optional<Values> sorted_values(const Matrix& A) {
   const Solver solver(A, false);
   if (solver.info() != Eigen::Success) return {};
   Values values(solver.eigenvalues().begin(), solver.eigenvalues().end());
-  std::sort(values.begin(), values.end(), [](const auto& a, const auto& b) {
-    return a.real() != b.real() ? a.real() > b.real() : a.imag() < b.imag();
-  });
+  sort_by_growth(values);
   return values;
 }
 
@@ -202,6 +200,12 @@ std::optional<LowestModes> search(const Matrix& B, const Matrix& C, const Eigen:
 }
 
 }  // namespace
+
+void sort_by_growth(Values& values) {
+  std::sort(values.begin(), values.end(), [](const auto& a, const auto& b) {
+    return a.real() != b.real() ? a.real() > b.real() : a.imag() < b.imag();
+  });
+}
 
 std::optional<Values> real_eigenvalues(const MatrixXd& A) {
   return sorted_values<Eigen::EigenSolver<MatrixXd>>(A);
