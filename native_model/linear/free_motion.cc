@@ -12,6 +12,7 @@
 #include "native_model/model/closed_loop.h"
 #include "native_model/model/linear_parts.h"
 #include "native_model/model/loads.h"
+#include "native_model/numerics/eigenvalues.h"
 #include "native_model/numerics/linear_solve.h"
 #include "native_model/scene/record.h"
 #include "native_model/scene/text.h"
@@ -137,10 +138,8 @@ void check_stability(const scene::Scene& scene, const Model& m) {
   constexpr double kScatter = 1e-9;  // of the largest eigenvalue
   const auto values = closed_loop_eigenvalues(closed_loop(m, m.speed));
   if (!values) refuse_steady(scene, "the eigenvalues of the free rotor do not converge");
-  double size = 0.0;
-  for (const Phasor& s : *values) size = std::max(size, std::abs(s));
   const Phasor first = values->front();
-  if (first.real() <= kScatter * size) return;
+  if (first.real() <= kScatter * largest_size(*values)) return;
   refuse_steady(scene, "the free rotor is unstable at " + scene::number_text(m.speed) +
                            " rad/s, a motion at " + scene::number_text(std::abs(first.imag())) +
                            " rad/s grows with " + scene::number_text(first.real()) +

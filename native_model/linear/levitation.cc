@@ -10,6 +10,7 @@
 #include "native_model/linear/free_motion.h"
 #include "native_model/linear/linear_loop.h"
 #include "native_model/model/closed_loop.h"
+#include "native_model/numerics/eigenvalues.h"
 #include "native_model/numerics/linear_solve.h"
 
 namespace rotorub {
@@ -19,11 +20,7 @@ namespace {
 // poles, and dense around each pole.
 std::vector<double> frequencies(const Model& m, const std::vector<std::complex<double>>& poles) {
   constexpr int kEven = 1200;
-  double low = 1e300, high = 0.0;
-  for (const std::complex<double>& s : poles) {
-    if (std::abs(s) > 0.0) low = std::min(low, std::abs(s));
-    high = std::max(high, std::abs(s));
-  }
+  double low = smallest_size(poles), high = largest_size(poles);
   if (!(high > 0.0)) low = 1.0, high = 1e5;
   low = std::max(0.01 * low, 1e-6 * high);
   high *= 3.0;

@@ -6,6 +6,7 @@
 #include <cstdint>
 #include <limits>
 
+#include "native_model/numerics/eigenvalues.h"
 #include "native_model/numerics/linear_solve.h"
 #include "native_model/numerics/matrix_functions.h"
 
@@ -185,11 +186,9 @@ std::vector<StepResponse> step_responses(const Model& m, const LinearLoop& loop,
                                          const std::vector<std::complex<double>>& poles) {
   constexpr double kEnds = 12.0;  // e^-12 of the slowest motion is left at the end
   constexpr int kMost = 45;       // octaves; only a nearly unstable loop needs so many
-  double fastest = 0.0, slowest = std::numeric_limits<double>::infinity();
-  for (const std::complex<double>& s : poles) {
-    fastest = std::max(fastest, std::abs(s));
-    slowest = std::min(slowest, -s.real());
-  }
+  const double fastest = largest_size(poles);
+  double slowest = std::numeric_limits<double>::infinity();
+  for (const std::complex<double>& s : poles) slowest = std::min(slowest, -s.real());
   const double whole = loop.every > 0.0 ? loop.every : 1.0 / (kWhole * fastest);
   const double most = kEnds / (slowest * whole * static_cast<double>(kDense));
   const int octaves = std::clamp(1 + static_cast<int>(std::ceil(std::log2(most))), 1, kMost);

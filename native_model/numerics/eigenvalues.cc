@@ -3,6 +3,7 @@
 #include <Eigen/Eigenvalues>
 #include <Eigen/LU>
 #include <algorithm>
+#include <limits>
 #include <numeric>
 #include <vector>
 
@@ -205,6 +206,19 @@ void sort_by_growth(Values& values) {
   std::sort(values.begin(), values.end(), [](const auto& a, const auto& b) {
     return a.real() != b.real() ? a.real() > b.real() : a.imag() < b.imag();
   });
+}
+
+double largest_size(const Values& values) {
+  double size = 0.0;
+  for (const std::complex<double>& s : values) size = std::max(size, std::abs(s));
+  return size;
+}
+double smallest_size(const Values& values) {
+  double size = std::numeric_limits<double>::infinity();
+  for (const std::complex<double>& s : values) {
+    if (std::abs(s) > 0.0) size = std::min(size, std::abs(s));
+  }
+  return size;
 }
 
 std::optional<Values> real_eigenvalues(const MatrixXd& A) {
