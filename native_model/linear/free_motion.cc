@@ -191,9 +191,7 @@ Answer answer(const scene::Scene& scene, const Model& m, const Bending& b, const
   Eigen::VectorXd scale =
       b.stiffness.diagonal().cwiseAbs() + nu * nu * b.mass + nu * b.damping.diagonal().cwiseAbs();
   for (double& x : scale) x = x > 0.0 ? 1.0 / std::sqrt(x) : 1.0;
-  Eigen::MatrixXcd z = b.stiffness.cast<Phasor>();
-  z += Phasor(0.0, nu) * b.damping.cast<Phasor>();
-  z.diagonal() -= (nu * nu * b.mass).cast<Phasor>();
+  Eigen::MatrixXcd z = dynamic_stiffness(b, nu);
   add_lags(m, nu, z);
   z = (scale.asDiagonal() * z * scale.asDiagonal()).eval();
   // Rows i nu j = I sensor^T q of the integrators, with j in the unit of force of the rows at their

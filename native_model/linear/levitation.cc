@@ -75,10 +75,7 @@ char sensitivity_zone(double peak) {
 LoopResponse::LoopResponse(const Model& model, double speed) : model_(always_working(model)) {
   Model open = model_;
   for (StationFeedback& f : open.feedbacks) f.law.proportional = f.law.derivative = 0.0;
-  const LinearParts parts = linear_parts(open, speed);
-  mass_ = parts.mass;
-  damping_ = parts.damping;
-  stiffness_ = parts.stiffness;
+  parts_ = linear_parts(open, speed);
   for (std::size_t k = 0; k < model_.feedbacks.size(); ++k) {
     const StationFeedback& f = model_.feedbacks[k];
     if (f.controlled && f.works.at(0.0)) working_.push_back(k);
@@ -138,10 +135,8 @@ Eigen::MatrixXcd LoopResponse::controls(double w) const {
 
 // Sensor signals under forces of one frequency, with the controls open.
 Eigen::MatrixXcd LoopResponse::open(double w, const Eigen::MatrixXcd& force) const {
-  Eigen::MatrixXcd z = stiffness_.cast<std::complex<double>>() +
-                       std::complex<double>(0.0, w) * damping_.cast<std::complex<double>>();
-  z.diagonal() -= (w * w * mass_).cast<std::complex<double>>();
-  return seen_.transpose().cast<std::complex<double>>() * lu_solve(z, force);
+  return seen_.transpose().cast<std::complex<double>>() *
+         lu_solve(dynamic_stiffness(parts_, w), force);
 }
 
 Eigen::MatrixXcd LoopResponse::return_difference(double w) const {
