@@ -39,10 +39,8 @@ Bending bending(const Model& m) {
   Eigen::Index at = 0;
   for (const StationFeedback& f : m.feedbacks) {
     if (f.states.stored == kAbsent || !f.works.at(0.0)) continue;
-    b.station.col(at).head(l.modes) = f.shape.x;
-    b.station.col(at + 1).tail(l.modes) = f.shape.y;
-    b.sensor.col(at).head(l.modes) = f.seen().x;
-    b.sensor.col(at + 1).tail(l.modes) = f.seen().y;
+    put_planes(b.station, at, f.shape);
+    put_planes(b.sensor, at, f.seen());
     for (int plane = 0; plane < 2; ++plane) {
       b.stored.push_back(f.states.stored - l.integral() + plane);
       b.owner.push_back(&f);

@@ -76,18 +76,14 @@ LoopResponse::LoopResponse(const Model& model, double speed) : model_(always_wor
   Model open = model_;
   for (StationFeedback& f : open.feedbacks) f.law.proportional = f.law.derivative = 0.0;
   parts_ = linear_parts(open, speed);
-  for (std::size_t k = 0; k < model_.feedbacks.size(); ++k) {
-    const StationFeedback& f = model_.feedbacks[k];
-    if (f.controlled && f.works.at(0.0)) working_.push_back(k);
-  }
+  working_ = working_feedbacks(model_);
   const Eigen::Index n = model_.layout.modes, p = 2 * static_cast<Eigen::Index>(working_.size());
   into_ = seen_ = Eigen::MatrixXd::Zero(2 * n, p);
   for (Eigen::Index j = 0; j < p; j += 2) {
     const StationFeedback& f = model_.feedbacks[working_[static_cast<std::size_t>(j / 2)]];
-    into_.col(j).head(n) = f.law.force_per_current * f.shape.x;
-    into_.col(j + 1).tail(n) = f.law.force_per_current * f.shape.y;
-    seen_.col(j).head(n) = f.seen().x;
-    seen_.col(j + 1).tail(n) = f.seen().y;
+    const double gain = f.law.force_per_current;
+    put_planes(into_, j, {gain * f.shape.x, gain * f.shape.y});
+    put_planes(seen_, j, f.seen());
   }
 }
 

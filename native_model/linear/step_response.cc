@@ -91,15 +91,12 @@ struct Ports {
 };
 Ports ports_of(const Model& m, const FirstOrderForm& form) {
   const Eigen::Index n = m.layout.modes, states = form.a.rows();
-  std::vector<const StationFeedback*> working;
-  for (const StationFeedback& f : m.feedbacks) {
-    if (f.controlled && f.works.at(0.0)) working.push_back(&f);
-  }
+  const std::vector<std::size_t> working = working_feedbacks(m);
   const auto p = 2 * static_cast<Eigen::Index>(working.size());
   Ports ports{Eigen::MatrixXd::Zero(states, p), Eigen::MatrixXd::Zero(p, states),
               Eigen::MatrixXd::Zero(p, states)};
   for (Eigen::Index j = 0; j < p; ++j) {
-    const ModeShape& at = working[static_cast<std::size_t>(j / 2)]->shape;
+    const ModeShape& at = m.feedbacks[working[static_cast<std::size_t>(j / 2)]].shape;
     const Eigen::VectorXd& shape = j % 2 == 0 ? at.x : at.y;
     const Eigen::Index q = j % 2 * n, v = 2 * n + q;
     ports.input.col(j).segment(v, n) = shape.cwiseQuotient(m.mass.segment(q, n));
