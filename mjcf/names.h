@@ -132,11 +132,12 @@ inline constexpr int kPairEntries = 13;
 inline int user_data_size(int nq, bool controlled, std::size_t loop) {
   return kUserDataSingle + (controlled ? 2 * nq : 0) + static_cast<int>(loop);
 }
-// With one contact on the modal chain these are followed by the state of the `verlet` step of
-// `rigid` (plugin/contact/verlet.h): velocities and two slots of `slot` entries.
+// With contacts on the modal chain these are followed by the state of the `verlet` step of `rigid`
+// (plugin/contact/verlet.h): velocities and two slots. A slot has `memory` entries for the stepper,
+// `hold` for its controller, and the number of the step.
 inline constexpr int kVerletSingle = 3;
-inline int verlet_data_size(int nq, std::size_t slot) {
-  return kVerletSingle + nq + 2 * static_cast<int>(slot);
+inline int verlet_data_size(int nq, std::size_t hold, std::size_t memory) {
+  return kVerletSingle + nq + 2 * static_cast<int>(hold + memory + 1);
 }
 // With [mujoco] shadow these are followed by the shadow's entries, of which `hold` belong to its
 // controller and `memory` to its stepper.

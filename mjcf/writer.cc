@@ -124,9 +124,8 @@ class Document {
     const std::size_t loop = model_.first().loop ? model_.first().loop->memory_size() : 0;
     int user_data = names::user_data_size(model_.nq(), model_.first().controller != nullptr, loop);
     if (scene_.first().contact && !segments_ && !scene_.gives()) {
-      const std::size_t slot =
-          VerletStepper::memory_size(model_) + ZeroOrderHold::memory_size(model_) + 1;
-      user_data += names::verlet_data_size(model_.nq(), slot);
+      user_data += names::verlet_data_size(model_.nq(), ZeroOrderHold::memory_size(model_),
+                                           VerletStepper::memory_size(model_));
     }
     if (scene_.mujoco.shadow) {
       const Model whole = prepare(scene_);

@@ -196,7 +196,8 @@ int map_memory(const mjModel* m, const scene::Scene& scene, Config& config) {
   if (scene.first().contact && scene.mujoco.rotor != scene::MujocoRotor::kSegments &&
       !scene.gives()) {
     config.verlet_data = needed;
-    needed += verlet_data_size(config.model);
+    needed += names::verlet_data_size(config.model.nq(), ZeroOrderHold::memory_size(config.model),
+                                      VerletStepper::memory_size(config.model));
   }
   if (config.shadow) {
     config.shadow->data = needed;

@@ -258,8 +258,10 @@ bool collide_pair(const mjModel* m, const mjData* d, CollisionContact* con, int 
     // every version.
     const double margin = pair.pair >= 0 ? seen_below(m, pair.pair) : 0.0;
     count = collide_exactly(pair, d, con, g1, margin);
-    // With `rigid` the contact is kept from MuJoCo's solver even if the pair's gap does not do so.
-    if (pair.law == scene::ContactModel::kRigid && count > 0 && pair.pair >= 0) {
+    // A contact that only the plugin solves is kept from MuJoCo's solver even if the pair's gap
+    // does not do so.
+    const bool kept_out = pair.law == scene::ContactModel::kRigid || pair.beside;
+    if (kept_out && count > 0 && pair.pair >= 0) {
       con->dist = std::max<mjtNum>(con->dist, solved_below(m, pair.pair));
     }
     return true;

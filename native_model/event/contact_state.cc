@@ -13,7 +13,10 @@ constexpr ContactState kParts = in_flight(Departure::kParting);
 // Relative to the accelerations; a gap that opens no faster is held.
 constexpr double kHeld = 1e-8;
 
-// The case of a single sliding contact is known: it parts, or it slides on.
+// A single sliding contact parts or slides on by the sign of its normal acceleration, however
+// small. solve_coupled() would decide otherwise near 0, because it counts what is below its
+// round-off of the largest acceleration, also the tangential one, as 0. Where several solutions
+// exist (Painleve), it would also select one if it can, while this function reports them.
 ContactDecisions sliding_alone(const Delassus& g, double normal, double slip, double mu) {
   const double sign = slip > 0.0 ? 1.0 : -1.0;
   ContactDecisions decided;

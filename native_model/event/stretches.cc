@@ -1,31 +1,52 @@
 // An event-driven run that is driven from outside: inspected and cut between its events, saved and
 // restored.
 
-#include <tuple>
+#include <memory>
+#include <vector>
 
 #include "native_model/event/driver.h"
 
 namespace rotorub {
 
+// Copies of the members of the integrator that have the same names.
 struct EventIntegrator::Moving {
-  std::tuple<Motion, Schedule, Phase, SmoothStep, StiffnessWatch, Observer, Ahead, Result,
-             std::vector<SampledCommand>, double, std::vector<double>, int, double, double>
-      values;
-
-  // References to the members of the integrator, in the order of `values`.
-  template <class Integrator>
-  static auto members(Integrator& of) {
-    return std::tie(of.motion_, of.schedule_, of.phase_, of.step_, of.stiffness_, of.observer_,
-                    of.ahead_, of.result_, of.sampled_, of.end_, of.force_scale_, of.stalled_,
-                    of.last_event_, of.booked_);
-  }
+  Motion motion;
+  Schedule schedule;
+  Phase phase;
+  SmoothStep step;
+  StiffnessWatch stiffness;
+  Observer observer;
+  Ahead ahead;
+  Result result;
+  std::vector<SampledCommand> sampled;
+  double end;
+  std::vector<double> force_scale;
+  int stalled;
+  double last_event, booked;
 };
 
 std::shared_ptr<const EventIntegrator::Moving> EventIntegrator::save() const {
-  return std::make_shared<const Moving>(Moving{Moving::members(*this)});
+  return std::make_shared<const Moving>(Moving{motion_, schedule_, phase_, step_, stiffness_,
+                                               observer_, ahead_, result_, sampled_, end_,
+                                               force_scale_, stalled_, last_event_, booked_});
 }
 
-void EventIntegrator::restore(const Moving& saved) { Moving::members(*this) = saved.values; }
+void EventIntegrator::restore(const Moving& saved) {
+  motion_ = saved.motion;
+  schedule_ = saved.schedule;
+  phase_ = saved.phase;
+  step_ = saved.step;
+  stiffness_ = saved.stiffness;
+  observer_ = saved.observer;
+  ahead_ = saved.ahead;
+  result_ = saved.result;
+  sampled_ = saved.sampled;
+  end_ = saved.end;
+  force_scale_ = saved.force_scale;
+  stalled_ = saved.stalled;
+  last_event_ = saved.last_event;
+  booked_ = saved.booked;
+}
 
 Snapshot EventIntegrator::within(double t) {
   return observer_.within(motion_, step_, constraint_, t);

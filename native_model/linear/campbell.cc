@@ -114,8 +114,6 @@ std::vector<Whirl> anisotropic_whirls(const WhirlSystem& system, double speed) {
   return all;
 }
 
-using Complex = std::complex<double>;
-
 // s of the mode with |Im s|, since a mode of anisotropic planes may change its sense along the
 // branch.
 Complex eigenvalue(const WhirlMode& mode) {

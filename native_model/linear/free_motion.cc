@@ -12,6 +12,7 @@
 #include "native_model/model/closed_loop.h"
 #include "native_model/model/linear_parts.h"
 #include "native_model/model/loads.h"
+#include "native_model/numerics/eigenvalues.h"
 #include "native_model/numerics/linear_solve.h"
 #include "native_model/scene/record.h"
 #include "native_model/scene/text.h"
@@ -38,10 +39,8 @@ Bending bending(const Model& m) {
   Eigen::Index at = 0;
   for (const StationFeedback& f : m.feedbacks) {
     if (f.states.stored == kAbsent || !f.works.at(0.0)) continue;
-    b.station.col(at).head(l.modes) = f.shape.x;
-    b.station.col(at + 1).tail(l.modes) = f.shape.y;
-    b.sensor.col(at).head(l.modes) = f.seen().x;
-    b.sensor.col(at + 1).tail(l.modes) = f.seen().y;
+    put_planes(b.station, at, f.shape);
+    put_planes(b.sensor, at, f.seen());
     for (int plane = 0; plane < 2; ++plane) {
       b.stored.push_back(f.states.stored - l.integral() + plane);
       b.owner.push_back(&f);
@@ -137,10 +136,8 @@ void check_stability(const scene::Scene& scene, const Model& m) {
   constexpr double kScatter = 1e-9;  // of the largest eigenvalue
   const auto values = closed_loop_eigenvalues(closed_loop(m, m.speed));
   if (!values) refuse_steady(scene, "the eigenvalues of the free rotor do not converge");
-  double size = 0.0;
-  for (const Phasor& s : *values) size = std::max(size, std::abs(s));
   const Phasor first = values->front();
-  if (first.real() <= kScatter * size) return;
+  if (first.real() <= kScatter * largest_size(*values)) return;
   refuse_steady(scene, "the free rotor is unstable at " + scene::number_text(m.speed) +
                            " rad/s, a motion at " + scene::number_text(std::abs(first.imag())) +
                            " rad/s grows with " + scene::number_text(first.real()) +
@@ -192,9 +189,7 @@ Answer answer(const scene::Scene& scene, const Model& m, const Bending& b, const
   Eigen::VectorXd scale =
       b.stiffness.diagonal().cwiseAbs() + nu * nu * b.mass + nu * b.damping.diagonal().cwiseAbs();
   for (double& x : scale) x = x > 0.0 ? 1.0 / std::sqrt(x) : 1.0;
-  Eigen::MatrixXcd z = b.stiffness.cast<Phasor>();
-  z += Phasor(0.0, nu) * b.damping.cast<Phasor>();
-  z.diagonal() -= (nu * nu * b.mass).cast<Phasor>();
+  Eigen::MatrixXcd z = dynamic_stiffness(b, nu);
   add_lags(m, nu, z);
   z = (scale.asDiagonal() * z * scale.asDiagonal()).eval();
   // Rows i nu j = I sensor^T q of the integrators, with j in the unit of force of the rows at their

@@ -10,6 +10,7 @@
 #include "native_model/linear/free_motion.h"
 #include "native_model/linear/linear_loop.h"
 #include "native_model/model/closed_loop.h"
+#include "native_model/numerics/eigenvalues.h"
 #include "native_model/numerics/linear_solve.h"
 
 namespace rotorub {
@@ -19,11 +20,7 @@ namespace {
 // poles, and dense around each pole.
 std::vector<double> frequencies(const Model& m, const std::vector<std::complex<double>>& poles) {
   constexpr int kEven = 1200;
-  double low = 1e300, high = 0.0;
-  for (const std::complex<double>& s : poles) {
-    if (std::abs(s) > 0.0) low = std::min(low, std::abs(s));
-    high = std::max(high, std::abs(s));
-  }
+  double low = smallest_size(poles), high = largest_size(poles);
   if (!(high > 0.0)) low = 1.0, high = 1e5;
   low = std::max(0.01 * low, 1e-6 * high);
   high *= 3.0;
@@ -78,22 +75,15 @@ char sensitivity_zone(double peak) {
 LoopResponse::LoopResponse(const Model& model, double speed) : model_(always_working(model)) {
   Model open = model_;
   for (StationFeedback& f : open.feedbacks) f.law.proportional = f.law.derivative = 0.0;
-  const LinearParts parts = linear_parts(open, speed);
-  mass_ = parts.mass;
-  damping_ = parts.damping;
-  stiffness_ = parts.stiffness;
-  for (std::size_t k = 0; k < model_.feedbacks.size(); ++k) {
-    const StationFeedback& f = model_.feedbacks[k];
-    if (f.controlled && f.works.at(0.0)) working_.push_back(k);
-  }
+  parts_ = linear_parts(open, speed);
+  working_ = working_feedbacks(model_);
   const Eigen::Index n = model_.layout.modes, p = 2 * static_cast<Eigen::Index>(working_.size());
   into_ = seen_ = Eigen::MatrixXd::Zero(2 * n, p);
   for (Eigen::Index j = 0; j < p; j += 2) {
     const StationFeedback& f = model_.feedbacks[working_[static_cast<std::size_t>(j / 2)]];
-    into_.col(j).head(n) = f.law.force_per_current * f.shape.x;
-    into_.col(j + 1).tail(n) = f.law.force_per_current * f.shape.y;
-    seen_.col(j).head(n) = f.seen().x;
-    seen_.col(j + 1).tail(n) = f.seen().y;
+    const double gain = f.law.force_per_current;
+    put_planes(into_, j, {gain * f.shape.x, gain * f.shape.y});
+    put_planes(seen_, j, f.seen());
   }
 }
 
@@ -141,10 +131,8 @@ Eigen::MatrixXcd LoopResponse::controls(double w) const {
 
 // Sensor signals under forces of one frequency, with the controls open.
 Eigen::MatrixXcd LoopResponse::open(double w, const Eigen::MatrixXcd& force) const {
-  Eigen::MatrixXcd z = stiffness_.cast<std::complex<double>>() +
-                       std::complex<double>(0.0, w) * damping_.cast<std::complex<double>>();
-  z.diagonal() -= (w * w * mass_).cast<std::complex<double>>();
-  return seen_.transpose().cast<std::complex<double>>() * lu_solve(z, force);
+  return seen_.transpose().cast<std::complex<double>>() *
+         lu_solve(dynamic_stiffness(parts_, w), force);
 }
 
 Eigen::MatrixXcd LoopResponse::return_difference(double w) const {

@@ -17,6 +17,7 @@
 #include <vector>
 
 #include "native_model/linear/step_response.h"
+#include "native_model/model/linear_parts.h"
 #include "native_model/model/model.h"
 
 namespace rotorub {
@@ -70,9 +71,8 @@ class LoopResponse {
 
   Model model_;
   std::vector<std::size_t> working_;  // indices of the model's feedbacks
-  Eigen::VectorXd mass_;              // bending modes, as in LinearParts
-  Eigen::MatrixXd damping_, stiffness_;
-  Eigen::MatrixXd into_, seen_;  // 2 n x p: modal force per ampere; mode values at the sensor
+  LinearParts parts_;                 // without the proportional and derivative parts of the laws
+  Eigen::MatrixXd into_, seen_;       // 2 n x p: modal force per ampere; mode values at the sensor
 };
 
 }  // namespace rotorub

@@ -21,6 +21,20 @@ Model always_working(Model model) {
   return with_linear_feedback(without_offsets(std::move(model)));
 }
 
+std::vector<std::size_t> working_feedbacks(const Model& model) {
+  std::vector<std::size_t> working;
+  for (std::size_t k = 0; k < model.feedbacks.size(); ++k) {
+    const StationFeedback& f = model.feedbacks[k];
+    if (f.controlled && f.works.at(0.0)) working.push_back(k);
+  }
+  return working;
+}
+
+void put_planes(Eigen::MatrixXd& matrix, Eigen::Index column, const ModeShape& shape) {
+  matrix.col(column).head(shape.x.size()) = shape.x;
+  matrix.col(column + 1).tail(shape.y.size()) = shape.y;
+}
+
 std::string loop_refusal(const Model& m) {
   for (const SampledFeedback& s : m.samplers) {
     if (s.library != nullptr)
@@ -56,10 +70,7 @@ std::optional<std::vector<std::complex<double>>> loop_poles(const LinearLoop& lo
   for (const std::complex<double>& z : *values) {
     if (std::abs(z) > kNothing) poles.push_back(std::log(z) / loop.every);
   }
-  std::sort(poles.begin(), poles.end(),
-            [](const std::complex<double>& a, const std::complex<double>& b) {
-              return a.real() != b.real() ? a.real() > b.real() : a.imag() < b.imag();
-            });
+  sort_by_growth(poles);
   return poles;
 }
 

@@ -7,6 +7,7 @@
 
 #include <Eigen/Core>
 #include <complex>
+#include <cstddef>
 #include <optional>
 #include <string>
 #include <vector>
@@ -19,6 +20,13 @@ namespace rotorub {
 // The model with linear feedback, without limits and bearing offsets. Each magnetic bearing that
 // works at some time works always.
 Model always_working(Model model);
+
+// Indices of the feedbacks with a control that works at t = 0.
+std::vector<std::size_t> working_feedbacks(const Model& model);
+
+// Writes the mode values at a place to two columns of a matrix of 2 n rows: those of x to the rows
+// of x, and those of y, in the next column, to the rows of y.
+void put_planes(Eigen::MatrixXd& matrix, Eigen::Index column, const ModeShape& shape);
 
 // Reason why the loop's law is not known, as a sentence; empty if it is known.
 std::string loop_refusal(const Model& model);

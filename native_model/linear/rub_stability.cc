@@ -170,13 +170,12 @@ std::vector<Complex> rub_eigenvalues(const RubSystem& s, const SteadyRub& rub) {
 Stability stability_of(const std::vector<Complex>& eigenvalues) {
   constexpr double kRoundOff = 1e-10;
   if (eigenvalues.empty()) return {-std::numeric_limits<double>::infinity(), 0.0, true};
-  double largest = 0.0;
   Complex first = eigenvalues.front();
   for (const Complex& s : eigenvalues) {
-    largest = std::max(largest, std::abs(s));
     if (s.real() > first.real()) first = s;
   }
-  return {first.real(), std::abs(first.imag()), first.real() <= kRoundOff * largest};
+  return {first.real(), std::abs(first.imag()),
+          first.real() <= kRoundOff * largest_size(eigenvalues)};
 }
 
 }  // namespace rotorub::rub

@@ -23,12 +23,6 @@ using Complex = std::complex<double>;
 constexpr double kRigid = 1e-7;
 constexpr double kGrows = 1e-9;  // of |s|: beyond the round-off of an undamped mode
 
-double highest(const std::vector<Complex>& values) {
-  double size = 0.0;
-  for (const Complex& s : values) size = std::max(size, std::abs(s));
-  return size;
-}
-
 double growth_of(const Complex& s) { return s.real() / std::abs(s); }
 
 // Whether nothing can grow: no rotating damping, no oil film, and no negative net stiffness in
@@ -58,7 +52,7 @@ class StabilitySearch {
 
   Sample at(double speed) const {
     const std::vector<Complex> values = whirl_eigenvalues(system_, sense_ * speed);
-    const double size = highest(values);
+    const double size = largest_size(values);
     Sample sample{speed, {}};
     for (const Complex& s : values) {
       if (std::abs(s) <= kRigid * size) continue;
@@ -188,7 +182,7 @@ class StabilitySearch {
 double stability_bound(const WhirlSystem& system) {
   if (passive(system)) return std::numeric_limits<double>::infinity();
   constexpr double kBound = 20.0;
-  double bound = kBound * highest(whirl_eigenvalues(system, 0.0));
+  double bound = kBound * largest_size(whirl_eigenvalues(system, 0.0));
   for (const double sense : {1.0, -1.0})
     bound = std::max(bound, table_speeds(system, sense).back());
   return bound;

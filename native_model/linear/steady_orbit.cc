@@ -14,6 +14,17 @@
 namespace rotorub {
 namespace {
 
+// -dF/dr of a force on a ring, N/m, by difference quotients over 2 h (m).
+template <class Force>
+Eigen::Matrix2d slope_of(const Force& force, const Eigen::Vector2d& place, double h) {
+  Eigen::Matrix2d slope;
+  for (int k = 0; k < 2; ++k) {
+    const Eigen::Vector2d nudge = h * Eigen::Vector2d::Unit(k);
+    slope.col(k) = (force(place - nudge) - force(place + nudge)) / (2.0 * h);
+  }
+  return slope;
+}
+
 // Rest position of a ring under `weight` (N) on its ball bearings and its spring, m: the minimum of
 // its convex energy, found by Newton's method with steps halved until the residual force falls.
 Eigen::Vector2d at_rest_on_balls(const BallBearingLaw& balls, const Eigen::Vector2d& stiffness,
@@ -28,12 +39,7 @@ Eigen::Vector2d at_rest_on_balls(const BallBearingLaw& balls, const Eigen::Vecto
   for (int round = 0; round < 200; ++round) {
     pull = force(place);
     if (pull.norm() <= 1e-12 * weight.norm()) break;
-    const double h = 1e-7 * place.norm();
-    Eigen::Matrix2d slope;
-    for (int k = 0; k < 2; ++k) {
-      const Eigen::Vector2d nudge = h * Eigen::Vector2d::Unit(k);
-      slope.col(k) = (force(place - nudge) - force(place + nudge)) / (2.0 * h);
-    }
+    Eigen::Matrix2d slope = slope_of(force, place, 1e-7 * place.norm());
     slope.diagonal().array() += 1e-9 * slope.trace();
     Eigen::Vector2d change = slope.inverse() * pull;
     while (force(place + change).norm() > pull.norm() && change.norm() > 1e-16 * place.norm()) {
@@ -59,12 +65,8 @@ Eigen::Vector2d ring_on_magnets(const scene::Scene& scene, const AuxiliaryBearin
   constexpr double kStep = 1e-8;  // m, of the difference quotients
   Eigen::Vector2d place{0.0, 0.0};
   for (int round = 0; round < 60; ++round) {
-    Eigen::Matrix2d slope;
-    for (int k = 0; k < 2; ++k) {
-      const Eigen::Vector2d h = kStep * Eigen::Vector2d::Unit(k);
-      slope.col(k) = (force(place - h) - force(place + h)) / (2.0 * kStep);
-    }
-    // The ring is held if -dF/dq, which is symmetric, is positive definite.
+    const Eigen::Matrix2d slope = slope_of(force, place, kStep);
+    // The ring is held if the slope, which is symmetric, is positive definite.
     if (slope.trace() <= 0.0 || slope.determinant() <= 0.0) break;
     const Eigen::Vector2d change = slope.inverse() * force(place);
     place += change;

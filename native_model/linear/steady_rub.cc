@@ -7,6 +7,7 @@
 #include <limits>
 
 #include "native_model/linear/rub_stability.h"
+#include "native_model/numerics/eigenvalues.h"
 #include "native_model/numerics/root.h"
 
 namespace rotorub::rub {
@@ -134,11 +135,7 @@ BackwardCompliance::BackwardCompliance(const RubSystem& system)
   constexpr double kBeyond = 20.0, kBelow = 1e-3;
   std::vector<Complex> poles = free_eigenvalues(system_);
   for (const Complex& pole : ring_eigenvalues(system_)) poles.push_back(pole);
-  double highest = 0.0, lowest = std::numeric_limits<double>::infinity();
-  for (const Complex& pole : poles) {
-    highest = std::max(highest, std::abs(pole));
-    if (std::abs(pole) > 0.0) lowest = std::min(lowest, std::abs(pole));
-  }
+  double highest = largest_size(poles), lowest = smallest_size(poles);
   if (!(highest > 0.0)) highest = lowest = std::abs(system_.speed);
   nu_ = resonance_points(poles, kBelow * lowest, std::max(rolling_pace(), kBeyond * highest));
   sample_with_extremes([this](double nu) { return asked(nu); }, nu_, asked_);

@@ -6,6 +6,7 @@
 #include <cstdint>
 #include <limits>
 
+#include "native_model/numerics/eigenvalues.h"
 #include "native_model/numerics/linear_solve.h"
 #include "native_model/numerics/matrix_functions.h"
 
@@ -90,15 +91,12 @@ struct Ports {
 };
 Ports ports_of(const Model& m, const FirstOrderForm& form) {
   const Eigen::Index n = m.layout.modes, states = form.a.rows();
-  std::vector<const StationFeedback*> working;
-  for (const StationFeedback& f : m.feedbacks) {
-    if (f.controlled && f.works.at(0.0)) working.push_back(&f);
-  }
+  const std::vector<std::size_t> working = working_feedbacks(m);
   const auto p = 2 * static_cast<Eigen::Index>(working.size());
   Ports ports{Eigen::MatrixXd::Zero(states, p), Eigen::MatrixXd::Zero(p, states),
               Eigen::MatrixXd::Zero(p, states)};
   for (Eigen::Index j = 0; j < p; ++j) {
-    const ModeShape& at = working[static_cast<std::size_t>(j / 2)]->shape;
+    const ModeShape& at = m.feedbacks[working[static_cast<std::size_t>(j / 2)]].shape;
     const Eigen::VectorXd& shape = j % 2 == 0 ? at.x : at.y;
     const Eigen::Index q = j % 2 * n, v = 2 * n + q;
     ports.input.col(j).segment(v, n) = shape.cwiseQuotient(m.mass.segment(q, n));
@@ -185,11 +183,9 @@ std::vector<StepResponse> step_responses(const Model& m, const LinearLoop& loop,
                                          const std::vector<std::complex<double>>& poles) {
   constexpr double kEnds = 12.0;  // e^-12 of the slowest motion is left at the end
   constexpr int kMost = 45;       // octaves; only a nearly unstable loop needs so many
-  double fastest = 0.0, slowest = std::numeric_limits<double>::infinity();
-  for (const std::complex<double>& s : poles) {
-    fastest = std::max(fastest, std::abs(s));
-    slowest = std::min(slowest, -s.real());
-  }
+  const double fastest = largest_size(poles);
+  double slowest = std::numeric_limits<double>::infinity();
+  for (const std::complex<double>& s : poles) slowest = std::min(slowest, -s.real());
   const double whole = loop.every > 0.0 ? loop.every : 1.0 / (kWhole * fastest);
   const double most = kEnds / (slowest * whole * static_cast<double>(kDense));
   const int octaves = std::clamp(1 + static_cast<int>(std::ceil(std::log2(most))), 1, kMost);

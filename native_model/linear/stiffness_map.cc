@@ -164,14 +164,9 @@ WhirlSystem joined(const WhirlSystem& rotor, const ModeShape& contact, const Rin
     Eigen::MatrixXd b = Eigen::MatrixXd::Zero(1 + behind, n + behind);
     b.row(0).head(n) = k == 0 ? contact.x : contact.y;
     b.bottomRightCorner(behind, behind).setIdentity();
-    // Symmetric to the last bit.
-    const auto of_ring = [&](const Eigen::MatrixXd& a) {
-      const Eigen::MatrixXd c = b.transpose() * a * b;
-      return Eigen::MatrixXd(0.5 * (c + c.transpose()));
-    };
-    both[k].mass = widened(Eigen::MatrixXd::Identity(n, n)) + of_ring(ring[k].mass);
+    both[k].mass = widened(Eigen::MatrixXd::Identity(n, n)) + projected(ring[k].mass, b);
     both[k].stiffness =
-        widened(k == 0 ? rotor.stiffness_x : rotor.stiffness_y) + of_ring(ring[k].stiffness);
+        widened(k == 0 ? rotor.stiffness_x : rotor.stiffness_y) + projected(ring[k].stiffness, b);
   }
   WhirlSystem system =
       of_unit_mass(both, widened(rotor.gyroscopic), rotor.kept + static_cast<int>(behind),

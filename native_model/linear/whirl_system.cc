@@ -58,19 +58,14 @@ WhirlSystem geometry_system(const scene::Scene& scene) {
   const RitzBending& ritz = modes.ritz;
   const Eigen::MatrixXd& phi = modes.mean.shape;
   const Eigen::VectorXd& omega = modes.mean.frequency;
-  // Symmetric to the last bit, so that equal planes compare as equal.
-  const auto projected = [&](const Eigen::MatrixXd& matrix) {
-    const Eigen::MatrixXd p = phi.transpose() * matrix * phi;
-    return Eigen::MatrixXd(0.5 * (p + p.transpose()));
-  };
-
+  const auto in_modes = [&](const Eigen::MatrixXd& matrix) { return projected(matrix, phi); };
   const auto values_at = [&](double z) -> Eigen::VectorXd {
     return (ritz.basis.deflection(z) * phi).transpose();
   };
 
   WhirlSystem system;
   system.kept = modes.kept;
-  system.gyroscopic = projected(ritz.gyroscopic);
+  system.gyroscopic = in_modes(ritz.gyroscopic);
   system.internal_xx = (2.0 * geometry.internal_damping_ratio * omega).asDiagonal();
   system.internal_xy = system.internal_yy = system.internal_xx;
   if (ritz.isotropic) {
@@ -78,17 +73,17 @@ WhirlSystem geometry_system(const scene::Scene& scene) {
     system.damping_x = system.damping_y = (2.0 * geometry.damping_ratio * omega).asDiagonal();
   } else {
     // K_x = mean + half the difference, which comes from the bearings alone.
-    const Eigen::MatrixXd half = projected(0.5 * (ritz.stiffness_x - ritz.stiffness_y));
+    const Eigen::MatrixXd half = in_modes(0.5 * (ritz.stiffness_x - ritz.stiffness_y));
     const Eigen::MatrixXd mean = omega.cwiseAbs2().asDiagonal();
     system.stiffness_x = mean + half;
     system.stiffness_y = mean - half;
-    system.damping_x = projected(modal_damping(ritz.mass, modes.x, geometry.damping_ratio));
-    system.damping_y = projected(modal_damping(ritz.mass, modes.y, geometry.damping_ratio));
+    system.damping_x = in_modes(modal_damping(ritz.mass, modes.x, geometry.damping_ratio));
+    system.damping_y = in_modes(modal_damping(ritz.mass, modes.y, geometry.damping_ratio));
   }
 
   if (modes.own) {
     const auto damping = [&](const PlanarModes& of, double ratio) {
-      return projected(modal_damping(ritz.mass, of, ratio));
+      return in_modes(modal_damping(ritz.mass, of, ratio));
     };
     system.damping_x = damping(modes.own->x, geometry.damping_ratio);
     system.damping_y =
@@ -185,6 +180,11 @@ PlanesMatrices planes_matrices(const WhirlSystem& system, double speed) {
     }
   }
   return m;
+}
+
+Eigen::MatrixXd projected(const Eigen::MatrixXd& A, const Eigen::MatrixXd& B) {
+  const Eigen::MatrixXd p = B.transpose() * A * B;
+  return 0.5 * (p + p.transpose());
 }
 
 WhirlSystem whirl_system(const scene::Scene& scene) {

@@ -50,6 +50,9 @@ struct PlanesMatrices {
 };
 PlanesMatrices planes_matrices(const WhirlSystem& system, double speed);
 
+// B^T A B for a symmetric A, symmetric to the last bit, so that equal planes compare as equal.
+Eigen::MatrixXd projected(const Eigen::MatrixXd& A, const Eigen::MatrixXd& B);
+
 // Throws scene::SceneError as modal_rotor does.
 WhirlSystem whirl_system(const scene::Scene& scene);
 

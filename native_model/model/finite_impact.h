@@ -11,6 +11,7 @@
 
 #include <Eigen/Core>
 #include <array>
+#include <cstddef>
 #include <vector>
 
 #include "native_model/contact/impact.h"
@@ -85,6 +86,9 @@ class FiniteImpact {
     for (auto* values : {&q_, &v_, &after_compression_, &after_, &end_q_, &end_v_, &end_a_}) {
       for (double& x : *values) action(x);
     }
+  }
+  static std::size_t count_kept(const Model& model) {  // how many they are
+    return 10 + 7 * static_cast<std::size_t>(model.nq());
   }
 
  private:

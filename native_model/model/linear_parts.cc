@@ -1,5 +1,7 @@
 #include "native_model/model/linear_parts.h"
 
+#include <complex>
+
 #include "native_model/model/loads.h"
 
 namespace rotorub {
@@ -23,6 +25,14 @@ LinearParts linear_parts(const Model& given, double speed) {
     parts.damping.col(j) -= f.head(size);
   }
   return parts;
+}
+
+Eigen::MatrixXcd dynamic_stiffness(const LinearParts& parts, double w) {
+  using Complex = std::complex<double>;
+  Eigen::MatrixXcd z = parts.stiffness.cast<Complex>();
+  z += Complex(0.0, w) * parts.damping.cast<Complex>();
+  z.diagonal() -= (w * w * parts.mass).cast<Complex>();
+  return z;
 }
 
 }  // namespace rotorub

@@ -32,4 +32,8 @@ struct LinearParts {
 // if they work at t = 0; their integrators are left out.
 LinearParts linear_parts(const Model& model, double speed);
 
+// K + i w C - w^2 M, N/m, 2 n x 2 n: the amplitude of the force over the amplitude of q at the
+// frequency w, rad/s.
+Eigen::MatrixXcd dynamic_stiffness(const LinearParts& parts, double w);
+
 }  // namespace rotorub

@@ -3,6 +3,7 @@
 #include <Eigen/Eigenvalues>
 #include <Eigen/LU>
 #include <algorithm>
+#include <limits>
 #include <numeric>
 #include <vector>
 
@@ -21,9 +22,7 @@ std::optional<Values> sorted_values(const Matrix& A) {
   const Solver solver(A, false);
   if (solver.info() != Eigen::Success) return {};
   Values values(solver.eigenvalues().begin(), solver.eigenvalues().end());
-  std::sort(values.begin(), values.end(), [](const auto& a, const auto& b) {
-    return a.real() != b.real() ? a.real() > b.real() : a.imag() < b.imag();
-  });
+  sort_by_growth(values);
   return values;
 }
 
@@ -202,6 +201,25 @@ std::optional<LowestModes> search(const Matrix& B, const Matrix& C, const Eigen:
 }
 
 }  // namespace
+
+void sort_by_growth(Values& values) {
+  std::sort(values.begin(), values.end(), [](const auto& a, const auto& b) {
+    return a.real() != b.real() ? a.real() > b.real() : a.imag() < b.imag();
+  });
+}
+
+double largest_size(const Values& values) {
+  double size = 0.0;
+  for (const std::complex<double>& s : values) size = std::max(size, std::abs(s));
+  return size;
+}
+double smallest_size(const Values& values) {
+  double size = std::numeric_limits<double>::infinity();
+  for (const std::complex<double>& s : values) {
+    if (std::abs(s) > 0.0) size = std::min(size, std::abs(s));
+  }
+  return size;
+}
 
 std::optional<Values> real_eigenvalues(const MatrixXd& A) {
   return sorted_values<Eigen::EigenSolver<MatrixXd>>(A);

@@ -11,8 +11,15 @@
 
 namespace rotorub {
 
-// A: any n x n matrix; n = 0 gives an empty list. Sorted by descending real part, then by ascending
-// imaginary part.
+// Sorts by descending real part, then by ascending imaginary part.
+void sort_by_growth(std::vector<std::complex<double>>& values);
+
+// The largest |s|; 0 without values.
+double largest_size(const std::vector<std::complex<double>>& values);
+// The smallest |s| > 0; infinite if there is none.
+double smallest_size(const std::vector<std::complex<double>>& values);
+
+// A: any n x n matrix; n = 0 gives an empty list. The result is in the order of sort_by_growth.
 std::optional<std::vector<std::complex<double>>> real_eigenvalues(const Eigen::MatrixXd& A);
 std::optional<std::vector<std::complex<double>>> complex_eigenvalues(const Eigen::MatrixXcd& A);
 

@@ -10,6 +10,7 @@
 
 #include <Eigen/Core>
 #include <array>
+#include <cstddef>
 #include <cstdint>
 #include <span>
 #include <vector>
@@ -50,6 +51,9 @@ class LoadKick {
       action(angles_.sine[i]);
     }
     loads_.for_each_kept(action);
+  }
+  static std::size_t count_kept(const Model& m) {  // how many they are
+    return (m.coupled_mass() ? 2 * m.unbalances.size() : 0) + SteppedLoads::count_kept(m);
   }
   // Call it when the step numbers start again, or after the saved numbers have been written.
   void forget() {

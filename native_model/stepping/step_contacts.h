@@ -20,6 +20,7 @@
 #include <Eigen/Core>
 #include <array>
 #include <cmath>
+#include <cstddef>
 #include <span>
 #include <vector>
 
@@ -121,6 +122,13 @@ class StepContacts {
       action(c.friction_at_end);
       if (!contacts_[i].rigid) action(c.hunt_crossley);
     }
+  }
+  static std::size_t count_kept(const Model& m) {  // how many both have
+    std::size_t numbers = 0;
+    for (const AuxiliaryBearing& at : m.auxiliary) {
+      numbers += at.contact && at.contact->gives() ? 5U : 4U;
+    }
+    return numbers;
   }
 
   // Velocities at the end of the step without its impacts.

@@ -49,6 +49,13 @@ SteppedLoads::SteppedLoads(const Model& model, double h) : model_(&model) {
   }
 }
 
+std::size_t SteppedLoads::count_kept(const Model& model) {
+  const auto rotates = [](const AppliedForce& force) {
+    return force.kind == scene::ForceKind::kRotating;
+  };
+  return 2 * static_cast<std::size_t>(std::ranges::count_if(model.forces, rotates));
+}
+
 void SteppedLoads::advance(std::int64_t k, double t, double begin, double end) {
   if (k == now_) return;
   now_ = k;

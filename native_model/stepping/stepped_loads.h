@@ -4,6 +4,7 @@
 // its envelope over the step.
 #pragma once
 
+#include <cstddef>
 #include <cstdint>
 #include <vector>
 
@@ -48,6 +49,7 @@ class SteppedLoads {
       action(load.sine);
     }
   }
+  static std::size_t count_kept(const Model& model);  // how many they are
 
  private:
   struct Load {

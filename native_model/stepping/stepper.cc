@@ -62,14 +62,12 @@ void VerletStepper::begin(double t, const double* q, const double* v) {
 void VerletStepper::adopt(const double* q, const double* v) { step_->x.adopt(q, v); }
 void VerletStepper::apply(const double* loads) { step_->loads.applied = loads; }
 
-std::size_t VerletStepper::memory_size(const Model& model) {
-  std::size_t size = 0;
-  VerletStepper(model, 1.0).for_each_kept([&size](double&) { ++size; });
-  return size;
-}
+std::size_t VerletStepper::memory_size(const Model& model) { return VerletStep::count_kept(model); }
 
 void VerletStepper::save(double* to) const {
+  [[maybe_unused]] const double* const first = to;
   for_each_kept([&to](double& value) { *to++ = value; });
+  assert(to == first + memory_size(step_->x.m));
 }
 
 void VerletStepper::restore(const double* from) {

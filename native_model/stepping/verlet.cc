@@ -33,6 +33,13 @@ VerletStep::VerletStep(const Model& model, double h)
   if (impacts_take_time(model)) slow_impact_.emplace(model);
 }
 
+std::size_t VerletStep::count_kept(const Model& model) {
+  const auto n = static_cast<std::size_t>(model.nq());
+  const std::size_t origin = 1, state = 2 * n, flags = 2, late = n;
+  return StepContacts::count_kept(model) + origin + state + LoadKick::count_kept(model) + flags +
+         late + (impacts_take_time(model) ? FiniteImpact::count_kept(model) : 0);
+}
+
 // ------------------------------------------------------------------ the step
 void VerletStep::step(std::int64_t k) {
   late_work_ = impact_time_ = 0.0;

@@ -24,6 +24,7 @@
 
 #include <Eigen/Core>
 #include <array>
+#include <cstddef>
 #include <cstdint>
 #include <limits>
 #include <optional>
@@ -77,6 +78,8 @@ class VerletStep {
     for (double& value : late_) action(value);
     if (slow_impact_) slow_impact_->for_each_kept(action);
   }
+  // How many numbers a saved step needs, including the state and those of loads and contacts.
+  static std::size_t count_kept(const Model& model);
 
  private:
   using Coordinates = StepState::Coordinates;

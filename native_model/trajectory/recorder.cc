@@ -162,39 +162,37 @@ void Recorder::count(const StepFigures& f, double begin) {
   statistics_.external_work += f.external_work;
 }
 
-void Recorder::advance(const Snapshot& now, const ContactPoint& point, bool impact) {
+void Recorder::move_to(const Snapshot& now, const ContactPoint& point, bool impact) {
   const double h = now.t - last_t_;
-  const std::size_t row = next_;
   rows_until(now, impact);
   passes_until(now, impact);
   statistics_.external_work += switching_work(*model_, last_t_, now.t, now.q, now.v);
   if (model_->first().contact) count_gap(point, h);
   keep(now, point);
   lasted_ = 0.0;
+}
+
+void Recorder::advance(const Snapshot& now, const ContactPoint& point, bool impact) {
+  const std::size_t row = next_;
+  move_to(now, point, impact);
   constexpr std::int64_t kLook = 256;  // steps
   if (++steps_ % kLook == 0 || row != next_) look_at_energy();
 }
 
 void Recorder::step(const Snapshot& now, double normal_impulse, double friction_impulse,
                     const Impact* impact, const StepBalance& balance) {
-  const double h = now.t - last_t_;
   const ContactPoint point = contact_point(*model_, now.q, now.v);
-  rows_until(now, impact != nullptr);
-  passes_until(now, impact != nullptr);
-
-  Statistics& s = statistics_;
-  if (normal_impulse > 0.0) {
-    count_contact(normal_impulse, friction_impulse, h, last_t_, impact != nullptr);
-    const double slips =
-        impact ? impact->slip_before + impact->slip_after : last_slip_ + point.slip;
-    s.friction_work += 0.5 * friction_impulse * slips;
-  }
-  if (model_->first().contact) count_gap(point, h);
-  s.contact_work += balance.contact_work;
-  s.external_work += switching_work(*model_, last_t_, now.t, now.q, now.v);
-  s.external_work += balance.external_work;
-  keep(now, point);
-  lasted_ = 0.0;
+  const double slips = impact ? impact->slip_before + impact->slip_after : last_slip_ + point.slip;
+  StepFigures figures;
+  figures.h = now.t - last_t_;
+  figures.normal_impulse = normal_impulse;
+  figures.friction_impulse = friction_impulse;
+  if (normal_impulse > 0.0) figures.friction_work = 0.5 * friction_impulse * slips;
+  figures.contact_work = balance.contact_work;
+  figures.impact = impact != nullptr;
+  count(figures, last_t_);
+  move_to(now, point, figures.impact);
+  statistics_.external_work += balance.external_work;
   meet_energy(balance.energy);
   last_slip_ = point.slip;
 }

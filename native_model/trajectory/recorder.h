@@ -144,7 +144,9 @@ class Recorder {
   Trajectory finish(double end);
 
  private:
-  void keep(const Snapshot& now, const ContactPoint& point);  // point: of the first contact
+  // point: of the first contact
+  void move_to(const Snapshot& now, const ContactPoint& point, bool impact);
+  void keep(const Snapshot& now, const ContactPoint& point);
   void look_at_energy();
   void meet_energy(double now);
   void count_contact(double normal_impulse, double friction_impulse, double h, double begin,

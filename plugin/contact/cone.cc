@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 #include <vector>
 
 #include "plugin/contact/cone_rows.h"
@@ -21,7 +22,7 @@ void add_held_slip(double surface_speed, const mjModel* m, mjData* d, const mjCo
     d->efc_aref[row] -= d->efc_KBIP[4 * row + 1] * rate;
   };
   const int first = contact.efc_address;
-  if (!mj_isPyramidal(m)) {
+  if (!is_pyramid(m, contact)) {
     add(first + 1, slip);
     return;
   }
@@ -34,7 +35,7 @@ void add_held_slip(double surface_speed, const mjModel* m, mjData* d, const mjCo
 void set_friction_reference(const mjModel* m, mjData* d, const mjContact& contact,
                             double reference) {
   const int first = contact.efc_address;
-  if (!mj_isPyramidal(m)) {
+  if (!is_pyramid(m, contact)) {
     for (int row = first + 1; row < first + contact.dim; ++row)
       d->efc_aref[row] = -reference * d->efc_vel[row];
     return;
@@ -48,17 +49,6 @@ void set_friction_reference(const mjModel* m, mjData* d, const mjContact& contac
 }
 
 namespace {
-
-// |z| in the norm of the dual cone.
-double lift(const mjModel* m, const ConeRows& rows, const mjtNum* y) {
-  double sum = 0.0, largest = 0.0;
-  for (int i = 1; i < rows.contact->dim; ++i) {
-    const double z = along(m, rows, y, i);
-    sum += z * z;
-    largest = std::max(largest, std::abs(z));
-  }
-  return mj_isPyramidal(m) ? largest : std::sqrt(sum);
-}
 
 void shift_reference(const mjModel* m, mjData* d, const ConeRows& rows, double by) {
   const int shifted = is_pyramid(m, *rows.contact) ? rows.count : 1;
@@ -87,55 +77,91 @@ bool follow_ring(const mjModel* m, mjData* d, const ConeRows& rows, double curva
   return true;
 }
 
-// MuJoCo's solution for the present shifts: writes y of all rows.
-void solve_shifted(const mjModel* m, mjData* d, std::span<const ConeRows> contacts,
-                   ConstraintProbe& probe, mjtNum* y) {
-  for (const ConeRows& c : contacts) shift_reference(m, d, c, c.shift);
-  probe.solve([](mjtNum*) {});
-  mj_mulJacVec(m, d, y, d->qacc);
-  for (int i = 0; i < d->nefc; ++i) y[i] += d->efc_R[i] * d->efc_force[i] - d->efc_aref[i];
-  for (const ConeRows& c : contacts) shift_reference(m, d, c, -c.shift);
-}
+// MuJoCo's solver, tried with shifted references. Uses the stack of mjData during its lifetime.
+class ShiftedSolver {
+ public:
+  ShiftedSolver(const mjModel* m, mjData* d)
+      : m_(m), d_(d), probe_(m, d), room_(d), y_(room_.numbers(d->nefc)) {}
 
-// True if each contact sticks or is open in MuJoCo's solution without a shift. That solution then
-// obeys Coulomb's law.
-bool none_slides(const mjModel* m, mjData* d, std::span<const ConeRows> contacts) {
-  constexpr double kStuck = 1e-10;  // relative to the terms of y
-  ConstraintProbe probe(m, d);
-  StackFrame room(d);
-  mjtNum* y = room.numbers(d->nefc);
-  solve_shifted(m, d, contacts, probe, y);
-  const bool none = std::all_of(contacts.begin(), contacts.end(), [&](const ConeRows& c) {
+  // Solves with the present shifts of the contacts.
+  void solve(std::span<const ConeRows> contacts) {
+    for (const ConeRows& c : contacts) shift_reference(m_, d_, c, c.shift);
+    probe_.solve([](mjtNum*) {});
+    mj_mulJacVec(m_, d_, y_, d_->qacc);
+    for (int i = 0; i < d_->nefc; ++i) y_[i] += d_->efc_R[i] * d_->efc_force[i] - d_->efc_aref[i];
+    for (const ConeRows& c : contacts) shift_reference(m_, d_, c, -c.shift);
+  }
+  // |z| of a contact in the last solution, in the norm of the dual cone.
+  double lift(const ConeRows& rows) const {
+    double sum = 0.0, largest = 0.0;
+    for (int i = 1; i < rows.contact->dim; ++i) {
+      const double z = along(m_, rows, y_, i);
+      sum += z * z;
+      largest = std::max(largest, std::abs(z));
+    }
+    return is_pyramid(m_, *rows.contact) ? largest : std::sqrt(sum);
+  }
+  // True if the contact sticks or is open in the last solution.
+  bool rests(const ConeRows& c) const {
+    constexpr double kStuck = 1e-10;  // relative to the terms of y
     double terms = 0.0, force = 0.0;
     for (int row = c.first; row < c.first + c.count; ++row) {
-      terms = std::max(terms, std::abs(d->efc_aref[row]) + std::abs(y[row]));
-      force = std::max(force, std::abs(d->efc_force[row]));
+      terms = std::max(terms, std::abs(d_->efc_aref[row]) + std::abs(y_[row]));
+      force = std::max(force, std::abs(d_->efc_force[row]));
     }
-    return force == 0.0 || lift(m, c, y) <= kStuck * terms;
-  });
-  if (none) probe.keep();
+    return force == 0.0 || lift(c) <= kStuck * terms;
+  }
+  // Call it if the last solution is that of the pass.
+  void keep() { probe_.keep(); }
+
+ private:
+  const mjModel* m_;
+  mjData* d_;
+  ConstraintProbe probe_;
+  StackFrame room_;
+  mjtNum* y_;
+};
+
+// The first trial, without a shift. True if each contact sticks or is open in its solution, which
+// then obeys Coulomb's law.
+bool none_slides(const mjModel* m, mjData* d, std::span<const ConeRows> contacts) {
+  ShiftedSolver solver(m, d);
+  solver.solve(contacts);
+  const bool none = std::all_of(contacts.begin(), contacts.end(),
+                                [&solver](const ConeRows& c) { return solver.rests(c); });
+  if (none) solver.keep();
   return none;
 }
 
-// Finds the shifts that equal the |z| of MuJoCo's solution, by the secant method. The plain
-// iteration converges while mu^2 A_TT < A_NN; the secant method converges beyond that too.
-void ask_solver(const mjModel* m, mjData* d, std::span<ConeRows> contacts) {
-  constexpr int kMostAsked = 12;
+// True if the shifts of all groups are exact without MuJoCo's solver. Otherwise they are guesses
+// for its further trials.
+bool solve_groups(const mjModel* m, mjData* d, std::span<ConeRows> contacts) {
+  bool exact = true;
+  const bool alone = row_count(contacts) == d->nefc;
+  for (const std::span<ConeRows> group : groups_of(m, contacts)) {
+    exact = solve_group(m, d, group, alone) && exact;
+  }
+  return exact;
+}
+
+// Further trials from the present shifts, until they equal the |z| of MuJoCo's solution, by the
+// secant method. The plain iteration converges while mu^2 A_TT < A_NN; the secant method converges
+// beyond that too.
+void settle_shifts(const mjModel* m, mjData* d, std::span<ConeRows> contacts) {
+  constexpr int kMostTrials = 12;
   constexpr double kSettled = 1e-7;  // relative to the shift
   struct Answer {
     double shift, lift;
   };
   std::vector<Answer> last;
-  ConstraintProbe probe(m, d);
-  StackFrame room(d);
-  mjtNum* y = room.numbers(d->nefc);
-  for (int asked = 0; asked < kMostAsked; ++asked) {
-    solve_shifted(m, d, contacts, probe, y);
+  ShiftedSolver solver(m, d);
+  for (int trial = 0; trial < kMostTrials; ++trial) {
+    solver.solve(contacts);
     bool settled = true;
     std::vector<Answer> now;
     for (std::size_t k = 0; k < contacts.size(); ++k) {
       ConeRows& c = contacts[k];
-      now.push_back({c.shift, lift(m, c, y)});
+      now.push_back({c.shift, solver.lift(c)});
       const Answer& answer = now.back();
       settled = settled && std::abs(answer.lift - answer.shift) <=
                                kSettled * std::max(answer.lift, answer.shift);
@@ -149,7 +175,7 @@ void ask_solver(const mjModel* m, mjData* d, std::span<ConeRows> contacts) {
     if (settled) break;
     last = std::move(now);
   }
-  probe.keep();
+  solver.keep();
 }
 
 }  // namespace
@@ -167,13 +193,10 @@ void correct_cones(const mjModel* m, mjData* d, std::span<const SlidingContact> 
     if (c.curvature && !follow_ring(m, d, rows, *c.curvature, free)) continue;
     if (c.contact->dim >= 3) cones.push_back(rows);
   }
-  if (cones.empty() || (cones.size() > 1 && none_slides(m, d, cones))) return;
-  bool exact = !mj_isPyramidal(m);
-  const bool alone = row_count(cones) == d->nefc;
-  for (const std::span<ConeRows> group : groups_of(m, cones)) {
-    exact = solve_group(m, d, group, alone) && exact;
-  }
-  if (!exact) ask_solver(m, d, cones);
+  if (cones.empty()) return;
+  // For a single contact its own solution costs less than this trial.
+  if (cones.size() > 1 && none_slides(m, d, cones)) return;
+  if (!solve_groups(m, d, cones)) settle_shifts(m, d, cones);
   for (const ConeRows& c : cones) shift_reference(m, d, c, c.shift);
 }
 

@@ -34,7 +34,7 @@ constexpr Eigen::Index kDirections = 3;  // the normal, and two tangents scaled 
 // The transpose of `along`, added to a vector of all rows.
 void add_along(const mjModel* m, const ConeRows& rows, int direction, mjtNum* vector) {
   mjtNum* own = vector + rows.first;
-  if (!mj_isPyramidal(m)) {
+  if (!is_pyramid(m, *rows.contact)) {
     own[direction] += direction == 0 ? 1.0 : rows.contact->friction[direction - 1];
     return;
   }
@@ -83,7 +83,8 @@ class OwnCones {
     start_from(s.p);
     for (std::size_t k = 0; k < contacts_.size(); ++k) {
       const auto z = s.y.segment<2>(static_cast<Eigen::Index>(k) * kDirections + 1);
-      contacts_[k].shift = mj_isPyramidal(m_) ? z.cwiseAbs().maxCoeff() : z.norm();
+      contacts_[k].shift =
+          is_pyramid(m_, *contacts_[k].contact) ? z.cwiseAbs().maxCoeff() : z.norm();
     }
     return true;
   }
@@ -126,7 +127,9 @@ class OwnCones {
   double softness(Eigen::Index i) const {
     const mjtNum* r = d_->efc_R + of(i).first;
     const int k = direction(i);
-    if (mj_isPyramidal(m_)) return 0.25 * (r[k == 0 ? 0 : 2 * (k - 1)] + r[k == 0 ? 1 : 2 * k - 1]);
+    if (is_pyramid(m_, *of(i).contact)) {
+      return 0.25 * (r[k == 0 ? 0 : 2 * (k - 1)] + r[k == 0 ? 1 : 2 * k - 1]);
+    }
     const double mu = k == 0 ? 1.0 : of(i).contact->friction[k - 1];
     return mu * mu * r[k];
   }
@@ -181,8 +184,10 @@ std::vector<std::span<ConeRows>> groups_of(const mjModel* m, std::span<ConeRows>
 bool solve_group(const mjModel* m, mjData* d, std::span<ConeRows> group, bool alone) {
   if (group.size() > kMaxContacts) return false;
   OwnCones own(m, d, group);
-  const auto only_slides = [](const ConeRows& c) { return c.contact->dim == 3; };
-  return own.solve() && std::all_of(group.begin(), group.end(), only_slides) &&
+  const auto is_disc = [m](const ConeRows& c) {
+    return c.contact->dim == 3 && !is_pyramid(m, *c.contact);
+  };
+  return own.solve() && std::all_of(group.begin(), group.end(), is_disc) &&
          (alone || !own.is_coupled());
 }
 

@@ -247,7 +247,9 @@ void solve_free(TouchingPairs& contacts, const mjModel* m, mjData* d) {
 // solver's final result then obeys J a = aref - R l.
 void solve_beside_constraints(TouchingPairs& contacts, const mjModel* m, mjData* d) {
   constexpr double kInactive = -1e12;  // m/s^2
-  for (const TouchingPair& s : contacts) d->efc_aref[s.row] = kInactive;
+  for (const TouchingPair& s : contacts) {
+    if (s.row != kNoRow) d->efc_aref[s.row] = kInactive;
+  }
   ConstraintProbe probe(m, d);
   probe.solve([](mjtNum*) {});
   const auto free = [&probe](const ContactSpace& at) { return probe.acceleration(at); };

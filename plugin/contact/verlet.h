@@ -34,8 +34,6 @@ void tell_works(StepWorks* to);
 
 // --- The memory in userdata (verlet_memory.cc) ---
 
-// The number of entries for a model without coils (plugin/model/user_data.h).
-int verlet_data_size(const Model& model);
 // The index of the memory of the sampled controller (Config::loop_data).
 int verlet_loop_data(const Config& config);
 

@@ -5,6 +5,7 @@
 #include <memory>
 #include <tuple>
 
+#include "mjcf/names.h"
 #include "plugin/contact/verlet.h"
 #include "plugin/model/differentiating.h"
 #include "plugin/model/options.h"
@@ -24,18 +25,13 @@ namespace {
 // MuJoCo has disabled actuation, there is no force, and no controller that reacts to an impact
 // within the step. If it has disabled contacts, the clearance is so large that nothing reaches the
 // ring; the memory keeps its size, so that contacts may be switched during a run.
-Model plant_of(const Model& model, bool contact = true, bool actuation = true) {
+Model plant_of(const Model& model, bool contact, bool actuation) {
   Model plant = model;
   if (lags(model) || !actuation) plant = without_controller(with_ideal_actuator(model));
   for (AuxiliaryBearing& at : plant.auxiliary) {
     if (!contact) at.contact->clearance = 1e6;
   }
   return plant;
-}
-
-// Size of a slot: the stepper's memory, that of the hold, and the number of the next step.
-std::size_t slot_size(const Model& model) {
-  return VerletStepper::memory_size(plant_of(model)) + ZeroOrderHold::memory_size(model) + 1;
 }
 
 // True if MuJoCo's state equals the remembered one, up to the errors of MuJoCo's arithmetic and of
@@ -101,16 +97,14 @@ double* slot_of_pass(const Config& config, const mjModel* m, mjData* d, VerletWo
   return before;
 }
 
-int verlet_data_size(const Model& model) {
-  return kEntries<VerletEntries> + model.nq() + 2 * static_cast<int>(slot_size(model));
-}
-
 int verlet_loop_data(const Config& config) {
   const Model& model = config.model;
   const std::size_t loop = model.first().loop ? model.first().loop->memory_size() : 0;
+  const int end = config.verlet_data +
+                  mjcf_names::verlet_data_size(model.nq(), ZeroOrderHold::memory_size(model),
+                                               VerletStepper::memory_size(model));
   // In the second slot the memory of the loop ends just before the number of the step.
-  return config.verlet_data + kEntries<VerletEntries> + model.nq() +
-         static_cast<int>(2 * slot_size(model) - 1 - loop);
+  return end - 1 - static_cast<int>(loop);
 }
 
 const double* velocities_of_pass(const Config& config, const mjData* d) {

@@ -55,7 +55,7 @@ struct ContactPair {
   bool on_chain = false;  // true: ChainSpace (contact/contact_space.h); false: BodySpace
   // True for contacts on the chain beyond the first. There the modes move the rotor by values other
   // than 1 and 0, which no body of MuJoCo does. The plugin therefore applies the whole force of
-  // such a contact, and also places its geoms.
+  // such a contact, keeps it from MuJoCo's solver, and also places its geoms.
   bool beside = false;
   std::size_t bearing = 0;  // index in model.auxiliary
   // True if the contact plane is the world's x-y plane instead of the plane of the ring's geom.

@@ -3,6 +3,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <array>
 
 #include "mjcf/names.h"
@@ -11,6 +12,7 @@
 #include "native_model/prepare/prepare.h"
 #include "plugin/make_config.h"
 #include "plugin/model/generated_rotor.h"
+#include "plugin/model/mujoco_versions.h"
 #include "tests/support/mujoco_document.h"
 #include "tests/support/mujoco_fixture.h"
 #include "tests/support/native_run.h"
@@ -179,6 +181,26 @@ TEST_F(SeveralOnTheChain, HaveTheirGeomsWhereTheModesAre) {
     before = now;
   }
   EXPECT_GT(before.norm(), 1e-4);
+}
+
+// A gap of 0 would let MuJoCo's solver act on the ring of the second contact as well. Files for a
+// MuJoCo before 3.9 have this effect since then.
+TEST_F(SeveralOnTheChain, AreKeptFromMujocosSolverWithoutAGap) {
+  const std::string document = mjcf(two_rings("moving", "coulomb", 1e-5));
+  const ModelPointer plain = load(document), edited = load(document);
+  const int pair = plugin::make_config(edited.get()).pairs[1].pair;
+  edited->pair_margin[pair] = plugin::seen_below(edited.get(), pair);
+  edited->pair_gap[pair] = 0.0;
+  const DataPointer d = start(plain.get()), other = start(edited.get());
+  const std::string force = names::of_bearing(1, names::kNormalForce);
+  double largest = 0.0;
+  while (d->time < 0.02) {
+    mj_step(plain.get(), d.get());
+    mj_step(edited.get(), other.get());
+    largest = std::max(largest, sensor(plain.get(), d.get(), force.c_str()));
+    ASSERT_EQ(state_of(edited.get(), other.get()), state_of(plain.get(), d.get())) << d->time;
+  }
+  EXPECT_GT(largest, 0.0);
 }
 
 TEST_F(SeveralOnTheChain, AreRefusedWhereTheirRowsAreNotKnown) {
