@@ -12,10 +12,6 @@
 
 namespace rotorub::plugin {
 
-bool lags(const Model& model) {
-  return model.first().magnets && model.first().magnets->coil_lag > 0.0;
-}
-
 bool actuation_enabled(const mjModel* m) { return !(m->opt.disableflags & mjDSBL_ACTUATION); }
 
 namespace {
@@ -26,7 +22,7 @@ namespace {
 // ring; the memory keeps its size, so that contacts may be switched during a run.
 Model plant_of(const Model& model, bool contact = true, bool actuation = true) {
   Model plant = model;
-  if (lags(model) || !actuation) plant = without_controller(with_ideal_actuator(model));
+  if (model.first().lags() || !actuation) plant = without_controller(with_ideal_actuator(model));
   for (AuxiliaryBearing& at : plant.auxiliary) {
     if (!contact) at.contact->clearance = 1e6;
   }
