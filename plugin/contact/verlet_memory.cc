@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <memory>
 #include <tuple>
 
@@ -39,7 +40,9 @@ std::size_t slot_size(const Model& model) {
 bool remembers(const Config& config, const double* slot, const Coordinates& state) {
   const int n = config.model.nq();
   const double* q = VerletStepper::saved_q(slot);
-  const double clearance = config.model.first().contact->clearance;
+  double clearance = std::numeric_limits<double>::infinity();  // the smallest
+  for (const AuxiliaryBearing& at : config.model.auxiliary)
+    clearance = std::min(clearance, at.contact->clearance);
   const auto near = [](double a, double b, double size) {
     return std::abs(a - b) <= 1e-6 * (std::abs(b) + size);
   };
