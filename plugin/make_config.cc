@@ -147,10 +147,9 @@ void map_contacts(const mjModel* m, Config& config, int further) {
   }
 }
 
-void check_magnet(const mjModel* m, const Config& config, int actuator) {
+void check_magnet(const mjModel* m, bool lags, int actuator) {
   const bool force = m->actuator_gaintype[actuator] == mjGAIN_USER &&
                      m->actuator_biastype[actuator] == mjBIAS_USER;
-  const bool lags = config.model.first().magnets->coil_lag > 0.0;
   const bool current = m->actuator_dyntype[actuator] == (lags ? mjDYN_USER : mjDYN_NONE);
   if (force && current) return;
   refuse(message("<general name=\"{}\">", m->names + m->name_actuatoradr[actuator]),
@@ -159,12 +158,13 @@ void check_magnet(const mjModel* m, const Config& config, int actuator) {
 }
 
 void map_actuators(const mjModel* m, Config& config) {
+  const AuxiliaryBearing& ring = config.model.first();
   for (int k = 0; k < 2; ++k) {
     // A controller or magnets need the actuators; otherwise they are for the user's own commands.
-    config.actuator[k] = config.model.first().controller || config.model.first().magnets
+    config.actuator[k] = ring.controller || ring.magnets
                              ? required(m, mjOBJ_ACTUATOR, "actuator", names::kActuator[k])
                              : mj_name2id(m, mjOBJ_ACTUATOR, names::kActuator[k]);
-    if (config.model.first().magnets) check_magnet(m, config, config.actuator[k]);
+    if (ring.magnets) check_magnet(m, ring.lags(), config.actuator[k]);
   }
 }
 
@@ -188,10 +188,9 @@ void read_scene(Read read) {
 // Assigns the memories of the plugin's parts in mjData.userdata. Returns the index of the memory of
 // the contacts beyond the first.
 int map_memory(const mjModel* m, const scene::Scene& scene, Config& config) {
-  const ControlLoop* controller = config.model.first().loop.get();
-  const std::size_t loop = controller ? controller->memory_size() : 0;
-  int needed =
-      names::user_data_size(config.model.nq(), config.model.first().controller != nullptr, loop);
+  const AuxiliaryBearing& ring = config.model.first();
+  const std::size_t loop = ring.loop ? ring.loop->memory_size() : 0;
+  int needed = names::user_data_size(config.model.nq(), ring.controller != nullptr, loop);
   config.loop_data = needed - static_cast<int>(loop);
   if (scene.first().contact && scene.mujoco.rotor != scene::MujocoRotor::kSegments &&
       !scene.gives()) {
@@ -216,7 +215,7 @@ int map_memory(const mjModel* m, const scene::Scene& scene, Config& config) {
 // Impacts of finite duration with `rigid` are possible in the native step alone.
 void check_impacts(const scene::Scene& scene, const Config& config) {
   if (config.contact != scene::ContactModel::kRigid) return;
-  const bool lags = config.model.first().magnets && config.model.first().magnets->coil_lag > 0.0;
+  const bool lags = config.model.first().lags();
   const bool native = config.takes_native_steps() && !config.shadow && !lags;
   read_scene([&] {
     refuse_finite_impacts(scene, native ? FiniteImpacts::kUnsampled : FiniteImpacts::kNone);

@@ -70,8 +70,8 @@ double limit_of(const Config& config, const mjModel* m, double otherwise) {
   const bool clamps = m->actuator_ctrllimited[a] && !(m->opt.disableflags & mjDSBL_CLAMPCTRL);
   return clamps ? m->actuator_ctrlrange[2 * a + 1] : otherwise;
 }
-double limit_in(const Model& model) {
-  return model.first().magnets ? model.first().magnets->current_limit : model.first().force_limit;
+double limit_in(const AuxiliaryBearing& ring) {
+  return ring.magnets ? ring.magnets->current_limit : ring.force_limit;
 }
 double scene_limit(const Config& config) {
   return config.model.first().magnets ? config.scene_current_limit
@@ -180,7 +180,7 @@ void take_contact(const mjModel* m, Model& model, const Config& config, std::siz
   at.ring_ratio = at.contact->surface_ratio();
 }
 
-void take_limit(const mjModel* m, Model& model, const Config& config) {
+void take_limit(const mjModel* m, AuxiliaryBearing& ring, const Config& config) {
   const int a = control_address(m, config.actuator[0]), b = control_address(m, config.actuator[1]);
   const mjtNum* first = m->actuator_ctrlrange + 2 * a;
   const mjtNum* second = m->actuator_ctrlrange + 2 * b;
@@ -193,14 +193,13 @@ void take_limit(const mjModel* m, Model& model, const Config& config) {
                    "controller: -c c, c > 0, the same for both",
                    first[0], first[1], names::kActuator[1], second[0], second[1]));
   }
-  (model.first().magnets ? model.first().magnets->current_limit : model.first().force_limit) =
-      limit;
+  (ring.magnets ? ring.magnets->current_limit : ring.force_limit) = limit;
 }
 
 void take(const mjModel* m, Model& model, const Config& config) {
   take_joints(m, model, config);
   for (std::size_t k = 0; k < config.pairs.size(); ++k) take_contact(m, model, config, k);
-  if (model.first().controller) take_limit(m, model, config);
+  if (model.first().controller) take_limit(m, model.first(), config);
   const Eigen::Vector2d g = gravity_of(m);
   if (model.weight.size() > 0 || !g.isZero(0.0)) set_gravity(model, g);
   for (std::size_t k = 0; k < model.auxiliary.size(); ++k) {
@@ -226,7 +225,7 @@ bool has_parameters(const Config& config, const mjModel* m) {
            friction_of(pair, m) == c.friction.sticking();
   }
   if (model.first().controller) {
-    same = same && limit_of(config, m, scene_limit(config)) == limit_in(model);
+    same = same && limit_of(config, m, scene_limit(config)) == limit_in(model.first());
   }
   return same;
 }

@@ -91,7 +91,10 @@ void check_chain(const mjModel* m, Config& config) {
 }
 
 void check_rings(const mjModel* m, const Config& config) {
-  check_poses(m, m->geom_bodyid[config.pairs.front().ring_geom], config.model.first().ring_offset);
+  for (const ContactPair& pair : config.pairs) {
+    check_poses(m, m->geom_bodyid[pair.ring_geom],
+                config.model.auxiliary[pair.bearing].ring_offset);
+  }
   for (const AuxiliaryBearing& at : config.model.auxiliary) {
     const auto check = [&](int coordinate, int axis, const char* along) {
       const int dof = config.dof_address[static_cast<std::size_t>(coordinate)];

@@ -219,11 +219,16 @@ double mark_of(const Model& model) {
   for (const auto* list : {&model.mass, &model.stiffness, &model.damping, &model.weight}) {
     add(list->data(), static_cast<std::size_t>(list->size()));
   }
-  if (model.first().contact) add(&model.first().contact->radius, 1);
-  if (model.first().contact) add(&model.first().contact->clearance, 1);
-  if (model.first().contact) add(&model.first().contact->friction.coefficient, 1);
-  add(&model.first().force_limit, 1);
-  if (model.first().magnets) add(&model.first().magnets->current_limit, 1);
+  for (const AuxiliaryBearing& at : model.auxiliary) {
+    if (const auto& contact = at.contact) {
+      for (const double* x :
+           {&contact->radius, &contact->clearance, &contact->friction.coefficient}) {
+        add(x, 1);
+      }
+    }
+    add(&at.force_limit, 1);
+    if (at.magnets) add(&at.magnets->current_limit, 1);
+  }
   return 1.0 + static_cast<double>(hash >> 12);
 }
 

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <Eigen/Core>
+#include <cstddef>
 #include <cstdint>
 #include <limits>
 #include <memory>
@@ -105,8 +106,9 @@ class Controller {
 // Largest number of outputs of a law.
 inline constexpr std::size_t kMostOutputs = 4;
 
-// Returns null if the scene has no controller, or a passive one without gains and without magnets.
-// Throws scene::SceneError if the law rejects the scene.
-std::shared_ptr<const Controller> make_controller(const scene::Scene& scene, const Plant& plant);
+// Returns null if the auxiliary bearing has no controller, or a passive one without gains and
+// without magnets. Throws scene::SceneError if the law rejects the scene.
+std::shared_ptr<const Controller> make_controller(const scene::Scene& scene, std::size_t bearing,
+                                                  const Plant& plant);
 
 }  // namespace rotorub

@@ -1,6 +1,7 @@
 #include "native_model/control/library.h"
 
 #include "native_model/control/control_loop.h"
+#include "native_model/scene/record.h"
 
 namespace rotorub {
 namespace {
@@ -9,8 +10,10 @@ constexpr std::size_t kLargestState = 1 << 20;  // doubles
 
 }  // namespace
 
-LibraryController::LibraryController(const scene::Scene& scene, const Plant& plant)
-    : law_(scene, "controller", scene.first().controller->library, ROTORUB_CONTROLLER_SYMBOL,
+LibraryController::LibraryController(const scene::Scene& scene, std::size_t bearing,
+                                     const Plant& plant)
+    : law_(scene, scene::place_of(scene, "controller", bearing),
+           scene.auxiliary[bearing].controller->library, ROTORUB_CONTROLLER_SYMBOL,
            ROTORUB_CONTROLLER_ABI) {
   if (law_.functions().command > ROTORUB_CURRENT)
     law_.refuse("commands neither ROTORUB_FORCE nor ROTORUB_CURRENT");
@@ -18,7 +21,7 @@ LibraryController::LibraryController(const scene::Scene& scene, const Plant& pla
     law_.refuse(
         "commands currents; accepted with [actuator] kind = \"electromagnet\" or \"table\"");
   }
-  const scene::Controller& c = *scene.first().controller;
+  const scene::Controller& c = *scene.auxiliary[bearing].controller;
   rotorub_setup setup{};
   setup.abi = ROTORUB_CONTROLLER_ABI;
   setup.measured = Sensors(c.sensors, c.sample_time).measured();

@@ -1,6 +1,7 @@
 // A user's controller from a shared library (rotorub/controller.h).
 #pragma once
 
+#include <cstddef>
 #include <filesystem>
 
 #include "native_model/control/controller.h"
@@ -11,9 +12,10 @@ namespace rotorub {
 
 class LibraryController final : public Controller {
  public:
-  // Throws scene::SceneError at controller.library or controller.config if the library is not
-  // found, cannot be loaded, has another ABI, or rejects its setup.
-  LibraryController(const scene::Scene& scene, const Plant& plant);
+  // The controller of an auxiliary bearing. Throws scene::SceneError at controller.library or
+  // controller.config if the library is not found, cannot be loaded, has another ABI, or rejects
+  // its setup.
+  LibraryController(const scene::Scene& scene, std::size_t bearing, const Plant& plant);
 
   std::size_t state_size() const override { return law_.state_size(); }
   void start(double* state) const override { law_.start(state); }

@@ -126,8 +126,7 @@ std::vector<NamedLibrary> libraries_of(const scene::Scene& scene) {
   for (std::size_t k = 0; k < scene.auxiliary.size(); ++k) {
     const auto& controller = scene.auxiliary[k].controller;
     if (!controller || controller->kind != scene::ControllerKind::kLibrary) continue;
-    const std::string key = "controller.library";
-    all.push_back({scene.record ? scene.record->place(key, k) : key, controller->library});
+    all.push_back({scene::place_of(scene, "controller.library", k), controller->library});
   }
   if (scene.magnetic_control && scene.magnetic_control->by_library()) {
     all.push_back({"magnetic_control.library", scene.magnetic_control->library});

@@ -34,9 +34,11 @@ LinearPlant sampled(const LinearPlant& plant, double sample_time) {
   return held;
 }
 
-QuadraticDesign quadratic_design(const scene::Scene& scene, const LinearPlant& plant) {
-  const scene::Controller& c = *scene.first().controller;
-  QuadraticDesign d{sampled(plant, c.sample_time), {}, {}, scene.first().contact->offset};
+QuadraticDesign quadratic_design(const scene::Scene& scene, std::size_t bearing,
+                                 const LinearPlant& plant) {
+  const scene::AuxiliaryBearing& at = scene.auxiliary[bearing];
+  const scene::Controller& c = *at.controller;
+  QuadraticDesign d{sampled(plant, c.sample_time), {}, {}, at.contact->offset};
   const Eigen::MatrixXd &a = d.plant.a, &b = d.plant.b, &y = d.plant.c;
   const Eigen::MatrixXd apart = (y.topRows(2) - y.bottomRows(2)) / c.allowed_error;
   const Eigen::MatrixXd travel = y.bottomRows(2) / c.allowed_travel;
@@ -45,7 +47,7 @@ QuadraticDesign quadratic_design(const scene::Scene& scene, const LinearPlant& p
   const auto cost = solve_riccati(a, b, q, r);
   if (!cost)
     scene::refuse_at(
-        scene, "controller.kind",
+        scene, bearing, "controller.kind",
         "no feedback of the ring stabilises rotor and ring: a mode that grows is out of its reach");
   d.gain = riccati_gain(a, b, r, *cost);
   // The force that holds the ring in its offset position while the rotor is at rest, from the
@@ -63,7 +65,8 @@ QuadraticDesign quadratic_design(const scene::Scene& scene, const LinearPlant& p
       Eigen::Matrix4d::Identity() * (c.measurement_error * c.measurement_error);
   const auto spread = solve_riccati(a.transpose(), y.transpose(), w * w.transpose(), errors);
   if (!spread)
-    scene::refuse_at(scene, "controller.kind", "the positions do not show a mode that grows");
+    scene::refuse_at(scene, bearing, "controller.kind",
+                     "the positions do not show a mode that grows");
   const Eigen::MatrixXd inner = y * *spread * y.transpose() + errors;
   d.filter = Cholesky(inner).solve(Eigen::MatrixXd(y * *spread)).transpose();
   return d;

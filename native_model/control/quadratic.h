@@ -23,6 +23,7 @@
 #pragma once
 
 #include <Eigen/Core>
+#include <cstddef>
 #include <string>
 #include <vector>
 
@@ -71,8 +72,10 @@ struct QuadraticDesign {
   Eigen::Vector2d offset{0.0, 0.0};  // m, o; the measured rotor positions are relative to it
   Eigen::Vector2d level{0.0, 0.0};   // N, u_s + K x_s: u = level - K x
 };
-// Throws scene::SceneError if the Riccati equation has no stabilising solution.
-QuadraticDesign quadratic_design(const scene::Scene& scene, const LinearPlant& plant);
+// The design for the controller of an auxiliary bearing. Throws scene::SceneError if the Riccati
+// equation has no stabilising solution.
+QuadraticDesign quadratic_design(const scene::Scene& scene, std::size_t bearing,
+                                 const LinearPlant& plant);
 
 class StateFeedback final : public Controller {
  public:

@@ -88,16 +88,17 @@ Eigen::Vector2d TrackingPd::command(const Measurement& now, const SwitchOn& on, 
       lead_);
 }
 
-void refuse_lateness(const scene::Scene& scene, const Plant& plant, const Controller& law) {
+void refuse_lateness(const scene::Scene& scene, std::size_t bearing, const Plant& plant,
+                     const Controller& law) {
   using scene::number_text;
-  const scene::Controller& c = *scene.first().controller;
+  const scene::Controller& c = *scene.auxiliary[bearing].controller;
   if (c.sample_time <= 0.0) return;
   const double lead = command_lead(c, plant);
   const double most = largest_lead(law.ring_gains(), plant.stator_mass.maxCoeff());
   if (lead <= most) return;
   const double sample = c.sample_time - 2.0 * (lead - most);
   const std::string less = "a smaller `bandwidth` or `switching_gain`/`boundary_layer`";
-  scene::refuse_at(scene, "controller.sample_time",
+  scene::refuse_at(scene, bearing, "controller.sample_time",
                    "half of it, delay and coil_lag make the command " + number_text(lead) +
                        " s late, and with these gains it would chatter beyond " +
                        number_text(most) + " s; accepted: " +

@@ -3,6 +3,7 @@
 //   d = q_r - q_f = delta e_r,   e = g_N - g_d = delta_0 - delta - g_d,   e' = -e_r . d' - g_d'.
 #pragma once
 
+#include <cstddef>
 #include <limits>
 #include <optional>
 
@@ -80,8 +81,10 @@ class TrackingPd final : public Controller {
   double lead_;  // s
 };
 
-// Throws scene::SceneError at controller.sample_time if the command of a sampled law is so late
-// that the contact would chatter; the message gives the largest accepted sample time.
-void refuse_lateness(const scene::Scene& scene, const Plant& plant, const Controller& law);
+// Throws scene::SceneError at the controller.sample_time of an auxiliary bearing if the command of
+// a sampled law is so late that the contact would chatter; the message gives the largest accepted
+// sample time.
+void refuse_lateness(const scene::Scene& scene, std::size_t bearing, const Plant& plant,
+                     const Controller& law);
 
 }  // namespace rotorub

@@ -186,24 +186,25 @@ RubSystem rub_system(const scene::Scene& scene) {
   const LinearParts parts = linear_parts(resting, 0.0);
   system.stiffness = parts.stiffness.topLeftCorner(n, n);
   system.damping = parts.damping.topLeftCorner(n, n);
-  system.contact = model.first().shape.x;
-  system.clearance = model.first().contact->clearance;
-  system.radius = model.first().contact->radius;
-  system.friction = model.first().contact->friction;
-  if (model.layout.stator) {
-    const int k = model.layout.ring();
-    system.ring = Ring{model.mass[k], model.damping[k], model.stiffness[k]};
+  const AuxiliaryBearing& at = model.first();  // the only one
+  system.contact = at.shape.x;
+  system.clearance = at.contact->clearance;
+  system.radius = at.contact->radius;
+  system.friction = at.contact->friction;
+  if (at.moves()) {
+    system.ring = Ring{model.mass[at.ring], model.damping[at.ring], model.stiffness[at.ring]};
     if (const auto& spin = scene.first().stator->spin) {
       system.ring->inertia = spin->inertia;
       system.ring->drag = spin->drag;
     }
-    if (scene.first().controller && crosses(*scene.first().controller)) {
-      const double gain = CrossCoupled(*scene.first().controller).gain(system.speed);
+    const auto& controller = scene.first().controller;
+    if (controller && crosses(*controller)) {
+      const double gain = CrossCoupled(*controller).gain(system.speed);
       system.ring->coupling = std::copysign(gain, system.speed);
-      system.ring->damping += scene.first().controller->damping;
-    } else if (scene.first().controller) {
-      system.ring->stiffness += scene.first().controller->stiffness;
-      system.ring->damping += scene.first().controller->damping;
+      system.ring->damping += controller->damping;
+    } else if (controller) {
+      system.ring->stiffness += controller->stiffness;
+      system.ring->damping += controller->damping;
     }
   }
   system.unbalance = Eigen::VectorXcd::Zero(n);

@@ -196,6 +196,8 @@ struct AuxiliaryBearing {
   // 1/(kg m^2) on the diagonal; constant unless coupled_mass(). See model/dynamics.h.
   Eigen::Matrix3d admittance = Eigen::Matrix3d::Zero();
 
+  // True if the currents of magnets lag behind their commands. In MuJoCo they are activations.
+  bool lags() const { return magnets && magnets->coil_lag > 0.0; }
   bool moves() const { return ring != kAbsent; }
   bool turns() const { return ring_angle != kAbsent; }
 };
@@ -284,8 +286,8 @@ Model with_linear_feedback(Model model);
 Model without_offsets(Model model);
 // The model without controllers.
 Model without_controller(Model model);
-// The model driven by recorded commands instead of its controllers; unchanged if `commands` is
-// null.
+// The model whose first ring is driven by recorded commands instead of its controllers; unchanged
+// if `commands` is null.
 Model replayed(Model model, std::shared_ptr<const CommandRecord> commands);
 
 }  // namespace rotorub

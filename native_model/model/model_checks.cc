@@ -209,7 +209,7 @@ void check_initial_gap(const scene::Scene& scene, const Model& model, std::size_
                         ? (scene.auxiliary.size() > 1 ? "stator.position" : "initial.stator")
                     : steady ? "initial.steady"
                              : "contact.offset";
-  scene::refuse_at(with_bearing_alone(scene, k), key,
+  scene::refuse_at(scene, k, key,
                    "the rotor starts outside the ring, " + scene::number_text(delta) +
                        " m from its centre; accepted: at most " +
                        (reach > clearance ? "twice " : "") +
@@ -222,8 +222,7 @@ void check_initial_ring(const scene::Scene& scene, std::size_t k) {
     return;
   const double start = to_axes(at.stator->position).cwiseAbs().maxCoeff();
   if (start < at.actuator->air_gap) return;
-  scene::refuse_at(with_bearing_alone(scene, k),
-                   scene.auxiliary.size() > 1 ? "stator.position" : "initial.stator",
+  scene::refuse_at(scene, k, scene.auxiliary.size() > 1 ? "stator.position" : "initial.stator",
                    "is " + scene::number_text(start) +
                        " m along an axis of the actuator; accepted: less than actuator.air_gap = " +
                        scene::number_text(at.actuator->air_gap) + " m");
@@ -233,7 +232,7 @@ void refuse_compliance(const scene::Scene& scene, scene::Integrator integrator) 
   if (integrator != scene::Integrator::kEuler) return;
   for (std::size_t k = 0; k < scene.auxiliary.size(); ++k) {
     if (!scene.auxiliary[k].contact || !scene.auxiliary[k].contact->compliance) continue;
-    scene::refuse_at(with_bearing_alone(scene, k), "contact.compliance",
+    scene::refuse_at(scene, k, "contact.compliance",
                      "`euler` knows rigid contacts alone; accepted here: none, or the integrator "
                      "event or verlet");
   }
@@ -254,7 +253,7 @@ void refuse_compliance_in_mujoco(const scene::Scene& scene) {
   }
   for (std::size_t k = 0; k < scene.auxiliary.size(); ++k) {
     if (!scene.auxiliary[k].contact || scene.auxiliary[k].contact->compliance) continue;
-    scene::refuse_at(with_bearing_alone(scene, k), "contact",
+    scene::refuse_at(scene, k, "contact",
                      "is rigid beside a compliant contact, which only the native engine can "
                      "simulate; accepted in MuJoCo: contacts that are all rigid, or all with "
                      "[contact.compliance]");
@@ -275,33 +274,35 @@ void refuse_several_in_mujoco(const scene::Scene& scene) {
   for (std::size_t k = 0; k < scene.auxiliary.size(); ++k) {
     const bool driven = scene.auxiliary[k].actuator || scene.auxiliary[k].controller;
     if (!driven) continue;
-    scene::refuse_at(with_bearing_alone(scene, k),
-                     scene.auxiliary[k].actuator ? "actuator" : "controller",
+    scene::refuse_at(scene, k, scene.auxiliary[k].actuator ? "actuator" : "controller",
                      "in MuJoCo the rings of several contacts are passive; accepted: none");
   }
 }
 
 void refuse_finite_impacts(const scene::Scene& scene, FiniteImpacts accepted) {
-  if (!scene.first().contact) return;
-  const bool sampled = scene.first().controller && scene.first().controller->sample_time > 0.0;
-  const bool asked = std::ranges::any_of(scene.magnetic_bearings, [&](const auto& bearing) {
-    const auto& control = bearing.control;
-    return control && (control->sampled());
+  const bool sampled = std::ranges::any_of(scene.auxiliary, [](const auto& at) {
+    return at.controller && at.controller->sample_time > 0.0;
   });
+  const bool asked = std::ranges::any_of(
+      scene.magnetic_bearings, [](const auto& at) { return at.control && at.control->sampled(); });
   const bool knows = accepted == FiniteImpacts::kUnsampled;
   if (knows && !sampled && !asked) return;
-  const auto check = [&](const char* key, double time) {
+  const auto check = [&](std::size_t k, const char* key, double time) {
     if (time <= 0.0) return;
     scene::refuse_at(
-        scene, key,
+        scene, k, key,
         knows ? "an impact that takes time, under a controller with a sample_time, needs "
                 "the integrator event; accepted here: 0, or no sample_time of a controller"
               : "an impact that takes time needs the integrator event or verlet, or "
                 "rigid of a modal chain in MuJoCo without a shadow and without a "
                 "coil_lag; accepted with anything else: 0");
   };
-  check("contact.compression_time", scene.first().contact->compression_time);
-  check("contact.expansion_time", scene.first().contact->expansion_time);
+  for (std::size_t k = 0; k < scene.auxiliary.size(); ++k) {
+    const auto& contact = scene.auxiliary[k].contact;
+    if (!contact) continue;
+    check(k, "contact.compression_time", contact->compression_time);
+    check(k, "contact.expansion_time", contact->expansion_time);
+  }
 }
 
 void check_steps(const scene::Scene& scene, double fixed_step) {

@@ -23,8 +23,7 @@ void fill_actuator(const scene::Scene& scene, std::size_t k, Model& model) {
     const auto table =
         std::make_shared<ForceTable>(ForceGrid{a.table_position, a.table_current, a.table_force});
     const std::string reason = table->refusal();
-    if (!reason.empty())
-      scene::refuse_at(with_bearing_alone(scene, k), "actuator.table_force", reason);
+    if (!reason.empty()) scene::refuse_at(scene, k, "actuator.table_force", reason);
     magnets.law = table;
     most = std::min(-a.table_current.front(), a.table_current.back());
   }
@@ -65,12 +64,12 @@ void fill_control(const scene::Scene& scene, std::size_t k, Model& model) {
   if (c.kind == scene::ControllerKind::kLqr || c.kind == scene::ControllerKind::kLqg) {
     const std::string why = beyond_linear_plant(scene, k, model, c.sample_time);
     if (!why.empty()) {
-      scene::refuse_at(k == 0 ? scene : with_bearing_alone(scene, k), "controller.kind",
+      scene::refuse_at(scene, k, "controller.kind",
                        why + "; accepted: a controller of another kind");
     }
     plant.linear = std::make_shared<LinearPlant>(plant_of(model, k, scene.rotor.speed));
   }
-  to.controller = make_controller(k == 0 ? scene : with_bearing_alone(scene, k), plant);
+  to.controller = make_controller(scene, k, plant);
   to.control_on = c.on;
   to.sample_time = c.sample_time;
   if (!to.controller || c.sample_time <= 0.0) return;

@@ -2,6 +2,8 @@
 
 #include <Eigen/Core>
 #include <complex>
+#include <cstddef>
+#include <optional>
 #include <string>
 
 #include "native_model/linear/rub_map.h"
@@ -42,12 +44,13 @@ void leave_out_later(const scene::Scene& scene, std::size_t number, scene::Force
 scene::Scene at_start(scene::Scene scene) {
   const scene::Scene given = scene;
   for (std::size_t k = 0; k < scene.forces.size(); ++k) leave_out_later(given, k, scene.forces[k]);
-  for (scene::AuxiliaryBearing& at : scene.auxiliary) {
-    if (!at.controller) continue;
-    if (at.controller->on > 0.0) {
-      at.controller.reset();
-    } else if (at.controller->kind == scene::ControllerKind::kTwoPhase) {
-      scene::refuse_at(given, "controller.kind",
+  for (std::size_t k = 0; k < scene.auxiliary.size(); ++k) {
+    std::optional<scene::Controller>& controller = scene.auxiliary[k].controller;
+    if (!controller) continue;
+    if (controller->on > 0.0) {
+      controller.reset();
+    } else if (controller->kind == scene::ControllerKind::kTwoPhase) {
+      scene::refuse_at(given, k, "controller.kind",
                        "the first phase of two_phase keeps no rub that is known; accepted beside "
                        "initial.rub: passive, cross_coupled");
     }
@@ -106,8 +109,10 @@ void twist(const SteadyRub& rub, Model& m) {
 }  // namespace
 
 void add_rub_start(const scene::Scene& scene, Model& m) {
-  if (const auto& ring = scene.first().stator; ring && ring->spin && ring->spin->speed != 0.0) {
-    scene::refuse_at(scene, "stator.spin.speed",
+  for (std::size_t k = 0; k < scene.auxiliary.size(); ++k) {
+    const auto& ring = scene.auxiliary[k].stator;
+    if (!ring || !ring->spin || ring->spin->speed == 0.0) continue;
+    scene::refuse_at(scene, k, "stator.spin.speed",
                      "the ring turns as the rub has it; accepted beside initial.rub: 0 (left out)");
   }
   const RubSystem system = rub_system(at_start(scene));

@@ -16,10 +16,11 @@
 
 namespace rotorub {
 
-std::optional<ContactMass> contact_mass(const scene::Scene& scene) {
-  if (!scene.first().contact || !scene.rotor.geometry) return {};
-  const RotorModes modes = rotor_modes(scene);
-  const Eigen::RowVectorXd u = modes.ritz.basis.deflection(scene.first().contact->station);
+namespace {
+
+// At the station z, m.
+ContactMass contact_mass_at(const RotorModes& modes, double z) {
+  const Eigen::RowVectorXd u = modes.ritz.basis.deflection(z);
   const auto of_kept = [&](const PlanarModes& plane) {
     return 1.0 / modal_sums(plane, u).mobility[modes.kept - 1];
   };
@@ -29,6 +30,21 @@ std::optional<ContactMass> contact_mass(const scene::Scene& scene) {
   mass.kept_modes = modes.kept;
   mass.mesh_modes = static_cast<int>(u.size());
   return mass;
+}
+
+}  // namespace
+
+std::optional<ContactMass> contact_mass(const scene::Scene& scene) {
+  if (!scene.rotor.geometry) return {};
+  std::optional<RotorModes> modes;
+  std::optional<ContactMass> most;
+  for (const scene::AuxiliaryBearing& at : scene.auxiliary) {
+    if (!at.contact) continue;
+    if (!modes) modes = rotor_modes(scene);
+    const ContactMass mass = contact_mass_at(*modes, at.contact->station);
+    if (!most || mass.ratio() > most->ratio()) most = mass;
+  }
+  return most;
 }
 
 namespace {
@@ -49,7 +65,8 @@ struct Quantity {
 
 struct Place {
   std::string name;
-  double z;  // m
+  double z;                 // m
+  bool is_contact = false;  // its effective mass counts too
 };
 
 std::vector<Place> places(const scene::Scene& scene) {
@@ -57,7 +74,13 @@ std::vector<Place> places(const scene::Scene& scene) {
   const auto add = [&](const char* what, std::size_t index, double z) {
     all.push_back({what + (" " + std::to_string(index + 1)), z});
   };
-  if (scene.first().contact) all.push_back({"the contact", scene.first().contact->station});
+  for (std::size_t k = 0; k < scene.auxiliary.size(); ++k) {
+    const auto& contact = scene.auxiliary[k].contact;
+    if (!contact) continue;
+    const bool several = scene.auxiliary.size() > 1;
+    all.push_back(
+        {several ? "contact " + scene.name_of(k) : "the contact", contact->station, true});
+  }
   const auto& bearings = scene.rotor.geometry->bearings;
   for (std::size_t i = 0; i < bearings.size(); ++i) add("bearing", i, bearings[i].z);
   for (std::size_t i = 0; i < scene.forces.size(); ++i) add("force", i, scene.forces[i].station);
@@ -79,7 +102,7 @@ std::vector<Quantity> quantities(const scene::Scene& scene, const RotorModes& mo
     const Eigen::RowVectorXd u = modes.ritz.basis.deflection(place.z);
     for (const PlanarModes* plane : {&modes.x, &modes.y}) {
       ModalSums sums = modal_sums(*plane, u);
-      if (scene.first().contact && place.z == scene.first().contact->station) {
+      if (place.is_contact) {
         all.push_back({"the effective mass at " + place.name, std::move(sums.mobility), true});
       }
       all.push_back({"the static flexibility at " + place.name, std::move(sums.flexibility)});
@@ -123,7 +146,7 @@ std::string digits(double value) {
       q.name + " is still " + digits(100.0 * left) + " % off that of all " +
       std::to_string(q.sums.size()) + " modes of the mesh for " + std::to_string(modes.kept) +
       ", and modes_tolerance is " + digits(100.0 * scene.rotor.geometry->modes_tolerance) + " %. ";
-  if (q.name.find("mass") != std::string::npos) {
+  if (q.inverse) {
     reason +=
         "The effective mass of a station without a mass of its own falls without end, the more "
         "modes: a sleeve ([[rotor.disc]] at contact.station) gives it a limit. ";

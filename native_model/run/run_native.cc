@@ -59,7 +59,7 @@ Trajectory run_native(const scene::Scene& scene, const NativeOptions& options) {
   for (std::size_t k = 0; model.auxiliary.size() > 1 && k < model.auxiliary.size(); ++k) {
     if (model.auxiliary[k].coil == kAbsent) continue;
     scene::refuse_at(
-        with_bearing_alone(scene, k), "actuator.coil_lag",
+        scene, k, "actuator.coil_lag",
         "beside other contacts coils that lag need the integrator event; accepted here: 0");
   }
   return run_fixed(integrator, model, scene.run, step, options);

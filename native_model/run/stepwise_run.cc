@@ -23,7 +23,7 @@ const scene::Scene& checked(const scene::Scene& scene) {
          {std::pair("contact.compression_time", contact->compression_time),
           std::pair("contact.expansion_time", contact->expansion_time)}) {
       if (time > 0.0)
-        scene::refuse_at(scene, scene.record ? scene.record->place(key, k) : key,
+        scene::refuse_at(scene, k, key,
                          "a run that is fed from outside knows impacts in no time alone; accepted "
                          "here: 0");
     }

@@ -69,8 +69,17 @@ std::vector<Diagnostic> placed(const Scene& scene, std::vector<Diagnostic> diagn
   return diagnostics;
 }
 
+std::string place_of(const Scene& scene, const std::string& key, std::size_t bearing) {
+  return scene.record ? scene.record->place(key, scene.first_index + bearing) : key;
+}
+
 void refuse_at(const Scene& scene, std::string key, std::string reason) {
   throw SceneError(placed(scene, {{"", 0, std::move(key), std::move(reason)}}));
+}
+
+void refuse_at(const Scene& scene, std::size_t bearing, const std::string& key,
+               std::string reason) {
+  refuse_at(scene, place_of(scene, key, bearing), std::move(reason));
 }
 
 }  // namespace rotorub::scene

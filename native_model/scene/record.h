@@ -50,7 +50,13 @@ std::string magnetic_bearing_path(const Record* record, std::size_t bearing);
 // Adds file and line to each diagnostic without a file, from the position of its key. For a scene
 // made by hand only the scene's name is known.
 std::vector<Diagnostic> placed(const Scene& scene, std::vector<Diagnostic> diagnostics);
+// The full path of a key of an auxiliary bearing, as Record::place; the key itself for a scene made
+// by hand.
+std::string place_of(const Scene& scene, const std::string& key, std::size_t bearing);
 // Throws SceneError with one diagnostic.
 [[noreturn]] void refuse_at(const Scene& scene, std::string key, std::string reason);
+// The same at a key of an auxiliary bearing.
+[[noreturn]] void refuse_at(const Scene& scene, std::size_t bearing, const std::string& key,
+                            std::string reason);
 
 }  // namespace rotorub::scene

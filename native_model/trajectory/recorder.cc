@@ -94,7 +94,7 @@ void Recorder::meet_energy(double now) {
 void Recorder::begin(const Snapshot& start) {
   const ContactPoint point = contact_point(*model_, start.q, start.v);
   keep(start, point);
-  if (model_->first().contact) statistics_.least_gap = point.gap;
+  meet_gaps(start.q);
   last_slip_ = point.slip;
   keyphasor_.begin(spin_angle(*model_, start.t, start.q));
   look_at_energy();
@@ -152,6 +152,17 @@ void Recorder::count_gap(const ContactPoint& point, double h) {
   penetration_ = std::max(0.0, -point.gap);
   s.penetration_square += penetration_ * penetration_ * h;
   if (s.first_touch >= 0.0) s.gap_rate_square += point.gap_rate * point.gap_rate * h;
+}
+
+// The gaps of all contacts in a state that is shown.
+void Recorder::meet_gaps(const double* q) {
+  for (std::size_t k = 0; k < model_->auxiliary.size(); ++k) {
+    const auto& contact = model_->auxiliary[k].contact;
+    if (!contact) continue;
+    const double gap = contact->clearance - separation(*model_, q, k).norm();
+    statistics_.least_gap = std::min(statistics_.least_gap, gap);
+    least_gaps_[k] = std::min(least_gaps_[k], gap);
+  }
 }
 
 void Recorder::count(const StepFigures& f, double begin) {
@@ -250,12 +261,10 @@ void Recorder::add(const Event& event) { events_.push_back(event); }
 
 void Recorder::row(const Snapshot& now) {
   const Model& m = *model_;
+  meet_gaps(now.q);
   resting_ = 0.0;
   for (std::size_t k = 0; k < m.auxiliary.size(); ++k) {
     if (!m.auxiliary[k].contact) continue;
-    const double gap = m.auxiliary[k].contact->clearance - separation(m, now.q, k).norm();
-    statistics_.least_gap = std::min(statistics_.least_gap, gap);
-    least_gaps_[k] = std::min(least_gaps_[k], gap);
     const ContactSnapshot& at = now.at(k);
     if (at.mode != Mode::kFree) resting_ += at.normal_force * m.auxiliary[k].contact->clearance;
   }

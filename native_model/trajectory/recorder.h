@@ -152,6 +152,7 @@ class Recorder {
   void count_contact(double normal_impulse, double friction_impulse, double h, double begin,
                      bool impact);
   void count_gap(const ContactPoint& point, double h);
+  void meet_gaps(const double* q);
   void rows_until(const Snapshot& now, bool impact);
   void interpolate(const Snapshot& now, double share, bool impact);  // writes q_, v_
   void passes_until(const Snapshot& now, bool impact);
@@ -169,7 +170,7 @@ class Recorder {
   double lasted_ = 0.0;     // s of lasting contact counted since the last snapshot
   double last_slip_ = 0.0;  // m/s
   std::vector<Column> columns_;
-  std::vector<double> least_gaps_;  // m, at the rows, of each contact
+  std::vector<double> least_gaps_;  // m, at the start and at the rows, of each contact
   bool soft_ = false;               // whether several soft contacts exist and have touched
   std::vector<Span> lasting_;       // episodes of soft contacts that count as lasting contact
   std::vector<Impact> impacts_;

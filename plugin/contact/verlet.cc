@@ -74,10 +74,11 @@ Eigen::Vector2d command(const Config& config, const mjModel* m, mjData* d, const
                         VerletWorker& worker) {
   const Model& model = config.model;
   const double h = m->opt.timestep, t = d->time;
+  const AuxiliaryBearing& ring = model.first();
   // True if the force follows the command: no lag, and actuation is enabled.
-  const bool asks = !lags(model) && actuation_enabled(m);
+  const bool asks = !ring.lags() && actuation_enabled(m);
   Eigen::Vector2d mean{0.0, 0.0};
-  if (model.first().controller) {
+  if (ring.controller) {
     mean = worker.hold.held();
     const double end = t + 0.5 * h;
     if (worker.hold.listens(end)) {
@@ -87,22 +88,22 @@ Eigen::Vector2d command(const Config& config, const mjModel* m, mjData* d, const
       worker.stepper.velocity_now(worker.next, held_force, v);
       const bool first = worker.next == 0;
       for (int i = 0; i < model.nq(); ++i) a[i] = first ? 0.0 : 2.0 / h * (v[i] - state.v()[i]);
-      if (lags(model)) worker.hold.show_currents(actuator_state(config, m, d).current);
+      if (ring.lags()) worker.hold.show_currents(actuator_state(config, m, d).current);
       mean = worker.hold.mean(first ? t : t - 0.5 * h, t, end, state.q(), v, a);
       if (asks) worker.stepper.jump(worker.hold.jump());
     }
     if (const std::string& why = worker.hold.failure(); !why.empty()) controller_failed(d, why);
     const Eigen::Vector2d held = worker.hold.held();
-    const Eigen::Vector2d told = model.first().magnets ? held : to_axes(held);
+    const Eigen::Vector2d told = ring.magnets ? held : to_axes(held);
     for (int k = 0; k < 2; ++k) d->ctrl[control_address(m, config.actuator[k])] = told[k];
   }
   ModelEntries& held = model_entries(config, d);
   held.held_x = mean.x();
   held.held_y = mean.y();
   compute_actuators(m, d);
-  if (model.first().controller && asks) return mean;
+  if (ring.controller && asks) return mean;
   const ActuatorState now = actuator_state(config, m, d);
-  return model.first().magnets && asks ? now.current : now.force;
+  return ring.magnets && asks ? now.current : now.force;
 }
 
 void note(const ContactPair& pair, mjData* d, const FixedStep& r, double kick) {

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <memory>
 #include <tuple>
 
@@ -13,10 +14,6 @@
 
 namespace rotorub::plugin {
 
-bool lags(const Model& model) {
-  return model.first().magnets && model.first().magnets->coil_lag > 0.0;
-}
-
 bool actuation_enabled(const mjModel* m) { return !(m->opt.disableflags & mjDSBL_ACTUATION); }
 
 namespace {
@@ -27,7 +24,7 @@ namespace {
 // ring; the memory keeps its size, so that contacts may be switched during a run.
 Model plant_of(const Model& model, bool contact, bool actuation) {
   Model plant = model;
-  if (lags(model) || !actuation) plant = without_controller(with_ideal_actuator(model));
+  if (model.first().lags() || !actuation) plant = without_controller(with_ideal_actuator(model));
   for (AuxiliaryBearing& at : plant.auxiliary) {
     if (!contact) at.contact->clearance = 1e6;
   }
@@ -39,7 +36,9 @@ Model plant_of(const Model& model, bool contact, bool actuation) {
 bool remembers(const Config& config, const double* slot, const Coordinates& state) {
   const int n = config.model.nq();
   const double* q = VerletStepper::saved_q(slot);
-  const double clearance = config.model.first().contact->clearance;
+  double clearance = std::numeric_limits<double>::infinity();  // the smallest
+  for (const AuxiliaryBearing& at : config.model.auxiliary)
+    clearance = std::min(clearance, at.contact->clearance);
   const auto near = [](double a, double b, double size) {
     return std::abs(a - b) <= 1e-6 * (std::abs(b) + size);
   };

@@ -15,9 +15,6 @@
 
 namespace rotorub::plugin {
 
-// True if currents lag. They are then activations, which MuJoCo integrates.
-bool lags(const Model& model);
-
 bool actuation_enabled(const mjModel* m);
 
 // Takes the steps. Between two calls it holds only working memory.

@@ -99,8 +99,7 @@ struct Config {
   std::optional<Segments> segments;  // only with a segment rotor
 
   // True for a user's own model with the plugin's contacts (own/own_config.h). Then `pairs`,
-  // `corrected_pairs`, `memory` and `memory_size` are filled, and `contact` and
-  // model.first().contact from the first pair.
+  // `corrected_pairs`, `memory` and `memory_size` are filled, and `contact` from the first pair.
   bool own = false;
   // The contacts. In a generated model they have the order of model.auxiliary.
   std::vector<ContactPair> pairs;

@@ -60,9 +60,10 @@ void velocity_at_time(const Config& config, const mjModel* m, mjData* d, const C
 Eigen::Vector2d command_of(const Config& config, const mjModel* m, mjData* d, const double* q,
                            const double* v) {
   const Model& model = config.model;
-  if (!model.first().loop) return control_command(model, d->time, q, v);
+  const AuxiliaryBearing& ring = model.first();
+  if (!ring.loop) return control_command(model, d->time, q, v);
   const Eigen::Vector2d current =
-      model.first().magnets ? actuator_state(config, m, d).current : Eigen::Vector2d(0.0, 0.0);
+      ring.magnets ? actuator_state(config, m, d).current : Eigen::Vector2d(0.0, 0.0);
   try {
     return control_sample(model, d->time, q, v, current, d->userdata + config.loop_data);
   } catch (const ControllerError& error) {
@@ -91,17 +92,16 @@ void controller_failed(mjData* d, const std::string& why) {
 }
 
 void write_command(const Config& config, const mjModel* m, mjData* d, const Coordinates& state) {
-  const Model& model = config.model;
-  if (!model.first().controller) return;
+  const AuxiliaryBearing& ring = config.model.first();
+  if (!ring.controller) return;
   double v[kMaxCoordinates];
   velocity_at_time(config, m, d, state, v);
   // Before the controller is on, the command is 0, the value that mj_resetData sets.
   ModelEntries& data = model_entries(config, d);
   Eigen::Vector2d u{data.held_x, data.held_y};
-  if (d->time >= model.first().control_on) {
-    const double sample = model.first().sample_time > 0.0
-                              ? 1.0 + sample_index(d->time, model.first().sample_time)
-                              : 0.0;
+  if (d->time >= ring.control_on) {
+    const double sample =
+        ring.sample_time > 0.0 ? 1.0 + sample_index(d->time, ring.sample_time) : 0.0;
     if (sample == 0.0 || sample != data.sample) {
       u = command_of(config, m, d, state.q(), v);
       data.held_x = u.x();
@@ -109,19 +109,20 @@ void write_command(const Config& config, const mjModel* m, mjData* d, const Coor
       data.sample = sample;
     }
   }
-  const Eigen::Vector2d told = model.first().magnets ? u : to_axes(u);
+  const Eigen::Vector2d told = ring.magnets ? u : to_axes(u);
   for (int k = 0; k < 2; ++k) d->ctrl[control_address(m, config.actuator[k])] = told[k];
 }
 
 ActuatorState actuator_state(const Config& config, const mjModel* m, const mjData* d) {
   if (config.actuator[0] < 0 || config.actuator[1] < 0) return {};
+  const AuxiliaryBearing& ring = config.model.first();
   Eigen::Vector2d force, current{0.0, 0.0};
   for (int k = 0; k < 2; ++k) {
     force[k] = d->actuator_force[force_address(m, config.actuator[k])];
-    if (config.model.first().magnets) current[k] = coil_current(m, d, config.actuator[k]);
+    if (ring.magnets) current[k] = coil_current(m, d, config.actuator[k]);
   }
   ActuatorState now{from_axes(force), current, {}};
-  if (config.model.first().loop) {
+  if (ring.loop) {
     const double* outputs = ControlLoop::outputs(d->userdata + config.loop_data);
     std::copy_n(outputs, now.outputs.size(), now.outputs.begin());
   }
@@ -129,14 +130,13 @@ ActuatorState actuator_state(const Config& config, const mjModel* m, const mjDat
 }
 
 Eigen::Vector2d command_of_pass(const Config& config, const mjModel* m, const mjData* d) {
-  const Model& model = config.model;
+  const AuxiliaryBearing& ring = config.model.first();
   if (config.actuator[0] < 0 || config.actuator[1] < 0) return {0.0, 0.0};
-  const bool lags = model.first().magnets && model.first().magnets->coil_lag > 0.0;
-  if (config.takes_native_steps() && model.first().controller && !lags) {
+  if (config.takes_native_steps() && ring.controller && !ring.lags()) {
     const ModelEntries& data = model_entries(config, d);
     return {data.held_x, data.held_y};
   }
-  if (!model.first().magnets) return actuator_state(config, m, d).force;
+  if (!ring.magnets) return actuator_state(config, m, d).force;
   return {asked_current(m, d, config.actuator[0]), asked_current(m, d, config.actuator[1])};
 }
 

@@ -227,8 +227,7 @@ bool force_has_rate(const mjModel* m, int actuator) {
 }  // namespace
 
 bool damping_is_added(const mjModel* m, const Config& config) {
-  if (!config.model.first().contact || config.segments || scene::is_cone(config.contact))
-    return false;
+  if (!config.has_contact() || config.segments || scene::is_cone(config.contact)) return false;
   const Chain chain(m, config);
   for (int i = 0; i < m->nv && damped_step(m) > 0.0; ++i) {
     if (joint_damping_varies(m, i) && chain.has_joint(m->dof_jntid[i])) return true;

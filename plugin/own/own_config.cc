@@ -261,7 +261,6 @@ void map_own_contacts(const mjModel* m, Config& config) {
   });
   refusals.raise();
   if (config.pairs.empty()) return;
-  config.model.first().contact = config.pairs.front().contact;
   config.contact = config.pairs.front().law;
 }
 

@@ -5,11 +5,14 @@
 
 #include <algorithm>
 #include <array>
+#include <string>
+#include <utility>
 
 #include "mjcf/names.h"
 #include "mjcf/writer.h"
 #include "native_model/model/dynamics.h"
 #include "native_model/prepare/prepare.h"
+#include "plugin/contact/verlet.h"
 #include "plugin/make_config.h"
 #include "plugin/model/generated_rotor.h"
 #include "plugin/model/mujoco_versions.h"
@@ -201,6 +204,51 @@ TEST_F(SeveralOnTheChain, AreKeptFromMujocosSolverWithoutAGap) {
     ASSERT_EQ(state_of(edited.get(), other.get()), state_of(plain.get(), d.get())) << d->time;
   }
   EXPECT_GT(largest, 0.0);
+}
+
+// The scene of one mode in two rings at one place, so that their order says nothing.
+scene::Scene in_rings(const char* first, const char* second) {
+  std::string text = R"([run]
+end = 0.01
+step = 1e-5
+[rotor]
+speed = 100.0
+[rotor.modal]
+mass = [2.0]
+stiffness = [2e5]
+damping = [40.0]
+[initial]
+vx = [1e-4]
+)";
+  for (const char* clearance : {first, second}) {
+    text +=
+        std::string("[[contact]]\nradius = 0.05\nfriction = 0.1\nrestitution = 0.5\nclearance = ") +
+        clearance + "\n";
+  }
+  return parsed(text);
+}
+
+// A state that was written is known by a millionth of the smallest clearance.
+TEST_F(SeveralOnTheChain, NoticeAWrittenStateInAnyOrder) {
+  for (const auto& [first, second] :
+       {std::pair{"\"10 mm\"", "\"10 um\""}, std::pair{"\"10 um\"", "\"10 mm\""}}) {
+    const ModelPointer m = load(mjcf(in_rings(first, second)));
+    const DataPointer d = start(m.get());
+    const plugin::Config config = plugin::make_config(m.get());
+    for (int k = 0; k < 10; ++k) mj_step(m.get(), d.get());
+    EXPECT_FALSE(plugin::begins_anew(config, m.get(), d.get())) << first;
+    d->qpos[config.qpos_address[0]] += 1e-9;
+    EXPECT_TRUE(plugin::begins_anew(config, m.get(), d.get())) << first;
+  }
+}
+
+// The place of every ring is that of the scene.
+TEST_F(SeveralOnTheChain, AreRefusedWithARingOutOfPlace) {
+  const std::string document = mjcf(in_rings("\"10 mm\"", "\"10 um\""));
+  for (const std::string ring : {"<body name=\"ring", "<body name=\"ring_2"}) {
+    expect_refused(replaced(document, ring + "\">", ring + "\" pos=\"1e-4 0 0\">"),
+                   ring + "\">: pos");
+  }
 }
 
 TEST_F(SeveralOnTheChain, AreRefusedWhereTheirRowsAreNotKnown) {

@@ -153,7 +153,7 @@ TEST(Lqr, ARunIsItsClosedLoop) {
   s.initial.x = {1e-4, 2e-5};
   s.first().stator->position = {-1e-4, 5e-5};
   const Model m = prepare(s);
-  const QuadraticDesign d = quadratic_design(s, plant_of(m, 0, s.rotor.speed));
+  const QuadraticDesign d = quadratic_design(s, 0, plant_of(m, 0, s.rotor.speed));
   Eigen::VectorXd x(12);
   x << m.q0, m.v0;
   const Trajectory t = run_native(s);

@@ -26,7 +26,7 @@ using test::Hanging;
 using test::levitated;
 
 QuadraticDesign design_of(const scene::Scene& s) {
-  return quadratic_design(s, plant_of(prepare(s), 0, s.rotor.speed));
+  return quadratic_design(s, 0, plant_of(prepare(s), 0, s.rotor.speed));
 }
 
 // The state of a run at t = 0.

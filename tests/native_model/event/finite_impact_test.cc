@@ -7,6 +7,9 @@
 
 #include "tests/native_model/hard/rules.h"
 #include "tests/support/jeffcott.h"
+#include "tests/support/native_run.h"
+#include "tests/support/refusal.h"
+#include "tests/support/two_rings.h"
 
 namespace rotorub {
 namespace {
@@ -55,6 +58,18 @@ TEST(FiniteImpact, TheBalanceClosesOnARingWithAFreeSpin) {
   const Trajectory t = test::run_event(scene);
   ASSERT_EQ(t.status, Status::kOk) << t.message;
   EXPECT_LT(t.statistics.energy_residual(), kLoadedBalance);
+}
+
+// A scene made by hand may give the time to any of several contacts.
+TEST(FiniteImpact, IsRefusedAtAnyContactByAnIntegratorWithoutIt) {
+  for (const std::size_t k : {0u, 1u}) {
+    scene::Scene scene = test::shaft_in_two_rings(2.0, 2.0, 1.0);
+    scene.auxiliary[k].contact->expansion_time = kTauE;
+    scene.run.end = 1e-3;
+    const auto all = test::refusals([&] { test::run_with(scene, scene::Integrator::kEuler); });
+    ASSERT_EQ(all.size(), 1u) << k;
+    EXPECT_EQ(all[0].key, "contact.expansion_time") << k;
+  }
 }
 
 // Without loads both phases are known by hand: compression stops the mass, expansion sends it back.

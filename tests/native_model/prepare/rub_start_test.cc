@@ -5,6 +5,7 @@
 
 #include <gtest/gtest.h>
 
+#include <array>
 #include <cmath>
 #include <numbers>
 #include <string>
@@ -12,6 +13,7 @@
 
 #include "native_model/linear/rub_map.h"
 #include "native_model/oracles/annular_rub.h"
+#include "native_model/scene/reader.h"
 #include "tests/native_model/hard/rules.h"
 #include "tests/native_model/linear/rubs.h"
 #include "tests/support/refusal.h"
@@ -238,6 +240,40 @@ TEST(RubStartRefusal, AControllerWhoseFirstPhaseIsAnother) {
   s.first().controller->kind = scene::ControllerKind::kSliding;
   s.first().controller->on = 0.1;
   EXPECT_EQ(test::refusal(s).reason, "") << "it comes later";
+}
+
+// Two contacts are refused in any case, but what one of them has is named at that one.
+TEST(RubStartRefusal, NamesTheContactInAnyOrder) {
+  const std::string rotor = R"([rotor]
+speed = 100.0
+[rotor.modal]
+mass = [2.0]
+stiffness = [2e5]
+damping = [40.0]
+[initial]
+rub = "synchronous"
+)";
+  const std::string plain = R"([[contact]]
+radius = 0.05
+clearance = 5e-4
+friction = 0.1
+restitution = 0.5
+[contact.stator]
+mass = 1.0
+damping = 200.0
+stiffness = 4e5
+)";
+  const std::string law =
+      "[contact.controller]\nkind = \"two_phase\"\nsample_time = 1e-4\nfeedback = [200.0]\n";
+  const std::string spin = "[contact.stator.spin]\ninertia = 1e-4\nspeed = 5.0\n";
+  for (const auto& [table, key, reason] :
+       {std::array<std::string, 3>{law, "controller.kind", "first phase"},
+        std::array<std::string, 3>{spin, "stator.spin.speed", "as the rub has it"}}) {
+    expect_refused(scene::parse_scene(rotor + plain + table + plain, "two"), "contact[0]." + key,
+                   reason);
+    expect_refused(scene::parse_scene(rotor + plain + plain + table, "two"), "contact[1]." + key,
+                   reason);
+  }
 }
 
 TEST(RubStartRefusal, AStartBesideIt) {

@@ -5,6 +5,7 @@
 
 #include <Eigen/Core>
 #include <algorithm>
+#include <utility>
 #include <vector>
 
 #include "native_model/model/model.h"
@@ -92,6 +93,33 @@ TEST(AutoModes, NeedsNoSleeveWithoutAContact) {
   EXPECT_LT(tenth, kMostAutoModes);
 }
 
+// The rig with a sleeve of 5 kg at one contact and of 0.05 kg at the other. Each contact must have
+// its effective mass, whichever comes first in the list.
+TEST(AutoModes, CountEveryContactInAnyOrder) {
+  scene::Scene s = rig(5.0);
+  s.rotor.geometry->discs.push_back({.z = 0.42, .mass = 0.05, .Jt = 1e-5, .Jp = 1.5e-5});
+  const int heavy = rotor_modes(automatic(s, 0.5)).kept;
+  s.auxiliary.push_back(s.first());
+  s.auxiliary[1].contact->station = 0.42;
+  const int both = rotor_modes(automatic(s, 0.5)).kept;
+  std::swap(s.auxiliary[0], s.auxiliary[1]);
+  EXPECT_EQ(rotor_modes(automatic(s, 0.5)).kept, both);
+  EXPECT_GT(both, heavy) << "the light sleeve needs more modes";
+}
+
+TEST(AutoModes, NameTheContactWithoutAMass) {
+  scene::Scene s = rig(5.0);
+  s.auxiliary.push_back(s.first());
+  s.auxiliary[1].name = "free end";
+  s.auxiliary[1].contact->station = 0.42;
+  const auto refused = [&] {
+    return test::message_of<scene::SceneError>([&] { prepare(automatic(s, 0.01)); });
+  };
+  EXPECT_TRUE(test::contains(refused(), {"effective mass at contact free end", "sleeve"}));
+  std::swap(s.auxiliary[0], s.auxiliary[1]);
+  EXPECT_TRUE(test::contains(refused(), {"effective mass at contact free end", "sleeve"}));
+}
+
 // The effective mass at the contact: known for a shaft that is all sleeve, and falling with the
 // modes.
 TEST(ContactMass, FallsWithTheModesWithoutASleeve) {
@@ -116,6 +144,21 @@ TEST(ContactMass, OfAHeavySleeveIsTheSleeve) {
   EXPECT_NEAR(mass.mesh, 50.0, 1.0);
   EXPECT_NEAR(mass.kept, mass.mesh, 0.02 * mass.mesh);
   EXPECT_FALSE(mass.truncated());
+}
+
+// A heavy sleeve at one contact, none at the other: impacts at the latter depend on the modes.
+TEST(ContactMass, IsThatOfTheContactWhoseImpactsLeaveOutMost) {
+  scene::Scene s = rig(50.0);
+  s.rotor.geometry->modes = 12;
+  ASSERT_FALSE(contact_mass(s)->truncated());
+  s.auxiliary.push_back(s.first());
+  s.auxiliary[1].contact->station = 0.42;
+  const ContactMass mass = contact_mass(s).value();
+  EXPECT_TRUE(mass.truncated());
+  std::swap(s.auxiliary[0], s.auxiliary[1]);
+  const ContactMass swapped = contact_mass(s).value();
+  EXPECT_NEAR(swapped.kept, mass.kept, 1e-9 * mass.kept);
+  EXPECT_NEAR(swapped.mesh, mass.mesh, 1e-9 * mass.mesh);
 }
 
 TEST(ContactMass, IsNotAskedOfModalData) {

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 #include <functional>
+#include <vector>
 
 #include "native_model/model/dynamics.h"
 #include "native_model/prepare/prepare.h"
@@ -99,6 +100,27 @@ TEST(RecorderRows, APrescribedSpinTurnsOnByItself) {
   const Trajectory t = record(m, {0.0, 1.5e-3}, 1e-3, 2, cubic, cubic_rate);
   EXPECT_DOUBLE_EQ(t.column("spin_angle")[1], 0.3);
   EXPECT_EQ(t.column("spin_speed")[1], 200.0);
+}
+
+// The gap at the start counts without a row there, at whichever of two contacts it is smaller.
+TEST(Recorder, MeetsTheGapOfEveryContactAtTheStart) {
+  for (const std::size_t narrow : {0u, 1u}) {
+    scene::Scene s = test::make_scene({.clearance = 0.5e-3});
+    s.auxiliary.push_back(s.first());
+    s.auxiliary[narrow].contact->clearance = 0.3e-3;
+    const Model m = prepare(s);
+    Recorder recorder(m, {});
+    recorder.statistics().contacts.resize(2);
+    const Eigen::VectorXd q = Eigen::Vector2d(0.25e-3, 0.0), v = Eigen::Vector2d(0.0, 0.0);
+    const std::vector<ContactSnapshot> others(1);
+    Snapshot start = snapshot(0.0, q, v);
+    start.others = others;
+    recorder.begin(start);
+    const Statistics found = recorder.finish(0.0).statistics;
+    EXPECT_NEAR(found.least_gap, 0.05e-3, 1e-18);
+    EXPECT_NEAR(found.contacts[narrow].least_gap, 0.05e-3, 1e-18);
+    EXPECT_NEAR(found.contacts[1 - narrow].least_gap, 0.25e-3, 1e-18);
+  }
 }
 
 TEST(Recorder, PutsImpactsAndEventsInOrder) {
