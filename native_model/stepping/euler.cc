@@ -140,8 +140,8 @@ Status EulerStepper::touch(double t, const Eigen::VectorXd& start) {
     c.slip = rates_along(c.e_r, law.radius, free).y();
     c.before = rates_along(c.e_r, law.radius, rates(m, start, i)).y();
     c.end = gap / h_;
-    const double pressed = pressing(c.e_r, free, acceleration, law.clearance);
-    c.impact = !lasted[i] && rebound_outlives_steps(h_, law.restitution, closes, pressed);
+    const double a = closing_acceleration(c.e_r, free, acceleration, law.clearance);
+    c.impact = !lasted[i] && rebound_outlives_steps(h_, law.restitution, closes, a);
     closing[n++] = c;
   }
   if (n == 0 || (n == 1 && closing[0].end >= 0.0)) return Status::kOk;
