@@ -29,7 +29,7 @@ struct ContactSet {
   double floor = 0.0;         // with a side: least friction impulse to it, N s, >= 0
   // +1, -1: known direction of sliding (y_T is an acceleration); 0: y_T decides.
   double slides = 0.0;
-  bool pressed = false;  // L_N = n for any y_N: a compliant contact
+  bool normal_known = false;  // L_N = n for any y_N: a compliant contact
 
   double low(double normal) const {
     if (slides != 0.0) return -slides * friction * normal;

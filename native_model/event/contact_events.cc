@@ -57,7 +57,7 @@ void EventIntegrator::begin_on_circles(const Closed& touching) {
 void EventIntegrator::impact(std::size_t contact) {
   if (model_->auxiliary[contact].gives()) {
     const double speed = -contact_point(*model_, motion_.q(), motion_.v(), contact).gap_rate;
-    return press(contact, model_->auxiliary[contact].contact->compliance.a_of_touch(speed));
+    return begin_touch(contact, model_->auxiliary[contact].contact->compliance.a_of_touch(speed));
   }
   first_touch(contact);
   Closed closed = on_circles();
@@ -94,7 +94,7 @@ void EventIntegrator::impact(std::size_t contact) {
 
 // Lasting contact ends, or its friction changes.
 void EventIntegrator::margin_reached(std::size_t contact) {
-  if (model_->auxiliary[contact].gives()) return press_margin_reached(contact);
+  if (model_->auxiliary[contact].gives()) return compliant_margin_reached(contact);
   const Mode mode = phase_.state(contact).mode;
   step_.evaluate(motion_);
   const Multipliers force = phase_.multipliers(contact);
@@ -137,7 +137,7 @@ void EventIntegrator::decide(const Closed& resting) {
   for (std::size_t k = 0; k < phase_.contacts(); ++k) {
     if (!phase_.in_contact(k) && !phase_.state(k).held) continue;
     const auto is_named = [k](const Constraint::Closed& c) { return c.contact == k; };
-    if (std::any_of(resting.begin(), resting.end(), is_named) || no_longer_presses(k)) continue;
+    if (std::any_of(resting.begin(), resting.end(), is_named) || release_if_unloaded(k)) continue;
     all_closed.push_back(
         {k, phase_.in_contact(k) ? velocity_of(phase_.state(k).mode) : Velocity::kKept});
   }
@@ -156,7 +156,7 @@ void EventIntegrator::decide_all(const Closed& closed_here) {
   for (const Constraint::Closed& c : closed_here) closed.push_back({c.contact, {}});
   Phase::Accelerations all = phase_.accelerations(motion_.t, motion_.y.data(), closed);
   ContactList<double> slips, friction;
-  ContactList<std::optional<double>> pressing;
+  ContactList<std::optional<double>> compliant_force;
   bool settles = false;
   for (std::size_t i = 0; i < closed.size(); ++i) {
     const auto at = static_cast<Eigen::Index>(i);
@@ -172,22 +172,22 @@ void EventIntegrator::decide_all(const Closed& closed_here) {
     const bool stops = stuck && !gives ? true : is_no_slip(k, p, stuck ? kDrift : kNoSpeed);
     slips.push_back(stops ? 0.0 : p.slip);
     friction.push_back(model_->auxiliary[k].contact->friction.at(slips[i]));
-    std::optional<double> known = phase_.pressing(closed[i]);
+    std::optional<double> known = phase_.compliant_force(closed[i]);
     // At a touch the penetration is round-off, of either sign.
     if (known) known = std::max(*known, 0.0);
-    pressing.push_back(known);
+    compliant_force.push_back(known);
   }
   const ContactDecisions decided = select_contact_modes(all.g, all.b, all.scale, slips, friction,
-                                                        parameters_.no_force, pressing);
+                                                        parameters_.no_force, compliant_force);
   if (decided.status != Status::kOk) return fail(decided.status, decided.reason);
   for (std::size_t i = 0; i < closed.size(); ++i) change_to(closed[i].index, decided.next[i]);
   if (settles) settle(closed_here);
 }
 
-// Puts contacts that press at rest on their circles; the others fly, or are held where they are.
+// Puts lasting contacts on their circles; the others fly, or are held where they are.
 void EventIntegrator::settle(const Closed& decided) {
-  const Closed pressed = phase_.rigid_contacts();
-  project(pressed);
+  const Closed lasting = phase_.rigid_contacts();
+  project(lasting);
   for (const ClosedContact& c : closed_points(*model_, motion_.q(), motion_.v(), decided)) {
     const AuxiliaryBearing& bearing = model_->auxiliary[c.index];
     if (phase_.in_contact(c.index) || bearing.gives()) continue;
@@ -196,7 +196,7 @@ void EventIntegrator::settle(const Closed& decided) {
       state = in_flight(Departure::kInside);
     } else if (c.point.gap_rate > 0.0 && !is_no_gap_rate(c.point)) {
       state = in_flight(Departure::kRebound);
-    } else if (!pressed.empty()) {
+    } else if (!lasting.empty()) {
       state = held_by_others(Departure::kParting);
     }
     state.held_gap = std::min(0.0, c.point.gap);

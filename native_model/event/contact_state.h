@@ -26,7 +26,7 @@ struct ContactState {
   bool held = false;
   double held_gap = 0.0;  // m, <= 0, gap at which it is held
   // Only for compliant contacts: a of this touch, s/m; and, if free, true while the rotor is still
-  // in the wall, which no longer presses.
+  // in the wall, but without a force.
   double hunt_crossley = 0.0;
   bool in_wall = false;
 };
@@ -43,12 +43,12 @@ struct ContactDecisions {
 // Decides about contacts on their circles with gap rate 0, solved together: free, sliding or
 // sticking from here on, in the order of b. b, scale: as in Phase::Accelerations; slips: m/s,
 // exactly 0 if the contact is known not to slip, so that the set-valued friction law decides;
-// friction: mu at the slip; pressing: N, for compliant contacts only, empty if all are rigid;
-// no_force: see EventParameters.
+// friction: mu at the slip; compliant_force: N, for compliant contacts only, empty if all are
+// rigid; no_force: see EventParameters.
 ContactDecisions select_contact_modes(const ContactMatrix& g, const ContactVector& b,
                                       const ContactVector& scale, std::span<const double> slips,
                                       std::span<const double> friction, double no_force,
-                                      std::span<const std::optional<double>> pressing = {});
+                                      std::span<const std::optional<double>> compliant_force = {});
 
 // Margins of lasting contact; they are positive while it lasts.
 struct Margins {

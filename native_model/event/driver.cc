@@ -110,7 +110,7 @@ void EventIntegrator::pass() {
   if (ahead_.event) {
     const std::size_t contact = ahead_.event->contact;
     if (ahead_.event->rejoins) {
-      decide_one(contact, Constraint::Velocity::kKept);  // it is pressed again, without an impact
+      decide_one(contact, Constraint::Velocity::kKept);  // it has a force again, without an impact
     } else {
       phase_.has_margins(contact) ? margin_reached(contact) : impact(contact);
     }

@@ -85,7 +85,7 @@ class EventIntegrator {
   struct Found {
     double theta;  // fraction of the step
     std::size_t contact;
-    bool rejoins = false;  // it was held on its circle and is pressed again
+    bool rejoins = false;  // it was held on its circle and has a force again
   };
   struct Ahead {
     bool known = false;
@@ -102,11 +102,11 @@ class EventIntegrator {
   void impact(std::size_t contact);
   void margin_reached(std::size_t contact);
   // Compliant contacts.
-  void press(std::size_t contact, double hunt_crossley);
+  void begin_touch(std::size_t contact, double hunt_crossley);
   double parting_acceleration(std::size_t contact);
-  void press_margin_reached(std::size_t contact);
+  void compliant_margin_reached(std::size_t contact);
   void release(const ClosedContact& at);
-  bool no_longer_presses(std::size_t contact);
+  bool release_if_unloaded(std::size_t contact);
   void decide(const Closed& resting);
   void decide_one(std::size_t contact, Constraint::Velocity velocity);
   void decide_all(const Closed& closed_here);

@@ -94,7 +94,7 @@ Phase::Accelerations Phase::accelerations(double t, const double* y,
   return all;
 }
 
-std::optional<double> Phase::pressing(const ClosedContact& at) const {
+std::optional<double> Phase::compliant_force(const ClosedContact& at) const {
   const ContactParameters& c = *model_->auxiliary[at.index].contact;
   if (!c.gives()) return {};
   return c.compliance.force(-at.point.gap, -at.point.gap_rate, state(at.index).hunt_crossley);
@@ -137,7 +137,7 @@ PlanarImpulse Phase::force_of_one(const ClosedContact& c) const {
       delassus(inverse_mass_.admittance(at.admittance, inverse_mass_.coupling_at(c.index)),
                c.point.e_r, radius);
   const Eigen::Vector2d b = unloaded(c);
-  const std::optional<double> known = pressing(c);
+  const std::optional<double> known = compliant_force(c);
   if (at.state.mode != Mode::kStick) {
     const double friction = mu_sign(c), normal = known ? *known : slide(g, b[0], friction);
     return {normal, -friction * normal};
@@ -155,7 +155,7 @@ void Phase::forces_of_several(double t, const double* q, PlanarImpulse* forces) 
     const ClosedContact& c = closed_[i];
     const auto row = static_cast<Eigen::Index>(2 * i);
     b.segment<2>(row) = unloaded(c);
-    const std::optional<double> known = pressing(c);
+    const std::optional<double> known = compliant_force(c);
     if (known) {
       system.given[row] = *known;
     } else {
@@ -178,7 +178,7 @@ void Phase::forces_of_several(double t, const double* q, PlanarImpulse* forces) 
 
 // Finds the forces of the closed contacts and their margins, and adds what the forces do to the
 // accelerations a.
-void Phase::press(double t, const double* q, double* a) {
+void Phase::add_contact_forces(double t, const double* q, double* a) {
   std::array<PlanarImpulse, kMaxContacts> forces;  // not initialised: this is the hot loop
   if (closed_.size() == 1) {
     forces[0] = force_of_one(closed_[0]);
@@ -235,7 +235,7 @@ void Phase::derivative(double t, const double* y, double* dy) {
   integrals[kExternalWork] = power + extra_power(m, angles_, q, v);
 
   find_closed(q, v);
-  press(t, q, a);
+  add_contact_forces(t, q, a);
   for (const ClosedContact& c : closed_) integrate(c, integrals);
   if ((!in_contact(0) || m.first().gives()) && m.first().contact && touched_) {
     const eq::Pair d = eq::separation(m, q), rate = eq::relative(m, v);

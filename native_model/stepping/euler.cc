@@ -134,7 +134,7 @@ Status EulerStepper::touch(double t, const Eigen::VectorXd& start) {
     const double closes = c.e_r.dot(free.head<2>());
     // (12): gap at the end of the step, linearised about q.
     const double gap = law.clearance - delta - h_ * closes;
-    // A lasting contact may be pressed by another one, so all are solved together.
+    // A lasting contact may be closed by the force of another one, so all are solved together.
     if (gap >= 0.0 && !(lasted[i] && done_.size() > 1)) continue;
     c.gap_rate = -closes;
     c.slip = rates_along(c.e_r, law.radius, free).y();

@@ -175,7 +175,7 @@ class StepContacts {
   }
   bool leaves(const Contact& c, const Pair& velocity) const;
   void find_lasting(StepState& x, bool unsettled);
-  void press_on(StepState& x);
+  void solve_closed(StepState& x);
   bool find_impulses(StepState& x);
   bool slide_on(std::size_t i, const double* free);
   bool solve_lasting(StepState& x);
@@ -186,8 +186,8 @@ class StepContacts {
   // Compliant contacts (compliant_contacts.cc).
   bool find_touches(StepState& x);
   void meet_wall(std::size_t i, const Eigen::Vector3d& free);
-  bool press(StepState& x);
-  void press_one(std::size_t i, const Eigen::Vector3d& end);
+  bool solve_compliant(StepState& x);
+  void solve_one_compliant(std::size_t i, const Eigen::Vector3d& end);
   void find_impulses(std::size_t i, const Eigen::Vector2d& before, const Eigen::Vector2d& after,
                      const Delassus& g);
 
@@ -200,7 +200,7 @@ class StepContacts {
   double before_ = 0.0, after_ = 0.0;  // s, parts of the step around the place that it sees
   // In the step: rigid lasting contacts and compliant contacts in their walls; whether any contact
   // acts; whether there were impacts; whether done_ has been written.
-  List lasting_, pressing_;
+  List lasting_, compliant_;
   bool acts_ = false, impacted_ = false, did_ = false;
   std::vector<ContactStep> done_;
   StepState::Coordinates without_impacts_;  // velocities at the end of the step

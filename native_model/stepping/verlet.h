@@ -8,7 +8,7 @@
 //      that depend on velocities at the mean of v' and v_f, lead to the free velocity
 //      v_f = v_{k+1/2}. The first step is half a kick.
 //   2. Contact: if the straight path q_k + h v_f stays inside every ring, nothing else happens. A
-//      lasting contact ends the step on its circle, or presses into its wall (step_contacts.h). If
+//      lasting contact ends the step on its circle, or penetrates its wall (step_contacts.h). If
 //      a load or the command jumps within a step of lasting contact, it is taken in two parts
 //      (split()).
 //   3. Impact: if the path of a contact in flight leaves its circle, Poisson's law applies at that

@@ -34,8 +34,8 @@ struct TouchingPair : ContactRows {
   double curvature = 0.0;  // m/s^2, towards the ring, by the whirl and by centres on circles
   Eigen::Vector3d free{0.0, 0.0, 0.0};  // m/s^2, y without any contact force
   bool touches = false;
-  std::optional<double> pressing{};      // N, normal force of a compliant contact
-  Eigen::Vector3d force{0.0, 0.0, 0.0};  // N, (normal, friction, friction along the axis)
+  std::optional<double> compliant_force{};  // N, normal force of a compliant contact
+  Eigen::Vector3d force{0.0, 0.0, 0.0};     // N, (normal, friction, friction along the axis)
   bool sticks = false;
 
   ContactEntries& entries(mjData* d) const { return contact_entries(*pair, d); }
@@ -92,7 +92,7 @@ TouchingPair touching_pair(const ContactPair& pair, const ContactSpaces::Made& a
   const Reference r = reference_of(pair, m, d, row);
   const double reference = -r.damping * (p.gap_rate + 0.5 * h * s.curvature) - r.stiffness * p.gap;
   if (pair.contact.gives()) {
-    s.pressing = compliant_force(pair, p, m, d);
+    s.compliant_force = compliant_force(pair, p, m, d);
   }
   s.base = {-s.curvature - reference,
             p.slip / h + whirl / p.delta * p.gap_rate + p.e_t().dot(turning),
@@ -103,13 +103,13 @@ TouchingPair touching_pair(const ContactPair& pair, const ContactSpaces::Made& a
 
 // Finds y without any contact force, where free(space) are the free accelerations, and decides
 // whether the contact touches. A rebound that the loads undo within two steps is not a flight.
-// Beside other contacts, which may press this one, the common law decides.
+// With other contacts, whose forces may close this one, the common law decides.
 template <typename Free>
 void look(TouchingPair& s, bool beside_others, Free free, const mjModel* m, mjData* d) {
   const Eigen::Vector3d a = s.along(free);
   s.free = s.base + a;
-  if (s.pressing) {
-    s.touches = *s.pressing > 0.0;
+  if (s.compliant_force) {
+    s.touches = *s.compliant_force > 0.0;
     return;
   }
   const bool before = s.entries(d).mode != 0.0;
@@ -160,9 +160,9 @@ Touching touching(TouchingPairs& contacts) {
     ImpactLaw law;
     law.friction = s.pair->contact.friction.at(s.slip);
     t.laws.push_back(law);
-    if (s.pressing) {
-      ContactSet set{law.friction.coefficient, *s.pressing};
-      set.pressed = true;
+    if (s.compliant_force) {
+      ContactSet set{law.friction.coefficient, *s.compliant_force};
+      set.normal_known = true;
       t.sets.push_back(set);
     }
     t.at.push_back(&s);
@@ -264,8 +264,8 @@ void solve_beside_constraints(TouchingPairs& contacts, const mjModel* m, mjData*
   }
   set_references(
       contacts, [d](const ContactSpace& at) { return at.rates(d->qacc); }, d);
-  const auto presses = [](const TouchingPair& s) { return s.force.x() > 0.0; };
-  if (std::any_of(contacts.begin(), contacts.end(), presses)) probe.keep();
+  const auto is_loaded = [](const TouchingPair& s) { return s.force.x() > 0.0; };
+  if (std::any_of(contacts.begin(), contacts.end(), is_loaded)) probe.keep();
 }
 
 // True if a contact that MuJoCo's solver does not contain is near enough to be detected.
@@ -316,7 +316,7 @@ void apply_coulomb(const Config& config, const mjModel* m, mjData* d) {
              (s.axial && constraints_couple(m, d, *s.axial, own));
   }
   // The force of a compliant contact is known, whatever constraints act on its bodies.
-  if (beside && !contacts[0].pressing) {
+  if (beside && !contacts[0].compliant_force) {
     solve_beside_constraints(contacts, m, d);
   } else {
     solve_free(contacts, m, d);
