@@ -24,14 +24,15 @@ void EventIntegrator::project(const Closed& closed) {
   constraint_.project(motion_.t, motion_.q(), motion_.v(), closed);
 }
 
-// Rigid contacts that are in contact, held or touching; nothing is known about their velocities.
+// Rigid contacts that are in contact, redundant or on their circles; nothing is known about their
+// velocities.
 EventIntegrator::Closed EventIntegrator::on_circles() const {
   Closed closed;
   for (std::size_t k = 0; k < phase_.contacts(); ++k) {
     const auto& contact = model_->auxiliary[k].contact;
     if (!contact || contact->gives()) continue;
     const double gap = contact_point(*model_, motion_.q(), motion_.v(), k).gap;
-    if (phase_.in_contact(k) || phase_.state(k).held || gap <= kOnCircle * contact->clearance)
+    if (phase_.in_contact(k) || phase_.state(k).redundant || gap <= kOnCircle * contact->clearance)
       closed.push_back({k, Velocity::kKept});
   }
   return closed;
@@ -119,7 +120,7 @@ void EventIntegrator::margin_reached(std::size_t contact) {
   switch (end) {
     case PhaseEnd::kOpens:
       for (const std::size_t k : opening) {
-        change_to(k, opening.size() < closed.size() ? held_by_others(Departure::kLiftOff)
+        change_to(k, opening.size() < closed.size() ? redundant_contact(Departure::kLiftOff)
                                                     : in_flight(Departure::kLiftOff));
       }
       return;
@@ -131,11 +132,11 @@ void EventIntegrator::margin_reached(std::size_t contact) {
 }
 
 // Decides what these contacts on their circles do from here on, together with all others that last
-// or are held.
+// or are redundant.
 void EventIntegrator::decide(const Closed& resting) {
   Closed all_closed = resting;
   for (std::size_t k = 0; k < phase_.contacts(); ++k) {
-    if (!phase_.in_contact(k) && !phase_.state(k).held) continue;
+    if (!phase_.in_contact(k) && !phase_.state(k).redundant) continue;
     const auto is_named = [k](const Constraint::Closed& c) { return c.contact == k; };
     if (std::any_of(resting.begin(), resting.end(), is_named) || release_if_unloaded(k)) continue;
     all_closed.push_back(
@@ -184,7 +185,7 @@ void EventIntegrator::decide_all(const Closed& closed_here) {
   if (settles) settle(closed_here);
 }
 
-// Puts lasting contacts on their circles; the others fly, or are held where they are.
+// Puts lasting contacts on their circles; the others fly, or become redundant where they are.
 void EventIntegrator::settle(const Closed& decided) {
   const Closed lasting = phase_.rigid_contacts();
   project(lasting);
@@ -192,14 +193,14 @@ void EventIntegrator::settle(const Closed& decided) {
     const AuxiliaryBearing& bearing = model_->auxiliary[c.index];
     if (phase_.in_contact(c.index) || bearing.gives()) continue;
     ContactState state = phase_.state(c.index);
-    if (c.point.gap > kHeldGap * bearing.contact->clearance) {
+    if (c.point.gap > kRedundantGap * bearing.contact->clearance) {
       state = in_flight(Departure::kInside);
     } else if (c.point.gap_rate > 0.0 && !is_no_gap_rate(c.point)) {
       state = in_flight(Departure::kRebound);
     } else if (!lasting.empty()) {
-      state = held_by_others(Departure::kParting);
+      state = redundant_contact(Departure::kParting);
     }
-    state.held_gap = std::min(0.0, c.point.gap);
+    state.redundant_gap = std::min(0.0, c.point.gap);
     phase_.set(c.index, state);
   }
 }

@@ -10,8 +10,8 @@ namespace rotorub {
 namespace {
 
 constexpr ContactState kParts = in_flight(Departure::kParting);
-// Relative to the accelerations; a gap that opens no faster is held.
-constexpr double kHeld = 1e-8;
+// Relative to the accelerations; a contact whose gap opens no faster is redundant.
+constexpr double kRedundant = 1e-8;
 
 // The case of a single sliding contact is known: it parts, or it slides on.
 ContactDecisions sliding_alone(const Delassus& g, double normal, double slip, double mu) {
@@ -68,8 +68,9 @@ ContactDecisions select_contact_modes(const ContactMatrix& g, const ContactVecto
   for (std::size_t i = 0; i < slips.size(); ++i) {
     const auto at = static_cast<Eigen::Index>(2 * i);
     if (!(s.p[at] > 0.0) && !sets[i].normal_known) {
-      const bool held = slips.size() > 1 && s.y[at] <= kHeld * scale[static_cast<Eigen::Index>(i)];
-      decided.next.push_back(held ? held_by_others(Departure::kParting) : kParts);
+      const bool redundant =
+          slips.size() > 1 && s.y[at] <= kRedundant * scale[static_cast<Eigen::Index>(i)];
+      decided.next.push_back(redundant ? redundant_contact(Departure::kParting) : kParts);
     } else if (sets[i].slides != 0.0) {
       decided.next.push_back({Mode::kSlide, sets[i].slides});
     } else if (s.sticks[i] ||
@@ -77,7 +78,7 @@ ContactDecisions select_contact_modes(const ContactMatrix& g, const ContactVecto
       // A contact that closes without slip sticks until its friction decides.
       decided.next.push_back({Mode::kStick, 0.0});
     } else {
-      // It slides against its friction, because its slip is only round-off beside contacts that
+      // It slides against its friction, because its slip is only round-off among contacts that
       // stick.
       const double force = s.p[at + 1];
       const double sign = force != 0.0 ? -force : s.y[at + 1];

@@ -76,7 +76,7 @@ class EventIntegrator {
   void sample_controllers();
   void controller_failed(const std::string& why);
   void move_to(double now, std::optional<double> theta);
-  bool still_held(std::size_t contact) const;
+  bool still_redundant(std::size_t contact) const;
   void lose();
 
   // Contact. The entries of a list state what is known about the velocities. kKept: nothing is
@@ -85,7 +85,7 @@ class EventIntegrator {
   struct Found {
     double theta;  // fraction of the step
     std::size_t contact;
-    bool rejoins = false;  // it was held on its circle and has a force again
+    bool rejoins = false;  // it was redundant and has a force again
   };
   struct Ahead {
     bool known = false;
