@@ -109,7 +109,11 @@ void take_sample(const Model& m, const SampledFeedback& s, double t, const doubl
   std::copy_n(state, n, x);
   const bool begins = begins_at(m, s, instant);
   if (begins) start_law(s, sample.seen, x);
-  s.library ? ask_library(m, s, t, q, v, sample, x) : ask_matrices(law, sample, x);
+  if (s.library) {
+    ask_library(m, s, t, q, v, sample, x);
+  } else {
+    ask_matrices(law, sample, x);
+  }
   for (int i = 0; i < ports; ++i) {
     const std::size_t k = s.bearings[static_cast<std::size_t>(i / 2)];
     sample.given[i] =

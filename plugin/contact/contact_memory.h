@@ -128,7 +128,11 @@ class ContactMemory {
     entry_.normal_force = r.normal / h_;
     entry_.friction_force = r.friction / h_;
     EscapeGuard guard(entry_.status);
-    r.converged ? guard.record(r.status) : guard.set_status(r.status);
+    if (r.converged) {
+      guard.record(r.status);
+    } else {
+      guard.set_status(r.status);
+    }
     entry_.impact = r.impact ? 1.0 : 0.0;
     if (r.normal > 0.0) note_contact(d_, pair_.data, r.e_r);
     if (!r.impact) return;
