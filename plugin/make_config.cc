@@ -133,7 +133,7 @@ ContactPair map_contact(const mjModel* m, const Config& config, std::size_t k, i
     refuse(body_element(m, m->geom_bodyid[p.rotor_geom]),
            message("carries geom \"{}\"; accepted: mocap=\"true\"", rotor));
   }
-  p.held_spin = config.segments || config.model.layout.spin ? 0.0 : config.model.speed;
+  p.prescribed_spin = config.segments || config.model.layout.spin ? 0.0 : config.model.speed;
   return p;
 }
 

@@ -76,7 +76,7 @@ double Observer::contact_work(const Motion& motion) const {
   return sum;
 }
 
-double Observer::held_speed(std::size_t k) const {
+double Observer::prescribed_speed(std::size_t k) const {
   return model_->layout.spin ? 0.0 : model_->auxiliary[k].contact->radius * model_->speed;
 }
 
@@ -213,7 +213,7 @@ void Observer::release(const Motion& motion, const ClosedContact& at) {
   impact.normal_impulse = motion.integral(kNormalImpulse, k) - touch.normal;
   impact.friction_impulse = motion.integral(kFrictionImpulse, k) - touch.friction;
   impact.energy_change =
-      motion.integral(kContactWork, k) - touch.work + held_speed(k) * impact.friction_impulse;
+      motion.integral(kContactWork, k) - touch.work + prescribed_speed(k) * impact.friction_impulse;
   recorder_->add(impact);
   const double lasted = motion.t - impact.t;
   if (std::ranges::all_of(model_->auxiliary, &AuxiliaryBearing::gives)) {
@@ -288,7 +288,7 @@ void Observer::account(Impact& record, double normal, double friction,
 void Observer::record_impact(const Impact& impact) {
   // A machine that holds a prescribed speed exchanges work that is not work on the coordinates.
   const auto contact = static_cast<std::size_t>(impact.contact);
-  impact_work_ += impact.energy_change - impact.friction_impulse * held_speed(contact);
+  impact_work_ += impact.energy_change - impact.friction_impulse * prescribed_speed(contact);
   const double rubbed = impulse_work(0.0, impact.friction_impulse, {0.0, impact.slip_before},
                                      {0.0, impact.slip_after})
                             .friction;

@@ -47,9 +47,9 @@ class Observer {
 
  private:
   ContactSnapshot snapshot_of(std::size_t contact, double t, const double* y) const;
-  double normal_impulse(const Motion& motion) const;  // N s, lasting contact, all contacts
-  double contact_work(const Motion& motion) const;    // J, on the coordinates, the same
-  double held_speed(std::size_t contact) const;       // m/s, of a surface with prescribed speed
+  double normal_impulse(const Motion& motion) const;   // N s, lasting contact, all contacts
+  double contact_work(const Motion& motion) const;     // J, on the coordinates, the same
+  double prescribed_speed(std::size_t contact) const;  // m/s, of a surface with prescribed speed
   void follow(std::size_t contact, const Motion& from, SmoothStep& step, double last);
   void follow_mark(const Motion& from, SmoothStep& step, Constraint& constraint, double now);
   void watch_touch(std::size_t contact, SmoothStep& step, double last);

@@ -210,12 +210,12 @@ void Phase::find_closed(const double* q, const double* v) {
 void Phase::integrate(const ClosedContact& c, double* integrals) const {
   const Model& m = *model_;
   const auto [normal, friction] = at_[c.index].multipliers;
-  const double held = m.layout.spin ? 0.0 : m.auxiliary[c.index].contact->radius * m.speed;
+  const double prescribed = m.layout.spin ? 0.0 : m.auxiliary[c.index].contact->radius * m.speed;
   integrals[integral_index(kNormalImpulse, c.index)] = normal;
   integrals[integral_index(kFrictionImpulse, c.index)] = friction;
   integrals[integral_index(kFrictionWork, c.index)] = friction * c.point.slip;
   double& work = integrals[integral_index(kContactWork, c.index)];
-  work = friction * (c.point.slip - held);
+  work = friction * (c.point.slip - prescribed);
   if (m.auxiliary[c.index].gives()) work += normal * c.point.gap_rate;
 }
 

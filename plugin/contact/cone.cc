@@ -14,7 +14,8 @@ namespace rotorub::plugin {
 // aref = -B v in a friction row, where v is the velocity of geom 2 against geom 1 along the frame's
 // second axis. It is minus the slip of the rotor's surface if the rotor is geom 1; if it is not,
 // e_t is reversed.
-void add_held_slip(double surface_speed, const mjModel* m, mjData* d, const mjContact& contact) {
+void add_prescribed_slip(double surface_speed, const mjModel* m, mjData* d,
+                         const mjContact& contact) {
   const double slip = -surface_speed;
   const auto add = [d](int row, double rate) {
     d->efc_vel[row] += rate;

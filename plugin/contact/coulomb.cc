@@ -79,7 +79,7 @@ TouchingPair touching_pair(const ContactPair& pair, const ContactSpaces::Made& a
   const auto& [place, space, axial] = at;
   const double h = m->opt.timestep;
   Eigen::Vector3d rates = space->rates(d->qvel);
-  rates.z() += pair.held_spin;
+  rates.z() += pair.prescribed_spin;
   const ContactPoint p = contact_kinematics(place.d, rates.head<2>(), rates.z(),
                                             pair.contact.radius, pair.contact.clearance);
   TouchingPair s{{space, axial, p.e_r, pair.contact.radius}, &pair, row, p};

@@ -252,7 +252,7 @@ void solve_facing(const Config& config, const ContactList<const ContactPair*>& p
     c.step.d = place.d;
     c.step.bend = 0.5 * h * h * turning_of(*pair, place, m, d);
     c.step.start = plane->rates(d->qvel);
-    c.step.start.z() += pair->held_spin;
+    c.step.start.z() += pair->prescribed_spin;
     ContactMemory memory(d, *pair, h);
     memory.watch(place.d.norm());
     c.step.was_in_contact = memory.was_in_contact(place.d.norm());

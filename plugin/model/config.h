@@ -60,7 +60,7 @@ struct ContactPair {
   std::size_t bearing = 0;  // index in model.auxiliary
   // True if the contact plane is the world's x-y plane instead of the plane of the ring's geom.
   bool in_world = false;
-  double held_spin = 0.0;  // rad/s, spin speed if the spin is not a degree of freedom; else 0
+  double prescribed_spin = 0.0;  // rad/s, spin speed if the spin is not a degree of freedom; else 0
   // The parameters in the scene, and the geoms "rotor" and "ring" that draw them; -1 if a geom was
   // removed.
   ContactParameters given;
