@@ -105,7 +105,7 @@ TouchingPair touching_pair(const ContactPair& pair, const ContactSpaces::Made& a
 // whether the contact touches. A rebound that the loads undo within two steps is not a flight.
 // With other contacts, whose forces may close this one, the common law decides.
 template <typename Free>
-void look(TouchingPair& s, bool beside_others, Free free, const mjModel* m, mjData* d) {
+void look(TouchingPair& s, bool with_others, Free free, const mjModel* m, mjData* d) {
   const Eigen::Vector3d a = s.along(free);
   s.free = s.base + a;
   if (s.compliant_force) {
@@ -114,7 +114,7 @@ void look(TouchingPair& s, bool beside_others, Free free, const mjModel* m, mjDa
   }
   const bool before = s.entries(d).mode != 0.0;
   const bool lasts =
-      before && (beside_others ||
+      before && (with_others ||
                  !flight_outlives(2.0 * m->opt.timestep, s.point.gap_rate, s.curvature - a.x()));
   s.touches = s.point.gap < 0.0 || lasts;
 }
@@ -178,7 +178,7 @@ void put(Touching& t, const ContactVector& forces, const std::array<bool, kMaxCo
   }
 }
 
-// Accelerations of the contacts under their forces, beside constraints.
+// Accelerations of the contacts under their forces, with constraints.
 class ForceResponse final : public ContactResponse {
  public:
   ForceResponse(ConstraintProbe& probe, const Touching& t) : probe_(probe), t_(t) {}
@@ -243,9 +243,9 @@ void solve_free(TouchingPairs& contacts, const mjModel* m, mjData* d) {
   set_references(contacts, rates, d);
 }
 
-// The same beside constraints. The contacts' own rows are kept inactive during the trials. The
-// solver's final result then obeys J a = aref - R l.
-void solve_beside_constraints(TouchingPairs& contacts, const mjModel* m, mjData* d) {
+// The same with constraints that act on the bodies. The contacts' own rows are kept inactive during
+// the trials. The solver's final result then obeys J a = aref - R l.
+void solve_with_constraints(TouchingPairs& contacts, const mjModel* m, mjData* d) {
   constexpr double kInactive = -1e12;  // m/s^2
   for (const TouchingPair& s : contacts) d->efc_aref[s.row] = kInactive;
   ConstraintProbe probe(m, d);
@@ -310,14 +310,14 @@ void apply_coulomb(const Config& config, const mjModel* m, mjData* d) {
     contacts.push_back(touching_pair(pair, spaces->add(pair), m, d, row));
   }
   if (contacts.empty()) return;
-  bool beside = false;
+  bool constrained = false;
   for (const TouchingPair& s : contacts) {
-    beside = beside || constraints_couple(m, d, *s.plane, own) ||
-             (s.axial && constraints_couple(m, d, *s.axial, own));
+    constrained = constrained || constraints_couple(m, d, *s.plane, own) ||
+                  (s.axial && constraints_couple(m, d, *s.axial, own));
   }
   // The force of a compliant contact is known, whatever constraints act on its bodies.
-  if (beside && !contacts[0].compliant_force) {
-    solve_beside_constraints(contacts, m, d);
+  if (constrained && !contacts[0].compliant_force) {
+    solve_with_constraints(contacts, m, d);
   } else {
     solve_free(contacts, m, d);
   }
