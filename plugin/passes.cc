@@ -99,7 +99,7 @@ void add_loads(const Config& config, const mjModel* m, mjData* d) {
       add_segment_loads(config, m, d);
     } else {
       const Coordinates state(config, d);
-      place_contacts_beside(config, m, d, state);
+      place_further_contacts(config, m, d, state);
       if (!config.takes_native_steps()) add_passive_force(config, m, d, state);
     }
   } catch (const ControllerError& error) {

@@ -54,15 +54,15 @@ bool StepContacts::find_touches(StepState& x) {
     if (was_closed[i]) meet_wall(i, c.free_rates);
     (now[i].closed ? compliant_ : open).push_back(i);
   }
-  const bool beside = !open.empty() && !(compliant_.empty() && lasting_.empty());
-  if (beside) {
+  const bool others_act = !open.empty() && !(compliant_.empty() && lasting_.empty());
+  if (others_act) {
     if (loads_.coupled()) couple();
     for (const std::size_t i : lasting_) turn_normal(contacts_[i]);
     if (!find_impulses(x)) return false;
   }
   for (const std::size_t i : open) {
     Eigen::Vector3d free = contacts_[i].free_rates;
-    if (beside) free += rates_by(i, compliant_) + rates_by(i, lasting_);
+    if (others_act) free += rates_by(i, compliant_) + rates_by(i, lasting_);
     now[i].closed = was_closed[i];  // a contact that has opened may close again
     meet_wall(i, free);
     if (now[i].closed) compliant_.push_back(i);

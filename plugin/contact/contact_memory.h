@@ -20,7 +20,7 @@ namespace rotorub::plugin {
 // With `rigid` a rotor that was within its clearance does not penetrate the wall by more than
 // kDeep. If one does, the step is too long for its motion, or something that the contact does not
 // see moves rotor or ring. The user is warned once, and `rotorub_active` is 0 meanwhile. The guard
-// keeps its bits beside the Status of the contact laws, in ContactEntries::status.
+// keeps its bits with the Status of the contact laws, in ContactEntries::status.
 class EscapeGuard {
  public:
   explicit EscapeGuard(mjtNum& status) : state_(&status) {}  // ContactEntries::status

@@ -21,7 +21,7 @@
 namespace rotorub::plugin {
 namespace {
 
-// The row of a contact that MuJoCo's solver does not contain (ContactPair::beside).
+// The row of a contact that MuJoCo's solver does not contain (ContactPair::further).
 constexpr int kNoRow = -1;
 
 // One contact in terms of accelerations.
@@ -268,9 +268,8 @@ void solve_with_constraints(TouchingPairs& contacts, const mjModel* m, mjData* d
   if (std::any_of(contacts.begin(), contacts.end(), is_loaded)) probe.keep();
 }
 
-// True if a contact that MuJoCo's solver does not contain is near enough to be detected.
-bool is_seen_beside(const Config& config, const ContactPair& pair, const mjModel* m,
-                    const mjData* d) {
+// True if a further contact, which MuJoCo's solver does not contain, is near enough to be detected.
+bool is_detected(const Config& config, const ContactPair& pair, const mjModel* m, const mjData* d) {
   const Coordinates state(config, d);
   const double delta = separation(config.model, state.q(), pair.bearing).norm();
   return contact_enabled(m) && delta > kNoNormal &&
@@ -296,16 +295,16 @@ void apply_coulomb(const Config& config, const mjModel* m, mjData* d) {
     ContactEntries& entry = contact_entries(pair, d);
     entry.normal_force = entry.friction_force = 0.0;
     const mjContact* contact = find_contact(pair, d);
-    const bool seen = pair.beside ? is_seen_beside(config, pair, m, d) : contact != nullptr;
-    if (!seen) entry.mode = 0.0;
-    if (!seen && pair.contact.gives()) pass_without_contact(pair, m, d);
-    if (!seen || pair.law != scene::ContactModel::kCoulomb) continue;
+    const bool detected = pair.further ? is_detected(config, pair, m, d) : contact != nullptr;
+    if (!detected) entry.mode = 0.0;
+    if (!detected && pair.contact.gives()) pass_without_contact(pair, m, d);
+    if (!detected || pair.law != scene::ContactModel::kCoulomb) continue;
     if (contacts.empty()) {
       compute_actuators(m, d);
       mj_fwdAcceleration(m, d);
       spaces.emplace(config, m, d);
     }
-    const int row = pair.beside ? kNoRow : contact->efc_address;
+    const int row = pair.further ? kNoRow : contact->efc_address;
     own.push_back(row);
     contacts.push_back(touching_pair(pair, spaces->add(pair), m, d, row));
   }

@@ -33,7 +33,7 @@ void watch_the_rings(const Config& config, const mjModel* m, mjData* d, const Co
   }
 }
 
-// f = the forces on the chain beside the native loads and the actuators: those of MuJoCo and of
+// f = the forces on the chain other than the native loads and the actuators: those of MuJoCo and of
 // other programs. They must not depend on the value of ctrl before the command, not even in the
 // last bit.
 void foreign_force(const Config& config, const mjModel* m, mjData* d, const Coordinates& state,

@@ -53,10 +53,10 @@ struct ContactPair {
   // For generated models only. Contacts of the modal chain are solved in its own coordinates,
   // unless a user's constraints also act on its bodies (generated_rotor.h).
   bool on_chain = false;  // true: ChainSpace (contact/contact_space.h); false: BodySpace
-  // True for contacts on the chain beyond the first. There the modes move the rotor by values other
-  // than 1 and 0, which no body of MuJoCo does. The plugin therefore applies the whole force of
-  // such a contact, and also places its geoms.
-  bool beside = false;
+  // True for the further contacts on the chain, those beyond the first. There the modes move the
+  // rotor by values other than 1 and 0, which no body of MuJoCo does. The plugin therefore applies
+  // the whole force of such a contact, and also places its geoms.
+  bool further = false;
   std::size_t bearing = 0;  // index in model.auxiliary
   // True if the contact plane is the world's x-y plane instead of the plane of the ring's geom.
   bool in_world = false;

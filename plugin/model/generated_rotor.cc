@@ -58,10 +58,10 @@ void step_mass(const Config& config, const mjModel* m, double* diagonal) {
   for (int i = 0; i < model.nq(); ++i) diagonal[i] = model.mass[i] + h * model.damping[i];
 }
 
-void place_contacts_beside(const Config& config, const mjModel* m, mjData* d,
-                           const Coordinates& state) {
+void place_further_contacts(const Config& config, const mjModel* m, mjData* d,
+                            const Coordinates& state) {
   for (const ContactPair& pair : config.pairs) {
-    if (!pair.beside) continue;
+    if (!pair.further) continue;
     const Eigen::Vector2d place = rotor_point(config.model, state.q(), pair.bearing);
     mjtNum* body = d->mocap_pos + 3 * m->body_mocapid[m->geom_bodyid[pair.rotor_geom]];
     body[0] = place.x();
