@@ -51,7 +51,7 @@ double mode_value(const ModeShape& shape, int n, int i) {
 
 // N/m, stiffness of coordinate i by a spring at a station, which the law of a magnetic bearing
 // subtracts again.
-double held_by(const StationSpring& spring, int n, int i) {
+double stiffness_of(const StationSpring& spring, int n, int i) {
   if (i >= 2 * n) return 0.0;
   const double u = mode_value(spring.shape, n, i);
   return std::max(0.0, i < n ? spring.stiffness.x() : spring.stiffness.y()) * u * u;
@@ -107,9 +107,9 @@ LoadKick::LoadKick(const Model& m, double h)
 void LoadKick::find_round_off(double h) {
   const int n = m_.layout.modes;
   for (int i = 0; i < m_.nq(); ++i) {
-    double held = m_.stiffness[i];
-    for (const StationSpring& spring : m_.springs) held += held_by(spring, n, i);
-    const double sprung = 1e-15 * h * held;
+    double stiffness = m_.stiffness[i];
+    for (const StationSpring& spring : m_.springs) stiffness += stiffness_of(spring, n, i);
+    const double sprung = 1e-15 * h * stiffness;
     round_off_[static_cast<std::size_t>(i)] = sprung * sprung / m_.mass[i];
     for (const StationFeedback& bearing : m_.feedbacks) {
       if (!bearing.law.opposed || i >= 2 * n) continue;

@@ -80,7 +80,7 @@ void LoadKick::find_switched(const StepState& x, double begin, double end) {
                  law.amplifier.lag;
       } else {
         c.force = law.force(early, place, c.before) + law.force(late, place, c.after) -
-                  law.force(share, place, c.mean) - law.held * place;
+                  law.force(share, place, c.mean) - law.linear_spring * place;
       }
     }
   }

@@ -161,7 +161,7 @@ Model bending_loads(const scene::Scene& scene, const Model& model, const Segment
     const scene::MagneticBearing& bearing = scene.magnetic_bearings[feedback.number];
     feedback.shape = shape(bearing.station);
     if (feedback.sensor) feedback.sensor = shape(*bearing.sensor_station);
-    feedback.law.held = 0.0;  // the chain has no such spring
+    feedback.law.linear_spring = 0.0;  // the chain has no such spring
     feedback.states = feedback.states.moved(l.integral() - model.layout.integral());
     loads.feedbacks.push_back(std::move(feedback));
   }
