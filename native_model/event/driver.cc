@@ -224,8 +224,8 @@ void EventIntegrator::sample_controllers() {
       phase_.hold(k, control_command(*model_, motion_.t, q, v, k));
       continue;
     }
-    const Eigen::Vector2d held = phase_.command(k, motion_.t, motion_.y.data());
-    phase_.hold(k, sampled_[k].take(motion_.t, q, v, held));
+    const Eigen::Vector2d last = phase_.command(k, motion_.t, motion_.y.data());
+    phase_.hold(k, sampled_[k].take(motion_.t, q, v, last));
     phase_.show(k, sampled_[k].outputs());
     if (!sampled_[k].failure().empty()) controller_failed(sampled_[k].failure());
   }

@@ -36,7 +36,8 @@ ContactList<Constraint::Closed> Phase::rigid_contacts() const {
 
 Eigen::Vector2d Phase::command(std::size_t k, double t, const double* y) const {
   const AuxiliaryBearing& bearing = model_->auxiliary[k];
-  if (!bearing.controller || bearing.sample_time > 0.0) return at_[k].held;  // also of a record
+  // The command of a record is held too.
+  if (!bearing.controller || bearing.sample_time > 0.0) return at_[k].held_command;
   return control_command(*model_, t, y, y + model_->nq(), k);
 }
 

@@ -106,7 +106,9 @@ class Phase {
   std::size_t contacts() const { return at_.size(); }
 
   // The command of a sampled controller or of a record is held; other commands follow the state.
-  void hold(std::size_t contact, const Eigen::Vector2d& command) { at_[contact].held = command; }
+  void hold(std::size_t contact, const Eigen::Vector2d& command) {
+    at_[contact].held_command = command;
+  }
   Eigen::Vector2d command(std::size_t contact, double t, const double* y) const;
   // The outputs of a sampled law at its last sample (ActuatorState::outputs).
   using Outputs = std::array<double, kMostOutputs>;
@@ -143,7 +145,7 @@ class Phase {
     Multipliers multipliers{};
     Margins margins{kInfinity, kInfinity};
     double first_touch = kInfinity;
-    Eigen::Vector2d held{0.0, 0.0};
+    Eigen::Vector2d held_command{0.0, 0.0};
     Outputs outputs{};
   };
   void accelerate(double t, const double* y);

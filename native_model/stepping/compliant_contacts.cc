@@ -194,9 +194,9 @@ void StepContacts::find_impulses(std::size_t i, const Eigen::Vector2d& before,
   }
   // The slip reaches 0. Friction holds it there, T = -(after + g_tn P) / g_tt, or it slides the
   // other way, and T is the mean of both values, weighted by the times for which they hold.
-  const double held = -after.y() / g.tt, with = -g.tn / g.tt;
-  kept.normal = normal(held, with);
-  kept.friction = held + with * kept.normal;
+  const double sticking = -after.y() / g.tt, with = -g.tn / g.tt;
+  kept.normal = normal(sticking, with);
+  kept.friction = sticking + with * kept.normal;
   kept.slip_sign = 0.0;
   const double mu = friction_law.sticking();
   if (std::abs(kept.friction) <= mu * kept.normal) return;

@@ -329,13 +329,13 @@ void StepContacts::go_on(StepState& x, bool unsettled) {
   if (acts_) note_lasting();
 }
 
-void StepContacts::hold_on(StepState& x) {
-  bool held = false;
+void StepContacts::add_last_forces(StepState& x) {
+  bool any = false;
   for (std::size_t i = 0; i < count(); ++i) {
     const Kept& kept = now[i];
     if (!kept.closed || !(kept.normal_at_end > 0.0)) continue;
-    if (!held && loads_.coupled()) couple();
-    held = true;
+    if (!any && loads_.coupled()) couple();
+    any = true;
     Contact& c = contacts_[i];
     const Pair d = eq::separation(m_, *c.at, x.seen.data());
     const double delta = std::sqrt(d.x * d.x + d.y * d.y);

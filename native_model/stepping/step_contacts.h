@@ -82,7 +82,7 @@ class StepContacts {
   bool leave_flight(const StepState& x) const;
   // Adds to x.free the change of velocity by the forces of the last step's end, acting over a whole
   // step along the present normals.
-  void hold_on(StepState& x);
+  void add_last_forces(StepState& x);
 
   // If a load jumps in a step, the step is taken in two parts: `first` holds for the fraction
   // `share`, and the part taken last for `rest`; kick: duration of the kick in steps. A part is

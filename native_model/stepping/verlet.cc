@@ -82,7 +82,7 @@ void VerletStep::velocity_now(std::int64_t k, double* now) {
   x.look(owes_ ? late_.data() : nullptr);
   kick(k);
   if (slow_impact_ && slow_impact_->active()) return slow_impact_->velocities(x.time_of(k), now);
-  if (contacts.exists()) contacts.hold_on(x);
+  if (contacts.exists()) contacts.add_last_forces(x);
   for (std::size_t i = 0; i < x.free.size(); ++i) now[i] = 0.5 * (x.start[i] + x.free[i]);
 }
 
@@ -317,8 +317,8 @@ bool follows(const AuxiliaryBearing& at, double t) {
 // The command at an impact with the coordinates q and the velocities v. t: s, for a law that
 // depends on time, and to tell whether it is on.
 Eigen::Vector2d command_at_impact(const Model& m, std::size_t bearing, double t, const double* q,
-                                  const double* v, const Eigen::Vector2d& held) {
-  return follows(m.auxiliary[bearing], t) ? control_command(m, t, q, v, bearing) : held;
+                                  const double* v, const Eigen::Vector2d& held_command) {
+  return follows(m.auxiliary[bearing], t) ? control_command(m, t, q, v, bearing) : held_command;
 }
 
 }  // namespace

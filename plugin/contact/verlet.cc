@@ -96,9 +96,9 @@ Eigen::Vector2d command(const Config& config, const mjModel* m, mjData* d, const
     const Eigen::Vector2d told = model.first().magnets ? held : to_axes(held);
     for (int k = 0; k < 2; ++k) d->ctrl[control_address(m, config.actuator[k])] = told[k];
   }
-  ModelEntries& held = model_entries(config, d);
-  held.held_x = mean.x();
-  held.held_y = mean.y();
+  ModelEntries& entry = model_entries(config, d);
+  entry.held_x = mean.x();
+  entry.held_y = mean.y();
   compute_actuators(m, d);
   if (model.first().controller && asks) return mean;
   const ActuatorState now = actuator_state(config, m, d);
