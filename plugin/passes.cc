@@ -241,7 +241,7 @@ void sensor_pass(const mjModel* m, mjData* d, int stage) {
   if (stage == mjSTAGE_ACC && config->cells_in_callback) fill_load_cells(*config, m, d);
   if (stage == mjSTAGE_ACC) compare_actuators(m, d);
   const mjtStage told = control_skipped(m) ? mjSTAGE_VEL : mjSTAGE_ACC;
-  if (stage >= told) fill_late_sensors(*config, m, d);
+  if (stage >= told) refill_sensors(*config, m, d);
 }
 
 bool collide_pair(const mjModel* m, const mjData* d, CollisionContact* con, int g1, int g2,

@@ -123,7 +123,7 @@ void fill_sensors(const Config& config, const mjModel* m, mjData* d, int stage) 
   }
 }
 
-void fill_late_sensors(const Config& config, const mjModel* m, mjData* d) {
+void refill_sensors(const Config& config, const mjModel* m, mjData* d) {
   put_active(config, d);
   fill_sensors_in_control(config, m, d);
   if (config.own) return;

@@ -12,7 +12,7 @@ namespace {
 template <typename Law>
 std::shared_ptr<const Controller> tracking(const scene::Scene& scene, const Plant& plant) {
   auto law = std::make_shared<Law>(*scene.first().controller, plant, scene.rotor.speed);
-  refuse_lateness(scene, plant, *law);
+  refuse_delay(scene, plant, *law);
   return law;
 }
 

@@ -88,7 +88,7 @@ Eigen::Vector2d TrackingPd::command(const Measurement& now, const SwitchOn& on, 
       lead_);
 }
 
-void refuse_lateness(const scene::Scene& scene, const Plant& plant, const Controller& law) {
+void refuse_delay(const scene::Scene& scene, const Plant& plant, const Controller& law) {
   using scene::number_text;
   const scene::Controller& c = *scene.first().controller;
   if (c.sample_time <= 0.0) return;

@@ -82,6 +82,6 @@ class TrackingPd final : public Controller {
 
 // Throws scene::SceneError at controller.sample_time if the command of a sampled law is so late
 // that the contact would chatter; the message gives the largest accepted sample time.
-void refuse_lateness(const scene::Scene& scene, const Plant& plant, const Controller& law);
+void refuse_delay(const scene::Scene& scene, const Plant& plant, const Controller& law);
 
 }  // namespace rotorub

@@ -154,8 +154,8 @@ Eigen::MatrixXd linear_sample(const Model& m) {
       v[m.layout.integral() + j - bending] = 1.0;
     }
     for (const SampledFeedback& s : m.samplers) {
-      const double late = 1000.0 * s.sample_time;  // not the first sample
-      take_sample(m, s, late, q.data(), v.data());
+      const double later = 1000.0 * s.sample_time;  // not the first sample
+      take_sample(m, s, later, q.data(), v.data());
     }
     sample.col(j) = v.segment(m.layout.integral(), states);
   }
@@ -163,10 +163,12 @@ Eigen::MatrixXd linear_sample(const Model& m) {
 }
 
 bool take_samples(const Model& m, double t, double h, const double* q, double* v) {
-  constexpr double kLate = 1e-3;  // share of a step by which a sum of steps misses a sample
+  constexpr double kTimeError = 1e-3;  // share of a step by which a sum of steps misses a sample
   bool taken = false;
   for (const SampledFeedback& s : m.samplers) {
-    const auto passed = [&](double time) { return std::floor((time + kLate * h) / s.sample_time); };
+    const auto passed = [&](double time) {
+      return std::floor((time + kTimeError * h) / s.sample_time);
+    };
     if (t > 0.5 * h && passed(t) == passed(t - h)) continue;
     take_sample(m, s, t, q, v);
     taken = true;

@@ -63,15 +63,16 @@ void add_jump(const AuxiliaryBearing& at, const CommandJump& jump, const Eigen::
               const double* v, double* f) {
   constexpr double kRoundOff = 1e-9;
   if (jump.share == 0.0 || at.coil == kAbsent) return;
-  const double early = jump.share, late = 1.0 - early;
-  const Eigen::Vector2d mean = early * jump.before + late * jump.after;
+  const double share_before = jump.share, share_after = 1.0 - share_before;
+  const Eigen::Vector2d mean = share_before * jump.before + share_after * jump.after;
   // Parts of the kick have only one of the two commands.
   if ((asked - mean).norm() > kRoundOff * (jump.after - jump.before).norm()) return;
   for (int i = 0; i < 2; ++i) {
     const auto load = [&](double command) {
       return coil_load(*at.magnets, command, v[at.coil + i]);
     };
-    f[at.coil + i] += early * load(jump.before[i]) + late * load(jump.after[i]) - load(asked[i]);
+    f[at.coil + i] +=
+        share_before * load(jump.before[i]) + share_after * load(jump.after[i]) - load(asked[i]);
   }
 }
 

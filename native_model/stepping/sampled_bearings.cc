@@ -65,8 +65,9 @@ void LoadKick::find_switched(const StepState& x, double begin, double end) {
     if (bearing.states.command == kAbsent) continue;
     const MagneticFeedback& law = bearing.law;
     const double share = working_[k];
-    const double early = bearing.works.share(begin, sample) * (sample - begin) / (end - begin);
-    const double late = share - early;
+    const double share_before =
+        bearing.works.share(begin, sample) * (sample - begin) / (end - begin);
+    const double share_after = share - share_before;
     const eq::Pair r = eq::at_station(m_.layout.modes, bearing.shape, x.seen.data());
     for (int axis = 0; axis < 2; ++axis) {
       AxisCommand& c = commands_[k][static_cast<std::size_t>(axis)];
@@ -76,11 +77,13 @@ void LoadKick::find_switched(const StepState& x, double begin, double end) {
       if (const int at = bearing.states.current; at != kAbsent) {
         const double current = x.start[static_cast<std::size_t>(at + axis)];
         const auto load = [&](double asked) { return law.amplifier.load(asked, current); };
-        c.rate = (early * load(c.before) + late * load(c.after) - share * load(c.mean)) /
-                 law.amplifier.lag;
+        c.rate =
+            (share_before * load(c.before) + share_after * load(c.after) - share * load(c.mean)) /
+            law.amplifier.lag;
       } else {
-        c.force = law.force(early, place, c.before) + law.force(late, place, c.after) -
-                  law.force(share, place, c.mean) - law.linear_spring * place;
+        c.force = law.force(share_before, place, c.before) +
+                  law.force(share_after, place, c.after) - law.force(share, place, c.mean) -
+                  law.linear_spring * place;
       }
     }
   }

@@ -46,19 +46,19 @@ struct StepState {
     std::copy_n(new_v, nq(), v.begin());
   }
 
-  // Begins a step: seen = q, start = v plus `late` (nq values, or null). q and v may be overwritten
-  // from here on, because their vectors are swapped with those of the last step.
-  void begin(const double* late) {
+  // Begins a step: seen = q, start = v plus `deferred` (nq values, or null). q and v may be
+  // overwritten from here on, because their vectors are swapped with those of the last step.
+  void begin(const double* deferred) {
     q.swap(seen);
-    keeps_v_ = late != nullptr;
-    if (keeps_v_) return add_to_start(late);
+    keeps_v_ = deferred != nullptr;
+    if (keeps_v_) return add_to_start(deferred);
     v.swap(start);
   }
   // The same without a step to follow: q and v stay unchanged.
-  void look(const double* late) {
+  void look(const double* deferred) {
     seen = q;
     start = v;
-    if (late) add_to_start(late);
+    if (deferred) add_to_start(deferred);
   }
   // Ends the step: v = after, q = seen + h after. If a value is no longer finite, it sets kDiverged
   // and restores the state.
@@ -80,11 +80,11 @@ struct StepState {
   }
 
  private:
-  void add_to_start(const double* late) {
+  void add_to_start(const double* deferred) {
     const double* from = v.data();
     double* to = start.data();
     const int n = nq();
-    ROTORUB_APART for (int i = 0; i < n; ++i) to[i] = from[i] + late[i];
+    ROTORUB_APART for (int i = 0; i < n; ++i) to[i] = from[i] + deferred[i];
   }
 
   int nq_;

@@ -26,7 +26,7 @@ VerletStep::VerletStep(const Model& model, double h)
     : x(model, h),
       loads(model, h),
       contacts(x, loads),
-      late_(x.q),
+      deferred_(x.q),
       switches_(std::isfinite(next_switch(model, 0.0, std::numeric_limits<double>::infinity()))),
       mean_after_(x.q),
       part_sum_(x.q) {
@@ -35,13 +35,13 @@ VerletStep::VerletStep(const Model& model, double h)
 
 // ------------------------------------------------------------------ the step
 void VerletStep::step(std::int64_t k) {
-  late_work_ = impact_time_ = 0.0;
+  work_correction_ = impact_time_ = 0.0;
   contacts.forget_last();
   const bool later = loads.iterates() && !first_ && !slow_impact_ && contacts.iterates_free();
-  x.begin(owes_ ? late_.data() : nullptr);
+  x.begin(has_deferred_ ? deferred_.data() : nullptr);
   kick(k, later);
-  if (owes_) std::fill(late_.begin(), late_.end(), 0.0);
-  owes_ = false;
+  if (has_deferred_) std::fill(deferred_.begin(), deferred_.end(), 0.0);
+  has_deferred_ = false;
   was_first_ = first_;
   in_slow_impact_ = slow_impact_ && slow_impact_->active();
   if (in_slow_impact_) {
@@ -79,7 +79,7 @@ void VerletStep::velocity_now(std::int64_t k, double* now) {
     std::copy(x.v.begin(), x.v.end(), now);
     return;
   }
-  x.look(owes_ ? late_.data() : nullptr);
+  x.look(has_deferred_ ? deferred_.data() : nullptr);
   kick(k);
   if (slow_impact_ && slow_impact_->active()) return slow_impact_->velocities(x.time_of(k), now);
   if (contacts.exists()) contacts.add_last_forces(x);
@@ -88,8 +88,8 @@ void VerletStep::velocity_now(std::int64_t k, double* now) {
 
 void VerletStep::restart() {
   first_ = true;
-  owes_ = false;
-  std::fill(late_.begin(), late_.end(), 0.0);
+  has_deferred_ = false;
+  std::fill(deferred_.begin(), deferred_.end(), 0.0);
   loads.forget();
   if (slow_impact_) slow_impact_->cancel();
   contacts.begin(x);
@@ -103,9 +103,9 @@ void VerletStep::last_velocity(double* now) const {
 }
 
 double VerletStep::external_work() {
-  if (in_slow_impact_) return late_work_;  // the impact books this work
+  if (in_slow_impact_) return work_correction_;  // the impact books this work
   const double kick = was_first_ ? 0.5 : 1.0;
-  return kick * loads.external_work(x, contacts.end_without_impacts(x)) + late_work_;
+  return kick * loads.external_work(x, contacts.end_without_impacts(x)) + work_correction_;
 }
 
 // ------------------------------------------------------------------ jumps of loads and commands
@@ -302,7 +302,7 @@ void VerletStep::knock_open(std::size_t contact, Flight& flight) {
   StepContacts::Kept& kept = contacts.now[contact];
   contacts.push(contact, kept.normal, kept.friction, missed);
   for (int j = 0; j < nq; ++j) {
-    late_[static_cast<std::size_t>(j)] += (flight.theta - 0.5) / x.kick * missed[j];
+    deferred_[static_cast<std::size_t>(j)] += (flight.theta - 0.5) / x.kick * missed[j];
     flight.a[j] -= missed[j] / (x.kick * x.h);
   }
   kept.closed = false;
@@ -323,16 +323,16 @@ Eigen::Vector2d command_at_impact(const Model& m, std::size_t bearing, double t,
 
 }  // namespace
 
-// jump: input, load of the impulses; output, jump of the velocities. x.after and late_ get their
-// shares of the jump. The kicks do not see that the jump changes velocity-dependent loads; late_
-// also gets what follows from that, -(theta - 1/2) h M^-1 (F(v + jump) - F(v)), and late_work_ the
-// work that the mean of the step's velocities misses. t (s), q: where M and the loads are taken. A
-// continuous controller sees the jump too.
+// jump: input, load of the impulses; output, jump of the velocities. x.after and deferred_ get
+// their shares of the jump. The kicks do not see that the jump changes velocity-dependent loads;
+// deferred_ also gets what follows from that, -(theta - 1/2) h M^-1 (F(v + jump) - F(v)), and
+// work_correction_ the work that the mean of the step's velocities misses. t (s), q: where M and
+// the loads are taken. A continuous controller sees the jump too.
 void VerletStep::take_jump(const Flight& flight, double t, const double* q, double* jump) {
   const Model& m = x.m;
   const int nq = m.nq();
   const std::size_t n = m.auxiliary.size();
-  const double late = (flight.theta - 0.5) * x.h;
+  const double from_middle = (flight.theta - 0.5) * x.h;
   double v[kMaxCoordinates], before[kMaxCoordinates], missed[kMaxCoordinates];
   solve_mass(m, t, q, jump, jump);
   // All loads for the velocities v just before or just after the jump, and their power.
@@ -345,18 +345,18 @@ void VerletStep::take_jump(const Flight& flight, double t, const double* q, doub
     smooth_force(m, t, q, v, std::span(commands).first(n), f);
     return external_power(m, t, q, v, std::span(rings).first(n));
   };
-  for (int i = 0; i < nq; ++i) v[i] = flight.v[i] + late * flight.a[i];
+  for (int i = 0; i < nq; ++i) v[i] = flight.v[i] + from_middle * flight.a[i];
   const double power = loads_at(before);
   for (int i = 0; i < nq; ++i) v[i] += jump[i];
-  late_work_ -= late * (loads_at(missed) - power);
-  for (int i = 0; i < nq; ++i) missed[i] = -late * (missed[i] - before[i]);
+  work_correction_ -= from_middle * (loads_at(missed) - power);
+  for (int i = 0; i < nq; ++i) missed[i] = -from_middle * (missed[i] - before[i]);
   solve_mass(m, t, q, missed, missed);
   for (int i = 0; i < nq; ++i) {
     const auto at = static_cast<std::size_t>(i);
     x.after[at] += (1.0 - flight.theta) * jump[i];
-    late_[at] += flight.theta * jump[i] + missed[i];
+    deferred_[at] += flight.theta * jump[i] + missed[i];
   }
-  owes_ = true;
+  has_deferred_ = true;
 }
 
 // ------------------------------------------------------------------ impacts that take time
@@ -375,7 +375,7 @@ void VerletStep::begin_slow_impact(std::int64_t k, const Flight& flight) {
   const Status found = impact.begin(t, q, v, command, follows(m.first(), t));
   if (found != Status::kOk) return x.fail(found);
   // The kick went on to the middle of the step.
-  late_work_ += to_touch * impact.power_at_touch() + impact.external_work();
+  work_correction_ += to_touch * impact.power_at_touch() + impact.external_work();
   impact_time_ = impact.end() - t;
   contacts.note_impact(impact.record());
   contacts.set_closed(0, false);
@@ -388,7 +388,7 @@ void VerletStep::follow_slow_impact(std::int64_t k) {
   const double h = x.h, end = x.time_of(k) + h;
   const int nq = x.nq();
   const double* seen = x.seen.data();
-  double *after = x.after.data(), *late = late_.data();
+  double *after = x.after.data(), *deferred = deferred_.data();
   slow_impact_step_ = static_cast<double>(k) * h;
   if (end < impact.end()) {
     double to[kMaxCoordinates];
@@ -398,14 +398,14 @@ void VerletStep::follow_slow_impact(std::int64_t k) {
   }
   const double *q, *v, *a;
   const double left = end - impact.end(), from_middle = left - 0.5 * h;
-  late_work_ += from_middle * impact.power_at_end();
+  work_correction_ += from_middle * impact.power_at_end();
   const bool closes = impact.finish(q, v, a);
   for (int i = 0; i < nq; ++i) {
     const double flown = q[i] + left * (v[i] + 0.5 * left * a[i]);
     after[i] = (flown - seen[i]) / h;
-    late[i] = v[i] + from_middle * a[i] - after[i];
+    deferred[i] = v[i] + from_middle * a[i] - after[i];
   }
-  owes_ = true;
+  has_deferred_ = true;
   contacts.now[0].closed = closes;
 }
 

@@ -4,7 +4,7 @@
 // A kick changes the velocities over t_{k-1/2} to t_{k+1/2}, a drift the coordinates over t_k to
 // t_{k+1}.
 //
-//   1. Kick: v' = v_{k-1/2} + the rest of the last step's impacts. All loads at (t_k, q_k), those
+//   1. Kick: v' = v_{k-1/2} + what the last step's impacts deferred. All loads at (t_k, q_k), those
 //      that depend on velocities at the mean of v' and v_f, lead to the free velocity
 //      v_f = v_{k+1/2}. The first step is half a kick.
 //   2. Contact: if the straight path q_k + h v_f stays inside every ring, nothing else happens. A
@@ -16,9 +16,9 @@
 //   4. Drift: q_{k+1} = q_k + h v_{k+1/2}.
 //
 // An impact at the fraction theta of the step makes the velocities jump by w. This step takes (1 -
-// theta) w, and the next one takes the rest. The kicks do not see that the jump changes the
-// velocity-dependent loads, so the next step also takes -(theta - 1/2) h M^-1 (F(v + w) - F(v));
-// without this term order 2 would be lost. An impact that takes time (model/finite_impact.h)
+// theta) w, and the rest is deferred to the next one. The kicks do not see that the jump changes
+// the velocity-dependent loads, so the next step also takes -(theta - 1/2) h M^-1 (F(v + w) -
+// F(v)); without this term order 2 would be lost. An impact that takes time (model/finite_impact.h)
 // continues over several steps. Flight resumes where it ends, at any fraction of a step.
 #pragma once
 
@@ -73,8 +73,8 @@ class VerletStep {
   void for_each_kept(Action& action) {
     keep_flag(first_, action);
     contacts.for_each_force_kept(action);
-    keep_flag(owes_, action);
-    for (double& value : late_) action(value);
+    keep_flag(has_deferred_, action);
+    for (double& value : deferred_) action(value);
     if (slow_impact_) slow_impact_->for_each_kept(action);
   }
 
@@ -98,11 +98,11 @@ class VerletStep {
   void begin_slow_impact(std::int64_t k, const Flight& flight);
   void follow_slow_impact(std::int64_t k);
 
-  Coordinates late_;                  // m/s, rad/s: rest of the last step
-  bool first_ = true, owes_ = false;  // the next step is half a kick; late_ is in use
+  Coordinates deferred_;                      // m/s, rad/s: deferred by the last step
+  bool first_ = true, has_deferred_ = false;  // the next step is half a kick; deferred_ is in use
   bool was_first_ = true;
   // J, the work of the loads that the mean of the step's velocities misses because of impacts.
-  double late_work_ = 0.0;
+  double work_correction_ = 0.0;
 
   bool switches_ = false;  // some load is switched during a run
   // s; a cache: no load is switched from switch_from_ until switch_at_.

@@ -71,7 +71,7 @@ void shift_reference(const mjModel* m, mjData* d, const ConeRows& rows, double b
 bool follow_ring(const mjModel* m, mjData* d, const ConeRows& rows, double curvature,
                  const mjtNum* free) {
   constexpr double kResting = -1e12;  // m/s^2
-  const double h = m->opt.timestep, late = m->opt.integrator == mjINT_RK4 ? 0.0 : 0.5 * h;
+  const double h = m->opt.timestep, lag = m->opt.integrator == mjINT_RK4 ? 0.0 : 0.5 * h;
   const mjtNum* kbip = d->efc_KBIP + 4 * rows.first;
   const double gap = d->efc_pos[rows.first];
   // The velocity of a semi-implicit step is half a step old: on a circle it points outward by h/2
@@ -84,7 +84,7 @@ bool follow_ring(const mjModel* m, mjData* d, const ConeRows& rows, double curva
   }
   shift_reference(
       m, d, rows,
-      kbip[0] * kbip[2] * d->efc_margin[rows.first] - curvature * (1.0 - late * kbip[1]));
+      kbip[0] * kbip[2] * d->efc_margin[rows.first] - curvature * (1.0 - lag * kbip[1]));
   return true;
 }
 
