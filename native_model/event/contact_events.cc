@@ -40,9 +40,9 @@ EventIntegrator::Closed EventIntegrator::on_circles() const {
 
 // Decides about contacts on their circles, as at a start. A contact that moves outward has an
 // impact; a contact at rest is a lasting contact.
-void EventIntegrator::begin_on_circles(const Closed& touching) {
+void EventIntegrator::begin_on_circles(const Closed& closed) {
   Closed resting;
-  for (const ClosedContact& c : closed_points(*model_, motion_.q(), motion_.v(), touching)) {
+  for (const ClosedContact& c : closed_points(*model_, motion_.q(), motion_.v(), closed)) {
     if (c.point.gap_rate < 0.0) return impact(c.index);
     if (c.point.gap_rate <= parameters_.zeno_velocity_threshold) {
       resting.push_back({c.index, Velocity::kKept});
@@ -50,8 +50,8 @@ void EventIntegrator::begin_on_circles(const Closed& touching) {
       phase_.set(c.index, in_flight(Departure::kRebound));
     }
   }
-  if (touching.empty()) return;
-  project(touching);
+  if (closed.empty()) return;
+  project(closed);
   if (!resting.empty()) decide(resting);
 }
 
@@ -68,12 +68,12 @@ void EventIntegrator::impact(std::size_t contact) {
     closed.push_back({contact, Velocity::kKept});
   }
   project(closed);
-  const auto touching = closed_points(*model_, motion_.q(), motion_.v(), closed);
-  if (std::none_of(touching.begin(), touching.end(),
+  const auto points = closed_points(*model_, motion_.q(), motion_.v(), closed);
+  if (std::none_of(points.begin(), points.end(),
                    [](const ClosedContact& c) { return c.point.gap_rate < 0.0; })) {
     return begin_on_circles(closed);  // the contact grazes
   }
-  const EventImpact::Outcome outcome = impacts_.run(motion_, touching, end_);
+  const EventImpact::Outcome outcome = impacts_.run(motion_, points, end_);
   if (outcome.status != Status::kOk) {
     return fail(outcome.status, outcome.status == Status::kAmbiguous
                                     ? "the impact laws have several solutions"

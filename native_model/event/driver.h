@@ -98,7 +98,7 @@ class EventIntegrator {
   };
   std::optional<Found> find_event();
   Closed on_circles() const;
-  void begin_on_circles(const Closed& touching);
+  void begin_on_circles(const Closed& closed);
   void impact(std::size_t contact);
   void margin_reached(std::size_t contact);
   // Compliant contacts.
