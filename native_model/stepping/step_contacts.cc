@@ -189,7 +189,7 @@ bool StepContacts::leave_flight(const StepState& x) const {
 }
 
 // Solves one rigid contact that slides on as in the step before, in closed form; returns false if
-// it does not. See contact/step_contact.h.
+// it does not. See contact/lasting_contacts.h.
 ROTORUB_INLINE bool StepContacts::slide_on(std::size_t i, const double* free) {
   const Contact& c = contacts_[i];
   const double h = h_, r = c.radius, ex = c.e_r.x, ey = c.e_r.y;

@@ -1,9 +1,9 @@
 // The contacts of one run in a fixed step, as one list: they decide whether the straight path of
 // the step leaves a circle and whether contact lasts, and find the impulses of lasting contacts.
 //
-// Rigid lasting contacts end the step on their circles (contact/step_contact.h). Usually there is
-// only one, which slides on as in the step before. If the path of a rigid contact in flight leaves
-// its circle, an impact begins (verlet.cc).
+// Rigid lasting contacts end the step on their circles (contact/lasting_contacts.h). Usually there
+// is only one, which slides on as in the step before. If the path of a rigid contact in flight
+// leaves its circle, an impact begins (verlet.cc).
 //
 // The force of a compliant contact (contact/compliance.h) is one more load at the coordinates that
 // the step sees, with implicit damping and friction:
@@ -24,8 +24,8 @@
 #include <vector>
 
 #include "native_model/contact/kinematics.h"
+#include "native_model/contact/lasting_contacts.h"
 #include "native_model/contact/most_contacts.h"
-#include "native_model/contact/step_contact.h"
 #include "native_model/model/equations.h"
 #include "native_model/stepping/fixed_step.h"
 #include "native_model/stepping/load_kick.h"
