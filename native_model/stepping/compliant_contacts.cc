@@ -136,8 +136,8 @@ bool StepContacts::solve_compliant(StepState& x) {
 
 // end: (ddot, spin) at the end of the step without the contact's own impulses. The slip at each end
 // of the step is taken along the circle at the place of the centre there. The whirl turns this
-// direction between that place and the one that the step sees, half a step away. With the direction
-// of the latter, a contact that sticks while its penetration grows would slip at a rate of order h.
+// direction between that place and the one at q_k, half a step away. With the direction at q_k, a
+// contact that sticks while its penetration grows would slip at a rate of order h.
 void StepContacts::solve_one_compliant(std::size_t i, const Eigen::Vector3d& end) {
   const Contact& c = contacts_[i];
   const Eigen::Vector2d d = vector_of(c.d), e = vector_of(c.e_r);

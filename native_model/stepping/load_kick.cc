@@ -99,7 +99,7 @@ LoadKick::LoadKick(const Model& m, double h)
       sampled_(samples_ ? static_cast<std::size_t>(m.layout.integrals) : 0),
       f_(static_cast<std::size_t>(m.nq())),
       change_(f_),
-      seen_end_(f_),
+      last_end_(f_),
       round_off_(f_) {
   command.fill(Eigen::Vector2d(0.0, 0.0));
   if (iterates_) find_round_off(h);
@@ -123,11 +123,11 @@ void LoadKick::find_round_off(double h) {
 }
 
 // ------------------------------------------------------------------ the loads
-// F(x.seen, v): all loads except the contacts', with those of [[force]] as last advanced. kWorking
+// F(x.q_k, v): all loads except the contacts', with those of [[force]] as last advanced. kWorking
 // omits forces that the stored energy contains and forces that do no work (springs, gyroscopics,
 // unbalance of a free spin).
 ROTORUB_INLINE void LoadKick::force(const StepState& x, const double* v, double* f, Of of) {
-  const double* q = x.seen.data();
+  const double* q = x.q_k.data();
   const double omega = eq::spin_speed(m_, v);
   const bool all = of == Of::kAll;
   if (all) {
@@ -154,7 +154,7 @@ ROTORUB_INLINE void LoadKick::force(const StepState& x, const double* v, double*
 // The loads between the diagonal terms and [[force]], which only few models have.
 void LoadKick::add_parts(const StepState& x, const double* v, double omega, bool all,
                          double* f) const {
-  const double* q = x.seen.data();
+  const double* q = x.q_k.data();
   eq::add_rotating_damping(m_, q, v, omega, f);
   eq::add_dampers(m_, v, f);
   eq::add_films(m_, omega, q, v, f);
@@ -165,7 +165,7 @@ void LoadKick::add_parts(const StepState& x, const double* v, double omega, bool
 }
 
 void LoadKick::add_ring_forces(const StepState& x, const double* v, double* f) const {
-  add_actuators(m_, x.seen.data(), v, command, f);
+  add_actuators(m_, x.q_k.data(), v, command, f);
   const std::size_t count = std::min(jumps.size(), m_.auxiliary.size());
   for (std::size_t i = 0; i < count; ++i) add_jump(m_.auxiliary[i], jumps[i], command[i], v, f);
 }
@@ -190,7 +190,7 @@ void LoadKick::free_velocity_of_part(StepState& x, double begin, double end) {
 void LoadKick::weighed_free_velocity(StepState& x, double begin, double end, bool later) {
   const int nq = x.nq();
   const double h = x.h;
-  const double *q = x.seen.data(), *start = x.start.data();
+  const double *q = x.q_k.data(), *start = x.start.data();
   double *free = x.free.data(), *after = x.after.data(), *f = f_.data();
   if (!m_.feedbacks.empty()) find_working(x, begin, end);
   if (loads_.synchronous()) loads_.turn_with(eq::spin_angle(m_, instant_, q));
@@ -207,7 +207,7 @@ void LoadKick::weighed_free_velocity(StepState& x, double begin, double end, boo
     ROTORUB_APART for (int i = 0; i < nq; ++i) free[i] = after[i] = start[i] + f[i];
   }
   if (!iterates_) return;
-  std::copy_n(start, nq, seen_end_.begin());
+  std::copy_n(start, nq, last_end_.begin());
   if (!later) settle(x);
 }
 
@@ -215,7 +215,7 @@ double LoadKick::external_work(const StepState& x, const double* end) {
   double *f = f_.data(), *v = change_.data();
   for (int i = 0; i < x.nq(); ++i) v[i] = 0.5 * (x.start[static_cast<std::size_t>(i)] + end[i]);
   force(x, v, f, Of::kWorking);
-  double work = -coupling_power(m_, x.seen.data(), v);
+  double work = -coupling_power(m_, x.q_k.data(), v);
   for (int i = 0; i < m_.layout.mechanical(); ++i) work += f[i] * v[i];
   return x.h * work;
 }
@@ -233,12 +233,12 @@ bool LoadKick::improve(StepState& x, const double* end) {
   const int nq = x.nq(), n = m_.layout.modes, phi = m_.layout.phi();
   const double h = x.kick * x.h;
   const double *start = x.start.data(), *mass = m_.mass.data();
-  double *f = f_.data(), *change = change_.data(), *free = x.free.data(), *seen = seen_end_.data();
+  double *f = f_.data(), *change = change_.data(), *free = x.free.data(), *last = last_end_.data();
   ROTORUB_APART for (int i = 0; i < nq; ++i) change[i] = 0.5 * (start[i] + end[i]);
   force(x, change, f);
-  const double before = energy_of(nq, mass, [=](int i) { return end[i] - seen[i]; });
+  const double before = energy_of(nq, mass, [=](int i) { return end[i] - last[i]; });
   ROTORUB_APART for (int i = 0; i < nq; ++i) {
-    seen[i] = end[i];
+    last[i] = end[i];
     change[i] = end[i] - start[i];
     f[i] = h * f[i] - mass[i] * change[i];
   }
@@ -263,7 +263,7 @@ bool LoadKick::improve(StepState& x, const double* end) {
 // J, twice the energy that round-off can move in a round: round-off of the velocities or, for a
 // rotor at rest under its load, of the balanced forces.
 double LoadKick::noise(const StepState& x, const double* end) const {
-  const double *mass = m_.mass.data(), *q = x.seen.data();
+  const double *mass = m_.mass.data(), *q = x.q_k.data();
   double least = magnets_round_off_;
   for (int i = 0; i < x.nq(); ++i) {
     const double whole = mass[i] * end[i] * end[i];

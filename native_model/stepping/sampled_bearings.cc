@@ -17,7 +17,7 @@ void LoadKick::find_samples(const StepState& x, double t, double begin) {
   const int first = m_.layout.integral();
   const double share = begin == t ? 1.0 : 0.5;  // of the kick after the sample
   std::copy_n(v, x.nq(), after);
-  sampled_now_ = take_samples(m_, t, x.h, x.seen.data(), after);
+  sampled_now_ = take_samples(m_, t, x.h, x.q_k.data(), after);
   for (int i = 0; i < m_.layout.integrals; ++i) {
     const double jump = 2.0 * share * (after[first + i] - v[first + i]);
     sampled_[static_cast<std::size_t>(i)] = m_.mass[first + i] * jump / x.h;
@@ -68,7 +68,7 @@ void LoadKick::find_switched(const StepState& x, double begin, double end) {
     const double share_before =
         bearing.works.share(begin, sample) * (sample - begin) / (end - begin);
     const double share_after = share - share_before;
-    const eq::Pair r = eq::at_station(m_.layout.modes, bearing.shape, x.seen.data());
+    const eq::Pair r = eq::at_station(m_.layout.modes, bearing.shape, x.q_k.data());
     for (int axis = 0; axis < 2; ++axis) {
       AxisCommand& c = commands_[k][static_cast<std::size_t>(axis)];
       const double place = axis == 0 ? r.x : r.y;

@@ -149,7 +149,7 @@ ROTORUB_INLINE bool StepContacts::leaves(const Contact& c, const Pair& velocity)
 }
 
 ROTORUB_INLINE void StepContacts::look(const StepState& x) {
-  for (Contact& c : contacts_) c.d = eq::separation(m_, *c.at, x.seen.data());
+  for (Contact& c : contacts_) c.d = eq::separation(m_, *c.at, x.q_k.data());
   look_at_free(x);
 }
 
@@ -337,7 +337,7 @@ void StepContacts::add_last_forces(StepState& x) {
     if (!any && loads_.coupled()) couple();
     any = true;
     Contact& c = contacts_[i];
-    const Pair d = eq::separation(m_, *c.at, x.seen.data());
+    const Pair d = eq::separation(m_, *c.at, x.q_k.data());
     const double delta = std::sqrt(d.x * d.x + d.y * d.y);
     if (!(delta > (c.rigid ? kNoNormal : c.clearance))) continue;
     c.e_r = {d.x / delta, d.y / delta};

@@ -5,16 +5,16 @@
 // is only one, which slides on as in the step before. If the path of a rigid contact in flight
 // leaves its circle, an impact begins (verlet.cc).
 //
-// The force of a compliant contact (contact/compliance.h) is one more load at the coordinates that
-// the step sees, with implicit damping and friction:
+// The force of a compliant contact (contact/compliance.h) is one more load at q_k, with implicit
+// damping and friction:
 //
 //   P = w_0 + w_1 p',   |T| <= mu P,   slip at the end of the step != 0: T = -mu P sign(slip)
 //
 // Here p' is the mean of the rates at the start and the end of the step. w_0 is the impulse of the
 // spring and w_1 the impulse of the damper per unit rate. Both are taken over the part of the step
-// in which two straight paths are in the wall: the path to the place that the step sees, and the
-// path on from there. The touch and its speed are found on the same paths. The order is 2. The
-// spring is explicit: h < 2 / sqrt(k g_NN) (step_limit.h).
+// in which two straight paths are in the wall: the path to the place at q_k, and the path on from
+// there. The touch and its speed are found on the same paths. The order is 2. The spring is
+// explicit: h < 2 / sqrt(k g_NN) (step_limit.h).
 #pragma once
 
 #include <Eigen/Core>
@@ -167,8 +167,7 @@ class StepContacts {
                     double* to) const;
   void look(const StepState& x);
   void look_at_free(const StepState& x);
-  // Turns the normal to the place that the step sees; it is unchanged if the centres coincide
-  // there.
+  // Turns the normal to the place at q_k; it is unchanged if the centres coincide there.
   static void turn_normal(Contact& c) {
     const double delta = std::sqrt(c.d.x * c.d.x + c.d.y * c.d.y);
     if (delta > kNoNormal) c.e_r = {c.d.x / delta, c.d.y / delta};
@@ -197,7 +196,7 @@ class StepContacts {
   bool exists_ = false, gives_ = false;
   std::vector<Contact> contacts_;
   std::vector<Eigen::Matrix3d> uncoupled_, admittance_;  // blocks for each pair of contacts
-  double before_ = 0.0, after_ = 0.0;  // s, parts of the step around the place that it sees
+  double before_ = 0.0, after_ = 0.0;  // s, parts of the step before and after t_k
   // In the step: rigid lasting contacts and compliant contacts in their walls; whether any contact
   // acts; whether there were impacts; whether done_ has been written.
   List lasting_, compliant_;

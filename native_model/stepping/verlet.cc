@@ -260,7 +260,7 @@ void VerletStep::collide(std::int64_t k) {
     // All contacts that are closed there take part, with the velocities of that instant.
     for (int i = 0; i < nq; ++i) {
       v[i] = flight.v[i] + (flight.theta - 0.5) * h * flight.a[i];
-      q[i] = x.seen[static_cast<std::size_t>(i)] + flight.theta * h * flight.v[i];
+      q[i] = x.q_k[static_cast<std::size_t>(i)] + flight.theta * h * flight.v[i];
     }
     SharedImpact impact(contacts);
     for (std::size_t i = 0; i < n; ++i) {
@@ -367,7 +367,7 @@ void VerletStep::begin_slow_impact(std::int64_t k, const Flight& flight) {
   const double t = x.origin + (static_cast<double>(k) + flight.theta) * h;
   double q[kMaxCoordinates], v[kMaxCoordinates];
   for (int i = 0; i < m.nq(); ++i) {
-    q[i] = x.seen[static_cast<std::size_t>(i)] + flight.theta * h * flight.v[i];
+    q[i] = x.q_k[static_cast<std::size_t>(i)] + flight.theta * h * flight.v[i];
     v[i] = flight.v[i] + to_touch * flight.a[i];
   }
   FiniteImpact& impact = *slow_impact_;
@@ -387,13 +387,13 @@ void VerletStep::follow_slow_impact(std::int64_t k) {
   FiniteImpact& impact = *slow_impact_;
   const double h = x.h, end = x.time_of(k) + h;
   const int nq = x.nq();
-  const double* seen = x.seen.data();
+  const double* q_k = x.q_k.data();
   double *after = x.after.data(), *deferred = deferred_.data();
   slow_impact_step_ = static_cast<double>(k) * h;
   if (end < impact.end()) {
     double to[kMaxCoordinates];
     impact.coordinates(end, to);
-    for (int i = 0; i < nq; ++i) after[i] = (to[i] - seen[i]) / h;
+    for (int i = 0; i < nq; ++i) after[i] = (to[i] - q_k[i]) / h;
     return;
   }
   const double *q, *v, *a;
@@ -402,7 +402,7 @@ void VerletStep::follow_slow_impact(std::int64_t k) {
   const bool closes = impact.finish(q, v, a);
   for (int i = 0; i < nq; ++i) {
     const double flown = q[i] + left * (v[i] + 0.5 * left * a[i]);
-    after[i] = (flown - seen[i]) / h;
+    after[i] = (flown - q_k[i]) / h;
     deferred[i] = v[i] + from_middle * a[i] - after[i];
   }
   has_deferred_ = true;
