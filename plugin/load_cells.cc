@@ -168,21 +168,21 @@ void map_load_cells(const mjModel* m, Config& config) {
   for (int i = 0; i < m->nsensor; ++i) {
     for (const ContactPair& pair : config.pairs) {
       const std::string element = message("<sensor name=\"{}\">", m->names + m->name_sensoradr[i]);
-      const std::string unseen =
+      const std::string reason =
           message("MuJoCo does not see the force of contact model {} in it",
                   pair.law == scene::ContactModel::kRigid ? "rigid" : "coulomb (its friction)");
       if (asks_for_force(m, i, pair)) {
         refuse(element,
-               unseen +
+               reason +
                    "; accepted: the user sensors normal_force and friction_force, or other geoms");
       }
       if (!feels(m, i, pair)) continue;
       config.cells = true;
       if (has_history(m, i))
-        refuse(element, unseen + " where it has a history; accepted: nsample=\"0\"");
+        refuse(element, reason + " where it has a history; accepted: nsample=\"0\"");
       if (later) continue;
       refuse(element,
-             unseen +
+             reason +
                  ", and calls the plugin after it only for a user sensor of the acceleration "
                  "stage; accepted: <user name=\"normal_force\" dim=\"1\" needstage=\"acc\"/> in "
                  "<sensor>, or the plugin preloaded");

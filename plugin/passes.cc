@@ -256,7 +256,7 @@ bool collide_pair(const mjModel* m, const mjData* d, CollisionContact* con, int 
     if (const char* why = refused_silence(m)) raise_error(why);
     // The <pair>'s margin, if the model has the <pair>. The margin is not among the arguments in
     // every version.
-    const double margin = pair.pair >= 0 ? seen_below(m, pair.pair) : 0.0;
+    const double margin = pair.pair >= 0 ? detected_below(m, pair.pair) : 0.0;
     count = collide_exactly(pair, d, con, g1, margin);
     // With `rigid` the contact is kept from MuJoCo's solver even if the pair's gap does not do so.
     if (pair.law == scene::ContactModel::kRigid && count > 0 && pair.pair >= 0) {

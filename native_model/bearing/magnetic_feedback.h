@@ -60,9 +60,9 @@ struct MagneticFeedback {
   }
   double damping() const { return force_per_current * derivative; }  // N s/m
 
-  // u and c, A, while the bearing works. seen, rate: s, d; stored: j.
-  double asked(double seen, double rate, double stored) const {
-    return -(proportional * seen + derivative * rate + stored);
+  // u and c, A, while the bearing works. deflection, rate: s, d; stored: j.
+  double asked(double deflection, double rate, double stored) const {
+    return -(proportional * deflection + derivative * rate + stored);
   }
   double limited(double asked) const {
     return std::max(std::min(asked, current_limit), -current_limit);
@@ -74,8 +74,8 @@ struct MagneticFeedback {
     return linear_spring * r + share * (negative_stiffness * r + force_per_current * current);
   }
   // j', A/s; only with an integrator, because it divides by P.
-  double stored_rate(double share, double seen, double asked) const {
-    return share * integral * (seen + (asked - limited(asked)) / proportional);
+  double stored_rate(double share, double deflection, double asked) const {
+    return share * integral * (deflection + (asked - limited(asked)) / proportional);
   }
 };
 

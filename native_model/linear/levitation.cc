@@ -62,11 +62,12 @@ std::pair<double, double> peak_between(const F& f, double low, double high) {
 }
 
 // Peak-to-peak motion of each sensor axis, m, under the unbalances that act from the start.
-Eigen::VectorXd moved(Model m, const LinearLoop& loop, double speed, const Eigen::MatrixXd& seen) {
+Eigen::VectorXd moved(Model m, const LinearLoop& loop, double speed,
+                      const Eigen::MatrixXd& sensor_shapes) {
   std::erase_if(m.unbalances, [](const DiscUnbalance& u) { return u.on > 0.0; });
-  if (speed == 0.0) return Eigen::VectorXd::Zero(seen.cols());
+  if (speed == 0.0) return Eigen::VectorXd::Zero(sensor_shapes.cols());
   const Eigen::VectorXcd q = loop_amplitude(m, loop, std::abs(speed), unbalance_load(m, speed));
-  return 2.0 * (seen.transpose() * q).cwiseAbs();
+  return 2.0 * (sensor_shapes.transpose() * q).cwiseAbs();
 }
 
 }  // namespace
@@ -87,13 +88,13 @@ LoopResponse::LoopResponse(const Model& model, double speed) : model_(always_wor
     if (f.controlled && f.works.at(0.0)) working_.push_back(k);
   }
   const Eigen::Index n = model_.layout.modes, p = 2 * static_cast<Eigen::Index>(working_.size());
-  into_ = seen_ = Eigen::MatrixXd::Zero(2 * n, p);
+  into_ = sensor_shapes_ = Eigen::MatrixXd::Zero(2 * n, p);
   for (Eigen::Index j = 0; j < p; j += 2) {
     const StationFeedback& f = model_.feedbacks[working_[static_cast<std::size_t>(j / 2)]];
     into_.col(j).head(n) = f.law.force_per_current * f.shape.x;
     into_.col(j + 1).tail(n) = f.law.force_per_current * f.shape.y;
-    seen_.col(j).head(n) = f.seen().x;
-    seen_.col(j + 1).tail(n) = f.seen().y;
+    sensor_shapes_.col(j).head(n) = f.sensor_shape().x;
+    sensor_shapes_.col(j + 1).tail(n) = f.sensor_shape().y;
   }
 }
 
@@ -144,7 +145,7 @@ Eigen::MatrixXcd LoopResponse::open(double w, const Eigen::MatrixXcd& force) con
   Eigen::MatrixXcd z = stiffness_.cast<std::complex<double>>() +
                        std::complex<double>(0.0, w) * damping_.cast<std::complex<double>>();
   z.diagonal() -= (w * w * mass_).cast<std::complex<double>>();
-  return seen_.transpose().cast<std::complex<double>>() * lu_solve(z, force);
+  return sensor_shapes_.transpose().cast<std::complex<double>>() * lu_solve(z, force);
 }
 
 Eigen::MatrixXcd LoopResponse::return_difference(double w) const {
@@ -172,7 +173,7 @@ Levitation levitation(const Model& model, double speed) {
     if (!poles) out.poles_refused = "the eigenvalues do not converge";
     if (out.stable()) {
       out.steps = step_responses(m, loop, out.poles);
-      out.unbalance = moved(m, loop, speed, response.seen());
+      out.unbalance = moved(m, loop, speed, response.sensor_shapes());
     }
   }
   const std::vector<double> at = frequencies(m, out.poles);

@@ -50,9 +50,9 @@ Eigen::Vector2d bearing_current(const Model& m, const StationFeedback& bearing, 
   if (!bearing.works.at(t))
     return vector(eq::feedback_state(m, bearing.states.current, v, eq::Pair{0.0, 0.0}));
   const int n = m.layout.modes;
-  const eq::Pair seen = eq::at_station(n, bearing.seen(), q);
-  const eq::Pair rate = eq::at_station(n, bearing.seen(), v);
-  return vector(eq::bearing_current(m, bearing, seen, rate, v).current);
+  const eq::Pair deflection = eq::at_station(n, bearing.sensor_shape(), q);
+  const eq::Pair rate = eq::at_station(n, bearing.sensor_shape(), v);
+  return vector(eq::bearing_current(m, bearing, deflection, rate, v).current);
 }
 
 void coupling_force(const Model& m, double t, const double* q, const double* v, double* f) {

@@ -276,7 +276,7 @@ bool is_detected(const Config& config, const ContactPair& pair, const mjModel* m
   const Coordinates state(config, d);
   const double delta = separation(config.model, state.q(), pair.bearing).norm();
   return contact_enabled(m) && delta > kNoNormal &&
-         pair.contact.clearance - delta < seen_below(m, pair.pair);
+         pair.contact.clearance - delta < detected_below(m, pair.pair);
 }
 
 void note(const CoulombContact& s, mjData* d) {
