@@ -179,15 +179,16 @@ bool take_samples(const Model& m, double t, double h, const double* q, double* v
   return taken;
 }
 
-void jump_in_step(const Model& m, double t, double h, const double* q, double* v, double* f) {
+void take_samples_in_step(const Model& m, double t, double h, const double* q, double* v,
+                          double* f) {
   if (m.samplers.empty()) return;
   double after[kMaxCoordinates];
   std::copy_n(v, m.nq(), after);
   if (!take_samples(m, t, h, q, after)) return;
   for (int i = m.sampled_states(); i < m.layout.coil(); ++i) {
-    const double jump = after[i] - v[i];
-    f[i] += m.mass[i] * jump / h;
-    v[i] += (t > 0.5 * h ? 0.5 : 1.0) * jump;
+    const double change = after[i] - v[i];
+    f[i] += m.mass[i] * change / h;
+    v[i] += (t > 0.5 * h ? 0.5 : 1.0) * change;
   }
 }
 

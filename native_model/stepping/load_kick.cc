@@ -59,8 +59,8 @@ double stiffness_of(const StationSpring& spring, int n, int i) {
 
 // At a limit of its amplifier, the mean of a coil's rates under the commands before and after a
 // jump differs from its rate under the mean command. This adds the difference.
-void add_jump(const AuxiliaryBearing& at, const CommandJump& jump, const Eigen::Vector2d& asked,
-              const double* v, double* f) {
+void add_command_jump(const AuxiliaryBearing& at, const CommandJump& jump,
+                      const Eigen::Vector2d& asked, const double* v, double* f) {
   constexpr double kRoundOff = 1e-9;
   if (jump.share == 0.0 || at.coil == kAbsent) return;
   const double share_before = jump.share, share_after = 1.0 - share_before;
@@ -166,8 +166,9 @@ void LoadKick::add_parts(const StepState& x, const double* v, double omega, bool
 
 void LoadKick::add_ring_forces(const StepState& x, const double* v, double* f) const {
   add_actuators(m_, x.q_k.data(), v, command, f);
-  const std::size_t count = std::min(jumps.size(), m_.auxiliary.size());
-  for (std::size_t i = 0; i < count; ++i) add_jump(m_.auxiliary[i], jumps[i], command[i], v, f);
+  const std::size_t count = std::min(command_jumps.size(), m_.auxiliary.size());
+  for (std::size_t i = 0; i < count; ++i)
+    add_command_jump(m_.auxiliary[i], command_jumps[i], command[i], v, f);
 }
 
 // ------------------------------------------------------------------ the kick

@@ -32,8 +32,8 @@ class LoadKick {
   // the currents of the two axes, A.
   using Commands = std::array<Eigen::Vector2d, kMaxContacts>;
   Commands command;
-  const double* applied = nullptr;       // nq further loads; null: none
-  std::span<const CommandJump> jumps{};  // `command` then holds the means
+  const double* applied = nullptr;               // nq further loads; null: none
+  std::span<const CommandJump> command_jumps{};  // `command` then holds the means
 
   // Lets the command of the first ring act even if the ring has no controller.
   void drive_first_ring() { commanded_ = true; }

@@ -19,8 +19,8 @@ void LoadKick::find_samples(const StepState& x, double t, double begin) {
   std::copy_n(v, x.nq(), after);
   sampled_now_ = take_samples(m_, t, x.h, x.q_k.data(), after);
   for (int i = 0; i < m_.layout.integrals; ++i) {
-    const double jump = 2.0 * share * (after[first + i] - v[first + i]);
-    sampled_[static_cast<std::size_t>(i)] = m_.mass[first + i] * jump / x.h;
+    const double change = 2.0 * share * (after[first + i] - v[first + i]);
+    sampled_[static_cast<std::size_t>(i)] = m_.mass[first + i] * change / x.h;
   }
   for (std::size_t k = 0; k < m_.feedbacks.size(); ++k) {
     const int at = m_.feedbacks[k].states.command;

@@ -12,7 +12,8 @@
 namespace rotorub {
 namespace {
 
-// Fraction of a step; jumps closer to the step's ends differ from them only by round-off.
+// Fraction of a step; jumps of loads or commands closer to its ends differ from them only by
+// round-off.
 constexpr double kLeastPart = 1e-9;
 constexpr double kOnCircle = 1e-12;  // of the clearance; smaller gaps count as closed
 
@@ -56,7 +57,7 @@ void VerletStep::step(std::int64_t k) {
     if (contacts.leave_flight(x)) collide(k);
     x.kick = 1.0;
   }
-  if (command_jumps_) forget_jumps();
+  if (has_command_jumps_) forget_command_jumps();
   first_ = false;
   x.move();
 }
@@ -119,29 +120,29 @@ double VerletStep::external_work() {
 // with the fraction s of the step before the jump. This keeps order 2. If contact goes on unchanged
 // in both parts, the mean load gives the same result, and the step ends on the circle.
 //
-// announce_jump() notes the jump of a command, split() takes the step in its two parts, after it
-// was taken with its mean loads.
-void VerletStep::announce_jump(std::size_t ring, const CommandJump& command) {
-  jumps_[ring] = command;
-  command_jumps_ = command_jumps_ || command.share > 0.0;
-  if (command_jumps_) loads.jumps = jumps_;
+// announce_command_jump() notes the jump of a command, split() takes the step in its two parts,
+// after it was taken with its mean loads.
+void VerletStep::announce_command_jump(std::size_t ring, const CommandJump& command) {
+  command_jumps_[ring] = command;
+  has_command_jumps_ = has_command_jumps_ || command.share > 0.0;
+  if (has_command_jumps_) loads.command_jumps = command_jumps_;
 }
 
-void VerletStep::forget_jumps() {
-  jumps_.fill({});
-  command_jumps_ = false;
-  loads.jumps = {};
+void VerletStep::forget_command_jumps() {
+  command_jumps_.fill({});
+  has_command_jumps_ = false;
+  loads.command_jumps = {};
 }
 
 // The fraction of the kick from `begin` to `end` (s) before a load or a command jumps in lasting
 // contact; 0: none jumps, or it jumps at an end of the kick. If commands jump at several instants,
 // the first counts; a switched load counts only if no command jumps.
 double VerletStep::share_before_jump(double begin, double end) {
-  if (!(switches_ || command_jumps_) || !contacts.lasts()) return 0.0;
+  if (!(switches_ || has_command_jumps_) || !contacts.lasts()) return 0.0;
   constexpr double kNone = 2.0;
   double share = kNone;
-  for (const CommandJump& command : jumps_) {
-    if (command_jumps_ && command.share > 0.0) share = std::min(share, command.share);
+  for (const CommandJump& command : command_jumps_) {
+    if (has_command_jumps_ && command.share > 0.0) share = std::min(share, command.share);
   }
   if (share == kNone) {
     if (!(begin >= switch_from_ && begin < switch_at_)) {
@@ -193,9 +194,9 @@ void VerletStep::take_part(const StepContacts::State& was, double begin, double 
 
 // A command that jumps at a later instant keeps its mean.
 void VerletStep::command_part(bool before, double share) {
-  for (std::size_t i = 0; i < jumps_.size(); ++i) {
-    if (jumps_[i].share == 0.0 || jumps_[i].share - share > kLeastPart) continue;
-    loads.command[i] = before ? jumps_[i].before : jumps_[i].after;
+  for (std::size_t i = 0; i < command_jumps_.size(); ++i) {
+    if (command_jumps_[i].share == 0.0 || command_jumps_[i].share - share > kLeastPart) continue;
+    loads.command[i] = before ? command_jumps_[i].before : command_jumps_[i].after;
   }
 }
 
@@ -252,7 +253,7 @@ void VerletStep::collide(std::int64_t k) {
     flight.d[i] = contacts.place(i);
     flight.closed[i] = contacts.is_rigid(i) && contacts.now[i].closed;
   }
-  double v[kMaxCoordinates], q[kMaxCoordinates], jump[kMaxCoordinates];
+  double v[kMaxCoordinates], q[kMaxCoordinates], velocity_jump[kMaxCoordinates];
   const int most = kMostImpacts * static_cast<int>(n);
   for (int count = 0; count < most; ++count) {
     const std::size_t first_touch = next_touch(flight);
@@ -275,7 +276,7 @@ void VerletStep::collide(std::int64_t k) {
     }
     const bool ends = count + 1 == most;
     if (slow_impact_ && !ends && impact.rebounds(h)) return begin_slow_impact(k, flight);
-    const Status found = impact.strike(x, t + flight.theta * h, t, q, ends, jump);
+    const Status found = impact.strike(x, t + flight.theta * h, t, q, ends, velocity_jump);
     if (found != Status::kOk) return x.fail(found);
     for (std::size_t i = 0; i < impact.count(); ++i) {
       const std::size_t index = impact.contact(i);
@@ -284,8 +285,8 @@ void VerletStep::collide(std::int64_t k) {
       }
       flight.closed[index] = impact.rests(i);
     }
-    take_jump(flight, t, q, jump);
-    for (int i = 0; i < nq; ++i) flight.v[i] += jump[i];
+    apply_velocity_jump(flight, t, q, velocity_jump);
+    for (int i = 0; i < nq; ++i) flight.v[i] += velocity_jump[i];
   }
   for (std::size_t i = 0; i < n; ++i) {
     if (contacts.is_rigid(i)) contacts.set_closed(i, flight.closed[i]);
@@ -323,19 +324,20 @@ Eigen::Vector2d command_at_impact(const Model& m, std::size_t bearing, double t,
 
 }  // namespace
 
-// jump: input, load of the impulses; output, jump of the velocities. x.after and deferred_ get
-// their shares of the jump. The kicks do not see that the jump changes velocity-dependent loads;
-// deferred_ also gets what follows from that, -(theta - 1/2) h M^-1 (F(v + jump) - F(v)), and
+// velocity_jump: input, load of the impulses; output, the velocity jump w. x.after and deferred_
+// get their shares of w. The kicks do not include how w changes velocity-dependent loads;
+// deferred_ also gets what follows from that, -(theta - 1/2) h M^-1 (F(v + w) - F(v)), and
 // work_correction_ the work that the mean of the step's velocities misses. t (s), q: where M and
-// the loads are taken. A continuous controller sees the jump too.
-void VerletStep::take_jump(const Flight& flight, double t, const double* q, double* jump) {
+// the loads are taken. A continuous controller measures w too.
+void VerletStep::apply_velocity_jump(const Flight& flight, double t, const double* q,
+                                     double* velocity_jump) {
   const Model& m = x.m;
   const int nq = m.nq();
   const std::size_t n = m.auxiliary.size();
   const double from_middle = (flight.theta - 0.5) * x.h;
   double v[kMaxCoordinates], before[kMaxCoordinates], missed[kMaxCoordinates];
-  solve_mass(m, t, q, jump, jump);
-  // All loads for the velocities v just before or just after the jump, and their power.
+  solve_mass(m, t, q, velocity_jump, velocity_jump);
+  // All loads for the velocities v just before or just after the impact, and their power.
   const auto loads_at = [&](double* f) {
     std::array<Eigen::Vector2d, kMaxContacts> commands, rings;
     for (std::size_t i = 0; i < n; ++i) {
@@ -347,14 +349,14 @@ void VerletStep::take_jump(const Flight& flight, double t, const double* q, doub
   };
   for (int i = 0; i < nq; ++i) v[i] = flight.v[i] + from_middle * flight.a[i];
   const double power = loads_at(before);
-  for (int i = 0; i < nq; ++i) v[i] += jump[i];
+  for (int i = 0; i < nq; ++i) v[i] += velocity_jump[i];
   work_correction_ -= from_middle * (loads_at(missed) - power);
   for (int i = 0; i < nq; ++i) missed[i] = -from_middle * (missed[i] - before[i]);
   solve_mass(m, t, q, missed, missed);
   for (int i = 0; i < nq; ++i) {
     const auto at = static_cast<std::size_t>(i);
-    x.after[at] += (1.0 - flight.theta) * jump[i];
-    deferred_[at] += flight.theta * jump[i] + missed[i];
+    x.after[at] += (1.0 - flight.theta) * velocity_jump[i];
+    deferred_[at] += flight.theta * velocity_jump[i] + missed[i];
   }
   has_deferred_ = true;
 }

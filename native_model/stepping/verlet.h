@@ -15,10 +15,10 @@
 //      instant.
 //   4. Drift: q_{k+1} = q_k + h v_{k+1/2}.
 //
-// An impact at the fraction theta of the step makes the velocities jump by w. This step takes (1 -
-// theta) w, and the rest is deferred to the next one. The kicks do not see that the jump changes
-// the velocity-dependent loads, so the next step also takes -(theta - 1/2) h M^-1 (F(v + w) -
-// F(v)); without this term order 2 would be lost. An impact that takes time (model/finite_impact.h)
+// An impact at the fraction theta of the step causes the velocity jump w. This step takes (1 -
+// theta) w, and the rest is deferred to the next one. The kicks do not include how w changes the
+// velocity-dependent loads, so the next step also takes -(theta - 1/2) h M^-1 (F(v + w) - F(v));
+// without this term order 2 would be lost. An impact that takes time (model/finite_impact.h)
 // continues over several steps. Flight resumes where it ends, at any fraction of a step.
 #pragma once
 
@@ -51,7 +51,7 @@ class VerletStep {
   // Call it after a state (q, v at one instant) has been written: the next step is half a kick.
   void restart();
   // Announces a jump of the command of a ring within the next step.
-  void announce_jump(std::size_t ring, const CommandJump& command);
+  void announce_command_jump(std::size_t ring, const CommandJump& command);
 
   // True if the last step was half a kick.
   bool was_first() const { return was_first_; }
@@ -89,12 +89,12 @@ class VerletStep {
   void split(double share, double begin, double end);
   void take_part(const StepContacts::State& was, double begin, double end);
   void command_part(bool before, double share);
-  void forget_jumps();
+  void forget_command_jumps();
 
   void collide(std::int64_t k);
   std::size_t next_touch(Flight& flight) const;
   void knock_open(std::size_t contact, Flight& flight);
-  void take_jump(const Flight& flight, double t, const double* q, double* jump);
+  void apply_velocity_jump(const Flight& flight, double t, const double* q, double* velocity_jump);
   void begin_slow_impact(std::int64_t k, const Flight& flight);
   void follow_slow_impact(std::int64_t k);
 
@@ -107,8 +107,8 @@ class VerletStep {
   bool switches_ = false;  // some load is switched during a run
   // s; a cache: no load is switched from switch_from_ until switch_at_.
   double switch_from_ = std::numeric_limits<double>::infinity(), switch_at_ = 0.0;
-  bool command_jumps_ = false;  // in the step that comes or is under way
-  std::array<CommandJump, kMaxContacts> jumps_;
+  bool has_command_jumps_ = false;  // in the step that comes or is under way
+  std::array<CommandJump, kMaxContacts> command_jumps_;
   // For a step in parts: contacts before it; x.after under the mean loads; weighted sum of the
   // parts.
   StepContacts::State before_parts_;

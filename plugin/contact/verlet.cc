@@ -89,7 +89,7 @@ Eigen::Vector2d command(const Config& config, const mjModel* m, mjData* d, const
       for (int i = 0; i < model.nq(); ++i) a[i] = first ? 0.0 : 2.0 / h * (v[i] - state.v()[i]);
       if (lags(model)) worker.hold.show_currents(actuator_state(config, m, d).current);
       mean = worker.hold.mean(first ? t : t - 0.5 * h, t, end, state.q(), v, a);
-      if (asks) worker.stepper.jump(worker.hold.jump());
+      if (asks) worker.stepper.announce_command_jump(worker.hold.command_jump());
     }
     if (const std::string& why = worker.hold.failure(); !why.empty()) controller_failed(d, why);
     const Eigen::Vector2d held = worker.hold.held();
