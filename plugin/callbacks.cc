@@ -173,8 +173,9 @@ void restore_callbacks() {
 bool callbacks_active() { return active.load(std::memory_order_relaxed); }
 
 bool callbacks_lost() {
-  return !(passive_place.held() && control_place.held() && sensor_place.held() &&
-           gain_place.held() && bias_place.held() && rate_place.held());
+  return !(passive_place.reaches_plugin() && control_place.reaches_plugin() &&
+           sensor_place.reaches_plugin() && gain_place.reaches_plugin() &&
+           bias_place.reaches_plugin() && rate_place.reaches_plugin());
 }
 
 void keep_callbacks() {
@@ -185,7 +186,7 @@ void keep_callbacks() {
 bool collision_was_lost(const Config& config, const mjModel* m) {
   for (const ContactPair& pair : config.pairs) {
     Place<mjfCollision>& place = collision_place(m, pair.rotor_geom, pair.ring_geom);
-    if (!place.held() && place.take()) ++collisions_taken;
+    if (!place.reaches_plugin() && place.take()) ++collisions_taken;
   }
   const int taken = collisions_taken.load(std::memory_order_acquire);
   static thread_local constinit int known = 0;

@@ -20,7 +20,7 @@ void put_column(const std::vector<double>& values, std::vector<double>& matrix, 
 // One column of both matrices: nudge(copy of d, +-eps), a step, and the difference over 2 eps.
 template <typename Nudge>
 void column(const mjModel* m, const mjData* d, double eps, int which, Nudge nudge, mjData* low,
-            mjData* high, std::vector<double>& next, std::vector<double>& seen, int columns) {
+            mjData* high, std::vector<double>& next, std::vector<double>& outputs, int columns) {
   for (mjData* side : {low, high}) {
     mj_copyData(side, m, d);
     nudge(side, side == low ? -eps : eps);
@@ -40,7 +40,7 @@ void column(const mjModel* m, const mjData* d, double eps, int which, Nudge nudg
     double& value = sensed[static_cast<std::size_t>(i)];
     value = (high->sensordata[i] - value) / (2.0 * eps);
   }
-  put_column(sensed, seen, which, columns);
+  put_column(sensed, outputs, which, columns);
 }
 
 }  // namespace

@@ -100,7 +100,7 @@ ContactForce force_of(const ContactPair& pair, const mjData* d, double since) {
   f.friction = entry.friction_force;
   f.e_r = f.place.d.normalized();
   const bool rigid = pair.law == scene::ContactModel::kRigid;
-  if (rigid || pair.beside) f.normal = entry.normal_force;
+  if (rigid || pair.further) f.normal = entry.normal_force;
   // Only `rigid` and contacts with friction along the axis record each pass with a force.
   if (!rigid && !pair.axial) return f;
   const NotedContact& n = noted_contact(pair.data);
@@ -168,21 +168,21 @@ void map_load_cells(const mjModel* m, Config& config) {
   for (int i = 0; i < m->nsensor; ++i) {
     for (const ContactPair& pair : config.pairs) {
       const std::string element = message("<sensor name=\"{}\">", m->names + m->name_sensoradr[i]);
-      const std::string unseen =
+      const std::string reason =
           message("MuJoCo does not see the force of contact model {} in it",
                   pair.law == scene::ContactModel::kRigid ? "rigid" : "coulomb (its friction)");
       if (asks_for_force(m, i, pair)) {
         refuse(element,
-               unseen +
+               reason +
                    "; accepted: the user sensors normal_force and friction_force, or other geoms");
       }
       if (!feels(m, i, pair)) continue;
       config.cells = true;
       if (has_history(m, i))
-        refuse(element, unseen + " where it has a history; accepted: nsample=\"0\"");
+        refuse(element, reason + " where it has a history; accepted: nsample=\"0\"");
       if (later) continue;
       refuse(element,
-             unseen +
+             reason +
                  ", and calls the plugin after it only for a user sensor of the acceleration "
                  "stage; accepted: <user name=\"normal_force\" dim=\"1\" needstage=\"acc\"/> in "
                  "<sensor>, or the plugin preloaded");
@@ -193,7 +193,7 @@ void map_load_cells(const mjModel* m, Config& config) {
 namespace {
 
 // Adds the force on rotor and ring as J^T does (contact/contact_space.h): at the rotor's centre,
-// and at the point of the ring's axis beside it.
+// and at the nearest point of the ring's axis.
 void add_wrenches(const ContactPair& pair, const ContactForce& f, const mjModel* m, mjData* d) {
   const Eigen::Vector3d load = contact_load(f.e_r, pair.contact.radius, f.normal, f.friction);
   const Eigen::Vector3d along = f.axial * axial_column(f.e_r, pair.contact.radius);
@@ -259,7 +259,7 @@ void contact_force(const mjModel* m, const mjData* d, int id, mjtNum result[6],
     if (!regular && !reverse) continue;
     const ContactForce f = force_of(pair, d, m->opt.timestep);  // also after mj_step
     // If the geoms change places, e_t and the body that the force acts on both turn round.
-    if (pair.law == scene::ContactModel::kRigid || pair.beside) result[0] = f.normal;
+    if (pair.law == scene::ContactModel::kRigid || pair.further) result[0] = f.normal;
     if (scene::is_cone(pair.law)) continue;
     result[1] = -f.friction;
     if (result[0] > 0.0) result[2] = regular ? -f.axial : f.axial;

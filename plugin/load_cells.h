@@ -1,4 +1,4 @@
-// MuJoCo's own force sensors beside a contact whose force comes from the plugin: the whole force of
+// MuJoCo's own force sensors for a contact whose force comes from the plugin: the whole force of
 // `rigid`, the friction of `coulomb`. For MuJoCo these are forces on joints (qfrc_passive). The
 // forces between bodies,
 //   cfrc_int = sum over the subtree of (I a + v x I v) - cfrc_ext,

@@ -127,13 +127,13 @@ ContactPair map_contact(const mjModel* m, const Config& config, std::size_t k, i
   p.friction_reference = own_value(m, names::kOwnFrictionReference).value_or(0.0);
   p.in_world = true;
   p.on_chain = !config.segments;
-  p.beside = p.on_chain && k > 0;
+  p.further = p.on_chain && k > 0;
   p.bearing = k;
-  if (p.beside && m->body_mocapid[m->geom_bodyid[p.rotor_geom]] < 0) {
+  if (p.further && m->body_mocapid[m->geom_bodyid[p.rotor_geom]] < 0) {
     refuse(body_element(m, m->geom_bodyid[p.rotor_geom]),
            message("carries geom \"{}\"; accepted: mocap=\"true\"", rotor));
   }
-  p.held_spin = config.segments || config.model.layout.spin ? 0.0 : config.model.speed;
+  p.prescribed_spin = config.segments || config.model.layout.spin ? 0.0 : config.model.speed;
   return p;
 }
 

@@ -99,7 +99,7 @@ void add_loads(const Config& config, const mjModel* m, mjData* d) {
       add_segment_loads(config, m, d);
     } else {
       const Coordinates state(config, d);
-      place_contacts_beside(config, m, d, state);
+      place_further_contacts(config, m, d, state);
       if (!config.takes_native_steps()) add_passive_force(config, m, d, state);
     }
   } catch (const ControllerError& error) {
@@ -241,7 +241,7 @@ void sensor_pass(const mjModel* m, mjData* d, int stage) {
   if (stage == mjSTAGE_ACC && config->cells_in_callback) fill_load_cells(*config, m, d);
   if (stage == mjSTAGE_ACC) compare_actuators(m, d);
   const mjtStage told = control_skipped(m) ? mjSTAGE_VEL : mjSTAGE_ACC;
-  if (stage >= told) fill_late_sensors(*config, m, d);
+  if (stage >= told) refill_sensors(*config, m, d);
 }
 
 bool collide_pair(const mjModel* m, const mjData* d, CollisionContact* con, int g1, int g2,
@@ -256,11 +256,11 @@ bool collide_pair(const mjModel* m, const mjData* d, CollisionContact* con, int 
     if (const char* why = refused_silence(m)) raise_error(why);
     // The <pair>'s margin, if the model has the <pair>. The margin is not among the arguments in
     // every version.
-    const double margin = pair.pair >= 0 ? seen_below(m, pair.pair) : 0.0;
+    const double margin = pair.pair >= 0 ? detected_below(m, pair.pair) : 0.0;
     count = collide_exactly(pair, d, con, g1, margin);
     // A contact that only the plugin solves is kept from MuJoCo's solver even if the pair's gap
     // does not do so.
-    const bool kept_out = pair.law == scene::ContactModel::kRigid || pair.beside;
+    const bool kept_out = pair.law == scene::ContactModel::kRigid || pair.further;
     if (kept_out && count > 0 && pair.pair >= 0) {
       con->dist = std::max<mjtNum>(con->dist, solved_below(m, pair.pair));
     }

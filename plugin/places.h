@@ -1,10 +1,11 @@
 // Places in MuJoCo's global callback tables, kept against programs that overwrite them.
 //
 // MuJoCo's callbacks are plain global pointers: `mjcb_control = mine`, `mjcb_control = nullptr` and
-// mj_resetCallbacks() silently remove the plugin's. A Place notices this (held), takes itself back
-// (take), and calls the function that was put there before doing its own work. It has several
-// functions for the same work, called links, each with its own `previous`. If a user's function
-// calls the plugin's, it may have saved any of the links, and each link knows what to call next:
+// mj_resetCallbacks() silently remove the plugin's. A Place notices this (reaches_plugin), takes
+// itself back (take), and calls the function that was put there before doing its own work. It has
+// several functions for the same work, called links, each with its own `previous`. If a user's
+// function calls the plugin's, it may have saved any of the links, and each link knows what to call
+// next:
 //
 //   mjcb_control = mine                       link 1 in the place, previous: mine. mine runs first,
 //                                             then the plugin
@@ -43,7 +44,7 @@ class Place {
 
   // True if MuJoCo will call the plugin: one of its links is in the place, or a function that calls
   // it.
-  bool held() const {
+  bool reaches_plugin() const {
     return std::atomic_ref(*global_).load(std::memory_order_acquire) ==
            expected_.load(std::memory_order_acquire);
   }

@@ -36,7 +36,7 @@ void put_active(const Config& config, mjData* d) {
 // True for the contacts of the modal chain and for the first contact of segments. They use the
 // native coordinates, in which the loads are computed; the others use the places of the geoms.
 bool in_native_coordinates(const Config& config, const ContactPair& pair) {
-  return !config.own && (pair.bearing == 0 || pair.beside);
+  return !config.own && (pair.bearing == 0 || pair.further);
 }
 
 void fill_gap(const Config& config, const ContactPair& pair, mjData* d) {
@@ -76,7 +76,7 @@ void fill_forces(const ContactPair& pair, const mjModel* m, mjData* d) {
   put(m, d, s.friction_force_scaled, forces.friction);
 }
 
-// Fills the sensors of the shadow (shadow.h), and MuJoCo's own rotor beside them.
+// Fills the sensors of the shadow (shadow.h), and the sensor of MuJoCo's own rotor.
 void fill_shadow_sensors(const Config& config, mjData* d) {
   const ShadowConfig& s = *config.shadow;
   const Model& model = s.model;
@@ -123,7 +123,7 @@ void fill_sensors(const Config& config, const mjModel* m, mjData* d, int stage) 
   }
 }
 
-void fill_late_sensors(const Config& config, const mjModel* m, mjData* d) {
+void refill_sensors(const Config& config, const mjModel* m, mjData* d) {
   put_active(config, d);
   fill_sensors_in_control(config, m, d);
   if (config.own) return;

@@ -24,6 +24,6 @@ void fill_sensors_in_control(const Config& config, const mjModel* m, mjData* d);
 
 // Fills the sensors again that were filled before MuJoCo's last sensor stage: newer MuJoCo sets the
 // user sensors of a stage to 0 before it calls mjcb_sensor.
-void fill_late_sensors(const Config& config, const mjModel* m, mjData* d);
+void refill_sensors(const Config& config, const mjModel* m, mjData* d);
 
 }  // namespace rotorub::plugin

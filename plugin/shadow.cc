@@ -113,7 +113,7 @@ Eigen::Vector2d own_command(Worker& worker, std::int64_t k, double t, double h) 
   stepper.velocity_now(k, hold.held(), v);
   for (int i = 0; k > 0 && i < worker.model.nq(); ++i) a[i] = 2.0 / h * (v[i] - stepper.v()[i]);
   const Eigen::Vector2d u = hold.mean(k == 0 ? t : t - 0.5 * h, t, end, stepper.q(), v, a);
-  stepper.jump(hold.jump());
+  stepper.announce_command_jump(hold.command_jump());
   return u;
 }
 

@@ -149,7 +149,7 @@ Impact MujocoRecord::step_contact(std::int64_t k, std::size_t contact, const dou
       if (contact > 0) {
         double before = 0.0;
         for (std::size_t i = 0; i < contact; ++i) before += step_ * r.forces[i].normal;
-        recorder_.count_beside(t, step_, normal, friction, work, before);
+        recorder_.count_further(t, step_, normal, friction, work, before);
       }
     }
     recorder_.watch_gap(contact, after.gap);

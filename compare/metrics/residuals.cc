@@ -51,7 +51,7 @@ Residuals contact_residuals(const Trajectory& trajectory, const ContactFacts& fa
   };
   for (std::size_t i = 0; i < points.size(); ++i) {
     const double gap = facts.clearance - points[i].delta;
-    const double pressed = std::max(0.0, normal[i]);
+    const double compressive = std::max(0.0, normal[i]);
     raise(r.gap_error, std::abs(gap_column[i] - gap) / facts.clearance);
 
     // Normal law (13): g_N >= 0, lambda_N >= 0, g_N lambda_N = 0.
@@ -60,13 +60,13 @@ Residuals contact_residuals(const Trajectory& trajectory, const ContactFacts& fa
 
     // Coulomb: |lambda_T| <= mu lambda_N; sliding: lambda_T = -mu lambda_N sign(gdot_T). For a
     // fixed step that begins or ends with sticking, the largest mu up to its slip is used.
-    raise(r.cone, (std::abs(friction[i]) - facts.friction.bound(slip[i]) * pressed) / F);
+    raise(r.cone, (std::abs(friction[i]) - facts.friction.bound(slip[i]) * compressive) / F);
     if (within_impact(points[i].t)) continue;
-    raise(r.complementarity, std::max(0.0, gap) * pressed / (facts.clearance * F));
+    raise(r.complementarity, std::max(0.0, gap) * compressive / (facts.clearance * F));
     raise(r.power, friction[i] * slip[i] / (F * v));
-    if (pressed > 0.0 && std::abs(slip[i]) > kSlipThreshold * v) {
+    if (compressive > 0.0 && std::abs(slip[i]) > kSlipThreshold * v) {
       const double mu = facts.friction.at(slip[i]);
-      const double due = -mu * pressed * (slip[i] > 0.0 ? 1.0 : -1.0);
+      const double due = -mu * compressive * (slip[i] > 0.0 ? 1.0 : -1.0);
       raise(r.sliding, std::abs(friction[i] - due) / F);
     }
   }

@@ -48,7 +48,7 @@ struct MagneticFeedback {
   double proportional = 0.0;        // A/m, P >= 0
   double derivative = 0.0;          // A s/m, D >= 0
   double current_limit = 0.0;       // A, > 0, infinity: none
-  double held = 0.0;                // N/m, spring of this bearing in the model, subtracted here
+  double linear_spring = 0.0;       // N/m, spring of this bearing in the model, subtracted here
   double integral = 0.0;            // A/(m s), I >= 0; with P = 0 only 0
   double derivative_lag = 0.0;      // s, T_d >= 0
   Coil amplifier{};
@@ -60,21 +60,22 @@ struct MagneticFeedback {
   }
   double damping() const { return force_per_current * derivative; }  // N s/m
 
-  // u and c, A, while the bearing works. seen, rate: s, d; stored: j.
-  double asked(double seen, double rate, double stored) const {
-    return -(proportional * seen + derivative * rate + stored);
+  // u and c, A, while the bearing works. deflection, rate: s, d; stored: j.
+  double asked(double deflection, double rate, double stored) const {
+    return -(proportional * deflection + derivative * rate + stored);
   }
   double limited(double asked) const {
     return std::max(std::min(asked, current_limit), -current_limit);
   }
-  // N, force beyond the spring `held`, if the bearing works for the fraction `share` of the time.
+  // N, force beyond the spring `linear_spring`, if the bearing works for the fraction `share` of
+  // the time.
   double force(double share, double r, double current) const {
-    if (opposed) return held * r + share * magnets.force(r, current);
-    return held * r + share * (negative_stiffness * r + force_per_current * current);
+    if (opposed) return linear_spring * r + share * magnets.force(r, current);
+    return linear_spring * r + share * (negative_stiffness * r + force_per_current * current);
   }
   // j', A/s; only with an integrator, because it divides by P.
-  double stored_rate(double share, double seen, double asked) const {
-    return share * integral * (seen + (asked - limited(asked)) / proportional);
+  double stored_rate(double share, double deflection, double asked) const {
+    return share * integral * (deflection + (asked - limited(asked)) / proportional);
   }
 };
 

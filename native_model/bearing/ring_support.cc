@@ -65,8 +65,8 @@ Eigen::Vector2d BallBearingLaw::force(const Eigen::Vector2d& r) const {
   Eigen::Vector2d sum{0.0, 0.0};
   if (r.squaredNorm() <= play_ * play_) return sum;
   for (const Eigen::Vector2d& n : directions_) {
-    const double pressed = r.dot(n) - play_;
-    if (pressed > 0.0) sum -= stiffness_ * pressed * std::sqrt(pressed) * n;
+    const double compressed = r.dot(n) - play_;
+    if (compressed > 0.0) sum -= stiffness_ * compressed * std::sqrt(compressed) * n;
   }
   return sum;
 }

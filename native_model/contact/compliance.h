@@ -86,8 +86,8 @@ struct CompliantLaw {
   double force(double depth, double rate, double a) const {
     return spring(depth) * (1.0 + a * rate) + damping * rate;
   }
-  // N, positive exactly where the contact presses, with a simple zero where it ends. scale: m, > 0,
-  // typical penetration.
+  // N, positive exactly where the contact has a force, with a simple zero where it ends. scale: m,
+  // > 0, typical penetration.
   double margin(double depth, double rate, double a, double scale) const {
     if (damping > 0.0) return force(depth, rate, a);
     const double per_depth = stiffness * std::pow(scale, exponent - 1.0);

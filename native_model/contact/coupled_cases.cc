@@ -11,7 +11,7 @@ constexpr double kCaseRoundOff = 1e-11;  // relative to the rates and impulses o
 }  // namespace
 
 bool distinct(const Case& c, const ContactSet& set) {
-  if (set.pressed && !c.at_least) return false;
+  if (set.normal_known && !c.at_least) return false;
   if (c.friction == Bound::kLow) return true;
   const bool one_bound = set.slides != 0.0 || (set.friction == 0.0 && set.floor == 0.0);
   return !one_bound && !(c.at_least && set.least_normal == 0.0);
@@ -31,7 +31,7 @@ Cases CoupledProblem::all_closed(const Cases& cases, const CoupledSolution& s) c
   Cases closed = cases;
   for (int i = 0; i < n_; ++i) {
     Case& c = closed[static_cast<std::size_t>(i)];
-    if (set(i).pressed || !c.at_least || s.y[2 * i] > rates) continue;
+    if (set(i).normal_known || !c.at_least || s.y[2 * i] > rates) continue;
     const double slip = s.y[2 * i + 1];
     c = {false, slip > rates ? Bound::kLow : slip < -rates ? Bound::kHigh : Bound::kStick};
     if (!distinct(c, set(i))) c.friction = Bound::kLow;
@@ -48,7 +48,7 @@ Cases CoupledProblem::cases_of(const ContactVector& p) const {
   for (int i = 0; i < n_; ++i) {
     const double friction = next(2 * i + 1);
     Case& c = cases[static_cast<std::size_t>(i)];
-    c.at_least = set(i).pressed || next(2 * i) <= set(i).least_normal;
+    c.at_least = set(i).normal_known || next(2 * i) <= set(i).least_normal;
     c.friction = friction < set(i).low(p[2 * i])    ? Bound::kLow
                  : friction > set(i).high(p[2 * i]) ? Bound::kHigh
                                                     : Bound::kStick;
@@ -97,7 +97,7 @@ bool CoupledProblem::in_set(const Case& c, const ContactSet& set, int i, Coupled
                             double rates, double impulses) {
   double &normal = s.p[2 * i], &friction = s.p[2 * i + 1];
   double &gap_rate = s.y[2 * i], &slip = s.y[2 * i + 1];
-  if (!set.pressed) {
+  if (!set.normal_known) {
     if (c.at_least ? gap_rate < -rates : std::abs(gap_rate) > rates) return false;
     if (normal < set.least_normal - impulses) return false;
     normal = std::max(normal, set.least_normal);

@@ -17,7 +17,7 @@ struct Case {
 };
 using Cases = std::array<Case, kMaxContacts>;
 
-// False if the case is excluded or duplicates another one: a pressed contact has no other normal
+// False if the case is excluded or duplicates another one: a known normal impulse has no other
 // case, there is no sticking without friction, and an open contact has no friction.
 bool distinct(const Case& c, const ContactSet& set);
 

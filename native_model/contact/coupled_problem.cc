@@ -139,7 +139,7 @@ CoupledSolution by_sweeps(const ContactMatrix& a, const ContactVector& b,
       if (s.solutions == 0) return {};
       p.segment(2 * i, 2) = s.p;
       Case& c = found[static_cast<std::size_t>(i)];
-      c.at_least = set[0].pressed || s.p[0] <= set[0].least_normal;
+      c.at_least = set[0].normal_known || s.p[0] <= set[0].least_normal;
       c.friction = s.sticks[0]                    ? Bound::kStick
                    : s.p[1] <= set[0].low(s.p[0]) ? Bound::kLow
                                                   : Bound::kHigh;
@@ -186,7 +186,7 @@ Order order_of(const ContactMatrix& a, const ContactVector& b, std::span<const C
                       set.side,
                       set.floor,
                       set.slides,
-                      set.pressed ? 1.0 : 0.0,
+                      set.normal_known ? 1.0 : 0.0,
                       b[2 * i],
                       b[2 * i + 1],
                       a(2 * i, 2 * i),
@@ -203,7 +203,7 @@ Order order_of(const ContactMatrix& a, const ContactVector& b, std::span<const C
 // it in closed form.
 bool is_plain(const ContactMatrix& a, std::span<const ContactSet> sets) {
   return sets.size() == 1 && sets[0].least_normal == 0.0 && sets[0].side == 0.0 &&
-         sets[0].slides == 0.0 && !sets[0].pressed && moves_both_ways(a);
+         sets[0].slides == 0.0 && !sets[0].normal_known && moves_both_ways(a);
 }
 
 CoupledSolution one_plain(const ContactMatrix& a, const ContactVector& b, const ContactSet& set) {

@@ -28,7 +28,7 @@ class DiscSystem {
       const bool settled = change <= kSettled * scale(p);
       if (!settled && k % kPolished != kPolished - 1) continue;
       ContactVector shared = p;
-      DiscCases same = touching(cases, p);
+      DiscCases same = all_closed(cases, p);
       if (polish(same, shared)) {
         ContactVector again = shared;
         const double left = sweep(again, same);
@@ -64,8 +64,9 @@ class DiscSystem {
     return change;
   }
 
-  // A contact that neither opens nor presses may take a share of the load of the others.
-  DiscCases touching(DiscCases cases, const ContactVector& p) const {
+  // The same cases, but with every contact closed that the solution leaves on its circle: a contact
+  // that neither opens nor has a force may take a share of the load of the others.
+  DiscCases all_closed(DiscCases cases, const ContactVector& p) const {
     const ContactVector y = a_ * p + b_;
     const double none = kSettled * scale(p);
     for (Eigen::Index i = 0; i < n_; ++i) {

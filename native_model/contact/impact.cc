@@ -170,9 +170,9 @@ ImpactResult solve_impact(const ImpactInput& in, const ImpactLaw& law) {
   return r;
 }
 
-double restitution_beside_loads(double restitution, double approach, double load,
-                                double compression_time, double expansion_time) {
-  const double compressed = load * compression_time, expanded = load * expansion_time;
+double restitution_under_loads(double restitution, double approach, double a,
+                               double compression_time, double expansion_time) {
+  const double compressed = a * compression_time, expanded = a * expansion_time;
   if (!(compressed > 0.0)) return restitution;
   const double back = std::max(0.0, restitution * (approach + compressed) - expanded);
   const double again = std::sqrt(back * (back + 2.0 * expanded));

@@ -29,7 +29,7 @@ struct ContactSet {
   double floor = 0.0;         // with a side: least friction impulse to it, N s, >= 0
   // +1, -1: known direction of sliding (y_T is an acceleration); 0: y_T decides.
   double slides = 0.0;
-  bool pressed = false;  // L_N = n for any y_N: a compliant contact
+  bool normal_known = false;  // L_N = n for any y_N: a compliant contact
 
   double low(double normal) const {
     if (slides != 0.0) return -slides * friction * normal;
@@ -87,10 +87,10 @@ inline ImpulseWork impulse_work(double normal, double friction, const Eigen::Vec
 
 // The decision between flight and lasting contact after an impact, the same for every engine.
 //
-// Loads and the circle's curvature press the contact with a = -gddot_N, so the flight after a
-// rebound at speed v lasts 2 v / a. A flight that ends too soon does not count: the impact then has
-// restitution 0, and contact lasts. Accumulations of impacts end in this way. A flight ends too
-// soon
+// Loads and the circle's curvature close the gap with the acceleration a = -gddot_N, so the flight
+// after a rebound at speed v lasts 2 v / a. A flight that ends too soon does not count: the impact
+// then has restitution 0, and contact lasts. Accumulations of impacts end in this way. A flight
+// ends too soon
 // - for an impact that takes time: if it ends before the impact itself does;
 // - for an impact that is located within a fixed step: if it ends within one step;
 // - for an impact that is not located: if it ends within two steps. The speed at the end of the
@@ -99,38 +99,36 @@ inline ImpulseWork impulse_work(double normal, double friction, const Eigen::Vec
 //   at most the speed a h, except if its flight is long (kMostSteps) or if eps_N = 1, because there
 //   is no accumulation without loss.
 
-// m/s^2, a, from the relative velocity (ddot, contact spin) and its acceleration by the loads, for
-// the outward normal e_r of a circle of radius delta (m). The turning of the normal contributes
-// (e_t . ddot)^2 / delta.
-inline double pressing(const Eigen::Vector2d& e_r, const Eigen::Vector3d& velocity,
-                       const Eigen::Vector3d& acceleration, double delta) {
+// m/s^2, the closing acceleration a, from the relative velocity (ddot, contact spin) and its
+// acceleration by the loads, for the outward normal e_r of a circle of radius delta (m). The
+// turning of the normal contributes (e_t . ddot)^2 / delta.
+inline double closing_acceleration(const Eigen::Vector2d& e_r, const Eigen::Vector3d& velocity,
+                                   const Eigen::Vector3d& acceleration, double delta) {
   const double whirl = e_r.x() * velocity.y() - e_r.y() * velocity.x();
   return e_r.dot(acceleration.head<2>()) + whirl * whirl / delta;
 }
 
-// True if a flight that begins with the gap rate `speed` (m/s) under the acceleration `pressed`
-// (m/s^2, a) lasts longer than `time` (s).
-inline bool flight_outlives(double time, double speed, double pressed) {
-  return 2.0 * speed > pressed * time;
-}
+// True if a flight that begins with the gap rate `speed` (m/s) under the closing acceleration a
+// (m/s^2) lasts longer than `time` (s).
+inline bool flight_outlives(double time, double speed, double a) { return 2.0 * speed > a * time; }
 
 // The same decision for an impact that is not located within its step h (s). approach: m/s.
-inline bool rebound_outlives_steps(double h, double restitution, double approach, double pressed) {
+inline bool rebound_outlives_steps(double h, double restitution, double approach, double a) {
   constexpr double kLeastSteps = 2.0, kMostSteps = 40.0;
   const double rebound = restitution * approach;
-  if (!flight_outlives(kLeastSteps * h, rebound, pressed)) return false;
-  const bool feeds_itself = restitution < 1.0 && (1.0 - restitution) * approach <= pressed * h;
-  return !feeds_itself || flight_outlives(kMostSteps * h, rebound, pressed);
+  if (!flight_outlives(kLeastSteps * h, rebound, a)) return false;
+  const bool feeds_itself = restitution < 1.0 && (1.0 - restitution) * approach <= a * h;
+  return !feeds_itself || flight_outlives(kMostSteps * h, rebound, a);
 }
 
-// eps_N of an impact that takes time, with the approach speed `approach` (m/s) and loads that press
-// with a = `load` (m/s^2). Poisson's law also returns a share of the compression by the loads: the
-// rebound is v' = eps_N (v + a tau_C) - a tau_E, and the next approach v'' = sqrt(v'^2 + 2 a tau_E
-// v'). Above some eps_N this has a fixed point, and the impacts never end. Therefore, if the loads
-// restore more than half of the speed that restitution takes, v'' > (1 + eps_N) v / 2, only the
-// share of the approach is returned: eps_N v / (v + a tau_C). The impacts then decay with eps_N,
-// and contact comes to rest.
-double restitution_beside_loads(double restitution, double approach, double load,
-                                double compression_time, double expansion_time);
+// eps_N of an impact that takes time, with the approach speed `approach` (m/s) and the closing
+// acceleration a of the loads (m/s^2). Poisson's law also returns a share of the compression by the
+// loads: the rebound is v' = eps_N (v + a tau_C) - a tau_E, and the next approach v'' = sqrt(v'^2 +
+// 2 a tau_E v'). Above some eps_N this has a fixed point, and the impacts never end. Therefore, if
+// the loads restore more than half of the speed that restitution takes, v'' > (1 + eps_N) v / 2,
+// only the share of the approach is returned: eps_N v / (v + a tau_C). The impacts then decay with
+// eps_N, and contact comes to rest.
+double restitution_under_loads(double restitution, double approach, double a,
+                               double compression_time, double expansion_time);
 
 }  // namespace rotorub

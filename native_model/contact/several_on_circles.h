@@ -1,11 +1,11 @@
 // Several lasting contacts over one fixed step, solved together by Newton's method
-// (step_contact.h): first with each contact in its state of the step before, then as a coupled
+// (lasting_contacts.h): first with each contact in its state of the step before, then as a coupled
 // problem. Internal to this folder.
 #pragma once
 
 #include <span>
 
-#include "native_model/contact/step_contact.h"
+#include "native_model/contact/lasting_contacts.h"
 
 namespace rotorub {
 

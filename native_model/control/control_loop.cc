@@ -56,11 +56,11 @@ double rounded(double x, double resolution) {
   return resolution > 0.0 ? resolution * std::round(x / resolution) : x;
 }
 
-struct SeenGap {
+struct MeasuredGap {
   double gap = 0.0, rate = 0.0;  // m, m/s
 };
 // The gap and its rate as the sensors show them. The rate is 0 if the rotor is centred.
-SeenGap seen_gap(const Measurement& now, double clearance) {
+MeasuredGap measured_gap(const Measurement& now, double clearance) {
   const Eigen::Vector2d d = now.rotor - now.stator;
   const double delta = d.norm();
   if (delta <= kNoNormal) return {clearance - delta, 0.0};
@@ -177,13 +177,13 @@ Measurement Sensors::delayed(const Measurement& shown, double* buffer, bool firs
 bool touched(const Measurement& now, double clearance, double* state) {
   // The time (s) at which the last shown gap would close (0: never), and the gap's rate.
   enum : std::size_t { kDue, kRate };
-  const SeenGap seen = seen_gap(now, clearance);
-  const bool due = state[kDue] > 0.0 && now.t >= state[kDue] && seen.rate > state[kRate];
-  state[kDue] = seen.rate < 0.0 ? now.t - seen.gap / seen.rate : 0.0;
-  state[kRate] = seen.rate;
+  const MeasuredGap measured = measured_gap(now, clearance);
+  const bool due = state[kDue] > 0.0 && now.t >= state[kDue] && measured.rate > state[kRate];
+  state[kDue] = measured.rate < 0.0 ? now.t - measured.gap / measured.rate : 0.0;
+  state[kRate] = measured.rate;
   // While contact lasts the gap is 0 up to the round-off of the engine, with either sign.
   constexpr double kClosed = 1e-5;  // share of the clearance
-  return seen.gap <= kClosed * clearance || due;
+  return measured.gap <= kClosed * clearance || due;
 }
 
 ControlLoop::ControlLoop(std::shared_ptr<const Controller> law, const scene::Sensors& sensors,
@@ -202,7 +202,7 @@ Eigen::Vector2d ControlLoop::sample(const Measurement& truth, double* memory) co
   const Measurement now = sensors_.measure(truth, memory + kSingle);
   double* state = memory + kSingle + sensors_.memory_size();
   if (memory[kRuns] == 0.0) {
-    const SeenGap gap = seen_gap(now, clearance_);
+    const MeasuredGap gap = measured_gap(now, clearance_);
     const SwitchOn on{now.t, gap.gap, gap.rate};
     const bool touch = trigger_ && trigger_->touch && touched(now, clearance_, memory + kTouch);
     if (!touch && !lets_in(on)) return {0.0, 0.0};

@@ -14,7 +14,7 @@ std::shared_ptr<const Controller> tracking(const scene::Scene& scene, std::size_
                                            const Plant& plant) {
   const scene::Controller& settings = *scene.auxiliary[bearing].controller;
   auto law = std::make_shared<Law>(settings, plant, scene.rotor.speed);
-  refuse_lateness(scene, bearing, plant, *law);
+  refuse_delay(scene, bearing, plant, *law);
   return law;
 }
 

@@ -88,8 +88,8 @@ Eigen::Vector2d TrackingPd::command(const Measurement& now, const SwitchOn& on, 
       lead_);
 }
 
-void refuse_lateness(const scene::Scene& scene, std::size_t bearing, const Plant& plant,
-                     const Controller& law) {
+void refuse_delay(const scene::Scene& scene, std::size_t bearing, const Plant& plant,
+                  const Controller& law) {
   using scene::number_text;
   const scene::Controller& c = *scene.auxiliary[bearing].controller;
   if (c.sample_time <= 0.0) return;

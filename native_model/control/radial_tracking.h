@@ -84,7 +84,7 @@ class TrackingPd final : public Controller {
 // Throws scene::SceneError at the controller.sample_time of an auxiliary bearing if the command of
 // a sampled law is so late that the contact would chatter; the message gives the largest accepted
 // sample time.
-void refuse_lateness(const scene::Scene& scene, std::size_t bearing, const Plant& plant,
-                     const Controller& law);
+void refuse_delay(const scene::Scene& scene, std::size_t bearing, const Plant& plant,
+                  const Controller& law);
 
 }  // namespace rotorub

@@ -110,8 +110,8 @@ enum State : std::size_t {
   kTime,
   kLeftX,
   kLeftY,
-  kTouchSeen,
-  kTrack = kTouchSeen + kTouchState
+  kTouchMemory,
+  kTrack = kTouchMemory + kTouchState
 };
 
 }  // namespace
@@ -127,7 +127,7 @@ std::size_t TwoPhase::state_size() const { return kTrack + track_.state_size(); 
 void TwoPhase::start(double* state) const { track_.start(state + kTrack); }
 
 Eigen::Vector2d TwoPhase::command(const Measurement& now, const SwitchOn& on, double* state) const {
-  const bool touches = touched(now, clearance_, state + kTouchSeen);
+  const bool touches = touched(now, clearance_, state + kTouchMemory);
   if (state[kHandedOver] == 0.0) {
     const Eigen::Vector2d tracking = track_.command(now, on, state + kTrack);
     if (!touches) return tracking;

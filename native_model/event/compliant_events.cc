@@ -19,16 +19,16 @@ void EventIntegrator::begin_in_walls() {
     const ContactPoint p = contact_point(*model_, motion_.q(), motion_.v(), k);
     const ContactParameters& contact = *model_->auxiliary[k].contact;
     if (CompliantLaw::begins_closed(p.gap, p.gap_rate, contact.clearance)) {
-      press(k, contact.compliance.a_of_start());
+      begin_touch(k, contact.compliance.a_of_start());
     } else if (p.gap <= CompliantLaw::kOnCircle * contact.clearance && p.gap_rate < 0.0) {
-      press(k, contact.compliance.a_of_touch(-p.gap_rate));
+      begin_touch(k, contact.compliance.a_of_touch(-p.gap_rate));
     }
   }
 }
 
-// The contact presses from here on, with this a, s/m. Its friction is decided together with all
+// The contact has a force from here on, with this a, s/m. Its friction is decided together with all
 // other contacts.
-void EventIntegrator::press(std::size_t k, double hunt_crossley) {
+void EventIntegrator::begin_touch(std::size_t k, double hunt_crossley) {
   first_touch(k);
   const ClosedContact touch{k, contact_point(*model_, motion_.q(), motion_.v(), k)};
   // A contact that touches without speed may part again at once.
@@ -39,11 +39,11 @@ void EventIntegrator::press(std::size_t k, double hunt_crossley) {
   state.hunt_crossley = hunt_crossley;
   state.in_wall = true;
   phase_.set(k, state);
-  observer_.press(motion_, touch);
+  observer_.begin_touch(motion_, touch);
   decide_one(k, Constraint::Velocity::kKept);
 }
 
-// m/s^2, gddot_N of a contact that does not press, under the loads and the forces of the other
+// m/s^2, gddot_N of a contact without a force, under the loads and the forces of the other
 // contacts.
 double EventIntegrator::parting_acceleration(std::size_t k) {
   step_.evaluate(motion_);
@@ -71,18 +71,18 @@ void EventIntegrator::release(const ClosedContact& at) {
   change_to(at.index, free);
 }
 
-// An impact at another contact may throw the shaft off a wall faster than the wall's damper allows
-// the contact to press.
-bool EventIntegrator::no_longer_presses(std::size_t k) {
+// An impact at another contact may throw the shaft off a wall so fast that the wall's damper leaves
+// no force. The touch then ends. True if this was the case.
+bool EventIntegrator::release_if_unloaded(std::size_t k) {
   if (!model_->auxiliary[k].gives()) return false;
   const ClosedContact at{k, contact_point(*model_, motion_.q(), motion_.v(), k)};
   const double none = kOpen * margin_scales(k).force;
-  if (at.point.gap_rate <= 0.0 || *phase_.pressing(at) >= -none) return false;
+  if (at.point.gap_rate <= 0.0 || *phase_.compliant_force(at) >= -none) return false;
   release(at);
   return true;
 }
 
-void EventIntegrator::press_margin_reached(std::size_t k) {
+void EventIntegrator::compliant_margin_reached(std::size_t k) {
   step_.evaluate(motion_);
   const ContactState was = phase_.state(k);
   const Margins margins = phase_.margins(k);
@@ -95,7 +95,7 @@ void EventIntegrator::press_margin_reached(std::size_t k) {
   const PhaseEnd end = opens ? PhaseEnd::kOpens : end_of_phase(was.mode, margins, scales);
   if (was.in_wall) {
     if (end == PhaseEnd::kOpens) return change_to(k, in_flight(Departure::kRebound));
-    observer_.press(motion_, at);
+    observer_.begin_touch(motion_, at);
     return decide_one(k, Constraint::Velocity::kKept);
   }
   switch (end) {

@@ -24,14 +24,15 @@ void EventIntegrator::project(const Closed& closed) {
   constraint_.project(motion_.t, motion_.q(), motion_.v(), closed);
 }
 
-// Rigid contacts that are in contact, held or touching; nothing is known about their velocities.
+// Rigid contacts that are in contact, redundant or on their circles; nothing is known about their
+// velocities.
 EventIntegrator::Closed EventIntegrator::on_circles() const {
   Closed closed;
   for (std::size_t k = 0; k < phase_.contacts(); ++k) {
     const auto& contact = model_->auxiliary[k].contact;
     if (!contact || contact->gives()) continue;
     const double gap = contact_point(*model_, motion_.q(), motion_.v(), k).gap;
-    if (phase_.in_contact(k) || phase_.state(k).held || gap <= kOnCircle * contact->clearance)
+    if (phase_.in_contact(k) || phase_.state(k).redundant || gap <= kOnCircle * contact->clearance)
       closed.push_back({k, Velocity::kKept});
   }
   return closed;
@@ -39,9 +40,9 @@ EventIntegrator::Closed EventIntegrator::on_circles() const {
 
 // Decides about contacts on their circles, as at a start. A contact that moves outward has an
 // impact; a contact at rest is a lasting contact.
-void EventIntegrator::begin_on_circles(const Closed& touching) {
+void EventIntegrator::begin_on_circles(const Closed& closed) {
   Closed resting;
-  for (const ClosedContact& c : closed_points(*model_, motion_.q(), motion_.v(), touching)) {
+  for (const ClosedContact& c : closed_points(*model_, motion_.q(), motion_.v(), closed)) {
     if (c.point.gap_rate < 0.0) return impact(c.index);
     if (c.point.gap_rate <= parameters_.zeno_velocity_threshold) {
       resting.push_back({c.index, Velocity::kKept});
@@ -49,15 +50,15 @@ void EventIntegrator::begin_on_circles(const Closed& touching) {
       phase_.set(c.index, in_flight(Departure::kRebound));
     }
   }
-  if (touching.empty()) return;
-  project(touching);
+  if (closed.empty()) return;
+  project(closed);
   if (!resting.empty()) decide(resting);
 }
 
 void EventIntegrator::impact(std::size_t contact) {
   if (model_->auxiliary[contact].gives()) {
     const double speed = -contact_point(*model_, motion_.q(), motion_.v(), contact).gap_rate;
-    return press(contact, model_->auxiliary[contact].contact->compliance.a_of_touch(speed));
+    return begin_touch(contact, model_->auxiliary[contact].contact->compliance.a_of_touch(speed));
   }
   first_touch(contact);
   Closed closed = on_circles();
@@ -67,12 +68,12 @@ void EventIntegrator::impact(std::size_t contact) {
     closed.push_back({contact, Velocity::kKept});
   }
   project(closed);
-  const auto touching = closed_points(*model_, motion_.q(), motion_.v(), closed);
-  if (std::none_of(touching.begin(), touching.end(),
+  const auto points = closed_points(*model_, motion_.q(), motion_.v(), closed);
+  if (std::none_of(points.begin(), points.end(),
                    [](const ClosedContact& c) { return c.point.gap_rate < 0.0; })) {
     return begin_on_circles(closed);  // the contact grazes
   }
-  const EventImpact::Outcome outcome = impacts_.run(motion_, touching, end_);
+  const EventImpact::Outcome outcome = impacts_.run(motion_, points, end_);
   if (outcome.status != Status::kOk) {
     return fail(outcome.status, outcome.status == Status::kAmbiguous
                                     ? "the impact laws have several solutions"
@@ -94,7 +95,7 @@ void EventIntegrator::impact(std::size_t contact) {
 
 // Lasting contact ends, or its friction changes.
 void EventIntegrator::margin_reached(std::size_t contact) {
-  if (model_->auxiliary[contact].gives()) return press_margin_reached(contact);
+  if (model_->auxiliary[contact].gives()) return compliant_margin_reached(contact);
   const Mode mode = phase_.state(contact).mode;
   step_.evaluate(motion_);
   const Multipliers force = phase_.multipliers(contact);
@@ -119,7 +120,7 @@ void EventIntegrator::margin_reached(std::size_t contact) {
   switch (end) {
     case PhaseEnd::kOpens:
       for (const std::size_t k : opening) {
-        change_to(k, opening.size() < closed.size() ? held_by_others(Departure::kLiftOff)
+        change_to(k, opening.size() < closed.size() ? redundant_contact(Departure::kLiftOff)
                                                     : in_flight(Departure::kLiftOff));
       }
       return;
@@ -131,13 +132,13 @@ void EventIntegrator::margin_reached(std::size_t contact) {
 }
 
 // Decides what these contacts on their circles do from here on, together with all others that last
-// or are held.
+// or are redundant.
 void EventIntegrator::decide(const Closed& resting) {
   Closed all_closed = resting;
   for (std::size_t k = 0; k < phase_.contacts(); ++k) {
-    if (!phase_.in_contact(k) && !phase_.state(k).held) continue;
+    if (!phase_.in_contact(k) && !phase_.state(k).redundant) continue;
     const auto is_named = [k](const Constraint::Closed& c) { return c.contact == k; };
-    if (std::any_of(resting.begin(), resting.end(), is_named) || no_longer_presses(k)) continue;
+    if (std::any_of(resting.begin(), resting.end(), is_named) || release_if_unloaded(k)) continue;
     all_closed.push_back(
         {k, phase_.in_contact(k) ? velocity_of(phase_.state(k).mode) : Velocity::kKept});
   }
@@ -156,7 +157,7 @@ void EventIntegrator::decide_all(const Closed& closed_here) {
   for (const Constraint::Closed& c : closed_here) closed.push_back({c.contact, {}});
   Phase::Accelerations all = phase_.accelerations(motion_.t, motion_.y.data(), closed);
   ContactList<double> slips, friction;
-  ContactList<std::optional<double>> pressing;
+  ContactList<std::optional<double>> compliant_force;
   bool settles = false;
   for (std::size_t i = 0; i < closed.size(); ++i) {
     const auto at = static_cast<Eigen::Index>(i);
@@ -172,34 +173,34 @@ void EventIntegrator::decide_all(const Closed& closed_here) {
     const bool stops = stuck && !gives ? true : is_no_slip(k, p, stuck ? kDrift : kNoSpeed);
     slips.push_back(stops ? 0.0 : p.slip);
     friction.push_back(model_->auxiliary[k].contact->friction.at(slips[i]));
-    std::optional<double> known = phase_.pressing(closed[i]);
+    std::optional<double> known = phase_.compliant_force(closed[i]);
     // At a touch the penetration is round-off, of either sign.
     if (known) known = std::max(*known, 0.0);
-    pressing.push_back(known);
+    compliant_force.push_back(known);
   }
   const ContactDecisions decided = select_contact_modes(all.g, all.b, all.scale, slips, friction,
-                                                        parameters_.no_force, pressing);
+                                                        parameters_.no_force, compliant_force);
   if (decided.status != Status::kOk) return fail(decided.status, decided.reason);
   for (std::size_t i = 0; i < closed.size(); ++i) change_to(closed[i].index, decided.next[i]);
   if (settles) settle(closed_here);
 }
 
-// Puts contacts that press at rest on their circles; the others fly, or are held where they are.
+// Puts lasting contacts on their circles; the others fly, or become redundant where they are.
 void EventIntegrator::settle(const Closed& decided) {
-  const Closed pressed = phase_.rigid_contacts();
-  project(pressed);
+  const Closed lasting = phase_.rigid_contacts();
+  project(lasting);
   for (const ClosedContact& c : closed_points(*model_, motion_.q(), motion_.v(), decided)) {
     const AuxiliaryBearing& bearing = model_->auxiliary[c.index];
     if (phase_.in_contact(c.index) || bearing.gives()) continue;
     ContactState state = phase_.state(c.index);
-    if (c.point.gap > kHeldGap * bearing.contact->clearance) {
+    if (c.point.gap > kRedundantGap * bearing.contact->clearance) {
       state = in_flight(Departure::kInside);
     } else if (c.point.gap_rate > 0.0 && !is_no_gap_rate(c.point)) {
       state = in_flight(Departure::kRebound);
-    } else if (!pressed.empty()) {
-      state = held_by_others(Departure::kParting);
+    } else if (!lasting.empty()) {
+      state = redundant_contact(Departure::kParting);
     }
-    state.held_gap = std::min(0.0, c.point.gap);
+    state.redundant_gap = std::min(0.0, c.point.gap);
     phase_.set(c.index, state);
   }
 }

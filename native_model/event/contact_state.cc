@@ -10,8 +10,8 @@ namespace rotorub {
 namespace {
 
 constexpr ContactState kParts = in_flight(Departure::kParting);
-// Relative to the accelerations; a gap that opens no faster is held.
-constexpr double kHeld = 1e-8;
+// Relative to the accelerations; a contact whose gap opens no faster is redundant.
+constexpr double kRedundant = 1e-8;
 
 // A single sliding contact parts or slides on by the sign of its normal acceleration, however
 // small. solve_coupled() would decide otherwise near 0, because it counts what is below its
@@ -38,8 +38,8 @@ ContactDecisions sliding_alone(const Delassus& g, double normal, double slip, do
 ContactDecisions select_contact_modes(const ContactMatrix& g, const ContactVector& b,
                                       const ContactVector& scale, std::span<const double> slips,
                                       std::span<const double> friction, double no_force,
-                                      std::span<const std::optional<double>> pressing) {
-  ContactVector pressed = b;
+                                      std::span<const std::optional<double>> compliant_force) {
+  ContactVector adjusted = b;
   ContactList<ContactSet> sets;
   for (std::size_t i = 0; i < slips.size(); ++i) {
     const auto at = static_cast<Eigen::Index>(i);
@@ -47,20 +47,20 @@ ContactDecisions select_contact_modes(const ContactMatrix& g, const ContactVecto
     // counts as lasting contact with a force near 0.
     const double none = no_force * scale[at];
     ContactSet set;
-    if (!pressing.empty() && pressing[i]) {
-      set.pressed = true;
-      set.least_normal = *pressing[i];
+    if (!compliant_force.empty() && compliant_force[i]) {
+      set.normal_known = true;
+      set.least_normal = *compliant_force[i];
     } else if (std::abs(b[2 * at]) < none) {
-      pressed[2 * at] = -none;
+      adjusted[2 * at] = -none;
     }
     set.friction = friction[i];
     set.slides = slips[i] > 0.0 ? 1.0 : slips[i] < 0.0 ? -1.0 : 0.0;
     sets.push_back(set);
   }
-  if (slips.size() == 1 && slips[0] != 0.0 && !sets[0].pressed) {
-    return sliding_alone({g(0, 0), g(0, 1), g(1, 0), g(1, 1)}, pressed[0], slips[0], friction[0]);
+  if (slips.size() == 1 && slips[0] != 0.0 && !sets[0].normal_known) {
+    return sliding_alone({g(0, 0), g(0, 1), g(1, 0), g(1, 1)}, adjusted[0], slips[0], friction[0]);
   }
-  const CoupledSolution s = solve_coupled(g, pressed, sets);
+  const CoupledSolution s = solve_coupled(g, adjusted, sets);
   ContactDecisions decided;
   if (s.solutions != 1) {
     decided.status = status_of(s.solutions);
@@ -70,17 +70,18 @@ ContactDecisions select_contact_modes(const ContactMatrix& g, const ContactVecto
   }
   for (std::size_t i = 0; i < slips.size(); ++i) {
     const auto at = static_cast<Eigen::Index>(2 * i);
-    if (!(s.p[at] > 0.0) && !sets[i].pressed) {
-      const bool held = slips.size() > 1 && s.y[at] <= kHeld * scale[static_cast<Eigen::Index>(i)];
-      decided.next.push_back(held ? held_by_others(Departure::kParting) : kParts);
+    if (!(s.p[at] > 0.0) && !sets[i].normal_known) {
+      const bool redundant =
+          slips.size() > 1 && s.y[at] <= kRedundant * scale[static_cast<Eigen::Index>(i)];
+      decided.next.push_back(redundant ? redundant_contact(Departure::kParting) : kParts);
     } else if (sets[i].slides != 0.0) {
       decided.next.push_back({Mode::kSlide, sets[i].slides});
     } else if (s.sticks[i] ||
-               (sets[i].pressed && sets[i].least_normal == 0.0 && friction[i] > 0.0)) {
-      // A contact that begins to press without slip sticks until its friction decides.
+               (sets[i].normal_known && sets[i].least_normal == 0.0 && friction[i] > 0.0)) {
+      // A contact that closes without slip sticks until its friction decides.
       decided.next.push_back({Mode::kStick, 0.0});
     } else {
-      // It slides against its friction, because its slip is only round-off beside contacts that
+      // It slides against its friction, because its slip is only round-off among contacts that
       // stick.
       const double force = s.p[at + 1];
       const double sign = force != 0.0 ? -force : s.y[at + 1];

@@ -20,19 +20,19 @@ struct ContactState {
   Mode mode = Mode::kFree;
   double slip_sign = 1.0;                    // only if sliding: sign of gdot_T
   Departure departure = Departure::kInside;  // only if free: how the flight began
-  // Only if free: the contact transmits no force, but other closed contacts keep it on its circle,
-  // such as three rings about a rotor with two degrees of freedom in a plane. Its gap is then 0 up
-  // to round-off, whose sign is not a touch.
-  bool held = false;
-  double held_gap = 0.0;  // m, <= 0, gap at which it is held
+  // Only if free: a redundant contact transmits no force, but other closed contacts keep it on its
+  // circle, such as three rings about a rotor with two degrees of freedom in a plane. Its gap is
+  // then 0 up to round-off, whose sign is not a touch.
+  bool redundant = false;
+  double redundant_gap = 0.0;  // m, <= 0, gap at which it is kept
   // Only for compliant contacts: a of this touch, s/m; and, if free, true while the rotor is still
-  // in the wall, which no longer presses.
+  // in the wall, but without a force.
   double hunt_crossley = 0.0;
   bool in_wall = false;
 };
 constexpr ContactState in_flight(Departure how) { return {Mode::kFree, 1.0, how}; }
-// A contact that opens beside closed ones, which may hold it.
-constexpr ContactState held_by_others(Departure how) { return {Mode::kFree, 1.0, how, true}; }
+// A contact that opens while others are closed, which may keep it on its circle.
+constexpr ContactState redundant_contact(Departure how) { return {Mode::kFree, 1.0, how, true}; }
 
 struct ContactDecisions {
   Status status = Status::kOk;  // otherwise the laws have no solution or several (Painleve)
@@ -43,12 +43,12 @@ struct ContactDecisions {
 // Decides about contacts on their circles with gap rate 0, solved together: free, sliding or
 // sticking from here on, in the order of b. b, scale: as in Phase::Accelerations; slips: m/s,
 // exactly 0 if the contact is known not to slip, so that the set-valued friction law decides;
-// friction: mu at the slip; pressing: N, for compliant contacts only, empty if all are rigid;
-// no_force: see EventParameters.
+// friction: mu at the slip; compliant_force: N, for compliant contacts only, empty if all are
+// rigid; no_force: see EventParameters.
 ContactDecisions select_contact_modes(const ContactMatrix& g, const ContactVector& b,
                                       const ContactVector& scale, std::span<const double> slips,
                                       std::span<const double> friction, double no_force,
-                                      std::span<const std::optional<double>> pressing = {});
+                                      std::span<const std::optional<double>> compliant_force = {});
 
 // Margins of lasting contact; they are positive while it lasts.
 struct Margins {

@@ -110,9 +110,11 @@ void EventIntegrator::pass() {
   if (ahead_.event) {
     const std::size_t contact = ahead_.event->contact;
     if (ahead_.event->rejoins) {
-      decide_one(contact, Constraint::Velocity::kKept);  // it is pressed again, without an impact
+      decide_one(contact, Constraint::Velocity::kKept);  // it has a force again, without an impact
+    } else if (phase_.has_margins(contact)) {
+      margin_reached(contact);
     } else {
-      phase_.has_margins(contact) ? margin_reached(contact) : impact(contact);
+      impact(contact);
     }
     step_.restart(motion_);
     count_event();
@@ -138,16 +140,16 @@ void EventIntegrator::move_to(double now, std::optional<double> theta) {
   // The way in which a flight began matters only at its start.
   if (now > motion_.t) {
     for (std::size_t k = 0; k < phase_.contacts(); ++k) {
-      if (!phase_.has_margins(k) && !still_held(k)) phase_.set(k, {});
+      if (!phase_.has_margins(k) && !still_redundant(k)) phase_.set(k, {});
     }
   }
   motion_.t = now;
 }
 
-bool EventIntegrator::still_held(std::size_t k) const {
-  if (!phase_.state(k).held) return false;
+bool EventIntegrator::still_redundant(std::size_t k) const {
+  if (!phase_.state(k).redundant) return false;
   const double clearance = model_->auxiliary[k].contact->clearance;
-  return contact_point(*model_, motion_.q(), motion_.v(), k).gap <= kHeldGap * clearance;
+  return contact_point(*model_, motion_.q(), motion_.v(), k).gap <= kRedundantGap * clearance;
 }
 
 // The rotor or a ring has left its range.
@@ -165,8 +167,9 @@ std::optional<EventIntegrator::Found> EventIntegrator::find_event() {
     if (!model_->auxiliary[k].contact) continue;
     std::optional<double> theta;
     bool rejoins = false;
-    if (phase_.state(k).held) {
-      if (const auto end = locate_held_end(*model_, k, step_, motion_, phase_.state(k).held_gap)) {
+    if (phase_.state(k).redundant) {
+      if (const auto end =
+              locate_redundant_end(*model_, k, step_, motion_, phase_.state(k).redundant_gap)) {
         theta = end->theta;
         rejoins = !end->flew;
       }
@@ -221,8 +224,8 @@ void EventIntegrator::sample_controllers() {
       phase_.hold(k, control_command(*model_, motion_.t, q, v, k));
       continue;
     }
-    const Eigen::Vector2d held = phase_.command(k, motion_.t, motion_.y.data());
-    phase_.hold(k, sampled_[k].take(motion_.t, q, v, held));
+    const Eigen::Vector2d last = phase_.command(k, motion_.t, motion_.y.data());
+    phase_.hold(k, sampled_[k].take(motion_.t, q, v, last));
     phase_.show(k, sampled_[k].outputs());
     if (!sampled_[k].failure().empty()) controller_failed(sampled_[k].failure());
   }

@@ -76,7 +76,7 @@ class EventIntegrator {
   void sample_controllers();
   void controller_failed(const std::string& why);
   void move_to(double now, std::optional<double> theta);
-  bool still_held(std::size_t contact) const;
+  bool still_redundant(std::size_t contact) const;
   void lose();
 
   // Contact. The entries of a list state what is known about the velocities. kKept: nothing is
@@ -85,7 +85,7 @@ class EventIntegrator {
   struct Found {
     double theta;  // fraction of the step
     std::size_t contact;
-    bool rejoins = false;  // it was held on its circle and is pressed again
+    bool rejoins = false;  // it was redundant and has a force again
   };
   struct Ahead {
     bool known = false;
@@ -98,15 +98,15 @@ class EventIntegrator {
   };
   std::optional<Found> find_event();
   Closed on_circles() const;
-  void begin_on_circles(const Closed& touching);
+  void begin_on_circles(const Closed& closed);
   void impact(std::size_t contact);
   void margin_reached(std::size_t contact);
   // Compliant contacts.
-  void press(std::size_t contact, double hunt_crossley);
+  void begin_touch(std::size_t contact, double hunt_crossley);
   double parting_acceleration(std::size_t contact);
-  void press_margin_reached(std::size_t contact);
+  void compliant_margin_reached(std::size_t contact);
   void release(const ClosedContact& at);
-  bool no_longer_presses(std::size_t contact);
+  bool release_if_unloaded(std::size_t contact);
   void decide(const Closed& resting);
   void decide_one(std::size_t contact, Constraint::Velocity velocity);
   void decide_all(const Closed& closed_here);

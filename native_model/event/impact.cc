@@ -36,9 +36,8 @@ bool EventImpact::takes_time(const Motion& motion, const ClosedContact& touch) c
   const double approach = -touch.point.gap_rate;
   if (c.impact_time() == 0.0 || approach < parameters_->zeno_velocity_threshold) return false;
   ClosedContact only = touch;
-  const double pressed =
-      -phase_->accelerations(motion.t, motion.y.data(), std::span(&only, 1)).b[0];
-  return !(pressed > 0.0) || flight_outlives(c.impact_time(), c.restitution * approach, pressed);
+  const double a = -phase_->accelerations(motion.t, motion.y.data(), std::span(&only, 1)).b[0];
+  return !(a > 0.0) || flight_outlives(c.impact_time(), c.restitution * approach, a);
 }
 
 EventImpact::Outcome EventImpact::at_once(Motion& motion, std::span<const ClosedContact> closed) {

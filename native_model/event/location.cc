@@ -82,20 +82,21 @@ std::optional<double> locate_contact(const Model& m, std::size_t contact, Smooth
   return first_contact(outside(path_of(m, contact, step), d0, clearance), departure);
 }
 
-std::optional<HeldEnd> locate_held_end(const Model& m, std::size_t contact, SmoothStep& step,
-                                       const Motion& start, double held_gap) {
+std::optional<RedundantEnd> locate_redundant_end(const Model& m, std::size_t contact,
+                                                 SmoothStep& step, const Motion& start,
+                                                 double redundant_gap) {
   const double clearance = m.auxiliary[contact].contact->clearance;
   const Eigen::Vector2d d = separation(m, start.q(), contact);
   const Polynomial f = outside(path_of(m, contact, step), d, clearance);
-  const double round_off = 2.0 * kHeldGap * clearance * clearance;
+  const double round_off = 2.0 * kRedundantGap * clearance * clearance;
   Polynomial closed = f, open = f;
-  closed.a[0] -= round_off - held_gap * (2.0 * clearance - held_gap);
+  closed.a[0] -= round_off - redundant_gap * (2.0 * clearance - redundant_gap);
   for (double& a : open.a) a = -a;
   open.a[0] -= round_off;
   const auto closes = first_crossing(closed, RootStart::kBelowZero);
   if (!closes) return {};
   const auto opens = first_crossing(open, RootStart::kBelowZero);
-  return HeldEnd{*closes, opens && *opens < *closes};
+  return RedundantEnd{*closes, opens && *opens < *closes};
 }
 
 std::optional<double> locate_margin(std::size_t contact, SmoothStep& step, Mode mode,

@@ -12,16 +12,17 @@ namespace rotorub {
 std::optional<double> locate_contact(const Model& model, std::size_t contact, SmoothStep& step,
                                      const Motion& start, Departure departure);
 
-// For a contact that others hold on its circle (ContactState::held): the instant at which its gap
-// has closed from `held_gap` (m) by more than round-off. flew: the gap had opened by more than
-// round-off before, so the contact comes from a flight.
-inline constexpr double kHeldGap = 1e-11;  // of the clearance, of either sign
-struct HeldEnd {
+// For a redundant contact (ContactState::redundant): the instant at which its gap has closed from
+// `redundant_gap` (m) by more than round-off. flew: the gap had opened by more than round-off
+// before, so the contact comes from a flight.
+inline constexpr double kRedundantGap = 1e-11;  // of the clearance, of either sign
+struct RedundantEnd {
   double theta;
   bool flew;
 };
-std::optional<HeldEnd> locate_held_end(const Model& model, std::size_t contact, SmoothStep& step,
-                                       const Motion& start, double held_gap);
+std::optional<RedundantEnd> locate_redundant_end(const Model& model, std::size_t contact,
+                                                 SmoothStep& step, const Motion& start,
+                                                 double redundant_gap);
 
 // For a lasting contact: the instant at which the first of its margins is crossed.
 std::optional<double> locate_margin(std::size_t contact, SmoothStep& step, Mode mode,

@@ -76,7 +76,7 @@ double Observer::contact_work(const Motion& motion) const {
   return sum;
 }
 
-double Observer::held_speed(std::size_t k) const {
+double Observer::prescribed_speed(std::size_t k) const {
   return model_->layout.spin ? 0.0 : model_->auxiliary[k].contact->radius * model_->speed;
 }
 
@@ -113,25 +113,25 @@ void Observer::bins_until(double now, bool flies, F&& impulses_at) {
 
 void Observer::watch(const Motion& from, SmoothStep& step, Constraint& constraint, double now) {
   const auto theta = [&](double t) { return (t - from.t) / step.length(); };
-  ContactList<int> pressing;  // indices of their impulses in y
+  ContactList<int> closed;  // indices of their impulses in y
   for (std::size_t k = 0; k < phase_->contacts(); ++k) {
     const ContactStatistics& own = of_contacts_[k];
     if (phase_->in_contact(k) || own.contact_time > 0.0 || own.impulse_total > 0.0) {
       follow(k, from, step, std::min(1.0, theta(now)));
     }
     if (!phase_->in_contact(k)) continue;
-    pressing.push_back(from.index(kNormalImpulse, k));
+    closed.push_back(from.index(kNormalImpulse, k));
     of_contacts_[k].contact_time += now - from.t;
-    if (model_->auxiliary[k].gives()) watch_press(k, step, std::min(1.0, theta(now)));
+    if (model_->auxiliary[k].gives()) watch_touch(k, step, std::min(1.0, theta(now)));
   }
   for (double t = recorder_->next_time(); t < now; t = recorder_->next_time())
     recorder_->row(within(from, step, constraint, t));
   follow_mark(from, step, constraint, now);
-  bins_until(now, pressing.empty(), [&](std::span<const double> times, double* impulses) {
+  bins_until(now, closed.empty(), [&](std::span<const double> times, double* impulses) {
     std::fill_n(impulses, times.size(), normal_impulse(from));
-    for (const int i : pressing) step.add_increments(i, times, impulses);
+    for (const int i : closed) step.add_increments(i, times, impulses);
   });
-  if (!pressing.empty()) contact_time_ += now - from.t;
+  if (!closed.empty()) contact_time_ += now - from.t;
 }
 
 // Follows the centre at the start and the middle of a step, because half a step is less than half a
@@ -171,7 +171,7 @@ void Observer::follow_mark(const Motion& from, SmoothStep& step, Constraint& con
   });
 }
 
-void Observer::watch_press(std::size_t k, SmoothStep& step, double last) {
+void Observer::watch_touch(std::size_t k, SmoothStep& step, double last) {
   Statistics& s = recorder_->statistics();
   double& peak = of_contacts_[k].peak_force;
   peak = locate_largest_force(k, step, last, peak);
@@ -189,7 +189,7 @@ void Observer::watch_press(std::size_t k, SmoothStep& step, double last) {
   of_contacts_[k].meet_gap(gap);
 }
 
-void Observer::press(const Motion& motion, const ClosedContact& at) {
+void Observer::begin_touch(const Motion& motion, const ClosedContact& at) {
   const std::size_t k = at.index;
   Touch& touch = touches_[k];
   touch = {true,
@@ -213,7 +213,7 @@ void Observer::release(const Motion& motion, const ClosedContact& at) {
   impact.normal_impulse = motion.integral(kNormalImpulse, k) - touch.normal;
   impact.friction_impulse = motion.integral(kFrictionImpulse, k) - touch.friction;
   impact.energy_change =
-      motion.integral(kContactWork, k) - touch.work + held_speed(k) * impact.friction_impulse;
+      motion.integral(kContactWork, k) - touch.work + prescribed_speed(k) * impact.friction_impulse;
   recorder_->add(impact);
   const double lasted = motion.t - impact.t;
   if (std::ranges::all_of(model_->auxiliary, &AuxiliaryBearing::gives)) {
@@ -288,7 +288,7 @@ void Observer::account(Impact& record, double normal, double friction,
 void Observer::record_impact(const Impact& impact) {
   // A machine that holds a prescribed speed exchanges work that is not work on the coordinates.
   const auto contact = static_cast<std::size_t>(impact.contact);
-  impact_work_ += impact.energy_change - impact.friction_impulse * held_speed(contact);
+  impact_work_ += impact.energy_change - impact.friction_impulse * prescribed_speed(contact);
   const double rubbed = impulse_work(0.0, impact.friction_impulse, {0.0, impact.slip_before},
                                      {0.0, impact.slip_after})
                             .friction;

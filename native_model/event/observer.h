@@ -29,9 +29,8 @@ class Observer {
   Snapshot snapshot(double t, const double* y);
   // N s, normal impulse of a contact up to one of these, including its impacts.
   double normal_impulse(const Snapshot& at, std::size_t contact) const;
-  // A compliant contact begins to press, and stops pressing; the record of an impact covers all
-  // between.
-  void press(const Motion& motion, const ClosedContact& at);
+  // The force of a compliant contact begins, and ends; the record of an impact covers all between.
+  void begin_touch(const Motion& motion, const ClosedContact& at);
   void release(const Motion& motion, const ClosedContact& at);
   void meet_energy(const Motion& motion);
 
@@ -48,12 +47,12 @@ class Observer {
 
  private:
   ContactSnapshot snapshot_of(std::size_t contact, double t, const double* y) const;
-  double normal_impulse(const Motion& motion) const;  // N s, lasting contact, all contacts
-  double contact_work(const Motion& motion) const;    // J, on the coordinates, the same
-  double held_speed(std::size_t contact) const;       // m/s, of a surface with prescribed speed
+  double normal_impulse(const Motion& motion) const;   // N s, lasting contact, all contacts
+  double contact_work(const Motion& motion) const;     // J, on the coordinates, the same
+  double prescribed_speed(std::size_t contact) const;  // m/s, of a surface with prescribed speed
   void follow(std::size_t contact, const Motion& from, SmoothStep& step, double last);
   void follow_mark(const Motion& from, SmoothStep& step, Constraint& constraint, double now);
-  void watch_press(std::size_t contact, SmoothStep& step, double last);
+  void watch_touch(std::size_t contact, SmoothStep& step, double last);
   template <class F>
   void bins_until(double now, bool flies, F&& impulses_at);
 
@@ -65,7 +64,7 @@ class Observer {
   // For each contact, what the integrals do not contain: impacts, time in contact, s, full passes,
   // peak force.
   std::vector<ContactStatistics> of_contacts_;
-  // For each compliant contact that presses.
+  // For each compliant contact that has a force.
   struct Touch {
     bool open = false;
     Impact impact{};

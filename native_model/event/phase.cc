@@ -36,7 +36,8 @@ ContactList<Constraint::Closed> Phase::rigid_contacts() const {
 
 Eigen::Vector2d Phase::command(std::size_t k, double t, const double* y) const {
   const AuxiliaryBearing& bearing = model_->auxiliary[k];
-  if (!bearing.controller || bearing.sample_time > 0.0) return at_[k].held;  // also of a record
+  // The command of a record is held too.
+  if (!bearing.controller || bearing.sample_time > 0.0) return at_[k].held_command;
   return control_command(*model_, t, y, y + model_->nq(), k);
 }
 
@@ -94,7 +95,7 @@ Phase::Accelerations Phase::accelerations(double t, const double* y,
   return all;
 }
 
-std::optional<double> Phase::pressing(const ClosedContact& at) const {
+std::optional<double> Phase::compliant_force(const ClosedContact& at) const {
   const ContactParameters& c = *model_->auxiliary[at.index].contact;
   if (!c.gives()) return {};
   return c.compliance.force(-at.point.gap, -at.point.gap_rate, state(at.index).hunt_crossley);
@@ -137,7 +138,7 @@ PlanarImpulse Phase::force_of_one(const ClosedContact& c) const {
       delassus(inverse_mass_.admittance(at.admittance, inverse_mass_.coupling_at(c.index)),
                c.point.e_r, radius);
   const Eigen::Vector2d b = unloaded(c);
-  const std::optional<double> known = pressing(c);
+  const std::optional<double> known = compliant_force(c);
   if (at.state.mode != Mode::kStick) {
     const double friction = mu_sign(c), normal = known ? *known : slide(g, b[0], friction);
     return {normal, -friction * normal};
@@ -155,7 +156,7 @@ void Phase::forces_of_several(double t, const double* q, PlanarImpulse* forces) 
     const ClosedContact& c = closed_[i];
     const auto row = static_cast<Eigen::Index>(2 * i);
     b.segment<2>(row) = unloaded(c);
-    const std::optional<double> known = pressing(c);
+    const std::optional<double> known = compliant_force(c);
     if (known) {
       system.given[row] = *known;
     } else {
@@ -178,7 +179,7 @@ void Phase::forces_of_several(double t, const double* q, PlanarImpulse* forces) 
 
 // Finds the forces of the closed contacts and their margins, and adds what the forces do to the
 // accelerations a.
-void Phase::press(double t, const double* q, double* a) {
+void Phase::add_contact_forces(double t, const double* q, double* a) {
   std::array<PlanarImpulse, kMaxContacts> forces;  // not initialised: this is the hot loop
   if (closed_.size() == 1) {
     forces[0] = force_of_one(closed_[0]);
@@ -210,12 +211,12 @@ void Phase::find_closed(const double* q, const double* v) {
 void Phase::integrate(const ClosedContact& c, double* integrals) const {
   const Model& m = *model_;
   const auto [normal, friction] = at_[c.index].multipliers;
-  const double held = m.layout.spin ? 0.0 : m.auxiliary[c.index].contact->radius * m.speed;
+  const double prescribed = m.layout.spin ? 0.0 : m.auxiliary[c.index].contact->radius * m.speed;
   integrals[integral_index(kNormalImpulse, c.index)] = normal;
   integrals[integral_index(kFrictionImpulse, c.index)] = friction;
   integrals[integral_index(kFrictionWork, c.index)] = friction * c.point.slip;
   double& work = integrals[integral_index(kContactWork, c.index)];
-  work = friction * (c.point.slip - held);
+  work = friction * (c.point.slip - prescribed);
   if (m.auxiliary[c.index].gives()) work += normal * c.point.gap_rate;
 }
 
@@ -235,7 +236,7 @@ void Phase::derivative(double t, const double* y, double* dy) {
   integrals[kExternalWork] = power + extra_power(m, angles_, q, v);
 
   find_closed(q, v);
-  press(t, q, a);
+  add_contact_forces(t, q, a);
   for (const ClosedContact& c : closed_) integrate(c, integrals);
   if ((!in_contact(0) || m.first().gives()) && m.first().contact && touched_) {
     const eq::Pair d = eq::separation(m, q), rate = eq::relative(m, v);

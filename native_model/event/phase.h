@@ -102,11 +102,13 @@ class Phase {
   // The rigid contacts in lasting contact, which are held on their circles.
   ContactList<Constraint::Closed> rigid_contacts() const;
   // N, lambda_N of a compliant contact; empty for a rigid one.
-  std::optional<double> pressing(const ClosedContact& at) const;
+  std::optional<double> compliant_force(const ClosedContact& at) const;
   std::size_t contacts() const { return at_.size(); }
 
   // The command of a sampled controller or of a record is held; other commands follow the state.
-  void hold(std::size_t contact, const Eigen::Vector2d& command) { at_[contact].held = command; }
+  void hold(std::size_t contact, const Eigen::Vector2d& command) {
+    at_[contact].held_command = command;
+  }
   Eigen::Vector2d command(std::size_t contact, double t, const double* y) const;
   // The outputs of a sampled law at its last sample (ActuatorState::outputs).
   using Outputs = std::array<double, kMostOutputs>;
@@ -143,7 +145,7 @@ class Phase {
     Multipliers multipliers{};
     Margins margins{kInfinity, kInfinity};
     double first_touch = kInfinity;
-    Eigen::Vector2d held{0.0, 0.0};
+    Eigen::Vector2d held_command{0.0, 0.0};
     Outputs outputs{};
   };
   void accelerate(double t, const double* y);
@@ -153,7 +155,7 @@ class Phase {
   void find_closed(const double* q, const double* v);
   PlanarImpulse force_of_one(const ClosedContact& at) const;
   void forces_of_several(double t, const double* q, PlanarImpulse* forces) const;
-  void press(double t, const double* q, double* a);
+  void add_contact_forces(double t, const double* q, double* a);
   void integrate(const ClosedContact& at, double* integrals) const;
   void set_margins(const ClosedContact& at, double normal, double friction);
   void set_margins_in_wall(std::size_t contact, const double* q, const double* v);

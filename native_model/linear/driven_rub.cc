@@ -122,7 +122,8 @@ void add_friction(Perturbation& p, const Places& at, const RubSystem& s, const D
 int free_angles(const DriveTrain& train, const RubSystem& s, const SteadyRub& rub) {
   const int ring = s.ring_turns() ? 1 : 0;
   if (rub.kind == RubKind::kRolling)
-    return (train.motor ? 1 : 0) + ring;  // direction and spin together; theta restores a held spin
+    // Direction and spin together; theta restores a prescribed spin.
+    return (train.motor ? 1 : 0) + ring;
   if (rub.kind == RubKind::kWhip) return (train.motor ? 2 : 1) + ring;
   // If all loads turn with the spin, everything may be turned together; if none does, the spin
   // alone may be. With both kinds of load no angle is free.

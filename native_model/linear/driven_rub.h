@@ -36,7 +36,7 @@ namespace rotorub::rub {
 
 // The rotating parts: motor, spin and torsion.
 struct DriveTrain {
-  std::optional<Drive> motor;  // empty: the spin is held and only torsion is free
+  std::optional<Drive> motor;  // empty: the spin is prescribed and only torsion is free
   double inertia = 0.0;        // kg m^2, J > 0 of the rigid spin; unused without a motor
   // kg m^2, N m s, N m; k modes.
   Eigen::VectorXd torsion_inertia, torsion_damping, torsion_stiffness;

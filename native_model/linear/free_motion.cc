@@ -40,7 +40,7 @@ Bending bending(const Model& m) {
   for (const StationFeedback& f : m.feedbacks) {
     if (f.states.stored == kAbsent || !f.works.at(0.0)) continue;
     put_planes(b.station, at, f.shape);
-    put_planes(b.sensor, at, f.seen());
+    put_planes(b.sensor, at, f.sensor_shape());
     for (int plane = 0; plane < 2; ++plane) {
       b.stored.push_back(f.states.stored - l.integral() + plane);
       b.owner.push_back(&f);
@@ -154,8 +154,8 @@ void add_lags(const Model& m, double nu, Eigen::MatrixXcd& z) {
     const Phasor has(lags ? 0.0 : f.law.proportional,
                      lags || filters ? 0.0 : nu * f.law.derivative);
     const Phasor missing = f.law.force_per_current * (lag_of(f, nu) * gain_of(f, nu) - has);
-    z.topLeftCorner(n, n) += missing * f.shape.x * f.seen().x.transpose();
-    z.block(n, n, n, n) += missing * f.shape.y * f.seen().y.transpose();
+    z.topLeftCorner(n, n) += missing * f.shape.x * f.sensor_shape().x.transpose();
+    z.block(n, n, n, n) += missing * f.shape.y * f.sensor_shape().y.transpose();
   }
 }
 
@@ -169,15 +169,15 @@ void follow(const Model& m, double nu, Answer& answer) {
   for (const StationFeedback& f : m.feedbacks) {
     if (!f.works.at(0.0)) continue;
     for (int plane = 0; plane < 2; ++plane) {
-      const Eigen::VectorXd& shape = plane == 0 ? f.seen().x : f.seen().y;
-      const Phasor seen = shape.cast<Phasor>().dot(answer.q.segment(plane * n, n));
+      const Eigen::VectorXd& shape = plane == 0 ? f.sensor_shape().x : f.sensor_shape().y;
+      const Phasor deflection = shape.cast<Phasor>().dot(answer.q.segment(plane * n, n));
       const auto state = [&](int at) -> Phasor& { return answer.stored[at - first + plane]; };
       if (f.states.filtered != kAbsent) {
-        state(f.states.filtered) = Phasor(0.0, nu) * filter_of(f, nu) * seen;
+        state(f.states.filtered) = Phasor(0.0, nu) * filter_of(f, nu) * deflection;
       }
       if (f.states.current == kAbsent) continue;
       const Phasor stored = f.states.stored == kAbsent ? 0.0 : state(f.states.stored);
-      state(f.states.current) = -lag_of(f, nu) * (gain_of(f, nu) * seen + stored);
+      state(f.states.current) = -lag_of(f, nu) * (gain_of(f, nu) * deflection + stored);
     }
   }
 }
@@ -242,7 +242,7 @@ Eigen::Vector2d current_amplitude(const Model& m, const StationFeedback& feedbac
                               : answer.stored[feedback.states.stored - m.layout.integral() + plane];
     return std::abs(gain * shape.cast<Phasor>().dot(answer.q.segment(plane * n, n)) + stored);
   };
-  return {of(feedback.seen().x, 0), of(feedback.seen().y, 1)};
+  return {of(feedback.sensor_shape().x, 0), of(feedback.sensor_shape().y, 1)};
 }
 
 // A sampled feedback that works at t = 0; null if there is none.

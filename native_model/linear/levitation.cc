@@ -59,11 +59,12 @@ std::pair<double, double> peak_between(const F& f, double low, double high) {
 }
 
 // Peak-to-peak motion of each sensor axis, m, under the unbalances that act from the start.
-Eigen::VectorXd moved(Model m, const LinearLoop& loop, double speed, const Eigen::MatrixXd& seen) {
+Eigen::VectorXd moved(Model m, const LinearLoop& loop, double speed,
+                      const Eigen::MatrixXd& sensor_shapes) {
   std::erase_if(m.unbalances, [](const DiscUnbalance& u) { return u.on > 0.0; });
-  if (speed == 0.0) return Eigen::VectorXd::Zero(seen.cols());
+  if (speed == 0.0) return Eigen::VectorXd::Zero(sensor_shapes.cols());
   const Eigen::VectorXcd q = loop_amplitude(m, loop, std::abs(speed), unbalance_load(m, speed));
-  return 2.0 * (seen.transpose() * q).cwiseAbs();
+  return 2.0 * (sensor_shapes.transpose() * q).cwiseAbs();
 }
 
 }  // namespace
@@ -78,12 +79,12 @@ LoopResponse::LoopResponse(const Model& model, double speed) : model_(always_wor
   parts_ = linear_parts(open, speed);
   working_ = working_feedbacks(model_);
   const Eigen::Index n = model_.layout.modes, p = 2 * static_cast<Eigen::Index>(working_.size());
-  into_ = seen_ = Eigen::MatrixXd::Zero(2 * n, p);
+  into_ = sensor_shapes_ = Eigen::MatrixXd::Zero(2 * n, p);
   for (Eigen::Index j = 0; j < p; j += 2) {
     const StationFeedback& f = model_.feedbacks[working_[static_cast<std::size_t>(j / 2)]];
     const double gain = f.law.force_per_current;
     put_planes(into_, j, {gain * f.shape.x, gain * f.shape.y});
-    put_planes(seen_, j, f.seen());
+    put_planes(sensor_shapes_, j, f.sensor_shape());
   }
 }
 
@@ -131,7 +132,7 @@ Eigen::MatrixXcd LoopResponse::controls(double w) const {
 
 // Sensor signals under forces of one frequency, with the controls open.
 Eigen::MatrixXcd LoopResponse::open(double w, const Eigen::MatrixXcd& force) const {
-  return seen_.transpose().cast<std::complex<double>>() *
+  return sensor_shapes_.transpose().cast<std::complex<double>>() *
          lu_solve(dynamic_stiffness(parts_, w), force);
 }
 
@@ -160,7 +161,7 @@ Levitation levitation(const Model& model, double speed) {
     if (!poles) out.poles_refused = "the eigenvalues do not converge";
     if (out.stable()) {
       out.steps = step_responses(m, loop, out.poles);
-      out.unbalance = moved(m, loop, speed, response.seen());
+      out.unbalance = moved(m, loop, speed, response.sensor_shapes());
     }
   }
   const std::vector<double> at = frequencies(m, out.poles);

@@ -63,7 +63,8 @@ class LoopResponse {
   Eigen::MatrixXcd return_difference(double frequency) const;
   Eigen::Index ports() const { return into_.cols(); }
   std::size_t bearing(Eigen::Index port) const;  // index among the scene's magnetic bearings
-  const Eigen::MatrixXd& seen() const { return seen_; }  // 2 n x p, mode values at each sensor
+  // 2 n x p, mode values at each sensor.
+  const Eigen::MatrixXd& sensor_shapes() const { return sensor_shapes_; }
 
  private:
   Eigen::MatrixXcd controls(double frequency) const;
@@ -72,7 +73,8 @@ class LoopResponse {
   Model model_;
   std::vector<std::size_t> working_;  // indices of the model's feedbacks
   LinearParts parts_;                 // without the proportional and derivative parts of the laws
-  Eigen::MatrixXd into_, seen_;       // 2 n x p: modal force per ampere; mode values at the sensor
+  // 2 n x p: modal force per ampere; mode values at the sensor.
+  Eigen::MatrixXd into_, sensor_shapes_;
 };
 
 }  // namespace rotorub

@@ -36,8 +36,8 @@ struct LinearLoop {
   double every = 0.0;      // s, sample time T; 0: continuous
   Eigen::MatrixXd sample;  // S in the form's units; empty if continuous
 };
-// Loop at a held spin speed (rad/s). The caller must pass a model from always_working for which
-// loop_refusal is empty.
+// Loop at a prescribed spin speed (rad/s). The caller must pass a model from always_working for
+// which loop_refusal is empty.
 LinearLoop linear_loop(const Model& model, double speed);
 
 // Poles in 1/s by falling real part; empty if the iteration does not converge. For a sampled loop

@@ -143,7 +143,7 @@ bool same_planes(const Model& m) {
              g == g.transpose() && xx == m.internal_xy.dense(n) && xx == m.internal_yy.dense(n);
   for (const StationDamper& d : m.dampers) all = all && same(d.shape) && !differ(d.damping);
   for (const StationSpring& s : m.springs) all = all && same(s.shape) && !differ(s.stiffness);
-  for (const StationFeedback& f : m.feedbacks) all = all && same(f.shape) && same(f.seen());
+  for (const StationFeedback& f : m.feedbacks) all = all && same(f.shape) && same(f.sensor_shape());
   for (const AppliedForce& f : m.forces) all = all && same(f.shape);
   for (const DiscUnbalance& u : m.unbalances) all = all && same(u.shape);
   return all;

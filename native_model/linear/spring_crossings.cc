@@ -30,9 +30,9 @@ std::optional<SpringCrossings> SpringCrossings::of(const Eigen::MatrixXd& stiffn
 // a spring that hardly changed does not lose the others in round-off.
 Eigen::Index SpringCrossings::negatives(const Eigen::ArrayXd& d, const Eigen::VectorXd& f) const {
   // At a critical speed of the reference itself D is singular; a small offset avoids this.
-  constexpr double kBeside = std::numeric_limits<double>::epsilon();
-  const Eigen::ArrayXd held = (d.abs() < kBeside).select(kBeside, d);
-  Eigen::Index count = (held < 0.0).count();
+  constexpr double kOffset = std::numeric_limits<double>::epsilon();
+  const Eigen::ArrayXd regular = (d.abs() < kOffset).select(kOffset, d);
+  Eigen::Index count = (regular < 0.0).count();
   std::vector<Eigen::Index> changed;
   for (Eigen::Index i = 0; i < f.size(); ++i) {
     if (f[i] != 0.0) changed.push_back(i);
@@ -40,7 +40,7 @@ Eigen::Index SpringCrossings::negatives(const Eigen::ArrayXd& d, const Eigen::Ve
   if (changed.empty()) return count;
   const Eigen::VectorXd part = f(changed), root = part.cwiseAbs().cwiseSqrt();
   const Eigen::MatrixXd w = W_(Eigen::all, changed) * root.asDiagonal();
-  Eigen::MatrixXd S = -(w.transpose() * held.inverse().matrix().asDiagonal() * w);
+  Eigen::MatrixXd S = -(w.transpose() * regular.inverse().matrix().asDiagonal() * w);
   S.diagonal() -= part.cwiseSign();
   count += (found_by(symmetric_eigenvalues(S)).array() < 0.0).count();
   return count - (part.array() > 0.0).count();

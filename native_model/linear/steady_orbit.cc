@@ -161,7 +161,7 @@ RingRest ring_at_rest(const scene::Scene& scene, const Model& m, const Auxiliary
 FreeResponse free_response(const scene::Scene& scene, Model m, double speed) {
   m.speed = speed;
   // The model's forces are the scene's forces except unbalances, in the same order (model.cc). At a
-  // held spin speed a synchronous force rotates at that speed.
+  // prescribed spin speed a synchronous force rotates at that speed.
   auto force = m.forces.begin();
   for (const scene::Force& given : scene.forces) {
     if (given.kind == scene::ForceKind::kUnbalance) continue;

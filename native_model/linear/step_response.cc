@@ -146,10 +146,10 @@ StepResponse read(const Flow& flow, const Grid& grid, Eigen::Index port,
   };
   StepResponse r;
   Eigen::Index most = 0;
-  const double seen = y.cwiseAbs().maxCoeff(&most);
-  if (std::abs(steady) > kScatter * seen) r.steady = steady;
+  const double highest = y.cwiseAbs().maxCoeff(&most);
+  if (std::abs(steady) > kScatter * highest) r.steady = steady;
   r.largest = r.steady;
-  if (seen > (1.0 + kScatter) * std::abs(r.steady) && most > 0 && most + 1 < y.size()) {
+  if (highest > (1.0 + kScatter) * std::abs(r.steady) && most > 0 && most + 1 < y.size()) {
     // Before the sampled maximum the deflection still grows; after it, it has begun to return.
     const bool grows = rate.dot(flow.at(steps(most), port)) * y[most] > 0.0;
     const Flow::Met top = crossing(rate, 0.0, grows ? most : most - 1);

@@ -31,18 +31,18 @@ void add_support(const Eigen::VectorXd& ux, const Eigen::VectorXd& uy,
   system.damping_y += damping.y() * uy * uy.transpose();
 }
 
-// Adds a magnetic bearing beyond its spring `held`. At its station u, with the sensor at s, the
-// force is
+// Adds a magnetic bearing beyond its spring `modal_spring`. At its station u, with the sensor at s,
+// the force is
 //   -(-k_s u^T r + k_i (P s^T r + D s^T r')); with s = u it is a spring and a damper.
 void add_magnets(const scene::Scene& scene, const scene::MagneticBearing& bearing,
                  const Eigen::VectorXd (&u)[2], const Eigen::VectorXd (&s)[2],
                  WhirlSystem& system) {
   const MagneticSupport support = magnetic_support(scene, bearing);
-  const double beside = support.stiffness - support.held;
+  const double rest = support.stiffness - support.modal_spring;
   if (!bearing.senses_elsewhere() || !bearing.control || !bearing.control->works()) {
-    return add_support(u[0], u[1], {beside, beside}, {support.damping, support.damping}, system);
+    return add_support(u[0], u[1], {rest, rest}, {support.damping, support.damping}, system);
   }
-  const double own = -(bearing.pull() + support.held);
+  const double own = -(bearing.pull() + support.modal_spring);
   add_support(u[0], u[1], {own, own}, {0.0, 0.0}, system);
   const double spring = bearing.force_per_current() * bearing.control->proportional;
   system.stiffness_x += spring * u[0] * s[0].transpose();

@@ -54,9 +54,9 @@ Eigen::Vector2d bearing_current(const Model& m, const StationFeedback& bearing, 
   if (!bearing.works.at(t))
     return vector(eq::feedback_state(m, bearing.states.current, v, eq::Pair{0.0, 0.0}));
   const int n = m.layout.modes;
-  const eq::Pair seen = eq::at_station(n, bearing.seen(), q);
-  const eq::Pair rate = eq::at_station(n, bearing.seen(), v);
-  return vector(eq::bearing_current(m, bearing, seen, rate, v).current);
+  const eq::Pair deflection = eq::at_station(n, bearing.sensor_shape(), q);
+  const eq::Pair rate = eq::at_station(n, bearing.sensor_shape(), v);
+  return vector(eq::bearing_current(m, bearing, deflection, rate, v).current);
 }
 
 void coupling_force(const Model& m, double t, const double* q, const double* v, double* f) {
@@ -234,20 +234,21 @@ void add_ring_supports(const Model& m, const double* q, const double* v, double*
     const Eigen::Vector2d rate = pair_at(v, s.ring), housing_rate = pair_at(v, s.housing);
     const Eigen::Vector2d r = ring - housing, w = rate - housing_rate;
     const Eigen::Vector2d bristle = pair_at(v, s.bristle);
-    const Eigen::Vector2d beside = s.law.force(r, w, bristle);
+    const Eigen::Vector2d law_force = s.law.force(r, w, bristle);
     // The diagonals contain -k r_ring for the ring and -k r_housing for the housing.
     for (int k = 0; k < 2; ++k) {
-      f[s.ring + k] += beside[k];
+      f[s.ring + k] += law_force[k];
       if (s.housing == kAbsent) continue;
       f[s.ring + k] += s.stiffness[k] * housing[k] + s.damping[k] * housing_rate[k];
-      f[s.housing + k] += s.stiffness[k] * ring[k] + s.damping[k] * rate[k] - beside[k];
+      f[s.housing + k] += s.stiffness[k] * ring[k] + s.damping[k] * rate[k] - law_force[k];
     }
     if (s.bristle != kAbsent) {
       const Eigen::Vector2d rising = bristle_rate(w, bristle, s.law.dry->presliding);
       for (int k = 0; k < 2; ++k) f[s.bristle + k] += m.mass[s.bristle + k] * rising[k];
     }
     if (s.spin_bristle == kAbsent) continue;
-    const Eigen::Vector2d load = beside - s.stiffness.cwiseProduct(r) - s.damping.cwiseProduct(w);
+    const Eigen::Vector2d load =
+        law_force - s.stiffness.cwiseProduct(r) - s.damping.cwiseProduct(w);
     const double state = v[s.spin_bristle];
     f[s.ring_angle] -= s.law.drag_torque(load.norm()) * state;
     f[s.spin_bristle] +=

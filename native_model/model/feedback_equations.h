@@ -18,11 +18,11 @@ struct BearingCurrent {
   Pair asked, limited, current;
 };
 inline BearingCurrent bearing_current(const Model& m, const StationFeedback& bearing,
-                                      const Pair& seen, const Pair& rate, const double* v) {
+                                      const Pair& deflection, const Pair& rate, const double* v) {
   const auto& law = bearing.law;
   const Pair stored = feedback_state(m, bearing.states.stored, v, Pair{0.0, 0.0});
   const Pair d = feedback_state(m, bearing.states.filtered, v, rate);
-  const Pair own{law.asked(seen.x, d.x, stored.x), law.asked(seen.y, d.y, stored.y)};
+  const Pair own{law.asked(deflection.x, d.x, stored.x), law.asked(deflection.y, d.y, stored.y)};
   const Pair asked = feedback_state(m, bearing.states.command, v, own);
   const Pair limited{law.limited(asked.x), law.limited(asked.y)};
   return {asked, limited, feedback_state(m, bearing.states.current, v, limited)};
@@ -30,7 +30,7 @@ inline BearingCurrent bearing_current(const Model& m, const StationFeedback& bea
 
 // f += M times the rates of the feedback's states. The decay by their own lags is in the damping.
 inline void add_feedback_rates(const Model& m, const StationFeedback& bearing, double share,
-                               const Pair& seen, const Pair& rate, const BearingCurrent& now,
+                               const Pair& deflection, const Pair& rate, const BearingCurrent& now,
                                double* f) {
   const auto& law = bearing.law;
   const auto add = [&](int at, double x, double y) {
@@ -39,8 +39,8 @@ inline void add_feedback_rates(const Model& m, const StationFeedback& bearing, d
   };
   const FeedbackStates& states = bearing.states;
   if (states.stored != kAbsent) {
-    add(states.stored, law.stored_rate(share, seen.x, now.asked.x),
-        law.stored_rate(share, seen.y, now.asked.y));
+    add(states.stored, law.stored_rate(share, deflection.x, now.asked.x),
+        law.stored_rate(share, deflection.y, now.asked.y));
   }
   if (states.filtered != kAbsent) {
     add(states.filtered, rate.x / law.derivative_lag, rate.y / law.derivative_lag);
@@ -67,11 +67,11 @@ inline void add_feedbacks(const Model& m, const double* shares, const double* q,
     const auto& law = bearing.law;
     const auto& sensor = bearing.sensor ? *bearing.sensor : bearing.shape;
     const Pair r = at_station(n, bearing.shape, q), rate = at_station(n, sensor, v);
-    const Pair seen = bearing.sensor ? at_station(n, sensor, q) : r;
-    const BearingCurrent now = bearing_current(m, bearing, seen, rate, v);
+    const Pair deflection = bearing.sensor ? at_station(n, sensor, q) : r;
+    const BearingCurrent now = bearing_current(m, bearing, deflection, rate, v);
     add_station_force(n, bearing.shape, law.force(share, r.x, now.current.x),
                       law.force(share, r.y, now.current.y), f);
-    if (m.layout.integrals > 0) add_feedback_rates(m, bearing, share, seen, rate, now, f);
+    if (m.layout.integrals > 0) add_feedback_rates(m, bearing, share, deflection, rate, now, f);
   }
 }
 

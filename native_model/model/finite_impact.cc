@@ -64,10 +64,10 @@ Status FiniteImpact::begin(double t, const double* q, const double* v,
   in.compression_time = c.compression_time;
   in.expansion_time = c.expansion_time;
   ImpactLaw law = c.law();
-  law.restitution =
-      restitution_beside_loads(c.restitution, -touch.gap_rate,
-                               pressing(touch.e_r, in.velocity, in.acceleration, touch.delta),
-                               c.compression_time, c.expansion_time);
+  law.restitution = restitution_under_loads(
+      c.restitution, -touch.gap_rate,
+      closing_acceleration(touch.e_r, in.velocity, in.acceleration, touch.delta),
+      c.compression_time, c.expansion_time);
   const ImpactResult r = solve_impact(in, law);
   if (r.status != Status::kOk) return r.status;
   impulse_ = {r.normal_compression, r.friction_compression, r.normal_expansion,

@@ -83,10 +83,10 @@ void add_magnetic_bearing(const scene::Scene& scene, std::size_t number, const M
     feedback.states.current = state(1.0 / a.bandwidth);
   }
   // The linear spring always acts, as part of the modes or as a separate spring, and the law
-  // subtracts it (`held`).
-  feedback.law.held = feedback.law.stiffness();
-  const double beside = feedback.law.held - magnetic_support(scene, bearing).held;
-  if (beside != 0.0) model.springs.push_back({shapes.station, {beside, beside}});
+  // subtracts it (`linear_spring`).
+  feedback.law.linear_spring = feedback.law.stiffness();
+  const double rest = feedback.law.linear_spring - magnetic_support(scene, bearing).modal_spring;
+  if (rest != 0.0) model.springs.push_back({shapes.station, {rest, rest}});
   model.feedbacks.push_back(std::move(feedback));
 }
 

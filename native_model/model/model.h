@@ -128,7 +128,7 @@ struct StationFeedback {
   std::optional<ModeShape> sensor{};  // where the deflection is measured; absent: at `shape`
   std::size_t number = 0;             // index in the scene's magnetic bearings
   bool controlled = true;             // false: the magnets have only their bias current
-  const ModeShape& seen() const { return sensor ? *sensor : shape; }
+  const ModeShape& sensor_shape() const { return sensor ? *sensor : shape; }
 };
 
 // A sampled control of magnetic bearings; each bearing has two ports, x before y. Its memory is

@@ -19,8 +19,8 @@ void check_unbalances(const scene::Scene& scene, std::size_t count);
 // sums over discs X_k = sum m e shape_x,k exp(i phase), and Y_k likewise,
 // b_x,k = -Im(X_k e^{i phi}), b_y,k = Re(Y_k e^{i phi}), and the largest value is
 //   sum (|X_k|^2/m_x,k + |Y_k|^2/m_y,k)/2 + |sum (Y_k^2/m_y,k - X_k^2/m_x,k)|/2
-// It is also the largest over time, because blades may be lost. 0 if the spin is held or nothing is
-// eccentric.
+// It is also the largest over time, because blades may be lost. 0 if the spin is prescribed or
+// nothing is eccentric.
 double unbalance_inertia(const Model& model);
 // Checks that M(phi) is positive definite at every angle: the spin's inertia exceeds
 // unbalance_inertia().

@@ -22,7 +22,7 @@ double product(const Eigen::MatrixXd& matrix, int row, const double* of) {
 // One sample, per port: deflections shown by the sensors, m; requested currents, A; currents after
 // the limits, A.
 struct Sample {
-  double seen[kMaxPorts] = {}, asked[kMaxPorts] = {}, given[kMaxPorts] = {};
+  double deflection[kMaxPorts] = {}, asked[kMaxPorts] = {}, given[kMaxPorts] = {};
 };
 
 // Sets the requested currents and advances the law's states x to the next sample. The anti-windup
@@ -31,8 +31,9 @@ void ask_matrices(const LinearController& law, Sample& sample, double* x) {
   double after[kMaxCoordinates];
   const int n = static_cast<int>(law.states()), ports = static_cast<int>(law.ports());
   for (int i = 0; i < ports; ++i)
-    sample.asked[i] = -(product(law.c, i, x) + product(law.d, i, sample.seen));
-  for (int i = 0; i < n; ++i) after[i] = product(law.a, i, x) + product(law.b, i, sample.seen);
+    sample.asked[i] = -(product(law.c, i, x) + product(law.d, i, sample.deflection));
+  for (int i = 0; i < n; ++i)
+    after[i] = product(law.a, i, x) + product(law.b, i, sample.deflection);
   std::copy_n(after, n, x);
 }
 
@@ -47,7 +48,7 @@ void ask_library(const Model& m, const SampledFeedback& s, double t, const doubl
   rotorub_magnetic_measurement now{};
   now.t = t;
   now.sample = static_cast<std::int64_t>(sample_index(t, s.sample_time));
-  now.deflection = sample.seen;
+  now.deflection = sample.deflection;
   now.current = current;
   now.spin_angle = equations::spin_angle(m, t, q);
   now.spin_speed = equations::spin_speed(m, v);
@@ -76,17 +77,19 @@ bool begins_at(const Model& m, const SampledFeedback& s, double instant) {
 }
 
 // m, deflections shown by the sensors, one per port.
-void read_sensors(const Model& m, const SampledFeedback& s, const double* q, double* seen) {
+void read_sensors(const Model& m, const SampledFeedback& s, const double* q, double* deflection) {
   for (std::size_t k = 0; k < s.bearings.size(); ++k) {
-    const auto at = equations::at_station(m.layout.modes, m.feedbacks[s.bearings[k]].seen(), q);
-    seen[2 * k] = at.x;
-    seen[2 * k + 1] = at.y;
+    const auto at =
+        equations::at_station(m.layout.modes, m.feedbacks[s.bearings[k]].sensor_shape(), q);
+    deflection[2 * k] = at.x;
+    deflection[2 * k + 1] = at.y;
   }
 }
 
 // x = X y.
-void start_law(const SampledFeedback& s, const double* seen, double* x) {
-  for (int i = 0; i < static_cast<int>(s.law.states()); ++i) x[i] = product(s.law.start, i, seen);
+void start_law(const SampledFeedback& s, const double* deflection, double* x) {
+  for (int i = 0; i < static_cast<int>(s.law.states()); ++i)
+    x[i] = product(s.law.start, i, deflection);
   if (s.library) s.library->start(x);
 }
 
@@ -104,12 +107,16 @@ void take_sample(const Model& m, const SampledFeedback& s, double t, const doubl
     return;
   }
   Sample sample;
-  read_sensors(m, s, q, sample.seen);
+  read_sensors(m, s, q, sample.deflection);
   double x[kMaxCoordinates];
   std::copy_n(state, n, x);
   const bool begins = begins_at(m, s, instant);
-  if (begins) start_law(s, sample.seen, x);
-  s.library ? ask_library(m, s, t, q, v, sample, x) : ask_matrices(law, sample, x);
+  if (begins) start_law(s, sample.deflection, x);
+  if (s.library) {
+    ask_library(m, s, t, q, v, sample, x);
+  } else {
+    ask_matrices(law, sample, x);
+  }
   for (int i = 0; i < ports; ++i) {
     const std::size_t k = s.bearings[static_cast<std::size_t>(i / 2)];
     sample.given[i] =
@@ -130,9 +137,9 @@ void begin_samples(const Model& m, double t, const double* q, double* v) {
     const double instant = instant_of(s, t);
     if (std::abs(t - instant) > kDue * s.sample_time) continue;
     if (!works_at(m, s, instant) || !begins_at(m, s, instant)) continue;
-    double seen[kMaxPorts];
-    read_sensors(m, s, q, seen);
-    start_law(s, seen, v + s.state);
+    double deflection[kMaxPorts];
+    read_sensors(m, s, q, deflection);
+    start_law(s, deflection, v + s.state);
     std::fill_n(v + s.command, static_cast<int>(s.law.ports()) * (1 + s.delay), 0.0);
   }
 }
@@ -150,8 +157,8 @@ Eigen::MatrixXd linear_sample(const Model& m) {
       v[m.layout.integral() + j - bending] = 1.0;
     }
     for (const SampledFeedback& s : m.samplers) {
-      const double late = 1000.0 * s.sample_time;  // not the first sample
-      take_sample(m, s, late, q.data(), v.data());
+      const double later = 1000.0 * s.sample_time;  // not the first sample
+      take_sample(m, s, later, q.data(), v.data());
     }
     sample.col(j) = v.segment(m.layout.integral(), states);
   }
@@ -159,10 +166,12 @@ Eigen::MatrixXd linear_sample(const Model& m) {
 }
 
 bool take_samples(const Model& m, double t, double h, const double* q, double* v) {
-  constexpr double kLate = 1e-3;  // share of a step by which a sum of steps misses a sample
+  constexpr double kTimeError = 1e-3;  // share of a step by which a sum of steps misses a sample
   bool taken = false;
   for (const SampledFeedback& s : m.samplers) {
-    const auto passed = [&](double time) { return std::floor((time + kLate * h) / s.sample_time); };
+    const auto passed = [&](double time) {
+      return std::floor((time + kTimeError * h) / s.sample_time);
+    };
     if (t > 0.5 * h && passed(t) == passed(t - h)) continue;
     take_sample(m, s, t, q, v);
     taken = true;
@@ -170,15 +179,16 @@ bool take_samples(const Model& m, double t, double h, const double* q, double* v
   return taken;
 }
 
-void jump_in_step(const Model& m, double t, double h, const double* q, double* v, double* f) {
+void take_samples_in_step(const Model& m, double t, double h, const double* q, double* v,
+                          double* f) {
   if (m.samplers.empty()) return;
   double after[kMaxCoordinates];
   std::copy_n(v, m.nq(), after);
   if (!take_samples(m, t, h, q, after)) return;
   for (int i = m.sampled_states(); i < m.layout.coil(); ++i) {
-    const double jump = after[i] - v[i];
-    f[i] += m.mass[i] * jump / h;
-    v[i] += (t > 0.5 * h ? 0.5 : 1.0) * jump;
+    const double change = after[i] - v[i];
+    f[i] += m.mass[i] * change / h;
+    v[i] += (t > 0.5 * h ? 0.5 : 1.0) * change;
   }
 }
 

@@ -33,7 +33,8 @@ bool take_samples(const Model& model, double t, double h, const double* q, doubl
 // earlier (MuJoCo's semi-implicit integrator). Adds to f the loads that make the states jump, and
 // sets the states in v to their mean over the step: it adds half of each jump, but all of it in the
 // first step of a run.
-void jump_in_step(const Model& model, double t, double h, const double* q, double* v, double* f);
+void take_samples_in_step(const Model& model, double t, double h, const double* q, double* v,
+                          double* f);
 
 // The reason why time steps of this length (s) miss samples; empty if they do not.
 std::string sample_refusal(const Model& model, double step);

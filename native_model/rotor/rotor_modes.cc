@@ -67,22 +67,23 @@ MagneticSupport magnetic_support(const scene::Scene& scene, const scene::Magneti
   const double stiffness = gain * c.proportional - bearing.pull();
   MagneticSupport support;
   if (c.works()) support = {stiffness, gain * c.derivative, 0.0};
-  if (scene.rotor.geometry && !scene.rotor.assembled) support.held = std::max(0.0, stiffness);
+  if (scene.rotor.geometry && !scene.rotor.assembled)
+    support.modal_spring = std::max(0.0, stiffness);
   return support;
 }
 
-bool held_by_magnets(const scene::Scene& scene) {
+bool has_modal_springs(const scene::Scene& scene) {
   const auto& all = scene.magnetic_bearings;
   return std::any_of(all.begin(), all.end(), [&](const scene::MagneticBearing& bearing) {
-    return magnetic_support(scene, bearing).held > 0.0;
+    return magnetic_support(scene, bearing).modal_spring > 0.0;
   });
 }
 
 scene::RotorGeometry supported(const scene::Scene& scene) {
   scene::RotorGeometry geometry = *scene.rotor.geometry;
   for (const scene::MagneticBearing& bearing : scene.magnetic_bearings) {
-    const double held = magnetic_support(scene, bearing).held;
-    if (held > 0.0) geometry.bearings.push_back({bearing.station, {held, held}, {0.0, 0.0}});
+    const double spring = magnetic_support(scene, bearing).modal_spring;
+    if (spring > 0.0) geometry.bearings.push_back({bearing.station, {spring, spring}, {0.0, 0.0}});
   }
   return geometry;
 }
@@ -124,7 +125,7 @@ OwnModes own_modes(const scene::Scene& scene, const RotorModes& modes) {
   Eigen::MatrixXd spring = Eigen::MatrixXd::Zero(r.mass.rows(), r.mass.cols());
   for (const scene::MagneticBearing& bearing : scene.magnetic_bearings) {
     const Eigen::RowVectorXd u = r.basis.deflection(bearing.station);
-    spring += magnetic_support(scene, bearing).held * u.transpose() * u;
+    spring += magnetic_support(scene, bearing).modal_spring * u.transpose() * u;
   }
   const auto without = [&](const Eigen::MatrixXd& stiffness, const PlanarModes& with) {
     return free_modes(r.mass, stiffness - spring, with.frequency[0]);
@@ -146,7 +147,7 @@ RotorModes solve(const scene::Scene& scene, double omega) {
   result.y = r.isotropic ? result.x : planar_modes(r.mass, r.stiffness_y);
   result.mean =
       r.isotropic ? result.x : planar_modes(r.mass, 0.5 * (r.stiffness_x + r.stiffness_y));
-  if (held_by_magnets(scene)) result.own = own_modes(scene, result);
+  if (has_modal_springs(scene)) result.own = own_modes(scene, result);
   return result;
 }
 
@@ -188,7 +189,7 @@ std::vector<double> numbers_of(const scene::Scene& scene, int wanted, double fre
   begin_list(stations);
   for (const double z : stations) add(z);
   for (const scene::MagneticBearing& bearing : scene.magnetic_bearings)
-    add(bearing.station, magnetic_support(scene, bearing).held);
+    add(bearing.station, magnetic_support(scene, bearing).modal_spring);
   return all;
 }
 

@@ -47,13 +47,14 @@ struct MagneticSupport {
   // on when the feedback fails. Code that uses the modes adds the rest of the bearing's force, so
   // that this choice affects only which modes are kept. Damping ratios refer to the modes without
   // this spring (OwnModes).
-  double held = 0.0;
+  double modal_spring = 0.0;
 };
 MagneticSupport magnetic_support(const scene::Scene& scene, const scene::MagneticBearing& bearing);
-// True if at least one bearing has `held` > 0.
-bool held_by_magnets(const scene::Scene& scene);
+// True if at least one bearing has `modal_spring` > 0.
+bool has_modal_springs(const scene::Scene& scene);
 
-// Geometry form: the shaft on its bearings, with each spring `held` added as a further bearing.
+// Geometry form: the shaft on its bearings, with each spring `modal_spring` added as a further
+// bearing.
 scene::RotorGeometry supported(const scene::Scene& scene);
 
 // The modes to which damping ratios refer: the modes on the shaft's own bearings. A motion that

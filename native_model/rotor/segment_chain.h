@@ -49,7 +49,7 @@ SegmentChain segment_chain(const scene::Scene& scene);
 
 // Matrices and modes of the chain at rest (small angles), with discs, bearings and damping ratios.
 // They leave out the bearings' dashpots and the magnetic bearings, except that the bending
-// stiffnesses include the springs that hold the modes (MagneticSupport::held).
+// stiffnesses include the springs that hold the modes (MagneticSupport::modal_spring).
 struct SegmentMatrices {
   Eigen::MatrixXd mass, gyroscopic;          // (N + 2) x (N + 2)
   Eigen::MatrixXd stiffness_x, stiffness_y;  // (N + 2) x (N + 2)

@@ -60,7 +60,7 @@ Eigen::MatrixXd scaled_shapes(const scene::Scene& scene, const SegmentChain& cha
 void fill_damping(const scene::Scene& scene, const SegmentChain& chain, OwnModes modes,
                   SegmentMatrices& m) {
   const scene::RotorGeometry& geometry = *scene.rotor.geometry;
-  if (held_by_magnets(scene)) {
+  if (has_modal_springs(scene)) {
     const Eigen::MatrixXd x = stiffness(geometry, chain, 0), y = stiffness(geometry, chain, 1);
     const auto own = [&](const Eigen::MatrixXd& of, const PlanarModes& with) {
       return free_modes(m.mass, of, with.frequency[0]);

@@ -6,7 +6,7 @@ namespace rotorub {
 namespace {
 
 // First jump of a recorded command within begin..end, s.
-CommandJump jump_of(const CommandRecord& told, double begin, double end) {
+CommandJump first_command_jump(const CommandRecord& told, double begin, double end) {
   const std::vector<double>& jumps = told.jumps();
   const auto next = std::upper_bound(jumps.begin(), jumps.end(), begin);
   if (next == jumps.end() || *next >= end) return {};
@@ -42,7 +42,7 @@ void StepCommands::mean_about(std::int64_t k) {
   for (std::size_t i = 0; i < holds_.size(); ++i) {
     command_[i] = holds_[i].held();
     if (const CommandRecord* recorded = model_.auxiliary[i].recorded.get()) {
-      stepper_.jump(i, jump_of(*recorded, begin, end));
+      stepper_.announce_command_jump(i, first_command_jump(*recorded, begin, end));
       command_[i] = shown_[i] = recorded->mean(begin, end);
       continue;
     }
@@ -52,7 +52,7 @@ void StepCommands::mean_about(std::int64_t k) {
     command_[i] =
         holds_[i].mean(begin, t, end, stepper_.q(), velocity_.data(), acceleration_.data());
     shown_[i] = holds_[i].held();
-    stepper_.jump(i, holds_[i].jump());
+    stepper_.announce_command_jump(i, holds_[i].command_jump());
     listen(holds_[i]);
   }
 }

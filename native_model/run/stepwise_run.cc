@@ -236,8 +236,9 @@ void StepwiseRun::put(const Snapshot& at) {
     if (column.name != "t") values_.push_back(column.values.front());
   }
   for (const StationFeedback& bearing : model_.feedbacks) {
-    const auto seen = equations::at_station(model_.layout.modes, bearing.seen(), at.q);
-    values_.insert(values_.end(), {seen.x, seen.y});
+    const auto deflection =
+        equations::at_station(model_.layout.modes, bearing.sensor_shape(), at.q);
+    values_.insert(values_.end(), {deflection.x, deflection.y});
   }
   for (std::size_t k = 0; k < model_.auxiliary.size(); ++k) {
     if (model_.auxiliary[k].contact) values_.push_back(integrator_.normal_impulse(at, k));

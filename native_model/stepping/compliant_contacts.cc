@@ -32,14 +32,15 @@ InWall in_wall(double first, double last) {
 }  // namespace
 
 // Finds the compliant contacts that are in their walls. Touches and their speeds are found on the
-// path under the forces of the contacts that already press. Without these forces the speed, and
-// with it the a of the whole touch, would have an error of order h. Returns false like press().
+// path under the forces of the contacts that are already closed. Without these forces the speed,
+// and with it the a of the whole touch, would have an error of order h. Returns false like
+// solve_compliant().
 bool StepContacts::find_touches(StepState& x) {
   after_ = 0.5 * h_;
   before_ = x.kick < 1.0 ? 0.0 : after_;
-  std::array<bool, kMaxContacts> pressed{};
+  std::array<bool, kMaxContacts> was_closed{};
   List open;
-  pressing_.clear();
+  compliant_.clear();
   lasting_.clear();
   for (std::size_t i = 0; i < count(); ++i) {
     Contact& c = contacts_[i];
@@ -49,22 +50,22 @@ bool StepContacts::find_touches(StepState& x) {
     }
     c.start_rates = rates(i, x.start.data());
     turn_normal(c);
-    pressed[i] = now[i].closed;
-    if (pressed[i]) meet_wall(i, c.free_rates);
-    (now[i].closed ? pressing_ : open).push_back(i);
+    was_closed[i] = now[i].closed;
+    if (was_closed[i]) meet_wall(i, c.free_rates);
+    (now[i].closed ? compliant_ : open).push_back(i);
   }
-  const bool beside = !open.empty() && !(pressing_.empty() && lasting_.empty());
-  if (beside) {
+  const bool others_act = !open.empty() && !(compliant_.empty() && lasting_.empty());
+  if (others_act) {
     if (loads_.coupled()) couple();
     for (const std::size_t i : lasting_) turn_normal(contacts_[i]);
     if (!find_impulses(x)) return false;
   }
   for (const std::size_t i : open) {
     Eigen::Vector3d free = contacts_[i].free_rates;
-    if (beside) free += rates_by(i, pressing_) + rates_by(i, lasting_);
-    now[i].closed = pressed[i];  // a contact that has left may be pressed back in
+    if (others_act) free += rates_by(i, compliant_) + rates_by(i, lasting_);
+    now[i].closed = was_closed[i];  // a contact that has opened may close again
     meet_wall(i, free);
-    if (now[i].closed) pressing_.push_back(i);
+    if (now[i].closed) compliant_.push_back(i);
   }
   return true;
 }
@@ -104,15 +105,15 @@ void StepContacts::meet_wall(std::size_t i, const Eigen::Vector3d& free) {
   c.damper = kept.hunt_crossley * c.spring + law_of.damping * (in_one + in_two);
 }
 
-// Finds the impulses of all compliant contacts that press. Fails with kStepTooLarge and returns
-// false if the step is too large for the contact's stiffness.
-bool StepContacts::press(StepState& x) {
+// Finds the impulses of all closed compliant contacts. Fails with kStepTooLarge and returns false
+// if the step is too large for the contact's stiffness.
+bool StepContacts::solve_compliant(StepState& x) {
   for (int round = 0; round < kRounds; ++round) {
     double moved = 0.0, largest = 0.0;
-    for (const std::size_t i : pressing_) {
+    for (const std::size_t i : compliant_) {
       const Contact& c = contacts_[i];
       const double was = now[i].normal, rubbed = now[i].friction;
-      press_one(i, c.free_rates + rates_by(i, pressing_) + rates_by(i, lasting_));
+      solve_one_compliant(i, c.free_rates + rates_by(i, compliant_) + rates_by(i, lasting_));
       moved = std::max({moved, std::abs(now[i].normal - was), std::abs(now[i].friction - rubbed)});
       largest = std::max(largest, now[i].normal);
       // The leapfrog is stable up to h^2 k' g_NN = 4, with k' = n N / p. If the law states its
@@ -128,16 +129,16 @@ bool StepContacts::press(StepState& x) {
         return false;
       }
     }
-    if (pressing_.size() < 2 || moved <= 1e-15 * largest) break;
+    if (compliant_.size() < 2 || moved <= 1e-15 * largest) break;
   }
   return true;
 }
 
 // end: (ddot, spin) at the end of the step without the contact's own impulses. The slip at each end
 // of the step is taken along the circle at the place of the centre there. The whirl turns this
-// direction between that place and the one that the step sees, half a step away. With the direction
-// of the latter, a contact that sticks while it is pressed in would slip at a rate of order h.
-void StepContacts::press_one(std::size_t i, const Eigen::Vector3d& end) {
+// direction between that place and the one at q_k, half a step away. With the direction at q_k, a
+// contact that sticks while its penetration grows would slip at a rate of order h.
+void StepContacts::solve_one_compliant(std::size_t i, const Eigen::Vector3d& end) {
   const Contact& c = contacts_[i];
   const Eigen::Vector2d d = vector_of(c.d), e = vector_of(c.e_r);
   const Eigen::Matrix3d& own = admittance(i, i);
@@ -193,9 +194,9 @@ void StepContacts::find_impulses(std::size_t i, const Eigen::Vector2d& before,
   }
   // The slip reaches 0. Friction holds it there, T = -(after + g_tn P) / g_tt, or it slides the
   // other way, and T is the mean of both values, weighted by the times for which they hold.
-  const double held = -after.y() / g.tt, with = -g.tn / g.tt;
-  kept.normal = normal(held, with);
-  kept.friction = held + with * kept.normal;
+  const double sticking = -after.y() / g.tt, with = -g.tn / g.tt;
+  kept.normal = normal(sticking, with);
+  kept.friction = sticking + with * kept.normal;
   kept.slip_sign = 0.0;
   const double mu = friction_law.sticking();
   if (std::abs(kept.friction) <= mu * kept.normal) return;

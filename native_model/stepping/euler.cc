@@ -134,14 +134,14 @@ Status EulerStepper::touch(double t, const Eigen::VectorXd& start) {
     const double closes = c.e_r.dot(free.head<2>());
     // (12): gap at the end of the step, linearised about q.
     const double gap = law.clearance - delta - h_ * closes;
-    // A lasting contact may be pressed by another one, so all are solved together.
+    // A lasting contact may be closed by the force of another one, so all are solved together.
     if (gap >= 0.0 && !(lasted[i] && done_.size() > 1)) continue;
     c.gap_rate = -closes;
     c.slip = rates_along(c.e_r, law.radius, free).y();
     c.before = rates_along(c.e_r, law.radius, rates(m, start, i)).y();
     c.end = gap / h_;
-    const double pressed = pressing(c.e_r, free, acceleration, law.clearance);
-    c.impact = !lasted[i] && rebound_outlives_steps(h_, law.restitution, closes, pressed);
+    const double a = closing_acceleration(c.e_r, free, acceleration, law.clearance);
+    c.impact = !lasted[i] && rebound_outlives_steps(h_, law.restitution, closes, a);
     closing[n++] = c;
   }
   if (n == 0 || (n == 1 && closing[0].end >= 0.0)) return Status::kOk;

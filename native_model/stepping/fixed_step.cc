@@ -7,7 +7,7 @@ namespace rotorub {
 namespace {
 
 // rad/s, spin speed if a machine holds it, which then exchanges work too; otherwise 0.
-double held_speed(const Model& m) { return m.layout.spin ? 0.0 : m.speed; }
+double prescribed_spin(const Model& m) { return m.layout.spin ? 0.0 : m.speed; }
 
 }  // namespace
 
@@ -23,7 +23,7 @@ double impact_work(const Model& m, std::span<const Impact> impacts) {
   double work = 0.0;
   for (const Impact& hit : impacts) {
     const double radius = m.auxiliary[static_cast<std::size_t>(hit.contact)].contact->radius;
-    work += hit.energy_change - hit.friction_impulse * (radius * held_speed(m));
+    work += hit.energy_change - hit.friction_impulse * (radius * prescribed_spin(m));
   }
   return work;
 }
@@ -35,7 +35,7 @@ double lasting_work(const Model& m, std::size_t contact, const Eigen::Vector2d& 
   const Eigen::Vector3d load =
       contact_load(e_r, m.auxiliary[contact].contact->radius, impulses.x(), impulses.y());
   const Eigen::Vector3d rates = 0.5 * (start + end);
-  return load.dot(rates - Eigen::Vector3d(0.0, 0.0, held_speed(m)));
+  return load.dot(rates - Eigen::Vector3d(0.0, 0.0, prescribed_spin(m)));
 }
 
 bool rests_on_circle(const Model& m, const double* q, const double* v, std::size_t contact) {

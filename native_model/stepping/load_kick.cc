@@ -51,7 +51,7 @@ double mode_value(const ModeShape& shape, int n, int i) {
 
 // N/m, stiffness of coordinate i by a spring at a station, which the law of a magnetic bearing
 // subtracts again.
-double held_by(const StationSpring& spring, int n, int i) {
+double stiffness_of(const StationSpring& spring, int n, int i) {
   if (i >= 2 * n) return 0.0;
   const double u = mode_value(spring.shape, n, i);
   return std::max(0.0, i < n ? spring.stiffness.x() : spring.stiffness.y()) * u * u;
@@ -59,19 +59,20 @@ double held_by(const StationSpring& spring, int n, int i) {
 
 // At a limit of its amplifier, the mean of a coil's rates under the commands before and after a
 // jump differs from its rate under the mean command. This adds the difference.
-void add_jump(const AuxiliaryBearing& at, const CommandJump& jump, const Eigen::Vector2d& asked,
-              const double* v, double* f) {
+void add_command_jump(const AuxiliaryBearing& at, const CommandJump& jump,
+                      const Eigen::Vector2d& asked, const double* v, double* f) {
   constexpr double kRoundOff = 1e-9;
   if (jump.share == 0.0 || at.coil == kAbsent) return;
-  const double early = jump.share, late = 1.0 - early;
-  const Eigen::Vector2d mean = early * jump.before + late * jump.after;
+  const double share_before = jump.share, share_after = 1.0 - share_before;
+  const Eigen::Vector2d mean = share_before * jump.before + share_after * jump.after;
   // Parts of the kick have only one of the two commands.
   if ((asked - mean).norm() > kRoundOff * (jump.after - jump.before).norm()) return;
   for (int i = 0; i < 2; ++i) {
     const auto load = [&](double command) {
       return coil_load(*at.magnets, command, v[at.coil + i]);
     };
-    f[at.coil + i] += early * load(jump.before[i]) + late * load(jump.after[i]) - load(asked[i]);
+    f[at.coil + i] +=
+        share_before * load(jump.before[i]) + share_after * load(jump.after[i]) - load(asked[i]);
   }
 }
 
@@ -98,7 +99,7 @@ LoadKick::LoadKick(const Model& m, double h)
       sampled_(samples_ ? static_cast<std::size_t>(m.layout.integrals) : 0),
       f_(static_cast<std::size_t>(m.nq())),
       change_(f_),
-      seen_end_(f_),
+      last_end_(f_),
       round_off_(f_) {
   command.fill(Eigen::Vector2d(0.0, 0.0));
   if (iterates_) find_round_off(h);
@@ -107,9 +108,9 @@ LoadKick::LoadKick(const Model& m, double h)
 void LoadKick::find_round_off(double h) {
   const int n = m_.layout.modes;
   for (int i = 0; i < m_.nq(); ++i) {
-    double held = m_.stiffness[i];
-    for (const StationSpring& spring : m_.springs) held += held_by(spring, n, i);
-    const double sprung = 1e-15 * h * held;
+    double stiffness = m_.stiffness[i];
+    for (const StationSpring& spring : m_.springs) stiffness += stiffness_of(spring, n, i);
+    const double sprung = 1e-15 * h * stiffness;
     round_off_[static_cast<std::size_t>(i)] = sprung * sprung / m_.mass[i];
     for (const StationFeedback& bearing : m_.feedbacks) {
       if (!bearing.law.opposed || i >= 2 * n) continue;
@@ -122,11 +123,11 @@ void LoadKick::find_round_off(double h) {
 }
 
 // ------------------------------------------------------------------ the loads
-// F(x.seen, v): all loads except the contacts', with those of [[force]] as last advanced. kWorking
+// F(x.q_k, v): all loads except the contacts', with those of [[force]] as last advanced. kWorking
 // omits forces that the stored energy contains and forces that do no work (springs, gyroscopics,
 // unbalance of a free spin).
 ROTORUB_INLINE void LoadKick::force(const StepState& x, const double* v, double* f, Of of) {
-  const double* q = x.seen.data();
+  const double* q = x.q_k.data();
   const double omega = eq::spin_speed(m_, v);
   const bool all = of == Of::kAll;
   if (all) {
@@ -153,7 +154,7 @@ ROTORUB_INLINE void LoadKick::force(const StepState& x, const double* v, double*
 // The loads between the diagonal terms and [[force]], which only few models have.
 void LoadKick::add_parts(const StepState& x, const double* v, double omega, bool all,
                          double* f) const {
-  const double* q = x.seen.data();
+  const double* q = x.q_k.data();
   eq::add_rotating_damping(m_, q, v, omega, f);
   eq::add_dampers(m_, v, f);
   eq::add_films(m_, omega, q, v, f);
@@ -164,9 +165,10 @@ void LoadKick::add_parts(const StepState& x, const double* v, double omega, bool
 }
 
 void LoadKick::add_ring_forces(const StepState& x, const double* v, double* f) const {
-  add_actuators(m_, x.seen.data(), v, command, f);
-  const std::size_t count = std::min(jumps.size(), m_.auxiliary.size());
-  for (std::size_t i = 0; i < count; ++i) add_jump(m_.auxiliary[i], jumps[i], command[i], v, f);
+  add_actuators(m_, x.q_k.data(), v, command, f);
+  const std::size_t count = std::min(command_jumps.size(), m_.auxiliary.size());
+  for (std::size_t i = 0; i < count; ++i)
+    add_command_jump(m_.auxiliary[i], command_jumps[i], command[i], v, f);
 }
 
 // ------------------------------------------------------------------ the kick
@@ -189,7 +191,7 @@ void LoadKick::free_velocity_of_part(StepState& x, double begin, double end) {
 void LoadKick::weighed_free_velocity(StepState& x, double begin, double end, bool later) {
   const int nq = x.nq();
   const double h = x.h;
-  const double *q = x.seen.data(), *start = x.start.data();
+  const double *q = x.q_k.data(), *start = x.start.data();
   double *free = x.free.data(), *after = x.after.data(), *f = f_.data();
   if (!m_.feedbacks.empty()) find_working(x, begin, end);
   if (loads_.synchronous()) loads_.turn_with(eq::spin_angle(m_, instant_, q));
@@ -206,7 +208,7 @@ void LoadKick::weighed_free_velocity(StepState& x, double begin, double end, boo
     ROTORUB_APART for (int i = 0; i < nq; ++i) free[i] = after[i] = start[i] + f[i];
   }
   if (!iterates_) return;
-  std::copy_n(start, nq, seen_end_.begin());
+  std::copy_n(start, nq, last_end_.begin());
   if (!later) settle(x);
 }
 
@@ -214,7 +216,7 @@ double LoadKick::external_work(const StepState& x, const double* end) {
   double *f = f_.data(), *v = change_.data();
   for (int i = 0; i < x.nq(); ++i) v[i] = 0.5 * (x.start[static_cast<std::size_t>(i)] + end[i]);
   force(x, v, f, Of::kWorking);
-  double work = -coupling_power(m_, x.seen.data(), v);
+  double work = -coupling_power(m_, x.q_k.data(), v);
   for (int i = 0; i < m_.layout.mechanical(); ++i) work += f[i] * v[i];
   return x.h * work;
 }
@@ -232,12 +234,12 @@ bool LoadKick::improve(StepState& x, const double* end) {
   const int nq = x.nq(), n = m_.layout.modes, phi = m_.layout.phi();
   const double h = x.kick * x.h;
   const double *start = x.start.data(), *mass = m_.mass.data();
-  double *f = f_.data(), *change = change_.data(), *free = x.free.data(), *seen = seen_end_.data();
+  double *f = f_.data(), *change = change_.data(), *free = x.free.data(), *last = last_end_.data();
   ROTORUB_APART for (int i = 0; i < nq; ++i) change[i] = 0.5 * (start[i] + end[i]);
   force(x, change, f);
-  const double before = energy_of(nq, mass, [=](int i) { return end[i] - seen[i]; });
+  const double before = energy_of(nq, mass, [=](int i) { return end[i] - last[i]; });
   ROTORUB_APART for (int i = 0; i < nq; ++i) {
-    seen[i] = end[i];
+    last[i] = end[i];
     change[i] = end[i] - start[i];
     f[i] = h * f[i] - mass[i] * change[i];
   }
@@ -262,7 +264,7 @@ bool LoadKick::improve(StepState& x, const double* end) {
 // J, twice the energy that round-off can move in a round: round-off of the velocities or, for a
 // rotor at rest under its load, of the balanced forces.
 double LoadKick::noise(const StepState& x, const double* end) const {
-  const double *mass = m_.mass.data(), *q = x.seen.data();
+  const double *mass = m_.mass.data(), *q = x.q_k.data();
   double least = magnets_round_off_;
   for (int i = 0; i < x.nq(); ++i) {
     const double whole = mass[i] * end[i] * end[i];

@@ -33,8 +33,8 @@ class LoadKick {
   // the currents of the two axes, A.
   using Commands = std::array<Eigen::Vector2d, kMaxContacts>;
   Commands command;
-  const double* applied = nullptr;       // nq further loads; null: none
-  std::span<const CommandJump> jumps{};  // `command` then holds the means
+  const double* applied = nullptr;               // nq further loads; null: none
+  std::span<const CommandJump> command_jumps{};  // `command` then holds the means
 
   // Lets the command of the first ring act even if the ring has no controller.
   void drive_first_ring() { commanded_ = true; }
@@ -62,7 +62,7 @@ class LoadKick {
   }
 
   // Computes x.free, and x.after equal to it, from x.start: the velocities after the loads of step
-  // k, taken at the instant t and at x.seen. The loads act from `begin` (s) to t + h/2. later:
+  // k, taken at the instant t and at x.q_k. The loads act from `begin` (s) to t + h/2. later:
   // omits the iteration, because settle() or an iteration together with the contact follows.
   void free_velocity(StepState& x, std::int64_t k, double begin, double t, bool later = false);
   // The same as if the switched loads between `begin` and `end` held for the whole step.
@@ -119,7 +119,7 @@ class LoadKick {
   // Fraction of the step in which each magnetic bearing works.
   std::array<double, scene::kMaxMagneticBearings> working_{};
   Coordinates f_, change_;
-  Coordinates seen_end_;  // velocities at the end of the step, used by the last round
+  Coordinates last_end_;  // velocities at the end of the step, used by the last round
   // (1e-15 h k_i)^2/m_i: times q_i^2 this is the least energy that a step resolves at a deflection
   // q_i.
   Coordinates round_off_;

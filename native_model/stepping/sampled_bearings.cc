@@ -17,10 +17,10 @@ void LoadKick::find_samples(const StepState& x, double t, double begin) {
   const int first = m_.layout.integral();
   const double share = begin == t ? 1.0 : 0.5;  // of the kick after the sample
   std::copy_n(v, x.nq(), after);
-  sampled_now_ = take_samples(m_, t, x.h, x.seen.data(), after);
+  sampled_now_ = take_samples(m_, t, x.h, x.q_k.data(), after);
   for (int i = 0; i < m_.layout.integrals; ++i) {
-    const double jump = 2.0 * share * (after[first + i] - v[first + i]);
-    sampled_[static_cast<std::size_t>(i)] = m_.mass[first + i] * jump / x.h;
+    const double change = 2.0 * share * (after[first + i] - v[first + i]);
+    sampled_[static_cast<std::size_t>(i)] = m_.mass[first + i] * change / x.h;
   }
   for (std::size_t k = 0; k < m_.feedbacks.size(); ++k) {
     const int at = m_.feedbacks[k].states.command;
@@ -65,9 +65,10 @@ void LoadKick::find_switched(const StepState& x, double begin, double end) {
     if (bearing.states.command == kAbsent) continue;
     const MagneticFeedback& law = bearing.law;
     const double share = working_[k];
-    const double early = bearing.works.share(begin, sample) * (sample - begin) / (end - begin);
-    const double late = share - early;
-    const eq::Pair r = eq::at_station(m_.layout.modes, bearing.shape, x.seen.data());
+    const double share_before =
+        bearing.works.share(begin, sample) * (sample - begin) / (end - begin);
+    const double share_after = share - share_before;
+    const eq::Pair r = eq::at_station(m_.layout.modes, bearing.shape, x.q_k.data());
     for (int axis = 0; axis < 2; ++axis) {
       AxisCommand& c = commands_[k][static_cast<std::size_t>(axis)];
       const double place = axis == 0 ? r.x : r.y;
@@ -76,11 +77,13 @@ void LoadKick::find_switched(const StepState& x, double begin, double end) {
       if (const int at = bearing.states.current; at != kAbsent) {
         const double current = x.start[static_cast<std::size_t>(at + axis)];
         const auto load = [&](double asked) { return law.amplifier.load(asked, current); };
-        c.rate = (early * load(c.before) + late * load(c.after) - share * load(c.mean)) /
-                 law.amplifier.lag;
+        c.rate =
+            (share_before * load(c.before) + share_after * load(c.after) - share * load(c.mean)) /
+            law.amplifier.lag;
       } else {
-        c.force = law.force(early, place, c.before) + law.force(late, place, c.after) -
-                  law.force(share, place, c.mean) - law.held * place;
+        c.force = law.force(share_before, place, c.before) +
+                  law.force(share_after, place, c.after) - law.force(share, place, c.mean) -
+                  law.linear_spring * place;
       }
     }
   }

@@ -17,7 +17,7 @@ Eigen::Index row(std::size_t i) { return static_cast<Eigen::Index>(2 * i); }
 
 }  // namespace
 
-// pressed_ still contains the force of a lasting contact; strike() removes it.
+// closing_acceleration_ still contains the force of a lasting contact; strike() removes it.
 void SharedImpact::join(std::size_t contact, bool closed, const Eigen::Vector2d& e_r,
                         const double* velocity, const double* acceleration) {
   const ContactParameters& law = contacts_->law(contact);
@@ -30,13 +30,14 @@ void SharedImpact::join(std::size_t contact, bool closed, const Eigen::Vector2d&
   const Eigen::Vector2d now = rates_along(e_r, law.radius, v);
   before_.segment<2>(row(i)) << (closed ? 0.0 : now.x()), now.y();
   approach_ = std::max(approach_, closed ? 0.0 : -now.x());
-  pressed_[i] = pressing(e_r, v, a, law.clearance);
+  closing_acceleration_[i] = closing_acceleration(e_r, v, a, law.clearance);
   laws_[i] = law.law();
 }
 
 bool SharedImpact::rebounds(std::size_t i, double h, double approach) const {
   const ContactParameters& law = contacts_->law(of_[i].index);
-  return flight_outlives(std::max(h, law.impact_time()), law.restitution * approach, pressed_[i]);
+  return flight_outlives(std::max(h, law.impact_time()), law.restitution * approach,
+                         closing_acceleration_[i]);
 }
 
 Status SharedImpact::strike(const StepState& x, double t, double at, const double* q, bool ends,
@@ -50,7 +51,7 @@ Status SharedImpact::strike(const StepState& x, double t, double at, const doubl
   for (std::size_t i = 0; i < n; ++i) {
     const StepContacts::Kept& c = contacts_->now[of_[i].index];
     if (c.closed && closed_[i]) {
-      pressed_[i] +=
+      closing_acceleration_[i] +=
           (g_(row(i), row(i)) * c.normal + g_(row(i), row(i) + 1) * c.friction) / (x.kick * x.h);
     }
     if (!(before[row(i)] < 0.0)) continue;
@@ -60,7 +61,7 @@ Status SharedImpact::strike(const StepState& x, double t, double at, const doubl
   CoupledSolution s = solved();
   // A closed contact that would open too slowly for a flight stays closed.
   const auto stays = [&](std::size_t i) {
-    return closed_[i] && !flight_outlives(x.h, s.y[row(i)], pressed_[i]);
+    return closed_[i] && !flight_outlives(x.h, s.y[row(i)], closing_acceleration_[i]);
   };
   bool again = false;
   for (std::size_t i = 0; i < n && s.solutions == 1; ++i) {

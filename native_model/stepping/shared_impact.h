@@ -41,7 +41,7 @@ class SharedImpact {
   std::array<ClosedContact, kMaxContacts> of_{};
   std::array<bool, kMaxContacts> closed_{}, rests_{};
   std::array<ImpactLaw, kMaxContacts> laws_{};
-  std::array<double, kMaxContacts> pressed_{};  // m/s^2, pressing() of contact/impact.h
+  std::array<double, kMaxContacts> closing_acceleration_{};  // m/s^2 (contact/impact.h)
   ContactVector before_ = ContactVector(2 * kMaxContacts);
   ContactMatrix g_;
 };

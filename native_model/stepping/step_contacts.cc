@@ -149,7 +149,7 @@ ROTORUB_INLINE bool StepContacts::leaves(const Contact& c, const Pair& velocity)
 }
 
 ROTORUB_INLINE void StepContacts::look(const StepState& x) {
-  for (Contact& c : contacts_) c.d = eq::separation(m_, *c.at, x.seen.data());
+  for (Contact& c : contacts_) c.d = eq::separation(m_, *c.at, x.q_k.data());
   look_at_free(x);
 }
 
@@ -162,13 +162,13 @@ ROTORUB_INLINE void StepContacts::look_at_free(const StepState& x) {
 }
 
 // Finds the rigid contacts that last. A contact that acts alone lasts if its free path leaves the
-// circle. One of several may be pressed by another, so all are solved together.
+// circle. One of several may be closed by the force of another, so all are solved together.
 ROTORUB_INLINE void StepContacts::find_lasting(StepState& x, bool unsettled) {
   lasting_.clear();
   for (std::size_t i = 0; i < count(); ++i) {
     if (contacts_[i].rigid && now[i].closed) lasting_.push_back(i);
   }
-  if (lasting_.size() != 1 || !pressing_.empty()) return;
+  if (lasting_.size() != 1 || !compliant_.empty()) return;
   const Contact& c = contacts_[lasting_[0]];
   bool outside = leaves(c, c.free);
   if (!outside && unsettled) {
@@ -189,7 +189,7 @@ bool StepContacts::leave_flight(const StepState& x) const {
 }
 
 // Solves one rigid contact that slides on as in the step before, in closed form; returns false if
-// it does not. See contact/step_contact.h.
+// it does not. See contact/lasting_contacts.h.
 ROTORUB_INLINE bool StepContacts::slide_on(std::size_t i, const double* free) {
   const Contact& c = contacts_[i];
   const double h = h_, r = c.radius, ex = c.e_r.x, ey = c.e_r.y;
@@ -221,16 +221,16 @@ ROTORUB_INLINE bool StepContacts::slide_on(std::size_t i, const double* free) {
 }
 
 // Computes x.after from x.free and x.start, including the iteration if there is one.
-ROTORUB_INLINE void StepContacts::press_on(StepState& x) {
+ROTORUB_INLINE void StepContacts::solve_closed(StepState& x) {
   if (loads_.coupled()) couple();
   for (const std::size_t i : lasting_) turn_normal(contacts_[i]);
   if (loads_.iterates()) loads_.begin_iteration();
-  const bool alone = pressing_.empty() && lasting_.size() == 1;
+  const bool alone = compliant_.empty() && lasting_.size() == 1;
   for (bool settled = false;;) {
     const bool slides = alone && slide_on(lasting_[0], x.free.data());
     if (!slides && !find_impulses(x)) return;
     const double* from = x.free.data();
-    for (const List* list : {&lasting_, &pressing_}) {
+    for (const List* list : {&lasting_, &compliant_}) {
       for (const std::size_t i : *list) {
         add_response(i, now[i].normal, now[i].friction, from, x.after.data());
         from = x.after.data();
@@ -247,12 +247,12 @@ ROTORUB_INLINE void StepContacts::press_on(StepState& x) {
 // solution. Rigid and compliant contacts are solved in turn until their impulses no longer change,
 // at most kRounds times.
 bool StepContacts::find_impulses(StepState& x) {
-  if (pressing_.empty()) return solve_lasting(x);
+  if (compliant_.empty()) return solve_lasting(x);
   constexpr int kRounds = 200;
   constexpr double kSettled = 1e-15;  // relative to the largest impulse
   for (int round = 0; round < kRounds; ++round) {
     const State was = now;
-    if (!press(x)) return false;
+    if (!solve_compliant(x)) return false;
     if (lasting_.empty()) return true;
     if (!solve_lasting(x)) return false;
     double moved = 0.0, largest = 0.0;
@@ -272,7 +272,7 @@ bool StepContacts::solve_lasting(StepState& x) {
     Contact& c = contacts_[i];
     LastingContact s;
     s.d = {c.d.x, c.d.y};
-    const Eigen::Vector3d others = rates_by(i, pressing_);
+    const Eigen::Vector3d others = rates_by(i, compliant_);
     s.free = rates(i, x.free.data()) + others;
     // If the path of a single contact ends far from its start (it passes the middle), the normal is
     // taken at the point where the path leaves the circle.
@@ -316,28 +316,28 @@ void StepContacts::go_on(StepState& x, bool unsettled) {
   }
   if (gives_ && !find_touches(x)) return;
   find_lasting(x, unsettled);
-  acts_ = !lasting_.empty() || !pressing_.empty();
-  if (acts_) press_on(x);
+  acts_ = !lasting_.empty() || !compliant_.empty();
+  if (acts_) solve_closed(x);
   for (std::size_t i = 0; i < count(); ++i) {
     Kept& c = now[i];
-    const bool pressed = c.closed && c.normal > 0.0;
-    if (contacts_[i].rigid) c.closed = pressed;
-    if (!pressed) c.slip_sign = 0.0;
+    const bool loaded = c.closed && c.normal > 0.0;
+    if (contacts_[i].rigid) c.closed = loaded;
+    if (!loaded) c.slip_sign = 0.0;
     c.normal_at_end = c.normal / x.kick;
     c.friction_at_end = c.friction / x.kick;
   }
   if (acts_) note_lasting();
 }
 
-void StepContacts::hold_on(StepState& x) {
-  bool held = false;
+void StepContacts::add_last_forces(StepState& x) {
+  bool any = false;
   for (std::size_t i = 0; i < count(); ++i) {
     const Kept& kept = now[i];
     if (!kept.closed || !(kept.normal_at_end > 0.0)) continue;
-    if (!held && loads_.coupled()) couple();
-    held = true;
+    if (!any && loads_.coupled()) couple();
+    any = true;
     Contact& c = contacts_[i];
-    const Pair d = eq::separation(m_, *c.at, x.seen.data());
+    const Pair d = eq::separation(m_, *c.at, x.q_k.data());
     const double delta = std::sqrt(d.x * d.x + d.y * d.y);
     if (!(delta > (c.rigid ? kNoNormal : c.clearance))) continue;
     c.e_r = {d.x / delta, d.y / delta};

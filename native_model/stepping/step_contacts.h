@@ -1,20 +1,20 @@
 // The contacts of one run in a fixed step, as one list: they decide whether the straight path of
 // the step leaves a circle and whether contact lasts, and find the impulses of lasting contacts.
 //
-// Rigid lasting contacts end the step on their circles (contact/step_contact.h). Usually there is
-// only one, which slides on as in the step before. If the path of a rigid contact in flight leaves
-// its circle, an impact begins (verlet.cc).
+// Rigid lasting contacts end the step on their circles (contact/lasting_contacts.h). Usually there
+// is only one, which slides on as in the step before. If the path of a rigid contact in flight
+// leaves its circle, an impact begins (verlet.cc).
 //
-// The force of a compliant contact (contact/compliance.h) is one more load at the coordinates that
-// the step sees, with implicit damping and friction:
+// The force of a compliant contact (contact/compliance.h) is one more load at q_k, with implicit
+// damping and friction:
 //
 //   P = w_0 + w_1 p',   |T| <= mu P,   slip at the end of the step != 0: T = -mu P sign(slip)
 //
 // Here p' is the mean of the rates at the start and the end of the step. w_0 is the impulse of the
 // spring and w_1 the impulse of the damper per unit rate. Both are taken over the part of the step
-// in which two straight paths are in the wall: the path to the place that the step sees, and the
-// path on from there. The touch and its speed are found on the same paths. The order is 2. The
-// spring is explicit: h < 2 / sqrt(k g_NN) (step_limit.h).
+// in which two straight paths are in the wall: the path to the place at q_k, and the path on from
+// there. The touch and its speed are found on the same paths. The order is 2. The spring is
+// explicit: h < 2 / sqrt(k g_NN) (step_limit.h).
 #pragma once
 
 #include <Eigen/Core>
@@ -25,8 +25,8 @@
 #include <vector>
 
 #include "native_model/contact/kinematics.h"
+#include "native_model/contact/lasting_contacts.h"
 #include "native_model/contact/most_contacts.h"
-#include "native_model/contact/step_contact.h"
 #include "native_model/model/equations.h"
 #include "native_model/stepping/fixed_step.h"
 #include "native_model/stepping/load_kick.h"
@@ -83,7 +83,7 @@ class StepContacts {
   bool leave_flight(const StepState& x) const;
   // Adds to x.free the change of velocity by the forces of the last step's end, acting over a whole
   // step along the present normals.
-  void hold_on(StepState& x);
+  void add_last_forces(StepState& x);
 
   // If a load jumps in a step, the step is taken in two parts: `first` holds for the fraction
   // `share`, and the part taken last for `rest`; kick: duration of the kick in steps. A part is
@@ -175,15 +175,14 @@ class StepContacts {
                     double* to) const;
   void look(const StepState& x);
   void look_at_free(const StepState& x);
-  // Turns the normal to the place that the step sees; it is unchanged if the centres coincide
-  // there.
+  // Turns the normal to the place at q_k; it is unchanged if the centres coincide there.
   static void turn_normal(Contact& c) {
     const double delta = std::sqrt(c.d.x * c.d.x + c.d.y * c.d.y);
     if (delta > kNoNormal) c.e_r = {c.d.x / delta, c.d.y / delta};
   }
   bool leaves(const Contact& c, const Pair& velocity) const;
   void find_lasting(StepState& x, bool unsettled);
-  void press_on(StepState& x);
+  void solve_closed(StepState& x);
   bool find_impulses(StepState& x);
   bool slide_on(std::size_t i, const double* free);
   bool solve_lasting(StepState& x);
@@ -194,8 +193,8 @@ class StepContacts {
   // Compliant contacts (compliant_contacts.cc).
   bool find_touches(StepState& x);
   void meet_wall(std::size_t i, const Eigen::Vector3d& free);
-  bool press(StepState& x);
-  void press_one(std::size_t i, const Eigen::Vector3d& end);
+  bool solve_compliant(StepState& x);
+  void solve_one_compliant(std::size_t i, const Eigen::Vector3d& end);
   void find_impulses(std::size_t i, const Eigen::Vector2d& before, const Eigen::Vector2d& after,
                      const Delassus& g);
 
@@ -205,10 +204,10 @@ class StepContacts {
   bool exists_ = false, gives_ = false;
   std::vector<Contact> contacts_;
   std::vector<Eigen::Matrix3d> uncoupled_, admittance_;  // blocks for each pair of contacts
-  double before_ = 0.0, after_ = 0.0;  // s, parts of the step around the place that it sees
+  double before_ = 0.0, after_ = 0.0;  // s, parts of the step before and after t_k
   // In the step: rigid lasting contacts and compliant contacts in their walls; whether any contact
   // acts; whether there were impacts; whether done_ has been written.
-  List lasting_, pressing_;
+  List lasting_, compliant_;
   bool acts_ = false, impacted_ = false, did_ = false;
   std::vector<ContactStep> done_;
   StepState::Coordinates without_impacts_;  // velocities at the end of the step

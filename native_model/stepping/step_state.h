@@ -17,7 +17,7 @@ struct StepState {
   // The model must outlive this object. step: s.
   StepState(const Model& model, double step)
       : m(model), h(step), q(static_cast<std::size_t>(model.nq())), nq_(model.nq()) {
-    v = seen = start = free = after = q;
+    v = q_k = start = free = after = q;
   }
 
   const Model& m;
@@ -25,8 +25,8 @@ struct StepState {
   double origin = 0.0;  // s, t at k = 0
   // Coordinates and velocities before the step and, when it is done, after it.
   Coordinates q, v;
-  // The coordinates at which loads and contact act.
-  Coordinates seen;
+  // The coordinates at t_k, where loads and contact are evaluated.
+  Coordinates q_k;
   // Velocities at the start of the kick, t_{k-1/2} (t_0 in a first step); at its end, t_{k+1/2},
   // without contact; at its end.
   Coordinates start, free, after;
@@ -46,29 +46,29 @@ struct StepState {
     std::copy_n(new_v, nq(), v.begin());
   }
 
-  // Begins a step: seen = q, start = v plus `late` (nq values, or null). q and v may be overwritten
-  // from here on, because their vectors are swapped with those of the last step.
-  void begin(const double* late) {
-    q.swap(seen);
-    keeps_v_ = late != nullptr;
-    if (keeps_v_) return add_to_start(late);
+  // Begins a step: q_k = q, start = v plus `deferred` (nq values, or null). q and v may be
+  // overwritten from here on, because their vectors are swapped with those of the last step.
+  void begin(const double* deferred) {
+    q.swap(q_k);
+    keeps_v_ = deferred != nullptr;
+    if (keeps_v_) return add_to_start(deferred);
     v.swap(start);
   }
   // The same without a step to follow: q and v stay unchanged.
-  void look(const double* late) {
-    seen = q;
+  void look(const double* deferred) {
+    q_k = q;
     start = v;
-    if (late) add_to_start(late);
+    if (deferred) add_to_start(deferred);
   }
-  // Ends the step: v = after, q = seen + h after. If a value is no longer finite, it sets kDiverged
+  // Ends the step: v = after, q = q_k + h after. If a value is no longer finite, it sets kDiverged
   // and restores the state.
   void move() {
     const int n = nq();
-    const double *end = after.data(), *from = seen.data();
+    const double *end = after.data(), *from = q_k.data();
     const double total = sum(n, [end](int i) { return end[i]; });
     if (total - total != 0.0) fail(Status::kDiverged);
     if (status != Status::kOk) {
-      q = seen;
+      q = q_k;
       if (!keeps_v_) v = start;
       return;
     }
@@ -80,11 +80,11 @@ struct StepState {
   }
 
  private:
-  void add_to_start(const double* late) {
+  void add_to_start(const double* deferred) {
     const double* from = v.data();
     double* to = start.data();
     const int n = nq();
-    ROTORUB_APART for (int i = 0; i < n; ++i) to[i] = from[i] + late[i];
+    ROTORUB_APART for (int i = 0; i < n; ++i) to[i] = from[i] + deferred[i];
   }
 
   int nq_;

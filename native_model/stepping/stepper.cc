@@ -38,12 +38,12 @@ FixedStep VerletStepper::step(std::int64_t k, std::span<const Eigen::Vector2d> u
 
 const double* VerletStepper::q() const { return step_->x.q.data(); }
 const double* VerletStepper::v() const { return step_->x.v.data(); }
-const double* VerletStepper::last_q() const { return step_->x.seen.data(); }
+const double* VerletStepper::last_q() const { return step_->x.q_k.data(); }
 void VerletStepper::last_velocity(double* v) const { step_->last_velocity(v); }
 double VerletStepper::last_kick() const { return step_->was_first() ? 0.5 : 1.0; }
 
-void VerletStepper::jump(std::size_t contact, const CommandJump& command) {
-  step_->announce_jump(contact, command);
+void VerletStepper::announce_command_jump(std::size_t contact, const CommandJump& command) {
+  step_->announce_command_jump(contact, command);
 }
 
 void VerletStepper::velocity_now(std::int64_t k, std::span<const Eigen::Vector2d> held, double* v) {

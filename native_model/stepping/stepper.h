@@ -31,7 +31,7 @@ class FixedStepper {
   // results belong to t_k. The functions below are only for leapfrogs.
   virtual bool leaps() const { return false; }
   // Announces a jump of the command within the next step.
-  virtual void jump(std::size_t, const CommandJump&) {}
+  virtual void announce_command_jump(std::size_t, const CommandJump&) {}
   // Call it before step k: the velocities at t_k under the held commands and the contact forces of
   // the step before.
   virtual void velocity_now(std::int64_t, std::span<const Eigen::Vector2d>, double*) {}
@@ -58,11 +58,11 @@ class VerletStepper final : public FixedStepper {
 
   FixedStep step(std::int64_t k, std::span<const Eigen::Vector2d> u, bool works) override;
   const double* q() const override;
-  // Velocities at t_{k+1/2}; the part of an impact's jump that is left to the next step is not
+  // Velocities at t_{k+1/2}; the part of a velocity jump that is deferred to the next step is not
   // included.
   const double* v() const override;
   bool leaps() const override { return true; }
-  void jump(std::size_t contact, const CommandJump& command) override;
+  void announce_command_jump(std::size_t contact, const CommandJump& command) override;
   void velocity_now(std::int64_t k, std::span<const Eigen::Vector2d> held, double* v) override;
   const double* last_q() const override;
   void last_velocity(double* v) const override;
@@ -76,7 +76,7 @@ class VerletStepper final : public FixedStepper {
   void velocity_now(std::int64_t k, const Eigen::Vector2d& held, double* v) {
     velocity_now(k, std::span(&held, 1), v);
   }
-  void jump(const CommandJump& command) { jump(0, command); }
+  void announce_command_jump(const CommandJump& command) { announce_command_jump(0, command); }
 
   // Restarts from another state (nq values each) at time t. Does not allocate.
   void begin(double t, const double* q, const double* v);

@@ -12,7 +12,8 @@
 namespace rotorub {
 namespace {
 
-// Fraction of a step; jumps closer to the step's ends differ from them only by round-off.
+// Fraction of a step; jumps of loads or commands closer to its ends differ from them only by
+// round-off.
 constexpr double kLeastPart = 1e-9;
 constexpr double kOnCircle = 1e-12;  // of the clearance; smaller gaps count as closed
 
@@ -26,7 +27,7 @@ VerletStep::VerletStep(const Model& model, double h)
     : x(model, h),
       loads(model, h),
       contacts(x, loads),
-      late_(x.q),
+      deferred_(x.q),
       switches_(std::isfinite(next_switch(model, 0.0, std::numeric_limits<double>::infinity()))),
       mean_after_(x.q),
       part_sum_(x.q) {
@@ -42,13 +43,13 @@ std::size_t VerletStep::count_kept(const Model& model) {
 
 // ------------------------------------------------------------------ the step
 void VerletStep::step(std::int64_t k) {
-  late_work_ = impact_time_ = 0.0;
+  work_correction_ = impact_time_ = 0.0;
   contacts.forget_last();
   const bool later = loads.iterates() && !first_ && !slow_impact_ && contacts.iterates_free();
-  x.begin(owes_ ? late_.data() : nullptr);
+  x.begin(has_deferred_ ? deferred_.data() : nullptr);
   kick(k, later);
-  if (owes_) std::fill(late_.begin(), late_.end(), 0.0);
-  owes_ = false;
+  if (has_deferred_) std::fill(deferred_.begin(), deferred_.end(), 0.0);
+  has_deferred_ = false;
   was_first_ = first_;
   in_slow_impact_ = slow_impact_ && slow_impact_->active();
   if (in_slow_impact_) {
@@ -63,7 +64,7 @@ void VerletStep::step(std::int64_t k) {
     if (contacts.leave_flight(x)) collide(k);
     x.kick = 1.0;
   }
-  if (command_jumps_) forget_jumps();
+  if (has_command_jumps_) forget_command_jumps();
   first_ = false;
   x.move();
 }
@@ -86,17 +87,17 @@ void VerletStep::velocity_now(std::int64_t k, double* now) {
     std::copy(x.v.begin(), x.v.end(), now);
     return;
   }
-  x.look(owes_ ? late_.data() : nullptr);
+  x.look(has_deferred_ ? deferred_.data() : nullptr);
   kick(k);
   if (slow_impact_ && slow_impact_->active()) return slow_impact_->velocities(x.time_of(k), now);
-  if (contacts.exists()) contacts.hold_on(x);
+  if (contacts.exists()) contacts.add_last_forces(x);
   for (std::size_t i = 0; i < x.free.size(); ++i) now[i] = 0.5 * (x.start[i] + x.free[i]);
 }
 
 void VerletStep::restart() {
   first_ = true;
-  owes_ = false;
-  std::fill(late_.begin(), late_.end(), 0.0);
+  has_deferred_ = false;
+  std::fill(deferred_.begin(), deferred_.end(), 0.0);
   loads.forget();
   if (slow_impact_) slow_impact_->cancel();
   contacts.begin(x);
@@ -110,9 +111,9 @@ void VerletStep::last_velocity(double* now) const {
 }
 
 double VerletStep::external_work() {
-  if (in_slow_impact_) return late_work_;  // the impact books this work
+  if (in_slow_impact_) return work_correction_;  // the impact books this work
   const double kick = was_first_ ? 0.5 : 1.0;
-  return kick * loads.external_work(x, contacts.end_without_impacts(x)) + late_work_;
+  return kick * loads.external_work(x, contacts.end_without_impacts(x)) + work_correction_;
 }
 
 // ------------------------------------------------------------------ jumps of loads and commands
@@ -126,29 +127,29 @@ double VerletStep::external_work() {
 // with the fraction s of the step before the jump. This keeps order 2. If contact goes on unchanged
 // in both parts, the mean load gives the same result, and the step ends on the circle.
 //
-// announce_jump() notes the jump of a command, split() takes the step in its two parts, after it
-// was taken with its mean loads.
-void VerletStep::announce_jump(std::size_t ring, const CommandJump& command) {
-  jumps_[ring] = command;
-  command_jumps_ = command_jumps_ || command.share > 0.0;
-  if (command_jumps_) loads.jumps = jumps_;
+// announce_command_jump() notes the jump of a command, split() takes the step in its two parts,
+// after it was taken with its mean loads.
+void VerletStep::announce_command_jump(std::size_t ring, const CommandJump& command) {
+  command_jumps_[ring] = command;
+  has_command_jumps_ = has_command_jumps_ || command.share > 0.0;
+  if (has_command_jumps_) loads.command_jumps = command_jumps_;
 }
 
-void VerletStep::forget_jumps() {
-  jumps_.fill({});
-  command_jumps_ = false;
-  loads.jumps = {};
+void VerletStep::forget_command_jumps() {
+  command_jumps_.fill({});
+  has_command_jumps_ = false;
+  loads.command_jumps = {};
 }
 
 // The fraction of the kick from `begin` to `end` (s) before a load or a command jumps in lasting
 // contact; 0: none jumps, or it jumps at an end of the kick. If commands jump at several instants,
 // the first counts; a switched load counts only if no command jumps.
 double VerletStep::share_before_jump(double begin, double end) {
-  if (!(switches_ || command_jumps_) || !contacts.lasts()) return 0.0;
+  if (!(switches_ || has_command_jumps_) || !contacts.lasts()) return 0.0;
   constexpr double kNone = 2.0;
   double share = kNone;
-  for (const CommandJump& command : jumps_) {
-    if (command_jumps_ && command.share > 0.0) share = std::min(share, command.share);
+  for (const CommandJump& command : command_jumps_) {
+    if (has_command_jumps_ && command.share > 0.0) share = std::min(share, command.share);
   }
   if (share == kNone) {
     if (!(begin >= switch_from_ && begin < switch_at_)) {
@@ -200,9 +201,9 @@ void VerletStep::take_part(const StepContacts::State& was, double begin, double 
 
 // A command that jumps at a later instant keeps its mean.
 void VerletStep::command_part(bool before, double share) {
-  for (std::size_t i = 0; i < jumps_.size(); ++i) {
-    if (jumps_[i].share == 0.0 || jumps_[i].share - share > kLeastPart) continue;
-    loads.command[i] = before ? jumps_[i].before : jumps_[i].after;
+  for (std::size_t i = 0; i < command_jumps_.size(); ++i) {
+    if (command_jumps_[i].share == 0.0 || command_jumps_[i].share - share > kLeastPart) continue;
+    loads.command[i] = before ? command_jumps_[i].before : command_jumps_[i].after;
   }
 }
 
@@ -259,7 +260,7 @@ void VerletStep::collide(std::int64_t k) {
     flight.d[i] = contacts.place(i);
     flight.closed[i] = contacts.is_rigid(i) && contacts.now[i].closed;
   }
-  double v[kMaxCoordinates], q[kMaxCoordinates], jump[kMaxCoordinates];
+  double v[kMaxCoordinates], q[kMaxCoordinates], velocity_jump[kMaxCoordinates];
   const int most = kMostImpacts * static_cast<int>(n);
   for (int count = 0; count < most; ++count) {
     const std::size_t first_touch = next_touch(flight);
@@ -267,7 +268,7 @@ void VerletStep::collide(std::int64_t k) {
     // All contacts that are closed there take part, with the velocities of that instant.
     for (int i = 0; i < nq; ++i) {
       v[i] = flight.v[i] + (flight.theta - 0.5) * h * flight.a[i];
-      q[i] = x.seen[static_cast<std::size_t>(i)] + flight.theta * h * flight.v[i];
+      q[i] = x.q_k[static_cast<std::size_t>(i)] + flight.theta * h * flight.v[i];
     }
     SharedImpact impact(contacts);
     for (std::size_t i = 0; i < n; ++i) {
@@ -282,7 +283,7 @@ void VerletStep::collide(std::int64_t k) {
     }
     const bool ends = count + 1 == most;
     if (slow_impact_ && !ends && impact.rebounds(h)) return begin_slow_impact(k, flight);
-    const Status found = impact.strike(x, t + flight.theta * h, t, q, ends, jump);
+    const Status found = impact.strike(x, t + flight.theta * h, t, q, ends, velocity_jump);
     if (found != Status::kOk) return x.fail(found);
     for (std::size_t i = 0; i < impact.count(); ++i) {
       const std::size_t index = impact.contact(i);
@@ -291,8 +292,8 @@ void VerletStep::collide(std::int64_t k) {
       }
       flight.closed[index] = impact.rests(i);
     }
-    take_jump(flight, t, q, jump);
-    for (int i = 0; i < nq; ++i) flight.v[i] += jump[i];
+    apply_velocity_jump(flight, t, q, velocity_jump);
+    for (int i = 0; i < nq; ++i) flight.v[i] += velocity_jump[i];
   }
   for (std::size_t i = 0; i < n; ++i) {
     if (contacts.is_rigid(i)) contacts.set_closed(i, flight.closed[i]);
@@ -309,7 +310,7 @@ void VerletStep::knock_open(std::size_t contact, Flight& flight) {
   StepContacts::Kept& kept = contacts.now[contact];
   contacts.push(contact, kept.normal, kept.friction, missed);
   for (int j = 0; j < nq; ++j) {
-    late_[static_cast<std::size_t>(j)] += (flight.theta - 0.5) / x.kick * missed[j];
+    deferred_[static_cast<std::size_t>(j)] += (flight.theta - 0.5) / x.kick * missed[j];
     flight.a[j] -= missed[j] / (x.kick * x.h);
   }
   kept.closed = false;
@@ -324,25 +325,26 @@ bool follows(const AuxiliaryBearing& at, double t) {
 // The command at an impact with the coordinates q and the velocities v. t: s, for a law that
 // depends on time, and to tell whether it is on.
 Eigen::Vector2d command_at_impact(const Model& m, std::size_t bearing, double t, const double* q,
-                                  const double* v, const Eigen::Vector2d& held) {
-  return follows(m.auxiliary[bearing], t) ? control_command(m, t, q, v, bearing) : held;
+                                  const double* v, const Eigen::Vector2d& held_command) {
+  return follows(m.auxiliary[bearing], t) ? control_command(m, t, q, v, bearing) : held_command;
 }
 
 }  // namespace
 
-// jump: input, load of the impulses; output, jump of the velocities. x.after and late_ get their
-// shares of the jump. The kicks do not see that the jump changes velocity-dependent loads; late_
-// also gets what follows from that, -(theta - 1/2) h M^-1 (F(v + jump) - F(v)), and late_work_ the
-// work that the mean of the step's velocities misses. t (s), q: where M and the loads are taken. A
-// continuous controller sees the jump too.
-void VerletStep::take_jump(const Flight& flight, double t, const double* q, double* jump) {
+// velocity_jump: input, load of the impulses; output, the velocity jump w. x.after and deferred_
+// get their shares of w. The kicks do not include how w changes velocity-dependent loads;
+// deferred_ also gets what follows from that, -(theta - 1/2) h M^-1 (F(v + w) - F(v)), and
+// work_correction_ the work that the mean of the step's velocities misses. t (s), q: where M and
+// the loads are taken. A continuous controller measures w too.
+void VerletStep::apply_velocity_jump(const Flight& flight, double t, const double* q,
+                                     double* velocity_jump) {
   const Model& m = x.m;
   const int nq = m.nq();
   const std::size_t n = m.auxiliary.size();
-  const double late = (flight.theta - 0.5) * x.h;
+  const double from_middle = (flight.theta - 0.5) * x.h;
   double v[kMaxCoordinates], before[kMaxCoordinates], missed[kMaxCoordinates];
-  solve_mass(m, t, q, jump, jump);
-  // All loads for the velocities v just before or just after the jump, and their power.
+  solve_mass(m, t, q, velocity_jump, velocity_jump);
+  // All loads for the velocities v just before or just after the impact, and their power.
   const auto loads_at = [&](double* f) {
     std::array<Eigen::Vector2d, kMaxContacts> commands, rings;
     for (std::size_t i = 0; i < n; ++i) {
@@ -352,18 +354,18 @@ void VerletStep::take_jump(const Flight& flight, double t, const double* q, doub
     smooth_force(m, t, q, v, std::span(commands).first(n), f);
     return external_power(m, t, q, v, std::span(rings).first(n));
   };
-  for (int i = 0; i < nq; ++i) v[i] = flight.v[i] + late * flight.a[i];
+  for (int i = 0; i < nq; ++i) v[i] = flight.v[i] + from_middle * flight.a[i];
   const double power = loads_at(before);
-  for (int i = 0; i < nq; ++i) v[i] += jump[i];
-  late_work_ -= late * (loads_at(missed) - power);
-  for (int i = 0; i < nq; ++i) missed[i] = -late * (missed[i] - before[i]);
+  for (int i = 0; i < nq; ++i) v[i] += velocity_jump[i];
+  work_correction_ -= from_middle * (loads_at(missed) - power);
+  for (int i = 0; i < nq; ++i) missed[i] = -from_middle * (missed[i] - before[i]);
   solve_mass(m, t, q, missed, missed);
   for (int i = 0; i < nq; ++i) {
     const auto at = static_cast<std::size_t>(i);
-    x.after[at] += (1.0 - flight.theta) * jump[i];
-    late_[at] += flight.theta * jump[i] + missed[i];
+    x.after[at] += (1.0 - flight.theta) * velocity_jump[i];
+    deferred_[at] += flight.theta * velocity_jump[i] + missed[i];
   }
-  owes_ = true;
+  has_deferred_ = true;
 }
 
 // ------------------------------------------------------------------ impacts that take time
@@ -374,7 +376,7 @@ void VerletStep::begin_slow_impact(std::int64_t k, const Flight& flight) {
   const double t = x.origin + (static_cast<double>(k) + flight.theta) * h;
   double q[kMaxCoordinates], v[kMaxCoordinates];
   for (int i = 0; i < m.nq(); ++i) {
-    q[i] = x.seen[static_cast<std::size_t>(i)] + flight.theta * h * flight.v[i];
+    q[i] = x.q_k[static_cast<std::size_t>(i)] + flight.theta * h * flight.v[i];
     v[i] = flight.v[i] + to_touch * flight.a[i];
   }
   FiniteImpact& impact = *slow_impact_;
@@ -382,7 +384,7 @@ void VerletStep::begin_slow_impact(std::int64_t k, const Flight& flight) {
   const Status found = impact.begin(t, q, v, command, follows(m.first(), t));
   if (found != Status::kOk) return x.fail(found);
   // The kick went on to the middle of the step.
-  late_work_ += to_touch * impact.power_at_touch() + impact.external_work();
+  work_correction_ += to_touch * impact.power_at_touch() + impact.external_work();
   impact_time_ = impact.end() - t;
   contacts.note_impact(impact.record());
   contacts.set_closed(0, false);
@@ -394,25 +396,25 @@ void VerletStep::follow_slow_impact(std::int64_t k) {
   FiniteImpact& impact = *slow_impact_;
   const double h = x.h, end = x.time_of(k) + h;
   const int nq = x.nq();
-  const double* seen = x.seen.data();
-  double *after = x.after.data(), *late = late_.data();
+  const double* q_k = x.q_k.data();
+  double *after = x.after.data(), *deferred = deferred_.data();
   slow_impact_step_ = static_cast<double>(k) * h;
   if (end < impact.end()) {
     double to[kMaxCoordinates];
     impact.coordinates(end, to);
-    for (int i = 0; i < nq; ++i) after[i] = (to[i] - seen[i]) / h;
+    for (int i = 0; i < nq; ++i) after[i] = (to[i] - q_k[i]) / h;
     return;
   }
   const double *q, *v, *a;
   const double left = end - impact.end(), from_middle = left - 0.5 * h;
-  late_work_ += from_middle * impact.power_at_end();
+  work_correction_ += from_middle * impact.power_at_end();
   const bool closes = impact.finish(q, v, a);
   for (int i = 0; i < nq; ++i) {
     const double flown = q[i] + left * (v[i] + 0.5 * left * a[i]);
-    after[i] = (flown - seen[i]) / h;
-    late[i] = v[i] + from_middle * a[i] - after[i];
+    after[i] = (flown - q_k[i]) / h;
+    deferred[i] = v[i] + from_middle * a[i] - after[i];
   }
-  owes_ = true;
+  has_deferred_ = true;
   contacts.now[0].closed = closes;
 }
 

@@ -4,19 +4,19 @@
 // A kick changes the velocities over t_{k-1/2} to t_{k+1/2}, a drift the coordinates over t_k to
 // t_{k+1}.
 //
-//   1. Kick: v' = v_{k-1/2} + the rest of the last step's impacts. All loads at (t_k, q_k), those
+//   1. Kick: v' = v_{k-1/2} + what the last step's impacts deferred. All loads at (t_k, q_k), those
 //      that depend on velocities at the mean of v' and v_f, lead to the free velocity
 //      v_f = v_{k+1/2}. The first step is half a kick.
 //   2. Contact: if the straight path q_k + h v_f stays inside every ring, nothing else happens. A
-//      lasting contact ends the step on its circle, or presses into its wall (step_contacts.h). If
+//      lasting contact ends the step on its circle, or penetrates its wall (step_contacts.h). If
 //      a load or the command jumps within a step of lasting contact, it is taken in two parts
 //      (split()).
 //   3. Impact: if the path of a contact in flight leaves its circle, Poisson's law applies at that
 //      instant.
 //   4. Drift: q_{k+1} = q_k + h v_{k+1/2}.
 //
-// An impact at the fraction theta of the step makes the velocities jump by w. This step takes (1 -
-// theta) w, and the next one takes the rest. The kicks do not see that the jump changes the
+// An impact at the fraction theta of the step causes the velocity jump w. This step takes (1 -
+// theta) w, and the rest is deferred to the next one. The kicks do not include how w changes the
 // velocity-dependent loads, so the next step also takes -(theta - 1/2) h M^-1 (F(v + w) - F(v));
 // without this term order 2 would be lost. An impact that takes time (model/finite_impact.h)
 // continues over several steps. Flight resumes where it ends, at any fraction of a step.
@@ -52,7 +52,7 @@ class VerletStep {
   // Call it after a state (q, v at one instant) has been written: the next step is half a kick.
   void restart();
   // Announces a jump of the command of a ring within the next step.
-  void announce_jump(std::size_t ring, const CommandJump& command);
+  void announce_command_jump(std::size_t ring, const CommandJump& command);
 
   // True if the last step was half a kick.
   bool was_first() const { return was_first_; }
@@ -74,8 +74,8 @@ class VerletStep {
   void for_each_kept(Action& action) {
     keep_flag(first_, action);
     contacts.for_each_force_kept(action);
-    keep_flag(owes_, action);
-    for (double& value : late_) action(value);
+    keep_flag(has_deferred_, action);
+    for (double& value : deferred_) action(value);
     if (slow_impact_) slow_impact_->for_each_kept(action);
   }
   // How many numbers a saved step needs, including the state and those of loads and contacts.
@@ -92,26 +92,26 @@ class VerletStep {
   void split(double share, double begin, double end);
   void take_part(const StepContacts::State& was, double begin, double end);
   void command_part(bool before, double share);
-  void forget_jumps();
+  void forget_command_jumps();
 
   void collide(std::int64_t k);
   std::size_t next_touch(Flight& flight) const;
   void knock_open(std::size_t contact, Flight& flight);
-  void take_jump(const Flight& flight, double t, const double* q, double* jump);
+  void apply_velocity_jump(const Flight& flight, double t, const double* q, double* velocity_jump);
   void begin_slow_impact(std::int64_t k, const Flight& flight);
   void follow_slow_impact(std::int64_t k);
 
-  Coordinates late_;                  // m/s, rad/s: rest of the last step
-  bool first_ = true, owes_ = false;  // the next step is half a kick; late_ is in use
+  Coordinates deferred_;                      // m/s, rad/s: deferred by the last step
+  bool first_ = true, has_deferred_ = false;  // the next step is half a kick; deferred_ is in use
   bool was_first_ = true;
   // J, the work of the loads that the mean of the step's velocities misses because of impacts.
-  double late_work_ = 0.0;
+  double work_correction_ = 0.0;
 
   bool switches_ = false;  // some load is switched during a run
   // s; a cache: no load is switched from switch_from_ until switch_at_.
   double switch_from_ = std::numeric_limits<double>::infinity(), switch_at_ = 0.0;
-  bool command_jumps_ = false;  // in the step that comes or is under way
-  std::array<CommandJump, kMaxContacts> jumps_;
+  bool has_command_jumps_ = false;  // in the step that comes or is under way
+  std::array<CommandJump, kMaxContacts> command_jumps_;
   // For a step in parts: contacts before it; x.after under the mean loads; weighted sum of the
   // parts.
   StepContacts::State before_parts_;

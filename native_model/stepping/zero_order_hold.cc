@@ -73,11 +73,11 @@ Eigen::Vector2d ZeroOrderHold::mean(double begin, double t, double end, const do
   };
   Eigen::Vector2d sum{0.0, 0.0}, before{0.0, 0.0};
   double from = begin;
-  jump_ = {};
+  command_jump_ = {};
   const auto until = [&](double instant) {
     const double to = std::clamp(instant, from, end);
-    if (jump_.share == 0.0 && from > begin && to > from) {
-      jump_.share = (from - begin) / (end - begin);
+    if (command_jump_.share == 0.0 && from > begin && to > from) {
+      command_jump_.share = (from - begin) / (end - begin);
       before = sum;
     }
     sum += (to - from) * acts(held_);
@@ -101,7 +101,7 @@ Eigen::Vector2d ZeroOrderHold::mean(double begin, double t, double end, const do
     }
   }
   until(end);
-  if (jump_.share == 0.0) return held_;
+  if (command_jump_.share == 0.0) return held_;
   const auto mean_of = [&](const Eigen::Vector2d& part, double time) -> Eigen::Vector2d {
     const Eigen::Vector2d mean = part / time;
     if (!forces) return mean;
@@ -110,8 +110,8 @@ Eigen::Vector2d ZeroOrderHold::mean(double begin, double t, double end, const do
             magnets.law->current(s.y(), mean.y(), magnets.current_limit)};
   };
   const double whole = end - begin;
-  jump_.before = mean_of(before, jump_.share * whole);
-  jump_.after = mean_of(sum - before, (1.0 - jump_.share) * whole);
+  command_jump_.before = mean_of(before, command_jump_.share * whole);
+  command_jump_.after = mean_of(sum - before, (1.0 - command_jump_.share) * whole);
   return mean_of(sum, whole);
 }
 

@@ -31,7 +31,7 @@ class ZeroOrderHold {
   Eigen::Vector2d mean(double begin, double t, double end, const double* q, const double* v,
                        const double* a);
   // The first jump of the command in the last mean().
-  const CommandJump& jump() const { return jump_; }
+  const CommandJump& command_jump() const { return command_jump_; }
   // True if mean() would use the state.
   bool listens(double end) const;
   // Outputs of a sampled law at its last sample (ActuatorState::outputs).
@@ -59,7 +59,7 @@ class ZeroOrderHold {
   const Model* model_;
   std::size_t bearing_;
   Eigen::Vector2d held_{0.0, 0.0};
-  CommandJump jump_;
+  CommandJump command_jump_;
   double last_sample_ = -1.0;  // index of the held sample; -1: none yet
   SampledCommand sampled_;
   std::optional<Eigen::Vector2d> currents_;

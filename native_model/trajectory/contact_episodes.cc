@@ -7,8 +7,8 @@
 namespace rotorub {
 
 void ContactEpisodes::step(const SoftStep& s) {
-  const bool pressed = s.normal > 0.0;
-  if (pressed && !open_) {
+  const bool loaded = s.normal > 0.0;
+  if (loaded && !open_) {
     open_ = true;
     // The gap was open a step earlier; linear interpolation gives the instant at which it closed.
     const double fall = last_gap_ - s.before.gap;
@@ -27,7 +27,7 @@ void ContactEpisodes::step(const SoftStep& s) {
     recorder_->add(Event{s.t, mode_event(s.mode), contact_});
     mode_ = s.mode;
   }
-  if (pressed) {
+  if (loaded) {
     lasted_ += s.h;
     impact_.normal_impulse += s.h * s.normal;
     impact_.friction_impulse += s.h * s.friction;

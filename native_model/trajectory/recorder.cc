@@ -129,8 +129,8 @@ void Recorder::count_at(std::size_t contact, double begin, double h, double norm
   own.add(normal_impulse, friction_impulse, friction_work);
 }
 
-void Recorder::count_beside(double begin, double h, double normal_impulse, double friction_impulse,
-                            double friction_work, double before) {
+void Recorder::count_further(double begin, double h, double normal_impulse, double friction_impulse,
+                             double friction_work, double before) {
   Statistics& s = statistics_;
   s.touch(begin);
   if (before == 0.0) s.contact_time += h;

@@ -124,8 +124,8 @@ class Recorder {
   void watch_gap(std::size_t contact, double gap);
   // Adds a further contact to the totals of a step that step() counts. before: total normal impulse
   // of the contacts before it, N s.
-  void count_beside(double begin, double h, double normal_impulse, double friction_impulse,
-                    double friction_work, double before);
+  void count_further(double begin, double h, double normal_impulse, double friction_impulse,
+                     double friction_work, double before);
   // Counts an episode of a soft contact that starts at `begin` and lasts `lasted` s: an impact if
   // it fits within the window, else lasting contact. An impact during lasting contact of another
   // contact adds no time of its own.

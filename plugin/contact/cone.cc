@@ -15,7 +15,8 @@ namespace rotorub::plugin {
 // aref = -B v in a friction row, where v is the velocity of geom 2 against geom 1 along the frame's
 // second axis. It is minus the slip of the rotor's surface if the rotor is geom 1; if it is not,
 // e_t is reversed.
-void add_held_slip(double surface_speed, const mjModel* m, mjData* d, const mjContact& contact) {
+void add_prescribed_slip(double surface_speed, const mjModel* m, mjData* d,
+                         const mjContact& contact) {
   const double slip = -surface_speed;
   const auto add = [d](int row, double rate) {
     d->efc_vel[row] += rate;
@@ -60,7 +61,7 @@ void shift_reference(const mjModel* m, mjData* d, const ConeRows& rows, double b
 bool follow_ring(const mjModel* m, mjData* d, const ConeRows& rows, double curvature,
                  const mjtNum* free) {
   constexpr double kResting = -1e12;  // m/s^2
-  const double h = m->opt.timestep, late = m->opt.integrator == mjINT_RK4 ? 0.0 : 0.5 * h;
+  const double h = m->opt.timestep, lag = m->opt.integrator == mjINT_RK4 ? 0.0 : 0.5 * h;
   const mjtNum* kbip = d->efc_KBIP + 4 * rows.first;
   const double gap = d->efc_pos[rows.first];
   // The velocity of a semi-implicit step is half a step old: on a circle it points outward by h/2
@@ -73,7 +74,7 @@ bool follow_ring(const mjModel* m, mjData* d, const ConeRows& rows, double curva
   }
   shift_reference(
       m, d, rows,
-      kbip[0] * kbip[2] * d->efc_margin[rows.first] - curvature * (1.0 - late * kbip[1]));
+      kbip[0] * kbip[2] * d->efc_margin[rows.first] - curvature * (1.0 - lag * kbip[1]));
   return true;
 }
 

@@ -1,7 +1,7 @@
 // Contact models `cone` and `cone-coulomb`: MuJoCo's own soft contact with its friction cone,
-// elliptic or pyramidal. If the spin is held constant, it is not a degree of freedom, and MuJoCo
-// does not see its slip r Omega; this slip is added to the reference of the tangential rows. `cone`
-// may have its own friction reference, a_ref,T = -B_t v_slip, which MuJoCo has since 2.3.6
+// elliptic or pyramidal. If the spin is prescribed, it is not a degree of freedom, and MuJoCo does
+// not see its slip r Omega; this slip is added to the reference of the tangential rows. `cone` may
+// have its own friction reference, a_ref,T = -B_t v_slip, which MuJoCo has since 2.3.6
 // (solreffriction); `cone-coulomb` is corrected for sliding (below).
 #pragma once
 
@@ -12,8 +12,9 @@
 
 namespace rotorub::plugin {
 
-// surface_speed: m/s, r Omega of the held spin. The contact must have friction rows.
-void add_held_slip(double surface_speed, const mjModel* m, mjData* d, const mjContact& contact);
+// surface_speed: m/s, r Omega of the prescribed spin. The contact must have friction rows.
+void add_prescribed_slip(double surface_speed, const mjModel* m, mjData* d,
+                         const mjContact& contact);
 
 // Sets aref = -B_t v in the friction rows, if there are any, those of torsion and rolling included;
 // B_t in 1/s.
@@ -46,10 +47,10 @@ void set_friction_reference(const mjModel* m, mjData* d, const mjContact& contac
 // |z| is unknown before the solution. If none of several contacts slides in MuJoCo's solution
 // without a shift, that solution is Coulomb's and is kept. Otherwise each group of contacts that is
 // not coupled to other constraints or to other groups is solved exactly, with Coulomb's law
-// (disc_law.h). Beside other constraints, with torsional or rolling friction, and with MuJoCo's
-// pyramids, whose norm is max |z_i|, MuJoCo's solver is run repeatedly until the |z| of its
-// solution equals the shift. Nothing is remembered from step to step, so mj_forward may be repeated
-// and a state may be written, as with MuJoCo alone.
+// (disc_law.h). With other constraints, torsional or rolling friction, and MuJoCo's pyramids, whose
+// norm is max |z_i|, MuJoCo's solver is run repeatedly until the |z| of its solution equals the
+// shift. Nothing is remembered from step to step, so mj_forward may be repeated and a state may be
+// written, as with MuJoCo alone.
 
 struct SlidingContact {
   const mjContact* contact = nullptr;  // solved by MuJoCo: efc_address >= 0

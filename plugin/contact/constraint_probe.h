@@ -22,7 +22,7 @@ namespace rotorub::plugin {
 bool constraints_couple(const mjModel* m, mjData* d, const ContactSpace& space,
                         std::span<const int> but = {});
 
-// Issues a mju_warning that no impulse meets the contact laws beside these rows, so that the one
+// Issues a mju_warning that no impulse meets the contact laws with these rows, so that the one
 // with the least error is taken, and names the rows.
 void warn_unsolved(const mjModel* m, mjData* d, const ContactSpace& space);
 

@@ -20,7 +20,7 @@ namespace rotorub::plugin {
 // With `rigid` a rotor that was within its clearance does not penetrate the wall by more than
 // kDeep. If one does, the step is too long for its motion, or something that the contact does not
 // see moves rotor or ring. The user is warned once, and `rotorub_active` is 0 meanwhile. The guard
-// keeps its bits beside the Status of the contact laws, in ContactEntries::status.
+// keeps its bits with the Status of the contact laws, in ContactEntries::status.
 class EscapeGuard {
  public:
   explicit EscapeGuard(mjtNum& status) : state_(&status) {}  // ContactEntries::status
@@ -128,7 +128,11 @@ class ContactMemory {
     entry_.normal_force = r.normal / h_;
     entry_.friction_force = r.friction / h_;
     EscapeGuard guard(entry_.status);
-    r.converged ? guard.record(r.status) : guard.set_status(r.status);
+    if (r.converged) {
+      guard.record(r.status);
+    } else {
+      guard.set_status(r.status);
+    }
     entry_.impact = r.impact ? 1.0 : 0.0;
     if (r.normal > 0.0) note_contact(d_, pair_.data, r.e_r);
     if (!r.impact) return;

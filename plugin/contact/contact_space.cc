@@ -215,7 +215,7 @@ ContactSpaces::~ContactSpaces() {
 
 ContactSpaces::Made ContactSpaces::add(const ContactPair& pair) {
   ContactPlace place = contact_place(pair, d_);
-  if (pair.beside) {
+  if (pair.further) {
     place.d = separation(config_.model, Coordinates(config_, d_).q(), pair.bearing);
   }
   Spaces& spaces = all_[count_++];

@@ -117,8 +117,8 @@ class ContactSpace {
 // A contact between bodies in contact space, for all contacts that are not on the modal chain:
 // (relative x, relative y, spin) = J qvel along the axes of the contact, z along the ring's axis,
 // with MuJoCo's own Jacobians and mass matrix. The ring may move, tilt and turn. Relative x and y
-// are those of the rotor's centre against the point of the ring's axis beside it, so that a ring
-// that only turns does not change them. The spin is
+// are those of the rotor's centre against the nearest point of the ring's axis, so that a ring that
+// only turns does not change them. The spin is
 //   Omega - (1 + delta / r) Omega_ring,
 // because the ring's surface is at r + delta from its axis: gdot_T = e_t . (x, y)' + r spin. In
 // contact 1 + delta / r equals R / r of the native model (ContactParameters::surface_ratio). If the
@@ -135,7 +135,7 @@ bool face_each_other(const ContactPair& pair, const mjData* d);
 // Where the rates of a contact are taken.
 struct ContactPlace {
   const mjtNum* axes;
-  mjtNum ring_point[3];  // m, point of the ring's axis beside the rotor's centre
+  mjtNum ring_point[3];  // m, point of the ring's axis nearest to the rotor's centre
   Eigen::Vector2d d;     // m, position_of
   double ring_spin;      // 1 + delta / r
 };

@@ -21,11 +21,11 @@
 namespace rotorub::plugin {
 namespace {
 
-// The row of a contact that MuJoCo's solver does not contain (ContactPair::beside).
+// The row of a contact that MuJoCo's solver does not contain (ContactPair::further).
 constexpr int kNoRow = -1;
 
 // One contact in terms of accelerations.
-struct TouchingPair : ContactRows {
+struct CoulombContact : ContactRows {
   const ContactPair* pair = nullptr;
   int row = 0;  // row of MuJoCo's solver
   ContactPoint point{};
@@ -33,9 +33,9 @@ struct TouchingPair : ContactRows {
   double slip = 0.0;                    // m/s, magnitude in both directions
   double curvature = 0.0;  // m/s^2, towards the ring, by the whirl and by centres on circles
   Eigen::Vector3d free{0.0, 0.0, 0.0};  // m/s^2, y without any contact force
-  bool touches = false;
-  std::optional<double> pressing{};      // N, normal force of a compliant contact
-  Eigen::Vector3d force{0.0, 0.0, 0.0};  // N, (normal, friction, friction along the axis)
+  bool closed = false;
+  std::optional<double> compliant_force{};  // N, normal force of a compliant contact
+  Eigen::Vector3d force{0.0, 0.0, 0.0};     // N, (normal, friction, friction along the axis)
   bool sticks = false;
 
   ContactEntries& entries(mjData* d) const { return contact_entries(*pair, d); }
@@ -74,15 +74,15 @@ Reference reference_of(const ContactPair& pair, const mjModel* m, const mjData* 
   return {-solref[0] / impedance, -solref[1] / impedance};
 }
 
-TouchingPair touching_pair(const ContactPair& pair, const ContactSpaces::Made& at, const mjModel* m,
-                           mjData* d, int row) {
+CoulombContact coulomb_contact(const ContactPair& pair, const ContactSpaces::Made& at,
+                               const mjModel* m, mjData* d, int row) {
   const auto& [place, space, axial] = at;
   const double h = m->opt.timestep;
   Eigen::Vector3d rates = space->rates(d->qvel);
-  rates.z() += pair.held_spin;
+  rates.z() += pair.prescribed_spin;
   const ContactPoint p = contact_kinematics(place.d, rates.head<2>(), rates.z(),
                                             pair.contact.radius, pair.contact.clearance);
-  TouchingPair s{{space, axial, p.e_r, pair.contact.radius}, &pair, row, p};
+  CoulombContact s{{space, axial, p.e_r, pair.contact.radius}, &pair, row, p};
   const double whirl = p.whirl_speed();
   const Eigen::Vector2d turning = turning_of(pair, place, m, d);
   const double whirling = whirl * whirl / p.delta;
@@ -92,7 +92,7 @@ TouchingPair touching_pair(const ContactPair& pair, const ContactSpaces::Made& a
   const Reference r = reference_of(pair, m, d, row);
   const double reference = -r.damping * (p.gap_rate + 0.5 * h * s.curvature) - r.stiffness * p.gap;
   if (pair.contact.gives()) {
-    s.pressing = compliant_force(pair, p, m, d);
+    s.compliant_force = compliant_force(pair, p, m, d);
   }
   s.base = {-s.curvature - reference,
             p.slip / h + whirl / p.delta * p.gap_rate + p.e_t().dot(turning),
@@ -102,21 +102,21 @@ TouchingPair touching_pair(const ContactPair& pair, const ContactSpaces::Made& a
 }
 
 // Finds y without any contact force, where free(space) are the free accelerations, and decides
-// whether the contact touches. A rebound that the loads undo within two steps is not a flight.
-// Beside other contacts, which may press this one, the common law decides.
+// whether the contact is closed. A rebound that the loads undo within two steps is not a flight.
+// With other contacts, whose forces may close this one, the common law decides.
 template <typename Free>
-void look(TouchingPair& s, bool beside_others, Free free, const mjModel* m, mjData* d) {
+void look(CoulombContact& s, bool with_others, Free free, const mjModel* m, mjData* d) {
   const Eigen::Vector3d a = s.along(free);
   s.free = s.base + a;
-  if (s.pressing) {
-    s.touches = *s.pressing > 0.0;
+  if (s.compliant_force) {
+    s.closed = *s.compliant_force > 0.0;
     return;
   }
   const bool before = s.entries(d).mode != 0.0;
   const bool lasts =
-      before && (beside_others ||
+      before && (with_others ||
                  !flight_outlives(2.0 * m->opt.timestep, s.point.gap_rate, s.curvature - a.x()));
-  s.touches = s.point.gap < 0.0 || lasts;
+  s.closed = s.point.gap < 0.0 || lasts;
 }
 
 // The reference of an open contact. It is well below the acceleration, so that not even round-off
@@ -124,13 +124,13 @@ void look(TouchingPair& s, bool beside_others, Free free, const mjModel* m, mjDa
 double open_reference(double acceleration) { return acceleration - (1.0 + std::abs(acceleration)); }
 
 // The contacts of a pass.
-using TouchingPairs = ContactList<TouchingPair>;
+using CoulombContacts = ContactList<CoulombContact>;
 
 // Sets aref, from which MuJoCo's solver finds l = (aref - J a_smooth) / (J M^-1 J^T + R).
 // rates(space): the accelerations with all contact forces.
 template <typename Rates>
-void set_references(const TouchingPairs& contacts, Rates rates, mjData* d) {
-  for (const TouchingPair& s : contacts) {
+void set_references(const CoulombContacts& contacts, Rates rates, mjData* d) {
+  for (const CoulombContact& s : contacts) {
     if (s.row == kNoRow) continue;
     const double found = s.along(rates).x();
     d->efc_aref[s.row] =
@@ -138,64 +138,66 @@ void set_references(const TouchingPairs& contacts, Rates rates, mjData* d) {
   }
 }
 
-// The contacts that touch, in the order of a vector of forces.
-struct Touching {
-  ContactList<TouchingPair*> at;
+// The closed contacts, in the order of a vector of forces.
+struct ClosedContacts {
+  ContactList<CoulombContact*> at;
   ContactList<ImpactLaw> laws;   // only their friction is filled
   ContactList<ContactSet> sets;  // only for compliant contacts; either all or none are
   Eigen::Index rows = 2;         // 3 if one of them moves along its axis
   Eigen::Index row(std::size_t k) const { return rows * static_cast<Eigen::Index>(k); }
   ContactMatrix matrix() const {
     ContactList<const ContactRows*> all;
-    for (const TouchingPair* s : at) all.push_back(s);
+    for (const CoulombContact* s : at) all.push_back(s);
     return contact_matrix(all, rows, false);
   }
 };
 
-Touching touching(TouchingPairs& contacts) {
-  Touching t;
-  for (TouchingPair& s : contacts) {
-    if (!s.touches) continue;
+ClosedContacts closed_contacts(CoulombContacts& contacts) {
+  ClosedContacts closed;
+  for (CoulombContact& s : contacts) {
+    if (!s.closed) continue;
     // The law is evaluated at the slip here, because the rates of this problem are accelerations.
     ImpactLaw law;
     law.friction = s.pair->contact.friction.at(s.slip);
-    t.laws.push_back(law);
-    if (s.pressing) {
-      ContactSet set{law.friction.coefficient, *s.pressing};
-      set.pressed = true;
-      t.sets.push_back(set);
+    closed.laws.push_back(law);
+    if (s.compliant_force) {
+      ContactSet set{law.friction.coefficient, *s.compliant_force};
+      set.normal_known = true;
+      closed.sets.push_back(set);
     }
-    t.at.push_back(&s);
-    if (s.axial) t.rows = 3;
+    closed.at.push_back(&s);
+    if (s.axial) closed.rows = 3;
   }
-  return t;
+  return closed;
 }
 
-void put(Touching& t, const ContactVector& forces, const std::array<bool, kMaxContacts>& sticks) {
-  for (std::size_t k = 0; k < t.at.size(); ++k) {
-    t.at[k]->force.head(t.rows) = forces.segment(t.row(k), t.rows);
-    t.at[k]->sticks = sticks[k];
+void put(ClosedContacts& closed, const ContactVector& forces,
+         const std::array<bool, kMaxContacts>& sticks) {
+  for (std::size_t k = 0; k < closed.at.size(); ++k) {
+    closed.at[k]->force.head(closed.rows) = forces.segment(closed.row(k), closed.rows);
+    closed.at[k]->sticks = sticks[k];
   }
 }
 
-// Accelerations of the contacts under their forces, beside constraints.
+// Accelerations of the contacts under their forces, with constraints.
 class ForceResponse final : public ContactResponse {
  public:
-  ForceResponse(ConstraintProbe& probe, const Touching& t) : probe_(probe), t_(t) {}
+  ForceResponse(ConstraintProbe& probe, const ClosedContacts& closed)
+      : probe_(probe), closed_(closed) {}
   ContactVector at(const ContactVector& p) override {
     probe_.solve([&](mjtNum* force) {
-      for (std::size_t k = 0; k < t_.at.size(); ++k) {
-        const Eigen::Index row = t_.row(k);
-        t_.at[k]->for_each_load(
-            {p[row], p[row + 1], t_.rows == 3 ? p[row + 2] : 0.0},
+      for (std::size_t k = 0; k < closed_.at.size(); ++k) {
+        const Eigen::Index row = closed_.row(k);
+        closed_.at[k]->for_each_load(
+            {p[row], p[row + 1], closed_.rows == 3 ? p[row + 2] : 0.0},
             [&](const ContactSpace& at, const Eigen::Vector3d& load) { at.add_load(load, force); });
       }
     });
-    ContactVector y(t_.row(t_.at.size()));
+    ContactVector y(closed_.row(closed_.at.size()));
     const auto found = [this](const ContactSpace& at) { return probe_.acceleration(at); };
-    for (std::size_t k = 0; k < t_.at.size(); ++k) {
-      const TouchingPair& s = *t_.at[k];
-      y.segment(t_.row(k), t_.rows) = (s.base + s.along(found)).head(t_.rows);
+    for (std::size_t k = 0; k < closed_.at.size(); ++k) {
+      const CoulombContact& s = *closed_.at[k];
+      y.segment(closed_.row(k), closed_.rows) = (s.base + s.along(found)).head(closed_.rows);
     }
     return y;
   }
@@ -203,38 +205,39 @@ class ForceResponse final : public ContactResponse {
 
  private:
   ConstraintProbe& probe_;
-  const Touching& t_;
+  const ClosedContacts& closed_;
 };
 
 // Warns once and not in every step.
-void note_status(const Touching& t, bool converged, const mjModel* m, mjData* d) {
-  const auto warned = [d](const TouchingPair* s) {
+void note_status(const ClosedContacts& closed, bool converged, const mjModel* m, mjData* d) {
+  const auto warned = [d](const CoulombContact* s) {
     return EscapeGuard(s->entries(d).status).status() != Status::kOk;
   };
-  const bool known = std::any_of(t.at.begin(), t.at.end(), warned);
-  if (!converged && !known) warn_unsolved(m, d, *t.at[0]->plane);
-  for (const TouchingPair* s : t.at) {
+  const bool known = std::any_of(closed.at.begin(), closed.at.end(), warned);
+  if (!converged && !known) warn_unsolved(m, d, *closed.at[0]->plane);
+  for (const CoulombContact* s : closed.at) {
     EscapeGuard(s->entries(d).status).set_status(converged ? Status::kOk : Status::kNoSolution);
   }
 }
 
-void solve_free(TouchingPairs& contacts, const mjModel* m, mjData* d) {
+void solve_free(CoulombContacts& contacts, const mjModel* m, mjData* d) {
   const auto response = [d](const ContactSpace& at) { return at.response(d->qfrc_smooth); };
-  for (TouchingPair& s : contacts) look(s, contacts.size() > 1, response, m, d);
-  Touching t = touching(contacts);
-  if (!t.at.empty()) {
-    ContactVector b(t.row(t.at.size()));
-    for (std::size_t k = 0; k < t.at.size(); ++k) {
-      b.segment(t.row(k), t.rows) = t.at[k]->free.head(t.rows);
+  for (CoulombContact& s : contacts) look(s, contacts.size() > 1, response, m, d);
+  ClosedContacts closed = closed_contacts(contacts);
+  if (!closed.at.empty()) {
+    ContactVector b(closed.row(closed.at.size()));
+    for (std::size_t k = 0; k < closed.at.size(); ++k) {
+      b.segment(closed.row(k), closed.rows) = closed.at[k]->free.head(closed.rows);
     }
-    const CoupledSolution s = t.sets.empty() ? solve_compression(t.matrix(), b, t.laws)
-                                             : solve_coupled(t.matrix(), b, t.sets);
-    if (s.solutions > 0) put(t, s.p, s.sticks);
+    const CoupledSolution s = closed.sets.empty()
+                                  ? solve_compression(closed.matrix(), b, closed.laws)
+                                  : solve_coupled(closed.matrix(), b, closed.sets);
+    if (s.solutions > 0) put(closed, s.p, s.sticks);
   }
   StackFrame room(d);
   mjtNum* acceleration = room.numbers(count(m->nv));
   mju_zero(acceleration, count(m->nv));
-  for (const TouchingPair& s : contacts) {
+  for (const CoulombContact& s : contacts) {
     if (s.force.x() > 0.0) s.add_acceleration(acceleration);
   }
   const auto rates = [acceleration](const ContactSpace& at) -> Eigen::Vector3d {
@@ -243,43 +246,42 @@ void solve_free(TouchingPairs& contacts, const mjModel* m, mjData* d) {
   set_references(contacts, rates, d);
 }
 
-// The same beside constraints. The contacts' own rows are kept inactive during the trials. The
-// solver's final result then obeys J a = aref - R l.
-void solve_beside_constraints(TouchingPairs& contacts, const mjModel* m, mjData* d) {
+// The same with constraints that act on the bodies. The contacts' own rows are kept inactive during
+// the trials. The solver's final result then obeys J a = aref - R l.
+void solve_with_constraints(CoulombContacts& contacts, const mjModel* m, mjData* d) {
   constexpr double kInactive = -1e12;  // m/s^2
-  for (const TouchingPair& s : contacts) {
+  for (const CoulombContact& s : contacts) {
     if (s.row != kNoRow) d->efc_aref[s.row] = kInactive;
   }
   ConstraintProbe probe(m, d);
   probe.solve([](mjtNum*) {});
   const auto free = [&probe](const ContactSpace& at) { return probe.acceleration(at); };
-  for (TouchingPair& s : contacts) look(s, contacts.size() > 1, free, m, d);
-  Touching t = touching(contacts);
-  if (!t.at.empty()) {
-    ForceResponse response(probe, t);
-    const ContactVector none = ContactVector::Zero(t.row(t.at.size()));
+  for (CoulombContact& s : contacts) look(s, contacts.size() > 1, free, m, d);
+  ClosedContacts closed = closed_contacts(contacts);
+  if (!closed.at.empty()) {
+    ForceResponse response(probe, closed);
+    const ContactVector none = ContactVector::Zero(closed.row(closed.at.size()));
     const ConstrainedContact found =
-        solve_constrained(response, response.at(none), t.matrix(), t.laws);
-    if (found.solved) put(t, found.p, found.sticks);
-    note_status(t, found.converged, m, d);
+        solve_constrained(response, response.at(none), closed.matrix(), closed.laws);
+    if (found.solved) put(closed, found.p, found.sticks);
+    note_status(closed, found.converged, m, d);
     response.at(found.solved ? found.p : none);
   }
   set_references(
       contacts, [d](const ContactSpace& at) { return at.rates(d->qacc); }, d);
-  const auto presses = [](const TouchingPair& s) { return s.force.x() > 0.0; };
-  if (std::any_of(contacts.begin(), contacts.end(), presses)) probe.keep();
+  const auto is_loaded = [](const CoulombContact& s) { return s.force.x() > 0.0; };
+  if (std::any_of(contacts.begin(), contacts.end(), is_loaded)) probe.keep();
 }
 
-// True if a contact that MuJoCo's solver does not contain is near enough to be detected.
-bool is_seen_beside(const Config& config, const ContactPair& pair, const mjModel* m,
-                    const mjData* d) {
+// True if a further contact, which MuJoCo's solver does not contain, is near enough to be detected.
+bool is_detected(const Config& config, const ContactPair& pair, const mjModel* m, const mjData* d) {
   const Coordinates state(config, d);
   const double delta = separation(config.model, state.q(), pair.bearing).norm();
   return contact_enabled(m) && delta > kNoNormal &&
-         pair.contact.clearance - delta < seen_below(m, pair.pair);
+         pair.contact.clearance - delta < detected_below(m, pair.pair);
 }
 
-void note(const TouchingPair& s, mjData* d) {
+void note(const CoulombContact& s, mjData* d) {
   ContactEntries& entry = s.entries(d);
   entry.normal_force = s.force.x();
   entry.friction_force = s.force.y();
@@ -291,39 +293,39 @@ void note(const TouchingPair& s, mjData* d) {
 
 void apply_coulomb(const Config& config, const mjModel* m, mjData* d) {
   std::optional<ContactSpaces> spaces;
-  TouchingPairs contacts;
+  CoulombContacts contacts;
   ContactList<int> own;  // their rows
   for (const ContactPair& pair : config.pairs) {
     if (pair.law == scene::ContactModel::kRigid) continue;
     ContactEntries& entry = contact_entries(pair, d);
     entry.normal_force = entry.friction_force = 0.0;
     const mjContact* contact = find_contact(pair, d);
-    const bool seen = pair.beside ? is_seen_beside(config, pair, m, d) : contact != nullptr;
-    if (!seen) entry.mode = 0.0;
-    if (!seen && pair.contact.gives()) pass_without_contact(pair, m, d);
-    if (!seen || pair.law != scene::ContactModel::kCoulomb) continue;
+    const bool detected = pair.further ? is_detected(config, pair, m, d) : contact != nullptr;
+    if (!detected) entry.mode = 0.0;
+    if (!detected && pair.contact.gives()) pass_without_contact(pair, m, d);
+    if (!detected || pair.law != scene::ContactModel::kCoulomb) continue;
     if (contacts.empty()) {
       compute_actuators(m, d);
       mj_fwdAcceleration(m, d);
       spaces.emplace(config, m, d);
     }
-    const int row = pair.beside ? kNoRow : contact->efc_address;
+    const int row = pair.further ? kNoRow : contact->efc_address;
     own.push_back(row);
-    contacts.push_back(touching_pair(pair, spaces->add(pair), m, d, row));
+    contacts.push_back(coulomb_contact(pair, spaces->add(pair), m, d, row));
   }
   if (contacts.empty()) return;
-  bool beside = false;
-  for (const TouchingPair& s : contacts) {
-    beside = beside || constraints_couple(m, d, *s.plane, own) ||
-             (s.axial && constraints_couple(m, d, *s.axial, own));
+  bool constrained = false;
+  for (const CoulombContact& s : contacts) {
+    constrained = constrained || constraints_couple(m, d, *s.plane, own) ||
+                  (s.axial && constraints_couple(m, d, *s.axial, own));
   }
   // The force of a compliant contact is known, whatever constraints act on its bodies.
-  if (beside && !contacts[0].pressing) {
-    solve_beside_constraints(contacts, m, d);
+  if (constrained && !contacts[0].compliant_force) {
+    solve_with_constraints(contacts, m, d);
   } else {
     solve_free(contacts, m, d);
   }
-  for (const TouchingPair& s : contacts) {
+  for (const CoulombContact& s : contacts) {
     note(s, d);
     if (s.force.x() > 0.0) s.add_side(d->qfrc_passive);
   }

@@ -47,8 +47,8 @@ void apply_cones(const Config& config, const mjModel* m, mjData* d) {
   for (const ContactPair& pair : config.pairs) {
     if (!scene::is_cone(pair.law)) continue;
     for_each_solved(d, pair.rotor_geom, pair.ring_geom, [&](const mjContact& c) {
-      if (pair.held_spin != 0.0 && c.dim >= 3)
-        add_held_slip(pair.contact.radius * pair.held_spin, m, d, c);
+      if (pair.prescribed_spin != 0.0 && c.dim >= 3)
+        add_prescribed_slip(pair.contact.radius * pair.prescribed_spin, m, d, c);
       if (pair.contact.gives()) {
         give_way(pair, m, d, c);
         corrected.push_back({&c, {}});

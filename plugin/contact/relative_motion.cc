@@ -73,13 +73,13 @@ bool slides_along_axis(const mjModel* m, const ContactPair& pair) {
   if (pair.contact.friction.none()) return false;
   const mjtNum z[3] = {0, 0, 1};
   const Frame ring = geom_frame(m, pair.ring_geom), rotor = geom_frame(m, pair.rotor_geom);
-  mjtNum along[3], beside[3], apart[3];
+  mjtNum along[3], nearest[3], apart[3];
   ring.along(z, along);
   mju_sub3(apart, rotor.position, ring.position);
-  mju_addScl3(beside, ring.position, along, mju_dot3(apart, along));
+  mju_addScl3(nearest, ring.position, along, mju_dot3(apart, along));
   const int bodies[2] = {m->geom_bodyid[pair.rotor_geom], m->geom_bodyid[pair.ring_geom]};
   for (int i = 0; i < 2; ++i) {
-    const mjtNum* point = i == 0 ? rotor.position : beside;
+    const mjtNum* point = i == 0 ? rotor.position : nearest;
     for (int body = bodies[i]; body > 0; body = m->body_parentid[body]) {
       if (carries(m, body, bodies[1 - i]))
         break;  // a body that carries both does not move one against the other

@@ -3,7 +3,7 @@
 // If they can move relative to each other along the ring's axis, the contact slips in two
 // directions: along the ring's circle, and along its axis with
 //   gdot_Z = z' + r (e_r,y omega_x - e_r,x omega_y).
-// z' is the velocity of the rotor's centre against the point of the ring's axis beside it; omega is
+// z' is the velocity of the rotor's centre against the nearest point of the ring's axis; omega is
 // the tilt rate of the rotor minus 1 + delta / r times that of the ring. gdot_Z is thus the motion
 // at the point of contact. Friction opposes both slips together (native_model/contact/disc_law.h).
 //

@@ -31,9 +31,9 @@ bool can_open(const RigidContact& at) {
 // A step has two parts. First come the lasting contacts, (12)-(13), together over the step. Then
 // come the impacts, in no time, with the velocities that the first part leaves: (15)-(19) for all
 // closed contacts at once, because a lasting contact takes part in an impact elsewhere on its
-// shaft. Beside constraints the forces of the step may then close a gap again
-// (constrained_law.h). If the impulses drive the rotor into a further ring, that contact is closed
-// too and the step is solved again.
+// shaft. With constraints the forces of the step may then close a gap again (constrained_law.h). If
+// the impulses drive the rotor into a further ring, that contact is closed too and the step is
+// solved again.
 class RigidSolver {
  public:
   RigidSolver(const mjModel* m, mjData* d, std::span<RigidContact* const> members,
@@ -184,14 +184,14 @@ class RigidSolver {
 
 // Finds the results and adds the impulses to d->qfrc_passive as forces over the step.
 void solve_group(const mjModel* m, mjData* d, std::span<RigidContact* const> contacts) {
-  const bool held = std::any_of(contacts.begin(), contacts.end(),
-                                [](const RigidContact* at) { return at->held; });
+  const bool constrained = std::any_of(contacts.begin(), contacts.end(),
+                                       [](const RigidContact* at) { return at->constrained; });
   std::optional<ConstraintProbe> probe;
-  if (held) {
+  if (constrained) {
     mj_fwdAcceleration(m, d);
     probe.emplace(m, d);
   }
-  RigidSolver solver(m, d, contacts, held ? &*probe : nullptr);
+  RigidSolver solver(m, d, contacts, constrained ? &*probe : nullptr);
   solver.solve();
   probe.reset();
   solver.add_forces(d->qfrc_passive);
@@ -199,7 +199,7 @@ void solve_group(const mjModel* m, mjData* d, std::span<RigidContact* const> con
 
 // True if an impulse of one may change the rates of the other.
 bool moves_with(const RigidContact& a, const RigidContact& b) {
-  if (a.held && b.held) return true;
+  if (a.constrained && b.constrained) return true;
   const auto answers = [](const ContactSpace* at, const ContactSpace* to) {
     return at && to && !at->admittance(*to).isZero(0.0);
   };
@@ -228,7 +228,7 @@ void note_results(const mjModel* m, mjData* d, std::span<RigidContact* const> gr
   for (const RigidContact* at : group) {
     ContactMemory memory(d, *at->pair, h);
     warned = warned || memory.warned();
-    if (at->held && !at->result.converged) unsolved = at;
+    if (at->constrained && !at->result.converged) unsolved = at;
     memory.note(at->result);
     if (!at->rows.axial) continue;
     note_contact(d, at->pair->data, at->result.e_r, (at->lasting.z() + at->sudden.z()) / h);
@@ -252,11 +252,11 @@ void solve_facing(const Config& config, const ContactList<const ContactPair*>& p
     c.step.d = place.d;
     c.step.bend = 0.5 * h * h * turning_of(*pair, place, m, d);
     c.step.start = plane->rates(d->qvel);
-    c.step.start.z() += pair->held_spin;
+    c.step.start.z() += pair->prescribed_spin;
     ContactMemory memory(d, *pair, h);
     memory.watch(place.d.norm());
     c.step.was_in_contact = memory.was_in_contact(place.d.norm());
-    c.held = constraints_couple(m, d, *plane) || (axial && constraints_couple(m, d, *axial));
+    c.constrained = constraints_couple(m, d, *plane) || (axial && constraints_couple(m, d, *axial));
     if (axial) c.axial_start = axial->rates(d->qvel);
     members.push_back(c);
   }

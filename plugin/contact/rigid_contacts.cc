@@ -7,7 +7,7 @@
 
 namespace rotorub::plugin {
 
-// The response of the step to the impulses of a subset, beside constraints.
+// The response of the step to the impulses of a subset, with constraints.
 class RigidContacts::Response final : public ContactResponse {
  public:
   Response(RigidContacts& contacts, const ContactSubset& subset)
@@ -148,7 +148,7 @@ bool RigidContacts::solve(const ContactSubset& s, SubsetSolution& out) {
   for (const ContactSubset::Member& member : s.members) {
     laws.push_back(member.at->pair->contact.law());
   }
-  if (probe_) return solve_held(s, a, free, laws, out);
+  if (probe_) return solve_with_constraints(s, a, free, laws, out);
   // Impact times count only for a planar contact that is alone on its bodies, without constraints.
   const RigidContact& first = *s.members[0].at;
   const bool over_time =
@@ -196,9 +196,9 @@ ContactList<double> RigidContacts::slips_before(const ContactSubset& s) const {
   return slips;
 }
 
-bool RigidContacts::solve_held(const ContactSubset& s, const ContactMatrix& a,
-                               const ContactVector& free, std::span<const ImpactLaw> laws,
-                               SubsetSolution& out) {
+bool RigidContacts::solve_with_constraints(const ContactSubset& s, const ContactMatrix& a,
+                                           const ContactVector& free,
+                                           std::span<const ImpactLaw> laws, SubsetSolution& out) {
   Response response(*this, s);
   const ConstrainedContact found = s.impact ? solve_constrained_impact(response, free, a, laws)
                                             : solve_constrained(response, free, a, laws);

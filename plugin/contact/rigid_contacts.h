@@ -29,7 +29,7 @@ struct RigidContact {
   // The caller fills these members, except rows.e_r and step.free.
   const ContactPair* pair = nullptr;
   ContactRows rows;
-  bool held = false;  // a row of MuJoCo's constraint solver is coupled to it
+  bool constrained = false;  // true: a row of MuJoCo's constraint solver is coupled to it
   RigidStep step;
   Eigen::Vector3d axial_start{0.0, 0.0, 0.0};  // rates in the space of the axis at the beginning
 
@@ -54,10 +54,10 @@ struct ContactSubset {
   bool impact = false;
 };
 
-// Further results for a subset, beside its impulses.
+// Further results for a subset, in addition to its impulses.
 struct SubsetSolution {
   std::array<bool, kMaxContacts> sticks{};
-  // For impacts beside constraints (constrained_law.h).
+  // For impacts with constraints (constrained_law.h).
   std::array<bool, kMaxContacts> lasts{};
   ContactVector after;  // rates just after the impact; empty: the rates at the end of the step
 };
@@ -106,8 +106,9 @@ class RigidContacts {
   ContactVector sudden_change(const ContactSubset& s, const ContactVector& p);
   // Rates at the end of the step in one space; `start`: the rates at its beginning.
   Eigen::Vector3d end_of(const ContactSpace& at, const Eigen::Vector3d& start) const;
-  bool solve_held(const ContactSubset& s, const ContactMatrix& a, const ContactVector& free,
-                  std::span<const ImpactLaw> laws, SubsetSolution& out);
+  bool solve_with_constraints(const ContactSubset& s, const ContactMatrix& a,
+                              const ContactVector& free, std::span<const ImpactLaw> laws,
+                              SubsetSolution& out);
 
   mjData* d_;
   std::span<RigidContact* const> members_;

@@ -21,8 +21,8 @@ bool is_impact(const RigidStep& step, const Eigen::Vector2d& e_r, const ContactP
   if (step.was_in_contact || closing <= 0.0) return false;
   Eigen::Vector3d acceleration = (step.free - step.start) / step.h;
   acceleration.head<2>() += 2.0 / (step.h * step.h) * step.bend;
-  const double pressed = pressing(e_r, step.free, acceleration, c.clearance);
-  return rebound_outlives_steps(step.h, c.restitution, closing, pressed);
+  const double a = closing_acceleration(e_r, step.free, acceleration, c.clearance);
+  return rebound_outlives_steps(step.h, c.restitution, closing, a);
 }
 
 // An existing penetration (a start inside the ring's wall) is not removed in one step, because it

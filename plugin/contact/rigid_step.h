@@ -31,7 +31,7 @@ struct RigidStep {
 
 struct RigidResult {
   // kNoSolution, kAmbiguous: the contact gets no impulse. The exception is `converged` = false,
-  // beside constraints: it then gets the impulse with the least error that was found.
+  // with constraints: it then gets the impulse with the least error that was found.
   Status status = Status::kOk;
   bool converged = true;
   bool impact = false;            // true: impact by Poisson's law; false: lasting contact or none

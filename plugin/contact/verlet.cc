@@ -33,7 +33,7 @@ void watch_the_rings(const Config& config, const mjModel* m, mjData* d, const Co
   }
 }
 
-// f = the forces on the chain beside the native loads and the actuators: those of MuJoCo and of
+// f = the forces on the chain other than the native loads and the actuators: those of MuJoCo and of
 // other programs. They must not depend on the value of ctrl before the command, not even in the
 // last bit.
 void foreign_force(const Config& config, const mjModel* m, mjData* d, const Coordinates& state,
@@ -90,16 +90,16 @@ Eigen::Vector2d command(const Config& config, const mjModel* m, mjData* d, const
       for (int i = 0; i < model.nq(); ++i) a[i] = first ? 0.0 : 2.0 / h * (v[i] - state.v()[i]);
       if (ring.lags()) worker.hold.show_currents(actuator_state(config, m, d).current);
       mean = worker.hold.mean(first ? t : t - 0.5 * h, t, end, state.q(), v, a);
-      if (asks) worker.stepper.jump(worker.hold.jump());
+      if (asks) worker.stepper.announce_command_jump(worker.hold.command_jump());
     }
     if (const std::string& why = worker.hold.failure(); !why.empty()) controller_failed(d, why);
     const Eigen::Vector2d held = worker.hold.held();
     const Eigen::Vector2d told = ring.magnets ? held : to_axes(held);
     for (int k = 0; k < 2; ++k) d->ctrl[control_address(m, config.actuator[k])] = told[k];
   }
-  ModelEntries& held = model_entries(config, d);
-  held.held_x = mean.x();
-  held.held_y = mean.y();
+  ModelEntries& entry = model_entries(config, d);
+  entry.held_x = mean.x();
+  entry.held_y = mean.y();
   compute_actuators(m, d);
   if (ring.controller && asks) return mean;
   const ActuatorState now = actuator_state(config, m, d);

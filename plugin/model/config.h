@@ -53,14 +53,14 @@ struct ContactPair {
   // For generated models only. Contacts of the modal chain are solved in its own coordinates,
   // unless a user's constraints also act on its bodies (generated_rotor.h).
   bool on_chain = false;  // true: ChainSpace (contact/contact_space.h); false: BodySpace
-  // True for contacts on the chain beyond the first. There the modes move the rotor by values other
-  // than 1 and 0, which no body of MuJoCo does. The plugin therefore applies the whole force of
-  // such a contact, keeps it from MuJoCo's solver, and also places its geoms.
-  bool beside = false;
+  // True for the further contacts on the chain, those beyond the first. There the modes move the
+  // rotor by values other than 1 and 0, which no body of MuJoCo does. The plugin therefore applies
+  // the whole force of such a contact, keeps it from MuJoCo's solver, and also places its geoms.
+  bool further = false;
   std::size_t bearing = 0;  // index in model.auxiliary
   // True if the contact plane is the world's x-y plane instead of the plane of the ring's geom.
   bool in_world = false;
-  double held_spin = 0.0;  // rad/s, spin speed if the spin is not a degree of freedom; else 0
+  double prescribed_spin = 0.0;  // rad/s, spin speed if the spin is not a degree of freedom; else 0
   // The parameters in the scene, and the geoms "rotor" and "ring" that draw them; -1 if a geom was
   // removed.
   ContactParameters given;

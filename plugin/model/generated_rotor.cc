@@ -58,10 +58,10 @@ void step_mass(const Config& config, const mjModel* m, double* diagonal) {
   for (int i = 0; i < model.nq(); ++i) diagonal[i] = model.mass[i] + h * model.damping[i];
 }
 
-void place_contacts_beside(const Config& config, const mjModel* m, mjData* d,
-                           const Coordinates& state) {
+void place_further_contacts(const Config& config, const mjModel* m, mjData* d,
+                            const Coordinates& state) {
   for (const ContactPair& pair : config.pairs) {
-    if (!pair.beside) continue;
+    if (!pair.further) continue;
     const Eigen::Vector2d place = rotor_point(config.model, state.q(), pair.bearing);
     mjtNum* body = d->mocap_pos + 3 * m->body_mocapid[m->geom_bodyid[pair.rotor_geom]];
     body[0] = place.x();
@@ -73,14 +73,14 @@ void add_passive_force(const Config& config, const mjModel* m, mjData* d,
                        const Coordinates& state) {
   const Model& model = config.model;
   const int n = model.nq();
-  double f[kMaxCoordinates], v[kMaxCoordinates], jump[kMaxCoordinates] = {};
+  double f[kMaxCoordinates], v[kMaxCoordinates], sampled[kMaxCoordinates] = {};
   std::copy_n(state.v(), n, v);
-  jump_in_step(model, d->time, m->opt.timestep, state.q(), v, jump);
+  take_samples_in_step(model, d->time, m->opt.timestep, state.q(), v, sampled);
   const bool rk4 = m->opt.integrator == mjINT_RK4;
   if (rk4 || (model.gyroscopic.absent() && !model.coupled_mass())) {
     coupling_force(model, d->time, state.q(), v, f);
     if (!rk4) step_bristles(model, v, v, m->opt.timestep, f);
-    for (int i = model.sampled_states(); i < n; ++i) f[i] += jump[i];
+    for (int i = model.sampled_states(); i < n; ++i) f[i] += sampled[i];
     add_to_dofs(config, f, d->qfrc_passive);
     return;
   }
@@ -90,7 +90,7 @@ void add_passive_force(const Config& config, const mjModel* m, mjData* d,
   step_mass(config, m, mass);
   load_force(model, d->time, state.q(), v, f);
   step_bristles(model, v, v, m->opt.timestep, f);
-  for (int i = model.sampled_states(); i < n; ++i) f[i] += jump[i];
+  for (int i = model.sampled_states(); i < n; ++i) f[i] += sampled[i];
   for (int i = 0; i < n; ++i) {
     const int dof = config.dof_address[static_cast<std::size_t>(i)];
     f[i] += d->qfrc_passive[dof] + d->qfrc_applied[dof];

@@ -62,10 +62,10 @@ inline void add_to_dofs(const Config& config, const double* from, mjtNum* to) {
 // d->qfrc_passive must contain the forces of the joints' springs and dampers.
 void add_passive_force(const Config& config, const mjModel* m, mjData* d, const Coordinates& state);
 
-// Puts the geoms of the contacts beyond the first where the modes move the rotor. MuJoCo uses these
-// places from its next pass on, so they are one step late.
-void place_contacts_beside(const Config& config, const mjModel* m, mjData* d,
-                           const Coordinates& state);
+// Puts the geoms of the further contacts where the modes move the rotor. MuJoCo uses these places
+// from its next pass on, so they are one step late.
+void place_further_contacts(const Config& config, const mjModel* m, mjData* d,
+                            const Coordinates& state);
 
 // The diagonal of M + h D (nq values), which the model's integrator uses; M alone with RK4.
 void step_mass(const Config& config, const mjModel* m, double* diagonal);

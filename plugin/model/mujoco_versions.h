@@ -110,7 +110,7 @@ inline constexpr bool kGapKeepsOut = mjVERSION_HEADER < 3009000;
 
 // Distance below which the contact is detected and viewers show it, m. Pairs that were written for
 // MuJoCo before 3.9 keep their distance.
-inline double seen_below(const mjModel* m, int pair) {
+inline double detected_below(const mjModel* m, int pair) {
   const double margin = m->pair_margin[pair];
   return kGapKeepsOut || margin >= 0.0 ? margin : margin + m->pair_gap[pair];
 }

@@ -161,7 +161,7 @@ Model bending_loads(const scene::Scene& scene, const Model& model, const Segment
     const scene::MagneticBearing& bearing = scene.magnetic_bearings[feedback.number];
     feedback.shape = shape(bearing.station);
     if (feedback.sensor) feedback.sensor = shape(*bearing.sensor_station);
-    feedback.law.held = 0.0;  // the chain has no such spring
+    feedback.law.linear_spring = 0.0;  // the chain has no such spring
     feedback.states = feedback.states.moved(l.integral() - model.layout.integral());
     loads.feedbacks.push_back(std::move(feedback));
   }
@@ -269,7 +269,7 @@ void add_segment_loads(const Config& config, const mjModel* m, mjData* d) {
   for (int k = 0; k < l.integrals; ++k) v[l.integral() + k] = d->qvel[stored_address(config, k)];
 
   Eigen::VectorXd f = Eigen::VectorXd::Zero(l.nq());
-  jump_in_step(bending, d->time, m->opt.timestep, q.data(), v.data(), f.data());
+  take_samples_in_step(bending, d->time, m->opt.timestep, q.data(), v.data(), f.data());
   if (s.damping_x.size() > 0) {
     f.segment(l.x(), l.modes) -= s.damping_x * v.segment(l.x(), l.modes);
     f.segment(l.y(), l.modes) -= s.damping_y * v.segment(l.y(), l.modes);

@@ -35,7 +35,7 @@ struct Segments {
   // plane, its spin is the mean spin; then come the coordinates of the magnetic bearings'
   // integrators.
   Model bending;
-  int drive_node = -1;         // node of the motor; -1: the speed is held
+  int drive_node = -1;         // node of the motor; -1: the speed is prescribed
   Eigen::VectorXd spin_share;  // N + 1, J_k / sum J, the weights of the mean spin
 
   // Native modal coordinates of a state of the chain. The matrices contain the share of each kept

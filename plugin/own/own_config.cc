@@ -180,8 +180,8 @@ bool share_tree(const mjModel* m, const ContactPair& a, const ContactPair& b) {
 }
 
 // Checks two contacts of one machine against each other.
-void check_beside(const mjModel* m, const ContactPair& a, const ContactPair& b,
-                  const PairName& name) {
+void check_two_contacts(const mjModel* m, const ContactPair& a, const ContactPair& b,
+                        const PairName& name) {
   if (a.pair == b.pair) {
     refuse(own_element(m, name.of(names::kOwnRotorGeom)),
            message("{} has a contact already; accepted: one for two geoms", pair_element(m, b)));
@@ -235,7 +235,7 @@ void map_own_contacts(const mjModel* m, Config& config) {
     std::optional<ContactPair> p = make_pair(m, name, refusals);
     if (!p) continue;
     for (const ContactPair& other : config.pairs)
-      refusals.attempt([&] { check_beside(m, other, *p, name); });
+      refusals.attempt([&] { check_two_contacts(m, other, *p, name); });
     p->data = config.memory + kFirstContact +
               kEntries<ContactEntries> * static_cast<int>(config.pairs.size());
     config.pairs.push_back(*p);

@@ -81,15 +81,15 @@ class Maker {
   }
 
   // Fills modes, their dampers, constant loads and coordinates of one plane. Their zero is where
-  // the centres of the first contact coincide. If the rotor is beside the ring's centre at qpos0,
+  // the centres of the first contact coincide. If the rotor is not at the ring's centre at qpos0,
   // this is a deflection that the springs do not feel.
   void fill_plane(const TwinPlane& plane, int at, int row, PlaneModes& modes, VectorXd& load) {
     modes = {plane.mass, plane.stiffness, VectorXd::Zero(n_)};
     const MatrixXd d =
         plane.shapes.transpose() * machine_.damping(plane.dofs, plane.dofs) * plane.shapes;
     const MatrixXd even = 0.5 * (d + d.transpose());
-    const MatrixXd beside = even - MatrixXd(even.diagonal().asDiagonal());
-    if (beside.cwiseAbs().maxCoeff() <= kNegligible * even.cwiseAbs().maxCoeff()) {
+    const MatrixXd off_diagonal = even - MatrixXd(even.diagonal().asDiagonal());
+    if (off_diagonal.cwiseAbs().maxCoeff() <= kNegligible * even.cwiseAbs().maxCoeff()) {
       modes.damping = even.diagonal();
     } else {
       add_dampers(even, row);

@@ -101,16 +101,18 @@ TEST(ImpactMap, FiniteTimesFadeToTheClassicalLaw) {
 
 // When an accumulation of impacts ends: one rule for every engine.
 
-TEST(Rebound, PressingIsTheLoadAndTheTurningOfTheNormal) {
+TEST(Rebound, ClosingAccelerationIsFromTheLoadAndTheTurningOfTheNormal) {
   // On a circle of 2 m at 3 m/s the centre falls away by 4.5 m/s^2.
-  EXPECT_DOUBLE_EQ(pressing({1.0, 0.0}, {0.5, 3.0, 9.0}, {1.25, 7.0, 8.0}, 2.0), 1.25 + 4.5);
-  EXPECT_DOUBLE_EQ(pressing({0.0, -1.0}, {3.0, 0.5, 9.0}, {7.0, -1.25, 8.0}, 2.0), 1.25 + 4.5);
+  EXPECT_DOUBLE_EQ(closing_acceleration({1.0, 0.0}, {0.5, 3.0, 9.0}, {1.25, 7.0, 8.0}, 2.0),
+                   1.25 + 4.5);
+  EXPECT_DOUBLE_EQ(closing_acceleration({0.0, -1.0}, {3.0, 0.5, 9.0}, {7.0, -1.25, 8.0}, 2.0),
+                   1.25 + 4.5);
 }
 
-TEST(Rebound, AFlightLastsTwiceItsSpeedOverWhatPresses) {
+TEST(Rebound, AFlightLastsTwiceItsSpeedOverTheClosingAcceleration) {
   EXPECT_TRUE(flight_outlives(0.99, 5.0, 10.0));
   EXPECT_FALSE(flight_outlives(1.0, 5.0, 10.0));
-  EXPECT_TRUE(flight_outlives(1e9, 5.0, 0.0)) << "nothing presses";
+  EXPECT_TRUE(flight_outlives(1e9, 5.0, 0.0)) << "nothing closes the gap";
   EXPECT_TRUE(flight_outlives(1e9, 5.0, -1.0));
   EXPECT_FALSE(flight_outlives(1.0, 0.0, 1.0)) << "no rebound at all";
 }

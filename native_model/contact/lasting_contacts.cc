@@ -1,4 +1,4 @@
-#include "native_model/contact/step_contact.h"
+#include "native_model/contact/lasting_contacts.h"
 
 #include <cmath>
 
