@@ -91,6 +91,8 @@ struct Section {
   std::string place{};
   std::vector<Part> parts{};
   Audience seen = kAll;
+
+  void add(std::vector<Part> more);
 };
 
 struct Part : std::variant<Sentence, Table, Data, Section> {

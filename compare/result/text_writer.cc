@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cstdlib>
 #include <iostream>
+#include <iterator>
 #include <string>
 #include <utility>
 #include <variant>
@@ -85,6 +86,8 @@ class TextWriter {
 }  // namespace
 
 Sentence line(std::string text) { return {.text = std::move(text), .wraps = false}; }
+
+void Section::add(std::vector<Part> more) { std::ranges::move(more, std::back_inserter(parts)); }
 
 std::string text_of(const Section& result, const Palette& palette) {
   return TextWriter(palette)(result);

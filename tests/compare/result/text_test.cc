@@ -102,7 +102,8 @@ TEST(ResultText, PaintsTheWordsThatHaveATone) {
 }
 
 TEST(ResultPrint, IsJsonOrTextOrNothing) {
-  const Section result{.parts = {Data{"a", 1}, line("text")}};
+  Section result{.parts = {Data{"a", 1}}};
+  result.add({line("text")});
   const auto printed = [&](const Printing& how) {
     testing::internal::CaptureStdout();
     print(result, how);
