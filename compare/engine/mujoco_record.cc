@@ -214,7 +214,7 @@ void MujocoRecord::add_contact(StepFigures& figures, std::size_t contact, double
 }
 
 std::optional<std::string> MujocoRecord::lost(const double* q) const {
-  // The recorder's penetration is that of the first contact.
+  // The recorder knows the penetration of the first contact only.
   const AuxiliaryBearing& only = model_.first();
   const bool alone = contacts_.size() == 1;
   if (alone && only.contact && recorder_.penetration() == 0.0 && !only.magnets) return {};

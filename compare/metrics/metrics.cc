@@ -50,7 +50,7 @@ std::optional<double> free_speed(const Trajectory& run, const std::string& angle
   return mean_speed(run, angle, speed, from);
 }
 
-// Of the ring that turns fastest.
+// Mean speed of the ring that turns fastest; empty if no ring turns freely.
 std::optional<double> ring_speed(const Trajectory& run, double from) {
   std::optional<double> fastest;
   for (std::size_t k = 0; k < run.contacts; ++k) {
@@ -61,7 +61,7 @@ std::optional<double> ring_speed(const Trajectory& run, double from) {
   return fastest;
 }
 
-// Of the actuator with the largest force.
+// Rms force of the actuator that has the largest one; empty without actuators.
 std::optional<double> rms_control(const Trajectory& trajectory) {
   std::optional<double> largest;
   for (std::size_t k = 0; trajectory.rows() > 0 && k < trajectory.contacts; ++k) {

@@ -8,7 +8,8 @@
 namespace rotorub::result {
 namespace {
 
-// What stands in a place for {row} and {column}, and whether "#" is a new element or the last one.
+// The keys that replace {row} and {column} in a place. next: "#" adds an element to its list;
+// otherwise it is the last element.
 struct Names {
   std::string_view row{}, column{};
   bool next = true;

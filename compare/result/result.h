@@ -23,7 +23,7 @@ enum Audience { kAll, kJson, kPeople };
 struct Item {
   // By default the cell is absent from the JSON. A number that is not finite becomes null.
   nlohmann::json value = nlohmann::json::value_t::discarded;
-  // Empty: a string as it is, a number as short_number() writes it, "–" for null.
+  // If it is empty, a string is written as it is, a number by short_number(), and null as "–".
   std::string text{};
   Tone tone = Tone::kPlain;  // of the text
 };
@@ -40,13 +40,14 @@ struct Sentence {
   Audience seen = kAll;
 };
 
-// Text as it is, of one or several lines. A line break at its end is added if it lacks one.
+// Writes text of one or several lines unchanged. A line break is added if the end has none.
 Sentence line(std::string text);
 
 struct Column {
   std::string key{};      // in JSON; empty: for people alone
   std::string heading{};  // for people
-  // Of the text, blanks between columns included. Negative: left-aligned. A longer text is not cut.
+  // Width of the text with the blanks between columns. A negative width aligns it to the left. A
+  // longer text is not cut.
   int width = 0;
   Audience seen = kAll;
 };
