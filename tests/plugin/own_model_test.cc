@@ -139,8 +139,6 @@ TEST_F(OwnModel, RigidFollowsTheNativeModelAtFirstOrder) {
   EXPECT_LT(fine, 0.2 * coarse);
 }
 
-TEST_F(OwnModel, CoulombFollowsTheNativeModel) { EXPECT_LT(error("coulomb", 1e-5), 2e-5); }
-
 // Static, kinetic, Stribeck speed, viscous, over the slips of the run.
 constexpr const char* kFalling = "0.25 0.1 3.0 0.005";
 const std::vector<std::string> kFallingScene{
@@ -161,19 +159,6 @@ TEST_F(OwnModel, FrictionThatIsNoLawIsRefused) {
   }
   const std::string given = "friction\" data=\"";
   expect_refused(replaced(machine("cone"), given + "0.15", given + kFalling), "rigid or coulomb");
-}
-
-TEST_F(OwnModel, ConeTouchesInTheSameRing) {
-  const ModelPointer m = load(machine("cone"));
-  const DataPointer d = begin(m.get());
-  double force = 0.0, depth = 0.0;
-  for (int k = 0; k < 10000; ++k) {
-    mj_step(m.get(), d.get());
-    force = std::max(force, sensor(m.get(), d.get(), names::kNormalForce));
-    depth = std::max(depth, -sensor(m.get(), d.get(), names::kGap));
-  }
-  EXPECT_GT(force, 1.0);
-  EXPECT_LT(depth, 5e-5);
 }
 
 // A contact of the shape that the frame of the ring's geom says, in the world's axes.
