@@ -39,13 +39,6 @@ const std::string kMachine = R"(<mujoco>
   <contact>
     <pair geom1="disc" geom2="bore" PAIR/>
   </contact>
-  <sensor>
-    <user name="rotorub_active" objtype="geom" objname="disc" datatype="real" needstage="pos" dim="1"/>
-    <user name="gap" objtype="geom" objname="disc" datatype="real" needstage="pos" dim="1"/>
-    <user name="slip" objtype="geom" objname="disc" datatype="real" needstage="vel" dim="1"/>
-    <user name="normal_force" objtype="geom" objname="disc" datatype="real" needstage="acc" dim="1"/>
-    <user name="friction_force" objtype="geom" objname="disc" datatype="real" needstage="acc" dim="1"/>
-  </sensor>
   <custom>
     <text name="rotorub_rotor_geom" data="disc"/>
     <text name="rotorub_ring_geom" data="bore"/>

@@ -7,7 +7,6 @@
 #include <complex>
 #include <numbers>
 #include <string>
-#include <vector>
 
 #include "native_model/linear/levitation.h"
 #include "native_model/linear/synchronous_response.h"

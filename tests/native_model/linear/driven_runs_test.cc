@@ -1,5 +1,5 @@
-// What torsion and a motor that gives way do to the reference rig's rubs: the border of sliding,
-// and backward rolling where the eigenvalues and the motor's balance say, in whole runs.
+// What torsion and a motor that gives way do to the reference rig's rubs, in whole runs: nothing
+// while it slides, and in backward rolling what the eigenvalues and the motor's balance say.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -29,6 +29,19 @@ SteadyRub rolling_of(const scene::Scene& s) {
   return BackwardCompliance(rub_system(s)).rolling(s.first().contact->friction.coefficient).value();
 }
 
+// Started on the rub, with the twist that its friction keeps in the shaft and `off` rad in the
+// first mode.
+scene::Scene twisted(const scene::Scene& s, const SteadyRub& rub, double off) {
+  const DriveTrain train = drive_train(s);
+  scene::Scene started = test::started_on(s, rub);
+  const double friction = s.first().contact->radius * rub.friction * rub.normal_force;
+  for (Eigen::Index k = 0; k < train.modes(); ++k) {
+    started.initial.torsion.push_back(-train.at_contact[k] * friction / train.torsion_stiffness[k] +
+                                      (k == 0 ? off : 0.0));
+  }
+  return started;
+}
+
 // The spin held without torsion, rolling is stable: -35 1/s. One torsion mode makes it grow, as
 // bending and torsion exchange energy through a contact that does not slip. With the sleeve's own
 // torsion mode kept, the fourth, it does not: what one mode shows is the truncation's.
@@ -46,10 +59,45 @@ TEST(DrivenRuns, FourTorsionModesLetItDecay) {
   }
 }
 
+// m, the largest distance between two runs' columns.
+double apart(const Trajectory& a, const Trajectory& b, const std::string& column) {
+  const std::vector<double> one = a.column(column), other = b.column(column);
+  EXPECT_EQ(one.size(), other.size());
+  double largest = 0.0;
+  for (std::size_t k = 0; k < one.size(); ++k)
+    largest = std::max(largest, std::abs(one[k] - other[k]));
+  return largest;
+}
+
 Trajectory run_short(scene::Scene s) {
   s.run.end = 0.02;
   s.run.output_step = 2e-4;
   return test::run_event(s);
+}
+
+// Growing at 14 1/s and swinging: the friction turns the shaft this way and that, and bending is
+// none the wiser. In rolling contact the arc of a twist, r theta, is bending's too.
+TEST(DrivenRuns, SlidingIsBlindToTorsionRollingIsNot) {
+  scene::Scene rigid = test::shipped("paper_passive", {"drive=none", "rotor.torsion=none",
+                                                       "force[0].on=0", "initial.steady=false"});
+  const RubSystem system = rub_system(rigid);
+  RotatingLoad load = rotating_loads(system).front();
+  load.load *= 1.001;
+  scene::Scene slides = test::started_on(rigid, forced_rubs(system, load).at(0));
+  slides.initial.steady = false;
+  scene::Scene twists = slides;
+  twists.rotor.torsion = unloaded_rig(4).rotor.torsion;
+  const Trajectory one = run_short(slides), other = run_short(twists);
+  EXPECT_GT(test::largest(other.column("torsion_1")), 1e-5);
+  EXPECT_LT(apart(one, other, "rotor_x"), 1e-13);
+  EXPECT_NEAR(one.statistics.contact_time, 0.02, 1e-12) << "it slides all the time";
+
+  const scene::Scene rolls = unloaded_rig(4);
+  const SteadyRub rub = rolling_of(rolls);
+  scene::Scene stiff = test::started_on(rolls, rub);
+  stiff.rotor.torsion.reset();
+  const double arc = 1e-3 * rolls.first().contact->radius;
+  EXPECT_GT(apart(run_short(stiff), run_short(twisted(rolls, rub, 1e-3)), "rotor_x"), 0.1 * arc);
 }
 
 // A soft motor leaves the border of sliding where it is, even where all the load is unbalance: what
