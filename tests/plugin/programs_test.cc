@@ -87,8 +87,6 @@ TEST_F(Programs, RecordStepsWithThePlugin) {
 // The plugin in a program that nobody here wrote: LD_PRELOAD with mujoco-testspeed gives the bits
 // of a linked run.
 
-namespace fs = std::filesystem;
-
 class Preload : public MujocoTest, public ::testing::WithParamInterface<const char*> {
  protected:
   // Final states of mujoco-testspeed, as lines of hexadecimal bits; `plugin`: with ours preloaded.

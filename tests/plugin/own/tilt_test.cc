@@ -80,7 +80,7 @@ using plugin::end_of;
 using plugin::reaches_ring;
 using plugin::RigidStep;
 
-constexpr double kClearance = 5e-4, kStep = 1e-5;
+constexpr double kNormalClearance = 5e-4, kNormalStep = 1e-5;
 
 double angle_between(const Eigen::Vector2d& a, const Eigen::Vector2d& b) {
   return std::atan2(std::abs(a.x() * b.y() - a.y() * b.x()), a.dot(b));
@@ -89,7 +89,7 @@ double angle_between(const Eigen::Vector2d& a, const Eigen::Vector2d& b) {
 RigidStep step_of(const Eigen::Vector2d& d, const Eigen::Vector2d& velocity,
                   const Eigen::Vector2d& bend) {
   RigidStep step;
-  step.h = kStep;
+  step.h = kNormalStep;
   step.d = d;
   step.start = step.free = {velocity.x(), velocity.y(), 0.0};
   step.bend = bend;
@@ -98,9 +98,9 @@ RigidStep step_of(const Eigen::Vector2d& d, const Eigen::Vector2d& velocity,
 
 // Pressed against the ring by its curve, while its rate opens.
 TEST(ContactNormal, OfWhatItsBendClosesIsThatOfTheLineOfCentres) {
-  const RigidStep step = step_of({kClearance - 1e-12, 0.0}, {-1e-5, 0.3}, {2e-9, 0.0});
-  ASSERT_TRUE(reaches_ring(step, kClearance));
-  EXPECT_LT(angle_between(contact_normal(step, kClearance), step.d), 1e-12);
+  const RigidStep step = step_of({kNormalClearance - 1e-12, 0.0}, {-1e-5, 0.3}, {2e-9, 0.0});
+  ASSERT_TRUE(reaches_ring(step, kNormalClearance));
+  EXPECT_LT(angle_between(contact_normal(step, kNormalClearance), step.d), 1e-12);
 }
 
 // Near the circle, whatever the step and its bend: no further round than the centre travels.
@@ -113,13 +113,13 @@ TEST(ContactNormal, IsNoFurtherRoundThanTheArcOfTheStep) {
                  depth = std::pow(10.0, 4.0 * unit(random) - 10.0);
     const Eigen::Vector2d bend =
         std::pow(10.0, 3.0 * unit(random) - 10.0) * Eigen::Vector2d(unit(random), unit(random));
-    const RigidStep step = step_of({kClearance - depth, 0.0},
+    const RigidStep step = step_of({kNormalClearance - depth, 0.0},
                                    speed * Eigen::Vector2d(unit(random), unit(random)), bend);
-    if (!reaches_ring(step, kClearance)) continue;
+    if (!reaches_ring(step, kNormalClearance)) continue;
     ++reached;
     const double path = (end_of(step) - step.d).norm();
-    ASSERT_LE(angle_between(contact_normal(step, kClearance), step.d),
-              1.6 * path / kClearance + 1e-9)
+    ASSERT_LE(angle_between(contact_normal(step, kNormalClearance), step.d),
+              1.6 * path / kNormalClearance + 1e-9)
         << step.free.transpose() << " bend " << bend.transpose();
   }
   EXPECT_GT(reached, 20000);
