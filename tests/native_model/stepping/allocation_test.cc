@@ -124,7 +124,7 @@ TEST(SavedStep, HasTheSizeThatFollowsFromTheModel) {
   for (const char* name : {"bench_ring", "blade_loss", "run_up", "finite_impacts", "compliant_ring",
                            "two_catchers", "amb_machine"}) {
     SCOPED_TRACE(name);
-    const Model model = make_model(test::shipped(name));
+    const Model model = prepare(test::shipped(name));
     const VerletStepper stepper(model, 1e-6);
     const auto size = static_cast<std::ptrdiff_t>(VerletStepper::memory_size(model));
     std::vector<double> memory(static_cast<std::size_t>(size) + 1000,
