@@ -57,35 +57,6 @@ TEST_F(HooksTest, CallsWhatWasInstalledBefore) {
   mjcb_passive = nullptr;
 }
 
-mjfGeneric below = nullptr;
-void in_front(const mjModel* m, mjData* d) {
-  ++hook_calls;
-  if (below) below(m, d);
-}
-
-// Another library that came after us stays where it is; coming back must not make a circle.
-TEST_F(HooksTest, LeavesWhoCameLaterInPlace) {
-  const ModelPointer m = load(mjcf(parsed(kAnnularRub)));
-  const DataPointer d = start(m.get());
-  {
-    const plugin::Hooks hooks;
-    below = mjcb_control;
-    mjcb_control = in_front;
-  }
-  EXPECT_EQ(mjcb_control, &in_front);
-  hook_calls = 0;
-  mj_step(m.get(), d.get());
-  EXPECT_EQ(hook_calls, 1);
-  EXPECT_EQ(sensor(m.get(), d.get(), mjcf_names::kActive), 0.0) << "ours only passes on";
-  {
-    const plugin::Hooks again;
-    mj_step(m.get(), d.get());
-    EXPECT_EQ(sensor(m.get(), d.get(), mjcf_names::kActive), 1.0);
-    mjcb_control = below;
-  }
-  EXPECT_EQ(mjcb_control, nullptr);
-}
-
 // Written over, taken back, and given back to who wrote: nothing of ours stays, nothing of his is
 // lost.
 TEST_F(HooksTest, GivesBackToWhoWroteOverThem) {

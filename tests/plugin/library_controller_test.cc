@@ -4,7 +4,6 @@
 
 #include <cstdlib>
 #include <string>
-#include <thread>
 #include <vector>
 
 #include "mjcf/writer.h"
@@ -94,17 +93,6 @@ TEST_F(LibraryControllerTest, TheSameMeasurementsGiveTheSameCommandsToTheBit) {
     }
     EXPECT_EQ(samples, 150) << contact;
   }
-}
-
-TEST_F(LibraryControllerTest, RunsOnSeveralThreads) {
-  const scene::Scene s = scene("recording_controller.so");
-  const ModelPointer m = load(mjcf(s));
-  const std::vector<double> alone = state_after(m.get(), 500);
-  std::vector<std::vector<double>> ends(3);
-  std::vector<std::thread> threads;
-  for (auto& end : ends) threads.emplace_back([&] { end = state_after(m.get(), 500); });
-  for (std::thread& t : threads) t.join();
-  for (const auto& end : ends) EXPECT_EQ(end, alone);
 }
 
 // mju_error is thrown by this fixture.

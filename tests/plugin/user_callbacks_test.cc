@@ -215,7 +215,7 @@ TEST_P(UserCallbacks, AllOffAtOnceWithoutContact) {
 }
 
 // What MuJoCo's own functions give where the library stands before them. (Linked: plugin::inverse
-// and plugin::transition, interface_test.cc and differences_test.cc.)
+// and plugin::transition, interface_test.cc.)
 TEST_F(PreloadedProgram, InverseKnowsTheContact) {
   std::stringstream left(said(bench(), "inverse"));
   double value = -1.0;

@@ -1,10 +1,11 @@
 // Adapts test documents, which are written for MuJoCo 2.2, to the MuJoCo under test.
 #pragma once
 
-#include <gtest/gtest.h>
 #include <mujoco/mujoco.h>
 
 #include <string>
+
+#include "tests/support/said.h"
 
 namespace rotorub::test {
 
@@ -18,13 +19,6 @@ inline std::string for_this_mujoco(std::string document) {
                     "<default><geom contype='0' conaffinity='0'/></default>");
   }
   return document;
-}
-
-// Replaces the first `from` by `to`.
-inline std::string replaced(std::string text, const std::string& from, const std::string& to) {
-  const std::size_t at = text.find(from);
-  EXPECT_NE(at, std::string::npos) << from;
-  return at == std::string::npos ? text : text.replace(at, from.size(), to);
 }
 
 }  // namespace rotorub::test

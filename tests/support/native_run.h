@@ -1,6 +1,8 @@
 // Shipped scenes, and runs of the native model with the test's choice of integrator.
 #pragma once
 
+#include <algorithm>
+#include <stdexcept>
 #include <string>
 #include <vector>
 
@@ -14,19 +16,40 @@ inline scene::Scene shipped(const std::string& name,
   return scene::read_scene(std::string(ROTORUB_MJCF_DIR) + "/" + name + ".toml", overrides);
 }
 
-// step: s; not used by `event`.
-inline Trajectory run_with(const scene::Scene& scene, scene::Integrator integrator,
-                           double step = 1e-5) {
+// A run that may end early. step: s; not used by `event`.
+inline Trajectory attempt_with(const scene::Scene& scene, scene::Integrator integrator,
+                               double step = 1e-5) {
   NativeOptions options;
   options.integrator = integrator;
   options.step = step;
   return run_native(scene, options);
 }
 
-inline Trajectory run_event(const scene::Scene& scene) {
+inline Trajectory attempt_event(const scene::Scene& scene) {
   NativeOptions options;
   options.integrator = scene::Integrator::kEvent;
   return run_native(scene, options);
+}
+
+// Passes on a run that reached its end; the test fails with the reason of another.
+inline Trajectory complete(Trajectory t) {
+  if (t.status != Status::kOk) throw std::runtime_error("incomplete run: " + t.message);
+  return t;
+}
+
+inline Trajectory run_with(const scene::Scene& scene, scene::Integrator integrator,
+                           double step = 1e-5) {
+  return complete(attempt_with(scene, integrator, step));
+}
+
+inline Trajectory run_event(const scene::Scene& scene) { return complete(attempt_event(scene)); }
+
+// The row of this time.
+inline std::size_t row_of(const Trajectory& t, double time) {
+  constexpr double kRows = 1e-12;  // s, accuracy of the times in both outputs
+  const std::vector<double>& times = t.column("t");
+  const auto found = std::lower_bound(times.begin(), times.end(), time - kRows);
+  return static_cast<std::size_t>(found - times.begin());
 }
 
 }  // namespace rotorub::test

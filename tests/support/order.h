@@ -1,6 +1,8 @@
 // Order of convergence from the errors at several steps.
 #pragma once
 
+#include <gtest/gtest.h>
+
 #include <algorithm>
 #include <cmath>
 #include <complex>
@@ -10,6 +12,7 @@
 #include <vector>
 
 #include "native_model/trajectory/trajectory.h"
+#include "tests/support/native_run.h"
 
 namespace rotorub::test {
 
@@ -24,11 +27,9 @@ inline double rotor_error(const Trajectory& a, const Trajectory& b) {
   return most;
 }
 
-// The same distance from the exact position, exact(t), as a complex number; infinite for a run that
-// failed.
+// The same distance from the exact position, exact(t), as a complex number.
 template <class Exact>
 double orbit_error(const Trajectory& a, const Exact& exact) {
-  if (a.status != Status::kOk) return std::numeric_limits<double>::infinity();
   const auto &x = a.column("rotor_x"), &y = a.column("rotor_y"), &time = a.column("t");
   double most = 0.0;
   for (std::size_t k = 0; k < a.rows(); ++k) {
@@ -104,6 +105,19 @@ Convergence convergence(const std::vector<double>& steps, const Error& error) {
   c.steps = steps;
   for (const double step : steps) c.errors.push_back(error(step));
   return c;
+}
+
+// Whether `verlet` has this order on a scene with a known motion.
+// error(run): distance of the run from the known motion, m. last: upper limit of the error at the
+// finest step.
+template <class Error>
+void expect_order_of_steps(const scene::Scene& scene, const std::vector<double>& steps,
+                           double order, const Error& error,
+                           double last = std::numeric_limits<double>::infinity()) {
+  const Convergence c = convergence(
+      steps, [&](double step) { return error(run_with(scene, scene::Integrator::kVerlet, step)); });
+  EXPECT_GT(c.order(), order) << c.text();
+  EXPECT_LT(c.errors.back(), last) << c.text();
 }
 
 }  // namespace rotorub::test

@@ -1,4 +1,4 @@
-// Checks of texts and of error messages.
+// Checks and changes of texts, and checks of error messages.
 #pragma once
 
 #include <gtest/gtest.h>
@@ -35,6 +35,13 @@ std::string message_of(Action action) {
     return error.what();
   }
   return {};
+}
+
+// Replaces the first `from` by `to`.
+inline std::string replaced(std::string text, const std::string& from, const std::string& to) {
+  const std::size_t at = text.find(from);
+  EXPECT_NE(at, std::string::npos) << from;
+  return at == std::string::npos ? text : text.replace(at, from.size(), to);
 }
 
 }  // namespace rotorub::test

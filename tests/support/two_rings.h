@@ -2,7 +2,6 @@
 // independent program (README.md there), and a rigid shaft.
 #pragma once
 
-#include <algorithm>
 #include <fstream>
 #include <span>
 #include <string>
@@ -72,13 +71,6 @@ shape = [1.0, 2.0]
 inline nlohmann::json two_rings_answer(const std::string& name) {
   std::ifstream in(two_rings_file("expected.json"));
   return nlohmann::json::parse(in).at(name);
-}
-
-inline std::size_t row_of(const Trajectory& t, double time) {
-  constexpr double kRows = 1e-12;  // s, accuracy of the times in both outputs
-  const std::vector<double>& times = t.column("t");
-  const auto found = std::lower_bound(times.begin(), times.end(), time - kRows);
-  return static_cast<std::size_t>(found - times.begin());
 }
 
 // A state as the independent program defines it: the ring's position relative to its unloaded

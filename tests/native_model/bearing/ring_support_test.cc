@@ -69,22 +69,6 @@ TEST(SqueezeFilm, CircularOrbits) {
   }
 }
 
-TEST(SqueezeFilm, TurnsAndMirrorsWithTheMotionAndOnlyBrakes) {
-  std::mt19937_64 random(8);
-  std::uniform_real_distribution<double> unit(-1.0, 1.0);
-  for (int k = 0; k < 200; ++k) {
-    const Vector2d r = 0.69e-4 * Vector2d(unit(random), unit(random));
-    const Vector2d w(unit(random), unit(random));
-    const SqueezeFilmLaw law(k % 2 == 0 ? kFilm : full());
-    const Vector2d f = law.force(r, w);
-    EXPECT_LE(f.dot(w), 0.0);
-    const Eigen::Rotation2Dd turn(kPi * unit(random));
-    EXPECT_LT((law.force(turn * r, turn * w) - turn * f).norm(), 1e-10 * f.norm());
-    const auto mirrored = [](const Vector2d& p) { return Vector2d(-p.x(), p.y()); };
-    EXPECT_LT((law.force(mirrored(r), mirrored(w)) - mirrored(f)).norm(), 1e-10 * f.norm());
-  }
-}
-
 // ---------------------------------------------------------------- balls
 constexpr scene::BallSupport kBalls{9, 5e9, 10e-6, 0.3};
 

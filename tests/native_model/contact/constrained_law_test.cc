@@ -3,6 +3,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <functional>
 #include <random>
@@ -56,28 +57,22 @@ TEST(ConstrainedLaw, ALineGivesTheClosedForm) {
   }
 }
 
-// A stop that takes hold at p = 1: slope 1 before, 1e-3 behind. From -2: y(p) = 0 at 1 + 1 / 1e-3.
-TEST(ConstrainedLaw, AStopIsFoundBehindItsCorner) {
-  Given response([](const Eigen::Vector2d& p) {
-    const double n = p.x() < 1.0 ? p.x() : 1.0 + 1e-3 * (p.x() - 1.0);
-    return Eigen::Vector2d(n - 2.0, 1.0 + p.y());
-  });
-  const ConstrainedContact c =
-      solve_frictionless(response, {-2.0, 1.0}, matrix(1.0, 0.0, 0.0, 1.0));
-  EXPECT_TRUE(c.solved && c.converged);
-  EXPECT_NEAR(c.p[0], 1001.0, 1e-5);
-}
-
-// The other way: what held gives way.
-TEST(ConstrainedLaw, AnAnchorThatSlipsIsFollowed) {
-  Given response([](const Eigen::Vector2d& p) {
-    const double n = p.x() < 1.0 ? 1e-4 * p.x() : 1e-4 + (p.x() - 1.0);
-    return Eigen::Vector2d(n - 2.0, 1.0 + p.y());
-  });
-  const ConstrainedContact c =
-      solve_frictionless(response, {-2.0, 1.0}, matrix(1.0, 0.0, 0.0, 1.0));
-  EXPECT_TRUE(c.solved && c.converged);
-  EXPECT_NEAR(c.p[0], 3.0 - 1e-4, 1e-7);
+// A stop that takes hold at p = 1, with slope 1 before and 1e-3 behind, from -2: y(p) = 0 at
+// 1 + 1 / 1e-3. The other way, what held gives way.
+TEST(ConstrainedLaw, AStopAndAnAnchorThatSlipsAreFollowed) {
+  struct Case {
+    double before, behind, exact, tolerance;
+  };
+  for (const Case& c : {Case{1.0, 1e-3, 1001.0, 1e-5}, Case{1e-4, 1.0, 3.0 - 1e-4, 1e-7}}) {
+    Given response([&](const Eigen::Vector2d& p) {
+      const double n = c.before * std::min(p.x(), 1.0) + c.behind * std::max(p.x() - 1.0, 0.0);
+      return Eigen::Vector2d(n - 2.0, 1.0 + p.y());
+    });
+    const ConstrainedContact found =
+        solve_frictionless(response, {-2.0, 1.0}, matrix(1.0, 0.0, 0.0, 1.0));
+    EXPECT_TRUE(found.solved && found.converged);
+    EXPECT_NEAR(found.p[0], c.exact, c.tolerance);
+  }
 }
 
 // A response that jumps over the answer: told, and finite.

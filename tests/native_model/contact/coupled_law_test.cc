@@ -191,24 +191,6 @@ TEST(CoupledLaw, EightContactsMeetTheLaws) {
   }
 }
 
-// Two rings about a body of 2 kg that cannot tilt: one motion, many impulses; each takes half.
-TEST(CoupledLaw, WhatIsSharedIsSharedAlike) {
-  ContactMatrix a(4, 4);
-  a << 0.5, 0, 0.5, 0, 0, 0.7, 0, 0.7, 0.5, 0, 0.5, 0, 0, 0.7, 0, 0.7;
-  ContactVector b(4);
-  b << -0.3, 1.0, -0.3, 1.0;
-  for (const double mu : {0.0, 0.15, 3.0}) {
-    const std::vector<ImpactLaw> laws(2, ImpactLaw{mu, 0.5, 0.0});
-    const CoupledSolution s = solve_coupled_impact(a, b, laws);
-    ASSERT_EQ(s.solutions, 1) << mu;
-    EXPECT_NEAR(s.p[0], 0.45, 1e-12);
-    EXPECT_NEAR(s.p[2], 0.45, 1e-12);
-    EXPECT_NEAR(s.p[1], s.p[3], 1e-12);
-    EXPECT_NEAR(s.y[0], 0.15, 1e-12);
-    EXPECT_NEAR(s.y[2], 0.15, 1e-12);
-  }
-}
-
 // Rings of different friction and restitution at one place: their impulses, and with them the
 // friction, could be shared in many ways. They share the normal impulse alike, in whatever order.
 TEST(CoupledLaw, WhatIsSharedDoesNotDependOnTheOrder) {

@@ -64,18 +64,6 @@ TEST(Impact, RandomImpactsSatisfyTheLawsAndDissipate) {
   }
 }
 
-TEST(Impact, ResidualSeesAWrongImpulse) {
-  const Delassus g{1.0, 0.0, 0.0, 2.0};
-  const ImpactLaw law{0.3, 0.5, 0.0};
-  ImpactResult r = solve_impact(g, -1.0, 5.0, law);
-  ASSERT_LT(residual(g, -1.0, 5.0, law, r).expansion, kClosedForm);
-  r.normal_expansion *= 1.001;
-  EXPECT_GT(residual(g, -1.0, 5.0, law, r).expansion, 1e-5);
-  r = solve_impact(g, -1.0, 5.0, law);
-  r.friction_compression = -r.friction_compression;  // pushes along the slip
-  EXPECT_GT(residual(g, -1.0, 5.0, law, r).compression, 0.1);
-}
-
 TEST(ImpactMap, FiniteTimesFadeToTheClassicalLaw) {
   ImpactInput in;
   in.admittance = Eigen::Vector3d(1.2, 0.9, 50.0).asDiagonal();

@@ -3,29 +3,13 @@
 #include <cmath>
 #include <random>
 
+#include "native_model/contact/impact.h"
+#include "native_model/contact/kinematics.h"
 #include "native_model/contact/planar_contact.h"
 #include "tests/support/contact_residual.h"
 
 namespace rotorub {
 namespace {
-
-constexpr double kPlanarSolve = 1e-12;  // of a 2x2 solve with a condition number up to 100
-
-TEST(PlanarContact, RandomSolutionsLeaveWhatTheyPromise) {
-  std::mt19937_64 random(3);
-  std::uniform_real_distribution<double> unit(-1.0, 1.0);
-  for (int k = 0; k < 10000; ++k) {
-    const Delassus a{1.5 + unit(random), unit(random) / 3.0, unit(random) / 3.0,
-                     1.5 + unit(random)};
-    const double b_n = unit(random), b_t = unit(random), mu_sign = 0.9 * unit(random);
-    const PlanarImpulse s = stick(a, b_n, b_t);
-    ASSERT_NEAR(gap_rate_after(a, b_n, s), 0.0, kPlanarSolve);
-    ASSERT_NEAR(slip_after(a, b_t, s), 0.0, kPlanarSolve);
-    const double n = slide(a, b_n, mu_sign);
-    const PlanarImpulse l{n, -mu_sign * n};
-    ASSERT_NEAR(gap_rate_after(a, b_n, l), 0.0, kPlanarSolve);
-  }
-}
 
 constexpr double kRoundOff = 1e-12;  // scaled residual of a 2x2 solve in double
 
@@ -73,6 +57,74 @@ TEST(Coulomb, PainleveIsSaidNotHidden) {
 TEST(Coulomb, AnUnsymmetricMatrixMayHaveNoSolution) {
   const Delassus a{1.0, 2.0, 3.0, 1.0};
   EXPECT_EQ(solve_coulomb(a, -0.5, 5.0, 1.0).solutions, 0);
+}
+
+// ---------------------------------------------------------------- kinematics
+// Where straight paths meet the circle, and which normal a contact has that they close.
+
+constexpr double kRing = 0.5e-3;  // m
+
+TEST(CircleExit, FromInsideIsWhereThePathCrosses) {
+  EXPECT_DOUBLE_EQ(circle_exit({0.0, 0.0}, {2.0 * kRing, 0.0}, kRing), 0.5);
+  EXPECT_DOUBLE_EQ(circle_exit({0.5 * kRing, 0.0}, {-3.0 * kRing, 0.0}, kRing), 0.5);
+  EXPECT_GT(circle_exit({0.0, 0.0}, {0.5 * kRing, 0.0}, kRing), 1.0);
+}
+
+TEST(CircleExit, FromOutsideIsAtOnceOrWhereItComesOutAgain) {
+  EXPECT_EQ(circle_exit({1.01 * kRing, 0.0}, {1e-4, 0.0}, kRing), 0.0);
+  // Through the middle: in at 0.01, out at 2.01 radii of 4.
+  EXPECT_NEAR(circle_exit({1.01 * kRing, 0.0}, {-4.0 * kRing, 0.0}, kRing), 2.01 / 4.0, 1e-12);
+  // A chord from the circle itself: 2 cos 45 deg of its radius.
+  const double chord = std::sqrt(2.0) * kRing;
+  EXPECT_NEAR(circle_exit({kRing, 0.0}, {-2.0 * kRing, 2.0 * kRing}, kRing),
+              chord / (std::sqrt(8.0) * kRing), 1e-12);
+  EXPECT_GT(circle_exit({1.5 * kRing, 0.0}, {-1e-6, 1e-3}, kRing), 1.0) << "passes by";
+}
+
+TEST(ReachCircle, IsTheFirstPointFromOutside) {
+  EXPECT_DOUBLE_EQ(reach_circle({2.0 * kRing, 0.0}, {-kRing, 0.0}, kRing), 1.0);
+  EXPECT_LT(reach_circle({2.0 * kRing, 0.0}, {kRing, 0.0}, kRing), 0.0) << "leads away";
+  EXPECT_LT(reach_circle({2.0 * kRing, 0.0}, {-kRing, 2.0 * kRing}, kRing), 0.0) << "passes by";
+}
+
+TEST(NormalOfPath, IsThatOfItsBeginUnlessItLeavesElsewhere) {
+  const Eigen::Vector2d d{0.3e-3, 0.4e-3}, outward = d.normalized();
+  EXPECT_LT((normal_of_path(d, 2.0 * d, kRing) - outward).norm(), 1e-15);
+  // Through the middle and out on the other side.
+  EXPECT_LT((normal_of_path(0.5 * d, -3.0 * d, kRing) + outward).norm(), 1e-15);
+  // From the centre there is no other.
+  EXPECT_LT((normal_of_path({0.0, 0.0}, 3.0 * d, kRing) - outward).norm(), 1e-15);
+  // Outside already.
+  EXPECT_LT((normal_of_path(1.5 * d, -0.1 * d, kRing) - outward).norm(), 1e-15);
+}
+
+// ------------------------------------------------------------------
+
+// Rates of a contact, and the work of an impulse on them.
+
+constexpr double kLastDigit = 1e-15;
+
+TEST(ContactKinematics, RatesAreThoseOfTheContactPoint) {
+  const Eigen::Vector2d d{3e-4, -4e-4}, dv{0.2, 0.7};
+  const ContactPoint p = contact_kinematics(d, dv, 30.0, 0.05, 6e-4);
+  const Eigen::Vector2d rates = rates_along(p.e_r, 0.05, {dv.x(), dv.y(), 30.0});
+  EXPECT_NEAR(rates.x(), p.gap_rate, kLastDigit);
+  EXPECT_NEAR(rates.y(), p.slip, kLastDigit);
+}
+
+// A disc of 2 kg that a wall throws back: e_r = (1, 0), the impulse -x and along y.
+TEST(ContactKinematics, AnImpulsesWorkIsItsEnergy) {
+  const Eigen::Vector2d e_r{1.0, 0.0}, before{0.4, 0.3};
+  const double mass = 2.0, normal = 1.2, friction = -0.25;
+  const Eigen::Vector2d after = before + Eigen::Vector2d(-normal, friction) / mass;
+  const auto rates = [&](const Eigen::Vector2d& v) {
+    return rates_along(e_r, 0.0, {v.x(), v.y(), 0.0});
+  };
+  const ImpulseWork work = impulse_work(normal, friction, rates(before), rates(after));
+  EXPECT_NEAR(work.total(), 0.5 * mass * (after.squaredNorm() - before.squaredNorm()), kLastDigit);
+  EXPECT_NEAR(work.friction, 0.5 * mass * (after.y() * after.y() - before.y() * before.y()),
+              kLastDigit);
+  EXPECT_LT(work.friction, 0.0) << "friction brakes";
 }
 
 }  // namespace

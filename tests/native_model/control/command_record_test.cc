@@ -28,8 +28,7 @@ Trajectory run(const scene::Scene& scene, scene::Integrator integrator,
   options.integrator = integrator;
   options.commands = std::move(commands);
   if (!times.empty()) options.output_times = std::move(times);
-  Trajectory t = run_native(scene, options);
-  EXPECT_EQ(t.status, Status::kOk) << t.message;
+  Trajectory t = test::complete(run_native(scene, options));
   return t;
 }
 

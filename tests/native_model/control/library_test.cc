@@ -13,6 +13,7 @@
 #include "native_model/model/actuation.h"
 #include "native_model/run/run_native.h"
 #include "native_model/scene/reader.h"
+#include "tests/support/native_run.h"
 #include "tests/support/refusal.h"
 #include "tests/support/said.h"
 #include "tests/support/temporary_folder.h"
@@ -101,8 +102,7 @@ TEST(Library, EveryIntegratorGivesTheSameCommands) {
     scene::Scene s = read("faulty_controller.so");
     s.run.integrator = integrator;
     s.run.output_step = 1e-4;
-    const Trajectory t = run_native(s);
-    ASSERT_EQ(t.status, Status::kOk) << t.message;
+    const Trajectory t = test::complete(run_native(s));
     const auto &x = t.column("control_x"), &y = t.column("control_y");
     for (std::size_t row = 1; row < 100; ++row) {
       if (row % 5 == 0) continue;  // at a sample before or after it
@@ -268,8 +268,7 @@ TEST(OwnController, BringsTheRingToTheRotorByPositionsAlone) {
   s.forces.push_back({});
   s.forces.back().amplitude = 60.0;
   s.forces.back().frequency = s.rotor.speed;
-  const Trajectory t = run_native(s);
-  ASSERT_EQ(t.status, Status::kOk) << t.message;
+  const Trajectory t = test::complete(run_native(s));
   EXPECT_LT(std::abs(t.column("gap").back()), 1e-9) << "closed";
   EXPECT_GT(t.column("normal_force").back(), 1.0);
 }

@@ -45,19 +45,10 @@ TEST(FiniteImpact, TheBalanceClosesUnderLoad) {
   for (const double tau : {1e-6, 1e-5, 1e-4}) {
     SCOPED_TRACE(tau);
     const Trajectory t = test::run_event(with_times(loaded(), tau, 1.5 * tau));
-    ASSERT_EQ(t.status, Status::kOk) << t.message;
     ASSERT_GE(t.impacts.size(), 2u);
     EXPECT_LT(t.statistics.energy_residual(), kLoadedBalance);
     test::expect_dissipative_impacts(loaded(), t);
   }
-}
-
-TEST(FiniteImpact, TheBalanceClosesOnARingWithAFreeSpin) {
-  scene::Scene scene = with_times(test::shipped("bench_ring"), 1e-4, 1e-4);
-  scene.run.end = 0.05;
-  const Trajectory t = test::run_event(scene);
-  ASSERT_EQ(t.status, Status::kOk) << t.message;
-  EXPECT_LT(t.statistics.energy_residual(), kLoadedBalance);
 }
 
 // A scene made by hand may give the time to any of several contacts.
@@ -82,14 +73,9 @@ TEST(FiniteImpact, RowsWithinShowThePhases) {
   scene.run.output_times = {touch + 0.25 * kTauC, touch + 0.75 * kTauC,
                             touch + kTauC + 0.5 * kTauE};
   const Trajectory t = test::run_event(scene);
-  ASSERT_EQ(t.status, Status::kOk) << t.message;
-  const auto row = [&](double time) {
-    const auto& times = t.column("t");
-    return static_cast<std::size_t>(std::find(times.begin(), times.end(), time) - times.begin());
-  };
   const auto expect = [&](double time, double x, double vx, double force) {
     SCOPED_TRACE(time);
-    const std::size_t k = row(time);
+    const std::size_t k = test::row_of(t, time);
     ASSERT_LT(k, t.rows());
     EXPECT_NEAR(t.column("rotor_x")[k], x, 1e-15);
     EXPECT_NEAR(t.column("rotor_vx")[k], vx, 1e-12);
@@ -117,7 +103,6 @@ TEST(FiniteImpact, MayOutlastTheRun) {
     SCOPED_TRACE(c.end);
     scene.run.end = c.end;
     const Trajectory t = test::run_event(scene);
-    ASSERT_EQ(t.status, Status::kOk) << t.message;
     EXPECT_EQ(t.end, c.end);
     EXPECT_EQ(t.column("t").back(), c.end);
     EXPECT_NEAR(t.column("rotor_x").back(), c.x, 1e-15);
@@ -143,7 +128,6 @@ TEST(FiniteImpact, TheMarkPassesWithinIt) {
     scene.initial.vx = {v};
     scene.run.end = 1.5 * c.time;
     const Trajectory t = test::run_event(scene);
-    ASSERT_EQ(t.status, Status::kOk) << t.message;
     ASSERT_EQ(t.keyphasor.size(), 1u);
     EXPECT_NEAR(t.keyphasor[0].t, c.time, 1e-15);
     EXPECT_NEAR(t.keyphasor[0].x, c.x, 1e-15);
@@ -160,7 +144,6 @@ TEST(FiniteImpact, PassesABreak) {
   scene.forces[0].off = without.impacts[0].t + 0.4 * kTauC;
   scene.run.output_times = {without.impacts[0].t + 0.5 * kTauC};
   const Trajectory t = test::run_event(scene);
-  ASSERT_EQ(t.status, Status::kOk) << t.message;
   EXPECT_NEAR(t.impacts[0].normal_impulse, without.impacts[0].normal_impulse, 1e-10);
   EXPECT_LT(t.statistics.energy_residual(), kLoadedBalance);
   test::expect_finite(t);
@@ -174,7 +157,6 @@ TEST(FiniteImpact, SpreadsItsForceOverTheBins) {
   scene.run.end = 0.004;
   scene.run.step = 1e-5;
   const Trajectory t = test::run_event(scene);
-  ASSERT_EQ(t.status, Status::kOk) << t.message;
   EXPECT_NEAR(t.statistics.peak_force, mass * v / 1e-3, 1e-6);
 }
 
@@ -191,7 +173,6 @@ TEST(FiniteImpact, ALoadedContactComesToRest) {
       scene.run.end = 0.3;
       for (const auto integrator : {scene::Integrator::kEvent, scene::Integrator::kVerlet}) {
         const Trajectory t = test::run_with(scene, integrator, 5e-6);
-        ASSERT_EQ(t.status, Status::kOk) << t.message;
         EXPECT_NEAR(t.column("normal_force").back(), kForce, 1e-6 * kForce);
         // From v = 0.63 m/s down to a duration's flight.
         EXPECT_LT(static_cast<double>(t.impacts.size()), 12.0 + 6.0 / -std::log(eps));
@@ -200,6 +181,42 @@ TEST(FiniteImpact, ALoadedContactComesToRest) {
         EXPECT_LT(t.statistics.energy_residual(), exact ? kLoadedBalance : 1e-2);
       }
     }
+  }
+}
+
+// ---------------------------------------------------------------- what the residual is relative to
+// The residual of the energy balance is relative to the largest energy of the run, wherever it was.
+
+constexpr double kBalance = 1e-10;
+
+// From rest, pushed, and back to rest: next to nothing is left at either end.
+TEST(EnergyScale, IsThatOfThePushThatIsOver) {
+  scene::Scene scene =
+      test::make_scene({.mass = 2.0, .damping = 400.0, .stiffness = 2e5, .clearance = 1.0});
+  test::add_constant_force(scene, {100.0, 0.0});
+  scene.forces[0].off = 0.05;
+  scene.run.end = 0.5;
+  const Trajectory t = test::run_event(scene);
+  const double stored = 0.5 * 100.0 * 100.0 / 2e5;
+  EXPECT_GT(t.statistics.energy_scale, stored);
+  EXPECT_LT(t.statistics.energy_residual(), kBalance);
+}
+
+// The impact of the very first instant belongs to the run.
+TEST(EnergyScale, TheImpactOfTheStartIsBooked) {
+  for (const double tau : {0.0, 1e-4}) {
+    SCOPED_TRACE(tau);
+    scene::Scene scene = test::make_scene(
+        {.mass = 2.0, .stiffness = 2e5, .friction = 0.2, .restitution = 0.5, .speed = 100.0});
+    scene.first().contact->compression_time = tau;
+    scene.initial.x = {0.5e-3};
+    scene.initial.vx = {0.4};
+    scene.run.end = 0.01;
+    const Trajectory t = test::run_event(scene);
+    ASSERT_GE(t.impacts.size(), 1u);
+    EXPECT_EQ(t.impacts[0].t, 0.0);
+    EXPECT_NEAR(t.statistics.energy_start, 0.5 * 2.0 * 0.16 + 0.5 * 2e5 * 0.25e-6, 1e-12);
+    EXPECT_LT(t.statistics.energy_residual(), kBalance);
   }
 }
 

@@ -21,7 +21,7 @@ TEST(Stiffness, IsToldWithThePartThatHoldsTheStepsUp) {
   for (const auto& [part, reason] : cases) {
     std::vector<std::string> overrides{part};
     if (part.starts_with("drive")) overrides.emplace_back("rotor.modal.inertia=1e-9");
-    const Trajectory t = run_event(shipped("bench_ring", overrides));
+    const Trajectory t = test::attempt_event(shipped("bench_ring", overrides));
     EXPECT_EQ(t.status, Status::kStepTooLarge) << part;
     EXPECT_NE(t.message.find(reason), std::string::npos) << part << ": " << t.message;
     EXPECT_LT(t.steps, 100000) << part;
@@ -33,7 +33,6 @@ TEST(Stiffness, OfAShortRunIsNoReasonToStop) {
   for (const char* part : {"stator.spin={inertia=1e-6,drag=1.0}", "stator.mass=1e-3"}) {
     const scene::Scene scene = shipped("bench_ring", {part, "run.end=0.05"});
     const Trajectory t = run_event(scene);
-    EXPECT_EQ(t.status, Status::kOk) << part << ": " << t.message;
     EXPECT_LT(rotor_error(t, run_with(scene, scene::Integrator::kVerlet, 1e-6)), 1e-8) << part;
   }
 }
@@ -72,7 +71,7 @@ frequency = 300.0
 // allows, so the steps shrank below what stability asks for, and nothing told that it was stiff.
 TEST(Stiffness, OfALightRingInACompliantContactIsTold) {
   for (const char* stiffness : {"2e7", "1e11", "1e13"}) {
-    const Trajectory t = run_event(pressed(stiffness, "1e-9", 0.1));
+    const Trajectory t = test::attempt_event(pressed(stiffness, "1e-9", 0.1));
     EXPECT_EQ(t.status, Status::kStepTooLarge) << stiffness;
     EXPECT_NE(t.message.find("the ring's motion follows within"), std::string::npos) << t.message;
     EXPECT_LT(t.steps, 200000) << stiffness;
@@ -83,7 +82,6 @@ TEST(Stiffness, OfALightRingInACompliantContactIsTold) {
 // steps were taken for 8 ms of contact.
 TEST(Stiffness, OfAHardContactDoesNotResolveRoundOff) {
   const Trajectory t = run_event(pressed("1e15", "0.5", 0.013));
-  EXPECT_EQ(t.status, Status::kOk) << t.message;
   EXPECT_LT(t.steps, 60000);
   EXPECT_LT(t.statistics.energy_residual(), 1e-9);
 }

@@ -49,8 +49,7 @@ double difference(const scene::Scene& scene, double tolerance, const StillMachin
   NativeOptions options;
   options.integrator = scene::Integrator::kEvent;
   options.event.emplace().tolerance = tolerance;
-  const Trajectory t = run_native(scene, options);
-  EXPECT_EQ(t.status, Status::kOk) << t.message;
+  const Trajectory t = test::complete(run_native(scene, options));
   EXPECT_EQ(static_cast<int>(t.impacts.size()), machine.touches());
   const auto last = [&t](const char* x, const char* y) {
     return Plane(t.column(x).back(), t.column(y).back());

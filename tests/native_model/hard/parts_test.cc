@@ -91,7 +91,7 @@ TEST(HardPainleve, SaidOnForcesSolvedOnImpulses) {
         test::add_constant_force(scene, {push, push});
         scene.run.end = 0.02;
         const bool can_jam = mu > (1.0 / 0.2 + 1.0 / 2.0) / (1.0 / 0.2 - 1.0 / 2.0);
-        const Trajectory t = test::run_event(scene), p = test::run_verlet(scene, 1e-5);
+        const Trajectory t = test::attempt_event(scene), p = test::run_verlet(scene, 1e-5);
         for (const Trajectory* run : {&t, &p}) {
           test::expect_refused_or_finite(*run);
           test::expect_dissipative_impacts(scene, *run);
@@ -102,7 +102,6 @@ TEST(HardPainleve, SaidOnForcesSolvedOnImpulses) {
           EXPECT_LT(run->end, scene.run.end);
         }
         if (t.status == Status::kOk) test::expect_sound_event(scene, t);
-        EXPECT_EQ(p.status, Status::kOk) << p.message;
         said += t.status == Status::kOk ? 0 : 1;
         solved += t.status == Status::kOk ? 1 : 0;
       }

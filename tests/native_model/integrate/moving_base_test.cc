@@ -25,8 +25,6 @@ scene::Scene mode(const std::vector<std::string>& overrides) {
 
 // Of all columns, as a share of the largest value of each.
 double apart(const Trajectory& a, const Trajectory& b) {
-  EXPECT_EQ(a.status, Status::kOk) << a.message;
-  EXPECT_EQ(b.status, Status::kOk) << b.message;
   EXPECT_EQ(a.rows(), b.rows());
   double largest = 0.0;
   for (std::size_t c = 0; c < a.series.size(); ++c) {

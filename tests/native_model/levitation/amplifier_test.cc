@@ -14,8 +14,8 @@
 #include "native_model/numerics/linear_solve.h"
 #include "native_model/prepare/prepare.h"
 #include "native_model/scene/reader.h"
-#include "tests/support/fixed_steps.h"
 #include "tests/support/jeffcott.h"
+#include "tests/support/order.h"
 #include "tests/support/said.h"
 
 namespace rotorub {

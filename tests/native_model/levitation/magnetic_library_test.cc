@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "native_model/control/library.h"
@@ -97,8 +98,6 @@ TEST(MagneticLibrary, TheSameLawGivesTheSameBits) {
     for (const Integrator integrator : kAll) {
       const Trajectory a = test::run_with(read(delay + kMatrices), integrator),
                        b = test::run_with(read(delay + by_library()), integrator);
-      ASSERT_EQ(a.status, Status::kOk) << a.message;
-      ASSERT_EQ(b.status, Status::kOk) << b.message;
       ASSERT_EQ(a.series.size(), b.series.size());
       for (std::size_t c = 0; c < a.series.size(); ++c) {
         EXPECT_EQ(a.series[c].values, b.series[c].values)
@@ -124,8 +123,7 @@ TEST(MagneticLibrary, IsShownTimeSpinAndCurrents) {
     NativeOptions options;
     options.integrator = integrator;
     options.output_times = s.run.output_times;
-    const Trajectory t = run_native(s, options);
-    EXPECT_EQ(t.status, Status::kOk) << t.message;
+    const Trajectory t = test::complete(run_native(s, options));
     return t.column("bearing_current_y");
   };
   for (const Integrator integrator : kAll) {
@@ -153,21 +151,19 @@ TEST(MagneticLibrary, IsToldItsBearings) {
 }
 
 TEST(MagneticLibrary, AFailureEndsTheRunWithNameAndTime) {
-  const struct {
-    const char *fault, *word;
-  } faults[] = {{"step", "the encoder is lost"},
-                {"nan", "its command is not finite"},
-                {"nan state", "its state is not finite"},
-                {"throw", "thrown in step"}};
-  for (const auto& fault : faults) {
+  const std::pair<std::string, const char*> faults[] = {{"step", "the encoder is lost"},
+                                                        {"nan", "its command is not finite"},
+                                                        {"nan state", "its state is not finite"},
+                                                        {"throw", "thrown in step"}};
+  for (const auto& [fault, word] : faults) {
     for (const double at : {0.0, 0.004}) {
       for (const Integrator integrator : kAll) {
-        const scene::Scene s = read(by_library("fault = \"" + std::string(fault.fault) +
-                                               "\"\nat = " + std::to_string(at) + "\n"));
-        const Trajectory t = test::run_with(s, integrator);
+        const scene::Scene s =
+            read(by_library("fault = \"" + fault + "\"\nat = " + std::to_string(at) + "\n"));
+        const Trajectory t = test::attempt_with(s, integrator);
         EXPECT_EQ(t.status, Status::kControllerFailed) << t.integrator << " " << t.message;
-        EXPECT_TRUE(test::contains(
-            t.message, {"controller magnetic", at > 0.0 ? "0.004" : "0.000", fault.word}));
+        EXPECT_TRUE(
+            test::contains(t.message, {"controller magnetic", at > 0.0 ? "0.004" : "0.000", word}));
         EXPECT_NEAR(t.end, at, 1.1e-5) << t.integrator;
         EXPECT_GE(t.rows(), 1u);
       }
@@ -217,8 +213,6 @@ TEST(MagneticLibrary, IsNotOpenedUnaskedNorByWhatShowsAScene) {
   EXPECT_TRUE(levitation.loops.empty());
   EXPECT_TRUE(test::contains(levitation.poles_refused, "magnetic_control.library"));
 }
-
-TEST(MagneticLibrary, RunsByItself) {}
 
 }  // namespace
 }  // namespace rotorub

@@ -6,8 +6,8 @@
 #include <vector>
 
 #include "native_model/model/model.h"
-#include "tests/support/fixed_steps.h"
 #include "tests/support/jeffcott.h"
+#include "tests/support/order.h"
 
 namespace rotorub {
 namespace {
@@ -105,6 +105,31 @@ TEST(OpposedMagnets, CarryAWeightWhereTheirForceDoes) {
   for (const auto integrator : {scene::Integrator::kEvent, scene::Integrator::kVerlet}) {
     EXPECT_NEAR(run_with(s, integrator).column("rotor_y").back(), low, 1e-11)
         << static_cast<int>(integrator);
+  }
+}
+
+// The cores do not stop the rotor: beyond 99 % of the gap the force is constant. A bearing without
+// a control has the same magnets, and no current to show.
+TEST(OpposedMagnets, PullBeyondTheirGapAsAt99PercentOfIt) {
+  constexpr double kReach = 0.99 * kGap;
+  for (const double start : {kReach, kGap, 3.0 * kGap}) {
+    for (const bool controlled : {false, true}) {
+      for (const auto integrator : {scene::Integrator::kEvent, scene::Integrator::kVerlet}) {
+        scene::Scene s = opposed(0.0);
+        if (controlled) s.magnetic_bearings[0].control = scene::BearingControl{};
+        s.first().contact.reset();
+        s.initial.x = {start};
+        s.run.end = 1e-3;
+        s.run.output_step = 1e-4;
+        const Trajectory t = run_with(s, integrator);
+        EXPECT_EQ(t.has("bearing_current_x"), controlled);
+        for (std::size_t k = 0; k < t.rows(); ++k) {
+          const double time = t.column("t")[k];
+          const double exact = start + 0.5 * force(kReach, 0.0) / kMagnetsHold * time * time;
+          EXPECT_NEAR(t.column("rotor_x")[k] / exact, 1.0, 1e-12) << start << " " << k;
+        }
+      }
+    }
   }
 }
 

@@ -2,6 +2,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <cmath>
 #include <complex>
 #include <string>
 #include <vector>
@@ -81,6 +82,32 @@ TEST(SampledMagneticSwitching, SwitchedAtASampleTheOrderIsTwo) {
       // A limit begins and ends anywhere within a step.
       const double least = further.find("limit") == further.npos ? 1.9 : 1.6;
       EXPECT_GT(c.order(), least) << further << when << "\n" << c.text();
+    }
+  }
+}
+
+// Switched on at 10 ms, with samples every 1 ms and a delay of 2 ms, it has no current before 12
+// ms; from then on it has that of the sample at 10 ms.
+TEST(SampledMagneticSwitching, HasNoCurrentUntilTheDelayHasPassed) {
+  for (const char* when : {"on = 10e-3", "fails_at = 3e-3\nreturns_at = 10e-3"}) {
+    scene::Scene s =
+        switched_scene(std::string("delay = 2e-3\n") + when, "negative_stiffness = 1e5");
+    s.magnetic_bearings[0].control->derivative = 0.0;
+    s.run.end = 0.015;
+    s.run.output_step = 0.25e-3;
+    for (const auto integrator :
+         {scene::Integrator::kEvent, scene::Integrator::kVerlet, scene::Integrator::kEuler}) {
+      const Trajectory t = run_with(s, integrator);
+      const std::vector<double>&time = t.column("t"), &current = t.column("bearing_current_x");
+      double sampled = 0.0;
+      for (std::size_t k = 0; k < t.rows(); ++k) {
+        if (std::abs(time[k] - 10e-3) < 1e-7) sampled = t.column("rotor_x")[k];
+        if (time[k] < 3.1e-3 || time[k] > 12.9e-3) continue;
+        if (time[k] > 11.9e-3 && time[k] < 12.1e-3) continue;
+        const double delayed = time[k] < 12e-3 ? 0.0 : -2e3 * sampled;
+        EXPECT_NEAR(current[k], delayed, 1e-12) << when << " at " << time[k];
+      }
+      EXPECT_GT(std::abs(sampled), 1e-5) << when;
     }
   }
 }

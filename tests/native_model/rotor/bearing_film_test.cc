@@ -131,7 +131,6 @@ TEST(BearingFilm, ARunWhirlsAsTheEigenvalue) {
   for (const scene::Integrator integrator :
        {scene::Integrator::kEvent, scene::Integrator::kVerlet}) {
     const Trajectory t = test::run_with(s, integrator);
-    ASSERT_EQ(t.status, Status::kOk) << t.message;
     const std::string n = std::to_string(moves + 1);
     const Complex end(t.column("x_" + n).back(), t.column("y_" + n).back());
     const Complex exact = 1e-4 * std::exp(forward * 0.2);

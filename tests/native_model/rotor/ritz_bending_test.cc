@@ -1,12 +1,15 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <string>
+#include <vector>
 
 #include "native_model/rotor/ritz_bending.h"
 #include "native_model/rotor/rotor_modes.h"
 #include "native_model/rotor/shaft_basis.h"
 #include "native_model/scene/diagnostic.h"
 #include "tests/native_model/rotor/rotors.h"
+#include "tests/support/native_run.h"
 #include "tests/support/refusal.h"
 
 namespace rotorub {
@@ -38,25 +41,6 @@ double frequency_error(int elements, int functions, int mode) {
   const RitzBending ritz = ritz_bending(g, equal_elements(g, elements, functions));
   const PlanarModes modes = planar_modes(ritz.mass, ritz.stiffness_x);
   return modes.frequency[mode - 1] / kShaft.forward(mode, 0.0) - 1.0;
-}
-
-TEST(BendingBasis, IsSmoothAndZeroAtTheAnchors) {
-  const scene::RotorGeometry g = pinned_shaft(1);
-  const BendingBasis basis(equal_elements(g, 3, 4), 0.2, 0.9);
-  for (double z : {0.2, 0.9}) {
-    EXPECT_LT(basis.deflection(z).tail(basis.size() - 2).cwiseAbs().maxCoeff(), 1e-16);
-  }
-  EXPECT_NEAR(basis.deflection(0.2)[0], 1.0, 1e-15);
-  EXPECT_NEAR(basis.deflection(0.9)[1], 1.0, 1e-15);
-
-  // Deflection and slope go through the ends of elements; the slope is the derivative.
-  constexpr double kStep = 1e-7;
-  for (double z : {0.1, 1.0 / 3.0, 0.5, 2.0 / 3.0, 0.95}) {
-    const Eigen::RowVectorXd before = basis.deflection(z - kStep);
-    const Eigen::RowVectorXd after = basis.deflection(z + kStep);
-    EXPECT_LT(((after - before) / (2.0 * kStep) - basis.slope(z)).cwiseAbs().maxCoeff(), 1e-6);
-    EXPECT_LT((basis.slope(z + kStep) - basis.slope(z - kStep)).cwiseAbs().maxCoeff(), 1e-6);
-  }
 }
 
 // A Hermite cubic element has a linear curvature: its frequencies err by (k h)^4 / 1440.
@@ -143,23 +127,6 @@ TEST(RotorModes, SteppedShaftWithOverhang) {
   }
 }
 
-TEST(RotorModes, AreOrthogonal) {
-  const RotorModes modes = rotor_modes(test::anisotropic_rotor());
-  const auto check = [&](const PlanarModes& plane, const Eigen::MatrixXd& stiffness) {
-    constexpr int kLow = 8;
-    const Eigen::MatrixXd phi = plane.shape.leftCols(kLow);
-    const Eigen::MatrixXd mass = phi.transpose() * modes.ritz.mass * phi;
-    EXPECT_LT((mass - Eigen::MatrixXd::Identity(kLow, kLow)).cwiseAbs().maxCoeff(), 1e-9);
-    const Eigen::VectorXd omega = plane.frequency.head(kLow);
-    const Eigen::MatrixXd scaled = omega.cwiseInverse().asDiagonal() * phi.transpose() * stiffness *
-                                   phi * omega.cwiseInverse().asDiagonal();
-    EXPECT_LT((scaled - Eigen::MatrixXd::Identity(kLow, kLow)).cwiseAbs().maxCoeff(), 1e-9);
-  };
-  check(modes.x, modes.ritz.stiffness_x);
-  check(modes.y, modes.ritz.stiffness_y);
-  EXPECT_LT(modes.y.frequency[0], modes.x.frequency[0]);
-}
-
 TEST(RotorModes, MaxFrequencyKeepsEveryModeBelow) {
   scene::RotorGeometry g = pinned_shaft(1);
   g.modes.reset();
@@ -226,6 +193,68 @@ TEST(IntegratedLegendre, IntegralsAgreeWithQuadrature) {
     EXPECT_LT((v.second - second).cwiseAbs().maxCoeff(), kRoundOff);
   }
 }
+
+// ---------------------------------------------------------------- known modes
+// The modes of a shaft that was solved before are those of a fresh solution.
+
+// More shafts than are remembered: afterwards any other is solved anew.
+void forget_modes() {
+  for (int k = 0; k < 12; ++k) {
+    rotor_modes(test::shipped("blade_loss", {"rotor.rho=" + std::to_string(7000 + k)}));
+  }
+}
+
+void expect_equal(const PlanarModes& a, const PlanarModes& b) {
+  EXPECT_EQ(a.frequency, b.frequency);
+  EXPECT_EQ(a.shape, b.shape);
+}
+void expect_equal(const RotorModes& a, const RotorModes& b) {
+  expect_equal(a.x, b.x);
+  expect_equal(a.y, b.y);
+  expect_equal(a.mean, b.mean);
+  EXPECT_EQ(a.ritz.mass, b.ritz.mass);
+  EXPECT_EQ(a.ritz.gyroscopic, b.ritz.gyroscopic);
+  EXPECT_EQ(a.ritz.gravity, b.ritz.gravity);
+  EXPECT_EQ(a.kept, b.kept);
+  ASSERT_EQ(a.own.has_value(), b.own.has_value());
+  if (a.own) expect_equal(a.own->mean, b.own->mean);
+}
+
+struct Change {
+  std::string scene, set;
+};
+class KnownModes : public testing::TestWithParam<Change> {};
+
+// Asked for again, and after another shaft that differs in one number: to the bit, as from the
+// start. What the modes do not depend on changes nothing.
+TEST_P(KnownModes, AreThoseOfAFreshSolution) {
+  const auto& [name, set] = GetParam();
+  const scene::Scene first = test::shipped(name), changed = test::shipped(name, {set});
+  forget_modes();
+  const RotorModes fresh = rotor_modes(first);
+  expect_equal(rotor_modes(first), fresh);
+  const RotorModes after = rotor_modes(changed);
+  forget_modes();
+  expect_equal(rotor_modes(changed), after);
+  const bool same = after.x.frequency.size() == fresh.x.frequency.size() &&
+                    after.x.frequency == fresh.x.frequency &&
+                    after.ritz.gyroscopic == fresh.ritz.gyroscopic && after.kept == fresh.kept;
+  EXPECT_EQ(same, set.find("damping") != std::string::npos);
+}
+INSTANTIATE_TEST_SUITE_P(
+    Of, KnownModes,
+    testing::Values(Change{"paper_passive", "rotor.E=200e9"},
+                    Change{"paper_passive", "rotor.rho=7700"},
+                    Change{"paper_passive", "rotor.modes=9"},
+                    Change{"paper_passive", "rotor.section[0].diameter=0.021"},
+                    Change{"paper_passive", "rotor.section[0].inner_diameter=0.002"},
+                    Change{"paper_passive", "rotor.disc[0].mass=4.1"},
+                    Change{"paper_passive", "rotor.disc[0].Jt=0.02"},
+                    Change{"paper_passive", "rotor.disc[0].Jp=3.5e-3"},
+                    Change{"paper_passive", "rotor.bearing[0].stiffness=3e7"},
+                    Change{"paper_passive", "rotor.bearing[0].damping=11"},
+                    Change{"paper_passive", "rotor.damping_ratio=0.011"},
+                    Change{"amb_machine", "magnetic_bearing[0].control.proportional=21000"}));
 
 }  // namespace
 }  // namespace rotorub

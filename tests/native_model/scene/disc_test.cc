@@ -8,7 +8,6 @@
 #include <vector>
 
 #include "native_model/scene/reader.h"
-#include "tests/native_model/scene/refusals.h"
 #include "tests/native_model/scene/scene_samples.h"
 
 namespace rotorub::scene {

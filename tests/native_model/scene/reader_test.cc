@@ -1,12 +1,15 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <filesystem>
 #include <numbers>
 #include <string>
 #include <vector>
 
+#include "native_model/scene/diagnostic.h"
 #include "native_model/scene/reader.h"
-#include "tests/native_model/scene/refusals.h"
+#include "native_model/scene/text.h"
+#include "tests/fuzz/said.h"
 #include "tests/native_model/scene/scene_samples.h"
 
 namespace rotorub::scene {
@@ -206,6 +209,23 @@ TEST(Variants, NumbersAreThoseOfToml) {
     const std::vector<std::string> change{std::string("contact.friction=") + text};
     EXPECT_EQ(variants.scene(change, false).first().contact->friction.coefficient, 0.15) << text;
   }
+}
+
+// ---------------------------------------------------------------- found
+// The inputs that once broke the scene's reader (tests/fuzz).
+
+TEST(FoundInputs, AreReadOrRefusedInPrintableWords) {
+  int inputs = 0;
+  const std::string folder = ROTORUB_SOURCE_DIR "/tests/fuzz/found";
+  for (const auto& entry : std::filesystem::directory_iterator(folder)) {
+    ++inputs;
+    try {
+      parse_scene(file_text(entry.path().string()), "scene.toml");
+    } catch (const SceneError& error) {
+      test::check_said(error.what());
+    }
+  }
+  EXPECT_GT(inputs, 0);
 }
 
 }  // namespace

@@ -2,11 +2,16 @@
 // themselves is left to them, and the test says so.
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
+#include <cstddef>
+#include <limits>
 #include <string>
+#include <vector>
 
 #include "native_model/bearing/actuator.h"
 #include "native_model/event/driver.h"
+#include "native_model/model/model.h"
 #include "native_model/prepare/prepare.h"
 #include "native_model/scene/reader.h"
 #include "native_model/stepping/stepper.h"
@@ -111,6 +116,24 @@ TEST_F(Allocation, NoneInAForceTable) {
   const double force = table.force(2e-4, 0.3), current = table.current(1e-4, 1.0, 2.0);
   EXPECT_EQ(allocations - before, 0);
   EXPECT_TRUE(std::isfinite(force + current));
+}
+
+// A free spin with unbalance, rotating forces, impacts that take time, a compliant contact, several
+// contacts, and magnetic bearings with states.
+TEST(SavedStep, HasTheSizeThatFollowsFromTheModel) {
+  for (const char* name : {"bench_ring", "blade_loss", "run_up", "finite_impacts", "compliant_ring",
+                           "two_catchers", "amb_machine"}) {
+    SCOPED_TRACE(name);
+    const Model model = prepare(test::shipped(name));
+    const VerletStepper stepper(model, 1e-6);
+    const auto size = static_cast<std::ptrdiff_t>(VerletStepper::memory_size(model));
+    std::vector<double> memory(static_cast<std::size_t>(size) + 1000,
+                               std::numeric_limits<double>::quiet_NaN());
+    stepper.save(memory.data());
+    const auto written = [](double value) { return !std::isnan(value); };
+    EXPECT_EQ(std::ranges::count_if(memory, written), size);
+    EXPECT_TRUE(std::all_of(memory.begin(), memory.begin() + size, written));
+  }
 }
 
 }  // namespace

@@ -9,8 +9,8 @@
 #include "native_model/contact/compliance.h"
 #include "native_model/prepare/prepare.h"
 #include "native_model/stepping/step_limit.h"
-#include "tests/support/fixed_steps.h"
 #include "tests/support/jeffcott.h"
+#include "tests/support/order.h"
 #include "tests/support/refusal.h"
 
 namespace rotorub {
@@ -52,12 +52,10 @@ TEST(CompliantSteps, AreOfSecondOrderThroughEveryTouch) {
   for (const Law& law : kLaws) {
     const scene::Scene s = thrown(law.compliance, law.friction);
     const Trajectory exact = run_event(s);
-    ASSERT_EQ(exact.status, Status::kOk) << law.name << exact.message;
     ASSERT_GE(exact.impacts.size(), 2u) << law.name;
     std::vector<double> errors;
     for (const double h : {4e-6, 2e-6, 1e-6, 5e-7}) {
       const Trajectory t = run_with(s, Integrator::kVerlet, h);
-      ASSERT_EQ(t.status, Status::kOk) << law.name << t.message;
       errors.push_back(test::trajectory_error(t, exact, s.first().contact->radius));
     }
     const double order = std::log2(errors.front() / errors.back()) / 3.0;
@@ -83,7 +81,6 @@ TEST(CompliantSteps, KeepTheirOrderWhileTheyStick) {
   for (const Law& law : kLaws) {
     const scene::Scene s = rolling(law.compliance);
     const Trajectory exact = run_event(s);
-    ASSERT_EQ(exact.status, Status::kOk) << law.name << exact.message;
     const std::vector<double>& modes = exact.column("mode");
     const auto stuck = std::ranges::count(modes, static_cast<double>(Mode::kStick));
     ASSERT_GE(stuck, std::ssize(modes) / 4) << law.name;
@@ -109,7 +106,6 @@ TEST(CompliantSteps, KeepTheirOrderWhereOneIsTouchedWhileAnotherPresses) {
   test::add_constant_force(s, {300.0, 0.0});
   s.run.end = 4e-3;
   const Trajectory exact = run_event(s);
-  ASSERT_EQ(exact.status, Status::kOk) << exact.message;
   ASSERT_GE(exact.impacts.size(), 2u);
   test::expect_order_of_steps(s, {8e-6, 4e-6, 2e-6, 1e-6, 5e-7}, 1.8,
                               [&](const Trajectory& t) { return test::rotor_error(t, exact); });
@@ -119,7 +115,6 @@ TEST(CompliantSteps, GiveTheFiguresOfEvent) {
   for (const Law& law : kLaws) {
     const scene::Scene s = thrown(law.compliance, law.friction);
     const Trajectory exact = run_event(s), t = run_with(s, Integrator::kVerlet, 2e-7);
-    ASSERT_EQ(t.status, Status::kOk) << law.name << t.message;
     EXPECT_EQ(t.contact_model, "compliant");
     EXPECT_EQ(t.impacts.size(), exact.impacts.size()) << law.name;
     const Statistics &a = t.statistics, &b = exact.statistics;
@@ -138,12 +133,12 @@ TEST(CompliantSteps, KeepTheirStepToTheStiffness) {
   const Model model = prepare(s);
   // 1/m of rotor and ring: 2 kg and 0.8 kg.
   EXPECT_NEAR(step_limit(model).step, 2.0 / std::sqrt(1e9 * (1.0 / 2.0 + 1.0 / 0.8)), 1e-12);
-  const Trajectory t = run_with(s, Integrator::kVerlet, 1e-4);
+  const Trajectory t = test::attempt_with(s, Integrator::kVerlet, 1e-4);
   EXPECT_EQ(t.status, Status::kStepTooLarge);
   EXPECT_NE(t.message.find("the contact's stiffness"), std::string::npos) << t.message;
   // Of Hertz's law the stiffness is that of the depth.
   s.first().contact->compliance = Compliance{.stiffness = 1e11, .exponent = 1.5};
-  EXPECT_EQ(run_with(s, Integrator::kVerlet, 1e-4).status, Status::kStepTooLarge);
+  EXPECT_EQ(test::attempt_with(s, Integrator::kVerlet, 1e-4).status, Status::kStepTooLarge);
 }
 
 TEST(CompliantSteps, OthersRefuseThem) {
@@ -178,7 +173,6 @@ vx = [0.1]
 )",
                                             "made.toml");
   const Trajectory run = run_with(s, scene::Integrator::kVerlet);
-  ASSERT_EQ(run.status, Status::kOk) << run.message;
   ASSERT_FALSE(run.events.empty());
   EXPECT_EQ(run.events.front().kind, EventKind::kImpact);
   EXPECT_NEAR(run.events.front().t, 2e-3, 1e-9);

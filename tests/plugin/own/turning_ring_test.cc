@@ -17,35 +17,6 @@ constexpr double kTurningRadius = 0.05, kTurningClearance = 5e-4,
                  kBore = kTurningRadius + kTurningClearance, kMu = 0.15;
 constexpr double kWhirl = 0.4, kRingSpeed = 314.0, kRotorSpeed = 100.0;
 
-// The floating machine, as a scene.
-const std::string kScene = R"(
-[run]
-end = 0.02
-[rotor]
-speed = 100.0
-[rotor.modal]
-mass = [2.0]
-stiffness = [0.0]
-inertia = 1e-3
-[drive]
-kind = "free"
-[contact]
-radius = 0.05
-clearance = 5e-4
-friction = 0.15
-restitution = 0.5
-[stator]
-mass = 1.0
-stiffness = 0.0
-[stator.spin]
-inertia = 1e-3
-drag = 2e-3
-speed = 314.0
-[initial]
-x = [5e-4]
-vy = [0.4]
-)";
-
 class OwnTurningRing : public HookedTest {
  protected:
   // Held at its centre, so that it can do nothing but turn, around a rotor whose spin hardly
@@ -152,30 +123,6 @@ TEST_F(OwnTurningRing, WithoutFrictionItsTurningGivesTheRotorNoForce) {
       ASSERT_NEAR(sensor(m.get(), d.get(), mjcf_names::kNormalForce), exact, 1e-3 * exact)
           << contact << ", step " << k;
     }
-  }
-}
-
-// Of first order, as own models are.
-TEST_F(OwnTurningRing, FollowsTheNativeAnswer) {
-  const Trajectory native = run_event(parsed(kScene));
-  ASSERT_EQ(native.status, Status::kOk);
-  const auto last = [&](const char* column) { return native.column(column).back(); };
-  ASSERT_GT(std::abs(last("ring_speed") - kRingSpeed), 5.0) << "friction does something";
-  for (const std::string contact : {"rigid", "coulomb"}) {
-    SCOPED_TRACE(contact);
-    const auto error = [&](double step) {
-      const ModelPointer m = floating(contact, kMu);
-      m->opt.timestep = step;
-      const DataPointer d = begin(m.get());
-      for (int k = 0; k < std::lround(0.02 / step); ++k) mj_step(m.get(), d.get());
-      EXPECT_NEAR(d->qvel[2], last("spin_speed"), 0.1);
-      EXPECT_NEAR(d->qvel[5], last("ring_speed"), 0.1);
-      return std::max(std::hypot(d->qpos[0] - last("rotor_x"), d->qpos[1] - last("rotor_y")),
-                      std::hypot(d->qpos[3] - last("stator_x"), d->qpos[4] - last("stator_y")));
-    };
-    const double coarse = error(1e-5), fine = error(2.5e-6);
-    EXPECT_LT(fine, 0.3 * coarse);
-    EXPECT_LT(fine, 1e-2 * kTurningClearance);
   }
 }
 

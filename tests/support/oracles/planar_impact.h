@@ -3,6 +3,10 @@
 // eps_N) G_TT L_NC). In all cases v_N+ = -eps_N v_N.
 #pragma once
 
+#include <algorithm>
+#include <cassert>
+#include <cmath>
+
 namespace rotorub::oracle {
 
 struct PlanarImpact {
@@ -11,11 +15,21 @@ struct PlanarImpact {
   double restitution;             // eps_N
   double tangential_restitution;  // eps_T
 
-  double compression(double normal_velocity) const;  // N s, L_NC for a closing velocity < 0
-  bool sticks(double normal_velocity, double slip) const;
-  double normal_after(double normal_velocity) const;  // m/s
+  // N s, L_NC for a closing velocity < 0.
+  double compression(double normal_velocity) const { return -normal_velocity / g_nn; }
+  bool sticks(double normal_velocity, double slip) const {
+    return std::abs(slip) <= friction * g_tt * compression(normal_velocity);
+  }
+  double normal_after(double normal_velocity) const {
+    return -restitution * normal_velocity;
+  }  // m/s
   // Slip after the impact. If the compression slips, eps_T must be 0.
-  double slip_after(double normal_velocity, double slip) const;
+  double slip_after(double normal_velocity, double slip) const {
+    if (sticks(normal_velocity, slip)) return -restitution * tangential_restitution * slip;
+    assert(tangential_restitution == 0.0);
+    const double loss = friction * (1.0 + restitution) * g_tt * compression(normal_velocity);
+    return std::copysign(std::max(0.0, std::abs(slip) - loss), slip);
+  }
 };
 
 }  // namespace rotorub::oracle

@@ -11,6 +11,8 @@
 //     surface speed = (R J Omega + r J_r Omega_r) / (J R / r + J_r r / R)
 #pragma once
 
+#include <cmath>
+
 namespace rotorub::oracle {
 
 struct TurningRing {
@@ -21,12 +23,22 @@ struct TurningRing {
 
 // rad/s: Omega_r after sliding for the time t (s, >= 0) from the speed `start` (rad/s). torque:
 // friction torque s mu N R that drives the ring, N m.
-double ring_speed(const TurningRing& ring, double torque, double start, double t);
+inline double ring_speed(const TurningRing& ring, double torque, double start, double t) {
+  const double decays = ring.drag * t / ring.inertia;
+  // (1 - e^-x) / x, 1 without drag.
+  const double mean = decays > 0.0 ? -std::expm1(-decays) / decays : 1.0;
+  return start * std::exp(-decays) + torque / ring.inertia * t * mean;
+}
 
 struct FreeSpin {
   double inertia, radius, speed;  // kg m^2, m, rad/s
 };
 // m/s: speed of both surfaces once they roll, for a ring without drag that turns at `ring_speed`.
-double rolling_surface_speed(const FreeSpin& rotor, const TurningRing& ring, double ring_speed);
+inline double rolling_surface_speed(const FreeSpin& rotor, const TurningRing& ring,
+                                    double ring_speed) {
+  const double r = rotor.radius, R = ring.bore_radius;
+  return (R * rotor.inertia * rotor.speed + r * ring.inertia * ring_speed) /
+         (rotor.inertia * R / r + ring.inertia * r / R);
+}
 
 }  // namespace rotorub::oracle
