@@ -134,9 +134,7 @@ Table magnetic_config() {
           [](Scene& scene) -> void* { return &scene.magnetic_control->config; },
           {},
           {"library"},
-          [](void* object, ConfigEntry entry) {
-            static_cast<std::vector<ConfigEntry>*>(object)->push_back(std::move(entry));
-          }};
+          true};
 }
 
 Table amplifier() {

@@ -2,7 +2,7 @@
 
 #include <optional>
 
-#include "native_model/scene/checker.h"
+#include "native_model/scene/reading.h"
 #include "native_model/scene/schema.h"
 
 namespace rotorub::scene {
@@ -107,7 +107,7 @@ Table ball_bearing() {
                                     "first ball's angle from the x axis")}};
 }
 
-void check_spin(const Checker& check, const RingSpin& spin) {
+void check_spin(const Reading& check, const RingSpin& spin) {
   const bool loaded = spin.load_factor > 0.0;
   if (loaded && !check.given("stator.spin.pitch_diameter")) {
     check.fail("stator.spin.load_factor",
@@ -128,25 +128,23 @@ std::vector<Table> ring_tables() {
   return {stator(), ring_spin(), mount(), dry_friction(), squeeze_film(), ball_bearing()};
 }
 
-void check_ring(const Checker& check) {
+void check_ring(const Reading& check) {
   const AuxiliaryBearing& bearing = check.bearing();
-  const bool has_ring = check.given("stator");
   if (bearing.contact) check.station("contact.station", bearing.contact->station);
-  if (bearing.actuator && !has_ring) {
-    check.fail("actuator", "needs [stator]: the ring is fixed, and there is nothing to move");
+  if (bearing.actuator)
+    check.needs("actuator", "[stator]", ": the ring is fixed, and there is nothing to move");
+  if (bearing.stator && bearing.stator->spin) {
+    check.needs("stator.spin", "[contact]", ": nothing else turns the ring");
+    check_spin(check, *bearing.stator->spin);
   }
-  if (bearing.stator && bearing.stator->spin && !check.given("contact")) {
-    check.fail("stator.spin", "needs [contact]: nothing else turns the ring");
-  }
-  if (bearing.stator && bearing.stator->spin) check_spin(check, *bearing.stator->spin);
+  if (check.index > 0) return;
   for (const char* key : {"initial.stator", "initial.stator_velocity"}) {
-    if (!check.given(key) || check.index > 0) continue;
-    if (check.given("contact[0]")) {
+    if (check.given(key) && check.given("contact[0]")) {
       check.fail(key,
                  "is not known beside [[contact]]; accepted: position and velocity in each "
                  "[contact.stator]");
-    } else if (!has_ring) {
-      check.fail(key, "needs [stator]: the ring is fixed and stays at [0, 0]");
+    } else {
+      check.needs(key, "[stator]", ": the ring is fixed and stays at [0, 0]");
     }
   }
 }

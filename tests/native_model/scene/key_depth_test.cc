@@ -1,6 +1,4 @@
 // What the limit protects is the stack: it counts the dots of keys, whatever the values hold.
-#include "native_model/scene/key_depth.h"
-
 #include <gtest/gtest.h>
 
 #include <string>
