@@ -94,18 +94,13 @@ Table controller() {
                                            "standard deviation of measured positions", {"lqg"})}};
 }
 
-Controller& controller_of(Scene& scene) {
-  return scene.auxiliary.back().controller ? *scene.auxiliary.back().controller
-                                           : scene.auxiliary.back().controller.emplace();
-}
-
 Table sensors() {
   return {
       "controller.sensors",
       "What a sampled controller measures. A resolution is the rounding step (0: none), a noise "
       "the standard deviation. Needs `sample_time`.",
       "exact values",
-      [](Scene& scene) -> void* { return &controller_of(scene).sensors; },
+      [](Scene& scene) -> void* { return &scene.auxiliary.back().controller->sensors; },
       {key<&Sensors::rotor>("rotor", kPure, "", kStandard, "measure the rotor"),
        key<&Sensors::stator>("stator", kPure, "", kStandard, "measure the ring"),
        key<&Sensors::spin>("spin", kPure, "", kStandard, "measure spin angle and speed"),
@@ -131,22 +126,23 @@ Table sensors() {
 }
 
 Table trigger() {
-  return {"controller.trigger",
-          "After `on`, the first of these conditions that holds switches a sampled controller on. "
-          "Needs [contact].",
-          "it is switched on at `on`",
-          [](Scene& scene) -> void* { return &controller_of(scene).trigger.emplace(); },
-          {key<&Trigger::gap>("gap", kLength, "> 0", "none", "measured gap"),
-           key<&Trigger::time_to_touch>("time_to_touch", kTime, "> 0", "none",
-                                        "predicted time to touch: gap over closing rate"),
-           key<&Trigger::touch>("touch", kPure, "", kStandard, "rotor and ring have touched")}};
+  return {
+      "controller.trigger",
+      "After `on`, the first of these conditions that holds switches a sampled controller on. "
+      "Needs [contact].",
+      "it is switched on at `on`",
+      [](Scene& scene) -> void* { return &scene.auxiliary.back().controller->trigger.emplace(); },
+      {key<&Trigger::gap>("gap", kLength, "> 0", "none", "measured gap"),
+       key<&Trigger::time_to_touch>("time_to_touch", kTime, "> 0", "none",
+                                    "predicted time to touch: gap over closing rate"),
+       key<&Trigger::touch>("touch", kPure, "", kStandard, "rotor and ring have touched")}};
 }
 
 Table config() {
   return {"controller.config",
           "Any keys for your own controller, each a number or a text.",
           "nothing",
-          [](Scene& scene) -> void* { return &controller_of(scene).config; },
+          [](Scene& scene) -> void* { return &scene.auxiliary.back().controller->config; },
           {},
           {"library"},
           true};

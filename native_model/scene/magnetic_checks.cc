@@ -59,11 +59,6 @@ std::string held_by_magnets(const Scene& scene, const MagneticBearing& magnetic)
   return {};
 }
 
-void check_amplifier(const Reading& check, const MagneticBearing& magnetic) {
-  if (magnetic.control) return check.voltage(".amplifier");
-  check.fail(".amplifier", "needs " + check.at + ".control, which asks for the current");
-}
-
 // Checks that the matrices fit each other. `below` is the path of their table, "magnetic_control.".
 void check_matrices(const Reading& check, const ControlMatrices& m, const std::string& below,
                     std::size_t ports) {
@@ -174,8 +169,10 @@ void check_magnetic_bearing(const Reading& check, const MagneticBearing& magneti
   check.station(".sensor_station", magnetic.sensor_station.value_or(0.0));
   for (const char* key : {".shape", ".sensor_shape"})
     check.list_length(key, check.bending_modes(), "bending mode");
-  if (magnetic.amplifier) check_amplifier(check, magnetic);
+  if (magnetic.amplifier && magnetic.control) check.voltage(".amplifier");
   if (!magnetic.control) {
+    if (magnetic.amplifier)
+      check.fail(".amplifier", "needs " + check.at + ".control, which asks for the current");
     for (const char* key : {".sensor_station", ".sensor_shape"}) {
       if (!check.given(key)) continue;
       check.fail(key, "is where " + check.at +

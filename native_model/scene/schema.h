@@ -98,8 +98,8 @@ struct Table {
   std::string_view path;  // "rotor.disc"
   std::string_view meaning;
   std::string_view when_absent;
-  // Creates the part (for a list, one more element) and returns it. Null: the table is a rule
-  // (rules.h), which is kept outside the scene.
+  // Creates the part (for a list, one more element) and returns it; the part above is there
+  // already. Null: the table is a rule (rules.h), which is kept outside the scene.
   void* (*object)(Scene& scene) = nullptr;
   std::vector<Key> keys;
   // Values of the parent's `kind` that allow this table; empty: all.
