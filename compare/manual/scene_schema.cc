@@ -114,7 +114,7 @@ json kind_rules(const Table& table) {
 json table_schema(const Table& table) {
   json schema{{"type", "object"}, {"properties", json::object()}};
   schema["additionalProperties"] = false;
-  if (table.store_any != nullptr) schema["additionalProperties"] = {{"type", {"number", "string"}}};
+  if (table.any_key) schema["additionalProperties"] = {{"type", {"number", "string"}}};
   for (const Key& key : table.keys) {
     json value = value_schema(key);
     value["description"] = described(key);

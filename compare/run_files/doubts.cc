@@ -44,7 +44,7 @@ void doubt_instants(const scene::Scene& scene, std::vector<std::string>& all) {
   for (std::size_t i = 0; i < scene.magnetic_bearings.size(); ++i) {
     const auto& control = scene.magnetic_bearings[i].control;
     if (!control) continue;
-    const std::string bearing = scene::magnetic_bearing_path(scene.record.get(), i) + ".control.";
+    const std::string bearing = scene::magnetic_bearing_path(scene, i) + ".control.";
     look_at(bearing + "on", control->works_from, "the bearing never works");
     look_at(bearing + "fails_at", control->fails_at, "the bearing does not fail");
     look_at(bearing + "returns_at", control->returns_at, "the bearing does not return");

@@ -137,7 +137,7 @@ const scene::Key* scene_key(std::string_view path, std::string& reason) {
   if (table != nullptr) {
     if (const scene::Key* key = table->find(plain.substr(dot + 1))) return key;
     static const scene::Key any_number{};
-    if (table->store_any != nullptr) return &any_number;
+    if (table->any_key) return &any_number;
   }
   if (scene::find_table(plain) != nullptr) return nullptr;
   std::vector<std::string> all;

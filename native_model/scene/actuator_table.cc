@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <functional>
 
-#include "native_model/scene/checker.h"
+#include "native_model/scene/reading.h"
 #include "native_model/scene/schema.h"
 #include "native_model/scene/text.h"
 
@@ -60,7 +60,7 @@ Table actuator() {
                                   {"electromagnet", "table"})}};
 }
 
-void check_force_table(const Checker& check, const Actuator& actuator) {
+void check_force_table(const Reading& check, const Actuator& actuator) {
   constexpr std::size_t kLeast = 4;  // needed for a cubic
   const std::vector<double>&position = actuator.table_position, &current = actuator.table_current;
   bool sound = true;
@@ -74,9 +74,8 @@ void check_force_table(const Checker& check, const Actuator& actuator) {
       sound = false;
     } else if (list->size() < kLeast) {
       refuse(key, "expected four values or more");
-    } else if (std::adjacent_find(list->begin(), list->end(), std::greater_equal<>()) !=
-               list->end()) {
-      refuse(key, "must be strictly ascending");
+    } else if (!check.ascending(key, *list)) {
+      sound = false;
     }
   }
   if (sound && !(current.front() < 0.0 && current.back() > 0.0)) {
@@ -85,12 +84,12 @@ void check_force_table(const Checker& check, const Actuator& actuator) {
   if (!sound || !check.given("actuator.table_force") || !check.sound({"actuator.table_force"})) {
     return;
   }
-  const std::vector<double>& force = actuator.table_force;
-  if (force.size() != position.size() * current.size()) {
+  const std::size_t expected = position.size() * current.size(), got = actuator.table_force.size();
+  if (got != expected) {
     return check.fail("actuator.table_force",
-                      "expected " + std::to_string(position.size() * current.size()) +
+                      "expected " + std::to_string(expected) +
                           " values, for each position one for each current, got " +
-                          std::to_string(force.size()));
+                          std::to_string(got));
   }
   const double most = std::min(-current.front(), current.back());
   if (check.sound({"actuator.current_limit"}) && actuator.current_limit > most) {
@@ -99,7 +98,7 @@ void check_force_table(const Checker& check, const Actuator& actuator) {
   }
 }
 
-void check_actuator(const Checker& check, const Actuator& actuator) {
+void check_actuator(const Reading& check, const Actuator& actuator) {
   if (actuator.kind == ActuatorKind::kIdeal) return;
   if (actuator.kind == ActuatorKind::kTable) check_force_table(check, actuator);
   if (actuator.kind == ActuatorKind::kElectromagnet &&
@@ -114,23 +113,14 @@ void check_actuator(const Checker& check, const Actuator& actuator) {
       check.fail(key, "needs actuator.coil_lag: without it the current follows at once");
     }
   }
-  const bool limited = check.given("actuator.voltage_limit");
-  if (limited && !check.given("actuator.inductance")) {
-    check.fail("actuator.voltage_limit",
-               "needs actuator.inductance: inductance di/dt = u - resistance i");
-  }
-  for (const char* key : {"actuator.inductance", "actuator.resistance"}) {
-    if (!limited && check.given(key)) {
-      check.fail(key, "needs actuator.voltage_limit: a voltage without limit gives every current");
-    }
-  }
+  check.voltage("actuator");
 }
 
 }  // namespace
 
 std::vector<Table> actuator_tables() { return {actuator()}; }
 
-void check_actuator(const Checker& check) {
+void check_actuator(const Reading& check) {
   if (check.bearing().actuator) check_actuator(check, *check.bearing().actuator);
 }
 

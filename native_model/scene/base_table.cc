@@ -1,6 +1,6 @@
 // [base]: rows and cross-checks.
 
-#include "native_model/scene/checker.h"
+#include "native_model/scene/reading.h"
 #include "native_model/scene/schema.h"
 #include "native_model/scene/text.h"
 
@@ -30,42 +30,34 @@ Table base_table() {
        key<&Base::ramp>("ramp", kTime, ">= 0", kStandard, "rise time after `on`")}};
 }
 
-void check_base(const Checker& check) {
+void check_base(Reading& check) {
   if (!check.scene.base) return;
   const Base& base = *check.scene.base;
-  const auto given = [&](const char* key) { return check.given(std::string("base.") + key); };
-  // Reports a key that has no effect without another one.
-  const auto needs = [&](const char* key, const char* other) {
-    if (given(key) && !given(other)) {
-      check.fail(std::string("base.") + key, std::string("needs base.") + other);
-    }
-  };
-  if (!given("time") && !given("frequency")) {
+  check.at = "base";
+  if (!check.given(".time") && !check.given(".frequency")) {
     return check.fail("base",
                       "does not move: expected `time` with `acceleration_x` or "
                       "`acceleration_y`, or `frequency` with `amplitude`");
   }
-  for (const char* key : {"acceleration_x", "acceleration_y"}) needs(key, "time");
-  for (const char* key : {"amplitude", "phase", "seed", "direction"}) needs(key, "frequency");
-  needs("frequency", "amplitude");
-  if (given("time") && check.sound({"base.time"})) {
-    if (base.time.size() < 2) check.fail("base.time", "expected two times or more");
-    check.ascending("base.time", base.time);
-    if (!given("acceleration_x") && !given("acceleration_y"))
-      check.fail("base.time", "needs base.acceleration_x or base.acceleration_y");
-    const std::string each = "time of base.time";
-    check.list_length("base.acceleration_x", base.acceleration_x, base.time.size(), each);
-    check.list_length("base.acceleration_y", base.acceleration_y, base.time.size(), each);
+  for (const char* key : {".acceleration_x", ".acceleration_y"}) check.needs(key, ".time");
+  for (const char* key : {".amplitude", ".phase", ".seed", ".direction"})
+    check.needs(key, ".frequency");
+  check.needs(".frequency", ".amplitude");
+  if (check.given(".time") && check.sound({".time"})) {
+    check.abscissae(".time", base.time, "two times");
+    if (!check.given(".acceleration_x") && !check.given(".acceleration_y"))
+      check.fail(".time", "needs base.acceleration_x or base.acceleration_y");
+    for (const char* key : {".acceleration_x", ".acceleration_y"})
+      check.list_length(key, base.time.size(), "time of base.time");
   }
-  if (given("frequency") && check.sound({"base.frequency"})) {
-    const std::string each = "line of base.frequency";
-    check.list_length("base.amplitude", base.amplitude, base.frequency.size(), each);
-    check.list_length("base.phase", base.phase, base.frequency.size(), each);
+  if (check.given(".frequency") && check.sound({".frequency"})) {
+    for (const char* key : {".amplitude", ".phase"})
+      check.list_length(key, base.frequency.size(), "line of base.frequency");
   }
-  if (given("phase") && given("seed"))
-    check.fail("base.seed", "not beside base.phase; accepted: one of the two");
-  if (check.sound({"base.on", "base.off"}) && base.off < base.on)
-    check.fail("base.off", "must not be before `on` = " + number_text(base.on) + " s");
+  if (check.given(".phase") && check.given(".seed"))
+    check.fail(".seed", "not beside base.phase; accepted: one of the two");
+  if (check.sound({".on", ".off"}) && base.off < base.on)
+    check.fail(".off", "must not be before `on` = " + number_text(base.on) + " s");
 }
 
 }  // namespace rotorub::scene

@@ -2,9 +2,8 @@
 
 #include <cmath>
 #include <string>
-#include <utility>
 
-#include "native_model/scene/checker.h"
+#include "native_model/scene/reading.h"
 #include "native_model/scene/schema.h"
 #include "native_model/scene/text.h"
 
@@ -95,18 +94,13 @@ Table controller() {
                                            "standard deviation of measured positions", {"lqg"})}};
 }
 
-Controller& controller_of(Scene& scene) {
-  return scene.auxiliary.back().controller ? *scene.auxiliary.back().controller
-                                           : scene.auxiliary.back().controller.emplace();
-}
-
 Table sensors() {
   return {
       "controller.sensors",
       "What a sampled controller measures. A resolution is the rounding step (0: none), a noise "
       "the standard deviation. Needs `sample_time`.",
       "exact values",
-      [](Scene& scene) -> void* { return &controller_of(scene).sensors; },
+      [](Scene& scene) -> void* { return &scene.auxiliary.back().controller->sensors; },
       {key<&Sensors::rotor>("rotor", kPure, "", kStandard, "measure the rotor"),
        key<&Sensors::stator>("stator", kPure, "", kStandard, "measure the ring"),
        key<&Sensors::spin>("spin", kPure, "", kStandard, "measure spin angle and speed"),
@@ -132,27 +126,26 @@ Table sensors() {
 }
 
 Table trigger() {
-  return {"controller.trigger",
-          "After `on`, the first of these conditions that holds switches a sampled controller on. "
-          "Needs [contact].",
-          "it is switched on at `on`",
-          [](Scene& scene) -> void* { return &controller_of(scene).trigger.emplace(); },
-          {key<&Trigger::gap>("gap", kLength, "> 0", "none", "measured gap"),
-           key<&Trigger::time_to_touch>("time_to_touch", kTime, "> 0", "none",
-                                        "predicted time to touch: gap over closing rate"),
-           key<&Trigger::touch>("touch", kPure, "", kStandard, "rotor and ring have touched")}};
+  return {
+      "controller.trigger",
+      "After `on`, the first of these conditions that holds switches a sampled controller on. "
+      "Needs [contact].",
+      "it is switched on at `on`",
+      [](Scene& scene) -> void* { return &scene.auxiliary.back().controller->trigger.emplace(); },
+      {key<&Trigger::gap>("gap", kLength, "> 0", "none", "measured gap"),
+       key<&Trigger::time_to_touch>("time_to_touch", kTime, "> 0", "none",
+                                    "predicted time to touch: gap over closing rate"),
+       key<&Trigger::touch>("touch", kPure, "", kStandard, "rotor and ring have touched")}};
 }
 
 Table config() {
   return {"controller.config",
           "Any keys for your own controller, each a number or a text.",
           "nothing",
-          [](Scene& scene) -> void* { return &controller_of(scene).config; },
+          [](Scene& scene) -> void* { return &scene.auxiliary.back().controller->config; },
           {},
           {"library"},
-          [](void* object, ConfigEntry entry) {
-            static_cast<std::vector<ConfigEntry>*>(object)->push_back(std::move(entry));
-          }};
+          true};
 }
 
 // False for a pure function of the measurement, which may be continuous.
@@ -172,7 +165,7 @@ bool needs_contact(ControllerKind kind) {
   return kind != ControllerKind::kPassive && kind != ControllerKind::kLibrary;
 }
 
-void check_feedback(const Checker& check, const Controller& c) {
+void check_feedback(const Reading& check, const Controller& c) {
   if (!check.sound({"controller.feedback", "controller.feedback_speed"})) return;
   if (!check.given("controller.feedback_speed")) {
     if (c.feedback.size() > 1) {
@@ -181,12 +174,11 @@ void check_feedback(const Checker& check, const Controller& c) {
     return;
   }
   check.ascending("controller.feedback_speed", c.feedback_speed);
-  check.list_length("controller.feedback_speed", c.feedback_speed, c.feedback.size(),
-                    "value of controller.feedback");
+  check.list_length("controller.feedback_speed", c.feedback.size(), "value of controller.feedback");
 }
 
 // A built-in law needs the measurements that it reads.
-void check_measured(const Checker& check, const Controller& c) {
+void check_measured(const Reading& check, const Controller& c) {
   if (c.kind == ControllerKind::kLibrary) return;
   const bool gap = c.kind != ControllerKind::kPassive && c.kind != ControllerKind::kCrossCoupled;
   const auto needs = [&](bool measured, const char* key, const char* what) {
@@ -201,7 +193,7 @@ void check_measured(const Checker& check, const Controller& c) {
   if (turns) needs(c.sensors.spin, "controller.sensors.spin", "the spin speed");
 }
 
-void check_sensors(const Checker& check, const Controller& c) {
+void check_sensors(const Reading& check, const Controller& c) {
   if (c.sample_time <= 0.0) {
     if (check.given("controller.sensors")) {
       check.fail("controller.sensors",
@@ -217,21 +209,20 @@ void check_sensors(const Checker& check, const Controller& c) {
   }
 }
 
-void check_trigger(const Checker& check, const Controller& c) {
-  const auto refuse = [&](const char* key, const std::string& reason) { check.fail(key, reason); };
+void check_trigger(const Reading& check, const Controller& c) {
   const char* const key = "controller.trigger";
   if (c.sample_time <= 0.0)
-    refuse(key, std::string(kSampledOnly) + "it is looked for at the samples");
-  if (!check.given("contact")) refuse(key, "needs [contact]: there is no gap");
+    check.fail(key, std::string(kSampledOnly) + "it is looked for at the samples");
+  check.needs(key, "[contact]", ": there is no gap");
   if (!c.sensors.rotor || !c.sensors.stator) {
-    refuse(key, "needs controller.sensors.rotor and .stator: it looks at the gap");
+    check.fail(key, "needs controller.sensors.rotor and .stator: it looks at the gap");
   }
   if (c.trigger->time_to_touch && c.sensors.velocity == VelocitySensor::kNone) {
-    refuse("controller.trigger.time_to_touch",
-           "needs controller.sensors.velocity other than \"none\"");
+    check.fail("controller.trigger.time_to_touch",
+               "needs controller.sensors.velocity other than \"none\"");
   }
   if (!c.trigger->gap && !c.trigger->time_to_touch && !c.trigger->touch) {
-    refuse(key, "needs `gap`, `time_to_touch` or `touch`");
+    check.fail(key, "needs `gap`, `time_to_touch` or `touch`");
   }
 }
 
@@ -239,14 +230,12 @@ void check_trigger(const Checker& check, const Controller& c) {
 
 std::vector<Table> control_tables() { return {controller(), sensors(), trigger(), config()}; }
 
-void check_control(const Checker& check) {
-  if (!check.given("controller")) return;
+void check_control(const Reading& check) {
+  if (!check.bearing().controller) return;
   const Controller& c = *check.bearing().controller;
-  if (!check.given("stator")) {
-    check.fail("controller", "needs [stator]: the ring is fixed, and there is nothing to move");
-  }
-  if (needs_contact(c.kind) && !check.given("contact")) {
-    check.fail("controller", "needs [contact]: it acts on the gap between rotor and ring");
+  check.needs("controller", "[stator]", ": the ring is fixed, and there is nothing to move");
+  if (needs_contact(c.kind)) {
+    check.needs("controller", "[contact]", ": it acts on the gap between rotor and ring");
   }
   check_feedback(check, c);
   check_measured(check, c);

@@ -5,6 +5,7 @@
 #include <numbers>
 #include <string>
 
+#include "native_model/scene/reading.h"
 #include "native_model/scene/schema.h"
 #include "native_model/scene/text.h"
 
@@ -37,78 +38,63 @@ Disc in_numbers(Disc disc, double rho, double speed) {
 }
 
 // The disc must be given completely by its numbers or completely by its dimensions.
-void check_size(const Checker& check, const std::string& path, const Disc& disc) {
-  const Record& record = check.record;
-  const auto given = [&](const char* key) { return record.given(path + key); };
-  const bool dimensions = given(".diameter") || given(".thickness");
-  const struct {
-    const char *key, *expected;
-  } numbers[] = {{".mass", "a mass in kg, >= 0"},
-                 {".Jt", "a moment of inertia in kg m^2, >= 0"},
-                 {".Jp", "a moment of inertia in kg m^2, >= 0"}};
-  for (const auto& number : numbers) {
-    if (dimensions && given(number.key)) {
-      check.fail(path + number.key,
-                 "follows from `diameter` and `thickness`; give one or the other");
-    } else if (!dimensions && !given(number.key)) {
-      check.fail(path + number.key, std::string("missing: expected ") + number.expected +
-                                        ", or `diameter` and `thickness` of the disc");
+void check_size(const Reading& check, const Disc& disc) {
+  const bool dimensions = check.given(".diameter") || check.given(".thickness");
+  for (const char* key : {".mass", ".Jt", ".Jp"}) {
+    if (dimensions && check.given(key)) {
+      check.fail(key, "follows from `diameter` and `thickness`; give one or the other");
+    } else if (!dimensions && !check.given(key)) {
+      check.missing(key, ", or `diameter` and `thickness` of the disc");
     }
   }
   for (const char* key : {".diameter", ".thickness"}) {
-    if (dimensions && !given(key)) check.fail(path + key, "missing: expected a length in m, > 0");
+    if (dimensions && !check.given(key)) check.missing(key);
   }
   for (const char* key : {".inner_diameter", ".rho"}) {
-    if (!dimensions && given(key))
-      check.fail(path + key, "belongs to a disc with `diameter` and `thickness`");
+    if (!dimensions && check.given(key))
+      check.fail(key, "belongs to a disc with `diameter` and `thickness`");
   }
   if (disc.diameter && disc.inner_diameter && *disc.inner_diameter >= *disc.diameter) {
-    check.fail(path + ".inner_diameter",
+    check.fail(".inner_diameter",
                "must be below `diameter`, " + number_text(*disc.diameter) + " m");
   }
 }
 
-void check_unbalance(const Checker& check, const std::string& path, const Disc& disc,
-                     const Disc& whole) {
-  const auto given = [&](const char* key) { return check.given(path + key); };
+void check_unbalance(const Reading& check, const Disc& disc, const Disc& whole) {
   const char* first = nullptr;
   for (const char* key : {".eccentricity", ".unbalance", ".balance_grade"}) {
-    if (!given(key)) continue;
+    if (!check.given(key)) continue;
     if (first != nullptr) {
-      check.fail(path + key,
-                 std::string("says the same as `") + (first + 1) + "`; give one of them");
+      check.fail(key, std::string("says the same as `") + (first + 1) + "`; give one of them");
     }
     first = first == nullptr ? key : first;
   }
-  if (disc.unbalance && *disc.unbalance > 0.0 && whole.mass == 0.0 &&
-      check.sound({path + ".mass"})) {
-    check.fail(path + ".unbalance", "needs a mass > 0, of which it is the eccentricity's moment");
+  if (disc.unbalance && *disc.unbalance > 0.0 && whole.mass == 0.0 && check.sound({".mass"})) {
+    check.fail(".unbalance", "needs a mass > 0, of which it is the eccentricity's moment");
   }
-  if (given(".balance_speed") && !given(".balance_grade")) {
-    check.fail(path + ".balance_speed", "belongs to `balance_grade`");
+  if (!check.given(".balance_grade")) {
+    if (check.given(".balance_speed")) check.fail(".balance_speed", "belongs to `balance_grade`");
+    return;
   }
-  if (!given(".balance_grade")) return;
   if (!balance_quality(disc.balance_grade)) {
-    check.fail(path + ".balance_grade",
-               "expected a grade of ISO 21940-11 in mm/s, as \"G 2.5\", got '" +
-                   printable(disc.balance_grade) + "'");
+    check.fail(".balance_grade", "expected a grade of ISO 21940-11 in mm/s, as \"G 2.5\", got '" +
+                                     printable(disc.balance_grade) + "'");
   } else if (!disc.balance_speed && check.scene.rotor.speed == 0.0 &&
              check.sound({"rotor.speed"})) {
-    check.fail(path + ".balance_grade",
+    check.fail(".balance_grade",
                "is an eccentricity times a speed, and rotor.speed is 0; give `balance_speed`");
   }
 }
 
-void check_inertia(const Checker& check, const std::string& path, const Disc& disc) {
-  if (check.sound({path + ".Jt", path + ".Jp"}) &&
-      disc.Jp > 2.0 * disc.Jt * (1.0 + kInertiaTolerance)) {
-    check.fail(path + ".Jp", "no rigid body has Jp > 2 Jt; a thin disc has Jp = 2 Jt");
+void check_inertia(const Reading& check, const Disc& disc) {
+  if (check.sound({".Jt", ".Jp"}) && disc.Jp > 2.0 * disc.Jt * (1.0 + kInertiaTolerance)) {
+    check.fail(".Jp", "no rigid body has Jp > 2 Jt; a thin disc has Jp = 2 Jt");
   }
   // If the spin is free, a smaller Jp makes the mass matrix indefinite and creates energy.
   const double least = disc.mass * disc.eccentricity * disc.eccentricity;
-  if (check.scene.drive && check.sound({path + ".mass", path + ".Jp", path + ".eccentricity"}) &&
+  if (check.scene.drive && check.sound({".mass", ".Jp", ".eccentricity"}) &&
       disc.Jp < least * (1.0 - kPointMassTolerance)) {
-    check.fail(path + ".Jp",
+    check.fail(".Jp",
                "with [drive] the spin is free, and a disc whose mass is out of centre by its "
                "eccentricity has at least mass eccentricity^2 = " +
                    number_text(least) + " kg m^2 about the shaft, got " + number_text(disc.Jp) +
@@ -162,14 +148,14 @@ std::optional<double> balance_quality(std::string_view grade) {
   return value / 1000.0;
 }
 
-void check_discs(const Checker& check, const RotorGeometry& shaft) {
+void check_discs(Reading& check, const RotorGeometry& shaft) {
   for (std::size_t i = 0; i < shaft.discs.size(); ++i) {
-    const std::string path = list_element("rotor.disc", i);
+    check.at = list_element("rotor.disc", i);
     const Disc whole = in_numbers(shaft.discs[i], shaft.rho, check.scene.rotor.speed);
-    check.station(path + ".z", whole.z);
-    check_size(check, path, shaft.discs[i]);
-    check_unbalance(check, path, shaft.discs[i], whole);
-    check_inertia(check, path, whole);
+    check.station(".z", whole.z);
+    check_size(check, shaft.discs[i]);
+    check_unbalance(check, shaft.discs[i], whole);
+    check_inertia(check, whole);
   }
 }
 

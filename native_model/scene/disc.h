@@ -4,7 +4,7 @@
 #include <optional>
 #include <string_view>
 
-#include "native_model/scene/checker.h"
+#include "native_model/scene/rotor.h"
 
 namespace rotorub::scene {
 
@@ -12,9 +12,6 @@ namespace rotorub::scene {
 // times angular speed (ISO 21940-11:2016, table 1). Any number > 0 is accepted, not only the
 // standard's steps. Returns nothing if the text is not a grade.
 std::optional<double> balance_quality(std::string_view grade);
-
-// Cross-checks of [[rotor.disc]].
-void check_discs(const Checker& check, const RotorGeometry& shaft);
 
 // Computes mass, Jt, Jp and eccentricity from the other keys, for a scene without diagnostics.
 void complete_discs(Rotor& rotor);

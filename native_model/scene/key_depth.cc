@@ -1,9 +1,11 @@
-#include "native_model/scene/key_depth.h"
+// Implements line_of_too_deep_key of toml_source.h.
 
 #include <algorithm>
 #include <cstddef>
 #include <string>
 #include <vector>
+
+#include "native_model/scene/toml_source.h"
 
 namespace rotorub::scene {
 namespace {

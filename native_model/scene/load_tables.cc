@@ -1,7 +1,7 @@
 // [drive] and [[force]]: rows and cross-checks. ([base] is in base_table.cc, magnetic bearings are
 // in magnetic_tables.cc.)
 
-#include "native_model/scene/checker.h"
+#include "native_model/scene/reading.h"
 #include "native_model/scene/schema.h"
 #include "native_model/scene/text.h"
 
@@ -90,37 +90,33 @@ Table force() {
       .as_list();
 }
 
-void check_drive(const Checker& check, const Drive& drive) {
+void check_drive(const Reading& check, const Drive& drive) {
   check.station("drive.station", drive.station);
   if (drive.kind != DriveKind::kTable || !check.given("drive.table_speed") ||
       !check.sound({"drive.table_speed"})) {
     return;
   }
   const std::vector<double>& speed = drive.table_speed;
-  if (speed.size() < 2) check.fail("drive.table_speed", "expected two speeds or more");
-  check.ascending("drive.table_speed", speed);
-  check.list_length("drive.table_torque", drive.table_torque, speed.size(),
-                    "speed of drive.table_speed");
+  check.abscissae("drive.table_speed", speed, "two speeds");
+  check.list_length("drive.table_torque", speed.size(), "speed of drive.table_speed");
 }
 
-void check_forces(const Checker& check) {
-  const auto modes = check.bending_modes();
+void check_forces(Reading& check) {
   for (std::size_t i = 0; i < check.scene.forces.size(); ++i) {
-    const std::string path = list_element("force", i);
+    check.at = list_element("force", i);
     const Force& force = check.scene.forces[i];
-    check.station(path + ".station", force.station);
-    if (modes) check.list_length(path + ".shape", force.shape, *modes, "bending mode");
-    if (check.sound({path + ".on", path + ".off"}) && force.off < force.on) {
-      check.fail(path + ".off", "must not be before `on` = " + number_text(force.on) + " s");
-    }
+    check.station(".station", force.station);
+    check.list_length(".shape", check.bending_modes(), "bending mode");
+    if (!check.sound({".on", ".off"})) continue;
+    const std::string on = "`on` = " + number_text(force.on) + " s";
+    if (force.off < force.on) check.fail(".off", "must not be before " + on);
     const bool passes = force.kind == ForceKind::kChirp || force.kind == ForceKind::kPulse;
-    if (!passes || !check.sound({path + ".kind", path + ".on", path + ".off"})) continue;
+    if (!passes || !check.sound({".kind"})) continue;
     const std::string kind = force.kind == ForceKind::kChirp ? "chirp" : "pulse";
-    if (!check.given(path + ".off")) {
-      check.fail(path, "kind \"" + kind + "\" needs `off`, the time at which it is over");
+    if (!check.given(".off")) {
+      check.fail(check.at, "kind \"" + kind + "\" needs `off`, the time at which it is over");
     } else if (force.off == force.on) {
-      check.fail(path + ".off",
-                 "must be after `on` = " + number_text(force.on) + " s: a " + kind + " takes time");
+      check.fail(".off", "must be after " + on + ": a " + kind + " takes time");
     }
   }
 }
@@ -133,7 +129,7 @@ std::vector<Table> load_tables() {
   return all;
 }
 
-void check_loads(const Checker& check) {
+void check_loads(Reading& check) {
   if (check.scene.drive) check_drive(check, *check.scene.drive);
   check_forces(check);
   check_base(check);

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "native_model/scene/checker.h"
+#include "native_model/scene/reading.h"
 #include "native_model/scene/shaft_bearing.h"
 #include "native_model/scene/text.h"
 
@@ -59,27 +59,8 @@ std::string held_by_magnets(const Scene& scene, const MagneticBearing& magnetic)
   return {};
 }
 
-void check_amplifier(const Checker& check, const MagneticBearing& magnetic,
-                     const std::string& path) {
-  const std::string own = path + ".amplifier.";
-  if (!magnetic.control) {
-    return check.fail(path + ".amplifier",
-                      "needs " + path + ".control, which asks for the current");
-  }
-  const bool limited = check.given(own + "voltage_limit");
-  if (limited && !check.given(own + "inductance")) {
-    check.fail(own + "voltage_limit",
-               "needs " + own + "inductance: inductance di/dt = u - resistance i");
-  }
-  for (const char* key : {"inductance", "resistance"}) {
-    if (limited || !check.given(own + key)) continue;
-    check.fail(own + key,
-               "needs " + own + "voltage_limit: a voltage without limit gives every current");
-  }
-}
-
 // Checks that the matrices fit each other. `below` is the path of their table, "magnetic_control.".
-void check_matrices(const Checker& check, const ControlMatrices& m, const std::string& below,
+void check_matrices(const Reading& check, const ControlMatrices& m, const std::string& below,
                     std::size_t ports) {
   if (!check.sound({below + "state_matrix", below + "input_matrix", below + "output_matrix",
                     below + "feedthrough"})) {
@@ -103,12 +84,12 @@ void check_matrices(const Checker& check, const ControlMatrices& m, const std::s
   fits("feedthrough", m.feedthrough, ports * ports, columns + " times " + columns);
 }
 
-void check_delay(const Checker& check, const std::string& below, double sample_time, double delay) {
+void check_delay(const Reading& check, const std::string& below, double sample_time, double delay) {
   if (!check.given(below + "delay") || !check.sound({below + "sample_time", below + "delay"})) {
     return;
   }
   if (!(sample_time > 0.0)) {
-    if (delay > 0.0) check.fail(below + "delay", "needs " + below + "sample_time");
+    if (delay > 0.0) check.fail(below + "delay", "needs " + check.full(below + "sample_time"));
     return;
   }
   const double samples = delay / sample_time;
@@ -119,107 +100,99 @@ void check_delay(const Checker& check, const std::string& below, double sample_t
   }
 }
 
-void check_form(const Checker& check, const BearingControl& control, const std::string& own) {
-  if (!check.sound({own + "kind"})) return;
+void check_form(const Reading& check, const BearingControl& control) {
+  if (!check.sound({".control.kind"})) return;
   if (control.form == ControlForm::kPid) {
-    if (!check.given(own + "proportional")) {
-      check.fail(own + "proportional",
-                 "missing: expected a current per length in A/m, >= 0, of a control of kind "
-                 "\"pid\"");
-    }
+    if (!check.given(".control.proportional"))
+      check.missing(".control.proportional", ", of a control of kind \"pid\"");
   } else if (control.form == ControlForm::kShared) {
     if (!check.scene.magnetic_control && !check.given("magnetic_control")) {
-      check.fail(own + "kind", "\"shared\" needs [magnetic_control], which asks for its currents");
+      check.fail(".control.kind",
+                 "\"shared\" needs [magnetic_control], which asks for its currents");
     }
-  } else if (!check.given(own + "sample_time")) {
-    check.fail(own + "sample_time", "missing: expected a time in s, > 0, of this kind");
-  } else if (check.sound({own + "sample_time"}) && control.sample_time == 0.0) {
-    check.fail(own + "sample_time", "must be > 0: a law of this kind is sampled");
+  } else if (!check.given(".control.sample_time")) {
+    check.fail(".control.sample_time", "missing: expected a time in s, > 0, of this kind");
+  } else if (check.sound({".control.sample_time"}) && control.sample_time == 0.0) {
+    check.fail(".control.sample_time", "must be > 0: a law of this kind is sampled");
   }
-  check_delay(check, own, control.sample_time, control.delay);
-  if (control.form == ControlForm::kStateSpace) check_matrices(check, control.matrices, own, 1);
+  check_delay(check, ".control.", control.sample_time, control.delay);
+  if (control.form == ControlForm::kStateSpace)
+    check_matrices(check, control.matrices, ".control.", 1);
   if (control.form == ControlForm::kTransferFunction &&
-      check.sound({own + "numerator", own + "denominator"})) {
+      check.sound({".control.numerator", ".control.denominator"})) {
     if (control.denominator.empty() || control.denominator.front() == 0.0) {
-      check.fail(own + "denominator", "expected a first value that is not 0");
+      check.fail(".control.denominator", "expected a first value that is not 0");
     }
-    if (control.numerator.empty()) check.fail(own + "numerator", "expected a value at least");
+    if (control.numerator.empty()) check.fail(".control.numerator", "expected a value at least");
   }
 }
 
 // Checks the switching times and the current limit.
-void check_control_limits(const Checker& check, const MagneticBearing& magnetic,
-                          const std::string& path) {
+void check_control_limits(const Reading& check, const MagneticBearing& magnetic) {
   const BearingControl& control = *magnetic.control;
-  const std::string own = path + ".control.";
-  if (check.given(own + "returns_at") && check.sound({own + "fails_at", own + "returns_at"}) &&
+  const bool fails = check.given(".control.fails_at");
+  if (check.given(".control.returns_at") &&
+      check.sound({".control.fails_at", ".control.returns_at"}) &&
       control.returns_at <= control.fails_at) {
-    check.fail(own + "returns_at",
-               check.given(own + "fails_at")
-                   ? "must be after `fails_at` = " + number_text(control.fails_at) + " s"
-                   : "needs " + own + "fails_at, after which it returns");
+    check.fail(".control.returns_at",
+               fails ? "must be after `fails_at` = " + number_text(control.fails_at) + " s"
+                     : "needs " + check.at + ".control.fails_at, after which it returns");
   }
-  if (check.given(own + "on") && check.given(own + "fails_at") &&
-      check.sound({own + "on", own + "fails_at"}) && control.fails_at < control.works_from) {
-    check.fail(own + "fails_at",
+  if (check.given(".control.on") && fails && check.sound({".control.on", ".control.fails_at"}) &&
+      control.fails_at < control.works_from) {
+    check.fail(".control.fails_at",
                "must not be before `on` = " + number_text(control.works_from) + " s");
   }
+  const bool per_current = check.given(".control.force_per_current");
   if (magnetic.kind != MagnetKind::kElectromagnet) {
-    if (!check.given(own + "force_per_current")) {
-      check.fail(own + "force_per_current",
-                 "missing: expected a force per current in N/A, > 0, of a bearing of kind "
-                 "\"linear\"");
-    }
+    if (!per_current)
+      check.missing(".control.force_per_current", ", of a bearing of kind \"linear\"");
     return;
   }
-  if (check.given(own + "force_per_current")) {
-    check.fail(own + "force_per_current",
+  if (per_current) {
+    check.fail(".control.force_per_current",
                "belongs to kind = \"linear\"; an electromagnet's follows from force_constant, "
                "bias_current and air_gap");
   }
-  if (check.given(own + "current_limit") &&
-      check.sound({own + "current_limit", path + ".bias_current"}) &&
+  if (check.given(".control.current_limit") &&
+      check.sound({".control.current_limit", ".bias_current"}) &&
       control.current_limit > magnetic.bias_current) {
-    check.fail(own + "current_limit", "must be at most " + path +
-                                          ".bias_current = " + number_text(magnetic.bias_current) +
-                                          " A: beyond it a magnet's current would turn round");
+    check.fail(".control.current_limit", "must be at most " + check.at + ".bias_current = " +
+                                             number_text(magnetic.bias_current) +
+                                             " A: beyond it a magnet's current would turn round");
   }
 }
 
 // A magnetic bearing must be stiff enough to hold what nothing else holds.
-void check_magnetic_bearing(const Checker& check, const MagneticBearing& magnetic,
-                            const std::string& path) {
-  check.station(path + ".station", magnetic.station);
-  check.station(path + ".sensor_station", magnetic.sensor_station.value_or(0.0));
-  if (const auto modes = check.bending_modes()) {
-    check.list_length(path + ".shape", magnetic.shape, *modes, "bending mode");
-    check.list_length(path + ".sensor_shape", magnetic.sensor_shape, *modes, "bending mode");
-  }
-  const std::string control_path = path + ".control";
-  if (magnetic.amplifier) check_amplifier(check, magnetic, path);
+void check_magnetic_bearing(const Reading& check, const MagneticBearing& magnetic) {
+  check.station(".station", magnetic.station);
+  check.station(".sensor_station", magnetic.sensor_station.value_or(0.0));
+  for (const char* key : {".shape", ".sensor_shape"})
+    check.list_length(key, check.bending_modes(), "bending mode");
+  if (magnetic.amplifier && magnetic.control) check.voltage(".amplifier");
   if (!magnetic.control) {
+    if (magnetic.amplifier)
+      check.fail(".amplifier", "needs " + check.at + ".control, which asks for the current");
     for (const char* key : {".sensor_station", ".sensor_shape"}) {
-      if (check.given(path + key)) {
-        check.fail(path + key, "is where " + control_path +
-                                   " sees the deflection, and there is "
-                                   "none; accepted: one beside it");
-      }
+      if (!check.given(key)) continue;
+      check.fail(key, "is where " + check.at +
+                          ".control sees the deflection, and there is none; accepted: one beside "
+                          "it");
     }
     return;
   }
-  check_form(check, *magnetic.control, control_path + ".");
-  check_control_limits(check, magnetic, path);
-  if (!check.sound({path + ".kind", path + ".negative_stiffness", path + ".force_constant",
-                    path + ".bias_current", path + ".air_gap", control_path + ".force_per_current",
-                    control_path + ".proportional"}) ||
+  check_form(check, *magnetic.control);
+  check_control_limits(check, magnetic);
+  if (!check.sound({".kind", ".negative_stiffness", ".force_constant", ".bias_current", ".air_gap",
+                    ".control.force_per_current", ".control.proportional"}) ||
       !(magnetic.force_per_current() > 0.0)) {
     return;
   }
   const BearingControl& control = *magnetic.control;
   if (control.integral > 0.0 && control.proportional == 0.0) {
-    check.fail(control_path + ".integral",
-               "needs " + control_path +
-                   ".proportional, whose force the integrator replaces within P / I");
+    check.fail(".control.integral",
+               "needs " + check.at +
+                   ".control.proportional, whose force the integrator replaces within P / I");
   }
   const double gain = magnetic.force_per_current();
   const double magnets = gain * control.proportional, against = magnetic.pull();
@@ -227,7 +200,7 @@ void check_magnetic_bearing(const Checker& check, const MagneticBearing& magneti
   const std::string held = held_by_magnets(check.scene, magnetic);
   if (held.empty()) return;
   check.fail(
-      control_path + ".proportional",
+      ".control.proportional",
       "times force_per_current is " + number_text(magnets) + " N/m, and " +
           (magnetic.kind == MagnetKind::kLinear ? "negative_stiffness" : "the magnets' pull") +
           " takes " + number_text(against) + " N/m of it: " + number_text(against - magnets) +
@@ -237,7 +210,7 @@ void check_magnetic_bearing(const Checker& check, const MagneticBearing& magneti
 
 }  // namespace
 
-void check_magnetic_bearings(const Checker& check) {
+void check_magnetic_bearings(Reading& check) {
   if (const auto& shared = check.scene.magnetic_control) {
     const auto& all = check.scene.magnetic_bearings;
     const auto takes_part = [](const MagneticBearing& bearing) {
@@ -253,8 +226,8 @@ void check_magnetic_bearings(const Checker& check) {
     check_delay(check, "magnetic_control.", shared->sample_time, shared->delay);
   }
   for (std::size_t k = 0; k < check.scene.magnetic_bearings.size(); ++k) {
-    check_magnetic_bearing(check, check.scene.magnetic_bearings[k],
-                           magnetic_bearing_path(&check.record, k));
+    check.at = magnetic_bearing_path(check.scene, k);
+    check_magnetic_bearing(check, check.scene.magnetic_bearings[k]);
   }
 }
 

@@ -47,10 +47,7 @@ Table bearing_control() {
       "Feedback on each of x and y from the deflection r at the sensor. A bearing that is switched "
       "off has neither current nor negative stiffness. Needs [magnetic_bearing].",
       "i = 0",
-      [](Scene& scene) -> void* {
-        if (scene.magnetic_bearings.empty()) scene.magnetic_bearings.emplace_back();
-        return &scene.magnetic_bearings.back().control.emplace();
-      },
+      [](Scene& scene) -> void* { return &scene.magnetic_bearings.back().control.emplace(); },
       {word<&BearingControl::form>(
            "kind", {"pid", "transfer_function", "state_space", "shared"}, kStandard,
            "`pid`: i = -(`proportional` r + `integral` times the integral of r + `derivative` r'), "
@@ -134,9 +131,7 @@ Table magnetic_config() {
           [](Scene& scene) -> void* { return &scene.magnetic_control->config; },
           {},
           {"library"},
-          [](void* object, ConfigEntry entry) {
-            static_cast<std::vector<ConfigEntry>*>(object)->push_back(std::move(entry));
-          }};
+          true};
 }
 
 Table amplifier() {
@@ -144,10 +139,7 @@ Table amplifier() {
           "The coils' current i follows the current c that the control commands: di/dt = "
           "`bandwidth` (c - i), within the voltage. Needs [magnetic_bearing.control].",
           "i = c",
-          [](Scene& scene) -> void* {
-            if (scene.magnetic_bearings.empty()) scene.magnetic_bearings.emplace_back();
-            return &scene.magnetic_bearings.back().amplifier.emplace();
-          },
+          [](Scene& scene) -> void* { return &scene.magnetic_bearings.back().amplifier.emplace(); },
           {key<&Amplifier::bandwidth>("bandwidth", kSpin, "> 0", kRequired,
                                       "frequency at which i lags by 45 degrees"),
            key<&Amplifier::voltage_limit>(

@@ -56,15 +56,20 @@ std::optional<std::vector<Step>> parse_path(std::string_view text) {
   return steps.front().is_index ? std::nullopt : std::optional(steps);
 }
 
+TomlNode empty_node(Kind kind) {
+  TomlNode node;
+  node.kind = kind;
+  node.file = override_file();
+  return node;
+}
+
 TomlNode parse_value(std::string_view text) {
   std::vector<Diagnostic> unread;
   const auto document = parse_toml("v = " + std::string(text), kOverrideFile, unread);
   if (document && unread.empty() && document->entries.size() == 1) {
     return document->entries.front().second;
   }
-  TomlNode word;
-  word.kind = Kind::kString;
-  word.file = override_file();
+  TomlNode word = empty_node(Kind::kString);
   word.text = text;
   return word;
 }
@@ -74,13 +79,6 @@ void forget_lines(TomlNode& node) {
   node.line = 0;
   for (auto& [key, value] : node.entries) forget_lines(value);
   for (TomlNode& item : node.items) forget_lines(item);
-}
-
-TomlNode empty_node(Kind kind) {
-  TomlNode node;
-  node.kind = kind;
-  node.file = override_file();
-  return node;
 }
 
 // The child that `step` leads to, created if needed. nullptr, with a reason, if it cannot exist.
@@ -130,29 +128,20 @@ std::string table_path(const std::vector<Step>& steps) {
   return path;
 }
 
-// Removes the file's value of a key that is overridden by its other name, because the two would
-// contradict each other.
-void drop_other_name(TomlNode& table, const std::string& path, const std::string& name) {
-  const Table* schema = find_table(path);
-  const Key* key = schema == nullptr ? nullptr : schema->find(name);
-  if (key == nullptr || key->also.empty() || table.kind != Kind::kTable) return;
-  const std::string_view other = name == key->name ? key->also : key->name;
-  std::erase_if(table.entries, [&](const auto& entry) {
-    return entry.first == other && entry.second.file != override_file();
-  });
-}
-
-// After a change of `kind`, removes the file's keys and tables that only other kinds allow, because
-// they would be refused.
-void drop_other_kinds(TomlNode& table, const std::string& path, std::string_view kind) {
+// Removes what contradicts the new value of `name`: the file's value by the key's other name and,
+// after a change of `kind`, the file's keys and tables that only other kinds allow.
+void drop_contradictions(TomlNode& table, const std::string& path, const std::string& name,
+                         std::string_view new_word) {
   const Table* schema = find_table(path);
   if (schema == nullptr || table.kind != Kind::kTable) return;
+  const Key* set = schema->find(name);
   std::erase_if(table.entries, [&](const auto& entry) {
     if (entry.second.file == override_file()) return false;
-    const Table* below = find_table(path + "." + entry.first);
-    if (below != nullptr && !below->is_for(kind)) return true;
     const Key* key = schema->find(entry.first);
-    return key != nullptr && !key->is_for(kind);
+    if (name != "kind") return key != nullptr && key == set;
+    const Table* below = find_table(path + "." + entry.first);
+    return (below != nullptr && !below->is_for(new_word)) ||
+           (key != nullptr && !key->is_for(new_word));
   });
 }
 
@@ -177,7 +166,7 @@ bool is_known(const std::vector<Step>& steps) {
   std::erase_if(keys, [](const Step& step) { return step.is_index; });
   const std::string above = table_path(keys), name = keys.back().key;
   const Table* table = find_table(above);
-  const bool key = table != nullptr && (table->store_any != nullptr || table->find(name));
+  const bool key = table != nullptr && (table->any_key || table->find(name));
   return key || find_table((above.empty() ? "" : above + ".") + name) != nullptr;
 }
 
@@ -216,12 +205,11 @@ std::string apply(TomlNode& root, const std::vector<Step>& steps, std::string_vi
   TomlNode value = parse_value(text);
   value.file = override_file();
   forget_lines(value);
-  const std::string kind = value.text;
+  const std::string word = value.text;
   TomlNode* target = descend(*node, steps.back(), Kind::kString, reason);
   if (target == nullptr) return "cannot be set: " + (path.empty() ? "it" : path) + " " + reason;
   *target = std::move(value);
-  drop_other_name(*node, table_path(steps), steps.back().key);
-  if (steps.back().key == "kind") drop_other_kinds(*node, table_path(steps), kind);
+  drop_contradictions(*node, table_path(steps), steps.back().key, word);
   if (path == "run" && steps.back().key == "end") drop_times_beyond(*node, *target);
   return {};
 }

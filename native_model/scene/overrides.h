@@ -1,7 +1,6 @@
 // Changes to a scene from the command line: "table.key=value".
 //
 //   contact.friction=0.2      run.end=100ms      force[0].amplitude=200    force.0.amplitude=200
-// contact.friction=0.2      run.end=100ms      force[0].amplitude=200    force.0.amplitude=200
 // gravity={acceleration=[0,-9.81]}             controller=none (removes a table or a key)
 // A value that is not TOML is taken as a string: a bare word or a quantity with a unit. A new
 // `kind` removes the keys of that table that belong only to other kinds. A new run.end removes

@@ -6,16 +6,13 @@
 #include <cstdio>
 #include <cstring>
 #include <fstream>
-#include <memory>
 #include <optional>
 #include <stdexcept>
 #include <utility>
 #include <vector>
 
-#include "native_model/scene/checker.h"
 #include "native_model/scene/overrides.h"
-#include "native_model/scene/rules.h"
-#include "native_model/scene/table_reader.h"
+#include "native_model/scene/reading.h"
 #include "native_model/scene/toml_source.h"
 
 namespace rotorub::scene {
@@ -85,13 +82,11 @@ Scene scene_of(const TomlNode& root, const std::string& file_name, std::string t
   Scene scene;
   scene.name = std::filesystem::path(file_name).stem().string();
   scene.text = std::move(text);
-  TableReader reader(scene, diagnostics);
-  reader.read(root);
-  validate(scene, reader.record(), diagnostics);
-  check_rules(reader.rules(), reader.record(), diagnostics);
+  Reading reading(scene, diagnostics);
+  reading.read(root);
+  reading.check();
   if (!diagnostics.empty()) throw SceneError(std::move(diagnostics));
-  complete(scene, reader.record());
-  scene.record = std::make_shared<const Record>(reader.take_record());
+  complete(scene);
   return scene;
 }
 

@@ -1,6 +1,5 @@
 #include "native_model/scene/record.h"
 
-#include <algorithm>
 #include <utility>
 
 #include "native_model/scene/text.h"
@@ -9,7 +8,8 @@ namespace rotorub::scene {
 
 void Record::note(const std::string& path, const TomlNode& node, bool sound,
                   const std::string& written) {
-  marks_[path] = {node.file, node.line, sound, true, written == path ? std::string() : written};
+  marks_[path] = {node.file, node.line,         sound,
+                  true,      node.items.size(), written == path ? std::string() : written};
 }
 
 bool Record::given(std::string_view path) const {
@@ -28,11 +28,9 @@ std::string Record::place(std::string_view key, std::size_t bearing) const {
                     : element + "." + std::string(key);
 }
 
-bool Record::sound(std::initializer_list<std::string> paths) const {
-  return std::all_of(paths.begin(), paths.end(), [&](const std::string& path) {
-    const auto found = marks_.find(path);
-    return found == marks_.end() || found->second.sound;
-  });
+bool Record::sound(std::string_view path) const {
+  const auto found = marks_.find(path);
+  return found == marks_.end() || found->second.sound;
 }
 
 Diagnostic Record::diagnostic(const std::string& path, std::string reason) const {
@@ -49,11 +47,10 @@ Diagnostic Record::diagnostic(const std::string& path, std::string reason) const
   }
 }
 
-std::string magnetic_bearing_path(const Record* record, std::size_t bearing) {
+std::string magnetic_bearing_path(const Scene& scene, std::size_t bearing) {
   const std::string element = list_element("magnetic_bearing", bearing);
-  return record        ? record->given(element) ? element : "magnetic_bearing"
-         : bearing > 0 ? element
-                       : "magnetic_bearing";
+  const bool listed = scene.record ? scene.record->given(element) : bearing > 0;
+  return listed ? element : "magnetic_bearing";
 }
 
 std::vector<Diagnostic> placed(const Scene& scene, std::vector<Diagnostic> diagnostics) {

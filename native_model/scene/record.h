@@ -3,7 +3,6 @@
 #pragma once
 
 #include <cstddef>
-#include <initializer_list>
 #include <map>
 #include <string>
 #include <string_view>
@@ -28,8 +27,10 @@ class Record {
   // "contact[1].stator.mass". The key is unchanged if the scene has no list of contacts, or if it
   // belongs to another part.
   std::string place(std::string_view key, std::size_t bearing) const;
-  // True if every path is either sound or absent and optional.
-  bool sound(std::initializer_list<std::string> paths) const;
+  // True if the value is sound, or absent and optional.
+  bool sound(std::string_view path) const;
+  // Number of elements of a given list.
+  std::size_t length(std::string_view path) const { return marks_.find(path)->second.length; }
   // A diagnostic at `path`, or at the nearest enclosing part whose position in the file is known.
   Diagnostic diagnostic(const std::string& path, std::string reason) const;
 
@@ -39,13 +40,14 @@ class Record {
     int line = 0;
     bool sound = true;
     bool given = true;
+    std::size_t length = 0;
     std::string written{};  // empty: same as the path
   };
   std::map<std::string, Mark, std::less<>> marks_;
 };
 
 // The path of a magnetic bearing's table: "magnetic_bearing", or "magnetic_bearing[1]" in a list.
-std::string magnetic_bearing_path(const Record* record, std::size_t bearing);
+std::string magnetic_bearing_path(const Scene& scene, std::size_t bearing);
 
 // Adds file and line to each diagnostic without a file, from the position of its key. For a scene
 // made by hand only the scene's name is known.

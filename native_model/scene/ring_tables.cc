@@ -1,8 +1,6 @@
 // [stator] of an auxiliary bearing and the tables below it: rows and cross-checks.
 
-#include <optional>
-
-#include "native_model/scene/checker.h"
+#include "native_model/scene/reading.h"
 #include "native_model/scene/schema.h"
 
 namespace rotorub::scene {
@@ -27,19 +25,12 @@ Table stator() {
            .below_list()}};
 }
 
-template <typename Part>
-void* part_of_ring(Scene& scene, std::optional<Part> Stator::*part) {
-  std::optional<Stator>& ring = scene.auxiliary.back().stator;
-  if (!ring) ring.emplace();
-  return &((*ring).*part).emplace();
-}
-
 Table ring_spin() {
   return {"stator.spin",
           "Lets the ring turn about its axis, as in a ball bearing, so that the rub spins it up. "
           "Needs [contact].",
           "the ring does not turn",
-          [](Scene& scene) { return part_of_ring(scene, &Stator::spin); },
+          [](Scene& scene) -> void* { return &scene.auxiliary.back().stator->spin.emplace(); },
           {key<&RingSpin::inertia>("inertia", kInertia, "> 0", kRequired,
                                    "polar moment of inertia of all that turns"),
            key<&RingSpin::drag>("drag", kAngularDamping, ">= 0", kStandard, "viscous drag"),
@@ -61,7 +52,7 @@ Table mount() {
       "A housing between ring and base. `stator.stiffness`, `stator.damping` and the tables below "
       "then act between ring and housing; the actuator stands on the base.",
       "the base carries the ring",
-      [](Scene& scene) { return part_of_ring(scene, &Stator::mount); },
+      [](Scene& scene) -> void* { return &scene.auxiliary.back().stator->mount.emplace(); },
       {planes<&Housing::mass>("mass", kMass, "> 0", kRequired, "housing mass"),
        planes<&Housing::stiffness>("stiffness", kStiffness, ">= 0", kRequired,
                                    "stiffness to the base"),
@@ -69,45 +60,48 @@ Table mount() {
 }
 
 Table dry_friction() {
-  return {"stator.dry_friction",
-          "Dry friction under the ring by Dahl's law (tolerance ring, friction damper).",
-          "none",
-          [](Scene& scene) { return part_of_ring(scene, &Stator::dry_friction); },
-          {key<&DryFriction::force>("force", kForce, "> 0", kRequired, "force at full slip"),
-           key<&DryFriction::presliding>("presliding", kLength, "> 0", kRequired,
-                                         "distance over which it builds up")}};
+  return {
+      "stator.dry_friction",
+      "Dry friction under the ring by Dahl's law (tolerance ring, friction damper).",
+      "none",
+      [](Scene& scene) -> void* { return &scene.auxiliary.back().stator->dry_friction.emplace(); },
+      {key<&DryFriction::force>("force", kForce, "> 0", kRequired, "force at full slip"),
+       key<&DryFriction::presliding>("presliding", kLength, "> 0", kRequired,
+                                     "distance over which it builds up")}};
 }
 
 Table squeeze_film() {
-  return {"stator.squeeze_film",
-          "A squeeze film around the ring, by short-bearing theory.",
-          "none",
-          [](Scene& scene) { return part_of_ring(scene, &Stator::squeeze_film); },
-          {key<&SqueezeFilm::radius>("radius", kLength, "> 0", kRequired, "outer ring radius"),
-           key<&SqueezeFilm::length>("length", kLength, "> 0", kRequired, "axial length"),
-           key<&SqueezeFilm::clearance>(
-               "clearance", kLength, "> 0", kRequired,
-               "radial clearance; the run ends if the ring reaches 99 % of it"),
-           key<&SqueezeFilm::viscosity>("viscosity", kViscosity, "> 0", kRequired, "oil viscosity"),
-           key<&SqueezeFilm::cavitation>("cavitation", kPure, "", kStandard,
-                                         "film without tension, on half of the ring")}};
+  return {
+      "stator.squeeze_film",
+      "A squeeze film around the ring, by short-bearing theory.",
+      "none",
+      [](Scene& scene) -> void* { return &scene.auxiliary.back().stator->squeeze_film.emplace(); },
+      {key<&SqueezeFilm::radius>("radius", kLength, "> 0", kRequired, "outer ring radius"),
+       key<&SqueezeFilm::length>("length", kLength, "> 0", kRequired, "axial length"),
+       key<&SqueezeFilm::clearance>(
+           "clearance", kLength, "> 0", kRequired,
+           "radial clearance; the run ends if the ring reaches 99 % of it"),
+       key<&SqueezeFilm::viscosity>("viscosity", kViscosity, "> 0", kRequired, "oil viscosity"),
+       key<&SqueezeFilm::cavitation>("cavitation", kPure, "", kStandard,
+                                     "film without tension, on half of the ring")}};
 }
 
 Table ball_bearing() {
-  return {"stator.ball_bearing",
-          "The balls that carry the ring, each by Hertz's law, with play.",
-          "none",
-          [](Scene& scene) { return part_of_ring(scene, &Stator::ball_bearing); },
-          {key<&BallSupport::balls>("balls", kPure, "in [3, 100]", kRequired, "number of balls"),
-           key<&BallSupport::stiffness>("stiffness", kPure, "> 0", kRequired,
-                                        "stiffness of one ball between both races, N/m^1.5"),
-           key<&BallSupport::play>("play", kLength, ">= 0", kStandard,
-                                   "ring travel until the first ball bears"),
-           key<&BallSupport::phase>("phase", kAngle, "", kStandard,
-                                    "first ball's angle from the x axis")}};
+  return {
+      "stator.ball_bearing",
+      "The balls that carry the ring, each by Hertz's law, with play.",
+      "none",
+      [](Scene& scene) -> void* { return &scene.auxiliary.back().stator->ball_bearing.emplace(); },
+      {key<&BallSupport::balls>("balls", kPure, "in [3, 100]", kRequired, "number of balls"),
+       key<&BallSupport::stiffness>("stiffness", kPure, "> 0", kRequired,
+                                    "stiffness of one ball between both races, N/m^1.5"),
+       key<&BallSupport::play>("play", kLength, ">= 0", kStandard,
+                               "ring travel until the first ball bears"),
+       key<&BallSupport::phase>("phase", kAngle, "", kStandard,
+                                "first ball's angle from the x axis")}};
 }
 
-void check_spin(const Checker& check, const RingSpin& spin) {
+void check_spin(const Reading& check, const RingSpin& spin) {
   const bool loaded = spin.load_factor > 0.0;
   if (loaded && !check.given("stator.spin.pitch_diameter")) {
     check.fail("stator.spin.load_factor",
@@ -128,25 +122,23 @@ std::vector<Table> ring_tables() {
   return {stator(), ring_spin(), mount(), dry_friction(), squeeze_film(), ball_bearing()};
 }
 
-void check_ring(const Checker& check) {
+void check_ring(const Reading& check) {
   const AuxiliaryBearing& bearing = check.bearing();
-  const bool has_ring = check.given("stator");
   if (bearing.contact) check.station("contact.station", bearing.contact->station);
-  if (bearing.actuator && !has_ring) {
-    check.fail("actuator", "needs [stator]: the ring is fixed, and there is nothing to move");
+  if (bearing.actuator)
+    check.needs("actuator", "[stator]", ": the ring is fixed, and there is nothing to move");
+  if (bearing.stator && bearing.stator->spin) {
+    check.needs("stator.spin", "[contact]", ": nothing else turns the ring");
+    check_spin(check, *bearing.stator->spin);
   }
-  if (bearing.stator && bearing.stator->spin && !check.given("contact")) {
-    check.fail("stator.spin", "needs [contact]: nothing else turns the ring");
-  }
-  if (bearing.stator && bearing.stator->spin) check_spin(check, *bearing.stator->spin);
+  if (check.index > 0) return;
   for (const char* key : {"initial.stator", "initial.stator_velocity"}) {
-    if (!check.given(key) || check.index > 0) continue;
-    if (check.given("contact[0]")) {
+    if (check.given(key) && check.given("contact[0]")) {
       check.fail(key,
                  "is not known beside [[contact]]; accepted: position and velocity in each "
                  "[contact.stator]");
-    } else if (!has_ring) {
-      check.fail(key, "needs [stator]: the ring is fixed and stays at [0, 0]");
+    } else {
+      check.needs(key, "[stator]", ": the ring is fixed and stays at [0, 0]");
     }
   }
 }

@@ -1,9 +1,8 @@
 #include "native_model/scene/rules.h"
 
 #include <optional>
-#include <utility>
 
-#include "native_model/scene/table_reader.h"
+#include "native_model/scene/reading.h"
 
 namespace rotorub::scene {
 
@@ -34,36 +33,31 @@ std::vector<Rule> read_rules(const Scene& scene) {
   std::vector<Diagnostic> diagnostics;
   const std::optional<TomlNode> root = parse_toml(scene.text, scene.name + ".toml", diagnostics);
   if (!root) return {};
-  // The text has been read as a scene before, so everything except the rules is known to be sound.
   Scene again;
-  TableReader reader(again, diagnostics);
-  reader.read(*root);
-  return reader.rules();
+  Reading reading(again, diagnostics);
+  reading.read(*root);
+  return reading.rules();
 }
 
-void check_rules(const std::vector<Rule>& rules, const Record& record,
-                 std::vector<Diagnostic>& diagnostics) {
-  for (std::size_t i = 0; i < rules.size(); ++i) {
-    const Rule& rule = rules[i];
-    const std::string path = "check[" + std::to_string(i) + "]";
-    const bool metric = record.given(path + ".metric");
-    const bool min = record.given(path + ".min"), max = record.given(path + ".max");
-    const auto fail = [&](const std::string& key, std::string reason) {
-      diagnostics.push_back(record.diagnostic(path + key, std::move(reason)));
-    };
+void check_rules(Reading& check) {
+  for (std::size_t i = 0; i < check.rules().size(); ++i) {
+    const Rule& rule = check.rules()[i];
+    check.at = list_element("check", i);
+    const bool metric = check.given(".metric");
+    const bool min = check.given(".min"), max = check.given(".max");
     if (metric && rule.expect == Expect::kRefused) {
-      fail(".metric", "belongs to a run, and `expect` = \"refused\" says that there is none");
+      check.fail(".metric", "belongs to a run, and `expect` = \"refused\" says that there is none");
     } else if (metric && !min && !max) {
-      fail(".metric", "has no limit: expected `min`, `max` or both");
+      check.fail(".metric", "has no limit: expected `min`, `max` or both");
     }
     if (!metric && (min || max)) {
-      fail(min ? ".min" : ".max", "limits nothing: expected a `metric` beside it");
+      check.fail(min ? ".min" : ".max", "limits nothing: expected a `metric` beside it");
     }
-    if (!metric && !min && !max && !record.given(path + ".expect")) {
-      fail("", "says nothing: expected `metric` with `min` or `max`, or `expect`");
+    if (!metric && !min && !max && !check.given(".expect")) {
+      check.fail(check.at, "says nothing: expected `metric` with `min` or `max`, or `expect`");
     }
     if (rule.min && rule.max && *rule.min > *rule.max) {
-      fail(".max", "must not be below `min`");
+      check.fail(".max", "must not be below `min`");
     }
   }
 }

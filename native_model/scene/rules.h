@@ -7,7 +7,6 @@
 #include <string>
 #include <vector>
 
-#include "native_model/scene/record.h"
 #include "native_model/scene/scene.h"
 
 namespace rotorub::scene {
@@ -35,11 +34,8 @@ struct Rule {
   std::string why;                 // one sentence: why the case is hard
 };
 
-// The rules of a scene that was read, in the order of the file; none for a scene made by hand.
+// The rules in the text of a scene, also of one that was refused, in the order of the file; none
+// for a scene made by hand.
 std::vector<Rule> read_rules(const Scene& scene);
-
-// Reports contradictions within single rules.
-void check_rules(const std::vector<Rule>& rules, const Record& record,
-                 std::vector<Diagnostic>& diagnostics);
 
 }  // namespace rotorub::scene

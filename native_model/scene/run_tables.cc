@@ -1,6 +1,6 @@
 // [run], [gravity], [initial] and [mujoco]: rows and cross-checks.
 
-#include "native_model/scene/checker.h"
+#include "native_model/scene/reading.h"
 #include "native_model/scene/schema.h"
 #include "native_model/scene/text.h"
 
@@ -99,31 +99,20 @@ Table mujoco() {
                                           "whose ctrl (A) is added to the control's current")}};
 }
 
-void check_initial_lists(const Checker& check) {
-  const Initial& initial = check.scene.initial;
-  if (const auto modes = check.bending_modes()) {
-    check.list_length("initial.x", initial.x, *modes, "bending mode");
-    check.list_length("initial.y", initial.y, *modes, "bending mode");
-    check.list_length("initial.vx", initial.vx, *modes, "bending mode");
-    check.list_length("initial.vy", initial.vy, *modes, "bending mode");
-    if (check.scene.gravity) {
-      check.list_length("gravity.participation", check.scene.gravity->participation, *modes,
-                        "bending mode");
-    }
+void check_initial_lists(const Reading& check) {
+  for (const char* key :
+       {"initial.x", "initial.y", "initial.vx", "initial.vy", "gravity.participation"}) {
+    check.list_length(key, check.bending_modes(), "bending mode");
   }
-  const auto torsion_list = [&](const char* path, const std::vector<double>& list) {
-    if (check.given(path) && check.given("rotor") && !check.given("rotor.torsion")) {
-      check.fail(path, "needs [rotor.torsion]: the rotor has no torsion modes");
-    } else if (const auto modes = check.torsion_modes()) {
-      check.list_length(path, list, *modes, "torsion mode");
-    }
-  };
-  torsion_list("initial.torsion", initial.torsion);
-  torsion_list("initial.torsion_speed", initial.torsion_speed);
+  for (const char* key : {"initial.torsion", "initial.torsion_speed"}) {
+    if (check.given("rotor"))
+      check.needs(key, "[rotor.torsion]", ": the rotor has no torsion modes");
+    check.list_length(key, check.torsion_modes(), "torsion mode");
+  }
 }
 
 // With `steady` or `rub`, no other key may give a bending of the rotor or a motion of the ring.
-void check_given_start(const Checker& check) {
+void check_given_start(const Reading& check) {
   const Initial& initial = check.scene.initial;
   const bool rubs = initial.rub != StartingRub::kNone;
   if (!initial.steady && !rubs) return;
@@ -143,23 +132,20 @@ void check_given_start(const Checker& check) {
   }
 }
 
-void check_mujoco(const Checker& check) {
-  if (check.scene.mujoco.bearing_currents && check.scene.mujoco.shadow) {
+void check_mujoco(const Reading& check) {
+  const Scene& scene = check.scene;
+  if (scene.mujoco.bearing_currents && scene.mujoco.shadow) {
     check.fail("mujoco.bearing_currents",
                "mujoco.shadow does not know what is added to the currents; accepted: one of them");
   }
   const auto amplifies = [](const MagneticBearing& b) { return b.amplifier.has_value(); };
-  if (check.scene.mujoco.bearing_currents &&
-      std::ranges::none_of(check.scene.magnetic_bearings, amplifies)) {
+  if (scene.mujoco.bearing_currents && std::ranges::none_of(scene.magnetic_bearings, amplifies)) {
     check.fail("mujoco.bearing_currents",
                "no magnetic bearing has a [magnetic_bearing.amplifier]; accepted: false");
   }
-  const Scene& scene = check.scene;
-  for (std::size_t i = 0; i < scene.forces.size(); ++i) {
-    if (scene.forces[i].kind != ForceKind::kUnbalance || !scene.drive ||
-        scene.mujoco.rotor != MujocoRotor::kSegments) {
-      continue;
-    }
+  if (scene.mujoco.rotor != MujocoRotor::kSegments) return;
+  for (std::size_t i = 0; scene.drive && i < scene.forces.size(); ++i) {
+    if (scene.forces[i].kind != ForceKind::kUnbalance) continue;
     check.fail(
         list_element("force", i) + ".kind",
         "with a [drive] \"unbalance\" changes how spin and bending are coupled, and MuJoCo's rigid "
@@ -167,7 +153,6 @@ void check_mujoco(const Checker& check) {
   }
   for (std::size_t i = 0; scene.rotor.geometry && i < scene.rotor.geometry->bearings.size(); ++i) {
     const ShaftBearing& bearing = scene.rotor.geometry->bearings[i];
-    if (scene.mujoco.rotor != MujocoRotor::kSegments) break;
     const char* key = bearing.follows_speed()                ? ".table_speed"
                       : !bearing.cross_stiffness.isZero(0.0) ? ".cross_stiffness"
                       : !bearing.cross_damping.isZero(0.0)   ? ".cross_damping"
@@ -178,7 +163,7 @@ void check_mujoco(const Checker& check) {
                "MuJoCo's rigid segments stand on springs and dashpots alone; accepted: "
                "mujoco.rotor = \"modal\"");
   }
-  if (scene.mujoco.rotor == MujocoRotor::kSegments && scene.rotor.modal) {
+  if (scene.rotor.modal) {
     check.fail("mujoco.rotor",
                "\"segments\" needs the rotor's geometry, and the scene gives its modes; accepted: "
                "\"modal\"");
@@ -205,7 +190,7 @@ Table run_table() {
 
 std::vector<Table> start_tables() { return {gravity(), initial(), mujoco()}; }
 
-void check_run(const Checker& check) {
+void check_run(const Reading& check) {
   const Run& run = check.scene.run;
   if (!check.sound({"run.end"})) return;
   const std::string end = "run.end = " + number_text(run.end) + " s";
@@ -229,7 +214,7 @@ void check_run(const Checker& check) {
 // In the modal form the contact point's displacement is the plain sum of the modes. In the geometry
 // form a mode with a node at the contact is scaled differently, which is known only after the modes
 // are computed.
-void check_gap_at_start(const Checker& check) {
+void check_gap_at_start(const Reading& check) {
   const Scene& scene = check.scene;
   const AuxiliaryBearing& bearing = check.bearing();
   if (!scene.rotor.modal || !bearing.contact ||
@@ -261,7 +246,7 @@ void check_gap_at_start(const Checker& check) {
   }
 }
 
-void check_start(const Checker& check) {
+void check_start(const Reading& check) {
   check_initial_lists(check);
   check_given_start(check);
   check_mujoco(check);

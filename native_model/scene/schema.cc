@@ -23,35 +23,16 @@ Range::Range(std::string_view of_text) : text(of_text) {
   }
 }
 
-Key& Key::or_called(std::string_view other_name) {
-  also = other_name;
-  return *this;
-}
-
-Key& Key::in(Form of_form) {
-  form = of_form;
-  return *this;
-}
-
-Key& Key::below_list() {
-  listed_only = true;
-  return *this;
-}
-
 std::string_view Key::default_word() const {
   if (required() || type != ValueType::kWord) return {};
   return std::string_view(standard).substr(1, standard.size() - 2);  // without the backquotes
 }
 
-bool Key::is_for(std::string_view kind) const {
-  return kinds.empty() || std::find(kinds.begin(), kinds.end(), kind) != kinds.end();
-}
-
-std::string Key::expected() const {
+std::string Key::expected(ValueType as_type) const {
   const std::string bounds = range.text.empty() ? "" : ", " + std::string(range.text);
   const std::string unit = quantity.unit == kPure.unit ? "" : " in " + std::string(quantity.unit);
   const std::string what = std::string(quantity.name) + unit + bounds;
-  switch (type) {
+  switch (as_type) {
     case ValueType::kNumber:
       return what;
     case ValueType::kWhole:
@@ -76,18 +57,13 @@ std::string Key::expected() const {
   return text;
 }
 
-Table& Table::as_list() {
-  list = true;
-  return *this;
+std::string_view Table::parent() const {
+  const std::size_t dot = path.rfind('.');
+  return path.substr(0, dot == std::string_view::npos ? 0 : dot);
 }
 
-Table& Table::in(Form of_form) {
-  form = of_form;
-  return *this;
-}
-
-bool Table::is_for(std::string_view kind) const {
-  return kinds.empty() || std::find(kinds.begin(), kinds.end(), kind) != kinds.end();
+std::string_view Table::name() const {
+  return path.substr(path.rfind('.') + 1);  // npos + 1 is 0
 }
 
 const Key* Table::find(std::string_view name) const {

@@ -4,6 +4,7 @@
 // shaft_bearing.cc and rules.cc.
 #pragma once
 
+#include <algorithm>
 #include <limits>
 #include <span>
 #include <string>
@@ -58,6 +59,11 @@ struct Value {
   std::string text;            // kText; kWhole: the word
 };
 
+// True if a list of kinds is empty or has this one.
+inline bool allows(const std::vector<std::string_view>& kinds, std::string_view kind) {
+  return kinds.empty() || std::find(kinds.begin(), kinds.end(), kind) != kinds.end();
+}
+
 struct Key {
   std::string_view name;
   std::string_view also;  // alternative name; empty: none
@@ -73,9 +79,9 @@ struct Key {
   std::string fallback;                 // default as text; empty: the key is required
   bool listed_only = false;             // allowed only below [[contact]]
 
-  Key& or_called(std::string_view other_name);
-  Key& in(Form of_form);
-  Key& below_list();  // listed_only
+  Key& or_called(std::string_view other) { return also = other, *this; }
+  Key& in(Form of_form) { return form = of_form, *this; }
+  Key& below_list() { return listed_only = true, *this; }
 
   bool is_called(std::string_view word) const {
     return word == name || (!also.empty() && word == also);
@@ -83,32 +89,34 @@ struct Key {
   bool required() const { return fallback.empty(); }
   std::string_view default_word() const;  // kWord; empty: required
   bool belongs_to(Form to_form) const { return form == Form::kEither || form == to_form; }
-  bool is_for(std::string_view kind) const;
-  std::string expected() const;  // "a length in m, > 0"
+  bool is_for(std::string_view kind) const { return allows(kinds, kind); }
+  std::string expected() const { return expected(type); }  // "a length in m, > 0"
+  std::string expected(ValueType as_type) const;
 };
 
 struct Table {
   std::string_view path;  // "rotor.disc"
   std::string_view meaning;
   std::string_view when_absent;
-  // Creates the part (for a list, one more element) and returns it. Null: the table is a rule
-  // (rules.h), which the reader keeps outside the scene.
+  // Creates the part (for a list, one more element) and returns it; the part above is there
+  // already. Null: the table is a rule (rules.h), which is kept outside the scene.
   void* (*object)(Scene& scene) = nullptr;
   std::vector<Key> keys;
   // Values of the parent's `kind` that allow this table; empty: all.
   std::vector<std::string_view> kinds{};
-  // For a table that allows any key: stores a number or a text. Null: only `keys` are allowed.
-  void (*store_any)(void* object, ConfigEntry entry) = nullptr;
+  bool any_key = false;  // `object` is a list of entries (config_entry.h), and `keys` are empty
   bool or_list = false;  // [path], or [[path]] with its own parts below each
   bool list = false;     // [[path]]: any number of elements
   bool for_key = false;  // replaces a key of its parent
   Form form = Form::kEither;
 
-  Table& as_list();
-  Table& in(Form of_form);
+  Table& as_list() { return list = true, *this; }
+  Table& in(Form of_form) { return form = of_form, *this; }
 
+  std::string_view parent() const;               // path of the table above; empty: top level
+  std::string_view name() const;                 // last part of the path
   const Key* find(std::string_view name) const;  // by either of its names
-  bool is_for(std::string_view kind) const;
+  bool is_for(std::string_view kind) const { return allows(kinds, kind); }
 };
 
 // All tables, parents before children.
@@ -159,13 +167,11 @@ auto& resolve(Object& object) {
   auto& member = object.*First;
   if constexpr (sizeof...(Rest) == 0) {
     return member;
+  } else if constexpr (IsOptional<std::remove_reference_t<decltype(member)>>::value) {
+    if (!member) member.emplace();
+    return resolve<Rest...>(*member);
   } else {
-    if constexpr (IsOptional<std::remove_reference_t<decltype(member)>>::value) {
-      if (!member) member.emplace();
-      return resolve<Rest...>(*member);
-    } else {
-      return resolve<Rest...>(member);
-    }
+    return resolve<Rest...>(member);
   }
 }
 
@@ -190,41 +196,33 @@ void assign(T& target, const Value& value) {
   }
 }
 
+// Sets the type of a key with such a member, and the text of the member's default for the
+// reference. Lists, words and optional members have no text here.
 template <typename T>
-constexpr ValueType type_of() {
+void describe(Key& key, const T& standard) {
   if constexpr (IsOptional<T>::value) {
-    return type_of<typename T::value_type>();
+    describe(key, typename T::value_type{});
+    key.standard.clear();
   } else if constexpr (std::is_same_v<T, double>) {
-    return ValueType::kNumber;
+    key.type = ValueType::kNumber;
+    key.standard = number_text(standard);
   } else if constexpr (std::is_same_v<T, bool>) {
-    return ValueType::kFlag;
+    key.type = ValueType::kFlag;
+    key.standard = standard ? "true" : "false";
   } else if constexpr (std::is_same_v<T, int>) {
-    return ValueType::kWhole;
+    key.type = ValueType::kWhole;
+    key.standard = number_text(standard);
   } else if constexpr (std::is_enum_v<T>) {
-    return ValueType::kWord;
+    key.type = ValueType::kWord;
+    key.standard = std::to_string(static_cast<int>(standard));
   } else if constexpr (std::is_same_v<T, Eigen::Vector2d>) {
-    return ValueType::kVector;
+    key.type = ValueType::kVector;
+    key.standard = "[" + number_text(standard.x()) + ", " + number_text(standard.y()) + "]";
   } else if constexpr (std::is_same_v<T, std::string>) {
-    return ValueType::kText;
+    key.type = ValueType::kText;
   } else {
     static_assert(std::is_same_v<T, std::vector<double>>);
-    return ValueType::kList;
-  }
-}
-
-// Text of a member's default, for the reference. Lists and words have none here.
-template <typename T>
-std::string standard_text(const T& value) {
-  if constexpr (std::is_same_v<T, double> || std::is_same_v<T, int>) {
-    return number_text(value);
-  } else if constexpr (std::is_same_v<T, bool>) {
-    return value ? "true" : "false";
-  } else if constexpr (std::is_enum_v<T>) {
-    return std::to_string(static_cast<int>(value));
-  } else if constexpr (std::is_same_v<T, Eigen::Vector2d>) {
-    return "[" + number_text(value.x()) + ", " + number_text(value.y()) + "]";
-  } else {
-    return {};
+    key.type = ValueType::kList;
   }
 }
 
@@ -241,17 +239,14 @@ Key key(std::string_view name, const Quantity& quantity, std::string_view range,
         std::string_view fallback, std::string_view meaning,
         std::vector<std::string_view> kinds = {}) {
   using Object = typename detail::ClassOf<decltype(First)>::type;
-  using Target =
-      std::remove_reference_t<decltype(detail::resolve<First, Rest...>(std::declval<Object&>()))>;
   Key result;
   result.name = name;
-  result.type = detail::type_of<Target>();
   result.quantity = quantity;
   result.meaning = meaning;
   result.range = Range(range);
   result.kinds = std::move(kinds);
   Object fresh;
-  result.standard = detail::standard_text(detail::resolve<First, Rest...>(fresh));
+  detail::describe(result, detail::resolve<First, Rest...>(fresh));
   result.fallback = fallback == kStandard ? result.standard : std::string(fallback);
   result.store = [](void* object, const Value& value) {
     detail::assign(detail::resolve<First, Rest...>(*static_cast<Object*>(object)), value);

@@ -5,6 +5,7 @@
 #include <string>
 
 #include "native_model/numerics/monotone_cubic.h"
+#include "native_model/scene/reading.h"
 #include "native_model/scene/schema.h"
 
 namespace rotorub::scene {
@@ -20,23 +21,18 @@ constexpr TableKey kTableKeys[] = {
     {".table_cxx", &ShaftBearing::table_cxx}, {".table_cxy", &ShaftBearing::table_cxy},
     {".table_cyx", &ShaftBearing::table_cyx}, {".table_cyy", &ShaftBearing::table_cyy}};
 
-void check_table(const Checker& check, const std::string& path, const ShaftBearing& bearing) {
-  const auto given = [&](const std::string& key) { return check.given(path + key); };
+void check_table(const Reading& check, const ShaftBearing& bearing) {
   for (const char* key : {".stiffness", ".damping", ".cross_stiffness", ".cross_damping"}) {
-    if (given(key))
-      check.fail(path + key,
-                 "not beside `table_speed`, whose tables give it; accepted: one of the two");
+    if (check.given(key))
+      check.fail(key, "not beside `table_speed`, whose tables give it; accepted: one of the two");
   }
-  if (!given(".table_kxx")) {
-    check.fail(path + ".table_kxx",
-               "missing: expected a list of stiffnesses in N/m, one for each speed");
+  if (!check.given(".table_kxx")) {
+    check.fail(".table_kxx", "missing: expected a list of stiffnesses in N/m, one for each speed");
   }
-  if (!check.sound({path + ".table_speed"})) return;
-  const std::vector<double>& speed = bearing.table_speed;
-  if (speed.size() < 2) check.fail(path + ".table_speed", "expected two speeds or more");
-  check.ascending(path + ".table_speed", speed);
+  if (!check.sound({".table_speed"})) return;
+  check.abscissae(".table_speed", bearing.table_speed, "two speeds");
   for (const TableKey& key : kTableKeys) {
-    check.list_length(path + key.name, bearing.*key.list, speed.size(), "speed of table_speed");
+    check.list_length(key.name, bearing.table_speed.size(), "speed of table_speed");
   }
 }
 
@@ -96,33 +92,27 @@ Table shaft_bearing_table() {
       .in(Form::kGeometry);
 }
 
-void check_bearings(const Checker& check, const RotorGeometry& shaft) {
+void check_bearings(Reading& check, const RotorGeometry& shaft) {
   for (std::size_t i = 0; i < shaft.bearings.size(); ++i) {
-    const std::string path = list_element("rotor.bearing", i);
-    const ShaftBearing& bearing = shaft.bearings[i];
-    check.station(path + ".z", bearing.z);
-    if (check.given(path + ".table_speed")) {
-      check_table(check, path, bearing);
+    check.at = list_element("rotor.bearing", i);
+    check.station(".z", shaft.bearings[i].z);
+    if (check.given(".table_speed")) {
+      check_table(check, shaft.bearings[i]);
       continue;
     }
     for (const TableKey& key : kTableKeys) {
-      if (check.given(path + key.name))
-        check.fail(path + key.name, "needs `table_speed`, which it is over");
+      if (check.given(key.name)) check.fail(key.name, "needs `table_speed`, which it is over");
     }
-    if (!check.given(path + ".stiffness")) {
-      const Key& key = *find_table("rotor.bearing")->find("stiffness");
-      check.fail(path + ".stiffness",
-                 "missing: expected " + key.expected() + ", or tables over `table_speed`");
-    }
+    if (!check.given(".stiffness")) check.missing(".stiffness", ", or tables over `table_speed`");
   }
 }
 
-std::array<std::vector<double>, 8> coefficient_lists(const ShaftBearing& b) {
-  const auto or_else = [](const std::vector<double>& list, const std::vector<double>& other) {
-    return list.empty() ? other : list;
-  };
-  return {b.table_kxx, b.table_kxy, b.table_kyx, or_else(b.table_kyy, b.table_kxx),
-          b.table_cxx, b.table_cxy, b.table_cyx, or_else(b.table_cyy, b.table_cxx)};
+std::array<std::vector<double>, 8> coefficient_lists(const ShaftBearing& bearing) {
+  std::array<std::vector<double>, 8> lists;
+  for (std::size_t k = 0; k < lists.size(); ++k) lists[k] = bearing.*kTableKeys[k].list;
+  if (lists[3].empty()) lists[3] = lists[0];
+  if (lists[7].empty()) lists[7] = lists[4];
+  return lists;
 }
 
 PlanePair stiffness_at(const ShaftBearing& bearing, double speed) {

@@ -4,12 +4,9 @@
 #include <array>
 #include <vector>
 
-#include "native_model/scene/checker.h"
+#include "native_model/scene/rotor.h"
 
 namespace rotorub::scene {
-
-// Cross-checks of [[rotor.bearing]].
-void check_bearings(const Checker& check, const RotorGeometry& shaft);
 
 // table_kxx, kxy, kyx, kyy, then the same for c. Empty kyy and cyy are replaced by kxx and cxx; a
 // list that is still empty means 0.

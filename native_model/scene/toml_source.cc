@@ -9,7 +9,6 @@
 #include <set>
 #include <tuple>
 
-#include "native_model/scene/key_depth.h"
 #include "native_model/scene/text.h"
 
 // toml++ 3.3.0 asserts on bad input such as [[[a]]], which would end the program. Asserts are off

@@ -4,6 +4,7 @@
 #include <array>
 #include <charconv>
 #include <cmath>
+#include <cstddef>
 #include <cstdlib>
 #include <numbers>
 #include <string>
@@ -19,7 +20,7 @@ namespace {
 struct Unit {
   double times = 1.0;
   double over = 1.0;
-  Dimension dimension;
+  Dimension dimension{};
 };
 
 struct NamedUnit {
@@ -27,54 +28,46 @@ struct NamedUnit {
   Unit unit;
 };
 
-constexpr Dimension kForceDimension{1, 1, -2, 0, 0};
-constexpr Dimension kPressureDimension{-1, 1, -2, 0, 0};
-constexpr Dimension kSpinDimension{0, 0, -1, 0, 1};
-constexpr Dimension kTimeDimension{0, 0, 1, 0, 0};
-constexpr Dimension kLengthDimension{1, 0, 0, 0, 0};
-constexpr Dimension kMassDimension{0, 1, 0, 0, 0};
-constexpr Dimension kAngleDimension{0, 0, 0, 0, 1};
-
 constexpr auto kUnits = std::to_array<NamedUnit>({
-    {"m", {1.0, 1.0, kLengthDimension}},
-    {"km", {1e3, 1.0, kLengthDimension}},
-    {"cm", {1.0, 1e2, kLengthDimension}},
-    {"mm", {1.0, 1e3, kLengthDimension}},
-    {"um", {1.0, 1e6, kLengthDimension}},
-    {"\u00b5m", {1.0, 1e6, kLengthDimension}},
-    {"\u03bcm", {1.0, 1e6, kLengthDimension}},
-    {"nm", {1.0, 1e9, kLengthDimension}},
-    {"in", {254.0, 1e4, kLengthDimension}},
-    {"mil", {254.0, 1e7, kLengthDimension}},
-    {"mils", {254.0, 1e7, kLengthDimension}},
-    {"ft", {3048.0, 1e4, kLengthDimension}},
-    {"s", {1.0, 1.0, kTimeDimension}},
-    {"ms", {1.0, 1e3, kTimeDimension}},
-    {"us", {1.0, 1e6, kTimeDimension}},
-    {"\u00b5s", {1.0, 1e6, kTimeDimension}},
-    {"\u03bcs", {1.0, 1e6, kTimeDimension}},
-    {"ns", {1.0, 1e9, kTimeDimension}},
-    {"min", {60.0, 1.0, kTimeDimension}},
-    {"kg", {1.0, 1.0, kMassDimension}},
-    {"g", {1.0, 1e3, kMassDimension}},
-    {"mg", {1.0, 1e6, kMassDimension}},
-    {"t", {1e3, 1.0, kMassDimension}},
-    {"lb", {45359237.0, 1e8, kMassDimension}},
-    {"oz", {45359237.0, 16e8, kMassDimension}},
+    {"m", {1.0, 1.0, kLength.dimension}},
+    {"km", {1e3, 1.0, kLength.dimension}},
+    {"cm", {1.0, 1e2, kLength.dimension}},
+    {"mm", {1.0, 1e3, kLength.dimension}},
+    {"um", {1.0, 1e6, kLength.dimension}},
+    {"\u00b5m", {1.0, 1e6, kLength.dimension}},
+    {"\u03bcm", {1.0, 1e6, kLength.dimension}},
+    {"nm", {1.0, 1e9, kLength.dimension}},
+    {"in", {254.0, 1e4, kLength.dimension}},
+    {"mil", {254.0, 1e7, kLength.dimension}},
+    {"mils", {254.0, 1e7, kLength.dimension}},
+    {"ft", {3048.0, 1e4, kLength.dimension}},
+    {"s", {1.0, 1.0, kTime.dimension}},
+    {"ms", {1.0, 1e3, kTime.dimension}},
+    {"us", {1.0, 1e6, kTime.dimension}},
+    {"\u00b5s", {1.0, 1e6, kTime.dimension}},
+    {"\u03bcs", {1.0, 1e6, kTime.dimension}},
+    {"ns", {1.0, 1e9, kTime.dimension}},
+    {"min", {60.0, 1.0, kTime.dimension}},
+    {"kg", {1.0, 1.0, kMass.dimension}},
+    {"g", {1.0, 1e3, kMass.dimension}},
+    {"mg", {1.0, 1e6, kMass.dimension}},
+    {"t", {1e3, 1.0, kMass.dimension}},
+    {"lb", {45359237.0, 1e8, kMass.dimension}},
+    {"oz", {45359237.0, 16e8, kMass.dimension}},
     {"gmm", {1.0, 1e6, {1, 1, 0, 0, 0}}},
-    {"N", {1.0, 1.0, kForceDimension}},
-    {"mN", {1.0, 1e3, kForceDimension}},
-    {"kN", {1e3, 1.0, kForceDimension}},
-    {"MN", {1e6, 1.0, kForceDimension}},
-    {"lbf", {44482216152605.0, 1e13, kForceDimension}},
+    {"N", {1.0, 1.0, kForce.dimension}},
+    {"mN", {1.0, 1e3, kForce.dimension}},
+    {"kN", {1e3, 1.0, kForce.dimension}},
+    {"MN", {1e6, 1.0, kForce.dimension}},
+    {"lbf", {44482216152605.0, 1e13, kForce.dimension}},
     {"Nm", {1.0, 1.0, {2, 1, -2, 0, 0}}},
     {"Nmm", {1.0, 1e3, {2, 1, -2, 0, 0}}},
     {"Ns", {1.0, 1.0, {1, 1, -1, 0, 0}}},
-    {"Pa", {1.0, 1.0, kPressureDimension}},
-    {"kPa", {1e3, 1.0, kPressureDimension}},
-    {"MPa", {1e6, 1.0, kPressureDimension}},
-    {"GPa", {1e9, 1.0, kPressureDimension}},
-    {"psi", {44482216152605.0, 64516e5, kPressureDimension}},
+    {"Pa", {1.0, 1.0, kPressure.dimension}},
+    {"kPa", {1e3, 1.0, kPressure.dimension}},
+    {"MPa", {1e6, 1.0, kPressure.dimension}},
+    {"GPa", {1e9, 1.0, kPressure.dimension}},
+    {"psi", {44482216152605.0, 64516e5, kPressure.dimension}},
     {"J", {1.0, 1.0, {2, 1, -2, 0, 0}}},
     {"W", {1.0, 1.0, {2, 1, -3, 0, 0}}},
     {"A", {1.0, 1.0, {0, 0, 0, 1, 0}}},
@@ -85,36 +78,31 @@ constexpr auto kUnits = std::to_array<NamedUnit>({
     {"mOhm", {1.0, 1e3, {2, 1, -3, -2, 0}}},
     {"H", {1.0, 1.0, {2, 1, -2, -2, 0}}},
     {"mH", {1.0, 1e3, {2, 1, -2, -2, 0}}},
-    {"Hz", {2.0 * std::numbers::pi, 1.0, kSpinDimension}},
-    {"kHz", {2e3 * std::numbers::pi, 1.0, kSpinDimension}},
-    {"rpm", {2.0 * std::numbers::pi, 60.0, kSpinDimension}},
-    {"rad", {1.0, 1.0, kAngleDimension}},
-    {"mrad", {1.0, 1e3, kAngleDimension}},
-    {"deg", {std::numbers::pi, 180.0, kAngleDimension}},
-    {"\u00b0", {std::numbers::pi, 180.0, kAngleDimension}},
+    {"Hz", {2.0 * std::numbers::pi, 1.0, kSpin.dimension}},
+    {"kHz", {2e3 * std::numbers::pi, 1.0, kSpin.dimension}},
+    {"rpm", {2.0 * std::numbers::pi, 60.0, kSpin.dimension}},
+    {"rad", {1.0, 1.0, kAngle.dimension}},
+    {"mrad", {1.0, 1e3, kAngle.dimension}},
+    {"deg", {std::numbers::pi, 180.0, kAngle.dimension}},
+    {"\u00b0", {std::numbers::pi, 180.0, kAngle.dimension}},
     {"%", {1.0, 100.0, {}}},
 });
 
 Unit power(const Unit& base, int exponent) {
-  const Dimension& d = base.dimension;
-  const int size = std::abs(exponent);
   double times = 1.0, over = 1.0;
-  for (int i = 0; i < size; ++i) {
+  for (int i = 0; i < std::abs(exponent); ++i) {
     times *= base.times;
     over *= base.over;
   }
-  return {exponent < 0 ? over : times,
-          exponent < 0 ? times : over,
-          {d.metre * exponent, d.kilogram * exponent, d.second * exponent, d.ampere * exponent,
-           d.radian * exponent}};
+  Unit result{exponent < 0 ? over : times, exponent < 0 ? times : over, base.dimension};
+  for (int& of_one : result.dimension) of_one *= exponent;
+  return result;
 }
 
 Unit product(const Unit& a, const Unit& b) {
-  const Dimension &p = a.dimension, &q = b.dimension;
-  return {a.times * b.times,
-          a.over * b.over,
-          {p.metre + q.metre, p.kilogram + q.kilogram, p.second + q.second, p.ampere + q.ampere,
-           p.radian + q.radian}};
+  Unit result{a.times * b.times, a.over * b.over, a.dimension};
+  for (std::size_t i = 0; i < b.dimension.size(); ++i) result.dimension[i] += b.dimension[i];
+  return result;
 }
 
 // Recursive descent over the grammar in the header. On failure error() has the reason.
@@ -272,11 +260,10 @@ std::string with_words(std::string_view unit, const Change& change) {
 // Angles are optional beside other dimensions (N m/rad is N m), but a quantity of dimension 1 is
 // either an angle or a pure number.
 bool fits(const Dimension& unit, const Dimension& key) {
-  const bool same = unit.metre == key.metre && unit.kilogram == key.kilogram &&
-                    unit.second == key.second && unit.ampere == key.ampere;
-  const bool dimensionless =
-      key.metre == 0 && key.kilogram == 0 && key.second == 0 && key.ampere == 0;
-  return same && (!dimensionless || unit.radian == key.radian);
+  const auto is_zero = [](int power) { return power == 0; };
+  const bool dimensionless = std::all_of(key.begin(), key.end() - 1, is_zero);
+  return std::equal(key.begin(), key.end() - 1, unit.begin()) &&
+         (!dimensionless || unit.back() == key.back());
 }
 
 bool is_unit_of(const Quantity& quantity, std::string_view text) {

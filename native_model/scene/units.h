@@ -8,6 +8,7 @@
 // could mean N s/m or N/(m s).
 #pragma once
 
+#include <array>
 #include <string>
 #include <string_view>
 
@@ -15,13 +16,7 @@ namespace rotorub::scene {
 
 // Powers of m, kg, s, A, rad. The radian is dimensionless in the SI but is counted here, so that a
 // pure number is not accepted in degrees.
-struct Dimension {
-  int metre = 0;
-  int kilogram = 0;
-  int second = 0;
-  int ampere = 0;
-  int radian = 0;
-};
+using Dimension = std::array<int, 5>;
 
 // The physical quantity of a key. Messages use `name` ("a length"); `unit` is the SI unit of a
 // plain number; `examples` lists accepted units.
@@ -29,7 +24,7 @@ struct Quantity {
   std::string_view name;
   std::string_view unit;
   std::string_view examples;
-  Dimension dimension;
+  Dimension dimension{};
 };
 
 inline constexpr Quantity kPure{"a pure number", "1", "no unit, or %", {}};

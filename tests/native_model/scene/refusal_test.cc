@@ -3,7 +3,6 @@
 
 #include <string>
 
-#include "native_model/scene/key_depth.h"
 #include "native_model/scene/reader.h"
 #include "native_model/scene/toml_source.h"
 #include "tests/native_model/scene/scene_samples.h"
