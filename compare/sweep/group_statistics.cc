@@ -2,8 +2,8 @@
 
 #include <fmt/format.h>
 
-#include <algorithm>
 #include <cassert>
+#include <map>
 #include <nlohmann/json.hpp>
 
 #include "compare/base/columns.h"
@@ -15,45 +15,43 @@ namespace {
 
 // The values of one figure in one group.
 struct Gathered {
-  std::vector<double> numbers;
+  std::vector<std::string> group;  // the value of each key in Statistics::by
+  std::vector<double> numbers;     // ascending
   std::map<std::string, std::size_t> words;
   std::size_t count = 0;
-};
-
-struct FigureGroup {
-  std::vector<std::string> values;
-  std::vector<Gathered> figures;  // in the order of Statistics::figures
 };
 
 std::string text_of(const Statement& row, int column) {
   return row.is_text(column) ? row.text(column) : fmt::format("{}", row.number(column));
 }
 
-std::vector<FigureGroup> groups_of(Store& store, const Statistics& asked) {
-  const std::vector<std::string> names = store.names();
-  std::vector<int> columns;
-  for (const std::string& figure : asked.figures)
-    columns.push_back(
-        static_cast<int>(std::find(names.begin(), names.end(), figure) - names.begin()));
-  std::vector<FigureGroup> groups;
-  std::map<std::vector<std::string>, std::size_t> places;
-  store.each([&](const Statement& row) {
-    std::vector<std::string> values;
-    for (const std::size_t k : asked.by) values.push_back(text_of(row, static_cast<int>(k) + 1));
-    const auto [place, is_new] = places.try_emplace(values, groups.size());
-    if (is_new) groups.push_back({values, std::vector<Gathered>(columns.size())});
-    for (std::size_t f = 0; f < columns.size(); ++f) {
-      if (row.is_nothing(columns[f])) continue;
-      Gathered& to = groups[place->second].figures[f];
+// By the first point of the group and the figure's place in Statistics::figures.
+std::map<std::pair<std::int64_t, std::size_t>, Gathered> gathered(Store& store,
+                                                                  const Study& study) {
+  const Statistics& asked = *study.statistics;
+  std::string keys;
+  for (const std::size_t k : asked.by)
+    keys += (keys.empty() ? "" : ", ") + quoted_name(study.vary[k].key);
+  std::map<std::pair<std::int64_t, std::size_t>, Gathered> all;
+  for (std::size_t f = 0; f < asked.figures.size(); ++f) {
+    Statement rows = store.select(
+        fmt::format("* FROM (SELECT min(point) OVER ({}) AS first, {} AS figure{} FROM points) "
+                    "WHERE figure IS NOT NULL ORDER BY first, figure",
+                    keys.empty() ? "" : "PARTITION BY " + keys, quoted_name(asked.figures[f]),
+                    keys.empty() ? "" : ", " + keys));
+    while (rows.step()) {
+      Gathered& to = all[{rows.whole(0), f}];
+      for (int k = 2; to.count == 0 && k < rows.columns(); ++k)
+        to.group.push_back(text_of(rows, k));
       ++to.count;
-      if (row.is_text(columns[f])) {
-        ++to.words[row.text(columns[f])];
+      if (rows.is_text(1)) {
+        ++to.words[rows.text(1)];
       } else {
-        to.numbers.push_back(row.number(columns[f]));
+        to.numbers.push_back(rows.number(1));
       }
     }
-  });
-  return groups;
+  }
+  return all;
 }
 
 std::string unit_of(const std::string& figure) {
@@ -64,11 +62,10 @@ std::string unit_of(const std::string& figure) {
 
 // Calls `add` with every statistic of one figure in one group.
 template <typename Add>
-void each_statistic(Gathered& of, const Statistics& asked, const Add& add) {
+void each_statistic(const Gathered& of, const Statistics& asked, const Add& add) {
   for (const auto& [word, hits] : of.words)
     add("share " + word, share_of(hits, of.count, asked.confidence));
   if (of.numbers.empty()) return;
-  std::sort(of.numbers.begin(), of.numbers.end());
   add("mean", mean_of(of.numbers, asked.confidence));
   add("deviation", Estimate{deviation_of(of.numbers), {}, {}});
   add("least", Estimate{of.numbers.front(), {}, {}});
@@ -85,34 +82,28 @@ std::vector<StatisticsRow> group_statistics(Store& store, const Study& study) {
   const bool independent =
       study.kind != SampleKind::kLatinHypercube && study.kind != SampleKind::kSobol;
   std::vector<StatisticsRow> rows;
-  for (FigureGroup& group : groups_of(store, asked)) {
-    for (std::size_t f = 0; f < asked.figures.size(); ++f) {
-      Gathered& of = group.figures[f];
-      each_statistic(of, asked, [&](std::string name, Estimate estimate) {
-        if (!independent) estimate.low = estimate.high = std::nullopt;
-        rows.push_back({group.values, asked.figures[f], unit_of(asked.figures[f]), std::move(name),
-                        estimate, of.count});
-      });
-    }
+  for (const auto& [place, of] : gathered(store, study)) {
+    const std::string& figure = asked.figures[place.second];
+    each_statistic(of, asked, [&](std::string name, Estimate estimate) {
+      if (!independent) estimate.low = estimate.high = std::nullopt;
+      rows.push_back({of.group, figure, unit_of(figure), std::move(name), estimate, of.count});
+    });
   }
   return rows;
 }
 
 void write_statistics(const std::vector<StatisticsRow>& rows, const Study& study,
                       const std::filesystem::path& file) {
-  std::string text;
-  for (const std::size_t k : study.statistics->by) text += csv_field(study.vary[k].key) + ",";
-  text += "figure,statistic,value,low,high,count\n";
-  const auto number = [](const std::optional<double>& x) {
-    std::string digits;
-    if (x) append_number(digits, *x);
-    return digits;
-  };
+  std::vector<std::string> line;
+  for (const std::size_t k : study.statistics->by) line.push_back(study.vary[k].key);
+  line.insert(line.end(), {"figure", "statistic", "value", "low", "high", "count"});
+  std::string text = csv_line(line);
   for (const StatisticsRow& row : rows) {
-    for (const std::string& value : row.group) text += csv_field(value) + ",";
-    text += fmt::format("{},{},{},{},{},{}\n", row.figure, csv_field(row.statistic),
-                        number(row.estimate.value), number(row.estimate.low),
-                        number(row.estimate.high), row.count);
+    line = row.group;
+    line.insert(line.end(), {row.figure, row.statistic, csv_number(row.estimate.value),
+                             csv_number(row.estimate.low), csv_number(row.estimate.high),
+                             std::to_string(row.count)});
+    text += csv_line(line);
   }
   write_whole(file, text);
 }
