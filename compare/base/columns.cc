@@ -20,13 +20,17 @@ std::string row(std::string_view name, std::string_view unit, std::string_view m
 
 }  // namespace
 
-ordered_json column_json(std::string_view name, std::string_view unit, std::string_view meaning) {
-  return {{"name", name}, {"unit", unit}, {"meaning", meaning}};
+std::vector<std::string> column_names(std::span<const ColumnMeaning> columns) {
+  std::vector<std::string> names;
+  for (const ColumnMeaning& c : columns) names.emplace_back(c.name);
+  return names;
 }
 
 ordered_json columns_json(std::span<const ColumnMeaning> columns) {
   ordered_json all = ordered_json::array();
-  for (const ColumnMeaning& c : columns) all.push_back(column_json(c.name, c.unit, c.meaning));
+  for (const ColumnMeaning& c : columns) {
+    all.push_back({{"name", c.name}, {"unit", c.unit}, {"meaning", c.meaning}});
+  }
   return all;
 }
 

@@ -5,6 +5,7 @@
 #include <nlohmann/json_fwd.hpp>
 #include <span>
 #include <string>
+#include <vector>
 
 #include "native_model/trajectory/columns.h"
 
@@ -12,9 +13,9 @@ namespace rotorub {
 
 inline constexpr const char* kColumnsFile = "columns.json";
 
-// {"name", "unit", "meaning"}, and a list of these.
-nlohmann::ordered_json column_json(std::string_view name, std::string_view unit,
-                                   std::string_view meaning);
+std::vector<std::string> column_names(std::span<const ColumnMeaning> columns);
+
+// A list of {"name", "unit", "meaning"}.
 nlohmann::ordered_json columns_json(std::span<const ColumnMeaning> columns);
 
 // {"<file>": [column, ...], ...} as text with one line per column, ending with a line break.

@@ -4,7 +4,6 @@
 
 #include <cassert>
 #include <map>
-#include <nlohmann/json.hpp>
 
 #include "compare/base/columns.h"
 #include "compare/sweep/folder.h"
@@ -94,12 +93,9 @@ std::vector<StatisticsRow> group_statistics(Store& store, const Study& study) {
 
 void write_statistics(const std::vector<StatisticsRow>& rows, const Study& study,
                       const std::filesystem::path& file) {
-  std::vector<std::string> line;
-  for (const std::size_t k : study.statistics->by) line.push_back(study.vary[k].key);
-  line.insert(line.end(), {"figure", "statistic", "value", "low", "high", "count"});
-  std::string text = csv_line(line);
+  std::string text = csv_line(column_names(statistics_columns(study)));
   for (const StatisticsRow& row : rows) {
-    line = row.group;
+    std::vector<std::string> line = row.group;
     line.insert(line.end(), {row.figure, row.statistic, csv_number(row.estimate.value),
                              csv_number(row.estimate.low), csv_number(row.estimate.high),
                              std::to_string(row.count)});
@@ -108,19 +104,18 @@ void write_statistics(const std::vector<StatisticsRow>& rows, const Study& study
   write_whole(file, text);
 }
 
-nlohmann::ordered_json statistics_columns_json(const Study& study) {
-  auto all = nlohmann::ordered_json::array();
+std::vector<ColumnMeaning> statistics_columns(const Study& study) {
+  std::vector<ColumnMeaning> all;
   for (const std::size_t k : study.statistics->by)
-    all.push_back(
-        column_json(study.vary[k].key, study.vary[k].unit, "value of the group's points"));
-  constexpr ColumnMeaning kColumns[] = {
-      {"figure", "", "column of results.csv, whose unit it has", ""},
-      {"statistic", "", "mean, deviation, least, quantile p, largest; of words share WORD", ""},
-      {"value", "", "of the points of the group that have the figure", ""},
-      {"low", "", "bound below, with the confidence of the study; empty: there is none", ""},
-      {"high", "", "bound above", ""},
-      {"count", "", "number of points of the group that have the figure", ""}};
-  for (const ColumnMeaning& c : kColumns) all.push_back(column_json(c.name, c.unit, c.meaning));
+    all.push_back({study.vary[k].key, study.vary[k].unit, "value of the group's points", ""});
+  all.insert(
+      all.end(),
+      {{"figure", "", "column of results.csv, whose unit it has", ""},
+       {"statistic", "", "mean, deviation, least, quantile p, largest; of words share WORD", ""},
+       {"value", "", "of the points of the group that have the figure", ""},
+       {"low", "", "bound below, with the confidence of the study; empty: there is none", ""},
+       {"high", "", "bound above", ""},
+       {"count", "", "number of points of the group that have the figure", ""}});
   return all;
 }
 

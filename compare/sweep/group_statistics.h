@@ -2,12 +2,12 @@
 // quantiles of numbers, and shares of words.
 #pragma once
 
-#include <nlohmann/json_fwd.hpp>
 #include <string>
 #include <vector>
 
 #include "compare/sweep/order_statistics.h"
 #include "compare/sweep/store.h"
+#include "native_model/trajectory/columns.h"
 
 namespace rotorub::sweep {
 
@@ -27,7 +27,7 @@ std::vector<StatisticsRow> group_statistics(Store& store, const Study& study);
 void write_statistics(const std::vector<StatisticsRow>& rows, const Study& study,
                       const std::filesystem::path& file);
 
-// The columns of that file, in the format of columns.json.
-nlohmann::ordered_json statistics_columns_json(const Study& study);
+// The columns of that file. The study must outlive them.
+std::vector<ColumnMeaning> statistics_columns(const Study& study);
 
 }  // namespace rotorub::sweep

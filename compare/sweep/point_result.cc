@@ -8,7 +8,6 @@
 
 #include "compare/base/columns.h"
 #include "compare/figures/figure.h"
-#include "compare/sweep/group_statistics.h"
 
 namespace rotorub::sweep {
 namespace {
@@ -65,18 +64,12 @@ double settled_row(double end, int row) {
   return from + (end - from) * static_cast<double>(row) / static_cast<double>(kSettledRows - 1);
 }
 
-nlohmann::ordered_json sweep_columns_json(const Study& study) {
-  auto all = nlohmann::ordered_json::array();
-  const auto add = [&](const ColumnMeaning& c) {
-    all.push_back(column_json(c.name, c.unit, c.meaning));
-  };
-  add(kPoint);
-  for (const Vary& vary : study.vary) all.push_back(column_json(vary.key, vary.unit, kVaried));
-  for (const ColumnMeaning& column : kOutcome) add(column);
-  for (const ResultColumn& column : result_columns()) add(column);
-  nlohmann::ordered_json files{{"results.csv", all}};
-  if (study.statistics) files["statistics.csv"] = statistics_columns_json(study);
-  return files;
+std::vector<ColumnMeaning> csv_columns(const Study& study) {
+  std::vector<ColumnMeaning> all{kPoint};
+  for (const Vary& vary : study.vary) all.push_back({vary.key, vary.unit, kVaried, ""});
+  all.insert(all.end(), std::begin(kOutcome), std::end(kOutcome));
+  all.insert(all.end(), result_columns().begin(), result_columns().end());
+  return all;
 }
 
 std::string sweep_columns_markdown() {

@@ -7,6 +7,7 @@
 #include <span>
 #include <string>
 #include <string_view>
+#include <vector>
 
 #include "compare/metrics/metrics.h"
 #include "compare/sweep/study_file.h"
@@ -42,9 +43,9 @@ std::span<const ResultColumn> result_columns();
 inline constexpr int kSettledRows = 41;
 double settled_row(double end, int row);  // s, time of the row 0 .. kSettledRows - 1
 
-// The columns of results.csv for columns.json: {"results.csv": [{"name", "unit", "meaning"}, ...]},
-// including the columns of the study, in their order.
-nlohmann::ordered_json sweep_columns_json(const Study& study);
+// All columns of results.csv in their order, including the varied keys of the study, which must
+// outlive them.
+std::vector<ColumnMeaning> csv_columns(const Study& study);
 
 // Markdown: all columns, as in compare/sweep/README.md.
 std::string sweep_columns_markdown();

@@ -6,6 +6,7 @@
 #include <cstdio>
 #include <nlohmann/json.hpp>
 
+#include "compare/base/columns.h"
 #include "compare/base/version.h"
 #include "native_model/scene/text.h"
 
@@ -91,13 +92,7 @@ void Store::check(const std::string& schema, const std::string& file) {
   }
 }
 
-std::vector<std::string> Store::names() const {
-  std::vector<std::string> all{"point"};
-  for (const Vary& vary : study_->vary) all.push_back(vary.key);
-  all.insert(all.end(), {"status", "reason"});
-  for (const ResultColumn& column : result_columns()) all.emplace_back(column.name);
-  return all;
-}
+std::vector<std::string> Store::names() const { return column_names(csv_columns(*study_)); }
 
 std::vector<bool> Store::done() {
   std::vector<bool> all(static_cast<std::size_t>(identity_.points), false);
