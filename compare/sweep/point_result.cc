@@ -1,12 +1,9 @@
 #include "compare/sweep/point_result.h"
 
-#include <fmt/format.h>
-
 #include <nlohmann/json.hpp>
 #include <string>
 #include <vector>
 
-#include "compare/base/columns.h"
 #include "compare/figures/figure.h"
 
 namespace rotorub::sweep {
@@ -58,33 +55,12 @@ std::span<const ResultColumn> result_columns() {
 
 json ResultColumn::value(const Metrics& metrics) const { return metric_value(metrics, key); }
 
-double settled_row(double end, int row) {
-  const double from = (1.0 - kSettledShare) * end;
-  if (row == kSettledRows - 1) return end;
-  return from + (end - from) * static_cast<double>(row) / static_cast<double>(kSettledRows - 1);
-}
-
 std::vector<ColumnMeaning> csv_columns(const Study& study) {
   std::vector<ColumnMeaning> all{kPoint};
   for (const Vary& vary : study.vary) all.push_back({vary.key, vary.unit, kVaried, ""});
   all.insert(all.end(), std::begin(kOutcome), std::end(kOutcome));
   all.insert(all.end(), result_columns().begin(), result_columns().end());
   return all;
-}
-
-std::string sweep_columns_markdown() {
-  std::vector<ColumnMeaning> own{kPoint, {"<key>", "SI", kVaried, "one for each key"}};
-  own.insert(own.end(), std::begin(kOutcome), std::end(kOutcome));
-  std::string whole_run, settled;
-  for (const ResultColumn& column : result_columns()) {
-    std::string& names = column.name == column.key ? whole_run : settled;
-    names += fmt::format("{}`{}`", names.empty() ? "" : ", ", column.name);
-  }
-  return columns_table(own) +
-         fmt::format(
-             "\nThe other columns are keys of [summary.json](../study/README.md#summaryjson): {}; "
-             "and, from `settled`, {}.\n",
-             whole_run, settled);
 }
 
 }  // namespace rotorub::sweep

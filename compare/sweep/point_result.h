@@ -38,16 +38,8 @@ struct ResultColumn : ColumnMeaning {
 };
 std::span<const ResultColumn> result_columns();
 
-// The rows that show where a run has settled, evenly spaced over its last fifth including both
-// ends.
-inline constexpr int kSettledRows = 41;
-double settled_row(double end, int row);  // s, time of the row 0 .. kSettledRows - 1
-
 // All columns of results.csv in their order, including the varied keys of the study, which must
 // outlive them.
 std::vector<ColumnMeaning> csv_columns(const Study& study);
-
-// Markdown: all columns, as in compare/sweep/README.md.
-std::string sweep_columns_markdown();
 
 }  // namespace rotorub::sweep
