@@ -6,27 +6,20 @@
 
 namespace rotorub {
 namespace {
-
 using nlohmann::ordered_json;
-
-std::string row(std::string_view name, std::string_view unit, std::string_view meaning,
-                std::string_view present) {
-  std::string text(meaning);
-  for (std::size_t at = 0; (at = text.find('|', at)) != std::string::npos; at += 2)
-    text.insert(at, 1, '\\');
-  return fmt::format("| `{}` | {} | {}{} |\n", name, unit, text,
-                     present.empty() ? "" : fmt::format(" ({})", present));
 }
 
-}  // namespace
-
-ordered_json column_json(std::string_view name, std::string_view unit, std::string_view meaning) {
-  return {{"name", name}, {"unit", unit}, {"meaning", meaning}};
+std::vector<std::string> column_names(std::span<const ColumnMeaning> columns) {
+  std::vector<std::string> names;
+  for (const ColumnMeaning& c : columns) names.emplace_back(c.name);
+  return names;
 }
 
 ordered_json columns_json(std::span<const ColumnMeaning> columns) {
   ordered_json all = ordered_json::array();
-  for (const ColumnMeaning& c : columns) all.push_back(column_json(c.name, c.unit, c.meaning));
+  for (const ColumnMeaning& c : columns) {
+    all.push_back({{"name", c.name}, {"unit", c.unit}, {"meaning", c.meaning}});
+  }
   return all;
 }
 
@@ -43,12 +36,6 @@ std::string columns_text(const ordered_json& columns) {
     text += "\n  ]";
   }
   return text + "\n}\n";
-}
-
-std::string columns_table(std::span<const ColumnMeaning> columns) {
-  std::string text = "| name | unit | meaning |\n| --- | --- | --- |\n";
-  for (const ColumnMeaning& c : columns) text += row(c.name, c.unit, c.meaning, c.present);
-  return text;
 }
 
 }  // namespace rotorub

@@ -1,10 +1,11 @@
-// Descriptions of the columns in files that a command writes: as JSON for columns.json beside the
-// data, and as a table.
+// Descriptions of the columns in files that a command writes, as JSON for columns.json beside the
+// data.
 #pragma once
 
 #include <nlohmann/json_fwd.hpp>
 #include <span>
 #include <string>
+#include <vector>
 
 #include "native_model/trajectory/columns.h"
 
@@ -12,15 +13,12 @@ namespace rotorub {
 
 inline constexpr const char* kColumnsFile = "columns.json";
 
-// {"name", "unit", "meaning"}, and a list of these.
-nlohmann::ordered_json column_json(std::string_view name, std::string_view unit,
-                                   std::string_view meaning);
+std::vector<std::string> column_names(std::span<const ColumnMeaning> columns);
+
+// A list of {"name", "unit", "meaning"}.
 nlohmann::ordered_json columns_json(std::span<const ColumnMeaning> columns);
 
 // {"<file>": [column, ...], ...} as text with one line per column, ending with a line break.
 std::string columns_text(const nlohmann::ordered_json& columns);
-
-// A table in Markdown.
-std::string columns_table(std::span<const ColumnMeaning> columns);
 
 }  // namespace rotorub

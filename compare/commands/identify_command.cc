@@ -3,17 +3,15 @@
 #include <fmt/format.h>
 
 #include <cstdio>
-#include <iostream>
 #include <memory>
-#include <nlohmann/json.hpp>
 
-#include "compare/base/json.h"
 #include "compare/commands/command.h"
 #include "compare/commands/measured_options.h"
 #include "compare/commands/options.h"
 #include "compare/commands/terminal.h"
 #include "compare/identify/identify.h"
 #include "compare/identify/output.h"
+#include "compare/result/result.h"
 #include "compare/sweep/study_reader.h"
 #include "native_model/scene/schema.h"
 #include "native_model/scene/text.h"
@@ -80,21 +78,19 @@ int run_identify(const IdentifyArguments& options) {
   ProgressBar bar(options.quiet);
   parameters.progress = [&](double share) { bar.show(share, "identify"); };
 
-  identify::Result result;
+  identify::Result found;
   try {
-    result = identify::identify(read, *measured.record, parameters);
+    found = identify::identify(read, *measured.record, parameters);
   } catch (const MeasuredError& error) {
     throw UsageError(fmt::format("{}: {}", scene::printable(measured.record->file), error.what()));
   }
   bar.clear();
-  if (result.interrupted) throw Interrupted();
-  if (!options.file.empty()) write_whole(options.file, read(result.overrides).text);
-  if (options.json) {
-    std::cout << json_text(identify::identify_json(measured.record->file, result));
-  } else if (!options.quiet) {
-    fmt::print("{}", identify::identify_table(measured.record->file, result));
-    if (!options.file.empty()) fmt::print("written to {}\n", printable_path(options.file));
-  }
+  if (found.interrupted) throw Interrupted();
+  if (!options.file.empty()) write_whole(options.file, read(found.overrides).text);
+  result::Section result = identify::result_of(measured.record->file, found);
+  if (!options.file.empty())
+    result.add({result::line(fmt::format("written to {}", printable_path(options.file)))});
+  result::print(result, {options.json, options.quiet});
   return kDone;
 }
 

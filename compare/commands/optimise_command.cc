@@ -9,7 +9,6 @@
 
 #include "compare/base/columns.h"
 #include "compare/base/format.h"
-#include "compare/base/json.h"
 #include "compare/commands/command.h"
 #include "compare/commands/options.h"
 #include "compare/commands/terminal.h"
@@ -17,6 +16,7 @@
 #include "compare/optimise/optimiser.h"
 #include "compare/optimise/output.h"
 #include "compare/report/optimum_page.h"
+#include "compare/result/result.h"
 #include "native_model/scene/overrides.h"
 #include "native_model/trajectory/output.h"
 
@@ -45,14 +45,17 @@ constexpr const char *kStudyFile = "study.toml", *kEvaluationsFile = "evaluation
                      *kOptimumFile = "optimum.json", *kBestFile = "best.toml",
                      *kPageFile = "optimum.html";
 
+// json: the result; best: the scene.
 void write_files(const path& folder, const optimise::Task& task, const optimise::Optimum& optimum,
-                 const std::string& best) {
+                 const std::string& json, const std::string& best) {
   const std::string name = task.study.scene.stem().string();
   std::filesystem::create_directories(folder);
   write_whole(folder / kStudyFile, task.study.text);
   write_whole(folder / kEvaluationsFile, optimise::evaluations_csv(task, optimum));
-  write_whole(folder / kColumnsFile, columns_text(optimise::evaluations_columns_json(task)));
-  write_whole(folder / kOptimumFile, optimise::optimum_json(task, optimum).dump(2) + "\n");
+  write_whole(
+      folder / kColumnsFile,
+      columns_text({{kEvaluationsFile, columns_json(optimise::evaluations_columns(task))}}));
+  write_whole(folder / kOptimumFile, json);
   if (!best.empty()) write_whole(folder / kBestFile, best);
   write_whole(folder / kPageFile, optimum_page(name, task, optimum, best));
 }
@@ -83,14 +86,15 @@ int run_optimise(const OptimiseArguments& options) {
       optimum.best
           ? optimise::scene_of(task, variants, optimum.evaluations[*optimum.best].values, true).text
           : "";
-  write_files(folder, task, optimum, best);
-  if (options.json) {
-    std::cout << optimise::optimum_json(task, optimum).dump(2) << "\n";
-  } else if (!options.quiet) {
-    fmt::print("{}written to {} ({}evaluations.csv, optimum.html)\n",
-               optimise::optimum_text(printable_path(task.study.scene.stem()), task, optimum),
-               printable_path(folder), best.empty() ? "" : "best.toml, ");
-  }
+  result::Section result =
+      optimise::result_of(printable_path(task.study.scene.stem()), task, optimum);
+  const std::string json = result::ordered_json_of(result).dump(2) + "\n";
+  write_files(folder, task, optimum, json, best);
+  if (options.json) std::cout << json;
+  result.add(
+      {result::line(fmt::format("written to {} ({}{}, {})", printable_path(folder),
+                                best.empty() ? "" : "best.toml, ", kEvaluationsFile, kPageFile))});
+  result::print(result, {.quiet = options.quiet || options.json});
   if (optimum.ending == optimise::Ending::kInterrupted) throw Interrupted();
   return optimum.best ? kDone : kFailed;
 }

@@ -4,17 +4,15 @@
 
 #include <algorithm>
 #include <filesystem>
-#include <iostream>
 #include <memory>
-#include <nlohmann/json.hpp>
 #include <thread>
 
-#include "compare/base/json.h"
 #include "compare/commands/command.h"
 #include "compare/commands/options.h"
 #include "compare/commands/sweep_output.h"
 #include "compare/commands/sweep_progress.h"
 #include "compare/commands/terminal.h"
+#include "compare/result/result.h"
 #include "compare/sweep/bifurcation.h"
 #include "compare/sweep/sweep_run.h"
 #include "native_model/trajectory/output.h"
@@ -38,15 +36,35 @@ void check_arguments(const SweepArguments& options) {
   if (options.tasks > 0 && !options.slurm) throw UsageError("--tasks belongs to --slurm");
 }
 
-void print_json(const Sweep& sweep, sweep::Store& store, const sweep::Shard& shard, bool complete) {
+// "13 points: 12 ok, 1 diverged"
+std::string counts_text(sweep::Store& store) {
+  std::string text;
+  for (const auto& [status, count] : store.count_by_status())
+    text += fmt::format("{}{} {}", text.empty() ? "" : ", ", count, status);
+  return fmt::format("{} points: {}", store.count(), text.empty() ? "none" : text);
+}
+
+std::string results_text(const Sweep& sweep, sweep::Store& store) {
+  return fmt::format("{}\nwritten to {} ({}, results.sqlite, {})", counts_text(store),
+                     printable_path(sweep.folder), sweep::kCsvFile, sweep::kPageFile);
+}
+
+// Prints what is stored as JSON, or words for people, which may be empty.
+void print_state(const SweepArguments& options, const Sweep& sweep, sweep::Store& store,
+                 const sweep::Shard& shard, const std::string& words) {
   const auto identity = sweep::identity_of(*sweep.scenes);
-  std::cout << json_text({{"study_hash", identity.hash},
-                          {"points", identity.points},
-                          {"done", store.count()},
-                          {"status", store.count_by_status()},
-                          {"shard", fmt::format("{}/{}", shard.number, shard.count)},
-                          {"complete", complete},
-                          {"folder", sweep.folder.string()}});
+  const std::int64_t done = store.count();
+  result::Section state{
+      .parts = {result::Data{"",
+                             {{"study_hash", identity.hash},
+                              {"points", identity.points},
+                              {"done", done},
+                              {"status", store.count_by_status()},
+                              {"shard", fmt::format("{}/{}", shard.number, shard.count)},
+                              {"complete", done == shard.points_of(identity.points)},
+                              {"folder", sweep.folder.string()}}}}};
+  if (!words.empty()) state.add({result::line(words)});
+  result::print(state, {options.json, options.quiet});
 }
 
 int run_points(const SweepArguments& options, const Sweep& sweep) {
@@ -61,21 +79,19 @@ int run_points(const SweepArguments& options, const Sweep& sweep) {
   run.progress = [&](const sweep::SweepProgress& progress) { report.show(progress); };
   const bool complete = sweep::run_sweep(*sweep.scenes, store, run);
   report.clear();
+  const std::string file = (sweep.folder / shard.file()).string();
   if (!complete) {
-    if (options.json) print_json(sweep, store, shard, false);
-    say(options, fmt::format("{} points are stored in {}; run it again to go on", store.count(),
-                             (sweep.folder / shard.file()).string()));
+    print_state(
+        options, sweep, store, shard,
+        fmt::format("{} points are stored in {}; run it again to go on", store.count(), file));
     throw Interrupted();
   }
-  if (shard.whole()) {
-    write_results(options, sweep, store);
-  } else {
-    say(options,
-        fmt::format("shard {}/{}: {} points: {}\nwritten to {}; --merge joins the shards",
-                    shard.number, shard.count, store.count(), counts_text(store.count_by_status()),
-                    (sweep.folder / shard.file()).string()));
-  }
-  if (options.json) print_json(sweep, store, shard, true);
+  if (shard.whole()) write_results(options, sweep, store);
+  print_state(options, sweep, store, shard,
+              shard.whole()
+                  ? results_text(sweep, store)
+                  : fmt::format("shard {}/{}: {}\nwritten to {}; --merge joins the shards",
+                                shard.number, shard.count, counts_text(store), file));
   return kDone;
 }
 
@@ -98,7 +114,7 @@ int merge(const SweepArguments& options, const Sweep& sweep) {
   for (const path& file : files) store.merge(file);
   const std::int64_t missing = sweep.scenes->sample().size() - store.count();
   if (missing == 0) write_results(options, sweep, store);
-  if (options.json) print_json(sweep, store, {}, missing == 0);
+  print_state(options, sweep, store, {}, missing == 0 ? results_text(sweep, store) : "");
   if (missing == 0) return kDone;
   print_error(
       fmt::format("{} of {} points are missing in {}: run the shards that are not done, and "
@@ -159,17 +175,18 @@ int submit_to_slurm(const SweepArguments& options, const Sweep& sweep) {
   const std::string folder = sweep::shell_word(sweep.folder.string());
   const std::string join = fmt::format("rotorub sweep {} -o {} --merge {}",
                                        sweep::shell_word(options.study), folder, folder);
+  result::Section submitted{.parts = {result::Data{"tasks", open}}};
   if (open.empty()) {
-    if (options.json) std::cout << json_text({{"job", nullptr}, {"tasks", open}});
-    say(options, "every shard is done or running; join them:\n  " + join);
-    return kDone;
+    submitted.add({result::Data{"job", nullptr},
+                   result::line("every shard is done or running; join them:\n  " + join)});
+  } else {
+    const std::string number = sweep::submit(script, open);
+    submitted.add(
+        {result::Data{"job", number}, result::Data{"script", script.string()},
+         result::line(fmt::format("submitted {} as job {}, {} of {} tasks; when it is done:\n  {}",
+                                  printable_path(script), number, open.size(), job.tasks, join))});
   }
-  const std::string number = sweep::submit(script, open);
-  if (options.json) {
-    std::cout << json_text({{"job", number}, {"tasks", open}, {"script", script.string()}});
-  }
-  say(options, fmt::format("submitted {} as job {}, {} of {} tasks; when it is done:\n  {}",
-                           printable_path(script), number, open.size(), job.tasks, join));
+  result::print(submitted, {options.json, options.quiet});
   return kDone;
 }
 

@@ -6,15 +6,14 @@
 #include <cinttypes>
 #include <cstdio>
 #include <fstream>
-#include <iostream>
 #include <nlohmann/json.hpp>
 
 #include "compare/base/columns.h"
-#include "compare/base/json.h"
 #include "compare/commands/terminal.h"
 #include "compare/report/bifurcation_plot.h"
 #include "compare/report/page.h"
 #include "compare/report/sweep_page.h"
+#include "compare/result/result.h"
 #include "compare/run_files/run_directory.h"
 #include "compare/sweep/bifurcation.h"
 #include "compare/sweep/group_statistics.h"
@@ -68,18 +67,6 @@ PointRuns point_runs(const SweepArguments& options, const Sweep& sweep) {
 
 }  // namespace
 
-void say(const SweepArguments& options, const std::string& text) {
-  if (!options.quiet && !options.json) fmt::print("{}\n", text);
-}
-
-std::string counts_text(const std::map<std::string, std::int64_t>& counts) {
-  std::string text;
-  for (const auto& [status, count] : counts) {
-    text += fmt::format("{}{} {}", text.empty() ? "" : ", ", count, status);
-  }
-  return text.empty() ? "none" : text;
-}
-
 std::vector<std::string> sweep_files(const SweepArguments& options, const Sweep& sweep) {
   std::vector<std::string> files{sweep::kStudyFile, sweep::kSceneFile};
   if (!sweep.study.points.empty()) files.emplace_back(sweep::kPointsFile);
@@ -100,19 +87,18 @@ std::vector<std::string> sweep_files(const SweepArguments& options, const Sweep&
 
 void write_results(const SweepArguments& options, const Sweep& sweep, sweep::Store& store) {
   sweep::write_csv(store, sweep.folder / sweep::kCsvFile);
-  write_whole(sweep.folder / kColumnsFile, columns_text(sweep::sweep_columns_json(sweep.study)));
   const nlohmann::json kept = sweep_json(*sweep.scenes, store, sweep.study);
   write_whole(sweep.folder / sweep::kDataFile, kept.dump());
+  nlohmann::ordered_json columns{{sweep::kCsvFile, columns_json(sweep::csv_columns(sweep.study))}};
   if (sweep.study.statistics) {
+    columns[sweep::kStatisticsFile] = columns_json(sweep::statistics_columns(sweep.study));
     sweep::write_statistics(sweep::group_statistics(store, sweep.study), sweep.study,
                             sweep.folder / sweep::kStatisticsFile);
   }
+  write_whole(sweep.folder / kColumnsFile, columns_text(columns));
   write_whole(sweep.folder / sweep::kPageFile,
               sweep_page(*sweep.scenes, store, sweep.study, kept, point_runs(options, sweep),
                          bifurcation_of(options, sweep)));
-  say(options, fmt::format("{} points: {}\nwritten to {} ({}, results.sqlite, {})", store.count(),
-                           counts_text(store.count_by_status()), printable_path(sweep.folder),
-                           sweep::kCsvFile, sweep::kPageFile));
 }
 
 // rotorub sweep STUDY.toml -o DIR --point N: saves the run of the point as `rotorub run` does, with
@@ -124,7 +110,7 @@ int keep_points(const SweepArguments& options, const Sweep& sweep) {
       throw UsageError(fmt::format("--point {}: accepted are 0 to {}", point, last));
   }
   int code = kDone;
-  nlohmann::json all = nlohmann::json::array();
+  result::Section all;
   for (const std::int64_t point : options.points) {
     const std::string name = point_folder(point);
     StoredRun kept{sweep.scenes->whole_at(point), {}};
@@ -137,21 +123,22 @@ int keep_points(const SweepArguments& options, const Sweep& sweep) {
     const path folder = sweep.folder / name;
     write_run(folder, kept.scene, kept.trajectory);
     write_whole(folder / kRunPage, run_page(kept, std::nullopt));
-    all.push_back({{"point", point},
-                   {"status", to_string(kept.trajectory.status)},
-                   {"folder", folder.string()}});
-    say(options, fmt::format("point {}: {}\nwritten to {} ({})", point,
-                             to_string(kept.trajectory.status), printable_path(folder), kRunPage));
+    const std::string status = to_string(kept.trajectory.status);
+    const result::Section made{
+        "points/#",
+        {result::Data{"", {{"point", point}, {"status", status}, {"folder", folder.string()}}},
+         result::line(fmt::format("point {}: {}\nwritten to {} ({})", point, status,
+                                  printable_path(folder), kRunPage))}};
+    result::print(made, {.quiet = options.quiet || options.json});
+    all.add({made});
     say_failure(kept.scene, name + ": ", kept.trajectory);
     code = std::max(code, exit_code_of(kept.trajectory.status));
   }
-  if (options.json) std::cout << json_text({{"points", all}});
+  if (options.json) result::print(all, {.json = true});
   // Update the page, so that it links to the saved runs.
   if (std::filesystem::exists(sweep.folder / sweep::kPageFile)) {
-    SweepArguments silent = options;
-    silent.quiet = true;
     sweep::Store store = sweep.store({});
-    if (store.count() == last + 1) write_results(silent, sweep, store);
+    if (store.count() == last + 1) write_results(options, sweep, store);
   }
   return code;
 }

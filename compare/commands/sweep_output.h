@@ -4,7 +4,6 @@
 
 #include <cstdint>
 #include <filesystem>
-#include <map>
 #include <memory>
 #include <string>
 #include <vector>
@@ -36,11 +35,6 @@ struct Sweep {
     return {folder / shard.file(), study, sweep::identity_of(*scenes), shard};
   }
 };
-
-// Prints to standard output, except with --quiet or --json.
-void say(const SweepArguments& options, const std::string& text);
-// "12 ok, 1 diverged"
-std::string counts_text(const std::map<std::string, std::int64_t>& counts);
 
 // All files that the command may write to its folder.
 std::vector<std::string> sweep_files(const SweepArguments& options, const Sweep& sweep);

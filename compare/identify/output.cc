@@ -5,6 +5,8 @@
 #include <algorithm>
 #include <cmath>
 #include <nlohmann/json.hpp>
+#include <optional>
+#include <vector>
 
 #include "compare/base/format.h"
 #include "compare/base/json.h"
@@ -15,6 +17,7 @@ namespace {
 
 using Eigen::Index;
 using nlohmann::json;
+using result::Data, result::Section, result::Sentence, result::Table;
 
 constexpr double kAlike = 0.95;  // correlation beyond which two values are hardly distinguishable
 
@@ -22,92 +25,90 @@ std::string named(const Wanted& w) {
   return w.unit.empty() ? w.key : fmt::format("{}, {}", w.key, w.unit);
 }
 
-// Width of the column of names.
-std::size_t width_of_names(const Result& r) {
+Table parameters_table(const Result& r) {
   std::size_t width = 34;
   for (const Found& f : r.found) width = std::max(width, named(f.wanted).size() + 2);
-  return width;
+  Table table{"parameters/#/{column}",
+              {{.key = "key", .width = -static_cast<int>(width + 2)},
+               {.key = "value", .heading = "value", .width = 12},
+               {.key = "error", .heading = "  95 %", .width = -16},
+               {.key = "from", .heading = "looked for in"},
+               {.key = "to", .seen = result::kJson},
+               {.key = "unit", .seen = result::kJson},
+               {.key = "low", .seen = result::kJson},
+               {.key = "high", .seen = result::kJson},
+               {.key = "at_edge", .seen = result::kJson}}};
+  for (const Found& f : r.found) {
+    const Wanted& w = f.wanted;
+    const std::string within =
+        f.error ? fmt::format("  ± {}", short_number(Found::kSure * *f.error)) : "  not told";
+    table.rows.push_back({.items = {{w.key, named(w)},
+                                    {f.value, fmt::format("{:.6g}", f.value)},
+                                    {number_or_null(f.error), within},
+                                    {w.from, fmt::format("{:.4g} to {:.4g}", w.from, w.to)},
+                                    {w.to},
+                                    {w.unit},
+                                    {f.error ? json(f.low()) : json()},
+                                    {f.error ? json(f.high()) : json()},
+                                    {f.at_edge}}});
+  }
+  return table;
 }
 
-std::string row(const Found& f, std::size_t width) {
-  const std::string within =
-      f.error ? fmt::format("± {}", short_number(Found::kSure * *f.error)) : "not told";
-  return fmt::format("  {:<{}}{:>12.6g}  {:<14}{:.4g} to {:.4g}\n", named(f.wanted), width, f.value,
-                     within, f.wanted.from, f.wanted.to);
-}
-
-std::string doubts(const Result& r) {
-  std::string text;
+// For people.
+Section doubts(const Result& r) {
+  Section all;
+  const auto add = [&](const std::string& text) {
+    all.add({Sentence{.text = text, .lead = "  - "}});
+  };
   if (r.no_better()) {
-    text += wrapped("  - ",
-                    "the scene as it stood leaves less than these values: they are no best of all, "
-                    "or its own lie outside of the ranges; other ranges may find better ones");
+    add("the scene as it stood leaves less than these values: they are no best of all, or its own "
+        "lie outside of the ranges; other ranges may find better ones");
   }
   for (const Found& f : r.found) {
-    if (f.at_edge) {
-      text += wrapped("  - ", fmt::format("{} is at the edge of its range: what is best may lie "
-                                          "beyond",
-                                          f.wanted.key));
-    }
-    if (!f.error) {
-      text += wrapped("  - ", fmt::format("{}: nothing that the record shows depends on it alone",
-                                          f.wanted.key));
-    }
+    const std::string& key = f.wanted.key;
+    if (f.at_edge) add(key + " is at the edge of its range: what is best may lie beyond");
+    if (!f.error) add(key + ": nothing that the record shows depends on it alone");
   }
   for (Index i = 0; i < r.correlation.rows(); ++i) {
     for (Index j = i + 1; j < r.correlation.cols(); ++j) {
       if (std::abs(r.correlation(i, j)) < kAlike) continue;
-      text += wrapped("  - ", fmt::format("{} and {} are hardly told apart: correlation {:+.3f}",
-                                          r.found[static_cast<std::size_t>(i)].wanted.key,
-                                          r.found[static_cast<std::size_t>(j)].wanted.key,
-                                          r.correlation(i, j)));
+      add(fmt::format("{} and {} are hardly told apart: correlation {:+.3f}",
+                      r.found[static_cast<std::size_t>(i)].wanted.key,
+                      r.found[static_cast<std::size_t>(j)].wanted.key, r.correlation(i, j)));
     }
   }
-  return text;
+  return all;
 }
 
 }  // namespace
 
-json identify_json(const std::string& measured, const Result& r) {
-  json parameters = json::array(), correlation = json::array();
-  for (const Found& f : r.found) {
-    parameters.push_back({{"key", f.wanted.key},
-                          {"unit", f.wanted.unit},
-                          {"value", f.value},
-                          {"error", number_or_null(f.error)},
-                          {"low", f.error ? json(f.low()) : json()},
-                          {"high", f.error ? json(f.high()) : json()},
-                          {"from", f.wanted.from},
-                          {"to", f.wanted.to},
-                          {"at_edge", f.at_edge}});
-  }
+Section result_of(const std::string& measured, const Result& r) {
+  json correlation = json::array();
   for (Index i = 0; i < r.correlation.rows(); ++i) {
     const Eigen::VectorXd of = r.correlation.row(i);
     correlation.push_back(std::vector<double>(of.begin(), of.end()));
   }
-  return {{"measured", measured},
-          {"samples", r.samples},
-          {"runs", r.runs},
-          {"parameters", parameters},
-          {"correlation", correlation},
-          {"alignment", alignment_json(r.alignment)},
-          {"left_before", number_or_null(r.left_before)},
-          {"left", number_or_null(r.alignment.residual)}};
-}
-
-std::string identify_table(const std::string& measured, const Result& r) {
-  std::string text = wrapped("", fmt::format("identified from {}: {} samples, {} native runs",
-                                             measured, r.samples, r.runs));
-  const std::size_t width = width_of_names(r);
-  text += fmt::format("  {:<{}}{:>12}  {:<14}{}\n", "", width, "value", "95 %", "looked for in");
-  for (const Found& f : r.found) text += row(f, width);
-  text += doubts(r);
+  const std::optional<double>& left = r.alignment.residual;
   const std::string before =
       r.left_before ? fmt::format("{:.3g} % of the scene as it stood", 100.0 * *r.left_before)
                     : "it lay nowhere on the scene as it stood";
-  text += wrapped("  ", fmt::format("left of the record: {:.3g} % of the run's rms, {}",
-                                    100.0 * r.alignment.residual.value_or(0.0), before));
-  return text + wrapped("  ", alignment_text(r.alignment));
+  return {
+      .parts = {Data{"",
+                     {{"measured", measured},
+                      {"samples", r.samples},
+                      {"runs", r.runs},
+                      {"correlation", correlation},
+                      {"alignment", alignment_json(r.alignment)},
+                      {"left_before", number_or_null(r.left_before)},
+                      {"left", number_or_null(left)}}},
+                Sentence{.text = fmt::format("identified from {}: {} samples, {} native runs",
+                                             measured, r.samples, r.runs)},
+                parameters_table(r), doubts(r),
+                Sentence{.text = fmt::format("left of the record: {:.3g} % of the run's rms, {}",
+                                             100.0 * left.value_or(0.0), before),
+                         .lead = "  "},
+                Sentence{.text = alignment_text(r.alignment), .lead = "  "}}};
 }
 
 }  // namespace rotorub::identify

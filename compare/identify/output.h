@@ -1,18 +1,15 @@
-// The identified values on the terminal and as JSON.
+// The identified values as the result of a command.
 #pragma once
 
-#include <nlohmann/json_fwd.hpp>
 #include <string>
 
 #include "compare/identify/identify.h"
+#include "compare/result/result.h"
 
 namespace rotorub::identify {
 
-// {"measured", "samples", "runs", "parameters": [{"key", "unit", "value", "error", "low", "high",
-// "from", "to", "at_edge"}], "correlation", "alignment", "left_before", "left"}, SI.
-nlohmann::json identify_json(const std::string& measured, const Result& result);
-
-// At most 80 columns wide.
-std::string identify_table(const std::string& measured, const Result& result);
+// JSON: {"measured", "samples", "runs", "parameters": [{"key", "unit", "value", "error", "low",
+// "high", "from", "to", "at_edge"}], "correlation", "alignment", "left_before", "left"}, SI.
+result::Section result_of(const std::string& measured, const Result& found);
 
 }  // namespace rotorub::identify

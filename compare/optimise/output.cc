@@ -12,20 +12,11 @@
 #include "compare/sweep/folder.h"
 #include "compare/sweep/sample.h"
 #include "native_model/scene/text.h"
-#include "native_model/trajectory/output.h"
 
 namespace rotorub::optimise {
 namespace {
 
-using nlohmann::ordered_json;
-
-const char* goal_word(const Goal& goal) { return goal.maximise ? "maximise" : "minimise"; }
-
-std::string field(const std::optional<double>& value) {
-  std::string text;
-  if (value) append_number(text, *value);
-  return text;
-}
+using result::Data, result::Section, result::Sentence, result::Table;
 
 // The SI unit of the figure with a space before it; empty if dimensionless, and for figures of
 // modes.
@@ -57,12 +48,48 @@ std::string nothing_text(const Optimum& optimum) {
   }
   if (!nearest) {
     const bool any = !optimum.evaluations.empty();
-    return "  none of them runs" + (any ? ": " + optimum.evaluations.back().reason : "") + "\n";
+    return "  none of them runs" + (any ? ": " + optimum.evaluations.back().reason : "");
   }
   return fmt::format(
       "  none of them keeps the constraints; the nearest, evaluation {}, breaks one by "
-      "{:.3g} % of its limit\n",
+      "{:.3g} % of its limit",
       nearest - optimum.evaluations.data(), 100.0 * nearest->violation);
+}
+
+// A number in JSON, and a line for people; unit: with a blank before it.
+Table number_part(const std::string& key, const std::string& name, double value,
+                  const std::string& unit) {
+  const std::string text = fmt::format(" {}{}", short_number(value), unit);
+  return {"{row}",
+          {{.width = -42}, {.key = "number"}},
+          {{.key = key, .items = {{.text = name}, {value, text}}}}};
+}
+
+Section best_of(const Task& task, const Optimum& optimum) {
+  const Goal& goal = task.goal;
+  const Evaluation& best = optimum.evaluations[*optimum.best];
+  Section values{"values"};
+  for (std::size_t k = 0; k < best.values.size(); ++k) {
+    const sweep::Vary& vary = task.study.vary[k];
+    const bool at_end = end_of(task, k, best.values[k]) != End::kNone;
+    values.add(
+        {number_part(vary.key, vary.key, best.values[k],
+                     fmt::format(" {}{}", vary.unit, at_end ? "  (an end of its range)" : ""))});
+  }
+  const std::string edge = edge_text(task, optimum);
+  Section all{"best",
+              {Data{"evaluation", *optimum.best}, values,
+               Data{"edge", edge.empty() ? nlohmann::json() : nlohmann::json(edge)},
+               number_part("figure", goal.figure.text, *best.figure, unit_of(goal.figure)),
+               Data{"constraints", nlohmann::json::array()}}};
+  for (std::size_t k = 0; k < best.constraints.size(); ++k) {
+    const Constraint& c = goal.constraints[k];
+    all.add({Section{
+        "constraints/#",
+        {Data{"figure", c.figure.text}, Data{c.is_max ? "max" : "min", c.limit},
+         number_part("value", constraint_text(c), *best.constraints[k], unit_of(c.figure))}}});
+  }
+  return all;
 }
 
 }  // namespace
@@ -84,87 +111,53 @@ std::string constraint_text(const Constraint& c) {
   return fmt::format("{} {} {}", c.figure.text, c.is_max ? "<=" : ">=", short_number(c.limit));
 }
 
-ordered_json optimum_json(const Task& task, const Optimum& optimum) {
-  ordered_json all{{"figure", task.goal.figure.text},
-                   {"goal", goal_word(task.goal)},
-                   {"ending", to_string(optimum.ending)},
-                   {"evaluations", optimum.evaluations.size()},
-                   {"best", nullptr}};
-  if (!optimum.best) return all;
-  const Evaluation& best = optimum.evaluations[*optimum.best];
-  auto values = ordered_json::object();
-  for (std::size_t k = 0; k < best.values.size(); ++k)
-    values[task.study.vary[k].key] = best.values[k];
-  const std::string edge = edge_text(task, optimum);
-  auto constraints = ordered_json::array();
-  for (std::size_t k = 0; k < best.constraints.size(); ++k) {
-    const Constraint& c = task.goal.constraints[k];
-    constraints.push_back({{"figure", c.figure.text},
-                           {c.is_max ? "max" : "min", c.limit},
-                           {"value", *best.constraints[k]}});
+Section result_of(const std::string& name, const Task& task, const Optimum& optimum) {
+  const char* goal = task.goal.maximise ? "maximise" : "minimise";
+  const std::string& figure = task.goal.figure.text;
+  const std::string ending = to_string(optimum.ending), edge = edge_text(task, optimum);
+  const std::size_t count = optimum.evaluations.size();
+  Section all{.parts = {Data{"figure", figure}, Data{"goal", goal}, Data{"ending", ending},
+                        Data{"evaluations", count},
+                        result::line(fmt::format("{}: {} {}", scene::printable(name), goal,
+                                                 scene::printable(figure))),
+                        Sentence{.text = fmt::format("{} evaluations, {}{}{}", count, ending,
+                                                     edge.empty() ? "" : ", ", edge),
+                                 .lead = "  "}}};
+  if (optimum.best) {
+    all.add({best_of(task, optimum)});
+  } else {
+    all.add({Data{"best", nullptr}, result::line(nothing_text(optimum))});
   }
-  all["best"] = {{"evaluation", *optimum.best},
-                 {"values", values},
-                 {"edge", edge.empty() ? ordered_json(nullptr) : ordered_json(edge)},
-                 {"figure", *best.figure},
-                 {"constraints", constraints}};
   return all;
 }
 
 std::string evaluations_csv(const Task& task, const Optimum& optimum) {
-  std::string text = "evaluation";
-  for (const sweep::Vary& vary : task.study.vary) text += "," + sweep::csv_field(vary.key);
-  text += "," + sweep::csv_field(task.goal.figure.text);
-  for (const Constraint& c : task.goal.constraints) text += "," + sweep::csv_field(c.figure.text);
-  text += ",violation,status,reason\n";
+  std::string text = sweep::csv_line(column_names(evaluations_columns(task)));
   for (std::size_t i = 0; i < optimum.evaluations.size(); ++i) {
     const Evaluation& e = optimum.evaluations[i];
-    text += std::to_string(i);
-    for (const double value : e.values) text += "," + field(value);
-    text += "," + field(e.figure);
-    for (const auto& value : e.constraints) text += "," + field(value);
-    text += fmt::format(",{},{},{}\n", field(e.violation), e.status, sweep::csv_field(e.reason));
+    std::vector<std::string> line{std::to_string(i)};
+    for (const double value : e.values) line.push_back(sweep::csv_number(value));
+    line.push_back(sweep::csv_number(e.figure));
+    for (const auto& value : e.constraints) line.push_back(sweep::csv_number(value));
+    line.insert(line.end(), {sweep::csv_number(e.violation), e.status, e.reason});
+    text += sweep::csv_line(line);
   }
   return text;
 }
 
-ordered_json evaluations_columns_json(const Task& task) {
-  auto all = ordered_json::array();
-  all.push_back(column_json("evaluation", "", "number in the order of the search, from 0"));
+std::vector<ColumnMeaning> evaluations_columns(const Task& task) {
+  std::vector<ColumnMeaning> all{
+      {"evaluation", "", "number in the order of the search, from 0", ""}};
   for (const sweep::Vary& vary : task.study.vary)
-    all.push_back(column_json(vary.key, vary.unit, "value of the key"));
-  all.push_back(column_json(task.goal.figure.text, "SI", "figure that the study optimises"));
+    all.push_back({vary.key, vary.unit, "value of the key", ""});
+  all.push_back({task.goal.figure.text, "SI", "figure that the study optimises", ""});
   for (const Constraint& c : task.goal.constraints)
-    all.push_back(column_json(c.figure.text, "SI", "figure of a constraint"));
-  all.push_back(column_json("violation", "",
-                            "most by which a constraint is broken, as a share of its limit"));
-  all.push_back(column_json("status", "", "ok, of a run, or refused"));
-  all.push_back(column_json("reason", "", "why it is not ok"));
-  return {{"evaluations.csv", all}};
-}
-
-std::string optimum_text(const std::string& name, const Task& task, const Optimum& optimum) {
-  std::string text = fmt::format("{}: {} {}\n", scene::printable(name), goal_word(task.goal),
-                                 scene::printable(task.goal.figure.text));
-  const std::string edge = edge_text(task, optimum);
-  text += wrapped("  ", fmt::format("{} evaluations, {}{}{}", optimum.evaluations.size(),
-                                    to_string(optimum.ending), edge.empty() ? "" : ", ", edge));
-  if (!optimum.best) return text + nothing_text(optimum);
-  const Evaluation& best = optimum.evaluations[*optimum.best];
-  for (std::size_t k = 0; k < best.values.size(); ++k) {
-    const sweep::Vary& vary = task.study.vary[k];
-    const bool at_end = end_of(task, k, best.values[k]) != End::kNone;
-    text += fmt::format("  {:<40} {} {}{}\n", vary.key, short_number(best.values[k]), vary.unit,
-                        at_end ? "  (an end of its range)" : "");
-  }
-  text += fmt::format("  {:<40} {}{}\n", task.goal.figure.text, short_number(*best.figure),
-                      unit_of(task.goal.figure));
-  for (std::size_t k = 0; k < best.constraints.size(); ++k) {
-    const Constraint& c = task.goal.constraints[k];
-    text += fmt::format("  {:<40} {}{}\n", constraint_text(c), short_number(*best.constraints[k]),
-                        unit_of(c.figure));
-  }
-  return text;
+    all.push_back({c.figure.text, "SI", "figure of a constraint", ""});
+  all.insert(all.end(), {{"violation", "",
+                          "most by which a constraint is broken, as a share of its limit", ""},
+                         {"status", "", "ok, of a run, or refused", ""},
+                         {"reason", "", "why it is not ok", ""}});
+  return all;
 }
 
 }  // namespace rotorub::optimise

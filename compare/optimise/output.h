@@ -1,25 +1,25 @@
-// The result of an optimisation as JSON, tables and text.
+// The result of an optimisation.
 #pragma once
 
-#include <nlohmann/json_fwd.hpp>
 #include <string>
+#include <vector>
 
 #include "compare/optimise/optimiser.h"
+#include "compare/result/result.h"
+#include "native_model/trajectory/columns.h"
 
 namespace rotorub::optimise {
 
-// {"figure", "goal" (minimise, maximise), "ending", "evaluations", "best": {"evaluation", "values":
-// {key: SI}, "edge" (edge_text(), or null), "figure", "constraints": [{"figure", "min" or "max",
-// "value"}]}, or null if no evaluation meets the constraints}.
-nlohmann::ordered_json optimum_json(const Task& task, const Optimum& optimum);
+// name: of the scene, for people. JSON: {"figure", "goal" (minimise, maximise), "ending",
+// "evaluations", "best": {"evaluation", "values": {key: SI}, "edge" (edge_text(), or null),
+// "figure", "constraints": [{"figure", "min" or "max", "value"}]}, or null if no evaluation meets
+// the constraints}.
+result::Section result_of(const std::string& name, const Task& task, const Optimum& optimum);
 
-// evaluations.csv: a header line, then one line per evaluation in their order, SI; and its columns
-// in the format of columns.json.
+// evaluations.csv: a header line, then one line per evaluation in their order, SI; and its columns.
+// The task must outlive them.
 std::string evaluations_csv(const Task& task, const Optimum& optimum);
-nlohmann::ordered_json evaluations_columns_json(const Task& task);
-
-// For people; ends with a line break.
-std::string optimum_text(const std::string& name, const Task& task, const Optimum& optimum);
+std::vector<ColumnMeaning> evaluations_columns(const Task& task);
 
 // If the best is at an end of a range: "at the upper end of the range of stator.damping: a wider
 // range may hold better values"; otherwise empty.

@@ -153,11 +153,10 @@ std::span<const ColumnMeaning> summary_keys() {
 }
 
 ordered_json run_columns_json(const Trajectory& trajectory) {
-  ordered_json series = ordered_json::array();
-  for (const Column& c : trajectory.series) {
-    series.push_back(column_json(c.name, c.unit, series_column(c.name).meaning));
-  }
-  return {{"series.csv", series},
+  std::vector<ColumnMeaning> series;
+  for (const Column& c : trajectory.series)
+    series.push_back({c.name, c.unit, series_column(c.name).meaning, ""});
+  return {{"series.csv", columns_json(series)},
           {"impacts.csv", columns_json(impact_columns(trajectory.contacts > 1))},
           {"events.csv", columns_json(event_columns(trajectory.contacts > 1))},
           {"keyphasor.csv", columns_json(keyphasor_columns())},

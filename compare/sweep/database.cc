@@ -16,10 +16,8 @@ std::string doubled(const std::string& text, char quote) {
 std::string quoted_name(const std::string& name) { return doubled(name, '"'); }
 std::string quoted_text(const std::string& text) { return doubled(text, '\''); }
 
-void Database::Close::operator()(sqlite3* database) const { sqlite3_close_v2(database); }
-void Statement::Finalize::operator()(sqlite3_stmt* statement) const { sqlite3_finalize(statement); }
-
-Database::Database(const std::filesystem::path& file, Mode mode) : file_(file.string()) {
+Database::Database(const std::filesystem::path& file, Mode mode)
+    : file_(file.string()), database_(nullptr, &sqlite3_close_v2) {
   sqlite3* opened = nullptr;
   const int flags =
       mode == Mode::kRead ? SQLITE_OPEN_READWRITE : SQLITE_OPEN_READWRITE | SQLITE_OPEN_CREATE;
@@ -53,37 +51,56 @@ void Database::execute(const std::string& sql) {
   if (code != SQLITE_OK) fail(code);
 }
 
-Statement::Statement(Database& database, const std::string& sql) : database_(&database) {
+void Database::transact(const std::function<void()>& work) {
+  execute("BEGIN");
+  try {
+    work();
+    execute("COMMIT");
+  } catch (...) {
+    // The failed statement may have rolled it back already, so an error here means nothing.
+    sqlite3_exec(database_.get(), "ROLLBACK", nullptr, nullptr, nullptr);
+    throw;
+  }
+}
+
+Statement::Statement(Database& database, const std::string& sql, const Cells& values)
+    : database_(&database), statement_(nullptr, &sqlite3_finalize) {
   sqlite3_stmt* prepared = nullptr;
   const int code =
       sqlite3_prepare_v2(database.database_.get(), sql.c_str(), -1, &prepared, nullptr);
   statement_.reset(prepared);
   if (code != SQLITE_OK) database.fail(code);
+  bind(values);
 }
 
-void Statement::bind(int place, const Cell& value) {
-  if (const auto* whole = std::get_if<std::int64_t>(&value)) {
-    sqlite3_bind_int64(statement_.get(), place, *whole);
-  } else if (const auto* number = std::get_if<double>(&value)) {
-    sqlite3_bind_double(statement_.get(), place, *number);
-  } else if (const auto* text = std::get_if<std::string>(&value)) {
-    sqlite3_bind_text(statement_.get(), place, text->data(), static_cast<int>(text->size()),
-                      SQLITE_TRANSIENT);
-  } else {
-    sqlite3_bind_null(statement_.get(), place);
+void Statement::bind(const Cells& values) {
+  int place = 0;  // counts from 1
+  for (const Cell& value : values) {
+    ++place;
+    if (const auto* whole = std::get_if<std::int64_t>(&value)) {
+      sqlite3_bind_int64(statement_.get(), place, *whole);
+    } else if (const auto* number = std::get_if<double>(&value)) {
+      sqlite3_bind_double(statement_.get(), place, *number);
+    } else if (const auto* text = std::get_if<std::string>(&value)) {
+      sqlite3_bind_text(statement_.get(), place, text->data(), static_cast<int>(text->size()),
+                        SQLITE_TRANSIENT);
+    } else {
+      sqlite3_bind_null(statement_.get(), place);
+    }
   }
+}
+
+void Statement::run(const Cells& values) {
+  bind(values);
+  while (step()) {
+  }
+  sqlite3_reset(statement_.get());
 }
 
 bool Statement::step() {
   const int code = sqlite3_step(statement_.get());
   if (code != SQLITE_ROW && code != SQLITE_DONE) database_->fail(code);
   return code == SQLITE_ROW;
-}
-
-void Statement::run() {
-  while (step()) {
-  }
-  sqlite3_reset(statement_.get());
 }
 
 int Statement::columns() const { return sqlite3_column_count(statement_.get()); }
@@ -107,20 +124,6 @@ std::string Statement::text(int column) const {
   return text ? std::string(
                     text, static_cast<std::size_t>(sqlite3_column_bytes(statement_.get(), column)))
               : std::string();
-}
-
-Transaction::~Transaction() {
-  if (!open_) return;
-  try {
-    database_->execute("ROLLBACK");
-  } catch (const DatabaseError&) {
-    // The failed statement already rolled it back.
-  }
-}
-
-void Transaction::commit() {
-  database_->execute("COMMIT");
-  open_ = false;
 }
 
 }  // namespace rotorub::sweep

@@ -3,10 +3,12 @@
 
 #include <cstdint>
 #include <filesystem>
+#include <functional>
 #include <memory>
 #include <stdexcept>
 #include <string>
 #include <variant>
+#include <vector>
 
 struct sqlite3;
 struct sqlite3_stmt;
@@ -20,18 +22,34 @@ class DatabaseError : public std::runtime_error {
   bool busy;  // another process holds the file
 };
 
-class Database;
-
 // A value of a row; the first alternative is NULL.
 using Cell = std::variant<std::monostate, std::int64_t, double, std::string>;
+using Cells = std::vector<Cell>;
 
-// A prepared statement. Parameters count from 1 and columns from 0, as in SQLite.
+class Database {
+ public:
+  enum class Mode { kRead, kWrite };
+  // kWrite creates the file if it is missing and locks it for other processes. Throws
+  // DatabaseError.
+  Database(const std::filesystem::path& file, Mode mode);
+  void execute(const std::string& sql);
+  // Calls `work` in a transaction, which is rolled back if it throws.
+  void transact(const std::function<void()>& work);
+
+ private:
+  friend class Statement;
+  [[noreturn]] void fail(int code) const;
+
+  std::string file_;
+  std::unique_ptr<sqlite3, int (*)(sqlite3*)> database_;
+};
+
+// A prepared statement with values for its parameters. Columns count from 0.
 class Statement {
  public:
-  Statement(Database& database, const std::string& sql);
-  void bind(int place, const Cell& value);
-  bool step();  // true if there is a row
-  void run();   // steps to the end and resets the statement
+  Statement(Database& database, const std::string& sql, const Cells& values = {});
+  void run(const Cells& values);  // with other values, to the end
+  bool step();                    // true if there is a row
   int columns() const;
   bool is_nothing(int column) const;
   bool is_text(int column) const;
@@ -41,43 +59,10 @@ class Statement {
   std::string text(int column) const;
 
  private:
-  struct Finalize {
-    void operator()(sqlite3_stmt* statement) const;
-  };
+  void bind(const Cells& values);
+
   Database* database_;
-  std::unique_ptr<sqlite3_stmt, Finalize> statement_;
-};
-
-class Database {
- public:
-  enum class Mode { kRead, kWrite };
-  // kWrite creates the file if it is missing and locks it for other processes. Throws
-  // DatabaseError.
-  Database(const std::filesystem::path& file, Mode mode);
-  void execute(const std::string& sql);
-  [[noreturn]] void fail(int code) const;
-
- private:
-  friend class Statement;
-  struct Close {
-    void operator()(sqlite3* database) const;
-  };
-  std::string file_;
-  std::unique_ptr<sqlite3, Close> database_;
-};
-
-// A transaction that is rolled back unless it is committed.
-class Transaction {
- public:
-  explicit Transaction(Database& database) : database_(&database) { database.execute("BEGIN"); }
-  ~Transaction();
-  Transaction(const Transaction&) = delete;
-  Transaction& operator=(const Transaction&) = delete;
-  void commit();
-
- private:
-  Database* database_;
-  bool open_ = true;
+  std::unique_ptr<sqlite3_stmt, int (*)(sqlite3_stmt*)> statement_;
 };
 
 // Quoted for SQL: names in double quotes, texts in single quotes.

@@ -16,15 +16,10 @@ bool is_other(const std::filesystem::path& file, const std::string& text) {
   return study_identity(there) != study_identity(text);
 }
 
-void append_field(std::string& line, const Statement& row, int column) {
-  if (row.is_nothing(column)) return;
-  if (row.is_text(column)) {
-    line += csv_field(row.text(column));
-  } else if (row.is_whole(column)) {
-    line += std::to_string(row.whole(column));
-  } else {
-    append_number(line, row.number(column));
-  }
+std::string field_of(const Statement& row, int column) {
+  if (row.is_nothing(column)) return {};
+  if (row.is_text(column)) return row.text(column);
+  return row.is_whole(column) ? std::to_string(row.whole(column)) : csv_number(row.number(column));
 }
 
 }  // namespace
@@ -34,6 +29,19 @@ std::string csv_field(const std::string& text) {
   std::string quoted = "\"";
   for (const char c : text) quoted.append(c == '"' ? 2 : 1, c);
   return quoted + '"';
+}
+
+std::string csv_number(const std::optional<double>& value) {
+  std::string digits;
+  if (value) append_number(digits, *value);
+  return digits;
+}
+
+std::string csv_line(const std::vector<std::string>& texts) {
+  std::string line;
+  for (const std::string& text : texts) line += csv_field(text) + ',';
+  line.back() = '\n';
+  return line;
 }
 
 StudyIdentity identity_of(const PointScenes& scenes) {
@@ -60,19 +68,12 @@ void keep_study(const std::filesystem::path& folder, const PointScenes& scenes) 
 void write_csv(Store& store, const std::filesystem::path& file) {
   const std::filesystem::path aside = part_of(file);
   std::ofstream out(aside, std::ios::binary | std::ios::trunc);
-  std::string line;
-  for (const std::string& name : store.names()) {
-    if (!line.empty()) line += ',';
-    line += csv_field(name);
-  }
-  out << line << '\n';
+  out << csv_line(store.names());
+  std::vector<std::string> fields;
   store.each([&](const Statement& row) {
-    line.clear();
-    for (int column = 0; column < row.columns(); ++column) {
-      if (column > 0) line += ',';
-      append_field(line, row, column);
-    }
-    out << line << '\n';
+    fields.clear();
+    for (int column = 0; column < row.columns(); ++column) fields.push_back(field_of(row, column));
+    out << csv_line(fields);
   });
   out.close();
   if (!out) {

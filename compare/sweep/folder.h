@@ -3,6 +3,9 @@
 #pragma once
 
 #include <filesystem>
+#include <optional>
+#include <string>
+#include <vector>
 
 #include "compare/sweep/sample.h"
 #include "compare/sweep/store.h"
@@ -27,6 +30,8 @@ void keep_study(const std::filesystem::path& folder, const PointScenes& scenes);
 
 // Put in double quotes if it contains commas, quotes or line breaks (RFC 4180).
 std::string csv_field(const std::string& text);
+std::string csv_number(const std::optional<double>& value);  // empty without a value
+std::string csv_line(const std::vector<std::string>& texts);
 
 // Writes the rows of a store as text in the study's order: a header line, then one line per point.
 // Missing values are empty fields. The file is written completely or not at all.

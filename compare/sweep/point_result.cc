@@ -1,14 +1,10 @@
 #include "compare/sweep/point_result.h"
 
-#include <fmt/format.h>
-
 #include <nlohmann/json.hpp>
 #include <string>
 #include <vector>
 
-#include "compare/base/columns.h"
 #include "compare/figures/figure.h"
-#include "compare/sweep/group_statistics.h"
 
 namespace rotorub::sweep {
 namespace {
@@ -59,39 +55,12 @@ std::span<const ResultColumn> result_columns() {
 
 json ResultColumn::value(const Metrics& metrics) const { return metric_value(metrics, key); }
 
-double settled_row(double end, int row) {
-  const double from = (1.0 - kSettledShare) * end;
-  if (row == kSettledRows - 1) return end;
-  return from + (end - from) * static_cast<double>(row) / static_cast<double>(kSettledRows - 1);
-}
-
-nlohmann::ordered_json sweep_columns_json(const Study& study) {
-  auto all = nlohmann::ordered_json::array();
-  const auto add = [&](const ColumnMeaning& c) {
-    all.push_back(column_json(c.name, c.unit, c.meaning));
-  };
-  add(kPoint);
-  for (const Vary& vary : study.vary) all.push_back(column_json(vary.key, vary.unit, kVaried));
-  for (const ColumnMeaning& column : kOutcome) add(column);
-  for (const ResultColumn& column : result_columns()) add(column);
-  nlohmann::ordered_json files{{"results.csv", all}};
-  if (study.statistics) files["statistics.csv"] = statistics_columns_json(study);
-  return files;
-}
-
-std::string sweep_columns_markdown() {
-  std::vector<ColumnMeaning> own{kPoint, {"<key>", "SI", kVaried, "one for each key"}};
-  own.insert(own.end(), std::begin(kOutcome), std::end(kOutcome));
-  std::string whole_run, settled;
-  for (const ResultColumn& column : result_columns()) {
-    std::string& names = column.name == column.key ? whole_run : settled;
-    names += fmt::format("{}`{}`", names.empty() ? "" : ", ", column.name);
-  }
-  return columns_table(own) +
-         fmt::format(
-             "\nThe other columns are keys of [summary.json](../study/README.md#summaryjson): {}; "
-             "and, from `settled`, {}.\n",
-             whole_run, settled);
+std::vector<ColumnMeaning> csv_columns(const Study& study) {
+  std::vector<ColumnMeaning> all{kPoint};
+  for (const Vary& vary : study.vary) all.push_back({vary.key, vary.unit, kVaried, ""});
+  all.insert(all.end(), std::begin(kOutcome), std::end(kOutcome));
+  all.insert(all.end(), result_columns().begin(), result_columns().end());
+  return all;
 }
 
 }  // namespace rotorub::sweep

@@ -7,6 +7,7 @@
 #include <span>
 #include <string>
 #include <string_view>
+#include <vector>
 
 #include "compare/metrics/metrics.h"
 #include "compare/sweep/study_file.h"
@@ -37,16 +38,8 @@ struct ResultColumn : ColumnMeaning {
 };
 std::span<const ResultColumn> result_columns();
 
-// The rows that show where a run has settled, evenly spaced over its last fifth including both
-// ends.
-inline constexpr int kSettledRows = 41;
-double settled_row(double end, int row);  // s, time of the row 0 .. kSettledRows - 1
-
-// The columns of results.csv for columns.json: {"results.csv": [{"name", "unit", "meaning"}, ...]},
-// including the columns of the study, in their order.
-nlohmann::ordered_json sweep_columns_json(const Study& study);
-
-// Markdown: all columns, as in compare/sweep/README.md.
-std::string sweep_columns_markdown();
+// All columns of results.csv in their order, including the varied keys of the study, which must
+// outlive them.
+std::vector<ColumnMeaning> csv_columns(const Study& study);
 
 }  // namespace rotorub::sweep

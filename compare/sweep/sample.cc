@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <bit>
+#include <boost/random/sobol.hpp>
 #include <cassert>
 #include <cmath>
 #include <optional>
@@ -46,6 +47,29 @@ std::uint64_t Permutation::at(std::uint64_t place) const {
   do place = once(place);
   while (place >= n_);
   return place;
+}
+
+// The Gray code of 2^b - 1 is bit b - 1 alone, so these points are the direction numbers.
+Sobol::Sobol(std::size_t keys) : keys_(keys) {
+  assert(keys >= 1 && keys <= kMostKeys);
+  constexpr int kBits = 31;  // of an index; kMostPoints needs 30
+  boost::random::sobol engine(keys);
+  for (int bit = 0; bit < kBits; ++bit) {
+    engine.seed((std::uint64_t{2} << bit) - 2);  // it skips the origin
+    std::vector<std::uint64_t>& direction = directions_.emplace_back();
+    for (std::size_t k = 0; k < keys; ++k) direction.push_back(engine());
+  }
+}
+
+std::vector<std::uint64_t> Sobol::at(std::int64_t index) const {
+  std::vector<std::uint64_t> point(keys_, 0);
+  auto code = static_cast<std::uint64_t>(index);
+  code ^= code >> 1u;
+  for (std::size_t bit = 0; code != 0; ++bit, code >>= 1u) {
+    if ((code & 1u) == 0) continue;
+    for (std::size_t k = 0; k < keys_; ++k) point[k] ^= directions_[bit][k];
+  }
+  return point;
 }
 
 namespace {
@@ -176,15 +200,17 @@ scene::Scene PointScenes::at(std::int64_t index) const {
   return scene_at(index, study_->engine == EngineKind::kMujoco);
 }
 
-scene::Scene PointScenes::scene_at(std::int64_t index, bool with_text) const {
-  const std::vector<Value> values = sample_.at(index);
+std::vector<std::string> changes_of(const Study& study, const std::vector<Value>& values) {
   std::vector<std::string> changes;
   for (std::size_t k = 0; k < values.size(); ++k) {
-    const Vary& vary = study_->vary[k];
-    changes.push_back(vary.key + "=" + values[k].text);
-    for (const std::string& key : vary.also) changes.push_back(key + "=" + values[k].text);
+    changes.push_back(study.vary[k].key + "=" + values[k].text);
+    for (const std::string& key : study.vary[k].also) changes.push_back(key + "=" + values[k].text);
   }
-  return variants_.scene(changes, with_text);
+  return changes;
+}
+
+scene::Scene PointScenes::scene_at(std::int64_t index, bool with_text) const {
+  return variants_.scene(changes_of(*study_, sample_.at(index)), with_text);
 }
 
 void PointScenes::check() const {

@@ -6,6 +6,7 @@
 #include <cstdio>
 #include <nlohmann/json.hpp>
 
+#include "compare/base/columns.h"
 #include "compare/base/version.h"
 #include "native_model/scene/text.h"
 
@@ -16,11 +17,10 @@ using nlohmann::json;
 
 constexpr const char* kFormat = "1";  // of the tables
 
-std::map<std::string, std::string> read_meta(Database& database, const std::string& schema) {
-  std::map<std::string, std::string> meta;
-  Statement rows(database, "SELECT key, value FROM " + schema + ".meta");
-  while (rows.step()) meta[rows.text(0)] = rows.text(1);
-  return meta;
+std::int64_t counted(Database& database, const std::string& from) {
+  Statement rows(database, "SELECT count(*) FROM " + from);
+  rows.step();
+  return rows.whole(0);
 }
 
 const char* sql_type(const ResultColumn& column) {
@@ -41,26 +41,19 @@ Cell cell_of(const ResultColumn& column, const std::optional<Metrics>& figures) 
 Store::Store(const std::filesystem::path& file, const Study& study, const StudyIdentity& identity,
              const Shard& shard)
     : study_(&study), identity_(identity), shard_(shard), database_(file, Database::Mode::kWrite) {
-  Statement tables(database_, "SELECT count(*) FROM sqlite_master WHERE name = 'meta'");
-  tables.step();
-  if (tables.whole(0) == 0) make_tables();
+  if (counted(database_, "sqlite_master WHERE name = 'meta'") == 0)
+    database_.transact([&] { make_tables(); });
   check("main", file.string());
 }
 
 void Store::make_tables() {
-  Transaction transaction(database_);
   database_.execute("CREATE TABLE meta (key TEXT PRIMARY KEY, value TEXT NOT NULL)");
   Statement insert(database_, "INSERT INTO meta VALUES (?, ?)");
-  for (const auto& [key, value] : std::initializer_list<std::pair<const char*, std::string>>{
-           {"format", kFormat},
-           {"version", program_version()},
-           {"study", identity_.hash},
-           {"points", std::to_string(identity_.points)},
-           {"shard", fmt::format("{}/{}", shard_.number, shard_.count)}}) {
-    insert.bind(1, key);
-    insert.bind(2, value);
-    insert.run();
-  }
+  insert.run({"format", kFormat});
+  insert.run({"version", program_version()});
+  insert.run({"study", identity_.hash});
+  insert.run({"points", std::to_string(identity_.points)});
+  insert.run({"shard", fmt::format("{}/{}", shard_.number, shard_.count)});
   std::string columns = "point INTEGER PRIMARY KEY";
   for (const Vary& vary : study_->vary) columns += ", " + quoted_name(vary.key);
   columns += ", status TEXT NOT NULL, reason TEXT NOT NULL";
@@ -68,7 +61,6 @@ void Store::make_tables() {
     columns += fmt::format(", {} {}", quoted_name(std::string(column.name)), sql_type(column));
   }
   database_.execute("CREATE TABLE points (" + columns + ")");
-  transaction.commit();
 }
 
 void Store::check(const std::string& schema, const std::string& file) {
@@ -81,10 +73,9 @@ void Store::check(const std::string& schema, const std::string& file) {
         "{}: holds the {} `{}`, which no sweep writes; accepted are the tables meta and points",
         file, scene::printable(foreign.text(0)), scene::printable(foreign.text(1))));
   }
-  const auto meta = read_meta(database_, schema);
   const auto value = [&](const char* key) {
-    const auto found = meta.find(key);
-    return found == meta.end() ? std::string() : found->second;
+    Statement row(database_, "SELECT value FROM " + schema + ".meta WHERE key = ?", {key});
+    return row.step() ? row.text(0) : std::string();
   };
   if (value("format") != kFormat) {
     throw StoreMismatch(file + ": no results of a sweep that this version can read");
@@ -101,17 +92,11 @@ void Store::check(const std::string& schema, const std::string& file) {
   }
 }
 
-std::vector<std::string> Store::names() const {
-  std::vector<std::string> all{"point"};
-  for (const Vary& vary : study_->vary) all.push_back(vary.key);
-  all.insert(all.end(), {"status", "reason"});
-  for (const ResultColumn& column : result_columns()) all.emplace_back(column.name);
-  return all;
-}
+std::vector<std::string> Store::names() const { return column_names(csv_columns(*study_)); }
 
 std::vector<bool> Store::done() {
   std::vector<bool> all(static_cast<std::size_t>(identity_.points), false);
-  Statement rows(database_, "SELECT point FROM points");
+  Statement rows = select("point FROM points");
   while (rows.step()) {
     const std::int64_t point = rows.whole(0);
     if (point < 0 || point >= identity_.points) {
@@ -128,22 +113,18 @@ std::vector<bool> Store::done() {
 void Store::add(std::span<const PointResult> results, const Sample& sample) {
   std::string places = "?";
   for (std::size_t k = 1; k < names().size(); ++k) places += ", ?";
-  Transaction transaction(database_);
   Statement insert(database_, "INSERT INTO points VALUES (" + places + ")");
-  for (const PointResult& result : results) {
-    int place = 1;
-    insert.bind(place++, result.point);
-    for (const Value& value : sample.at(result.point)) {
-      insert.bind(place++, value.number ? Cell(*value.number) : Cell(value.text));
+  database_.transact([&] {
+    for (const PointResult& result : results) {
+      Cells row{result.point};
+      for (const Value& value : sample.at(result.point))
+        row.push_back(value.number ? Cell(*value.number) : Cell(value.text));
+      row.insert(row.end(), {result.status, result.reason});
+      for (const ResultColumn& column : result_columns())
+        row.push_back(cell_of(column, result.figures));
+      insert.run(row);
     }
-    insert.bind(place++, result.status);
-    insert.bind(place++, result.reason);
-    for (const ResultColumn& column : result_columns()) {
-      insert.bind(place++, cell_of(column, result.figures));
-    }
-    insert.run();
-  }
-  transaction.commit();
+  });
 }
 
 void Store::merge(const std::filesystem::path& other) {
@@ -160,27 +141,22 @@ void Store::merge(const std::filesystem::path& other) {
     throw StoreMismatch(fmt::format("{}: point {} differs from the one that is there already",
                                     other.string(), differing.whole(0)));
   }
-  Transaction transaction(database_);
-  database_.execute("INSERT OR IGNORE INTO main.points SELECT * FROM other.points");
-  transaction.commit();
+  database_.transact(
+      [&] { database_.execute("INSERT OR IGNORE INTO main.points SELECT * FROM other.points"); });
   database_.execute("DETACH DATABASE other");
 }
 
-std::int64_t Store::count() {
-  Statement rows(database_, "SELECT count(*) FROM points");
-  rows.step();
-  return rows.whole(0);
-}
+std::int64_t Store::count() { return counted(database_, "points"); }
 
 std::map<std::string, std::int64_t> Store::count_by_status() {
   std::map<std::string, std::int64_t> counts;
-  Statement rows(database_, "SELECT status, count(*) FROM points GROUP BY status");
+  Statement rows = select("status, count(*) FROM points GROUP BY status");
   while (rows.step()) counts[rows.text(0)] = rows.whole(1);
   return counts;
 }
 
 void Store::each(const std::function<void(const Statement&)>& row) {
-  Statement rows(database_, "SELECT * FROM points ORDER BY point");
+  Statement rows = select("* FROM points ORDER BY point");
   while (rows.step()) row(rows);
 }
 

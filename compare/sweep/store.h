@@ -44,6 +44,8 @@ class Store {
   // Calls `row` for every row in the study's order, with the columns in the order of names().
   void each(const std::function<void(const Statement&)>& row);
   std::vector<std::string> names() const;  // of the columns, beginning with "point"
+  // "* FROM points" and the like.
+  Statement select(const std::string& what) { return {database_, "SELECT " + what}; }
 
  private:
   void make_tables();

@@ -145,7 +145,7 @@ TEST(Identify, SaysWhenTheSceneAsItStoodIsBetter) {
   const Result r = identify(scene_with(), record_with({}, sensors(4)),
                             looking_for({{"contact.friction", "", 0.3, 0.4}}));
   EXPECT_TRUE(r.no_better());
-  EXPECT_NE(identify_table("record.csv", r).find("the scene as it stood leaves less"),
+  EXPECT_NE(text_of(result_of("record.csv", r)).find("the scene as it stood leaves less"),
             std::string::npos);
 }
 
@@ -199,7 +199,7 @@ TEST(Identify, ATableOfLongKeysIsATable) {
     r.found.push_back(f);
   }
   r.alignment.residual = 0.0;
-  std::istringstream table(identify_table("record.csv", r));
+  std::istringstream table(text_of(result_of("record.csv", r)));
   std::vector<std::size_t> ends;  // of the values, which stand to the right
   for (std::string line; std::getline(table, line);) {
     if (line.find("  value  ") != line.npos) ends.push_back(line.find("value") + 5);

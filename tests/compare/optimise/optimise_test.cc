@@ -154,8 +154,8 @@ TEST_F(Optimise, SaysThatTheBestIsAtTheEndOfARange) {
   EXPECT_NEAR(optimum.evaluations[*optimum.best].values[0], 4000.0, 4.0);
   const std::string says = "at the upper end of the range of rotor.modal.damping[0]";
   EXPECT_EQ(edge_text(t, optimum), says + ": a wider range may hold better values");
-  EXPECT_EQ(optimum_json(t, optimum).at("best").at("edge"), edge_text(t, optimum));
-  EXPECT_NE(optimum_text("x", t, optimum).find("(an end of its range)"), std::string::npos);
+  EXPECT_EQ(json_of(result_of("x", t, optimum)).at("best").at("edge"), edge_text(t, optimum));
+  EXPECT_NE(text_of(result_of("x", t, optimum)).find("(an end of its range)"), std::string::npos);
   EXPECT_NE(optimum_page("x", t, optimum, "").find(says), std::string::npos);
   const Task middle = task(std::string(kDamping) +
                            "[optimise]\nminimise = \"modes.speeds.0.rub.free_growth_rate\"\n");
@@ -168,8 +168,8 @@ TEST_F(Optimise, SaysWhereNothingKeepsTheConstraints) {
                       "[[optimise.constraint]]\nfigure = \"steps\"\nmax = 3\n");
   const Optimum optimum = found(t);
   EXPECT_FALSE(optimum.best);
-  EXPECT_TRUE(optimum_json(t, optimum).at("best").is_null());
-  EXPECT_NE(optimum_text("x", t, optimum).find("none of them"), std::string::npos);
+  EXPECT_TRUE(json_of(result_of("x", t, optimum)).at("best").is_null());
+  EXPECT_NE(text_of(result_of("x", t, optimum)).find("none of them"), std::string::npos);
   EXPECT_NE(optimum_page("x", t, optimum, "").find("none that runs"), std::string::npos);
 }
 
