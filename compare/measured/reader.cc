@@ -8,7 +8,7 @@
 #include <charconv>
 #include <cmath>
 
-#include "compare/base/separated.h"
+#include "compare/base/table_text.h"
 #include "native_model/scene/diagnostic.h"
 #include "native_model/scene/reader.h"
 #include "native_model/scene/text.h"
@@ -18,7 +18,6 @@ namespace rotorub {
 namespace {
 
 using scene::printable;
-using Fields = std::vector<std::string>;
 
 constexpr double kLargestValue = 1e60;  // SI; keeps sums of squares finite
 constexpr std::string_view kTime = "t";
@@ -117,14 +116,25 @@ class MeasuredFile {
 
   MeasuredRecord read() {
     check_encoding();
-    find_header();
-    int line = 0;
-    for (std::size_t at = 0; at < text_.size() && wrong_.size() < kMostFaults;) {
-      const std::size_t end = std::min(text_.find('\n', at), text_.size());
-      take_line(text_.substr(at, end - at), ++line);
-      at = end + 1;
+    // The first line with a column of times is the header. Without such a line, the first line is
+    // the header, and its errors are reported.
+    TableText table(text_, [&](const Fields& fields) {
+      return fields.size() > 1 && std::ranges::any_of(fields, [&](const std::string& field) {
+               return Head(meant(field)).is_time();
+             });
+    });
+    if (table.header().empty()) {
+      refuse(0, "", "is empty; accepted is a header and a line a sample");
+    } else {
+      take_header(table.header(), table.line());
     }
-    if (heads_.empty()) refuse(0, "", "is empty; accepted is a header and a line a sample");
+    while (wrong_.size() < kMostFaults && table.next()) {
+      if (const std::string fault = table.row_fault(); !fault.empty()) {
+        refuse(table.line(), "", fault);
+      } else {
+        take_sample(table);
+      }
+    }
     if (wrong_.empty() && record_.t.size() < kLeastSamples) {
       refuse(0, "",
              fmt::format("{} samples, too few to tell anything by; accepted are {} or more",
@@ -157,47 +167,6 @@ class MeasuredFile {
     if (!wide && text_.find('\0') == std::string_view::npos) return;
     refuse(0, "", fmt::format("is {}; accepted is text in UTF-8", wide ? "UTF-16" : "no text"));
     throw scene::SceneError(std::move(wrong_));
-  }
-
-  static bool is_passed_over(std::string_view line) {
-    const std::size_t begin = line.find_first_not_of(" \t\r");
-    return begin == std::string_view::npos || line[begin] == '#';
-  }
-
-  // The first line with a column of times is the header; what an instrument writes before it is
-  // skipped. Without such a line, the first line is the header, and its errors are reported.
-  void find_header() {
-    constexpr int kMostBefore = 200;  // lines
-    int line = 0;
-    for (std::size_t at = 0; at < text_.size() && line < kMostBefore;) {
-      const std::size_t end = std::min(text_.find('\n', at), text_.size());
-      const std::string_view text = text_.substr(at, end - at);
-      ++line;
-      at = end + 1;
-      if (is_passed_over(text)) continue;
-      const Fields fields = fields_of(text, separator_of(text));
-      const bool has_times =
-          fields.size() > 1 && std::ranges::any_of(fields, [&](const std::string& field) {
-            return Head(meant(field)).is_time();
-          });
-      if (!has_times) continue;
-      header_line_ = line;
-      return;
-    }
-  }
-
-  void take_line(std::string_view line, int number) {
-    if (is_passed_over(line) || number < header_line_) return;
-    if (heads_.empty()) separator_ = separator_of(line);
-    const Fields fields = fields_of(line, separator_);
-    if (heads_.empty()) {
-      take_header(fields, number);
-    } else if (fields.size() != heads_.size()) {
-      refuse(number, "",
-             fmt::format("{} fields where the header has {}", fields.size(), heads_.size()));
-    } else {
-      take_sample(fields, number);
-    }
   }
 
   void take_header(const Fields& fields, int line) {
@@ -306,15 +275,16 @@ class MeasuredFile {
     return is_unit ? "" : "its unit is none to measure in";
   }
 
-  void take_sample(const Fields& fields, int line) {
+  void take_sample(const TableText& table) {
     std::size_t column = 0;
-    for (std::size_t k = 0; k < fields.size(); ++k) {
+    for (std::size_t k = 0; k < heads_.size(); ++k) {
       const Head& head = heads_[k];
-      const bool missing = fields[k].empty();
+      const std::string& field = table.row()[k];
+      const bool missing = field.empty();
       if (!head.read()) continue;
-      const double value = missing ? 0.0 : number_of(fields[k], head, line);
+      const double value = missing ? 0.0 : number_of(field, head, table);
       if (head.is_time()) {
-        take_time(value, fields[k], line);
+        take_time(value, field, table.line());
       } else {
         record_.columns[column].value.push_back(value);
         record_.columns[column].sample.push_back(missing ? Sample::kMissing : Sample::kGood);
@@ -336,13 +306,13 @@ class MeasuredFile {
   }
 
   // The value in SI.
-  double number_of(const std::string& field, const Head& head, int line) {
+  double number_of(const std::string& field, const Head& head, const TableText& table) {
     const auto fail = [&](const std::string& reason) {
-      refuse(line, printable(head.text), fmt::format("`{}` {}", printable(field), reason));
+      refuse(table.line(), printable(head.text), fmt::format("`{}` {}", printable(field), reason));
       return 0.0;
     };
     std::string text = field.starts_with('+') ? field.substr(1) : field;
-    const std::size_t at = text.find_first_of(separator_ == ',' ? "." : ".,");
+    const std::size_t at = text.find_first_of(table.separator() == ',' ? "." : ".,");
     if (at != std::string::npos) {
       if (decimal_ != '\0' && text[at] != decimal_) {
         return fail(fmt::format(
@@ -372,8 +342,6 @@ class MeasuredFile {
   const std::vector<ColumnName>& names_;
   MeasuredRecord record_;
   std::vector<Head> heads_;
-  int header_line_ = 0;  // from 1; 0: the first line that is not skipped
-  char separator_ = ',';
   char decimal_ = '\0';  // decimal mark of the file, once it is known
   std::vector<scene::Diagnostic> wrong_;
 };

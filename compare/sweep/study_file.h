@@ -9,7 +9,6 @@
 #include <vector>
 
 #include "compare/sweep/distribution.h"
-#include "compare/sweep/study_statistics.h"
 #include "native_model/scene/scene.h"
 
 namespace rotorub::sweep {
@@ -44,6 +43,15 @@ inline bool is_drawn(SampleKind kind) {
 }
 
 enum class EngineKind { kNative, kMujoco };
+
+// The table [statistics] of a study, which requests statistics of groups of its points.
+struct Statistics {
+  std::vector<std::string> figures{"status", "attractor",
+                                   "peak_impulse"};  // columns of the results
+  std::vector<std::size_t> by;  // indices in Study::vary; a group has one value of each
+  std::vector<double> quantiles{0.05, 0.5, 0.95};  // in (0, 1)
+  double confidence = 0.95;                        // of the bounds, in (0, 1)
+};
 
 struct Study {
   std::filesystem::path scene;  // absolute, or relative to the current folder

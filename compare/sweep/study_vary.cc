@@ -7,6 +7,8 @@
 #include <cmath>
 
 #include "compare/sweep/study_reader.h"
+#include "native_model/scene/diagnostic.h"
+#include "native_model/scene/reader.h"
 #include "native_model/scene/schema.h"
 #include "native_model/scene/text.h"
 
@@ -150,19 +152,49 @@ void read_also(const StudyTable& table, Vary& vary) {
 void read_column(const StudyTable& table, const PointsFile& points, const scene::Key* key,
                  Vary& vary) {
   const std::string name = table.text("column").value_or(vary.key);
-  const auto cells = points.column(name);
-  if (!cells) {
+  const auto found = std::find(points.names.begin(), points.names.end(), name);
+  if (found == points.names.end()) {
+    const std::vector<std::string_view> known(points.names.begin(), points.names.end());
     table.fail(table.has("column") ? "column" : "key",
-               fmt::format("{} has no column `{}`; accepted: {}", points.file().string(),
-                           scene::printable(name), scene::join(points.names())));
+               fmt::format("{} has no column `{}`; accepted: {}", points.file.string(),
+                           scene::printable(name), scene::join(known)));
     return;
   }
-  for (std::size_t i = 0; i < cells->size(); ++i)
-    vary.values.push_back(value_of(table, (*cells)[i], vary.key, vary.key, key));
+  const auto k = static_cast<std::size_t>(found - points.names.begin());
+  TomlNode node;
+  node.kind = Kind::kString;
+  node.file = points.file.string();
+  for (std::size_t i = 0; i < points.points.size(); ++i) {
+    node.line = points.lines[i];
+    node.text = points.points[i][k] + (points.units[k].empty() ? "" : " " + points.units[k]);
+    vary.values.push_back(value_of(table, node, vary.key, vary.key, key));
+  }
   vary.count = static_cast<std::int64_t>(vary.values.size());
 }
 
 }  // namespace
+
+PointsFile read_points(const std::filesystem::path& file) {
+  PointsFile points{file, scene::file_text(file), {}, {}, {}, {}};
+  const auto refuse = [&](int line, std::string reason) {
+    throw scene::SceneError({{file.string(), line, "", std::move(reason)}});
+  };
+  TableText table(points.text);
+  for (const std::string& field : table.header()) {
+    // A key may itself contain brackets, as in force[0].amplitude; the unit is the last pair.
+    const std::size_t open = field.rfind(" [");
+    const bool unit = open != std::string::npos && field.ends_with(']');
+    points.names.emplace_back(scene::trimmed(field.substr(0, unit ? open : field.size())));
+    points.units.push_back(unit ? field.substr(open + 2, field.size() - open - 3) : "");
+  }
+  while (table.next()) {
+    if (const std::string fault = table.row_fault(); !fault.empty()) refuse(table.line(), fault);
+    points.points.push_back(table.row());
+    points.lines.push_back(table.line());
+  }
+  if (points.points.empty()) refuse(0, "no points: expected a header and a line a point");
+  return points;
+}
 
 Vary read_vary(const TomlNode& node, const std::string& path, SampleKind kind,
                const PointsFile& points, std::vector<scene::Diagnostic>& diagnostics) {
@@ -187,14 +219,14 @@ Vary read_vary(const TomlNode& node, const std::string& path, SampleKind kind,
   if (key != nullptr && key->quantity.unit != "1") vary.unit = key->quantity.unit;
   read_also(table, vary);
   const TomlNode* values = table.find("values");
-  if (table.has("column") && (points.empty() || values != nullptr))
+  if (table.has("column") && (points.points.empty() || values != nullptr))
     table.fail("column",
-               points.empty() ? "needs the points' file: [sample] file" : "beside `values`");
+               points.points.empty() ? "needs the points' file: [sample] file" : "beside `values`");
   if (!table.has("distribution")) {
     for (const char* parameter : kDistributionKeys)
       if (table.has(parameter)) table.missing("distribution", distribution_words());
   }
-  if (values == nullptr && !points.empty()) {
+  if (values == nullptr && !points.points.empty()) {
     read_column(table, points, key, vary);
   } else if (kind == SampleKind::kList && values == nullptr) {
     table.missing("values", "a list: in a list of points each [[vary]] gives all its values");
