@@ -5,14 +5,12 @@
 #include <chrono>
 #include <condition_variable>
 #include <deque>
-#include <exception>
-#include <functional>
-#include <iterator>
+#include <future>
 #include <mutex>
 #include <optional>
-#include <thread>
 #include <utility>
 
+#include "compare/base/in_parallel.h"
 #include "compare/engine/mujoco_engine.h"
 #include "compare/sweep/point_run.h"
 
@@ -20,19 +18,13 @@ namespace rotorub::sweep {
 namespace {
 
 using namespace std::chrono_literals;
-constexpr auto kStoreEvery = 100ms;         // few transactions, because each waits for the disk
-constexpr std::size_t kMostWaiting = 4096;  // results waiting for the store
+constexpr auto kStoreEvery = 100ms;            // few transactions, because each waits for the disk
+constexpr std::size_t kMostWaiting = 1 << 14;  // results waiting for the store
 
 // Places of the first points, in sixteenths: any leading part of this list is spread evenly.
 constexpr std::int64_t kPlaces = 16;
 constexpr std::array<std::int64_t, kPlaces> kFirst{8, 4, 12, 2, 10, 6, 14, 1,
                                                    9, 5, 13, 3, 11, 7, 15, 0};
-
-// Results of points and the computing time of the threads.
-struct Results {
-  std::vector<PointResult> points;
-  double busy = 0.0;  // s, summed over the threads
-};
 
 using Clock = std::chrono::steady_clock;
 
@@ -77,72 +69,32 @@ class Work {
   std::int64_t next_;
 };
 
-// Threads that run points and collect their results for the storing thread. The destructor joins
-// them.
-class Workers {
+// Results of points and the computing time of the threads.
+struct Results {
+  std::vector<PointResult> points;
+  double busy = 0.0;  // s, summed over the threads
+};
+
+// The results that wait for the storing thread.
+class Waiting {
  public:
-  // Each thread calls `work` until it returns nothing or `stop` is set; an exception sets it too.
-  Workers(int count, std::function<std::optional<Results>()> work, std::atomic<bool>& stop)
-      : work_(std::move(work)), stop_(stop), running_(count) {
-    for (int k = 0; k < count; ++k) threads_.emplace_back([this] { run(); });
+  // Waits while there are many, unless `stop` is set.
+  void put(std::optional<PointResult> result, double busy, const std::atomic<bool>& stop) {
+    std::unique_lock<std::mutex> lock(mutex_);
+    while (results_.points.size() >= kMostWaiting && !stop) room_.wait_for(lock, kStoreEvery);
+    if (result) results_.points.push_back(std::move(*result));
+    results_.busy += busy;
   }
-  ~Workers() {
-    stop_ = true;
+  Results take() {
     const std::lock_guard<std::mutex> lock(mutex_);
     room_.notify_all();
-  }
-  Workers(const Workers&) = delete;
-  Workers& operator=(const Workers&) = delete;
-
-  // The collected results, after at most `patience` or when the last thread has ended.
-  Results take(std::chrono::milliseconds patience, bool& ended) {
-    std::unique_lock<std::mutex> lock(mutex_);
-    news_.wait_for(lock, patience,
-                   [&] { return running_ == 0 || waiting_.points.size() >= kMostWaiting; });
-    ended = running_ == 0;
-    room_.notify_all();
-    return std::exchange(waiting_, {});
-  }
-  // Rethrows the first exception; call it after all threads have ended.
-  void rethrow() const {
-    if (failure_) std::rethrow_exception(failure_);
+    return std::exchange(results_, {});
   }
 
  private:
-  void run() {
-    std::exception_ptr failure;
-    try {
-      while (!stop_) {
-        std::optional<Results> results = work_();
-        if (!results) break;
-        put(std::move(*results));
-      }
-    } catch (...) {
-      failure = std::current_exception();
-      stop_ = true;
-    }
-    const std::lock_guard<std::mutex> lock(mutex_);
-    --running_;
-    if (failure && !failure_) failure_ = failure;
-    news_.notify_one();
-  }
-  void put(Results results) {
-    std::unique_lock<std::mutex> lock(mutex_);
-    room_.wait(lock, [&] { return waiting_.points.size() < kMostWaiting || stop_; });
-    std::move(results.points.begin(), results.points.end(), std::back_inserter(waiting_.points));
-    waiting_.busy += results.busy;
-    news_.notify_one();
-  }
-
-  std::function<std::optional<Results>()> work_;
-  std::atomic<bool>& stop_;
   std::mutex mutex_;
-  std::condition_variable room_, news_;
-  Results waiting_;
-  std::exception_ptr failure_;
-  int running_;
-  // Last member, so that it is joined before the others are destroyed.
-  std::vector<std::jthread> threads_;
+  std::condition_variable room_;
+  Results results_;
 };
 
 // s, from the average time per point so far.
@@ -163,29 +115,30 @@ bool run_sweep(const PointScenes& scenes, Store& store, const SweepOptions& opti
   at.of = options.shard.points_of(points);
   at.stored = std::count(done.begin(), done.end(), true);
   Work work(points, options.shard, std::move(done));
+  Waiting waiting;
   std::atomic<bool> stop{false};
   std::optional<MujocoInPlace> mujoco;
   if (scenes.study().engine == EngineKind::kMujoco) mujoco.emplace();
 
-  const auto scene_at = [&](std::int64_t point) { return scenes.at(point); };
-  Workers workers(
-      options.jobs,
-      [&]() -> std::optional<Results> {
-        const auto point = work.next();
-        if (!point) return std::nullopt;
+  const auto run = [&](std::size_t) {
+    try {
+      for (auto point = work.next(); point && !stop; point = work.next()) {
         const auto start = Clock::now();
-        Results results;
-        if (auto result = run_point(scenes.study(), *point, scene_at, stop)) {
-          results.points.push_back(std::move(*result));
-        }
-        results.busy = seconds_since(start);
-        return results;
-      },
-      stop);
+        auto result = run_point(
+            scenes.study(), *point, [&](std::int64_t k) { return scenes.at(k); }, stop);
+        waiting.put(std::move(result), seconds_since(start), stop);
+      }
+    } catch (...) {
+      stop = true;  // for the other threads
+      throw;
+    }
+  };
+  const auto jobs = static_cast<std::size_t>(options.jobs);
+  auto running =
+      std::async(std::launch::async, [&] { in_parallel(jobs, options.jobs, nullptr, {}, run); });
   double busy = 0.0;
-  for (bool ended = false; !ended;) {
-    if (options.interrupt && *options.interrupt) stop = true;
-    const Results results = workers.take(kStoreEvery, ended);
+  const auto store_results = [&] {
+    const Results results = waiting.take();
     if (!results.points.empty()) store.add(results.points, scenes.sample());
     const auto count = static_cast<std::int64_t>(results.points.size());
     at.stored += count;
@@ -193,8 +146,18 @@ bool run_sweep(const PointScenes& scenes, Store& store, const SweepOptions& opti
     busy += results.busy;
     at.left = time_left(at, busy, options.jobs);
     if (options.progress) options.progress(at);
+  };
+  try {
+    for (bool ended = false; !ended;) {
+      if (options.interrupt && *options.interrupt) stop = true;
+      ended = running.wait_for(kStoreEvery) == std::future_status::ready;
+      store_results();
+    }
+  } catch (...) {
+    stop = true;  // the destructor of the future waits for the threads
+    throw;
   }
-  workers.rethrow();
+  running.get();
   return at.stored == at.of;
 }
 
