@@ -6,7 +6,6 @@
 
 #include "compare/commands/command.h"
 #include "compare/commands/options.h"
-#include "compare/measured/probes.h"
 #include "compare/measured/reader.h"
 #include "native_model/scene/text.h"
 

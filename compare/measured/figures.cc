@@ -114,12 +114,6 @@ constexpr KnownFigure kKnown[] = {
      {"spin_speed", "", mean}},
 };
 
-const HeldColumn* find(const std::vector<HeldColumn>& columns, std::string_view name) {
-  const auto found = std::find_if(columns.begin(), columns.end(),
-                                  [&](const HeldColumn& c) { return c.what->name == name; });
-  return found == columns.end() ? nullptr : &*found;
-}
-
 // From the record, or from a run.
 Motion motion(const HeldColumn& x, const HeldColumn* y, std::optional<std::size_t> run,
               const FigureFacts& facts) {
@@ -129,10 +123,10 @@ Motion motion(const HeldColumn& x, const HeldColumn* y, std::optional<std::size_
   Motion m{{}, {}, {}, facts};
   std::vector<std::complex<double>> good, known;
   for (std::size_t i = 0; i < x.sample.size(); ++i) {
-    const auto is = [&](Sample s) { return x.sample[i] == s || (y && y->sample[i] == s); };
-    if (is(Sample::kMissing)) continue;
+    const Sample sample = y ? both(x.sample[i], y->sample[i]) : x.sample[i];
+    if (sample == Sample::kMissing) continue;
     known.emplace_back(value(x, i), y ? value(*y, i) : 0.0);
-    if (is(Sample::kClipped)) continue;
+    if (sample == Sample::kClipped) continue;
     good.push_back(known.back());
     m.t.push_back(facts.t[i]);
   }
@@ -160,10 +154,11 @@ std::vector<MeasuredFigure> figures_of(const std::vector<HeldColumn>& columns,
                                        const FigureFacts& facts) {
   std::vector<MeasuredFigure> all;
   for (const auto& [text, from] : kKnown) {
-    const HeldColumn *x = find(columns, from.x), *y = find(columns, from.y);
+    const HeldColumn *x = find_column(columns, from.x), *y = find_column(columns, from.y);
     if (!x || (!y && !from.y.empty())) continue;
     const bool alone = from.y.empty() && x->what->axis != Axis::kNone;
-    if (alone && find(columns, (x->what + (x->what->axis == Axis::kX ? 1 : -1))->name)) continue;
+    const Measurable* other = x->what + (x->what->axis == Axis::kX ? 1 : -1);
+    if (alone && find_column(columns, other->name)) continue;
     if (from.x == "gap" && !facts.clearance) continue;
     Motion record = motion(*x, y, {}, facts);
     if (record.good.size() < (y ? 2 : 1)) continue;

@@ -165,11 +165,7 @@ class LayingIn {
       whirl = dominant_whirl(even_orbit(native, from, to, count), h);
     }
     facts.rate_tells = !whirl || std::abs(whirl->frequency) < kMostOfRate * rate;
-    const auto is_held = [&](std::string_view name) {
-      return std::any_of(held_.begin(), held_.end(),
-                         [&](const HeldColumn& c) { return c.what->name == name; });
-    };
-    if (!facts.rate_tells && is_held("rotor_x") && is_held("rotor_y")) {
+    if (!facts.rate_tells && find_column(held_, "rotor_x") && find_column(held_, "rotor_y")) {
       remark(
           "no frequency: the native rotor's {:.4g} Hz is beyond {:.0f} % of the sample rate, "
           "{:.4g} Hz",
@@ -184,24 +180,20 @@ class LayingIn {
     laid.interval = record_.interval;
     laid.t = times_.t;
     const std::complex<double> turn = std::polar(1.0, out_.alignment.angle);
-    for (auto x = held_.begin(); x != held_.end(); ++x) {
-      if (x->what->axis == Axis::kNone || out_.alignment.angle == 0.0) {
-        laid.columns.push_back(*x);
+    for (const HeldColumn& x : held_) {
+      if (x.what->axis == Axis::kNone || out_.alignment.angle == 0.0) {
+        laid.columns.push_back(x);
         continue;
       }
       // A pair is turned into the scene's frame; a single axis cannot be.
-      const auto y = std::find_if(held_.begin(), held_.end(),
-                                  [&](const HeldColumn& c) { return c.what == x->what + 1; });
-      if (x->what->axis != Axis::kX || y == held_.end()) continue;
-      MeasuredColumn own = *x, other = *y;
+      const HeldColumn* y = find_column(held_, (x.what + 1)->name);
+      if (x.what->axis != Axis::kX || !y) continue;
+      MeasuredColumn own = x, other = *y;
       for (std::size_t i = 0; i < own.value.size(); ++i) {
         const auto z = turn * std::complex<double>(own.value[i], other.value[i]);
         own.value[i] = z.real();
         other.value[i] = z.imag();
-        const auto is = [&](Sample s) { return own.sample[i] == s || other.sample[i] == s; };
-        own.sample[i] = other.sample[i] = is(Sample::kMissing)   ? Sample::kMissing
-                                          : is(Sample::kClipped) ? Sample::kClipped
-                                                                 : Sample::kGood;
+        own.sample[i] = other.sample[i] = both(own.sample[i], other.sample[i]);
       }
       laid.columns.push_back(std::move(own));
       laid.columns.push_back(std::move(other));

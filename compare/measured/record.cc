@@ -1,8 +1,10 @@
 #include "compare/measured/record.h"
 
+#include <fmt/format.h>
+
+#include <Eigen/LU>
 #include <algorithm>
 #include <cmath>
-#include <span>
 
 namespace rotorub {
 namespace {
@@ -105,6 +107,16 @@ void mark_column(MeasuredColumn& c) {
   }
 }
 
+void resolve(const Eigen::Matrix2d& places, MeasuredColumn& x, MeasuredColumn& y) {
+  for (std::size_t i = 0; i < x.value.size(); ++i) {
+    const Eigen::Vector2d place = places * Eigen::Vector2d(x.value[i], y.value[i]);
+    x.value[i] = place.x();
+    y.value[i] = place.y();
+    x.sample[i] = y.sample[i] = both(x.sample[i], y.sample[i]);
+    if (x.sample[i] == Sample::kMissing) x.value[i] = y.value[i] = 0.0;
+  }
+}
+
 }  // namespace
 
 std::span<const Measurable> measurables() { return kMeasurables; }
@@ -113,16 +125,46 @@ std::size_t MeasuredColumn::count(Sample kind) const {
   return static_cast<std::size_t>(std::count(sample.begin(), sample.end(), kind));
 }
 
-const MeasuredColumn* MeasuredRecord::find(std::string_view name) const {
-  const auto found = std::find_if(columns.begin(), columns.end(),
-                                  [&](const MeasuredColumn& c) { return c.what->name == name; });
-  return found == columns.end() ? nullptr : &*found;
+Sample both(Sample a, Sample b) {
+  if (a == Sample::kMissing || b == Sample::kMissing) return Sample::kMissing;
+  return a == Sample::kClipped ? a : b;
 }
 
 void mark_clipped(MeasuredRecord& record) {
   for (MeasuredColumn& c : record.columns) {
     if (c.what->clips) mark_column(c);
   }
+}
+
+void resolve_probes(MeasuredRecord& record, double first, double second) {
+  if (!(std::abs(std::sin(second - first)) >= std::sin(kLeastApart))) {
+    throw MeasuredError(
+        fmt::format("two probes that see nearly the same tell no place; accepted are directions "
+                    "{:.0f} degrees or more from one line",
+                    kLeastApart * 180.0 / std::numbers::pi));
+  }
+  Eigen::Matrix2d directions;
+  directions << std::cos(first), std::sin(first), std::cos(second), std::sin(second);
+  const Eigen::Matrix2d places = directions.inverse();
+  mark_clipped(record);
+  record.probe_x = first;
+  record.probe_y = second;
+  int pairs = 0;
+  for (const char* what : {"rotor", "ring"}) {
+    MeasuredColumn* const x = find_column(record.columns, fmt::format("{}_x", what));
+    MeasuredColumn* const y = find_column(record.columns, fmt::format("{}_y", what));
+    if (!x && !y) continue;
+    if (!x || !y) {
+      throw MeasuredError(fmt::format(
+          "of two probes both are needed; {0}_x or {0}_y is missing in the record", what));
+    }
+    resolve(places, *x, *y);
+    ++pairs;
+  }
+  if (pairs > 0) return;
+  throw MeasuredError(
+      "directions of probes are of rotor_x and rotor_y, or ring_x and ring_y, and "
+      "the record has neither");
 }
 
 }  // namespace rotorub

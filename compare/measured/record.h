@@ -2,6 +2,7 @@
 // measured at them.
 #pragma once
 
+#include <algorithm>
 #include <cstdint>
 #include <numbers>
 #include <span>
@@ -39,6 +40,8 @@ inline constexpr std::string_view kContactForce =
     "force";  // the only quantity that is averaged over a sample
 
 enum class Sample : std::uint8_t { kGood, kMissing, kClipped };
+// Of a value that needs both samples.
+Sample both(Sample a, Sample b);
 
 struct MeasuredColumn {
   const Measurable* what = nullptr;
@@ -48,6 +51,13 @@ struct MeasuredColumn {
   std::size_t count(Sample kind) const;
 };
 
+// The column with this name, or null.
+template <typename Columns>
+auto* find_column(Columns& columns, std::string_view name) {
+  const auto found = std::ranges::find_if(columns, [&](auto& c) { return c.what->name == name; });
+  return found == columns.end() ? nullptr : &*found;
+}
+
 struct MeasuredRecord {
   std::string file;
   std::vector<double> t;  // s, in the record's own time, strictly ascending; at least kLeastSamples
@@ -55,10 +65,10 @@ struct MeasuredRecord {
   std::vector<std::string> left_out;  // columns of the program's own series that are not compared
   bool has_units = true;              // false: no column has a unit, and all values are in SI
   double interval = 0.0;              // s, median between samples
-  // rad: the original directions of x and y in the present frame (probes.h).
+  // rad: the original directions of x and y in the present frame (resolve_probes).
   double probe_x = 0.0, probe_y = 0.5 * std::numbers::pi;
 
-  const MeasuredColumn* find(std::string_view name) const;  // null if there is none
+  const MeasuredColumn* find(std::string_view name) const { return find_column(columns, name); }
   double duration() const { return t.back() - t.front(); }  // s
 };
 
@@ -89,5 +99,22 @@ void mark_clipped(MeasuredRecord& record);
 inline constexpr std::size_t kLeastClipped = 3;
 inline constexpr double kSteps =
     10.0;  // more than 1/2 (6 + 8 + 3), what rounding does to the parabola
+
+// Probes that are not aligned with x and y: two that measure one place along other directions, such
+// as the probes of API 670 at 45 degrees to either side of the vertical.
+//
+// Takes `rotor_x` and `rotor_y` of a record, and `ring_x` and `ring_y`, as the place along
+// directions (cos a, sin a) at these angles (rad, in the scene, from x to y), and replaces them by
+// x and y of the scene:
+//
+//   [cos a  sin a] [x]   [m_1]
+//   [cos b  sin b] [y] = [m_2]
+//
+// If one probe lacks a value or is at its limit, both new values are missing or clipped; clipped
+// samples are marked first. Throws MeasuredError if a probe of a pair is missing, if there is no
+// pair, or if the directions are within kLeastApart of one line.
+void resolve_probes(MeasuredRecord& record, double first, double second);
+
+inline constexpr double kLeastApart = 0.26;  // rad, 15 degrees: errors grow as 1 / sin
 
 }  // namespace rotorub

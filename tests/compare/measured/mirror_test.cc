@@ -8,7 +8,6 @@
 #include <string>
 
 #include "compare/measured/alignment.h"
-#include "compare/measured/probes.h"
 #include "tests/compare/measurement.h"
 #include "tests/support/native_run.h"
 #include "tests/support/said.h"

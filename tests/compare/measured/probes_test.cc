@@ -1,5 +1,5 @@
 // Columns by the names of the file, and probes that do not stand along x and y.
-#include "compare/measured/probes.h"
+#include "compare/measured/record.h"
 
 #include <fmt/format.h>
 #include <gtest/gtest.h>
