@@ -30,16 +30,15 @@ class Descent {
 
   double square(const std::vector<double>& x) {
     if (stopped()) throw nlopt::forced_stop();
-    const double square = laid_in_ ? left_at(x) : left_anywhere(x);
+    const auto square = laid_in_ ? left_at(x) : left_anywhere(x);
     if (parameters_.progress) {
       parameters_.progress(std::min(1.0, static_cast<double>(residuals_.runs()) / most_));
     }
-    if (square == kNoRun) return square;
-    if (square < best_square) {
-      best_square = square;
+    if (square && *square < best_square) {
+      best_square = *square;
       best = x;
     }
-    return square;
+    return square.value_or(kNoRun);
   }
 
   // Searches only the values; each run is aligned with the record at its best shift.
@@ -65,13 +64,13 @@ class Descent {
   // Result for a failed run: larger than any sum of squares, but finite for the algorithms.
   static constexpr double kNoRun = 1e12;
 
-  double left_at(const std::vector<double>& x) {
+  std::optional<double> left_at(const std::vector<double>& x) {
     const auto point = residuals_.at(x);
-    return point ? point->square() : kNoRun;
+    return point ? std::optional(point->square()) : std::nullopt;
   }
-  double left_anywhere(const std::vector<double>& values) {
+  std::optional<double> left_anywhere(const std::vector<double>& values) {
     const auto laid = residuals_.aligned(values);
-    return laid && laid->residual ? *laid->residual : kNoRun;
+    return laid ? laid->residual : std::nullopt;
   }
 
   void run(nlopt::algorithm method, int runs, std::vector<double> x, double reach) {
@@ -127,24 +126,13 @@ MatrixXd normal_matrix(const Eigen::MatrixXcd& slopes) {
   return (slopes.adjoint() * slopes).real();
 }
 
-// The unknowns on which the difference does not depend.
-std::vector<bool> silent(const MatrixXd& normal) {
-  const double most = normal.diagonal().maxCoeff();
-  std::vector<bool> all;
-  for (const double d : normal.diagonal()) all.push_back(!(d > 1e-18 * most));
-  return all;
-}
-
-// (J^T J)^-1 for the unknowns that matter, 0 elsewhere; scaled internally, so that units do not
-// matter. Empty if it is singular to round-off.
+// (J^T J)^-1 for the unknowns that matter, 0 for those on which the difference does not depend;
+// scaled internally, so that units do not matter. Empty if it is singular to round-off.
 std::optional<MatrixXd> inverse_normal(MatrixXd normal) {
   constexpr double kSingular = 1e-12;
-  const std::vector<bool> none = silent(normal);
-  VectorXd scale(normal.rows());
-  for (Index k = 0; k < scale.size(); ++k) {
-    const bool out = none[static_cast<std::size_t>(k)];
-    scale[k] = out ? 0.0 : 1.0 / std::sqrt(normal(k, k));
-  }
+  const double least = 1e-18 * normal.diagonal().maxCoeff();
+  const VectorXd scale = normal.diagonal().unaryExpr(
+      [&](double square) { return square > least ? 1.0 / std::sqrt(square) : 0.0; });
   normal = (scale.asDiagonal() * normal * scale.asDiagonal()).eval();
   for (Index k = 0; k < scale.size(); ++k) {
     if (scale[k] == 0.0) normal(k, k) = 1.0;
@@ -182,25 +170,20 @@ struct Known {
 };
 
 Known known(const Linearised& at) {
-  const auto n = static_cast<std::size_t>(at.slopes.cols());
-  Known all{std::vector<std::optional<double>>(n),
-            MatrixXd::Identity(at.slopes.cols(), at.slopes.cols())};
-  const MatrixXd normal = normal_matrix(at.slopes);
-  const auto inverse = inverse_normal(normal);
+  const Index n = at.slopes.cols();
+  Known all{std::vector<std::optional<double>>(static_cast<std::size_t>(n)),
+            MatrixXd::Identity(n, n)};
+  const auto inverse = inverse_normal(normal_matrix(at.slopes));
   if (!inverse) return all;
-  const std::vector<bool> none = silent(normal);
-  for (std::size_t k = 0; k < n; ++k) {
-    if (none[k]) continue;
-    const auto i = static_cast<Index>(k);
-    // For an estimate sum(f r) / sum(f f) with f = J (J^T J)^-1 e_k, times sum(f f).
+  for (Index i = 0; i < n; ++i) {
+    if ((*inverse)(i, i) == 0.0) continue;
+    // For an estimate sum(f r) / sum(f f) with f = J (J^T J)^-1 e_i, times sum(f f).
     const VectorXcd f = at.slopes * inverse->col(i);
     if (const auto error = at.point.fitting->error(f, at.point.fit))
-      all.error[k] = *error * f.squaredNorm();
-  }
-  for (Index i = 0; i < normal.rows(); ++i) {
-    for (Index j = 0; j < normal.rows(); ++j) {
+      all.error[static_cast<std::size_t>(i)] = *error * f.squaredNorm();
+    for (Index j = 0; j < n; ++j) {
       const double size = std::sqrt((*inverse)(i, i) * (*inverse)(j, j));
-      all.correlation(i, j) = size > 0.0 ? (*inverse)(i, j) / size : i == j ? 1.0 : 0.0;
+      all.correlation(i, j) = size > 0.0 ? (*inverse)(i, j) / size : 0.0;
     }
   }
   return all;

@@ -1,7 +1,5 @@
 #include "compare/optimise/optimiser.h"
 
-#include <fmt/format.h>
-
 #include <algorithm>
 #include <cmath>
 #include <map>
@@ -16,7 +14,7 @@
 #include "compare/run_files/summary.h"
 #include "compare/sweep/point_run.h"
 #include "compare/sweep/sample.h"
-#include "native_model/scene/diagnostic.h"
+#include "compare/sweep/study_reader.h"
 
 namespace rotorub::optimise {
 namespace {
@@ -61,20 +59,28 @@ class Search {
   // Stops after `most` evaluations in total.
   void search(nlopt::algorithm algorithm, std::vector<double> at, int most) {
     constexpr double kFirstStep = 0.1;  // relative to the range
-    const std::size_t keys = at.size();
     if (static_cast<int>(out_.evaluations.size()) >= most) {
       out_.ending = Ending::kEvaluations;
       return;
     }
     most_ = most;
-    nlopt::opt nlopt(algorithm, static_cast<unsigned>(keys));
-    nlopt.set_lower_bounds(std::vector<double>(keys, 0.0));
-    nlopt.set_upper_bounds(std::vector<double>(keys, 1.0));
-    nlopt.set_min_objective(&Search::objective, this);
-    calls_.clear();
-    for (std::size_t k = 0; k < task_.goal.constraints.size(); ++k) calls_.push_back({this, k});
-    for (Call& call : calls_)
-      nlopt.add_inequality_constraint(&Search::constraint, &call, Optimum::kFeasible);
+    nlopt::opt nlopt(algorithm, static_cast<unsigned>(at.size()));
+    nlopt.set_lower_bounds(0.0);
+    nlopt.set_upper_bounds(1.0);
+    using Point = std::vector<double>;
+    nlopt.set_min_objective([](const Point& x, Point&,
+                               void* search) { return static_cast<Search*>(search)->objective(x); },
+                            this);
+    std::vector<Call> calls;
+    for (std::size_t k = 0; k < task_.goal.constraints.size(); ++k) calls.push_back({this, k});
+    for (Call& call : calls) {
+      nlopt.add_inequality_constraint(
+          [](const Point& x, Point&, void* data) {
+            const auto& [search, k] = *static_cast<Call*>(data);
+            return search->constraint(k, x);
+          },
+          &call, Optimum::kFeasible);
+    }
     nlopt.set_xtol_abs(task_.goal.tolerance);
     nlopt.set_initial_step(kFirstStep);
     double least = 0.0;
@@ -88,22 +94,19 @@ class Search {
     }
   }
 
+  // The objective and the constraints of NLopt: positive constraints are violated.
+  double objective(const std::vector<double>& x) {
+    const Evaluation& e = at(x);
+    return e.figure ? sign() * *e.figure : penalty();
+  }
+  double constraint(std::size_t k, const std::vector<double>& x) {
+    const std::optional<double>& value = at(x).constraints[k];
+    return value ? excess(k, *value) : 1.0;
+  }
   struct Call {
     Search* search;
     std::size_t constraint;
   };
-  static double objective(const std::vector<double>& x, std::vector<double>&, void* data) {
-    auto& search = *static_cast<Search*>(data);
-    const Evaluation& e = search.at(x);
-    return e.figure ? search.sign() * *e.figure : search.penalty();
-  }
-  static double constraint(const std::vector<double>& x, std::vector<double>&, void* data) {
-    const auto& call = *static_cast<Call*>(data);
-    const Evaluation& e = call.search->at(x);
-    return e.constraints[call.constraint]
-               ? call.search->excess(call.constraint, *e.constraints[call.constraint])
-               : 1.0;
-  }
 
   double sign() const { return task_.goal.maximise ? -1.0 : 1.0; }
   // Positive if violated; relative to the limit.
@@ -182,19 +185,20 @@ class Search {
     out.constraints.resize(task_.goal.constraints.size());
     const Goal& goal = task_.goal;
     const bool mujoco = task_.study.engine == sweep::EngineKind::kMujoco;
-    try {
+    const auto refuse = [&](std::string reason) {
+      out.status = sweep::kRefused;
+      out.reason = std::move(reason);
+    };
+    const auto refused = sweep::refusal_of([&] {
       const scene::Scene scene = scene_of(task_, variants_, values, mujoco);
       json run, modes;
       if (goal.needs(Source::kModes)) modes = modes_json(analyse_rotor(scene, {}));
       if (goal.needs(Source::kRun)) run = run_json(scene, out);
-      if (!out.ok()) return out;
+      if (!out.ok()) return;
       const auto value = [&](const FigurePath& figure, bool largest) {
         const auto found =
             figure_value(figure, figure.source == Source::kRun ? run : modes, largest);
-        if (!found) {
-          out.status = sweep::kRefused;
-          out.reason = "has no number `" + figure.text + "`";
-        }
+        if (!found) refuse("has no number `" + figure.text + "`");
         return found;
       };
       out.figure = value(goal.figure, !goal.maximise);
@@ -203,16 +207,8 @@ class Search {
         if (out.constraints[k])
           out.violation = std::max(out.violation, excess(k, *out.constraints[k]));
       }
-    } catch (const scene::SceneError& error) {
-      out.status = sweep::kRefused;
-      out.reason = sweep::reason_of(error);
-    } catch (const std::invalid_argument& error) {
-      out.status = sweep::kRefused;
-      out.reason = error.what();
-    } catch (const std::runtime_error& error) {
-      out.status = sweep::kRefused;
-      out.reason = error.what();
-    }
+    });
+    if (refused) refuse(*refused);
     if (!out.ok()) out.figure.reset();
     return out;
   }
@@ -223,7 +219,6 @@ class Search {
   Optimum out_;
   std::map<std::vector<double>, std::size_t> known_;  // keyed by the shares of the keys
   std::vector<std::vector<double>> shares_;           // of each evaluation
-  std::vector<Call> calls_;
   int most_ = 0;
   bool interrupted_ = false;
 };
@@ -246,14 +241,9 @@ const char* to_string(Ending ending) {
 
 scene::Scene scene_of(const Task& task, const scene::Variants& variants,
                       const std::vector<double>& values, bool with_text) {
-  std::vector<std::string> changes;
-  for (std::size_t k = 0; k < values.size(); ++k) {
-    const sweep::Vary& vary = task.study.vary[k];
-    changes.push_back(fmt::format("{}={}", vary.key, values[k]));
-    for (const std::string& key : vary.also)
-      changes.push_back(fmt::format("{}={}", key, values[k]));
-  }
-  return variants.scene(changes, with_text);
+  std::vector<sweep::Value> all;
+  for (const double value : values) all.push_back({sweep::number_text(value), value});
+  return variants.scene(sweep::changes_of(task.study, all), with_text);
 }
 
 Optimum optimise(const Task& task, const scene::Variants& variants,

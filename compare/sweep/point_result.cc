@@ -59,12 +59,6 @@ std::span<const ResultColumn> result_columns() {
 
 json ResultColumn::value(const Metrics& metrics) const { return metric_value(metrics, key); }
 
-double settled_row(double end, int row) {
-  const double from = (1.0 - kSettledShare) * end;
-  if (row == kSettledRows - 1) return end;
-  return from + (end - from) * static_cast<double>(row) / static_cast<double>(kSettledRows - 1);
-}
-
 nlohmann::ordered_json sweep_columns_json(const Study& study) {
   auto all = nlohmann::ordered_json::array();
   const auto add = [&](const ColumnMeaning& c) {

@@ -37,11 +37,6 @@ struct ResultColumn : ColumnMeaning {
 };
 std::span<const ResultColumn> result_columns();
 
-// The rows that show where a run has settled, evenly spaced over its last fifth including both
-// ends.
-inline constexpr int kSettledRows = 41;
-double settled_row(double end, int row);  // s, time of the row 0 .. kSettledRows - 1
-
 // The columns of results.csv for columns.json: {"results.csv": [{"name", "unit", "meaning"}, ...]},
 // including the columns of the study, in their order.
 nlohmann::ordered_json sweep_columns_json(const Study& study);

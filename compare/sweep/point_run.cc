@@ -9,7 +9,16 @@
 namespace rotorub::sweep {
 namespace {
 
-PointResult refused(std::int64_t point, std::string reason) {
+// Rows that show where a run has settled, evenly spaced over its last fifth including both ends.
+constexpr int kSettledRows = 41;
+// s, time of the row 0 .. kSettledRows - 1
+double settled_row(double end, int row) {
+  const double from = (1.0 - kSettledShare) * end;
+  if (row == kSettledRows - 1) return end;
+  return from + (end - from) * static_cast<double>(row) / static_cast<double>(kSettledRows - 1);
+}
+
+PointResult refused_point(std::int64_t point, std::string reason) {
   PointResult result;
   result.point = point;
   result.status = kRefused;
@@ -26,6 +35,19 @@ std::unique_ptr<Engine> engine_of(const Study& study, const scene::Scene& scene)
   return native_engine(study.integrator.value_or(scene.run.integrator));
 }
 
+std::optional<std::string> refusal_of(const std::function<void()>& work) {
+  try {
+    work();
+    return std::nullopt;
+  } catch (const scene::SceneError& error) {
+    return reason_of(error);
+  } catch (const std::invalid_argument& error) {
+    return error.what();
+  } catch (const std::runtime_error& error) {
+    return error.what();
+  }
+}
+
 std::optional<PointResult> run_single(std::int64_t point, const scene::Scene& scene,
                                       const Engine& engine, const std::atomic<bool>& interrupt) {
   RunRequest request;
@@ -34,26 +56,22 @@ std::optional<PointResult> run_single(std::int64_t point, const scene::Scene& sc
   for (int row = 0; row < kSettledRows; ++row) {
     request.output_times->push_back(settled_row(scene.run.end, row));
   }
-  try {
+  PointResult result;
+  result.point = point;
+  bool interrupted = false;
+  const auto refused = refusal_of([&] {
     const Trajectory trajectory = engine.run(scene, request);
-    if (trajectory.status == Status::kInterrupted) return std::nullopt;
-    PointResult result;
-    result.point = point;
+    interrupted = trajectory.status == Status::kInterrupted;
     result.status = to_string(trajectory.status);
     result.reason = trajectory.message;
-    if (trajectory.status == Status::kOk) {
-      result.reason.clear();
-      result.figures = totals(trajectory);
-      result.figures->settled = settled(trajectory);
-    }
-    return result;
-  } catch (const scene::SceneError& error) {
-    return refused(point, reason_of(error));
-  } catch (const std::invalid_argument& error) {
-    return refused(point, error.what());
-  } catch (const std::runtime_error& error) {
-    return refused(point, error.what());
-  }
+    if (trajectory.status != Status::kOk) return;
+    result.reason.clear();
+    result.figures = totals(trajectory);
+    result.figures->settled = settled(trajectory);
+  });
+  if (interrupted) return std::nullopt;
+  if (refused) return refused_point(point, *refused);
+  return result;
 }
 
 std::optional<PointResult> run_point(const Study& study, std::int64_t point,
@@ -64,7 +82,7 @@ std::optional<PointResult> run_point(const Study& study, std::int64_t point,
     const scene::Scene scene = scene_at(point);
     return run_single(point, scene, *engine_of(study, scene), interrupt);
   } catch (const scene::SceneError& error) {
-    return refused(point, reason_of(error));
+    return refused_point(point, reason_of(error));
   }
 }
 

@@ -6,6 +6,7 @@
 #include <functional>
 #include <memory>
 #include <optional>
+#include <string>
 #include <vector>
 
 #include "compare/engine/engine.h"
@@ -16,6 +17,9 @@ namespace rotorub::sweep {
 
 // The engine that the study requests for this scene.
 std::unique_ptr<Engine> engine_of(const Study& study, const scene::Scene& scene);
+
+// Why a scene or an engine refuses `work`; empty if it does not.
+std::optional<std::string> refusal_of(const std::function<void()>& work);
 
 // Empty if interrupted. A scene that the engine refuses is also a result.
 std::optional<PointResult> run_single(std::int64_t point, const scene::Scene& scene,

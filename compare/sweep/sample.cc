@@ -176,15 +176,17 @@ scene::Scene PointScenes::at(std::int64_t index) const {
   return scene_at(index, study_->engine == EngineKind::kMujoco);
 }
 
-scene::Scene PointScenes::scene_at(std::int64_t index, bool with_text) const {
-  const std::vector<Value> values = sample_.at(index);
+std::vector<std::string> changes_of(const Study& study, const std::vector<Value>& values) {
   std::vector<std::string> changes;
   for (std::size_t k = 0; k < values.size(); ++k) {
-    const Vary& vary = study_->vary[k];
-    changes.push_back(vary.key + "=" + values[k].text);
-    for (const std::string& key : vary.also) changes.push_back(key + "=" + values[k].text);
+    changes.push_back(study.vary[k].key + "=" + values[k].text);
+    for (const std::string& key : study.vary[k].also) changes.push_back(key + "=" + values[k].text);
   }
-  return variants_.scene(changes, with_text);
+  return changes;
+}
+
+scene::Scene PointScenes::scene_at(std::int64_t index, bool with_text) const {
+  return variants_.scene(changes_of(*study_, sample_.at(index)), with_text);
 }
 
 void PointScenes::check() const {

@@ -68,6 +68,9 @@ class Sample {
 // The value at the fraction `share` of the range; exactly `from` at 0 and `to` at 1.
 double between(const Vary& vary, double share);
 
+// The overrides of a scene that set these values, one per [[vary]], and the keys coupled to them.
+std::vector<std::string> changes_of(const Study& study, const std::vector<Value>& values);
+
 // Makes the scene of a point of a study.
 class PointScenes {
  public:

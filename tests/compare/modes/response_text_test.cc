@@ -9,7 +9,7 @@
 #include <string>
 
 #include "compare/modes/rotor_analysis.h"
-#include "compare/optimise/figure_path.h"
+#include "compare/optimise/goal.h"
 #include "native_model/scene/reader.h"
 
 namespace rotorub {
