@@ -37,11 +37,6 @@ Trajectory run_of(const Study& study, const scene::Scene& scene, double turn,
   return engine_of(study, scene)->run(scene, request);
 }
 
-void read_section(const Trajectory& run, BranchPoint& out) {
-  out.places = poincare_points(run, run.column("t").front());
-  out.period = section_period(out.places);
-}
-
 class Branch {
  public:
   Branch(const PointScenes& scenes, bool follows, bool exponents,
@@ -50,35 +45,35 @@ class Branch {
 
   BranchPoint at(std::int64_t point) {
     BranchPoint out{point, {}};
-    try {
+    const auto refused = refusal_of([&] {
       const scene::Scene own = scenes_.at(point);
       if (own.rotor.speed == 0.0) throw std::runtime_error("a rotor at rest has no turns");
-      if (follows_ && before_) {
-        try {
-          step(continued(own, before_->scene, before_->run), out);
-          out.continued = true;
-          return out;
-        } catch (const scene::SceneError&) {
-          // This value cannot start there, because of a smaller ring or other modes.
-          out.places.clear();
-        }
-      }
-      step(own, out);
-    } catch (const scene::SceneError& error) {
-      out.refused = reason_of(error);
-    } catch (const std::runtime_error& error) {
-      out.refused = error.what();
-    }
+      out.continued = follows_ && before_ && continue_at(own, out);
+      if (!out.continued) step(own, out);
+    });
+    out.refused = refused.value_or("");
     return out;
   }
 
  private:
+  // False if this value cannot start where the previous one ended, because of a smaller ring or
+  // other modes.
+  bool continue_at(const scene::Scene& own, BranchPoint& out) {
+    try {
+      step(continued(own, before_->scene, before_->run), out);
+      return true;
+    } catch (const scene::SceneError&) {
+      out.places.clear();
+      return false;
+    }
+  }
   void step(const scene::Scene& scene, BranchPoint& out) {
     const double turn = turn_of(scene);
     Trajectory run = run_of(scenes_.study(), scene, turn, interrupt_);
     if (run.status != Status::kOk)
       throw std::runtime_error(run.message.empty() ? to_string(run.status) : run.message);
-    read_section(run, out);
+    out.places = poincare_points(run, run.column("t").front());
+    out.period = section_period(out.places);
     before_ = Before{scene, std::move(run)};
     if (!exponents_) return;
     LyapunovParameters parameters;

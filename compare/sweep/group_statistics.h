@@ -3,13 +3,42 @@
 #pragma once
 
 #include <nlohmann/json_fwd.hpp>
+#include <optional>
+#include <span>
 #include <string>
 #include <vector>
 
-#include "compare/sweep/order_statistics.h"
 #include "compare/sweep/store.h"
 
 namespace rotorub::sweep {
+
+// An estimate from a sample of independent values, and the bounds of its confidence interval; a
+// bound is empty if the sample is too small.
+struct Estimate {
+  double value = 0.0;
+  std::optional<double> low, high;
+};
+
+// In all functions `confidence` is in (0, 1) and two-sided.
+
+// The p-quantile, p in (0, 1): linear interpolation between the order statistics x_(h), h = (n - 1)
+// p + 1 (type 7 of Hyndman and Fan 1996, as in numpy). Its bounds are order statistics and hold for
+// any distribution (Conover, Practical Nonparametric Statistics, 3.2). For B binomial(n, p):
+//   low x_(l), l the largest with P(B <= l - 1) <= (1 - confidence)/2,
+//   high x_(u), u the smallest with P(B <= u - 1) >= 1 - (1 - confidence)/2.
+// sorted: ascending, at least one value.
+Estimate quantile_of(std::span<const double> sorted, double p, double confidence);
+
+// The mean with the bounds of Student's t, which are exact for normal values and otherwise
+// approximate for many values. At least one value; a single value has no bounds.
+Estimate mean_of(std::span<const double> values, double confidence);
+
+// The standard deviation with divisor n - 1, without bounds; 0 for one value.
+double deviation_of(std::span<const double> values);
+
+// The share hits / count with the bounds of Clopper and Pearson (1934), whose confidence is at
+// least the requested one. count >= 1, hits in [0, count].
+Estimate share_of(std::size_t hits, std::size_t count, double confidence);
 
 struct StatisticsRow {
   std::vector<std::string> group;  // the value of each key in Statistics::by, SI

@@ -8,7 +8,6 @@
 #include <string>
 #include <vector>
 
-#include "compare/sweep/sobol.h"
 #include "compare/sweep/study_file.h"
 #include "native_model/scene/reader.h"
 
@@ -36,6 +35,23 @@ class Permutation {
   std::uint64_t once(std::uint64_t x) const;
   std::uint64_t n_, key_;
   int half_bits_ = 1;
+};
+
+// Points of Sobol's sequence, with the direction numbers of Joe and Kuo (2008; Boost.Random). Among
+// the first 2^m points, every elementary box of the first two keys has its share.
+//
+// One coordinate per key, as 64 bits after the binary point. index: >= 0; 0 is the origin.
+// Thread-safe.
+class Sobol {
+ public:
+  static constexpr std::size_t kMostKeys = 3667;
+  explicit Sobol(std::size_t keys);  // in [1, kMostKeys]
+  std::vector<std::uint64_t> at(std::int64_t index) const;
+
+ private:
+  std::size_t keys_;
+  // [bit][key]: the change caused by each bit of the Gray code of the index.
+  std::vector<std::vector<std::uint64_t>> directions_;
 };
 
 // Order of the points:

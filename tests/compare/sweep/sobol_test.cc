@@ -1,10 +1,9 @@
 // Sobol's sequence: points of scipy.stats.qmc (1.10, unscrambled), and what makes it even.
-#include "compare/sweep/sobol.h"
+#include "compare/sweep/sample.h"
 
 #include <cmath>
 #include <set>
 
-#include "compare/sweep/sample.h"
 #include "tests/compare/sweep/studies.h"
 
 namespace rotorub::sweep {

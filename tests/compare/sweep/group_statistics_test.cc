@@ -1,5 +1,5 @@
 // Intervals with closed forms; beside scipy: tests/package/statistics_test.py.
-#include "compare/sweep/order_statistics.h"
+#include "compare/sweep/group_statistics.h"
 
 #include <gtest/gtest.h>
 
