@@ -2,11 +2,10 @@
 
 #include <fmt/format.h>
 
-#include <iostream>
 #include <memory>
-#include <nlohmann/json.hpp>
+#include <string>
+#include <vector>
 
-#include "compare/base/json.h"
 #include "compare/base/module_file.h"
 #include "compare/commands/command.h"
 #include "compare/commands/options.h"
@@ -14,6 +13,7 @@
 #include "compare/fmu/archive.h"
 #include "compare/fmu/description.h"
 #include "compare/fmu/names.h"
+#include "compare/result/result.h"
 #include "native_model/control/library.h"
 #include "native_model/scene/reader.h"
 #include "native_model/trajectory/output.h"
@@ -40,11 +40,13 @@ std::vector<fmi::ArchiveFile> files_of(const scene::Scene& scene, const Stepwise
           {fmi::binary_path(scene, version), binary()}};
 }
 
-nlohmann::ordered_json ports_json(const std::vector<StepwiseRun::Port>& ports) {
-  nlohmann::ordered_json all = nlohmann::ordered_json::array();
+// JSON alone.
+result::Table ports_table(const std::string& place, const std::vector<StepwiseRun::Port>& ports) {
+  result::Table table{
+      .place = place, .columns = {{"name"}, {"unit"}, {"meaning"}}, .seen = result::kJson};
   for (const StepwiseRun::Port& port : ports)
-    all.push_back({{"name", port.name}, {"unit", port.unit}, {"meaning", port.meaning}});
-  return all;
+    table.rows.push_back({.items = {{port.name}, {port.unit}, {port.meaning}}});
+  return table;
 }
 
 int write_fmu(const FmuArguments& options) {
@@ -54,20 +56,21 @@ int write_fmu(const FmuArguments& options) {
   const StepwiseRun run(scene);
   const fmi::Version version = options.version == "2.0" ? fmi::Version::k2 : fmi::Version::k3;
   write_whole(file, fmi::archive(files_of(scene, run, version)));
-  if (options.json) {
-    std::cout << json_text({{"scene", scene.name},
-                            {"scene_hash", scene::scene_hash(scene)},
-                            {"file", file.string()},
-                            {"fmi_version", options.version},
-                            {"inputs", ports_json(run.inputs())},
-                            {"outputs", ports_json(run.outputs())}});
-  } else if (!options.quiet) {
-    std::string inputs;
-    for (const StepwiseRun::Port& port : run.inputs())
-      inputs += fmt::format("{}{} ({})", inputs.empty() ? "" : ", ", port.name, port.unit);
-    fmt::print("FMI {}, co-simulation; {} outputs; inputs: {}\nwritten to {}\n", options.version,
-               run.outputs().size(), inputs, printable_path(file));
-  }
+  std::string inputs;
+  for (const StepwiseRun::Port& port : run.inputs())
+    inputs += fmt::format("{}{} ({})", inputs.empty() ? "" : ", ", port.name, port.unit);
+  const result::Section result{
+      .parts = {result::Data{"",
+                             {{"scene", scene.name},
+                              {"scene_hash", scene::scene_hash(scene)},
+                              {"file", file.string()},
+                              {"fmi_version", options.version}}},
+                ports_table("inputs/#/{column}", run.inputs()),
+                ports_table("outputs/#/{column}", run.outputs()),
+                result::line(fmt::format(
+                    "FMI {}, co-simulation; {} outputs; inputs: {}\nwritten to {}", options.version,
+                    run.outputs().size(), inputs, printable_path(file)))}};
+  result::print(result, {options.json, options.quiet});
   return kDone;
 }
 

@@ -3,13 +3,13 @@
 #include <fmt/format.h>
 
 #include <filesystem>
-#include <iostream>
 #include <memory>
-#include <nlohmann/json.hpp>
+#include <string>
+#include <vector>
 
-#include "compare/base/json.h"
 #include "compare/commands/command.h"
 #include "compare/commands/options.h"
+#include "compare/result/result.h"
 #include "compare/starter/starter.h"
 #include "compare/starter/starter_laws.h"
 #include "native_model/scene/text.h"
@@ -139,24 +139,25 @@ int write_starter(const InitArguments& options) {
     if (starter.form == StarterForm::kController) laws = laws_folder(options, file);
     write_files(file, text, laws);
   }
-  if (options.json) {
-    nlohmann::json said{{"form", options.form}};
-    said[file.empty() ? "scene" : "file"] = file.empty() ? text : file.string();
-    if (!laws.empty()) said["controller"] = laws.string();
-    std::cout << json_text(said);
-  } else if (file.empty()) {
-    std::cout << text;
-  } else if (!options.quiet) {
+  result::Section result{.parts = {result::Data{"form", options.form}}};
+  if (file.empty()) {
+    result.add({result::Data{"scene", text}, result::line(text)});
+  } else {
     const std::string scene = scene::printable(file.string(), 1000);
-    fmt::print("written to {0}\ntry: rotorub run {0}\n", scene);
+    result.add({result::Data{"file", file.string()},
+                result::line(fmt::format("written to {0}\ntry: rotorub run {0}", scene))});
     if (!laws.empty()) {
-      fmt::print(
-          "your own controller, to begin with in C, C++ and Python: {0}\n"
-          "try: cc -shared -fPIC -I {0} {0}/follow.c -o follow.so\n"
-          "     rotorub run {1} --controller follow.so --set controller.sample_time=50us\n",
-          scene::printable(laws.string(), 1000), scene);
+      result.add(
+          {result::Data{"controller", laws.string()},
+           result::line(fmt::format(
+               "your own controller, to begin with in C, C++ and Python: {0}\n"
+               "try: cc -shared -fPIC -I {0} {0}/follow.c -o follow.so\n"
+               "     rotorub run {1} --controller follow.so --set controller.sample_time=50us",
+               scene::printable(laws.string(), 1000), scene))});
     }
   }
+  // A scene without a file is printed even if nothing else is.
+  result::print(result, {options.json, options.quiet && !file.empty()});
   return kDone;
 }
 

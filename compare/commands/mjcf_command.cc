@@ -2,14 +2,12 @@
 
 #include <fmt/format.h>
 
-#include <iostream>
 #include <memory>
-#include <nlohmann/json.hpp>
 
-#include "compare/base/json.h"
 #include "compare/commands/command.h"
 #include "compare/commands/options.h"
 #include "compare/commands/terminal.h"
+#include "compare/result/result.h"
 #include "mjcf/writer.h"
 #include "native_model/control/library.h"
 #include "native_model/scene/reader.h"
@@ -28,22 +26,18 @@ int write_mjcf(const MjcfArguments& options) {
   const MujocoVersion target =
       options.mujoco.empty() ? built_for() : read_mujoco_version(options.mujoco);
   const std::string xml = mjcf(scene, target);
+  result::Section result{
+      .parts = {
+          result::Data{"", {{"scene", scene.name}, {"scene_hash", scene::scene_hash(scene)}}}}};
   if (options.file.empty()) {
-    if (options.json) {
-      std::cout << json_text(
-          {{"scene", scene.name}, {"scene_hash", scene::scene_hash(scene)}, {"mjcf", xml}});
-    } else {
-      std::cout << xml;
-    }
-    return kDone;
+    result.add({result::Data{"mjcf", xml}, result::line(xml)});
+  } else {
+    write_whole(options.file, xml);
+    result.add({result::Data{"file", options.file},
+                result::line(fmt::format("written to {}", printable_path(options.file)))});
   }
-  write_whole(options.file, xml);
-  if (options.json) {
-    std::cout << json_text(
-        {{"scene", scene.name}, {"scene_hash", scene::scene_hash(scene)}, {"file", options.file}});
-  } else if (!options.quiet) {
-    fmt::print("written to {}\n", printable_path(options.file));
-  }
+  // A model without a file is printed even if nothing else is.
+  result::print(result, {options.json, options.quiet && !options.file.empty()});
   return kDone;
 }
 

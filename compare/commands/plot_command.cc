@@ -3,15 +3,13 @@
 #include <fmt/format.h>
 
 #include <filesystem>
-#include <iostream>
 #include <memory>
-#include <nlohmann/json.hpp>
 
-#include "compare/base/json.h"
 #include "compare/commands/command.h"
 #include "compare/commands/options.h"
 #include "compare/commands/terminal.h"
 #include "compare/report/page.h"
+#include "compare/result/result.h"
 #include "compare/run_files/run_directory.h"
 #include "native_model/control/library.h"
 #include "native_model/scene/text.h"
@@ -47,16 +45,18 @@ int plot(const PlotArguments& options) {
                                          : std::filesystem::path(options.file);
   check_output_file(file);
   write_whole(file, run_page(run, shadow));
-  if (options.json) {
-    std::cout << json_text({{"scene", run.scene.name},
-                            {"file", file.string()},
-                            {"rows", run.trajectory.rows()},
-                            {"impacts", run.trajectory.impacts.size()},
-                            {"shadow", shadow.has_value()}});
-  } else if (!options.quiet) {
-    fmt::print("{}: {} rows{}\nwritten to {}\n", scene::printable(run.scene.name),
-               run.trajectory.rows(), shadow ? ", with its shadow" : "", printable_path(file));
-  }
+  const result::Section result{
+      .parts = {
+          result::Data{"",
+                       {{"scene", run.scene.name},
+                        {"file", file.string()},
+                        {"rows", run.trajectory.rows()},
+                        {"impacts", run.trajectory.impacts.size()},
+                        {"shadow", shadow.has_value()}}},
+          result::line(fmt::format("{}: {} rows{}\nwritten to {}", scene::printable(run.scene.name),
+                                   run.trajectory.rows(), shadow ? ", with its shadow" : "",
+                                   printable_path(file)))}};
+  result::print(result, {options.json, options.quiet});
   return kDone;
 }
 

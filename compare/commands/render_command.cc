@@ -3,17 +3,16 @@
 #include <fmt/format.h>
 
 #include <filesystem>
-#include <iostream>
 #include <memory>
 #include <nlohmann/json.hpp>
 #include <optional>
 
-#include "compare/base/json.h"
 #include "compare/commands/command.h"
 #include "compare/commands/film_options.h"
 #include "compare/commands/options.h"
 #include "compare/commands/terminal.h"
 #include "compare/engine/engine.h"
+#include "compare/result/result.h"
 #include "compare/run_files/run_directory.h"
 #include "compare/study/scene_comparison.h"
 #include "native_model/control/library.h"
@@ -124,22 +123,22 @@ Outcome made_film(const StoredRun& run, const FilmRequest& request, const std::s
 void tell(const RenderArguments& options, const FilmRequest& request, const StoredRun& run,
           const Outcome& made, const std::string& file) {
   const bool shadow = request.options.shadow != nullptr;
-  if (options.json) {
-    nlohmann::json all = made.json;
-    all.update({{"scene", run.scene.name},
-                {"file", file},
-                {"from", made.framing.from},
-                {"to", made.framing.to},
-                {"width", request.options.width},
-                {"height", request.options.height},
-                {"magnification", made.framing.magnification},
-                {"shadow", shadow}});
-    std::cout << json_text(all);
-  } else if (!options.quiet) {
-    fmt::print("{}: {}, displacements magnified {:.3g} times{}\nwritten to {}\n",
-               scene::printable(run.scene.name), made.words, made.framing.magnification,
-               shadow ? ", its shadow as a ghost" : "", printable_path(file));
-  }
+  const result::Section result{
+      .parts = {result::Data{"", made.json},
+                result::Data{"",
+                             {{"scene", run.scene.name},
+                              {"file", file},
+                              {"from", made.framing.from},
+                              {"to", made.framing.to},
+                              {"width", request.options.width},
+                              {"height", request.options.height},
+                              {"magnification", made.framing.magnification},
+                              {"shadow", shadow}}},
+                result::line(fmt::format(
+                    "{}: {}, displacements magnified {:.3g} times{}\nwritten to {}",
+                    scene::printable(run.scene.name), made.words, made.framing.magnification,
+                    shadow ? ", its shadow as a ghost" : "", printable_path(file)))}};
+  result::print(result, {options.json, options.quiet});
 }
 
 int render_film(const RenderArguments& options) {

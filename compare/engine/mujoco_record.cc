@@ -118,6 +118,13 @@ void MujocoRecord::step(std::int64_t k, const double* q, const double* v, const 
   const plugin::ContactForces& f = r.forces.front();
   recorder_.step({lasting(f, r.actuator), time(k + 1), q, v, others_}, step_ * f.normal,
                  step_ * f.friction, f.impact ? &impact : nullptr, balance);
+  watch_gaps();
+}
+
+void MujocoRecord::watch_gaps() {
+  for (std::size_t i = 0; contacts_.size() > 1 && i < contacts_.size(); ++i) {
+    recorder_.watch_gap(i, contacts_[i].point);
+  }
 }
 
 // Records a contact over step k; returns its impact, or an empty one.
@@ -152,7 +159,6 @@ Impact MujocoRecord::step_contact(std::int64_t k, std::size_t contact, const dou
         recorder_.count_further(t, step_, normal, friction, work, before);
       }
     }
-    recorder_.watch_gap(contact, after.gap);
   }
   own.point = after;
   return impact;
@@ -170,9 +176,7 @@ void MujocoRecord::native_step(std::int64_t k, const double* q, const double* v,
     count_impacts();
     recorder_.advance({lasting(r.forces.front(), r.actuator), t, q, v, others_},
                       contacts_.front().point, !impacts_.empty());
-    for (std::size_t i = 0; contacts_.size() > 1 && i < contacts_.size(); ++i) {
-      recorder_.watch_gap(i, contacts_[i].point.gap);
-    }
+    watch_gaps();
   }
   StepFigures figures;
   figures.h = last ? 0.5 * step_ : kick;

@@ -43,6 +43,7 @@ class MujocoRecord {
   void add_contact(StepFigures& figures, std::size_t contact, double t, double normal,
                    double friction, double work);
   void note_mode(double t, Mode mode, std::size_t contact);
+  void watch_gaps();  // of several contacts, at the state that the recorder got last
   Impact step_contact(std::int64_t k, std::size_t contact, const double* q, const double* v,
                       const StepResult& r);
   double time(std::int64_t k) const { return static_cast<double>(k) * step_; }  // s

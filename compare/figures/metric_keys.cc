@@ -71,7 +71,9 @@ const MetricKey kMetricKeys[] = {
     {"settled.from", "s", "start of the last fifth", settled_at<&Settled::from>},
     {"settled.contact_share", "", "share of the last fifth's rows in contact",
      settled_at<&Settled::contact_share>},
-    {"settled.whirl_frequency", "rad/s", "mean whirl over the last fifth, forward positive",
+    {"settled.whirl_frequency", "rad/s",
+     "mean whirl over the last fifth, forward positive; of several contacts, at the one that is "
+     "closed longest",
      settled_at<&Settled::whirl_frequency>},
     {"settled.spin_speed", "rad/s", "mean spin speed over the last fifth",
      settled_at<&Settled::spin_speed>},

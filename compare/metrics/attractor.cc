@@ -5,11 +5,13 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <functional>
 #include <numbers>
 #include <type_traits>
 
 #include "compare/metrics/orbit.h"
 #include "compare/metrics/rows.h"
+#include "native_model/trajectory/columns.h"
 
 namespace rotorub {
 namespace {
@@ -142,15 +144,25 @@ Settled settled(const LastPart& part) {
 Settled settled(const Trajectory& trajectory) {
   LastPart part;
   part.from = (1.0 - kSettledShare) * trajectory.end;
-  const auto points = relative_motion(trajectory);
-  const RowRange range = rows_between(points, part.from, trajectory.end);
+  RowRange range;
   const auto rows = [&](const auto& all) {
     const auto at = [&](std::size_t i) { return all.begin() + static_cast<std::ptrdiff_t>(i); };
     return std::decay_t<decltype(all)>(at(range.first), at(range.last));
   };
-  part.points = rows(points);
-  part.normal_force = rows(trajectory.column("normal_force"));
-  part.slip = rows(trajectory.column("slip"));
+  std::ptrdiff_t most = -1;  // rows in contact
+  for (std::size_t k = 0; k < trajectory.contacts; ++k) {
+    const auto points = relative_motion(trajectory, k);
+    range = rows_between(points, part.from, trajectory.end);
+    const auto force = rows(trajectory.column(column_of_contact(k, "normal_force")));
+    const auto closed = std::ranges::count_if(force, [](double f) { return f > 0.0; });
+    if (closed > most) {
+      most = closed;
+      part.points = rows(points);
+      part.slip = rows(trajectory.column(column_of_contact(k, "slip")));
+    }
+    part.normal_force.resize(force.size(), 0.0);
+    std::ranges::transform(force, part.normal_force, part.normal_force.begin(), std::plus{});
+  }
   if (trajectory.rows() > 1)
     part.spin_speed = mean_speed(trajectory, "spin_angle", "spin_speed", part.from);
   for (const Impact& impact : trajectory.impacts) {

@@ -11,7 +11,8 @@
 namespace rotorub {
 
 // The last fifth of the run (kSettledShare) is classified as the first of these that applies;
-// `contact` means rows with a normal force.
+// `contact` means rows with a normal force. With several contacts, a row is in contact if any of
+// them is, and the whirl and the slip are those at the contact that is closed in the most rows.
 enum class Attractor {
   kNoContact,  // no row in contact and no counted impact, or the contact is over (has_ended)
   kBouncing,   // contact in fewer than 99 % of the rows, in any order
@@ -54,7 +55,8 @@ inline constexpr double kRollingTolerance = 0.01;
 struct LastPart {
   double from = 0.0;  // s
   std::vector<RelativePoint> points;
-  std::vector<double> normal_force, slip;                        // N, m/s
+  std::vector<double> normal_force;                              // N, summed over the contacts
+  std::vector<double> slip;                                      // m/s
   double spin_speed = std::numeric_limits<double>::quiet_NaN();  // rad/s, mean
   std::size_t impacts = 0;                                       // counted impacts
   // s, ascending; of the impacts, or of the first rows after them.

@@ -3,15 +3,18 @@
 #include <algorithm>
 #include <cassert>
 #include <cmath>
+#include <string>
+
+#include "native_model/trajectory/columns.h"
 
 namespace rotorub {
 namespace {
 
 // From the rms of v_t over the rows in contact: a disc that moves along the tangent of a ring with
 // curvature 1/delta_0 for one step ends (v_t dt)^2 / (2 delta_0) beyond it.
-double whirl_penetration(const Trajectory& trajectory, double clearance) {
-  const auto points = relative_motion(trajectory);
-  const auto& normal = trajectory.column("normal_force");
+double whirl_penetration(const Trajectory& trajectory, std::size_t contact, double clearance) {
+  const auto points = relative_motion(trajectory, contact);
+  const auto& normal = trajectory.column(column_of_contact(contact, "normal_force"));
   double square = 0.0;
   std::size_t count = 0;
   for (std::size_t i = 0; i < points.size(); ++i) {
@@ -38,8 +41,8 @@ void gather_forces(const Trajectory& trajectory, Metrics& m) {
 }
 
 // Mean over the last part of the run; empty for a prescribed speed.
-std::optional<double> free_speed(const Trajectory& run, const char* angle, const char* speed,
-                                 double from) {
+std::optional<double> free_speed(const Trajectory& run, const std::string& angle,
+                                 const std::string& speed, double from) {
   if (!run.has(speed) || run.rows() < 2) return std::nullopt;
   const auto [least, most] =
       std::minmax_element(run.column(speed).begin(), run.column(speed).end());
@@ -47,12 +50,30 @@ std::optional<double> free_speed(const Trajectory& run, const char* angle, const
   return mean_speed(run, angle, speed, from);
 }
 
+// Of the ring that turns fastest.
+std::optional<double> ring_speed(const Trajectory& run, double from) {
+  std::optional<double> fastest;
+  for (std::size_t k = 0; k < run.contacts; ++k) {
+    const auto own = free_speed(run, column_of_contact(k, "ring_angle"),
+                                column_of_contact(k, "ring_speed"), from);
+    if (own && (!fastest || std::abs(*own) > std::abs(*fastest))) fastest = own;
+  }
+  return fastest;
+}
+
+// Of the actuator with the largest force.
 std::optional<double> rms_control(const Trajectory& trajectory) {
-  if (!trajectory.has("control_x") || trajectory.rows() == 0) return std::nullopt;
-  const auto &x = trajectory.column("control_x"), &y = trajectory.column("control_y");
-  double square = 0.0;
-  for (std::size_t i = 0; i < x.size(); ++i) square += x[i] * x[i] + y[i] * y[i];
-  return std::sqrt(square / static_cast<double>(x.size()));
+  std::optional<double> largest;
+  for (std::size_t k = 0; trajectory.rows() > 0 && k < trajectory.contacts; ++k) {
+    const std::string along_x = column_of_contact(k, "control_x");
+    if (!trajectory.has(along_x)) continue;
+    const auto &x = trajectory.column(along_x),
+               &y = trajectory.column(column_of_contact(k, "control_y"));
+    double square = 0.0;
+    for (std::size_t i = 0; i < x.size(); ++i) square += x[i] * x[i] + y[i] * y[i];
+    largest = std::max(largest.value_or(0.0), std::sqrt(square / static_cast<double>(x.size())));
+  }
+  return largest;
 }
 
 void gather_impacts(const Trajectory& trajectory, Metrics& m) {
@@ -152,12 +173,13 @@ Metrics metrics(const Trajectory& trajectory, const std::vector<ContactFacts>& c
   }
   m.settled = settled(trajectory);
   m.spin_speed = free_speed(trajectory, "spin_angle", "spin_speed", m.settled.from);
-  m.ring_speed = free_speed(trajectory, "ring_angle", "ring_speed", m.settled.from);
+  m.ring_speed = ring_speed(trajectory, m.settled.from);
   m.control_force = rms_control(trajectory);
-  if (!contacts.empty()) {
-    m.whirl_penetration = whirl_penetration(trajectory, contacts.front().clearance);
-    m.residuals = largest_residuals(trajectory, contacts);
+  for (std::size_t k = 0; k < contacts.size(); ++k) {
+    m.whirl_penetration =
+        std::max(m.whirl_penetration, whirl_penetration(trajectory, k, contacts[k].clearance));
   }
+  m.residuals = largest_residuals(trajectory, contacts);
   return m;
 }
 

@@ -64,7 +64,8 @@ std::vector<double> cubic(std::span<const double> rows, std::span<const double> 
   return out;
 }
 
-double mean_speed(const Trajectory& run, const char* angle, const char* speed, double from) {
+double mean_speed(const Trajectory& run, const std::string& angle, const std::string& speed,
+                  double from) {
   const std::vector<double>& t = run.column("t");
   const double begin = std::clamp(from, t.front(), t[t.size() - 2]);
   const std::vector<double> ends =

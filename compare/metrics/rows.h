@@ -4,6 +4,7 @@
 #include <complex>
 #include <cstddef>
 #include <span>
+#include <string>
 #include <vector>
 
 #include "native_model/scene/scene.h"
@@ -24,7 +25,8 @@ std::vector<double> cubic(std::span<const double> rows, std::span<const double> 
 
 // rad/s: mean of a speed from `from` (s) to the last row, computed from its angle. Both are names
 // of columns of the run, which needs at least two rows.
-double mean_speed(const Trajectory& run, const char* angle, const char* speed, double from);
+double mean_speed(const Trajectory& run, const std::string& angle, const std::string& speed,
+                  double from);
 
 // Rows needed per turn of the spin to determine its orders; their velocities double the
 // information.

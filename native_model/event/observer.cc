@@ -179,7 +179,7 @@ void Observer::watch_touch(std::size_t k, SmoothStep& step, double last) {
   // Gauss-Legendre rule with three points.
   constexpr double kNodes[] = {0.1127016653792583, 0.5, 0.8872983346207417};
   constexpr double kWeights[] = {5.0 / 18.0, 8.0 / 18.0, 5.0 / 18.0};
-  for (int i = 0; k == 0 && i < 3; ++i) {
+  for (int i = 0; i < 3; ++i) {
     const double depth = separation(*model_, step.at(kNodes[i] * last), k).norm() -
                          model_->auxiliary[k].contact->clearance;
     s.penetration_square += kWeights[i] * last * step.length() * depth * depth;

@@ -238,10 +238,12 @@ void Phase::derivative(double t, const double* y, double* dy) {
   find_closed(q, v);
   add_contact_forces(t, q, a);
   for (const ClosedContact& c : closed_) integrate(c, integrals);
-  if ((!in_contact(0) || m.first().gives()) && m.first().contact && touched_) {
-    const eq::Pair d = eq::separation(m, q), rate = eq::relative(m, v);
+  for (std::size_t k = 0; touched_ && k < m.auxiliary.size(); ++k) {
+    const AuxiliaryBearing& bearing = m.auxiliary[k];
+    if (!bearing.contact || (in_contact(k) && !bearing.gives())) continue;
+    const eq::Pair d = eq::separation(m, bearing, q), rate = eq::relative(m, bearing, v);
     const double square = d.x * d.x + d.y * d.y, along = d.x * rate.x + d.y * rate.y;
-    if (square > kNoNormal * kNoNormal) integrals[kGapRateSquare] = along * along / square;
+    if (square > kNoNormal * kNoNormal) integrals[kGapRateSquare] += along * along / square;
   }
 }
 

@@ -115,8 +115,7 @@ class Phase {
   void show(std::size_t contact, const Outputs& outputs) { at_[contact].outputs = outputs; }
   const Outputs& outputs(std::size_t contact) const { return at_[contact].outputs; }
   // s, first touch of the contact; infinite: none yet. After the first touch of any contact, the
-  // square of the gap rate of contact 0 is integrated outside rigid lasting contact
-  // (kGapRateSquare).
+  // squares of all gap rates are integrated outside rigid lasting contact (kGapRateSquare).
   void first_touch(std::size_t contact, double t) {
     at_[contact].first_touch = t;
     touched_ =

@@ -250,7 +250,7 @@ class FixedRun {
     note_contacts(now.t, done, kick, true);
     recorder_.advance(snapshot(now, done, kick, recorder_.row_due(now.t)), points_[0], impact);
     for (std::size_t i = 0; contacts_ > 1 && i < contacts_; ++i) {
-      recorder_.watch_gap(i, points_[i].gap);
+      recorder_.watch_gap(i, points_[i]);
     }
     const AuxiliaryBearing& first = model_.first();
     const bool inside = first.contact && contacts_ == 1 && recorder_.penetration() == 0.0;

@@ -141,17 +141,17 @@ void Recorder::count_further(double begin, double h, double normal_impulse, doub
   statistics_.add(normal_impulse, friction_impulse, friction_work);
 }
 
-void Recorder::watch_gap(std::size_t contact, double gap) {
-  statistics_.contacts[contact].meet_gap(gap);
-  statistics_.meet_gap(gap);
+void Recorder::watch_gap(std::size_t contact, const ContactPoint& point) {
+  statistics_.contacts[contact].meet_gap(point.gap);
+  if (contact > 0) count_gap(point);
 }
 
-void Recorder::count_gap(const ContactPoint& point, double h) {
+void Recorder::count_gap(const ContactPoint& point) {
   Statistics& s = statistics_;
   s.meet_gap(point.gap);
-  penetration_ = std::max(0.0, -point.gap);
-  s.penetration_square += penetration_ * penetration_ * h;
-  if (s.first_touch >= 0.0) s.gap_rate_square += point.gap_rate * point.gap_rate * h;
+  const double penetration = std::max(0.0, -point.gap);
+  s.penetration_square += penetration * penetration * last_step_;
+  if (s.first_touch >= 0.0) s.gap_rate_square += point.gap_rate * point.gap_rate * last_step_;
 }
 
 // The gaps of all contacts in a state that is shown.
@@ -174,11 +174,14 @@ void Recorder::count(const StepFigures& f, double begin) {
 }
 
 void Recorder::move_to(const Snapshot& now, const ContactPoint& point, bool impact) {
-  const double h = now.t - last_t_;
+  last_step_ = now.t - last_t_;
   rows_until(now, impact);
   passes_until(now, impact);
   statistics_.external_work += switching_work(*model_, last_t_, now.t, now.q, now.v);
-  if (model_->first().contact) count_gap(point, h);
+  if (model_->first().contact) {
+    penetration_ = std::max(0.0, -point.gap);
+    count_gap(point);
+  }
   keep(now, point);
   lasted_ = 0.0;
 }

@@ -114,14 +114,14 @@ class Recorder {
   void advance(const Snapshot& now, const ContactPoint& point, bool impact);
   // The actuator's part of a snapshot is read only if a row is due by its time.
   bool row_due(double t) const { return next_time() <= t * (1.0 + 1e-9); }
-  double penetration() const { return penetration_; }  // m, of the last snapshot, >= 0
+  double penetration() const { return penetration_; }  // m, of the first contact, >= 0
   void add(const Impact& impact);
   void add(const Event& event);
-  // Adds the effects of one of several contacts over h (s) from `begin` (s) on, N s and J;
-  // watch_gap() adds its gap at a row or at the end of a step.
+  // Adds the effects of one of several contacts over h (s) from `begin` (s) on, N s and J.
   void count_at(std::size_t contact, double begin, double h, double normal_impulse,
                 double friction_impulse, double friction_work);
-  void watch_gap(std::size_t contact, double gap);
+  // Adds the gap and its rate of one of several contacts at the snapshot that advance() recorded.
+  void watch_gap(std::size_t contact, const ContactPoint& point);
   // Adds a further contact to the totals of a step that step() counts. before: total normal impulse
   // of the contacts before it, N s.
   void count_further(double begin, double h, double normal_impulse, double friction_impulse,
@@ -151,7 +151,7 @@ class Recorder {
   void meet_energy(double now);
   void count_contact(double normal_impulse, double friction_impulse, double h, double begin,
                      bool impact);
-  void count_gap(const ContactPoint& point, double h);
+  void count_gap(const ContactPoint& point);
   void meet_gaps(const double* q);
   void rows_until(const Snapshot& now, bool impact);
   void interpolate(const Snapshot& now, double share, bool impact);  // writes q_, v_
@@ -162,7 +162,8 @@ class Recorder {
   std::size_t next_ = 0;
   double last_t_ = 0.0;  // s, of the last snapshot
   std::vector<double> last_q_, last_v_, q_, v_;
-  double penetration_ = 0.0;
+  double last_step_ = 0.0;    // s, from the snapshot before to the last one
+  double penetration_ = 0.0;  // m, of the first contact
   // J: normal force times clearance, summed over the contacts that are closed at the last row. A
   // rotor at rest has no energy against which round-off could be compared.
   double resting_ = 0.0;

@@ -73,10 +73,10 @@ struct Statistics : ContactStatistics {
   // s, part of contact_time that belongs to impacts: their steps, or episodes of soft contact
   // shorter than the window.
   double impact_time = 0.0;
-  double penetration_square = 0.0;  // m^2 s, integral of penetration^2 at the first contact
+  double penetration_square = 0.0;  // m^2 s, integral of penetration^2, summed over the contacts
   double force_square = 0.0;        // N^2 s, integral of (impulse of the step / step)^2 in contact
   double window_impulse = 0.0;      // N s, largest normal impulse within the window (recorder.h)
-  double gap_rate_square = 0.0;     // m^2/s, of its gap_rate^2 from the first touch of any contact
+  double gap_rate_square = 0.0;     // m^2/s, of gap_rate^2 from the first touch of any contact on
   double energy_start = 0.0;        // J
   double energy_end = 0.0;          // J
   double external_work = 0.0;       // J, of all forces that are not springs or contact

@@ -192,7 +192,7 @@ TEST_F(SeveralOnTheChain, AreKeptFromMujocosSolverWithoutAGap) {
   const std::string document = mjcf(two_rings("moving", "coulomb", 1e-5));
   const ModelPointer plain = load(document), edited = load(document);
   const int pair = plugin::make_config(edited.get()).pairs[1].pair;
-  edited->pair_margin[pair] = plugin::seen_below(edited.get(), pair);
+  edited->pair_margin[pair] = plugin::detected_below(edited.get(), pair);
   edited->pair_gap[pair] = 0.0;
   const DataPointer d = start(plain.get()), other = start(edited.get());
   const std::string force = names::of_bearing(1, names::kNormalForce);

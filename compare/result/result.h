@@ -1,0 +1,115 @@
+// The result of a command as parts: sentences, tables, data and sections of these. A command builds
+// it once; json_of() writes it as JSON, text_of() for a terminal. Neither knows the command.
+#pragma once
+
+#include <cstddef>
+#include <nlohmann/json.hpp>
+#include <optional>
+#include <string>
+#include <variant>
+#include <vector>
+
+#include "compare/base/palette.h"
+
+namespace rotorub::result {
+
+// A place is a path of keys in the JSON of its section, "timing/median". "#" in it is a new element
+// of a list: "remarks/#". A part without a place is for people alone.
+
+// Who sees a part that has both a place and a text.
+enum Audience { kAll, kJson, kPeople };
+
+// A cell of a table: its value in JSON (SI), and its text.
+struct Item {
+  // By default the cell is absent from the JSON. A number that is not finite becomes null.
+  nlohmann::json value = nlohmann::json::value_t::discarded;
+  // Empty: a string as it is, a number as short_number() writes it, "–" for null.
+  std::string text{};
+  Tone tone = Tone::kPlain;  // of the text
+};
+
+// Words for people. An empty sentence is an empty line.
+struct Sentence {
+  std::string text{};
+  std::string lead{};                   // before the text, "  note: "
+  std::optional<std::size_t> indent{};  // of the lines after the first; by default the lead's width
+  bool wraps = true;                    // see line()
+  Tone tone = Tone::kPlain;
+  std::string toned{};  // the words that have the tone, at their first place; empty: the lead
+  std::string place{};  // the text stands here in JSON
+  Audience seen = kAll;
+};
+
+// Text as it is, of one or several lines. A line break at its end is added if it lacks one.
+Sentence line(std::string text);
+
+struct Column {
+  std::string key{};      // in JSON; empty: for people alone
+  std::string heading{};  // for people
+  // Of the text, blanks between columns included. Negative: left-aligned. A longer text is not cut.
+  int width = 0;
+  Audience seen = kAll;
+};
+
+struct Row {
+  std::string key{};          // replaces {row} in the table's place; empty: none
+  std::vector<Item> items{};  // in the order of the columns; missing ones at the end are empty
+  std::string lead{};         // before the first item instead of the table's lead: "* "
+  Sentence note{};            // below the row, for people; empty: none
+  Audience seen = kAll;
+};
+
+// In JSON each cell of a column with a key stands at the place of the table, in which {row} and
+// {column} are their keys and "#" is one element for each row:
+//   levels/#/{column}                a list of objects
+//   speeds/#                         a list of values, of the one column with a key
+//   figures/{row}/{column}           an object of objects
+//   errors/{row}                     an object of values, of the one column with a key
+//   differences/{column}/figures/{row}   one value, or one object, for each cell
+// Without rows, the list or the object of the rows is empty.
+// For people, a line of headings, unless all are empty, and a line for each row. The lead counts as
+// a part of the first item. Blanks at the end of a line are left out.
+struct Table {
+  std::string place{};
+  std::vector<Column> columns{};
+  std::vector<Row> rows{};
+  std::string lead = "  ";
+  Audience seen = kAll;
+};
+
+// JSON alone. At the empty place, the keys of an object join those of the section.
+struct Data {
+  std::string place{};
+  nlohmann::json value{};
+};
+
+struct Part;
+
+// An object in JSON, of the parts within it; at the empty place, their keys join those of the
+// section around it. The place of the outermost section is not used.
+struct Section {
+  std::string place{};
+  std::vector<Part> parts{};
+  Audience seen = kAll;
+
+  void add(std::vector<Part> more);
+};
+
+struct Part : std::variant<Sentence, Table, Data, Section> {
+  using variant::variant;
+};
+
+// The keys in alphabetical order, or as the parts set them.
+nlohmann::json json_of(const Section& result);
+nlohmann::ordered_json ordered_json_of(const Section& result);
+// Sentences are at most 80 columns wide.
+std::string text_of(const Section& result, const Palette& palette = Palette());
+
+struct Printing {
+  bool json = false, quiet = false;
+  Palette palette{};
+};
+// Prints the result to standard output: as JSON and nothing else, as text, or not at all.
+void print(const Section& result, const Printing& how);
+
+}  // namespace rotorub::result

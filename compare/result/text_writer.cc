@@ -1,0 +1,104 @@
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cstdlib>
+#include <iostream>
+#include <iterator>
+#include <string>
+#include <utility>
+#include <variant>
+#include <vector>
+
+#include "compare/base/format.h"
+#include "compare/base/json.h"
+#include "compare/result/result.h"
+
+namespace rotorub::result {
+namespace {
+
+std::string cell_text(const Item& item) {
+  const nlohmann::json& value = item.value;
+  if (!item.text.empty() || value.is_discarded()) return item.text;
+  if (value.is_string()) return value.get<std::string>();
+  if (value.is_boolean()) return value.get<bool>() ? "yes" : "no";
+  return value.is_number() ? short_number(value.get<double>()) : "–";
+}
+
+std::string padded(const std::string& text, int width) {
+  const int size = std::abs(width);
+  return width < 0 ? fmt::format("{:<{}}", text, size) : fmt::format("{:>{}}", text, size);
+}
+
+// A line of items, of which those of columns for JSON alone are left out.
+std::string line_of(const Table& table, const std::vector<Item>& items, std::string lead,
+                    const Palette& palette) {
+  std::string text;
+  for (std::size_t k = 0; k < std::min(items.size(), table.columns.size()); ++k) {
+    const Column& column = table.columns[k];
+    if (column.seen == kJson) continue;
+    const std::string cell = cell_text(items[k]);
+    text += palette.paint_first(items[k].tone, padded(lead + cell, column.width), cell);
+    lead.clear();
+  }
+  text.erase(text.find_last_not_of(' ') + 1);
+  return text + "\n";
+}
+
+class TextWriter {
+ public:
+  explicit TextWriter(const Palette& palette) : palette_(palette) {}
+
+  std::string operator()(const Data&) const { return ""; }
+
+  std::string operator()(const Sentence& s) const {
+    if (s.seen == kJson) return "";
+    std::string text = s.wraps ? wrapped(s.lead, s.text, s.indent) : s.lead + s.text;
+    if (!text.ends_with('\n')) text += '\n';
+    return palette_.paint_first(s.tone, std::move(text), s.toned.empty() ? s.lead : s.toned);
+  }
+
+  std::string operator()(const Table& table) const {
+    if (table.seen == kJson) return "";
+    std::vector<Item> headings;
+    for (const Column& c : table.columns) headings.push_back({.text = c.heading});
+    std::string text;
+    if (std::ranges::any_of(table.columns, [](const Column& c) { return !c.heading.empty(); }))
+      text += line_of(table, headings, table.lead, palette_);
+    for (const Row& row : table.rows) {
+      if (row.seen == kJson) continue;
+      text += line_of(table, row.items, row.lead.empty() ? table.lead : row.lead, palette_);
+      if (!row.note.text.empty()) text += (*this)(row.note);
+    }
+    return text;
+  }
+
+  std::string operator()(const Section& section) const {
+    std::string text;
+    if (section.seen == kJson) return text;
+    for (const Part& part : section.parts) text += std::visit(*this, part);
+    return text;
+  }
+
+ private:
+  Palette palette_;
+};
+
+}  // namespace
+
+Sentence line(std::string text) { return {.text = std::move(text), .wraps = false}; }
+
+void Section::add(std::vector<Part> more) { std::ranges::move(more, std::back_inserter(parts)); }
+
+std::string text_of(const Section& result, const Palette& palette) {
+  return TextWriter(palette)(result);
+}
+
+void print(const Section& result, const Printing& how) {
+  if (how.json) {
+    std::cout << json_text(json_of(result));
+  } else if (!how.quiet) {
+    std::cout << text_of(result, how.palette);
+  }
+}
+
+}  // namespace rotorub::result
