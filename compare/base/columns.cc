@@ -6,19 +6,8 @@
 
 namespace rotorub {
 namespace {
-
 using nlohmann::ordered_json;
-
-std::string row(std::string_view name, std::string_view unit, std::string_view meaning,
-                std::string_view present) {
-  std::string text(meaning);
-  for (std::size_t at = 0; (at = text.find('|', at)) != std::string::npos; at += 2)
-    text.insert(at, 1, '\\');
-  return fmt::format("| `{}` | {} | {}{} |\n", name, unit, text,
-                     present.empty() ? "" : fmt::format(" ({})", present));
 }
-
-}  // namespace
 
 ordered_json column_json(std::string_view name, std::string_view unit, std::string_view meaning) {
   return {{"name", name}, {"unit", unit}, {"meaning", meaning}};
@@ -43,12 +32,6 @@ std::string columns_text(const ordered_json& columns) {
     text += "\n  ]";
   }
   return text + "\n}\n";
-}
-
-std::string columns_table(std::span<const ColumnMeaning> columns) {
-  std::string text = "| name | unit | meaning |\n| --- | --- | --- |\n";
-  for (const ColumnMeaning& c : columns) text += row(c.name, c.unit, c.meaning, c.present);
-  return text;
 }
 
 }  // namespace rotorub

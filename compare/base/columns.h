@@ -1,5 +1,5 @@
-// Descriptions of the columns in files that a command writes: as JSON for columns.json beside the
-// data, and as a table.
+// Descriptions of the columns in files that a command writes, as JSON for columns.json beside the
+// data.
 #pragma once
 
 #include <nlohmann/json_fwd.hpp>
@@ -19,8 +19,5 @@ nlohmann::ordered_json columns_json(std::span<const ColumnMeaning> columns);
 
 // {"<file>": [column, ...], ...} as text with one line per column, ending with a line break.
 std::string columns_text(const nlohmann::ordered_json& columns);
-
-// A table in Markdown.
-std::string columns_table(std::span<const ColumnMeaning> columns);
 
 }  // namespace rotorub

@@ -1,7 +1,5 @@
 #include "compare/sweep/point_result.h"
 
-#include <fmt/format.h>
-
 #include <nlohmann/json.hpp>
 #include <string>
 #include <vector>
@@ -71,21 +69,6 @@ nlohmann::ordered_json sweep_columns_json(const Study& study) {
   nlohmann::ordered_json files{{"results.csv", all}};
   if (study.statistics) files["statistics.csv"] = statistics_columns_json(study);
   return files;
-}
-
-std::string sweep_columns_markdown() {
-  std::vector<ColumnMeaning> own{kPoint, {"<key>", "SI", kVaried, "one for each key"}};
-  own.insert(own.end(), std::begin(kOutcome), std::end(kOutcome));
-  std::string whole_run, settled;
-  for (const ResultColumn& column : result_columns()) {
-    std::string& names = column.name == column.key ? whole_run : settled;
-    names += fmt::format("{}`{}`", names.empty() ? "" : ", ", column.name);
-  }
-  return columns_table(own) +
-         fmt::format(
-             "\nThe other columns are keys of [summary.json](../study/README.md#summaryjson): {}; "
-             "and, from `settled`, {}.\n",
-             whole_run, settled);
 }
 
 }  // namespace rotorub::sweep

@@ -41,7 +41,4 @@ std::span<const ResultColumn> result_columns();
 // including the columns of the study, in their order.
 nlohmann::ordered_json sweep_columns_json(const Study& study);
 
-// Markdown: all columns, as in compare/sweep/README.md.
-std::string sweep_columns_markdown();
-
 }  // namespace rotorub::sweep

@@ -29,6 +29,21 @@ Trajectory short_run(const scene::Scene& scene) {
   return native_engine(scene::Integrator::kVerlet)->run(scene, {});
 }
 
+std::string row_of(std::string_view name, std::string_view unit, std::string_view meaning,
+                   std::string_view present) {
+  std::string text(meaning);
+  for (std::size_t at = 0; (at = text.find('|', at)) != std::string::npos; at += 2)
+    text.insert(at, 1, '\\');
+  return fmt::format("| `{}` | {} | {}{} |\n", name, unit, text,
+                     present.empty() ? "" : fmt::format(" ({})", present));
+}
+
+std::string columns_table(std::span<const ColumnMeaning> columns) {
+  std::string text = "| name | unit | meaning |\n| --- | --- | --- |\n";
+  for (const ColumnMeaning& c : columns) text += row_of(c.name, c.unit, c.meaning, c.present);
+  return text;
+}
+
 // The metrics of compare.json that the summary lacks, or has with another meaning.
 std::vector<ColumnMeaning> metrics_beyond_the_summary() {
   std::vector<ColumnMeaning> beyond;
@@ -67,6 +82,31 @@ std::string columns_markdown() {
   return text;
 }
 
+std::string sweep_columns_markdown() {
+  sweep::Study study;
+  study.vary.emplace_back();
+  study.vary.front().key = "<key>";
+  study.vary.front().unit = "SI";
+  const auto columns = sweep::sweep_columns_json(study).at("results.csv");
+  std::vector<ColumnMeaning> own;
+  for (std::size_t k = 0; k < columns.size() - sweep::result_columns().size(); ++k) {
+    const auto text = [&](const char* part) -> std::string_view {
+      return columns[k].at(part).get_ref<const std::string&>();
+    };
+    own.push_back({text("name"), text("unit"), text("meaning"), k == 1 ? "one for each key" : ""});
+  }
+  std::string whole_run, settled;
+  for (const sweep::ResultColumn& column : sweep::result_columns()) {
+    std::string& names = column.name == column.key ? whole_run : settled;
+    names += fmt::format("{}`{}`", names.empty() ? "" : ", ", column.name);
+  }
+  return columns_table(own) +
+         fmt::format(
+             "\nThe other columns are keys of [summary.json](../study/README.md#summaryjson): {}; "
+             "and, from `settled`, {}.\n",
+             whole_run, settled);
+}
+
 // Between the marks stands what the program says; ROTORUB_UPDATE_REFERENCE=1 in the environment
 // writes it instead.
 void expect_in_readme(const std::string& file, const std::string& text) {
@@ -87,7 +127,7 @@ void expect_in_readme(const std::string& file, const std::string& text) {
 
 TEST(ColumnFiles, StandInTheReadmesAsTheProgramHasThem) {
   expect_in_readme("compare/study/README.md", columns_markdown());
-  expect_in_readme("compare/sweep/README.md", sweep::sweep_columns_markdown() + "\n");
+  expect_in_readme("compare/sweep/README.md", sweep_columns_markdown() + "\n");
 }
 
 const std::string kTwoRings =
