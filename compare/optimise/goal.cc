@@ -3,7 +3,6 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <array>
 #include <boost/algorithm/string/classification.hpp>
 #include <boost/algorithm/string/split.hpp>
 #include <charconv>
@@ -99,15 +98,15 @@ Goal read_goal(const TomlNode& node, Diagnostics& diagnostics) {
   const StudyTable table(
       node, "optimise",
       {"minimise", "maximise", "algorithm", "evaluations", "tolerance", "constraint"}, diagnostics);
-  constexpr std::array<std::string_view, 5> kAlgorithms{"cobyla", "bobyqa", "nelder_mead",
-                                                        "subplex", "direct"};
   Goal goal;
   goal.maximise = table.has("maximise");
   if (goal.maximise == table.has("minimise"))
     table.fail("minimise", "expected a figure as `minimise` or as `maximise`, one of the two");
   if (const auto figure = figure_of(table, goal.maximise ? "maximise" : "minimise"))
     goal.figure = *figure;
-  goal.algorithm = table.word<Algorithm>("algorithm", kAlgorithms).value_or(goal.algorithm);
+  goal.algorithm =
+      table.word<Algorithm>("algorithm", {"cobyla", "bobyqa", "nelder_mead", "subplex", "direct"})
+          .value_or(goal.algorithm);
   goal.evaluations =
       static_cast<int>(table.whole("evaluations", 1, 1'000'000).value_or(goal.evaluations));
   goal.tolerance = table.number("tolerance", scene::kPure).value_or(goal.tolerance);

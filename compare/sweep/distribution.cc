@@ -80,7 +80,7 @@ std::string distribution_words() { return "one of " + scene::join(kKinds); }
 
 std::optional<Distribution> read_distribution(const StudyTable& table,
                                               const scene::Quantity& quantity) {
-  const auto kind = table.word<DistributionKind>("distribution", kKinds);
+  const auto kind = table.word<DistributionKind>("distribution", {kKinds.begin(), kKinds.end()});
   if (!kind) return std::nullopt;
   Distribution d;
   d.kind = *kind;

@@ -38,7 +38,7 @@ void say_old_word(const std::string& where, const std::string& word) {
 StudyTable::StudyTable(const TomlNode& node, std::string path,
                        std::initializer_list<std::string_view> keys,
                        std::vector<scene::Diagnostic>& diagnostics)
-    : node_(&node), path_(std::move(path)), diagnostics_(&diagnostics) {
+    : node_(&node), file_(node.file), path_(std::move(path)), diagnostics_(&diagnostics) {
   const std::vector<std::string_view> known(keys);
   for (const auto& [name, value] : node.entries) {
     if (std::find(known.begin(), known.end(), name) != known.end()) continue;
@@ -49,14 +49,25 @@ StudyTable::StudyTable(const TomlNode& node, std::string path,
   }
 }
 
+StudyTable StudyTable::table(const std::string& name,
+                             std::initializer_list<std::string_view> keys) const {
+  static const TomlNode none;
+  const TomlNode* node = find(name);
+  const bool is_table = node != nullptr && node->kind == Kind::kTable;
+  if (node != nullptr && !is_table)
+    fail(name, fmt::format("expected one table [{}], got {}", name, kind_name(node->kind)));
+  StudyTable found(is_table ? *node : none, path_of(name), keys, *diagnostics_);
+  found.file_ = file_;
+  return found;
+}
+
 std::string StudyTable::path_of(std::string_view key) const {
   return path_.empty() || key.empty() ? path_ + std::string(key) : path_ + "." + std::string(key);
 }
 
 void StudyTable::fail(std::string_view key, std::string reason) const {
   const TomlNode* at = node_->find(key);
-  diagnostics_->push_back(
-      {node_->file, at ? at->line : node_->line, path_of(key), std::move(reason)});
+  diagnostics_->push_back({file_, at ? at->line : node_->line, path_of(key), std::move(reason)});
 }
 
 void StudyTable::missing(std::string_view key, const std::string& expected) const {
@@ -73,7 +84,7 @@ std::optional<std::string> StudyTable::text(std::string_view key) const {
 }
 
 std::optional<std::size_t> StudyTable::place_of(std::string_view key,
-                                                std::span<const std::string_view> words) const {
+                                                const std::vector<std::string_view>& words) const {
   const auto given = text(key);
   if (!given) return std::nullopt;
   const std::string word(scene::current_word(*given));

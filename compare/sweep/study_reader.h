@@ -3,7 +3,6 @@
 
 #include <initializer_list>
 #include <optional>
-#include <span>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -23,6 +22,8 @@ class StudyTable {
   StudyTable(const scene::TomlNode& node, std::string path,
              std::initializer_list<std::string_view> keys,
              std::vector<scene::Diagnostic>& diagnostics);
+  // The table [name] of this one; empty if it is absent, or if it is none and was reported.
+  StudyTable table(const std::string& name, std::initializer_list<std::string_view> keys) const;
 
   const scene::TomlNode* find(std::string_view key) const { return node_->find(key); }
   bool has(std::string_view key) const { return find(key) != nullptr; }
@@ -30,7 +31,7 @@ class StudyTable {
   std::optional<std::string> text(std::string_view key) const;
   // The word's index in `words`, which must be in the order of the enum.
   template <typename Enum>
-  std::optional<Enum> word(std::string_view key, std::span<const std::string_view> words) const {
+  std::optional<Enum> word(std::string_view key, const std::vector<std::string_view>& words) const {
     const std::optional<std::size_t> place = place_of(key, words);
     return place ? std::optional(static_cast<Enum>(*place)) : std::nullopt;
   }
@@ -45,9 +46,10 @@ class StudyTable {
 
  private:
   std::optional<std::size_t> place_of(std::string_view key,
-                                      std::span<const std::string_view> words) const;
+                                      const std::vector<std::string_view>& words) const;
 
   const scene::TomlNode* node_;
+  scene::FileName file_;
   std::string path_;
   std::vector<scene::Diagnostic>* diagnostics_;
 };

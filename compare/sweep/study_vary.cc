@@ -3,7 +3,6 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 
 #include "compare/sweep/study_reader.h"
@@ -116,8 +115,7 @@ void read_range(const StudyTable& table, const scene::Key* key, SampleKind kind,
     if (!table.has(end)) table.missing(end, std::string(key->quantity.name) + ", or `values`");
   }
   const auto from = table.number("from", key->quantity), to = table.number("to", key->quantity);
-  constexpr std::array<std::string_view, 2> kSpacings{"linear", "log"};
-  vary.spacing = table.word<Spacing>("spacing", kSpacings).value_or(Spacing::kLinear);
+  vary.spacing = table.word<Spacing>("spacing", {"linear", "log"}).value_or(Spacing::kLinear);
   if (from && to) {
     vary.from = *from;
     vary.to = *to;
