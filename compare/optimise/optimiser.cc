@@ -5,7 +5,6 @@
 #include <map>
 #include <nlohmann/json.hpp>
 #include <nlopt.hpp>
-#include <stdexcept>
 
 #include "compare/engine/engine.h"
 #include "compare/figures/figure.h"

@@ -4,19 +4,11 @@
 #include <utility>
 
 #include "compare/base/in_parallel.h"
+#include "compare/metrics/rows.h"
 #include "compare/sweep/sample.h"
 
 namespace rotorub::sweep {
 namespace {
-
-// Rows that show where a run has settled, evenly spaced over its last fifth including both ends.
-constexpr int kSettledRows = 41;
-// s, time of the row 0 .. kSettledRows - 1
-double settled_row(double end, int row) {
-  const double from = (1.0 - kSettledShare) * end;
-  if (row == kSettledRows - 1) return end;
-  return from + (end - from) * static_cast<double>(row) / static_cast<double>(kSettledRows - 1);
-}
 
 PointResult refused_point(std::int64_t point, std::string reason) {
   PointResult result;
@@ -52,10 +44,11 @@ std::optional<PointResult> run_single(std::int64_t point, const scene::Scene& sc
                                       const Engine& engine, const std::atomic<bool>& interrupt) {
   RunRequest request;
   request.interrupt = &interrupt;
-  request.output_times.emplace();
-  for (int row = 0; row < kSettledRows; ++row) {
-    request.output_times->push_back(settled_row(scene.run.end, row));
-  }
+  // Rows that show where the run has settled.
+  constexpr std::size_t kSettledRows = 41;
+  const double end = scene.run.end;
+  request.output_times = even_times((1.0 - kSettledShare) * end, end, kSettledRows);
+  request.output_times->back() = end;
   PointResult result;
   result.point = point;
   bool interrupted = false;
