@@ -25,11 +25,10 @@ Json& node_at(Json& from, std::string_view place, const Names& names = {}) {
       if (node->is_null()) *node = Json::array();
       if (names.next || node->empty()) node->push_back(Json());
       node = &node->back();
+    } else if (step == "{column}") {
+      node = &node_at(*node, names.column);
     } else {
-      const std::string_view key = step == "{row}"      ? names.row
-                                   : step == "{column}" ? names.column
-                                                        : step;
-      node = &(*node)[std::string(key)];
+      node = &(*node)[std::string(step == "{row}" ? names.row : step)];
     }
   }
   return *node;

@@ -44,7 +44,7 @@ struct Sentence {
 Sentence line(std::string text);
 
 struct Column {
-  std::string key{};      // in JSON; empty: for people alone
+  std::string key{};      // in JSON, or a place: "runs/cone"; empty: for people alone
   std::string heading{};  // for people
   // Of the text, blanks between columns included. Negative: left-aligned. A longer text is not cut.
   int width = 0;
