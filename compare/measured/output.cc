@@ -94,8 +94,7 @@ std::string apart(const std::string& text) { return " " + text; }
 result::Table record_table(const MeasuredRun& run, std::string place, std::string heading,
                            result::Column record) {
   record.width = 9;
-  result::Table table{std::move(place),
-                      {{.heading = std::move(heading), .width = -29}, std::move(record)}};
+  result::Table table{std::move(place), {{"", std::move(heading), -29}, std::move(record)}};
   for (const std::string& label : run.labels) {
     const std::string name = column_heading(label);
     table.columns.push_back(
@@ -170,51 +169,49 @@ std::string measured_value(const MeasuredFigure& f) {
 
 result::Section measured_section(const MeasuredRun& run) {
   result::Table figures = record_table(run, "figures/{row}/{column}", "at the record's samples",
-                                       {.key = "measured", .heading = apart("measured")});
-  figures.columns.push_back({.key = "bound", .seen = result::kJson});
+                                       {"measured", apart("measured")});
   if (run.figures.empty()) figures.seen = result::kJson;
   for (const MeasuredFigure& f : run.figures) {
-    std::vector<result::Item> items{{.text = figure_label(f)},
-                                    {f.measured, apart(measured_value(f))}};
-    for (const double value : f.runs) items.push_back({value, apart(figure_value(f, value))});
-    items.push_back({to_string(f.bound)});
-    figures.rows.push_back({f.key, std::move(items), "    "});
+    result::Row row{.key = f.key,
+                    .items = {{figure_label(f)}, {f.measured, apart(measured_value(f))}},
+                    .lead = "    ",
+                    .data = {{"bound", to_string(f.bound)}}};
+    for (const double value : f.runs) row.items.push_back({value, apart(figure_value(f, value))});
+    figures.rows.push_back(std::move(row));
   }
   // The offset is relative to the native run. The rms is taken about the offset, because a sensor's
   // zero is unknown.
-  result::Table columns = record_table(run, "columns/{row}/{column}", "record less run, rms",
-                                       {.heading = apart("offset")});
-  for (const char* key : {"good", "missing", "clipped"})
-    columns.columns.push_back({.key = key, .seen = result::kJson});
+  result::Table columns =
+      record_table(run, "columns/{row}/{column}", "record less run, rms", {"", apart("offset")});
   for (const ColumnFit& c : run.columns) {
-    std::vector<result::Item> items{
-        {.text = fmt::format("{}, {}", c.what->name, residual_unit(*c.what))},
-        {.text = apart(residual_text(*c.what, c.runs.front().offset))}};
-    std::vector<result::Item> shares{{.text = "of its deviation"}, {}};
+    result::Row row{.key = std::string(c.what->name),
+                    .items = {{fmt::format("{}, {}", c.what->name, residual_unit(*c.what))},
+                              {apart(residual_text(*c.what, c.runs.front().offset))}},
+                    .lead = "    ",
+                    .data = {{"good", c.good}, {"missing", c.missing}, {"clipped", c.clipped}}};
+    result::Row shares{
+        .items = {{"of its deviation"}, {}}, .lead = "      ", .seen = result::kPeople};
     for (const ColumnResidual& r : c.runs) {
-      items.push_back({{{"rms", r.rms}, {"offset", r.offset}, {"share", number_or_null(r.share)}},
-                       apart(residual_text(*c.what, r.rms))});
-      shares.push_back({.text = apart(share_text(r))});
+      row.items.push_back(
+          {{{"rms", r.rms}, {"offset", r.offset}, {"share", number_or_null(r.share)}},
+           apart(residual_text(*c.what, r.rms))});
+      shares.items.push_back({apart(share_text(r))});
     }
-    for (const std::size_t number : {c.good, c.missing, c.clipped}) items.push_back({number});
-    columns.rows.push_back({std::string(c.what->name), std::move(items), "    "});
-    columns.rows.push_back({"", std::move(shares), "      ", {}, result::kPeople});
+    columns.rows.insert(columns.rows.end(), {std::move(row), std::move(shares)});
   }
-  result::Section section{
-      "measured",
-      {result::Data{"",
-                    {{"file", run.file},
-                     {"samples", run.samples},
-                     {"interval", run.interval},
-                     {"alignment", alignment_json(run.alignment)},
-                     {"remarks", run.remarks}}},
-       result::Sentence{.text = fmt::format("{}, {} samples, {} apart", run.file, run.samples,
-                                            time_text(run.interval)),
-                        .lead = "  measured: "},
-       result::Sentence{.text = alignment_text(run.alignment), .lead = "    "}, std::move(figures),
-       std::move(columns)}};
-  for (const std::string& remark : run.remarks)
-    section.add({result::Sentence{.text = remark, .lead = "    - "}});
+  result::Section section{"measured",
+                          {result::Data{"",
+                                        {{"file", run.file},
+                                         {"samples", run.samples},
+                                         {"interval", run.interval},
+                                         {"alignment", alignment_json(run.alignment)},
+                                         {"remarks", run.remarks}}},
+                           result::Sentence{fmt::format("{}, {} samples, {} apart", run.file,
+                                                        run.samples, time_text(run.interval)),
+                                            "  measured: "},
+                           result::Sentence{alignment_text(run.alignment), "    "},
+                           std::move(figures), std::move(columns)}};
+  for (const std::string& remark : run.remarks) section.add({result::Sentence{remark, "    - "}});
   return section;
 }
 

@@ -153,28 +153,26 @@ result::Section model_error_section(const ModelError& error) {
   result::Section section{"model_error", {result::Data{"modes", error.modes}}};
   if (!error.reason.empty()) {
     section.add({result::Data{"reason", error.reason},
-                 result::Sentence{.text = "modes kept: not known: " + error.reason, .lead = "  "}});
+                 result::Sentence{"modes kept: not known: " + error.reason, "  "}});
     return section;
   }
-  result::Table table{"figures/{row}/{column}", {{.heading = "bending modes kept", .width = -21}}};
-  for (const int n : error.modes)
-    table.columns.push_back({.heading = fmt::format("{}", n), .width = 9});
-  table.columns.push_back({.key = "convergence", .heading = "  over the modes; off by"});
-  for (const char* key : {"values", "last_change", "left", "error"})
-    table.columns.push_back({.key = key, .seen = result::kJson});
+  result::Table table{"figures/{row}/{column}", {{"", "bending modes kept", -21}}};
+  for (const int n : error.modes) table.columns.push_back({"", fmt::format("{}", n), 9});
+  table.columns.push_back({"convergence", "  over the modes; off by"});
   std::string left;
   for (const FigureLimit& f : error.figures) {
     section.add({result::Data{f.figure->key, number_or_null(f.error)}});
-    std::vector<result::Item> items{{.text = f.figure->label}};
-    for (const double v : f.values) items.push_back({.text = figure_value(*f.figure, v)});
+    result::Row row{.key = f.figure->key,
+                    .items = {{f.figure->label}},
+                    .data = {{"values", f.values},
+                             {"last_change", f.last_change},
+                             {"left", number_or_null(f.left)},
+                             {"error", number_or_null(f.error)}}};
+    for (const double v : f.values) row.items.push_back({figure_value(*f.figure, v)});
     const std::string word = to_string(f.convergence);
-    items.push_back(
+    row.items.push_back(
         {word, "  " + word + (f.error ? ", " + deviation_text(*f.figure, *f.error) : "")});
-    items.push_back({f.values});
-    items.push_back({f.last_change});
-    items.push_back({number_or_null(f.left)});
-    items.push_back({number_or_null(f.error)});
-    table.rows.push_back({f.figure->key, std::move(items)});
+    table.rows.push_back(std::move(row));
     if (f.convergence == Convergence::kTrend) {
       left += fmt::format("{}{} {}", left.empty() ? "" : ", ", f.figure->label,
                           deviation_text(*f.figure, *f.left));
@@ -183,8 +181,7 @@ result::Section model_error_section(const ModelError& error) {
   section.add({std::move(table)});
   if (!left.empty()) {
     section.add({result::Sentence{
-        .text = fmt::format("trend: to come beyond {} modes: {}", error.modes.back(), left),
-        .lead = "  * "}});
+        fmt::format("trend: to come beyond {} modes: {}", error.modes.back(), left), "  * "}});
   }
   return section;
 }

@@ -94,6 +94,9 @@ class JsonWriter {
       node_at(section_, table.place, {row.key, column.key, next || has_lists}) = row.items[k].value;
       next = false;
     }
+    if (row.data.is_null()) return;
+    const std::string_view keys = std::string_view(table.place).substr(0, table.place.rfind('/'));
+    node_at(section_, keys, {row.key, "", next}).update(Json(row.data));
   }
 
   Json& section_;

@@ -56,6 +56,7 @@ struct Row {
   std::vector<Item> items{};  // in the order of the columns; missing ones at the end are empty
   std::string lead{};         // before the first item instead of the table's lead: "* "
   Sentence note{};            // below the row, for people; empty: none
+  nlohmann::json data{};      // JSON alone: an object whose keys join those of the columns
   Audience seen = kAll;
 };
 
