@@ -65,29 +65,27 @@ json shadow_json(const SceneComparison& c) {
           {"summary", summary_json(c.scene, c.shadow.side->trajectory)}};
 }
 
-json shadow_figure_json(const JudgedFigure& f) {
+// other: the key of the value that is compared with the native one.
+json judged_json(const JudgedFigure& f, const char* other) {
   return {{"native", f.native},
-          {"shadow", f.other},
+          {other, f.other},
           {"difference", f.other - f.native},
           {"deviation", f.is_absent() ? json() : json(f.deviation)}};
 }
 
-json figure_json(const FigureDifference& f) {
-  json entry = {{"native", f.native},
-                {"other", f.other},
-                {"difference", f.other - f.native},
-                {"deviation", f.is_absent() ? json() : json(f.deviation)},
-                {"twin_deviation", f.floor},
-                {"interval", f.interval},
-                {"least_told", f.least_told},
-                {"replay_floor", f.replay_floor},
-                {"judged", f.figure->is_judged()}};
+json difference_json(const FigureDifference& f) {
+  json all = judged_json(f, "other");
+  all.update({{"twin_deviation", f.floor},
+              {"interval", f.interval},
+              {"least_told", f.least_told},
+              {"replay_floor", f.replay_floor},
+              {"judged", f.figure->is_judged()}});
   if (f.figure->is_judged()) {
-    entry["within"] = f.verdict == FigureVerdict::kWithin;
-    entry["verdict"] = to_string(f.verdict);
+    all["within"] = f.verdict == FigureVerdict::kWithin;
+    all["verdict"] = to_string(f.verdict);
   }
-  if (f.figure->split) entry["split"] = f.split;
-  return entry;
+  if (f.figure->split) all["split"] = f.split;
+  return all;
 }
 
 std::string heading(const Side& side) { return column_heading(side.label); }
@@ -200,10 +198,10 @@ Table difference_table(const SceneComparison& c) {
     const Figure& f = figures()[i];
     Item shadow;
     if (c.shadow.side)
-      shadow = {shadow_figure_json(c.shadow.figures[i]), in_column(c.shadow.figures[i])};
+      shadow = {judged_json(c.shadow.figures[i], "shadow"), in_column(c.shadow.figures[i])};
     Row& row = add_row(table, c, lead_of(f), f.label, "", shadow, [&](std::size_t k) {
       const FigureDifference& d = c.differences[k - 1].figures[i];
-      return Item{figure_json(d), in_column(d)};
+      return Item{difference_json(d), in_column(d)};
     });
     row.key = f.key;
     if (!f.comparable || is_absent(c, f)) row.seen = result::kJson;

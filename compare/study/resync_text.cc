@@ -128,22 +128,19 @@ std::vector<std::string> resync_reasons(const std::string& contact, const Resync
 }
 
 std::vector<result::Part> resync_parts(const SceneComparison& c) {
-  const std::vector<result::Column> columns{
-      {"", "", -27},        {"native", "", 10}, {"other", "", 10},    {"median", "", 8},
-      {"ninetieth", "", 8}, {"worst", "", 8},   {"worst_time", "", 9}};
-  std::vector<result::Part> parts{result::Table{"",
-                                                columns,
-                                                {{.items = {{"by onset; off by, in %"},
-                                                            {"native"},
-                                                            {"MuJoCo"},
-                                                            {"median"},
-                                                            {"90 %"},
-                                                            {"worst"},
-                                                            {"at, s"}}}}}};
+  std::vector<result::Part> parts{result::line(
+      "  by onset; off by, in %       native    MuJoCo  median    90 %   worst    at, s")};
   for (std::size_t k = 0; k < c.differences.size(); ++k) {
     const std::string& label = c.sides[k + 1].label;
     const Resync& r = *c.differences[k].resync;
-    result::Table table{"figures/{row}/{column}", columns};
+    result::Table table{"figures/{row}/{column}",
+                        {{"", "", -27},
+                         {"native", "", 10},
+                         {"other", "", 10},
+                         {"median", "", 8},
+                         {"ninetieth", "", 8},
+                         {"worst", "", 8},
+                         {"worst_time", "", 9}}};
     for (const ResyncRow& row : r.rows) {
       const ResyncFigure& f = *row.figure;
       table.rows.push_back({.key = f.key,
