@@ -111,6 +111,27 @@ json above_modes_json(const std::optional<AboveModes>& above) {
           {"fastest_whirl", above->fastest}};
 }
 
+// mass, above: contact_mass and above_modes of the run, whose eigenproblems take a while.
+json written(const scene::Scene& scene, const Trajectory& trajectory,
+             const std::optional<ContactMass>& mass, const std::optional<AboveModes>& above) {
+  json all = run_numbers_json(scene, trajectory);
+  all.update({{"program", "rotorub"},
+              {"version", program_version()},
+              {"mujoco_version", mujoco_version()},
+              {"scene", scene.name},
+              {"scene_hash", scene::scene_hash(scene)},
+              {"engine", trajectory.engine},
+              {"integrator", trajectory.integrator},
+              {"contact_model", trajectory.contact_model},
+              {"contact_mass", contact_mass_json(mass)},
+              {"above_modes", above_modes_json(above)},
+              {"status", to_string(trajectory.status)},
+              {"message", trajectory.message},
+              {"warnings", doubts(scene, trajectory)}});
+  if (trajectory.contacts > 1) all["contacts"] = contacts_json(scene, trajectory);
+  return all;
+}
+
 // The run and how it ended.
 std::vector<result::Part> opening(const scene::Scene& scene, const Trajectory& t) {
   const std::string step = t.step > 0.0 ? "step " + time_text(t.step) : "steps of its own";
@@ -150,18 +171,19 @@ result::Table figures_table(const Metrics& m, const Trajectory& t) {
 
 // Notes if the omitted modes affect the effective mass of rigid impacts, or if the whirl is faster
 // than the modes can follow.
-std::vector<result::Part> mode_notes(const scene::Scene& scene, const Trajectory& trajectory) {
+std::vector<result::Part> mode_notes(const std::optional<ContactMass>& mass,
+                                     const std::optional<AboveModes>& above) {
   std::vector<result::Part> notes;
   const auto add = [&](std::string text) {
     notes.emplace_back(result::Sentence{std::move(text), "  note: ", 2});
   };
-  if (const auto mass = contact_mass(scene); mass && mass->truncated()) {
+  if (mass && mass->truncated()) {
     add(fmt::format(
         "an impact meets {} kg with {} of the shaft's modes, {} kg with all {} of its mesh: sizes "
         "and numbers of impacts depend on rotor.modes, mean force hardly (README, Limits)",
         short_number(mass->kept), mass->kept_modes, short_number(mass->mesh), mass->mesh_modes));
   }
-  if (const auto above = above_modes(scene, trajectory); above && above->matters()) {
+  if (above && above->matters()) {
     constexpr double kHz = 1.0 / (2.0 * std::numbers::pi);
     add(fmt::format(
         "in {} of the time in contact, with {} of the friction work, the whirl is faster than the "
@@ -191,22 +213,7 @@ json run_numbers_json(const scene::Scene& scene, const Trajectory& trajectory) {
 }
 
 json summary_json(const scene::Scene& scene, const Trajectory& trajectory) {
-  json all = run_numbers_json(scene, trajectory);
-  all.update({{"program", "rotorub"},
-              {"version", program_version()},
-              {"mujoco_version", mujoco_version()},
-              {"scene", scene.name},
-              {"scene_hash", scene::scene_hash(scene)},
-              {"engine", trajectory.engine},
-              {"integrator", trajectory.integrator},
-              {"contact_model", trajectory.contact_model},
-              {"contact_mass", contact_mass_json(contact_mass(scene))},
-              {"above_modes", above_modes_json(above_modes(scene, trajectory))},
-              {"status", to_string(trajectory.status)},
-              {"message", trajectory.message},
-              {"warnings", doubts(scene, trajectory)}});
-  if (trajectory.contacts > 1) all["contacts"] = contacts_json(scene, trajectory);
-  return all;
+  return written(scene, trajectory, contact_mass(scene), above_modes(scene, trajectory));
 }
 
 std::string rub_answer(const Metrics& m, std::optional<double> cut) {
@@ -232,7 +239,9 @@ std::string rub_answer(const Metrics& m, std::optional<double> cut) {
 result::Section run_result(const scene::Scene& scene, const Trajectory& t) {
   const std::vector<ContactFacts> contacts = contact_facts(scene);
   const Metrics m = metrics(t, contacts);
-  result::Section told{.parts = {result::Data{"", summary_json(scene, t)}}};
+  const std::optional<ContactMass> mass = contact_mass(scene);
+  const std::optional<AboveModes> above = above_modes(scene, t);
+  result::Section told{.parts = {result::Data{"", written(scene, t, mass, above)}}};
   told.add(opening(scene, t));
   if (!t.message.empty()) told.add({result::Sentence{t.message, "  "}});
   for (const std::string& doubt : doubts(scene, t))
@@ -242,7 +251,7 @@ result::Section run_result(const scene::Scene& scene, const Trajectory& t) {
     told.add({result::Sentence{rub_answer(m, cut), "  rubs: "}});
   }
   told.add({figures_table(m, t)});
-  told.add(mode_notes(scene, t));
+  told.add(mode_notes(mass, above));
   return told;
 }
 
