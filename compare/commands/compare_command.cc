@@ -4,11 +4,8 @@
 
 #include <cstdio>
 #include <filesystem>
-#include <iostream>
 #include <memory>
-#include <nlohmann/json.hpp>
 
-#include "compare/base/json.h"
 #include "compare/commands/command.h"
 #include "compare/commands/compare_output.h"
 #include "compare/commands/measured_options.h"
@@ -16,8 +13,8 @@
 #include "compare/commands/terminal.h"
 #include "compare/commands/tune_command.h"
 #include "compare/own/own_machine.h"
-#include "compare/study/json.h"
-#include "compare/study/table.h"
+#include "compare/result/result.h"
+#include "compare/study/result.h"
 #include "native_model/scene/overrides.h"
 #include "native_model/scene/reader.h"
 #include "native_model/scene/scene.h"
@@ -199,7 +196,8 @@ std::vector<SceneComparison> compare_all(const CompareArguments& options, double
     write_runs(options.folder, c, hdf5);
     if (c.interrupted) break;
     if (!options.json && !options.quiet) {
-      fmt::print("{}{}", k > 0 ? "\n" : "", comparison_table(c, palette_of(stdout)));
+      fmt::print("{}{}", k > 0 ? "\n" : "",
+                 result::text_of(comparison_result(c), palette_of(stdout)));
       std::fflush(stdout);
     }
     comparisons.push_back(std::move(c));
@@ -234,13 +232,13 @@ int compare(const CompareArguments& options) {
   });
   bar.clear();
   find_settings(options, tolerance, subjects, bar, pages);
-  write_report(options.folder, comparisons, pages, beside);
-
-  if (options.json) {
-    std::cout << json_text(comparisons_json(comparisons));
-  } else if (!options.quiet && !pages.empty()) {
-    fmt::print("\nreport: {}/report.html\n", printable_path(options.folder));
+  result::Section told{.parts = {comparisons_result(comparisons)}};
+  write_report(options.folder, told, pages, beside);
+  if (!pages.empty()) {
+    told.add(
+        {result::line(fmt::format("\nreport: {}/report.html", printable_path(options.folder)))});
   }
+  result::print(told, {options.json, options.quiet});
   return exit_code(comparisons);
 }
 

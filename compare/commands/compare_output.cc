@@ -11,7 +11,7 @@
 #include "compare/commands/command.h"
 #include "compare/run_files/run_directory.h"
 #include "compare/study/answer.h"
-#include "compare/study/json.h"
+#include "compare/study/result.h"
 #include "native_model/trajectory/output.h"
 #include "native_model/trajectory/recorder.h"
 #include "renders/film.h"
@@ -61,9 +61,9 @@ void write_runs(const path& folder, const SceneComparison& comparison, hdf5::Ima
   }
 }
 
-void write_report(const path& folder, const std::vector<SceneComparison>& comparisons,
+void write_report(const path& folder, const result::Section& result,
                   const std::vector<PageScene>& pages, const Beside& beside) {
-  write_whole(folder / kCompareFile, json_text(comparisons_json(comparisons)));
+  write_whole(folder / kCompareFile, json_text(result::json_of(result)));
   write_whole(folder / kColumnsFile, columns_text(compare_columns_json()));
   if (!pages.empty()) write_whole(folder / kReportFile, report_page(pages, beside));
 }

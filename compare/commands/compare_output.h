@@ -9,6 +9,7 @@
 
 #include "compare/hdf5/module.h"
 #include "compare/report/page.h"
+#include "compare/result/result.h"
 #include "compare/study/scene_comparison.h"
 
 namespace rotorub {
@@ -23,9 +24,8 @@ std::vector<std::string> compare_files(const std::filesystem::path& folder,
 void write_runs(const std::filesystem::path& folder, const SceneComparison& comparison,
                 hdf5::ImageOf hdf5);
 
-// compare.json, columns.json and report.html.
-void write_report(const std::filesystem::path& folder,
-                  const std::vector<SceneComparison>& comparisons,
+// compare.json, columns.json and report.html. result: comparisons_result.
+void write_report(const std::filesystem::path& folder, const result::Section& result,
                   const std::vector<PageScene>& pages, const Beside& beside = {});
 
 // The films of a comparison.

@@ -2,13 +2,10 @@
 
 #include <fmt/format.h>
 
-#include <cmath>
 #include <cstdio>
 #include <filesystem>
-#include <iostream>
 #include <memory>
 #include <nlohmann/json.hpp>
-#include <numbers>
 #include <optional>
 #include <string>
 #include <utility>
@@ -24,11 +21,9 @@
 #include "compare/engine/lyapunov.h"
 #include "compare/measured/measured_run.h"
 #include "compare/measured/output.h"
-#include "compare/metrics/above_modes.h"
+#include "compare/result/result.h"
 #include "compare/run_files/run_directory.h"
 #include "compare/run_files/summary.h"
-#include "compare/study/table.h"
-#include "native_model/rotor/mode_truncation.h"
 #include "native_model/scene/scene.h"
 #include "native_model/scene/text.h"
 #include "native_model/trajectory/output.h"
@@ -55,36 +50,6 @@ std::unique_ptr<Engine> engine_of(const RunArguments& options, const scene::Scen
   }
   return mujoco_engine(options.contact.empty() ? scene.mujoco.contact
                                                : contact_model_of(options.contact));
-}
-
-// A note if the omitted modes affect the effective mass of rigid impacts.
-std::string truncation_note(const scene::Scene& scene) {
-  const auto mass = contact_mass(scene);
-  if (!mass || !mass->truncated()) return "";
-  return wrapped(
-      "  note: ",
-      fmt::format("an impact meets {} kg with {} of the shaft's modes, {} kg with all {} of its "
-                  "mesh: sizes and numbers of impacts depend on rotor.modes, mean force hardly "
-                  "(README, Limits)",
-                  short_number(mass->kept), mass->kept_modes, short_number(mass->mesh),
-                  mass->mesh_modes),
-      2);
-}
-
-// A note if the whirl is faster than the modes can follow.
-std::string whirl_note(const scene::Scene& scene, const Trajectory& trajectory) {
-  constexpr double kHz = 1.0 / (2.0 * std::numbers::pi);
-  const auto above = above_modes(scene, trajectory);
-  if (!above || !above->matters()) return "";
-  const std::string sentence = fmt::format(
-      "in {} of the time in contact, with {} of the friction work, the whirl is faster than the "
-      "highest mode kept ({} Hz): {} Hz at most. There the shaft has no flexibility of its own: "
-      "keep modes beyond that (rotor.modes), or read the figures as those of the modes kept",
-      percent_text(std::round(1e3 * above->contact_share) / 1e3),
-      percent_text(std::round(1e3 * above->friction_share) / 1e3),
-      short_number(kHz * (above->fastest > 0.0 ? above->band.forward : above->band.backward)),
-      short_number(kHz * above->fastest));
-  return wrapped("  note: ", sentence, 2);
 }
 
 bool writes_shadow(const RunArguments& options, const scene::Scene& scene) {
@@ -119,20 +84,18 @@ Lyapunov lyapunov_of(const RunArguments& options, const scene::Scene& scene,
   return found;
 }
 
-nlohmann::json lyapunov_json(const Lyapunov& found) {
-  if (!found.exponent) return {{"exponent", nullptr}, {"refused", found.refused}};
-  return {{"exponent", *found.exponent}, {"stretch", found.stretch}, {"refused", nullptr}};
-}
-
-std::string lyapunov_text(const Lyapunov& found) {
-  const std::string what = "largest Lyapunov exponent: ";
-  if (!found.exponent) return wrapped("  ", what + "none, " + found.refused);
-  return wrapped("  ",
-                 fmt::format("{}{} 1/s: {}", what, short_number(*found.exponent),
-                             *found.exponent > 0.0
-                                 ? "neighbouring runs part, which is chaos where it is clearly "
-                                   "above 0"
-                                 : "neighbouring runs come together"));
+result::Section lyapunov_result(const Lyapunov& found) {
+  std::string text = "none, " + found.refused;
+  nlohmann::json all = {{"exponent", nullptr}, {"refused", found.refused}};
+  if (found.exponent) {
+    text = fmt::format("{} 1/s: {}", short_number(*found.exponent),
+                       *found.exponent > 0.0
+                           ? "neighbouring runs part, which is chaos where it is clearly above 0"
+                           : "neighbouring runs come together");
+    all = {{"exponent", *found.exponent}, {"stretch", found.stretch}, {"refused", nullptr}};
+  }
+  return {"lyapunov",
+          {result::Data{"", all}, result::Sentence{"largest Lyapunov exponent: " + text, "  "}}};
 }
 
 // The record compared with the run; empty without a record.
@@ -177,24 +140,16 @@ int run(const RunArguments& options) {
   bar.clear();
   write_run(folder, scene, trajectory, hdf5);
 
-  std::optional<Lyapunov> lyapunov;
+  result::Section told = run_result(scene, trajectory);
   if (options.lyapunov) {
-    lyapunov = lyapunov_of(options, scene, trajectory);
-    write_whole(folder / kLyapunovFile, json_text(lyapunov_json(*lyapunov)));
+    const result::Section lyapunov = lyapunov_result(lyapunov_of(options, scene, trajectory));
+    write_whole(folder / kLyapunovFile, json_text(result::json_of(lyapunov)));
+    told.add({lyapunov});
   }
-
-  const auto beside = laid_in(measured, scene, options, trajectory);
-  if (options.json) {
-    nlohmann::json said = summary_json(scene, trajectory);
-    if (lyapunov) said["lyapunov"] = lyapunov_json(*lyapunov);
-    if (beside) said["measured"] = measured_json(*beside);
-    std::cout << json_text(said);
-  } else if (!options.quiet) {
-    fmt::print("{}{}{}{}{}written to {}\n", run_table(scene, trajectory, palette_of(stdout)),
-               truncation_note(scene), whirl_note(scene, trajectory),
-               lyapunov ? lyapunov_text(*lyapunov) : "", beside ? measured_table(*beside) : "",
-               printable_path(folder));
-  }
+  if (const auto beside = laid_in(measured, scene, options, trajectory))
+    told.add({measured_section(*beside)});
+  told.add({result::line(fmt::format("written to {}", printable_path(folder)))});
+  result::print(told, {options.json, options.quiet, palette_of(stdout)});
   say_failure(scene, "", trajectory);
   const bool stopped = trajectory.status == Status::kInterrupted;
   if (writes_shadow(options, scene) && !stopped) {

@@ -3,8 +3,9 @@
 #include <fmt/format.h>
 
 #include <deque>
-#include <functional>
 #include <nlohmann/json.hpp>
+#include <utility>
+#include <vector>
 
 #include "compare/base/format.h"
 #include "compare/base/json.h"
@@ -85,18 +86,21 @@ std::vector<ColumnMeaning> make_measured_keys() {
   return keys;
 }
 
-// A line of the table, with `text` for each run that has a column.
-std::string record_line(const MeasuredRun& of, const std::string& label,
-                        const std::string& measured,
-                        const std::function<std::string(std::size_t)>& text) {
-  // With native and four contact models: 80 columns.
-  constexpr int kName = 29, kMeasured = 8, kRun = 7;
-  std::string line = fmt::format("{:<{}} {:>{}}", label, kName, measured, kMeasured);
-  for (std::size_t r = 0; r < of.labels.size(); ++r) {
-    if (!column_heading(of.labels[r]).empty()) line += fmt::format(" {:>{}}", text(r), kRun);
+// Text of a cell with a blank before it, so that long numbers do not run together.
+std::string apart(const std::string& text) { return " " + text; }
+
+// A table with a column for the record and one for each run. With native and four contact models it
+// has 80 columns.
+result::Table record_table(const MeasuredRun& run, std::string place, std::string heading,
+                           result::Column record) {
+  record.width = 9;
+  result::Table table{std::move(place), {{"", std::move(heading), -29}, std::move(record)}};
+  for (const std::string& label : run.labels) {
+    const std::string name = column_heading(label);
+    table.columns.push_back(
+        {"runs/" + label, apart(name), 8, name.empty() ? result::kJson : result::kAll});
   }
-  line.erase(line.find_last_not_of(' ') + 1);
-  return line + "\n";
+  return table;
 }
 
 // The unit of a quantity in texts; written value = SI value * per_unit.
@@ -143,29 +147,6 @@ json alignment_json(const Alignment& a) {
           {"mirrored", mirrored}};
 }
 
-json measured_json(const MeasuredRun& run) {
-  json columns = json::object(), figures = json::object();
-  for (const ColumnFit& c : run.columns) {
-    json runs = json::object();
-    for (std::size_t r = 0; r < c.runs.size(); ++r) {
-      runs[run.labels[r]] = {{"rms", c.runs[r].rms},
-                             {"offset", c.runs[r].offset},
-                             {"share", number_or_null(c.runs[r].share)}};
-    }
-    columns[std::string(c.what->name)] = {
-        {"good", c.good}, {"missing", c.missing}, {"clipped", c.clipped}, {"runs", runs}};
-  }
-  for (const MeasuredFigure& f : run.figures) {
-    json runs = json::object();
-    for (std::size_t r = 0; r < f.runs.size(); ++r) runs[run.labels[r]] = f.runs[r];
-    figures[f.key] = {{"measured", f.measured}, {"bound", to_string(f.bound)}, {"runs", runs}};
-  }
-  return {{"file", run.file},         {"samples", run.samples},
-          {"interval", run.interval}, {"alignment", alignment_json(run.alignment)},
-          {"columns", columns},       {"figures", figures},
-          {"remarks", run.remarks}};
-}
-
 std::span<const ColumnMeaning> measured_keys() {
   static const std::vector<ColumnMeaning> keys = make_measured_keys();
   return keys;
@@ -186,30 +167,52 @@ std::string measured_value(const MeasuredFigure& f) {
   return sign + figure_value(f, f.measured);
 }
 
-std::string measured_table(const MeasuredRun& run) {
-  std::string text = wrapped("  measured: ", fmt::format("{}, {} samples, {} apart", run.file,
-                                                         run.samples, time_text(run.interval)));
-  text += wrapped("    ", alignment_text(run.alignment));
-  const auto add = [&](const std::string& label, const std::string& measured, auto of) {
-    text += record_line(run, label, measured, of);
-  };
-  const auto heading = [&](std::size_t r) { return column_heading(run.labels[r]); };
-  if (!run.figures.empty()) add("  at the record's samples", "measured", heading);
+result::Section measured_section(const MeasuredRun& run) {
+  result::Table figures = record_table(run, "figures/{row}/{column}", "at the record's samples",
+                                       {"measured", apart("measured")});
+  if (run.figures.empty()) figures.seen = result::kJson;
   for (const MeasuredFigure& f : run.figures) {
-    add("    " + figure_label(f), measured_value(f),
-        [&](std::size_t r) { return figure_value(f, f.runs[r]); });
+    result::Row row{.key = f.key,
+                    .items = {{figure_label(f)}, {f.measured, apart(measured_value(f))}},
+                    .lead = "    ",
+                    .data = {{"bound", to_string(f.bound)}}};
+    for (const double value : f.runs) row.items.push_back({value, apart(figure_value(f, value))});
+    figures.rows.push_back(std::move(row));
   }
   // The offset is relative to the native run. The rms is taken about the offset, because a sensor's
   // zero is unknown.
-  add("  record less run, rms", "offset", heading);
+  result::Table columns =
+      record_table(run, "columns/{row}/{column}", "record less run, rms", {"", apart("offset")});
   for (const ColumnFit& c : run.columns) {
-    add(fmt::format("    {}, {}", c.what->name, residual_unit(*c.what)),
-        residual_text(*c.what, c.runs.front().offset),
-        [&](std::size_t r) { return residual_text(*c.what, c.runs[r].rms); });
-    add("      of its deviation", "", [&](std::size_t r) { return share_text(c.runs[r]); });
+    result::Row row{.key = std::string(c.what->name),
+                    .items = {{fmt::format("{}, {}", c.what->name, residual_unit(*c.what))},
+                              {apart(residual_text(*c.what, c.runs.front().offset))}},
+                    .lead = "    ",
+                    .data = {{"good", c.good}, {"missing", c.missing}, {"clipped", c.clipped}}};
+    result::Row shares{
+        .items = {{"of its deviation"}, {}}, .lead = "      ", .seen = result::kPeople};
+    for (const ColumnResidual& r : c.runs) {
+      row.items.push_back(
+          {{{"rms", r.rms}, {"offset", r.offset}, {"share", number_or_null(r.share)}},
+           apart(residual_text(*c.what, r.rms))});
+      shares.items.push_back({apart(share_text(r))});
+    }
+    columns.rows.insert(columns.rows.end(), {std::move(row), std::move(shares)});
   }
-  for (const std::string& remark : run.remarks) text += wrapped("    - ", remark);
-  return text;
+  result::Section section{"measured",
+                          {result::Data{"",
+                                        {{"file", run.file},
+                                         {"samples", run.samples},
+                                         {"interval", run.interval},
+                                         {"alignment", alignment_json(run.alignment)},
+                                         {"remarks", run.remarks}}},
+                           result::Sentence{fmt::format("{}, {} samples, {} apart", run.file,
+                                                        run.samples, time_text(run.interval)),
+                                            "  measured: "},
+                           result::Sentence{alignment_text(run.alignment), "    "},
+                           std::move(figures), std::move(columns)}};
+  for (const std::string& remark : run.remarks) section.add({result::Sentence{remark, "    - "}});
+  return section;
 }
 
 }  // namespace rotorub

@@ -6,22 +6,20 @@
 #include <string>
 
 #include "compare/measured/measured_run.h"
+#include "compare/result/result.h"
 #include "native_model/trajectory/columns.h"
 
 namespace rotorub {
 
-// {"file", "samples", "interval", "alignment", "columns", "figures", "remarks"}, SI.
-nlohmann::json measured_json(const MeasuredRun& run);
+// The alignment as a sentence, the figures side by side, the difference in each column, and
+// remarks; in JSON at "measured", SI.
+result::Section measured_section(const MeasuredRun& run);
 
-// The key "alignment" of measured_json.
+// Its key "alignment".
 nlohmann::json alignment_json(const Alignment& alignment);
 
-// The keys of measured_json, for columns.json and documents.
+// Its keys, for columns.json and documents.
 std::span<const ColumnMeaning> measured_keys();
-
-// The alignment as a sentence, the figures side by side, the difference in each column, and
-// remarks; at most 80 columns wide.
-std::string measured_table(const MeasuredRun& run);
 
 // The difference of a column from a run: "12.3" in "µm", and relative to the run's deviation: "4.1
 // %".

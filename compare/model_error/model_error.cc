@@ -5,8 +5,8 @@
 #include <algorithm>
 #include <cassert>
 #include <cmath>
-#include <nlohmann/json.hpp>
 #include <stdexcept>
+#include <utility>
 
 #include "compare/base/format.h"
 #include "compare/base/in_parallel.h"
@@ -149,47 +149,41 @@ ModelError model_error(const scene::Scene& scene, const ModelErrorParameters& pa
   return error;
 }
 
-std::string model_error_table(const ModelError& error, const std::string& lead) {
-  constexpr int kLabel = 19, kValue = 9;
-  if (!error.reason.empty()) return wrapped(lead, "modes kept: not known: " + error.reason);
-  std::string text = fmt::format("{}{:<{}}", lead, "bending modes kept", kLabel), left;
-  for (const int n : error.modes) text += fmt::format("{:>{}}", n, kValue);
-  text += fmt::format("  over the modes; off by\n");
+result::Section model_error_section(const ModelError& error) {
+  result::Section section{"model_error", {result::Data{"modes", error.modes}}};
+  if (!error.reason.empty()) {
+    section.add({result::Data{"reason", error.reason},
+                 result::Sentence{"modes kept: not known: " + error.reason, "  "}});
+    return section;
+  }
+  result::Table table{"figures/{row}/{column}", {{"", "bending modes kept", -21}}};
+  for (const int n : error.modes) table.columns.push_back({"", fmt::format("{}", n), 9});
+  table.columns.push_back({"convergence", "  over the modes; off by"});
+  std::string left;
   for (const FigureLimit& f : error.figures) {
-    text += fmt::format("{}{:<{}}", lead, f.figure->label, kLabel);
-    for (const double v : f.values)
-      text += fmt::format("{:>{}}", figure_value(*f.figure, v), kValue);
-    text += fmt::format("  {}", to_string(f.convergence));
-    if (f.error) text += ", " + deviation_text(*f.figure, *f.error);
-    text += "\n";
+    section.add({result::Data{f.figure->key, number_or_null(f.error)}});
+    result::Row row{.key = f.figure->key,
+                    .items = {{f.figure->label}},
+                    .data = {{"values", f.values},
+                             {"last_change", f.last_change},
+                             {"left", number_or_null(f.left)},
+                             {"error", number_or_null(f.error)}}};
+    for (const double v : f.values) row.items.push_back({figure_value(*f.figure, v)});
+    const std::string word = to_string(f.convergence);
+    row.items.push_back(
+        {word, "  " + word + (f.error ? ", " + deviation_text(*f.figure, *f.error) : "")});
+    table.rows.push_back(std::move(row));
     if (f.convergence == Convergence::kTrend) {
       left += fmt::format("{}{} {}", left.empty() ? "" : ", ", f.figure->label,
                           deviation_text(*f.figure, *f.left));
     }
   }
-  if (left.empty()) return text;
-  return text + wrapped(lead + "* ", fmt::format("trend: to come beyond {} modes: {}",
-                                                 error.modes.back(), left));
-}
-
-nlohmann::json model_error_json(const ModelError& error) {
-  using nlohmann::json;
-  json all = {{"modes", error.modes}};
-  if (!error.reason.empty()) {
-    all["reason"] = error.reason;
-    return all;
+  section.add({std::move(table)});
+  if (!left.empty()) {
+    section.add({result::Sentence{
+        fmt::format("trend: to come beyond {} modes: {}", error.modes.back(), left), "  * "}});
   }
-  json by_figure = json::object();
-  for (const FigureLimit& f : error.figures) {
-    all[f.figure->key] = number_or_null(f.error);
-    by_figure[f.figure->key] = {{"values", f.values},
-                                {"convergence", to_string(f.convergence)},
-                                {"last_change", f.last_change},
-                                {"left", number_or_null(f.left)},
-                                {"error", number_or_null(f.error)}};
-  }
-  all["figures"] = by_figure;
-  return all;
+  return section;
 }
 
 }  // namespace rotorub

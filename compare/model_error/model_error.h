@@ -5,13 +5,13 @@
 
 #include <atomic>
 #include <functional>
-#include <nlohmann/json_fwd.hpp>
 #include <optional>
 #include <string>
 #include <vector>
 
 #include "compare/base/in_parallel.h"
 #include "compare/figures/figure.h"
+#include "compare/result/result.h"
 #include "native_model/scene/scene.h"
 
 namespace rotorub {
@@ -70,12 +70,9 @@ struct ModelError {
 // The rungs run on several processors; the result does not depend on their number.
 ModelError model_error(const scene::Scene& scene, const ModelErrorParameters& parameters);
 
-// "modes kept: 12, 16, 20, 24" and one line per figure, for the terminal. lead: text before each
-// line.
-std::string model_error_table(const ModelError& error, const std::string& lead);
-
-// Model error as JSON: {"modes": [...], "<figure>": share or null, ..., "figures": {"<figure>":
-// {"values", "convergence", "last_change", "left", "error"}}, "reason" if nothing is known}.
-nlohmann::json model_error_json(const ModelError& error);
+// One line per figure for the terminal, and in JSON at "model_error": {"modes": [...], "<figure>":
+// share or null, ..., "figures": {"<figure>": {"values", "convergence", "last_change", "left",
+// "error"}}, "reason" if nothing is known}.
+result::Section model_error_section(const ModelError& error);
 
 }  // namespace rotorub

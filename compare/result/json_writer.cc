@@ -26,11 +26,10 @@ Json& node_at(Json& from, std::string_view place, const Names& names = {}) {
       if (node->is_null()) *node = Json::array();
       if (names.next || node->empty()) node->push_back(Json());
       node = &node->back();
+    } else if (step == "{column}") {
+      node = &node_at(*node, names.column);
     } else {
-      const std::string_view key = step == "{row}"      ? names.row
-                                   : step == "{column}" ? names.column
-                                                        : step;
-      node = &(*node)[std::string(key)];
+      node = &(*node)[std::string(step == "{row}" ? names.row : step)];
     }
   }
   return *node;
@@ -96,6 +95,9 @@ class JsonWriter {
       node_at(section_, table.place, {row.key, column.key, next || has_lists}) = row.items[k].value;
       next = false;
     }
+    if (row.data.is_null()) return;
+    const std::string_view keys = std::string_view(table.place).substr(0, table.place.rfind('/'));
+    node_at(section_, keys, {row.key, "", next}).update(Json(row.data));
   }
 
   Json& section_;

@@ -44,7 +44,7 @@ struct Sentence {
 Sentence line(std::string text);
 
 struct Column {
-  std::string key{};      // in JSON; empty: for people alone
+  std::string key{};      // in JSON, or a place: "runs/cone"; empty: for people alone
   std::string heading{};  // for people
   // Width of the text with the blanks between columns. A negative width aligns it to the left. A
   // longer text is not cut.
@@ -57,6 +57,7 @@ struct Row {
   std::vector<Item> items{};  // in the order of the columns; missing ones at the end are empty
   std::string lead{};         // before the first item instead of the table's lead: "* "
   Sentence note{};            // below the row, for people; empty: none
+  nlohmann::json data{};      // JSON alone: an object whose keys join those of the columns
   Audience seen = kAll;
 };
 

@@ -1,10 +1,17 @@
 #include "compare/run_files/summary.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
+#include <cmath>
 #include <iterator>
 #include <nlohmann/json.hpp>
+#include <numbers>
+#include <utility>
+#include <vector>
 
 #include "compare/base/columns.h"
+#include "compare/base/format.h"
 #include "compare/base/json.h"
 #include "compare/base/version.h"
 #include "compare/figures/figure.h"
@@ -12,6 +19,7 @@
 #include "compare/run_files/doubts.h"
 #include "native_model/rotor/mode_truncation.h"
 #include "native_model/scene/reader.h"
+#include "native_model/scene/text.h"
 
 namespace rotorub {
 namespace {
@@ -103,6 +111,92 @@ json above_modes_json(const std::optional<AboveModes>& above) {
           {"fastest_whirl", above->fastest}};
 }
 
+// mass, above: contact_mass and above_modes of the run, whose eigenproblems take a while.
+json written(const scene::Scene& scene, const Trajectory& trajectory,
+             const std::optional<ContactMass>& mass, const std::optional<AboveModes>& above) {
+  json all = run_numbers_json(scene, trajectory);
+  all.update({{"program", "rotorub"},
+              {"version", program_version()},
+              {"mujoco_version", mujoco_version()},
+              {"scene", scene.name},
+              {"scene_hash", scene::scene_hash(scene)},
+              {"engine", trajectory.engine},
+              {"integrator", trajectory.integrator},
+              {"contact_model", trajectory.contact_model},
+              {"contact_mass", contact_mass_json(mass)},
+              {"above_modes", above_modes_json(above)},
+              {"status", to_string(trajectory.status)},
+              {"message", trajectory.message},
+              {"warnings", doubts(scene, trajectory)}});
+  if (trajectory.contacts > 1) all["contacts"] = contacts_json(scene, trajectory);
+  return all;
+}
+
+// The run and how it ended.
+std::vector<result::Part> opening(const scene::Scene& scene, const Trajectory& t) {
+  const std::string step = t.step > 0.0 ? "step " + time_text(t.step) : "steps of its own";
+  // In both units, because 3600 without a unit is read as rad/s, whatever the user meant.
+  const double speed = scene.rotor.speed;
+  const Tone tone = t.status == Status::kOk ? Tone::kGood : Tone::kBad;
+  return {result::Table{.columns = std::vector<result::Column>(2),
+                        .rows = {{.items = {{scene::printable(scene.name) + ": "},
+                                            {to_string(t.status), "", tone}}}},
+                        .lead = ""},
+          result::line(fmt::format("  {} {}, contact {}, {}, {} of {} simulated", t.engine,
+                                   t.integrator, t.contact_model, step, time_text(t.end),
+                                   time_text(scene.run.end))),
+          result::line(fmt::format("  rotor at {} rad/s, {} rpm{}", short_number(speed),
+                                   short_number(speed * 30.0 / std::numbers::pi),
+                                   scene.drive ? " at its start" : ""))};
+}
+
+result::Table figures_table(const Metrics& m, const Trajectory& t) {
+  result::Table table{.columns = {{"", "", -26}, {"", "", 9}}};
+  const auto add = [&](const std::string& label, const std::string& value) {
+    table.rows.push_back({.items = {{label}, {value}}});
+  };
+  if (m.first_touch) add("first touch, ms", short_number(1e3 * *m.first_touch));
+  // Without a contact, the figures of contact are 0, and their rows are left out.
+  for (const Figure& f : figures()) {
+    const double value = f.value(m);
+    if (has_figure(m, f) && (m.first_touch || value != 0.0)) {
+      add(figure_label(f), figure_value(f, value));
+    }
+  }
+  add("settles to", to_string(m.settled.attractor));
+  add("steps", fmt::format("{}", t.steps));
+  add("time of a step, µs", short_number(m.us_per_step));
+  return table;
+}
+
+// Notes if the omitted modes affect the effective mass of rigid impacts, or if the whirl is faster
+// than the modes can follow.
+std::vector<result::Part> mode_notes(const std::optional<ContactMass>& mass,
+                                     const std::optional<AboveModes>& above) {
+  std::vector<result::Part> notes;
+  const auto add = [&](std::string text) {
+    notes.emplace_back(result::Sentence{std::move(text), "  note: ", 2});
+  };
+  if (mass && mass->truncated()) {
+    add(fmt::format(
+        "an impact meets {} kg with {} of the shaft's modes, {} kg with all {} of its mesh: sizes "
+        "and numbers of impacts depend on rotor.modes, mean force hardly (README, Limits)",
+        short_number(mass->kept), mass->kept_modes, short_number(mass->mesh), mass->mesh_modes));
+  }
+  if (above && above->matters()) {
+    constexpr double kHz = 1.0 / (2.0 * std::numbers::pi);
+    add(fmt::format(
+        "in {} of the time in contact, with {} of the friction work, the whirl is faster than the "
+        "highest mode kept ({} Hz): {} Hz at most. There the shaft has no flexibility of its own: "
+        "keep modes beyond that (rotor.modes), or read the figures as those of the modes kept",
+        percent_text(std::round(1e3 * above->contact_share) / 1e3),
+        percent_text(std::round(1e3 * above->friction_share) / 1e3),
+        short_number(kHz * (above->fastest > 0.0 ? above->band.forward : above->band.backward)),
+        short_number(kHz * above->fastest)));
+  }
+  return notes;
+}
+
 }  // namespace
 
 json run_numbers_json(const scene::Scene& scene, const Trajectory& trajectory) {
@@ -119,22 +213,46 @@ json run_numbers_json(const scene::Scene& scene, const Trajectory& trajectory) {
 }
 
 json summary_json(const scene::Scene& scene, const Trajectory& trajectory) {
-  json all = run_numbers_json(scene, trajectory);
-  all.update({{"program", "rotorub"},
-              {"version", program_version()},
-              {"mujoco_version", mujoco_version()},
-              {"scene", scene.name},
-              {"scene_hash", scene::scene_hash(scene)},
-              {"engine", trajectory.engine},
-              {"integrator", trajectory.integrator},
-              {"contact_model", trajectory.contact_model},
-              {"contact_mass", contact_mass_json(contact_mass(scene))},
-              {"above_modes", above_modes_json(above_modes(scene, trajectory))},
-              {"status", to_string(trajectory.status)},
-              {"message", trajectory.message},
-              {"warnings", doubts(scene, trajectory)}});
-  if (trajectory.contacts > 1) all["contacts"] = contacts_json(scene, trajectory);
-  return all;
+  return written(scene, trajectory, contact_mass(scene), above_modes(scene, trajectory));
+}
+
+std::string rub_answer(const Metrics& m, std::optional<double> cut) {
+  if (!m.first_touch && cut)
+    return fmt::format("not until {} ms, where the run was cut short", short_number(1e3 * *cut));
+  if (!m.first_touch) {
+    if (!m.least_gap) return "no, rotor and ring do not touch";
+    return fmt::format("no, the rotor stays {} µm clear of the ring",
+                       short_number(1e6 * *m.least_gap));
+  }
+  std::string text = fmt::format("yes, from {} ms", short_number(1e3 * *m.first_touch));
+  if (m.hard_impacts > 0)
+    text += fmt::format(": {} hard impact{}", m.hard_impacts, m.hard_impacts > 1 ? "s" : "");
+  const Attractor last = m.settled.attractor;
+  if (last == Attractor::kNoContact) {
+    text += ", and no contact any more at its end";
+  } else if (last != Attractor::kUnknown) {
+    text += fmt::format(", {} in the last fifth of the run", described(m.settled));
+  }
+  return text + fmt::format("; mean normal force {} N", short_number(m.mean_force));
+}
+
+result::Section run_result(const scene::Scene& scene, const Trajectory& t) {
+  const std::vector<ContactFacts> contacts = contact_facts(scene);
+  const Metrics m = metrics(t, contacts);
+  const std::optional<ContactMass> mass = contact_mass(scene);
+  const std::optional<AboveModes> above = above_modes(scene, t);
+  result::Section told{.parts = {result::Data{"", written(scene, t, mass, above)}}};
+  told.add(opening(scene, t));
+  if (!t.message.empty()) told.add({result::Sentence{t.message, "  "}});
+  for (const std::string& doubt : doubts(scene, t))
+    told.add({result::Sentence{doubt, "  warning: "}});
+  if (!contacts.empty()) {
+    const auto cut = t.status == Status::kOk ? std::optional<double>() : t.end;
+    told.add({result::Sentence{rub_answer(m, cut), "  rubs: "}});
+  }
+  told.add({figures_table(m, t)});
+  told.add(mode_notes(mass, above));
+  return told;
 }
 
 std::span<const ColumnMeaning> summary_keys() {

@@ -4,6 +4,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <nlohmann/json.hpp>
+#include <utility>
 
 #include "compare/base/format.h"
 
@@ -16,6 +18,22 @@ std::string onsets_text(const Resync& r) {
 
 std::string failure_text(const Resync& r, const std::string& of = {}) {
   return fmt::format("{}{} predictions did not end well, the first: {}", r.failed, of, r.failure);
+}
+
+nlohmann::json contact_json(const ContactResult& c) {
+  nlohmann::json all;
+  for (const ResyncFigure& f : resync_figures()) all[f.key] = c.*f.value;
+  return all;
+}
+
+nlohmann::json onset_json(const PredictedOnset& o) {
+  return {{"touch", o.touch},
+          {"closing", o.closing},
+          {"end", o.end},
+          {"lasts", o.lasts},
+          {"status", to_string(o.status)},
+          {"native", contact_json(o.native)},
+          {"other", contact_json(o.mujoco)}};
 }
 
 }  // namespace
@@ -109,30 +127,58 @@ std::vector<std::string> resync_reasons(const std::string& contact, const Resync
   return all;
 }
 
-std::string resync_table(const SceneComparison& c) {
-  std::string text =
-      fmt::format("  {:<25}{:>10}{:>10}{:>8}{:>8}{:>8}{:>9}\n", "by onset; off by, in %", "native",
-                  "MuJoCo", "median", "90 %", "worst", "at, s");
+std::vector<result::Part> resync_parts(const SceneComparison& c) {
+  std::vector<result::Part> parts{result::line(
+      "  by onset; off by, in %       native    MuJoCo  median    90 %   worst    at, s")};
   for (std::size_t k = 0; k < c.differences.size(); ++k) {
+    const std::string& label = c.sides[k + 1].label;
     const Resync& r = *c.differences[k].resync;
-    text += fmt::format("  {}: {}\n", c.sides[k + 1].label, onsets_text(r));
+    result::Table table{"figures/{row}/{column}",
+                        {{"", "", -27},
+                         {"native", "", 10},
+                         {"other", "", 10},
+                         {"median", "", 8},
+                         {"ninetieth", "", 8},
+                         {"worst", "", 8},
+                         {"worst_time", "", 9}}};
     for (const ResyncRow& row : r.rows) {
       const ResyncFigure& f = *row.figure;
-      text += fmt::format("{}   {:<23}{:>10}{:>10}{:>8}{:>8}{:>8}{:>9.4g}\n",
-                          row.verdict == FigureVerdict::kOutside ? "!" : " ", figure_label(f),
-                          figure_value(f, row.native), figure_value(f, row.mujoco),
-                          percents(row.median), percents(row.ninetieth), percents(row.worst),
-                          row.worst_time);
+      table.rows.push_back({.key = f.key,
+                            .items = {{figure_label(f)},
+                                      {row.native, figure_value(f, row.native)},
+                                      {row.mujoco, figure_value(f, row.mujoco)},
+                                      {row.median, percents(row.median)},
+                                      {row.ninetieth, percents(row.ninetieth)},
+                                      {row.worst, percents(row.worst)},
+                                      {row.worst_time, fmt::format("{:.4g}", row.worst_time)}},
+                            .lead = row.verdict == FigureVerdict::kOutside ? "!   " : "    ",
+                            .data = {{"relative_to", f.relative_to},
+                                     {"bias", row.bias},
+                                     {"worst_signed", row.worst_signed},
+                                     {"verdict", to_string(row.verdict)},
+                                     {"within", row.verdict == FigureVerdict::kWithin}}});
     }
+    nlohmann::json onsets = nlohmann::json::array();
+    for (const PredictedOnset& onset : r.onsets) onsets.push_back(onset_json(onset));
+    parts.emplace_back(result::Section{
+        "differences/" + label + "/resync",
+        {result::line(fmt::format("  {}: {}", label, onsets_text(r))), std::move(table),
+         result::Data{"",
+                      {{"onsets", onsets},
+                       {"left_out", r.left_out},
+                       {"failed", r.failed},
+                       {"failure", r.failure},
+                       {"shortest_flight_steps", kShortestFlight},
+                       {"largest_impact", r.largest_impact}}}}});
   }
-  text += fmt::format(
+  std::string judged = fmt::format(
       "  judged: the worst of each figure (!: beyond {}); values are means over the\n"
       "  onsets; differences are shares of\n",
       percent_text(c.tolerance));
-  for (const ResyncFigure& f : resync_figures()) {
-    text += fmt::format("    {:<16} {}\n", f.label, f.relative_to);
-  }
-  return text;
+  for (const ResyncFigure& f : resync_figures())
+    judged += fmt::format("    {:<16} {}\n", f.label, f.relative_to);
+  parts.emplace_back(result::line(std::move(judged)));
+  return parts;
 }
 
 }  // namespace rotorub

@@ -1,9 +1,10 @@
-// The result of a resync, in words and as a table.
+// The result of a resync, in words and as parts of the comparison's result.
 #pragma once
 
 #include <string>
 #include <vector>
 
+#include "compare/result/result.h"
 #include "compare/study/scene_comparison.h"
 
 namespace rotorub {
@@ -15,8 +16,8 @@ std::string why(const Resync& resync, double tolerance);
 std::string resync_headline(const std::string& contact, const Resync& resync, double tolerance);
 std::vector<std::string> resync_reasons(const std::string& contact, const Resync& resync);
 
-// One row per contact model and figure, at most 80 columns wide.
-std::string resync_table(const SceneComparison& comparison);
+// One row per contact model and figure; in JSON at "differences/<contact>/resync".
+std::vector<result::Part> resync_parts(const SceneComparison& comparison);
 
 // In % with three digits: "0.52", "<0.001".
 std::string percents(double share);

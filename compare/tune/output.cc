@@ -10,6 +10,7 @@
 #include "compare/engine/engine.h"
 #include "compare/figures/figure.h"
 #include "compare/model_error/model_error.h"
+#include "compare/result/result.h"
 #include "native_model/scene/reader.h"
 #include "native_model/scene/text.h"
 
@@ -123,7 +124,7 @@ std::string error_lines(const TuneResult& r) {
          part_text(r.errors, *f.figure, &SplitShares::step), mode_text(r.model_error, *f.figure)});
   }
   if (!r.errors.reason.empty()) lines += wrapped("  not known: ", r.errors.reason);
-  return lines + "\n" + model_error_table(r.model_error, "  ");
+  return lines + "\n" + result::text_of(model_error_section(r.model_error));
 }
 
 }  // namespace
@@ -145,7 +146,7 @@ json tune_json(const TuneResult& r) {
           {"next_cheaper", one(r.choice.next_cheaper)},
           {"best_by_contact", best},
           {"nearest", one(r.choice.nearest)},
-          {"model_error", model_error_json(r.model_error)},
+          {"model_error", result::json_of(model_error_section(r.model_error))},
           {"contact_error", part_json(r.errors, &SplitShares::contact)},
           {"step_error", part_json(r.errors, &SplitShares::step)},
           {"settings", all}};

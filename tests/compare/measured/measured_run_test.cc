@@ -270,12 +270,12 @@ TEST(MeasuredRun, KeysAreDocumented) {
   const MeasuredRun m =
       lay_in(record_of(run_at(scene, instants(sensors)), sensors), {}, scene, {{"native", &run}});
   std::set<std::string> found, documented;
-  collect_keys(measured_json(m), "", found);
+  collect_keys(result::json_of(measured_section(m)), "", found);
   for (const ColumnMeaning& key : measured_keys()) documented.insert(std::string(key.name));
   for (const std::string& key : found) EXPECT_TRUE(documented.contains(key)) << key;
   for (const std::string& key : documented)
     EXPECT_TRUE(found.contains(key) || key.starts_with("figures.")) << key;
-  EXPECT_LE(widest_line(measured_table(m)), 80u);
+  EXPECT_LE(widest_line(result::text_of(measured_section(m))), 80u);
 }
 
 }  // namespace

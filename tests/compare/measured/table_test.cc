@@ -16,7 +16,8 @@ TEST(MeasuredTable, KeepsItsColumnsApart) {
   for (const char* label : {"native", "rigid", "coulomb", "cone", "cone-coulomb", "cone-default"})
     runs.push_back({label, &run});
   const Sensors sensors{.to = 0.09, .noise = 1e-6};
-  const std::string text = measured_table(lay_in(record_of(run, sensors), {}, scene, runs));
+  const std::string text =
+      result::text_of(measured_section(lay_in(record_of(run, sensors), {}, scene, runs)));
   EXPECT_LE(widest_line(text), 80u);
   EXPECT_NE(text.find("measured  native   rigid coulomb    cone  cone-c\n"), std::string::npos)
       << text;
@@ -39,7 +40,7 @@ TEST(MeasuredTable, AnOffsetIsNoResidual) {
   EXPECT_NEAR(x.offset, 76.2e-6, 1e-9);
   EXPECT_LT(x.rms, 1e-9);
   EXPECT_LT(x.share.value(), 1e-5);
-  const std::string text = measured_table(m);
+  const std::string text = result::text_of(measured_section(m));
   EXPECT_NE(text.find("record less run, rms          offset  native\n"), std::string::npos) << text;
   EXPECT_NE(text.find("rotor_x, µm                  76.20 "), std::string::npos) << text;
   EXPECT_NE(text.find("rotor_y, µm                 -50.80 "), std::string::npos) << text;

@@ -81,10 +81,9 @@ TEST(FigureLimit, WhatIsToComeHasTheSignOfTheLimitLessTheLastValue) {
   ModelError error;
   error.modes = kModes;
   error.figures = {of("peak_force", [](int n) { return 1.0 + 3.0 / n; })};
-  EXPECT_NE(
-      model_error_table(error, "").find("to come beyond 24 modes: impulse / step, max -10.00 %"),
-      std::string::npos)
-      << model_error_table(error, "");
+  const std::string text = result::text_of(model_error_section(error));
+  EXPECT_NE(text.find("to come beyond 24 modes: impulse / step, max -10.00 %"), std::string::npos)
+      << text;
 }
 
 TEST(FigureLimit, NothingAtAllIsConverged) {
@@ -139,8 +138,9 @@ TEST(ModelError, OfModalDataIsNotTold) {
   const ModelError error = model_error(shipped("bench_ring"), {});
   EXPECT_TRUE(error.figures.empty());
   EXPECT_NE(error.reason.find("modal form"), std::string::npos);
-  EXPECT_NE(model_error_table(error, "  ").find("not known: modal form"), std::string::npos);
-  EXPECT_TRUE(model_error_json(error).contains("reason"));
+  const result::Section told = model_error_section(error);
+  EXPECT_NE(result::text_of(told).find("not known: modal form"), std::string::npos);
+  EXPECT_TRUE(result::json_of(told).contains("reason"));
 }
 
 TEST(ModelError, OfAnInterruptedLadderNothingIsTold) {
@@ -153,7 +153,7 @@ TEST(ModelError, OfAnInterruptedLadderNothingIsTold) {
 }
 
 TEST(ModelError, JsonSaysTheSame) {
-  const nlohmann::json json = model_error_json(rub());
+  const nlohmann::json json = result::json_of(model_error_section(rub()));
   EXPECT_EQ(json.at("modes"), nlohmann::json({2, 4, 6, 8}));
   for (const FigureLimit& f : rub().figures) {
     const auto& entry = json.at("figures").at(f.figure->key);

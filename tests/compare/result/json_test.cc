@@ -84,6 +84,23 @@ TEST(ResultJson, HasOneEntryPerCell) {
             json::parse(R"({"steps": {"cone": {"native": 1}, "rigid": {"native": 2}}})"));
 }
 
+TEST(ResultJson, HasTheDataOfARowAmongItsCells) {
+  const std::vector<Row> rows = {{.key = "x", .items = {{"n"}}, .data = {{"rms", 1}}},
+                                 {.key = "y", .data = {{"rms", 2}}}};
+  EXPECT_EQ(json_of_table({"list/#/{column}", kColumns, rows}),
+            json::parse(R"({"list": [{"engine": "n", "rms": 1}, {"rms": 2}]})"));
+  EXPECT_EQ(json_of_table({"by/{row}/{column}", kColumns, rows}),
+            json::parse(R"({"by": {"x": {"engine": "n", "rms": 1}, "y": {"rms": 2}}})"));
+}
+
+TEST(ResultJson, HasTheCellsOfAColumnAtAPlace) {
+  const Table table{"figures/{row}/{column}",
+                    {{.key = "measured"}, {.key = "runs/cone"}},
+                    {{.key = "force", .items = {{1}, {2}}}}};
+  EXPECT_EQ(json_of_table(table),
+            json::parse(R"({"figures": {"force": {"measured": 1, "runs": {"cone": 2}}}})"));
+}
+
 TEST(ResultJson, HasAnEmptyListOrObjectWithoutRows) {
   EXPECT_EQ(json_of_table({"levels/#/{column}", kColumns}), json::parse(R"({"levels": []})"));
   EXPECT_EQ(json_of_table({"figures/{row}/{column}", kColumns}), json::parse(R"({"figures": {}})"));

@@ -8,9 +8,8 @@
 #include <nlohmann/json.hpp>
 
 #include "compare/study/answer.h"
-#include "compare/study/json.h"
+#include "compare/study/result.h"
 #include "compare/study/scene_comparison.h"
-#include "compare/study/table.h"
 #include "tests/compare/columns.h"
 #include "tests/support/native_run.h"
 
@@ -121,7 +120,8 @@ TEST(Replay, EveryContactModelHasANativeRunOfItsOwn) {
   // The commands of the cone's run are those of another motion.
   EXPECT_NE(c.reference(1).metrics.mean_force, c.reference(3).metrics.mean_force);
   EXPECT_EQ(c.differences[0].trust, Trust::kYes) << answer(c)[0].why;
-  const auto cone = comparisons_json({c}).at("scenes")[0].at("differences").at("cone");
+  const auto cone =
+      result::json_of(comparisons_result({c})).at("scenes")[0].at("differences").at("cone");
   EXPECT_EQ(cone.at("figures").at("mean_force").at("native"), c.reference(3).metrics.mean_force);
 }
 
@@ -152,7 +152,8 @@ TEST(Replay, WithoutAControllerItIsLockstepAndSaysSo) {
       EXPECT_EQ(r.other, l.other) << r.figure->key;
     }
   }
-  EXPECT_NE(comparison_table(replay).find("Replay equals lockstep here"), std::string::npos);
+  EXPECT_NE(result::text_of(comparison_result(replay)).find("Replay equals lockstep here"),
+            std::string::npos);
   EXPECT_EQ(mode_note(lockstep), "");
 }
 
@@ -171,7 +172,8 @@ TEST(ShadowColumn, IsTheNativeStepperAtMujocosStep) {
   const auto mean = [](const std::vector<JudgedFigure>& f) { return std::abs(f[0].deviation); };
   EXPECT_GT(mean(c.shadow.figures), 0.0);
   EXPECT_LT(mean(c.shadow.figures), mean(c.differences[2].judged()));
-  EXPECT_NE(comparison_table(c).find("shadow: the native stepper (verlet)"), std::string::npos);
+  EXPECT_NE(result::text_of(comparison_result(c)).find("shadow: the native stepper (verlet)"),
+            std::string::npos);
 }
 
 TEST(ShadowColumn, IsThereWhereImpactsTakeTime) {
@@ -187,7 +189,7 @@ TEST(ShadowColumn, IsThereWhereImpactsTakeTime) {
 
 // Terminals are 80 columns wide.
 TEST(ComparisonTable, FitsATerminal) {
-  EXPECT_LE(test::widest_line(comparison_table(replayed_ring())), 80U);
+  EXPECT_LE(test::widest_line(result::text_of(comparison_result(replayed_ring()))), 80U);
 }
 
 }  // namespace

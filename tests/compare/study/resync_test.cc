@@ -10,9 +10,8 @@
 
 #include "compare/report/page.h"
 #include "compare/study/answer.h"
-#include "compare/study/json.h"
+#include "compare/study/result.h"
 #include "compare/study/resync_text.h"
-#include "compare/study/table.h"
 #include "native_model/control/library.h"
 #include "tests/compare/columns.h"
 #include "tests/support/native_run.h"
@@ -236,12 +235,12 @@ TEST(ResyncNightly, EveryLawsImpulsesAreRight) {
 
 TEST(Resync, IsToldByTableJsonAndPage) {
   const SceneComparison& c = ring();
-  const std::string table = comparison_table(c);
+  const std::string table = result::text_of(comparison_result(c));
   for (const char* part : {"resync", "onset", "median", "90 %", "worst", "rebound"}) {
     EXPECT_NE(table.find(part), std::string::npos) << part;
   }
   EXPECT_LE(test::widest_line(table), 80U) << table;
-  const nlohmann::json all = comparisons_json({c});
+  const nlohmann::json all = result::json_of(comparisons_result({c}));
   EXPECT_EQ(all.at("mode"), "resync");
   const auto& rigid = all.at("scenes")[0].at("differences").at("rigid");
   for (const char* figure : {"impulse", "window_impulse", "duration", "rebound"}) {

@@ -1,6 +1,6 @@
 #include <gtest/gtest.h>
 
-#include "compare/study/table.h"
+#include "compare/run_files/summary.h"
 
 namespace rotorub {
 namespace {

@@ -1,5 +1,5 @@
 // One summary: what the terminal says of a run is what its summary.json and Python have.
-#include "compare/study/table.h"
+#include "compare/run_files/summary.h"
 
 #include <gtest/gtest.h>
 
@@ -8,7 +8,6 @@
 
 #include "compare/base/format.h"
 #include "compare/figures/figure.h"
-#include "compare/run_files/summary.h"
 #include "tests/support/native_run.h"
 
 namespace rotorub {
@@ -27,7 +26,7 @@ TEST(RunTable, HasTheFiguresOfTheSummary) {
   for (const auto integrator : {scene::Integrator::kEvent, scene::Integrator::kVerlet}) {
     const Trajectory run = test::run_with(scene, integrator);
     const nlohmann::json summary = summary_json(scene, run);
-    const std::string table = run_table(scene, run);
+    const std::string table = result::text_of(run_result(scene, run));
     int lines = 0;
     for (const Figure& f : figures()) {
       const std::string value = told(table, figure_label(f));
@@ -53,7 +52,7 @@ TEST(RunTable, OfStepsOfItsOwnHasNoFigureOfTheStep) {
     const scene::Scene scene = test::shipped("bench_ring", {"run.end=0.05", step});
     const Trajectory run = test::run_event(scene);
     static std::string before;
-    std::string table = run_table(scene, run);
+    std::string table = result::text_of(run_result(scene, run));
     table.resize(table.find("\n  steps"));
     if (!before.empty()) {
       EXPECT_EQ(table, before);
@@ -64,7 +63,7 @@ TEST(RunTable, OfStepsOfItsOwnHasNoFigureOfTheStep) {
   }
   const scene::Scene scene = test::shipped("bench_ring", {"run.end=0.05"});
   const Trajectory fixed = test::run_with(scene, scene::Integrator::kVerlet);
-  EXPECT_NE(told(run_table(scene, fixed), "impulse / step, max, N"), "");
+  EXPECT_NE(told(result::text_of(run_result(scene, fixed)), "impulse / step, max, N"), "");
   EXPECT_GT(summary_json(scene, fixed).at("peak_force").get<double>(), 0.0);
 }
 

@@ -8,8 +8,7 @@
 
 #include "compare/report/page.h"
 #include "compare/study/answer.h"
-#include "compare/study/json.h"
-#include "compare/study/table.h"
+#include "compare/study/result.h"
 #include "compare/study/verdict.h"
 #include "native_model/trajectory/recorder.h"
 #include "tests/compare/hand_made.h"
@@ -86,7 +85,7 @@ TEST(SceneComparison, SplitsAddUp) {
 }
 
 TEST(SceneComparison, JsonHasWhatTheContractNames) {
-  const nlohmann::json j = comparison_json(short_comparison());
+  const nlohmann::json j = result::json_of(comparison_result(short_comparison()));
   EXPECT_EQ(j.at("scene"), "bench_ring");
   for (const char* side : {"native", "rigid", "coulomb", "cone", "cone-coulomb"}) {
     const auto& summary = j.at("runs").at(side).at("summary");
@@ -103,7 +102,7 @@ TEST(SceneComparison, JsonHasWhatTheContractNames) {
 }
 
 TEST(SceneComparison, TableNamesEverySideFigureAndVerdict) {
-  const std::string table = comparison_table(short_comparison());
+  const std::string table = result::text_of(comparison_result(short_comparison()));
   for (const char* text :
        {"bench_ring", "native", "rigid", "coulomb", "cone", "mean normal force, N",
         "lasting contact, %", "total impulse, N s", "OUTSIDE", "cone bounces", "trusted",
@@ -135,13 +134,13 @@ TEST(SceneComparison, BeginsWithOneRowAContactModel) {
     EXPECT_FALSE(row.why.empty());
     EXPECT_EQ(row.evidence.empty(), row.contact != "rigid") << "it alone shares the native step";
   }
-  const auto json_rows = comparison_json(c).at("answer");
+  const auto json_rows = result::json_of(comparison_result(c)).at("answer");
   EXPECT_EQ(json_rows.at(0).at("evidence"), rows.at(0).evidence);
   EXPECT_TRUE(json_rows.at(1).at("evidence").is_null());
-  const std::string table = comparison_table(c);
+  const std::string table = result::text_of(comparison_result(c));
   EXPECT_LT(table.find("MuJoCo alone? (cone)"), table.find("with the rigid law? (rigid)"));
   EXPECT_LT(table.find("with the rigid law? (rigid)"), table.find("mean normal force, N"));
-  const std::string text = json_text(comparisons_json({c}));
+  const std::string text = json_text(result::json_of(comparisons_result({c})));
   EXPECT_EQ(text.find("\"answer\""), text.find('"')) << text.substr(0, 100);
   const std::string page = report_page({{&c, {}, "none in this test."}});
   EXPECT_NE(table.find("rigid has the law and the step of native verlet"), std::string::npos);
