@@ -4,7 +4,6 @@
 
 #include <nlohmann/json.hpp>
 
-#include "compare/base/format.h"
 #include "compare/base/json.h"
 #include "compare/base/units.h"
 #include "compare/bench/work_precision.h"
@@ -16,6 +15,9 @@ namespace rotorub::bench {
 namespace {
 
 using nlohmann::json;
+using result::Data;
+using result::Section;
+using result::Sentence;
 
 json wall_json(const WallTime& wall) {
   if (wall.repeats == 0) return nullptr;
@@ -60,15 +62,6 @@ json level_json(const Level& level, const std::vector<Point>& points) {
           {"engines", engines}};
 }
 
-json series_json(const SceneBench& bench) {
-  json all = json::array();
-  for (const Series& s : series_of(bench.points, bench.telling_errors())) {
-    all.push_back(
-        {{"engine", s.engine}, {"setting", s.setting}, {"order", number_or_null(s.order)}});
-  }
-  return all;
-}
-
 json stability_json(const StabilityMap& map) {
   json cells = json::array();
   for (const StabilityCell& c : map.cells) {
@@ -97,67 +90,6 @@ json restitution_json(const std::vector<RestitutionRow>& rows) {
   }
   return all;
 }
-
-json scene_json(const SceneBench& bench) {
-  json points = json::array(), levels = json::array(), engines = json::array();
-  for (const Point& p : bench.points) points.push_back(point_json(p));
-  for (const Level& level : bench.levels) levels.push_back(level_json(level, bench.points));
-  for (const BenchEngine& e : bench.engines) {
-    engines.push_back({{"engine", e.name}, {"family", to_string(e.family)}, {"what", e.what}});
-  }
-  json missing = json::array();
-  for (const BenchEngine& e : bench_engines()) {
-    if (!e.missing.empty()) missing.push_back({{"engine", e.name}, {"reason", e.missing}});
-  }
-  json all = {{"scene", bench.scene.name},
-              {"scene_hash", scene::scene_hash(bench.scene)},
-              {"clearance", bench.clearance()},
-              {"reference", reference_json(bench.reference)},
-              {"engines", engines},
-              {"missing_engines", missing},
-              {"points", points},
-              {"series", series_json(bench)},
-              {"levels", levels},
-              {"interrupted", bench.interrupted}};
-  if (bench.stability) all["stability"] = stability_json(*bench.stability);
-  return all;
-}
-
-constexpr int kEngine = 20;  // for "mujoco-cone-coulomb"
-
-std::string level_line(const Level& level, const std::vector<Point>& points) {
-  std::string line = fmt::format("  {:<7.0e}", level.share);
-  if (level.engines.empty()) return line + "no engine reaches it\n";
-  const Best& first = level.engines.front();
-  line += fmt::format("{:<{}}{:<24}{:>10.4g} ms ", first.engine, kEngine,
-                      setting_text(points[first.point].setting), 1e3 * first.seconds);
-  for (std::size_t k = 1; k < level.engines.size(); ++k) {
-    const Best& other = level.engines[k];
-    line += fmt::format("{} {} ×{:.3g}", k > 1 ? "," : " ", other.engine,
-                        other.seconds / first.seconds);
-  }
-  if (level.engines.size() == 1) line += "  alone";
-  if (!level.judged) line += "  (at the reference's own error)";
-  return line + "\n";
-}
-
-std::string series_lines(const SceneBench& bench) {
-  std::string text = fmt::format("\n  {:<38}{:>6}{:>10}{:>12}  {}\n", "engine and setting", "order",
-                                 "us/step", "least error", "outcomes");
-  for (const Series& s : series_of(bench.points, bench.telling_errors())) {
-    const auto optional = [](bool there, const std::string& value) { return there ? value : "–"; };
-    const double least = s.best ? bench.points[*s.best].errors->position : 0.0;
-    text +=
-        fmt::format("  {:<{}}{:<18}{:>6}{:>10}{:>12}  {}\n", s.engine, kEngine, s.setting,
-                    optional(s.order.has_value(), fmt::format("{:.2f}", s.order.value_or(0.0))),
-                    optional(s.us_per_step > 0.0, fmt::format("{:.3g}", s.us_per_step)),
-                    optional(s.best.has_value(), fmt::format("{:.1e} m", least)), outcomes_text(s));
-    if (!s.reason.empty()) text += wrapped("      ", s.reason);
-  }
-  return text;
-}
-
-}  // namespace
 
 json point_json(const Point& p) {
   const auto error = [&](auto member) {
@@ -189,33 +121,100 @@ json point_json(const Point& p) {
           {"wall_ms", wall_json(p.wall)}};
 }
 
-json bench_json(const Machine& machine, const std::vector<SceneBench>& benches,
-                const std::vector<RestitutionRow>& restitution) {
-  json scenes = json::array();
-  for (const SceneBench& bench : benches) scenes.push_back(scene_json(bench));
-  json all = {{"machine",
-               {{"processor", machine.processor},
-                {"threads", machine.threads},
-                {"instructions", machine.instructions},
-                {"compiler", machine.compiler},
-                {"mujoco_version", machine.mujoco}}},
-              {"scenes", scenes}};
-  if (!restitution.empty()) all["restitution"] = restitution_json(restitution);
-  return all;
+constexpr int kEngine = 20;  // for "mujoco-cone-coulomb"
+
+std::string level_line(const Level& level, const std::vector<Point>& points) {
+  std::string line = fmt::format("  {:<7.0e}", level.share);
+  if (level.engines.empty()) return line + "no engine reaches it\n";
+  const Best& first = level.engines.front();
+  line += fmt::format("{:<{}}{:<24}{:>10.4g} ms ", first.engine, kEngine,
+                      setting_text(points[first.point].setting), 1e3 * first.seconds);
+  for (std::size_t k = 1; k < level.engines.size(); ++k) {
+    const Best& other = level.engines[k];
+    line += fmt::format("{} {} ×{:.3g}", k > 1 ? "," : " ", other.engine,
+                        other.seconds / first.seconds);
+  }
+  if (level.engines.size() == 1) line += "  alone";
+  if (!level.judged) line += "  (at the reference's own error)";
+  return line + "\n";
 }
 
-std::string bench_table(const SceneBench& bench) {
+result::Table series_table(const SceneBench& bench) {
+  result::Table table{"series/#/{column}",
+                      {{"engine", "engine and setting", -kEngine - 2},
+                       {"setting", "", -18},
+                       {"order", "order", 6},
+                       {.heading = "us/step", .width = 10},
+                       {.heading = "least error", .width = 12},
+                       {.heading = "  outcomes"}}};
+  for (const Series& s : series_of(bench.points, bench.telling_errors())) {
+    const std::string cost = s.us_per_step > 0.0 ? fmt::format("{:.3g}", s.us_per_step) : "–";
+    const std::string least =
+        s.best ? fmt::format("{:.1e} m", bench.points[*s.best].errors->position) : "–";
+    table.rows.push_back(
+        {.items = {{s.engine},
+                   {s.setting},
+                   {number_or_null(s.order), s.order ? fmt::format("{:.2f}", *s.order) : "–"},
+                   {.text = cost},
+                   {.text = least},
+                   {.text = "  " + outcomes_text(s)}},
+         .note = {.text = s.reason, .lead = "      "}});
+  }
+  return table;
+}
+
+}  // namespace
+
+Section scene_section(const SceneBench& bench) {
+  json points = json::array(), engines = json::array(), missing = json::array();
+  for (const Point& p : bench.points) points.push_back(point_json(p));
+  for (const BenchEngine& e : bench.engines) {
+    engines.push_back({{"engine", e.name}, {"family", to_string(e.family)}, {"what", e.what}});
+  }
+  for (const BenchEngine& e : bench_engines()) {
+    if (!e.missing.empty()) missing.push_back({{"engine", e.name}, {"reason", e.missing}});
+  }
   const std::string head = fmt::format(
       "{:.4g} s; errors against {} (its own: {:.1e} m), levels as shares of the clearance {:.3g} "
       "mm",
-      bench.scene.run.end, bench.reference.source, bench.reference.error, 1e3 * bench.clearance());
-  std::string text = wrapped(scene::printable(bench.scene.name) + ": ", head, 2) +
-                     fmt::format("\n  {:<7}{:<{}}{:<24}{:>13}   {}\n", "level", "fastest", kEngine,
-                                 "setting", "median", "others");
+      bench.scene.run.end, bench.reference.source, bench.reference.error,
+      kMilli * bench.clearance());
+  Section section{
+      "scenes/#",
+      {Data{"",
+            {{"scene", bench.scene.name},
+             {"scene_hash", scene::scene_hash(bench.scene)},
+             {"clearance", bench.clearance()},
+             {"reference", reference_json(bench.reference)},
+             {"engines", engines},
+             {"missing_engines", missing},
+             {"points", points},
+             {"interrupted", bench.interrupted}}},
+       Sentence{.text = head, .lead = scene::printable(bench.scene.name) + ": ", .indent = 2},
+       result::line(fmt::format("\n  {:<7}{:<{}}{:<24}{:>13}   {}", "level", "fastest", kEngine,
+                                "setting", "median", "others"))}};
   for (const Level& level : bench.levels) {
-    if (in_headline(level)) text += level_line(level, bench.points);
+    section.add({Data{"levels/#", level_json(level, bench.points)}});
+    if (in_headline(level)) section.add({result::line(level_line(level, bench.points))});
   }
-  return text + "\n" + wrapped("  ", verdict_text(bench.levels)) + series_lines(bench);
+  section.add({Sentence{}, Sentence{.text = verdict_text(bench.levels), .lead = "  "}, Sentence{},
+               series_table(bench)});
+  if (bench.stability) section.add({Data{"stability", stability_json(*bench.stability)}});
+  return section;
+}
+
+Section result_of(const Machine& machine, const std::vector<SceneBench>& benches,
+                  const std::vector<RestitutionRow>& restitution) {
+  Section result{.parts = {Data{"machine",
+                                {{"processor", machine.processor},
+                                 {"threads", machine.threads},
+                                 {"instructions", machine.instructions},
+                                 {"compiler", machine.compiler},
+                                 {"mujoco_version", machine.mujoco}}},
+                           Data{"scenes", json::array()}}};
+  for (const SceneBench& bench : benches) result.add({scene_section(bench)});
+  if (!restitution.empty()) result.add({Data{"restitution", restitution_json(restitution)}});
+  return result;
 }
 
 std::string missing_text() {

@@ -4,8 +4,8 @@
 
 #include <algorithm>
 #include <nlohmann/json.hpp>
+#include <utility>
 
-#include "compare/base/format.h"
 #include "compare/base/json.h"
 #include "native_model/scene/text.h"
 
@@ -13,10 +13,14 @@ namespace rotorub::check {
 namespace {
 
 using nlohmann::json;
+using result::Part;
+using result::Section;
+using result::Sentence;
+using result::Table;
 
-constexpr std::size_t kIndent = 6;              // of the further lines of a reason
-constexpr std::size_t kName = 23, kColumn = 8;  // with 7 engines: 80 columns
-constexpr std::size_t kMostReason = 400;        // bytes of one reason
+constexpr std::size_t kIndent = 6;        // of the further lines of a reason
+constexpr int kName = 23, kColumn = 8;    // with 7 engines: 80 columns
+constexpr std::size_t kMostReason = 400;  // bytes of one reason
 
 std::string cut(const std::string& name) { return scene::printable(name, kName - 4); }
 
@@ -25,33 +29,48 @@ const char* word(Outcome outcome) {
   return outcome == Outcome::kViolates ? "fails" : to_string(outcome);
 }
 
-std::size_t width_of(const CheckEngine& engine) {
-  return std::max(kColumn, std::string_view(engine.column).size() + 1);
+int width_of(const CheckEngine& engine) {
+  return std::max(kColumn, static_cast<int>(engine.column.size()) + 1);
 }
 
-std::string head() {
-  std::string line(kName, ' ');
-  std::size_t native = 0, mujoco = 0;
-  for (const CheckEngine& e : check_engines()) {
-    line += fmt::format("{:>{}}", e.column, width_of(e));
-    (e.native ? native : mujoco) += width_of(e);
+// The headings above those of the engines.
+Sentence sides() {
+  int native = 0, mujoco = 0;
+  for (const CheckEngine& e : check_engines()) (e.native ? native : mujoco) += width_of(e);
+  return result::line(fmt::format("{:>{}}{:>{}}", "native", kName + native, "MuJoCo", mujoco));
+}
+
+// A row per scene, a column per engine.
+Table outcomes(const std::vector<Case>& cases) {
+  Table table{.columns = {{.width = -kName}}, .lead = ""};
+  for (const CheckEngine& e : check_engines())
+    table.columns.push_back({.heading = e.column, .width = width_of(e)});
+  for (std::size_t i = 0; i < cases.size(); ++i) {
+    if (i % check_engines().size() == 0)
+      table.rows.push_back({.items = {{.text = cut(cases[i].scene)}}});
+    const Outcome outcome = cases[i].outcome();
+    const Tone tone = outcome == Outcome::kPass       ? Tone::kGood
+                      : outcome == Outcome::kViolates ? Tone::kBad
+                                                      : Tone::kPart;
+    table.rows.back().items.push_back({.text = word(outcome), .tone = tone});
   }
-  return fmt::format("{:{}}{:>{}}{:>{}}\n{}\n", "", kName, "native", native, "MuJoCo", mujoco,
-                     line);
+  return table;
 }
 
 // The reasons of all cases with one outcome, native ones first.
-std::string notes(const std::vector<Case>& cases, Outcome outcome) {
-  std::string text;
+std::vector<Part> notes(const std::vector<Case>& cases, Outcome outcome) {
+  std::vector<Part> parts;
   for (const bool native : {true, false}) {
     for (const Case& c : cases) {
       if (c.outcome() != outcome || c.native != native) continue;
-      if (text.empty()) text = fmt::format("\n{}:\n", word(outcome));
-      text += wrapped(fmt::format("  {}, {}: ", cut(scene::printable(c.scene)), c.engine),
-                      scene::printable(c.deciding.reason, kMostReason), kIndent);
+      if (parts.empty()) parts = {Sentence{}, result::line(fmt::format("{}:", word(outcome)))};
+      parts.push_back(
+          Sentence{.text = scene::printable(c.deciding.reason, kMostReason),
+                   .lead = fmt::format("  {}, {}: ", cut(scene::printable(c.scene)), c.engine),
+                   .indent = kIndent});
     }
   }
-  return text;
+  return parts;
 }
 
 json verdict_json(const Verdict& v) {
@@ -64,36 +83,26 @@ json verdict_json(const Verdict& v) {
 
 }  // namespace
 
-std::string table(const std::vector<Case>& cases, const Palette& palette) {
-  std::string text = head();
-  for (std::size_t i = 0; i < cases.size();) {
-    const std::size_t first = i;
-    text += fmt::format("{:<{}}", cut(cases[first].scene), kName);
-    for (; i < cases.size() && i < first + check_engines().size(); ++i) {
-      const Outcome outcome = cases[i].outcome();
-      const Tone tone = outcome == Outcome::kPass       ? Tone::kGood
-                        : outcome == Outcome::kViolates ? Tone::kBad
-                                                        : Tone::kPart;
-      text += palette.paint_first(
-          tone, fmt::format("{:>{}}", word(outcome), width_of(check_engines()[i - first])),
-          word(outcome));
-    }
-    text += '\n';
-  }
-  return text + notes(cases, Outcome::kViolates) + notes(cases, Outcome::kRefused);
-}
-
-json cases_json(const std::vector<Case>& cases) {
-  json all = json::array();
+Section result_of(const std::vector<Case>& cases) {
+  const std::size_t scenes = cases.size() / check_engines().size();
+  const bool good = holds(cases);
+  const std::string answer = good ? "every native case passes or is refused as its file says"
+                                  : "a native case violates its rules";
+  Section result{
+      .parts = {Sentence{.text = answer,
+                         .lead = fmt::format("{} {}: ", scenes, scenes == 1 ? "scene" : "scenes"),
+                         .tone = good ? Tone::kGood : Tone::kBad,
+                         .toned = answer},
+                Sentence{}, sides(), outcomes(cases)}};
   for (const Case& c : cases) {
     json one = verdict_json(c.deciding);
-    one["scene"] = c.scene;
-    one["engine"] = c.engine;
-    one["rules"] = json::array();
+    one.update({{"scene", c.scene}, {"engine", c.engine}, {"rules", json::array()}});
     for (const Verdict& v : c.verdicts) one["rules"].push_back(verdict_json(v));
-    all.push_back(std::move(one));
+    result.add({result::Data{"cases/#", std::move(one)}});
   }
-  return {{"cases", std::move(all)}};
+  result.add(notes(cases, Outcome::kViolates));
+  result.add(notes(cases, Outcome::kRefused));
+  return result;
 }
 
 }  // namespace rotorub::check

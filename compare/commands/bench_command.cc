@@ -6,7 +6,6 @@
 #include <filesystem>
 #include <iostream>
 #include <memory>
-#include <nlohmann/json.hpp>
 
 #include "compare/base/json.h"
 #include "compare/bench/output.h"
@@ -17,6 +16,7 @@
 #include "compare/commands/terminal.h"
 #include "compare/report/bench_page.h"
 #include "compare/report/beside.h"
+#include "compare/result/result.h"
 #include "native_model/scene/reader.h"
 #include "native_model/trajectory/output.h"
 
@@ -68,7 +68,8 @@ void write_results(const BenchArguments& options, const bench::Machine& machine,
                    const std::vector<bench::SceneBench>& benches,
                    const std::vector<bench::RestitutionRow>& restitution) {
   const std::filesystem::path folder(options.folder);
-  write_whole(folder / kBenchFile, json_text(bench::bench_json(machine, benches, restitution)));
+  write_whole(folder / kBenchFile,
+              json_text(json_of(bench::result_of(machine, benches, restitution))));
   write_whole(folder / kBenchPage, bench_page(machine, benches, restitution));
   if (!options.json && !options.quiet) {
     fmt::print("\nwritten to {}: bench.html, bench.json\n", printable_path(options.folder));
@@ -93,7 +94,7 @@ int run_bench(const BenchArguments& options) {
     // The medians of an interrupted bench would come from fewer repeats.
     if (interrupted()) throw Interrupted();
     if (!options.json && !options.quiet) {
-      fmt::print("{}{}", k > 0 ? "\n" : "", bench::bench_table(benches.back()));
+      fmt::print("{}{}", k > 0 ? "\n" : "", text_of(bench::scene_section(benches.back())));
       std::fflush(stdout);
     }
   }
@@ -106,7 +107,8 @@ int run_bench(const BenchArguments& options) {
     if (interrupted()) throw Interrupted();
     write_results(options, machine, benches, restitution);
   }
-  if (options.json) std::cout << json_text(bench::bench_json(machine, benches, restitution));
+  if (options.json)
+    std::cout << json_text(json_of(bench::result_of(machine, benches, restitution)));
   return kDone;
 }
 

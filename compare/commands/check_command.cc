@@ -1,12 +1,8 @@
 // rotorub check: checks scenes on every engine against the rules in their files.
 
-#include <fmt/format.h>
-
 #include <algorithm>
 #include <filesystem>
-#include <iostream>
 #include <memory>
-#include <nlohmann/json.hpp>
 #include <optional>
 
 #include "compare/base/json.h"
@@ -16,6 +12,7 @@
 #include "compare/commands/options.h"
 #include "compare/commands/terminal.h"
 #include "compare/report/beside.h"
+#include "compare/result/result.h"
 #include "native_model/control/library.h"
 #include "native_model/scene/reader.h"
 #include "native_model/trajectory/output.h"
@@ -107,22 +104,12 @@ int run_check(const CheckArguments& options) {
     if (interrupted()) throw Interrupted();
   }
   bar.clear();
-  const bool holds = check::holds(cases);
+  const result::Section result = check::result_of(cases);
   if (!options.folder.empty()) {
-    write_whole(std::filesystem::path(options.folder) / kCheckFile,
-                json_text(check::cases_json(cases)));
+    write_whole(std::filesystem::path(options.folder) / kCheckFile, json_text(json_of(result)));
   }
-  if (options.json) {
-    std::cout << json_text(check::cases_json(cases));
-  } else if (!options.quiet) {
-    const Palette palette = palette_of(stdout);
-    fmt::print("{} {}: {}\n\n{}", scenes.size(), scenes.size() == 1 ? "scene" : "scenes",
-               holds ? palette.paint(Tone::kGood,
-                                     "every native case passes or is refused as its file says")
-                     : palette.paint(Tone::kBad, "a native case violates its rules"),
-               check::table(cases, palette));
-  }
-  return holds ? kDone : kOutside;
+  result::print(result, {options.json, options.quiet, palette_of(stdout)});
+  return check::holds(cases) ? kDone : kOutside;
 }
 
 }  // namespace

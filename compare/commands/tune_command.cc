@@ -5,17 +5,15 @@
 #include <algorithm>
 #include <cstdio>
 #include <functional>
-#include <iostream>
 #include <memory>
-#include <nlohmann/json.hpp>
 
 #include "compare/base/format.h"
-#include "compare/base/json.h"
 #include "compare/bench/engines.h"
 #include "compare/commands/command.h"
 #include "compare/commands/options.h"
 #include "compare/commands/terminal.h"
 #include "compare/commands/tune_command.h"
+#include "compare/result/result.h"
 #include "compare/study/scene_comparison.h"
 #include "compare/tune/output.h"
 #include "compare/tune/setting.h"
@@ -72,11 +70,7 @@ int run_tune(const TuneArguments& options) {
             [&](double share, const std::string& what) { bar.show(share, what); });
   bar.clear();
 
-  if (options.json) {
-    std::cout << json_text(tune::tune_json(result));
-  } else if (!options.quiet) {
-    fmt::print("{}", tune::tune_table(result, palette_of(stdout)));
-  }
+  result::print(tune::result_of(result), {options.json, options.quiet, palette_of(stdout)});
   if (!options.file.empty()) write_tuned(options, result);
   return result.choice.trusted ? kDone : kOutside;
 }

@@ -16,6 +16,7 @@
 #include "compare/report/assets.h"
 #include "compare/report/page_frame.h"
 #include "compare/report/plot_points.h"
+#include "compare/result/result.h"
 
 namespace rotorub {
 
@@ -218,7 +219,7 @@ json precision_plots(const json& scene) {
 
 std::string bench_page(const Machine& machine, const std::vector<SceneBench>& benches,
                        const std::vector<RestitutionRow>& restitution) {
-  const json kept = bench_json(machine, benches, restitution);
+  const json kept = json_of(bench::result_of(machine, benches, restitution));
   json scenes = json::array();
   std::vector<std::string> names;
   for (const SceneBench& bench : benches) {

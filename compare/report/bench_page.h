@@ -11,7 +11,7 @@
 namespace rotorub {
 
 // The data of the plots (page/precision.js) from the bench's JSON, which may have been read from a
-// file. scene: a member of "scenes" in bench_json. {"clearance", "series": [{"engine", "setting",
+// file. scene: a member of "scenes" in bench.json. {"clearance", "series": [{"engine", "setting",
 // "family", "order" or null, "points": [{"step" (0: none), "label", "error", "limit" (0: none),
 // "ms", "low", "high", "outcome"}]}]}, errors in m.
 nlohmann::json precision_plots(const nlohmann::json& scene);

@@ -6,6 +6,7 @@
 
 #include "compare/base/format.h"
 #include "compare/base/json.h"
+#include "compare/base/palette.h"
 #include "compare/base/version.h"
 #include "compare/engine/engine.h"
 #include "compare/figures/figure.h"
@@ -127,49 +128,53 @@ std::string error_lines(const TuneResult& r) {
   return lines + "\n" + result::text_of(model_error_section(r.model_error));
 }
 
+// The settings that the choice names. With a trusted one, also its errors.
+std::string choice_lines(const TuneResult& r) {
+  const auto lines = [&](const char* label, std::size_t k) {
+    return setting_lines(label, r.settings[k], r.tolerance);
+  };
+  const auto& [trusted, next_cheaper, best, nearest] = r.choice;
+  if (!trusted) {
+    return "  none can be trusted\n" + (nearest ? lines("nearest", *nearest) : "") + best_lines(r);
+  }
+  return lines("trusted", *trusted) +
+         (next_cheaper ? lines("next cheaper", *next_cheaper)
+                       : "  next cheaper      none: it is the cheapest of all\n") +
+         best_lines(r) + error_lines(r);
+}
+
 }  // namespace
 
-json tune_json(const TuneResult& r) {
+result::Section result_of(const TuneResult& r) {
   const auto one = [&](const std::optional<std::size_t>& k) {
     return k ? setting_json(r.settings[*k], r.modes) : json(nullptr);
   };
   json best = json::array(), all = json::array();
   for (const std::size_t k : r.choice.best_by_contact) best.push_back(one(k));
   for (const JudgedSetting& s : r.settings) all.push_back(setting_json(s, r.modes));
-  return {{"program", "rotorub"},
-          {"version", program_version()},
-          {"mujoco_version", mujoco_version()},
-          {"scene", r.scene.name},
-          {"scene_hash", scene::scene_hash(r.scene)},
-          {"tolerance", r.tolerance},
-          {"trusted", one(r.choice.trusted)},
-          {"next_cheaper", one(r.choice.next_cheaper)},
-          {"best_by_contact", best},
-          {"nearest", one(r.choice.nearest)},
-          {"model_error", result::json_of(model_error_section(r.model_error))},
-          {"contact_error", part_json(r.errors, &SplitShares::contact)},
-          {"step_error", part_json(r.errors, &SplitShares::step)},
-          {"settings", all}};
-}
-
-std::string tune_table(const TuneResult& r, const Palette& palette) {
-  const auto& all = r.settings;
-  std::string lines =
-      fmt::format("{}: {} settings of MuJoCo judged at {}\n", scene::printable(r.scene.name),
-                  all.size(), percent_text(r.tolerance));
-  if (!r.choice.trusted) {
-    lines += "  " + palette.paint(Tone::kBad, "none can be trusted") + "\n";
-    if (r.choice.nearest) lines += setting_lines("nearest", all[*r.choice.nearest], r.tolerance);
-    return lines + best_lines(r);
-  }
-  lines += palette.paint_first(
-      Tone::kGood, setting_lines("trusted", all[*r.choice.trusted], r.tolerance), "trusted");
-  if (!r.choice.next_cheaper) {
-    return lines + "  next cheaper      none: it is the cheapest of all\n" + best_lines(r) +
-           error_lines(r);
-  }
-  lines += setting_lines("next cheaper", all[*r.choice.next_cheaper], r.tolerance);
-  return lines + best_lines(r) + error_lines(r);
+  const bool found = r.choice.trusted.has_value();
+  return {.parts = {result::Data{"",
+                                 {{"program", "rotorub"},
+                                  {"version", program_version()},
+                                  {"mujoco_version", mujoco_version()},
+                                  {"scene", r.scene.name},
+                                  {"scene_hash", scene::scene_hash(r.scene)},
+                                  {"tolerance", r.tolerance},
+                                  {"trusted", one(r.choice.trusted)},
+                                  {"next_cheaper", one(r.choice.next_cheaper)},
+                                  {"best_by_contact", best},
+                                  {"nearest", one(r.choice.nearest)},
+                                  {"model_error", result::json_of(model_error_section(r.model_error))},
+                                  {"contact_error", part_json(r.errors, &SplitShares::contact)},
+                                  {"step_error", part_json(r.errors, &SplitShares::step)},
+                                  {"settings", all}}},
+                    result::line(fmt::format("{}: {} settings of MuJoCo judged at {}",
+                                             scene::printable(r.scene.name), r.settings.size(),
+                                             percent_text(r.tolerance))),
+                    result::Sentence{.text = choice_lines(r),
+                                     .wraps = false,
+                                     .tone = found ? Tone::kGood : Tone::kBad,
+                                     .toned = found ? "trusted" : "none can be trusted"}}};
 }
 
 }  // namespace rotorub::tune

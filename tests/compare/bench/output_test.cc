@@ -53,7 +53,7 @@ const std::vector<RestitutionRow> kRestitution{{0.5, "mujoco-coulomb", "K 1e6", 
 
 // The contract's keys, with the types it promises.
 TEST(BenchJson, HasTheKeysOfTheContract) {
-  const json all = bench_json(kMachine, {made_bench()}, kRestitution);
+  const json all = json_of(result_of(kMachine, {made_bench()}, kRestitution));
   EXPECT_TRUE(all.at("machine").is_object());
   ASSERT_EQ(all.at("scenes").size(), 1u);
   const json& scene = all["scenes"][0];
@@ -91,7 +91,7 @@ TEST(BenchJson, TheClearanceIsTheSmallestInAnyOrder) {
   b.scene.auxiliary[1].contact->clearance = smallest;
   for (const char* order : {"wide ring first", "narrow ring first"}) {
     SCOPED_TRACE(order);
-    const json all = bench_json(kMachine, {b}, {});
+    const json all = json_of(result_of(kMachine, {b}, {}));
     EXPECT_EQ(all.at("scenes")[0].at("clearance"), smallest);
     EXPECT_EQ(b.telling_errors().ceiling, smallest);
     std::swap(b.scene.auxiliary[0], b.scene.auxiliary[1]);
@@ -99,7 +99,7 @@ TEST(BenchJson, TheClearanceIsTheSmallestInAnyOrder) {
 }
 
 TEST(BenchJson, LevelsOrdersMapAndRestitution) {
-  const json all = bench_json(kMachine, {made_bench()}, kRestitution);
+  const json all = json_of(result_of(kMachine, {made_bench()}, kRestitution));
   const json& scene = all["scenes"][0];
   const json& level = scene.at("levels")[1];
   EXPECT_EQ(level["native_is_fastest"], true);
@@ -111,20 +111,21 @@ TEST(BenchJson, LevelsOrdersMapAndRestitution) {
   EXPECT_EQ(scene.at("stability").at("cells")[0]["outcome"], "chatter");
   EXPECT_EQ(all.at("restitution")[0]["got"], 0.4987);
   EXPECT_TRUE(all["restitution"][1]["got"].is_null());
-  EXPECT_FALSE(bench_json(kMachine, {}, {}).contains("restitution"));
+  EXPECT_FALSE(json_of(result_of(kMachine, {}, {})).contains("restitution"));
 }
 
 // Never NaN, whatever a metric came to.
 TEST(BenchJson, WhatIsNotFiniteIsNull) {
-  Point p = made_point("ode", 1e-5, std::numeric_limits<double>::quiet_NaN(), 1e-3);
-  p.limit_error = std::numeric_limits<double>::infinity();
-  const json j = point_json(p);
-  EXPECT_TRUE(j["position_error"].is_null());
-  EXPECT_TRUE(j["limit_error"].is_null());
+  SceneBench b = made_bench();
+  b.points[4].errors = PointErrors{std::numeric_limits<double>::quiet_NaN(), {}, {}};
+  b.points[4].limit_error = std::numeric_limits<double>::infinity();
+  const json point = json_of(scene_section(b)).at("points")[4];
+  EXPECT_TRUE(point["position_error"].is_null());
+  EXPECT_TRUE(point["limit_error"].is_null());
 }
 
 TEST(BenchTable, SaysWhoIsFastestAndWhatFailed) {
-  const std::string text = bench_table(made_bench());
+  const std::string text = text_of(scene_section(made_bench()));
   for (const char* part :
        {"bench_ring", "native-verlet", "mujoco-rigid ×6", "2.00", "1 diverged", "it <flew> away",
         "a native integrator is the fastest at every level reached"}) {
@@ -140,7 +141,7 @@ TEST(BenchTable, KeepsItsColumns) {
   b.engines.push_back(made_engine("mujoco-cone-coulomb", Family::kMujoco));
   b.points.push_back(made_point("mujoco-cone-coulomb", 1e-4, 4e-6, 1e-4, "Euler"));
   b.levels = levels(b.points, b.engines, b.scene.first().contact->clearance, 0.0);
-  const std::string text = bench_table(b);
+  const std::string text = text_of(scene_section(b));
   const auto column = [&](const std::string& line, const char* word) {
     const std::size_t at = text.find(word, text.find(line));
     return at - text.rfind('\n', at);

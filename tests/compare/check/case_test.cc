@@ -137,12 +137,13 @@ TEST(CheckOutput, FitsEightyColumnsAndSaysAll) {
   for (const CheckEngine& e : check_engines()) {
     cases.push_back(judged(e, {at_most("end.rotor_x", e.native ? 1.0 : 1e-9)}, ran()));
   }
-  const std::string text = table(cases);
+  const result::Section result = result_of(cases);
+  const std::string text = text_of(result);
   std::istringstream lines(text);
   for (std::string line; std::getline(lines, line);) EXPECT_LE(line.size(), 80u) << line;
   EXPECT_NE(text.find("made_up, mujoco-cone:"), std::string::npos) << text;
 
-  const nlohmann::json all = cases_json(cases).at("cases");
+  const nlohmann::json all = json_of(result).at("cases");
   ASSERT_EQ(all.size(), check_engines().size());
   for (const auto& c : all) {
     for (const char* key : {"scene", "engine", "outcome", "rule", "value", "limit", "reason"}) {

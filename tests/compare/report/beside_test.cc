@@ -39,7 +39,7 @@ json kept_bench() {
               test::made_point("mujoco-rigid", 1e-4, 7e-7, 6e-3, "Euler"),
               test::failed_point("mujoco-rigid", 1e-3, bench::Outcome::kDiverged, "it flew away")};
   b.points[3].setting.setting = "Euler";
-  return bench::bench_json({"made-up processor", 2, "avx2", "g++ 12", "2.2.2"}, {b}, {});
+  return json_of(bench::result_of({"made-up processor", 2, "avx2", "g++ 12", "2.2.2"}, {b}, {}));
 }
 
 const char* const kMap =

@@ -129,7 +129,7 @@ TEST(TuneTable, EachCauseStandsAtItsFigure) {
   modes.error = -0.0238;
   r.model_error.modes = {8, 11};
   r.model_error.figures = {modes};
-  std::istringstream table(tune_table(r, Palette(false)));
+  std::istringstream table(text_of(result_of(r)));
   std::string text;
   bool seen = false;
   while (std::getline(table, text)) {
