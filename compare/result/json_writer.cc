@@ -26,10 +26,8 @@ Json& node_at(Json& from, std::string_view place, const Names& names = {}) {
       if (names.next || node->empty()) node->push_back(Json());
       node = &node->back();
     } else {
-      const std::string_view key = step == "{row}"      ? names.row
-                                   : step == "{column}" ? names.column
-                                                        : step;
-      node = &(*node)[std::string(key)];
+      const std::string key(step == "{row}" ? names.row : step == "{column}" ? names.column : step);
+      node = node->is_array() ? &node->at(std::stoul(key)) : &(*node)[key];
     }
   }
   return *node;
