@@ -16,11 +16,13 @@
 #include "compare/commands/command.h"
 #include "compare/commands/options.h"
 #include "compare/commands/terminal.h"
+#include "compare/modes/result.h"
 #include "compare/modes/rotor_analysis.h"
 #include "compare/modes/rub_key_map.h"
 #include "compare/modes/rub_map_text.h"
 #include "compare/report/linear_maps.h"
 #include "compare/report/modes_page.h"
+#include "compare/result/result.h"
 #include "compare/sweep/study_reader.h"
 #include "native_model/control/library.h"
 #include "native_model/linear/rub_map.h"
@@ -134,6 +136,13 @@ void write_page(const ModesArguments& options, const scene::Scene& scene,
   write_file(options, modes_page(scene, campbell));
 }
 
+int print_found(result::Section found, const ModesArguments& options) {
+  if (!options.output.empty())
+    found.add({result::line(fmt::format("\nwritten to {}", printable_path(page_file(options))))});
+  result::print(found, {options.json, options.quiet});
+  return kDone;
+}
+
 // ---------------------------------------------------------------- the map of lasting rubs
 struct MapRanges {
   std::vector<double> speeds, frictions;  // empty if not given
@@ -216,14 +225,10 @@ int show_feedback(const ModesArguments& options) {
   });
   bar.clear();
   if (!options.output.empty()) write_file(options, feedback_map_page(scene, map));
-  if (options.json) {
-    std::cout << json_text({{"feedback_map", feedback_map_json(map)}});
-  } else if (!options.quiet) {
-    std::cout << feedback_map_table(scene::printable(scene.name), map);
-    if (!options.output.empty())
-      fmt::print("\nwritten to {}\n", printable_path(page_file(options)));
-  }
-  return kDone;
+  return print_found(
+      {.parts = {result::Data{"feedback_map", feedback_map_json(map)},
+                 result::line(feedback_map_table(scene::printable(scene.name), map))}},
+      options);
 }
 
 // rotorub modes --state-space: prints JSON regardless of other options. Of several rings, the plant
@@ -268,17 +273,16 @@ int modes(const ModesArguments& options) {
     }
   }
 
-  if (options.json) {
-    nlohmann::json result = modes_json(analysis);
-    if (map) result["rub_map"] = rub_map_json(*map);
-    std::cout << json_text(result);
-  } else if (!options.quiet) {
-    std::cout << (map ? rub_map_picture(scene::printable(scene.name), *map)
-                      : modes_table(scene::printable(scene.name), analysis));
-    if (!options.output.empty())
-      fmt::print("\nwritten to {}\n", printable_path(page_file(options)));
+  const std::string name = scene::printable(scene.name);
+  result::Section found = modes_result(name, analysis);
+  if (map) {
+    // People see the picture alone.
+    found.seen = result::kJson;
+    found = {.parts = {std::move(found),
+                       options.json ? result::Part(result::Data{"rub_map", rub_map_json(*map)})
+                                    : result::line(rub_map_picture(name, *map))}};
   }
-  return kDone;
+  return print_found(std::move(found), options);
 }
 
 }  // namespace

@@ -7,7 +7,7 @@
 #include <limits>
 #include <nlohmann/json.hpp>
 
-#include "compare/base/format.h"
+#include "compare/base/json.h"
 #include "compare/base/units.h"
 
 namespace rotorub {
@@ -39,34 +39,33 @@ std::vector<TimedOrbit> orbits_at(const ContactPlace& place, const RotorResponse
           {last, ", after the loss"}};
 }
 
-std::string contact_text(const ContactPlace& place, const TimedOrbit& at, double speed) {
+std::vector<result::Part> orbit_parts(const ContactPlace& place, const TimedOrbit& at,
+                                      double speed) {
+  using result::Data, result::Sentence;
   const FreeOrbit& orbit = at.orbit;
   const std::string where = fmt::format(
       "response at {}{}", place.name.empty() ? "the contact" : "contact " + place.name, at.when);
-  if (!orbit.largest) return fmt::format("  {}: none, {}\n", where, orbit.refused);
-  const double gap = place.clearance - *orbit.largest;
-  const std::string sentence = fmt::format(
-      "{}: {:.4g} um from the middle of the ring, {}", where, kMicrons * *orbit.largest,
-      gap > 0.0 ? fmt::format("least gap {:.4g} um", kMicrons * gap)
-                : fmt::format("it touches: {:.4g} um beyond the clearance", -kMicrons * gap));
-  const std::string vibration = vibration_sentence(orbit, speed, "um");
-  return wrapped("  ", sentence) +
-         (vibration.empty() ? "" : fmt::format("  vibration there: {}\n", vibration));
-}
-
-json orbit_json(const ContactPlace& place, const FreeOrbit& orbit, double speed) {
+  const double gap = place.clearance - orbit.largest.value_or(0.0);
+  const auto known = [&](double value) { return orbit.largest ? number_or_null(value) : json(); };
+  const Data data{"",
+                  {{"orbit", number_or_null(orbit.largest)},
+                   {"least_gap", known(gap)},
+                   {"vibration", known(orbit.vibration)},
+                   {"vibration_limit", known(vibration_limit(speed))},
+                   {"refused", orbit.largest ? json() : json(orbit.refused)}}};
   if (!orbit.largest)
-    return {{"orbit", nullptr},
-            {"least_gap", nullptr},
-            {"vibration", nullptr},
-            {"vibration_limit", nullptr},
-            {"refused", orbit.refused}};
-  const double limit = vibration_limit(speed);
-  return {{"orbit", *orbit.largest},
-          {"least_gap", place.clearance - *orbit.largest},
-          {"vibration", orbit.vibration},
-          {"vibration_limit", std::isfinite(limit) ? json(limit) : json(nullptr)},
-          {"refused", nullptr}};
+    return {data, result::line(fmt::format("  {}: none, {}", where, orbit.refused))};
+  std::vector<result::Part> parts{
+      data, Sentence{.text = fmt::format(
+                         "{}: {:.4g} um from the middle of the ring, {}", where,
+                         kMicrons * *orbit.largest,
+                         gap > 0.0 ? fmt::format("least gap {:.4g} um", kMicrons * gap)
+                                   : fmt::format("it touches: {:.4g} um beyond the clearance",
+                                                 -kMicrons * gap)),
+                     .lead = "  "}};
+  const std::string vibration = vibration_sentence(orbit, speed, "um");
+  if (!vibration.empty()) parts.emplace_back(result::line("  vibration there: " + vibration));
+  return parts;
 }
 
 ResponseWords orbit_words(const ContactPlace& place, const TimedOrbit& at, double speed) {
@@ -119,22 +118,14 @@ std::vector<std::string> RotorResponse::notes() const {
   return notes;
 }
 
-json response_json(const ContactPlace& place, const RotorResponse& response, double speed) {
-  json result = orbit_json(place, response.all.orbits[place.bearing], speed);
-  const auto& before = response.before_loss;
-  result["before_loss"] =
-      before ? orbit_json(place, before->orbits[place.bearing], speed) : json(nullptr);
-  return result;
-}
-
-std::string response_text(const std::vector<ContactPlace>& places, const RotorResponse& response,
-                          double speed) {
-  std::string text;
-  for (const ContactPlace& place : places) {
-    for (const TimedOrbit& at : orbits_at(place, response)) text += contact_text(place, at, speed);
-  }
-  for (const std::string& note : response.notes()) text += wrapped("  ", "note: " + note);
-  return text;
+result::Section response_section(const ContactPlace& place, const RotorResponse& response,
+                                 double speed) {
+  const std::vector<TimedOrbit> orbits = orbits_at(place, response);
+  result::Section section{"response", {result::Data{"before_loss", nullptr}}};
+  if (response.before_loss)
+    section.add({result::Section{"before_loss", orbit_parts(place, orbits.front(), speed)}});
+  section.add(orbit_parts(place, orbits.back(), speed));
+  return section;
 }
 
 std::vector<ResponseWords> response_words(const ContactPlace& place, const RotorResponse& response,

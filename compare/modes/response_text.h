@@ -2,11 +2,11 @@
 // unbalance, weight and forces, and how much of the clearance is left.
 #pragma once
 
-#include <nlohmann/json_fwd.hpp>
 #include <optional>
 #include <string>
 #include <vector>
 
+#include "compare/result/result.h"
 #include "native_model/linear/steady_orbit.h"
 #include "native_model/scene/scene.h"
 
@@ -43,13 +43,9 @@ double vibration_limit(double speed);
 // to peak, "vibration_limit": m, of API 617 at this speed, null at rest, "refused": why there is no
 // such orbit, or null, "before_loss": the same keys except this one for the scene before a loss, or
 // null}. speed: rad/s.
-nlohmann::json response_json(const ContactPlace& place, const RotorResponse& response,
-                             double speed);
-
-// For people: for each contact the response before and after a loss, then the notes. Ends with a
-// line break, or is empty.
-std::string response_text(const std::vector<ContactPlace>& places, const RotorResponse& response,
-                          double speed);
+// People read the response before the loss first.
+result::Section response_section(const ContactPlace& place, const RotorResponse& response,
+                                 double speed);
 
 // For the cards of the page: one, or two if a blade is lost, with the remaining clearance and the
 // orbit.

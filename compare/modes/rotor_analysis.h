@@ -2,7 +2,6 @@
 // spin speeds, critical speeds, stability threshold, mode shapes and lasting rubs.
 #pragma once
 
-#include <nlohmann/json_fwd.hpp>
 #include <optional>
 #include <string>
 #include <vector>
@@ -56,28 +55,6 @@ RotorAnalysis analyse_free_rotor(const scene::Scene& scene, const std::vector<do
 const char* sense_of(const WhirlMode& mode, double speed);
 // Whether a whirl grows at this speed (rad/s, absolute value).
 bool is_unstable(const RotorAnalysis& analysis, double speed);
-// A sentence without full stop on the ranges of speed in which a whirl grows.
-std::string stability_text(const RotorAnalysis& analysis);
-
-// As JSON (public contract): {"speeds": [{"speed", "modes": [{"frequency", "damping_ratio"}]}],
-// "critical_speeds": [], "critical": [{"speed", "whirl": "forward", "backward" or "planar"}],
-// "stability_threshold": null, "unstable_ranges": [[from, to]], "stability_bound"}: rad/s; forward
-// whirl positive, backward negative; modes by rising absolute frequency. The threshold is null if
-// there is none up to the bound; the bound is null if nothing can grow at any speed; `to` is null
-// if a whirl still grows at the bound.
-//
-// And "torsion": [{"frequency", "damping_ratio"}], "mode_shapes": {"z": m, "stations": [{"kind",
-// "name", "z"}], "same_planes", "x", "y": [{"frequency": rad/s at rest, undamped, "shape": along z,
-// "at_stations"}]}; modes are scaled like the coordinates of a run (mode_shapes.h). In modal form
-// "mode_shapes" is null. With a [contact] each speed has "response" (response_text.h) and "rub"
-// (rub_analysis.h) of the first contact; if its rubs cannot be analysed, "rub" is null and
-// "rub_refused" gives the reason. With several contacts "contacts" holds the same keys and "name"
-// for each. "notes": sentences on where the response is not valid. "levitation": levitation_text.h.
-nlohmann::json modes_json(const RotorAnalysis& analysis);
-
-// The same for people, in Hz and rpm; ends with a line break. Mode shapes are given for the first
-// modes, at the stations.
-std::string modes_table(const std::string& name, const RotorAnalysis& analysis);
 
 // "disc", "bearing", "contact", "drive", "magnetic_bearing", "force".
 const char* to_string(StationKind kind);

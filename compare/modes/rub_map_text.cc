@@ -9,6 +9,7 @@
 
 #include "compare/base/format.h"
 #include "compare/base/units.h"
+#include "compare/modes/result.h"
 #include "compare/modes/rub_analysis.h"
 #include "native_model/scene/text.h"
 
@@ -57,7 +58,7 @@ std::vector<std::string> state_names(const LinearPlant& plant) {
 json rub_map_json(const RubKeyMap& map) {
   json points = json::array();
   for (const auto& point : map.points)
-    points.push_back(point ? rub_point_json(*point) : json(nullptr));
+    points.push_back(point ? result::json_of(rub_point_result(*point)) : json(nullptr));
   if (map.of_speed_and_friction())
     return {{"speeds", map.across.values}, {"frictions", map.up.values}, {"points", points}};
   const auto axis = [](const MapAxis& of) -> json {

@@ -12,7 +12,7 @@
 
 namespace rotorub {
 
-// {"speeds": [rad/s], "frictions": [], "points": [...]}: rub_point_json of each point, with the
+// {"speeds": [rad/s], "frictions": [], "points": [...]}: rub_point_result of each point, with the
 // friction varying fastest. For other keys, "across" and "up": {"key", "unit", "values"} replace
 // the first two. A refused point is null.
 nlohmann::json rub_map_json(const RubKeyMap& map);

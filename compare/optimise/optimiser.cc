@@ -9,7 +9,9 @@
 #include "compare/engine/engine.h"
 #include "compare/figures/figure.h"
 #include "compare/metrics/metrics.h"
+#include "compare/modes/result.h"
 #include "compare/modes/rotor_analysis.h"
+#include "compare/result/result.h"
 #include "compare/run_files/summary.h"
 #include "compare/sweep/point_run.h"
 #include "compare/sweep/sample.h"
@@ -191,7 +193,8 @@ class Search {
     const auto refused = sweep::refusal_of([&] {
       const scene::Scene scene = scene_of(task_, variants_, values, mujoco);
       json run, modes;
-      if (goal.needs(Source::kModes)) modes = modes_json(analyse_rotor(scene, {}));
+      if (goal.needs(Source::kModes))
+        modes = result::json_of(modes_result("", analyse_rotor(scene, {})));
       if (goal.needs(Source::kRun)) run = run_json(scene, out);
       if (!out.ok()) return;
       const auto value = [&](const FigurePath& figure, bool largest) {

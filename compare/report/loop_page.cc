@@ -13,6 +13,7 @@
 #include "compare/base/units.h"
 #include "compare/modes/levitation_text.h"
 #include "compare/report/plot_points.h"
+#include "compare/result/result.h"
 
 namespace rotorub {
 namespace {
@@ -24,9 +25,6 @@ constexpr double kMicrons = 1e6;  // um per m
 double decibels(double size) { return 20.0 * std::log10(size); }
 std::string name_of(const LoopSensitivity& loop) {
   return fmt::format("bearing {} {}", loop.bearing + 1, loop.axis == 0 ? "x" : "y");
-}
-bool has_loop(const Levitation& levitation) {
-  return !levitation.loops.empty() || !levitation.poles_refused.empty();
 }
 
 // Includes the peak as a point of the curve if it lies between two frequencies.
@@ -96,6 +94,10 @@ json plots_of(const Levitation& levitation) {
   return {{"sensitivity", sensitivity}, {"step", step}};
 }
 
+json text_of_item(const result::Item& item) {
+  return item.text.empty() ? item.value : json(item.text);
+}
+
 }  // namespace
 
 json loop_values(const RotorAnalysis& analysis) {
@@ -111,13 +113,14 @@ json loop_values(const RotorAnalysis& analysis) {
          {"has_steps", !levitation.steps.empty()},
          {"loop_sheets", list_of(levitation_sheets(levitation), [](const LoopSheet& sheet) -> json {
             return {{"caption", sheet.caption},
-                    {"columns", list_of(sheet.columns,
-                                        [](const LoopSheet::Column& c) {
-                                          return boost::replace_all_copy(c.head, "um", "\u00b5m");
+                    {"columns", list_of(sheet.table.columns,
+                                        [](const result::Column& c) {
+                                          return boost::replace_all_copy(c.heading, "um",
+                                                                         "\u00b5m");
                                         })},
-                    {"rows", list_of(sheet.rows,
-                                     [](const auto& row) -> json {
-                                       return {{"cells", row}};
+                    {"rows", list_of(sheet.table.rows,
+                                     [](const result::Row& row) -> json {
+                                       return {{"cells", list_of(row.items, text_of_item)}};
                                      })},
                     {"notes", sheet.notes}};
           })}});

@@ -9,6 +9,7 @@
 #include <utility>
 
 #include "compare/base/units.h"
+#include "compare/modes/result.h"
 #include "compare/report/assets.h"
 #include "compare/report/loop_page.h"
 #include "compare/report/page_frame.h"

@@ -29,7 +29,8 @@ Json& node_at(Json& from, std::string_view place, const Names& names = {}) {
     } else if (step == "{column}") {
       node = &node_at(*node, names.column);
     } else {
-      node = &(*node)[std::string(step == "{row}" ? names.row : step)];
+      const std::string key(step == "{row}" ? names.row : step);
+      node = node->is_array() ? &node->at(std::stoul(key)) : &(*node)[key];
     }
   }
   return *node;

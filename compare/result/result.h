@@ -2,10 +2,12 @@
 // it once; json_of() writes it as JSON, text_of() for a terminal. Neither knows the command.
 #pragma once
 
+#include <algorithm>
 #include <cstddef>
 #include <nlohmann/json.hpp>
 #include <optional>
 #include <string>
+#include <utility>
 #include <variant>
 #include <vector>
 
@@ -14,7 +16,8 @@
 namespace rotorub::result {
 
 // A place is a path of keys in the JSON of its section, "timing/median". "#" in it is a new element
-// of a list: "remarks/#". A part without a place is for people alone.
+// of a list, "remarks/#", and a number is the element that has it, from 0: "remarks/0/why". A part
+// without a place is for people alone.
 
 // Who sees a part that has both a place and a text.
 enum Audience { kAll, kJson, kPeople };
@@ -27,6 +30,10 @@ struct Item {
   std::string text{};
   Tone tone = Tone::kPlain;  // of the text
 };
+
+// A number: its value in SI, and for people `factor` times it with that many significant digits.
+// null and "-" if it is missing or not finite.
+Item number(const std::optional<double>& value, int digits, double factor = 1.0);
 
 // Words for people. An empty sentence is an empty line.
 struct Sentence {
@@ -78,6 +85,18 @@ struct Table {
   std::string lead = "  ";
   Audience seen = kAll;
 };
+
+// A function add(column, item) that adds a column with item(element) for each element, one in a
+// row.
+template <class Elements>
+auto column_adder(Table& table, const Elements& elements) {
+  return [&](Column column, const auto& item) {
+    table.columns.push_back(std::move(column));
+    table.rows.resize(std::max(table.rows.size(), static_cast<std::size_t>(elements.size())));
+    for (std::size_t k = 0; const auto& element : elements)
+      table.rows[k++].items.push_back(item(element));
+  };
+}
 
 // JSON alone. At the empty place, the keys of an object join those of the section.
 struct Data {

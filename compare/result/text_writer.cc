@@ -85,6 +85,12 @@ class TextWriter {
 
 }  // namespace
 
+Item number(const std::optional<double>& value, int digits, double factor) {
+  nlohmann::json written = number_or_null(value);
+  std::string text = written.is_null() ? "-" : fmt::format("{:.{}g}", factor * *value, digits);
+  return {std::move(written), std::move(text)};
+}
+
 Sentence line(std::string text) { return {.text = std::move(text), .wraps = false}; }
 
 void Section::add(std::vector<Part> more) { std::ranges::move(more, std::back_inserter(parts)); }

@@ -8,6 +8,7 @@
 #include <nlohmann/json.hpp>
 #include <string>
 
+#include "compare/modes/result.h"
 #include "compare/modes/rotor_analysis.h"
 #include "native_model/scene/reader.h"
 
@@ -31,7 +32,7 @@ derivative = 10.0
 
 TEST(LevitationText, PolesLoopsAndZones) {
   const RotorAnalysis analysis = analyse_rotor(scene::parse_scene(kHung, "hung.toml", {}), {});
-  const nlohmann::json all = modes_json(analysis)["speeds"][0]["levitation"];
+  const nlohmann::json all = result::json_of(modes_result("", analysis))["speeds"][0]["levitation"];
   EXPECT_EQ(all["sample_time"], 0.0);
   EXPECT_TRUE(all["poles_refused"].is_null());
   ASSERT_EQ(all["poles"].size(), 4u);
@@ -53,7 +54,7 @@ TEST(LevitationText, PolesLoopsAndZones) {
   EXPECT_NEAR(step["static_stiffness"].get<double>(), 2.2e5, 1e-3);
   EXPECT_NEAR(step["largest_at"].get<double>(), M_PI / std::sqrt(1.1e5 - 4e4), 1e-9);
   EXPECT_EQ(all["loops"][0]["unbalance"], 0.0);
-  const std::string text = modes_table("hung", analysis);
+  const std::string text = result::text_of(modes_result("hung", analysis));
   EXPECT_NE(text.find("step of force on the rotor at each bearing"), std::string::npos);
   EXPECT_NE(text.find(fmt::format("{:.4g}", 100.0 * overshoot)), std::string::npos) << text;
   EXPECT_EQ(text.find("unbalance response"), std::string::npos) << "there is none";
@@ -68,17 +69,20 @@ TEST(LevitationText, SaysSoWhereTheLoopIsUnstableOrThereIsNone) {
       scene::parse_scene(kHung, "grows.toml",
                          std::vector<std::string>{"magnetic_bearing.amplifier={bandwidth=40.0}"}),
       {});
-  EXPECT_NE(modes_table("grows", grows).find("unstable, so there are no sensitivities"),
-            std::string::npos);
-  EXPECT_EQ(modes_table("grows", grows).find("step of force"), std::string::npos);
-  EXPECT_TRUE(modes_json(grows)["speeds"][0]["levitation"]["loops"][0]["step"].is_null());
+  EXPECT_NE(
+      result::text_of(modes_result("grows", grows)).find("unstable, so there are no sensitivities"),
+      std::string::npos);
+  EXPECT_EQ(result::text_of(modes_result("grows", grows)).find("step of force"), std::string::npos);
+  EXPECT_TRUE(
+      result::json_of(modes_result("", grows))["speeds"][0]["levitation"]["loops"][0]["step"]
+          .is_null());
   const RotorAnalysis none = analyse_rotor(
       scene::parse_scene(
           kHung, "none.toml",
           std::vector<std::string>{"magnetic_bearing.control=none", "rotor.modal.stiffness=[2e5]"}),
       {});
-  EXPECT_TRUE(modes_json(none)["speeds"][0]["levitation"].is_null());
-  EXPECT_EQ(modes_table("none", none).find("closed loop"), std::string::npos);
+  EXPECT_TRUE(result::json_of(modes_result("", none))["speeds"][0]["levitation"].is_null());
+  EXPECT_EQ(result::text_of(modes_result("none", none)).find("closed loop"), std::string::npos);
 }
 
 }  // namespace

@@ -5,6 +5,7 @@
 #include <complex>
 #include <nlohmann/json.hpp>
 
+#include "compare/modes/result.h"
 #include "compare/modes/rotor_analysis.h"
 #include "compare/report/modes_page.h"
 #include "native_model/scene/reader.h"
@@ -50,13 +51,13 @@ double deflection(double unbalance) {
 TEST(LossText, HasTheResponseBeforeAndAfter) {
   const scene::Scene scene = scene::parse_scene(kScene, "scene.toml", {});
   const RotorAnalysis analysis = analyse_rotor(scene, {});
-  const json response = modes_json(analysis)["speeds"][0]["response"];
+  const json response = result::json_of(modes_result("", analysis))["speeds"][0]["response"];
   EXPECT_NEAR(response["orbit"].get<double>(), deflection(5e-4), 1e-9 * deflection(5e-4));
   const json before = response["before_loss"];
   EXPECT_NEAR(before["orbit"].get<double>(), deflection(1e-4), 1e-9 * deflection(1e-4));
   EXPECT_NEAR(before["least_gap"].get<double>(), 0.3e-3 - deflection(1e-4), 1e-12);
 
-  const std::string table = modes_table("blade", analysis);
+  const std::string table = result::text_of(modes_result("blade", analysis));
   EXPECT_TRUE(contains(table, {"response at the contact, before the loss: 82.6 um", "least gap",
                                "response at the contact, after the loss: 413 um", "it touches"}));
 
@@ -69,8 +70,10 @@ TEST(LossText, IsOneResponseWhereNothingIsLost) {
   const std::vector<std::string> at_once{"force[1].on=0.0"};
   const scene::Scene scene = scene::parse_scene(kScene, "scene.toml", at_once);
   const RotorAnalysis analysis = analyse_rotor(scene, {});
-  EXPECT_EQ(modes_json(analysis)["speeds"][0]["response"]["before_loss"], nullptr);
-  EXPECT_TRUE(contains(modes_table("whole", analysis), "response at the contact: 413 um"));
+  EXPECT_EQ(result::json_of(modes_result("", analysis))["speeds"][0]["response"]["before_loss"],
+            nullptr);
+  EXPECT_TRUE(contains(result::text_of(modes_result("whole", analysis)),
+                       "response at the contact: 413 um"));
 }
 
 }  // namespace

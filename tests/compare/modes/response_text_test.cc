@@ -8,6 +8,7 @@
 #include <nlohmann/json.hpp>
 #include <string>
 
+#include "compare/modes/result.h"
 #include "compare/modes/rotor_analysis.h"
 #include "compare/optimise/goal.h"
 #include "native_model/scene/reader.h"
@@ -57,7 +58,7 @@ TEST(ResponseText, OfSeveralContactsGivesEach) {
   ASSERT_LT(kNear, 0.5e-3);
   ASSERT_GT(3.0 * kNear, 0.6e-3) << "struck";
   const RotorAnalysis analysis = analysis_of(kTwoContacts);
-  const json all = modes_json(analysis), speed = all["speeds"][0];
+  const json all = result::json_of(modes_result("", analysis)), speed = all["speeds"][0];
   ASSERT_EQ(speed["contacts"].size(), 2u);
   const json near = speed["contacts"][0]["response"], far = speed["contacts"][1]["response"];
   EXPECT_NEAR(near["orbit"].get<double>() / kNear, 1.0, kExact);
@@ -70,7 +71,7 @@ TEST(ResponseText, OfSeveralContactsGivesEach) {
   const auto path = optimise::parse_figure("modes.speeds.*.contacts.*.response.least_gap");
   EXPECT_EQ(optimise::figure_value(path, all, false), far["least_gap"].get<double>());
 
-  const std::string table = modes_table("two", analysis);
+  const std::string table = result::text_of(modes_result("two", analysis));
   const auto near_at = table.find("response at contact near"),
              far_at = table.find("response at contact far");
   ASSERT_TRUE(near_at != std::string::npos && far_at != std::string::npos) << table;
@@ -82,8 +83,8 @@ TEST(ResponseText, OfOneContactIsAsItWas) {
   std::string one = kTwoContacts;
   one = one.substr(0, one.rfind("[[contact]]"));
   const RotorAnalysis analysis = analysis_of(one.c_str());
-  EXPECT_FALSE(modes_json(analysis)["speeds"][0].contains("contacts"));
-  const std::string table = modes_table("one", analysis);
+  EXPECT_FALSE(result::json_of(modes_result("", analysis))["speeds"][0].contains("contacts"));
+  const std::string table = result::text_of(modes_result("one", analysis));
   EXPECT_NE(table.find("response at the contact: "), std::string::npos) << table;
 }
 
@@ -114,8 +115,9 @@ current_limit = {}
 )",
                                          limit);
     const RotorAnalysis analysis = analysis_of(text.c_str());
-    const json all = modes_json(analysis)["speeds"][0]["notes"];
-    EXPECT_EQ(modes_table("hung", analysis).find("note: ") != std::string::npos, !all.empty());
+    const json all = result::json_of(modes_result("", analysis))["speeds"][0]["notes"];
+    EXPECT_EQ(result::text_of(modes_result("hung", analysis)).find("note: ") != std::string::npos,
+              !all.empty());
     return all;
   };
   EXPECT_EQ(notes(1.001 * current), json::array());
@@ -154,7 +156,8 @@ clearance = 0.5e-3
 friction = 0.1
 restitution = 0.3
 )";
-    return modes_json(analysis_of(scene.c_str()))["speeds"][0]["response"]["orbit"];
+    return result::json_of(
+        modes_result("", analysis_of(scene.c_str())))["speeds"][0]["response"]["orbit"];
   };
   const json always = orbit("");
   EXPECT_NEAR(always.get<double>(), 2.0 * 9.81 / 2e5, kExact * always.get<double>());

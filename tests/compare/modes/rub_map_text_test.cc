@@ -5,6 +5,7 @@
 #include <nlohmann/json.hpp>
 #include <sstream>
 
+#include "compare/modes/result.h"
 #include "compare/modes/rub_analysis.h"
 #include "compare/modes/rub_map_text.h"
 #include "compare/report/linear_maps.h"
@@ -22,7 +23,7 @@ TEST(RubJson, OfTheWhip) {
   const scene::Scene scene = shipped("bench_whip");
   const RubAnalyses rubs = analyse_rubs(scene, {scene.rotor.speed}).front();
   ASSERT_EQ(rubs.at.size(), 1U);
-  const json whip = rub_json(rubs.at[0]);
+  const json whip = result::json_of(rub_result(rubs.at[0]));
   ASSERT_EQ(whip.at("rubs").size(), 4U);
   const json& stable = whip["rubs"][1];
   EXPECT_EQ(stable.at("kind"), "whip");
@@ -33,7 +34,7 @@ TEST(RubJson, OfTheWhip) {
   EXPECT_TRUE(whip.at("rolling_ranges")[1][1].is_null()) << "to infinity";
   EXPECT_EQ(whip.at("ring").size(), 2U);
   EXPECT_EQ(whip.at("joined").size(), 2U);
-  const std::string table = rub_table(rubs.at[0]);
+  const std::string table = result::text_of(rub_result(rubs.at[0]));
   EXPECT_NE(table.find("-501.9257"), std::string::npos) << table;
   EXPECT_NE(table.find("rolling: 380.9469 to 501.9257 rad/s, above\n  1465.431 rad/s"),
             std::string::npos)
@@ -44,10 +45,10 @@ TEST(RubJson, OfTheWhip) {
 TEST(RubJson, HasNumbersOrNull) {
   const scene::Scene scene = shipped("bench_annular_rigid");
   const RubAnalyses rubs = analyse_rubs(scene, {scene.rotor.speed}).front();
-  const json point = rub_json(rubs.at.at(0));
+  const json point = result::json_of(rub_result(rubs.at.at(0)));
   EXPECT_EQ(point.at("rubs").back().at("kind"), "rolling");
   EXPECT_TRUE(point.at("rubs").back().at("growth_rate").is_null());
-  EXPECT_EQ(rub_table(rubs.at[0]).find("inf"), std::string::npos);
+  EXPECT_EQ(result::text_of(rub_result(rubs.at[0])).find("inf"), std::string::npos);
 }
 
 // Torsion and the motor: each rub once more, and the rolling that the motor keeps; none of it where
@@ -55,21 +56,23 @@ TEST(RubJson, HasNumbersOrNull) {
 TEST(RubJson, WhereTorsionAndTheSpeedGiveWay) {
   const scene::Scene scene = shipped("paper_rolling");
   const RubAnalyses rubs = analyse_rubs(scene, {scene.rotor.speed}).front();
-  const json point = rub_json(rubs.at.at(0));
+  const json point = result::json_of(rub_result(rubs.at.at(0)));
   ASSERT_EQ(point.at("driven").size(), point.at("rubs").size());
   const json& rolling = point.at("driven_rolling").back();
   EXPECT_EQ(rolling.at("stable"), true);
   EXPECT_NEAR(rolling.at("speed").get<double>(), 196.09, 0.01);
   EXPECT_NEAR(rolling.at("torque").get<double>(),
               0.5 * (scene.drive->speed - rolling.at("speed").get<double>()), 1e-6);
-  const std::string table = rub_table(rubs.at[0]);
+  const std::string table = result::text_of(rub_result(rubs.at[0]));
   EXPECT_NE(table.find("at a speed that the motor keeps"), std::string::npos) << table;
 
   EXPECT_FALSE(
-      rub_json(analyse_rubs(shipped("bench_whip"), {314.0}).front().at.at(0)).contains("driven"));
+      result::json_of(rub_result(analyse_rubs(shipped("bench_whip"), {314.0}).front().at.at(0)))
+          .contains("driven"));
   const scene::Scene follows = shipped("run_up");  // its torque depends on time too
   EXPECT_FALSE(
-      rub_json(analyse_rubs(follows, {follows.rotor.speed}).front().at.at(0)).contains("driven"));
+      result::json_of(rub_result(analyse_rubs(follows, {follows.rotor.speed}).front().at.at(0)))
+          .contains("driven"));
 }
 
 // Each while the others are open: what the scene with that contact alone has, its modes scaled
@@ -169,8 +172,8 @@ TEST_F(RubMapOfTheWhip, OverAnyTwoKeys) {
       std::string(ROTORUB_MJCF_DIR) + "/bench_whip.toml",
       std::vector<std::string>{"contact.clearance=1e-3", "contact.friction=0.25"});
   const rub::RubSystem system = rub::rub_system(one);
-  EXPECT_EQ(rub_point_json(*other.at(2, 1)),
-            rub_point_json(rub::RubStudy(system).at(system.friction)));
+  EXPECT_EQ(result::json_of(rub_point_result(*other.at(2, 1))),
+            result::json_of(rub_point_result(rub::RubStudy(system).at(system.friction))));
   const json all = rub_map_json(other);
   EXPECT_EQ(all.at("across").at("key"), "contact.clearance");
   EXPECT_TRUE(all.at("points")[0].is_null());

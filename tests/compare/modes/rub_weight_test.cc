@@ -4,6 +4,7 @@
 #include <nlohmann/json.hpp>
 #include <vector>
 
+#include "compare/modes/result.h"
 #include "compare/modes/rotor_analysis.h"
 #include "compare/modes/rub_analysis.h"
 #include "tests/native_model/hard/rules.h"
@@ -24,9 +25,10 @@ TEST(RubsUnderWeight, AreToldWithoutItAndSaySo) {
   const RubAnalysis with = analysed(lies), without = analysed(hangs);
   EXPECT_EQ(without.left_out, "");
   EXPECT_NE(with.left_out.find("the weight"), std::string::npos);
-  EXPECT_NE(rub_table(with).find("left out: the weight"), std::string::npos);
-  EXPECT_EQ(rub_json(with).at("rubs"), rub_json(without).at("rubs"));
-  EXPECT_TRUE(rub_json(without).at("left_out").is_null());
+  EXPECT_NE(result::text_of(rub_result(with)).find("left out: the weight"), std::string::npos);
+  EXPECT_EQ(result::json_of(rub_result(with)).at("rubs"),
+            result::json_of(rub_result(without)).at("rubs"));
+  EXPECT_TRUE(result::json_of(rub_result(without)).at("left_out").is_null());
 }
 
 TEST(RubsUnderWeight, AreNoneWhereNothingButTheRingHoldsTheRotor) {

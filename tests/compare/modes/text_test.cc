@@ -1,4 +1,4 @@
-#include "compare/modes/rotor_analysis.h"
+#include "compare/modes/result.h"
 
 #include <gtest/gtest.h>
 
@@ -19,7 +19,8 @@ scene::Scene friswell() {
 }
 
 TEST(ModesJson, HasTheContractsShape) {
-  const nlohmann::json result = modes_json(analyse_rotor(friswell(), {0.0, 418.8790204786391}));
+  const nlohmann::json result =
+      result::json_of(modes_result("", analyse_rotor(friswell(), {0.0, 418.8790204786391})));
   ASSERT_EQ(result.at("speeds").size(), 2u);
   EXPECT_EQ(result["speeds"][0].at("speed"), 0.0);
   const nlohmann::json& modes = result["speeds"][1].at("modes");
@@ -38,7 +39,7 @@ TEST(ModesJson, HasTheContractsShape) {
 }
 
 TEST(ModesJson, WithoutSpeedsTakesTheScenes) {
-  const nlohmann::json result = modes_json(analyse_rotor(friswell(), {}));
+  const nlohmann::json result = result::json_of(modes_result("", analyse_rotor(friswell(), {})));
   ASSERT_EQ(result["speeds"].size(), 1u);
   EXPECT_EQ(result["speeds"][0]["speed"], 100.0);
 }
@@ -46,7 +47,7 @@ TEST(ModesJson, WithoutSpeedsTakesTheScenes) {
 TEST(ModesJson, GivesTheThreshold) {
   scene::Scene s = friswell();
   s.rotor.geometry->internal_damping_ratio = 0.01;
-  const nlohmann::json result = modes_json(analyse_rotor(s, {}));
+  const nlohmann::json result = result::json_of(modes_result("", analyse_rotor(s, {})));
   EXPECT_NEAR(result["stability_threshold"].get<double>(),
               result["critical_speeds"][0].get<double>(), 1e-6);
 }
@@ -56,22 +57,24 @@ TEST(ModesTable, FreeBodyAndBoundedSearch) {
   s.name = "one";
   s.rotor.modal.emplace().mass = {2.0};
   s.rotor.modal->stiffness = {0.0};
-  EXPECT_NE(modes_table("one", analyse_rotor(s, {})).find("rigid"), std::string::npos);
+  EXPECT_NE(result::text_of(modes_result("one", analyse_rotor(s, {}))).find("rigid"),
+            std::string::npos);
 
   // Threshold at 41 omega, beyond the search.
   s.rotor.modal->stiffness = {2e5};
   s.rotor.modal->damping = {40.0};
   s.rotor.modal->internal_damping = {1.0};
-  EXPECT_NE(modes_table(s.name, analyse_rotor(s, {})).find("no whirl grows up to 6324.6 rad/s"),
+  EXPECT_NE(result::text_of(modes_result(s.name, analyse_rotor(s, {})))
+                .find("no whirl grows up to 6324.6 rad/s"),
             std::string::npos);
-  const nlohmann::json result = modes_json(analyse_rotor(s, {}));
+  const nlohmann::json result = result::json_of(modes_result("", analyse_rotor(s, {})));
   EXPECT_TRUE(result["stability_threshold"].is_null());
   EXPECT_NEAR(result["stability_bound"].get<double>(), 20.0 * std::sqrt(1e5), 1e-6);
 }
 
 TEST(ModesTable, SaysWhatTheJsonSays) {
   scene::Scene s = friswell();
-  const std::string stable = modes_table(s.name, analyse_rotor(s, {0.0}));
+  const std::string stable = result::text_of(modes_result(s.name, analyse_rotor(s, {0.0})));
   EXPECT_NE(stable.find("friswell"), std::string::npos);
   EXPECT_NE(stable.find("backward          86.71405      13.80097"), std::string::npos) << stable;
   EXPECT_NE(stable.find("86.96099 rad/s (830.4163 rpm)"), std::string::npos) << stable;
@@ -79,15 +82,16 @@ TEST(ModesTable, SaysWhatTheJsonSays) {
   EXPECT_EQ(stable.back(), '\n');
 
   s.rotor.geometry->internal_damping_ratio = 0.01;
-  EXPECT_NE(modes_table(s.name, analyse_rotor(s, {})).find("unstable above 86.96"),
-            std::string::npos);
+  EXPECT_NE(
+      result::text_of(modes_result(s.name, analyse_rotor(s, {}))).find("unstable above 86.96"),
+      std::string::npos);
 }
 
 // Further keys, which leave the contract's alone.
 TEST(ModesJson, GivesModeShapes) {
   scene::Scene s = friswell();
   const RotorAnalysis analysis = analyse_rotor(s, {});
-  const nlohmann::json shapes = modes_json(analysis).at("mode_shapes");
+  const nlohmann::json shapes = result::json_of(modes_result("", analysis)).at("mode_shapes");
   EXPECT_EQ(shapes.at("same_planes"), true);
   const std::size_t points = shapes.at("z").size();
   ASSERT_EQ(shapes.at("stations").size(), 4u) << "two bearings, two discs";
@@ -105,7 +109,7 @@ TEST(ModesJson, GivesModeShapes) {
                 analysis.shapes->x.shape(3, static_cast<Eigen::Index>(j)));
     }
   }
-  EXPECT_TRUE(modes_json(analysis).at("torsion").empty());
+  EXPECT_TRUE(result::json_of(modes_result("", analysis)).at("torsion").empty());
 }
 
 TEST(ModesJson, ModalFormHasNoShapes) {
@@ -117,21 +121,22 @@ TEST(ModesJson, ModalFormHasNoShapes) {
   s.rotor.torsion->stiffness = {36.0};
   s.rotor.torsion->damping = {0.012};
   const RotorAnalysis analysis = analyse_rotor(s, {});
-  const nlohmann::json result = modes_json(analysis);
+  const nlohmann::json result = result::json_of(modes_result("", analysis));
   EXPECT_TRUE(result.at("mode_shapes").is_null());
   ASSERT_EQ(result.at("torsion").size(), 1u);
   EXPECT_NEAR(result["torsion"][0]["frequency"].get<double>(), 300.0, 1e-9);
   EXPECT_NEAR(result["torsion"][0]["damping_ratio"].get<double>(), 0.05, 1e-12);
-  const std::string text = modes_table("one", analysis);
+  const std::string text = result::text_of(modes_result("one", analysis));
   EXPECT_NE(text.find("mode shapes: none"), std::string::npos) << text;
   EXPECT_NE(text.find("torsion, elastic modes"), std::string::npos) << text;
 }
 
 TEST(ModesTable, ShapesOfBothPlanesWhereTheyDiffer) {
   scene::Scene s = friswell();
-  EXPECT_NE(modes_table("a", analyse_rotor(s, {})).find("planes x and y alike"), std::string::npos);
+  EXPECT_NE(result::text_of(modes_result("a", analyse_rotor(s, {}))).find("planes x and y alike"),
+            std::string::npos);
   s.rotor.geometry->bearings[0].stiffness.y() *= 0.5;
-  const std::string text = modes_table("a", analyse_rotor(s, {}));
+  const std::string text = result::text_of(modes_result("a", analyse_rotor(s, {})));
   EXPECT_NE(text.find("plane x\n"), std::string::npos) << text;
   EXPECT_NE(text.find("plane y\n"), std::string::npos) << text;
   EXPECT_NE(text.find("disc 2"), std::string::npos) << text;

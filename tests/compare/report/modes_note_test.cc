@@ -4,6 +4,7 @@
 #include <nlohmann/json.hpp>
 #include <string>
 
+#include "compare/modes/result.h"
 #include "compare/modes/rotor_analysis.h"
 #include "compare/report/modes_page.h"
 #include "tests/support/native_run.h"
@@ -15,7 +16,7 @@ namespace {
 TEST(ModesPage, HasACardOfTheModesLeftOut) {
   const scene::Scene scene = test::shipped("amb_machine");
   const RotorAnalysis analysis = analyse_rotor(scene, {});
-  const auto notes = modes_json(analysis)["speeds"][0]["notes"];
+  const auto notes = result::json_of(modes_result("", analysis))["speeds"][0]["notes"];
   ASSERT_EQ(notes.size(), 1u);
   const std::string page = modes_page(scene, campbell_of(scene, analysis));
   EXPECT_TRUE(test::contains(

@@ -70,6 +70,16 @@ TEST(ResultJson, HasTheValuesOfOneColumn) {
   EXPECT_EQ(json_of_table({"speeds/#", columns, rows}), json::parse(R"({"speeds": [1, 2]})"));
 }
 
+TEST(ResultJson, HasPartsInAnElementOfAList) {
+  const Section result{
+      .parts = {Table{"loops/#/{column}", {{.key = "a"}}, {{.items = {{1}}}, {.items = {{2}}}}},
+                Table{"loops/{row}/e/{column}", {{.key = "f"}}, {{.key = "0", .items = {{5}}}}},
+                Data{"loops/1/b", 3}, Section{"loops/0/c", {Data{"d", 4}}}}};
+  EXPECT_EQ(
+      json_of(result),
+      json::parse(R"({"loops": [{"a": 1, "c": {"d": 4}, "e": {"f": 5}}, {"a": 2, "b": 3}]})"));
+}
+
 TEST(ResultJson, HasOneEntryPerCell) {
   const std::vector<Column> columns = {{.heading = "figure"}, {.key = "cone"}, {.key = "rigid"}};
   const std::vector<Row> rows = {

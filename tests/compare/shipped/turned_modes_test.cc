@@ -6,6 +6,7 @@
 #include <nlohmann/json.hpp>
 #include <string>
 
+#include "compare/modes/result.h"
 #include "compare/modes/rotor_analysis.h"
 #include "native_model/scene/diagnostic.h"
 #include "tests/compare/shipped/engines.h"
@@ -54,7 +55,8 @@ TEST_P(TurnedModes, AreThoseOfTheMachine) {
   const Transformed by(*scene, Symmetry::kAskew);
   if (!by.not_expressible().empty()) return;
   const scene::Scene turned = shipped(GetParam(), by.overrides());
-  expect_alike(modes_json(analyse_rotor(*scene, {})), modes_json(analyse_rotor(turned, {})), "");
+  expect_alike(result::json_of(modes_result("", analyse_rotor(*scene, {}))),
+               result::json_of(modes_result("", analyse_rotor(turned, {}))), "");
 }
 
 INSTANTIATE_TEST_SUITE_P(Shipped, TurnedModes, ::testing::ValuesIn(scenes_of("")),

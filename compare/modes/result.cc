@@ -1,0 +1,380 @@
+#include "compare/modes/result.h"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <algorithm>
+#include <cmath>
+#include <nlohmann/json.hpp>
+#include <utility>
+#include <vector>
+
+#include "compare/base/json.h"
+#include "compare/base/units.h"
+#include "compare/modes/levitation_text.h"
+#include "compare/modes/response_text.h"
+
+namespace rotorub {
+namespace {
+
+using nlohmann::json;
+using result::column_adder, result::Data, result::Item, result::line, result::number, result::Part;
+using result::Section, result::Sentence, result::Table;
+using rub::RubPoint, rub::StandingRub;
+
+json text_or_null(const std::string& text) { return text.empty() ? json(nullptr) : json(text); }
+
+// The ranges as pairs, with null for an end at infinity.
+template <class Ranges>
+json ranges_json(const Ranges& ranges) {
+  json all = json::array();
+  for (const auto& [from, to] : ranges) all.push_back({from, number_or_null(to)});
+  return all;
+}
+
+// ---------------------------------------------------------------- whirl of the free rotor
+// The list {"frequency", "damping_ratio"}, for people with the name of each mode.
+template <class NameOf>
+Table whirl_table(const std::string& place, const std::vector<WhirlMode>& modes,
+                  const NameOf& name_of) {
+  Table table{.place = place + "/#/{column}"};
+  const auto add = column_adder(table, modes);
+  add({.width = -14}, [&](auto& m) { return Item{.text = name_of(m)}; });
+  add({.key = "frequency", .width = 14}, [](auto& m) {
+    return Item{m.frequency, fmt::format("{:.7g}", std::abs(m.frequency))};
+  });
+  add({.width = 14}, [](auto& m) { return number(std::abs(m.frequency), 7, kHz); });
+  add({.key = "damping_ratio", .width = 16}, [](auto& m) { return number(m.damping_ratio, 4); });
+  return table;
+}
+
+// The response at a contact, in JSON null without it.
+Part response_part(const RotorAnalysis& analysis, std::size_t at, std::size_t bearing) {
+  const auto place = std::ranges::find(analysis.contacts, bearing, &ContactPlace::bearing);
+  if (place == analysis.contacts.end()) return Data{"response", nullptr};
+  return response_section(*place, analysis.responses[at], analysis.spectra[at].speed);
+}
+
+// What is known at one speed, apart from its rubs.
+Section speed_section(const RotorAnalysis& analysis, std::size_t at) {
+  const auto& [speed, modes] = analysis.spectra[at];
+  const auto name_of = [speed = speed](const WhirlMode& mode) { return sense_of(mode, speed); };
+  Section section{
+      "speeds/#",
+      {Data{"speed", speed}, Data{"rub", nullptr},
+       line(fmt::format("\nat {:.6g} rad/s ({:.6g} rpm)", speed, speed * kRpm)),
+       line(fmt::format("  {:<12}{:>14}{:>14}{:>16}", "whirl", "rad/s", "Hz", "damping ratio")),
+       whirl_table("modes", modes, name_of)}};
+  const bool several = analysis.rubs.size() > 1;
+  section.add(
+      {Section{"", {response_part(analysis, at, 0)}, several ? result::kJson : result::kAll}});
+  for (std::size_t k = 0; several && k < analysis.rubs.size(); ++k) {
+    const RubAnalyses& rubs = analysis.rubs[k];
+    section.add({Section{"contacts/#",
+                         {Data{"name", rubs.contact}, response_part(analysis, at, k),
+                          Data{"rub", nullptr}, Data{"rub_refused", text_or_null(rubs.refused)}}}});
+  }
+  section.add({Data{"notes", json::array()}, Data{"levitation", nullptr}});
+  if (analysis.responses.empty()) return section;
+  for (const std::string& note : analysis.responses[at].notes())
+    section.add({Sentence{.text = note, .lead = "  note: ", .indent = 2, .place = "notes/#"}});
+  if (has_loop(analysis.levitations[at]))
+    section.add({levitation_section(speed, analysis.levitations[at])});
+  return section;
+}
+
+std::vector<Part> torsion_parts(const RotorAnalysis& analysis) {
+  std::vector<Part> parts{
+      whirl_table("torsion", analysis.torsion, [](const WhirlMode&) { return "torsion"; })};
+  if (!analysis.torsion.empty())
+    parts.insert(parts.begin(),
+                 line(fmt::format("\ntorsion, elastic modes{}",
+                                  analysis.motor_is_held ? ", with the motor's end held" : "")));
+  return parts;
+}
+
+// The critical speeds that unbalance excites; with isotropic planes it cannot drive backward whirl.
+std::vector<Part> critical_parts(const RotorAnalysis& analysis) {
+  Table table{.place = "critical/#/{column}", .columns = {{"speed"}, {"whirl"}}};
+  for (std::size_t k = 0; k < analysis.critical_speeds.size(); ++k) {
+    const double speed = analysis.critical_speeds[k];
+    const std::string whirl = to_string(analysis.critical_senses[k]);
+    const bool beyond = analysis.table_end > 0.0 && speed > analysis.table_end;
+    table.rows.push_back(
+        {.items = {{speed, fmt::format("{:.7g} rad/s ({:.7g} rpm), ", speed, speed * kRpm)},
+                   {whirl, whirl + (beyond ? " (beyond the bearings' tables, so their last values "
+                                             "are used)"
+                                           : "")}}});
+  }
+  std::vector<Part> parts{
+      Data{"critical_speeds", analysis.critical_speeds},
+      line(fmt::format("\ncritical speeds that unbalance excites, undamped, up to {:.5g} rpm",
+                       analysis.critical_bound * kRpm)),
+      table};
+  if (table.rows.empty()) parts.emplace_back(line("  none"));
+  return parts;
+}
+
+std::vector<Part> stability_parts(const RotorAnalysis& analysis) {
+  return {Data{"stability_threshold", number_or_null(analysis.stability_threshold())},
+          Data{"stability_bound", number_or_null(analysis.stability_bound)},
+          Data{"unstable_ranges", ranges_json(analysis.unstable)},
+          line("\n" + stability_text(analysis))};
+}
+
+std::vector<Part> contact_mass_parts(const std::optional<ContactMass>& mass) {
+  const Data data{"contact_mass", contact_mass_json(mass)};
+  if (!mass) return {data};
+  return {data, line("\nmass that an impact meets at the contact"),
+          Sentence{.text = fmt::format(
+                       "{:.4g} kg with the {} modes kept, {:.4g} kg with all {} of the mesh{}",
+                       mass->kept, mass->kept_modes, mass->mesh, mass->mesh_modes,
+                       mass->truncated() ? ": impacts are those of the modes kept" : ""),
+                   .lead = "  "}};
+}
+
+// ---------------------------------------------------------------- mode shapes
+std::vector<double> list(const Eigen::VectorXd& values) { return {values.begin(), values.end()}; }
+
+json plane_json(const PlaneShapes& plane) {
+  json modes = json::array();
+  for (Eigen::Index j = 0; j < plane.frequency.size(); ++j) {
+    modes.push_back({{"frequency", plane.frequency[j]},
+                     {"shape", list(plane.shape.col(j))},
+                     {"at_stations", list(plane.at_stations.col(j))}});
+  }
+  return modes;
+}
+
+// One column per mode: its frequency at rest, then its value at each station. In JSON the stations
+// at the place, if there is one.
+std::vector<Part> plane_parts(const std::string& title, const std::string& place,
+                              const std::vector<Station>& stations, const PlaneShapes& plane) {
+  constexpr Eigen::Index kColumns = 6;
+  const Eigen::Index n = std::min(kColumns, plane.frequency.size());
+  Table table{.place = place};
+  const auto add = column_adder(table, stations);
+  add({.key = "kind", .seen = result::kJson}, [](auto& s) { return Item{to_string(s.kind)}; });
+  add({"name", "station", -20}, [](auto& s) { return Item{s.name}; });
+  add({"z", "z / mm", 10}, [](auto& s) { return number(s.z, 5, kMilli); });
+  for (Eigen::Index j = 0; j < n; ++j)
+    column_adder(table, plane.at_stations.col(j))(
+        {"", fmt::format("{:.5g} Hz", plane.frequency[j] * kHz), 13},
+        [](double value) { return Item{.text = fmt::format("{:.4f}", value)}; });
+  std::vector<Part> parts{line("\nmode shapes at rest, 1 at the contact or at the peak, " + title),
+                          table};
+  const Eigen::Index left = plane.frequency.size() - n;
+  if (left > 0)
+    parts.emplace_back(line(fmt::format("  and {} higher modes, in the output of --json", left)));
+  return parts;
+}
+
+std::vector<Part> shapes_parts(const std::optional<ModeShapes>& shapes) {
+  if (!shapes)
+    return {Data{"mode_shapes", nullptr},
+            line("\nmode shapes: none, as the scene gives its modes without a shaft; each is 1 at "
+                 "the contact")};
+  const std::string stations = "stations/#/{column}";
+  Section section{"mode_shapes",
+                  {Data{"z", list(shapes->z)}, Data{"same_planes", shapes->same_planes},
+                   Data{"x", plane_json(shapes->x)}, Data{"y", plane_json(shapes->y)}}};
+  if (shapes->same_planes) {
+    section.add(plane_parts("planes x and y alike", stations, shapes->stations, shapes->x));
+  } else {
+    section.add(plane_parts("plane x", stations, shapes->stations, shapes->x));
+    section.add(plane_parts("plane y", "", shapes->stations, shapes->y));
+  }
+  return {section};
+}
+
+// ---------------------------------------------------------------- lasting rubs
+// A number, or the values of the scene's friction table.
+json friction_json(const FrictionLaw& law) {
+  if (law.is_constant()) return law.coefficient;
+  return {{"static", law.sticking()},
+          {"kinetic", law.coefficient},
+          {"stribeck_speed", law.stribeck_speed},
+          {"viscous", law.viscous}};
+}
+
+Item stable_item(const rub::Stability& stability, const std::string& more = "") {
+  return {stability.stable, (stability.stable ? "  stable" : "  unstable") + more};
+}
+
+Table rubs_table(const std::vector<StandingRub>& rubs) {
+  Table table{.place = "rubs/#/{column}"};
+  const auto add = column_adder(table, rubs);
+  add({"kind", "rub", -12}, [](auto& r) { return Item{rub::to_string(r.rub.kind)}; });
+  add({"whirl", "whirl rad/s", 14}, [](auto& r) { return number(r.rub.whirl, 7); });
+  add({"normal_force", "force / N", 14}, [](auto& r) { return number(r.rub.normal_force, 7); });
+  add({"friction", "friction", 12}, [](auto& r) { return number(r.rub.friction, 5); });
+  add({"growth_rate", "growth 1/s", 14}, [](auto& r) { return number(r.stability.growth, 4); });
+  add({"frequency", "at rad/s", 14}, [](auto& r) { return number(r.stability.frequency, 6); });
+  add({"stable"}, [](auto& r) {
+    return stable_item(r.stability, r.rub.ring_speed == 0.0
+                                        ? ""
+                                        : fmt::format(", ring at {:.6g} rad/s", r.rub.ring_speed));
+  });
+  add({.key = "slip", .seen = result::kJson}, [](auto& r) { return Item{r.rub.slip}; });
+  add({.key = "ring_speed", .seen = result::kJson}, [](auto& r) { return Item{r.rub.ring_speed}; });
+  return table;
+}
+
+std::string orbit_text(const RubPoint& point) {
+  if (!point.orbit) return "free orbit: none, as loads of several frequencies make no circle";
+  const double share = *point.orbit / point.clearance;
+  std::string text = fmt::format("free orbit: {:.4g} of the clearance", share);
+  if (!(share < 1.0)) return text + ", so there is none";
+  return text +
+         (point.free.stable ? ", stable" : fmt::format(", grows at {:.4g} 1/s", point.free.growth));
+}
+
+std::string rolling_text(const RubPoint& point) {
+  std::string text;
+  for (const auto& [from, to] : point.rolling_ranges) {
+    text += text.empty() ? "" : ", ";
+    text += std::isfinite(to) ? fmt::format("{:.7g} to {:.7g} rad/s", from, to)
+                              : fmt::format("above {:.7g} rad/s", from);
+  }
+  if (text.empty()) return "friction is not enough for backward rolling at any speed";
+  return "friction is enough for backward rolling: " + text;
+}
+
+// All of a point but its rubs, which stand above.
+std::vector<Part> point_parts(const RubPoint& point) {
+  std::vector<Part> parts{Data{"speed", point.speed},
+                          Data{"friction", friction_json(point.friction)},
+                          Data{"free_orbit", number_or_null(point.orbit)},
+                          Data{"free_growth_rate", number_or_null(point.free.growth)},
+                          Data{"rolling_ranges", ranges_json(point.rolling_ranges)},
+                          Data{"attractors", attractor_names(point.attractors())},
+                          Sentence{.text = orbit_text(point), .lead = "  "},
+                          Sentence{.text = rolling_text(point), .lead = "  "},
+                          line("  attractors: " + attractors_text(point.attractors()))};
+  if (point.rubs.empty()) parts.insert(parts.begin(), line("  none"));
+  return parts;
+}
+
+// The same rubs with the spin free, and the rolling that the motor sustains.
+std::vector<Part> driven_parts(const RubAnalysis& analysis) {
+  if (analysis.driven.empty() && analysis.rolling.empty()) return {};
+  std::vector<StandingRub> rubs = analysis.point.rubs;
+  rubs.resize(analysis.driven.size());
+  for (std::size_t k = 0; k < rubs.size(); ++k) rubs[k].stability = analysis.driven[k];
+  Table driven = rubs_table(rubs);
+  driven.place = "driven/#/{column}";
+  for (std::size_t k = 0; k < driven.columns.size(); ++k) {
+    driven.columns[k].heading.clear();
+    if (k < 4 || k > 6) driven.columns[k].key.clear();
+  }
+  Table rolling{.place = "driven_rolling/#/{column}"};
+  const auto add = column_adder(rolling, analysis.rolling);
+  add({"speed", "spin rad/s", 12}, [](auto& r) { return number(r.speed, 6); });
+  add({"whirl", "whirl rad/s", 14}, [](auto& r) { return number(r.rub.whirl, 7); });
+  add({"normal_force", "force / N", 14}, [](auto& r) { return number(r.rub.normal_force, 7); });
+  add({"friction", "friction", 12}, [](auto& r) { return number(r.rub.friction, 5); });
+  add({"torque", "torque / Nm", 12}, [](auto& r) { return number(r.torque, 5); });
+  add({"growth_rate", "growth 1/s", 12}, [](auto& r) { return number(r.stability.growth, 4); });
+  add({"frequency", "at rad/s", 12}, [](auto& r) { return number(r.stability.frequency, 6); });
+  add({"stable"}, [](auto& r) { return stable_item(r.stability); });
+  // Without rows, an empty list in JSON alone.
+  rolling.seen = analysis.rolling.empty() ? result::kJson : result::kAll;
+  std::vector<Part> parts;
+  if (!analysis.driven.empty())
+    parts.emplace_back(line("\nthe same where torsion and the speed under the motor give way"));
+  parts.emplace_back(driven);
+  if (!analysis.rolling.empty())
+    parts.emplace_back(line("\nbackward rolling at a speed that the motor keeps"));
+  parts.emplace_back(rolling);
+  return parts;
+}
+
+// The lasting rubs of every contact, below the place of each speed.
+std::vector<Part> rubs_parts(const RotorAnalysis& analysis) {
+  std::vector<Part> parts{Data{"rub_refused", text_or_null(analysis.rubs.front().refused)}};
+  for (std::size_t k = 0; k < analysis.rubs.size(); ++k) {
+    const RubAnalyses& rubs = analysis.rubs[k];
+    const bool several = !rubs.contact.empty();
+    if (several)
+      parts.emplace_back(line(fmt::format("\ncontact {}, the others open", rubs.contact)));
+    for (std::size_t at = 0; at < rubs.at.size(); ++at) {
+      Section rub = rub_result(rubs.at[at]);
+      if (several && k == 0) {
+        // The first contact also stands at the place of a single one.
+        parts.emplace_back(Section{fmt::format("speeds/{}/rub", at), rub.parts, result::kJson});
+      }
+      rub.place = several ? fmt::format("speeds/{}/contacts/{}/rub", at, k)
+                          : fmt::format("speeds/{}/rub", at);
+      parts.insert(parts.end(), {line(""), std::move(rub)});
+    }
+    if (!rubs.refused.empty())
+      parts.emplace_back(line(fmt::format("\nrotor and ring together: {}", rubs.refused)));
+  }
+  return parts;
+}
+
+}  // namespace
+
+Section modes_result(const std::string& name, const RotorAnalysis& analysis) {
+  Section all{.parts = {line(fmt::format("{}: whirl of the free rotor", name))}};
+  for (std::size_t k = 0; k < analysis.spectra.size(); ++k) all.add({speed_section(analysis, k)});
+  all.add(torsion_parts(analysis));
+  all.add(critical_parts(analysis));
+  all.add(stability_parts(analysis));
+  all.add(contact_mass_parts(analysis.contact_mass));
+  all.add(shapes_parts(analysis.shapes));
+  all.add(rubs_parts(analysis));
+  return all;
+}
+
+std::string stability_text(const RotorAnalysis& analysis) {
+  if (!analysis.unstable.empty()) {
+    std::vector<std::string> ranges;
+    for (const auto& [from, to] : analysis.unstable) {
+      ranges.push_back(std::isinf(to)
+                           ? fmt::format("above {:.7g} rad/s ({:.7g} rpm)", from, from * kRpm)
+                           : fmt::format("from {:.7g} to {:.7g} rad/s ({:.7g} to {:.7g} rpm)", from,
+                                         to, from * kRpm, to * kRpm));
+    }
+    return fmt::format("unstable {}", fmt::join(ranges, " and "));
+  }
+  if (std::isinf(analysis.stability_bound)) return "no whirl grows at any speed";
+  return fmt::format("no whirl grows up to {:.5g} rad/s ({:.5g} rpm)", analysis.stability_bound,
+                     analysis.stability_bound * kRpm);
+}
+
+Section rub_point_result(const RubPoint& point) {
+  Section section{.parts = {rubs_table(point.rubs)}};
+  section.add(point_parts(point));
+  return section;
+}
+
+Section rub_result(const RubAnalysis& analysis) {
+  const RubPoint& point = analysis.point;
+  const FrictionLaw& mu = point.friction;
+  const auto name_of = [&](const WhirlMode& mode) { return sense_of(mode, point.speed); };
+  Table ring = whirl_table("ring", analysis.ring, name_of),
+        joined = whirl_table("joined", analysis.joined, name_of);
+  ring.lead = joined.lead = "    ";
+  Section section{
+      .parts = {line(fmt::format("rotor and ring at {:.6g} rad/s ({:.6g} rpm), of the modes kept",
+                                 point.speed, point.speed * kRpm))}};
+  if (!analysis.ring.empty()) section.add({line("  ring alone")});
+  section.add({ring, line("  joined, the rotor's centre held to the ring's"), joined});
+  if (analysis.joined.empty()) section.add({line("    nothing is left that can move")});
+  section.add(
+      {line(fmt::format(
+           "\nlasting rubs at {:.6g} rad/s with a friction of {:g}{}", point.speed, mu.sticking(),
+           mu.is_constant()
+               ? ""
+               : fmt::format(" at rest, then {:g} {:+g} exp(-(v / {:g})^2) {:+g} v", mu.coefficient,
+                             mu.excess, mu.stribeck_speed, mu.viscous))),
+       rubs_table(point.rubs), Data{"left_out", text_or_null(analysis.left_out)}});
+  if (!analysis.left_out.empty())
+    section.add({Sentence{.text = analysis.left_out, .lead = "  left out: "}});
+  section.add(point_parts(point));
+  section.add(driven_parts(analysis));
+  return section;
+}
+
+}  // namespace rotorub
