@@ -291,8 +291,7 @@ void refuse_steady(const scene::Scene& scene, const std::string& why) {
 FreeMotion free_motion(const scene::Scene& scene, const Model& m) {
   const Layout& l = m.layout;
   if (const StationFeedback* feedback = sampled(m)) {
-    refuse_steady(scene, "the control of " +
-                             scene::magnetic_bearing_path(scene.record.get(), feedback->number) +
+    refuse_steady(scene, "the control of " + scene::magnetic_bearing_path(scene, feedback->number) +
                              " is sampled, and no orbit is steady between its samples; accepted: "
                              "false");
   }

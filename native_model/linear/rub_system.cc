@@ -44,10 +44,9 @@ void check_feedback(const Checks& check, std::size_t bearing,
                     const scene::MagneticBearing& magnetic) {
   const scene::BearingControl& control = *magnetic.control;
   if (!control.works()) return;
-  const std::string path =
-      scene::magnetic_bearing_path(check.scene.record.get(), bearing) + ".control.";
+  const std::string path = scene::magnetic_bearing_path(check.scene, bearing) + ".control.";
   check(magnetic.kind != scene::MagnetKind::kLinear,
-        scene::magnetic_bearing_path(check.scene.record.get(), bearing) + ".kind",
+        scene::magnetic_bearing_path(check.scene, bearing) + ".kind",
         "an electromagnet's force is not linear; accepted are linear, or " + path + "fails_at = 0");
   check(control.works_from > 0.0, path + "on",
         "before and after are two machines; accepted is 0 (left out)");
@@ -65,7 +64,7 @@ void check_feedback(const Checks& check, std::size_t bearing,
   has_no_state(control.integral > 0.0, path + "integral", "an integrator");
   has_no_state(control.derivative_lag > 0.0, path + "derivative_lag", "a filter");
   check(magnetic.amplifier.has_value(),
-        scene::magnetic_bearing_path(check.scene.record.get(), bearing) + ".amplifier",
+        scene::magnetic_bearing_path(check.scene, bearing) + ".amplifier",
         "the analysis has no state for an amplifier; accepted is none (left out), or " + path +
             "fails_at = 0");
   check(std::isfinite(control.current_limit), path + "current_limit",

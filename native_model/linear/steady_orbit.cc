@@ -109,7 +109,7 @@ Model with_loads_of(Model m, double t) {
 
 std::string beyond_limit(const scene::Scene& scene, const StationFeedback& feedback, double most) {
   if (!feedback.works.at(0.0) || most <= feedback.law.current_limit) return {};
-  const std::string path = scene::magnetic_bearing_path(scene.record.get(), feedback.number);
+  const std::string path = scene::magnetic_bearing_path(scene, feedback.number);
   return " asks the magnetic bearing for up to " + scene::number_text(most) + " A, beyond " + path +
          ".control.current_limit = " + scene::number_text(feedback.law.current_limit) +
          " A, where its law is not linear";

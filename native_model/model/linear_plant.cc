@@ -134,8 +134,7 @@ std::string beyond_linear_plant(const scene::Scene& scene, std::size_t bearing, 
         s.bearings, [&](std::size_t k) { return model.feedbacks[k].works.at(0.0); });
     if (working == s.bearings.end()) continue;
     const std::string control =
-        "the control of " +
-        scene::magnetic_bearing_path(scene.record.get(), model.feedbacks[*working].number);
+        "the control of " + scene::magnetic_bearing_path(scene, model.feedbacks[*working].number);
     if (s.library) return control + " is a library, whose law the linear plant does not know";
     if (every == 0.0)
       return control + " is sampled, and matrices in continuous time have no samples";

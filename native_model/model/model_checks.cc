@@ -95,7 +95,7 @@ void find_samples(const scene::Scene& scene, std::vector<scene::Diagnostic>& wro
   for (std::size_t k = 0; k < scene.magnetic_bearings.size(); ++k) {
     const auto& control = scene.magnetic_bearings[k].control;
     if (!control) continue;
-    look(scene::magnetic_bearing_path(scene.record.get(), k) + ".control.", control->sample_time);
+    look(scene::magnetic_bearing_path(scene, k) + ".control.", control->sample_time);
   }
   if (scene.magnetic_control) look("magnetic_control.", scene.magnetic_control->sample_time);
 }
