@@ -36,7 +36,7 @@ Json& node_at(Json& from, std::string_view place, const Names& names = {}) {
   return *node;
 }
 
-bool is_written(const Column& column) { return column.seen != kPeople && !column.key.empty(); }
+bool is_written(const Column& column) { return column.seen & kJson && !column.key.empty(); }
 
 // Writes parts into the JSON of a section.
 template <class Json>
@@ -53,22 +53,22 @@ class JsonWriter {
   }
 
   void operator()(const Sentence& sentence) const {
-    if (sentence.seen == kPeople || sentence.place.empty()) return;
+    if (!(sentence.seen & kJson) || sentence.place.empty()) return;
     node_at(section_, sentence.place) = sentence.text;
   }
 
   void operator()(const Table& table) const {
-    if (table.seen == kPeople || table.place.empty()) return;
+    if (!(table.seen & kJson) || table.place.empty()) return;
     for (const Column& column : table.columns) {
       if (is_written(column)) begin(table, column);
     }
     for (const Row& row : table.rows) {
-      if (row.seen != kPeople) write(table, row);
+      if (row.seen & kJson) write(table, row);
     }
   }
 
   void operator()(const Section& section) const {
-    if (section.seen == kPeople) return;
+    if (!(section.seen & kJson)) return;
     Json& node = node_at(section_, section.place);
     if (node.is_null()) node = Json::object();
     for (const Part& part : section.parts) std::visit(JsonWriter(node), part);

@@ -1,5 +1,6 @@
 // The result of a command as parts: sentences, tables, data and sections of these. A command builds
-// it once; json_of() writes it as JSON, text_of() for a terminal. Neither knows the command.
+// it once; json_of() writes it as JSON, text_of() for a terminal, page_json() for a page. None of
+// them knows the command.
 #pragma once
 
 #include <algorithm>
@@ -19,8 +20,15 @@ namespace rotorub::result {
 // of a list, "remarks/#", and a number is the element that has it, from 0: "remarks/0/why". A part
 // without a place is for people alone.
 
-// Who sees a part that has both a place and a text.
-enum Audience { kAll, kJson, kPeople };
+// Who sees a part. People read the terminal and the page.
+enum Audience {
+  kJson = 1,
+  kTerminal = 2,
+  kNotPage = kJson | kTerminal,
+  kPage = 4,
+  kPeople = kTerminal | kPage,
+  kAll = kJson | kPeople
+};
 
 // A cell of a table: its value in JSON (SI), and its text.
 struct Item {
@@ -29,11 +37,21 @@ struct Item {
   // If it is empty, a string is written as it is, a number by short_number(), and null as "–".
   std::string text{};
   Tone tone = Tone::kPlain;  // of the text
+  std::string note{};        // on a page, why the cell has this text
 };
+// The text of an item for people.
+std::string text_of(const Item& item);
 
 // A number: its value in SI, and for people `factor` times it with that many significant digits.
 // null and "-" if it is missing or not finite.
 Item number(const std::optional<double>& value, int digits, double factor = 1.0);
+
+// What a sentence is on a page. On a terminal all are written alike.
+enum class Role {
+  kText,
+  kHeading,  // begins a part of the page
+  kCaption   // belongs to the next table
+};
 
 // Words for people. An empty sentence is an empty line.
 struct Sentence {
@@ -45,16 +63,17 @@ struct Sentence {
   std::string toned{};  // the words that have the tone, at their first place; empty: the lead
   std::string place{};  // the text stands here in JSON
   Audience seen = kAll;
+  Role role = Role::kText;
 };
 
 // Writes text of one or several lines unchanged. A line break is added if the end has none.
-Sentence line(std::string text);
+Sentence line(std::string text, Role role = Role::kText);
 
 struct Column {
   std::string key{};      // in JSON, or a place: "runs/cone"; empty: for people alone
   std::string heading{};  // for people
   // Width of the text with the blanks between columns. A negative width aligns it to the left. A
-  // longer text is not cut.
+  // longer text is not cut. On a page, numbers have a positive width.
   int width = 0;
   Audience seen = kAll;
 };
@@ -77,13 +96,15 @@ struct Row {
 //   differences/{column}/figures/{row}   one value, or one object, for each cell
 // Without rows, the list or the object of the rows is empty.
 // For people, a line of headings, unless all are empty, and a line for each row. The lead counts as
-// a part of the first item. Blanks at the end of a line are left out.
+// a part of the first item. Blanks at the end of a line are left out. A page has no table without
+// rows.
 struct Table {
   std::string place{};
   std::vector<Column> columns{};
   std::vector<Row> rows{};
   std::string lead = "  ";
   Audience seen = kAll;
+  bool headed = true;  // false: the headings are on the page alone
 };
 
 // A function add(column, item) that adds a column with item(element) for each element, one in a
@@ -112,6 +133,7 @@ struct Section {
   std::string place{};
   std::vector<Part> parts{};
   Audience seen = kAll;
+  std::string title{};  // of a section of the page; without one it belongs to the section around it
 
   void add(std::vector<Part> more);
 };
@@ -125,6 +147,15 @@ nlohmann::json json_of(const Section& result);
 nlohmann::ordered_json ordered_json_of(const Section& result);
 // Sentences are at most 80 columns wide.
 std::string text_of(const Section& result, const Palette& palette = Palette());
+// A list of what a page lays out (report/page/layout.js):
+//   {"heading": text}
+//   {"text", "tone", "toned": the words that have the tone}, or {"lines": text of several lines}
+//   {"caption", "columns": [{"text", "number": true}], "rows": [{"cells": [text or {"text", "tone",
+//   "note"}], "note"}]}
+//   {"id": its place, "scenes-1" for "scenes/#", "title", "parts": a list as this one}
+// Keys without a value are absent. Tones: "good", "part", "bad". Blanks that align texts on a
+// terminal are left out.
+nlohmann::json page_json(const Section& result);
 
 struct Printing {
   bool json = false, quiet = false;

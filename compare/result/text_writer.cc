@@ -16,14 +16,6 @@
 namespace rotorub::result {
 namespace {
 
-std::string cell_text(const Item& item) {
-  const nlohmann::json& value = item.value;
-  if (!item.text.empty() || value.is_discarded()) return item.text;
-  if (value.is_string()) return value.get<std::string>();
-  if (value.is_boolean()) return value.get<bool>() ? "yes" : "no";
-  return value.is_number() ? short_number(value.get<double>()) : "–";
-}
-
 std::string padded(const std::string& text, int width) {
   const int size = std::abs(width);
   return width < 0 ? fmt::format("{:<{}}", text, size) : fmt::format("{:>{}}", text, size);
@@ -35,8 +27,8 @@ std::string line_of(const Table& table, const std::vector<Item>& items, std::str
   std::string text;
   for (std::size_t k = 0; k < std::min(items.size(), table.columns.size()); ++k) {
     const Column& column = table.columns[k];
-    if (column.seen == kJson) continue;
-    const std::string cell = cell_text(items[k]);
+    if (!(column.seen & kTerminal)) continue;
+    const std::string cell = text_of(items[k]);
     text += palette.paint_first(items[k].tone, padded(lead + cell, column.width), cell);
     lead.clear();
   }
@@ -51,21 +43,22 @@ class TextWriter {
   std::string operator()(const Data&) const { return ""; }
 
   std::string operator()(const Sentence& s) const {
-    if (s.seen == kJson) return "";
+    if (!(s.seen & kTerminal)) return "";
     std::string text = s.wraps ? wrapped(s.lead, s.text, s.indent) : s.lead + s.text;
     if (!text.ends_with('\n')) text += '\n';
     return palette_.paint_first(s.tone, std::move(text), s.toned.empty() ? s.lead : s.toned);
   }
 
   std::string operator()(const Table& table) const {
-    if (table.seen == kJson) return "";
+    if (!(table.seen & kTerminal)) return "";
     std::vector<Item> headings;
     for (const Column& c : table.columns) headings.push_back({.text = c.heading});
     std::string text;
-    if (std::ranges::any_of(table.columns, [](const Column& c) { return !c.heading.empty(); }))
+    if (table.headed &&
+        std::ranges::any_of(table.columns, [](const Column& c) { return !c.heading.empty(); }))
       text += line_of(table, headings, table.lead, palette_);
     for (const Row& row : table.rows) {
-      if (row.seen == kJson) continue;
+      if (!(row.seen & kTerminal)) continue;
       text += line_of(table, row.items, row.lead.empty() ? table.lead : row.lead, palette_);
       if (!row.note.text.empty()) text += (*this)(row.note);
     }
@@ -74,7 +67,7 @@ class TextWriter {
 
   std::string operator()(const Section& section) const {
     std::string text;
-    if (section.seen == kJson) return text;
+    if (!(section.seen & kTerminal)) return text;
     for (const Part& part : section.parts) text += std::visit(*this, part);
     return text;
   }
@@ -85,13 +78,23 @@ class TextWriter {
 
 }  // namespace
 
+std::string text_of(const Item& item) {
+  const nlohmann::json& value = item.value;
+  if (!item.text.empty() || value.is_discarded()) return item.text;
+  if (value.is_string()) return value.get<std::string>();
+  if (value.is_boolean()) return value.get<bool>() ? "yes" : "no";
+  return value.is_number() ? short_number(value.get<double>()) : "–";
+}
+
 Item number(const std::optional<double>& value, int digits, double factor) {
   nlohmann::json written = number_or_null(value);
   std::string text = written.is_null() ? "-" : fmt::format("{:.{}g}", factor * *value, digits);
   return {std::move(written), std::move(text)};
 }
 
-Sentence line(std::string text) { return {.text = std::move(text), .wraps = false}; }
+Sentence line(std::string text, Role role) {
+  return {.text = std::move(text), .wraps = false, .role = role};
+}
 
 void Section::add(std::vector<Part> more) { std::ranges::move(more, std::back_inserter(parts)); }
 
