@@ -1,9 +1,13 @@
 #include "compare/bench/output.h"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <nlohmann/json.hpp>
+#include <ranges>
+#include <utility>
 
+#include "compare/base/format.h"
 #include "compare/base/json.h"
 #include "compare/base/units.h"
 #include "compare/bench/work_precision.h"
@@ -16,8 +20,10 @@ namespace {
 
 using nlohmann::json;
 using result::Data;
+using result::Item;
 using result::Section;
 using result::Sentence;
+using result::Table;
 
 json wall_json(const WallTime& wall) {
   if (wall.repeats == 0) return nullptr;
@@ -123,30 +129,51 @@ json point_json(const Point& p) {
 
 constexpr int kEngine = 20;  // for "mujoco-cone-coulomb"
 
-std::string level_line(const Level& level, const std::vector<Point>& points) {
-  std::string line = fmt::format("  {:<7.0e}", level.share);
-  if (level.engines.empty()) return line + "no engine reaches it\n";
-  const Best& first = level.engines.front();
-  line += fmt::format("{:<{}}{:<24}{:>10.4g} ms ", first.engine, kEngine,
-                      setting_text(points[first.point].setting), 1e3 * first.seconds);
-  for (std::size_t k = 1; k < level.engines.size(); ++k) {
-    const Best& other = level.engines[k];
-    line += fmt::format("{} {} ×{:.3g}", k > 1 ? "," : " ", other.engine,
-                        other.seconds / first.seconds);
-  }
-  if (level.engines.size() == 1) line += "  alone";
-  if (!level.judged) line += "  (at the reference's own error)";
-  return line + "\n";
+std::string others_text(const Level& level) {
+  std::vector<std::string> others;
+  for (const Best& best : level.engines | std::views::drop(1))
+    others.push_back(
+        fmt::format("{} ×{:.3g}", best.engine, best.seconds / level.engines.front().seconds));
+  return fmt::format("   {}{}",
+                     others.empty() ? "alone" : fmt::format("{}", fmt::join(others, ", ")),
+                     level.judged ? "" : "  (at the reference's own error)");
 }
 
-result::Table series_table(const SceneBench& bench) {
-  result::Table table{"series/#/{column}",
-                      {{"engine", "engine and setting", -kEngine - 2},
-                       {"setting", "", -18},
-                       {"order", "order", 6},
-                       {.heading = "us/step", .width = 10},
-                       {.heading = "least error", .width = 12},
-                       {.heading = "  outcomes"}}};
+// Levels finer than those of a headline are left out on the terminal.
+Table levels_table(const SceneBench& bench) {
+  Table table{"levels/#/{column}",
+              {{.heading = "level", .width = -9},
+               {.heading = "fastest", .width = -kEngine},
+               {.heading = "setting", .width = -24},
+               {.heading = "median", .width = 13},
+               {.heading = "   others"}}};
+  for (const Level& level : bench.levels) {
+    result::Row row{.items = {{.text = fmt::format("{:.0e}", level.share)}},
+                    .data = level_json(level, bench.points),
+                    .seen = in_headline(level) ? result::kAll : result::kNotTerminal};
+    if (level.engines.empty()) {
+      row.items.push_back({.text = "no engine reaches it"});
+    } else {
+      const Best& first = level.engines.front();
+      const Tone tone = *native_is_fastest(level) ? Tone::kGood : Tone::kBad;
+      row.items.push_back({.text = first.engine, .tone = tone});
+      row.items.push_back({.text = setting_text(bench.points[first.point].setting)});
+      row.items.push_back({.text = fmt::format("{:.4g} ms", kMilli * first.seconds)});
+      row.items.push_back({.text = others_text(level)});
+    }
+    table.rows.push_back(std::move(row));
+  }
+  return table;
+}
+
+Table series_table(const SceneBench& bench) {
+  Table table{"series/#/{column}",
+              {{"engine", "engine and setting", -kEngine - 2},
+               {"setting", "", -18},
+               {"order", "order", 6},
+               {.heading = "us/step", .width = 10},
+               {.heading = "least error", .width = 12},
+               {.heading = "  outcomes"}}};
   for (const Series& s : series_of(bench.points, bench.telling_errors())) {
     const std::string cost = s.us_per_step > 0.0 ? fmt::format("{:.3g}", s.us_per_step) : "–";
     const std::string least =
@@ -161,6 +188,89 @@ result::Table series_table(const SceneBench& bench) {
          .note = {.text = s.reason, .lead = "      "}});
   }
   return table;
+}
+
+// ---------------------------------------------------------------- on the page alone
+Sentence page_heading(const char* text) {
+  return {.text = text, .seen = result::kPage, .role = result::Role::kHeading};
+}
+Sentence page_text(std::string text) { return {.text = std::move(text), .seen = result::kPage}; }
+
+Item outcome_item(const Judgement& judgement) {
+  switch (judgement.outcome) {
+    case Outcome::kOk:
+      return {.text = "fine", .tone = Tone::kGood};
+    case Outcome::kChatter:
+      return {.text = "bouncing", .tone = Tone::kPart, .note = judgement.reason};
+    case Outcome::kWrongAttractor:
+      return {.text = "wrong", .tone = Tone::kBad, .note = judgement.reason};
+    case Outcome::kDiverged:
+      return {.text = "diverged", .tone = Tone::kBad, .note = judgement.reason};
+    case Outcome::kRefused:
+      break;
+  }
+  return {.text = "refused", .tone = Tone::kPart, .note = judgement.reason};
+}
+
+// A table per friction, a row per contact model and stiffness.
+std::vector<result::Part> stability_parts(const StabilityMap& map) {
+  std::vector<result::Part> parts{
+      page_heading("Stability of MuJoCo's contact: step, stiffness, friction"),
+      page_text("How the run has ended, against event at the same friction: fine, bouncing, wrong "
+                "(another attractor) or diverged. Rows: stiffness of the soft contact (direct "
+                "solref, 1/s²; the default solref of MuJoCo has 2500); the rigid one has none.")};
+  auto cell = map.cells.begin();
+  for (const double friction : map.frictions) {
+    Table table{.columns = {{.heading = "contact", .width = -kEngine},
+                            {.heading = "stiffness", .width = 12}},
+                .seen = result::kPage};
+    for (const double step : map.steps)
+      table.columns.push_back({.heading = time_text(step), .width = -10});
+    while (cell != map.cells.end() && cell->friction == friction) {
+      result::Row row{.items = {{cell->engine}, {.text = "–"}}};
+      if (cell->stiffness > 0.0) row.items[1].text = fmt::format("{:g}", cell->stiffness);
+      for (std::size_t k = 0; k < map.steps.size() && cell != map.cells.end(); ++k, ++cell)
+        row.items.push_back(outcome_item(cell->judgement));
+      table.rows.push_back(std::move(row));
+    }
+    parts.insert(parts.end(), {Sentence{.text = "friction " + short_number(friction),
+                                        .seen = result::kPage,
+                                        .role = result::Role::kCaption},
+                               table});
+  }
+  return parts;
+}
+
+// A row per restitution asked for, a column per contact model.
+Section restitution_section(const std::vector<RestitutionRow>& rows) {
+  Table table{.columns = {{.heading = "asked", .width = 8}}};
+  for (const RestitutionRow& r : rows) {
+    const std::string asked = fmt::format("{:.1f}", r.asked);
+    if (table.rows.empty() || table.rows.back().items.front().text != asked)
+      table.rows.push_back({.items = {{.text = asked}}});
+    if (table.rows.size() == 1)
+      table.columns.push_back(
+          {.heading = r.setting.empty() ? r.engine : r.engine + ", " + r.setting, .width = 12});
+    table.rows.back().items.push_back(
+        {.text = r.failure.empty() ? fmt::format("{:.4f}", r.got) : r.failure});
+  }
+  return {"restitution",
+          {page_text("A mass of 2 kg at 0.5 m/s hits a fixed ring, with a step of 10 µs. MuJoCo's "
+                     "soft contact can be calibrated: stiffness and damping of a direct solref "
+                     "follow from the restitution asked for. One as stiff as the step allows (16 "
+                     "steps a bounce) meets it less well, and the default bounces with e⁻² "
+                     "whatever is asked."),
+           table},
+          result::kPage,
+          "Restitution asked and got"};
+}
+
+Section engines_section() {
+  Table table{.columns = {{.width = -kEngine}, {}}};
+  for (const BenchEngine& e : bench_engines())
+    table.rows.push_back(
+        {.items = {{e.name}, {.text = e.missing.empty() ? e.what : "not here: " + e.missing}}});
+  return {"engines", {table}, result::kPage, "Who is who"};
 }
 
 }  // namespace
@@ -191,15 +301,17 @@ Section scene_section(const SceneBench& bench) {
              {"points", points},
              {"interrupted", bench.interrupted}}},
        Sentence{.text = head, .lead = scene::printable(bench.scene.name) + ": ", .indent = 2},
-       result::line(fmt::format("\n  {:<7}{:<{}}{:<24}{:>13}   {}", "level", "fastest", kEngine,
-                                "setting", "median", "others"))}};
-  for (const Level& level : bench.levels) {
-    section.add({Data{"levels/#", level_json(level, bench.points)}});
-    if (in_headline(level)) section.add({result::line(level_line(level, bench.points))});
+       page_text(std::string("The reference settles to: ") +
+                 rotorub::to_string(settled(bench.reference.trajectory).attractor)),
+       page_heading("Fastest at each level of error"), Sentence{}, levels_table(bench), Sentence{},
+       Sentence{.text = verdict_text(bench.levels), .lead = "  "},
+       page_heading("Engines and settings"), Sentence{}, series_table(bench)},
+      result::kAll,
+      bench.scene.name};
+  if (bench.stability) {
+    section.add({Data{"stability", stability_json(*bench.stability)}});
+    section.add(stability_parts(*bench.stability));
   }
-  section.add({Sentence{}, Sentence{.text = verdict_text(bench.levels), .lead = "  "}, Sentence{},
-               series_table(bench)});
-  if (bench.stability) section.add({Data{"stability", stability_json(*bench.stability)}});
   return section;
 }
 
@@ -213,7 +325,10 @@ Section result_of(const Machine& machine, const std::vector<SceneBench>& benches
                                  {"mujoco_version", machine.mujoco}}},
                            Data{"scenes", json::array()}}};
   for (const SceneBench& bench : benches) result.add({scene_section(bench)});
-  if (!restitution.empty()) result.add({Data{"restitution", restitution_json(restitution)}});
+  if (!restitution.empty())
+    result.add(
+        {Data{"restitution", restitution_json(restitution)}, restitution_section(restitution)});
+  result.add({engines_section()});
   return result;
 }
 

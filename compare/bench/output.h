@@ -1,4 +1,4 @@
-// The bench as a result: JSON, and text for the terminal.
+// The bench as a result: JSON, text for the terminal, and the sections of the page.
 #pragma once
 
 #include <string>
@@ -16,7 +16,7 @@ namespace rotorub::bench {
 // and impulse_error are shares, lengths are in m.
 result::Section scene_section(const SceneBench& bench);
 
-// restitution: empty, or an additional table in JSON.
+// restitution: empty, or an additional table in JSON and on the page.
 result::Section result_of(const Machine& machine, const std::vector<SceneBench>& benches,
                           const std::vector<RestitutionRow>& restitution);
 

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <nlohmann/json.hpp>
+#include <stdexcept>
 #include <utility>
 
 #include "compare/base/json.h"
@@ -14,6 +15,7 @@ namespace {
 
 using nlohmann::json;
 using result::Part;
+using result::Role;
 using result::Section;
 using result::Sentence;
 using result::Table;
@@ -37,22 +39,39 @@ int width_of(const CheckEngine& engine) {
 Sentence sides() {
   int native = 0, mujoco = 0;
   for (const CheckEngine& e : check_engines()) (e.native ? native : mujoco) += width_of(e);
-  return result::line(fmt::format("{:>{}}{:>{}}", "native", kName + native, "MuJoCo", mujoco));
+  Sentence shown =
+      result::line(fmt::format("{:>{}}{:>{}}", "native", kName + native, "MuJoCo", mujoco));
+  shown.seen = result::kTerminal;
+  return shown;
 }
 
-// A row per scene, a column per engine.
+std::size_t index_of(const std::string& engine) {
+  const auto& all = check_engines();
+  const auto found = std::ranges::find(all, engine, &CheckEngine::name);
+  if (found == all.end()) throw std::out_of_range("no engine is called " + engine);
+  return static_cast<std::size_t>(found - all.begin());
+}
+
+// A row per scene, a column per engine. A page has room for the whole names.
 Table outcomes(const std::vector<Case>& cases) {
-  Table table{.columns = {{.width = -kName}}, .lead = ""};
+  Table table{.columns = {{.width = -kName, .seen = result::kTerminal},
+                          {.width = -kName, .seen = result::kPage, .title = "case"}},
+              .lead = ""};
+  const std::size_t names = table.columns.size();
   for (const CheckEngine& e : check_engines())
-    table.columns.push_back({.heading = e.column, .width = width_of(e)});
+    table.columns.push_back({.heading = e.column, .width = width_of(e), .title = e.name});
   for (std::size_t i = 0; i < cases.size(); ++i) {
-    if (i % check_engines().size() == 0)
-      table.rows.push_back({.items = {{.text = cut(cases[i].scene)}}});
-    const Outcome outcome = cases[i].outcome();
+    const Case& c = cases[i];
+    const std::size_t column = names + index_of(c.engine);
+    if (i == 0 || cases[i - 1].scene != c.scene || table.rows.back().items.size() > column)
+      table.rows.push_back({.items = {{.text = cut(c.scene)}, {.text = c.scene}}});
+    const Outcome outcome = c.outcome();
     const Tone tone = outcome == Outcome::kPass       ? Tone::kGood
                       : outcome == Outcome::kViolates ? Tone::kBad
                                                       : Tone::kPart;
-    table.rows.back().items.push_back({.text = word(outcome), .tone = tone});
+    table.rows.back().items.resize(column);
+    table.rows.back().items.push_back(
+        {.text = word(outcome), .tone = tone, .note = c.deciding.reason});
   }
   return table;
 }
@@ -63,7 +82,8 @@ std::vector<Part> notes(const std::vector<Case>& cases, Outcome outcome) {
   for (const bool native : {true, false}) {
     for (const Case& c : cases) {
       if (c.outcome() != outcome || c.native != native) continue;
-      if (parts.empty()) parts = {Sentence{}, result::line(fmt::format("{}:", word(outcome)))};
+      if (parts.empty())
+        parts = {Sentence{}, result::line(fmt::format("{}:", word(outcome)), Role::kHeading)};
       parts.push_back(
           Sentence{.text = scene::printable(c.deciding.reason, kMostReason),
                    .lead = fmt::format("  {}, {}: ", cut(scene::printable(c.scene)), c.engine),
@@ -103,6 +123,22 @@ Section result_of(const std::vector<Case>& cases) {
   result.add(notes(cases, Outcome::kViolates));
   result.add(notes(cases, Outcome::kRefused));
   return result;
+}
+
+std::vector<Case> cases_of(const json& kept) {
+  std::vector<Case> cases;
+  for (const json& one : kept.at("cases")) {
+    Case& c = cases.emplace_back();
+    c.scene = one.at("scene");
+    c.engine = one.at("engine");
+    c.native = check_engines()[index_of(c.engine)].native;
+    const std::string outcome = one.at("outcome");
+    c.deciding.outcome = outcome == to_string(Outcome::kPass)      ? Outcome::kPass
+                         : outcome == to_string(Outcome::kRefused) ? Outcome::kRefused
+                                                                   : Outcome::kViolates;
+    c.deciding.reason = one.at("reason");
+  }
+  return cases;
 }
 
 }  // namespace rotorub::check

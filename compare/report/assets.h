@@ -18,7 +18,7 @@ std::string_view native_worker_js();  // runs the native model in a page (what_i
 std::string_view report_html();
 std::string_view run_html();
 std::string_view modes_html();
-std::string_view bench_html();
+std::string_view page_html();  // for pages that the script lays out
 std::string_view sweep_html();
 std::string_view map_page_html();  // for linear analyses
 // Partials of the templates.

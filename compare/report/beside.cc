@@ -4,10 +4,9 @@
 
 #include <algorithm>
 #include <filesystem>
-#include <map>
 #include <stdexcept>
-#include <utility>
 
+#include "compare/check/output.h"
 #include "compare/report/bench_page.h"
 #include "compare/report/plot_points.h"
 #include "compare/sweep/folder.h"
@@ -25,40 +24,20 @@ void add_bench(const json& all, Beside& beside) {
   const std::string where = fmt::format("{}, {}", machine.at("processor").get<std::string>(),
                                         machine.at("instructions").get<std::string>());
   for (const json& scene : all.at("scenes")) {
-    beside.values["benches"].push_back({{"index", beside.benches.size()},
-                                        {"name", scene.at("scene")},
-                                        {"machine", where},
-                                        {"source", scene.at("reference").at("source")}});
+    const std::string source = scene.at("reference").at("source");
+    const json parts = {{{"heading", scene.at("scene")}},
+                        {{"text", fmt::format("Measured on {}; reference: {}.", where, source)}},
+                        {{"plots", "bench"}, {"index", beside.benches.size()}}};
+    json& shown = beside.parts["precision"];
+    shown.insert(shown.end(), parts.begin(), parts.end());
     beside.benches.push_back(precision_plots(scene));
   }
 }
 
 void add_cases(const json& all, Beside& beside) {
-  json &engines = beside.values["case_engines"], &violations = beside.values["violations"];
-  std::vector<std::pair<std::string, std::map<std::string, json>>> rows;
-  for (const json& one : all.at("cases")) {
-    const std::string scene = one.at("scene"), engine = one.at("engine"),
-                      outcome = one.at("outcome");
-    if (std::find(engines.begin(), engines.end(), engine) == engines.end())
-      engines.push_back(engine);
-    if (rows.empty() || rows.back().first != scene) rows.push_back({scene, {}});
-    const std::string reason = one.at("reason");
-    const char* tone = outcome == "pass" ? "good" : outcome == "violates" ? "bad" : "part";
-    const char* mark = outcome == "pass" ? "✓" : outcome == "violates" ? "✗" : "–";
-    rows.back().second[engine] = {
-        {"outcome", outcome}, {"mark", mark}, {"tone", tone}, {"reason", reason}};
-    if (outcome == "violates")
-      violations.push_back({{"scene", scene}, {"engine", engine}, {"reason", reason}});
-  }
-  const json not_run = {{"outcome", "–"}, {"mark", ""}, {"tone", ""}, {"reason", "not run"}};
-  for (const auto& [scene, by_engine] : rows) {
-    const json cells = list_of(engines, [&](const json& engine) {
-      const auto found = by_engine.find(engine.get<std::string>());
-      return found != by_engine.end() ? found->second : not_run;
-    });
-    beside.values["cases"].push_back({{"scene", scene}, {"cells", cells}});
-  }
-  beside.values["has_cases"] = !rows.empty();
+  const json parts = page_json(check::result_of(check::cases_of(all)));
+  json& shown = beside.parts["cases"];
+  shown.insert(shown.end(), parts.begin(), parts.end());
 }
 
 // The lists must have equal lengths, because the script indexes them together.
@@ -80,10 +59,10 @@ void check_columns(const json& plots) {
 
 void add_map(const json& all, Beside& beside) {
   check_columns(all.at("plots"));
-  beside.values["map_sets"].push_back({{"index", beside.maps.size()},
-                                       {"name", all.at("name")},
-                                       {"cards", all.at("cards")},
-                                       {"maps", all.at("maps")}});
+  beside.map_sets.push_back({{"index", beside.maps.size()},
+                             {"name", all.at("name")},
+                             {"cards", all.at("cards")},
+                             {"maps", all.at("maps")}});
   beside.maps.push_back(all.at("plots"));
 }
 

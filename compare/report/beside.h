@@ -12,15 +12,12 @@ inline constexpr const char* kBenchFile = "bench.json";
 inline constexpr const char* kCheckFile = "check.json";
 
 struct Beside {
-  nlohmann::json benches = nlohmann::json::array();  // for page/precision.js: precision_plots
-  nlohmann::json maps = nlohmann::json::array();     // for page/maps.js: sweep_plots
-  // For report.html: "benches", "map_sets", "has_cases", "case_engines", "cases", "violations".
-  nlohmann::json values = {{"benches", nlohmann::json::array()},
-                           {"map_sets", nlohmann::json::array()},
-                           {"has_cases", false},
-                           {"case_engines", nlohmann::json::array()},
-                           {"cases", nlohmann::json::array()},
-                           {"violations", nlohmann::json::array()}};
+  nlohmann::json benches = nlohmann::json::array();   // for page/precision.js: precision_plots
+  nlohmann::json maps = nlohmann::json::array();      // for page/maps.js: sweep_plots
+  nlohmann::json map_sets = nlohmann::json::array();  // for report.html
+  // For page/layout.js, by the ids of their places: "precision" and "cases".
+  nlohmann::json parts = {{"precision", nlohmann::json::array()},
+                          {"cases", nlohmann::json::array()}};
 };
 
 // Reads each folder and the folders directly within it, sorted by name. Throws std::runtime_error

@@ -106,10 +106,12 @@ std::string report_page(const std::vector<PageScene>& scenes, const Beside& besi
        "Can MuJoCo's contact forces be trusted?"},
       {{"scenes", plots},
        {"trade", trade_data(comparisons)},
+       {"beside", beside.parts},
        {"benches", beside.benches},
        {"maps", beside.maps}});
-  values.update(beside.values);
+  values["map_sets"] = beside.map_sets;
   values["has_benches"] = !beside.benches.empty();
+  values["has_cases"] = !beside.parts.at("cases").empty();
   values["has_maps"] = !beside.maps.empty();
   values["trades"] = scenes.size() > 1;
   values["by_figures"] = mode != CompareMode::kResync;

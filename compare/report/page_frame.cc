@@ -12,6 +12,7 @@
 #include "compare/base/version.h"
 #include "compare/report/assets.h"
 #include "compare/report/plot_points.h"
+#include "compare/result/result.h"
 
 namespace rotorub {
 namespace {
@@ -116,8 +117,8 @@ json page_frame(const PageHead& head, const json& data, Pictures pictures) {
           {"has_module", false},
           // The page's script unpacks and starts it after the page is drawn.
           {"plotly", base64(packed_plotly_js())},
-          // "</" would end the script element with the data.
-          {"data", boost::replace_all_copy(data.dump(), "</", "<\\/")},
+          // "<" could end the script element with the data.
+          {"data", boost::replace_all_copy(data.dump(), "<", "\\u003c")},
           {"scripts", live ? report_js() : still_js()}};
 }
 
@@ -140,6 +141,15 @@ std::string fill_page(std::string_view html, const json& values) {
                         {"glossary", glossary_html()},
                         {"rotor", rotor_html()},
                         {"bode", bode_html()}});
+}
+
+std::string laid_out_page(const PageHead& head, const result::Section& found, const json& parts,
+                          json data, const std::string& footer) {
+  data["page"] = parts;
+  json values = page_frame(head, data);
+  values["text"] = text_of(found);
+  values["footer"] = footer;
+  return fill_page(page_html(), values);
 }
 
 }  // namespace rotorub

@@ -6,6 +6,8 @@
 #include <string>
 #include <string_view>
 
+#include "compare/result/result.h"
+
 namespace rotorub {
 
 struct PageHead {
@@ -27,6 +29,12 @@ nlohmann::json page_frame(const PageHead& head, const nlohmann::json& data,
 
 // Fills the page, including the shared partials: head, foot, cards, map, figures.
 std::string fill_page(std::string_view html, const nlohmann::json& values);
+
+// A page that the script lays out. parts: of page/layout.js, with those of the result; data: for
+// its plots; found: the result, which a browser without scripts shows as text.
+std::string laid_out_page(const PageHead& head, const result::Section& found,
+                          const nlohmann::json& parts, nlohmann::json data,
+                          const std::string& footer);
 
 // A short answer at the top of the page (page/cards.html). tone: "", "good", "bad".
 nlohmann::json card(std::string_view title, std::string_view tone, std::string_view headline,

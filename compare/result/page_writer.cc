@@ -57,7 +57,8 @@ class PageWriter {
     json columns = json::array(), rows = json::array();
     for (const Column& column : table.columns) {
       if (!(column.seen & kPage)) continue;
-      columns.push_back({{"text", trim_copy(column.heading)}});
+      columns.push_back(
+          {{"text", trim_copy(column.title.empty() ? column.heading : column.title)}});
       if (column.width > 0) columns.back()["number"] = true;
     }
     for (const Row& row : table.rows) {

@@ -24,8 +24,9 @@ namespace rotorub::result {
 enum Audience {
   kJson = 1,
   kTerminal = 2,
-  kNotPage = kJson | kTerminal,
   kPage = 4,
+  kNotPage = kJson | kTerminal,
+  kNotTerminal = kJson | kPage,
   kPeople = kTerminal | kPage,
   kAll = kJson | kPeople
 };
@@ -76,6 +77,7 @@ struct Column {
   // longer text is not cut. On a page, numbers have a positive width.
   int width = 0;
   Audience seen = kAll;
+  std::string title{};  // on a page instead of the heading
 };
 
 struct Row {
@@ -104,7 +106,6 @@ struct Table {
   std::vector<Row> rows{};
   std::string lead = "  ";
   Audience seen = kAll;
-  bool headed = true;  // false: the headings are on the page alone
 };
 
 // A function add(column, item) that adds a column with item(element) for each element, one in a

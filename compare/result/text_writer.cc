@@ -54,8 +54,7 @@ class TextWriter {
     std::vector<Item> headings;
     for (const Column& c : table.columns) headings.push_back({.text = c.heading});
     std::string text;
-    if (table.headed &&
-        std::ranges::any_of(table.columns, [](const Column& c) { return !c.heading.empty(); }))
+    if (std::ranges::any_of(table.columns, [](const Column& c) { return !c.heading.empty(); }))
       text += line_of(table, headings, table.lead, palette_);
     for (const Row& row : table.rows) {
       if (!(row.seen & kTerminal)) continue;

@@ -2,8 +2,10 @@
 // under one clock each.
 // Without it the page still shows verdicts and tables.
 import {showFirst} from './first.js';
+import {layOut} from './layout.js';
 import {LiveScene} from './live.js';
 import {data, show, start, withPlotly} from './page.js';
+import {withPlots} from './plot_words.js';
 import {stills} from './stills.js';
 import {axes, css, layout} from './style.js';
 
@@ -28,6 +30,9 @@ function drawTrade() {
     yaxis: axes({title: {text: 'force / N', standoff: 8}, rangemode: 'tozero'})})});
 }
 
+for (const [id, parts] of Object.entries(data.beside || {})) {
+  if (parts.length) layOut(document.getElementById(id), withPlots(parts, data), 3);
+}
 const scenes = [...document.querySelectorAll('.scene')].map(
   (element) => new LiveScene(element, data.scenes[Number(element.dataset.scene)]));
 const drawStills = stills({first: (plot) => showFirst(plot, scenes[plot.dataset.index].scene, scenes[plot.dataset.index].runs, show)});

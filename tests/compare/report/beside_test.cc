@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <filesystem>
 
 #include "compare/bench/output.h"
@@ -69,16 +70,26 @@ TEST_F(BesideFolder, FindsWhatTheCommandsLeft) {
   ASSERT_EQ(series[1].at("points").size(), 1u) << "what diverged has no error to draw";
   EXPECT_EQ(series[1].at("family"), "mujoco");
 
-  const json& values = beside.values;
-  EXPECT_EQ(values.at("case_engines"), json({"native-event", "mujoco-cone"}));
-  ASSERT_EQ(values.at("cases").size(), 2u);
-  EXPECT_EQ(values["cases"][0]["cells"][1]["tone"], "bad");
-  EXPECT_EQ(values["cases"][1]["cells"][0]["outcome"], "refused");
-  EXPECT_EQ(values["cases"][1]["cells"][1]["outcome"], "–") << "not run";
-  ASSERT_EQ(values.at("violations").size(), 1u);
-  EXPECT_EQ(values["violations"][0]["reason"], "2 > 1");
+  const json& precision = beside.parts.at("precision");
+  ASSERT_EQ(precision.size(), 3u);
+  EXPECT_EQ(precision[0].at("heading"), "bench_ring");
+  EXPECT_EQ(precision[2], json({{"plots", "bench"}, {"index", 0}}));
+  const json& cases = beside.parts.at("cases");
+  const json& table = cases.at(1);
+  ASSERT_EQ(table.at("rows").size(), 2u);
+  const json& one = table["rows"][0]["cells"];
+  EXPECT_EQ(one[0], "one");
+  EXPECT_EQ(one[1], json({{"text", "pass"}, {"tone", "good"}}));
+  const auto cone = std::ranges::find(table["columns"], "mujoco-cone",
+                                      [](const json& column) { return column.at("text"); });
+  const std::size_t column = static_cast<std::size_t>(cone - table["columns"].begin());
+  EXPECT_EQ(one.at(column), json({{"text", "fails"}, {"tone", "bad"}, {"note", "2 > 1"}}));
+  EXPECT_EQ(table["rows"][1]["cells"][1]["text"], "refused");
+  EXPECT_EQ(table["rows"][1]["cells"].at(column), "") << "not run";
+  EXPECT_EQ(cases.at(2).at("heading"), "fails:");
+  EXPECT_EQ(cases.at(3).at("text"), "one, mujoco-cone: 2 > 1");
   ASSERT_EQ(beside.maps.size(), 1u);
-  EXPECT_EQ(values.at("map_sets")[0].at("name"), "ring");
+  EXPECT_EQ(beside.map_sets.at(0).at("name"), "ring");
 }
 
 TEST_F(BesideFolder, RefusesWhatTheyDidNot) {
@@ -90,6 +101,10 @@ TEST_F(BesideFolder, RefusesWhatTheyDidNot) {
             R"({"machine": {"processor": "p", "instructions": "i"}, "scenes": [{"scene": 1}]})");
   EXPECT_NE(refusal().find("x/bench.json"), std::string::npos) << refusal();
   std::filesystem::remove(top / "x/bench.json");
+  top.write("x/check.json", R"({"cases": [{"scene": "s", "engine": "other", "outcome": "pass",
+                                           "reason": ""}]})");
+  EXPECT_NE(refusal().find("no engine is called other"), std::string::npos) << refusal();
+  std::filesystem::remove(top / "x/check.json");
   // A list that is shorter than the others would be drawn beside wrong points.
   std::string cut = kMap;
   cut.replace(cut.find("[3, 4]"), 6, "[3]");
