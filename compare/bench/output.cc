@@ -168,8 +168,8 @@ Table levels_table(const SceneBench& bench) {
 
 Table series_table(const SceneBench& bench) {
   Table table{"series/#/{column}",
-              {{"engine", "engine and setting", -kEngine - 2},
-               {"setting", "", -18},
+              {{"engine", "engine and setting", -kEngine - 2, result::kAll, "engine"},
+               {"setting", "", -18, result::kAll, "setting"},
                {"order", "order", 6},
                {.heading = "us/step", .width = 10},
                {.heading = "least error", .width = 12},

@@ -97,7 +97,7 @@ std::string bench_page(const Machine& machine, const std::vector<SceneBench>& be
     json& parts = section["parts"];
     names.push_back(benches[k].scene.name);
     cards.push_back(card_of(benches[k], section["id"]));
-    parts.insert(parts.begin(), {{"plots", "bench"}, {"index", k}});
+    parts.insert(parts.begin(), json{{"plots", "bench"}, {"index", k}});
     parts.push_back({{"summary", "The scene's text"}, {"pre", benches[k].scene.text}});
   }
   const std::string lead = fmt::format(
