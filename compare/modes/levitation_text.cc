@@ -7,6 +7,7 @@
 #include <nlohmann/json.hpp>
 #include <string>
 #include <utility>
+#include <vector>
 
 #include "compare/base/units.h"
 
@@ -14,6 +15,7 @@ namespace rotorub {
 namespace {
 
 using nlohmann::json;
+using result::line;
 using result::number;
 
 constexpr double kMicro = 1e6;
@@ -29,24 +31,24 @@ std::vector<std::complex<double>> shown_poles(const Levitation& levitation) {
   return shown;
 }
 
-LoopSheet pole_sheet(const Levitation& levitation) {
+std::vector<result::Part> pole_parts(const Levitation& levitation) {
   constexpr std::size_t kRows = 20;
   auto poles = shown_poles(levitation);
-  LoopSheet sheet;
-  if (poles.size() > kRows) {
-    sheet.notes.push_back(
-        fmt::format("and {} faster ones, in the output of --json", poles.size() - kRows));
-    poles.resize(kRows);
-  }
-  const auto add = result::column_adder(sheet.table, poles);
+  const std::size_t left = poles.size() - std::min(kRows, poles.size());
+  poles.resize(poles.size() - left);
+  result::Table table;
+  const auto add = result::column_adder(table, poles);
   add({"", "real / 1/s", 16}, [](auto& s) { return number(s.real(), 6); });
   add({"", "imag / rad/s", 14}, [](auto& s) { return number(s.imag(), 6); });
   add({"", "Hz", 14}, [](auto& s) { return number(s.imag(), 6, kHz); });
   add({"", "damping ratio", 16},
       [](auto& s) { return number(std::abs(s) > 0.0 ? -s.real() / std::abs(s) : 0.0, 4); });
+  std::vector<result::Part> parts{table};
+  if (left > 0)
+    parts.push_back(line(fmt::format("  and {} faster ones, in the output of --json", left)));
   if (!levitation.stable())
-    sheet.notes.push_back("it is unstable, so there are no sensitivities of a working loop");
-  return sheet;
+    parts.push_back(line("  it is unstable, so there are no sensitivities of a working loop"));
+  return parts;
 }
 
 // A row per loop, which begins with the bearing and the axis.
@@ -62,26 +64,22 @@ result::Table loops_table(const Levitation& levitation, std::string place) {
   return table;
 }
 
-LoopSheet sensitivity_sheet(const Levitation& levitation) {
-  LoopSheet sheet{"", loops_table(levitation, "loops/#/{column}"), {}};
-  sheet.table.columns[0].key = "bearing";
-  sheet.table.columns[1].key = "axis";
-  const auto add = result::column_adder(sheet.table, levitation.loops);
+result::Table sensitivity_table(const Levitation& levitation) {
+  result::Table table = loops_table(levitation, "loops/#/{column}");
+  table.columns[0].key = "bearing";
+  table.columns[1].key = "axis";
+  const auto add = result::column_adder(table, levitation.loops);
   add({"sensitivity", "most of |S|", 16}, [](auto& s) { return number(s.peak, 4); });
   add({"", "dB", 10}, [](auto& s) { return number(20.0 * std::log10(s.peak), 3); });
   add({"frequency", "at Hz", 14}, [](auto& s) { return number(s.frequency, 5, kHz); });
   add({"zone", "zone of ISO 14839-3", 22},
       [](auto& s) { return result::Item{std::string(1, sensitivity_zone(s.peak))}; });
-  return sheet;
+  return table;
 }
 
-LoopSheet step_sheet(const Levitation& levitation) {
-  LoopSheet sheet{
-      "step of force on the rotor at each bearing: how far it goes there per newton, "
-      "settled within 2 %",
-      loops_table(levitation, "loops/{row}/step/{column}"),
-      {}};
-  const auto add = result::column_adder(sheet.table, levitation.steps);
+std::vector<result::Part> step_parts(const Levitation& levitation) {
+  result::Table table = loops_table(levitation, "loops/{row}/step/{column}");
+  const auto add = result::column_adder(table, levitation.steps);
   add({"largest", "most um/N", 13}, [](auto& s) { return number(s.largest, 4, kMicro); });
   add({"largest_at", "at ms", 10}, [](auto& s) { return number(s.largest_at, 4, kMilli); });
   add({"rise_time", "rises ms", 10}, [](auto& s) { return number(s.rise_time, 4, kMilli); });
@@ -91,17 +89,24 @@ LoopSheet step_sheet(const Levitation& levitation) {
   add({"steady", "stays um/N", 12}, [](auto& s) { return number(s.steady, 4, kMicro); });
   add({"static_stiffness", "stiffness N/m", 15},
       [](auto& s) { return number(s.static_stiffness(), 4); });
+  std::vector<result::Part> parts{
+      line(
+          "  step of force on the rotor at each bearing: how far it goes there per newton, settled "
+          "within 2 %",
+          result::Role::kCaption),
+      table};
   if (std::ranges::any_of(levitation.steps, [](const auto& s) { return !s.overshoot; }))
-    sheet.notes.push_back(
-        "overshoot -: it goes back to about 0, and has settled within 2 % of its largest value");
-  return sheet;
+    parts.push_back(
+        line("  overshoot -: it goes back to about 0, and has settled within 2 % of its largest "
+             "value"));
+  return parts;
 }
 
-LoopSheet unbalance_sheet(const Levitation& levitation) {
-  LoopSheet sheet{"unbalance response at the sensors", loops_table(levitation, ""), {}};
-  const auto add = result::column_adder(sheet.table, levitation.unbalance);
+std::vector<result::Part> unbalance_parts(const Levitation& levitation) {
+  result::Table table = loops_table(levitation, "");
+  const auto add = result::column_adder(table, levitation.unbalance);
   add({"", "um peak to peak", 17}, [](double value) { return number(value, 4, kMicro); });
-  return sheet;
+  return {line("  unbalance response at the sensors", result::Role::kCaption), table};
 }
 
 json poles_json(const Levitation& levitation) {
@@ -125,32 +130,23 @@ std::string levitation_title(double speed, const Levitation& levitation) {
                          : "");
 }
 
-std::vector<LoopSheet> levitation_sheets(const Levitation& levitation) {
-  std::vector<LoopSheet> sheets;
-  if (levitation.poles_refused.empty()) sheets.push_back(pole_sheet(levitation));
-  if (!levitation.loops.empty()) sheets.push_back(sensitivity_sheet(levitation));
-  if (levitation.steps.empty()) return sheets;
-  sheets.push_back(step_sheet(levitation));
-  if (!levitation.unbalance.isZero(0.0)) sheets.push_back(unbalance_sheet(levitation));
-  return sheets;
-}
-
 result::Section levitation_section(double speed, const Levitation& levitation) {
-  using result::Data, result::line;
+  using result::Data;
   result::Section section{
       "levitation",
       {Data{"sample_time", levitation.sample_time}, Data{"poles", poles_json(levitation)},
        Data{"poles_refused", nullptr}, Data{"loops", json::array()},
-       line("\n" + levitation_title(speed, levitation))}};
+       line("\n" + levitation_title(speed, levitation), result::Role::kHeading)}};
   if (!levitation.poles_refused.empty())
     section.add({result::Sentence{.text = levitation.poles_refused,
                                   .lead = "  poles: none, ",
                                   .wraps = false,
                                   .place = "poles_refused"}});
-  for (const LoopSheet& sheet : levitation_sheets(levitation)) {
-    if (!sheet.caption.empty()) section.add({line("  " + sheet.caption)});
-    section.add({sheet.table});
-    for (const std::string& note : sheet.notes) section.add({line("  " + note)});
+  if (levitation.poles_refused.empty()) section.add(pole_parts(levitation));
+  if (!levitation.loops.empty()) section.add({sensitivity_table(levitation)});
+  if (!levitation.steps.empty()) {
+    section.add(step_parts(levitation));
+    if (!levitation.unbalance.isZero(0.0)) section.add(unbalance_parts(levitation));
   }
   const bool stands = !levitation.steps.empty();
   for (std::size_t k = 0; k < levitation.loops.size(); ++k) {

@@ -1,9 +1,8 @@
 // Magnetic bearings in `rotorub modes`: closed loop, sensitivities and responses to a force step
-// and to the unbalance, as text and as JSON. The page shows the same cells (report/loop_page.h).
+// and to the unbalance, as text and as JSON.
 #pragma once
 
 #include <string>
-#include <vector>
 
 #include "compare/result/result.h"
 #include "native_model/linear/levitation.h"
@@ -21,14 +20,6 @@ bool has_loop(const Levitation& levitation);
 // "settling_time": s} as in StepResponse, "unbalance": m, peak to peak}]}. "step" and "unbalance"
 // are null for an unstable loop. speed: rad/s.
 result::Section levitation_section(double speed, const Levitation& levitation);
-
-// A table and what is said of it.
-struct LoopSheet {
-  std::string caption;  // may be empty
-  result::Table table;
-  std::vector<std::string> notes;
-};
-std::vector<LoopSheet> levitation_sheets(const Levitation& levitation);
 
 // speed: rad/s.
 std::string levitation_title(double speed, const Levitation& levitation);

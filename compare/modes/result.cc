@@ -19,7 +19,7 @@ namespace {
 
 using nlohmann::json;
 using result::column_adder, result::Data, result::Item, result::line, result::number, result::Part;
-using result::Section, result::Sentence, result::Table;
+using result::Role, result::Section, result::Sentence, result::Table;
 using rub::RubPoint, rub::StandingRub;
 
 json text_or_null(const std::string& text) { return text.empty() ? json(nullptr) : json(text); }
@@ -33,18 +33,27 @@ json ranges_json(const Ranges& ranges) {
 }
 
 // ---------------------------------------------------------------- whirl of the free rotor
-// The list {"frequency", "damping_ratio"}, for people with the name of each mode.
+// The list {"frequency", "damping_ratio"}, for people with the name of each mode. On the terminal
+// only the first table has headings.
 template <class NameOf>
 Table whirl_table(const std::string& place, const std::vector<WhirlMode>& modes,
-                  const NameOf& name_of) {
+                  const NameOf& name_of, bool headed = false) {
+  constexpr double kRoundOff = 1e-9;  // damping ratio of an undamped mode
   Table table{.place = place + "/#/{column}"};
   const auto add = column_adder(table, modes);
-  add({.width = -14}, [&](auto& m) { return Item{.text = name_of(m)}; });
-  add({.key = "frequency", .width = 14}, [](auto& m) {
+  add({.width = -14, .title = "whirl"}, [&](auto& m) { return Item{.text = name_of(m)}; });
+  add({.key = "frequency", .width = 14, .title = "rad/s"}, [](auto& m) {
     return Item{m.frequency, fmt::format("{:.7g}", std::abs(m.frequency))};
   });
-  add({.width = 14}, [](auto& m) { return number(std::abs(m.frequency), 7, kHz); });
-  add({.key = "damping_ratio", .width = 16}, [](auto& m) { return number(m.damping_ratio, 4); });
+  add({.width = 14, .title = "Hz"}, [](auto& m) { return number(std::abs(m.frequency), 7, kHz); });
+  add({.key = "damping_ratio", .width = 16, .title = "damping ratio"},
+      [](auto& m) { return number(m.damping_ratio, 4); });
+  for (result::Column& column : table.columns) {
+    if (headed) column.heading = column.title;
+  }
+  add({.seen = result::kPage}, [&](auto& m) {
+    return m.damping_ratio < -kRoundOff ? Item{.text = "grows", .tone = Tone::kBad} : Item{};
+  });
   return table;
 }
 
@@ -62,9 +71,8 @@ Section speed_section(const RotorAnalysis& analysis, std::size_t at) {
   Section section{
       "speeds/#",
       {Data{"speed", speed}, Data{"rub", nullptr},
-       line(fmt::format("\nat {:.6g} rad/s ({:.6g} rpm)", speed, speed * kRpm)),
-       line(fmt::format("  {:<12}{:>14}{:>14}{:>16}", "whirl", "rad/s", "Hz", "damping ratio")),
-       whirl_table("modes", modes, name_of)}};
+       line(fmt::format("\nat {:.6g} rad/s ({:.6g} rpm)", speed, speed * kRpm), Role::kHeading),
+       whirl_table("modes", modes, name_of, true)}};
   const bool several = analysis.rubs.size() > 1;
   section.add(
       {Section{"", {response_part(analysis, at, 0)}, several ? result::kJson : result::kAll}});
@@ -89,13 +97,15 @@ std::vector<Part> torsion_parts(const RotorAnalysis& analysis) {
   if (!analysis.torsion.empty())
     parts.insert(parts.begin(),
                  line(fmt::format("\ntorsion, elastic modes{}",
-                                  analysis.motor_is_held ? ", with the motor's end held" : "")));
+                                  analysis.motor_is_held ? ", with the motor's end held" : ""),
+                      Role::kHeading));
   return parts;
 }
 
 // The critical speeds that unbalance excites; with isotropic planes it cannot drive backward whirl.
 std::vector<Part> critical_parts(const RotorAnalysis& analysis) {
-  Table table{.place = "critical/#/{column}", .columns = {{"speed"}, {"whirl"}}};
+  Table table{
+      .place = "critical/#/{column}", .columns = {{"speed"}, {"whirl"}}, .seen = result::kNotPage};
   for (std::size_t k = 0; k < analysis.critical_speeds.size(); ++k) {
     const double speed = analysis.critical_speeds[k];
     const std::string whirl = to_string(analysis.critical_senses[k]);
@@ -106,11 +116,20 @@ std::vector<Part> critical_parts(const RotorAnalysis& analysis) {
                                              "are used)"
                                            : "")}}});
   }
+  Table on_page{.seen = result::kPage};
+  const auto add = column_adder(on_page, analysis.critical_speeds);
+  add({.heading = "rpm", .width = 14}, [](double speed) { return number(speed, 7, kRpm); });
+  add({.heading = "Hz", .width = 14}, [](double speed) { return number(speed, 7, kHz); });
+  add({.heading = "rad/s", .width = 14}, [](double speed) { return number(speed, 7); });
+  on_page.columns.push_back({.heading = "whirl"});
+  for (std::size_t k = 0; k < table.rows.size(); ++k)
+    on_page.rows[k].items.push_back(table.rows[k].items[1]);
   std::vector<Part> parts{
       Data{"critical_speeds", analysis.critical_speeds},
       line(fmt::format("\ncritical speeds that unbalance excites, undamped, up to {:.5g} rpm",
-                       analysis.critical_bound * kRpm)),
-      table};
+                       analysis.critical_bound * kRpm),
+           Role::kHeading),
+      table, on_page};
   if (table.rows.empty()) parts.emplace_back(line("  none"));
   return parts;
 }
@@ -125,7 +144,7 @@ std::vector<Part> stability_parts(const RotorAnalysis& analysis) {
 std::vector<Part> contact_mass_parts(const std::optional<ContactMass>& mass) {
   const Data data{"contact_mass", contact_mass_json(mass)};
   if (!mass) return {data};
-  return {data, line("\nmass that an impact meets at the contact"),
+  return {data, line("\nmass that an impact meets at the contact", Role::kHeading),
           Sentence{.text = fmt::format(
                        "{:.4g} kg with the {} modes kept, {:.4g} kg with all {} of the mesh{}",
                        mass->kept, mass->kept_modes, mass->mesh, mass->mesh_modes,
@@ -151,21 +170,25 @@ json plane_json(const PlaneShapes& plane) {
 std::vector<Part> plane_parts(const std::string& title, const std::string& place,
                               const std::vector<Station>& stations, const PlaneShapes& plane) {
   constexpr Eigen::Index kColumns = 6;
-  const Eigen::Index n = std::min(kColumns, plane.frequency.size());
   Table table{.place = place};
   const auto add = column_adder(table, stations);
   add({.key = "kind", .seen = result::kJson}, [](auto& s) { return Item{to_string(s.kind)}; });
   add({"name", "station", -20}, [](auto& s) { return Item{s.name}; });
   add({"z", "z / mm", 10}, [](auto& s) { return number(s.z, 5, kMilli); });
-  for (Eigen::Index j = 0; j < n; ++j)
+  for (Eigen::Index j = 0; j < plane.frequency.size(); ++j)
     column_adder(table, plane.at_stations.col(j))(
-        {"", fmt::format("{:.5g} Hz", plane.frequency[j] * kHz), 13},
+        {"", fmt::format("{:.5g} Hz", plane.frequency[j] * kHz), 13,
+         j < kColumns ? result::kPeople : result::kPage},
         [](double value) { return Item{.text = fmt::format("{:.4f}", value)}; });
-  std::vector<Part> parts{line("\nmode shapes at rest, 1 at the contact or at the peak, " + title),
-                          table};
-  const Eigen::Index left = plane.frequency.size() - n;
-  if (left > 0)
-    parts.emplace_back(line(fmt::format("  and {} higher modes, in the output of --json", left)));
+  std::vector<Part> parts{
+      line("\nmode shapes at rest, 1 at the contact or at the peak, " + title, Role::kHeading),
+      table};
+  const Eigen::Index left = plane.frequency.size() - kColumns;
+  if (left > 0) {
+    Sentence rest = line(fmt::format("  and {} higher modes, in the output of --json", left));
+    rest.seen = result::kTerminal;
+    parts.emplace_back(std::move(rest));
+  }
   return parts;
 }
 
@@ -264,7 +287,7 @@ std::vector<Part> driven_parts(const RubAnalysis& analysis) {
   Table driven = rubs_table(rubs);
   driven.place = "driven/#/{column}";
   for (std::size_t k = 0; k < driven.columns.size(); ++k) {
-    driven.columns[k].heading.clear();
+    driven.columns[k].title = std::exchange(driven.columns[k].heading, "");
     if (k < 4 || k > 6) driven.columns[k].key.clear();
   }
   Table rolling{.place = "driven_rolling/#/{column}"};
@@ -281,10 +304,11 @@ std::vector<Part> driven_parts(const RubAnalysis& analysis) {
   rolling.seen = analysis.rolling.empty() ? result::kJson : result::kAll;
   std::vector<Part> parts;
   if (!analysis.driven.empty())
-    parts.emplace_back(line("\nthe same where torsion and the speed under the motor give way"));
+    parts.emplace_back(
+        line("\nthe same where torsion and the speed under the motor give way", Role::kHeading));
   parts.emplace_back(driven);
   if (!analysis.rolling.empty())
-    parts.emplace_back(line("\nbackward rolling at a speed that the motor keeps"));
+    parts.emplace_back(line("\nbackward rolling at a speed that the motor keeps", Role::kHeading));
   parts.emplace_back(rolling);
   return parts;
 }
@@ -296,7 +320,8 @@ std::vector<Part> rubs_parts(const RotorAnalysis& analysis) {
     const RubAnalyses& rubs = analysis.rubs[k];
     const bool several = !rubs.contact.empty();
     if (several)
-      parts.emplace_back(line(fmt::format("\ncontact {}, the others open", rubs.contact)));
+      parts.emplace_back(
+          line(fmt::format("\ncontact {}, the others open", rubs.contact), Role::kHeading));
     for (std::size_t at = 0; at < rubs.at.size(); ++at) {
       Section rub = rub_result(rubs.at[at]);
       if (several && k == 0) {
@@ -316,7 +341,9 @@ std::vector<Part> rubs_parts(const RotorAnalysis& analysis) {
 }  // namespace
 
 Section modes_result(const std::string& name, const RotorAnalysis& analysis) {
-  Section all{.parts = {line(fmt::format("{}: whirl of the free rotor", name))}};
+  Sentence head = line(fmt::format("{}: whirl of the free rotor", name));
+  head.seen = result::kTerminal;
+  Section all{.parts = {std::move(head)}};
   for (std::size_t k = 0; k < analysis.spectra.size(); ++k) all.add({speed_section(analysis, k)});
   all.add(torsion_parts(analysis));
   all.add(critical_parts(analysis));
@@ -358,17 +385,21 @@ Section rub_result(const RubAnalysis& analysis) {
   ring.lead = joined.lead = "    ";
   Section section{
       .parts = {line(fmt::format("rotor and ring at {:.6g} rad/s ({:.6g} rpm), of the modes kept",
-                                 point.speed, point.speed * kRpm))}};
-  if (!analysis.ring.empty()) section.add({line("  ring alone")});
-  section.add({ring, line("  joined, the rotor's centre held to the ring's"), joined});
+                                 point.speed, point.speed * kRpm),
+                     Role::kHeading)}};
+  if (!analysis.ring.empty()) section.add({line("  ring alone", Role::kCaption)});
+  section.add(
+      {ring, line("  joined, the rotor's centre held to the ring's", Role::kCaption), joined});
   if (analysis.joined.empty()) section.add({line("    nothing is left that can move")});
   section.add(
-      {line(fmt::format(
-           "\nlasting rubs at {:.6g} rad/s with a friction of {:g}{}", point.speed, mu.sticking(),
-           mu.is_constant()
-               ? ""
-               : fmt::format(" at rest, then {:g} {:+g} exp(-(v / {:g})^2) {:+g} v", mu.coefficient,
-                             mu.excess, mu.stribeck_speed, mu.viscous))),
+      {line(
+           fmt::format("\nlasting rubs at {:.6g} rad/s with a friction of {:g}{}", point.speed,
+                       mu.sticking(),
+                       mu.is_constant()
+                           ? ""
+                           : fmt::format(" at rest, then {:g} {:+g} exp(-(v / {:g})^2) {:+g} v",
+                                         mu.coefficient, mu.excess, mu.stribeck_speed, mu.viscous)),
+           Role::kHeading),
        rubs_table(point.rubs), Data{"left_out", text_or_null(analysis.left_out)}});
   if (!analysis.left_out.empty())
     section.add({Sentence{.text = analysis.left_out, .lead = "  left out: "}});

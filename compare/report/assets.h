@@ -17,7 +17,6 @@ std::string_view native_worker_js();  // runs the native model in a page (what_i
 // The pages' templates (page_frame.h).
 std::string_view report_html();
 std::string_view run_html();
-std::string_view modes_html();
 std::string_view page_html();  // for pages that the script lays out
 std::string_view sweep_html();
 std::string_view map_page_html();  // for linear analyses
@@ -32,7 +31,5 @@ std::string_view player_html();     // a scene's live player
 std::string_view what_if_html();    // sliders for the scene's values
 std::string_view transport_html();  // time control of player and plots
 std::string_view glossary_html();   // meaning of the terms
-std::string_view rotor_html();      // Campbell diagram and whirl shapes of a scene
-std::string_view bode_html();       // the scene's response to unbalance
 
 }  // namespace rotorub

@@ -3,7 +3,6 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <boost/algorithm/string/replace.hpp>
 #include <cmath>
 #include <limits>
 #include <nlohmann/json.hpp>
@@ -13,7 +12,6 @@
 #include "compare/base/units.h"
 #include "compare/modes/levitation_text.h"
 #include "compare/report/plot_points.h"
-#include "compare/result/result.h"
 
 namespace rotorub {
 namespace {
@@ -94,46 +92,28 @@ json plots_of(const Levitation& levitation) {
   return {{"sensitivity", sensitivity}, {"step", step}};
 }
 
-json text_of_item(const result::Item& item) {
-  return item.text.empty() ? item.value : json(item.text);
-}
-
 }  // namespace
 
-json loop_values(const RotorAnalysis& analysis) {
+json loop_plots(const RotorAnalysis& analysis) {
   json loops = json::array();
   for (std::size_t k = 0; k < analysis.levitations.size(); ++k) {
     const Levitation& levitation = analysis.levitations[k];
     if (!has_loop(levitation)) continue;
-    loops.push_back(
-        {{"index", loops.size()},
-         {"title", levitation_title(analysis.spectra[k].speed, levitation)},
-         {"refused", levitation.poles_refused},
-         {"has_curves", !levitation.loops.empty()},
-         {"has_steps", !levitation.steps.empty()},
-         {"loop_sheets", list_of(levitation_sheets(levitation), [](const LoopSheet& sheet) -> json {
-            return {{"caption", sheet.caption},
-                    {"columns", list_of(sheet.table.columns,
-                                        [](const result::Column& c) {
-                                          return boost::replace_all_copy(c.heading, "um",
-                                                                         "\u00b5m");
-                                        })},
-                    {"rows", list_of(sheet.table.rows,
-                                     [](const result::Row& row) -> json {
-                                       return {{"cells", list_of(row.items, text_of_item)}};
-                                     })},
-                    {"notes", sheet.notes}};
-          })}});
+    loops.push_back(plots_of(levitation));
+    loops.back()["title"] = levitation_title(analysis.spectra[k].speed, levitation);
   }
   return loops;
 }
 
-json loop_plots(const RotorAnalysis& analysis) {
-  json loops = json::array();
-  for (const Levitation& levitation : analysis.levitations) {
-    if (has_loop(levitation)) loops.push_back(plots_of(levitation));
-  }
-  return loops;
+json loop_parts(const json& loops) {
+  json parts = {
+      {{"heading", "Closed loop of the magnetic bearings"}},
+      {{"text",
+        "Linear, of the modes kept, within the limits of currents and voltages. A sampled "
+        "control has its hold and its delay in all of it. Bearings by colour, the axis y "
+        "dashed."}}};
+  for (std::size_t k = 0; k < loops.size(); ++k) parts.push_back({{"plots", "loop"}, {"index", k}});
+  return parts;
 }
 
 }  // namespace rotorub

@@ -10,11 +10,11 @@
 
 #include "compare/base/units.h"
 #include "compare/modes/result.h"
-#include "compare/report/assets.h"
 #include "compare/report/loop_page.h"
 #include "compare/report/page_frame.h"
 #include "compare/report/plot_points.h"
 #include "compare/report/response_plots.h"
+#include "compare/result/result.h"
 #include "native_model/scene/diagnostic.h"
 #include "native_model/scene/reader.h"
 
@@ -28,37 +28,6 @@ using nlohmann::json;
 std::string rpm_text(double speed) {
   const double rpm = speed * kRpm;
   return std::abs(rpm) < 1e5 ? fmt::format("{:.5g} rpm", rpm) : fmt::format("{:.0f} rpm", rpm);
-}
-
-std::string damping_text(double ratio) {
-  constexpr double kRoundOff = 1e-10;  // damping ratio of an undamped mode
-  return fmt::format("{:.3g} %", std::abs(ratio) < kRoundOff ? 0.0 : 100.0 * ratio);
-}
-
-json spectrum_values(const WhirlSpectrum& spectrum) {
-  return {{"speed", fmt::format("{} ({:.6g} rad/s)", rpm_text(spectrum.speed), spectrum.speed)},
-          {"rows", list_of(spectrum.modes, [&](const WhirlMode& mode) -> json {
-             const double size = std::abs(mode.frequency);
-             const bool grows = mode.damping_ratio < -1e-9;
-             return {{"sense", sense_of(mode, spectrum.speed)},
-                     {"hertz", fmt::format("{:.6g}", size * kHz)},
-                     {"radians", fmt::format("{:.6g}", size)},
-                     {"damping", damping_text(mode.damping_ratio)},
-                     {"tone", grows ? "bad" : ""},
-                     {"grows", grows}};
-           })}};
-}
-
-json critical_values(const RotorAnalysis& analysis) {
-  std::size_t number = 0;
-  return list_of(analysis.critical_speeds, [&](double speed) -> json {
-    const char* whirl = to_string(analysis.critical_senses[number]);
-    return {{"number", ++number},
-            {"whirl", whirl},
-            {"rpm", fmt::format("{:.6g}", speed * kRpm)},
-            {"hertz", fmt::format("{:.6g}", speed * kHz)},
-            {"radians", fmt::format("{:.7g}", speed)}};
-  });
 }
 
 // The critical speed nearest to the rotor's speed, and its distance.
@@ -166,44 +135,6 @@ void add_rub_cards(const RotorAnalysis& analysis, json& cards) {
   }
 }
 
-json shape_rows(const ModeShapes& shapes, const PlaneShapes& plane) {
-  Eigen::Index row = 0;
-  return list_of(shapes.stations, [&](const Station& station) -> json {
-    return {{"name", station.name},
-            {"z", fmt::format("{:.5g}", 1e3 * station.z)},
-            {"cells", list_of(plane.at_stations.row(row++),
-                              [](double value) { return fmt::format("{:.4f}", value); })}};
-  });
-}
-
-json plane_values(const std::string& name, const ModeShapes& shapes, const PlaneShapes& plane) {
-  int number = 0;
-  const json modes = list_of(plane.frequency, [&](double frequency) -> json {
-    return {{"number", ++number}, {"hertz", fmt::format("{:.5g}", frequency * kHz)}};
-  });
-  return {{"plane", name}, {"modes", modes}, {"stations", shape_rows(shapes, plane)}};
-}
-
-json planes_values(const RotorAnalysis& analysis) {
-  if (!analysis.shapes) return json::array();
-  const ModeShapes& shapes = *analysis.shapes;
-  if (shapes.same_planes) {
-    return json::array({plane_values("planes x and y, which are alike", shapes, shapes.x)});
-  }
-  return json::array(
-      {plane_values("plane x", shapes, shapes.x), plane_values("plane y", shapes, shapes.y)});
-}
-
-json torsion_values(const std::vector<WhirlMode>& modes) {
-  int number = 0;
-  return list_of(modes, [&](const WhirlMode& mode) -> json {
-    return {{"number", ++number},
-            {"hertz", fmt::format("{:.6g}", mode.frequency * kHz)},
-            {"radians", fmt::format("{:.6g}", mode.frequency)},
-            {"damping", damping_text(mode.damping_ratio)}};
-  });
-}
-
 // A sentence on what lies beyond the diagram; empty if nothing does.
 std::string beyond_text(const RotorAnalysis& analysis, double range) {
   const std::vector<double>& speeds = analysis.critical_speeds;
@@ -223,12 +154,21 @@ std::string beyond_text(const RotorAnalysis& analysis, double range) {
   return text;
 }
 
-// Sets whether and where the Bode plot is shown, and its contents.
-void add_bode_place(const json& bode, const char* place, json& values) {
-  values["bode_place"] = place;
-  values["has_bode"] = !bode.is_null();
-  values["bode_forces"] = !bode.is_null() && bode.at("forces").get<bool>();
-  values["bode_limit"] = !bode.is_null() && !bode.at("limit").is_null();
+// The data of a rotor's plots, with the words that belong to them.
+json rotor_data(const scene::Scene& scene, const Campbell& campbell) {
+  json data = modes_plots(scene, campbell);
+  data["words"] = {{"top", rpm_text(campbell.range)},
+                   {"speed", rpm_text(std::abs(scene.rotor.speed))},
+                   {"beyond", beyond_text(campbell.analysis, campbell.range)}};
+  return data;
+}
+
+json cards_of(const scene::Scene& scene, const RotorAnalysis& analysis) {
+  json cards = {running_card(scene, analysis), critical_card(analysis),
+                stability_card(scene, analysis)};
+  add_response_cards(analysis, cards);
+  add_rub_cards(analysis, cards);
+  return cards;
 }
 
 }  // namespace
@@ -245,65 +185,47 @@ Campbell campbell_of(const scene::Scene& scene, RotorAnalysis analysis, std::opt
 
 std::string modes_page(const scene::Scene& scene, const Campbell& campbell) {
   const RotorAnalysis& analysis = campbell.analysis;
-  json data{{"rotor", modes_plots(scene, campbell)}};
-  const std::vector<StiffnessMap> maps = stiffness_maps(scene);
-  data["rotor"]["stiffness"] = stiffness_data(maps);
-  const json loops = loop_values(analysis);
-  if (!loops.empty()) data["loops"] = loop_plots(analysis);
-  json values = page_frame({scene.name, "whirl of the free rotor",
-                            "Where does it whirl, and where does it stay stable?"},
-                           data);
-  values["hash"] = scene::scene_hash(scene);
-  values["cards"] = json::array(
-      {running_card(scene, analysis), critical_card(analysis), stability_card(scene, analysis)});
-  add_response_cards(analysis, values["cards"]);
-  add_rub_cards(analysis, values["cards"]);
-  values["top"] = rpm_text(campbell.range);
-  values["beyond"] = beyond_text(analysis, campbell.range);
-  values["has_shapes"] = analysis.shapes.has_value();
-  values["planes"] = planes_values(analysis);
-  add_bode_place(data.at("rotor").at("bode"), "data-of=\"rotor\"", values);
-  values["peaks"] = peak_rows(data.at("rotor").at("bode"));
-  values["has_peaks"] = !values["peaks"].empty();
-  values["stiffness_maps"] = stiffness_values(scene, maps);
-  values["spectra"] = list_of(analysis.spectra, spectrum_values);
-  values["critical"] = critical_values(analysis);
-  values["stability"] = stability_text(analysis);
-  values["has_torsion"] = !analysis.torsion.empty();
-  values["torsion"] = torsion_values(analysis.torsion);
-  values["loops"] = loops;
-  values["has_loops"] = !loops.empty();
-  values["text"] = scene.text;
-  return fill_page(modes_html(), values);
+  const result::Section found = modes_result(scene.name, analysis);
+  json rotor = rotor_data(scene, campbell);
+  rotor["stiffness"] = stiffness_data(scene);
+  const json loops = loop_plots(analysis);
+  const char* lead =
+      "Small whirl of the rotor in its bearings, without contact: eigenvalues of the gyroscopic "
+      "system with external and rotating damping, at a constant spin speed. Forward whirl turns "
+      "with the spin, backward whirl against it.";
+  json parts = {{{"cards", cards_of(scene, analysis)}},
+                {{"lead", lead}},
+                {{"class", "plots"}, {"parts", {{{"plots", "rotor"}}}}}};
+  if (!loops.empty()) parts.push_back({{"class", "plots"}, {"parts", loop_parts(loops)}});
+  json sheets = page_json(found);
+  const json peaks = page_json(result::Section{.parts = peak_parts(rotor.at("bode"))});
+  sheets.insert(sheets.end(), peaks.begin(), peaks.end());
+  sheets.push_back({{"summary", "The scene's text"}, {"pre", scene.text}});
+  parts.push_back({{"class", "sheets"}, {"parts", sheets}});
+  return laid_out_page(
+      {scene.name, "whirl of the free rotor",
+       "Where does it whirl, and where does it stay stable?"},
+      found, parts, {{"rotor", rotor}, {"loops", loops}},
+      fmt::format("Scene {}. Limits: Euler-Bernoulli shaft with rotary inertia, small deflections, "
+                  "no contact.",
+                  scene::scene_hash(scene)));
 }
 
-RotorSection rotor_section(const scene::Scene& scene) {
+json rotor_section(const scene::Scene& scene) {
   constexpr int kWhirlShapes = 4;  // for each sense
-  RotorSection section;
-  section.values = {{"has_campbell", false}, {"has_shapes", false},
-                    {"beyond", ""},          {"speed", rpm_text(std::abs(scene.rotor.speed))},
-                    {"has_bode", false},     {"bode_forces", false},
-                    {"bode_limit", false},   {"bode_place", ""},
-                    {"refusal", ""}};
   try {
-    const Campbell campbell = campbell_of(scene, analyse_free_rotor(scene, {}));
-    section.data = modes_plots(scene, campbell);
-    section.values["has_campbell"] = true;
-    section.values["has_shapes"] = campbell.analysis.shapes.has_value();
-    section.values["beyond"] = beyond_text(campbell.analysis, campbell.range);
-    add_bode_place(section.data.at("bode"), "data-over=\"rotor\"", section.values);
+    json data = rotor_data(scene, campbell_of(scene, analyse_free_rotor(scene, {})));
     // The shapes at rest and the higher ones are only on the page of `modes`.
-    if (campbell.analysis.shapes) {
-      json& shapes = section.data["shapes"];
-      shapes.erase("modes");
-      std::erase_if(shapes["whirl"].get_ref<json::array_t&>(),
-                    [](const json& whirl) { return whirl.at("number") > kWhirlShapes; });
-    }
+    json& shapes = data["shapes"];
+    if (shapes.is_null()) return data;
+    shapes.erase("modes");
+    std::erase_if(shapes["whirl"].get_ref<json::array_t&>(),
+                  [](const json& whirl) { return whirl.at("number") > kWhirlShapes; });
+    return data;
   } catch (const std::runtime_error& error) {
     // The page of the run must not depend on its rotor's eigenvalues.
-    section.values["refusal"] = error.what();
+    return {{"refusal", error.what()}};
   }
-  return section;
 }
 
 }  // namespace rotorub

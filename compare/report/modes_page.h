@@ -37,12 +37,8 @@ std::string modes_page(const scene::Scene& scene, const Campbell& campbell);
 // (response_plots.h).
 nlohmann::json modes_plots(const scene::Scene& scene, const Campbell& campbell);
 
-// The report's section on the free rotor: the Campbell diagram with the scene's speed, and whirl
-// shapes at that speed.
-struct RotorSection {
-  nlohmann::json data;    // for page/rotor.js; null if the rotor has no whirl to show
-  nlohmann::json values;  // for the template rotor.html
-};
-RotorSection rotor_section(const scene::Scene& scene);
+// The data of a run's plots of its free rotor (page/plot_words.js), with whirl shapes at the
+// scene's speed: {"refusal": why} if it has no whirl to show.
+nlohmann::json rotor_section(const scene::Scene& scene);
 
 }  // namespace rotorub

@@ -26,10 +26,8 @@ using nlohmann::json;
 // template.
 json live_part(const ShownRuns& shown, json& values) {
   values.update(live_values(shown));
-  RotorSection rotor = rotor_section(*shown.scene);
-  values["rotor"] = std::move(rotor.values);
   json data = plot_data(shown);
-  data["rotor"] = std::move(rotor.data);
+  data["rotor"] = rotor_section(*shown.scene);
   data["what_if"] = what_if_data(*shown.scene);
   values["what_if"] = data["what_if"].is_null() ? json::array() : json::array({data["what_if"]});
   return data;

@@ -138,9 +138,7 @@ std::string fill_page(std::string_view html, const json& values) {
                         {"player", player_html()},
                         {"what_if", what_if_html()},
                         {"transport", transport_html()},
-                        {"glossary", glossary_html()},
-                        {"rotor", rotor_html()},
-                        {"bode", bode_html()}});
+                        {"glossary", glossary_html()}});
 }
 
 std::string laid_out_page(const PageHead& head, const result::Section& found, const json& parts,

@@ -13,6 +13,7 @@
 #include "compare/base/units.h"
 #include "compare/modes/rotor_analysis.h"
 #include "compare/report/plot_points.h"
+#include "compare/result/result.h"
 #include "native_model/linear/synchronous_response.h"
 
 namespace rotorub {
@@ -170,10 +171,10 @@ json bode_data(const scene::Scene& scene, double top) {
            })}};
 }
 
-json peak_rows(const json& bode) {
+std::vector<result::Part> peak_parts(const json& bode) {
   constexpr double kSame = 0.02;  // relative difference of speeds
   std::vector<std::pair<json, std::string>> all;
-  if (bode.is_null()) return json::array();
+  if (bode.is_null()) return {};
   for (const json& curve : bode.at("curves")) {
     const std::string plane = curve.at("plane");
     for (const json& peak : curve.at("peaks"))
@@ -185,7 +186,12 @@ json peak_rows(const json& bode) {
   };
   std::sort(all.begin(), all.end(),
             [&](const auto& a, const auto& b) { return value(a, "speed") < value(b, "speed"); });
-  json rows = json::array();
+  result::Table table{.columns = {{.heading = "station", .width = -20},
+                                  {.heading = "at / rpm", .width = 10},
+                                  {.heading = "amplitude / µm", .width = 16},
+                                  {.heading = "AF", .width = 8},
+                                  {.heading = "margin", .width = 10},
+                                  {.heading = "asked for", .width = 10}}};
   const double running = bode.at("running");
   for (auto begin = all.begin(); begin != all.end();) {
     const auto end = std::find_if(begin, all.end(), [&](const auto& peak) {
@@ -200,41 +206,37 @@ json peak_rows(const json& bode) {
     std::optional<double> asked;
     if (!factor.is_null() && running > 0.0)
       asked = required_margin(factor.get<double>(), speed > running);
-    rows.push_back(
-        {{"speed", fmt::format("{:.5g}", speed)},
-         {"station", top->second},
-         {"amplitude", fmt::format("{:.4g}", value(*top, "amplitude"))},
-         {"factor", factor.is_null() ? "–" : fmt::format("{:.3g}", factor.get<double>())},
-         {"margin", running > 0.0 ? fmt::format("{:.3g} %", 100.0 * margin) : "–"},
-         {"asked", asked ? fmt::format("{:.3g} %", 100.0 * *asked) : "none"},
-         {"tone", !asked             ? ""
-                  : margin >= *asked ? "good"
-                                     : "bad"}});
+    const Tone tone = !asked ? Tone::kPlain : margin >= *asked ? Tone::kGood : Tone::kBad;
+    table.rows.push_back(
+        {.items = {
+             {.text = top->second},
+             result::number(speed, 5),
+             result::number(value(*top, "amplitude"), 4),
+             {.text = factor.is_null() ? "–" : fmt::format("{:.3g}", factor.get<double>())},
+             {.text = running > 0.0 ? fmt::format("{:.3g} %", 100.0 * margin) : "–", .tone = tone},
+             {.text = asked ? fmt::format("{:.3g} %", 100.0 * *asked) : "none"}}});
     begin = end;
   }
-  return rows;
+  if (table.rows.empty()) return {};
+  return {result::line("Peaks of the unbalance response", result::Role::kHeading), table,
+          result::line("Of peaks at nearly one speed the largest. AF: amplification factor of API "
+                       "684; margin: how far the scene's speed lies from the peak, beside what API "
+                       "617 asks for: nothing where AF is below 2.5, which is critically damped.")};
 }
 
-json stiffness_data(const std::vector<StiffnessMap>& maps) {
-  return list_of(maps, [](const StiffnessMap& map) -> json {
-    return {{"stiffness", rounded_list(map.stiffness)},
-            {"own", rounded(map.own)},
-            {"of", kMapWords[static_cast<std::size_t>(map.of)].axis},
-            {"curves", speed_curves(map.critical)},
-            {"ring", speed_curves(map.ring)}};
-  });
-}
-
-json stiffness_values(const scene::Scene& scene, const std::vector<StiffnessMap>& maps) {
-  int index = 0;
-  return list_of(maps, [&](const StiffnessMap& map) -> json {
+json stiffness_data(const scene::Scene& scene) {
+  return list_of(stiffness_maps(scene), [&](const StiffnessMap& map) -> json {
     const MapWords& words = kMapWords[static_cast<std::size_t>(map.of)];
     const bool one_of_several = !map.ring.empty() && scene.auxiliary.size() > 1;
     return {
-        {"index", index++},
+        {"stiffness", rounded_list(map.stiffness)},
+        {"own", rounded(map.own)},
         {"title", one_of_several ? fmt::format("{}, {}", words.title, scene.name_of(map.contact))
                                  : words.title},
-        {"words", words.reading}};
+        {"words", words.reading},
+        {"of", words.axis},
+        {"curves", speed_curves(map.critical)},
+        {"ring", speed_curves(map.ring)}};
   });
 }
 

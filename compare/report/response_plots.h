@@ -5,6 +5,7 @@
 #include <nlohmann/json_fwd.hpp>
 #include <vector>
 
+#include "compare/result/result.h"
 #include "native_model/linear/stiffness_map.h"
 #include "native_model/scene/scene.h"
 
@@ -18,16 +19,14 @@ namespace rotorub {
 // without a steady response are null. The result is null if nothing rotates with the spin.
 nlohmann::json bode_data(const scene::Scene& scene, double top);
 
-// Rows of the page's table of peaks, from bode_data, as texts. Of several peaks at nearly the same
-// speed the largest is listed, with its station, its distance from the scene's speed and the
+// The page's table of peaks, from bode_data; nothing without a peak. Of several peaks at nearly the
+// same speed the largest is listed, with its station, its distance from the scene's speed and the
 // distance that API 617 requires.
-nlohmann::json peak_rows(const nlohmann::json& bode);
+std::vector<result::Part> peak_parts(const nlohmann::json& bode);
 
-// For each critical speed map (stiffness_map.h): {"stiffness": [N/m], "own": N/m, "of": words for
-// the axis, "curves": [[rpm] of the k-th critical speed, null if there is none], "ring": the same
-// for the ring alone}.
-nlohmann::json stiffness_data(const std::vector<StiffnessMap>& maps);
-// For the page's template, one per map: {"index", "title", "words": how to read it}.
-nlohmann::json stiffness_values(const scene::Scene& scene, const std::vector<StiffnessMap>& maps);
+// For each critical speed map (stiffness_map.h): {"title", "words": how to read it, "stiffness":
+// [N/m], "own": N/m, "of": words for the axis, "curves": [[rpm] of the k-th critical speed, null if
+// there is none], "ring": the same for the ring alone}.
+nlohmann::json stiffness_data(const scene::Scene& scene);
 
 }  // namespace rotorub

@@ -66,7 +66,8 @@ test('Bode is the one plot of the unbalance response, with what the terminal say
 
 // Every cell of the page's tables is printed by the terminal, in the same order.
 test('the tables have the figures of the terminal', async () => {
-  const rows = await page.locator('section.loop tbody tr').evaluateAll((all) => all.map((row) => [...row.cells].map((c) => c.textContent)));
+  const loops = page.locator('.sheets > section', {has: page.locator('h2', {hasText: /^closed loop of the magnetic bearings/})});
+  const rows = await loops.locator('tbody tr').evaluateAll((all) => all.map((row) => [...row.cells].map((c) => c.textContent)));
   assert.ok(rows.length >= loop.loops.length * 3 + 10, `${rows.length} rows`);
   const printed = text.slice(text.indexOf('closed loop of the magnetic bearings')).split('\n').map((line) => line.trim().split(/\s+/));
   let from = 0;
@@ -79,7 +80,7 @@ test('the tables have the figures of the terminal', async () => {
 
 test('is silent, and no table is cut off', async () => {
   assert.deepEqual(page.said, []);
-  const cut = await page.evaluate(() => [...document.querySelectorAll('.loop .scroll > table')].filter((t) => t.scrollWidth > t.parentElement.clientWidth + 1)
+  const cut = await page.evaluate(() => [...document.querySelectorAll('.sheets .scroll > table')].filter((t) => t.scrollWidth > t.parentElement.clientWidth + 1)
     .map((t) => t.textContent.trim().slice(0, 40)));
   assert.deepEqual(cut, []);
 });

@@ -1,8 +1,10 @@
 // A scene of a page: its runs, its clock, and the plots and the player that follow it.
 import {AddressWriter, stateIn} from './address.js';
+import {layOut} from './layout.js';
 import {Clock} from './player/clock.js';
 import {Player} from './player/player.js';
 import {runOf} from './player/run.js';
+import {whirlParts} from './plot_words.js';
 import {ScenePlots} from './plots.js';
 import {WhatIf} from './what_if.js';
 
@@ -15,6 +17,7 @@ export class LiveScene {
       this.player?.showPlaying();
       this.told();
     });
+    layOut(element.querySelector('.rotor'), whirlParts(scene));
     this.plots = new ScenePlots(element, scene, this.runs, (t, clicked = true) => {
       this.clock.seek(t);
       if (this.player && clicked) this.player.element.focus({preventScroll: true});

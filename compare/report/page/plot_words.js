@@ -1,22 +1,79 @@
-// The plots of a page that no clock moves, by the data that they show: titles, and words on how to read them. A plot
-// stands on the page if its data does.
+// The plots of a page's results, by the data that they show: titles, and words on how to read them. A plot stands on
+// the page if its data does.
 
-const errorsOf = ({series}) => series.flatMap(({family, points}) => points.filter(({limit}) => family === 'mujoco' && limit > 0));
+const mujocoErrors = ({series}) => series.flatMap(({family, points}) => points.filter(({limit}) => family === 'mujoco' && limit > 0));
 
 const bench = ({benches}, index) => [
   {plot: 'precision', shape: 'wide tall', title: 'Error against time',
     text: 'to the left is faster, lower is more exact; hollow: it has settled to something else than the reference; dotted: the clearance'},
   {plot: 'step', shape: 'tall', title: 'Error against step', text: 'in brackets the order, fitted'},
-  errorsOf(benches[index]).length && {plot: 'limit', shape: 'tall', title: 'MuJoCo against its own limit',
+  mujocoErrors(benches[index]).length && {plot: 'limit', shape: 'tall', title: 'MuJoCo against its own limit',
     text: 'solid: distance to its own finest step; dotted: to the reference. What stays between them no step takes away'},
 ];
 
-const kinds = {bench};
+const decrement = {plot: 'decrement', title: 'Logarithmic decrement',
+  text: 'ln of one swing over the next, 2πζ/√(1−ζ²), of each whirl without contact; below 0 it grows'};
+
+const bode = ({bode: shown}) => shown ? [
+  {plot: 'bode', shape: 'wide tall', title: 'Bode plot', unit: 'unbalance response', text: 'how far each station whirls under its ' +
+    'unbalance at held speeds, without contact, and where its high spot lies from the mark on the rotor: at a peak unbalance resonates, and ' +
+    'the phase falls by half a turn. Rings: the peaks with the amplification factor of API 684, about 1/(2ζ); long dashes: undamped critical ' +
+    `speeds; dotted: the scene's speed.${shown.forces ? ' Forces that turn with the spin there count as the unbalance that they stand for.' : ''}` +
+    `${shown.limit ? ' Dashes and dots: half of what API 617 allows from peak to peak; no line where the closed loop is unstable; sampled ' +
+    'controls answer with their samples, hold and delay.' : ''} Of the modes kept`},
+  {plot: 'polar', shape: 'square', title: 'Polar plot', unit: 'µm', text: 'the same as the high spot goes on the rotor itself, the mark to ' +
+    'the right: a loop is a critical speed, passed a quarter turn behind the unbalance'},
+] : [];
+
+const whirlShapes = ({shapes, words}) => shapes && {plot: 'whirl_shapes', shape: 'wide tall', title: `Whirl shapes at ${words.speed}`,
+  text: 'how the rotor is bent while it whirls freely, each drawn 1 high; forward solid, backward dashed; below them the rotor, thickness enlarged'};
+
+// The page of `rotorub modes`.
+const rotor = ({rotor: shown}) => [
+  {plot: 'campbell', shape: 'wide tall', title: 'Campbell diagram', text: `whirl frequencies up to ${shown.words.top}, forward solid, ` +
+    `backward dashed, the scene's speed dotted; where forward whirl meets 1×, unbalance resonates. ${shown.words.beyond}`},
+  {plot: 'damping', shape: 'low', title: 'Damping ratio', unit: '%', text: 'below 0 a whirl grows'},
+  {...decrement, shape: 'low'},
+  ...bode(shown),
+  ...shown.stiffness.map(({title, words}, index) => ({plot: 'stiffness', index, shape: 'wide tall', title, text: words})),
+  whirlShapes(shown),
+  shown.shapes && {plot: 'shapes', shape: 'wide tall', title: 'Mode shapes at rest',
+    text: 'undamped planar modes along the shaft, each drawn 1 high; below them the rotor, thickness enlarged'},
+];
+
+// The free rotor of a run, whose plots the clock's script draws.
+const whirl = ({rotor: shown}) => [
+  {plot: 'campbell', shape: 'wide tall', title: 'Campbell diagram', text: 'whirl frequencies without contact, forward solid, backward ' +
+    `dashed; dotted upright: the scene's speed, ${shown.words.speed}, marks on it: where it whirls there; rings: critical speeds, where ` +
+    `unbalance resonates. ${shown.words.beyond}`},
+  {...decrement, shape: 'wide low'},
+  ...bode(shown),
+  whirlShapes(shown),
+].filter((one) => one).map((one) => ({...one, over: 'rotor'}));
+
+const loop = ({loops}, index) => [
+  loops[index].sensitivity.length && {plot: 'sensitivity', shape: 'wide tall', title: 'Sensitivity', unit: '|S| = |1/(1 + L)|',
+    text: `${loops[index].title}; each loop with all others closed, and the zones of ISO 14839-3: a new machine is accepted in A, B is fit ` +
+      'for long running, C is not, D damages'},
+  loops[index].step.length && {plot: 'step', shape: 'wide', title: 'Step of force', text: `${loops[index].title}; a newton on the rotor at a ` +
+    'bearing from 0 on, and how far the rotor goes there; rings: the most, diamonds: from when on it keeps within 2 %, dotted: what stays'},
+];
+
+const kinds = {bench, rotor, whirl, loop};
 
 // Parts of a page (layout.js) with their plots: of {plots: kind, index} those for which `data` has the data.
 export const withPlots = (parts, data) => parts.map((part) => {
   if (part.parts) return {...part, parts: withPlots(part.parts, data)};
   if (!part.plots) return part;
-  return {plots: kinds[part.plots](data, part.index).filter((one) => one).map(({plot, ...words}) =>
-    ({...words, data: {of: part.plots, plot, ...(part.index === undefined ? {} : {index: part.index})}}))};
+  const placed = ({plot, over, index = part.index, ...words}) =>
+    ({...words, data: {...(over ? {over} : {of: part.plots}), plot, ...(index === undefined ? {} : {index})}});
+  return {plots: kinds[part.plots](data, part.index).filter((one) => one).map(placed)};
 });
+
+// The parts on the free rotor of a run's scene.
+export function whirlParts(scene) {
+  const {refusal, shapes} = scene.rotor;
+  if (refusal) return [{text: `No Campbell diagram: ${refusal}`}];
+  const without = {text: 'No whirl shapes: the scene gives its modes as masses and stiffnesses, without a shaft to draw them along.'};
+  return [...withPlots([{plots: 'whirl'}], scene), ...(shapes ? [] : [without])];
+}

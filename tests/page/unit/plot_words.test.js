@@ -1,0 +1,35 @@
+// Which plots a page has.
+import assert from 'node:assert/strict';
+import {test} from 'node:test';
+import {whirlParts, withPlots} from '../../../compare/report/page/plot_words.js';
+
+const words = {top: '900 rpm', speed: '600 rpm', beyond: ''};
+const placesOf = ({plots}) => plots.map(({data}) => data);
+
+test('a plot stands where its data is', () => {
+  const point = {limit: 0}, series = (family, limit) => ({family, points: [point, {limit}]});
+  const [{plots}, text, {parts: [second]}] = withPlots([{plots: 'bench', index: 0}, {text: 'between'}, {parts: [{plots: 'bench', index: 1}]}],
+    {benches: [{series: [series('mujoco', 1e-6)]}, {series: [series('native', 1e-6), series('mujoco', 0)]}]});
+  assert.deepEqual(placesOf({plots}), ['precision', 'step', 'limit'].map((plot) => ({of: 'bench', plot, index: 0})));
+  assert.deepEqual(text, {text: 'between'});
+  assert.deepEqual(placesOf(second), ['precision', 'step'].map((plot) => ({of: 'bench', plot, index: 1})));
+});
+
+test('of the free rotor those that its scene allows', () => {
+  const rotor = {words, bode: null, shapes: null, stiffness: [{title: 'map', words: 'how'}]};
+  const plotsOf = (shown) => withPlots([{plots: 'rotor'}], {rotor: shown})[0];
+  assert.deepEqual(placesOf(plotsOf(rotor)), [{of: 'rotor', plot: 'campbell'}, {of: 'rotor', plot: 'damping'}, {of: 'rotor', plot: 'decrement'},
+    {of: 'rotor', plot: 'stiffness', index: 0}]);
+  const all = plotsOf({...rotor, bode: {forces: true, limit: null}, shapes: {}});
+  assert.deepEqual(placesOf(all).map(({plot}) => plot), ['campbell', 'damping', 'decrement', 'bode', 'polar', 'stiffness', 'whirl_shapes', 'shapes']);
+  const [bode] = all.plots.filter(({data}) => data.plot === 'bode');
+  assert.match(bode.text, /count as the unbalance/);
+  assert.doesNotMatch(bode.text, /API 617/);
+});
+
+test('a run says why it lacks a diagram or shapes', () => {
+  assert.deepEqual(whirlParts({rotor: {refusal: 'no modes'}}), [{text: 'No Campbell diagram: no modes'}]);
+  const [{plots}, note] = whirlParts({rotor: {words, bode: null, shapes: null}});
+  assert.deepEqual(plots.map(({data}) => data), [{over: 'rotor', plot: 'campbell'}, {over: 'rotor', plot: 'decrement'}]);
+  assert.match(note.text, /^No whirl shapes: the scene gives its modes/);
+});
