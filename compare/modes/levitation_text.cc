@@ -80,13 +80,15 @@ result::Table sensitivity_table(const Levitation& levitation) {
 std::vector<result::Part> step_parts(const Levitation& levitation) {
   result::Table table = loops_table(levitation, "loops/{row}/step/{column}");
   const auto add = result::column_adder(table, levitation.steps);
-  add({"largest", "most um/N", 13}, [](auto& s) { return number(s.largest, 4, kMicro); });
+  add({"largest", "most um/N", 13, result::kAll, "most µm/N"},
+      [](auto& s) { return number(s.largest, 4, kMicro); });
   add({"largest_at", "at ms", 10}, [](auto& s) { return number(s.largest_at, 4, kMilli); });
   add({"rise_time", "rises ms", 10}, [](auto& s) { return number(s.rise_time, 4, kMilli); });
   add({"overshoot", "overshoot %", 13}, [](auto& s) { return number(s.overshoot, 4, 100.0); });
   add({"settling_time", "settles ms", 12},
       [](auto& s) { return number(s.settling_time, 4, kMilli); });
-  add({"steady", "stays um/N", 12}, [](auto& s) { return number(s.steady, 4, kMicro); });
+  add({"steady", "stays um/N", 12, result::kAll, "stays µm/N"},
+      [](auto& s) { return number(s.steady, 4, kMicro); });
   add({"static_stiffness", "stiffness N/m", 15},
       [](auto& s) { return number(s.static_stiffness(), 4); });
   std::vector<result::Part> parts{
@@ -105,7 +107,8 @@ std::vector<result::Part> step_parts(const Levitation& levitation) {
 std::vector<result::Part> unbalance_parts(const Levitation& levitation) {
   result::Table table = loops_table(levitation, "");
   const auto add = result::column_adder(table, levitation.unbalance);
-  add({"", "um peak to peak", 17}, [](double value) { return number(value, 4, kMicro); });
+  add({"", "um peak to peak", 17, result::kAll, "µm peak to peak"},
+      [](double value) { return number(value, 4, kMicro); });
   return {line("  unbalance response at the sensors", result::Role::kCaption), table};
 }
 

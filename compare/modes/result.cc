@@ -68,10 +68,13 @@ Part response_part(const RotorAnalysis& analysis, std::size_t at, std::size_t be
 Section speed_section(const RotorAnalysis& analysis, std::size_t at) {
   const auto& [speed, modes] = analysis.spectra[at];
   const auto name_of = [speed = speed](const WhirlMode& mode) { return sense_of(mode, speed); };
+  const std::string at_speed = fmt::format("at {:.6g} rad/s ({:.6g} rpm)", speed, speed * kRpm);
+  Sentence above = line("\n" + at_speed);
+  above.seen = result::kTerminal;
   Section section{
       "speeds/#",
-      {Data{"speed", speed}, Data{"rub", nullptr},
-       line(fmt::format("\nat {:.6g} rad/s ({:.6g} rpm)", speed, speed * kRpm), Role::kHeading),
+      {Data{"speed", speed}, Data{"rub", nullptr}, std::move(above),
+       Sentence{.text = "Whirl " + at_speed, .seen = result::kPage, .role = Role::kHeading},
        whirl_table("modes", modes, name_of, true)}};
   const bool several = analysis.rubs.size() > 1;
   section.add(

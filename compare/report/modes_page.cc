@@ -189,13 +189,15 @@ std::string modes_page(const scene::Scene& scene, const Campbell& campbell) {
   json rotor = rotor_data(scene, campbell);
   rotor["stiffness"] = stiffness_data(scene);
   const json loops = loop_plots(analysis);
-  const char* lead =
+  constexpr const char* lead =
       "Small whirl of the rotor in its bearings, without contact: eigenvalues of the gyroscopic "
-      "system with external and rotating damping, at a constant spin speed. Forward whirl turns "
+      "system with external and rotating damping, at a constant spin speed.{} Forward whirl turns "
       "with the spin, backward whirl against it.";
-  json parts = {{{"cards", cards_of(scene, analysis)}},
-                {{"lead", lead}},
-                {{"class", "plots"}, {"parts", {{{"plots", "rotor"}}}}}};
+  json parts = {
+      {{"cards", cards_of(scene, analysis)}},
+      {{"lead", fmt::format(lead, analysis.shapes ? " The shaft is not truncated to the modes kept."
+                                                  : "")}},
+      {{"class", "plots"}, {"parts", {{{"plots", "rotor"}}}}}};
   if (!loops.empty()) parts.push_back({{"class", "plots"}, {"parts", loop_parts(loops)}});
   json sheets = page_json(found);
   const json peaks = page_json(result::Section{.parts = peak_parts(rotor.at("bode"))});
