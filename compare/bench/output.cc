@@ -153,6 +153,7 @@ Table levels_table(const SceneBench& bench) {
                     .seen = in_headline(level) ? result::kAll : result::kNotTerminal};
     if (level.engines.empty()) {
       row.items.push_back({.text = "no engine reaches it"});
+      if (!level.judged) row.note = {.text = "at the reference's own error", .seen = result::kPage};
     } else {
       const Best& first = level.engines.front();
       const Tone tone = *native_is_fastest(level) ? Tone::kGood : Tone::kBad;

@@ -40,8 +40,7 @@ TEST(ResultPage, HasTheTextsOfATable) {
 }
 
 TEST(ResultPage, HasHeadingsThatTheTerminalLeavesOut) {
-  const Table table{
-      .columns = {{.heading = "Hz", .width = 5}}, .rows = {{.items = {{2}}}}, .headed = false};
+  const Table table{.columns = {{.width = 5, .title = "Hz"}}, .rows = {{.items = {{2}}}}};
   EXPECT_EQ(text_of({.parts = {table}}), "    2\n");
   EXPECT_EQ(page_json({.parts = {table}})[0]["columns"][0]["text"], "Hz");
 }
