@@ -136,6 +136,15 @@ bool collides_pairs(const Model* m) {
   return true;
 }
 
+// The type of both ends of each equality, mjtObj; before 3.3 it follows from the equality's type.
+template <typename Model>
+const int* equality_end_types(const Model* m) {
+  if constexpr (requires { m->eq_objtype; })
+    return m->eq_objtype;
+  else
+    return m->eq_type;
+}
+
 // The body of an end of a <connect> or <weld>. Since 3.3 both ends may be sites.
 template <typename Model>
 int equality_body(const Model* m, int equality, int end) {
