@@ -14,6 +14,7 @@
 #include "compare/commands/options.h"
 #include "compare/commands/parser_text.h"
 #include "compare/commands/terminal.h"
+#include "native_model/control/library_file.h"
 #include "native_model/scene/diagnostic.h"
 #include "native_model/scene/text.h"
 
@@ -184,6 +185,9 @@ CommandLine::Request CommandLine::parse(const std::vector<Command>& commands,
   }
   for (const Command& command : commands) {
     if (!command.app->parsed()) continue;
+    const CLI::Option* allow = command.app->get_option_no_throw("--allow-library");
+    if (!allow) set_scene_libraries(SceneLibraries::kLeftOut);
+    if (allow && allow->count() > 0) set_scene_libraries(SceneLibraries::kAllowed);
     if (const std::string wrong = empty_value(*command.app); !wrong.empty())
       throw UsageError(wrong);
     return {&command, kDone};
