@@ -3,7 +3,6 @@
 #include <fmt/format.h>
 #include <unistd.h>
 
-#include <cassert>
 #include <cerrno>
 #include <csignal>
 #include <cstdio>
@@ -211,12 +210,6 @@ void check_twins(int twins) {
   constexpr int kMost = 10'000;
   if (twins >= 0 && twins <= kMost) return;
   throw UsageError("--twins {}: accepted is 0 to {}; 0 leaves the spread out", twins, kMost);
-}
-
-scene::ContactModel contact_model_of(const std::string& name) {
-  const auto model = scene::contact_model(name);
-  assert(model);
-  return *model;
 }
 
 void say_failure(const scene::Scene& scene, const std::string& what, const Trajectory& trajectory) {

@@ -97,8 +97,6 @@ void note_unitless_speed(const std::string& option, const std::string& text);
 double tolerance_of(const std::string& text);
 // Throws UsageError for a number of twins that is invalid or larger than useful.
 void check_twins(int twins);
-// "rigid", "coulomb", "cone"; asserts that the name is valid.
-scene::ContactModel contact_model_of(const std::string& name);
 
 // A subcommand of the program. The action runs after parsing and returns the exit code.
 using Action = std::function<int()>;

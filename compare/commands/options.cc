@@ -79,6 +79,4 @@ Option add_flag(CLI::App& command, const char* names, bool& value, const std::st
   return command.add_flag(names, value, words);
 }
 
-Option get_option(CLI::App& command, const char* name) { return command.get_option(name); }
-
 }  // namespace rotorub

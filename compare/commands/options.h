@@ -66,7 +66,4 @@ Option add_value(CLI::App& command, const char* names, Value& value, const char*
 // An option without a value; "!--no-NAME" sets false.
 Option add_flag(CLI::App& command, const char* names, bool& value, const std::string& words);
 
-// An option that was added before, "--measured".
-Option get_option(CLI::App& command, const char* name);
-
 }  // namespace rotorub
