@@ -92,8 +92,6 @@ const Reference& References::at(double step, double window_step) {
         fmt::format("{}: the native model, which settings are judged against, ended early ({}): {}",
                     scene_.name, rotorub::to_string(original.status), original.message));
   }
-  Reference reference{metrics(original, {}), {}};
-
   TwinParameters parameters;
   parameters.count = twins_;
   parameters.step = step;
@@ -101,8 +99,9 @@ const Reference& References::at(double step, double window_step) {
   parameters.interrupt = interrupt_;
   const double threshold = kDivergenceShare * smallest_clearance(scene_).value();
   const Twins twins = run_twins(*engine, scene, original, threshold, parameters);
-  for (const Figure& f : figures())
-    reference.samples.push_back(figure_sample(f, reference.metrics, twins.metrics));
+  Reference reference;
+  reference.metrics = metrics(original, {});
+  reference.samples = figure_samples(reference.metrics, twins.metrics);
   return known_.emplace(key, std::move(reference)).first->second;
 }
 
