@@ -158,22 +158,19 @@ Judge judge_by(References& references, double tolerance) {
 void time_again(std::vector<JudgedSetting>& settings, const Runner& run,
                 const bench::TimingParameters& parameters, const std::atomic<bool>* interrupt) {
   const double best = best_cost(settings);
-  std::vector<std::function<double()>> jobs;
-  std::vector<double> estimates;
-  std::vector<JudgedSetting*> timed;
+  std::vector<bench::TimedJob> jobs;
   for (JudgedSetting& s : settings) {
     const auto cost = s.cost();
     if (!cost || !s.failure.empty() || *cost > kNear * best || *cost < best / kNear) continue;
     jobs.push_back(
-        [&run, setting = s.setting] { return run(setting, setting.step).metrics.us_per_step; });
-    estimates.push_back(*cost);
-    timed.push_back(&s);
+        {[&run, setting = s.setting] { return run(setting, setting.step).metrics.us_per_step; },
+         *cost,
+         [&s](const bench::WallTime& time) {
+           if (time.repeats > 0) s.us_per_step = time.median;
+         }});
   }
-  const auto times = bench::interleaved(
-      jobs, estimates, parameters, [](double, const std::string&) {}, interrupt);
-  for (std::size_t k = 0; k < timed.size(); ++k) {
-    if (times[k].repeats > 0) timed[k]->us_per_step = times[k].median;
-  }
+  bench::interleaved(
+      std::move(jobs), parameters, [](double, const std::string&) {}, interrupt);
 }
 
 // From runs at the step, a half and a quarter of it (compare/metrics/extrapolation.h).
