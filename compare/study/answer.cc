@@ -112,15 +112,6 @@ std::vector<AnswerRow> sentence_rows(const SceneComparison& c) {
   return rows;
 }
 
-std::string answer_sentence(const SceneComparison& c) {
-  std::string text;
-  for (const AnswerRow& row : sentence_rows(c)) {
-    text += fmt::format("{}{}: {}{}", text.empty() ? "" : "; ", row.question, row.verdict.word,
-                        row.plain.empty() ? "" : " (" + row.plain + ")");
-  }
-  return text + ".";
-}
-
 std::string whose_verdict(const SceneComparison& c) {
   if (c.status() != Status::kOk) return "The exit code is 3: a run did not come to its end.";
   if (c.models.empty()) return "";

@@ -35,13 +35,10 @@ std::vector<AnswerRow> answer(const SceneComparison& comparison);
 // The models in the order of kContactKinds.
 std::vector<const ComparedModel*> reading_order(const SceneComparison& comparison);
 
-// The rows of the answer sentence, in reading order: all except the one with MuJoCo's default
-// solref.
+// The rows of the sentence that answers the question, in reading order: all except the one with
+// MuJoCo's default solref. "MuJoCo alone: no (lasting contact 0 % instead of 99 %); with the
+// corrected cone: averages only (...); with the rigid law: yes."
 std::vector<AnswerRow> sentence_rows(const SceneComparison& comparison);
-
-// "MuJoCo alone: no (lasting contact 0 % instead of 99 %); with the corrected cone: averages only
-// (...); with the rigid law: yes."
-std::string answer_sentence(const SceneComparison& comparison);
 
 // A sentence on which contact model determines the exit code, and its result.
 std::string whose_verdict(const SceneComparison& comparison);
