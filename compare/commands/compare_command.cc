@@ -143,7 +143,7 @@ int exit_code(const std::vector<SceneComparison>& comparisons) {
   for (const SceneComparison& c : comparisons) {
     const int run = exit_code_of(c.status());
     if (run != kDone) {
-      for (const Side& side : c.sides) say_failure(c.scene, side.label + ": ", side.trajectory);
+      for (const Side* side : c.sides()) say_failure(c.scene, side->label + ": ", side->trajectory);
       return run;
     }
     if (!c.within()) code = kOutside;
