@@ -28,11 +28,6 @@ const SceneComparison& short_comparison() {
   return comparison;
 }
 
-const Side& side(const std::string& label) {
-  const auto sides = short_comparison().sides();
-  return **std::ranges::find(sides, label, &Side::label);
-}
-
 const ComparedModel& difference(const std::string& label) {
   return *std::ranges::find_if(short_comparison().models,
                                [&](const ComparedModel& m) { return m.run.label == label; });
