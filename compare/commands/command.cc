@@ -27,7 +27,8 @@ namespace rotorub {
 
 namespace {
 
-// What is wrong with the file of --controller. Newcomers often give the source of a library.
+// The reason why the file of --controller is no library; empty if it may be one. Newcomers often
+// give its source.
 std::string no_library(const std::string& file) {
   std::error_code none;
   if (!std::filesystem::exists(file, none)) return scene::printable(file) + ": no such file";

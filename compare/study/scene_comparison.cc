@@ -111,7 +111,8 @@ class Comparison {
   std::shared_ptr<const CommandRecord> commands(const Contestant& who, std::size_t rung = 0) const {
     return result_.commands ? who.tapes[rung].record() : nullptr;
   }
-  // Of the decider, for the native run that is shown.
+  // The commands of the deciding model, which drive the native run that is shown; null if nothing
+  // is replayed.
   std::shared_ptr<const CommandRecord> replayed_commands() const {
     return replays() ? commands(decider()) : nullptr;
   }
