@@ -5,6 +5,7 @@
 #include <cstdlib>
 #include <filesystem>
 #include <iostream>
+#include <memory>
 #include <new>
 #include <stdexcept>
 #include <string>
@@ -84,8 +85,8 @@ int run(const Action& action) {
 }
 
 int rotorub_main(const std::vector<std::string>& arguments) {
-  CommandLine line;
-  CLI::App& program = line.program();
+  const std::shared_ptr<CLI::App> whole = new_program();
+  CLI::App& program = *whole;
   const std::vector<Command> commands{
       add_init_command(program),     add_run_command(program),   add_compare_command(program),
       add_modes_command(program),    add_mjcf_command(program),  add_fmu_command(program),
@@ -94,12 +95,11 @@ int rotorub_main(const std::vector<std::string>& arguments) {
       add_identify_command(program), add_plot_command(program),  add_schema_command(program),
       add_manual_command(program)};
   return run([&]() -> int {
-    const CommandLine::Request request = line.parse(commands, arguments);
-    if (!request.command) return request.code;
+    const Action action = parse(program, commands, arguments);
     catch_interrupts();
     // A file larger than `ulimit -f` then causes a write error, which is reported.
     std::signal(SIGXFSZ, SIG_IGN);
-    return request.command->action();
+    return action();
   });
 }
 

@@ -49,6 +49,10 @@ bool for_each_part(const mjModel* m, Action action) {
                        count(m->nnumeric),
                        count(m->neq),
                        count(m->ntendon),
+                       count(m->nwrap),
+                       count(m->nsite),
+                       collides_freely(m),
+                       collides_pairs(m),
                        count(instances.size()),
                        count(attributes.size())};
   const auto part = [&action](const auto* data, auto n) {
@@ -79,7 +83,13 @@ bool for_each_part(const mjModel* m, Action action) {
          part(m->pair_dim, m->npair) && part(m->pair_margin, m->npair) &&
          part(m->pair_gap, m->npair) && part(m->pair_solref, mjNREF * m->npair) &&
          part(m->jnt_limited, m->njnt) && part(m->dof_frictionloss, m->nv) &&
-         part(m->tendon_limited, m->ntendon) && part(m->tendon_frictionloss, m->ntendon);
+         part(m->tendon_limited, m->ntendon) && part(m->tendon_frictionloss, m->ntendon) &&
+         part(m->tendon_adr, m->ntendon) && part(m->tendon_num, m->ntendon) &&
+         part(m->wrap_type, m->nwrap) && part(m->wrap_objid, m->nwrap) &&
+         part(m->site_bodyid, m->nsite) &&
+         part(m->geom_contype, m->ngeom) && part(m->geom_conaffinity, m->ngeom) &&
+         part(m->eq_type, m->neq) && part(equality_end_types(m), m->neq) &&
+         part(m->eq_obj1id, m->neq) && part(m->eq_obj2id, m->neq);
   // clang-format on
 }
 

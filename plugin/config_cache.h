@@ -19,8 +19,8 @@ const Config* find_config(const mjModel* m, const mjData* d);
 const Config* find_config_checked(const mjModel* m, const mjData* d);
 
 // The data by which an mjModel is recognised; models with the same bytes are mapped in the same
-// way. They are sizes, custom text and numbers, names, types and addresses, and the numbers that
-// decide who solves a pair.
+// way. They are sizes, custom text and numbers, names, types and addresses, the numbers that decide
+// who solves a pair, and what equalities, tendons and contact filters connect.
 std::string fingerprint(const mjModel* m);
 bool has_fingerprint(const mjModel* m, const std::string& kept);
 

@@ -24,6 +24,7 @@
 #include "plugin/model_parameters.h"
 #include "plugin/own/own_config.h"
 #include "plugin/own/own_names.h"
+#include "plugin/own/pair_checks.h"
 #include "plugin/shadow.h"
 
 namespace rotorub::plugin {
@@ -261,6 +262,9 @@ Config generated_config(const mjModel* m) {
              "MuJoCo's cone has one coefficient for all slips, and the scene's friction depends on "
              "the slip; accepted: rigid, coulomb");
     }
+    Refusals refusals;
+    for (const ContactPair& pair : config.pairs) check_solved_part(m, pair, refusals);
+    refusals.raise();
     if (!config.segments) choose_path(m, config);
     if (config.takes_native_steps()) config.loop_data = verlet_loop_data(config);
     check_impacts(scene, config);

@@ -27,10 +27,6 @@ std::string time_text(double seconds) {
   return fmt::format("{:.6g} s", seconds);
 }
 
-std::string column_heading(const std::string& label) {
-  return label == "cone-default" ? "" : label == "cone-coulomb" ? "cone-c" : label;
-}
-
 std::string wrapped(const std::string& lead, const std::string& sentence,
                     std::optional<std::size_t> indent) {
   const std::size_t margin = indent.value_or(lead.size());

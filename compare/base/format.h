@@ -14,10 +14,6 @@ std::string percent_text(double share);
 // A time with a fitting unit: "10 µs", "0.5 s".
 std::string time_text(double seconds);
 
-// The heading of a run's column in a terminal's table. Empty for a run without a column, such as
-// MuJoCo with default settings, which has a row in the answer and a column in the report.
-std::string column_heading(const std::string& label);
-
 inline constexpr std::size_t kTerminalWidth = 80;
 // Wraps a sentence into lines of at most kTerminalWidth. The first line begins with `lead`; the
 // others are indented, by default to its width.

@@ -50,6 +50,8 @@ bool TableText::next() {
   std::string_view line;
   if (!next_line(line)) return false;
   row_ = fields_of(line, separator_);
+  // Some programs end each row with a separator.
+  if (row_.size() == header_.size() + 1 && row_.back().empty()) row_.pop_back();
   return true;
 }
 

@@ -12,7 +12,8 @@ namespace rotorub {
 using Fields = std::vector<std::string>;
 
 // Fields are separated by tabs or semicolons if the header contains one, otherwise by commas, and
-// have neither surrounding blanks nor double quotes. A separator within quotes does not count.
+// have neither surrounding blanks nor double quotes. A separator within quotes does not count,
+// nor does one at the end of a row.
 // Empty lines and lines that begin with # are skipped.
 class TableText {
  public:

@@ -180,47 +180,39 @@ WallTime wall_time(std::vector<double> seconds) {
   return {median, seconds.front(), seconds.back(), static_cast<int>(n)};
 }
 
-std::vector<WallTime> interleaved(const std::vector<std::function<double()>>& jobs,
-                                  const std::vector<double>& estimates,
-                                  const TimingParameters& parameters, const Progress& progress,
-                                  const std::atomic<bool>* interrupt) {
-  std::vector<std::vector<double>> seconds(jobs.size());
+void interleaved(std::vector<TimedJob> jobs, const TimingParameters& parameters,
+                 const Progress& progress, const std::atomic<bool>* interrupt) {
   double whole = 1e-12, done = 0.0;
-  for (const double t : estimates) whole += t * repeats_of(t, parameters);
+  for (const TimedJob& job : jobs) whole += job.estimate * repeats_of(job.estimate, parameters);
   for (int round = 0; round < parameters.repeats; ++round) {
-    for (std::size_t k = 0; k < jobs.size() && !stopped(interrupt); ++k) {
-      if (round >= repeats_of(estimates[k], parameters)) continue;
-      const double taken = jobs[k]();
+    for (TimedJob& job : jobs) {
+      if (round >= repeats_of(job.estimate, parameters) || stopped(interrupt)) continue;
+      const double taken = job.run();
       if (stopped(interrupt)) break;  // do not count an interrupted run
-      seconds[k].push_back(taken);
-      done += estimates[k];
+      job.seconds.push_back(taken);
+      done += job.estimate;
       progress(std::min(1.0, done / whole), "times");
     }
   }
-  std::vector<WallTime> times;
-  for (const auto& all : seconds) times.push_back(all.empty() ? WallTime{} : wall_time(all));
-  return times;
+  for (const TimedJob& job : jobs)
+    job.keep(job.seconds.empty() ? WallTime{} : wall_time(job.seconds));
 }
 
 void timing_pass(std::vector<Point>& points, const TimingParameters& parameters,
                  const Progress& progress, const std::atomic<bool>* interrupt) {
-  std::vector<std::function<double()>> jobs;
-  std::vector<double> estimates;
-  std::vector<Point*> timed;
+  std::vector<TimedJob> jobs;
   for (Point& point : points) {
     if (!point.finished()) continue;
     RunRequest request;
     request.step = point.setting.step;
     request.output_times = std::vector<double>{};
     request.interrupt = interrupt;
-    jobs.push_back([setting = point.setting, request] {
-      return setting.runner->run(*setting.scene, request).wall_s;
-    });
-    estimates.push_back(point.recorded_wall);
-    timed.push_back(&point);
+    jobs.push_back({[setting = point.setting, request] {
+                      return setting.runner->run(*setting.scene, request).wall_s;
+                    },
+                    point.recorded_wall, [&point](const WallTime& wall) { point.wall = wall; }});
   }
-  const auto times = interleaved(jobs, estimates, parameters, progress, interrupt);
-  for (std::size_t k = 0; k < timed.size(); ++k) timed[k]->wall = times[k];
+  interleaved(std::move(jobs), parameters, progress, interrupt);
 }
 
 }  // namespace rotorub::bench

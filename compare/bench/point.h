@@ -81,12 +81,16 @@ struct TimingParameters {
 // Number of repeats of a job that takes `seconds`.
 int repeats_of(double seconds, const TimingParameters& parameters);
 
-// Calls every job (which returns its time, s) as often as needed, in turns: job 1, 2, 3, 1, 2, 3,
-// ..., so that a slow phase of the computer affects all jobs. estimates: s, one per job.
-std::vector<WallTime> interleaved(const std::vector<std::function<double()>>& jobs,
-                                  const std::vector<double>& estimates,
-                                  const TimingParameters& parameters, const Progress& progress,
-                                  const std::atomic<bool>* interrupt);
+struct TimedJob {
+  std::function<double()> run;                // returns its time, s
+  double estimate = 0.0;                      // s
+  std::function<void(const WallTime&)> keep;  // called at the end
+  std::vector<double> seconds{};              // of its runs
+};
+// Runs every job as often as needed, in turns: job 1, 2, 3, 1, 2, 3, ..., so that a slow phase of
+// the computer affects all jobs.
+void interleaved(std::vector<TimedJob> jobs, const TimingParameters& parameters,
+                 const Progress& progress, const std::atomic<bool>* interrupt);
 
 // Times the points that reached their end.
 void timing_pass(std::vector<Point>& points, const TimingParameters& parameters,

@@ -2,9 +2,7 @@
 
 #include <fmt/format.h>
 
-#include <cstdio>
 #include <filesystem>
-#include <iostream>
 #include <memory>
 
 #include "compare/base/json.h"
@@ -17,7 +15,6 @@
 #include "compare/report/bench_page.h"
 #include "compare/report/beside.h"
 #include "compare/result/result.h"
-#include "native_model/scene/reader.h"
 #include "native_model/trajectory/output.h"
 
 namespace rotorub {
@@ -33,9 +30,7 @@ struct BenchArguments : CommonOptions {
 
 bench::BenchParameters bench_parameters(const BenchArguments& options) {
   bench::BenchParameters p;
-  if (options.repeats < 1) {
-    throw UsageError(fmt::format("--repeats {}: accepted is 1 or more", options.repeats));
-  }
+  if (options.repeats < 1) refuse("--repeats", std::to_string(options.repeats), "1 or more");
   p.timing.repeats = options.repeats;
   if (!options.steps.empty()) p.ladder.steps = bench::parse_steps(options.steps);
   if (!options.tolerances.empty()) {
@@ -46,21 +41,13 @@ bench::BenchParameters bench_parameters(const BenchArguments& options) {
   return p;
 }
 
-bench::SceneReader reader_of(const BenchArguments& options, const std::string& file) {
-  return [options, file](const std::vector<std::string>& further) {
-    BenchArguments with = options;
-    with.overrides.insert(with.overrides.end(), further.begin(), further.end());
-    return read_scene(file, with);
-  };
-}
-
 // Reports the errors of all scenes before an hour is spent on the first.
 void check_scenes(const BenchArguments& options) {
   read_each(options.scenes, [&](const std::string& file) {
     if (read_scene(file, options).first().contact) return;
-    throw UsageError(fmt::format(
+    throw UsageError(
         "{}: levels of error are shares of contact.clearance; accepted is a scene with [contact]",
-        file));
+        file);
   });
 }
 
@@ -71,9 +58,8 @@ void write_results(const BenchArguments& options, const bench::Machine& machine,
   write_whole(folder / kBenchFile,
               json_text(json_of(bench::result_of(machine, benches, restitution))));
   write_whole(folder / kBenchPage, bench_page(machine, benches, restitution));
-  if (!options.json && !options.quiet) {
-    fmt::print("\nwritten to {}: bench.html, bench.json\n", printable_path(options.folder));
-  }
+  say(options,
+      fmt::format("\nwritten to {}: bench.html, bench.json\n", printable_path(options.folder)));
 }
 
 int run_bench(const BenchArguments& options) {
@@ -82,21 +68,15 @@ int run_bench(const BenchArguments& options) {
   check_output_folder(options.folder, {kBenchFile, kBenchPage});
   if (!options.quiet && options.engines.empty()) fmt::print(stderr, "{}", bench::missing_text());
   ProgressBar bar(options.quiet);
-  const auto count = static_cast<double>(options.scenes.size());
   std::vector<bench::SceneBench> benches;
-  for (std::size_t k = 0; k < options.scenes.size() && !interrupted(); ++k) {
-    const auto progress = [&](double share, const std::string& what) {
-      bar.show((static_cast<double>(k) + share) / count, options.scenes[k] + ": " + what);
-    };
-    benches.push_back(bench::bench_scene(reader_of(options, options.scenes[k]), parameters,
-                                         progress, &interrupted()));
+  for (std::size_t k = 0; k < options.scenes.size(); ++k) {
+    const std::string& file = options.scenes[k];
+    benches.push_back(bench::bench_scene(scene_reader(file, options), parameters,
+                                         bar.part(k, options.scenes.size(), file), &interrupted()));
     bar.clear();
     // The medians of an interrupted bench would come from fewer repeats.
     if (interrupted()) throw Interrupted();
-    if (!options.json && !options.quiet) {
-      fmt::print("{}{}", k > 0 ? "\n" : "", text_of(bench::scene_section(benches.back())));
-      std::fflush(stdout);
-    }
+    say(options, (k > 0 ? "\n" : "") + text_of(bench::scene_section(benches.back())));
   }
   const bench::Machine machine = bench::this_machine();
   std::vector<bench::RestitutionRow> restitution;
@@ -107,8 +87,8 @@ int run_bench(const BenchArguments& options) {
     if (interrupted()) throw Interrupted();
     write_results(options, machine, benches, restitution);
   }
-  if (options.json)
-    std::cout << json_text(json_of(bench::result_of(machine, benches, restitution)));
+  // People have read the results of each scene.
+  if (options.json) finish(bench::result_of(machine, benches, restitution), options);
   return kDone;
 }
 

@@ -13,7 +13,7 @@
 #include "compare/commands/terminal.h"
 #include "compare/report/beside.h"
 #include "compare/result/result.h"
-#include "native_model/control/library.h"
+#include "native_model/control/library_file.h"
 #include "native_model/scene/reader.h"
 #include "native_model/trajectory/output.h"
 
@@ -92,14 +92,12 @@ int run_check(const CheckArguments& options) {
   ProgressBar bar(options.quiet);
   std::vector<check::Case> cases;
   for (std::size_t k = 0; k < scenes.size(); ++k) {
-    const auto progress = [&](double share, const std::string& engine) {
-      bar.show((static_cast<double>(k) + share) / static_cast<double>(scenes.size()),
-               scenes[k].scene.name + ": " + engine);
-    };
     const CheckedScene& one = scenes[k];
     std::vector<check::Case> own =
-        one.refusal.empty() ? check::check_scene(one.scene, one.rules, progress, &interrupted())
-                            : check::refused_cases(one.scene, one.rules, one.refusal);
+        one.refusal.empty()
+            ? check::check_scene(one.scene, one.rules, bar.part(k, scenes.size(), one.scene.name),
+                                 &interrupted())
+            : check::refused_cases(one.scene, one.rules, one.refusal);
     cases.insert(cases.end(), own.begin(), own.end());
     if (interrupted()) throw Interrupted();
   }
@@ -108,8 +106,7 @@ int run_check(const CheckArguments& options) {
   if (!options.folder.empty()) {
     write_whole(std::filesystem::path(options.folder) / kCheckFile, json_text(json_of(result)));
   }
-  result::print(result, {options.json, options.quiet, palette_of(stdout)});
-  return check::holds(cases) ? kDone : kOutside;
+  return finish(result, options, check::holds(cases) ? kDone : kOutside);
 }
 
 }  // namespace

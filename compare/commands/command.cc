@@ -3,14 +3,13 @@
 #include <fmt/format.h>
 #include <unistd.h>
 
-#include <cassert>
 #include <cerrno>
 #include <csignal>
+#include <cstdio>
 #include <filesystem>
 #include <iostream>
 #include <optional>
 #include <set>
-#include <stdexcept>
 #include <system_error>
 
 #include "compare/commands/options.h"
@@ -28,8 +27,13 @@ namespace rotorub {
 
 namespace {
 
-// Newcomers often give the source of a library.
-std::string refuse_source(const std::string& file) {
+// The reason why the file of --controller is no library; empty if it may be one. Newcomers often
+// give its source.
+std::string no_library(const std::string& file) {
+  std::error_code none;
+  if (!std::filesystem::exists(file, none)) return scene::printable(file) + ": no such file";
+  if (std::filesystem::is_directory(file, none))
+    return scene::printable(file) + ": is a folder; accepted is a file";
   const std::string suffix = std::filesystem::path(file).extension().string();
   const std::string library = std::filesystem::path(file).stem().string() + ".so";
   if (suffix == ".c" || suffix == ".cc" || suffix == ".cpp") {
@@ -45,6 +49,10 @@ std::string refuse_source(const std::string& file) {
 }
 
 }  // namespace
+
+void refuse(std::string_view option, std::string_view value, std::string_view accepted) {
+  throw UsageError("{} {}: accepted is {}", option, value, accepted);
+}
 
 void add_common_options(CLI::App& command, CommonOptions& options) {
   add_value(command, "--set", options.overrides, "TABLE.KEY=VALUE",
@@ -62,20 +70,14 @@ void add_run_options(CLI::App& command, CommonOptions& options) {
 void add_controller_option(CLI::App& command, CommonOptions& options) {
   add_value(command, "--controller", options.controller, "FILE.so",
             "Your own controller, a shared library, instead of the scene's")
-      .existing_file()
-      .check(refuse_source)
+      .check(no_library)
       .each([](const std::string& file) { allow_library(std::filesystem::absolute(file)); });
   add_allow_library_option(command, options);
 }
 
 void add_allow_library_option(CLI::App& command, CommonOptions& options) {
-  add_flag_callback(
-      command, "--allow-library",
-      [&options] {
-        options.allow_library = true;
-        set_scene_libraries(SceneLibraries::kAllowed);
-      },
-      "Open the library that the scene names as its controller, if you trust its code");
+  add_flag(command, "--allow-library", options.allow_library,
+           "Open the library that the scene names as its controller, if you trust its code");
 }
 
 void add_format_option(CLI::App& command, std::string& format) {
@@ -90,7 +92,7 @@ hdf5::ImageOf hdf5_of(const std::string& format) {
   if (format != "hdf5") return nullptr;
   std::string missing;
   const hdf5::ImageOf image_of = hdf5::load(missing);
-  if (!image_of) throw UsageError(fmt::format("--format hdf5: {}", missing));
+  if (!image_of) throw UsageError("--format hdf5: {}", missing);
   return image_of;
 }
 
@@ -132,6 +134,15 @@ scene::Scene read_scene(const std::string& file, const CommonOptions& options) {
   return scene;
 }
 
+std::function<scene::Scene(const std::vector<std::string>&)> scene_reader(
+    const std::string& file, const CommonOptions& options) {
+  return [&options, file](const std::vector<std::string>& further) {
+    CommonOptions with = options;
+    with.overrides.insert(with.overrides.end(), further.begin(), further.end());
+    return read_scene(file, with);
+  };
+}
+
 void read_each(const std::vector<std::string>& files,
                const std::function<void(const std::string&)>& read) {
   std::vector<scene::Diagnostic> wrong;
@@ -149,16 +160,14 @@ OwnRun own_run(const CommonOptions& options) {
   for (const std::string& text : options.overrides) {
     if (scene::override_key(text).starts_with("controller.")) continue;
     throw UsageError(
-        fmt::format("--set {}: is for scenes; a machine of your own has its values in its .xml; "
-                    "accepted for it: keys of the controller on its ring, as "
-                    "controller.sample_time",
-                    text));
+        "--set {}: is for scenes; a machine of your own has its values in its .xml; accepted for "
+        "it: keys of the controller on its ring, as controller.sample_time",
+        text);
   }
   const auto time = [](const char* flag, const std::string& text) {
     const std::string accepted = "a time above 0, as 10us or 0.5s";
     const double value = quantity_of(flag, text, scene::kTime, accepted);
-    if (!(value > 0.0))
-      throw UsageError(fmt::format("{} {}: accepted is {}", flag, text, accepted));
+    if (!(value > 0.0)) refuse(flag, text, accepted);
     return value;
   };
   OwnRun run;
@@ -172,9 +181,9 @@ double quantity_of(const std::string& option, const std::string& text,
                    const scene::Quantity& quantity, const std::string& accepted) {
   const auto parsed = scene::parse_quantity(text, quantity);
   if (parsed.error.empty()) return parsed.value;
-  throw UsageError(fmt::format("{} {}: {}{}", option, scene::printable(text),
-                               accepted.empty() ? "" : "accepted is ",
-                               accepted.empty() ? parsed.error : accepted));
+  throw UsageError("{} {}: {}{}", option, scene::printable(text),
+                   accepted.empty() ? "" : "accepted is ",
+                   accepted.empty() ? parsed.error : accepted);
 }
 
 void note_unitless_speed(const std::string& option, const std::string& text) {
@@ -188,13 +197,12 @@ void note_unitless_speed(const std::string& option, const std::string& text) {
 double tolerance_of(const std::string& text) {
   const std::string accepted = "a share of 0 or more, as 1% or 0.01";
   const double value = quantity_of("--tolerance", text, scene::kPure, accepted);
-  if (!(value >= 0.0))
-    throw UsageError(fmt::format("--tolerance {}: accepted is {}", text, accepted));
+  if (!(value >= 0.0)) refuse("--tolerance", text, accepted);
   if (value >= 1.0 && text.find('%') == std::string::npos) {
     throw UsageError(
-        fmt::format("--tolerance {0}: a bare number is a share, and {0} would be {1:.6g} %; "
-                    "accepted is \"{0}%\" or {2:.6g}",
-                    text, 100.0 * value, 0.01 * value));
+        "--tolerance {0}: a bare number is a share, and {0} would be {1:.6g} %; accepted is "
+        "\"{0}%\" or {2:.6g}",
+        text, 100.0 * value, 0.01 * value);
   }
   return value;
 }
@@ -202,14 +210,7 @@ double tolerance_of(const std::string& text) {
 void check_twins(int twins) {
   constexpr int kMost = 10'000;
   if (twins >= 0 && twins <= kMost) return;
-  throw UsageError(
-      fmt::format("--twins {}: accepted is 0 to {}; 0 leaves the spread out", twins, kMost));
-}
-
-scene::ContactModel contact_model_of(const std::string& name) {
-  const auto model = scene::contact_model(name);
-  assert(model);
-  return *model;
+  throw UsageError("--twins {}: accepted is 0 to {}; 0 leaves the spread out", twins, kMost);
 }
 
 void say_failure(const scene::Scene& scene, const std::string& what, const Trajectory& trajectory) {
@@ -226,7 +227,7 @@ namespace {
 namespace fs = std::filesystem;
 
 [[noreturn]] void refuse_place(const fs::path& place, const std::string& reason) {
-  throw UsageError(fmt::format("cannot write to {}: {}", place.string(), reason));
+  throw UsageError("cannot write to {}: {}", place.string(), reason);
 }
 
 // Throws unless the folder, or its nearest existing parent, accepts new files.
@@ -249,7 +250,7 @@ void check_folder(const fs::path& folder) {
 std::optional<fs::path> folder_of_output(const fs::path& file) {
   std::error_code none;
   if (!file.has_filename() || fs::is_directory(file, none)) {
-    throw UsageError(fmt::format("{}: is a folder; accepted is the name of a file", file.string()));
+    throw UsageError("{}: is a folder; accepted is the name of a file", file.string());
   }
   if (!fs::exists(file, none)) return file.parent_path();
   if (access(file.c_str(), W_OK) != 0) refuse_place(file, std::generic_category().message(errno));
@@ -280,6 +281,30 @@ void write_or_print(const std::string& file, const std::string& text) {
     check_output_file(file);
     write_whole(file, text);
   }
+}
+
+int finish(const result::Section& result, const PrintOptions& options, int code) {
+  result::print(result, {options.json, options.quiet, palette_of(stdout)});
+  return code;
+}
+
+void say(const PrintOptions& options, const std::string& words) {
+  if (options.json || options.quiet) return;
+  fmt::print("{}", words);
+  std::fflush(stdout);
+}
+
+result::Sentence written_to(const fs::path& place) {
+  return result::line(fmt::format("written to {}", printable_path(place)));
+}
+
+Trajectory run_shown(const Engine& engine, const scene::Scene& scene, const std::string& what,
+                     bool quiet) {
+  ProgressBar bar(quiet);
+  RunRequest request;
+  request.interrupt = &interrupted();
+  request.progress = [&](double share) { bar.show(share, what); };
+  return engine.run(scene, request);
 }
 
 int exit_code_of(Status status) {
@@ -328,15 +353,9 @@ const std::atomic<bool>& interrupted() { return interrupt_flag; }
 int interrupting_signal() { return caught_signal.load(); }
 
 StoredRun stored_run(const std::string& folder) {
-  try {
-    StoredRun run = read_run(folder);
-    check_series(run.trajectory, folder + "/series.csv");
-    return run;
-  } catch (const scene::SceneError&) {
-    throw;
-  } catch (const std::runtime_error& error) {
-    throw UsageError(error.what());
-  }
+  StoredRun run = read_run(folder);
+  check_series(run.trajectory, folder + "/series.csv");
+  return run;
 }
 
 }  // namespace rotorub

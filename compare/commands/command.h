@@ -1,15 +1,21 @@
 // Shared by the subcommands: exit codes, common options, and how they are added to the program.
 #pragma once
 
+#include <fmt/format.h>
+
 #include <atomic>
 #include <filesystem>
 #include <functional>
 #include <stdexcept>
 #include <string>
+#include <string_view>
+#include <utility>
 #include <vector>
 
+#include "compare/engine/engine.h"
 #include "compare/hdf5/module.h"
 #include "compare/own/own_machine.h"
+#include "compare/result/result.h"
 #include "compare/run_files/run_directory.h"
 #include "native_model/scene/scene.h"
 #include "native_model/scene/units.h"
@@ -26,26 +32,37 @@ enum ExitCode { kDone = 0, kOutside = 1, kBadInput = 2, kFailed = 3, kStopped = 
 
 // A mistake on the command line that the parser does not detect: exit code 2.
 class UsageError : public std::runtime_error {
+ public:
   using std::runtime_error::runtime_error;
+  template <class First, class... Rest>
+  UsageError(fmt::format_string<First, Rest...> text, First&& first, Rest&&... rest)
+      : runtime_error(fmt::format(text, std::forward<First>(first), std::forward<Rest>(rest)...)) {}
 };
+// Throws UsageError: "--fps 0: accepted is a number from 1 to 120".
+[[noreturn]] void refuse(std::string_view option, std::string_view value,
+                         std::string_view accepted);
 // The user interrupted the program (SIGINT): exit code 130.
 class Interrupted : public std::runtime_error {
  public:
   Interrupted() : std::runtime_error("interrupted") {}
 };
 
-struct CommonOptions {
+struct PrintOptions {
+  bool json = false, quiet = false;
+};
+
+struct CommonOptions : PrintOptions {
   std::vector<std::string> overrides;  // "table.key=value"
   std::string step, end;               // overrides of run.step and run.end; empty if not given
   std::string controller;              // library that replaces the scene's controller; may be empty
   bool allow_library = false;          // the libraries of scenes may be opened
-  bool json = false, quiet = false;
 };
 
 // --set, --json, --quiet, and --step and --end.
 void add_common_options(CLI::App& command, CommonOptions& options);
 void add_run_options(CLI::App& command, CommonOptions& options);
-// --controller and --allow-library, or only --allow-library.
+// --controller and --allow-library, or only --allow-library. A command without the latter opens no
+// library of a scene.
 void add_controller_option(CLI::App& command, CommonOptions& options);
 void add_allow_library_option(CLI::App& command, CommonOptions& options);
 // --format csv|hdf5
@@ -57,6 +74,9 @@ hdf5::ImageOf hdf5_of(const std::string& format);
 std::vector<std::string> overrides_of(const CommonOptions& options);
 // The scene with all overrides applied, --step and --end last. Throws scene::SceneError.
 scene::Scene read_scene(const std::string& file, const CommonOptions& options);
+// Reads the scene with further overrides, after those of the options, which must outlive it.
+std::function<scene::Scene(const std::vector<std::string>&)> scene_reader(
+    const std::string& file, const CommonOptions& options);
 
 // Reads every file, then throws one scene::SceneError with the errors of all of them, if any.
 void read_each(const std::vector<std::string>& files,
@@ -77,8 +97,6 @@ void note_unitless_speed(const std::string& option, const std::string& text);
 double tolerance_of(const std::string& text);
 // Throws UsageError for a number of twins that is invalid or larger than useful.
 void check_twins(int twins);
-// "rigid", "coulomb", "cone"; asserts that the name is valid.
-scene::ContactModel contact_model_of(const std::string& name);
 
 // A subcommand of the program. The action runs after parsing and returns the exit code.
 using Action = std::function<int()>;
@@ -114,6 +132,18 @@ void check_output_folder(const std::filesystem::path& folder,
                          const std::vector<std::string>& files);
 // Writes to the file, or to standard output if `file` is empty.
 void write_or_print(const std::string& file, const std::string& text);
+
+// Prints the result as JSON or in words, in colours on a terminal, or not at all, and returns the
+// exit code.
+int finish(const result::Section& result, const PrintOptions& options, int code = kDone);
+// Prints words before the result, at once, for people alone.
+void say(const PrintOptions& options, const std::string& words);
+// "written to runs/ring-native"
+result::Sentence written_to(const std::filesystem::path& place);
+
+// Runs the scene with a progress bar. An interrupt ends the run.
+Trajectory run_shown(const Engine& engine, const scene::Scene& scene, const std::string& what,
+                     bool quiet);
 // The exit code for the status of a run.
 int exit_code_of(Status status);
 // Writes to standard error why a run did not reach its end. what: which run of the scene, "shadow:

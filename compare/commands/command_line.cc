@@ -14,6 +14,7 @@
 #include "compare/commands/options.h"
 #include "compare/commands/parser_text.h"
 #include "compare/commands/terminal.h"
+#include "native_model/control/library_file.h"
 #include "native_model/scene/diagnostic.h"
 #include "native_model/scene/text.h"
 
@@ -147,23 +148,22 @@ std::string unknown_command(const std::vector<std::string>& arguments,
   return no_such("command", word, words, meant(word, words));
 }
 
-CommandLine::CommandLine()
-    : program_(std::make_unique<CLI::App>(
-          "A flexible rotor rubbing in an active auxiliary bearing, in MuJoCo and in a "
-          "native rigid-contact model",
-          "rotorub")) {
+std::shared_ptr<CLI::App> new_program() {
+  auto program = std::make_shared<CLI::App>(
+      "A flexible rotor rubbing in an active auxiliary bearing, in MuJoCo and in a native "
+      "rigid-contact model",
+      "rotorub");
   // Before the commands, so that they inherit it.
-  program_->formatter(std::make_shared<HelpFormat>());
-  program_->set_version_flag("--version", version_line());
-  program_->require_subcommand(1);
+  program->formatter(std::make_shared<HelpFormat>());
+  program->set_version_flag("--version", version_line());
+  program->require_subcommand(1);
+  return program;
 }
 
-CommandLine::~CommandLine() = default;
-
-CommandLine::Request CommandLine::parse(const std::vector<Command>& commands,
-                                        std::vector<std::string> arguments) {
+Action parse(CLI::App& program, const std::vector<Command>& commands,
+             std::vector<std::string> arguments) {
   // Set after the commands, so that they do not inherit it.
-  program_->footer("`rotorub help COMMAND` lists the options of a command.");
+  program.footer("`rotorub help COMMAND` lists the options of a command.");
   std::vector<std::string> names;
   for (const Command& command : commands) names.push_back(command.app->get_name());
   arguments = with_help(std::move(arguments));
@@ -176,19 +176,20 @@ CommandLine::Request CommandLine::parse(const std::vector<Command>& commands,
   });
   if (named != commands.end()) set_command_name(first);
   try {
-    program_->parse(std::move(arguments));
+    program.parse(std::move(arguments));
   } catch (const CLI::Success& wish) {
-    return {nullptr, program_->exit(wish, std::cout, std::cerr)};
+    const int code = program.exit(wish, std::cout, std::cerr);
+    return [code] { return code; };
   } catch (const CLI::ParseError& error) {
-    throw UsageError(parser_message(named == commands.end() ? *program_ : *named->app, error));
+    throw UsageError(parser_message(named == commands.end() ? program : *named->app, error));
   }
-  for (const Command& command : commands) {
-    if (!command.app->parsed()) continue;
-    if (const std::string wrong = empty_value(*command.app); !wrong.empty())
-      throw UsageError(wrong);
-    return {&command, kDone};
-  }
-  return {};
+  const auto parsed = std::find_if(commands.begin(), commands.end(),
+                                   [](const Command& command) { return command.app->parsed(); });
+  if (const std::string wrong = empty_value(*parsed->app); !wrong.empty()) throw UsageError(wrong);
+  const CLI::Option* allow = parsed->app->get_option_no_throw("--allow-library");
+  if (!allow) set_scene_libraries(SceneLibraries::kLeftOut);
+  if (allow && allow->count() > 0) set_scene_libraries(SceneLibraries::kAllowed);
+  return parsed->action;
 }
 
 }  // namespace rotorub

@@ -19,28 +19,14 @@ std::vector<std::string> with_help(std::vector<std::string> arguments);
 std::string unknown_command(const std::vector<std::string>& arguments,
                             const std::vector<std::string>& commands);
 
-class CommandLine {
- public:
-  CommandLine();
-  ~CommandLine();
-  CommandLine(const CommandLine&) = delete;
-  CommandLine& operator=(const CommandLine&) = delete;
+// The program, for the functions add_..._command().
+std::shared_ptr<CLI::App> new_program();
 
-  // The program, for the functions add_..._command().
-  CLI::App& program() { return *program_; }
-
-  // The result of parsing.
-  struct Request {
-    const Command* command = nullptr;  // null: nothing to run, exit with `code`
-    int code = kBadInput;
-  };
-  // arguments: without the program's name. Prints help or version if requested. Throws UsageError
-  // for all mistakes; a command that is named leads their messages (set_command_name). Call it
-  // once, after all commands were added.
-  Request parse(const std::vector<Command>& commands, std::vector<std::string> arguments);
-
- private:
-  std::unique_ptr<CLI::App> program_;
-};
+// The action of the command that is named; for help or version, which it prints, an action that
+// returns the exit code. arguments: without the program's name. Throws UsageError for all mistakes;
+// a command that is named leads their messages (set_command_name). Call it once, after all commands
+// were added.
+Action parse(CLI::App& program, const std::vector<Command>& commands,
+             std::vector<std::string> arguments);
 
 }  // namespace rotorub

@@ -2,7 +2,6 @@
 
 #include <fmt/format.h>
 
-#include <cstdio>
 #include <filesystem>
 #include <memory>
 
@@ -67,7 +66,7 @@ Subject read_subject(const std::string& file, const CompareArguments& options) {
   } catch (const std::runtime_error& error) {
     std::string reason = error.what();
     if (reason.starts_with(kPluginLead)) reason.erase(0, kPluginLead.size());
-    throw UsageError(fmt::format("{}: {}", file, reason));
+    throw UsageError("{}: {}", file, reason);
   }
 }
 
@@ -79,8 +78,8 @@ std::vector<Subject> read_subjects(const CompareArguments& options) {
   for (std::size_t a = 0; a < subjects.size(); ++a) {
     for (std::size_t b = a + 1; b < subjects.size(); ++b) {
       if (subjects[a].scene.name == subjects[b].scene.name) {
-        throw UsageError(fmt::format("{} and {} have the same name, which names their results",
-                                     options.scenes[a], options.scenes[b]));
+        throw UsageError("{} and {} have the same name, which names their results",
+                         options.scenes[a], options.scenes[b]);
       }
     }
   }
@@ -89,8 +88,8 @@ std::vector<Subject> read_subjects(const CompareArguments& options) {
 
 MeasuredInput one_measured(const CompareArguments& options) {
   if (!options.measured.empty() && options.scenes.size() > 1) {
-    throw UsageError(fmt::format("--measured: one scene is accepted with it, {} are given",
-                                 options.scenes.size()));
+    throw UsageError("--measured: one scene is accepted with it, {} are given",
+                     options.scenes.size());
   }
   return measured_of(options);
 }
@@ -131,14 +130,10 @@ void find_settings(const CompareArguments& options, double tolerance,
     }
     pages[k].setting =
         setting_sentence(tuned(options.scenes[k], subject.scene, options, tolerance, options.twins,
-                               "", [&](double share, const std::string& what) {
-                                 bar.show(share, subject.scene.name + ": " + what);
-                               }));
+                               "", bar.part(0, 1, subject.scene.name)));
     bar.clear();
-    if (!options.json && !options.quiet) {
-      fmt::print("\n{}: setting to use: {}\n", scene::printable(subject.scene.name),
-                 pages[k].setting);
-    }
+    say(options, fmt::format("\n{}: setting to use: {}\n", scene::printable(subject.scene.name),
+                             pages[k].setting));
   }
 }
 
@@ -148,20 +143,12 @@ int exit_code(const std::vector<SceneComparison>& comparisons) {
   for (const SceneComparison& c : comparisons) {
     const int run = exit_code_of(c.status());
     if (run != kDone) {
-      for (const Side& side : c.sides) say_failure(c.scene, side.label + ": ", side.trajectory);
+      for (const Side* side : c.sides()) say_failure(c.scene, side->label + ": ", side->trajectory);
       return run;
     }
     if (!c.within()) code = kOutside;
   }
   return code;
-}
-
-SceneComparison compared(const scene::Scene& scene, const CompareOptions& how) {
-  try {
-    return compare_scene(scene, how);
-  } catch (const MeasuredError& error) {
-    throw UsageError(fmt::format("{}: {}", scene::printable(how.measured->file), error.what()));
-  }
 }
 
 // Runs and compares the scenes one by one, and writes and prints each. An interrupted comparison is
@@ -178,7 +165,7 @@ std::vector<SceneComparison> compare_all(const CompareArguments& options, double
     how.own = subjects[k].own;
     how.mode = compare_mode_of(options.mode);
     how.tolerance = tolerance;
-    how.contact = !options.contact.empty() ? contact_model_of(options.contact)
+    how.contact = !options.contact.empty() ? scene::contact_model(options.contact).value()
                   : scene.gives()          ? scene::ContactModel::kCoulomb
                                            : kDefaultContact;
     how.twins = options.twins;
@@ -191,15 +178,11 @@ std::vector<SceneComparison> compare_all(const CompareArguments& options, double
       bar.show(work * (static_cast<double>(k) + share) / static_cast<double>(subjects.size()),
                scene.name + ": " + what);
     };
-    SceneComparison c = compared(scene, how);
+    SceneComparison c = with_record(measured, [&] { return compare_scene(scene, how); });
     bar.clear();
     write_runs(options.folder, c, hdf5);
     if (c.interrupted) break;
-    if (!options.json && !options.quiet) {
-      fmt::print("{}{}", k > 0 ? "\n" : "",
-                 result::text_of(comparison_result(c), palette_of(stdout)));
-      std::fflush(stdout);
-    }
+    say(options, (k > 0 ? "\n" : "") + result::text_of(comparison_result(c), palette_of(stdout)));
     comparisons.push_back(std::move(c));
   }
   return comparisons;
@@ -210,7 +193,7 @@ Beside beside_of(const CompareArguments& options) {
   try {
     return read_beside(options.with);
   } catch (const std::runtime_error& error) {
-    throw UsageError(fmt::format("--with {}", error.what()));
+    throw UsageError("--with {}", error.what());
   }
 }
 
@@ -238,7 +221,7 @@ int compare(const CompareArguments& options) {
     told.add(
         {result::line(fmt::format("\nreport: {}/report.html", printable_path(options.folder)))});
   }
-  result::print(told, {options.json, options.quiet});
+  finish(told, options);
   return exit_code(comparisons);
 }
 

@@ -9,6 +9,7 @@
 #include "compare/base/columns.h"
 #include "compare/base/json.h"
 #include "compare/commands/command.h"
+#include "compare/figures/contact_kind.h"
 #include "compare/run_files/run_directory.h"
 #include "compare/study/answer.h"
 #include "compare/study/result.h"
@@ -29,16 +30,19 @@ path film_of(const scene::Scene& scene, const std::string& run) {
   return path(scene.name) / (run + ".mp4");
 }
 
+// The native run under the commands of a contact model, in replay.
+std::string native_of(const std::string& contact) { return "native-" + contact; }
+
 }  // namespace
 
 std::vector<std::string> compare_files(const path& folder, const scene::Scene& scene,
                                        bool own_machine) {
   std::vector<std::string> files{kCompareFile, kColumnsFile, kReportFile};
-  auto runs = scene::contact_words<std::vector<std::string>>();
-  runs.emplace_back(kConeDefault);
-  const std::size_t contacts = runs.size();
-  for (std::size_t k = 0; k < contacts; ++k) runs.push_back("native-" + runs[k]);  // in replay
-  runs.insert(runs.end(), {"native", kShadowFolder});
+  std::vector<std::string> runs{"native", kShadowFolder};
+  for (const ContactKind& kind : kContactKinds) {
+    runs.emplace_back(kind.label);
+    runs.push_back(native_of(kind.label));
+  }
   for (const std::string& run : runs) {
     files.push_back(film_of(scene, run).string());
     for (std::string& file : run_files(folder, (path(scene.name) / run).string(), own_machine))
@@ -53,12 +57,11 @@ void write_runs(const path& folder, const SceneComparison& comparison, hdf5::Ima
     write_run(folder / comparison.scene.name / name, comparison.scene,
               rows_at(side.trajectory, times), hdf5);
   };
-  for (const Side& side : comparison.sides) write(side.label, side);
+  for (const Side* side : comparison.sides()) write(side->label, *side);
   if (comparison.interrupted) return;
   if (comparison.shadow.side) write(kShadowFolder, *comparison.shadow.side);
-  for (std::size_t k = 0; k < comparison.natives.size(); ++k) {
-    write("native-" + comparison.sides[k + 2].label, comparison.natives[k]);
-  }
+  for (const ComparedModel& m : comparison.models)
+    if (m.native) write(native_of(m.run.label), *m.native);
 }
 
 void write_report(const path& folder, const result::Section& result,
@@ -93,29 +96,21 @@ std::string link_to(const std::string& scene, const std::filesystem::path& file)
 // A film to make: the native run, or a run of MuJoCo beside the native one.
 struct Job {
   const SceneComparison* comparison = nullptr;
-  std::size_t side = 0;
+  const ComparedModel* model = nullptr;  // null: native
   std::filesystem::path file;
+  const Side& run() const { return model ? model->run : comparison->native; }
 };
 
-// The sides to film: the first completed run in reading order (MuJoCo alone, shown beside the
+// The films of one scene: the first completed run in reading order (MuJoCo alone, shown beside the
 // native run), or the native run if there is no other. With `every`: all completed runs.
-std::vector<std::size_t> filmed(const SceneComparison& c, bool every) {
-  std::vector<std::size_t> sides;
-  if (every) sides.push_back(0);
-  for (const std::size_t k : reading_order(c)) sides.push_back(k + 1);
-  if (!every) sides.push_back(0);
-  std::erase_if(sides, [&](std::size_t k) { return c.sides[k].trajectory.status != Status::kOk; });
-  if (!every && sides.size() > 1) sides.resize(1);
-  return sides;
-}
-
-std::vector<Job> jobs_of(const std::filesystem::path& folder,
-                         const std::vector<SceneComparison>& comparisons, bool every) {
+std::vector<Job> jobs_of(const std::filesystem::path& folder, const SceneComparison& c,
+                         bool every) {
   std::vector<Job> jobs;
-  for (const SceneComparison& c : comparisons) {
-    for (const std::size_t k : filmed(c, every))
-      jobs.push_back({&c, k, folder / film_of(c.scene, c.sides[k].label)});
-  }
+  for (const ComparedModel* m : reading_order(c)) jobs.push_back({&c, m, {}});
+  jobs.insert(every ? jobs.begin() : jobs.end(), Job{&c, nullptr, {}});
+  std::erase_if(jobs, [](const Job& job) { return job.run().trajectory.status != Status::kOk; });
+  if (!every && jobs.size() > 1) jobs.resize(1);
+  for (Job& job : jobs) job.file = folder / film_of(c.scene, job.run().label);
   return jobs;
 }
 
@@ -133,14 +128,13 @@ Film make(const Job& job, const std::function<void(double)>& progress) {
   const SceneComparison& c = *job.comparison;
   renders::RenderOptions options = film_options();
   options.progress = progress;
-  const bool beside = job.side > 0 && c.sides[0].trajectory.status == Status::kOk;
-  if (beside) options.beside = &c.reference(job.side).trajectory;
-  for (const Side& side : c.sides) {
-    if (side.trajectory.status == Status::kOk) options.scaled_with.push_back(&side.trajectory);
+  const bool beside = job.model && c.native.trajectory.status == Status::kOk;
+  if (beside) options.beside = &c.reference(*job.model).trajectory;
+  for (const Side* side : c.sides()) {
+    if (side->trajectory.status == Status::kOk) options.scaled_with.push_back(&side->trajectory);
   }
-  const auto made = renders::render(c.scene, c.sides[job.side].trajectory, options, job.file);
-  return Film{link_to(c.scene.name, job.file),
-              caption(c.sides[job.side].label, beside, made.framing)};
+  const auto made = renders::render(c.scene, job.run().trajectory, options, job.file);
+  return Film{link_to(c.scene.name, job.file), caption(job.run().label, beside, made.framing)};
 }
 
 }  // namespace
@@ -150,7 +144,9 @@ std::vector<SceneFilms> write_films(const std::filesystem::path& folder,
                                     const std::atomic<bool>& interrupt,
                                     const std::function<void(double)>& progress) {
   std::vector<SceneFilms> all(comparisons.size());
-  const std::vector<Job> jobs = jobs_of(folder, comparisons, every);
+  std::vector<Job> jobs;
+  for (const SceneComparison& c : comparisons)
+    for (Job& job : jobs_of(folder, c, every)) jobs.push_back(std::move(job));
   for (std::size_t k = 0; k < jobs.size() && !interrupt; ++k) {
     SceneFilms& scene = all[static_cast<std::size_t>(jobs[k].comparison - comparisons.data())];
     try {

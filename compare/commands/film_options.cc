@@ -19,11 +19,6 @@ using renders::FilmFormat;
 constexpr int kGifWidth = 640, kGifHeight = 360;
 constexpr double kGifRate = 25.0, kGifSeconds = 6.0;
 
-[[noreturn]] void refuse(const std::string& flag, const std::string& value,
-                         const std::string& accepted) {
-  throw UsageError(fmt::format("{} {}: accepted is {}", flag, value, accepted));
-}
-
 std::optional<double> value_of(const std::string& flag, const std::string& text,
                                const scene::Quantity& quantity, const std::string& accepted) {
   return text.empty() ? std::nullopt : std::optional(quantity_of(flag, text, quantity, accepted));
@@ -109,7 +104,6 @@ void add_film_options(CLI::App& command, FilmArguments& arguments) {
 
 FilmRequest film_request(const FilmArguments& arguments) {
   FilmRequest request;
-  request.file = arguments.file;
   request.format = format_of(arguments);
   check_picture(arguments, request.format);
 
@@ -137,7 +131,6 @@ FilmRequest film_request(const FilmArguments& arguments) {
     options.view = *view;
   }
   options.title = arguments.title;
-  request.beside = arguments.beside;
   request.at = time_of("--at", arguments.at);
   renders::check_options(options, request.format);
   return request;

@@ -13,7 +13,7 @@ class App;
 
 namespace rotorub {
 
-// As given by the user; empty if not given.
+// As given by the user; empty if not given. The file is then named after the scene.
 struct FilmArguments {
   std::string from, to, slow, size, fps, view, title, at, beside, file;
   bool gif = false, png = false;
@@ -25,8 +25,6 @@ struct FilmRequest {
   renders::RenderOptions options;
   renders::FilmFormat format = renders::FilmFormat::kMp4;
   std::optional<double> at;  // s, for a picture
-  std::string file;          // empty: named after the scene
-  std::string beside;        // folder of a run, or empty
 };
 // Throws UsageError that names the option, its value and what is accepted. Errors that depend on
 // the run (its end, whether it has a contact) are detected later.

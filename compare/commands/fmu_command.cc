@@ -9,12 +9,10 @@
 #include "compare/base/module_file.h"
 #include "compare/commands/command.h"
 #include "compare/commands/options.h"
-#include "compare/commands/terminal.h"
 #include "compare/fmu/archive.h"
 #include "compare/fmu/description.h"
 #include "compare/fmu/names.h"
 #include "compare/result/result.h"
-#include "native_model/control/library.h"
 #include "native_model/scene/reader.h"
 #include "native_model/trajectory/output.h"
 
@@ -67,11 +65,10 @@ int write_fmu(const FmuArguments& options) {
                               {"fmi_version", options.version}}},
                 ports_table("inputs/#/{column}", run.inputs()),
                 ports_table("outputs/#/{column}", run.outputs()),
-                result::line(fmt::format(
-                    "FMI {}, co-simulation; {} outputs; inputs: {}\nwritten to {}", options.version,
-                    run.outputs().size(), inputs, printable_path(file)))}};
-  result::print(result, {options.json, options.quiet});
-  return kDone;
+                result::line(fmt::format("FMI {}, co-simulation; {} outputs; inputs: {}",
+                                         options.version, run.outputs().size(), inputs)),
+                written_to(file)}};
+  return finish(result, options);
 }
 
 }  // namespace
@@ -87,10 +84,7 @@ Command add_fmu_command(CLI::App& program) {
       .one_of({"3.0", "2.0"})
       .shows_default();
   add_common_options(app, *options);
-  return {&app, [options] {
-            set_scene_libraries(SceneLibraries::kLeftOut);
-            return write_fmu(*options);
-          }};
+  return {&app, [options] { return write_fmu(*options); }};
 }
 
 }  // namespace rotorub

@@ -1,8 +1,5 @@
 // rotorub identify: determines values of a scene from a measured run.
 
-#include <fmt/format.h>
-
-#include <cstdio>
 #include <memory>
 
 #include "compare/commands/command.h"
@@ -31,9 +28,9 @@ constexpr std::size_t kMostValues = 12;  // from one record
 identify::Wanted wanted_of(const std::string& text) {
   const auto refuse = [&](const std::string& why) {
     throw UsageError(
-        fmt::format("--fit {}: {}; accepted is a key of the scene and its range, as "
-                    "contact.friction=0.05:0.4 or contact.clearance=0.3mm:0.6mm",
-                    scene::printable(text), why));
+        "--fit {}: {}; accepted is a key of the scene and its range, as "
+        "contact.friction=0.05:0.4 or contact.clearance=0.3mm:0.6mm",
+        scene::printable(text), why);
   };
   const std::size_t equals = text.find('='), colon = text.find(':', equals);
   if (equals == std::string::npos || colon == std::string::npos) refuse("is no range of a key");
@@ -41,7 +38,7 @@ identify::Wanted wanted_of(const std::string& text) {
   wanted.key = scene::trimmed(text.substr(0, equals));
   std::string reason;
   const scene::Key* key = sweep::scene_key(wanted.key, reason);
-  if (!reason.empty()) throw UsageError(fmt::format("--fit {}", reason));
+  if (!reason.empty()) throw UsageError("--fit {}", reason);
   const bool is_number =
       key && key->type != scene::ValueType::kWord && key->type != scene::ValueType::kFlag &&
       key->type != scene::ValueType::kText && key->type != scene::ValueType::kWhole;
@@ -62,14 +59,10 @@ int run_identify(const IdentifyArguments& options) {
   identify::Parameters parameters;
   for (const std::string& text : options.fit) parameters.wanted.push_back(wanted_of(text));
   if (parameters.wanted.size() > kMostValues) {
-    throw UsageError(fmt::format("--fit: {} values; accepted are at most {}",
-                                 parameters.wanted.size(), kMostValues));
+    throw UsageError("--fit: {} values; accepted are at most {}", parameters.wanted.size(),
+                     kMostValues);
   }
-  const identify::ReadScene read = [&](const std::vector<std::string>& further) {
-    CommonOptions with = options;
-    with.overrides.insert(with.overrides.end(), further.begin(), further.end());
-    return read_scene(options.scene, with);
-  };
+  const identify::ReadScene read = scene_reader(options.scene, options);
   read({});  // reports errors in the scene before the record is read
   const MeasuredInput measured = measured_of(options);
   check_output_file(options.file);
@@ -77,21 +70,16 @@ int run_identify(const IdentifyArguments& options) {
   parameters.interrupt = &interrupted();
   ProgressBar bar(options.quiet);
   parameters.progress = [&](double share) { bar.show(share, "identify"); };
-
-  identify::Result found;
-  try {
-    found = identify::identify(read, *measured.record, parameters);
-  } catch (const MeasuredError& error) {
-    throw UsageError(fmt::format("{}: {}", scene::printable(measured.record->file), error.what()));
-  }
+  const identify::Result found =
+      with_record(measured, [&] { return identify::identify(read, *measured.record, parameters); });
   bar.clear();
   if (found.interrupted) throw Interrupted();
-  if (!options.file.empty()) write_whole(options.file, read(found.overrides).text);
   result::Section result = identify::result_of(measured.record->file, found);
-  if (!options.file.empty())
-    result.add({result::line(fmt::format("written to {}", printable_path(options.file)))});
-  result::print(result, {options.json, options.quiet});
-  return kDone;
+  if (!options.file.empty()) {
+    write_whole(options.file, read(found.overrides).text);
+    result.add({written_to(options.file)});
+  }
+  return finish(result, options);
 }
 
 }  // namespace
@@ -105,8 +93,7 @@ Command add_identify_command(CLI::App& program) {
             "Key to fit and the range to search, as contact.friction=0.05:0.4; may be repeated")
       .repeats()
       .required();
-  add_measured_options(app, *options, "from which the values are found");
-  get_option(app, "--measured").required();
+  add_measured_options(app, *options, "from which the values are found").required();
   add_value(app, "-o,--output", options->file, "FILE.toml",
             "Write the scene with the values found to this file");
   add_run_options(app, *options);

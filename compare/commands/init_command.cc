@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <array>
 #include <filesystem>
 #include <memory>
 #include <string>
@@ -19,61 +20,74 @@
 namespace rotorub {
 namespace {
 
-struct InitArguments {
-  std::string name = "rotor", form = "geometry", file;
-  std::string speed, length, diameter, disc_mass, clearance, friction, unbalance;
-  bool force = false, json = false, quiet = false;
+// The options of the sizes, and what each sets.
+struct Size {
+  const char *option, *type, *words;
+  StarterValue Starter::*target;
+  const scene::Quantity& quantity;
+  bool zero = false;  // whether 0 is accepted too
+};
+constexpr std::array kSizes{
+    Size{"--speed", "SPEED", "Spin speed", &Starter::speed, scene::kSpin},
+    Size{"--length", "LENGTH", "Length of the shaft", &Starter::length, scene::kLength},
+    Size{"--diameter", "LENGTH", "Diameter of the shaft", &Starter::diameter, scene::kLength},
+    Size{"--disc-mass", "MASS", "Mass of the disc", &Starter::disc_mass, scene::kMass},
+    Size{"--clearance", "LENGTH", "Radial clearance of the auxiliary bearing", &Starter::clearance,
+         scene::kLength},
+    Size{"--friction", "NUMBER", "Coefficient of friction", &Starter::friction, scene::kPure,
+         true}};
+
+struct InitArguments : PrintOptions {
+  std::string name = "rotor", form = "geometry", file, unbalance;
+  Starter starter;  // the options set the texts of its sizes
+  bool force = false;
 };
 
 // No real machine has sizes outside of this range.
 constexpr double kLeast = 1e-6, kMost = 1e6;
 
-// Replaces the default by the given value. zero: whether 0 is accepted too.
-void take(StarterValue& target, const char* option, const std::string& text,
-          const scene::Quantity& quantity, bool zero = false) {
-  if (text.empty()) return;
-  const auto parsed = scene::parse_quantity(text, quantity);
+// Finds the value of the text. zero: whether 0 is accepted too.
+void read(StarterValue& size, const char* option, const scene::Quantity& quantity,
+          const std::string& standard, bool zero = false) {
+  const auto parsed = scene::parse_quantity(size.text, quantity);
   const bool in_range =
       (zero && parsed.value == 0.0) || (parsed.value >= kLeast && parsed.value <= kMost);
   if (!parsed.error.empty() || !in_range) {
     const std::string unit = quantity.unit == "1" ? "" : " " + std::string(quantity.unit);
-    throw UsageError(fmt::format("{} {}: accepted is {}{} from {:g} to {:g}{}, as \"{}\"", option,
-                                 scene::printable(text), quantity.name, zero ? ", 0 or" : "",
-                                 kLeast, kMost, unit, target.text));
+    throw UsageError("{} {}: accepted is {}{} from {:g} to {:g}{}, as \"{}\"", option,
+                     scene::printable(size.text), quantity.name, zero ? ", 0 or" : "", kLeast,
+                     kMost, unit, standard);
   }
-  target = {text, parsed.value};
+  size.value = parsed.value;
 }
 
 Starter starter_of(const InitArguments& options) {
-  Starter starter;
+  Starter starter = options.starter;
   for (const StarterFormWord& each : kStarterForms) {
     if (options.form == each.word) starter.form = each.form;
   }
-  take(starter.speed, "--speed", options.speed, scene::kSpin);
-  take(starter.length, "--length", options.length, scene::kLength);
-  take(starter.diameter, "--diameter", options.diameter, scene::kLength);
-  take(starter.disc_mass, "--disc-mass", options.disc_mass, scene::kMass);
-  take(starter.clearance, "--clearance", options.clearance, scene::kLength);
-  take(starter.friction, "--friction", options.friction, scene::kPure, true);
+  for (const Size& size : kSizes) {
+    read(starter.*size.target, size.option, size.quantity, (Starter().*size.target).text,
+         size.zero);
+  }
   if (!options.unbalance.empty()) {
     if (!loses_mass(starter.form)) {
       throw UsageError(
-          fmt::format("--unbalance: a machine of the form {} loses no mass; accepted "
-                      "with geometry, modal, overhung and vertical",
-                      options.form));
+          "--unbalance: a machine of the form {} loses no mass; accepted with geometry, modal, "
+          "overhung and vertical",
+          options.form);
     }
-    starter.unbalance = StarterValue{"72 g mm", 0.0};
-    take(*starter.unbalance, "--unbalance", options.unbalance, scene::kStaticMoment);
+    starter.unbalance = StarterValue{options.unbalance};
+    read(*starter.unbalance, "--unbalance", scene::kStaticMoment, "72 g mm");
   }
   if (starter.diameter.value > starter.length.value / 5.0) {
-    throw UsageError(fmt::format(
+    throw UsageError(
         "--diameter {}: a shaft of {} is a beam up to a fifth of its length in diameter",
-        scene::printable(starter.diameter.text), scene::printable(starter.length.text)));
+        scene::printable(starter.diameter.text), scene::printable(starter.length.text));
   }
   if (starter.clearance.value > starter.diameter.value) {
-    throw UsageError(fmt::format("--clearance {}: accepted is at most the diameter, {}",
-                                 scene::printable(starter.clearance.text),
-                                 scene::printable(starter.diameter.text)));
+    refuse("--clearance", scene::printable(starter.clearance.text),
+           "at most the diameter, " + scene::printable(starter.diameter.text));
   }
   return starter;
 }
@@ -86,21 +100,18 @@ std::filesystem::path starter_file(const InitArguments& options) {
     throw UsageError("init: accepted is the name of a scene, as rotor or rotor.toml");
   if (file.extension() == ".xml") {
     throw UsageError(
-        fmt::format("{}: accepted is the name of a scene, as rotor or rotor.toml; `rotorub mjcf "
-                    "SCENE.toml -o {}` writes its MuJoCo model",
-                    file.string(), file.string()));
+        "{0}: accepted is the name of a scene, as rotor or rotor.toml; `rotorub mjcf SCENE.toml "
+        "-o {0}` writes its MuJoCo model",
+        file.string());
   }
   if (file.extension() != ".toml") file += ".toml";
   std::error_code none;
-  if (std::filesystem::is_directory(file, none))
-    throw UsageError(fmt::format("{}: is a folder", file.string()));
+  if (std::filesystem::is_directory(file, none)) throw UsageError("{}: is a folder", file.string());
   if (file.has_parent_path() && !std::filesystem::is_directory(file.parent_path(), none)) {
-    throw UsageError(
-        fmt::format("{}: there is no folder {}", file.string(), file.parent_path().string()));
+    throw UsageError("{}: there is no folder {}", file.string(), file.parent_path().string());
   }
-  if (!options.force && std::filesystem::exists(file, none)) {
-    throw UsageError(fmt::format("{}: is there already; --force writes over it", file.string()));
-  }
+  if (!options.force && std::filesystem::exists(file, none))
+    throw UsageError("{}: is there already; --force writes over it", file.string());
   return file;
 }
 
@@ -108,8 +119,8 @@ std::filesystem::path starter_file(const InitArguments& options) {
 std::filesystem::path laws_folder(const InitArguments& options, const std::filesystem::path& file) {
   auto folder = file.parent_path() / (file.stem().string() + "_controller");
   if (!options.force && std::filesystem::exists(folder)) {
-    throw UsageError(fmt::format("{}: is there already; --force writes over what it holds",
-                                 scene::printable(folder.string())));
+    throw UsageError("{}: is there already; --force writes over what it holds",
+                     scene::printable(folder.string()));
   }
   return folder;
 }
@@ -129,7 +140,7 @@ void write_files(const std::filesystem::path& file, const std::string& text,
 
 int write_starter(const InitArguments& options) {
   Starter starter = starter_of(options);
-  if (!options.quiet) note_unitless_speed("--speed", options.speed);
+  if (!options.quiet) note_unitless_speed("--speed", options.starter.speed.text);
   const std::filesystem::path file = starter_file(options);
   starter.file = file.empty() ? options.name + (options.name.ends_with(".toml") ? "" : ".toml")
                               : file.filename().string();
@@ -157,8 +168,7 @@ int write_starter(const InitArguments& options) {
     }
   }
   // A scene without a file is printed even if nothing else is.
-  result::print(result, {options.json, options.quiet && !file.empty()});
-  return kDone;
+  return finish(result, {options.json, options.quiet && !file.empty()});
 }
 
 }  // namespace
@@ -178,18 +188,10 @@ Command add_init_command(CLI::App& program) {
       "overhung (the disc beyond the bearings), vertical (hung from "
       "above) or two-catchers (magnetic bearings that fail)")
       .one_of(forms);
-  const Starter standard;
-  const auto size = [&](const char* option, std::string& target, const char* type,
-                        const char* words, const StarterValue& value) {
-    add_value(app, option, target, type, fmt::format("{} (default: {})", words, value.text));
-  };
-  size("--speed", options->speed, "SPEED", "Spin speed", standard.speed);
-  size("--length", options->length, "LENGTH", "Length of the shaft", standard.length);
-  size("--diameter", options->diameter, "LENGTH", "Diameter of the shaft", standard.diameter);
-  size("--disc-mass", options->disc_mass, "MASS", "Mass of the disc", standard.disc_mass);
-  size("--clearance", options->clearance, "LENGTH", "Radial clearance of the auxiliary bearing",
-       standard.clearance);
-  size("--friction", options->friction, "NUMBER", "Coefficient of friction", standard.friction);
+  for (const Size& size : kSizes) {
+    std::string& text = (options->starter.*size.target).text;
+    add_value(app, size.option, text, size.type, fmt::format("{} (default: {})", size.words, text));
+  }
   add_value(app, "--unbalance", options->unbalance, "MASS LENGTH",
             "Unbalance of the piece that is lost, as \"72 g mm\" or \"0.1 oz in\" (default: what "
             "makes a free orbit of two clearances)");

@@ -21,10 +21,8 @@ std::vector<ColumnName> names_of(const std::vector<std::string>& texts) {
     if (at != std::string::npos)
       name = {boost::trim_copy(text.substr(0, at)), boost::trim_copy(text.substr(at + 1))};
     if (name.in_file.empty() || name.meant.empty()) {
-      throw UsageError(fmt::format(
-          "--measured-column {}: accepted is the file's name of a column, =, and what it is, as "
-          "\"CH1 X = rotor_x [mil]\"",
-          scene::printable(text)));
+      refuse("--measured-column", scene::printable(text),
+             "the file's name of a column, =, and what it is, as \"CH1 X = rotor_x [mil]\"");
     }
     names.push_back(std::move(name));
   }
@@ -36,8 +34,7 @@ void turn_probes(const std::string& text, MeasuredRecord& record) {
   const std::string accepted = "the directions of two probes in the scene, as 45deg,135deg";
   const std::size_t comma = text.find(',');
   if (comma == std::string::npos)
-    throw UsageError(
-        fmt::format("--measured-probes {}: accepted are {}", scene::printable(text), accepted));
+    throw UsageError("--measured-probes {}: accepted are {}", scene::printable(text), accepted);
   const auto angle = [&](const std::string& part) {
     return quantity_of("--measured-probes", part, scene::kAngle, accepted);
   };
@@ -45,7 +42,7 @@ void turn_probes(const std::string& text, MeasuredRecord& record) {
   try {
     resolve_probes(record, first, second);
   } catch (const MeasuredError& error) {
-    throw UsageError(fmt::format("--measured-probes: {}", error.what()));
+    throw UsageError("--measured-probes: {}", error.what());
   }
 }
 
@@ -80,8 +77,8 @@ MeasuredInput measured_of(const MeasuredArguments& options) {
   return input;
 }
 
-void add_measured_options(CLI::App& command, MeasuredArguments& arguments, const char* beside) {
-  add_value(
+Option add_measured_options(CLI::App& command, MeasuredArguments& arguments, const char* beside) {
+  const Option measured = add_value(
       command, "--measured", arguments.measured, "CSV",
       fmt::format(
           "A measured run of this scene, {}: a CSV file with a header, t and any of rotor, ring, "
@@ -99,6 +96,7 @@ void add_measured_options(CLI::App& command, MeasuredArguments& arguments, const
   add_value(command, "--measured-angle", arguments.measured_angle, "ANGLE",
             "Angle of the sensors' x axis in the scene, from x to y, as 30deg (default: found "
             "where x and y are measured)");
+  return measured;
 }
 
 }  // namespace rotorub

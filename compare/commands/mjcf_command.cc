@@ -1,15 +1,11 @@
 // rotorub mjcf: writes a scene as MuJoCo's XML.
 
-#include <fmt/format.h>
-
 #include <memory>
 
 #include "compare/commands/command.h"
 #include "compare/commands/options.h"
-#include "compare/commands/terminal.h"
 #include "compare/result/result.h"
 #include "mjcf/writer.h"
-#include "native_model/control/library.h"
 #include "native_model/scene/reader.h"
 #include "native_model/trajectory/output.h"
 
@@ -33,12 +29,10 @@ int write_mjcf(const MjcfArguments& options) {
     result.add({result::Data{"mjcf", xml}, result::line(xml)});
   } else {
     write_whole(options.file, xml);
-    result.add({result::Data{"file", options.file},
-                result::line(fmt::format("written to {}", printable_path(options.file)))});
+    result.add({result::Data{"file", options.file}, written_to(options.file)});
   }
   // A model without a file is printed even if nothing else is.
-  result::print(result, {options.json, options.quiet && !options.file.empty()});
-  return kDone;
+  return finish(result, {options.json, options.quiet && !options.file.empty()});
 }
 
 }  // namespace
@@ -51,10 +45,7 @@ Command add_mjcf_command(CLI::App& program) {
   add_value(app, "--mujoco", options->mujoco, "VERSION",
             "Version of MuJoCo that is to read it (default: " + to_string(built_for()) + ")");
   add_common_options(app, *options);
-  return {&app, [options] {
-            set_scene_libraries(SceneLibraries::kLeftOut);
-            return write_mjcf(*options);
-          }};
+  return {&app, [options] { return write_mjcf(*options); }};
 }
 
 }  // namespace rotorub

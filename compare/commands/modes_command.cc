@@ -4,15 +4,14 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <boost/algorithm/string/split.hpp>
 #include <charconv>
 #include <cmath>
 #include <filesystem>
-#include <iostream>
 #include <memory>
 #include <nlohmann/json.hpp>
 #include <optional>
 
-#include "compare/base/json.h"
 #include "compare/commands/command.h"
 #include "compare/commands/options.h"
 #include "compare/commands/terminal.h"
@@ -24,7 +23,6 @@
 #include "compare/report/modes_page.h"
 #include "compare/result/result.h"
 #include "compare/sweep/study_reader.h"
-#include "native_model/control/library.h"
 #include "native_model/linear/rub_map.h"
 #include "native_model/model/linear_plant.h"
 #include "native_model/model/model.h"
@@ -49,18 +47,15 @@ struct ModesArguments : CommonOptions {
 };
 
 // ---------------------------------------------------------------- values as FROM:TO:COUNT
-[[noreturn]] void refuse_range(const char* option, const std::string& text,
-                               const std::string& why) {
-  throw UsageError(fmt::format("{} {}: {}; accepted is FROM:TO:COUNT", option, text, why));
+std::vector<std::string> parts_of(const std::string& range) {
+  std::vector<std::string> parts;
+  boost::split(parts, range, [](char c) { return c == ':'; });
+  return parts;
 }
 
-int count_of(const char* option, const std::string& all, const std::string& part) {
-  int count = 0;
-  const auto end = std::from_chars(part.data(), part.data() + part.size(), count);
-  if (end.ec != std::errc() || end.ptr != part.data() + part.size() || count < 2 || count > 1000) {
-    refuse_range(option, all, "COUNT is a whole number from 2 to 1000");
-  }
-  return count;
+[[noreturn]] void refuse_range(const char* option, const std::string& text,
+                               const std::string& why) {
+  throw UsageError("{} {}: {}; accepted is FROM:TO:COUNT", option, text, why);
 }
 
 // `count` >= 2 evenly spaced values, including both ends.
@@ -75,28 +70,30 @@ std::vector<double> even_values(double from, double to, int count) {
 // SI. 2 to 1,000 ascending values, >= 0.
 std::vector<double> range_values(const char* option, const std::string& text,
                                  const scene::Quantity& quantity) {
-  const std::size_t first = text.find(':'), last = text.rfind(':');
-  if (first == std::string::npos || first == last || text.find(':', first + 1) != last) {
-    refuse_range(option, text, "it has three parts");
-  }
-  const auto part = [&](std::size_t begin, std::size_t end) {
-    return quantity_of(option, text.substr(begin, end - begin), quantity);
-  };
-  const double from = part(0, first), to = part(first + 1, last);
-  const int count = count_of(option, text, text.substr(last + 1));
+  const std::vector<std::string> parts = parts_of(text);
+  if (parts.size() != 3) refuse_range(option, text, "it has three parts");
+  const double from = quantity_of(option, parts[0], quantity);
+  const double to = quantity_of(option, parts[1], quantity);
+  const char* const end = parts[2].data() + parts[2].size();
+  int count = 0;
+  const auto read = std::from_chars(parts[2].data(), end, count);
+  if (read.ec != std::errc() || read.ptr != end || count < 2 || count > 1000)
+    refuse_range(option, text, "COUNT is a whole number from 2 to 1000");
   if (!(from >= 0.0) || !(to > from))
     refuse_range(option, text, "FROM is 0 or more and TO above it");
   return even_values(from, to, count);
+}
+
+std::vector<double> given_range(const char* option, const std::string& text,
+                                const scene::Quantity& quantity) {
+  return text.empty() ? std::vector<double>() : range_values(option, text, quantity);
 }
 
 // --up-to; empty if not given.
 std::optional<double> range_of(const ModesArguments& options) {
   if (options.up_to.empty()) return std::nullopt;
   const double range = quantity_of("--up-to", options.up_to, scene::kSpin);
-  if (!(range > 0.0)) {
-    throw UsageError(
-        fmt::format("--up-to {}: accepted is a spin speed above 0, as 9000 rpm", options.up_to));
-  }
+  if (!(range > 0.0)) refuse("--up-to", options.up_to, "a spin speed above 0, as 9000 rpm");
   return range;
 }
 
@@ -104,11 +101,10 @@ std::optional<double> range_of(const ModesArguments& options) {
 void note_speeds(const ModesArguments& options) {
   for (const std::string& text : options.speeds) note_unitless_speed("--speed", text);
   note_unitless_speed("--up-to", options.up_to);
-  const std::string& range = options.map_speeds;
-  const std::size_t first = range.find(':');
-  if (first == std::string::npos) return;
-  note_unitless_speed("--speeds", range.substr(0, first));
-  note_unitless_speed("--speeds", range.substr(first + 1, range.rfind(':') - first - 1));
+  const std::vector<std::string> range = parts_of(options.map_speeds);
+  if (range.size() < 2) return;
+  note_unitless_speed("--speeds", range[0]);
+  note_unitless_speed("--speeds", range[1]);
 }
 
 // The page's file: the output itself, or a file in that folder.
@@ -121,97 +117,79 @@ std::filesystem::path page_file(const ModesArguments& options) {
   return path / name;
 }
 
-void write_file(const ModesArguments& options, const std::string& page) {
-  write_whole(page_file(options), page);
-}
-
-void write_page(const ModesArguments& options, const scene::Scene& scene,
-                const RotorAnalysis& analysis, std::optional<double> asked_range) {
-  ProgressBar bar(options.quiet);
-  const Campbell campbell = campbell_of(scene, analysis, asked_range, [&](double share) {
-    if (interrupted()) throw Interrupted();
-    bar.show(share, "Campbell diagram");
-  });
-  bar.clear();
-  write_file(options, modes_page(scene, campbell));
-}
-
-int print_found(result::Section found, const ModesArguments& options) {
-  if (!options.output.empty())
-    found.add({result::line(fmt::format("\nwritten to {}", printable_path(page_file(options))))});
-  result::print(found, {options.json, options.quiet});
-  return kDone;
-}
-
-// ---------------------------------------------------------------- the map of lasting rubs
-struct MapRanges {
-  std::vector<double> speeds, frictions;  // empty if not given
-};
-
-MapRanges map_ranges(const ModesArguments& options) {
-  MapRanges ranges;
-  if (!options.map_speeds.empty()) {
-    ranges.speeds = range_values("--speeds", options.map_speeds, scene::kSpin);
-  }
-  if (!options.map_frictions.empty()) {
-    ranges.frictions = range_values("--frictions", options.map_frictions, scene::kPure);
-  }
-  return ranges;
-}
-
 void say_progress(ProgressBar& bar, double share, const char* what) {
   if (interrupted()) throw Interrupted();
   bar.show(share, what);
 }
 
+std::string page_of(const ModesArguments& options, const scene::Scene& scene,
+                    const RotorAnalysis& analysis, std::optional<double> asked_range) {
+  ProgressBar bar(options.quiet);
+  return modes_page(scene, campbell_of(scene, analysis, asked_range, [&](double share) {
+                      say_progress(bar, share, "Campbell diagram");
+                    }));
+}
+
+// Prints the result, and writes its page if there is an output for it.
+int finish_with_page(result::Section found, const ModesArguments& options,
+                     const std::function<std::string()>& page) {
+  if (!options.output.empty()) {
+    write_whole(page_file(options), page());
+    found.add({result::line(""), written_to(page_file(options))});
+  }
+  return finish(found, options);
+}
+
+// ---------------------------------------------------------------- the map of lasting rubs
 // --across and --up: any key that accepts a single number. The default axis if not given.
 MapAxis axis_of(const char* option, const std::string& text, MapAxis standard) {
   if (text.empty()) return standard;
   const std::string key = scene::override_key(text);
-  if (text.find('=') == std::string::npos)
-    throw UsageError(fmt::format("{} {}: accepted is KEY=FROM:TO:COUNT", option, text));
+  if (text.find('=') == std::string::npos) refuse(option, text, "KEY=FROM:TO:COUNT");
   std::string reason;
   const scene::Key* found = sweep::scene_key(key, reason);
   if (reason.empty() && !sweep::takes_number(key, found))
     reason = "`" + key + "` is not one number";
-  if (!reason.empty()) throw UsageError(fmt::format("{} {}: {}", option, text, reason));
+  if (!reason.empty()) throw UsageError("{} {}: {}", option, text, reason);
   const scene::Quantity& quantity = found->quantity;
   return {key, quantity.unit == "1" ? "" : std::string(quantity.unit),
           range_values(option, text.substr(text.find('=') + 1), quantity)};
 }
 
-// By default around the scene's own speed, with the width of a terminal.
-RubKeyMap rub_map_of(const ModesArguments& options, const scene::Scene& scene, MapRanges ranges) {
+// By default around the scene's own speed, with the width of a terminal. speeds, frictions: empty
+// if not given.
+RubKeyMap rub_map_of(const ModesArguments& options, const scene::Scene& scene,
+                     std::vector<double> speeds, std::vector<double> frictions) {
   constexpr int kSpeeds = 60, kFrictions = 20;
-  if (ranges.speeds.empty() && options.across.empty()) {
+  if (speeds.empty() && options.across.empty()) {
     const double speed = std::abs(scene.rotor.speed);
     if (speed == 0.0) throw UsageError("--rub-map: the scene's rotor is at rest; give --speeds");
-    ranges.speeds = even_values(0.2 * speed, 2.0 * speed, kSpeeds);
+    speeds = even_values(0.2 * speed, 2.0 * speed, kSpeeds);
   }
-  if (ranges.frictions.empty()) ranges.frictions = even_values(0.025, 0.5, kFrictions);
+  if (frictions.empty()) frictions = even_values(0.025, 0.5, kFrictions);
   ProgressBar bar(options.quiet);
   const auto progress = [&](double share) { say_progress(bar, share, "lasting rubs"); };
   if (!options.across.empty() || !options.up.empty()) {
-    const MapAxis across = axis_of("--across", options.across, {kSpeedKey, "rad/s", ranges.speeds});
-    const MapAxis up = axis_of("--up", options.up, {kFrictionKey, "", ranges.frictions});
+    const MapAxis across = axis_of("--across", options.across, {kSpeedKey, "rad/s", speeds});
+    const MapAxis up = axis_of("--up", options.up, {kFrictionKey, "", frictions});
     if (across.key == up.key) throw UsageError("--rub-map: " + up.key + " is on both axes");
     return rub_key_map(scene::Variants(options.scene, overrides_of(options)), across, up, progress);
   }
-  return with_place(scene, [&] {
-    return rub::rub_map(rub::rub_system(scene), ranges.speeds, ranges.frictions, progress);
-  });
+  return with_place(
+      scene, [&] { return rub::rub_map(rub::rub_system(scene), speeds, frictions, progress); });
 }
 
 // rotorub modes --feedback-map: by default spin speeds from half to one and a half times the
 // scene's, and k from 0 to 10 sqrt(mass stiffness) of the ring.
 int show_feedback(const ModesArguments& options) {
-  MapRanges ranges = map_ranges(options);
+  std::vector<double> speeds = given_range("--speeds", options.map_speeds, scene::kSpin);
   const scene::Scene scene = read_scene(options.scene, options);
-  const double speed = std::abs(scene.rotor.speed);
-  if (ranges.speeds.empty() && speed == 0.0) {
-    throw UsageError("--feedback-map: the scene's rotor is at rest; give --speeds");
+  if (speeds.empty()) {
+    const double speed = std::abs(scene.rotor.speed);
+    if (speed == 0.0)
+      throw UsageError("--feedback-map: the scene's rotor is at rest; give --speeds");
+    speeds = even_values(0.5 * speed, 1.5 * speed, 21);
   }
-  if (ranges.speeds.empty()) ranges.speeds = even_values(0.5 * speed, 1.5 * speed, 21);
   ProgressBar bar(options.quiet || options.json);
   const rub::FeedbackMap map = with_place(scene, [&] {
     const rub::RubSystem system = rub::rub_system(scene);
@@ -220,15 +198,14 @@ int show_feedback(const ModesArguments& options) {
         options.map_feedbacks.empty()
             ? even_values(0.0, 10.0 * std::sqrt(system.ring->mass * system.ring->stiffness), 81)
             : range_values("--feedbacks", options.map_feedbacks, scene::kDamping);
-    return rub::feedback_map(system, ranges.speeds, feedbacks,
+    return rub::feedback_map(system, speeds, feedbacks,
                              [&](double share) { say_progress(bar, share, "feedback"); });
   });
   bar.clear();
-  if (!options.output.empty()) write_file(options, feedback_map_page(scene, map));
-  return print_found(
+  return finish_with_page(
       {.parts = {result::Data{"feedback_map", feedback_map_json(map)},
                  result::line(feedback_map_table(scene::printable(scene.name), map))}},
-      options);
+      options, [&] { return feedback_map_page(scene, map); });
 }
 
 // rotorub modes --state-space: prints JSON regardless of other options. Of several rings, the plant
@@ -245,8 +222,8 @@ int show_state_space(const ModesArguments& options) {
   const auto bearing = static_cast<std::size_t>(driven - scene.auxiliary.begin());
   const std::string why = beyond_linear_plant(scene, bearing, model);
   if (!why.empty()) throw UsageError("--state-space: " + why);
-  std::cout << json_text(state_space_json(scene, plant_of(model, bearing, scene.rotor.speed)));
-  return kDone;
+  const nlohmann::json plant = state_space_json(scene, plant_of(model, bearing, scene.rotor.speed));
+  return finish({.parts = {result::Data{"", plant}}}, {.json = true});
 }
 
 int modes(const ModesArguments& options) {
@@ -260,29 +237,24 @@ int modes(const ModesArguments& options) {
   for (const std::string& text : options.speeds)
     speeds.push_back(quantity_of("--speed", text, scene::kSpin));
   const std::optional<double> range = range_of(options);
-  MapRanges ranges = map_ranges(options);
+  std::vector<double> map_speeds = given_range("--speeds", options.map_speeds, scene::kSpin);
+  std::vector<double> frictions = given_range("--frictions", options.map_frictions, scene::kPure);
   const scene::Scene scene = read_scene(options.scene, options);
   const RotorAnalysis analysis = analyse_rotor(scene, speeds);
-  std::optional<RubKeyMap> map;
-  if (options.rub_map) map = rub_map_of(options, scene, std::move(ranges));
-  if (!options.output.empty()) {
-    if (map) {
-      write_file(options, rub_map_page(scene, *map));
-    } else {
-      write_page(options, scene, analysis, range);
-    }
-  }
-
   const std::string name = scene::printable(scene.name);
   result::Section found = modes_result(name, analysis);
-  if (map) {
-    // People see the picture alone.
-    found.seen = result::kJson;
-    found = {.parts = {std::move(found),
-                       options.json ? result::Part(result::Data{"rub_map", rub_map_json(*map)})
-                                    : result::line(rub_map_picture(name, *map))}};
+  if (!options.rub_map) {
+    return finish_with_page(std::move(found), options,
+                            [&] { return page_of(options, scene, analysis, range); });
   }
-  return print_found(std::move(found), options);
+  const RubKeyMap map = rub_map_of(options, scene, std::move(map_speeds), std::move(frictions));
+  // People see the picture alone.
+  found.seen = result::kJson;
+  return finish_with_page(
+      {.parts = {std::move(found), options.json
+                                       ? result::Part(result::Data{"rub_map", rub_map_json(map)})
+                                       : result::line(rub_map_picture(name, map))}},
+      options, [&] { return rub_map_page(scene, map); });
 }
 
 }  // namespace
@@ -333,7 +305,6 @@ Command add_modes_command(CLI::App& program) {
       .needs(map);
   add_common_options(app, *options);
   return {&app, [options] {
-            set_scene_libraries(SceneLibraries::kLeftOut);
             if (!options->output.empty()) check_output_file(page_file(*options));
             return modes(*options);
           }};

@@ -35,7 +35,7 @@ std::vector<std::string> all_overrides(const OptimiseArguments& options,
   for (const std::string& text : overrides_of(options)) {
     const std::string key = scene::override_key(text);
     if (task.study.varies(key))
-      throw UsageError(fmt::format("--set {}: varies in the study; set another key", key));
+      throw UsageError("--set {}: varies in the study; set another key", key);
     all.push_back(text);
   }
   return all;

@@ -5,10 +5,8 @@
 #include <CLI/CLI.hpp>
 #include <algorithm>
 #include <charconv>
-#include <filesystem>
 #include <string_view>
 #include <system_error>
-#include <utility>
 
 #include "native_model/scene/diagnostic.h"
 #include "native_model/scene/text.h"
@@ -23,35 +21,12 @@ std::string no_such(std::string_view what, std::string_view word,
                      scene::join(accepted));
 }
 
-Option Option::required() const {
-  option_->required();
-  return *this;
-}
-
-Option Option::type(const std::string& name) const {
-  option_->type_name(name);
-  return *this;
-}
-
-Option Option::shows_default() const {
-  option_->capture_default_str();
-  return *this;
-}
-
-Option Option::repeats() const {
-  option_->expected(1)->take_all()->allow_extra_args(false);
-  return *this;
-}
-
-Option Option::needs(const Option& other) const {
-  option_->needs(other.option_);
-  return *this;
-}
-
-Option Option::excludes(const Option& other) const {
-  option_->excludes(other.option_);
-  return *this;
-}
+Option Option::required() const { return option_->required(); }
+Option Option::type(const std::string& name) const { return option_->type_name(name); }
+Option Option::shows_default() const { return option_->capture_default_str(); }
+Option Option::repeats() const { return option_->expected(1)->take_all()->allow_extra_args(false); }
+Option Option::needs(const Option& other) const { return option_->needs(other.option_); }
+Option Option::excludes(const Option& other) const { return option_->excludes(other.option_); }
 
 Option Option::one_of(const std::vector<std::string>& words) const {
   const std::vector<std::string> accepted = words;
@@ -60,8 +35,7 @@ Option Option::one_of(const std::vector<std::string>& words) const {
     if (std::find(all.begin(), all.end(), given) != all.end()) return {};
     return no_such("value", given, all);
   };
-  option_->check(CLI::Validator(wrong, fmt::format("{{{}}}", fmt::join(words, ","))));
-  return *this;
+  return option_->check(CLI::Validator(wrong, fmt::format("{{{}}}", fmt::join(words, ","))));
 }
 
 Option Option::between(std::int64_t least, std::int64_t most) const {
@@ -73,33 +47,19 @@ Option Option::between(std::int64_t least, std::int64_t most) const {
     return fmt::format("{}: accepted is a whole number from {} to {}", scene::printable(given),
                        least, most);
   };
-  option_->check(CLI::Validator(wrong, ""));
-  return *this;
-}
-
-Option Option::existing_file() const {
-  return check([](const std::string& file) -> std::string {
-    std::error_code none;
-    if (!std::filesystem::exists(file, none)) return scene::printable(file) + ": no such file";
-    if (std::filesystem::is_directory(file, none))
-      return scene::printable(file) + ": is a folder; accepted is a file";
-    return {};
-  });
+  return option_->check(CLI::Validator(wrong, ""));
 }
 
 Option Option::check(const std::function<std::string(const std::string&)>& what_is_wrong) const {
-  option_->check(what_is_wrong);
-  return *this;
+  return option_->check(what_is_wrong);
 }
 
 Option Option::transform(const std::function<std::string(const std::string&)>& replacement) const {
-  option_->transform(replacement);
-  return *this;
+  return option_->transform(replacement);
 }
 
 Option Option::each(const std::function<void(const std::string&)>& action) const {
-  option_->each(action);
-  return *this;
+  return option_->each(action);
 }
 
 CLI::App& add_command(CLI::App& program, const char* name, const std::string& words) {
@@ -108,7 +68,7 @@ CLI::App& add_command(CLI::App& program, const char* name, const std::string& wo
 
 template <typename Value>
 Option add_option(CLI::App& command, const char* names, Value& value, const std::string& words) {
-  return Option(*command.add_option(names, value, words));
+  return command.add_option(names, value, words);
 }
 template Option add_option(CLI::App&, const char*, std::string&, const std::string&);
 template Option add_option(CLI::App&, const char*, int&, const std::string&);
@@ -116,14 +76,7 @@ template Option add_option(CLI::App&, const char*, std::vector<std::string>&, co
 template Option add_option(CLI::App&, const char*, std::vector<std::int64_t>&, const std::string&);
 
 Option add_flag(CLI::App& command, const char* names, bool& value, const std::string& words) {
-  return Option(*command.add_flag(names, value, words));
+  return command.add_flag(names, value, words);
 }
-
-Option add_flag_callback(CLI::App& command, const char* names, const std::function<void()>& action,
-                         const std::string& words) {
-  return Option(*command.add_flag_callback(names, action, words));
-}
-
-Option get_option(CLI::App& command, const char* name) { return Option(*command.get_option(name)); }
 
 }  // namespace rotorub

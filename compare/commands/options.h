@@ -25,7 +25,7 @@ std::string no_such(std::string_view what, std::string_view word,
 // that calls can be chained.
 class Option {
  public:
-  explicit Option(CLI::Option& option) : option_(&option) {}
+  Option(CLI::Option* option) : option_(option) {}
 
   Option required() const;
   Option type(const std::string& name) const;  // name of its value in the help, "TIME"
@@ -38,7 +38,6 @@ class Option {
   // Restricts what is accepted. Checks run in the order in which they were added.
   Option one_of(const std::vector<std::string>& words) const;
   Option between(std::int64_t least, std::int64_t most) const;  // including both ends
-  Option existing_file() const;
   // The check returns an error message, or an empty string.
   Option check(const std::function<std::string(const std::string&)>& what_is_wrong) const;
 
@@ -66,10 +65,5 @@ Option add_value(CLI::App& command, const char* names, Value& value, const char*
 }
 // An option without a value; "!--no-NAME" sets false.
 Option add_flag(CLI::App& command, const char* names, bool& value, const std::string& words);
-Option add_flag_callback(CLI::App& command, const char* names, const std::function<void()>& action,
-                         const std::string& words);
-
-// An option that was added before, "--measured".
-Option get_option(CLI::App& command, const char* name);
 
 }  // namespace rotorub

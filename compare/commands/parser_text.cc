@@ -1,6 +1,7 @@
 #include "compare/commands/parser_text.h"
 
 #include <CLI/CLI.hpp>
+#include <boost/algorithm/string/split.hpp>
 #include <string>
 #include <utility>
 #include <vector>
@@ -16,16 +17,8 @@ void set_type(OptionText& option, const std::string& type) {
   const std::size_t words = type.find(":{");
   option.value = type.substr(0, words);
   if (words == std::string::npos) return;
-  std::string word;
-  for (std::size_t i = words + 2; i < type.size(); ++i) {
-    if (type[i] != ',' && type[i] != '}') {
-      word += type[i];
-      continue;
-    }
-    option.words.push_back(word);
-    word.clear();
-    if (type[i] == '}') break;
-  }
+  const std::string listed = type.substr(words + 2, type.find('}', words) - words - 2);
+  boost::split(option.words, listed, [](char c) { return c == ','; });
 }
 
 std::vector<OptionText> options_of(const CLI::App& app) {

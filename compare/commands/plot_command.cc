@@ -7,16 +7,16 @@
 
 #include "compare/commands/command.h"
 #include "compare/commands/options.h"
-#include "compare/commands/terminal.h"
 #include "compare/report/page.h"
 #include "compare/result/result.h"
 #include "compare/run_files/run_directory.h"
-#include "native_model/control/library.h"
 #include "native_model/scene/text.h"
 #include "native_model/trajectory/output.h"
 
 namespace rotorub {
 namespace {
+
+using std::filesystem::path;
 
 struct PlotArguments : CommonOptions {
   std::string folder, file;
@@ -24,13 +24,11 @@ struct PlotArguments : CommonOptions {
 
 // Throws UsageError for a folder without a run.
 StoredRun run_of(const PlotArguments& options) {
-  if (!options.overrides.empty()) {
-    throw UsageError(
-        fmt::format("{} is the folder of a run: --set changes scenes", options.folder));
-  }
+  if (!options.overrides.empty())
+    throw UsageError("{} is the folder of a run: --set changes scenes", options.folder);
   if (!std::filesystem::is_directory(options.folder)) {
-    throw UsageError(fmt::format("{}: is no folder; accepted is what `rotorub run -o DIR` wrote",
-                                 options.folder));
+    throw UsageError("{}: is no folder; accepted is what `rotorub run -o DIR` wrote",
+                     options.folder);
   }
   return stored_run(options.folder);
 }
@@ -40,24 +38,20 @@ int plot(const PlotArguments& options) {
   const auto shadow = read_shadow(options.folder, run);
   if (shadow)
     check_series(shadow->trajectory, options.folder + "/" + kShadowFolder + "/series.csv");
-  const std::filesystem::path file = options.file.empty()
-                                         ? std::filesystem::path(options.folder) / kRunPage
-                                         : std::filesystem::path(options.file);
+  const path file = options.file.empty() ? path(options.folder) / kRunPage : path(options.file);
   check_output_file(file);
   write_whole(file, run_page(run, shadow));
   const result::Section result{
-      .parts = {
-          result::Data{"",
-                       {{"scene", run.scene.name},
-                        {"file", file.string()},
-                        {"rows", run.trajectory.rows()},
-                        {"impacts", run.trajectory.impacts.size()},
-                        {"shadow", shadow.has_value()}}},
-          result::line(fmt::format("{}: {} rows{}\nwritten to {}", scene::printable(run.scene.name),
-                                   run.trajectory.rows(), shadow ? ", with its shadow" : "",
-                                   printable_path(file)))}};
-  result::print(result, {options.json, options.quiet});
-  return kDone;
+      .parts = {result::Data{"",
+                             {{"scene", run.scene.name},
+                              {"file", file.string()},
+                              {"rows", run.trajectory.rows()},
+                              {"impacts", run.trajectory.impacts.size()},
+                              {"shadow", shadow.has_value()}}},
+                result::line(fmt::format("{}: {} rows{}", scene::printable(run.scene.name),
+                                         run.trajectory.rows(), shadow ? ", with its shadow" : "")),
+                written_to(file)}};
+  return finish(result, options);
 }
 
 }  // namespace
@@ -69,10 +63,7 @@ Command add_plot_command(CLI::App& program) {
       .required();
   add_value(app, "-o,--output", options->file, "FILE.html", "File (default: RUN_DIR/plot.html)");
   add_common_options(app, *options);
-  return {&app, [options] {
-            set_scene_libraries(SceneLibraries::kLeftOut);
-            return plot(*options);
-          }};
+  return {&app, [options] { return plot(*options); }};
 }
 
 }  // namespace rotorub

@@ -15,7 +15,7 @@
 #include "compare/result/result.h"
 #include "compare/run_files/run_directory.h"
 #include "compare/study/scene_comparison.h"
-#include "native_model/control/library.h"
+#include "native_model/control/library_file.h"
 #include "native_model/scene/text.h"
 #include "native_model/trajectory/output.h"
 #include "renders/film.h"
@@ -35,9 +35,8 @@ constexpr std::size_t kFilmRows = 50000;
 void check_window(const scene::Scene& scene, const renders::RenderOptions& film) {
   for (const auto& [flag, time] : {std::pair{"--from", film.from}, {"--to", film.to}}) {
     if (!time || *time <= scene.run.end) continue;
-    throw UsageError(
-        fmt::format("{} {} s: accepted is a time of the run, which ends at {} s (--end)", flag,
-                    *time, scene.run.end));
+    throw UsageError("{} {} s: accepted is a time of the run, which ends at {} s (--end)", flag,
+                     *time, scene.run.end);
   }
 }
 
@@ -45,9 +44,9 @@ scene::Scene scene_for_film(const RenderArguments& options, const renders::Rende
   scene::Scene scene = read_scene(options.source, options);
   if (const auto libraries = libraries_of(scene); !libraries.empty()) {
     throw UsageError(
-        fmt::format("{}: its controller is a library, {}, which render does not open; run it "
-                    "first, rotorub run {} --allow-library -o DIR, and render DIR",
-                    options.source, libraries.front().file, options.source));
+        "{0}: its controller is a library, {1}, which render does not open; run it first, rotorub "
+        "run {0} --allow-library -o DIR, and render DIR",
+        options.source, libraries.front().file);
   }
   check_window(scene, film);
   return scene;
@@ -63,8 +62,8 @@ Trajectory run_for_film(const scene::Scene& scene, ProgressBar& bar) {
 
 StoredRun stored(const RenderArguments& options) {
   if (!options.overrides.empty() || !options.step.empty() || !options.end.empty()) {
-    throw UsageError(fmt::format("{} is the folder of a run: --set, --step and --end change scenes",
-                                 options.source));
+    throw UsageError("{} is the folder of a run: --set, --step and --end change scenes",
+                     options.source);
   }
   StoredRun run = stored_run(options.source);
   if (run.trajectory.status != Status::kOk) {
@@ -77,33 +76,49 @@ StoredRun stored(const RenderArguments& options) {
 }
 
 // The run of --beside. Its engine, contact model and integrator may differ, but not what is drawn.
-std::optional<StoredRun> run_beside(const FilmRequest& request, const StoredRun& run) {
-  if (request.beside.empty()) return std::nullopt;
-  if (!std::filesystem::is_directory(request.beside)) {
-    throw UsageError(fmt::format("--beside {}: accepted is the folder of a run", request.beside));
-  }
-  StoredRun beside = stored_run(request.beside);
+std::optional<StoredRun> run_beside(const std::string& folder, const StoredRun& run) {
+  if (folder.empty()) return std::nullopt;
+  if (!std::filesystem::is_directory(folder)) refuse("--beside", folder, "the folder of a run");
+  StoredRun beside = stored_run(folder);
   if (beside.scene.name != run.scene.name) {
-    throw UsageError(fmt::format("--beside {}: is a run of {}; accepted is one of {}",
-                                 request.beside, beside.scene.name, run.scene.name));
+    throw UsageError("--beside {}: is a run of {}; accepted is one of {}", folder,
+                     beside.scene.name, run.scene.name);
   }
   return beside;
 }
 
-// The result, in words and as JSON.
-struct Outcome {
-  renders::Framing framing;
-  std::string words;
-  nlohmann::json json;
-};
-
-Outcome made_picture(const StoredRun& run, const FilmRequest& request, const std::string& file) {
-  const auto made =
-      renders::render_still(run.scene, run.trajectory, request.at, request.options, file);
-  return {made.framing, fmt::format("a picture of {:.6g} s", made.t), {{"t", made.t}}};
+// words, json: what only a picture or only a film has.
+result::Section result_of(const StoredRun& run, const renders::RenderOptions& film,
+                          const renders::Framing& framing, const std::string& file,
+                          const std::string& words, const nlohmann::json& json) {
+  const bool shadow = film.shadow != nullptr;
+  return {.parts = {result::Data{"", json},
+                    result::Data{"",
+                                 {{"scene", run.scene.name},
+                                  {"file", file},
+                                  {"from", framing.from},
+                                  {"to", framing.to},
+                                  {"width", film.width},
+                                  {"height", film.height},
+                                  {"magnification", framing.magnification},
+                                  {"shadow", shadow}}},
+                    result::line(fmt::format("{}: {}, displacements magnified {:.3g} times{}",
+                                             scene::printable(run.scene.name), words,
+                                             framing.magnification,
+                                             shadow ? ", its shadow as a ghost" : "")),
+                    written_to(file)}};
 }
 
-Outcome made_film(const StoredRun& run, const FilmRequest& request, const std::string& file) {
+result::Section make_picture(const StoredRun& run, const FilmRequest& request,
+                             const std::string& file) {
+  const auto made =
+      renders::render_still(run.scene, run.trajectory, request.at, request.options, file);
+  return result_of(run, request.options, made.framing, file,
+                   fmt::format("a picture of {:.6g} s", made.t), {{"t", made.t}});
+}
+
+result::Section make_film(const StoredRun& run, const FilmRequest& request,
+                          const std::string& file) {
   const auto made = renders::render(run.scene, run.trajectory, request.options, file);
   const renders::FilmClock& clock = made.framing.clock;
   std::string words =
@@ -111,34 +126,12 @@ Outcome made_film(const StoredRun& run, const FilmRequest& request, const std::s
   if (!clock.impacts().empty()) {
     words += fmt::format(", {:.4g} times at {} impacts", clock.slowest(), clock.impacts().size());
   }
-  return {made.framing,
-          words,
-          {{"slow_motion", made.framing.slow_motion},
-           {"slow_motion_at_impacts", clock.slowest()},
-           {"frames", made.framing.frames},
-           {"frames_per_second", request.options.frames_per_second},
-           {"film_s", made.film_s}}};
-}
-
-void tell(const RenderArguments& options, const FilmRequest& request, const StoredRun& run,
-          const Outcome& made, const std::string& file) {
-  const bool shadow = request.options.shadow != nullptr;
-  const result::Section result{
-      .parts = {result::Data{"", made.json},
-                result::Data{"",
-                             {{"scene", run.scene.name},
-                              {"file", file},
-                              {"from", made.framing.from},
-                              {"to", made.framing.to},
-                              {"width", request.options.width},
-                              {"height", request.options.height},
-                              {"magnification", made.framing.magnification},
-                              {"shadow", shadow}}},
-                result::line(fmt::format(
-                    "{}: {}, displacements magnified {:.3g} times{}\nwritten to {}",
-                    scene::printable(run.scene.name), made.words, made.framing.magnification,
-                    shadow ? ", its shadow as a ghost" : "", printable_path(file)))}};
-  result::print(result, {options.json, options.quiet});
+  return result_of(run, request.options, made.framing, file, words,
+                   {{"slow_motion", made.framing.slow_motion},
+                    {"slow_motion_at_impacts", clock.slowest()},
+                    {"frames", made.framing.frames},
+                    {"frames_per_second", request.options.frames_per_second},
+                    {"film_s", made.film_s}});
 }
 
 int render_film(const RenderArguments& options) {
@@ -146,8 +139,9 @@ int render_film(const RenderArguments& options) {
   const bool is_run = std::filesystem::is_directory(options.source);
   StoredRun run =
       is_run ? stored(options) : StoredRun{scene_for_film(options, request.options), {}};
-  const std::string file =
-      request.file.empty() ? run.scene.name + renders::extension(request.format) : request.file;
+  const std::string file = options.film.file.empty()
+                               ? run.scene.name + renders::extension(request.format)
+                               : options.film.file;
   check_output_file(file);
   ProgressBar bar(options.quiet);
   if (!is_run) run.trajectory = run_for_film(run.scene, bar);
@@ -161,17 +155,17 @@ int render_film(const RenderArguments& options) {
   const std::optional<StoredRun> shadow =
       is_run ? read_shadow(options.source, run) : std::optional<StoredRun>();
   if (shadow) request.options.shadow = &shadow->trajectory;
-  const std::optional<StoredRun> beside = run_beside(request, run);
+  const std::optional<StoredRun> beside = run_beside(options.film.beside, run);
   if (beside) request.options.beside = &beside->trajectory;
   request.options.progress = [&](double share) {
     if (interrupted()) throw Interrupted();
     bar.show(0.1 + 0.9 * share, "film");
   };
   const bool picture = request.format == renders::FilmFormat::kPng;
-  const Outcome made = picture ? made_picture(run, request, file) : made_film(run, request, file);
+  const result::Section made =
+      picture ? make_picture(run, request, file) : make_film(run, request, file);
   bar.clear();
-  tell(options, request, run, made, file);
-  return kDone;
+  return finish(made, options);
 }
 
 }  // namespace
@@ -186,10 +180,7 @@ Command add_render_command(CLI::App& program) {
   add_film_options(app, options->film);
   add_run_options(app, *options);
   add_common_options(app, *options);
-  return {&app, [options] {
-            set_scene_libraries(SceneLibraries::kLeftOut);
-            return render_film(*options);
-          }};
+  return {&app, [options] { return render_film(*options); }};
 }
 
 }  // namespace rotorub

@@ -2,7 +2,6 @@
 
 #include <fmt/format.h>
 
-#include <cstdio>
 #include <filesystem>
 #include <memory>
 #include <nlohmann/json.hpp>
@@ -31,6 +30,8 @@
 namespace rotorub {
 namespace {
 
+using std::filesystem::path;
+
 struct RunArguments : CommonOptions, MeasuredArguments {
   std::string scene, engine = "native", integrator, contact, folder, format = "csv";
   bool lyapunov = false;
@@ -39,9 +40,8 @@ struct RunArguments : CommonOptions, MeasuredArguments {
 std::unique_ptr<Engine> engine_of(const RunArguments& options, const scene::Scene& scene) {
   if (options.engine == "native") {
     if (!options.contact.empty() && options.contact != "rigid") {
-      throw UsageError(
-          fmt::format("--contact {} belongs to --engine mujoco; the native engine accepts: rigid",
-                      options.contact));
+      throw UsageError("--contact {} belongs to --engine mujoco; the native engine accepts: rigid",
+                       options.contact);
     }
     return native_engine(integrator_named(options.integrator).value_or(scene.run.integrator));
   }
@@ -49,7 +49,7 @@ std::unique_ptr<Engine> engine_of(const RunArguments& options, const scene::Scen
     throw UsageError("--integrator belongs to --engine native; MuJoCo's is [mujoco] integrator");
   }
   return mujoco_engine(options.contact.empty() ? scene.mujoco.contact
-                                               : contact_model_of(options.contact));
+                                               : scene::contact_model(options.contact).value());
 }
 
 bool writes_shadow(const RunArguments& options, const scene::Scene& scene) {
@@ -60,15 +60,12 @@ bool writes_shadow(const RunArguments& options, const scene::Scene& scene) {
 // scene commands the actuator in such a run, so a separate native run at the same step is identical
 // to the bit (tests/plugin/shadow_test.cc). (Magnets without a controller are the exception: in the
 // plugin their force comes from MuJoCo.)
-void write_shadow(const std::filesystem::path& folder, const scene::Scene& scene, ProgressBar& bar,
-                  bool quiet, hdf5::ImageOf hdf5) {
-  RunRequest request;
-  request.interrupt = &interrupted();
-  request.progress = [&](double share) { bar.show(share, kShadowFolder); };
-  const Trajectory trajectory = native_engine(scene::Integrator::kVerlet)->run(scene, request);
-  bar.clear();
+void write_shadow(const path& folder, const scene::Scene& scene, const RunArguments& options,
+                  hdf5::ImageOf hdf5) {
+  const auto engine = native_engine(scene::Integrator::kVerlet);
+  const Trajectory trajectory = run_shown(*engine, scene, kShadowFolder, options.quiet);
   write_run(folder / kShadowFolder, scene, trajectory, hdf5);
-  if (!quiet) fmt::print("its shadow written to {}\n", printable_path(folder / kShadowFolder));
+  say(options, fmt::format("its shadow written to {}\n", printable_path(folder / kShadowFolder)));
   say_failure(scene, "shadow: ", trajectory);
 }
 
@@ -103,15 +100,13 @@ std::optional<MeasuredRun> laid_in(const MeasuredInput& measured, const scene::S
                                    const RunArguments& options, const Trajectory& trajectory) {
   if (!measured.record || trajectory.status == Status::kInterrupted) return std::nullopt;
   const std::string label = options.engine == "native" ? "native" : trajectory.contact_model;
-  try {
+  return with_record(measured, [&] {
     return lay_in(*measured.record, measured.alignment, scene, {{label, &trajectory}});
-  } catch (const MeasuredError& error) {
-    throw UsageError(fmt::format("{}: {}", scene::printable(measured.record->file), error.what()));
-  }
+  });
 }
 
 std::vector<std::string> output_files(const RunArguments& options, const scene::Scene& scene,
-                                      const std::filesystem::path& folder) {
+                                      const path& folder) {
   std::vector<std::string> files = run_files(folder);
   if (options.lyapunov) files.emplace_back(kLyapunovFile);
   if (writes_shadow(options, scene)) {
@@ -127,17 +122,11 @@ int run(const RunArguments& options) {
   const MeasuredInput measured = measured_of(options);
   const scene::Scene scene = read_scene(options.scene, options);
   const auto engine = engine_of(options, scene);
-  const std::filesystem::path folder =
-      options.folder.empty() ? std::filesystem::path("runs") / (scene.name + "-" + engine->name())
-                             : std::filesystem::path(options.folder);
+  const path folder = options.folder.empty() ? path("runs") / (scene.name + "-" + engine->name())
+                                             : path(options.folder);
   check_output_folder(folder, output_files(options, scene, folder));
 
-  ProgressBar bar(options.quiet);
-  RunRequest request;
-  request.interrupt = &interrupted();
-  request.progress = [&](double share) { bar.show(share, engine->name()); };
-  const Trajectory trajectory = engine->run(scene, request);
-  bar.clear();
+  const Trajectory trajectory = run_shown(*engine, scene, engine->name(), options.quiet);
   write_run(folder, scene, trajectory, hdf5);
 
   result::Section told = run_result(scene, trajectory);
@@ -148,14 +137,11 @@ int run(const RunArguments& options) {
   }
   if (const auto beside = laid_in(measured, scene, options, trajectory))
     told.add({measured_section(*beside)});
-  told.add({result::line(fmt::format("written to {}", printable_path(folder)))});
-  result::print(told, {options.json, options.quiet, palette_of(stdout)});
+  told.add({written_to(folder)});
+  const int code = finish(told, options, exit_code_of(trajectory.status));
   say_failure(scene, "", trajectory);
-  const bool stopped = trajectory.status == Status::kInterrupted;
-  if (writes_shadow(options, scene) && !stopped) {
-    write_shadow(folder, scene, bar, options.quiet || options.json, hdf5);
-  }
-  return exit_code_of(trajectory.status);
+  if (writes_shadow(options, scene) && code != kStopped) write_shadow(folder, scene, options, hdf5);
+  return code;
 }
 
 }  // namespace

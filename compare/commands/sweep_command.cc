@@ -49,9 +49,9 @@ std::string results_text(const Sweep& sweep, sweep::Store& store) {
                      printable_path(sweep.folder), sweep::kCsvFile, sweep::kPageFile);
 }
 
-// Prints what is stored as JSON, or words for people, which may be empty.
-void print_state(const SweepArguments& options, const Sweep& sweep, sweep::Store& store,
-                 const sweep::Shard& shard, const std::string& words) {
+// Prints what is stored as JSON, or words for people, which may be empty. Returns kDone.
+int finish_with_state(const SweepArguments& options, const Sweep& sweep, sweep::Store& store,
+                      const sweep::Shard& shard, const std::string& words) {
   const auto identity = sweep::identity_of(*sweep.scenes);
   const std::int64_t done = store.count();
   result::Section state{
@@ -64,7 +64,7 @@ void print_state(const SweepArguments& options, const Sweep& sweep, sweep::Store
                               {"complete", done == shard.points_of(identity.points)},
                               {"folder", sweep.folder.string()}}}}};
   if (!words.empty()) state.add({result::line(words)});
-  result::print(state, {options.json, options.quiet});
+  return finish(state, options);
 }
 
 int run_points(const SweepArguments& options, const Sweep& sweep) {
@@ -81,18 +81,17 @@ int run_points(const SweepArguments& options, const Sweep& sweep) {
   report.clear();
   const std::string file = (sweep.folder / shard.file()).string();
   if (!complete) {
-    print_state(
+    finish_with_state(
         options, sweep, store, shard,
         fmt::format("{} points are stored in {}; run it again to go on", store.count(), file));
     throw Interrupted();
   }
   if (shard.whole()) write_results(options, sweep, store);
-  print_state(options, sweep, store, shard,
-              shard.whole()
-                  ? results_text(sweep, store)
-                  : fmt::format("shard {}/{}: {}\nwritten to {}; --merge joins the shards",
-                                shard.number, shard.count, counts_text(store), file));
-  return kDone;
+  return finish_with_state(
+      options, sweep, store, shard,
+      shard.whole() ? results_text(sweep, store)
+                    : fmt::format("shard {}/{}: {}\nwritten to {}; --merge joins the shards",
+                                  shard.number, shard.count, counts_text(store), file));
 }
 
 int merge(const SweepArguments& options, const Sweep& sweep) {
@@ -100,7 +99,7 @@ int merge(const SweepArguments& options, const Sweep& sweep) {
   const path own = sweep.folder / sweep::Shard{}.file();
   for (const std::string& name : options.merge) {
     if (!std::filesystem::is_directory(name)) {
-      throw UsageError(fmt::format("--merge {}: accepted are folders of sweeps", name));
+      throw UsageError("--merge {}: accepted are folders of sweeps", name);
     }
     for (const path& file : sweep::result_files(name)) {
       std::error_code none;
@@ -113,9 +112,11 @@ int merge(const SweepArguments& options, const Sweep& sweep) {
   }
   for (const path& file : files) store.merge(file);
   const std::int64_t missing = sweep.scenes->sample().size() - store.count();
-  if (missing == 0) write_results(options, sweep, store);
-  print_state(options, sweep, store, {}, missing == 0 ? results_text(sweep, store) : "");
-  if (missing == 0) return kDone;
+  if (missing == 0) {
+    write_results(options, sweep, store);
+    return finish_with_state(options, sweep, store, {}, results_text(sweep, store));
+  }
+  finish_with_state(options, sweep, store, {}, "");
   print_error(
       fmt::format("{} of {} points are missing in {}: run the shards that are not done, and "
                   "merge again",
@@ -153,9 +154,9 @@ int tasks_of(const SweepArguments& options, const Sweep& sweep) {
   const int tasks = static_cast<int>(std::min<std::int64_t>(wanted, points));
   if (earlier > 0 && earlier != tasks) {
     throw UsageError(
-        fmt::format("--tasks {}: {} holds results of {} shards, and other shards would run points "
-                    "again; give --tasks {}, or another folder",
-                    tasks, sweep.folder.string(), earlier, earlier));
+        "--tasks {0}: {1} holds results of {2} shards, and other shards would run points again; "
+        "give --tasks {2}, or another folder",
+        tasks, sweep.folder.string(), earlier);
   }
   return tasks;
 }
@@ -186,8 +187,7 @@ int submit_to_slurm(const SweepArguments& options, const Sweep& sweep) {
          result::line(fmt::format("submitted {} as job {}, {} of {} tasks; when it is done:\n  {}",
                                   printable_path(script), number, open.size(), job.tasks, join))});
   }
-  result::print(submitted, {options.json, options.quiet});
-  return kDone;
+  return finish(submitted, options);
 }
 
 // Prints notes on old words in the scene, as every command does. Notes on the study are printed

@@ -106,20 +106,15 @@ void write_results(const SweepArguments& options, const Sweep& sweep, sweep::Sto
 int keep_points(const SweepArguments& options, const Sweep& sweep) {
   const std::int64_t last = sweep.scenes->sample().size() - 1;
   for (const std::int64_t point : options.points) {
-    if (point > last)
-      throw UsageError(fmt::format("--point {}: accepted are 0 to {}", point, last));
+    if (point > last) throw UsageError("--point {}: accepted are 0 to {}", point, last);
   }
   int code = kDone;
   result::Section all;
   for (const std::int64_t point : options.points) {
     const std::string name = point_folder(point);
     StoredRun kept{sweep.scenes->whole_at(point), {}};
-    ProgressBar bar(options.quiet || options.json);
-    RunRequest request;
-    request.interrupt = &interrupted();
-    request.progress = [&](double share) { bar.show(share, name); };
-    kept.trajectory = sweep::engine_of(sweep.study, kept.scene)->run(kept.scene, request);
-    bar.clear();
+    kept.trajectory = run_shown(*sweep::engine_of(sweep.study, kept.scene), kept.scene, name,
+                                options.quiet || options.json);
     const path folder = sweep.folder / name;
     write_run(folder, kept.scene, kept.trajectory);
     write_whole(folder / kRunPage, run_page(kept, std::nullopt));
@@ -129,12 +124,12 @@ int keep_points(const SweepArguments& options, const Sweep& sweep) {
         {result::Data{"", {{"point", point}, {"status", status}, {"folder", folder.string()}}},
          result::line(fmt::format("point {}: {}\nwritten to {} ({})", point, status,
                                   printable_path(folder), kRunPage))}};
-    result::print(made, {.quiet = options.quiet || options.json});
+    say(options, result::text_of(made));
     all.add({made});
     say_failure(kept.scene, name + ": ", kept.trajectory);
     code = std::max(code, exit_code_of(kept.trajectory.status));
   }
-  if (options.json) result::print(all, {.json = true});
+  if (options.json) finish(all, options);
   // Update the page, so that it links to the saved runs.
   if (std::filesystem::exists(sweep.folder / sweep::kPageFile)) {
     sweep::Store store = sweep.store({});

@@ -97,6 +97,13 @@ void ProgressBar::show(double share, const std::string& what) {
   std::fflush(stderr);
 }
 
+std::function<void(double, const std::string&)> ProgressBar::part(std::size_t k, std::size_t n,
+                                                                  const std::string& name) {
+  return [this, k, n, name](double share, const std::string& what) {
+    show((static_cast<double>(k) + share) / static_cast<double>(n), name + ": " + what);
+  };
+}
+
 void ProgressBar::show_line(double share, const std::string& what) {
   const auto now = Clock::now();
   if (wrote_line_ && now - last_ < kLineEvery) return;

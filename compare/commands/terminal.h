@@ -4,6 +4,7 @@
 #include <chrono>
 #include <cstdio>
 #include <filesystem>
+#include <functional>
 #include <string>
 
 #include "compare/base/palette.h"
@@ -36,6 +37,9 @@ class ProgressBar {
 
   // share: fraction done, in [0, 1]. Cheap to call often.
   void show(double share, const std::string& what);
+  // A function that shows the fraction done of the k-th of n equal parts, "ring: event".
+  std::function<void(double, const std::string&)> part(std::size_t k, std::size_t n,
+                                                       const std::string& name);
   // Erases the bar, so that other text can follow.
   void clear();
 

@@ -3,7 +3,6 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <cstdio>
 #include <functional>
 #include <memory>
 
@@ -48,10 +47,9 @@ void write_tuned(const TuneArguments& options, const tune::TuneResult& result) {
   const auto& setting = result.settings[*result.choice.trusted].setting;
   const auto tuned = tune::tuned_text(result.scene.text, options.scene, setting);
   write_whole(options.file, tuned.text);
-  if (options.json || options.quiet) return;
-  fmt::print("\nwritten{}; its own comparison:\n  rotorub compare {} --contact {}\n",
-             tuned.comments_kept ? "" : " (anew: comments could not be kept)",
-             printable_path(options.file), to_string(setting.contact));
+  say(options, fmt::format("\nwritten{}; its own comparison:\n  rotorub compare {} --contact {}\n",
+                           tuned.comments_kept ? "" : " (anew: comments could not be kept)",
+                           printable_path(options.file), to_string(setting.contact)));
 }
 
 int run_tune(const TuneArguments& options) {
@@ -59,9 +57,9 @@ int run_tune(const TuneArguments& options) {
   check_twins(options.twins);
   const scene::Scene scene = read_scene(options.scene, options);
   if (!scene.first().contact) {
-    throw UsageError(fmt::format(
+    throw UsageError(
         "{}: without a contact there is nothing to tune; accepted is a scene with [contact]",
-        options.scene));
+        options.scene);
   }
   check_output_file(options.file);
   ProgressBar bar(options.quiet);
@@ -70,9 +68,10 @@ int run_tune(const TuneArguments& options) {
             [&](double share, const std::string& what) { bar.show(share, what); });
   bar.clear();
 
-  result::print(tune::result_of(result), {options.json, options.quiet, palette_of(stdout)});
+  const int code = result.choice.trusted ? kDone : kOutside;
+  finish(tune::result_of(result), options, code);
   if (!options.file.empty()) write_tuned(options, result);
-  return result.choice.trusted ? kDone : kOutside;
+  return code;
 }
 
 }  // namespace
@@ -87,12 +86,7 @@ tune::TuneResult tuned(const std::string& file, const scene::Scene& scene,
   parameters.steps = tune_steps(steps, scene);
   parameters.interrupt = &interrupted();
   parameters.progress = progress;
-  const auto reader = [&](const std::vector<std::string>& further) {
-    CommonOptions with = options;
-    with.overrides.insert(with.overrides.end(), further.begin(), further.end());
-    return read_scene(file, with);
-  };
-  tune::TuneResult result = tune::tune_scene(reader, parameters);
+  tune::TuneResult result = tune::tune_scene(scene_reader(file, options), parameters);
   if (result.interrupted) throw Interrupted();
   return result;
 }

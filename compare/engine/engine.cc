@@ -52,7 +52,7 @@ class MujocoEngine final : public Engine {
 
 class DefaultConeEngine final : public Engine {
  public:
-  std::string name() const override { return std::string("mujoco-") + kConeDefault; }
+  std::string name() const override { return "mujoco-cone-default"; }
   Trajectory run(const scene::Scene& given, const RunRequest& request) const override {
     scene::Scene scene = given;
     scene.mujoco.friction_reference = 0.0;

@@ -89,8 +89,7 @@ struct DefaultSolref {
 // "0.02 1"
 std::string solref_text(double first, double second);
 
-// The label of MuJoCo's cone with its default solref, whatever the scene sets.
-inline constexpr const char* kConeDefault = "cone-default";
+// MuJoCo's cone with its default solref, whatever the scene sets.
 std::unique_ptr<Engine> default_cone_engine();
 
 const char* to_string(scene::Integrator integrator);

@@ -30,10 +30,18 @@ FigureSample figure_sample(const Figure& figure, const Metrics& run,
     const double apart = figure.value(m) - s.value;
     sum += apart;
     square += apart * apart;
+    const double share = std::abs(deviation(figure, s.value, figure.value(m)));
+    if (std::isfinite(share)) s.floor = std::max(s.floor, share);
   }
   s.mean += sum / n;
   if (s.count > 1) s.deviation = std::sqrt(std::max(0.0, square - sum * sum / n) / (n - 1.0));
   return s;
+}
+
+std::vector<FigureSample> figure_samples(const Metrics& run, std::span<const Metrics> twins) {
+  std::vector<FigureSample> all;
+  for (const Figure& f : figures()) all.push_back(figure_sample(f, run, twins));
+  return all;
 }
 
 Interval interval(const FigureSample& a, const FigureSample& b) {

@@ -13,10 +13,15 @@ struct FigureSample {
   double mean = 0.0;       // of the run and its twins
   double deviation = 0.0;  // standard deviation of one run; 0 without twins
   int count = 1;           // runs
+  // Shares on the figure's scale: the largest |deviation| of a twin, and the smallest difference
+  // that a replay can resolve (replay_floor() in study), 0 except there.
+  double floor = 0.0, replay_floor = 0.0;
 };
 
 FigureSample figure_sample(const Figure& figure, const Metrics& run,
                            std::span<const Metrics> twins);
+// One for each figure, in the order of figures().
+std::vector<FigureSample> figure_samples(const Metrics& run, std::span<const Metrics> twins);
 
 // half: half of the 95 % confidence interval of the difference of the means. least_told: the
 // smallest difference that 4 of 5 such comparisons would detect (80 % power). SI (Welch, Biometrika

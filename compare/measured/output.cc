@@ -10,6 +10,7 @@
 #include "compare/base/format.h"
 #include "compare/base/json.h"
 #include "compare/base/units.h"
+#include "compare/figures/contact_kind.h"
 
 namespace rotorub {
 namespace {
@@ -96,7 +97,8 @@ result::Table record_table(const MeasuredRun& run, std::string place, std::strin
   record.width = 9;
   result::Table table{std::move(place), {{"", std::move(heading), -29}, std::move(record)}};
   for (const std::string& label : run.labels) {
-    const std::string name = column_heading(label);
+    const ContactKind* kind = contact_kind(label);
+    const std::string name = kind ? kind->heading : label;
     table.columns.push_back(
         {"runs/" + label, apart(name), 8, name.empty() ? result::kJson : result::kAll});
   }

@@ -40,7 +40,7 @@ inline constexpr std::string_view kContactForce =
     "force";  // the only quantity that is averaged over a sample
 
 enum class Sample : std::uint8_t { kGood, kMissing, kClipped };
-// Of a value that needs both samples.
+// The state of a value that is computed from two samples.
 Sample both(Sample a, Sample b);
 
 struct MeasuredColumn {

@@ -41,7 +41,7 @@ SampledRun::SampledRun(const Trajectory& run) : run_(&run), t_(&run.column("t"))
     const double given = 0.5 * ((*t_)[i] - (*t_)[i - 1]) * (force[i - 1] + force[i]);
     momentum_.push_back(momentum_.back() + given);
   }
-  if (run.contact_model != "rigid") return;  // a soft contact is already included in the force
+  if (!run.is_rigid()) return;  // a soft contact is already included in the force
   std::vector<Impact> impacts;
   std::copy_if(run.impacts.begin(), run.impacts.end(), std::back_inserter(impacts),
                [&](const Impact& i) { return i.t >= start() && i.t <= end(); });

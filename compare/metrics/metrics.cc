@@ -115,9 +115,8 @@ Metrics totals(const Trajectory& trajectory) {
     m.lasting_fraction = lasting > kUnseen ? lasting * m.contact_fraction : 0.0;
   }
   // Rigid laws are compared by their impacts, soft contacts with native by the window.
-  if (trajectory.contact_model == "rigid") m.impact_impulse = m.peak_impulse;
-  if (trajectory.contact_model != "rigid" || trajectory.engine == "native")
-    m.window_impulse = s.window_impulse;
+  if (trajectory.is_rigid()) m.impact_impulse = m.peak_impulse;
+  if (!trajectory.is_rigid() || trajectory.engine == "native") m.window_impulse = s.window_impulse;
   m.impulse_total = s.impulse_total;
   m.friction_impulse = s.friction_impulse;
   m.friction_work = s.friction_work;

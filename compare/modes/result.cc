@@ -64,7 +64,7 @@ Part response_part(const RotorAnalysis& analysis, std::size_t at, std::size_t be
   return response_section(*place, analysis.responses[at], analysis.spectra[at].speed);
 }
 
-// What is known at one speed, apart from its rubs.
+// The results at one speed, without its rubs.
 Section speed_section(const RotorAnalysis& analysis, std::size_t at) {
   const auto& [speed, modes] = analysis.spectra[at];
   const auto name_of = [speed = speed](const WhirlMode& mode) { return sense_of(mode, speed); };

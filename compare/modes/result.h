@@ -1,4 +1,4 @@
-// What `rotorub modes` prints of a rotor and of its lasting rubs.
+// The result of `rotorub modes`: the analysis of a rotor and of its lasting rubs.
 #pragma once
 
 #include <string>

@@ -21,8 +21,7 @@ namespace {
 // Whether an episode of a soft contact lasts longer than an impact. It is then a rub, and its
 // impulse is the sum over the whole rub.
 bool is_lasting(const Trajectory& run, const std::string& column, double begin) {
-  const std::string& model = run.contact_model;
-  if (model == "rigid" || model == "compliant" || !run.has(column)) return false;
+  if (run.is_rigid() || run.contact_model == "compliant" || !run.has(column)) return false;
   const auto &t = run.column("t"), &force = run.column(column);
   auto row = static_cast<std::size_t>(std::upper_bound(t.begin(), t.end(), begin) - t.begin());
   double last = begin;

@@ -14,20 +14,6 @@ namespace {
 
 using nlohmann::json;
 
-const char* tone(FigureVerdict verdict) {
-  switch (verdict) {
-    case FigureVerdict::kWithin:
-      return "good";
-    case FigureVerdict::kOutside:
-      return "bad";
-    case FigureVerdict::kUndecidable:
-      return "part";
-    case FigureVerdict::kNotJudged:
-      break;
-  }
-  return "";
-}
-
 // The cells of one figure, with the label of its deviation.
 json cells_of(const SceneComparison& c, std::size_t figure) {
   json cells = json::array();
@@ -38,7 +24,7 @@ json cells_of(const SceneComparison& c, std::size_t figure) {
     if (compared && !compared->is_absent()) {
       const JudgedFigure& d = *compared;
       cell["deviation"] = difference_text(d);
-      cell["tone"] = column.judged ? tone(d.verdict) : "";
+      cell["tone"] = column.judged ? tone_class(tone_of(d.verdict)) : "";
       cell["verdict"] = column.judged ? to_string(d.verdict) : "the step's";
     }
     cells.push_back(std::move(cell));
@@ -47,6 +33,11 @@ json cells_of(const SceneComparison& c, std::size_t figure) {
 }
 
 }  // namespace
+
+const char* tone_class(Tone tone) {
+  constexpr const char* kClasses[] = {"", "good", "part", "bad"};  // in the order of Tone
+  return kClasses[static_cast<int>(tone)];
+}
 
 json column_values(const SceneComparison& c) {
   json all = json::array();
@@ -74,12 +65,12 @@ json split_rows(const SceneComparison& c, bool valid) {
   for (std::size_t k = 0; k < figures().size(); ++k) {
     const Figure& f = figures()[k];
     if (!f.split || is_absent(c, f)) continue;
-    for (std::size_t side = 1; side < c.sides.size(); ++side) {
-      const FigureDifference& d = c.differences[side - 1].figures[k];
+    for (const ComparedModel& m : c.models) {
+      const FigureDifference& d = m.figures[k];
       if (d.split.valid != valid) continue;
       rows.push_back({{"label", f.label},
                       {"unit", f.unit},
-                      {"side", c.sides[side].label},
+                      {"side", m.run.label},
                       {"difference", figure_value(f, d.split.difference)},
                       {"model_gap", figure_value(f, d.split.model_gap)},
                       {"step_error", figure_value(f, d.split.step_error)},

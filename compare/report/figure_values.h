@@ -4,9 +4,12 @@
 
 #include <nlohmann/json_fwd.hpp>
 
+#include "compare/base/palette.h"
 #include "compare/study/scene_comparison.h"
 
 namespace rotorub {
+
+const char* tone_class(Tone tone);  // the class of its elements: "", "good", "part", "bad"
 
 nlohmann::json column_values(const SceneComparison& c);  // the headings of the columns
 nlohmann::json figure_rows(const SceneComparison& c,

@@ -36,19 +36,18 @@ std::string shadow_sentence(const SceneComparison& c) {
            ". What it is off by is the step's; what MuJoCo is off beyond it is the contact "
            "model's.";
   }
-  return what + ", driven by the commands of " + c.sides[1].label +
+  return what + ", driven by the commands of " + c.models.front().run.label +
          ". What it is off by is the step's, and what the open loop makes of it.";
 }
 
 json resync_rows(const SceneComparison& c) {
   json rows = json::array();
-  for (std::size_t k = 0; k < c.differences.size(); ++k) {
-    if (!c.differences[k].resync) continue;
-    const Resync& r = *c.differences[k].resync;
-    for (const ResyncRow& row : r.rows) {
+  for (const ComparedModel& m : c.models) {
+    if (!m.resync) continue;
+    for (const ResyncRow& row : m.resync->rows) {
       const ResyncFigure& f = *row.figure;
-      rows.push_back({{"side", c.sides[k + 1].label},
-                      {"onsets", r.onsets.size()},
+      rows.push_back({{"side", m.run.label},
+                      {"onsets", m.resync->onsets.size()},
                       {"label", f.label},
                       {"unit", f.unit},
                       {"meaning", f.meaning},
@@ -59,42 +58,22 @@ json resync_rows(const SceneComparison& c) {
                       {"ninetieth", percents(row.ninetieth) + " %"},
                       {"worst", signed_percent(row.worst_signed)},
                       {"time", fmt::format("{:.5g} s", row.worst_time)},
-                      {"tone", row.verdict == FigureVerdict::kWithin ? "good" : "bad"},
+                      {"tone", tone_class(tone_of(row.verdict))},
                       {"verdict", to_string(row.verdict)}});
     }
   }
   return rows;
 }
 
-const char* name_of(Tone tone) {
-  return tone == Tone::kGood ? "good" : tone == Tone::kBad ? "bad" : "part";
-}
-const char* mark(Trust trust) {
-  switch (trust) {
-    case Trust::kYes:
-      return "✓";
-    case Trust::kAveragesOnly:
-      return "≈";
-    case Trust::kUndecidable:
-      return "?";
-    case Trust::kNo:
-      break;
-  }
-  return "✗";
-}
-
 json verdict_values(const SceneComparison& c) {
-  json all = json::array();
-  for (const std::size_t k : reading_order(c)) {
-    const SideDifference& d = c.differences[k];
-    const bool told = showing(c, k + 1) == Showing::kForces;
-    all.push_back({{"tone", name_of(told ? tone_of(d.trust) : Tone::kPart)},
-                   {"mark", told ? mark(d.trust) : "–"},
-                   {"headline", headline(c, c.sides[k + 1], d)},
-                   {"has_reasons", !d.reasons.empty()},
-                   {"reasons", d.reasons}});
-  }
-  return all;
+  return list_of(reading_order(c), [&](const ComparedModel* m) -> json {
+    const VerdictWords& words = verdict_words(c, *m);
+    return {{"tone", tone_class(words.tone)},
+            {"mark", words.mark},
+            {"headline", headline(c, *m)},
+            {"has_reasons", !m->reasons.empty()},
+            {"reasons", m->reasons}};
+  });
 }
 
 bool knows_modes(const SceneComparison& c) {
@@ -113,20 +92,19 @@ json error_values(const char* of, const LargestError& error) {
 // One row per contact model, all of equal rank. A column of errors that are unknown in all rows is
 // left out.
 json answer_values(const SceneComparison& c) {
-  const std::vector<AnswerRow> rows = answer(c);
   const bool modes = knows_modes(c);
-  return list_of(reading_order(c), [&](std::size_t k) -> json {
-    const AnswerRow& row = rows[k];
-    const ThreeErrors errors = three_errors(c, k + 1);
+  return list_of(reading_order(c), [&](const ComparedModel* m) -> json {
+    const AnswerRow row = answer_row(c, *m);
+    const ThreeErrors errors = three_errors(c, *m);
     json all = {error_values("contact model", errors.contact), error_values("step", errors.step)};
     if (modes) all.push_back(error_values("modes kept", *errors.modes));
     return {{"errors", all},
             {"plain", row.plain},
             {"contact", row.contact},
             {"question", row.question},
-            {"tone", name_of(row.tone)},
-            {"mark", row.trusted == to_string(row.trust) ? mark(row.trust) : "–"},
-            {"trusted", row.trusted},
+            {"tone", tone_class(row.verdict.tone)},
+            {"mark", row.verdict.mark},
+            {"trusted", row.verdict.word},
             {"why", row.why},
             {"cost", row.us_per_step > 0.0 ? fmt::format("{:.3g} µs", row.us_per_step) : "–"},
             {"decides", row.decides},
@@ -137,12 +115,10 @@ json answer_values(const SceneComparison& c) {
 // The rows of the answer's sentence with their tones.
 json clause_values(const SceneComparison& c) {
   json clauses = json::array();
-  const std::vector<AnswerRow> rows = answer(c);
-  for (const std::size_t k : sentence_rows(c)) {
-    const AnswerRow& row = rows[k];
+  for (const AnswerRow& row : sentence_rows(c)) {
     clauses.push_back({{"question", row.question},
-                       {"tone", name_of(row.tone)},
-                       {"trusted", row.trusted},
+                       {"tone", tone_class(row.verdict.tone)},
+                       {"trusted", row.verdict.word},
                        {"plain", row.plain},
                        {"more", true}});
   }
@@ -152,9 +128,9 @@ json clause_values(const SceneComparison& c) {
 
 json impact_rows(const SceneComparison& c) {
   std::size_t count = 0;
-  for (const SideDifference& d : c.differences) count = std::max(count, d.impacts.size());
+  for (const ComparedModel& m : c.models) count = std::max(count, m.impacts.size());
   std::vector<std::vector<Impact>> columns;
-  for (const Side& side : c.sides) columns.push_back(first_impacts(side.trajectory, count));
+  for (const Side* side : c.sides()) columns.push_back(first_impacts(side->trajectory, count));
   json rows = json::array();
   for (std::size_t i = 0; i < count; ++i) {
     const json cells = list_of(columns, [&](const std::vector<Impact>& column) -> json {
@@ -177,10 +153,8 @@ std::string divergence_text(const SceneComparison& c) {
   std::string text =
       "Rotor positions: native runs that start a few units in the last place apart " +
       part_text(c.twin);
-  for (std::size_t k = 0; k < c.differences.size(); ++k) {
-    text += fmt::format("; native and {} {}", c.sides[k + 1].label,
-                        part_text(c.differences[k].divergence));
-  }
+  for (const ComparedModel& m : c.models)
+    text += fmt::format("; native and {} {}", m.run.label, part_text(m.divergence));
   return text + ".";
 }
 
@@ -196,10 +170,10 @@ json condition_values(const SceneComparison& c) {
   add("tolerance", percent_text(c.tolerance));
   add("repeated runs",
       fmt::format("{} of native, from starts a few units in the last place apart", c.twins));
-  for (const Side& side : c.sides) {
-    const Trajectory& t = side.trajectory;
-    add(side.label.c_str(), fmt::format("{}, integrator {}, contact {}, {}", t.engine, t.integrator,
-                                        t.contact_model, to_string(t.status)));
+  for (const Side* side : c.sides()) {
+    const Trajectory& t = side->trajectory;
+    add(side->label.c_str(), fmt::format("{}, integrator {}, contact {}, {}", t.engine,
+                                         t.integrator, t.contact_model, to_string(t.status)));
   }
   return rows;
 }
@@ -207,11 +181,9 @@ json condition_values(const SceneComparison& c) {
 }  // namespace
 
 std::vector<PageColumn> page_columns(const SceneComparison& c) {
-  std::vector<PageColumn> columns{{&c.sides.front(), {}, false}};
+  std::vector<PageColumn> columns{{&c.native, {}, false}};
   if (c.shadow.side) columns.push_back({&*c.shadow.side, c.shadow.figures, false});
-  for (std::size_t k = 0; k < c.differences.size(); ++k) {
-    columns.push_back({&c.sides[k + 1], c.differences[k].judged(), true});
-  }
+  for (const ComparedModel& m : c.models) columns.push_back({&m.run, m.judged(), true});
   return columns;
 }
 
@@ -240,9 +212,9 @@ json scene_values(const SceneComparison& c) {
           {"step", time_text(c.scene.run.step)},
           {"end", time_text(c.scene.run.end)},
           {"hash", scene::scene_hash(c.scene)},
-          {"sides", list_of(c.sides,
-                            [](const Side& side) -> json {
-                              return {{"label", side.label}};
+          {"sides", list_of(c.sides(),
+                            [](const Side* side) -> json {
+                              return {{"label", side->label}};
                             })},
           {"verdicts", verdict_values(c)},
           {"judged", figure_rows(c, true)},
@@ -285,7 +257,7 @@ Trade trade_of(const Side& native) {
 json trade_data(const std::vector<const SceneComparison*>& scenes) {
   if (scenes.size() < 2) return nullptr;
   return list_of(scenes, [](const SceneComparison* scene) -> json {
-    const Trade trade = trade_of(scene->sides.front());
+    const Trade trade = trade_of(scene->native);
     return {{"name", scene->scene.name},
             {"orbit", rounded(kMilli * trade.orbit, 5)},
             {"contact", rounded(trade.contact_force, 5)},

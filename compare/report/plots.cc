@@ -17,7 +17,8 @@ namespace rotorub {
 
 ShownRuns shown_runs(const SceneComparison& comparison) {
   ShownRuns shown{&comparison.scene, {}, nullptr, nullptr};
-  for (const Side& side : comparison.sides) shown.runs.push_back({side.label, &side.trajectory});
+  for (const Side* side : comparison.sides())
+    shown.runs.push_back({side->label, &side->trajectory});
   if (comparison.measured) shown.measured = &*comparison.measured;
   if (comparison.uncontrolled) shown.uncontrolled = &*comparison.uncontrolled;
   return shown;

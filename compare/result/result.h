@@ -35,7 +35,7 @@ enum Audience {
 struct Item {
   // By default the cell is absent from the JSON. A number that is not finite becomes null.
   nlohmann::json value = nlohmann::json::value_t::discarded;
-  // If it is empty, a string is written as it is, a number by short_number(), and null as "–".
+  // If this is empty, a string is written as it is, a number by short_number(), and null as "–".
   std::string text{};
   Tone tone = Tone::kPlain;  // of the text
   std::string note{};        // on a page, why the cell has this text

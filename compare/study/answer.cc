@@ -3,10 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <array>
-#include <cassert>
 #include <cmath>
-#include <numeric>
 
 #include "compare/base/format.h"
 #include "compare/study/comparison_runs.h"
@@ -15,28 +12,28 @@
 namespace rotorub {
 namespace {
 
-std::string reason(const SceneComparison& c, const Side& other, const SideDifference& d) {
-  const Side& native = c.sides.front();
+std::string reason(const SceneComparison& c, const ComparedModel& m) {
+  const Side &native = c.native, &other = m.run;
   for (const Side* side : {&native, &other}) {
     if (side->trajectory.status != Status::kOk) return side->early_end();
   }
   if (!c.omission.empty())
     return c.omission + ", so no difference can be attributed to the contact";
-  if (d.resync) return why(*d.resync, c.tolerance);
+  if (m.resync) return why(*m.resync, c.tolerance);
   const bool untouched = !native.metrics.first_touch && !other.metrics.first_touch;
   return (untouched ? "nothing touches, so there is no contact force to judge; " : "") +
-         why(d.judged(), c.tolerance);
+         why(m.judged(), c.tolerance);
 }
 
 // The largest differences in plain words. If averages cannot be trusted, one of them comes first.
-std::string plain_reason(const SceneComparison& c, const Side& other, const SideDifference& d) {
-  const Side& native = c.sides.front();
-  if (d.resync || native.trajectory.status != Status::kOk || other.trajectory.status != Status::kOk)
-    return reason(c, other, d);
+std::string plain_reason(const SceneComparison& c, const ComparedModel& m) {
+  if (m.resync || c.native.trajectory.status != Status::kOk ||
+      m.run.trajectory.status != Status::kOk)
+    return reason(c, m);
   if (!c.omission.empty()) return c.omission;
-  const std::vector<JudgedFigure> judged = d.judged(), off = outside(judged);
+  const std::vector<JudgedFigure> judged = m.judged(), off = outside(judged);
   if (off.empty()) {
-    return d.trust == Trust::kUndecidable
+    return m.trust == Trust::kUndecidable
                ? "the motion does not repeat to within " + percent_text(c.tolerance)
                : "";
   }
@@ -47,18 +44,10 @@ std::string plain_reason(const SceneComparison& c, const Side& other, const Side
   return plain_difference(*average) + ", " + plain_difference(off.front());
 }
 
-std::string question_of(const std::string& label) {
-  // In the order of scene::ContactModel.
-  constexpr const char* kQuestions[] = {"with the rigid law", "with Coulomb's friction beside it",
-                                        "MuJoCo alone", "with the corrected cone"};
-  const auto contact = scene::contact_model(label);
-  return contact ? kQuestions[static_cast<int>(*contact)] : "MuJoCo alone, by its default solref";
-}
-
 // `rigid` applies the native law in MuJoCo's step and takes the steps of `verlet` on the native
 // coordinates.
-std::string evidence_of(const SceneComparison& c, const Side& side) {
-  if (side.label != to_string(scene::ContactModel::kRigid)) return "";
+std::string evidence_of(const SceneComparison& c, const ComparedModel& m) {
+  if (m.run.label != to_string(scene::ContactModel::kRigid)) return "";
   if (c.own || c.scene.mujoco.rotor == scene::MujocoRotor::kSegments) {
     return "rigid has the contact law of native, but not its rotor: agreement is evidence for the "
            "rotor.";
@@ -68,16 +57,10 @@ std::string evidence_of(const SceneComparison& c, const Side& side) {
          "are right (compare/docs/findings.md, Evidence).";
 }
 
-std::string word_of(Showing showing, Trust trust) {
-  return showing == Showing::kForces    ? to_string(trust)
-         : showing == Showing::kNothing ? "no contact"
-                                        : "not known";
-}
-
-std::string what_it_did(const SceneComparison& c, const SideDifference& d) {
+std::string what_it_did(const SceneComparison& c, Trust trust) {
   const std::string tolerance = percent_text(c.tolerance);
-  if (d.trust == Trust::kYes) return "which agrees within " + tolerance;
-  if (d.trust != Trust::kUndecidable) return "which is outside " + tolerance;
+  if (trust == Trust::kYes) return "which agrees within " + tolerance;
+  if (trust != Trust::kUndecidable) return "which is outside " + tolerance;
   return "for which nothing can be decided at " + tolerance + "; this does not count as agreement";
 }
 
@@ -92,67 +75,49 @@ void take(LargestError& largest, const Figure& figure, std::optional<double> sha
 
 }  // namespace
 
-Showing showing(const SceneComparison& c, std::size_t side) {
-  const Side &native = c.reference(side), &other = c.sides[side];
-  if (native.trajectory.status != Status::kOk ||
-      other.trajectory.status == Status::kControllerFailed) {
-    return Showing::kFailed;
-  }
+const VerdictWords& verdict_words(const SceneComparison& c, const ComparedModel& m) {
+  static constexpr VerdictWords kNoContact{"no contact", Tone::kPart, "not judged", "–"};
+  static constexpr VerdictWords kNotKnown{"not known", Tone::kPart, "not judged", "–"};
+  const Side &native = c.reference(m), &other = m.run;
+  const Status status = other.trajectory.status;
+  if (native.trajectory.status != Status::kOk || status == Status::kControllerFailed)
+    return kNotKnown;
   const bool touches = native.metrics.first_touch || other.metrics.first_touch;
-  return touches || other.trajectory.status != Status::kOk ? Showing::kForces : Showing::kNothing;
+  return touches || status != Status::kOk ? words_of(m.trust) : kNoContact;
+}
+
+AnswerRow answer_row(const SceneComparison& c, const ComparedModel& m) {
+  return {m.run.label,        m.kind().question,   verdict_words(c, m), reason(c, m),
+          plain_reason(c, m), m.run.timing.median, c.decides(m),        evidence_of(c, m)};
 }
 
 std::vector<AnswerRow> answer(const SceneComparison& c) {
   std::vector<AnswerRow> rows;
-  for (std::size_t k = 0; k < c.differences.size(); ++k) {
-    const Side& side = c.sides[k + 1];
-    const SideDifference& d = c.differences[k];
-    const Showing shows = showing(c, k + 1);
-    rows.push_back({side.label, question_of(side.label), d.trust, word_of(shows, d.trust),
-                    shows == Showing::kForces ? tone_of(d.trust) : Tone::kPart, reason(c, side, d),
-                    plain_reason(c, side, d), side.timing.median, d.decides, evidence_of(c, side)});
-  }
+  for (const ComparedModel& m : c.models) rows.push_back(answer_row(c, m));
   return rows;
 }
 
-std::vector<std::size_t> reading_order(const SceneComparison& c) {
-  constexpr std::array kOrder{"cone", kConeDefault, "cone-coulomb", "coulomb", "rigid"};
-  const auto place = [&](std::size_t difference) {
-    const auto found = std::find(kOrder.begin(), kOrder.end(), c.sides[difference + 1].label);
-    return found - kOrder.begin();
-  };
-  std::vector<std::size_t> order(c.differences.size());
-  std::iota(order.begin(), order.end(), std::size_t{0});
-  std::stable_sort(order.begin(), order.end(),
-                   [&](std::size_t a, std::size_t b) { return place(a) < place(b); });
+std::vector<const ComparedModel*> reading_order(const SceneComparison& c) {
+  std::vector<const ComparedModel*> order;
+  for (const ComparedModel& m : c.models) order.push_back(&m);
+  std::ranges::sort(order, {}, [](const ComparedModel* m) { return &m->kind(); });
   return order;
 }
 
-std::vector<std::size_t> sentence_rows(const SceneComparison& c) {
-  std::vector<std::size_t> rows = reading_order(c);
-  std::erase_if(rows, [&](std::size_t k) { return !scene::contact_model(c.sides[k + 1].label); });
-  return rows;
-}
-
-std::string answer_sentence(const SceneComparison& c) {
-  const std::vector<AnswerRow> rows = answer(c);
-  std::string text;
-  for (const std::size_t k : sentence_rows(c)) {
-    const AnswerRow& row = rows[k];
-    text += fmt::format("{}{}: {}{}", text.empty() ? "" : "; ", row.question, row.trusted,
-                        row.plain.empty() ? "" : " (" + row.plain + ")");
+std::vector<AnswerRow> sentence_rows(const SceneComparison& c) {
+  std::vector<AnswerRow> rows;
+  for (const ComparedModel* m : reading_order(c)) {
+    if (!m->kind().default_solref) rows.push_back(answer_row(c, *m));
   }
-  return text + ".";
+  return rows;
 }
 
 std::string whose_verdict(const SceneComparison& c) {
   if (c.status() != Status::kOk) return "The exit code is 3: a run did not come to its end.";
-  for (std::size_t k = 0; k < c.differences.size(); ++k) {
-    if (!c.differences[k].decides) continue;
-    return fmt::format("The exit code is that of {} (--contact), {}.", c.sides[k + 1].label,
-                       what_it_did(c, c.differences[k]));
-  }
-  return "";
+  if (c.models.empty()) return "";
+  const ComparedModel& decider = c.models.front();
+  return fmt::format("The exit code is that of {} (--contact), {}.", decider.run.label,
+                     what_it_did(c, decider.trust));
 }
 
 std::vector<std::string> own_notes(const SceneComparison& c) {
@@ -173,11 +138,10 @@ std::string cone_note(const SceneComparison& c) {
 
 std::string solref_note(const SceneComparison& c) {
   std::string all;
-  for (const std::size_t k : reading_order(c)) {
-    const Side& side = c.sides[k + 1];
-    if (side.solref.empty()) continue;
-    all += fmt::format("{}\"{}\" ({}{})", all.empty() ? "" : ", ", side.solref, side.label,
-                       side.label == kConeDefault ? ", MuJoCo's default" : "");
+  for (const ComparedModel* m : reading_order(c)) {
+    if (m->run.solref.empty()) continue;
+    all += fmt::format("{}\"{}\" ({}{})", all.empty() ? "" : ", ", m->run.solref, m->run.label,
+                       m->kind().default_solref ? ", MuJoCo's default" : "");
   }
   return all.empty() ? "" : "The soft contacts use solref " + all + ".";
 }
@@ -190,7 +154,7 @@ std::string mode_note(const SceneComparison& c) {
     return fmt::format(
         "Replay: each MuJoCo run is compared with a native run under its own commands; native, "
         "shadow and twins are shown under those of {}.",
-        c.sides.size() > 1 ? c.sides[1].label : "");
+        c.models.empty() ? "" : c.models.front().run.label);
   }
   if (c.mode == CompareMode::kLockstep) return "";
   return fmt::format(
@@ -199,13 +163,12 @@ std::string mode_note(const SceneComparison& c) {
       c.commands ? ", under MuJoCo's commands," : "");
 }
 
-ThreeErrors three_errors(const SceneComparison& c, std::size_t side) {
-  assert(side >= 1 && side < c.sides.size());
+ThreeErrors three_errors(const SceneComparison& c, const ComparedModel& m) {
   ThreeErrors errors;
-  for (const FigureDifference& d : c.differences[side - 1].figures) {
+  for (const FigureDifference& d : m.figures) {
     const Figure& f = *d.figure;
     if (!f.is_judged() || !f.split || is_absent(c, f)) continue;
-    const SplitShares shares = split_shares(f, f.value(c.reference(side).metrics), d.split);
+    const SplitShares shares = split_shares(f, f.value(c.reference(m).metrics), d.split);
     take(errors.contact, f, shares.contact);
     take(errors.step, f, shares.step);
   }

@@ -10,22 +10,16 @@
 
 namespace rotorub {
 
-// Whether a run of a contact model shows forces that can be judged. The exit code and `Trust` do
-// not depend on it.
-enum class Showing {
-  kForces,
-  kNothing,  // no contact in either run, so there is no contact force
-  kFailed    // the native run or the controller failed; the contact model is not to blame
-};
-Showing showing(const SceneComparison& comparison, std::size_t side);
+// The verdict on a contact model, or that there is none: without contact there is no force to
+// judge, and if the native run or the controller failed, the contact model is not to blame. The
+// exit code and `Trust` do not depend on it.
+const VerdictWords& verdict_words(const SceneComparison& comparison, const ComparedModel& model);
 
 struct AnswerRow {
   std::string contact;   // "rigid"
   std::string question;  // a description for newcomers: "with the rigid law"
-  Trust trust = Trust::kNo;
-  std::string trusted;     // the verdict in a word or two, or that there is none
-  Tone tone = Tone::kBad;  // of `trusted`
-  std::string why;         // half a sentence
+  VerdictWords verdict{};
+  std::string why;    // half a sentence
   std::string plain;  // the same for newcomers, with at most two figures; empty if no figure is off
   double us_per_step = 0.0;  // median; 0: not timed
   bool decides = false;      // determines the exit code
@@ -34,19 +28,17 @@ struct AnswerRow {
   std::string evidence;
 };
 
-// In the order of sides[1], sides[2], ...
+AnswerRow answer_row(const SceneComparison& comparison, const ComparedModel& model);
+// In the order of the models.
 std::vector<AnswerRow> answer(const SceneComparison& comparison);
 
-// The indices of the differences in the order for newcomers: MuJoCo alone, MuJoCo corrected, the
-// plugin's laws. This order keeps readers from taking the plugin's result for plain MuJoCo's.
-std::vector<std::size_t> reading_order(const SceneComparison& comparison);
+// The models in the order of kContactKinds.
+std::vector<const ComparedModel*> reading_order(const SceneComparison& comparison);
 
-// The rows of the answer sentence: all except the one with MuJoCo's default solref.
-std::vector<std::size_t> sentence_rows(const SceneComparison& comparison);
-
-// "MuJoCo alone: no (lasting contact 0 % instead of 99 %); with the corrected cone: averages only
-// (...); with the rigid law: yes."
-std::string answer_sentence(const SceneComparison& comparison);
+// The rows of the sentence that answers the question, in reading order: all except the one with
+// MuJoCo's default solref. "MuJoCo alone: no (lasting contact 0 % instead of 99 %); with the
+// corrected cone: averages only (...); with the rigid law: yes."
+std::vector<AnswerRow> sentence_rows(const SceneComparison& comparison);
 
 // A sentence on which contact model determines the exit code, and its result.
 std::string whose_verdict(const SceneComparison& comparison);
@@ -80,7 +72,6 @@ struct ThreeErrors {
   std::optional<LargestError> modes;
 };
 
-// side: index in comparison.sides, >= 1.
-ThreeErrors three_errors(const SceneComparison& comparison, std::size_t side);
+ThreeErrors three_errors(const SceneComparison& comparison, const ComparedModel& model);
 
 }  // namespace rotorub

@@ -128,19 +128,18 @@ Side Runner::shown(const Contestant& who, RunRequest request) {
   return side;
 }
 
-Twins Runner::twins(const Contestant& who, const Trajectory& original, double threshold,
-                    TwinParameters parameters) {
+Twins Runner::twins(const Contestant& who, double threshold, TwinParameters parameters) {
   parameters.count = options_.twins;
   parameters.jobs = options_.jobs;
   parameters.interrupt = options_.interrupt;
   parameters.progress = part(parameters.count * who.work, who.label + " twins");
-  return run_twins(*who.engine, scene_, original, threshold, parameters);
+  return run_twins(*who.engine, scene_, who.side->trajectory, threshold, parameters);
 }
 
-ModelError Runner::model_error(const Repeatability& repeats) {
+ModelError Runner::model_error(const std::vector<FigureSample>& native) {
   ModelErrorParameters parameters;
   parameters.tolerance = options_.tolerance;
-  parameters.spread = single_run_intervals(repeats.samples);
+  parameters.spread = single_run_intervals(native);
   parameters.jobs = options_.jobs;
   parameters.interrupt = options_.interrupt;
   parameters.progress = part(kLadderWork, "more modes");
@@ -224,7 +223,7 @@ void leave_limits(const std::string& reason, Side& side) {
   }
 }
 
-double timed_end(const scene::Run& run, const std::vector<Side>& sides) {
+double timed_end(const scene::Run& run, const std::vector<const Side*>& sides) {
   constexpr int kParts = 8;
   // A step in contact costs up to twice as much as one in flight, so the mean is accurate to a
   // tenth.
@@ -244,10 +243,9 @@ double timed_end(const scene::Run& run, const std::vector<Side>& sides) {
     return shares;
   };
   std::vector<std::vector<double>> of_sides;
-  for (const Side& side : sides) {
-    if (side.trajectory.status == Status::kOk && side.trajectory.has("normal_force")) {
-      of_sides.push_back(contact_shares(side.trajectory));
-    }
+  for (const Side* side : sides) {
+    const Trajectory& t = side->trajectory;
+    if (t.status == Status::kOk && t.has("normal_force")) of_sides.push_back(contact_shares(t));
   }
   for (int part = 1; part < kParts; ++part) {
     const double end = run.end * part / kParts;
@@ -261,18 +259,20 @@ double timed_end(const scene::Run& run, const std::vector<Side>& sides) {
 }
 
 void time_runs(Runner& runner, const std::vector<Contestant>& all, int repeats,
-               std::shared_ptr<const CommandRecord> commands, std::vector<Side>& sides) {
+               std::shared_ptr<const CommandRecord> commands) {
+  std::vector<const Side*> sides;
+  for (const Contestant& who : all) sides.push_back(who.side);
   const double end = timed_end(runner.scene().run, sides);
   for (int pass = 0; pass < repeats; ++pass) {
-    for (std::size_t k = 0; k < all.size(); ++k) {
-      if (runner.interrupted() || sides[k].trajectory.status != Status::kOk) continue;
-      const Trajectory t = runner.timed(all[k], end, k == 0 ? commands : nullptr);
+    for (const Contestant& who : all) {
+      if (runner.interrupted() || who.side->trajectory.status != Status::kOk) continue;
+      const Trajectory t = runner.timed(who, end, who.model ? nullptr : commands);
       if (t.steps > 0 && t.status == Status::kOk) {
-        sides[k].timing.us_per_step.push_back(1e6 * t.wall_s / static_cast<double>(t.steps));
+        who.side->timing.us_per_step.push_back(1e6 * t.wall_s / static_cast<double>(t.steps));
       }
     }
   }
-  for (Side& side : sides) finish(side);
+  for (const Contestant& who : all) finish(*who.side);
 }
 
 bool has_commands(const scene::Scene& scene) {

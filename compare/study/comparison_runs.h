@@ -5,10 +5,12 @@
 #include <functional>
 #include <memory>
 #include <mutex>
+#include <optional>
 #include <string>
 #include <vector>
 
 #include "compare/engine/engine.h"
+#include "compare/study/resync.h"
 #include "compare/study/scene_comparison.h"
 #include "compare/study/twins.h"
 #include "native_model/control/command_record.h"
@@ -16,12 +18,41 @@
 
 namespace rotorub {
 
+// Rung 0 is the scene's step; rungs 1 and 2 are one half and one quarter of it.
+inline constexpr std::size_t kRungs = 3;
+struct Rung {
+  Metrics metrics;
+  // Why there are no metrics; empty if there are.
+  std::string failed = "there is no run at a smaller step";
+};
+using Ladder = std::array<Rung, kRungs>;  // [0] is unused, because the side holds its figures
+
+// Records the actuator's commands over a run; each acts until the next one.
+class CommandTape {
+ public:
+  // Use it for one run; the tape must outlive that run.
+  StepWatch watch() {
+    return [this](const WatchedStep& step) { add(step); };
+  }
+  void add(const WatchedStep& step) { record_->add(step.command_begin, step.command); }
+  std::shared_ptr<const CommandRecord> record() const { return record_; }
+
+ private:
+  std::shared_ptr<CommandRecord> record_ = std::make_shared<CommandRecord>();
+};
+
+// One engine of a comparison, and its runs.
 struct Contestant {
   std::string label;
   std::unique_ptr<Engine> engine;
   // Work of one run at the scene's step relative to a native run, for the progress bar.
   double work;
-  bool climbs = true;  // whether it also runs at smaller steps
+  bool climbs = true;                       // whether it also runs at smaller steps
+  Side* side = nullptr;                     // its run that is shown
+  ComparedModel* model = nullptr;           // null: native
+  std::array<CommandTape, kRungs> tapes{};  // of its run on each rung
+  Ladder ladder{}, native_ladder{};         // native: driven by the commands of its runs
+  std::optional<OnsetWatch> onsets{};       // only in resync
 };
 
 inline constexpr double kNativeWork = 1.0;
@@ -32,7 +63,8 @@ inline constexpr double kLadderWork = 20.0;  // work of the ladder of modes, in 
 // pairs.
 std::string cone_refusal(const scene::Scene& scene, bool own);
 
-// Native, then MuJoCo with the contact model that decides, then with the other models.
+// Native, then MuJoCo with the contact model that decides, then with the other models; without
+// runs.
 std::vector<Contestant> contestants(const scene::Scene& scene, const CompareOptions& options);
 
 // Runs engines and counts the work for the progress bar. While a MujocoInPlace exists, several
@@ -47,13 +79,12 @@ class Runner {
   // A run with the rows that plots and residuals need, and its figures.
   Side shown(const Contestant& who, RunRequest request);
   // Fills in the values of `parameters` that are common to all comparisons.
-  Twins twins(const Contestant& who, const Trajectory& original, double threshold,
-              TwinParameters parameters);
+  Twins twins(const Contestant& who, double threshold, TwinParameters parameters);
   // A run up to `end` (s) for timing, which records only the last row.
   Trajectory timed(const Contestant& who, double end,
                    std::shared_ptr<const CommandRecord> commands);
   // The error from the modes left out. Errors within the twins' spread cannot be resolved.
-  ModelError model_error(const Repeatability& repeats);
+  ModelError model_error(const std::vector<FigureSample>& native);
   // Progress of work outside of runs: call the result with the fraction done, finally 1.
   std::function<void(double)> part(double work, const std::string& what);
   bool interrupted() const { return options_.interrupt && options_.interrupt->load(); }
@@ -69,15 +100,6 @@ class Runner {
   std::mutex mutex_;
   double done_ = 0.0;  // of total_
 };
-
-// Rung 0 is the scene's step; rungs 1 and 2 are one half and one quarter of it.
-inline constexpr std::size_t kRungs = 3;
-struct Rung {
-  Metrics metrics;
-  // Why there are no metrics; empty if there are.
-  std::string failed = "there is no run at a smaller step";
-};
-using Ladder = std::array<Rung, kRungs>;  // [0] is unused, because the side holds its figures
 
 // Runs at the rung's fraction of the scene's step, otherwise as requested.
 Rung run_rung(Runner& runner, const Contestant& who, std::size_t rung, RunRequest request);
@@ -101,32 +123,16 @@ void leave_limits(const std::string& reason, Side& side);
 
 // The end of the timed runs, s: the smallest multiple of an eighth of the run, of at least 10000
 // steps, up to which every side's share of contact is within 0.1 of that over the whole run.
-double timed_end(const scene::Run& run, const std::vector<Side>& sides);
+double timed_end(const scene::Run& run, const std::vector<const Side*>& sides);
 
 // Timing runs. The engines take turns, so that a slow phase of the computer affects all of them.
 // commands: for the native side.
 void time_runs(Runner& runner, const std::vector<Contestant>& all, int repeats,
-               std::shared_ptr<const CommandRecord> commands, std::vector<Side>& sides);
-
-// Replay: the commands of a MuJoCo run are recorded and drive native runs.
+               std::shared_ptr<const CommandRecord> commands);
 
 // Whether a controller of the scene commands its actuator. Without one there is nothing to replay,
 // and replay equals lockstep.
 bool has_commands(const scene::Scene& scene);
-
-// Records the actuator's commands over a run; each acts until the next one.
-class CommandTape {
- public:
-  // Use it for one run; the tape must outlive that run.
-  StepWatch watch() {
-    return [this](const WatchedStep& step) { add(step); };
-  }
-  void add(const WatchedStep& step) { record_->add(step.command_begin, step.command); }
-  std::shared_ptr<const CommandRecord> record() const { return record_; }
-
- private:
-  std::shared_ptr<CommandRecord> record_ = std::make_shared<CommandRecord>();
-};
 
 // The smallest difference that a replay at the scene's step can resolve. The commands of the native
 // stepper `verlet` in its own closed loop drive native `event`, which is compared with `event` in

@@ -61,7 +61,7 @@ json side_json(const scene::Scene& scene, const Side& side) {
 json shadow_json(const SceneComparison& c) {
   if (!c.shadow.side) return {{"figures", nullptr}, {"reason", c.shadow.absent}};
   return {{"engine", c.shadow.side->engine},
-          {"commands_of", c.shadow.driven ? json(c.sides[1].label) : json(nullptr)},
+          {"commands_of", c.shadow.driven ? json(c.models.front().run.label) : json(nullptr)},
           {"summary", summary_json(c.scene, c.shadow.side->trajectory)}};
 }
 
@@ -88,8 +88,6 @@ json difference_json(const FigureDifference& f) {
   return all;
 }
 
-std::string heading(const Side& side) { return column_heading(side.label); }
-
 // A table with a column of labels, of native, of its shadow if there is one, and of each MuJoCo
 // side. The terminal leaves out some of these.
 Table side_table(const SceneComparison& c, const std::string& label, const std::string& native,
@@ -97,21 +95,21 @@ Table side_table(const SceneComparison& c, const std::string& label, const std::
   constexpr int kValue = 9;  // with shadow and four contact models: 80 columns
   Table table{"", {{"", label, -26}, {"", native, kValue}}};
   if (c.shadow.side) table.columns.push_back({"shadow", shadow, kValue});
-  for (std::size_t k = 1; k < c.sides.size(); ++k) {
-    const std::string name = heading(c.sides[k]);
-    table.columns.push_back({"differences/" + c.sides[k].label, name, kValue,
-                             name.empty() ? result::kJson : result::kAll});
+  for (const ComparedModel& m : c.models) {
+    const std::string name = m.kind().heading;
+    table.columns.push_back(
+        {"differences/" + m.run.label, name, kValue, name.empty() ? result::kJson : result::kAll});
   }
   return table;
 }
 
-// mujoco: the item, or its text, of each MuJoCo side by its index.
+// mujoco: the item, or its text, of each ComparedModel.
 template <class Mujoco>
 Row& add_row(Table& table, const SceneComparison& c, const char* lead, const std::string& label,
              const std::string& native, const Item& shadow, Mujoco mujoco) {
   Row& row = table.rows.emplace_back(Row{.items = {{label}, {native}}, .lead = lead});
   if (c.shadow.side) row.items.push_back(shadow);
-  for (std::size_t k = 1; k < c.sides.size(); ++k) row.items.push_back({mujoco(k)});
+  for (const ComparedModel& m : c.models) row.items.push_back({mujoco(m)});
   return row;
 }
 
@@ -133,7 +131,7 @@ Table answer_table(const SceneComparison& c, const std::vector<AnswerRow>& rows)
     const bool timed = row.us_per_step > 0.0;
     table.rows.push_back(
         {.items = {{row.question, row.question + "? (" + row.contact + ")"},
-                   {row.trusted, "", row.tone},
+                   {row.verdict.word, "", row.verdict.tone},
                    {timed ? json(row.us_per_step) : json(nullptr), timed ? "" : "-"}},
          .lead = row.decides ? "> " : "  ",
          .note = {row.why, "      "},
@@ -148,12 +146,11 @@ Table answer_table(const SceneComparison& c, const std::vector<AnswerRow>& rows)
 
 // Before any figure. People read the rows in another order than JSON has them.
 std::vector<Part> answer_parts(const SceneComparison& c) {
-  const std::vector<AnswerRow> rows = answer(c);
-  Table written = answer_table(c, rows), shown = written;
+  std::vector<AnswerRow> rows;
+  for (const ComparedModel* m : reading_order(c)) rows.push_back(answer_row(c, *m));
+  Table written = answer_table(c, answer(c)), shown = answer_table(c, rows);
   written.seen = result::kJson;
   shown.seen = result::kPeople;
-  shown.rows.clear();
-  for (const std::size_t k : reading_order(c)) shown.rows.push_back(written.rows[k]);
   std::vector<Part> parts{std::move(written), std::move(shown), Sentence{whose_verdict(c), "  > "}};
   const auto add = [&](const std::string& text, const char* lead = "    ") {
     if (!text.empty()) parts.emplace_back(Sentence{text, lead});
@@ -170,13 +167,13 @@ Table value_table(const SceneComparison& c) {
   for (const Figure& f : figures()) {
     if (is_absent(c, f)) continue;
     const auto of = [&](const Side& side) { return figure_value(f, f.value(side.metrics)); };
-    add_row(table, c, lead_of(f), figure_label(f), of(c.sides[0]),
+    add_row(table, c, lead_of(f), figure_label(f), of(c.native),
             {c.shadow.side ? of(*c.shadow.side) : ""},
-            [&](std::size_t k) { return of(c.sides[k]); });
+            [&](const ComparedModel& m) { return of(m.run); });
   }
   const auto cost = [](const Side& side) { return short_number(side.timing.median); };
-  add_row(table, c, "  ", "time of a step, µs", cost(c.sides[0]), {},
-          [&](std::size_t k) { return cost(c.sides[k]); });
+  add_row(table, c, "  ", "time of a step, µs", cost(c.native), {},
+          [&](const ComparedModel& m) { return cost(m.run); });
   return table;
 }
 
@@ -185,8 +182,9 @@ Table reference_table(const SceneComparison& c) {
   Table table = side_table(c, "native by commands of", "", "");
   for (const Figure& f : figures()) {
     if (!f.is_judged()) continue;
-    add_row(table, c, lead_of(f), figure_label(f), "", {},
-            [&](std::size_t k) { return figure_value(f, f.value(c.reference(k).metrics)); });
+    add_row(table, c, lead_of(f), figure_label(f), "", {}, [&](const ComparedModel& m) {
+      return figure_value(f, f.value(c.reference(m).metrics));
+    });
   }
   return table;
 }
@@ -199,8 +197,8 @@ Table difference_table(const SceneComparison& c) {
     Item shadow;
     if (c.shadow.side)
       shadow = {judged_json(c.shadow.figures[i], "shadow"), in_column(c.shadow.figures[i])};
-    Row& row = add_row(table, c, lead_of(f), f.label, "", shadow, [&](std::size_t k) {
-      const FigureDifference& d = c.differences[k - 1].figures[i];
+    Row& row = add_row(table, c, lead_of(f), f.label, "", shadow, [&](const ComparedModel& m) {
+      const FigureDifference& d = m.figures[i];
       return Item{difference_json(d), in_column(d)};
     });
     row.key = f.key;
@@ -218,11 +216,11 @@ std::vector<Part> interval_parts(const SceneComparison& c) {
   for (std::size_t i = 0; i < figures().size(); ++i) {
     const Figure& f = figures()[i];
     const bool scatters = std::ranges::any_of(
-        c.differences, [&](const SideDifference& d) { return d.figures[i].interval >= kShown; });
+        c.models, [&](const ComparedModel& m) { return m.figures[i].interval >= kShown; });
     if (!f.is_judged() || !scatters) continue;
     const auto add = [&](const std::string& label, double FigureDifference::*size) {
-      add_row(table, c, "  ", label, "", {}, [&](std::size_t k) {
-        const FigureDifference& d = c.differences[k - 1].figures[i];
+      add_row(table, c, "  ", label, "", {}, [&](const ComparedModel& m) {
+        const FigureDifference& d = m.figures[i];
         return in_column(size_text(d, d.*size));
       });
     };
@@ -236,15 +234,15 @@ std::vector<Part> interval_parts(const SceneComparison& c) {
   const std::string meaning = fmt::format(
       "95 % confidence interval of the difference of means, from {} of native, {} of {} and one of "
       "each other. A difference as large as the row below would be detected in 4 of 5 comparisons.",
-      runs(c.twins), runs(c.decider_twins), c.sides[1].label);
+      runs(c.twins), runs(c.decider_twins), c.models.front().run.label);
   return {std::move(table), Sentence{meaning, "  ± "}};
 }
 
 std::string settled_line(const SceneComparison& c) {
   std::string text;
-  for (const Side& side : c.sides) {
-    text += fmt::format("{}{} {}", text.empty() ? "" : ", ", side.label,
-                        to_string(side.metrics.settled.attractor));
+  for (const Side* side : c.sides()) {
+    text += fmt::format("{}{} {}", text.empty() ? "" : ", ", side->label,
+                        to_string(side->metrics.settled.attractor));
   }
   return text;
 }
@@ -258,7 +256,7 @@ std::string shadow_note(const SceneComparison& c) {
     return what +
            ": its error is due to the step, and the rest of MuJoCo's error to the contact model";
   }
-  return what + ", driven by the commands of " + c.sides[1].label +
+  return what + ", driven by the commands of " + c.models.front().run.label +
          ": its error is due to the step, and to what the open loop makes of it";
 }
 
@@ -270,10 +268,10 @@ std::vector<Part> split_parts(const SceneComparison& c) {
                {"", "step", 10},
                {"", "native", 10}}};
   bool unsure = false;
-  for (std::size_t k = 0; k < c.differences.size(); ++k) {
-    const std::string name = heading(c.sides[k + 1]);
+  for (const ComparedModel& m : c.models) {
+    const std::string name = m.kind().heading;
     if (name.empty()) continue;
-    for (const FigureDifference& d : c.differences[k].figures) {
+    for (const FigureDifference& d : m.figures) {
       if (!d.figure->is_judged() || !d.figure->split || is_absent(c, *d.figure)) continue;
       unsure = unsure || !d.split.valid;
       Row row{.items = {{fmt::format("{:<9}{}", name, figure_label(*d.figure))}},
@@ -296,12 +294,13 @@ std::vector<Part> split_parts(const SceneComparison& c) {
 Section figure_section(const SceneComparison& c) {
   Section told{.parts = {value_table(c), Sentence{}},
                .seen = c.mode == CompareMode::kResync ? result::kJson : result::kAll};
-  if (!c.natives.empty()) told.add({reference_table(c), Sentence{}});
+  const bool replayed = c.models.back().native.has_value();
+  if (replayed) told.add({reference_table(c), Sentence{}});
   const std::string judged = fmt::format(
       "judged at {}: decided where the difference with all of its ± lies within that, or beyond "
       "it{}",
       percent_text(c.tolerance),
-      c.natives.empty() ? "" : ", and is no less than the drift of the open loop");
+      replayed ? ", and is no less than the drift of the open loop" : "");
   told.add({difference_table(c),
             Sentence{"Differences without a unit are percentage points of shares of time, and "
                      "whole numbers of counts below 100.",
@@ -316,36 +315,32 @@ Section figure_section(const SceneComparison& c) {
 }
 
 // The verdict on one contact model with its reasons.
-std::vector<Part> verdict_parts(const SceneComparison& c, std::size_t k) {
-  // Before the headline, in the order of Trust; equal widths.
-  constexpr const char* kLeads[] = {"  within       ", "  AVERAGES     ", "  OUTSIDE      ",
-                                    "  undecidable  "};
-  const SideDifference& d = c.differences[k];
+std::vector<Part> verdict_parts(const SceneComparison& c, const ComparedModel& m) {
   const auto impact = [](const std::optional<Impact>& one) { return one ? json(*one) : json(); };
   json impacts = json::array();
-  for (const ImpactPair& pair : d.impacts)
+  for (const ImpactPair& pair : m.impacts)
     impacts.push_back({{"native", impact(pair.a)}, {"other", impact(pair.b)}});
-  const bool told = showing(c, k + 1) == Showing::kForces;
-  Section verdict{"differences/" + c.sides[k + 1].label,
+  const VerdictWords& words = verdict_words(c, m);
+  Section verdict{"differences/" + m.run.label,
                   {Data{"",
-                        {{"within", d.within()},
-                         {"trusted", to_string(d.trust)},
-                         {"decides", d.decides},
-                         {"reasons", d.reasons},
-                         {"divergence", divergence_json(d.divergence)},
+                        {{"within", m.within()},
+                         {"trusted", to_string(m.trust)},
+                         {"decides", c.decides(m)},
+                         {"reasons", m.reasons},
+                         {"divergence", divergence_json(m.divergence)},
                          {"impacts", impacts}}},
-                   Sentence{.text = headline(c, c.sides[k + 1], d),
-                            .lead = told ? kLeads[static_cast<int>(d.trust)] : "  not judged   ",
-                            .tone = told ? tone_of(d.trust) : Tone::kPart,
+                   Sentence{.text = headline(c, m),
+                            .lead = fmt::format("  {:<13}", words.lead),
+                            .tone = words.tone,
                             .place = "headline"}}};
-  for (const std::string& reason : d.reasons) verdict.add({Sentence{reason, "               - "}});
+  for (const std::string& reason : m.reasons) verdict.add({Sentence{reason, "               - "}});
   return {Sentence{}, std::move(verdict)};
 }
 
 // The keys that the terminal does not have, and the places of the other parts.
 Data scene_data(const SceneComparison& c) {
   json sides = json::object();
-  for (const Side& side : c.sides) sides[side.label] = side_json(c.scene, side);
+  for (const Side* side : c.sides()) sides[side->label] = side_json(c.scene, *side);
   return {"",
           {{"mode", to_string(c.mode)},
            {"mode_note", mode_note(c)},
@@ -383,7 +378,7 @@ Section comparison_result(const SceneComparison& c) {
   if (c.mode == CompareMode::kResync) told.add(resync_parts(c));
   told.add({figure_section(c)});
   if (c.measured) told.add({Sentence{}, measured_section(*c.measured)});
-  for (const std::size_t k : reading_order(c)) told.add(verdict_parts(c, k));
+  for (const ComparedModel* m : reading_order(c)) told.add(verdict_parts(c, *m));
   return told;
 }
 
@@ -402,9 +397,7 @@ Section comparisons_result(const std::vector<SceneComparison>& comparisons) {
                       {"scenes", json::array()}}}},
       .seen = result::kJson};
   for (const SceneComparison& c : comparisons) {
-    for (std::size_t k = 0; k < c.differences.size(); ++k) {
-      if (c.differences[k].decides) told.add({Data{"contact", c.sides[k + 1].label}});
-    }
+    told.add({Data{"contact", c.models.front().run.label}});
     Section scene = comparison_result(c);
     scene.place = "scenes/#";
     told.add({answer_table(c, answer(c)), std::move(scene)});

@@ -81,39 +81,43 @@ std::vector<Onset> OnsetWatch::finish(double end) {
 
 namespace {
 
+template <class Value>
+double largest(const Resync& all, Value value) {
+  double found = 0.0;
+  for (const PredictedOnset& o : all.onsets) found = std::max(found, value(o));
+  return found;
+}
+
 const ResyncFigure kResyncFigures[] = {
     {{"impulse", "impulse", "mN s", 1e3,
       "Normal impulse of the contact, its small bounces with it."},
      "the contact's own, or the largest impact where that is more",
-     &ContactResult::impulse},
+     &ContactResult::impulse,
+     [](const PredictedOnset& o, const Resync& all) {
+       return std::max(o.native.impulse, all.largest_impact);
+     }},
     {{"window_impulse", "largest impulse", "mN s", 1e3,
       "Largest normal impulse within 20 steps: an impact's, however many of them a soft contact "
       "spreads it over."},
      "the largest of all contacts",
-     &ContactResult::window_impulse},
+     &ContactResult::window_impulse,
+     [](const PredictedOnset&, const Resync& all) {
+       return largest(all, [](const PredictedOnset& o) { return o.native.window_impulse; });
+     }},
     {{"duration", "duration", "µs", 1e6, "From the touch to the last force."},
      "the time until half-way through the next flight",
-     &ContactResult::duration},
+     &ContactResult::duration,
+     [](const PredictedOnset& o, const Resync&) { return o.end - o.touch; }},
     {{"rebound", "rebound", "mm/s", 1e3,
       "Gap rate after the first impact; of a soft contact where its force first ends."},
      "the fastest approach of all contacts",
-     &ContactResult::rebound},
+     &ContactResult::rebound,
+     [](const PredictedOnset&, const Resync& all) {
+       return largest(all, [](const PredictedOnset& o) { return o.closing; });
+     }},
 };
 
 constexpr std::size_t kImpulse = 0;  // row of the impulse
-
-// The value that the difference of one onset is relative to, SI, > 0 if there is a contact.
-double scale(const ResyncFigure& figure, const PredictedOnset& o, const Resync& all) {
-  const std::string key = figure.key;
-  if (key == "impulse") return std::max(o.native.impulse, all.largest_impact);
-  if (key == "duration") return o.end - o.touch;
-  double largest = 0.0;
-  for (const PredictedOnset& other : all.onsets) {
-    largest =
-        std::max(largest, key == "window_impulse" ? other.native.window_impulse : other.closing);
-  }
-  return largest;
-}
 
 double share(double difference, double of) { return difference == 0.0 ? 0.0 : difference / of; }
 
@@ -132,7 +136,7 @@ ResyncRow row(const ResyncFigure& figure, const Resync& all, double tolerance) {
     const double native = o.native.*figure.value, mujoco = o.mujoco.*figure.value;
     r.native += native;
     r.mujoco += mujoco;
-    const double d = share(mujoco - native, scale(figure, o, all));
+    const double d = share(mujoco - native, figure.scale(o, all));
     sizes.push_back(std::abs(d));
     if (sizes.size() > 1 && sizes.back() <= r.worst) continue;
     r.worst = sizes.back();

@@ -83,10 +83,13 @@ struct PredictedOnset : Onset {
   std::string message;
 };
 
+struct Resync;
+
 // A figure that is compared for each contact.
 struct ResyncFigure : FigureText {
   const char* relative_to;  // half a sentence: the value that a difference is relative to
   double ContactResult::*value;
+  double (*scale)(const PredictedOnset&, const Resync& all);  // that value, SI; > 0 after a contact
 };
 std::span<const ResyncFigure> resync_figures();
 

@@ -130,9 +130,9 @@ std::vector<std::string> resync_reasons(const std::string& contact, const Resync
 std::vector<result::Part> resync_parts(const SceneComparison& c) {
   std::vector<result::Part> parts{result::line(
       "  by onset; off by, in %       native    MuJoCo  median    90 %   worst    at, s")};
-  for (std::size_t k = 0; k < c.differences.size(); ++k) {
-    const std::string& label = c.sides[k + 1].label;
-    const Resync& r = *c.differences[k].resync;
+  for (const ComparedModel& m : c.models) {
+    const std::string& label = m.run.label;
+    const Resync& r = *m.resync;
     result::Table table{"figures/{row}/{column}",
                         {{"", "", -27},
                          {"native", "", 10},

@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "compare/engine/engine.h"
+#include "compare/figures/contact_kind.h"
 #include "compare/figures/figure.h"
 #include "compare/measured/measured_run.h"
 #include "compare/metrics/divergence.h"
@@ -70,10 +71,9 @@ struct Timing {
   double median = 0.0, lowest = 0.0, highest = 0.0;
 };
 
-// One engine on the scene. sides[0] is native, sides[1] is MuJoCo with the contact model that
-// decides, and the other contact models follow.
+// One engine on the scene.
 struct Side {
-  std::string label;   // "native", "coulomb", "cone"
+  std::string label;   // "native", "shadow", or of a ContactKind; empty: it was not run
   std::string engine;  // "native-verlet", "mujoco-coulomb"
   // solref of MuJoCo's contact at the comparison's step, as "0.02 1". Empty if it has no effect.
   std::string solref;
@@ -86,7 +86,7 @@ struct Side {
   std::string early_end() const;  // half a sentence; empty if the run ended well
 };
 
-// One figure of a MuJoCo side compared with the native one.
+// One figure of a contact model compared with the native one.
 struct FigureDifference : JudgedFigure {
   double floor = 0.0;         // largest |deviation| of a native twin
   double replay_floor = 0.0;  // see replay_floor(); a lower limit of the interval
@@ -98,19 +98,25 @@ struct ShadowColumn {
   std::optional<Side> side;           // label "shadow"
   std::string absent;                 // why there is none
   bool driven = false;                // by the commands of the MuJoCo run that decides
-  std::vector<JudgedFigure> figures;  // in the order of figures(), compared with sides[0]
+  std::vector<JudgedFigure> figures;  // in the order of figures(), compared with native
 };
 
-struct SideDifference {
+// MuJoCo with one contact model, compared with the native run.
+struct ComparedModel {
+  Side run;
+  // In replay with commands, the native run under the commands of this run, but for the model that
+  // decides, which commands SceneComparison::native. Otherwise empty.
+  std::optional<Side> native;
   std::vector<FigureDifference> figures;  // in the order of figures()
   std::optional<Resync> resync;           // only in resync, where it determines the trust
   Divergence divergence;
-  std::vector<ImpactPair> impacts;  // a: native
-  Trust trust = Trust::kNo;         // kNo also if a run did not end well
-  bool decides = false;             // determines the exit code
+  std::vector<ImpactPair> impacts;   // a: native
+  Trust trust = Trust::kNo;          // kNo also if a run did not end well
+  std::vector<std::string> reasons;  // sentences: why they differ, or that they agree
+
+  const ContactKind& kind() const { return *contact_kind(run.label); }
   bool within() const { return trust == Trust::kYes; }
   std::vector<JudgedFigure> judged() const { return {figures.begin(), figures.end()}; }
-  std::vector<std::string> reasons;  // sentences: why they differ, or that they agree
 };
 
 struct SceneComparison {
@@ -124,28 +130,29 @@ struct SceneComparison {
   // Whether a controller commands the actuator; otherwise replay equals lockstep.
   bool commands = false;
   double tolerance = 0.0;
-  int twins = 0;            // of the native run, as many as were needed
-  int decider_twins = 0;    // of the MuJoCo run that decides; 0 if the motion repeats itself
-  std::vector<Side> sides;  // native first
-  // In replay with commands, each MuJoCo side has its own native run: sides[0] is driven by the
-  // commands of sides[1], and natives[0], natives[1], ... by those of sides[2], sides[3], ...
-  // Otherwise empty.
-  std::vector<Side> natives;
-  const Side& reference(std::size_t side) const {
-    return side < 2 || natives.empty() ? sides.front() : natives[side - 2];
-  }
+  int twins = 0;          // of the native run, as many as were needed
+  int decider_twins = 0;  // of the MuJoCo run that decides; 0 if the motion repeats itself
+  Side native;
+  std::vector<ComparedModel> models;  // the one that determines the exit code first
   ShadowColumn shadow;
   // If the scene's controller commands: the native run of the passive bearing, unless that run
   // fails.
   std::optional<Trajectory> uncontrolled;
-  std::vector<SideDifference> differences;  // of sides[1], sides[2], ...
-  Divergence twin;                          // native compared with the twin that parts first
-  std::optional<ModelError> model_error;    // empty if not requested
-  std::optional<MeasuredRun> measured;      // empty if not requested
-  bool interrupted = false;                 // only the results of the runs that ended are set
-  // The worst status of the runs that decide: native and sides[1].
+  Divergence twin;                        // native compared with the twin that parts first
+  std::optional<ModelError> model_error;  // empty if not requested
+  std::optional<MeasuredRun> measured;    // empty if not requested
+  bool interrupted = false;               // only the results of the runs that ended are set
+
+  // The native run that a model is compared with.
+  const Side& reference(const ComparedModel& model) const {
+    return model.native ? *model.native : native;
+  }
+  bool decides(const ComparedModel& model) const { return &model == &models.front(); }
+  // Native, then the runs of the models, as far as they were run.
+  std::vector<const Side*> sides() const;
+  // The worst status of the runs that decide: native and the first model's.
   Status status() const;
-  bool within() const;
+  bool within() const { return !models.empty() && models.front().within(); }
 };
 
 // Whether none of the runs has this figure.

@@ -26,28 +26,37 @@ std::string listed(const std::vector<JudgedFigure>& figures, Text text) {
   return fmt::format("{}", fmt::join(figures | std::views::transform(text), ", "));
 }
 
+struct FigureWords {
+  const char* word;
+  Tone tone;
+};
+// In the order of FigureVerdict.
+constexpr FigureWords kFigureWords[] = {{"not judged", Tone::kPlain},
+                                        {"undecidable", Tone::kPart},
+                                        {"within", Tone::kGood},
+                                        {"outside", Tone::kBad}};
+// In the order of Trust.
+constexpr VerdictWords kVerdictWords[] = {{"yes", Tone::kGood, "within", "✓"},
+                                          {"averages only", Tone::kPart, "AVERAGES", "≈"},
+                                          {"no", Tone::kBad, "OUTSIDE", "✗"},
+                                          {"undecidable", Tone::kPart, "undecidable", "?"}};
+
 }  // namespace
 
 const char* to_string(FigureVerdict verdict) {
-  constexpr const char* kWords[] = {"not judged", "within", "outside", "undecidable"};
-  return kWords[static_cast<int>(verdict)];
+  return kFigureWords[static_cast<int>(verdict)].word;
 }
+Tone tone_of(FigureVerdict verdict) { return kFigureWords[static_cast<int>(verdict)].tone; }
 
-const char* to_string(Trust trust) {
-  constexpr const char* kWords[] = {"yes", "averages only", "no", "undecidable"};
-  return kWords[static_cast<int>(trust)];
-}
-
-Tone tone_of(Trust trust) {
-  return trust == Trust::kYes ? Tone::kGood : trust == Trust::kNo ? Tone::kBad : Tone::kPart;
-}
+const VerdictWords& words_of(Trust trust) { return kVerdictWords[static_cast<int>(trust)]; }
+const char* to_string(Trust trust) { return words_of(trust).word; }
 
 JudgedFigure judged(const Figure& figure, const FigureSample& native, const FigureSample& other,
-                    double tolerance, double floor) {
+                    double tolerance) {
   JudgedFigure f{&figure, native.value, other.value, deviation(figure, native.mean, other.mean)};
   if (f.is_absent()) f.deviation = 0.0;
   const Interval c = interval(native, other);
-  f.interval = std::max(floor, share_of(figure, native.mean, c.half));
+  f.interval = std::max(native.replay_floor, share_of(figure, native.mean, c.half));
   f.least_told = std::max(f.interval, share_of(figure, native.mean, c.least_told));
   if (figure.scale != Scale::kPoints) f.whole = std::max(std::abs(native.mean), figure.resolution);
   const bool nothing = native.mean == 0.0 && other.mean == 0.0;

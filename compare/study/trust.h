@@ -20,8 +20,10 @@
 
 namespace rotorub {
 
-enum class FigureVerdict { kNotJudged, kWithin, kOutside, kUndecidable };
+// The later of two weighs more.
+enum class FigureVerdict { kNotJudged, kUndecidable, kWithin, kOutside };
 const char* to_string(FigureVerdict verdict);
+Tone tone_of(FigureVerdict verdict);
 
 // One figure of a run compared with the native run.
 struct JudgedFigure {
@@ -41,9 +43,9 @@ struct JudgedFigure {
   bool is_small_count() const;
 };
 
-// floor: lower limit of c, on the figure's scale.
+// c is at least native.replay_floor.
 JudgedFigure judged(const Figure& figure, const FigureSample& native, const FigureSample& other,
-                    double tolerance, double floor = 0.0);
+                    double tolerance);
 JudgedFigure judged(const Figure& figure, double native, double other,
                     double tolerance);  // without twins
 
@@ -71,8 +73,16 @@ enum class Trust {
   kNo,            // an average is outside, or a run did not end well
   kUndecidable    // no figure is outside or within
 };
-const char* to_string(Trust trust);  // "yes", "averages only", "no", "undecidable"
-Tone tone_of(Trust trust);
+
+// How the verdict on a contact model is written.
+struct VerdictWords {
+  const char* word;  // "averages only"
+  Tone tone;
+  const char* lead;  // before its sentence on the terminal
+  const char* mark;  // before it on the page
+};
+const VerdictWords& words_of(Trust trust);
+const char* to_string(Trust trust);
 
 Trust trust(const std::vector<JudgedFigure>& figures);
 

@@ -1,7 +1,6 @@
 #include "compare/study/twins.h"
 
 #include <algorithm>
-#include <cmath>
 
 namespace rotorub {
 
@@ -45,21 +44,6 @@ Twins run_twins(const Engine& engine, const scene::Scene& scene, const Trajector
   }
   tell(parameters.count);
   return twins;
-}
-
-Repeatability repeatability(const Metrics& run, const Twins& twins) {
-  Repeatability r;
-  for (const Figure& f : figures()) {
-    double floor = 0.0;
-    for (const Metrics& m : twins.metrics) {
-      const double apart = std::abs(deviation(f, f.value(run), f.value(m)));
-      if (std::isfinite(apart)) floor = std::max(floor, apart);
-    }
-    r.floor.push_back(floor);
-    r.samples.push_back(figure_sample(f, run, twins.metrics));
-    r.replay_floor.push_back(0.0);
-  }
-  return r;
 }
 
 Divergence first_to_part(const Twins& twins, Divergence none) {

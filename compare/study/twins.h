@@ -9,7 +9,6 @@
 
 #include "compare/base/in_parallel.h"
 #include "compare/engine/engine.h"
-#include "compare/figures/figure_sample.h"
 #include "compare/metrics/divergence.h"
 #include "compare/metrics/metrics.h"
 
@@ -44,14 +43,6 @@ int twin_ulps(int index);
 // have parted when they are further apart.
 Twins run_twins(const Engine& engine, const scene::Scene& scene, const Trajectory& original,
                 double threshold, const TwinParameters& parameters);
-
-// The scatter of each figure among a run and its twins.
-struct Repeatability {
-  std::vector<FigureSample> samples;  // in the order of figures(), as are all lists here
-  std::vector<double> floor;          // largest |deviation| of a twin
-  std::vector<double> replay_floor;   // see replay_floor(); 0 except in replay
-};
-Repeatability repeatability(const Metrics& run, const Twins& twins);
 
 // The divergence of the twin that parts first; if none parts, of the one that gets furthest away.
 // none: the result without twins.

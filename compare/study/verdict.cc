@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 #include "compare/base/format.h"
 #include "compare/figures/figure.h"
@@ -28,21 +29,16 @@ double scatter(const Metrics& m) {
   return m.mean_force > 0.0 ? m.force_deviation / m.mean_force : 0.0;
 }
 
-const FigureDifference& of(const SideDifference& d, const char* key) {
-  return *std::find_if(d.figures.begin(), d.figures.end(),
-                       [&](const FigureDifference& f) { return f.figure == &figure(key); });
+const FigureDifference& of(const ComparedModel& m, const char* key) {
+  return *std::ranges::find(m.figures, &figure(key), &FigureDifference::figure);
 }
 
 // The figure with the largest deviation among those outside, otherwise among those within,
 // otherwise among the other judged ones.
-const FigureDifference& worst(const SideDifference& d) {
-  constexpr int kRank[] = {0, 2, 3, 1};  // in the order of FigureVerdict
-  const auto rank = [&](const FigureDifference& f) { return kRank[static_cast<int>(f.verdict)]; };
-  return *std::max_element(d.figures.begin(), d.figures.end(),
-                           [&](const FigureDifference& a, const FigureDifference& b) {
-                             if (rank(a) != rank(b)) return rank(a) < rank(b);
-                             return std::abs(a.deviation) < std::abs(b.deviation);
-                           });
+const FigureDifference& worst(const ComparedModel& m) {
+  return *std::ranges::max_element(m.figures, {}, [](const FigureDifference& f) {
+    return std::pair(f.verdict, std::abs(f.deviation));
+  });
 }
 
 std::string attractor_sentence(const Side& native, const Side& other) {
@@ -74,8 +70,8 @@ std::string contact_sentence(const Side& native, const Side& other) {
 }
 
 // The effect of a soft contact on impacts.
-std::string impact_sentence(const SideDifference& d) {
-  const FigureDifference &mean = of(d, "mean_force"), &blow = of(d, "window_impulse");
+std::string impact_sentence(const ComparedModel& m) {
+  const FigureDifference &mean = of(m, "mean_force"), &blow = of(m, "window_impulse");
   if (mean.verdict == FigureVerdict::kOutside || blow.verdict != FigureVerdict::kOutside) return {};
   return fmt::format(
       "the mean force is right ({}), single impacts are not: the largest gives {} N s where the "
@@ -117,9 +113,9 @@ std::string split_sentence(const FigureDifference& f, double tolerance) {
 
 // Figures that scatter by more than the tolerance: "6.8 % in hard impacts".
 template <class Scatter>
-std::string scattered(const SceneComparison& c, const SideDifference& d, Scatter scatter) {
+std::string scattered(const SceneComparison& c, const ComparedModel& m, Scatter scatter) {
   std::string apart;
-  for (const FigureDifference& f : d.figures) {
+  for (const FigureDifference& f : m.figures) {
     if (!f.figure->is_judged() || scatter(f) <= c.tolerance) continue;
     apart += fmt::format("{}{} in {}", apart.empty() ? "" : ", ", size_text(f, scatter(f)),
                          f.figure->label);
@@ -127,11 +123,11 @@ std::string scattered(const SceneComparison& c, const SideDifference& d, Scatter
   return apart;
 }
 
-std::string twins_sentence(const SceneComparison& c, const SideDifference& d) {
+std::string twins_sentence(const SceneComparison& c, const ComparedModel& m) {
   const std::string apart = scattered(
-      c, d, [](const FigureDifference& f) { return f.floor > f.replay_floor ? f.floor : 0.0; });
+      c, m, [](const FigureDifference& f) { return f.floor > f.replay_floor ? f.floor : 0.0; });
   if (apart.empty()) return {};
-  const int others = d.decides ? c.decider_twins + 1 : 1;
+  const int others = c.decides(m) ? c.decider_twins + 1 : 1;
   return fmt::format(
       "the motion is chaotic: {} native runs that start a few units in the last place apart differ "
       "by up to {}{}; {} native and {} MuJoCo run{} determine a difference to within its ±",
@@ -140,9 +136,9 @@ std::string twins_sentence(const SceneComparison& c, const SideDifference& d) {
       c.twins + 1, others, others == 1 ? "" : "s");
 }
 
-std::string open_loop_sentence(const SceneComparison& c, const SideDifference& d) {
+std::string open_loop_sentence(const SceneComparison& c, const ComparedModel& m) {
   const std::string apart =
-      scattered(c, d, [](const FigureDifference& f) { return f.replay_floor; });
+      scattered(c, m, [](const FigureDifference& f) { return f.replay_floor; });
   if (apart.empty()) return {};
   return fmt::format(
       "the open loop does not hold the motion: commands of the native model's own loop, replayed "
@@ -163,9 +159,8 @@ std::string penetration_sentence(const SceneComparison& c, const Side& other) {
 
 }  // namespace
 
-std::vector<std::string> reasons(const SceneComparison& comparison, std::size_t side,
-                                 const SideDifference& difference) {
-  const Side &native = comparison.reference(side), &other = comparison.sides[side];
+std::vector<std::string> reasons(const SceneComparison& comparison, const ComparedModel& model) {
+  const Side &native = comparison.reference(model), &other = model.run;
   std::vector<std::string> all;
   const auto add = [&](std::string sentence) {
     if (!sentence.empty()) all.push_back(std::move(sentence));
@@ -175,27 +170,26 @@ std::vector<std::string> reasons(const SceneComparison& comparison, std::size_t 
   if (other.trajectory.status == Status::kOk) add(other.trajectory.message);
   add(comparison.omission);
   if (!comparison.omission.empty()) return all;
-  if (difference.resync) {
-    for (std::string& reason : resync_reasons(other.label, *difference.resync)) add(reason);
+  if (model.resync) {
+    for (std::string& reason : resync_reasons(other.label, *model.resync)) add(reason);
     return all;
   }
-  const FigureDifference& off = worst(difference);
+  const FigureDifference& off = worst(model);
   add(contact_sentence(native, other));
   add(attractor_sentence(native, other));
-  add(impact_sentence(difference));
+  add(impact_sentence(model));
   add(penetration_sentence(comparison, other));
-  add(twins_sentence(comparison, difference));
-  add(open_loop_sentence(comparison, difference));
+  add(twins_sentence(comparison, model));
+  add(open_loop_sentence(comparison, model));
   // Without a contact, no contact model can be the cause.
   const bool touches = native.metrics.first_touch || other.metrics.first_touch;
   if (touches && off.figure->split) add(split_sentence(off, comparison.tolerance));
   return all;
 }
 
-std::string headline(const SceneComparison& comparison, const Side& other,
-                     const SideDifference& difference) {
+std::string headline(const SceneComparison& comparison, const ComparedModel& model) {
   const double tolerance = percent(comparison.tolerance);
-  const Side& native = comparison.sides.front();
+  const Side &native = comparison.native, &other = model.run;
   if (native.trajectory.status != Status::kOk) {
     return fmt::format(
         "The native run did not reach the end of the run: there is nothing to "
@@ -213,8 +207,8 @@ std::string headline(const SceneComparison& comparison, const Side& other,
     return fmt::format("MuJoCo's {} contact: nothing can be decided within {:.3g} %, because {}.",
                        other.label, tolerance, comparison.omission);
   }
-  if (difference.resync) {
-    return resync_headline(other.label, *difference.resync, comparison.tolerance);
+  if (model.resync) {
+    return resync_headline(other.label, *model.resync, comparison.tolerance);
   }
   if (!native.metrics.first_touch && !other.metrics.first_touch) {
     return fmt::format(
@@ -222,8 +216,8 @@ std::string headline(const SceneComparison& comparison, const Side& other,
         "contact force to judge.",
         other.label);
   }
-  const FigureDifference& off = worst(difference);
-  switch (difference.trust) {
+  const FigureDifference& off = worst(model);
+  switch (model.trust) {
     case Trust::kYes:
       return fmt::format(
           "MuJoCo's {} contact agrees with the native law within {:.3g} %: its contact forces can "

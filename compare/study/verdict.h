@@ -8,13 +8,10 @@
 
 namespace rotorub {
 
-// The most important reason first. `comparison` needs its sides and its twin; side: index in its
-// sides, >= 1.
-std::vector<std::string> reasons(const SceneComparison& comparison, std::size_t side,
-                                 const SideDifference& difference);
+// The most important reason first. `model` is one of the comparison's, with its figures.
+std::vector<std::string> reasons(const SceneComparison& comparison, const ComparedModel& model);
 
 // "coulomb agrees with the native model within 1 %: its contact forces can be trusted here."
-std::string headline(const SceneComparison& comparison, const Side& other,
-                     const SideDifference& difference);
+std::string headline(const SceneComparison& comparison, const ComparedModel& model);
 
 }  // namespace rotorub

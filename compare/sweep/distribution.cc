@@ -3,34 +3,44 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <array>
 #include <boost/math/distributions/lognormal.hpp>
 #include <boost/math/distributions/normal.hpp>
 #include <boost/math/distributions/triangular.hpp>
 #include <boost/math/distributions/weibull.hpp>
 #include <boost/math/policies/policy.hpp>
 #include <cmath>
+#include <string_view>
+#include <vector>
 
 #include "native_model/scene/text.h"
 
 namespace rotorub::sweep {
 namespace {
 
-constexpr std::array<std::string_view, 5> kKinds{"uniform", "normal", "lognormal", "triangular",
-                                                 "weibull"};
-
-// The names of a distribution's parameters in a study, in the order of the kinds; empty: it has
-// none.
-struct Parameters {
-  const char* centre;
-  const char* width;
-  bool width_in_unit;
+// A kind of distribution and the names of its parameters in a study; empty: it has none.
+struct Words {
+  const char* word;
+  const char* centre = "";
+  const char* width = "";
+  bool width_in_unit = false;
+  bool bounded = false;   // needs `from` and `to`
+  bool positive = false;  // of numbers above 0
 };
-constexpr Parameters kParameters[] = {{"", "", false},
-                                      {"mean", "deviation", true},
-                                      {"median", "log_deviation", false},
-                                      {"mode", "", false},
-                                      {"scale", "shape", false}};
+// In the order of DistributionKind.
+constexpr Words kWords[] = {
+    {.word = "uniform", .bounded = true},
+    {"normal", "mean", "deviation", true},
+    {.word = "lognormal", .centre = "median", .width = "log_deviation", .positive = true},
+    {.word = "triangular", .centre = "mode", .bounded = true},
+    {.word = "weibull", .centre = "scale", .width = "shape", .positive = true}};
+
+std::vector<std::string_view> all_words() {
+  std::vector<std::string_view> all;
+  for (const Words& w : kWords) all.emplace_back(w.word);
+  return all;
+}
+
+const Words& words_of(DistributionKind kind) { return kWords[static_cast<std::size_t>(kind)]; }
 
 // Boost must compute in double. The build supplies the functions that it calls (RotorubMath.cmake),
 // so that a study has the same points on every computer.
@@ -49,11 +59,9 @@ void check_ends(const StudyTable& table, const Distribution& d) {
   if (!(d.from < d.to)) return table.fail("to", "expected a value above `from`");
   if (d.kind == DistributionKind::kTriangular && (d.centre < d.from || d.centre > d.to))
     return table.fail("mode", "expected a value between `from` and `to`");
-  const bool positive =
-      d.kind == DistributionKind::kLognormal || d.kind == DistributionKind::kWeibull;
-  if (positive && !(d.centre > 0.0))
-    return table.fail(kParameters[static_cast<int>(d.kind)].centre, "expected a value above 0");
-  if (positive && !(d.to > 0.0)) table.fail("to", "expected a value above 0");
+  const Words& w = words_of(d.kind);
+  if (w.positive && !(d.centre > 0.0)) return table.fail(w.centre, "expected a value above 0");
+  if (w.positive && !(d.to > 0.0)) table.fail("to", "expected a value above 0");
 }
 
 }  // namespace
@@ -76,30 +84,36 @@ double quantile(const Distribution& d, double share) {
   return std::clamp(d.from + share * (d.to - d.from), d.from, d.to);
 }
 
-std::string distribution_words() { return "one of " + scene::join(kKinds); }
+void refuse_parameters(const StudyTable& table) {
+  for (const Words& w : kWords) {
+    for (const char* key : {w.centre, w.width}) {
+      if (*key != '\0' && table.has(key))
+        table.missing("distribution", "one of " + scene::join(all_words()));
+    }
+  }
+}
 
 std::optional<Distribution> read_distribution(const StudyTable& table,
                                               const scene::Quantity& quantity) {
-  const auto kind = table.word<DistributionKind>("distribution", {kKinds.begin(), kKinds.end()});
+  const auto kind = table.word<DistributionKind>("distribution", all_words());
   if (!kind) return std::nullopt;
   Distribution d;
   d.kind = *kind;
   bool whole = true;
   const auto read = [&](const char* key, const scene::Quantity& of, double& value, bool needed) {
     if (needed && !table.has(key)) {
-      table.missing(key, fmt::format("{}, of distribution = \"{}\"", of.name,
-                                     kKinds[static_cast<std::size_t>(d.kind)]));
+      table.missing(key,
+                    fmt::format("{}, of distribution = \"{}\"", of.name, words_of(d.kind).word));
     }
     const auto given = table.number(key, of);
     whole = whole && (given || (!needed && !table.has(key)));
     if (given) value = *given;
   };
-  for (std::size_t k = 0; k < kKinds.size(); ++k) {
-    const Parameters& p = kParameters[k];
-    const bool own = k == static_cast<std::size_t>(d.kind);
+  for (const Words& p : kWords) {
+    const bool own = &p == &words_of(d.kind);
     for (const char* key : {p.centre, p.width}) {
       if (!own && *key != '\0' && table.has(key))
-        table.fail(key, fmt::format("belongs to distribution = \"{}\"", kKinds[k]));
+        table.fail(key, fmt::format("belongs to distribution = \"{}\"", p.word));
     }
     if (!own) continue;
     if (*p.centre != '\0') read(p.centre, quantity, d.centre, true);
@@ -108,10 +122,8 @@ std::optional<Distribution> read_distribution(const StudyTable& table,
     if (whole && !(d.width > 0.0)) table.fail(p.width, "expected a number above 0");
     whole = whole && d.width > 0.0;
   }
-  const bool bounded =
-      d.kind == DistributionKind::kUniform || d.kind == DistributionKind::kTriangular;
-  read("from", quantity, d.from, bounded);
-  read("to", quantity, d.to, bounded);
+  read("from", quantity, d.from, words_of(d.kind).bounded);
+  read("to", quantity, d.to, words_of(d.kind).bounded);
   if (whole) check_ends(table, d);
   return whole ? std::optional(d) : std::nullopt;
 }

@@ -3,7 +3,6 @@
 
 #include <limits>
 #include <optional>
-#include <string>
 
 #include "compare/sweep/study_reader.h"
 #include "native_model/scene/units.h"
@@ -28,11 +27,8 @@ struct Distribution {
 // the result belongs to the double nearest to 0 or 1.
 double quantile(const Distribution& distribution, double share);
 
-// All parameters of distributions as keys of a [[vary]], and the names of the distributions for
-// messages.
-inline constexpr const char* kDistributionKeys[] = {"mean", "deviation", "median", "log_deviation",
-                                                    "mode", "scale",     "shape"};
-std::string distribution_words();
+// Reports the parameters of distributions in a [[vary]] without `distribution`.
+void refuse_parameters(const StudyTable& table);
 
 // Reads `distribution` and its parameters from a [[vary]], in the unit of the key. Empty if there
 // is none, or if it is wrong and was reported.

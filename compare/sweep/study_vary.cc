@@ -220,10 +220,7 @@ Vary read_vary(const TomlNode& node, const std::string& path, SampleKind kind,
   if (table.has("column") && (points.points.empty() || values != nullptr))
     table.fail("column",
                points.points.empty() ? "needs the points' file: [sample] file" : "beside `values`");
-  if (!table.has("distribution")) {
-    for (const char* parameter : kDistributionKeys)
-      if (table.has(parameter)) table.missing("distribution", distribution_words());
-  }
+  if (!table.has("distribution")) refuse_parameters(table);
   if (values == nullptr && !points.points.empty()) {
     read_column(table, points, key, vary);
   } else if (kind == SampleKind::kList && values == nullptr) {

@@ -153,28 +153,29 @@ result::Section result_of(const TuneResult& r) {
   for (const std::size_t k : r.choice.best_by_contact) best.push_back(one(k));
   for (const JudgedSetting& s : r.settings) all.push_back(setting_json(s, r.modes));
   const bool found = r.choice.trusted.has_value();
-  return {.parts = {result::Data{"",
-                                 {{"program", "rotorub"},
-                                  {"version", program_version()},
-                                  {"mujoco_version", mujoco_version()},
-                                  {"scene", r.scene.name},
-                                  {"scene_hash", scene::scene_hash(r.scene)},
-                                  {"tolerance", r.tolerance},
-                                  {"trusted", one(r.choice.trusted)},
-                                  {"next_cheaper", one(r.choice.next_cheaper)},
-                                  {"best_by_contact", best},
-                                  {"nearest", one(r.choice.nearest)},
-                                  {"model_error", result::json_of(model_error_section(r.model_error))},
-                                  {"contact_error", part_json(r.errors, &SplitShares::contact)},
-                                  {"step_error", part_json(r.errors, &SplitShares::step)},
-                                  {"settings", all}}},
-                    result::line(fmt::format("{}: {} settings of MuJoCo judged at {}",
-                                             scene::printable(r.scene.name), r.settings.size(),
-                                             percent_text(r.tolerance))),
-                    result::Sentence{.text = choice_lines(r),
-                                     .wraps = false,
-                                     .tone = found ? Tone::kGood : Tone::kBad,
-                                     .toned = found ? "trusted" : "none can be trusted"}}};
+  return {
+      .parts = {result::Data{"",
+                             {{"program", "rotorub"},
+                              {"version", program_version()},
+                              {"mujoco_version", mujoco_version()},
+                              {"scene", r.scene.name},
+                              {"scene_hash", scene::scene_hash(r.scene)},
+                              {"tolerance", r.tolerance},
+                              {"trusted", one(r.choice.trusted)},
+                              {"next_cheaper", one(r.choice.next_cheaper)},
+                              {"best_by_contact", best},
+                              {"nearest", one(r.choice.nearest)},
+                              {"model_error", result::json_of(model_error_section(r.model_error))},
+                              {"contact_error", part_json(r.errors, &SplitShares::contact)},
+                              {"step_error", part_json(r.errors, &SplitShares::step)},
+                              {"settings", all}}},
+                result::line(fmt::format("{}: {} settings of MuJoCo judged at {}",
+                                         scene::printable(r.scene.name), r.settings.size(),
+                                         percent_text(r.tolerance))),
+                result::Sentence{.text = choice_lines(r),
+                                 .wraps = false,
+                                 .tone = found ? Tone::kGood : Tone::kBad,
+                                 .toned = found ? "trusted" : "none can be trusted"}}};
 }
 
 }  // namespace rotorub::tune

@@ -92,8 +92,6 @@ const Reference& References::at(double step, double window_step) {
         fmt::format("{}: the native model, which settings are judged against, ended early ({}): {}",
                     scene_.name, rotorub::to_string(original.status), original.message));
   }
-  Reference reference{metrics(original, {}), {}};
-
   TwinParameters parameters;
   parameters.count = twins_;
   parameters.step = step;
@@ -101,8 +99,9 @@ const Reference& References::at(double step, double window_step) {
   parameters.interrupt = interrupt_;
   const double threshold = kDivergenceShare * smallest_clearance(scene_).value();
   const Twins twins = run_twins(*engine, scene, original, threshold, parameters);
-  for (const Figure& f : figures())
-    reference.samples.push_back(figure_sample(f, reference.metrics, twins.metrics));
+  Reference reference;
+  reference.metrics = metrics(original, {});
+  reference.samples = figure_samples(reference.metrics, twins.metrics);
   return known_.emplace(key, std::move(reference)).first->second;
 }
 
@@ -159,22 +158,19 @@ Judge judge_by(References& references, double tolerance) {
 void time_again(std::vector<JudgedSetting>& settings, const Runner& run,
                 const bench::TimingParameters& parameters, const std::atomic<bool>* interrupt) {
   const double best = best_cost(settings);
-  std::vector<std::function<double()>> jobs;
-  std::vector<double> estimates;
-  std::vector<JudgedSetting*> timed;
+  std::vector<bench::TimedJob> jobs;
   for (JudgedSetting& s : settings) {
     const auto cost = s.cost();
     if (!cost || !s.failure.empty() || *cost > kNear * best || *cost < best / kNear) continue;
     jobs.push_back(
-        [&run, setting = s.setting] { return run(setting, setting.step).metrics.us_per_step; });
-    estimates.push_back(*cost);
-    timed.push_back(&s);
+        {[&run, setting = s.setting] { return run(setting, setting.step).metrics.us_per_step; },
+         *cost,
+         [&s](const bench::WallTime& time) {
+           if (time.repeats > 0) s.us_per_step = time.median;
+         }});
   }
-  const auto times = bench::interleaved(
-      jobs, estimates, parameters, [](double, const std::string&) {}, interrupt);
-  for (std::size_t k = 0; k < timed.size(); ++k) {
-    if (times[k].repeats > 0) timed[k]->us_per_step = times[k].median;
-  }
+  bench::interleaved(
+      std::move(jobs), parameters, [](double, const std::string&) {}, interrupt);
 }
 
 // From runs at the step, a half and a quarter of it (compare/metrics/extrapolation.h).

@@ -1,4 +1,4 @@
-// What the cross-checks share, and their order.
+// The cross-checks of a scene in their order, and the functions that they share.
 
 #include <algorithm>
 #include <functional>

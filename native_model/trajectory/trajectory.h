@@ -108,6 +108,7 @@ struct Trajectory {
   Status status = Status::kOk;
   std::string message;
 
+  bool is_rigid() const { return contact_model == "rigid"; }  // its impacts take no time
   std::size_t rows() const { return series.empty() ? 0 : series.front().values.size(); }
   // Throws MissingColumn, since a series may come from a file.
   const std::vector<double>& column(const std::string& name) const;

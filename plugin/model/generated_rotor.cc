@@ -150,8 +150,11 @@ class Chain {
         return has_joint(a) || has_joint(b);
       case mjEQ_TENDON:
         return has_tendon(a) || has_tendon(b);
-      default:
-        return has_body(a) || has_body(b);
+      case mjEQ_CONNECT:
+      case mjEQ_WELD:
+        return has_body(equality_body(m_, equality, a)) || has_body(equality_body(m_, equality, b));
+      default:  // a flex, whose bodies are its own
+        return false;
     }
   }
   // True if the filter by contype and conaffinity allows a contact. MuJoCo's other filters

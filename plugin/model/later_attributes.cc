@@ -38,8 +38,8 @@ bool is_mujocos_alone(const ContactPair& pair) {
          !pair.contact.gives();
 }
 
-std::string unsupported_by(const ContactPair& pair) {
-  return message("is not supported by contact model {}", scene::to_string(pair.law));
+std::string unsupported_by(scene::ContactModel law) {
+  return message("is not supported by contact model {}", scene::to_string(law));
 }
 constexpr const char* kOrCone = "or use contact model cone without a friction reference";
 
@@ -50,7 +50,7 @@ void check_motion(const Model* m, const ContactPair& pair) {
       if (!any(m->geom_surfacevel + 6 * geom, 6)) continue;
       refuse_attribute(
           message("<geom name=\"{}\">", m->names + m->name_geomadr[geom]), {"surfacevel", "3.11"},
-          unsupported_by(pair),
+          unsupported_by(pair.law),
           message("remove it, turn the body of the geom with a joint instead, {}", kOrCone));
     }
   }
@@ -59,14 +59,12 @@ void check_motion(const Model* m, const ContactPair& pair) {
 // A geom's own adhesion does not act in the plugin's contacts: they all belong to a <pair>, and
 // MuJoCo then uses only the attribute of the <pair>.
 template <typename Model>
-void check_adhesion(const Model* m, const ContactPair& pair) {
+void check_adhesion(const Model* m, int pair, int geom1, int geom2, scene::ContactModel law) {
   if constexpr (requires { m->pair_adhesion; }) {
-    if (pair.pair >= 0 && m->pair_adhesion[pair.pair] != 0.0) {
-      refuse_attribute(
-          message("<pair geom1=\"{}\" geom2=\"{}\">", m->names + m->name_geomadr[pair.rotor_geom],
-                  m->names + m->name_geomadr[pair.ring_geom]),
-          {"adhesion", "3.11"}, unsupported_by(pair), message("remove it, {}", kOrCone));
-    }
+    if (pair < 0 || m->pair_adhesion[pair] == 0.0) return;
+    refuse_attribute(message("<pair geom1=\"{}\" geom2=\"{}\">", m->names + m->name_geomadr[geom1],
+                             m->names + m->name_geomadr[geom2]),
+                     {"adhesion", "3.11"}, unsupported_by(law), message("remove it, {}", kOrCone));
   }
 }
 
@@ -223,7 +221,12 @@ bool is_disabled(const Model* m, int actuator) {
 void check_surface(const mjModel* m, const ContactPair& pair) {
   if (is_mujocos_alone(pair)) return;
   check_motion(m, pair);
-  check_adhesion(m, pair);
+  check_adhesion(m, pair.pair, pair.rotor_geom, pair.ring_geom, pair.law);
+}
+
+void check_corrected_pair(const mjModel* m, int pair) {
+  check_adhesion(m, pair, m->pair_geom1[pair], m->pair_geom2[pair],
+                 scene::ContactModel::kConeCoulomb);
 }
 
 void check_sensor_attributes(const mjModel* m, int sensor) { check_sensor(m, sensor); }
@@ -243,6 +246,7 @@ const char* refused_attributes(const Config& config, const mjModel* m) {
   try {
     if (config.own) {
       for (const ContactPair& pair : config.pairs) check_surface(m, pair);
+      for (const int pair : config.corrected_pairs) check_corrected_pair(m, pair);
     } else {
       check_generated_attributes(m, config);
     }

@@ -41,6 +41,9 @@ namespace rotorub::plugin {
 
 // Checks that the surfaces of a contact neither move nor adhere. Throws ConfigError.
 void check_surface(const mjModel* m, const ContactPair& pair);
+// Checks that a pair whose friction is corrected to Coulomb's law does not adhere. Its geoms may
+// have a surface velocity. Throws ConfigError.
+void check_corrected_pair(const mjModel* m, int pair);
 
 // Checks a user sensor that the plugin fills. Throws ConfigError.
 void check_sensor_attributes(const mjModel* m, int sensor);
@@ -48,10 +51,10 @@ void check_sensor_attributes(const mjModel* m, int sensor);
 // Checks a generated model. Throws ConfigError.
 void check_generated_attributes(const mjModel* m, const Config& config);
 
-// The first refusal by check_surface (all models) or check_generated_attributes; null if there is
-// none. It is called in every pass, because attributes may be edited in mjModel, and models that
-// differ in these attributes alone share a Config. The text is valid until the thread's next
-// refusal.
+// The first refusal by check_surface, check_corrected_pair or check_generated_attributes; null if
+// there is none. It is called in every pass, because attributes may be edited in mjModel, and
+// models that differ in these attributes alone share a Config. The text is valid until the thread's
+// next refusal.
 const char* refused_attributes(const Config& config, const mjModel* m);
 
 // True if <option actuatorgroupdisable> disables one of the bearing's actuators in a generated

@@ -136,6 +136,24 @@ bool collides_pairs(const Model* m) {
   return true;
 }
 
+// The type of both ends of each equality, mjtObj; before 3.3 it follows from the equality's type.
+template <typename Model>
+const int* equality_end_types(const Model* m) {
+  if constexpr (requires { m->eq_objtype; })
+    return m->eq_objtype;
+  else
+    return m->eq_type;
+}
+
+// The body of an end of a <connect> or <weld>. Since 3.3 both ends may be sites.
+template <typename Model>
+int equality_body(const Model* m, int equality, int end) {
+  if constexpr (requires { m->eq_objtype; }) {
+    if (m->eq_objtype[equality] == mjOBJ_SITE) return m->site_bodyid[end];
+  }
+  return end;
+}
+
 // --- Flags ---
 
 // True if mj_passive does nothing, so that mjcb_passive is not called either.

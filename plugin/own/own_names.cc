@@ -8,6 +8,7 @@
 
 #include "native_model/scene/diagnostic.h"
 #include "plugin/model/config.h"
+#include "plugin/model/later_attributes.h"
 #include "plugin/model/message.h"
 #include "plugin/own/instances.h"
 
@@ -223,6 +224,7 @@ std::vector<int> corrected_pairs(const mjModel* m) {
                   "geoms",
                   said));
     }
+    check_corrected_pair(m, pair);
     pairs.push_back(pair);
   });
   return pairs;

@@ -63,10 +63,6 @@ void check_cone(const mjModel* m, const PairName& name, const ContactPair& p, Re
   });
   const double mu = p.contact.friction.coefficient, given = m->pair_friction[5 * p.pair];
   refusals.attempt([&] {
-    if (!(mu > 0.0) || m->pair_dim[p.pair] >= 3) return;
-    refuse(pair_element(m, p), "contact model cone with friction: accepted: condim=\"3\" or more");
-  });
-  refusals.attempt([&] {
     if (m->pair_dim[p.pair] < 3 || std::abs(given - mu) <= 1e-9 + mjMINMU) return;
     refuse(pair_element(m, p), message("friction is {}, {} is {}; accepted: one value in both",
                                        given, name.of(names::kOwnFriction), mu));
@@ -125,6 +121,29 @@ std::string pair_to_add(const mjModel* m, const ContactPair& p) {
 
 }  // namespace
 
+void check_solved_part(const mjModel* m, const ContactPair& p, Refusals& refusals) {
+  const auto require = [&](bool holds, const char* reason) {
+    refusals.attempt([&] {
+      if (!holds) refuse(pair_element(m, p), reason);
+    });
+  };
+  const double gap = m->pair_gap[p.pair];
+  if (p.law == scene::ContactModel::kRigid) {
+    require(gap - m->pair_margin[p.pair] >= 10.0 * p.contact.clearance,
+            "gap is too small: with contact model rigid MuJoCo's solver must not see the contact; "
+            "accepted: gap above margin by at least ten clearances");
+    return;
+  }
+  const int condim = m->pair_dim[p.pair];
+  require(gap == 0.0 || p.further, "accepted: gap=\"0\"");
+  if (p.law == scene::ContactModel::kCoulomb) {
+    require(condim == 1, "contact model coulomb: accepted: condim=\"1\"");
+  } else {
+    require(condim >= 3 || !(p.contact.friction.coefficient > 0.0),
+            "contact model cone with friction: accepted: condim=\"3\" or more");
+  }
+}
+
 void check_pair(const mjModel* m, const PairName& name, const ContactPair& p, Refusals& refusals) {
   const std::string element = pair_element(m, p);
   const auto check = [&refusals](auto action) { refusals.attempt(action); };
@@ -137,30 +156,14 @@ void check_pair(const mjModel* m, const PairName& name, const ContactPair& p, Re
     if (pairs > 1) refuse(element, message("is there {} times; accepted: once", pairs));
   });
   check([&] { check_surface(m, p); });
+  check_solved_part(m, p, refusals);
   if (p.law == scene::ContactModel::kRigid) {
     check([&] { refuse_mocap(m, p.rotor_geom); });
     check([&] { refuse_mocap(m, p.ring_geom); });
     check([&] { refuse_other_friction(m, name, p); });
-    check([&] {
-      const double kept_out = m->pair_gap[p.pair] - m->pair_margin[p.pair];
-      if (kept_out >= 10.0 * p.contact.clearance) return;
-      refuse(element,
-             "gap is too small: with contact model rigid MuJoCo's solver must not see the contact; "
-             "accepted: gap above margin by at least ten clearances");
-    });
     return;
   }
-  check([&] {
-    if (m->pair_gap[p.pair] != 0.0) refuse(element, "accepted: gap=\"0\"");
-  });
-  if (p.law == scene::ContactModel::kCoulomb) {
-    check([&] {
-      if (m->pair_dim[p.pair] != 1)
-        refuse(element, "contact model coulomb: accepted: condim=\"1\"");
-    });
-  } else {
-    check_cone(m, name, p, refusals);
-  }
+  if (p.law != scene::ContactModel::kCoulomb) check_cone(m, name, p, refusals);
   check([&] { check_bounce(m, name, p); });
 }
 

@@ -39,6 +39,21 @@ TEST_F(ConfigTest, MissingElementsAreNamed) {
   expect_refused(replaced(document, gap + "1", gap + "3"), "<user name=\"gap\">");
 }
 
+// The contact model is edited alone, not the <pair> that was written for it.
+TEST_F(ConfigTest, AContactModelThatThePairIsNotForIsRefused) {
+  const auto edited = [](const std::string& from, const std::string& to) {
+    const std::string name = "name=\"rotorub_contact\" data=\"";
+    return replaced(mjcf(shipped("bench_ring", {"mujoco.contact=" + from})), name + from + "\"",
+                    name + to + "\"");
+  };
+  expect_refused(edited("rigid", "coulomb"), "gap=\"0\"");
+  expect_refused(edited("rigid", "cone"), "gap=\"0\"");
+  expect_refused(edited("coulomb", "rigid"), "gap is too small");
+  expect_refused(edited("coulomb", "cone"), "condim=\"3\"");
+  expect_refused(edited("cone", "rigid"), "gap is too small");
+  expect_refused(edited("cone", "coulomb"), "condim=\"1\"");
+}
+
 // Sensors are for viewers: a user may take them out, or put the joints elsewhere.
 TEST_F(ConfigTest, OptionalElementsMayGo) {
   std::string document = mjcf(shipped("bench_ring"));

@@ -259,6 +259,15 @@ TEST_F(SeveralOnTheChain, AreRefusedWhereTheirRowsAreNotKnown) {
   expect_refused(replaced(document, "<joint name=\"x_1\"",
                           "<joint limited=\"true\" range=\"-1 1\" name=\"x_1\""),
                  "<joint name=\"x_1\" limited>");
+  const auto welded = [&](const std::string& body) {
+    const std::string free = "\"><geom size=\"0.01\" contype=\"0\"/></body>";
+    return replaced(replaced(document, "<worldbody>",
+                             "<worldbody><body name=\"a" + free + "<body name=\"b" + free),
+                    "</mujoco>",
+                    "<equality><weld body1=\"a\" body2=\"" + body + "\"/></equality></mujoco>");
+  };
+  load(welded("b"));
+  expect_refused(welded("rotor"), "<equality name=\"\">");
   const std::string rotor = "<body name=\"rotor_2\"";
   expect_refused(replaced(document, rotor + " mocap=\"true\"", rotor), "mocap=\"true\"");
 }

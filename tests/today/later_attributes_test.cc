@@ -13,6 +13,7 @@
 #include "plugin/model/config.h"
 #include "tests/plugin/own/machine.h"
 #include "tests/support/mujoco_fixture.h"
+#include "tests/support/two_rings.h"
 
 namespace rotorub::test {
 namespace {
@@ -38,6 +39,25 @@ class LaterAttributes : public MujocoTest {
   }
   plugin::Hooks hooks_;
 };
+
+// The ends of a <weld> may be sites, whose numbers are those of other bodies.
+TEST_F(LaterAttributes, AWeldOfSitesActsOnTheirBodies) {
+  const std::string chain = mjcf(two_rings_scene("moving"));
+  const auto welded = [&](const std::string& site) {
+    std::string sites;  // in the world, before those of the bodies
+    for (int k = 0; k < 5; ++k) sites += "<site name=\"w" + std::to_string(k) + "\"/>";
+    const std::string bodies =
+        sites +
+        "<body><freejoint/><geom size=\"0.01\"/><site name=\"a\"/></body>"
+        "<body><freejoint/><geom size=\"0.01\" pos=\"0 1 0\"/><site name=\"b\"/></body>";
+    return replaced(replaced(replaced(chain, "<worldbody>", "<worldbody>" + bodies),
+                             "<body name=\"ring\">", "<body name=\"ring\"><site name=\"c\"/>"),
+                    "</mujoco>",
+                    "<equality><weld site1=\"a\" site2=\"" + site + "\"/></equality></mujoco>");
+  };
+  load(welded("b"));
+  expect_refused(welded("c"), "<equality name=\"\">");
+}
 
 TEST_F(LaterAttributes, ASurfaceThatMovesIsRefused) {
   for (const char* contact : {"rigid", "coulomb"}) {
@@ -185,19 +205,33 @@ TEST_F(LaterAttributes, WhatMjSpecCanSetIsNamedToo) {
       "it");
 }
 
-// A belt at 10 m/s takes a box along with mu g, as a box that slides on a floor is braked.
-TEST_F(LaterAttributes, APairThatIsCorrectedKnowsItsBelt) {
-  const ModelPointer m = load(R"(<mujoco><option timestep="1e-3" cone="elliptic"/>
+// A sphere on a belt at 10 m/s, whose contact is corrected.
+constexpr const char* kBelt = R"(<mujoco><option timestep="1e-3" cone="elliptic"/>
     <size nuserdata="32"/>
     <worldbody><geom name="belt" type="plane" size="100 100 1" surfacevel="10 0 0 0 0 0"/>
     <body pos="0 0 0.1"><joint type="slide" axis="1 0 0"/><joint type="slide" axis="0 0 1"/>
       <geom name="box" type="sphere" size="0.1" mass="1"/></body></worldbody>
     <contact><pair name="sliding" geom1="belt" geom2="box" condim="3" friction="0.5 0.5 0 0 0"/>
     </contact>
-    <custom><text name="rotorub_cone_coulomb_pair" data="sliding"/></custom></mujoco>)");
+    <custom><text name="rotorub_cone_coulomb_pair" data="sliding"/></custom></mujoco>)";
+
+// The belt takes it along with mu g, as a box that slides on a floor is braked.
+TEST_F(LaterAttributes, APairThatIsCorrectedKnowsItsBelt) {
+  const ModelPointer m = load(kBelt);
   const DataPointer d = start(m.get());
   for (int k = 0; k < 1000; ++k) mj_step(m.get(), d.get());
   EXPECT_NEAR(d->qvel[0], 0.5 * 9.81, 0.01);
+}
+
+TEST_F(LaterAttributes, AdhesionOfAPairThatIsCorrectedIsRefused) {
+  expect_refused(with(kBelt, "geom2=\"box\"", "adhesion=\"20\""),
+                 "<pair geom1=\"belt\" geom2=\"box\">: the attribute adhesion, new in MuJoCo 3.11, "
+                 "is not supported by contact model cone-coulomb; remove it");
+  const ModelPointer m = load(kBelt);
+  const DataPointer d = start(m.get());
+  mj_step(m.get(), d.get());
+  m->pair_adhesion[0] = 20.0;
+  EXPECT_THROW(mj_step(m.get(), d.get()), std::runtime_error);
 }
 
 // The steady force of an engine plugin, N.

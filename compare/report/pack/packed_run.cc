@@ -49,7 +49,7 @@ Samples gap_samples(const Trajectory& run, std::size_t contact, double least) {
     samples.rate[0].push_back(dy);
   };
   std::vector<Impact> impacts;
-  if (run.contact_model == "rigid") impacts = counted_impacts(run, contact);
+  if (run.is_rigid()) impacts = counted_impacts(run, contact);
   std::size_t next = 0;
   for (std::size_t i = 0; i < t.size(); ++i) {
     // A row at the time of an impact holds the state after it, so the impact precedes the row.
@@ -158,7 +158,7 @@ class RunPacker {
     add_forces("friction", {"friction_force"});
     packed_[own("gap")] =
         pack(TrackKind::kHermite, gap_samples(run_, at_, gap_tolerance(bearing.contact->clearance)),
-             run_.contact_model == "rigid");
+             run_.is_rigid());
     add_mode();
     add_impacts();
   }

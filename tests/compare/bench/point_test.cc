@@ -216,16 +216,18 @@ TEST(WallTime, IsMedianLowestHighest) {
 
 TEST(Interleaved, TakesTheJobsInTurns) {
   std::vector<int> order;
-  std::vector<std::function<double()>> jobs;
+  std::vector<WallTime> times;
+  std::vector<TimedJob> jobs;
   for (int k = 0; k < 3; ++k) {
-    jobs.push_back([k, &order] {
-      order.push_back(k);
-      return static_cast<double>(order.size());
-    });
+    jobs.push_back({[k, &order] {
+                      order.push_back(k);
+                      return static_cast<double>(order.size());
+                    },
+                    1e-3, [&times](const WallTime& time) { times.push_back(time); }});
   }
   TimingParameters parameters;
   parameters.repeats = 2;
-  const auto times = interleaved(jobs, {1e-3, 1e-3, 1e-3}, parameters, kSilent, nullptr);
+  interleaved(jobs, parameters, kSilent, nullptr);
   EXPECT_EQ(order, (std::vector<int>{0, 1, 2, 0, 1, 2}));
   EXPECT_EQ(times[1].low, 2.0);
   EXPECT_EQ(times[1].high, 5.0);
@@ -244,12 +246,14 @@ TEST(Interleaved, SlowJobsAreRepeatedLess) {
 
 TEST(Interleaved, AnInterruptedRunIsNoTime) {
   std::atomic<bool> interrupt{false};
-  std::vector<std::function<double()>> jobs{[] { return 1.0; },
-                                            [&] {
-                                              interrupt = true;
-                                              return 1e-9;
-                                            }};
-  const auto times = interleaved(jobs, {1.0, 1.0}, {3, 1, 1e9}, kSilent, &interrupt);
+  std::vector<WallTime> times;
+  const auto keep = [&](const WallTime& time) { times.push_back(time); };
+  const auto interrupted = [&] {
+    interrupt = true;
+    return 1e-9;
+  };
+  interleaved({{[] { return 1.0; }, 1.0, keep}, {interrupted, 1.0, keep}}, {3, 1, 1e9}, kSilent,
+              &interrupt);
   EXPECT_EQ(times[0].repeats, 1);
   EXPECT_EQ(times[1].repeats, 0);
 }

@@ -256,12 +256,12 @@ TEST(Omissions, ALargeOneDecidesThatNothingIsDecided) {
               std::string::npos)
         << c.omission;
     EXPECT_FALSE(c.within());
-    const std::vector<AnswerRow> rows = answer(c);
-    for (std::size_t k = 0; k < rows.size(); ++k) {
-      EXPECT_EQ(rows[k].trust, Trust::kUndecidable) << rows[k].contact;
-      EXPECT_EQ(rows[k].why, c.omission + ", so no difference can be attributed to the contact");
-      EXPECT_NE(headline(c, c.sides[k + 1], c.differences[k]).find(c.omission), std::string::npos);
-      for (const FigureDifference& f : c.differences[k].figures) {
+    for (const ComparedModel& m : c.models) {
+      const AnswerRow row = answer_row(c, m);
+      EXPECT_EQ(m.trust, Trust::kUndecidable) << row.contact;
+      EXPECT_EQ(row.why, c.omission + ", so no difference can be attributed to the contact");
+      EXPECT_NE(headline(c, m).find(c.omission), std::string::npos);
+      for (const FigureDifference& f : m.figures) {
         EXPECT_TRUE(f.verdict == FigureVerdict::kNotJudged ||
                     f.verdict == FigureVerdict::kUndecidable)
             << f.figure->key;
@@ -278,8 +278,8 @@ TEST(Omissions, ASmallOneIsSaid) {
   std::string notes;
   for (const std::string& note : own_notes(c)) notes += note + "\n";
   EXPECT_NE(notes.find("whose force reaches 0.1 N"), std::string::npos) << notes;
-  for (const SideDifference& d : c.differences) {
-    EXPECT_TRUE(std::ranges::any_of(d.figures, [](const FigureDifference& f) {
+  for (const ComparedModel& m : c.models) {
+    EXPECT_TRUE(std::ranges::any_of(m.figures, [](const FigureDifference& f) {
       return f.verdict == FigureVerdict::kWithin || f.verdict == FigureVerdict::kOutside;
     }));
   }

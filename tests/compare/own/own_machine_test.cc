@@ -204,10 +204,11 @@ TEST(OwnMachine, IsComparedLikeAScene) {
   const SceneComparison c = compare_scene(options.own->scene(), options);
   EXPECT_EQ(c.status(), Status::kOk);
   EXPECT_TRUE(c.own);
-  ASSERT_EQ(c.sides.size(), 6U);
-  EXPECT_EQ(c.sides[1].engine, "mujoco-rigid");
-  ASSERT_TRUE(c.sides[0].metrics.first_touch && c.sides[1].metrics.first_touch);
-  EXPECT_NEAR(*c.sides[1].metrics.first_touch, *c.sides[0].metrics.first_touch, 2e-5);
+  ASSERT_EQ(c.models.size(), 5U);
+  const Side& rigid = c.models[0].run;
+  EXPECT_EQ(rigid.engine, "mujoco-rigid");
+  ASSERT_TRUE(c.native.metrics.first_touch && rigid.metrics.first_touch);
+  EXPECT_NEAR(*rigid.metrics.first_touch, *c.native.metrics.first_touch, 2e-5);
 }
 
 // MuJoCo alone as anyone has it: its default solref, whatever restitution the file wants. It is

@@ -32,20 +32,26 @@ Side pressing(double from, double to) {
   return side;
 }
 
+double end_with(double step, const std::vector<Side>& sides) {
+  std::vector<const Side*> all;
+  for (const Side& side : sides) all.push_back(&side);
+  return timed_end(run_of(step), all);
+}
+
 TEST(TimedEnd, IsAnEighthWhereContactIsAsFrequentThere) {
-  EXPECT_DOUBLE_EQ(timed_end(run_of(1e-6), {pressing(0.0, kEnd), pressing(2e-3, kEnd)}), 0.1);
+  EXPECT_DOUBLE_EQ(end_with(1e-6, {pressing(0.0, kEnd), pressing(2e-3, kEnd)}), 0.1);
 }
 
 // In contact for half of the run: up to 0.6 s for a third of the time, up to 0.7 s for 43 %. Or for
 // a twentieth of it, early: up to 0.2 s for a fifth, up to 0.3 s for 13 %.
 TEST(TimedEnd, TakesInWhatIsUnlikeTheStart) {
-  EXPECT_DOUBLE_EQ(timed_end(run_of(1e-6), {pressing(0.4, kEnd)}), 0.7);
-  EXPECT_DOUBLE_EQ(timed_end(run_of(1e-6), {pressing(0.05, 0.09), pressing(0.02, 0.06)}), 0.3);
+  EXPECT_DOUBLE_EQ(end_with(1e-6, {pressing(0.4, kEnd)}), 0.7);
+  EXPECT_DOUBLE_EQ(end_with(1e-6, {pressing(0.05, 0.09), pressing(0.02, 0.06)}), 0.3);
 }
 
 TEST(TimedEnd, HasTenThousandStepsOrAll) {
-  EXPECT_DOUBLE_EQ(timed_end(run_of(2.5e-5), {pressing(0.0, kEnd)}), 0.3);
-  EXPECT_DOUBLE_EQ(timed_end(run_of(1e-3), {pressing(0.0, kEnd)}), kEnd);
+  EXPECT_DOUBLE_EQ(end_with(2.5e-5, {pressing(0.0, kEnd)}), 0.3);
+  EXPECT_DOUBLE_EQ(end_with(1e-3, {pressing(0.0, kEnd)}), kEnd);
 }
 
 // A figure by itself, of sides at a step and at half of it, beside a native value of 100 N.

@@ -104,31 +104,33 @@ const SceneComparison& replayed_ring() {
 TEST(Replay, EveryContactModelHasANativeRunOfItsOwn) {
   const SceneComparison& c = replayed_ring();
   EXPECT_TRUE(c.commands);
-  ASSERT_EQ(c.natives.size(), 4U);
-  ASSERT_EQ(c.differences.size(), 5U);
-  for (std::size_t k = 1; k < c.sides.size(); ++k) {
-    const Side& native = c.reference(k);
+  ASSERT_EQ(c.models.size(), 5U);
+  for (const ComparedModel& m : c.models) {
+    EXPECT_EQ(m.native.has_value(), !c.decides(m)) << m.run.label;
+    const Side& native = c.reference(m);
     EXPECT_EQ(native.engine, "native-event");
     EXPECT_EQ(native.limits.size(), figures().size());
-    for (const FigureDifference& f : c.differences[k - 1].figures) {
+    for (const FigureDifference& f : m.figures) {
       if (std::isnan(f.native) || std::isnan(f.other))
         continue;  // one of the runs has not this figure
       EXPECT_EQ(f.native, f.figure->value(native.metrics)) << f.figure->key;
-      EXPECT_EQ(f.other, f.figure->value(c.sides[k].metrics)) << f.figure->key;
+      EXPECT_EQ(f.other, f.figure->value(m.run.metrics)) << f.figure->key;
     }
   }
   // The commands of the cone's run are those of another motion.
-  EXPECT_NE(c.reference(1).metrics.mean_force, c.reference(3).metrics.mean_force);
-  EXPECT_EQ(c.differences[0].trust, Trust::kYes) << answer(c)[0].why;
+  const ComparedModel& shown = c.models[2];
+  ASSERT_EQ(shown.run.label, "cone");
+  EXPECT_NE(c.native.metrics.mean_force, shown.native->metrics.mean_force);
+  EXPECT_EQ(c.models[0].trust, Trust::kYes) << answer(c)[0].why;
   const auto cone =
       result::json_of(comparisons_result({c})).at("scenes")[0].at("differences").at("cone");
-  EXPECT_EQ(cone.at("figures").at("mean_force").at("native"), c.reference(3).metrics.mean_force);
+  EXPECT_EQ(cone.at("figures").at("mean_force").at("native"), shown.native->metrics.mean_force);
 }
 
 // A ring on springs holds itself: opening its loop costs no more than the step does. The interval
 // is never less.
 TEST(Replay, ItsFloorIsLowWhereTheOpenLoopIsStable) {
-  for (const FigureDifference& f : replayed_ring().differences[0].figures) {
+  for (const FigureDifference& f : replayed_ring().models[0].figures) {
     EXPECT_GE(f.interval, f.replay_floor) << f.figure->key;
     if (std::string(f.figure->key) != "mean_force") continue;
     EXPECT_GT(f.replay_floor, 0.0);
@@ -141,11 +143,10 @@ TEST(Replay, WithoutAControllerItIsLockstepAndSaysSo) {
   const SceneComparison replay = compared(scene, CompareMode::kReplay);
   const SceneComparison lockstep = compared(scene, CompareMode::kLockstep);
   EXPECT_FALSE(replay.commands);
-  EXPECT_TRUE(replay.natives.empty());
-  for (std::size_t k = 0; k < replay.differences.size(); ++k) {
+  for (std::size_t k = 0; k < replay.models.size(); ++k) {
+    EXPECT_FALSE(replay.models[k].native);
     for (std::size_t i = 0; i < figures().size(); ++i) {
-      const FigureDifference &r = replay.differences[k].figures[i],
-                             &l = lockstep.differences[k].figures[i];
+      const FigureDifference &r = replay.models[k].figures[i], &l = lockstep.models[k].figures[i];
       if (std::isnan(l.native) || std::isnan(l.other))
         continue;  // one of the runs has not this figure
       EXPECT_EQ(r.native, l.native) << r.figure->key;
@@ -165,13 +166,13 @@ TEST(ShadowColumn, IsTheNativeStepperAtMujocosStep) {
   const Trajectory& t = c.shadow.side->trajectory;
   EXPECT_EQ(t.integrator, "verlet");
   EXPECT_EQ(t.step, c.scene.run.step);
-  EXPECT_EQ(t.steps, c.sides[1].trajectory.steps);
+  EXPECT_EQ(t.steps, c.models[0].run.trajectory.steps);
   EXPECT_TRUE(c.shadow.driven);
   ASSERT_EQ(c.shadow.figures.size(), figures().size());
   // A stepper of the right law: nearer than the wrong law at the same step.
   const auto mean = [](const std::vector<JudgedFigure>& f) { return std::abs(f[0].deviation); };
   EXPECT_GT(mean(c.shadow.figures), 0.0);
-  EXPECT_LT(mean(c.shadow.figures), mean(c.differences[2].judged()));
+  EXPECT_LT(mean(c.shadow.figures), mean(c.models[2].judged()));
   EXPECT_NE(result::text_of(comparison_result(c)).find("shadow: the native stepper (verlet)"),
             std::string::npos);
 }

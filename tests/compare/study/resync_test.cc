@@ -156,25 +156,25 @@ const SceneComparison& ring() {
 // From the same state the same law gives the same impact; a soft contact spreads it.
 TEST(Resync, RigidIsRightContactByContactAndSoftIsNot) {
   const SceneComparison& c = ring();
-  ASSERT_EQ(c.differences.size(), 5U);
-  const Resync& rigid = *c.differences[0].resync;
+  ASSERT_EQ(c.models.size(), 5U);
+  const Resync& rigid = *c.models[0].resync;
   ASSERT_GE(rigid.onsets.size(), 4U);
   EXPECT_LT(row(rigid, "impulse").worst, 1e-3);
   EXPECT_LT(row(rigid, "rebound").worst, 1e-3);
-  EXPECT_EQ(c.differences[0].trust, Trust::kYes) << why(rigid, c.tolerance);
+  EXPECT_EQ(c.models[0].trust, Trust::kYes) << why(rigid, c.tolerance);
   EXPECT_TRUE(c.within());
-  const Resync& coulomb = *c.differences[1].resync;
-  ASSERT_EQ(c.sides[2].label, "coulomb");
+  const Resync& coulomb = *c.models[1].resync;
+  ASSERT_EQ(c.models[1].run.label, "coulomb");
   EXPECT_LT(row(coulomb, "window_impulse").median, 0.05)
       << "however many steps an impact is spread over";
   EXPECT_GT(row(coulomb, "duration").median, row(rigid, "duration").median);
-  EXPECT_NE(c.differences[1].trust, Trust::kYes);
+  EXPECT_NE(c.models[1].trust, Trust::kYes);
 }
 
 // An elastic billiard is chaos for a long run, and 1 + eps on every single impact of it.
 TEST(Resync, EveryImpactOfTheBilliard) {
   const SceneComparison c = resync_of("bench_billiard", {"run.end=0.05"});
-  const Resync& rigid = *c.differences[0].resync;
+  const Resync& rigid = *c.models[0].resync;
   ASSERT_GT(rigid.onsets.size(), 10U);
   EXPECT_LT(row(rigid, "impulse").worst, 1e-6);
   EXPECT_LT(row(rigid, "rebound").worst, 1e-6);
@@ -190,7 +190,7 @@ TEST(Resync, ReplaysTheCommandsInside) {
                                "controller.stiffness=5e4", "controller.damping=100"});
   EXPECT_TRUE(c.commands);
   EXPECT_NE(mode_note(c).find("MuJoCo's commands"), std::string::npos);
-  const Resync& rigid = *c.differences[0].resync;
+  const Resync& rigid = *c.models[0].resync;
   ASSERT_GE(rigid.onsets.size(), 3U);
   EXPECT_LT(row(rigid, "impulse").worst, 1e-3);
 }
@@ -204,7 +204,7 @@ void expect_right_impulses(const std::string& name, const std::vector<std::strin
   overrides.insert(overrides.end(), more.begin(), more.end());
   const SceneComparison c = resync_of(name, overrides);
   ASSERT_EQ(c.status(), Status::kOk);
-  const Resync& rigid = *c.differences[0].resync;
+  const Resync& rigid = *c.models[0].resync;
   ASSERT_GE(rigid.onsets.size(), 1U);
   EXPECT_EQ(rigid.failed, 0) << rigid.failure;
   EXPECT_LT(row(rigid, "impulse").worst, 0.01) << "at " << row(rigid, "impulse").worst_time;
@@ -249,7 +249,7 @@ TEST(Resync, IsToldByTableJsonAndPage) {
       EXPECT_TRUE(rigid.at("resync").at("figures").at(figure).contains(key)) << figure << key;
     }
   }
-  EXPECT_EQ(rigid.at("resync").at("onsets").size(), c.differences[0].resync->onsets.size());
+  EXPECT_EQ(rigid.at("resync").at("onsets").size(), c.models[0].resync->onsets.size());
   EXPECT_EQ(rigid.at("trusted"), "yes");
   const std::string page = report_page({{&c, {}, "none in this test."}});
   EXPECT_NE(page.find("Contact by contact"), std::string::npos);

@@ -28,26 +28,21 @@ const SceneComparison& short_comparison() {
   return comparison;
 }
 
-const Side& side(const std::string& label) {
-  const auto& sides = short_comparison().sides;
-  return *std::find_if(sides.begin(), sides.end(), [&](const Side& s) { return s.label == label; });
-}
-
-const SideDifference& difference(const std::string& label) {
-  const SceneComparison& c = short_comparison();
-  return c.differences[static_cast<std::size_t>(&side(label) - c.sides.data()) - 1];
+const ComparedModel& difference(const std::string& label) {
+  return *std::ranges::find_if(short_comparison().models,
+                               [&](const ComparedModel& m) { return m.run.label == label; });
 }
 
 TEST(SceneComparison, RunsEverySide) {
   const SceneComparison& c = short_comparison();
   std::vector<std::string> labels;
-  for (const Side& s : c.sides) {
-    labels.push_back(s.label);
-    EXPECT_EQ(s.trajectory.status, Status::kOk) << s.trajectory.message;
-    EXPECT_EQ(s.trajectory.end, 0.06);
-    EXPECT_EQ(s.limits.size(), figures().size());
-    EXPECT_GT(s.timing.median, 0.0);
-    EXPECT_LE(s.timing.lowest, s.timing.median);
+  for (const Side* s : c.sides()) {
+    labels.push_back(s->label);
+    EXPECT_EQ(s->trajectory.status, Status::kOk) << s->trajectory.message;
+    EXPECT_EQ(s->trajectory.end, 0.06);
+    EXPECT_EQ(s->limits.size(), figures().size());
+    EXPECT_GT(s->timing.median, 0.0);
+    EXPECT_LE(s->timing.lowest, s->timing.median);
   }
   // Native, then the contact model that decides, then those that are shown beside it.
   EXPECT_EQ(labels[0], "native");
@@ -61,7 +56,8 @@ TEST(SceneComparison, RunsEverySide) {
 
 // The run that is shown has others beside it: its time is that of the runs that had none.
 TEST(SceneComparison, ItsTimesAreThoseOfTheTimedRuns) {
-  for (const Side& side : short_comparison().sides) {
+  for (const Side* shown : short_comparison().sides()) {
+    const Side& side = *shown;
     ASSERT_EQ(side.timing.us_per_step.size(), 1U) << side.label;
     const double seconds = 1e-6 * side.timing.median * static_cast<double>(side.metrics.steps);
     EXPECT_EQ(side.trajectory.wall_s, seconds) << side.label;
@@ -71,8 +67,8 @@ TEST(SceneComparison, ItsTimesAreThoseOfTheTimedRuns) {
 }
 
 TEST(SceneComparison, SplitsAddUp) {
-  for (const SideDifference& d : short_comparison().differences) {
-    for (const FigureDifference& f : d.figures) {
+  for (const ComparedModel& m : short_comparison().models) {
+    for (const FigureDifference& f : m.figures) {
       if (std::isnan(f.native) || std::isnan(f.other))
         continue;  // one of the runs has not this figure
       const Split& s = f.split;
@@ -155,13 +151,17 @@ TEST(SceneComparison, BeginsWithOneRowAContactModel) {
 TEST(SceneComparison, AnswersInASentence) {
   const SceneComparison& c = short_comparison();
   std::vector<std::string> order;
-  for (const std::size_t k : reading_order(c)) order.push_back(c.sides[k + 1].label);
+  for (const ComparedModel* m : reading_order(c)) order.push_back(m->run.label);
   EXPECT_EQ(order,
             (std::vector<std::string>{"cone", "cone-default", "cone-coulomb", "coulomb", "rigid"}));
-  const std::string sentence = answer_sentence(c);
-  EXPECT_TRUE(sentence.starts_with("MuJoCo alone: no (")) << sentence;
-  EXPECT_TRUE(sentence.ends_with("; with the rigid law: yes.")) << sentence;
-  EXPECT_EQ(sentence.find("solref"), std::string::npos) << sentence;
+  const std::vector<AnswerRow> rows = sentence_rows(c);
+  ASSERT_EQ(rows.size(), 4U) << "without the default solref";
+  EXPECT_EQ(rows.front().question, "MuJoCo alone");
+  EXPECT_STREQ(rows.front().verdict.word, "no");
+  EXPECT_FALSE(rows.front().plain.empty());
+  EXPECT_EQ(rows.back().question, "with the rigid law");
+  EXPECT_STREQ(rows.back().verdict.word, "yes");
+  EXPECT_EQ(rows.back().plain, "");
 }
 
 // The page: one file, no address that a browser would fetch from, plots and their data inside.
@@ -206,8 +206,8 @@ TEST(SceneComparison, AnInterruptKeepsWhatThereIs) {
   const SceneComparison c = compare_scene(
       test::shipped("bench_ring", {"run.end=0.06", "run.integrator=verlet"}), options);
   EXPECT_TRUE(c.interrupted);
-  ASSERT_EQ(c.sides.size(), 1U);
-  EXPECT_EQ(c.sides[0].trajectory.status, Status::kInterrupted);
+  ASSERT_EQ(c.sides().size(), 1U);
+  EXPECT_EQ(c.native.trajectory.status, Status::kInterrupted);
   EXPECT_EQ(c.status(), Status::kInterrupted);
   EXPECT_FALSE(c.within());
 }
@@ -244,13 +244,12 @@ TEST(SceneComparison, NoContactIsNoPraise) {
   options.timing_repeats = 1;
   const SceneComparison c =
       compare_scene(test::shipped("bench_ring", {"run.end=0.02", "force[0].amplitude=1"}), options);
-  ASSERT_FALSE(c.differences.empty());
+  ASSERT_FALSE(c.models.empty());
   EXPECT_TRUE(c.within());
-  const std::string said = headline(c, c.sides[1], c.differences[0]);
+  const std::string said = headline(c, c.models[0]);
   EXPECT_EQ(said.find("trusted"), std::string::npos) << said;
   EXPECT_NE(said.find("Nothing touches"), std::string::npos) << said;
-  for (const AnswerRow& row : answer(c)) EXPECT_EQ(row.trusted, "no contact") << row.why;
-  EXPECT_EQ(answer_sentence(c).find("yes"), std::string::npos) << answer_sentence(c);
+  for (const AnswerRow& row : answer(c)) EXPECT_STREQ(row.verdict.word, "no contact") << row.why;
 }
 
 // One unit in the last place of the clearance survives the first sums, whatever the start.

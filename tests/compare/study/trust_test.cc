@@ -164,8 +164,9 @@ TEST(Why, NamesTheFurthestFirstAndWhatWasNotDecided) {
 
 // In replay the open loop drifts, by more than equal twins scatter: not 0 % would be detected.
 TEST(Why, SaysThatADriftHidesWhatIsSmaller) {
-  const FigureSample native{100.0, 100.0}, other{100.5, 100.5};
-  EXPECT_EQ(why({judged(figure("mean_force"), native, other, kPercent, 0.021)}, kPercent),
+  const FigureSample native{.value = 100.0, .mean = 100.0, .replay_floor = 0.021};
+  const FigureSample other{100.5, 100.5};
+  EXPECT_EQ(why({judged(figure("mean_force"), native, other, kPercent)}, kPercent),
             "undecidable at 1 %: mean normal force +0.50 % ± 2.10 % (2.10 % would be detected)");
 }
 
@@ -174,9 +175,10 @@ TEST(Why, SaysThatADriftHidesWhatIsSmaller) {
 // One judged figure, in points: a share of time.
 SceneComparison made_by_hand() {
   SceneComparison c;
-  c.sides.resize(2);
-  c.sides[0].metrics.contact_fraction = 0.9;
-  SideDifference d;
+  c.native.label = "native";
+  c.native.metrics.contact_fraction = 0.9;
+  ComparedModel& m = c.models.emplace_back();
+  m.run.label = "rigid";
   for (const Figure& f : figures()) {
     if (!f.is_judged() || !f.split || f.scale != Scale::kPoints) continue;
     FigureDifference difference;
@@ -185,31 +187,32 @@ SceneComparison made_by_hand() {
     difference.split.step_error = 0.03;
     difference.split.native_step_error = 0.01;
     difference.split.valid = true;
-    d.figures.push_back(difference);
+    m.figures.push_back(difference);
   }
-  c.differences.push_back(d);
   return c;
 }
 
 // A controller that fails, or a native run that does, says nothing of a contact model.
 TEST(AnswerRow, BlamesNoContactModelForAnotherPartsFailure) {
-  for (const std::size_t failed : {0u, 1u}) {
+  for (const bool native : {true, false}) {
     SceneComparison c = made_by_hand();
-    for (Side& side : c.sides) side.metrics.first_touch = 0.1;
-    EXPECT_EQ(answer(c)[0].trusted, to_string(c.differences[0].trust));
-    c.sides[failed].trajectory.status = Status::kControllerFailed;
-    c.sides[failed].trajectory.message = "no law";
-    c.differences[0].trust = Trust::kNo;
-    EXPECT_EQ(answer(c)[0].trusted, "not known");
+    ComparedModel& m = c.models[0];
+    c.native.metrics.first_touch = m.run.metrics.first_touch = 0.1;
+    EXPECT_STREQ(answer(c)[0].verdict.word, to_string(m.trust));
+    Trajectory& failed = (native ? c.native : m.run).trajectory;
+    failed.status = Status::kControllerFailed;
+    failed.message = "no law";
+    m.trust = Trust::kNo;
+    EXPECT_STREQ(answer(c)[0].verdict.word, "not known");
     EXPECT_NE(answer(c)[0].why.find("no law"), std::string::npos);
     EXPECT_EQ(whose_verdict(c), "The exit code is 3: a run did not come to its end.");
-    EXPECT_EQ(headline(c, c.sides[1], c.differences[0]).find("outside"), std::string::npos);
+    EXPECT_EQ(headline(c, m).find("outside"), std::string::npos);
   }
   // A contact that fails by itself is its own fault.
   SceneComparison c = made_by_hand();
-  c.sides[1].trajectory.status = Status::kOutOfRange;
-  c.differences[0].trust = Trust::kNo;
-  EXPECT_EQ(answer(c)[0].trusted, "no");
+  c.models[0].run.trajectory.status = Status::kOutOfRange;
+  c.models[0].trust = Trust::kNo;
+  EXPECT_STREQ(answer(c)[0].verdict.word, "no");
 }
 
 // Of several contacts the modal chain has no cone, which a reader looks for first.
@@ -227,12 +230,11 @@ TEST(AnswerRow, SaysWhyMujocoAloneIsNotAmongThem) {
 TEST(AnswerRow, SaysTheSolrefOfTheSoftContacts) {
   SceneComparison c = made_by_hand();
   EXPECT_EQ(solref_note(c), "");
-  c.sides[1].label = "cone";
-  c.sides[1].solref = "-2e+08 -1e+04";
-  Side& by_default = c.sides.emplace_back();
-  by_default.label = "cone-default";
-  by_default.solref = "0.02 1";
-  c.differences.push_back(c.differences[0]);
+  c.models[0].run.label = "cone";
+  c.models[0].run.solref = "-2e+08 -1e+04";
+  ComparedModel& by_default = c.models.emplace_back(c.models[0]);
+  by_default.run.label = "cone-default";
+  by_default.run.solref = "0.02 1";
   EXPECT_EQ(solref_note(c),
             "The soft contacts use solref \"-2e+08 -1e+04\" (cone), \"0.02 1\" (cone-default, "
             "MuJoCo's default).");
@@ -240,12 +242,12 @@ TEST(AnswerRow, SaysTheSolrefOfTheSoftContacts) {
 
 TEST(ThreeErrors, AreThoseOfTheFigureThatIsFurthestOff) {
   SceneComparison c = made_by_hand();
-  ASSERT_FALSE(c.differences[0].figures.empty());
-  FigureDifference further = c.differences[0].figures[0];
+  ASSERT_FALSE(c.models[0].figures.empty());
+  FigureDifference further = c.models[0].figures[0];
   further.split.model_gap = 0.2;
   further.split.step_error = 0.01;
-  c.differences[0].figures.push_back(further);
-  const ThreeErrors errors = three_errors(c, 1);
+  c.models[0].figures.push_back(further);
+  const ThreeErrors errors = three_errors(c, c.models[0]);
   EXPECT_DOUBLE_EQ(errors.contact.share, 0.2);
   EXPECT_NEAR(errors.step.share, 0.02, 1e-15) << "MuJoCo's less the native one's";
   EXPECT_FALSE(errors.modes.has_value());
@@ -254,36 +256,36 @@ TEST(ThreeErrors, AreThoseOfTheFigureThatIsFurthestOff) {
 
 TEST(ThreeErrors, SayWhatCannotBeTold) {
   SceneComparison c = made_by_hand();
-  c.differences[0].figures.push_back(c.differences[0].figures[0]);
-  c.differences[0].figures[0].split.valid = false;
-  EXPECT_EQ(three_errors(c, 1).contact.untold, 1);
-  EXPECT_NE(three_errors(c, 1).contact.figure, nullptr);
-  c.differences[0].figures[1].split.valid = false;
-  EXPECT_EQ(three_errors(c, 1).contact.figure, nullptr);
+  c.models[0].figures.push_back(c.models[0].figures[0]);
+  c.models[0].figures[0].split.valid = false;
+  EXPECT_EQ(three_errors(c, c.models[0]).contact.untold, 1);
+  EXPECT_NE(three_errors(c, c.models[0]).contact.figure, nullptr);
+  c.models[0].figures[1].split.valid = false;
+  EXPECT_EQ(three_errors(c, c.models[0]).contact.figure, nullptr);
 }
 
 // A scene without a near miss has no such figure, which is no lack of knowledge.
 TEST(ThreeErrors, LeaveOutWhatTheSceneHasNot) {
   SceneComparison c = made_by_hand();
-  for (Side& side : c.sides) side.metrics.first_touch = 0.1;
+  c.native.metrics.first_touch = c.models[0].run.metrics.first_touch = 0.1;
   ASSERT_TRUE(is_absent(c, figure("near_miss")));
   FigureDifference missing;
   missing.figure = &figure("near_miss");
-  c.differences[0].figures.push_back(missing);
-  EXPECT_EQ(three_errors(c, 1).contact.untold, 0);
-  EXPECT_EQ(three_errors(c, 1).step.untold, 0);
+  c.models[0].figures.push_back(missing);
+  EXPECT_EQ(three_errors(c, c.models[0]).contact.untold, 0);
+  EXPECT_EQ(three_errors(c, c.models[0]).step.untold, 0);
 }
 
 TEST(ThreeErrors, HaveTheModesOfTheLadder) {
   SceneComparison c = made_by_hand();
   c.model_error.emplace();
-  EXPECT_FALSE(three_errors(c, 1).modes.has_value())
+  EXPECT_FALSE(three_errors(c, c.models[0]).modes.has_value())
       << "it has no figures: there is a reason why not";
   FigureLimit seen, unseen;
-  seen.figure = unseen.figure = c.differences[0].figures[0].figure;
+  seen.figure = unseen.figure = c.models[0].figures[0].figure;
   seen.error = -0.12;
   c.model_error->figures = {unseen, seen};
-  const ThreeErrors errors = three_errors(c, 1);
+  const ThreeErrors errors = three_errors(c, c.models[0]);
   ASSERT_TRUE(errors.modes.has_value());
   EXPECT_DOUBLE_EQ(errors.modes->share, -0.12);
   EXPECT_EQ(errors.modes->untold, 1);

@@ -23,8 +23,8 @@ CompareOptions quick(int twins) {
   return options;
 }
 
-const FigureDifference& of(const SideDifference& d, const std::string& key) {
-  for (const FigureDifference& f : d.figures) {
+const FigureDifference& of(const ComparedModel& m, const std::string& key) {
+  for (const FigureDifference& f : m.figures) {
     if (f.figure->key == key) return f;
   }
   throw std::out_of_range(key);
@@ -58,10 +58,10 @@ TEST(VerdictCases, ALandingIsTheSameAtEveryStep) {
   for (const char* step : {"2e-4", "2e-5", "5e-6"}) {
     const SceneComparison c =
         compare_scene(parsed(kLanding, {std::string("run.step=") + step}), quick(2));
-    ASSERT_EQ(c.sides[1].label, "rigid");
-    EXPECT_EQ(c.differences[0].trust, Trust::kYes) << step << ": " << answer(c)[0].why;
-    EXPECT_LT(std::abs(of(c.differences[0], "impact_impulse").deviation), 1e-3) << step;
-    EXPECT_LT(std::abs(of(c.differences[0], "impulse_total").deviation), 1e-5) << step;
+    ASSERT_EQ(c.models[0].run.label, "rigid");
+    EXPECT_EQ(c.models[0].trust, Trust::kYes) << step << ": " << answer(c)[0].why;
+    EXPECT_LT(std::abs(of(c.models[0], "impact_impulse").deviation), 1e-3) << step;
+    EXPECT_LT(std::abs(of(c.models[0], "impulse_total").deviation), 1e-5) << step;
   }
 }
 
@@ -70,11 +70,11 @@ TEST(VerdictCases, ALandingIsTheSameAtEveryStep) {
 TEST(VerdictCases, ImpactsStepsAreNoLastingContact) {
   const SceneComparison c =
       compare_scene(shipped("bench_billiard", {"run.step=5e-5", "run.end=0.5"}), quick(0));
-  const SideDifference& rigid = c.differences[0];
-  ASSERT_GT(c.sides[0].metrics.impacts, 100u);
+  const ComparedModel& rigid = c.models[0];
+  ASSERT_GT(c.native.metrics.impacts, 100u);
   EXPECT_GT(of(rigid, "contact_fraction").deviation, 0.005);
-  EXPECT_EQ(c.sides[1].metrics.lasting_fraction, 0.0);
-  EXPECT_EQ(c.sides[0].metrics.lasting_fraction, 0.0);
+  EXPECT_EQ(rigid.run.metrics.lasting_fraction, 0.0);
+  EXPECT_EQ(c.native.metrics.lasting_fraction, 0.0);
   EXPECT_NE(of(rigid, "lasting_fraction").verdict, FigureVerdict::kOutside);
 }
 
@@ -93,21 +93,20 @@ TEST(VerdictCases, ADepthIsAShareOfItsOwnClearanceInAnyOrder) {
   c.scene.auxiliary.push_back(c.scene.first());
   c.scene.auxiliary[1].name = "narrow";
   c.scene.auxiliary[1].contact->clearance = 0.1e-3;
-  c.sides.resize(2);
-  Statistics& s = c.sides[1].trajectory.statistics;
-  s.max_penetration = c.sides[1].metrics.max_penetration = 20e-6;
+  ComparedModel& m = c.models.emplace_back();
+  Statistics& s = m.run.trajectory.statistics;
+  s.max_penetration = m.run.metrics.max_penetration = 20e-6;
   s.contacts.resize(2);
   s.contacts[0].max_penetration = 10e-6;
   s.contacts[1].max_penetration = 20e-6;
-  SideDifference d;
   for (const Figure& f : figures()) {
     FigureDifference difference;
     difference.figure = &f;
-    d.figures.push_back(difference);
+    m.figures.push_back(difference);
   }
   for (const char* order : {"wide ring first", "narrow ring first"}) {
     SCOPED_TRACE(order);
-    const std::vector<std::string> why = reasons(c, 1, d);
+    const std::vector<std::string> why = reasons(c, m);
     ASSERT_EQ(why.size(), 1U);
     EXPECT_EQ(why[0],
               "the rotor sinks 20 µm into the ring of contact narrow, 20 % of the clearance");
@@ -150,7 +149,7 @@ TEST(VerdictCasesLong, TwinsOnBothSidesTellTheDifference) {
       compare_scene(shipped("paper_passive", {"run.step=2e-5", "run.end=0.5"}), quick(6));
   EXPECT_EQ(c.decider_twins, 6);
   double widest = 0.0;
-  for (const FigureDifference& f : c.differences[0].figures) {
+  for (const FigureDifference& f : c.models[0].figures) {
     EXPECT_GE(f.least_told, f.interval);
     if (f.figure->is_judged()) widest = std::max(widest, f.interval);
   }

@@ -92,7 +92,7 @@ TEST(NormalOfPath, IsThatOfItsBeginUnlessItLeavesElsewhere) {
   EXPECT_LT((normal_of_path(d, 2.0 * d, kRing) - outward).norm(), 1e-15);
   // Through the middle and out on the other side.
   EXPECT_LT((normal_of_path(0.5 * d, -3.0 * d, kRing) + outward).norm(), 1e-15);
-  // From the centre there is no other.
+  // From the centre this is the only direction.
   EXPECT_LT((normal_of_path({0.0, 0.0}, 3.0 * d, kRing) - outward).norm(), 1e-15);
   // Outside already.
   EXPECT_LT((normal_of_path(1.5 * d, -0.1 * d, kRing) - outward).norm(), 1e-15);

@@ -298,7 +298,8 @@ double largest_command(const Trajectory& t) {
   return most;
 }
 
-// Of the sampled laws the feed-forward is a mean over a turn, 20 ms: a passage must not fill it.
+// The feed-forward of sampled laws is a mean over a turn of 20 ms, which a passage through the
+// centre must not fill.
 TEST(TrackingAtTheCentre, SampledLawsLetGo) {
   const std::string sampled = "sample_time=20e-6,preload=";
   const std::string sliding = "kind='sliding'," + sampled;

@@ -86,8 +86,8 @@ TEST(SampledMagneticSwitching, SwitchedAtASampleTheOrderIsTwo) {
   }
 }
 
-// Switched on at 10 ms, with samples every 1 ms and a delay of 2 ms, it has no current before 12
-// ms; from then on it has that of the sample at 10 ms.
+// A bearing that is switched on at 10 ms, with samples every 1 ms and a delay of 2 ms, has no
+// current before 12 ms. Then it has the current of the sample at 10 ms.
 TEST(SampledMagneticSwitching, HasNoCurrentUntilTheDelayHasPassed) {
   for (const char* when : {"on = 10e-3", "fails_at = 3e-3\nreturns_at = 10e-3"}) {
     scene::Scene s =

@@ -187,7 +187,7 @@ TEST(UnbalanceResponse, OneMassHasItsClosedForm) {
 // ---------------------------------------------------------------- unbalance of sampled loops
 // The unbalance response of magnetic bearings whose controls are sampled, against long runs.
 
-// Of planes that differ.
+// A rotor whose planes differ.
 constexpr const char* kModal = R"(
 stiffness_y = [1.3e5, 9e5]
 damping = [300.0, 200.0]

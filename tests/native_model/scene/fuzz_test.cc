@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "native_model/scene/reader.h"
+#include "native_model/scene/schema.h"
 #include "tests/native_model/scene/scene_samples.h"
 
 namespace rotorub::scene {
@@ -150,6 +151,19 @@ TEST(Fuzz, NastyOverridesAreReadOrRefused) {
     const int length = 1 + static_cast<int>(random() % 9);
     for (int i = 0; i < length; ++i) text += pieces[random() % pieces.size()];
     outcome(std::string(kFullModalScene), {text});
+  }
+}
+
+// Every part of a scene is set to something that is no table.
+TEST(Fuzz, PartsThatAreNoTablesAreReadOrRefused) {
+  for (const std::string_view sample : {kModalSample, kGeometrySample, kFullModalScene}) {
+    for (const Table& table : tables()) {
+      const std::string part(table.path);
+      for (const char* value : {"=3", "=\"x\"", "=true", "=[1, 2]", "=[]"}) {
+        outcome(std::string(sample), {part + value});
+        outcome(std::string(sample), {part + "=none", part + value});
+      }
+    }
   }
 }
 
