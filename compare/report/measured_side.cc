@@ -194,15 +194,20 @@ json measured_side(const ShownRuns& shown, double limit) {
   return SideMaker(shown).make(limit);
 }
 
-json sampled_force(const ShownRuns& shown, std::size_t run) {
-  if (!shown.measured || run >= shown.measured->forces.size()) return nullptr;
+json sampled_force(const ShownRuns& shown, const std::string& label) {
+  if (!shown.measured || shown.measured->forces.empty()) return nullptr;
+  const std::vector<std::string>& labels = shown.measured->labels;
+  const auto found = std::find(labels.begin(), labels.end(), label);
+  if (found == labels.end()) return nullptr;
+  const std::vector<double>& force =
+      shown.measured->forces[static_cast<std::size_t>(found - labels.begin())];
   const MeasuredRecord& laid = shown.measured->laid;
   const std::size_t every = (laid.t.size() + kMostShown - 1) / kMostShown;
   Samples samples;
   samples.value.resize(1);
   for (std::size_t i = 0; i < laid.t.size(); i += every) {
     samples.t.push_back(laid.t[i]);
-    samples.value[0].push_back(shown.measured->forces[run][i]);
+    samples.value[0].push_back(force[i]);
   }
   samples.tolerance = force_tolerance(samples.value);
   return track_json(pack(TrackKind::kLinear, samples));

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <nlohmann/json_fwd.hpp>
+#include <string>
 
 #include "compare/report/plots.h"
 
@@ -17,9 +18,10 @@ inline constexpr const char* kMeasured = "measured";
 // what the player cannot show. null without shown.measured. limit: of its spectrum, Hz.
 nlohmann::json measured_side(const ShownRuns& shown, double limit);
 
-// The track of the contact force in run k, averaged over the record's samples, in the format of
-// track_json(); null if the force was not measured.
-nlohmann::json sampled_force(const ShownRuns& shown, std::size_t run);
+// The track of the contact force in the run of this label, averaged over the record's samples, in
+// the format of track_json(); null if the force was not measured, and for a run that the record was
+// not compared with.
+nlohmann::json sampled_force(const ShownRuns& shown, const std::string& label);
 
 // Values of {{measured}} in report.html, as rounded texts; null without a measured run.
 nlohmann::json measured_values(const std::optional<MeasuredRun>& run);

@@ -88,7 +88,7 @@ json plot_data(const ShownRuns& shown) {
     json& side = sides.emplace_back(run_data(scene, run.label, *run.trajectory,
                                              run.trajectory == first ? nullptr : first,
                                              machine ? &*machine : nullptr, limit));
-    json force = sampled_force(shown, sides.size() - 1);
+    json force = sampled_force(shown, run.label);
     if (!force.is_null()) side["tracks"]["force"] = std::move(force);
   }
   if (shown.measured && machine) sides.push_back(measured_side(shown, limit));
