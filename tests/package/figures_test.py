@@ -1,7 +1,6 @@
 """Figures that the documents quote, computed anew: each must stand there as the command prints it. Every third of those that take
 long is computed each day (`third`), all of them nightly."""
 
-import csv
 import json
 import math
 import re
@@ -18,10 +17,7 @@ class Figures(InAFolder):
         """The summary, with `largest` (N s), `hits` and `pushed` (N, largest command on an axis in the last fifth)."""
         words = [word for override in overrides for word in ("--set", override)]
         summary = json.loads(self.rotorub("run", SCENES / f"{scene}.toml", *words, *options, "-o", "run", "--json"))
-        with open(self.folder / "run" / "impacts.csv") as file:
-            impacts = list(csv.DictReader(file))
-        with open(self.folder / "run" / "series.csv") as file:
-            rows = list(csv.DictReader(file))
+        impacts, rows = self.table("run/impacts.csv"), self.table("run/series.csv")
         summary["largest"] = max((float(row["normal_impulse"]) for row in impacts), default=0.0)
         summary["hits"] = sum(float(row["gap_rate_before"]) < -1e-4 for row in impacts)
         last = rows[len(rows) * 4 // 5:]
@@ -165,10 +161,9 @@ class Figures(InAFolder):
                    min((rub["growth_rate"] for rub in point["rubs"] if rub["kind"] == "forced"), default=math.inf)
                    for point in rubs}
         found = {"bouncing": [], "synchronous rub": []}
-        with open(self.folder / "map" / "results.csv") as file:
-            for point in csv.DictReader(file):
-                place = round(float(point["rotor.speed"]), 6), round(float(point["contact.friction"]), 6)
-                found.get(point["attractor"], []).append(slowest[place])
+        for point in self.table("map/results.csv"):
+            place = round(float(point["rotor.speed"]), 6), round(float(point["contact.friction"]), 6)
+            found.get(point["attractor"], []).append(slowest[place])
         return found.values()
 
 
