@@ -67,6 +67,7 @@ void expect_same_attractors(const std::string& step) {
                shipped("hard/attractor_free"), shipped("hard/attractor_whip")});
 }
 TEST(CliCheckLong, AttractorsDoNotHangOnTheStep) { expect_same_attractors("5e-6"); }
+// Daily: CliCheckLong.AttractorsDoNotHangOnTheStep.
 TEST(CliCheckNightly, AttractorsDoNotHangOnTheStep) { expect_same_attractors("2e-6"); }
 
 TEST(CliCheck, ARuleThatHoldsGivesZero) {

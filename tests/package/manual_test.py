@@ -7,7 +7,7 @@ import shutil
 import subprocess
 import unittest
 
-from product import BUILD, InAFolder, SOURCE, options_of_help
+from product import BUILD, SOURCE, InAFolder, options_of_help
 
 SCENES = SOURCE / "mjcf"
 DROP, RING, PAPER = (SCENES / f"{name}.toml" for name in ("bench_drop", "bench_ring", "paper_sliding"))
