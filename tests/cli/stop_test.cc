@@ -101,19 +101,26 @@ TEST(CliStop, AKilledFilmLeavesNothingAfterTheNext) {
   EXPECT_EQ(folder.files(), std::vector<std::string>{"film.mp4"});
 }
 
-// The stand-in of ffmpeg never takes a frame.
-TEST(CliStop, AnEncoderThatHangsIsAFailureThatIsSaid) {
+// What the stand-in of ffmpeg does, and what is said of it.
+void expect_failure_of_encoder(const std::string& does, const std::string& said) {
   const Folder folder;
-  std::filesystem::create_directory(folder.path() / "bin");
-  std::ofstream(folder.path() / "bin/ffmpeg") << "#!/bin/sh\nexec sleep 1000\n";
-  std::filesystem::permissions(folder.path() / "bin/ffmpeg", std::filesystem::perms::owner_all);
+  std::filesystem::permissions(folder.write("bin/ffmpeg", "#!/bin/sh\n" + does + "\n"),
+                               std::filesystem::perms::owner_all);
   const std::string path = (folder.path() / "bin").string() + ":" + std::getenv("PATH");
-  const Outcome hung = folder.run(
+  const Outcome failed = folder.run(
       {"render", shipped("bench_ring"), "--end", "20ms", "--slow", "50", "-o", "film.mp4"},
       {{{"PATH", path}}});
-  EXPECT_EQ(hung.code, 3);
-  EXPECT_TRUE(contains(hung.err, "film.mp4: ffmpeg hangs"));
+  EXPECT_EQ(failed.code, 3);
+  EXPECT_TRUE(contains(failed.err, "film.mp4: " + said));
   EXPECT_EQ(folder.files(), std::vector<std::string>{"bin/ffmpeg"});
+}
+TEST(CliStop, AnEncoderThatFailsIsAFailureThatIsSaid) {
+  expect_failure_of_encoder("cat >/dev/null; echo 'disc full' >&2; exit 3",
+                            "ffmpeg failed (3): disc full");
+}
+// It never takes a frame, and is given up after 20 s. Daily: Video.EncoderThatHangsIsEnded.
+TEST(CliStopNightly, AnEncoderThatHangsIsAFailureThatIsSaid) {
+  expect_failure_of_encoder("exec sleep 1000", "ffmpeg hangs");
 }
 
 }  // namespace

@@ -1,6 +1,5 @@
 """Tables of compare/docs/findings.md and compare/modes/README.md, computed anew: what is cheap enough of them."""
 
-import csv
 import json
 import re
 import unittest
@@ -34,14 +33,6 @@ class Findings(InAFolder):
     def run_of(self, scene, *words):
         return json.loads(self.rotorub("run", SCENES / f"{scene}.toml", *words, "-o", "run", "--json"))
 
-    def series(self):
-        with open(self.folder / "run/series.csv") as file:
-            return list(csv.DictReader(file))
-
-    def events(self):
-        with open(self.folder / "run/events.csv") as file:
-            return [(float(row["t"]), row["event"]) for row in csv.DictReader(file)]
-
     def test_the_cone_on_the_bench(self):
         table = rows("compare/docs/findings.md", "| | native `event` | `cone` as it comes |")
         sides = {0: (), 2: (*MUJOCO, "cone", "--set", "mujoco.friction_reference=1"), 3: (*MUJOCO, "cone-coulomb"),
@@ -62,10 +53,10 @@ class Findings(InAFolder):
         for name, [(rolls, leaves, speed, force)] in table.items():
             contact = re.search(r"MuJoCo `([\w-]+)`", name)
             self.run_of("touchdown_ball_bearing", *((*MUJOCO, contact[1]) if contact else ()))
-            at = min(self.series(), key=lambda row: abs(float(row["t"]) - 0.1))
+            at = min(self.table("run/series.csv"), key=lambda row: abs(float(row["t"]) - 0.1))
             self.is_as_told(speed, float(at["ring_speed"]))
             self.is_as_told(force, float(at["normal_force"]))
-            events = self.events()
+            events = [(float(row["t"]), row["event"]) for row in self.table("run/events.csv")]
             self.is_as_told(leaves, [t for t, event in events if event == "lift_off"][-1])
             if name != "MuJoCo `cone`, 10 us":  # whose touches are too short for a mode of their own
                 self.is_as_told(rolls, next(t for t, event in events if event == "stick"))

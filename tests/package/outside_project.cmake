@@ -1,11 +1,12 @@
-# cmake -DBUILD_DIR=... -DOUTSIDE_DIR=... -DEXAMPLE_DIR=... -DWORK_DIR=... -P outside_project.cmake
-# Installs the build into a fresh folder, and builds and runs the projects in OUTSIDE_DIR and EXAMPLE_DIR against that.
+# cmake -DBUILD_DIR=... -DOUTSIDE_DIR=... -DEXAMPLE_DIR=... -DWORK_DIR=... -DEVERY=<ON or OFF> -P outside_project.cmake
+# Installs the build into a fresh folder, and builds and runs the projects in OUTSIDE_DIR and EXAMPLE_DIR against that. EVERY: with
+# every public header alone, not every third of them.
 file(REMOVE_RECURSE "${WORK_DIR}")
 execute_process(COMMAND "${CMAKE_COMMAND}" --install "${BUILD_DIR}" --prefix "${WORK_DIR}/prefix"
                         COMMAND_ERROR_IS_FATAL ANY OUTPUT_QUIET)
 execute_process(
   COMMAND "${CMAKE_COMMAND}" -G Ninja -S "${OUTSIDE_DIR}" -B "${WORK_DIR}/build"
-          "-DCMAKE_PREFIX_PATH=${WORK_DIR}/prefix" COMMAND_ERROR_IS_FATAL ANY)
+          "-DCMAKE_PREFIX_PATH=${WORK_DIR}/prefix" "-DEVERY=${EVERY}" COMMAND_ERROR_IS_FATAL ANY)
 execute_process(COMMAND "${CMAKE_COMMAND}" --build "${WORK_DIR}/build" COMMAND_ERROR_IS_FATAL ANY)
 execute_process(COMMAND "${WORK_DIR}/build/outside"
                         "${WORK_DIR}/prefix/share/rotorub/mjcf/bench_ring.toml"

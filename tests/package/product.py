@@ -1,5 +1,6 @@
 """The product as a user has it: the program, started in a folder of its own."""
 
+import csv
 import os
 import pathlib
 import subprocess
@@ -49,6 +50,11 @@ class InAFolder(unittest.TestCase):
         self.assertIn(done.returncode, codes, f"rotorub {' '.join(map(str, words))}\n{done.stdout}{done.stderr}")
         self.said = done.stderr
         return done.stdout
+
+    def table(self, name):
+        """The rows of a CSV file in the folder, a dictionary each."""
+        with open(self.folder / name) as file:
+            return list(csv.DictReader(file))
 
     def commands(self):
         """The commands that the program's help lists."""

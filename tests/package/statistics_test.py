@@ -1,6 +1,5 @@
 """Drawn points and their statistics beside scipy's."""
 
-import csv
 import json
 
 import numpy
@@ -44,8 +43,7 @@ class Statistics(InAFolder):
         (self.folder / "study.toml").write_text(
             f'scene = "{SCENE}"\n[sample]\nkind = "{kind}"\nruns = {runs}\nseed = 3\n{vary}{RUN}{more}')
         self.rotorub("sweep", "study.toml", "-o", kind, "-q")
-        with open(self.folder / kind / "results.csv") as file:
-            return list(csv.DictReader(file))
+        return self.table(f"{kind}/results.csv")
 
     def test_the_values_have_their_distributions(self):
         rows = self.sweep("random", 4000, DRAWN)
@@ -64,8 +62,7 @@ class Statistics(InAFolder):
     def test_statistics_of_groups(self):
         rows = self.sweep("random", 150, DRAWN, '[statistics]\nby = ["contact.restitution"]\nconfidence = 0.9\n'
                           'figures = ["status", "attractor", "mean_force"]\nquantiles = [0.1, 0.5, 0.99]\n')
-        with open(self.folder / "random" / "statistics.csv") as file:
-            found = {(row["contact.restitution"], row["figure"], row["statistic"]): row for row in csv.DictReader(file)}
+        found = {(row["contact.restitution"], row["figure"], row["statistic"]): row for row in self.table("random/statistics.csv")}
         names = [c["name"] for c in json.loads((self.folder / "random" / "columns.json").read_text())["statistics.csv"]]
         self.assertEqual(names, list(next(iter(found.values()))))
         page = (self.folder / "random" / "sweep.html").read_text()
@@ -125,8 +122,7 @@ class Statistics(InAFolder):
 
     def test_even_points_have_no_bounds(self):
         self.sweep("latin_hypercube", 20, '[[vary]]\nkey = "contact.friction"\nfrom = 0.1\nto = 0.3\n', "[statistics]\n")
-        with open(self.folder / "latin_hypercube" / "statistics.csv") as file:
-            self.assertTrue(all(row["low"] == row["high"] == "" for row in csv.DictReader(file)))
+        self.assertTrue(all(row["low"] == row["high"] == "" for row in self.table("latin_hypercube/statistics.csv")))
 
 
 if __name__ == "__main__":

@@ -1,6 +1,5 @@
 """The shipped studies of a researcher: each runs, draws its page, and says what can be known beforehand."""
 
-import csv
 import json
 import math
 import re
@@ -49,10 +48,6 @@ class Studies(InAFolder):
             self.assertTrue(told, f"{file.name}: the head tells no time")
             self.assertEqual(int(told[1]), size, file.stem)
             self.assertLess(int(told[2]), LONGEST, file.stem)
-
-    def table(self, file):
-        with open(self.folder / file) as lines:
-            return list(csv.DictReader(lines))
 
     def sweep(self, name, **changes):
         """Runs it with some numbers changed; the rows of its results and of its statistics."""
