@@ -109,8 +109,8 @@ std::vector<PageScene> pages_of(const CompareArguments& options,
     pages[k].films = std::move(films[k].films);
     if (films[k].failure.empty() || interrupted()) continue;
     pages[k].no_films = films[k].failure;
-    print_error(fmt::format("{}: no film: {}", scene::printable(comparisons[k].scene.name),
-                            films[k].failure));
+    print_message(fmt::format("{}: no film: {}", scene::printable(comparisons[k].scene.name),
+                              films[k].failure));
   }
   return pages;
 }

@@ -104,7 +104,7 @@ void check_actuator(const Reading& check, const Actuator& actuator) {
       actuator.current_limit > actuator.bias_current) {
     check.fail("actuator.current_limit",
                "must be at most actuator.bias_current = " + number_text(actuator.bias_current) +
-                   " A: beyond it a magnet's current would turn round");
+                   " A: beyond it a magnet's current would reverse");
   }
   for (const char* key : {"actuator.current_rate_limit", "actuator.voltage_limit"}) {
     if (check.given(key) && actuator.coil_lag == 0.0 && check.sound({"actuator.coil_lag"})) {

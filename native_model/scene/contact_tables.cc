@@ -124,20 +124,18 @@ void check_compliance(const Reading& check) {
   if (!contact.compliance) return;
   if (contact.compliance->damping && contact.compliance->hunt_crossley) {
     check.fail("contact.compliance.damping",
-               "stands beside contact.compliance.hunt_crossley; give one of them");
+               "not beside contact.compliance.hunt_crossley; give one of them");
   }
   if (contact.compliance->damping && contact.compliance->exponent != 1.0) {
     check.fail("contact.compliance.damping",
-               "belongs to exponent = 1; accepted with another: hunt_crossley, or restitution");
+               "needs exponent = 1; accepted with another: hunt_crossley, or restitution");
   }
   for (const auto& [key, value] :
        {std::pair("contact.compression_time", contact.compression_time),
         std::pair("contact.expansion_time", contact.expansion_time),
         std::pair("contact.tangential_restitution", contact.tangential_restitution)}) {
     if (value != 0.0) {
-      check.fail(key,
-                 "belongs to a rigid contact, and contact.compliance says how this one gives; "
-                 "accepted beside it: 0");
+      check.fail(key, "is for rigid contacts; accepted beside contact.compliance: 0");
     }
   }
 }
@@ -161,15 +159,16 @@ void check_list(const Reading& check) {
   for (std::size_t k = 0; k < check.index; ++k) {
     if (check.scene.name_of(k) != check.scene.name_of(check.index)) continue;
     check.fail("contact.name",
-               "is the name of " + list_element("contact", k) + " too; accepted: one of its own");
+               "is the name of " + list_element("contact", k) + " too; accepted: a unique name");
   }
   if (check.scene.auxiliary.size() < 2 || !check.bearing().contact) return;
   const Contact& contact = *check.bearing().contact;
   for (const auto& [key, time] : {std::pair("contact.compression_time", contact.compression_time),
                                   std::pair("contact.expansion_time", contact.expansion_time)}) {
     if (time == 0.0) continue;
-    check.fail(
-        key, "an impact that takes time is known of one contact alone; accepted beside others: 0");
+    check.fail(key,
+               "impacts of finite duration are supported only with a single contact; accepted "
+               "beside others: 0");
   }
 }
 

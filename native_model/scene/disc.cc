@@ -70,7 +70,7 @@ void check_unbalance(const Reading& check, const Disc& disc, const Disc& whole) 
     first = first == nullptr ? key : first;
   }
   if (disc.unbalance && *disc.unbalance > 0.0 && whole.mass == 0.0 && check.sound({".mass"})) {
-    check.fail(".unbalance", "needs a mass > 0, of which it is the eccentricity's moment");
+    check.fail(".unbalance", "needs a mass > 0");
   }
   if (!check.given(".balance_grade")) {
     if (check.given(".balance_speed")) check.fail(".balance_speed", "belongs to `balance_grade`");

@@ -112,7 +112,7 @@ void check_forces(Reading& check) {
     if (!passes || !check.sound({".kind"})) continue;
     const std::string kind = force.kind == ForceKind::kChirp ? "chirp" : "pulse";
     if (!check.given(".off")) {
-      check.fail(check.at, "kind \"" + kind + "\" needs `off`, the time at which it is over");
+      check.fail(check.at, "kind \"" + kind + "\" needs `off`, the time at which it ends");
     } else if (force.off == force.on) {
       check.fail(".off", "must be after " + on + ": a " + kind + " takes time");
     }

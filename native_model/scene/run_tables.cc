@@ -136,7 +136,7 @@ void check_mujoco(const Reading& check) {
   const Scene& scene = check.scene;
   if (scene.mujoco.bearing_currents && scene.mujoco.shadow) {
     check.fail("mujoco.bearing_currents",
-               "mujoco.shadow does not know what is added to the currents; accepted: one of them");
+               "mujoco.shadow does not see the added currents; accepted: one of them");
   }
   const auto amplifies = [](const MagneticBearing& b) { return b.amplifier.has_value(); };
   if (scene.mujoco.bearing_currents && std::ranges::none_of(scene.magnetic_bearings, amplifies)) {
@@ -160,12 +160,12 @@ void check_mujoco(const Reading& check) {
                                                              : nullptr;
     if (key == nullptr) continue;
     check.fail(list_element("rotor.bearing", i) + key,
-               "MuJoCo's rigid segments stand on springs and dashpots alone; accepted: "
+               "MuJoCo's rigid segments support only uncoupled springs and dampers; accepted: "
                "mujoco.rotor = \"modal\"");
   }
   if (scene.rotor.modal) {
     check.fail("mujoco.rotor",
-               "\"segments\" needs the rotor's geometry, and the scene gives its modes; accepted: "
+               "\"segments\" needs the rotor's geometry, but the scene gives its modes; accepted: "
                "\"modal\"");
   }
 }

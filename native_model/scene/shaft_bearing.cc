@@ -23,8 +23,7 @@ constexpr TableKey kTableKeys[] = {
 
 void check_table(const Reading& check, const ShaftBearing& bearing) {
   for (const char* key : {".stiffness", ".damping", ".cross_stiffness", ".cross_damping"}) {
-    if (check.given(key))
-      check.fail(key, "not beside `table_speed`, whose tables give it; accepted: one of the two");
+    if (check.given(key)) check.fail(key, "not beside `table_speed`; accepted: one of the two");
   }
   if (!check.given(".table_kxx")) {
     check.fail(".table_kxx", "missing: expected a list of stiffnesses in N/m, one for each speed");
@@ -101,7 +100,7 @@ void check_bearings(Reading& check, const RotorGeometry& shaft) {
       continue;
     }
     for (const TableKey& key : kTableKeys) {
-      if (check.given(key.name)) check.fail(key.name, "needs `table_speed`, which it is over");
+      if (check.given(key.name)) check.fail(key.name, "needs `table_speed`");
     }
     if (!check.given(".stiffness")) check.missing(".stiffness", ", or tables over `table_speed`");
   }
