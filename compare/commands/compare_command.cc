@@ -249,8 +249,8 @@ Command add_compare_command(CLI::App& program) {
             "impulse, hard impacts, rms gap rate)")
       .shows_default();
   add_option(app, "--contact", options->contact,
-             "Contact model whose verdict sets the exit code; all are shown (default: rigid, "
-             "or coulomb where a contact gives)")
+             "Contact model whose verdict sets the exit code; all are shown (default: rigid, or "
+             "coulomb with a compliant contact)")
       .one_of(scene::contact_words<std::vector<std::string>>());
   add_value(app, "--twins", options->twins, "N",
             "Maximum number of twins: further runs whose starts differ by a few units in the last "
