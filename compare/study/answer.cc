@@ -116,7 +116,7 @@ std::string whose_verdict(const SceneComparison& c) {
   if (c.status() != Status::kOk) return "The exit code is 3: a run did not come to its end.";
   if (c.models.empty()) return "";
   const ComparedModel& decider = c.models.front();
-  return fmt::format("The exit code is for {} (--contact), {}.", decider.run.label,
+  return fmt::format("The exit code refers to {} (--contact), {}.", decider.run.label,
                      what_it_did(c, decider.trust));
 }
 
