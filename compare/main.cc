@@ -25,7 +25,7 @@ namespace {
 using namespace rotorub;
 
 int failed(int code, const std::string& message) {
-  print_error(message);
+  print_message(message);
   return code;
 }
 

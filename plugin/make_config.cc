@@ -252,8 +252,8 @@ Config generated_config(const mjModel* m) {
     config.contact = contact_model(m, names::kContactText, scene.mujoco.contact);
     if (!config.segments && scene.auxiliary.size() > 1 && scene::is_cone(config.contact)) {
       refuse(text_element(names::kContactText),
-             "MuJoCo's cone knows one contact of the modal chain; accepted with several: rigid, "
-             "coulomb, or a scene with mujoco.rotor = \"segments\"");
+             "MuJoCo's cone supports only one contact of the modal chain; accepted with several: "
+             "rigid, coulomb, or a scene with mujoco.rotor = \"segments\"");
     }
     map_contacts(m, config, further);
     for (const scene::AuxiliaryBearing& at : scene.auxiliary) {

@@ -79,8 +79,8 @@ __attribute__((constructor)) void install() {
     // MuJoCo may not be ready for mju_error yet.
     const std::string built = plugin::version_text(mjVERSION_HEADER);
     std::fprintf(stderr,
-                 "rotorub: this plugin is built for MuJoCo %s, and the program has another one; "
-                 "accepted: a plugin that is built for the program's\n",
+                 "rotorub: this plugin is built for MuJoCo %s, but the program has another "
+                 "version; accepted: a plugin that is built for the program's\n",
                  built.c_str());
     std::_Exit(1);
   }

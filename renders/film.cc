@@ -179,7 +179,7 @@ PictureResult render_still(const scene::Scene& scene, const Trajectory& trajecto
   if (t && !(*t >= framing.from && *t <= framing.to)) {
     const double first = asked.from ? framing.from : playback.start();
     throw std::invalid_argument(fmt::format(
-        "render: no picture at {} s; accepted is a time from {} s to {} s", scene::number_text(*t),
+        "render: no picture at {} s; expected a time from {} s to {} s", scene::number_text(*t),
         scene::number_text(first), scene::number_text(framing.to)));
   }
   const double shown = t.value_or(hardest_impact(playback, framing));

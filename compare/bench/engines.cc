@@ -123,13 +123,13 @@ Ladder default_ladder() {
 
 std::vector<double> parse_steps(const std::string& list) {
   return parse_list("--steps", list, scene::kTime, [](double step) -> std::string {
-    return step > 0.0 ? "" : "accepted is a time above 0, as 10us";
+    return step > 0.0 ? "" : "expected a time above 0, as 10us";
   });
 }
 
 std::vector<double> parse_tolerances(const std::string& list) {
   return parse_list("--tolerances", list, scene::kPure, [](double tolerance) -> std::string {
-    return tolerance > 0.0 && tolerance < 1.0 ? "" : "accepted is a number in (0, 1), as 1e-8";
+    return tolerance > 0.0 && tolerance < 1.0 ? "" : "expected a number in (0, 1), as 1e-8";
   });
 }
 

@@ -46,8 +46,7 @@ void check_scenes(const BenchArguments& options) {
   read_each(options.scenes, [&](const std::string& file) {
     if (read_scene(file, options).first().contact) return;
     throw UsageError(
-        "{}: levels of error are shares of contact.clearance; accepted is a scene with [contact]",
-        file);
+        "{}: levels of error are shares of contact.clearance; give a scene with [contact]", file);
   });
 }
 

@@ -33,7 +33,7 @@ std::string no_library(const std::string& file) {
   std::error_code none;
   if (!std::filesystem::exists(file, none)) return scene::printable(file) + ": no such file";
   if (std::filesystem::is_directory(file, none))
-    return scene::printable(file) + ": is a folder; accepted is a file";
+    return scene::printable(file) + ": is a folder; give a file";
   const std::string suffix = std::filesystem::path(file).extension().string();
   const std::string library = std::filesystem::path(file).stem().string() + ".so";
   if (suffix == ".c" || suffix == ".cc" || suffix == ".cpp") {
@@ -43,15 +43,15 @@ std::string no_library(const std::string& file) {
   }
   if (suffix != ".py") return "";
   return fmt::format(
-      "{} is Python: accepted is a shared library; the example python_controller.c is one that "
-      "asks a law in Python",
+      "{} is Python; give a shared library. The example python_controller.c is one that calls a "
+      "law in Python",
       file);
 }
 
 }  // namespace
 
 void refuse(std::string_view option, std::string_view value, std::string_view accepted) {
-  throw UsageError("{} {}: accepted is {}", option, value, accepted);
+  throw UsageError("{} {}: expected {}", option, value, accepted);
 }
 
 void add_common_options(CLI::App& command, CommonOptions& options) {
@@ -182,8 +182,7 @@ double quantity_of(const std::string& option, const std::string& text,
   const auto parsed = scene::parse_quantity(text, quantity);
   if (parsed.error.empty()) return parsed.value;
   throw UsageError("{} {}: {}{}", option, scene::printable(text),
-                   accepted.empty() ? "" : "accepted is ",
-                   accepted.empty() ? parsed.error : accepted);
+                   accepted.empty() ? "" : "expected ", accepted.empty() ? parsed.error : accepted);
 }
 
 void note_unitless_speed(const std::string& option, const std::string& text) {
@@ -200,8 +199,8 @@ double tolerance_of(const std::string& text) {
   if (!(value >= 0.0)) refuse("--tolerance", text, accepted);
   if (value >= 1.0 && text.find('%') == std::string::npos) {
     throw UsageError(
-        "--tolerance {0}: a bare number is a share, and {0} would be {1:.6g} %; accepted is "
-        "\"{0}%\" or {2:.6g}",
+        "--tolerance {0}: a bare number is a share, and {0} would be {1:.6g} %; write \"{0}%\" or "
+        "{2:.6g}",
         text, 100.0 * value, 0.01 * value);
   }
   return value;
@@ -210,14 +209,14 @@ double tolerance_of(const std::string& text) {
 void check_twins(int twins) {
   constexpr int kMost = 10'000;
   if (twins >= 0 && twins <= kMost) return;
-  throw UsageError("--twins {}: accepted is 0 to {}; 0 leaves the spread out", twins, kMost);
+  throw UsageError("--twins {}: expected 0 to {}; 0 leaves out the spread", twins, kMost);
 }
 
 void say_failure(const scene::Scene& scene, const std::string& what, const Trajectory& trajectory) {
   if (trajectory.status == Status::kOk) return;
   // Do not add a time to a reason that contains one.
   const bool dated = trajectory.message.find("at t = ") != std::string::npos;
-  print_error(fmt::format(
+  print_message(fmt::format(
       "{}: {}{}{}: {}", scene::printable(scene.name), what, to_string(trajectory.status),
       dated ? std::string() : fmt::format(" at t = {:.9g} s", trajectory.end), trajectory.message));
 }
@@ -250,7 +249,7 @@ void check_folder(const fs::path& folder) {
 std::optional<fs::path> folder_of_output(const fs::path& file) {
   std::error_code none;
   if (!file.has_filename() || fs::is_directory(file, none)) {
-    throw UsageError("{}: is a folder; accepted is the name of a file", file.string());
+    throw UsageError("{}: is a folder; give the name of a file", file.string());
   }
   if (!fs::exists(file, none)) return file.parent_path();
   if (access(file.c_str(), W_OK) != 0) refuse_place(file, std::generic_category().message(errno));

@@ -38,7 +38,7 @@ class UsageError : public std::runtime_error {
   UsageError(fmt::format_string<First, Rest...> text, First&& first, Rest&&... rest)
       : runtime_error(fmt::format(text, std::forward<First>(first), std::forward<Rest>(rest)...)) {}
 };
-// Throws UsageError: "--fps 0: accepted is a number from 1 to 120".
+// Throws UsageError: "--fps 0: expected a number from 1 to 120".
 [[noreturn]] void refuse(std::string_view option, std::string_view value,
                          std::string_view accepted);
 // The user interrupted the program (SIGINT): exit code 130.

@@ -75,8 +75,7 @@ std::string empty_value(const CLI::App& command) {
     for (const std::string& value : option->results()) {
       if (value.empty() || value == "=") return option->get_name() + ": its value is empty";
       if (value.starts_with('='))
-        return fmt::format("{0} {1}: accepted is {0} {2}", option->get_name(), value,
-                           value.substr(1));
+        return fmt::format("{0} {1}: write {0} {2}", option->get_name(), value, value.substr(1));
     }
   }
   return {};
@@ -87,7 +86,7 @@ std::string unknown_argument(const CLI::App& command, const std::vector<std::str
   const auto option = std::find_if(unknown.begin(), unknown.end(),
                                    [](const std::string& word) { return word.starts_with('-'); });
   if (option == unknown.end())
-    return fmt::format("{}: is one argument too many", scene::printable(unknown.front()));
+    return fmt::format("{}: unexpected argument", scene::printable(unknown.front()));
   const std::string word = option->substr(0, option->find('='));
   std::vector<std::string> names;
   for (const CLI::Option* one : command.get_options()) {
@@ -109,7 +108,7 @@ std::string parser_message(const CLI::App& command, const CLI::ParseError& error
   if (kind == "ConversionError" && said.starts_with(kConversion)) {
     const std::string rest = said.substr(kConversion.size());
     const std::size_t sign = rest.find(" = ");
-    return fmt::format("{} {}: accepted is a whole number", rest.substr(0, sign),
+    return fmt::format("{} {}: expected a whole number", rest.substr(0, sign),
                        sign == std::string::npos ? "" : scene::printable(rest.substr(sign + 3)));
   }
   std::string message = said;
@@ -141,7 +140,7 @@ std::vector<std::string> with_help(std::vector<std::string> arguments) {
 std::string unknown_command(const std::vector<std::string>& arguments,
                             const std::vector<std::string>& commands) {
   const std::vector<std::string_view> words(commands.begin(), commands.end());
-  if (arguments.empty()) return "no command given; accepted are " + scene::join(words);
+  if (arguments.empty()) return "no command given; choose from " + scene::join(words);
   const std::string& word = arguments[0];
   if (word.starts_with("-") || std::find(words.begin(), words.end(), word) != words.end())
     return {};

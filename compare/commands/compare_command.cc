@@ -109,8 +109,8 @@ std::vector<PageScene> pages_of(const CompareArguments& options,
     pages[k].films = std::move(films[k].films);
     if (films[k].failure.empty() || interrupted()) continue;
     pages[k].no_films = films[k].failure;
-    print_error(fmt::format("{}: no film: {}", scene::printable(comparisons[k].scene.name),
-                            films[k].failure));
+    print_message(fmt::format("{}: no film: {}", scene::printable(comparisons[k].scene.name),
+                              films[k].failure));
   }
   return pages;
 }
@@ -249,8 +249,8 @@ Command add_compare_command(CLI::App& program) {
             "impulse, hard impacts, rms gap rate)")
       .shows_default();
   add_option(app, "--contact", options->contact,
-             "Contact model whose verdict sets the exit code; all are shown (default: rigid, "
-             "or coulomb where a contact gives)")
+             "Contact model whose verdict sets the exit code; all are shown (default: rigid, or "
+             "coulomb with a compliant contact)")
       .one_of(scene::contact_words<std::vector<std::string>>());
   add_value(app, "--twins", options->twins, "N",
             "Maximum number of twins: further runs whose starts differ by a few units in the last "

@@ -46,7 +46,7 @@ void read_size(const std::string& text, renders::RenderOptions& options) {
 // From the option, otherwise from the file's extension; mp4 by default.
 FilmFormat format_of(const FilmArguments& arguments) {
   if (arguments.gif && arguments.png) {
-    throw UsageError("--gif and --png: accepted is one of them; neither gives a film (.mp4)");
+    throw UsageError("--gif and --png: give one of them, or neither for a film (.mp4)");
   }
   const FilmFormat asked = arguments.gif   ? FilmFormat::kGif
                            : arguments.png ? FilmFormat::kPng

@@ -28,12 +28,12 @@ constexpr std::size_t kMostValues = 12;  // from one record
 identify::Wanted wanted_of(const std::string& text) {
   const auto refuse = [&](const std::string& why) {
     throw UsageError(
-        "--fit {}: {}; accepted is a key of the scene and its range, as "
-        "contact.friction=0.05:0.4 or contact.clearance=0.3mm:0.6mm",
+        "--fit {}: {}; expected a key of the scene and its range, as contact.friction=0.05:0.4 or "
+        "contact.clearance=0.3mm:0.6mm",
         scene::printable(text), why);
   };
   const std::size_t equals = text.find('='), colon = text.find(':', equals);
-  if (equals == std::string::npos || colon == std::string::npos) refuse("is no range of a key");
+  if (equals == std::string::npos || colon == std::string::npos) refuse("is not a range of a key");
   identify::Wanted wanted;
   wanted.key = scene::trimmed(text.substr(0, equals));
   std::string reason;
@@ -42,7 +42,7 @@ identify::Wanted wanted_of(const std::string& text) {
   const bool is_number =
       key && key->type != scene::ValueType::kWord && key->type != scene::ValueType::kFlag &&
       key->type != scene::ValueType::kText && key->type != scene::ValueType::kWhole;
-  if (!is_number) refuse("that is no number");
+  if (!is_number) refuse("that is not a number");
   const auto end = [&](const std::string& number) {
     const auto parsed = scene::parse_quantity(number, key->quantity);
     if (!parsed.error.empty()) refuse(parsed.error);
@@ -59,7 +59,7 @@ int run_identify(const IdentifyArguments& options) {
   identify::Parameters parameters;
   for (const std::string& text : options.fit) parameters.wanted.push_back(wanted_of(text));
   if (parameters.wanted.size() > kMostValues) {
-    throw UsageError("--fit: {} values; accepted are at most {}", parameters.wanted.size(),
+    throw UsageError("--fit: {} values; at most {} are allowed", parameters.wanted.size(),
                      kMostValues);
   }
   const identify::ReadScene read = scene_reader(options.scene, options);

@@ -54,7 +54,7 @@ void read(StarterValue& size, const char* option, const scene::Quantity& quantit
       (zero && parsed.value == 0.0) || (parsed.value >= kLeast && parsed.value <= kMost);
   if (!parsed.error.empty() || !in_range) {
     const std::string unit = quantity.unit == "1" ? "" : " " + std::string(quantity.unit);
-    throw UsageError("{} {}: accepted is {}{} from {:g} to {:g}{}, as \"{}\"", option,
+    throw UsageError("{} {}: expected {}{} from {:g} to {:g}{}, as \"{}\"", option,
                      scene::printable(size.text), quantity.name, zero ? ", 0 or" : "", kLeast,
                      kMost, unit, standard);
   }
@@ -96,12 +96,11 @@ Starter starter_of(const InitArguments& options) {
 std::filesystem::path starter_file(const InitArguments& options) {
   if (options.file == "-") return {};
   std::filesystem::path file = options.file.empty() ? options.name : options.file;
-  if (!file.has_filename())
-    throw UsageError("init: accepted is the name of a scene, as rotor or rotor.toml");
+  if (!file.has_filename()) throw UsageError("give the name of a scene, as rotor or rotor.toml");
   if (file.extension() == ".xml") {
     throw UsageError(
-        "{0}: accepted is the name of a scene, as rotor or rotor.toml; `rotorub mjcf SCENE.toml "
-        "-o {0}` writes its MuJoCo model",
+        "{0}: give the name of a scene, as rotor or rotor.toml; `rotorub mjcf SCENE.toml -o {0}` "
+        "writes its MuJoCo model",
         file.string());
   }
   if (file.extension() != ".toml") file += ".toml";

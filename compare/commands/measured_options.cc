@@ -34,7 +34,7 @@ void turn_probes(const std::string& text, MeasuredRecord& record) {
   const std::string accepted = "the directions of two probes in the scene, as 45deg,135deg";
   const std::size_t comma = text.find(',');
   if (comma == std::string::npos)
-    throw UsageError("--measured-probes {}: accepted are {}", scene::printable(text), accepted);
+    throw UsageError("--measured-probes {}: expected {}", scene::printable(text), accepted);
   const auto angle = [&](const std::string& part) {
     return quantity_of("--measured-probes", part, scene::kAngle, accepted);
   };
@@ -61,7 +61,7 @@ MeasuredInput measured_of(const MeasuredArguments& options) {
   if (!options.measured_probes.empty() && !options.measured_angle.empty()) {
     throw UsageError(
         "--measured-probes beside --measured-angle: the directions of the probes are their frame; "
-        "accepted is one of the two");
+        "give one of the two");
   }
   if (const std::string& shift = options.measured_shift; !shift.empty())
     input.alignment.shift = quantity_of("--measured-shift", shift, scene::kTime);

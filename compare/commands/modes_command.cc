@@ -55,7 +55,7 @@ std::vector<std::string> parts_of(const std::string& range) {
 
 [[noreturn]] void refuse_range(const char* option, const std::string& text,
                                const std::string& why) {
-  throw UsageError("{} {}: {}; accepted is FROM:TO:COUNT", option, text, why);
+  throw UsageError("{} {}: {}; expected FROM:TO:COUNT", option, text, why);
 }
 
 // `count` >= 2 evenly spaced values, including both ends.
@@ -228,7 +228,7 @@ int show_state_space(const ModesArguments& options) {
 
 int modes(const ModesArguments& options) {
   if (!options.map_speeds.empty() && !options.rub_map && !options.feedback_map) {
-    throw UsageError("--speeds: belongs to --rub-map or --feedback-map");
+    throw UsageError("--speeds: needs --rub-map or --feedback-map");
   }
   if (!options.quiet) note_speeds(options);
   if (options.state_space) return show_state_space(options);

@@ -16,8 +16,8 @@ namespace rotorub {
 std::string no_such(std::string_view what, std::string_view word,
                     std::span<const std::string_view> accepted, std::string_view meant) {
   if (meant.empty()) meant = scene::nearest(word, accepted);
-  return fmt::format("{}: no such {}{}ccepted are {}", scene::printable(word), what,
-                     meant.empty() ? "; a" : fmt::format(", did you mean {}? A", meant),
+  return fmt::format("{}: no such {}{}hoose from {}", scene::printable(word), what,
+                     meant.empty() ? "; c" : fmt::format(", did you mean {}? C", meant),
                      scene::join(accepted));
 }
 
@@ -44,8 +44,8 @@ Option Option::between(std::int64_t least, std::int64_t most) const {
     const auto [end, error] = std::from_chars(given.data(), given.data() + given.size(), value);
     const bool whole = error == std::errc() && end == given.data() + given.size();
     if (whole && value >= least && value <= most) return {};
-    return fmt::format("{}: accepted is a whole number from {} to {}", scene::printable(given),
-                       least, most);
+    return fmt::format("{}: expected a whole number from {} to {}", scene::printable(given), least,
+                       most);
   };
   return option_->check(CLI::Validator(wrong, ""));
 }

@@ -16,7 +16,7 @@ class Option;
 
 namespace rotorub {
 
-// "verlt: no such value, did you mean verlet? Accepted are event, verlet, euler". meant: the word
+// "verlt: no such value, did you mean verlet? Choose from event, verlet, euler". meant: the word
 // that is meant; empty: the nearest one, if one is near.
 std::string no_such(std::string_view what, std::string_view word,
                     std::span<const std::string_view> accepted, std::string_view meant = {});

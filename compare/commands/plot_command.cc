@@ -27,7 +27,7 @@ StoredRun run_of(const PlotArguments& options) {
   if (!options.overrides.empty())
     throw UsageError("{} is the folder of a run: --set changes scenes", options.folder);
   if (!std::filesystem::is_directory(options.folder)) {
-    throw UsageError("{}: is no folder; accepted is what `rotorub run -o DIR` wrote",
+    throw UsageError("{}: is not a folder; give the output folder of `rotorub run -o DIR`",
                      options.folder);
   }
   return stored_run(options.folder);

@@ -35,8 +35,8 @@ constexpr std::size_t kFilmRows = 50000;
 void check_window(const scene::Scene& scene, const renders::RenderOptions& film) {
   for (const auto& [flag, time] : {std::pair{"--from", film.from}, {"--to", film.to}}) {
     if (!time || *time <= scene.run.end) continue;
-    throw UsageError("{} {} s: accepted is a time of the run, which ends at {} s (--end)", flag,
-                     *time, scene.run.end);
+    throw UsageError("{} {} s: expected a time of the run, which ends at {} s (--end)", flag, *time,
+                     scene.run.end);
   }
 }
 
@@ -67,10 +67,10 @@ StoredRun stored(const RenderArguments& options) {
   }
   StoredRun run = stored_run(options.source);
   if (run.trajectory.status != Status::kOk) {
-    print_error(fmt::format("{}: ended at {:.6g} s of {:.6g} s: {}{}{}",
-                            printable_path(options.source), run.trajectory.end, run.scene.run.end,
-                            to_string(run.trajectory.status),
-                            run.trajectory.message.empty() ? "" : ", ", run.trajectory.message));
+    print_message(fmt::format("{}: ended at {:.6g} s of {:.6g} s: {}{}{}",
+                              printable_path(options.source), run.trajectory.end, run.scene.run.end,
+                              to_string(run.trajectory.status),
+                              run.trajectory.message.empty() ? "" : ", ", run.trajectory.message));
   }
   return run;
 }
@@ -81,8 +81,8 @@ std::optional<StoredRun> run_beside(const std::string& folder, const StoredRun& 
   if (!std::filesystem::is_directory(folder)) refuse("--beside", folder, "the folder of a run");
   StoredRun beside = stored_run(folder);
   if (beside.scene.name != run.scene.name) {
-    throw UsageError("--beside {}: is a run of {}; accepted is one of {}", folder,
-                     beside.scene.name, run.scene.name);
+    throw UsageError("--beside {}: is a run of {}; give a run of {}", folder, beside.scene.name,
+                     run.scene.name);
   }
   return beside;
 }
@@ -147,8 +147,8 @@ int render_film(const RenderArguments& options) {
   if (!is_run) run.trajectory = run_for_film(run.scene, bar);
   const int code = is_run ? static_cast<int>(kDone) : exit_code_of(run.trajectory.status);
   if (code != kDone) {
-    print_error(fmt::format("{}: {}: {}", scene::printable(run.scene.name),
-                            to_string(run.trajectory.status), run.trajectory.message));
+    print_message(fmt::format("{}: {}: {}", scene::printable(run.scene.name),
+                              to_string(run.trajectory.status), run.trajectory.message));
     return code;
   }
 

@@ -99,7 +99,7 @@ int merge(const SweepArguments& options, const Sweep& sweep) {
   const path own = sweep.folder / sweep::Shard{}.file();
   for (const std::string& name : options.merge) {
     if (!std::filesystem::is_directory(name)) {
-      throw UsageError("--merge {}: accepted are folders of sweeps", name);
+      throw UsageError("--merge {}: expected folders of sweeps", name);
     }
     for (const path& file : sweep::result_files(name)) {
       std::error_code none;
@@ -117,7 +117,7 @@ int merge(const SweepArguments& options, const Sweep& sweep) {
     return finish_with_state(options, sweep, store, {}, results_text(sweep, store));
   }
   finish_with_state(options, sweep, store, {}, "");
-  print_error(
+  print_message(
       fmt::format("{} of {} points are missing in {}: run the shards that are not done, and "
                   "merge again",
                   missing, sweep.scenes->sample().size(), own.string()));

@@ -106,7 +106,7 @@ void write_results(const SweepArguments& options, const Sweep& sweep, sweep::Sto
 int keep_points(const SweepArguments& options, const Sweep& sweep) {
   const std::int64_t last = sweep.scenes->sample().size() - 1;
   for (const std::int64_t point : options.points) {
-    if (point > last) throw UsageError("--point {}: accepted are 0 to {}", point, last);
+    if (point > last) throw UsageError("--point {}: expected 0 to {}", point, last);
   }
   int code = kDone;
   result::Section all;

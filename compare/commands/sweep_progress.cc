@@ -3,7 +3,6 @@
 #include <fmt/format.h>
 
 #include <cstdint>
-#include <cstdio>
 #include <string_view>
 
 namespace rotorub {
@@ -56,7 +55,7 @@ void SweepProgressReport::show(const sweep::SweepProgress& progress) {
   const bool measured = progress.left && (passed >= kMeasured || *progress.left == 0.0);
   if (!planned_ && (measured || (!counted_ && passed >= kEstimatePatience))) {
     bar_.clear();
-    fmt::print(stderr, "rotorub sweep: {}\n", plan_text(progress, shard_, jobs_, passed));
+    print_message(plan_text(progress, shard_, jobs_, passed));
     counted_ = true;
     planned_ = measured;
   }

@@ -23,7 +23,7 @@ std::string printable_path(const std::filesystem::path& path);
 // "rotorub run: ". Before the first call they begin with "rotorub: ".
 void set_command_name(const std::string& command);
 // Writes the message to standard error after those words, line by line printable.
-void print_error(const std::string& message);
+void print_message(const std::string& message);
 
 // Progress of a long task on standard error. On a terminal it is a bar, shown after two seconds.
 // Elsewhere nothing is shown, or with ROTORUB_PROGRESS=lines in the environment a line at once and

@@ -41,7 +41,7 @@ struct TuneArguments : CommonOptions {
 // Writes the scene with the trusted setting and prints the result, or why nothing was written.
 void write_tuned(const TuneArguments& options, const tune::TuneResult& result) {
   if (!result.choice.trusted) {
-    print_error(printable_path(options.file) + " is not written: no setting can be trusted");
+    print_message(printable_path(options.file) + " is not written: no setting can be trusted");
     return;
   }
   const auto& setting = result.settings[*result.choice.trusted].setting;
@@ -57,9 +57,8 @@ int run_tune(const TuneArguments& options) {
   check_twins(options.twins);
   const scene::Scene scene = read_scene(options.scene, options);
   if (!scene.first().contact) {
-    throw UsageError(
-        "{}: without a contact there is nothing to tune; accepted is a scene with [contact]",
-        options.scene);
+    throw UsageError("{}: without a contact there is nothing to tune; give a scene with [contact]",
+                     options.scene);
   }
   check_output_file(options.file);
   ProgressBar bar(options.quiet);

@@ -62,8 +62,8 @@ Section doubts(const Result& r) {
     all.add({Sentence{.text = text, .lead = "  - "}});
   };
   if (r.no_better()) {
-    add("the scene as it stood leaves less than these values: they are no best of all, or its own "
-        "lie outside of the ranges; other ranges may find better ones");
+    add("the scene as it stood leaves less than these values: they are not the best of all, or its "
+        "values lie outside the ranges; other ranges may find better values");
   }
   for (const Found& f : r.found) {
     const std::string& key = f.wanted.key;

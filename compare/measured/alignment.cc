@@ -105,17 +105,17 @@ std::string doubt(const Alignment& a) {
   if (!a.correlation) return {};
   if (*a.correlation < kLeastCorrelation) {
     return fmt::format(
-        "no shift makes the record like the native run: the best, {:+.6g} s, has a correlation "
-        "of {:.2f} in {}, {} or more is accepted; another scene than was measured, other units, "
-        "or chaos",
+        "no shift makes the record like the native run: the best, {:+.6g} s, has a correlation of "
+        "{:.2f} in {}, but {} or more is needed; the scene or the units may be wrong, or the "
+        "motion is chaotic",
         a.shift, *a.correlation, channels_text(a.by), kLeastCorrelation);
   }
   if (!a.residual || *a.residual <= kMostLeft * std::min(1.0, *a.gain)) return {};
   return fmt::format(
       "no shift makes the record like the native run: the best, {:+.6g} s, has a correlation of "
-      "{:.2f} in {}, and leaves {:.3g} % of the run's rms, as the record moves {:.3g} times as "
-      "far as the run; accepted is what leaves {:.0f} % or less of what either of them moves; "
-      "another scene than was measured, or other units",
+      "{:.2f} in {}, and leaves {:.3g} % of the run's rms, as the record moves {:.3g} times as far "
+      "as the run; at most {:.0f} % of the motion of either may be left; the scene or the units "
+      "may be wrong",
       a.shift, *a.correlation, channels_text(a.by), 100.0 * *a.residual, *a.gain,
       100.0 * kMostLeft);
 }

@@ -85,7 +85,7 @@ class LayingIn {
       if (measured < kFar * run && run < kFar * measured) continue;
       throw MeasuredError(fmt::format(
           "{}: reaches {:.3g} m, and the native run {:.3g} m, {:.2g} times as far: is its unit "
-          "right? Accepted is the unit in the header that the numbers are in, as rotor_x [um]",
+          "right? Give the unit of the numbers in the header, as rotor_x [um]",
           c.header, measured, run, run / measured));
     }
   }

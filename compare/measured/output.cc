@@ -50,7 +50,7 @@ std::vector<ColumnMeaning> make_measured_keys() {
       {"alignment.residual", "",
        "rms of record less run, divided by the rms of the run, about the means", ""},
       {"alignment.gain", "",
-       "rms of the record divided by that of the run, about the means; null: nothing moves", ""},
+       "rms of the record divided by the run's rms, about the means; null: nothing moves", ""},
       {"alignment.next", "", "shift and correlation of the second-best shift; null: none", ""},
       {"alignment.ambiguous", "",
        "whether the second-best shift leaves less than twice the residual of the best one, or less "

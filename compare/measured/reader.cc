@@ -48,7 +48,7 @@ std::string accepted_names() { return fmt::format("{}", fmt::join(names(), ", ")
 
 std::string unknown_reason(std::string_view name) {
   const std::string_view near = scene::nearest(name, names());
-  return fmt::format("no such column{}; accepted are {}, each with its unit in [ ]",
+  return fmt::format("no such column{}; choose from {}, each with its unit in [ ]",
                      near.empty() ? "" : fmt::format(", did you mean {}?", near), accepted_names());
 }
 
@@ -124,7 +124,7 @@ class MeasuredFile {
              });
     });
     if (table.header().empty()) {
-      refuse(0, "", "is empty; accepted is a header and a line a sample");
+      refuse(0, "", "is empty; expected a header and a line for each sample");
     } else {
       take_header(table.header(), table.line());
     }
@@ -137,13 +137,12 @@ class MeasuredFile {
     }
     if (wrong_.empty() && record_.t.size() < kLeastSamples) {
       refuse(0, "",
-             fmt::format("{} samples, too few to tell anything by; accepted are {} or more",
-                         record_.t.size(), kLeastSamples));
+             fmt::format("{} samples are too few; {} or more are needed", record_.t.size(),
+                         kLeastSamples));
     }
     for (const MeasuredColumn& c : record_.columns) {
       if (!wrong_.empty() || c.count(Sample::kGood) > 0) continue;
-      refuse(0, printable(c.header),
-             "has no value in any line; accepted is a column less, or one with values");
+      refuse(0, printable(c.header), "has no value in any line; remove the column, or give values");
     }
     if (!wrong_.empty()) throw scene::SceneError(std::move(wrong_));
     std::vector<double> apart;
@@ -165,7 +164,7 @@ class MeasuredFile {
     if (text_.starts_with("\xEF\xBB\xBF")) text_.remove_prefix(3);
     const bool wide = text_.starts_with("\xFF\xFE") || text_.starts_with("\xFE\xFF");
     if (!wide && text_.find('\0') == std::string_view::npos) return;
-    refuse(0, "", fmt::format("is {}; accepted is text in UTF-8", wide ? "UTF-16" : "no text"));
+    refuse(0, "", fmt::format("is {}; expected text in UTF-8", wide ? "UTF-16" : "not text"));
     throw scene::SceneError(std::move(wrong_));
   }
 
@@ -198,7 +197,7 @@ class MeasuredFile {
              "\"Time = t [ms]\" says which column of another name they are");
     }
     if (record_.columns.empty() && wrong_.empty()) {
-      refuse(line, "", "nothing measured beside t; accepted are " + accepted_names());
+      refuse(line, "", "nothing measured beside t; choose from " + accepted_names());
     }
     if (!wrong_.empty())
       throw scene::SceneError(std::move(wrong_));  // the meaning of the fields is unknown
@@ -238,27 +237,26 @@ class MeasuredFile {
   // The error in a column's header; if it is empty, the column's factor is set.
   std::string fault_of(std::size_t k) {
     Head& head = heads_[k];
-    if (head.name.empty()) return "has no name; accepted are " + accepted_names();
+    if (head.name.empty()) return "has no name; choose from " + accepted_names();
     if (!head.read())
       return is_own_column(head.name) || !names_.empty() ? ""
                                                          : foreign_reason(head.name, head.unit);
     for (std::size_t before = 0; before < k; ++before) {
       if (heads_[before].read() && heads_[before].what == head.what) {
-        return "stands twice in the header; accepted is once";
+        return "appears twice in the header; remove one of them";
       }
     }
     const scene::Quantity& quantity = head.quantity();
     if (!head.has_unit && record_.has_units) {
-      return fmt::format(
-          "has no unit, which other columns have; accepted is {} [{}] with any of {}", head.name,
-          quantity.unit, quantity.examples);
+      return fmt::format("has no unit, but other columns have; write {} [{}] with one of {}",
+                         head.name, quantity.unit, quantity.examples);
     }
     if (!head.has_unit) return {};
     if (!head.closed) {
-      return "its bracket is not closed behind the unit; accepted is a header as rotor_x [um]";
+      return "the bracket is not closed after the unit; write a header as rotor_x [um]";
     }
     if (head.unit.empty()) {
-      return fmt::format("its brackets hold no unit; accepted are {}", quantity.examples);
+      return fmt::format("the brackets hold no unit; choose from {}", quantity.examples);
     }
     if (!counted_unit(head.unit).empty()) {
       const std::string own = head.text.substr(0, head.text.find_first_of("[("));
@@ -272,7 +270,7 @@ class MeasuredFile {
     if (!one.error.empty()) return one.error;
     head.factor = one.value;
     const bool is_unit = head.factor > 0.0 && std::isfinite(head.factor);
-    return is_unit ? "" : "its unit is none to measure in";
+    return is_unit ? "" : "its unit is not a unit of measurement";
   }
 
   void take_sample(const TableText& table) {
@@ -295,11 +293,10 @@ class MeasuredFile {
 
   void take_time(double t, const std::string& field, int line) {
     if (field.empty()) {
-      refuse(line, "t", "is empty; accepted is a time in every line");
+      refuse(line, "t", "is empty; expected a time in every line");
     } else if (!record_.t.empty() && wrong_.empty() && !(t > record_.t.back())) {
       refuse(line, "t",
-             fmt::format("{} is not after the time of the line before; accepted are times that "
-                         "ascend",
+             fmt::format("{} is not later than the time of the line before; times must ascend",
                          printable(field)));
     }
     record_.t.push_back(t);
@@ -316,7 +313,7 @@ class MeasuredFile {
     if (at != std::string::npos) {
       if (decimal_ != '\0' && text[at] != decimal_) {
         return fail(fmt::format(
-            "has a decimal {}, lines before it have the other mark; accepted is one of the two",
+            "has a decimal {}, but lines before it have the other mark; use one of the two",
             text[at] == ',' ? "comma" : "point"));
       }
       decimal_ = text[at];
@@ -361,7 +358,7 @@ MeasuredRecord read_measured(const std::filesystem::path& file,
   } catch (const std::runtime_error& error) {
     const std::string reason = error.what();
     throw scene::SceneError(
-        {{file.string(), 0, "", reason + "; accepted is a text file with a header"}});
+        {{file.string(), 0, "", reason + "; expected a text file with a header"}});
   }
   return parse_measured(text, file.string(), names);
 }

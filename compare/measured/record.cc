@@ -139,8 +139,8 @@ void mark_clipped(MeasuredRecord& record) {
 void resolve_probes(MeasuredRecord& record, double first, double second) {
   if (!(std::abs(std::sin(second - first)) >= std::sin(kLeastApart))) {
     throw MeasuredError(
-        fmt::format("two probes that see nearly the same tell no place; accepted are directions "
-                    "{:.0f} degrees or more from one line",
+        fmt::format("two probes in nearly the same direction cannot locate the rotor; their "
+                    "directions must be {:.0f} degrees or more from one line",
                     kLeastApart * 180.0 / std::numbers::pi));
   }
   Eigen::Matrix2d directions;

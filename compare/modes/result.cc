@@ -151,7 +151,7 @@ std::vector<Part> contact_mass_parts(const std::optional<ContactMass>& mass) {
           Sentence{.text = fmt::format(
                        "{:.4g} kg with the {} modes kept, {:.4g} kg with all {} of the mesh{}",
                        mass->kept, mass->kept_modes, mass->mesh, mass->mesh_modes,
-                       mass->truncated() ? ": impacts are those of the modes kept" : ""),
+                       mass->truncated() ? ": impacts are computed with the modes kept" : ""),
                    .lead = "  "}};
 }
 

@@ -82,7 +82,7 @@ std::optional<FigurePath> figure_of(const StudyTable& table, const char* key) {
 // The limit is in SI, because the text of a figure does not determine its unit.
 void read_constraint(const StudyTable& table, Goal& goal) {
   const auto figure = figure_of(table, "figure");
-  if (!table.has("figure")) table.missing("figure", "a figure, as those of `minimise`");
+  if (!table.has("figure")) table.missing("figure", "a figure, as in `minimise`");
   if (table.has("min") == table.has("max")) {
     table.fail(table.has("min") ? "max" : "figure",
                table.has("min") ? "beside `min`; a constraint of its own takes it"

@@ -73,7 +73,7 @@ void check_actuator(const mjModel* m, int actuator) {
   if (m->actuator_ctrllimited[control] && range[0] != -range[1]) {
     refuse_actuator(
         m, actuator,
-        fmt::format("ctrlrange=\"{} {}\"; accepted with a controller: as much either way", range[0],
+        fmt::format("ctrlrange=\"{} {}\"; accepted with a controller: a symmetric range", range[0],
                     range[1]));
   }
 }

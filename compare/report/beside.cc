@@ -84,7 +84,7 @@ bool add_folder(const path& folder, Beside& beside) {
     try {
       kind.add(json::parse(scene::file_text(file.string())), beside);
     } catch (const std::exception& error) {
-      throw std::runtime_error(fmt::format("{}: {}; accepted is what `rotorub {} -o DIR` writes",
+      throw std::runtime_error(fmt::format("{}: {}; expected what `rotorub {} -o DIR` writes",
                                            file.string(), error.what(), kind.command));
     }
   }
@@ -107,8 +107,8 @@ Beside read_beside(const std::vector<std::string>& folders) {
     for (const path& place : places) any = add_folder(place, beside) || any;
     if (!any) {
       throw std::runtime_error(
-          fmt::format("{}: no {}, {} or {} here or one folder below; accepted are folders that "
-                      "bench, check and sweep wrote with -o",
+          fmt::format("{}: no {}, {} or {} here or one folder below; give folders that bench, "
+                      "check or sweep wrote with -o",
                       name, kBenchFile, kCheckFile, sweep::kDataFile));
     }
   }

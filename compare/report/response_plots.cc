@@ -69,7 +69,7 @@ constexpr MapWords kMapWords[] = {
      "where a curve meets the scene's speed, unbalance resonates"},
     {"Critical speed map of the magnets", "stiffness of a magnetic bearing",
      "how the undamped critical speeds change if all magnetic bearings become softer or stiffer in "
-     "one proportion; their stiffness is that of the control less the magnets' pull. A flat curve "
+     "one proportion; their stiffness is the control's less the magnets' pull. A flat curve "
      "belongs to the shaft, a rising one to the magnets; where a curve meets the scene's speed, "
      "unbalance resonates; no line where the magnets do not bear the rotor"},
     {"Critical speed map of the ring", "stiffness of the ring's spring",

@@ -127,8 +127,8 @@ void read_impacts(const path& file, Trajectory& trajectory) {
     const double contact = value(8);
     if (!(contact >= 1.0 && contact <= static_cast<double>(trajectory.contacts)) ||
         contact != std::floor(contact)) {
-      throw BrokenRun(fmt::format("{}:{}: `{}` is no contact of the run's {}", file.string(), line,
-                                  fields[8], trajectory.contacts));
+      throw BrokenRun(fmt::format("{}:{}: `{}` is not one of the run's {} contacts", file.string(),
+                                  line, fields[8], trajectory.contacts));
     }
     trajectory.impacts.back().contact = static_cast<int>(contact) - 1;
   });
@@ -155,7 +155,7 @@ nlohmann::json summary_of(const path& file) {
     return nlohmann::json::parse(text_of(file));
   } catch (const nlohmann::json::exception& error) {
     throw BrokenRun(
-        fmt::format("{}: is no summary of a run: {}", file.string(), json_reason(error)));
+        fmt::format("{}: is not the summary of a run: {}", file.string(), json_reason(error)));
   }
 }
 
@@ -240,7 +240,7 @@ StoredRun read_run(const path& folder) {
     t.status = stored_status(summary.at("status"));
     t.message = summary.at("message");
   } catch (const nlohmann::json::exception& error) {
-    throw BrokenRun(fmt::format("{}: is no summary of a run: {}", (folder / kSummary).string(),
+    throw BrokenRun(fmt::format("{}: is not the summary of a run: {}", (folder / kSummary).string(),
                                 json_reason(error)));
   }
   t.contacts = run.scene.auxiliary.size();
@@ -262,8 +262,8 @@ void check_series(const Trajectory& trajectory, const std::string& file) {
   for (const Column& column : trajectory.series) {
     for (std::size_t i = 0; i < column.values.size(); ++i) {
       if (std::isfinite(column.values[i])) continue;
-      throw BrokenRun(
-          fmt::format("{}:{}: {} = {} is no number", file, line(i), column.name, column.values[i]));
+      throw BrokenRun(fmt::format("{}:{}: {} = {} is not a number", file, line(i), column.name,
+                                  column.values[i]));
     }
   }
   const auto& t = trajectory.column("t");

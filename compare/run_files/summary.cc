@@ -188,7 +188,7 @@ std::vector<result::Part> mode_notes(const std::optional<ContactMass>& mass,
     add(fmt::format(
         "in {} of the time in contact, with {} of the friction work, the whirl is faster than the "
         "highest mode kept ({} Hz): {} Hz at most. There the shaft has no flexibility of its own: "
-        "keep modes beyond that (rotor.modes), or read the figures as those of the modes kept",
+        "keep modes beyond that (rotor.modes), or read the figures as results for the modes kept",
         percent_text(std::round(1e3 * above->contact_share) / 1e3),
         percent_text(std::round(1e3 * above->friction_share) / 1e3),
         short_number(kHz * (above->fastest > 0.0 ? above->band.forward : above->band.backward)),

@@ -116,7 +116,7 @@ std::string whose_verdict(const SceneComparison& c) {
   if (c.status() != Status::kOk) return "The exit code is 3: a run did not come to its end.";
   if (c.models.empty()) return "";
   const ComparedModel& decider = c.models.front();
-  return fmt::format("The exit code is that of {} (--contact), {}.", decider.run.label,
+  return fmt::format("The exit code refers to {} (--contact), {}.", decider.run.label,
                      what_it_did(c, decider.trust));
 }
 
@@ -153,7 +153,7 @@ std::string mode_note(const SceneComparison& c) {
   if (c.mode == CompareMode::kReplay) {
     return fmt::format(
         "Replay: each MuJoCo run is compared with a native run under its own commands; native, "
-        "shadow and twins are shown under those of {}.",
+        "shadow and twins are shown under the commands of {}.",
         c.models.empty() ? "" : c.models.front().run.label);
   }
   if (c.mode == CompareMode::kLockstep) return "";

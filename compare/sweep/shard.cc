@@ -26,9 +26,8 @@ Shard parse_shard(const std::string& text) {
   }
   if (!good || shard.count < 1 || shard.count > kMostShards || shard.number < 1 ||
       shard.number > shard.count) {
-    throw std::invalid_argument(
-        fmt::format("--shard {}: accepted is i/n, part i of n, as 1/4 to 4/4 (n at most {})", text,
-                    kMostShards));
+    throw std::invalid_argument(fmt::format(
+        "--shard {}: expected i/n, part i of n, as 1/4 to 4/4 (n at most {})", text, kMostShards));
   }
   return shard;
 }

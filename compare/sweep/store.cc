@@ -69,9 +69,10 @@ void Store::check(const std::string& schema, const std::string& file) {
                                    ".sqlite_master WHERE sql IS NOT NULL AND NOT (type = 'table' "
                                    "AND name IN ('meta', 'points') AND sql LIKE 'CREATE TABLE %')");
   if (foreign.step()) {
-    throw StoreMismatch(fmt::format(
-        "{}: holds the {} `{}`, which no sweep writes; accepted are the tables meta and points",
-        file, scene::printable(foreign.text(0)), scene::printable(foreign.text(1))));
+    throw StoreMismatch(
+        fmt::format("{}: holds the {} `{}`, which no sweep writes; a sweep's file has only the "
+                    "tables meta and points",
+                    file, scene::printable(foreign.text(0)), scene::printable(foreign.text(1))));
   }
   const auto value = [&](const char* key) {
     Statement row(database_, "SELECT value FROM " + schema + ".meta WHERE key = ?", {key});

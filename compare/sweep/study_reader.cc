@@ -159,7 +159,7 @@ const scene::Key* scene_key(std::string_view path, std::string& reason) {
   }
   const std::vector<std::string_view> known(all.begin(), all.end());
   const std::string_view meant = scene::nearest(plain, known);
-  reason = fmt::format("`{}` is no key of a scene", scene::printable(path));
+  reason = fmt::format("`{}` is not a key of a scene", scene::printable(path));
   if (!meant.empty()) reason += fmt::format(", did you mean `{}`?", meant);
   reason +=
       "; accepted: table.key or table[element].key, as contact.friction or "

@@ -61,7 +61,7 @@ std::string failure_of(Action action) {
   } catch (const std::exception& error) {
     return printable_reason(error.what());
   } catch (...) {
-    return "it threw what is no std::exception";
+    return "it threw something that is not a std::exception";
   }
 }
 

@@ -139,8 +139,7 @@ DriveTrain drive_train(const scene::Scene& scene) {
     throw scene::SceneError(
         scene::placed(scene, {{"", 0, "drive.kind",
                                "no lasting rub can be analysed with a torque that depends on time "
-                               "and angle; accepted are free, linear, kloss and "
-                               "table"}}));
+                               "and angle; choose free, linear, kloss or table"}}));
   }
   const auto torsion = [&](const Eigen::VectorXd& all) {
     return all.segment(m.layout.theta(), m.layout.torsion);

@@ -98,12 +98,12 @@ void add_force(const scene::Scene& scene, const Model& m, const AppliedForce& f,
   if (f.on > 0.0 || f.off <= 0.0) return;
   if (f.kind == ForceKind::kPulse && f.on < 0.0) {
     refuse_steady(scene,
-                  "a [[force]] of kind pulse is under way at t = 0, and no orbit is steady; "
-                  "accepted: one that begins at 0 or later");
+                  "a [[force]] of kind pulse is acting at t = 0, so no orbit is steady; accepted: "
+                  "a pulse that begins at 0 or later");
   }
   if (f.ramp > 0.0 && f.on < 0.0 && f.on + f.ramp > 0.0) {
     refuse_steady(scene,
-                  "a [[force]] is still rising at t = 0, and no orbit is steady; accepted: one "
+                  "a [[force]] is still rising at t = 0, so no orbit is steady; accepted: a force "
                   "that begins to rise at 0 or later, or has risen by then");
   }
   if (f.kind == ForceKind::kPulse || f.envelope(0.0) == 0.0) return;
@@ -292,8 +292,7 @@ FreeMotion free_motion(const scene::Scene& scene, const Model& m) {
   const Layout& l = m.layout;
   if (const StationFeedback* feedback = sampled(m)) {
     refuse_steady(scene, "the control of " + scene::magnetic_bearing_path(scene, feedback->number) +
-                             " is sampled, and no orbit is steady between its samples; accepted: "
-                             "false");
+                             " is sampled, so no orbit is steady; accepted: false");
   }
   const Bending b = bending(m);
   check_stability(scene, m);

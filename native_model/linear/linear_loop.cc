@@ -38,8 +38,8 @@ void put_planes(Eigen::MatrixXd& matrix, Eigen::Index column, const ModeShape& s
 std::string loop_refusal(const Model& m) {
   for (const SampledFeedback& s : m.samplers) {
     if (s.library != nullptr)
-      return "a library asks for the currents of magnetic bearings (magnetic_control.library), and "
-             "what law it has is not known here";
+      return "a library commands the magnetic bearings (magnetic_control.library), and its law is "
+             "unknown";
     if (s.sample_time != m.samplers.front().sample_time)
       return "its controls have different sample times";
   }

@@ -47,29 +47,29 @@ void check_feedback(const Checks& check, std::size_t bearing,
   const std::string path = scene::magnetic_bearing_path(check.scene, bearing) + ".control.";
   check(magnetic.kind != scene::MagnetKind::kLinear,
         scene::magnetic_bearing_path(check.scene, bearing) + ".kind",
-        "an electromagnet's force is not linear; accepted are linear, or " + path + "fails_at = 0");
+        "an electromagnet's force is not linear; choose linear, or set " + path + "fails_at = 0");
   check(control.works_from > 0.0, path + "on",
-        "before and after are two machines; accepted is 0 (left out)");
+        "the analysis needs one machine throughout; leave it out");
   check(control.fails_at < scene::kNever, path + "fails_at",
-        "before and after are two machines; accepted are 0 (it has failed) and never (left out)");
+        "the analysis needs one machine throughout; set 0 (it has failed) or leave it out");
   const auto has_no_state = [&](bool has, const std::string& key, const char* what) {
     check(has, key,
-          std::string("the analysis has no state for ") + what +
-              "; accepted are 0 (left out), or " + path + "fails_at = 0");
+          std::string("the analysis has no state for ") + what + "; leave it out, or set " + path +
+              "fails_at = 0");
   };
   check(control.sampled(), path + "sample_time",
-        "between samples the feedback is not linear in the state; accepted are 0 (left out) with "
-        "form pid, or " +
+        "between samples the feedback is not linear in the state; leave it out with form pid, or "
+        "set " +
             path + "fails_at = 0");
   has_no_state(control.integral > 0.0, path + "integral", "an integrator");
   has_no_state(control.derivative_lag > 0.0, path + "derivative_lag", "a filter");
-  check(magnetic.amplifier.has_value(),
-        scene::magnetic_bearing_path(check.scene, bearing) + ".amplifier",
-        "the analysis has no state for an amplifier; accepted is none (left out), or " + path +
-            "fails_at = 0");
+  check(
+      magnetic.amplifier.has_value(),
+      scene::magnetic_bearing_path(check.scene, bearing) + ".amplifier",
+      "the analysis has no state for an amplifier; leave it out, or set " + path + "fails_at = 0");
   check(std::isfinite(control.current_limit), path + "current_limit",
-        "at the limit the magnets' forces are not linear; accepted are none (left out), or " +
-            path + "fails_at = 0");
+        "at the limit the magnets' forces are not linear; leave it out, or set " + path +
+            "fails_at = 0");
 }
 
 // Checks that need only the scene.
@@ -79,20 +79,20 @@ void check(const scene::Scene& scene) {
   check(!first.contact, "contact", "the scene has no [contact]");
   if (scene.auxiliary.size() > 1) {
     scene::refuse_at(scene, "contact[1]",
-                     "a map of lasting rubs is of one contact alone; accepted: one [[contact]], as "
-                     "with --set \"contact[1]=none\"; `rotorub modes` has those of each while the "
-                     "others are open");
+                     "a map of lasting rubs needs a single contact; accepted: one [[contact]], as "
+                     "with --set \"contact[1]=none\"; `rotorub modes` lists the rubs of each "
+                     "contact while the others are open");
   }
   check(scene.gives(), "contact.compliance",
-        "what is known is the rub of a rigid contact; accepted: none");
+        "this analysis needs a rigid contact; accepted: no contact.compliance");
   if (first.stator) {
     const char* planes = "both planes must be alike, give one number for x and y";
     check(first.stator->spin && !first.contact->friction.is_constant(), "contact.friction",
-          "the speed of a ring that turns is known for one coefficient; accepted: a number, or no "
+          "with a turning ring this analysis needs constant friction; accepted: a number, or no "
           "stator.spin");
     check(!first.stator->on_springs_alone(), "stator",
-          "the analysis has the ring on its spring and damper to the base alone; accepted: no "
-          "mount, dry_friction, squeeze_film or ball_bearing, and of a ring that turns drag alone");
+          "this analysis needs a ring on its spring and damper only; accepted: no mount, "
+          "dry_friction, squeeze_film or ball_bearing, and for a turning ring only drag");
     check(differ(first.stator->mass), "stator.mass", planes);
     check(differ(first.stator->damping), "stator.damping", planes);
     check(differ(first.stator->stiffness), "stator.stiffness", planes);
@@ -101,35 +101,35 @@ void check(const scene::Scene& scene) {
     const scene::Force& force = scene.forces[k];
     const std::string key = scene::list_element("force", k) + ".kind";
     check(force.kind == scene::ForceKind::kConstant && !force.vector.isZero(0.0), key,
-          "a constant force points one way, so no whirl is steady; accepted are rotating ones");
+          "a constant force breaks the rotational symmetry that this analysis needs; use rotating "
+          "forces");
     check(force.kind == scene::ForceKind::kChirp || force.kind == scene::ForceKind::kPulse, key,
-          "under a force that passes no whirl is steady; accepted are rotating and synchronous "
-          "ones");
+          "no whirl is steady under a force that varies in this way; use rotating or synchronous "
+          "forces");
   }
   check(scene.gravity && !scene.gravity->acceleration.isZero(0.0), "gravity",
-        "weight points one way, so no whirl is steady");
-  check(scene.base.has_value(), "base", "on a base that moves no whirl is steady");
+        "gravity breaks the rotational symmetry that this analysis needs");
+  check(scene.base.has_value(), "base", "no whirl is steady on a moving base");
   for (std::size_t i = 0; scene.rotor.geometry && i < scene.rotor.geometry->bearings.size(); ++i) {
     const scene::ShaftBearing& bearing = scene.rotor.geometry->bearings[i];
     const std::string path = scene::list_element("rotor.bearing", i);
     check(!bearing.offset.isZero(0.0), path + ".offset",
-          "a bearing off the line bends the shaft one way, so no whirl is steady; accepted is 0");
+          "a bearing off the line breaks the rotational symmetry that this analysis needs; use 0");
     check(bearing.follows_speed() || bearing.crosses(),
           path + (bearing.follows_speed() ? ".table_speed" : ".cross_stiffness"),
-          "the analysis has springs and dashpots alone; accepted are bearings without tables and "
-          "crosses");
+          "this analysis supports only uncoupled springs and dampers");
   }
   check(!first.contact->offset.isZero(0.0), "contact.offset",
-        "the ring is out of the middle of the whirl, and none is steady; accepted is 0");
+        "an offset ring breaks the rotational symmetry that this analysis needs; use 0");
   for (std::size_t k = 0; k < scene.magnetic_bearings.size(); ++k) {
     const scene::MagneticBearing& magnetic = scene.magnetic_bearings[k];
     if (magnetic.control) check_feedback(check, k, magnetic);
   }
   check(first.controller && first.controller->kind != scene::ControllerKind::kPassive &&
             !crosses(*first.controller),
-        "controller.kind", "accepted are passive, cross_coupled and two_phase");
+        "controller.kind", "choose passive, cross_coupled or two_phase");
   check(first.actuator && first.actuator->kind != scene::ActuatorKind::kIdeal, "actuator.kind",
-        "the magnets' forces are not linear; accepted is an ideal actuator");
+        "the magnets' forces are not linear; use an ideal actuator");
 }
 
 bool same(const ModeShape& shape) { return shape.x == shape.y; }

@@ -60,8 +60,8 @@ Eigen::Vector2d ring_on_magnets(const scene::Scene& scene, const AuxiliaryBearin
            from_axes({law.force(s.x(), 0.0), law.force(s.y(), 0.0)});
   };
   const char* pulled =
-      "the bias of the actuator's magnets pulls the ring away from its middle harder than [stator] "
-      "holds it; accepted: a stiffer stator.stiffness, or false";
+      "the bias of the actuator's magnets pulls the ring off centre harder than [stator] holds it; "
+      "accepted: a stiffer stator.stiffness, or false";
   constexpr double kStep = 1e-8;  // m, of the difference quotients
   Eigen::Vector2d place{0.0, 0.0};
   for (int round = 0; round < 60; ++round) {
@@ -141,8 +141,8 @@ RingRest ring_at_rest(const scene::Scene& scene, const Model& m, const Auxiliary
   if (at.magnets) {
     if (mounted && (at.housing != kAbsent || support->law.balls)) {
       refuse_steady(scene,
-                    "where magnets hold a ring with a stator.mount or stator.ball_bearing is not "
-                    "looked for; accepted: neither, or false");
+                    "no rest position is computed for magnets that hold a ring with a stator.mount "
+                    "or stator.ball_bearing; accepted: neither, or false");
     }
     rest.ring = ring_on_magnets(scene, at, stiffness, weight);
     return rest;

@@ -141,10 +141,10 @@ std::string beyond_linear_plant(const scene::Scene& scene, std::size_t bearing, 
     const double samples = every / s.sample_time;
     if (samples < 0.5 || std::abs(samples - std::round(samples)) > 1e-9 * samples) {
       return control + " is sampled every " + scene::number_text(s.sample_time) +
-             " s, of which controller.sample_time is no whole multiple";
+             " s, and controller.sample_time is not a whole multiple of it";
     }
     if (other > 0.0 && s.sample_time != other)
-      return control + " has another sample time than that of another magnetic bearing";
+      return control + " has a different sample time from another magnetic bearing's control";
     other = s.sample_time;
   }
   return {};

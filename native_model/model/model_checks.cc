@@ -233,8 +233,8 @@ void refuse_compliance(const scene::Scene& scene, scene::Integrator integrator) 
   for (std::size_t k = 0; k < scene.auxiliary.size(); ++k) {
     if (!scene.auxiliary[k].contact || !scene.auxiliary[k].contact->compliance) continue;
     scene::refuse_at(scene, k, "contact.compliance",
-                     "`euler` knows rigid contacts alone; accepted here: none, or the integrator "
-                     "event or verlet");
+                     "`euler` supports only rigid contacts; accepted: no contact.compliance, or "
+                     "the integrator event or verlet");
   }
 }
 
@@ -244,7 +244,7 @@ void refuse_compliance_in_mujoco(const scene::Scene& scene) {
   if (model == scene::ContactModel::kRigid || model == scene::ContactModel::kCone) {
     scene::refuse_at(scene, "mujoco.contact",
                      std::string("\"") + scene::to_string(model) +
-                         "\" knows no contact.compliance; accepted with it: \"coulomb\", "
+                         "\" does not support contact.compliance; accepted with it: \"coulomb\", "
                          "\"cone-coulomb\"");
   }
   if (scene.mujoco.shadow) {
@@ -263,10 +263,9 @@ void refuse_compliance_in_mujoco(const scene::Scene& scene) {
 void refuse_several_in_mujoco(const scene::Scene& scene) {
   if (scene.auxiliary.size() < 2) return;
   if (scene.mujoco.rotor != scene::MujocoRotor::kSegments && scene::is_cone(scene.mujoco.contact)) {
-    scene::refuse_at(
-        scene, "mujoco.contact",
-        "MuJoCo's cone knows one contact of its modal chain; accepted with several: \"rigid\", "
-        "\"coulomb\", or mujoco.rotor = \"segments\"");
+    scene::refuse_at(scene, "mujoco.contact",
+                     "MuJoCo's cone supports only one contact of the modal chain; accepted with "
+                     "several: \"rigid\", \"coulomb\", or mujoco.rotor = \"segments\"");
   }
   if (scene.mujoco.shadow)
     scene::refuse_at(scene, "mujoco.shadow",
@@ -289,13 +288,12 @@ void refuse_finite_impacts(const scene::Scene& scene, FiniteImpacts accepted) {
   if (knows && !sampled && !asked) return;
   const auto check = [&](std::size_t k, const char* key, double time) {
     if (time <= 0.0) return;
-    scene::refuse_at(
-        scene, k, key,
-        knows ? "an impact that takes time, under a controller with a sample_time, needs "
-                "the integrator event; accepted here: 0, or no sample_time of a controller"
-              : "an impact that takes time needs the integrator event or verlet, or "
-                "rigid of a modal chain in MuJoCo without a shadow and without a "
-                "coil_lag; accepted with anything else: 0");
+    scene::refuse_at(scene, k, key,
+                     knows ? "impacts of finite duration under a sampled controller need the "
+                             "integrator event; accepted here: 0, or no sample_time of a controller"
+                           : "impacts of finite duration need the integrator event or verlet, or "
+                             "rigid of a modal chain in MuJoCo without a shadow and without a "
+                             "coil_lag; accepted with anything else: 0");
   };
   for (std::size_t k = 0; k < scene.auxiliary.size(); ++k) {
     const auto& contact = scene.auxiliary[k].contact;

@@ -198,8 +198,8 @@ std::string sample_refusal(const Model& m, double step) {
     if (std::round(ratio) >= 1.0 && std::abs(ratio - std::round(ratio)) < 1e-6) continue;
     char text[200];
     std::snprintf(text, sizeof text,
-                  "step %g s does not meet the samples of a magnetic bearing's control, every %g "
-                  "s; accepted: a whole part of it",
+                  "step %g s does not divide the sample time of a magnetic bearing's control, %g "
+                  "s; accepted: a whole fraction of it",
                   step, s.sample_time);
     return text;
   }

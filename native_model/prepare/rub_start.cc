@@ -33,7 +33,7 @@ void leave_out_later(const scene::Scene& scene, std::size_t number, scene::Force
   if (risen && force.off > 0.0) return;
   if (force.on < 0.0 && force.off > 0.0) {
     scene::refuse_at(scene, scene::list_element("force", number) + ".ramp",
-                     "is still rising at t = 0, and no rub lasts; accepted beside initial.rub: a "
+                     "is still rising at t = 0, so no rub lasts; accepted beside initial.rub: a "
                      "force that begins to rise at 0 or later, or has risen by then");
   }
   force.kind = scene::ForceKind::kRotating;
@@ -51,7 +51,7 @@ scene::Scene at_start(scene::Scene scene) {
       controller.reset();
     } else if (controller->kind == scene::ControllerKind::kTwoPhase) {
       scene::refuse_at(given, k, "controller.kind",
-                       "the first phase of two_phase keeps no rub that is known; accepted beside "
+                       "the rub under the first phase of two_phase is unknown; accepted beside "
                        "initial.rub: passive, cross_coupled");
     }
   }
@@ -112,8 +112,9 @@ void add_rub_start(const scene::Scene& scene, Model& m) {
   for (std::size_t k = 0; k < scene.auxiliary.size(); ++k) {
     const auto& ring = scene.auxiliary[k].stator;
     if (!ring || !ring->spin || ring->spin->speed == 0.0) continue;
-    scene::refuse_at(scene, k, "stator.spin.speed",
-                     "the ring turns as the rub has it; accepted beside initial.rub: 0 (left out)");
+    scene::refuse_at(
+        scene, k, "stator.spin.speed",
+        "the rub determines the speed of the ring; accepted beside initial.rub: 0 (left out)");
   }
   const RubSystem system = rub_system(at_start(scene));
   const SteadyRub rub = rub_of(scene, system);

@@ -143,13 +143,13 @@ std::string digits(double value) {
   const std::string most_modes = std::to_string(kMostAutoModes);
   std::string reason =
       "\"auto\" finds no number of modes up to " + most_modes + ": with " + most_modes + " " +
-      q.name + " is still " + digits(100.0 * left) + " % off that of all " +
+      q.name + " is still " + digits(100.0 * left) + " % off its value with all " +
       std::to_string(q.sums.size()) + " modes of the mesh for " + std::to_string(modes.kept) +
       ", and modes_tolerance is " + digits(100.0 * scene.rotor.geometry->modes_tolerance) + " %. ";
   if (q.inverse) {
     reason +=
-        "The effective mass of a station without a mass of its own falls without end, the more "
-        "modes: a sleeve ([[rotor.disc]] at contact.station) gives it a limit. ";
+        "The effective mass of a station without a mass of its own falls without limit as modes "
+        "are added: a sleeve ([[rotor.disc]] at contact.station) gives it a limit. ";
   }
   reason += "Accepted: ";
   if (left < 1.0) reason += "a modes_tolerance well above " + digits(left) + ", or ";

@@ -35,7 +35,7 @@ int functions_needed(double wave_length_ratio) {
 [[noreturn]] void refuse_size() {
   throw scene::SceneError(
       {{"", 0, "rotor",
-        "asks for modes so high that the shaft needs more than " + std::to_string(kMostFunctions) +
+        "needs modes so high that the shaft has more than " + std::to_string(kMostFunctions) +
             " shape functions; accepted: fewer modes, or a lower max_frequency"}});
 }
 

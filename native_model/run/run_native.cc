@@ -58,9 +58,8 @@ Trajectory run_native(const scene::Scene& scene, const NativeOptions& options) {
                                                                         : FiniteImpacts::kNone);
   for (std::size_t k = 0; model.auxiliary.size() > 1 && k < model.auxiliary.size(); ++k) {
     if (model.auxiliary[k].coil == kAbsent) continue;
-    scene::refuse_at(
-        scene, k, "actuator.coil_lag",
-        "beside other contacts coils that lag need the integrator event; accepted here: 0");
+    scene::refuse_at(scene, k, "actuator.coil_lag",
+                     "with several contacts a coil_lag needs the integrator event; accepted: 0");
   }
   return run_fixed(integrator, model, scene.run, step, options);
 }

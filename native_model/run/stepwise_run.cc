@@ -24,8 +24,8 @@ const scene::Scene& checked(const scene::Scene& scene) {
           std::pair("contact.expansion_time", contact->expansion_time)}) {
       if (time > 0.0)
         scene::refuse_at(scene, k, key,
-                         "a run that is fed from outside knows impacts in no time alone; accepted "
-                         "here: 0");
+                         "a run that is stepped from outside does not support impacts of finite "
+                         "duration; accepted: 0");
     }
   }
   return scene;

@@ -28,36 +28,34 @@ Table actuator() {
                                       {"electromagnet"}),
        key<&Actuator::bias_current>("bias_current", kCurrent, "> 0", kRequired,
                                     "i_0, in both magnets", {"electromagnet"}),
-       key<&Actuator::air_gap>("air_gap", kLength, "> 0", kRequired, "s_0, of each magnet at s = 0",
-                               {"electromagnet"}),
+       key<&Actuator::air_gap>("air_gap", kLength, "> 0", kRequired,
+                               "s_0, gap of each magnet at s = 0", {"electromagnet"}),
        key<&Actuator::stiffness>("stiffness", kStiffness, ">= 0", kStandard,
-                                 "the actuator's own spring", {"electromagnet"}),
+                                 "spring of the actuator", {"electromagnet"}),
        key<&Actuator::table_position>("table_position", kLength, "", kRequired,
                                       "values of s, ascending, four or more", {"table"}),
        key<&Actuator::table_current>("table_current", kCurrent, "", kRequired,
                                      "values of i, ascending through 0, four or more", {"table"}),
        key<&Actuator::table_force>(
            "table_force", kForce, "", kRequired,
-           "F at all currents, position after position; rising with the current", {"table"}),
+           "F for all currents, position after position; must rise with the current", {"table"}),
        key<&Actuator::current_limit>("current_limit", kCurrent, "> 0",
                                      "the maximum: `bias_current`, or the table's range",
                                      "largest commanded current", {"electromagnet", "table"}),
        key<&Actuator::coil_lag>("coil_lag", kTime, ">= 0", kStandard,
-                                "time constant of the coil: `coil_lag` di/dt = command - i",
+                                "time constant: `coil_lag` di/dt = command - i",
                                 {"electromagnet", "table"}),
        key<&Actuator::current_rate_limit>("current_rate_limit", kCurrentRate, "> 0", "none",
                                           "limit on di/dt; needs `coil_lag`",
                                           {"electromagnet", "table"}),
        key<&Actuator::voltage_limit>(
            "voltage_limit", kVoltage, "> 0", "none",
-           "limit on u = `inductance` di/dt + `resistance` i; needs `coil_lag`, `inductance`",
+           "limit on `inductance` di/dt + `resistance` i; needs `coil_lag`, `inductance`",
            {"electromagnet", "table"}),
-       key<&Actuator::inductance>("inductance", kInductance, "> 0", "none",
-                                  "coil inductance of an axis; needs `voltage_limit`",
+       key<&Actuator::inductance>("inductance", kInductance, "> 0", "none", "inductance of an axis",
                                   {"electromagnet", "table"}),
        key<&Actuator::resistance>("resistance", kResistance, ">= 0", kStandard,
-                                  "coil resistance of an axis; needs `voltage_limit`",
-                                  {"electromagnet", "table"})}};
+                                  "resistance of an axis", {"electromagnet", "table"})}};
 }
 
 void check_force_table(const Reading& check, const Actuator& actuator) {
@@ -106,7 +104,7 @@ void check_actuator(const Reading& check, const Actuator& actuator) {
       actuator.current_limit > actuator.bias_current) {
     check.fail("actuator.current_limit",
                "must be at most actuator.bias_current = " + number_text(actuator.bias_current) +
-                   " A: beyond it a magnet's current would turn round");
+                   " A: beyond it a magnet's current would reverse");
   }
   for (const char* key : {"actuator.current_rate_limit", "actuator.voltage_limit"}) {
     if (check.given(key) && actuator.coil_lag == 0.0 && check.sound({"actuator.coil_lag"})) {

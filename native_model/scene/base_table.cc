@@ -9,8 +9,8 @@ namespace rotorub::scene {
 Table base_table() {
   return {
       "base",
-      "Acceleration of the base, for example by an earthquake: a sampled record, lines of a "
-      "spectrum, or both. All coordinates are relative to the base.",
+      "Acceleration of the base (earthquake): a sampled record, a line spectrum, or both. All "
+      "coordinates are relative to the base.",
       "it rests",
       [](Scene& scene) -> void* { return &scene.base.emplace(); },
       {key<&Base::time>("time", kTime, "", "no table", "sample times, ascending, two or more"),
@@ -19,15 +19,15 @@ Table base_table() {
        key<&Base::acceleration_y>("acceleration_y", kAcceleration, "", "0", "samples in y"),
        key<&Base::frequency>("frequency", kSpin, ">= 0", "no lines", "frequencies of the lines"),
        key<&Base::amplitude>("amplitude", kAcceleration, "", "needed by `frequency`",
-                             "amplitudes A of the lines A cos(w t + `phase`)"),
+                             "A of the lines A cos(w t + `phase`), w = `frequency`"),
        key<&Base::phase>("phase", kAngle, "", "all 0", "phases of the lines; not beside `seed`"),
        key<&Base::seed>("seed", kPure, ">= 0", "none",
                         "draws random phases, the same in every run"),
        key<&Base::direction>("direction", kAngle, "", kStandard,
                              "direction of the lines, from x to y"),
        key<&Base::on>("on", kTime, "", kStandard, "start"),
-       key<&Base::off>("off", kTime, "", "never", "end, not before `on`"),
-       key<&Base::ramp>("ramp", kTime, ">= 0", kStandard, "rise time after `on`")}};
+       key<&Base::off>("off", kTime, "", "never", "end"),
+       key<&Base::ramp>("ramp", kTime, ">= 0", kStandard, "linear rise time after `on`")}};
 }
 
 void check_base(Reading& check) {

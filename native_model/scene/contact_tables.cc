@@ -14,8 +14,7 @@ Table contact() {
       "contact",
       "Contact of the rotor with the ring of an auxiliary bearing. For several bearings use "
       "`[[contact]]`, each followed by its own `[contact.stator]`, `[contact.actuator]` and "
-      "`[contact.controller]`, with the keys of `[stator]`, `[actuator]` and `[controller]`, which "
-      "are then not allowed.",
+      "`[contact.controller]` in place of `[stator]`, `[actuator]` and `[controller]`.",
       "no contact",
       [](Scene& scene) -> void* {
         scene.auxiliary.back().contact.emplace();
@@ -37,13 +36,14 @@ Table contact() {
            "compression_time", kTime, ">= 0", kStandard,
            "tau_C, duration of an impact's compression"),
        key<&AuxiliaryBearing::contact, &Contact::expansion_time>(
-           "expansion_time", kTime, ">= 0", kStandard, "tau_E, duration of its expansion"),
+           "expansion_time", kTime, ">= 0", kStandard, "tau_E, duration of an impact's expansion"),
        key<&AuxiliaryBearing::contact, &Contact::station>("station", kLength, ">= 0", kRequired,
                                                           "axial position")
            .or_called("z")
            .in(Form::kGeometry),
        key<&AuxiliaryBearing::contact, &Contact::offset>(
-           "offset", kLength, "", kStandard, "centre of the resting ring, from the resting shaft"),
+           "offset", kLength, "", kStandard,
+           "centre of the resting ring relative to the resting shaft"),
        key<&AuxiliaryBearing::name>("name", kPure, "", "its number, from 1",
                                     "unique name in messages and figures"),
        key<&AuxiliaryBearing::contact, &Contact::shape>(
@@ -58,11 +58,10 @@ Table compliance() {
   return {
       "contact.compliance",
       "Compliant contact: at penetration p the normal force is N = `stiffness` p^`exponent` (1 + a "
-      "p'), never below 0. Without `hunt_crossley` and `damping` each touch, at speed v, gets the "
-      "a with which two free masses rebound with `restitution` e: ln[(1 + a v)/(1 - a e v)] = a v "
-      "(1 + e), where e counts as at least 0.01 and v as at least 0.1 mm/s; a contact that is "
-      "closed at the start has a = 0 until it opens. Friction follows Coulomb's law with this N; a "
-      "sticking contact does not yield tangentially.",
+      "p'), never below 0. By default a touch at speed v gets the a for which two free masses "
+      "rebound with `restitution` e: ln[(1 + a v)/(1 - a e v)] = a v (1 + e), with e at least 0.01 "
+      "and v at least 0.1 mm/s; a contact closed at the start has a = 0 until it opens. Friction "
+      "follows Coulomb's law; a sticking contact is rigid tangentially.",
       "the contact is rigid",
       [](Scene& scene) -> void* { return &scene.auxiliary.back().contact->compliance.emplace(); },
       {key<&Compliance::stiffness>("stiffness", kContactStiffness, "> 0", kRequired,
@@ -73,7 +72,7 @@ Table compliance() {
                                        "from `restitution`", "damping coefficient a"),
        key<&Compliance::damping>(
            "damping", kDamping, ">= 0", "none",
-           "linear damping c in place of a: N = `stiffness` p + c p'; needs `exponent` = 1")}};
+           "linear damping c instead of a: N = `stiffness` p + c p'; needs `exponent` = 1")}};
 }
 
 // `static` is stored as its excess over `kinetic`, whose row comes first.
@@ -86,7 +85,7 @@ Table friction() {
   return {
       "contact.friction",
       "Friction that depends on the slip v: mu(v) = kinetic + (static - kinetic) exp(-(v / "
-      "stribeck_speed)^2) + viscous |v|. Also `friction = { static = 0.3, kinetic = 0.15, "
+      "stribeck_speed)^2) + viscous |v|. Short form: `friction = { static = 0.3, kinetic = 0.15, "
       "stribeck_speed = 0.1 }`.",
       "mu is constant",
       [](Scene& scene) -> void* { return &scene.auxiliary.back().contact->friction; },
@@ -94,7 +93,7 @@ Table friction() {
        rest,
        key<&FrictionLaw::stribeck_speed>("stribeck_speed", kVelocity, "> 0",
                                          "required if static > kinetic",
-                                         "slip at which 63 % of static - kinetic is gone"),
+                                         "slip at which mu has lost 63 % of static - kinetic"),
        key<&FrictionLaw::viscous>("viscous", kSlowness, ">= 0", kStandard,
                                   "increase of mu with the slip")}};
 }
@@ -125,20 +124,18 @@ void check_compliance(const Reading& check) {
   if (!contact.compliance) return;
   if (contact.compliance->damping && contact.compliance->hunt_crossley) {
     check.fail("contact.compliance.damping",
-               "stands beside contact.compliance.hunt_crossley; give one of them");
+               "not beside contact.compliance.hunt_crossley; give one of them");
   }
   if (contact.compliance->damping && contact.compliance->exponent != 1.0) {
     check.fail("contact.compliance.damping",
-               "belongs to exponent = 1; accepted with another: hunt_crossley, or restitution");
+               "needs exponent = 1; accepted with another: hunt_crossley, or restitution");
   }
   for (const auto& [key, value] :
        {std::pair("contact.compression_time", contact.compression_time),
         std::pair("contact.expansion_time", contact.expansion_time),
         std::pair("contact.tangential_restitution", contact.tangential_restitution)}) {
     if (value != 0.0) {
-      check.fail(key,
-                 "belongs to a rigid contact, and contact.compliance says how this one gives; "
-                 "accepted beside it: 0");
+      check.fail(key, "is for rigid contacts; accepted beside contact.compliance: 0");
     }
   }
 }
@@ -162,15 +159,16 @@ void check_list(const Reading& check) {
   for (std::size_t k = 0; k < check.index; ++k) {
     if (check.scene.name_of(k) != check.scene.name_of(check.index)) continue;
     check.fail("contact.name",
-               "is the name of " + list_element("contact", k) + " too; accepted: one of its own");
+               "is the name of " + list_element("contact", k) + " too; accepted: a unique name");
   }
   if (check.scene.auxiliary.size() < 2 || !check.bearing().contact) return;
   const Contact& contact = *check.bearing().contact;
   for (const auto& [key, time] : {std::pair("contact.compression_time", contact.compression_time),
                                   std::pair("contact.expansion_time", contact.expansion_time)}) {
     if (time == 0.0) continue;
-    check.fail(
-        key, "an impact that takes time is known of one contact alone; accepted beside others: 0");
+    check.fail(key,
+               "impacts of finite duration are supported only with a single contact; accepted "
+               "beside others: 0");
   }
 }
 

@@ -24,18 +24,18 @@ Table controller() {
            {"passive", "sliding", "cross_coupled", "two_phase", "pd", "lqr", "lqg", "library"},
            kRequired,
            "`passive`: emulated spring and damper; `sliding`: sliding mode that brings the ring to "
-           "the rotor; `cross_coupled`: k(Omega) across the ring's velocity; `two_phase`: "
-           "`sliding` until the first touch, then `cross_coupled`; `pd`: spring and damper to the "
-           "rotor; `lqr`, `lqg`: linear quadratic feedback of the state or its estimate; "
-           "`library`: your own"),
+           "the rotor; `cross_coupled`: gain k(Omega) at right angles to the ring's velocity; "
+           "`two_phase`: `sliding` until the first touch, then `cross_coupled`; `pd`: spring and "
+           "damper to the rotor; `lqr`, `lqg`: linear quadratic feedback of the state or its "
+           "estimate; `library`: your own"),
        key<&Controller::on>("on", kTime, "", kStandard,
-                            "time of switching on, or of arming the trigger"),
+                            "switch-on time, or time of arming the trigger"),
        key<&Controller::sample_time>("sample_time", kTime, ">= 0", kStandard,
                                      "sampling interval; 0: continuous, for laws without memory"),
-       key<&Controller::library>(
-           "library", kPure, "", kRequired,
-           "shared library, absolute or beside the scene's file (C header: rotorub/controller.h)",
-           {"library"}),
+       key<&Controller::library>("library", kPure, "", kRequired,
+                                 "shared library beside the scene's file, or an absolute path (C "
+                                 "header: rotorub/controller.h)",
+                                 {"library"}),
        key<&Controller::bandwidth>("bandwidth", kRate, "> 0", kStandard,
                                    "psi, decay rate of the tracking error",
                                    {"sliding", "two_phase"}),
@@ -43,42 +43,42 @@ Table controller() {
                                         "phi, half-width of the boundary layer",
                                         {"sliding", "two_phase"}),
        word<&Controller::layer>("layer", {"constant", "adaptive"}, kStandard,
-                                "phi stays `boundary_layer`, or moves from there to k / psi",
+                                "`adaptive`: phi moves from `boundary_layer` to k / psi",
                                 {"sliding", "two_phase"}),
        key<&Controller::switching_gain>("switching_gain", kAcceleration, ">= 0", kStandard,
                                         "k, bound on the unknown acceleration",
                                         {"sliding", "two_phase"}),
        key<&Controller::gap_time>("gap_time", kTime, "> 0", kStandard,
-                                  "time in which the gap reference falls to 0",
+                                  "time for the gap reference to fall to 0",
                                   {"sliding", "two_phase", "pd"}),
        key<&Controller::preload>("preload", kForce, ">= 0", kStandard,
                                  "normal force of the lasting contact",
                                  {"sliding", "two_phase", "pd"}),
        key<&Controller::mass_error>("mass_error", kPure, "> -1", kStandard,
-                                    "share by which the law overestimates the ring's mass",
+                                    "relative excess of the law's value for the ring's mass",
                                     {"sliding", "two_phase", "library"}),
        key<&Controller::stiffness>("stiffness", kStiffness, ">= 0", kStandard,
-                                   "emulated spring, or gain on the tracking error",
+                                   "emulated spring; `pd`: gain on the tracking error",
                                    {"passive", "pd"}),
-       key<&Controller::damping>("damping", kDamping, ">= 0", kStandard,
-                                 "emulated damper, gain on the tracking error's rate, or ring "
-                                 "damping beside the feedback",
-                                 {"passive", "pd", "cross_coupled", "two_phase"}),
+       key<&Controller::damping>(
+           "damping", kDamping, ">= 0", kStandard,
+           "emulated damper; `pd`: gain on the error's rate; else ring damping beside the feedback",
+           {"passive", "pd", "cross_coupled", "two_phase"}),
        key<&Controller::feedback>("feedback", kDamping, ">= 0", kRequired,
-                                  "k: one value, `[200]`, or one per speed",
+                                  "k: one value, as `[200]`, or one per speed",
                                   {"cross_coupled", "two_phase"}),
        key<&Controller::feedback_speed>("feedback_speed", kSpin, ">= 0", "constant k",
-                                        "speeds of those values, ascending, linear in between",
+                                        "speeds for these values, ascending; linear in between",
                                         {"cross_coupled", "two_phase"}),
        key<&Controller::handover_time>("handover_time", kTime, "> 0", kStandard,
-                                       "fade-out time of the first law's force", {"two_phase"}),
+                                       "fade-out time of the `sliding` force", {"two_phase"}),
        key<&Controller::filter_time>(
            "filter_time", kTime, ">= 0", "one turn of the spin",
            "averaging time of the feed-forward in the whirl's frame; sampled laws only",
            {"sliding", "two_phase"}),
        key<&Controller::tracking_damping>(
            "tracking_damping", kDamping, ">= 0", "critical damping",
-           "damping of the ring about its mean velocity there; sampled laws only",
+           "damping of the ring about its mean velocity in that frame; sampled laws only",
            {"sliding", "two_phase"}),
        key<&Controller::allowed_error>("allowed_error", kLength, "> 0", kStandard,
                                        "e_0, allowed distance of the rotor from the ring's centre",
@@ -95,46 +95,45 @@ Table controller() {
 }
 
 Table sensors() {
-  return {
-      "controller.sensors",
-      "What a sampled controller measures. A resolution is the rounding step (0: none), a noise "
-      "the standard deviation. Needs `sample_time`.",
-      "exact values",
-      [](Scene& scene) -> void* { return &scene.auxiliary.back().controller->sensors; },
-      {key<&Sensors::rotor>("rotor", kPure, "", kStandard, "measure the rotor"),
-       key<&Sensors::stator>("stator", kPure, "", kStandard, "measure the ring"),
-       key<&Sensors::spin>("spin", kPure, "", kStandard, "measure spin angle and speed"),
-       key<&Sensors::current>("current", kPure, "", kStandard, "measure the magnets' currents"),
-       word<&Sensors::velocity>(
-           "velocity", {"measured", "difference", "none"}, kStandard,
-           "velocities of rotor and ring: measured, from the positions of two samples, or unknown"),
-       key<&Sensors::delay>("delay", kTime, ">= 0", kStandard,
-                            "time from measurement to command, in whole samples"),
-       key<&Sensors::position_resolution>("position_resolution", kLength, ">= 0", kStandard,
-                                          "rounding of positions"),
-       key<&Sensors::velocity_resolution>("velocity_resolution", kVelocity, ">= 0", kStandard,
-                                          "rounding of velocities"),
-       key<&Sensors::current_resolution>("current_resolution", kCurrent, ">= 0", kStandard,
-                                         "rounding of currents"),
-       key<&Sensors::position_noise>("position_noise", kLength, ">= 0", kStandard,
-                                     "noise of positions"),
-       key<&Sensors::velocity_noise>("velocity_noise", kVelocity, ">= 0", kStandard,
-                                     "noise of velocities"),
-       key<&Sensors::current_noise>("current_noise", kCurrent, ">= 0", kStandard,
-                                    "noise of currents"),
-       key<&Sensors::seed>("seed", kPure, ">= 0", kStandard, "seed of the noise")}};
+  return {"controller.sensors",
+          "Measurements of a sampled controller, with rounding steps (0: none) and standard "
+          "deviations of noise. Needs `sample_time`.",
+          "exact values",
+          [](Scene& scene) -> void* { return &scene.auxiliary.back().controller->sensors; },
+          {key<&Sensors::rotor>("rotor", kPure, "", kStandard, "measure the rotor"),
+           key<&Sensors::stator>("stator", kPure, "", kStandard, "measure the ring"),
+           key<&Sensors::spin>("spin", kPure, "", kStandard, "measure spin angle and speed"),
+           key<&Sensors::current>("current", kPure, "", kStandard, "measure the magnets' currents"),
+           word<&Sensors::velocity>(
+               "velocity", {"measured", "difference", "none"}, kStandard,
+               "velocities of rotor and ring: measured, from two positions, or unknown"),
+           key<&Sensors::delay>("delay", kTime, ">= 0", kStandard,
+                                "time from measurement to command, a multiple of `sample_time`"),
+           key<&Sensors::position_resolution>("position_resolution", kLength, ">= 0", kStandard,
+                                              "rounding of positions"),
+           key<&Sensors::velocity_resolution>("velocity_resolution", kVelocity, ">= 0", kStandard,
+                                              "rounding of velocities"),
+           key<&Sensors::current_resolution>("current_resolution", kCurrent, ">= 0", kStandard,
+                                             "rounding of currents"),
+           key<&Sensors::position_noise>("position_noise", kLength, ">= 0", kStandard,
+                                         "noise of positions"),
+           key<&Sensors::velocity_noise>("velocity_noise", kVelocity, ">= 0", kStandard,
+                                         "noise of velocities"),
+           key<&Sensors::current_noise>("current_noise", kCurrent, ">= 0", kStandard,
+                                        "noise of currents"),
+           key<&Sensors::seed>("seed", kPure, ">= 0", kStandard, "seed of the noise")}};
 }
 
 Table trigger() {
   return {
       "controller.trigger",
-      "After `on`, the first of these conditions that holds switches a sampled controller on. "
-      "Needs [contact].",
-      "it is switched on at `on`",
+      "After `on`, the first condition that holds switches a sampled controller on. Needs "
+      "[contact].",
+      "it starts at `on`",
       [](Scene& scene) -> void* { return &scene.auxiliary.back().controller->trigger.emplace(); },
-      {key<&Trigger::gap>("gap", kLength, "> 0", "none", "measured gap"),
+      {key<&Trigger::gap>("gap", kLength, "> 0", "none", "measured gap is below this"),
        key<&Trigger::time_to_touch>("time_to_touch", kTime, "> 0", "none",
-                                    "predicted time to touch: gap over closing rate"),
+                                    "predicted time to touch, gap / closing rate, is below this"),
        key<&Trigger::touch>("touch", kPure, "", kStandard, "rotor and ring have touched")}};
 }
 

@@ -70,7 +70,7 @@ void check_unbalance(const Reading& check, const Disc& disc, const Disc& whole) 
     first = first == nullptr ? key : first;
   }
   if (disc.unbalance && *disc.unbalance > 0.0 && whole.mass == 0.0 && check.sound({".mass"})) {
-    check.fail(".unbalance", "needs a mass > 0, of which it is the eccentricity's moment");
+    check.fail(".unbalance", "needs a mass > 0");
   }
   if (!check.given(".balance_grade")) {
     if (check.given(".balance_speed")) check.fail(".balance_speed", "belongs to `balance_grade`");
@@ -112,27 +112,25 @@ Table disc_table() {
       [](Scene& scene) -> void* { return &geometry_of(scene).discs.emplace_back(); },
       {key<&Disc::z>("z", kLength, ">= 0", kRequired, "axial position").or_called("station"),
        key<&Disc::mass>("mass", kMass, ">= 0", kByDimensions, "mass"),
-       key<&Disc::Jt>("Jt", kInertia, ">= 0", kByDimensions, "moment of inertia about a diameter"),
+       key<&Disc::Jt>("Jt", kInertia, ">= 0", kByDimensions, "inertia about a diameter"),
        key<&Disc::Jp>("Jp", kInertia, ">= 0", kByDimensions,
-                      "moment of inertia about the shaft, at most 2 `Jt`"),
-       key<&Disc::diameter>("diameter", kLength, "> 0", "none",
-                            "outer diameter; with `thickness` it sets `mass`, `Jt`, `Jp`"),
+                      "inertia about the shaft, at most 2 `Jt`"),
+       key<&Disc::diameter>("diameter", kLength, "> 0", "none", "outer diameter"),
        key<&Disc::inner_diameter>("inner_diameter", kLength, ">= 0", "0",
-                                  "bore, below `diameter` (the shaft is not part of the disc)"),
+                                  "bore; the shaft is not part of the disc"),
        key<&Disc::thickness>("thickness", kLength, "> 0", "none", "axial thickness"),
-       key<&Disc::rho>("rho", kDensity, "> 0", "`rotor.rho`",
-                       "density, for a disc with `diameter`"),
+       key<&Disc::rho>("rho", kDensity, "> 0", "`rotor.rho`", "density, beside `diameter`"),
        key<&Disc::eccentricity>("eccentricity", kLength, ">= 0", kStandard,
-                                "eccentricity of the centre of mass"),
+                                "distance of the centre of mass from the axis"),
        key<&Disc::unbalance>("unbalance", kStaticMoment, ">= 0", "by `eccentricity`",
-                             "mass times eccentricity, instead of `eccentricity`"),
-       key<&Disc::balance_grade>("balance_grade", kPure, "", "by `eccentricity`",
-                                 "ISO 21940-11 grade instead of `eccentricity`: \"G 2.5\" is 2.5 "
-                                 "mm/s over `balance_speed`"),
+                             "mass times eccentricity"),
+       key<&Disc::balance_grade>(
+           "balance_grade", kPure, "", "by `eccentricity`",
+           "ISO 21940-11 grade: \"G 2.5\" means 2.5 mm/s divided by `balance_speed`"),
        key<&Disc::balance_speed>("balance_speed", kSpin, "> 0", "`rotor.speed`",
-                                 "highest service speed, for `balance_grade`"),
+                                 "highest service speed"),
        key<&Disc::phase>("phase", kAngle, "", kStandard,
-                         "angle of the eccentricity from the rotor's own x axis")}}
+                         "angle of the eccentricity from the rotor's x axis")}}
       .as_list()
       .in(Form::kGeometry);
 }

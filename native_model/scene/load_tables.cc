@@ -17,19 +17,18 @@ Table drive() {
       {word<&Drive::kind>(
            "kind", {"free", "linear", "kloss", "table", "speed_controlled"}, kRequired,
            "`free`: T = 0; `linear`: T = `gain` (`speed` - Omega); `kloss`: asynchronous motor, T "
-           "= 2 T_b s s_b/(s^2 + s_b^2), s = 1 - Omega/`synchronous_speed`; `table`: T over the "
-           "speed; `speed_controlled`: PI control of the speed"),
+           "= 2 T_b s s_b/(s^2 + s_b^2), s = 1 - Omega/`synchronous_speed`; `table`: T(Omega) from "
+           "the lists; `speed_controlled`: PI control of the speed"),
        key<&Drive::gain>("gain", kAngularDamping, ">= 0", kRequired, "torque per speed difference",
                          {"linear", "speed_controlled"}),
-       key<&Drive::speed>("speed", kSpin, "", kRequired,
-                          "set speed; for `linear` the speed at which T = 0",
+       key<&Drive::speed>("speed", kSpin, "", kRequired, "set speed",
                           {"linear", "speed_controlled"}),
        key<&Drive::integral_gain>("integral_gain", kAngularStiffness, ">= 0", kStandard,
                                   "torque per integrated speed difference", {"speed_controlled"}),
        key<&Drive::torque_limit>("torque_limit", kTorque, "> 0", "none",
-                                 "largest torque, in both directions", {"speed_controlled"}),
+                                 "largest torque in either direction", {"speed_controlled"}),
        key<&Drive::acceleration>("acceleration", kAngularAcceleration, "> 0", "`speed` at once",
-                                 "rate at which the reference goes from `rotor.speed` to `speed`",
+                                 "rate of the reference from `rotor.speed` to `speed`",
                                  {"speed_controlled"}),
        key<&Drive::breakdown_torque>("breakdown_torque", kTorque, "> 0", kRequired,
                                      "T_b, largest torque", {"kloss"}),
@@ -40,20 +39,19 @@ Table drive() {
        key<&Drive::table_speed>("table_speed", kSpin, "", kRequired,
                                 "ascending speeds, two or more", {"table"}),
        key<&Drive::table_torque>("table_torque", kTorque, "", kRequired,
-                                 "T at each speed, interpolated as for [[rotor.bearing]]",
+                                 "T at these speeds, interpolated as in [[rotor.bearing]]",
                                  {"table"}),
        key<&Drive::station>("station", kLength, ">= 0", kStandard, "axial position of the motor")
            .or_called("z")
            .in(Form::kGeometry),
-       key<&Drive::inertia>("inertia", kInertia, ">= 0", kStandard,
-                            "moment of inertia of the motor's rotor")
+       key<&Drive::inertia>("inertia", kInertia, ">= 0", kStandard, "inertia of the motor's rotor")
            .in(Form::kGeometry)}};
 }
 
 Table force() {
   return Table{
       "force",
-      "Forces on the rotor. Each acts for `on` <= t < `off` and rises linearly over `ramp`.",
+      "Forces on the rotor, for `on` <= t < `off`.",
       "none",
       [](Scene& scene) -> void* { return &scene.forces.emplace_back(); },
       {word<&Force::kind>(
@@ -62,25 +60,25 @@ Table force() {
            "`rotating`: turns at `frequency`; `constant`: `vector`; `synchronous`: turns with the "
            "spin, without torque on it; `chirp`: from `frequency` at `on` to `frequency_end` at "
            "`off`; `pulse`: a half-sine of `vector`; `unbalance`: a blade is lost at `on`"),
-       key<&Force::amplitude>("amplitude", kForce, "", kRequired, "size; negative: turned by pi",
+       key<&Force::amplitude>("amplitude", kForce, "", kRequired,
+                              "size; if negative, in the opposite direction",
                               {"rotating", "synchronous", "chirp"}),
        key<&Force::frequency>("frequency", kSpin, "", kRequired,
-                              "turning speed; negative: backward", {"rotating", "chirp"}),
+                              "turning speed; if negative, backward", {"rotating", "chirp"}),
        key<&Force::frequency_end>("frequency_end", kSpin, "", kRequired,
                                   "frequency at `off`, reached linearly", {"chirp"}),
        key<&Force::static_moment>("static_moment", kStaticMoment, ">= 0", kRequired,
                                   "mass times eccentricity", {"unbalance"}),
        key<&Force::phase>("phase", kAngle, "", kStandard,
-                          "angle from the x axis at t = 0 (`chirp`: at `on`), or from the rotor's "
-                          "own if it turns with the spin",
+                          "angle from the x axis at t = 0 (`chirp`: at `on`); `synchronous`, "
+                          "`unbalance`: from the rotor's x axis",
                           {"rotating", "synchronous", "chirp", "unbalance"}),
        key<&Force::vector>("vector", kForce, "", kRequired, "force, or peak of the pulse",
                            {"constant", "pulse"}),
        key<&Force::on>("on", kTime, "", kStandard, "start"),
-       key<&Force::off>("off", kTime, "", "never",
-                        "end, not before `on`; required for `chirp` and `pulse`",
+       key<&Force::off>("off", kTime, "", "never", "end; required for `chirp` and `pulse`",
                         {"rotating", "constant", "synchronous", "chirp", "pulse"}),
-       key<&Force::ramp>("ramp", kTime, ">= 0", kStandard, "rise time after `on`",
+       key<&Force::ramp>("ramp", kTime, ">= 0", kStandard, "linear rise time after `on`",
                          {"rotating", "constant", "synchronous", "chirp"}),
        key<&Force::shape>("shape", kPure, "", "all 1", "mode values at the station")
            .in(Form::kModal),
@@ -114,7 +112,7 @@ void check_forces(Reading& check) {
     if (!passes || !check.sound({".kind"})) continue;
     const std::string kind = force.kind == ForceKind::kChirp ? "chirp" : "pulse";
     if (!check.given(".off")) {
-      check.fail(check.at, "kind \"" + kind + "\" needs `off`, the time at which it is over");
+      check.fail(check.at, "kind \"" + kind + "\" needs `off`, the time at which it ends");
     } else if (force.off == force.on) {
       check.fail(".off", "must be after " + on + ": a " + kind + " takes time");
     }

@@ -108,7 +108,7 @@ void check_form(const Reading& check, const BearingControl& control) {
   } else if (control.form == ControlForm::kShared) {
     if (!check.scene.magnetic_control && !check.given("magnetic_control")) {
       check.fail(".control.kind",
-                 "\"shared\" needs [magnetic_control], which asks for its currents");
+                 "\"shared\" needs [magnetic_control], which commands its currents");
     }
   } else if (!check.given(".control.sample_time")) {
     check.fail(".control.sample_time", "missing: expected a time in s, > 0, of this kind");
@@ -159,7 +159,7 @@ void check_control_limits(const Reading& check, const MagneticBearing& magnetic)
       control.current_limit > magnetic.bias_current) {
     check.fail(".control.current_limit", "must be at most " + check.at + ".bias_current = " +
                                              number_text(magnetic.bias_current) +
-                                             " A: beyond it a magnet's current would turn round");
+                                             " A: beyond it a magnet's current would reverse");
   }
 }
 
@@ -172,12 +172,12 @@ void check_magnetic_bearing(const Reading& check, const MagneticBearing& magneti
   if (magnetic.amplifier && magnetic.control) check.voltage(".amplifier");
   if (!magnetic.control) {
     if (magnetic.amplifier)
-      check.fail(".amplifier", "needs " + check.at + ".control, which asks for the current");
+      check.fail(".amplifier", "needs " + check.at + ".control, which commands the current");
     for (const char* key : {".sensor_station", ".sensor_shape"}) {
       if (!check.given(key)) continue;
       check.fail(key, "is where " + check.at +
-                          ".control sees the deflection, and there is none; accepted: one beside "
-                          "it");
+                          ".control measures the deflection, but there is no control; accepted: "
+                          "with a control");
     }
     return;
   }

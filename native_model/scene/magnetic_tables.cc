@@ -7,45 +7,44 @@ namespace rotorub::scene {
 namespace {
 
 Table magnetic_bearing() {
-  return {"magnetic_bearing",
-          "A magnetic bearing; r is the rotor's deflection at its station, i the current of its "
-          "`control`. For several, use [[magnetic_bearing]], each followed by its own tables. To "
-          "excite the rotor, add a [[force]] at the same station.",
-          "none",
-          [](Scene& scene) -> void* { return &scene.magnetic_bearings.emplace_back(); },
-          {word<&MagneticBearing::kind>(
-               "kind", {"linear", "electromagnet"}, kStandard,
-               "`linear`: F = `negative_stiffness` r + `force_per_current` i; `electromagnet`: two "
-               "opposed magnets on each of x and y, F = `force_constant` [((`bias_current` + "
-               "i)/(`air_gap` - r))^2 - ((`bias_current` - i)/(`air_gap` + r))^2]"),
-           key<&MagneticBearing::negative_stiffness>("negative_stiffness", kStiffness, ">= 0",
-                                                     kRequired, "k_s, as a positive number",
-                                                     {"linear"}),
-           key<&MagneticBearing::force_constant>("force_constant", kMagnetConstant, "> 0",
-                                                 kRequired, "k_m", {"electromagnet"}),
-           key<&MagneticBearing::bias_current>("bias_current", kCurrent, "> 0", kRequired,
-                                               "i_0, in both magnets", {"electromagnet"}),
-           key<&MagneticBearing::air_gap>(
-               "air_gap", kLength, "> 0", kRequired,
-               "s_0, of each magnet at r = 0; the cores do not stop the rotor", {"electromagnet"}),
-           key<&MagneticBearing::shape>("shape", kPure, "", "all 1", "mode values at the station")
-               .in(Form::kModal),
-           key<&MagneticBearing::station>("station", kLength, ">= 0", kRequired, "axial position")
-               .or_called("z")
-               .in(Form::kGeometry),
-           key<&MagneticBearing::sensor_shape>("sensor_shape", kPure, "", "`shape`",
-                                               "mode values at the sensor")
-               .in(Form::kModal),
-           key<&MagneticBearing::sensor_station>("sensor_station", kLength, ">= 0", "`station`",
-                                                 "axial position of the sensor")
-               .in(Form::kGeometry)}};
+  return {
+      "magnetic_bearing",
+      "A magnetic bearing; r is the rotor's deflection at its station, i the control current. For "
+      "several use [[magnetic_bearing]], each followed by its own tables.",
+      "none",
+      [](Scene& scene) -> void* { return &scene.magnetic_bearings.emplace_back(); },
+      {word<&MagneticBearing::kind>(
+           "kind", {"linear", "electromagnet"}, kStandard,
+           "`linear`: F = `negative_stiffness` r + `force_per_current` i; `electromagnet`: two "
+           "opposed magnets on each of x and y, F = `force_constant` [((`bias_current` + "
+           "i)/(`air_gap` - r))^2 - ((`bias_current` - i)/(`air_gap` + r))^2]"),
+       key<&MagneticBearing::negative_stiffness>("negative_stiffness", kStiffness, ">= 0",
+                                                 kRequired, "k_s", {"linear"}),
+       key<&MagneticBearing::force_constant>("force_constant", kMagnetConstant, "> 0", kRequired,
+                                             "k_m", {"electromagnet"}),
+       key<&MagneticBearing::bias_current>("bias_current", kCurrent, "> 0", kRequired,
+                                           "i_0, in both magnets", {"electromagnet"}),
+       key<&MagneticBearing::air_gap>(
+           "air_gap", kLength, "> 0", kRequired,
+           "s_0, gap of each magnet at r = 0; the cores do not stop the rotor", {"electromagnet"}),
+       key<&MagneticBearing::shape>("shape", kPure, "", "all 1", "mode values at the station")
+           .in(Form::kModal),
+       key<&MagneticBearing::station>("station", kLength, ">= 0", kRequired, "axial position")
+           .or_called("z")
+           .in(Form::kGeometry),
+       key<&MagneticBearing::sensor_shape>("sensor_shape", kPure, "", "`shape`",
+                                           "mode values at the sensor")
+           .in(Form::kModal),
+       key<&MagneticBearing::sensor_station>("sensor_station", kLength, ">= 0", "`station`",
+                                             "axial position of the sensor")
+           .in(Form::kGeometry)}};
 }
 
 Table bearing_control() {
   return {
       "magnetic_bearing.control",
-      "Feedback on each of x and y from the deflection r at the sensor. A bearing that is switched "
-      "off has neither current nor negative stiffness. Needs [magnetic_bearing].",
+      "Feedback on x and on y of the deflection r at the sensor. A bearing that is switched off "
+      "has neither current nor negative stiffness.",
       "i = 0",
       [](Scene& scene) -> void* { return &scene.magnetic_bearings.back().control.emplace(); },
       {word<&BearingControl::form>(
@@ -53,12 +52,12 @@ Table bearing_control() {
            "`pid`: i = -(`proportional` r + `integral` times the integral of r + `derivative` r'), "
            "continuous or sampled; `transfer_function`: i = -H(z) r; `state_space`: x_{k+1} = A "
            "x_k + B r, i = -(C x_k + D r), per axis; `shared`: by [magnetic_control]"),
-       key<&BearingControl::force_per_current>("force_per_current", kForcePerCurrent, "> 0",
-                                               "by the electromagnet",
-                                               "k_i; only a `linear` bearing has and needs it"),
+       key<&BearingControl::force_per_current>(
+           "force_per_current", kForcePerCurrent, "> 0", "by the electromagnet",
+           "k_i; required for a `linear` bearing, else not allowed"),
        key<&BearingControl::proportional>(
            "proportional", kCurrentPerLength, ">= 0", "0; required for `pid`",
-           "P; otherwise only the spring with which the shaft's modes are computed"),
+           "P; for other kinds only a spring for computing the shaft's modes"),
        key<&BearingControl::integral>("integral", kCurrentPerLengthTime, ">= 0", kStandard,
                                       "I, with anti-windup; needs `proportional`", {"pid"}),
        key<&BearingControl::derivative>("derivative", kCurrentPerVelocity, ">= 0", kStandard, "D",
@@ -69,8 +68,8 @@ Table bearing_control() {
            "sample_time", kTime, ">= 0", "0; required except for `pid`",
            "sampling interval; 0: continuous", {"pid", "transfer_function", "state_space"}),
        key<&BearingControl::delay>("delay", kTime, ">= 0", kStandard,
-                                   "time from sample to current, in whole samples; after switching "
-                                   "on, the current is 0 until it has passed",
+                                   "time from sample to current, a multiple of `sample_time`; the "
+                                   "current is 0 for this time after switching on",
                                    {"pid", "transfer_function", "state_space"}),
        key<&BearingControl::numerator>("numerator", kCurrentPerLength, "", kRequired,
                                        "b_0, b_1, ... of H, by powers of 1/z",
@@ -89,39 +88,38 @@ Table bearing_control() {
            "current_limit", kCurrent, "> 0",
            "none; `bias_current` of an electromagnet, also the maximum",
            "largest current on each axis"),
-       key<&BearingControl::works_from>("on", kTime, ">= 0", kStandard, "time of switching on"),
-       key<&BearingControl::fails_at>("fails_at", kTime, ">= 0", "never", "time of switching off"),
+       key<&BearingControl::works_from>("on", kTime, ">= 0", kStandard, "switch-on time"),
+       key<&BearingControl::fails_at>("fails_at", kTime, ">= 0", "never", "switch-off time"),
        key<&BearingControl::returns_at>("returns_at", kTime, ">= 0", "never",
-                                        "time of switching on again, after `fails_at`")}};
+                                        "second switch-on time, after `fails_at`")}};
 }
 
 Table magnetic_control() {
-  return {
-      "magnetic_control",
-      "One sampled law for all bearings with a `shared` control: it turns the p deflections r at "
-      "their sensors into the p currents i, x before y of each bearing in the order of the file. "
-      "Matrices stand row by row.",
-      "each bearing has its own law",
-      [](Scene& scene) -> void* { return &scene.magnetic_control.emplace(); },
-      {word<&SharedControl::kind>(
-           "kind", {"matrices", "library"}, kStandard,
-           "`matrices`: x_{k+1} = A x_k + B r, i = -(C x_k + D r); `library`: your own"),
-       key<&SharedControl::sample_time>("sample_time", kTime, "> 0", kRequired,
-                                        "sampling interval"),
-       key<&SharedControl::delay>("delay", kTime, ">= 0", kStandard,
-                                  "as in [magnetic_bearing.control]"),
-       key<&SharedControl::matrices, &ControlMatrices::state>("state_matrix", kPure, "", kRequired,
-                                                              "A, n times n", {"matrices"}),
-       key<&SharedControl::matrices, &ControlMatrices::input>("input_matrix", kPure, "", kRequired,
-                                                              "B, n times p", {"matrices"}),
-       key<&SharedControl::matrices, &ControlMatrices::output>(
-           "output_matrix", kPure, "", kRequired, "C, p times n", {"matrices"}),
-       key<&SharedControl::matrices, &ControlMatrices::feedthrough>(
-           "feedthrough", kCurrentPerLength, "", kRequired, "D, p times p", {"matrices"}),
-       key<&SharedControl::library>(
-           "library", kPure, "", kRequired,
-           "shared library, absolute or beside the scene's file (C header: rotorub/controller.h)",
-           {"library"})}};
+  return {"magnetic_control",
+          "One sampled law for all bearings with a `shared` control, from the p deflections r at "
+          "their sensors to the p currents i: x, y of each bearing in file order. Matrices are "
+          "listed row by row.",
+          "each bearing has its own law",
+          [](Scene& scene) -> void* { return &scene.magnetic_control.emplace(); },
+          {word<&SharedControl::kind>(
+               "kind", {"matrices", "library"}, kStandard,
+               "`matrices`: x_{k+1} = A x_k + B r, i = -(C x_k + D r); `library`: your own"),
+           key<&SharedControl::sample_time>("sample_time", kTime, "> 0", kRequired,
+                                            "sampling interval"),
+           key<&SharedControl::delay>("delay", kTime, ">= 0", kStandard,
+                                      "as in [magnetic_bearing.control]"),
+           key<&SharedControl::matrices, &ControlMatrices::state>(
+               "state_matrix", kPure, "", kRequired, "A, n times n", {"matrices"}),
+           key<&SharedControl::matrices, &ControlMatrices::input>(
+               "input_matrix", kPure, "", kRequired, "B, n times p", {"matrices"}),
+           key<&SharedControl::matrices, &ControlMatrices::output>(
+               "output_matrix", kPure, "", kRequired, "C, p times n", {"matrices"}),
+           key<&SharedControl::matrices, &ControlMatrices::feedthrough>(
+               "feedthrough", kCurrentPerLength, "", kRequired, "D, p times p", {"matrices"}),
+           key<&SharedControl::library>("library", kPure, "", kRequired,
+                                        "shared library beside the scene's file, or an absolute "
+                                        "path (C header: rotorub/controller.h)",
+                                        {"library"})}};
 }
 
 Table magnetic_config() {
@@ -136,19 +134,19 @@ Table magnetic_config() {
 
 Table amplifier() {
   return {"magnetic_bearing.amplifier",
-          "The coils' current i follows the current c that the control commands: di/dt = "
-          "`bandwidth` (c - i), within the voltage. Needs [magnetic_bearing.control].",
+          "The coils' current i follows the commanded current c: di/dt = `bandwidth` (c - i), "
+          "within the voltage limit. Needs [magnetic_bearing.control].",
           "i = c",
           [](Scene& scene) -> void* { return &scene.magnetic_bearings.back().amplifier.emplace(); },
           {key<&Amplifier::bandwidth>("bandwidth", kSpin, "> 0", kRequired,
                                       "frequency at which i lags by 45 degrees"),
            key<&Amplifier::voltage_limit>(
                "voltage_limit", kVoltage, "> 0", "none",
-               "limit on u = `inductance` di/dt + `resistance` i; needs `inductance`"),
+               "limit on `inductance` di/dt + `resistance` i; needs `inductance`"),
            key<&Amplifier::inductance>("inductance", kInductance, "> 0", "none",
-                                       "inductance of an axis; needs `voltage_limit`"),
+                                       "inductance of an axis"),
            key<&Amplifier::resistance>("resistance", kResistance, ">= 0", kStandard,
-                                       "resistance of an axis; needs `voltage_limit`")}};
+                                       "resistance of an axis")}};
 }
 
 }  // namespace

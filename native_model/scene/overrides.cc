@@ -90,7 +90,7 @@ TomlNode* descend(TomlNode& node, const Step& step, Kind kind_if_made, std::stri
     }
     if (step.index > node.items.size()) {
       const std::size_t count = node.items.size();
-      reason = "is no element: the list has " + std::to_string(count) +
+      reason = "does not exist: the list has " + std::to_string(count) +
                (count == 1 ? " element" : " elements") + ", counted from 0; the next is [" +
                std::to_string(count) + "]";
       return nullptr;

@@ -272,7 +272,7 @@ bool Reading::read_key(const Key& key, std::string_view kind, const Spot& here, 
   }
   if (key.listed_only && !is_listed(here.path)) {
     return refuse(here,
-                  "stands in [contact.stator] below a [[contact]] alone; of [stator] it is "
+                  "is a key only of [contact.stator] below a [[contact]]; for [stator] use "
                   "`initial.stator`, `initial.stator_velocity`");
   }
   if (!kind.empty() && !key.is_for(kind)) return refuse(here, not_of_kind(key.kinds, kind));

@@ -72,7 +72,7 @@ void Reading::abscissae(const std::string& path, const std::vector<double>& list
 void Reading::voltage(const std::string& path) const {
   needs(path + ".voltage_limit", path + ".inductance", ": inductance di/dt = u - resistance i");
   for (const char* key : {".inductance", ".resistance"}) {
-    needs(path + key, path + ".voltage_limit", ": a voltage without limit gives every current");
+    needs(path + key, path + ".voltage_limit", ": without it the voltage has no limit");
   }
 }
 

@@ -16,10 +16,10 @@ Table stator() {
        planes<&Stator::damping>("damping", kDamping, ">= 0", kStandard,
                                 "damping to base or housing"),
        planes<&Stator::stiffness>("stiffness", kStiffness, ">= 0", kRequired,
-                                  "mechanical spring to base or housing"),
+                                  "spring to base or housing"),
        key<&Stator::position>(
            "position", kLength, "", "[0, 0]",
-           "position at t = 0, from rest; only in [contact.stator] (else `initial.stator`)")
+           "position at t = 0, from rest; only in [contact.stator], else use `initial.stator`")
            .below_list(),
        key<&Stator::velocity>("velocity", kVelocity, "", "[0, 0]", "velocity at t = 0, likewise")
            .below_list()}};
@@ -27,23 +27,22 @@ Table stator() {
 
 Table ring_spin() {
   return {"stator.spin",
-          "Lets the ring turn about its axis, as in a ball bearing, so that the rub spins it up. "
-          "Needs [contact].",
+          "Lets the rub spin the ring about its axis, as in a ball bearing. Needs [contact].",
           "the ring does not turn",
           [](Scene& scene) -> void* { return &scene.auxiliary.back().stator->spin.emplace(); },
           {key<&RingSpin::inertia>("inertia", kInertia, "> 0", kRequired,
-                                   "polar moment of inertia of all that turns"),
+                                   "polar inertia of all turning parts"),
            key<&RingSpin::drag>("drag", kAngularDamping, ">= 0", kStandard, "viscous drag"),
            key<&RingSpin::speed>("speed", kSpin, "", kStandard, "ring speed at t = 0"),
            key<&RingSpin::dry_drag>("dry_drag", kTorque, ">= 0", kStandard,
-                                    "dry friction torque without load"),
-           key<&RingSpin::load_factor>("load_factor", kPure, ">= 0", kStandard,
-                                       "f_1 of Palmgren's load torque f_1 P `pitch_diameter`, P "
-                                       "the force on the ring's support"),
+                                    "dry friction torque at no load"),
+           key<&RingSpin::load_factor>(
+               "load_factor", kPure, ">= 0", kStandard,
+               "f_1 of Palmgren's torque f_1 P `pitch_diameter`; P: force on the ring's support"),
            key<&RingSpin::pitch_diameter>("pitch_diameter", kLength, "> 0", "none",
-                                          "d_m of the balls' circle; needs `load_factor`"),
+                                          "pitch diameter of the balls; needs `load_factor`"),
            key<&RingSpin::presliding_angle>("presliding_angle", kAngle, "> 0", kStandard,
-                                            "angle over which both torques build up")}};
+                                            "angle over which these torques build up")}};
 }
 
 Table mount() {
@@ -62,18 +61,18 @@ Table mount() {
 Table dry_friction() {
   return {
       "stator.dry_friction",
-      "Dry friction under the ring by Dahl's law (tolerance ring, friction damper).",
+      "Dry friction under the ring (tolerance ring, friction damper), by Dahl's law.",
       "none",
       [](Scene& scene) -> void* { return &scene.auxiliary.back().stator->dry_friction.emplace(); },
       {key<&DryFriction::force>("force", kForce, "> 0", kRequired, "force at full slip"),
        key<&DryFriction::presliding>("presliding", kLength, "> 0", kRequired,
-                                     "distance over which it builds up")}};
+                                     "distance over which the force builds up")}};
 }
 
 Table squeeze_film() {
   return {
       "stator.squeeze_film",
-      "A squeeze film around the ring, by short-bearing theory.",
+      "A squeeze film around the ring (short-bearing theory).",
       "none",
       [](Scene& scene) -> void* { return &scene.auxiliary.back().stator->squeeze_film.emplace(); },
       {key<&SqueezeFilm::radius>("radius", kLength, "> 0", kRequired, "outer ring radius"),
@@ -83,20 +82,20 @@ Table squeeze_film() {
            "radial clearance; the run ends if the ring reaches 99 % of it"),
        key<&SqueezeFilm::viscosity>("viscosity", kViscosity, "> 0", kRequired, "oil viscosity"),
        key<&SqueezeFilm::cavitation>("cavitation", kPure, "", kStandard,
-                                     "film without tension, on half of the ring")}};
+                                     "no tension: the film acts on half of the ring")}};
 }
 
 Table ball_bearing() {
   return {
       "stator.ball_bearing",
-      "The balls that carry the ring, each by Hertz's law, with play.",
+      "The balls that carry the ring, by Hertz's law.",
       "none",
       [](Scene& scene) -> void* { return &scene.auxiliary.back().stator->ball_bearing.emplace(); },
       {key<&BallSupport::balls>("balls", kPure, "in [3, 100]", kRequired, "number of balls"),
        key<&BallSupport::stiffness>("stiffness", kPure, "> 0", kRequired,
                                     "stiffness of one ball between both races, N/m^1.5"),
        key<&BallSupport::play>("play", kLength, ">= 0", kStandard,
-                               "ring travel until the first ball bears"),
+                               "ring travel before the first ball carries load"),
        key<&BallSupport::phase>("phase", kAngle, "", kStandard,
                                 "first ball's angle from the x axis")}};
 }
@@ -135,7 +134,7 @@ void check_ring(const Reading& check) {
   for (const char* key : {"initial.stator", "initial.stator_velocity"}) {
     if (check.given(key) && check.given("contact[0]")) {
       check.fail(key,
-                 "is not known beside [[contact]]; accepted: position and velocity in each "
+                 "cannot be used with [[contact]]; accepted: position and velocity in each "
                  "[contact.stator]");
     } else {
       check.needs(key, "[stator]", ": the ring is fixed and stays at [0, 0]");

@@ -27,7 +27,7 @@ Key shaft(std::string_view name, const Quantity& quantity, std::string_view rang
 Key modes() {
   Key key = shaft<&RotorGeometry::modes>(
       "modes", kPure, "in [1, 1000]", "by `max_frequency`",
-      "bending modes kept per plane; `auto`: as few as `modes_tolerance` allows");
+      "bending modes per plane; `auto`: as few as `modes_tolerance` allows");
   key.words = {kAuto};
   key.store = [](void* object, const Value& value) {
     auto& shaft = static_cast<Rotor*>(object)->geometry;
@@ -39,52 +39,48 @@ Key modes() {
 }
 
 Table rotor() {
-  return {"rotor",
-          "The shaft, given by its geometry (these keys, sections, discs, bearings) or by its "
-          "modes ([rotor.modal]).",
-          "refused",
-          [](Scene& scene) -> void* { return &scene.rotor; },
-          {key<&Rotor::speed>("speed", kSpin, "", kStandard,
-                              "spin speed at t = 0, positive about +z; constant without [drive]"),
-           shaft<&RotorGeometry::length>("length", kLength, "> 0", kRequired,
-                                         "shaft length, from station 0"),
-           shaft<&RotorGeometry::E>("E", kPressure, "> 0", kRequired, "Young's modulus"),
-           shaft<&RotorGeometry::nu>("nu", kPure, "in (-1, 0.5]", "0.3; torsion needs it or `G`",
-                                     "Poisson's ratio; not beside `G`"),
-           shaft<&RotorGeometry::G>("G", kPressure, "> 0", "`E` / (2 (1 + `nu`))",
-                                    "shear modulus; not beside `nu`"),
-           shaft<&RotorGeometry::rho>("rho", kDensity, "> 0", kRequired, "density"), modes(),
-           shaft<&RotorGeometry::modes_tolerance>(
-               "modes_tolerance", kPure, "in (0, 1)", kStandard,
-               "for `modes = \"auto\"`: largest relative error of effective mass at the contact "
-               "and static flexibility at contact, bearings and forces"),
-           shaft<&RotorGeometry::max_frequency>("max_frequency", kSpin, "> 0", "by `modes`",
-                                                "keep bending modes up to this frequency at rest"),
-           shaft<&RotorGeometry::damping_ratio>("damping_ratio", kPure, ">= 0", kStandard,
-                                                "external damping of each bending mode"),
-           shaft<&RotorGeometry::internal_damping_ratio>(
-               "internal_damping_ratio", kPure, ">= 0", kStandard,
-               "internal (rotating) damping of each bending mode, for the bearings' mean stiffness "
-               "(k_x + "
-               "k_y)/2")}};
+  return {
+      "rotor",
+      "The shaft, given by its geometry (keys below, sections, discs, bearings) or its modes "
+      "([rotor.modal]).",
+      "refused",
+      [](Scene& scene) -> void* { return &scene.rotor; },
+      {key<&Rotor::speed>("speed", kSpin, "", kStandard, "spin speed at t = 0, positive about +z"),
+       shaft<&RotorGeometry::length>("length", kLength, "> 0", kRequired,
+                                     "shaft length, from station 0"),
+       shaft<&RotorGeometry::E>("E", kPressure, "> 0", kRequired, "Young's modulus"),
+       shaft<&RotorGeometry::nu>("nu", kPure, "in (-1, 0.5]", "0.3; torsion needs it or `G`",
+                                 "Poisson's ratio, unless `G` is given"),
+       shaft<&RotorGeometry::G>("G", kPressure, "> 0", "`E` / (2 (1 + `nu`))", "shear modulus"),
+       shaft<&RotorGeometry::rho>("rho", kDensity, "> 0", kRequired, "density"), modes(),
+       shaft<&RotorGeometry::modes_tolerance>(
+           "modes_tolerance", kPure, "in (0, 1)", kStandard,
+           "for `auto`: largest relative error of effective mass at the contact and static "
+           "flexibility at contact, bearings and forces"),
+       shaft<&RotorGeometry::max_frequency>("max_frequency", kSpin, "> 0", "by `modes`",
+                                            "highest bending frequency kept, at rest"),
+       shaft<&RotorGeometry::damping_ratio>("damping_ratio", kPure, ">= 0", kStandard,
+                                            "external damping of each bending mode"),
+       shaft<&RotorGeometry::internal_damping_ratio>(
+           "internal_damping_ratio", kPure, ">= 0", kStandard,
+           "internal (rotating) damping of each bending mode, at the bearings' mean stiffness (k_x "
+           "+ k_y)/2")}};
 }
 
 Table section() {
   return Table{
       "rotor.section",
-      "Shaft sections. They must cover 0 to `length` without gap or overlap.",
+      "Shaft sections, from 0 to `length` without gap or overlap.",
       "refused in the geometry form",
       [](Scene& scene) -> void* { return &geometry_of(scene).sections.emplace_back(); },
       {key<&ShaftSection::from>("from", kLength, ">= 0", kRequired, "start"),
        key<&ShaftSection::to>("to", kLength, "> 0", kRequired, "end"),
        key<&ShaftSection::diameter>("diameter", kLength, "> 0", kRequired, "outer diameter"),
-       key<&ShaftSection::inner_diameter>("inner_diameter", kLength, ">= 0", kStandard,
-                                          "bore, below `diameter`"),
+       key<&ShaftSection::inner_diameter>("inner_diameter", kLength, ">= 0", kStandard, "bore"),
        key<&ShaftSection::end_diameter>("end_diameter", kLength, "> 0", "`diameter`",
-                                        "outer diameter at `to`, for a cone"),
+                                        "outer diameter at `to` (cone)"),
        key<&ShaftSection::end_inner_diameter>("end_inner_diameter", kLength, ">= 0",
-                                              "`inner_diameter`",
-                                              "bore at `to`, below `end_diameter`")}}
+                                              "`inner_diameter`", "bore at `to`")}}
       .as_list()
       .in(Form::kGeometry);
 }
@@ -92,8 +88,8 @@ Table section() {
 Table modal() {
   return Table{
       "rotor.modal",
-      "The shaft by its bending modes, each scaled to 1 at the contact. Each list has one value "
-      "per mode; `_y` marks the plane y.",
+      "The shaft's bending modes, scaled to 1 at the contact. Lists have one value per mode; `_y` "
+      "marks the plane y.",
       "the geometry form",
       [](Scene& scene) -> void* { return &scene.rotor.modal.emplace(); },
       {key<&RotorModal::mass>("mass", kMass, "> 0", kRequired, "modal mass"),
@@ -116,8 +112,7 @@ Table modal() {
 Table torsion() {
   return {
       "rotor.torsion",
-      "Elastic torsion. In the modal form each list has one value per mode, scaled to 1 at the "
-      "contact.",
+      "Elastic torsion. Lists have one value per mode, scaled to 1 at the contact.",
       "rigid spin only",
       [](Scene& scene) -> void* { return &scene.rotor.torsion.emplace(); },
       {key<&Torsion::modes>("modes", kPure, "in [1, 1000]", kRequired, "torsion modes kept")

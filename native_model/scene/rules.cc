@@ -19,12 +19,12 @@ Table rule_table() {
        word<&Rule::engine>("engine",
                            {"native", "native-event", "native-verlet", "mujoco", "mujoco-rigid",
                             "mujoco-coulomb", "mujoco-cone", "mujoco-cone-coulomb"},
-                           kStandard, "whose runs; `native`, `mujoco`: all of them"),
-       key<&Rule::min>("min", kPure, "", "no limit", "smallest passing value, SI"),
-       key<&Rule::max>("max", kPure, "", "no limit", "largest passing value, SI"),
+                           kStandard, "runs that are checked; `native`, `mujoco`: all such runs"),
+       key<&Rule::min>("min", kPure, "", "no limit", "smallest passing value in SI units"),
+       key<&Rule::max>("max", kPure, "", "no limit", "largest passing value in SI units"),
        word<&Rule::expect>(
            "expect", {"pass", "refused"}, kStandard,
-           "the run completes, or it is refused or ends with a status that says why"),
+           "the run completes; or it is refused, or ends with a status that says why"),
        key<&Rule::why>("why", kPure, "", kRequired, "why the case is hard, in a sentence")}}
       .as_list();
 }

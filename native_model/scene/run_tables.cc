@@ -18,7 +18,7 @@ Table gravity() {
           "none",
           [](Scene& scene) -> void* { return &scene.gravity.emplace(); },
           {key<&Gravity::acceleration>("acceleration", kAcceleration, "", kRequired,
-                                       "acceleration of free fall, as [0, -9.81]"),
+                                       "for example [0, -9.81]"),
            key<&Gravity::participation>("participation", kMass, "", "the modal mass",
                                         "modal load per unit acceleration")
                .in(Form::kModal)}};
@@ -45,14 +45,14 @@ Table initial() {
            "start on the steady free orbit; not beside `x` to `vy`, `stator`, `stator_velocity`"),
        word<&Scene::initial, &Initial::rub>(
            "rub", {"none", "synchronous", "whip", "rolling"}, kStandard,
-           "start on this lasting rub of `rotorub modes`: in step with the load, backward "
-           "slipping, or backward rolling; not beside `steady` or what it excludes"),
+           "start on this lasting rub of `rotorub modes`: in step with the load, backward and "
+           "slipping, or backward and rolling; not beside `steady` or the keys it excludes"),
        key<&Scene::initial, &Initial::x>("x", kLength, "", "0", "modal displacements in x"),
        key<&Scene::initial, &Initial::y>("y", kLength, "", "0", "modal displacements in y"),
        key<&Scene::initial, &Initial::vx>("vx", kVelocity, "", "0", "modal velocities in x"),
        key<&Scene::initial, &Initial::vy>("vy", kVelocity, "", "0", "modal velocities in y"),
        key<&Scene::initial, &Initial::spin_angle>("spin_angle", kAngle, "", kStandard,
-                                                  "angle of the rotor's own x axis"),
+                                                  "angle of the rotor's x axis"),
        key<&Scene::initial, &Initial::torsion>("torsion", kAngle, "", "0", "torsion mode angles"),
        key<&Scene::initial, &Initial::torsion_speed>("torsion_speed", kSpin, "", "0",
                                                      "torsion mode speeds"),
@@ -62,41 +62,41 @@ Table initial() {
 }
 
 Table mujoco() {
-  return {"mujoco",
-          "How MuJoCo runs the scene.",
-          "the defaults",
-          [](Scene& scene) -> void* { return &scene.mujoco; },
-          {word<&Mujoco::rotor>(
-               "rotor", {"modal", "segments"}, kStandard,
-               "the native model's modal coordinates, or rigid segments (geometry form only)"),
-           key<&Mujoco::segments>("segments", kPure, "in [2, 200]", kStandard,
-                                  "pieces of the segment rotor"),
-           word<&Mujoco::contact>(
-               "contact", contact_words<std::vector<std::string_view>>(), kStandard,
-               "`rigid`: impulses by the plugin; `coulomb`: MuJoCo's soft normal contact with "
-               "Coulomb friction; `cone`: MuJoCo's friction cone; `cone-coulomb`: the cone "
-               "corrected to obey Coulomb's law in sliding"),
-           word<&Mujoco::integrator>("integrator", {"euler", "implicit", "rk4"}, kStandard,
-                                     "MuJoCo's integrator"),
-           word<&Mujoco::solver>("solver", {"newton", "cg", "pgs"}, kStandard,
-                                 "MuJoCo's constraint solver"),
-           key<&Mujoco::solref_stiffness>(
-               "solref_stiffness", kRateSquared, "> 0",
-               "by the step; for the cones also by the scene's speeds",
-               "K of the soft contact (direct solref). The default of `coulomb` grows with "
-               "1/step^2, which leaves impact impulses a few per cent off at every step; with a "
-               "fixed K they converge"),
-           key<&Mujoco::solref_damping>("solref_damping", kRate, "> 0", "by contact.restitution",
-                                        "B of the soft contact (direct solref)"),
-           key<&Mujoco::friction_reference>(
-               "friction_reference", kRate, "> 0", "that of the normal row",
-               "B_t of the friction rows of `cone` (solreffriction, MuJoCo 2.3.6 and later)"),
-           key<&Mujoco::shadow>(
-               "shadow", kPure, "", kStandard,
-               "run the native model alongside, shown by sensors and a ghost (plugin/README.md)"),
-           key<&Mujoco::bearing_currents>("bearing_currents", kPure, "", kStandard,
-                                          "two actuators per magnetic bearing with an amplifier, "
-                                          "whose ctrl (A) is added to the control's current")}};
+  return {
+      "mujoco",
+      "How MuJoCo runs the scene.",
+      "the defaults",
+      [](Scene& scene) -> void* { return &scene.mujoco; },
+      {word<&Mujoco::rotor>(
+           "rotor", {"modal", "segments"}, kStandard,
+           "modal coordinates as in the native model, or rigid segments (geometry form)"),
+       key<&Mujoco::segments>("segments", kPure, "in [2, 200]", kStandard,
+                              "pieces of the segment rotor"),
+       word<&Mujoco::contact>("contact", contact_words<std::vector<std::string_view>>(), kStandard,
+                              "`rigid`: impulses by the plugin; `coulomb`: MuJoCo's soft normal "
+                              "contact with Coulomb friction; `cone`: MuJoCo's friction cone; "
+                              "`cone-coulomb`: the cone, corrected for Coulomb's law in sliding"),
+       word<&Mujoco::integrator>("integrator", {"euler", "implicit", "rk4"}, kStandard,
+                                 "MuJoCo's integrator"),
+       word<&Mujoco::solver>("solver", {"newton", "cg", "pgs"}, kStandard,
+                             "MuJoCo's constraint solver"),
+       key<&Mujoco::solref_stiffness>(
+           "solref_stiffness", kRateSquared, "> 0",
+           "by the step; for the cones also by the scene's speeds",
+           "K of the soft contact (direct solref). The default of `coulomb` grows with 1/step^2, "
+           "so impact impulses stay a few per cent off at every step; with a fixed K they "
+           "converge"),
+       key<&Mujoco::solref_damping>("solref_damping", kRate, "> 0", "by contact.restitution",
+                                    "B of the soft contact (direct solref)"),
+       key<&Mujoco::friction_reference>(
+           "friction_reference", kRate, "> 0", "as for the normal row",
+           "B_t of the friction rows of `cone` (solreffriction, MuJoCo 2.3.6 and later)"),
+       key<&Mujoco::shadow>(
+           "shadow", kPure, "", kStandard,
+           "run the native model alongside, with sensors and a ghost (plugin/README.md)"),
+       key<&Mujoco::bearing_currents>("bearing_currents", kPure, "", kStandard,
+                                      "two actuators per magnetic bearing with an amplifier; their "
+                                      "ctrl (A) adds to the control current")}};
 }
 
 void check_initial_lists(const Reading& check) {
@@ -128,7 +128,7 @@ void check_given_start(const Reading& check) {
   }
   if (initial.steady && rubs) {
     check.fail("initial.steady",
-               "the free orbit is no rub; not beside initial.rub; accepted: one of the two");
+               "the free orbit is not a rub; not beside initial.rub; accepted: one of the two");
   }
 }
 
@@ -136,7 +136,7 @@ void check_mujoco(const Reading& check) {
   const Scene& scene = check.scene;
   if (scene.mujoco.bearing_currents && scene.mujoco.shadow) {
     check.fail("mujoco.bearing_currents",
-               "mujoco.shadow does not know what is added to the currents; accepted: one of them");
+               "mujoco.shadow does not see the added currents; accepted: one of them");
   }
   const auto amplifies = [](const MagneticBearing& b) { return b.amplifier.has_value(); };
   if (scene.mujoco.bearing_currents && std::ranges::none_of(scene.magnetic_bearings, amplifies)) {
@@ -160,12 +160,12 @@ void check_mujoco(const Reading& check) {
                                                              : nullptr;
     if (key == nullptr) continue;
     check.fail(list_element("rotor.bearing", i) + key,
-               "MuJoCo's rigid segments stand on springs and dashpots alone; accepted: "
+               "MuJoCo's rigid segments support only uncoupled springs and dampers; accepted: "
                "mujoco.rotor = \"modal\"");
   }
   if (scene.rotor.modal) {
     check.fail("mujoco.rotor",
-               "\"segments\" needs the rotor's geometry, and the scene gives its modes; accepted: "
+               "\"segments\" needs the rotor's geometry, but the scene gives its modes; accepted: "
                "\"modal\"");
   }
 }
@@ -177,15 +177,15 @@ Table run_table() {
           "Duration, steps and output.",
           "the defaults",
           [](Scene& scene) -> void* { return &scene.run; },
-          {key<&Run::end>("end", kTime, "> 0", kStandard, "end of the run, which starts at 0"),
+          {key<&Run::end>("end", kTime, "> 0", kStandard, "end of the run"),
            key<&Run::step>("step", kTime, "> 0", kStandard,
-                           "fixed time step of MuJoCo, `verlet` and `euler`"),
+                           "time step of MuJoCo, `verlet` and `euler`"),
            word<&Run::integrator>("integrator", {"event", "verlet", "euler"}, kStandard,
                                   "native integrator"),
            key<&Run::output_step>("output_step", kTime, "> 0", "`end` / 1000",
-                                  "spacing of series rows"),
+                                  "time between rows of the series"),
            key<&Run::output_times>("output_times", kTime, ">= 0", "none",
-                                   "further row times, in any order, each at most `end`")}};
+                                   "further row times, in any order, up to `end`")}};
 }
 
 std::vector<Table> start_tables() { return {gravity(), initial(), mujoco()}; }

@@ -23,8 +23,7 @@ constexpr TableKey kTableKeys[] = {
 
 void check_table(const Reading& check, const ShaftBearing& bearing) {
   for (const char* key : {".stiffness", ".damping", ".cross_stiffness", ".cross_damping"}) {
-    if (check.given(key))
-      check.fail(key, "not beside `table_speed`, whose tables give it; accepted: one of the two");
+    if (check.given(key)) check.fail(key, "not beside `table_speed`; accepted: one of the two");
   }
   if (!check.given(".table_kxx")) {
     check.fail(".table_kxx", "missing: expected a list of stiffnesses in N/m, one for each speed");
@@ -61,10 +60,10 @@ std::array<double, 8> coefficients_at(const ShaftBearing& bearing, double speed)
 Table shaft_bearing_table() {
   return Table{
       "rotor.bearing",
-      "Linear bearings between shaft and base: springs and dampers, or the eight coefficients of "
-      "an oil film, F_x = -k_xx x - k_xy y - c_xx x' - c_xy y' and F_y alike. Each `table_` list "
-      "has one value per speed of `table_speed`; in between a monotone cubic (Fritsch-Carlson) "
-      "applies, beyond the ends the end value.",
+      "Linear bearings between shaft and base: springs and dampers, or an oil film with F_x = "
+      "-k_xx x - k_xy y - c_xx x' - c_xy y' and F_y alike. Other `table_` lists have one value per "
+      "`table_speed`, interpolated by a monotone cubic (Fritsch-Carlson), constant beyond the "
+      "ends.",
       "none",
       [](Scene& scene) -> void* { return &geometry_of(scene).bearings.emplace_back(); },
       {key<&ShaftBearing::z>("z", kLength, ">= 0", kRequired, "axial position")
@@ -76,7 +75,7 @@ Table shaft_bearing_table() {
                                            "[k_xy, k_yx]"),
        key<&ShaftBearing::cross_damping>("cross_damping", kDamping, "", kStandard, "[c_xy, c_yx]"),
        key<&ShaftBearing::offset>("offset", kLength, "", kStandard,
-                                  "misalignment: distance from the line of the other bearings"),
+                                  "distance from the line of the other bearings"),
        key<&ShaftBearing::table_speed>("table_speed", kSpin, "", "constant coefficients",
                                        "ascending speeds, two or more"),
        key<&ShaftBearing::table_kxx>("table_kxx", kStiffness, "", "needed with `table_speed`",
@@ -101,7 +100,7 @@ void check_bearings(Reading& check, const RotorGeometry& shaft) {
       continue;
     }
     for (const TableKey& key : kTableKeys) {
-      if (check.given(key.name)) check.fail(key.name, "needs `table_speed`, which it is over");
+      if (check.given(key.name)) check.fail(key.name, "needs `table_speed`");
     }
     if (!check.given(".stiffness")) check.missing(".stiffness", ", or tables over `table_speed`");
   }

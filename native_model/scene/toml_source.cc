@@ -153,7 +153,7 @@ std::string hint(std::string_view line) {
 
 // A file that begins with "<" is XML, such as a MuJoCo model; TOML never begins with it.
 constexpr const char* kNotXml =
-    "a MuJoCo model (XML): accepted is TOML, a scene or a study of one. `rotorub compare` takes a "
+    "this is a MuJoCo model (XML); give a scene or a study in TOML. `rotorub compare` takes a "
     "machine of your own as .xml, and `rotorub mjcf SCENE.toml` writes a scene's model";
 
 bool is_xml(std::string_view text) {

@@ -143,8 +143,9 @@ void warn_unsolved(const mjModel* m, mjData* d, const ContactSpace& space) {
     last = name;
     return all.size() < 400;
   });
-  const std::string text = "rotorub: contact beside " + all +
-                           ": no impulse meets the contact laws; that of the least error is taken";
+  const std::string text =
+      "rotorub: contact beside " + all +
+      ": no impulse satisfies the contact laws; the impulse with the least error is used";
   plugin::warn(text.c_str());
 }
 

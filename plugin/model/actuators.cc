@@ -142,7 +142,7 @@ void compare_actuators(const mjModel* m, const mjData* d) {
     const char* name = m->names + m->name_actuatoradr[i];
     const std::string text = message(
         "rotorub: <plugin name=\"{}\"> of <actuator> gives another force when it is computed again "
-        "within a step, and the contact needs it before MuJoCo does; accepted: its state in "
+        "within a step, but the contact needs it before MuJoCo does; accepted: its state in "
         "mjData.plugin_state or act, or the plugin preloaded (LD_PRELOAD)",
         name);
     warn(text.c_str());

@@ -17,7 +17,7 @@ ScaledSensor scaled_sensor(const mjModel* m, const std::string& name) {
   s.reference = count(m->nuser_sensor) * mj_name2id(m, mjOBJ_SENSOR, name.c_str());
   if (m->nuser_sensor < 1 || !(m->sensor_user[s.reference] > 0.0)) {
     refuse(message("<user name=\"{}\">", name),
-           "user[0] is the force that it has as 1; accepted: user=\"200\" for 200 N");
+           "user[0] must be the force that is shown as 1; accepted: user=\"200\" for 200 N");
   }
   return s;
 }

@@ -33,9 +33,9 @@ const char* refused_options(const Config& config, const mjModel* m) {
            "accepted: sleep=\"never\" on the bodies that carry them, or \"disable\"";
   }
   if ((m->opt.enableflags & mjENBL_OVERRIDE) && config.has_soft()) {
-    return "rotorub: <flag override=\"enable\"/>: MuJoCo's solver then takes o_margin, o_solref "
-           "and o_solimp of <option> for those of the rotor's <pair>, by which contact models "
-           "coulomb and cone are set; accepted: \"disable\", or contact model rigid";
+    return "rotorub: <flag override=\"enable\"/>: MuJoCo's solver then uses o_margin, o_solref and "
+           "o_solimp of <option> instead of the rotor's <pair>, which sets contact models coulomb "
+           "and cone; accepted: \"disable\", or contact model rigid";
   }
   return nullptr;
 }

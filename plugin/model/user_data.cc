@@ -45,12 +45,11 @@ void seal_block(const Config& config, mjData* d) {
 void refuse_clash(const Config& config, const mjModel* m) {
   // mju_error may leave by longjmp, so nothing here may have a destructor.
   static thread_local char words[500];
-  std::snprintf(
-      words, sizeof words,
-      "rotorub: mjData.userdata[%d] to [%d] hold what the contacts remember, and somebody else "
-      "has written there (nuserdata is %d); accepted: another place, by <custom><numeric "
-      "name=\"rotorub_userdata\" data=\"...\"/>, the index of the first",
-      config.memory, config.memory + config.memory_size - 1, count(m->nuserdata));
+  std::snprintf(words, sizeof words,
+                "rotorub: mjData.userdata[%d] to [%d] hold the contacts' state, and something else "
+                "has written there (nuserdata is %d); accepted: another place, by <custom><numeric "
+                "name=\"rotorub_userdata\" data=\"...\"/>, the index of the first",
+                config.memory, config.memory + config.memory_size - 1, count(m->nuserdata));
   raise_error(words);
 }
 

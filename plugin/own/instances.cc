@@ -73,8 +73,8 @@ PairName contact_of(const std::string& name) {
   const std::size_t at = name.rfind(kMark);  // a prefix may contain the word too
   if (at == name.npos) {
     refuse(element(name),
-           "its name tells the contact and its sensors; accepted: contact, "
-           "contact_2, left_contact and the like");
+           "its name determines the contact and its sensors; accepted: contact, contact_2, "
+           "left_contact and the like");
   }
   return {name.substr(0, at), name.substr(at + kMark.size())};
 }

@@ -184,13 +184,14 @@ void check_two_contacts(const mjModel* m, const ContactPair& a, const ContactPai
                         const PairName& name) {
   if (a.pair == b.pair) {
     refuse(own_element(m, name.of(names::kOwnRotorGeom)),
-           message("{} has a contact already; accepted: one for two geoms", pair_element(m, b)));
+           message("{} already has a contact; accepted: one contact for two geoms",
+                   pair_element(m, b)));
   }
   const auto solved_here = [](const ContactPair& p) { return !scene::is_cone(p.law); };
   if (a.law != b.law && solved_here(a) && solved_here(b) && share_tree(m, a, b)) {
     refuse(own_element(m, name.of(names::kContactText)),
-           message("is another than that of {}, which moves with it: the two are one problem; "
-                   "accepted: one contact model for both",
+           message("differs from the contact model of {}, which moves with it; accepted: one "
+                   "contact model for both",
                    pair_element(m, a)));
   }
 }

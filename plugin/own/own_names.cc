@@ -103,8 +103,8 @@ void check_names(const mjModel* m, const std::vector<PairName>& pairs, Refusals&
       PairName of;
       if (is_key(name, names::kSceneText, of)) {
         refuse(own_element(m, name),
-               "a scene stands alone, with its own names; accepted in an attached model: geoms and "
-               "numbers (plugin/README.md, a model of your own)");
+               "a scene cannot be attached to another model; accepted in an attached model: geoms "
+               "and numbers (plugin/README.md, a model of your own)");
       }
       if (is_key(name, names::kOwnConeCoulombPair, of)) return;  // with any ending
       check(m, name, kOwnTexts, "text", pairs);
@@ -124,7 +124,8 @@ void refuse_said_twice(const mjModel* m, const std::vector<InstanceWord>& words)
     for (auto other = words.begin(); other != word; ++other) {
       if (other->name() != name) continue;
       refuse(word->element,
-             message("says what {} says; accepted: one instance for each contact", other->element));
+             message("describes the same contact as {}; accepted: one instance for each contact",
+                     other->element));
     }
   }
 }
@@ -181,7 +182,8 @@ std::vector<PairName> own_pair_names(const mjModel* m, Refusals& refusals) {
 
 void refuse_own_names(const mjModel* m) {
   if (has_instances(m)) {
-    refuse("<extension>", "has a contact beside that of the scene's text; accepted: one of them");
+    refuse("<extension>",
+           "has a contact beside the contact of the scene's text; accepted: one of them");
   }
   for_each_text(m, [m](const std::string& name) {
     if (name == names::kSceneText || name == names::kContactText) return;
@@ -286,10 +288,9 @@ int own_geom(const mjModel* m, const PairName& pair, const char* text) {
   const int literal = mj_name2id(m, mjOBJ_GEOM, said);
   int id = mj_name2id(m, mjOBJ_GEOM, pair.of(said).c_str());
   if (id >= 0 && literal >= 0 && id != literal && is_numbering(pair.suffix)) {
-    refuse(element,
-           message("both geoms, \"{}\" and \"{}\", are there: which is meant? Accepted: \"{}\", "
-                   "or a number with no geom that ends with it",
-                   said, pair.of(said), pair.of(said)));
+    refuse(element, message("both geoms, \"{}\" and \"{}\", exist, so the name is ambiguous; "
+                            "accepted: \"{}\", or a number with no geom that ends with it",
+                            said, pair.of(said), pair.of(said)));
   }
   if (id < 0) id = literal;
   if (id < 0) {

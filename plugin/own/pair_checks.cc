@@ -153,7 +153,7 @@ void check_pair(const mjModel* m, const PairName& name, const ContactPair& p, Re
   }
   check([&] {
     const int pairs = count_pairs(m, p.rotor_geom, p.ring_geom);
-    if (pairs > 1) refuse(element, message("is there {} times; accepted: once", pairs));
+    if (pairs > 1) refuse(element, message("appears {} times; accepted: once", pairs));
   });
   check([&] { check_surface(m, p); });
   check_solved_part(m, p, refusals);

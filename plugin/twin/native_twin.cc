@@ -64,8 +64,8 @@ class Maker {
     if (std::any_of(config_.pairs.begin(), config_.pairs.end(),
                     [](const ContactPair& pair) { return pair.axial; })) {
       twin_.limits.push_back(
-          "friction along the ring's axis, and its work, are MuJoCo's alone; the twin's acts round "
-          "the ring");
+          "friction along the ring's axis, and its work, exist only in MuJoCo; the twin's friction "
+          "acts round the ring");
     }
     return std::move(twin_);
   }

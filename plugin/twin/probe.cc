@@ -129,10 +129,9 @@ AxisJoint find_spin(const mjModel* m, const Config& config, Probe& probe) {
   for (const ContactPair& pair : config.pairs) {
     const AxisJoint other = find(m, pair.rotor_geom, "rotor", probe);
     if (other.dof == spin.dof) continue;
-    refuse(
-        joint_of_dof(m, std::max(other.dof, spin.dof)),
-        "turns the rotor of one contact and not that of another, for a twin; accepted: one rotor "
-        "in all contacts");
+    refuse(joint_of_dof(m, std::max(other.dof, spin.dof)),
+           "turns the rotor of one contact but not of another, for a twin; accepted: one rotor in "
+           "all contacts");
   }
   return spin;
 }

@@ -33,7 +33,7 @@ void add_constraints(const mjModel* m, const TwinPlanes& planes, std::vector<std
   }
   for (int i = 0; i < m->neq; ++i) {
     if (!equality_holds(m, i)) continue;
-    all.push_back(message("<equality>: \"{}\" holds in MuJoCo alone", m->names + m->name_eqadr[i]));
+    all.push_back(message("<equality>: \"{}\" acts only in MuJoCo", m->names + m->name_eqadr[i]));
   }
 }
 

@@ -62,7 +62,7 @@ TEST(CliCompare, TheConeDecidesWhereAsked) {
                   "10%", "--contact", "cone", "--twins", "4", "-o", "out"});
   EXPECT_EQ(differ.code, 1) << differ.err;
   EXPECT_TRUE(
-      contains(differ.out, "The exit code is that of cone (--contact), which is outside 10 %"));
+      contains(differ.out, "The exit code refers to cone (--contact), which is outside 10 %"));
   const json all = folder.json_in("out/compare.json");
   EXPECT_EQ(all.at("contact"), "cone");
   EXPECT_FALSE(all.at("within").get<bool>());

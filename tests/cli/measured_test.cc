@@ -134,11 +134,11 @@ TEST(CliIdentify, RefusalsSayWhatIsAccepted) {
     folder.refuses(
         {"identify", shipped("bench_ring"), "--measured", "rig/series.csv", "--fit", fit}, {said});
   };
-  refuses("contact.friction", "is no range of a key");
+  refuses("contact.friction", "is not a range of a key");
   refuses("contact.friction=0.4:0.05", "its range is empty");
   refuses("contact.frction=0.05:0.4", "did you mean `contact.friction`?");
   refuses("contact.clearance=1 N:2 N", "expected a length");
-  refuses("run.integrator=0:1", "no number");
+  refuses("run.integrator=0:1", "not a number");
 }
 
 struct Bad {

@@ -94,7 +94,7 @@ TEST(CliModesRubs, RefusesWhatMakesNoMap) {
   folder.refuses({"modes", shipped("bench_whip"), "--speeds", "10Hz:20Hz:3"});  // there is no map
   folder.refuses({"modes", shipped("paper_sliding"), "--rub-map"}, {"paper_sliding.toml"});
   folder.refuses({"modes", shipped("two_catchers"), "--rub-map"},
-                 {"one contact alone; accepted: one [[contact]], as with --set"});
+                 {"single contact; accepted: one [[contact]], as with --set"});
   // No speed about which to draw it.
   folder.refuses({"modes", shipped("bench_whip"), "--rub-map", "--set", "rotor.speed=0"});
   EXPECT_TRUE(folder.files().empty());

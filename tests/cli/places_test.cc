@@ -82,7 +82,7 @@ void expect_all_refused(const Folder& folder, const std::string& place,
 TEST(CliPlaces, OfEveryCommandAreTried) {
   const Folder folder;
   std::string all = folder.run({"nosuch"}).err;
-  const std::string lead = "accepted are ";
+  const std::string lead = "choose from ";
   ASSERT_TRUE(contains(all, lead));
   std::istringstream words(all.substr(all.find(lead) + lead.size()));
   std::size_t commands = 0;

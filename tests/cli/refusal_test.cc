@@ -72,11 +72,11 @@ TEST(CliRefusal, OfAModelSaysWhatToGiveInEveryCommand) {
   std::ofstream(folder.path() / "own.xml") << "<!-- mine -->\n<mujoco/>\n";
   for (const auto& [command, words] : kGivenAModel) {
     folder.refuses(with({command}, words),
-                   {"own.xml: a MuJoCo model (XML): accepted is TOML, a scene or a study of one",
+                   {"own.xml: this is a MuJoCo model (XML); give a scene or a study in TOML",
                     "rotorub compare"});
   }
-  expect_refused(folder, {"plot", "own.xml"}, {"own.xml: is no folder; accepted is what"});
-  folder.refuses({"init", "own.xml"}, {"own.xml: accepted is the name of a scene"});
+  expect_refused(folder, {"plot", "own.xml"}, {"own.xml: is not a folder; give the output folder"});
+  folder.refuses({"init", "own.xml"}, {"own.xml: give the name of a scene"});
   EXPECT_FALSE(folder.has("own.xml.toml"));
   // A study of one, in both of what runs studies.
   std::ofstream(folder.path() / "study.toml")
@@ -87,7 +87,7 @@ TEST(CliRefusal, OfAModelSaysWhatToGiveInEveryCommand) {
     expect_refused(folder, {command, "study.toml"}, {"own.xml: a MuJoCo model (XML)"});
   // No command is forgotten: `compare` takes it, and two take no file.
   std::string all = folder.run({"nosuch"}).err;
-  all.erase(0, all.find("accepted are ") + 13);
+  all.erase(0, all.find("choose from ") + 12);
   for (const std::string other : {"compare", "plot", "init", "schema", "manual"}) {
     ASSERT_TRUE(contains(all, other));
     all.erase(all.find(other), other.size());
@@ -182,9 +182,8 @@ TEST(CliRefusal, NamesWhatWasWritten) {
   expect_refused(folder, {"compare", "nofile.xml"},
                  {"nofile.xml: cannot be read: No such file or directory"});
   const Outcome friction = folder.run({"init", "--friction", "x"});
-  EXPECT_TRUE(contains(friction.err,
-                       "accepted is a pure number, 0 or from 1e-06 to 1e+06, as "
-                       "\"0.15\""));
+  EXPECT_TRUE(
+      contains(friction.err, "expected a pure number, 0 or from 1e-06 to 1e+06, as \"0.15\""));
 }
 
 TEST(CliRefusal, OfNumbersThatNoMachineHas) {

@@ -85,7 +85,7 @@ TEST(Sweep, KeepsTheRunOfAPoint) {
   EXPECT_TRUE(folder.has("out/point-4/plot.html"));
   folder.done({"run", "out/point-4/scene.toml", "-o", "again", "-q"});
   EXPECT_EQ(folder.text("again/series.csv"), folder.text("out/point-4/series.csv"));
-  folder.refuses({"sweep", "study.toml", "-o", "out", "--point", "6"}, {"accepted are 0 to 5"});
+  folder.refuses({"sweep", "study.toml", "-o", "out", "--point", "6"}, {"expected 0 to 5"});
 }
 
 TEST(Sweep, TakesPointsFromAFile) {

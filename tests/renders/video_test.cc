@@ -252,9 +252,9 @@ TEST(Video, StillBeyondTheRunIsToldItsTimes) {
     return test::message_of(
         [&] { render_still(ring_scene(), late, 1.0 / 3.0, options, folder / "no.png"); });
   };
-  EXPECT_EQ(refusal({}), "render: no picture at 0.333333 s; accepted is a time from 0 s to 0.1 s");
+  EXPECT_EQ(refusal({}), "render: no picture at 0.333333 s; expected a time from 0 s to 0.1 s");
   EXPECT_EQ(refusal(0.07 / 3.0),
-            "render: no picture at 0.333333 s; accepted is a time from 0.0233333 s to 0.1 s");
+            "render: no picture at 0.333333 s; expected a time from 0.0233333 s to 0.1 s");
 }
 
 }  // namespace

@@ -45,7 +45,7 @@ std::string value_text(const py::handle& value, const std::string& key, bool in_
     return fmt::format("{}", py::float_(py::reinterpret_borrow<py::object>(value)).cast<double>());
   }
   throw py::type_error(fmt::format(
-      "{}: a {} is no value of a scene; accepted are numbers, flags, strings, lists of them, None",
+      "{}: a {} cannot be a value of a scene; give numbers, flags, strings, lists of them or None",
       key, py::str(py::type::of(value).attr("__name__")).cast<std::string>()));
 }
 
@@ -160,7 +160,7 @@ std::vector<std::string> overrides_of(const py::object& changes) {
   }
   if (py::isinstance<py::str>(changes) || !py::isinstance<py::sequence>(changes)) {
     throw py::type_error(
-        "overrides: accepted are a dict of keys and values, or a list of \"table.key=value\"");
+        "overrides: give a dict of keys and values, or a list of \"table.key=value\"");
   }
   return changes.cast<std::vector<std::string>>();
 }

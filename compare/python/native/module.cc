@@ -31,7 +31,7 @@ using Words = std::vector<std::string>;
 std::optional<scene::Integrator> integrator_of(const std::optional<std::string>& name) {
   if (!name) return std::nullopt;
   if (const auto one = integrator_named(scene::current_word(*name))) return one;
-  throw py::value_error(fmt::format("integrator: {}; accepted are event, verlet, euler", *name));
+  throw py::value_error(fmt::format("integrator: {}; choose event, verlet or euler", *name));
 }
 
 // The overrides with the step and the end of a call: seconds, or a string with a unit.

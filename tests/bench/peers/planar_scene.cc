@@ -71,10 +71,10 @@ PlanarSystem planar_system(const scene::Scene& scene) {
   const Model m = prepare(scene);
   const std::string part = beyond(scene, m);
   if (!part.empty()) {
-    throw std::runtime_error(fmt::format(
-        "{}: {}: accepted is a rotor of one mode in each plane, a ring, a linear drive or a held "
-        "spin, and forces",
-        scene.name, part));
+    throw std::runtime_error(
+        fmt::format("{}: {}: expected a rotor of one mode in each plane, a ring, a linear drive or "
+                    "a held spin, and forces",
+                    scene.name, part));
   }
   const Layout& l = m.layout;
   PlanarSystem s;

@@ -39,13 +39,13 @@ TEST(CommandLine, NamesTheNearestCommand) {
   const auto wrong = [&](const char* word) { return unknown_command({word, "a.toml"}, commands); };
   EXPECT_EQ(wrong("run"), "");
   EXPECT_EQ(wrong("--help"), "");
-  EXPECT_NE(unknown_command({}, commands).find("no command given; accepted are run"),
+  EXPECT_NE(unknown_command({}, commands).find("no command given; choose from run"),
             std::string::npos);
   EXPECT_NE(wrong("comapre").find("did you mean compare?"), std::string::npos) << wrong("comapre");
   EXPECT_NE(wrong("comp").find("did you mean compare?"), std::string::npos) << wrong("comp");
   EXPECT_NE(wrong("mode").find("did you mean modes?"), std::string::npos) << wrong("mode");
   EXPECT_EQ(wrong("elephant").find("did you mean"), std::string::npos) << wrong("elephant");
-  EXPECT_NE(wrong("elephant").find("accepted are run, compare"), std::string::npos);
+  EXPECT_NE(wrong("elephant").find("choose from run, compare"), std::string::npos);
   EXPECT_EQ(wrong("a\033[31m\n").find('\033'), std::string::npos)
       << "nothing that a terminal obeys";
 }

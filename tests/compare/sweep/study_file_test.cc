@@ -120,7 +120,7 @@ TEST(Study, Refused) {
       {friction + "values = [1]\ncount = 1\n", "beside `values`"},
       {grid + "key = \"run.integrator\"\nfrom = 0\nto = 1\ncount = 2\n", "values: missing"},
       {friction + "values = [1]\n[[vary]]\nkey = \"contact.friction\"\nvalues = [2]\n", "twice"},
-      {friction + "values = [1]\nalso = [\"no.key\"]\n", "no key of a scene"},
+      {friction + "values = [1]\nalso = [\"no.key\"]\n", "not a key of a scene"},
       {of_ring() + "[sample]\nkind = \"latin_hypercube\"\n[[vary]]\nkey = \"contact.friction\"\n"
                    "from = 0\nto = 1\n",
        "sample.runs: missing"},

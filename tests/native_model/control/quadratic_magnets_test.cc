@@ -223,10 +223,10 @@ TEST(QuadraticWithMagnets, RefusesSamplesThatDoNotMeetItsOwn) {
   EXPECT_EQ(why(sampled, "lqg"), "");
   Hanging beside = sampled;
   beside.first = "derivative = 2.0, sample_time = 0.7e-4";
-  EXPECT_TRUE(test::contains(why(beside, "lqg"), "no whole multiple"));
+  EXPECT_TRUE(test::contains(why(beside, "lqg"), "not a whole multiple"));
   beside.first = "derivative = 2.0, sample_time = 1e-4";
   beside.second = "derivative = 1.0, sample_time = 5e-5";
-  EXPECT_TRUE(test::contains(why(beside, "lqg"), "another sample time"));
+  EXPECT_TRUE(test::contains(why(beside, "lqg"), "a different sample time"));
 }
 
 }  // namespace

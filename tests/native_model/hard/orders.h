@@ -46,8 +46,7 @@ struct Refusal {
   const char* message;
 };
 // A sample of a controller that falls into an impact: loads and command are held over it.
-inline constexpr const char* kSampled =
-    "under a controller with a sample_time, needs the integrator event";
+inline constexpr const char* kSampled = "under a sampled controller need the integrator event";
 inline constexpr std::array<Refusal, 2> kRefused{
     {{Integrator::kVerlet, "finite_impacts", "sampled_support", kSampled},
      {Integrator::kVerlet, "finite_impacts", "sampled_magnets", kSampled}}};

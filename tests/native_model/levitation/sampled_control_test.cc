@@ -332,7 +332,7 @@ TEST(SampledMagneticControl, StepsMeetItsSamples) {
   scene::Scene s = sampled_scene();
   const Trajectory t = test::attempt_with(s, scene::Integrator::kVerlet, 3e-5);
   EXPECT_EQ(t.status, Status::kStepTooLarge);
-  EXPECT_TRUE(test::contains(t.message, "does not meet the samples"));
+  EXPECT_TRUE(test::contains(t.message, "does not divide the sample time"));
   s.initial = {};
   s.initial.steady = true;
   EXPECT_THROW(prepare(s), scene::SceneError);

@@ -265,7 +265,7 @@ stiffness = 4e5
   const std::string spin = "[contact.stator.spin]\ninertia = 1e-4\nspeed = 5.0\n";
   for (const auto& [table, key, reason] :
        {std::array<std::string, 3>{law, "controller.kind", "first phase"},
-        std::array<std::string, 3>{spin, "stator.spin.speed", "as the rub has it"}}) {
+        std::array<std::string, 3>{spin, "stator.spin.speed", "the rub determines the speed"}}) {
     expect_refused(scene::parse_scene(rotor + plain + table + plain, "two"), "contact[0]." + key,
                    reason);
     expect_refused(scene::parse_scene(rotor + plain + plain + table, "two"), "contact[1]." + key,

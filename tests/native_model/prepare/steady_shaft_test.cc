@@ -221,7 +221,7 @@ TEST(SteadyOrbitRefusal, LoadsThatAreUnderWay) {
   s.forces[0].kind = scene::ForceKind::kPulse;
   s.forces[0].ramp = 0.0;
   s.forces[0].off = 0.1;
-  expect_refused(s, "pulse is under way");
+  expect_refused(s, "pulse is acting at");
 }
 
 TEST(SteadyOrbitRefusal, BesideAStartOfOnesOwn) {

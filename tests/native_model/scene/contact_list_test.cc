@@ -108,7 +108,7 @@ TEST(ContactList, IsRefusedWithTheElementsPath) {
       {"length of a shape", test::replaced(two, "[1.0, -0.8]", "[1.0]"), 24, "contact[1].shape",
        "expected 2 value(s)"},
       {"an impact that takes time", two + "expansion_time = 1e-4\n", 26,
-       "contact[1].expansion_time", "known of one contact alone"},
+       "contact[1].expansion_time", "only with a single contact"},
       {"a controller without a ring", two + "[contact.controller]\nkind = \"pd\"\n", 26,
        "contact[1].controller", "needs [stator]"},
       {"a start outside the second ring",

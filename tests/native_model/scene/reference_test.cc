@@ -22,21 +22,22 @@ std::string form_text(Form form) {
   return form == Form::kModal ? "modal form" : "";
 }
 
-// "N/m, one or [x, y], >= 0"
+// "N/m, one or [x, y], >= 0"; "list, >= 0" without a unit
 std::string value_text(const Key& key) {
-  const std::string unit(key.quantity.unit);
+  const bool pure = key.quantity.unit == kPure.unit;
+  const std::string unit = pure ? "" : std::string(key.quantity.unit) + ", ";
   const std::string bounds = key.range.text.empty() ? "" : ", " + std::string(key.range.text);
   switch (key.type) {
     case ValueType::kNumber:
-      return unit + bounds;
+      return (pure ? "number" : std::string(key.quantity.unit)) + bounds;
     case ValueType::kWhole:
       return "whole number" + bounds + (key.words.empty() ? "" : ", or `" + join(key.words) + "`");
     case ValueType::kPlanes:
-      return unit + ", one or [x, y]" + bounds;
+      return unit + "one or [x, y]" + bounds;
     case ValueType::kVector:
-      return unit + ", [x, y]" + bounds;
+      return unit + "[x, y]" + bounds;
     case ValueType::kList:
-      return unit + ", list" + bounds;
+      return unit + "list" + bounds;
     case ValueType::kFlag:
       return "true or false";
     case ValueType::kText:
@@ -54,7 +55,7 @@ std::string value_text(const Key& key) {
 std::string meaning_text(const Key& key) {
   std::string text(key.meaning.empty() ? key.quantity.name : key.meaning);
   std::string limits;
-  if (!key.kinds.empty()) limits = "`" + join(key.kinds) + "` only";
+  if (!key.kinds.empty()) limits = "`" + join(key.kinds) + "`";
   if (const std::string form = form_text(key.form); !form.empty()) {
     limits += (limits.empty() ? "" : ", ") + form;
   }

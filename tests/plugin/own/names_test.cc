@@ -114,7 +114,7 @@ TEST_F(OwnNames, MisspeltNamesOfAFurtherContactAreRefused) {
   expect_refused(replaced(attachment, "right_rotorub_friction", "rigth_rotorub_friction"),
                  "did you mean \"right_rotorub_friction\"");
   expect_refused(replaced(attachment, "right_rotorub_contact", "right_rotorub_scene"),
-                 "a scene stands alone");
+                 "a scene cannot be attached");
 }
 
 TEST_F(OwnNames, EachContactHasItsOwnNumbers) {
@@ -134,7 +134,7 @@ TEST_F(OwnNames, OneContactForTwoGeoms) {
                   "name=\"rotorub_rotor_geom_2\" data=\"disc\"");
   text = replaced(text, "name=\"rotorub_ring_geom_2\" data=\"holder\"",
                   "name=\"rotorub_ring_geom_2\" data=\"ring\"");
-  expect_refused(text, "has a contact already");
+  expect_refused(text, "already has a contact");
 }
 
 // "disc" and "disc_2" are both there: which one "disc" is for contact _2 is not guessed.
@@ -143,7 +143,7 @@ TEST_F(OwnNames, ANumberThatIsAnEndingOfAGeomIsNotGuessed) {
   load(text);
   expect_refused(replaced(text, "name=\"rotorub_rotor_geom_2\" data=\"disc_2\"",
                           "name=\"rotorub_rotor_geom_2\" data=\"disc\""),
-                 "which is meant");
+                 "the name is ambiguous");
 }
 
 TEST_F(OwnNames, TwoContactModelsOnOneShaftAreRefused) {
