@@ -202,10 +202,9 @@ int show_feedback(const ModesArguments& options) {
                              [&](double share) { say_progress(bar, share, "feedback"); });
   });
   bar.clear();
-  return finish_with_page(
-      {.parts = {result::Data{"feedback_map", feedback_map_json(map)},
-                 result::line(feedback_map_table(scene::printable(scene.name), map))}},
-      options, [&] { return feedback_map_page(scene, map); });
+  return finish_with_page({.parts = {result::Data{"feedback_map", feedback_map_json(map)},
+                                     feedback_map_table(scene.name, map)}},
+                          options, [&] { return feedback_map_page(scene, map); });
 }
 
 // rotorub modes --state-space: prints JSON regardless of other options. Of several rings, the plant
@@ -253,7 +252,7 @@ int modes(const ModesArguments& options) {
   return finish_with_page(
       {.parts = {std::move(found), options.json
                                        ? result::Part(result::Data{"rub_map", rub_map_json(map)})
-                                       : result::line(rub_map_picture(name, map))}},
+                                       : rub_map_picture(name, map)}},
       options, [&] { return rub_map_page(scene, map); });
 }
 

@@ -17,6 +17,7 @@ namespace rotorub {
 namespace {
 
 using nlohmann::json;
+using result::Section, result::Sentence, result::Table;
 
 // Indexed by the bits of the set (rub::Attractor). Rolling, which is possible nearly everywhere, is
 // marked by a capital letter.
@@ -32,11 +33,9 @@ nlohmann::json rows_of(const Eigen::MatrixXd& matrix) {
   return rows;
 }
 
-// Hz instead of rad/s, as on the pages.
-double axis_scale(const MapAxis& axis) { return axis.unit == "rad/s" ? kHz : 1.0; }
+double axis_scale(const MapAxis& axis) { return shown_unit(axis.unit).per_si; }
 std::string axis_title(const MapAxis& axis) {
-  if (axis.unit.empty()) return axis.key;
-  return fmt::format("{} / {}", axis.key, axis.unit == "rad/s" ? "Hz" : axis.unit);
+  return name_and_unit(axis.key, shown_unit(axis.unit).name);
 }
 
 std::vector<std::string> state_names(const LinearPlant& plant) {
@@ -67,8 +66,8 @@ json rub_map_json(const RubKeyMap& map) {
   return {{"across", axis(map.across)}, {"up", axis(map.up)}, {"points", points}};
 }
 
-std::string rub_map_picture(const std::string& name, const RubKeyMap& map) {
-  std::string text = fmt::format("{}: which rubs are stable, by their eigenvalues\n\n", name);
+Section rub_map_picture(const std::string& name, const RubKeyMap& map) {
+  std::string text;
   std::array<int, 16> met{};
   const std::size_t columns = map.across.values.size();
   const bool common = map.of_speed_and_friction();
@@ -90,18 +89,32 @@ std::string rub_map_picture(const std::string& name, const RubKeyMap& map) {
   text += fmt::format("{:>10}+{}\n{:>11}{}{:>{}}\n", common ? "friction " : "",
                       std::string(columns, '-'), "", low, high, wide - low.size());
   text += common ? "\n" : fmt::format("{:>11}{}\n\n", "", axis_title(map.across));
+  Sentence picture = result::line(text);
+  picture.seen = result::kTerminal;
+  Table legend{"",
+               {{.width = -5, .seen = result::kTerminal},
+                {.width = -60, .title = "stable together"},
+                {.width = 8, .title = "share of the map"}}};
   for (unsigned k = 0; k < met.size(); ++k) {
     if (met[k] == 0) continue;
-    text += fmt::format("  {}  {:<60}{:>6.1f} %\n", kLetters[k], attractors_text(k),
-                        100.0 * met[k] / static_cast<double>(map.points.size()));
+    const double share = 100.0 * met[k] / static_cast<double>(map.points.size());
+    legend.rows.push_back({.items = {{.text = std::string(1, kLetters[k])},
+                                     {.text = attractors_text(k)},
+                                     {.text = fmt::format("{:.1f} %", share)}}});
   }
-  if (!map.refused.empty()) text += "\n" + wrapped("", "Blank: refused, " + map.refused);
-  return text + "\n" +
-         wrapped("", fmt::format("{}Stable means: against small disturbances that keep the "
-                                 "contact; a bounce may lead elsewhere.",
-                                 common ? "Horizontally: the spin speed, which is held; the "
-                                          "frequencies of the loads keep their ratio to it. "
-                                        : "The spin is held. "));
+  Section all{.parts = {result::line(name + ": which rubs are stable, by their eigenvalues",
+                                     result::Role::kCaption),
+                        Sentence{}, picture, legend}};
+  if (!map.refused.empty())
+    all.add({Sentence{}, Sentence{.text = "Blank: refused, " + map.refused}});
+  all.add({Sentence{},
+           Sentence{.text = fmt::format("{}Stable means: against small disturbances that keep the "
+                                        "contact; a bounce may lead elsewhere.",
+                                        common ? "Horizontally: the spin speed, which is held; the "
+                                                 "frequencies of the loads keep their ratio to it. "
+                                               : "The spin is held. "),
+                    .seen = result::kTerminal}});
+  return all;
 }
 
 nlohmann::json state_space_json(const scene::Scene& scene, const LinearPlant& plant) {
@@ -147,28 +160,44 @@ std::string feedback_keys(const rub::FeedbackMap& map) {
   return fmt::format("feedback = [{}]\nfeedback_speed = [{}]\n", feedback, speed);
 }
 
-std::string feedback_map_table(const std::string& name, const rub::FeedbackMap& map) {
-  std::string text = fmt::format(
-      "{}: cross-coupled feedback k, by the eigenvalues of the forced rub\n\n"
-      "   speed         k   stable from      to      decay     force\n"
-      "      Hz     N s/m         N s/m   N s/m        1/s         N\n",
-      scene::printable(name));
+Section feedback_map_table(const std::string& name, const rub::FeedbackMap& map) {
+  Sentence headings = result::line("   speed         k   stable from      to      decay     force");
+  headings.seen = result::kTerminal;
+  Table table{"",
+              {{.heading = "Hz", .width = 8, .title = "speed / Hz"},
+               {.heading = "N s/m", .width = 10, .title = "k / N s/m"},
+               {.heading = "N s/m", .width = 14, .title = "stable from / N s/m"},
+               {.heading = "N s/m", .width = 8, .title = "to / N s/m"},
+               {.heading = "1/s", .width = 11, .title = "decay / 1/s"},
+               {.heading = "N", .width = 10, .title = "normal force / N"},
+               {}},
+              {},
+              ""};
   const auto rule = map.rule();
   for (std::size_t i = 0; i < map.speeds.size(); ++i) {
-    text += fmt::format("{:>8}", short_number(kHz * map.speeds[i]));
+    const std::string speed = short_number(kHz * map.speeds[i]);
     if (!rule[i]) {
-      text += "      none   no forced rub is stable\n";
+      table.rows.push_back(
+          {.items = {{.text = speed}, {.text = "none"}, {.text = "   no forced rub is stable"}}});
       continue;
     }
     const rub::FeedbackPoint& p = *rule[i]->point;
-    text += fmt::format("{:>10}{:>14}{:>8}{:>11}{:>10}{}\n", short_number(p.feedback),
-                        short_number(rule[i]->from), short_number(rule[i]->to),
-                        short_number(-p.forced->growth), short_number(*p.normal_force),
-                        p.whip ? "  beside a whip" : "");
+    table.rows.push_back({.items = {{.text = speed},
+                                    {p.feedback},
+                                    {rule[i]->from},
+                                    {rule[i]->to},
+                                    {-p.forced->growth},
+                                    {*p.normal_force},
+                                    {.text = p.whip ? "  beside a whip" : ""}}});
   }
+  Section all{.parts = {result::line(fmt::format("{}: cross-coupled feedback k, by the eigenvalues "
+                                                 "of the forced rub",
+                                                 scene::printable(name)),
+                                     result::Role::kCaption),
+                        Sentence{}, headings, table}};
   const std::string keys = feedback_keys(map);
-  if (!keys.empty()) text += "\nIn [controller]:\n" + keys;
-  return text;
+  if (!keys.empty()) all.add({Sentence{}, result::line("In [controller]:"), result::line(keys)});
+  return all;
 }
 
 }  // namespace rotorub

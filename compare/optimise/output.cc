@@ -8,6 +8,7 @@
 
 #include "compare/base/columns.h"
 #include "compare/base/format.h"
+#include "compare/base/units.h"
 #include "compare/figures/figure.h"
 #include "compare/sweep/folder.h"
 #include "compare/sweep/sample.h"
@@ -56,40 +57,55 @@ std::string nothing_text(const Optimum& optimum) {
       nearest - optimum.evaluations.data(), 100.0 * nearest->violation);
 }
 
-// A number in JSON, and a line for people; unit: with a blank before it.
-Table number_part(const std::string& key, const std::string& name, double value,
-                  const std::string& unit) {
-  const std::string text = fmt::format(" {}{}", short_number(value), unit);
-  return {"{row}",
-          {{.width = -42}, {.key = "number"}},
-          {{.key = key, .items = {{.text = name}, {value, text}}}}};
-}
-
 Section best_of(const Task& task, const Optimum& optimum) {
   const Goal& goal = task.goal;
   const Evaluation& best = optimum.evaluations[*optimum.best];
-  Section values{"values"};
+  constexpr int kNames = -42;
+  const auto item = [](double value, const std::string& unit) -> result::Item {
+    return {value, fmt::format(" {}{}", short_number(value), unit)};
+  };
+  Table values{"values/{row}",
+               {{.width = kNames, .title = "key"},
+                {.key = "number", .seen = result::kNotPage},
+                {.seen = result::kPage, .title = "best"},
+                {.seen = result::kPage, .title = "of"}}};
   for (std::size_t k = 0; k < best.values.size(); ++k) {
     const sweep::Vary& vary = task.study.vary[k];
     const bool at_end = end_of(task, k, best.values[k]) != End::kNone;
-    values.add(
-        {number_part(vary.key, vary.key, best.values[k],
-                     fmt::format(" {}{}", vary.unit, at_end ? "  (an end of its range)" : ""))});
+    const ShownUnit unit = shown_unit(vary.unit);
+    const auto shown = [&](double value) { return short_number(unit.per_si * value); };
+    values.rows.push_back(
+        {vary.key,
+         {{.text = vary.key},
+          item(best.values[k],
+               fmt::format(" {}{}", vary.unit, at_end ? "  (an end of its range)" : "")),
+          {.text = fmt::format("{} {}", shown(best.values[k]), unit.name)},
+          {.text = fmt::format("{} to {}", shown(vary.from), shown(vary.to))}}});
   }
-  const std::string edge = edge_text(task, optimum);
-  Section all{"best",
-              {Data{"evaluation", *optimum.best}, values,
-               Data{"edge", edge.empty() ? nlohmann::json() : nlohmann::json(edge)},
-               number_part("figure", goal.figure.text, *best.figure, unit_of(goal.figure)),
-               Data{"constraints", nlohmann::json::array()}}};
+  const Table figure{
+      "{row}",
+      {{.width = kNames}, {.key = "number"}},
+      {{"figure", {{.text = goal.figure.text}, item(*best.figure, unit_of(goal.figure))}}}};
+  Table constraints{"constraints/#/{column}",
+                    {{.key = "figure", .width = kNames},
+                     {.key = "max", .seen = result::kJson},
+                     {.key = "min", .seen = result::kJson},
+                     {.key = "value"}}};
   for (std::size_t k = 0; k < best.constraints.size(); ++k) {
     const Constraint& c = goal.constraints[k];
-    all.add({Section{
-        "constraints/#",
-        {Data{"figure", c.figure.text}, Data{c.is_max ? "max" : "min", c.limit},
-         number_part("value", constraint_text(c), *best.constraints[k], unit_of(c.figure))}}});
+    const result::Item limit{c.limit}, none;
+    constraints.rows.push_back({.items = {{c.figure.text, constraint_text(c)},
+                                          c.is_max ? limit : none,
+                                          c.is_max ? none : limit,
+                                          item(*best.constraints[k], unit_of(c.figure))}});
   }
-  return all;
+  const std::string edge = edge_text(task, optimum);
+  return {"best",
+          {Data{"evaluation", *optimum.best},
+           Sentence{.text = fmt::format("The best is evaluation {}.", *optimum.best),
+                    .seen = result::kPage},
+           values, Data{"edge", edge.empty() ? nlohmann::json() : nlohmann::json(edge)}, figure,
+           constraints}};
 }
 
 }  // namespace

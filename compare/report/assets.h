@@ -18,14 +18,9 @@ std::string_view native_worker_js();  // runs the native model in a page (what_i
 std::string_view report_html();
 std::string_view run_html();
 std::string_view page_html();  // for pages that the script lays out
-std::string_view sweep_html();
-std::string_view map_page_html();  // for linear analyses
 // Partials of the templates.
 std::string_view head_html();
 std::string_view foot_html();
-std::string_view cards_html();      // summary of the page
-std::string_view map_html();        // a figure of a map, selected by the reader
-std::string_view figures_html();    // meaning and unit of each figure
 std::string_view plots_html();      // a scene's plots and their controls
 std::string_view player_html();     // a scene's live player
 std::string_view what_if_html();    // sliders for the scene's values

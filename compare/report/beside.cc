@@ -59,11 +59,14 @@ void check_columns(const json& plots) {
 
 void add_map(const json& all, Beside& beside) {
   check_columns(all.at("plots"));
-  beside.map_sets.push_back({{"index", beside.maps.size()},
-                             {"name", all.at("name")},
-                             {"cards", all.at("cards")},
-                             {"maps", all.at("maps")}});
-  beside.maps.push_back(all.at("plots"));
+  json set = all.at("plots");
+  set["maps"] = all.at("maps");
+  for (const json& map : set["maps"]) map.at("first").get_ref<const std::string&>();
+  const json parts = {
+      {{"heading", all.at("name")}}, {{"cards", all.at("cards")}}, {{"maps", beside.maps.size()}}};
+  json& shown = beside.parts["maps"];
+  shown.insert(shown.end(), parts.begin(), parts.end());
+  beside.maps.push_back(std::move(set));
 }
 
 struct Kind {

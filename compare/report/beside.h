@@ -12,12 +12,12 @@ inline constexpr const char* kBenchFile = "bench.json";
 inline constexpr const char* kCheckFile = "check.json";
 
 struct Beside {
-  nlohmann::json benches = nlohmann::json::array();   // for page/precision.js: precision_plots
-  nlohmann::json maps = nlohmann::json::array();      // for page/maps.js: sweep_plots
-  nlohmann::json map_sets = nlohmann::json::array();  // for report.html
-  // For page/layout.js, by the ids of their places: "precision" and "cases".
+  nlohmann::json benches = nlohmann::json::array();  // for page/precision.js: precision_plots
+  nlohmann::json maps = nlohmann::json::array();     // for page/maps.js: sweep_plots, with "maps"
+  // For page/layout.js, by the ids of their places: "precision", "cases" and "maps".
   nlohmann::json parts = {{"precision", nlohmann::json::array()},
-                          {"cases", nlohmann::json::array()}};
+                          {"cases", nlohmann::json::array()},
+                          {"maps", nlohmann::json::array()}};
 };
 
 // Reads each folder and the folders directly within it, sorted by name. Throws std::runtime_error

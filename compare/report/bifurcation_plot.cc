@@ -6,8 +6,8 @@
 #include <nlohmann/json.hpp>
 #include <vector>
 
+#include "compare/base/units.h"
 #include "compare/report/plot_points.h"
-#include "compare/report/sweep_page.h"
 
 namespace rotorub {
 namespace {

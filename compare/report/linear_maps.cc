@@ -6,15 +6,14 @@
 #include <cmath>
 #include <nlohmann/json.hpp>
 #include <optional>
+#include <utility>
 
-#include "compare/base/format.h"
 #include "compare/base/units.h"
 #include "compare/modes/rub_analysis.h"
 #include "compare/modes/rub_map_text.h"
-#include "compare/report/assets.h"
 #include "compare/report/page_frame.h"
 #include "compare/report/plot_points.h"
-#include "compare/report/sweep_page.h"
+#include "compare/result/result.h"
 
 namespace rotorub {
 namespace {
@@ -70,26 +69,6 @@ json map_plots(const json& first, const json& second, const MapFigure<Point> (&f
           {"status", status},
           {"statuses", {"ok"}},
           {"every", 1}};
-}
-
-struct MapPage {
-  std::string topic, heading, lead;  // words above the maps
-  std::string option;                // option of rotorub modes
-  std::vector<std::string> maps;     // the figure that each map shows first
-};
-
-// rule: null, or {"rows": [{"speed", "feedback", "from", "to", "decay", "force", "note"}], "keys"}.
-std::string map_page(const scene::Scene& scene, const MapPage& map, const json& cards,
-                     const json& plots, const json& rule) {
-  json values = page_frame({scene.name, map.topic, map.heading}, {{"maps", {plots}}});
-  values["lead"] = map.lead;
-  values["command"] = "modes " + map.option;
-  values["maps"] = figure_choices(map.maps);
-  values["cards"] = cards;
-  values["figures"] = plots.at("figures");
-  values["rule"] = rule;
-  values["text"] = scene.text;
-  return fill_page(map_page_html(), values);
 }
 
 // null if there is no value or it is not finite.
@@ -172,25 +151,6 @@ constexpr MapFigure<FeedbackPoint> kFeedbackFigures[] = {
      [](const FeedbackPoint& p) { return json(p.whip ? "whip or rolling" : "nothing"); }},
 };
 
-json rule_rows(const FeedbackMap& map) {
-  json rows = json::array();
-  const auto rule = map.rule();
-  for (std::size_t i = 0; i < rule.size(); ++i) {
-    const FeedbackPoint* p = rule[i] ? rule[i]->point : nullptr;
-    const auto number = [&](auto value) { return p ? short_number(value()) : std::string(); };
-    rows.push_back({{"speed", short_number(kHz * map.speeds[i])},
-                    {"feedback", number([&] { return p->feedback; })},
-                    {"from", number([&] { return rule[i]->from; })},
-                    {"to", number([&] { return rule[i]->to; })},
-                    {"decay", number([&] { return -p->forced->growth; })},
-                    {"force", number([&] { return *p->normal_force; })},
-                    {"note", !p        ? "no forced rub is stable"
-                             : p->whip ? "beside a whip"
-                                       : ""}});
-  }
-  return rows;
-}
-
 json cards_of(const FeedbackMap& map) {
   const auto rule = map.rule();
   const bool zero = map.feedbacks.front() == 0.0;
@@ -223,11 +183,19 @@ std::vector<json> rub_values(const RubPoint& point) {
 }
 
 json figure_choices(const std::vector<std::string>& first) {
-  constexpr std::array kWhich = {"first", "second", "third", "fourth"};
-  json maps = json::array();
-  for (const std::string& name : first)
-    maps.push_back({{"first", name}, {"which", kWhich.at(maps.size())}});
-  return maps;
+  return list_of(first, [](const std::string& name) -> json { return {{"first", name}}; });
+}
+
+std::string map_page(MapPage page, const result::Section& found, json plots) {
+  plots["maps"] = figure_choices(page.first);
+  page.below.push_back({{"figures", 0}});
+  if (!page.scene.empty())
+    page.below.push_back({{"summary", "The scene's text"}, {"pre", page.scene}});
+  page.above.push_back({{"maps", 0}});
+  page.above.push_back({{"class", "sheets"}, {"parts", std::move(page.below)}});
+  return laid_out_page(
+      page.head, found, page.above, {{"maps", {plots}}},
+      fmt::format("`rotorub {} --json` prints the figures in SI units.", page.command));
 }
 
 json rub_map_plots(const RubKeyMap& map) {
@@ -254,36 +222,36 @@ std::string rub_map_page(const scene::Scene& scene, const RubKeyMap& map) {
   const std::string axes = map.of_speed_and_friction()
                                ? "spin speed and friction"
                                : fmt::format("{} and {}", map.across.key, map.up.key);
-  return map_page(
-      scene,
-      {"lasting rubs",
-       "Which rubs last, and where?",
-       fmt::format(
-           "Steady rubs of rotor and ring over {}, each judged by the eigenvalues of its small "
-           "perturbations with contact kept. The spin is held, and where it changes each load "
-           "keeps "
-           "its ratio to it. Where several are stable, the start decides; where only rolling is, a "
-           "rotor that does not roll bounces. A stable rub may still be out of reach: these maps "
-           "know nothing of impacts.{}",
-           axes, map.refused.empty() ? "" : " Blank: refused, " + map.refused + "."),
-       "--rub-map",
-       {kLinearAttractors, kLinearGrowth}},
-      cards_of(map), rub_map_plots(map), nullptr);
+  const result::Section found = rub_map_picture(scene.name, map);
+  const std::string lead = fmt::format(
+      "Steady rubs of rotor and ring over {}, each judged by the eigenvalues of its small "
+      "perturbations with contact kept. The spin is held, and where it changes each load keeps its "
+      "ratio to it. Where several are stable, the start decides; where only rolling is, a rotor "
+      "that does not roll bounces. A stable rub may still be out of reach: these maps know nothing "
+      "of impacts.",
+      axes);
+  return map_page({.head = {scene.name, "lasting rubs", "Which rubs last, and where?"},
+                   .command = "modes --rub-map",
+                   .first = {kLinearAttractors, kLinearGrowth},
+                   .above = {{{"cards", cards_of(map)}}, {{"lead", lead}}},
+                   .below = page_json(found),
+                   .scene = scene.text},
+                  found, rub_map_plots(map));
 }
 
 std::string feedback_map_page(const scene::Scene& scene, const FeedbackMap& map) {
-  return map_page(
-      scene,
-      {"cross-coupled feedback",
-       "Which feedback calms the rub?",
-       "The forced rub of the scene's friction with the force u = -k e_z x q' on the ring, q' the "
-       "ring's velocity, in its closed loop, over spin speed and k: judged by the eigenvalues of "
-       "its small perturbations with contact kept. The rule is the k under which it decays "
-       "fastest.",
-       "--feedback-map",
-       {kGrowth, kForce}},
-      cards_of(map), feedback_map_plots(map),
-      {{"rows", rule_rows(map)}, {"keys", feedback_keys(map)}});
+  const result::Section found = feedback_map_table(scene.name, map);
+  constexpr const char* lead =
+      "The forced rub of the scene's friction with the force u = -k e_z x q' on the ring, q' the "
+      "ring's velocity, in its closed loop, over spin speed and k: judged by the eigenvalues of "
+      "its small perturbations with contact kept. The rule is the k under which it decays fastest.";
+  return map_page({.head = {scene.name, "cross-coupled feedback", "Which feedback calms the rub?"},
+                   .command = "modes --feedback-map",
+                   .first = {kGrowth, kForce},
+                   .above = {{{"cards", cards_of(map)}}, {{"lead", lead}}},
+                   .below = page_json(found),
+                   .scene = scene.text},
+                  found, feedback_map_plots(map));
 }
 
 }  // namespace rotorub

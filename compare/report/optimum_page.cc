@@ -1,16 +1,13 @@
 #include "compare/report/optimum_page.h"
 
-#include <fmt/format.h>
-
 #include <nlohmann/json.hpp>
 
-#include "compare/base/format.h"
+#include "compare/base/units.h"
 #include "compare/optimise/output.h"
-#include "compare/report/assets.h"
 #include "compare/report/linear_maps.h"
 #include "compare/report/page_frame.h"
 #include "compare/report/plot_points.h"
-#include "compare/report/sweep_page.h"
+#include "compare/result/result.h"
 
 namespace rotorub {
 namespace {
@@ -61,46 +58,22 @@ json plots_of(const Task& task, const Optimum& optimum) {
           {"columns", columns}, {"status", status}, {"statuses", statuses}, {"every", 1}};
 }
 
-json cards_of(const Task& task, const Optimum& optimum) {
-  const std::string edge = optimise::edge_text(task, optimum);
-  const std::string count = fmt::format("{} evaluations{}{}", optimum.evaluations.size(),
-                                        edge.empty() ? "" : "; the best is ", edge);
-  json cards = {card("Search", optimum.best ? "good" : "bad", to_string(optimum.ending), count)};
-  if (!optimum.best) return cards;
-  const Evaluation& best = optimum.evaluations[*optimum.best];
-  cards.push_back(card(task.goal.maximise ? "Largest" : "Least", "", short_number(*best.figure),
-                       fmt::format("{}, SI; evaluation {}", task.goal.figure.text, *optimum.best)));
-  for (std::size_t k = 0; k < best.values.size(); ++k) {
-    const sweep::Vary& vary = task.study.vary[k];
-    const ShownUnit unit = shown_unit(vary.unit);
-    cards.push_back(card(
-        vary.key, "", fmt::format("{} {}", short_number(unit.per_si * best.values[k]), unit.name),
-        fmt::format("of {} to {}", short_number(unit.per_si * vary.from),
-                    short_number(unit.per_si * vary.to))));
-  }
-  return cards;
-}
-
 }  // namespace
 
 std::string optimum_page(const std::string& name, const Task& task, const Optimum& optimum,
                          const std::string& best) {
-  const json plots = plots_of(task, optimum);
-  json values = page_frame({name, "optimise", "Which values are best?"}, {{"maps", {plots}}});
-  std::string lead =
-      fmt::format("{} {}", task.goal.maximise ? "Maximised:" : "Minimised:", task.goal.figure.text);
-  for (const Constraint& c : task.goal.constraints)
-    lead += fmt::format(", with {}", optimise::constraint_text(c));
-  values["lead"] = lead + ". Each mark is a scene that was tried.";
-  values["command"] = "optimise";
+  const result::Section found = optimise::result_of(name, task, optimum);
+  json above = page_json(found);
+  above.push_back({{"lead", "Each mark is a scene that was tried."}});
   const std::string second =
       task.goal.constraints.empty() ? "evaluation" : task.goal.constraints.front().figure.text;
-  values["maps"] = figure_choices({task.goal.figure.text, second});
-  values["cards"] = cards_of(task, optimum);
-  values["figures"] = plots.at("figures");
-  values["rule"] = nullptr;
-  values["text"] = best.empty() ? "none that runs and keeps the constraints" : best;
-  return fill_page(map_page_html(), values);
+  return map_page({.head = {name, "optimise", "Which values are best?"},
+                   .command = "optimise",
+                   .first = {task.goal.figure.text, second},
+                   .above = above,
+                   .below = json::array(),
+                   .scene = best},
+                  found, plots_of(task, optimum));
 }
 
 }  // namespace rotorub

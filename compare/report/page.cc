@@ -107,7 +107,6 @@ std::string report_page(const std::vector<PageScene>& scenes, const Beside& besi
        {"beside", beside.parts},
        {"benches", beside.benches},
        {"maps", beside.maps}});
-  values["map_sets"] = beside.map_sets;
   values["has_benches"] = !beside.benches.empty();
   values["has_cases"] = !beside.parts.at("cases").empty();
   values["has_maps"] = !beside.maps.empty();

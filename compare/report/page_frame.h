@@ -27,7 +27,7 @@ enum class Pictures { kPlots, kPlotsAndRig };
 nlohmann::json page_frame(const PageHead& head, const nlohmann::json& data,
                           Pictures pictures = Pictures::kPlots);
 
-// Fills the page, including the shared partials: head, foot, cards, map, figures.
+// Fills the page, including the shared partials: head, foot.
 std::string fill_page(std::string_view html, const nlohmann::json& values);
 
 // A page that the script lays out. parts: of page/layout.js, with those of the result; data: for
@@ -36,7 +36,7 @@ std::string laid_out_page(const PageHead& head, const result::Section& found,
                           const nlohmann::json& parts, nlohmann::json data,
                           const std::string& footer);
 
-// A short answer at the top of the page (page/cards.html). tone: "", "good", "bad".
+// A short answer at the top of the page (page/layout.js). tone: "", "good", "bad".
 nlohmann::json card(std::string_view title, std::string_view tone, std::string_view headline,
                     std::string_view text);
 

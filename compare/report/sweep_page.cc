@@ -6,13 +6,15 @@
 #include <algorithm>
 #include <nlohmann/json.hpp>
 #include <optional>
+#include <string>
+#include <vector>
 
 #include "compare/base/format.h"
 #include "compare/base/units.h"
-#include "compare/report/assets.h"
 #include "compare/report/linear_maps.h"
 #include "compare/report/page_frame.h"
 #include "compare/report/plot_points.h"
+#include "compare/result/result.h"
 #include "compare/sweep/group_statistics.h"
 #include "compare/sweep/linear_map.h"
 
@@ -20,6 +22,7 @@ namespace rotorub {
 namespace {
 
 using nlohmann::json;
+using result::Item, result::Role, result::Section, result::Sentence;
 using sweep::ResultColumn;
 using sweep::SampleKind;
 using sweep::Statement;
@@ -76,22 +79,30 @@ json figures_json() {
   });
 }
 
-json failures(sweep::Store& store, std::size_t keys) {
+// The first points that failed.
+Section failures(sweep::Store& store, const sweep::Study& study) {
   constexpr std::size_t kListed = 50;
-  json rows = json::array();
+  const int status = static_cast<int>(study.vary.size()) + 1;
+  result::Table table{.columns = {{.heading = "point", .width = -8}}};
+  for (const Vary& vary : study.vary)
+    table.columns.push_back({.heading = name_and_unit(vary.key, vary.unit), .width = -28});
+  table.columns.push_back({.heading = "status", .width = -20});
+  table.columns.push_back({.heading = "reason"});
   store.each([&](const Statement& row) {
-    const int status = static_cast<int>(keys) + 1;
-    if (rows.size() >= kListed || row.text(status) == "ok") return;
-    json values = json::array();
+    if (table.rows.size() >= kListed || row.text(status) == "ok") return;
+    std::vector<Item>& items = table.rows.emplace_back().items;
+    items.push_back({.text = std::to_string(row.whole(0))});
     for (int k = 1; k < status; ++k) {
-      values.push_back(row.is_text(k) ? row.text(k) : fmt::format("{:.6g}", row.number(k)));
+      items.push_back(
+          {.text = row.is_text(k) ? row.text(k) : fmt::format("{:.6g}", row.number(k))});
     }
-    rows.push_back({{"point", row.whole(0)},
-                    {"values", values},
-                    {"status", row.text(status)},
-                    {"reason", row.text(status + 1)}});
+    items.push_back({.text = row.text(status)});
+    items.push_back({.text = row.text(status + 1)});
   });
-  return rows;
+  const bool any = !table.rows.empty();
+  return {.parts = {result::line("Points that failed", Role::kHeading), std::move(table),
+                    Sentence{.text = any ? "At most fifty are listed; results.csv has all of them."
+                                         : "none"}}};
 }
 
 json cards_of(sweep::Store& store) {
@@ -135,36 +146,45 @@ json runs_json(const PointRuns& runs, std::int64_t points) {
 }
 
 // The rows of statistics.csv in the units of the page.
-json statistics_of(sweep::Store& store, const sweep::Study& study) {
+Section statistics_of(sweep::Store& store, const sweep::Study& study) {
   const sweep::Statistics& asked = *study.statistics;
-  json rows = json::array();
+  result::Table table;
+  for (const std::size_t k : asked.by) {
+    const Vary& vary = study.vary[k];
+    table.columns.push_back({.heading = name_and_unit(vary.key, vary.unit), .width = -28});
+  }
+  for (const char* words : {"figure", "statistic"})
+    table.columns.push_back({.heading = words, .width = -28});
+  for (const char* number : {"value", "from", "to", "points"})
+    table.columns.push_back({.heading = number, .width = 12});
   bool bounds = false;
   for (const sweep::StatisticsRow& row : sweep::group_statistics(store, study)) {
     const bool share = row.statistic.starts_with("share ");
     const ShownUnit unit = shown_unit(row.unit);
-    const auto text = [&](std::optional<double> value) {
-      if (!value) return std::string();
-      return share ? fmt::format("{:.3g} %", 100.0 * *value) : short_number(unit.per_si * *value);
+    const auto number = [&](std::optional<double> value) -> Item {
+      if (!value) return {};
+      return {.text = share ? fmt::format("{:.3g} %", 100.0 * *value)
+                            : short_number(unit.per_si * *value)};
     };
-    bounds = bounds || row.estimate.low || row.estimate.high;
-    rows.push_back({{"group", row.group},
-                    {"figure", row.figure},
-                    {"unit", unit.name},
-                    {"statistic", row.statistic},
-                    {"value", text(row.estimate.value)},
-                    {"low", text(row.estimate.low)},
-                    {"high", text(row.estimate.high)},
-                    {"count", row.count}});
+    const sweep::Estimate& estimate = row.estimate;
+    bounds = bounds || estimate.low || estimate.high;
+    std::vector<Item>& items = table.rows.emplace_back().items;
+    for (const std::string& value : row.group) items.push_back({.text = value});
+    items.insert(items.end(), {{.text = name_and_unit(row.figure, unit.name)},
+                               {.text = row.statistic},
+                               number(estimate.value),
+                               number(estimate.low),
+                               number(estimate.high),
+                               {.text = std::to_string(row.count)}});
   }
-  const auto by = list_of(asked.by, [&](std::size_t k) -> json {
-    return {{"key", study.vary[k].key}, {"unit", study.vary[k].unit}};
-  });
-  return {{"by", by},
-          {"rows", rows},
-          {"note", bounds ? fmt::format("What is estimated lies between from and to with a "
-                                        "confidence of {}, of points that are independent.",
-                                        percent_text(asked.confidence))
-                          : "Bounds need independent points, as kind = \"random\" draws them."}};
+  const std::string note =
+      bounds ? fmt::format(
+                   "What is estimated lies between from and to with a confidence of {}, if "
+                   "the points are independent.",
+                   percent_text(asked.confidence))
+             : "Bounds need independent points, as kind = \"random\" draws them.";
+  return {.parts = {result::line("Statistics", Role::kHeading), std::move(table),
+                    Sentence{.text = note + " The table is in statistics.csv."}}};
 }
 
 // Adds the figures of the linear map to the runs' figures. Row i of a whole grid's plots is point
@@ -183,11 +203,6 @@ void add_linear(const sweep::LinearMap& map, json& plots) {
 }
 
 }  // namespace
-
-ShownUnit shown_unit(std::string_view unit) {
-  if (unit == "rad/s") return {"Hz", kHz};
-  return {std::string(unit), 1.0};
-}
 
 json sweep_plots(const sweep::PointScenes& scenes, sweep::Store& store, const sweep::Study& study) {
   const std::int64_t every = (scenes.sample().size() + kMostDrawn - 1) / kMostDrawn;
@@ -244,26 +259,36 @@ std::string sweep_page(const sweep::PointScenes& scenes, sweep::Store& store,
                        const sweep::Study& study, const json& kept, const PointRuns& runs,
                        const json& bifurcation) {
   json plots = kept.at("plots");
+  plots["maps"] = kept.at("maps");
   plots["runs"] = runs_json(runs, scenes.sample().size());
+  json parts = json::array();
+  const auto note = [&](const std::string& text) { parts.push_back({{"text", text}}); };
+  parts.push_back({{"cards", kept.at("cards")}});
+  if (const auto every = plots.at("every").get<std::int64_t>(); every > 1)
+    note(fmt::format("Only every {}th point is drawn; results.csv has all of them.", every));
+  if (!bifurcation.is_null())
+    parts.push_back({{"class", "plots"}, {"parts", {{{"plots", "bifurcation"}}}}});
+  parts.push_back({{"maps", 0}});
+  note("Click a point, or enter its number, to see how to rerun it.");
+  if (kept.at("linear")) {
+    note(
+        "Linear: which lasting rubs exist and are stable by their eigenvalues, without any run; "
+        "the spin is held, and each load acts for ever.");
+  }
+  const std::string refused = kept.at("linear_refused");
+  if (!refused.empty()) note("Linear map: " + refused + ".");
+  Section found;
+  if (study.statistics) found.add({statistics_of(store, study)});
+  found.add({failures(store, study)});
+  json sheets = page_json(found);
+  sheets.push_back({{"figures", 0}});
+  sheets.push_back({{"summary", "The study"}, {"pre", study.text}});
+  sheets.push_back({{"summary", "The scene"}, {"pre", scenes.scene_text()}});
+  parts.push_back({{"class", "sheets"}, {"parts", sheets}});
   json data{{"maps", {plots}}};
   if (!bifurcation.is_null()) data["bifurcation"] = bifurcation;
-  json values = page_frame({kept.at("name"), "sweep", "What does it do, and where?"}, data);
-  values["has_bifurcation"] = !bifurcation.is_null();
-  values["bifurcation_note"] = bifurcation.is_null() ? "" : bifurcation.at("note");
-  for (const char* name : {"maps", "cards", "linear", "linear_refused"})
-    values[name] = kept.at(name);
-  values["two"] = study.vary.size() > 1;
-  const auto every = plots.at("every").get<std::int64_t>();
-  values["thinned"] = every > 1 ? std::to_string(every) : "";
-  values["keys"] = list_of(study.vary, [](const Vary& vary) -> json {
-    return {{"key", vary.key}, {"unit", vary.unit}};
-  });
-  values["statistics"] = study.statistics ? statistics_of(store, study) : json(nullptr);
-  values["failures"] = failures(store, study.vary.size());
-  values["figures"] = plots.at("figures");
-  values["study"] = study.text;
-  values["scene"] = scenes.scene_text();
-  return fill_page(sweep_html(), values);
+  return laid_out_page({kept.at("name"), "sweep", "What does it do, and where?"}, found, parts,
+                       std::move(data), "The results are in results.csv, in SI units.");
 }
 
 }  // namespace rotorub

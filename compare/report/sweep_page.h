@@ -5,7 +5,6 @@
 #include <map>
 #include <nlohmann/json.hpp>
 #include <string>
-#include <string_view>
 
 #include "compare/sweep/sample.h"
 #include "compare/sweep/store.h"
@@ -24,15 +23,8 @@ std::string sweep_page(const sweep::PointScenes& scenes, sweep::Store& store,
                        const sweep::Study& study, const nlohmann::json& kept,
                        const PointRuns& runs = {}, const nlohmann::json& bifurcation = nullptr);
 
-// A unit as the page shows it, for example Hz for rad/s.
-struct ShownUnit {
-  std::string name;
-  double per_si = 1.0;
-};
-ShownUnit shown_unit(std::string_view unit);
-
-// The values of the sweep for a report that shows it too (beside.h): "name", "cards", "maps" of the
-// template and "plots".
+// The values of the sweep for a report that shows it too (beside.h): "name", "cards", "maps"
+// (figure_choices() of linear_maps.h), "plots", and whether it has the linear figures.
 nlohmann::json sweep_json(const sweep::PointScenes& scenes, sweep::Store& store,
                           const sweep::Study& study);
 

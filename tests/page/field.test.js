@@ -179,7 +179,7 @@ end = "20 ms"
   assert.equal(await page.locator('.chosen-point .command').textContent(), "rotorub sweep 'points.toml' -o 'points' --point 3");
   assert.match(await page.locator('.chosen-point').textContent(), /contact.friction 0.2 .*contact.restitution 0.8 .*status ok/);
   const lines = fs.readFileSync(path.join(folder, 'points/statistics.csv'), 'utf8').trim().split('\n').length;
-  assert.equal(await page.locator('.statistics tbody tr').count(), lines - 1);
+  assert.equal(await page.locator('section', {has: page.locator('h2', {hasText: 'Statistics'})}).last().locator('tbody tr').count(), lines - 1);
   await page.close();
   rotorub(['sweep', 'points.toml', '-o', 'points', '--point', '3', '-q']);
   page = await open(browser, 'points/sweep.html');

@@ -2,6 +2,7 @@
 //   {cards: [{title, tone, headline, text, link}]}   the page's short answers
 //   {lead: text}                                     what the page is about
 //   {plots: [{title, unit, text, shape, data}]}      places of plots; data: their data attributes
+//   {maps: index}                                    the place of a set of maps
 //   {summary, pre}                                   a text that is folded away
 // Every text is text: a name such as "<b>" is shown as it is written.
 
@@ -58,6 +59,7 @@ const kinds = {
   lead: ({lead}) => element('p', {class: 'lead'}, lead),
   cards: ({cards}) => element('section', {class: 'cards', 'aria-label': 'in short'}, ...cards.map(cardOf)),
   plots: ({plots}) => element('div', {class: 'plot-grid'}, ...plots.map(plotOf)),
+  maps: ({maps}) => element('section', {class: 'map-set', 'data-index': String(maps)}),
   summary: ({summary, pre}) => element('details', {}, element('summary', {}, summary), element('pre', {}, pre)),
   text: (sentence) => element('p', {class: 'note'}, ...toned(sentence)),
 };

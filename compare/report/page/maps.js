@@ -1,13 +1,16 @@
-// The maps of a sweep or of a linear analysis, in `element`: its figures with a list each, its bar of axes. A grid is a
-// picture of one pixel a cell, with marks that cannot be seen for the pointer; other points are marks of their own; one
-// key is a curve. A figure may be "linear": computed for every point, whether its run succeeded or not; and "signed":
-// its colours part at 0.
+// The maps of a sweep, of an optimisation or of a linear analysis, in `into`: a bar of axes, and for each of data.maps a
+// map with the list of figures that it can show. A grid is a picture of one pixel a cell, with marks that cannot be seen
+// for the pointer; other points are marks of their own; one key is a curve. A figure may be "linear": computed for every
+// point, whether its run succeeded or not; and "signed": its colours part at 0.
 import {chosenPoint} from './chosen_point.js';
+import {element} from './layout.js';
 import {show} from './page.js';
 import {colourOfWord, colourScale, keyScale} from './scales.js';
 import {axes, css, layout, legendAbove, scaleOfColours, short} from './style.js';
 
-export function mapsOf(element, data) {
+const ordinals = ['first', 'second', 'third', 'fourth'];
+
+export function mapsOf(into, data) {
   const {keys, figures, columns, values, status, statuses} = data;
   const grid = data.kind === 'grid';
   const choice = {x: 0, y: Math.min(1, keys.length - 1), fixed: keys.map(() => 0)};
@@ -30,8 +33,8 @@ export function mapsOf(element, data) {
   }
 
   // Of a sweep's own page: a click on a point, or its number, leads to its run.
-  const every = data.every || 1, place = element.querySelector('.chosen-point');
-  const choosePoint = place && data.runs ? chosenPoint(place, data.runs, (point) => {
+  const every = data.every || 1, place = element('div', {class: 'chosen-point', role: 'group', 'aria-label': 'the run of a point'});
+  const choosePoint = data.runs ? chosenPoint(place, data.runs, (point) => {
     const i = point / every;
     if (!Number.isInteger(i)) return [];
     return [...keys.map((key, k) => [key.name, `${shown(valueAt(k, i))} ${key.unit}`]), ['status', statuses[status[i]]]];
@@ -111,10 +114,20 @@ export function mapsOf(element, data) {
   }
 
   // ------------------------------------------------------------------ what is chosen
-  const draw = () => element.querySelectorAll('figure').forEach((box) => {
-    const f = Number(box.querySelector('select').value);
-    box.querySelector('.meaning').textContent = figures[f].meaning;
-    (keys.length > 1 ? drawMap : drawCurve)(box.querySelector('.plot'), f);
+  const maps = data.maps.map(({first}, k) => {
+    const list = element('select', {class: 'figure', 'aria-label': `figure of the ${ordinals[k]} map`});
+    figures.forEach((figure, f) => {
+      if (columns[f].some((v) => v !== null)) list.add(new Option(figure.name, f, false, figure.name === first));
+    });
+    if (!list.options.length) list.add(new Option(figures[0].name, 0));
+    list.addEventListener('change', () => draw());
+    return {list, meaning: element('span', {class: 'meaning'}), plot: element('div', {class: 'plot'})};
+  });
+
+  const draw = () => maps.forEach(({list, meaning, plot}) => {
+    const f = Number(list.value);
+    meaning.textContent = figures[f].meaning;
+    (keys.length > 1 ? drawMap : drawCurve)(plot, f);
   });
 
   function select(label, names, value, change) {
@@ -125,8 +138,9 @@ export function mapsOf(element, data) {
     return box;
   }
 
+  const bar = element('div', {class: 'map-bar axes', role: 'group', 'aria-label': 'axes of the maps'});
   function axesBar() {
-    const bar = element.querySelector('.axes'), names = keys.map(title), boxes = [];
+    const names = keys.map(title), boxes = [];
     const change = (which, other) => (k) => {
       if (choice[other] === k) choice[other] = choice[which];
       choice[which] = k;
@@ -145,13 +159,9 @@ export function mapsOf(element, data) {
     bar.replaceChildren(...boxes);
   }
 
-  element.querySelectorAll('select.figure').forEach((list) => {
-    figures.forEach((figure, f) => {
-      if (columns[f].some((v) => v !== null)) list.add(new Option(figure.name, f, false, figure.name === list.dataset.first));
-    });
-    if (!list.options.length) list.add(new Option(figures[0].name, 0));
-    list.addEventListener('change', draw);
-  });
+  into.append(bar, element('div', {class: 'plot-grid'}, ...maps.map(({list, meaning, plot}) =>
+    element('figure', {class: 'tall'}, element('figcaption', {class: 'map-bar'}, list, meaning), plot))));
+  if (choosePoint) into.append(place);
   axesBar();
   return draw;
 }

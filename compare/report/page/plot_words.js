@@ -59,10 +59,21 @@ const loop = ({loops}, index) => [
     'bearing from 0 on, and how far the rotor goes there; rings: the most, diamonds: from when on it keeps within 2 %, dotted: what stays'},
 ];
 
-const kinds = {bench, rotor, whirl, loop};
+const bifurcation = ({bifurcation: shown}) => [{plot: 'bifurcation', shape: 'wide tall', title: 'Bifurcation diagram', unit: 'µm',
+  text: 'where the rotor is along x each time its mark passes +x, of what each value leads to: one point is a motion of one turn, k points ' +
+    'one of k turns, a cloud chaos or several frequencies. Dots upwards, rings downwards: where they differ, two motions stand side by side. ' +
+    `Below, the largest Lyapunov exponent of the way up: above 0 neighbouring runs part, which is chaos. ${shown.note}`}];
 
-// Parts of a page (layout.js) with their plots: of {plots: kind, index} those for which `data` has the data.
-export const withPlots = (parts, data) => parts.map((part) => {
+const kinds = {bench, rotor, whirl, loop, bifurcation};
+
+// What the figures of a set of maps mean.
+const figuresOf = ({figures}) => [{heading: 'Figures'}, {columns: ['name', 'unit here', 'meaning'].map((text) => ({text})),
+  rows: figures.map(({name, unit, meaning}) => ({cells: [name, unit, meaning]}))}];
+
+// Parts of a page (layout.js) with their plots: of {plots: kind, index} those for which `data` has the data; and of {figures:
+// index} the table of the figures in that set of maps.
+export const withPlots = (parts, data) => parts.flatMap((part) => {
+  if ('figures' in part) return figuresOf(data.maps[part.figures]);
   if (part.parts) return {...part, parts: withPlots(part.parts, data)};
   if (!part.plots) return part;
   const placed = ({plot, over, index = part.index, ...words}) =>

@@ -141,7 +141,7 @@ class RubMapOfTheWhip : public testing::Test {
 };
 
 TEST_F(RubMapOfTheWhip, AsAPicture) {
-  const std::string picture = rub_map_picture("whip", map);
+  const std::string picture = result::text_of(rub_map_picture("whip", map));
   EXPECT_NE(picture.find("     0.25 |OOO\n      0.2 |VVV\n      0.1 |OOO\n"), std::string::npos)
       << picture;
   EXPECT_NE(picture.find("V  no contact + backward whip + rolling"), std::string::npos) << picture;
@@ -177,7 +177,7 @@ TEST_F(RubMapOfTheWhip, OverAnyTwoKeys) {
   const json all = rub_map_json(other);
   EXPECT_EQ(all.at("across").at("key"), "contact.clearance");
   EXPECT_TRUE(all.at("points")[0].is_null());
-  const std::string picture = rub_map_picture("whip", other);
+  const std::string picture = result::text_of(rub_map_picture("whip", other));
   EXPECT_NE(picture.find("contact.clearance / m"), std::string::npos) << picture;
   EXPECT_NE(picture.find("Blank: refused"), std::string::npos) << picture;
   EXPECT_EQ(rub_map_plots(other)["keys"][0].at("name"), "contact.clearance");
@@ -196,6 +196,10 @@ TEST_F(RubMapOfTheWhip, AsAPage) {
   const std::string page = rub_map_page(scene, map);
   EXPECT_TRUE(page.starts_with("<!doctype html>"));
   EXPECT_NE(page.find("Backward whip stable"), std::string::npos);
+  const json parts = page_json(rub_map_picture("whip", map));
+  ASSERT_EQ(parts.size(), 1U) << "the legend without the letters of the picture";
+  EXPECT_EQ(parts[0].at("rows").back().at("cells"),
+            json({"no contact + backward whip + rolling", "33.3 %"}));
 }
 
 // What `rotorub modes --feedback-map` says: the rule, its keys in a scene, the page.
@@ -245,6 +249,10 @@ TEST(FeedbackMap, ItsPageHasNoNumberWhereNoRubLasts) {
   EXPECT_TRUE(plots["columns"][0][6].is_null());
   EXPECT_TRUE(plots["columns"][2][6].is_null());
   EXPECT_EQ(plots["columns"][3][6], "whip or rolling");
+  const json rule = page_json(feedback_map_table("x", map)).at(0);
+  ASSERT_EQ(rule.at("rows").size(), 2U);
+  EXPECT_EQ(rule.at("columns")[1].at("text"), "k / N s/m");
+  EXPECT_EQ(rule.at("rows")[0].at("cells"), json({"15.92", "300", "200", "300", "4", "50", ""}));
   const std::string page = feedback_map_page(shipped("paper_cross_coupled"), map);
   EXPECT_TRUE(page.starts_with("<!doctype html>"));
   EXPECT_NE(page.find("at 1 of 2 speeds"), std::string::npos);

@@ -170,7 +170,7 @@ TEST_F(Optimise, SaysWhereNothingKeepsTheConstraints) {
   EXPECT_FALSE(optimum.best);
   EXPECT_TRUE(json_of(result_of("x", t, optimum)).at("best").is_null());
   EXPECT_NE(text_of(result_of("x", t, optimum)).find("none of them"), std::string::npos);
-  EXPECT_NE(optimum_page("x", t, optimum, "").find("none that runs"), std::string::npos);
+  EXPECT_NE(optimum_page("x", t, optimum, "").find("none of them keeps"), std::string::npos);
 }
 
 TEST_F(Optimise, SaysWhatIsWrong) {

@@ -44,7 +44,7 @@ json kept_bench() {
 }
 
 const char* const kMap =
-    R"({"name": "ring", "cards": [], "maps": [{"first": "f", "which": "first"}], "plots": {
+    R"({"name": "ring", "cards": [], "maps": [{"first": "f"}], "plots": {
   "kind": "grid", "keys": [{"name": "k", "unit": "", "even": true, "log": false, "values": [1, 2]}],
   "figures": [{"name": "f", "unit": "N", "meaning": "m", "word": false}], "values": [[0, 1]],
   "columns": [[3, 4]], "status": [0, 0], "statuses": ["ok"], "every": 1}})";
@@ -89,7 +89,11 @@ TEST_F(BesideFolder, FindsWhatTheCommandsLeft) {
   EXPECT_EQ(cases.at(2).at("heading"), "fails:");
   EXPECT_EQ(cases.at(3).at("text"), "one, mujoco-cone: 2 > 1");
   ASSERT_EQ(beside.maps.size(), 1u);
-  EXPECT_EQ(beside.map_sets.at(0).at("name"), "ring");
+  EXPECT_EQ(beside.maps[0].at("maps"), json({{{"first", "f"}}}));
+  const json& maps = beside.parts.at("maps");
+  ASSERT_EQ(maps.size(), 3u);
+  EXPECT_EQ(maps[0].at("heading"), "ring");
+  EXPECT_EQ(maps[2], json({{"maps", 0}}));
 }
 
 TEST_F(BesideFolder, RefusesWhatTheyDidNot) {

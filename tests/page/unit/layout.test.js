@@ -60,6 +60,10 @@ test('cards and plots', () => {
     '<div class="plot" data-of="rotor" data-index="0"></div></figure></div>');
 });
 
+test('the place of a set of maps', () => {
+  assert.equal(laid({maps: 0}), '<section class="map-set" data-index="0"></section>');
+});
+
 test('a text is never HTML', () => {
   assert.equal(laid({title: '<b>nowhere', parts: []}, {text: '<i>'}, {heading: '</h2>'}),
     '<section class="scene"><div class="scene-head"><h2>&lt;b>nowhere</h2></div></section><p class="note">&lt;i></p><section><h2>&lt;/h2></h2></section>');

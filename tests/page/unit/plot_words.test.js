@@ -27,6 +27,18 @@ test('of the free rotor those that its scene allows', () => {
   assert.doesNotMatch(bode.text, /API 617/);
 });
 
+test('the figures of a set of maps are a table', () => {
+  const figures = [{name: 'force', unit: 'N', meaning: 'how hard'}];
+  assert.deepEqual(withPlots([{figures: 0}, {maps: 0}], {maps: [{figures}]}), [{heading: 'Figures'},
+    {columns: [{text: 'name'}, {text: 'unit here'}, {text: 'meaning'}], rows: [{cells: ['force', 'N', 'how hard']}]}, {maps: 0}]);
+});
+
+test('a bifurcation diagram says how its values begin', () => {
+  const [{plots}] = withPlots([{plots: 'bifurcation'}], {bifurcation: {note: 'Each value begins where the one before it ended.'}});
+  assert.deepEqual(placesOf({plots}), [{of: 'bifurcation', plot: 'bifurcation'}]);
+  assert.match(plots[0].text, /which is chaos\. Each value begins/);
+});
+
 test('a run says why it lacks a diagram or shapes', () => {
   assert.deepEqual(whirlParts({rotor: {refusal: 'no modes'}}), [{text: 'No Campbell diagram: no modes'}]);
   const [{plots}, note] = whirlParts({rotor: {words, bode: null, shapes: null}});
