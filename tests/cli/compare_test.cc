@@ -10,10 +10,17 @@
 namespace rotorub::test {
 namespace {
 
-TEST(CliCompare, UnknownModesAndTolerancesAreRefused) {
+TEST(CliCompare, UnknownValuesAreRefused) {
   const Folder folder;
-  folder.refuses({"compare", shipped("bench_ring"), "--mode", "guess"});
-  folder.refuses({"compare", shipped("bench_ring"), "--tolerance", "1 mm"});
+  const std::vector<std::string> ring{"compare", shipped("bench_ring")};
+  folder.refuses(with(ring, {"--mode", "guess"}));
+  folder.refuses(with(ring, {"--tolerance", "1 mm"}));
+  folder.refuses(with(ring, {"--twins", "-1"}));
+  // 1 may be meant as 1 % and would be 100 %: neither is guessed.
+  for (const std::string command : {"compare", "tune"}) {
+    folder.refuses({command, shipped("bench_ring"), "--tolerance", "1"},
+                   {"100 %", "\"1%\"", "0.01"});
+  }
   EXPECT_TRUE(folder.files().empty());
 }
 
@@ -70,17 +77,6 @@ TEST(CliCompare, TheConeDecidesWhereAsked) {
   EXPECT_EQ(all["answer"][0].at("contact"), "cone");
   EXPECT_EQ(all["answer"][0].at("trusted"), "no");
   EXPECT_TRUE(all["answer"][0].at("decides_exit_code").get<bool>());
-}
-
-// 1 may be meant as 1 % and would be 100 %: neither is guessed.
-TEST(CliCompare, ABareToleranceOfOneIsRefused) {
-  const Folder folder;
-  for (const std::string command : {"compare", "tune"}) {
-    folder.refuses({command, shipped("bench_ring"), "--tolerance", "1"},
-                   {"100 %", "\"1%\"", "0.01"});
-  }
-  folder.refuses({"compare", shipped("bench_ring"), "--twins", "-1"});
-  EXPECT_TRUE(folder.files().empty());
 }
 
 TEST(CliCompare, LeavesSeriesJsonAndReport) {

@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "tests/cli/program.h"
+#include "tests/support/every_third.h"
 
 namespace rotorub::test {
 namespace {
@@ -98,27 +99,13 @@ TEST(CliPlaces, OfEveryCommandAreTried) {
   EXPECT_EQ(commands, 16u);
 }
 
-TEST(CliPlaces, BelowAFile) {
-  const Folder folder;
-  folder.write("file", "text");
-  expect_all_refused(folder, "file/below");
-}
-
-TEST(CliPlaces, BelowADevice) {
-  const Folder folder;
-  expect_all_refused(folder, "/dev/full/below");
-}
-
-// A file system that takes no files, whoever asks.
+// Below a file and a device, in a file system that takes no files, and in a link to nothing.
 TEST(CliPlaces, WhereNobodyCanMakeAFolder) {
   const Folder folder;
-  expect_all_refused(folder, "/proc/rotorub");
-}
-
-TEST(CliPlaces, BelowALinkToNothing) {
-  const Folder folder;
+  folder.write("file", "text");
   std::filesystem::create_symlink("nothing", folder.path() / "link");
-  expect_all_refused(folder, "link");
+  for (const char* place : {"file/below", "/dev/full/below", "/proc/rotorub", "link"})
+    expect_all_refused(folder, place);
 }
 
 TEST(CliPlaces, WithoutTheRight) {
@@ -200,10 +187,15 @@ TEST(CliPlaces, OfTheFilesOfARun) {
   expect_each_file_looked_at({"run", kRing, "--lyapunov", "-o", "out"}, {"out/lyapunov.json"});
 }
 
+// Each of its runs leaves the same files.
+const Arguments kComparison{"compare", kRing, "--end",      "1ms",
+                            "--twins", "0",   "--no-video", "--no-modes-ladder",
+                            "-o",      "out"};
 TEST(CliPlaces, OfTheFilesOfAComparison) {
-  expect_all_files_looked_at({"compare", kRing, "--end", "1ms", "--twins", "0", "--no-video",
-                              "--no-modes-ladder", "-o", "out"});
+  expect_each_file_looked_at(kComparison, every_third(written(kComparison)));
 }
+// Daily: CliPlaces.OfTheFilesOfAComparison.
+TEST(CliPlacesNightly, OfTheFilesOfAComparison) { expect_all_files_looked_at(kComparison); }
 
 TEST(CliPlaces, OfTheFilesOfASweep) {
   const Arguments sweep{"sweep", "study.toml", "--set", "run.end=1e-3", "-o", "out"};

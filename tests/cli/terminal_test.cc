@@ -60,14 +60,6 @@ TEST(CliTerminal, NobodyElseGetsColours) {
   EXPECT_FALSE(contains(file.out, "\033"));
 }
 
-TEST(CliTerminal, HelpOfACommand) {
-  const Folder folder;
-  const Outcome help = folder.done({"help", "run"});
-  EXPECT_EQ(help.out, folder.run({"run", "--help"}).out);
-  EXPECT_TRUE(contains(help.out, "--integrator"));
-  EXPECT_EQ(folder.run({"help"}).out, folder.run({"--help"}).out);
-}
-
 TEST(CliTerminal, HelpFitsEightyColumns) {
   const Folder folder;
   for (const char* command : {"", "run", "compare", "modes", "mjcf", "render", "bench", "sweep",

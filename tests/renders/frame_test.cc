@@ -272,12 +272,7 @@ TEST(Frame, ShippedRigIsDrawnFromItsGeometry) {
   expect_thrown<std::runtime_error>([&] { FramePainter(rig, run, small_options()); },
                                     "paper_passive");
 
-  Trajectory both = whirling_run();
-  Column x2{"x_2", "m", std::vector<double>(both.rows(), 0.0)};
-  Column y2 = x2;
-  y2.name = "y_2";
-  both.series.push_back(x2);
-  both.series.push_back(y2);
+  const Trajectory both = with_second_mode(run, 0.0, 0.0);
   FramePainter painter(rig, both, small_options());
   const Picture picture = painter.paint(0.02);
   EXPECT_GT(in_section(picture, is_rotor).count, 1000);

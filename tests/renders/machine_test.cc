@@ -49,9 +49,8 @@ TEST(Machine, DrawnCirclesTouchExactlyWhenTheGapIsZero) {
 TEST(Machine, ShaftPassesThroughTheRotorAtTheContact) {
   // The rig's second mode included: the line at the contact station is the plain sum.
   const scene::Scene rig = rig_of_two_modes();
-  Trajectory run = resting_run({.rotor_x = 3e-4, .rotor_y = 1e-4});
-  run.series.push_back({"x_2", "m", std::vector<double>(run.rows(), -1e-4)});
-  run.series.push_back({"y_2", "m", std::vector<double>(run.rows(), 2e-4)});
+  const Trajectory run =
+      with_second_mode(resting_run({.rotor_x = 3e-4, .rotor_y = 1e-4}), -1e-4, 2e-4);
   const Playback playback(run);
   const Machine machine = make_machine(rig, one(playback), 0.0, 0.1, 10.0);
   const Eigen::Matrix2Xd line = machine.centre_line(playback.at(0.05));
@@ -64,9 +63,7 @@ TEST(Machine, ShaftPassesThroughTheRotorAtTheContact) {
 
 TEST(Machine, RigHasItsPartsAtTheirStations) {
   const scene::Scene rig = rig_of_two_modes();
-  Trajectory run = resting_run({});
-  run.series.push_back({"x_2", "m", std::vector<double>(run.rows(), 0.0)});
-  run.series.push_back({"y_2", "m", std::vector<double>(run.rows(), 0.0)});
+  const Trajectory run = with_second_mode(resting_run({}), 0.0, 0.0);
   const Playback playback(run);
   const Machine machine = make_machine(rig, one(playback), 0.0, 0.1, std::nullopt);
   EXPECT_DOUBLE_EQ(machine.unit, 1.0 / 0.6);
@@ -105,22 +102,23 @@ TEST(Machine, FarMovingRingIsMagnifiedLess) {
   EXPECT_GE(section_magnification(scene, 1.0) * kClearance, 0.1 * 0.05);
 }
 
-double chosen_magnification(const scene::Scene& scene) {
+Machine machine_of(const scene::Scene& scene, std::optional<double> magnification = {}) {
   const Trajectory run = resting_run({});
   const Playback playback(run);
-  return make_machine(scene, one(playback), 0.0, 0.1, std::nullopt).magnification;
+  return make_machine(scene, one(playback), 0.0, 0.1, magnification);
 }
 
 // A second ring with a fifth of the clearance could be magnified five times as much.
 TEST(Machine, SeveralContactsShareAScaleInAnyOrder) {
   scene::Scene scene = ring_scene();
-  const double section = section_magnification(scene, 0.0), machine = chosen_magnification(scene);
+  const double section = section_magnification(scene, 0.0),
+               machine = machine_of(scene).magnification;
   scene.auxiliary.push_back(scene.first());
   scene.auxiliary[1].contact->clearance = 0.2 * kClearance;
   for (const char* order : {"wide ring first", "narrow ring first"}) {
     SCOPED_TRACE(order);
     EXPECT_EQ(section_magnification(scene, 0.0), section);
-    EXPECT_EQ(chosen_magnification(scene), machine);
+    EXPECT_EQ(machine_of(scene).magnification, machine);
     std::swap(scene.auxiliary[0], scene.auxiliary[1]);
   }
 }
@@ -130,18 +128,11 @@ const char* const kMagnets =
     "[actuator]\nkind = \"electromagnet\"\nforce_constant = 6e-6\nbias_current = 2.0\n"
     "air_gap = \"1 mm\"\nstiffness = 0.0\n";
 
-Machine machine_of(const scene::Scene& scene) {
-  const Trajectory run = resting_run({});
-  const Playback playback(run);
-  const std::array<const Playback*, 1> runs = {&playback};
-  return make_machine(scene, runs, 0.0, 0.1, 40.0);
-}
-
 // Bodies of one colour whose axis lies across the shaft at 45 degrees, as that of a strut.
 int struts(const scene::Scene& scene, const Color& color) {
   const MujocoErrors errors;
   std::vector<Mesh> meshes;
-  const MachineView view(machine_of(scene), meshes);
+  const MachineView view(machine_of(scene, 40.0), meshes);
   Stage stage({64, 64, 0, {1.0F, 1.0F, 1.0F}}, meshes);
   const Trajectory run = resting_run({});
   const Playback playback(run);

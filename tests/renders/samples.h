@@ -111,6 +111,13 @@ inline Trajectory resting_run(const Row& row) {
   return made_run(11, [&row](double) { return row; });
 }
 
+// The same run with a second mode, m.
+inline Trajectory with_second_mode(Trajectory run, double x, double y) {
+  run.series.push_back({"x_2", "m", std::vector<double>(run.rows(), x)});
+  run.series.push_back({"y_2", "m", std::vector<double>(run.rows(), y)});
+  return run;
+}
+
 // In touch with the ring from the middle on.
 inline Trajectory late_touch() {
   return made_run(101, [](double t) {

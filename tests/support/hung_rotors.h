@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "native_model/scene/reader.h"
+#include "tests/support/said.h"
 
 namespace rotorub::test {
 
@@ -67,13 +68,10 @@ inline std::vector<Hanging> hung_rotors() {
   };
 }
 
-inline std::string with(std::string text, const std::string& word, const std::string& by) {
-  return text.replace(text.find(word), word.size(), by);
-}
 inline scene::Scene levitated(const Hanging& loop, const std::string& kind) {
-  std::string text = with(kLevitated, "FIRST", loop.first);
-  text = with(with(text, "AMPLIFIER", loop.amplifier), "SECOND", loop.second);
-  return scene::parse_scene(with(text, "KIND", kind), "levitated.toml", {});
+  std::string text = replaced(kLevitated, "FIRST", loop.first);
+  text = replaced(replaced(text, "AMPLIFIER", loop.amplifier), "SECOND", loop.second);
+  return scene::parse_scene(replaced(text, "KIND", kind), "levitated.toml", {});
 }
 
 }  // namespace rotorub::test

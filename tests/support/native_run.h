@@ -2,6 +2,7 @@
 #pragma once
 
 #include <algorithm>
+#include <cmath>
 #include <stdexcept>
 #include <string>
 #include <vector>
@@ -50,6 +51,13 @@ inline std::size_t row_of(const Trajectory& t, double time) {
   const std::vector<double>& times = t.column("t");
   const auto found = std::lower_bound(times.begin(), times.end(), time - kRows);
   return static_cast<std::size_t>(found - times.begin());
+}
+
+// The largest absolute value of a column.
+inline double largest_size(const Trajectory& t, const std::string& column) {
+  double most = 0.0;
+  for (const double value : t.column(column)) most = std::max(most, std::abs(value));
+  return most;
 }
 
 }  // namespace rotorub::test

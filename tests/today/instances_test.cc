@@ -2,12 +2,12 @@
 // whose <custom> says the same.
 #include <gtest/gtest.h>
 
-#include <fstream>
+#include <algorithm>
 #include <map>
 #include <regex>
-#include <sstream>
 
 #include "mjcf/writer.h"
+#include "native_model/scene/reader.h"
 #include "plugin/hooks.h"
 #include "tests/plugin/own/machine.h"
 #include "tests/plugin/own/two_rings.h"
@@ -16,12 +16,6 @@
 
 namespace rotorub::test {
 namespace {
-
-std::string file(const std::string& name) {
-  std::stringstream text;
-  text << std::ifstream(std::string(ROTORUB_SOURCE_DIR) + "/" + name).rdbuf();
-  return text.str();
-}
 
 std::string extension(const std::string& instances) {
   return "<extension><plugin plugin=\"rotorub.contact\">" + instances + "</plugin></extension>";
@@ -59,11 +53,6 @@ std::string by_instances(std::string document) {
 
 class Instances : public MujocoTest {
  protected:
-  static void expect_refused(const std::string& document, const std::string& named) {
-    std::string why;
-    EXPECT_EQ(try_load(document, why), nullptr) << named;
-    EXPECT_NE(why.find(named), std::string::npos) << why;
-  }
   // All sensors after each of `steps` steps, of a rotor that is thrown at its ring.
   static std::vector<double> run(const mjModel* m, int steps) {
     const DataPointer d = start(m);
@@ -91,7 +80,7 @@ class Instances : public MujocoTest {
 };
 
 TEST_F(Instances, HaveTheBitsOfTheNamesInCustom) {
-  expect_twins(file("mjcf/examples/own_model.xml"));
+  expect_twins(own_model_example());
   for (const char* contact : {"rigid", "coulomb"}) {
     Machine x;
     x.contact = contact;
@@ -247,8 +236,7 @@ TEST(InstancesWithoutHooks, AreRefused) {
 class InstancesInTestspeed : public TestspeedTest {};
 
 TEST_F(InstancesInTestspeed, NeedThePlugin) {
-  const std::string machine =
-      replaced(file("mjcf/examples/own_model.xml"), "qvel=\"0 0 300", "qvel=\"1 0 300");
+  const std::string machine = replaced(own_model_example(), "qvel=\"0 0 300", "qvel=\"1 0 300");
   EXPECT_EQ(last(by_instances(machine), 5000), last(machine, 5000));
   EXPECT_TRUE(run(by_instances(machine), 10, {.plugin = false}).empty());
   EXPECT_NE(said_.find("rotorub.contact"), std::string::npos) << said_;
@@ -256,7 +244,7 @@ TEST_F(InstancesInTestspeed, NeedThePlugin) {
 
 // What plugin/README.md shows.
 TEST_F(Instances, OfTheReadme) {
-  const std::string readme = file("plugin/README.md");
+  const std::string readme = scene::file_text(ROTORUB_SOURCE_DIR "/plugin/README.md");
   const auto between = [&](const std::string& from, const std::string& to) {
     const std::size_t at = readme.find(from), end = readme.find(to, at);
     EXPECT_NE(end, readme.npos) << from;
@@ -264,7 +252,7 @@ TEST_F(Instances, OfTheReadme) {
   };
   const std::string shown = between("<extension>", "```");
   const std::string body = between("<body name=\"disc\">", "```");
-  const std::string example = file("mjcf/examples/own_model.xml");
+  const std::string example = own_model_example();
   const std::size_t custom = example.rfind("<custom>");
   const std::string asked =
       replaced(example.substr(0, custom), "<body name=\"disc\">", body) + shown + "</mujoco>";

@@ -22,11 +22,6 @@ namespace names = mjcf_names;
 
 class LaterAttributes : public MujocoTest {
  protected:
-  static void expect_refused(const std::string& text, const std::string& named) {
-    std::string why;
-    EXPECT_EQ(try_load(text, why), nullptr) << named;
-    EXPECT_NE(why.find(named), std::string::npos) << why;
-  }
   static std::string with(const std::string& text, const std::string& element,
                           const std::string& attribute) {
     return replaced(text, element, element + " " + attribute);

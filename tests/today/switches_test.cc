@@ -4,9 +4,8 @@
 #include <gtest/gtest.h>
 #include <mujoco/mujoco.h>
 
+#include <cmath>
 #include <cstdlib>
-#include <fstream>
-#include <sstream>
 
 #include "mjcf/names.h"
 #include "mjcf/writer.h"
@@ -22,12 +21,6 @@ namespace names = mjcf_names;
 
 std::string bench(const std::string& contact, const std::string& name = "bench_ring") {
   return mjcf(shipped(name, {"mujoco.contact=" + contact}));
-}
-
-std::string example() {
-  std::stringstream text;
-  text << std::ifstream(std::string(ROTORUB_SOURCE_DIR) + "/mjcf/examples/own_model.xml").rdbuf();
-  return text.str();
 }
 
 constexpr int kSteps = 4000;  // of bench_ring: in lasting contact
@@ -67,7 +60,7 @@ TEST_F(Switches, DisabledActuationKeepsTheSlipOfAHeldSpeed) {
 
 TEST_F(Switches, AnOwnModelRunsWithoutActuation) {
   for (const char* contact : {"rigid", "coulomb"}) {
-    std::string document = example();
+    std::string document = own_model_example();
     if (std::string(contact) == "coulomb") {
       document.replace(document.find("data=\"rigid\""), 12, "data=\"coulomb\"");
       document.replace(document.find("margin=\"5e-6\" gap=\"1\""), 21,

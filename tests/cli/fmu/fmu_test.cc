@@ -31,6 +31,13 @@ std::map<std::string, std::vector<double>> series_in(const Folder& folder,
   return series;
 }
 
+// The FMU of a shipped scene, unpacked.
+UnpackedFmu fmu_of(const Folder& folder, const std::string& scene,
+                   const std::vector<std::string>& more = {}) {
+  folder.done(with({"fmu", shipped(scene), "-q", "-o", "plant.fmu"}, more));
+  return {folder.path() / "plant.fmu", folder.path() / "unpacked"};
+}
+
 // Steps of a power of two, whose multiples are exact.
 constexpr double kStep = 0x1p-11;
 
@@ -38,13 +45,11 @@ class FmuOfScene : public testing::TestWithParam<const char*> {};
 
 TEST_P(FmuOfScene, GivesTheBitsOfARunAndStepsBackByASavedState) {
   const Folder folder;
-  const std::string scene = shipped(GetParam());
   const std::vector<std::string> sets{"--set", "run.end=0.0625", "--set",
                                       "run.output_step=0.00048828125"};
-  folder.done(with({"run", scene, "--integrator", "event", "-q", "-o", "out"}, sets));
+  folder.done(with({"run", shipped(GetParam()), "--integrator", "event", "-q", "-o", "out"}, sets));
   const auto series = series_in(folder, "out/series.csv");
-  folder.done(with({"fmu", scene, "-q", "-o", "plant.fmu"}, sets));
-  const UnpackedFmu fmu(folder.path() / "plant.fmu", folder.path() / "unpacked");
+  const UnpackedFmu fmu = fmu_of(folder, GetParam(), sets);
   Plant plant(fmu);
   ASSERT_TRUE(static_cast<bool>(plant)) << plant.said;
   ASSERT_EQ(plant.initialize(0.0, true, 0.0625), kFmiOK) << plant.said;
@@ -91,8 +96,7 @@ TEST(Fmu, ReturnsAtEventsToAnImporterThatHandlesThem) {
   const Folder folder;
   folder.done({"run", shipped("bench_drop"), "--end", "0.0625", "-q", "-o", "out"});
   const auto impacts = series_in(folder, "out/impacts.csv");
-  folder.done({"fmu", shipped("bench_drop"), "--set", "run.end=0.0625", "-q", "-o", "plant.fmu"});
-  const UnpackedFmu fmu(folder.path() / "plant.fmu", folder.path() / "unpacked");
+  const UnpackedFmu fmu = fmu_of(folder, "bench_drop", {"--set", "run.end=0.0625"});
   Plant plant(fmu, true);
   ASSERT_EQ(plant.initialize(0.0, true, 0.0625), kFmiOK);
   std::size_t met = 0;
@@ -114,9 +118,7 @@ TEST(Fmu, ReturnsAtEventsToAnImporterThatHandlesThem) {
 // A law outside, step by step: what it commands arrives, within the actuator's limit.
 TEST(Fmu, TakesTheCommandOfALawOutside) {
   const Folder folder;
-  folder.done({"fmu", shipped("paper_passive"), "--set", "actuator.force_limit=50", "-q", "-o",
-               "plant.fmu"});
-  const UnpackedFmu fmu(folder.path() / "plant.fmu", folder.path() / "unpacked");
+  const UnpackedFmu fmu = fmu_of(folder, "paper_passive", {"--set", "actuator.force_limit=50"});
   Plant plant(fmu);
   ASSERT_EQ(plant.initialize(0.0, false, 0.0), kFmiOK) << plant.said;
   // m, root of the mean square of the ring's deflection, half of it in the rub from 106 ms on.
@@ -145,8 +147,7 @@ TEST(Fmu, TakesTheCommandOfALawOutside) {
 // Every function that the standard declares; and what cannot be done has a word.
 TEST(Fmu, HasEveryFunctionAndRefusesWithAWord) {
   const Folder folder;
-  folder.done({"fmu", shipped("bench_ring"), "-q", "-o", "plant.fmu"});
-  const UnpackedFmu fmu(folder.path() / "plant.fmu", folder.path() / "unpacked");
+  const UnpackedFmu fmu = fmu_of(folder, "bench_ring");
   Plant plant(fmu);
   std::istringstream names(
       R"(GetVersion SetDebugLogging InstantiateModelExchange InstantiateCoSimulation
@@ -184,8 +185,7 @@ DoStep ActivateModelPartition)");
 
 TEST(Fmu, BelongsToTheSceneThatItsDescriptionNames) {
   const Folder folder;
-  folder.done({"fmu", shipped("bench_ring"), "-q", "-o", "plant.fmu"});
-  const UnpackedFmu fmu(folder.path() / "plant.fmu", folder.path() / "unpacked");
+  const UnpackedFmu fmu = fmu_of(folder, "bench_ring");
   std::ofstream(folder.path() / "unpacked/resources/scene.toml", std::ios::app) << "# another\n";
   Plant plant(fmu);
   EXPECT_FALSE(static_cast<bool>(plant));

@@ -2,12 +2,11 @@
 // `cone-coulomb`, whose force and friction MuJoCo's solver finds. MuJoCo's step is of first order.
 #include <gtest/gtest.h>
 
-#include <cmath>
 #include <string>
 #include <vector>
 
 #include "compare/engine/mujoco_engine.h"
-#include "tests/support/jeffcott.h"
+#include "tests/support/mujoco_run.h"
 #include "tests/support/native_run.h"
 #include "tests/support/order.h"
 #include "tests/support/refusal.h"
@@ -30,30 +29,18 @@ scene::Scene ring(std::vector<std::string> overrides) {
   return test::shipped("bench_ring", overrides);
 }
 
-Trajectory in_mujoco(const scene::Scene& scene, ContactModel contact, double step) {
-  MujocoOptions options;
-  options.contact = contact;
-  options.step = step;
-  return run_mujoco(scene, options);
-}
-
 TEST(CompliantInMujoco, TendsToTheNativeLawWithItsStep) {
   for (const auto& law : kLaws) {
     const scene::Scene scene = ring(law);
     const Trajectory exact = test::run_event(scene);
-    ASSERT_EQ(exact.status, Status::kOk) << exact.message;
     ASSERT_GT(exact.statistics.contact_time, 1e-3);
     for (const ContactModel contact : {ContactModel::kCoulomb, ContactModel::kConeCoulomb}) {
-      std::vector<double> errors;
-      for (const double h : {4e-6, 1e-6}) {
-        const Trajectory t = in_mujoco(scene, contact, h);
-        ASSERT_EQ(t.status, Status::kOk) << t.message;
-        errors.push_back(test::trajectory_error(t, exact, 0.0));
-      }
-      const double order = std::log2(errors[0] / errors[1]) / 2.0;
+      const test::Convergence c = test::convergence({4e-6, 1e-6}, [&](double step) {
+        return test::trajectory_error(test::mujoco_run(scene, contact, step), exact);
+      });
       const std::string who = scene::to_string(contact) + (" " + law.back());
-      EXPECT_GT(order, 0.85) << who << " " << errors[0] << " " << errors[1];
-      EXPECT_LT(errors[1], 1e-6) << who;  // m, of a clearance of 5e-4
+      EXPECT_GT(c.order(), 0.85) << who << " " << c.text();
+      EXPECT_LT(c.errors.back(), 1e-6) << who;  // m, of a clearance of 5e-4
     }
   }
 }
@@ -62,7 +49,7 @@ TEST(CompliantInMujoco, TheFiguresAreThoseOfTheLaw) {
   const scene::Scene scene = ring({"contact.compliance.stiffness=1e7"});
   const Trajectory exact = test::run_event(scene);
   for (const ContactModel contact : {ContactModel::kCoulomb, ContactModel::kConeCoulomb}) {
-    const Trajectory t = in_mujoco(scene, contact, 1e-6);
+    const Trajectory t = test::mujoco_run(scene, contact, 1e-6);
     EXPECT_EQ(t.impacts.size(), exact.impacts.size());
     EXPECT_NEAR(t.statistics.peak_force / exact.statistics.peak_force, 1.0, 0.01);
     EXPECT_NEAR(t.statistics.max_penetration / exact.statistics.max_penetration, 1.0, 0.01);
@@ -78,9 +65,7 @@ TEST(CompliantInMujoco, SeveralContacts) {
         "two_catchers",
         {std::string("mujoco.rotor=") + rotor, "run.end=0.02", "contact.compliance.stiffness=2e7"});
     const Trajectory exact = test::run_event(scene),
-                     t = in_mujoco(scene, ContactModel::kCoulomb, 1e-6);
-    ASSERT_EQ(exact.status, Status::kOk) << exact.message;
-    ASSERT_EQ(t.status, Status::kOk) << t.message;
+                     t = test::mujoco_run(scene, ContactModel::kCoulomb, 1e-6);
     ASSERT_GT(exact.statistics.contacts[1].contact_time, 1e-4);
     for (std::size_t k = 0; k < 2; ++k) {
       EXPECT_NEAR(
@@ -98,7 +83,7 @@ TEST(CompliantInMujoco, TooSoftAContactIsOutOfRangeAsNatively) {
   const Trajectory exact = test::attempt_event(scene);
   ASSERT_EQ(exact.status, Status::kOutOfRange) << exact.message;
   for (const ContactModel contact : {ContactModel::kCoulomb, ContactModel::kConeCoulomb}) {
-    const Trajectory t = in_mujoco(scene, contact, 1e-5);
+    const Trajectory t = run_mujoco(scene, test::mujoco_options(contact, 1e-5));
     EXPECT_EQ(t.status, Status::kOutOfRange) << t.message;
     EXPECT_NE(t.message.find("deep in the ring"), std::string::npos) << t.message;
     EXPECT_NEAR(t.end, exact.end, 1e-4);
@@ -109,7 +94,8 @@ TEST(CompliantInMujoco, OthersRefuseIt) {
   const scene::Scene scene = ring({"contact.compliance.stiffness=1e7"});
   EXPECT_EQ(scene.mujoco.contact, ContactModel::kCoulomb);
   for (const ContactModel contact : {ContactModel::kRigid, ContactModel::kCone}) {
-    const auto refused = test::refusals([&] { in_mujoco(scene, contact, 1e-6); });
+    const auto refused =
+        test::refusals([&] { run_mujoco(scene, test::mujoco_options(contact, 1e-6)); });
     ASSERT_EQ(refused.size(), 1u);
     EXPECT_EQ(refused[0].key, "mujoco.contact");
   }

@@ -50,14 +50,10 @@ class Excitations : public ::testing::TestWithParam<std::string> {};
 TEST_P(Excitations, MujocosOwnStepFollowsEvent) {
   const scene::Scene scene = rig(GetParam(), {"contact.clearance=0.05", "run.end=0.03"});
   const Trajectory exact = event(scene);
-  Convergence c;
-  for (const double step : {4e-5, 2e-5, 1e-5, 5e-6, 2.5e-6, 1e-6}) {
-    c.steps.push_back(step);
-    c.errors.push_back(rotor_error(mujoco_run(scene, scene::ContactModel::kCoulomb, step), exact));
-  }
-  double size = 0.0;
-  for (const double x : exact.column("rotor_x")) size = std::max(size, std::abs(x));
-  EXPECT_LT(c.errors.front(), 0.02 * size) << c.text();
+  const Convergence c = convergence({4e-5, 2e-5, 1e-5, 5e-6, 2.5e-6, 1e-6}, [&](double step) {
+    return rotor_error(mujoco_run(scene, scene::ContactModel::kCoulomb, step), exact);
+  });
+  EXPECT_LT(c.errors.front(), 0.02 * largest_size(exact, "rotor_x")) << c.text();
   EXPECT_GT(c.order(), 0.7) << c.text();
 }
 
@@ -72,8 +68,7 @@ TEST(ExcitationSegments, FollowTheNativeBeam) {
                     "mujoco={rotor=\"segments\", segments=16}"});
     const Trajectory exact = event(scene);
     const Trajectory t = mujoco_run(scene, scene::ContactModel::kCoulomb, 5e-6);
-    double size = 0.0;
-    for (const double x : exact.column("rotor_x")) size = std::max(size, std::abs(x));
+    const double size = largest_size(exact, "rotor_x");
     EXPECT_GT(size, 1e-4) << force;
     EXPECT_LT(rotor_error(t, exact), 0.03 * size) << force;
   }
@@ -94,13 +89,11 @@ TEST(SpeedControlEngine, RunsUpAsTheNativeMotor) {
   const scene::Scene scene = rig(kLocked, drive);
   const Trajectory exact = event(scene);
   const Trajectory rigid = mujoco_run(scene, scene::ContactModel::kRigid, 5e-6);
-  double most = 0.0;
   for (std::size_t k = 0; k < exact.rows(); ++k) {
     EXPECT_NEAR(rigid.column("spin_speed")[k], exact.column("spin_speed")[k], 2e-3) << k;
     EXPECT_NEAR(rigid.column("motor_torque")[k], exact.column("motor_torque")[k], 2e-3) << k;
-    most = std::max(most, std::abs(exact.column("motor_torque")[k]));
   }
-  EXPECT_GT(most, 5.0);
+  EXPECT_GT(largest_size(exact, "motor_torque"), 5.0);
   std::vector<std::string> cut = drive;
   cut.insert(cut.end(), {"mujoco={rotor=\"segments\", segments=12}", "rotor.torsion.modes=3"});
   const scene::Scene segments = rig(kLocked, cut);

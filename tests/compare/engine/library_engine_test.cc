@@ -49,11 +49,9 @@ TEST(LibraryEngine, ClosedLoopIsTheNativeOneUpToTheFirstTouch) {
   for (const char* column : {"control_x", "control_y"}) {
     const auto &a = native.column(column), &b = mujoco.column(column);
     ASSERT_EQ(a.size(), b.size());
-    double most = 0.0, apart = 0.0;
-    for (std::size_t i = 0; i < a.size(); ++i) {
-      most = std::max(most, std::abs(a[i]));
-      apart = std::max(apart, std::abs(a[i] - b[i]));
-    }
+    const double most = largest_size(native, column);
+    double apart = 0.0;
+    for (std::size_t i = 0; i < a.size(); ++i) apart = std::max(apart, std::abs(a[i] - b[i]));
     EXPECT_GT(most, 1.0);
     EXPECT_LT(apart, 1e-9 * most) << column;
   }
@@ -113,9 +111,7 @@ TEST(MagneticLibraryEngine, TheSameLawGivesTheSameBitsInMujoco) {
       ASSERT_EQ(a.series.size(), b.series.size());
       for (std::size_t c = 0; c < a.series.size(); ++c)
         EXPECT_EQ(a.series[c].values, b.series[c].values) << rotor << " " << a.series[c].name;
-      double most = 0.0;
-      for (const double i : b.column("bearing2_current_x")) most = std::max(most, std::abs(i));
-      EXPECT_GT(most, 0.01) << rotor;
+      EXPECT_GT(largest_size(b, "bearing2_current_x"), 0.01) << rotor;
     }
   }
 }

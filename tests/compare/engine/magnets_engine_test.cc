@@ -28,9 +28,7 @@ TEST(MagnetsEngine, ConvergesToTheNativeRun) {
   EXPECT_LT(coarse, 2e-5);
   EXPECT_LT(fine, 2e-6);
   EXPECT_GT(coarse / fine, 5.0);
-  double most = 0.0;
-  for (const double i : reference.column("current_1")) most = std::max(most, std::abs(i));
-  EXPECT_GT(most, 0.1) << "or the magnets did nothing";
+  EXPECT_GT(largest_size(reference, "current_1"), 0.1) << "or the magnets did nothing";
 }
 
 // The sliding law on its way to the rotor, which the voltage holds back.
@@ -42,9 +40,8 @@ TEST(MagnetsEngine, TheVoltageLimitIsTheSameOnBothSides) {
   const Trajectory native = run_native(scene);
   ASSERT_EQ(native.status, Status::kOk) << native.message;
   const Trajectory t = mujoco_run(scene, {}, 2e-6);
-  double most = 0.0;
-  for (const double i : native.column("current_1")) most = std::max(most, std::abs(i));
-  EXPECT_NEAR(t.column("current_1").back(), native.column("current_1").back(), 1e-3 * most);
+  EXPECT_NEAR(t.column("current_1").back(), native.column("current_1").back(),
+              1e-3 * largest_size(native, "current_1"));
 }
 
 }  // namespace

@@ -20,18 +20,16 @@ TEST(QuadraticEngine, MuJoCoComesToTheNativeRun) {
       scene::Scene s = levitated(hanging, kind);
       const Trajectory exact = run_event(s);
       ASSERT_EQ(exact.status, Status::kOk) << exact.message;
-      Convergence c;
-      for (const double step : {1e-5, 5e-6, 2.5e-6}) {
+      const Convergence c = convergence({1e-5, 5e-6, 2.5e-6}, [&](double step) {
         s.run.step = step;
         const Trajectory t = mujoco_engine(scene::ContactModel::kCoulomb)->run(s, {});
-        ASSERT_EQ(t.status, Status::kOk) << t.message;
-        ASSERT_EQ(t.rows(), exact.rows());
+        EXPECT_EQ(t.status, Status::kOk) << t.message;
+        EXPECT_EQ(t.rows(), exact.rows());
         double most = 0.0;
-        for (std::size_t k = 0; k < t.rows(); ++k)
+        for (std::size_t k = 0; k < std::min(t.rows(), exact.rows()); ++k)
           most = std::max(most, std::abs(t.column("stator_x")[k] - exact.column("stator_x")[k]));
-        c.steps.push_back(step);
-        c.errors.push_back(most);
-      }
+        return most;
+      });
       EXPECT_NEAR(c.order(), 1.0, 0.1) << c.text();
       EXPECT_LT(c.errors.back(), 2e-7) << c.text() << ": of 0.1 mm";
     }

@@ -6,7 +6,6 @@
 #include <algorithm>
 #include <string>
 
-#include "compare/engine/mujoco_engine.h"
 #include "mjcf/writer.h"
 #include "native_model/scene/reader.h"
 #include "native_model/scene/scene.h"
@@ -24,18 +23,13 @@ scene::Scene two_catchers(const std::vector<std::string>& overrides = {}) {
       std::string(ROTORUB_SOURCE_DIR) + "/tests/compare/engine/two_catchers.toml", overrides);
 }
 
-Trajectory in_mujoco(scene::ContactModel contact, double step) {
-  return test::mujoco_run(two_catchers(), contact, step);
-}
-
 class SeveralInMujoco : public testing::TestWithParam<scene::ContactModel> {};
 
 // The segments are another beam: 0.02 % of its frequency, and the impacts of the start are others.
 // What lasts agrees.
 TEST_P(SeveralInMujoco, PressOnEachRingAsTheNativeModelDoes) {
   const Trajectory native = test::run_event(two_catchers());
-  const Trajectory t = in_mujoco(GetParam(), 1e-5);
-  ASSERT_EQ(t.status, Status::kOk) << t.message;
+  const Trajectory t = test::mujoco_run(two_catchers(), GetParam(), 1e-5);
   ASSERT_EQ(t.contacts, 2u);
   ASSERT_EQ(t.statistics.contacts.size(), 2u);
   for (std::size_t k = 0; k < 2; ++k) {
@@ -74,7 +68,6 @@ TEST(SeveralContactsInMujoco, FiguresAreThoseOfAllContacts) {
     scene::Scene scene = two_catchers();
     scene.run.output_step = scene.run.step;  // a row each step
     const Trajectory t = test::mujoco_run(scene, contact, scene.run.step);
-    ASSERT_EQ(t.status, Status::kOk) << t.message;
     const auto &first = t.column("normal_force"), &second = t.column("contact2_normal_force");
     const double h = scene.run.step, window = kWindowSteps * h;
     double square = 0.0, peak = 0.0, lasting = 0.0;
@@ -110,11 +103,7 @@ TEST(SeveralContactsInMujoco, OnTheModalChainAreTheNativeModels) {
   const scene::Scene scene = two_catchers({"mujoco.rotor=modal"});
   const Trajectory native = test::run_event(scene);
   for (const auto contact : {scene::ContactModel::kRigid, scene::ContactModel::kCoulomb}) {
-    MujocoOptions options;
-    options.contact = contact;
-    options.step = 2e-6;
-    const Trajectory t = run_mujoco(scene, options);
-    ASSERT_EQ(t.status, Status::kOk) << t.message;
+    const Trajectory t = test::mujoco_run(scene, contact, 2e-6);
     ASSERT_EQ(t.contacts, 2u);
     for (std::size_t k = 0; k < 2; ++k) {
       const ContactStatistics &found = t.statistics.contacts[k],
@@ -134,13 +123,8 @@ TEST(SeveralContactsInMujoco, OnTheModalChainAreTheNativeModels) {
 // `rigid` is the native step there, whatever the number of contacts.
 TEST(SeveralContactsInMujoco, OnTheModalChainRigidStepsAsVerletDoes) {
   const scene::Scene scene = two_catchers({"mujoco.rotor=modal", "run.end=0.03"});
-  MujocoOptions options;
-  options.contact = scene::ContactModel::kRigid;
-  options.step = 4e-6;
-  const Trajectory t = run_mujoco(scene, options);
+  const Trajectory t = test::mujoco_run(scene, scene::ContactModel::kRigid, 4e-6);
   const Trajectory native = test::run_with(scene, scene::Integrator::kVerlet, 4e-6);
-  ASSERT_EQ(t.status, Status::kOk) << t.message;
-  ASSERT_EQ(native.status, Status::kOk) << native.message;
   EXPECT_LT(test::rotor_error(t, native), 1e-10);
   ASSERT_GT(native.impacts.size(), 5u);
   EXPECT_EQ(t.impacts.size(), native.impacts.size());
@@ -149,15 +133,14 @@ TEST(SeveralContactsInMujoco, OnTheModalChainRigidStepsAsVerletDoes) {
 // Swapped in the list they are the same machine; the first one's plane is z = 0.
 TEST(SeveralContactsInMujoco, HaveNoOrder) {
   scene::Scene scene = two_catchers();
-  const Trajectory t = run_mujoco(scene, {});
-  std::string text = scene.text;
+  const Trajectory t = test::mujoco_run(scene);
+  const std::string& text = scene.text;
   const std::size_t first = text.find("[[contact]]"), second = text.find("[[contact]]", first + 1);
   const std::size_t end = text.find("[mujoco]");
   ASSERT_NE(end, std::string::npos);
   const std::string swapped = text.substr(0, first) + text.substr(second, end - second) +
                               text.substr(first, second - first) + text.substr(end);
-  const Trajectory other = run_mujoco(scene::parse_scene(swapped, "swapped.toml"), {});
-  ASSERT_EQ(other.status, Status::kOk) << other.message;
+  const Trajectory other = test::mujoco_run(scene::parse_scene(swapped, "swapped.toml"));
   EXPECT_NEAR(t.statistics.contacts[0].impulse_total, other.statistics.contacts[1].impulse_total,
               1e-3 * t.statistics.contacts[0].impulse_total);
   EXPECT_NEAR(t.column("contact2_gap").back(), other.column("gap").back(), 1e-9);

@@ -25,6 +25,27 @@ FigureLimit of(const char* key, const std::function<double(int)>& value, double 
   return figure_limit(figure(key), kModes, values, kPercent, spread);
 }
 
+TEST(FigureLimit, TellsConvergenceFromGrowthAndChance) {
+  struct Case {
+    const char *what, *key;
+    double (*value)(int);
+    Convergence expected;
+    double spread = 0.0;
+  };
+  constexpr auto kConverged = Convergence::kConverged, kNoLimit = Convergence::kNoLimit;
+  const auto back_and_forth = [](int n) { return n % 8 == 0 ? 950.0 : 1000.0; };
+  for (const Case& c : {
+           Case{"grows", "hard_impacts", [](int n) { return 80.0 * n; }, kNoLimit},
+           Case{"goes back and forth", "hard_impacts", back_and_forth, kNoLimit},
+           Case{"so do its twins", "hard_impacts", back_and_forth, kConverged, 0.06},
+           Case{"drifts by less than a point each time", "contact_fraction",
+                [](int n) { return 0.5677 - 0.0023 * (n - 12); }, kNoLimit},
+           Case{"is nothing at all", "hard_impacts", [](int) { return 0.0; }, kConverged},
+       }) {
+    EXPECT_EQ(of(c.key, c.value, c.spread).convergence, c.expected) << c.what;
+  }
+}
+
 TEST(FigureLimit, WithinTheToleranceIsConverged) {
   const FigureLimit f = of("mean_force", [](int n) { return 59.6 + 1e-3 * n; });
   EXPECT_EQ(f.convergence, Convergence::kConverged);
@@ -49,31 +70,11 @@ TEST(FigureLimit, WhatRunsToZeroHasNoLimit) {
   EXPECT_FALSE(f.left.has_value());
 }
 
-TEST(FigureLimit, WhatGrowsHasNoLimit) {
-  EXPECT_EQ(of("hard_impacts", [](int n) { return 80.0 * n; }).convergence, Convergence::kNoLimit);
-  EXPECT_EQ(of("hard_impacts", [](int n) { return n % 8 == 0 ? 900.0 : 1000.0; }).convergence,
-            Convergence::kNoLimit)
-      << "back and forth";
-}
-
-// The same values among twins that differ by as much: nothing but chance to be seen.
-TEST(FigureLimit, ChangesWithinTheTwinsSpreadAreChance) {
-  const auto value = [](int n) { return n % 8 == 0 ? 950.0 : 1000.0; };
-  EXPECT_EQ(of("hard_impacts", value, 0.0).convergence, Convergence::kNoLimit);
-  EXPECT_EQ(of("hard_impacts", value, 0.06).convergence, Convergence::kConverged);
-}
-
 TEST(FigureLimit, SharesOfTimeGoByPoints) {
   // From 2 % to 1.4 %: a third of it, but less than a point.
   const auto value = [](int n) { return 0.02 - 0.0005 * (n - 12); };
   EXPECT_EQ(of("contact_fraction", value).convergence, Convergence::kConverged);
   EXPECT_NEAR(of("contact_fraction", value).error.value(), 0.006, 1e-12);
-}
-
-// Less than a point each time, but always that way: no end of it is in sight.
-TEST(FigureLimit, WhatDriftsByLittleAtEachStepIsNotConverged) {
-  const auto value = [](int n) { return 0.5677 - 0.0023 * (n - 12); };
-  EXPECT_EQ(of("contact_fraction", value).convergence, Convergence::kNoLimit);
 }
 
 // A figure that falls falls on beyond the last count, and the line says so.
@@ -86,8 +87,7 @@ TEST(FigureLimit, WhatIsToComeHasTheSignOfTheLimitLessTheLastValue) {
       << text;
 }
 
-TEST(FigureLimit, NothingAtAllIsConverged) {
-  EXPECT_EQ(of("hard_impacts", [](int) { return 0.0; }).convergence, Convergence::kConverged);
+TEST(FigureLimit, FromNothingHasNoShare) {
   const FigureLimit from_nothing = of("hard_impacts", [](int n) { return n - 12.0; });
   EXPECT_EQ(from_nothing.convergence, Convergence::kNoLimit);
   EXPECT_FALSE(from_nothing.error.has_value()) << "no share of nothing";

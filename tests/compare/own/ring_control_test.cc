@@ -55,29 +55,23 @@ Trajectory mujoco_of(const std::shared_ptr<const OwnMachine>& machine, double st
   return own_engine(machine, contact)->run(machine->scene(), request);
 }
 
-double largest(const Trajectory& t, const std::string& column) {
-  double most = 0.0;
-  for (const double x : t.column(column)) most = std::max(most, std::abs(x));
-  return most;
-}
-
 // The ring is brought to the rotor. The law's memory, samples and switching on are those of the
 // native model, so MuJoCo comes to it as its step falls.
 TEST(RingControl, ConvergesToTheTwinUnderTheSameLaw) {
   const auto machine = machine_with(example(), 0.04);
   const Trajectory native = run_native(machine->scene(), {});
   ASSERT_EQ(native.status, Status::kOk) << native.message;
-  EXPECT_GT(largest(native, "control_x"), 40.0) << "it presses";
+  EXPECT_GT(test::largest_size(native, "control_x"), 40.0) << "it presses";
   double error[2], force[2];
   for (int k = 0; k < 2; ++k) {
     const Trajectory t = mujoco_of(machine, k == 0 ? 1e-5 : 2.5e-6);
     ASSERT_EQ(t.status, Status::kOk) << t.message;
     error[k] = test::rotor_error(t, native);
-    force[k] = largest(t, "control_x") - largest(native, "control_x");
+    force[k] = test::largest_size(t, "control_x") - test::largest_size(native, "control_x");
   }
   EXPECT_LT(error[0], 5e-6);
   EXPECT_LT(error[1], 0.4 * error[0]);
-  EXPECT_NEAR(force[1], 0.0, 0.01 * largest(native, "control_x"));
+  EXPECT_NEAR(force[1], 0.0, 0.01 * test::largest_size(native, "control_x"));
 }
 
 // The ctrlrange of its motors, 600 N, cuts nothing off: both sides keep |F_x| + |F_y| within it.

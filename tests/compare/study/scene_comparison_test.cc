@@ -33,7 +33,7 @@ const ComparedModel& difference(const std::string& label) {
                                [&](const ComparedModel& m) { return m.run.label == label; });
 }
 
-TEST(SceneComparison, RunsEverySide) {
+TEST(SceneComparison, RunsAndTimesEverySide) {
   const SceneComparison& c = short_comparison();
   std::vector<std::string> labels;
   for (const Side* s : c.sides()) {
@@ -43,6 +43,12 @@ TEST(SceneComparison, RunsEverySide) {
     EXPECT_EQ(s->limits.size(), figures().size());
     EXPECT_GT(s->timing.median, 0.0);
     EXPECT_LE(s->timing.lowest, s->timing.median);
+    // The run that is shown has others beside it: its time is that of the runs that had none.
+    ASSERT_EQ(s->timing.us_per_step.size(), 1U) << s->label;
+    const double seconds = 1e-6 * s->timing.median * static_cast<double>(s->metrics.steps);
+    EXPECT_EQ(s->trajectory.wall_s, seconds) << s->label;
+    EXPECT_EQ(s->metrics.us_per_step, s->timing.median) << s->label;
+    EXPECT_EQ(s->metrics.real_time_factor, s->metrics.end / seconds) << s->label;
   }
   // Native, then the contact model that decides, then those that are shown beside it.
   EXPECT_EQ(labels[0], "native");
@@ -52,18 +58,6 @@ TEST(SceneComparison, RunsEverySide) {
   }
   EXPECT_EQ(c.status(), Status::kOk);
   EXPECT_FALSE(c.interrupted);
-}
-
-// The run that is shown has others beside it: its time is that of the runs that had none.
-TEST(SceneComparison, ItsTimesAreThoseOfTheTimedRuns) {
-  for (const Side* shown : short_comparison().sides()) {
-    const Side& side = *shown;
-    ASSERT_EQ(side.timing.us_per_step.size(), 1U) << side.label;
-    const double seconds = 1e-6 * side.timing.median * static_cast<double>(side.metrics.steps);
-    EXPECT_EQ(side.trajectory.wall_s, seconds) << side.label;
-    EXPECT_EQ(side.metrics.us_per_step, side.timing.median) << side.label;
-    EXPECT_EQ(side.metrics.real_time_factor, side.metrics.end / seconds) << side.label;
-  }
 }
 
 TEST(SceneComparison, SplitsAddUp) {
@@ -80,8 +74,9 @@ TEST(SceneComparison, SplitsAddUp) {
   }
 }
 
-TEST(SceneComparison, JsonHasWhatTheContractNames) {
-  const nlohmann::json j = result::json_of(comparison_result(short_comparison()));
+TEST(SceneComparison, JsonAndTableHaveWhatTheContractNames) {
+  const result::Section told = comparison_result(short_comparison());
+  const nlohmann::json j = result::json_of(told);
   EXPECT_EQ(j.at("scene"), "bench_ring");
   for (const char* side : {"native", "rigid", "coulomb", "cone", "cone-coulomb"}) {
     const auto& summary = j.at("runs").at(side).at("summary");
@@ -95,10 +90,7 @@ TEST(SceneComparison, JsonHasWhatTheContractNames) {
   }
   EXPECT_TRUE(j.at("differences").at("cone").at("figures").at("mean_force").contains("split"));
   EXPECT_FALSE(j.dump().empty());
-}
-
-TEST(SceneComparison, TableNamesEverySideFigureAndVerdict) {
-  const std::string table = result::text_of(comparison_result(short_comparison()));
+  const std::string table = result::text_of(told);
   for (const char* text :
        {"bench_ring", "native", "rigid", "coulomb", "cone", "mean normal force, N",
         "lasting contact, %", "total impulse, N s", "OUTSIDE", "cone bounces", "trusted",

@@ -1,6 +1,4 @@
 // Points of a study, each its own run.
-#include <fmt/format.h>
-
 #include <algorithm>
 #include <atomic>
 #include <memory>
@@ -10,7 +8,7 @@
 #include "compare/engine/engine.h"
 #include "compare/sweep/point_run.h"
 #include "compare/sweep/sample.h"
-#include "native_model/scene/reader.h"
+#include "native_model/scene/diagnostic.h"
 #include "tests/compare/sweep/studies.h"
 
 namespace rotorub::sweep {
@@ -202,14 +200,6 @@ TEST(ResultColumns, HaveAPeakForceOfAFixedStepAlone) {
     const auto one = run_single(0, made.scenes.at(0), *native_engine(integrator), kGoOn);
     ASSERT_TRUE(one && one->ok());
     EXPECT_EQ(column->value(*one->figures).is_number(), has);
-  }
-}
-
-TEST(ResultColumns, AreInTheReadme) {
-  const std::string readme =
-      scene::file_text(std::string(ROTORUB_SOURCE_DIR) + "/compare/sweep/README.md");
-  for (const ResultColumn& column : result_columns()) {
-    EXPECT_NE(readme.find(fmt::format("`{}`", column.name)), std::string::npos) << column.name;
   }
 }
 

@@ -141,8 +141,7 @@ TEST(MagneticRub, IsThatOfAnIdealActuator) {
   magnetic.first().actuator = magnets(0.0);
   const Trajectory a = run_native(ideal), b = test::complete(run_native(magnetic));
   ASSERT_GT(a.impacts.size(), 5U);
-  double most = 0.0;
-  for (const double i : b.column("current_1")) most = std::max(most, std::abs(i));
+  const double most = test::largest_size(b, "current_1");
   ASSERT_LT(most, kBias);
   EXPECT_GT(most, 0.1);
   for (const char* name : {"rotor_x", "rotor_y", "stator_x", "stator_y"}) {
