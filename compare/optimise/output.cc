@@ -68,7 +68,7 @@ Section best_of(const Task& task, const Optimum& optimum) {
                {{.width = kNames, .title = "key"},
                 {.key = "number", .seen = result::kNotPage},
                 {.seen = result::kPage, .title = "best"},
-                {.seen = result::kPage, .title = "of"}}};
+                {.seen = result::kPage, .title = "range"}}};
   for (std::size_t k = 0; k < best.values.size(); ++k) {
     const sweep::Vary& vary = task.study.vary[k];
     const bool at_end = end_of(task, k, best.values[k]) != End::kNone;

@@ -55,7 +55,7 @@ function plotOf({title, unit, text, shape, data}) {
 // Each kind of part has a key of its own. heading: above the part.
 const kinds = {
   rows: (table, heading) => tableOf(table, heading),
-  lines: ({lines}) => element('pre', {}, lines),
+  lines: ({lines}) => element('pre', {tabindex: '0'}, lines),  // wide lines are scrolled by keys
   lead: ({lead}) => element('p', {class: 'lead'}, lead),
   cards: ({cards}) => element('section', {class: 'cards', 'aria-label': 'in short'}, ...cards.map(cardOf)),
   plots: ({plots}) => element('div', {class: 'plot-grid'}, ...plots.map(plotOf)),

@@ -43,7 +43,7 @@ test('a heading begins a part, and a section has parts of the next level', () =>
     {id: 'scenes-1', title: 'ring', conditions: '1 s', parts: [{heading: 'three'}, {lines: 'a\nb'}]}, {summary: 'text', pre: 'x = 1'}),
   '<p class="note">before</p><section><h2>one</h2><p class="note">of it</p></section><section><h2>two</h2></section>' +
     '<section id="scenes-1" class="scene"><div class="scene-head"><h2>ring</h2><p class="conditions">1 s</p></div>' +
-    '<section><h3>three</h3><pre>a\nb</pre></section></section><details><summary>text</summary><pre>x = 1</pre></details>');
+    '<section><h3>three</h3><pre tabindex="0">a\nb</pre></section></section><details><summary>text</summary><pre>x = 1</pre></details>');
 });
 
 test('words of a sentence have its tone', () => {
