@@ -84,7 +84,7 @@ TEST(CliRefusal, OfAModelSaysWhatToGiveInEveryCommand) {
          "\"contact.friction\"\nfrom = 0.1\nto = 0.2\ncount = 2\n[optimise]\nminimise = "
          "\"impacts\"\n";
   for (const std::string command : {"sweep", "optimise"})
-    expect_refused(folder, {command, "study.toml"}, {"own.xml: a MuJoCo model (XML)"});
+    expect_refused(folder, {command, "study.toml"}, {"own.xml: this is a MuJoCo model (XML)"});
   // No command is forgotten: `compare` takes it, and two take no file.
   std::string all = folder.run({"nosuch"}).err;
   all.erase(0, all.find("choose from ") + 12);

@@ -199,7 +199,7 @@ TEST_F(Instances, AreCheckedWhenTheModelIsLoaded) {
   expect_refused(changed("value=\"disc\"", "value=\"disk\""), "did you mean \"disc\"?");
   expect_refused(replaced(changed("name=\"contact_2\"", "name=\"far\""), "instance=\"contact_2\"",
                           "instance=\"far\""),
-                 "<instance name=\"far\">: its name tells the contact");
+                 "<instance name=\"far\">: its name determines the contact");
   expect_refused(changed("<plugin instance=\"contact\"/>", ""),
                  "<instance name=\"contact\">: no body has it; accepted: <plugin instance=");
   expect_refused(changed("value=\"rigid\"", "value=\"stiff\""),
@@ -217,7 +217,7 @@ TEST_F(Instances, StandAlone) {
   expect_refused(with_instance(document(Machine{}), "<body name=\"shaft\">"),
                  "rotorub_friction is in <custom> too; accepted: one of them");
   expect_refused(with_instance(mjcf(shipped("bench_ring"), built_for()), "<body name=\"rotor\">"),
-                 "<extension>: has a contact beside that of the scene's text");
+                 "<extension>: has a contact beside the contact of the scene's text");
 }
 
 // Linked, the plugin works while its Hooks live, and is never silent afterwards.

@@ -89,7 +89,7 @@ class OtherVersion : public TestspeedTest {};
 TEST_F(OtherVersion, IsRefused) {
   const std::string document = document_of({"bench_ring", "rigid", 0.0}, built_for());
   run(document, 100, {.plugin_file = ROTORUB_SYSTEM_LIBS "/librotorub_mujoco.so"});
-  EXPECT_NE(said_.find("built for MuJoCo 2.2.2, and the program has another one"),
+  EXPECT_NE(said_.find("built for MuJoCo 2.2.2, but the program has another version"),
             std::string::npos)
       << said_;
   EXPECT_NE(status_, 0);

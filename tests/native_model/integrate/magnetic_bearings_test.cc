@@ -167,7 +167,7 @@ TEST(MagneticBearings, RefuseWhatTheyCannotHold) {
       "magnetic_bearing[1].control.current_limit = 0.01 A"));
   EXPECT_TRUE(test::contains(refusal_of(kTwoMagnets, {"magnetic_bearing[1].control=none",
                                                       "magnetic_bearing[1].sensor_station=0.5"}),
-                             "magnetic_bearing[1].control sees the deflection"));
+                             "is where magnetic_bearing[1].control measures the deflection"));
   EXPECT_TRUE(test::contains(refusal_of(kTwoMagnets, {"magnetic_bearing[0].sensor_station=0.7"}),
                              "magnetic_bearing[0].sensor_station"));
   std::string many;
