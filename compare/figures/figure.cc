@@ -65,7 +65,9 @@ const Figure kFigures[] = {
      {kRel, kAverage, 1.0},
      of<&Metrics::spin_speed>},
     {{"ring_speed", "ring speed", "rad/s", 1.0,
-      "Mean speed of a turning ring in the last fifth of the run; of several, the fastest."},
+      "Mean speed of a turning ring in the last fifth of the run (in summary.json: the speed at "
+      "the "
+      "end); of several, the fastest."},
      {kRel, kAverage, 1.0},
      of<&Metrics::ring_speed>},
     {{"control_force", "control force, rms", "N", 1.0,

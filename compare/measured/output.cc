@@ -28,7 +28,7 @@ std::vector<ColumnMeaning> make_measured_keys() {
       {"file", "", "the file given to --measured", ""},
       {"samples", "", "number of samples in the record", ""},
       {"interval", "s", "median time between samples", ""},
-      {"alignment.shift", "s", "added to the record's times it gives the scene's times", ""},
+      {"alignment.shift", "s", "scene time minus record time", ""},
       {"alignment.shift_from", "", "found or given", ""},
       {"alignment.shift_error", "s",
        "standard deviation for white noise, or from stretches of the record if they scatter more; "

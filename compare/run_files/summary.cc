@@ -66,7 +66,7 @@ constexpr ColumnMeaning kSummaryKeys[] = {
     {"contacts[].least_gap", "m", "its smallest gap of all rows and ends of steps", ""},
     {"contacts[].max_penetration", "m", "its largest penetration", ""},
     {"contacts[].forward_passes", "", "turns of the rotor around this ring, along +z", ""},
-    {"contacts[].backward_passes", "", "turns against it", ""},
+    {"contacts[].backward_passes", "", "turns of the rotor around this ring, against +z", ""},
     {"contacts[].whirl_time", "s", "time that these turns took", ""},
     {"status", "",
      "ok, diverged, no_solution, ambiguous, step_too_large, out_of_range, controller_failed or "

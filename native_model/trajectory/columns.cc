@@ -71,14 +71,14 @@ const ColumnMeaning kImpacts[] = {
     {"t", "s", "time of the impact; of a soft contact, start of the episode", ""},
     {"normal_impulse", "N s", "normal impulse on the rotor, never negative", ""},
     {"friction_impulse", "N s", "friction impulse on the rotor along e_t", ""},
-    {"gap_rate_before", "m/s", "gap rate before the impact, which counts below -1e-4 m/s", ""},
+    {"gap_rate_before", "m/s",
+     "gap rate before the impact; the figures count only impacts below -1e-4 m/s", ""},
     {"gap_rate_after", "m/s", "gap rate after the impact; positive: opening", ""},
     {"slip_before", "m/s", "slip before the impact", ""},
     {"slip_after", "m/s", "slip after the impact", ""},
     {"energy_change", "J",
-     "change of the system's energy by this contact. The sum over the rows of one t is never "
-     "positive, but an episode of MuJoCo's soft contacts (coulomb, cone, cone-coulomb) may gain "
-     "about 1e-4 J, and an impact that takes time may gain too",
+     "change of the system's energy by this contact; the sum over the rows of one t is never "
+     "positive, except for soft contacts (about 1e-4 J) and impacts of finite duration",
      ""},
     {kContactColumn, "", "number of the contact, from 1; an impact of several has a row for each",
      kSeveralContacts},
