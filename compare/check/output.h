@@ -17,8 +17,9 @@ namespace rotorub::check {
 // value and limit are null where nothing is measured. rules has the same keys for every rule.
 result::Section result_of(const std::vector<Case>& cases);
 
-// What result_of() shows people, from that JSON, which may have been read from a file: without the
-// rules. Throws std::exception for a key that is missing and for an engine that does not exist.
+// Reads the cases back from that JSON, for example from a kept file. They have what result_of()
+// shows people, and no rules. Throws std::exception if a key is missing or an engine does not
+// exist.
 std::vector<Case> cases_of(const nlohmann::json& kept);
 
 }  // namespace rotorub::check

@@ -27,8 +27,8 @@ namespace rotorub {
 
 namespace {
 
-// The reason why the file of --controller is no library; empty if it may be one. Newcomers often
-// give its source.
+// Says why the file of --controller is not a library; empty if it may be one. Newcomers often give
+// the source of a library.
 std::string no_library(const std::string& file) {
   std::error_code none;
   if (!std::filesystem::exists(file, none)) return scene::printable(file) + ": no such file";

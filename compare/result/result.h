@@ -35,7 +35,8 @@ enum Audience {
 struct Item {
   // By default the cell is absent from the JSON. A number that is not finite becomes null.
   nlohmann::json value = nlohmann::json::value_t::discarded;
-  // If this is empty, a string is written as it is, a number by short_number(), and null as "–".
+  // Written instead of the value. If it is empty, a string is written as it is, a number by
+  // short_number(), and null as "–".
   std::string text{};
   Tone tone = Tone::kPlain;  // of the text
   std::string note{};        // on a page, why the cell has this text
@@ -47,7 +48,7 @@ std::string text_of(const Item& item);
 // null and "-" if it is missing or not finite.
 Item number(const std::optional<double>& value, int digits, double factor = 1.0);
 
-// What a sentence is on a page. On a terminal all are written alike.
+// The place of a sentence on a page. On a terminal all sentences are written alike.
 enum class Role {
   kText,
   kHeading,  // begins a part of the page

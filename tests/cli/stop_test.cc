@@ -101,7 +101,7 @@ TEST(CliStop, AKilledFilmLeavesNothingAfterTheNext) {
   EXPECT_EQ(folder.files(), std::vector<std::string>{"film.mp4"});
 }
 
-// What the stand-in of ffmpeg does, and what is said of it.
+// Replaces ffmpeg by a script that runs `does`, and expects the error message `said`.
 void expect_failure_of_encoder(const std::string& does, const std::string& said) {
   const Folder folder;
   std::filesystem::permissions(folder.write("bin/ffmpeg", "#!/bin/sh\n" + does + "\n"),

@@ -4,7 +4,7 @@
 //   {plots: [{title, unit, text, shape, data}]}      places of plots; data: their data attributes
 //   {maps: index}                                    the place of a set of maps
 //   {summary, pre}                                   a text that is folded away
-// Every text is text: a name such as "<b>" is shown as it is written.
+// No text is read as HTML: a name such as "<b>" is shown as it is written.
 
 // An element with attributes and children; those without a value are left out.
 export function element(name, attributes = {}, ...children) {

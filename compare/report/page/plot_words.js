@@ -66,7 +66,7 @@ const bifurcation = ({bifurcation: shown}) => [{plot: 'bifurcation', shape: 'wid
 
 const kinds = {bench, rotor, whirl, loop, bifurcation};
 
-// What the figures of a set of maps mean.
+// Makes the table that says what each figure of a set of maps means.
 const figuresOf = ({figures}) => [{heading: 'Figures'}, {columns: ['name', 'unit here', 'meaning'].map((text) => ({text})),
   rows: figures.map(({name, unit, meaning}) => ({cells: [name, unit, meaning]}))}];
 

@@ -1,4 +1,4 @@
-// Of a page without runs: bench, modes, maps. Some of these pages are laid out here.
+// Starts a page without runs (bench, modes, maps), and lays it out if its data has parts.
 import {layOut} from './layout.js';
 import {data, start, withPlotly} from './page.js';
 import {withPlots} from './plot_words.js';

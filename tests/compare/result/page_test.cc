@@ -1,4 +1,4 @@
-// What a page lays out of a result.
+// The parts of a result that a page lays out.
 #include <gtest/gtest.h>
 
 #include <nlohmann/json.hpp>

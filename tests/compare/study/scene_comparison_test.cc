@@ -43,7 +43,8 @@ TEST(SceneComparison, RunsAndTimesEverySide) {
     EXPECT_EQ(s->limits.size(), figures().size());
     EXPECT_GT(s->timing.median, 0.0);
     EXPECT_LE(s->timing.lowest, s->timing.median);
-    // The run that is shown has others beside it: its time is that of the runs that had none.
+    // The run that is shown was made beside others, so its time comes from runs that were made
+    // alone.
     ASSERT_EQ(s->timing.us_per_step.size(), 1U) << s->label;
     const double seconds = 1e-6 * s->timing.median * static_cast<double>(s->metrics.steps);
     EXPECT_EQ(s->trajectory.wall_s, seconds) << s->label;
