@@ -17,23 +17,17 @@ struct Node {
 };
 constexpr std::array<Node, 4> kNodes{
     {{-2.0, 1.0 / 12.0}, {-1.0, -8.0 / 12.0}, {1.0, 8.0 / 12.0}, {2.0, -1.0 / 12.0}}};
-// eps w relative to the sizes of the state. The force k p^n of a compliant contact is smooth for
-// n = 1 and n = 2 only.
-constexpr double kShare = 2e-4, kShareOfPower = 1e-6;
+// eps w relative to the sizes of the state; where a compliant contact has a force, at most
+// kOfPenetration of its penetration.
+constexpr double kShare = 2e-4, kOfPenetration = 3e-3;
 // The steps of the motion may be too long for its variations. They are halved until the error of a
 // variation in one stretch is below kStepError of it.
 constexpr double kStepError = 3e-12;
 constexpr int kMostParts = 64;
+constexpr double kFalls = 0.1;
+constexpr double kRoundOff = 3e-15;
 // Relative to the speeds; surfaces that are met more slowly are grazed.
 constexpr double kGrazing = 1e-10;
-
-bool has_power_law(const Model& m) {
-  return std::ranges::any_of(m.auxiliary, [](const AuxiliaryBearing& at) {
-    if (!at.gives()) return false;
-    const double n = at.contact->compliance.exponent;
-    return n != 1.0 && n != 2.0;
-  });
-}
 
 }  // namespace
 
@@ -71,7 +65,7 @@ Eigen::VectorXd FlowDerivative::slope(double t, const std::vector<double>& y,
 double FlowDerivative::share_of(const Eigen::VectorXd& w) const {
   const double size = w.head(n_).cwiseQuotient(sizes_).cwiseAbs().maxCoeff();
   if (!(size > 0.0) || !std::isfinite(size)) return 0.0;
-  return (has_power_law(*model_) ? kShareOfPower : kShare) / size;
+  return share_ / size;
 }
 
 // The change of the stretch's end by the change w of its start, in `parts` steps of equal length.
@@ -112,15 +106,19 @@ void FlowDerivative::pass(const Stretch& s, const ContactStates& states, Eigen::
   // A direction that contains all columns.
   Eigen::VectorXd all = Eigen::VectorXd::Zero(w.rows());
   for (Eigen::Index j = 0; j < w.cols(); ++j) all += share_of(w.col(j)) * w.col(j);
-  int parts = std::max(1, static_cast<int>(std::ceil(s.length / longest_)));
+  int parts = std::clamp(static_cast<int>(std::ceil(s.length / longest_)), 1, kMostParts);
   Eigen::VectorXd coarse = varied(s, states, all, parts);
-  for (; parts < kMostParts; parts *= 2) {
+  for (double last = kInfinity; parts < kMostParts;) {
     const Eigen::VectorXd fine = varied(s, states, all, 2 * parts);
     const double size = fine.cwiseQuotient(sizes_).cwiseAbs().maxCoeff();
     const double error = (fine - coarse).cwiseQuotient(sizes_).cwiseAbs().maxCoeff();
-    if (!(error > kStepError * size)) break;
+    // An error that does not fall is round-off.
+    const double round_off = kRoundOff / share_;
+    if (!(error > std::max(kStepError, round_off) * size) || error > kFalls * last) break;
+    if (std::isfinite(last)) longest_ = s.length / parts;
     coarse = fine;
-    longest_ = 0.5 * s.length / parts;
+    parts *= 2;
+    last = error;
   }
   for (Eigen::Index j = 0; j < w.cols(); ++j) {
     w.col(j).head(n_) = varied(s, states, w.col(j), parts);
@@ -197,10 +195,26 @@ void FlowDerivative::cross(const Stretch& s, const ContactStates& after, bool ca
   }
 }
 
+// The largest penetration of compliant contacts, relative to the size of a displacement.
+double FlowDerivative::deepest(const MotionRecord& motion) const {
+  double depth = 0.0;
+  for (const Stretch& s : motion.stretches) {
+    for (std::size_t k = 0; k < s.states.size(); ++k) {
+      if (!model_->auxiliary[k].gives() || s.states[k].mode == Mode::kFree) continue;
+      const double* y = s.y.data();
+      depth = std::max(depth, -contact_point(*model_, y, y + model_->nq(), k).gap);
+    }
+  }
+  return depth / sizes_[0];
+}
+
 Eigen::MatrixXd FlowDerivative::along(const MotionRecord& motion,
                                       const Eigen::MatrixXd& directions) {
   grazes_ = false;
   longest_ = kInfinity;
+  share_ = kShare;
+  const double depth = deepest(motion);
+  if (depth > 0.0) share_ = std::min(share_, kOfPenetration * depth);
   Eigen::MatrixXd w = Eigen::MatrixXd::Zero(
       n_ + static_cast<Eigen::Index>(model_->auxiliary.size()), directions.cols());
   w.topRows(n_) = directions;

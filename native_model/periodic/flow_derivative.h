@@ -59,6 +59,7 @@ class FlowDerivative {
   Eigen::VectorXd varied(const Stretch& stretch, const ContactStates& states,
                          const Eigen::VectorXd& w, int parts);
   double share_of(const Eigen::VectorXd& w) const;
+  double deepest(const MotionRecord& motion) const;
   std::size_t capture(const MotionRecord& motion, std::size_t from) const;
   double approach(const Jump& jump) const;
 
@@ -70,6 +71,7 @@ class FlowDerivative {
   Dop853 step_;
   std::vector<double> y_, slope_, tolerance_;
   double speed_ = 0.0;          // m/s, size of the speeds
+  double share_ = 0.0;          // of the sizes, for the differences
   double longest_ = kInfinity;  // s, longest step that is accurate for the variations
   bool grazes_ = false;
 };
