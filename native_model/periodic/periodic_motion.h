@@ -51,7 +51,7 @@ struct PeriodicMotion {
   HeldContacts held{};
   double residual = 0.0;
   int iterations = 0;
-  // By falling size, without those that are 0 by round-off of lasting contact.
+  // By falling size. Sliding and sticking in the period make some of them 0 up to round-off.
   std::vector<std::complex<double>> multipliers;
   bool stable = false;  // all of them are smaller than 1
   bool found() const { return status == SearchStatus::kFound; }

@@ -57,8 +57,6 @@ std::string expect_derivative(const Model& model, const State& start, double dur
   }
   const double largest = d.image.cwiseAbs().maxCoeff();
   EXPECT_LT(error, tolerance * largest);
-  printf("events %s error %.3g of %.3g stretches %zu\n", events_of(model, point.motion).c_str(),
-         error / largest, largest, point.motion.stretches.size());
   return events_of(model, point.motion);
 }
 

@@ -103,22 +103,93 @@ TEST(PeriodicMotion, Rolling) {
   const PeriodicMotion found = find_periodic_motion(model, guess);
   ASSERT_TRUE(found.found()) << found.message << found.residual;
   EXPECT_NEAR(kTurn / found.period, pace, 1e-8 * pace);
-  expect_multipliers(found, rub::rub_eigenvalues(system, *rolling), 1e-9);
+  // Each eigenvalue of the complex system is one whirl; as a real system it has the conjugates too.
+  std::vector<Complex> eigenvalues = rub::rub_eigenvalues(system, *rolling);
+  for (const Complex& s : std::vector<Complex>(eigenvalues)) eigenvalues.push_back(std::conj(s));
+  expect_multipliers(found, eigenvalues, 1e-9);
   const ContactFigures figures = period_figures(model, found).contacts[0];
   EXPECT_NEAR(figures.mean_force, rolling->normal_force, 1e-8 * rolling->normal_force);
   EXPECT_EQ(figures.stuck_share, 1.0);
 }
 
-TEST(PeriodicMotion, ARunOfTheBenchRingSettlesToIt) {
+// Exact: m x'' = F + A cos(Omega t) towards the ring, x <= delta_0, because two forces that turn in
+// opposite senses swing along x. A bounce of one impact a turn has w = F T / (m (1 + eps)) before
+// it, at the phase where sin(Omega t) = pi F (1 - eps) / (A (1 + eps)) (P. J. Holmes, J. Sound Vib.
+// 84, 1982). With a = (F + A cos) / m at the impact, small changes have the multipliers
+//   along x     s^2 - ((1 + eps) a T / w - 2 eps) s + eps^2 = 0
+//   along y     s^2 - (2 - (1 + eps) w T / delta_0) s + 1 = 0, by the curvature of the ring.
+TEST(PeriodicMotion, ABounceOnceATurn) {
+  const double mass = 2.0, omega = 300.0, press = 10.0, swing = 1.25 * press, eps = 0.5;
+  const double delta = 0.5e-3, period = kTurn / omega;
+  scene::Scene scene =
+      test::make_scene({.mass = mass, .clearance = delta, .restitution = eps, .speed = omega});
+  test::add_constant_force(scene, {press, 0.0});
+  test::add_rotating_force(scene, 0.5 * swing, omega);
+  test::add_rotating_force(scene, 0.5 * swing, -omega);
+  const double sine = std::numbers::pi * press * (1.0 - eps) / (swing * (1.0 + eps));
+  const double w = press * period / (mass * (1.0 + eps)),
+               phase = std::numbers::pi - std::asin(sine);
+  const double after = period - phase / omega;  // s, from the impact to t = 0
+  const double x = delta - eps * w * after + 0.5 * press / mass * after * after +
+                   swing / mass / omega * ((std::cos(phase) - 1.0) / omega - after * sine);
+  const double v = -eps * w + press / mass * after - swing / mass / omega * sine;
+  scene.initial.x = {1.02 * x};
+  scene.initial.y = {1e-6};
+  scene.initial.vx = {v};
+  const Model model = prepare(scene);
+  const FoundGuess begun = guess_at_start(model);
+  ASSERT_EQ(begun.status, Status::kOk) << begun.message;
+  EXPECT_NEAR(begun.guess.period, period, 1e-15);
+  const PeriodicMotion found = find_periodic_motion(model, begun.guess);
+  ASSERT_TRUE(found.found()) << found.message;
+  EXPECT_NEAR(found.start.q[0], x, 1e-8 * delta);
+  EXPECT_NEAR(found.start.q[1], 0.0, 1e-8 * delta);
+  EXPECT_NEAR(found.start.v[0], v, 1e-8 * w);
+  const double a = (press + swing * std::cos(phase)) / mass;
+  const auto expect_pair = [&](double sum, double product) {
+    const Complex root = std::sqrt(Complex(0.25 * sum * sum - product));
+    for (const Complex& expected : {0.5 * sum + root, 0.5 * sum - root}) {
+      double nearest = 1e300;
+      for (const Complex& m : found.multipliers)
+        nearest = std::min(nearest, std::abs(m - expected));
+      EXPECT_LT(nearest, 1e-8) << expected;
+    }
+  };
+  expect_pair((1.0 + eps) * a * period / w - 2.0 * eps, eps * eps);
+  expect_pair(2.0 - (1.0 + eps) * w * period / delta, 1.0);
+  const ContactFigures figures = period_figures(model, found).contacts[0];
+  EXPECT_EQ(figures.impacts, 1);
+  EXPECT_NEAR(figures.largest_impulse, press * period, 1e-8 * press * period);
+  EXPECT_NEAR(figures.mean_force, press, 1e-8 * press);
+  EXPECT_EQ(figures.contact_share, 0.0);
+}
+
+// The spin is free, its angle acts on nothing, and the motor holds the speed against friction.
+TEST(PeriodicMotion, ARunOfTheBenchRingSettlesToItsRub) {
   const scene::Scene scene = test::shipped("bench_ring");
   const Model model = prepare(scene);
   const FoundGuess settled = guess_from_run(model, 0.06);
   ASSERT_EQ(settled.status, Status::kOk) << settled.message;
   const PeriodicMotion found = find_periodic_motion(model, settled.guess);
   ASSERT_TRUE(found.found()) << found.message;
+  EXPECT_TRUE(found.stable);
+  const auto rub = oracle::annular_rub({2.0, 40.0, 2e5}, {1.0, 200.0, 1e5}, 0.5e-3, 0.15, 150.0,
+                                       scene.forces[0].frequency);
+  ASSERT_TRUE(rub);
   const ContactFigures figures = period_figures(model, found).contacts[0];
-  printf("force %.10g %d it, mult %g\n", figures.mean_force, found.iterations,
-         std::abs(found.multipliers[0]));
+  EXPECT_NEAR(figures.mean_force, rub->force, 1e-8 * rub->force);
+  const double torque = 0.15 * 0.05 * rub->force;  // N m, of friction
+  EXPECT_NEAR(found.start.v[2], scene.drive->speed - torque / 0.5, 1e-8 * scene.drive->speed);
+}
+
+TEST(PeriodicMotion, RefusesWhatDoesNotRepeat) {
+  scene::Scene scene = test::make_scene({.mass = 2.0, .damping = 40.0, .stiffness = 2e5});
+  test::add_rotating_force(scene, 10.0, 100.0);
+  test::add_rotating_force(scene, 10.0, 100.0 * std::numbers::sqrt2);
+  const Model model = prepare(scene);
+  const PeriodicMotion found = find_periodic_motion(model, {initial_state(model), 0.0628, 0, {}});
+  EXPECT_EQ(found.status, SearchStatus::kRefused);
+  EXPECT_NE(found.message.find("no common period"), std::string::npos) << found.message;
 }
 
 }  // namespace
