@@ -22,7 +22,7 @@ constexpr std::array<Node, 4> kNodes{
 constexpr double kShare = 2e-4, kOfPenetration = 3e-3;
 // The steps of the motion may be too long for its variations. They are halved until the error of a
 // variation in one stretch is below kStepError of it.
-constexpr double kStepError = 3e-12;
+constexpr double kStepError = 3e-11;
 constexpr int kMostParts = 64;
 constexpr double kFalls = 0.1;
 constexpr double kRoundOff = 3e-15;

@@ -3,17 +3,22 @@
 #include <algorithm>
 #include <cmath>
 #include <numbers>
+#include <utility>
+#include <vector>
 
 #include "native_model/event/driver.h"
 #include "native_model/model/dynamics.h"
+#include "native_model/periodic/flow_derivative.h"
 #include "native_model/trajectory/recorder.h"
 
 namespace rotorub::periodic {
 namespace {
 
 constexpr double kTurn = 2.0 * std::numbers::pi;
-// The whirl is measured over this many turns at its speed at the start.
+// A return to the start of the model is looked for in this many turns at its whirl speed.
 constexpr double kTurnsWatched = 3.0;
+// Distances of returns to the state, relative to its sizes.
+constexpr double kAboutAsClose = 3.0, kClose = 1e-3;
 
 struct Arrival {
   Status status = Status::kOk;
@@ -46,24 +51,48 @@ double whirl_speed(const Model& m, const State& at) {
   return largest;
 }
 
-// s, of `periods` whirls of the first contact after `at`, by the angle that its centre goes in the
-// time of some turns.
-double whirl_period(const Model& m, const State& at, int periods,
-                    const EventParameters& parameters) {
-  const double pace = whirl_speed(m, at);
-  if (!(pace > 0.0)) return 0.0;
-  const MotionRecord motion = record_motion(m, at, at.t + kTurnsWatched * kTurn / pace, parameters);
-  double turned = 0.0;
-  Eigen::Vector2d last = separation(m, motion.start.data());
-  const auto meet = [&](const std::vector<double>& y) {
-    const Eigen::Vector2d d = separation(m, y.data());
-    turned += std::atan2(last.x() * d.y() - last.y() * d.x(), last.dot(d));
-    last = d;
+// s, the time after which a motion comes back closest to its state at `at`, within `longest` (s):
+// it passes the plane through that state, across its velocity, in the same sense. The first of the
+// passes that come about as close as the closest one counts. 0 if there is none.
+double return_time(const Model& m, const State& at, double longest,
+                   const EventParameters& parameters) {
+  const MotionRecord motion = record_motion(m, at, at.t + longest, parameters);
+  if (motion.status != Status::kOk) return 0.0;
+  std::vector<const double*> states{motion.start.data(), motion.end.data()};
+  for (const Stretch& s : motion.stretches) states.push_back(s.y.data());
+  const EssentialState essential(m);
+  const Eigen::VectorXd sizes = EssentialState::sizes(m, states);
+  const auto scaled = [&](const Eigen::VectorXd& y) {
+    return essential.take(y.cwiseQuotient(sizes).eval().data());
   };
-  for (const Stretch& s : motion.stretches) meet(s.y);
-  meet(motion.end);
-  if (turned == 0.0) return 0.0;
-  return periods * kTurn * (motion.end_time - motion.begin_time) / std::abs(turned);
+  const auto away = [&](const std::vector<double>& y) {
+    const Eigen::Map<const Eigen::VectorXd> there(y.data(), sizes.size()),
+        here(motion.start.data(), sizes.size());
+    return scaled(there - here);
+  };
+  FlowDerivative flow(m, sizes, parameters);
+  const Eigen::VectorXd slope = scaled(flow.slope(motion.begin_time, motion.start, motion.first));
+  std::vector<std::pair<double, double>> passes;  // time, distance
+  double closest = kInfinity, last_t = motion.begin_time;
+  Eigen::VectorXd last = Eigen::VectorXd::Zero(essential.size());
+  const auto meet = [&](double t, const std::vector<double>& y) {
+    const Eigen::VectorXd now = away(y);
+    const double before = slope.dot(last), after = slope.dot(now);
+    if (before < 0.0 && after >= 0.0) {
+      const double share = before / (before - after);
+      const double distance = (last + share * (now - last)).norm();
+      passes.emplace_back(last_t + share * (t - last_t) - motion.begin_time, distance);
+      closest = std::min(closest, distance);
+    }
+    last = now;
+    last_t = t;
+  };
+  for (const Stretch& s : motion.stretches) meet(s.t, s.y);
+  meet(motion.end_time, motion.end);
+  for (const auto& [time, distance] : passes) {
+    if (distance <= kAboutAsClose * closest + kClose) return time;
+  }
+  return 0.0;
 }
 
 int closed_contacts(const ContactStates& states) {
@@ -92,8 +121,9 @@ double best_instant(const MotionRecord& motion) {
   return best;
 }
 
-// Fills in the period, from a state that a motion has at its time.
-void find_period(const Model& m, int periods, const EventParameters& parameters, Guess& guess) {
+// Fills in the period, from a state that a motion has at its time. longest: s, see return_time.
+void find_period(const Model& m, int periods, double longest, const EventParameters& parameters,
+                 Guess& guess) {
   const Forcing forcing = forcing_of(m);
   if (forcing.period > 0.0) {
     guess.period = periods * forcing.period;
@@ -101,7 +131,7 @@ void find_period(const Model& m, int periods, const EventParameters& parameters,
     guess.turns = spin_speed(m, guess.start.v.data()) < 0.0 ? -periods : periods;
     guess.period = guess.turns * kTurn / spin_speed(m, guess.start.v.data());
   } else {
-    guess.period = whirl_period(m, guess.start, periods, parameters);
+    guess.period = periods * return_time(m, guess.start, longest, parameters);
   }
 }
 
@@ -119,11 +149,11 @@ FoundGuess guess_at_start(const Model& m, int periods, const EventParameters& pa
     if (begun.first[k].mode == Mode::kFree || m.auxiliary[k].gives()) continue;
     found.guess.held.push_back({k, velocity_of(begun.first[k].mode)});
   }
-  find_period(m, periods, parameters, found.guess);
   const double pace = whirl_speed(m, found.guess.start);
+  const double turn = pace > 0.0 ? kTurn / pace : 0.0;
+  find_period(m, periods, kTurnsWatched * turn, parameters, found.guess);
   const bool whirls = forcing_of(m).period == 0.0 && found.guess.turns == 0;
-  if (whirls && !found.guess.held.empty() && pace > 0.0)
-    found.guess.period = periods * kTurn / pace;
+  if (whirls && !found.guess.held.empty()) found.guess.period = periods * turn;
   if (!(found.guess.period > 0.0) || !std::isfinite(found.guess.period)) {
     return failed(Status::kNoSolution, "the start does not whirl, so its period is unknown");
   }
@@ -139,9 +169,10 @@ FoundGuess guess_from_run(const Model& m, double duration, int periods,
   if (at.status != Status::kOk) return failed(at.status, at.message);
   FoundGuess found;
   found.guess.start = at.state;
-  find_period(m, periods, parameters, found.guess);
+  find_period(m, periods, duration, parameters, found.guess);
   if (!(found.guess.period > 0.0) || !std::isfinite(found.guess.period)) {
-    return failed(Status::kNoSolution, "the run comes to rest, so its period is unknown");
+    return failed(Status::kNoSolution,
+                  "the run does not come back to a state it had, so its period is unknown");
   }
   const MotionRecord motion = record_motion(m, at.state, end + found.guess.period, parameters);
   if (motion.status != Status::kOk) return failed(motion.status, motion.message);

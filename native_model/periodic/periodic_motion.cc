@@ -11,6 +11,7 @@ namespace {
 
 constexpr double kMostOfPeriod = 0.2;  // largest change of an unknown period in one step
 constexpr double kMostOfState = 0.5;   // largest change of the state, relative to its sizes
+constexpr double kGoodFall = 0.1;      // of the residual in one iteration
 
 struct NewtonStep {
   Eigen::VectorXd c;       // in the tangent space
@@ -93,35 +94,55 @@ PeriodicMotion find_periodic_motion(const Model& model, const Guess& guess,
     end_with(motion, SearchStatus::kRunFailed, point.message);
     return motion;
   }
+  ReturnDerivative d;
+  bool fresh = false;  // d belongs to this point
   for (motion.iterations = 0;; ++motion.iterations) {
     motion.residual = point.residual;
-    const ReturnDerivative d = map.derivative(point, motion.held);
-    if (point.residual <= parameters.tolerance) {
+    const bool found = point.residual <= parameters.tolerance;
+    if (found || d.basis.size() == 0) {
+      d = map.derivative(point, motion.held);
+      fresh = true;
+    }
+    if (found) {
       motion.multipliers = floquet_multipliers(d, autonomous);
       motion.stable = !motion.multipliers.empty() && std::abs(motion.multipliers.front()) < 1.0;
       motion.status = SearchStatus::kFound;
       return motion;
     }
-    if (d.grazes) {
-      end_with(motion, SearchStatus::kGrazes, "a contact grazes");
-      return motion;
+    if (motion.iterations == parameters.most_iterations) break;
+    double fall = 1.0;  // of the residual
+    const auto improve = [&] {
+      if (d.grazes || !d.image.allFinite()) return;
+      const NewtonStep step = newton_step(point, d, motion.period, autonomous);
+      if (!step.c.allFinite() || !std::isfinite(step.of_period)) return;
+      const int halvings = fresh ? parameters.most_halvings : 0;
+      double share = 1.0;
+      for (int k = 0; k <= halvings; ++k, share *= 0.5) {
+        const State start = map.moved(motion.start, point, d.basis, share * step.c, motion.held);
+        const double period = motion.period * (1.0 + share * step.of_period);
+        Return next = map.at(start, period, motion.turns);
+        if (!(next.residual < (fresh ? 1.0 : kGoodFall) * point.residual)) continue;
+        fall = next.residual / point.residual;
+        motion.start = start;
+        motion.period = period;
+        point = std::move(next);
+        return;
+      }
+    };
+    improve();
+    // A derivative costs many motions, so an old one serves while it makes the residual fall fast.
+    if (fall <= kGoodFall) {
+      fresh = false;
+    } else if (fall < 1.0 || !fresh) {
+      d = map.derivative(point, motion.held);
+      fresh = true;
+    } else {
+      if (d.grazes) {
+        end_with(motion, SearchStatus::kGrazes, "a contact grazes");
+        return motion;
+      }
+      break;
     }
-    if (motion.iterations == parameters.most_iterations || !d.image.allFinite()) break;
-    const NewtonStep step = newton_step(point, d, motion.period, autonomous);
-    if (!step.c.allFinite() || !std::isfinite(step.of_period)) break;
-    bool better = false;
-    double share = 1.0;
-    for (int k = 0; k <= parameters.most_halvings && !better; ++k, share *= 0.5) {
-      const State start = map.moved(motion.start, point, d.basis, share * step.c, motion.held);
-      const double period = motion.period * (1.0 + share * step.of_period);
-      Return next = map.at(start, period, motion.turns);
-      if (!(next.residual < point.residual)) continue;
-      better = true;
-      motion.start = start;
-      motion.period = period;
-      point = std::move(next);
-    }
-    if (!better) break;
   }
   end_with(motion, SearchStatus::kNoConvergence,
            "Newton's method does not converge from this start");
