@@ -18,7 +18,8 @@ constexpr double kTurn = 2.0 * std::numbers::pi;
 // A return to the start of the model is looked for in this many turns at its whirl speed.
 constexpr double kTurnsWatched = 3.0;
 // Distances of returns to the state, relative to its sizes.
-constexpr double kAboutAsClose = 3.0, kClose = 1e-3;
+constexpr double kAboutAsClose = 3.0, kClose = 2e-3;
+constexpr int kHalvings = 40;
 
 struct Arrival {
   Status status = Status::kOk;
@@ -73,22 +74,32 @@ double return_time(const Model& m, const State& at, double longest,
   FlowDerivative flow(m, sizes, parameters);
   const Eigen::VectorXd slope = scaled(flow.slope(motion.begin_time, motion.start, motion.first));
   std::vector<std::pair<double, double>> passes;  // time, distance
-  double closest = kInfinity, last_t = motion.begin_time;
-  Eigen::VectorXd last = Eigen::VectorXd::Zero(essential.size());
-  const auto meet = [&](double t, const std::vector<double>& y) {
-    const Eigen::VectorXd now = away(y);
-    const double before = slope.dot(last), after = slope.dot(now);
-    if (before < 0.0 && after >= 0.0) {
-      const double share = before / (before - after);
-      const double distance = (last + share * (now - last)).norm();
-      passes.emplace_back(last_t + share * (t - last_t) - motion.begin_time, distance);
-      closest = std::min(closest, distance);
+  double closest = kInfinity;
+  for (std::size_t i = 0; i < motion.stretches.size(); ++i) {
+    const Stretch& s = motion.stretches[i];
+    const bool is_last = i + 1 == motion.stretches.size();
+    const std::vector<double>& y_end = s.jump    ? s.jump->before
+                                       : is_last ? motion.end
+                                                 : motion.stretches[i + 1].y;
+    const Eigen::VectorXd begin = away(s.y), end = away(y_end);
+    if (!(slope.dot(begin) < 0.0 && slope.dot(end) >= 0.0)) continue;
+    // Hermite's cubic within the stretch.
+    const Eigen::VectorXd rate_begin = s.length * scaled(flow.slope(s.t, s.y, s.states)),
+                          rate_end = s.length * scaled(flow.slope(s.end(), y_end, s.states));
+    const auto within = [&](double x) -> Eigen::VectorXd {
+      const double z = 1.0 - x;
+      return z * z * (1.0 + 2.0 * x) * begin + x * x * (1.0 + 2.0 * z) * end +
+             x * z * (z * rate_begin - x * rate_end);
+    };
+    double low = 0.0, high = 1.0;
+    for (int k = 0; k < kHalvings; ++k) {
+      const double middle = 0.5 * (low + high);
+      (slope.dot(within(middle)) < 0.0 ? low : high) = middle;
     }
-    last = now;
-    last_t = t;
-  };
-  for (const Stretch& s : motion.stretches) meet(s.t, s.y);
-  meet(motion.end_time, motion.end);
+    const double distance = within(high).norm();
+    passes.emplace_back(s.t + high * s.length - motion.begin_time, distance);
+    closest = std::min(closest, distance);
+  }
   for (const auto& [time, distance] : passes) {
     if (distance <= kAboutAsClose * closest + kClose) return time;
   }

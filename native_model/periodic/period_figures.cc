@@ -22,12 +22,13 @@ class Follower {
   }
 
   void meet(const Snapshot& now) {
-    last_.resize(figures_.size(), Eigen::Vector2d::Zero());
     for (std::size_t k = 0; k < figures_.size(); ++k) {
       ContactFigures& f = figures_[k];
       f.largest_force = std::max(f.largest_force, now.at(k).normal_force);
       f.amplitude = std::max(f.amplitude, rotor_point(*model_, now.q, k).norm());
-      const Eigen::Vector2d d = separation(*model_, now.q, k), &last = last_[k];
+      const Eigen::Vector2d d = separation(*model_, now.q, k);
+      if (last_.size() == k) last_.push_back(d);
+      const Eigen::Vector2d& last = last_[k];
       if (model_->auxiliary[k].contact) {
         f.least_gap = std::min(f.least_gap, model_->auxiliary[k].contact->clearance - d.norm());
       }
