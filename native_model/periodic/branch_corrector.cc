@@ -151,8 +151,7 @@ std::optional<CorrectedPoint> BranchCorrector::correct(BranchPoint at, const Tan
       at.motion.residual = point.residual;
       at.motion.iterations = i;
       at.motion.multipliers = floquet_multipliers(l.d, autonomous_);
-      at.motion.stable =
-          !at.motion.multipliers.empty() && std::abs(at.motion.multipliers.front()) < 1.0;
+      at.motion.stable = is_stable(at.motion.multipliers);
       found.events = events_of(point.motion);
       found.point = std::move(at);
       return found;

@@ -16,6 +16,8 @@ constexpr double kZero = 1e-11;         // of a test function
 constexpr double kGrazingWidth = 1e-6;  // of the arclength between two points
 constexpr double kReal = 1e-9;          // relative; smaller imaginary parts count as 0
 
+constexpr double kOnCircle = 1e-7;  // multipliers of undamped motions stay on the circle
+
 using Complex = std::complex<double>;
 
 bool is_real(const Complex& m) { return std::abs(m.imag()) <= kReal * std::abs(m); }
@@ -28,7 +30,7 @@ bool is_of(PointKind kind, const Complex& m) {
 // The number of multipliers of a kind outside the unit circle.
 int unstable(PointKind kind, const CorrectedPoint& at) {
   return static_cast<int>(std::ranges::count_if(at.point.motion.multipliers, [&](const Complex& m) {
-    return is_of(kind, m) && std::abs(m) > 1.0;
+    return is_of(kind, m) && std::abs(m) > 1.0 + kOnCircle;
   }));
 }
 

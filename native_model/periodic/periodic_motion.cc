@@ -75,6 +75,13 @@ std::vector<std::complex<double>> floquet_multipliers(const ReturnDerivative& d,
   return *all;
 }
 
+bool is_stable(const std::vector<std::complex<double>>& multipliers) {
+  constexpr double kRoundOff = 1e-8;
+  return !multipliers.empty() && std::ranges::all_of(multipliers, [](const auto& m) {
+    return std::abs(m) <= 1.0 + kRoundOff;
+  });
+}
+
 PeriodicMotion find_periodic_motion(const Model& model, const Guess& guess,
                                     const SearchParameters& parameters) {
   PeriodicMotion motion;
@@ -105,7 +112,7 @@ PeriodicMotion find_periodic_motion(const Model& model, const Guess& guess,
     }
     if (found) {
       motion.multipliers = floquet_multipliers(d, autonomous);
-      motion.stable = !motion.multipliers.empty() && std::abs(motion.multipliers.front()) < 1.0;
+      motion.stable = is_stable(motion.multipliers);
       motion.status = SearchStatus::kFound;
       return motion;
     }

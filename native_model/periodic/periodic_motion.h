@@ -53,7 +53,7 @@ struct PeriodicMotion {
   int iterations = 0;
   // By falling size. Sliding and sticking in the period make some of them 0 up to round-off.
   std::vector<std::complex<double>> multipliers;
-  bool stable = false;  // all of them are smaller than 1
+  bool stable = false;  // see is_stable
   bool found() const { return status == SearchStatus::kFound; }
 };
 
@@ -64,5 +64,8 @@ PeriodicMotion find_periodic_motion(const Model& model, const Guess& guess,
 // one without the multiplier nearest to 1.
 std::vector<std::complex<double>> floquet_multipliers(const ReturnDerivative& derivative,
                                                       bool autonomous);
+
+// True if none of them is larger than 1 beyond round-off, 1e-8. False without multipliers.
+bool is_stable(const std::vector<std::complex<double>>& multipliers);
 
 }  // namespace rotorub::periodic

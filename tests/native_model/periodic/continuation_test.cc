@@ -3,13 +3,16 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 #include <numbers>
 #include <vector>
 
 #include "native_model/linear/rub_map.h"
 #include "native_model/periodic/continuation.h"
 #include "native_model/periodic/guesses.h"
+#include "native_model/periodic/period_figures.h"
 #include "native_model/prepare/prepare.h"
+#include "tests/native_model/periodic/bounce_once_a_turn.h"
 #include "tests/support/native_run.h"
 #include "tests/support/whip.h"
 
@@ -88,6 +91,62 @@ TEST(Continuation, OfTheWhipThroughItsHopfBorder) {
   const rub::RubSystem system = rub::rub_system(scene);
   const auto point = rub::RubStudy(system).at(system.friction);
   EXPECT_NEAR(point.leading(rub::RubKind::kWhip)->stability.growth, 0.0, 1e-6);
+}
+
+TEST(Continuation, OfABounceBetweenItsFoldAndItsPeriodDoubling) {
+  const test::BounceOnceATurn bounce;
+  // The first start is the closed form's, the others are searched for.
+  const auto model_at = [&](double swing) {
+    scene::Scene scene = bounce.scene();
+    scene.forces[1].amplitude = scene.forces[2].amplitude = 0.5 * swing;
+    return prepare(scene);
+  };
+  const Model model = model_at(bounce.swing);
+  const PeriodicMotion start = find_periodic_motion(model, guess_at_start(model).guess);
+  ASSERT_TRUE(start.found()) << start.message;
+  ContinuationParameters settings;
+  settings.lowest = 5.0;
+  settings.highest = 16.0;
+  settings.scale = 5.0;
+  const Branch up = continue_branch(model_at, bounce.swing, start, settings);
+  EXPECT_TRUE(up.points.front().motion.stable);
+  EXPECT_FALSE(up.points.back().motion.stable);
+  const auto doublings = of_kind(up, PointKind::kPeriodDoubling);
+  ASSERT_EQ(doublings.size(), 1u) << up.end;
+  EXPECT_NEAR(doublings[0].parameter, bounce.doubling_swing(), 1e-7);
+  settings.direction = -1.0;
+  settings.highest = 13.0;
+  const Branch down = continue_branch(model_at, bounce.swing, start, settings);
+  EXPECT_FALSE(down.points.back().motion.stable);
+  const auto folds = of_kind(down, PointKind::kFold);
+  ASSERT_EQ(folds.size(), 1u) << down.end;
+  EXPECT_NEAR(folds[0].parameter, bounce.least_swing(), 1e-7);
+}
+
+// Design: with the force's frequency as speed the synchronous rub ends at 707.6856016 rad/s.
+TEST(Continuation, OfTheSynchronousRubOverTheSpeed) {
+  const auto model_at = [](double speed) {
+    scene::Scene scene = test::shipped("bench_annular_elastic");
+    scene.rotor.speed = scene.forces[0].frequency = speed;
+    return make_model(scene);
+  };
+  const double speed = 100.0 * std::numbers::pi;
+  const Model model = model_at(speed);
+  const FoundGuess begun = guess_at_start(model);
+  ASSERT_EQ(begun.guess.held.size(), 1u);
+  const PeriodicMotion start = find_periodic_motion(model, begun.guess);
+  ASSERT_TRUE(start.found()) << start.message;
+  ContinuationParameters settings;
+  settings.lowest = 300.0;
+  settings.highest = 800.0;
+  settings.scale = 100.0;
+  settings.longest_step = 0.3;
+  const Branch branch = continue_branch(model_at, speed, start, settings);
+  const auto folds = of_kind(branch, PointKind::kFold);
+  ASSERT_EQ(folds.size(), 1u) << branch.end;
+  EXPECT_NEAR(folds[0].parameter, 707.6856016, 1e-5);
+  const Model at_fold = model_at(folds[0].parameter);
+  EXPECT_NEAR(period_figures(at_fold, folds[0].motion).contacts[0].mean_force, 128.75786, 1e-2);
 }
 
 }  // namespace

@@ -13,6 +13,7 @@
 #include "native_model/periodic/period_figures.h"
 #include "native_model/periodic/periodic_motion.h"
 #include "native_model/prepare/prepare.h"
+#include "tests/native_model/periodic/bounce_once_a_turn.h"
 #include "tests/support/jeffcott.h"
 #include "tests/support/native_run.h"
 #include "tests/support/whip.h"
@@ -112,40 +113,21 @@ TEST(PeriodicMotion, Rolling) {
   EXPECT_EQ(figures.stuck_share, 1.0);
 }
 
-// Exact: m x'' = F + A cos(Omega t) towards the ring, x <= delta_0, because two forces that turn in
-// opposite senses swing along x. A bounce of one impact a turn has w = F T / (m (1 + eps)) before
-// it, at the phase where sin(Omega t) = pi F (1 - eps) / (A (1 + eps)) (P. J. Holmes, J. Sound Vib.
-// 84, 1982). With a = (F + A cos) / m at the impact, small changes have the multipliers
-//   along x     s^2 - ((1 + eps) a T / w - 2 eps) s + eps^2 = 0
-//   along y     s^2 - (2 - (1 + eps) w T / delta_0) s + 1 = 0, by the curvature of the ring.
 TEST(PeriodicMotion, ABounceOnceATurn) {
-  const double mass = 2.0, omega = 300.0, press = 10.0, swing = 1.25 * press, eps = 0.5;
-  const double delta = 0.5e-3, period = kTurn / omega;
-  scene::Scene scene =
-      test::make_scene({.mass = mass, .clearance = delta, .restitution = eps, .speed = omega});
-  test::add_constant_force(scene, {press, 0.0});
-  test::add_rotating_force(scene, 0.5 * swing, omega);
-  test::add_rotating_force(scene, 0.5 * swing, -omega);
-  const double sine = std::numbers::pi * press * (1.0 - eps) / (swing * (1.0 + eps));
-  const double w = press * period / (mass * (1.0 + eps)),
-               phase = std::numbers::pi - std::asin(sine);
-  const double after = period - phase / omega;  // s, from the impact to t = 0
-  const double x = delta - eps * w * after + 0.5 * press / mass * after * after +
-                   swing / mass / omega * ((std::cos(phase) - 1.0) / omega - after * sine);
-  const double v = -eps * w + press / mass * after - swing / mass / omega * sine;
-  scene.initial.x = {1.02 * x};
+  const test::BounceOnceATurn bounce;
+  const double delta = bounce.clearance, period = bounce.period(), w = bounce.approach();
+  scene::Scene scene = bounce.scene();
+  scene.initial.x = {1.02 * bounce.x()};
   scene.initial.y = {1e-6};
-  scene.initial.vx = {v};
   const Model model = prepare(scene);
   const FoundGuess begun = guess_at_start(model);
   ASSERT_EQ(begun.status, Status::kOk) << begun.message;
   EXPECT_NEAR(begun.guess.period, period, 1e-15);
   const PeriodicMotion found = find_periodic_motion(model, begun.guess);
   ASSERT_TRUE(found.found()) << found.message;
-  EXPECT_NEAR(found.start.q[0], x, 1e-8 * delta);
+  EXPECT_NEAR(found.start.q[0], bounce.x(), 1e-8 * delta);
   EXPECT_NEAR(found.start.q[1], 0.0, 1e-8 * delta);
-  EXPECT_NEAR(found.start.v[0], v, 1e-8 * w);
-  const double a = (press + swing * std::cos(phase)) / mass;
+  EXPECT_NEAR(found.start.v[0], bounce.v(), 1e-8 * w);
   const auto expect_pair = [&](double sum, double product) {
     const Complex root = std::sqrt(Complex(0.25 * sum * sum - product));
     for (const Complex& expected : {0.5 * sum + root, 0.5 * sum - root}) {
@@ -155,12 +137,13 @@ TEST(PeriodicMotion, ABounceOnceATurn) {
       EXPECT_LT(nearest, 1e-8) << expected;
     }
   };
-  expect_pair((1.0 + eps) * a * period / w - 2.0 * eps, eps * eps);
+  const double eps = bounce.restitution;
+  expect_pair((1.0 + eps) * bounce.acceleration() * period / w - 2.0 * eps, eps * eps);
   expect_pair(2.0 - (1.0 + eps) * w * period / delta, 1.0);
   const ContactFigures figures = period_figures(model, found).contacts[0];
   EXPECT_EQ(figures.impacts, 1);
-  EXPECT_NEAR(figures.largest_impulse, press * period, 1e-8 * press * period);
-  EXPECT_NEAR(figures.mean_force, press, 1e-8 * press);
+  EXPECT_NEAR(figures.largest_impulse, bounce.press * period, 1e-8 * bounce.press * period);
+  EXPECT_NEAR(figures.mean_force, bounce.press, 1e-8 * bounce.press);
   EXPECT_EQ(figures.contact_share, 0.0);
 }
 
