@@ -129,12 +129,11 @@ EventImpact::Outcome EventImpact::over_time(Motion& motion, const ContactPoint& 
     out.contacts.push_back({0, true, false, false, Departure::kInside});
     return out;
   }
-  const double *q, *v, *a;
-  const bool rests = finite_.finish(q, v, a);
-  std::copy_n(q, motion.nq, motion.q());
-  std::copy_n(v, motion.nq, motion.v());
+  const FiniteImpact::End finish = finite_.finish();
+  std::copy_n(finish.q, motion.nq, motion.q());
+  std::copy_n(finish.v, motion.nq, motion.v());
   motion.integral(kExternalWork) += finite_.landing_work();
-  out.contacts.push_back({0, true, rests, false, Departure::kRebound});
+  out.contacts.push_back({0, true, finish.lasts, false, Departure::kRebound});
   return out;
 }
 

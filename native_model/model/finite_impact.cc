@@ -166,12 +166,9 @@ Eigen::Vector2d FiniteImpact::force(double t) const {
   return phase_force(t < middle_ ? 0 : 1);
 }
 
-bool FiniteImpact::finish(const double*& q, const double*& v, const double*& a) {
+FiniteImpact::End FiniteImpact::finish() {
   active_ = 0.0;
-  q = end_q_.data();
-  v = end_v_.data();
-  a = end_a_.data();
-  return closes_ > 0.0;
+  return {end_q_.data(), end_v_.data(), end_a_.data(), closes_ > 0.0};
 }
 
 }  // namespace rotorub
