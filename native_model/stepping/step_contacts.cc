@@ -275,8 +275,7 @@ bool StepContacts::solve_rigid(StepState& state) {
     Contact& c = contacts_[i];
     LastingContact s;
     s.d = {c.d.x, c.d.y};
-    const Eigen::Vector3d others = rates_by(i, compliant_);
-    s.free = rates(i, state.v_free.data()) + others;
+    s.free = rates(i, state.v_free.data()) + rates_by(i, compliant_);
     // If the path of a single contact ends far from its start (it passes the middle), the normal is
     // taken at the point where the path leaves the circle.
     const Eigen::Vector2d path = h_ * s.free.head<2>();
