@@ -33,7 +33,8 @@ class Slopes {
     std::array<bool, 3 * kMaxContacts> tried{};
     for (Eigen::Index k = 0; k < n; ++k) {
       const bool friction = k % rows != 0;
-      if (friction && laws_[static_cast<std::size_t>(k / rows)].friction.none()) continue;
+      if (friction && laws_[static_cast<std::size_t>(k / rows)].friction.is_frictionless())
+        continue;
       tried[static_cast<std::size_t>(k)] = true;
       ContactVector moved = p;
       moved[k] += size;
@@ -79,7 +80,7 @@ ConstrainedContact iterate(ContactResponse& response, ContactVector p, ContactVe
   best.y = best.error = best.p;
   double least = 1e300;
   CoupledSolution guess = law(line.expected, y - line.expected * p);
-  if (guess.solutions != 1) guess.p = p;
+  if (!guess.is_unique()) guess.p = p;
   const ContactVector none = ContactVector::Zero(p.size());
   double size =
       std::max(normal_beyond(guess.p, p, rows), kLocal * normal_beyond(guess.p, none, rows));
@@ -91,7 +92,7 @@ ConstrainedContact iterate(ContactResponse& response, ContactVector p, ContactVe
   if (!line.known()) line.find(response, p, y, size);
   for (int k = 0; k < kIterations; ++k) {
     const CoupledSolution next = law(line.a, y - line.a * p);
-    if (next.solutions != 1) {
+    if (!next.is_unique()) {
       best.solved = least < 1e300;
       return best;
     }
@@ -140,7 +141,7 @@ ConstrainedContact closed(ContactResponse& response, const ContactVector& free,
                           std::span<const ImpactLaw> laws, Slopes& line) {
   return iterate(response, ContactVector::Zero(free.size()), free, rows_of(free, laws), line,
                  [&](const ContactMatrix& a, const ContactVector& b) {
-                   return solve_compression(a, b, laws);
+                   return solve_coupled_coulomb(a, b, laws);
                  });
 }
 
@@ -158,8 +159,8 @@ bool closes_again(const ContactVector& y, const ContactVector& free, double accu
 ConstrainedContact closed_again(ContactResponse& response, const ConstrainedContact& impact,
                                 const ContactMatrix& expected, std::span<const ImpactLaw> laws) {
   const auto beyond = [&](const ContactMatrix& a, const ContactVector& b) {
-    CoupledSolution s = solve_compression(a, b + a * impact.p, laws);
-    if (s.solutions == 1) s.p += impact.p;
+    CoupledSolution s = solve_coupled_coulomb(a, b + a * impact.p, laws);
+    if (s.is_unique()) s.p += impact.p;
     return s;
   };
   Slopes line(expected, laws);
@@ -191,8 +192,8 @@ ConstrainedContact solve_constrained_impact(ContactResponse& response, const Con
   const ConstrainedContact c = closed(sudden, free, laws, line);
   if (!c.solved) return c;
   const auto expansion = [&](const ContactMatrix& a, const ContactVector& b) {
-    CoupledSolution s = solve_expansion(a, b + a * c.p, laws, c.p);
-    if (s.solutions == 1) s.p += c.p;
+    CoupledSolution s = solve_coupled_expansion(a, b + a * c.p, laws, c.p);
+    if (s.is_unique()) s.p += c.p;
     s.sticks = {};  // an impact does not report sticking
     return s;
   };

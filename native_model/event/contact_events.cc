@@ -30,7 +30,7 @@ EventIntegrator::Closed EventIntegrator::on_circles() const {
   Closed closed;
   for (std::size_t k = 0; k < phase_.contacts(); ++k) {
     const auto& contact = model_->auxiliary[k].contact;
-    if (!contact || contact->gives()) continue;
+    if (!contact || contact->is_compliant()) continue;
     const double gap = contact_point(*model_, motion_.q(), motion_.v(), k).gap;
     if (phase_.in_contact(k) || phase_.state(k).redundant || gap <= kOnCircle * contact->clearance)
       closed.push_back({k, Velocity::kKept});
@@ -56,7 +56,7 @@ void EventIntegrator::begin_on_circles(const Closed& closed) {
 }
 
 void EventIntegrator::impact(std::size_t contact) {
-  if (model_->auxiliary[contact].gives()) {
+  if (model_->auxiliary[contact].is_compliant()) {
     const double speed = -contact_point(*model_, motion_.q(), motion_.v(), contact).gap_rate;
     return begin_touch(contact, model_->auxiliary[contact].contact->compliance.a_of_touch(speed));
   }
@@ -95,7 +95,7 @@ void EventIntegrator::impact(std::size_t contact) {
 
 // Lasting contact ends, or its friction changes.
 void EventIntegrator::margin_reached(std::size_t contact) {
-  if (model_->auxiliary[contact].gives()) return compliant_margin_reached(contact);
+  if (model_->auxiliary[contact].is_compliant()) return compliant_margin_reached(contact);
   const Mode mode = phase_.state(contact).mode;
   step_.evaluate(motion_);
   const Multipliers force = phase_.multipliers(contact);
@@ -163,14 +163,14 @@ void EventIntegrator::decide_all(const Closed& closed_here) {
     const auto at = static_cast<Eigen::Index>(i);
     const std::size_t k = closed[i].index;
     const ContactPoint& p = closed[i].point;
-    const bool gives = model_->auxiliary[k].gives();
+    const bool is_compliant = model_->auxiliary[k].is_compliant();
     force_scale_[k] = std::max(force_scale_[k], all.scale[at] / all.g(2 * at, 2 * at));
-    if (closed_here[i].velocity == Velocity::kKept && !gives) {
+    if (closed_here[i].velocity == Velocity::kKept && !is_compliant) {
       settles = true;
       if (!is_no_gap_rate(p)) all.b[2 * at] += p.gap_rate / parameters_.shortest_flight;
     }
     const bool stuck = closed_here[i].velocity == Velocity::kStuck;
-    const bool stops = stuck && !gives ? true : is_no_slip(k, p, stuck ? kDrift : kNoSpeed);
+    const bool stops = stuck && !is_compliant ? true : is_no_slip(k, p, stuck ? kDrift : kNoSpeed);
     slips.push_back(stops ? 0.0 : p.slip);
     friction.push_back(model_->auxiliary[k].contact->friction.at(slips[i]));
     std::optional<double> known = phase_.compliant_force(closed[i]);
@@ -191,7 +191,7 @@ void EventIntegrator::settle(const Closed& decided) {
   project(lasting);
   for (const ClosedContact& c : closed_points(*model_, motion_.q(), motion_.v(), decided)) {
     const AuxiliaryBearing& bearing = model_->auxiliary[c.index];
-    if (phase_.in_contact(c.index) || bearing.gives()) continue;
+    if (phase_.in_contact(c.index) || bearing.is_compliant()) continue;
     ContactState state = phase_.state(c.index);
     if (c.point.gap > kRedundantGap * bearing.contact->clearance) {
       state = in_flight(Departure::kInside);

@@ -205,7 +205,7 @@ void EventIntegrator::arrive_at_break() {
   Closed resting;
   for (std::size_t k = 0; k < phase_.contacts(); ++k) {
     const ContactState& state = phase_.state(k);
-    if (model_->auxiliary[k].gives()) continue;
+    if (model_->auxiliary[k].is_compliant()) continue;
     const bool just_left =
         state.departure == Departure::kParting || state.departure == Departure::kLiftOff;
     if (phase_.in_contact(k) || just_left) resting.push_back({k, velocity_of(state.mode)});
@@ -249,7 +249,7 @@ void EventIntegrator::controller_failed(const std::string& why) {
 // If G_NN - mu s G_NT of a sliding contact approaches 0, its force grows without bound.
 void EventIntegrator::fail_step() {
   for (std::size_t k = 0; k < phase_.contacts(); ++k) {
-    if (phase_.state(k).mode != Mode::kSlide || model_->auxiliary[k].gives()) continue;
+    if (phase_.state(k).mode != Mode::kSlide || model_->auxiliary[k].is_compliant()) continue;
     ClosedContact c{k, {}};
     const ContactMatrix g = phase_.accelerations(motion_.t, motion_.y.data(), std::span(&c, 1)).g;
     const double mu_sign =

@@ -48,7 +48,7 @@ EventImpact::Outcome EventImpact::at_once(Motion& motion, std::span<const Closed
   for (const ClosedContact& c : closed) {
     const ContactParameters& contact = *model_->auxiliary[c.index].contact;
     before.segment<2>(static_cast<Eigen::Index>(2 * laws.size())) << c.point.gap_rate, c.point.slip;
-    laws.push_back(contact.law());
+    laws.push_back(contact.impact_law());
     undone = undone || contact.impact_time() > 0.0;
     approach = std::max(approach, -c.point.gap_rate);
   }

@@ -28,7 +28,7 @@ Phase::Phase(const Model& model)
 ContactList<Constraint::Closed> Phase::rigid_contacts() const {
   ContactList<Constraint::Closed> all;
   for (std::size_t k = 0; k < at_.size(); ++k) {
-    if (!in_contact(k) || model_->auxiliary[k].gives()) continue;
+    if (!in_contact(k) || model_->auxiliary[k].is_compliant()) continue;
     all.push_back({k, velocity_of(state(k).mode)});
   }
   return all;
@@ -97,7 +97,7 @@ Phase::Accelerations Phase::accelerations(double t, const double* y,
 
 std::optional<double> Phase::compliant_force(const ClosedContact& at) const {
   const ContactParameters& c = *model_->auxiliary[at.index].contact;
-  if (!c.gives()) return {};
+  if (!c.is_compliant()) return {};
   return c.compliance.force(-at.point.gap, -at.point.gap_rate, state(at.index).hunt_crossley);
 }
 
@@ -109,8 +109,9 @@ void Phase::set_margins(const ClosedContact& c, double normal, double friction) 
   at.margins = {normal, slides ? at.state.slip_sign * c.point.slip
                                : contact.friction.sticking() * normal - std::abs(friction)};
   // Without friction the direction of sliding does not matter.
-  if (contact.friction.none() && (slides || contact.gives())) at.margins.cone = kInfinity;
-  if (!contact.gives()) return;
+  if (contact.friction.is_frictionless() && (slides || contact.is_compliant()))
+    at.margins.cone = kInfinity;
+  if (!contact.is_compliant()) return;
   at.margins.force = contact.compliance.margin(-c.point.gap, -c.point.gap_rate,
                                                at.state.hunt_crossley, contact.clearance);
 }
@@ -140,11 +141,11 @@ PlanarImpulse Phase::force_of_one(const ClosedContact& c) const {
   const Eigen::Vector2d b = unloaded(c);
   const std::optional<double> known = compliant_force(c);
   if (at.state.mode != Mode::kStick) {
-    const double friction = mu_sign(c), normal = known ? *known : slide(g, b[0], friction);
+    const double friction = mu_sign(c), normal = known ? *known : sliding_normal(g, b[0], friction);
     return {normal, -friction * normal};
   }
   if (known) return {*known, -(b[1] + g.tn * *known) / g.tt};
-  return stick(g, b[0], b[1]);
+  return sticking_impulse(g, b[0], b[1]);
 }
 
 // The same for several, from one linear system.
@@ -160,14 +161,14 @@ void Phase::forces_of_several(double t, const double* q, PlanarImpulse* forces) 
     if (known) {
       system.given[row] = *known;
     } else {
-      system.free(row);
+      system.set_unknown(row);
     }
     if (at_[c.index].state.mode == Mode::kStick) {
-      system.free(row + 1);
+      system.set_unknown(row + 1);
     } else if (known) {
       system.given[row + 1] = -mu_sign(c) * *known;
     } else {
-      system.bring(row + 1, -mu_sign(c));
+      system.tie(row + 1, -mu_sign(c));
     }
   }
   const ContactVector force = system.solve(delassus(*model_, t, q, closed_), b);
@@ -217,7 +218,7 @@ void Phase::integrate(const ClosedContact& c, double* integrals) const {
   integrals[integral_index(kFrictionWork, c.index)] = friction * c.point.slip;
   double& work = integrals[integral_index(kContactWork, c.index)];
   work = friction * (c.point.slip - prescribed);
-  if (m.auxiliary[c.index].gives()) work += normal * c.point.gap_rate;
+  if (m.auxiliary[c.index].is_compliant()) work += normal * c.point.gap_rate;
 }
 
 void Phase::derivative(double t, const double* y, double* dy) {
@@ -240,7 +241,7 @@ void Phase::derivative(double t, const double* y, double* dy) {
   for (const ClosedContact& c : closed_) integrate(c, integrals);
   for (std::size_t k = 0; touched_ && k < m.auxiliary.size(); ++k) {
     const AuxiliaryBearing& bearing = m.auxiliary[k];
-    if (!bearing.contact || (in_contact(k) && !bearing.gives())) continue;
+    if (!bearing.contact || (in_contact(k) && !bearing.is_compliant())) continue;
     const eq::Pair d = eq::separation(m, bearing, q), rate = eq::relative(m, bearing, v);
     const double square = d.x * d.x + d.y * d.y, along = d.x * rate.x + d.y * rate.y;
     if (square > kNoNormal * kNoNormal) integrals[kGapRateSquare] += along * along / square;

@@ -63,7 +63,7 @@ Status FiniteImpact::begin(double t, const double* q, const double* v,
   in.acceleration = contact_acceleration(m, acceleration_.data());
   in.compression_time = c.compression_time;
   in.expansion_time = c.expansion_time;
-  ImpactLaw law = c.law();
+  ImpactLaw law = c.impact_law();
   law.restitution = restitution_under_loads(
       c.restitution, -touch.gap_rate,
       closing_acceleration(touch.e_r, in.velocity, in.acceleration, touch.delta),

@@ -31,7 +31,7 @@ void SharedImpact::add(std::size_t contact, bool closed, const Eigen::Vector2d& 
   before_.segment<2>(row(i)) << (closed ? 0.0 : now.x()), now.y();
   approach_ = std::max(approach_, closed ? 0.0 : -now.x());
   closing_acceleration_[i] = closing_acceleration(e_r, v, a, law.clearance);
-  laws_[i] = law.law();
+  laws_[i] = law.impact_law();
 }
 
 bool SharedImpact::rebounds(std::size_t i, double h, double approach) const {
@@ -67,13 +67,13 @@ Status SharedImpact::solve(const StepState& state, double t, double mass_time, c
     return lasted_[i] && !flight_outlives(state.h, s.y[row(i)], closing_acceleration_[i]);
   };
   bool again = false;
-  for (std::size_t i = 0; i < n && s.solutions == 1; ++i) {
+  for (std::size_t i = 0; i < n && s.is_unique(); ++i) {
     if (!(s.y[row(i)] > 0.0) || !stays(i)) continue;
     remove_restitution(i);
     again = true;
   }
   if (again) s = solved();
-  if (s.solutions != 1) return status_of(s.solutions);
+  if (!s.is_unique()) return status_of(s.solutions);
   std::fill_n(impulses, state.nq(), 0.0);
   for (std::size_t i = 0; i < n; ++i) {
     const std::size_t contact = members_[i].index;

@@ -26,8 +26,8 @@ StepContacts::StepContacts(const StepState& state, LoadKick& loads)
     if (!c.bearing->contact) continue;
     const ContactParameters& law = *c.bearing->contact;
     any_ = true;
-    c.rigid = !law.gives();
-    any_compliant_ = any_compliant_ || law.gives();
+    c.rigid = !law.is_compliant();
+    any_compliant_ = any_compliant_ || law.is_compliant();
     c.clearance = law.clearance;
     c.radius = law.radius;
     c.friction = law.friction.is_constant() ? law.friction.coefficient

@@ -135,7 +135,7 @@ class StepContacts {
   }
   static std::size_t count_kept(const Model& m) {  // how many numbers both have
     std::size_t numbers = 0;
-    for (const AuxiliaryBearing& bearing : m.auxiliary) numbers += bearing.gives() ? 5U : 4U;
+    for (const AuxiliaryBearing& bearing : m.auxiliary) numbers += bearing.is_compliant() ? 5U : 4U;
     return numbers;
   }
 

@@ -91,7 +91,7 @@ CoulombContact coulomb_contact(const ContactPair& pair, const ContactSpaces::Mad
   // is half a step old.
   const Reference r = reference_of(pair, m, d, row);
   const double reference = -r.damping * (p.gap_rate + 0.5 * h * s.curvature) - r.stiffness * p.gap;
-  if (pair.contact.gives()) {
+  if (pair.contact.is_compliant()) {
     s.compliant_force = compliant_force(pair, p, m, d);
   }
   s.base = {-s.curvature - reference,
@@ -230,7 +230,7 @@ void solve_free(CoulombContacts& contacts, const mjModel* m, mjData* d) {
       b.segment(closed.row(k), closed.rows) = closed.at[k]->free.head(closed.rows);
     }
     const CoupledSolution s = closed.sets.empty()
-                                  ? solve_compression(closed.matrix(), b, closed.laws)
+                                  ? solve_coupled_coulomb(closed.matrix(), b, closed.laws)
                                   : solve_coupled(closed.matrix(), b, closed.sets);
     if (s.solutions > 0) put(closed, s.p, s.sticks);
   }
@@ -302,7 +302,7 @@ void apply_coulomb(const Config& config, const mjModel* m, mjData* d) {
     const mjContact* contact = find_contact(pair, d);
     const bool detected = pair.further ? is_detected(config, pair, m, d) : contact != nullptr;
     if (!detected) entry.mode = 0.0;
-    if (!detected && pair.contact.gives()) pass_without_contact(pair, m, d);
+    if (!detected && pair.contact.is_compliant()) pass_without_contact(pair, m, d);
     if (!detected || pair.law != scene::ContactModel::kCoulomb) continue;
     if (contacts.empty()) {
       compute_actuators(m, d);

@@ -49,7 +49,7 @@ void apply_cones(const Config& config, const mjModel* m, mjData* d) {
     for_each_solved(d, pair.rotor_geom, pair.ring_geom, [&](const mjContact& c) {
       if (pair.prescribed_spin != 0.0 && c.dim >= 3)
         add_prescribed_slip(pair.contact.radius * pair.prescribed_spin, m, d, c);
-      if (pair.contact.gives()) {
+      if (pair.contact.is_compliant()) {
         give_way(pair, m, d, c);
         corrected.push_back({&c, {}});
       } else if (pair.law == scene::ContactModel::kConeCoulomb) {

@@ -146,7 +146,7 @@ bool RigidContacts::solve(const ContactSubset& s, SubsetSolution& out) {
   const ContactVector free = rates(s);
   ContactList<ImpactLaw> laws;
   for (const ContactSubset::Member& member : s.members) {
-    laws.push_back(member.at->pair->contact.law());
+    laws.push_back(member.at->pair->contact.impact_law());
   }
   if (probe_) return solve_with_constraints(s, a, free, laws, out);
   // Impact times count only for a planar contact that is alone on its bodies, without constraints.
@@ -155,8 +155,8 @@ bool RigidContacts::solve(const ContactSubset& s, SubsetSolution& out) {
       s.impact && members_.size() == 1 && rows_ == 2 && first.pair->contact.impact_time() > 0.0;
   const CoupledSolution found = over_time  ? solve_impact_over_time(first)
                                 : s.impact ? solve_coupled_impact(a, free, laws)
-                                           : solve_lasting(a, free, laws, slips_before(s));
-  if (found.solutions != 1) {
+                                           : solve_coupled_lasting(a, free, laws, slips_before(s));
+  if (!found.is_unique()) {
     set_status(s, status_of(found.solutions));
     return false;
   }
@@ -177,7 +177,7 @@ CoupledSolution RigidContacts::solve_impact_over_time(const RigidContact& at) co
   in.expansion_time = contact.expansion_time;
   // `end` includes the loads of the whole step; the impact law adds those during the impact itself.
   in.velocity = at.end - in.acceleration * contact.impact_time();
-  const ImpactResult r = solve_impact(in, contact.law());
+  const ImpactResult r = solve_impact(in, contact.impact_law());
   CoupledSolution out;
   out.solutions = r.status == Status::kOk ? 1 : r.status == Status::kNoSolution ? 0 : 2;
   out.p = Eigen::Vector2d(r.normal(), r.friction());

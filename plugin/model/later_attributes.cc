@@ -35,7 +35,7 @@ constexpr Attribute kStiffnessPolynomial{"stiffness with several numbers", "3.7"
 // True if MuJoCo's solver alone finds the force, from its own references.
 bool is_mujocos_alone(const ContactPair& pair) {
   return pair.law == scene::ContactModel::kCone && pair.friction_reference == 0.0 &&
-         !pair.contact.gives();
+         !pair.contact.is_compliant();
 }
 
 std::string unsupported_by(scene::ContactModel law) {
