@@ -40,7 +40,7 @@ void EventIntegrator::begin_touch(std::size_t k, double hunt_crossley) {
   state.in_wall = true;
   phase_.set(k, state);
   observer_.begin_touch(motion_, touch);
-  decide_one(k, Constraint::Velocity::kKept);
+  decide_one(k, Constraint::Velocity::kAny);
 }
 
 // m/s^2, gddot_N of a contact without a force, under the loads and the forces of the other
@@ -96,13 +96,13 @@ void EventIntegrator::compliant_margin_reached(std::size_t k) {
   if (was.in_wall) {
     if (end == PhaseEnd::kOpens) return change_to(k, in_flight(Departure::kRebound));
     observer_.begin_touch(motion_, at);
-    return decide_one(k, Constraint::Velocity::kKept);
+    return decide_one(k, Constraint::Velocity::kAny);
   }
   switch (end) {
     case PhaseEnd::kOpens:
       return release(at);
     case PhaseEnd::kSlipStops:
-      return decide_one(k, Constraint::Velocity::kStuck);
+      return decide_one(k, Constraint::Velocity::kZero);
     case PhaseEnd::kSlipBegins:  // against friction at its limit
       return change_to(k, {Mode::kSlide, force.friction > 0.0 ? -1.0 : 1.0});
   }

@@ -271,7 +271,7 @@ void Observer::arrive(const Motion& motion) {
   }
 }
 
-void Observer::meet_energy(const Motion& m) {
+void Observer::update_energy_scale(const Motion& m) {
   energy_scale_ = std::max(energy_scale_, std::abs(energy(*model_, m.t, m.q(), m.v())));
 }
 

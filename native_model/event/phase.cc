@@ -57,8 +57,9 @@ void Phase::accelerate(double t, const double* y) {
   inverse_mass_.solve(f, a_.data());
 }
 
-// The gap and slip accelerations of a contact under all other loads, from the accelerations a_.
-Eigen::Vector2d Phase::unloaded(const ClosedContact& c) const {
+// (gddot_N, gddot_T) of a contact without any contact force, from the accelerations a_ by the
+// loads.
+Eigen::Vector2d Phase::free_acceleration(const ClosedContact& c) const {
   const ContactPoint& p = c.point;
   const Eigen::Vector3d dd = contact_acceleration(*model_, a_.data(), c.index);
   const double whirl = p.whirl_speed(), radius = model_->auxiliary[c.index].contact->radius;
@@ -89,7 +90,7 @@ Phase::Accelerations Phase::accelerations(double t, const double* y,
   Accelerations all{delassus(*model_, t, q, closed), ContactVector(2 * n), ContactVector(n)};
   for (Eigen::Index i = 0; i < n; ++i) {
     const ClosedContact& c = closed[static_cast<std::size_t>(i)];
-    all.b.segment<2>(2 * i) = unloaded(c);
+    all.b.segment<2>(2 * i) = free_acceleration(c);
     all.scale[i] = scale_of(c.point, all.b[2 * i], q, v);
   }
   return all;
@@ -138,7 +139,7 @@ PlanarImpulse Phase::force_of_one(const ClosedContact& c) const {
   const Delassus g =
       delassus(inverse_mass_.admittance(at.admittance, inverse_mass_.coupling_at(c.index)),
                c.point.e_r, radius);
-  const Eigen::Vector2d b = unloaded(c);
+  const Eigen::Vector2d b = free_acceleration(c);
   const std::optional<double> known = compliant_force(c);
   if (at.state.mode != Mode::kStick) {
     const double friction = mu_sign(c), normal = known ? *known : sliding_normal(g, b[0], friction);
@@ -156,7 +157,7 @@ void Phase::forces_of_several(double t, const double* q, PlanarImpulse* forces) 
   for (std::size_t i = 0; i < closed_.size(); ++i) {
     const ClosedContact& c = closed_[i];
     const auto row = static_cast<Eigen::Index>(2 * i);
-    b.segment<2>(row) = unloaded(c);
+    b.segment<2>(row) = free_acceleration(c);
     const std::optional<double> known = compliant_force(c);
     if (known) {
       system.given[row] = *known;

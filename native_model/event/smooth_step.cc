@@ -41,10 +41,10 @@ void SmoothStep::begin(const Motion& start, double first) {
   }
   speed_ = kLeastSpeed;
   spin_ = 0.0;
-  meet(start);
+  update_tolerances(start);
 }
 
-void SmoothStep::meet(const Motion& motion) {
+void SmoothStep::update_tolerances(const Motion& motion) {
   const Layout& l = model_->layout;
   const int n = l.nq();
   const auto angle = [&l](int i) { return l.turns(i); };

@@ -120,7 +120,7 @@ void FiniteImpact::land() {
   const bool parts = left.gap_rate > 0.0;
   const double stored = energy(m, end_, end_q_.data(), end_v_.data());
   const Constraint::Closed closed{
-      0, parts ? Constraint::Velocity::kKept : Constraint::Velocity::kAlong};
+      0, parts ? Constraint::Velocity::kAny : Constraint::Velocity::kTangential};
   constraint_.project(end_, end_q_.data(), end_v_.data(), {&closed, 1});
   landing_work_ = energy(m, end_, end_q_.data(), end_v_.data()) - stored;
   closes_ = parts ? 0.0 : 1.0;
