@@ -114,7 +114,7 @@ ContactPair map_contact(const mjModel* m, const Config& config, std::size_t k, i
     return id;
   };
   ContactPair p;
-  p.law = config.contact;
+  p.contact_model = config.contact;
   p.contact = p.given = *config.model.auxiliary[k].contact;
   p.rotor_geom = geom(rotor, mjGEOM_SPHERE, "sphere");
   p.ring_geom = geom(ring, mjGEOM_CAPSULE, "capsule");

@@ -125,11 +125,13 @@ ConstrainedContact iterate(ContactResponse& response, ContactVector p, ContactVe
 }
 
 // The response of the constraints to impulses alone, added to the rates before them.
-class SuddenResponse final : public ContactResponse {
+class InstantResponse final : public ContactResponse {
  public:
-  SuddenResponse(ContactResponse& response, const ContactVector& before)
+  InstantResponse(ContactResponse& response, const ContactVector& before)
       : response_(response), before_(before) {}
-  ContactVector at(const ContactVector& p) override { return before_ + response_.sudden(p); }
+  ContactVector at(const ContactVector& p) override {
+    return before_ + response_.instant_change(p);
+  }
   double accuracy() const override { return response_.accuracy(); }
 
  private:
@@ -188,8 +190,8 @@ ConstrainedContact solve_constrained_impact(ContactResponse& response, const Con
                                             const ContactMatrix& expected,
                                             std::span<const ImpactLaw> laws) {
   Slopes line(expected, laws);
-  SuddenResponse sudden(response, free);
-  const ConstrainedContact c = closed(sudden, free, laws, line);
+  InstantResponse instant_change(response, free);
+  const ConstrainedContact c = closed(instant, free, laws, line);
   if (!c.solved) return c;
   const auto expansion = [&](const ContactMatrix& a, const ContactVector& b) {
     CoupledSolution s = solve_coupled_expansion(a, b + a * c.p, laws, c.p);
@@ -198,7 +200,7 @@ ConstrainedContact solve_constrained_impact(ContactResponse& response, const Con
     return s;
   };
   const Eigen::Index rows = rows_of(free, laws);
-  ConstrainedContact e = iterate(sudden, c.p, c.y, rows, line, expansion);
+  ConstrainedContact e = iterate(instant, c.p, c.y, rows, line, expansion);
   e.converged = e.converged && c.converged;
   if (!e.solved) return e;
   e.after = e.y;

@@ -145,7 +145,7 @@ Eigen::Vector3d rates_of(const ContactPair& pair, const ContactPlace& place, con
     }
   };
   add(m->geom_bodyid[pair.rotor_geom], d->geom_xpos + 3 * pair.rotor_geom, 1.0, 1.0);
-  add(m->geom_bodyid[pair.ring_geom], place.ring_point, -1.0, place.ring_spin);
+  add(m->geom_bodyid[pair.ring_geom], place.ring_point, -1.0, place.ring_spin_factor);
   return rates;
 }
 
