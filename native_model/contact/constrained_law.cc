@@ -190,7 +190,7 @@ ConstrainedContact solve_constrained_impact(ContactResponse& response, const Con
                                             const ContactMatrix& expected,
                                             std::span<const ImpactLaw> laws) {
   Slopes line(expected, laws);
-  InstantResponse instant_change(response, free);
+  InstantResponse instant(response, free);
   const ConstrainedContact c = closed(instant, free, laws, line);
   if (!c.solved) return c;
   const auto expansion = [&](const ContactMatrix& a, const ContactVector& b) {

@@ -245,7 +245,7 @@ ContactMatrix contact_matrix(std::span<const ContactRows* const> contacts, Eigen
         return (impact ? at.admittance(from) : at.flexibility(from)) * load;
       };
       for (std::size_t i = 0; i < contacts.size(); ++i) {
-        a.col(first(j) + k).segment(first(i), rows) = contacts[i]->along(answer).head(rows);
+        a.col(first(j) + k).segment(first(i), rows) = contacts[i]->contact_rates(answer).head(rows);
       }
     }
   }

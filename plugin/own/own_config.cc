@@ -190,7 +190,8 @@ void check_two_contacts(const mjModel* m, const ContactPair& a, const ContactPai
                    pair_element(m, b)));
   }
   const auto solved_here = [](const ContactPair& p) { return !scene::is_cone(p.contact_model); };
-  if (a.law != b.law && solved_here(a) && solved_here(b) && share_tree(m, a, b)) {
+  if (a.contact_model != b.contact_model && solved_here(a) && solved_here(b) &&
+      share_tree(m, a, b)) {
     refuse(own_element(m, name.of(names::kContactText)),
            message("differs from the contact model of {}, which moves with it; accepted: one "
                    "contact model for both",
