@@ -44,6 +44,12 @@ bool has_parts(const Model& m) {
            m.supports.empty());
 }
 
+bool commands_move_rings_alone(const Model& m) {
+  return m.supports.empty() && std::ranges::none_of(m.auxiliary, [](const AuxiliaryBearing& at) {
+           return at.magnets.has_value();
+         });
+}
+
 // The value of a mode shape for bending coordinate i.
 double mode_value(const ModeShape& shape, int n, int i) {
   return i < n ? shape.x[i] : shape.y[i - n];
@@ -95,6 +101,7 @@ LoadKick::LoadKick(const Model& m, double h)
       commanded_(m.first().moves() && m.first().commanded()),
       parts_(has_parts(m)),
       rings_by_actuators_(m.first().magnets || m.auxiliary.size() > 1),
+      commands_move_rings_alone_(commands_move_rings_alone(m)),
       samples_(!m.samplers.empty()),
       sampled_(samples_ ? static_cast<std::size_t>(m.layout.integrals) : 0),
       f_(static_cast<std::size_t>(m.nq())),
@@ -210,6 +217,22 @@ void LoadKick::weighed_free_velocity(StepState& x, double begin, double end, boo
   if (!iterates_) return;
   std::copy_n(start, nq, last_end_.begin());
   if (!later) settle(x);
+}
+
+bool LoadKick::exchange_commands(StepState& x, const Commands& before) const {
+  if (!commands_move_rings_alone_) return false;
+  std::copy(x.after.begin(), x.after.end(), x.free.begin());
+  for (std::size_t i = 0; i < m_.auxiliary.size(); ++i) {
+    if (!m_.auxiliary[i].moves()) continue;
+    const int ring = m_.auxiliary[i].ring;
+    const Eigen::Vector2d change = command[i] - before[i];
+    for (int axis = 0; axis < 2; ++axis) {
+      const auto at = static_cast<std::size_t>(ring + axis);
+      x.free[at] += matrix_.step_of(ring + axis) * change[axis];
+      x.after[at] = x.free[at];
+    }
+  }
+  return true;
 }
 
 double LoadKick::external_work(const StepState& x, const double* end) {

@@ -68,6 +68,11 @@ class LoadKick {
   // The same as if the switched loads between `begin` and `end` held for the whole step.
   void free_velocity_of_part(StepState& x, double begin, double end);
 
+  // Turns x.free, computed under the commands `before` and otherwise for the same step, into that
+  // of the present commands; x.after is then equal to it. Returns false, and changes nothing, if
+  // the commands act on more than the velocities of their rings.
+  bool exchange_commands(StepState& x, const Commands& before) const;
+
   // Iterates x.free; x.after is then equal to it.
   void settle(StepState& x);
   void begin_iteration() { rounds_ = 0; }
@@ -106,6 +111,8 @@ class LoadKick {
   bool iterates_ = false, commanded_ = false;
   bool parts_ = false;               // add_parts() has something to add
   bool rings_by_actuators_ = false;  // magnets, which also drive the coils, or several rings
+  // The commands are forces, and no load depends on the velocity of a ring beyond the matrix.
+  bool commands_move_rings_alone_ = false;
   // Controls of magnetic bearings that are sampled at the instants of the loads.
   bool samples_ = false, sampled_now_ = false;
   std::vector<double> sampled_;  // N, loads that make the states of the feedbacks jump
