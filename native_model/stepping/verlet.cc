@@ -87,6 +87,7 @@ void VerletStep::kick(std::int64_t k, bool later) {
 void VerletStep::halve_kick() {
   for (std::size_t i = 0; i < x.free.size(); ++i) x.free[i] = 0.5 * (x.start[i] + x.free[i]);
   x.after = x.free;
+  loads.forget_forces();
 }
 
 void VerletStep::velocity_now(std::int64_t k, double* now) {
