@@ -72,13 +72,15 @@ void StepContacts::tell(FixedStep& out) const {
 }
 
 double StepContacts::lasting_work(const StepState& x) const {
-  const double* end = end_without_impacts(x);
-  double work = 0.0;
+  const double *start = x.start.data(), *end = end_without_impacts(x);
+  double mean[kMaxCoordinates], work = 0.0;
+  if (did_) {
+    for (int j = 0; j < x.nq(); ++j) mean[j] = 0.5 * (start[j] + end[j]);
+  }
   for (std::size_t i = 0; i < count(); ++i) {
     if (!(done_[i].lasting.x() > 0.0)) continue;
     const Contact& c = contacts_[i];
-    work += rotorub::lasting_work(m_, i, {c.e_r.x, c.e_r.y}, done_[i].lasting,
-                                  rates(i, x.start.data()), rates(i, end));
+    work += rotorub::lasting_work(m_, i, {c.e_r.x, c.e_r.y}, done_[i].lasting, rates(i, mean));
   }
   return work;
 }

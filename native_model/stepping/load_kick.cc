@@ -44,6 +44,12 @@ bool has_parts(const Model& m) {
            m.supports.empty());
 }
 
+bool commands_move_rings_alone(const Model& m) {
+  return m.supports.empty() && std::ranges::none_of(m.auxiliary, [](const AuxiliaryBearing& at) {
+           return at.magnets.has_value();
+         });
+}
+
 // The value of a mode shape for bending coordinate i.
 double mode_value(const ModeShape& shape, int n, int i) {
   return i < n ? shape.x[i] : shape.y[i - n];
@@ -95,10 +101,12 @@ LoadKick::LoadKick(const Model& m, double h)
       commanded_(m.first().moves() && m.first().commanded()),
       parts_(has_parts(m)),
       rings_by_actuators_(m.first().magnets || m.auxiliary.size() > 1),
+      commands_move_rings_alone_(commands_move_rings_alone(m)),
       samples_(!m.samplers.empty()),
       sampled_(samples_ ? static_cast<std::size_t>(m.layout.integrals) : 0),
       f_(static_cast<std::size_t>(m.nq())),
       change_(f_),
+      forces_(f_),
       last_end_(f_),
       round_off_(f_) {
   command.fill(Eigen::Vector2d(0.0, 0.0));
@@ -185,6 +193,7 @@ void LoadKick::free_velocity_of_part(StepState& x, double begin, double end) {
   loads_.weigh(begin, end);
   weighed_free_velocity(x, begin, end, false);
   x.kick = kick;
+  forget_forces();
 }
 
 // Uses the loads as last weighed; begin..end: interval of all other switched loads.
@@ -192,6 +201,7 @@ void LoadKick::weighed_free_velocity(StepState& x, double begin, double end, boo
   const int nq = x.nq();
   const double h = x.h;
   const double *q = x.q_k.data(), *start = x.start.data();
+  forget_forces();
   double *free = x.free.data(), *after = x.after.data(), *f = f_.data();
   if (!m_.feedbacks.empty()) find_working(x, begin, end);
   if (loads_.synchronous()) loads_.turn_with(eq::spin_angle(m_, instant_, q));
@@ -212,13 +222,37 @@ void LoadKick::weighed_free_velocity(StepState& x, double begin, double end, boo
   if (!later) settle(x);
 }
 
+bool LoadKick::exchange_commands(StepState& x, const Commands& before) {
+  if (!commands_move_rings_alone_) return false;
+  forget_forces();
+  std::copy(x.after.begin(), x.after.end(), x.free.begin());
+  for (std::size_t i = 0; i < m_.auxiliary.size(); ++i) {
+    if (!m_.auxiliary[i].moves()) continue;
+    const int ring = m_.auxiliary[i].ring;
+    const Eigen::Vector2d change = command[i] - before[i];
+    for (int axis = 0; axis < 2; ++axis) {
+      const auto at = static_cast<std::size_t>(ring + axis);
+      x.free[at] += matrix_.step_of(ring + axis) * change[axis];
+      x.after[at] = x.free[at];
+    }
+  }
+  return true;
+}
+
 double LoadKick::external_work(const StepState& x, const double* end) {
+  const double *q = x.q_k.data(), *start = x.start.data(), *stiffness = m_.stiffness.data();
   double *f = f_.data(), *v = change_.data();
-  for (int i = 0; i < x.nq(); ++i) v[i] = 0.5 * (x.start[static_cast<std::size_t>(i)] + end[i]);
+  const int mechanical = m_.layout.mechanical();
+  ROTORUB_APART for (int i = 0; i < x.nq(); ++i) v[i] = 0.5 * (start[i] + end[i]);
+  if (forces_known_) {
+    const double* all = forces_.data();
+    const double power =
+        sum(mechanical, [=](int i) { return (all[i] + stiffness[i] * q[i]) * v[i]; });
+    return x.h * (power + extra_power(m_, angles_, q, v));
+  }
   force(x, v, f, Of::kWorking);
-  double work = -coupling_power(m_, x.q_k.data(), v);
-  for (int i = 0; i < m_.layout.mechanical(); ++i) work += f[i] * v[i];
-  return x.h * work;
+  const double power = sum(mechanical, [=](int i) { return f[i] * v[i]; });
+  return x.h * (power - coupling_power(m_, q, v));
 }
 
 // ------------------------------------------------------------------ the iteration
@@ -237,6 +271,8 @@ bool LoadKick::improve(StepState& x, const double* end) {
   double *f = f_.data(), *change = change_.data(), *free = x.free.data(), *last = last_end_.data();
   ROTORUB_APART for (int i = 0; i < nq; ++i) change[i] = 0.5 * (start[i] + end[i]);
   force(x, change, f);
+  std::copy_n(f, nq, forces_.begin());
+  forces_known_ = true;
   const double before = energy_of(nq, mass, [=](int i) { return end[i] - last[i]; });
   ROTORUB_APART for (int i = 0; i < nq; ++i) {
     last[i] = end[i];

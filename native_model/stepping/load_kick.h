@@ -68,6 +68,11 @@ class LoadKick {
   // The same as if the switched loads between `begin` and `end` held for the whole step.
   void free_velocity_of_part(StepState& x, double begin, double end);
 
+  // Turns x.free, computed under the commands `before` and otherwise for the same step, into that
+  // of the present commands; x.after is then equal to it. Returns false, and changes nothing, if
+  // the commands act on more than the velocities of their rings.
+  bool exchange_commands(StepState& x, const Commands& before);
+
   // Iterates x.free; x.after is then equal to it.
   void settle(StepState& x);
   void begin_iteration() { rounds_ = 0; }
@@ -80,8 +85,11 @@ class LoadKick {
   const VelocityMatrix& matrix() const { return matrix_; }
 
   // J, work over h of the forces F at the mean of x.start and `end`. It excludes forces that the
-  // stored energy contains (springs and, with a free spin, unbalance, which is inertial).
+  // stored energy contains (springs and, with a free spin, unbalance, which is inertial). If the
+  // velocities were iterated, it takes the forces of the last round.
   double external_work(const StepState& x, const double* end);
+  // Call it if the velocities are changed otherwise after the iteration.
+  void forget_forces() { forces_known_ = false; }
 
  private:
   using Coordinates = StepState::Coordinates;
@@ -106,6 +114,8 @@ class LoadKick {
   bool iterates_ = false, commanded_ = false;
   bool parts_ = false;               // add_parts() has something to add
   bool rings_by_actuators_ = false;  // magnets, which also drive the coils, or several rings
+  // The commands are forces, and no load depends on the velocity of a ring beyond the matrix.
+  bool commands_move_rings_alone_ = false;
   // Controls of magnetic bearings that are sampled at the instants of the loads.
   bool samples_ = false, sampled_now_ = false;
   std::vector<double> sampled_;  // N, loads that make the states of the feedbacks jump
@@ -119,7 +129,9 @@ class LoadKick {
   // Fraction of the step in which each magnetic bearing works.
   std::array<double, scene::kMaxMagneticBearings> working_{};
   Coordinates f_, change_;
-  Coordinates last_end_;  // velocities at the end of the step, used by the last round
+  Coordinates forces_;         // F of the last round of the iteration
+  bool forces_known_ = false;  // and at the velocities of the step
+  Coordinates last_end_;       // velocities at the end of the step, used by the last round
   // (1e-15 h k_i)^2/m_i: times q_i^2 this is the least energy that a step resolves at a deflection
   // q_i.
   Coordinates round_off_;

@@ -21,6 +21,7 @@
 #include <array>
 #include <cmath>
 #include <cstddef>
+#include <cstdint>
 #include <span>
 #include <vector>
 
@@ -73,8 +74,8 @@ class StepContacts {
   // contact, and a compliant contact in its wall begins closed, without a touch.
   void begin(const StepState& x);
   // True if the free velocity need not be iterated before go_on(), because go_on() iterates it
-  // together with the only contact, which lasts.
-  bool iterates_free() const { return count() == 1 && contacts_[0].rigid && now[0].closed; }
+  // together with the contacts that last. Compliant contacts need it before.
+  bool iterates_free() const { return !gives_ && lasts(); }
 
   // Computes x.after from x.free with the impulses of all lasting contacts. Sets a status of x if
   // the laws have no unique solution.
@@ -204,6 +205,7 @@ class StepContacts {
   bool exists_ = false, gives_ = false;
   std::vector<Contact> contacts_;
   std::vector<Eigen::Matrix3d> uncoupled_, admittance_;  // blocks for each pair of contacts
+  std::int64_t coupled_at_ = -1;       // VelocityMatrix::times_coupled() of admittance_
   double before_ = 0.0, after_ = 0.0;  // s, parts of the step before and after t_k
   // In the step: rigid lasting contacts and compliant contacts in their walls; whether any contact
   // acts; whether there were impacts; whether done_ has been written.

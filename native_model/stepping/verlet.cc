@@ -45,9 +45,11 @@ std::size_t VerletStep::count_kept(const Model& model) {
 void VerletStep::step(std::int64_t k) {
   work_correction_ = impact_time_ = 0.0;
   contacts.forget_last();
-  const bool later = loads.iterates() && !first_ && !slow_impact_ && contacts.iterates_free();
+  const bool later = iterates_with_contact();
   x.begin(has_deferred_ ? deferred_.data() : nullptr);
-  kick(k, later);
+  const bool kicked = looked_at_ == k && loads.exchange_commands(x, looked_commands_);
+  looked_at_ = kNoStep;
+  if (!kicked) kick(k, later);
   if (has_deferred_) std::fill(deferred_.begin(), deferred_.end(), 0.0);
   has_deferred_ = false;
   was_first_ = first_;
@@ -69,6 +71,11 @@ void VerletStep::step(std::int64_t k) {
   x.move();
 }
 
+// True if the free velocity is iterated together with the contacts, and not before.
+bool VerletStep::iterates_with_contact() const {
+  return loads.iterates() && !first_ && !slow_impact_ && contacts.iterates_free();
+}
+
 // Computes x.free and x.after of step k without contact; later: see LoadKick.
 void VerletStep::kick(std::int64_t k, bool later) {
   const double t = x.time_of(k);
@@ -80,6 +87,7 @@ void VerletStep::kick(std::int64_t k, bool later) {
 void VerletStep::halve_kick() {
   for (std::size_t i = 0; i < x.free.size(); ++i) x.free[i] = 0.5 * (x.start[i] + x.free[i]);
   x.after = x.free;
+  loads.forget_forces();
 }
 
 void VerletStep::velocity_now(std::int64_t k, double* now) {
@@ -88,7 +96,10 @@ void VerletStep::velocity_now(std::int64_t k, double* now) {
     return;
   }
   x.look(has_deferred_ ? deferred_.data() : nullptr);
-  kick(k);
+  // In lasting contact the force of the step before makes an error of order h^2 anyway.
+  kick(k, iterates_with_contact());
+  looked_at_ = k;
+  looked_commands_ = loads.command;
   if (slow_impact_ && slow_impact_->active()) return slow_impact_->velocities(x.time_of(k), now);
   if (contacts.exists()) contacts.add_last_forces(x);
   for (std::size_t i = 0; i < x.free.size(); ++i) now[i] = 0.5 * (x.start[i] + x.free[i]);
@@ -97,6 +108,7 @@ void VerletStep::velocity_now(std::int64_t k, double* now) {
 void VerletStep::restart() {
   first_ = true;
   has_deferred_ = false;
+  forget_look();
   std::fill(deferred_.begin(), deferred_.end(), 0.0);
   loads.forget();
   if (slow_impact_) slow_impact_->cancel();

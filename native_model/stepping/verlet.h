@@ -49,6 +49,9 @@ class VerletStep {
   // The velocities at t_k before step k: v_{k-1/2} + h/2 a(t_k-), with the present command and the
   // contact force of the step before. Controllers need them before there is a new command.
   void velocity_now(std::int64_t k, double* now);
+  // Call it after velocity_now() if the state or the loads have been changed since: the step then
+  // computes its kick anew instead of taking it over.
+  void forget_look() { looked_at_ = kNoStep; }
   // Call it after a state (q, v at one instant) has been written: the next step is half a kick.
   void restart();
   // Announces a jump of the command of a ring within the next step.
@@ -85,7 +88,8 @@ class VerletStep {
   using Coordinates = StepState::Coordinates;
   struct Flight;
 
-  void kick(std::int64_t k, bool later = false);
+  bool iterates_with_contact() const;
+  void kick(std::int64_t k, bool later);
   void halve_kick();
 
   double share_before_jump(double begin, double end);
@@ -106,6 +110,11 @@ class VerletStep {
   bool was_first_ = true;
   // J, the work of the loads that the mean of the step's velocities misses because of impacts.
   double work_correction_ = 0.0;
+
+  // The step whose free velocities x.after holds since velocity_now(), and their commands.
+  static constexpr std::int64_t kNoStep = -1;
+  std::int64_t looked_at_ = kNoStep;
+  LoadKick::Commands looked_commands_;
 
   bool switches_ = false;  // some load is switched during a run
   // s; a cache: no load is switched from switch_from_ until switch_at_.
