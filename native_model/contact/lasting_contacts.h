@@ -38,8 +38,9 @@ struct LastingContact {
   // Input, from the step before: direction of the slip, +1 or -1; 0 if it stuck or did not last.
   // Output: direction in this step.
   double slip_sign = 0.0;
-  double normal_impulse = 0.0;    // N s, >= 0; output
-  double friction_impulse = 0.0;  // N s, on the rotor along e_t; output
+  // N s, normal (>= 0) and friction on the rotor along e_t. Input: a guess, from which several
+  // contacts are solved faster; output: the solution.
+  double normal_impulse = 0.0, friction_impulse = 0.0;
 };
 
 // A_ij = J_i (M + h D/2)^-1 J_j^T, the change of the rates of contact i by an impulse on contact j,

@@ -109,7 +109,11 @@ bool SeveralOnCircles::go_on_as_before() {
           unknown[u].friction ? e[2 * j + 1] : Eigen::Vector3d(e[2 * j] + ratio * e[2 * j + 1]);
     }
   }
-  double p[kMostRows] = {}, matrix[kMostRows][kMostRows], rest[kMostRows];
+  double p[kMostRows], matrix[kMostRows][kMostRows], rest[kMostRows];
+  for (std::size_t u = 0; u < count; ++u) {
+    const LastingContact& c = c_[unknown[u].contact];
+    p[u] = unknown[u].friction ? c.friction_impulse : c.normal_impulse;
+  }
   std::array<Eigen::Vector3d, kMaxContacts> rates;
   constexpr int kRounds = 8;
   // Relative to the largest impulse. After a change of kDone the next change would be of the order

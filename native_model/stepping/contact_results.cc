@@ -73,13 +73,15 @@ void StepContacts::write_results(FixedStep& out) const {
 }
 
 double StepContacts::lasting_work(const StepState& state) const {
-  const double* end = end_without_impacts(state);
-  double work = 0.0;
+  const double *start = state.v_start.data(), *end = end_without_impacts(state);
+  double mean[kMaxCoordinates], work = 0.0;
+  if (has_results_) {
+    for (int j = 0; j < state.nq(); ++j) mean[j] = 0.5 * (start[j] + end[j]);
+  }
   for (std::size_t i = 0; i < count(); ++i) {
     if (!(results_[i].lasting.x() > 0.0)) continue;
     const Contact& c = contacts_[i];
-    work += rotorub::lasting_work(m_, i, {c.e_r.x, c.e_r.y}, results_[i].lasting,
-                                  rates(i, state.v_start.data()), rates(i, end));
+    work += rotorub::lasting_work(m_, i, {c.e_r.x, c.e_r.y}, results_[i].lasting, rates(i, mean));
   }
   return work;
 }

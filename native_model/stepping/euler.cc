@@ -65,7 +65,7 @@ FixedStep EulerStepper::step(std::int64_t k, std::span<const Eigen::Vector2d> u,
     out.contact_work = out.impact_work;
     for (std::size_t i = 0; i < done_.size(); ++i) {
       out.contact_work += lasting_work(m, i, separation(m, q(), i).normalized(), done_[i].lasting,
-                                       rates(m, start.v, i), rates(m, state_.v, i));
+                                       0.5 * (rates(m, start.v, i) + rates(m, state_.v, i)));
     }
   }
   state_.q += h_ * state_.v;

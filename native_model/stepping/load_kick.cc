@@ -44,6 +44,12 @@ bool has_parts(const Model& m) {
            m.supports.empty());
 }
 
+bool commands_move_rings_alone(const Model& m) {
+  return m.supports.empty() && std::ranges::none_of(m.auxiliary, [](const AuxiliaryBearing& at) {
+           return at.magnets.has_value();
+         });
+}
+
 // The value of a mode shape for bending coordinate i.
 double mode_value(const ModeShape& shape, int n, int i) {
   return i < n ? shape.x[i] : shape.y[i - n];
@@ -95,10 +101,12 @@ LoadKick::LoadKick(const Model& m, double h)
       commanded_(m.first().moves() && m.first().commanded()),
       parts_(has_parts(m)),
       rings_by_actuators_(m.first().magnets || m.auxiliary.size() > 1),
+      commands_move_rings_alone_(commands_move_rings_alone(m)),
       samples_(!m.samplers.empty()),
       sampled_(samples_ ? static_cast<std::size_t>(m.layout.integrals) : 0),
       f_(static_cast<std::size_t>(m.nq())),
       change_(f_),
+      forces_(f_),
       last_end_(f_),
       round_off_(f_) {
   command.fill(Eigen::Vector2d(0.0, 0.0));
@@ -186,6 +194,7 @@ void LoadKick::free_velocity_of_part(StepState& state, double begin, double end)
   loads_.weigh(begin, end);
   weighed_free_velocity(state, begin, end, false);
   state.kick_length = kick;
+  forget_forces();
 }
 
 // Uses the loads as last weighed; begin..end: interval of all other switched loads.
@@ -194,6 +203,7 @@ void LoadKick::weighed_free_velocity(StepState& state, double begin, double end,
   const int nq = state.nq();
   const double h = state.h;
   const double *q = state.q_k.data(), *start = state.v_start.data();
+  forget_forces();
   double *free = state.v_free.data(), *after = state.v_end.data(), *f = f_.data();
   if (!m_.feedbacks.empty()) find_working(state, begin, end);
   if (loads_.synchronous()) loads_.turn_with(eq::spin_angle(m_, instant_, q));
@@ -214,14 +224,38 @@ void LoadKick::weighed_free_velocity(StepState& state, double begin, double end,
   if (!defer_iteration) iterate(state);
 }
 
+bool LoadKick::exchange_commands(StepState& state, const Commands& before) {
+  if (!commands_move_rings_alone_) return false;
+  forget_forces();
+  std::copy(state.v_end.begin(), state.v_end.end(), state.v_free.begin());
+  for (std::size_t i = 0; i < m_.auxiliary.size(); ++i) {
+    if (!m_.auxiliary[i].moves()) continue;
+    const int ring = m_.auxiliary[i].ring;
+    const Eigen::Vector2d change = command[i] - before[i];
+    for (int axis = 0; axis < 2; ++axis) {
+      const auto at = static_cast<std::size_t>(ring + axis);
+      state.v_free[at] += matrix_.step_of(ring + axis) * change[axis];
+      state.v_end[at] = state.v_free[at];
+    }
+  }
+  return true;
+}
+
 double LoadKick::external_work(const StepState& state, const double* end) {
+  const double *q = state.q_k.data(), *start = state.v_start.data(),
+               *stiffness = m_.stiffness.data();
   double *f = f_.data(), *v = change_.data();
-  for (int i = 0; i < state.nq(); ++i)
-    v[i] = 0.5 * (state.v_start[static_cast<std::size_t>(i)] + end[i]);
+  const int mechanical = m_.layout.mechanical();
+  ROTORUB_APART for (int i = 0; i < state.nq(); ++i) v[i] = 0.5 * (start[i] + end[i]);
+  if (forces_known_) {
+    const double* all = forces_.data();
+    const double power =
+        sum(mechanical, [=](int i) { return (all[i] + stiffness[i] * q[i]) * v[i]; });
+    return state.h * (power + extra_power(m_, angles_, q, v));
+  }
   force(state, v, f, Of::kWorking);
-  double work = -coupling_power(m_, state.q_k.data(), v);
-  for (int i = 0; i < m_.layout.mechanical(); ++i) work += f[i] * v[i];
-  return state.h * work;
+  const double power = sum(mechanical, [=](int i) { return f[i] * v[i]; });
+  return state.h * (power - coupling_power(m_, q, v));
 }
 
 // ------------------------------------------------------------------ the iteration
@@ -241,6 +275,8 @@ bool LoadKick::iterate_once(StepState& state, const double* end) {
          *last = last_end_.data();
   ROTORUB_APART for (int i = 0; i < nq; ++i) change[i] = 0.5 * (start[i] + end[i]);
   force(state, change, f);
+  std::copy_n(f, nq, forces_.begin());
+  forces_known_ = true;
   const double before = energy_of(nq, mass, [=](int i) { return end[i] - last[i]; });
   ROTORUB_APART for (int i = 0; i < nq; ++i) {
     last[i] = end[i];

@@ -71,6 +71,11 @@ class LoadKick {
   // The same as if the switched loads between `begin` and `end` held for the whole step.
   void free_velocity_of_part(StepState& state, double begin, double end);
 
+  // Turns v_free, computed under the commands `before` and otherwise for the same step, into that
+  // of the present commands; v_end is then equal to it. Returns false, and changes nothing, if the
+  // commands act on more than the velocities of their rings.
+  bool exchange_commands(StepState& state, const Commands& before);
+
   // Iterates v_free; v_end is then equal to it.
   void iterate(StepState& state);
   void begin_iteration() { rounds_ = 0; }
@@ -83,8 +88,11 @@ class LoadKick {
   const VelocityMatrix& matrix() const { return matrix_; }
 
   // J, work over h of the forces F at the mean of v_start and `end`. It excludes forces that the
-  // stored energy contains (springs and, with a free spin, unbalance, which is inertial).
+  // stored energy contains (springs and, with a free spin, unbalance, which is inertial). If the
+  // velocities were iterated, it takes the forces of the last round.
   double external_work(const StepState& state, const double* end);
+  // Call it if the velocities are changed otherwise after the iteration.
+  void forget_forces() { forces_known_ = false; }
 
  private:
   using Coordinates = StepState::Coordinates;
@@ -109,6 +117,8 @@ class LoadKick {
   bool needs_iteration_ = false, commanded_ = false;
   bool parts_ = false;               // add_parts() has something to add
   bool rings_by_actuators_ = false;  // magnets, which also drive the coils, or several rings
+  // The commands are forces, and no load depends on the velocity of a ring beyond the matrix.
+  bool commands_move_rings_alone_ = false;
   // Controls of magnetic bearings that are sampled at the instants of the loads.
   bool samples_ = false, sampled_now_ = false;
   std::vector<double> sampled_;  // N, loads that make the states of the feedbacks jump
@@ -122,7 +132,9 @@ class LoadKick {
   // Fraction of the step in which each magnetic bearing works.
   std::array<double, scene::kMaxMagneticBearings> working_{};
   Coordinates f_, change_;
-  Coordinates last_end_;  // velocities at the end of the step, used by the last round
+  Coordinates forces_;         // F of the last round of the iteration
+  bool forces_known_ = false;  // and at the velocities of the step
+  Coordinates last_end_;       // velocities at the end of the step, used by the last round
   // (1e-15 h k_i)^2/m_i: times q_i^2 this is the least energy that a step resolves at a deflection
   // q_i.
   Coordinates round_off_;

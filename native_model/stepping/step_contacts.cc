@@ -86,6 +86,8 @@ Eigen::Vector3d StepContacts::rates(std::size_t i, const double* v) const {
 void StepContacts::update_admittance() {
   const Layout& l = m_.layout;
   const VelocityMatrix& a = loads_.matrix();
+  if (coupled_at_ == a.times_coupled()) return;
+  coupled_at_ = a.times_coupled();
   for (Contact& c : contacts_) {
     for (std::size_t axis = 0; axis < 3; ++axis) {
       c.coupled[axis] = a.coupled_part(c.column[axis].data());
@@ -290,6 +292,11 @@ bool StepContacts::solve_rigid(StepState& state) {
     s.radius = c.radius;
     s.friction = parameters(i).friction;
     s.slip_sign = c.sign_before;
+    // The impulses of the last round, or in the first round those of the step before.
+    const ContactState& last = states[i];
+    const bool begun = last.normal > 0.0;
+    s.normal_impulse = begun ? last.normal : state.kick_length * last.normal_at_end;
+    s.friction_impulse = begun ? last.friction : state.kick_length * last.friction_at_end;
     contacts.push_back(s);
   }
   const ContactAdmittance a{admittance_.data(), count(), {lasting_.data(), lasting_.size()}};

@@ -21,6 +21,7 @@
 #include <array>
 #include <cmath>
 #include <cstddef>
+#include <cstdint>
 #include <span>
 #include <vector>
 
@@ -72,11 +73,9 @@ class StepContacts {
   // Call it after a state has been written. A contact at rest on its circle is then a lasting
   // contact, and a compliant contact in its wall begins closed, without a touch.
   void restart(const StepState& state);
-  // True if there is a single contact, which lasts. apply_lasting() can then iterate the free
-  // velocity together with the contact's impulses (iteration_deferred).
-  bool iterates_with_contact() const {
-    return count() == 1 && contacts_[0].rigid && states[0].closed;
-  }
+  // True if rigid contacts last and no contact is compliant. apply_lasting() can then iterate the
+  // free velocity together with the contacts' impulses (iteration_deferred).
+  bool can_iterate_with_lasting() const { return !any_compliant_ && any_rigid_lasts(); }
 
   // Computes v_end from v_free with the impulses of all contacts that last through the step, rigid
   // or compliant, and updates `states`. Sets a status of `state` if the laws have no unique
@@ -212,6 +211,7 @@ class StepContacts {
   bool any_ = false, any_compliant_ = false;  // of the model's contacts
   std::vector<Contact> contacts_;
   std::vector<Eigen::Matrix3d> uncoupled_, admittance_;  // blocks for each pair of contacts
+  std::int64_t coupled_at_ = -1;       // VelocityMatrix::times_coupled() of admittance_
   double before_ = 0.0, after_ = 0.0;  // s, parts of the step before and after t_k
   // In the step: rigid lasting contacts, compliant contacts in their walls; whether there are any
   // of these; whether there were impacts; whether results_ has been written.

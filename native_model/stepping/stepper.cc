@@ -59,8 +59,14 @@ void VerletStepper::begin(double t, const double* q, const double* v) {
   step_->restart();
 }
 
-void VerletStepper::adopt(const double* q, const double* v) { step_->state.adopt(q, v); }
-void VerletStepper::apply(const double* loads) { step_->loads.applied = loads; }
+void VerletStepper::adopt(const double* q, const double* v) {
+  step_->state.adopt(q, v);
+  step_->forget_look();
+}
+void VerletStepper::apply(const double* loads) {
+  step_->loads.applied = loads;
+  step_->forget_look();
+}
 
 std::size_t VerletStepper::memory_size(const Model& model) { return VerletStep::count_kept(model); }
 
@@ -74,6 +80,7 @@ void VerletStepper::restore(const double* from) {
   for_each_kept([&from](double& value) { value = *from++; });
   step_->state.status = Status::kOk;
   step_->loads.forget();
+  step_->forget_look();
 }
 
 void VerletStepper::command(std::span<const Eigen::Vector2d> u) {

@@ -45,10 +45,11 @@ std::size_t VerletStep::count_kept(const Model& model) {
 void VerletStep::step(std::int64_t k) {
   work_correction_ = impact_time_ = 0.0;
   contacts.clear_results();
-  const bool defer_iteration =
-      loads.needs_iteration() && !first_ && !finite_impact_ && contacts.iterates_with_contact();
+  const bool defer_iteration = iterates_with_contact();
   state.begin(deferred_or_null());
-  kick(k, defer_iteration);
+  const bool kicked = looked_at_ == k && loads.exchange_commands(state, looked_commands_);
+  looked_at_ = kNoStep;
+  if (!kicked) kick(k, defer_iteration);
   if (has_deferred_) std::fill(deferred_.begin(), deferred_.end(), 0.0);
   has_deferred_ = false;
   was_first_ = first_;
@@ -71,6 +72,12 @@ void VerletStep::step(std::int64_t k) {
   state.drift();
 }
 
+// True if the free velocity is iterated together with the contacts, and not before.
+bool VerletStep::iterates_with_contact() const {
+  return loads.needs_iteration() && !first_ && !finite_impact_ &&
+         contacts.can_iterate_with_lasting();
+}
+
 // Computes v_free of step k, and v_end equal to it. defer_iteration: see LoadKick::free_velocity().
 void VerletStep::kick(std::int64_t k, bool defer_iteration) {
   const double t = state.time_of(k);
@@ -83,6 +90,7 @@ void VerletStep::halve_kick() {
   for (std::size_t i = 0; i < state.v_free.size(); ++i)
     state.v_free[i] = 0.5 * (state.v_start[i] + state.v_free[i]);
   state.v_end = state.v_free;
+  loads.forget_forces();
 }
 
 void VerletStep::velocity_now(std::int64_t k, double* v) {
@@ -91,7 +99,10 @@ void VerletStep::velocity_now(std::int64_t k, double* v) {
     return;
   }
   state.peek(deferred_or_null());
-  kick(k);
+  // In lasting contact the force of the step before makes an error of order h^2 anyway.
+  kick(k, iterates_with_contact());
+  looked_at_ = k;
+  looked_commands_ = loads.command;
   if (finite_impact_ && finite_impact_->active())
     return finite_impact_->velocities(state.time_of(k), v);
   if (contacts.any()) contacts.add_last_forces(state);
@@ -102,6 +113,7 @@ void VerletStep::velocity_now(std::int64_t k, double* v) {
 void VerletStep::restart() {
   first_ = true;
   has_deferred_ = false;
+  forget_look();
   std::fill(deferred_.begin(), deferred_.end(), 0.0);
   loads.forget();
   if (finite_impact_) finite_impact_->cancel();

@@ -51,6 +51,9 @@ class VerletStep {
   // contact force of the step before. Controllers need them before there is a new command.
   // v: output, nq values.
   void velocity_now(std::int64_t k, double* v);
+  // Call it after velocity_now() if the state or the loads have been changed since: the step then
+  // computes its kick anew instead of taking it over.
+  void forget_look() { looked_at_ = kNoStep; }
   // Call it after a state (q, v at one instant) has been written: the next step is half a kick.
   void restart();
   // Announces a jump of the command of a ring within the next step.
@@ -89,7 +92,8 @@ class VerletStep {
   struct Flight;
 
   const double* deferred_or_null() const { return has_deferred_ ? deferred_.data() : nullptr; }
-  void kick(std::int64_t k, bool defer_iteration = false);
+  bool iterates_with_contact() const;
+  void kick(std::int64_t k, bool defer_iteration);
   void halve_kick();
 
   double share_before_jump(double begin, double end);
@@ -110,6 +114,11 @@ class VerletStep {
   bool was_first_ = true;
   // J, the work of the loads that the mean of the step's velocities misses because of impacts.
   double work_correction_ = 0.0;
+
+  // The step whose free velocities v_end holds since velocity_now(), and their commands.
+  static constexpr std::int64_t kNoStep = -1;
+  std::int64_t looked_at_ = kNoStep;
+  LoadKick::Commands looked_commands_;
 
   bool switches_ = false;  // some load is switched during a run
   // s; a cache: no load is switched from switch_from_ until switch_at_.
