@@ -166,7 +166,7 @@ std::vector<SceneComparison> compare_all(const CompareArguments& options, double
     how.mode = compare_mode_of(options.mode);
     how.tolerance = tolerance;
     how.contact = !options.contact.empty() ? scene::contact_model(options.contact).value()
-                  : scene.gives()          ? scene::ContactModel::kCoulomb
+                  : scene.is_compliant()   ? scene::ContactModel::kCoulomb
                                            : kDefaultContact;
     how.twins = options.twins;
     how.jobs = options.jobs;

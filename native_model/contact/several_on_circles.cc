@@ -209,7 +209,7 @@ CoupledSolution SeveralOnCircles::solve_with(std::span<const Friction> friction)
       b[row + 1] = slip_of(c, c.free);
     }
     s = solve_coupled(a, b, std::span(sets).first(c_.size()));
-    if (s.solutions != 1) return s;
+    if (!s.is_unique()) return s;
     const double moved = (s.p - p).cwiseAbs().maxCoeff();
     p = s.p;
     if (moved <= 1e-14 * p.cwiseAbs().maxCoeff()) break;
@@ -244,7 +244,7 @@ Status SeveralOnCircles::solve() {
   std::array<bool, kMaxContacts> turns{}, turned{};
   for (bool settled = false; !settled;) {
     s = solve_with(std::span(friction).first(n));
-    if (s.solutions != 1) {
+    if (!s.is_unique()) {
       return whirls_too_far() ? Status::kStepTooLarge : status_of(s.solutions);
     }
     settled = true;

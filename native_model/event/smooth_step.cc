@@ -22,8 +22,8 @@ SmoothStep::SmoothStep(const Model& model, const EventParameters& parameters, Ph
       phase_(&phase),
       step_(2 * model.nq() + integral_count(model)),
       tolerance_(static_cast<std::size_t>(step_.size())),
-      round_off_(model.gives() ? static_cast<std::size_t>(model.nq()) : 0),
-      allowed_(model.gives() ? tolerance_.size() : 0),
+      round_off_(model.is_compliant() ? static_cast<std::size_t>(model.nq()) : 0),
+      allowed_(model.is_compliant() ? tolerance_.size() : 0),
       y_(tolerance_),
       slope_(tolerance_),
       lowest_(model.auxiliary.size()),
@@ -41,10 +41,10 @@ void SmoothStep::begin(const Motion& start, double first) {
   }
   speed_ = kLeastSpeed;
   spin_ = 0.0;
-  meet(start);
+  update_tolerances(start);
 }
 
-void SmoothStep::meet(const Motion& motion) {
+void SmoothStep::update_tolerances(const Motion& motion) {
   const Layout& l = model_->layout;
   const int n = l.nq();
   const auto angle = [&l](int i) { return l.turns(i); };
@@ -95,7 +95,7 @@ void SmoothStep::find_round_off(const Motion& motion) {
   constexpr double kOfDepth = 4.0 * std::numeric_limits<double>::epsilon();  // of the clearance
   std::fill(round_off_.begin(), round_off_.end(), 0.0);
   for (std::size_t k = 0; k < model_->auxiliary.size(); ++k) {
-    if (!model_->auxiliary[k].gives() || !phase_->in_contact(k)) continue;
+    if (!model_->auxiliary[k].is_compliant() || !phase_->in_contact(k)) continue;
     const ContactParameters& contact = *model_->auxiliary[k].contact;
     const CompliantLaw& law = contact.compliance;
     const double depth = -contact_point(*model_, motion.q(), motion.v(), k).gap;

@@ -23,7 +23,7 @@ class SmoothStep {
   void begin(const Motion& start, double first);
   // Updates the tolerances. They are relative to the largest displacement, speed and spin so far,
   // to 1 rad for angles, and to the limit for currents.
-  void meet(const Motion& motion);
+  void update_tolerances(const Motion& motion);
   double largest_speed() const { return speed_; }           // m/s
   double largest_contact_speed(std::size_t contact) const;  // m/s, including the rotor's surface
   // Call it after a jump of the state or of the loads.

@@ -83,7 +83,7 @@ void check(const scene::Scene& scene) {
                      "with --set \"contact[1]=none\"; `rotorub modes` lists the rubs of each "
                      "contact while the others are open");
   }
-  check(scene.gives(), "contact.compliance",
+  check(scene.is_compliant(), "contact.compliance",
         "this analysis needs a rigid contact; accepted: no contact.compliance");
   if (first.stator) {
     const char* planes = "both planes must be alike, give one number for x and y";

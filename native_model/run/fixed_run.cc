@@ -58,7 +58,7 @@ class FixedRun {
         message_(step_refusal(model, step)) {
     episodes_.resize(contacts_);
     for (std::size_t i = 0; i < contacts_; ++i) {
-      if (model.auxiliary[i].gives()) episodes_[i].emplace(recorder_, static_cast<int>(i));
+      if (model.auxiliary[i].is_compliant()) episodes_[i].emplace(recorder_, static_cast<int>(i));
     }
     if (!message_.empty()) status_ = Status::kStepTooLarge;
     if (contacts_ > 1) recorder_.statistics().contacts.resize(contacts_);
