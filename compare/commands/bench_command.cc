@@ -46,7 +46,9 @@ void check_scenes(const BenchArguments& options) {
   read_each(options.scenes, [&](const std::string& file) {
     if (read_scene(file, options).first().contact) return;
     throw UsageError(
-        "{}: levels of error are shares of contact.clearance; give a scene with [contact]", file);
+        "{}: this scene has no [contact], but the levels of error are shares of contact.clearance; "
+        "give a scene with one",
+        file);
   });
 }
 
