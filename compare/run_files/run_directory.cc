@@ -224,7 +224,7 @@ StoredRun read_run(const path& folder) {
   if (std::filesystem::exists(folder / kOwnModel)) {
     throw BrokenRun(
         folder.string() +
-        " is a run of a machine of your own, which only the report of its comparison shows");
+        ": is a run of a machine of your own, which only the report of its comparison shows");
   }
   const nlohmann::json summary = summary_of(folder / kSummary);
   StoredRun run;

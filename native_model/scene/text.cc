@@ -23,7 +23,7 @@ std::string unitless_speed_note(std::string_view where, double speed) {
                             (std::fmod(size, 60.0) == 0.0 || std::fmod(size, 100.0) == 0.0);
   if (!reads_as_rpm) return {};
   const std::string plain = number_text(speed);
-  return std::string(where) + " = " + plain + " has no unit, so it is taken in rad/s (" +
+  return std::string(where) + " = " + plain + " has no unit, so it is read as rad/s (" +
          number_text(speed * 30.0 / std::numbers::pi, 5) + " rpm); if you mean rpm, write \"" +
          plain + " rpm\"";
 }

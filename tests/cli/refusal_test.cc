@@ -75,7 +75,7 @@ TEST(CliRefusal, OfAModelSaysWhatToGiveInEveryCommand) {
                    {"own.xml: this is a MuJoCo model (XML); give a scene or a study in TOML",
                     "rotorub compare"});
   }
-  expect_refused(folder, {"plot", "own.xml"}, {"own.xml: is not a folder; give the output folder"});
+  expect_refused(folder, {"plot", "own.xml"}, {"own.xml is not a folder; give the output folder"});
   folder.refuses({"init", "own.xml"}, {"own.xml: give the name of a scene"});
   EXPECT_FALSE(folder.has("own.xml.toml"));
   // A study of one, in both of what runs studies.
@@ -284,7 +284,7 @@ TEST(CliRefusal, OfValuesThatAreEmpty) {
     EXPECT_FALSE(folder.has("runs"));
     EXPECT_FALSE(folder.has("=out"));
   }
-  EXPECT_TRUE(contains(folder.run({"run", ring, "-o", ""}).err, "its value is empty"));
+  EXPECT_TRUE(contains(folder.run({"run", ring, "-o", ""}).err, "the value is empty"));
 }
 
 }  // namespace

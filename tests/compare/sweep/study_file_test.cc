@@ -116,7 +116,7 @@ TEST(Study, Refused) {
       {friction + "from = 0\nto = 1\ncount = 0\n", "whole number in [1,"},
       {friction + "from = 0\nto = 1\ncount = 3\nspacing = \"log\"\n", "above 0"},
       {friction + "from = 0\nto = nan\ncount = 3\n", "not finite"},
-      {friction + "values = []\n", "one value or more"},
+      {friction + "values = []\n", "at least one value"},
       {friction + "values = [1]\ncount = 1\n", "beside `values`"},
       {grid + "key = \"run.integrator\"\nfrom = 0\nto = 1\ncount = 2\n", "values: missing"},
       {friction + "values = [1]\n[[vary]]\nkey = \"contact.friction\"\nvalues = [2]\n", "twice"},

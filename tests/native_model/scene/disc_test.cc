@@ -59,7 +59,7 @@ TEST(DiscWords, ContradictionsAreRefused) {
   const std::string numbers = disc + "mass = 2.0\nJt = 1e-3\nJp = 2e-3\n";
   expect_refused({
       {"no mass", disc + "Jt = 1e-3\nJp = 2e-3\n", 10, "rotor.disc[0].mass",
-       "or `diameter` and `thickness`"},
+       "or give the disc's `diameter` and `thickness`"},
       {"one number of three", disc + "mass = 2.0\nJt = 1e-3\n", 10, "rotor.disc[0].Jp", "missing"},
       {"both", disc + "mass = 2.0\ndiameter = 0.2\nthickness = 0.03\n", 12, "rotor.disc[0].mass",
        "follows from"},
@@ -96,9 +96,9 @@ TEST(TwoNames, AreOneKey) {
       {"both", sample + contact + "z = 0.3\nstation = 0.3\n", 15, "contact.z",
        "another name of `station`"},
       {"by the name that is written", sample + contact + "z = 0.7\n", 15, "contact.z",
-       "out of the shaft"},
+       "not on the shaft"},
       {"by the other name", sample + contact + "station = 0.7\n", 15, "contact.station",
-       "out of the shaft"},
+       "not on the shaft"},
       {"not a number", sample + "[[rotor.bearing]]\nstation = \"here\"\nstiffness = 1e6\n", 11,
        "rotor.bearing[0].station", "here"},
   });
