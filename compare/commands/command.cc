@@ -244,7 +244,7 @@ void say(const PrintOptions& options, const std::string& words) {
   std::fflush(stdout);
 }
 
-result::Sentence written_to(const fs::path& place) {
+result::Sentence written_to(const std::filesystem::path& place) {
   return result::line(fmt::format("written to {}", printable_path(place)));
 }
 

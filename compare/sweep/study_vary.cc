@@ -161,8 +161,8 @@ void read_column(const StudyTable& table, const PointsFile& points, const scene:
   if (found == points.names.end()) {
     const std::vector<std::string_view> known(points.names.begin(), points.names.end());
     table.fail(table.has("column") ? "column" : "key",
-               fmt::format("{} has no column `{}`; accepted: {}", points.file.string(),
-                           scene::printable(name), scene::join(known)));
+               fmt::format("{} has no column `{}`{}", points.file.string(), scene::printable(name),
+                           scene::suggestion(name, known)));
     return;
   }
   const auto k = static_cast<std::size_t>(found - points.names.begin());

@@ -147,7 +147,7 @@ TEST(Units, RefuseWhatDoesNotFitAndSayWhatWould) {
   for (const char* text : {"5 lb", "5 lb/in3", "5 oz-in", "5 x2", "5 2"}) {
     const std::string error = parse_quantity(text, kLength).error;
     EXPECT_NE(error, "") << text;
-    EXPECT_EQ(error.find("perhaps"), std::string::npos) << error;
+    EXPECT_EQ(error.find("did you mean"), std::string::npos) << error;
   }
 }
 
