@@ -111,7 +111,7 @@ std::vector<BenchEngine> make_engines() {
 }
 
 std::vector<std::string_view> accepted() {
-  std::vector<std::string_view> names{"native", "mujoco", "peer"};
+  std::vector<std::string_view> names{"native", "mujoco", "peer", "event", "verlet"};
   for (const BenchEngine& engine : bench_engines()) names.push_back(engine.name);
   return names;
 }

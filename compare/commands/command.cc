@@ -63,7 +63,8 @@ void add_common_options(CLI::App& command, CommonOptions& options) {
 }
 
 void add_run_options(CLI::App& command, CommonOptions& options) {
-  add_value(command, "--step", options.step, "TIME", "Fixed step, e.g. 10us (run.step)");
+  add_value(command, "--step", options.step, "TIME",
+            "Fixed step of MuJoCo, verlet and euler, e.g. 10us (run.step)");
   add_value(command, "--end", options.end, "TIME", "End of the run, e.g. 0.5s (run.end)");
 }
 

@@ -260,8 +260,8 @@ Command add_compare_command(CLI::App& program) {
   add_flag(app, "--modes-ladder,!--no-modes-ladder", options->modes_ladder,
            "Estimate the error of the bending modes kept, by native runs with up to twice as "
            "many (default: on; geometry form only)");
-  add_option(app, "--jobs", options->jobs,
-             "Number of threads (default: one for each processor); it does not affect the results")
+  add_value(app, "--jobs", options->jobs, "N",
+            "Number of threads (default: one for each processor); it does not affect the results")
       .between(1, 4096);
   add_value(app, "-o,--output", options->folder, "DIR", "Folder of the results").shows_default();
   add_value(app, "--with", options->with, "DIR",

@@ -4,9 +4,12 @@
 
 #include <charconv>
 #include <filesystem>
+#include <string_view>
 
 #include "compare/commands/command.h"
 #include "compare/commands/options.h"
+#include "native_model/scene/diagnostic.h"
+#include "native_model/scene/text.h"
 #include "native_model/scene/units.h"
 
 namespace rotorub {
@@ -87,7 +90,8 @@ void add_film_options(CLI::App& command, FilmArguments& arguments) {
   const auto add = [&](const char* flag, std::string& value, const char* type, const char* help) {
     add_value(command, flag, value, type, help);
   };
-  add("-o,--output", arguments.file, "FILE", "File: .mp4, .gif or .png (default: <scene>.mp4)");
+  add("-o,--output", arguments.file, "FILE",
+      "File that ends in .mp4, .gif or .png (default: <scene>.mp4)");
   add("--from", arguments.from, "TIME",
       "Time at which the film begins (default: shortly before the first touch)");
   add("--to", arguments.to, "TIME", "Time at which it ends (default: the end of the run)");
@@ -96,7 +100,7 @@ void add_film_options(CLI::App& command, FilmArguments& arguments) {
       "6 s with --gif, that slows down at impacts)");
   add("--size", arguments.size, "WxH", "Size in pixels (default: 1280x720; --gif 640x360)");
   add("--fps", arguments.fps, "N", "Frames per second, 1 to 120 (default: 60; --gif 25)");
-  add("--view", arguments.view, "VIEW", "What is shown: rig (default), axis, close-up or unrolled");
+  add("--view", arguments.view, "VIEW", "View: rig (default), axis, close-up or unrolled");
   add("--title", arguments.title, "TEXT", "Title over the picture (default: the scene's name)");
   add("--beside", arguments.beside, "RUN_DIR",
       "Folder of a second run of the same scene, shown to the right with the same camera, clock "
@@ -133,7 +137,13 @@ FilmRequest film_request(const FilmArguments& arguments) {
   if (!arguments.size.empty()) read_size(arguments.size, options);
   if (!arguments.view.empty()) {
     const auto view = renders::view_of(arguments.view);
-    if (!view) refuse("--view", arguments.view, renders::view_names());
+    if (!view) {
+      constexpr std::string_view kViews[] = {"rig", "axis", "close-up", "unrolled"};
+      const std::string_view meant = scene::nearest(arguments.view, kViews);
+      refuse(
+          "--view", scene::printable(arguments.view),
+          renders::view_names() + (meant.empty() ? "" : fmt::format("; did you mean {}?", meant)));
+    }
     options.view = *view;
   }
   options.title = arguments.title;

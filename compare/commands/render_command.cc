@@ -173,9 +173,9 @@ int render_film(const RenderArguments& options) {
 
 Command add_render_command(CLI::App& program) {
   auto options = std::make_shared<RenderArguments>();
-  CLI::App& app =
-      add_command(program, "render",
-                  "Make a film or a picture of a scene (native engine), or of a run's folder");
+  CLI::App& app = add_command(
+      program, "render",
+      "Make a film or a picture of a scene, run by the native engine, or of a stored run");
   add_option(app, "SCENE|RUN_DIR", options->source, "Scene file (.toml), or folder of a run")
       .required();
   add_film_options(app, options->film);

@@ -153,7 +153,7 @@ int run(const RunArguments& options) {
 Command add_run_command(CLI::App& program) {
   auto options = std::make_shared<RunArguments>();
   CLI::App& app =
-      add_command(program, "run", "Run a scene; write its time series, impacts and summary");
+      add_command(program, "run", "Run a scene and write its time series, impacts and summary");
   const auto today = [](const std::string& word) {
     const std::string current(scene::current_word(word));
     if (current != word)

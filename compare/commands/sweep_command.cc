@@ -246,13 +246,14 @@ Command add_sweep_command(CLI::App& program) {
   add_option(app, "STUDY", options->study, "Study file (.toml)").required();
   add_value(app, "-o,--output", options->folder, "DIR",
             "Folder of the results (default: runs/<study>)");
-  add_option(app, "--jobs", options->jobs, "Number of threads (default: one for each processor)")
+  add_value(app, "--jobs", options->jobs, "N",
+            "Number of threads (default: one for each processor)")
       .between(1, 4096);
   add_value(app, "--shard", options->shard, "i/n",
             "Run only part i of n, and store it in a separate file");
   add_flag(app, "--slurm", options->slurm,
            "Write and submit an array job for Slurm, with one shard per task");
-  add_option(app, "--tasks", options->tasks, "Number of tasks of the array job (default: 16)")
+  add_value(app, "--tasks", options->tasks, "N", "Number of tasks of the array job (default: 16)")
       .between(1, sweep::kMostShards);
   add_value(app, "--merge", options->merge, "DIR...", "Join the shards in these folders");
   add_value(app, "--point", options->points, "N",

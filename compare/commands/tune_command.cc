@@ -112,10 +112,10 @@ Command add_tune_command(CLI::App& program) {
       program, "tune", "Find the fastest setting of MuJoCo whose contact forces can be trusted");
   add_option(app, "SCENE", options->scene, "Scene file (.toml)").required();
   add_value(app, "--tolerance", options->tolerance, "SHARE",
-            "Largest difference of a judged figure that passes, as 1% or 0.01")
+            "Largest difference of a judged figure that passes, e.g. 1% or 0.01")
       .shows_default();
   add_value(app, "--steps", options->steps, "LIST",
-            "Steps to try, e.g. 100us,10us (default: 1-2-5 from 1 ms to 1 us, and the scene's)");
+            "Steps to try, e.g. 100us,10us (default: 1-2-5 from 1 ms to 1 µs, and the scene's)");
   add_value(app, "--twins", options->twins, "N",
             "Number of native runs whose starts differ by a few units in the last place; their "
             "scatter shows what can be decided")

@@ -338,7 +338,7 @@ std::vector<Part> rubs_parts(const RotorAnalysis& analysis) {
       parts.insert(parts.end(), {line(""), std::move(rub)});
     }
     if (!rubs.refused.empty())
-      parts.emplace_back(line(fmt::format("\nrotor and ring together: {}", rubs.refused)));
+      parts.emplace_back(line(fmt::format("\nlasting rubs: {}", rubs.refused)));
   }
   return parts;
 }

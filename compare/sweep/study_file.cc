@@ -73,6 +73,7 @@ class StudyReader {
   }
 
   Study read(StudyUse use) {
+    refuse_scene();
     const StudyTable top(root_, "", {"scene", "sample", "vary", "run", "statistics", "optimise"},
                          diagnostics_);
     read_scene(top);
@@ -92,6 +93,17 @@ class StudyReader {
  private:
   void fail(int line, const std::string& key, std::string reason) {
     diagnostics_.push_back({root_.file, line, key, std::move(reason)});
+  }
+
+  // Refuses a scene with one sentence, because none of its keys belongs to a study.
+  void refuse_scene() {
+    const TomlNode* rotor = root_.find("rotor");
+    if (rotor == nullptr || root_.find("scene") != nullptr || root_.find("vary") != nullptr) return;
+    fail(rotor->line, "rotor",
+         "this file is a scene, not a study; give it to `rotorub run`, or write a study with "
+         "`scene = \"" +
+             file_.filename().string() + "\"` (compare/sweep/README.md)");
+    throw scene::SceneError(std::move(diagnostics_));
   }
 
   void read_scene(const StudyTable& top) {
