@@ -28,6 +28,26 @@ TEST(Refusal, NamesUnknownKeysAndTables) {
   });
 }
 
+// Neither the key nor the table that is meant is reported as missing too.
+TEST(Refusal, ReportsAMisspeltWordOnce) {
+  expect_refused({
+      {"required key", modal("friction = 0.15", "frictoin = 0.15"), 9, "contact.frictoin",
+       "did you mean `friction`? Accepted here: "},
+      {"table of the form", modal("[rotor.modal]", "[rotor.modl]"), 3, "rotor.modl",
+       "did you mean `modal`?"},
+      {"rotor", "[rotr]\nspeed = 1\n", 1, "rotr", "did you mean `rotor`?"},
+  });
+}
+
+TEST(Refusal, OfAStudyIsOneSentence) {
+  expect_refused({
+      {"sweep", "scene = \"ring.toml\"\n[sample]\nkind = \"grid\"\n[[vary]]\nkey = \"x\"\n", 1,
+       "scene", "give it to `rotorub sweep`, or give its scene, \"ring.toml\""},
+      {"optimise", "[optimise]\nminimise = \"impacts\"\n", 1, "optimise",
+       "give it to `rotorub optimise`"},
+  });
+}
+
 TEST(Refusal, NamesWrongTypesAndUnits) {
   expect_refused({
       {"frequency for a length", modal("\"0.5 mm\"", "\"50 Hz\""), 8, "contact.clearance",
