@@ -138,7 +138,7 @@ TEST(CliIdentify, RefusalsSayWhatIsAccepted) {
   refuses("contact.friction=0.4:0.05", "FROM must be below TO");
   refuses("contact.frction=0.05:0.4", "did you mean `contact.friction`?");
   refuses("contact.clearance=1 N:2 N", "expected a length");
-  refuses("run.integrator=0:1", "not a number");
+  refuses("run.integrator=0:1", "does not take a number");
 }
 
 struct Bad {

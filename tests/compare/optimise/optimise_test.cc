@@ -179,8 +179,8 @@ TEST_F(Optimise, SaysWhatIsWrong) {
     std::string text, says;
   } cases[] = {
       {kDamping, "optimise: missing"},
-      {std::string(kDamping) + "[optimise]\n", "one of the two"},
-      {std::string(kDamping) + goal + "maximise = \"impacts\"\n", "one of the two"},
+      {std::string(kDamping) + "[optimise]\n", "exactly one of"},
+      {std::string(kDamping) + goal + "maximise = \"impacts\"\n", "exactly one of"},
       {std::string(kDamping) + "[optimise]\nminimise = \"modes.\"\n", "rotorub modes --json"},
       {std::string(kDamping) + goal + "algorithm = \"bfgs\"\n", "ccepted: cobyla, bobyqa"},
       {std::string(kDamping) + goal + "tolerance = 2\n", "below 1"},
@@ -188,7 +188,7 @@ TEST_F(Optimise, SaysWhatIsWrong) {
            "algorithm = \"bobyqa\"\n[[optimise.constraint]]\n"
            "figure = \"impacts\"\nmax = 3\n",
        "choose cobyla or direct"},
-      {std::string(kDamping) + goal + "[[optimise.constraint]]\nfigure = \"impacts\"\n", "a limit"},
+      {std::string(kDamping) + goal + "[[optimise.constraint]]\nfigure = \"impacts\"\n", "no limit"},
       {"[[vary]]\nkey = \"contact.friction\"\nvalues = [1, 2]\n" + goal, "needs a range"},
       {"[[vary]]\nkey = \"contact.friction\"\nfrom = 0.1\nto = 0.2\nstart = 0.3\n" + goal,
        "between `from` and `to`"},

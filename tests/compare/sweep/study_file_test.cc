@@ -83,7 +83,7 @@ end = -1
   for (const char* part :
        {"study.toml:4: sample.runs: belongs to kind",
         "study.toml:6: vary[0].key:", "did you mean `contact.friction`?",
-        "study.toml:10: vary[1].values[1]:", "50 mm", "1 values where", "run.integrator varies",
+        "study.toml:10: vary[1].values[1]:", "50 mm", "has 1 values, but", "run.integrator varies",
         "did you mean `step`?", "run.end: expected a time above 0"}) {
     EXPECT_TRUE(contains(text, part));
   }

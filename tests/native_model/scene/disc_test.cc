@@ -69,7 +69,7 @@ TEST(DiscWords, ContradictionsAreRefused) {
       {"density of nothing", numbers + "rho = 7850\n", 15, "rotor.disc[0].rho",
        "belongs to a disc with"},
       {"two words", numbers + "eccentricity = 1e-5\nunbalance = \"1 g mm\"\n", 16,
-       "rotor.disc[0].unbalance", "give one of them"},
+       "rotor.disc[0].unbalance", "remove one of them"},
       {"no grade", numbers + "balance_grade = \"2.5\"\nbalance_speed = 100\n", 15,
        "rotor.disc[0].balance_grade", "as \"G 2.5\""},
       {"no speed", numbers + "balance_grade = \"G 2.5\"\n", 15, "rotor.disc[0].balance_grade",
