@@ -109,7 +109,7 @@ TEST(Study, Refused) {
   } cases[] = {
       {"", "scene: missing"},
       {of_ring(), "sample.kind: missing"},
-      {of_ring() + "[sample]\nkind = \"gird\"\n", "accepted: grid, latin_hypercube, list"},
+      {of_ring() + "[sample]\nkind = \"gird\"\n", "did you mean `grid`? Accepted: grid, latin_hypercube, list"},
       {of_ring() + "[sample]\nkind = \"grid\"\n", "vary: missing"},
       {friction, "vary[0].from: missing"},
       {friction + "from = 0\nto = 1\n", "vary[0].count: missing"},
