@@ -70,7 +70,7 @@ void refuse_file_name(const fs::path& folder) {
 }  // namespace
 
 void check_ending(const fs::path& file, std::string_view ending) {
-  if (file.empty() || file.extension() == ending) return;
+  if (!file.has_extension() || file.extension() == ending) return;
   std::error_code none;
   const fs::file_status status = fs::status(file, none);
   if (fs::is_other(status) || fs::is_directory(status)) return;  // /dev/stdout; reported later

@@ -182,8 +182,8 @@ TEST(CliRefusal, NamesWhatWasWritten) {
   expect_refused(folder, {"compare", "nofile.xml"},
                  {"nofile.xml: cannot be read: No such file or directory"});
   const Outcome friction = folder.run({"init", "--friction", "x"});
-  EXPECT_TRUE(
-      contains(friction.err, "expected a pure number, 0 or from 1e-06 to 1e+06, as \"0.15\""));
+  EXPECT_TRUE(contains(friction.err,
+                       "expected a pure number, 0 or from 1e-06 to 1e+06, for example \"0.15\""));
 }
 
 // The ending of -o says what the user expects to get.
