@@ -127,8 +127,8 @@ Command add_manual_command(CLI::App& program);
 // the folder cannot be created or written to, a file is in the place of a folder or a folder in the
 // place of a file, or the file exists and is read-only. They do nothing if the name is empty.
 void check_output_file(const std::filesystem::path& file);
-// Throws UsageError unless the file is empty, ends in `ending` (".xml"), or is a device or a
-// folder.
+// Throws UsageError if the file has another ending than `ending` (".xml"), unless it is a device or
+// a folder.
 void check_ending(const std::filesystem::path& file, std::string_view ending);
 // files: all names that the command may write there; they may include subfolders.
 void check_output_folder(const std::filesystem::path& folder,

@@ -36,8 +36,7 @@ TEST(RubJson, OfTheWhip) {
   EXPECT_EQ(whip.at("joined").size(), 2U);
   const std::string table = result::text_of(rub_result(rubs.at[0]));
   EXPECT_NE(table.find("-501.9257"), std::string::npos) << table;
-  EXPECT_NE(table.find("rolling: 380.9469 to 501.9257 rad/s, above\n  1465.431 rad/s"),
-            std::string::npos)
+  EXPECT_NE(table.find("rolling is possible: 380.9469 to 501.9257 rad/s, above"), std::string::npos)
       << table;
 }
 

@@ -109,7 +109,8 @@ TEST(Study, Refused) {
   } cases[] = {
       {"", "scene: missing"},
       {of_ring(), "sample.kind: missing"},
-      {of_ring() + "[sample]\nkind = \"gird\"\n", "did you mean `grid`? Accepted: grid, latin_hypercube, list"},
+      {of_ring() + "[sample]\nkind = \"gird\"\n",
+       "did you mean `grid`? Accepted: grid, latin_hypercube, list"},
       {of_ring() + "[sample]\nkind = \"grid\"\n", "vary: missing"},
       {friction, "vary[0].from: missing"},
       {friction + "from = 0\nto = 1\n", "vary[0].count: missing"},
@@ -117,7 +118,7 @@ TEST(Study, Refused) {
       {friction + "from = 0\nto = 1\ncount = 3\nspacing = \"log\"\n", "above 0"},
       {friction + "from = 0\nto = nan\ncount = 3\n", "not finite"},
       {friction + "values = []\n", "at least one value"},
-      {friction + "values = [1]\ncount = 1\n", "beside `values`"},
+      {friction + "values = [1]\ncount = 1\n", "together with `values`"},
       {grid + "key = \"run.integrator\"\nfrom = 0\nto = 1\ncount = 2\n", "values: missing"},
       {friction + "values = [1]\n[[vary]]\nkey = \"contact.friction\"\nvalues = [2]\n", "twice"},
       {friction + "values = [1]\nalso = [\"no.key\"]\n", "not a key of a scene"},
