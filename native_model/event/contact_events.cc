@@ -73,6 +73,7 @@ void EventIntegrator::impact(std::size_t contact) {
                    [](const ClosedContact& c) { return c.point.gap_rate < 0.0; })) {
     return begin_on_circles(closed);  // the contact grazes
   }
+  stiffness_.count_impact();
   const EventImpact::Outcome outcome = impacts_.run(motion_, points, end_);
   if (outcome.status != Status::kOk) {
     return fail(outcome.status, outcome.status == Status::kAmbiguous
