@@ -45,8 +45,8 @@ Eigen::MatrixXd constraint_gradients(const Model& model, const std::vector<doubl
   for (const Constraint::Closed& c : closed) {
     const ContactGradients at(model, y, c.contact);
     add(at.gap());
-    if (c.velocity != Constraint::Velocity::kKept) add(at.gap_rate());
-    if (c.velocity == Constraint::Velocity::kStuck) add(at.slip());
+    if (c.velocity != Constraint::Velocity::kAny) add(at.gap_rate());
+    if (c.velocity == Constraint::Velocity::kZero) add(at.slip());
   }
   return rows;
 }

@@ -35,7 +35,7 @@ class ContactGradients {
 };
 
 // The gradients of everything that lasting contacts keep at 0, one row each, 2 nq columns: g_N, and
-// gdot_N (kAlong) or gdot_N and gdot_T (kStuck).
+// gdot_N (kTangential) or gdot_N and gdot_T (kZero).
 Eigen::MatrixXd constraint_gradients(const Model& model, const std::vector<double>& y,
                                      const ContactList<Constraint::Closed>& closed);
 

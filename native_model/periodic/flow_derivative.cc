@@ -132,7 +132,7 @@ FlowDerivative::Kind FlowDerivative::kind_of(const Jump& jump, const ContactStat
     return to.mode == Mode::kFree || goes_on ? Kind::kSmooth : Kind::kSlipEnds;
   }
   if (from.mode != Mode::kFree || from.in_wall) return Kind::kSmooth;
-  if (model_->auxiliary[jump.contact].gives()) return Kind::kTouch;
+  if (model_->auxiliary[jump.contact].is_compliant()) return Kind::kTouch;
   // A redundant contact has a force again without an impact, unless its gap had opened.
   const auto half = static_cast<std::ptrdiff_t>(jump.before.size() / 2);
   const bool jumps =
@@ -200,7 +200,7 @@ double FlowDerivative::deepest(const MotionRecord& motion) const {
   double depth = 0.0;
   for (const Stretch& s : motion.stretches) {
     for (std::size_t k = 0; k < s.states.size(); ++k) {
-      if (!model_->auxiliary[k].gives() || s.states[k].mode == Mode::kFree) continue;
+      if (!model_->auxiliary[k].is_compliant() || s.states[k].mode == Mode::kFree) continue;
       const double* y = s.y.data();
       depth = std::max(depth, -contact_point(*model_, y, y + model_->nq(), k).gap);
     }

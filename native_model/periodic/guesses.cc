@@ -157,7 +157,7 @@ FoundGuess guess_at_start(const Model& m, int periods, const EventParameters& pa
   if (begun.status != Status::kOk) return failed(begun.status, begun.message);
   found.guess.start = initial_state(m);
   for (std::size_t k = 0; k < begun.first.size(); ++k) {
-    if (begun.first[k].mode == Mode::kFree || m.auxiliary[k].gives()) continue;
+    if (begun.first[k].mode == Mode::kFree || m.auxiliary[k].is_compliant()) continue;
     found.guess.held.push_back({k, velocity_of(begun.first[k].mode)});
   }
   const double pace = whirl_speed(m, found.guess.start);

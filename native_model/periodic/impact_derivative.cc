@@ -23,7 +23,7 @@ ImpactDerivative::ImpactDerivative(const Model& model, double t, const Jump& jum
   const double* y = jump.before.data();
   for (std::size_t k = 0; k < before.size(); ++k) {
     const auto& contact = model.auxiliary[k].contact;
-    if (!contact || contact->gives()) continue;
+    if (!contact || contact->is_compliant()) continue;
     const bool lasts = before[k].mode != Mode::kFree;
     const double gap = contact_point(model, y, y + model.nq(), k).gap;
     if (lasts) lasting_.push_back({k, velocity_of(before[k].mode)});
@@ -31,8 +31,8 @@ ImpactDerivative::ImpactDerivative(const Model& model, double t, const Jump& jum
         gap > kOnTheCircle * contact->clearance) {
       continue;
     }
-    closed_.push_back({k, Constraint::Velocity::kKept});
-    ImpactLaw law = contact->law();
+    closed_.push_back({k, Constraint::Velocity::kAny});
+    ImpactLaw law = contact->impact_law();
     if (no_rebound) law = {law.friction, 0.0, 0.0};
     laws_.push_back(law);
   }

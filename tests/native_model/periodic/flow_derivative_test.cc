@@ -20,7 +20,7 @@ std::string events_of(const Model& model, const MotionRecord& motion) {
     if (!s.jump) continue;
     const ContactState& to = s.jump->states[s.jump->contact];
     const ContactState& from = s.states[s.jump->contact];
-    const bool gives = model.auxiliary[s.jump->contact].gives();
+    const bool gives = model.auxiliary[s.jump->contact].is_compliant();
     if (from.mode == Mode::kFree) events += gives ? 'T' : 'I';
     if (from.mode != Mode::kFree && to.mode == Mode::kFree) events += 'L';
     if (to.mode == Mode::kSlide) events += 'S';
@@ -131,7 +131,7 @@ TEST(FlowDerivative, OfTwoContacts) {
 TEST(FlowDerivative, OfFrictionThatFallsWithTheSlip) {
   const Model model = prepare(test::shipped("falling_friction"));
   HeldContacts held;
-  held.push_back({0, Constraint::Velocity::kAlong});
+  held.push_back({0, Constraint::Velocity::kTangential});
   expect_derivative(model, initial_state(model), 0.02, 1e-6, held);
 }
 

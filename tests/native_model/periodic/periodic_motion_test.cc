@@ -41,7 +41,7 @@ TEST(PeriodicMotion, ASynchronousRubOnAnElasticRing) {
   const scene::Scene scene = test::shipped("bench_annular_elastic");
   const Model model = prepare(scene);
   Guess guess{initial_state(model), kTurn / scene.forces[0].frequency, 0, {}};
-  guess.held.push_back({0, Constraint::Velocity::kAlong});
+  guess.held.push_back({0, Constraint::Velocity::kTangential});
   guess.start.q[0] *= 1.02;
   const PeriodicMotion found = find_periodic_motion(model, guess);
   ASSERT_TRUE(found.found()) << found.message;
@@ -99,7 +99,7 @@ TEST(PeriodicMotion, Rolling) {
   scene = test::whirling(scene, pace);
   const Model model = make_model(scene);
   Guess guess{initial_state(model), 1.01 * kTurn / pace, 0, {}};
-  guess.held.push_back({0, Constraint::Velocity::kStuck});
+  guess.held.push_back({0, Constraint::Velocity::kZero});
   guess.start.q[0] += 2e-5;
   const PeriodicMotion found = find_periodic_motion(model, guess);
   ASSERT_TRUE(found.found()) << found.message << found.residual;
