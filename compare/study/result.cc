@@ -81,11 +81,11 @@ Table answer_table(const SceneComparison& c, const std::vector<const ComparedMod
               {{"question", "Can MuJoCo's contact forces be trusted?", -55, result::kAll,
                 "MuJoCo's contact"},
                {"trusted", "trusted", -15},
-               {"us_per_step", "us a step", 0, result::kAll, "time of a step, µs"},
                {"why", "", 0, result::kNotTerminal, "why"},
                {"", "off by the contact model", 0, errors_seen},
                {"", "off by the step", 0, errors_seen},
-               {"", "off by the modes kept", 0, modes ? errors_seen : result::kJson}}};
+               {"", "off by the modes kept", 0, modes ? errors_seen : result::kJson},
+               {"us_per_step", "us a step", 0, result::kAll, "time of a step, µs"}}};
   for (const ComparedModel* m : models) {
     const AnswerRow row = answer_row(c, *m);
     const ThreeErrors errors = three_errors(c, *m);
@@ -93,11 +93,11 @@ Table answer_table(const SceneComparison& c, const std::vector<const ComparedMod
     table.rows.push_back(
         {.items = {{row.question, row.question + "? (" + row.contact + ")"},
                    {row.verdict.word, "", row.verdict.tone},
-                   {timed ? json(row.us_per_step) : json(nullptr), timed ? "" : "-"},
                    {.value = row.why, .beside = row.decides ? "decides the exit code" : ""},
                    error_item(errors.contact),
                    error_item(errors.step),
-                   error_item(errors.modes.value_or(LargestError()))},
+                   error_item(errors.modes.value_or(LargestError())),
+                   {timed ? json(row.us_per_step) : json(nullptr), timed ? "" : "-"}},
          .lead = row.decides ? "> " : "  ",
          .note = {.text = row.why, .lead = "      ", .seen = result::kTerminal},
          .data = {{"scene", c.scene.name},

@@ -27,15 +27,15 @@ const toned = ({text, tone, toned: words}) => {
 const chipOf = (text, {tone, note}) => element('span', {class: `chip ${tone || ''}`.trim(), title: note}, element('span', {class: 'word'}, text));
 function cellOf(cell) {
   if (typeof cell === 'string') return [cell];
-  if (cell.beside) return [cell.text, element('br'), chipOf(cell.beside, cell)];
+  if (cell.beside) return [cell.text, element('br'), cell.note ? chipOf(cell.beside, cell) : element('span', {class: 'unit'}, cell.beside)];
   return [cell.tone ? chipOf(cell.text, cell) : element('span', {title: cell.note}, cell.text)];
 }
 
 // The first cell of a row is its heading, unless it is a number.
 function rowOf({cells, note}, columns, labelled) {
   const row = element('tr', {}, ...cells.map((cell, k) => {
-    const isHeading = k === 0 && !columns[k].number;
-    return element(isHeading ? 'th' : 'td', {scope: isHeading && 'row', class: columns[k].number && 'number',
+    const {number} = columns[k], isHeading = k === 0 && !number, isWord = !/\d/.test(cell.text ?? cell);
+    return element(isHeading ? 'th' : 'td', {scope: isHeading && 'row', class: number && (isWord ? 'number words' : 'number'),
       'data-label': labelled && !isHeading && columns[k].text}, ...cellOf(cell));
   }));
   return note ? [row, element('tr', {class: 'row-note'}, element('td', {colspan: String(columns.length)}, note))] : [row];
@@ -96,12 +96,16 @@ function sectionOf({id, title, conditions, tone, contents, scene, parts, class: 
 }
 
 // Texts with dashes that follow each other become a list.
-const listed = (parts) => parts.reduce((all, part) => {
-  const last = all[all.length - 1];
-  if (part.mark !== '-') return [...all, part];
-  if (!last?.list) return [...all, {list: [part.text]}];
-  return [...all.slice(0, -1), {list: [...last.list, part.text]}];
-}, []);
+function listed(parts) {
+  const all = [];
+  for (const part of parts) {
+    const last = all[all.length - 1];
+    if (part.mark !== '-') all.push(part);
+    else if (last?.list) last.list.push(part.text);
+    else all.push({list: [part.text]});
+  }
+  return all;
+}
 
 // level: of the headings. A heading begins a section, which ends at the next one.
 export function layOut(into, parts, level = 2) {

@@ -4,7 +4,7 @@ import {html} from './html.js';
 import {liveOf} from './live_frame.js';
 import {units} from './player/units.js';
 import {whirlParts, withPlots} from './plot_words.js';
-import {number, short} from './style.js';
+import {short} from './style.js';
 
 const text = (words) => ({text: words});
 const percent = (share) => `${short(100 * share)} %`;
@@ -62,12 +62,12 @@ function verdictsOf(parts) {
     <section class="verdict ${verdict.tone}">${headline(verdict)}</section>`))}</div>`;
 }
 
-const valueOf = (cell) => (cell.beside ? cell.text : cell);
+const withoutDifference = (cell) => (cell.beside ? cell.text : cell);
 
 // The judged figures with their differences from native, and all figures with what they mean.
 const judgedOf = ({columns, rows}) => ({caption: 'The judged figures, and how far from native', class: 'key', columns: columns.slice(0, -1),
   rows: rows.filter(({mark}) => mark).map((row) => ({...row, cells: row.cells.slice(0, -1)}))});
-const allOf = ({columns, rows}) => ({columns, class: 'all', rows: rows.map((row) => ({...row, cells: row.cells.map(valueOf)}))});
+const allOf = ({columns, rows}) => ({columns, class: 'all', rows: rows.map((row) => ({...row, cells: row.cells.map(withoutDifference)}))});
 
 const resyncWords = 'An onset is the first impulse after a flight of at least 10 steps; its contact lasts until half-way through the next ' +
   'such flight. The worst onset of each figure is judged. Differences are shares: of the impulse of the contact, or of the largest impact where that is ' +
@@ -97,7 +97,7 @@ const impactWords = 'With MuJoCo\'s soft contact an impact is an episode of cont
 function impactsOf(impacts, labels) {
   const count = Math.max(0, ...Object.values(impacts).map((pairs) => pairs.length));
   const native = impacts[labels[1]];
-  const cellOf = (one) => (one ? {text: (1e3 * one.t).toFixed(4), beside: number(1e3 * one.normal_impulse, 4)} : '–');
+  const cellOf = (one) => (one ? {text: (1e3 * one.t).toFixed(4), beside: short(1e3 * one.normal_impulse, 4)} : '–');
   const at = (label, k) => (label === 'native' ? native?.[k]?.native : impacts[label]?.[k]?.other);
   return {caption: 'Time / ms, and below it impulse / mN s', class: 'impacts', columns: [{text: '#'}, ...labels.map((label) => ({text: label, number: true}))],
     rows: Array.from({length: count}, (_, k) => ({cells: [String(k + 1), ...labels.map((label) => cellOf(at(label, k)))]}))};
