@@ -8,9 +8,6 @@
 #include <complex>
 #include <nlohmann/json.hpp>
 
-#include "compare/base/format.h"
-#include "compare/figures/figure.h"
-#include "compare/measured/output.h"
 #include "compare/measured/sampled_run.h"
 #include "compare/metrics/rows.h"
 #include "compare/report/pack/packed_run.h"

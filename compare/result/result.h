@@ -85,7 +85,7 @@ struct Column {
 struct Row {
   std::string key{};          // replaces {row} in the table's place; empty: none
   std::vector<Item> items{};  // in the order of the columns; missing ones at the end are empty
-  std::string lead{};         // before the first item instead of the table's lead: "* "
+  std::string lead{};         // a mark before the first item instead of the table's lead: "* "
   Sentence note{};            // below the row, for people; empty: none
   nlohmann::json data{};      // JSON alone: an object whose keys join those of the columns
   Audience seen = kAll;
