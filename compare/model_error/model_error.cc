@@ -159,7 +159,8 @@ result::Section model_error_section(const ModelError& error) {
     return section;
   }
   result::Table table{"figures/{row}/{column}",
-                      {{"", "bending modes kept", -21, result::kAll, "figure"}}};
+                      {{"", "bending modes kept", -21, result::kAll, "figure"},
+                       {.heading = "unit", .seen = result::kPage}}};
   for (const int n : error.modes)
     table.columns.push_back(
         {"", fmt::format("{}", n), 9, result::kAll, fmt::format("{} modes", n)});
@@ -170,7 +171,7 @@ result::Section model_error_section(const ModelError& error) {
   for (const FigureLimit& f : error.figures) {
     section.add({result::Data{f.figure->key, number_or_null(f.error)}});
     result::Row row{.key = f.figure->key,
-                    .items = {{f.figure->label}},
+                    .items = {{f.figure->label}, {f.figure->unit}},
                     .data = {{"values", f.values},
                              {"last_change", f.last_change},
                              {"left", number_or_null(f.left)},
