@@ -90,6 +90,8 @@ Item value_item(const Figure& f, const Side& side, const JudgedFigure& d, bool b
   return item;
 }
 
+bool is_timed(const Side& side) { return !side.timing.us_per_step.empty(); }
+
 Table value_table(const SceneComparison& c) {
   Table table = side_table(c, "", "native", "shadow");
   table.columns.push_back({.heading = "what it means", .seen = result::kPage});
@@ -120,9 +122,11 @@ Table value_table(const SceneComparison& c) {
   }
   add(
       "  ", "time of a step, µs", "Median of repeated runs that record nothing.",
-      [](const Side& side) { return short_number(side.timing.median); }, result::kPeople);
+      [](const Side& side) { return is_timed(side) ? short_number(side.timing.median) : "–"; },
+      result::kPeople);
   add("  ", "fastest and slowest, µs", "Of these repeated runs; the engines take turns.",
       [](const Side& side) {
+        if (!is_timed(side)) return std::string("–");
         return fmt::format("{:.2g} – {:.2g}", side.timing.lowest, side.timing.highest);
       });
   add("  ", "steps", "Number of steps of the run shown.",

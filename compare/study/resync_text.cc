@@ -128,7 +128,7 @@ std::vector<std::string> resync_reasons(const std::string& contact, const Resync
 }
 
 std::vector<result::Part> resync_parts(const SceneComparison& c) {
-  using result::Item, result::Sentence;
+  using result::Sentence;
   std::vector<result::Part> parts{Sentence{
       .text = "  by onset; off by, in %       native    MuJoCo  median    90 %   worst    at, s",
       .wraps = false,
@@ -142,12 +142,11 @@ std::vector<result::Part> resync_parts(const SceneComparison& c) {
                          {"other", "", 10, result::kAll, "MuJoCo, mean"},
                          {"median", "", 8, result::kAll, "median off by, %"},
                          {"ninetieth", "", 8, result::kAll, "90 % within, %"},
-                         {"worst", "", 8, result::kAll, "worst, %"},
+                         {"worst", "", 8, result::kNotPage},
+                         {"", "", 8, result::kPage, "worst"},
                          {"worst_time", "", 9, result::kAll, "at, s"}}};
     for (const ResyncRow& row : r.rows) {
       const ResyncFigure& f = *row.figure;
-      Item worst{row.worst, percents(row.worst), tone_of(row.verdict), to_string(row.verdict)};
-      if (row.worst_signed < 0.0) worst.text = "-" + worst.text;
       table.rows.push_back(
           {.key = f.key,
            .items = {{figure_label(f), "", Tone::kPlain,
@@ -156,7 +155,10 @@ std::vector<result::Part> resync_parts(const SceneComparison& c) {
                      {row.mujoco, figure_value(f, row.mujoco)},
                      {row.median, percents(row.median)},
                      {row.ninetieth, percents(row.ninetieth)},
-                     std::move(worst),
+                     {row.worst, percents(row.worst)},
+                     {.text = signed_percent(row.worst_signed),
+                      .tone = tone_of(row.verdict),
+                      .note = to_string(row.verdict)},
                      {row.worst_time, fmt::format("{:.4g}", row.worst_time)}},
            .lead = row.verdict == FigureVerdict::kOutside ? "!   " : "    ",
            .data = {{"relative_to", f.relative_to},
