@@ -48,8 +48,7 @@ TEST(ResultPage, HasWordsBesideAValue) {
           {.items = {{.text = "21.9", .tone = Tone::kBad, .note = "outside", .beside = "+3 %"}}}}};
   EXPECT_EQ(page_json({.parts = {table}})[0]["rows"][0]["cells"][0],
             json::parse(R"({"text": "21.9", "tone": "bad", "note": "outside", "beside": "+3 %"})"));
-  EXPECT_EQ(text_of({.parts = {table}}, Palette(true)), "       N\n    21.9\n")
-      << "without its tone";
+  EXPECT_EQ(text_of({.parts = {table}}, Palette(true)), "     N\n  21.9\n") << "without its tone";
 }
 
 TEST(ResultPage, HasHeadingsThatTheTerminalLeavesOut) {
