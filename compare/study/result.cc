@@ -85,7 +85,7 @@ Table answer_table(const SceneComparison& c, const std::vector<const ComparedMod
                {"", "off by the contact model", 0, errors_seen},
                {"", "off by the step", 0, errors_seen},
                {"", "off by the modes kept", 0, modes ? errors_seen : result::kJson},
-               {"us_per_step", "us a step", 0, result::kAll, "time of a step, µs"}}};
+               {"us_per_step", "µs a step", 0, result::kAll, "time of a step, µs"}}};
   for (const ComparedModel* m : models) {
     const AnswerRow row = answer_row(c, *m);
     const ThreeErrors errors = three_errors(c, *m);

@@ -23,7 +23,8 @@ constexpr TableKey kTableKeys[] = {
 
 void check_table(const Reading& check, const ShaftBearing& bearing) {
   for (const char* key : {".stiffness", ".damping", ".cross_stiffness", ".cross_damping"}) {
-    if (check.given(key)) check.fail(key, "not beside `table_speed`; accepted: one of the two");
+    if (check.given(key))
+      check.fail(key, "cannot be given together with `table_speed`; remove one of them");
   }
   if (!check.given(".table_kxx")) {
     check.fail(".table_kxx", "missing: expected a list of stiffnesses in N/m, one for each speed");
@@ -102,7 +103,8 @@ void check_bearings(Reading& check, const RotorGeometry& shaft) {
     for (const TableKey& key : kTableKeys) {
       if (check.given(key.name)) check.fail(key.name, "needs `table_speed`");
     }
-    if (!check.given(".stiffness")) check.missing(".stiffness", ", or tables over `table_speed`");
+    if (!check.given(".stiffness"))
+      check.missing(".stiffness", "; or give tables over `table_speed` instead");
   }
 }
 
