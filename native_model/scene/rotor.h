@@ -73,16 +73,24 @@ struct ShaftBearing {
   bool crosses() const { return !cross_stiffness.isZero(0.0) || !cross_damping.isZero(0.0); }
 };
 
-// Geometry form: a continuous Euler-Bernoulli shaft.
+// The beam theory of the shaft: without or with shear deformation. Both have rotary inertia.
+enum class ShaftTheory { kEulerBernoulli, kTimoshenko };
+
+// Geometry form: a continuous shaft.
 struct RotorGeometry {
-  double length = 0.0;            // m, > 0
-  double E = 0.0;                 // Pa, > 0
-  std::optional<double> nu;       // 1, in (-1, 0.5]; at most one of nu and G
-  double G = 0.0;                 // Pa, > 0: given, or E / (2 (1 + nu)) with nu = 0.3 by default
-  double rho = 0.0;               // kg/m^3, > 0
-  std::optional<int> modes;       // bending modes kept in each plane, >= 1
-  bool auto_modes = false;        // as few as modes_tolerance allows; `modes` is then empty
-  double modes_tolerance = 0.01;  // relative, in (0, 1): rotor/mode_truncation.h
+  double length = 0.0;       // m, > 0
+  double E = 0.0;            // Pa, > 0
+  std::optional<double> nu;  // 1, in (-1, 0.5]; at most one of nu and G
+  double G = 0.0;            // Pa, > 0: given, or E / (2 (1 + nu)) with nu = 0.3 by default
+  double rho = 0.0;          // kg/m^3, > 0
+  ShaftTheory theory = ShaftTheory::kEulerBernoulli;
+  // 1, > 0, shear area of a cross-section divided by its area; empty: by Cowper
+  // (rotor/shaft_basis.h). Only with kTimoshenko.
+  std::optional<double> shear_coefficient;
+  double axial_force = 0.0;             // N, constant along the shaft, tension positive
+  std::optional<int> modes;             // bending modes kept in each plane, >= 1
+  bool auto_modes = false;              // as few as modes_tolerance allows; `modes` is then empty
+  double modes_tolerance = 0.01;        // relative, in (0, 1): rotor/mode_truncation.h
   std::optional<double> max_frequency;  // rad/s: modes kept up to this frequency
   double damping_ratio = 0.0;           // external modal damping, >= 0
   double internal_damping_ratio = 0.0;  // rotating modal damping, >= 0
