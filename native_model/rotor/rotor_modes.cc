@@ -190,8 +190,8 @@ std::vector<double> numbers_of(const scene::Scene& scene, int wanted, double fre
   }
   begin_list(bearings);
   for (const scene::ShaftBearing& bearing : bearings) {
-    const auto& [z, k, c, cross_k, cross_c, offset, speed, kxx, kxy, kyx, kyy, cxx, cxy, cyx, cyy] =
-        bearing;
+    const auto& [z, k, c, cross_k, cross_c, offset, journal, speed, kxx, kxy, kyx, kyy, cxx, cxy,
+                 cyx, cyy] = bearing;
     add(z, k.x(), k.y());
   }
   begin_list(stations);

@@ -7,6 +7,7 @@
 #include <string>
 #include <vector>
 
+#include "native_model/film/journal_bearing.h"
 #include "native_model/scene/auxiliary_bearing.h"
 
 namespace rotorub {
@@ -62,6 +63,10 @@ struct ShaftBearing {
   Eigen::Vector2d cross_damping{0.0, 0.0};    // N s/m, c_xy, c_yx
   Eigen::Vector2d offset{0.0, 0.0};           // m, from the line x = y = 0
 
+  // A plain bearing given by its dimensions, instead of coefficients. `complete` fills the table
+  // below from it.
+  std::optional<JournalBearing> journal{};
+
   // The coefficients as functions of the rotational speed (rad/s, ascending), instead of the four
   // members above. Each list has the length of table_speed or is empty.
   std::vector<double> table_speed{};
@@ -69,7 +74,7 @@ struct ShaftBearing {
   std::vector<double> table_cxx{}, table_cxy{}, table_cyx{},
       table_cyy{};  // N s/m; cyy empty: as cxx
 
-  bool follows_speed() const { return !table_speed.empty(); }
+  bool follows_speed() const { return journal || !table_speed.empty(); }
   bool crosses() const { return !cross_stiffness.isZero(0.0) || !cross_damping.isZero(0.0); }
 };
 
