@@ -101,17 +101,40 @@ void add_discs(const scene::RotorGeometry& geometry, RitzBending& ritz) {
   }
 }
 
+std::vector<BearingRows> bearing_rows(const scene::RotorGeometry& geometry,
+                                      const BendingBasis& basis) {
+  std::vector<BearingRows> all;
+  int pedestals = 0;
+  for (const scene::ShaftBearing& bearing : geometry.bearings) {
+    BearingRows& rows = all.emplace_back(BearingRows{basis.deflection(bearing.z), {}});
+    if (!bearing.pedestal) continue;
+    rows.pedestal = basis.other(pedestals++);
+    rows.relative -= rows.pedestal;
+  }
+  return all;
+}
+
+void add_pedestals(const scene::RotorGeometry& geometry, RitzBending& ritz) {
+  for (std::size_t i = 0; i < ritz.bearings.size(); ++i) {
+    const auto& pedestal = geometry.bearings[i].pedestal;
+    const Eigen::RowVectorXd& p = ritz.bearings[i].pedestal;
+    if (pedestal) ritz.mass += pedestal->mass * p.transpose() * p;
+  }
+}
+
 Eigen::MatrixXd stiffness(const scene::RotorGeometry& geometry, const BendingBasis& basis,
-                          int plane) {
+                          const std::vector<BearingRows>& bearings, int plane) {
   Eigen::MatrixXd K = geometry.E * basis.curvature_integral();
   if (is_sheared(geometry)) {
     K += geometry.G * basis.shear_integral([&](const ShaftElement& element, double z) {
       return shear_coefficient(geometry, element, z) * element.area(z);
     });
   }
-  for (const scene::ShaftBearing& bearing : geometry.bearings) {
-    const Eigen::RowVectorXd u = basis.deflection(bearing.z);
+  for (std::size_t i = 0; i < bearings.size(); ++i) {
+    const scene::ShaftBearing& bearing = geometry.bearings[i];
+    const auto& [u, p] = bearings[i];
     K += bearing.stiffness[plane] * u.transpose() * u;
+    if (bearing.pedestal) K += bearing.pedestal->stiffness[plane] * p.transpose() * p;
   }
   return K;
 }
@@ -155,15 +178,24 @@ std::vector<ShaftElement> bending_mesh(const scene::RotorGeometry& geometry,
 RitzBending ritz_bending(const scene::RotorGeometry& geometry, std::vector<ShaftElement> mesh) {
   const auto [first_x, last_x] = supports(geometry, 0);
   const auto [first_y, last_y] = supports(geometry, 1);
-  BendingBasis basis(std::move(mesh), std::min(first_x, first_y), std::max(last_x, last_y));
+  const auto pedestals = std::ranges::count_if(
+      geometry.bearings, [](const scene::ShaftBearing& b) { return b.pedestal.has_value(); });
+  BendingBasis basis(std::move(mesh), std::min(first_x, first_y), std::max(last_x, last_y),
+                     static_cast<int>(pedestals));
   const int n = basis.size();
-  RitzBending ritz{
-      std::move(basis),        Eigen::MatrixXd::Zero(n, n), Eigen::MatrixXd::Zero(n, n), {}, {},
-      Eigen::VectorXd::Zero(n)};
+  std::vector<BearingRows> bearings = bearing_rows(geometry, basis);
+  RitzBending ritz{std::move(basis),
+                   std::move(bearings),
+                   Eigen::MatrixXd::Zero(n, n),
+                   Eigen::MatrixXd::Zero(n, n),
+                   {},
+                   {},
+                   Eigen::VectorXd::Zero(n)};
   add_shaft(geometry, ritz);
   add_discs(geometry, ritz);
-  ritz.stiffness_x = stiffness(geometry, ritz.basis, 0);
-  ritz.stiffness_y = stiffness(geometry, ritz.basis, 1);
+  add_pedestals(geometry, ritz);
+  ritz.stiffness_x = stiffness(geometry, ritz.basis, ritz.bearings, 0);
+  ritz.stiffness_y = stiffness(geometry, ritz.basis, ritz.bearings, 1);
   if (geometry.axial_force != 0.0) add_axial_force(geometry.axial_force, ritz);
   ritz.isotropic = ritz.stiffness_x == ritz.stiffness_y;
   return ritz;

@@ -4,6 +4,9 @@
 //   G = int 2 rho I p'p dz + sum J_p p'p        (I_p = 2 I)
 //   K = int E I p_z'p_z + G k A g'g + N u_z'u_z dz + sum k u'u
 //
+// With a pedestal under a bearing, u there is the deflection relative to it, and the pedestal's own
+// displacement is a further coordinate, with its mass in M and its spring in K.
+//
 // u, p: rows of shape functions and of the angles of the cross-sections; g = u_z - p: shear
 // strains, 0 for an Euler-Bernoulli shaft (BendingBasis). k: shear coefficient; N: axial force. All
 // integrals are exact. (The bore of a cone may change its shear coefficient; its integral is exact
@@ -18,8 +21,15 @@
 
 namespace rotorub {
 
+// Rows over the coordinates of a bearing: what its law acts on, the deflection of the shaft
+// relative to the pedestal, and the displacement of the pedestal; empty without one.
+struct BearingRows {
+  Eigen::RowVectorXd relative, pedestal;
+};
+
 struct RitzBending {
   BendingBasis basis;
+  std::vector<BearingRows> bearings;         // of the geometry
   Eigen::MatrixXd mass;                      // N x N, symmetric, positive definite
   Eigen::MatrixXd gyroscopic;                // N x N, symmetric, >= 0
   Eigen::MatrixXd stiffness_x, stiffness_y;  // N x N, symmetric, positive definite

@@ -190,9 +190,10 @@ std::vector<double> numbers_of(const scene::Scene& scene, int wanted, double fre
   }
   begin_list(bearings);
   for (const scene::ShaftBearing& bearing : bearings) {
-    const auto& [z, k, c, cross_k, cross_c, offset, journal, speed, kxx, kxy, kyx, kyy, cxx, cxy,
-                 cyx, cyy] = bearing;
-    add(z, k.x(), k.y());
+    const auto& [z, k, c, cross_k, cross_c, offset, pedestal, journal, speed, kxx, kxy, kyx, kyy,
+                 cxx, cxy, cyx, cyy] = bearing;
+    add(z, k.x(), k.y(), pedestal ? 1.0 : 0.0);
+    if (pedestal) add(pedestal->mass, pedestal->stiffness.x(), pedestal->stiffness.y());
   }
   begin_list(stations);
   for (const double z : stations) add(z);

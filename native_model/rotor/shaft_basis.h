@@ -128,18 +128,21 @@ void for_each_point(const ShaftElement& element, int points, const Add& add) {
 // Deflection u(z) = a (z_b - z)/(z_b - z_a) + b (z - z_a)/(z_b - z_a) + elastic part. The elastic
 // part is 0 at the anchors z_a, z_b. With the angle psi of the cross-section and the shear strain
 // gamma, u_z = psi + gamma, and the curvature is psi_z; without shear gamma = 0. Coordinates: a, b
-// (m), then of each element the curvatures (1/m) and the shear strains (1).
+// (m), then of each element the curvatures (1/m) and the shear strains (1), then the displacements
+// of `others` bodies beside the shaft (m).
 class BendingBasis {
  public:
   // Anchors (m) in [0, length], first < second.
-  BendingBasis(std::vector<ShaftElement> mesh, double first_anchor, double second_anchor);
+  BendingBasis(std::vector<ShaftElement> mesh, double first_anchor, double second_anchor,
+               int others = 0);
 
-  int size() const { return 2 + function_count(mesh_); }
+  int size() const { return 2 + function_count(mesh_) + others_; }
   const std::vector<ShaftElement>& mesh() const { return mesh_; }
 
   Eigen::RowVectorXd deflection(double z) const;  // 1, u
   Eigen::RowVectorXd tilt(double z) const;        // 1/m, psi
   Eigen::RowVectorXd slope(double z) const;       // 1/m, u_z, at a z within an element
+  Eigen::RowVectorXd other(int index) const;      // 1, displacement of a body beside the shaft
   // int I psi_z psi_z' dz (size x size; m^5 for the curvatures, 0 for all else), to be multiplied
   // by E. Diagonal except for one block per cone.
   Eigen::MatrixXd curvature_integral() const;
@@ -153,7 +156,8 @@ class BendingBasis {
   Eigen::RowVectorXd raw_tilt(double z) const;
 
   std::vector<ShaftElement> mesh_;
-  double first_, second_;                            // m, anchors
+  double first_, second_;  // m, anchors
+  int others_;
   Eigen::RowVectorXd raw_at_first_, raw_at_second_;  // deflection without the correction
 };
 

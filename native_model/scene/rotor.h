@@ -54,6 +54,13 @@ struct Disc {                 // a rigid disc on the shaft
   std::optional<double> balance_speed{};                            // rad/s
 };
 
+// The body between a bearing and the base. The bearing's law then acts between the shaft and it.
+struct Pedestal {
+  double mass = 0.0;              // kg, > 0
+  PlanePair stiffness{0.0, 0.0};  // N/m, > 0, to the base
+  PlanePair damping{0.0, 0.0};    // N s/m, >= 0, to the base
+};
+
 // A bearing of the shaft. Its full law is in bearing/bearing_film.h.
 struct ShaftBearing {
   double z = 0.0;                             // m, station
@@ -62,6 +69,8 @@ struct ShaftBearing {
   Eigen::Vector2d cross_stiffness{0.0, 0.0};  // N/m, k_xy, k_yx
   Eigen::Vector2d cross_damping{0.0, 0.0};    // N s/m, c_xy, c_yx
   Eigen::Vector2d offset{0.0, 0.0};           // m, from the line x = y = 0
+
+  std::optional<Pedestal> pedestal{};  // absent: the base carries the bearing
 
   // A plain bearing given by its dimensions, instead of coefficients. `complete` fills the table
   // below from it.

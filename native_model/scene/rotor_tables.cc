@@ -258,8 +258,8 @@ void check_modal_torsion(const Reading& check) {
 }  // namespace
 
 std::vector<Table> rotor_tables() {
-  return {rotor(),         section(), disc_table(), shaft_bearing_table(),
-          journal_table(), modal(),   torsion()};
+  return {rotor(),         section(),        disc_table(), shaft_bearing_table(),
+          journal_table(), pedestal_table(), modal(),      torsion()};
 }
 
 void check_rotor(Reading& check) {

@@ -112,6 +112,20 @@ Table shaft_bearing_table() {
       .in(Form::kGeometry);
 }
 
+Table pedestal_table() {
+  return Table{
+      "rotor.bearing.pedestal",
+      "A body between this bearing and the base. The bearing acts between shaft and pedestal; the "
+      "pedestal's own weight is left out.",
+      "the base carries the bearing",
+      [](Scene& scene) -> void* { return &geometry_of(scene).bearings.back().pedestal.emplace(); },
+      {key<&Pedestal::mass>("mass", kMass, "> 0", kRequired, "mass"),
+       planes<&Pedestal::stiffness>("stiffness", kStiffness, "> 0", kRequired,
+                                    "stiffness to the base"),
+       planes<&Pedestal::damping>("damping", kDamping, ">= 0", kStandard, "damping to the base")}}
+      .in(Form::kGeometry);
+}
+
 Table journal_table() {
   return Table{
       "rotor.bearing.journal",
@@ -139,6 +153,11 @@ void check_bearings(Reading& check, const RotorGeometry& shaft) {
     check.at = list_element("rotor.bearing", i);
     check.station(".z", shaft.bearings[i].z);
     if (check.given(".journal")) check_journal(check);
+    if (check.given(".pedestal") && shaft.internal_damping_ratio > 0.0) {
+      check.fail(".pedestal",
+                 "rotor.internal_damping_ratio damps whole modes in the rotating frame, and a "
+                 "pedestal does not turn; accepted: one of the two");
+    }
     if (check.given(".table_speed")) {
       check_table(check, shaft.bearings[i]);
       continue;

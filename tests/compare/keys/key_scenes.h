@@ -143,6 +143,8 @@ inline std::vector<KeyScene> key_scenes() {
       "journal bearing",
       {"rotor.bearing[2]={z=0.45,journal={diameter=0.02,length=0.01,clearance=5e-5,viscosity=0.02,"
        "load=30.0,load_angle=-1.2,theory='short'}}"});
+  shaft("pedestal",
+        {"rotor.bearing[0].pedestal={mass=3.0,stiffness=[2e7,3e7],damping=[400.0,300.0]}"});
   // With a sleeve, without which no number of modes is enough.
   shaft("modes by themselves", {"initial=none", "rotor.modes='auto'", "rotor.modes_tolerance=0.5",
                                 "rotor.disc[1]={z=0.28,mass=1.0,Jt=1e-4,Jp=2e-4}"});

@@ -154,7 +154,8 @@ std::vector<double> whirl_of(const RitzBending& r, double speed) {
   A.bottomRightCorner(n, n) =
       std::complex<double>(0.0, speed) * mass.solve(r.gyroscopic).cast<std::complex<double>>();
   std::vector<double> all;
-  for (const std::complex<double>& s : *complex_eigenvalues(A)) all.push_back(std::abs(s.imag()));
+  const auto eigenvalues = complex_eigenvalues(A).value();
+  for (const std::complex<double>& s : eigenvalues) all.push_back(std::abs(s.imag()));
   std::sort(all.begin(), all.end());
   return all;
 }
