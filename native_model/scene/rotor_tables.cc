@@ -56,7 +56,7 @@ Table rotor() {
        shaft<&RotorGeometry::length>("length", kLength, "> 0", kRequired,
                                      "shaft length, from station 0"),
        shaft<&RotorGeometry::E>("E", kPressure, "> 0", kRequired, "Young's modulus"),
-       shaft<&RotorGeometry::nu>("nu", kPure, "in (-1, 0.5]", "0.3; torsion needs it or `G`",
+       shaft<&RotorGeometry::nu>("nu", kPure, "in (-1, 0.5]", "0.3; torsion and shear need it or `G`",
                                  "Poisson's ratio, unless `G` is given"),
        shaft<&RotorGeometry::G>("G", kPressure, "> 0", "`E` / (2 (1 + `nu`))", "shear modulus"),
        shaft<&RotorGeometry::rho>("rho", kDensity, "> 0", kRequired, "density"), theory(),
