@@ -12,8 +12,8 @@
 namespace rotorub {
 namespace {
 
-constexpr double kLeast = 0.01, kMost = 0.97;  // eccentricities
-constexpr int kPoints = 81;                    // in each sense of rotation
+constexpr double kLeast = 0.01, kMost = 0.9;  // eccentricities
+constexpr int kPoints = 65;                   // in each sense of rotation
 
 FilmForces film_forces(FilmTheory theory, double length_to_diameter, double e) {
   return theory == FilmTheory::kShort ? short_film(length_to_diameter, e)

@@ -39,7 +39,7 @@ struct FilmPoint {
 // The point with this eccentricity; `sense`: of the rotation, 1 or -1.
 FilmPoint film_point(const JournalBearing& bearing, double eccentricity, double sense = 1.0);
 
-// The points from the eccentricity 0.01 to 0.97 in both senses of rotation, by ascending speed, and
+// The points from the eccentricity 0.01 to 0.9 in both senses of rotation, by ascending speed, and
 // those at the speeds `exact` (rad/s) that lie between. Interpolated, the coefficients are off by
 // up to 0.3 % of the largest stiffness or damping: a finite film's damping jumps by a thousandth
 // from one volume to the next (film_forces.h), and the interpolation alone is better than 0.05 %.
