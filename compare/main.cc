@@ -35,9 +35,10 @@ bool at_work = false;
 void end_of_process() {
   if (!at_work) return;
   std::fputs(
-      "rotorub: a loaded library, such as a controller's, ended the program by calling exit(); the "
-      "results are incomplete. A controller must report a failure by its return value "
-      "(rotorub/controller.h)\n",
+      "rotorub: a loaded library, for example a controller, ended the program by calling exit(), "
+      "so "
+      "the results are incomplete. A controller must report a failure by its return value "
+      "(rotorub/controller.h).\n",
       stderr);
   std::_Exit(kFailed);
 }
@@ -47,7 +48,7 @@ int with_whole_output(int code) {
   const bool streamed = static_cast<bool>(std::cout.flush());
   const bool flushed = std::fflush(stdout) == 0 && std::ferror(stdout) == 0;
   if (streamed && flushed) return code;
-  failed(kFailed, "standard output could not be written to its end");
+  failed(kFailed, "standard output could not be written completely");
   return code == kDone || code == kOutside ? kFailed : code;
 }
 
@@ -55,7 +56,7 @@ int run(const Action& action) {
   try {
     return action();
   } catch (const scene::SceneError& error) {
-    std::cerr << error.what() << "\n";
+    print_diagnostics(error.what());
     return kBadInput;
   } catch (const UsageError& error) {
     return failed(kBadInput, error.what());
@@ -75,8 +76,7 @@ int run(const Action& action) {
                   (place.empty() ? "the current folder" : place) + ": " + error.code().message());
   } catch (const std::bad_alloc&) {
     return failed(kFailed,
-                  "there is not enough memory for this: a shorter run, fewer rows or a smaller "
-                  "picture needs less");
+                  "there is not enough memory; try a shorter run, fewer rows or a smaller picture");
   } catch (const Interrupted& error) {
     return failed(kStopped, error.what());
   } catch (const std::exception& error) {

@@ -119,7 +119,7 @@ ContactPair contact_pair(scene::ContactModel model, double clearance, const Fric
   ContactPair pair;
   // `coulomb`: the plugin adds the friction, and MuJoCo's contact has none. A cone without friction
   // does not need the tangential directions either.
-  pair.condim = is_cone && !friction.none() ? 3 : 1;
+  pair.condim = is_cone && !friction.is_frictionless() ? 3 : 1;
   pair.friction = is_cone ? friction.constant("MuJoCo's cone") : friction.sticking();
   pair.soft = soft;
   // In a lasting rub `coulomb` and `cone-coulomb` keep the gap at 0 up to the step's error. A
@@ -127,8 +127,9 @@ ContactPair contact_pair(scene::ContactModel model, double clearance, const Fric
   // margin as a gap. `rigid` shows the contact from farther away, for viewers, and its pair gap is
   // too large for MuJoCo's solver to act at any penetration.
   const bool is_soft = model == scene::ContactModel::kCoulomb;
-  const double reach =
-      model == scene::ContactModel::kCone || soft.gives ? 0.0 : (is_soft ? 1e-3 : 1e-2) * clearance;
+  const double reach = model == scene::ContactModel::kCone || soft.is_compliant
+                           ? 0.0
+                           : (is_soft ? 1e-3 : 1e-2) * clearance;
   pair.gap = is_rigid || kept_out ? 1e3 : 0.0;
   // Before 3.9 a contact is detected below the margin and solved below margin - gap. Since then it
   // is detected below margin + gap and solved below the margin.

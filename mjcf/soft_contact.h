@@ -19,10 +19,10 @@
 namespace rotorub {
 
 struct SoftContact {
-  double stiffness = 0.0;  // 1/s^2, K > 0
-  double damping = 0.0;    // 1/s, B >= 0
-  double impedance = 0.0;  // 1, d, constant (solimp)
-  bool gives = false;      // compliant contact: the plugin sets stiffness and damping
+  double stiffness = 0.0;     // 1/s^2, K > 0
+  double damping = 0.0;       // 1/s, B >= 0
+  double impedance = 0.0;     // 1, d, constant (solimp)
+  bool is_compliant = false;  // compliant contact: the plugin sets stiffness and damping
 };
 
 // Ratio of the speeds after and before an impact for a damping ratio zeta >= 0, in (0, 1].

@@ -123,7 +123,7 @@ class Document {
                     corrected ? "1e-8" : "1e-12"));
     const std::size_t loop = model_.first().loop ? model_.first().loop->memory_size() : 0;
     int user_data = names::user_data_size(model_.nq(), model_.first().controller != nullptr, loop);
-    if (scene_.first().contact && !segments_ && !scene_.gives()) {
+    if (scene_.first().contact && !segments_ && !scene_.is_compliant()) {
       user_data += names::verlet_data_size(model_.nq(), ZeroOrderHold::memory_size(model_),
                                            VerletStepper::memory_size(model_));
     }

@@ -32,12 +32,12 @@ bool carries(const mjModel* m, int body, int geom) {
 bool is_force(int type) { return type == mjSENS_FORCE || type == mjSENS_TORQUE; }
 
 bool feels(const mjModel* m, int sensor, const ContactPair& pair) {
-  if (scene::is_cone(pair.law)) return false;
+  if (scene::is_cone(pair.contact_model)) return false;
   const int type = m->sensor_type[sensor];
   if (!is_force(type) && type != mjSENS_TOUCH) return false;
   const int body = m->site_bodyid[m->sensor_objid[sensor]];
   if (is_force(type)) return carries(m, body, pair.rotor_geom) || carries(m, body, pair.ring_geom);
-  return pair.law == scene::ContactModel::kRigid &&
+  return pair.contact_model == scene::ContactModel::kRigid &&
          (body == m->geom_bodyid[pair.rotor_geom] || body == m->geom_bodyid[pair.ring_geom]);
 }
 
@@ -53,7 +53,7 @@ bool may_be(const mjModel* m, const ContactPair& pair, int type, int id) {
 }
 bool asks_for_force(const mjModel* m, int sensor, const ContactPair& pair) {
   constexpr int kForces = (1 << mjCONDATA_FORCE) | (1 << mjCONDATA_TORQUE);
-  return !scene::is_cone(pair.law) && m->sensor_type[sensor] == mjSENS_CONTACT &&
+  return !scene::is_cone(pair.contact_model) && m->sensor_type[sensor] == mjSENS_CONTACT &&
          (m->sensor_intprm[mjNSENS * sensor] & kForces) &&
          may_be(m, pair, m->sensor_objtype[sensor], m->sensor_objid[sensor]) &&
          may_be(m, pair, m->sensor_reftype[sensor], m->sensor_refid[sensor]);
@@ -96,10 +96,10 @@ ContactForce force_of(const ContactPair& pair, const mjData* d, double since) {
   ContactForce f;
   const ContactEntries& entry = contact_entries(pair, d);
   f.place = contact_place(pair, d);
-  if (scene::is_cone(pair.law) || !(f.place.d.norm() > kNoNormal)) return f;
+  if (scene::is_cone(pair.contact_model) || !(f.place.d.norm() > kNoNormal)) return f;
   f.friction = entry.friction_force;
   f.e_r = f.place.d.normalized();
-  const bool rigid = pair.law == scene::ContactModel::kRigid;
+  const bool rigid = pair.contact_model == scene::ContactModel::kRigid;
   if (rigid || pair.further) f.normal = entry.normal_force;
   // Only `rigid` and contacts with friction along the axis record each pass with a force.
   if (!rigid && !pair.axial) return f;
@@ -168,9 +168,9 @@ void map_load_cells(const mjModel* m, Config& config) {
   for (int i = 0; i < m->nsensor; ++i) {
     for (const ContactPair& pair : config.pairs) {
       const std::string element = message("<sensor name=\"{}\">", m->names + m->name_sensoradr[i]);
-      const std::string reason =
-          message("MuJoCo does not see the force of contact model {} in it",
-                  pair.law == scene::ContactModel::kRigid ? "rigid" : "coulomb (its friction)");
+      const std::string reason = message(
+          "MuJoCo does not see the force of contact model {} in it",
+          pair.contact_model == scene::ContactModel::kRigid ? "rigid" : "coulomb (its friction)");
       if (asks_for_force(m, i, pair)) {
         refuse(element,
                reason +
@@ -202,7 +202,7 @@ void add_wrenches(const ContactPair& pair, const ContactForce& f, const mjModel*
   add_wrench(m, d, m->geom_bodyid[pair.rotor_geom], d->geom_xpos + 3 * pair.rotor_geom,
              f.place.axes, force, torque);
   add_wrench(m, d, m->geom_bodyid[pair.ring_geom], f.place.ring_point, f.place.axes, -force,
-             -f.place.ring_spin * torque);
+             -f.place.ring_spin_factor * torque);
 }
 
 }  // namespace
@@ -259,8 +259,8 @@ void contact_force(const mjModel* m, const mjData* d, int id, mjtNum result[6],
     if (!regular && !reverse) continue;
     const ContactForce f = force_of(pair, d, m->opt.timestep);  // also after mj_step
     // If the geoms change places, e_t and the body that the force acts on both turn round.
-    if (pair.law == scene::ContactModel::kRigid || pair.further) result[0] = f.normal;
-    if (scene::is_cone(pair.law)) continue;
+    if (pair.contact_model == scene::ContactModel::kRigid || pair.further) result[0] = f.normal;
+    if (scene::is_cone(pair.contact_model)) continue;
     result[1] = -f.friction;
     if (result[0] > 0.0) result[2] = regular ? -f.axial : f.axial;
   }

@@ -114,7 +114,7 @@ ContactPair map_contact(const mjModel* m, const Config& config, std::size_t k, i
     return id;
   };
   ContactPair p;
-  p.law = config.contact;
+  p.contact_model = config.contact;
   p.contact = p.given = *config.model.auxiliary[k].contact;
   p.rotor_geom = geom(rotor, mjGEOM_SPHERE, "sphere");
   p.ring_geom = geom(ring, mjGEOM_CAPSULE, "capsule");
@@ -194,7 +194,7 @@ int map_memory(const mjModel* m, const scene::Scene& scene, Config& config) {
   int needed = names::user_data_size(config.model.nq(), ring.controller != nullptr, loop);
   config.loop_data = needed - static_cast<int>(loop);
   if (scene.first().contact && scene.mujoco.rotor != scene::MujocoRotor::kSegments &&
-      !scene.gives()) {
+      !scene.is_compliant()) {
     config.verlet_data = needed;
     needed += names::verlet_data_size(config.model.nq(), ZeroOrderHold::memory_size(config.model),
                                       VerletStepper::memory_size(config.model));

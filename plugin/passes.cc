@@ -123,8 +123,8 @@ void refresh_velocity_stage(const Config& config, const mjModel* m, mjData* d) {
   fresh = 0.0;
 }
 
-// Command and contact of this pass.
-void act(const Config& config, const mjModel* m, mjData* d) {
+// Writes the command of the scene's controller and applies the contacts of this pass.
+void apply_command_and_contacts(const Config& config, const mjModel* m, mjData* d) {
   if (config.takes_native_steps()) {
     try {
       apply_verlet(config, m, d, Coordinates(config, d));
@@ -150,7 +150,7 @@ bool has_escaped(const Config& config, mjData* d) {
   });
 }
 
-void act_or_refuse(const Config& config, const mjModel* m, mjData* d) {
+void run_control_stage(const Config& config, const mjModel* m, mjData* d) {
   if (const char* why = refused_integrator(config, m)) {
     mark_active(config, d, false);
     raise_error(why);
@@ -158,7 +158,7 @@ void act_or_refuse(const Config& config, const mjModel* m, mjData* d) {
   }
   watch_solver(config, m, d);
   forget_written_contacts(config, m, d);
-  act(config, m, d);
+  apply_command_and_contacts(config, m, d);
   remember_places(config, m, d);
   note_solved_contacts(config, m, d);
   seal_block(config, d);
@@ -190,12 +190,12 @@ class PluginForces {
 
 // If MuJoCo does not call mjcb_control, mjcb_passive is the last callback. What the velocity stage
 // computes after it is therefore done here first.
-void act_without_control(const Config& config, const mjModel* m, mjData* d) {
+void run_control_stage_early(const Config& config, const mjModel* m, mjData* d) {
   begin_actuators(d);
   const PluginForces others(m, d);
   mj_rne(m, d, 0, d->qfrc_bias);
   KeptReferences references(m, d);
-  act_or_refuse(config, m, d);
+  run_control_stage(config, m, d);
   references.keep();
 }
 
@@ -217,7 +217,7 @@ void passive_pass(const mjModel* m, mjData* d) {
   fresh_entry(*config, d) = fresh_mark(d);
   if (config->shadow) advance_shadow(*config, m, d);
   add_loads(*config, m, d);
-  if (control_skipped(m)) act_without_control(*config, m, d);
+  if (control_skipped(m)) run_control_stage_early(*config, m, d);
 }
 
 void control_pass(const mjModel* m, mjData* d) {
@@ -230,7 +230,7 @@ void control_pass(const mjModel* m, mjData* d) {
   }
   if (keep_places(*config, m, d)) fresh_entry(*config, d) = 0.0;
   refresh_velocity_stage(*config, m, d);
-  act_or_refuse(*config, m, d);
+  run_control_stage(*config, m, d);
 }
 
 void sensor_pass(const mjModel* m, mjData* d, int stage) {
@@ -260,7 +260,7 @@ bool collide_pair(const mjModel* m, const mjData* d, CollisionContact* con, int 
     count = collide_exactly(pair, d, con, g1, margin);
     // A contact that only the plugin solves is kept from MuJoCo's solver even if the pair's gap
     // does not do so.
-    const bool kept_out = pair.law == scene::ContactModel::kRigid || pair.further;
+    const bool kept_out = pair.contact_model == scene::ContactModel::kRigid || pair.further;
     if (kept_out && count > 0 && pair.pair >= 0) {
       con->dist = std::max<mjtNum>(con->dist, solved_below(m, pair.pair));
     }

@@ -1,4 +1,13 @@
-// The plugin's work in a forward pass, called by its callbacks (callbacks.cc).
+// The plugin's work in a forward pass, called by its callbacks (callbacks.cc), in this order:
+//
+//   collide_pair()    mjCOLLISIONFUNC  MuJoCo's contact of a pair, an exact disc in a ring
+//   passive_pass()    mjcb_passive     the scene's loads, into qfrc_passive
+//   control_pass()    mjcb_control     the scene's command, into ctrl; the contacts of all models
+//                                      (contact/pairs.h, on the modal chain with `rigid`
+//                                      contact/verlet.h), as forces in qfrc_passive; then MuJoCo
+//                                      solves its constraints
+//   magnet_answers()  mjcb_act_*       the force of an actuator with magnets
+//   sensor_pass()     mjcb_sensor      the user sensors, after each stage of MuJoCo
 #pragma once
 
 #include <mujoco/mujoco.h>

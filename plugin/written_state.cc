@@ -28,7 +28,7 @@ template <typename Action>
 void for_each_rigid(const Config& config, mjData* d, Action action) {
   if (!config.has_rigid() || config.takes_native_steps()) return;
   for (const ContactPair& pair : config.pairs) {
-    if (pair.law == scene::ContactModel::kRigid) action(pair, contact_entries(pair, d));
+    if (pair.contact_model == scene::ContactModel::kRigid) action(pair, contact_entries(pair, d));
   }
 }
 

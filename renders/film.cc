@@ -109,16 +109,16 @@ FilmFormat format_of(const std::filesystem::path& file,
     names += (names.empty() ? "" : " or ") + std::string(extension(format));
   }
   throw std::invalid_argument(
-      fmt::format("render: {}: a file name ending in {} is accepted", file.string(), names));
+      fmt::format("{}: expected the name of a file that ends in {}", file.string(), names));
 }
 
 void check_gif_length(const RenderOptions& options, int frames) {
   const double bytes = 4.0 * options.width * options.height * frames;
   if (bytes <= kMostGifBytes) return;
-  throw std::invalid_argument(
-      fmt::format("render: a GIF of {} frames of {} x {} pixels: at most {:.0f} such frames are "
-                  "accepted; show less of the run, or make it smaller, or an .mp4",
-                  frames, options.width, options.height, kMostGifBytes * frames / bytes));
+  throw std::invalid_argument(fmt::format(
+      "a GIF of {} frames of {} x {} pixels is too long, because at most {:.0f} such frames "
+      "are accepted; show less of the run, make the picture smaller, or make an .mp4",
+      frames, options.width, options.height, kMostGifBytes * frames / bytes));
 }
 
 }  // namespace
@@ -132,15 +132,14 @@ void check_options(const RenderOptions& options, FilmFormat format) {
   check_options(options);
   const bool odd = options.width % 2 != 0 || options.height % 2 != 0;
   if (format == FilmFormat::kMp4 && odd) {
-    throw std::invalid_argument(
-        fmt::format("render: size = {}x{}: of an .mp4 width and height are even (its colours have "
-                    "half the resolution); .gif and .png take any",
-                    options.width, options.height));
+    throw std::invalid_argument(fmt::format(
+        "size = {}x{}: expected an even width and height, because the colours of an .mp4 "
+        "have half the resolution; .gif and .png accept any size",
+        options.width, options.height));
   }
   if (format == FilmFormat::kGif && options.frames_per_second > kMostGifRate) {
-    throw std::invalid_argument(
-        fmt::format("render: frames per second = {}: 1 to {} is accepted of a .gif",
-                    options.frames_per_second, kMostGifRate));
+    throw std::invalid_argument(fmt::format("frames per second = {}: expected 1 to {} for a .gif",
+                                            options.frames_per_second, kMostGifRate));
   }
 }
 
@@ -179,7 +178,7 @@ PictureResult render_still(const scene::Scene& scene, const Trajectory& trajecto
   if (t && !(*t >= framing.from && *t <= framing.to)) {
     const double first = asked.from ? framing.from : playback.start();
     throw std::invalid_argument(fmt::format(
-        "render: no picture at {} s; expected a time from {} s to {} s", scene::number_text(*t),
+        "there is no picture at {} s; expected a time from {} s to {} s", scene::number_text(*t),
         scene::number_text(first), scene::number_text(framing.to)));
   }
   const double shown = t.value_or(hardest_impact(playback, framing));

@@ -28,7 +28,7 @@ std::string name_of(const scene::Scene& scene, std::size_t contact) {
 void check_view(const scene::Scene& scene, const RenderOptions& options) {
   if (scene.first().contact || options.view == FilmView::kRig) return;
   throw std::invalid_argument(
-      fmt::format("render: view = {}: rig is accepted, as {} has no [contact]",
+      fmt::format("view = {}: expected rig, because the scene {} has no [contact]",
                   to_string(options.view), scene.name));
 }
 
@@ -55,7 +55,7 @@ void FramePainter::take_runs(const scene::Scene& scene, const Trajectory& trajec
   for (const Trajectory* other : options.scaled_with) runs_.push_back(shown(scene, *other));
   if (options.shadow != nullptr) ghost_ = shown(scene, *options.shadow);
   if (ghost_ && ghost_->playback.modes() != runs_[0].playback.modes()) {
-    throw std::runtime_error("render: the shadow's series has another number of bending modes");
+    throw std::runtime_error("the series of the shadow has a different number of bending modes");
   }
 }
 

@@ -43,7 +43,7 @@ constexpr int kMostFrames = 20000;
 
 template <typename Value>
 [[noreturn]] void refuse(const char* option, const Value& value, const char* accepted) {
-  throw std::invalid_argument(fmt::format("render: {} = {}: {}", option, value, accepted));
+  throw std::invalid_argument(fmt::format("{} = {}: {}", option, value, accepted));
 }
 
 // The shown part of the runs. By default it begins shortly before the first contact of any run.
@@ -64,10 +64,9 @@ void set_window(Framing& framing, std::span<const Playback* const> runs,
   if (framing.from >= start - slack) framing.from = std::max(framing.from, start);
   if (framing.to <= end + slack) framing.to = std::min(framing.to, end);
   if (framing.from >= start && framing.from < framing.to && framing.to <= end) return;
-  throw std::invalid_argument(
-      fmt::format("render: from = {} s, to = {} s: a part of the run is accepted, which has rows "
-                  "from {} s to {} s",
-                  framing.from, framing.to, start, end));
+  throw std::invalid_argument(fmt::format(
+      "from = {} s, to = {} s: expected a part of the run, which has rows from {} s to {} s",
+      framing.from, framing.to, start, end));
 }
 
 }  // namespace
@@ -131,20 +130,20 @@ void check_options(const RenderOptions& options) {
     double least, most;
     const char* accepted;
   } numbers[] = {
-      {"width", options.width, 320, 3840, "320 to 3840 is accepted"},
-      {"height", options.height, 180, 2160, "180 to 2160 is accepted"},
-      {"frames per second", options.frames_per_second, 1, 120, "1 to 120 is accepted"},
-      {"slow motion", options.slow_motion, kAboveZero, kFinite, "must be above 0"},
-      {"duration", options.duration, kAboveZero, kFinite, "must be above 0"},
-      {"magnification", options.magnification, 1, 1e6, "1 to 1e6 is accepted"},
-      {"magnification", options.machine_magnification, 1, 1e6, "1 to 1e6 is accepted"},
+      {"width", options.width, 320, 3840, "expected 320 to 3840"},
+      {"height", options.height, 180, 2160, "expected 180 to 2160"},
+      {"frames per second", options.frames_per_second, 1, 120, "expected 1 to 120"},
+      {"slow motion", options.slow_motion, kAboveZero, kFinite, "expected a number above 0"},
+      {"duration", options.duration, kAboveZero, kFinite, "expected a number above 0"},
+      {"magnification", options.magnification, 1, 1e6, "expected 1 to 1e6"},
+      {"magnification", options.machine_magnification, 1, 1e6, "expected 1 to 1e6"},
   };
   for (const auto& [name, value, least, most, accepted] : numbers) {
     if (value && !(*value >= least && *value <= most)) refuse(name, *value, accepted);
   }
   if (options.samples != 0 && options.samples != 2 && options.samples != 4 &&
       options.samples != 8) {
-    refuse("samples", options.samples, "0, 2, 4 or 8 is accepted");
+    refuse("samples", options.samples, "expected 0, 2, 4 or 8");
   }
 }
 
@@ -180,7 +179,7 @@ Framing make_framing(std::span<const Playback* const> runs, const RenderOptions&
   const double frames = std::round(duration * options.frames_per_second);
   if (!(frames <= kMostFrames)) {
     refuse("frames", frames,
-           "at most 20000 are made: shorten the part shown, or ask for less slow motion");
+           "expected at most 20000; show a shorter part, or choose a smaller --slow");
   }
   framing.frames = std::max(2, static_cast<int>(frames));
   const double film = framing.frames / options.frames_per_second;

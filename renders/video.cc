@@ -160,8 +160,7 @@ class VideoFile::Patience {
     if (processor_seconds(video_->encoder_) > used_ || written() != written_) return renew();
     const double waited = std::chrono::duration<double>(Clock::now() - since_).count();
     if (waited < video_->patience_) return;
-    video_->fail(
-        fmt::format("ffmpeg hangs: it has done nothing for {:.0f} s, and was ended", waited));
+    video_->fail(fmt::format("ffmpeg did nothing for {:.0f} s, so it was ended", waited));
   }
 
  private:
@@ -205,8 +204,8 @@ VideoFile::VideoFile(const std::filesystem::path& file, int width, int height,
   close(ends[0]);
   if (error == 0) return;
   throw std::runtime_error(fmt::format(
-      "{}: cannot start the program `{}`: {} (it makes the video: install the Debian package "
-      "ffmpeg, or see that it is on PATH)",
+      "{}: cannot start the program `{}`, which makes the video: {}; install the Debian package "
+      "ffmpeg, or put the program on the PATH",
       file.string(), kEncoder, std::strerror(error)));
 }
 
@@ -234,7 +233,7 @@ void VideoFile::add(const Picture& frame) {
       poll(&writable, 1, kPoll_ms);
       patience.check();
     } else if (sent < 0 && errno != EINTR) {
-      fail(fmt::format("ffmpeg takes no more frames ({})", std::strerror(errno)));
+      fail(fmt::format("ffmpeg accepts no more frames ({})", std::strerror(errno)));
     }
   }
 }
@@ -244,7 +243,8 @@ void VideoFile::finish() {
   const int status = wait();
   if (!WIFEXITED(status)) fail(fmt::format("ffmpeg was ended by signal {}", WTERMSIG(status)));
   if (WEXITSTATUS(status) != 0) fail(fmt::format("ffmpeg failed ({})", WEXITSTATUS(status)));
-  if (!is_whole(part_, gif_)) fail("ffmpeg left it incomplete (is the disk full?)");
+  if (!is_whole(part_, gif_))
+    fail("ffmpeg left the file incomplete; check that the disk is not full");
   std::error_code error;
   std::filesystem::rename(part_, file_, error);
   if (error) fail(error.message());

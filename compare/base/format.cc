@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <string_view>
 
 namespace rotorub {
 
@@ -27,18 +28,26 @@ std::string time_text(double seconds) {
   return fmt::format("{:.6g} s", seconds);
 }
 
+namespace {
+// Columns of UTF-8 text on a terminal: one for each character, "µ" included.
+std::size_t columns_of(std::string_view text) {
+  return static_cast<std::size_t>(std::ranges::count_if(
+      text, [](char c) { return (static_cast<unsigned char>(c) & 0xc0u) != 0x80u; }));
+}
+}  // namespace
+
 std::string wrapped(const std::string& lead, const std::string& sentence,
                     std::optional<std::size_t> indent) {
-  const std::size_t margin = indent.value_or(lead.size());
+  const std::size_t margin = indent.value_or(columns_of(lead));
   std::string out = lead;
-  std::size_t column = lead.size();
+  std::size_t column = columns_of(lead);
   bool after_word = false;
   for (std::size_t at = 0; at < sentence.size();) {
     std::size_t end = std::min(sentence.find_first_of(" \n", at), sentence.size());
     if (sentence.compare(end, 2, " %") == 0)
       end += std::min(sentence.find_first_of(" \n", end + 1), sentence.size()) - end;
-    const std::size_t word = end - at;
-    if (word > 0) {
+    const std::size_t word = columns_of(std::string_view(sentence).substr(at, end - at));
+    if (end > at) {
       if (column > margin && column + (after_word ? 1 : 0) + word > kTerminalWidth) {
         out.erase(out.find_last_not_of(' ') + 1);
         out += "\n" + std::string(margin, ' ');
@@ -47,7 +56,7 @@ std::string wrapped(const std::string& lead, const std::string& sentence,
       }
       if (after_word) out += ' ';
       column += word + (after_word ? 1 : 0);
-      out.append(sentence, at, word);
+      out.append(sentence, at, end - at);
       after_word = true;
     }
     at = end + 1;

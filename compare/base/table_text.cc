@@ -57,7 +57,7 @@ bool TableText::next() {
 
 std::string TableText::row_fault() const {
   if (row_.size() == header_.size()) return {};
-  return fmt::format("{} fields where the header has {}", row_.size(), header_.size());
+  return fmt::format("the line has {} fields, but the header has {}", row_.size(), header_.size());
 }
 
 bool TableText::next_line(std::string_view& line) {

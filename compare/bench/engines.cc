@@ -7,9 +7,11 @@
 #include <functional>
 #include <sstream>
 #include <stdexcept>
+#include <string_view>
 
 #include "compare/peers/peers.h"
 #include "native_model/run/run_native.h"
+#include "native_model/scene/diagnostic.h"
 #include "native_model/scene/text.h"
 #include "native_model/scene/units.h"
 
@@ -103,14 +105,14 @@ std::vector<BenchEngine> make_engines() {
              "MuJoCo's soft normal contact, Coulomb friction by the plugin"),
       mujoco(scene::ContactModel::kCone, "MuJoCo's own soft contact with its friction cone"),
       mujoco(scene::ContactModel::kConeCoulomb,
-             "the same, its normal reference corrected for sliding")};
+             "the same, with its normal reference corrected for sliding")};
   for (const peers::Peer& p : peers::all_peers()) all.push_back(peer(p));
   return all;
 }
 
-std::string accepted() {
-  std::string names = "native, mujoco, peer";
-  for (const BenchEngine& engine : bench_engines()) names += ", " + engine.name;
+std::vector<std::string_view> accepted() {
+  std::vector<std::string_view> names{"native", "mujoco", "peer", "event", "verlet"};
+  for (const BenchEngine& engine : bench_engines()) names.push_back(engine.name);
   return names;
 }
 
@@ -123,13 +125,15 @@ Ladder default_ladder() {
 
 std::vector<double> parse_steps(const std::string& list) {
   return parse_list("--steps", list, scene::kTime, [](double step) -> std::string {
-    return step > 0.0 ? "" : "expected a time above 0, as 10us";
+    return step > 0.0 ? "" : "expected a time above 0, for example 10us";
   });
 }
 
 std::vector<double> parse_tolerances(const std::string& list) {
   return parse_list("--tolerances", list, scene::kPure, [](double tolerance) -> std::string {
-    return tolerance > 0.0 && tolerance < 1.0 ? "" : "expected a number in (0, 1), as 1e-8";
+    return tolerance > 0.0 && tolerance < 1.0
+               ? ""
+               : "expected a number above 0 and below 1, for example 1e-8";
   });
 }
 
@@ -199,8 +203,8 @@ std::vector<BenchEngine> chosen_engines(const std::string& list) {
       const bool by_name = names[k] == engine.name;
       if (!by_name && names[k] != to_string(engine.family)) continue;
       if (by_name && !engine.missing.empty()) {
-        throw std::invalid_argument(
-            fmt::format("--engines {}: {} is not here: {}", list, engine.name, engine.missing));
+        throw std::invalid_argument(fmt::format("--engines {}: {} is not available: {}", list,
+                                                engine.name, engine.missing));
       }
       wanted = met[k] = true;
     }
@@ -208,8 +212,8 @@ std::vector<BenchEngine> chosen_engines(const std::string& list) {
   }
   for (std::size_t k = 0; k < names.size(); ++k) {
     if (!met[k]) {
-      throw std::invalid_argument(
-          fmt::format("--engines {}: there is no `{}`; accepted: {}", list, names[k], accepted()));
+      throw std::invalid_argument(fmt::format("--engines {}: there is no engine `{}`{}", list,
+                                              names[k], scene::suggestion(names[k], accepted())));
     }
   }
   return chosen;

@@ -172,7 +172,7 @@ Table series_table(const SceneBench& bench) {
               {{"engine", "engine and setting", -kEngine - 2, result::kAll, "engine"},
                {"setting", "", -18, result::kAll, "setting"},
                {"order", "order", 6},
-               {.heading = "us/step", .width = 10},
+               {.heading = "µs/step", .width = 10},
                {.heading = "least error", .width = 12},
                {.heading = "  outcomes"}}};
   for (const Series& s : series_of(bench.points, bench.telling_errors())) {

@@ -59,7 +59,7 @@ bool is_plain(const scene::Scene& s) {
 bool is_free_mass(const scene::Scene& s) {
   const scene::RotorModal& m = *s.rotor.modal;
   return first(m.stiffness) == 0.0 && first(m.damping) == 0.0 && !s.first().stator &&
-         s.first().contact->friction.none();
+         s.first().contact->friction.is_frictionless();
 }
 
 bool acts_throughout(const scene::Force& f, double end) {

@@ -51,9 +51,10 @@ SceneBench bench_scene(const SceneReader& reader, const BenchParameters& paramet
   bench.scene = reader({});
   bench.engines = parameters.engines;
   if (!bench.scene.first().contact) {
-    throw std::invalid_argument(fmt::format(
-        "{}: the errors of a bench are shares of contact.clearance, and there is no [contact]",
-        bench.scene.name));
+    throw std::invalid_argument(
+        fmt::format("{}: the errors of a bench are shares of contact.clearance, but this scene has "
+                    "no [contact]",
+                    bench.scene.name));
   }
   // Rough shares of the time; the timed repeats take nearly all of it.
   const auto part = [&](double from, double to) {

@@ -7,10 +7,14 @@
 #include <cmath>
 #include <nlohmann/json.hpp>
 #include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
 
 #include "compare/figures/figure.h"
 #include "compare/metrics/metrics.h"
 #include "compare/run_files/summary.h"
+#include "native_model/scene/diagnostic.h"
 
 namespace rotorub::check {
 namespace {
@@ -31,29 +35,32 @@ json residuals(const scene::Scene& scene, const Trajectory& trajectory) {
 }
 
 // null counts as a number, because a run may lack the value.
-std::string numbers_of(const json& object) {
-  std::string names;
+std::vector<std::string> numbers_of(const json& object, const std::string& before = {}) {
+  std::vector<std::string> names;
   for (const auto& [key, value] : object.items()) {
-    if (value.is_number() || value.is_null()) names += (names.empty() ? "" : ", ") + key;
+    if (value.is_number() || value.is_null()) names.push_back(before + key);
   }
   return names;
 }
 
-[[noreturn]] void refuse(const std::string& metric, const std::string& accepted) {
-  throw NoSuchMetric(fmt::format("there is no `{}`; accepted: {}", metric, accepted));
+[[noreturn]] void refuse(const std::string& metric, const std::vector<std::string>& accepted) {
+  const std::vector<std::string_view> words(accepted.begin(), accepted.end());
+  throw NoSuchMetric(fmt::format("there is no `{}`{}", metric, scene::suggestion(metric, words)));
 }
 
 const std::vector<double>& column(const std::string& metric, const std::string& name,
                                   const Trajectory& trajectory) {
   if (trajectory.has(name)) return trajectory.column(name);
-  std::string names;
-  for (const Column& c : trajectory.series) names += (names.empty() ? "" : ", ") + c.name;
-  refuse(metric, "columns " + names);
+  const std::string before = metric.substr(0, metric.size() - name.size());
+  std::vector<std::string> names;
+  for (const Column& c : trajectory.series) names.push_back(before + c.name);
+  refuse(metric, names);
 }
 
 double number_of(const json& object, const std::string& key, const std::string& metric) {
   const auto found = object.find(key);
-  if (found == object.end() || !found->is_number()) refuse(metric, numbers_of(object));
+  if (found == object.end() || !found->is_number())
+    refuse(metric, numbers_of(object, metric.substr(0, metric.size() - key.size())));
   return found->get<double>();
 }
 
@@ -77,13 +84,13 @@ double largest_difference(const std::string& metric, const std::string& name, co
 
 std::int64_t count_of(const std::string& metric, const std::string& name,
                       const Trajectory& trajectory) {
-  std::string names;
+  std::vector<std::string> names;
   for (const EventKind kind : kEventKinds) {
     if (name == to_string(kind)) {
       return std::count_if(trajectory.events.begin(), trajectory.events.end(),
                            [&](const Event& e) { return e.kind == kind; });
     }
-    names += (names.empty() ? "count." : ", count.") + std::string(to_string(kind));
+    names.push_back("count." + std::string(to_string(kind)));
   }
   refuse(metric, names);
 }
@@ -102,9 +109,10 @@ void check_name(const std::string& metric) {
   } else {
     const json numbers = metrics_json({});
     if (numbers.contains(metric) && !numbers[metric].is_structured()) return;
-    refuse(metric,
-           numbers_of(numbers) +
-               ", error.<column>, end.<column>, largest.<column>, residual.<name>, count.<event>");
+    std::vector<std::string> names = numbers_of(numbers);
+    names.insert(names.end(), {"error.<column>", "end.<column>", "largest.<column>",
+                               "residual.<name>", "count.<event>"});
+    refuse(metric, names);
   }
 }
 

@@ -46,7 +46,9 @@ void check_scenes(const BenchArguments& options) {
   read_each(options.scenes, [&](const std::string& file) {
     if (read_scene(file, options).first().contact) return;
     throw UsageError(
-        "{}: levels of error are shares of contact.clearance; give a scene with [contact]", file);
+        "{}: this scene has no [contact], but the levels of error are shares of contact.clearance; "
+        "give a scene with one",
+        file);
   });
 }
 
@@ -96,13 +98,13 @@ int run_bench(const BenchArguments& options) {
 Command add_bench_command(CLI::App& program) {
   auto options = std::make_shared<BenchArguments>();
   CLI::App& app = add_command(program, "bench",
-                              "Measure speed against error: every engine over a series of steps");
+                              "Measure speed against error of every engine over a series of steps");
   add_option(app, "SCENE", options->scenes, "Scene files (.toml)").required();
   add_value(app, "--engines", options->engines, "LIST",
             "Engines or families (native, mujoco, peer), separated by commas (default: all)");
   add_value(
       app, "--steps", options->steps, "LIST",
-      "Fixed steps, separated by commas, e.g. 100us,10us (default: 1-2-5 from 200 us to 1 us)");
+      "Fixed steps, separated by commas, e.g. 100us,10us (default: 1-2-5 from 200 µs to 1 µs)");
   add_value(app, "--tolerances", options->tolerances, "LIST",
             "Tolerances of `event`, separated by commas (default: decades from 1e-4 to 1e-12)");
   add_value(app, "--repeats", options->repeats, "N", "Number of timed runs of each point")

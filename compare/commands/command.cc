@@ -7,8 +7,6 @@
 #include <csignal>
 #include <cstdio>
 #include <filesystem>
-#include <iostream>
-#include <optional>
 #include <set>
 #include <system_error>
 
@@ -33,18 +31,20 @@ std::string no_library(const std::string& file) {
   std::error_code none;
   if (!std::filesystem::exists(file, none)) return scene::printable(file) + ": no such file";
   if (std::filesystem::is_directory(file, none))
-    return scene::printable(file) + ": is a folder; give a file";
+    return scene::printable(file) + " is a folder; give a shared library (.so)";
   const std::string suffix = std::filesystem::path(file).extension().string();
   const std::string library = std::filesystem::path(file).stem().string() + ".so";
   if (suffix == ".c" || suffix == ".cc" || suffix == ".cpp") {
     return fmt::format(
-        "{} is a source: build it, {} -shared -fPIC -I PREFIX/include {} -o {}, and give {}", file,
-        suffix == ".c" ? "cc" : "c++", file, library, library);
+        "{} is source code; build it with `{} -shared -fPIC -I PREFIX/include {} -o {}`, and give "
+        "{}",
+        file, suffix == ".c" ? "cc" : "c++", file, library, library);
   }
   if (suffix != ".py") return "";
   return fmt::format(
-      "{} is Python; give a shared library. The example python_controller.c is one that calls a "
-      "law in Python",
+      "{} is a Python file; give a shared library (.so). The example python_controller.c builds "
+      "one "
+      "that calls a law in Python",
       file);
 }
 
@@ -63,13 +63,14 @@ void add_common_options(CLI::App& command, CommonOptions& options) {
 }
 
 void add_run_options(CLI::App& command, CommonOptions& options) {
-  add_value(command, "--step", options.step, "TIME", "Fixed step, e.g. 10us (run.step)");
+  add_value(command, "--step", options.step, "TIME",
+            "Fixed step of MuJoCo, verlet and euler, e.g. 10us (run.step)");
   add_value(command, "--end", options.end, "TIME", "End of the run, e.g. 0.5s (run.end)");
 }
 
 void add_controller_option(CLI::App& command, CommonOptions& options) {
   add_value(command, "--controller", options.controller, "FILE.so",
-            "Your own controller, a shared library, instead of the scene's")
+            "Shared library with your own controller, which replaces the scene's")
       .check(no_library)
       .each([](const std::string& file) { allow_library(std::filesystem::absolute(file)); });
   add_allow_library_option(command, options);
@@ -77,13 +78,14 @@ void add_controller_option(CLI::App& command, CommonOptions& options) {
 
 void add_allow_library_option(CLI::App& command, CommonOptions& options) {
   add_flag(command, "--allow-library", options.allow_library,
-           "Open the library that the scene names as its controller, if you trust its code");
+           "Load the library that the scene names as its controller; do this only if you trust its "
+           "code");
 }
 
 void add_format_option(CLI::App& command, std::string& format) {
   add_option(
       command, "--format", format,
-      "Format of the series: csv, or hdf5, which adds a file run.h5 to the tables of every run")
+      "Format of the results: csv, or hdf5, which adds a file run.h5 to the CSV files of each run")
       .one_of({"csv", "hdf5"})
       .shows_default();
 }
@@ -160,12 +162,13 @@ OwnRun own_run(const CommonOptions& options) {
   for (const std::string& text : options.overrides) {
     if (scene::override_key(text).starts_with("controller.")) continue;
     throw UsageError(
-        "--set {}: is for scenes; a machine of your own has its values in its .xml; accepted for "
-        "it: keys of the controller on its ring, as controller.sample_time",
+        "--set {}: this key belongs to scenes, but a machine of your own has its values in its "
+        ".xml; "
+        "only keys of the controller on its ring are accepted, for example controller.sample_time",
         text);
   }
   const auto time = [](const char* flag, const std::string& text) {
-    const std::string accepted = "a time above 0, as 10us or 0.5s";
+    const std::string accepted = "a time above 0, for example 10us or 0.5s";
     const double value = quantity_of(flag, text, scene::kTime, accepted);
     if (!(value > 0.0)) refuse(flag, text, accepted);
     return value;
@@ -194,12 +197,12 @@ void note_unitless_speed(const std::string& option, const std::string& text) {
 }
 
 double tolerance_of(const std::string& text) {
-  const std::string accepted = "a share of 0 or more, as 1% or 0.01";
+  const std::string accepted = "a share of 0 or more, for example 1% or 0.01";
   const double value = quantity_of("--tolerance", text, scene::kPure, accepted);
   if (!(value >= 0.0)) refuse("--tolerance", text, accepted);
   if (value >= 1.0 && text.find('%') == std::string::npos) {
     throw UsageError(
-        "--tolerance {0}: a bare number is a share, and {0} would be {1:.6g} %; write \"{0}%\" or "
+        "--tolerance {0}: a number without % is a share, so {0} means {1:.6g} %; write \"{0}%\" or "
         "{2:.6g}",
         text, 100.0 * value, 0.01 * value);
   }
@@ -209,7 +212,17 @@ double tolerance_of(const std::string& text) {
 void check_twins(int twins) {
   constexpr int kMost = 10'000;
   if (twins >= 0 && twins <= kMost) return;
-  throw UsageError("--twins {}: expected 0 to {}; 0 leaves out the spread", twins, kMost);
+  throw UsageError(
+      "--twins {}: expected a whole number from 0 to {} (0: the spread is not estimated)", twins,
+      kMost);
+}
+
+void note_idle_step(const CommonOptions& options, scene::Integrator integrator) {
+  if (options.quiet || options.step.empty() || integrator != scene::Integrator::kEvent) return;
+  fmt::print(stderr,
+             "note: --step {} has no effect, because the integrator event chooses its own steps; "
+             "for a fixed step use the integrator verlet\n",
+             scene::printable(options.step));
 }
 
 void say_failure(const scene::Scene& scene, const std::string& what, const Trajectory& trajectory) {
@@ -219,67 +232,6 @@ void say_failure(const scene::Scene& scene, const std::string& what, const Traje
   print_message(fmt::format(
       "{}: {}{}{}: {}", scene::printable(scene.name), what, to_string(trajectory.status),
       dated ? std::string() : fmt::format(" at t = {:.9g} s", trajectory.end), trajectory.message));
-}
-
-namespace {
-
-namespace fs = std::filesystem;
-
-[[noreturn]] void refuse_place(const fs::path& place, const std::string& reason) {
-  throw UsageError("cannot write to {}: {}", place.string(), reason);
-}
-
-// Throws unless the folder, or its nearest existing parent, accepts new files.
-void check_folder(const fs::path& folder) {
-  std::error_code none;
-  fs::path there = fs::absolute(folder.empty() ? "." : folder);
-  while (!fs::exists(fs::symlink_status(there, none)) && there.has_relative_path())
-    there = there.parent_path();
-  if (!fs::is_directory(there, none))
-    refuse_place(folder, there.filename().string() + " is not a folder");
-  try {
-    check_writable(folder);
-  } catch (const fs::filesystem_error& error) {
-    refuse_place(folder.empty() ? there : folder, error.code().message());
-  }
-}
-
-// The folder in which the file is first written under another name (write_whole). Empty for a
-// device or a pipe, which is written directly.
-std::optional<fs::path> folder_of_output(const fs::path& file) {
-  std::error_code none;
-  if (!file.has_filename() || fs::is_directory(file, none)) {
-    throw UsageError("{}: is a folder; give the name of a file", file.string());
-  }
-  if (!fs::exists(file, none)) return file.parent_path();
-  if (access(file.c_str(), W_OK) != 0) refuse_place(file, std::generic_category().message(errno));
-  if (!fs::is_regular_file(file, none)) return std::nullopt;
-  return fs::canonical(file, none).parent_path();
-}
-
-}  // namespace
-
-void check_output_file(const fs::path& file) {
-  if (file.empty()) return;
-  if (const auto folder = folder_of_output(file)) check_folder(*folder);
-}
-
-void check_output_folder(const fs::path& folder, const std::vector<std::string>& files) {
-  if (folder.empty()) return;
-  std::set<fs::path> folders{folder};
-  for (const std::string& file : files) {
-    if (const auto written = folder_of_output(folder / file)) folders.insert(*written);
-  }
-  for (const fs::path& written : folders) check_folder(written);
-}
-
-void write_or_print(const std::string& file, const std::string& text) {
-  if (file.empty()) {
-    std::cout << text;
-  } else {
-    check_output_file(file);
-    write_whole(file, text);
-  }
 }
 
 int finish(const result::Section& result, const PrintOptions& options, int code) {
@@ -293,7 +245,7 @@ void say(const PrintOptions& options, const std::string& words) {
   std::fflush(stdout);
 }
 
-result::Sentence written_to(const fs::path& place) {
+result::Sentence written_to(const std::filesystem::path& place) {
   return result::line(fmt::format("written to {}", printable_path(place)));
 }
 

@@ -127,6 +127,9 @@ Command add_manual_command(CLI::App& program);
 // the folder cannot be created or written to, a file is in the place of a folder or a folder in the
 // place of a file, or the file exists and is read-only. They do nothing if the name is empty.
 void check_output_file(const std::filesystem::path& file);
+// Throws UsageError if the file has another ending than `ending` (".xml"), unless it is a device or
+// a folder.
+void check_ending(const std::filesystem::path& file, std::string_view ending);
 // files: all names that the command may write there; they may include subfolders.
 void check_output_folder(const std::filesystem::path& folder,
                          const std::vector<std::string>& files);
@@ -146,6 +149,8 @@ Trajectory run_shown(const Engine& engine, const scene::Scene& scene, const std:
                      bool quiet);
 // The exit code for the status of a run.
 int exit_code_of(Status status);
+// Notes that --step has no effect, if it was given for a native run by `integrator` = event.
+void note_idle_step(const CommonOptions& options, scene::Integrator integrator);
 // Writes to standard error why a run did not reach its end. what: which run of the scene, "shadow:
 // ".
 void say_failure(const scene::Scene& scene, const std::string& what, const Trajectory& trajectory);

@@ -73,9 +73,10 @@ std::string_view meant(std::string_view word, const std::vector<std::string_view
 std::string empty_value(const CLI::App& command) {
   for (const CLI::Option* option : command.get_options()) {
     for (const std::string& value : option->results()) {
-      if (value.empty() || value == "=") return option->get_name() + ": its value is empty";
+      if (value.empty() || value == "=")
+        return option->get_name() + ": the value is empty; give one, or leave the option out";
       if (value.starts_with('='))
-        return fmt::format("{0} {1}: write {0} {2}", option->get_name(), value, value.substr(1));
+        return fmt::format("{0}{1}: write {0} {2}", option->get_name(), value, value.substr(1));
     }
   }
   return {};
@@ -117,9 +118,9 @@ std::string parser_message(const CLI::App& command, const CLI::ParseError& error
   if (const std::vector<std::string> unknown = command.remaining(true); !unknown.empty()) {
     message = unknown_argument(command, unknown);
   } else if (kind == "ArgumentMismatch" && option) {
-    message = fmt::format("{}: its value, {}, is missing", name, option_text(*option).value);
+    message = fmt::format("{}: the value {} is missing", name, option_text(*option).value);
   } else if (kind == "RequiredError" && option) {
-    message = fmt::format("no {} is given", name);
+    message = fmt::format("the argument {} is missing", name);
   }
   const bool is_command = command.get_parent() != nullptr;
   return fmt::format("{}{} `rotorub help{}{}` lists what is accepted", message,
@@ -140,7 +141,7 @@ std::vector<std::string> with_help(std::vector<std::string> arguments) {
 std::string unknown_command(const std::vector<std::string>& arguments,
                             const std::vector<std::string>& commands) {
   const std::vector<std::string_view> words(commands.begin(), commands.end());
-  if (arguments.empty()) return "no command given; choose from " + scene::join(words);
+  if (arguments.empty()) return "no command is given; choose from " + scene::join(words);
   const std::string& word = arguments[0];
   if (word.starts_with("-") || std::find(words.begin(), words.end(), word) != words.end())
     return {};
@@ -149,8 +150,9 @@ std::string unknown_command(const std::vector<std::string>& arguments,
 
 std::shared_ptr<CLI::App> new_program() {
   auto program = std::make_shared<CLI::App>(
-      "A flexible rotor rubbing in an active auxiliary bearing, in MuJoCo and in a native "
-      "rigid-contact model",
+      "Simulates a flexible rotor that rubs in an active auxiliary bearing, in MuJoCo and in a "
+      "native "
+      "model with rigid contact",
       "rotorub");
   // Before the commands, so that they inherit it.
   program->formatter(std::make_shared<HelpFormat>());

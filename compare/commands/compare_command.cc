@@ -78,8 +78,9 @@ std::vector<Subject> read_subjects(const CompareArguments& options) {
   for (std::size_t a = 0; a < subjects.size(); ++a) {
     for (std::size_t b = a + 1; b < subjects.size(); ++b) {
       if (subjects[a].scene.name == subjects[b].scene.name) {
-        throw UsageError("{} and {} have the same name, which names their results",
-                         options.scenes[a], options.scenes[b]);
+        throw UsageError(
+            "{} and {} have the same name, so their results would overwrite each other; rename one",
+            options.scenes[a], options.scenes[b]);
       }
     }
   }
@@ -88,8 +89,7 @@ std::vector<Subject> read_subjects(const CompareArguments& options) {
 
 MeasuredInput one_measured(const CompareArguments& options) {
   if (!options.measured.empty() && options.scenes.size() > 1) {
-    throw UsageError("--measured: one scene is accepted with it, {} are given",
-                     options.scenes.size());
+    throw UsageError("--measured takes a single scene, but {} are given", options.scenes.size());
   }
   return measured_of(options);
 }
@@ -109,8 +109,8 @@ std::vector<PageScene> pages_of(const CompareArguments& options,
     pages[k].films = std::move(films[k].films);
     if (films[k].failure.empty() || interrupted()) continue;
     pages[k].no_films = films[k].failure;
-    print_message(fmt::format("{}: no film: {}", scene::printable(comparisons[k].scene.name),
-                              films[k].failure));
+    print_message(fmt::format("{}: the film could not be made: {}",
+                              scene::printable(comparisons[k].scene.name), films[k].failure));
   }
   return pages;
 }
@@ -124,7 +124,7 @@ void find_settings(const CompareArguments& options, double tolerance,
     if (subject.own || !subject.scene.first().contact) continue;
     if (!options.tune) {
       pages[k].setting =
-          fmt::format("the fastest that can be trusted is found by rotorub tune {} --tolerance {}",
+          fmt::format("`rotorub tune {} --tolerance {}` finds the fastest one that can be trusted",
                       options.scenes[k], options.tolerance);
       continue;
     }
@@ -166,7 +166,7 @@ std::vector<SceneComparison> compare_all(const CompareArguments& options, double
     how.mode = compare_mode_of(options.mode);
     how.tolerance = tolerance;
     how.contact = !options.contact.empty() ? scene::contact_model(options.contact).value()
-                  : scene.gives()          ? scene::ContactModel::kCoulomb
+                  : scene.is_compliant()   ? scene::ContactModel::kCoulomb
                                            : kDefaultContact;
     how.twins = options.twins;
     how.jobs = options.jobs;
@@ -231,9 +231,9 @@ Command add_compare_command(CLI::App& program) {
   auto options = std::make_shared<CompareArguments>();
   CLI::App& app =
       add_command(program, "compare",
-                  "Run scenes in MuJoCo and in the native model and say how far apart they are");
+                  "Run scenes in MuJoCo and in the native model, and judge how far they differ");
   add_option(app, "SCENE", options->scenes,
-             "Scene files (.toml), or machines of your own (.xml): MJCF that names its rub "
+             "Scene files (.toml), or machines of your own (.xml): MJCF models that name their rub "
              "(plugin/README.md)")
       .required();
   add_option(app, "--mode", options->mode,
@@ -243,25 +243,25 @@ Command add_compare_command(CLI::App& program) {
       .one_of({"lockstep", "replay", "resync"})
       .shows_default();
   add_value(app, "--tolerance", options->tolerance, "SHARE",
-            "Largest difference that passes, as 1% or 0.01. Judged are averages (mean normal "
+            "Largest difference that passes, e.g. 1% or 0.01. It applies to averages (mean normal "
             "force, lasting contact, total impulse, friction work, whirl, spin, ring speed, "
-            "control force; least gap where nothing touches) and single moments (largest impact or "
-            "impulse, hard impacts, rms gap rate)")
+            "control force; least gap if nothing touches) and to single moments (largest impact "
+            "or impulse, hard impacts, rms gap rate)")
       .shows_default();
   add_option(app, "--contact", options->contact,
              "Contact model whose verdict sets the exit code; all are shown (default: rigid, or "
              "coulomb with a compliant contact)")
       .one_of(scene::contact_words<std::vector<std::string>>());
   add_value(app, "--twins", options->twins, "N",
-            "Maximum number of twins: further runs whose starts differ by a few units in the last "
-            "place. They show how precisely a difference is known, and end as soon as the verdict "
+            "Largest number of twins, further runs whose starts differ by a few units in the last "
+            "place. They show how precisely a difference is known, and stop as soon as the verdict "
             "is settled. If the native runs scatter, the contact model that decides gets twins too")
       .shows_default();
   add_flag(app, "--modes-ladder,!--no-modes-ladder", options->modes_ladder,
            "Estimate the error of the bending modes kept, by native runs with up to twice as "
            "many (default: on; geometry form only)");
-  add_option(app, "--jobs", options->jobs,
-             "Number of threads (default: one for each processor); it does not affect the results")
+  add_value(app, "--jobs", options->jobs, "N",
+            "Number of threads (default: one for each processor); it does not affect the results")
       .between(1, 4096);
   add_value(app, "-o,--output", options->folder, "DIR", "Folder of the results").shows_default();
   add_value(app, "--with", options->with, "DIR",
@@ -274,7 +274,7 @@ Command add_compare_command(CLI::App& program) {
            "Also find the fastest setting that can be trusted for each scene (rotorub tune), "
            "and show it beside the verdicts");
   add_flag(app, "--all-films", options->all_films,
-           "Make a film of every run (default: of MuJoCo alone beside the native run)")
+           "Make a film of every run (default: one film, of MuJoCo alone beside the native run)")
       .excludes(add_flag(app, "--no-video", options->no_video, "Make no films"));
   add_run_options(app, *options);
   add_controller_option(app, *options);

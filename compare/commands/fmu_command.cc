@@ -27,7 +27,8 @@ struct FmuArguments : CommonOptions {
 std::string binary() {
   const std::filesystem::path file = module_file("librotorub_fmu.so");
   if (file.empty())
-    throw std::runtime_error("librotorub_fmu.so is missing: it belongs into lib beside bin");
+    throw std::runtime_error(
+        "librotorub_fmu.so is missing; it belongs in the folder lib beside the program's bin");
   return scene::regular_file_text(file);
 }
 
@@ -50,6 +51,7 @@ result::Table ports_table(const std::string& place, const std::vector<StepwiseRu
 int write_fmu(const FmuArguments& options) {
   const scene::Scene scene = read_scene(options.scene, options);
   const std::filesystem::path file = options.file.empty() ? scene.name + ".fmu" : options.file;
+  check_ending(file, ".fmu");
   check_output_file(file);
   const StepwiseRun run(scene);
   const fmi::Version version = options.version == "2.0" ? fmi::Version::k2 : fmi::Version::k3;

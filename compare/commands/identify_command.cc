@@ -28,12 +28,13 @@ constexpr std::size_t kMostValues = 12;  // from one record
 identify::Wanted wanted_of(const std::string& text) {
   const auto refuse = [&](const std::string& why) {
     throw UsageError(
-        "--fit {}: {}; expected a key of the scene and its range, as contact.friction=0.05:0.4 or "
+        "--fit {}: {}; expected KEY=FROM:TO, for example contact.friction=0.05:0.4 or "
         "contact.clearance=0.3mm:0.6mm",
         scene::printable(text), why);
   };
   const std::size_t equals = text.find('='), colon = text.find(':', equals);
-  if (equals == std::string::npos || colon == std::string::npos) refuse("is not a range of a key");
+  if (equals == std::string::npos || colon == std::string::npos)
+    refuse("this is not a key with a range");
   identify::Wanted wanted;
   wanted.key = scene::trimmed(text.substr(0, equals));
   std::string reason;
@@ -42,7 +43,7 @@ identify::Wanted wanted_of(const std::string& text) {
   const bool is_number =
       key && key->type != scene::ValueType::kWord && key->type != scene::ValueType::kFlag &&
       key->type != scene::ValueType::kText && key->type != scene::ValueType::kWhole;
-  if (!is_number) refuse("that is not a number");
+  if (!is_number) refuse("this key does not take a number");
   const auto end = [&](const std::string& number) {
     const auto parsed = scene::parse_quantity(number, key->quantity);
     if (!parsed.error.empty()) refuse(parsed.error);
@@ -51,7 +52,7 @@ identify::Wanted wanted_of(const std::string& text) {
   wanted.from = end(text.substr(equals + 1, colon - equals - 1));
   wanted.to = end(text.substr(colon + 1));
   if (key->quantity.unit != "1") wanted.unit = key->quantity.unit;
-  if (!(wanted.from < wanted.to)) refuse("its range is empty");
+  if (!(wanted.from < wanted.to)) refuse("FROM must be below TO");
   return wanted;
 }
 
@@ -59,12 +60,13 @@ int run_identify(const IdentifyArguments& options) {
   identify::Parameters parameters;
   for (const std::string& text : options.fit) parameters.wanted.push_back(wanted_of(text));
   if (parameters.wanted.size() > kMostValues) {
-    throw UsageError("--fit: {} values; at most {} are allowed", parameters.wanted.size(),
+    throw UsageError("--fit is given {} times; at most {} are accepted", parameters.wanted.size(),
                      kMostValues);
   }
   const identify::ReadScene read = scene_reader(options.scene, options);
   read({});  // reports errors in the scene before the record is read
   const MeasuredInput measured = measured_of(options);
+  check_ending(options.file, ".toml");
   check_output_file(options.file);
   parameters.alignment = measured.alignment;
   parameters.interrupt = &interrupted();
@@ -90,7 +92,7 @@ Command add_identify_command(CLI::App& program) {
                               "Find values of a scene from a measured run, with their confidence");
   add_option(app, "SCENE", options->scene, "Scene file (.toml)").required();
   add_value(app, "--fit", options->fit, "KEY=FROM:TO",
-            "Key to fit and the range to search, as contact.friction=0.05:0.4; may be repeated")
+            "Key to fit and the range to search, e.g. contact.friction=0.05:0.4; may be repeated")
       .repeats()
       .required();
   add_measured_options(app, *options, "from which the values are found").required();

@@ -46,6 +46,14 @@ struct InitArguments : PrintOptions {
 // No real machine has sizes outside of this range.
 constexpr double kLeast = 1e-6, kMost = 1e6;
 
+// A sentence for a number without a unit, whose unit may not be the one that the user meant; empty
+// for other texts.
+std::string bare_number(const std::string& text, const scene::Quantity& quantity) {
+  const bool bare = quantity.unit != "1" && scene::trimmed(text).find_first_not_of(
+                                                "0123456789.eE+-") == std::string_view::npos;
+  return bare ? fmt::format(". A number without a unit is in {}", quantity.unit) : std::string();
+}
+
 // Finds the value of the text. zero: whether 0 is accepted too.
 void read(StarterValue& size, const char* option, const scene::Quantity& quantity,
           const std::string& standard, bool zero = false) {
@@ -54,9 +62,9 @@ void read(StarterValue& size, const char* option, const scene::Quantity& quantit
       (zero && parsed.value == 0.0) || (parsed.value >= kLeast && parsed.value <= kMost);
   if (!parsed.error.empty() || !in_range) {
     const std::string unit = quantity.unit == "1" ? "" : " " + std::string(quantity.unit);
-    throw UsageError("{} {}: expected {}{} from {:g} to {:g}{}, as \"{}\"", option,
+    throw UsageError("{} {}: expected {}{} from {:g} to {:g}{}, for example \"{}\"{}", option,
                      scene::printable(size.text), quantity.name, zero ? ", 0 or" : "", kLeast,
-                     kMost, unit, standard);
+                     kMost, unit, standard, bare_number(size.text, quantity));
   }
   size.value = parsed.value;
 }
@@ -73,8 +81,8 @@ Starter starter_of(const InitArguments& options) {
   if (!options.unbalance.empty()) {
     if (!loses_mass(starter.form)) {
       throw UsageError(
-          "--unbalance: a machine of the form {} loses no mass; accepted with geometry, modal, "
-          "overhung and vertical",
+          "--unbalance: the form {} loses no mass; use --form geometry, modal, overhung or "
+          "vertical",
           options.form);
     }
     starter.unbalance = StarterValue{options.unbalance};
@@ -82,12 +90,14 @@ Starter starter_of(const InitArguments& options) {
   }
   if (starter.diameter.value > starter.length.value / 5.0) {
     throw UsageError(
-        "--diameter {}: a shaft of {} is a beam up to a fifth of its length in diameter",
-        scene::printable(starter.diameter.text), scene::printable(starter.length.text));
+        "--diameter {}: expected at most a fifth of the length {}, so that the shaft is a beam{}",
+        scene::printable(starter.diameter.text), scene::printable(starter.length.text),
+        bare_number(starter.diameter.text, scene::kLength));
   }
   if (starter.clearance.value > starter.diameter.value) {
     refuse("--clearance", scene::printable(starter.clearance.text),
-           "at most the diameter, " + scene::printable(starter.diameter.text));
+           "at most the diameter, " + scene::printable(starter.diameter.text) +
+               bare_number(starter.clearance.text, scene::kLength));
   }
   return starter;
 }
@@ -96,21 +106,26 @@ Starter starter_of(const InitArguments& options) {
 std::filesystem::path starter_file(const InitArguments& options) {
   if (options.file == "-") return {};
   std::filesystem::path file = options.file.empty() ? options.name : options.file;
-  if (!file.has_filename()) throw UsageError("give the name of a scene, as rotor or rotor.toml");
+  if (!file.has_filename())
+    throw UsageError("{} is the name of a folder; give the name of a scene, for example rotor.toml",
+                     scene::printable(file.string()));
   if (file.extension() == ".xml") {
     throw UsageError(
-        "{0}: give the name of a scene, as rotor or rotor.toml; `rotorub mjcf SCENE.toml -o {0}` "
-        "writes its MuJoCo model",
+        "{0}: give the name of a scene, for example rotor.toml; `rotorub mjcf SCENE.toml -o {0}` "
+        "then writes its MuJoCo model",
         file.string());
   }
   if (file.extension() != ".toml") file += ".toml";
   std::error_code none;
-  if (std::filesystem::is_directory(file, none)) throw UsageError("{}: is a folder", file.string());
+  if (std::filesystem::is_directory(file, none))
+    throw UsageError("{} is a folder; give the name of a file", file.string());
   if (file.has_parent_path() && !std::filesystem::is_directory(file.parent_path(), none)) {
-    throw UsageError("{}: there is no folder {}", file.string(), file.parent_path().string());
+    throw UsageError("{}: the folder {} does not exist; create it first", file.string(),
+                     file.parent_path().string());
   }
   if (!options.force && std::filesystem::exists(file, none))
-    throw UsageError("{}: is there already; --force writes over it", file.string());
+    throw UsageError("{} exists already; give another name, or --force to overwrite it",
+                     file.string());
   return file;
 }
 
@@ -118,7 +133,7 @@ std::filesystem::path starter_file(const InitArguments& options) {
 std::filesystem::path laws_folder(const InitArguments& options, const std::filesystem::path& file) {
   auto folder = file.parent_path() / (file.stem().string() + "_controller");
   if (!options.force && std::filesystem::exists(folder)) {
-    throw UsageError("{}: is there already; --force writes over what it holds",
+    throw UsageError("{} exists already; give another name, or --force to overwrite its files",
                      scene::printable(folder.string()));
   }
   return folder;
@@ -160,7 +175,7 @@ int write_starter(const InitArguments& options) {
       result.add(
           {result::Data{"controller", laws.string()},
            result::line(fmt::format(
-               "your own controller, to begin with in C, C++ and Python: {0}\n"
+               "starting points for your own controller in C, C++ and Python: {0}\n"
                "try: cc -shared -fPIC -I {0} {0}/follow.c -o follow.so\n"
                "     rotorub run {1} --controller follow.so --set controller.sample_time=50us",
                scene::printable(laws.string(), 1000), scene))});
@@ -175,25 +190,27 @@ int write_starter(const InitArguments& options) {
 Command add_init_command(CLI::App& program) {
   auto options = std::make_shared<InitArguments>();
   CLI::App& app =
-      add_command(program, "init", "Write a commented scene to start from, which runs as it is");
+      add_command(program, "init", "Write a commented scene that runs as it is, to start from");
   add_option(app, "NAME", options->name, "Name of the scene (default: rotor)");
   std::vector<std::string> forms;
   for (const StarterFormWord& each : kStarterForms) forms.emplace_back(each.word);
   add_option(
       app, "--form", options->form,
-      "Kind of machine: geometry (default: shaft, disc, bearings; loses a blade), modal (the "
-      "same as one mode), rig (with torsion, motor, exciter, actuator), controller (the rig "
-      "with a controller at work, and one of your own to begin with in C, C++ and Python), "
-      "overhung (the disc beyond the bearings), vertical (hung from "
-      "above) or two-catchers (magnetic bearings that fail)")
+      "Kind of machine: geometry (default; a shaft with disc and bearings that loses a blade), "
+      "modal (the same machine reduced to one mode), rig (with torsion, motor, exciter and "
+      "actuator), controller (the rig with a controller at work, and starting points for your own "
+      "in C, C++ and Python), overhung (the disc is beyond the bearings), vertical (the shaft "
+      "hangs "
+      "from above) or two-catchers (magnetic bearings fail)")
       .one_of(forms);
   for (const Size& size : kSizes) {
     std::string& text = (options->starter.*size.target).text;
     add_value(app, size.option, text, size.type, fmt::format("{} (default: {})", size.words, text));
   }
-  add_value(app, "--unbalance", options->unbalance, "MASS LENGTH",
-            "Unbalance of the piece that is lost, as \"72 g mm\" or \"0.1 oz in\" (default: what "
-            "makes a free orbit of two clearances)");
+  add_value(
+      app, "--unbalance", options->unbalance, "MASS LENGTH",
+      "Unbalance of the piece that is lost, e.g. \"72 g mm\" or \"0.1 oz in\" (default: the value "
+      "that makes a free orbit of two clearances)");
   add_value(app, "-o,--output", options->file, "FILE.toml",
             "File, or - for standard output (default: NAME.toml)");
   add_flag(app, "--force", options->force, "Overwrite a file that exists");

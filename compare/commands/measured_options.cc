@@ -22,7 +22,7 @@ std::vector<ColumnName> names_of(const std::vector<std::string>& texts) {
       name = {boost::trim_copy(text.substr(0, at)), boost::trim_copy(text.substr(at + 1))};
     if (name.in_file.empty() || name.meant.empty()) {
       refuse("--measured-column", scene::printable(text),
-             "the file's name of a column, =, and what it is, as \"CH1 X = rotor_x [mil]\"");
+             "NAME=COLUMN, for example \"CH1 X = rotor_x [mil]\"");
     }
     names.push_back(std::move(name));
   }
@@ -31,7 +31,8 @@ std::vector<ColumnName> names_of(const std::vector<std::string>& texts) {
 
 // "45deg,135deg"
 void turn_probes(const std::string& text, MeasuredRecord& record) {
-  const std::string accepted = "the directions of two probes in the scene, as 45deg,135deg";
+  const std::string accepted =
+      "the directions of two probes in the scene, for example 45deg,135deg";
   const std::size_t comma = text.find(',');
   if (comma == std::string::npos)
     throw UsageError("--measured-probes {}: expected {}", scene::printable(text), accepted);
@@ -56,12 +57,12 @@ MeasuredInput measured_of(const MeasuredArguments& options) {
       return input;
     throw UsageError(
         "--measured-shift, --measured-angle, --measured-probes and --measured-column belong to "
-        "--measured, which is not given");
+        "--measured, which is missing; give the file of the record with it");
   }
   if (!options.measured_probes.empty() && !options.measured_angle.empty()) {
     throw UsageError(
-        "--measured-probes beside --measured-angle: the directions of the probes are their frame; "
-        "give one of the two");
+        "--measured-probes and --measured-angle exclude each other, because the directions of the "
+        "probes determine the angle; give one of them");
   }
   if (const std::string& shift = options.measured_shift; !shift.empty())
     input.alignment.shift = quantity_of("--measured-shift", shift, scene::kTime);
@@ -80,22 +81,26 @@ MeasuredInput measured_of(const MeasuredArguments& options) {
 Option add_measured_options(CLI::App& command, MeasuredArguments& arguments, const char* beside) {
   const Option measured = add_value(
       command, "--measured", arguments.measured, "CSV",
-      fmt::format(
-          "A measured run of this scene, {}: a CSV file with a header, t and any of rotor, ring, "
-          "gap, force, current, each with its unit, as `t [ms], rotor_x [um]` (compare/README.md)",
-          beside));
-  add_value(command, "--measured-column", arguments.measured_columns, "NAME=COLUMN",
-            "What a column is, in a file with other names, as \"CH1 X = rotor_x [mil]\"; may be "
-            "repeated; columns that are not named so are left out")
+      fmt::format("A measured run of this scene, {}: a CSV file with a header that names t and any "
+                  "of rotor, "
+                  "ring, gap, force and current with their units, e.g. `t [ms], rotor_x [um]` "
+                  "(compare/README.md)",
+                  beside));
+  add_value(
+      command, "--measured-column", arguments.measured_columns, "NAME=COLUMN",
+      "Meaning of a column, for a file with other names, e.g. \"CH1 X = rotor_x [mil]\"; may be "
+      "repeated. Columns without a meaning are then left out")
       .repeats();
-  add_value(command, "--measured-probes", arguments.measured_probes, "ANGLE,ANGLE",
-            "Directions along which the probes measure rotor_x and rotor_y, from the scene's x to "
-            "its y, as 45deg,135deg (default: x and y of one frame)");
-  add_value(command, "--measured-shift", arguments.measured_shift, "TIME",
-            "Time to add to that of the record, as 12.5ms (default: found by least squares)");
+  add_value(
+      command, "--measured-probes", arguments.measured_probes, "ANGLE,ANGLE",
+      "Directions in which the probes measure rotor_x and rotor_y, from the scene's x axis to "
+      "its y axis, e.g. 45deg,135deg (default: x and y of one frame)");
+  add_value(
+      command, "--measured-shift", arguments.measured_shift, "TIME",
+      "Time to add to the times of the record, e.g. 12.5ms (default: found by least squares)");
   add_value(command, "--measured-angle", arguments.measured_angle, "ANGLE",
-            "Angle of the sensors' x axis in the scene, from x to y, as 30deg (default: found "
-            "where x and y are measured)");
+            "Angle of the sensors' x axis in the scene, from x to y, e.g. 30deg (default: found "
+            "if x and y are measured)");
   return measured;
 }
 

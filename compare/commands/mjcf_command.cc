@@ -17,6 +17,7 @@ struct MjcfArguments : CommonOptions {
 };
 
 int write_mjcf(const MjcfArguments& options) {
+  check_ending(options.file, ".xml");
   check_output_file(options.file);
   const scene::Scene scene = read_scene(options.scene, options);
   const MujocoVersion target =
@@ -41,9 +42,9 @@ Command add_mjcf_command(CLI::App& program) {
   auto options = std::make_shared<MjcfArguments>();
   CLI::App& app = add_command(program, "mjcf", "Write a scene as MuJoCo's XML");
   add_option(app, "SCENE", options->scene, "Scene file (.toml)").required();
-  add_value(app, "-o,--output", options->file, "FILE", "File (default: standard output)");
+  add_value(app, "-o,--output", options->file, "FILE.xml", "File (default: standard output)");
   add_value(app, "--mujoco", options->mujoco, "VERSION",
-            "Version of MuJoCo that is to read it (default: " + to_string(built_for()) + ")");
+            "Version of MuJoCo that will read the file (default: " + to_string(built_for()) + ")");
   add_common_options(app, *options);
   return {&app, [options] { return write_mjcf(*options); }};
 }

@@ -71,16 +71,16 @@ std::vector<double> even_values(double from, double to, int count) {
 std::vector<double> range_values(const char* option, const std::string& text,
                                  const scene::Quantity& quantity) {
   const std::vector<std::string> parts = parts_of(text);
-  if (parts.size() != 3) refuse_range(option, text, "it has three parts");
+  if (parts.size() != 3) refuse_range(option, text, "it needs three parts");
   const double from = quantity_of(option, parts[0], quantity);
   const double to = quantity_of(option, parts[1], quantity);
   const char* const end = parts[2].data() + parts[2].size();
   int count = 0;
   const auto read = std::from_chars(parts[2].data(), end, count);
   if (read.ec != std::errc() || read.ptr != end || count < 2 || count > 1000)
-    refuse_range(option, text, "COUNT is a whole number from 2 to 1000");
+    refuse_range(option, text, "COUNT must be a whole number from 2 to 1000");
   if (!(from >= 0.0) || !(to > from))
-    refuse_range(option, text, "FROM is 0 or more and TO above it");
+    refuse_range(option, text, "FROM must be 0 or more, and TO above FROM");
   return even_values(from, to, count);
 }
 
@@ -93,7 +93,8 @@ std::vector<double> given_range(const char* option, const std::string& text,
 std::optional<double> range_of(const ModesArguments& options) {
   if (options.up_to.empty()) return std::nullopt;
   const double range = quantity_of("--up-to", options.up_to, scene::kSpin);
-  if (!(range > 0.0)) refuse("--up-to", options.up_to, "a spin speed above 0, as 9000 rpm");
+  if (!(range > 0.0))
+    refuse("--up-to", options.up_to, "a spin speed above 0, for example \"9000 rpm\"");
   return range;
 }
 
@@ -115,6 +116,14 @@ std::filesystem::path page_file(const ModesArguments& options) {
                      : options.feedback_map ? "feedback_map.html"
                                             : "modes.html";
   return path / name;
+}
+
+// Refuses a name such as modes.json, which would become a folder.
+void check_page(const std::filesystem::path& output) {
+  for (const char* ending : {".htm", ".json", ".csv", ".pdf", ".png", ".svg", ".toml", ".txt"}) {
+    if (output.extension() == ending && !std::filesystem::is_directory(output))
+      refuse("-o", scene::printable(output.string()), "a file that ends in .html, or a folder");
+  }
 }
 
 void say_progress(ProgressBar& bar, double share, const char* what) {
@@ -149,7 +158,7 @@ MapAxis axis_of(const char* option, const std::string& text, MapAxis standard) {
   std::string reason;
   const scene::Key* found = sweep::scene_key(key, reason);
   if (reason.empty() && !sweep::takes_number(key, found))
-    reason = "`" + key + "` is not one number";
+    reason = "`" + key + "` does not take a single number";
   if (!reason.empty()) throw UsageError("{} {}: {}", option, text, reason);
   const scene::Quantity& quantity = found->quantity;
   return {key, quantity.unit == "1" ? "" : std::string(quantity.unit),
@@ -163,7 +172,9 @@ RubKeyMap rub_map_of(const ModesArguments& options, const scene::Scene& scene,
   constexpr int kSpeeds = 60, kFrictions = 20;
   if (speeds.empty() && options.across.empty()) {
     const double speed = std::abs(scene.rotor.speed);
-    if (speed == 0.0) throw UsageError("--rub-map: the scene's rotor is at rest; give --speeds");
+    if (speed == 0.0)
+      throw UsageError(
+          "--rub-map: the rotor of this scene does not turn; give the spin speeds with --speeds");
     speeds = even_values(0.2 * speed, 2.0 * speed, kSpeeds);
   }
   if (frictions.empty()) frictions = even_values(0.025, 0.5, kFrictions);
@@ -172,7 +183,9 @@ RubKeyMap rub_map_of(const ModesArguments& options, const scene::Scene& scene,
   if (!options.across.empty() || !options.up.empty()) {
     const MapAxis across = axis_of("--across", options.across, {kSpeedKey, "rad/s", speeds});
     const MapAxis up = axis_of("--up", options.up, {kFrictionKey, "", frictions});
-    if (across.key == up.key) throw UsageError("--rub-map: " + up.key + " is on both axes");
+    if (across.key == up.key)
+      throw UsageError("--rub-map: " + up.key +
+                       " is on both axes; give another key with --across or --up");
     return rub_key_map(scene::Variants(options.scene, overrides_of(options)), across, up, progress);
   }
   return with_place(
@@ -187,13 +200,16 @@ int show_feedback(const ModesArguments& options) {
   if (speeds.empty()) {
     const double speed = std::abs(scene.rotor.speed);
     if (speed == 0.0)
-      throw UsageError("--feedback-map: the scene's rotor is at rest; give --speeds");
+      throw UsageError(
+          "--feedback-map: the rotor of this scene does not turn; give the spin speeds with "
+          "--speeds");
     speeds = even_values(0.5 * speed, 1.5 * speed, 21);
   }
   ProgressBar bar(options.quiet || options.json);
   const rub::FeedbackMap map = with_place(scene, [&] {
     const rub::RubSystem system = rub::rub_system(scene);
-    if (!system.ring) throw UsageError("--feedback-map: the ring is fixed ([stator] is absent)");
+    if (!system.ring)
+      throw UsageError("--feedback-map: the ring is fixed; give a scene with [stator]");
     const std::vector<double> feedbacks =
         options.map_feedbacks.empty()
             ? even_values(0.0, 10.0 * std::sqrt(system.ring->mass * system.ring->stiffness), 81)
@@ -216,7 +232,8 @@ int show_state_space(const ModesArguments& options) {
       scene.auxiliary, [](const scene::AuxiliaryBearing& at) { return at.stator && at.contact; });
   if (driven == scene.auxiliary.end()) {
     throw UsageError(
-        "--state-space: needs [stator] and [contact]: the force on the ring is the input");
+        "--state-space needs a scene with [stator] and [contact], because the force on the ring is "
+        "the input");
   }
   const auto bearing = static_cast<std::size_t>(driven - scene.auxiliary.begin());
   const std::string why = beyond_linear_plant(scene, bearing, model);
@@ -227,7 +244,9 @@ int show_state_space(const ModesArguments& options) {
 
 int modes(const ModesArguments& options) {
   if (!options.map_speeds.empty() && !options.rub_map && !options.feedback_map) {
-    throw UsageError("--speeds: needs --rub-map or --feedback-map");
+    throw UsageError(
+        "--speeds belongs to --rub-map or --feedback-map; give one of them, or --speed for a "
+        "single speed");
   }
   if (!options.quiet) note_speeds(options);
   if (options.state_space) return show_state_space(options);
@@ -271,7 +290,7 @@ Command add_modes_command(CLI::App& program) {
       "Write a page with Campbell diagram and mode shapes, or the page of a map: to a file that "
       "ends in .html, or into a folder as modes.html, rub_map.html or feedback_map.html");
   add_value(app, "--up-to", options->up_to, "SPEED",
-            "Highest spin speed of the Campbell diagram (default: chosen to show what matters)")
+            "Highest spin speed of the Campbell diagram (default: chosen from the critical speeds)")
       .needs(page);
   const Option map =
       add_flag(app, "--rub-map", options->rub_map,
@@ -284,7 +303,7 @@ Command add_modes_command(CLI::App& program) {
                                    "Find which cross-coupled feedback of the ring makes the "
                                    "forced rub stable: a rule for k(Omega)");
   add_value(app, "--feedbacks", options->map_feedbacks, "FROM:TO:COUNT",
-            "Values of k of that map, e.g. 0:4000:81, N s/m")
+            "Values of k of the feedback map in N s/m, e.g. 0:4000:81")
       .needs(feedback);
   add_flag(app, "--state-space", options->state_space,
            "Print the plant of a controller as JSON: A, B and C of rotor and ring without "
@@ -300,10 +319,12 @@ Command add_modes_command(CLI::App& program) {
             "contact.clearance=0.2mm:1mm:40")
       .needs(map);
   add_value(app, "--up", options->up, "KEY=FROM:TO:COUNT",
-            "Key on its vertical axis instead of the friction, e.g. stator.stiffness=1e4:1e6:20")
+            "Key on the vertical axis of the rub map instead of the friction, e.g. "
+            "stator.stiffness=1e4:1e6:20")
       .needs(map);
   add_common_options(app, *options);
   return {&app, [options] {
+            check_page(options->output);
             if (!options->output.empty()) check_output_file(page_file(*options));
             return modes(*options);
           }};

@@ -25,9 +25,10 @@ struct PlotArguments : CommonOptions {
 // Throws UsageError for a folder without a run.
 StoredRun run_of(const PlotArguments& options) {
   if (!options.overrides.empty())
-    throw UsageError("{} is the folder of a run: --set changes scenes", options.folder);
+    throw UsageError("{} is the folder of a run, but --set changes only scenes; leave it out",
+                     options.folder);
   if (!std::filesystem::is_directory(options.folder)) {
-    throw UsageError("{}: is not a folder; give the output folder of `rotorub run -o DIR`",
+    throw UsageError("{} is not a folder; give the output folder of `rotorub run -o DIR`",
                      options.folder);
   }
   return stored_run(options.folder);
@@ -39,6 +40,7 @@ int plot(const PlotArguments& options) {
   if (shadow)
     check_series(shadow->trajectory, options.folder + "/" + kShadowFolder + "/series.csv");
   const path file = options.file.empty() ? path(options.folder) / kRunPage : path(options.file);
+  check_ending(file, ".html");
   check_output_file(file);
   write_whole(file, run_page(run, shadow));
   const result::Section result{
@@ -49,7 +51,7 @@ int plot(const PlotArguments& options) {
                               {"impacts", run.trajectory.impacts.size()},
                               {"shadow", shadow.has_value()}}},
                 result::line(fmt::format("{}: {} rows{}", scene::printable(run.scene.name),
-                                         run.trajectory.rows(), shadow ? ", with its shadow" : "")),
+                                         run.trajectory.rows(), shadow ? ", with the shadow" : "")),
                 written_to(file)}};
   return finish(result, options);
 }
@@ -59,8 +61,7 @@ int plot(const PlotArguments& options) {
 Command add_plot_command(CLI::App& program) {
   auto options = std::make_shared<PlotArguments>();
   CLI::App& app = add_command(program, "plot", "Write the page of a run: its plots and a player");
-  add_option(app, "RUN_DIR", options->folder, "Folder of a run, as `rotorub run -o DIR` wrote it")
-      .required();
+  add_option(app, "RUN_DIR", options->folder, "Output folder of `rotorub run -o DIR`").required();
   add_value(app, "-o,--output", options->file, "FILE.html", "File (default: RUN_DIR/plot.html)");
   add_common_options(app, *options);
   return {&app, [options] { return plot(*options); }};

@@ -35,8 +35,8 @@ constexpr std::size_t kFilmRows = 50000;
 void check_window(const scene::Scene& scene, const renders::RenderOptions& film) {
   for (const auto& [flag, time] : {std::pair{"--from", film.from}, {"--to", film.to}}) {
     if (!time || *time <= scene.run.end) continue;
-    throw UsageError("{} {} s: expected a time of the run, which ends at {} s (--end)", flag, *time,
-                     scene.run.end);
+    throw UsageError("{} {} s: expected a time within the run, which ends at {} s (--end)", flag,
+                     *time, scene.run.end);
   }
 }
 
@@ -44,8 +44,8 @@ scene::Scene scene_for_film(const RenderArguments& options, const renders::Rende
   scene::Scene scene = read_scene(options.source, options);
   if (const auto libraries = libraries_of(scene); !libraries.empty()) {
     throw UsageError(
-        "{0}: its controller is a library, {1}, which render does not open; run it first, rotorub "
-        "run {0} --allow-library -o DIR, and render DIR",
+        "{0}: the controller of this scene is a library, {1}, which render does not load; run "
+        "`rotorub run {0} --allow-library -o DIR` first, and render DIR",
         options.source, libraries.front().file);
   }
   check_window(scene, film);
@@ -62,12 +62,13 @@ Trajectory run_for_film(const scene::Scene& scene, ProgressBar& bar) {
 
 StoredRun stored(const RenderArguments& options) {
   if (!options.overrides.empty() || !options.step.empty() || !options.end.empty()) {
-    throw UsageError("{} is the folder of a run: --set, --step and --end change scenes",
-                     options.source);
+    throw UsageError(
+        "{} is the folder of a run, but --set, --step and --end change only scenes; leave them out",
+        options.source);
   }
   StoredRun run = stored_run(options.source);
   if (run.trajectory.status != Status::kOk) {
-    print_message(fmt::format("{}: ended at {:.6g} s of {:.6g} s: {}{}{}",
+    print_message(fmt::format("{}: this run ended early, at {:.6g} s of {:.6g} s: {}{}{}",
                               printable_path(options.source), run.trajectory.end, run.scene.run.end,
                               to_string(run.trajectory.status),
                               run.trajectory.message.empty() ? "" : ", ", run.trajectory.message));
@@ -81,8 +82,8 @@ std::optional<StoredRun> run_beside(const std::string& folder, const StoredRun& 
   if (!std::filesystem::is_directory(folder)) refuse("--beside", folder, "the folder of a run");
   StoredRun beside = stored_run(folder);
   if (beside.scene.name != run.scene.name) {
-    throw UsageError("--beside {}: is a run of {}; give a run of {}", folder, beside.scene.name,
-                     run.scene.name);
+    throw UsageError("--beside {} is a run of the scene {}; give a run of {}", folder,
+                     beside.scene.name, run.scene.name);
   }
   return beside;
 }
@@ -105,7 +106,7 @@ result::Section result_of(const StoredRun& run, const renders::RenderOptions& fi
                     result::line(fmt::format("{}: {}, displacements magnified {:.3g} times{}",
                                              scene::printable(run.scene.name), words,
                                              framing.magnification,
-                                             shadow ? ", its shadow as a ghost" : "")),
+                                             shadow ? ", the shadow drawn as a ghost" : "")),
                     written_to(file)}};
 }
 
@@ -114,7 +115,7 @@ result::Section make_picture(const StoredRun& run, const FilmRequest& request,
   const auto made =
       renders::render_still(run.scene, run.trajectory, request.at, request.options, file);
   return result_of(run, request.options, made.framing, file,
-                   fmt::format("a picture of {:.6g} s", made.t), {{"t", made.t}});
+                   fmt::format("picture of t = {:.6g} s", made.t), {{"t", made.t}});
 }
 
 result::Section make_film(const StoredRun& run, const FilmRequest& request,
@@ -172,9 +173,9 @@ int render_film(const RenderArguments& options) {
 
 Command add_render_command(CLI::App& program) {
   auto options = std::make_shared<RenderArguments>();
-  CLI::App& app =
-      add_command(program, "render",
-                  "Make a film or a picture of a scene (native engine), or of a run's folder");
+  CLI::App& app = add_command(
+      program, "render",
+      "Make a film or a picture of a scene, run by the native engine, or of a stored run");
   add_option(app, "SCENE|RUN_DIR", options->source, "Scene file (.toml), or folder of a run")
       .required();
   add_film_options(app, options->film);

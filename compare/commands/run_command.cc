@@ -40,13 +40,14 @@ struct RunArguments : CommonOptions, MeasuredArguments {
 std::unique_ptr<Engine> engine_of(const RunArguments& options, const scene::Scene& scene) {
   if (options.engine == "native") {
     if (!options.contact.empty() && options.contact != "rigid") {
-      throw UsageError("--contact {} belongs to --engine mujoco; the native engine accepts: rigid",
+      throw UsageError("--contact {} belongs to --engine mujoco; the native engine has only rigid",
                        options.contact);
     }
     return native_engine(integrator_named(options.integrator).value_or(scene.run.integrator));
   }
   if (!options.integrator.empty()) {
-    throw UsageError("--integrator belongs to --engine native; MuJoCo's is [mujoco] integrator");
+    throw UsageError(
+        "--integrator belongs to --engine native; for MuJoCo use --set mujoco.integrator=...");
   }
   return mujoco_engine(options.contact.empty() ? scene.mujoco.contact
                                                : scene::contact_model(options.contact).value());
@@ -65,7 +66,7 @@ void write_shadow(const path& folder, const scene::Scene& scene, const RunArgume
   const auto engine = native_engine(scene::Integrator::kVerlet);
   const Trajectory trajectory = run_shown(*engine, scene, kShadowFolder, options.quiet);
   write_run(folder / kShadowFolder, scene, trajectory, hdf5);
-  say(options, fmt::format("its shadow written to {}\n", printable_path(folder / kShadowFolder)));
+  say(options, fmt::format("shadow written to {}\n", printable_path(folder / kShadowFolder)));
   say_failure(scene, "shadow: ", trajectory);
 }
 
@@ -82,13 +83,13 @@ Lyapunov lyapunov_of(const RunArguments& options, const scene::Scene& scene,
 }
 
 result::Section lyapunov_result(const Lyapunov& found) {
-  std::string text = "none, " + found.refused;
+  std::string text = "not found, because " + found.refused;
   nlohmann::json all = {{"exponent", nullptr}, {"refused", found.refused}};
   if (found.exponent) {
     text = fmt::format("{} 1/s: {}", short_number(*found.exponent),
                        *found.exponent > 0.0
-                           ? "neighbouring runs part, which is chaos where it is clearly above 0"
-                           : "neighbouring runs come together");
+                           ? "neighbouring runs diverge; a value clearly above 0 means chaos"
+                           : "neighbouring runs converge");
     all = {{"exponent", *found.exponent}, {"stretch", found.stretch}, {"refused", nullptr}};
   }
   return {"lyapunov",
@@ -118,10 +119,13 @@ std::vector<std::string> output_files(const RunArguments& options, const scene::
 int run(const RunArguments& options) {
   const hdf5::ImageOf hdf5 = hdf5_of(options.format);
   if (options.lyapunov && options.engine != "native")
-    throw UsageError("--lyapunov belongs to --engine native");
+    throw UsageError("--lyapunov belongs to --engine native; remove it, or use that engine");
   const MeasuredInput measured = measured_of(options);
   const scene::Scene scene = read_scene(options.scene, options);
   const auto engine = engine_of(options, scene);
+  if (options.engine == "native") {
+    note_idle_step(options, integrator_named(options.integrator).value_or(scene.run.integrator));
+  }
   const path folder = options.folder.empty() ? path("runs") / (scene.name + "-" + engine->name())
                                              : path(options.folder);
   check_output_folder(folder, output_files(options, scene, folder));
@@ -149,7 +153,7 @@ int run(const RunArguments& options) {
 Command add_run_command(CLI::App& program) {
   auto options = std::make_shared<RunArguments>();
   CLI::App& app =
-      add_command(program, "run", "Run a scene; write its time series, impacts and summary");
+      add_command(program, "run", "Run a scene and write its time series, impacts and summary");
   const auto today = [](const std::string& word) {
     const std::string current(scene::current_word(word));
     if (current != word)

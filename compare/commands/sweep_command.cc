@@ -25,15 +25,18 @@ using std::filesystem::path;
 void check_arguments(const SweepArguments& options) {
   const int modes =
       (options.shard.empty() ? 0 : 1) + (options.slurm ? 1 : 0) + (options.merge.empty() ? 0 : 1);
-  if (modes > 1) throw UsageError("--shard, --slurm and --merge are three ways; give one of them");
+  if (modes > 1)
+    throw UsageError("--shard, --slurm and --merge exclude each other; give one of them");
   if (options.bifurcation && (!options.shard.empty() || options.slurm))
     throw UsageError(
-        "--bifurcation follows a motion from value to value: not with --shard or --slurm");
+        "--bifurcation follows a motion from value to value, so it cannot be split; leave out "
+        "--shard "
+        "and --slurm");
   if (!options.points.empty() && (modes > 0 || options.bifurcation))
     throw UsageError(
-        "--point runs single points: not with --shard, --slurm, --merge or "
-        "--bifurcation");
-  if (options.tasks > 0 && !options.slurm) throw UsageError("--tasks belongs to --slurm");
+        "--point runs single points; leave out --shard, --slurm, --merge and --bifurcation");
+  if (options.tasks > 0 && !options.slurm)
+    throw UsageError("--tasks belongs to --slurm, which is missing");
 }
 
 // "13 points: 12 ok, 1 diverged"
@@ -83,14 +86,15 @@ int run_points(const SweepArguments& options, const Sweep& sweep) {
   if (!complete) {
     finish_with_state(
         options, sweep, store, shard,
-        fmt::format("{} points are stored in {}; run it again to go on", store.count(), file));
+        fmt::format("{} points are stored in {}; run the same command again to continue",
+                    store.count(), file));
     throw Interrupted();
   }
   if (shard.whole()) write_results(options, sweep, store);
   return finish_with_state(
       options, sweep, store, shard,
       shard.whole() ? results_text(sweep, store)
-                    : fmt::format("shard {}/{}: {}\nwritten to {}; --merge joins the shards",
+                    : fmt::format("shard {}/{}: {}\nwritten to {}; join the shards with --merge",
                                   shard.number, shard.count, counts_text(store), file));
 }
 
@@ -99,7 +103,7 @@ int merge(const SweepArguments& options, const Sweep& sweep) {
   const path own = sweep.folder / sweep::Shard{}.file();
   for (const std::string& name : options.merge) {
     if (!std::filesystem::is_directory(name)) {
-      throw UsageError("--merge {}: expected folders of sweeps", name);
+      throw UsageError("--merge {}: expected the output folders of sweeps", name);
     }
     for (const path& file : sweep::result_files(name)) {
       std::error_code none;
@@ -108,7 +112,8 @@ int merge(const SweepArguments& options, const Sweep& sweep) {
   }
   sweep::Store store = sweep.store({});
   if (files.empty() && store.count() == 0) {
-    throw UsageError("--merge: no results.*.sqlite in the folders given");
+    throw UsageError(
+        "--merge: the folders contain no results.*.sqlite; give the output folders of the shards");
   }
   for (const path& file : files) store.merge(file);
   const std::int64_t missing = sweep.scenes->sample().size() - store.count();
@@ -118,8 +123,8 @@ int merge(const SweepArguments& options, const Sweep& sweep) {
   }
   finish_with_state(options, sweep, store, {}, "");
   print_message(
-      fmt::format("{} of {} points are missing in {}: run the shards that are not done, and "
-                  "merge again",
+      fmt::format("{} of {} points are missing in {}; run the remaining shards, and merge "
+                  "again",
                   missing, sweep.scenes->sample().size(), own.string()));
   return kFailed;
 }
@@ -154,8 +159,9 @@ int tasks_of(const SweepArguments& options, const Sweep& sweep) {
   const int tasks = static_cast<int>(std::min<std::int64_t>(wanted, points));
   if (earlier > 0 && earlier != tasks) {
     throw UsageError(
-        "--tasks {0}: {1} holds results of {2} shards, and other shards would run points again; "
-        "give --tasks {2}, or another folder",
+        "--tasks {0}: {1} holds results of {2} shards, and another number of shards would run "
+        "their "
+        "points again; give --tasks {2}, or another folder with -o",
         tasks, sweep.folder.string(), earlier);
   }
   return tasks;
@@ -178,14 +184,17 @@ int submit_to_slurm(const SweepArguments& options, const Sweep& sweep) {
                                        sweep::shell_word(options.study), folder, folder);
   result::Section submitted{.parts = {result::Data{"tasks", open}}};
   if (open.empty()) {
-    submitted.add({result::Data{"job", nullptr},
-                   result::line("every shard is done or running; join them:\n  " + join)});
+    submitted.add(
+        {result::Data{"job", nullptr},
+         result::line("every shard is done or running; when all are done, join them with\n  " +
+                      join)});
   } else {
     const std::string number = sweep::submit(script, open);
     submitted.add(
         {result::Data{"job", number}, result::Data{"script", script.string()},
-         result::line(fmt::format("submitted {} as job {}, {} of {} tasks; when it is done:\n  {}",
-                                  printable_path(script), number, open.size(), job.tasks, join))});
+         result::line(fmt::format(
+             "submitted {} as job {}, {} of {} tasks; when it is done, join the shards with\n  {}",
+             printable_path(script), number, open.size(), job.tasks, join))});
   }
   return finish(submitted, options);
 }
@@ -232,25 +241,30 @@ Command add_sweep_command(CLI::App& program) {
   auto options = std::make_shared<SweepArguments>();
   CLI::App& app = add_command(
       program, "sweep",
-      "Run a scene over a grid, a list or random points of its values; resume where it stopped");
+      "Run a scene over a grid, a list or random points of its values, and resume a sweep that "
+      "was stopped");
   add_option(app, "STUDY", options->study, "Study file (.toml)").required();
   add_value(app, "-o,--output", options->folder, "DIR",
             "Folder of the results (default: runs/<study>)");
-  add_option(app, "--jobs", options->jobs, "Number of threads (default: one for each processor)")
+  add_value(app, "--jobs", options->jobs, "N",
+            "Number of threads (default: one for each processor)")
       .between(1, 4096);
-  add_value(app, "--shard", options->shard, "i/n", "Run only part i of n, into a file of its own");
-  add_flag(app, "--slurm", options->slurm, "Write and submit an array job, each task a shard");
-  add_option(app, "--tasks", options->tasks, "Number of tasks of the array job (default: 16)")
+  add_value(app, "--shard", options->shard, "i/n",
+            "Run only part i of n, and store it in a separate file");
+  add_flag(app, "--slurm", options->slurm,
+           "Write and submit an array job for Slurm, with one shard per task");
+  add_value(app, "--tasks", options->tasks, "N", "Number of tasks of the array job (default: 16)")
       .between(1, sweep::kMostShards);
   add_value(app, "--merge", options->merge, "DIR...", "Join the shards in these folders");
   add_value(app, "--point", options->points, "N",
-            "Run only this point, as `rotorub run`, and keep it in DIR/point-N with its page; may "
-            "be repeated")
+            "Run only this point, as `rotorub run` does, and keep the run and its page in "
+            "DIR/point-N; may be repeated")
       .repeats()
       .between(0, sweep::kMostPoints);
-  add_flag(app, "--bifurcation", options->bifurcation,
-           "Also draw a bifurcation diagram over the one key, up and down: each value starts "
-           "where the one before it ended; with periods and Lyapunov exponents");
+  add_flag(
+      app, "--bifurcation", options->bifurcation,
+      "Also draw a bifurcation diagram, with periods and Lyapunov exponents, over the only key "
+      "of the study, upwards and downwards; each run starts where the previous one ended");
   add_controller_option(app, *options);
   add_common_options(app, *options);
   return {&app, [options] { return sweep_study(*options); }};

@@ -65,6 +65,11 @@ void print_message(const std::string& message) {
   fmt::print(stderr, "{}{}\n", lead, printable_lines(message));
 }
 
+void print_diagnostics(const std::string& message) {
+  std::istringstream lines(message);
+  for (std::string line; std::getline(lines, line);) fmt::print(stderr, "{}{}\n", lead, line);
+}
+
 std::string progress_bar(double share, double seconds, const std::string& what, int columns) {
   share = std::clamp(share, 0.0, 1.0);
   const auto full = static_cast<std::size_t>(share * kWidth);

@@ -24,6 +24,8 @@ std::string printable_path(const std::filesystem::path& path);
 void set_command_name(const std::string& command);
 // Writes the message to standard error after those words, line by line printable.
 void print_message(const std::string& message);
+// Writes each line, which is printable already, after those words.
+void print_diagnostics(const std::string& message);
 
 // Progress of a long task on standard error. On a terminal it is a bar, shown after two seconds.
 // Elsewhere nothing is shown, or with ROTORUB_PROGRESS=lines in the environment a line at once and

@@ -41,15 +41,18 @@ struct TuneArguments : CommonOptions {
 // Writes the scene with the trusted setting and prints the result, or why nothing was written.
 void write_tuned(const TuneArguments& options, const tune::TuneResult& result) {
   if (!result.choice.trusted) {
-    print_message(printable_path(options.file) + " is not written: no setting can be trusted");
+    print_message(printable_path(options.file) +
+                  " was not written, because no setting can be trusted");
     return;
   }
   const auto& setting = result.settings[*result.choice.trusted].setting;
   const auto tuned = tune::tuned_text(result.scene.text, options.scene, setting);
   write_whole(options.file, tuned.text);
-  say(options, fmt::format("\nwritten{}; its own comparison:\n  rotorub compare {} --contact {}\n",
-                           tuned.comments_kept ? "" : " (anew: comments could not be kept)",
-                           printable_path(options.file), to_string(setting.contact)));
+  say(options,
+      fmt::format("\nwritten to {0}{1}; compare it with\n  rotorub compare {0} --contact {2}\n",
+                  printable_path(options.file),
+                  tuned.comments_kept ? "" : " (without the comments of the scene)",
+                  to_string(setting.contact)));
 }
 
 int run_tune(const TuneArguments& options) {
@@ -57,9 +60,11 @@ int run_tune(const TuneArguments& options) {
   check_twins(options.twins);
   const scene::Scene scene = read_scene(options.scene, options);
   if (!scene.first().contact) {
-    throw UsageError("{}: without a contact there is nothing to tune; give a scene with [contact]",
-                     options.scene);
+    throw UsageError(
+        "{}: this scene has no [contact], so there is nothing to tune; give a scene with one",
+        options.scene);
   }
+  check_ending(options.file, ".toml");
   check_output_file(options.file);
   ProgressBar bar(options.quiet);
   const tune::TuneResult result =
@@ -92,11 +97,11 @@ tune::TuneResult tuned(const std::string& file, const scene::Scene& scene,
 
 std::string setting_sentence(const tune::TuneResult& result) {
   if (!result.choice.trusted) {
-    return fmt::format("none of {} can be trusted within {}", result.settings.size(),
+    return fmt::format("none of {} settings can be trusted within {}", result.settings.size(),
                        percent_text(result.tolerance));
   }
   const tune::JudgedSetting& s = result.settings[*result.choice.trusted];
-  return fmt::format("{}: {} us a step, the fastest of {} that can be trusted within {}",
+  return fmt::format("{}: {} µs a step, the fastest of {} settings that can be trusted within {}",
                      tune::text(s.setting), short_number(s.us_per_step), result.settings.size(),
                      percent_text(result.tolerance));
 }
@@ -107,13 +112,13 @@ Command add_tune_command(CLI::App& program) {
       program, "tune", "Find the fastest setting of MuJoCo whose contact forces can be trusted");
   add_option(app, "SCENE", options->scene, "Scene file (.toml)").required();
   add_value(app, "--tolerance", options->tolerance, "SHARE",
-            "Largest difference of a judged figure that passes, as 1% or 0.01")
+            "Largest difference of a judged figure that passes, e.g. 1% or 0.01")
       .shows_default();
   add_value(app, "--steps", options->steps, "LIST",
-            "Steps to try, e.g. 100us,10us (default: 1-2-5 from 1 ms to 1 us, and the scene's)");
+            "Steps to try, e.g. 100us,10us (default: 1-2-5 from 1 ms to 1 µs, and the scene's)");
   add_value(app, "--twins", options->twins, "N",
-            "Number of native runs that start a few units in the last place apart; their scatter "
-            "tells what can be decided")
+            "Number of native runs whose starts differ by a few units in the last place; their "
+            "scatter shows what can be decided")
       .shows_default();
   add_value(app, "-o,--output", options->file, "FILE.toml",
             "Write the scene with that setting to this file");

@@ -17,7 +17,7 @@ tune::TuneResult tuned(const std::string& file, const scene::Scene& scene,
                        const std::string& steps,
                        const std::function<void(double, const std::string&)>& progress);
 
-// "rigid, 20 µs: 21.19 us a step", or a sentence that no setting can be trusted.
+// "rigid, 20 µs: 21.19 µs a step", or a sentence that no setting can be trusted.
 std::string setting_sentence(const tune::TuneResult& result);
 
 }  // namespace rotorub

@@ -28,19 +28,20 @@ bool remembers(const scene::AuxiliaryBearing& at) {
 
 std::string not_continued(const scene::Scene& scene) {
   if (std::ranges::any_of(scene.auxiliary, remembers))
-    return "a controller, or impacts that take time, remember more than a start can say";
+    return "the state of a controller, or of an impact of finite duration, cannot be given as a "
+           "start";
   if (!scene.magnetic_bearings.empty())
-    return "magnetic bearings may remember more than a start can say";
+    return "the state of magnetic bearings cannot be given as a start";
   for (const scene::AuxiliaryBearing& at : scene.auxiliary) {
     if (at.stator && (at.stator->spin || at.stator->mount || at.stator->dry_friction))
-      return "a ring that turns, a housing and dry friction remember more than a start can say";
+      return "the state of a turning ring, a housing or dry friction cannot be given as a start";
   }
   if (scene.drive && scene.drive->kind == scene::DriveKind::kSpeedControlled)
-    return "the drive's speed control has a memory";
-  if (scene.base) return "the base moves by a course in time";
+    return "the state of the drive's speed control cannot be given as a start";
+  if (scene.base) return "the motion of the base depends on time";
   for (const scene::Force& f : scene.forces) {
     if (f.kind == scene::ForceKind::kChirp || f.kind == scene::ForceKind::kPulse)
-      return "a [[force]] takes one course in time";
+      return "a [[force]] changes in time and does not repeat";
   }
   return {};
 }

@@ -69,9 +69,9 @@ Lyapunov largest_lyapunov(const scene::Scene& start, const LyapunovParameters& p
   const std::string why = not_continued(start);
   if (!why.empty()) return {std::nullopt, why};
   if (start.initial.steady)
-    return {std::nullopt, "it starts on its steady orbit; give a start that a run has left"};
+    return {std::nullopt, "the run starts on its steady orbit; give another start"};
   if (start.initial.rub != scene::StartingRub::kNone)
-    return {std::nullopt, "it starts on a rub; give a start that a run has left"};
+    return {std::nullopt, "the run starts on a rub; give another start"};
   const double size = smallest_clearance(start).value_or(1e-3), first = p.distance * size;
   const StartVector vector{p.stretch / (2.0 * std::numbers::pi), size};
   NativeOptions options;
@@ -103,10 +103,10 @@ Lyapunov largest_lyapunov(const scene::Scene& start, const LyapunovParameters& p
     for (int k = 0; k < p.settling + p.stretches; ++k) {
       auto other = on(beside(one, k == 0, first * line));
       auto next = on(one);
-      if (!other || !next) return {std::nullopt, "a run on the way does not end well"};
+      if (!other || !next) return {std::nullopt, "a neighbouring run ended early"};
       line = vector.of(*other) - vector.of(*next);
       const double distance = line.norm();
-      if (!(distance > 0.0)) return {std::nullopt, "the runs come together to the last bit"};
+      if (!(distance > 0.0)) return {std::nullopt, "the neighbouring runs become identical"};
       if (k >= p.settling) sum += std::log(distance / first);
       line /= distance;
       one = std::move(*next);
@@ -118,8 +118,9 @@ Lyapunov largest_lyapunov(const scene::Scene& start, const LyapunovParameters& p
 }
 
 Lyapunov lyapunov_after(const scene::Scene& scene, const Trajectory& run, LyapunovParameters p) {
-  if (run.status != Status::kOk) return {std::nullopt, "the run does not end well"};
-  if (scene.rotor.speed == 0.0) return {std::nullopt, "a rotor at rest has no turns"};
+  if (run.status != Status::kOk) return {std::nullopt, "the run ended early"};
+  if (scene.rotor.speed == 0.0)
+    return {std::nullopt, "the rotor is at rest, so there are no turns to follow"};
   const std::string why = not_continued(scene);
   if (!why.empty()) return {std::nullopt, why};
   const double turn = 2.0 * std::numbers::pi / std::abs(scene.rotor.speed);

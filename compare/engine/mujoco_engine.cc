@@ -35,7 +35,8 @@ scene::Scene with_options(const scene::Scene& scene, const MujocoOptions& option
 }
 
 bool takes_solref(const scene::Scene& scene, const plugin::Config& config) {
-  return config.has_contact() && config.contact != scene::ContactModel::kRigid && !scene.gives();
+  return config.has_contact() && config.contact != scene::ContactModel::kRigid &&
+         !scene.is_compliant();
 }
 
 const char* contact_reason(Status status) {

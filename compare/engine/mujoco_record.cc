@@ -219,7 +219,7 @@ std::optional<std::string> MujocoRecord::lost(const double* q) const {
   const bool alone = contacts_.size() == 1;
   if (alone && only.contact && recorder_.penetration() == 0.0 && !only.magnets) return {};
   // Rigid and compliant contacts end at the same range as on the native side.
-  const bool soft = !rigid_ && !model_.gives();
+  const bool soft = !rigid_ && !model_.is_compliant();
   return out_of_range(model_, q, soft ? RingDepth::kThickness : RingDepth::kClearance);
 }
 

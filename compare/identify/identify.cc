@@ -227,8 +227,9 @@ Result identify(const ReadScene& read, MeasuredRecord record, const Parameters& 
   if (result.interrupted) return result;
   if (everywhere.best.empty()) {
     throw MeasuredError(
-        "the record lies on no run within the ranges: other units, another motion, or chaos; "
-        "--measured-shift lays it in where it is given");
+        "the record agrees with no run within the ranges; the units may be wrong, the motion may "
+        "be "
+        "another one or chaotic; to fit it anyway, give the shift with --measured-shift");
   }
   residuals.lay_in(everywhere.best);
   result.samples = residuals.samples();
@@ -251,7 +252,9 @@ Result identify(const ReadScene& read, MeasuredRecord record, const Parameters& 
   if (result.interrupted) return result;
 
   const auto at = linearised(residuals, second.best);
-  if (!at) throw MeasuredError("a run beside the values found does not come to its end");
+  if (!at)
+    throw MeasuredError(
+        "a run with values next to the ones found ended early, so their errors are unknown");
   const Known how = known(*at);
   const auto n = static_cast<Index>(parameters.wanted.size());
   for (std::size_t k = 0; k < parameters.wanted.size(); ++k) {

@@ -32,7 +32,7 @@ Table parameters_table(const Result& r) {
               {{.key = "key", .width = -static_cast<int>(width + 2)},
                {.key = "value", .heading = "value", .width = 12},
                {.key = "error", .heading = "  95 %", .width = -16},
-               {.key = "from", .heading = "looked for in"},
+               {.key = "from", .heading = "searched in"},
                {.key = "to", .seen = result::kJson},
                {.key = "unit", .seen = result::kJson},
                {.key = "low", .seen = result::kJson},
@@ -41,7 +41,7 @@ Table parameters_table(const Result& r) {
   for (const Found& f : r.found) {
     const Wanted& w = f.wanted;
     const std::string within =
-        f.error ? fmt::format("  ± {}", short_number(Found::kSure * *f.error)) : "  not told";
+        f.error ? fmt::format("  ± {}", short_number(Found::kSure * *f.error)) : "  unknown";
     table.rows.push_back({.items = {{w.key, named(w)},
                                     {f.value, fmt::format("{:.6g}", f.value)},
                                     {number_or_null(f.error), within},
@@ -62,18 +62,19 @@ Section doubts(const Result& r) {
     all.add({Sentence{.text = text, .lead = "  - "}});
   };
   if (r.no_better()) {
-    add("the scene as it stood leaves less than these values: they are not the best of all, or its "
-        "values lie outside the ranges; other ranges may find better values");
+    add("the original scene has a smaller residual than these values, so they are not the best, or "
+        "its values lie outside the ranges; try other ranges");
   }
   for (const Found& f : r.found) {
     const std::string& key = f.wanted.key;
-    if (f.at_edge) add(key + " is at the edge of its range: what is best may lie beyond");
-    if (!f.error) add(key + ": nothing that the record shows depends on it alone");
+    if (f.at_edge) add(key + " is at the edge of its range; the best value may lie beyond");
+    if (!f.error)
+      add(key + " cannot be determined, because nothing in the record depends on it alone");
   }
   for (Index i = 0; i < r.correlation.rows(); ++i) {
     for (Index j = i + 1; j < r.correlation.cols(); ++j) {
       if (std::abs(r.correlation(i, j)) < kAlike) continue;
-      add(fmt::format("{} and {} are hardly told apart: correlation {:+.3f}",
+      add(fmt::format("{} and {} can hardly be distinguished (correlation {:+.3f})",
                       r.found[static_cast<std::size_t>(i)].wanted.key,
                       r.found[static_cast<std::size_t>(j)].wanted.key, r.correlation(i, j)));
     }
@@ -91,24 +92,24 @@ Section result_of(const std::string& measured, const Result& r) {
   }
   const std::optional<double>& left = r.alignment.residual;
   const std::string before =
-      r.left_before ? fmt::format("{:.3g} % of the scene as it stood", 100.0 * *r.left_before)
-                    : "it lay nowhere on the scene as it stood";
-  return {
-      .parts = {Data{"",
-                     {{"measured", measured},
-                      {"samples", r.samples},
-                      {"runs", r.runs},
-                      {"correlation", correlation},
-                      {"alignment", alignment_json(r.alignment)},
-                      {"left_before", number_or_null(r.left_before)},
-                      {"left", number_or_null(left)}}},
-                Sentence{.text = fmt::format("identified from {}: {} samples, {} native runs",
-                                             measured, r.samples, r.runs)},
-                parameters_table(r), doubts(r),
-                Sentence{.text = fmt::format("left of the record: {:.3g} % of the run's rms, {}",
-                                             100.0 * left.value_or(0.0), before),
-                         .lead = "  "},
-                Sentence{.text = alignment_text(r.alignment), .lead = "  "}}};
+      r.left_before ? fmt::format("{:.3g} % with the original scene", 100.0 * *r.left_before)
+                    : "while the record fits no shift of the original scene";
+  return {.parts = {
+              Data{"",
+                   {{"measured", measured},
+                    {"samples", r.samples},
+                    {"runs", r.runs},
+                    {"correlation", correlation},
+                    {"alignment", alignment_json(r.alignment)},
+                    {"left_before", number_or_null(r.left_before)},
+                    {"left", number_or_null(left)}}},
+              Sentence{.text = fmt::format("identified from {}: {} samples, {} native runs",
+                                           measured, r.samples, r.runs)},
+              parameters_table(r), doubts(r),
+              Sentence{.text = fmt::format("residual of the record: {:.3g} % of the run's rms, {}",
+                                           100.0 * left.value_or(0.0), before),
+                       .lead = "  "},
+              Sentence{.text = alignment_text(r.alignment), .lead = "  "}}};
 }
 
 }  // namespace rotorub::identify

@@ -29,8 +29,8 @@ void keep(MeasuredRecord& record, double from, double to) {
   }
   if (kept.size() >= kLeastSamples) return;
   throw MeasuredError(
-      fmt::format("{} samples of the record lie on the run, {} or more are accepted", kept.size(),
-                  kLeastSamples));
+      fmt::format("{} samples of the record lie on the run, but at least {} are needed",
+                  kept.size(), kLeastSamples));
 }
 
 }  // namespace
@@ -74,7 +74,7 @@ void Residuals::lay_in(const std::vector<double>& values) {
   keep(record_, -middle_ + inside, scene.run.end - middle_ - inside);
   channels_ = channels_of(record_, sampled, angle_.value_or(0.0));
   if (channels_.empty())
-    throw MeasuredError("nothing that both the record and the native run move in");
+    throw MeasuredError("no measured quantity moves both in the record and in the native run");
 }
 
 double Residuals::value(std::size_t k, double x) const {

@@ -94,8 +94,8 @@ void check_overlap(const MeasuredRecord& record, const SampledRun& run, double s
   });
   if (static_cast<std::size_t>(on) >= kLeastSamples) return;
   throw MeasuredError(
-      fmt::format("with the shift of {:+.6g} s the record spans {}, the run {}: {} samples in "
-                  "common, {} or more are accepted",
+      fmt::format("with a shift of {:+.6g} s the record spans {} and the run {}, so they have "
+                  "{} samples in common, but at least {} are needed",
                   shift, span_text(record.t.front() + shift, record.t.back() + shift),
                   span_text(run.start(), run.end()), on, kLeastSamples));
 }
@@ -105,17 +105,18 @@ std::string doubt(const Alignment& a) {
   if (!a.correlation) return {};
   if (*a.correlation < kLeastCorrelation) {
     return fmt::format(
-        "no shift makes the record like the native run: the best, {:+.6g} s, has a correlation of "
-        "{:.2f} in {}, but {} or more is needed; the scene or the units may be wrong, or the "
-        "motion is chaotic",
+        "no shift makes the record agree with the native run: the best shift, {:+.6g} s, has a "
+        "correlation of {:.2f} in {}, but at least {} is needed; the scene or the units may be "
+        "wrong, or the motion is chaotic",
         a.shift, *a.correlation, channels_text(a.by), kLeastCorrelation);
   }
   if (!a.residual || *a.residual <= kMostLeft * std::min(1.0, *a.gain)) return {};
   return fmt::format(
-      "no shift makes the record like the native run: the best, {:+.6g} s, has a correlation of "
-      "{:.2f} in {}, and leaves {:.3g} % of the run's rms, as the record moves {:.3g} times as far "
-      "as the run; at most {:.0f} % of the motion of either may be left; the scene or the units "
-      "may be wrong",
+      "no shift makes the record agree with the native run: the best shift, {:+.6g} s, has a "
+      "correlation of {:.2f} in {}, but leaves a residual of {:.3g} % of the run's rms, because "
+      "the record moves {:.3g} times as far as the run; the residual may be at most {:.0f} % of "
+      "the "
+      "motion of either; the scene or the units may be wrong",
       a.shift, *a.correlation, channels_text(a.by), 100.0 * *a.residual, *a.gain,
       100.0 * kMostLeft);
 }
@@ -180,8 +181,8 @@ Alignment best_alignment(const MeasuredRecord& record, const SampledRun& run,
   if (channels.empty()) {
     if (!options.shift) {
       throw MeasuredError(
-          "nothing that both the record and the native run move in: no shift can be found; "
-          "--measured-shift lays it in where it is given");
+          "no measured quantity moves both in the record and in the native run, so no shift can be "
+          "found; give it with --measured-shift");
     }
     Alignment told;
     told.shift = *options.shift;
@@ -225,7 +226,7 @@ Alignment align(const MeasuredRecord& record, const SampledRun& run,
   std::string told = reason + "; ";
   if (found.other_size) told += other_size_text(*found.other_size) + "; ";
   if (found.mirrored) told += mirrored_text(*found.mirrored) + "; ";
-  throw MeasuredError(told + "--measured-shift lays it in where it is given");
+  throw MeasuredError(told + "to compare them anyway, give the shift with --measured-shift");
 }
 
 std::string channels_text(const std::vector<std::string>& by) {
@@ -235,8 +236,9 @@ std::string channels_text(const std::vector<std::string>& by) {
 
 std::string other_size_text(const LagScore& at) {
   return fmt::format(
-      "at {:+.3f} ms they are more alike (correlation {:.4f}), the record {:.3g} times as large: "
-      "is its unit right?",
+      "at {:+.3f} ms they agree better in shape (correlation {:.4f}), but the record is {:.3g} "
+      "times "
+      "as large; check its unit",
       1e3 * at.shift, at.correlation, at.gain);
 }
 
@@ -245,8 +247,9 @@ std::string mirrored_text(const Mirrored& m) {
   const double angle = m.angle / kDegree;
   const bool exchanged = std::abs(std::abs(angle) - 90.0) < kExchanged;
   return fmt::format(
-      "with {} it would fit: shift {:+.6f} ms, sensors' x axis at {:+.3f}°, left {:.3g} % of the "
-      "run's rms; {} says so, if it is not the machine that whirls the other way than the run",
+      "with {} the record would fit: shift {:+.6f} ms, sensors' x axis at {:+.3f}°, residual "
+      "{:.3g} % of the run's rms; if the machine does not whirl the other way than the run, give "
+      "{}",
       exchanged ? "x and y of the sensors exchanged" : "y of the sensors mirrored",
       rounded_to(1e3 * m.shift, 1e-6), rounded_to(angle, 1e-3), 100.0 * m.residual, m.flag);
 }
@@ -267,18 +270,18 @@ std::string alignment_text(const Alignment& a) {
       text += error(a.angle_error, kDegree, "°");
       break;
     case AngleFrom::kNoPair:
-      text += " taken: no x with its y is measured";
+      text += " assumed, because no x is measured together with its y";
       break;
     case AngleFrom::kCircle:
       text +=
-          " taken: the motion is a circle to within what is left, in which a turn of the frame "
-          "looks like a shift (--measured-angle tells it)";
+          " assumed, because the motion is a circle to within the residual, so a turn of the frame "
+          "looks like a shift (if you know the angle, give --measured-angle)";
       break;
   }
-  if (a.by.empty()) return text + "; nothing moves in both: nothing says how well it fits";
+  if (a.by.empty()) return text + "; the fit cannot be judged, because nothing moves in both";
   text +=
       fmt::format("; by {}: correlation {:.4f}", channels_text(a.by), a.correlation.value_or(0.0));
-  if (a.residual) text += fmt::format(", left {:.3g} % of the run's rms", 100.0 * *a.residual);
+  if (a.residual) text += fmt::format(", residual {:.3g} % of the run's rms", 100.0 * *a.residual);
   if (a.gain && (*a.gain > kAsFar || *a.gain < 1.0 / kAsFar)) {
     text += fmt::format("; the record moves {:.3g} times as far as the run", *a.gain);
   }
@@ -286,8 +289,8 @@ std::string alignment_text(const Alignment& a) {
   if (a.mirrored) text += "; " + mirrored_text(*a.mirrored);
   if (a.turn_for_shift) {
     text += fmt::format(
-        "; so near to a circle that {:+.3g}° of the angle make up for 10 µs of the shift: tell one "
-        "of them, if it is known",
+        "; the motion is so near to a circle that {:+.3g}° of the angle compensate 10 µs of the "
+        "shift; if you know one of them, give it",
         1e-5 * *a.turn_for_shift / kDegree);
   }
   if (a.ambiguous()) {

@@ -35,7 +35,7 @@ class LayingIn {
       out_.labels.push_back(run.label);
     }
     if (sampled.empty() || runs.front().trajectory->rows() < 2) {
-      throw MeasuredError("the native run has no two rows to lay the record beside");
+      throw MeasuredError("the native run has fewer than two rows to compare the record with");
     }
     keep_comparable(sampled);
     refuse_other_units(*runs.front().trajectory);
@@ -60,14 +60,16 @@ class LayingIn {
       const bool of_contact = c.what->name == "gap" || c.what->name.ends_with("force");
       const bool none =
           (of_contact && !scene_.first().contact) || std::any_of(runs.begin(), runs.end(), lacks);
-      if (none) remark("{} is left out: the scene's runs have no such quantity", c.what->name);
+      if (none)
+        remark("{} is left out, because the runs of this scene have no such quantity",
+               c.what->name);
       return none;
     });
     if (record_.columns.empty()) {
-      throw MeasuredError("no column of the record is a quantity of the scene's runs");
+      throw MeasuredError("no column of the record is a quantity that the runs of this scene have");
     }
     if (!record_.left_out.empty()) remark("not compared: {}", fmt::join(record_.left_out, ", "));
-    if (!record_.has_units) remark("the header has no unit: all is taken in SI");
+    if (!record_.has_units) remark("the header has no units, so all columns are taken in SI");
   }
 
   // Refuses a unit with a wrong or missing prefix: places a hundred times larger or smaller than
@@ -83,10 +85,11 @@ class LayingIn {
       const double run = largest(native.column(std::string(c.what->series)));
       if (measured == 0.0 || run == 0.0) continue;
       if (measured < kFar * run && run < kFar * measured) continue;
-      throw MeasuredError(fmt::format(
-          "{}: reaches {:.3g} m, and the native run {:.3g} m, {:.2g} times as far: is its unit "
-          "right? Give the unit of the numbers in the header, as rotor_x [um]",
-          c.header, measured, run, run / measured));
+      throw MeasuredError(
+          fmt::format("{}: reaches {:.3g} m, but the native run reaches {:.3g} m, {:.2g} times as "
+                      "far; check the "
+                      "unit in the header, for example rotor_x [um]",
+                      c.header, measured, run, run / measured));
     }
   }
 
@@ -123,12 +126,13 @@ class LayingIn {
                   held.count(Sample::kClipped)};
     if (fit.clipped > 0) {
       remark(
-          "{}: {} samples at the sensor's limit are left out of residuals, and make extremes "
+          "{}: {} samples at the sensor's limit are left out of the residuals, and extremes are "
+          "only "
           "bounds",
           c.what->name, fit.clipped);
     }
     if (fit.good == 0) {
-      remark("{} is left out: no good sample on the run", c.what->name);
+      remark("{} is left out, because it has no good sample on the run", c.what->name);
       return;
     }
     for (const auto& values : held.runs) fit.runs.push_back(residual_of(held, values, fit.good));

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <string>
 
+#include "compare/metrics/rows.h"
 #include "native_model/trajectory/columns.h"
 
 namespace rotorub {
@@ -143,7 +144,7 @@ double largest_force(const Statistics& s, const std::vector<ContactFacts>& conta
   if (s.contacts.empty()) return s.peak_force;
   double largest = 0.0;
   for (std::size_t k = 0; k < s.contacts.size(); ++k) {
-    if (contacts[k].gives) largest = std::max(largest, s.contacts[k].peak_force);
+    if (contacts[k].is_compliant) largest = std::max(largest, s.contacts[k].peak_force);
   }
   return largest;
 }
@@ -165,7 +166,7 @@ DeepestPenetration deepest_penetration(const Statistics& s,
 Metrics metrics(const Trajectory& trajectory, const std::vector<ContactFacts>& contacts) {
   Metrics m = totals(trajectory);
   if (std::any_of(contacts.begin(), contacts.end(),
-                  [](const ContactFacts& c) { return c.gives; })) {
+                  [](const ContactFacts& c) { return c.is_compliant; })) {
     m.contact_peak = largest_force(trajectory.statistics, contacts);
     m.contact_depth = m.max_penetration;
     m.contact_time = trajectory.statistics.contact_time;

@@ -55,7 +55,7 @@ Residuals contact_residuals(const Trajectory& trajectory, const ContactFacts& fa
     raise(r.gap_error, std::abs(gap_column[i] - gap) / facts.clearance);
 
     // Normal law (13): g_N >= 0, lambda_N >= 0, g_N lambda_N = 0.
-    if (!facts.gives) raise(r.penetration, -gap / facts.clearance);
+    if (!facts.is_compliant) raise(r.penetration, -gap / facts.clearance);
     raise(r.adhesion, -normal[i] / F);
 
     // Coulomb: |lambda_T| <= mu lambda_N; sliding: lambda_T = -mu lambda_N sign(gdot_T). For a

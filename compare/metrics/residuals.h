@@ -16,7 +16,8 @@ struct ContactFacts {
   double radius = 0.0;     // m, r, > 0
   FrictionLaw friction{};
   double impact_time = 0.0;  // s, duration of an impact, compression and expansion
-  bool gives = false;  // compliant contact: the penetration obeys a law, so g_N >= 0 does not hold
+  bool is_compliant =
+      false;  // compliant contact: the penetration obeys a law, so g_N >= 0 does not hold
 };
 
 // Largest violation over all rows: dimensionless, >= 0, and 0 for an exact series. Forces are

@@ -69,7 +69,7 @@ result::Table sensitivity_table(const Levitation& levitation) {
   table.columns[0].key = "bearing";
   table.columns[1].key = "axis";
   const auto add = result::column_adder(table, levitation.loops);
-  add({"sensitivity", "most of |S|", 16}, [](auto& s) { return number(s.peak, 4); });
+  add({"sensitivity", "largest |S|", 16}, [](auto& s) { return number(s.peak, 4); });
   add({"", "dB", 10}, [](auto& s) { return number(20.0 * std::log10(s.peak), 3); });
   add({"frequency", "at Hz", 14}, [](auto& s) { return number(s.frequency, 5, kHz); });
   add({"zone", "zone of ISO 14839-3", 22},
@@ -80,35 +80,31 @@ result::Table sensitivity_table(const Levitation& levitation) {
 std::vector<result::Part> step_parts(const Levitation& levitation) {
   result::Table table = loops_table(levitation, "loops/{row}/step/{column}");
   const auto add = result::column_adder(table, levitation.steps);
-  add({"largest", "most um/N", 13, result::kAll, "most µm/N"},
-      [](auto& s) { return number(s.largest, 4, kMicro); });
+  add({"largest", "largest µm/N", 13}, [](auto& s) { return number(s.largest, 4, kMicro); });
   add({"largest_at", "at ms", 10}, [](auto& s) { return number(s.largest_at, 4, kMilli); });
-  add({"rise_time", "rises ms", 10}, [](auto& s) { return number(s.rise_time, 4, kMilli); });
+  add({"rise_time", "rise ms", 10}, [](auto& s) { return number(s.rise_time, 4, kMilli); });
   add({"overshoot", "overshoot %", 13}, [](auto& s) { return number(s.overshoot, 4, 100.0); });
-  add({"settling_time", "settles ms", 12},
+  add({"settling_time", "settling ms", 12},
       [](auto& s) { return number(s.settling_time, 4, kMilli); });
-  add({"steady", "stays um/N", 12, result::kAll, "stays µm/N"},
-      [](auto& s) { return number(s.steady, 4, kMicro); });
+  add({"steady", "steady µm/N", 12}, [](auto& s) { return number(s.steady, 4, kMicro); });
   add({"static_stiffness", "stiffness N/m", 15},
       [](auto& s) { return number(s.static_stiffness(), 4); });
   std::vector<result::Part> parts{
-      line(
-          "  step of force on the rotor at each bearing: how far it goes there per newton, settled "
-          "within 2 %",
-          result::Role::kCaption),
+      line("  step of force on the rotor at each bearing: its deflection there per newton, settled "
+           "within 2 %",
+           result::Role::kCaption),
       table};
   if (std::ranges::any_of(levitation.steps, [](const auto& s) { return !s.overshoot; }))
     parts.push_back(
-        line("  overshoot -: it goes back to about 0, and has settled within 2 % of its largest "
-             "value"));
+        line("  overshoot -: the deflection returns to about 0, and settles within 2 % of its "
+             "largest value"));
   return parts;
 }
 
 std::vector<result::Part> unbalance_parts(const Levitation& levitation) {
   result::Table table = loops_table(levitation, "");
   const auto add = result::column_adder(table, levitation.unbalance);
-  add({"", "um peak to peak", 17, result::kAll, "µm peak to peak"},
-      [](double value) { return number(value, 4, kMicro); });
+  add({"", "µm peak to peak", 17}, [](double value) { return number(value, 4, kMicro); });
   return {line("  unbalance response at the sensors", result::Role::kCaption), table};
 }
 

@@ -57,13 +57,13 @@ std::vector<result::Part> orbit_parts(const ContactPlace& place, const TimedOrbi
     return {data, result::line(fmt::format("  {}: none, {}", where, orbit.refused))};
   std::vector<result::Part> parts{
       data, Sentence{.text = fmt::format(
-                         "{}: {:.4g} um from the middle of the ring, {}", where,
+                         "{}: {:.4g} µm from the middle of the ring, {}", where,
                          kMicrons * *orbit.largest,
-                         gap > 0.0 ? fmt::format("least gap {:.4g} um", kMicrons * gap)
-                                   : fmt::format("it touches: {:.4g} um beyond the clearance",
+                         gap > 0.0 ? fmt::format("least gap {:.4g} µm", kMicrons * gap)
+                                   : fmt::format("it touches: {:.4g} µm beyond the clearance",
                                                  -kMicrons * gap)),
                      .lead = "  "}};
-  const std::string vibration = vibration_sentence(orbit, speed, "um");
+  const std::string vibration = vibration_sentence(orbit, speed, "µm");
   if (!vibration.empty()) parts.emplace_back(result::line("  vibration there: " + vibration));
   return parts;
 }

@@ -147,11 +147,11 @@ std::vector<Part> stability_parts(const RotorAnalysis& analysis) {
 std::vector<Part> contact_mass_parts(const std::optional<ContactMass>& mass) {
   const Data data{"contact_mass", contact_mass_json(mass)};
   if (!mass) return {data};
-  return {data, line("\nmass that an impact meets at the contact", Role::kHeading),
+  return {data, line("\neffective mass at the contact", Role::kHeading),
           Sentence{.text = fmt::format(
                        "{:.4g} kg with the {} modes kept, {:.4g} kg with all {} of the mesh{}",
                        mass->kept, mass->kept_modes, mass->mesh, mass->mesh_modes,
-                       mass->truncated() ? ": impacts are computed with the modes kept" : ""),
+                       mass->truncated() ? "; impacts are computed with the modes kept" : ""),
                    .lead = "  "}};
 }
 
@@ -188,7 +188,7 @@ std::vector<Part> plane_parts(const std::string& title, const std::string& place
       table};
   const Eigen::Index left = plane.frequency.size() - kColumns;
   if (left > 0) {
-    Sentence rest = line(fmt::format("  and {} higher modes, in the output of --json", left));
+    Sentence rest = line(fmt::format("  and {} higher modes, which --json prints", left));
     rest.seen = result::kTerminal;
     parts.emplace_back(std::move(rest));
   }
@@ -197,9 +197,9 @@ std::vector<Part> plane_parts(const std::string& title, const std::string& place
 
 std::vector<Part> shapes_parts(const std::optional<ModeShapes>& shapes) {
   if (!shapes)
-    return {Data{"mode_shapes", nullptr},
-            line("\nmode shapes: none, as the scene gives its modes without a shaft; each is 1 at "
-                 "the contact")};
+    return {Data{"mode_shapes", nullptr}, line("\nmode shapes: unknown, because the scene gives "
+                                               "modes without a shaft; each mode is 1 at "
+                                               "the contact")};
   const std::string stations = "stations/#/{column}";
   Section section{"mode_shapes",
                   {Data{"z", list(shapes->z)}, Data{"same_planes", shapes->same_planes},
@@ -247,12 +247,13 @@ Table rubs_table(const std::vector<StandingRub>& rubs) {
 }
 
 std::string orbit_text(const RubPoint& point) {
-  if (!point.orbit) return "free orbit: none, as loads of several frequencies make no circle";
+  if (!point.orbit) return "free orbit: not a circle, because the loads have several frequencies";
   const double share = *point.orbit / point.clearance;
-  std::string text = fmt::format("free orbit: {:.4g} of the clearance", share);
-  if (!(share < 1.0)) return text + ", so there is none";
-  return text +
-         (point.free.stable ? ", stable" : fmt::format(", grows at {:.4g} 1/s", point.free.growth));
+  std::string text = fmt::format("free orbit: {:.4g} clearances", share);
+  if (!(share < 1.0)) return text + ", so contact is unavoidable";
+  return text + (point.free.stable
+                     ? ", stable"
+                     : fmt::format(", unstable (grows at {:.4g} 1/s)", point.free.growth));
 }
 
 std::string rolling_text(const RubPoint& point) {
@@ -262,8 +263,8 @@ std::string rolling_text(const RubPoint& point) {
     text += std::isfinite(to) ? fmt::format("{:.7g} to {:.7g} rad/s", from, to)
                               : fmt::format("above {:.7g} rad/s", from);
   }
-  if (text.empty()) return "friction is not enough for backward rolling at any speed";
-  return "friction is enough for backward rolling: " + text;
+  if (text.empty()) return "friction is too low for backward rolling at all speeds";
+  return "backward rolling is possible: " + text;
 }
 
 // All of a point but its rubs, which stand above.
@@ -308,10 +309,11 @@ std::vector<Part> driven_parts(const RubAnalysis& analysis) {
   std::vector<Part> parts;
   if (!analysis.driven.empty())
     parts.emplace_back(
-        line("\nthe same where torsion and the speed under the motor give way", Role::kHeading));
+        line("\nthe same with torsion and a spin speed that is free to change", Role::kHeading));
   parts.emplace_back(driven);
   if (!analysis.rolling.empty())
-    parts.emplace_back(line("\nbackward rolling at a speed that the motor keeps", Role::kHeading));
+    parts.emplace_back(
+        line("\nbackward rolling at a speed that the motor sustains", Role::kHeading));
   parts.emplace_back(rolling);
   return parts;
 }
@@ -336,7 +338,7 @@ std::vector<Part> rubs_parts(const RotorAnalysis& analysis) {
       parts.insert(parts.end(), {line(""), std::move(rub)});
     }
     if (!rubs.refused.empty())
-      parts.emplace_back(line(fmt::format("\nrotor and ring together: {}", rubs.refused)));
+      parts.emplace_back(line(fmt::format("\nlasting rubs: {}", rubs.refused)));
   }
   return parts;
 }
@@ -368,8 +370,8 @@ std::string stability_text(const RotorAnalysis& analysis) {
     }
     return fmt::format("unstable {}", fmt::join(ranges, " and "));
   }
-  if (std::isinf(analysis.stability_bound)) return "no whirl grows at any speed";
-  return fmt::format("no whirl grows up to {:.5g} rad/s ({:.5g} rpm)", analysis.stability_bound,
+  if (std::isinf(analysis.stability_bound)) return "stable at all speeds";
+  return fmt::format("stable up to {:.5g} rad/s ({:.5g} rpm)", analysis.stability_bound,
                      analysis.stability_bound * kRpm);
 }
 
@@ -387,13 +389,14 @@ Section rub_result(const RubAnalysis& analysis) {
         joined = whirl_table("joined", analysis.joined, name_of);
   ring.lead = joined.lead = "    ";
   Section section{
-      .parts = {line(fmt::format("rotor and ring at {:.6g} rad/s ({:.6g} rpm), of the modes kept",
-                                 point.speed, point.speed * kRpm),
-                     Role::kHeading)}};
+      .parts = {line(
+          fmt::format("whirl of rotor and ring at {:.6g} rad/s ({:.6g} rpm), with the modes kept",
+                      point.speed, point.speed * kRpm),
+          Role::kHeading)}};
   if (!analysis.ring.empty()) section.add({line("  ring alone", Role::kCaption)});
   section.add(
-      {ring, line("  joined, the rotor's centre held to the ring's", Role::kCaption), joined});
-  if (analysis.joined.empty()) section.add({line("    nothing is left that can move")});
+      {ring, line("  joined, the rotor's centre fixed to the ring's", Role::kCaption), joined});
+  if (analysis.joined.empty()) section.add({line("    nothing can move")});
   section.add(
       {line(
            fmt::format("\nlasting rubs at {:.6g} rad/s with a friction of {:g}{}", point.speed,

@@ -70,12 +70,11 @@ std::string leave_out(scene::Scene& scene) {
   const Model m = prepare(without_start(scene));
   if (m.weight.size() > 0 && !(sag(m) < kHeld * m.first().contact->clearance)) {
     scene::refuse_at(scene, "gravity",
-                     "no lasting rub can be analysed: nothing but rings holds the rotor against "
-                     "its weight; accepted: bearings that do, or no [gravity] (a vertical rotor)");
+                     "no lasting rub can be analysed: only rings hold the rotor against its "
+                     "weight; add bearings that hold it, or remove [gravity] (a vertical rotor)");
   }
   scene.gravity.reset();
-  return "the weight, whose direction is fixed: with it a rub oscillates about the values given "
-         "here";
+  return "the weight, which has a fixed direction; with it a rub oscillates about these values";
 }
 
 RubAnalyses rubs_of_contact(scene::Scene scene, const std::vector<double>& speeds) {
@@ -109,7 +108,7 @@ RubAnalyses rubs_of_contact(scene::Scene scene, const std::vector<double>& speed
     });
   } catch (const scene::SceneError& error) {
     all.at.clear();
-    all.refused = error.diagnostics().front().key + ": " + error.diagnostics().front().reason;
+    all.refused = scene::to_string(error.diagnostics().front());
   }
   return all;
 }

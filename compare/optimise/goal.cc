@@ -59,11 +59,10 @@ void check_name(const FigurePath& path) {
   if (std::ranges::find(known, path.parts.front()) != known.end()) return;
   const std::string_view meant = scene::nearest(path.parts.front(), known);
   throw std::invalid_argument(
-      fmt::format("a run has no figure `{}`{}; accepted: the keys of its summary.json, or `modes.` "
-                  "and a number "
-                  "of `rotorub modes --json`",
+      fmt::format("a run has no figure `{}`{} Give a key of its summary.json, or `modes.` and the "
+                  "place of a number in the output of `rotorub modes --json`",
                   scene::printable(path.text),
-                  meant.empty() ? "" : fmt::format(", did you mean `{}`?", meant)));
+                  meant.empty() ? "." : fmt::format(", did you mean `{}`?", meant)));
 }
 
 std::optional<FigurePath> figure_of(const StudyTable& table, const char* key) {
@@ -82,11 +81,13 @@ std::optional<FigurePath> figure_of(const StudyTable& table, const char* key) {
 // The limit is in SI, because the text of a figure does not determine its unit.
 void read_constraint(const StudyTable& table, Goal& goal) {
   const auto figure = figure_of(table, "figure");
-  if (!table.has("figure")) table.missing("figure", "a figure, as in `minimise`");
+  if (!table.has("figure")) table.missing("figure", "a figure, as `minimise` takes it");
   if (table.has("min") == table.has("max")) {
-    table.fail(table.has("min") ? "max" : "figure",
-               table.has("min") ? "beside `min`; a constraint of its own takes it"
-                                : "expected a limit beside it, `min` or `max`, in SI");
+    table.fail(
+        table.has("min") ? "max" : "figure",
+        table.has("min")
+            ? "cannot be given together with `min`; give each limit its own [[optimise.constraint]]"
+            : "has no limit; give `min` or `max` in SI units");
     return;
   }
   const bool is_max = table.has("max");
@@ -101,7 +102,7 @@ Goal read_goal(const TomlNode& node, Diagnostics& diagnostics) {
   Goal goal;
   goal.maximise = table.has("maximise");
   if (goal.maximise == table.has("minimise"))
-    table.fail("minimise", "expected a figure as `minimise` or as `maximise`, one of the two");
+    table.fail("minimise", "expected exactly one of `minimise` and `maximise`, with a figure");
   if (const auto figure = figure_of(table, goal.maximise ? "maximise" : "minimise"))
     goal.figure = *figure;
   goal.algorithm =
@@ -129,7 +130,7 @@ Goal read_goal(const TomlNode& node, Diagnostics& diagnostics) {
   }
   const bool takes = goal.algorithm == Algorithm::kCobyla || goal.algorithm == Algorithm::kDirect;
   if (!takes && !goal.constraints.empty())
-    table.fail("algorithm", "knows no constraints; accepted with them: cobyla, direct");
+    table.fail("algorithm", "does not support constraints; choose cobyla or direct");
   return goal;
 }
 
@@ -154,8 +155,8 @@ FigurePath parse_figure(const std::string& text) {
                                         [](const std::string& part) { return part.empty(); });
   if (empty) {
     throw std::invalid_argument(
-        "expected a figure of the run, as \"peak_force\" or \"settled.spin_speed\", or of what "
-        "`rotorub modes --json` prints, as \"modes.speeds.0.modes.*.damping_ratio\"");
+        "expected a figure of the run, for example \"peak_force\" or \"settled.spin_speed\", or a "
+        "number of `rotorub modes --json`, for example \"modes.speeds.0.modes.*.damping_ratio\"");
   }
   return path;
 }

@@ -49,10 +49,10 @@ std::string nothing_text(const Optimum& optimum) {
   }
   if (!nearest) {
     const bool any = !optimum.evaluations.empty();
-    return "  none of them runs" + (any ? ": " + optimum.evaluations.back().reason : "");
+    return "  none of them could be run" + (any ? ": " + optimum.evaluations.back().reason : "");
   }
   return fmt::format(
-      "  none of them keeps the constraints; the nearest, evaluation {}, breaks one by "
+      "  none of them meets the constraints; the nearest, evaluation {}, violates one by "
       "{:.3g} % of its limit",
       nearest - optimum.evaluations.data(), 100.0 * nearest->violation);
 }

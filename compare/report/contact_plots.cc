@@ -31,7 +31,7 @@ bool is_lasting(const Trajectory& run, const std::string& column, double begin) 
 
 }  // namespace
 
-json contact_distribution(const Trajectory& run, std::size_t contact, bool gives) {
+json contact_distribution(const Trajectory& run, std::size_t contact, bool is_compliant) {
   constexpr std::size_t kParts = 60, kMost = 150;
   json force = nullptr, impulse = nullptr;
   const std::string column = column_of_contact(contact, "normal_force");
@@ -42,7 +42,7 @@ json contact_distribution(const Trajectory& run, std::size_t contact, bool gives
   }
   std::vector<double> all;
   for (const Impact& impact : counted_impacts(run, contact))
-    if (impact.normal_impulse > 0.0 && (gives || !is_lasting(run, column, impact.t)))
+    if (impact.normal_impulse > 0.0 && (is_compliant || !is_lasting(run, column, impact.t)))
       all.push_back(impact.normal_impulse);
   if (!all.empty()) {
     const Exceedance curve = exceedance(std::move(all), kMost);

@@ -8,11 +8,11 @@
 
 namespace rotorub {
 
-// gives: whether the scene's contacts are compliant; their episodes always count as impacts. With
-// other soft contacts, an episode longer than the impulse window is a rub and does not count.
+// is_compliant: whether the scene's contacts are compliant; their episodes always count as impacts.
+// With other soft contacts, an episode longer than the impulse window is a rub and does not count.
 //
 // {"force": {"width": N, "share": [% of the whole time]}, "impulse": {"value": [mN s, descending],
 // "count": [number of counted impacts that reach it]}}; a member without data is null.
-nlohmann::json contact_distribution(const Trajectory& run, std::size_t contact, bool gives);
+nlohmann::json contact_distribution(const Trajectory& run, std::size_t contact, bool is_compliant);
 
 }  // namespace rotorub

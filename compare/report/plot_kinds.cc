@@ -20,7 +20,7 @@ bool touches(const ShownRuns& s, const Trajectory&, std::size_t contact) {
   return s.scene->auxiliary[contact].contact.has_value();
 }
 bool rubs(const ShownRuns& s, const Trajectory& t, std::size_t contact) {
-  return touches(s, t, contact) && !s.scene->auxiliary[contact].contact->friction.none();
+  return touches(s, t, contact) && !s.scene->auxiliary[contact].contact->friction.is_frictionless();
 }
 template <const char* column>
 bool has_column(const ShownRuns&, const Trajectory& t, std::size_t contact) {
@@ -44,7 +44,7 @@ bool has_measured_place(const ShownRuns& s, const Trajectory&, std::size_t) {
 }
 bool strikes(const ShownRuns& s, const Trajectory& t, std::size_t contact) {
   return touches(s, t, contact) &&
-         !contact_distribution(t, contact, s.scene->gives()).at("impulse").is_null();
+         !contact_distribution(t, contact, s.scene->is_compliant()).at("impulse").is_null();
 }
 bool presses(const ShownRuns& s, const Trajectory& t, std::size_t contact) {
   if (!touches(s, t, contact) || !has(t, contact, "normal_force")) return false;

@@ -46,7 +46,7 @@ json run_data(const scene::Scene& scene, const std::string& label, const Traject
               const Trajectory* first, const renders::Machine* machine, double limit) {
   json impacts = json::array(), contacts = json::array();
   for (std::size_t k = 0; k < scene.auxiliary.size(); ++k) {
-    contacts.push_back(contact_distribution(run, k, scene.gives()));
+    contacts.push_back(contact_distribution(run, k, scene.is_compliant()));
     const auto& contact = scene.auxiliary[k].contact;
     impacts.push_back(impact_data(run, k, contact ? contact->friction.sticking() : 0.0));
   }

@@ -64,8 +64,8 @@ std::vector<std::string> read_csv(const path& file, Row row) {
     if (header.empty()) {
       header.assign(fields.begin(), fields.end());
     } else if (fields.size() != header.size()) {
-      throw BrokenRun(fmt::format("{}:{}: {} fields where the header has {}", file.string(), number,
-                                  fields.size(), header.size()));
+      throw BrokenRun(fmt::format("{}:{}: the line has {} fields, but the header has {}",
+                                  file.string(), number, fields.size(), header.size()));
     } else {
       row(fields, number);
     }
@@ -106,7 +106,7 @@ void read_series(const path& file, Trajectory& trajectory) {
 
 void expect_columns(const path& file, int line, std::size_t there, std::size_t expected) {
   if (there == expected) return;
-  throw BrokenRun(fmt::format("{}:{}: not {} columns", file.string(), line, expected));
+  throw BrokenRun(fmt::format("{}:{}: expected {} columns", file.string(), line, expected));
 }
 
 void read_keyphasor(const path& file, Trajectory& trajectory) {
@@ -222,8 +222,9 @@ void write_run(const path& folder, const scene::Scene& scene, const Trajectory& 
 
 StoredRun read_run(const path& folder) {
   if (std::filesystem::exists(folder / kOwnModel)) {
-    throw BrokenRun(folder.string() +
-                    ": is a run of a machine of your own; it is in the report of its comparison");
+    throw BrokenRun(
+        folder.string() +
+        ": is a run of a machine of your own, which only the report of its comparison shows");
   }
   const nlohmann::json summary = summary_of(folder / kSummary);
   StoredRun run;

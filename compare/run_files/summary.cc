@@ -134,7 +134,7 @@ json written(const scene::Scene& scene, const Trajectory& trajectory,
 
 // The run and how it ended.
 std::vector<result::Part> opening(const scene::Scene& scene, const Trajectory& t) {
-  const std::string step = t.step > 0.0 ? "step " + time_text(t.step) : "steps of its own";
+  const std::string step = t.step > 0.0 ? "step " + time_text(t.step) : "adaptive steps";
   // In both units, because 3600 without a unit is read as rad/s, whatever the user meant.
   const double speed = scene.rotor.speed;
   const Tone tone = t.status == Status::kOk ? Tone::kGood : Tone::kBad;
@@ -179,16 +179,18 @@ std::vector<result::Part> mode_notes(const std::optional<ContactMass>& mass,
   };
   if (mass && mass->truncated()) {
     add(fmt::format(
-        "an impact meets {} kg with {} of the shaft's modes, {} kg with all {} of its mesh: sizes "
-        "and numbers of impacts depend on rotor.modes, mean force hardly (README, Limits)",
+        "the effective mass at the contact is {} kg with {} of the shaft's modes, and {} kg with "
+        "all "
+        "{} of its mesh, so sizes and numbers of impacts depend on rotor.modes; the mean force "
+        "hardly does (README, Limits)",
         short_number(mass->kept), mass->kept_modes, short_number(mass->mesh), mass->mesh_modes));
   }
   if (above && above->matters()) {
     constexpr double kHz = 1.0 / (2.0 * std::numbers::pi);
     add(fmt::format(
         "in {} of the time in contact, with {} of the friction work, the whirl is faster than the "
-        "highest mode kept ({} Hz): {} Hz at most. There the shaft has no flexibility of its own: "
-        "keep modes beyond that (rotor.modes), or read the figures as results for the modes kept",
+        "highest mode kept ({} Hz), up to {} Hz. The modes kept cannot bend as fast as that; keep "
+        "higher modes (rotor.modes), or read the figures as results for the modes kept",
         percent_text(std::round(1e3 * above->contact_share) / 1e3),
         percent_text(std::round(1e3 * above->friction_share) / 1e3),
         short_number(kHz * (above->fastest > 0.0 ? above->band.forward : above->band.backward)),
@@ -229,7 +231,7 @@ std::string rub_answer(const Metrics& m, std::optional<double> cut) {
     text += fmt::format(": {} hard impact{}", m.hard_impacts, m.hard_impacts > 1 ? "s" : "");
   const Attractor last = m.settled.attractor;
   if (last == Attractor::kNoContact) {
-    text += ", and no contact any more at its end";
+    text += ", without contact at the end";
   } else if (last != Attractor::kUnknown) {
     text += fmt::format(", {} in the last fifth of the run", described(m.settled));
   }

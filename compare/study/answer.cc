@@ -132,7 +132,7 @@ std::vector<std::string> own_notes(const SceneComparison& c) {
 }
 
 std::string cone_note(const SceneComparison& c) {
-  const std::string why = c.scene.gives() ? "" : cone_refusal(c.scene, c.own);
+  const std::string why = c.scene.is_compliant() ? "" : cone_refusal(c.scene, c.own);
   return why.empty() ? "" : "MuJoCo alone is not shown: its cone " + why + ".";
 }
 

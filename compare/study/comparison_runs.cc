@@ -71,10 +71,10 @@ std::vector<Contestant> contestants(const scene::Scene& scene, const CompareOpti
   for (const auto& [contact, word] : scene::kContactModels) {
     if (contact == decides || (scene::is_cone(contact) && !has_cones)) continue;
     const bool rigid = contact == scene::ContactModel::kRigid;
-    if (scene.gives() && (rigid || contact == scene::ContactModel::kCone)) continue;
+    if (scene.is_compliant() && (rigid || contact == scene::ContactModel::kCone)) continue;
     all.push_back({word, mujoco(contact), kMujocoWork});
   }
-  if (has_cones && !scene.gives()) {
+  if (has_cones && !scene.is_compliant()) {
     auto engine = options.own
                       ? own_engine(options.own, scene::ContactModel::kCone, OwnSolref::kDefault)
                       : default_cone_engine();

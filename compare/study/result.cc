@@ -126,7 +126,7 @@ Table answer_table(const SceneComparison& c, const std::vector<AnswerRow>& rows)
   Table table{"answer/#/{column}",
               {{"question", "Can MuJoCo's contact forces be trusted?", -55},
                {"trusted", "trusted", -15},
-               {"us_per_step", "us a step"}}};
+               {"us_per_step", "µs a step"}}};
   for (const AnswerRow& row : rows) {
     const bool timed = row.us_per_step > 0.0;
     table.rows.push_back(

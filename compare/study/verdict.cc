@@ -148,7 +148,7 @@ std::string open_loop_sentence(const SceneComparison& c, const ComparedModel& m)
 
 std::string penetration_sentence(const SceneComparison& c, const Side& other) {
   const std::vector<ContactFacts> contacts = contact_facts(c.scene);
-  if (contacts.empty() || c.scene.gives()) return {};
+  if (contacts.empty() || c.scene.is_compliant()) return {};
   const DeepestPenetration deepest = deepest_penetration(other.trajectory.statistics, contacts);
   if (deepest.share < kDeepPenetration) return {};
   const std::string where =

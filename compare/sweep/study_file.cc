@@ -40,11 +40,11 @@ std::vector<std::string> words_of(const StudyTable& table, const char* key,
         std::find(known.begin(), known.end(), item.text) != known.end()) {
       words.push_back(item.text);
     } else {
-      table.fail(key,
-                 fmt::format("{}; accepted: {}",
-                             item.kind == Kind::kString ? "`" + scene::printable(item.text) + "`"
-                                                        : std::string(kind_name(item.kind)),
-                             scene::join(known)));
+      table.fail(key, item.kind == Kind::kString
+                          ? "unknown word `" + scene::printable(item.text) + "`" +
+                                scene::suggestion(item.text, known)
+                          : "expected words in quotes, got " + std::string(kind_name(item.kind)) +
+                                "; accepted: " + scene::join(known));
     }
   }
   return words;
@@ -73,6 +73,7 @@ class StudyReader {
   }
 
   Study read(StudyUse use) {
+    refuse_scene();
     const StudyTable top(root_, "", {"scene", "sample", "vary", "run", "statistics", "optimise"},
                          diagnostics_);
     read_scene(top);
@@ -94,8 +95,20 @@ class StudyReader {
     diagnostics_.push_back({root_.file, line, key, std::move(reason)});
   }
 
+  // Refuses a scene with one sentence, because none of its keys belongs to a study.
+  void refuse_scene() {
+    const TomlNode* rotor = root_.find("rotor");
+    if (rotor == nullptr || root_.find("scene") != nullptr || root_.find("vary") != nullptr) return;
+    fail(rotor->line, "rotor",
+         "this file is a scene, not a study; give it to `rotorub run`, or write a study with "
+         "`scene = \"" +
+             file_.filename().string() + "\"` (compare/sweep/README.md)");
+    throw scene::SceneError(std::move(diagnostics_));
+  }
+
   void read_scene(const StudyTable& top) {
-    if (!top.has("scene")) top.missing("scene", "a scene file, beside the study or absolute");
+    if (!top.has("scene"))
+      top.missing("scene", "the name of a scene file, relative to the study or absolute");
     const auto scene = top.text("scene");
     if (!scene) return;
     study_.scene = file_.parent_path() / *scene;  // an absolute path stays absolute
@@ -114,7 +127,7 @@ class StudyReader {
     if (!kind) return;
     study_.kind = *kind;
     if (table.has("file") && study_.kind != SampleKind::kList)
-      table.fail("file", "belongs to kind = \"list\"");
+      table.fail("file", "belongs to kind = \"list\"; remove it, or change the kind");
     if (const auto file = table.text("file"); file && study_.kind == SampleKind::kList) {
       try {
         points_ = read_points(file_.parent_path() / *file);
@@ -124,7 +137,7 @@ class StudyReader {
       }
     }
     if (is_drawn(study_.kind)) {
-      if (!table.has("runs")) table.missing("runs", "how many points, 1 or more");
+      if (!table.has("runs")) table.missing("runs", "the number of points, 1 or more");
       study_.runs = table.whole("runs", 1, kMostPoints).value_or(1);
       study_.seed = static_cast<std::uint64_t>(table.whole("seed", 0, INT64_MAX).value_or(0));
       return;
@@ -141,7 +154,7 @@ class StudyReader {
     const TomlNode* list = root_.find("vary");
     if (list == nullptr || list->kind != Kind::kArray || list->items.empty())
       return fail(list ? list->line : 0, "vary",
-                  "missing: expected one table [[vary]] or more, each with a key");
+                  "missing: expected at least one table [[vary]] with a key");
     for (const TomlNode& node : list->items) {
       const std::string path = scene::list_element("vary", &node - list->items.data());
       if (node.kind != Kind::kTable) {
@@ -159,8 +172,10 @@ class StudyReader {
       if (study_.kind == SampleKind::kList && first != study_.vary.end() && vary.count > 0 &&
           vary.count != first->count) {
         fail(node.line, path,
-             fmt::format("{} values where vary[{}] has {}; in a list of points all have one length",
-                         vary.count, first - study_.vary.begin(), first->count));
+             fmt::format(
+                 "has {} values, but vary[{}] has {}; in a list of points, give all keys the same "
+                 "number of values",
+                 vary.count, first - study_.vary.begin(), first->count));
       }
       study_.vary.push_back(std::move(vary));
     }
@@ -172,7 +187,7 @@ class StudyReader {
       const Vary& v = study_.vary[k];
       if (v.values.empty() && !v.whole && !v.distribution && v.from < v.to) continue;
       fail(0, scene::list_element("vary", k),
-           "an optimisation takes a range of numbers: `from`, and `to` above it");
+           "an optimisation needs a range of numbers; give `from`, and `to` above it");
     }
   }
 
@@ -183,8 +198,8 @@ class StudyReader {
       points *= static_cast<double>(std::max<std::int64_t>(vary.count, 1));
     if (points <= static_cast<double>(kMostPoints)) return;
     fail(0, "vary",
-         fmt::format("the grid has {:.3g} points; accepted: at most {:.3g}", points,
-                     static_cast<double>(kMostPoints)));
+         fmt::format("the grid has {:.3g} points, but at most {:.3g} are accepted; lower a `count`",
+                     points, static_cast<double>(kMostPoints)));
   }
 
   void read_run(const StudyTable& top) {
@@ -198,24 +213,29 @@ class StudyReader {
     if (table.has("figures")) {
       fmt::print(
           stderr,
-          "note: {}: every point has all figures now; the key is accepted until version 0.4\n",
+          "note: {}: this key has no effect, because every point has all figures; it is accepted "
+          "until version 0.4\n",
           table.path_of("figures"));
     }
     if (study_.integrator) {
       if (study_.engine == EngineKind::kMujoco)
-        table.fail("integrator", "belongs to engine = \"native\"; MuJoCo's is mujoco.integrator");
-      if (study_.varies("run.integrator")) table.fail("integrator", "run.integrator varies");
+        table.fail("integrator",
+                   "belongs to engine = \"native\"; for MuJoCo set mujoco.integrator in the scene");
+      if (study_.varies("run.integrator"))
+        table.fail("integrator", "cannot be set, because run.integrator varies; remove one");
     }
     if (study_.contact) {
       if (study_.engine == EngineKind::kNative && *study_.contact != scene::ContactModel::kRigid)
-        table.fail("contact", "belongs to engine = \"mujoco\"; the native engine accepts: rigid");
-      if (study_.varies("mujoco.contact")) table.fail("contact", "mujoco.contact varies");
+        table.fail("contact", "belongs to engine = \"mujoco\"; the native engine has only rigid");
+      if (study_.varies("mujoco.contact"))
+        table.fail("contact", "cannot be set, because mujoco.contact varies; remove one");
     }
     for (const std::string key : {"step", "end"}) {
       const auto value = table.number(key, scene::kTime);
       if (!value) continue;
       if (!(*value > 0.0)) table.fail(key, "expected a time above 0");
-      if (study_.varies("run." + key)) table.fail(key, "run." + key + " varies");
+      if (study_.varies("run." + key))
+        table.fail(key, "cannot be set, because run." + key + " varies; remove one");
       study_.overrides.push_back("run." + key + "=" + number_text(*value));
     }
   }
@@ -231,8 +251,8 @@ class StudyReader {
           static_cast<std::size_t>(std::find(keys.begin(), keys.end(), key) - keys.begin());
       if (!makes_groups(study_, study_.vary[k])) {
         table.fail("by", key +
-                             " is drawn from a range, so that each point would be a group; "
-                             "accepted: keys with `values`, or of whole numbers");
+                             " is drawn from a range, so each point would be a group; "
+                             "give keys with `values` or with whole numbers");
       }
       out.by.push_back(k);
     }

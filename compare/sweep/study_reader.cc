@@ -42,10 +42,9 @@ StudyTable::StudyTable(const TomlNode& node, std::string path,
   const std::vector<std::string_view> known(keys);
   for (const auto& [name, value] : node.entries) {
     if (std::find(known.begin(), known.end(), name) != known.end()) continue;
-    const std::string_view meant = scene::nearest(name, known);
-    fail(name, meant.empty() ? "unknown key; accepted: " + scene::join(known)
-                             : fmt::format("unknown key, did you mean `{}`? accepted: {}", meant,
-                                           scene::join(known)));
+    fail(name, "unknown key" + scene::suggestion(name, known));
+    if (const std::string_view meant = scene::nearest(name, known); !meant.empty())
+      misspelt_.emplace_back(meant);
   }
 }
 
@@ -71,6 +70,8 @@ void StudyTable::fail(std::string_view key, std::string reason) const {
 }
 
 void StudyTable::missing(std::string_view key, const std::string& expected) const {
+  // A misspelling of it has been reported.
+  if (std::find(misspelt_.begin(), misspelt_.end(), key) != misspelt_.end()) return;
   fail(key, "missing: expected " + expected);
 }
 
@@ -78,7 +79,7 @@ std::optional<std::string> StudyTable::text(std::string_view key) const {
   const TomlNode* value = find(key);
   if (value == nullptr || value->kind == Kind::kFaulty) return std::nullopt;
   if (value->kind == Kind::kString && !value->text.empty()) return value->text;
-  fail(key, fmt::format("expected a string, got {}",
+  fail(key, fmt::format("expected a text in quotes, got {}",
                         value->kind == Kind::kString ? "an empty one" : kind_name(value->kind)));
   return std::nullopt;
 }
@@ -91,7 +92,8 @@ std::optional<std::size_t> StudyTable::place_of(std::string_view key,
   say_old_word(path_of(key), *given);
   const auto found = std::find(words.begin(), words.end(), word);
   if (found != words.end()) return static_cast<std::size_t>(found - words.begin());
-  fail(key, fmt::format("`{}`; accepted: {}", scene::printable(word), scene::join(words)));
+  fail(key,
+       fmt::format("unknown word `{}`{}", scene::printable(word), scene::suggestion(word, words)));
   return std::nullopt;
 }
 
@@ -160,10 +162,10 @@ const scene::Key* scene_key(std::string_view path, std::string& reason) {
   const std::vector<std::string_view> known(all.begin(), all.end());
   const std::string_view meant = scene::nearest(plain, known);
   reason = fmt::format("`{}` is not a key of a scene", scene::printable(path));
-  if (!meant.empty()) reason += fmt::format(", did you mean `{}`?", meant);
+  reason += meant.empty() ? "." : fmt::format(", did you mean `{}`?", meant);
   reason +=
-      "; accepted: table.key or table[element].key, as contact.friction or "
-      "force[0].amplitude (mjcf/docs/keys.md lists them)";
+      " Expected table.key or table[element].key, for example contact.friction or "
+      "force[0].amplitude (mjcf/docs/keys.md lists all keys)";
   return nullptr;
 }
 

@@ -52,6 +52,7 @@ class StudyTable {
   scene::FileName file_;
   std::string path_;
   std::vector<scene::Diagnostic>* diagnostics_;
+  std::vector<std::string> misspelt_;  // the keys that unknown ones are taken for
 };
 
 // The key of a scene at a path such as "force[0].amplitude". nullptr for a whole table or for a

@@ -30,7 +30,7 @@ std::string toml_text(const TomlNode& value) {
 // Why a value cannot be written in a field of a row and after `key =`; empty if it can.
 std::string unfit(const TomlNode& node) {
   if (node.kind == Kind::kTable)
-    return "expected a value, got a table; a [[vary]] for each of its keys varies them";
+    return "expected a value, got a table; give a [[vary]] for each of its keys";
   if (node.kind == Kind::kDate) return "expected a value of a scene, got a date or time";
   const bool broken = std::any_of(node.text.begin(), node.text.end(),
                                   [](unsigned char c) { return c < 0x20 || c == 0x7f; });
@@ -57,10 +57,10 @@ Value value_of(const StudyTable& table, const TomlNode& node, const std::string&
 void read_values(const StudyTable& table, const TomlNode& node, const scene::Key* key, Vary& vary) {
   for (const char* other : {"from", "to", "count", "spacing"}) {
     if (!table.has(other)) continue;
-    table.fail(other, "beside `values`, which says the same; give one of them");
+    table.fail(other, "cannot be given together with `values`; remove one of them");
   }
   if (node.kind != Kind::kArray || node.items.empty()) {
-    table.fail("values", "expected a list of one value or more");
+    table.fail("values", "expected a list with at least one value");
     return;
   }
   for (std::size_t i = 0; i < node.items.size(); ++i) {
@@ -78,7 +78,9 @@ void read_whole_range(const StudyTable& table, SampleKind kind, Vary& vary) {
   for (const char* end : {"from", "to"})
     if (!table.has(end)) table.missing(end, "a whole number, or `values`");
   for (const char* other : {"spacing", "distribution"})
-    if (table.has(other)) table.fail(other, "is not of whole numbers: `from` and `to` give all");
+    if (table.has(other))
+      table.fail(other,
+                 "does not apply to whole numbers, of which `from` and `to` give all; remove it");
   const auto from = table.whole("from", -kMost, kMost), to = table.whole("to", -kMost, kMost);
   vary.whole = true;
   if (!from || !to) return;
@@ -89,25 +91,28 @@ void read_whole_range(const StudyTable& table, SampleKind kind, Vary& vary) {
   vary.count = table.whole("count", 1, kMostPoints).value_or(*to - *from + 1);
   if (vary.count > 1 ? (*to - *from) % (vary.count - 1) != 0 || *to == *from : *to != *from) {
     table.fail("count", fmt::format("{} evenly spaced values from {} to {} are not all whole; "
-                                    "without `count` each whole number is one",
+                                    "change `count`, or leave it out for every whole number",
                                     vary.count, *from, *to));
   }
 }
 
 void read_range(const StudyTable& table, const scene::Key* key, SampleKind kind, Vary& vary) {
   if (kind != SampleKind::kGrid && table.has("count"))
-    table.fail("count", "belongs to a grid; drawn points are as many as [sample] runs");
+    table.fail("count", "belongs to a grid; [sample] runs sets the number of drawn points");
   if (key != nullptr && key->type == scene::ValueType::kWhole)
     return read_whole_range(table, kind, vary);
   if (!takes_number(vary.key, key)) {
-    table.missing("values", "a list of values: " + vary.key +
-                                " is not one number, so that there is nothing between from and to");
+    table.missing("values", "a list of values, because " + vary.key +
+                                " is not a single number and has no range from `from` to `to`");
     return;
   }
   if (table.has("distribution")) {
     if (kind == SampleKind::kGrid)
-      return table.fail("distribution", "belongs to points that are drawn, not to a grid");
-    if (table.has("spacing")) table.fail("spacing", "beside `distribution`; give one of them");
+      return table.fail(
+          "distribution",
+          "belongs to drawn points, not to a grid; remove it, or change the kind of [sample]");
+    if (table.has("spacing"))
+      table.fail("spacing", "cannot be given together with `distribution`; remove one of them");
     vary.distribution = read_distribution(table, key->quantity);
     return;
   }
@@ -120,15 +125,15 @@ void read_range(const StudyTable& table, const scene::Key* key, SampleKind kind,
     vary.from = *from;
     vary.to = *to;
     if (vary.spacing == Spacing::kLog && !(vary.from > 0.0 && vary.to > 0.0)) {
-      table.fail("spacing", "log needs `from` and `to` above 0");
+      table.fail("spacing", "\"log\" needs `from` and `to` above 0");
     }
-    if (!std::isfinite(vary.to - vary.from)) table.fail("to", "too far from `from`");
+    if (!std::isfinite(vary.to - vary.from)) table.fail("to", "is too far from `from`");
     vary.start = table.number("start", key->quantity);
     if (vary.start && !(*vary.start >= vary.from && *vary.start <= vary.to))
       table.fail("start", "expected a value between `from` and `to`");
   }
   if (kind == SampleKind::kGrid) {
-    if (!table.has("count")) table.missing("count", "how many values of the grid, 1 or more");
+    if (!table.has("count")) table.missing("count", "the number of values, 1 or more");
     vary.count = table.whole("count", 1, kMostPoints).value_or(1);
   }
 }
@@ -138,9 +143,11 @@ void read_also(const StudyTable& table, Vary& vary) {
   if (also == nullptr) return;
   if (also->kind != Kind::kArray) return table.fail("also", "expected a list of keys");
   for (const TomlNode& item : also->items) {
-    std::string reason = item.kind == Kind::kString ? "" : "expected a key, as \"drive.speed\"";
+    std::string reason =
+        item.kind == Kind::kString ? "" : "expected a key in quotes, for example \"drive.speed\"";
     if (reason.empty()) scene_key(item.text, reason);
-    if (reason.empty() && item.text == vary.key) reason = "`" + vary.key + "` is the key itself";
+    if (reason.empty() && item.text == vary.key)
+      reason = "`" + vary.key + "` is the varied key itself; remove it here";
     if (!reason.empty()) table.fail("also", reason);
     vary.also.push_back(item.text);
   }
@@ -154,8 +161,8 @@ void read_column(const StudyTable& table, const PointsFile& points, const scene:
   if (found == points.names.end()) {
     const std::vector<std::string_view> known(points.names.begin(), points.names.end());
     table.fail(table.has("column") ? "column" : "key",
-               fmt::format("{} has no column `{}`; accepted: {}", points.file.string(),
-                           scene::printable(name), scene::join(known)));
+               fmt::format("{} has no column `{}`{}", points.file.string(), scene::printable(name),
+                           scene::suggestion(name, known)));
     return;
   }
   const auto k = static_cast<std::size_t>(found - points.names.begin());

@@ -64,14 +64,14 @@ json part_json(const ErrorParts& errors, std::optional<double> SplitShares::*par
 constexpr int kLabel = 22, kValue = 15;
 
 std::string cost_text(const JudgedSetting& s) {
-  return fmt::format("{} us a step, {} of computing for 1 s", short_number(s.us_per_step),
+  return fmt::format("{} µs a step, {} of computing for 1 s", short_number(s.us_per_step),
                      time_text(std::stod(fmt::format("{:.2g}", s.cost().value_or(0.0)))));
 }
 
 std::string wrong_text(const JudgedSetting& s, double tolerance) {
   if (!s.failure.empty()) return s.failure;
   if (!outside(s.figures).empty() || s.luck.empty()) return why(s.figures, tolerance);
-  return "passes by luck; " + s.luck;
+  return "passes only by chance: " + s.luck;
 }
 
 std::string setting_lines(const char* label, const JudgedSetting& s, double tolerance) {
@@ -139,7 +139,7 @@ std::string choice_lines(const TuneResult& r) {
   }
   return lines("trusted", *trusted) +
          (next_cheaper ? lines("next cheaper", *next_cheaper)
-                       : "  next cheaper      none: it is the cheapest of all\n") +
+                       : "  next cheaper      none; the trusted setting is the cheapest\n") +
          best_lines(r) + error_lines(r);
 }
 

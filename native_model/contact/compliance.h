@@ -55,7 +55,7 @@ struct CompliantLaw {
         hunt_crossley(of.hunt_crossley.value_or(0.0)),
         rebound(of.by_restitution() ? rebound_of(restitution) : 0.0) {}
 
-  bool gives() const { return stiffness > 0.0; }
+  bool is_compliant() const { return stiffness > 0.0; }  // false: the contact is rigid
 
   // True if a contact is closed in a state that no motion led to (a start, a reset, a keyframe, a
   // state that was written): it penetrates at any speed, or rests on the circle. gap, clearance: m;

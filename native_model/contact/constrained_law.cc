@@ -33,7 +33,8 @@ class Slopes {
     std::array<bool, 3 * kMaxContacts> tried{};
     for (Eigen::Index k = 0; k < n; ++k) {
       const bool friction = k % rows != 0;
-      if (friction && laws_[static_cast<std::size_t>(k / rows)].friction.none()) continue;
+      if (friction && laws_[static_cast<std::size_t>(k / rows)].friction.is_frictionless())
+        continue;
       tried[static_cast<std::size_t>(k)] = true;
       ContactVector moved = p;
       moved[k] += size;
@@ -79,7 +80,7 @@ ConstrainedContact iterate(ContactResponse& response, ContactVector p, ContactVe
   best.y = best.error = best.p;
   double least = 1e300;
   CoupledSolution guess = law(line.expected, y - line.expected * p);
-  if (guess.solutions != 1) guess.p = p;
+  if (!guess.is_unique()) guess.p = p;
   const ContactVector none = ContactVector::Zero(p.size());
   double size =
       std::max(normal_beyond(guess.p, p, rows), kLocal * normal_beyond(guess.p, none, rows));
@@ -91,7 +92,7 @@ ConstrainedContact iterate(ContactResponse& response, ContactVector p, ContactVe
   if (!line.known()) line.find(response, p, y, size);
   for (int k = 0; k < kIterations; ++k) {
     const CoupledSolution next = law(line.a, y - line.a * p);
-    if (next.solutions != 1) {
+    if (!next.is_unique()) {
       best.solved = least < 1e300;
       return best;
     }
@@ -124,11 +125,13 @@ ConstrainedContact iterate(ContactResponse& response, ContactVector p, ContactVe
 }
 
 // The response of the constraints to impulses alone, added to the rates before them.
-class SuddenResponse final : public ContactResponse {
+class InstantResponse final : public ContactResponse {
  public:
-  SuddenResponse(ContactResponse& response, const ContactVector& before)
+  InstantResponse(ContactResponse& response, const ContactVector& before)
       : response_(response), before_(before) {}
-  ContactVector at(const ContactVector& p) override { return before_ + response_.sudden(p); }
+  ContactVector at(const ContactVector& p) override {
+    return before_ + response_.instant_change(p);
+  }
   double accuracy() const override { return response_.accuracy(); }
 
  private:
@@ -140,7 +143,7 @@ ConstrainedContact closed(ContactResponse& response, const ContactVector& free,
                           std::span<const ImpactLaw> laws, Slopes& line) {
   return iterate(response, ContactVector::Zero(free.size()), free, rows_of(free, laws), line,
                  [&](const ContactMatrix& a, const ContactVector& b) {
-                   return solve_compression(a, b, laws);
+                   return solve_coupled_coulomb(a, b, laws);
                  });
 }
 
@@ -158,8 +161,8 @@ bool closes_again(const ContactVector& y, const ContactVector& free, double accu
 ConstrainedContact closed_again(ContactResponse& response, const ConstrainedContact& impact,
                                 const ContactMatrix& expected, std::span<const ImpactLaw> laws) {
   const auto beyond = [&](const ContactMatrix& a, const ContactVector& b) {
-    CoupledSolution s = solve_compression(a, b + a * impact.p, laws);
-    if (s.solutions == 1) s.p += impact.p;
+    CoupledSolution s = solve_coupled_coulomb(a, b + a * impact.p, laws);
+    if (s.is_unique()) s.p += impact.p;
     return s;
   };
   Slopes line(expected, laws);
@@ -187,17 +190,17 @@ ConstrainedContact solve_constrained_impact(ContactResponse& response, const Con
                                             const ContactMatrix& expected,
                                             std::span<const ImpactLaw> laws) {
   Slopes line(expected, laws);
-  SuddenResponse sudden(response, free);
-  const ConstrainedContact c = closed(sudden, free, laws, line);
+  InstantResponse instant(response, free);
+  const ConstrainedContact c = closed(instant, free, laws, line);
   if (!c.solved) return c;
   const auto expansion = [&](const ContactMatrix& a, const ContactVector& b) {
-    CoupledSolution s = solve_expansion(a, b + a * c.p, laws, c.p);
-    if (s.solutions == 1) s.p += c.p;
+    CoupledSolution s = solve_coupled_expansion(a, b + a * c.p, laws, c.p);
+    if (s.is_unique()) s.p += c.p;
     s.sticks = {};  // an impact does not report sticking
     return s;
   };
   const Eigen::Index rows = rows_of(free, laws);
-  ConstrainedContact e = iterate(sudden, c.p, c.y, rows, line, expansion);
+  ConstrainedContact e = iterate(instant, c.p, c.y, rows, line, expansion);
   e.converged = e.converged && c.converged;
   if (!e.solved) return e;
   e.after = e.y;

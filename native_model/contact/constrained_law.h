@@ -27,9 +27,9 @@ class ContactResponse {
   // y at the end of the step, m/s (or m/s^2, if p holds forces). It includes what the law adds to
   // the gap rates: a gap over the step, or a reference.
   virtual ContactVector at(const ContactVector& p) = 0;
-  // s(p), the change of y by instantaneous impulses. By default the constraints have no bounded
+  // s(p), the change of y by impulses that take no time. By default the constraints have no bounded
   // forces.
-  virtual ContactVector sudden(const ContactVector& p) {
+  virtual ContactVector instant_change(const ContactVector& p) {
     const ContactVector none = ContactVector::Zero(p.size());
     return at(p) - at(none);
   }

@@ -57,17 +57,19 @@ Cases CoupledProblem::cases_of(const ContactVector& p) const {
   return cases;
 }
 
-bool CoupledProblem::meets(const Cases& cases, CoupledSolution& out) const {
+std::optional<CoupledSolution> CoupledProblem::solution_of(const Cases& cases) const {
+  CoupledSolution out;
+  out.solutions = 1;
   out.p = impulses(cases);
-  if (!out.p.allFinite()) return false;
+  if (!out.p.allFinite()) return {};
   out.y = a_ * out.p + b_;
   const double largest = std::max(out.p.cwiseAbs().maxCoeff(), impulse_);
   const double rates = kCaseRoundOff * (rate_ + largest * a_.cwiseAbs().maxCoeff());
   const double impulses = kCaseRoundOff * largest;
   for (int i = 0; i < n_; ++i) {
-    if (!in_set(cases[static_cast<std::size_t>(i)], set(i), i, out, rates, impulses)) return false;
+    if (!in_set(cases[static_cast<std::size_t>(i)], set(i), i, out, rates, impulses)) return {};
   }
-  return true;
+  return out;
 }
 
 ContactVector CoupledProblem::impulses(const Cases& cases) const {
@@ -78,17 +80,17 @@ ContactVector CoupledProblem::impulses(const Cases& cases) const {
     if (c.at_least) {
       s.given[normal] = set(i).least_normal;
     } else {
-      s.free(normal);
+      s.set_unknown(normal);
     }
     if (c.friction == Bound::kStick) {
-      s.free(friction);
+      s.set_unknown(friction);
       continue;
     }
     const auto bound = [&](double l) {
       return c.friction == Bound::kLow ? set(i).low(l) : set(i).high(l);
     };
     s.given[friction] = bound(s.given[normal]);
-    if (!c.at_least) s.bring(friction, bound(1.0) - bound(0.0));
+    if (!c.at_least) s.tie(friction, bound(1.0) - bound(0.0));
   }
   return s.solve(a_, b_);
 }

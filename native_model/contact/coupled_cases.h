@@ -3,6 +3,7 @@
 #pragma once
 
 #include <array>
+#include <optional>
 #include <span>
 
 #include "native_model/contact/coupled_problem.h"
@@ -39,8 +40,9 @@ class CoupledProblem {
   // itself) onto the sets.
   Cases cases_of(const ContactVector& p) const;
 
-  // Finds the impulses of these cases; false if they are not in the sets.
-  bool meets(const Cases& cases, CoupledSolution& out) const;
+  // The solution with these cases, whose `solutions` is 1; empty if its impulses are not in the
+  // sets.
+  std::optional<CoupledSolution> solution_of(const Cases& cases) const;
 
   // The impulses of these cases, whether or not they are in the sets.
   ContactVector impulses(const Cases& cases) const;

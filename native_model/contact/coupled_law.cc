@@ -38,7 +38,7 @@ CoupledSolution solve_with_friction(const ContactMatrix& a, const ContactVector&
     const CoupledSolution s = rows == 3 ? solve_discs(a, b, std::span(discs).first(n))
                                         : solve_coupled(a, b, std::span(sets).first(n));
     bool improved = false;
-    for (std::size_t i = 0; i < n && s.solutions == 1; ++i) {
+    for (std::size_t i = 0; i < n && s.is_unique(); ++i) {
       const auto at = rows * static_cast<Eigen::Index>(i);
       const double along_slip = rows == 3 ? -friction[i].mu() * s.p[at] : s.p[at + 1];
       improved =
@@ -51,13 +51,14 @@ CoupledSolution solve_with_friction(const ContactMatrix& a, const ContactVector&
 
 }  // namespace
 
-CoupledSolution solve_compression(const ContactMatrix& a, const ContactVector& b,
-                                  std::span<const ImpactLaw> laws) {
-  return solve_expansion(a, b, laws, ContactVector::Zero(b.size()));
+CoupledSolution solve_coupled_coulomb(const ContactMatrix& a, const ContactVector& b,
+                                      std::span<const ImpactLaw> laws) {
+  return solve_coupled_expansion(a, b, laws, ContactVector::Zero(b.size()));
 }
 
-CoupledSolution solve_expansion(const ContactMatrix& a, const ContactVector& b,
-                                std::span<const ImpactLaw> laws, const ContactVector& compressed) {
+CoupledSolution solve_coupled_expansion(const ContactMatrix& a, const ContactVector& b,
+                                        std::span<const ImpactLaw> laws,
+                                        const ContactVector& compressed) {
   std::array<ImpactFriction, kMaxContacts> friction;
   for (std::size_t i = 0; i < laws.size(); ++i) {
     friction[i] = {laws[i].friction, slip_among(b, laws.size(), i)};
@@ -69,8 +70,9 @@ CoupledSolution solve_expansion(const ContactMatrix& a, const ContactVector& b,
       });
 }
 
-CoupledSolution solve_lasting(const ContactMatrix& a, const ContactVector& b,
-                              std::span<const ImpactLaw> laws, std::span<const double> before) {
+CoupledSolution solve_coupled_lasting(const ContactMatrix& a, const ContactVector& b,
+                                      std::span<const ImpactLaw> laws,
+                                      std::span<const double> before) {
   std::array<SlipFriction, kMaxContacts> friction;
   for (std::size_t i = 0; i < laws.size(); ++i) friction[i] = {laws[i].friction, before[i]};
   return solve_with_friction(a, b, laws, ContactVector::Zero(b.size()), friction,
@@ -89,9 +91,9 @@ CoupledSolution solve_coupled_impact(const ContactMatrix& a, const ContactVector
     s.sticks[0] = r.slip == 0.0;
     return s;
   }
-  const CoupledSolution c = solve_compression(a, b, laws);
-  if (c.solutions != 1) return c;
-  CoupledSolution e = solve_expansion(a, c.y, laws, c.p);
+  const CoupledSolution c = solve_coupled_coulomb(a, b, laws);
+  if (!c.is_unique()) return c;
+  CoupledSolution e = solve_coupled_expansion(a, c.y, laws, c.p);
   e.p += c.p;
   return e;
 }

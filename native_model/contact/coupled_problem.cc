@@ -22,9 +22,9 @@ using coupled_cases::CoupledProblem;
 using coupled_cases::distinct;
 
 constexpr double kSingular = 1e-12;  // pivots below this share of the largest count as 0
-// Up to so many contacts all cases are tried, which counts the motions.
+// With at most this number of contacts all cases are tried, which counts the motions.
 constexpr int kMostTried = 3;
-// Up to so many contacts all cases are tried if nothing else leads to a solution.
+// With at most this number of contacts all cases are tried if nothing else leads to a solution.
 constexpr int kMostTriedBlind = 5;
 constexpr int kSweeps = 2000;
 // Motions count as the same if their rates differ by less than this share of the rates. It is
@@ -55,24 +55,33 @@ void for_each_combination(const CoupledProblem& problem, Cases& cases, int from,
   }
 }
 
-// of: receives the cases of the solution.
-CoupledSolution by_cases(const CoupledProblem& problem, Cases& of) {
-  CoupledSolution best, tried;
+// A solution and its cases.
+struct SolvedCases {
+  CoupledSolution solution;
+  Cases cases{};
+};
+
+// Tries all combinations of cases. Of solutions with the same motion the one with the least
+// impulses counts; of several motions the first.
+SolvedCases by_cases(const CoupledProblem& problem) {
+  SolvedCases found;
+  CoupledSolution& best = found.solution;
   const auto action = [&](const Cases& cases) {
-    if (!problem.meets(cases, tried)) return;
+    const std::optional<CoupledSolution> tried = problem.solution_of(cases);
+    if (!tried) return;
     const bool first = best.solutions == 0;
     const bool same =
-        !first && (best.y - tried.y).cwiseAbs().maxCoeff() <= kSameMotion * problem.rate();
-    tried.solutions = best.solutions + (same ? 0 : 1);
-    if (first || (same && tried.p.squaredNorm() < (1.0 - kSameMotion) * best.p.squaredNorm())) {
-      best = tried;
-      of = cases;
+        !first && (best.y - tried->y).cwiseAbs().maxCoeff() <= kSameMotion * problem.rate();
+    const int motions = best.solutions + (same ? 0 : 1);
+    if (first || (same && tried->p.squaredNorm() < (1.0 - kSameMotion) * best.p.squaredNorm())) {
+      best = *tried;
+      found.cases = cases;
     }
-    best.solutions = tried.solutions;
+    best.solutions = motions;
   };
   Cases cases{};
   for_each_combination(problem, cases, 0, action);
-  return best;
+  return found;
 }
 
 // Contacts that all have a small compliance share their impulses in one way only.
@@ -89,12 +98,9 @@ CoupledSolution shared_alike(const ContactMatrix& a, const ContactVector& b,
                              std::span<const ContactSet> sets, const CoupledProblem& problem,
                              const CoupledSolution& several) {
   const ContactMatrix soft = softened(a, kGive);
-  Cases cases{};
-  CoupledSolution shared;
-  if (by_cases(CoupledProblem(soft, b, sets), cases).solutions != 1) return several;
-  if (!problem.meets(cases, shared)) return several;
-  shared.solutions = 1;
-  return shared;
+  const SolvedCases found = by_cases(CoupledProblem(soft, b, sets));
+  if (!found.solution.is_unique()) return several;
+  return problem.solution_of(found.cases).value_or(several);
 }
 
 // Finds the cases of contacts with a small compliance: each round takes the cases that follow from
@@ -102,7 +108,6 @@ CoupledSolution shared_alike(const ContactMatrix& a, const ContactVector& b,
 // independent of the order of the contacts.
 CoupledSolution by_rounds(const ContactMatrix& a, const ContactVector& b,
                           std::span<const ContactSet> sets, const CoupledProblem& problem) {
-  CoupledSolution out;
   for (const double give : kGives) {
     const ContactMatrix soft = softened(a, give);
     const CoupledProblem giving(soft, b, sets);
@@ -111,10 +116,8 @@ CoupledSolution by_rounds(const ContactMatrix& a, const ContactVector& b,
       cases = next;
       next = giving.cases_of(giving.impulses(cases));
     }
-    if (next == cases && problem.meets(cases, out)) {
-      out.solutions = 1;
-      return out;
-    }
+    if (next != cases) continue;
+    if (const auto solution = problem.solution_of(cases)) return *solution;
   }
   return {};
 }
@@ -126,7 +129,6 @@ CoupledSolution by_sweeps(const ContactMatrix& a, const ContactVector& b,
   const int n = problem.size();
   ContactVector p = ContactVector::Zero(2 * n);
   Cases cases{};
-  CoupledSolution out;
   for (int k = 0; k < kSweeps; ++k) {
     Cases found{};
     for (int i = 0; i < n; ++i) {
@@ -134,8 +136,7 @@ CoupledSolution by_sweeps(const ContactMatrix& a, const ContactVector& b,
       const ContactVector rest =
           b.segment(2 * i, 2) + a.middleRows(2 * i, 2) * p - own * p.segment(2 * i, 2);
       const std::span<const ContactSet> set = sets.subspan(static_cast<std::size_t>(i), 1);
-      Cases of{};
-      const CoupledSolution s = by_cases(CoupledProblem(own, rest, set), of);
+      const CoupledSolution s = by_cases(CoupledProblem(own, rest, set)).solution;
       if (s.solutions == 0) return {};
       p.segment(2 * i, 2) = s.p;
       Case& c = found[static_cast<std::size_t>(i)];
@@ -148,15 +149,11 @@ CoupledSolution by_sweeps(const ContactMatrix& a, const ContactVector& b,
     const bool known = k > 0 && found == cases;
     cases = found;
     if (known && k % 8 != 0) continue;  // these cases were not a solution
-    if (problem.meets(cases, out)) {
-      CoupledSolution shared;
-      if (problem.meets(problem.all_closed(cases, out), shared) &&
-          shared.p.squaredNorm() < out.p.squaredNorm()) {
-        out = shared;
-      }
-      out.solutions = 1;
-      return out;
-    }
+    const auto solution = problem.solution_of(cases);
+    if (!solution) continue;
+    const auto shared = problem.solution_of(problem.all_closed(cases, *solution));
+    const bool smaller = shared && shared->p.squaredNorm() < solution->p.squaredNorm();
+    return smaller ? *shared : *solution;
   }
   return {};
 }
@@ -168,8 +165,7 @@ CoupledSolution solve_many(const ContactMatrix& a, const ContactVector& b,
   if (const CoupledSolution s = by_rounds(a, b, sets, problem); s.solutions > 0) return s;
   const CoupledSolution swept = by_sweeps(a, b, sets, problem);
   if (swept.solutions > 0 || problem.size() > kMostTriedBlind) return swept;
-  Cases of{};
-  return by_cases(problem, of);
+  return by_cases(problem).solution;
 }
 
 // Sorts the contacts by their properties, so that a list in another order has the same solution
@@ -249,9 +245,8 @@ CoupledSolution solve_coupled(const ContactMatrix& a, const ContactVector& b,
   assert(a.rows() == b.size() && b.size() == 2 * static_cast<Eigen::Index>(sets.size()));
   if (is_plain(a, sets)) return one_plain(a, b, sets[0]);
   const CoupledProblem problem(a, b, sets);
-  Cases of{};
   if (problem.size() <= kMostTried) {
-    const CoupledSolution s = by_cases(problem, of);
+    const CoupledSolution s = by_cases(problem).solution;
     return s.solutions > 1 ? shared_alike(a, b, sets, problem, s) : s;
   }
   const Order order = order_of(a, b, sets);

@@ -37,8 +37,9 @@ using ContactMatrix = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eige
 
 struct CoupledSolution {
   // Number of distinct motions. 0: there is none, or none was found for more than kMostTried
-  // contacts; above 1: p and y are the first.
+  // contacts, and p and y mean nothing; above 1: p and y are the first.
   int solutions = 0;
+  bool is_unique() const { return solutions == 1; }
   ContactVector p, y;                       // L, and a L + b
   std::array<bool, kMaxContacts> sticks{};  // y_T = 0 within the set
 };
@@ -55,13 +56,14 @@ struct CaseSystem {
 
   explicit CaseSystem(Eigen::Index n)
       : columns(ContactMatrix::Zero(n, n)), rows(columns), given(ContactVector::Zero(n)) {}
-  // Makes L_row unknown, with y_row = 0. bring(row, factor) then adds `factor` times the last
-  // unknown to L_row.
-  void free(Eigen::Index row) {
+  // Makes L_row unknown, with y_row = 0. tie(row, factor) then makes L_row depend on this unknown:
+  // it adds `factor` times the last unknown to L_row (friction as a multiple of the normal
+  // impulse).
+  void set_unknown(Eigen::Index row) {
     columns(row, count) = rows(row, count) = 1.0;
     ++count;
   }
-  void bring(Eigen::Index row, double factor) { columns(row, count - 1) = factor; }
+  void tie(Eigen::Index row, double factor) { columns(row, count - 1) = factor; }
   ContactVector solve(const ContactMatrix& a, const ContactVector& b) const;
 };
 

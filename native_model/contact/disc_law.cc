@@ -103,13 +103,13 @@ class DiscSystem {
       s.given[row] = set.least_normal;
       given += set.least_normal * by_normal;
     } else {
-      s.free(row);
-      for (const Eigen::Index k : {0, 1}) s.bring(row + 1 + k, by_normal[k]);
+      s.set_unknown(row);
+      for (const Eigen::Index k : {0, 1}) s.tie(row + 1 + k, by_normal[k]);
     }
     s.given.segment<2>(row + 1) = given;
     if (c.friction == DiscFriction::kStick) {
-      s.free(row + 1);
-      s.free(row + 2);
+      s.set_unknown(row + 1);
+      s.set_unknown(row + 2);
     } else if (c.friction == DiscFriction::kChord) {
       const Eigen::Vector2d along(-set.side.y(), set.side.x());
       s.columns.col(s.count).segment<2>(row + 1) = along;

@@ -32,7 +32,7 @@ struct FrictionLaw {
   FrictionLaw(double mu) : coefficient(mu) {}  // NOLINT: a number is Coulomb's law
   bool operator==(const FrictionLaw&) const = default;
 
-  // mu for a slip (m/s) of either sign.
+  // mu at a slip (m/s) of either sign.
   double at(double slip) const { return along(std::abs(slip)); }
   // mu for a speed (m/s) along the sliding direction. It is smooth through 0, because a step may
   // evaluate it beyond its end.
@@ -50,7 +50,7 @@ struct FrictionLaw {
   // Upper bound of mu over all slips up to this one.
   double bound(double slip) const { return sticking() + viscous * std::abs(slip); }
   bool is_constant() const { return excess == 0.0 && viscous == 0.0; }
-  bool none() const { return is_constant() && coefficient == 0.0; }
+  bool is_frictionless() const { return is_constant() && coefficient == 0.0; }
   // mu for a method that supports no other law; `who` names the method in the message.
   double constant(const std::string& who) const {
     if (is_constant()) return coefficient;

@@ -11,6 +11,7 @@ namespace {
 
 using Point = PlanarImpulse;
 
+// The problem of an expansion, y = a L + (b_n, b_t).
 struct Expansion {
   Delassus a;
   double b_n, b_t;
@@ -31,13 +32,16 @@ struct Expansion {
     return {n, -(a.tn * n + b_t) / a.tt};
   }
 
-  // Solution with gdot_NE = 0 and at least the least impulse. Returns the number of cases that
-  // hold; p is the first.
-  int closed(Point& p) const {
-    int count = 0;
+  // The solutions with gdot_NE = 0 and at least the least impulse: their number, and the first.
+  struct Closed {
+    int solutions = 0;
+    Point first{0.0, 0.0};
+  };
+  Closed closed() const {
+    Closed found;
     const auto take = [&](Point candidate) {
       if (candidate.normal < set.least_normal) return;
-      if (count++ == 0) p = candidate;
+      if (found.solutions++ == 0) found.first = candidate;
     };
     // On a bound, L_T = c_0 + c_1 L_N.
     const auto along = [&](double c_0, double c_1, double sign) {
@@ -48,8 +52,8 @@ struct Expansion {
     };
     along(set.low(0.0), set.low(1.0) - set.low(0.0), 1.0);
     along(set.high(0.0), set.high(1.0) - set.high(0.0), -1.0);
-    if (const Point stuck = stick(a, b_n, b_t); within(stuck)) take(stuck);
-    return count;
+    if (const Point stuck = sticking_impulse(a, b_n, b_t); within(stuck)) take(stuck);
+    return found;
   }
 };
 
@@ -77,8 +81,8 @@ struct ImpactPhase {
   double slip = 0.0;      // m/s, gdot_T at its end without impulse
 };
 
-// The compression alone: fills the L_C and gdot_C. mu is the mean over the slips of the phase
-// (impact_friction.h), as in expand().
+// The result of the compression alone; its expansion is still 0. mu is the mean over the slips of
+// the phase (impact_friction.h), as in expand().
 ImpactResult compress(const ImpactPhase& phase, const ImpactLaw& law) {
   const Delassus& a = phase.matrix;
   ImpactFriction friction(law.friction, phase.slip);
@@ -87,7 +91,7 @@ ImpactResult compress(const ImpactPhase& phase, const ImpactLaw& law) {
   do {
     c = solve_coulomb(a, phase.gap_rate, phase.slip, friction.mu());
     r.slip_compression = slip_after(a, phase.slip, {c.normal, c.friction});
-  } while (c.solutions == 1 && friction.improve(c.normal, c.friction, r.slip_compression, a.tt));
+  } while (c.is_unique() && friction.improve(c.normal, c.friction, r.slip_compression, a.tt));
   r.status = status_of(c.solutions);
   r.normal_compression = c.normal;
   r.friction_compression = c.friction;
@@ -109,9 +113,10 @@ void expand(const ImpactPhase& phase, const ImpactLaw& law, double mu, ImpactRes
   Point p = e.at_least_normal();
   const bool closes = e.gap_rate(p) < 0.0;  // the least impulse leaves the bodies closing
   if (closes) {
-    const int count = e.closed(p);
-    if (count != 1) r.status = status_of(count);
-    if (count == 0) return;
+    const Expansion::Closed closed = e.closed();
+    if (closed.solutions != 1) r.status = status_of(closed.solutions);
+    if (closed.solutions == 0) return;
+    p = closed.first;
   }
   r.normal_expansion = p.normal;
   r.friction_expansion = p.friction;

@@ -8,6 +8,7 @@
 
 #include <Eigen/Core>
 #include <cmath>
+#include <optional>
 
 #include "native_model/contact/planar_contact.h"
 
@@ -70,14 +71,16 @@ Eigen::Vector3d contact_load(const Eigen::Vector2d& e_r, double radius, double n
 // centre, which the rotor's centre cannot leave. d: m, start of the path, from the ring's to the
 // rotor's centre; path: m, displacement from there.
 
-// Fraction of the path at which it leaves the circle. It is 0 if the path starts outside and leads
-// further out. If the path starts outside and leads inward, it is the point where the path comes
-// out again. It is above 1 if the path does not leave the circle, or never enters it.
-double circle_exit(const Eigen::Vector2d& d, const Eigen::Vector2d& path, double clearance);
+// Fraction of the path at which it leaves the circle, in [0, 1]; empty if it does not. It is 0 if
+// the path starts outside and leads further out. If the path starts outside and leads inward, it is
+// the point where the path comes out again.
+std::optional<double> circle_exit(const Eigen::Vector2d& d, const Eigen::Vector2d& path,
+                                  double clearance);
 
-// For a point p outside: the least N > 0 for which p + N g lies on the circle; negative if there is
+// For a point p outside: the least N > 0 for which p + N g lies on the circle; empty if there is
 // none.
-double reach_circle(const Eigen::Vector2d& p, const Eigen::Vector2d& g, double clearance);
+std::optional<double> reach_circle(const Eigen::Vector2d& p, const Eigen::Vector2d& g,
+                                   double clearance);
 
 // Outward normal of the contact that closes on a path ending outside the circle. It is the
 // direction of d if the path leads outward from d, or if d is already on the circle or outside.

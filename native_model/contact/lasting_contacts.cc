@@ -13,6 +13,7 @@ Eigen::Vector2d end_of_path(double h, const LastingContact& c) {
   return c.d + h * c.free.head<2>();
 }
 
+// One contact. The impulses are stored in the contact itself.
 class OneOnCircle {
  public:
   OneOnCircle(double h, LastingContact& contact, const Eigen::Matrix3d& admittance)
@@ -33,21 +34,22 @@ class OneOnCircle {
     const double sign = r.contact_case == ContactCase::kSlidePositive   ? 1.0
                         : r.contact_case == ContactCase::kSlideNegative ? -1.0
                                                                         : 0.0;
-    take(sign, {true, r.normal, r.friction});
+    store(sign, {true, r.normal, r.friction});
     return status_of(r.solutions);
   }
 
  private:
+  // Impulses (N s) with which the centre ends on the circle, and the slip at the end, m/s.
   struct Candidate {
-    bool holds = false;
-    double normal = 0.0, friction = 0.0;
-    double slip = 0.0;  // at the end
+    bool holds = false;  // there are such impulses
+    double normal = 0.0, friction = 0.0, slip = 0.0;
   };
   // Sliding with T = ratio N.
   Candidate slide(double ratio) const {
     const Eigen::Vector3d g = along_normal_ + ratio * along_friction_;
-    const double normal = reach_circle(end_, h_ * g.head<2>(), c_.clearance);
-    return {normal > 0.0, normal, ratio * normal, slip_of(c_, c_.free + normal * g)};
+    const auto normal = reach_circle(end_, h_ * g.head<2>(), c_.clearance);
+    if (!normal) return {};
+    return {true, *normal, ratio * *normal, slip_of(c_, c_.free + *normal * g)};
   }
   // Sliding in one direction throughout, with mu at the slip of the middle.
   Candidate slide_on(double sign, double before) const {
@@ -64,36 +66,41 @@ class OneOnCircle {
     const double ratio = -slip_of(c_, along_normal_) / compliance;
     const Eigen::Vector3d g = along_normal_ + ratio * along_friction_;
     const Eigen::Vector2d end = end_ + h_ * constant * along_friction_.head<2>();
-    const double normal = reach_circle(end, h_ * g.head<2>(), c_.clearance);
-    return {normal > 0.0, normal, constant + ratio * normal, 0.0};
+    const auto normal = reach_circle(end, h_ * g.head<2>(), c_.clearance);
+    // Without a solution only the sign of this friction is used, for the direction of sliding.
+    if (!normal) return {false, 0.0, constant - ratio, 0.0};
+    return {true, *normal, constant + ratio * *normal, 0.0};
   }
-  bool take(double slip_sign, const Candidate& c) const {
+  // Stores the candidate in c_ and returns whether it holds.
+  bool store(double slip_sign, const Candidate& c) const {
     c_.slip_sign = slip_sign;
     c_.normal_impulse = c.normal;
     c_.friction_impulse = c.friction;
     return c.holds;
   }
 
-  // Tries sliding on, stopping and reversing, and stores what holds in c_. Returns false if no
+  // Tries sliding on, stopping and reversing, and stores the case that holds. Returns false if no
   // point of the circle is in reach.
   bool solve_by_cases() const {
     const double before = slip_before(c_), mu = c_.friction.sticking();
-    const Candidate rest = stick();
+    const Candidate stopped = stick();
     if (before == 0.0) {
-      if (std::abs(rest.friction) <= mu * rest.normal) return take(0.0, rest);
-      const double sign = rest.friction > 0.0 ? -1.0 : 1.0;
-      return take(sign, slide_on(sign, 0.0));
+      if (stopped.holds && std::abs(stopped.friction) <= mu * stopped.normal) {
+        return store(0.0, stopped);
+      }
+      const double sign = stopped.friction > 0.0 ? -1.0 : 1.0;
+      return store(sign, slide_on(sign, 0.0));
     }
     const double sign = before > 0.0 ? 1.0 : -1.0;
-    const Candidate through = slide_on(sign, before);
-    if (!through.holds || through.slip * sign > 0.0) return take(sign, through);
-    if (!rest.holds) return false;
+    const Candidate sliding = slide_on(sign, before);
+    if (!sliding.holds || sliding.slip * sign > 0.0) return store(sign, sliding);
+    if (!stopped.holds) return false;
     // Friction brakes until the slip is 0. `hold` is the force that then keeps it at 0, as an
     // impulse over a whole step.
-    const double share = before / (before - through.slip);
-    const double hold = (rest.friction + share * sign * mu * rest.normal) / (1.0 - share);
-    if (share >= 1.0 || hold * sign <= mu * rest.normal) return take(0.0, rest);
-    return take(-sign, slide(mu * sign * (1.0 - 2.0 * share)));
+    const double share = before / (before - sliding.slip);
+    const double hold = (stopped.friction + share * sign * mu * stopped.normal) / (1.0 - share);
+    if (share >= 1.0 || hold * sign <= mu * stopped.normal) return store(0.0, stopped);
+    return store(-sign, slide(mu * sign * (1.0 - 2.0 * share)));
   }
 
   double h_;

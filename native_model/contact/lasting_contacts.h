@@ -38,19 +38,19 @@ struct LastingContact {
   // Input, from the step before: direction of the slip, +1 or -1; 0 if it stuck or did not last.
   // Output: direction in this step.
   double slip_sign = 0.0;
-  double normal_impulse = 0.0;    // N s, >= 0; output
-  double friction_impulse = 0.0;  // N s, on the rotor along e_t; output
+  // N s, normal (>= 0) and friction on the rotor along e_t. Input: a guess, from which several
+  // contacts are solved faster; output: the solution.
+  double normal_impulse = 0.0, friction_impulse = 0.0;
 };
 
-// A_ij = J_i (M + h D/2)^-1 J_j^T, the rates of contact i by a load on contact j, 1/kg and 1/(kg
-// m^2). `blocks` holds the matrices of all `all` contacts of the model, and `number` the index of
-// each contact of the list among them.
+// A_ij = J_i (M + h D/2)^-1 J_j^T, the change of the rates of contact i by an impulse on contact j,
+// 1/kg and 1/(kg m^2), for the contacts of a list.
 struct ContactAdmittance {
-  const Eigen::Matrix3d* blocks;
-  std::size_t all;
-  std::span<const std::size_t> number;
+  const Eigen::Matrix3d* blocks;       // of all pairs of the model's contacts, row by row
+  std::size_t total;                   // number of the model's contacts
+  std::span<const std::size_t> index;  // of each contact of the list among the model's contacts
   const Eigen::Matrix3d& operator()(std::size_t i, std::size_t j) const {
-    return blocks[number[i] * all + number[j]];
+    return blocks[index[i] * total + index[j]];
   }
 };
 
@@ -68,7 +68,8 @@ inline double slip_before(const LastingContact& c) {
   return std::abs(slip) <= kNoSlip * c.radius * std::abs(c.start.z()) ? 0.0 : slip;
 }
 
-// h: s. A single contact must have a path that ends outside the circle. Returns kNoSolution and
+// Finds the impulses and the slip signs of the contacts, which it stores in them. h: s. A single
+// contact must have a path that ends outside the circle. Returns kNoSolution and
 // kAmbiguous in Painleve's cases. With several contacts it returns kStepTooLarge if one whirls so
 // far within the step that the normals have no unique solution, whatever the law.
 Status solve_lasting_contacts(double h, std::span<LastingContact> contacts,

@@ -12,7 +12,7 @@ struct Sliding {
   double normal, slip;  // L_N, y_T
 };
 Sliding sliding(const Delassus& a, double b_n, double b_t, double mu_sign) {
-  const double normal = slide(a, b_n, mu_sign);
+  const double normal = sliding_normal(a, b_n, mu_sign);
   return {normal, b_t + (a.tn - mu_sign * a.tt) * normal};
 }
 
@@ -28,7 +28,7 @@ CoulombSolution enumerate(const Delassus& a, double b_n, double b_t, double mu) 
     found.solutions = before + 1;
   };
   if (b_n >= 0.0) take(ContactCase::kOpen, {0.0, 0.0});
-  const PlanarImpulse stuck = stick(a, b_n, b_t);
+  const PlanarImpulse stuck = sticking_impulse(a, b_n, b_t);
   if (stuck.normal > 0.0 && std::abs(stuck.friction) <= mu * stuck.normal) {
     take(ContactCase::kStick, stuck);
   }
@@ -59,7 +59,7 @@ CoulombSolution solve_coulomb(const Delassus& a, double b_n, double b_t, double 
   if (negative.slip < 0.0) {
     return {negative.normal, mu * negative.normal, ContactCase::kSlideNegative};
   }
-  const PlanarImpulse stuck = stick(a, b_n, b_t);
+  const PlanarImpulse stuck = sticking_impulse(a, b_n, b_t);
   return {stuck.normal, stuck.friction, ContactCase::kStick};
 }
 
@@ -70,7 +70,7 @@ CoulombSolution solve_coulomb(const Delassus& a, double b_n, double b_t, const F
     const CoulombSolution s = solve_coulomb(a, b_n, b_t, friction.mu());
     const bool sticks = s.contact_case == ContactCase::kStick;
     const double slip = sticks ? 0.0 : slip_after(a, b_t, {s.normal, s.friction});
-    if (s.solutions != 1 || !friction.improve(slip, a.tt * s.normal)) return s;
+    if (!s.is_unique() || !friction.improve(slip, a.tt * s.normal)) return s;
   }
 }
 

@@ -22,19 +22,21 @@ struct PlanarImpulse {
   double normal, friction;  // L_N, L_T
 };
 
-// Sticking: y_N = 0 and y_T = 0.
-inline PlanarImpulse stick(const Delassus& a, double b_n, double b_t) {
+// Sticking: L with y_N = 0 and y_T = 0.
+inline PlanarImpulse sticking_impulse(const Delassus& a, double b_n, double b_t) {
   const double determinant = a.nn * a.tt - a.nt * a.tn;
   return {(b_t * a.nt - b_n * a.tt) / determinant, (b_n * a.tn - b_t * a.nn) / determinant};
 }
 
-// The coefficient of L_N in the normal row if the friction L_T = -mu_sign L_N acts too, with
-// mu_sign = mu sign(slip). If it is not positive, sliding wedges the contact (Painleve).
-inline double carried(const Delassus& a, double mu_sign) { return a.nn - mu_sign * a.nt; }
+// Sliding, with L_T = -mu_sign L_N and mu_sign = mu sign(slip): the coefficient of L_N in y_N. If
+// it is not positive, sliding wedges the contact (Painleve).
+inline double sliding_coefficient(const Delassus& a, double mu_sign) {
+  return a.nn - mu_sign * a.nt;
+}
 
-// Sliding: L_N from y_N = 0 with L_T = -mu_sign L_N.
-inline double slide(const Delassus& a, double b_n, double mu_sign) {
-  return -b_n / carried(a, mu_sign);
+// Sliding: L_N with y_N = 0.
+inline double sliding_normal(const Delassus& a, double b_n, double mu_sign) {
+  return -b_n / sliding_coefficient(a, mu_sign);
 }
 
 // y_N and y_T after any impulse.
@@ -61,10 +63,11 @@ struct CoulombSolution {
   double normal = 0.0;    // L_N
   double friction = 0.0;  // L_T
   ContactCase contact_case = ContactCase::kOpen;
-  // Number of distinct solutions. If it is 0, there is none (Painleve); if it is above 1, this is
-  // the first in the order open, stick, slide. Both occur only if mu |a_nt| >= a_nn or if the
-  // matrix is not symmetric.
+  // Number of distinct solutions. If it is 0, there is none (Painleve) and the values above mean
+  // nothing; if it is above 1, this is the first in the order open, stick, slide. Both occur only
+  // if mu |a_nt| >= a_nn or if the matrix is not symmetric.
   int solutions = 1;
+  bool is_unique() const { return solutions == 1; }
 };
 
 inline Mode mode_of(double normal, bool sticks) {

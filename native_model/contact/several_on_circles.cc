@@ -109,7 +109,11 @@ bool SeveralOnCircles::go_on_as_before() {
           unknown[u].friction ? e[2 * j + 1] : Eigen::Vector3d(e[2 * j] + ratio * e[2 * j + 1]);
     }
   }
-  double p[kMostRows] = {}, matrix[kMostRows][kMostRows], rest[kMostRows];
+  double p[kMostRows], matrix[kMostRows][kMostRows], rest[kMostRows];
+  for (std::size_t u = 0; u < count; ++u) {
+    const LastingContact& c = c_[unknown[u].contact];
+    p[u] = unknown[u].friction ? c.friction_impulse : c.normal_impulse;
+  }
   std::array<Eigen::Vector3d, kMaxContacts> rates;
   constexpr int kRounds = 8;
   // Relative to the largest impulse. After a change of kDone the next change would be of the order
@@ -205,7 +209,7 @@ CoupledSolution SeveralOnCircles::solve_with(std::span<const Friction> friction)
       b[row + 1] = slip_of(c, c.free);
     }
     s = solve_coupled(a, b, std::span(sets).first(c_.size()));
-    if (s.solutions != 1) return s;
+    if (!s.is_unique()) return s;
     const double moved = (s.p - p).cwiseAbs().maxCoeff();
     p = s.p;
     if (moved <= 1e-14 * p.cwiseAbs().maxCoeff()) break;
@@ -240,7 +244,7 @@ Status SeveralOnCircles::solve() {
   std::array<bool, kMaxContacts> turns{}, turned{};
   for (bool settled = false; !settled;) {
     s = solve_with(std::span(friction).first(n));
-    if (s.solutions != 1) {
+    if (!s.is_unique()) {
       return whirls_too_far() ? Status::kStepTooLarge : status_of(s.solutions);
     }
     settled = true;

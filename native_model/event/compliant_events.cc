@@ -15,7 +15,7 @@ constexpr double kInWall = 1e-9;
 // A contact that begins closed has no touch; a contact that closes while on its circle has one.
 void EventIntegrator::begin_in_walls() {
   for (std::size_t k = 0; k < phase_.contacts(); ++k) {
-    if (!model_->auxiliary[k].gives()) continue;
+    if (!model_->auxiliary[k].is_compliant()) continue;
     const ContactPoint p = contact_point(*model_, motion_.q(), motion_.v(), k);
     const ContactParameters& contact = *model_->auxiliary[k].contact;
     if (CompliantLaw::begins_closed(p.gap, p.gap_rate, contact.clearance)) {
@@ -40,7 +40,7 @@ void EventIntegrator::begin_touch(std::size_t k, double hunt_crossley) {
   state.in_wall = true;
   phase_.set(k, state);
   observer_.begin_touch(motion_, touch);
-  decide_one(k, Constraint::Velocity::kKept);
+  decide_one(k, Constraint::Velocity::kAny);
 }
 
 // m/s^2, gddot_N of a contact without a force, under the loads and the forces of the other
@@ -74,7 +74,7 @@ void EventIntegrator::release(const ClosedContact& at) {
 // An impact at another contact may throw the shaft off a wall so fast that the wall's damper leaves
 // no force. The touch then ends. True if this was the case.
 bool EventIntegrator::release_if_unloaded(std::size_t k) {
-  if (!model_->auxiliary[k].gives()) return false;
+  if (!model_->auxiliary[k].is_compliant()) return false;
   const ClosedContact at{k, contact_point(*model_, motion_.q(), motion_.v(), k)};
   const double none = kOpen * margin_scales(k).force;
   if (at.point.gap_rate <= 0.0 || *phase_.compliant_force(at) >= -none) return false;
@@ -96,13 +96,13 @@ void EventIntegrator::compliant_margin_reached(std::size_t k) {
   if (was.in_wall) {
     if (end == PhaseEnd::kOpens) return change_to(k, in_flight(Departure::kRebound));
     observer_.begin_touch(motion_, at);
-    return decide_one(k, Constraint::Velocity::kKept);
+    return decide_one(k, Constraint::Velocity::kAny);
   }
   switch (end) {
     case PhaseEnd::kOpens:
       return release(at);
     case PhaseEnd::kSlipStops:
-      return decide_one(k, Constraint::Velocity::kStuck);
+      return decide_one(k, Constraint::Velocity::kZero);
     case PhaseEnd::kSlipBegins:  // against friction at its limit
       return change_to(k, {Mode::kSlide, force.friction > 0.0 ? -1.0 : 1.0});
   }

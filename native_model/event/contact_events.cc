@@ -30,10 +30,10 @@ EventIntegrator::Closed EventIntegrator::on_circles() const {
   Closed closed;
   for (std::size_t k = 0; k < phase_.contacts(); ++k) {
     const auto& contact = model_->auxiliary[k].contact;
-    if (!contact || contact->gives()) continue;
+    if (!contact || contact->is_compliant()) continue;
     const double gap = contact_point(*model_, motion_.q(), motion_.v(), k).gap;
     if (phase_.in_contact(k) || phase_.state(k).redundant || gap <= kOnCircle * contact->clearance)
-      closed.push_back({k, Velocity::kKept});
+      closed.push_back({k, Velocity::kAny});
   }
   return closed;
 }
@@ -45,7 +45,7 @@ void EventIntegrator::begin_on_circles(const Closed& closed) {
   for (const ClosedContact& c : closed_points(*model_, motion_.q(), motion_.v(), closed)) {
     if (c.point.gap_rate < 0.0) return impact(c.index);
     if (c.point.gap_rate <= parameters_.zeno_velocity_threshold) {
-      resting.push_back({c.index, Velocity::kKept});
+      resting.push_back({c.index, Velocity::kAny});
     } else {
       phase_.set(c.index, in_flight(Departure::kRebound));
     }
@@ -56,7 +56,7 @@ void EventIntegrator::begin_on_circles(const Closed& closed) {
 }
 
 void EventIntegrator::impact(std::size_t contact) {
-  if (model_->auxiliary[contact].gives()) {
+  if (model_->auxiliary[contact].is_compliant()) {
     const double speed = -contact_point(*model_, motion_.q(), motion_.v(), contact).gap_rate;
     return begin_touch(contact, model_->auxiliary[contact].contact->compliance.a_of_touch(speed));
   }
@@ -65,7 +65,7 @@ void EventIntegrator::impact(std::size_t contact) {
   // The located contact is closed, whatever its round-off.
   if (std::none_of(closed.begin(), closed.end(),
                    [&](const Constraint::Closed& c) { return c.contact == contact; })) {
-    closed.push_back({contact, Velocity::kKept});
+    closed.push_back({contact, Velocity::kAny});
   }
   project(closed);
   const auto points = closed_points(*model_, motion_.q(), motion_.v(), closed);
@@ -73,6 +73,7 @@ void EventIntegrator::impact(std::size_t contact) {
                    [](const ClosedContact& c) { return c.point.gap_rate < 0.0; })) {
     return begin_on_circles(closed);  // the contact grazes
   }
+  stiffness_.count_impact();
   const EventImpact::Outcome outcome = impacts_.run(motion_, points, end_);
   if (outcome.status != Status::kOk) {
     return fail(outcome.status, outcome.status == Status::kAmbiguous
@@ -83,9 +84,9 @@ void EventIntegrator::impact(std::size_t contact) {
   for (const EventImpact::After& after : outcome.contacts) {
     if (after.struck) first_touch(after.contact);
     if (after.rests) {
-      resting.push_back({after.contact, after.stuck ? Velocity::kStuck : Velocity::kAlong});
+      resting.push_back({after.contact, after.stuck ? Velocity::kZero : Velocity::kTangential});
     } else if (outcome.is_last) {
-      resting.push_back({after.contact, Velocity::kKept});
+      resting.push_back({after.contact, Velocity::kAny});
     } else {
       change_to(after.contact, in_flight(after.departure));
     }
@@ -95,7 +96,7 @@ void EventIntegrator::impact(std::size_t contact) {
 
 // Lasting contact ends, or its friction changes.
 void EventIntegrator::margin_reached(std::size_t contact) {
-  if (model_->auxiliary[contact].gives()) return compliant_margin_reached(contact);
+  if (model_->auxiliary[contact].is_compliant()) return compliant_margin_reached(contact);
   const Mode mode = phase_.state(contact).mode;
   step_.evaluate(motion_);
   const Multipliers force = phase_.multipliers(contact);
@@ -108,7 +109,7 @@ void EventIntegrator::margin_reached(std::size_t contact) {
   const bool slides_off = mode == Mode::kSlide && end == PhaseEnd::kOpens;
   Closed closed = phase_.rigid_contacts();
   for (Constraint::Closed& c : closed) {
-    if (c.contact == contact) c.velocity = slides_off ? Velocity::kAlong : Velocity::kStuck;
+    if (c.contact == contact) c.velocity = slides_off ? Velocity::kTangential : Velocity::kZero;
   }
   // Two contacts at one place open together: the located one and its twin.
   ContactList<std::size_t> opening;
@@ -140,7 +141,7 @@ void EventIntegrator::decide(const Closed& resting) {
     const auto is_named = [k](const Constraint::Closed& c) { return c.contact == k; };
     if (std::any_of(resting.begin(), resting.end(), is_named) || release_if_unloaded(k)) continue;
     all_closed.push_back(
-        {k, phase_.in_contact(k) ? velocity_of(phase_.state(k).mode) : Velocity::kKept});
+        {k, phase_.in_contact(k) ? velocity_of(phase_.state(k).mode) : Velocity::kAny});
   }
   decide_all(all_closed);
 }
@@ -163,14 +164,15 @@ void EventIntegrator::decide_all(const Closed& closed_here) {
     const auto at = static_cast<Eigen::Index>(i);
     const std::size_t k = closed[i].index;
     const ContactPoint& p = closed[i].point;
-    const bool gives = model_->auxiliary[k].gives();
+    const bool is_compliant = model_->auxiliary[k].is_compliant();
     force_scale_[k] = std::max(force_scale_[k], all.scale[at] / all.g(2 * at, 2 * at));
-    if (closed_here[i].velocity == Velocity::kKept && !gives) {
+    if (closed_here[i].velocity == Velocity::kAny && !is_compliant) {
       settles = true;
-      if (!is_no_gap_rate(p)) all.b[2 * at] += p.gap_rate / parameters_.shortest_flight;
+      if (!gap_rate_is_zero(p)) all.b[2 * at] += p.gap_rate / parameters_.shortest_flight;
     }
-    const bool stuck = closed_here[i].velocity == Velocity::kStuck;
-    const bool stops = stuck && !gives ? true : is_no_slip(k, p, stuck ? kDrift : kNoSpeed);
+    const bool sticks = closed_here[i].velocity == Velocity::kZero;
+    const bool stops =
+        sticks && !is_compliant ? true : slip_is_zero(k, p, sticks ? kDrift : kNoSpeed);
     slips.push_back(stops ? 0.0 : p.slip);
     friction.push_back(model_->auxiliary[k].contact->friction.at(slips[i]));
     std::optional<double> known = phase_.compliant_force(closed[i]);
@@ -191,11 +193,11 @@ void EventIntegrator::settle(const Closed& decided) {
   project(lasting);
   for (const ClosedContact& c : closed_points(*model_, motion_.q(), motion_.v(), decided)) {
     const AuxiliaryBearing& bearing = model_->auxiliary[c.index];
-    if (phase_.in_contact(c.index) || bearing.gives()) continue;
+    if (phase_.in_contact(c.index) || bearing.is_compliant()) continue;
     ContactState state = phase_.state(c.index);
     if (c.point.gap > kRedundantGap * bearing.contact->clearance) {
       state = in_flight(Departure::kInside);
-    } else if (c.point.gap_rate > 0.0 && !is_no_gap_rate(c.point)) {
+    } else if (c.point.gap_rate > 0.0 && !gap_rate_is_zero(c.point)) {
       state = in_flight(Departure::kRebound);
     } else if (!lasting.empty()) {
       state = redundant_contact(Departure::kParting);
@@ -205,13 +207,13 @@ void EventIntegrator::settle(const Closed& decided) {
   }
 }
 
-bool EventIntegrator::is_no_gap_rate(const ContactPoint& p) const {
+bool EventIntegrator::gap_rate_is_zero(const ContactPoint& p) const {
   return std::abs(p.gap_rate) <= kNoSpeed * std::max(p.dv.norm(), step_.largest_speed());
 }
 
 // share: relative to the speeds. The slip of a shaft that does not turn is its whole speed, so the
 // largest speed of the run is the scale.
-bool EventIntegrator::is_no_slip(std::size_t k, const ContactPoint& p, double share) const {
+bool EventIntegrator::slip_is_zero(std::size_t k, const ContactPoint& p, double share) const {
   const double surface =
       std::abs(p.whirl_speed()) + model_->auxiliary[k].contact->radius * std::abs(p.spin);
   return std::abs(p.slip) <= share * std::max(surface, step_.largest_contact_speed(k));

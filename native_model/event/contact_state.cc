@@ -20,7 +20,7 @@ constexpr double kRedundant = 1e-8;
 ContactDecisions sliding_alone(const Delassus& g, double normal, double slip, double mu) {
   const double sign = slip > 0.0 ? 1.0 : -1.0;
   ContactDecisions decided;
-  if (carried(g, mu * sign) <= 0.0) {
+  if (sliding_coefficient(g, mu * sign) <= 0.0) {
     const bool closing = normal < 0.0;
     decided.status = closing ? Status::kNoSolution : Status::kAmbiguous;
     decided.reason = closing ? "frictional jamming (Painleve): sliding pushes itself in, and the "
@@ -62,7 +62,7 @@ ContactDecisions select_contact_modes(const ContactMatrix& g, const ContactVecto
   }
   const CoupledSolution s = solve_coupled(g, adjusted, sets);
   ContactDecisions decided;
-  if (s.solutions != 1) {
+  if (!s.is_unique()) {
     decided.status = status_of(s.solutions);
     decided.reason = s.solutions == 0 ? "the contact forces have no solution (Painleve)"
                                       : "the contact forces have several solutions (Painleve)";

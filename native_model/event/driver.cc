@@ -61,8 +61,8 @@ void EventIntegrator::begin(const State& start, double end, Recorder& recorder) 
   for (std::size_t k = 0; k < phase_.contacts(); ++k) {
     phase_.set(k, {});
     phase_.first_touch(k, kInfinity);
-    phase_.hold(k, {0.0, 0.0});
-    phase_.show(k, {});
+    phase_.hold_command(k, {0.0, 0.0});
+    phase_.set_outputs(k, {});
     sampled_[k].clear();
     force_scale_[k] = kLeastForce;
   }
@@ -106,11 +106,11 @@ bool EventIntegrator::look_ahead() {
 void EventIntegrator::pass() {
   ahead_.known = false;
   move_to(ahead_.end, ahead_.theta());
-  if (ahead_.loss) return lose();
+  if (ahead_.loss) return fail_out_of_range();
   if (ahead_.event) {
     const std::size_t contact = ahead_.event->contact;
     if (ahead_.event->rejoins) {
-      decide_one(contact, Constraint::Velocity::kKept);  // it has a force again, without an impact
+      decide_one(contact, Constraint::Velocity::kAny);  // it has a force again, without an impact
     } else if (phase_.has_margins(contact)) {
       margin_reached(contact);
     } else {
@@ -121,8 +121,8 @@ void EventIntegrator::pass() {
   } else {
     project(phase_.rigid_contacts());
   }
-  step_.meet(motion_);
-  observer_.meet_energy(motion_);
+  step_.update_tolerances(motion_);
+  observer_.update_energy_scale(motion_);
   if (result_.status != Status::kOk) return;
   if (motion_.t >= ahead_.limit && motion_.t < end_)
     arrive_at_break();  // this includes a break within an impact
@@ -153,11 +153,11 @@ bool EventIntegrator::still_redundant(std::size_t k) const {
 }
 
 // The rotor or a ring has left its range.
-void EventIntegrator::lose() {
+void EventIntegrator::fail_out_of_range() {
   const auto reason = out_of_range(*model_, motion_.q());
   fail(Status::kOutOfRange, reason.value_or("rotor or ring left its range"));
-  step_.meet(motion_);
-  observer_.meet_energy(motion_);
+  step_.update_tolerances(motion_);
+  observer_.update_energy_scale(motion_);
 }
 
 // Finds the first contact that closes, or the first margin that is crossed.
@@ -205,7 +205,7 @@ void EventIntegrator::arrive_at_break() {
   Closed resting;
   for (std::size_t k = 0; k < phase_.contacts(); ++k) {
     const ContactState& state = phase_.state(k);
-    if (model_->auxiliary[k].gives()) continue;
+    if (model_->auxiliary[k].is_compliant()) continue;
     const bool just_left =
         state.departure == Departure::kParting || state.departure == Departure::kLiftOff;
     if (phase_.in_contact(k) || just_left) resting.push_back({k, velocity_of(state.mode)});
@@ -221,12 +221,12 @@ void EventIntegrator::sample_controllers() {
   for (std::size_t k = 0; k < phase_.contacts(); ++k) {
     if (!schedule_.sample_due(k, motion_.t)) continue;
     if (!model_->auxiliary[k].loop) {
-      phase_.hold(k, control_command(*model_, motion_.t, q, v, k));
+      phase_.hold_command(k, control_command(*model_, motion_.t, q, v, k));
       continue;
     }
     const Eigen::Vector2d last = phase_.command(k, motion_.t, motion_.y.data());
-    phase_.hold(k, sampled_[k].take(motion_.t, q, v, last));
-    phase_.show(k, sampled_[k].outputs());
+    phase_.hold_command(k, sampled_[k].take(motion_.t, q, v, last));
+    phase_.set_outputs(k, sampled_[k].outputs());
     if (!sampled_[k].failure().empty()) controller_failed(sampled_[k].failure());
   }
   for (std::size_t k = 0; k < model_->samplers.size(); ++k) {
@@ -249,7 +249,7 @@ void EventIntegrator::controller_failed(const std::string& why) {
 // If G_NN - mu s G_NT of a sliding contact approaches 0, its force grows without bound.
 void EventIntegrator::fail_step() {
   for (std::size_t k = 0; k < phase_.contacts(); ++k) {
-    if (phase_.state(k).mode != Mode::kSlide || model_->auxiliary[k].gives()) continue;
+    if (phase_.state(k).mode != Mode::kSlide || model_->auxiliary[k].is_compliant()) continue;
     ClosedContact c{k, {}};
     const ContactMatrix g = phase_.accelerations(motion_.t, motion_.y.data(), std::span(&c, 1)).g;
     const double mu_sign =

@@ -77,16 +77,18 @@ class EventIntegrator {
   void controller_failed(const std::string& why);
   void move_to(double now, std::optional<double> theta);
   bool still_redundant(std::size_t contact) const;
-  void lose();
+  void fail_out_of_range();
 
-  // Contact. The entries of a list state what is known about the velocities. kKept: nothing is
-  // known, because the contact is about to come to rest.
+  // Contacts on their circles, each with what is known about its velocity. kAny: nothing is known,
+  // because the contact is about to come to rest.
   using Closed = ContactList<Constraint::Closed>;
+  // An event within the step: a contact that closes, or a margin that is crossed.
   struct Found {
     double theta;  // fraction of the step
     std::size_t contact;
     bool rejoins = false;  // it was redundant and has a force again
   };
+  // The stretch that look_ahead() has computed.
   struct Ahead {
     bool known = false;
     double limit = 0.0, end = 0.0;  // s, limit of the step; end of the stretch
@@ -111,8 +113,8 @@ class EventIntegrator {
   void decide_one(std::size_t contact, Constraint::Velocity velocity);
   void decide_all(const Closed& closed_here);
   void settle(const Closed& decided);
-  bool is_no_gap_rate(const ContactPoint& point) const;
-  bool is_no_slip(std::size_t contact, const ContactPoint& point, double share) const;
+  bool gap_rate_is_zero(const ContactPoint& point) const;
+  bool slip_is_zero(std::size_t contact, const ContactPoint& point, double share) const;
   void change_to(std::size_t contact, const ContactState& next);
   void first_touch(std::size_t contact);
   void project(const Closed& closed);

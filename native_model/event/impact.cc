@@ -44,18 +44,19 @@ EventImpact::Outcome EventImpact::at_once(Motion& motion, std::span<const Closed
   ContactList<ImpactLaw> laws;
   ContactVector before(static_cast<Eigen::Index>(2 * closed.size()));
   double approach = 0.0;
-  bool undone = false;  // an impact that takes time comes here only if it does not rebound
+  // An impact that takes time comes here only if it does not rebound (takes_time()).
+  bool without_rebound = false;
   for (const ClosedContact& c : closed) {
     const ContactParameters& contact = *model_->auxiliary[c.index].contact;
     before.segment<2>(static_cast<Eigen::Index>(2 * laws.size())) << c.point.gap_rate, c.point.slip;
-    laws.push_back(contact.law());
-    undone = undone || contact.impact_time() > 0.0;
+    laws.push_back(contact.impact_law());
+    without_rebound = without_rebound || contact.impact_time() > 0.0;
     approach = std::max(approach, -c.point.gap_rate);
   }
   // At the end of an accumulation no contact rebounds: neither the one that closes nor those that
   // it would open.
   const bool is_last = approach < parameters_->zeno_velocity_threshold;
-  if (undone || is_last) {
+  if (without_rebound || is_last) {
     for (ImpactLaw& law : laws) law = {law.friction, 0.0, 0.0};
   }
   const CoupledSolution solved =
@@ -72,7 +73,7 @@ EventImpact::Outcome EventImpact::at_once(Motion& motion, std::span<const Closed
     out.contacts.push_back({contact, normal > 0.0, rests, stuck, Departure::kRebound});
     if (rests) {
       resting.push_back(
-          {contact, stuck ? Constraint::Velocity::kStuck : Constraint::Velocity::kAlong});
+          {contact, stuck ? Constraint::Velocity::kZero : Constraint::Velocity::kTangential});
     }
     if (!(normal > 0.0)) continue;
     constraint_->apply(motion.t, motion.q(), motion.v(), closed[i].point.e_r, normal, friction,
@@ -129,12 +130,11 @@ EventImpact::Outcome EventImpact::over_time(Motion& motion, const ContactPoint& 
     out.contacts.push_back({0, true, false, false, Departure::kInside});
     return out;
   }
-  const double *q, *v, *a;
-  const bool rests = finite_.finish(q, v, a);
-  std::copy_n(q, motion.nq, motion.q());
-  std::copy_n(v, motion.nq, motion.v());
+  const FiniteImpact::End finish = finite_.finish();
+  std::copy_n(finish.q, motion.nq, motion.q());
+  std::copy_n(finish.v, motion.nq, motion.v());
   motion.integral(kExternalWork) += finite_.landing_work();
-  out.contacts.push_back({0, true, rests, false, Departure::kRebound});
+  out.contacts.push_back({0, true, finish.lasts, false, Departure::kRebound});
   return out;
 }
 

@@ -122,7 +122,7 @@ void Observer::watch(const Motion& from, SmoothStep& step, Constraint& constrain
     if (!phase_->in_contact(k)) continue;
     closed.push_back(from.index(kNormalImpulse, k));
     of_contacts_[k].contact_time += now - from.t;
-    if (model_->auxiliary[k].gives()) watch_touch(k, step, std::min(1.0, theta(now)));
+    if (model_->auxiliary[k].is_compliant()) watch_touch(k, step, std::min(1.0, theta(now)));
   }
   for (double t = recorder_->next_time(); t < now; t = recorder_->next_time())
     recorder_->row(within(from, step, constraint, t));
@@ -216,7 +216,7 @@ void Observer::release(const Motion& motion, const ClosedContact& at) {
       motion.integral(kContactWork, k) - touch.work + prescribed_speed(k) * impact.friction_impulse;
   recorder_->add(impact);
   const double lasted = motion.t - impact.t;
-  if (std::ranges::all_of(model_->auxiliary, &AuxiliaryBearing::gives)) {
+  if (std::ranges::all_of(model_->auxiliary, &AuxiliaryBearing::is_compliant)) {
     recorder_->count_episode(impact.t, lasted);
   } else if (lasted <= recorder_->window()) {  // beside a rigid contact
     recorder_->statistics().impact_time += lasted;
@@ -271,7 +271,7 @@ void Observer::arrive(const Motion& motion) {
   }
 }
 
-void Observer::meet_energy(const Motion& m) {
+void Observer::update_energy_scale(const Motion& m) {
   energy_scale_ = std::max(energy_scale_, std::abs(energy(*model_, m.t, m.q(), m.v())));
 }
 

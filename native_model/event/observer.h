@@ -32,7 +32,7 @@ class Observer {
   // The force of a compliant contact begins, and ends; the record of an impact covers all between.
   void begin_touch(const Motion& motion, const ClosedContact& at);
   void release(const Motion& motion, const ClosedContact& at);
-  void meet_energy(const Motion& motion);
+  void update_energy_scale(const Motion& motion);
 
   // Adds impulses that change the rates (gdot_N, gdot_T) from `before` to `after`, and their work.
   void account(Impact& record, double normal, double friction, const Eigen::Vector2d& before,

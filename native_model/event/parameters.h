@@ -34,6 +34,9 @@ struct EventParameters {
   // A run stops if more than this number of steps remain, whatever shortens them; they take an hour
   // or more. Near round-off the cause cannot be found.
   double most_steps = 1e9;
+  // A run also stops if, after a fifth of this number of impacts, more than this number remain at
+  // their pace: nothing ends the bouncing of a contact with a restitution of 1.
+  double most_impacts = 5e6;
 };
 
 }  // namespace rotorub

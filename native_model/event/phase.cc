@@ -28,7 +28,7 @@ Phase::Phase(const Model& model)
 ContactList<Constraint::Closed> Phase::rigid_contacts() const {
   ContactList<Constraint::Closed> all;
   for (std::size_t k = 0; k < at_.size(); ++k) {
-    if (!in_contact(k) || model_->auxiliary[k].gives()) continue;
+    if (!in_contact(k) || model_->auxiliary[k].is_compliant()) continue;
     all.push_back({k, velocity_of(state(k).mode)});
   }
   return all;
@@ -57,8 +57,9 @@ void Phase::accelerate(double t, const double* y) {
   inverse_mass_.solve(f, a_.data());
 }
 
-// The gap and slip accelerations of a contact under all other loads, from the accelerations a_.
-Eigen::Vector2d Phase::unloaded(const ClosedContact& c) const {
+// (gddot_N, gddot_T) of a contact without any contact force, from the accelerations a_ by the
+// loads.
+Eigen::Vector2d Phase::free_acceleration(const ClosedContact& c) const {
   const ContactPoint& p = c.point;
   const Eigen::Vector3d dd = contact_acceleration(*model_, a_.data(), c.index);
   const double whirl = p.whirl_speed(), radius = model_->auxiliary[c.index].contact->radius;
@@ -89,7 +90,7 @@ Phase::Accelerations Phase::accelerations(double t, const double* y,
   Accelerations all{delassus(*model_, t, q, closed), ContactVector(2 * n), ContactVector(n)};
   for (Eigen::Index i = 0; i < n; ++i) {
     const ClosedContact& c = closed[static_cast<std::size_t>(i)];
-    all.b.segment<2>(2 * i) = unloaded(c);
+    all.b.segment<2>(2 * i) = free_acceleration(c);
     all.scale[i] = scale_of(c.point, all.b[2 * i], q, v);
   }
   return all;
@@ -97,7 +98,7 @@ Phase::Accelerations Phase::accelerations(double t, const double* y,
 
 std::optional<double> Phase::compliant_force(const ClosedContact& at) const {
   const ContactParameters& c = *model_->auxiliary[at.index].contact;
-  if (!c.gives()) return {};
+  if (!c.is_compliant()) return {};
   return c.compliance.force(-at.point.gap, -at.point.gap_rate, state(at.index).hunt_crossley);
 }
 
@@ -109,8 +110,9 @@ void Phase::set_margins(const ClosedContact& c, double normal, double friction) 
   at.margins = {normal, slides ? at.state.slip_sign * c.point.slip
                                : contact.friction.sticking() * normal - std::abs(friction)};
   // Without friction the direction of sliding does not matter.
-  if (contact.friction.none() && (slides || contact.gives())) at.margins.cone = kInfinity;
-  if (!contact.gives()) return;
+  if (contact.friction.is_frictionless() && (slides || contact.is_compliant()))
+    at.margins.cone = kInfinity;
+  if (!contact.is_compliant()) return;
   at.margins.force = contact.compliance.margin(-c.point.gap, -c.point.gap_rate,
                                                at.state.hunt_crossley, contact.clearance);
 }
@@ -137,14 +139,14 @@ PlanarImpulse Phase::force_of_one(const ClosedContact& c) const {
   const Delassus g =
       delassus(inverse_mass_.admittance(at.admittance, inverse_mass_.coupling_at(c.index)),
                c.point.e_r, radius);
-  const Eigen::Vector2d b = unloaded(c);
+  const Eigen::Vector2d b = free_acceleration(c);
   const std::optional<double> known = compliant_force(c);
   if (at.state.mode != Mode::kStick) {
-    const double friction = mu_sign(c), normal = known ? *known : slide(g, b[0], friction);
+    const double friction = mu_sign(c), normal = known ? *known : sliding_normal(g, b[0], friction);
     return {normal, -friction * normal};
   }
   if (known) return {*known, -(b[1] + g.tn * *known) / g.tt};
-  return stick(g, b[0], b[1]);
+  return sticking_impulse(g, b[0], b[1]);
 }
 
 // The same for several, from one linear system.
@@ -155,19 +157,19 @@ void Phase::forces_of_several(double t, const double* q, PlanarImpulse* forces) 
   for (std::size_t i = 0; i < closed_.size(); ++i) {
     const ClosedContact& c = closed_[i];
     const auto row = static_cast<Eigen::Index>(2 * i);
-    b.segment<2>(row) = unloaded(c);
+    b.segment<2>(row) = free_acceleration(c);
     const std::optional<double> known = compliant_force(c);
     if (known) {
       system.given[row] = *known;
     } else {
-      system.free(row);
+      system.set_unknown(row);
     }
     if (at_[c.index].state.mode == Mode::kStick) {
-      system.free(row + 1);
+      system.set_unknown(row + 1);
     } else if (known) {
       system.given[row + 1] = -mu_sign(c) * *known;
     } else {
-      system.bring(row + 1, -mu_sign(c));
+      system.tie(row + 1, -mu_sign(c));
     }
   }
   const ContactVector force = system.solve(delassus(*model_, t, q, closed_), b);
@@ -217,7 +219,7 @@ void Phase::integrate(const ClosedContact& c, double* integrals) const {
   integrals[integral_index(kFrictionWork, c.index)] = friction * c.point.slip;
   double& work = integrals[integral_index(kContactWork, c.index)];
   work = friction * (c.point.slip - prescribed);
-  if (m.auxiliary[c.index].gives()) work += normal * c.point.gap_rate;
+  if (m.auxiliary[c.index].is_compliant()) work += normal * c.point.gap_rate;
 }
 
 void Phase::derivative(double t, const double* y, double* dy) {
@@ -240,7 +242,7 @@ void Phase::derivative(double t, const double* y, double* dy) {
   for (const ClosedContact& c : closed_) integrate(c, integrals);
   for (std::size_t k = 0; touched_ && k < m.auxiliary.size(); ++k) {
     const AuxiliaryBearing& bearing = m.auxiliary[k];
-    if (!bearing.contact || (in_contact(k) && !bearing.gives())) continue;
+    if (!bearing.contact || (in_contact(k) && !bearing.is_compliant())) continue;
     const eq::Pair d = eq::separation(m, bearing, q), rate = eq::relative(m, bearing, v);
     const double square = d.x * d.x + d.y * d.y, along = d.x * rate.x + d.y * rate.y;
     if (square > kNoNormal * kNoNormal) integrals[kGapRateSquare] += along * along / square;

@@ -84,7 +84,7 @@ struct Multipliers {
 
 // The condition on the velocities of a rigid contact that slides or sticks.
 inline Constraint::Velocity velocity_of(Mode mode) {
-  return mode == Mode::kStick ? Constraint::Velocity::kStuck : Constraint::Velocity::kAlong;
+  return mode == Mode::kStick ? Constraint::Velocity::kZero : Constraint::Velocity::kTangential;
 }
 
 class Phase {
@@ -105,14 +105,15 @@ class Phase {
   std::optional<double> compliant_force(const ClosedContact& at) const;
   std::size_t contacts() const { return at_.size(); }
 
-  // The command of a sampled controller or of a record is held; other commands follow the state.
-  void hold(std::size_t contact, const Eigen::Vector2d& command) {
+  // Sets the command of a sampled controller or of a record, which is held until the next call.
+  // Other commands follow the state.
+  void hold_command(std::size_t contact, const Eigen::Vector2d& command) {
     at_[contact].held_command = command;
   }
   Eigen::Vector2d command(std::size_t contact, double t, const double* y) const;
   // The outputs of a sampled law at its last sample (ActuatorState::outputs).
   using Outputs = std::array<double, kMostOutputs>;
-  void show(std::size_t contact, const Outputs& outputs) { at_[contact].outputs = outputs; }
+  void set_outputs(std::size_t contact, const Outputs& outputs) { at_[contact].outputs = outputs; }
   const Outputs& outputs(std::size_t contact) const { return at_[contact].outputs; }
   // s, first touch of the contact; infinite: none yet. After the first touch of any contact, the
   // squares of all gap rates are integrated outside rigid lasting contact (kGapRateSquare).
@@ -148,7 +149,7 @@ class Phase {
     Outputs outputs{};
   };
   void accelerate(double t, const double* y);
-  Eigen::Vector2d unloaded(const ClosedContact& at) const;
+  Eigen::Vector2d free_acceleration(const ClosedContact& at) const;
   double mu_sign(const ClosedContact& at) const;
   double scale_of(const ContactPoint& point, double normal, const double* q, const double* v) const;
   void find_closed(const double* q, const double* v);

@@ -22,8 +22,8 @@ SmoothStep::SmoothStep(const Model& model, const EventParameters& parameters, Ph
       phase_(&phase),
       step_(2 * model.nq() + integral_count(model)),
       tolerance_(static_cast<std::size_t>(step_.size())),
-      round_off_(model.gives() ? static_cast<std::size_t>(model.nq()) : 0),
-      allowed_(model.gives() ? tolerance_.size() : 0),
+      round_off_(model.is_compliant() ? static_cast<std::size_t>(model.nq()) : 0),
+      allowed_(model.is_compliant() ? tolerance_.size() : 0),
       y_(tolerance_),
       slope_(tolerance_),
       lowest_(model.auxiliary.size()),
@@ -41,10 +41,10 @@ void SmoothStep::begin(const Motion& start, double first) {
   }
   speed_ = kLeastSpeed;
   spin_ = 0.0;
-  meet(start);
+  update_tolerances(start);
 }
 
-void SmoothStep::meet(const Motion& motion) {
+void SmoothStep::update_tolerances(const Motion& motion) {
   const Layout& l = model_->layout;
   const int n = l.nq();
   const auto angle = [&l](int i) { return l.turns(i); };
@@ -95,7 +95,7 @@ void SmoothStep::find_round_off(const Motion& motion) {
   constexpr double kOfDepth = 4.0 * std::numeric_limits<double>::epsilon();  // of the clearance
   std::fill(round_off_.begin(), round_off_.end(), 0.0);
   for (std::size_t k = 0; k < model_->auxiliary.size(); ++k) {
-    if (!model_->auxiliary[k].gives() || !phase_->in_contact(k)) continue;
+    if (!model_->auxiliary[k].is_compliant() || !phase_->in_contact(k)) continue;
     const ContactParameters& contact = *model_->auxiliary[k].contact;
     const CompliantLaw& law = contact.compliance;
     const double depth = -contact_point(*model_, motion.q(), motion.v(), k).gap;
@@ -256,7 +256,19 @@ std::optional<std::string> StiffnessWatch::look(double t, double end, const Smoo
   // The number of remaining steps at the pace since the last check.
   const double at_pace =
       steps_ > kStepsBetween ? (end - t) * static_cast<double>(kStepsBetween) / (t - last_) : 0.0;
+  const double impacts_at_pace =
+      at_pace / static_cast<double>(kStepsBetween) * static_cast<double>(impacts_);
+  fast_impacts_ = impacts_at_pace > parameters_->most_impacts ? fast_impacts_ + impacts_ : 0;
+  impacts_ = 0;
   last_ = t;
+  const auto text = [](double value) { return scene::number_text(value, 2); };
+  // An accumulation that ends by itself has fewer, unless the restitution is above 0.99999.
+  constexpr double kWatched = 0.2;  // of most_impacts
+  if (static_cast<double>(fast_impacts_) > kWatched * parameters_->most_impacts) {
+    return "the rotor bounces without end, " + text(impacts_at_pace) +
+           " more impacts at the present pace (lower contact.restitution, or take the integrator "
+           "`verlet`, whose steps do not follow every bounce)";
+  }
   const bool hopeless = at_pace > parameters_->most_steps;
   if (!hopeless && now.rate * step.length() < kBorder) {
     if (++smooth_ == kSmoothLooks) stiff_ = 0;
@@ -267,7 +279,6 @@ std::optional<std::string> StiffnessWatch::look(double t, double end, const Smoo
   if (stiff_ <= kStiffLooks) return {};
   const double to_go = (end - t) * static_cast<double>(steps_ - begun_) / (t - since_);
   if (to_go < parameters_->most_stiff_steps) return {};
-  const auto text = [](double value) { return scene::number_text(value, 2); };
   const double time = 1.0 / std::max(now.rate, kBorder / step.length());
   return part_of(model_->layout, now.coordinate) + " follows within " + text(time) +
          " s, which holds `event` to steps of that size, " + text(to_go) +

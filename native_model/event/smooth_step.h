@@ -23,7 +23,7 @@ class SmoothStep {
   void begin(const Motion& start, double first);
   // Updates the tolerances. They are relative to the largest displacement, speed and spin so far,
   // to 1 rad for angles, and to the limit for currents.
-  void meet(const Motion& motion);
+  void update_tolerances(const Motion& motion);
   double largest_speed() const { return speed_; }           // m/s
   double largest_contact_speed(std::size_t contact) const;  // m/s, including the rotor's surface
   // Call it after a jump of the state or of the loads.
@@ -98,19 +98,23 @@ class StiffnessWatch {
   StiffnessWatch(const Model& model, const EventParameters& parameters)
       : model_(&model), parameters_(&parameters) {}
 
-  void begin() { steps_ = 0, stiff_ = 0, smooth_ = 0; }
+  void begin() { steps_ = impacts_ = fast_impacts_ = 0, stiff_ = smooth_ = 0; }
+  void count_impact() { ++impacts_; }
   // Call it after every accepted step; t (s) is its end on the way to `end`. Returns the reason to
   // stop the run. The result is empty if not more than parameters.most_stiff_steps remain; or if
-  // the motion, not stability, limits the steps and not more than parameters.most_steps remain.
+  // the motion, not stability, limits the steps and not more than parameters.most_steps remain. It
+  // also stops for impacts without end (parameters.most_impacts).
   std::optional<std::string> look(double t, double end, const SmoothStep& step);
 
  private:
   const Model* model_;
   const EventParameters* parameters_;
   std::int64_t steps_ = 0;
-  std::int64_t begun_ = 0;  // steps_ at the first stiff step
-  double since_ = 0.0;      // s, time at the first stiff step
-  double last_ = 0.0;       // s, time of the last look
+  std::int64_t impacts_ = 0;       // since the last look
+  std::int64_t fast_impacts_ = 0;  // so many in a row that too many would remain at their pace
+  std::int64_t begun_ = 0;         // steps_ at the first stiff step
+  double since_ = 0.0;             // s, time at the first stiff step
+  double last_ = 0.0;              // s, time of the last look
   int stiff_ = 0, smooth_ = 0;
 };
 

@@ -59,8 +59,8 @@ void EventIntegrator::cut(double t, const std::function<void()>& jump) {
   if (ahead_.known && t > motion_.t) {
     move_to(t, (t - motion_.t) / step_.length());
     project(phase_.rigid_contacts());
-    step_.meet(motion_);
-    observer_.meet_energy(motion_);
+    step_.update_tolerances(motion_);
+    observer_.update_energy_scale(motion_);
   }
   ahead_.known = false;
   jump();

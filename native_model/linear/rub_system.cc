@@ -47,11 +47,12 @@ void check_feedback(const Checks& check, std::size_t bearing,
   const std::string path = scene::magnetic_bearing_path(check.scene, bearing) + ".control.";
   check(magnetic.kind != scene::MagnetKind::kLinear,
         scene::magnetic_bearing_path(check.scene, bearing) + ".kind",
-        "an electromagnet's force is not linear; choose linear, or set " + path + "fails_at = 0");
+        "the force of an electromagnet is not linear; choose linear, or set " + path +
+            "fails_at = 0");
   check(control.works_from > 0.0, path + "on",
-        "the analysis needs one machine throughout; leave it out");
+        "the machine must not change in time; leave this key out");
   check(control.fails_at < scene::kNever, path + "fails_at",
-        "the analysis needs one machine throughout; set 0 (it has failed) or leave it out");
+        "the machine must not change in time; leave this key out, or set 0 (it has failed)");
   const auto has_no_state = [&](bool has, const std::string& key, const char* what) {
     check(has, key,
           std::string("the analysis has no state for ") + what + "; leave it out, or set " + path +
@@ -76,23 +77,23 @@ void check_feedback(const Checks& check, std::size_t bearing,
 void check(const scene::Scene& scene) {
   const Checks check{scene};
   const scene::AuxiliaryBearing& first = scene.first();
-  check(!first.contact, "contact", "the scene has no [contact]");
+  check(!first.contact, "contact", "the scene has no [contact]; add one");
   if (scene.auxiliary.size() > 1) {
     scene::refuse_at(scene, "contact[1]",
-                     "a map of lasting rubs needs a single contact; accepted: one [[contact]], as "
-                     "with --set \"contact[1]=none\"; `rotorub modes` lists the rubs of each "
-                     "contact while the others are open");
+                     "a map of lasting rubs needs a single contact; remove the others, for example "
+                     "with --set \"contact[1]=none\" (`rotorub modes` lists the rubs of each "
+                     "contact while the others are open)");
   }
-  check(scene.gives(), "contact.compliance",
-        "this analysis needs a rigid contact; accepted: no contact.compliance");
+  check(scene.is_compliant(), "contact.compliance",
+        "this analysis needs a rigid contact; remove contact.compliance");
   if (first.stator) {
-    const char* planes = "both planes must be alike, give one number for x and y";
+    const char* planes = "both planes must be alike; give one number for x and y";
     check(first.stator->spin && !first.contact->friction.is_constant(), "contact.friction",
-          "with a turning ring this analysis needs constant friction; accepted: a number, or no "
+          "with a turning ring this analysis needs constant friction; give a number, or remove "
           "stator.spin");
     check(!first.stator->on_springs_alone(), "stator",
-          "this analysis needs a ring on its spring and damper only; accepted: no mount, "
-          "dry_friction, squeeze_film or ball_bearing, and for a turning ring only drag");
+          "this analysis needs a ring on its spring and damper only; remove mount, dry_friction, "
+          "squeeze_film and ball_bearing, and give a turning ring only drag");
     check(differ(first.stator->mass), "stator.mass", planes);
     check(differ(first.stator->damping), "stator.damping", planes);
     check(differ(first.stator->stiffness), "stator.stiffness", planes);
@@ -108,8 +109,8 @@ void check(const scene::Scene& scene) {
           "forces");
   }
   check(scene.gravity && !scene.gravity->acceleration.isZero(0.0), "gravity",
-        "gravity breaks the rotational symmetry that this analysis needs");
-  check(scene.base.has_value(), "base", "no whirl is steady on a moving base");
+        "gravity breaks the rotational symmetry that this analysis needs; remove [gravity]");
+  check(scene.base.has_value(), "base", "no whirl is steady on a moving base; remove [base]");
   for (std::size_t i = 0; scene.rotor.geometry && i < scene.rotor.geometry->bearings.size(); ++i) {
     const scene::ShaftBearing& bearing = scene.rotor.geometry->bearings[i];
     const std::string path = scene::list_element("rotor.bearing", i);
@@ -119,7 +120,7 @@ void check(const scene::Scene& scene) {
           path + (bearing.journal           ? ".journal"
                   : bearing.follows_speed() ? ".table_speed"
                                             : ".cross_stiffness"),
-          "this analysis supports only uncoupled springs and dampers");
+          "this analysis supports only uncoupled springs and dampers; give stiffness and damping");
   }
   check(!first.contact->offset.isZero(0.0), "contact.offset",
         "an offset ring breaks the rotational symmetry that this analysis needs; use 0");
@@ -129,7 +130,8 @@ void check(const scene::Scene& scene) {
   }
   check(first.controller && first.controller->kind != scene::ControllerKind::kPassive &&
             !crosses(*first.controller),
-        "controller.kind", "choose passive, cross_coupled or two_phase");
+        "controller.kind",
+        "this analysis supports only the kinds passive, cross_coupled and two_phase; choose one");
   check(first.actuator && first.actuator->kind != scene::ActuatorKind::kIdeal, "actuator.kind",
         "the magnets' forces are not linear; use an ideal actuator");
 }

@@ -92,13 +92,13 @@ void Constraint::project(double t, double* q, double* v, std::span<const Closed>
 }
 
 void Constraint::project_one(double t, double* q, double* v, const Closed& closed) {
-  if (closed.velocity == Velocity::kKept) return;
+  if (closed.velocity == Velocity::kAny) return;
   const std::size_t k = closed.contact;
   const ContactPoint p = contact_point(*model_, q, v, k);
   const Delassus g =
       delassus(contact_admittance(*model_, t, q, k), p.e_r, model_->auxiliary[k].contact->radius);
-  const PlanarImpulse l = closed.velocity == Velocity::kStuck
-                              ? stick(g, p.gap_rate, p.slip)
+  const PlanarImpulse l = closed.velocity == Velocity::kZero
+                              ? sticking_impulse(g, p.gap_rate, p.slip)
                               : PlanarImpulse{-p.gap_rate / g.nn, 0.0};
   apply(t, q, v, p.e_r, l.normal, l.friction, k);
 }
@@ -112,8 +112,8 @@ void Constraint::project_several(double t, double* q, double* v, std::span<const
   for (std::size_t i = 0; i < at.size(); ++i) {
     const auto row = static_cast<Eigen::Index>(2 * i);
     rates.segment<2>(row) << at[i].point.gap_rate, at[i].point.slip;
-    if (closed[i].velocity != Velocity::kKept) system.free(row);
-    if (closed[i].velocity == Velocity::kStuck) system.free(row + 1);
+    if (closed[i].velocity != Velocity::kAny) system.set_unknown(row);
+    if (closed[i].velocity == Velocity::kZero) system.set_unknown(row + 1);
   }
   if (system.count == 0) return;
   const ContactVector p = system.solve(delassus(*model_, t, q, at), rates);

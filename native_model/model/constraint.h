@@ -32,16 +32,16 @@ class Constraint {
   void apply(double t, const double* q, double* v, const Eigen::Vector2d& e_r, double normal,
              double friction, std::size_t contact = 0);
 
-  // Conditions on the velocities of a closed contact: none (kKept), gdot_N = 0 (kAlong), or
-  // gdot_N = gdot_T = 0 (kStuck).
-  enum class Velocity { kKept, kAlong, kStuck };
+  // What holds for the relative velocity of a closed contact: nothing (kAny), gdot_N = 0
+  // (kTangential), or gdot_N = gdot_T = 0 (kZero).
+  enum class Velocity { kAny, kTangential, kZero };
   struct Closed {
     std::size_t contact = 0;
-    Velocity velocity = Velocity::kKept;
+    Velocity velocity = Velocity::kAny;
   };
   // Moves q onto the circles of all closed contacts, g_N = 0.
   void to_circles(double t, double* q, const double* v, std::span<const Closed> closed);
-  // to_circles(), then applies the conditions on the velocities.
+  // Calls to_circles(), then makes the conditions on the velocities hold.
   void project(double t, double* q, double* v, std::span<const Closed> closed);
 
  private:

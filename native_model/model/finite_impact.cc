@@ -63,7 +63,7 @@ Status FiniteImpact::begin(double t, const double* q, const double* v,
   in.acceleration = contact_acceleration(m, acceleration_.data());
   in.compression_time = c.compression_time;
   in.expansion_time = c.expansion_time;
-  ImpactLaw law = c.law();
+  ImpactLaw law = c.impact_law();
   law.restitution = restitution_under_loads(
       c.restitution, -touch.gap_rate,
       closing_acceleration(touch.e_r, in.velocity, in.acceleration, touch.delta),
@@ -120,7 +120,7 @@ void FiniteImpact::land() {
   const bool parts = left.gap_rate > 0.0;
   const double stored = energy(m, end_, end_q_.data(), end_v_.data());
   const Constraint::Closed closed{
-      0, parts ? Constraint::Velocity::kKept : Constraint::Velocity::kAlong};
+      0, parts ? Constraint::Velocity::kAny : Constraint::Velocity::kTangential};
   constraint_.project(end_, end_q_.data(), end_v_.data(), {&closed, 1});
   landing_work_ = energy(m, end_, end_q_.data(), end_v_.data()) - stored;
   closes_ = parts ? 0.0 : 1.0;
@@ -166,12 +166,9 @@ Eigen::Vector2d FiniteImpact::force(double t) const {
   return phase_force(t < middle_ ? 0 : 1);
 }
 
-bool FiniteImpact::finish(const double*& q, const double*& v, const double*& a) {
+FiniteImpact::End FiniteImpact::finish() {
   active_ = 0.0;
-  q = end_q_.data();
-  v = end_v_.data();
-  a = end_a_.data();
-  return closes_ > 0.0;
+  return {end_q_.data(), end_v_.data(), end_a_.data(), closes_ > 0.0};
 }
 
 }  // namespace rotorub

@@ -70,9 +70,14 @@ class FiniteImpact {
   // m/s, (gdot_N, gdot_T) of the velocities v, along the normal at the touch.
   Eigen::Vector2d rates(const double* v) const;
 
-  // Ends the impact. Returns the state at its end and the accelerations by the loads there, nq
-  // values each. The result is true if contact lasts.
-  bool finish(const double*& q, const double*& v, const double*& a);
+  // The end of the impact: coordinates, velocities and accelerations by the loads, nq values each,
+  // valid until the next impact begins; and whether contact lasts from there on.
+  struct End {
+    const double *q, *v, *a;
+    bool lasts;
+  };
+  // Ends the impact.
+  End finish();
   // J, of the projection back onto the circle, which the straight path has left; not work of the
   // contact.
   double landing_work() const { return landing_work_; }

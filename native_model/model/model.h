@@ -187,7 +187,7 @@ struct AuxiliaryBearing {
   double sample_time = 0.0;                      // s, 0: continuous
   // Commands of another run, which replace the controller (see replayed()).
   std::shared_ptr<const CommandRecord> recorded;
-  bool gives() const { return contact && contact->gives(); }
+  bool is_compliant() const { return contact && contact->is_compliant(); }
   bool commanded() const { return controller || recorded; }
   double force_limit = 0.0;                 // N, on each axis of an ideal actuator
   std::optional<MagneticActuator> magnets;  // absent: ideal actuator
@@ -240,9 +240,9 @@ struct Model {
   std::optional<ModeLines> lines;  // deflection lines for drawing
 
   // True if at least one contact is compliant.
-  bool gives() const {
+  bool is_compliant() const {
     return std::any_of(auxiliary.begin(), auxiliary.end(),
-                       [](const AuxiliaryBearing& at) { return at.gives(); });
+                       [](const AuxiliaryBearing& at) { return at.is_compliant(); });
   }
   // True if unbalance couples spin and bending, which needs a free spin.
   bool coupled_mass() const { return layout.spin == 1 && !unbalances.empty(); }

@@ -196,7 +196,7 @@ void check_initial_gap(const scene::Scene& scene, const Model& model, std::size_
   const double clearance = at.contact->clearance;
   constexpr double kTolerance = 1e-9;  // share of the clearance, for a start on the ring
   // With a compliant contact the start may be as deep as a run may go.
-  const double reach = at.gives() ? 2.0 * clearance : clearance;
+  const double reach = at.is_compliant() ? 2.0 * clearance : clearance;
   if (delta <= reach * (1.0 + kTolerance)) return;
   const Layout& l = model.layout;
   const bool steady = scene.initial.steady;  // sets a rotor position that no list states
@@ -239,7 +239,7 @@ void refuse_compliance(const scene::Scene& scene, scene::Integrator integrator) 
 }
 
 void refuse_compliance_in_mujoco(const scene::Scene& scene) {
-  if (!scene.gives()) return;
+  if (!scene.is_compliant()) return;
   const scene::ContactModel model = scene.mujoco.contact;
   if (model == scene::ContactModel::kRigid || model == scene::ContactModel::kCone) {
     scene::refuse_at(scene, "mujoco.contact",

@@ -58,7 +58,7 @@ class FixedRun {
         message_(step_refusal(model, step)) {
     episodes_.resize(contacts_);
     for (std::size_t i = 0; i < contacts_; ++i) {
-      if (model.auxiliary[i].gives()) episodes_[i].emplace(recorder_, static_cast<int>(i));
+      if (model.auxiliary[i].is_compliant()) episodes_[i].emplace(recorder_, static_cast<int>(i));
     }
     if (!message_.empty()) status_ = Status::kStepTooLarge;
     if (contacts_ > 1) recorder_.statistics().contacts.resize(contacts_);
@@ -148,7 +148,12 @@ class FixedRun {
       if (k == 0) begin(done, kick);
       // Half of a step's effect lies before t_k and half after; all of the first step's lies after.
       const Reached now = reach(t, stepper_->last_q(), velocity_.data());
-      if (k > 0) {
+      // Impacts separate the two halves.
+      const bool whole = k > 0 && k < steps_ && hits.impacts.empty() && done.impacts.empty();
+      if (whole) {
+        count_lasting(done, t, 1.0, step_);
+        advance(now, done, kick, false);
+      } else if (k > 0) {
         count_lasting(done, t, 0.5, 0.5 * step_);
         if (!hits.impacts.empty()) {
           count_impacts(hits.impacts, hits.work, hits.lasts > 0.0 ? hits.lasts : step_,
@@ -156,7 +161,7 @@ class FixedRun {
         }
         advance(now, done, kick, !hits.impacts.empty());
       }
-      if (k < steps_) count_lasting(done, t, k == 0 ? 1.0 : 0.5, 0.5 * step_);
+      if (!whole && k < steps_) count_lasting(done, t, k == 0 ? 1.0 : 0.5, 0.5 * step_);
       hits.keep(done);
       if (k < steps_) add_impacts(done.impacts);
       tick(k);

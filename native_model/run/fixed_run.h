@@ -7,7 +7,7 @@
 namespace rotorub {
 
 inline const char* native_contact_model(const Model& model) {
-  return model.gives() ? "compliant" : "rigid";
+  return model.is_compliant() ? "compliant" : "rigid";
 }
 
 // integrator: kEuler or kVerlet; step: s, > 0.

@@ -60,9 +60,11 @@ void StepCommands::mean_about(std::int64_t k) {
 // Velocities at t_k before step k, under the commands that were held.
 void StepCommands::find_velocities(std::int64_t k) {
   stepper_.velocity_now(k, all(shown_), velocity_.data());
-  for (std::size_t j = 0; k > 0 && j < velocity_.size(); ++j) {
-    acceleration_[j] = 2.0 / step_ * (velocity_[j] - stepper_.v()[j]);
-  }
+  if (k == 0) return;
+  const double* before = stepper_.v();
+  const double share = 2.0 / step_;
+  for (std::size_t j = 0; j < velocity_.size(); ++j)
+    acceleration_[j] = share * (velocity_[j] - before[j]);
 }
 
 }  // namespace rotorub

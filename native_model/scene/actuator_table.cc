@@ -86,7 +86,7 @@ void check_force_table(const Reading& check, const Actuator& actuator) {
   if (got != expected) {
     return check.fail("actuator.table_force",
                       "expected " + std::to_string(expected) +
-                          " values, for each position one for each current, got " +
+                          " values, one for each pair of a position and a current, got " +
                           std::to_string(got));
   }
   const double most = std::min(-current.front(), current.back());

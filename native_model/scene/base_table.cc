@@ -35,9 +35,10 @@ void check_base(Reading& check) {
   const Base& base = *check.scene.base;
   check.at = "base";
   if (!check.given(".time") && !check.given(".frequency")) {
-    return check.fail("base",
-                      "does not move: expected `time` with `acceleration_x` or "
-                      "`acceleration_y`, or `frequency` with `amplitude`");
+    return check.fail(
+        "base",
+        "has no acceleration; give `time` with `acceleration_x` or `acceleration_y`, or "
+        "`frequency` with `amplitude`");
   }
   for (const char* key : {".acceleration_x", ".acceleration_y"}) check.needs(key, ".time");
   for (const char* key : {".amplitude", ".phase", ".seed", ".direction"})
@@ -55,7 +56,7 @@ void check_base(Reading& check) {
       check.list_length(key, base.frequency.size(), "line of base.frequency");
   }
   if (check.given(".phase") && check.given(".seed"))
-    check.fail(".seed", "not beside base.phase; accepted: one of the two");
+    check.fail(".seed", "cannot be given together with base.phase; remove one of them");
   if (check.sound({".on", ".off"}) && base.off < base.on)
     check.fail(".off", "must not be before `on` = " + number_text(base.on) + " s");
 }

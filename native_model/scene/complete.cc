@@ -19,7 +19,7 @@ void complete(Scene& scene) {
   const Record& record = *scene.record;
   std::sort(scene.run.output_times.begin(), scene.run.output_times.end());
   // MuJoCo's rigid law does not support compliant contacts.
-  if (scene.gives() && !record.given("mujoco.contact")) {
+  if (scene.is_compliant() && !record.given("mujoco.contact")) {
     scene.mujoco.contact = ContactModel::kCoulomb;
   }
   Rotor& rotor = scene.rotor;

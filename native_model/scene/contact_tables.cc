@@ -107,8 +107,8 @@ void check_contact_shapes(const Reading& check) {
     check.list_length(key, modes, of);
     if (check.index > 0 || std::ranges::all_of(shape, [](double s) { return s == 1.0; })) return;
     check.fail(key,
-               "must be 1 for each mode, as the modes are scaled to 1 at the first contact; "
-               "accepted: modes scaled so, or another contact first");
+               "must be 1 for each mode, because the modes are scaled to 1 at the first contact; "
+               "scale the modes in this way, or list another contact first");
   };
   one("contact.shape", contact.shape, check.bending_modes(), "bending mode");
   one("contact.torsion_shape", contact.torsion_shape, check.torsion_modes(), "torsion mode");
@@ -123,19 +123,21 @@ void check_compliance(const Reading& check) {
   }
   if (!contact.compliance) return;
   if (contact.compliance->damping && contact.compliance->hunt_crossley) {
-    check.fail("contact.compliance.damping",
-               "not beside contact.compliance.hunt_crossley; give one of them");
+    check.fail(
+        "contact.compliance.damping",
+        "cannot be given together with contact.compliance.hunt_crossley; remove one of them");
   }
   if (contact.compliance->damping && contact.compliance->exponent != 1.0) {
-    check.fail("contact.compliance.damping",
-               "needs exponent = 1; accepted with another: hunt_crossley, or restitution");
+    check.fail(
+        "contact.compliance.damping",
+        "needs exponent = 1; with another exponent give hunt_crossley or restitution instead");
   }
   for (const auto& [key, value] :
        {std::pair("contact.compression_time", contact.compression_time),
         std::pair("contact.expansion_time", contact.expansion_time),
         std::pair("contact.tangential_restitution", contact.tangential_restitution)}) {
     if (value != 0.0) {
-      check.fail(key, "is for rigid contacts; accepted beside contact.compliance: 0");
+      check.fail(key, "is for rigid contacts only; set 0, or remove contact.compliance");
     }
   }
 }
@@ -148,9 +150,9 @@ void check_friction(const Reading& check) {
   if (law.excess < 0.0) {
     check.fail("contact.friction.static",
                "is below contact.friction.kinetic = " + number_text(law.coefficient) +
-                   "; accepted: as much or more");
+                   "; give as much or more");
   } else if (law.excess > 0.0 && !check.given("contact.friction.stribeck_speed")) {
-    check.missing("contact.friction.stribeck_speed", ", as static is above kinetic");
+    check.missing("contact.friction.stribeck_speed", ", because static is above kinetic");
   }
 }
 
@@ -158,8 +160,8 @@ void check_friction(const Reading& check) {
 void check_list(const Reading& check) {
   for (std::size_t k = 0; k < check.index; ++k) {
     if (check.scene.name_of(k) != check.scene.name_of(check.index)) continue;
-    check.fail("contact.name",
-               "is the name of " + list_element("contact", k) + " too; accepted: a unique name");
+    check.fail("contact.name", "is the name of " + list_element("contact", k) +
+                                   " too; give each contact a name of its own");
   }
   if (check.scene.auxiliary.size() < 2 || !check.bearing().contact) return;
   const Contact& contact = *check.bearing().contact;
@@ -167,8 +169,8 @@ void check_list(const Reading& check) {
                                   std::pair("contact.expansion_time", contact.expansion_time)}) {
     if (time == 0.0) continue;
     check.fail(key,
-               "impacts of finite duration are supported only with a single contact; accepted "
-               "beside others: 0");
+               "impacts of finite duration are supported only with a single contact; set 0, or "
+               "remove the other contacts");
   }
 }
 

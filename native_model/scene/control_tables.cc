@@ -181,7 +181,8 @@ void check_measured(const Reading& check, const Controller& c) {
   if (c.kind == ControllerKind::kLibrary) return;
   const bool gap = c.kind != ControllerKind::kPassive && c.kind != ControllerKind::kCrossCoupled;
   const auto needs = [&](bool measured, const char* key, const char* what) {
-    if (!measured) check.fail(key, std::string("the law needs ") + what);
+    if (!measured)
+      check.fail(key, std::string("must not be switched off, because the law needs ") + what);
   };
   needs(c.sensors.stator, "controller.sensors.stator", "the ring");
   if (c.kind != ControllerKind::kLqg) {
@@ -196,7 +197,7 @@ void check_sensors(const Reading& check, const Controller& c) {
   if (c.sample_time <= 0.0) {
     if (check.given("controller.sensors")) {
       check.fail("controller.sensors",
-                 std::string(kSampledOnly) + "a continuous law is shown the truth");
+                 std::string(kSampledOnly) + "a continuous law measures everything exactly");
     }
     return;
   }
@@ -211,10 +212,13 @@ void check_sensors(const Reading& check, const Controller& c) {
 void check_trigger(const Reading& check, const Controller& c) {
   const char* const key = "controller.trigger";
   if (c.sample_time <= 0.0)
-    check.fail(key, std::string(kSampledOnly) + "it is looked for at the samples");
+    check.fail(key, std::string(kSampledOnly) + "it is checked at the samples");
   check.needs(key, "[contact]", ": there is no gap");
   if (!c.sensors.rotor || !c.sensors.stator) {
-    check.fail(key, "needs controller.sensors.rotor and .stator: it looks at the gap");
+    check.fail(
+        key,
+        "needs controller.sensors.rotor = true and controller.sensors.stator = true, which measure "
+        "the gap");
   }
   if (c.trigger->time_to_touch && c.sensors.velocity == VelocitySensor::kNone) {
     check.fail("controller.trigger.time_to_touch",
@@ -240,7 +244,8 @@ void check_control(const Reading& check) {
   check_measured(check, c);
   if (!check.sound({"controller.sample_time"})) return;
   if (remembers(c) && c.sample_time <= 0.0) {
-    check.fail("controller.sample_time", "this law is sampled: expected a time in s, > 0");
+    check.fail("controller.sample_time",
+               "must be set, because this law is sampled; give a time in s, > 0");
   }
   check_sensors(check, c);
   if (c.trigger) check_trigger(check, c);

@@ -85,6 +85,13 @@ std::string_view nearest(std::string_view word, std::span<const std::string_view
   return best;
 }
 
+std::string suggestion(std::string_view word, std::span<const std::string_view> accepted) {
+  const std::string_view meant = nearest(word, accepted);
+  const std::string how =
+      meant.empty() ? "; accepted: " : ", did you mean `" + std::string(meant) + "`? Accepted: ";
+  return how + join(accepted);
+}
+
 std::string join(std::span<const std::string_view> words) {
   std::string text;
   for (std::string_view word : words) {

@@ -42,9 +42,11 @@ void check_size(const Reading& check, const Disc& disc) {
   const bool dimensions = check.given(".diameter") || check.given(".thickness");
   for (const char* key : {".mass", ".Jt", ".Jp"}) {
     if (dimensions && check.given(key)) {
-      check.fail(key, "follows from `diameter` and `thickness`; give one or the other");
+      check.fail(key,
+                 "follows from `diameter` and `thickness`, which are given too; remove it, or "
+                 "remove those two");
     } else if (!dimensions && !check.given(key)) {
-      check.missing(key, ", or `diameter` and `thickness` of the disc");
+      check.missing(key, "; or give the disc's `diameter` and `thickness` instead");
     }
   }
   for (const char* key : {".diameter", ".thickness"}) {
@@ -52,7 +54,8 @@ void check_size(const Reading& check, const Disc& disc) {
   }
   for (const char* key : {".inner_diameter", ".rho"}) {
     if (!dimensions && check.given(key))
-      check.fail(key, "belongs to a disc with `diameter` and `thickness`");
+      check.fail(
+          key, "belongs to a disc with `diameter` and `thickness`; give both, or remove this key");
   }
   if (disc.diameter && disc.inner_diameter && *disc.inner_diameter >= *disc.diameter) {
     check.fail(".inner_diameter",
@@ -65,7 +68,8 @@ void check_unbalance(const Reading& check, const Disc& disc, const Disc& whole) 
   for (const char* key : {".eccentricity", ".unbalance", ".balance_grade"}) {
     if (!check.given(key)) continue;
     if (first != nullptr) {
-      check.fail(key, std::string("says the same as `") + (first + 1) + "`; give one of them");
+      check.fail(key, std::string("sets the same as `") + (first + 1) +
+                          "`, which is also given; remove one of them");
     }
     first = first == nullptr ? key : first;
   }
@@ -73,7 +77,8 @@ void check_unbalance(const Reading& check, const Disc& disc, const Disc& whole) 
     check.fail(".unbalance", "needs a mass > 0");
   }
   if (!check.given(".balance_grade")) {
-    if (check.given(".balance_speed")) check.fail(".balance_speed", "belongs to `balance_grade`");
+    if (check.given(".balance_speed"))
+      check.fail(".balance_speed", "belongs to `balance_grade`, which is missing");
     return;
   }
   if (!balance_quality(disc.balance_grade)) {

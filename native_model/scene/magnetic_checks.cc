@@ -96,7 +96,7 @@ void check_delay(const Reading& check, const std::string& below, double sample_t
   constexpr double kMost = 20.0;
   if (samples > kMost + 0.5 || std::abs(samples - std::round(samples)) > 1e-6) {
     check.fail(below + "delay", "is " + number_text(samples) +
-                                    " samples; accepted: a whole number of them, at most 20");
+                                    " sampling intervals; give a whole number of them, at most 20");
   }
 }
 
@@ -111,7 +111,8 @@ void check_form(const Reading& check, const BearingControl& control) {
                  "\"shared\" needs [magnetic_control], which commands its currents");
     }
   } else if (!check.given(".control.sample_time")) {
-    check.fail(".control.sample_time", "missing: expected a time in s, > 0, of this kind");
+    check.fail(".control.sample_time",
+               "missing: expected a time in s, > 0, because this kind is sampled");
   } else if (check.sound({".control.sample_time"}) && control.sample_time == 0.0) {
     check.fail(".control.sample_time", "must be > 0: a law of this kind is sampled");
   }
@@ -123,7 +124,7 @@ void check_form(const Reading& check, const BearingControl& control) {
     if (control.denominator.empty() || control.denominator.front() == 0.0) {
       check.fail(".control.denominator", "expected a first value that is not 0");
     }
-    if (control.numerator.empty()) check.fail(".control.numerator", "expected a value at least");
+    if (control.numerator.empty()) check.fail(".control.numerator", "expected at least one value");
   }
 }
 
@@ -151,8 +152,8 @@ void check_control_limits(const Reading& check, const MagneticBearing& magnetic)
   }
   if (per_current) {
     check.fail(".control.force_per_current",
-               "belongs to kind = \"linear\"; an electromagnet's follows from force_constant, "
-               "bias_current and air_gap");
+               "belongs to kind = \"linear\"; for an electromagnet it follows from force_constant, "
+               "bias_current and air_gap, so remove it");
   }
   if (check.given(".control.current_limit") &&
       check.sound({".control.current_limit", ".bias_current"}) &&
@@ -175,9 +176,8 @@ void check_magnetic_bearing(const Reading& check, const MagneticBearing& magneti
       check.fail(".amplifier", "needs " + check.at + ".control, which commands the current");
     for (const char* key : {".sensor_station", ".sensor_shape"}) {
       if (!check.given(key)) continue;
-      check.fail(key, "is where " + check.at +
-                          ".control measures the deflection, but there is no control; accepted: "
-                          "with a control");
+      check.fail(key, "belongs to the sensor of " + check.at +
+                          ".control, which is missing; add the control, or remove this key");
     }
     return;
   }
@@ -204,7 +204,7 @@ void check_magnetic_bearing(const Reading& check, const MagneticBearing& magneti
       "times force_per_current is " + number_text(magnets) + " N/m, and " +
           (magnetic.kind == MagnetKind::kLinear ? "negative_stiffness" : "the magnets' pull") +
           " takes " + number_text(against) + " N/m of it: " + number_text(against - magnets) +
-          " N/m too little to hold " + held + ", which nothing else holds; accepted: more than " +
+          " N/m too little to hold " + held + ", which nothing else holds; give more than " +
           number_text(against / gain) + " A/m");
 }
 
@@ -219,7 +219,9 @@ void check_magnetic_bearings(Reading& check) {
     const auto ports = 2 * static_cast<std::size_t>(std::ranges::count_if(all, takes_part));
     if (ports == 0) {
       check.fail("magnetic_control",
-                 "no magnetic bearing has a control of kind \"shared\"; accepted: one at least");
+                 "commands nothing, because no magnetic bearing has a control of kind \"shared\"; "
+                 "give one "
+                 "that kind");
     } else if (!shared->by_library()) {
       check_matrices(check, shared->matrices, "magnetic_control.", ports);
     }

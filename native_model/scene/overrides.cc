@@ -85,14 +85,14 @@ void forget_lines(TomlNode& node) {
 TomlNode* descend(TomlNode& node, const Step& step, Kind kind_if_made, std::string& reason) {
   if (step.is_index) {
     if (node.kind != Kind::kArray) {
-      reason = "is " + std::string(kind_name(node.kind)) + " and has no element";
+      reason = "is " + std::string(kind_name(node.kind)) + ", which has no elements";
       return nullptr;
     }
     if (step.index > node.items.size()) {
       const std::size_t count = node.items.size();
-      reason = "does not exist: the list has " + std::to_string(count) +
-               (count == 1 ? " element" : " elements") + ", counted from 0; the next is [" +
-               std::to_string(count) + "]";
+      reason = "does not exist, because the list has " + std::to_string(count) +
+               (count == 1 ? " element" : " elements") + ", counted from 0; use [" +
+               std::to_string(count) + "] to add one";
       return nullptr;
     }
     if (step.index == node.items.size()) node.items.push_back(empty_node(kind_if_made));
@@ -100,7 +100,7 @@ TomlNode* descend(TomlNode& node, const Step& step, Kind kind_if_made, std::stri
   }
   if (node.kind != Kind::kTable) {
     reason = node.kind == Kind::kArray
-                 ? "is a list; name an element, as in force[0].amplitude"
+                 ? "is a list; name an element of it, for example force[0].amplitude"
                  : "is " + std::string(kind_name(node.kind)) + ", not a table";
     return nullptr;
   }
@@ -197,7 +197,7 @@ std::string apply(TomlNode& root, const std::vector<Step>& steps, std::string_vi
   }
   if (removing) {
     if (node == &root && steps.back().key == "rotor")
-      return "cannot be removed: every scene has a [rotor]";
+      return "cannot be removed, because every scene needs a [rotor]";
     remove(*node, steps.back());
     return {};
   }
@@ -253,7 +253,7 @@ void apply_overrides(TomlNode& root, std::span<const std::string> overrides,
       diagnostics.push_back({kOverrideFile,
                              0,
                              {},
-                             "expected table.key=value, as in contact.friction=0.2 or "
+                             "expected table.key=value, for example contact.friction=0.2 or "
                              "force[0].amplitude=\"100 N\", got '" +
                                  printable(override_text) + "'"});
       continue;

@@ -38,6 +38,21 @@ std::string text_in(const std::filesystem::path& path, const char* expected, std
   return text;
 }
 
+// Refuses a study with one sentence, because none of its keys belongs to a scene.
+void refuse_study(const TomlNode& root) {
+  if (root.find("rotor") != nullptr) return;
+  for (const char* key : {"scene", "sample", "vary", "optimise"}) {
+    const TomlNode* found = root.find(key);
+    if (found == nullptr) continue;
+    const TomlNode* scene = root.find("scene");
+    const bool named = scene != nullptr && scene->kind == TomlNode::Kind::kString;
+    throw SceneError({{found->file, found->line, key,
+                       std::string("this file is a study, not a scene; give it to `rotorub ") +
+                           (root.find("optimise") != nullptr ? "optimise" : "sweep") +
+                           "`, or give its scene" + (named ? ", \"" + scene->text + "\"" : "")}});
+  }
+}
+
 // The folder of a scene's file, where relative paths of the scene start.
 std::string folder_of(const std::filesystem::path& file) {
   return file.has_parent_path() ? file.parent_path().string() : ".";
@@ -72,6 +87,7 @@ Scene parse_scene(std::string_view text, const std::string& file_name,
   std::vector<Diagnostic> diagnostics;
   std::optional<TomlNode> root = parse_toml(text, file_name, diagnostics);
   if (!root) throw SceneError(std::move(diagnostics));
+  refuse_study(*root);
   apply_overrides(*root, overrides, diagnostics);
   return scene_of(*root, file_name, overrides.empty() ? std::string(text) : write_toml(*root),
                   std::move(diagnostics));

@@ -13,10 +13,9 @@ bool is_ross_coefficient(std::string_view name) {
          (name[1] == 'x' || name[1] == 'y') && (name[2] == 'x' || name[2] == 'y');
 }
 constexpr const char* kRossBearing =
-    "unknown key; in place of the names of ROSS write stiffness = [kxx, kyy], damping = [cxx, "
-    "cyy], "
-    "cross_stiffness = [kxy, kyx] and cross_damping = [cxy, cyx]; coefficients that depend on the "
-    "speed are table_kxx, ... together with table_speed";
+    "unknown key; this is a name of ROSS. Write stiffness = [kxx, kyy], damping = [cxx, cyy], "
+    "cross_stiffness = [kxy, kyx] and cross_damping = [cxy, cyx] instead. For coefficients that "
+    "depend on the speed give table_kxx, ... together with table_speed";
 
 using Kind = TomlNode::Kind;
 
@@ -38,9 +37,19 @@ std::string header(bool list, const std::string& path) {
   return list ? "[[" + path + "]]" : "[" + path + "]";
 }
 
+// "\"pid\" or \"shared\"".
+std::string quoted_words(std::span<const std::string_view> words) {
+  std::string text;
+  for (const std::string_view word : words) {
+    if (!text.empty()) text += word == words.back() ? " or " : ", ";
+    text += "\"" + std::string(word) + "\"";
+  }
+  return text;
+}
+
 std::string not_of_kind(std::span<const std::string_view> kinds, std::string_view kind) {
-  return "belongs to kind = \"" + join(kinds) + "\" and has no effect with \"" + std::string(kind) +
-         "\"";
+  return "belongs to kind = " + quoted_words(kinds) + " and has no effect with \"" +
+         std::string(kind) + "\"; remove it, or change the kind";
 }
 
 // True for a part of one of several auxiliary bearings: "contact[1].stator".
@@ -89,6 +98,10 @@ bool Reading::refuse(const Spot& here, std::string reason) {
   return false;
 }
 
+void Reading::report_missing(const Spot& here, std::string reason) {
+  if (!misspelt_.contains(here.path)) refuse(here, std::move(reason));
+}
+
 Reading::Spot Reading::Spot::below(const TomlNode& inner, std::string_view key) const {
   return {inner, path.empty() ? std::string(key) : path + "." + std::string(key)};
 }
@@ -108,7 +121,8 @@ void Reading::read(const TomlNode& root) {
     if (listed && is_part_of_contact(table)) {
       if (const TomlNode* node = find_path(root, path)) {
         refuse({*node, path},
-               "stands beside [[contact]]; accepted: below each, as [contact." + path + "]");
+               "cannot stand beside [[contact]]; give each contact its own, as [contact." + path +
+                   "] below its [[contact]]");
       }
     } else if (const TomlNode* node = root.find(path); node != nullptr && table.parent().empty()) {
       read_table(table, {*node, path});
@@ -120,29 +134,33 @@ void Reading::read(const TomlNode& root) {
 void Reading::find_form(const TomlNode& root) {
   const TomlNode* rotor = root.find("rotor");
   if (rotor == nullptr) {
-    refuse({root, "rotor"}, "missing: every scene has a [rotor]");
+    report_missing({root, "rotor"}, "missing: every scene needs a table [rotor]");
     return;
   }
   if (rotor->kind != Kind::kTable) return;
   const TomlNode* modal = rotor->find("modal");
   std::string geometry;  // the first key of a geometry
+  bool misspelt_modal = false;
   for (const auto& [name, value] : rotor->entries) {
     const Key* key = find_table("rotor")->find(name);
     const Table* table = find_table("rotor." + name);
     if ((key && key->form == Form::kGeometry) || (table && table->form == Form::kGeometry)) {
       geometry = geometry.empty() ? name : geometry;
     }
+    const std::string_view modal_form[] = {"modal"};
+    if (!key && !table && !nearest(name, modal_form).empty()) misspelt_modal = true;
   }
   if (modal != nullptr && !geometry.empty()) {
-    refuse({*modal, "rotor.modal"}, "the rotor is given by its modes and by its geometry (`rotor." +
-                                        geometry + "`); give one of them");
+    refuse({*modal, "rotor.modal"},
+           "the rotor is given both by its modes and by its geometry (`rotor." + geometry +
+               "`); remove one of them");
   } else if (modal != nullptr) {
     form_ = Form::kModal;
   } else if (!geometry.empty()) {
     form_ = Form::kGeometry;
-  } else {
+  } else if (!misspelt_modal) {
     refuse({*rotor, "rotor"},
-           std::string("no rotor is given: expected ") + kGeometryForm + " or " + kModalForm);
+           std::string("no rotor is given; give ") + kGeometryForm + " or " + kModalForm);
   }
 }
 
@@ -170,13 +188,14 @@ void Reading::refuse_unknown(const Table* own, const Spot& here) {
                                        value.items.front().kind == Kind::kTable);
     std::string reason = is_table ? "unknown table" : "unknown key";
     if (const std::string_view meant = nearest(name, known); !meant.empty()) {
-      reason += ", did you mean `" + std::string(meant) + "`?";
+      reason += ", did you mean `" + std::string(meant) + "`? Accepted here: ";
+      misspelt_.insert(here.below(value, meant).path);
     } else if (const std::string homes = homes_of(name); !homes.empty()) {
-      reason += " here; it stands in " + homes + ";";
+      reason += " here; `" + name + "` belongs in " + homes + ". Accepted here: ";
     } else {
-      reason += ";";
+      reason += "; accepted here: ";
     }
-    refuse(here.below(value, name), reason + " accepted: " + join(known));
+    refuse(here.below(value, name), reason + join(known));
   }
 }
 
@@ -199,8 +218,8 @@ void Reading::read_list(const Table& table, const Spot& here) {
   const std::size_t most = contacts ? kMaxContacts : kMaxMagneticBearings;
   if (table.or_list && here.node.items.size() > most) {
     refuse(here, "has " + std::to_string(here.node.items.size()) +
-                     (contacts ? " contacts" : " magnetic bearings") + "; accepted: at most " +
-                     std::to_string(most));
+                     (contacts ? " contacts" : " magnetic bearings") + "; at most " +
+                     std::to_string(most) + " are accepted");
     if (!contacts) return;
   }
   for (std::size_t i = 0; i < here.node.items.size(); ++i) {
@@ -234,7 +253,7 @@ void Reading::read_object(const Table& table, const Spot& here) {
       read_object(*instead, one);
     } else if (value != nullptr && other != nullptr) {
       refuse(here.below(*other, key.also),
-             "is another name of `" + std::string(key.name) + "`; give one of them");
+             "is another name of `" + std::string(key.name) + "`, which is also given; remove one");
       note(one, false);
     } else if (value != nullptr || other != nullptr) {
       const Spot written = here.below(one.node, value != nullptr ? key.name : key.also);
@@ -242,7 +261,7 @@ void Reading::read_object(const Table& table, const Spot& here) {
     } else if (key.required() && key.belongs_to(form_) &&
                (key.kinds.empty() || (!kind.empty() && key.is_for(kind)))) {
       record_->note_missing(one.path);
-      refuse(one, "missing: expected " + key.expected());
+      report_missing(one, "missing: expected " + key.expected());
     }
   }
   read_below(table, kind, here);
@@ -268,12 +287,13 @@ bool Reading::read_key(const Key& key, std::string_view kind, const Spot& here, 
   if (form_ != Form::kEither && !key.belongs_to(form_)) {
     const bool modal = form_ == Form::kModal;
     return refuse(here, std::string("belongs to ") + (modal ? kGeometryForm : kModalForm) +
-                            ", and the rotor is in " + (modal ? kModalForm : kGeometryForm));
+                            ", but this rotor is given in " + (modal ? kModalForm : kGeometryForm) +
+                            "; remove it");
   }
   if (key.listed_only && !is_listed(here.path)) {
     return refuse(here,
-                  "is a key only of [contact.stator] below a [[contact]]; for [stator] use "
-                  "`initial.stator`, `initial.stator_velocity`");
+                  "is accepted only in [contact.stator] below a [[contact]]; for [stator] use "
+                  "`initial.stator` and `initial.stator_velocity`");
   }
   if (!kind.empty() && !key.is_for(kind)) return refuse(here, not_of_kind(key.kinds, kind));
   Value value;
@@ -301,7 +321,7 @@ void Reading::read_any(const Table& table, const Spot& here) {
       config.push_back(std::move(entry));
     } else {
       refuse(here.below(value, name),
-             "expected a finite number or a text in quotes" +
+             "expected a finite number, or a text in quotes" +
                  (value.kind == Kind::kFloat ? "" : ", got " + std::string(kind_name(value.kind))));
     }
   }

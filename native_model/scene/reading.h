@@ -2,9 +2,11 @@
 // checks what the rows cannot say. Reports everything that does not fit.
 #pragma once
 
+#include <functional>
 #include <initializer_list>
 #include <memory>
 #include <optional>
+#include <set>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -75,6 +77,8 @@ class Reading {
   void note(const Spot& here, bool sound, const std::string& written = {});
   // Reports what is wrong at `node`. Always false, as the result of a function that reads.
   bool refuse(const Spot& here, std::string reason);
+  // Reports a missing key or table, unless a misspelling of it has been reported.
+  void report_missing(const Spot& here, std::string reason);
 
   void find_form(const TomlNode& root);
   void refuse_unknown(const Table* table, const Spot& here);
@@ -97,6 +101,8 @@ class Reading {
   std::vector<Diagnostic>& diagnostics_;
   std::shared_ptr<Record> record_;
   std::vector<Rule> rules_;
+  // The full paths that unknown keys and tables are taken for: "contact.friction".
+  std::set<std::string, std::less<>> misspelt_;
   Form form_ = Form::kEither;  // kEither: unknown
 };
 

@@ -4,6 +4,7 @@
 #include <functional>
 
 #include "native_model/scene/reading.h"
+#include "native_model/scene/text.h"
 
 namespace rotorub::scene {
 
@@ -19,6 +20,7 @@ std::string Reading::full(std::string_view key) const {
 std::string Reading::place(std::string_view key) const { return record_->place(full(key), index); }
 
 void Reading::fail(std::string_view key, std::string reason) const {
+  if (reason.starts_with("missing: ") && misspelt_.contains(place(key))) return;
   diagnostics_.push_back(record_->diagnostic(place(key), std::move(reason)));
 }
 
@@ -42,8 +44,8 @@ void Reading::station(const std::string& path, double z) const {
   if (!scene.rotor.geometry || !sound({path, "rotor.length"})) return;
   const double length = scene.rotor.geometry->length;
   if (z > length) {
-    fail(path, "out of the shaft: must be in [0, rotor.length = " + std::to_string(length) +
-                   " m], got " + std::to_string(z) + " m");
+    fail(path, "is not on the shaft: expected a place from 0 to rotor.length = " +
+                   number_text(length) + " m, got " + number_text(z) + " m");
   }
 }
 
@@ -72,7 +74,7 @@ void Reading::abscissae(const std::string& path, const std::vector<double>& list
 void Reading::voltage(const std::string& path) const {
   needs(path + ".voltage_limit", path + ".inductance", ": inductance di/dt = u - resistance i");
   for (const char* key : {".inductance", ".resistance"}) {
-    needs(path + key, path + ".voltage_limit", ": without it the voltage has no limit");
+    needs(path + key, path + ".voltage_limit", ": without a limit it has no effect");
   }
 }
 

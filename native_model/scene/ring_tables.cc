@@ -134,7 +134,7 @@ void check_ring(const Reading& check) {
   for (const char* key : {"initial.stator", "initial.stator_velocity"}) {
     if (check.given(key) && check.given("contact[0]")) {
       check.fail(key,
-                 "cannot be used with [[contact]]; accepted: position and velocity in each "
+                 "cannot be used with [[contact]]; give position and velocity in each "
                  "[contact.stator]");
     } else {
       check.needs(key, "[stator]", ": the ring is fixed and stays at [0, 0]");

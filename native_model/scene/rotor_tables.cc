@@ -150,7 +150,8 @@ std::string metres(double z) { return std::to_string(z) + " m"; }
 void check_sections(Reading& check, const RotorGeometry& shaft) {
   if (!check.sound({"rotor.section"})) return;
   if (shaft.sections.empty()) {
-    check.fail("rotor.section", "missing: [[rotor.section]] from 0 to rotor.length");
+    check.fail("rotor.section",
+               "missing: expected tables [[rotor.section]] that cover 0 to rotor.length");
     return;
   }
   bool sound = check.sound({"rotor.length"});
@@ -216,7 +217,8 @@ void check_geometry(Reading& check, const RotorGeometry& shaft) {
                "missing: expected `modes` (a whole number >= 1, or \"auto\") or `max_frequency`");
   }
   if (check.given("rotor.modes_tolerance") && !shaft.auto_modes && check.sound({"rotor.modes"})) {
-    check.fail("rotor.modes_tolerance", "belongs to modes = \"auto\"");
+    check.fail("rotor.modes_tolerance",
+               "belongs to modes = \"auto\"; remove it, or set rotor.modes = \"auto\"");
   }
   if (check.given("rotor.nu") && check.given("rotor.G")) {
     check.fail("rotor.G", "give `nu` or `G`, not both");

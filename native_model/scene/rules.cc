@@ -46,15 +46,17 @@ void check_rules(Reading& check) {
     const bool metric = check.given(".metric");
     const bool min = check.given(".min"), max = check.given(".max");
     if (metric && rule.expect == Expect::kRefused) {
-      check.fail(".metric", "belongs to a run, and `expect` = \"refused\" says that there is none");
+      check.fail(
+          ".metric",
+          "needs a run, but `expect` = \"refused\" says that there is none; remove one of them");
     } else if (metric && !min && !max) {
-      check.fail(".metric", "has no limit: expected `min`, `max` or both");
+      check.fail(".metric", "has no limit; give `min`, `max` or both");
     }
     if (!metric && (min || max)) {
-      check.fail(min ? ".min" : ".max", "limits nothing: expected a `metric` beside it");
+      check.fail(min ? ".min" : ".max", "has nothing to limit; give a `metric` too");
     }
     if (!metric && !min && !max && !check.given(".expect")) {
-      check.fail(check.at, "says nothing: expected `metric` with `min` or `max`, or `expect`");
+      check.fail(check.at, "is empty; give a `metric` with `min` or `max`, or `expect`");
     }
     if (rule.min && rule.max && *rule.min > *rule.max) {
       check.fail(".max", "must not be below `min`");

@@ -120,15 +120,18 @@ void check_given_start(const Reading& check) {
   for (const char* key : {"initial.x", "initial.y", "initial.vx", "initial.vy", "initial.stator",
                           "initial.stator_velocity"}) {
     if (!check.given(key)) continue;
-    check.fail(key, "not beside " + by + ", which gives it; accepted: one of the two");
+    check.fail(key, "cannot be given together with " + by + ", which sets it; remove one of them");
   }
   for (const char* key : {"stator.position", "stator.velocity"}) {
     if (rubs && check.given(key))
-      check.fail(key, "not beside initial.rub, which gives it; accepted: one of the two");
+      check.fail(key,
+                 "cannot be given together with initial.rub, which sets it; remove one of them");
   }
   if (initial.steady && rubs) {
-    check.fail("initial.steady",
-               "the free orbit is not a rub; not beside initial.rub; accepted: one of the two");
+    check.fail(
+        "initial.steady",
+        "cannot be true together with initial.rub, because the free orbit is not a rub; remove one "
+        "of them");
   }
 }
 
@@ -136,20 +139,23 @@ void check_mujoco(const Reading& check) {
   const Scene& scene = check.scene;
   if (scene.mujoco.bearing_currents && scene.mujoco.shadow) {
     check.fail("mujoco.bearing_currents",
-               "mujoco.shadow does not see the added currents; accepted: one of them");
+               "cannot be true together with mujoco.shadow, which does not see the added currents; "
+               "set one "
+               "of them to false");
   }
   const auto amplifies = [](const MagneticBearing& b) { return b.amplifier.has_value(); };
   if (scene.mujoco.bearing_currents && std::ranges::none_of(scene.magnetic_bearings, amplifies)) {
     check.fail("mujoco.bearing_currents",
-               "no magnetic bearing has a [magnetic_bearing.amplifier]; accepted: false");
+               "needs a magnetic bearing with an amplifier; add [magnetic_bearing.amplifier], or "
+               "set false");
   }
   if (scene.mujoco.rotor != MujocoRotor::kSegments) return;
   for (std::size_t i = 0; scene.drive && i < scene.forces.size(); ++i) {
     if (scene.forces[i].kind != ForceKind::kUnbalance) continue;
-    check.fail(
-        list_element("force", i) + ".kind",
-        "with a [drive] \"unbalance\" changes how spin and bending are coupled, and MuJoCo's rigid "
-        "segments keep their masses; accepted: mujoco.rotor = \"modal\", or no [drive]");
+    check.fail(list_element("force", i) + ".kind",
+               "with a [drive], \"unbalance\" changes how spin and bending are coupled, but "
+               "MuJoCo's rigid "
+               "segments keep their masses; set mujoco.rotor = \"modal\", or remove [drive]");
   }
   for (std::size_t i = 0; scene.rotor.geometry && i < scene.rotor.geometry->bearings.size(); ++i) {
     const ShaftBearing& bearing = scene.rotor.geometry->bearings[i];
@@ -162,13 +168,13 @@ void check_mujoco(const Reading& check) {
                                                              : nullptr;
     if (key == nullptr) continue;
     check.fail(list_element("rotor.bearing", i) + key,
-               "MuJoCo's rigid segments support only uncoupled springs and dampers; accepted: "
+               "MuJoCo's rigid segments support only uncoupled springs and dampers; set "
                "mujoco.rotor = \"modal\"");
   }
   if (scene.rotor.modal) {
-    check.fail("mujoco.rotor",
-               "\"segments\" needs the rotor's geometry, but the scene gives its modes; accepted: "
-               "\"modal\"");
+    check.fail(
+        "mujoco.rotor",
+        "\"segments\" needs the rotor's geometry, but this scene gives its modes; set \"modal\"");
   }
 }
 
@@ -201,9 +207,9 @@ void check_run(const Reading& check) {
     check.fail("run.step", "must be at most " + end);
   }
   if (check.sound({"run.output_step"}) && run.end / run.series_step() > kMostRows) {
-    check.fail("run.output_step", "gives " + number_text(run.end / run.series_step()) +
-                                      " rows; expected at most 1e7 rows, one in " +
-                                      number_text(run.end / kMostRows) + " s");
+    check.fail("run.output_step", "makes " + number_text(run.end / run.series_step()) +
+                                      " rows, but at most 1e7 rows are accepted; set " +
+                                      number_text(run.end / kMostRows) + " s or more");
   }
   if (!check.sound({"run.output_times"})) return;
   for (std::size_t i = 0; i < run.output_times.size(); ++i) {
@@ -242,9 +248,9 @@ void check_gap_at_start(const Reading& check) {
                       : scene.auxiliary.size() > 1 ? "stator.position"
                                                    : "initial.stator";
     check.fail(key, "the rotor starts outside the ring, " + number_text(offset.norm()) +
-                        " m from its centre; expected at most " +
+                        " m from its centre; start it at most " +
                         (reach > clearance ? "twice " : "") + check.place("contact.clearance") +
-                        " = " + number_text(clearance) + " m");
+                        " = " + number_text(clearance) + " m from there");
   }
 }
 

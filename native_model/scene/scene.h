@@ -61,7 +61,7 @@ struct Scene {
     return own.empty() ? std::to_string(bearing + 1) : own;
   }
   // True if at least one contact is compliant.
-  bool gives() const {
+  bool is_compliant() const {
     return std::any_of(auxiliary.begin(), auxiliary.end(), [](const AuxiliaryBearing& at) {
       return at.contact && at.contact->compliance;
     });

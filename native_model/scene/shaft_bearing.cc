@@ -38,13 +38,15 @@ ShaftBearing tabled(ShaftBearing bearing, double speed) {
 void check_journal(const Reading& check) {
   for (const char* key :
        {".stiffness", ".damping", ".cross_stiffness", ".cross_damping", ".table_speed"}) {
-    if (check.given(key)) check.fail(key, "not beside `journal`; accepted: one of the two");
+    if (check.given(key))
+      check.fail(key, "cannot be given together with `journal`; remove one of them");
   }
 }
 
 void check_table(const Reading& check, const ShaftBearing& bearing) {
   for (const char* key : {".stiffness", ".damping", ".cross_stiffness", ".cross_damping"}) {
-    if (check.given(key)) check.fail(key, "not beside `table_speed`; accepted: one of the two");
+    if (check.given(key))
+      check.fail(key, "cannot be given together with `table_speed`; remove one of them");
   }
   if (!check.given(".table_kxx")) {
     check.fail(".table_kxx", "missing: expected a list of stiffnesses in N/m, one for each speed");
@@ -166,7 +168,7 @@ void check_bearings(Reading& check, const RotorGeometry& shaft) {
       if (check.given(key.name)) check.fail(key.name, "needs `table_speed`");
     }
     if (!check.given(".stiffness") && !check.given(".journal")) {
-      check.missing(".stiffness", ", tables over `table_speed`, or a `journal`");
+      check.missing(".stiffness", "; or give tables over `table_speed` or a `journal` instead");
     }
   }
 }

@@ -147,8 +147,8 @@ std::string hint(std::string_view line) {
       std::any_of(value.begin(), value.end(), [](unsigned char c) { return std::isalpha(c); });
   if (!letters || value.find_first_of("\"'[{") != std::string::npos) return {};
   return std::isdigit(static_cast<unsigned char>(value.front()))
-             ? "; a value with a unit stands in quotes, as in \"0.5 mm\""
-             : "; a word stands in quotes";
+             ? "; put a value with a unit in quotes, for example \"0.5 mm\""
+             : "; put a word in quotes";
 }
 
 // A file that begins with "<" is XML, such as a MuJoCo model; TOML never begins with it.
@@ -242,7 +242,10 @@ std::optional<TomlNode> parse_toml(std::string_view text, const std::string& fil
     if (const int line = line_of_too_deep_key(remaining); line > 0) {
       const std::string most = std::to_string(kDeepestKey);
       diagnostics.push_back(
-          {file, line, {}, "a key of more than " + most + " dots; accepted: up to " + most});
+          {file,
+           line,
+           {},
+           "a key has more than " + most + " dots; at most " + most + " are accepted"});
       return std::nullopt;
     }
     const toml::parse_result parsed = toml::parse(remaining, file);
@@ -260,7 +263,7 @@ std::optional<TomlNode> parse_toml(std::string_view text, const std::string& fil
     const std::size_t fault =
         std::clamp<std::size_t>(parsed.error().source().begin.line, 1, lines.size());
     if (description.starts_with("unescaped control characters")) {
-      description = "a string does not end on its line; accepted: with a quote at its end";
+      description = "a text in quotes does not end on its line; add the closing quote";
     }
     const bool duplicate = description.find("redefine") != std::string::npos;
     description = printable(description, kLongestDescription);

@@ -153,7 +153,7 @@ class UnitParser {
         continue;
       }
       if (divided) {
-        fail("ambiguous unit: after '/' put the factors in brackets, as in N/(m s)");
+        fail("ambiguous unit: put the factors after '/' in brackets, for example N/(m s)");
         break;
       }
       if (!take("*") && !take("\u00b7")) take("\u22c5");
@@ -276,12 +276,12 @@ bool is_unit_of(const Quantity& quantity, std::string_view text) {
 // Empty if there is none.
 std::string hint(std::string_view number, std::string_view unit, const Quantity& quantity) {
   const auto perhaps = [&](const std::string& meant) {
-    return ": perhaps \"" + printable(std::string(number) + meant) + "\"";
+    return "; did you mean \"" + printable(std::string(number) + meant) + "\"?";
   };
   const std::string spelt = with_words(unit, meant_word);
   if (is_unit_of(quantity, spelt)) return perhaps(spelt);
   const std::string forced = with_words(spelt, pound_as_force);
-  if (is_unit_of(quantity, forced)) return perhaps(forced) + ", as lb is a mass and lbf a force";
+  if (is_unit_of(quantity, forced)) return perhaps(forced) + " (lb is a mass, lbf a force)";
   return {};
 }
 

@@ -35,9 +35,9 @@ InWall in_wall(double first, double last) {
 // path under the forces of the contacts that are already closed. Without these forces the speed,
 // and with it the a of the whole touch, would have an error of order h. Returns false like
 // solve_compliant().
-bool StepContacts::find_touches(StepState& x) {
+bool StepContacts::find_touches(StepState& state) {
   after_ = 0.5 * h_;
-  before_ = x.kick < 1.0 ? 0.0 : after_;
+  before_ = state.kick_length < 1.0 ? 0.0 : after_;
   std::array<bool, kMaxContacts> was_closed{};
   List open;
   compliant_.clear();
@@ -45,37 +45,37 @@ bool StepContacts::find_touches(StepState& x) {
   for (std::size_t i = 0; i < count(); ++i) {
     Contact& c = contacts_[i];
     if (c.rigid) {
-      if (now[i].closed) lasting_.push_back(i);
+      if (states[i].closed) lasting_.push_back(i);
       continue;
     }
-    c.start_rates = rates(i, x.start.data());
+    c.start_rates = rates(i, state.v_start.data());
     turn_normal(c);
-    was_closed[i] = now[i].closed;
-    if (was_closed[i]) meet_wall(i, c.free_rates);
-    (now[i].closed ? compliant_ : open).push_back(i);
+    was_closed[i] = states[i].closed;
+    if (was_closed[i]) find_wall_impulses(i, c.free_rates);
+    (states[i].closed ? compliant_ : open).push_back(i);
   }
   const bool others_act = !open.empty() && !(compliant_.empty() && lasting_.empty());
   if (others_act) {
-    if (loads_.coupled()) couple();
+    if (loads_.coupled()) update_admittance();
     for (const std::size_t i : lasting_) turn_normal(contacts_[i]);
-    if (!find_impulses(x)) return false;
+    if (!find_impulses(state)) return false;
   }
   for (const std::size_t i : open) {
     Eigen::Vector3d free = contacts_[i].free_rates;
     if (others_act) free += rates_by(i, compliant_) + rates_by(i, lasting_);
-    now[i].closed = was_closed[i];  // a contact that has opened may close again
-    meet_wall(i, free);
-    if (now[i].closed) compliant_.push_back(i);
+    states[i].closed = was_closed[i];  // a contact that has opened may close again
+    find_wall_impulses(i, free);
+    if (states[i].closed) compliant_.push_back(i);
   }
   return true;
 }
 
 // Finds w_0 and w_1 of the step, and the a of a touch. free: (ddot, spin) at the end of the step
 // without the contact's own force.
-void StepContacts::meet_wall(std::size_t i, const Eigen::Vector3d& free) {
+void StepContacts::find_wall_impulses(std::size_t i, const Eigen::Vector3d& free) {
   Contact& c = contacts_[i];
-  Kept& kept = now[i];
-  const CompliantLaw& law_of = law(i).compliance;
+  ContactState& kept = states[i];
+  const CompliantLaw& law = parameters(i).compliance;
   const double length = before_ + after_;
   const Eigen::Vector2d d = vector_of(c.d), first = d - before_ * c.start_rates.head<2>(),
                         last = d + after_ * free.head<2>();
@@ -96,36 +96,37 @@ void StepContacts::meet_wall(std::size_t i, const Eigen::Vector3d& free) {
         early ? first + one.from * (d - first) : d + two.from * (last - d);
     const Eigen::Vector2d velocity =
         c.start_rates.head<2>() + since / length * (free - c.start_rates).head<2>();
-    kept.hunt_crossley = law_of.a_of_touch(there.normalized().dot(velocity));
+    kept.hunt_crossley = law.a_of_touch(there.normalized().dot(velocity));
     kept.closed = true;
   }
   const bool whole = in_one + in_two >= length;
-  c.spring = whole ? length * law_of.spring(depth)
-                   : in_one * law_of.spring(one.depth) + in_two * law_of.spring(two.depth);
-  c.damper = kept.hunt_crossley * c.spring + law_of.damping * (in_one + in_two);
+  c.spring = whole ? length * law.spring(depth)
+                   : in_one * law.spring(one.depth) + in_two * law.spring(two.depth);
+  c.damper = kept.hunt_crossley * c.spring + law.damping * (in_one + in_two);
 }
 
 // Finds the impulses of all closed compliant contacts. Fails with kStepTooLarge and returns false
 // if the step is too large for the contact's stiffness.
-bool StepContacts::solve_compliant(StepState& x) {
+bool StepContacts::solve_compliant(StepState& state) {
   for (int round = 0; round < kRounds; ++round) {
     double moved = 0.0, largest = 0.0;
     for (const std::size_t i : compliant_) {
       const Contact& c = contacts_[i];
-      const double was = now[i].normal, rubbed = now[i].friction;
+      const double was = states[i].normal, rubbed = states[i].friction;
       solve_one_compliant(i, c.free_rates + rates_by(i, compliant_) + rates_by(i, lasting_));
-      moved = std::max({moved, std::abs(now[i].normal - was), std::abs(now[i].friction - rubbed)});
-      largest = std::max(largest, now[i].normal);
+      moved = std::max(
+          {moved, std::abs(states[i].normal - was), std::abs(states[i].friction - rubbed)});
+      largest = std::max(largest, states[i].normal);
       // The leapfrog is stable up to h^2 k' g_NN = 4, with k' = n N / p. If the law states its
       // damping a, (h^2 k' + 2 h a N) g_NN counts instead, because the mean of the rates at both
       // ends oscillates beyond it.
-      const CompliantLaw& law_of = law(i).compliance;
+      const CompliantLaw& law = parameters(i).compliance;
       const double nn = delassus(admittance(i, i), vector_of(c.e_r), c.radius).nn;
       const double depth = vector_of(c.d).norm() - c.clearance;
-      const double spring = law_of.spring(depth);
-      const double slope = law_of.exponent * spring, damper = law_of.hunt_crossley * spring;
+      const double spring = law.spring(depth);
+      const double slope = law.exponent * spring, damper = law.hunt_crossley * spring;
       if (depth > 0.0 && h_ * (h_ * slope + 2.0 * depth * damper) * nn > 4.0 * depth) {
-        x.fail(Status::kStepTooLarge);
+        state.fail(Status::kStepTooLarge);
         return false;
       }
     }
@@ -155,18 +156,18 @@ void StepContacts::solve_one_compliant(std::size_t i, const Eigen::Vector3d& end
   for (int turn = 0; turn < kTurns; ++turn) {
     const Eigen::Vector2d there = d + after_ * last.head<2>();
     const Eigen::Vector2d n = rates_at(there, normal), t = rates_at(there, friction);
-    find_impulses(i, before, rates_at(there, end), {n.x(), t.x(), n.y(), t.y()});
-    last = end + now[i].normal * normal + now[i].friction * friction;
+    find_compliant_impulses(i, before, rates_at(there, end), {n.x(), t.x(), n.y(), t.y()});
+    last = end + states[i].normal * normal + states[i].friction * friction;
   }
 }
 
 // before, after: (gap rate, slip) at the ends of the step without the contact's own impulses, which
 // add g times themselves.
-void StepContacts::find_impulses(std::size_t i, const Eigen::Vector2d& before,
-                                 const Eigen::Vector2d& after, const Delassus& g) {
+void StepContacts::find_compliant_impulses(std::size_t i, const Eigen::Vector2d& before,
+                                           const Eigen::Vector2d& after, const Delassus& g) {
   const Contact& c = contacts_[i];
-  Kept& kept = now[i];
-  const FrictionLaw& friction_law = law(i).friction;
+  ContactState& kept = states[i];
+  const FrictionLaw& friction_law = parameters(i).friction;
   const double half = 0.5 * c.damper, bare = c.spring - half * (before.x() + after.x());
   // With T = t + ratio P.
   const auto normal = [&](double t, double ratio) {

@@ -4,44 +4,45 @@
 namespace rotorub {
 
 // ------------------------------------------------------------------ a step in two parts
-bool StepContacts::alike(const State& part, const State& was) const {
+bool StepContacts::lasts_unchanged(const States& before, const States& part) const {
   for (std::size_t i = 0; i < count(); ++i) {
-    if (!contacts_[i].rigid || !was[i].closed) continue;
-    if (!part[i].closed || part[i].slip_sign != was[i].slip_sign) return false;
+    if (!contacts_[i].rigid || !before[i].closed) continue;
+    if (!part[i].closed || part[i].slip_sign != before[i].slip_sign) return false;
   }
   return true;
 }
 
-StepContacts::State StepContacts::second_part(const State& was, const State& first) const {
-  State second = was;
+StepContacts::States StepContacts::second_part_start(const States& before,
+                                                     const States& first) const {
+  States second = before;
   for (std::size_t i = 0; i < count(); ++i) {
     if (contacts_[i].rigid) second[i].slip_sign = first[i].slip_sign;
   }
   return second;
 }
 
-void StepContacts::join_parts(double share, double rest, const State& first, double kick) {
+void StepContacts::join_parts(double share, double rest, const States& first, double kick_length) {
   for (std::size_t i = 0; i < count(); ++i) {
-    Kept& c = now[i];
-    c.normal_at_end = c.normal / kick;
-    c.friction_at_end = c.friction / kick;
+    ContactState& c = states[i];
+    c.normal_at_end = c.normal / kick_length;
+    c.friction_at_end = c.friction / kick_length;
     c.normal = share * first[i].normal + rest * c.normal;
     c.friction = share * first[i].friction + rest * c.friction;
   }
-  note_lasting();
+  record_lasting();
 }
 
-void StepContacts::go_on_as(const State& mean) {
-  now = mean;
-  note_lasting();
+void StepContacts::restore_whole_step(const States& mean) {
+  states = mean;
+  record_lasting();
 }
 
 // ------------------------------------------------------------------ what the step did
-void StepContacts::note_lasting() {
-  did_ = true;
+void StepContacts::record_lasting() {
+  has_results_ = true;
   for (std::size_t i = 0; i < count(); ++i) {
-    const Kept& c = now[i];
-    ContactStep& done = done_[i];
+    const ContactState& c = states[i];
+    ContactStep& done = results_[i];
     done = {};
     if (!c.closed || !(c.normal > 0.0)) continue;
     done.mode = c.slip_sign == 0.0 ? Mode::kStick : Mode::kSlide;
@@ -53,32 +54,34 @@ void StepContacts::note_lasting() {
 }
 
 void StepContacts::set_closed(std::size_t i, bool closed) {
-  if (now[i].closed != closed) now[i].slip_sign = 0.0;
-  now[i].closed = closed;
+  if (states[i].closed != closed) states[i].slip_sign = 0.0;
+  states[i].closed = closed;
 }
 
-void StepContacts::note_impact(const Impact& impact, bool listed) {
-  ContactStep& done = done_[static_cast<std::size_t>(impact.contact)];
-  impacted_ = did_ = true;
+void StepContacts::add_impact(const Impact& impact, bool listed) {
+  ContactStep& done = results_[static_cast<std::size_t>(impact.contact)];
+  impacted_ = has_results_ = true;
   done.normal_impulse += impact.normal_impulse;
   done.friction_impulse += impact.friction_impulse;
   if (listed) impacts.push_back(impact);
 }
 
-void StepContacts::tell(FixedStep& out) const {
-  static_cast<ContactStep&>(out) = done_[0];
-  out.others = std::span(done_).subspan(1);
+void StepContacts::write_results(FixedStep& out) const {
+  static_cast<ContactStep&>(out) = results_[0];
+  out.others = std::span(results_).subspan(1);
   out.impacts = impacts;
 }
 
-double StepContacts::lasting_work(const StepState& x) const {
-  const double* end = end_without_impacts(x);
-  double work = 0.0;
+double StepContacts::lasting_work(const StepState& state) const {
+  const double *start = state.v_start.data(), *end = end_without_impacts(state);
+  double mean[kMaxCoordinates], work = 0.0;
+  if (has_results_) {
+    for (int j = 0; j < state.nq(); ++j) mean[j] = 0.5 * (start[j] + end[j]);
+  }
   for (std::size_t i = 0; i < count(); ++i) {
-    if (!(done_[i].lasting.x() > 0.0)) continue;
+    if (!(results_[i].lasting.x() > 0.0)) continue;
     const Contact& c = contacts_[i];
-    work += rotorub::lasting_work(m_, i, {c.e_r.x, c.e_r.y}, done_[i].lasting,
-                                  rates(i, x.start.data()), rates(i, end));
+    work += rotorub::lasting_work(m_, i, {c.e_r.x, c.e_r.y}, results_[i].lasting, rates(i, mean));
   }
   return work;
 }

@@ -65,7 +65,7 @@ FixedStep EulerStepper::step(std::int64_t k, std::span<const Eigen::Vector2d> u,
     out.contact_work = out.impact_work;
     for (std::size_t i = 0; i < done_.size(); ++i) {
       out.contact_work += lasting_work(m, i, separation(m, q(), i).normalized(), done_[i].lasting,
-                                       rates(m, start.v, i), rates(m, state_.v, i));
+                                       0.5 * (rates(m, start.v, i) + rates(m, state_.v, i)));
     }
   }
   state_.q += h_ * state_.v;
@@ -78,7 +78,7 @@ Status EulerStepper::solve_one(double t, Closing& c) const {
   const ContactParameters& law = *m.auxiliary[c.index].contact;
   const Delassus g = delassus(contact_admittance(m, t, q(), c.index), c.e_r, law.radius);
   if (c.impact) {
-    const ImpactResult r = solve_impact(g, c.gap_rate, c.slip, law.law());
+    const ImpactResult r = solve_impact(g, c.gap_rate, c.slip, law.impact_law());
     c.normal = r.normal();
     c.friction = r.friction();
     return r.status;
@@ -102,13 +102,13 @@ Status EulerStepper::solve_all(double t, std::span<Closing> closing) const {
     const Closing& c = closing[i];
     group[i].index = c.index;
     group[i].point.e_r = c.e_r;
-    laws[i] = m.auxiliary[c.index].contact->law();
+    laws[i] = m.auxiliary[c.index].contact->impact_law();
     if (!c.impact) laws[i].restitution = laws[i].tangential_restitution = 0.0;
     b.segment<2>(static_cast<Eigen::Index>(2 * i)) << (c.impact ? c.gap_rate : c.end), c.slip;
   }
   const CoupledSolution s = solve_coupled_impact(delassus(m, t, q(), std::span(group).first(n)), b,
                                                  std::span(laws).first(n));
-  for (std::size_t i = 0; i < n && s.solutions == 1; ++i) {
+  for (std::size_t i = 0; i < n && s.is_unique(); ++i) {
     closing[i].normal = s.p[static_cast<Eigen::Index>(2 * i)];
     closing[i].friction = s.p[static_cast<Eigen::Index>(2 * i + 1)];
     closing[i].sticks = s.sticks[i];

@@ -29,13 +29,11 @@ double impact_work(const Model& m, std::span<const Impact> impacts) {
 }
 
 double lasting_work(const Model& m, std::size_t contact, const Eigen::Vector2d& e_r,
-                    const Eigen::Vector2d& impulses, const Eigen::Vector3d& start,
-                    const Eigen::Vector3d& end) {
+                    const Eigen::Vector2d& impulses, const Eigen::Vector3d& mean_rates) {
   if (!(impulses.x() > 0.0)) return 0.0;
   const Eigen::Vector3d load =
       contact_load(e_r, m.auxiliary[contact].contact->radius, impulses.x(), impulses.y());
-  const Eigen::Vector3d rates = 0.5 * (start + end);
-  return load.dot(rates - Eigen::Vector3d(0.0, 0.0, prescribed_spin(m)));
+  return load.dot(mean_rates - Eigen::Vector3d(0.0, 0.0, prescribed_spin(m)));
 }
 
 bool rests_on_circle(const Model& m, const double* q, const double* v, std::size_t contact) {

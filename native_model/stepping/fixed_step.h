@@ -52,13 +52,12 @@ struct FixedStep : ContactStep {  // the base is the first contact
 Impact impact_of(double t, const Eigen::Vector2d& impulses, const Eigen::Vector2d& before,
                  const Eigen::Vector2d& after, std::size_t contact = 0);
 
-// J, work on the coordinates: of impacts, and of the lasting impulses of a step between the rates
-// (ddot, spin) at its two ends. If a machine holds the spin speed, the share of the work that it
-// exchanges is excluded.
+// J, work on the coordinates: of impacts, and of the lasting impulses of a step, from the mean of
+// the rates (ddot, spin) at its two ends. If a machine holds the spin speed, the share of the work
+// that it exchanges is excluded.
 double impact_work(const Model& m, std::span<const Impact> impacts);
 double lasting_work(const Model& m, std::size_t contact, const Eigen::Vector2d& e_r,
-                    const Eigen::Vector2d& impulses, const Eigen::Vector3d& start,
-                    const Eigen::Vector3d& end);
+                    const Eigen::Vector2d& impulses, const Eigen::Vector3d& mean_rates);
 
 // True if the contact is closed and its gap does not change: it is then a lasting contact.
 bool rests_on_circle(const Model& m, const double* q, const double* v, std::size_t contact);

@@ -44,6 +44,12 @@ bool has_parts(const Model& m) {
            m.supports.empty());
 }
 
+bool commands_move_rings_alone(const Model& m) {
+  return m.supports.empty() && std::ranges::none_of(m.auxiliary, [](const AuxiliaryBearing& at) {
+           return at.magnets.has_value();
+         });
+}
+
 // The value of a mode shape for bending coordinate i.
 double mode_value(const ModeShape& shape, int n, int i) {
   return i < n ? shape.x[i] : shape.y[i - n];
@@ -91,18 +97,20 @@ LoadKick::LoadKick(const Model& m, double h)
     : m_(m),
       matrix_(m, h),
       loads_(m, h),
-      iterates_(beyond_matrix(m)),
+      needs_iteration_(beyond_matrix(m)),
       commanded_(m.first().moves() && m.first().commanded()),
       parts_(has_parts(m)),
       rings_by_actuators_(m.first().magnets || m.auxiliary.size() > 1),
+      commands_move_rings_alone_(commands_move_rings_alone(m)),
       samples_(!m.samplers.empty()),
       sampled_(samples_ ? static_cast<std::size_t>(m.layout.integrals) : 0),
       f_(static_cast<std::size_t>(m.nq())),
       change_(f_),
+      forces_(f_),
       last_end_(f_),
       round_off_(f_) {
   command.fill(Eigen::Vector2d(0.0, 0.0));
-  if (iterates_) find_round_off(h);
+  if (needs_iteration_) find_round_off(h);
 }
 
 void LoadKick::find_round_off(double h) {
@@ -123,11 +131,11 @@ void LoadKick::find_round_off(double h) {
 }
 
 // ------------------------------------------------------------------ the loads
-// F(x.q_k, v): all loads except the contacts', with those of [[force]] as last advanced. kWorking
+// F(q_k, v): all loads except the contacts', with those of [[force]] as last advanced. kWorking
 // omits forces that the stored energy contains and forces that do no work (springs, gyroscopics,
 // unbalance of a free spin).
-ROTORUB_INLINE void LoadKick::force(const StepState& x, const double* v, double* f, Of of) {
-  const double* q = x.q_k.data();
+ROTORUB_INLINE void LoadKick::force(const StepState& state, const double* v, double* f, Of of) {
+  const double* q = state.q_k.data();
   const double omega = eq::spin_speed(m_, v);
   const bool all = of == Of::kAll;
   if (all) {
@@ -135,16 +143,16 @@ ROTORUB_INLINE void LoadKick::force(const StepState& x, const double* v, double*
   } else {
     eq::damping_force(m_, v, f);
   }
-  if (parts_) add_parts(x, v, omega, all, f);
+  if (parts_) add_parts(state, v, omega, all, f);
   loads_.add(f);
   if (sampled_now_) add_samples(f);
   if (!m_.unbalances.empty() && (all || !coupled())) eq::add_unbalance(m_, angles_, omega, f);
   eq::add_drive(m_, instant_, q, v, f);
   if (applied) {
-    for (int i = 0; i < x.nq(); ++i) f[i] += applied[i];
+    for (int i = 0; i < state.nq(); ++i) f[i] += applied[i];
   }
   if (rings_by_actuators_) {
-    add_ring_forces(x, v, f);
+    add_ring_forces(state, v, f);
   } else if (commanded_ && m_.layout.stator) {
     f[m_.layout.ring()] += command[0].x();
     f[m_.layout.ring() + 1] += command[0].y();
@@ -152,54 +160,58 @@ ROTORUB_INLINE void LoadKick::force(const StepState& x, const double* v, double*
 }
 
 // The loads between the diagonal terms and [[force]], which only few models have.
-void LoadKick::add_parts(const StepState& x, const double* v, double omega, bool all,
+void LoadKick::add_parts(const StepState& state, const double* v, double omega, bool all,
                          double* f) const {
-  const double* q = x.q_k.data();
+  const double* q = state.q_k.data();
   eq::add_rotating_damping(m_, q, v, omega, f);
   eq::add_dampers(m_, v, f);
   eq::add_films(m_, omega, q, v, f);
   if (all) eq::add_springs(m_, q, f);
   eq::add_feedbacks(m_, working_.data(), q, v, f);
-  eq::add_supports(m_, q, v, x.start.data(), x.kick * x.h, f);
+  eq::add_supports(m_, q, v, state.v_start.data(), state.kick_length * state.h, f);
   if (all) eq::add_gyroscopic(m_, omega, v, f);
 }
 
-void LoadKick::add_ring_forces(const StepState& x, const double* v, double* f) const {
-  add_actuators(m_, x.q_k.data(), v, command, f);
+void LoadKick::add_ring_forces(const StepState& state, const double* v, double* f) const {
+  add_actuators(m_, state.q_k.data(), v, command, f);
   const std::size_t count = std::min(command_jumps.size(), m_.auxiliary.size());
   for (std::size_t i = 0; i < count; ++i)
     add_command_jump(m_.auxiliary[i], command_jumps[i], command[i], v, f);
 }
 
 // ------------------------------------------------------------------ the kick
-void LoadKick::free_velocity(StepState& x, std::int64_t k, double begin, double t, bool later) {
+void LoadKick::free_velocity(StepState& state, std::int64_t k, double begin, double t,
+                             bool defer_iteration) {
   instant_ = t;
-  const double end = t + 0.5 * x.h;
+  const double end = t + 0.5 * state.h;
   loads_.advance(k, t, begin, end);
-  if (samples_) find_samples(x, t, begin);
-  weighed_free_velocity(x, begin, end, later);
+  if (samples_) find_samples(state, t, begin);
+  weighed_free_velocity(state, begin, end, defer_iteration);
 }
 
-void LoadKick::free_velocity_of_part(StepState& x, double begin, double end) {
-  const double kick = std::exchange(x.kick, 1.0);
+void LoadKick::free_velocity_of_part(StepState& state, double begin, double end) {
+  const double kick = std::exchange(state.kick_length, 1.0);
   loads_.weigh(begin, end);
-  weighed_free_velocity(x, begin, end, false);
-  x.kick = kick;
+  weighed_free_velocity(state, begin, end, false);
+  state.kick_length = kick;
+  forget_forces();
 }
 
 // Uses the loads as last weighed; begin..end: interval of all other switched loads.
-void LoadKick::weighed_free_velocity(StepState& x, double begin, double end, bool later) {
-  const int nq = x.nq();
-  const double h = x.h;
-  const double *q = x.q_k.data(), *start = x.start.data();
-  double *free = x.free.data(), *after = x.after.data(), *f = f_.data();
-  if (!m_.feedbacks.empty()) find_working(x, begin, end);
+void LoadKick::weighed_free_velocity(StepState& state, double begin, double end,
+                                     bool defer_iteration) {
+  const int nq = state.nq();
+  const double h = state.h;
+  const double *q = state.q_k.data(), *start = state.v_start.data();
+  forget_forces();
+  double *free = state.v_free.data(), *after = state.v_end.data(), *f = f_.data();
+  if (!m_.feedbacks.empty()) find_working(state, begin, end);
   if (loads_.synchronous()) loads_.turn_with(eq::spin_angle(m_, instant_, q));
   if (!m_.unbalances.empty()) {
     angles_.fill(m_, instant_, q, begin, end);
     if (coupled()) matrix_.couple_at(angles_);
   }
-  force(x, start, f);
+  force(state, start, f);
   if (const double* step = matrix_.diagonal_step()) {
     ROTORUB_APART for (int i = 0; i < nq; ++i) free[i] = after[i] = start[i] + step[i] * f[i];
   } else {
@@ -207,36 +219,64 @@ void LoadKick::weighed_free_velocity(StepState& x, double begin, double end, boo
     matrix_.solve(f);
     ROTORUB_APART for (int i = 0; i < nq; ++i) free[i] = after[i] = start[i] + f[i];
   }
-  if (!iterates_) return;
+  if (!needs_iteration_) return;
   std::copy_n(start, nq, last_end_.begin());
-  if (!later) settle(x);
+  if (!defer_iteration) iterate(state);
 }
 
-double LoadKick::external_work(const StepState& x, const double* end) {
+bool LoadKick::exchange_commands(StepState& state, const Commands& before) {
+  if (!commands_move_rings_alone_) return false;
+  forget_forces();
+  std::copy(state.v_end.begin(), state.v_end.end(), state.v_free.begin());
+  for (std::size_t i = 0; i < m_.auxiliary.size(); ++i) {
+    if (!m_.auxiliary[i].moves()) continue;
+    const int ring = m_.auxiliary[i].ring;
+    const Eigen::Vector2d change = command[i] - before[i];
+    for (int axis = 0; axis < 2; ++axis) {
+      const auto at = static_cast<std::size_t>(ring + axis);
+      state.v_free[at] += matrix_.step_of(ring + axis) * change[axis];
+      state.v_end[at] = state.v_free[at];
+    }
+  }
+  return true;
+}
+
+double LoadKick::external_work(const StepState& state, const double* end) {
+  const double *q = state.q_k.data(), *start = state.v_start.data(),
+               *stiffness = m_.stiffness.data();
   double *f = f_.data(), *v = change_.data();
-  for (int i = 0; i < x.nq(); ++i) v[i] = 0.5 * (x.start[static_cast<std::size_t>(i)] + end[i]);
-  force(x, v, f, Of::kWorking);
-  double work = -coupling_power(m_, x.q_k.data(), v);
-  for (int i = 0; i < m_.layout.mechanical(); ++i) work += f[i] * v[i];
-  return x.h * work;
+  const int mechanical = m_.layout.mechanical();
+  ROTORUB_APART for (int i = 0; i < state.nq(); ++i) v[i] = 0.5 * (start[i] + end[i]);
+  if (forces_known_) {
+    const double* all = forces_.data();
+    const double power =
+        sum(mechanical, [=](int i) { return (all[i] + stiffness[i] * q[i]) * v[i]; });
+    return state.h * (power + extra_power(m_, angles_, q, v));
+  }
+  force(state, v, f, Of::kWorking);
+  const double power = sum(mechanical, [=](int i) { return f[i] * v[i]; });
+  return state.h * (power - coupling_power(m_, q, v));
 }
 
 // ------------------------------------------------------------------ the iteration
-void LoadKick::settle(StepState& x) {
+void LoadKick::iterate(StepState& state) {
   begin_iteration();
-  while (improve(x, x.free.data())) {
+  while (iterate_once(state, state.v_free.data())) {
   }
-  std::copy(x.free.begin(), x.free.end(), x.after.begin());
+  std::copy(state.v_free.begin(), state.v_free.end(), state.v_end.begin());
 }
 
-bool LoadKick::improve(StepState& x, const double* end) {
+bool LoadKick::iterate_once(StepState& state, const double* end) {
   constexpr int kMostRounds = 20;
-  const int nq = x.nq(), n = m_.layout.modes, phi = m_.layout.phi();
-  const double h = x.kick * x.h;
-  const double *start = x.start.data(), *mass = m_.mass.data();
-  double *f = f_.data(), *change = change_.data(), *free = x.free.data(), *last = last_end_.data();
+  const int nq = state.nq(), n = m_.layout.modes, phi = m_.layout.phi();
+  const double h = state.kick_length * state.h;
+  const double *start = state.v_start.data(), *mass = m_.mass.data();
+  double *f = f_.data(), *change = change_.data(), *free = state.v_free.data(),
+         *last = last_end_.data();
   ROTORUB_APART for (int i = 0; i < nq; ++i) change[i] = 0.5 * (start[i] + end[i]);
-  force(x, change, f);
+  force(state, change, f);
+  std::copy_n(f, nq, forces_.begin());
+  forces_known_ = true;
   const double before = energy_of(nq, mass, [=](int i) { return end[i] - last[i]; });
   ROTORUB_APART for (int i = 0; i < nq; ++i) {
     last[i] = end[i];
@@ -255,18 +295,18 @@ bool LoadKick::improve(StepState& x, const double* end) {
   ROTORUB_APART for (int i = 0; i < nq; ++i) free[i] = f[i];
   // Iterates to 1e-10 of the change. The remaining error is the last change times the rate of
   // convergence, moved / before.
-  const bool goes_on = moved * moved > 1e-20 * size * before && moved > noise(x, end);
+  const bool goes_on = moved * moved > 1e-20 * size * before && moved > noise(state, end);
   if (!goes_on || ++rounds_ < kMostRounds) return goes_on;
-  x.fail(Status::kStepTooLarge);
+  state.fail(Status::kStepTooLarge);
   return false;
 }
 
 // J, twice the energy that round-off can move in a round: round-off of the velocities or, for a
 // rotor at rest under its load, of the balanced forces.
-double LoadKick::noise(const StepState& x, const double* end) const {
-  const double *mass = m_.mass.data(), *q = x.q_k.data();
+double LoadKick::noise(const StepState& state, const double* end) const {
+  const double *mass = m_.mass.data(), *q = state.q_k.data();
   double least = magnets_round_off_;
-  for (int i = 0; i < x.nq(); ++i) {
+  for (int i = 0; i < state.nq(); ++i) {
     const double whole = mass[i] * end[i] * end[i];
     least += 1e-30 * whole + round_off_[static_cast<std::size_t>(i)] * q[i] * q[i];
   }

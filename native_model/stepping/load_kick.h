@@ -40,8 +40,9 @@ class LoadKick {
   void drive_first_ring() { commanded_ = true; }
   // True if M(phi) changes from step to step.
   bool coupled() const { return matrix_.coupled(); }
-  // True if a load depends on velocities beyond the linear part, so that improve() must be called.
-  bool iterates() const { return iterates_; }
+  // True if a load depends on velocities beyond the linear part, so that iterate_once() must be
+  // called.
+  bool needs_iteration() const { return needs_iteration_; }
 
   // Calls action for every number that must be saved between steps.
   template <class Action>
@@ -61,51 +62,63 @@ class LoadKick {
     if (coupled()) matrix_.couple_at(angles_);
   }
 
-  // Computes x.free, and x.after equal to it, from x.start: the velocities after the loads of step
-  // k, taken at the instant t and at x.q_k. The loads act from `begin` (s) to t + h/2. later:
-  // omits the iteration, because settle() or an iteration together with the contact follows.
-  void free_velocity(StepState& x, std::int64_t k, double begin, double t, bool later = false);
+  // Computes v_free, and v_end equal to it, from v_start: the velocities after the loads of step
+  // k, taken at the instant t and at q_k. The loads act from `begin` (s) to t + h/2.
+  // defer_iteration: omits the iteration, because iterate() or an iteration together with the
+  // contact follows.
+  void free_velocity(StepState& state, std::int64_t k, double begin, double t,
+                     bool defer_iteration = false);
   // The same as if the switched loads between `begin` and `end` held for the whole step.
-  void free_velocity_of_part(StepState& x, double begin, double end);
+  void free_velocity_of_part(StepState& state, double begin, double end);
 
-  // Iterates x.free; x.after is then equal to it.
-  void settle(StepState& x);
+  // Turns v_free, computed under the commands `before` and otherwise for the same step, into that
+  // of the present commands; v_end is then equal to it. Returns false, and changes nothing, if the
+  // commands act on more than the velocities of their rings.
+  bool exchange_commands(StepState& state, const Commands& before);
+
+  // Iterates v_free; v_end is then equal to it.
+  void iterate(StepState& state);
   void begin_iteration() { rounds_ = 0; }
-  // One round of the iteration: x.free from the forces at the mean of x.start and `end`, the
+  // One round of the iteration: v_free from the forces at the mean of v_start and `end`, the
   // velocities at the end of the step with contact. Returns false when it has converged or failed.
-  bool improve(StepState& x, const double* end);
+  bool iterate_once(StepState& state, const double* end);
 
   // f <- A_0^-1 f, the part of A^-1 that is the same in all steps.
   void solve_uncoupled(double* f) { matrix_.solve_uncoupled(f); }
   const VelocityMatrix& matrix() const { return matrix_; }
 
-  // J, work over h of the forces F at the mean of x.start and `end`. It excludes forces that the
-  // stored energy contains (springs and, with a free spin, unbalance, which is inertial).
-  double external_work(const StepState& x, const double* end);
+  // J, work over h of the forces F at the mean of v_start and `end`. It excludes forces that the
+  // stored energy contains (springs and, with a free spin, unbalance, which is inertial). If the
+  // velocities were iterated, it takes the forces of the last round.
+  double external_work(const StepState& state, const double* end);
+  // Call it if the velocities are changed otherwise after the iteration.
+  void forget_forces() { forces_known_ = false; }
 
  private:
   using Coordinates = StepState::Coordinates;
 
   enum class Of { kAll, kWorking };
-  void force(const StepState& x, const double* v, double* f, Of of = Of::kAll);
-  void add_parts(const StepState& x, const double* v, double omega, bool all, double* f) const;
-  void add_ring_forces(const StepState& x, const double* v, double* f) const;
-  void weighed_free_velocity(StepState& x, double begin, double end, bool later);
-  double noise(const StepState& x, const double* end) const;
+  void force(const StepState& state, const double* v, double* f, Of of = Of::kAll);
+  void add_parts(const StepState& state, const double* v, double omega, bool all, double* f) const;
+  void add_ring_forces(const StepState& state, const double* v, double* f) const;
+  void weighed_free_velocity(StepState& state, double begin, double end, bool defer_iteration);
+  double noise(const StepState& state, const double* end) const;
   void find_round_off(double h);
   // Magnetic bearings (sampled_bearings.cc).
-  void find_samples(const StepState& x, double t, double begin);
+  void find_samples(const StepState& state, double t, double begin);
   void add_samples(double* f) const;
-  void find_working(const StepState& x, double begin, double end);
-  void find_switched(const StepState& x, double begin, double end);
+  void find_working(const StepState& state, double begin, double end);
+  void find_switched(const StepState& state, double begin, double end);
 
   const Model& m_;
   VelocityMatrix matrix_;
   SteppedLoads loads_;
   equations::DiscAngles angles_{};
-  bool iterates_ = false, commanded_ = false;
+  bool needs_iteration_ = false, commanded_ = false;
   bool parts_ = false;               // add_parts() has something to add
   bool rings_by_actuators_ = false;  // magnets, which also drive the coils, or several rings
+  // The commands are forces, and no load depends on the velocity of a ring beyond the matrix.
+  bool commands_move_rings_alone_ = false;
   // Controls of magnetic bearings that are sampled at the instants of the loads.
   bool samples_ = false, sampled_now_ = false;
   std::vector<double> sampled_;  // N, loads that make the states of the feedbacks jump
@@ -119,7 +132,9 @@ class LoadKick {
   // Fraction of the step in which each magnetic bearing works.
   std::array<double, scene::kMaxMagneticBearings> working_{};
   Coordinates f_, change_;
-  Coordinates last_end_;  // velocities at the end of the step, used by the last round
+  Coordinates forces_;         // F of the last round of the iteration
+  bool forces_known_ = false;  // and at the velocities of the step
+  Coordinates last_end_;       // velocities at the end of the step, used by the last round
   // (1e-15 h k_i)^2/m_i: times q_i^2 this is the least energy that a step resolves at a deflection
   // q_i.
   Coordinates round_off_;

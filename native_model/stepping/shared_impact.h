@@ -1,4 +1,6 @@
-// One impact in a fixed step, together with all rigid contacts that are closed at that instant.
+// One impact in a fixed step, in which all rigid contacts that are closed at that instant take
+// part: Poisson's law for all of them as one problem (contact/coupled_law.h). Usage: add() each of
+// the contacts, then solve().
 #pragma once
 
 #include <array>
@@ -15,18 +17,20 @@ class SharedImpact {
 
   // Adds a contact with the normal e_r and the velocities and accelerations (nq values) of the
   // instant. closed: it lasted until then.
-  void join(std::size_t contact, bool closed, const Eigen::Vector2d& e_r, const double* velocity,
-            const double* acceleration);
-  // Solves the impact and notes its impulses as impacts at time t. load: receives the impulses on
-  // the coordinates. (at, q): time and coordinates at which M is taken. ends: no contact may
-  // rebound. Returns another status than kOk if the laws have no unique solution.
-  Status strike(const StepState& x, double t, double at, const double* q, bool ends, double* load);
+  void add(std::size_t contact, bool closed, const Eigen::Vector2d& e_r, const double* velocity,
+           const double* acceleration);
+  // Solves the impact and adds its impulses to the contacts' list of impacts, with the time t (s).
+  // mass_time (s), q: where M is taken. is_last: no contact may rebound. impulses: output, nq
+  // values, the impulses on the coordinates (W p), N s. Returns another status than kOk if the laws
+  // have no unique solution; there is then no impulse.
+  Status solve(const StepState& state, double t, double mass_time, const double* q, bool is_last,
+               double* impulses);
 
   std::size_t count() const { return count_; }
-  std::size_t contact(std::size_t i) const { return of_[i].index; }
-  // True if the contact is closed after the impact.
-  bool rests(std::size_t i) const { return rests_[i]; }
-  double approach() const { return approach_; }  // m/s, the largest
+  std::size_t contact_index(std::size_t i) const { return members_[i].index; }
+  // True if the i-th contact is closed after the impact.
+  bool stays_closed(std::size_t i) const { return stays_closed_[i]; }
+  double approach() const { return approach_; }  // m/s, the largest approach speed
   // True if the first contact flies for more than a step of h (s) after the impact.
   bool rebounds(double h) const { return rebounds(0, h, approach_); }
 
@@ -38,12 +42,12 @@ class SharedImpact {
   StepContacts* contacts_;
   std::size_t count_ = 0;
   double approach_ = 0.0;
-  std::array<ClosedContact, kMaxContacts> of_{};
-  std::array<bool, kMaxContacts> closed_{}, rests_{};
+  std::array<ClosedContact, kMaxContacts> members_{};
+  std::array<bool, kMaxContacts> lasted_{}, stays_closed_{};
   std::array<ImpactLaw, kMaxContacts> laws_{};
   std::array<double, kMaxContacts> closing_acceleration_{};  // m/s^2 (contact/impact.h)
-  ContactVector before_ = ContactVector(2 * kMaxContacts);
-  ContactMatrix g_;
+  ContactVector before_ = ContactVector(2 * kMaxContacts);  // m/s, (gap rate, slip) of each contact
+  ContactMatrix delassus_;
 };
 
 }  // namespace rotorub

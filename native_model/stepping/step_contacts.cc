@@ -11,23 +11,23 @@ namespace rotorub {
 
 namespace eq = equations;
 
-StepContacts::StepContacts(const StepState& x, LoadKick& loads)
-    : m_(x.m),
+StepContacts::StepContacts(const StepState& state, LoadKick& loads)
+    : m_(state.model),
       loads_(loads),
-      h_(x.h),
-      contacts_(x.m.auxiliary.size()),
+      h_(state.h),
+      contacts_(state.model.auxiliary.size()),
       uncoupled_(count() * count(), Eigen::Matrix3d::Zero()),
-      done_(count()),
-      without_impacts_(x.q) {
+      results_(count()),
+      without_impacts_(state.q) {
   for (std::size_t j = 0; j < count(); ++j) {
     Contact& c = contacts_[j];
-    c.at = &m_.auxiliary[j];
-    for (auto& column : c.column) column.resize(x.q.size());
-    if (!c.at->contact) continue;
-    const ContactParameters& law = *c.at->contact;
-    exists_ = true;
-    c.rigid = !law.gives();
-    gives_ = gives_ || law.gives();
+    c.bearing = &m_.auxiliary[j];
+    for (auto& column : c.column) column.resize(state.q.size());
+    if (!c.bearing->contact) continue;
+    const ContactParameters& law = *c.bearing->contact;
+    any_ = true;
+    c.rigid = !law.is_compliant();
+    any_compliant_ = any_compliant_ || law.is_compliant();
     c.clearance = law.clearance;
     c.radius = law.radius;
     c.friction = law.friction.is_constant() ? law.friction.coefficient
@@ -46,33 +46,33 @@ StepContacts::StepContacts(const StepState& x, LoadKick& loads)
   impacts.reserve(count() * count() * kMostImpacts);
 }
 
-void StepContacts::forget_last() {
+void StepContacts::clear_results() {
   impacts.clear();
   impacted_ = false;
   for (std::size_t i = 0; i < count(); ++i) {
-    contacts_[i].last_sign = now[i].slip_sign;
-    if (did_) done_[i] = {};
+    contacts_[i].last_sign = states[i].slip_sign;
+    if (has_results_) results_[i] = {};
   }
-  did_ = false;
+  has_results_ = false;
 }
 
-void StepContacts::begin(const StepState& x) {
-  now = {};
+void StepContacts::restart(const StepState& state) {
+  states = {};
   for (std::size_t i = 0; i < count(); ++i) {
     if (!m_.auxiliary[i].contact) continue;
     if (contacts_[i].rigid) {
-      now[i].closed = rests_on_circle(m_, x.q.data(), x.v.data(), i);
+      states[i].closed = rests_on_circle(m_, state.q.data(), state.v.data(), i);
       continue;
     }
-    const ContactPoint p = contact_point(m_, x.q.data(), x.v.data(), i);
-    now[i].closed = CompliantLaw::begins_closed(p.gap, p.gap_rate, law(i).clearance);
-    now[i].hunt_crossley = law(i).compliance.a_of_start();
+    const ContactPoint p = contact_point(m_, state.q.data(), state.v.data(), i);
+    states[i].closed = CompliantLaw::begins_closed(p.gap, p.gap_rate, parameters(i).clearance);
+    states[i].hunt_crossley = parameters(i).compliance.a_of_start();
   }
 }
 
-bool StepContacts::lasts() const {
+bool StepContacts::any_rigid_lasts() const {
   for (std::size_t i = 0; i < count(); ++i) {
-    if (contacts_[i].rigid && now[i].closed) return true;
+    if (contacts_[i].rigid && states[i].closed) return true;
   }
   return false;
 }
@@ -83,16 +83,18 @@ Eigen::Vector3d StepContacts::rates(std::size_t i, const double* v) const {
 
 // ------------------------------------------------------------------ what a load does
 // Updates the admittance to the coupling of bending and spin in this step.
-void StepContacts::couple() {
+void StepContacts::update_admittance() {
   const Layout& l = m_.layout;
   const VelocityMatrix& a = loads_.matrix();
+  if (coupled_at_ == a.times_coupled()) return;
+  coupled_at_ = a.times_coupled();
   for (Contact& c : contacts_) {
     for (std::size_t axis = 0; axis < 3; ++axis) {
       c.coupled[axis] = a.coupled_part(c.column[axis].data());
     }
   }
   for (std::size_t i = 0; i < count(); ++i) {
-    const AuxiliaryBearing& at = *contacts_[i].at;
+    const AuxiliaryBearing& at = *contacts_[i].bearing;
     const Pair bent = eq::at_station(l.modes, at.shape, a.solved_coupling());
     double turned = a.spin_column()[0];
     for (int k = 0; k < l.torsion; ++k) turned += at.torsion_shape[k] * a.spin_column()[1 + k];
@@ -127,7 +129,8 @@ ROTORUB_INLINE void StepContacts::add_response(std::size_t i, double normal, dou
   loads_.matrix().add({along(&Coupled::spin), along(&Coupled::back)}, to);
 }
 
-void StepContacts::push(std::size_t i, double normal, double friction, double* to) const {
+void StepContacts::add_velocity_change(std::size_t i, double normal, double friction,
+                                       double* to) const {
   add_response(i, normal, friction, to, to);
 }
 
@@ -137,63 +140,65 @@ Eigen::Vector3d StepContacts::rates_by(std::size_t i, const List& others) const 
     if (j == i) continue;
     const Contact& c = contacts_[j];
     sum += admittance(i, j) *
-           contact_load({c.e_r.x, c.e_r.y}, c.radius, now[j].normal, now[j].friction);
+           contact_load({c.e_r.x, c.e_r.y}, c.radius, states[j].normal, states[j].friction);
   }
   return sum;
 }
 
 // ------------------------------------------------------------------ lasting contact
-ROTORUB_INLINE bool StepContacts::leaves(const Contact& c, const Pair& velocity) const {
+ROTORUB_INLINE bool StepContacts::leaves_circle(const Contact& c, const Pair& velocity) const {
   const double px = c.d.x + h_ * velocity.x, py = c.d.y + h_ * velocity.y;
   return px * px + py * py > c.clearance * c.clearance;
 }
 
-ROTORUB_INLINE void StepContacts::look(const StepState& x) {
-  for (Contact& c : contacts_) c.d = eq::separation(m_, *c.at, x.q_k.data());
-  look_at_free(x);
+ROTORUB_INLINE void StepContacts::find_separations(const StepState& state) {
+  for (Contact& c : contacts_) c.d = eq::separation(m_, *c.bearing, state.q_k.data());
+  find_free_rates(state);
 }
 
-ROTORUB_INLINE void StepContacts::look_at_free(const StepState& x) {
+ROTORUB_INLINE void StepContacts::find_free_rates(const StepState& state) {
   for (std::size_t i = 0; i < count(); ++i) {
     Contact& c = contacts_[i];
-    c.free = eq::relative(m_, *c.at, x.free.data());
-    if (!c.rigid) c.free_rates = rates(i, x.free.data());
+    c.v_free = eq::relative(m_, *c.bearing, state.v_free.data());
+    if (!c.rigid) c.free_rates = rates(i, state.v_free.data());
   }
 }
 
 // Finds the rigid contacts that last. A contact that acts alone lasts if its free path leaves the
 // circle. One of several may be closed by the force of another, so all are solved together.
-ROTORUB_INLINE void StepContacts::find_lasting(StepState& x, bool unsettled) {
+ROTORUB_INLINE void StepContacts::find_lasting(StepState& state, bool iteration_deferred) {
   lasting_.clear();
   for (std::size_t i = 0; i < count(); ++i) {
-    if (contacts_[i].rigid && now[i].closed) lasting_.push_back(i);
+    if (contacts_[i].rigid && states[i].closed) lasting_.push_back(i);
   }
   if (lasting_.size() != 1 || !compliant_.empty()) return;
   const Contact& c = contacts_[lasting_[0]];
-  bool outside = leaves(c, c.free);
-  if (!outside && unsettled) {
-    loads_.settle(x);
-    look_at_free(x);
-    outside = leaves(c, c.free);
+  bool outside = leaves_circle(c, c.v_free);
+  if (!outside && iteration_deferred) {
+    loads_.iterate(state);
+    find_free_rates(state);
+    outside = leaves_circle(c, c.v_free);
   }
   if (outside) return;
-  now[lasting_[0]] = {};
+  states[lasting_[0]] = {};
   lasting_.clear();
 }
 
-bool StepContacts::leave_flight(const StepState& x) const {
+bool StepContacts::any_flight_ends(const StepState& state) const {
   for (const Contact& c : contacts_) {
-    if (c.flies && leaves(c, acts_ ? eq::relative(m_, *c.at, x.after.data()) : c.free)) return true;
+    if (!c.in_flight) continue;
+    const Pair v = any_acts_ ? eq::relative(m_, *c.bearing, state.v_end.data()) : c.v_free;
+    if (leaves_circle(c, v)) return true;
   }
   return false;
 }
 
 // Solves one rigid contact that slides on as in the step before, in closed form; returns false if
 // it does not. See contact/lasting_contacts.h.
-ROTORUB_INLINE bool StepContacts::slide_on(std::size_t i, const double* free) {
+ROTORUB_INLINE bool StepContacts::try_sliding_on(std::size_t i, const double* free) {
   const Contact& c = contacts_[i];
   const double h = h_, r = c.radius, ex = c.e_r.x, ey = c.e_r.y;
-  const double spin = eq::contact_spin(m_, *c.at, free);
+  const double spin = eq::contact_spin(m_, *c.bearing, free);
   const double ratio = -c.friction * c.sign_before;
   // Response to N with T = ratio N.
   const double lx = -ex - ey * ratio, ly = -ey + ex * ratio, lz = r * ratio;
@@ -201,103 +206,107 @@ ROTORUB_INLINE bool StepContacts::slide_on(std::size_t i, const double* free) {
   const double gx = a(0, 0) * lx + a(0, 1) * ly + a(0, 2) * lz;
   const double gy = a(1, 0) * lx + a(1, 1) * ly + a(1, 2) * lz;
   const double gz = a(2, 0) * lx + a(2, 1) * ly + a(2, 2) * lz;
-  const double px = c.d.x + h * c.free.x, py = c.d.y + h * c.free.y, hx = h * gx, hy = h * gy;
+  const double px = c.d.x + h * c.v_free.x, py = c.d.y + h * c.v_free.y, hx = h * gx, hy = h * gy;
   const double square = hx * hx + hy * hy, along = px * hx + py * hy;
   const double circle = c.clearance * c.clearance;
   const double depth = px * px + py * py - circle;
   const double root = along * along - square * depth;
   const double normal = depth / (std::sqrt(root > 0.0 ? root : 1.0) - along);
   const double slip =
-      ex * (c.free.y + normal * gy) - ey * (c.free.x + normal * gx) + r * (spin + normal * gz);
+      ex * (c.v_free.y + normal * gy) - ey * (c.v_free.x + normal * gx) + r * (spin + normal * gz);
   const double turned = c.d.x * px + c.d.y * py;
   // After iteration the path may end inside the circle; the contact must not pull it out.
   const bool slides = depth > 0.0 && root > 0.0 && along < 0.0 && slip * c.sign_before > 0.0 &&
                       turned >= 0.5 * circle;
   if (!slides) return false;
-  now[i].normal = normal;
-  now[i].friction = ratio * normal;
-  now[i].slip_sign = c.sign_before;
+  states[i].normal = normal;
+  states[i].friction = ratio * normal;
+  states[i].slip_sign = c.sign_before;
   return true;
 }
 
-// Computes x.after from x.free and x.start, including the iteration if there is one.
-ROTORUB_INLINE void StepContacts::solve_closed(StepState& x) {
-  if (loads_.coupled()) couple();
+// Computes v_end from v_free and v_start, including the iteration if there is one.
+ROTORUB_INLINE void StepContacts::solve_contacts(StepState& state) {
+  if (loads_.coupled()) update_admittance();
   for (const std::size_t i : lasting_) turn_normal(contacts_[i]);
-  if (loads_.iterates()) loads_.begin_iteration();
+  if (loads_.needs_iteration()) loads_.begin_iteration();
   const bool alone = compliant_.empty() && lasting_.size() == 1;
   for (bool settled = false;;) {
-    const bool slides = alone && slide_on(lasting_[0], x.free.data());
-    if (!slides && !find_impulses(x)) return;
-    const double* from = x.free.data();
+    const bool slides = alone && try_sliding_on(lasting_[0], state.v_free.data());
+    if (!slides && !find_impulses(state)) return;
+    const double* from = state.v_free.data();
     for (const List* list : {&lasting_, &compliant_}) {
       for (const std::size_t i : *list) {
-        add_response(i, now[i].normal, now[i].friction, from, x.after.data());
-        from = x.after.data();
+        add_response(i, states[i].normal, states[i].friction, from, state.v_end.data());
+        from = state.v_end.data();
       }
     }
     // One more solution follows the last round.
-    if (!loads_.iterates() || settled) break;
-    settled = !loads_.improve(x, x.after.data());
-    look_at_free(x);
+    if (!loads_.needs_iteration() || settled) break;
+    settled = !loads_.iterate_once(state, state.v_end.data());
+    find_free_rates(state);
   }
 }
 
-// Finds the impulses of all contacts for the present x.free; false if the laws have no unique
+// Finds the impulses of all contacts for the present v_free; false if the laws have no unique
 // solution. Rigid and compliant contacts are solved in turn until their impulses no longer change,
 // at most kRounds times.
-bool StepContacts::find_impulses(StepState& x) {
-  if (compliant_.empty()) return solve_lasting(x);
+bool StepContacts::find_impulses(StepState& state) {
+  if (compliant_.empty()) return solve_rigid(state);
   constexpr int kRounds = 200;
   constexpr double kSettled = 1e-15;  // relative to the largest impulse
   for (int round = 0; round < kRounds; ++round) {
-    const State was = now;
-    if (!solve_compliant(x)) return false;
+    const States was = states;
+    if (!solve_compliant(state)) return false;
     if (lasting_.empty()) return true;
-    if (!solve_lasting(x)) return false;
+    if (!solve_rigid(state)) return false;
     double moved = 0.0, largest = 0.0;
     for (std::size_t i = 0; i < count(); ++i) {
-      moved = std::max({moved, std::abs(now[i].normal - was[i].normal),
-                        std::abs(now[i].friction - was[i].friction)});
-      largest = std::max(largest, now[i].normal);
+      moved = std::max({moved, std::abs(states[i].normal - was[i].normal),
+                        std::abs(states[i].friction - was[i].friction)});
+      largest = std::max(largest, states[i].normal);
     }
     if (moved <= kSettled * largest) break;
   }
   return true;
 }
 
-bool StepContacts::solve_lasting(StepState& x) {
+bool StepContacts::solve_rigid(StepState& state) {
   ContactList<LastingContact> contacts;
   for (const std::size_t i : lasting_) {
     Contact& c = contacts_[i];
     LastingContact s;
     s.d = {c.d.x, c.d.y};
-    const Eigen::Vector3d others = rates_by(i, compliant_);
-    s.free = rates(i, x.free.data()) + others;
+    s.free = rates(i, state.v_free.data()) + rates_by(i, compliant_);
     // If the path of a single contact ends far from its start (it passes the middle), the normal is
     // taken at the point where the path leaves the circle.
     const Eigen::Vector2d path = h_ * s.free.head<2>();
     if (lasting_.size() == 1 && s.d.dot(s.d + path) < 0.5 * c.clearance * c.clearance) {
-      const double share = circle_exit(s.d, path, c.clearance);
-      const Eigen::Vector2d e_r = (s.d + std::min(1.0, share) * path).normalized();
+      const double share = circle_exit(s.d, path, c.clearance).value_or(1.0);
+      const Eigen::Vector2d e_r = (s.d + share * path).normalized();
       c.e_r = {e_r.x(), e_r.y()};
     }
     s.e_r = {c.e_r.x, c.e_r.y};
-    s.start = rates(i, x.start.data());
+    s.start = rates(i, state.v_start.data());
     s.clearance = c.clearance;
     s.radius = c.radius;
-    s.friction = law(i).friction;
+    s.friction = parameters(i).friction;
     s.slip_sign = c.sign_before;
+    // The impulses of the last round, or in the first round those of the step before.
+    const ContactState& last = states[i];
+    const bool begun = last.normal > 0.0;
+    s.normal_impulse = begun ? last.normal : state.kick_length * last.normal_at_end;
+    s.friction_impulse = begun ? last.friction : state.kick_length * last.friction_at_end;
     contacts.push_back(s);
   }
   const ContactAdmittance a{admittance_.data(), count(), {lasting_.data(), lasting_.size()}};
   const Status found = solve_lasting_contacts(h_, {contacts.data(), contacts.size()}, a);
   if (found != Status::kOk) {
-    x.fail(found);
+    state.fail(found);
     return false;
   }
   for (std::size_t k = 0; k < lasting_.size(); ++k) {
-    Kept& c = now[lasting_[k]];
+    ContactState& c = states[lasting_[k]];
     c.normal = contacts[k].normal_impulse;
     c.friction = contacts[k].friction_impulse;
     c.slip_sign = contacts[k].slip_sign;
@@ -305,43 +314,43 @@ bool StepContacts::solve_lasting(StepState& x) {
   return true;
 }
 
-void StepContacts::go_on(StepState& x, bool unsettled) {
-  look(x);
-  acts_ = false;
+void StepContacts::apply_lasting(StepState& state, bool iteration_deferred) {
+  find_separations(state);
+  any_acts_ = false;
   for (std::size_t i = 0; i < count(); ++i) {
-    Kept& c = now[i];
-    contacts_[i].flies = contacts_[i].rigid && !c.closed && m_.auxiliary[i].contact;
+    ContactState& c = states[i];
+    contacts_[i].in_flight = contacts_[i].rigid && !c.closed && m_.auxiliary[i].contact;
     contacts_[i].sign_before = c.slip_sign;
     c.normal = c.friction = 0.0;
   }
-  if (gives_ && !find_touches(x)) return;
-  find_lasting(x, unsettled);
-  acts_ = !lasting_.empty() || !compliant_.empty();
-  if (acts_) solve_closed(x);
+  if (any_compliant_ && !find_touches(state)) return;
+  find_lasting(state, iteration_deferred);
+  any_acts_ = !lasting_.empty() || !compliant_.empty();
+  if (any_acts_) solve_contacts(state);
   for (std::size_t i = 0; i < count(); ++i) {
-    Kept& c = now[i];
+    ContactState& c = states[i];
     const bool loaded = c.closed && c.normal > 0.0;
     if (contacts_[i].rigid) c.closed = loaded;
     if (!loaded) c.slip_sign = 0.0;
-    c.normal_at_end = c.normal / x.kick;
-    c.friction_at_end = c.friction / x.kick;
+    c.normal_at_end = c.normal / state.kick_length;
+    c.friction_at_end = c.friction / state.kick_length;
   }
-  if (acts_) note_lasting();
+  if (any_acts_) record_lasting();
 }
 
-void StepContacts::add_last_forces(StepState& x) {
+void StepContacts::add_last_forces(StepState& state) {
   bool any = false;
   for (std::size_t i = 0; i < count(); ++i) {
-    const Kept& kept = now[i];
+    const ContactState& kept = states[i];
     if (!kept.closed || !(kept.normal_at_end > 0.0)) continue;
-    if (!any && loads_.coupled()) couple();
+    if (!any && loads_.coupled()) update_admittance();
     any = true;
     Contact& c = contacts_[i];
-    const Pair d = eq::separation(m_, *c.at, x.q_k.data());
+    const Pair d = eq::separation(m_, *c.bearing, state.q_k.data());
     const double delta = std::sqrt(d.x * d.x + d.y * d.y);
     if (!(delta > (c.rigid ? kNoNormal : c.clearance))) continue;
     c.e_r = {d.x / delta, d.y / delta};
-    push(i, kept.normal_at_end, kept.friction_at_end, x.free.data());
+    add_velocity_change(i, kept.normal_at_end, kept.friction_at_end, state.v_free.data());
   }
 }
 

@@ -3,7 +3,7 @@
 //
 // Rigid lasting contacts end the step on their circles (contact/lasting_contacts.h). Usually there
 // is only one, which slides on as in the step before. If the path of a rigid contact in flight
-// leaves its circle, an impact begins (verlet.cc).
+// leaves its circle, an impact begins (verlet.cc, shared_impact.h).
 //
 // The force of a compliant contact (contact/compliance.h) is one more load at q_k, with implicit
 // damping and friction:
@@ -21,6 +21,7 @@
 #include <array>
 #include <cmath>
 #include <cstddef>
+#include <cstdint>
 #include <span>
 #include <vector>
 
@@ -35,9 +36,9 @@ namespace rotorub {
 
 class StepContacts {
  public:
-  // The state of a contact that is kept between steps. Until go_on() it belongs to the step before,
-  // afterwards to this step.
-  struct Kept {
+  // The state of a contact that is kept between steps. Until apply_lasting() it belongs to the step
+  // before, afterwards to this step.
+  struct ContactState {
     // Rigid: the contact lasts on its circle. Compliant: it has been in the wall since its last
     // touch.
     bool closed = false;
@@ -47,73 +48,81 @@ class StepContacts {
     double normal_at_end = 0.0, friction_at_end = 0.0;
     double hunt_crossley = 0.0;  // s/m, a of the last touch (compliant)
   };
-  using State = std::array<Kept, kMaxContacts>;
+  using States = std::array<ContactState, kMaxContacts>;
 
   // Both must outlive this object.
-  StepContacts(const StepState& x, LoadKick& loads);
+  StepContacts(const StepState& state, LoadKick& loads);
 
-  State now{};
+  States states{};              // one for each contact
   std::vector<Impact> impacts;  // of the step, in order
 
   std::size_t count() const { return contacts_.size(); }
-  bool exists() const { return exists_; }
+  bool any() const { return any_; }  // false if no auxiliary bearing has a contact
   bool is_rigid(std::size_t i) const { return contacts_[i].rigid; }
   const Model& model() const { return m_; }
-  const ContactParameters& law(std::size_t i) const { return *m_.auxiliary[i].contact; }
-  // (ddot, spin) for velocities v.
+  const ContactParameters& parameters(std::size_t i) const { return *m_.auxiliary[i].contact; }
+  // (ddot, spin) of a contact for the velocities v (nq values).
   Eigen::Vector3d rates(std::size_t i, const double* v) const;
-  // m, from the ring's to the rotor's centre at q_k.
-  Eigen::Vector2d place(std::size_t i) const { return {contacts_[i].d.x, contacts_[i].d.y}; }
+  // m, vector from the ring's to the rotor's centre at q_k.
+  Eigen::Vector2d separation(std::size_t i) const { return {contacts_[i].d.x, contacts_[i].d.y}; }
   // True if a rigid contact lasts.
-  bool lasts() const;
+  bool any_rigid_lasts() const;
 
-  // Begins a step.
-  void forget_last();
+  // Call it at the start of a step: clears the results of the step before.
+  void clear_results();
   // Call it after a state has been written. A contact at rest on its circle is then a lasting
   // contact, and a compliant contact in its wall begins closed, without a touch.
-  void begin(const StepState& x);
-  // True if the free velocity need not be iterated before go_on(), because go_on() iterates it
-  // together with the only contact, which lasts.
-  bool iterates_free() const { return count() == 1 && contacts_[0].rigid && now[0].closed; }
+  void restart(const StepState& state);
+  // True if rigid contacts last and no contact is compliant. apply_lasting() can then iterate the
+  // free velocity together with the contacts' impulses (iteration_deferred).
+  bool can_iterate_with_lasting() const { return !any_compliant_ && any_rigid_lasts(); }
 
-  // Computes x.after from x.free with the impulses of all lasting contacts. Sets a status of x if
-  // the laws have no unique solution.
-  void go_on(StepState& x, bool unsettled = false);
-  // Call it after go_on(): true if a contact in flight leaves its circle in the step with x.after.
-  bool leave_flight(const StepState& x) const;
-  // Adds to x.free the change of velocity by the forces of the last step's end, acting over a whole
+  // Computes v_end from v_free with the impulses of all contacts that last through the step, rigid
+  // or compliant, and updates `states`. Sets a status of `state` if the laws have no unique
+  // solution. iteration_deferred: v_free has not been iterated (LoadKick::free_velocity()).
+  void apply_lasting(StepState& state, bool iteration_deferred = false);
+  // Call it after apply_lasting(): true if the path of a contact in flight, with v_end, leaves its
+  // circle, so that there is an impact.
+  bool any_flight_ends(const StepState& state) const;
+  // Adds to v_free the change of velocity by the forces of the last step's end, acting over a whole
   // step along the present normals.
-  void add_last_forces(StepState& x);
+  void add_last_forces(StepState& state);
 
-  // If a load jumps in a step, the step is taken in two parts: `first` holds for the fraction
-  // `share`, and the part taken last for `rest`; kick: duration of the kick in steps. A part is
-  // alike to the state before the step if its lasting contacts go on in the same way.
-  bool alike(const State& part, const State& was) const;
-  State second_part(const State& was, const State& first) const;
-  void join_parts(double share, double rest, const State& first, double kick);
-  // Takes such a step as one, with the state under its mean loads.
-  void go_on_as(const State& mean);
+  // For a step in two parts, in which a load jumps (verlet.cc). `before`: the states before the
+  // step; `first`: those after the first part, which holds for the fraction `share` of the step;
+  // the second part holds for the fraction `rest`.
+  //
+  // True if all rigid contacts that lasted before last through the part without a change of slip.
+  bool lasts_unchanged(const States& before, const States& part) const;
+  // The states with which the second part begins.
+  States second_part_start(const States& before, const States& first) const;
+  // Call it after the second part: the impulses become the weighted sum of both parts. kick_length:
+  // in steps.
+  void join_parts(double share, double rest, const States& first, double kick_length);
+  // Goes back to the states of the step as one, under its mean loads.
+  void restore_whole_step(const States& mean);
 
-  // Call it before impacts change x.after.
-  void keep_end(const StepState& x) { without_impacts_ = x.after; }
+  // Call it before impacts change v_end.
+  void keep_end_without_impacts(const StepState& state) { without_impacts_ = state.v_end; }
   // listed: the impact is added to `impacts`, not only to the impulses.
-  void note_impact(const Impact& impact, bool listed = true);
+  void add_impact(const Impact& impact, bool listed = true);
   // Sets whether contact lasts from here on.
   void set_closed(std::size_t i, bool closed);
-  // to += A^-1 J^T times the impulses of a contact, with the normal of the step.
-  void push(std::size_t i, double normal, double friction, double* to) const;
+  // to += A^-1 J^T times the impulses (N s) of a contact, the change of the velocities by them,
+  // with the normal of the step.
+  void add_velocity_change(std::size_t i, double normal, double friction, double* to) const;
 
   // The numbers that are kept between steps: for_each_kept() has those that precede the state in a
   // saved memory, for_each_force_kept() all others.
   template <class Action>
   void for_each_kept(Action& action) {
-    keep_flag(now[0].closed, action);
-    action(now[0].slip_sign);
+    keep_flag(states[0].closed, action);
+    action(states[0].slip_sign);
   }
   template <class Action>
   void for_each_force_kept(Action& action) {
     for (std::size_t i = 0; i < count(); ++i) {
-      Kept& c = now[i];
+      ContactState& c = states[i];
       if (i > 0) {
         keep_flag(c.closed, action);
         action(c.slip_sign);
@@ -123,45 +132,43 @@ class StepContacts {
       if (!contacts_[i].rigid) action(c.hunt_crossley);
     }
   }
-  static std::size_t count_kept(const Model& m) {  // how many both have
+  static std::size_t count_kept(const Model& m) {  // how many numbers both have
     std::size_t numbers = 0;
-    for (const AuxiliaryBearing& at : m.auxiliary) {
-      numbers += at.contact && at.contact->gives() ? 5U : 4U;
-    }
+    for (const AuxiliaryBearing& bearing : m.auxiliary) numbers += bearing.is_compliant() ? 5U : 4U;
     return numbers;
   }
 
   // Velocities at the end of the step without its impacts.
-  const double* end_without_impacts(const StepState& x) const {
-    return impacted_ ? without_impacts_.data() : x.after.data();
+  const double* end_without_impacts(const StepState& state) const {
+    return impacted_ ? without_impacts_.data() : state.v_end.data();
   }
   // Writes the results of the step (contact_results.cc).
-  void tell(FixedStep& out) const;
-  // J, work of lasting contact on the coordinates, from the velocities x.start to the end without
+  void write_results(FixedStep& out) const;
+  // J, work of lasting contact on the coordinates, from the velocities v_start to the end without
   // impacts.
-  double lasting_work(const StepState& x) const;
+  double lasting_work(const StepState& state) const;
 
  private:
   using Pair = equations::Pair;
   using List = ContactList<std::size_t>;
 
   struct Contact {
-    const AuxiliaryBearing* at = nullptr;
-    bool rigid = true;   // also if there is no contact
-    bool flies = false;  // rigid, and not lasting before the step
+    const AuxiliaryBearing* bearing = nullptr;
+    bool rigid = true;       // also if there is no contact
+    bool in_flight = false;  // rigid, and not lasting before the step
     double clearance = 0.0, radius = 0.0;
-    // mu; not a number if mu depends on the slip, so that slide_on() returns false.
+    // mu; not a number if mu depends on the slip, so that try_sliding_on() returns false.
     double friction = 0.0;
-    // The velocities by a load (x, y, torque about z): the columns of A^-1 J^T. If a free spin is
-    // coupled with bending (velocity_matrix.h), they are the columns of A_0^-1 J^T, and `coupled`
-    // has the rest of A^-1 J^T, which changes from step to step.
+    // The change of the velocities by a unit impulse in x, in y and about z: the columns of A^-1
+    // J^T. If a free spin is coupled with bending (velocity_matrix.h), they are the columns of
+    // A_0^-1 J^T, and `coupled` has the rest of A^-1 J^T, which changes from step to step.
     std::array<StepState::Coordinates, 3> column;
     std::array<VelocityMatrix::Coupled, 3> coupled{};
-    // In the step: m, from the ring's to the rotor's centre; outward normal; m/s, relative velocity
-    // for x.free; sign of the slip before the step, and before the present part of it.
-    Pair d{0.0, 0.0}, e_r{1.0, 0.0}, free{0.0, 0.0};
+    // In the step: separation (m) and outward normal at q_k; relative velocity, m/s, for v_free;
+    // sign of the slip before the step, and before the present part of it.
+    Pair d{0.0, 0.0}, e_r{1.0, 0.0}, v_free{0.0, 0.0};
     double last_sign = 0.0, sign_before = 0.0;
-    // For a compliant contact: (ddot, spin) for x.start and x.free; w_0 (N s), w_1 (N s^2/m).
+    // For a compliant contact: (ddot, spin) for v_start and v_free; w_0 (N s), w_1 (N s^2/m).
     Eigen::Vector3d start_rates{0.0, 0.0, 0.0}, free_rates{0.0, 0.0, 0.0};
     double spring = 0.0, damper = 0.0;
   };
@@ -169,47 +176,48 @@ class StepContacts {
   const Eigen::Matrix3d& admittance(std::size_t i, std::size_t j) const {
     return admittance_[i * count() + j];
   }
-  void couple();
+  void update_admittance();
   // to = from + A^-1 J^T times the impulses of a contact.
   void add_response(std::size_t i, double normal, double friction, const double* from,
                     double* to) const;
-  void look(const StepState& x);
-  void look_at_free(const StepState& x);
+  void find_separations(const StepState& state);  // also calls find_free_rates()
+  void find_free_rates(const StepState& state);
   // Turns the normal to the place at q_k; it is unchanged if the centres coincide there.
   static void turn_normal(Contact& c) {
     const double delta = std::sqrt(c.d.x * c.d.x + c.d.y * c.d.y);
     if (delta > kNoNormal) c.e_r = {c.d.x / delta, c.d.y / delta};
   }
-  bool leaves(const Contact& c, const Pair& velocity) const;
-  void find_lasting(StepState& x, bool unsettled);
-  void solve_closed(StepState& x);
-  bool find_impulses(StepState& x);
-  bool slide_on(std::size_t i, const double* free);
-  bool solve_lasting(StepState& x);
-  // The rates of a contact by the impulses of the others.
+  bool leaves_circle(const Contact& c, const Pair& velocity) const;
+  void find_lasting(StepState& state, bool iteration_deferred);
+  void solve_contacts(StepState& state);
+  bool find_impulses(StepState& state);
+  bool try_sliding_on(std::size_t i, const double* free);
+  bool solve_rigid(StepState& state);
+  // (ddot, spin): the change of the rates of a contact by the impulses of the others.
   Eigen::Vector3d rates_by(std::size_t i, const List& others) const;
-  void note_lasting();
+  void record_lasting();
 
   // Compliant contacts (compliant_contacts.cc).
-  bool find_touches(StepState& x);
-  void meet_wall(std::size_t i, const Eigen::Vector3d& free);
-  bool solve_compliant(StepState& x);
+  bool find_touches(StepState& state);
+  void find_wall_impulses(std::size_t i, const Eigen::Vector3d& free);
+  bool solve_compliant(StepState& state);
   void solve_one_compliant(std::size_t i, const Eigen::Vector3d& end);
-  void find_impulses(std::size_t i, const Eigen::Vector2d& before, const Eigen::Vector2d& after,
-                     const Delassus& g);
+  void find_compliant_impulses(std::size_t i, const Eigen::Vector2d& before,
+                               const Eigen::Vector2d& after, const Delassus& g);
 
   const Model& m_;
   LoadKick& loads_;
   double h_;
-  bool exists_ = false, gives_ = false;
+  bool any_ = false, any_compliant_ = false;  // of the model's contacts
   std::vector<Contact> contacts_;
   std::vector<Eigen::Matrix3d> uncoupled_, admittance_;  // blocks for each pair of contacts
+  std::int64_t coupled_at_ = -1;       // VelocityMatrix::times_coupled() of admittance_
   double before_ = 0.0, after_ = 0.0;  // s, parts of the step before and after t_k
-  // In the step: rigid lasting contacts and compliant contacts in their walls; whether any contact
-  // acts; whether there were impacts; whether done_ has been written.
+  // In the step: rigid lasting contacts, compliant contacts in their walls; whether there are any
+  // of these; whether there were impacts; whether results_ has been written.
   List lasting_, compliant_;
-  bool acts_ = false, impacted_ = false, did_ = false;
-  std::vector<ContactStep> done_;
+  bool any_acts_ = false, impacted_ = false, has_results_ = false;
+  std::vector<ContactStep> results_;
   StepState::Coordinates without_impacts_;  // velocities at the end of the step
 };
 

@@ -120,7 +120,7 @@ StepLimit step_limit(const Model& m) {
   for (const AuxiliaryBearing& at : m.auxiliary) {
     // For other exponents the stiffness depends on the penetration, and the run checks the step as
     // it goes.
-    if (!at.gives() || at.contact->compliance.exponent != 1.0) continue;
+    if (!at.is_compliant() || at.contact->compliance.exponent != 1.0) continue;
     const Eigen::Matrix3d& a = at.admittance;
     // The larger eigenvalue of the 2 x 2 corner.
     const double mobility =

@@ -15,23 +15,23 @@ struct StepState {
   using Coordinates = std::vector<double>;  // nq
 
   // The model must outlive this object. step: s.
-  StepState(const Model& model, double step)
-      : m(model), h(step), q(static_cast<std::size_t>(model.nq())), nq_(model.nq()) {
-    v = q_k = start = free = after = q;
+  StepState(const Model& m, double step)
+      : model(m), h(step), q(static_cast<std::size_t>(m.nq())), nq_(m.nq()) {
+    v = q_k = v_start = v_free = v_end = q;
   }
 
-  const Model& m;
-  double h;             // s
+  const Model& model;
+  double h;             // s, time step
   double origin = 0.0;  // s, t at k = 0
   // Coordinates and velocities before the step and, when it is done, after it.
   Coordinates q, v;
   // The coordinates at t_k, where loads and contact are evaluated.
   Coordinates q_k;
-  // Velocities at the start of the kick, t_{k-1/2} (t_0 in a first step); at its end, t_{k+1/2},
-  // without contact; at its end.
-  Coordinates start, free, after;
+  // The velocities of the kick: at its start, t_{k-1/2} (t_0 in a first step); at its end,
+  // t_{k+1/2}, with all loads but without contact; at its end with everything.
+  Coordinates v_start, v_free, v_end;
   // Duration of the kick in steps: 1, or 1/2 in a first step.
-  double kick = 1.0;
+  double kick_length = 1.0;
   Status status = Status::kOk;  // with any other status q and v stay unchanged
 
   int nq() const { return nq_; }
@@ -46,30 +46,30 @@ struct StepState {
     std::copy_n(new_v, nq(), v.begin());
   }
 
-  // Begins a step: q_k = q, start = v plus `deferred` (nq values, or null). q and v may be
+  // Begins a step: q_k = q, v_start = v plus `deferred` (nq values, or null). q and v may be
   // overwritten from here on, because their vectors are swapped with those of the last step.
   void begin(const double* deferred) {
     q.swap(q_k);
     keeps_v_ = deferred != nullptr;
-    if (keeps_v_) return add_to_start(deferred);
-    v.swap(start);
+    if (keeps_v_) return set_start(deferred);
+    v.swap(v_start);
   }
-  // The same without a step to follow: q and v stay unchanged.
-  void look(const double* deferred) {
+  // Sets q_k and v_start like begin() for a look at the next kick; q and v stay unchanged.
+  void peek(const double* deferred) {
     q_k = q;
-    start = v;
-    if (deferred) add_to_start(deferred);
+    v_start = v;
+    if (deferred) set_start(deferred);
   }
-  // Ends the step: v = after, q = q_k + h after. If a value is no longer finite, it sets kDiverged
-  // and restores the state.
-  void move() {
+  // Ends the step with the drift: v = v_end, q = q_k + h v_end. If a value is no longer finite, it
+  // sets kDiverged and restores the state.
+  void drift() {
     const int n = nq();
-    const double *end = after.data(), *from = q_k.data();
+    const double *end = v_end.data(), *from = q_k.data();
     const double total = sum(n, [end](int i) { return end[i]; });
     if (total - total != 0.0) fail(Status::kDiverged);
     if (status != Status::kOk) {
       q = q_k;
-      if (!keeps_v_) v = start;
+      if (!keeps_v_) v = v_start;
       return;
     }
     double *to_q = q.data(), *to_v = v.data();
@@ -80,15 +80,16 @@ struct StepState {
   }
 
  private:
-  void add_to_start(const double* deferred) {
+  // v_start = v + deferred.
+  void set_start(const double* deferred) {
     const double* from = v.data();
-    double* to = start.data();
+    double* to = v_start.data();
     const int n = nq();
     ROTORUB_APART for (int i = 0; i < n; ++i) to[i] = from[i] + deferred[i];
   }
 
   int nq_;
-  bool keeps_v_ = false;  // since begin()
+  bool keeps_v_ = false;  // begin() has not swapped v
 };
 
 // Passes a flag to `action` as one of the numbers that are kept between steps.

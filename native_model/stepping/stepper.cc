@@ -24,21 +24,21 @@ FixedStep VerletStepper::step(std::int64_t k, std::span<const Eigen::Vector2d> u
   if (!u[0].isZero(0.0)) step_->loads.drive_first_ring();
   step_->step(k);
   FixedStep out;
-  step_->contacts.tell(out);
-  out.status = step_->x.status;
+  step_->contacts.write_results(out);
+  out.status = step_->state.status;
   out.impact_time = step_->impact_time();
   out.impact_force = step_->impact_force(k);
   if (works && out.status == Status::kOk) {
-    out.impact_work = impact_work(step_->x.m, out.impacts);
-    out.contact_work = out.impact_work + step_->contacts.lasting_work(step_->x);
+    out.impact_work = impact_work(step_->state.model, out.impacts);
+    out.contact_work = out.impact_work + step_->contacts.lasting_work(step_->state);
     out.external_work = step_->external_work();
   }
   return out;
 }
 
-const double* VerletStepper::q() const { return step_->x.q.data(); }
-const double* VerletStepper::v() const { return step_->x.v.data(); }
-const double* VerletStepper::last_q() const { return step_->x.q_k.data(); }
+const double* VerletStepper::q() const { return step_->state.q.data(); }
+const double* VerletStepper::v() const { return step_->state.v.data(); }
+const double* VerletStepper::last_q() const { return step_->state.q_k.data(); }
 void VerletStepper::last_velocity(double* v) const { step_->last_velocity(v); }
 double VerletStepper::last_kick() const { return step_->was_first() ? 0.5 : 1.0; }
 
@@ -53,27 +53,34 @@ void VerletStepper::velocity_now(std::int64_t k, std::span<const Eigen::Vector2d
 
 void VerletStepper::begin(double t, const double* q, const double* v) {
   for_each_kept([](double& value) { value = 0.0; });
-  step_->x.adopt(q, v);
-  step_->x.origin = t;
-  step_->x.status = Status::kOk;
+  step_->state.adopt(q, v);
+  step_->state.origin = t;
+  step_->state.status = Status::kOk;
   step_->restart();
 }
 
-void VerletStepper::adopt(const double* q, const double* v) { step_->x.adopt(q, v); }
-void VerletStepper::apply(const double* loads) { step_->loads.applied = loads; }
+void VerletStepper::adopt(const double* q, const double* v) {
+  step_->state.adopt(q, v);
+  step_->forget_look();
+}
+void VerletStepper::apply(const double* loads) {
+  step_->loads.applied = loads;
+  step_->forget_look();
+}
 
 std::size_t VerletStepper::memory_size(const Model& model) { return VerletStep::count_kept(model); }
 
 void VerletStepper::save(double* to) const {
   [[maybe_unused]] const double* const first = to;
   for_each_kept([&to](double& value) { *to++ = value; });
-  assert(to == first + memory_size(step_->x.m));
+  assert(to == first + memory_size(step_->state.model));
 }
 
 void VerletStepper::restore(const double* from) {
   for_each_kept([&from](double& value) { value = *from++; });
-  step_->x.status = Status::kOk;
+  step_->state.status = Status::kOk;
   step_->loads.forget();
+  step_->forget_look();
 }
 
 void VerletStepper::command(std::span<const Eigen::Vector2d> u) {
@@ -85,9 +92,9 @@ void VerletStepper::command(std::span<const Eigen::Vector2d> u) {
 template <class Action>
 void VerletStepper::for_each_kept(Action action) const {
   step_->contacts.for_each_kept(action);
-  action(step_->x.origin);
-  for (double& value : step_->x.q) action(value);
-  for (double& value : step_->x.v) action(value);
+  action(step_->state.origin);
+  for (double& value : step_->state.q) action(value);
+  for (double& value : step_->state.v) action(value);
   step_->loads.for_each_kept(action);
   step_->for_each_kept(action);
 }

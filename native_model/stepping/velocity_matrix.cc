@@ -64,6 +64,7 @@ VelocityMatrix::VelocityMatrix(const Model& m, double h) : model_(&m), coupled_(
 }
 
 void VelocityMatrix::couple_at(const equations::DiscAngles& at) {
+  ++times_coupled_;
   const Model& m = *model_;
   const int n = m.layout.modes;
   double *b = coupling_.data(), *w = solved_.data();

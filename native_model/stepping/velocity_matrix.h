@@ -8,6 +8,8 @@
 // (equations::spin_coupling): A = A_0 + b e_phi^T + e_phi b^T. Bending is eliminated.
 #pragma once
 
+#include <cstddef>
+#include <cstdint>
 #include <vector>
 
 #include "native_model/model/equations.h"
@@ -25,10 +27,14 @@ class VelocityMatrix {
     return dense_bending_ || dense_spin_ || coupled_ ? nullptr : step_.data();
   }
   bool coupled() const { return coupled_; }
+  // h A^-1 of coordinate i, s/kg; only for coordinates that A does not couple with others, which
+  // are those of the rings.
+  double step_of(int i) const { return step_[static_cast<std::size_t>(i)]; }
 
   // Sets b for the directions `at` of the discs.
   void couple_at(const equations::DiscAngles& at);
-  const double* coupling() const { return coupling_.data(); }  // b, two planes
+  const double* coupling() const { return coupling_.data(); }    // b, two planes
+  std::int64_t times_coupled() const { return times_coupled_; }  // calls of couple_at()
 
   // f <- A^-1 f.
   void solve(double* f) {
@@ -58,6 +64,7 @@ class VelocityMatrix {
   // and 1 / (1 - b' w s_phi).
   std::vector<double> spin_column_, solved_shapes_, coupling_, solved_;
   double own_ = 0.0, free_spin_ = 1.0;
+  std::int64_t times_coupled_ = 0;
   std::vector<double> work_;
 };
 

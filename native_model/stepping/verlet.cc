@@ -24,14 +24,14 @@ bool impacts_take_time(const Model& m) {
 }  // namespace
 
 VerletStep::VerletStep(const Model& model, double h)
-    : x(model, h),
+    : state(model, h),
       loads(model, h),
-      contacts(x, loads),
-      deferred_(x.q),
+      contacts(state, loads),
+      deferred_(state.q),
       switches_(std::isfinite(next_switch(model, 0.0, std::numeric_limits<double>::infinity()))),
-      mean_after_(x.q),
-      part_sum_(x.q) {
-  if (impacts_take_time(model)) slow_impact_.emplace(model);
+      mean_v_end_(state.q),
+      part_sum_(state.q) {
+  if (impacts_take_time(model)) finite_impact_.emplace(model);
 }
 
 std::size_t VerletStep::count_kept(const Model& model) {
@@ -44,76 +44,93 @@ std::size_t VerletStep::count_kept(const Model& model) {
 // ------------------------------------------------------------------ the step
 void VerletStep::step(std::int64_t k) {
   work_correction_ = impact_time_ = 0.0;
-  contacts.forget_last();
-  const bool later = loads.iterates() && !first_ && !slow_impact_ && contacts.iterates_free();
-  x.begin(has_deferred_ ? deferred_.data() : nullptr);
-  kick(k, later);
+  contacts.clear_results();
+  const bool defer_iteration = iterates_with_contact();
+  state.begin(deferred_or_null());
+  const bool kicked = looked_at_ == k && loads.exchange_commands(state, looked_commands_);
+  looked_at_ = kNoStep;
+  if (!kicked) kick(k, defer_iteration);
   if (has_deferred_) std::fill(deferred_.begin(), deferred_.end(), 0.0);
   has_deferred_ = false;
   was_first_ = first_;
-  in_slow_impact_ = slow_impact_ && slow_impact_->active();
-  if (in_slow_impact_) {
-    follow_slow_impact(k);
-  } else if (contacts.exists()) {
-    const double end = x.time_of(k) + 0.5 * x.h, begin = was_first_ ? x.time_of(k) : end - x.h;
+  in_finite_impact_ = finite_impact_ && finite_impact_->active();
+  if (in_finite_impact_) {
+    follow_finite_impact(k);
+  } else if (contacts.any()) {
+    const double end = state.time_of(k) + 0.5 * state.h,
+                 begin = was_first_ ? state.time_of(k) : end - state.h;
     const double share = share_before_jump(begin, end);
-    if (share > 0.0) before_parts_ = contacts.now;
-    x.kick = was_first_ ? 0.5 : 1.0;
-    contacts.go_on(x, later);
-    if (share > 0.0) split(share, begin, end);
-    if (contacts.leave_flight(x)) collide(k);
-    x.kick = 1.0;
+    if (share > 0.0) states_before_ = contacts.states;
+    state.kick_length = was_first_ ? 0.5 : 1.0;
+    contacts.apply_lasting(state, defer_iteration);
+    if (share > 0.0) take_in_two_parts(share, begin, end);
+    if (contacts.any_flight_ends(state)) solve_impacts(k);
+    state.kick_length = 1.0;
   }
   if (has_command_jumps_) forget_command_jumps();
   first_ = false;
-  x.move();
+  state.drift();
 }
 
-// Computes x.free and x.after of step k without contact; later: see LoadKick.
-void VerletStep::kick(std::int64_t k, bool later) {
-  const double t = x.time_of(k);
-  loads.free_velocity(x, k, first_ ? t : t - 0.5 * x.h, t, later);
+// True if the free velocity is iterated together with the contacts, and not before.
+bool VerletStep::iterates_with_contact() const {
+  return loads.needs_iteration() && !first_ && !finite_impact_ &&
+         contacts.can_iterate_with_lasting();
+}
+
+// Computes v_free of step k, and v_end equal to it. defer_iteration: see LoadKick::free_velocity().
+void VerletStep::kick(std::int64_t k, bool defer_iteration) {
+  const double t = state.time_of(k);
+  loads.free_velocity(state, k, first_ ? t : t - 0.5 * state.h, t, defer_iteration);
   if (first_) halve_kick();
 }
 
 // A first step has only half of the kick.
 void VerletStep::halve_kick() {
-  for (std::size_t i = 0; i < x.free.size(); ++i) x.free[i] = 0.5 * (x.start[i] + x.free[i]);
-  x.after = x.free;
+  for (std::size_t i = 0; i < state.v_free.size(); ++i)
+    state.v_free[i] = 0.5 * (state.v_start[i] + state.v_free[i]);
+  state.v_end = state.v_free;
+  loads.forget_forces();
 }
 
-void VerletStep::velocity_now(std::int64_t k, double* now) {
+void VerletStep::velocity_now(std::int64_t k, double* v) {
   if (first_) {
-    std::copy(x.v.begin(), x.v.end(), now);
+    std::copy(state.v.begin(), state.v.end(), v);
     return;
   }
-  x.look(has_deferred_ ? deferred_.data() : nullptr);
-  kick(k);
-  if (slow_impact_ && slow_impact_->active()) return slow_impact_->velocities(x.time_of(k), now);
-  if (contacts.exists()) contacts.add_last_forces(x);
-  for (std::size_t i = 0; i < x.free.size(); ++i) now[i] = 0.5 * (x.start[i] + x.free[i]);
+  state.peek(deferred_or_null());
+  // In lasting contact the force of the step before makes an error of order h^2 anyway.
+  kick(k, iterates_with_contact());
+  looked_at_ = k;
+  looked_commands_ = loads.command;
+  if (finite_impact_ && finite_impact_->active())
+    return finite_impact_->velocities(state.time_of(k), v);
+  if (contacts.any()) contacts.add_last_forces(state);
+  for (std::size_t i = 0; i < state.v_free.size(); ++i)
+    v[i] = 0.5 * (state.v_start[i] + state.v_free[i]);
 }
 
 void VerletStep::restart() {
   first_ = true;
   has_deferred_ = false;
+  forget_look();
   std::fill(deferred_.begin(), deferred_.end(), 0.0);
   loads.forget();
-  if (slow_impact_) slow_impact_->cancel();
-  contacts.begin(x);
+  if (finite_impact_) finite_impact_->cancel();
+  contacts.restart(state);
 }
 
-void VerletStep::last_velocity(double* now) const {
-  const double *start = x.start.data(), *end = contacts.end_without_impacts(x);
-  for (int i = 0; i < x.nq(); ++i) now[i] = was_first_ ? start[i] : 0.5 * (start[i] + end[i]);
-  for (int i = x.m.sampled_states(); i < x.m.layout.coil(); ++i) now[i] = start[i];
-  if (in_slow_impact_) slow_impact_->velocities(x.origin + slow_impact_step_, now);
+void VerletStep::last_velocity(double* v) const {
+  const double *start = state.v_start.data(), *end = contacts.end_without_impacts(state);
+  for (int i = 0; i < state.nq(); ++i) v[i] = was_first_ ? start[i] : 0.5 * (start[i] + end[i]);
+  for (int i = state.model.sampled_states(); i < state.model.layout.coil(); ++i) v[i] = start[i];
+  if (in_finite_impact_) finite_impact_->velocities(state.origin + finite_impact_step_, v);
 }
 
 double VerletStep::external_work() {
-  if (in_slow_impact_) return work_correction_;  // the impact books this work
+  if (in_finite_impact_) return work_correction_;  // begin_finite_impact() has counted the work
   const double kick = was_first_ ? 0.5 : 1.0;
-  return kick * loads.external_work(x, contacts.end_without_impacts(x)) + work_correction_;
+  return kick * loads.external_work(state, contacts.end_without_impacts(state)) + work_correction_;
 }
 
 // ------------------------------------------------------------------ jumps of loads and commands
@@ -127,8 +144,8 @@ double VerletStep::external_work() {
 // with the fraction s of the step before the jump. This keeps order 2. If contact goes on unchanged
 // in both parts, the mean load gives the same result, and the step ends on the circle.
 //
-// announce_command_jump() notes the jump of a command, split() takes the step in its two parts,
-// after it was taken with its mean loads.
+// announce_command_jump() stores the jump of a command. take_in_two_parts() computes the two parts
+// after the step was taken with its mean loads.
 void VerletStep::announce_command_jump(std::size_t ring, const CommandJump& command) {
   command_jumps_[ring] = command;
   has_command_jumps_ = has_command_jumps_ || command.share > 0.0;
@@ -145,7 +162,7 @@ void VerletStep::forget_command_jumps() {
 // contact; 0: none jumps, or it jumps at an end of the kick. If commands jump at several instants,
 // the first counts; a switched load counts only if no command jumps.
 double VerletStep::share_before_jump(double begin, double end) {
-  if (!(switches_ || has_command_jumps_) || !contacts.lasts()) return 0.0;
+  if (!(switches_ || has_command_jumps_) || !contacts.any_rigid_lasts()) return 0.0;
   constexpr double kNone = 2.0;
   double share = kNone;
   for (const CommandJump& command : command_jumps_) {
@@ -154,7 +171,7 @@ double VerletStep::share_before_jump(double begin, double end) {
   if (share == kNone) {
     if (!(begin >= switch_from_ && begin < switch_at_)) {
       switch_from_ = begin;
-      switch_at_ = next_switch(x.m, begin, std::numeric_limits<double>::infinity());
+      switch_at_ = next_switch(state.model, begin, std::numeric_limits<double>::infinity());
     }
     if (switch_at_ >= end) return 0.0;
     share = (switch_at_ - begin) / (end - begin);
@@ -162,190 +179,195 @@ double VerletStep::share_before_jump(double begin, double end) {
   return share > kLeastPart && share < 1.0 - kLeastPart ? share : 0.0;
 }
 
-void VerletStep::split(double share, double begin, double end) {
-  const StepContacts::State& was = before_parts_;
-  const double rest = 1.0 - share, middle = begin + share * (end - begin);
+void VerletStep::take_in_two_parts(double share, double begin, double end) {
+  const double rest = 1.0 - share, jump = begin + share * (end - begin);
   const LoadKick::Commands mean_commands = loads.command;
-  const StepContacts::State mean = contacts.now;
-  mean_after_ = x.after;
-  command_part(true, share);
-  take_part(was, begin, middle);
-  const StepContacts::State before = contacts.now;
-  for (std::size_t i = 0; i < part_sum_.size(); ++i) part_sum_[i] = share * x.after[i];
-  command_part(false, share);
-  take_part(contacts.second_part(was, before), middle, end);
-  for (std::size_t i = 0; i < part_sum_.size(); ++i) part_sum_[i] += rest * x.after[i];
+  const StepContacts::States mean = contacts.states;
+  mean_v_end_ = state.v_end;
+  set_command_of_part(true, share);
+  take_part(states_before_, begin, jump);
+  const StepContacts::States first = contacts.states;
+  for (std::size_t i = 0; i < part_sum_.size(); ++i) part_sum_[i] = share * state.v_end[i];
+  set_command_of_part(false, share);
+  take_part(contacts.second_part_start(states_before_, first), jump, end);
+  for (std::size_t i = 0; i < part_sum_.size(); ++i) part_sum_[i] += rest * state.v_end[i];
 
-  // Restores the loads of the whole step: x.free, and the basis of the works.
+  // Restores the loads of the whole step, from which the works follow, and v_free.
   loads.command = mean_commands;
-  loads.free_velocity_of_part(x, begin, end);
+  loads.free_velocity_of_part(state, begin, end);
   if (was_first_) halve_kick();
-  if (contacts.alike(mean, was) && contacts.alike(before, was) &&
-      contacts.alike(contacts.now, was)) {
-    contacts.go_on_as(mean);
-    x.after = mean_after_;
+  if (contacts.lasts_unchanged(states_before_, mean) &&
+      contacts.lasts_unchanged(states_before_, first) &&
+      contacts.lasts_unchanged(states_before_, contacts.states)) {
+    contacts.restore_whole_step(mean);
+    state.v_end = mean_v_end_;
   } else {
-    contacts.join_parts(share, rest, before, x.kick);
-    x.after = part_sum_;
+    contacts.join_parts(share, rest, first, state.kick_length);
+    state.v_end = part_sum_;
   }
 }
 
-// Takes the whole step as if the loads from `begin` to `end` held throughout: x.after and the
-// contacts.
-void VerletStep::take_part(const StepContacts::State& was, double begin, double end) {
-  loads.free_velocity_of_part(x, begin, end);
+// Computes v_end and the contacts of the whole step as if the loads from `begin` to `end` held
+// throughout. at_start: states of the contacts before this part.
+void VerletStep::take_part(const StepContacts::States& at_start, double begin, double end) {
+  loads.free_velocity_of_part(state, begin, end);
   if (was_first_) halve_kick();
-  contacts.now = was;
-  contacts.go_on(x);
+  contacts.states = at_start;
+  contacts.apply_lasting(state);
 }
 
-// A command that jumps at a later instant keeps its mean.
-void VerletStep::command_part(bool before, double share) {
+// Sets the commands of the part before or after the jump. A command that jumps at a later instant
+// keeps its mean.
+void VerletStep::set_command_of_part(bool before_jump, double share) {
   for (std::size_t i = 0; i < command_jumps_.size(); ++i) {
     if (command_jumps_[i].share == 0.0 || command_jumps_[i].share - share > kLeastPart) continue;
-    loads.command[i] = before ? command_jumps_[i].before : command_jumps_[i].after;
+    loads.command[i] = before_jump ? command_jumps_[i].before : command_jumps_[i].after;
   }
 }
 
 // ------------------------------------------------------------------ impacts
-// The flight through a step, from impact to impact.
+// The motion through a step from one impact to the next. With constant accelerations a, the
+// velocities at the fraction theta of the step are v + (theta - 1/2) h a, and the coordinates
+// follow the straight path with v.
 struct VerletStep::Flight {
   double theta = 0.0;                             // fraction of the step that is over
-  std::array<Eigen::Vector2d, kMaxContacts> d{};  // m, of each contact at theta
+  std::array<Eigen::Vector2d, kMaxContacts> d{};  // m, separation of each contact at theta
   std::array<bool, kMaxContacts> closed{};
-  double v[kMaxCoordinates], a[kMaxCoordinates];  // at the step's middle; accelerations
+  double v[kMaxCoordinates];  // velocities at the middle of the step
+  double a[kMaxCoordinates];  // accelerations by the loads and the lasting contacts
 };
 
-// Returns the contact whose path leaves its circle first, and advances the flight to that instant;
-// returns the number of contacts if none leaves. A contact whose path never comes inside has no
-// flight and counts as closed.
-std::size_t VerletStep::next_touch(Flight& flight) const {
+// Advances the flight to the instant at which the first path leaves its circle, and returns that
+// contact; if no path leaves, the result is empty and the flight stays where it is. A contact whose
+// path never comes inside has no flight and counts as closed.
+std::optional<std::size_t> VerletStep::advance_to_touch(Flight& flight) const {
   const std::size_t n = contacts.count();
-  double share = 2.0;
-  std::size_t first = n;
+  double share = 2.0;  // of the rest of the step; more than any exit
+  std::optional<std::size_t> first;
   std::array<Eigen::Vector2d, kMaxContacts> path;
   path.fill(Eigen::Vector2d::Zero());
   for (std::size_t i = 0; i < n; ++i) {
-    if (!contacts.is_rigid(i) || !x.m.auxiliary[i].contact) continue;
-    const double clearance = contacts.law(i).clearance;
-    path[i] = (1.0 - flight.theta) * x.h * contacts.rates(i, flight.v).head<2>();
+    if (!contacts.is_rigid(i) || !state.model.auxiliary[i].contact) continue;
+    const double clearance = contacts.parameters(i).clearance;
+    path[i] = (1.0 - flight.theta) * state.h * contacts.rates(i, flight.v).head<2>();
     if (flight.closed[i] || (flight.d[i] + path[i]).norm() <= clearance) continue;
-    const double exit = circle_exit(flight.d[i], path[i], clearance);
-    if (exit > 1.0) {
+    const std::optional<double> exit = circle_exit(flight.d[i], path[i], clearance);
+    if (!exit) {
       flight.closed[i] = flight.d[i].norm() >= clearance;
-    } else if (exit < share) {
-      share = exit;
+    } else if (*exit < share) {
+      share = *exit;
       first = i;
     }
   }
-  if (first == n) return n;
+  if (!first) return first;
   for (std::size_t i = 0; i < n; ++i) flight.d[i] += share * path[i];
   flight.theta += share * (1.0 - flight.theta);
   return first;
 }
 
 // Solves the impacts of the step; each one includes all contacts that are closed at its instant.
-void VerletStep::collide(std::int64_t k) {
+void VerletStep::solve_impacts(std::int64_t k) {
   const std::size_t n = contacts.count();
-  const int nq = x.nq();
-  contacts.keep_end(x);
-  const double t = x.time_of(k), h = x.h;
+  const int nq = state.nq();
+  contacts.keep_end_without_impacts(state);
+  const double t = state.time_of(k), h = state.h;
   Flight flight;
   for (int i = 0; i < nq; ++i) {
     const auto at = static_cast<std::size_t>(i);
-    flight.v[i] = x.after[at];
-    flight.a[i] = (x.after[at] - x.start[at]) / (x.kick * h);
+    flight.v[i] = state.v_end[at];
+    flight.a[i] = (state.v_end[at] - state.v_start[at]) / (state.kick_length * h);
   }
   for (std::size_t i = 0; i < n; ++i) {
-    flight.d[i] = contacts.place(i);
-    flight.closed[i] = contacts.is_rigid(i) && contacts.now[i].closed;
+    flight.d[i] = contacts.separation(i);
+    flight.closed[i] = contacts.is_rigid(i) && contacts.states[i].closed;
   }
-  double v[kMaxCoordinates], q[kMaxCoordinates], velocity_jump[kMaxCoordinates];
+  double v[kMaxCoordinates], q[kMaxCoordinates], impulses[kMaxCoordinates];
   const int most = kMostImpacts * static_cast<int>(n);
   for (int count = 0; count < most; ++count) {
-    const std::size_t first_touch = next_touch(flight);
-    if (first_touch == n) break;
+    const std::optional<std::size_t> touch = advance_to_touch(flight);
+    if (!touch) break;
     // All contacts that are closed there take part, with the velocities of that instant.
     for (int i = 0; i < nq; ++i) {
       v[i] = flight.v[i] + (flight.theta - 0.5) * h * flight.a[i];
-      q[i] = x.q_k[static_cast<std::size_t>(i)] + flight.theta * h * flight.v[i];
+      q[i] = state.q_k[static_cast<std::size_t>(i)] + flight.theta * h * flight.v[i];
     }
     SharedImpact impact(contacts);
     for (std::size_t i = 0; i < n; ++i) {
-      if (!contacts.is_rigid(i) || !x.m.auxiliary[i].contact) continue;
-      const double on_circle = (1.0 - kOnCircle) * contacts.law(i).clearance;
-      if (!flight.closed[i] && i != first_touch && flight.d[i].norm() < on_circle) continue;
-      impact.join(i, flight.closed[i], flight.d[i].normalized(), v, flight.a);
+      if (!contacts.is_rigid(i) || !state.model.auxiliary[i].contact) continue;
+      const double on_circle = (1.0 - kOnCircle) * contacts.parameters(i).clearance;
+      if (!flight.closed[i] && i != *touch && flight.d[i].norm() < on_circle) continue;
+      impact.add(i, flight.closed[i], flight.d[i].normalized(), v, flight.a);
     }
     if (impact.approach() == 0.0) {  // a touch without an impact
-      flight.closed[first_touch] = true;
+      flight.closed[*touch] = true;
       continue;
     }
-    const bool ends = count + 1 == most;
-    if (slow_impact_ && !ends && impact.rebounds(h)) return begin_slow_impact(k, flight);
-    const Status found = impact.strike(x, t + flight.theta * h, t, q, ends, velocity_jump);
-    if (found != Status::kOk) return x.fail(found);
+    const bool is_last = count + 1 == most;
+    if (finite_impact_ && !is_last && impact.rebounds(h)) return begin_finite_impact(k, flight);
+    const Status found = impact.solve(state, t + flight.theta * h, t, q, is_last, impulses);
+    if (found != Status::kOk) return state.fail(found);
     for (std::size_t i = 0; i < impact.count(); ++i) {
-      const std::size_t index = impact.contact(i);
-      if (flight.closed[index] && contacts.now[index].closed && !impact.rests(i)) {
-        knock_open(index, flight);
+      const std::size_t index = impact.contact_index(i);
+      if (flight.closed[index] && contacts.states[index].closed && !impact.stays_closed(i)) {
+        open_by_impact(index, flight);
       }
-      flight.closed[index] = impact.rests(i);
+      flight.closed[index] = impact.stays_closed(i);
     }
-    apply_velocity_jump(flight, t, q, velocity_jump);
-    for (int i = 0; i < nq; ++i) flight.v[i] += velocity_jump[i];
+    apply_impulses(flight, t, q, impulses);
   }
   for (std::size_t i = 0; i < n; ++i) {
     if (contacts.is_rigid(i)) contacts.set_closed(i, flight.closed[i]);
   }
 }
 
-// A lasting contact that an impact opens transmits no force afterwards, but the kick counted its
-// force until the middle of the step. The next step corrects this: theta - 1/2 of the impulse of a
-// whole step.
-void VerletStep::knock_open(std::size_t contact, Flight& flight) {
+// A lasting contact that an impact opens transmits no force afterwards, but the kick contains its
+// force until the middle of the step. The next step corrects this by the share theta - 1/2 of the
+// impulse of a whole step.
+void VerletStep::open_by_impact(std::size_t contact, Flight& flight) {
   double missed[kMaxCoordinates];
-  const int nq = x.nq();
+  const int nq = state.nq();
   std::fill_n(missed, nq, 0.0);
-  StepContacts::Kept& kept = contacts.now[contact];
-  contacts.push(contact, kept.normal, kept.friction, missed);
+  StepContacts::ContactState& kept = contacts.states[contact];
+  contacts.add_velocity_change(contact, kept.normal, kept.friction, missed);
   for (int j = 0; j < nq; ++j) {
-    deferred_[static_cast<std::size_t>(j)] += (flight.theta - 0.5) / x.kick * missed[j];
-    flight.a[j] -= missed[j] / (x.kick * x.h);
+    deferred_[static_cast<std::size_t>(j)] += (flight.theta - 0.5) / state.kick_length * missed[j];
+    flight.a[j] -= missed[j] / (state.kick_length * state.h);
   }
   kept.closed = false;
 }
 
 namespace {
 
-// True if a continuous controller is on, whose command follows the state.
-bool follows(const AuxiliaryBearing& at, double t) {
-  return at.controller && at.sample_time == 0.0 && t >= at.control_on;
+// True if a continuous controller is on; its command follows the state.
+bool is_controlled_continuously(const AuxiliaryBearing& bearing, double t) {
+  return bearing.controller && bearing.sample_time == 0.0 && t >= bearing.control_on;
 }
 // The command at an impact with the coordinates q and the velocities v. t: s, for a law that
 // depends on time, and to tell whether it is on.
 Eigen::Vector2d command_at_impact(const Model& m, std::size_t bearing, double t, const double* q,
                                   const double* v, const Eigen::Vector2d& held_command) {
-  return follows(m.auxiliary[bearing], t) ? control_command(m, t, q, v, bearing) : held_command;
+  return is_controlled_continuously(m.auxiliary[bearing], t) ? control_command(m, t, q, v, bearing)
+                                                             : held_command;
 }
 
 }  // namespace
 
-// velocity_jump: input, load of the impulses; output, the velocity jump w. x.after and deferred_
-// get their shares of w. The kicks do not include how w changes velocity-dependent loads;
-// deferred_ also gets what follows from that, -(theta - 1/2) h M^-1 (F(v + w) - F(v)), and
-// work_correction_ the work that the mean of the step's velocities misses. t (s), q: where M and
-// the loads are taken. A continuous controller measures w too.
-void VerletStep::apply_velocity_jump(const Flight& flight, double t, const double* q,
-                                     double* velocity_jump) {
-  const Model& m = x.m;
+// Applies the impulses of an impact (on the coordinates, N s): the flight gets the velocity jump
+// w = M^-1 impulses, v_end and deferred_ their shares of it. The kicks do not include how w changes
+// velocity-dependent loads, so deferred_ also gets -(theta - 1/2) h M^-1 (F(v + w) - F(v)), and
+// work_correction_ the work that the mean of the step's velocities misses. M and the loads are
+// taken at t (s) and q. A continuous controller measures w too.
+void VerletStep::apply_impulses(Flight& flight, double t, const double* q, const double* impulses) {
+  const Model& m = state.model;
   const int nq = m.nq();
   const std::size_t n = m.auxiliary.size();
-  const double from_middle = (flight.theta - 0.5) * x.h;
+  const double from_middle = (flight.theta - 0.5) * state.h;
   double v[kMaxCoordinates], before[kMaxCoordinates], missed[kMaxCoordinates];
-  solve_mass(m, t, q, velocity_jump, velocity_jump);
-  // All loads for the velocities v just before or just after the impact, and their power.
-  const auto loads_at = [&](double* f) {
+  double velocity_jump[kMaxCoordinates];
+  solve_mass(m, t, q, impulses, velocity_jump);
+  // Writes all loads for the present v, just before or just after the impact, and returns their
+  // power, W.
+  const auto find_loads = [&](double* f) {
     std::array<Eigen::Vector2d, kMaxContacts> commands, rings;
     for (std::size_t i = 0; i < n; ++i) {
       commands[i] = command_at_impact(m, i, t, q, v, loads.command[i]);
@@ -355,67 +377,67 @@ void VerletStep::apply_velocity_jump(const Flight& flight, double t, const doubl
     return external_power(m, t, q, v, std::span(rings).first(n));
   };
   for (int i = 0; i < nq; ++i) v[i] = flight.v[i] + from_middle * flight.a[i];
-  const double power = loads_at(before);
+  const double power = find_loads(before);
   for (int i = 0; i < nq; ++i) v[i] += velocity_jump[i];
-  work_correction_ -= from_middle * (loads_at(missed) - power);
+  work_correction_ -= from_middle * (find_loads(missed) - power);
   for (int i = 0; i < nq; ++i) missed[i] = -from_middle * (missed[i] - before[i]);
   solve_mass(m, t, q, missed, missed);
   for (int i = 0; i < nq; ++i) {
     const auto at = static_cast<std::size_t>(i);
-    x.after[at] += (1.0 - flight.theta) * velocity_jump[i];
+    state.v_end[at] += (1.0 - flight.theta) * velocity_jump[i];
     deferred_[at] += flight.theta * velocity_jump[i] + missed[i];
+    flight.v[i] += velocity_jump[i];
   }
   has_deferred_ = true;
 }
 
 // ------------------------------------------------------------------ impacts that take time
 // Begins at a touch in step k, at the present end of the flight.
-void VerletStep::begin_slow_impact(std::int64_t k, const Flight& flight) {
-  const Model& m = x.m;
-  const double h = x.h, to_touch = (flight.theta - 0.5) * h;
-  const double t = x.origin + (static_cast<double>(k) + flight.theta) * h;
+void VerletStep::begin_finite_impact(std::int64_t k, const Flight& flight) {
+  const Model& m = state.model;
+  const double h = state.h, to_touch = (flight.theta - 0.5) * h;
+  const double t = state.origin + (static_cast<double>(k) + flight.theta) * h;
   double q[kMaxCoordinates], v[kMaxCoordinates];
   for (int i = 0; i < m.nq(); ++i) {
-    q[i] = x.q_k[static_cast<std::size_t>(i)] + flight.theta * h * flight.v[i];
+    q[i] = state.q_k[static_cast<std::size_t>(i)] + flight.theta * h * flight.v[i];
     v[i] = flight.v[i] + to_touch * flight.a[i];
   }
-  FiniteImpact& impact = *slow_impact_;
+  FiniteImpact& impact = *finite_impact_;
   const Eigen::Vector2d command = command_at_impact(m, 0, t, q, v, loads.command[0]);
-  const Status found = impact.begin(t, q, v, command, follows(m.first(), t));
-  if (found != Status::kOk) return x.fail(found);
-  // The kick went on to the middle of the step.
+  const Status found = impact.begin(t, q, v, command, is_controlled_continuously(m.first(), t));
+  if (found != Status::kOk) return state.fail(found);
+  // The kick counts the work of the loads until the middle of the step, not until the touch.
   work_correction_ += to_touch * impact.power_at_touch() + impact.external_work();
   impact_time_ = impact.end() - t;
-  contacts.note_impact(impact.record());
+  contacts.add_impact(impact.record());
   contacts.set_closed(0, false);
-  follow_slow_impact(k);
+  follow_finite_impact(k);
 }
 
 // Advances to the end of step k, within the impact or in flight again.
-void VerletStep::follow_slow_impact(std::int64_t k) {
-  FiniteImpact& impact = *slow_impact_;
-  const double h = x.h, end = x.time_of(k) + h;
-  const int nq = x.nq();
-  const double* q_k = x.q_k.data();
-  double *after = x.after.data(), *deferred = deferred_.data();
-  slow_impact_step_ = static_cast<double>(k) * h;
+void VerletStep::follow_finite_impact(std::int64_t k) {
+  FiniteImpact& impact = *finite_impact_;
+  const double h = state.h, end = state.time_of(k) + h;
+  const int nq = state.nq();
+  const double* q_k = state.q_k.data();
+  double *after = state.v_end.data(), *deferred = deferred_.data();
+  finite_impact_step_ = static_cast<double>(k) * h;
   if (end < impact.end()) {
     double to[kMaxCoordinates];
     impact.coordinates(end, to);
     for (int i = 0; i < nq; ++i) after[i] = (to[i] - q_k[i]) / h;
     return;
   }
-  const double *q, *v, *a;
   const double left = end - impact.end(), from_middle = left - 0.5 * h;
   work_correction_ += from_middle * impact.power_at_end();
-  const bool closes = impact.finish(q, v, a);
+  const auto [q, v, a, lasts] = impact.finish();
   for (int i = 0; i < nq; ++i) {
     const double flown = q[i] + left * (v[i] + 0.5 * left * a[i]);
     after[i] = (flown - q_k[i]) / h;
     deferred[i] = v[i] + from_middle * a[i] - after[i];
   }
   has_deferred_ = true;
-  contacts.now[0].closed = closes;
+  contacts.states[0].closed = lasts;
 }
 
 }  // namespace rotorub

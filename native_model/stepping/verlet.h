@@ -4,15 +4,16 @@
 // A kick changes the velocities over t_{k-1/2} to t_{k+1/2}, a drift the coordinates over t_k to
 // t_{k+1}.
 //
-//   1. Kick: v' = v_{k-1/2} + what the last step's impacts deferred. All loads at (t_k, q_k), those
-//      that depend on velocities at the mean of v' and v_f, lead to the free velocity
-//      v_f = v_{k+1/2}. The first step is half a kick.
+//   1. Kick: v' = v_{k-1/2} + the velocity change that the last step's impacts deferred. All loads
+//      at (t_k, q_k) lead to the free velocity v_f = v_{k+1/2}; loads that depend on velocities are
+//      taken at the mean of v' and v_f. The first step is half a kick.
 //   2. Contact: if the straight path q_k + h v_f stays inside every ring, nothing else happens. A
 //      lasting contact ends the step on its circle, or penetrates its wall (step_contacts.h). If
-//      a load or the command jumps within a step of lasting contact, it is taken in two parts
-//      (split()).
+//      a load or the command jumps within a step of lasting contact, the step is taken in two parts
+//      (take_in_two_parts()).
 //   3. Impact: if the path of a contact in flight leaves its circle, Poisson's law applies at that
-//      instant.
+//      instant to all contacts that are closed there (shared_impact.h). The flight goes on from
+//      there, and may lead to a further impact in the same step.
 //   4. Drift: q_{k+1} = q_k + h v_{k+1/2}.
 //
 // An impact at the fraction theta of the step causes the velocity jump w. This step takes (1 -
@@ -39,7 +40,7 @@ class VerletStep {
   // The model must outlive this object. h: s.
   VerletStep(const Model& model, double h);
 
-  StepState x;
+  StepState state;
   LoadKick loads;
   StepContacts contacts;
 
@@ -48,7 +49,11 @@ class VerletStep {
   void step(std::int64_t k);
   // The velocities at t_k before step k: v_{k-1/2} + h/2 a(t_k-), with the present command and the
   // contact force of the step before. Controllers need them before there is a new command.
-  void velocity_now(std::int64_t k, double* now);
+  // v: output, nq values.
+  void velocity_now(std::int64_t k, double* v);
+  // Call it after velocity_now() if the state or the loads have been changed since: the step then
+  // computes its kick anew instead of taking it over.
+  void forget_look() { looked_at_ = kNoStep; }
   // Call it after a state (q, v at one instant) has been written: the next step is half a kick.
   void restart();
   // Announces a jump of the command of a ring within the next step.
@@ -60,11 +65,12 @@ class VerletStep {
   double impact_time() const { return impact_time_; }
   // N, (normal, friction) force at t_k of an impact that takes time.
   Eigen::Vector2d impact_force(std::int64_t k) const {
-    return slow_impact_ ? slow_impact_->force(x.time_of(k)) : Eigen::Vector2d(0.0, 0.0);
+    return finite_impact_ ? finite_impact_->force(state.time_of(k)) : Eigen::Vector2d(0.0, 0.0);
   }
   // After step k: the velocities at t_k, the mean of the two half-step velocities, before an impact
   // of the step. States of sampled controllers keep their values from before a sample at t_k.
-  void last_velocity(double* now) const;
+  // v: output, nq values.
+  void last_velocity(double* v) const;
   // J, work of the step's loads on the coordinates.
   double external_work();
 
@@ -76,7 +82,7 @@ class VerletStep {
     contacts.for_each_force_kept(action);
     keep_flag(has_deferred_, action);
     for (double& value : deferred_) action(value);
-    if (slow_impact_) slow_impact_->for_each_kept(action);
+    if (finite_impact_) finite_impact_->for_each_kept(action);
   }
   // How many numbers a saved step needs, including the state and those of loads and contacts.
   static std::size_t count_kept(const Model& model);
@@ -85,21 +91,23 @@ class VerletStep {
   using Coordinates = StepState::Coordinates;
   struct Flight;
 
-  void kick(std::int64_t k, bool later = false);
+  const double* deferred_or_null() const { return has_deferred_ ? deferred_.data() : nullptr; }
+  bool iterates_with_contact() const;
+  void kick(std::int64_t k, bool defer_iteration);
   void halve_kick();
 
   double share_before_jump(double begin, double end);
-  void split(double share, double begin, double end);
-  void take_part(const StepContacts::State& was, double begin, double end);
-  void command_part(bool before, double share);
+  void take_in_two_parts(double share, double begin, double end);
+  void take_part(const StepContacts::States& at_start, double begin, double end);
+  void set_command_of_part(bool before_jump, double share);
   void forget_command_jumps();
 
-  void collide(std::int64_t k);
-  std::size_t next_touch(Flight& flight) const;
-  void knock_open(std::size_t contact, Flight& flight);
-  void apply_velocity_jump(const Flight& flight, double t, const double* q, double* velocity_jump);
-  void begin_slow_impact(std::int64_t k, const Flight& flight);
-  void follow_slow_impact(std::int64_t k);
+  void solve_impacts(std::int64_t k);
+  std::optional<std::size_t> advance_to_touch(Flight& flight) const;
+  void open_by_impact(std::size_t contact, Flight& flight);
+  void apply_impulses(Flight& flight, double t, const double* q, const double* impulses);
+  void begin_finite_impact(std::int64_t k, const Flight& flight);
+  void follow_finite_impact(std::int64_t k);
 
   Coordinates deferred_;                      // m/s, rad/s: deferred by the last step
   bool first_ = true, has_deferred_ = false;  // the next step is half a kick; deferred_ is in use
@@ -107,20 +115,25 @@ class VerletStep {
   // J, the work of the loads that the mean of the step's velocities misses because of impacts.
   double work_correction_ = 0.0;
 
+  // The step whose free velocities v_end holds since velocity_now(), and their commands.
+  static constexpr std::int64_t kNoStep = -1;
+  std::int64_t looked_at_ = kNoStep;
+  LoadKick::Commands looked_commands_;
+
   bool switches_ = false;  // some load is switched during a run
   // s; a cache: no load is switched from switch_from_ until switch_at_.
   double switch_from_ = std::numeric_limits<double>::infinity(), switch_at_ = 0.0;
   bool has_command_jumps_ = false;  // in the step that comes or is under way
   std::array<CommandJump, kMaxContacts> command_jumps_;
-  // For a step in parts: contacts before it; x.after under the mean loads; weighted sum of the
-  // parts.
-  StepContacts::State before_parts_;
-  Coordinates mean_after_, part_sum_;
+  // For a step in two parts: the contacts before the step; v_end under the mean loads; the weighted
+  // sum of v_end of the parts.
+  StepContacts::States states_before_;
+  Coordinates mean_v_end_, part_sum_;
 
-  std::optional<FiniteImpact> slow_impact_;  // only for a single contact
-  bool in_slow_impact_ = false;              // it was under way at t_k
+  std::optional<FiniteImpact> finite_impact_;  // only for a single contact
+  bool in_finite_impact_ = false;              // such an impact was under way at t_k
   double impact_time_ = 0.0;
-  double slow_impact_step_ = 0.0;  // s, start of the last step of such an impact, from the origin
+  double finite_impact_step_ = 0.0;  // s, start of the last step of such an impact, from the origin
 };
 
 }  // namespace rotorub

@@ -22,6 +22,7 @@ class Keyphasor {  // collects the passes of a run
   // angle: rad. A mark exactly at the starting angle does not count as passed.
   void begin(double angle) {
     last_ = angle;
+    low_ = high_ = 0.0;
     passes_.clear();
   }
   // Covers the angles from the last call to this one, in either direction. place(mark) must return
@@ -29,10 +30,17 @@ class Keyphasor {  // collects the passes of a run
   // passed. A step of more than kMostTurns turns adds none.
   template <class Place>
   void follow(double angle, Place place) {
+    if (angle > low_ && angle < high_) {
+      last_ = angle;
+      return;
+    }
     const double sense = angle < last_ ? -1.0 : 1.0;
     const double begin = std::floor(sense * last_ / kTurn);
     const double turns = std::floor(sense * angle / kTurn) - begin;
     last_ = angle;
+    const double mark = kTurn * std::floor(angle / kTurn);
+    low_ = mark + kNear;
+    high_ = mark + kTurn - kNear;
     if (!(turns <= kMostTurns)) return;
     for (int k = 1; k <= static_cast<int>(turns); ++k)
       passes_.push_back(place(sense * (begin + k) * kTurn));
@@ -42,8 +50,10 @@ class Keyphasor {  // collects the passes of a run
  private:
   static constexpr double kTurn = 2.0 * std::numbers::pi;
   static constexpr double kMostTurns = 4.0;
+  static constexpr double kNear = 1e-6;  // rad, from a mark; round-off of the angle is smaller
 
-  double last_ = 0.0;  // rad
+  double last_ = 0.0;              // rad
+  double low_ = 0.0, high_ = 0.0;  // rad; no mark passes while the angle stays between them
   std::vector<KeyphasorPass> passes_;
 };
 

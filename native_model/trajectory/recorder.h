@@ -7,6 +7,7 @@
 #include <array>
 #include <cmath>
 #include <cstddef>
+#include <cstdint>
 #include <numeric>
 #include <vector>
 
@@ -34,7 +35,7 @@ class ImpulseWindow {
   // t: s, ascending; impulse: N s.
   void add(double t, double impulse) {
     if (bin_ <= 0.0) return;
-    const double bin = std::floor(t / bin_);
+    const auto bin = static_cast<double>(static_cast<std::int64_t>(t / bin_));  // t >= 0
     if (bin != now_) move_to(bin);
     bins_[newest_] += impulse;
     sum_ += impulse;

@@ -57,9 +57,9 @@ struct SlidingContact {
   std::optional<double> curvature{};   // m/s^2, v_t^2 / delta >= 0; empty: no correction
 };
 
-// Shifts the contacts' normal references. Called by act() (passes.cc), after the references of the
-// friction rows are set. Contacts without friction rows are not corrected for sliding, only for the
-// curvature.
+// Shifts the contacts' normal references. Called by apply_command_and_contacts() (passes.cc), after
+// the references of the friction rows are set. Contacts without friction rows are not corrected for
+// sliding, only for the curvature.
 void correct_cones(const mjModel* m, mjData* d, std::span<const SlidingContact> contacts);
 
 }  // namespace rotorub::plugin

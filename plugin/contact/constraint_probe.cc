@@ -172,7 +172,7 @@ void ConstraintProbe::run() {
   mju_add(total_, d_->qfrc_smooth, d_->qfrc_constraint, count(m_->nv));
 }
 
-void ConstraintProbe::run_sudden() {
+void ConstraintProbe::run_instant() {
   const SuddenRows rows(d_);
   run();
 }

@@ -47,10 +47,10 @@ class ConstraintProbe {
   // of the rows (friction losses). add() adds impulse / h, so that h d->qacc is the change of the
   // velocities.
   template <typename Add>
-  void solve_sudden(Add add) {
+  void solve_instant(Add add) {
     std::fill_n(d_->qfrc_smooth, count(m_->nv), 0.0);
     add(d_->qfrc_smooth);
-    run_sudden();
+    run_instant();
   }
   // The acceleration of the last trial in contact space, over MuJoCo's step (by H).
   Eigen::Vector3d acceleration(const ContactSpace& space);
@@ -61,7 +61,7 @@ class ConstraintProbe {
 
  private:
   void run();
-  void run_sudden();
+  void run_instant();
 
   const mjModel* m_;
   mjData* d_;

@@ -102,10 +102,10 @@ ContactForces contact_forces(const Config& config, const mjModel* m, const mjDat
 
 ContactForces contact_forces(const ContactPair& pair, const mjModel* m, const mjData* d) {
   const ContactEntries& entry = contact_entries(pair, d);
-  if (pair.law == scene::ContactModel::kRigid || pair.further) return rigid_forces(entry);
+  if (pair.contact_model == scene::ContactModel::kRigid || pair.further) return rigid_forces(entry);
   const mjContact* contact = find_contact(pair, d);
   if (!contact) return {};
-  if (pair.law != scene::ContactModel::kCoulomb) return cone_forces(m, d, *contact);
+  if (pair.contact_model != scene::ContactModel::kCoulomb) return cone_forces(m, d, *contact);
   return entry.normal_force > 0.0 ? recorded_forces(entry) : ContactForces{};
 }
 

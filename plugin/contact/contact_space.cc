@@ -67,7 +67,7 @@ ContactPlace contact_place(const ContactPair& pair, const mjData* d) {
   place.axes = contact_axes(pair, d);
   const Eigen::Vector3d centre = rotor_in_ring(pair, d);
   place.d = centre.head<2>();
-  place.ring_spin = 1.0 + place.d.norm() / pair.contact.radius;
+  place.ring_spin_factor = 1.0 + place.d.norm() / pair.contact.radius;
   const mjtNum* ring = d->geom_xpos + 3 * pair.ring_geom;
   for (int i = 0; i < 3; ++i) place.ring_point[i] = ring[i] + centre.z() * place.axes[3 * i + 2];
   return place;
@@ -89,7 +89,7 @@ BodySpace::BodySpace(const ContactPair& pair, const ContactPlace& place, const m
   std::fill_n(jacobian_, 3 * nv_, 0.0);
   const int rotor = m->geom_bodyid[pair.rotor_geom], ring = m->geom_bodyid[pair.ring_geom];
   add_body(place.axes, d->geom_xpos + 3 * pair.rotor_geom, rotor, 1.0, 1.0);
-  add_body(place.axes, place.ring_point, ring, -1.0, place.ring_spin);
+  add_body(place.axes, place.ring_point, ring, -1.0, place.ring_spin_factor);
   trees_[0] = tree_of(m, rotor);
   if (m->body_rootid[ring] != m->body_rootid[rotor]) trees_[1] = tree_of(m, ring);
   solve();
@@ -213,7 +213,7 @@ ContactSpaces::~ContactSpaces() {
   }
 }
 
-ContactSpaces::Made ContactSpaces::add(const ContactPair& pair) {
+ContactSpaces::PairSpaces ContactSpaces::add(const ContactPair& pair) {
   ContactPlace place = contact_place(pair, d_);
   if (pair.further) {
     place.d = separation(config_.model, Coordinates(config_, d_).q(), pair.bearing);
@@ -245,7 +245,7 @@ ContactMatrix contact_matrix(std::span<const ContactRows* const> contacts, Eigen
         return (impact ? at.admittance(from) : at.flexibility(from)) * load;
       };
       for (std::size_t i = 0; i < contacts.size(); ++i) {
-        a.col(first(j) + k).segment(first(i), rows) = contacts[i]->along(answer).head(rows);
+        a.col(first(j) + k).segment(first(i), rows) = contacts[i]->contact_rates(answer).head(rows);
       }
     }
   }

@@ -135,9 +135,9 @@ bool face_each_other(const ContactPair& pair, const mjData* d);
 // Where the rates of a contact are taken.
 struct ContactPlace {
   const mjtNum* axes;
-  mjtNum ring_point[3];  // m, point of the ring's axis nearest to the rotor's centre
-  Eigen::Vector2d d;     // m, position_of
-  double ring_spin;      // 1 + delta / r
+  mjtNum ring_point[3];     // m, point of the ring's axis nearest to the rotor's centre
+  Eigen::Vector2d d;        // m, position_of
+  double ring_spin_factor;  // 1 + delta / r
 };
 ContactPlace contact_place(const ContactPair& pair, const mjData* d);
 // The part of d^2/dt^2 of `d` that exists without any acceleration of a coordinate, J' qvel, m/s^2.
@@ -218,9 +218,9 @@ struct ContactRows {
     action(*plane, contact_load(e_r, radius, p.x(), p.y()));
     if (axial && p.z() != 0.0) action(*axial, p.z() * column(2));
   }
-  // Gap rate, slip and slip along the axis for the rates of(space), or their accelerations.
+  // (gap rate, slip, slip along the axis) for the rates of(space); also for accelerations.
   template <typename Of>
-  Eigen::Vector3d along(Of of) const {
+  Eigen::Vector3d contact_rates(Of of) const {
     const Eigen::Vector2d y = rates_along(e_r, radius, of(*plane));
     return {y.x(), y.y(), axial ? column(2).dot(of(*axial)) : 0.0};
   }
@@ -237,12 +237,13 @@ class ContactSpaces {
   ContactSpaces(const ContactSpaces&) = delete;
   ContactSpaces& operator=(const ContactSpaces&) = delete;
 
-  struct Made {
+  // Where the rates of a pair are taken, and its spaces.
+  struct PairSpaces {
     ContactPlace place;
     const ContactSpace* plane;
     const ContactSpace* axial;  // null: no motion along the axis
   };
-  Made add(const ContactPair& pair);  // at most kMaxContacts
+  PairSpaces add(const ContactPair& pair);  // at most kMaxContacts
 
  private:
   struct Spaces {

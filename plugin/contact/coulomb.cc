@@ -74,7 +74,7 @@ Reference reference_of(const ContactPair& pair, const mjModel* m, const mjData* 
   return {-solref[0] / impedance, -solref[1] / impedance};
 }
 
-CoulombContact coulomb_contact(const ContactPair& pair, const ContactSpaces::Made& at,
+CoulombContact coulomb_contact(const ContactPair& pair, const ContactSpaces::PairSpaces& at,
                                const mjModel* m, mjData* d, int row) {
   const auto& [place, space, axial] = at;
   const double h = m->opt.timestep;
@@ -91,7 +91,7 @@ CoulombContact coulomb_contact(const ContactPair& pair, const ContactSpaces::Mad
   // is half a step old.
   const Reference r = reference_of(pair, m, d, row);
   const double reference = -r.damping * (p.gap_rate + 0.5 * h * s.curvature) - r.stiffness * p.gap;
-  if (pair.contact.gives()) {
+  if (pair.contact.is_compliant()) {
     s.compliant_force = compliant_force(pair, p, m, d);
   }
   s.base = {-s.curvature - reference,
@@ -106,7 +106,7 @@ CoulombContact coulomb_contact(const ContactPair& pair, const ContactSpaces::Mad
 // With other contacts, whose forces may close this one, the common law decides.
 template <typename Free>
 void look(CoulombContact& s, bool with_others, Free free, const mjModel* m, mjData* d) {
-  const Eigen::Vector3d a = s.along(free);
+  const Eigen::Vector3d a = s.contact_rates(free);
   s.free = s.base + a;
   if (s.compliant_force) {
     s.closed = *s.compliant_force > 0.0;
@@ -132,7 +132,7 @@ template <typename Rates>
 void set_references(const CoulombContacts& contacts, Rates rates, mjData* d) {
   for (const CoulombContact& s : contacts) {
     if (s.row == kNoRow) continue;
-    const double found = s.along(rates).x();
+    const double found = s.contact_rates(rates).x();
     d->efc_aref[s.row] =
         s.force.x() > 0.0 ? found + d->efc_R[s.row] * s.force.x() : open_reference(found);
   }
@@ -197,7 +197,8 @@ class ForceResponse final : public ContactResponse {
     const auto found = [this](const ContactSpace& at) { return probe_.acceleration(at); };
     for (std::size_t k = 0; k < closed_.at.size(); ++k) {
       const CoulombContact& s = *closed_.at[k];
-      y.segment(closed_.row(k), closed_.rows) = (s.base + s.along(found)).head(closed_.rows);
+      y.segment(closed_.row(k), closed_.rows) =
+          (s.base + s.contact_rates(found)).head(closed_.rows);
     }
     return y;
   }
@@ -230,7 +231,7 @@ void solve_free(CoulombContacts& contacts, const mjModel* m, mjData* d) {
       b.segment(closed.row(k), closed.rows) = closed.at[k]->free.head(closed.rows);
     }
     const CoupledSolution s = closed.sets.empty()
-                                  ? solve_compression(closed.matrix(), b, closed.laws)
+                                  ? solve_coupled_coulomb(closed.matrix(), b, closed.laws)
                                   : solve_coupled(closed.matrix(), b, closed.sets);
     if (s.solutions > 0) put(closed, s.p, s.sticks);
   }
@@ -296,14 +297,14 @@ void apply_coulomb(const Config& config, const mjModel* m, mjData* d) {
   CoulombContacts contacts;
   ContactList<int> own;  // their rows
   for (const ContactPair& pair : config.pairs) {
-    if (pair.law == scene::ContactModel::kRigid) continue;
+    if (pair.contact_model == scene::ContactModel::kRigid) continue;
     ContactEntries& entry = contact_entries(pair, d);
     entry.normal_force = entry.friction_force = 0.0;
     const mjContact* contact = find_contact(pair, d);
     const bool detected = pair.further ? is_detected(config, pair, m, d) : contact != nullptr;
     if (!detected) entry.mode = 0.0;
-    if (!detected && pair.contact.gives()) pass_without_contact(pair, m, d);
-    if (!detected || pair.law != scene::ContactModel::kCoulomb) continue;
+    if (!detected && pair.contact.is_compliant()) pass_without_contact(pair, m, d);
+    if (!detected || pair.contact_model != scene::ContactModel::kCoulomb) continue;
     if (contacts.empty()) {
       compute_actuators(m, d);
       mj_fwdAcceleration(m, d);

@@ -19,9 +19,9 @@
 
 namespace rotorub::plugin {
 
-// Called by act() (passes.cc) after the command has been written. For pairs of `coulomb`, adds the
-// friction to d->qfrc_passive and sets the references of their rows. For pairs of the cones,
-// updates the entries in userdata.
+// Called by apply_command_and_contacts() (passes.cc) after the command has been written. For pairs
+// of `coulomb`, adds the friction to d->qfrc_passive and sets the references of their rows. For
+// pairs of the cones, updates the entries in userdata.
 void apply_coulomb(const Config& config, const mjModel* m, mjData* d);
 
 }  // namespace rotorub::plugin

@@ -45,14 +45,14 @@ void apply_cones(const Config& config, const mjModel* m, mjData* d) {
     });
   }
   for (const ContactPair& pair : config.pairs) {
-    if (!scene::is_cone(pair.law)) continue;
+    if (!scene::is_cone(pair.contact_model)) continue;
     for_each_solved(d, pair.rotor_geom, pair.ring_geom, [&](const mjContact& c) {
       if (pair.prescribed_spin != 0.0 && c.dim >= 3)
         add_prescribed_slip(pair.contact.radius * pair.prescribed_spin, m, d, c);
-      if (pair.contact.gives()) {
+      if (pair.contact.is_compliant()) {
         give_way(pair, m, d, c);
         corrected.push_back({&c, {}});
-      } else if (pair.law == scene::ContactModel::kConeCoulomb) {
+      } else if (pair.contact_model == scene::ContactModel::kConeCoulomb) {
         set_friction_reference(m, d, c, stops_slip);
         const ContactPoint point = contact_point_of(pair, m, d);
         corrected.push_back({&c, point.whirl_speed() * point.whirl_speed() / point.delta});

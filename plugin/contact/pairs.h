@@ -17,8 +17,8 @@
 
 namespace rotorub::plugin {
 
-// Called by act() (passes.cc), when the results of the velocity stage are up to date. Adds to
-// d->qfrc_passive.
+// Called by apply_command_and_contacts() (passes.cc), when the results of the velocity stage are up
+// to date. Adds to d->qfrc_passive.
 void apply_contacts(const Config& config, const mjModel* m, mjData* d);
 
 // MuJoCo's collision function of the pair: a disc in an exact ring. Fills con[0] if the gap is

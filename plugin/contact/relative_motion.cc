@@ -70,7 +70,7 @@ bool lies_across(const mjModel* m, const ContactPair& pair) {
 }
 
 bool slides_along_axis(const mjModel* m, const ContactPair& pair) {
-  if (pair.contact.friction.none()) return false;
+  if (pair.contact.friction.is_frictionless()) return false;
   const mjtNum z[3] = {0, 0, 1};
   const Frame ring = geom_frame(m, pair.ring_geom), rotor = geom_frame(m, pair.rotor_geom);
   mjtNum along[3], nearest[3], apart[3];
@@ -145,7 +145,7 @@ Eigen::Vector3d rates_of(const ContactPair& pair, const ContactPlace& place, con
     }
   };
   add(m->geom_bodyid[pair.rotor_geom], d->geom_xpos + 3 * pair.rotor_geom, 1.0, 1.0);
-  add(m->geom_bodyid[pair.ring_geom], place.ring_point, -1.0, place.ring_spin);
+  add(m->geom_bodyid[pair.ring_geom], place.ring_point, -1.0, place.ring_spin_factor);
   return rates;
 }
 

@@ -39,7 +39,7 @@ class RigidSolver {
   RigidSolver(const mjModel* m, mjData* d, std::span<RigidContact* const> members,
               ConstraintProbe* probe)
       : members_(members), probe_(probe), contacts_(m, d, members, probe) {
-    contacts_.find_ends();
+    contacts_.update_ends();
     for (RigidContact* c : members_) {
       c->step.free = c->end;
       c->closed = closes(*c);
@@ -50,7 +50,7 @@ class RigidSolver {
     // Each round closes a further contact or is the last.
     for (std::size_t round = 0; round <= members_.size() && contacts_.any_closed(); ++round) {
       if (!solve_closed()) {
-        contacts_.give_none();
+        contacts_.clear_impulses();
         break;
       }
       if (!close_driven()) break;
@@ -60,7 +60,7 @@ class RigidSolver {
     }
     if (!probe_ || !contacts_.any_closed()) return;
     // The forward pass will find the step with all impulses.
-    contacts_.find_ends();
+    contacts_.update_ends();
     probe_->keep();
   }
   void add_forces(mjtNum* to) const { contacts_.add_forces(to); }
@@ -73,8 +73,8 @@ class RigidSolver {
     if (find_impacts(all) && !solve_impacts(all)) return false;
     for (RigidContact* c : members_) {
       c->result.converged = contacts_.converged();
-      c->result.normal = c->lasting.x() + c->sudden.x();
-      c->result.friction = c->lasting.y() + c->sudden.y();
+      c->result.normal = c->lasting_impulse.x() + c->impact_impulse.x();
+      c->result.friction = c->lasting_impulse.y() + c->impact_impulse.y();
     }
     return true;
   }
@@ -82,14 +82,14 @@ class RigidSolver {
   // Takes all impulses back, and finds the normals of the closed contacts and which are impacts.
   void start_over() {
     for (RigidContact* c : members_) {
-      c->lasting = c->sudden = Eigen::Vector3d::Zero();
+      c->lasting_impulse = c->impact_impulse = Eigen::Vector3d::Zero();
       c->result = {};
       if (!c->closed) continue;
       const ContactParameters& contact = c->pair->contact;
       c->rows.e_r = c->result.e_r = contact_normal(c->step, contact.clearance);
       c->impact = is_impact(c->step, c->rows.e_r, contact);
     }
-    contacts_.find_ends();
+    contacts_.update_ends();
   }
 
   bool solve_lasting() {
@@ -100,10 +100,10 @@ class RigidSolver {
     if (lasting.members.empty()) return true;
     SubsetSolution found;
     if (!contacts_.solve(lasting, found)) return false;
-    contacts_.find_ends();
+    contacts_.update_ends();
     for (std::size_t k = 0; k < lasting.members.size(); ++k) {
       RigidContact& c = *lasting.members[k].at;
-      c.result.mode = mode_of(c.lasting.x(), found.sticks[k]);
+      c.result.mode = mode_of(c.lasting_impulse.x(), found.sticks[k]);
     }
     return true;
   }
@@ -126,19 +126,19 @@ class RigidSolver {
     const ContactVector before = contacts_.rates(s);
     SubsetSolution found;
     if (!contacts_.solve(s, found)) return false;
-    contacts_.find_ends();
+    contacts_.update_ends();
     const ContactVector after = found.after.size() > 0 ? found.after : contacts_.rates(s);
     for (std::size_t k = 0; k < s.members.size(); ++k) {
       RigidContact& c = *s.members[k].at;
-      if (!(c.sudden.x() > 0.0)) continue;
+      if (!(c.impact_impulse.x() > 0.0)) continue;
       const Eigen::Index row = contacts_.row(k);
       // A lasting contact that the impact does not open goes on.
       const double changed = std::abs(after[row]) + before.cwiseAbs().maxCoeff();
       if (!c.impact && after[row] <= 1e-9 * changed) {
-        c.result.mode = mode_of(c.sudden.x(), found.sticks[k]);
+        c.result.mode = mode_of(c.impact_impulse.x(), found.sticks[k]);
         continue;
       }
-      c.result.mode = found.lasts[k] ? mode_of(c.sudden.x(), found.sticks[k]) : Mode::kFree;
+      c.result.mode = found.lasts[k] ? mode_of(c.impact_impulse.x(), found.sticks[k]) : Mode::kFree;
       c.result.impact = true;
       c.result.gap_rate_before = before[row] - s.members[k].offset;
       c.result.slip_before = before[row + 1];
@@ -231,7 +231,8 @@ void note_results(const mjModel* m, mjData* d, std::span<RigidContact* const> gr
     if (at->constrained && !at->result.converged) unsolved = at;
     memory.note(at->result);
     if (!at->rows.axial) continue;
-    note_contact(d, at->pair->data, at->result.e_r, (at->lasting.z() + at->sudden.z()) / h);
+    note_contact(d, at->pair->data, at->result.e_r,
+                 (at->lasting_impulse.z() + at->impact_impulse.z()) / h);
   }
   if (unsolved && !warned) warn_unsolved(m, d, *unsolved->rows.plane);
 }
@@ -276,7 +277,7 @@ void apply_rigid(const Config& config, const mjModel* m, mjData* d) {
   ContactList<const ContactPair*> facing;
   bool near = false;
   for (const ContactPair& pair : config.pairs) {
-    if (pair.law != scene::ContactModel::kRigid) continue;
+    if (pair.contact_model != scene::ContactModel::kRigid) continue;
     ContactMemory memory(d, pair, m->opt.timestep);
     if (!face_each_other(pair, d)) {
       memory.begin_anew();

@@ -10,8 +10,8 @@
 
 namespace rotorub::plugin {
 
-// For the pairs with a rigid contact. Called by act() (passes.cc); adds their impulses to
-// d->qfrc_passive as forces over the step, and records them (contact_memory.h).
+// For the pairs with a rigid contact. Called by apply_command_and_contacts() (passes.cc); adds
+// their impulses to d->qfrc_passive as forces over the step, and records them (contact_memory.h).
 void apply_rigid(const Config& config, const mjModel* m, mjData* d);
 
 }  // namespace rotorub::plugin

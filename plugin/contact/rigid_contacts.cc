@@ -13,12 +13,12 @@ class RigidContacts::Response final : public ContactResponse {
   Response(RigidContacts& contacts, const ContactSubset& subset)
       : contacts_(contacts), subset_(subset) {}
   ContactVector at(const ContactVector& p) override {
-    contacts_.put(subset_, p);
-    contacts_.find_ends();
+    contacts_.set_impulses(subset_, p);
+    contacts_.update_ends();
     return contacts_.rates(subset_);
   }
-  ContactVector sudden(const ContactVector& p) override {
-    return contacts_.sudden_change(subset_, p);
+  ContactVector instant_change(const ContactVector& p) override {
+    return contacts_.instant_change(subset_, p);
   }
   double accuracy() const override { return contacts_.h_ * contacts_.probe_->accuracy(); }
 
@@ -48,10 +48,10 @@ bool RigidContacts::any_closed() const {
                      [](const RigidContact* c) { return c->closed; });
 }
 
-void RigidContacts::give_none() {
+void RigidContacts::clear_impulses() {
   for (RigidContact* c : members_) {
     const Status status = c->result.status;
-    c->lasting = c->sudden = Eigen::Vector3d::Zero();
+    c->lasting_impulse = c->impact_impulse = Eigen::Vector3d::Zero();
     c->result = {};
     c->result.status = status;
     c->result.converged = converged_;
@@ -62,7 +62,7 @@ template <typename Action>
 void RigidContacts::for_each_load(double by, Action action) const {
   for (const RigidContact* c : members_) {
     for (const bool impact : {false, true}) {
-      const Eigen::Vector3d& p = impact ? c->sudden : c->lasting;
+      const Eigen::Vector3d& p = impact ? c->impact_impulse : c->lasting_impulse;
       if (!c->closed || p.isZero(0.0)) continue;
       c->rows.for_each_load(p / by, [&](const ContactSpace& at, const Eigen::Vector3d& load) {
         action(at, load, impact);
@@ -86,7 +86,7 @@ Eigen::Vector3d RigidContacts::end_of(const ContactSpace& at, const Eigen::Vecto
   return end;
 }
 
-void RigidContacts::find_ends() {
+void RigidContacts::update_ends() {
   if (probe_) probe_->solve([this](mjtNum* force) { add_forces(force); });
   for (RigidContact* c : members_) {
     c->end = end_of(*c->rows.plane, c->step.start);
@@ -95,34 +95,34 @@ void RigidContacts::find_ends() {
 }
 
 template <typename RatesIn>
-ContactVector RigidContacts::along(const ContactSubset& s, RatesIn rates_in) const {
+ContactVector RigidContacts::contact_rates(const ContactSubset& s, RatesIn rates_in) const {
   ContactVector y(row(s.members.size()));
   for (std::size_t k = 0; k < s.members.size(); ++k) {
     const RigidContact& c = *s.members[k].at;
     const auto in_space = [&](const ContactSpace& at) -> Eigen::Vector3d {
       return rates_in(c, at);
     };
-    y.segment(row(k), rows_) = c.rows.along(in_space).head(rows_);
+    y.segment(row(k), rows_) = c.rows.contact_rates(in_space).head(rows_);
   }
   return y;
 }
 
 ContactVector RigidContacts::rates(const ContactSubset& s) const {
-  ContactVector y = along(s, [](const RigidContact& c, const ContactSpace& at) {
+  ContactVector y = contact_rates(s, [](const RigidContact& c, const ContactSpace& at) {
     return &at == c.rows.axial ? c.axial_end : c.end;
   });
   for (std::size_t k = 0; k < s.members.size(); ++k) y[row(k)] += s.members[k].offset;
   return y;
 }
 
-ContactVector RigidContacts::sudden_change(const ContactSubset& s, const ContactVector& p) {
-  put(s, p);
-  probe_->solve_sudden([this](mjtNum* to) {
+ContactVector RigidContacts::instant_change(const ContactSubset& s, const ContactVector& p) {
+  set_impulses(s, p);
+  probe_->solve_instant([this](mjtNum* to) {
     for_each_load(h_, [to](const ContactSpace& at, const Eigen::Vector3d& load, bool impact) {
       if (impact) at.add(load, true, to);
     });
   });
-  return along(s, [this](const RigidContact&, const ContactSpace& at) -> Eigen::Vector3d {
+  return contact_rates(s, [this](const RigidContact&, const ContactSpace& at) -> Eigen::Vector3d {
     return h_ * probe_->acceleration(at);
   });
 }
@@ -133,11 +133,11 @@ ContactMatrix RigidContacts::matrix(const ContactSubset& s) const {
   return contact_matrix(all, rows_, s.impact);
 }
 
-void RigidContacts::put(const ContactSubset& s, const ContactVector& p) {
+void RigidContacts::set_impulses(const ContactSubset& s, const ContactVector& p) {
   for (std::size_t k = 0; k < s.members.size(); ++k) {
     RigidContact& c = *s.members[k].at;
-    (s.impact ? c.sudden : c.lasting) = {p[row(k)], p[row(k) + 1],
-                                         c.rows.axial ? p[row(k) + 2] : 0.0};
+    (s.impact ? c.impact_impulse : c.lasting_impulse) = {p[row(k)], p[row(k) + 1],
+                                                         c.rows.axial ? p[row(k) + 2] : 0.0};
   }
 }
 
@@ -146,7 +146,7 @@ bool RigidContacts::solve(const ContactSubset& s, SubsetSolution& out) {
   const ContactVector free = rates(s);
   ContactList<ImpactLaw> laws;
   for (const ContactSubset::Member& member : s.members) {
-    laws.push_back(member.at->pair->contact.law());
+    laws.push_back(member.at->pair->contact.impact_law());
   }
   if (probe_) return solve_with_constraints(s, a, free, laws, out);
   // Impact times count only for a planar contact that is alone on its bodies, without constraints.
@@ -155,13 +155,13 @@ bool RigidContacts::solve(const ContactSubset& s, SubsetSolution& out) {
       s.impact && members_.size() == 1 && rows_ == 2 && first.pair->contact.impact_time() > 0.0;
   const CoupledSolution found = over_time  ? solve_impact_over_time(first)
                                 : s.impact ? solve_coupled_impact(a, free, laws)
-                                           : solve_lasting(a, free, laws, slips_before(s));
-  if (found.solutions != 1) {
+                                           : solve_coupled_lasting(a, free, laws, slips_before(s));
+  if (!found.is_unique()) {
     set_status(s, status_of(found.solutions));
     return false;
   }
   out.sticks = found.sticks;
-  put(s, found.p);
+  set_impulses(s, found.p);
   return true;
 }
 
@@ -177,7 +177,7 @@ CoupledSolution RigidContacts::solve_impact_over_time(const RigidContact& at) co
   in.expansion_time = contact.expansion_time;
   // `end` includes the loads of the whole step; the impact law adds those during the impact itself.
   in.velocity = at.end - in.acceleration * contact.impact_time();
-  const ImpactResult r = solve_impact(in, contact.law());
+  const ImpactResult r = solve_impact(in, contact.impact_law());
   CoupledSolution out;
   out.solutions = r.status == Status::kOk ? 1 : r.status == Status::kNoSolution ? 0 : 2;
   out.p = Eigen::Vector2d(r.normal(), r.friction());
@@ -185,7 +185,7 @@ CoupledSolution RigidContacts::solve_impact_over_time(const RigidContact& at) co
 }
 
 ContactList<double> RigidContacts::slips_before(const ContactSubset& s) const {
-  const ContactVector y = along(s, [](const RigidContact& c, const ContactSpace& at) {
+  const ContactVector y = contact_rates(s, [](const RigidContact& c, const ContactSpace& at) {
     return &at == c.rows.axial ? c.axial_start : c.step.start;
   });
   ContactList<double> slips;
@@ -207,7 +207,7 @@ bool RigidContacts::solve_with_constraints(const ContactSubset& s, const Contact
   out.sticks = found.sticks;
   out.lasts = found.lasts;
   if (s.impact) out.after = found.after;
-  put(s, found.solved ? found.p : ContactVector::Zero(free.size()));
+  set_impulses(s, found.solved ? found.p : ContactVector::Zero(free.size()));
   return found.solved;
 }
 

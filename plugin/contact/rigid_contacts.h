@@ -37,8 +37,9 @@ struct RigidContact {
   bool blocked = false;  // it would end outside its ring, but no impulse opens its gap
   // It starts an impact itself: it was open, and its rebound lasts longer than two steps.
   bool impact = false;
-  // N s, (normal, friction, friction along the axis) of the two parts of the step.
-  Eigen::Vector3d lasting{0.0, 0.0, 0.0}, sudden{0.0, 0.0, 0.0};
+  // N s, (normal, friction, friction along the axis) of the two parts of the step: first the
+  // lasting contacts over the step, then the impacts in no time (rigid.cc).
+  Eigen::Vector3d lasting_impulse{0.0, 0.0, 0.0}, impact_impulse{0.0, 0.0, 0.0};
   // Rates at the end of the step with all impulses so far.
   Eigen::Vector3d end{0.0, 0.0, 0.0}, axial_end{0.0, 0.0, 0.0};
   RigidResult result;
@@ -75,14 +76,14 @@ class RigidContacts {
   Eigen::Index row(std::size_t k) const { return rows_ * static_cast<Eigen::Index>(k); }
 
   // Finds the rates at the end of the step with the present impulses.
-  void find_ends();
+  void update_ends();
   // (gap rate + offset, slip, slip along the axis) of a subset.
   ContactVector rates(const ContactSubset& s) const;
   // Finds the impulses of the subset. False: there is no solution, or there are several; the status
   // of the results says which.
   bool solve(const ContactSubset& s, SubsetSolution& out);
-  // Takes all impulses back and keeps the status.
-  void give_none();
+  // Sets all impulses to 0 and keeps the status of the results.
+  void clear_impulses();
 
   // Adds the impulses as forces over the step.
   void add_forces(mjtNum* to) const;
@@ -93,17 +94,19 @@ class RigidContacts {
   // Calls action(space, load, impact) with the loads of all impulses, divided by `by`.
   template <typename Action>
   void for_each_load(double by, Action action) const;
-  // (gap rate, slip, slip along the axis) of a subset for the rates rates_in(contact, space).
+  // (gap rate, slip, slip along the axis) of the contacts of a subset, one after the other.
+  // rates_in(contact, space): the contact's rates in one of its spaces.
   template <typename RatesIn>
-  ContactVector along(const ContactSubset& s, RatesIn rates_in) const;
+  ContactVector contact_rates(const ContactSubset& s, RatesIn rates_in) const;
   // The impulses of the only contact in an impact that takes time.
   CoupledSolution solve_impact_over_time(const RigidContact& at) const;
   // The slip of each contact of the subset where the step begins, m/s.
   ContactList<double> slips_before(const ContactSubset& s) const;
   ContactMatrix matrix(const ContactSubset& s) const;
-  void put(const ContactSubset& s, const ContactVector& p);
+  // Sets the impulses of the subset's part of the step.
+  void set_impulses(const ContactSubset& s, const ContactVector& p);
   // How impulses that act in no time change the subset's rates.
-  ContactVector sudden_change(const ContactSubset& s, const ContactVector& p);
+  ContactVector instant_change(const ContactSubset& s, const ContactVector& p);
   // Rates at the end of the step in one space; `start`: the rates at its beginning.
   Eigen::Vector3d end_of(const ContactSpace& at, const Eigen::Vector3d& start) const;
   bool solve_with_constraints(const ContactSubset& s, const ContactMatrix& a,

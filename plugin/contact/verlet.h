@@ -20,8 +20,8 @@
 namespace rotorub::plugin {
 
 // Writes the command of the scene's controller to ctrl, adds to d->qfrc_passive and sets the
-// userdata entries of the contacts. Called by act() (passes.cc). RK4 must have been refused
-// (model/options.h).
+// userdata entries of the contacts. Called by apply_command_and_contacts() (passes.cc). RK4 must
+// have been refused (model/options.h).
 void apply_verlet(const Config& config, const mjModel* m, mjData* d, const Coordinates& state);
 
 // Works of a native step on the coordinates, J: of all contacts, of their impacts alone, and of all

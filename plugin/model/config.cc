@@ -31,12 +31,16 @@ int count_pairs(const mjModel* m, int geom_a, int geom_b) {
 }
 
 bool Config::has_rigid() const {
-  const auto rigid = [](const ContactPair& p) { return p.law == scene::ContactModel::kRigid; };
+  const auto rigid = [](const ContactPair& p) {
+    return p.contact_model == scene::ContactModel::kRigid;
+  };
   return std::any_of(pairs.begin(), pairs.end(), rigid);
 }
 
 bool Config::has_soft() const {
-  const auto soft = [](const ContactPair& p) { return p.law != scene::ContactModel::kRigid; };
+  const auto soft = [](const ContactPair& p) {
+    return p.contact_model != scene::ContactModel::kRigid;
+  };
   return std::any_of(pairs.begin(), pairs.end(), soft);
 }
 

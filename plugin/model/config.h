@@ -42,8 +42,8 @@ inline bool are_geoms(int a, int b, int geom1, int geom2) {  // in either order
 
 // The contact of a rotor in its ring, in a generated model or in a user's own.
 struct ContactPair {
-  scene::ContactModel law = scene::ContactModel::kRigid;
-  ContactParameters contact{};
+  scene::ContactModel contact_model = scene::ContactModel::kRigid;
+  ContactParameters contact{};  // geometry and laws
   int rotor_geom = -1, ring_geom = -1;
   int pair = -1;  // index of their <pair>; -1: none
   int data = 0;   // index of its entries in mjData.userdata (user_data.h)

@@ -34,8 +34,8 @@ constexpr Attribute kStiffnessPolynomial{"stiffness with several numbers", "3.7"
 
 // True if MuJoCo's solver alone finds the force, from its own references.
 bool is_mujocos_alone(const ContactPair& pair) {
-  return pair.law == scene::ContactModel::kCone && pair.friction_reference == 0.0 &&
-         !pair.contact.gives();
+  return pair.contact_model == scene::ContactModel::kCone && pair.friction_reference == 0.0 &&
+         !pair.contact.is_compliant();
 }
 
 std::string unsupported_by(scene::ContactModel law) {
@@ -50,7 +50,7 @@ void check_motion(const Model* m, const ContactPair& pair) {
       if (!any(m->geom_surfacevel + 6 * geom, 6)) continue;
       refuse_attribute(
           message("<geom name=\"{}\">", m->names + m->name_geomadr[geom]), {"surfacevel", "3.11"},
-          unsupported_by(pair.law),
+          unsupported_by(pair.contact_model),
           message("remove it, turn the body of the geom with a joint instead, {}", kOrCone));
     }
   }
@@ -221,7 +221,7 @@ bool is_disabled(const Model* m, int actuator) {
 void check_surface(const mjModel* m, const ContactPair& pair) {
   if (is_mujocos_alone(pair)) return;
   check_motion(m, pair);
-  check_adhesion(m, pair.pair, pair.rotor_geom, pair.ring_geom, pair.law);
+  check_adhesion(m, pair.pair, pair.rotor_geom, pair.ring_geom, pair.contact_model);
 }
 
 void check_corrected_pair(const mjModel* m, int pair) {

@@ -127,8 +127,9 @@ void check_across(const mjModel* m, const ContactPair& p) {
 std::optional<ContactPair> make_pair(const mjModel* m, const PairName& name, Refusals& refusals) {
   ContactPair p;
   const auto check = [&refusals](auto action) { return refusals.attempt(action); };
-  const bool known = check(
-      [&] { p.law = contact_model(m, name.of(names::kContactText), scene::ContactModel::kRigid); });
+  const bool known = check([&] {
+    p.contact_model = contact_model(m, name.of(names::kContactText), scene::ContactModel::kRigid);
+  });
   const bool rotor = check([&] { p.rotor_geom = own_geom(m, name, names::kOwnRotorGeom); });
   const bool ring = check([&] { p.ring_geom = own_geom(m, name, names::kOwnRingGeom); });
   check_series(m, name, refusals);
@@ -152,10 +153,11 @@ std::optional<ContactPair> make_pair(const mjModel* m, const PairName& name, Ref
   double width = 0.0;
   if (own_number(m, name.of(names::kOwnWidth))) number(width, names::kOwnWidth, 0.0, kLength);
   check([&] {
-    if (!known || !(p.friction_reference > 0.0) || p.law == scene::ContactModel::kCone) return;
+    if (!known || !(p.friction_reference > 0.0) || p.contact_model == scene::ContactModel::kCone)
+      return;
     refuse(own_element(m, name.of(names::kOwnFrictionReference)),
            message("contact model {} has none; accepted: contact model cone",
-                   scene::to_string(p.law)));
+                   scene::to_string(p.contact_model)));
   });
   check([&] { p.sensors = contact_sensors(m, name.prefix, name.suffix); });
   if (!rotor || !ring || !check([&] { check_bodies(m, name, p); })) return std::nullopt;
@@ -187,8 +189,9 @@ void check_two_contacts(const mjModel* m, const ContactPair& a, const ContactPai
            message("{} already has a contact; accepted: one contact for two geoms",
                    pair_element(m, b)));
   }
-  const auto solved_here = [](const ContactPair& p) { return !scene::is_cone(p.law); };
-  if (a.law != b.law && solved_here(a) && solved_here(b) && share_tree(m, a, b)) {
+  const auto solved_here = [](const ContactPair& p) { return !scene::is_cone(p.contact_model); };
+  if (a.contact_model != b.contact_model && solved_here(a) && solved_here(b) &&
+      share_tree(m, a, b)) {
     refuse(own_element(m, name.of(names::kContactText)),
            message("differs from the contact model of {}, which moves with it; accepted: one "
                    "contact model for both",
@@ -206,7 +209,7 @@ void check_corrected(const mjModel* m, const Config& config) {
            message("belongs to a contact of contact model {}, but is also listed in "
                    "rotorub_cone_coulomb_pair; accepted: rotorub_contact \"cone-coulomb\", which "
                    "includes this correction",
-                   scene::to_string(p.law)));
+                   scene::to_string(p.contact_model)));
   }
 }
 
@@ -262,7 +265,7 @@ void map_own_contacts(const mjModel* m, Config& config) {
   });
   refusals.raise();
   if (config.pairs.empty()) return;
-  config.contact = config.pairs.front().law;
+  config.contact = config.pairs.front().contact_model;
 }
 
 }  // namespace rotorub::plugin

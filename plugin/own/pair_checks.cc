@@ -105,14 +105,15 @@ void refuse_other_friction(const mjModel* m, const PairName& name, const Contact
 // The <pair> as a generated file would contain it.
 std::string pair_to_add(const mjModel* m, const ContactPair& p) {
   const ContactParameters& c = p.contact;
-  const rotorub::ContactPair pair = contact_pair(
-      p.law, c.clearance, c.friction, soft_contact(c.restitution, m->opt.timestep), built_for());
+  const rotorub::ContactPair pair =
+      contact_pair(p.contact_model, c.clearance, c.friction,
+                   soft_contact(c.restitution, m->opt.timestep), built_for());
   std::string text = message("<pair geom1=\"{}\" geom2=\"{}\" condim=\"{}\"",
                              m->names + m->name_geomadr[p.rotor_geom],
                              m->names + m->name_geomadr[p.ring_geom], pair.condim);
   text += message(" margin=\"{}\" gap=\"{}\"", pair.margin, pair.gap);
   if (pair.condim > 1) text += message(" friction=\"{} {} 0 0 0\"", pair.friction, pair.friction);
-  if (p.law != scene::ContactModel::kRigid) {
+  if (p.contact_model != scene::ContactModel::kRigid) {
     text += message(" solref=\"{} {}\" solimp=\"{} {} 0.001\"", -pair.soft.stiffness,
                     -pair.soft.damping, pair.soft.impedance, pair.soft.impedance);
   }
@@ -128,7 +129,7 @@ void check_solved_part(const mjModel* m, const ContactPair& p, Refusals& refusal
     });
   };
   const double gap = m->pair_gap[p.pair];
-  if (p.law == scene::ContactModel::kRigid) {
+  if (p.contact_model == scene::ContactModel::kRigid) {
     require(gap - m->pair_margin[p.pair] >= 10.0 * p.contact.clearance,
             "gap is too small: with contact model rigid MuJoCo's solver must not see the contact; "
             "accepted: gap above margin by at least ten clearances");
@@ -136,7 +137,7 @@ void check_solved_part(const mjModel* m, const ContactPair& p, Refusals& refusal
   }
   const int condim = m->pair_dim[p.pair];
   require(gap == 0.0 || p.further, "accepted: gap=\"0\"");
-  if (p.law == scene::ContactModel::kCoulomb) {
+  if (p.contact_model == scene::ContactModel::kCoulomb) {
     require(condim == 1, "contact model coulomb: accepted: condim=\"1\"");
   } else {
     require(condim >= 3 || !(p.contact.friction.coefficient > 0.0),
@@ -157,13 +158,13 @@ void check_pair(const mjModel* m, const PairName& name, const ContactPair& p, Re
   });
   check([&] { check_surface(m, p); });
   check_solved_part(m, p, refusals);
-  if (p.law == scene::ContactModel::kRigid) {
+  if (p.contact_model == scene::ContactModel::kRigid) {
     check([&] { refuse_mocap(m, p.rotor_geom); });
     check([&] { refuse_mocap(m, p.ring_geom); });
     check([&] { refuse_other_friction(m, name, p); });
     return;
   }
-  if (p.law != scene::ContactModel::kCoulomb) check_cone(m, name, p, refusals);
+  if (p.contact_model != scene::ContactModel::kCoulomb) check_cone(m, name, p, refusals);
   check([&] { check_bounce(m, name, p); });
 }
 

@@ -330,9 +330,10 @@ void NativeTwin::read(const mjModel* m, const mjData* d, double* q, double* v) c
 
 NativeTwin make_native_twin(const mjModel* m, const Config& config, const mjData* start) {
   for (const ContactPair& pair : config.pairs) {
-    if (pair.law == config.contact) continue;
-    refuse("<custom>", message("contacts by {} and {}; accepted for a twin: one contact model",
-                               scene::to_string(config.contact), scene::to_string(pair.law)));
+    if (pair.contact_model == config.contact) continue;
+    refuse("<custom>",
+           message("contacts by {} and {}; accepted for a twin: one contact model",
+                   scene::to_string(config.contact), scene::to_string(pair.contact_model)));
   }
   return Maker(m, config, start).make();
 }

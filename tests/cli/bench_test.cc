@@ -66,7 +66,7 @@ TEST(CliBench, RefusesBadInputWithWhatIsAccepted) {
   };
   for (const Case& c :
        {Case{{"--engines", "bullet"}, "native-verlet"}, Case{{"--steps", "3 kg"}, "--steps"},
-        Case{{"--steps", "10us,0"}, "above 0"}, Case{{"--tolerances", "2"}, "(0, 1)"},
+        Case{{"--steps", "10us,0"}, "above 0"}, Case{{"--tolerances", "2"}, "above 0 and below 1"},
         Case{{"--repeats", "0"}, "1 or more"}}) {
     folder.refuses(with({"bench", shipped("bench_drop")}, c.arguments), {c.said});
   }

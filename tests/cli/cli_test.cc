@@ -24,7 +24,7 @@ TEST(Cli, SaysWhatIsWrongWithAnOptionAndWhatToDo) {
   const std::string drop = shipped("bench_drop");
   const auto said = [&](const std::vector<std::string>& words) { return folder.run(words).err; };
   const std::string help = "`rotorub help run` lists what is accepted\n";
-  EXPECT_EQ(said({"run"}), "rotorub run: no SCENE is given. " + help);
+  EXPECT_EQ(said({"run"}), "rotorub run: the argument SCENE is missing. " + help);
   EXPECT_EQ(said({"run", drop, "other.toml"}),
             "rotorub run: other.toml: unexpected argument. " + help);
   EXPECT_EQ(said({"run", drop, "--stpe", "1e-5"}),
@@ -33,7 +33,7 @@ TEST(Cli, SaysWhatIsWrongWithAnOptionAndWhatToDo) {
             "rotorub run: --stpe: no such option, did you mean --step? " + help);
   EXPECT_EQ(said({"run", drop, "--bounce"}), "rotorub run: --bounce: no such option. " + help);
   EXPECT_EQ(said({"run", drop, "--step"}),
-            "rotorub run: --step: its value, TIME, is missing. " + help);
+            "rotorub run: --step: the value TIME is missing. " + help);
   EXPECT_EQ(said({"run", drop, "--engine", "bullet"}),
             "rotorub run: --engine: bullet: no such value; choose from native, mujoco\n");
   EXPECT_EQ(said({"run", drop, "--integrator", "verlt"}),

@@ -145,7 +145,7 @@ TEST(CliCompareLong, TheSettingToUseStandsBesideTheVerdicts) {
   const std::size_t at = done.out.find("setting to use: ");
   ASSERT_NE(at, std::string::npos) << done.out;
   const std::string setting = first_line(done.out.substr(at + 16));
-  EXPECT_TRUE(contains(setting, " us a step"));
+  EXPECT_TRUE(contains(setting, " µs a step"));
   EXPECT_TRUE(contains(folder.text("out/report.html"), setting));
   const Outcome alone =
       folder.run({"tune", shipped("bench_ring"), "--end", "0.02", "--twins", "0", "--json"});

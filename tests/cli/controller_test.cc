@@ -106,7 +106,7 @@ TEST(CliController, CommandsTheRingOfAMachineOfTheUsersOwn) {
     EXPECT_TRUE(contains(first_line(series), ",control_x,control_y")) << side;
   }
   folder.refuses(with(call, {"--set", "contact.friction=0.2"}),
-                 {"--set contact.friction=0.2: is for scenes"});
+                 {"--set contact.friction=0.2: this key belongs to scenes"});
   folder.refuses(with(call, {"--set", "controller.config.gain=1"}),
                  {"--controller: controller.config: own_controller refuses: gain"});
 }

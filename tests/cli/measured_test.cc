@@ -134,11 +134,11 @@ TEST(CliIdentify, RefusalsSayWhatIsAccepted) {
     folder.refuses(
         {"identify", shipped("bench_ring"), "--measured", "rig/series.csv", "--fit", fit}, {said});
   };
-  refuses("contact.friction", "is not a range of a key");
-  refuses("contact.friction=0.4:0.05", "its range is empty");
+  refuses("contact.friction", "this is not a key with a range");
+  refuses("contact.friction=0.4:0.05", "FROM must be below TO");
   refuses("contact.frction=0.05:0.4", "did you mean `contact.friction`?");
   refuses("contact.clearance=1 N:2 N", "expected a length");
-  refuses("run.integrator=0:1", "not a number");
+  refuses("run.integrator=0:1", "does not take a number");
 }
 
 struct Bad {
@@ -167,8 +167,8 @@ TEST(CliMeasured, RefusalsSayWhyAndLeaveNothing) {
       {{"--measured", "noise.csv", "--measured-shift", "3 mm"}, "--measured-shift"},
       {{"--measured", "noise.csv", "--measured-angle", "3 mm"}, "--measured-angle"},
       {{"--measured-shift", "3ms"}, "--measured"},
-      {{shipped("bench_drop"), "--measured", "noise.csv"}, "one scene is accepted"},
-      {{"--measured", "noise.csv"}, "no shift makes the record like the native run"},
+      {{shipped("bench_drop"), "--measured", "noise.csv"}, "takes a single scene"},
+      {{"--measured", "noise.csv"}, "no shift makes the record agree with the native run"},
       {{"--measured", "noise.csv", "--measured-shift", "7s"}, "samples in common"},
   };
   for (const Bad& bad : all) {

@@ -24,7 +24,7 @@ TEST(CliModes, SaysWhatAnImpactMeets) {
   const Folder folder;
   const std::string rig = shipped("paper_passive");
   const Outcome table = folder.done({"modes", rig});
-  EXPECT_TRUE(contains(table.out, {"mass that an impact meets", "lasting rubs at"}));
+  EXPECT_TRUE(contains(table.out, {"effective mass at the contact", "lasting rubs at"}));
   const auto mass = [&](const std::vector<std::string>& more) {
     return folder.json_of(with({"modes", rig, "--json"}, more)).at("contact_mass");
   };
@@ -94,7 +94,7 @@ TEST(CliModesRubs, RefusesWhatMakesNoMap) {
   folder.refuses({"modes", shipped("bench_whip"), "--speeds", "10Hz:20Hz:3"});  // there is no map
   folder.refuses({"modes", shipped("paper_sliding"), "--rub-map"}, {"paper_sliding.toml"});
   folder.refuses({"modes", shipped("two_catchers"), "--rub-map"},
-                 {"single contact; accepted: one [[contact]], as with --set"});
+                 {"single contact; remove the others, for example with --set"});
   // No speed about which to draw it.
   folder.refuses({"modes", shipped("bench_whip"), "--rub-map", "--set", "rotor.speed=0"});
   EXPECT_TRUE(folder.files().empty());

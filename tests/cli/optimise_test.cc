@@ -43,7 +43,7 @@ TEST(Optimise, SaysWhereThereIsNothing) {
                                    "[[optimise.constraint]]\nfigure = \"impacts\"\nmax = -1\n"));
   const Outcome none = folder.run({"optimise", "study.toml", "-o", "out"});
   EXPECT_EQ(none.code, 3);
-  EXPECT_TRUE(contains(none.out, "none of them keeps the constraints; the nearest, evaluation "));
+  EXPECT_TRUE(contains(none.out, "none of them meets the constraints; the nearest, evaluation "));
   EXPECT_FALSE(folder.has("out/best.toml"));
   folder.write("study.toml", study("minimise = \"peak_impulse\"\n"));
   folder.refuses({"optimise", "study.toml", "--set", "stator.damping=100"},

@@ -133,7 +133,7 @@ struct Obstacle {
   Surroundings surroundings;
 };
 std::vector<Obstacle> obstacles() {
-  std::vector<Obstacle> all{{make_folder, ": is a folder", {}}};
+  std::vector<Obstacle> all{{make_folder, " is a folder", {}}};
   if (modes_count()) all.push_back({make_read_only, ": Permission denied", kObeysModes});
   return all;
 }

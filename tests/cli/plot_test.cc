@@ -34,7 +34,7 @@ TEST(CliPlot, HasTheShadowBesideARunOfMujoco) {
 TEST(CliPlot, RefusesWhatIsNoRun) {
   const Folder folder;
   folder.refuses({"plot"});
-  folder.refuses({"plot", "nowhere"}, {"nowhere: is not a folder"});
+  folder.refuses({"plot", "nowhere"}, {"nowhere is not a folder"});
   std::filesystem::create_directory(folder.path() / "empty");
   folder.refuses({"plot", "empty"}, {"empty/summary.json"});
   folder.done({"run", shipped("bench_ring"), "--end", "0.001", "-o", "out"});

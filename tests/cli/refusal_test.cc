@@ -75,7 +75,7 @@ TEST(CliRefusal, OfAModelSaysWhatToGiveInEveryCommand) {
                    {"own.xml: this is a MuJoCo model (XML); give a scene or a study in TOML",
                     "rotorub compare"});
   }
-  expect_refused(folder, {"plot", "own.xml"}, {"own.xml: is not a folder; give the output folder"});
+  expect_refused(folder, {"plot", "own.xml"}, {"own.xml is not a folder; give the output folder"});
   folder.refuses({"init", "own.xml"}, {"own.xml: give the name of a scene"});
   EXPECT_FALSE(folder.has("own.xml.toml"));
   // A study of one, in both of what runs studies.
@@ -182,8 +182,46 @@ TEST(CliRefusal, NamesWhatWasWritten) {
   expect_refused(folder, {"compare", "nofile.xml"},
                  {"nofile.xml: cannot be read: No such file or directory"});
   const Outcome friction = folder.run({"init", "--friction", "x"});
-  EXPECT_TRUE(
-      contains(friction.err, "expected a pure number, 0 or from 1e-06 to 1e+06, as \"0.15\""));
+  EXPECT_TRUE(contains(friction.err,
+                       "expected a pure number, 0 or from 1e-06 to 1e+06, for example \"0.15\""));
+}
+
+// The ending of -o says what the user expects to get.
+TEST(CliRefusal, OfOutputsWithAnotherEnding) {
+  const Folder folder;
+  const std::string ring = shipped("bench_ring");
+  folder.refuses({"mjcf", ring, "-o", "ring.json"}, {"-o ring.json: expected", ".xml"});
+  folder.refuses({"fmu", ring, "-o", "ring.zip"}, {"-o ring.zip: expected", ".fmu"});
+  folder.refuses({"modes", ring, "-o", "ring.json"},
+                 {"-o ring.json: expected", ".html, or a folder"});
+  folder.refuses({"tune", ring, "-o", "ring.json"}, {"-o ring.json: expected", ".toml"});
+  folder.refuses({"run", ring, "-o", "ring.csv"}, {"-o ring.csv: expected the name of a folder"});
+  EXPECT_TRUE(folder.files().empty());
+}
+
+// Every line of an error begins with the command.
+TEST(CliRefusal, OfASceneNamesTheCommandInEachLine) {
+  const Folder folder;
+  std::ofstream(folder.path() / "two.toml") << "[rotor.modal]\nmass = [-1]\nstiffness = [\"x\"]\n";
+  const std::string err = folder.run({"run", "two.toml"}).err;
+  EXPECT_TRUE(contains(err, {"rotorub run: two.toml:2: rotor.modal.mass[0]: ",
+                             "\nrotorub run: two.toml:3: rotor.modal.stiffness[0]: "}));
+  folder.refuses({"sweep", shipped("bench_ring")}, {"this file is a scene, not a study"});
+}
+
+TEST(CliRefusal, OfBareNumbersInInitNamesTheUnit) {
+  const Folder folder;
+  folder.refuses({"init", "--diameter", "20"}, {"--diameter 20: ", "without a unit is in m"});
+  folder.refuses({"init", "--speed", "1e7"}, {"--speed 1e7: ", "without a unit is in rad/s"});
+}
+
+// The integrator event has no fixed step.
+TEST(CliRefusal, NotesAStepThatHasNoEffect) {
+  const Folder folder;
+  const Arguments run{"run", shipped("bench_ring"), "--end", "1ms", "--step", "10us", "-o", "o"};
+  EXPECT_TRUE(contains(folder.done(run).err, "note: --step 10us has no effect"));
+  EXPECT_EQ(folder.done(with(run, {"--integrator", "verlet"})).err, "");
+  EXPECT_EQ(folder.done(with(run, {"--quiet"})).err, "");
 }
 
 TEST(CliRefusal, OfNumbersThatNoMachineHas) {
@@ -284,7 +322,7 @@ TEST(CliRefusal, OfValuesThatAreEmpty) {
     EXPECT_FALSE(folder.has("runs"));
     EXPECT_FALSE(folder.has("=out"));
   }
-  EXPECT_TRUE(contains(folder.run({"run", ring, "-o", ""}).err, "its value is empty"));
+  EXPECT_TRUE(contains(folder.run({"run", ring, "-o", ""}).err, "the value is empty"));
 }
 
 }  // namespace

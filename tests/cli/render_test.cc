@@ -79,7 +79,7 @@ TEST(CliRender, RefusesBeforeAnythingRuns) {
       {{"-o", "film.avi"}, "film.avi", ".mp4, .gif or .png"},
       {{"--gif", "-o", "film.mp4"}, "film.mp4", ".gif"},
       {{"--at", "1ms"}, "--at 1ms", "--png"},
-      {{"--png", "--fps", "30"}, "--fps 30", "a picture has none"},
+      {{"--png", "--fps", "30"}, "--fps 30", "leave it out with --png"},
   };
   const Folder folder;
   for (const Refused& refused : cases) {
@@ -129,7 +129,8 @@ TEST(CliRender, TellsOfRunsThatAreBrokenOrEndedEarly) {
   stopped.replace(stopped.find(ok), ok.size(), "\"status\": \"diverged\"");
   folder.write("out/summary.json", stopped);
   const Outcome early = folder.done(picture);
-  EXPECT_TRUE(contains(early.err, "rotorub render: out: ended at 0.005 s of 0.005 s: diverged"));
+  EXPECT_TRUE(contains(
+      early.err, "rotorub render: out: this run ended early, at 0.005 s of 0.005 s: diverged"));
   EXPECT_TRUE(folder.has("one.png"));
 
   folder.write("out/summary.json", summary);

@@ -75,7 +75,7 @@ TEST(CliSpoken, NamesOfRossAreTranslated) {
   std::ofstream(folder.path() / "ross.toml") << text;
   const Outcome refused = folder.run({"run", "ross.toml"});
   EXPECT_EQ(refused.code, 2);
-  const std::string said = "in place of the names of ROSS write stiffness = [kxx, kyy]";
+  const std::string said = "this is a name of ROSS. Write stiffness = [kxx, kyy]";
   EXPECT_TRUE(contains(refused.err, "rotor.bearing[0].kxx: unknown key; " + said));
   EXPECT_EQ(refused.err.find(said), refused.err.rfind(said)) << refused.err;
 }

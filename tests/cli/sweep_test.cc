@@ -108,7 +108,7 @@ TEST(Sweep, TakesPointsFromAFile) {
   folder.refuses({"sweep", "study.toml", "-o", "out", "-q"});
   folder.write("points.csv", "friction,clearance\n0.1,5e-4\n0.3,much\n0.1\n");
   const std::vector<std::string> bad{"sweep", "study.toml", "-o", "bad"};
-  folder.refuses(bad, {"1 fields where the header has 2"});
+  folder.refuses(bad, {"the line has 1 fields, but the header has 2"});
   folder.write("points.csv", "mu,clearance\n0.1,5e-4\n0.3,much\n");
   folder.refuses(bad, {"no column `friction`; accepted: mu, clearance", "points.csv:3:"});
 }

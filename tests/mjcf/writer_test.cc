@@ -76,7 +76,7 @@ TEST_P(ShippedChain, HasTheNativeModelsMassesStiffnessesAndStart) {
 // What `shadow` adds: sensors, ghosts that do not collide, memory; nothing that moves.
 TEST_P(ShippedChain, ShadowAddsSensorsAndGhosts) {
   const ModelPointer without = load(mjcf(shipped(GetParam())));
-  if (shipped(GetParam()).gives()) {  // the shadow's contact is rigid
+  if (shipped(GetParam()).is_compliant()) {  // the shadow's contact is rigid
     EXPECT_THROW(mjcf(shipped(GetParam(), {"mujoco.shadow=true"})), scene::SceneError);
     return;
   }

@@ -165,7 +165,7 @@ class Starter(InAFolder):
                            stdout=subprocess.DEVNULL)
         (self.folder / "laws.toml").unlink()
         self.rotorub("init", "laws", "--form", "controller", code=2)
-        self.assertIn("laws_controller: is there already", self.said)
+        self.assertIn("laws_controller exists already", self.said)
 
     def test_an_unbalance_that_is_known_takes_the_place_of_the_one_that_is_sized(self):
         for form in LOSE_MASS:
@@ -186,7 +186,7 @@ class Starter(InAFolder):
         file = self.folder / "mine.toml"
         file.write_text("mine")
         self.rotorub("init", "mine", code=2)
-        self.assertIn("mine.toml: is there already; --force writes over it", self.said)
+        self.assertIn("mine.toml exists already; give another name, or --force to overwrite it", self.said)
         self.rotorub("init", "-o", "mine.toml", code=2)
         self.assertEqual(file.read_text(), "mine")
         self.rotorub("init", "mine", "--force")

@@ -226,7 +226,7 @@ TEST(Frame, EveryViewOfTheContactIsAPictureOfItsOwn) {
     EXPECT_GT(find(pictures.back(), is_ring).count, 200) << to_string(view);
     if (view == FilmView::kRig) continue;
     expect_thrown<std::invalid_argument>(
-        [&] { FramePainter(free_scene(), resting_run({}), options); }, "rig is accepted");
+        [&] { FramePainter(free_scene(), resting_run({}), options); }, "expected rig");
   }
 }
 

@@ -190,7 +190,7 @@ TEST(Video, EncoderThatHangsIsEnded) {
           for (int i = 0; i < 10; ++i) video.add(grey(640, 480));  // more than a socket holds
           video.finish();
         },
-        "film.mp4: ffmpeg hangs");
+        "film.mp4: ffmpeg did nothing");
     EXPECT_EQ(folder.entries(), 1u) << "bin alone";
   }
 }
@@ -251,9 +251,9 @@ TEST(Video, StillBeyondTheRunIsToldItsTimes) {
     return test::message_of(
         [&] { render_still(ring_scene(), late, 1.0 / 3.0, options, folder / "no.png"); });
   };
-  EXPECT_EQ(refusal({}), "render: no picture at 0.333333 s; expected a time from 0 s to 0.1 s");
+  EXPECT_EQ(refusal({}), "there is no picture at 0.333333 s; expected a time from 0 s to 0.1 s");
   EXPECT_EQ(refusal(0.07 / 3.0),
-            "render: no picture at 0.333333 s; expected a time from 0.0233333 s to 0.1 s");
+            "there is no picture at 0.333333 s; expected a time from 0.0233333 s to 0.1 s");
 }
 
 }  // namespace

@@ -20,7 +20,7 @@ std::string beyond(const scene::Scene& s, const Model& m) {
   if (!m.first().ring_offset.isZero(0.0)) return "contact.offset";
   if (m.layout.torsion > 0) return "elastic torsion";
   if (m.layout.ring_spin > 0) return "a ring that turns ([stator.spin])";
-  if (m.gives()) return "a contact that gives ([contact.compliance])";
+  if (m.is_compliant()) return "a contact that gives ([contact.compliance])";
   if (!m.supports.empty()) return "a ring on more than its spring and damper";
   if (!m.gyroscopic.absent()) return "gyroscopic terms";
   if (!m.internal_xx.absent() || !m.internal_xy.absent()) return "internal (rotating) damping";

@@ -39,7 +39,7 @@ TEST(CommandLine, NamesTheNearestCommand) {
   const auto wrong = [&](const char* word) { return unknown_command({word, "a.toml"}, commands); };
   EXPECT_EQ(wrong("run"), "");
   EXPECT_EQ(wrong("--help"), "");
-  EXPECT_NE(unknown_command({}, commands).find("no command given; choose from run"),
+  EXPECT_NE(unknown_command({}, commands).find("no command is given; choose from run"),
             std::string::npos);
   EXPECT_NE(wrong("comapre").find("did you mean compare?"), std::string::npos) << wrong("comapre");
   EXPECT_NE(wrong("comp").find("did you mean compare?"), std::string::npos) << wrong("comp");

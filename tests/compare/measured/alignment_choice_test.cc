@@ -127,7 +127,7 @@ TEST(AlignmentChoice, SaysWhereTheShapeIsAnother) {
   const Alignment a = align(sensed(lost_blade, {.gain = 5.0}), SampledRun(run), {});
   ASSERT_TRUE(a.other_size);
   EXPECT_GT(a.other_size->correlation, 0.99);
-  EXPECT_NE(alignment_text(a).find("is its unit right?"), std::string::npos) << alignment_text(a);
+  EXPECT_NE(alignment_text(a).find("check its unit"), std::string::npos) << alignment_text(a);
 }
 
 }  // namespace

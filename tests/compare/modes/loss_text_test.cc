@@ -58,8 +58,8 @@ TEST(LossText, HasTheResponseBeforeAndAfter) {
   EXPECT_NEAR(before["least_gap"].get<double>(), 0.3e-3 - deflection(1e-4), 1e-12);
 
   const std::string table = result::text_of(modes_result("blade", analysis));
-  EXPECT_TRUE(contains(table, {"response at the contact, before the loss: 82.6 um", "least gap",
-                               "response at the contact, after the loss: 413 um", "it touches"}));
+  EXPECT_TRUE(contains(table, {"response at the contact, before the loss: 82.6 µm", "least gap",
+                               "response at the contact, after the loss: 413 µm", "it touches"}));
 
   EXPECT_TRUE(contains(
       modes_page(scene, campbell_of(scene, analysis)),
@@ -73,7 +73,7 @@ TEST(LossText, IsOneResponseWhereNothingIsLost) {
   EXPECT_EQ(result::json_of(modes_result("", analysis))["speeds"][0]["response"]["before_loss"],
             nullptr);
   EXPECT_TRUE(contains(result::text_of(modes_result("whole", analysis)),
-                       "response at the contact: 413 um"));
+                       "response at the contact: 413 µm"));
 }
 
 }  // namespace

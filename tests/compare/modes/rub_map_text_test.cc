@@ -36,8 +36,7 @@ TEST(RubJson, OfTheWhip) {
   EXPECT_EQ(whip.at("joined").size(), 2U);
   const std::string table = result::text_of(rub_result(rubs.at[0]));
   EXPECT_NE(table.find("-501.9257"), std::string::npos) << table;
-  EXPECT_NE(table.find("rolling: 380.9469 to 501.9257 rad/s, above\n  1465.431 rad/s"),
-            std::string::npos)
+  EXPECT_NE(table.find("rolling is possible: 380.9469 to 501.9257 rad/s, above"), std::string::npos)
       << table;
 }
 
@@ -64,7 +63,7 @@ TEST(RubJson, WhereTorsionAndTheSpeedGiveWay) {
   EXPECT_NEAR(rolling.at("torque").get<double>(),
               0.5 * (scene.drive->speed - rolling.at("speed").get<double>()), 1e-6);
   const std::string table = result::text_of(rub_result(rubs.at[0]));
-  EXPECT_NE(table.find("at a speed that the motor keeps"), std::string::npos) << table;
+  EXPECT_NE(table.find("at a speed that the motor sustains"), std::string::npos) << table;
 
   EXPECT_FALSE(
       result::json_of(rub_result(analyse_rubs(shipped("bench_whip"), {314.0}).front().at.at(0)))

@@ -40,7 +40,7 @@ TEST(RubsUnderWeight, AreNoneWhereNothingButTheRingHoldsTheRotor) {
   };
   const RubAnalyses none = of({unheld, lies});
   EXPECT_TRUE(none.at.empty());
-  EXPECT_NE(none.refused.find("gravity: no lasting rub can be analysed: nothing but rings"),
+  EXPECT_NE(none.refused.find("gravity: no lasting rub can be analysed: only rings"),
             std::string::npos)
       << none.refused;
   EXPECT_EQ(of({unheld}).refused, "") << "upright it whirls in its ring";

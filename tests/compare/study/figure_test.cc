@@ -69,6 +69,9 @@ TEST(Format, SizesHaveNoSign) {
 TEST(Format, WordsAreWrapped) {
   const std::string word(30, 'w');
   EXPECT_EQ(wrapped("- ", "one two"), "- one two\n");
+  // A character is one column, whatever its number of bytes.
+  const std::string micro = "1 " + std::string(77, 'a') + "µ";
+  EXPECT_EQ(wrapped("", micro), "1 " + std::string(77, 'a') + "µ\n");
   EXPECT_EQ(wrapped("  - ", word + " " + word + "\n" + word),
             "  - " + word + " " + word + "\n    " + word + "\n");
   // Indented less than the lead is long: the first word too goes where there is room for it.

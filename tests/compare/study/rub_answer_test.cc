@@ -19,7 +19,7 @@ TEST(RubAnswer, SaysWhenHowHardAndWhatBecomesOfIt) {
             "yes, from 107.1 ms: 699 hard impacts, synchronous rub in the last fifth of the run; "
             "mean normal force 59.80 N");
   EXPECT_EQ(rub_answer(rub(1, Attractor::kNoContact)),
-            "yes, from 107.1 ms: 1 hard impact, and no contact any more at its end; mean normal "
+            "yes, from 107.1 ms: 1 hard impact, without contact at the end; mean normal "
             "force 59.80 N");
 }
 

@@ -95,7 +95,7 @@ TEST(SceneComparison, JsonAndTableHaveWhatTheContractNames) {
   for (const char* text :
        {"bench_ring", "native", "rigid", "coulomb", "cone", "mean normal force, N",
         "lasting contact, %", "total impulse, N s", "OUTSIDE", "cone bounces", "trusted",
-        "us a step", "MuJoCo alone? (cone)", "with the corrected cone? (cone-coulomb)",
+        "µs a step", "MuJoCo alone? (cone)", "with the corrected cone? (cone-coulomb)",
         "with the rigid law? (rigid)", "The exit code refers to rigid"}) {
     EXPECT_NE(table.find(text), std::string::npos) << text;
   }

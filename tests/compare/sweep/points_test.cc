@@ -145,8 +145,7 @@ TEST(Points, AStudyMaySayWhichFiguresAreKeptAsBefore) {
   testing::internal::CaptureStderr();
   const Made made(frictions("[0.1]") + "figures = \"ensemble\"\n");
   const std::string said = testing::internal::GetCapturedStderr();
-  EXPECT_NE(said.find("note: run.figures: every point has all figures now"), std::string::npos)
-      << said;
+  EXPECT_NE(said.find("note: run.figures: this key has no effect"), std::string::npos) << said;
   EXPECT_TRUE(all_points(made).at(0).ok());
 }
 

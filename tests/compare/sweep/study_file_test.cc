@@ -83,7 +83,7 @@ end = -1
   for (const char* part :
        {"study.toml:4: sample.runs: belongs to kind",
         "study.toml:6: vary[0].key:", "did you mean `contact.friction`?",
-        "study.toml:10: vary[1].values[1]:", "50 mm", "1 values where", "run.integrator varies",
+        "study.toml:10: vary[1].values[1]:", "50 mm", "has 1 values, but", "run.integrator varies",
         "did you mean `step`?", "run.end: expected a time above 0"}) {
     EXPECT_TRUE(contains(text, part));
   }
@@ -109,15 +109,16 @@ TEST(Study, Refused) {
   } cases[] = {
       {"", "scene: missing"},
       {of_ring(), "sample.kind: missing"},
-      {of_ring() + "[sample]\nkind = \"gird\"\n", "accepted: grid, latin_hypercube, list"},
+      {of_ring() + "[sample]\nkind = \"gird\"\n",
+       "did you mean `grid`? Accepted: grid, latin_hypercube, list"},
       {of_ring() + "[sample]\nkind = \"grid\"\n", "vary: missing"},
       {friction, "vary[0].from: missing"},
       {friction + "from = 0\nto = 1\n", "vary[0].count: missing"},
       {friction + "from = 0\nto = 1\ncount = 0\n", "whole number in [1,"},
       {friction + "from = 0\nto = 1\ncount = 3\nspacing = \"log\"\n", "above 0"},
       {friction + "from = 0\nto = nan\ncount = 3\n", "not finite"},
-      {friction + "values = []\n", "one value or more"},
-      {friction + "values = [1]\ncount = 1\n", "beside `values`"},
+      {friction + "values = []\n", "at least one value"},
+      {friction + "values = [1]\ncount = 1\n", "together with `values`"},
       {grid + "key = \"run.integrator\"\nfrom = 0\nto = 1\ncount = 2\n", "values: missing"},
       {friction + "values = [1]\n[[vary]]\nkey = \"contact.friction\"\nvalues = [2]\n", "twice"},
       {friction + "values = [1]\nalso = [\"no.key\"]\n", "not a key of a scene"},

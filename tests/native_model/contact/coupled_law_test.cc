@@ -222,7 +222,7 @@ TEST(CoupledLaw, WhatIsSharedDoesNotDependOnTheOrder) {
       const double rubbed = 0.7 * 0.2 * friction;
       if (std::abs(slip) < rubbed) continue;  // they stick, and least friction counts too
       EXPECT_NEAR(s.y[0], 0.1 * restitution, 1e-12) << contacts << " " << k;
-      const CoupledSolution compressed = solve_compression(a, b, laws);
+      const CoupledSolution compressed = solve_coupled_coulomb(a, b, laws);
       EXPECT_NEAR(compressed.y[1], slip - std::copysign(rubbed, slip), 1e-10 * std::abs(slip));
       for (int i = 0; i < contacts; ++i)
         EXPECT_NEAR(compressed.p[2 * i], 0.2 / contacts, 1e-12) << contacts << " " << k;

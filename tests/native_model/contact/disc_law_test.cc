@@ -154,9 +154,9 @@ TEST(DiscLaw, ExpansionMeetsItsSet) {
   for (int k = 0; k < 4000; ++k) {
     const ContactMatrix a = random_bodies(random, 1, 4);
     const std::vector<ImpactLaw> laws(1, ImpactLaw{unit(random), unit(random), unit(random)});
-    const CoupledSolution c = solve_compression(a, random_motion(random, 1), laws);
+    const CoupledSolution c = solve_coupled_coulomb(a, random_motion(random, 1), laws);
     if (c.solutions != 1 || c.p[0] == 0.0) continue;
-    const CoupledSolution e = solve_expansion(a, c.y, laws, c.p);
+    const CoupledSolution e = solve_coupled_expansion(a, c.y, laws, c.p);
     ASSERT_GE(e.solutions, 1) << k;
     const DiscSet set =
         expansion_disc(laws[0], laws[0].friction.coefficient, c.p[0], c.p.segment<2>(1));
@@ -206,10 +206,10 @@ TEST(DiscLaw, BadlyScaledContactsAreSolved) {
     if (k % 5 != 0) b[0] = -std::abs(b[0]);
     const std::vector<ImpactLaw> laws(
         1, ImpactLaw{(k % 2 == 0 ? 1.0 : 10.0) * unit(random), unit(random), unit(random)});
-    const CoupledSolution c = solve_compression(a, b, laws);
+    const CoupledSolution c = solve_coupled_coulomb(a, b, laws);
     ASSERT_GE(c.solutions, 1) << k;
     if (c.solutions > 1) continue;
-    const CoupledSolution e = solve_expansion(a, c.y, laws, c.p);
+    const CoupledSolution e = solve_coupled_expansion(a, c.y, laws, c.p);
     ASSERT_GE(e.solutions, 1) << k;
     if (e.solutions > 1) continue;
     const ContactVector p = c.p + e.p;

@@ -34,7 +34,7 @@ TEST(Friction, FallsFromStaticToKineticAndGrowsWithTheSlip) {
   EXPECT_DOUBLE_EQ(law.at(-0.1), law.at(0.1));
   EXPECT_DOUBLE_EQ(law.at(8.0), 0.23);
   EXPECT_FALSE(law.is_constant());
-  EXPECT_FALSE(law.none());
+  EXPECT_FALSE(law.is_frictionless());
   EXPECT_THROW(law.constant("a cone"), std::invalid_argument);
   for (const double slip : {0.03, 0.1, -0.2, 1.0}) {
     constexpr double d = 1e-6;
@@ -143,7 +143,7 @@ TEST(FallingFriction, SeveralContactsEachHaveTheMuOfTheirSlip) {
     b[0] -= 1.0;
     b[rows] -= 1.0;
     const std::vector<ImpactLaw> laws{{falling(0.02), 0.3, 0.0}, {falling(0.0), 0.5, 0.0}};
-    const CoupledSolution s = solve_compression(a, b, laws);
+    const CoupledSolution s = solve_coupled_coulomb(a, b, laws);
     if (s.solutions != 1) continue;
     for (Eigen::Index i = 0; i < 2; ++i) {
       const double pressed = s.p[i * rows];

@@ -141,7 +141,7 @@ TEST(Library, IsRefusedWithoutASampleTimeAndConfigByOtherKinds) {
   EXPECT_EQ(parse({}), "");
   expect_said(parse({"controller.sample_time=0"}), {"controller.sample_time", "> 0"});
   expect_said(parse({"controller.config.gain=true"}),
-              {"controller.config.gain", "finite number or a text"});
+              {"controller.config.gain", "finite number, or a text"});
   expect_said(parse({"controller.config.gain=nan"}), {"controller.config.gain", "finite"});
   EXPECT_EQ(parse({"controller.kind=passive"}), "") << "its config goes with its kind";
   expect_said(parse({"controller.kind=passive", "controller.config.gain=2"}),

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "native_model/scene/reader.h"
+#include "tests/support/jeffcott.h"
 #include "tests/support/native_run.h"
 #include "tests/support/order.h"
 
@@ -84,6 +85,26 @@ TEST(Stiffness, OfAHardContactDoesNotResolveRoundOff) {
   const Trajectory t = run_event(pressed("1e15", "0.5", 0.013));
   EXPECT_LT(t.steps, 60000);
   EXPECT_LT(t.statistics.energy_residual(), 1e-9);
+}
+
+// Nothing ends the bouncing of an elastic contact. One that a fast mode pressed bounced within
+// 1e-10 s, and its run filled the memory with impacts.
+TEST(Stiffness, OfBouncesWithoutEndIsTold) {
+  scene::Scene s = test::make_scene({.mass = 2.0, .stiffness = 2e5, .restitution = 1.0});
+  s.run.end = 1e4;
+  s.run.output_step = 1.0;
+  test::add_constant_force(s, {0.0, -1e3});
+  NativeOptions options;
+  options.integrator = scene::Integrator::kEvent;
+  options.event = EventParameters{.most_impacts = 1e4};
+  const Trajectory t = run_native(s, options);
+  EXPECT_EQ(t.status, Status::kStepTooLarge);
+  EXPECT_NE(t.message.find("the rotor bounces without end"), std::string::npos) << t.message;
+  EXPECT_LT(t.impacts.size(), 5000U);
+  // An accumulation is faster, but ends.
+  s.first().contact->restitution = 0.9;
+  s.run.end = 1.0;
+  EXPECT_EQ(run_native(s, options).status, Status::kOk);
 }
 
 }  // namespace

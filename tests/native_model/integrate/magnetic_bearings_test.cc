@@ -160,14 +160,14 @@ TEST(MagneticBearings, RefuseWhatTheyCannotHold) {
   EXPECT_TRUE(test::contains(refusal_of(one), "or two of those"));
   EXPECT_TRUE(
       test::contains(refusal_of(kTwoMagnets, {"magnetic_bearing[1].control.proportional=1000"}),
-                     {"magnetic_bearing[1].control.proportional", "accepted: more than 2000 A/m"}));
+                     {"magnetic_bearing[1].control.proportional", "give more than 2000 A/m"}));
   EXPECT_TRUE(test::contains(
       refusal_of(kTwoMagnets,
                  {"initial.steady=true", "magnetic_bearing[1].control.current_limit=0.01"}),
       "magnetic_bearing[1].control.current_limit = 0.01 A"));
   EXPECT_TRUE(test::contains(refusal_of(kTwoMagnets, {"magnetic_bearing[1].control=none",
                                                       "magnetic_bearing[1].sensor_station=0.5"}),
-                             "is where magnetic_bearing[1].control measures the deflection"));
+                             "belongs to the sensor of magnetic_bearing[1].control"));
   EXPECT_TRUE(test::contains(refusal_of(kTwoMagnets, {"magnetic_bearing[0].sensor_station=0.7"}),
                              "magnetic_bearing[0].sensor_station"));
   std::string many;

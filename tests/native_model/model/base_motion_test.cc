@@ -114,7 +114,7 @@ TEST(BaseTable, RefusesWhatSaysNothing) {
   using scene::expect_refused;
   const std::string rotor = "[rotor.modal]\nmass = [2.0]\nstiffness = [1e4]\n[base]\n";
   expect_refused({
-      {"nothing", rotor + "on = 0.1\n", 4, "base", "does not move: expected `time`"},
+      {"nothing", rotor + "on = 0.1\n", 4, "base", "has no acceleration; give `time`"},
       {"no acceleration", rotor + "time = [0, 1]\n", 5, "base.time", "needs base.acceleration_x"},
       {"one sample", rotor + "time = [0]\nacceleration_x = [1]\n", 5, "base.time", "two times"},
       {"falling", rotor + "time = [1, 0]\nacceleration_x = [1, 2]\n", 5, "base.time",
@@ -127,7 +127,7 @@ TEST(BaseTable, RefusesWhatSaysNothing) {
       {"a phase each", rotor + "frequency = [1, 2]\namplitude = [1, 1]\nphase = [0]\n", 7,
        "base.phase", "expected 2 value(s), one for each line"},
       {"two phases", rotor + "frequency = [1]\namplitude = [1]\nphase = [0]\nseed = 1\n", 8,
-       "base.seed", "not beside base.phase"},
+       "base.seed", "cannot be given together with base.phase"},
       {"over before", rotor + "frequency = [1]\namplitude = [1]\non = 2\noff = 1\n", 8, "base.off",
        "must not be before `on`"},
   });

@@ -200,7 +200,7 @@ TEST(Constraint, ProjectsContactsOfDifferentRadiiOntoRest) {
   for (unsigned seed = 0; seed < 10; ++seed) {
     State s = test::random_state(m, seed);
     const std::array<Constraint::Closed, 2> both{
-        {{0, Constraint::Velocity::kStuck}, {1, Constraint::Velocity::kStuck}}};
+        {{0, Constraint::Velocity::kZero}, {1, Constraint::Velocity::kZero}}};
     constraint.project(s.t, s.q.data(), s.v.data(), both);
     for (const ClosedContact& c : closed_points(m, s.q.data(), s.v.data(), both)) {
       const double speed = c.point.dv.norm() + std::abs(c.point.spin) * 0.05;

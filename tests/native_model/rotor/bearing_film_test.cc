@@ -265,7 +265,7 @@ TEST(BearingFilm, SlipsAreRefusedByName) {
   expect("{z=0.0,stiffness=1e4,table_kxy=[1.0,2.0]}", "rotor.bearing[0].table_kxy",
          "needs `table_speed`");
   expect("{z=0.0,stiffness=1e4,table_speed=[1.0,2.0],table_kxx=[1.0,2.0]}",
-         "rotor.bearing[0].stiffness", "one of the two");
+         "rotor.bearing[0].stiffness", "remove one of them");
   expect("{z=0.0,table_speed=[2.0,1.0],table_kxx=[1.0,2.0]}", "rotor.bearing[0].table_speed",
          "ascending");
   expect("{z=0.0,table_speed=[1.0],table_kxx=[1.0]}", "rotor.bearing[0].table_speed",

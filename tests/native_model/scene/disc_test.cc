@@ -59,7 +59,7 @@ TEST(DiscWords, ContradictionsAreRefused) {
   const std::string numbers = disc + "mass = 2.0\nJt = 1e-3\nJp = 2e-3\n";
   expect_refused({
       {"no mass", disc + "Jt = 1e-3\nJp = 2e-3\n", 10, "rotor.disc[0].mass",
-       "or `diameter` and `thickness`"},
+       "or give the disc's `diameter` and `thickness`"},
       {"one number of three", disc + "mass = 2.0\nJt = 1e-3\n", 10, "rotor.disc[0].Jp", "missing"},
       {"both", disc + "mass = 2.0\ndiameter = 0.2\nthickness = 0.03\n", 12, "rotor.disc[0].mass",
        "follows from"},
@@ -69,7 +69,7 @@ TEST(DiscWords, ContradictionsAreRefused) {
       {"density of nothing", numbers + "rho = 7850\n", 15, "rotor.disc[0].rho",
        "belongs to a disc with"},
       {"two words", numbers + "eccentricity = 1e-5\nunbalance = \"1 g mm\"\n", 16,
-       "rotor.disc[0].unbalance", "give one of them"},
+       "rotor.disc[0].unbalance", "remove one of them"},
       {"no grade", numbers + "balance_grade = \"2.5\"\nbalance_speed = 100\n", 15,
        "rotor.disc[0].balance_grade", "as \"G 2.5\""},
       {"no speed", numbers + "balance_grade = \"G 2.5\"\n", 15, "rotor.disc[0].balance_grade",
@@ -96,9 +96,9 @@ TEST(TwoNames, AreOneKey) {
       {"both", sample + contact + "z = 0.3\nstation = 0.3\n", 15, "contact.z",
        "another name of `station`"},
       {"by the name that is written", sample + contact + "z = 0.7\n", 15, "contact.z",
-       "out of the shaft"},
+       "not on the shaft"},
       {"by the other name", sample + contact + "station = 0.7\n", 15, "contact.station",
-       "out of the shaft"},
+       "not on the shaft"},
       {"not a number", sample + "[[rotor.bearing]]\nstation = \"here\"\nstiffness = 1e6\n", 11,
        "rotor.bearing[0].station", "here"},
   });

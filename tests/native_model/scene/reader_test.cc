@@ -38,7 +38,7 @@ TEST(Reader, SaysThatAStringHasNoEnd) {
   const std::vector<Diagnostic> found = refusal("[controller]\nkind = \"passive\ngain = 1\n");
   const auto said = std::ranges::find_if(found, [](const Diagnostic& d) { return d.line == 2; });
   ASSERT_NE(said, found.end());
-  EXPECT_NE(said->reason.find("a string does not end on its line"), std::string::npos)
+  EXPECT_NE(said->reason.find("a text in quotes does not end on its line"), std::string::npos)
       << said->reason;
 }
 

@@ -19,12 +19,32 @@ TEST(Refusal, NamesUnknownKeysAndTables) {
        15, "rotor.disc[0].jP", "did you mean `Jp`?"},
       {"misspelt table", modal_and("[gravty]\nacceleration = [0, 0]\n"), 11, "gravty",
        "did you mean `gravity`?"},
-      {"nothing like it", modal_and("[zzz]\n"), 11, "zzz", "accepted: run, rotor"},
-      {"key of another table", modal_and("gain = 1\n"), 11, "contact.gain", "it stands in [drive]"},
+      {"nothing like it", modal_and("[zzz]\n"), 11, "zzz", "accepted here: run, rotor"},
+      {"key of another table", modal_and("gain = 1\n"), 11, "contact.gain", "belongs in [drive]"},
       {"key at the top", "friction = 0.1\n" + std::string(kModalSample), 1, "friction",
-       "it stands in [contact]"},
+       "belongs in [contact]"},
       {"unknown below a known table", modal_and("[contact.more]\nx = 1\n"), 11, "contact.more",
        "unknown table"},
+  });
+}
+
+// Neither the key nor the table that is meant is reported as missing too.
+TEST(Refusal, ReportsAMisspeltWordOnce) {
+  expect_refused({
+      {"required key", modal("friction = 0.15", "frictoin = 0.15"), 9, "contact.frictoin",
+       "did you mean `friction`? Accepted here: "},
+      {"table of the form", modal("[rotor.modal]", "[rotor.modl]"), 3, "rotor.modl",
+       "did you mean `modal`?"},
+      {"rotor", "[rotr]\nspeed = 1\n", 1, "rotr", "did you mean `rotor`?"},
+  });
+}
+
+TEST(Refusal, OfAStudyIsOneSentence) {
+  expect_refused({
+      {"sweep", "scene = \"ring.toml\"\n[sample]\nkind = \"grid\"\n[[vary]]\nkey = \"x\"\n", 1,
+       "scene", "give it to `rotorub sweep`, or give its scene, \"ring.toml\""},
+      {"optimise", "[optimise]\nminimise = \"impacts\"\n", 1, "optimise",
+       "give it to `rotorub optimise`"},
   });
 }
 
@@ -221,7 +241,7 @@ TEST(Refusal, NamesWhatDoesNotFitTogether) {
        "rotor.section[1].from", "overlap"},
       {"station off the shaft",
        geometry_and("[magnetic_bearing]\nnegative_stiffness = 1\nstation = 0.61\n"), 12,
-       "magnetic_bearing.station", "out of the shaft"},
+       "magnetic_bearing.station", "not on the shaft"},
       {"magnets too weak for a free mode",
        modal("[2e5, 3e6]", "[2e5, 0]") +
            "[magnetic_bearing]\nnegative_stiffness = 2e5\n[magnetic_bearing.control]\n"
@@ -230,7 +250,7 @@ TEST(Refusal, NamesWhatDoesNotFitTogether) {
       {"magnets too weak for a shaft that nothing holds",
        geometry_and("[magnetic_bearing]\nnegative_stiffness = 2e5\nstation = 0.1\n"
                     "[magnetic_bearing.control]\nforce_per_current = 100\nproportional = 2000\n"),
-       15, "magnetic_bearing.control.proportional", "accepted: more than 2000 A/m"},
+       15, "magnetic_bearing.control.proportional", "give more than 2000 A/m"},
       {"feedback without its bearing",
        modal_and("[magnetic_bearing.control]\nforce_per_current = 100\nproportional = 2000\n"), 11,
        "magnetic_bearing.negative_stiffness", "missing"},
@@ -252,7 +272,7 @@ TEST(Refusal, NamesWhatDoesNotFitTogether) {
                  "force_per_current = 100\nproportional = 1\nfails_at = -1\n"),
        16, "magnetic_bearing.control.fails_at", ">= 0"},
       {"bearing off the shaft", geometry_and("[[rotor.bearing]]\nz = 1\nstiffness = 1\n"), 11,
-       "rotor.bearing[0].z", "out of the shaft"},
+       "rotor.bearing[0].z", "not on the shaft"},
       {"modes and max_frequency", geometry("modes = 2", "modes = 2\nmax_frequency = 900"), 6,
        "rotor.max_frequency", "not both"},
       {"nu and G", geometry("modes = 2", "modes = 2\nnu = 0.3\nG = 8e10"), 7, "rotor.G",
@@ -325,7 +345,7 @@ TEST(KeyDepth, TheRefusalNamesTheLineAndWhatIsAccepted) {
   EXPECT_EQ(test::message_of([] {
               parse_scene("[run]\nend = 0.5\n" + deep_key(1001) + " = 1\n", "scene.toml");
             }),
-            "scene.toml:3: a key of more than 1000 dots; accepted: up to 1000");
+            "scene.toml:3: a key has more than 1000 dots; at most 1000 are accepted");
 }
 
 }  // namespace

@@ -20,7 +20,7 @@ TEST(Refusal, NamesTheLineOfASyntaxError) {
   expect_refused({
       {"unit without quotes", modal("\"0.5 mm\"", "0.5 mm"), 8, "contact.clearance", "\"0.5 mm\""},
       {"word without quotes", full("\"linear\"", "linear"), 22, "drive.kind",
-       "a word stands in quotes"},
+       "put a word in quotes"},
       {"no value", modal("0.15", ""), 9, "contact.friction", "TOML"},
       {"key given twice", modal("friction = 0.15", "friction = 0.15\nfriction = 0.2"), 10,
        "contact.friction", "given twice"},
@@ -72,7 +72,7 @@ stator = [1, 2]
 TEST(Refusal, WritesOneLineAProblem) {
   EXPECT_EQ(test::message_of([] { parse_scene(modal("0.15", "-1") + "[zzz]\n", "dir/s.toml"); }),
             "dir/s.toml:9: contact.friction: out of range: expected a pure number, >= 0, got -1\n"
-            "dir/s.toml:11: zzz: unknown table; accepted: run, rotor, drive, force, base, "
+            "dir/s.toml:11: zzz: unknown table; accepted here: run, rotor, drive, force, base, "
             "magnetic_bearing, magnetic_control, contact, stator, actuator, controller, gravity, "
             "initial, mujoco, check");
 }

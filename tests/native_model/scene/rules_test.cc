@@ -54,8 +54,8 @@ TEST(Rules, ContradictionsAreRefusedWithTheirPlace) {
   for (const Wrong& wrong : std::initializer_list<Wrong>{
            {"metric = \"steps\"\nmax = 1\n", "check[0].why", "missing"},
            {"metric = \"steps\"\nwhy = \"w\"\n", "check[0].metric", "no limit"},
-           {"max = 1\nwhy = \"w\"\n", "check[0].max", "limits nothing"},
-           {"why = \"w\"\n", "check[0]", "says nothing"},
+           {"max = 1\nwhy = \"w\"\n", "check[0].max", "has nothing to limit"},
+           {"why = \"w\"\n", "check[0]", "is empty"},
            {"metric = \"steps\"\nmin = 2\nmax = 1\nwhy = \"w\"\n", "check[0].max", "below `min`"},
            {"metric = \"steps\"\nmax = 1\nexpect = \"refused\"\nwhy = \"w\"\n", "check[0].metric",
             "there is none"},
