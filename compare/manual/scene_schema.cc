@@ -139,7 +139,7 @@ json form_rule(const Table& rotor) {
   }
   for (const Table& table : scene::tables()) {
     const std::string_view path = table.path;
-    if (table.form == Form::kGeometry && path.starts_with("rotor."))
+    if (table.form == Form::kGeometry && table.parent() == "rotor")
       shut[std::string(path.substr(6))] = false;
   }
   geometry.push_back("section");
@@ -158,12 +158,13 @@ std::string scene_schema() {
             {"properties", json::object()},
             {"additionalProperties", false}};
   for (const Table& table : scene::tables()) {
-    // Parents precede children and are not lists.
+    // Parents precede children.
     json* parent = &root;
     std::string_view name = table.path;
     for (std::size_t dot; (dot = name.find('.')) != std::string_view::npos;
          name.remove_prefix(dot + 1)) {
       parent = &(*parent)["properties"][std::string(name.substr(0, dot))];
+      if (parent->contains("items")) parent = &(*parent)["items"];
     }
     json schema = table_schema(table);
     if (table.path == "rotor") schema["allOf"].push_back(form_rule(table));

@@ -99,8 +99,8 @@ result::Table record_table(const MeasuredRun& run, std::string place, std::strin
   for (const std::string& label : run.labels) {
     const ContactKind* kind = contact_kind(label);
     const std::string name = kind ? kind->heading : label;
-    table.columns.push_back(
-        {"runs/" + label, apart(name), 8, name.empty() ? result::kJson : result::kAll});
+    table.columns.push_back({"runs/" + label, apart(name), 8,
+                             name.empty() ? result::kNotTerminal : result::kAll, label});
   }
   return table;
 }
@@ -114,6 +114,14 @@ WrittenUnit written_unit(const Measurable& what) {
   if (what.unit() == "m") return {"µm", 1e6};
   if (what.unit() == "rad/s") return {"rpm", kRpm};
   return {what.unit() == "N" ? "N" : "A", 1.0};
+}
+
+// The difference of a column from a run, and the same relative to the run's deviation: "4.1 %".
+std::string residual_text(const Measurable& what, double value) {
+  return short_number(value * written_unit(what).per_unit);
+}
+std::string share_text(const ColumnResidual& residual) {
+  return residual.share ? fmt::format("{:.3g} %", 100.0 * *residual.share) : std::string("–");
 }
 
 }  // namespace
@@ -154,16 +162,6 @@ std::span<const ColumnMeaning> measured_keys() {
   return keys;
 }
 
-std::string residual_unit(const Measurable& what) { return written_unit(what).unit; }
-
-std::string residual_text(const Measurable& what, double value) {
-  return short_number(value * written_unit(what).per_unit);
-}
-
-std::string share_text(const ColumnResidual& residual) {
-  return residual.share ? fmt::format("{:.3g} %", 100.0 * *residual.share) : std::string("–");
-}
-
 std::string measured_value(const MeasuredFigure& f) {
   const char* sign = f.bound == Bound::kAtLeast ? "≥ " : f.bound == Bound::kAtMost ? "≤ " : "";
   return sign + figure_value(f, f.measured);
@@ -173,24 +171,28 @@ result::Section measured_section(const MeasuredRun& run) {
   result::Table figures = record_table(run, "figures/{row}/{column}", "at the record's samples",
                                        {"measured", apart("measured")});
   if (run.figures.empty()) figures.seen = result::kJson;
+  figures.columns.push_back({.heading = "what it means", .seen = result::kPage});
   for (const MeasuredFigure& f : run.figures) {
     result::Row row{.key = f.key,
                     .items = {{figure_label(f)}, {f.measured, apart(measured_value(f))}},
                     .lead = "    ",
                     .data = {{"bound", to_string(f.bound)}}};
     for (const double value : f.runs) row.items.push_back({value, apart(figure_value(f, value))});
+    row.items.push_back({.text = f.meaning});
     figures.rows.push_back(std::move(row));
   }
   // The offset is relative to the native run. The rms is taken about the offset, because a sensor's
   // zero is unknown.
-  result::Table columns =
-      record_table(run, "columns/{row}/{column}", "record less run, rms", {"", apart("offset")});
+  result::Table columns = record_table(run, "columns/{row}/{column}", "record less run, rms",
+                                       {"", apart("offset"), 0, result::kAll, "mean, of native"});
+  for (const auto& [key, title] : {std::pair{"good", "samples"}, std::pair{"missing", "missing"},
+                                   std::pair{"clipped", "at the limit"}})
+    columns.columns.push_back({key, "", 8, result::kNotTerminal, title});
   for (const ColumnFit& c : run.columns) {
     result::Row row{.key = std::string(c.what->name),
-                    .items = {{fmt::format("{}, {}", c.what->name, residual_unit(*c.what))},
+                    .items = {{fmt::format("{}, {}", c.what->name, written_unit(*c.what).unit)},
                               {apart(residual_text(*c.what, c.runs.front().offset))}},
-                    .lead = "    ",
-                    .data = {{"good", c.good}, {"missing", c.missing}, {"clipped", c.clipped}}};
+                    .lead = "    "};
     result::Row shares{
         .items = {{"of its deviation"}, {}}, .lead = "      ", .seen = result::kPeople};
     for (const ColumnResidual& r : c.runs) {
@@ -199,6 +201,8 @@ result::Section measured_section(const MeasuredRun& run) {
            apart(residual_text(*c.what, r.rms))});
       shares.items.push_back({apart(share_text(r))});
     }
+    for (const std::size_t samples : {c.good, c.missing, c.clipped})
+      row.items.push_back({samples, fmt::format("{}", samples)});
     columns.rows.insert(columns.rows.end(), {std::move(row), std::move(shares)});
   }
   result::Section section{"measured",
@@ -213,6 +217,7 @@ result::Section measured_section(const MeasuredRun& run) {
                                             "  measured: "},
                            result::Sentence{alignment_text(run.alignment), "    "},
                            std::move(figures), std::move(columns)}};
+  section.title = "The measured run";
   for (const std::string& remark : run.remarks) section.add({result::Sentence{remark, "    - "}});
   return section;
 }

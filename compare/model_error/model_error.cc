@@ -151,19 +151,27 @@ ModelError model_error(const scene::Scene& scene, const ModelErrorParameters& pa
 
 result::Section model_error_section(const ModelError& error) {
   result::Section section{"model_error", {result::Data{"modes", error.modes}}};
+  section.title = "What the bending modes kept leave out";
+  section.id = "modes";
   if (!error.reason.empty()) {
     section.add({result::Data{"reason", error.reason},
                  result::Sentence{"modes kept: not known: " + error.reason, "  "}});
     return section;
   }
-  result::Table table{"figures/{row}/{column}", {{"", "bending modes kept", -21}}};
-  for (const int n : error.modes) table.columns.push_back({"", fmt::format("{}", n), 9});
-  table.columns.push_back({"convergence", "  over the modes; off by"});
+  result::Table table{"figures/{row}/{column}",
+                      {{"", "bending modes kept", -21, result::kAll, "figure"},
+                       {.heading = "unit", .seen = result::kPage}}};
+  for (const int n : error.modes)
+    table.columns.push_back(
+        {"", fmt::format("{}", n), 9, result::kAll, fmt::format("{} modes", n)});
+  table.columns.push_back({"convergence", "  over the modes; off by", 0, result::kAll,
+                           "over the modes, and the error with the scene's modes"});
+  table.columns.push_back({"", "left beyond the last", 9, result::kPage});
   std::string left;
   for (const FigureLimit& f : error.figures) {
     section.add({result::Data{f.figure->key, number_or_null(f.error)}});
     result::Row row{.key = f.figure->key,
-                    .items = {{f.figure->label}},
+                    .items = {{f.figure->label}, {f.figure->unit}},
                     .data = {{"values", f.values},
                              {"last_change", f.last_change},
                              {"left", number_or_null(f.left)},
@@ -172,6 +180,7 @@ result::Section model_error_section(const ModelError& error) {
     const std::string word = to_string(f.convergence);
     row.items.push_back(
         {word, "  " + word + (f.error ? ", " + deviation_text(*f.figure, *f.error) : "")});
+    row.items.push_back({.text = f.left ? size_text(*f.figure, std::abs(*f.left)) : "–"});
     table.rows.push_back(std::move(row));
     if (f.convergence == Convergence::kTrend) {
       left += fmt::format("{}{} {}", left.empty() ? "" : ", ", f.figure->label,
@@ -181,7 +190,9 @@ result::Section model_error_section(const ModelError& error) {
   section.add({std::move(table)});
   if (!left.empty()) {
     section.add({result::Sentence{
-        fmt::format("trend: to come beyond {} modes: {}", error.modes.back(), left), "  * "}});
+        .text = fmt::format("trend: to come beyond {} modes: {}", error.modes.back(), left),
+        .lead = "  * ",
+        .seen = result::kTerminal}});
   }
   return section;
 }

@@ -14,17 +14,6 @@ std::string_view packed_plotly_js();
 std::string_view report_js();
 std::string_view still_js();
 std::string_view native_worker_js();  // runs the native model in a page (what_if.h)
-// The pages' templates (page_frame.h).
-std::string_view report_html();
-std::string_view run_html();
-std::string_view page_html();  // for pages that the script lays out
-// Partials of the templates.
-std::string_view head_html();
-std::string_view foot_html();
-std::string_view plots_html();      // a scene's plots and their controls
-std::string_view player_html();     // a scene's live player
-std::string_view what_if_html();    // sliders for the scene's values
-std::string_view transport_html();  // time control of player and plots
-std::string_view glossary_html();   // meaning of the terms
+std::string_view page_html();  // the frame of every page (page_frame.h)
 
 }  // namespace rotorub

@@ -3,7 +3,6 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
-#include <algorithm>
 #include <nlohmann/json.hpp>
 #include <optional>
 #include <string>
@@ -11,7 +10,6 @@
 #include "compare/bench/output.h"
 #include "compare/bench/work_precision.h"
 #include "compare/report/page_frame.h"
-#include "compare/report/plot_points.h"
 #include "compare/result/result.h"
 
 namespace rotorub {
@@ -20,38 +18,6 @@ namespace {
 
 using namespace bench;
 using nlohmann::json;
-
-double number(const json& value) {
-  return value.is_null() ? 0.0 : rounded(value.get<double>(), kDigits);
-}
-
-json plot_point(const json& point) {
-  const json &step = point.at("step"), &wall = point.at("wall_ms");
-  Setting setting{point.at("engine"), point.at("setting"), {}, nullptr, nullptr, ""};
-  if (!step.is_null()) setting.step = step.get<double>();
-  return {{"step", step.is_null() ? json(0.0) : step},
-          {"label", setting_text(setting)},
-          {"error", number(point.at("position_error"))},
-          {"limit", number(point.at("limit_error"))},
-          {"ms", wall.is_null() ? 0.0 : number(wall.at("median"))},
-          {"low", wall.is_null() ? 0.0 : number(wall.at("low"))},
-          {"high", wall.is_null() ? 0.0 : number(wall.at("high"))},
-          {"outcome", point.at("outcome")}};
-}
-
-// The tolerances of an engine form one series (compare/bench/work_precision.h).
-bool belongs(const json& point, const json& series) {
-  return point.at("engine") == series.at("engine") &&
-         (point.at("step").is_null() ? series.at("setting") == ""
-                                     : point.at("setting") == series.at("setting"));
-}
-
-std::string family_of(const json& scene, const json& engine) {
-  const json& engines = scene.at("engines");
-  const auto found = std::find_if(engines.begin(), engines.end(),
-                                  [&](const json& e) { return e.at("engine") == engine; });
-  return found == engines.end() ? std::string("peer") : found->at("family").get<std::string>();
-}
 
 json card_of(const SceneBench& bench, const std::string& id) {
   std::optional<bool> native;  // empty if no level is reached
@@ -69,23 +35,6 @@ json card_of(const SceneBench& bench, const std::string& id) {
 }
 
 }  // namespace
-
-json precision_plots(const json& scene) {
-  const json all = list_of(scene.at("series"), [&](const json& series) -> json {
-    json points = json::array();
-    for (const json& point : scene.at("points")) {
-      if (belongs(point, series) && !point.at("position_error").is_null())
-        points.push_back(plot_point(point));
-    }
-    const json& order = series.at("order");
-    return {{"engine", series.at("engine")},
-            {"setting", series.at("setting")},
-            {"family", family_of(scene, series.at("engine"))},
-            {"order", order.is_null() ? order : json(number(order))},
-            {"points", points}};
-  });
-  return {{"clearance", scene.at("clearance")}, {"series", all}};
-}
 
 std::string bench_page(const Machine& machine, const std::vector<SceneBench>& benches,
                        const std::vector<RestitutionRow>& restitution) {
@@ -110,7 +59,7 @@ std::string bench_page(const Machine& machine, const std::vector<SceneBench>& be
   return laid_out_page(
       {fmt::format("{}", fmt::join(names, ", ")), "speed against error",
        "Who is the fastest at a given error?"},
-      found, sections, {{"benches", list_of(json_of(found).at("scenes"), precision_plots)}},
+      found, sections, {{"benches", json_of(found).at("scenes")}},
       "Peers get the contact of a disc in a ring (its normal from the present positions) from us; "
       "the solver is theirs. Native times hold the bookkeeping of energy and contact; those of "
       "MuJoCo and of the peers do not.");

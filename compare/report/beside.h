@@ -12,7 +12,7 @@ inline constexpr const char* kBenchFile = "bench.json";
 inline constexpr const char* kCheckFile = "check.json";
 
 struct Beside {
-  nlohmann::json benches = nlohmann::json::array();  // for page/precision.js: precision_plots
+  nlohmann::json benches = nlohmann::json::array();  // for page/precision.js: scenes of bench.json
   nlohmann::json maps = nlohmann::json::array();     // for page/maps.js: sweep_plots, with "maps"
   // For page/layout.js, by the ids of their places: "precision", "cases" and "maps".
   nlohmann::json parts = {{"precision", nlohmann::json::array()},

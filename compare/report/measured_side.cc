@@ -8,9 +8,6 @@
 #include <complex>
 #include <nlohmann/json.hpp>
 
-#include "compare/base/format.h"
-#include "compare/figures/figure.h"
-#include "compare/measured/output.h"
 #include "compare/measured/sampled_run.h"
 #include "compare/metrics/rows.h"
 #include "compare/report/pack/packed_run.h"
@@ -185,8 +182,6 @@ class SideMaker {
   json tracks_ = json::object(), holes_ = json::object();
 };
 
-json cell(const std::string& value) { return {{"value", value}}; }
-
 }  // namespace
 
 json measured_side(const ShownRuns& shown, double limit) {
@@ -211,43 +206,6 @@ json sampled_force(const ShownRuns& shown, const std::string& label) {
   }
   samples.tolerance = force_tolerance(samples.value);
   return track_json(pack(TrackKind::kLinear, samples));
-}
-
-json measured_values(const std::optional<MeasuredRun>& run) {
-  if (!run) return nullptr;
-  const json figures = list_of(run->figures, [](const MeasuredFigure& f) -> json {
-    return {{"label", f.label},
-            {"unit", f.unit},
-            {"measured", measured_value(f)},
-            {"cells", list_of(f.runs, [&](double value) { return cell(figure_value(f, value)); })},
-            {"meaning", f.meaning}};
-  });
-  const json columns = list_of(run->columns, [](const ColumnFit& c) -> json {
-    return {{"name", c.what->name},
-            {"unit", residual_unit(*c.what)},
-            {"cells", list_of(c.runs,
-                              [&](const ColumnResidual& r) {
-                                return cell(fmt::format("{} · {}", residual_text(*c.what, r.rms),
-                                                        share_text(r)));
-                              })},
-            {"offset", residual_text(*c.what, c.runs.front().offset)},
-            {"good", c.good},
-            {"missing", c.missing},
-            {"clipped", c.clipped}};
-  });
-  return {{"file", run->file},
-          {"samples", run->samples},
-          {"interval", time_text(run->interval)},
-          {"alignment", alignment_text(run->alignment)},
-          {"ambiguous", run->alignment.ambiguous()},
-          {"labels", list_of(run->labels,
-                             [](const std::string& l) -> json {
-                               return {{"label", l}};
-                             })},
-          {"figures", figures},
-          {"columns", columns},
-          {"remarks", run->remarks},
-          {"has_remarks", !run->remarks.empty()}};
 }
 
 }  // namespace rotorub

@@ -1,5 +1,4 @@
-// A measured run in a page: a further run in plots and player, with only the record's data, and its
-// tables.
+// A measured run in a page: a further run in plots and player, with only the record's data.
 #pragma once
 
 #include <nlohmann/json_fwd.hpp>
@@ -22,8 +21,5 @@ nlohmann::json measured_side(const ShownRuns& shown, double limit);
 // the format of track_json(); null if the force was not measured, and for a run that the record was
 // not compared with.
 nlohmann::json sampled_force(const ShownRuns& shown, const std::string& label);
-
-// Values of {{measured}} in report.html, as rounded texts; null without a measured run.
-nlohmann::json measured_values(const std::optional<MeasuredRun>& run);
 
 }  // namespace rotorub

@@ -204,13 +204,14 @@ std::string modes_page(const scene::Scene& scene, const Campbell& campbell) {
   sheets.insert(sheets.end(), peaks.begin(), peaks.end());
   sheets.push_back({{"summary", "The scene's text"}, {"pre", scene.text}});
   parts.push_back({{"class", "sheets"}, {"parts", sheets}});
+  const bool is_sheared =
+      scene.rotor.geometry && scene.rotor.geometry->theory == scene::ShaftTheory::kTimoshenko;
   return laid_out_page(
       {scene.name, "whirl of the free rotor",
        "Where does it whirl, and where does it stay stable?"},
       found, parts, {{"rotor", rotor}, {"loops", loops}},
-      fmt::format("Scene {}. Limits: Euler-Bernoulli shaft with rotary inertia, small deflections, "
-                  "no contact.",
-                  scene::scene_hash(scene)));
+      fmt::format("Scene {}. Limits: {} shaft with rotary inertia, small deflections, no contact.",
+                  scene::scene_hash(scene), is_sheared ? "Timoshenko" : "Euler-Bernoulli"));
 }
 
 json rotor_section(const scene::Scene& scene) {

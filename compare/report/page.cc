@@ -7,13 +7,14 @@
 
 #include "compare/base/format.h"
 #include "compare/base/version.h"
-#include "compare/report/assets.h"
 #include "compare/report/modes_page.h"
 #include "compare/report/page_frame.h"
-#include "compare/report/page_values.h"
 #include "compare/report/plot_points.h"
 #include "compare/report/plots.h"
+#include "compare/report/trade.h"
 #include "compare/report/what_if.h"
+#include "compare/run_files/summary.h"
+#include "compare/study/result.h"
 #include "native_model/scene/reader.h"
 
 namespace rotorub {
@@ -22,32 +23,17 @@ namespace {
 
 using nlohmann::json;
 
-// The data of a scene's plots, player and free rotor for the scripts. Adds the values for the
-// template.
-json live_part(const ShownRuns& shown, json& values) {
-  values.update(live_values(shown));
+// The scene, the data of its plots and player, its free rotor, and its sliders.
+json live_data(const ShownRuns& shown) {
+  const scene::Scene& scene = *shown.scene;
   json data = plot_data(shown);
-  data["rotor"] = rotor_section(*shown.scene);
-  data["what_if"] = what_if_data(*shown.scene);
-  values["what_if"] = data["what_if"].is_null() ? json::array() : json::array({data["what_if"]});
+  data.update({{"hash", scene::scene_hash(scene)},
+               {"step", scene.run.step},
+               {"end", scene.run.end},
+               {"text", scene.text},
+               {"rotor", rotor_section(scene)},
+               {"what_if", what_if_data(scene)}});
   return data;
-}
-
-// The page's frame; if a scene has sliders, also the native module that they need.
-json live_frame(const PageHead& head, const json& data) {
-  json values = page_frame(head, data, Pictures::kPlotsAndRig);
-  for (const json& scene : data.at("scenes")) {
-    if (scene.at("what_if").is_null()) continue;
-    values["has_module"] = true;
-    values["native_module"] = native_module();
-    values["native_worker"] = native_worker_js();
-    break;
-  }
-  return values;
-}
-
-std::string engine_text(const Trajectory& t) {
-  return fmt::format("{}, integrator {}, contact {}", t.engine, t.integrator, t.contact_model);
 }
 
 std::string ending(const StoredRun& run) {
@@ -57,81 +43,59 @@ std::string ending(const StoredRun& run) {
                      to_string(t.status), t.message.empty() ? "" : ", ", t.message);
 }
 
-json facts(const StoredRun& run, const std::optional<StoredRun>& shadow) {
-  const Trajectory& t = run.trajectory;
-  json rows = json::array();
-  const auto add = [&](const char* name, const std::string& value) {
-    rows.push_back({{"name", name}, {"value", value}});
-  };
-  add("rotorub", program_version());
-  add("scene hash", scene::scene_hash(run.scene));
-  add("run", engine_text(t));
-  if (shadow) add("shadow", engine_text(shadow->trajectory));
-  add("steps", fmt::format("{}", t.steps));
-  if (t.step > 0.0) add("step", time_text(t.step));
-  add("rows", fmt::format("{}", t.rows()));
-  add("impacts", fmt::format("{}", t.impacts.size()));
-  return rows;
-}
+json versions() { return {{"rotorub", program_version()}, {"MuJoCo", mujoco_version()}}; }
 
 }  // namespace
 
 std::string report_page(const std::vector<PageScene>& scenes, const Beside& beside) {
-  json pages = json::array(), plots = json::array();
+  json data{{"scenes", json::array()},
+            {"versions", versions()},
+            {"beside", beside.parts},
+            {"benches", beside.benches},
+            {"maps", beside.maps}};
   std::vector<std::string> names;
   std::vector<const SceneComparison*> comparisons;
+  result::Section found;
   for (const PageScene& scene : scenes) {
-    const SceneComparison& comparison = *scene.comparison;
-    json values = scene_values(comparison);
-    values["index"] = pages.size();
-    values["id"] = fmt::format("scene-{}", pages.size() + 1);
-    values["has_films"] = !scene.films.empty();
-    values["films"] = list_of(scene.films, [](const Film& film) -> json {
+    const SceneComparison& c = *scene.comparison;
+    result::Section compared = comparison_result(c);
+    json& shown = data["scenes"].emplace_back(live_data(shown_runs(c)));
+    shown["parts"] = page_json(compared);
+    const json all = json_of(compared);
+    for (const auto& [label, model] : all.at("differences").items())
+      shown["impacts"][label] = model.at("impacts");
+    shown["twins"] = c.twins;
+    shown["films"] = list_of(scene.films, [](const Film& film) -> json {
       return {{"link", film.link}, {"caption", film.caption}};
     });
-    values["no_films"] = scene.no_films;
-    values["setting"] = scene.setting;
-    plots.push_back(live_part(shown_runs(comparison), values));
-    pages.push_back(std::move(values));
-    names.push_back(comparison.scene.name);
-    comparisons.push_back(&comparison);
+    shown["no_films"] = scene.no_films;
+    shown["setting"] = scene.setting;
+    names.push_back(c.scene.name);
+    comparisons.push_back(&c);
+    found.add({std::move(compared)});
   }
-  const double tolerance = scenes.empty() ? 0.0 : scenes.front().comparison->tolerance;
-  const CompareMode mode =
-      scenes.empty() ? CompareMode::kLockstep : scenes.front().comparison->mode;
-  json values = live_frame(
-      {fmt::format("{}", fmt::join(names, ", ")), fmt::format("{} comparison", to_string(mode)),
+  const SceneComparison* first = scenes.empty() ? nullptr : comparisons.front();
+  const std::string mode = to_string(first ? first->mode : CompareMode::kLockstep);
+  data["mode"] = mode;
+  data["tolerance"] = first ? first->tolerance : 0.0;
+  data["trade"] = trade_data(comparisons);
+  return page_of(
+      {fmt::format("{}", fmt::join(names, ", ")), mode + " comparison",
        "Can MuJoCo's contact forces be trusted?"},
-      {{"scenes", plots},
-       {"trade", trade_data(comparisons)},
-       {"beside", beside.parts},
-       {"benches", beside.benches},
-       {"maps", beside.maps}});
-  values["has_benches"] = !beside.benches.empty();
-  values["has_cases"] = !beside.parts.at("cases").empty();
-  values["has_maps"] = !beside.maps.empty();
-  values["trades"] = scenes.size() > 1;
-  values["by_figures"] = mode != CompareMode::kResync;
-  values["resyncs"] = mode == CompareMode::kResync;
-  values["mujoco_version"] = mujoco_version();
-  values["tolerance"] = percent_text(tolerance);
-  values["scenes"] = pages;
-  return fill_page(report_html(), values);
+      found, data,
+      fmt::format("MuJoCo {}. Limits: one contact plane, no tilt in the contact, no wear "
+                  "and no heat, small deflections.",
+                  mujoco_version()));
 }
 
 std::string run_page(const StoredRun& run, const std::optional<StoredRun>& shadow) {
-  json live = json::object();
-  const json plots = live_part(shown_runs(run, shadow), live);
-  json values =
-      live_frame({run.scene.name, "one run", run.scene.name}, {{"scenes", json::array({plots})}});
-  values.update(live);
-  values["id"] = "run";
-  values["engine"] = engine_text(run.trajectory);
-  values["ending"] = ending(run);
-  values["ended_well"] = run.trajectory.status == Status::kOk;
-  values["conditions"] = facts(run, shadow);
-  values["text"] = run.scene.text;
-  return fill_page(run_html(), values);
+  const bool ok = run.trajectory.status == Status::kOk;
+  return page_of({run.scene.name, "one run", run.scene.name}, run_result(run.scene, run.trajectory),
+                 {{"scenes", json::array({live_data(shown_runs(run, shadow))})},
+                  {"versions", versions()},
+                  {"ending", {{"text", ending(run)}, {"tone", ok ? "" : "bad"}}}},
+                 "Between rows of the series the page draws a cubic through places and speeds; the "
+                 "gap also meets every impact that lies between.");
 }
 
 }  // namespace rotorub

@@ -7,7 +7,6 @@
 
 #include "compare/report/measured_side.h"
 #include "compare/report/pack/packed_run.h"
-#include "compare/report/plot_kinds.h"
 #include "compare/report/plot_points.h"
 #include "compare/report/rig_values.h"
 #include "compare/report/run_data.h"
@@ -110,38 +109,6 @@ json plot_data(const ShownRuns& shown) {
           {"rig", machine ? rig_values(scene, *machine) : json()},
           {"contacts", contacts_values(scene, machine)},
           {"sides", sides}};
-}
-
-json live_values(const ShownRuns& shown) {
-  const scene::Scene& scene = *shown.scene;
-  const bool several = scene.auxiliary.size() > 1;
-  // The name of the contact if there are several.
-  const auto where = [&](std::size_t contact) {
-    return several ? "contact " + scene.name_of(contact) : std::string();
-  };
-  const json plots = list_of(plot_kinds(shown), [&](const ShownPlot& plot) -> json {
-    const auto& [kind, contact] = plot;
-    return {{"key", kind->key},
-            {"title", kind->title},
-            {"where", kind->of == PlotOf::kContact ? where(contact) : ""},
-            {"contact", contact},
-            {"unit", kind->unit},
-            {"text", kind->text},
-            {"shape", kind->shape},
-            {"over", kind->over}};
-  });
-  json windows = json::array(), legend = json::array(), contacts = json::array();
-  for (const Window& window : plot_windows(shown))
-    windows.push_back({{"index", windows.size()}, {"name", window.name}});
-  for (const ShownRun& run : shown.runs) legend.push_back({{"label", run.label}});
-  if (shown.measured) legend.push_back({{"label", kMeasured}});
-  for (std::size_t k = 0; k < scene.auxiliary.size(); ++k)
-    contacts.push_back({{"index", k}, {"where", where(k)}});
-  return {{"plots", plots},
-          {"windows", windows},
-          {"legend", legend},
-          {"contacts", contacts},
-          {"several", several}};
 }
 
 }  // namespace rotorub

@@ -34,8 +34,5 @@ ShownRuns shown_runs(const StoredRun& run, const std::optional<StoredRun>& shado
 // For the scripts: windows, runs as tracks (pack/packed_run.h), impacts on their laws, and the
 // drawn rig.
 nlohmann::json plot_data(const ShownRuns& shown);
-// For the templates player.html and plots.html: {{plots}}, {{windows}}, {{legend}} of every drawn
-// run, {{contacts}}, and {{several}} if there is more than one contact.
-nlohmann::json live_values(const ShownRuns& shown);
 
 }  // namespace rotorub

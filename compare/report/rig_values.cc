@@ -102,6 +102,7 @@ json contacts_values(const scene::Scene& scene, const std::optional<renders::Mac
                          : static_cast<double>(k + 1) / static_cast<double>(count + 1);
     all.push_back({{"name", count > 1 ? scene.name_of(k) : ""},
                    {"touches", bearing.contact.has_value()},
+                   {"rubs", bearing.contact && !contact.friction.is_frictionless()},
                    {"clearance", contact.clearance},
                    {"restitution", contact.restitution},
                    {"radius", contact.radius},

@@ -18,8 +18,8 @@ std::optional<renders::Machine> drawn_machine(const ShownRuns& shown);
 nlohmann::json rig_values(const scene::Scene& scene, const renders::Machine& machine);
 
 // For each auxiliary bearing, at least one: "name" ("" if it is the only one), "touches",
-// clearance, restitution and radius (m), its drawn parts, and "actuator", its characteristic
-// curves.
+// "rubs" (with friction), clearance, restitution and radius (m), its drawn parts, and "actuator",
+// its characteristic curves.
 nlohmann::json contacts_values(const scene::Scene& scene,
                                const std::optional<renders::Machine>& machine);
 

@@ -11,8 +11,9 @@
 
 namespace rotorub {
 
-// {"label", "end", "status", "tracks" (pack/packed_run.h; empty without a machine), "whirl"
-// (whirl_plots.h), and for each contact "impacts" on their laws and "distribution"
+// {"label", "end", "status", "engine", "integrator", "contact", "step", "steps", "rows",
+// "impacts_written" (all of impacts.csv), "tracks" (pack/packed_run.h; empty without a machine),
+// "whirl" (whirl_plots.h), and for each contact "impacts" on their laws and "distribution"
 // (contact_plots.h)}. first: the run that others are compared with, null for itself. limit: of the
 // spectra, Hz.
 nlohmann::json run_data(const scene::Scene& scene, const std::string& label, const Trajectory& run,

@@ -176,7 +176,7 @@ json what_if_data(const scene::Scene& scene) {
   if (module_file(kNativeModule).empty()) return nullptr;
   const json sliders = sliders_of(scene);
   if (sliders.empty()) return nullptr;
-  return {{"text", scene.text}, {"name", scene.name + ".toml"}, {"sliders", sliders}};
+  return {{"name", scene.name + ".toml"}, {"sliders", sliders}};
 }
 
 }  // namespace rotorub

@@ -19,7 +19,7 @@ std::string native_module();
 // run: one with libraries or without text.
 nlohmann::json sliders_of(const scene::Scene& scene);
 
-// {"text", "name": the scene's, "sliders"}; null without sliders, and if the module was not built.
+// {"name": the scene's file, "sliders"}; null without sliders, and if the module was not built.
 nlohmann::json what_if_data(const scene::Scene& scene);
 
 }  // namespace rotorub

@@ -1,5 +1,7 @@
+#include <algorithm>
 #include <boost/algorithm/string/replace.hpp>
 #include <boost/algorithm/string/trim.hpp>
+#include <cctype>
 #include <map>
 #include <string>
 #include <utility>
@@ -19,13 +21,24 @@ const char* word_of(Tone tone) {
   return tone == Tone::kGood ? "good" : tone == Tone::kPart ? "part" : "bad";
 }
 
-json cell_json(const Item& item, const std::string& lead) {
-  const std::string text = trim_copy(lead + text_of(item));
-  if (item.tone == Tone::kPlain && item.note.empty()) return text;
+json cell_json(const Item& item) {
+  const std::string text = trim_copy(text_of(item));
+  if (item.tone == Tone::kPlain && item.note.empty() && item.beside.empty()) return text;
   json cell{{"text", text}};
+  if (!item.beside.empty()) cell["beside"] = item.beside;
   if (item.tone != Tone::kPlain) cell["tone"] = word_of(item.tone);
   if (!item.note.empty()) cell["note"] = item.note;
   return cell;
+}
+
+bool is_mark(const std::string& lead) {
+  return std::ranges::none_of(lead, [](unsigned char c) { return std::isalnum(c); });
+}
+
+// Sets "mark" if the lead is one.
+void add_mark(json& shown, const std::string& lead) {
+  const std::string mark = trim_copy(lead);
+  if (is_mark(mark) && !mark.empty()) shown["mark"] = mark;
 }
 
 // Adds the parts of a section to the list of a page.
@@ -36,7 +49,7 @@ class PageWriter {
   void operator()(const Data&) {}
 
   void operator()(const Sentence& s) {
-    const std::string text = trim_copy(s.lead + s.text);
+    const std::string lead = is_mark(s.lead) ? "" : s.lead, text = trim_copy(lead + s.text);
     if (!(s.seen & kPage) || text.empty()) return;
     if (s.role == Role::kCaption) {
       caption_ = text;
@@ -46,6 +59,7 @@ class PageWriter {
       list_.push_back({{"lines", s.lead + s.text}});
     } else {
       list_.push_back({{"text", text}});
+      add_mark(list_.back(), s.lead);
       if (s.tone == Tone::kPlain) return;
       list_.back()["tone"] = word_of(s.tone);
       list_.back()["toned"] = trim_copy(s.toned.empty() ? s.lead : s.toned);
@@ -80,19 +94,20 @@ class PageWriter {
     json parts = json::array();
     PageWriter inner(parts);
     for (const Part& part : section.parts) std::visit(inner, part);
-    list_.push_back({{"id", id_of(section.place)}, {"title", section.title}, {"parts", parts}});
+    if (parts.empty()) return;
+    const std::string id = section.id.empty() ? id_of(section.place) : section.id;
+    list_.push_back({{"id", id}, {"title", section.title}, {"parts", parts}});
   }
 
  private:
   static json row_json(const Table& table, const Row& row) {
     json cells = json::array();
-    std::string lead = row.lead;
     for (std::size_t k = 0; k < table.columns.size(); ++k) {
       if (!(table.columns[k].seen & kPage)) continue;
-      cells.push_back(cell_json(k < row.items.size() ? row.items[k] : Item{}, lead));
-      lead.clear();
+      cells.push_back(cell_json(k < row.items.size() ? row.items[k] : Item{}));
     }
     json shown{{"cells", cells}};
+    add_mark(shown, row.lead);
     if (row.note.seen & kPage && !row.note.text.empty())
       shown["note"] = trim_copy(row.note.lead + row.note.text);
     return shown;

@@ -38,8 +38,9 @@ struct Item {
   // Written instead of the value. If it is empty, a string is written as it is, a number by
   // short_number(), and null as "–".
   std::string text{};
-  Tone tone = Tone::kPlain;  // of the text
+  Tone tone = Tone::kPlain;  // of the text, or of `beside`
   std::string note{};        // on a page, why the cell has this text
+  std::string beside{};      // on a page, words below the text: a difference from another value
 };
 // The text of an item for people.
 std::string text_of(const Item& item);
@@ -84,7 +85,7 @@ struct Column {
 struct Row {
   std::string key{};          // replaces {row} in the table's place; empty: none
   std::vector<Item> items{};  // in the order of the columns; missing ones at the end are empty
-  std::string lead{};         // before the first item instead of the table's lead: "* "
+  std::string lead{};         // a mark before the first item instead of the table's lead: "* "
   Sentence note{};            // below the row, for people; empty: none
   nlohmann::json data{};      // JSON alone: an object whose keys join those of the columns
   Audience seen = kAll;
@@ -136,6 +137,7 @@ struct Section {
   std::vector<Part> parts{};
   Audience seen = kAll;
   std::string title{};  // of a section of the page; without one it belongs to the section around it
+  std::string id{};     // of that section; by default its place, "scenes-1" for "scenes/#"
 
   void add(std::vector<Part> more);
 };
@@ -151,10 +153,12 @@ nlohmann::ordered_json ordered_json_of(const Section& result);
 std::string text_of(const Section& result, const Palette& palette = Palette());
 // A list of what a page lays out (report/page/layout.js):
 //   {"heading": text}
-//   {"text", "tone", "toned": the words that have the tone}, or {"lines": text of several lines}
-//   {"caption", "columns": [{"text", "number": true}], "rows": [{"cells": [text or {"text", "tone",
-//   "note"}], "note"}]}
-//   {"id": its place, "scenes-1" for "scenes/#", "title", "parts": a list as this one}
+//   {"text", "mark", "tone", "toned": the words that have the tone}, or {"lines": text of several
+//   lines}
+//   {"caption", "columns": [{"text", "number": true}], "rows": [{"cells": [text or {"text",
+//   "beside", "tone", "note"}], "mark", "note"}]}
+//   {"id", "title", "parts": a list as this one}
+// A mark is a lead without letters, "*".
 // Keys without a value are absent. Tones: "good", "part", "bad". Blanks that align texts on a
 // terminal are left out.
 nlohmann::json page_json(const Section& result);

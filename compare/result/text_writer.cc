@@ -29,7 +29,8 @@ std::string line_of(const Table& table, const std::vector<Item>& items, std::str
     const Column& column = table.columns[k];
     if (!(column.seen & kTerminal)) continue;
     const std::string cell = text_of(items[k]);
-    text += palette.paint_first(items[k].tone, padded(lead + cell, column.width), cell);
+    const Tone tone = items[k].beside.empty() ? items[k].tone : Tone::kPlain;
+    text += palette.paint_first(tone, padded(lead + cell, column.width), cell);
     lead.clear();
   }
   text.erase(text.find_last_not_of(' ') + 1);

@@ -134,6 +134,7 @@ std::string shaft(const Starter& starter, const StarterSizes& s) {
                rig ? "of the spin at t = 0" : "of the spin; held, as there is no [drive]") +
          value("length", written(starter.length), "of the shaft; stations count from its end") +
          value("E", "\"210 GPa\"", "steel") + value("nu", "0.3", "") +
+         value("theory", "\"timoshenko\"", "beam with shear deformation; or \"euler-bernoulli\"") +
          value("rho", "7850.0", "kg/m^3") +
          value("modes", "8", "bending modes kept; sizes of impacts depend on them") +
          value("damping_ratio", "0.01", "of each mode") +

@@ -76,8 +76,8 @@ void take(LargestError& largest, const Figure& figure, std::optional<double> sha
 }  // namespace
 
 const VerdictWords& verdict_words(const SceneComparison& c, const ComparedModel& m) {
-  static constexpr VerdictWords kNoContact{"no contact", Tone::kPart, "not judged", "–"};
-  static constexpr VerdictWords kNotKnown{"not known", Tone::kPart, "not judged", "–"};
+  static constexpr VerdictWords kNoContact{"no contact", Tone::kPart, "not judged"};
+  static constexpr VerdictWords kNotKnown{"not known", Tone::kPart, "not judged"};
   const Side &native = c.reference(m), &other = m.run;
   const Status status = other.trajectory.status;
   if (native.trajectory.status != Status::kOk || status == Status::kControllerFailed)

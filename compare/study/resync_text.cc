@@ -128,41 +128,51 @@ std::vector<std::string> resync_reasons(const std::string& contact, const Resync
 }
 
 std::vector<result::Part> resync_parts(const SceneComparison& c) {
-  std::vector<result::Part> parts{result::line(
-      "  by onset; off by, in %       native    MuJoCo  median    90 %   worst    at, s")};
+  using result::Sentence;
+  std::vector<result::Part> parts{Sentence{
+      .text = "  by onset; off by, in %       native    MuJoCo  median    90 %   worst    at, s",
+      .wraps = false,
+      .seen = result::kTerminal}};
   for (const ComparedModel& m : c.models) {
     const std::string& label = m.run.label;
     const Resync& r = *m.resync;
     result::Table table{"figures/{row}/{column}",
-                        {{"", "", -27},
-                         {"native", "", 10},
-                         {"other", "", 10},
-                         {"median", "", 8},
-                         {"ninetieth", "", 8},
-                         {"worst", "", 8},
-                         {"worst_time", "", 9}}};
+                        {{"", "", -27, result::kAll, "figure"},
+                         {"native", "", 10, result::kAll, "native, mean"},
+                         {"other", "", 10, result::kAll, "MuJoCo, mean"},
+                         {"median", "", 8, result::kAll, "median off by, %"},
+                         {"ninetieth", "", 8, result::kAll, "90 % within, %"},
+                         {"worst", "", 8, result::kNotPage},
+                         {"", "", 8, result::kPage, "worst"},
+                         {"worst_time", "", 9, result::kAll, "at, s"}}};
     for (const ResyncRow& row : r.rows) {
       const ResyncFigure& f = *row.figure;
-      table.rows.push_back({.key = f.key,
-                            .items = {{figure_label(f)},
-                                      {row.native, figure_value(f, row.native)},
-                                      {row.mujoco, figure_value(f, row.mujoco)},
-                                      {row.median, percents(row.median)},
-                                      {row.ninetieth, percents(row.ninetieth)},
-                                      {row.worst, percents(row.worst)},
-                                      {row.worst_time, fmt::format("{:.4g}", row.worst_time)}},
-                            .lead = row.verdict == FigureVerdict::kOutside ? "!   " : "    ",
-                            .data = {{"relative_to", f.relative_to},
-                                     {"bias", row.bias},
-                                     {"worst_signed", row.worst_signed},
-                                     {"verdict", to_string(row.verdict)},
-                                     {"within", row.verdict == FigureVerdict::kWithin}}});
+      table.rows.push_back(
+          {.key = f.key,
+           .items = {{figure_label(f), "", Tone::kPlain,
+                      fmt::format("{} Differences: shares of {}.", f.meaning, f.relative_to)},
+                     {row.native, figure_value(f, row.native)},
+                     {row.mujoco, figure_value(f, row.mujoco)},
+                     {row.median, percents(row.median)},
+                     {row.ninetieth, percents(row.ninetieth)},
+                     {row.worst, percents(row.worst)},
+                     {.text = signed_percent(row.worst_signed),
+                      .tone = tone_of(row.verdict),
+                      .note = to_string(row.verdict)},
+                     {row.worst_time, fmt::format("{:.4g}", row.worst_time)}},
+           .lead = row.verdict == FigureVerdict::kOutside ? "!   " : "    ",
+           .data = {{"relative_to", f.relative_to},
+                    {"bias", row.bias},
+                    {"worst_signed", row.worst_signed},
+                    {"verdict", to_string(row.verdict)},
+                    {"within", row.verdict == FigureVerdict::kWithin}}});
     }
     nlohmann::json onsets = nlohmann::json::array();
     for (const PredictedOnset& onset : r.onsets) onsets.push_back(onset_json(onset));
     parts.emplace_back(result::Section{
         "differences/" + label + "/resync",
-        {result::line(fmt::format("  {}: {}", label, onsets_text(r))), std::move(table),
+        {result::line(fmt::format("  {}: {}", label, onsets_text(r)), result::Role::kCaption),
+         std::move(table),
          result::Data{"",
                       {{"onsets", onsets},
                        {"left_out", r.left_out},
@@ -177,7 +187,8 @@ std::vector<result::Part> resync_parts(const SceneComparison& c) {
       percent_text(c.tolerance));
   for (const ResyncFigure& f : resync_figures())
     judged += fmt::format("    {:<16} {}\n", f.label, f.relative_to);
-  parts.emplace_back(result::line(std::move(judged)));
+  parts.emplace_back(
+      Sentence{.text = std::move(judged), .wraps = false, .seen = result::kTerminal});
   return parts;
 }
 

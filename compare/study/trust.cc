@@ -36,10 +36,10 @@ constexpr FigureWords kFigureWords[] = {{"not judged", Tone::kPlain},
                                         {"within", Tone::kGood},
                                         {"outside", Tone::kBad}};
 // In the order of Trust.
-constexpr VerdictWords kVerdictWords[] = {{"yes", Tone::kGood, "within", "✓"},
-                                          {"averages only", Tone::kPart, "AVERAGES", "≈"},
-                                          {"no", Tone::kBad, "OUTSIDE", "✗"},
-                                          {"undecidable", Tone::kPart, "undecidable", "?"}};
+constexpr VerdictWords kVerdictWords[] = {{"yes", Tone::kGood, "within"},
+                                          {"averages only", Tone::kPart, "AVERAGES"},
+                                          {"no", Tone::kBad, "OUTSIDE"},
+                                          {"undecidable", Tone::kPart, "undecidable"}};
 
 }  // namespace
 

@@ -78,8 +78,7 @@ enum class Trust {
 struct VerdictWords {
   const char* word;  // "averages only"
   Tone tone;
-  const char* lead;  // before its sentence on the terminal
-  const char* mark;  // before it on the page
+  const char* lead;  // before its sentence
 };
 const VerdictWords& words_of(Trust trust);
 const char* to_string(Trust trust);

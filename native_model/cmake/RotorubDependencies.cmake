@@ -29,7 +29,6 @@ find_path(ROTORUB_FONTS DejaVuSans.ttf PATHS /usr/share/fonts/truetype/dejavu NO
 # compare
 find_package(nlohmann_json 3.11 REQUIRED)
 find_package(CLI11 2.1 REQUIRED)
-find_path(ROTORUB_MUSTACHE_INCLUDE kainjow/mustache.hpp REQUIRED)
 find_package(SQLite3 3.40 REQUIRED)
 pkg_check_modules(fftw3 REQUIRED IMPORTED_TARGET fftw3)
 pkg_check_modules(nlopt REQUIRED IMPORTED_TARGET nlopt_cxx)

@@ -117,7 +117,9 @@ void check(const scene::Scene& scene) {
     check(!bearing.offset.isZero(0.0), path + ".offset",
           "a bearing off the line breaks the rotational symmetry that this analysis needs; use 0");
     check(bearing.follows_speed() || bearing.crosses(),
-          path + (bearing.follows_speed() ? ".table_speed" : ".cross_stiffness"),
+          path + (bearing.journal           ? ".journal"
+                  : bearing.follows_speed() ? ".table_speed"
+                                            : ".cross_stiffness"),
           "this analysis supports only uncoupled springs and dampers; give stiffness and damping");
   }
   check(!first.contact->offset.isZero(0.0), "contact.offset",

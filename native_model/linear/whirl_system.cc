@@ -59,9 +59,10 @@ WhirlSystem geometry_system(const scene::Scene& scene) {
   const Eigen::MatrixXd& phi = modes.mean.shape;
   const Eigen::VectorXd& omega = modes.mean.frequency;
   const auto in_modes = [&](const Eigen::MatrixXd& matrix) { return projected(matrix, phi); };
-  const auto values_at = [&](double z) -> Eigen::VectorXd {
-    return (ritz.basis.deflection(z) * phi).transpose();
+  const auto values_of = [&](const Eigen::RowVectorXd& u) -> Eigen::VectorXd {
+    return (u * phi).transpose();
   };
+  const auto values_at = [&](double z) { return values_of(ritz.basis.deflection(z)); };
 
   WhirlSystem system;
   system.kept = modes.kept;
@@ -93,8 +94,13 @@ WhirlSystem geometry_system(const scene::Scene& scene) {
   }
 
   // Dampers of the bearings, and the magnetic bearings, at their stations.
-  for (const scene::ShaftBearing& bearing : geometry.bearings) {
-    const Eigen::VectorXd u = values_at(bearing.z);
+  for (std::size_t i = 0; i < geometry.bearings.size(); ++i) {
+    const scene::ShaftBearing& bearing = geometry.bearings[i];
+    const Eigen::VectorXd u = values_of(ritz.bearings[i].relative);
+    if (bearing.pedestal) {
+      const Eigen::VectorXd p = values_of(ritz.bearings[i].pedestal);
+      add_support(p, p, {0.0, 0.0}, bearing.pedestal->damping, system);
+    }
     add_support(u, u, {0.0, 0.0}, bearing.damping, system);
     if (auto film = film_of(bearing)) system.films.push_back({u, std::move(*film)});
   }

@@ -207,16 +207,20 @@ ModalRotor reduce_bending(const scene::Scene& scene, const RotorModes& modes) {
     add_own_damping(modes, geometry.damping_ratio, geometry.internal_damping_ratio, x, y, rotor);
   }
 
-  const auto shape_at = [&](double z) {
-    const Eigen::RowVectorXd u = ritz.basis.deflection(z);
+  const auto shape_of = [&](const Eigen::RowVectorXd& u) {
     return ModeShape{x.shape.transpose() * u.transpose(), y.shape.transpose() * u.transpose()};
   };
+  const auto shape_at = [&](double z) { return shape_of(ritz.basis.deflection(z)); };
   rotor.contacts = {{x.contact, y.contact}};
   for (std::size_t k = 1; k < scene.auxiliary.size(); ++k) {
     rotor.contacts.push_back(shape_at(scene.auxiliary[k].contact->station));
   }
-  for (const scene::ShaftBearing& bearing : geometry.bearings) {
-    const ModeShape at = shape_at(bearing.z);
+  for (std::size_t i = 0; i < geometry.bearings.size(); ++i) {
+    const scene::ShaftBearing& bearing = geometry.bearings[i];
+    const auto& [relative, pedestal] = ritz.bearings[i];
+    const ModeShape at = shape_of(relative);
+    if (bearing.pedestal && !bearing.pedestal->damping.isZero(0.0))
+      rotor.bearing_dampers.push_back({shape_of(pedestal), bearing.pedestal->damping});
     if (!bearing.damping.isZero(0.0)) rotor.bearing_dampers.push_back({at, bearing.damping});
     if (auto film = film_of(bearing)) rotor.films.push_back({at, std::move(*film)});
     if (bearing.offset.isZero(0.0)) continue;

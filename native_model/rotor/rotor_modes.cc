@@ -106,14 +106,18 @@ std::vector<double> loaded_stations(const scene::Scene& scene) {
 }
 
 // First guess: the highest requested frequency (rad/s) of a uniform, simply supported shaft with
-// the largest diameter.
+// the largest diameter; with shear it lies below the frequency of bending alone and below that of
+// shear alone.
 double pinned_frequency(const scene::RotorGeometry& geometry, int modes) {
   const double k = modes * std::numbers::pi / geometry.length;
   double diameter = 0.0;
   for (const scene::ShaftSection& section : geometry.sections) {
     diameter = std::max({diameter, section.diameter, section.outer_at(section.to)});
   }
-  return 0.25 * diameter * std::sqrt(geometry.E / geometry.rho) * k * k;
+  const double bending = 0.25 * diameter * std::sqrt(geometry.E / geometry.rho) * k * k;
+  if (geometry.theory == scene::ShaftTheory::kEulerBernoulli) return bending;
+  const double shear = std::sqrt(geometry.G / geometry.rho) * k;
+  return bending * shear / std::hypot(bending, shear);
 }
 
 int count_below(const PlanarModes& modes, double frequency) {
@@ -164,9 +168,13 @@ std::vector<double> numbers_of(const scene::Scene& scene, int wanted, double fre
   };
   const auto begin_list = [&](const auto& list) { add(static_cast<double>(list.size())); };
 
-  const auto& [length, E, nu, G, rho, modes, auto_modes, tolerance, most, damping, internal,
-               sections, discs, bearings] = geometry;
-  add(wanted, frequency, length, E, rho);
+  const auto& [length, E, nu, G, rho, theory, shear_coefficient, axial_force, modes, auto_modes,
+               tolerance, most, damping, internal, sections, discs, bearings] = geometry;
+  add(wanted, frequency, length, E, rho, axial_force, static_cast<double>(theory));
+  if (theory == scene::ShaftTheory::kTimoshenko) {
+    add(G);
+    add_optional(shear_coefficient);
+  }
   begin_list(sections);
   for (const scene::ShaftSection& section : sections) {
     const auto& [from, to, outer, inner, end_outer, end_inner] = section;
@@ -182,9 +190,10 @@ std::vector<double> numbers_of(const scene::Scene& scene, int wanted, double fre
   }
   begin_list(bearings);
   for (const scene::ShaftBearing& bearing : bearings) {
-    const auto& [z, k, c, cross_k, cross_c, offset, speed, kxx, kxy, kyx, kyy, cxx, cxy, cyx, cyy] =
-        bearing;
-    add(z, k.x(), k.y());
+    const auto& [z, k, c, cross_k, cross_c, offset, pedestal, journal, speed, kxx, kxy, kyx, kyy,
+                 cxx, cxy, cyx, cyy] = bearing;
+    add(z, k.x(), k.y(), pedestal ? 1.0 : 0.0);
+    if (pedestal) add(pedestal->mass, pedestal->stiffness.x(), pedestal->stiffness.y());
   }
   begin_list(stations);
   for (const double z : stations) add(z);

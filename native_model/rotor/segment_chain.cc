@@ -95,6 +95,14 @@ Segment rigid_segment(const scene::RotorGeometry& geometry, double node, double 
 SegmentChain segment_chain(const scene::Scene& scene) {
   assert(scene.rotor.geometry);
   const scene::RotorGeometry& geometry = *scene.rotor.geometry;
+  if (geometry.theory == scene::ShaftTheory::kTimoshenko || geometry.axial_force != 0.0) {
+    const bool sheared = geometry.theory == scene::ShaftTheory::kTimoshenko;
+    throw scene::SceneError(
+        {{"", 0, "mujoco.rotor",
+          std::string("\"segments\" has no ") +
+              (sheared ? "shear deformation (rotor.theory)" : "axial force (rotor.axial_force)") +
+              "; accepted: \"modal\""}});
+  }
   const std::vector<double> z = nodes(stations(scene), scene.mujoco.segments);
   SegmentChain chain;
   double from = 0.0;

@@ -68,36 +68,6 @@ Eigen::VectorXd legendre(int count, double xi) {
   return p;
 }
 
-// Local coordinate of z in the element, in [-1, 1].
-double local(const ShaftElement& element, double z) {
-  return std::clamp(2.0 * (z - element.from) / element.length() - 1.0, -1.0, 1.0);
-}
-
-// int factor I P_m P_n dz of the Legendre polynomials of each element; the first `first` rows and
-// columns are zero.
-Eigen::MatrixXd inertia_integral(const std::vector<ShaftElement>& mesh, int first, double factor) {
-  const int size = first + function_count(mesh);
-  Eigen::MatrixXd sum = Eigen::MatrixXd::Zero(size, size);
-  int at = first;
-  for (const ShaftElement& element : mesh) {
-    const int n = element.functions;
-    if (element.tapered()) {
-      for_each_point(element, n, [&](double z, double node, double weight) {
-        const Eigen::VectorXd p = integrated_legendre(n, node).value;
-        const double I_dz = factor * element.inertia(z) * 0.5 * element.length() * weight;
-        sum.block(at, at, n, n) += I_dz * p * p.transpose();
-      });
-    } else {
-      for (int k = 0; k < n; ++k) {
-        sum(at + k, at + k) =
-            factor * element.inertia(element.from) * element.length() / (2 * k + 1);
-      }
-    }
-    at += n;
-  }
-  return sum;
-}
-
 }  // namespace
 
 std::string numbered(const char* name, std::size_t index, std::size_t count) {
@@ -143,6 +113,11 @@ double ShaftElement::inertia(double z) const {
   return std::numbers::pi / 64.0 * (o2 * o2 - i2 * i2);
 }
 
+double cowper_coefficient(double nu, double ratio) {
+  const double m2 = ratio * ratio, one = (1.0 + m2) * (1.0 + m2);
+  return 6.0 * (1.0 + nu) * one / ((7.0 + 6.0 * nu) * one + (20.0 + 12.0 * nu) * m2);
+}
+
 std::vector<ShaftElement> shaft_mesh(
     const scene::RotorGeometry& geometry, std::vector<double> stations,
     const std::function<double(const ShaftElement&)>& wave_number) {
@@ -183,7 +158,7 @@ std::vector<ShaftElement> shaft_mesh(
 
 int function_count(const std::vector<ShaftElement>& mesh) {
   int count = 0;
-  for (const ShaftElement& element : mesh) count += element.functions;
+  for (const ShaftElement& element : mesh) count += element.all_functions();
   return count;
 }
 
@@ -223,75 +198,5 @@ GaussRule gauss_legendre(int n) {
   }
   return rule;
 }
-
-BendingBasis::BendingBasis(std::vector<ShaftElement> mesh, double first_anchor,
-                           double second_anchor)
-    : mesh_(std::move(mesh)), first_(first_anchor), second_(second_anchor) {
-  assert(first_ < second_);
-  raw_at_first_ = raw(first_, 0);
-  raw_at_second_ = raw(second_, 0);
-}
-
-// Curvature integrated twice from the left end of the shaft. A function is 0 to the left of its
-// element. To the right it continues as a straight line with the slope h (n = 0) or 0; its value at
-// the element's end is h^2/2 (n = 0), -h^2/6 (n = 1) or 0.
-Eigen::RowVectorXd BendingBasis::raw(double z, int derivative) const {
-  Eigen::RowVectorXd row = Eigen::RowVectorXd::Zero(size());
-  int at = 2;
-  for (const ShaftElement& element : mesh_) {
-    const double h = element.length();
-    if (z > element.to) {
-      const double after = z - element.to;
-      row[at] = derivative == 0 ? h * (0.5 * h + after) : h;
-      if (derivative == 0 && element.functions > 1) row[at + 1] = -h * h / 6.0;
-    } else if (z > element.from) {
-      const LegendreValues values = integrated_legendre(element.functions, local(element, z));
-      row.segment(at, element.functions) = derivative == 0
-                                               ? 0.25 * h * h * values.second.transpose()
-                                               : 0.5 * h * values.first.transpose();
-    }
-    at += element.functions;
-  }
-  return row;
-}
-
-Eigen::RowVectorXd BendingBasis::deflection(double z) const {
-  const double t = (z - first_) / (second_ - first_);
-  Eigen::RowVectorXd row = raw(z, 0) - (1.0 - t) * raw_at_first_ - t * raw_at_second_;
-  row[0] = 1.0 - t;
-  row[1] = t;
-  return row;
-}
-
-Eigen::RowVectorXd BendingBasis::slope(double z) const {
-  const double rate = 1.0 / (second_ - first_);
-  Eigen::RowVectorXd row = raw(z, 1) - rate * (raw_at_second_ - raw_at_first_);
-  row[0] = -rate;
-  row[1] = rate;
-  return row;
-}
-
-Eigen::MatrixXd BendingBasis::curvature_integral() const { return inertia_integral(mesh_, 2, 1.0); }
-
-TorsionBasis::TorsionBasis(std::vector<ShaftElement> mesh)
-    : mesh_(std::move(mesh)), offset_(Eigen::RowVectorXd::Zero(function_count(mesh_))) {}
-
-Eigen::RowVectorXd TorsionBasis::angle(double z) const {
-  Eigen::RowVectorXd row = Eigen::RowVectorXd::Zero(size());
-  int at = 0;
-  for (const ShaftElement& element : mesh_) {
-    const double h = element.length();
-    if (z > element.to) {
-      row[at] = h;
-    } else if (z > element.from) {
-      row.segment(at, element.functions) =
-          0.5 * h * integrated_legendre(element.functions, local(element, z)).first.transpose();
-    }
-    at += element.functions;
-  }
-  return row - offset_;
-}
-
-Eigen::MatrixXd TorsionBasis::twist_integral() const { return inertia_integral(mesh_, 0, 2.0); }
 
 }  // namespace rotorub

@@ -29,18 +29,27 @@ std::string numbered(const char* name, std::size_t index, std::size_t count);
 std::vector<Station> stations_of(const scene::Scene& scene);
 
 // One element of the shaft, a cylinder or a cone, with the number of Legendre functions for its
-// curvature (bending) or its twist per length (torsion). With two functions of curvature it is the
-// Hermite cubic beam element.
+// curvature (bending) or its twist per length (torsion), and of those for its shear strain. With
+// two functions of curvature alone it is the Hermite cubic beam element.
 struct ShaftElement {
   double from, to;              // m
   scene::ShaftSection section;  // the section that contains the element
   int functions = 0;            // >= 1
+  int shear_functions = 0;      // >= 0; 0: no shear deformation
+  int all_functions() const { return functions + shear_functions; }
   double length() const { return to - from; }
   bool tapered() const { return section.tapered(); }
   // At z in [from, to]: area in m^2, and second moment of area I in m^4; the polar moment is 2 I.
   double area(double z) const;
   double inertia(double z) const;
 };
+
+// Shear coefficient of a circular section with the bore `ratio` = inner / outer diameter, in [0,
+// 1):
+//   k = 6 (1 + nu) (1 + ratio^2)^2 / ((7 + 6 nu) (1 + ratio^2)^2 + (20 + 12 nu) ratio^2)
+// (G. R. Cowper, "The shear coefficient in Timoshenko's beam theory", J. Applied Mechanics 33,
+// 1966).
+double cowper_coefficient(double nu, double ratio);
 
 // Degree in z of I on a cone (the area has degree 2). Quadrature must be exact for this factor too.
 inline constexpr int kTaperDegree = 4;
@@ -54,7 +63,7 @@ std::vector<ShaftElement> shaft_mesh(const scene::RotorGeometry& geometry,
                                      std::vector<double> stations,
                                      const std::function<double(const ShaftElement&)>& wave_number);
 
-// Total number of functions of all elements.
+// Total number of functions of all elements, shear included.
 int function_count(const std::vector<ShaftElement>& mesh);
 
 // Solves on finer and finer meshes until the highest requested frequency is below the frequency for
@@ -113,29 +122,42 @@ void for_each_point(const ShaftElement& element, int points, const Add& add) {
 // polynomials; deflection and angle are its integrals. With m functions per element the bending
 // space equals that of the C1 finite elements of degree m + 1 (m = 2: Hermite cubics). The
 // stiffness of a shaft of cylinders is then exactly diagonal, and the rigid motion has coordinates
-// of its own, so very short elements and very stiff bearings cost no digits.
+// of its own, so very short elements and very stiff bearings cost no digits. A Timoshenko shaft has
+// the shear strains beside the curvatures in the same way, so that thin shafts do not lock.
 
 // Deflection u(z) = a (z_b - z)/(z_b - z_a) + b (z - z_a)/(z_b - z_a) + elastic part. The elastic
-// part is 0 at the anchors z_a, z_b. Coordinates: a, b (m), then the curvatures (1/m).
+// part is 0 at the anchors z_a, z_b. With the angle psi of the cross-section and the shear strain
+// gamma, u_z = psi + gamma, and the curvature is psi_z; without shear gamma = 0. Coordinates: a, b
+// (m), then of each element the curvatures (1/m) and the shear strains (1), then the displacements
+// of `others` bodies beside the shaft (m).
 class BendingBasis {
  public:
   // Anchors (m) in [0, length], first < second.
-  BendingBasis(std::vector<ShaftElement> mesh, double first_anchor, double second_anchor);
+  BendingBasis(std::vector<ShaftElement> mesh, double first_anchor, double second_anchor,
+               int others = 0);
 
-  int size() const { return 2 + function_count(mesh_); }
+  int size() const { return 2 + function_count(mesh_) + others_; }
   const std::vector<ShaftElement>& mesh() const { return mesh_; }
 
   Eigen::RowVectorXd deflection(double z) const;  // 1, u
-  Eigen::RowVectorXd slope(double z) const;       // 1/m, u_z
-  // int I u_zz u_zz' dz (size x size; m^5 for the curvatures, 0 for a and b), to be multiplied by
-  // E. Diagonal except for one block per cone.
+  Eigen::RowVectorXd tilt(double z) const;        // 1/m, psi
+  Eigen::RowVectorXd slope(double z) const;       // 1/m, u_z, at a z within an element
+  Eigen::RowVectorXd other(int index) const;      // 1, displacement of a body beside the shaft
+  // int I psi_z psi_z' dz (size x size; m^5 for the curvatures, 0 for all else), to be multiplied
+  // by E. Diagonal except for one block per cone.
   Eigen::MatrixXd curvature_integral() const;
+  // int k A gamma gamma' dz (size x size; m^3 for the shear strains, 0 for all else), to be
+  // multiplied by G. shear_area(element, z): k A in m^2. Diagonal except for one block per cone.
+  Eigen::MatrixXd shear_integral(
+      const std::function<double(const ShaftElement&, double)>& shear_area) const;
 
  private:
-  Eigen::RowVectorXd raw(double z, int derivative) const;
+  Eigen::RowVectorXd raw_deflection(double z) const;
+  Eigen::RowVectorXd raw_tilt(double z) const;
 
   std::vector<ShaftElement> mesh_;
-  double first_, second_;                            // m, anchors
+  double first_, second_;  // m, anchors
+  int others_;
   Eigen::RowVectorXd raw_at_first_, raw_at_second_;  // deflection without the correction
 };
 

@@ -7,6 +7,7 @@
 #include <string>
 #include <vector>
 
+#include "native_model/film/journal_bearing.h"
 #include "native_model/scene/auxiliary_bearing.h"
 
 namespace rotorub {
@@ -53,6 +54,13 @@ struct Disc {                 // a rigid disc on the shaft
   std::optional<double> balance_speed{};                            // rad/s
 };
 
+// The body between a bearing and the base. The bearing's law then acts between the shaft and it.
+struct Pedestal {
+  double mass = 0.0;              // kg, > 0
+  PlanePair stiffness{0.0, 0.0};  // N/m, > 0, to the base
+  PlanePair damping{0.0, 0.0};    // N s/m, >= 0, to the base
+};
+
 // A bearing of the shaft. Its full law is in bearing/bearing_film.h.
 struct ShaftBearing {
   double z = 0.0;                             // m, station
@@ -62,6 +70,12 @@ struct ShaftBearing {
   Eigen::Vector2d cross_damping{0.0, 0.0};    // N s/m, c_xy, c_yx
   Eigen::Vector2d offset{0.0, 0.0};           // m, from the line x = y = 0
 
+  std::optional<Pedestal> pedestal{};  // absent: the base carries the bearing
+
+  // A plain bearing given by its dimensions, instead of coefficients. `complete` fills the table
+  // below from it.
+  std::optional<JournalBearing> journal{};
+
   // The coefficients as functions of the rotational speed (rad/s, ascending), instead of the four
   // members above. Each list has the length of table_speed or is empty.
   std::vector<double> table_speed{};
@@ -69,20 +83,28 @@ struct ShaftBearing {
   std::vector<double> table_cxx{}, table_cxy{}, table_cyx{},
       table_cyy{};  // N s/m; cyy empty: as cxx
 
-  bool follows_speed() const { return !table_speed.empty(); }
+  bool follows_speed() const { return journal || !table_speed.empty(); }
   bool crosses() const { return !cross_stiffness.isZero(0.0) || !cross_damping.isZero(0.0); }
 };
 
-// Geometry form: a continuous Euler-Bernoulli shaft.
+// The beam theory of the shaft: without or with shear deformation. Both have rotary inertia.
+enum class ShaftTheory { kEulerBernoulli, kTimoshenko };
+
+// Geometry form: a continuous shaft.
 struct RotorGeometry {
-  double length = 0.0;            // m, > 0
-  double E = 0.0;                 // Pa, > 0
-  std::optional<double> nu;       // 1, in (-1, 0.5]; at most one of nu and G
-  double G = 0.0;                 // Pa, > 0: given, or E / (2 (1 + nu)) with nu = 0.3 by default
-  double rho = 0.0;               // kg/m^3, > 0
-  std::optional<int> modes;       // bending modes kept in each plane, >= 1
-  bool auto_modes = false;        // as few as modes_tolerance allows; `modes` is then empty
-  double modes_tolerance = 0.01;  // relative, in (0, 1): rotor/mode_truncation.h
+  double length = 0.0;       // m, > 0
+  double E = 0.0;            // Pa, > 0
+  std::optional<double> nu;  // 1, in (-1, 0.5]; at most one of nu and G
+  double G = 0.0;            // Pa, > 0: given, or E / (2 (1 + nu)) with nu = 0.3 by default
+  double rho = 0.0;          // kg/m^3, > 0
+  ShaftTheory theory = ShaftTheory::kEulerBernoulli;
+  // 1, > 0, shear area of a cross-section divided by its area; empty: by Cowper
+  // (rotor/shaft_basis.h). Only with kTimoshenko.
+  std::optional<double> shear_coefficient;
+  double axial_force = 0.0;             // N, constant along the shaft, tension positive
+  std::optional<int> modes;             // bending modes kept in each plane, >= 1
+  bool auto_modes = false;              // as few as modes_tolerance allows; `modes` is then empty
+  double modes_tolerance = 0.01;        // relative, in (0, 1): rotor/mode_truncation.h
   std::optional<double> max_frequency;  // rad/s: modes kept up to this frequency
   double damping_ratio = 0.0;           // external modal damping, >= 0
   double internal_damping_ratio = 0.0;  // rotating modal damping, >= 0

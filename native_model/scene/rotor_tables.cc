@@ -38,6 +38,13 @@ Key modes() {
   return key;
 }
 
+Key theory() {
+  return word<&Rotor::geometry, &RotorGeometry::theory>(
+             "theory", {"euler-bernoulli", "timoshenko"}, kStandard,
+             "beam theory: `timoshenko` includes shear deformation; both have rotary inertia")
+      .in(Form::kGeometry);
+}
+
 Table rotor() {
   return {
       "rotor",
@@ -49,10 +56,17 @@ Table rotor() {
        shaft<&RotorGeometry::length>("length", kLength, "> 0", kRequired,
                                      "shaft length, from station 0"),
        shaft<&RotorGeometry::E>("E", kPressure, "> 0", kRequired, "Young's modulus"),
-       shaft<&RotorGeometry::nu>("nu", kPure, "in (-1, 0.5]", "0.3; torsion needs it or `G`",
+       shaft<&RotorGeometry::nu>("nu", kPure, "in (-1, 0.5]",
+                                 "0.3; torsion and shear need it or `G`",
                                  "Poisson's ratio, unless `G` is given"),
        shaft<&RotorGeometry::G>("G", kPressure, "> 0", "`E` / (2 (1 + `nu`))", "shear modulus"),
-       shaft<&RotorGeometry::rho>("rho", kDensity, "> 0", kRequired, "density"), modes(),
+       shaft<&RotorGeometry::rho>("rho", kDensity, "> 0", kRequired, "density"), theory(),
+       shaft<&RotorGeometry::shear_coefficient>(
+           "shear_coefficient", kPure, "> 0", "by Cowper (1966), from Poisson's ratio and the bore",
+           "shear area divided by area, beside `theory` = `timoshenko`"),
+       shaft<&RotorGeometry::axial_force>("axial_force", kForce, "", kStandard,
+                                          "axial force in the whole shaft, tension positive"),
+       modes(),
        shaft<&RotorGeometry::modes_tolerance>(
            "modes_tolerance", kPure, "in (0, 1)", kStandard,
            "for `auto`: largest relative error of effective mass at the contact and static "
@@ -209,8 +223,14 @@ void check_geometry(Reading& check, const RotorGeometry& shaft) {
   if (check.given("rotor.nu") && check.given("rotor.G")) {
     check.fail("rotor.G", "give `nu` or `G`, not both");
   }
-  if (check.scene.rotor.torsion && !check.given("rotor.nu") && !check.given("rotor.G")) {
-    check.fail("rotor.nu", "missing: torsion needs `nu` (in (-1, 0.5]) or `G` (in Pa)");
+  const bool sheared = shaft.theory == ShaftTheory::kTimoshenko;
+  if ((check.scene.rotor.torsion || sheared) && !check.given("rotor.nu") &&
+      !check.given("rotor.G")) {
+    check.fail("rotor.nu", std::string("missing: ") + (sheared ? "shear" : "torsion") +
+                               " needs `nu` (in (-1, 0.5]) or `G` (in Pa)");
+  }
+  if (!sheared && check.given("rotor.shear_coefficient") && check.sound({"rotor.theory"})) {
+    check.fail("rotor.shear_coefficient", "belongs to theory = \"timoshenko\"");
   }
 }
 
@@ -241,7 +261,8 @@ void check_modal_torsion(const Reading& check) {
 }  // namespace
 
 std::vector<Table> rotor_tables() {
-  return {rotor(), section(), disc_table(), shaft_bearing_table(), modal(), torsion()};
+  return {rotor(),         section(),        disc_table(), shaft_bearing_table(),
+          journal_table(), pedestal_table(), modal(),      torsion()};
 }
 
 void check_rotor(Reading& check) {

@@ -159,7 +159,9 @@ void check_mujoco(const Reading& check) {
   }
   for (std::size_t i = 0; scene.rotor.geometry && i < scene.rotor.geometry->bearings.size(); ++i) {
     const ShaftBearing& bearing = scene.rotor.geometry->bearings[i];
-    const char* key = bearing.follows_speed()                ? ".table_speed"
+    const char* key = bearing.pedestal                       ? ".pedestal"
+                      : bearing.journal                      ? ".journal"
+                      : bearing.follows_speed()              ? ".table_speed"
                       : !bearing.cross_stiffness.isZero(0.0) ? ".cross_stiffness"
                       : !bearing.cross_damping.isZero(0.0)   ? ".cross_damping"
                       : !bearing.offset.isZero(0.0)          ? ".offset"

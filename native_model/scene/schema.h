@@ -140,10 +140,12 @@ std::vector<Table> control_tables();
 std::vector<Table> start_tables();
 Table rule_table();
 // geometry_of returns the geometry of the shaft and creates it if needed. The tables are
-// [[rotor.disc]] and [[rotor.bearing]].
+// [[rotor.disc]], [[rotor.bearing]] and the tables below each bearing.
 RotorGeometry& geometry_of(Scene& scene);
 Table disc_table();
 Table shaft_bearing_table();
+Table journal_table();
+Table pedestal_table();
 
 // ---------------------------------------------------------------- rows from pointers to members
 

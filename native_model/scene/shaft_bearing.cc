@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <functional>
 #include <string>
+#include <utility>
 
 #include "native_model/numerics/monotone_cubic.h"
 #include "native_model/scene/reading.h"
@@ -20,6 +21,27 @@ constexpr TableKey kTableKeys[] = {
     {".table_kyx", &ShaftBearing::table_kyx}, {".table_kyy", &ShaftBearing::table_kyy},
     {".table_cxx", &ShaftBearing::table_cxx}, {".table_cxy", &ShaftBearing::table_cxy},
     {".table_cyx", &ShaftBearing::table_cyx}, {".table_cyy", &ShaftBearing::table_cyy}};
+
+// The bearing with the table that follows from its journal, if it has one; exact at `speed`, rad/s.
+ShaftBearing tabled(ShaftBearing bearing, double speed) {
+  if (!bearing.journal || !bearing.journal->sound()) return bearing;
+  bearing.table_speed.clear();
+  for (const TableKey& key : kTableKeys) (bearing.*key.list).clear();
+  for (const FilmPoint& point : film_points(*bearing.journal, {speed, -speed})) {
+    bearing.table_speed.push_back(point.speed);
+    for (std::size_t k = 0; k < point.coefficients.size(); ++k)
+      (bearing.*kTableKeys[k].list).push_back(point.coefficients[k]);
+  }
+  return bearing;
+}
+
+void check_journal(const Reading& check) {
+  for (const char* key :
+       {".stiffness", ".damping", ".cross_stiffness", ".cross_damping", ".table_speed"}) {
+    if (check.given(key))
+      check.fail(key, "cannot be given together with `journal`; remove one of them");
+  }
+}
 
 void check_table(const Reading& check, const ShaftBearing& bearing) {
   for (const char* key : {".stiffness", ".damping", ".cross_stiffness", ".cross_damping"}) {
@@ -92,10 +114,52 @@ Table shaft_bearing_table() {
       .in(Form::kGeometry);
 }
 
+Table pedestal_table() {
+  return Table{
+      "rotor.bearing.pedestal",
+      "A body between this bearing and the base. The bearing acts between shaft and pedestal; the "
+      "pedestal's own weight is left out.",
+      "the base carries the bearing",
+      [](Scene& scene) -> void* { return &geometry_of(scene).bearings.back().pedestal.emplace(); },
+      {key<&Pedestal::mass>("mass", kMass, "> 0", kRequired, "mass"),
+       planes<&Pedestal::stiffness>("stiffness", kStiffness, "> 0", kRequired,
+                                    "stiffness to the base"),
+       planes<&Pedestal::damping>("damping", kDamping, ">= 0", kStandard, "damping to the base")}}
+      .in(Form::kGeometry);
+}
+
+Table journal_table() {
+  return Table{
+      "rotor.bearing.journal",
+      "A plain journal bearing by its dimensions: its coefficients over the speed follow from "
+      "Reynolds' equation about the position of rest under `load`.",
+      "springs and dampers, or tables",
+      [](Scene& scene) -> void* { return &geometry_of(scene).bearings.back().journal.emplace(); },
+      {key<&JournalBearing::diameter>("diameter", kLength, "> 0", kRequired, "of the journal"),
+       key<&JournalBearing::length>("length", kLength, "> 0", kRequired, "axial length"),
+       key<&JournalBearing::clearance>("clearance", kLength, "> 0", kRequired, "radial clearance"),
+       key<&JournalBearing::viscosity>("viscosity", kViscosity, "> 0", kRequired,
+                                       "of the oil at working temperature"),
+       key<&JournalBearing::load>("load", kForce, "> 0", kRequired,
+                                  "static force of the journal on the film"),
+       key<&JournalBearing::load_angle>("load_angle", kAngle, "", "-90 deg",
+                                        "direction of the load, from x towards y"),
+       word<&JournalBearing::theory>("theory", {"finite", "short"}, kStandard,
+                                     "`finite`: whole equation, Reynolds' end of the film; "
+                                     "`short`: Ocvirk's solution for length / diameter < 0.5")}}
+      .in(Form::kGeometry);
+}
+
 void check_bearings(Reading& check, const RotorGeometry& shaft) {
   for (std::size_t i = 0; i < shaft.bearings.size(); ++i) {
     check.at = list_element("rotor.bearing", i);
     check.station(".z", shaft.bearings[i].z);
+    if (check.given(".journal")) check_journal(check);
+    if (check.given(".pedestal") && shaft.internal_damping_ratio > 0.0) {
+      check.fail(".pedestal",
+                 "rotor.internal_damping_ratio damps whole modes in the rotating frame, and a "
+                 "pedestal does not turn; accepted: one of the two");
+    }
     if (check.given(".table_speed")) {
       check_table(check, shaft.bearings[i]);
       continue;
@@ -103,8 +167,9 @@ void check_bearings(Reading& check, const RotorGeometry& shaft) {
     for (const TableKey& key : kTableKeys) {
       if (check.given(key.name)) check.fail(key.name, "needs `table_speed`");
     }
-    if (!check.given(".stiffness"))
-      check.missing(".stiffness", "; or give tables over `table_speed` instead");
+    if (!check.given(".stiffness") && !check.given(".journal")) {
+      check.missing(".stiffness", "; or give tables over `table_speed` or a `journal` instead");
+    }
   }
 }
 
@@ -116,7 +181,8 @@ std::array<std::vector<double>, 8> coefficient_lists(const ShaftBearing& bearing
   return lists;
 }
 
-PlanePair stiffness_at(const ShaftBearing& bearing, double speed) {
+PlanePair stiffness_at(const ShaftBearing& any, double speed) {
+  const ShaftBearing bearing = tabled(any, speed);
   if (!bearing.follows_speed() || !sound(bearing)) return bearing.stiffness;
   const auto c = coefficients_at(bearing, speed);
   return {std::max(0.0, c[0]), std::max(0.0, c[3])};
@@ -125,6 +191,7 @@ PlanePair stiffness_at(const ShaftBearing& bearing, double speed) {
 void complete_bearings(Rotor& rotor) {
   for (ShaftBearing& bearing : rotor.geometry->bearings) {
     if (!bearing.follows_speed()) continue;
+    bearing = tabled(std::move(bearing), rotor.speed);
     const auto c = coefficients_at(bearing, rotor.speed);
     bearing.stiffness = stiffness_at(bearing, rotor.speed);
     bearing.damping = {std::max(0.0, c[4]), std::max(0.0, c[7])};

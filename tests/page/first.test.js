@@ -15,7 +15,7 @@ test('answers in a sentence, MuJoCo alone first', async () => {
   assert.match(sentence, /^MuJoCo alone: (no|averages only) \(.+\); with the corrected cone: .+; with the rigid law: yes\.$/);
   const rows = await page.locator('.answer tbody th').allTextContents();
   assert.match(rows[0], /^MuJoCo alone/);
-  assert.match(rows[rows.length - 1], /rigid$/);
+  assert.match(rows[rows.length - 1], /\(rigid\)$/);
   // Sentence and picture are on the first screen.
   await page.waitForFunction(() => document.querySelector('.first .plot.drawn'));
   const bottom = await page.evaluate(() => document.querySelector('.first').getBoundingClientRect().bottom);

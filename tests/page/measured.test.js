@@ -53,9 +53,9 @@ test('has figures and residuals of every run, and a place in the contents', asyn
   const section = page.locator('#scene-1-measured');
   assert.equal(await section.count(), 1);
   assert.match(await section.textContent(), /shift -125\.0000\d\d ms/);
-  const heads = await section.locator('.measured-figures th').allTextContents();
+  const heads = await section.locator('table').first().locator('th').allTextContents();
   for (const label of ['measured', 'native', 'rigid', 'coulomb', 'cone']) assert.ok(heads.includes(label), label);
-  const rotorX = section.locator('.measured-columns tr', {hasText: 'rotor_x'});
+  const rotorX = section.locator('table').nth(1).locator('tr', {hasText: 'rotor_x'});
   const runs = 6;
   assert.equal(await rotorX.locator('td').count(), 4 + runs);
   assert.equal(await page.locator('a[href="#scene-1-measured"]').count(), 1);

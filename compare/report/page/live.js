@@ -1,10 +1,8 @@
 // A scene of a page: its runs, its clock, and the plots and the player that follow it.
 import {AddressWriter, stateIn} from './address.js';
-import {layOut} from './layout.js';
 import {Clock} from './player/clock.js';
 import {Player} from './player/player.js';
 import {runOf} from './player/run.js';
-import {whirlParts} from './plot_words.js';
 import {ScenePlots} from './plots.js';
 import {WhatIf} from './what_if.js';
 
@@ -17,7 +15,6 @@ export class LiveScene {
       this.player?.showPlaying();
       this.told();
     });
-    layOut(element.querySelector('.rotor'), whirlParts(scene));
     this.plots = new ScenePlots(element, scene, this.runs, (t, clicked = true) => {
       this.clock.seek(t);
       if (this.player && clicked) this.player.element.focus({preventScroll: true});
@@ -25,7 +22,7 @@ export class LiveScene {
     this.address = new AddressWriter(element.id);
     this.player = null;
     const asked = element.querySelector('.what-if');
-    if (asked) this.whatIf = new WhatIf(asked, scene.what_if, (answer) => this.join(answer));
+    if (asked) this.whatIf = new WhatIf(asked, {text: scene.text, ...scene.what_if}, (answer) => this.join(answer));
     const live = element.querySelector('.live'), moving = this.runs.filter((run) => run.has('rotor'));
     if (scene.rig && moving.length) this.player = new Player(live, scene, moving, this.clock, this.runs.filter((run) => !run.has('rotor')));
     else for (const part of live.querySelectorAll('.player, .transport')) part.remove();

@@ -1,5 +1,6 @@
 // The plots of a page's results, by the data that they show: titles, and words on how to read them. A plot stands on
 // the page if its data does.
+import {benchOf} from './precision.js';
 
 const mujocoErrors = ({series}) => series.flatMap(({family, points}) => points.filter(({limit}) => family === 'mujoco' && limit > 0));
 
@@ -7,7 +8,7 @@ const bench = ({benches}, index) => [
   {plot: 'precision', shape: 'wide tall', title: 'Error against time',
     text: 'to the left is faster, lower is more exact; hollow: it has settled to something else than the reference; dotted: the clearance'},
   {plot: 'step', shape: 'tall', title: 'Error against step', text: 'in brackets the order, fitted'},
-  mujocoErrors(benches[index]).length && {plot: 'limit', shape: 'tall', title: 'MuJoCo against its own limit',
+  mujocoErrors(benchOf(benches[index])).length && {plot: 'limit', shape: 'tall', title: 'MuJoCo against its own limit',
     text: 'solid: distance to its own finest step; dotted: to the reference. What stays between them no step takes away'},
 ];
 

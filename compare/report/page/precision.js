@@ -1,5 +1,16 @@
-// The log-log plots of a bench as plotly takes them, from a scene's series (bench_page.h).
+// The log-log plots of a bench as plotly takes them, from a scene of bench.json.
+import {units} from './player/units.js';
 import {axes, css, layout, short} from './style.js';
+
+// The series of a scene with their points; errors in m, 0 for what is not known. The tolerances of an engine form one series.
+export function benchOf({clearance, engines, points, series}) {
+  const belongs = (point, {engine, setting}) => point.engine === engine && setting === (point.step === null ? '' : point.setting);
+  const pointOf = ({setting, step, position_error: error, limit_error: limit, wall_ms: wall, outcome}) => ({outcome, error,
+    label: [setting, step && units.duration(step)].filter(Boolean).join(', '), step: step || 0, limit: limit || 0,
+    ms: wall?.median || 0, low: wall?.low || 0, high: wall?.high || 0});
+  return {clearance, series: series.map((one) => ({...one, family: engines.find(({engine}) => engine === one.engine)?.family ?? 'peer',
+    points: points.filter((point) => point.position_error !== null && belongs(point, one)).map(pointOf)}))};
+}
 
 // One colour a family's engine, one dash a setting.
 const colors = {'native-event': '--native', 'native-verlet': '--good',

@@ -1,11 +1,10 @@
-// The report, and the page of one run: what control trades, then every scene with its plots and its live player,
-// under one clock each.
-// Without it the page still shows verdicts and tables.
+// The report, and the page of one run: lays it out, and starts every scene with its plots and its live player, under one
+// clock each.
 import {showFirst} from './first.js';
-import {layOut} from './layout.js';
+import {element, layOut} from './layout.js';
 import {LiveScene} from './live.js';
 import {data, show, start, withPlotly} from './page.js';
-import {withPlots} from './plot_words.js';
+import {reportParts, runParts} from './report_parts.js';
 import {stills} from './stills.js';
 import {axes, css, layout} from './style.js';
 
@@ -30,10 +29,20 @@ function drawTrade() {
     yaxis: axes({title: {text: 'force / N', standoff: 8}, rangemode: 'tozero'})})});
 }
 
-for (const [id, parts] of Object.entries(data.beside || {})) {
-  if (parts.length) layOut(document.getElementById(id), withPlots(parts, data), 3);
+// The list of contents: of every part that has a name, those of a scene in its line.
+function contentsOf(main) {
+  const parts = [...main.querySelectorAll('[data-contents]')], sceneAround = (part) => part.parentElement.closest('.scene[data-contents]');
+  const list = (chosen) => element('ul', {}, ...chosen.map((part) => {
+    const inside = parts.filter((inner) => sceneAround(inner) === part);
+    return element('li', {class: inside.length && 'parted'}, element('a', {href: `#${part.id}`}, part.dataset.contents), inside.length && list(inside));
+  }));
+  return element('nav', {class: 'contents', 'aria-label': 'contents'}, list(parts.filter((part) => !sceneAround(part))));
 }
-const scenes = [...document.querySelectorAll('.scene')].map(
+
+const main = document.querySelector('main');
+layOut(main, data.ending ? runParts(data) : reportParts(data));
+main.before(contentsOf(main));
+const scenes = [...document.querySelectorAll('[data-scene]')].map(
   (element) => new LiveScene(element, data.scenes[Number(element.dataset.scene)]));
 const drawStills = stills({first: (plot) => showFirst(plot, scenes[plot.dataset.index].scene, scenes[plot.dataset.index].runs, show)});
 // For tests, and for whoever scripts the page.

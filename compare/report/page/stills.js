@@ -4,14 +4,14 @@ import {bifurcationFigure} from './bifurcation.js';
 import {loopFigure} from './loop.js';
 import {mapsOf} from './maps.js';
 import {data, inTurn, isPrinting, show, whenNear} from './page.js';
-import {precision} from './precision.js';
+import {benchOf, precision} from './precision.js';
 import {rotorFigure} from './rotor.js';
 
 // Of each kind of plot: data-of.
 const figures = {
   loop: (plot) => loopFigure(data.loops[plot.dataset.index], plot.dataset.plot),
   bifurcation: () => bifurcationFigure(data.bifurcation),
-  bench: (plot) => precision(data.benches[plot.dataset.index], plot.dataset.plot),
+  bench: (plot) => precision(benchOf(data.benches[plot.dataset.index]), plot.dataset.plot),
   rotor: (plot) => rotorFigure(data.rotor, plot.dataset.plot, plot.clientWidth, plot.dataset.index),
 };
 

@@ -40,6 +40,7 @@ const dashes = {native: 'solid', rigid: 'dash', coulomb: 'dashdot', cone: 'dot',
   shadow: 'dash', measured: 'longdash', recomputed: 'solid'};
 const symbols = {native: 'circle', rigid: 'circle-open', coulomb: 'square-open', cone: 'triangle-up-open', 'cone-coulomb': 'triangle-down-open',
   'cone-default': 'star-open', shadow: 'diamond-open', measured: 'x-open', recomputed: 'hexagon-open'};
+export const isRun = (label) => label in dashes;
 export const isFront = (label) => label === 'native';
 export const line = (label, front = isFront(label)) =>
   ({color: css(`--${label}`), width: front ? 2.4 : 1.4, dash: dashes[label] || 'dot', simplify: false});

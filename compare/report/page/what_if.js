@@ -21,7 +21,7 @@ export function changesOf(sliders, values) {
 export const commandOf = (changes) => changes.map((change) => ` --set "${change}"`).join('');
 
 export class WhatIf {
-  // element: what_if.html. asked: {text, name, sliders} (what_if.h). join(answer): what live.cc gives, shown.
+  // element: its place in live_frame.js. asked: {text, name, sliders} (what_if.h). join(answer): what live.cc gives, shown.
   constructor(element, asked, join) {
     Object.assign(this, {element, asked, join, values: [], job: 0});
     this.told = element.querySelector('.told');

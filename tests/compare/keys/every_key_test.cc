@@ -135,6 +135,13 @@ class Host {
     } else if (const scene::TomlNode* list = at(path); table.list && list != nullptr) {
       for (std::size_t k = 0; k < list->items.size(); ++k)
         all.push_back(scene::list_element(path, k));
+    } else if (const scene::Table* above = scene::find_table(table.parent());
+               above != nullptr && above->list) {
+      const scene::TomlNode* elements = at(table.parent());
+      for (std::size_t k = 0; elements != nullptr && k < elements->items.size(); ++k) {
+        all.push_back(scene::list_element(std::string(table.parent()), k) + "." +
+                      std::string(table.name()));
+      }
     } else if (!table.list) {
       all.push_back(path);
     }

@@ -137,6 +137,14 @@ inline std::vector<KeyScene> key_scenes() {
          "drive={kind='linear',gain=2.0,speed=400.0,inertia=2e-3,station=0.1}"});
   shaft("Poisson's ratio", {"rotor.torsion={modes=1,damping_ratio=0.01}",
                             "drive={kind='linear',gain=2.0,speed=400.0,inertia=2e-3}"});
+  shaft("shear", {"rotor.theory='timoshenko'", "rotor.nu=0.3", "rotor.shear_coefficient=0.8"});
+  shaft("shear by Cowper", {"rotor.theory='timoshenko'", "rotor.nu=0.3"});
+  shaft(
+      "journal bearing",
+      {"rotor.bearing[2]={z=0.45,journal={diameter=0.02,length=0.01,clearance=5e-5,viscosity=0.02,"
+       "load=30.0,load_angle=-1.2,theory='short'}}"});
+  shaft("pedestal",
+        {"rotor.bearing[0].pedestal={mass=3.0,stiffness=[2e7,3e7],damping=[400.0,300.0]}"});
   // With a sleeve, without which no number of modes is enough.
   shaft("modes by themselves", {"initial=none", "rotor.modes='auto'", "rotor.modes_tolerance=0.5",
                                 "rotor.disc[1]={z=0.28,mass=1.0,Jt=1e-4,Jp=2e-4}"});

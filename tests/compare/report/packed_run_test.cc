@@ -186,21 +186,6 @@ TEST(PackedRun, KeepsEachContact) {
   EXPECT_NEAR(contacts[1].at("z").get<double>(), 0.5 / 0.6, 1e-12) << "of the shaft's length";
 }
 
-// Its plots stand once for each contact, with its name, and those of the whole run once.
-TEST(PackedRun, PlotsOfEachContactAreNamed) {
-  const scene::Scene scene = two_catchers({"run.end=0.02"});
-  const Trajectory run = native_engine(scene::Integrator::kEvent)->run(scene, {});
-  const nlohmann::json live = live_values({&scene, {{"native", &run}}, nullptr});
-  std::map<std::string, std::vector<std::string>> where;
-  for (const auto& plot : live.at("plots")) where[plot.at("key")].push_back(plot.at("where"));
-  const std::vector<std::string> both{"contact drive end", "contact free end"};
-  for (const char* key : {"gap", "normal_force", "impacts", "friction_law", "relative"})
-    EXPECT_EQ(where[key], both) << key;
-  EXPECT_EQ(where["spin"], std::vector<std::string>{""});
-  EXPECT_EQ(live.at("contacts").size(), 2U);
-  EXPECT_EQ(live.at("several"), true);
-}
-
 // A controlled ring, and the cone's chatter: forces that are there for a step at a time.
 TEST(PackedRun, KeepsAChatteringContact) {
   const scene::Scene scene = test::shipped("paper_sliding", {"run.end=0.15"});

@@ -15,10 +15,12 @@ TEST(ResultPage, HasSentencesWithTheirToneAndHeadings) {
       .parts = {line("\nat 10 Hz", Role::kHeading), Sentence{}, Data{"a", 1},
                 Sentence{.text = "it <b>moves", .lead = "  note: "}, line("two\n  lines\n"),
                 Sentence{.text = "is off", .lead = "  OUTSIDE ", .tone = Tone::kBad},
+                Sentence{.text = "by 3 %", .lead = "    - "},
                 Sentence{.text = "on the terminal", .seen = kNotPage}}};
   EXPECT_EQ(page_json(result), json::parse(R"([
     {"heading": "at 10 Hz"}, {"text": "note: it <b>moves"}, {"lines": "two\n  lines\n"},
-    {"text": "OUTSIDE is off", "tone": "bad", "toned": "OUTSIDE"}])"));
+    {"text": "OUTSIDE is off", "tone": "bad", "toned": "OUTSIDE"},
+    {"text": "by 3 %", "mark": "-"}])"));
 }
 
 TEST(ResultPage, HasTheTextsOfATable) {
@@ -34,9 +36,19 @@ TEST(ResultPage, HasTheTextsOfATable) {
      "columns": [{"text": "figure"}, {"text": "N", "number": true}, {"text": ""}],
      "rows": [{"cells": ["force", "1.500", {"text": "bad", "tone": "bad", "note": "why"}],
                "note": "because"},
-              {"cells": ["* whirl", "–", ""]}]}])"));
+              {"cells": ["whirl", "–", ""], "mark": "*"}]}])"));
   EXPECT_EQ(text_of({.parts = {table}}),
             "  figure         N\n  force      1.500\n      because\n* whirl          –\n  none\n");
+}
+
+TEST(ResultPage, HasWordsBesideAValue) {
+  const Table table{
+      .columns = {{.heading = "N", .width = 6}},
+      .rows = {
+          {.items = {{.text = "21.9", .tone = Tone::kBad, .note = "outside", .beside = "+3 %"}}}}};
+  EXPECT_EQ(page_json({.parts = {table}})[0]["rows"][0]["cells"][0],
+            json::parse(R"({"text": "21.9", "tone": "bad", "note": "outside", "beside": "+3 %"})"));
+  EXPECT_EQ(text_of({.parts = {table}}, Palette(true)), "     N\n  21.9\n") << "without its tone";
 }
 
 TEST(ResultPage, HasHeadingsThatTheTerminalLeavesOut) {
@@ -51,12 +63,15 @@ TEST(ResultPage, HasNoTableWithoutRows) {
 
 TEST(ResultPage, HasSectionsThatHaveATitle) {
   const std::vector<Part> parts{line("words")};
-  EXPECT_EQ(page_json({.parts = {Section{"scenes/#", parts, kAll, "ring"},
-                                 Section{"scenes/#", parts, kAll, "drop"}, Section{"twin", parts},
-                                 Section{"json", parts, kJson}}}),
-            json::parse(R"([{"id": "scenes-1", "title": "ring", "parts": [{"text": "words"}]},
+  EXPECT_EQ(
+      page_json({.parts = {Section{"scenes/#", parts, kAll, "ring"},
+                           Section{"scenes/#", parts, kAll, "drop"}, Section{"twin", parts},
+                           Section{"json", parts, kJson}, Section{"empty", {}, kAll, "nothing"},
+                           Section{"", parts, kAll, "all", "figures"}}}),
+      json::parse(R"([{"id": "scenes-1", "title": "ring", "parts": [{"text": "words"}]},
                       {"id": "scenes-2", "title": "drop", "parts": [{"text": "words"}]},
-                      {"text": "words"}])"));
+                      {"text": "words"},
+                      {"id": "figures", "title": "all", "parts": [{"text": "words"}]}])"));
 }
 
 }  // namespace

@@ -68,3 +68,18 @@ test('a text is never HTML', () => {
   assert.equal(laid({title: '<b>nowhere', parts: []}, {text: '<i>'}, {heading: '</h2>'}),
     '<section class="scene"><div class="scene-head"><h2>&lt;b>nowhere</h2></div></section><p class="note">&lt;i></p><section><h2>&lt;/h2></h2></section>');
 });
+
+test('sentences with dashes become a list, and a part can be folded', () => {
+  assert.equal(laid({text: 'a', mark: '-'}, {text: 'b', mark: '-'}, {text: 'c'}), '<ul class="note"><li>a</li><li>b</li></ul><p class="note">c</p>');
+  assert.equal(laid({details: 'more', id: 'm', contents: 'More', open: true, parts: [{facts: [['step', '1 s']]}]}),
+    '<details id="m" class="later" open="open" data-contents="More"><summary><h2>more</h2></summary>' +
+    '<dl class="facts"><div><dt>step</dt><dd>1 s</dd></div></dl></details>');
+});
+
+test('a value has its difference below it, and a run its colour', () => {
+  const table = {class: 'cards-when-small', columns: [{text: 'figure'}, {text: 'cone', number: true}],
+    rows: [{cells: [{text: 'force', note: 'mean'}, {text: '2', beside: '+3 %', tone: 'bad', note: 'outside'}]}]};
+  assert.equal(laid(table), '<div class="scroll"><table class="cards-when-small"><thead><tr><th scope="col">figure</th><th scope="col" class="number side-cone">cone</th></tr></thead>' +
+    '<tbody><tr><th scope="row"><span title="mean">force</span></th><td class="number" data-label="cone">2<br></br>' +
+    '<span class="chip bad" title="outside"><span class="word">+3 %</span></span></td></tr></tbody></table></div>');
+});

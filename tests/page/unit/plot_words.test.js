@@ -2,17 +2,29 @@
 import assert from 'node:assert/strict';
 import {test} from 'node:test';
 import {whirlParts, withPlots} from '../../../compare/report/page/plot_words.js';
+import {benchOf} from '../../../compare/report/page/precision.js';
 
 const words = {top: '900 rpm', speed: '600 rpm', beyond: ''};
 const placesOf = ({plots}) => plots.map(({data}) => data);
 
 test('a plot stands where its data is', () => {
-  const point = {limit: 0}, series = (family, limit) => ({family, points: [point, {limit}]});
+  const scene = (...families) => ({engines: families.map(([family]) => ({engine: family, family})), series: families.map(([family]) => ({engine: family, setting: ''})),
+    points: families.map(([family, limit]) => ({engine: family, setting: '', step: 1e-5, position_error: 1e-6, limit_error: limit, wall_ms: null, outcome: 'ok'}))});
   const [{plots}, text, {parts: [second]}] = withPlots([{plots: 'bench', index: 0}, {text: 'between'}, {parts: [{plots: 'bench', index: 1}]}],
-    {benches: [{series: [series('mujoco', 1e-6)]}, {series: [series('native', 1e-6), series('mujoco', 0)]}]});
+    {benches: [scene(['mujoco', 1e-6]), scene(['native', 1e-6], ['mujoco', null])]});
   assert.deepEqual(placesOf({plots}), ['precision', 'step', 'limit'].map((plot) => ({of: 'bench', plot, index: 0})));
   assert.deepEqual(text, {text: 'between'});
   assert.deepEqual(placesOf(second), ['precision', 'step'].map((plot) => ({of: 'bench', plot, index: 1})));
+});
+
+test('a bench has the points of each series that have an error', () => {
+  const at = {engine: 'event', wall_ms: {median: 3, low: 2, high: 4}, limit_error: null, outcome: 'ok'}, off = {...at, engine: 'rigid', setting: 'Euler'};
+  const {series: [event, rigid]} = benchOf({clearance: 5e-4, engines: [{engine: 'event', family: 'native'}], series: [{engine: 'event', setting: '', order: null},
+    {engine: 'rigid', setting: 'Euler', order: 1}], points: [{...at, step: null, setting: 'tolerance 1e-6', position_error: 1e-7},
+    {...at, step: null, setting: 'tolerance 1e-8', position_error: 1e-9}, {...off, step: 1e-4, position_error: 7e-7}, {...off, step: 1e-3, position_error: null}]});
+  assert.deepEqual(event.points.map(({label, error, ms, limit, step}) => [label, error, ms, limit, step]),
+    [['tolerance 1e-6', 1e-7, 3, 0, 0], ['tolerance 1e-8', 1e-9, 3, 0, 0]], 'tolerances are one series');
+  assert.deepEqual([rigid.points.map(({label}) => label), rigid.family, event.family, rigid.order], [['Euler, 100 µs'], 'peer', 'native', 1]);
 });
 
 test('of the free rotor those that its scene allows', () => {

@@ -19,4 +19,9 @@ export const units = {
   gap: (v, finest) => Math.abs(v) < finest ? '0' : v < 0 ? `${figure(-v, lengths)} deep` : figure(v, lengths),
   rpm: (v) => `${Math.round(v * 30 / Math.PI).toLocaleString('en')} rpm`,
   time: (v) => `${v.toFixed(6)} s`,
+  // A length of time, such as a step.
+  duration(v) {
+    const [size, unit] = v < 1e-3 ? [1e-6, 'µs'] : v < 0.1 ? [1e-3, 'ms'] : [1, 's'];
+    return `${Number((v / size).toPrecision(6))} ${unit}`;
+  },
 };

@@ -1,0 +1,93 @@
+// The parts of a report and of a run's page, from what page.cc writes.
+import assert from 'node:assert/strict';
+import {test} from 'node:test';
+import {html} from '../../../compare/report/page/html.js';
+import {reportParts, runParts} from '../../../compare/report/page/report_parts.js';
+
+const side = {label: 'native', status: 'ok', engine: 'native', integrator: 'event', contact: 'rigid', step: 0, steps: 9, rows: 3, impacts_written: 1,
+  tracks: {}, whirl: {}, distribution: [{}]};
+const scene = {name: '<b>ring', hash: 'f00', step: 1e-5, end: 0.06, text: 'x = 1', twins: 2, contacts: [{name: ''}], windows: [{name: 'whole run'}],
+  sides: [side, {...side, label: 'cone', engine: 'mujoco'}], what_if: null, rotor: {refusal: 'none'}, films: [], no_films: 'off.', setting: '',
+  impacts: {cone: [{native: {t: 0.01, normal_impulse: 2e-3}, other: null}]},
+  parts: [
+    {id: 'answer', parts: [{text: 'MuJoCo alone: no (gap: 0)', tone: 'bad', toned: 'no'}, {text: 'with the rigid law: yes', tone: 'good', toned: 'yes'},
+      {columns: [{text: 'off by the step'}], rows: []}, {text: 'One.', mark: '>'}, {text: 'Two.'}]},
+    {id: 'figures', parts: [{columns: [{text: 'figure'}, {text: 'cone'}, {text: 'what it means'}], rows: [
+      {cells: ['force', {text: '2', beside: '+3 %', tone: 'bad'}, 'mean'], mark: '*'}, {cells: ['steps', '9', 'count']}]}]},
+    {id: 'differences', parts: [{columns: [{text: 'figure'}], rows: [{cells: ['force']}, {cells: ['peak'], mark: '?'}]}, {text: 'never part'}]},
+    {text: 'shadow: none'},
+    {id: 'verdicts', parts: [{text: 'OUTSIDE cone is off', tone: 'bad', toned: 'OUTSIDE'}, {text: 'why', mark: '-'}, {text: 'within rigid agrees', tone: 'good', toned: 'within'}]}]};
+const data = {scenes: [scene], mode: 'lockstep', tolerance: 0.01, trade: null, versions: {rotorub: '0.2', MuJoCo: '2.2'},
+  beside: {precision: [], cases: [{text: 'all pass'}], maps: []}};
+const partsOf = (given) => {
+  const parts = reportParts(given);
+  return {parts, scene: parts.find(({id}) => id === 'scene-1').parts, of: (id) => parts.find((part) => part.id === id)};
+};
+const detailsOf = (parts, name) => parts.find(({id}) => id === `scene-1-${name}`);
+
+test('the answer is one sentence with its tones, then the table, and the notes in one paragraph', () => {
+  const [answer] = partsOf(data).of('verdicts').parts, [head, table, notes] = answer.parts;
+  assert.match(head.markup.text, /<a href="#scene-1">&lt;b&gt;ring<\/a>/);
+  const sentence = head.markup.text.match(/<p class="sentence">(.*?)<\/p>/)[1];
+  assert.equal(sentence, '<b>MuJoCo alone</b>: <b class="bad">no</b> (gap: 0); <b>with the rigid law</b>: <b class="good">yes</b>.');
+  assert.equal(table.class, 'cards-when-small');
+  assert.match(notes.text, /^One\. Two\. Each error is/);
+});
+
+test('judged figures stand with their differences, and all figures with their meanings', () => {
+  const {scene: parts} = partsOf(data), judged = parts.find(({caption}) => /^The judged figures/.test(caption));
+  assert.deepEqual(judged.columns.map(({text}) => text), ['figure', 'cone']);
+  assert.deepEqual(judged.rows.map(({cells}) => cells), [['force', {text: '2', beside: '+3 %', tone: 'bad'}]]);
+  assert.deepEqual(detailsOf(parts, 'figures').parts[0].rows.map(({cells}) => cells), [['force', '2', 'mean'], ['steps', '9', 'count']]);
+  assert.ok(parts.some(({text}) => text === 'shadow: none'));
+});
+
+test('differences that cannot be split are folded', () => {
+  const [, table, folded, note] = detailsOf(partsOf(data).scene, 'differences').parts;
+  assert.deepEqual(table.rows.map(({cells}) => cells[0]), ['force']);
+  assert.match(folded.details, /^1 differences that cannot/);
+  assert.deepEqual(folded.parts[0].rows.map(({cells}) => cells[0]), ['peak']);
+  assert.equal(note.text, 'never part');
+});
+
+test('each verdict has its reasons', () => {
+  const [{markup}] = partsOf(data).scene;
+  assert.match(markup.text, /<details class="verdict later bad" open><summary><h3><span class="mark">OUTSIDE<\/span> {2}cone is off<\/h3><\/summary>\s*<ul><li>why<\/li><\/ul>/);
+  assert.match(markup.text, /<section class="verdict good"><h3><span class="mark">within<\/span> {2}rigid agrees<\/h3><\/section>/);
+});
+
+test('the first impacts of every run, and the conditions', () => {
+  const {scene: parts} = partsOf(data), [table] = detailsOf(parts, 'impacts').parts;
+  assert.deepEqual(table.columns.map(({text}) => text), ['#', 'native', 'cone']);
+  assert.deepEqual(table.rows[0].cells, ['1', {text: '10.0000', beside: '2'}, '–']);
+  const {facts} = detailsOf(parts, 'conditions').parts[0];
+  assert.deepEqual(facts.slice(2, 6), [['scene hash', 'f00'], ['step', '10 µs'], ['tolerance', '1 %'],
+    ['repeated runs', '2 of native, from starts a few units in the last place apart']]);
+  assert.deepEqual(facts[7], ['cone', 'mujoco, integrator event, contact rigid, ok']);
+});
+
+test('results of other commands stand where there are any', () => {
+  const ids = partsOf(data).parts.map(({id}) => id).filter(Boolean);
+  assert.deepEqual(ids, ['verdicts', 'scene-1', 'cases', 'glossary']);
+});
+
+test('a resync has its onsets in the place of the judged figures', () => {
+  const parts = [...scene.parts.filter(({id}) => id !== 'differences'), {id: 'resync', parts: [{rows: [], columns: []}]}];
+  const resync = partsOf({...data, mode: 'resync', scenes: [{...scene, parts}]});
+  assert.ok(resync.scene.some((part) => part.parts?.[0].heading === 'Contact by contact'));
+  assert.ok(!resync.scene.some(({caption}) => /^The judged/.test(caption)));
+  assert.equal(detailsOf(resync.scene, 'differences'), undefined);
+  assert.match(resync.parts[1].markup.text, /sums of impulse and duration/);
+});
+
+test('the page of one run has its engine, its end and its facts', () => {
+  const [run, words] = runParts({scenes: [{...scene, sides: [side]}], versions: data.versions, ending: {text: '60 ms simulated', tone: ''}});
+  assert.equal(run.title, 'native, integrator event, contact rigid');
+  assert.equal(run.conditions, '60 ms simulated');
+  assert.deepEqual(run.parts.find(({id}) => id === 'run-conditions').parts[0].facts.map(([name]) => name), ['rotorub', 'scene hash', 'run', 'steps', 'rows', 'impacts']);
+  assert.equal(words.id, 'glossary');
+});
+
+test('a value in markup is escaped, markup is not, and nothing is left out', () => {
+  assert.equal(html`<i title="${'"<'}">${[html`<b>${'&'}</b>`, 0, null, false, undefined]}</i>`.text, '<i title="&quot;&lt;"><b>&amp;</b>0</i>');
+});

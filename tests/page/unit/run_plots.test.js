@@ -1,0 +1,42 @@
+// Which plots a scene's runs have.
+import assert from 'node:assert/strict';
+import {test} from 'node:test';
+import {runPlots} from '../../../compare/report/page/run_plots.js';
+
+const spread = {force: {}, impulse: null};
+const side = (label, tracks, more = {}) => ({label, tracks: Object.fromEntries(tracks.map((name) => [name, {}])),
+  whirl: {spectrum: {}, waterfall: {}, poincare: null}, distribution: [spread, spread], ...more});
+const contact = (name, more = {}) => ({name, touches: true, rubs: true, ...more});
+const keysOf = (plots) => plots.map(({key}) => key);
+
+test('a plot stands where a run has its data', () => {
+  const scene = {contacts: [contact('')], sides: [side('native', ['rotor', 'gap', 'torsion'])]};
+  const keys = keysOf(runPlots(scene));
+  for (const key of ['gap', 'friction_law', 'torsion', 'force_spread', 'spectrum', 'orbit']) assert.ok(keys.includes(key), key);
+  for (const key of ['current', 'motor', 'impulse_spread', 'residual', 'poincare', 'sample_force', 'measured_minus']) assert.ok(!keys.includes(key), key);
+  const two = keysOf(runPlots({...scene, sides: [...scene.sides, side('cone', ['rotor', 'current', 'motor_torque', 'force'])]}));
+  for (const key of ['current', 'actuator', 'motor', 'residual', 'sample_force']) assert.ok(two.includes(key), key);
+});
+
+test('without contact or friction there is no plot of it, without rows none at all', () => {
+  const sides = [side('native', ['rotor'])];
+  const free = keysOf(runPlots({contacts: [contact('', {touches: false, rubs: false})], sides}));
+  assert.deepEqual(free.filter((key) => /gap|force|impact|law|relative/.test(key)), []);
+  const smooth = keysOf(runPlots({contacts: [contact('', {rubs: false})], sides}));
+  assert.ok(smooth.includes('normal_law') && !smooth.includes('friction_law'));
+  assert.deepEqual(runPlots({contacts: [contact('')], sides: [side('native', [])]}), []);
+});
+
+test('a measured record adds plots, and decides on no other', () => {
+  const sides = [side('native', ['rotor']), side('measured', ['rotor', 'torsion'], {measured: true})];
+  const keys = keysOf(runPlots({contacts: [contact('')], sides}));
+  assert.ok(keys.includes('measured_minus') && !keys.includes('torsion') && !keys.includes('residual'));
+});
+
+test('with several contacts each has its plots, and the run has its own once', () => {
+  const plots = runPlots({contacts: [contact('drive end'), contact('free end')], sides: [side('native', ['rotor', 'contact2_control'])]});
+  const places = (of) => plots.filter(({key}) => key === of).map(({contact: number, place}) => [number, place?.name]);
+  for (const key of ['gap', 'impacts', 'relative']) assert.deepEqual(places(key), [[0, 'drive end'], [1, 'free end']], key);
+  assert.deepEqual(places('spin'), [[0, undefined]]);
+  assert.deepEqual(places('control'), [[1, 'free end']]);
+});
